@@ -5,7 +5,7 @@
 
 use std::f64::consts::PI;
 
-use impact_pair::audit::{Asked, Audit, Columns, read};
+use impact_pair::audit::{Audit, AuditSettings, Columns, read};
 use impact_pair::watch::Unwatched;
 use impact_pair::{Error, Scene};
 
@@ -41,7 +41,7 @@ fn simulated(step: f64, impacts: usize) -> String {
 
 fn main() -> Result<(), Error> {
     let scene = Scene::parse(SCENE)?;
-    let asked = Asked { tolerance: "1e-3".parse().expect("a number"), ..Asked::default() };
+    let asked = AuditSettings { tolerance: "1e-3".parse().expect("a number"), ..AuditSettings::default() };
     for step in [1e-4, 1e-5, 1e-6] {
         let list = read(&simulated(step, 60), &Columns::default(), scene.pair())?;
         let audit = Audit::of(&scene, list, &asked, &Unwatched)?;

@@ -3,7 +3,7 @@
 //! Two impacts a cycle: over the amplitude, all such motions, whether they exist (no wall is touched earlier) and are stable. The
 //! symmetric one stops being stable at the pitchfork, A/d = 0.34588927..., and two that mirror one another take its place.
 
-use impact_pair::two_impact::{MeasuredOrbit, Question, Stability, Unknown};
+use impact_pair::two_impact::{MeasuredOrbit, Problem, Stability, Unknown};
 use impact_pair::{Error, Harmonic, ImpactPair};
 
 fn main() -> Result<(), Error> {
@@ -12,7 +12,7 @@ fn main() -> Result<(), Error> {
         let amplitude = impact_pair::exact::Exact::from(percent);
         let harmonic = Harmonic::new(amplitude, 1.into(), 0.into())?;
         let pair = ImpactPair::new(harmonic, 100.into(), "4/5".parse().expect("a number"))?;
-        let answer = Question::new(&pair, 1, Unknown::Velocity)?.answer(9);
+        let answer = Problem::new(&pair, 1, Unknown::Velocity)?.answer(9);
         let is_stable = |orbit: &&MeasuredOrbit| orbit.physical == Some(true) && orbit.stability == Stability::Stable;
         let stable: Vec<&MeasuredOrbit> = answer.orbits.iter().map(|orbit| &orbit.measured).filter(is_stable).collect();
         let said = stable.iter().map(|orbit| match orbit.symmetric {

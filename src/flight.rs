@@ -16,17 +16,17 @@
 //! ```
 //!
 //! **The departure root divided out.** For a flight that left the wall `h <= 1/8` forcing periods ago, with the versine,
-//! excess and sine of `2 pi h` ([`Departure`]), the addition theorems turn this into
+//! excess and sine of `2 pi h` ([`SmallAngle`]), the addition theorems turn this into
 //! `z = z'(0) h + alpha (cos th0 excess + sin th0 versine)`, where nothing cancels as `h -> 0`: `z/h` keeps
 //! its sign information down to flights of a billionth of a forcing period ([`Flight::hop_height`]).
 
-use crate::number::kernel::Departure;
+use crate::number::kernel::SmallAngle;
 use crate::number::{Number, UNIT};
 use crate::pair::{Inward, Reduced, Wall};
 
 /// Sine and cosine of a phase later by a departure: the addition theorems.
 #[inline(always)]
-pub(crate) fn turned<N: Number>((sin, cos): (&N, &N), d: &Departure<N>) -> (N, N) {
+pub(crate) fn turned<N: Number>((sin, cos): (&N, &N), d: &SmallAngle<N>) -> (N, N) {
     let base = sin.mul_sub_ref(&d.versine, sin.clone());
     let turned_sin = cos.mul_add_ref(&d.sine, base);
     let base = cos.mul_sub_ref(&d.versine, cos.clone());
@@ -208,7 +208,7 @@ impl Flight<f64> {
 
     /// Returns the mirrored sine and cosine after a hop, by the addition theorems.
     #[inline(always)]
-    pub fn hop_sin_cos(&self, d: &Departure) -> (f64, f64) {
+    pub fn hop_sin_cos(&self, d: &SmallAngle) -> (f64, f64) {
         turned((&self.sin, &self.cos), d)
     }
 

@@ -15,9 +15,9 @@ use crate::pair::{Reduced, Wall};
 /// What [`accumulation`] wants of time at least, in turns, for each unit of the velocity before an impact.
 pub(crate) fn min_chatter_time_per_speed(pair: &Reduced<Ball>) -> f64 {
     let (beta, rebound) = (pair.beta.mid(), pair.restitution.mid());
-    let haste = 4.0 * rebound / (std::f64::consts::TAU * beta * (1.0 - rebound));
+    let least = 4.0 * rebound / (std::f64::consts::TAU * beta * (1.0 - rebound));
     // Where nothing shakes anything may rest; where nothing is lost only what is at rest.
-    if beta == 0.0 { 0.0 } else { haste.min(f64::MAX) } // proposes: Z1 is proved where it says so
+    if beta == 0.0 { 0.0 } else { least.min(f64::MAX) } // proposes: Z1 is proved where it says so
 }
 
 /// Where a set of phases lies on a stretch of a turn during which a wall is pressed.

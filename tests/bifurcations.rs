@@ -6,7 +6,7 @@ use std::sync::atomic::{AtomicU32, Ordering};
 use crate::tolerances::{CLOSED_FORM, QUOTIENT};
 use approx::assert_abs_diff_eq;
 use impact_pair::exact::{Dyadic, Enclosure, Exact};
-use impact_pair::periodic::bifurcation::{Diagram, End, Kind, Point, Wanted, survey};
+use impact_pair::periodic::bifurcation::{Diagram, DiagramSettings, End, Kind, Point, survey};
 use impact_pair::periodic::{PeriodicOrbit, Precision, Problem, Stability};
 use impact_pair::scene::{Key, Term};
 use impact_pair::watch::{Stage, Unwatched, proceed_if};
@@ -21,7 +21,7 @@ const SCENE: &str = r#"
 fn diagram(over: &str, doublings: u32) -> Diagram {
     let scene = Scene::parse(SCENE).unwrap();
     let precision = Precision { digits: 20, ..Precision::default() };
-    let wanted = Wanted { over: over.parse().unwrap(), doublings, precision };
+    let wanted = DiagramSettings { over: over.parse().unwrap(), doublings, precision };
     survey(scene.pair(), scene.start(), (&"RL".parse().unwrap(), 1), &wanted, &Unwatched).unwrap()
 }
 
@@ -87,7 +87,8 @@ fn the_unstable_symmetric_orbit_ends_in_a_graze_at_half_the_gap() {
 #[test]
 fn over_the_gap_the_same_points_come_in_the_other_order() {
     let scene = Scene::parse(SCENE).unwrap();
-    let wanted = Wanted { over: "gap=0.77..1.1".parse().unwrap(), doublings: 1, precision: Precision::default() };
+    let wanted =
+        DiagramSettings { over: "gap=0.77..1.1".parse().unwrap(), doublings: 1, precision: Precision::default() };
     let diagram = survey(scene.pair(), scene.start(), (&"RL".parse().unwrap(), 1), &wanted, &Unwatched).unwrap();
     assert_eq!(kinds(&diagram), [(Kind::PeriodDoubling, 1), (Kind::Pitchfork, 0)]);
     let (gap, _) = diagram.in_units(&diagram.points[1]).unwrap();
@@ -101,7 +102,7 @@ fn under(terms: [&str; 3], cycles: u32, over: &str, doublings: u32) -> Result<Di
     let lists = format!("amplitude = [{amplitude}], frequency = [{frequency}], phase = [{phase}]");
     let scene = Scene::parse(&SCENE.replace("amplitude = 0.36, frequency = \"pi\", phase = 0", &lists)).unwrap();
     let precision = Precision { digits: 20, ..Precision::default() };
-    let wanted = Wanted { over: over.parse()?, doublings, precision };
+    let wanted = DiagramSettings { over: over.parse()?, doublings, precision };
     survey(scene.pair(), scene.start(), (&"RL".parse().unwrap(), cycles), &wanted, &Unwatched)
 }
 
@@ -236,7 +237,8 @@ fn what_has_no_branch_under_several_harmonics_is_refused_in_one_line() {
 #[test]
 fn a_survey_that_is_ended_keeps_what_is_proved() {
     let scene = Scene::parse(SCENE).unwrap();
-    let wanted = Wanted { over: "amplitude=0.3..0.48".parse().unwrap(), doublings: 2, precision: Precision::default() };
+    let wanted =
+        DiagramSettings { over: "amplitude=0.3..0.48".parse().unwrap(), doublings: 2, precision: Precision::default() };
     let asked = AtomicU32::new(0);
     let up_to = |most: u32| {
         asked.store(0, Ordering::Relaxed);
@@ -283,7 +285,8 @@ fn over_the_restitution_the_pitchfork_solves_the_closed_form() {
 #[test]
 fn r32_a_branch_of_one_station_is_not_proved_to_be_a_curve() {
     let scene = Scene::parse(SCENE).unwrap();
-    let wanted = Wanted { over: "amplitude=0.1..0.2".parse().unwrap(), doublings: 0, precision: Precision::default() };
+    let wanted =
+        DiagramSettings { over: "amplitude=0.1..0.2".parse().unwrap(), doublings: 0, precision: Precision::default() };
     let ended_after = |asked: u32| {
         let done = AtomicU32::new(0);
         let watch = |_: Stage<'_>| proceed_if(done.fetch_add(1, Ordering::Relaxed) < asked);

@@ -5,7 +5,7 @@ use impact_pair::Scene;
 use impact_pair::document;
 use impact_pair::exact::{Exact, decimal_bounds};
 use impact_pair::periodic::Precision;
-use impact_pair::periodic::bifurcation::{Wanted, survey};
+use impact_pair::periodic::bifurcation::{DiagramSettings, survey};
 use impact_pair::watch::Unwatched;
 use impact_pair_certificate::{Claims, Effort, Verdict};
 use serde_json::{Value, json};
@@ -23,7 +23,7 @@ fn under(excitation: &str, cycles: u32, over: &str, (doublings, digits): (u32, u
     );
     let scene = Scene::parse(&scene).unwrap();
     let precision = Precision { digits, ..Precision::default() };
-    let wanted = Wanted { over: over.parse().unwrap(), doublings, precision };
+    let wanted = DiagramSettings { over: over.parse().unwrap(), doublings, precision };
     let asked = (&"RL".parse().unwrap(), cycles);
     let diagram = survey(scene.pair(), scene.start(), asked, &wanted, &Unwatched).unwrap();
     json!(document::bifurcations(scene.start(), asked, &diagram).unwrap())

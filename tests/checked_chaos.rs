@@ -5,7 +5,7 @@ use std::f64::consts::{PI, TAU};
 use std::fs;
 
 use impact_pair::Scene;
-use impact_pair::chaos::{Chaos, Hyperbolic, Question, Trap};
+use impact_pair::chaos::{Chaos, HorseshoeSettings, Hyperbolic, Trap};
 use impact_pair::document;
 use impact_pair::exact::Exact;
 use impact_pair::json::BaseDocument;
@@ -32,7 +32,7 @@ fn chaos_of(bases: &str, depth: usize, over: Option<&str>) -> Value {
     let scene = figure("figure-14");
     let read: Value = serde_json::from_str(&file(bases)).unwrap();
     let bases: Vec<BaseDocument> = serde_json::from_value(read["bases"].clone()).unwrap();
-    let question = Question { depth, bases: document::bases(&bases) };
+    let question = HorseshoeSettings { depth, bases: document::bases(&bases) };
     let over: Option<Range> = over.map(|over| over.parse().unwrap());
     let pair = match &over {
         Some(over) => scene.pair().with(over.key, Exact::interval(&over.low, &over.high).unwrap()).unwrap(),
@@ -47,7 +47,7 @@ pub fn hyperbolic(depth: usize) -> Value {
     let scene = figure("figure-14");
     let read: Value = serde_json::from_str(&file("docs/bases-figure-14.json")).unwrap();
     let bases: Vec<BaseDocument> = serde_json::from_value(read["bases"].clone()).unwrap();
-    let question = Question { depth, bases: document::bases(&bases) };
+    let question = HorseshoeSettings { depth, bases: document::bases(&bases) };
     let found = Chaos::of(scene.pair(), scene.start(), &question, &Unwatched).unwrap();
     let set = Hyperbolic::of(scene.pair(), &found, &Unwatched).unwrap();
     let mut document = document::chaos(&scene, None, &question, &found);

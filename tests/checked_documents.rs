@@ -8,8 +8,8 @@ use impact_pair::exact::Exact;
 use impact_pair::orbit::Settings;
 use impact_pair::pair::Wall;
 use impact_pair::periodic::{Precision, Problem};
-use impact_pair::sweep::{self, Asked, Grid};
-use impact_pair::two_impact::{Question, Unknown};
+use impact_pair::sweep::{self, Grid, PointSettings};
+use impact_pair::two_impact::{self, Unknown};
 use impact_pair::watch::Unwatched;
 use impact_pair_certificate::{Claims, Effort, Verdict};
 use serde_json::{Value, json};
@@ -20,7 +20,7 @@ fn sweep(scene: &str, over: &[&str]) -> Vec<Value> {
     let grid = Grid::new(over.iter().map(|axis| axis.parse().unwrap()).collect()).unwrap();
     let settings = Settings { digits: 6, ..Settings::default() };
     let reference = grid.reference(&scene).unwrap();
-    let asked = Asked { transient: 3, impacts: 5, summary: false, reference, settings };
+    let asked = PointSettings { transient: 3, impacts: 5, summary: false, reference, settings };
     let mut lines = vec![json!(sweep::head(&scene, &grid, &asked, None))];
     for number in 0..grid.points() {
         let values = grid.values(number).unwrap();
@@ -125,7 +125,7 @@ fn r17_a_point_that_is_not_proved_does_not_hide_one_that_is_false() {
 
 fn two_impact(cycles: u32) -> Value {
     let scene = Scene::parse(&SCENE.replace("amplitude = 8", "amplitude = 2")).unwrap();
-    let answer = Question::new(scene.pair(), cycles, Unknown::Velocity).unwrap().answer(9);
+    let answer = two_impact::Problem::new(scene.pair(), cycles, Unknown::Velocity).unwrap().answer(9);
     json!(document::two_impact(scene.start(), &answer, Wall::Left))
 }
 
@@ -276,7 +276,7 @@ fn r32_a_period_that_is_no_whole_number_of_cycles_is_told_in_time() {
         let grid = Grid::new(vec!["amplitude.2=0..0.01:2".parse().unwrap()]).unwrap();
         let reference = grid.reference(&scene).unwrap();
         let settings = Settings { digits: 6, ..Settings::default() };
-        let asked = Asked { transient: 60, impacts: 40, summary: true, reference, settings };
+        let asked = PointSettings { transient: 60, impacts: 40, summary: true, reference, settings };
         let values = grid.values(0).unwrap();
         let point = sweep::follow(&grid.scene(&scene, &values).unwrap(), &asked, &Unwatched).unwrap().unwrap();
         json!(sweep::record(0, &values, &point))["period"].clone()

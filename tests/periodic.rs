@@ -457,7 +457,7 @@ fn r32_what_rests_is_excluded_from_what_is_proved_to_be_all() {
     use impact_pair::document::{Units, two_impact};
     use impact_pair::orbit::{Outcome, Progress};
     use impact_pair::pair::Wall;
-    use impact_pair::two_impact::{Question, Unknown};
+    use impact_pair::two_impact::{Problem, Unknown};
 
     let pair = pair("0.9", "0");
     let start = Start::on_wall(value("0"), Wall::Left, value("0")).unwrap();
@@ -481,7 +481,7 @@ fn r32_what_rests_is_excluded_from_what_is_proved_to_be_all() {
     let document = Units::new(&pair).unwrap().document(&problem, &start, &census);
     assert!(document.exhaustive && document.orbits.iter().all(|orbit| orbit.physical != Some(true)));
     assert_eq!(document.excludes.as_deref(), Some("motions that rest"));
-    let answer = Question::new(&pair, 1, Unknown::Velocity).unwrap().answer(9);
+    let answer = Problem::new(&pair, 1, Unknown::Velocity).unwrap().answer(9);
     let document = two_impact(&start, &answer, Wall::Left);
     assert!(document.exhaustive && document.orbits.iter().all(|orbit| orbit.physical != Some(true)));
     assert_eq!(document.excludes.as_deref(), Some("motions that rest"));

@@ -8,7 +8,7 @@ use impact_pair::number::Ball;
 use impact_pair::orbit::{Impact, Orbit as Run, Progress, Settings, Start};
 use impact_pair::pair::{Reduced, Wall};
 use impact_pair::periodic::{Eigenvalue, MeasuredImpact};
-use impact_pair::two_impact::{Answer, Axis, Manifold, Mark, Orbit, Question, Range, Stability, Unknown};
+use impact_pair::two_impact::{Answer, Axis, Manifold, Mark, Orbit, Problem, Range, Stability, Unknown};
 use impact_pair::watch::{Stage, Unwatched, proceed_if};
 use impact_pair::{Harmonic, ImpactPair, Scene};
 use proptest::prelude::*;
@@ -26,7 +26,7 @@ fn pair(amplitude: &str, gap: &str, restitution: &str) -> ImpactPair {
 }
 
 fn all(pair: &ImpactPair, cycles: u32) -> Answer {
-    Question::new(pair, cycles, Unknown::Velocity).unwrap().answer(20)
+    Problem::new(pair, cycles, Unknown::Velocity).unwrap().answer(20)
 }
 
 /// Whether there is a number in both.
@@ -170,9 +170,9 @@ fn the_orbit_of_figure_12_is_exact() {
     assert_eq!((orbit.measured.physical, orbit.measured.stability), (Some(true), Stability::Stable));
     // (68) and (67) give the same back.
     let speed = exact("4*pi");
-    let found = Question::new(&pair, 1, Unknown::Amplitude(speed.clone())).unwrap().answer(20);
+    let found = Problem::new(&pair, 1, Unknown::Amplitude(speed.clone())).unwrap().answer(20);
     assert!(found.orbits.len() == 1 && found.is_complete && holds(&found.orbits[0].amplitude, "1"));
-    let found = Question::new(&pair, 1, Unknown::Gap(speed)).unwrap().answer(20);
+    let found = Problem::new(&pair, 1, Unknown::Gap(speed)).unwrap().answer(20);
     assert!(found.orbits.len() == 1 && found.is_complete && holds(&found.orbits[0].gap, "3*pi"));
 }
 
@@ -229,14 +229,14 @@ fn a_graze_and_a_fold_that_no_precision_decides_are_undecided() {
 #[test]
 fn questions_without_an_answer_are_refused() {
     let still = pair("0", "1", "0.5");
-    assert_eq!(Question::new(&still, 1, Unknown::Velocity).unwrap_err().key(), Some("excitation.amplitude"));
+    assert_eq!(Problem::new(&still, 1, Unknown::Velocity).unwrap_err().key(), Some("excitation.amplitude"));
     let wide = pair("1", "1", "[0.9, 1]");
-    assert_eq!(Question::new(&wide, 1, Unknown::Velocity).unwrap_err().key(), Some("pair.restitution"));
+    assert_eq!(Problem::new(&wide, 1, Unknown::Velocity).unwrap_err().key(), Some("pair.restitution"));
     let good = pair("1", "1", "0.5");
     assert!(
-        Question::new(&good, 0, Unknown::Velocity).is_err() && Question::new(&good, 1000, Unknown::Velocity).is_err()
+        Problem::new(&good, 0, Unknown::Velocity).is_err() && Problem::new(&good, 1000, Unknown::Velocity).is_err()
     );
-    assert!(Question::new(&good, 1, Unknown::Gap(exact("0"))).is_err());
+    assert!(Problem::new(&good, 1, Unknown::Gap(exact("0"))).is_err());
 }
 
 /// Every stable physical orbit, started from its bounds, is run for 100 periods.
@@ -337,7 +337,7 @@ fn parts_of_the_manifolds_agree_with_the_motions_in_them() {
             let frequency = Exact::from_f64(between).unwrap();
             let harmonic = Harmonic::new(exact("1"), frequency, exact("0")).unwrap();
             let there = ImpactPair::new(harmonic, exact("20"), exact("0.8")).unwrap();
-            let found = Question::new(&there, cycles, Unknown::Amplitude(exact("20"))).unwrap().answer(15);
+            let found = Problem::new(&there, cycles, Unknown::Amplitude(exact("20"))).unwrap().answer(15);
             let (orbit, part) = (&found.orbits[0], ends[0].after.unwrap());
             assert_eq!(orbit.measured.physical, Some(part.is_physical), "{between}");
             assert_eq!(orbit.measured.stability, part.stability, "{between}");
@@ -382,7 +382,7 @@ fn what_is_known_of_one_harmonic_says_so() {
     let (speed, axis) = (exact("20"), Axis::Frequency);
     let range = Range { pair: scene.pair(), speed, axis, from: exact("1"), to: exact("2"), count: 5 };
     let errors =
-        [Question::new(scene.pair(), 1, Unknown::Velocity).unwrap_err(), range.manifold(1, 9, &Unwatched).unwrap_err()];
+        [Problem::new(scene.pair(), 1, Unknown::Velocity).unwrap_err(), range.manifold(1, 9, &Unwatched).unwrap_err()];
     for error in errors {
         let said = error.to_string();
         assert!(said.contains("has 3 harmonics") && said.contains("periodic --word RL --cycles N --all"), "{said}");
@@ -418,7 +418,7 @@ fn manifolds_over_v_are_mirror_images_on_both_walls() {
 fn r32_elastic_equispaced_motions_of_an_even_number_of_cycles_are_found() {
     let pair = pair("1", "7", "1");
     for (cycles, gap) in [(2, "10"), (4, "20")] {
-        let answer = Question::new(&pair, cycles, Unknown::Gap(exact("5"))).unwrap().answer(20);
+        let answer = Problem::new(&pair, cycles, Unknown::Gap(exact("5"))).unwrap().answer(20);
         assert_eq!(answer.orbits.len(), 2);
         for orbit in &answer.orbits {
             assert!(holds(&orbit.gap, gap), "{:?}", orbit.gap);
@@ -427,7 +427,7 @@ fn r32_elastic_equispaced_motions_of_an_even_number_of_cycles_are_found() {
                 assert!(residual.contains(&num_rational::BigRational::from_integer(0.into())), "{residual:?}");
             }
         }
-        let refused = Question::new(&pair, cycles, Unknown::Amplitude(exact("5"))).unwrap_err();
+        let refused = Problem::new(&pair, cycles, Unknown::Amplitude(exact("5"))).unwrap_err();
         assert_eq!(refused.key(), Some("cycles"));
     }
 }

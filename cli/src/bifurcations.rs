@@ -10,7 +10,7 @@ use impact_pair::document::{self, counted};
 use impact_pair::exact::decimal_digits;
 use impact_pair::mapping::Word;
 use impact_pair::orbit::MAX_BITS;
-use impact_pair::periodic::bifurcation::{Diagram, End, Kind, Wanted, over, survey};
+use impact_pair::periodic::bifurcation::{Diagram, DiagramSettings, End, Kind, over, survey};
 use impact_pair::periodic::chain::MOST_CYCLES;
 use impact_pair::scene::{Key, Range};
 
@@ -73,9 +73,9 @@ pub struct BifurcationArguments {
 
 impl BifurcationArguments {
     /// What is asked of the branches.
-    pub fn wanted(&self, scene: &Scene) -> Wanted {
+    pub fn wanted(&self, scene: &Scene) -> DiagramSettings {
         let precision = precision(self.digits, self.max_bits, scene);
-        Wanted { over: self.over.clone(), doublings: self.doublings, precision }
+        DiagramSettings { over: self.over.clone(), doublings: self.doublings, precision }
     }
 }
 

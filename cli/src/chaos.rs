@@ -7,7 +7,9 @@ use std::path::{Path, PathBuf};
 use anyhow::{Context, Result, bail};
 use clap::Args;
 use impact_pair::Scene;
-use impact_pair::chaos::{Asked, Base, Cells, Chaos, Hyperbolic, MOST_CELLS, MOST_DEPTH, MOST_HALVINGS, Question};
+use impact_pair::chaos::{
+    Base, Cells, Chaos, HorseshoeSettings, Hyperbolic, MOST_CELLS, MOST_DEPTH, MOST_HALVINGS, RangeSettings,
+};
 use impact_pair::document;
 use impact_pair::exact::Exact;
 use impact_pair::json::{BaseDocument, one_a_line};
@@ -136,7 +138,7 @@ impl Work<'_> {
     /// One horseshoe, for one pair or for all of a range at once.
     fn horseshoe(self, over: Option<&Range>, bases: Vec<Base>) -> Result<Answer> {
         let (scene, depth) = (self.scene, self.arguments.depth as usize);
-        let question = Question { depth, bases };
+        let question = HorseshoeSettings { depth, bases };
         let named = || scene::name(&self.arguments.scene);
         let pair = match over {
             Some(over) => {
@@ -171,7 +173,7 @@ impl Work<'_> {
     fn cells(self, over: &Range, cells: u32) -> Result<Answer> {
         let scene = self.scene;
         let (halvings, depth) = (self.arguments.halvings, self.arguments.depth as usize);
-        let asked = Asked { over: over.clone(), cells, halvings, depth };
+        let asked = RangeSettings { over: over.clone(), cells, halvings, depth };
         let progress = Progress::cells(cells, !self.files.quiet);
         let found = Cells::of(scene.pair(), scene.start(), &asked, &progress);
         progress.clear();

@@ -7,7 +7,7 @@ use std::path::PathBuf;
 use anyhow::{Context, Result};
 use clap::Args;
 use impact_pair::Scene;
-use impact_pair::chaos::{Cycle, Cycles, MOST_IMPACTS, Untrapped};
+use impact_pair::chaos::{Cycle, Cycles, MOST_IMPACTS, NoTrap};
 use impact_pair::document::{self, counted};
 use impact_pair::exact::decimal_digits;
 use impact_pair::pair::Wall;
@@ -79,7 +79,7 @@ pub fn cycles(arguments: &CyclesArguments) -> Result<Answer> {
     files.answer(&text, open, format == PeriodicFormat::Table)
 }
 
-fn table(scene: &Scene, found: Result<&Cycles, Untrapped>) -> Result<String, fmt::Error> {
+fn table(scene: &Scene, found: Result<&Cycles, NoTrap>) -> Result<String, fmt::Error> {
     let mut out = heading(scene);
     if let Ok(found) = found {
         writeln!(out, "region of {} boxes\n", found.trap().boxes())?;
@@ -124,7 +124,7 @@ fn row(cycle: &Cycle) -> String {
 }
 
 /// How much of what was asked is proved.
-fn conclusion(found: Result<&Cycles, Untrapped>) -> String {
+fn conclusion(found: Result<&Cycles, NoTrap>) -> String {
     let found = match found {
         Ok(found) => found,
         Err(why) => return format!("undecided: no region is proved; {}", why.words()),

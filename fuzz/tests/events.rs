@@ -1,7 +1,7 @@
 //! Event lists of other simulators: read or refused with the place; what is read is judged, and judging ends.
 
 use impact_pair::Scene;
-use impact_pair::audit::{Asked, Audit, Columns, read};
+use impact_pair::audit::{Audit, AuditSettings, Columns, read};
 use impact_pair::watch::Unwatched;
 use impact_pair_fuzz::{config, edited, share};
 use proptest::prelude::*;
@@ -37,7 +37,7 @@ proptest! {
         match read(&text, &Columns::default(), scene.pair()) {
             Ok(list) => {
                 let rows = list.rows.len();
-                let asked = Asked { max_bits: 256, ..Asked::default() };
+                let asked = AuditSettings { max_bits: 256, ..AuditSettings::default() };
                 if let Ok(audit) = Audit::of(&scene, list, &asked, &Unwatched) {
                     prop_assert!(audit.findings().len() >= rows || asked.until.is_some());
                 }

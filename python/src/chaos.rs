@@ -1,8 +1,8 @@
 //! Regions, all periodic motions in them, and chaos: the verbs `trap`, `cycles` and `chaos`.
 
 use impact_pair::chaos::{
-    Asked, BoxGraph, Cells, Chaos, Cycles, Hyperbolic, MOST_CELLS, MOST_COUNTED, MOST_DEPTH, MOST_HALVINGS,
-    MOST_IMPACTS, Question, Trap, WallWords,
+    BoxGraph, Cells, Chaos, Cycles, HorseshoeSettings, Hyperbolic, MOST_CELLS, MOST_COUNTED, MOST_DEPTH, MOST_HALVINGS,
+    MOST_IMPACTS, RangeSettings, Trap, WallWords,
 };
 use impact_pair::document;
 use impact_pair::exact::Exact;
@@ -87,7 +87,7 @@ pub fn chaos(
         let bases: Option<Vec<BaseDocument>> =
             bases.map(|text| serde_json::from_str(&text)).transpose().map_err(Fault::certificate)?;
         let bases = bases.map(|bases| document::bases(&bases)).unwrap_or_default();
-        let question = Question { depth: accepted("depth", depth, 1..=MOST_DEPTH)? as usize, bases };
+        let question = HorseshoeSettings { depth: accepted("depth", depth, 1..=MOST_DEPTH)? as usize, bases };
         let over = over.map(|over| bifurcation::over(&over)).transpose()?;
         let pair = match &over {
             Some(over) => {
@@ -120,7 +120,7 @@ pub fn chaos_cells(
     progress: Option<Py<PyAny>>,
 ) -> PyResult<Drawn> {
     let ((over, cells), (halvings, depth)) = (over, question);
-    let asked = Asked {
+    let asked = RangeSettings {
         over: bifurcation::over(over).map_err(Fault::from)?,
         cells: accepted("cells", cells, 1..=MOST_CELLS)?,
         halvings: accepted("halvings", halvings, 0..=MOST_HALVINGS)?,

@@ -160,10 +160,10 @@ impl Orbit {
 }
 
 /// The requested length of an orbit: impacts, time, digits, arithmetic, splice, bits.
-pub type Asked = (Option<u64>, Option<String>, Option<u32>, String, u64, u32);
+pub type RunOptions = (Option<u64>, Option<String>, Option<u32>, String, u64, u32);
 
 /// The part of it that a scene's table `[run]` may say.
-pub fn asked_run(asked: &Asked) -> Result<Run, Fault> {
+pub fn asked_run(asked: &RunOptions) -> Result<Run, Fault> {
     let (impacts, until, digits, ..) = asked;
     let until = until.as_deref().map(|until| point("until", until)).transpose()?;
     let digits = digits.map(|digits| accepted("digits", digits, DIGITS)).transpose()?;
@@ -172,7 +172,12 @@ pub fn asked_run(asked: &Asked) -> Result<Run, Fault> {
 
 /// Follows the orbit of a scene.
 #[pyfunction]
-pub fn run(py: Python<'_>, scene: &Bound<'_, Scene>, asked: Asked, progress: Option<Py<PyAny>>) -> PyResult<Orbit> {
+pub fn run(
+    py: Python<'_>,
+    scene: &Bound<'_, Scene>,
+    asked: RunOptions,
+    progress: Option<Py<PyAny>>,
+) -> PyResult<Orbit> {
     let scene = scene.get().scene.clone();
     watched(py, progress, move |monitor| {
         let (_, _, _, arithmetic, splice, max_bits) = &asked;

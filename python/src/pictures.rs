@@ -6,7 +6,7 @@ use impact_pair_plot::orbit::{Figure, Panel};
 use pyo3::prelude::*;
 
 use crate::errors::{Fault, accepted};
-use crate::orbit::{Asked, asked_run};
+use crate::orbit::{RunOptions, asked_run};
 use crate::scene::Scene;
 use crate::watched::watched;
 
@@ -17,7 +17,7 @@ pub fn plot(
     scene: &Bound<'_, Scene>,
     panels: &str,
     cycles: (u32, u32),
-    asked: Asked,
+    asked: RunOptions,
     progress: Option<Py<PyAny>>,
 ) -> PyResult<(String, bool, String)> {
     let scene = scene.get().scene.clone();

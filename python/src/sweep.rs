@@ -4,7 +4,9 @@ use impact_pair::exact::Exact;
 use impact_pair::json::{SweepHead, SweepRecord};
 use impact_pair::orbit::{self, Settings};
 use impact_pair::scene::{DIGITS, Key, Range};
-use impact_pair::sweep::{self, Asked, Cell, Grid, Kind, Table, axis, columns, csv_head, csv_rows, doubles, follow};
+use impact_pair::sweep::{
+    self, Cell, Grid, Kind, PointSettings, Table, axis, columns, csv_head, csv_rows, doubles, follow,
+};
 use impact_pair::watch::Silent;
 use impact_pair_plot::sweep::{Show, svg};
 use pyo3::prelude::*;
@@ -23,7 +25,7 @@ use crate::watched::{Monitor, watched};
 pub struct Sweep {
     scene: impact_pair::Scene,
     grid: Grid,
-    asked: Asked,
+    asked: PointSettings,
     pub head: SweepHead,
 }
 
@@ -69,7 +71,7 @@ impl Sweep {
         let transient = accepted("transient", impacts.0, 0..=sweep::MOST_IMPACTS)?;
         let impacts = accepted("impacts", impacts.1, 1..=sweep::MOST_IMPACTS)?;
         let reference = grid.reference(&scene).map_err(Fault::from)?;
-        let asked = Asked { transient, impacts, summary, reference, settings };
+        let asked = PointSettings { transient, impacts, summary, reference, settings };
         let head = sweep::head(&scene, &grid, &asked, None);
         Ok(Self { scene, grid, asked, head })
     }

@@ -1,18 +1,18 @@
 //! The other verbs: each answers with its document as JSON and whether everything requested is certified.
 
-use impact_pair::audit::{Asked, Audit, Column, Columns, read};
+use impact_pair::audit::{Audit, AuditSettings, Column, Columns, read};
 use impact_pair::document::{self, Units};
 use impact_pair::exact::Exact;
 use impact_pair::json::one_a_line;
 use impact_pair::mapping::Word;
 use impact_pair::orbit::{Arithmetic, BITS, Orbit, Settings};
 use impact_pair::pair::Wall;
-use impact_pair::periodic::bifurcation::{self, Wanted, survey};
+use impact_pair::periodic::bifurcation::{self, DiagramSettings, survey};
 use impact_pair::periodic::chain::MOST_CYCLES;
 use impact_pair::periodic::{Budget, Precision, Problem};
 use impact_pair::scene::{DIGITS, Run};
 use impact_pair::trade::Trade;
-use impact_pair::two_impact::{Axis, COUNTS, CYCLES, Question as TwoImpactQuestion, Range, Unknown, speed};
+use impact_pair::two_impact::{Axis, COUNTS, CYCLES, Problem as TwoImpactProblem, Range, Unknown, speed};
 use impact_pair::watch::Watch;
 use impact_pair_certificate::{Certificate, ClaimKind, Claims, Effort, Verdict};
 use pyo3::prelude::*;
@@ -86,7 +86,7 @@ pub fn bifurcations(
         let (word, over): (Word, _) = (word.parse()?, bifurcation::over(&over)?);
         let cycles = accepted("cycles", cycles, 1..=MOST_CYCLES)?;
         let doublings = accepted("doublings", doublings, 0..=8)?;
-        let wanted = Wanted { over, doublings, precision: precision(asked, &scene)? };
+        let wanted = DiagramSettings { over, doublings, precision: precision(asked, &scene)? };
         let diagram = survey(scene.pair(), scene.start(), (&word, cycles), &wanted, monitor)?;
         let document = document::bifurcations(scene.start(), (&word, cycles), &diagram)?;
         Ok((text(&document), diagram.is_certified()))
@@ -115,7 +115,7 @@ pub fn two_impact(
         let (wall, digits, cycles) = (side(&wall)?, digits(asked, &scene)?, all_cycles(cycles)?);
         let (mut documents, mut complete) = (Vec::new(), true);
         for cycles in cycles.take_while(|_| monitor.goes_on()) {
-            let answer = TwoImpactQuestion::new(scene.pair(), cycles, unknown.clone())?.answer(digits);
+            let answer = TwoImpactProblem::new(scene.pair(), cycles, unknown.clone())?.answer(digits);
             documents.push(text(&document::two_impact(scene.start(), &answer, wall)));
             complete &= answer.is_complete;
         }
@@ -208,7 +208,7 @@ pub fn audit(
         if !(low >= 0.0 && high <= 1.0) {
             return Err(Fault::range("tolerance", tolerance, "must be a number from 0 to 1"));
         }
-        let asked = Asked {
+        let asked = AuditSettings {
             tolerance: size,
             until: until.map(|until| point("until", &until)).transpose()?,
             digits: asked.map(|digits| accepted("digits", digits, DIGITS)).transpose()?,

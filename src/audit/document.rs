@@ -1,7 +1,7 @@
 //! The audit JSON: the documents of an audit and of its parts.
 
 use impact_pair_document::{
-    AUDIT_SCHEMA, AuditDocument, AuditEvent, CertifiedContact, Counts, Departure, Disagreement, DoublePrecision,
+    AUDIT_SCHEMA, AuditDocument, AuditEvent, CertifiedContact, Counts, Disagreement, Divergence, DoublePrecision,
     ImpactNumber, ImpactVerdict, ListedError, ListedRow, PROGRAM, Parting, SceneDocument, Units, bounds,
 };
 
@@ -51,7 +51,7 @@ impl Audit<'_> {
             },
             unused_columns: self.unused.clone(),
             first_disagreement: self.first_disagreement().map(disagreement),
-            another_orbit: judgement.departure.map(|found| Departure { impact: found.impact, row: row(found.row) }),
+            another_orbit: judgement.departure.map(|found| Divergence { impact: found.impact, row: row(found.row) }),
             double_precision: DoublePrecision {
                 rounded_data: doubles.data.map(parting),
                 float: doubles.float.map(parting),

@@ -14,7 +14,7 @@ use crate::exact::{Dyadic, Enclosure, compare_rational};
 
 /// Where a list diverges from the orbit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Departure {
+pub struct Divergence {
     /// The place among the findings.
     pub finding: usize,
     /// The first true impact that the list does not follow.
@@ -27,7 +27,7 @@ pub struct Departure {
 pub(super) struct Judgement {
     /// In the order of the list, with missed impacts in between.
     pub findings: Vec<Finding>,
-    pub departure: Option<Departure>,
+    pub departure: Option<Divergence>,
 }
 
 impl Judgement {
@@ -271,7 +271,7 @@ impl<'a> Judge<'a> {
 
 /// The first missed or false finding from which on, counted to any later one, fewer than half are inside, if both kinds
 /// come from there on: a list that only lacks or only adds impacts is on the orbit still.
-fn departure(findings: &[Finding], sites: &[Site]) -> Option<Departure> {
+fn departure(findings: &[Finding], sites: &[Site]) -> Option<Divergence> {
     let score = |verdict: Verdict| match verdict {
         Verdict::Inside => 1,
         Verdict::Outside | Verdict::Missed | Verdict::False(_) => -1,
@@ -293,7 +293,7 @@ fn departure(findings: &[Finding], sites: &[Site]) -> Option<Departure> {
         let before = findings[..finding].iter().rev().filter(|f| f.verdict != Verdict::InChatter);
         let last = before.filter(|f| !matches!(f.verdict, Verdict::False(_))).find_map(|f| f.site);
         let row = findings[finding..].iter().find_map(|finding| finding.row);
-        Departure { finding, impact: last.map_or(0, |site| sites[site].index) + 1, row }
+        Divergence { finding, impact: last.map_or(0, |site| sites[site].index) + 1, row }
     })
 }
 

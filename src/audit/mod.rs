@@ -2,7 +2,7 @@
 //!
 //! ```
 //! use impact_pair::Scene;
-//! use impact_pair::audit::{Asked, Audit, Columns, Verdict, read};
+//! use impact_pair::audit::{AuditSettings, Audit, Columns, Verdict, read};
 //! use impact_pair::watch::Unwatched;
 //!
 //! let scene = Scene::parse(r#"
@@ -12,7 +12,7 @@
 //! "#)?;
 //! // The exact orbit touches the walls at t = 1, 2, 3: the last time is wrong.
 //! let list = read("time,wall\n1,right\n2,left\n3.1,right", &Columns::default(), scene.pair())?;
-//! let audit = Audit::of(&scene, list, &Asked::default(), &Unwatched)?;
+//! let audit = Audit::of(&scene, list, &AuditSettings::default(), &Unwatched)?;
 //! let verdicts: Vec<Verdict> = audit.findings().iter().map(|finding| finding.verdict).collect();
 //! assert_eq!(verdicts, [Verdict::Inside, Verdict::Inside, Verdict::Outside]);
 //! assert!(!audit.is_agreed());
@@ -31,7 +31,7 @@ mod verdict;
 
 pub use doubles::{Doubles, Parting};
 pub use finding::{Errors, Finding};
-pub use judge::Departure;
+pub use judge::Divergence;
 pub use list::{Column, Columns, List, Listed, Number, read};
 pub use truth::{Rest, Site, SiteKind};
 pub use verdict::{Reason, Verdict};
@@ -55,7 +55,7 @@ const BEYOND: u32 = 3;
 
 /// The settings of an audit.
 #[derive(Clone, Debug)]
-pub struct Asked {
+pub struct AuditSettings {
     /// Accepted difference of a time, in periods `2 pi/W`, and of a velocity, in `A W`.
     pub tolerance: Exact,
     /// The time up to which the list is compared \[time\]: later rows are ignored; by default the last one listed.
@@ -66,7 +66,7 @@ pub struct Asked {
     pub max_bits: u32,
 }
 
-impl Default for Asked {
+impl Default for AuditSettings {
     /// To `10^-9`, up to the last time listed.
     fn default() -> Self {
         let tolerance = "1e-9".parse().expect("a number");
@@ -74,7 +74,7 @@ impl Default for Asked {
     }
 }
 
-impl Asked {
+impl AuditSettings {
     /// How the orbit that judges is computed.
     fn settings(&self, until: Exact) -> Settings {
         let arithmetic = if cfg!(feature = "multiprecision") { Arithmetic::Auto } else { Arithmetic::Interval };
@@ -124,7 +124,7 @@ impl<'s> Audit<'s> {
     /// # Errors
     /// If there is no row, or the time to compare up to is out of range ([`Error::is_list`], or the
     /// key `until`), or the scene's values exceed the range of orbits.
-    pub fn of(scene: &'s Scene, list: List, asked: &Asked, watch: &dyn Watch) -> Result<Self, Error> {
+    pub fn of(scene: &'s Scene, list: List, asked: &AuditSettings, watch: &dyn Watch) -> Result<Self, Error> {
         let List { mut rows, unused, velocities } = list;
         let lacks_velocities = velocities && rows.iter().all(|row| row.velocity.is_none());
         let listed = rows.len();
@@ -185,7 +185,7 @@ impl<'s> Audit<'s> {
     }
 
     /// Returns where the list diverges from the orbit, if it does.
-    pub fn departure(&self) -> Option<Departure> {
+    pub fn departure(&self) -> Option<Divergence> {
         self.judgement.departure
     }
 
@@ -272,7 +272,7 @@ impl<'s> Audit<'s> {
 }
 
 /// The error that the time to judge up to is beyond what an orbit can be followed to.
-fn too_late(asked: &Asked, rows: &[Listed]) -> Error {
+fn too_late(asked: &AuditSettings, rows: &[Listed]) -> Error {
     const LATE: &str = "later than an orbit can be followed to";
     let latest = rows.iter().max_by(|one, other| one.time.high.cmp(&other.time.high));
     match (&asked.until, latest) {
@@ -291,7 +291,8 @@ mod tests {
 
     #[test]
     fn the_truth_is_finer_than_the_tolerance() {
-        let digits = |text: &str| Asked { tolerance: text.parse().unwrap(), ..Asked::default() }.digits();
+        let digits =
+            |text: &str| AuditSettings { tolerance: text.parse().unwrap(), ..AuditSettings::default() }.digits();
         assert_eq!([digits("1e-9"), digits("2e-9"), digits("1"), digits("0.5")], [12, 12, 3, 4]);
         assert_eq!(digits("0"), 12);
         assert!(digits("1e-5000") > 300);
@@ -313,7 +314,7 @@ mod tests {
         .unwrap();
         let audit = |list: &str| {
             let rows = read(list, &Columns::default(), scene.pair()).unwrap();
-            Audit::of(&scene, rows, &Asked::default(), &Unwatched).unwrap()
+            Audit::of(&scene, rows, &AuditSettings::default(), &Unwatched).unwrap()
         };
         let corrupted = audit(&(listed(1..6) + "1000000000,left\n"));
         let counts = [Verdict::Inside, Verdict::Missed, Verdict::NotReached, Verdict::Undecided];

@@ -29,7 +29,7 @@ pub const MOST_HALVINGS: u32 = 24;
 
 /// The settings of a search for horseshoes.
 #[derive(Clone, Debug)]
-pub struct Asked {
+pub struct RangeSettings {
     /// The parameter and its range.
     pub over: Range,
     /// Cells that it is cut into, equally wide.
@@ -139,7 +139,7 @@ const EVERY: u32 = 2;
 struct Work<'w> {
     pair: &'w ImpactPair,
     start: &'w Start,
-    asked: &'w Asked,
+    asked: &'w RangeSettings,
     watch: &'w dyn Watch,
 }
 
@@ -151,7 +151,7 @@ impl Cells {
     ///
     /// # Errors
     /// With several harmonics, where an end is no value of the parameter, and when a value is beyond the range of flights.
-    pub fn of(pair: &ImpactPair, start: &Start, asked: &Asked, watch: &dyn Watch) -> Result<Self, Error> {
+    pub fn of(pair: &ImpactPair, start: &Start, asked: &RangeSettings, watch: &dyn Watch) -> Result<Self, Error> {
         let Range { key, low, high, .. } = &asked.over;
         Law::of(&pair.with(*key, within(NAME, low, Exact::interval(low, high))?)?)?;
         let (next, done) = (AtomicU32::new(0), AtomicU32::new(0));

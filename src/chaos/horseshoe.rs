@@ -1,8 +1,8 @@
 //! Horseshoes of a scene: [`Chaos`].
 
+use super::asymptotics::Asymptotics;
 use super::blocks::{Word, horseshoe};
 use super::entropy::entropy;
-use super::fate::Fate;
 use super::guess::Guess;
 use super::law::Law;
 use super::propose::Making;
@@ -22,7 +22,7 @@ pub const MOST_DEPTH: u32 = 64;
 
 /// The settings of a search for horseshoes.
 #[derive(Clone, Debug)]
-pub struct Question {
+pub struct HorseshoeSettings {
     /// Maximum number of impacts of a word.
     pub depth: usize,
     /// The h-sets; searched for if empty.
@@ -39,7 +39,7 @@ pub struct Question {
 ///
 /// ```
 /// use impact_pair::Scene;
-/// use impact_pair::chaos::{Base, Chaos, Question};
+/// use impact_pair::chaos::{Base, Chaos, HorseshoeSettings};
 /// use impact_pair::watch::Unwatched;
 /// let scene = Scene::parse(r#"
 ///     excitation = { amplitude = 8, frequency = "pi", phase = 0 }
@@ -51,7 +51,7 @@ pub struct Question {
 ///     Base::new([0.779603, 1.224294], [0.028826, 0.081513], [-0.0001488, 0.001298]),
 ///     Base::new([0.780161, 1.219425], [0.028649, 0.083055], [-0.0001116, 0.000974]),
 /// ];
-/// let chaos = Chaos::of(scene.pair(), scene.start(), &Question { depth: 3, bases }, &Unwatched)?;
+/// let chaos = Chaos::of(scene.pair(), scene.start(), &HorseshoeSettings { depth: 3, bases }, &Unwatched)?;
 /// // As many motions over n cycles as sequences of two letters.
 /// assert!(chaos.entropy() >= 0.28119 && chaos.entropy_a_cycle() >= 0.69314);
 /// assert_eq!(chaos.horseshoe().unwrap().map(|word| word.in_mappings()), ["P1 P2", "P1 P2 P4"]);
@@ -67,7 +67,7 @@ pub struct Chaos {
     exponent: Option<f64>,
     attractor: Vec<State>,
     tubes: Vec<Vec<State>>,
-    fate: Fate,
+    asymptotics: Asymptotics,
 }
 
 /// How chains of boxes are made; any way will do: from cells that are fine to those that leave room for intervals of parameters.
@@ -96,7 +96,12 @@ impl Chaos {
     ///
     /// # Errors
     /// If the pair has several harmonics, h-sets overlap each other or their own translates or are not convex, or a value is beyond the range of flights.
-    pub fn of(pair: &ImpactPair, start: &Start, question: &Question, watch: &dyn Watch) -> Result<Self, Error> {
+    pub fn of(
+        pair: &ImpactPair,
+        start: &Start,
+        question: &HorseshoeSettings,
+        watch: &dyn Watch,
+    ) -> Result<Self, Error> {
         let law = Law::of(pair)?;
         let guess = Guess::new(&law);
         let orbit = visited(pair, start, IMPACTS)?.last().and_then(|last| seen(&guess, last.middle()));
@@ -113,9 +118,9 @@ impl Chaos {
         }
         let proved = Self::proved(&law, bases, question.depth, watch);
         let horseshoe = if proved.entropy() > 0.0 { proved.bases() } else { &[] }; // exact: none is claimed where it is 0
-        let fate = Fate::of(pair, start, horseshoe, &Silent(watch))?;
+        let asymptotics = Asymptotics::of(pair, start, horseshoe, &Silent(watch))?;
         let exponent = orbit.as_ref().map(|orbit| orbit.exponent);
-        Ok(Self { exponent, attractor: orbit.map_or_else(Vec::new, Seen::states), fate, ..proved })
+        Ok(Self { exponent, attractor: orbit.map_or_else(Vec::new, Seen::states), asymptotics, ..proved })
     }
 
     /// What these h-sets lead to.
@@ -134,15 +139,15 @@ impl Chaos {
         let entropy = [by_impact(&search), 2.0 * entropy(&search.words, bases.len(), |path| path.half_turns)];
         let (tubes, boxes) = (search.shown.clone(), search.tally.boxes);
         let words = search.words.iter().map(Word::of).collect();
-        let (exponent, attractor, fate) = (None, Vec::new(), Fate::default());
-        Self { bases, words, depth, boxes, entropy, exponent, attractor, tubes, fate }
+        let (exponent, attractor, asymptotics) = (None, Vec::new(), Asymptotics::default());
+        Self { bases, words, depth, boxes, entropy, exponent, attractor, tubes, asymptotics }
     }
 
     /// Returns the same of a scene.
     ///
     /// # Errors
     /// As [`Chaos::of`].
-    pub fn of_scene(scene: &Scene, question: &Question, watch: &dyn Watch) -> Result<Self, Error> {
+    pub fn of_scene(scene: &Scene, question: &HorseshoeSettings, watch: &dyn Watch) -> Result<Self, Error> {
         Self::of(scene.pair(), scene.start(), question, watch)
     }
 
@@ -198,8 +203,8 @@ impl Chaos {
     }
 
     /// Returns the result for the scene's own orbit: whether it visits the horseshoe.
-    pub fn fate(&self) -> &Fate {
-        &self.fate
+    pub fn asymptotics(&self) -> &Asymptotics {
+        &self.asymptotics
     }
 }
 

@@ -5,6 +5,7 @@
 //! The impact map is *reduced* here: every impact is mirrored to the left wall (Lemma R2), a state is a phase in forcing periods and
 //! the speed before the impact over `A W`, and only `D = d/A` and `e` are left. Lemmas D1-D15, D20-D28, D30 and D31 of `docs/proofs.md`.
 
+mod asymptotics;
 mod attracted;
 mod bases;
 mod blocks;
@@ -15,7 +16,6 @@ mod cycles;
 mod each;
 mod entropy;
 mod everywhere;
-mod fate;
 mod flights;
 mod guess;
 mod horseshoe;
@@ -36,13 +36,13 @@ mod trials;
 mod tube;
 mod words;
 
+pub use asymptotics::{Asymptotics, Entered};
 pub use blocks::Word;
-pub use cells::{Asked, Cells, Horseshoe, MOST_CELLS, MOST_HALVINGS, Stretch, Verdict, seen_impacts};
+pub use cells::{Cells, Horseshoe, MOST_CELLS, MOST_HALVINGS, RangeSettings, Stretch, Verdict, seen_impacts};
 pub use cycles::{Cycle, Cycles, MOST_IMPACTS};
-pub use fate::{Entered, Fate};
-pub use horseshoe::{Chaos, MOST_DEPTH, Question};
+pub use horseshoe::{Chaos, HorseshoeSettings, MOST_DEPTH};
 pub use hyperbolic::Hyperbolic;
 pub use language::{BoxGraph, MOST_COUNTED, Unclosed, WallWords};
 pub use quad::{Chord, State};
-pub use region::{Trap, Untrapped};
+pub use region::{NoTrap, Trap};
 pub use words::Base;

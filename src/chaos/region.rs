@@ -47,7 +47,7 @@ pub struct Trap {
 
 /// Why no region is proved.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Untrapped {
+pub enum NoTrap {
     /// In the finest grid a ball may come to rest, or bounce too little to be measured from one that does.
     Rest,
     /// In the finest grid a flight may be longer than 64 forcing periods.
@@ -60,7 +60,7 @@ pub enum Untrapped {
     Interrupted,
 }
 
-impl Untrapped {
+impl NoTrap {
     /// Returns the reason in words.
     pub fn words(self) -> &'static str {
         match self {
@@ -86,7 +86,7 @@ impl Trap {
     ///
     /// # Errors
     /// With several harmonics, and when a value is beyond the range of double-precision flights.
-    pub fn of(scene: &Scene, finer: u32, watch: &dyn Watch) -> Result<Result<Self, Untrapped>, Error> {
+    pub fn of(scene: &Scene, finer: u32, watch: &dyn Watch) -> Result<Result<Self, NoTrap>, Error> {
         Self::of_pair(scene.pair(), scene.start(), finer, watch)
     }
 
@@ -99,15 +99,15 @@ impl Trap {
         start: &Start,
         finer: u32,
         watch: &dyn Watch,
-    ) -> Result<Result<Self, Untrapped>, Error> {
+    ) -> Result<Result<Self, NoTrap>, Error> {
         let law = Law::of(pair)?;
         let visited = visited(pair, start, IMPACTS)?;
-        let Some(last) = visited.last() else { return Ok(Err(Untrapped::NoImpact)) };
+        let Some(last) = visited.last() else { return Ok(Err(NoTrap::NoImpact)) };
         let guess = Guess::new(&law);
         // proposes: any box may be grown from
         let seed = (0..TRANSIENT).try_fold(last.middle(), |state, _| Some(guess.map(state)?.state));
         let seed = seed.unwrap_or(last.middle()); // proposes: any box may be grown from
-        let mut why = Untrapped::Boxes;
+        let mut why = NoTrap::Boxes;
         for doubled in 0..=DOUBLINGS {
             let region = grown(&law, doubled, seed, watch);
             let region = match region {
@@ -115,7 +115,7 @@ impl Trap {
                 Ok(region) => grown(&law, doubled + finer, seed, watch).unwrap_or(region), // D5: either is closed
                 Err(reason) => {
                     why = reason;
-                    if matches!(why, Untrapped::Interrupted | Untrapped::Boxes) {
+                    if matches!(why, NoTrap::Interrupted | NoTrap::Boxes) {
                         break;
                     }
                     continue;
@@ -126,7 +126,7 @@ impl Trap {
             if trap.flight[0] > 0.0 {
                 return Ok(Ok(trap));
             }
-            why = Untrapped::Rest;
+            why = NoTrap::Rest;
         }
         Ok(Err(why))
     }
@@ -219,15 +219,15 @@ impl Trap {
     }
 }
 
-fn grown(law: &Law, doubled: u32, seed: [f64; 2], watch: &dyn Watch) -> Result<Region, Untrapped> {
+fn grown(law: &Law, doubled: u32, seed: [f64; 2], watch: &dyn Watch) -> Result<Region, NoTrap> {
     let more = 1_i64 << doubled;
     let grid = Grid { columns: COARSEST.0 * more, rows: COARSEST.1 * more as f64 }; // exact: a power of two
     let cell = grid.cell(seed[0], seed[1]);
     Region::grow(law, grid, cell, watch).map_err(|reason| match reason {
-        Some(Refusal::Rest) => Untrapped::Rest,
-        Some(Refusal::Long) => Untrapped::Long,
-        None if watch.goes_on() => Untrapped::Boxes,
-        None => Untrapped::Interrupted,
+        Some(Refusal::Rest) => NoTrap::Rest,
+        Some(Refusal::Long) => NoTrap::Long,
+        None if watch.goes_on() => NoTrap::Boxes,
+        None => NoTrap::Interrupted,
     })
 }
 

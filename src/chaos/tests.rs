@@ -13,7 +13,7 @@ use super::quad::{Chord, Quad, State};
 use super::trap::{Grid, Region};
 use super::tube::{Part, Tube, taken};
 use super::words::{Base, Path, Search};
-use super::{Asked, Cells, Chaos, Entered, Fate, Horseshoe, Question, Trap, Verdict};
+use super::{Asymptotics, Cells, Chaos, Entered, Horseshoe, HorseshoeSettings, RangeSettings, Trap, Verdict};
 use crate::Scene;
 use crate::contact::{self, Margins, Radii, first_contact};
 use crate::flight::Flight;
@@ -267,9 +267,9 @@ fn the_shortest_horseshoe_holds_for_an_interval_of_gaps() {
 /// Lemma D13: the scene's orbit and the h-sets are in one region; an h-set that is moved away is not.
 #[test]
 fn the_horseshoe_of_figure_14_is_where_the_orbit_is() {
-    let question = Question { depth: 3, bases: bases().to_vec() };
+    let question = HorseshoeSettings { depth: 3, bases: bases().to_vec() };
     let chaos = Chaos::of_scene(&scene("8"), &question, &Unwatched).unwrap();
-    let Fate { attractor, region } = chaos.fate();
+    let Asymptotics { attractor, region } = chaos.asymptotics();
     let trap = Trap::of(&scene("8"), 0, &Unwatched).unwrap().unwrap();
     assert!(attractor.is_none());
     assert_eq!(*region, Some(Entered { boxes: trap.boxes(), at_impact: 2, holds_bases: true }));
@@ -287,11 +287,11 @@ fn a_saddle_is_told_from_an_attractor() {
         [[0.747_691_477_240_234_9, 1.126_724_932_061_096_4], [0.750_701_324_195_974_9, 1.100_911_021_852_679_9]],
     ];
     let [left, right] = corners.map(|[bottom, top]| Chord { bottom, top });
-    let question = Question { depth: 5, bases: vec![Base { left, right }] };
+    let question = HorseshoeSettings { depth: 5, bases: vec![Base { left, right }] };
     let chaos = Chaos::of_scene(&scene("8.4"), &question, &Unwatched).unwrap();
-    let attractor = chaos.fate().attractor.as_ref().unwrap();
+    let attractor = chaos.asymptotics().attractor.as_ref().unwrap();
     assert_eq!((attractor.word.mappings().len(), attractor.cycles), (8, 3));
-    assert!(chaos.entropy() > 0.0 && chaos.fate().region.is_none_or(|region| !region.holds_bases));
+    assert!(chaos.entropy() > 0.0 && chaos.asymptotics().region.is_none_or(|region| !region.holds_bases));
 }
 
 /// A = 0.498 d, where four impacts expand by half only: two words of 16 impacts in an h-set, so entropy (log 2)/16, and none of fewer. No chain of boxes
@@ -320,7 +320,7 @@ fn slow_expansion_is_proved_by_fine_tubes() {
 fn r32_a_base_wider_than_a_turn() {
     let chaos = |right: f64| {
         let edge = |phase: f64| Chord { bottom: [phase, 5.0], top: [phase, 5.1] };
-        let question = Question { depth: 1, bases: vec![Base { left: edge(0.1), right: edge(right) }] };
+        let question = HorseshoeSettings { depth: 1, bases: vec![Base { left: edge(0.1), right: edge(right) }] };
         Chaos::of_scene(&scene("8"), &question, &|_: Stage<'_>| ControlFlow::Break(()))
             .map(|_| ())
             .map_err(|error| error.to_string())
@@ -353,15 +353,16 @@ fn r32_distinct_words_rest_on_parts_that_lie_apart() {
 /// As far as the makings are compared, the horseshoe told is as short as there is; deeper, the entropy is what counts.
 #[test]
 fn a_deeper_search_leads_further() {
-    let chaos =
-        |depth: usize| Chaos::of_scene(&scene("8"), &Question { depth, bases: bases().to_vec() }, &Unwatched).unwrap();
+    let chaos = |depth: usize| {
+        Chaos::of_scene(&scene("8"), &HorseshoeSettings { depth, bases: bases().to_vec() }, &Unwatched).unwrap()
+    };
     let shallow = chaos(8);
     assert_eq!(shallow.horseshoe().unwrap().map(|word| word.in_mappings()), ["P1 P2", "P1 P2 P4"]);
     assert!(shallow.entropy() > 0.438 && chaos(12).entropy() > 0.462);
 }
 
 fn cells(over: &str, cells: u32, halvings: u32) -> Cells {
-    let asked = Asked { over: over.parse().unwrap(), cells, halvings, depth: 5 };
+    let asked = RangeSettings { over: over.parse().unwrap(), cells, halvings, depth: 5 };
     Cells::of(scene("8").pair(), scene("8").start(), &asked, &Unwatched).unwrap()
 }
 
@@ -404,7 +405,7 @@ fn a_cell_across_a_bifurcation_is_undecided() {
     let stopped = Cells::of(
         scene("8").pair(),
         scene("8").start(),
-        &Asked { over: "amplitude=1..2".parse().unwrap(), cells: 3, halvings: 2, depth: 3 },
+        &RangeSettings { over: "amplitude=1..2".parse().unwrap(), cells: 3, halvings: 2, depth: 3 },
         &|_: Stage<'_>| ControlFlow::Break(()),
     );
     let stopped = stopped.unwrap();

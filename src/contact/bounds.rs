@@ -37,7 +37,7 @@ pub struct Margins {
     pub(super) beta: f64,
     pub(super) least_beta: f64,
     /// An upper bound of `2 pi beta`: `z''` is nowhere larger.
-    pub(super) swing: f64,
+    pub(super) acceleration: f64,
     /// Of `z''` for a computed sine: kernel errors, roundings, the radius of `beta`.
     pub(super) bend: f64,
     /// Half the greatest `z'''`.
@@ -62,7 +62,7 @@ impl Margins {
             alpha,
             beta,
             least_beta: (pair.beta.mid() - pair.beta.rad()).next_down(),
-            swing: SLACK * TAU * beta,
+            acceleration: SLACK * TAU * beta,
             bend: SLACK * TAU * (beta * (HOP_SINE_ERROR + 8.0 * UNIT) + pair.beta.rad()),
             jerk: SLACK * TAU * TAU * beta / 2.0,
             waves: SLACK * (2.0 * alpha * SIN_COS_ERROR + 2.0 * pair.alpha.rad()),
@@ -96,7 +96,7 @@ impl<'a, const WIDE: bool> Bounds<'a, WIDE> {
     #[inline(always)]
     pub fn new(flight: &'a Flight<f64>, pair: &'a Margins, radii: Radii) -> Self {
         let drift = UNIT.mul_add(binade(flight.drift), pair.drift);
-        let tilt = if WIDE { pair.swing * (flight.sin.abs() + SIN_COS_ERROR + TAU * radii.phase) } else { 0.0 };
+        let tilt = if WIDE { pair.acceleration * (flight.sin.abs() + SIN_COS_ERROR + TAU * radii.phase) } else { 0.0 };
         Self { flight, pair, radii, drift, tilt }
     }
 
@@ -169,7 +169,7 @@ impl<'a, const WIDE: bool> Bounds<'a, WIDE> {
     /// Lemma C2 for a hop: `terms` is versine plus sine.
     #[inline(always)]
     pub fn hop_velocity(&self, terms: f64, velocity: f64) -> f64 {
-        let per_term = self.pair.hop_velocity + self.pair.swing * self.radii.phase;
+        let per_term = self.pair.hop_velocity + self.pair.acceleration * self.radii.phase;
         SLACK * (terms * per_term + self.radii.velocity + UNIT * (self.speed() + 2.0 * velocity.abs()))
     }
 

@@ -8,7 +8,7 @@ use std::cmp::Ordering;
 use super::bounds::{Bounds, HOP_SINE_ERROR, NARROW, Radii, SLACK, TAU};
 use super::extrema::{Extrema, Target};
 use super::solve::{Iterate, look_near};
-use crate::number::kernel::{ACOS_ERROR, Departure, SIN_COS_ERROR};
+use crate::number::kernel::{ACOS_ERROR, SIN_COS_ERROR, SmallAngle};
 use crate::number::{Ball, Kernel, UNIT, binade, up};
 
 /// Where and when a flight arrives: exactly one root of the piece lies in there, for each start.
@@ -39,7 +39,7 @@ pub(crate) struct Bracket {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Doubt {
     /// The direction of departure is not certain.
-    Departure,
+    SmallAngle,
     /// An extremum of this kind may touch its wall.
     Extremum { target: Target },
     /// The contact may lie at an extremum.
@@ -110,20 +110,20 @@ impl<const WIDE: bool> Bounds<'_, WIDE> {
 
     /// Returns a bracket around the end of a hop (Lemma C3).
     #[inline(always)]
-    pub fn hop_bracket(&self, iterate: &Iterate, departure: &Departure) -> Option<Bracket> {
+    pub fn hop_bracket(&self, iterate: &Iterate, departure: &SmallAngle) -> Option<Bracket> {
         let (bracket, is_proved) = self.near_bracket(iterate, departure);
         is_proved.then_some(bracket)
     }
 
     /// Returns the same, and whether it is proved.
     #[inline(always)]
-    pub fn near_bracket(&self, iterate: &Iterate, departure: &Departure) -> (Bracket, bool) {
-        let Departure { versine, excess, sine } = *departure;
+    pub fn near_bracket(&self, iterate: &Iterate, departure: &SmallAngle) -> (Bracket, bool) {
+        let SmallAngle { versine, excess, sine } = *departure;
         let error = self.hop_height(iterate.at, versine + excess, iterate.residual);
         let velocity_error = self.hop_velocity(versine + sine, iterate.velocity);
         let turned = TAU * self.radii.phase;
         let sine_error = HOP_SINE_ERROR + turned;
-        let bend_error = self.pair.bend + self.pair.swing * turned;
+        let bend_error = self.pair.bend + self.pair.acceleration * turned;
         let (Root { at, velocity, sin, rest }, is_proved) =
             self.root(iterate, error, velocity_error, sine_error, bend_error);
         let phase = self.flight.phase + at.mid();
@@ -151,7 +151,8 @@ impl<const WIDE: bool> Bounds<'_, WIDE> {
         let inverse = 1.0 / velocity.abs();
         let reach = 2.0 * (residual.abs() + error) * inverse;
         // C3: no sine is greater than 1
-        let curvature = if WIDE { pair.swing * (sin.abs() + sine_error + TAU * reach).min(1.0) } else { pair.swing };
+        let curvature =
+            if WIDE { pair.acceleration * (sin.abs() + sine_error + TAU * reach).min(1.0) } else { pair.acceleration };
         let doubt = SLACK * curvature.mul_add(reach, velocity_error) * inverse;
         let size = step.abs();
         let is_proved = (doubt <= 0.49) & (size <= reach) & (velocity * target.direction() > 0.0);
@@ -221,7 +222,7 @@ impl<const WIDE: bool> Bounds<'_, WIDE> {
         if self.is_on_wall() && start && end && leaves && longest < 0.25 && up(self.speed() * longest) < 1.0 {
             Ok(())
         } else {
-            Err(Doubt::Departure)
+            Err(Doubt::SmallAngle)
         }
     }
 
@@ -247,7 +248,7 @@ impl<const WIDE: bool> Bounds<'_, WIDE> {
     #[inline(always)]
     fn is_on_first_piece(&self, extrema: &Extrema, k: f64, arrival: &Arrival, clamped: f64) -> Result<(), Doubt> {
         if !self.departure_is_certain(extrema.rising) {
-            return Err(Doubt::Departure);
+            return Err(Doubt::SmallAngle);
         }
         let mut shift = NARROW;
         if !(self.is_narrow() && self.is_between(extrema, k, arrival, shift)) {

@@ -6,7 +6,7 @@ use super::extrema::{Extrema, Target};
 use super::solve::{Iterate, Judge, NoProposal, propose};
 use super::{Contact, Reason, Undecided};
 use crate::flight::Flight;
-use crate::number::kernel::{Departure, SIN_COS_ERROR};
+use crate::number::kernel::{SIN_COS_ERROR, SmallAngle};
 use crate::number::{ABOVE_TURN, Ball, Kernel, Number, UNIT, up};
 use crate::pair::{Inward, Reduced, Wall};
 
@@ -40,7 +40,7 @@ impl<const WIDE: bool> Judge for Bounds<'_, WIDE> {
     }
 
     #[inline(always)]
-    fn hop(&self, iterate: &Iterate, departure: &Departure) -> Self::Answer {
+    fn hop(&self, iterate: &Iterate, departure: &SmallAngle) -> Self::Answer {
         let bracket = self.hop_bracket(iterate, departure).ok_or_else(|| self.unbracketed(iterate))?;
         self.is_one_hop(&bracket).map_err(|doubt| doubted(*self, doubt, bracket.arrival))?;
         Ok(bracket)
@@ -109,10 +109,10 @@ pub(super) fn together(flight: &Flight<f64>, margins: &Margins, all: &Bracket, c
 
 /// `y''` at all starts of a set and at its contacts, from the computed sine of the centre's phase and that over the contacts.
 #[inline(always)]
-pub(crate) fn swings(pair: &Reduced<Ball>, phase: Ball, sin0: f64, sin1: Ball) -> [Ball; 2] {
+pub(crate) fn accelerations(pair: &Reduced<Ball>, phase: Ball, sin0: f64, sin1: Ball) -> [Ball; 2] {
     let sin0 = Ball::exact(sin0).widened(SIN_COS_ERROR + ABOVE_TURN * phase.rad());
-    let swing = pair.beta.turn() * pair.beta;
-    [swing * sin0, swing * sin1]
+    let acceleration = pair.beta.turn() * pair.beta;
+    [acceleration * sin0, acceleration * sin1]
 }
 
 /// Judges the flights of a set, and the one of its centre.
@@ -143,7 +143,7 @@ impl Judge for Both<'_> {
     }
 
     #[inline(always)]
-    fn hop(&self, iterate: &Iterate, departure: &Departure) -> Self::Answer {
+    fn hop(&self, iterate: &Iterate, departure: &SmallAngle) -> Self::Answer {
         let all = self.all.hop(iterate, departure);
         let all = all.map_err(|doubt| Self::blame(doubt, self.centre.hop(iterate, departure)))?;
         let centre = self.centre.hop_bracket(iterate, departure);
@@ -192,7 +192,7 @@ impl Judge for Unproved<'_> {
     }
 
     #[inline(always)]
-    fn hop(&self, iterate: &Iterate, _: &Departure) -> Self::Answer {
+    fn hop(&self, iterate: &Iterate, _: &SmallAngle) -> Self::Answer {
         let time = iterate.at - iterate.step;
         self.arrive(iterate, self.0.phase + time, time)
     }
@@ -228,7 +228,7 @@ fn unbracketed(from: Wall, target: Target) -> Undecided {
 fn doubted<const WIDE: bool>(bounds: Bounds<'_, WIDE>, doubt: Doubt, arrival: Arrival) -> Undecided {
     let flight = bounds.flight;
     let wall = match doubt {
-        Doubt::Departure => flight.wall,
+        Doubt::SmallAngle => flight.wall,
         Doubt::Extremum { target } => target.wall(flight.wall),
         Doubt::Location => arrival.target.wall(flight.wall),
     };

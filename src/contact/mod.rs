@@ -20,7 +20,7 @@ mod tests;
 pub mod textbook;
 
 pub use bounds::{Margins, Radii};
-pub(crate) use judges::{SetContact, first_contacts, swings};
+pub(crate) use judges::{SetContact, accelerations, first_contacts};
 pub use lanes::{Image, first_contacts_of, image_of, images_of};
 
 use bounds::Bounds;

@@ -11,7 +11,7 @@ use std::ops::RangeInclusive;
 use super::extrema::{Extrema, Piece, Target};
 use crate::flight::Flight;
 use crate::number::Trigonometry;
-use crate::number::kernel::Departure;
+use crate::number::kernel::SmallAngle;
 use crate::pair::Inward;
 
 /// Steps to a root within a monotone piece: halving alone takes one a bit of a double.
@@ -57,7 +57,7 @@ pub(crate) trait Judge {
     /// `|c| >= beta`: `z` is monotone for ever.
     fn monotone(&self, iterate: &Iterate) -> Self::Answer;
     /// A short flight back to the wall under wall-ward acceleration all along; the unknown is the time.
-    fn hop(&self, iterate: &Iterate, departure: &Departure) -> Self::Answer;
+    fn hop(&self, iterate: &Iterate, departure: &SmallAngle) -> Self::Answer;
     /// The contact lies on a monotone piece, before extremum `k` of its kind.
     fn piece(&self, iterate: &Iterate, extrema: &Extrema, k: f64) -> Self::Answer;
     /// There is no contact to propose.
@@ -219,7 +219,7 @@ pub(super) fn hop_guess(flight: &Flight<f64>) -> Option<f64> {
 
 /// What is seen `at` forcing periods after the start on a wall, at most an eighth: the departure root divided out.
 #[inline(always)]
-pub(super) fn look_near<T: Trigonometry>(flight: &Flight<f64>, target: Target, at: f64) -> (Iterate, Departure) {
+pub(super) fn look_near<T: Trigonometry>(flight: &Flight<f64>, target: Target, at: f64) -> (Iterate, SmallAngle) {
     let departure = T::departure(at);
     let (sin, cos) = flight.hop_sin_cos(&departure);
     let residual = flight.hop_height(at, departure.versine, departure.excess) - target.height();
@@ -244,7 +244,7 @@ impl Iterate {
 
 /// A return to the wall within an eighth of a forcing period, while the wall-ward acceleration lasts.
 #[inline(always)]
-fn hop<T: Trigonometry>(flight: &Flight<f64>) -> Option<(Iterate, Departure)> {
+fn hop<T: Trigonometry>(flight: &Flight<f64>) -> Option<(Iterate, SmallAngle)> {
     let mut at = hop_guess(flight)?;
     for _ in 0..MOST_HOP_STEPS {
         let (iterate, departure) = look_near::<T>(flight, Target::Near, at);

@@ -164,11 +164,11 @@ mod tests {
     use crate::Scene;
     use crate::clock::Clock;
     use crate::pair::ball;
-    use crate::shaken::{Either, One};
+    use crate::shaken::{Either, OneHarmonic};
     use std::sync::Arc;
 
     /// A start whose direction is not certain, as it is followed.
-    fn followed() -> (Arc<One>, Origin<Ball>) {
+    fn followed() -> (Arc<OneHarmonic>, Origin<Ball>) {
         let text = r#"
             excitation = { amplitude = 8, frequency = "pi", phase = 0.3 }
             pair = { gap = 9.42497, restitution = 0.5 }

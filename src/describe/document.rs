@@ -42,7 +42,7 @@ impl Description {
             horseshoe: horseshoe.map(|chaos| HorseshoeDocument {
                 words: chaos.horseshoe().map(|words| words.map(Block::as_block)),
                 depth: chaos.depth() as u32,
-                in_region: chaos.fate().region.is_some_and(|region| region.holds_bases),
+                in_region: chaos.asymptotics().region.is_some_and(|region| region.holds_bases),
             }),
             not_examined: self.not_examined(),
             interrupted: self.is_interrupted,

@@ -35,7 +35,7 @@ impl Description {
             Horseshoe::Searched(chaos) if chaos.entropy() <= 0.0 => {
                 all.push(question("does the region hold a horseshoe?", deeper));
             }
-            Horseshoe::Searched(chaos) if !chaos.fate().region.is_some_and(|region| region.holds_bases) => {
+            Horseshoe::Searched(chaos) if !chaos.asymptotics().region.is_some_and(|region| region.holds_bases) => {
                 all.push(question("does the horseshoe lie in the region?", deeper));
             }
             Horseshoe::NotExamined(_) if self.is_interrupted && self.region().is_some() => {

@@ -13,7 +13,8 @@ use impact_pair_document::{
 };
 
 use crate::chaos::{
-    Asked, Base, Cells, Chaos, Chord, Fate, Horseshoe, Hyperbolic, Question, Stretch, Trap, Verdict, WallWords,
+    Asymptotics, Base, Cells, Chaos, Chord, Horseshoe, HorseshoeSettings, Hyperbolic, RangeSettings, Stretch, Trap,
+    Verdict, WallWords,
 };
 use crate::exact::{Enclosure, Exact, decimal_bounds_f64, decimal_f64};
 use crate::mapping::Word;
@@ -81,7 +82,7 @@ pub fn bounds_text([low, high]: &[Decimal; 2]) -> String {
 }
 
 /// Returns the chaos document of a scene, over a range of a parameter if given.
-pub fn chaos(scene: &Scene, over: Option<&Range>, question: &Question, chaos: &Chaos) -> ChaosDocument {
+pub fn chaos(scene: &Scene, over: Option<&Range>, question: &HorseshoeSettings, chaos: &Chaos) -> ChaosDocument {
     ChaosDocument {
         schema: CHAOS_SCHEMA.to_owned(),
         program: PROGRAM.to_owned(),
@@ -98,7 +99,7 @@ pub fn chaos(scene: &Scene, over: Option<&Range>, question: &Question, chaos: &C
                  each is written as it starts on the left wall, and mirrored where it starts on the right one"
             )
         }),
-        scene_orbit: scene_orbit(chaos.fate()),
+        scene_orbit: scene_orbit(chaos.asymptotics()),
         interrupted: chaos.depth() < question.depth && !chaos.bases().is_empty(),
         bases: chaos.bases().iter().map(base).collect(),
         words: chaos
@@ -142,9 +143,9 @@ pub(crate) fn entropy([impact, cycle]: [f64; 2]) -> EntropyDocument {
 }
 
 /// What is proved of the scene's own orbit, if anything is.
-fn scene_orbit(fate: &Fate) -> Option<SceneOrbitDocument> {
-    let attracted = fate.attractor.as_ref().map(|attractor| period(&attractor.word, attractor.cycles));
-    let region = fate.region.map(|entered| EnteredDocument {
+fn scene_orbit(asymptotics: &Asymptotics) -> Option<SceneOrbitDocument> {
+    let attracted = asymptotics.attractor.as_ref().map(|attractor| period(&attractor.word, attractor.cycles));
+    let region = asymptotics.region.map(|entered| EnteredDocument {
         boxes: entered.boxes as u64,
         entered_at_impact: entered.at_impact,
         holds_bases: entered.holds_bases,
@@ -157,7 +158,7 @@ fn period(word: &Word, cycles: u32) -> PeriodDocument {
 }
 
 /// Returns the verdicts over a range of a parameter.
-pub fn cells(scene: &Scene, asked: &Asked, cells: &Cells) -> ChaosCellsDocument {
+pub fn cells(scene: &Scene, asked: &RangeSettings, cells: &Cells) -> ChaosCellsDocument {
     // A range may be narrower than doubles tell apart: in parts of all of it.
     let long = |low: &Exact, high: &Exact| high.checked_sub(low).map(|long| long.enclose(BITS).mid_rad().0);
     let unit = long(&asked.over.low, &asked.over.high).unwrap_or(1.0);

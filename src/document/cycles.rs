@@ -5,7 +5,7 @@ use std::ops::RangeInclusive;
 use impact_pair_document::{CYCLES_SCHEMA, CycleDocument, CyclesDocument, OpenCycleDocument, PROGRAM, SceneDocument};
 
 use super::Units;
-use crate::chaos::{Cycle, Cycles, Untrapped};
+use crate::chaos::{Cycle, Cycles, NoTrap};
 use crate::periodic::Region;
 use crate::{Error, Scene};
 
@@ -16,7 +16,7 @@ use crate::{Error, Scene};
 pub fn cycles(
     scene: &Scene,
     asked: &RangeInclusive<u32>,
-    found: Result<&Cycles, Untrapped>,
+    found: Result<&Cycles, NoTrap>,
 ) -> Result<CyclesDocument, Error> {
     let units = Units::new(scene.pair())?;
     let cycle = |cycle: &Cycle| CycleDocument {

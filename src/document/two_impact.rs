@@ -14,14 +14,14 @@ use crate::two_impact::{Answer, Axis, Manifold, Orbit, Part, Point, Range, Unkno
 
 /// Returns an answer, its impacts listed from `wall`; `start` only names the scene.
 pub fn two_impact(start: &Start, answer: &Answer, wall: Wall) -> TwoImpactDocument {
-    let question = answer.question();
-    let unknown = question.unknown();
+    let problem = answer.problem();
+    let unknown = problem.unknown();
     TwoImpactDocument {
         schema: PERIODIC_SCHEMA.to_owned(),
         program: PROGRAM.to_owned(),
-        scene: SceneDocument::new(question.pair(), start),
+        scene: SceneDocument::new(problem.pair(), start),
         word: word(wall).to_owned(),
-        cycles: question.cycles(),
+        cycles: problem.cycles(),
         solved_for: unknown.name().to_owned(),
         exhaustive: answer.is_exhaustive,
         excludes: answer.is_exhaustive.then(|| RESTING.to_owned()),

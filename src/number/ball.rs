@@ -13,7 +13,7 @@
 use std::cmp::Ordering;
 use std::ops::{Add, Mul, Neg, Sub};
 
-use super::kernel::Departure;
+use super::kernel::SmallAngle;
 use super::{Enclosing, Number, SHORT, Wave, kernel};
 use crate::exact::{Enclosure, Exact};
 
@@ -210,17 +210,17 @@ impl Wave for Ball {
         self.sin_cos()
     }
     /// Lemma K2, and slopes of `2 pi sin`, `2 pi (1 - cos)` and `2 pi cos` over the ball.
-    fn short(&self) -> Option<Departure<Self>> {
+    fn short(&self) -> Option<SmallAngle<Self>> {
         let longest = self.mag();
         if !(SHORT.contains(&self.mid) && longest <= 0.125) {
             return None;
         }
-        let Departure { versine, excess, sine } = kernel::departure(self.mid);
+        let SmallAngle { versine, excess, sine } = kernel::departure(self.mid);
         // sin x <= x, 1 - cos x <= x^2/2; the spread is 0 for a point.
         let angle = ABOVE_TURN * longest;
         let ball =
             |x: f64, slope: f64| Self::new(x, up(x * kernel::DEPARTURE_ERROR * 2.0 + ABOVE_TURN * slope * self.rad));
-        Some(Departure { versine: ball(versine, angle), excess: ball(excess, angle * angle), sine: ball(sine, 1.0) })
+        Some(SmallAngle { versine: ball(versine, angle), excess: ball(excess, angle * angle), sine: ball(sine, 1.0) })
     }
 }
 

@@ -9,7 +9,7 @@ use std::cmp::Ordering;
 
 use inari::{Interval, const_interval};
 
-use super::kernel::{self, DEPARTURE_ERROR, Departure, SIN_COS_ERROR};
+use super::kernel::{self, DEPARTURE_ERROR, SIN_COS_ERROR, SmallAngle};
 use super::{Ball, Enclosing, Number, SHORT, Wave};
 use crate::exact::Enclosure;
 
@@ -111,7 +111,7 @@ impl Wave for Interval {
         inside.chain([self.sup()]).map(wave_at).fold(wave_at(self.inf()), hull)
     }
     /// Lemma I2.
-    fn short(&self) -> Option<Departure<Self>> {
+    fn short(&self) -> Option<SmallAngle<Self>> {
         let (inf, sup) = (self.inf(), self.sup());
         // exact: a departure of no time
         if !(inf >= 0.0 && (sup == 0.0 || SHORT.contains(&sup))) {
@@ -121,7 +121,7 @@ impl Wave for Interval {
         let low = kernel::departure(if SHORT.contains(&inf) { inf } else { 0.0 });
         let high = kernel::departure(sup);
         let hull = |low: f64, high: f64| RELATIVE * point(low).convex_hull(point(high));
-        Some(Departure {
+        Some(SmallAngle {
             versine: hull(low.versine, high.versine),
             excess: hull(low.excess, high.excess),
             sine: hull(low.sine, high.sine),
@@ -225,7 +225,7 @@ mod tests {
             high in (-80.0..-1.0f64).prop_map(|x| 10f64.powf(x)), at in 0.0..=1.0f64,
         ) {
             let (inf, sup) = (low.min(high), high);
-            let Departure { versine, excess, sine } = between(inf, sup).short().unwrap();
+            let SmallAngle { versine, excess, sine } = between(inf, sup).short().unwrap();
             let member = (inf + at * (sup - inf)).clamp(inf, sup);
             let [true_sine, true_cosine] = truth(member);
             let one = Enclosure::point(Dyadic::power_of_two(0));

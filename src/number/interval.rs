@@ -196,17 +196,17 @@ impl Interval {
 
     /// `sin 2 pi u` of the members.
     pub fn sin(self) -> Self {
-        self.swing(0.25, |u| kernel::sin_cos(u).0)
+        self.wave(0.25, |u| kernel::sin_cos(u).0)
     }
 
     /// `cos 2 pi u` of the members.
     pub fn cos(self) -> Self {
-        self.swing(0.0, |u| kernel::sin_cos(u).1)
+        self.wave(0.0, |u| kernel::sin_cos(u).1)
     }
 
     /// The values of the sine or the cosine, which is greatest whole turns from `peak` and least half a turn later (Lemma I1).
     #[inline(always)]
-    fn swing(self, peak: f64, at: impl Fn(f64) -> f64) -> Self {
+    fn wave(self, peak: f64, at: impl Fn(f64) -> f64) -> Self {
         // Lemma K1: nothing is known beyond
         if !(self.wid() < 1.0 && self.mag() <= kernel::LARGEST_PHASE) {
             return Self::RANGE;

@@ -38,7 +38,7 @@
 /// Absolute error of both results of [`sin_cos`]: `0x1.8p-54`, that is 0.75 * 2^-53 (Lemma K1).
 pub const SIN_COS_ERROR: f64 = 3.0 / (1_u64 << 55) as f64;
 
-/// Relative error of every field of [`Departure`]: `0x1p-51` (Lemma K2).
+/// Relative error of every field of [`SmallAngle`]: `0x1p-51` (Lemma K2).
 pub const DEPARTURE_ERROR: f64 = 1.0 / (1_u64 << 51) as f64;
 
 /// Absolute error of [`acos_coarse`], in turns: `0x1p-31` (Lemma K3).
@@ -92,7 +92,7 @@ const MAGIC: f64 = (3_u64 << 49) as f64; // K1: exact
 
 /// How far sine and cosine at `h` turns have left their values and slopes at 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Departure<N = f64> {
+pub struct SmallAngle<N = f64> {
     /// `1 - cos 2 pi h`
     pub versine: N,
     /// `2 pi h - sin 2 pi h`
@@ -154,14 +154,14 @@ pub fn sin_cos(u: f64) -> (f64, f64) {
 /// For `h = 0` or `h >= 2^-300` each is within the *relative* error [`DEPARTURE_ERROR`]; below that `h^3`
 /// underflows and nothing is claimed.
 #[inline(always)]
-pub fn departure(h: f64) -> Departure {
+pub fn departure(h: f64) -> SmallAngle {
     debug_assert!((0.0..=0.125).contains(&h), "{h} is not in [0, 1/8]");
     let x = h * h;
     let x2 = x * x;
     let versine = x.mul_add(Q_0, x2 * tail(&Q_TAIL, x, x2));
     let excess = (h * x).mul_add(P_0, (h * x2) * tail(&P_TAIL, x, x2));
     let sine = sine(h, x, x2);
-    Departure { versine, excess, sine }
+    SmallAngle { versine, excess, sine }
 }
 
 /// `acos(q) / (2 pi)` in turns, in `[0, 1/2]`, for `-1 <= q <= 1`, within [`ACOS_ERROR`] (Lemma K3).

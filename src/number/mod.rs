@@ -25,7 +25,7 @@ use crate::exact::Enclosure;
 
 pub use ball::Ball;
 pub(crate) use ball::{ABOVE_TURN, LARGEST_RATE, TINY, UNIT, binade, is_positive, up};
-use kernel::Departure;
+use kernel::SmallAngle;
 pub use logarithm::logarithm;
 #[cfg(feature = "multiprecision")]
 pub use magnitude::Magnitude;
@@ -101,7 +101,7 @@ pub trait Wave: Number {
     /// `(sin 2 pi u, cos 2 pi u)`; for balls, of every member.
     fn wave(&self) -> (Self, Self);
     /// Versine, excess and sine of a short time, where they are known without cancellation; of no other.
-    fn short(&self) -> Option<Departure<Self>> {
+    fn short(&self) -> Option<SmallAngle<Self>> {
         None
     }
 }
@@ -116,7 +116,7 @@ impl Wave for f64 {
         if self.abs() <= kernel::LARGEST_PHASE { kernel::sin_cos(*self) } else { (f64::NAN, f64::NAN) }
     }
     #[inline(always)]
-    fn short(&self) -> Option<Departure> {
+    fn short(&self) -> Option<SmallAngle> {
         SHORT.contains(self).then(|| kernel::departure(*self))
     }
 }
@@ -151,7 +151,7 @@ pub trait Trigonometry {
     /// `(sin 2 pi u, cos 2 pi u)`
     fn sin_cos(u: f64) -> (f64, f64);
     /// Versine, excess and sine of a short flight of `h` turns, `0 <= h <= 1/8`.
-    fn departure(h: f64) -> Departure;
+    fn departure(h: f64) -> SmallAngle;
     /// `acos(q) / (2 pi)` for `-1 <= q <= 1`.
     fn acos(q: f64) -> f64;
 }
@@ -167,7 +167,7 @@ impl Trigonometry for Kernel {
         kernel::sin_cos(u)
     }
     #[inline(always)]
-    fn departure(h: f64) -> Departure {
+    fn departure(h: f64) -> SmallAngle {
         kernel::departure(h)
     }
     #[inline(always)]
@@ -187,10 +187,10 @@ impl Trigonometry for Std {
         (std::f64::consts::TAU * u).sin_cos()
     }
     #[inline(always)]
-    fn departure(h: f64) -> Departure {
+    fn departure(h: f64) -> SmallAngle {
         let angle = std::f64::consts::TAU * h;
         let half = (0.5 * angle).sin();
-        Departure { versine: 2.0 * half * half, excess: angle - angle.sin(), sine: angle.sin() }
+        SmallAngle { versine: 2.0 * half * half, excess: angle - angle.sin(), sine: angle.sin() }
     }
     #[inline(always)]
     fn acos(q: f64) -> f64 {

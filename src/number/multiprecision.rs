@@ -18,7 +18,7 @@ use rug::float::Round;
 use rug::integer::Order;
 use rug::{Assign, Float, Integer};
 
-use super::kernel::Departure;
+use super::kernel::SmallAngle;
 use super::{ABOVE_TURN, Ball, Enclosing, Magnitude, Number, Wave, up};
 use crate::exact::{Dyadic, Enclosure};
 
@@ -270,14 +270,14 @@ impl MpBall {
     ///
     /// **Lemma M2.** For `|x| <= 1/8` each term of the alternating series of versine and excess is less than
     /// the one before, so what is left out of each sum is smaller than the first term that is left out of one.
-    pub fn short_departure(&self) -> Option<Departure<Self>> {
+    pub fn short_departure(&self) -> Option<SmallAngle<Self>> {
         // Relative to the excess, the smallest of them.
         let size = Magnitude::new(ABOVE_TURN, 0) * self.mag();
         self.departure_within(size * size * size * Magnitude::power_of_two(-i64::from(self.bits()) - 3))
     }
 
     /// The same in N bits that a few times `error` is added to the radii.
-    pub(crate) fn departure_within(&self, error: Magnitude) -> Option<Departure<Self>> {
+    pub(crate) fn departure_within(&self, error: Magnitude) -> Option<SmallAngle<Self>> {
         if self.mag() > Magnitude::power_of_two(-6) {
             return None;
         }
@@ -303,7 +303,7 @@ impl MpBall {
             if matches!(n % 4, 2 | 3) { *sum += &term } else { *sum -= &term }
         }
         let (versine, excess) = (versine.widened(left), excess.widened(left));
-        Some(Departure { versine, sine: x.minus(&excess), excess })
+        Some(SmallAngle { versine, sine: x.minus(&excess), excess })
     }
 }
 
@@ -311,7 +311,7 @@ impl Wave for MpBall {
     fn wave(&self) -> (Self, Self) {
         self.sin_cos()
     }
-    fn short(&self) -> Option<Departure<Self>> {
+    fn short(&self) -> Option<SmallAngle<Self>> {
         self.short_departure()
     }
 }

@@ -1,7 +1,7 @@
 //! At the end of an orbit: whether it is proved to converge to a periodic one. Lemmas Q1-Q3
 
 use super::{Arithmetic, Orbit};
-use crate::periodic::{Attractor, LONGEST, Passing, Problem, find_attractor};
+use crate::periodic::{Attractor, ImpactState, LONGEST, Problem, find_attractor};
 
 /// How many of the last impacts are kept.
 const KEPT: usize = 4096;
@@ -12,7 +12,7 @@ const _: () = assert!(KEPT > LONGEST, "a period and the state after it");
 /// The last impacts of an orbit.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Recent {
-    states: Vec<Passing>,
+    states: Vec<ImpactState>,
     /// Where the next one goes, once there are N.
     next: usize,
 }
@@ -20,7 +20,7 @@ pub(super) struct Recent {
 impl Recent {
     /// Keeps an impact, in the place of the one [`KEPT`] impacts before.
     #[inline(always)]
-    pub fn keep(&mut self, state: Passing) {
+    pub fn keep(&mut self, state: ImpactState) {
         match self.states.get_mut(self.next) {
             Some(oldest) => *oldest = state,
             None => self.states.push(state),
@@ -29,7 +29,7 @@ impl Recent {
     }
 
     /// Those kept, in order of time.
-    fn in_order(&self) -> Vec<Passing> {
+    fn in_order(&self) -> Vec<ImpactState> {
         let (late, early) = self.states.split_at(self.next.min(self.states.len())); // exact: an index
         [early, late].concat()
     }
@@ -49,7 +49,7 @@ impl Orbit {
         {
             return None;
         }
-        let (mut states, digits) = (self.aside.recent.in_order(), self.asked.settings.digits.min(DIGITS)); // shown
+        let (mut states, digits) = (self.pending.recent.in_order(), self.asked.settings.digits.min(DIGITS)); // shown
         // Without a common period nothing is periodic.
         let origin = self.clock.turns_into(self.engine.given.shaken.period()?);
         // Lemma N1: less than a period, of 32 bits.
@@ -70,7 +70,7 @@ mod tests {
             let mut recent = Recent::default();
             for index in 1..=count as u64 {
                 let ball = Ball::exact(index as f64);
-                recent.keep(Passing { index, wall: Wall::Left, turns: 0, phase: ball, velocity: ball });
+                recent.keep(ImpactState { index, wall: Wall::Left, turns: 0, phase: ball, velocity: ball });
             }
             let kept: Vec<u64> = recent.in_order().iter().map(|state| state.index).collect();
             let first = count.saturating_sub(KEPT) as u64 + 1;

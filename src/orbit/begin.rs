@@ -2,16 +2,16 @@
 
 use std::cmp::Ordering;
 
-use super::aside::Aside;
 use super::given::Given;
 use super::motion::Motion;
+use super::pending::Pending;
 #[cfg(feature = "multiprecision")]
 use super::raise::Raise;
 use super::shadowed::Near;
 #[cfg(feature = "multiprecision")]
 use super::splice::Splice;
 use super::width::Width;
-use super::{Arithmetic, Asked, Clock, Cursor, Engine, Followed, Orbit, Settings, Start};
+use super::{Arithmetic, Clock, Cursor, Engine, Followed, Orbit, Requested, Settings, Start};
 use crate::clock::Phase;
 use crate::covering::start::Starts;
 use crate::exact::Exact;
@@ -76,14 +76,14 @@ impl Orbit {
         };
         let mut orbit = Self {
             clock,
-            asked: Asked { settings, until, widths, shown },
+            asked: Requested { settings, until, widths, shown },
             engine,
             initial,
             followed,
             cursor,
             listed: 0,
             first_wide: None,
-            aside: Aside { near, ..Aside::default() },
+            pending: Pending { near, ..Pending::default() },
             outcome: None,
         };
         orbit.look_ahead();
@@ -107,7 +107,7 @@ impl Orbit {
             self.engine.raise =
                 Some(Raise::new(self.engine.given.clone(), self.followed.from.turns, self.asked.until, &settings));
         }
-        self.aside.is_due |= self.followed.still.is_some();
+        self.pending.is_expected |= self.followed.still.is_some();
     }
 }
 

@@ -1,7 +1,6 @@
 //! Orbits: chains of certified impacts from a point or a box of initial data.
 
 mod arrivals;
-mod aside;
 mod attraction;
 mod begin;
 mod course;
@@ -11,6 +10,7 @@ mod follow;
 mod given;
 mod motion;
 mod passage;
+mod pending;
 #[cfg(feature = "multiprecision")]
 mod plan;
 #[cfg(feature = "multiprecision")]
@@ -45,13 +45,13 @@ use crate::exact::{Enclosure, Exact, compare_rational};
 use crate::mapping::Mapping;
 use crate::number::{Ball, Number};
 use crate::pair::{Reduced, Wall};
-use crate::periodic::Passing;
+use crate::periodic::ImpactState;
 use crate::shaken::{Initial, Still};
 use crate::turns;
-use aside::Aside;
 use event::finite;
 use given::Given;
 use motion::Motion;
+use pending::Pending;
 #[cfg(feature = "multiprecision")]
 use raise::Raise;
 use width::Width;
@@ -85,7 +85,7 @@ pub const VERDICT_BITS: u32 = 8192;
 #[derive(Debug)]
 pub struct Orbit {
     clock: Clock,
-    asked: Asked,
+    asked: Requested,
     engine: Engine,
     /// The requested start; those near by, one of which has the orbit, of a shadowed one.
     initial: Initial<Ball>,
@@ -95,13 +95,13 @@ pub struct Orbit {
     /// Impacts handed out.
     listed: u64,
     first_wide: Option<u64>,
-    aside: Aside,
+    pending: Pending,
     outcome: Option<Outcome>,
 }
 
 /// What is requested.
 #[derive(Debug)]
-struct Asked {
+struct Requested {
     settings: Settings,
     until: Option<Phase>,
     /// Widths, of phases in forcing periods and of velocities in gap widths per forcing period.
@@ -209,8 +209,8 @@ impl Orbit {
         if self.outcome.is_some() {
             return Err(Progress::Ended);
         }
-        if self.aside.is_due
-            && let Some(event) = self.aside()
+        if self.pending.is_expected
+            && let Some(event) = self.pending()
         {
             return Err(event);
         }
@@ -247,12 +247,12 @@ impl Orbit {
         self.listed = next.index;
         self.note_nearness(phase);
         if self.asked.settings.attractor {
-            self.aside.recent.keep(Passing { index: next.index, wall, turns, phase, velocity });
+            self.pending.recent.keep(ImpactState { index: next.index, wall, turns, phase, velocity });
         }
         let precise = self.precise(&contact).map(Box::new);
         let impact = Impact { index: next.index, mapping, wall, turns, phase, velocity, precise };
-        if self.aside.is_due {
-            self.aside.recurrence.keep(&Progress::Impact(impact.clone()));
+        if self.pending.is_expected {
+            self.pending.recurrence.keep(&Progress::Impact(impact.clone()));
         }
         Ok(impact)
     }
@@ -260,8 +260,8 @@ impl Orbit {
     /// Keeps what may have to be repeated.
     #[inline]
     fn hand_out(&mut self, event: Progress) -> Progress {
-        if self.aside.is_due {
-            self.aside.recurrence.keep(&event);
+        if self.pending.is_expected {
+            self.pending.recurrence.keep(&event);
         }
         event
     }
@@ -281,8 +281,8 @@ impl Orbit {
     /// All that was requested is listed.
     #[cold]
     fn finish(&mut self, reached: Outcome) -> Progress {
-        self.aside.is_late = reached == Outcome::TimeReached;
-        self.outcome = Some(match self.aside.recurrence.period() {
+        self.pending.is_late = reached == Outcome::TimeReached;
+        self.outcome = Some(match self.pending.recurrence.period() {
             Some(period) => Outcome::Periodic(period),
             None => self.attractor().map_or(reached, |attractor| Outcome::Attracted(Box::new(attractor))),
         });
@@ -291,7 +291,7 @@ impl Orbit {
 
     /// Returns the requested time \[time\], if all events up to it are listed because it ended the list.
     pub fn listed_until(&self) -> Option<&Exact> {
-        self.asked.settings.until.as_ref().filter(|_| self.aside.is_late)
+        self.asked.settings.until.as_ref().filter(|_| self.pending.is_late)
     }
 
     /// Whether an event certainly comes after the time to stop at: as its bounds say that are listed, `enclosed` its phase

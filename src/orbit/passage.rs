@@ -72,8 +72,9 @@ impl Orbit {
 
     /// What (A.7) says of a flight between two states.
     fn passage(&self, restitution: Ball, from: &Impact, to: &Impact) -> Option<Sheared<Ball>> {
-        let swings = [from, to].map(|impact| self.engine.given.shaken.displacement(impact.turns, impact.phase)[2]);
-        Sheared::between(restitution, self.turns_between(from, to), swings, [from.velocity, to.velocity])
+        let accelerations =
+            [from, to].map(|impact| self.engine.given.shaken.displacement(impact.turns, impact.phase)[2]);
+        Sheared::between(restitution, self.turns_between(from, to), accelerations, [from.velocity, to.velocity])
     }
 
     /// Returns the requested start as impact number 0, when it is on a wall.

@@ -120,7 +120,7 @@ impl Growth {
         let (run, origin) = (given.motion(Arithmetic::Float).ok()?, given.origin_ball().ok()?);
         let (shaken, turns, velocity) = (given.shaken.clone(), origin.turns, origin.velocity);
         let scale = shaken.pair().scale(velocity);
-        let last = origin.wall().map(|_| (velocity.mid(), shaken.swing(turns, origin.phase.mid())));
+        let last = origin.wall().map(|_| (velocity.mid(), shaken.acceleration(turns, origin.phase.mid())));
         Some(Self { shaken, run, turns, last, tangent: [1.0, 1.0], scale })
     }
 
@@ -129,11 +129,11 @@ impl Growth {
         let contact = self.run.next_contact().ok()?;
         self.turns = turns::after(self.turns, contact.turns)?;
         let (time, velocity1) = (contact.time.mid(), contact.velocity.mid());
-        let swing1 = self.shaken.swing(self.turns, contact.phase.mid());
-        let last = self.last.replace((velocity1, swing1));
+        let acceleration1 = self.shaken.acceleration(self.turns, contact.phase.mid());
+        let last = self.last.replace((velocity1, acceleration1));
         let Some((velocity0, swing0)) = last else { return Some((0.0, time)) };
         let restitution = self.shaken.pair().restitution.mid();
-        let [[a, b], [c, d]] = jacobian_between(restitution, time, [swing0, swing1], [velocity0, velocity1])?;
+        let [[a, b], [c, d]] = jacobian_between(restitution, time, [swing0, acceleration1], [velocity0, velocity1])?;
         let [x, y] = self.tangent;
         let image = [a * x + b * self.scale * y, c / self.scale * x + d * y];
         let (before, after) = (x.hypot(y), image[0].hypot(image[1]));

@@ -157,9 +157,9 @@ impl<S: Flying> PreciseMotion<S> {
         let centre = rebound(MpBall::exact(set.phase.clone()), MpBall::exact(set.velocity.clone()));
         let flights = Flights { all: &all, centre, wall, phase, before, waves: self.waves.as_ref() };
         let arrival = self.shaken.arrive(&parameters, flights, next_bits)?;
-        let Arrival { contact, swings, phase, error, velocity, slope, waves } = arrival;
+        let Arrival { contact, accelerations, phase, error, velocity, slope, waves } = arrival;
         let restitution = self.shaken.pair().restitution;
-        let jacobian = jacobian_between(restitution, contact.time, swings, [before, contact.velocity]);
+        let jacobian = jacobian_between(restitution, contact.time, accelerations, [before, contact.velocity]);
         let velocity = velocity.rounded(next_bits);
         let (shape, unit) = set.image(&jacobian.ok_or(Undecided::width(&contact))?, error, velocity.rad(), slope);
         Ok((contact, PreciseSet { phase, velocity: velocity.mid().clone(), shape, unit }, waves))

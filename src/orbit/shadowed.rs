@@ -72,14 +72,14 @@ impl Orbit {
     /// Counts an impact that is listed, of a shadowed orbit.
     #[inline]
     pub(super) fn note_nearness(&mut self, phase: Ball) {
-        if let Some(near) = &mut self.aside.near {
+        if let Some(near) = &mut self.pending.near {
             near.nearness.keep(phase.rad());
         }
     }
 
     /// Returns what is claimed of the start, where the orbit is one near the given one; `None` where it is that of the given start.
     pub fn shadow(&self) -> Option<Shadowing> {
-        let Near { time, velocity, nearness } = self.aside.near.as_ref()?;
+        let Near { time, velocity, nearness } = self.pending.near.as_ref()?;
         Some(Shadowing { time: time.clone(), velocity: velocity.clone(), nearness: nearness.median_and_most() })
     }
 }

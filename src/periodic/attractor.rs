@@ -8,7 +8,7 @@ use crate::pair::Wall;
 
 /// A state at an impact of a motion, certified.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Passing {
+pub struct ImpactState {
     /// The impact's number.
     pub index: u64,
     /// The wall.
@@ -49,7 +49,7 @@ const BITS: u32 = 1024;
 
 /// A guess of the period of a motion: the impacts that may make it, with all before them and the one after, and the cycles.
 struct Guess<'s> {
-    all: &'s [Passing],
+    all: &'s [ImpactState],
     impacts: usize,
     cycles: u32,
 }
@@ -67,7 +67,7 @@ enum Open {
 }
 
 /// The periods that the end of a motion nearly repeats after, the shortest first.
-fn guesses(states: &[Passing]) -> impl Iterator<Item = Guess<'_>> {
+fn guesses(states: &[ImpactState]) -> impl Iterator<Item = Guess<'_>> {
     let count = states.len();
     // proposes
     (1..count.min(LONGEST + 1)).filter_map(move |period| {
@@ -75,7 +75,8 @@ fn guesses(states: &[Passing]) -> impl Iterator<Item = Guess<'_>> {
         let is_near = last.apart(before).is_some_and(|apart| apart < NEAR);
         // So does the period before it, as far as there is one: chaos that has only come near a state once does not.
         let earlier = states[..count - 1].iter().rev().zip(states[..count - 1 - period].iter().rev()).take(period);
-        let repeats = |(now, then): (&Passing, &Passing)| now.apart(then).is_some_and(|apart| apart < NEAR_BEFORE);
+        let repeats =
+            |(now, then): (&ImpactState, &ImpactState)| now.apart(then).is_some_and(|apart| apart < NEAR_BEFORE);
         let cycles = last.since(before).round(); // proposes
         (is_near && (1.0..=1e6).contains(&cycles) && earlier.clone().all(repeats))
             // proposes: at most 10^6
@@ -83,7 +84,7 @@ fn guesses(states: &[Passing]) -> impl Iterator<Item = Guess<'_>> {
     })
 }
 
-impl Passing {
+impl ImpactState {
     /// Forcing periods since another one.
     fn since(&self, before: &Self) -> f64 {
         (self.turns - before.turns) as f64 + (self.phase.mid() - before.phase.mid()) // proposes
@@ -108,7 +109,7 @@ impl<'s> Guess<'s> {
     }
 
     /// The impacts of the period.
-    fn states(&self) -> &'s [Passing] {
+    fn states(&self) -> &'s [ImpactState] {
         let last = self.all.len() - 1;
         &self.all[last - self.impacts..last]
     }
@@ -133,7 +134,7 @@ impl<'s> Guess<'s> {
 /// `states` are certified states of the motion, in order of time, all of its impacts between the first and the last;
 /// `problem` makes the problem of a word, for the same pair.
 pub(crate) fn find(
-    states: &[Passing],
+    states: &[ImpactState],
     digits: u32,
     mut problem: impl FnMut(&Word, u32) -> Option<Problem>,
 ) -> Option<Attractor> {
@@ -157,7 +158,7 @@ pub(crate) fn find(
 impl Problem {
     /// Proves that the orbit near these phases is stable and attracts a motion from one of `states` on, the last at the
     /// latest.
-    fn attracts(&self, guess: &[f64], states: &[Passing], digits: u32) -> Result<Attractor, Open> {
+    fn attracts(&self, guess: &[f64], states: &[ImpactState], digits: u32) -> Result<Attractor, Open> {
         let last = states.last().ok_or(Open::Never)?;
         if !self.chain().crosses() {
             return Err(Open::Never);
@@ -170,8 +171,8 @@ impl Problem {
             // proposes: chaos near an orbit whose trace is beyond what a stable one has is not asked again
             _ => return Err(if finding.trace.mid().abs() < MOST_TRACE { Open::Here } else { Open::Never }),
         }
-        let phase = |state: &Passing| self.in_period(state);
-        let holds = |basin: &Basin, state: &Passing| basin.holds(state.wall, phase(state), state.velocity);
+        let phase = |state: &ImpactState| self.in_period(state);
+        let holds = |basin: &Basin, state: &ImpactState| basin.holds(state.wall, phase(state), state.velocity);
         let basin = self.basins(&finding).find(|basin| holds(basin, last)).ok_or(Open::Here)?;
         let orbit = self.prove(&guess, Precision { digits, max_bits: BITS }).ok_or(Open::Never)?;
         let is_it = is_inside(orbit.phases(), &finding.proved.domain);
@@ -184,7 +185,7 @@ impl Problem {
     }
 
     /// The phase of a state less whole periods of the excitation.
-    fn in_period(&self, state: &Passing) -> Ball {
+    fn in_period(&self, state: &ImpactState) -> Ball {
         match i64::from(self.period()) {
             1 => state.phase,
             // N1: less than a period, of 32 bits

@@ -94,12 +94,12 @@ impl Problem {
             if wall.inward(before).certain_sign() != Some(Ordering::Less) {
                 return None;
             }
-            let Step { wall: next, time, velocity, swings } = shaken.step(wall, turns, phase, before)?;
+            let Step { wall: next, time, velocity, accelerations } = shaken.step(wall, turns, phase, before)?;
             if next != chain.walls()[chain.next(i)] {
                 return None;
             }
             let restitution = *shaken.balls().restitution();
-            product = times(&jacobian_between(restitution, time, swings, [before, velocity])?, &product);
+            product = times(&jacobian_between(restitution, time, accelerations, [before, velocity])?, &product);
         }
         Some(product)
     }

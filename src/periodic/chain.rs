@@ -189,7 +189,7 @@ impl Chain {
             let own = over_from(&from.after)? - over_to(&to.before)?;
             Some([
                 over_to(&to.after)?,
-                both.clone().mul_add(shaking.swing(&legs.waves[i]), own),
+                both.clone().mul_add(shaking.acceleration(&legs.waves[i]), own),
                 -over_from(&from.before)?,
             ])
         };
@@ -221,9 +221,9 @@ impl Chain {
     /// `None` when an arrival may be a graze.
     pub fn monodromy<N: Number, S: Shaking<N>>(&self, shaking: &S, legs: &Legs<N, S::Moment>) -> Option<[[N; 2]; 2]> {
         let of = |i: usize| {
-            let swings = [i, self.next(i)].map(|impact| shaking.swing(&legs.waves[impact]));
+            let accelerations = [i, self.next(i)].map(|impact| shaking.acceleration(&legs.waves[impact]));
             let velocities = [self.before(&legs.legs, i).clone(), legs.legs[i].before.clone()];
-            jacobian_between(shaking.restitution().clone(), legs.legs[i].time.clone(), swings, velocities)
+            jacobian_between(shaking.restitution().clone(), legs.legs[i].time.clone(), accelerations, velocities)
         };
         let mut product = of(0)?;
         for i in 1..self.impacts() {

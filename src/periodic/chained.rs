@@ -11,10 +11,10 @@ use crate::number::MpBall;
 use crate::pair::Reduced;
 use crate::pair::{Wall, rebound};
 use crate::shaken::Flying;
-pub(super) use crate::shaken::One;
+pub(super) use crate::shaken::OneHarmonic;
 
 /// An impact of a floating-point motion: wall, phase in forcing periods, velocity before.
-pub(super) type Passing = (Wall, f64, f64);
+pub(super) type FloatImpact = (Wall, f64, f64);
 
 /// What an arithmetic knows of the box at a time.
 pub(super) type Moment<S, N> = <<S as Flying>::In<N> as Shaking<N>>::Moment;
@@ -26,7 +26,7 @@ pub(super) struct Step {
     /// `y'` just before it.
     pub velocity: Ball,
     /// `y''` at the start and at the contact.
-    pub swings: [Ball; 2],
+    pub accelerations: [Ball; 2],
 }
 
 /// A harmonic as searches see it.
@@ -48,7 +48,7 @@ pub(super) trait Chained: Flying {
     fn rates(&self) -> Vec<Rate>;
 
     /// The impact after one of a floating-point motion.
-    fn next(&self, (wall, phase, velocity): Passing) -> Option<Passing> {
+    fn next(&self, (wall, phase, velocity): FloatImpact) -> Option<FloatImpact> {
         let after = rebound(&self.pair().restitution.mid(), velocity);
         // The whole turns are kept apart.
         let (whole, rest) = (phase.floor(), phase - phase.floor()); // proposes
@@ -61,8 +61,8 @@ pub(super) trait Chained: Flying {
     fn step(&self, wall: Wall, turns: f64, phase: Ball, before: Ball) -> Option<Step> {
         // H11: whole, polished phases are below 2^40
         let launch = Launch::from_wall(wall, turns as i64, phase, self.pair().rebound_of(before), false);
-        let (contact, swings) = self.first_contact(launch, None).ok()?;
-        Some(Step { wall: contact.wall, time: contact.time, velocity: contact.velocity, swings })
+        let (contact, accelerations) = self.first_contact(launch, None).ok()?;
+        Some(Step { wall: contact.wall, time: contact.time, velocity: contact.velocity, accelerations })
     }
 
     /// Whether each flight is proved to end at its first contact. Lemma T5
@@ -78,7 +78,7 @@ pub(super) trait Chained: Flying {
     ) -> Option<bool>;
 }
 
-impl Chained for One {
+impl Chained for OneHarmonic {
     fn rates(&self) -> Vec<Rate> {
         vec![Rate { beta: self.bounds_of_pair.pair.beta, own: None }]
     }

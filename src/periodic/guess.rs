@@ -3,7 +3,7 @@
 // Labels: proposes throughout.
 
 use super::chain::Chain;
-use super::chained::{Chained, Passing};
+use super::chained::{Chained, FloatImpact};
 use super::newton::{is_plausible, polish};
 use impact_pair_model::Start;
 
@@ -43,8 +43,8 @@ pub(super) fn guesses<S: Chained>(
 }
 
 /// The floating-point motion of a start; nothing where that is beyond doubles.
-fn motion_of<S: Chained>(chain: &Chain, shaken: &S, pair: &ImpactPair, start: &Start) -> Vec<Passing> {
-    let first = || -> Option<Passing> {
+fn motion_of<S: Chained>(chain: &Chain, shaken: &S, pair: &ImpactPair, start: &Start) -> Vec<FloatImpact> {
+    let first = || -> Option<FloatImpact> {
         let clock = Clock::new(pair, start.time(), f64::MANTISSA_DIGITS).ok()?;
         let origin = Origin::at(pair, start, &clock, Vec::new()).and_then(|origin| origin.map(ball)).ok()?;
         let launch = origin.launch(shaken.pair().restitution.mid());
@@ -56,26 +56,26 @@ fn motion_of<S: Chained>(chain: &Chain, shaken: &S, pair: &ImpactPair, start: &S
 }
 
 /// The floating-point motion from a state on a wall.
-fn motion_from<S: Chained>(shaken: &S, start: Passing, impacts: usize) -> Vec<Passing> {
+fn motion_from<S: Chained>(shaken: &S, start: FloatImpact, impacts: usize) -> Vec<FloatImpact> {
     std::iter::successors(Some(start), |&impact| shaken.next(impact)).take(impacts).collect()
 }
 
 /// The windows of a motion that have the chain's walls and nearly close, the best of each block.
-fn windows(chain: &Chain, motion: &[Passing]) -> Vec<Vec<f64>> {
+fn windows(chain: &Chain, motion: &[FloatImpact]) -> Vec<Vec<f64>> {
     let (count, cycles) = (chain.impacts(), f64::from(chain.cycles()));
-    let misses = |window: &[Passing]| {
+    let misses = |window: &[FloatImpact]| {
         let (first, last) = (window[0], window[count]);
         let fits = window.iter().zip(chain.walls()).all(|(&(wall, ..), &its)| wall == its) && last.0 == first.0;
         let apart = (last.1 - first.1 - cycles).abs();
         let size = first.2.abs() + last.2.abs() + f64::MIN_POSITIVE;
         (fits && apart < 0.5).then(|| apart + (last.2 - first.2).abs() / size)
     };
-    let windows: Vec<&[Passing]> = motion.windows(count + 1).collect();
-    let best = |block: &[&[Passing]]| {
+    let windows: Vec<&[FloatImpact]> = motion.windows(count + 1).collect();
+    let best = |block: &[&[FloatImpact]]| {
         let missing = block.iter().filter_map(|window| Some((misses(window)?, *window)));
         missing.min_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, window)| window.to_vec())
     };
-    let phases = |window: Vec<Passing>| {
+    let phases = |window: Vec<FloatImpact>| {
         let period = f64::from(chain.period());
         let base = (window[0].1 / period).floor() * period;
         window[..count].iter().map(|(_, phase, _)| phase - base).collect()
@@ -93,7 +93,7 @@ fn even(n: usize, i: usize, count: usize) -> f64 {
 }
 
 /// A state on the chain's first wall: any phase, speeds up to twice that of the box and of a crossing in a forcing period.
-fn spread_state<S: Chained>(chain: &Chain, shaken: &S, n: usize) -> Passing {
+fn spread_state<S: Chained>(chain: &Chain, shaken: &S, n: usize) -> FloatImpact {
     let wall = chain.walls()[0];
     let speed = 2.0 * (shaken.speed() + 1.0) * even(n, 1, 2);
     (wall, f64::from(chain.period()) * even(n, 0, 2), -wall.sign() * speed)

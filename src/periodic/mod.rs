@@ -38,9 +38,9 @@ use crate::number::Ball;
 use crate::number::interval::Interval;
 use crate::pair::{ImpactPair, Reduced, Wall};
 pub use crate::shaken::shaking;
-use crate::shaken::{One, Several};
+use crate::shaken::{OneHarmonic, SeveralHarmonics};
 use crate::watch::{Unwatched, Watch};
-pub use attractor::{Attractor, Passing};
+pub use attractor::{Attractor, ImpactState};
 pub(crate) use attractor::{LONGEST, find as find_attractor};
 pub use basin::Basin;
 pub use census::{Census, Region};
@@ -84,8 +84,8 @@ const FINE_DIGITS: u32 = 14;
 /// The excitation.
 #[derive(Clone, Debug)]
 enum Pair {
-    One(Box<One>),
-    Several(Box<Several>),
+    One(Box<OneHarmonic>),
+    Several(Box<SeveralHarmonics>),
 }
 
 /// The problem of finding the periodic orbits of a word with a given number of forcing periods.
@@ -124,8 +124,8 @@ impl Problem {
     /// harmonics also when their frequencies are not proved to be commensurate, or the cycles are no multiple of the
     /// common period.
     pub fn new(pair: &ImpactPair, word: &Word, cycles: u32) -> Result<Self, Error> {
-        let Some(several) = Several::new(pair, &BigInt::ZERO)? else {
-            let one = One::of(pair)?;
+        let Some(several) = SeveralHarmonics::new(pair, &BigInt::ZERO)? else {
+            let one = OneHarmonic::of(pair)?;
             return Ok(Self {
                 impact_pair: pair.clone(),
                 word: word.clone(),

@@ -11,7 +11,7 @@ use crate::number::MpBall;
 use crate::number::{Ball, Enclosing};
 use crate::pair::ImpactPair;
 use crate::several::{Doubt, Partial, Phased, Spectrum, Turning};
-use crate::shaken::{Several, Sum};
+use crate::shaken::{SeveralHarmonics, Sum};
 
 /// When the harmonics of a pair repeat.
 ///
@@ -30,7 +30,12 @@ pub(super) fn repetition(pair: &ImpactPair, spectrum: &Spectrum) -> Result<Repet
 }
 
 /// Whether the first contact of a flight is its end. Lemma H12
-fn is_first<N: Phased + Enclosing>(several: &Several, sum: &Sum<N>, claim: &Claim<N>, after: N) -> Option<bool> {
+fn is_first<N: Phased + Enclosing>(
+    several: &SeveralHarmonics,
+    sum: &Sum<N>,
+    claim: &Claim<N>,
+    after: N,
+) -> Option<bool> {
     if !claim.arrives()? {
         return Some(false);
     }
@@ -47,7 +52,7 @@ fn is_first<N: Phased + Enclosing>(several: &Several, sum: &Sum<N>, claim: &Clai
     }
 }
 
-impl Chained for Several {
+impl Chained for SeveralHarmonics {
     fn rates(&self) -> Vec<Rate> {
         let own = |term: &Partial<Ball>| [term.ratio, Ball::phase_at(&term.counter, 0)];
         let terms = self.balls.harmonics.terms.iter().enumerate();

@@ -95,15 +95,15 @@ impl<'h, N: Phased> SumFlight<'h, N> {
         let waves = waves
             .cloned()
             .unwrap_or_else(|| harmonics.waves(launch.turns, &launch.phase).map(|(_, wave)| wave).collect());
-        let (mut sine, mut cosine, mut swing, mut jerk) = (zero.clone(), zero.clone(), zero.clone(), zero);
+        let (mut sine, mut cosine, mut acceleration, mut jerk) = (zero.clone(), zero.clone(), zero.clone(), zero);
         for (term, (sin, cos)) in harmonics.terms.iter().zip(&waves) {
             sine = term.alpha.clone().mul_add(sin.clone(), sine);
             cosine = term.beta.clone().mul_add(cos.clone(), cosine);
             // What is exactly nothing adds exactly nothing, so that a start at a release is seen.
             if !sin.is_zero() {
-                swing = term.swing.clone().mul_add(sin.clone(), swing);
+                acceleration = term.acceleration.clone().mul_add(sin.clone(), acceleration);
             }
-            let rate = term.swing.clone() * term.ratio.clone() * term.ratio.turn();
+            let rate = term.acceleration.clone() * term.ratio.clone() * term.ratio.turn();
             jerk = rate.mul_add(cos.clone(), jerk);
         }
         let height = match launch.wall {
@@ -112,7 +112,7 @@ impl<'h, N: Phased> SumFlight<'h, N> {
             Some(Wall::Right) => N::from_f64(1.0),
         };
         let (drift, offset) = (launch.velocity.clone() + cosine, height + sine);
-        Self { harmonics, waves, drift, offset, acceleration: swing, jerk, launch }
+        Self { harmonics, waves, drift, offset, acceleration, jerk, launch }
     }
 
     /// The state at a time after the start.
@@ -126,14 +126,9 @@ impl<'h, N: Phased> SumFlight<'h, N> {
             return state;
         }
         let rest = self.launch.phase.clone() + at.rest.clone();
-        let Sums { sine, cosine, swing } = self.harmonics.sums(self.launch.turns + at.turns, &rest);
+        let Sums { sine, cosine, acceleration } = self.harmonics.sums(self.launch.turns + at.turns, &rest);
         let left = self.drift.clone().mul_add(at.time(), self.offset.clone()) - sine;
-        Kinematics {
-            right: N::from_f64(1.0) - left.clone(),
-            left,
-            velocity: self.drift.clone() - cosine,
-            acceleration: swing,
-        }
+        Kinematics { right: N::from_f64(1.0) - left.clone(), left, velocity: self.drift.clone() - cosine, acceleration }
     }
 
     /// The state so long after the departure from a wall, without cancellation.

@@ -8,7 +8,7 @@ use crate::Error;
 use crate::exact::Enclosure;
 #[cfg(feature = "multiprecision")]
 use crate::number::MpBall;
-use crate::number::kernel::Departure;
+use crate::number::kernel::SmallAngle;
 use crate::number::{Ball, LARGEST_RATE, is_positive, up};
 use crate::pair::{ImpactPair, too_large};
 
@@ -27,7 +27,7 @@ pub(crate) struct Partial<N: Turning> {
     /// `2 pi alpha W_k / W`: its greatest speed, in gaps a turn.
     pub beta: N,
     /// `2 pi beta W_k / W`: its greatest acceleration.
-    pub swing: N,
+    pub acceleration: N,
     /// `W_k / W`
     pub ratio: N,
     /// Its phase at whole turns.
@@ -46,7 +46,7 @@ pub(crate) struct Rates {
 
 /// Sums over the harmonics at one time: what is left of `E`, `E'` and `E''` without units.
 ///
-/// `z = const + c h - sine`, `z' = c - cosine`, `z'' = swing`. **Equations** (10)-(12) under (1)
+/// `z = const + c h - sine`, `z' = c - cosine`, `z'' = acceleration`. **Equations** (10)-(12) under (1)
 #[derive(Clone, Debug)]
 pub(crate) struct Sums<N> {
     /// `sum alpha_k sin th_k`
@@ -54,7 +54,7 @@ pub(crate) struct Sums<N> {
     /// `sum beta_k cos th_k`
     pub cosine: N,
     /// `sum swing_k sin th_k`
-    pub swing: N,
+    pub acceleration: N,
 }
 
 /// What a departure adds: to `z` on top of `z'(0) h`, to `z'` and to `z''`.
@@ -72,11 +72,11 @@ impl<N: Turning> Sums<N> {
         N: 'h,
     {
         let zero = N::from_f64(0.0);
-        let mut sums = Self { sine: zero.clone(), cosine: zero.clone(), swing: zero };
+        let mut sums = Self { sine: zero.clone(), cosine: zero.clone(), acceleration: zero };
         for (term, (sin, cos)) in waves {
             sums.sine = term.alpha.clone().mul_add(sin.clone(), sums.sine);
             sums.cosine = term.beta.clone().mul_add(cos, sums.cosine);
-            sums.swing = term.swing.clone().mul_add(sin, sums.swing);
+            sums.acceleration = term.acceleration.clone().mul_add(sin, sums.acceleration);
         }
         sums
     }
@@ -97,8 +97,8 @@ impl<N: Turning> Partial<N> {
     /// The harmonic of this size and these phases.
     pub fn new(alpha: N, ratio: N, counter: N::Counter) -> Self {
         let beta = alpha.clone() * ratio.clone() * alpha.turn();
-        let swing = beta.clone() * ratio.clone() * alpha.turn();
-        Self { alpha, beta, swing, ratio, counter }
+        let acceleration = beta.clone() * ratio.clone() * alpha.turn();
+        Self { alpha, beta, acceleration, ratio, counter }
     }
 }
 
@@ -128,13 +128,13 @@ impl<N: Turning> Harmonics<N> {
         let zero = N::from_f64(0.0);
         let mut added = Added { height: zero.clone(), velocity: zero.clone(), acceleration: zero };
         for (term, (sin, cos)) in self.terms.iter().zip(waves) {
-            let Departure { versine, excess, sine } = (term.ratio.clone() * time.clone()).short()?;
+            let SmallAngle { versine, excess, sine } = (term.ratio.clone() * time.clone()).short()?;
             let of_height = cos.clone() * excess + sin.clone() * versine.clone();
             added.height = term.alpha.clone().mul_add(of_height, added.height);
             let of_velocity = cos.clone() * versine.clone() + sin.clone() * sine.clone();
             added.velocity = term.beta.clone().mul_add(of_velocity, added.velocity);
             let of_acceleration = cos.clone() * sine - sin.clone() * versine;
-            added.acceleration = term.swing.clone().mul_add(of_acceleration, added.acceleration);
+            added.acceleration = term.acceleration.clone().mul_add(of_acceleration, added.acceleration);
         }
         Some(added)
     }
@@ -142,7 +142,7 @@ impl<N: Turning> Harmonics<N> {
     /// `z'''` at that time: `sum 2 pi (W_k/W) swing_k cos th_k`.
     pub fn jerk(&self, turns: i64, rest: &N) -> N {
         self.waves(turns, rest).fold(N::from_f64(0.0), |sum, (term, (_, cos))| {
-            let rate = term.swing.clone() * term.ratio.clone() * term.ratio.turn();
+            let rate = term.acceleration.clone() * term.ratio.clone() * term.ratio.turn();
             rate.mul_add(cos, sum)
         })
     }
@@ -171,7 +171,7 @@ impl Harmonics<MpBall> {
             Partial {
                 alpha: term.alpha.rounded(bits),
                 beta: term.beta.rounded(bits),
-                swing: term.swing.rounded(bits),
+                acceleration: term.acceleration.rounded(bits),
                 ratio: term.ratio.rounded(bits),
                 counter: (ratio.rounded(bits + TURN_BITS), shift.rounded(bits + TURN_BITS)),
             }

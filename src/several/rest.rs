@@ -49,7 +49,7 @@ pub(crate) fn accumulation(
 
 /// `-z''`, told from the wall.
 fn pressure<N: Phased>(harmonics: &Harmonics<N>, wall: Wall, turns: i64, rest: &N) -> N {
-    harmonics.sums(turns, rest).swing.signed(-wall.sign())
+    harmonics.sums(turns, rest).acceleration.signed(-wall.sign())
 }
 
 /// A simple zero of the pressure: the ball is released there.

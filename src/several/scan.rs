@@ -40,7 +40,7 @@ pub(crate) enum Doubt<N> {
     #[cfg_attr(not(feature = "multiprecision"), allow(dead_code))]
     Graze { wall: Wall, free: Instant<N>, at: Instant<N> },
     /// The direction of the departure is not certain.
-    Departure,
+    SmallAngle,
     /// The ball does not leave its wall.
     Rest,
     /// Longer than is followed.
@@ -185,7 +185,7 @@ impl<'f, 'h, N: Phased> Scan<'f, 'h, N> {
             }
             (rate, bend) if rate == zero && bend.1 < 0.0 => return Err(Doubt::Rest),
             (rate, bend) if rate == zero && bend == zero && jerk.1 < 0.0 => return Err(Doubt::Rest),
-            _ => return Err(Doubt::Departure),
+            _ => return Err(Doubt::SmallAngle),
         };
         let far = Side { room: (1.0, 1.0), rate: (-rate.1, -rate.0), bend: (-bend.1, -bend.0) };
         let mut time = far.reach(&self.rates, most).min(self.horizon); // H3: any time up to the horizon
@@ -202,7 +202,7 @@ impl<'f, 'h, N: Phased> Scan<'f, 'h, N> {
             }
             time *= 0.5;
         }
-        Err(Doubt::Departure)
+        Err(Doubt::SmallAngle)
     }
 
     /// Longer than any piece can be proved free: the third derivative alone may cross the gap.
@@ -360,7 +360,7 @@ impl<N: Phased> Doubt<N> {
     pub fn undecided(&self, start: Option<Wall>) -> Undecided {
         match self {
             Self::Graze { wall, .. } => Undecided::graze(Some(*wall)),
-            Self::Departure => Undecided::graze(start),
+            Self::SmallAngle => Undecided::graze(start),
             Self::Rest => Undecided { lasting: true, ..Undecided::graze(start) },
             Self::Budget => Undecided::endless(),
         }

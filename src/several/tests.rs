@@ -32,7 +32,7 @@ fn sums() -> impl Strategy<Value = Spectrum> {
 }
 
 /// `z''` after N turns of the fastest, by exact numbers.
-fn swing(spectrum: &Spectrum, turns: i64, rest: f64) -> Real {
+fn acceleration(spectrum: &Spectrum, turns: i64, rest: f64) -> Real {
     let bits = 200;
     let time = Exact::from_f64(rest).unwrap().checked_add(&Exact::from(turns)).unwrap();
     let term = |term: &spectrum::Term| {
@@ -95,7 +95,7 @@ proptest! {
         let wall = if is_left { Wall::Left } else { Wall::Right };
         let spectrum = Arc::new(spectrum);
         let harmonics = Harmonics::<Ball>::new(&spectrum, 53);
-        let pressure = |turns, rest| (swing(&spectrum, turns, rest) * -(wall.sign() as i64)).to_f64();
+        let pressure = |turns, rest| (acceleration(&spectrum, turns, rest) * -(wall.sign() as i64)).to_f64();
         let start = pressure(turns, phase);
         prop_assume!(start >= 0.0);
         let Some(zero) = first_zero(&spectrum, &harmonics, wall, turns, Ball::exact(phase)) else {
@@ -119,7 +119,7 @@ proptest! {
         spectrum in sums(), turns in 0..40i64, phase in -0.5..0.5f64, size in (-12.0..-5.0f64).prop_map(|x| 10f64.powf(x)),
     ) {
         let harmonics = Harmonics::<Ball>::new(&spectrum, 53);
-        let pressure = |rest| -swing(&spectrum, turns, rest).to_f64();
+        let pressure = |rest| -acceleration(&spectrum, turns, rest).to_f64();
         let now = pressure(phase);
         prop_assume!(now > 0.1 * harmonics.rates.second);
         let speed = size * now;

@@ -34,9 +34,9 @@ use crate::number::{Magnitude, MpBall};
 use crate::pair::{ImpactPair, Reduced, Wall, rebound_of, within};
 use crate::several::{Phased, Turning, phases_at};
 pub(crate) use clear::{Since, clear};
-pub(crate) use one::One;
+pub(crate) use one::OneHarmonic;
 pub(crate) use origin::{Initial, Location, Origin, Past, Released};
-pub(crate) use several::Several;
+pub(crate) use several::SeveralHarmonics;
 use shaking::Shaking;
 pub(crate) use still::Still;
 pub(crate) use sum::Sum;
@@ -57,7 +57,7 @@ pub(crate) trait Shaken: Debug + Send + Sync {
 
     /// `y''` in plain doubles.
     #[cfg(feature = "multiprecision")]
-    fn swing(&self, turns: i64, phase: f64) -> f64;
+    fn acceleration(&self, turns: i64, phase: f64) -> f64;
 
     /// Chatter of how many forcing periods may be reported, if widths of `least` forcing periods are; `None`: any that ends before the contact force does, half
     /// a forcing period after it began at the latest. It proposes.
@@ -119,9 +119,9 @@ pub(crate) trait Flying: Shaken + Sized + 'static {
         let restitution = self.pair().restitution;
         let launch = |phase, before| Launch::from_wall(wall, turns, phase, rebound_of(restitution, before), is_release);
         let centre = launch(Ball::exact(phase.mid()), Ball::exact(before.mid()));
-        let (image, swings) = self.first_contacts(launch(phase, before), centre, waves)?;
+        let (image, accelerations) = self.first_contacts(launch(phase, before), centre, waves)?;
         let all = image.all;
-        let jacobian = Sheared::between(restitution, all.time, swings, [before, all.velocity]);
+        let jacobian = Sheared::between(restitution, all.time, accelerations, [before, all.velocity]);
         Ok((image, jacobian.ok_or(Undecided::width(&all))?))
     }
 
@@ -169,8 +169,8 @@ pub(crate) trait Flying: Shaken + Sized + 'static {
 
 /// What shakes a pair.
 pub(crate) enum Either {
-    One(Arc<One>),
-    Several(Arc<Several>),
+    One(Arc<OneHarmonic>),
+    Several(Arc<SeveralHarmonics>),
 }
 
 impl Either {
@@ -179,8 +179,8 @@ impl Either {
     /// # Errors
     /// When a value is beyond what exact expressions or doubles hold.
     pub fn new(pair: &ImpactPair, clock: &Clock) -> Result<Self, Error> {
-        Ok(match Several::new(pair, clock.origin())? {
-            None => Self::One(Arc::new(One::of(pair)?)),
+        Ok(match SeveralHarmonics::new(pair, clock.origin())? {
+            None => Self::One(Arc::new(OneHarmonic::of(pair)?)),
             Some(several) => Self::Several(Arc::new(several)),
         })
     }
@@ -223,7 +223,7 @@ pub(crate) struct Arrival<W> {
     /// Encloses the contact of every flight of the set.
     pub contact: Contact<Ball>,
     /// Encloses `y''` of all of them, at the start and at the contact.
-    pub swings: [Ball; 2],
+    pub accelerations: [Ball; 2],
     /// The contact of the centre is within `error` of this phase, less the whole forcing periods.
     pub phase: Float,
     pub error: Magnitude,

@@ -8,8 +8,8 @@ use crate::Error;
 #[cfg(feature = "multiprecision")]
 use crate::contact::multiprecision::{Passed, Refined, Start, isolate_first, pass};
 use crate::contact::{
-    Contact, PairBounds, Radii, SetContact, Undecided, Verdict, first_contact, first_contact_f64, first_contacts,
-    swings,
+    Contact, PairBounds, Radii, SetContact, Undecided, Verdict, accelerations, first_contact, first_contact_f64,
+    first_contacts,
 };
 use crate::exact::{Enclosure, Exact};
 use crate::excitation::displacement_velocity_acceleration;
@@ -26,12 +26,12 @@ use crate::turns;
 
 /// A pair that is shaken by one harmonic, equation (9).
 #[derive(Clone, Debug)]
-pub(crate) struct One {
+pub(crate) struct OneHarmonic {
     pub exact: Reduced<Exact>,
     pub bounds_of_pair: PairBounds,
 }
 
-impl One {
+impl OneHarmonic {
     pub fn new(exact: Reduced<Exact>, pair: Reduced<Ball>) -> Self {
         Self { exact, bounds_of_pair: PairBounds::new(pair) }
     }
@@ -53,7 +53,7 @@ impl One {
     }
 }
 
-impl Shaken for One {
+impl Shaken for OneHarmonic {
     fn pair(&self) -> &Reduced<Ball> {
         &self.bounds_of_pair.pair
     }
@@ -74,7 +74,7 @@ impl Shaken for One {
     }
 
     #[cfg(feature = "multiprecision")]
-    fn swing(&self, _: i64, phase: f64) -> f64 {
+    fn acceleration(&self, _: i64, phase: f64) -> f64 {
         let beta = self.bounds_of_pair.centre.beta;
         beta.turn() * beta * kernel::sin_cos(phase).0
     }
@@ -103,7 +103,7 @@ impl Shaken for One {
     }
 }
 
-impl Flying for One {
+impl Flying for OneHarmonic {
     type In<N: Turning> = Reduced<N>;
     type Waves<N: Phased> = (N, N);
 
@@ -136,7 +136,7 @@ impl Flying for One {
         let PairBounds { pair, centre, margins } = &self.bounds_of_pair;
         match first_contact(&Flight::of(centre, flight, sin_cos), margins, radii) {
             Verdict::Certified(contact) => {
-                Ok((contact, [all.phase, contact.phase].map(|phase| pair.swing(&phase.wave()))))
+                Ok((contact, [all.phase, contact.phase].map(|phase| pair.acceleration(&phase.wave()))))
             }
             Verdict::Undecided(undecided) => Err(undecided),
         }
@@ -155,7 +155,7 @@ impl Flying for One {
         let point = Radii { velocity: centre.velocity.rad(), ..Radii::default() };
         let radii = Radii { phase: all.phase.rad(), velocity: all.velocity.rad(), ..point };
         let (contact, sin1) = first_contacts(&flight, margins, point, radii)?;
-        Ok((contact, swings(pair, all.phase, sin_cos.0, sin1)))
+        Ok((contact, accelerations(pair, all.phase, sin_cos.0, sin1)))
     }
 
     #[cfg(feature = "multiprecision")]
@@ -209,13 +209,13 @@ impl Flying for One {
         let contact = isolated.contact(wall);
         let narrow = Undecided::precision(&contact);
         let Refined { at, error, velocity, sin_cos: arrival } = isolated.refine(&centre, bits).ok_or(narrow)?;
-        let swing = doubles.beta.turn() * doubles.beta;
+        let acceleration = doubles.beta.turn() * doubles.beta;
         let sin0 = sin_cos.0.to_ball().widened(6.3 * phase.rad());
         // The acceleration between `at` and the contact.
         let near = isolated.sin.widened(6.3 * error.to_f64());
         Ok(Arrival {
-            swings: [swing * sin0, swing * wall.inward(isolated.sin)],
-            slope: wall.inward(swing * near),
+            accelerations: [acceleration * sin0, acceleration * wall.inward(isolated.sin)],
+            slope: wall.inward(acceleration * near),
             contact,
             phase: at,
             error,

@@ -29,7 +29,7 @@ use crate::several::{
 
 /// A pair that is shaken by several harmonics, equation (1).
 #[derive(Clone, Debug)]
-pub(crate) struct Several {
+pub(crate) struct SeveralHarmonics {
     pub spectrum: Arc<Spectrum>,
     pub pair: Reduced<Ball>,
     pub floats: Sum<f64>,
@@ -37,7 +37,7 @@ pub(crate) struct Several {
     pub band: Arc<Band>,
 }
 
-impl Several {
+impl SeveralHarmonics {
     /// Returns the harmonics of `pair`, phases counted from the forcing period `origin`; `None` of a single one.
     ///
     /// # Errors
@@ -76,7 +76,7 @@ impl Several {
             let undecided = doubt.undecided(all.launch.wall);
             let is_width = || Scan::new(centre, centre).first(&mut self.reach()).is_ok();
             match doubt {
-                Doubt::Graze { .. } | Doubt::Departure if is_width() => {
+                Doubt::Graze { .. } | Doubt::SmallAngle if is_width() => {
                     Undecided { reason: Reason::Width, ..undecided }
                 }
                 _ => undecided,
@@ -104,7 +104,7 @@ fn waves<N: Phased>(phases: &[Exact], bits: u32) -> Option<Vec<(N, N)>> {
     (!phases.is_empty()).then(|| phases.iter().map(wave).collect())
 }
 
-impl Shaken for Several {
+impl Shaken for SeveralHarmonics {
     fn pair(&self) -> &Reduced<Ball> {
         &self.pair
     }
@@ -115,7 +115,7 @@ impl Shaken for Several {
 
     fn displacement(&self, turns: i64, phase: Ball) -> [Ball; 3] {
         let sums = self.balls.harmonics.sums(turns, &phase);
-        [sums.sine, sums.cosine, sums.swing]
+        [sums.sine, sums.cosine, sums.acceleration]
     }
 
     fn steepest(&self) -> f64 {
@@ -123,8 +123,8 @@ impl Shaken for Several {
     }
 
     #[cfg(feature = "multiprecision")]
-    fn swing(&self, turns: i64, phase: f64) -> f64 {
-        self.floats.harmonics.sums(turns, &phase).swing
+    fn acceleration(&self, turns: i64, phase: f64) -> f64 {
+        self.floats.harmonics.sums(turns, &phase).acceleration
     }
 
     fn max_reported_chatter(&self, least: f64) -> Option<f64> {
@@ -147,7 +147,7 @@ impl Shaken for Several {
 
     fn may_be_loose(&self, wall: Wall, turns: i64, phase: &Enclosure) -> bool {
         let (mid, rad) = phase.mid_rad();
-        let inward = wall.inward(self.balls.harmonics.sums(turns, &Ball::new(mid, rad)).swing);
+        let inward = wall.inward(self.balls.harmonics.sums(turns, &Ball::new(mid, rad)).acceleration);
         inward.mid() + inward.rad() >= 0.0
     }
 
@@ -156,7 +156,7 @@ impl Shaken for Several {
     }
 }
 
-impl Flying for Several {
+impl Flying for SeveralHarmonics {
     type In<N: Turning> = Sum<N>;
     type Waves<N: Phased> = Vec<(N, N)>;
 
@@ -190,8 +190,8 @@ impl Flying for Several {
         waves: Option<&Vec<(Ball, Ball)>>,
     ) -> Result<(Contact<Ball>, [Ball; 2]), Undecided> {
         let centre = all.map(Phased::centre_of);
-        let (contact, swings) = self.first_contacts(all, centre, waves)?;
-        Ok((contact.all, swings))
+        let (contact, accelerations) = self.first_contacts(all, centre, waves)?;
+        Ok((contact.all, accelerations))
     }
 
     fn first_contacts(
@@ -237,8 +237,8 @@ impl Flying for Several {
         let centre = SumFlight::new(&sum.harmonics, centre, waves);
         let (isolated, at) = self.isolated(sum, &all(), &centre, waves, bits)?;
         let (phase, error, velocity) = isolated.evaluated_near(&centre, &at, bits);
-        let precise::Isolated { contact, swings, .. } = isolated;
-        Ok(Arrival { contact, swings, phase, error, velocity, slope: swings[1], waves: None })
+        let precise::Isolated { contact, accelerations, .. } = isolated;
+        Ok(Arrival { contact, accelerations, phase, error, velocity, slope: accelerations[1], waves: None })
     }
 
     #[cfg(feature = "multiprecision")]

@@ -3,7 +3,7 @@
 //! The equations of a chain ([`crate::periodic::chain`]) are the same for both; here stand the terms in which they differ.
 
 use crate::flight::velocity_after;
-use crate::number::kernel::Departure;
+use crate::number::kernel::SmallAngle;
 use crate::number::{Number, Wave};
 use crate::pair::Reduced;
 
@@ -21,7 +21,7 @@ pub trait Shaking<N: Number> {
     /// `y' = c - E'` of a ball with this drift. **Equation** (12)
     fn relative(&self, drift: &N, at: &Self::Moment) -> N;
     /// `y'' = -E''` **Equation** (10)
-    fn swing(&self, at: &Self::Moment) -> N;
+    fn acceleration(&self, at: &Self::Moment) -> N;
     /// A short flight back to its wall; `None` where [`Wave::short`] knows no departure.
     fn hop(&self, time: &N, from: &Self::Moment) -> Option<Hop<N>>;
 }
@@ -72,12 +72,12 @@ impl<N: Wave> Shaking<N> for Reduced<N> {
         (-self.beta.clone()).mul_add(cos.clone(), drift.clone())
     }
     #[inline(always)]
-    fn swing(&self, (sin, _): &(N, N)) -> N {
+    fn acceleration(&self, (sin, _): &(N, N)) -> N {
         self.beta.turn() * self.beta.clone() * sin.clone()
     }
     #[inline(always)]
     fn hop(&self, time: &N, (sin, cos): &(N, N)) -> Option<Hop<N>> {
-        let Departure { versine, excess, sine } = time.short()?;
+        let SmallAngle { versine, excess, sine } = time.short()?;
         let wave = cos.clone().mul_add(excess, sin.clone() * versine.clone());
         let after = -(self.alpha.clone() * wave).checked_div(time.clone())?;
         let drift = self.beta.clone().mul_add(cos.clone(), after.clone());

@@ -52,9 +52,9 @@ impl Still {
         }
         // z = z0 + alpha sin th0 - alpha sin th; sin th0 is -1, 0 or 1, so that a wall touched at the start has no room, exactly.
         let one = Exact::from(1);
-        let swing = |part: Exact| if is_zero(&part) { Ok(Exact::from(0)) } else { pair.alpha.checked_mul(&part) };
-        let room_below = height.checked_sub(&swing(one.checked_sub(&sin)?)?)?.sign();
-        let room_above = one.checked_sub(&height)?.checked_sub(&swing(one.checked_add(&sin)?)?)?.sign();
+        let amplitude = |part: Exact| if is_zero(&part) { Ok(Exact::from(0)) } else { pair.alpha.checked_mul(&part) };
+        let room_below = height.checked_sub(&amplitude(one.checked_sub(&sin)?)?)?.sign();
+        let room_above = one.checked_sub(&height)?.checked_sub(&amplitude(one.checked_add(&sin)?)?)?.sign();
         let inside = |room: Option<Ordering>| matches!(room, Some(Ordering::Greater | Ordering::Equal));
         let [grazes_left, grazes_right] = [room_below, room_above].map(|room| room == Some(Ordering::Equal));
         Ok((inside(room_below) && inside(room_above)).then_some(Self { grazes_left, grazes_right }))
@@ -66,15 +66,16 @@ impl Still {
         let waves: Option<Vec<_>> = origin.phases.iter().map(quarter_turn).collect();
         let Some(waves) = waves else { return Ok(None) };
         let turn = Exact::pi() * Exact::from(2);
-        let (mut drift, mut middle, mut swing) = (origin.velocity.clone(), height.clone(), Exact::from(0));
+        let (mut drift, mut middle, mut amplitude) = (origin.velocity.clone(), height.clone(), Exact::from(0));
         for (term, (sin, cos)) in spectrum.terms.iter().zip(&waves) {
             let beta = term.alpha.checked_mul(&term.ratio)?.checked_mul(&turn)?;
             drift = drift.checked_add(&beta.checked_mul(cos)?)?;
             middle = middle.checked_add(&term.alpha.checked_mul(sin)?)?;
-            swing = swing.checked_add(&term.alpha)?;
+            amplitude = amplitude.checked_add(&term.alpha)?;
         }
         let is_above_0 = |x: &Exact| x.sign() == Some(Ordering::Greater);
-        let (below, above) = (middle.checked_sub(&swing)?, Exact::from(1).checked_sub(&middle.checked_add(&swing)?)?);
+        let (below, above) =
+            (middle.checked_sub(&amplitude)?, Exact::from(1).checked_sub(&middle.checked_add(&amplitude)?)?);
         let is_inside = is_above_0(&below) && is_above_0(&above);
         Ok((drift.sign() == Some(Ordering::Equal) && is_inside).then_some(Self::UNTOUCHED))
     }

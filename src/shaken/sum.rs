@@ -41,8 +41,8 @@ impl<N: Turning> Shaking<N> for Sum<N> {
         drift.clone() - at.sums.cosine.clone()
     }
 
-    fn swing(&self, at: &Moment<N>) -> N {
-        at.sums.swing.clone()
+    fn acceleration(&self, at: &Moment<N>) -> N {
+        at.sums.acceleration.clone()
     }
 
     fn hop(&self, time: &N, from: &Moment<N>) -> Option<Hop<N>> {
@@ -58,7 +58,7 @@ mod tests {
     use super::*;
     use crate::exact::Exact;
     use crate::number::{Ball, Number};
-    use crate::shaken::Several;
+    use crate::shaken::SeveralHarmonics;
     use crate::{Excitation, Harmonic, ImpactPair};
 
     fn balls() -> Sum<Ball> {
@@ -66,7 +66,7 @@ mod tests {
         let terms = [("2", "pi", "0.3"), ("1", "3*pi", "pi/5")];
         let terms = terms.map(|(a, w, tau)| Harmonic::new(value(a), value(w), value(tau)).unwrap());
         let pair = ImpactPair::new(Excitation::new(terms.to_vec()).unwrap(), value("4"), value("0.5")).unwrap();
-        Several::new(&pair, &0.into()).unwrap().unwrap().balls
+        SeveralHarmonics::new(&pair, &0.into()).unwrap().unwrap().balls
     }
 
     /// (1) and its derivatives at a phase of the fastest, in gaps and forcing periods.
@@ -87,10 +87,10 @@ mod tests {
         let zero = sum.moment(0.0, &Ball::exact(0.0));
         for (turns, rest) in [(0.0, 0.3), (2.0, 0.3), (-4.0, 0.9), (1.0, 4.25), (0.0, -2.75), (3_000_001.0, 0.5)] {
             let moment = sum.moment(turns, &Ball::exact(rest));
-            let [displacement, velocity, swing] = shaking((turns % 3.0) + rest);
+            let [displacement, velocity, acceleration] = shaking((turns % 3.0) + rest);
             assert!(is_near(sum.way(&zero, &moment, 1.0), 1.0 + displacement - shaking(0.0)[0]), "{turns} {rest}");
             assert!(is_near(sum.relative(&Ball::exact(0.5), &moment), 0.5 - velocity), "{turns} {rest}");
-            assert!(is_near(sum.swing(&moment), swing), "{turns} {rest}");
+            assert!(is_near(sum.acceleration(&moment), acceleration), "{turns} {rest}");
         }
     }
 

@@ -5,7 +5,7 @@ use impact_pair_document::{
     SweepExponent, SweepHead, SweepImpact, SweepPeriod, SweepRecord,
 };
 
-use super::{Asked, Grid, Point, State, axis};
+use super::{Grid, Point, PointSettings, State, axis};
 use crate::document::is_certified;
 use crate::exact::{Exact, decimal_bounds, decimal_bounds_f64};
 use crate::lyapunov::Exponent;
@@ -15,7 +15,7 @@ use crate::scene::{Key, Range};
 use crate::{Error, Scene};
 
 /// Returns what a sweep is about; a shard is given by its number and of how many.
-pub fn head(scene: &Scene, grid: &Grid, asked: &Asked, shard: Option<[u64; 2]>) -> SweepHead {
+pub fn head(scene: &Scene, grid: &Grid, asked: &PointSettings, shard: Option<[u64; 2]>) -> SweepHead {
     let over = |axis: &Range| SweepAxis {
         key: axis.key.to_string(),
         from: axis.low.text(),

@@ -16,5 +16,5 @@ pub use columns::{Cell, Kind, Table, columns, csv_head, csv_rows, doubles, rows}
 pub(crate) use document::exponent;
 pub use document::{grid, head, record};
 pub use grid::{Grid, MOST_POINTS, axis};
-pub use point::{Asked, Attraction, MOST_IMPACTS, Point, State, follow};
+pub use point::{Attraction, MOST_IMPACTS, Point, PointSettings, State, follow};
 pub use unit::Lasting;

@@ -22,7 +22,7 @@ pub const MOST_IMPACTS: u64 = 1_000_000_000;
 
 /// The settings of each point.
 #[derive(Clone, Debug)]
-pub struct Asked {
+pub struct PointSettings {
     /// Impacts that are certified and passed over first.
     pub transient: u64,
     /// Number of impacts after the transient.
@@ -106,7 +106,7 @@ impl Point {
 ///
 /// # Errors
 /// When a value is beyond the range of double-precision flights.
-pub fn follow(scene: &Scene, asked: &Asked, watch: &dyn Watch) -> Result<Option<Point>, Error> {
+pub fn follow(scene: &Scene, asked: &PointSettings, watch: &dyn Watch) -> Result<Option<Point>, Error> {
     if asked.settings.arithmetic != Arithmetic::Shadow {
         return follow_in(asked.settings.arithmetic, scene, asked, watch);
     }
@@ -120,7 +120,12 @@ pub fn follow(scene: &Scene, asked: &Asked, watch: &dyn Watch) -> Result<Option<
 }
 
 /// The same in one arithmetic.
-fn follow_in(arithmetic: Arithmetic, scene: &Scene, asked: &Asked, watch: &dyn Watch) -> Result<Option<Point>, Error> {
+fn follow_in(
+    arithmetic: Arithmetic,
+    scene: &Scene,
+    asked: &PointSettings,
+    watch: &dyn Watch,
+) -> Result<Option<Point>, Error> {
     let impacts = Some(asked.transient.saturating_add(asked.impacts));
     let settings = Settings { impacts, until: None, arithmetic, attractor: true, ..asked.settings.clone() };
     let mut orbit = Orbit::of(scene, settings)?;
@@ -169,7 +174,7 @@ struct Window<'u> {
 }
 
 impl<'u> Window<'u> {
-    fn new(orbit: &Orbit, &Asked { transient, summary, .. }: &Asked, unit: &'u Unit) -> Self {
+    fn new(orbit: &Orbit, &PointSettings { transient, summary, .. }: &PointSettings, unit: &'u Unit) -> Self {
         let disturbance = (transient == 0).then(|| Disturbance::of(orbit).in_turns_of(unit.rate()));
         let ends = orbit.start_impact().filter(|_| transient == 0).map(|start| [start.clone(), start]);
         Self { unit, transient, listed: 0, summary, states: Vec::new(), disturbance, ends, has_chatter: false }
@@ -247,7 +252,7 @@ mod tests {
     }
 
     fn point(scene: &Scene, transient: u64, impacts: u64) -> Point {
-        let asked = Asked {
+        let asked = PointSettings {
             transient,
             impacts,
             summary: false,
@@ -263,7 +268,7 @@ mod tests {
             let (scene, values) = (scene(name), [(Key::StartPhase, "0".parse().unwrap())]);
             let line = |summary| {
                 let settings = Settings { digits: 6, ..Settings::default() };
-                let asked = Asked { transient: 5, impacts: 40, summary, reference: None, settings };
+                let asked = PointSettings { transient: 5, impacts: 40, summary, reference: None, settings };
                 crate::sweep::record(0, &values, &follow(&scene, &asked, &Unwatched).unwrap().unwrap())
             };
             let (short, mut full) = (line(true), line(false));
@@ -318,7 +323,7 @@ mod tests {
             let settings = Settings { arithmetic: Arithmetic::Shadow, digits: 6, ..Settings::default() };
             follow(
                 &scene(name),
-                &Asked { transient: 500, impacts, summary: false, reference: None, settings },
+                &PointSettings { transient: 500, impacts, summary: false, reference: None, settings },
                 &Unwatched,
             )
             .unwrap()
@@ -341,7 +346,7 @@ mod tests {
         assert_eq!(chatter.impacts_per_cycle.map(Ball::mid), Some(f64::INFINITY));
         assert_eq!(chatter.states.len(), 60);
         let settings = Settings { arithmetic: Arithmetic::Interval, ..Settings::default() };
-        let asked = Asked { transient: 20, impacts: 500, summary: false, reference: None, settings };
+        let asked = PointSettings { transient: 20, impacts: 500, summary: false, reference: None, settings };
         let chaos = follow(&scene("figure-14"), &asked, &Unwatched).unwrap().unwrap();
         assert!(matches!(chaos.outcome, Outcome::Undecided { .. }) && chaos.states.len() > 20);
         assert_eq!(chaos.states.len() as u64 + 20, chaos.impacts);

@@ -8,7 +8,7 @@ use impact_pair_document::{
     WordLeft,
 };
 
-use super::{Crossing, Departure, Extent, Judgement, Largest, Measured, Rung, Trade};
+use super::{Crossing, Divergence, Extent, Judgement, Largest, Measured, Rung, Trade};
 
 impl Trade<'_> {
     /// Returns the trade JSON.
@@ -94,7 +94,7 @@ fn truth(judgement: &Judgement, trade: &Trade<'_>) -> TruthDocument {
         judged: judgement.judged,
         largest_error: LargestErrors { time: largest(&judgement.time), velocity: largest(&judgement.velocity) },
         time_errors: judgement.crossings.iter().map(crossing).collect(),
-        leaves_word: judgement.departure.map(|Departure { impact, truth, judged }| WordLeft {
+        leaves_word: judgement.departure.map(|Divergence { impact, truth, judged }| WordLeft {
             impact,
             truth,
             float: judged,

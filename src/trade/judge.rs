@@ -50,7 +50,7 @@ pub struct Judgement {
     /// Where errors of times exceed the thresholds.
     pub crossings: Vec<Crossing>,
     /// Where the orbit departs from the true word, if it does.
-    pub departure: Option<Departure>,
+    pub departure: Option<Divergence>,
 }
 
 /// Bounds of the largest error so far; both only grow.
@@ -88,7 +88,7 @@ pub struct Crossing {
 
 /// Where the orbit departs from the true word.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Departure {
+pub struct Divergence {
     /// The first impact that is another one.
     pub impact: u64,
     /// Its true wall.
@@ -115,7 +115,7 @@ impl Judgement {
         let index = self.judged + 1;
         let Some(reading) = judged.filter(|judged| judged.wall == truth.wall) else {
             self.departure =
-                Some(Departure { impact: index, truth: truth.wall, judged: judged.map(|judged| judged.wall) });
+                Some(Divergence { impact: index, truth: truth.wall, judged: judged.map(|judged| judged.wall) });
             return ControlFlow::Break(());
         };
         self.judged = index;
@@ -207,7 +207,7 @@ mod tests {
             floats[flipped - 1].wall = wall.other();
             let judgement = judge(units, &floats, &truths);
             let impact = flipped as u64;
-            assert_eq!(judgement.departure, Some(Departure { impact, truth: wall, judged: Some(wall.other()) }));
+            assert_eq!(judgement.departure, Some(Divergence { impact, truth: wall, judged: Some(wall.other()) }));
             assert_eq!(judgement.judged, impact - 1);
             floats[flipped - 1].wall = wall;
         }

@@ -5,7 +5,7 @@ mod judge;
 mod ladder;
 mod measure;
 
-pub use judge::{Crossing, Departure, Judgement, Largest};
+pub use judge::{Crossing, Divergence, Judgement, Largest};
 pub use ladder::Rung;
 pub use measure::{Extent, Measured, Times, Widths};
 

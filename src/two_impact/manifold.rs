@@ -13,7 +13,7 @@ use crate::pair::{ImpactPair, Wall, within};
 use crate::watch::{Latched, Watch};
 
 use super::closed_forms::{self, grazing_angle};
-use super::question::{ONE_HARMONIC, SHOWN};
+use super::problem::{ONE_HARMONIC, SHOWN};
 use crate::exact::Real;
 use crate::periodic::Stability;
 

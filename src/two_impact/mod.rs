@@ -5,7 +5,7 @@
 //!
 //! | equation | what | item |
 //! |---|---|---|
-//! | (56)-(60) | two impacts in N cycles | [`Question`], [`Orbit`] |
+//! | (56)-(60) | two impacts in N cycles | [`Problem`], [`Orbit`] |
 //! | (61) | `v_i = -v_{i+1}` | [`MeasuredOrbit::impacts`] |
 //! | (61)-(63), (66)-(73) | as functions | [`closed_forms`] |
 //! | (62), (63) | not equispaced, N odd and even: all of them | `unequispaced`, [`Answer`] |
@@ -16,15 +16,15 @@
 //! | beyond the paper | first contacts | `motion`, [`MeasuredOrbit::physical`] |
 //!
 //! Modules, in reading order: `jet` (numbers with their derivatives), `isolate` (all zeros of a function), `angle`, `motion`,
-//! `stability`, [`closed_forms`], `equispaced`, `elastic`, `unequispaced`, `data`, `orbit`, `question`, `manifold`.
+//! `stability`, [`closed_forms`], `equispaced`, `elastic`, `unequispaced`, `data`, `orbit`, `problem`, `manifold`.
 //!
 //! ```
-//! use impact_pair::two_impact::{Question, Stability, Unknown};
+//! use impact_pair::two_impact::{Problem, Stability, Unknown};
 //! use impact_pair::{Harmonic, ImpactPair};
 //! let harmonic = Harmonic::new("2".parse()?, "pi".parse()?, "0".parse()?)?;
 //! let pair = ImpactPair::new(harmonic, "3*pi".parse()?, "0.5".parse()?)?;
 //! // Figure 13: the paper calls it quasi-periodic.
-//! let answer = Question::new(&pair, 1, Unknown::Velocity)?.answer(20);
+//! let answer = Problem::new(&pair, 1, Unknown::Velocity)?.answer(20);
 //! assert!(answer.is_complete && answer.is_exhaustive);
 //! let stable: Vec<_> = answer.orbits.iter().map(|orbit| &orbit.measured).filter(|orbit| orbit.stability == Stability::Stable).collect();
 //! assert!(stable.len() == 1 && stable[0].symmetric == Some(true) && stable[0].physical == Some(true));
@@ -41,14 +41,14 @@ mod jet;
 mod manifold;
 mod motion;
 mod orbit;
-mod question;
+mod problem;
 mod stability;
 mod unequispaced;
 
 pub use crate::periodic::{MeasuredOrbit, Stability};
 pub use manifold::{Axis, COUNTS, Manifold, Mark, Part, Point, Range};
 pub use orbit::Orbit;
-pub use question::{Answer, CYCLES, Question, Unknown, speed};
+pub use problem::{Answer, CYCLES, Problem, Unknown, speed};
 
 #[cfg(test)]
 mod tests;

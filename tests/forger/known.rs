@@ -1,12 +1,12 @@
 //! Whether the claims that a forgery leaves are true all the same: computed anew by the library.
 
 use impact_pair::Scene;
-use impact_pair::chaos::{Chaos, Question};
+use impact_pair::chaos::{Chaos, HorseshoeSettings};
 use impact_pair::document;
 use impact_pair::json::{BaseDocument, SceneDocument};
 use impact_pair::mapping::Word;
 use impact_pair::periodic::Precision;
-use impact_pair::periodic::bifurcation::{Wanted, survey};
+use impact_pair::periodic::bifurcation::{DiagramSettings, survey};
 use impact_pair::watch::Unwatched;
 use serde_json::{Value, json};
 
@@ -32,7 +32,7 @@ fn has_bifurcations(document: &Value) -> Option<bool> {
     let over = &document["over"];
     let over = format!("{}={}..{}", over["key"].as_str()?, over["low"].as_str()?, over["high"].as_str()?);
     let precision = Precision { digits: 20, ..Precision::default() };
-    let wanted = Wanted { over: over.parse().ok()?, doublings: 3, precision };
+    let wanted = DiagramSettings { over: over.parse().ok()?, doublings: 3, precision };
     let asked = (&word, document["cycles"].as_u64()? as u32);
     let diagram = survey(&pair, &start, asked, &wanted, &Unwatched).ok()?;
     let found = json!(document::bifurcations(&start, asked, &diagram).ok()?);
@@ -59,7 +59,7 @@ fn has_orbit(document: &Value, orbit: &Value) -> bool {
 fn has_words(document: &Value) -> Option<bool> {
     let (pair, start) = serde_json::from_value::<SceneDocument>(document["scene"].clone()).ok()?.model().ok()?;
     let bases: Vec<BaseDocument> = serde_json::from_value(document["bases"].clone()).ok()?;
-    let question = Question { depth: document["depth"].as_u64()? as usize, bases: document::bases(&bases) };
+    let question = HorseshoeSettings { depth: document["depth"].as_u64()? as usize, bases: document::bases(&bases) };
     // It only names what is found.
     let scene = Scene::parse(include_str!("../../scenes/figure-14.toml")).ok()?;
     let found = json!(document::chaos(&scene, None, &question, &Chaos::of(&pair, &start, &question, &Unwatched).ok()?));

@@ -3,14 +3,14 @@
 use std::fs;
 
 use impact_pair::Scene;
-use impact_pair::chaos::{Chaos, Cycles, Question};
+use impact_pair::chaos::{Chaos, Cycles, HorseshoeSettings};
 use impact_pair::document::{self, Units};
 use impact_pair::exact::Exact;
 use impact_pair::json::BaseDocument;
 use impact_pair::orbit::{Arithmetic, Settings};
-use impact_pair::periodic::bifurcation::{Wanted, survey};
+use impact_pair::periodic::bifurcation::{DiagramSettings, survey};
 use impact_pair::periodic::{Budget, Precision, Problem};
-use impact_pair::sweep::{self, Asked, Grid};
+use impact_pair::sweep::{self, Grid, PointSettings};
 use impact_pair::watch::Unwatched;
 use serde_json::{Value, json};
 
@@ -119,7 +119,7 @@ fn bifurcations() -> Vec<Original> {
     let of = |name: &str, (excitation, word, cycles): (&str, &str, u32), over: &str, (doublings, digits)| {
         let scene = scene(excitation, "1", "0.8");
         let precision = Precision { digits, ..Precision::default() };
-        let wanted = Wanted { over: over.parse().unwrap(), doublings, precision };
+        let wanted = DiagramSettings { over: over.parse().unwrap(), doublings, precision };
         let word = word.parse().unwrap();
         let diagram = survey(scene.pair(), scene.start(), (&word, cycles), &wanted, &Unwatched).unwrap();
         let document = json!(document::bifurcations(scene.start(), (&word, cycles), &diagram).unwrap());
@@ -155,7 +155,7 @@ fn chaos(over: Option<&str>) -> Original {
     let read = fs::read_to_string(format!("{}/docs/bases-figure-14.json", env!("CARGO_MANIFEST_DIR"))).unwrap();
     let bases: Vec<BaseDocument> =
         serde_json::from_value(serde_json::from_str::<Value>(&read).unwrap()["bases"].clone()).unwrap();
-    let question = Question { depth: 3, bases: document::bases(&bases) };
+    let question = HorseshoeSettings { depth: 3, bases: document::bases(&bases) };
     let over: Option<Range> = over.map(|over| over.parse().unwrap());
     let pair = match &over {
         Some(over) => scene.pair().with(over.key, Exact::interval(&over.low, &over.high).unwrap()).unwrap(),
@@ -175,9 +175,9 @@ fn hyperbolic() -> Original {
 
 /// Impacts of points, over parameters and initial data; and basins, without impacts.
 fn sweeps() -> Vec<Original> {
-    let of = |name: &str, scene: &Scene, over: &[&str], asked: Asked| {
+    let of = |name: &str, scene: &Scene, over: &[&str], asked: PointSettings| {
         let grid = Grid::new(over.iter().map(|axis| axis.parse().unwrap()).collect()).unwrap();
-        let asked = Asked { reference: grid.reference(scene).unwrap(), ..asked };
+        let asked = PointSettings { reference: grid.reference(scene).unwrap(), ..asked };
         let mut lines = vec![json!(sweep::head(scene, &grid, &asked, None))];
         for number in 0..grid.points() {
             let values = grid.values(number).unwrap();
@@ -187,8 +187,8 @@ fn sweeps() -> Vec<Original> {
         Original::new("sweep", name, Value::Array(lines))
     };
     let settings = Settings { digits: 6, ..Settings::default() };
-    let impacts = Asked { transient: 3, impacts: 5, summary: false, reference: None, settings };
-    let basins = Asked { transient: 10, impacts: 10, summary: true, ..impacts.clone() };
+    let impacts = PointSettings { transient: 3, impacts: 5, summary: false, reference: None, settings };
+    let basins = PointSettings { transient: 10, impacts: 10, summary: true, ..impacts.clone() };
     vec![
         of("of parameters", &figure("figure-14"), &["amplitude=7..9:3"], impacts.clone()),
         of("of starts", &figure("figure-14"), &["start.phase=0..1:2", "start.velocity=-13..-12:2"], impacts),

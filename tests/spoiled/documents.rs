@@ -7,7 +7,7 @@ use impact_pair::mapping::Word;
 use impact_pair::orbit::{Arithmetic, Settings, Start};
 use impact_pair::pair::Wall;
 use impact_pair::periodic::{Precision, Problem};
-use impact_pair::two_impact::{Question, Unknown};
+use impact_pair::two_impact::{self, Unknown};
 use serde_json::{Value, json};
 
 /// Scenes with names and the outcome each must have.
@@ -203,7 +203,7 @@ pub fn periodic((pair, start): (&ImpactPair, &Start), word: &Word, cycles: u32, 
 
 /// That of two-impact motions.
 pub fn two_impact((pair, start): (&ImpactPair, &Start), cycles: u32, digits: u32, wall: Wall) -> Value {
-    let answer = Question::new(pair, cycles, Unknown::Velocity).unwrap().answer(digits);
+    let answer = two_impact::Problem::new(pair, cycles, Unknown::Velocity).unwrap().answer(digits);
     json!(document::two_impact(start, &answer, wall))
 }
 

@@ -3,14 +3,14 @@
 use std::fs;
 
 use impact_pair::Scene;
-use impact_pair::chaos::{BoxGraph, Chaos, Cycles, Question, Trap, WallWords};
+use impact_pair::chaos::{BoxGraph, Chaos, Cycles, HorseshoeSettings, Trap, WallWords};
 use impact_pair::describe::{Request, describe};
 use impact_pair::document;
 use impact_pair::json::BaseDocument;
 use impact_pair::orbit::Settings;
 use impact_pair::periodic::Precision;
-use impact_pair::periodic::bifurcation::{Wanted, survey};
-use impact_pair::sweep::{self, Asked, Grid};
+use impact_pair::periodic::bifurcation::{DiagramSettings, survey};
+use impact_pair::sweep::{self, Grid, PointSettings};
 use impact_pair::watch::{Stage, Unwatched, proceed_if};
 use serde_json::{Value, json};
 
@@ -31,7 +31,7 @@ fn bifurcations() -> Value {
     )
     .unwrap();
     let precision = Precision { digits: 9, ..Precision::default() };
-    let wanted = Wanted { over: "amplitude=0.3..0.4".parse().unwrap(), doublings: 1, precision };
+    let wanted = DiagramSettings { over: "amplitude=0.3..0.4".parse().unwrap(), doublings: 1, precision };
     let asked = (&"RL".parse().unwrap(), 1);
     let diagram = survey(scene.pair(), scene.start(), asked, &wanted, &Unwatched).unwrap();
     json!(document::bifurcations(scene.start(), asked, &diagram).unwrap())
@@ -40,7 +40,7 @@ fn bifurcations() -> Value {
 fn chaos() -> Value {
     let read: Value = serde_json::from_str(&file("docs/bases-figure-14.json")).unwrap();
     let bases: Vec<BaseDocument> = serde_json::from_value(read["bases"].clone()).unwrap();
-    let (scene, question) = (figure("figure-14"), Question { depth: 6, bases: document::bases(&bases) });
+    let (scene, question) = (figure("figure-14"), HorseshoeSettings { depth: 6, bases: document::bases(&bases) });
     let found = Chaos::of(scene.pair(), scene.start(), &question, &Unwatched).unwrap();
     json!(document::chaos(&scene, None, &question, &found))
 }
@@ -79,7 +79,7 @@ fn sweep(scene: &str, over: &[&str]) -> Vec<Value> {
     let grid = Grid::new(over.iter().map(|axis| axis.parse().unwrap()).collect()).unwrap();
     let reference = grid.reference(&scene).unwrap();
     let settings = Settings { digits: 6, ..Settings::default() };
-    let asked = Asked { transient: 3, impacts: 4, summary: false, reference, settings };
+    let asked = PointSettings { transient: 3, impacts: 4, summary: false, reference, settings };
     let mut lines = vec![json!(sweep::head(&scene, &grid, &asked, None))];
     for number in 0..grid.points() {
         let values = grid.values(number).unwrap();

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
-use impact_pair::audit::{Asked, Column, Columns};
+use impact_pair::audit::{AuditSettings, Column, Columns};
 use impact_pair::exact::Exact;
 use impact_pair::orbit::MAX_BITS;
 
@@ -115,9 +115,9 @@ impl AuditArguments {
     }
 
     /// Returns the settings of the audit.
-    pub fn asked(&self) -> Asked {
+    pub fn asked(&self) -> AuditSettings {
         let (tolerance, until) = (self.tolerance.clone(), self.until.clone());
-        Asked { tolerance, until, digits: self.digits, max_bits: self.max_bits }
+        AuditSettings { tolerance, until, digits: self.digits, max_bits: self.max_bits }
     }
 }
 

@@ -43,7 +43,7 @@ pub fn horseshoe(document: &ChaosDocument, found: &Chaos) -> Result<String, fmt:
         Some(None) => writeln!(out, "undecided whether any of its words are hyperbolic")?,
         None => {}
     }
-    for line in fate(document) {
+    for line in asymptotics(document) {
         writeln!(out, "{line}")?;
     }
     writeln!(out, "\n{}", conclusion(document, found))?;
@@ -72,7 +72,7 @@ fn hyperbolic(document: &ChaosDocument, set: &HyperbolicDocument) -> Result<Stri
 }
 
 /// Whether the scene's own orbit is where the horseshoe is, as far as that is proved.
-fn fate(document: &ChaosDocument) -> Vec<String> {
+fn asymptotics(document: &ChaosDocument) -> Vec<String> {
     let mut lines = Vec::new();
     let scene_orbit = document.scene_orbit.as_ref();
     let attracted = scene_orbit.and_then(|orbit| orbit.attracted.as_ref());

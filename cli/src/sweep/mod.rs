@@ -19,7 +19,7 @@ use anyhow::{Context, Result, bail};
 use impact_pair::Scene;
 use impact_pair::json::SweepHead;
 use impact_pair::orbit::{Arithmetic, Settings};
-use impact_pair::sweep::{self, Asked, Grid, Table};
+use impact_pair::sweep::{self, Grid, PointSettings, Table};
 use impact_pair::watch::Watch;
 use impact_pair_plot::sweep::Records;
 
@@ -74,7 +74,7 @@ fn compute(arguments: &SweepArguments, path: &Path) -> Result<Answer> {
     let SweepArguments { transient, impacts, summary, .. } = *arguments;
     let ranges: Vec<_> = arguments.over.iter().map(|axis| (axis.key, axis.to_string())).collect();
     let reference = grid.reference(&scene).map_err(|error| scene::about(error, &ranges, path))?;
-    let asked = Asked { transient, impacts, summary, reference, settings };
+    let asked = PointSettings { transient, impacts, summary, reference, settings };
     let head = sweep::head(&scene, &grid, &asked, arguments.shard.map(|shard| [shard.number, shard.of]));
     let threads = match arguments.threads {
         Some(threads) => threads.into(),

@@ -7,7 +7,7 @@ use std::time::Duration;
 use anyhow::{Context, Error, Result};
 use impact_pair::Scene;
 use impact_pair::orbit::Orbit;
-use impact_pair::sweep::{self, Asked, Grid, follow};
+use impact_pair::sweep::{self, Grid, PointSettings, follow};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use rayon::prelude::*;
 
@@ -19,7 +19,7 @@ use crate::progress::Interruption;
 pub struct Work<'w> {
     pub scene: &'w Scene,
     pub grid: &'w Grid,
-    pub asked: &'w Asked,
+    pub asked: &'w PointSettings,
     pub threads: usize,
 }
 

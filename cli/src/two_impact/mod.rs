@@ -11,7 +11,7 @@ use impact_pair::exact::Exact;
 use impact_pair::json::one_a_line;
 use impact_pair::orbit::Settings;
 use impact_pair::scene::{Key, Range as ParameterRange};
-use impact_pair::two_impact::{Answer, Axis, Question, Range, Unknown, speed};
+use impact_pair::two_impact::{Answer, Axis, Problem, Range, Unknown, speed};
 use impact_pair::watch::Watch;
 
 use crate::destination::{Begun, Files};
@@ -20,7 +20,7 @@ use crate::{Answer as Exit, scene};
 use arguments::{SolveFor, TwoImpactArguments, TwoImpactFormat};
 
 /// The arguments, and how the answer is written.
-type Asked<'a> = (&'a TwoImpactArguments, TwoImpactFormat);
+type Options<'a> = (&'a TwoImpactArguments, TwoImpactFormat);
 
 pub fn two_impact(arguments: &TwoImpactArguments) -> Result<Exit> {
     let format = arguments.format()?;
@@ -34,7 +34,7 @@ pub fn two_impact(arguments: &TwoImpactArguments) -> Result<Exit> {
     }
 }
 
-fn list_motions((arguments, format): Asked<'_>, files: Files, scene: &Scene, digits: u32) -> Result<Exit> {
+fn list_motions((arguments, format): Options<'_>, files: Files, scene: &Scene, digits: u32) -> Result<Exit> {
     let unknown = match arguments.solve_for {
         SolveFor::Velocity => Unknown::Velocity,
         SolveFor::Amplitude => Unknown::Amplitude(speed(scene)?),
@@ -45,7 +45,7 @@ fn list_motions((arguments, format): Asked<'_>, files: Files, scene: &Scene, dig
         .cycles
         .clone()
         .take_while(|_| progress.goes_on())
-        .map(|cycles| Ok(Question::new(scene.pair(), cycles, unknown.clone())?.answer(digits)))
+        .map(|cycles| Ok(Problem::new(scene.pair(), cycles, unknown.clone())?.answer(digits)))
         .collect::<Result<_, Error>>()?;
     progress.clear();
     let wall = arguments.wall.wall();
@@ -71,7 +71,7 @@ fn list_motions((arguments, format): Asked<'_>, files: Files, scene: &Scene, dig
 }
 
 fn draw_manifold(
-    (arguments, format): Asked<'_>,
+    (arguments, format): Options<'_>,
     files: Files,
     scene: &Scene,
     over: &ParameterRange,

@@ -23,7 +23,7 @@ pub fn motions(scene: &Scene, unknown: &Unknown, answers: &[Answer], wall: Wall)
         Unknown::Gap(speed) => lines.push(format!("given A and |v| = {speed}: d (67), equispaced")),
     }
     for answer in answers {
-        lines.push(format!("\nN = {}, {}: {}", answer.question().cycles(), word(wall), said(answer)));
+        lines.push(format!("\nN = {}, {}: {}", answer.problem().cycles(), word(wall), said(answer)));
         for (index, found) in answer.orbits.iter().enumerate() {
             lines.extend(orbit(index + 1, found, unknown, wall));
         }

@@ -48,7 +48,7 @@ pub struct AuditDocument {
     /// The first row or impact that differs.
     pub first_disagreement: Option<Disagreement>,
     /// Where the list diverges from the true orbit.
-    pub another_orbit: Option<Departure>,
+    pub another_orbit: Option<Divergence>,
     /// The same comparison for plain doubles.
     pub double_precision: DoublePrecision,
     /// Every row, and every impact without a row.
@@ -110,7 +110,7 @@ pub struct Disagreement {
 /// Where a list diverges from the true orbit.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
-pub struct Departure {
+pub struct Divergence {
     /// The certified impact.
     pub impact: u64,
     /// The row, from 1.

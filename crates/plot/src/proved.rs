@@ -2,7 +2,7 @@
 
 use anyhow::Result;
 use impact_pair::Scene;
-use impact_pair::chaos::{Asked, Cells, State, Verdict, seen_impacts};
+use impact_pair::chaos::{Cells, RangeSettings, State, Verdict, seen_impacts};
 use impact_pair::exact::Exact;
 use plotters::prelude::*;
 
@@ -47,7 +47,7 @@ struct Column {
 ///
 /// # Errors
 /// When it cannot be drawn.
-pub fn cells(scene: &Scene, asked: &Asked, found: &Cells) -> Result<String> {
+pub fn cells(scene: &Scene, asked: &RangeSettings, found: &Cells) -> Result<String> {
     let columns: Vec<Column> = (0..COLUMNS).map(|number| column(scene, asked, found, number)).collect::<Result<_>>()?;
     let arc = Arc::holding(columns.iter().flat_map(|column| &column.states).map(|state| [state[0]; 2]));
     let of_kind = |number: usize| found.stretches.iter().filter(move |stretch| kind(&stretch.verdict) == number);
@@ -68,7 +68,7 @@ pub fn cells(scene: &Scene, asked: &Asked, found: &Cells) -> Result<String> {
     })
 }
 
-fn column(scene: &Scene, asked: &Asked, found: &Cells, number: u32) -> Result<Column> {
+fn column(scene: &Scene, asked: &RangeSettings, found: &Cells, number: u32) -> Result<Column> {
     let (low, high) = (&asked.over.low, &asked.over.high);
     let part = Exact::from(i64::from(2 * number + 1)).checked_div(&Exact::from(i64::from(2 * COLUMNS)))?;
     let exact = low.checked_add(&high.checked_sub(low)?.checked_mul(&part)?)?;
@@ -82,7 +82,7 @@ fn column(scene: &Scene, asked: &Asked, found: &Cells, number: u32) -> Result<Co
 /// Title, what is given, and axes.
 fn frame(
     scene: &Scene,
-    asked: &Asked,
+    asked: &RangeSettings,
     (told, arc): (&[usize], Arc),
     root: &Canvas<'_>,
 ) -> Result<Plane, Box<dyn std::error::Error>> {

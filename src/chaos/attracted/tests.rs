@@ -6,7 +6,7 @@ use proptest::prelude::*;
 use super::*;
 use crate::Scene;
 use crate::chaos::tests::{meet, truth};
-use crate::chaos::{Asked, Cells, Stretch, Verdict};
+use crate::chaos::{Cells, RangeSettings, Stretch, Verdict};
 use crate::orbit::{Arithmetic, Orbit, Outcome, Progress, Settings};
 use crate::watch::Unwatched;
 
@@ -103,7 +103,7 @@ proptest! {
 }
 
 /// What `run` proves of one value of the parameter, by sets without any.
-fn impacts_and_cycles(scene: &Scene, asked: &Asked, value: &crate::exact::Exact) -> (usize, u32) {
+fn impacts_and_cycles(scene: &Scene, asked: &RangeSettings, value: &crate::exact::Exact) -> (usize, u32) {
     let pair = scene.pair().with(asked.over.key, value.clone()).unwrap();
     let settings =
         Settings { impacts: Some(2000), attractor: true, arithmetic: Arithmetic::Auto, ..Settings::default() };
@@ -125,7 +125,7 @@ fn orbits_of_values_in_a_cell_converge_as_it_says() {
         ("5", "amplitude=5..5.05", 16, (3, 1)),
     ] {
         let scene = Scene::parse(&text.replace("amplitude = 8", &format!("amplitude = {amplitude}"))).unwrap();
-        let asked = Asked { over: over.parse().unwrap(), cells, halvings: 3, depth: 3 };
+        let asked = RangeSettings { over: over.parse().unwrap(), cells, halvings: 3, depth: 3 };
         let found = Cells::of(scene.pair(), scene.start(), &asked, &Unwatched).unwrap();
         let [Stretch { low, high, verdict: Verdict::Attracted { word, cycles, .. }, .. }] = &found.stretches[..] else {
             panic!("{over}: {:?}", found.stretches)

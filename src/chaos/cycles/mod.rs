@@ -19,7 +19,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::thread;
 
 use super::law::Law;
-use super::region::{Trap, Untrapped};
+use super::region::{NoTrap, Trap};
 use crate::contact::Reason;
 use crate::exact::Enclosure;
 use crate::number::interval::Interval;
@@ -89,7 +89,7 @@ impl Cycles {
         asked: &RangeInclusive<u32>,
         precision: Precision,
         watch: &dyn Watch,
-    ) -> Result<Result<Self, Untrapped>, Error> {
+    ) -> Result<Result<Self, NoTrap>, Error> {
         let trap = match Trap::of(scene, finer, watch)? {
             Ok(trap) => trap,
             Err(why) => return Ok(Err(why)),

@@ -55,7 +55,7 @@ impl Map<'_> {
         &self,
         branch: &Branch,
         mut open: Vec<Cell>,
-        (passed, is_good): Wanted<'_>,
+        (passed, is_good): Condition<'_>,
         watch: &dyn Watch,
     ) -> Option<Vec<Image>> {
         let mut done = Vec::new();
@@ -79,7 +79,7 @@ impl Map<'_> {
 }
 
 /// What states on the way have to be, and images.
-type Wanted<'w> = (Passed<'w>, &'w dyn Fn(&Image) -> bool);
+type Condition<'w> = (Passed<'w>, &'w dyn Fn(&Image) -> bool);
 
 /// Whether a curve with slopes up to `kappa` meets each side of the strip once. Lemma D26
 pub(crate) fn is_flat(branch: &Branch, kappa: f64) -> bool {

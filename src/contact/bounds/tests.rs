@@ -47,11 +47,11 @@ fn assert_bounds<const WIDE: bool>(case: &Case, time: f64, hop: f64, target: f64
     assert_within("beta", truth.beta(), flight.beta, bounds.beta_radius())?;
     prop_assert!(!truth.velocity.abs().exceeds(SLACK * bounds.speed()) && !truth.beta().exceeds(margins.beta));
     prop_assert!(!Truth::from(margins.least_beta).exceeds(truth.beta()));
-    prop_assert!(!truth.acceleration_at(&since).abs().exceeds(margins.swing));
+    prop_assert!(!truth.acceleration_at(&since).abs().exceeds(margins.acceleration));
     // A short flight from the wall, at a fixed time.
     if bounds.is_on_wall() {
         let departure = kernel::departure(hop);
-        let kernel::Departure { versine, excess, sine } = departure;
+        let kernel::SmallAngle { versine, excess, sine } = departure;
         let since = Truth::from(hop);
         let residual = flight.hop_height(hop, versine, excess) - target;
         let bound = bounds.hop_height(hop, versine + excess, residual);

@@ -16,7 +16,7 @@ impl<const WIDE: bool> Judge for Keeper<'_, WIDE> {
     fn monotone(&self, iterate: &Iterate) -> Kept {
         self.0.bracket(iterate)
     }
-    fn hop(&self, iterate: &Iterate, departure: &Departure) -> Kept {
+    fn hop(&self, iterate: &Iterate, departure: &SmallAngle) -> Kept {
         self.0.hop_bracket(iterate, departure)
     }
     fn piece(&self, iterate: &Iterate, _: &Extrema, _: f64) -> Kept {

@@ -7,7 +7,7 @@ use crate::contact::extrema::{Extrema, Target};
 use crate::contact::solve::{Iterate, Search};
 use crate::flight::Flight;
 use crate::number::Ball;
-use crate::number::kernel::Departure;
+use crate::number::kernel::SmallAngle;
 use crate::pair::Wall;
 
 /// What a lane holds, as a double: so all are vectors of one width.
@@ -76,7 +76,7 @@ lanes!(Spreads: Radii = Radii { phase, velocity, height });
 lanes!(Searches: Search = Search { target, turns, at, low, high });
 lanes!(Iterates: Iterate = Iterate { target, turns, at, residual, velocity, sin, cos, step });
 lanes!(Turnings: Extrema = Extrema { p, sine, rising, first_max, first_min, max, min });
-lanes!(Departures: Departure = Departure { versine, excess, sine });
+lanes!(Departures: SmallAngle = SmallAngle { versine, excess, sine });
 lanes!(Balls: Parts = Parts { mid, rad });
 lanes!(States: State = State { k, time, is_hop, is_near, is_decided });
 

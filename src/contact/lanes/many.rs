@@ -3,7 +3,7 @@
 use super::columns::{Brackets, Held, Spreads};
 use super::{LANES, Lanes};
 use crate::contact::bounds::{Margins, Radii};
-use crate::contact::judges::{SetContact, first_contacts, swings, together};
+use crate::contact::judges::{SetContact, accelerations, first_contacts, together};
 use crate::contact::solve::is_phase;
 use crate::contact::{Contact, PairBounds, Undecided, Verdict, first_contact};
 use crate::flight::Flight;
@@ -156,8 +156,8 @@ fn finish(
         Ok(contacts) => contacts,
         Err(undecided) => return Verdict::Undecided(undecided),
     };
-    let swings = swings(pair, phase, flight.wall.inward(flight.sin), sin1);
-    match Sheared::between(pair.restitution, all.time, swings, [before, all.velocity]) {
+    let accelerations = accelerations(pair, phase, flight.wall.inward(flight.sin), sin1);
+    match Sheared::between(pair.restitution, all.time, accelerations, [before, all.velocity]) {
         Some(jacobian) => Verdict::Certified(Image { contact: all, jacobian: jacobian.jacobian() }),
         None => Verdict::Undecided(Undecided::width(&all)),
     }

@@ -43,7 +43,7 @@ pub(crate) fn pass(flight: &Flight<MpBall>) -> Option<Passed> {
     // How high the extremum may be beyond the wall, and for how long and how fast the flight may be there.
     let excess = room.mag();
     let double = excess + excess;
-    let swing = flight.steepest();
+    let acceleration = flight.steepest();
     let sine = turning.sine.clone();
     let press = |window: Magnitude| {
         let turned = Magnitude::new(ABOVE_TURN, 0) * (time.rad() + window);
@@ -54,7 +54,7 @@ pub(crate) fn pass(flight: &Flight<MpBall>) -> Option<Passed> {
     if double.over(press(window)?).sqrt() > window {
         return None;
     }
-    let speed = (double * swing).sqrt();
+    let speed = (double * acceleration).sqrt();
     // The impact takes away the speed and adds at most as much.
     let change = speed + speed;
     let along = match target {

@@ -47,7 +47,7 @@ impl Isolated {
     fn new(Bracket { arrival, velocity, sin, .. }: Bracket, pair: &Margins) -> Option<Self> {
         // The velocity's ball holds `z'` over the bracket of the times of a hop; that of its phases is wider.
         let beyond = (arrival.phase.rad() - arrival.time.rad()).max(0.0); // M3: the phase bracket may be the narrower
-        let least = velocity.mid().abs() - (velocity.rad() + 2.1 * pair.swing * beyond);
+        let least = velocity.mid().abs() - (velocity.rad() + 2.1 * pair.acceleration * beyond);
         (least > 0.0).then(|| Self {
             target: arrival.target,
             turns: arrival.turns,

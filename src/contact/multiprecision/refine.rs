@@ -12,7 +12,7 @@ use rug::float::Round;
 use super::Isolated;
 use crate::contact::extrema::Target;
 use crate::flight::{Flight, turned, velocity_after};
-use crate::number::kernel::Departure;
+use crate::number::kernel::SmallAngle;
 use crate::number::{LEAST_BITS, Magnitude, MpBall, Number, magnitude};
 use crate::pair::Inward;
 
@@ -43,7 +43,7 @@ impl Sight {
     /// What they give so long afterwards: the addition theorems, each product in as many bits as it is worth.
     fn later(self, flight: &Flight<MpBall>, h: &MpBall) -> Option<Self> {
         let Self { residual, velocity, sin_cos: (sin, cos) } = self;
-        let Departure { versine, sine, .. } =
+        let SmallAngle { versine, sine, .. } =
             h.departure_within(Magnitude::power_of_two(-i64::from(sin.bits()) - 8))?;
         let product = |x: &MpBall, small: &MpBall| x.product(small, small.bits());
         let rise = product(&cos, &sine).minus(&product(&sin, &versine));
@@ -67,7 +67,7 @@ fn see_hop(flight: &Flight<MpBall>, time: &Float) -> Option<Sight> {
     let time = MpBall::exact(time.clone());
     let departure = time.short_departure()?;
     let sin_cos = turned((&flight.sin, &flight.cos), &departure);
-    let Departure { versine, excess, sine } = departure;
+    let SmallAngle { versine, excess, sine } = departure;
     let residual = flight.hop_height(time, versine.clone(), excess);
     Some(Sight { residual, velocity: flight.hop_velocity(versine, sine), sin_cos })
 }
@@ -133,7 +133,7 @@ impl Isolated {
             let rest = MpBall::exact(at.clone()).minus(&start).minus(&time);
             let departure = rest.short_departure()?;
             let sin_cos = turned((&sight.sin_cos.0, &sight.sin_cos.1), &departure);
-            let Departure { versine, sine, .. } = departure;
+            let SmallAngle { versine, sine, .. } = departure;
             let velocity = velocity_after(flight.beta.clone(), sight.velocity, sight.sin_cos, versine, sine);
             return Some(Refined { at, error: error + rest.mag(), velocity, sin_cos });
         }

@@ -90,7 +90,7 @@ fn quarter_turns_are_exact_and_the_symmetries_too() {
         assert_eq!(sin_cos(-u), (-s, c), "at {u}");
         assert!(s.abs() <= 1.0 && c.abs() <= 1.0, "at {u}");
     }
-    assert_eq!(departure(0.0), Departure { versine: 0.0, excess: 0.0, sine: 0.0 });
+    assert_eq!(departure(0.0), SmallAngle { versine: 0.0, excess: 0.0, sine: 0.0 });
     assert_eq!([1.0, -1.0].map(acos_coarse), [0.0, 0.5]);
 }
 
@@ -118,7 +118,7 @@ fn k2_departures_keep_their_relative_bound() {
         let mut worst = [0.0_f64; 3];
         let inputs = draws(count).zip(exponents.cycle()).map(|(v, e)| 0.125 * v.abs() * 0.5_f64.powi(e));
         for h in inputs.chain([0.125, 0.125_f64.next_down()]).filter(|&h| h >= 0.5_f64.powi(300)) {
-            let Departure { versine, excess, sine } = departure(h);
+            let SmallAngle { versine, excess, sine } = departure(h);
             let turns = oracle.exact(h);
             let (s, c) = oracle.sin_cos(&turns);
             let truths = [(BigInt::from(1) << bits) - c, ((turns * &oracle.tau) >> bits) - &s, s];

@@ -6,10 +6,10 @@ use std::collections::VecDeque;
 use num_bigint::BigInt;
 
 use super::super::chain::Chain;
-use super::super::chained::One;
+use super::super::chained::OneHarmonic;
 use super::super::several::repetition;
 use super::claim::{Setting, prove};
-use super::diagram::{Branch, Diagram, End, Unproved, Wanted};
+use super::diagram::{Branch, Diagram, DiagramSettings, End, Unproved};
 use super::family::{Family, Varied};
 use super::follow::{Change, Path, Stop, follow};
 use super::over::Parameter;
@@ -23,7 +23,7 @@ use crate::exact::Dyadic;
 use crate::mapping::Word;
 use crate::pair::ImpactPair;
 use crate::scene::Key;
-use crate::shaken::Several;
+use crate::shaken::SeveralHarmonics;
 use crate::watch::{Latched, Watch};
 use impact_pair_model::Start;
 
@@ -46,7 +46,7 @@ const REAL: f64 = 1e-6;
 
 /// The survey as it goes on.
 struct Survey<'w, S: Varied> {
-    wanted: &'w Wanted,
+    wanted: &'w DiagramSettings,
     chain: &'w Chain,
     setting: Setting<'w, S>,
     floats: Family<S, f64>,
@@ -69,15 +69,15 @@ pub fn survey(
     pair: &ImpactPair,
     start: &Start,
     (word, cycles): (&Word, u32),
-    wanted: &Wanted,
+    wanted: &DiagramSettings,
     watch: &dyn Watch,
 ) -> Result<Diagram, Error> {
     let parameter = Parameter::new(pair, &wanted.over)?;
     let base = parameter.base()?;
-    match Several::new(&base, &BigInt::ZERO)? {
+    match SeveralHarmonics::new(&base, &BigInt::ZERO)? {
         None => {
             let chain = Chain::new(word, cycles)?;
-            survey_under(&One::of(&base)?, (&chain, &parameter), start, wanted, watch)
+            survey_under(&OneHarmonic::of(&base)?, (&chain, &parameter), start, wanted, watch)
         }
         Some(several) => {
             let chain = Chain::under(repetition(&base, &several.spectrum)?, word, cycles)?;
@@ -90,7 +90,7 @@ fn survey_under<S: Varied>(
     base: &S,
     (chain, parameter): (&Chain, &Parameter),
     start: &Start,
-    wanted: &Wanted,
+    wanted: &DiagramSettings,
     watch: &dyn Watch,
 ) -> Result<Diagram, Error> {
     let diagram = Diagram::new(parameter.clone());

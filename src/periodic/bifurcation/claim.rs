@@ -112,7 +112,7 @@ impl Condition for Graze<'_> {
             i => phases[i].clone(),
         };
         let is_later = |a: &N, b: &N| (a.clone() - b.clone()).certain_sign() == Some(Ordering::Greater);
-        let bend = self.wall.inward(pair.swing(&pair.moment(0.0, at)));
+        let bend = self.wall.inward(pair.acceleration(&pair.moment(0.0, at)));
         is_later(at, &phases[self.leg]) && is_later(&next, at) && bend.certain_sign() == Some(Ordering::Greater)
     }
 }

@@ -11,7 +11,7 @@ use crate::scene::Range;
 
 /// The settings of a search for bifurcations.
 #[derive(Clone, Debug)]
-pub struct Wanted {
+pub struct DiagramSettings {
     /// The parameter and its range.
     pub over: Range,
     /// Doublings up to which the branches that leave are followed.

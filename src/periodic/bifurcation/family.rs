@@ -5,12 +5,12 @@ use std::f64::consts::TAU;
 use num_bigint::BigInt;
 
 use super::super::chain::Leg;
-use super::super::chained::{Chained, Moment, One};
+use super::super::chained::{Chained, Moment, OneHarmonic};
 use super::super::shaking::Shaking;
 use super::jet::Jet;
 use crate::pair::{ImpactPair, Reduced};
 use crate::several::{Harmonics, Partial, Rates, Turning};
-use crate::shaken::{Several, Sum};
+use crate::shaken::{SeveralHarmonics, Sum};
 
 /// What varies along a branch, without units.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -69,7 +69,7 @@ const MOST_TURNS: f64 = 64.0; // proposes
 const PIECES: f64 = 16.0; // proposes
 const HALVINGS: u32 = 40; // proposes
 
-impl Varied for One {
+impl Varied for OneHarmonic {
     fn of(pair: &ImpactPair) -> Option<Self> {
         Self::of(pair).ok()
     }
@@ -109,7 +109,7 @@ impl Varied for One {
     }
 }
 
-impl Varied for Several {
+impl Varied for SeveralHarmonics {
     fn of(pair: &ImpactPair) -> Option<Self> {
         Self::new(pair, &BigInt::ZERO).ok()?
     }
@@ -139,7 +139,7 @@ impl Varied for Several {
         let term = |term: &Partial<N>| Partial {
             alpha: constant(&term.alpha),
             beta: constant(&term.beta),
-            swing: constant(&term.swing),
+            acceleration: constant(&term.acceleration),
             ratio: constant(&term.ratio),
             counter: term.counter.clone(),
         };

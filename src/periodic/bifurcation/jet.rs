@@ -2,7 +2,7 @@
 
 use std::ops::{Add, Mul, Neg, Sub};
 
-use crate::number::kernel::Departure;
+use crate::number::kernel::SmallAngle;
 use crate::number::{Number, Wave};
 use crate::several::Turning;
 
@@ -90,8 +90,8 @@ impl<N: Wave> Wave for Jet<N> {
         (Self { value: sin, slope: slopes.0 }, Self { value: cos, slope: slopes.1 })
     }
 
-    fn short(&self) -> Option<Departure<Self>> {
-        let Departure { versine, excess, sine } = self.value.short()?;
+    fn short(&self) -> Option<SmallAngle<Self>> {
+        let SmallAngle { versine, excess, sine } = self.value.short()?;
         let turned = self.value.turn() * self.slope.clone();
         // With x = 2 pi h: (1 - cos x)' = sin x, (x - sin x)' = 1 - cos x, (sin x)' = cos x.
         let slopes = [
@@ -100,7 +100,7 @@ impl<N: Wave> Wave for Jet<N> {
             (-turned.clone()).mul_add(versine.clone(), turned),
         ];
         let [by_versine, by_excess, by_sine] = slopes;
-        Some(Departure {
+        Some(SmallAngle {
             versine: Self { value: versine, slope: by_versine },
             excess: Self { value: excess, slope: by_excess },
             sine: Self { value: sine, slope: by_sine },

@@ -22,6 +22,6 @@ mod trace;
 mod tube;
 
 pub use cascade::survey;
-pub use diagram::{Branch, Diagram, End, Unproved, Wanted};
+pub use diagram::{Branch, Diagram, DiagramSettings, End, Unproved};
 pub use over::{PARAMETERS, is_parameter, over};
 pub use point::{Kind, Point};

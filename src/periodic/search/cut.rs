@@ -38,7 +38,7 @@ pub(super) struct Terms<'c> {
 struct Harmonic {
     beta: Interval,
     /// `(1 + e) 2 pi r beta`
-    swing: Interval,
+    acceleration: Interval,
     /// `r` and `s`: its phase is `r u + s`; none of the one that turns are counted of.
     own: Option<[Interval; 2]>,
 }
@@ -48,8 +48,8 @@ impl Harmonic {
         let beta = Interval::from(beta);
         let beta = Interval::new(beta.inf().max(0.0), beta.sup()); // exact: not negative
         let own = own.map(|own| own.map(Interval::from));
-        let harmonic = Self { beta, swing: (Interval::PI * beta * lossy).scaled(2.0), own };
-        Self { swing: harmonic.rate(harmonic.swing), ..harmonic }
+        let harmonic = Self { beta, acceleration: (Interval::PI * beta * lossy).scaled(2.0), own };
+        Self { acceleration: harmonic.rate(harmonic.acceleration), ..harmonic }
     }
 
     /// Its phase.
@@ -81,8 +81,8 @@ impl Harmonic {
         let (time, middle) = (self.rate(time), self.phase(middle));
         let quarter = time.scaled(0.25);
         let bend = time.bend() * middle.cos();
-        let swing = |at: Interval| Interval::PI * time.scaled(0.5).sinc() * at.sin();
-        [bend + swing(middle - quarter), bend - swing(middle + quarter)].map(|x| self.rate(self.beta) * x)
+        let acceleration = |at: Interval| Interval::PI * time.scaled(0.5).sinc() * at.sin();
+        [bend + acceleration(middle - quarter), bend - acceleration(middle + quarter)].map(|x| self.rate(self.beta) * x)
     }
 }
 
@@ -144,8 +144,8 @@ impl<'c> Terms<'c> {
     }
 
     /// `(1 + e) S` over these phases.
-    pub fn swing(&self, phase: Interval) -> Interval {
-        Self::sum(&self.harmonics, |harmonic| harmonic.swing * harmonic.phase(phase).sin()).expect("a harmonic")
+    pub fn acceleration(&self, phase: Interval) -> Interval {
+        Self::sum(&self.harmonics, |harmonic| harmonic.acceleration * harmonic.phase(phase).sin()).expect("a harmonic")
     }
 
     /// The mean velocity of the box over a time around a phase.

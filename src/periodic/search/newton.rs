@@ -73,7 +73,7 @@ impl Terms<'_> {
             let i = i % count;
             let [after_before, before_own] = std::mem::replace(&mut last, ratios(i));
             let [after, before] = last;
-            [e * after_before, after - e * before_own + self.swing(part.phases[i]), -before]
+            [e * after_before, after - e * before_own + self.acceleration(part.phases[i]), -before]
         };
         let slopes = impacts.clone().map(row).collect();
         let unknowns = impacts.len();

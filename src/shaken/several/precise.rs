@@ -3,7 +3,7 @@
 use rug::Float;
 
 use super::super::Sum;
-use super::Several;
+use super::SeveralHarmonics;
 use crate::contact::{Contact, Undecided};
 use crate::flight::Launch;
 use crate::number::{Ball, Magnitude, MpBall, Number};
@@ -14,7 +14,7 @@ pub(super) struct Isolated {
     /// Encloses them in doubles.
     pub contact: Contact<Ball>,
     /// `y''` at the start and at the contact.
-    pub swings: [Ball; 2],
+    pub accelerations: [Ball; 2],
     turns: i64,
     rest: Float,
     reach: f64,
@@ -23,7 +23,7 @@ pub(super) struct Isolated {
 
 impl Isolated {
     /// What was found of flights that start in these phases with this acceleration.
-    fn new<N: Phased>(found: &Found<N>, rest: Float, time: Ball, phase: Ball, swing: Ball) -> Self {
+    fn new<N: Phased>(found: &Found<N>, rest: Float, time: Ball, phase: Ball, acceleration: Ball) -> Self {
         let near = MpBall::new(rest.clone(), Magnitude::new(found.reach, 0)).to_ball();
         Self {
             contact: Contact {
@@ -33,7 +33,7 @@ impl Isolated {
                 time: time.widened(found.reach),
                 velocity: found.velocity,
             },
-            swings: [swing, found.acceleration],
+            accelerations: [acceleration, found.acceleration],
             turns: found.at.turns,
             rest,
             reach: found.reach,
@@ -83,7 +83,7 @@ impl Isolated {
     }
 }
 
-impl Several {
+impl SeveralHarmonics {
     /// Isolates the first contacts of all, in doubles if they suffice, and finds that of the centre to N bits.
     pub(super) fn isolated(
         &self,

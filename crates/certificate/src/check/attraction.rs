@@ -35,7 +35,7 @@ impl Certificate {
             return Err(Doubt::False("only an orbit that is unique, admissible and stable is an attractor".into()));
         }
         let target = Target { is_whole: true, ..Target::new(data, &claim.word, claim.cycles, &claim.orbit)? };
-        let question = Question { claim, target, hits: self.hits() };
+        let question = Convergence { claim, target, hits: self.hits() };
         for_all_pieces(data, most, |piece| question.answer(piece), |piece| question.widest_datum(piece))
     }
 
@@ -96,13 +96,13 @@ struct Hit<'c> {
 }
 
 /// Whether a motion converges to an orbit.
-struct Question<'c> {
+struct Convergence<'c> {
     claim: &'c Attraction,
     target: Target<'c>,
     hits: Vec<Hit<'c>>,
 }
 
-impl Question<'_> {
+impl Convergence<'_> {
     /// Whether it does so for all data of a piece.
     fn answer(&self, piece: &Piece) -> Result<(), Doubt> {
         let frame = Frame::new(self.target.data, piece, BITS);

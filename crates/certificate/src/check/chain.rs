@@ -7,7 +7,7 @@ use super::clock::{Beside, beside};
 use super::contact::{Claimed, Doubt};
 use super::data::{Data, Piece};
 use super::frame::Frame;
-use super::step::{Departure, Landing};
+use super::step::{Landing, Launch};
 use crate::{Claim, ClaimKind};
 use impact_pair_exact::{Dyadic, Real};
 use impact_pair_model::Wall;
@@ -54,14 +54,14 @@ impl<'c> Hit<'c> {
 
 impl Course<'_> {
     /// Returns the departure from the impact `k` with these states before it, from the start for 0.
-    pub fn departure(&self, k: usize, [phase, velocity]: [Affine; 2]) -> Departure {
+    pub fn departure(&self, k: usize, [phase, velocity]: [Affine; 2]) -> Launch {
         let parameters = &self.frame.parameters;
         match k.checked_sub(1).map_or(self.data.wall, |hit| Some(self.hits[hit].wall)) {
-            Some(wall) => Departure::rebound(parameters, &Landing { wall, phase, velocity }),
+            Some(wall) => Launch::rebound(parameters, &Landing { wall, phase, velocity }),
             None => {
                 let height = self.data.state(&Piece::default(), parameters.bits()).2;
                 let height = height.expect("a start without a wall is inside the gap");
-                Departure::inside(phase, height, velocity)
+                Launch::inside(phase, height, velocity)
             }
         }
     }

@@ -1,7 +1,7 @@
 //! Chatter, rest and release (Lemma V3).
 
 use super::contact::Doubt;
-use super::step::{Departure, Parameters};
+use super::step::{Launch, Parameters};
 use impact_pair_exact::Real;
 use impact_pair_model::Wall;
 
@@ -13,7 +13,7 @@ const WINDOWS: u32 = 8;
 /// With the contact force between `lo` and `hi` on a window, `rho = sqrt(hi/lo)`, a bounce that leaves with `u` lasts `2u/hi` to
 /// `2u/lo` and lands with `u/rho` to `u rho`. If `e rho < 1` the sum of all lies between `2u/(hi (1 - e/rho))` and
 /// `2u/(lo (1 - e rho))`; if the window holds that, they all come, and the ball is at rest after them.
-pub(super) fn accumulation(departure: &Departure, parameters: &Parameters) -> Option<Real> {
+pub(super) fn accumulation(departure: &Launch, parameters: &Parameters) -> Option<Real> {
     let wall = departure.start.wall?;
     let flight = departure.flights(parameters);
     let bits = flight.bits();
@@ -49,7 +49,7 @@ pub(super) fn accumulation(departure: &Departure, parameters: &Parameters) -> Op
 /// Whether the ball does not leave its wall: it has no velocity, and the wall is pressed.
 ///
 /// `is_first` tells that a ball without velocity at a phase where the acceleration is 0 is pressed from then on.
-pub(super) fn is_held(departure: &Departure, parameters: &Parameters, is_first: bool) -> bool {
+pub(super) fn is_held(departure: &Launch, parameters: &Parameters, is_first: bool) -> bool {
     let flight = departure.flights(parameters);
     let acceleration = flight.shaking.first_acceleration();
     let is_pressed = match departure.start.wall {
@@ -61,7 +61,7 @@ pub(super) fn is_held(departure: &Departure, parameters: &Parameters, is_first: 
 }
 
 /// About how long the next short bounce lasts \[rad\]: twice the velocity over the contact force.
-pub(super) fn bounce(departure: &Departure, parameters: &Parameters) -> Result<Real, Doubt> {
+pub(super) fn bounce(departure: &Launch, parameters: &Parameters) -> Result<Real, Doubt> {
     let flight = departure.flights(parameters);
     let point = |x: &Real| Real::point(x.mid(), x.bits());
     let velocity = point(&flight.velocity);

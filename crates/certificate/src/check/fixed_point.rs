@@ -6,7 +6,7 @@ use super::affine::Affine;
 use super::basin::{Contraction, Ellipse};
 use super::contact::{Doubt, clear_throughout};
 use super::round::{Matrix, Round};
-use super::step::{Departure, Landing};
+use super::step::{Landing, Launch};
 use impact_pair_exact::Real;
 
 /// An eigenvalue: real and imaginary part.
@@ -68,7 +68,7 @@ impl<'r> FixedPoint<'r> {
         }
         let (round, landings) = (self.round, &self.landings);
         let is_cut_short = |i: usize| {
-            let departure = Departure::rebound(round.parameters, &landings[i]);
+            let departure = Launch::rebound(round.parameters, &landings[i]);
             let end = landings[i + 1].phase.hull() - &landings[i].phase.hull();
             let end = if i + 2 == landings.len() { end + &round.lasting } else { end };
             let [end, _] = end.ends();

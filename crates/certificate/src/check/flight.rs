@@ -61,7 +61,7 @@ impl Flight<'_> {
     /// `y'` at `h`. **Equation** (11)
     pub fn slope(&self, h: &Real) -> Real {
         self.spend();
-        self.velocity.clone() - &self.shaking.hurry(h)
+        self.velocity.clone() - &self.shaking.velocity_change(h)
     }
 
     /// `y''` at `h`. **Equation** (10)

@@ -3,7 +3,7 @@
 use super::affine::Affine;
 use super::contact::{Claimed, Doubt, clear_throughout};
 use super::flight::{Flight, Part};
-use super::step::Departure;
+use super::step::Launch;
 use super::walk::{Walk, compare};
 use crate::Claim;
 use impact_pair_exact::{Dyadic, Real};
@@ -67,7 +67,7 @@ impl Walk<'_> {
     ///
     /// Who hits it does so at a speed of at most `speed`, which the impact takes away, and at most `e` times as much again; it
     /// bends away from the wall up to the end of the summit.
-    fn pass(&self, flight: &Flight, wall: Wall, summit: &Summit) -> Result<Departure, Doubt> {
+    fn pass(&self, flight: &Flight, wall: Wall, summit: &Summit) -> Result<Launch, Doubt> {
         let Summit { before, after, speed, .. } = summit;
         let lost = (Real::int(1, self.bits) + &self.parameters.restitution.hull()) * speed;
         let lost = if wall == Wall::Right { -lost } else { lost };
@@ -80,7 +80,7 @@ impl Walk<'_> {
         }
         let phase = self.standing.departure().phase.clone().shifted(after);
         let [height, velocity] = [height, velocity].map(|x| Affine::fixed(x).recentred());
-        Ok(Departure::inside(phase, height, velocity))
+        Ok(Launch::inside(phase, height, velocity))
     }
 }
 

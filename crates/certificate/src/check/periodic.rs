@@ -134,7 +134,7 @@ impl Target<'_> {
         let (mut times, mut whole) = (Vec::new(), 0.0);
         for (from, to) in (0..count).map(|i| (i, (i + 1) % count)) {
             let [from, to] = [from, to].map(|i| self.state(frame, i));
-            let departure = super::step::Departure::rebound(&frame.parameters, &from);
+            let departure = super::step::Launch::rebound(&frame.parameters, &from);
             let shaking = frame.parameters.shaking(&departure.phase.centre, |x| x.centre.clone());
             let level = |wall| if wall == impact_pair_model::Wall::Right { 1.0 } else { -1.0 } * float(frame.parameters.half_gap.centre.clone());
             let turned = to.phase.centre.clone() - &from.phase.centre;

@@ -11,7 +11,7 @@ use super::clock::{Beside, Clock, beside};
 use super::contact::{Claimed, Doubt};
 use super::data::Data;
 use super::standing::Standing;
-use super::step::Departure;
+use super::step::Launch;
 use super::walk::{Walk, compare};
 use crate::Claim;
 use impact_pair_exact::Real;
@@ -66,7 +66,7 @@ impl<'c> Walk<'c> {
                 let guess = bounce(&departure, parameters)?;
                 let claimed = Claimed { from: Real::zero(self.bits), guess, to: None, is_first: true };
                 let landing = departure.land(parameters, wall, &claimed)?;
-                departure = Departure::rebound(parameters, &landing);
+                departure = Launch::rebound(parameters, &landing);
                 continue;
             }
             compare("time", &time, &claim.time)?;

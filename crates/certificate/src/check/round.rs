@@ -2,7 +2,7 @@
 
 use super::affine::{Affine, COLUMN_BITS};
 use super::contact::{Claimed, Doubt};
-use super::step::{Departure, Landing, Parameters};
+use super::step::{Landing, Launch, Parameters};
 use impact_pair_exact::{Dyadic, Real};
 use impact_pair_model::Wall;
 
@@ -54,7 +54,7 @@ impl Round<'_> {
         let mut landings = vec![set];
         let next = self.walls.iter().cycle().skip(1);
         for (i, (&wall, time)) in next.zip(&self.times).enumerate() {
-            let departure = Departure::rebound(parameters, &landings[i]);
+            let departure = Launch::rebound(parameters, &landings[i]);
             let claimed =
                 Claimed { from: Real::zero(self.bits()), guess: time.clone(), to: None, is_first: self.is_physical };
             landings.push(departure.land(parameters, wall, &claimed)?);

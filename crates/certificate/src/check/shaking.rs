@@ -108,7 +108,7 @@ impl Shaking {
     }
 
     /// Returns how much `E'` has grown at `h`: so grouped, a flight that hardly forcing periods loses nothing.
-    pub fn hurry(&self, h: &Real) -> Real {
+    pub fn velocity_change(&self, h: &Real) -> Real {
         self.sum(|wave| wave.weighted(wave.at(h).cos() - &wave.cos, 1))
     }
 

@@ -6,7 +6,7 @@ use super::affine::Affine;
 use super::contact::Doubt;
 use super::data::{Data, Piece};
 use super::rest::Rest;
-use super::step::{Departure, Landing, Parameters};
+use super::step::{Landing, Launch, Parameters};
 use super::still::Still;
 use impact_pair_exact::Real;
 use impact_pair_model::{Mapping, Wall};
@@ -16,7 +16,7 @@ use impact_pair_model::{Mapping, Wall};
 /// A walk that goes on replaces it as a whole: what was known of the states before, or of the scene's own start, does not outlive
 /// them. So each of the constructors tells all that is known.
 pub(crate) struct Standing<'d> {
-    departure: Departure,
+    departure: Launch,
     landing: Option<Landing>,
     last: Last,
     going: Going,
@@ -52,8 +52,8 @@ impl<'d> Standing<'d> {
         let (phase, velocity, height) = data.state(piece, parameters.bits());
         let phase = phase.less_centre();
         let mut departure = match (data.wall, height) {
-            (Some(wall), _) => Departure::rebound(parameters, &Landing { wall, phase, velocity }),
-            (None, Some(height)) => Departure::inside(phase, height, velocity),
+            (Some(wall), _) => Launch::rebound(parameters, &Landing { wall, phase, velocity }),
+            (None, Some(height)) => Launch::inside(phase, height, velocity),
             (None, None) => unreachable!("a start without a wall is inside the gap"),
         };
         let is_at_rest = departure.velocity.hull().is_zero();
@@ -63,14 +63,14 @@ impl<'d> Standing<'d> {
     }
 
     /// Starts that need not be the scene's.
-    pub fn of_starts(departure: Departure) -> Self {
+    pub fn of_starts(departure: Launch) -> Self {
         let last = departure.start.wall.map_or(Last::Inside, Last::Wall);
         Self::flying(departure, last)
     }
 
     /// After an impact.
     pub fn after(parameters: &Parameters, landing: Landing) -> Self {
-        let departure = Departure::rebound(parameters, &landing);
+        let departure = Launch::rebound(parameters, &landing);
         let last = Last::Wall(landing.wall);
         Self { landing: Some(landing), ..Self::flying(departure, last) }
     }
@@ -78,29 +78,29 @@ impl<'d> Standing<'d> {
     /// After a release from a wall.
     pub fn released(parameters: &Parameters, wall: Wall, phase: Affine) -> Self {
         let still = Affine::fixed(Real::zero(parameters.bits()));
-        let mut departure = Departure::on_wall(parameters, wall, phase, still);
+        let mut departure = Launch::on_wall(parameters, wall, phase, still);
         departure.start.is_release = true;
         Self::flying(departure, Last::Wall(wall))
     }
 
     /// Lying on a wall that the ball has come to as `departure` says.
-    pub fn resting(departure: Departure, rest: Rest) -> Self {
+    pub fn resting(departure: Launch, rest: Rest) -> Self {
         let last = Last::Wall(rest.wall);
         Self { going: Going::Rest(rest), ..Self::flying(departure, last) }
     }
 
     /// Past a graze of `wall`, which may have been a touch.
-    pub fn past_graze(&self, departure: Departure, wall: Wall) -> Self {
+    pub fn past_graze(&self, departure: Launch, wall: Wall) -> Self {
         let last = if self.last == Last::Wall(wall) { self.last } else { Last::Either };
         Self::flying(departure, last)
     }
 
-    fn flying(departure: Departure, last: Last) -> Self {
+    fn flying(departure: Launch, last: Last) -> Self {
         Self { departure, landing: None, last, going: Going::Flight, start: None }
     }
 
     /// Returns the flights from there.
-    pub fn departure(&self) -> &Departure {
+    pub fn departure(&self) -> &Launch {
         &self.departure
     }
 

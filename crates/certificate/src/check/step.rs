@@ -23,7 +23,7 @@ pub(crate) struct Parameters<'w> {
 
 /// The states in which a flight begins; phases are counted from the origin of the orbit.
 #[derive(Clone, Debug)]
-pub(crate) struct Departure {
+pub(crate) struct Launch {
     pub start: Start,
     /// \[rad\]
     pub phase: Affine,
@@ -105,7 +105,7 @@ impl Parameters<'_> {
     }
 }
 
-impl Departure {
+impl Launch {
     /// From `wall` after Newton's impact law (15), `p = -e v`.
     pub fn rebound(parameters: &Parameters, landing: &Landing) -> Self {
         let Landing { wall, phase, velocity } = landing;

@@ -10,7 +10,7 @@ use super::data::{Data, Piece};
 use super::frame::Frame;
 use super::release::Release;
 use super::standing::Standing;
-use super::step::{Departure, Landing, Parameters};
+use super::step::{Landing, Launch, Parameters};
 use crate::{Certificate, Claim, ClaimKind};
 use impact_pair_exact::{Real, decimal_digits};
 use impact_pair_model::Mapping;
@@ -93,7 +93,7 @@ impl<'c> Walk<'c> {
 
     /// Returns the datum whose halving narrows the sets most, if the data make most of their width.
     pub fn widest_datum(&self) -> Option<usize> {
-        let Departure { phase, velocity, .. } = self.standing.departure();
+        let Launch { phase, velocity, .. } = self.standing.departure();
         [phase, velocity].into_iter().find(|x| x.is_wide_by_data()).and_then(Affine::widest)
     }
 

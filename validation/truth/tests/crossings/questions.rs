@@ -11,7 +11,7 @@ use impact_pair::document::{self, Units};
 use impact_pair::mapping::Word;
 use impact_pair::orbit::{Arithmetic, Orbit, Settings};
 use impact_pair::pair::Wall;
-use impact_pair::periodic::bifurcation::{Wanted, survey};
+use impact_pair::periodic::bifurcation::{DiagramSettings, survey};
 use impact_pair::periodic::{Budget, Precision, Problem};
 use impact_pair::sweep::{self, Grid};
 use impact_pair::watch::{Stage, Unwatched, proceed_if};
@@ -55,7 +55,7 @@ pub enum Answer {
         head: Value,
         records: Vec<Value>,
         points: Vec<Scene>,
-        asked: Box<sweep::Asked>,
+        asked: Box<sweep::PointSettings>,
     },
     /// A periodic JSON; whether it was asked for all.
     Periodic(Value),
@@ -195,7 +195,7 @@ impl Case {
         let settings = Settings { impacts: None, digits, splice: 0, ..self.settings(arithmetic) };
         let impacts = 1 + self.random.below(5);
         let (transient, reference) = (self.random.below(3), grid.reference(&self.scene)?);
-        let asked = sweep::Asked { transient, impacts, summary: false, reference, settings };
+        let asked = sweep::PointSettings { transient, impacts, summary: false, reference, settings };
         let (mut records, mut points) = (Vec::new(), Vec::new());
         for point in 0..grid.points() {
             let values = grid.values(point)?;
@@ -232,7 +232,7 @@ impl Case {
 
     fn two_impact(&mut self) -> Result<Answer, Error> {
         let cycles = self.random.pick(&[1, 1, 2, 3]);
-        let question = two_impact::Question::new(self.scene.pair(), cycles, two_impact::Unknown::Velocity)?;
+        let question = two_impact::Problem::new(self.scene.pair(), cycles, two_impact::Unknown::Velocity)?;
         let wall = self.random.pick(&[Wall::Left, Wall::Right]);
         Ok(Answer::Periodic(json!(document::two_impact(self.scene.start(), &question.answer(9), wall))))
     }
@@ -247,7 +247,7 @@ impl Case {
         };
         let over = format!("{name}={low}..{high}").parse()?;
         let precision = Precision { digits: 9, max_bits: 512 };
-        let wanted = Wanted { over, doublings: 0, precision };
+        let wanted = DiagramSettings { over, doublings: 0, precision };
         let (word, cycles) = if is_near_fold { ("LR".parse()?, 1) } else { self.word() };
         let patience = Patience::new();
         let watch = |_: Stage<'_>| patience.goes_on(if is_near_fold { 3_999 } else { 399 });
@@ -286,7 +286,7 @@ impl Case {
         let is_given = amplitude == "8" && is_half;
         let bases =
             if is_given { BASES.map(|[at, long, short]| Base::new(at, long, short)).to_vec() } else { Vec::new() };
-        let question = chaos::Question { depth: 3, bases };
+        let question = chaos::HorseshoeSettings { depth: 3, bases };
         let patience = Patience::new();
         let watch = |at: Stage<'_>| match at {
             Stage::Horseshoe { boxes, .. } if boxes >= 4 * BOXES as u64 => proceed_if(false),
@@ -329,7 +329,7 @@ impl Case {
             list += &format!("{time},{wall},{velocity}\n");
         }
         let list = audit::read(&list, &Columns::default(), self.scene.pair())?;
-        let asked = audit::Asked { max_bits: 256, ..audit::Asked::default() };
+        let asked = audit::AuditSettings { max_bits: 256, ..audit::AuditSettings::default() };
         let found = Audit::of(&self.scene, list, &asked, &Unwatched)?;
         Ok(Answer::Audit(json!(found.document())))
     }

@@ -57,7 +57,7 @@ fn compared(record: &Value, run: &Value, tones: &[Tone]) -> Judged<Units> {
 }
 
 /// The run of a point's own scene; `None` where another orbit may have been listed: one near the start.
-fn own(record: &Value, scene: &Scene, asked: &sweep::Asked) -> Judged<Option<Value>> {
+fn own(record: &Value, scene: &Scene, asked: &sweep::PointSettings) -> Judged<Option<Value>> {
     // What is not shadowed is certified from the exact start, to the digits.
     let is_shadow = asked.settings.arithmetic == Arithmetic::Shadow;
     // In the bits that it took: in more a graze may be told from an impact, which has a number.
@@ -89,7 +89,7 @@ fn own(record: &Value, scene: &Scene, asked: &sweep::Asked) -> Judged<Option<Val
 }
 
 /// All points of a sweep; their phases must be those of one harmonic.
-pub fn judge(records: &[Value], points: &[Scene], asked: &sweep::Asked, random: &mut Random) -> Judged<()> {
+pub fn judge(records: &[Value], points: &[Scene], asked: &sweep::PointSettings, random: &mut Random) -> Judged<()> {
     let (mut common, mut open): (Option<Units>, _) = (None, None);
     for (record, scene) in records.iter().zip(points) {
         let Some(run) = own(record, scene, asked)? else { continue };

@@ -118,7 +118,8 @@ fn end_of<'b>(word: &Branch, other: &'b Branch) -> Option<(usize, f64, &'b Branc
 }
 
 fn is_clear((frame, heights): (&Frame, Span), other: &Branch, centre: Spot, (sides, turns): (&[Spot; 2], f64)) -> bool {
-    let (Some(middle), Some(a), Some(b)) = (frame.place(centre, turns), frame.told(sides[0]), frame.told(sides[1]))
+    let (Some(middle), Some(a), Some(b)) =
+        (frame.place(centre, turns), frame.coordinates(sides[0]), frame.coordinates(sides[1]))
     else {
         return false;
     };

@@ -75,7 +75,7 @@ impl Frame {
     }
 
     /// Coordinates of a vector, `None` if the sides may be parallel.
-    pub fn told(&self, vector: Spot) -> Option<Spot> {
+    pub fn coordinates(&self, vector: Spot) -> Option<Spot> {
         let (along, across) = (spot(self.along), spot(self.across));
         let area = cross(along, across);
         Some([cross(vector, across).over(area)?, cross(along, vector).over(area)?])
@@ -84,7 +84,7 @@ impl Frame {
     /// Those of a state, a number of forcing periods earlier.
     pub fn place(&self, [u, w]: Spot, turns: f64) -> Option<Spot> {
         let [centre, speed] = spot(self.centre);
-        self.told([u - Span::point(turns) - centre, w - speed])
+        self.coordinates([u - Span::point(turns) - centre, w - speed])
     }
 
     pub fn vector(&self, xi: Span, eta: Span) -> Spot {
@@ -94,9 +94,11 @@ impl Frame {
     /// Returns whether it has no state in common with another one, a number of forcing periods earlier.
     pub fn is_apart(&self, other: &Self, turns: f64) -> bool {
         let parts = |one: &Self, two: &Self, turns: f64| {
-            let (Some(centre), Some(a), Some(b)) =
-                (one.place(spot(two.centre), turns), one.told(spot(two.along)), one.told(spot(two.across)))
-            else {
+            let (Some(centre), Some(a), Some(b)) = (
+                one.place(spot(two.centre), turns),
+                one.coordinates(spot(two.along)),
+                one.coordinates(spot(two.across)),
+            ) else {
                 return false;
             };
             (0..2).any(|i| is_beyond(centre[i], Span::point(1.0) + a[i].around() + b[i].around()))
@@ -211,8 +213,8 @@ impl Map<'_> {
             }
         }
         let frame = &self.frames[branch.to];
-        let told = (frame.place(centre, branch.turns), frame.told(sides[0]), frame.told(sides[1]));
-        Ok(match told {
+        let coordinates = (frame.place(centre, branch.turns), frame.coordinates(sides[0]), frame.coordinates(sides[1]));
+        Ok(match coordinates {
             (Some(middle), Some(a), Some(b)) => Ok(Image { cell, middle, sides: [a, b] }),
             _ => Err(sides),
         })

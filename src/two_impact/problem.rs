@@ -50,9 +50,9 @@ impl Unknown {
     }
 }
 
-/// A question about the motions with two impacts in N cycles.
+/// A problem about the motions with two impacts in N cycles.
 #[derive(Clone, Debug)]
-pub struct Question {
+pub struct Problem {
     data: Data,
     unknown: Unknown,
 }
@@ -60,7 +60,7 @@ pub struct Question {
 /// The motions, and the undecided parts.
 #[derive(Clone, Debug)]
 pub struct Answer {
-    question: Question,
+    problem: Problem,
     /// The equispaced ones first.
     pub orbits: Vec<Orbit>,
     /// Parts of `th1 - th0` \[rad\] in which there may be others.
@@ -87,7 +87,7 @@ pub fn speed(scene: &Scene) -> Result<Exact, Error> {
     }
 }
 
-impl Question {
+impl Problem {
     /// Returns the search for `pair`.
     ///
     /// # Errors
@@ -179,7 +179,7 @@ impl Question {
         };
         let is_narrow = motions.iter().all(|(motion, _)| is_narrow(motion, digits));
         Answer {
-            question: self.clone(),
+            problem: self.clone(),
             is_exhaustive: doubts.is_empty() && is_searched,
             is_complete: doubts.is_empty() && orbits.iter().all(is_decided) && is_narrow,
             orbits,
@@ -190,8 +190,8 @@ impl Question {
 
 impl Answer {
     /// Returns its answer.
-    pub fn question(&self) -> &Question {
-        &self.question
+    pub fn problem(&self) -> &Problem {
+        &self.problem
     }
 }
 

@@ -15,7 +15,7 @@ use crate::watch::Watch;
 /// **Enclosure**: for every parameter of the pair the orbit converges to the one periodic orbit, or is in the region from the
 /// given impact on. Lemmas Q3, D5, D13
 #[derive(Debug, Default)]
-pub struct Fate {
+pub struct Asymptotics {
     /// The stable periodic orbit that it converges to.
     pub attractor: Option<Box<Attractor>>,
     /// A trapping region that it enters.
@@ -36,7 +36,7 @@ pub struct Entered {
 /// Impacts after which it is asked whether the orbit converges, and with what: in doubles, in as many bits as it takes.
 const ASKED: [(Arithmetic, u64); 2] = [(Arithmetic::Interval, 20_000), (Arithmetic::Auto, 800)];
 
-impl Fate {
+impl Asymptotics {
     /// That of an orbit; the region is looked for where there are h-sets.
     pub(super) fn of(pair: &ImpactPair, start: &Start, bases: &[Base], watch: &dyn Watch) -> Result<Self, Error> {
         let mut attractor = None;

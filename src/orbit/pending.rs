@@ -19,9 +19,9 @@ use crate::turns;
 
 /// What there is to look after but flights.
 #[derive(Debug, Default)]
-pub(super) struct Aside {
+pub(super) struct Pending {
     /// There has been a rest, or a wall is never hit: the rest of this is to be looked at.
-    pub is_due: bool,
+    pub is_expected: bool,
     /// The ball rests and will be released then; for ever if it is not.
     pub resting: Option<Option<Released>>,
     /// Of a motion that hits no wall: grazes so far.
@@ -38,17 +38,17 @@ pub(super) struct Aside {
 impl Orbit {
     /// What comes of a motion that has rested, or never hits a wall; `None` when the next flight is due.
     #[cold]
-    pub(super) fn aside(&mut self) -> Option<Progress> {
+    pub(super) fn pending(&mut self) -> Option<Progress> {
         if let Some(still) = self.followed.still {
             return Some(self.graze_again(still));
         }
-        if let Some(event) = self.aside.recurrence.repeat() {
+        if let Some(event) = self.pending.recurrence.repeat() {
             return Some(match event {
                 Ok(event) => self.repeat(event),
                 Err(endless) => self.give_up(endless),
             });
         }
-        self.aside.resting.take().map(|release| self.release(release))
+        self.pending.resting.take().map(|release| self.release(release))
     }
 
     /// The next graze of a motion that only grazes, once a forcing period, or not even that.
@@ -59,11 +59,11 @@ impl Orbit {
             self.outcome = Some(Outcome::NeverImpacts);
             return Progress::Ended;
         };
-        self.aside.grazes += 1;
+        self.pending.grazes += 1;
         let is_late = self.is_past(turns, Ball::exact(at), || finite(Ball::exact(at)));
-        if is_late || self.asked.settings.impacts.is_some_and(|impacts| self.aside.grazes > impacts) {
+        if is_late || self.asked.settings.impacts.is_some_and(|impacts| self.pending.grazes > impacts) {
             self.outcome = Some(Outcome::Periodic(Period { cycles: 1, impacts: 0 }));
-            self.aside.is_late = is_late;
+            self.pending.is_late = is_late;
             return Progress::Ended;
         }
         (self.cursor.turns, self.cursor.phase) = (turns, Ball::exact(at));
@@ -136,7 +136,7 @@ impl Orbit {
             true => None,
             false => Some(self.engine.given.shaken.release(wall, turns, now, self.asked.shown)?),
         };
-        (self.aside.resting, self.aside.is_due) = (Some(release), true);
+        (self.pending.resting, self.pending.is_expected) = (Some(release), true);
         let rest = Rest { wall, turns, phase: enclosed, is_accumulation: time > 0.0 };
         Some(self.hand_out(Progress::Rest(rest)))
     }
@@ -155,7 +155,7 @@ impl Orbit {
             return self.finish(Outcome::TimeReached);
         }
         let event = self.hand_out(Progress::Release(Release { wall, turns, phase: enclosure }));
-        self.aside.recurrence.release(&release, self.listed);
+        self.pending.recurrence.release(&release, self.listed);
         self.engine.given.leave(release);
         let velocity = Ball::exact(0.0);
         let from = Cursor { index: self.listed, wall: Some(wall), height: None, turns, phase, velocity };
