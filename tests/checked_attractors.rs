@@ -105,7 +105,7 @@ fn earliest(document: &Value) -> u64 {
 
 #[test]
 fn attractors_are_confirmed_and_nothing_else_in_their_place() {
-    judges_attractors(16);
+    judges_attractors(40);
 }
 
 #[test]
@@ -114,7 +114,7 @@ fn attractors_with_any_bound_moved_are_not_confirmed() {
     judges_attractors(1);
 }
 
-/// Every attractor as it is, and with each value changed; of the bounds of its orbit one in N.
+/// Every attractor as it is, and with each value changed; of the bounds of its orbit one in `every`, and of its impacts one in 5.
 fn judges_attractors(every: usize) {
     for (name, document) in attracted() {
         let outcome = &document["outcome"];
@@ -140,7 +140,7 @@ fn judges_attractors(every: usize) {
         ] {
             assert!(!is_confirmed_with(&document, path, value), "{name}: {path}");
         }
-        for impact in 0..outcome["orbit"]["impacts"].as_array().unwrap().len() {
+        for impact in (0..outcome["orbit"]["impacts"].as_array().unwrap().len()).step_by(every.min(5)) {
             let path = format!("/orbit/impacts/{impact}/wall");
             let other = if *outcome.pointer(&path).unwrap() == json!("left") { "right" } else { "left" };
             assert!(!is_confirmed_with(&document, &path, json!(other)), "{name}: {path}");
