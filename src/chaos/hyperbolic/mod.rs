@@ -28,7 +28,7 @@ use crate::watch::{Stage, Watch};
 use cones::Proved;
 use frame::Frame;
 use root::{Edge, ratios, root};
-use strings::{Strings, ends, hull};
+use strings::{NOTHING, Strings, ends, hull, spanned};
 use strip::{Branch, Map};
 
 /// The greatest slope of the cones, in the coordinates of an h-set.
@@ -148,9 +148,7 @@ fn heights(words: &[Proved], bases: usize) -> Vec<Ball> {
     let images = |at: usize| words.iter().filter(move |word| word.branch.to == at).flat_map(|word| &word.images);
     let of = |at: usize| {
         let inside = images(at).filter(|image| !image.is_outside()).map(|image| ends(image.spread(1)));
-        let [low, high] = inside.fold([f64::INFINITY, f64::NEG_INFINITY], hull);
-        let middle = Ball::exact(0.5) * (Ball::exact(low) + Ball::exact(high));
-        Ball::exact(middle.mid()).widened((Ball::exact(high) - Ball::exact(middle.mid())).mag())
+        spanned(inside.fold(NOTHING, hull))
     };
     (0..bases).map(of).collect()
 }
