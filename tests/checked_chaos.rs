@@ -51,7 +51,7 @@ pub fn hyperbolic(depth: usize) -> Value {
     let found = Chaos::of(scene.pair(), scene.start(), &question, &Unwatched).unwrap();
     let set = Hyperbolic::of(scene.pair(), &found, &Unwatched).unwrap();
     let mut document = document::chaos(&scene, None, &question, &found);
-    document.hyperbolic = Some(set.as_ref().map(document::hyperbolic));
+    document.hyperbolic = Some(set.as_ref().ok().map(document::hyperbolic));
     json!(document)
 }
 

@@ -41,7 +41,7 @@ pub use cells::{Asked, Cells, Horseshoe, MOST_CELLS, MOST_HALVINGS, Stretch, Ver
 pub use cycles::{Cycle, Cycles, MOST_IMPACTS};
 pub use fate::{Entered, Fate};
 pub use horseshoe::{Chaos, MOST_DEPTH, Question};
-pub use hyperbolic::Hyperbolic;
+pub use hyperbolic::{Hyperbolic, LeftOut};
 pub use language::{BoxGraph, MOST_COUNTED, Unclosed, WallWords};
 pub use quad::{Chord, State};
 pub use region::{Trap, Untrapped};

@@ -8,7 +8,7 @@ use super::frame::Frame;
 use super::root::{Edge, ratios, root};
 use super::strings::{NOTHING, ends, hull};
 use super::strip::{Branch, Cell, Map, Strip};
-use super::{Hyperbolic, KAPPA, propose};
+use super::{Hyperbolic, KAPPA, LeftOut, propose};
 use crate::Scene;
 use crate::chaos::cycles::{Cycle, Cycles};
 use crate::chaos::guess::{Guess, applied};
@@ -48,10 +48,21 @@ fn strips(law: &Law, chaos: &Chaos) -> (Guess, Vec<Frame>, Vec<(usize, Branch)>)
     (guess, frames, strips)
 }
 
+/// It was a panic at figure 16, none of whose words is proved to expand cones.
+#[test]
+fn r37_no_words_are_no_hyperbolic_set() {
+    let (law, chaos) = (law(), chaos());
+    assert_eq!(Hyperbolic::proved(&law, chaos.bases(), &[], &Unwatched), Err(Vec::new()));
+    // From no h-set does one word lead back.
+    let alone = Hyperbolic::proved(&law, chaos.bases(), &chaos.words()[1..2], &Unwatched);
+    assert_eq!(alone, Err(vec![(0, LeftOut::Return)]));
+}
+
 #[test]
 fn the_shortest_horseshoe_is_hyperbolic() {
     let set = of(&law(), &chaos());
     assert_eq!(set.words, [0, 2, 3, 5]);
+    assert_eq!(set.left_out, [(1, LeftOut::Return), (4, LeftOut::Return)]);
     // As many motions over n cycles as sequences of two letters: the entropy is ln 2, not only at least that.
     let [impact, cycle] = set.entropy;
     assert!(cycle[0] <= LN_2 && LN_2 <= cycle[1] && cycle[1] - cycle[0] < 1e-8);
@@ -221,7 +232,7 @@ fn each_cell_has_its_cone() {
     let (guess, frames, strips) = strips(&law, &chaos);
     let map = Map { law: &law, guess: &guess, frames: &frames };
     let is_proved = |kappa: f64| -> Vec<bool> {
-        strips.iter().map(|(_, branch)| map.prove(branch, kappa, &Unwatched).is_some()).collect()
+        strips.iter().map(|(_, branch)| map.prove(branch, kappa, &Unwatched).is_ok()).collect()
     };
     assert_eq!(is_proved(KAPPA), [true; 6]);
     assert_eq!(is_proved(100.0), [true, true, true, false, true, true]);

@@ -302,7 +302,7 @@ impl Case {
                 Stage::Cones(cells) => proceed_if(cells < CELLS),
                 _ => proceed_if(true),
             })?;
-            document.hyperbolic = Some(set.as_ref().map(document::hyperbolic));
+            document.hyperbolic = Some(set.as_ref().ok().map(document::hyperbolic));
         }
         Ok(Answer::Chaos(json!(document)))
     }

@@ -138,8 +138,8 @@ impl Graph {
 
     fn shortest(&self, weights: &[f64], ratio: f64) -> Option<Vec<f64>> {
         let mut ways = vec![0.0; self.nodes];
+        // proposes: how long
         for _ in 0..=self.nodes.min(ROUNDS) {
-            // proposes: how long
             let mut is_done = true;
             for (edge, weight) in self.edges.iter().zip(weights) {
                 let way = ways[edge.from] + weight - ratio * edge.length;
