@@ -116,7 +116,7 @@ fn followed(impacts: &[Impact], frames: &[Frame], words: &[(usize, &Branch)]) ->
     let from = |start: usize| {
         let (mut k, mut all) = (start, Vec::new());
         // A word may lead around the cycle several times.
-        while all.is_empty() || (k - start) % impacts.len() != 0 {
+        while all.is_empty() || !(k - start).is_multiple_of(impacts.len()) {
             let is_next = |(_, branch): &&(usize, &Branch)| {
                 is_in(k, branch) && branch.sides.iter().enumerate().all(|(n, side)| at(k + n).1 == *side)
             };

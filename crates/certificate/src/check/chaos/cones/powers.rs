@@ -11,8 +11,9 @@ const TERMS: i32 = 18;
 
 /// Encloses `e^x`; `None` where `|x| > MOST`.
 pub(super) fn exponential(x: f64) -> Option<Span> {
-    if !(x.abs() <= MOST) {
-        return None; // exact: nothing is confirmed
+    let is_small = x.abs() <= MOST;
+    if !is_small {
+        return None; // exact: nothing is confirmed; so it is at NaN
     }
     let whole = (x / LN_2).round_ties_even(); // V14: any whole number
     let rest = Span::point(x) - Span::point(whole) * Span::new(LN_2, LN_2.next_up());
@@ -25,12 +26,9 @@ pub(super) fn exponential(x: f64) -> Option<Span> {
     (rest.most() < 0.5).then(|| sum.scaled(2.0f64.powi(whole as i32)))
 }
 
-/// Encloses the logarithm of a positive double.
+/// Encloses the logarithm of a double, `None` if it is not positive.
 pub(super) fn logarithm(x: f64) -> Option<Span> {
-    if !(x > 0.0) {
-        return None; // exact: nothing is confirmed
-    }
-    let guess = x.ln();
+    let guess = x.ln(); // proposes: NaN, or infinite, where there is none
     let ratio = Span::point(x) * exponential(-guess)?;
     let most = (ratio - Span::point(1.0)).most();
     // V14: |ln(1 + d)| <= 2 |d| for |d| < 1/2
