@@ -21,6 +21,7 @@ use serde::Deserialize;
 use crate::Answer;
 use crate::destination::{Begun, Destination, Files};
 use crate::heading::heading;
+use crate::output::note;
 use crate::periodic::PeriodicFormat;
 use crate::progress::Progress;
 use crate::scene;
@@ -156,7 +157,10 @@ impl Work<'_> {
         let mut document = document::chaos(scene, over, &question, &found);
         if self.arguments.hyperbolic {
             let set = Hyperbolic::of(&pair, &found, &progress).with_context(named)?;
-            document.hyperbolic = Some(set.as_ref().map(document::hyperbolic));
+            document.hyperbolic = Some(set.as_ref().ok().map(document::hyperbolic));
+            progress.clear();
+            let left_out = set.as_ref().map_or_else(|none| none, |set| &set.left_out);
+            table::left_out(left_out).iter().for_each(|line| note(self.files.quiet, line));
         }
         progress.clear();
         let text = match self.format {

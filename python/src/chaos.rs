@@ -101,7 +101,7 @@ pub fn chaos(
         let mut document = document::chaos(&scene, over.as_ref(), &question, &found);
         if hyperbolic {
             let set = Hyperbolic::of(&pair, &found, monitor)?;
-            document.hyperbolic = Some(set.as_ref().map(document::hyperbolic));
+            document.hyperbolic = Some(set.as_ref().ok().map(document::hyperbolic));
         }
         let is_proved = found.entropy() > 0.0 && !document.interrupted && document.hyperbolic != Some(None);
         let svg = picture.then(|| drawn(impact_pair_plot::chaos::chaos(&scene, over.as_ref(), &found))).transpose()?;

@@ -63,15 +63,10 @@ fn folder() -> Option<PathBuf> {
     Some(folder)
 }
 
-/// Whether a kind is asked for: a hyperbolic set takes seconds to check, and `checked_chaos` changes one by default.
-fn is_asked(kind: &str) -> bool {
-    !kind.contains("hyperbolic") || cases() > 1
-}
-
 /// The forgeries that are asked for.
 fn asked() -> Vec<&'static Forgery> {
     let words = only().unwrap_or_default();
-    let is_wanted = |forgery: &&Forgery| is_asked(forgery.name) && forgery.name.contains(&words);
+    let is_wanted = |forgery: &&Forgery| forgery.name.contains(&words);
     FORGERIES.into_iter().flatten().filter(is_wanted).collect()
 }
 
@@ -145,8 +140,7 @@ fn table(counts: &Counts, kinds: &[&'static str]) -> String {
 
 /// The originals are confirmed, so that what refuses a forgery is what is forged.
 fn confirmed() -> Vec<Original> {
-    let mut originals = originals::all();
-    originals.retain(|original| is_asked(original.kind));
+    let originals = originals::all();
     for original in &originals {
         let found = verdict(&original.text(&original.document));
         assert!(

@@ -76,11 +76,11 @@ fn hyperbolic(original: &Original) -> Vec<Forged> {
     }
     let changes = [
         ("/hyperbolic/words", json!([0, 1, 2, 3, 5])),
-        ("/hyperbolic/exponents/per_impact/1", json!("0.84")),
+        ("/hyperbolic/exponents/per_impact/1", json!("0.83")),
         ("/hyperbolic/dimension/1", json!("0.6")),
         ("/hyperbolic/kappa", json!("400")),
         ("/hyperbolic/entropy/per_impact/0", json!("0.2812")),
-        ("/hyperbolic/exponents/per_cycle/0", json!("1.34")),
+        ("/hyperbolic/exponents/per_cycle/0", json!("1.36")),
         ("/hyperbolic/second_exponent/0", json!("-2.22")),
         ("/hyperbolic/dimension/0", json!("0.615")),
         ("/hyperbolic/words", json!([0, 2, 3])),

@@ -1,8 +1,9 @@
 //! What `chaos` prints for people.
 
+use std::collections::BTreeMap;
 use std::fmt::{self, Write};
 
-use impact_pair::chaos::Chaos;
+use impact_pair::chaos::{Chaos, LeftOut};
 use impact_pair::document::{bounds_text, counted};
 use impact_pair::json::{
     ChaosCellsDocument, ChaosDocument, Decimal, HyperbolicDocument, RatesDocument, SharesDocument,
@@ -69,6 +70,17 @@ fn hyperbolic(document: &ChaosDocument, set: &HyperbolicDocument) -> Result<Stri
     writeln!(out, "  smaller Lyapunov exponent    {} per impact", bounds_text(&set.second_exponent))?;
     writeln!(out, "  Hausdorff dimension          {}", bounds_text(&set.dimension))?;
     Ok(out)
+}
+
+/// Returns a line for each reason why words are left out of the hyperbolic set, with their places in the list of words.
+pub fn left_out(words: &[(usize, LeftOut)]) -> Vec<String> {
+    let mut reasons: BTreeMap<LeftOut, Vec<String>> = BTreeMap::new();
+    words.iter().for_each(|(number, why)| reasons.entry(*why).or_default().push(number.to_string()));
+    let line = |(why, numbers): (LeftOut, Vec<String>)| {
+        let words = if numbers.len() == 1 { "word" } else { "words" };
+        format!("left out of the hyperbolic set, as {}: {words} {}", why.words(), numbers.join(", "))
+    };
+    reasons.into_iter().map(line).collect()
 }
 
 /// Whether the scene's own orbit is where the horseshoe is, as far as that is proved.

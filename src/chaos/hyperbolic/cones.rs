@@ -1,6 +1,7 @@
 //! A word's strip is mapped across the next h-set, and expands the cones: Lemmas D25, D26 of `docs/proofs.md`.
 
 use super::frame::{Frame, least};
+use super::left_out::LeftOut;
 use super::strip::{Branch, Cell, Image, Map, Passed, Strip, beside};
 use crate::chaos::flights::is_positive;
 use crate::number::{Ball, Number, up};
@@ -23,11 +24,11 @@ pub(crate) struct Proved {
 }
 
 impl Map<'_> {
-    /// Returns the images of cells that cover a word's strip, if it is proved to be mapped across the next h-set, and each cell that meets
+    /// Returns the images of cells that cover a word's strip, or why it is not proved to be mapped across the next h-set, and each cell that meets
     /// the h-set to map the cone of slopes up to `kappa` into itself, and to expand. Lemmas D25, D26
-    pub fn prove(&self, branch: &Branch, kappa: f64, watch: &dyn Watch) -> Option<Vec<Image>> {
+    pub fn prove(&self, branch: &Branch, kappa: f64, watch: &dyn Watch) -> Result<Vec<Image>, LeftOut> {
         if !is_flat(branch, kappa) {
-            return None;
+            return Err(LeftOut::Leaning);
         }
         let is_good = |image: &Image| {
             crosses(branch, image) && (image.is_outside() || is_cone(branch, image, kappa) && is_known(branch, image))
@@ -47,17 +48,17 @@ impl Map<'_> {
             })
         };
         let cells = word.images.iter().map(|image| image.cell).collect();
-        shortcuts.is_empty() || self.cut(branch, cells, (&passed, &|_| true), watch).is_some()
+        shortcuts.is_empty() || self.cut(branch, cells, (&passed, &|_| true), watch).is_ok()
     }
 
-    /// The images of cells, cut until each of them passes and is good; `None` if one never is.
+    /// The images of cells, cut until each of them passes and is good, or why one never is.
     fn cut(
         &self,
         branch: &Branch,
         mut open: Vec<Cell>,
         (passed, is_good): Condition<'_>,
         watch: &dyn Watch,
-    ) -> Option<Vec<Image>> {
+    ) -> Result<Vec<Image>, LeftOut> {
         let mut done = Vec::new();
         while let Some(cell) = open.pop() {
             let axis = match self.image(branch, cell, passed) {
@@ -69,12 +70,16 @@ impl Map<'_> {
                 Err(lost) => lost.axis(),
             };
             // proposes: when to give up, nothing is certified
-            if !watch.goes_on() || open.len() + done.len() > MOST_CELLS || cell.radii[0].min(cell.radii[1]) < SMALLEST {
-                return None;
+            if !watch.goes_on() {
+                return Err(LeftOut::Interrupted);
+            } else if open.len() + done.len() > MOST_CELLS {
+                return Err(LeftOut::Cells);
+            } else if cell.radii.iter().any(|&radius| radius < SMALLEST) {
+                return Err(LeftOut::Cone);
             }
             open.extend(cell.halves(axis));
         }
-        Some(done)
+        Ok(done)
     }
 }
 

@@ -6,6 +6,7 @@
 
 mod cones;
 mod frame;
+mod left_out;
 mod propose;
 mod root;
 mod strings;
@@ -13,6 +14,7 @@ mod strip;
 #[cfg(test)]
 mod tests;
 
+use std::collections::BTreeMap;
 use std::sync::atomic::{AtomicU64, Ordering};
 
 use super::blocks::Word;
@@ -27,8 +29,9 @@ use crate::pair::ImpactPair;
 use crate::watch::{Stage, Watch};
 use cones::Proved;
 use frame::Frame;
+pub use left_out::LeftOut;
 use root::{Edge, ratios, root};
-use strings::{Strings, ends, hull};
+use strings::{NOTHING, Strings, ends, hull, spanned};
 use strip::{Branch, Map};
 
 /// The greatest slope of the cones, in the coordinates of an h-set.
@@ -47,6 +50,8 @@ pub struct Hyperbolic {
     pub cells: usize,
     /// Its words, by their places among those of the horseshoe.
     pub words: Vec<usize>,
+    /// The other words of the horseshoe, and why they are none of its.
+    pub left_out: Vec<(usize, LeftOut)>,
     /// Bounds of its topological entropy, per impact and per forcing period.
     pub entropy: [[f64; 2]; 2],
     /// Bounds of the greater exponent of every invariant measure, likewise.
@@ -58,20 +63,27 @@ pub struct Hyperbolic {
 }
 
 impl Hyperbolic {
-    /// Returns the set of those words that are proved to be hyperbolic and to lead back to each other; `None` if none are, or if the
-    /// h-sets overlap as parallelograms. `watch` receives the number of cells.
+    /// Returns the set of those words that are proved to be hyperbolic and to lead back to each other, or why none of them are. `watch`
+    /// receives the number of cells.
     ///
     /// # Errors
     /// If the pair has several harmonics, or a value is beyond the range of flights.
-    pub fn of(pair: &ImpactPair, chaos: &Chaos, watch: &dyn Watch) -> Result<Option<Self>, Error> {
+    pub fn of(
+        pair: &ImpactPair,
+        chaos: &Chaos,
+        watch: &dyn Watch,
+    ) -> Result<Result<Self, Vec<(usize, LeftOut)>>, Error> {
         Ok(Self::proved(&Law::of(pair)?, chaos.bases(), chaos.words(), watch))
     }
 
-    fn proved(law: &Law, bases: &[Base], words: &[Word], watch: &dyn Watch) -> Option<Self> {
+    fn proved(law: &Law, bases: &[Base], words: &[Word], watch: &dyn Watch) -> Result<Self, Vec<(usize, LeftOut)>> {
         let frames: Vec<Frame> = bases.iter().map(Frame::of).collect();
+        let mut left_out: BTreeMap<usize, LeftOut> =
+            (0..words.len()).map(|number| (number, LeftOut::Overlap)).collect();
         if !are_apart(&frames) {
-            return None;
+            return Err(left_out.into_iter().collect());
         }
+        left_out.values_mut().for_each(|why| *why = LeftOut::Strip);
         let guess = Guess::new(law);
         let map = Map { law, guess: &guess, frames: &frames };
         let cells = AtomicU64::new(0);
@@ -82,12 +94,23 @@ impl Hyperbolic {
                 strips.push((number, branch));
             }
         }
-        let prove = |(number, branch): &(usize, Branch)| {
-            let images = map.prove(branch, KAPPA, &watch)?;
-            Some(Proved { number: *number, branch: branch.clone(), images })
-        };
-        let all = recurrent(each(&strips, &prove).into_iter().flatten().collect(), frames.len());
-        let measured = Measured::of(&map, &all, &watch)?;
+        let prove = |(_, branch): &(usize, Branch)| map.prove(branch, KAPPA, &watch);
+        let mut all = Vec::new();
+        for ((number, branch), found) in strips.iter().zip(each(&strips, &prove)) {
+            let why = match found {
+                Ok(images) => {
+                    all.push(Proved { number: *number, branch: branch.clone(), images });
+                    LeftOut::Return
+                }
+                Err(why) => why,
+            };
+            left_out.insert(*number, why);
+        }
+        let all = recurrent(all, frames.len());
+        all.iter().for_each(|word| _ = left_out.insert(word.number, LeftOut::Strings));
+        let measured = Measured::of(&map, &all, &watch).zip(logarithm(law.restitution));
+        let Some((measured, log)) = measured else { return Err(left_out.into_iter().collect()) };
+        left_out.retain(|_, why| *why != LeftOut::Strings);
         let heights = heights(&all, frames.len());
         let alone: Vec<bool> = each(&all, &|word: &Proved| map.is_alone(word, &all, &heights, &watch));
         let own: Vec<Proved> =
@@ -98,12 +121,13 @@ impl Hyperbolic {
         } else {
             Measured::of(&map, &own, &watch).map(|own| own.dimension)
         };
-        let twice = Ball::exact(2.0) * logarithm(law.restitution)?;
+        let twice = Ball::exact(2.0) * log;
         let [low, high] = measured.exponents[0].map(|x| ends(twice - Ball::exact(x)));
-        Some(Self {
+        Ok(Self {
             kappa: KAPPA,
             cells: all.iter().map(|word| word.images.len()).sum(),
             words: all.iter().map(|word| word.number).collect(),
+            left_out: left_out.into_iter().collect(),
             entropy: measured.entropy,
             exponents: measured.exponents,
             second: [high[0], low[1]],
@@ -148,9 +172,7 @@ fn heights(words: &[Proved], bases: usize) -> Vec<Ball> {
     let images = |at: usize| words.iter().filter(move |word| word.branch.to == at).flat_map(|word| &word.images);
     let of = |at: usize| {
         let inside = images(at).filter(|image| !image.is_outside()).map(|image| ends(image.spread(1)));
-        let [low, high] = inside.fold([f64::INFINITY, f64::NEG_INFINITY], hull);
-        let middle = Ball::exact(0.5) * (Ball::exact(low) + Ball::exact(high));
-        Ball::exact(middle.mid()).widened((Ball::exact(high) - Ball::exact(middle.mid())).mag())
+        spanned(inside.fold(NOTHING, hull))
     };
     (0..bases).map(of).collect()
 }
@@ -163,7 +185,11 @@ struct Measured {
 }
 
 impl Measured {
+    /// `None` where there are no words, or their strings expand too little to be bounded.
     fn of(map: &Map<'_>, words: &[Proved], watch: &dyn Watch) -> Option<Self> {
+        if words.is_empty() {
+            return None; // exact: nothing is certified
+        }
         let half_cycles = |word: usize| words[word].branch.half_turns as f64; // exact: a small integer
         let graph = Strings { map, words, kappa: KAPPA, watch }.graph()?;
         let by_impacts: Vec<Edge> = graph.iter().map(|(edge, _)| *edge).collect();

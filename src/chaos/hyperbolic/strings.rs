@@ -1,6 +1,6 @@
 //! How much strings of words expand: bounds of the logarithms over the points that follow them. Lemma D28 of `docs/proofs.md`.
 
-use std::collections::HashMap;
+use std::collections::{BTreeMap, HashMap};
 
 use super::cones::Proved;
 use super::root::Edge;
@@ -11,20 +11,28 @@ use crate::watch::Watch;
 /// Words by their places among those that are proved.
 type Letters = Vec<usize>;
 
-/// Where the points of a strip lie that follow a string: cells, and bounds of `a`.
+/// Of a string, a word with one before it and some behind it: the cells of this word in which its points are, bounds of their `a`, and of
+/// the heights of their images.
 #[derive(Clone, Debug)]
 struct Cylinder {
     images: Vec<Image>,
     breadth: [f64; 2],
+    heights: [f64; 2],
 }
+
+/// Cylinders by their strings.
+type Level = BTreeMap<Letters, Cylinder>;
 
 /// Cells are narrowed and looked at again so often.
 const LOOKS: u32 = 3;
 /// Again only if they are so much narrower.
 const NARROWER: f64 = 0.7;
 /// Strings with more edges are not used.
-const MOST_EDGES: usize = 2000;
-const MOST_LETTERS: usize = 12;
+const MOST_EDGES: usize = 8000;
+const MOST_LETTERS: usize = 9;
+
+/// Bounds of no numbers.
+pub(crate) const NOTHING: [f64; 2] = [f64::INFINITY, f64::NEG_INFINITY];
 
 // D28: the outer ends
 pub(crate) fn hull([a, b]: [f64; 2], [c, d]: [f64; 2]) -> [f64; 2] {
@@ -35,9 +43,16 @@ pub(crate) fn ends(x: Ball) -> [f64; 2] {
     [(x.mid() - x.rad()).next_down(), (x.mid() + x.rad()).next_up()]
 }
 
+/// Holds all numbers between two.
+pub(crate) fn spanned([low, high]: [f64; 2]) -> Ball {
+    let middle = 0.5 * (low + high);
+    let [below, above] = [low, high].map(|end| (Ball::exact(end) - Ball::exact(middle)).mag());
+    Ball::exact(middle).widened(below.max(above)) // D28: the farther end
+}
+
 /// Bounds of the slopes of the images of the vectors `(1, slope)` at the states of cells. Lemma D26
-fn image_slopes<'i>(images: impl Iterator<Item = &'i Image>, strip: &Strip, slopes: [f64; 2]) -> Option<[f64; 2]> {
-    let mut all = [f64::INFINITY, f64::NEG_INFINITY];
+fn image_slopes(images: &[Image], strip: &Strip, slopes: [f64; 2]) -> Option<[f64; 2]> {
+    let mut all = NOTHING;
     for image in images {
         for slope in slopes {
             let [x, y] = image.direction(strip, slope)?;
@@ -74,106 +89,103 @@ impl Strings<'_> {
         // The line is off by its rounding: all of the difference is more than half of it.
         let reach = up(0.5 * half.mag() + f64::EPSILON * strip.breadth(image.spread(1)).mag());
         let wanted = (place - beside(*middle, slope)).widened(up(reach + across.mag()));
-        let Some(within) = wanted.checked_div(along) else { return Some(*cell) };
-        let [low, high] = ends(within);
-        // D28: what is in both
-        let (low, high) = (low.max(-1.0), high.min(1.0)); // D28: what is in both
-        if low > high {
-            return None;
-        }
-        let is_part = high - low < 2.0; // D28: not if it is NaN
-        if !is_part {
-            return Some(*cell); // exact: all of it
-        }
-        let radius = cell.radii[0];
-        let at = cell.at[0] + radius * 0.5 * (low + high);
-        let reach = Ball::exact(0.5 * (high - low)) * Ball::exact(radius);
-        // D28: `at` is off by its rounding
-        let reach = up(reach.mag() + 4.0 * f64::EPSILON * (cell.at[0].abs() + radius));
-        Some(Cell { at: [at, cell.at[1]], radii: [reach, cell.radii[1]] })
+        wanted.checked_div(along).map_or(Some(*cell), |within| cell.part(0, within))
     }
 
-    /// The points of the word's cells that go on in a strip between bounds of `a`.
-    fn cylinder(&self, word: usize, images: &[Image], next: usize, breadth: [f64; 2]) -> Cylinder {
-        let (own, strip) = (&self.words[word].branch, &self.words[next].branch.strip);
-        let mut cylinder = Cylinder { images: Vec::new(), breadth: [f64::INFINITY, f64::NEG_INFINITY] };
+    /// The points of a word's cells, as far as they are left by what `narrowed` says of them.
+    fn cut(&self, word: usize, images: &[Image], narrowed: &dyn Fn(&Image) -> Option<Cell>) -> Cylinder {
+        let mut kept = Vec::new();
         for image in images {
             let mut image = *image;
             let is_left = (0..LOOKS).all(|_| {
-                let Some(cell) = self.narrowed(&image, strip, breadth) else { return false };
-                if cell.radii[0] < NARROWER * image.cell.radii[0]
-                    && let Ok(better) = self.map.image(own, cell, &|_, _, _| true)
+                let Some(cell) = narrowed(&image) else { return false };
+                if (0..2).any(|axis| cell.radii[axis] < NARROWER * image.cell.radii[axis])
+                    && let Ok(better) = self.map.image(&self.words[word].branch, cell, &|_, _, _| true)
                 {
                     image = better;
                 }
                 true
             });
             if is_left {
-                let [a, r] = [image.cell.at[0], image.cell.radii[0]].map(Ball::exact);
-                cylinder.breadth = hull(hull(cylinder.breadth, ends(a - r)), ends(a + r));
-                cylinder.images.push(image);
+                kept.push(image);
             }
         }
-        cylinder
+        Cylinder::of(kept)
     }
 
-    /// The bounds of the logarithm of the expansion of a string's first word after a word before it.
+    /// The bounds of the logarithm of the expansion of a word after another one.
     fn bounds(&self, slopes: [f64; 2], word: usize, images: &[Image]) -> Option<[f64; 2]> {
         let branch = &self.words[word].branch;
         if images.is_empty() {
             return None; // exact: nothing is certified
         }
-        images.iter().try_fold([f64::INFINITY, f64::NEG_INFINITY], |all, image| {
-            Some(hull(all, expansion(image, &branch.strip, slopes, branch.rises)?))
-        })
+        images
+            .iter()
+            .try_fold(NOTHING, |all, image| Some(hull(all, expansion(image, &branch.strip, slopes, branch.rises)?)))
     }
 
     /// Returns the graph of strings: an edge for each word with a word before it and some after it, weighing the logarithm of what it
     /// expands by, its length being its impacts; with the word of each edge.
     pub fn graph(&self) -> Option<Vec<(Edge, usize)>> {
-        let whole = |word: usize| {
-            let images: Vec<Image> =
-                self.words[word].images.iter().filter(|image| !image.is_outside()).copied().collect();
-            Cylinder { images, breadth: [-1.0, 1.0] }
-        };
-        let mut level: HashMap<Letters, Cylinder> =
-            (0..self.words.len()).map(|word| (vec![word], whole(word))).collect();
+        let mut level = self.pairs();
         let mut best = None;
         let mut slopes = vec![[-self.kappa, self.kappa]; self.words.len()];
-        for letters in 1..=MOST_LETTERS {
-            let count: usize = level.keys().map(|string| self.before(string[0]).count()).sum();
-            if count > MOST_EDGES || !self.watch.goes_on() {
+        for _ in 2..=MOST_LETTERS {
+            if level.len() > MOST_EDGES || !self.watch.goes_on() {
                 break;
             }
             slopes = self.slopes(&level, &slopes)?;
-            best = Some(self.edges(&level, &slopes, letters)?);
-            let mut next = HashMap::new();
-            for (string, cylinder) in &level {
-                for word in self.before(string[0]) {
-                    let longer: Letters = std::iter::once(word).chain(string.iter().copied()).collect();
-                    let own = &level[&longer[..letters]];
-                    next.insert(longer, self.cylinder(word, &own.images, string[0], cylinder.breadth));
-                }
-            }
-            level = next;
+            best = Some(self.edges(&level, &slopes)?);
+            level = self.longer(&level);
         }
         best
     }
 
+    /// The strings of two words: the cells of the second one at the heights of images of the first. Lemma D28
+    fn pairs(&self) -> Level {
+        let inside = |word: &Proved| word.images.iter().filter(|image| !image.is_outside()).copied().collect();
+        let whole: Vec<Cylinder> = self.words.iter().map(|word| Cylinder::of(inside(word))).collect();
+        let mut level = Level::new();
+        for (word, cylinder) in whole.iter().enumerate() {
+            for before in self.before(word) {
+                let heights = whole[before].heights;
+                level
+                    .insert(vec![before, word], self.cut(word, &cylinder.images, &|image| image.cell.between(heights)));
+            }
+        }
+        level
+    }
+
+    /// The strings with one more word before them. Lemma D28
+    fn longer(&self, level: &Level) -> Level {
+        let mut next = Level::new();
+        for (string, Cylinder { breadth, .. }) in level {
+            let strip = &self.words[string[1]].branch.strip;
+            for first in self.before(string[0]) {
+                let longer: Letters = std::iter::once(first).chain(string.iter().copied()).collect();
+                let own = &longer[..string.len()];
+                let behind = |before: usize| -> Letters {
+                    std::iter::once(before).chain(own[..own.len() - 1].iter().copied()).collect()
+                };
+                let heights = self.before(first).map(|before| level[&behind(before)].heights).fold(NOTHING, hull);
+                let narrowed = |image: &Image| self.narrowed(image, strip, *breadth)?.between(heights);
+                let cylinder = self.cut(string[0], &level[own].images, &narrowed);
+                next.insert(longer, cylinder);
+            }
+        }
+        next
+    }
+
     /// The slopes of the images, narrowed by those that words arrive with. Lemma D26
-    fn slopes(&self, level: &HashMap<Letters, Cylinder>, known: &[[f64; 2]]) -> Option<Vec<[f64; 2]>> {
+    fn slopes(&self, level: &Level, known: &[[f64; 2]]) -> Option<Vec<[f64; 2]>> {
         let mut slopes = known.to_vec();
         for _ in 0..LOOKS {
-            let images = |word: usize| {
-                let own = level.iter().filter(move |(string, _)| string[0] == word);
-                own.flat_map(|(_, cylinder)| &cylinder.images)
-            };
-            let arriving = |word: usize| {
-                self.before(word).map(|before| slopes[before]).fold([f64::INFINITY, f64::NEG_INFINITY], hull)
-            };
-            let all = (0..self.words.len())
-                .map(|word| image_slopes(images(word), &self.words[word].branch.strip, arriving(word)));
-            slopes = all.collect::<Option<_>>()?;
+            let mut all = vec![NOTHING; self.words.len()];
+            for (string, cylinder) in level {
+                let strip = &self.words[string[1]].branch.strip;
+                all[string[1]] = hull(all[string[1]], image_slopes(&cylinder.images, strip, slopes[string[0]])?);
+            }
+            slopes = all;
         }
         Some(slopes)
     }
@@ -183,31 +195,58 @@ impl Strings<'_> {
         (0..self.words.len()).filter(move |&before| self.words[before].branch.to == from)
     }
 
-    fn edges(
-        &self,
-        level: &HashMap<Letters, Cylinder>,
-        slopes: &[[f64; 2]],
-        letters: usize,
-    ) -> Option<Vec<(Edge, usize)>> {
-        let (mut nodes, mut edges) = (HashMap::new(), Vec::new());
+    fn edges(&self, level: &Level, slopes: &[[f64; 2]]) -> Option<Vec<(Edge, usize)>> {
+        let mut nodes = HashMap::new();
         let mut node = |letters: &[usize]| {
             let next = nodes.len();
             *nodes.entry(letters.to_vec()).or_insert(next)
         };
-        let mut strings: Vec<(&Letters, &Cylinder)> = level.iter().collect();
-        strings.sort_unstable_by(|a, b| a.0.cmp(b.0));
-        for (string, cylinder) in strings {
-            let word = string[0];
-            for before in self.before(word) {
-                let all: Letters = std::iter::once(before).chain(string.iter().copied()).collect();
-                let (from, to) = (node(&all[..letters]), node(&all[1..]));
-                let length = self.words[word].branch.sides.len() as f64; // exact: a length
-                edges.push((
-                    Edge { from, to, weight: self.bounds(slopes[before], word, &cylinder.images)?, length },
-                    word,
-                ));
-            }
+        let edge = |(string, cylinder): (&Letters, &Cylinder)| {
+            let (before, word) = (string[0], string[1]);
+            let (from, to) = (node(&string[..string.len() - 1]), node(&string[1..]));
+            let length = self.words[word].branch.sides.len() as f64; // exact: a length
+            Some((Edge { from, to, weight: self.bounds(slopes[before], word, &cylinder.images)?, length }, word))
+        };
+        level.iter().map(edge).collect()
+    }
+}
+
+impl Cylinder {
+    fn of(images: Vec<Image>) -> Self {
+        let breadth = |image: &Image| {
+            let [a, r] = [image.cell.at[0], image.cell.radii[0]].map(Ball::exact);
+            hull(ends(a - r), ends(a + r))
+        };
+        Self {
+            breadth: images.iter().map(breadth).fold(NOTHING, hull),
+            heights: images.iter().map(|image| ends(image.spread(1))).fold(NOTHING, hull),
+            images,
         }
-        Some(edges)
+    }
+}
+
+impl Cell {
+    /// Its states at some heights; `None` if there are none. Lemma D28
+    fn between(self, heights: [f64; 2]) -> Option<Self> {
+        let within = (spanned(heights) - Ball::exact(self.at[1])).checked_div(Ball::exact(self.radii[1]));
+        within.map_or(Some(self), |within| self.part(1, within))
+    }
+
+    /// Its states that are N radii from its middle along an axis; `None` if there are none. Lemma D28
+    fn part(mut self, axis: usize, within: Ball) -> Option<Self> {
+        let [low, high] = ends(within);
+        let (low, high) = (low.max(-1.0), high.min(1.0)); // D28: what is in both
+        if low > high {
+            return None;
+        }
+        let is_part = high - low < 2.0; // D28: not if it is NaN
+        if is_part {
+            let (at, radius) = (self.at[axis], self.radii[axis]);
+            self.at[axis] = at + radius * 0.5 * (low + high);
+            let reach = Ball::exact(0.5 * (high - low)) * Ball::exact(radius);
+            // D28: the middle is off by its rounding
+            self.radii[axis] = up(reach.mag() + 4.0 * f64::EPSILON * (at.abs() + radius));
+        }
+        Some(self)
     }
 }

@@ -296,6 +296,7 @@ impl Answer {
                 format!("described: {}", document["fate"]["kind"].as_str().unwrap_or("none"))
             }
             Self::Trap(_) => "a region".into(),
+            Self::Chaos(document) if document["hyperbolic"].is_object() => "a hyperbolic set".into(),
             Self::Chaos(document) if document["certified"] == true => "a horseshoe".into(),
             Self::Chaos(_) => "no horseshoe".into(),
             Self::Cycles(document) if document["exhaustive"] == true => "all cycles".into(),

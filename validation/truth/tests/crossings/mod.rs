@@ -28,7 +28,7 @@ use judge::{Finding, Judgement, judge};
 use traits::{Coverage, Crossing, Question, array, crossing};
 
 /// Outcomes that must occur. A run of a few impacts is hardly ever proved to be attracted: what `describe` follows longer is.
-const OUTCOMES: [&str; 19] = [
+const OUTCOMES: [&str; 20] = [
     "impacts-reached",
     "time-reached",
     "rests-forever",
@@ -43,6 +43,7 @@ const OUTCOMES: [&str; 19] = [
     "no orbit, and no others",
     "bifurcations",
     "a horseshoe",
+    "a hyperbolic set",
     "described: attracted",
     "described: periodic",
     "described: undecided",

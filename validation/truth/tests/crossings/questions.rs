@@ -5,7 +5,7 @@ use std::ops::RangeInclusive;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use impact_pair::audit::{self, Audit, Columns};
-use impact_pair::chaos::{self, Base, BoxGraph, Chaos, Cycles, Trap, WallWords};
+use impact_pair::chaos::{self, Base, BoxGraph, Chaos, Cycles, Hyperbolic, Trap, WallWords};
 use impact_pair::describe::{Request, describe};
 use impact_pair::document::{self, Units};
 use impact_pair::mapping::Word;
@@ -43,6 +43,9 @@ const BASES: [[[f64; 2]; 3]; 3] = [
 const SEARCHED: usize = 4_000;
 /// How often a search for bases is asked whether to go on, and one for words between given ones.
 const CHAOS: [usize; 2] = [3, 1_000];
+
+/// Cells of strips that are enough here.
+const CELLS: u64 = 10_000;
 
 /// What comes out of a question.
 pub enum Answer {
@@ -293,7 +296,15 @@ impl Case {
             _ => patience.goes_on(CHAOS[usize::from(is_given)]),
         };
         let found = Chaos::of_scene(&self.scene, &question, &watch)?;
-        Ok(Answer::Chaos(json!(document::chaos(&self.scene, None, &question, &found))))
+        let mut document = document::chaos(&self.scene, None, &question, &found);
+        if found.entropy() > 0.0 && self.random.below(2) == 0 {
+            let set = Hyperbolic::of(self.scene.pair(), &found, &|at: Stage<'_>| match at {
+                Stage::Cones(cells) => proceed_if(cells < CELLS),
+                _ => proceed_if(true),
+            })?;
+            document.hyperbolic = Some(set.as_ref().ok().map(document::hyperbolic));
+        }
+        Ok(Answer::Chaos(json!(document)))
     }
 
     fn cycles(&mut self) -> Result<Answer, Error> {

@@ -1,6 +1,7 @@
 //! Whether what a document says of a hyperbolic set is right (Lemma V14): strips are sought anew, and cones, strings and rates proved in
 //! intervals of doubles.
 
+mod powers;
 mod prove;
 mod rates;
 mod seek;
@@ -19,10 +20,11 @@ use super::guess::Guess;
 use super::span::Span;
 use super::words::Word;
 use crate::check::contact::Doubt;
+use powers::logarithm;
 use prove::{Proved, heights, recurrent};
 use rates::{Edge, Graph};
 use seek::branches;
-use strings::{Step, Strings, logarithm};
+use strings::{Step, Strings};
 use strip::{Branch, Frame, Map};
 
 /// What is claimed: bounds as doubles that lie between them.
@@ -108,8 +110,8 @@ pub(super) fn doubt(
     Ok(doubt)
 }
 
-/// Expansions are known up to such a part, or to the next where that is too little.
-const KNOWN: [f64; 2] = [0.1, 0.02];
+/// Expansions are known up to such a part: any at first, as strings cut the cells; or to the next where that is too little.
+const KNOWN: [f64; 2] = [f64::INFINITY, 0.1];
 
 fn proved(map: &Map<'_>, listed: &[(usize, Word)], claimed: &Claimed, known: f64) -> Result<Option<Doubt>, End> {
     let strips = branches(map.guess, map.frames, listed);
@@ -174,10 +176,12 @@ fn measured(map: &Map<'_>, all: &[Proved], alone: &[Proved], claimed: &Claimed) 
     let [mut exponents, mut second, mut upper, mut lower] = [false, false, false, claimed.dimension[0] <= 0.0]; // V14: no dimension is negative
     let mut visit = |graph: &[Step]| {
         let (by_impacts, by_cycles, stable) = graphs(all, graph, twice);
-        let ratios = [&by_impacts, &by_cycles].map(|graph| [graph.ratio(true), graph.ratio(false)]);
-        exponents |= (0..2).all(|k| is_within(ratios[k], claimed.exponents[k]));
-        let rest = [twice - Span::point(ratios[0][1]), twice - Span::point(ratios[0][0])];
-        second |= is_within([rest[0].lo(), rest[1].hi()], claimed.second);
+        if !(exponents && second) {
+            let ratios = [&by_impacts, &by_cycles].map(|graph| [graph.ratio(true), graph.ratio(false)]);
+            exponents |= (0..2).all(|k| is_within(ratios[k], claimed.exponents[k]));
+            let rest = [twice - Span::point(ratios[0][1]), twice - Span::point(ratios[0][0])];
+            second |= is_within([rest[0].lo(), rest[1].hi()], claimed.second);
+        }
         if exponents
             && second
             && let Some([low, high]) = dimension(&by_impacts, &stable)

@@ -2,10 +2,8 @@
 
 use std::collections::BTreeMap;
 
-use impact_pair_exact::{Dyadic, Real};
-
-use super::super::entropy::exponential;
 use super::super::span::Span;
+use super::powers::{MOST, exponential};
 
 /// A step between nodes: what it weighs, and its length.
 #[derive(Clone, Copy, Debug)]
@@ -22,14 +20,13 @@ pub(super) struct Graph {
     nodes: usize,
 }
 
-const BITS: u32 = 256;
 const STEPS: usize = 2000;
 const HALVINGS: u32 = 40;
+/// Potentials that are not found in N rounds are not looked for: ways are as long as strings, not as graphs.
+const ROUNDS: usize = 256;
 /// How far beyond a proposed root the first bound is, and the last one at most.
 const NEAR: f64 = 1e-9;
 const FAR: f64 = 1e-2;
-/// Greater exponents are not looked at.
-const MOST: f64 = 60.0;
 
 type Matrix = Vec<(usize, usize, f64)>;
 
@@ -62,11 +59,10 @@ impl Graph {
         let of = |edge: &Edge| {
             let x = t * edge.weight;
             let x = if is_upper { x.lo() } else { x.hi() };
-            if !(0.0..=MOST).contains(&x) {
-                return None;
+            if x < 0.0 {
+                return None; // exact: nothing is confirmed
             }
-            let e = exponential(&Real::point(Dyadic::from_f64(x)?, BITS));
-            let q = Span::of(Real::int(1, BITS).over(&e)?.enclosure());
+            let q = exponential(-x)?;
             Some((edge.from, edge.to, if is_upper { q.hi() } else { q.lo() }))
         };
         self.edges.iter().map(of).collect()
@@ -142,7 +138,8 @@ impl Graph {
 
     fn shortest(&self, weights: &[f64], ratio: f64) -> Option<Vec<f64>> {
         let mut ways = vec![0.0; self.nodes];
-        for _ in 0..=self.nodes {
+        // proposes: how long
+        for _ in 0..=self.nodes.min(ROUNDS) {
             let mut is_done = true;
             for (edge, weight) in self.edges.iter().zip(weights) {
                 let way = ways[edge.from] + weight - ratio * edge.length;

@@ -2,28 +2,27 @@
 
 use std::collections::BTreeMap;
 
-use impact_pair_exact::{Dyadic, Real};
-
 use super::super::allowance::End;
-use super::super::entropy::exponential;
 use super::super::span::Span;
+use super::powers::logarithm;
 use super::prove::Proved;
 use super::rates::Edge;
-use super::strip::{Cell, Image, Map, Strip};
+use super::strip::{Branch, Cell, Image, Map, Strip};
 
 /// Cells are cut so often, again if they are so much narrower.
 const LOOKS: u32 = 3;
 const NARROWER: f64 = 0.7;
 /// More edges, or longer strings, are not looked at.
-const MOST_EDGES: usize = 2100;
-const LONGEST: usize = 12;
-const BITS: u32 = 256;
+const MOST_EDGES: usize = 8000;
+const LONGEST: usize = 10;
 
-/// The cells of the first word of a string, and between which fractions of its strip they are.
+/// Of a string, a word with one before it and some behind it: the cells of this word in which its points are, the fractions of its strip
+/// between which they are, and the heights of their images.
 #[derive(Clone, Debug)]
 struct Part {
     images: Vec<Image>,
     across: [f64; 2],
+    heights: Span,
 }
 
 type Level = BTreeMap<Vec<usize>, Part>;
@@ -38,24 +37,23 @@ pub(super) struct Strings<'s> {
     pub kappa: f64,
 }
 
-/// Encloses the logarithm of a positive double.
-pub(super) fn logarithm(x: f64) -> Option<Span> {
-    let guess = x.ln();
-    if !(guess.abs() < 60.0 && x > 0.0) {
-        return None; // exact: nothing is confirmed
-    }
-    // V14: e^|guess|, and what is left
-    let power = exponential(&Real::point(Dyadic::from_f64(guess.abs())?, BITS));
-    let x = Real::point(Dyadic::from_f64(x)?, BITS);
-    let ratio = if guess < 0.0 { x * &power } else { x.over(&power)? };
-    let rest = Span::of(ratio.enclosure()) - Span::point(1.0);
-    let most = rest.most();
-    // V14: |ln(1 + d)| <= 2 |d| for |d| < 1/2
-    (most < 0.5).then(|| Span::point(guess) + Span::new(-2.0 * most, 2.0 * most))
-}
-
 fn bounds(x: Span) -> [f64; 2] {
     [x.lo(), x.hi()]
+}
+
+/// What no cell is cut by.
+fn everything() -> Span {
+    Span::new(-1.0, 1.0)
+}
+
+impl Part {
+    fn of(images: Vec<Image>) -> Self {
+        let all = |of: &dyn Fn(&Image) -> Span| images.iter().map(of).reduce(Span::hull);
+        // exact: where nothing is left there are no images, and nothing is confirmed
+        let across = all(&|image| Span::new(image.cell.across[0], image.cell.across[1])).map_or([-1.0, 1.0], bounds);
+        let heights = all(&|image| image.all(1)).unwrap_or(everything()); // exact: likewise
+        Self { images, across, heights }
+    }
 }
 
 impl Strings<'_> {
@@ -64,33 +62,77 @@ impl Strings<'_> {
         (0..self.words.len()).filter(move |&before| self.words[before].branch.to == from)
     }
 
-    /// Calls `visit` with the graph of strings of one word, of two, and so on, until it returns true or they are too many.
+    fn branch(&self, word: usize) -> &Branch {
+        &self.words[word].branch
+    }
+
+    /// Calls `visit` with the graph of strings of two words, of three, and so on, until it returns true or they are too many.
     pub fn each(&self, visit: &mut dyn FnMut(&[Step]) -> bool) -> Result<(), End> {
-        let whole = |word: &Proved| Part {
-            images: word.images.iter().filter(|image| !image.is_outside()).copied().collect(),
-            across: [-1.0, 1.0],
-        };
-        let mut level: Level = self.words.iter().enumerate().map(|(k, word)| (vec![k], whole(word))).collect();
+        let mut level = self.pairs()?;
         let mut slopes = vec![[-self.kappa, self.kappa]; self.words.len()];
-        for letters in 1..=LONGEST {
+        for _ in 2..=LONGEST {
             let Some(narrower) = self.slopes(&level, &slopes) else { return Ok(()) };
             slopes = narrower;
-            let Some(graph) = self.graph(&level, &slopes, letters) else { return Ok(()) };
-            let count: usize = level.keys().map(|string| self.before(string[0]).count()).sum();
-            if visit(&graph) || count * 2 > MOST_EDGES {
+            let Some(graph) = self.graph(&level, &slopes) else { return Ok(()) };
+            if visit(&graph) || level.len() > MOST_EDGES {
                 return Ok(());
             }
-            let mut next = Level::new();
-            for (string, part) in &level {
-                for word in self.before(string[0]) {
-                    let longer = [&[word], &string[..]].concat();
-                    let own = &level[&longer[..letters]].images;
-                    next.insert(longer, self.part((word, own), string[0], part.across)?);
-                }
-            }
-            level = next;
+            level = self.longer(&level)?;
         }
         Ok(())
+    }
+
+    /// The strings of two words: cells of the second one at the heights of images of the first.
+    fn pairs(&self) -> Result<Level, End> {
+        let inside = |word: &Proved| word.images.iter().filter(|image| !image.is_outside()).copied().collect();
+        let whole: Vec<Part> = self.words.iter().map(|word| Part::of(inside(word))).collect();
+        let mut level = Level::new();
+        for (word, part) in whole.iter().enumerate() {
+            for before in self.before(word) {
+                let narrowed = |image: &Image| image.cell.between(whole[before].heights);
+                level.insert(vec![before, word], self.cut(word, part, &narrowed)?);
+            }
+        }
+        Ok(level)
+    }
+
+    /// The strings with another word before them.
+    fn longer(&self, level: &Level) -> Result<Level, End> {
+        let mut next = Level::new();
+        for (string, Part { across, .. }) in level {
+            let strip = &self.branch(string[1]).strip;
+            for first in self.before(string[0]) {
+                let longer = [&[first], &string[..]].concat();
+                let own = &longer[..string.len()];
+                let heights = self.before(first).map(|before| [&[before], &own[..own.len() - 1]].concat());
+                // exact: where no word leads, nothing is cut
+                let heights = heights.map(|other| level[&other].heights).reduce(Span::hull).unwrap_or(everything());
+                let narrowed = |image: &Image| narrowed(image, strip, *across)?.between(heights);
+                let part = self.cut(string[0], &level[own], &narrowed)?;
+                next.insert(longer, part);
+            }
+        }
+        Ok(next)
+    }
+
+    /// The cells of a word, cut to those parts in which its points are left.
+    fn cut(&self, word: usize, part: &Part, narrowed: &dyn Fn(&Image) -> Option<Cell>) -> Result<Part, End> {
+        let mut kept = Vec::new();
+        'images: for image in &part.images {
+            let mut image = *image;
+            for _ in 0..LOOKS {
+                let Some(cell) = narrowed(&image) else { continue 'images };
+                if !cell.is_narrower(&image.cell) {
+                    break;
+                }
+                match self.map.image(self.branch(word), cell, &|_, _, _| true)? {
+                    Ok(better) => image = better,
+                    Err(_) => break,
+                }
+            }
+            kept.push(image);
+        }
+        Ok(Part::of(kept))
     }
 
     /// The slopes of the expanding directions that each word leads to.
@@ -99,13 +141,12 @@ impl Strings<'_> {
         for _ in 0..LOOKS {
             let mut all: Vec<Option<Span>> = vec![None; self.words.len()];
             for (string, part) in level {
-                let given = self.given(string[0], &slopes)?;
+                let (before, word) = (string[0], string[1]);
                 for image in &part.images {
-                    for slope in given {
-                        let [x, y] = image.direction(&self.words[string[0]].branch.strip, slope)?;
+                    for slope in slopes[before] {
+                        let [x, y] = image.direction(&self.branch(word).strip, slope)?;
                         let slope = y.over(x)?;
-                        let all = &mut all[string[0]];
-                        *all = Some(all.map_or(slope, |all| all.hull(slope)));
+                        all[word] = Some(all[word].map_or(slope, |all| all.hull(slope)));
                     }
                 }
             }
@@ -114,12 +155,7 @@ impl Strings<'_> {
         Some(slopes)
     }
 
-    /// The slopes that a word is given by those before it.
-    fn given(&self, word: usize, slopes: &[[f64; 2]]) -> Option<[f64; 2]> {
-        self.before(word).map(|before| Span::new(slopes[before][0], slopes[before][1])).reduce(Span::hull).map(bounds)
-    }
-
-    fn graph(&self, level: &Level, slopes: &[[f64; 2]], letters: usize) -> Option<Vec<Step>> {
+    fn graph(&self, level: &Level, slopes: &[[f64; 2]]) -> Option<Vec<Step>> {
         let mut nodes = BTreeMap::new();
         let mut node = |string: &[usize]| {
             let next = nodes.len();
@@ -127,52 +163,38 @@ impl Strings<'_> {
         };
         let mut graph = Vec::new();
         for (string, part) in level {
-            let branch = &self.words[string[0]].branch;
-            for before in self.before(string[0]) {
-                let all = [&[before], &string[..]].concat();
-                let mut expansion: Option<Span> = None;
-                for image in &part.images {
-                    for slope in slopes[before] {
-                        let x = image.direction(&branch.strip, slope)?[0].signed(branch.rises);
-                        expansion = Some(expansion.map_or(x, |all| all.hull(x)));
-                    }
+            let (before, branch) = (string[0], self.branch(string[1]));
+            let mut expansion: Option<Span> = None;
+            for image in &part.images {
+                for slope in slopes[before] {
+                    let x = image.direction(&branch.strip, slope)?[0].signed(branch.rises);
+                    expansion = Some(expansion.map_or(x, |all| all.hull(x)));
                 }
-                let [least, most] = bounds(expansion?);
-                let weight = logarithm(least)?.hull(logarithm(most)?);
-                let (from, to) = (node(&all[..letters]), node(&all[1..]));
-                let length = branch.flights.len() as f64; // exact: a length
-                graph.push((Edge { from, to, weight, length }, string[0]));
             }
+            let [least, most] = bounds(expansion?);
+            let weight = logarithm(least)?.hull(logarithm(most)?);
+            let (from, to) = (node(&string[..string.len() - 1]), node(&string[1..]));
+            let length = branch.flights.len() as f64; // exact: a length
+            graph.push((Edge { from, to, weight, length }, string[1]));
         }
         Some(graph)
     }
+}
 
-    /// What of a word's cells may lead to fractions of the next strip.
-    fn part(&self, (word, images): (usize, &[Image]), next: usize, across: [f64; 2]) -> Result<Part, End> {
-        let (branch, strip) = (&self.words[word].branch, &self.words[next].branch.strip);
-        let (mut kept, mut all): (Vec<Image>, Option<Span>) = (Vec::new(), None);
-        'images: for image in images {
-            let mut image = *image;
-            for _ in 0..LOOKS {
-                let Some(cell) = narrowed(&image, strip, across) else { continue 'images };
-                let [width, before] = [cell.across, image.cell.across].map(|[a, b]| b - a);
-                let is_narrower = width < NARROWER * before;
-                if !is_narrower {
-                    break;
-                }
-                match self.map.image(branch, cell, &|_, _, _| true)? {
-                    Ok(better) => image = better,
-                    Err(_) => break,
-                }
-            }
-            let [a, b] = image.cell.across;
-            let own = Span::new(a, b);
-            all = Some(all.map_or(own, |all| all.hull(own)));
-            kept.push(image);
-        }
-        // exact: where nothing is left there are no images, and nothing is confirmed
-        let across = all.map_or([-1.0, 1.0], bounds);
-        Ok(Part { images: kept, across })
+impl Cell {
+    /// Its part at some heights; `None` if there is none.
+    fn between(self, heights: Span) -> Option<Self> {
+        let [low, high] = self.heights;
+        let own = Span::new(low, high).common(heights)?;
+        // V14: both hold it; NaN is all of the cell
+        let heights = if own.lo() < own.hi() { bounds(own) } else { self.heights };
+        Some(Self { heights, ..self })
+    }
+
+    /// Whether it is worth being looked at again; any answer will do.
+    fn is_narrower(&self, before: &Self) -> bool {
+        let is_less = |[a, b]: [f64; 2], [c, d]: [f64; 2]| b - a < NARROWER * (d - c);
+        is_less(self.across, before.across) || is_less(self.heights, before.heights)
     }
 }
 

@@ -1,0 +1,38 @@
+//! Why words are left out of a hyperbolic set.
+
+/// Why a word is not among those of a hyperbolic set.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum LeftOut {
+    /// The h-sets overlap as parallelograms.
+    Overlap,
+    /// No strip of it is seen in floating point, or none beside the strips of shorter words.
+    Strip,
+    /// A curve in the cones could meet a side of its strip twice.
+    Leaning,
+    /// Its strip would be cut into too many cells.
+    Cells,
+    /// A smallest cell is not proved to map its cone into itself, and to expand.
+    Cone,
+    /// No word of the set leads to its h-set, or from where it leads.
+    Return,
+    /// The expansion of strings of words is not bounded.
+    Strings,
+    /// It was stopped.
+    Interrupted,
+}
+
+impl LeftOut {
+    /// Returns the reason in words.
+    pub fn words(self) -> &'static str {
+        match self {
+            Self::Overlap => "the h-sets overlap as parallelograms",
+            Self::Strip => "no strip of its own is seen",
+            Self::Leaning => "its strip leans too much for cones this wide",
+            Self::Cells => "its strip would be cut into more than 65,536 cells",
+            Self::Cone => "a cone is not proved to be mapped into itself and to expand",
+            Self::Return => "no other word leads to it, or back",
+            Self::Strings => "the expansion of strings of words is not bounded",
+            Self::Interrupted => "interrupted",
+        }
+    }
+}
