@@ -160,6 +160,11 @@ class Orbit(Document):
         return bool(self._about[0]["certified"])
 
     @property
+    def interrupted(self) -> bool:
+        """Whether Ctrl-C ended the computation: the events are those certified until then."""
+        return self._core.interrupted()
+
+    @property
     def claim(self) -> str:
         """The start of the orbit: ``"exact start"``, or ``"shadowed"`` for one within the bounds of the outcome."""
         return str(self._about[0]["claim"])

@@ -318,8 +318,8 @@ class Scene:
         ``solve_for`` is ``"velocity"``, ``"amplitude"`` or ``"gap"``: which of the three the other two give.
         """
         with reporting(progress, "cycles") as tell:
-            documents, complete = _core.two_impact(self._core, both_ends("cycles", cycles), (wall, solve_for), digits, tell)
-        found = [answers.Periodic(document, complete) for document in documents]
+            documents, complete, interrupted = _core.two_impact(self._core, both_ends("cycles", cycles), (wall, solve_for), digits, tell)
+        found = [answers.Periodic(document, complete, interrupted) for document in documents]
         return found if isinstance(cycles, tuple) else found[0]
 
     def manifold(
@@ -357,10 +357,10 @@ class Scene:
     def trap(self, *, finer: int = 0, words: int | None = None, picture: bool = False, progress: Progress = None) -> answers.Trap:
         """Prove a trapping region, its boxes bisected ``finer`` times, and bound the number of words of ``words`` walls in it."""
         with reporting(progress, "boxes") as tell:
-            document, complete, said = _core.trap(self._core, (finer, optional_whole("words", words), picture), tell)
+            document, complete, interrupted, said = _core.trap(self._core, (finer, optional_whole("words", words), picture), tell)
         if document is None:
-            return answers.Trap(json.dumps({"certified": False, "message": said}), complete)
-        return answers.Trap(document, complete, said)
+            return answers.Trap(json.dumps({"certified": False, "message": said}), complete, interrupted)
+        return answers.Trap(document, complete, interrupted, said)
 
     def cycles(
         self, impacts: int | tuple[int, int], *, finer: int = 0, digits: int | None = None, progress: Progress = None
