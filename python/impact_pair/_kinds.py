@@ -1,4 +1,4 @@
-"""Kinds of outcomes of a sweep as pictures show them: their names and colours, mirror images told apart."""
+"""Kinds of outcomes of a sweep as pictures show them: their names and colours, mirror images distinguished."""
 
 from __future__ import annotations
 

@@ -84,7 +84,7 @@ def _said(found: Any) -> list[str]:
 
 
 def _angles(ax: Any, axis: str) -> None:
-    """Set the ticks of an axis of phases: quarters of 2 pi, the ends included."""
+    """Set the ticks of an axis of phases: quarters of 2 pi, endpoints included."""
     setter = {"x": (ax.set_xlim, ax.set_xticks), "y": (ax.set_ylim, ax.set_yticks)}[axis]
     setter[0](0, 2 * math.pi)
     setter[1]([0.5 * math.pi * k for k in range(5)], ["0", "π/2", "π", "3π/2", "2π"])
