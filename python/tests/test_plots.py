@@ -19,6 +19,14 @@ def starts():
     return Scene.named("cascade").sweep(over, transient=100, impacts=1, summary=True)
 
 
+@pytest.fixture(autouse=True)
+def _closed():
+    from matplotlib import pyplot as plt
+
+    yield
+    plt.close("all")
+
+
 def labels(ax):
     return [text.get_text() for text in ax.get_legend().get_texts()]
 
