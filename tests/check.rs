@@ -137,6 +137,14 @@ fn r17_who_stops_a_check_keeps_what_is_proved() {
 }
 
 #[test]
+fn r35_who_stops_a_proof_keeps_what_is_proved() {
+    let document = certificate("8", "wall = \"left\", velocity = -12.56636", "0.5", 9);
+    let certificate = Certificate::parse(&document.to_string()).unwrap();
+    let theorem = certificate.prove(9, &|at: Stage<'_>| proceed_if(at != Stage::Claims(5))).unwrap();
+    assert_eq!((theorem.impacts, theorem.stop.map(|stop| stop.message)), (4, Some("interrupted".to_owned())));
+}
+
+#[test]
 fn a_contact_that_does_not_come_is_refuted_in_the_first_bits() {
     let document = certificate("8", "wall = \"left\", velocity = 0", "0.5", 3);
     let refuted = |edit: fn(&mut Vec<Value>)| {

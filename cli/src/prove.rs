@@ -11,7 +11,7 @@ use crate::Answer;
 use crate::destination::Destination;
 use crate::ending;
 use crate::output::{Output, note};
-use crate::progress::Progress;
+use crate::progress::{Progress, catch_interruption};
 use crate::scene;
 use crate::values::count;
 
@@ -54,6 +54,7 @@ pub fn prove(arguments: &ProveArguments) -> Result<Answer> {
     let wanted = arguments.impacts.map_or(listed, |wanted| usize::try_from(wanted).unwrap_or(usize::MAX));
     let mut out = Output::open(arguments.destination.output.as_deref())?;
     let progress = Progress::new(Some(wanted.min(listed) as u64), !arguments.destination.quiet && !out.is_terminal());
+    catch_interruption();
     let theorem = certificate.prove(wanted, &progress).with_context(|| scene::name(path))?;
     progress.clear();
     let (proved, stop) = (theorem.impacts, theorem.stop.as_ref());

@@ -21,7 +21,8 @@ from ._core import __version__
 from ._exact import Value
 from ._progress import Progress
 from .bounds import Bounds
-from .errors import CertificateError, Error, Interrupted, ListError, RangeError, SceneError, WordError
+from .boxes import BoxImages
+from .errors import CertificateError, Error, Interrupted, ListError, MissingPackageError, RangeError, SceneError, WordError
 from .orbit import Event, Flights, Graze, Impact, Orbit, Outcome, Release, Rest, States
 from .orbit import read as read_orbit
 from .scene import MAX_BITS, Scene
@@ -31,6 +32,7 @@ from .verified import Verified, verify
 
 __all__ = [
     "Bounds",
+    "BoxImages",
     "CertificateError",
     "Check",
     "Claim",
@@ -41,6 +43,7 @@ __all__ = [
     "Impact",
     "Interrupted",
     "ListError",
+    "MissingPackageError",
     "Orbit",
     "Outcome",
     "RangeError",

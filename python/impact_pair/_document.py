@@ -18,9 +18,10 @@ if TYPE_CHECKING:
 class Document:
     """An answer: the document that the command line writes with ``--format json``, and whether it is complete."""
 
-    def __init__(self, text: str, complete: bool | None = None, svg: str | None = None) -> None:
+    def __init__(self, text: str, complete: bool | None = None, interrupted: bool = False, svg: str | None = None) -> None:
         self._text = text
         self._complete = complete
+        self._interrupted = interrupted
         self._svg = svg
         self._document: dict[str, Any] | None = None
 
@@ -40,6 +41,11 @@ class Document:
     def complete(self) -> bool | None:
         """Whether everything requested is certified: the command line's exit code 0. ``None`` for a document that was read."""
         return self._complete
+
+    @property
+    def interrupted(self) -> bool:
+        """Whether Ctrl-C ended the computation: the document has what was proved until then."""
+        return self._interrupted
 
     @property
     def svg(self) -> str | None:
@@ -71,7 +77,7 @@ class Document:
         return check(self.json(), effort=effort)
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return type(self), (self.json(), self._complete, self._svg)
+        return type(self), (self.json(), self._complete, self._interrupted, self._svg)
 
     def _repr_html_(self) -> str:
         return f"<pre>{html.escape(repr(self))}</pre>"

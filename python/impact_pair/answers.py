@@ -423,11 +423,6 @@ class Description(Document):
         return list(self.document.get("not_examined", []))
 
     @property
-    def interrupted(self) -> bool:
-        """Whether it was stopped: what is proved so far is kept."""
-        return bool(self.document.get("interrupted", False))
-
-    @property
     def lines(self) -> list[tuple[str, str]]:
         """The description in words: lines, each with its label."""
         return _core.description_lines(self.json())
@@ -521,8 +516,8 @@ class Audit(Document):
 class Picture(Document):
     """A picture as SVG, and whether it is certified."""
 
-    def __init__(self, svg: str, complete: bool | None = None, verdict: str | None = None) -> None:
-        super().__init__("", complete, svg)
+    def __init__(self, svg: str, complete: bool | None = None, interrupted: bool = False, verdict: str | None = None) -> None:
+        super().__init__("", complete, interrupted, svg)
         self.verdict = verdict or ""
 
     @property
@@ -541,7 +536,7 @@ class Picture(Document):
         return f"<picture: {self.verdict}>"
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return Picture, (self.svg, self.complete, self.verdict)
+        return Picture, (self.svg, self.complete, self.interrupted, self.verdict)
 
 
 def listing(events: str | os.PathLike[str] | Mapping[str, Any] | Any) -> str:

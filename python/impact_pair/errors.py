@@ -42,5 +42,9 @@ class ListError(Error, ValueError):
     """A malformed list of impacts."""
 
 
+class MissingPackageError(Error, ImportError):
+    """An optional package that is not installed; ``key`` is its name."""
+
+
 class Interrupted(Error):
     """A sweep whose workers or scheduler were lost; with ``resume=`` all finished chunks are kept."""

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any, SupportsIndex, overload
 
 import numpy as np
 
-from . import _core
+from . import _cf, _core
 from ._document import Document
 from ._file import ending, parquet, write
 from ._progress import Progress, reporting
@@ -160,6 +160,11 @@ class Orbit(Document):
         return bool(self._about[0]["certified"])
 
     @property
+    def interrupted(self) -> bool:
+        """Whether Ctrl-C ended the computation: the events are those certified until then."""
+        return self._core.interrupted()
+
+    @property
     def claim(self) -> str:
         """The start of the orbit: ``"exact start"``, or ``"shadowed"`` for one within the bounds of the outcome."""
         return str(self._about[0]["claim"])
@@ -243,7 +248,9 @@ class Orbit(Document):
         return self._core.json()
 
     def save(self, path: str | os.PathLike[str]) -> None:
-        """Write .json, .jsonl or .csv as ``impact-pair run`` does, or ``to_arrow`` as .parquet, or ``savemat`` as .mat; atomically.
+        """Write .json, .jsonl or .csv as ``impact-pair run`` does; ``to_arrow`` as .parquet, ``savemat`` as .mat.
+
+        The endings .nc and .zarr have ``to_xarray``. The file is written atomically.
 
         Raises
         ------
@@ -252,7 +259,7 @@ class Orbit(Document):
 
         """
         path = Path(path)
-        match ending(path, (".json", ".jsonl", ".csv", ".parquet", ".mat")):
+        match ending(path, (".json", ".jsonl", ".csv", ".parquet", ".mat", ".nc", ".zarr")):
             case ".json":
                 super().save(path)
             case ".mat":
@@ -261,6 +268,8 @@ class Orbit(Document):
                 write(path, [parquet(self.to_arrow())])
             case ".csv":
                 write(path, (f"{line}\n".encode() for line in self._csv()))
+            case ".nc" | ".zarr":
+                _cf.save(self.to_xarray(), path)
             case _:
                 write(path, (f"{line}\n".encode() for line in self._lines()))
 
@@ -308,6 +317,20 @@ class Orbit(Document):
 
         table = pa.table(self.to_dict())
         return table.replace_schema_metadata({"impact-pair/orbit": self._core.about()[0]})
+
+    def to_xarray(self) -> Any:
+        """Return a Dataset of xarray along ``impact``, by the conventions of CF; the scene and the outcome are attributes, as JSON.
+
+        The coordinate ``time`` has its bounds in ``time_bnds``, the data ``velocity`` in ``velocity_lower`` and ``velocity_upper``.
+        ``wall`` and ``mapping`` are flags. Units are those of the scene.
+
+        Raises
+        ------
+        MissingPackageError
+            When xarray is not installed.
+
+        """
+        return _cf.orbit(self)
 
     def savemat(self, path: str) -> None:
         """Write a MATLAB file with ``to_dict``'s arrays (walls as -1 and 1, mappings as 1 to 4), the scene and the outcome in words."""

@@ -16,6 +16,7 @@ from . import _core, answers
 from ._exact import Value, optional, optional_whole, text, texts, whole
 from ._progress import Progress, reporting
 from .bounds import doubles
+from .boxes import BoxImages, box_map
 from .errors import Error, RangeError, SceneError
 from .orbit import Flights, Orbit
 from .sweep import SweepResult, sweep
@@ -266,6 +267,43 @@ class Scene:
         sides_array, mappings_array = np.frombuffer(sides, dtype=np.int8), np.frombuffer(mappings, dtype=np.uint8)
         return Flights(sides_array, doubles(found_t, -1, 2), doubles(found_v, -1, 2), mappings_array)
 
+    def box_map(self, rects: npt.ArrayLike, *, columns: int = 4096, progress: Progress = None) -> BoxImages:
+        """Return certified enclosures of the images of boxes under the impact map, in reduced coordinates.
+
+        Every impact is mirrored to the left wall. Its phase is (W t + tau)/(2 pi) modulo 1 on the left wall, and half a period later
+        on the right one; its speed is that before the impact over A W. The next impact of every motion with an impact in a box is in
+        its image; at a graze both continuations are. For one harmonic.
+
+        Parameters
+        ----------
+        rects : array (n, 4)
+            Least phase, least speed, greatest phase, greatest speed of each box; speeds from 0, nothing beyond 1024.
+        columns : int, default 4096
+            Columns of a forcing period in which landings are found, a power of two: phases of images are multiples of its inverse.
+        progress : bool or callable, optional
+            A bar of tqdm, or a function that receives the number of boxes.
+
+        Returns
+        -------
+        BoxImages
+            The rectangles, as ``rects`` of all landings, and as ``near`` and ``far`` of those on either wall; NaN where undecided.
+
+        Raises
+        ------
+        RangeError
+            When a box or ``columns`` is not as above, or the scene has several harmonics.
+
+        Examples
+        --------
+        >>> found = Scene.named("figure-12").box_map([[0.0, 3.99, 0.01, 4.0], [0.6, 0.0, 0.7, 0.1]])
+        >>> found.decided
+        array([ True, False])
+        >>> found.reasons[1]
+        np.str_('rest')
+
+        """
+        return box_map(self._core, rects, columns, progress)
+
     def sweep(
         self,
         over: Mapping[str, tuple[Value, Value, int] | npt.NDArray[np.float64]],
@@ -318,8 +356,8 @@ class Scene:
         ``solve_for`` is ``"velocity"``, ``"amplitude"`` or ``"gap"``: which of the three the other two give.
         """
         with reporting(progress, "cycles") as tell:
-            documents, complete = _core.two_impact(self._core, both_ends("cycles", cycles), (wall, solve_for), digits, tell)
-        found = [answers.Periodic(document, complete) for document in documents]
+            documents, complete, interrupted = _core.two_impact(self._core, both_ends("cycles", cycles), (wall, solve_for), digits, tell)
+        found = [answers.Periodic(document, complete, interrupted) for document in documents]
         return found if isinstance(cycles, tuple) else found[0]
 
     def manifold(
@@ -357,10 +395,10 @@ class Scene:
     def trap(self, *, finer: int = 0, words: int | None = None, picture: bool = False, progress: Progress = None) -> answers.Trap:
         """Prove a trapping region, its boxes bisected ``finer`` times, and bound the number of words of ``words`` walls in it."""
         with reporting(progress, "boxes") as tell:
-            document, complete, said = _core.trap(self._core, (finer, optional_whole("words", words), picture), tell)
+            document, complete, interrupted, said = _core.trap(self._core, (finer, optional_whole("words", words), picture), tell)
         if document is None:
-            return answers.Trap(json.dumps({"certified": False, "message": said}), complete)
-        return answers.Trap(document, complete, said)
+            return answers.Trap(json.dumps({"certified": False, "message": said}), complete, interrupted)
+        return answers.Trap(document, complete, interrupted, said)
 
     def cycles(
         self, impacts: int | tuple[int, int], *, finer: int = 0, digits: int | None = None, progress: Progress = None

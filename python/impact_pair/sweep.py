@@ -20,7 +20,7 @@ from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
-from . import _core
+from . import _cf, _core
 from ._exact import Value, text, whole
 from ._file import ending, parquet, write
 from ._progress import Progress, reporting
@@ -315,12 +315,29 @@ class SweepResult:
         table = pa.table({name: pa.array(list(column)) for name, column in self.to_dict(rows).items()})
         return table.replace_schema_metadata({"impact-pair/sweep": self._core.head()})
 
+    def to_xarray(self) -> Any:
+        """Return a Dataset of xarray on the grid, by the conventions of CF; the head is an attribute, as JSON.
+
+        The values of the keys are coordinates with bounds (``amplitude``, ``amplitude_bnds``), results such as ``exponent`` have theirs in
+        ``exponent_lower`` and ``exponent_upper``, ``outcome`` is a flag. Impacts after the transients are along ``state``, NaN where
+        a point has fewer.
+
+        Raises
+        ------
+        MissingPackageError
+            When xarray is not installed.
+
+        """
+        return _cf.sweep(self)
+
     def svg(self, show: str = "phase") -> str:
         """Return the bifurcation diagram over one key (``show`` is phase or velocity), or the map of outcomes over two, as SVG."""
         return self._core.svg(b"".join(self.lines()), show)
 
     def save(self, path: str | os.PathLike[str], states: str | os.PathLike[str] | None = None) -> None:
-        """Write .csv, .jsonl or .svg, with the bytes of ``impact-pair sweep``, or .parquet by pyarrow; the file is written atomically.
+        """Write .csv, .jsonl or .svg, with the bytes of ``impact-pair sweep``; .parquet by pyarrow, ``to_xarray`` as .nc or .zarr.
+
+        It is written atomically.
 
         With ``states``, a .csv or .parquet beside another one, the impacts go into a separate table, and ``path`` holds only the
         result of each point; both have the column ``point``.
@@ -332,12 +349,15 @@ class SweepResult:
 
         """
         path = Path(path)
-        ending(path, (".csv", ".jsonl", ".svg", ".parquet"))
+        ending(path, (".csv", ".jsonl", ".svg", ".parquet", ".nc", ".zarr"))
         if states is not None:
             states = Path(states)
             self._keep(states, path)
             self._write(states, "states")
-        self._write(path, "mixed" if states is None else "points")
+        if path.suffix.lower() in (".nc", ".zarr"):
+            _cf.save(self.to_xarray(), path)
+        else:
+            self._write(path, "mixed" if states is None else "points")
 
     def _keep(self, states: Path, path: Path) -> None:
         """Refuse to write states where there are none, or no table of them."""

@@ -44,6 +44,11 @@ class Check:
     #: All claims checked, in the order of the document.
     claims: list[Claim]
 
+    @property
+    def interrupted(self) -> bool:
+        """Whether Ctrl-C ended the check: the claims until then are confirmed."""
+        return self.verdict == "interrupted"
+
     def __bool__(self) -> bool:
         return self.verdict == "confirmed"
 
@@ -57,6 +62,8 @@ class Theorem:
     impacts: int
     #: The reason why not all requested impacts are proved, if so.
     stop: str | None
+    #: Whether Ctrl-C ended it.
+    interrupted: bool
 
     def save(self, path: str | os.PathLike[str]) -> None:
         """Write the file, whose name ends in ``.v``."""

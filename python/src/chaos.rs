@@ -25,13 +25,13 @@ pub fn trap(
     scene: &Bound<'_, Scene>,
     question: (u32, Option<u32>, bool),
     progress: Option<Py<PyAny>>,
-) -> PyResult<(Option<String>, bool, Option<String>)> {
+) -> PyResult<(Option<String>, bool, bool, Option<String>)> {
     let (finer, impacts, picture) = question;
     let scene = scene.get().scene.clone();
     watched(py, progress, move |monitor| {
         let impacts = impacts.map(|impacts| accepted("words", impacts, 1..=MOST_COUNTED)).transpose()?;
         match Trap::of(&scene, accepted("finer", finer, 0..=6)?, monitor)? {
-            Err(why) => Ok((None, false, Some(why.words().to_owned()))),
+            Err(why) => Ok((None, false, monitor.is_stopped(), Some(why.words().to_owned()))),
             Ok(region) => {
                 let mut document = document::trap(&scene, &region)?;
                 if let Some(impacts) = impacts {
@@ -40,7 +40,8 @@ pub fn trap(
                 }
                 let is_counted = impacts.is_none() || document.words.is_some();
                 let svg = picture.then(|| drawn(impact_pair_plot::chaos::trap(&scene, &region))).transpose()?;
-                Ok((Some(text(&document)), is_counted && document.entered_at_impact.is_some(), svg))
+                let is_complete = is_counted && document.entered_at_impact.is_some();
+                Ok((Some(text(&document)), is_complete, monitor.is_stopped(), svg))
             }
         }
     })
@@ -68,7 +69,7 @@ pub fn cycles(
         let found = Cycles::of(&scene, accepted("finer", finer, 0..=6)?, &impacts, precision, &watch)?;
         let found = found.as_ref().map_err(|why| *why);
         let document = document::cycles(&scene, &impacts, found)?;
-        Ok((text(&document), found.is_ok_and(Cycles::is_certified)))
+        Ok((text(&document), found.is_ok_and(Cycles::is_certified), monitor.is_stopped()))
     })
 }
 
@@ -105,7 +106,7 @@ pub fn chaos(
         }
         let is_proved = found.entropy() > 0.0 && !document.interrupted && document.hyperbolic != Some(None);
         let svg = picture.then(|| drawn(impact_pair_plot::chaos::chaos(&scene, over.as_ref(), &found))).transpose()?;
-        Ok((text(&document), is_proved, svg))
+        Ok((text(&document), is_proved, monitor.is_stopped(), svg))
     })
 }
 
@@ -131,6 +132,6 @@ pub fn chaos_cells(
         let found = Cells::of(scene.pair(), scene.start(), &asked, monitor)?;
         let document = document::cells(&scene, &asked, &found);
         let svg = picture.then(|| drawn(impact_pair_plot::proved::cells(&scene, &asked, &found))).transpose()?;
-        Ok((one_a_line(&document, &["stretches"]), document.certified, svg))
+        Ok((one_a_line(&document, &["stretches"]), document.certified, monitor.is_stopped(), svg))
     })
 }

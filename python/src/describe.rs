@@ -31,7 +31,7 @@ pub fn describe(
         let document = found.document(&scene, &name)?;
         let svg = || drawn(impact_pair_plot::describe::describe(&scene, &found, &document));
         let svg = picture.then(svg).transpose()?;
-        Ok((text(&document), document.certified && !document.interrupted, svg))
+        Ok((text(&document), document.certified && !document.interrupted, document.interrupted, svg))
     })
 }
 

@@ -10,7 +10,7 @@ use pyo3::types::PyBytes;
 use crate::errors::Fault;
 use crate::numbers::{bytes, read};
 use crate::scene::Scene;
-use crate::watched::watched;
+use crate::watched::watched_whole;
 
 /// Flights between two looks at whether to go on.
 const SLICE: usize = 1024;
@@ -50,7 +50,7 @@ pub fn flights<'py>(
 ) -> PyResult<Found<'py>> {
     let pair = scene.get().scene.pair().clone();
     let (times, velocities, walls) = (read(states.0), read(states.1), states.2.to_vec());
-    let found = watched(py, progress, move |monitor| {
+    let found = watched_whole(py, progress, move |monitor| {
         let arrivals = Arrivals::new(&pair)?;
         let mut found = Vec::with_capacity(walls.len());
         for (i, ((wall, time), velocity)) in walls.iter().zip(&times).zip(&velocities).enumerate() {

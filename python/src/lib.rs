@@ -2,6 +2,7 @@
 //! bytes of doubles out. Arguments are checked as by the command line; the library computes. All types and
 //! the documentation for people are in the package above it.
 
+mod box_map;
 mod chaos;
 mod describe;
 mod errors;
@@ -20,6 +21,8 @@ use pyo3::prelude::*;
 /// The compiled part of `impact_pair`.
 #[pymodule]
 mod _core {
+    #[pymodule_export]
+    use super::box_map::box_map;
     #[pymodule_export]
     use super::chaos::{chaos, chaos_cells, cycles, trap};
     #[pymodule_export]

@@ -16,7 +16,7 @@ use crate::errors::{Fault, accepted};
 use crate::flights::{number, side};
 use crate::numbers::{bytes, point, read};
 use crate::scene::{Scene, json};
-use crate::watched::watched;
+use crate::watched::{watched, watched_whole};
 
 /// Events as they were computed, or read of a document.
 enum Events {
@@ -118,6 +118,11 @@ impl Orbit {
         (self.complete, &self.said, self.bits)
     }
 
+    /// Whether it was interrupted.
+    fn interrupted(&self) -> bool {
+        self.outcome.interruption().as_ref() == Some(&self.outcome.message)
+    }
+
     /// Of each event: its name's number (impact, graze, rest, release), its wall, its mapping, bounds of time and velocity.
     fn columns<'py>(&self, py: Python<'py>) -> PyResult<[Bound<'py, PyBytes>; 5]> {
         let rows = self.rows()?;
@@ -145,7 +150,7 @@ impl Orbit {
             return Err(Fault::other(message).into());
         };
         let times = read(times);
-        let found = watched(py, progress, move |monitor| {
+        let found = watched_whole(py, progress, move |monitor| {
             let orbit = orbit.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
             let mut found = Vec::with_capacity(4 * times.len());
             for (i, time) in times.into_iter().enumerate().take_while(|_| monitor.goes_on()) {

@@ -10,7 +10,7 @@ use crate::orbit::{RunOptions, asked_run};
 use crate::scene::Scene;
 use crate::watched::watched;
 
-/// The panels of a scene as SVG, whether all that is drawn is certified, and how the orbit ended.
+/// The panels of a scene as SVG, whether all that is drawn is certified, whether Ctrl-C ended the orbit, and how it ended.
 #[pyfunction]
 pub fn plot(
     py: Python<'_>,
@@ -19,7 +19,7 @@ pub fn plot(
     cycles: (u32, u32),
     asked: RunOptions,
     progress: Option<Py<PyAny>>,
-) -> PyResult<(String, bool, String)> {
+) -> PyResult<(String, bool, bool, String)> {
     let scene = scene.get().scene.clone();
     let panel = |letter: char| Panel::ALL.into_iter().find(|panel| panel.letter() == letter);
     let panels: Option<Vec<Panel>> = panels.chars().map(panel).collect();
@@ -40,7 +40,7 @@ pub fn plot(
         let settings = figure.settings(&scene);
         let orbit = Orbit::of(&scene, settings.clone())?;
         let (svg, ending) = figure.draw(&scene, (orbit, &settings), monitor);
-        Ok((svg.map_err(Fault::other)?, ending.is_complete(), ending.to_string()))
+        Ok((svg.map_err(Fault::other)?, ending.is_complete(), monitor.is_stopped(), ending.to_string()))
     })
 }
 

@@ -18,7 +18,7 @@ use crate::lines::{Lines, records};
 use crate::numbers::bytes;
 use crate::pictures::drawn;
 use crate::scene::{Scene, json};
-use crate::watched::{Monitor, watched};
+use crate::watched::{Monitor, watched_whole};
 
 /// A sweep over a grid, and the settings of its points.
 #[pyclass(frozen, module = "impact_pair._core")]
@@ -107,7 +107,7 @@ impl Sweep {
     ) -> PyResult<Bound<'py, PyBytes>> {
         let (first, last) = range;
         let points: Vec<u64> = (first..last.min(self.grid.points())).collect();
-        let lines: Vec<Option<String>> = watched(py, progress, |monitor| {
+        let lines: Vec<Option<String>> = watched_whole(py, progress, |monitor| {
             if threads == 1 {
                 return points.into_iter().map(|point| self.line(point, monitor)).collect();
             }
@@ -127,7 +127,7 @@ impl Sweep {
     /// Lines as a table of CSV, without the names of columns, which are there as a line of their own.
     fn csv<'py>(&self, py: Python<'py>, lines: &[u8], rows: &str) -> PyResult<Bound<'py, PyBytes>> {
         let table = table(rows)?;
-        let rows = watched(py, None, |_| {
+        let rows = watched_whole(py, None, |_| {
             records(lines).map(|record| Ok(csv_rows(&self.head, table, &record?))).collect::<Result<String, Fault>>()
         })?;
         Ok(PyBytes::new(py, rows.as_bytes()))
@@ -145,7 +145,7 @@ impl Sweep {
             "velocity" => Show::Velocity,
             other => return Err(Fault::range("show", other, "must be phase or velocity").into()),
         };
-        watched(py, None, |_| drawn(svg(&mut Lines { head: &self.head, lines }, show, None)))
+        watched_whole(py, None, |_| drawn(svg(&mut Lines { head: &self.head, lines }, show, None)))
     }
 
     /// The columns of a table by name: lists, and of bounds bytes of doubles rounded outward, NaN where there are none.

@@ -23,10 +23,10 @@ use crate::pictures::drawn;
 use crate::scene::Scene;
 use crate::watched::watched;
 
-/// A document as JSON, and whether everything requested is certified.
-pub type Answer = (String, bool);
+/// A document as JSON, whether everything requested is certified, and whether Ctrl-C ended the computation.
+pub type Answer = (String, bool, bool);
 /// The same with a picture as SVG, if requested.
-pub type Drawn = (String, bool, Option<String>);
+pub type Drawn = (String, bool, bool, Option<String>);
 
 pub fn text(document: &impl serde::Serialize) -> String {
     serde_json::to_string(document).expect("plain data")
@@ -67,7 +67,8 @@ pub fn periodic(
             true => problem.find_all_while(scene.start(), precision, Budget::default(), monitor),
             false => problem.find_while(scene.start(), precision, monitor),
         };
-        Ok((text(&units.document(&problem, scene.start(), &census)), census.is_certified()))
+        let document = units.document(&problem, scene.start(), &census);
+        Ok((text(&document), census.is_certified(), monitor.is_stopped()))
     })
 }
 
@@ -89,7 +90,7 @@ pub fn bifurcations(
         let wanted = DiagramSettings { over, doublings, precision: precision(asked, &scene)? };
         let diagram = survey(scene.pair(), scene.start(), (&word, cycles), &wanted, monitor)?;
         let document = document::bifurcations(scene.start(), (&word, cycles), &diagram)?;
-        Ok((text(&document), diagram.is_certified()))
+        Ok((text(&document), diagram.is_certified(), monitor.is_stopped()))
     })
 }
 
@@ -102,7 +103,7 @@ pub fn two_impact(
     question: (String, String),
     asked: Option<u32>,
     progress: Option<Py<PyAny>>,
-) -> PyResult<(Vec<String>, bool)> {
+) -> PyResult<(Vec<String>, bool, bool)> {
     let (wall, solve_for) = question;
     let scene = scene.get().scene.clone();
     watched(py, progress, move |monitor| {
@@ -114,12 +115,15 @@ pub fn two_impact(
         };
         let (wall, digits, cycles) = (side(&wall)?, digits(asked, &scene)?, all_cycles(cycles)?);
         let (mut documents, mut complete) = (Vec::new(), true);
-        for cycles in cycles.take_while(|_| monitor.goes_on()) {
+        for cycles in cycles {
+            if !monitor.goes_on() && !documents.is_empty() {
+                return Ok((documents, false, true));
+            }
             let answer = TwoImpactProblem::new(scene.pair(), cycles, unknown.clone())?.answer(digits);
             documents.push(text(&document::two_impact(scene.start(), &answer, wall)));
             complete &= answer.is_complete;
         }
-        Ok((documents, complete))
+        Ok((documents, complete, false))
     })
 }
 
@@ -154,7 +158,7 @@ pub fn manifold(
         let document = document::manifolds(&range, scene.start(), &curves, !went_on);
         let svg = || drawn(impact_pair_plot::two_impact::svg(&scene, axis, &curves, None));
         let svg = (picture && !curves.is_empty()).then(svg).transpose()?;
-        Ok((one_a_line(&document, &["curves", "points"]), went_on, svg))
+        Ok((one_a_line(&document, &["curves", "points"]), went_on, !went_on, svg))
     })
 }
 
@@ -178,7 +182,8 @@ pub fn trade(
         Orbit::of(&scene, asked.clone())?;
         let trade = Trade::of(&scene, asked, monitor)?;
         let svg = picture.then(|| drawn(impact_pair_plot::trade::svg(&trade))).transpose()?;
-        Ok((one_a_line(&trade.document(), &["rungs"]), trade.interrupted.is_none(), svg))
+        let is_interrupted = trade.interrupted.is_some();
+        Ok((one_a_line(&trade.document(), &["rungs"]), !is_interrupted, is_interrupted, svg))
     })
 }
 
@@ -216,7 +221,7 @@ pub fn audit(
         };
         let list = read(&list, &columns, scene.pair())?;
         let audit = Audit::of(&scene, list, &asked, monitor)?;
-        Ok((one_a_line(&audit.document(), &["events"]), audit.is_agreed()))
+        Ok((one_a_line(&audit.document(), &["events"]), audit.is_agreed(), monitor.is_stopped()))
     })
 }
 
@@ -245,14 +250,14 @@ pub fn check(py: Python<'_>, text: String, effort: u64, progress: Option<Py<PyAn
     })
 }
 
-/// An orbit JSON as a theorem for Coq: the file, the impacts it proves, and the reason why not all, if so.
+/// An orbit JSON as a theorem for Coq: the file, the impacts it proves, and the reason why not all, if so; whether Ctrl-C ended it.
 #[pyfunction]
 pub fn prove(
     py: Python<'_>,
     text: String,
     impacts: Option<u64>,
     progress: Option<Py<PyAny>>,
-) -> PyResult<(String, usize, Option<String>)> {
+) -> PyResult<(String, usize, Option<String>, bool)> {
     watched(py, progress, move |monitor| {
         let certificate = Certificate::parse(&text)?;
         let is_impact = |kind: &ClaimKind| matches!(kind, ClaimKind::Impact { .. });
@@ -263,6 +268,6 @@ pub fn prove(
         let wanted = impacts.map_or(listed, |wanted| usize::try_from(wanted).unwrap_or(usize::MAX));
         let theorem = certificate.prove(wanted, monitor)?;
         let stop = theorem.stop.as_ref().map(|finding| certificate.described(finding.event, &finding.message));
-        Ok((theorem.text, theorem.impacts, stop))
+        Ok((theorem.text, theorem.impacts, stop, monitor.is_stopped()))
     })
 }

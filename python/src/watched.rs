@@ -8,6 +8,7 @@ use std::thread;
 use std::time::Duration;
 
 use impact_pair::watch::{Stage, Watch, proceed_if};
+use pyo3::exceptions::PyKeyboardInterrupt;
 use pyo3::prelude::*;
 
 use crate::errors::Fault;
@@ -36,6 +37,13 @@ impl Monitor {
     }
 }
 
+impl Monitor {
+    /// Returns whether it was stopped: by Ctrl-C, or because `progress` raised.
+    pub fn is_stopped(&self) -> bool {
+        self.stopped.load(Ordering::Relaxed)
+    }
+}
+
 impl Watch for Monitor {
     /// Continues until Ctrl-C comes, or `progress` raises.
     fn proceed(&self, at: Stage<'_>) -> ControlFlow<()> {
@@ -48,15 +56,33 @@ impl Watch for Monitor {
             Stage::Cycles { impacts, .. } => self.tell(impacts as u64),
             _ => {}
         }
-        proceed_if(!self.stopped.load(Ordering::Relaxed))
+        proceed_if(!self.is_stopped())
     }
 }
 
-/// Does the work; `progress` is called at intervals with the amount done. After Ctrl-C, or when `progress` raises, the
-/// work is stopped and its result dropped.
+/// Does the work; `progress` is called at intervals with the amount done. Ctrl-C stops the work, and its result is what is
+/// certified until then; a second one, or a `progress` that raises, drops it.
 pub fn watched<T: Send>(
     py: Python<'_>,
     progress: Option<Py<PyAny>>,
+    work: impl FnOnce(&Monitor) -> Result<T, Fault> + Send,
+) -> PyResult<T> {
+    watch(py, progress, true, work)
+}
+
+/// The same for work of which a part is of no use: Ctrl-C drops it.
+pub fn watched_whole<T: Send>(
+    py: Python<'_>,
+    progress: Option<Py<PyAny>>,
+    work: impl FnOnce(&Monitor) -> Result<T, Fault> + Send,
+) -> PyResult<T> {
+    watch(py, progress, false, work)
+}
+
+fn watch<T: Send>(
+    py: Python<'_>,
+    progress: Option<Py<PyAny>>,
+    keeps_parts: bool,
     work: impl FnOnce(&Monitor) -> Result<T, Fault> + Send,
 ) -> PyResult<T> {
     let monitor = Monitor::default();
@@ -69,9 +95,10 @@ pub fn watched<T: Send>(
                 drop(send);
             };
             let thread = thread::Builder::new().stack_size(STACK).spawn_scoped(scope, at_work)?;
+            let mut interruption = None;
             loop {
                 match receive.recv_timeout(BLINK) {
-                    Ok(found) => return found.map_err(PyErr::from),
+                    Ok(found) => return found.map_err(|fault| interruption.unwrap_or_else(|| fault.into())),
                     Err(RecvTimeoutError::Disconnected) => {
                         let Err(panicked) = thread.join() else { unreachable!("it sends what it found") };
                         panic::resume_unwind(panicked)
@@ -82,13 +109,20 @@ pub fn watched<T: Send>(
                             let done = monitor.done.load(Ordering::Relaxed);
                             progress.as_ref().map_or(Ok(()), |progress| progress.call1(py, (done,)).map(drop))
                         });
-                        if let Err(error) = asked {
-                            monitor.stopped.store(true, Ordering::Relaxed);
+                        let Err(error) = asked else { continue };
+                        monitor.stopped.store(true, Ordering::Relaxed);
+                        if !keeps_parts || interruption.is_some() || !is_interruption(&error) {
                             return Err(error);
                         }
+                        interruption = Some(error);
                     }
                 }
             }
         })
     })
+}
+
+/// Returns whether an error is Ctrl-C.
+fn is_interruption(error: &PyErr) -> bool {
+    Python::attach(|py| error.is_instance_of::<PyKeyboardInterrupt>(py))
 }

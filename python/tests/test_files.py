@@ -38,7 +38,7 @@ def test_r35_an_orbit_is_saved_for_others(tmp_path, orbit):
     assert loadmat(tmp_path / "orbit.mat")["index"].size == len(orbit)
 
 
-@pytest.mark.parametrize("name", ["o.xlsx", "o.svg", "o.nc", "o"])
+@pytest.mark.parametrize("name", ["o.xlsx", "o.svg", "o.h5", "o"])
 def test_r35_another_ending_is_refused(tmp_path, orbit, name):
     scene = Scene.named("figure-12")
     answers = [orbit, orbit.prove(1), scene.two_impact(1), scene.sweep({"gap": (9, 10, 2)}, transient=2, impacts=1)]

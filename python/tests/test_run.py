@@ -202,13 +202,13 @@ def test_repr_shows_the_digits_that_are_certain(cli):
 
 
 def test_readme_is_true(monkeypatch):
-    """The Python examples of both READMEs run."""
+    """The Python examples of both READMEs and of pages of the manual run."""
     import doctest
 
     monkeypatch.chdir(ROOT)
 
-    for readme in ("README.md", "python/README.md"):
-        found = doctest.testfile(str(ROOT / readme), module_relative=False, optionflags=doctest.ELLIPSIS)
+    for page in ("README.md", "python/README.md", "docs/howto/boxes.md", "docs/guide/own-system.md"):
+        found = doctest.testfile(str(ROOT / page), module_relative=False, optionflags=doctest.ELLIPSIS)
         assert found.attempted > 4
         assert not found.failed
     for module in (impact_pair, impact_pair.bounds, impact_pair.scene):

@@ -215,27 +215,19 @@ def test_chunks_grow_to_the_seconds_asked_for():
     assert rate.size(80) == 10
 
 
-WAITING = """
-import impact_pair, sys
+SWEEPING = """
+import impact_pair
 scene = impact_pair.Scene.named("figure-14")
 print("begun", flush=True)
 try:
-    {work}
+    scene.sweep({"amplitude": (1, 10, 10**6)})
 except KeyboardInterrupt:
     print("stopped")
 """
 
 
-@pytest.mark.parametrize(
-    "work",
-    [
-        'scene.run(impacts=10**8, arithmetic="interval") and scene.run(impacts=10**6)',
-        'scene.sweep({"amplitude": (1, 10, 10**6)})',
-        "scene.chaos(depth=20)",
-    ],
-)
-def test_ctrl_c_stops_long_work(work):
-    child = subprocess.Popen([sys.executable, "-c", WAITING.format(work=work)], stdout=subprocess.PIPE, text=True)
+def test_ctrl_c_stops_a_sweep():
+    child = subprocess.Popen([sys.executable, "-c", SWEEPING], stdout=subprocess.PIPE, text=True)
     assert child.stdout.readline() == "begun\n"
     time.sleep(1.0)
     child.send_signal(signal.SIGINT)

@@ -297,7 +297,7 @@ def test_pictures_by_matplotlib():
     assert plots.diagram(one).get_xlabel() == "amplitude"
     two = Scene.named("cascade").sweep({"start.time": (0, 2, 3), "start.velocity": (-6, 0, 4)}, transient=20, impacts=10)
     for values in ("outcome", "exponent", "word"):
-        assert plots.basins(two, values=values).images[0].get_array().shape == (4, 3)
+        assert plots.basins(two, values=values).collections[0].get_array().shape == (4, 3)
     plt.close("all")
 
 

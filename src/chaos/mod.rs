@@ -1,14 +1,15 @@
 //! Chaos, proved: trapping regions with all cycles in them, and horseshoes with a lower bound of their topological entropy.
 //!
 //! Floating point approximates in `bases`, `bundles`, `everywhere`, `guess`, `index`, `leaves`, `propose` and `trials`; intervals verify in `flights`,
-//! `tube`, `words`, `hyperbolic`, `trap`, `boxes`, `language`, `cycles` and `attracted`.
+//! `tube`, `words`, `hyperbolic`, `trap`, `box_map`, `boxes`, `language`, `cycles` and `attracted`.
 //! The impact map is *reduced* here: every impact is mirrored to the left wall (Lemma R2), a state is a phase in forcing periods and
-//! the speed before the impact over `A W`, and only `D = d/A` and `e` are left. Lemmas D1-D15, D20-D28, D30 and D31 of `docs/proofs.md`.
+//! the speed before the impact over `A W`, and only `D = d/A` and `e` are left. Lemmas D1-D15, D20-D28, D30, D31 and D33 of `docs/proofs.md`.
 
 mod asymptotics;
 mod attracted;
 mod bases;
 mod blocks;
+mod box_map;
 mod boxes;
 mod bundles;
 mod cells;
@@ -38,6 +39,7 @@ mod words;
 
 pub use asymptotics::{Asymptotics, Entered};
 pub use blocks::Word;
+pub use box_map::{BoxImage, BoxMap, Rectangle, Unmapped};
 pub use cells::{Cells, Horseshoe, MOST_CELLS, MOST_HALVINGS, RangeSettings, Stretch, Verdict, seen_impacts};
 pub use cycles::{Cycle, Cycles, MOST_IMPACTS};
 pub use horseshoe::{Chaos, HorseshoeSettings, MOST_DEPTH};

@@ -107,7 +107,9 @@ pub(super) fn flights(
         if let Err(doubt) = walk.confirm(claim) {
             return (origin, flights, Some(doubt));
         }
-        watch.note(Stage::Claims(flights.len() + 1));
+        if watch.proceed(Stage::Claims(flights.len() + 1)).is_break() {
+            return (origin, flights, Some(Doubt::Open("interrupted".to_owned())));
+        }
         let landing = walk.standing.landing().expect("an impact was confirmed");
         let from = departure.start.wall;
         let phases = [&departure.phase, &landing.phase].map(|x| middle(&walk.absolute(&x.centre)));

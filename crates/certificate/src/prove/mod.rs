@@ -15,7 +15,7 @@ use super::{Certificate, ClaimKind};
 use flights::{Flight, Origin, flights};
 use impact_pair_document::ClaimName;
 use impact_pair_model::Error;
-use impact_pair_model::watch::Watch;
+use impact_pair_model::watch::{Latched, Watch};
 use legs::{Box, Leg, excess, leg, start};
 
 /// A file for Coq.
@@ -41,7 +41,7 @@ impl Certificate {
     /// parameters that the scene allows there is exactly one orbit, its impacts are first contacts on these walls, and its times
     /// and velocities lie in the printed bounds.
     ///
-    /// `watch` receives the impacts computed so far.
+    /// `watch` receives the impacts computed so far, and may stop it: then fewer are proved.
     ///
     /// # Errors
     /// When the scene's values are beyond what exact expressions or Coq's hold, the box is not shaken, or the orbit is a shadowed one.
@@ -61,10 +61,11 @@ impl Certificate {
         let is_last_missing = until.is_some() && claims.len() == listed;
         let until = until.filter(|_| claims.len() > listed);
         let (mut bits, mut scale) = (FIRST_BITS, FIRST_SCALE);
+        let watch = Latched::new(watch);
         loop {
-            let (origin, flights, doubt) = flights(self, &data, &claims, bits, watch);
+            let (origin, flights, doubt) = flights(self, &data, &claims, bits, &watch);
             let missing = match doubt {
-                Some(Doubt::Open(_)) if is_point && bits < MOST_BITS => {
+                Some(Doubt::Open(_)) if is_point && bits < MOST_BITS && !watch.is_stopped() => {
                     bits *= 2;
                     continue;
                 }
@@ -72,8 +73,11 @@ impl Certificate {
             };
             let (begin, legs) = loop {
                 let (begin, legs) = chain(&origin, &flights, scale);
-                let wanting = legs.iter().zip(&flights).map(|(leg, flight)| excess(flight, &leg.arrival)).max();
-                match wanting.filter(|&wanting| wanting > 0 && is_point && scale < MOST_BITS) {
+                // A finer grid makes no box finite: its sides, in units of the grid, grow as the motion spreads.
+                let wanting = legs.iter().zip(&flights).map(|(leg, flight)| excess(flight, &leg.arrival));
+                let wanting = wanting.take_while(|&wanting| wanting < u32::MAX).max();
+                // Nor does one that is finer than the computation.
+                match wanting.filter(|&wanting| wanting > 0 && is_point && scale + SPARE_BITS <= bits) {
                     Some(wanting) => scale += wanting + 1,
                     None => break (begin, legs),
                 }

@@ -1,0 +1,56 @@
+//! Images of many rectangles, each by itself: the reduced impact map for searches on grids.
+
+use impact_pair::chaos::{BoxMap, Rectangle, Unmapped};
+use pyo3::prelude::*;
+use pyo3::types::PyBytes;
+use rayon::prelude::*;
+
+use crate::errors::Fault;
+use crate::numbers::{bytes, read};
+use crate::scene::Scene;
+use crate::watched::watched_whole;
+use impact_pair::watch::Watch;
+
+/// Rectangles around the landings on the near wall, on the far one and on both, and what is undecided: 0 nothing, 1 a rest, 2 a long flight.
+type Images<'py> = [Bound<'py, PyBytes>; 4];
+
+/// The images of rectangles: least phase and speed, greatest phase and speed; NaN where there is none.
+#[pyfunction]
+pub fn box_map<'py>(
+    py: Python<'py>,
+    scene: &Bound<'py, Scene>,
+    rects: &[u8],
+    columns: i64,
+    progress: Option<Py<PyAny>>,
+) -> PyResult<Images<'py>> {
+    let pair = scene.get().scene.pair().clone();
+    let rects = read(rects);
+    let found = watched_whole(py, progress, move |monitor| {
+        let map = BoxMap::new(&pair, columns)?;
+        let image = |(i, rect): (usize, &[f64; 4])| {
+            monitor.add_one();
+            // What is found after Ctrl-C is dropped.
+            if !monitor.goes_on() {
+                return Ok(Err(Unmapped::Long));
+            }
+            let [u, w, v, x] = *rect;
+            let wanted = "must have finite ends in order, speeds of at least 0, and none beyond 1024";
+            let image = map.image(&Rectangle { phase: [u, v], speed: [w, x] });
+            image.ok_or_else(|| Fault::range(&format!("rects[{i}]"), format!("{rect:?}"), wanted))
+        };
+        rects.as_chunks().0.par_iter().enumerate().map(image).collect::<Result<Vec<_>, _>>()
+    })?;
+    let ends = |rect: Option<Rectangle>| {
+        rect.map_or([f64::NAN; 4], |Rectangle { phase, speed }| [phase[0], speed[0], phase[1], speed[1]])
+    };
+    let parts = found.iter().map(|image| image.map_or([None; 3], |image| [image.near, image.far, image.hull]));
+    let parts: Vec<_> = parts.collect();
+    let part = |k: usize| bytes(py, parts.iter().flat_map(|part| ends(part[k])));
+    let reason = |image: &Result<_, Unmapped>| match image {
+        Ok(_) => 0,
+        Err(Unmapped::Rest) => 1,
+        Err(Unmapped::Long) => 2,
+    };
+    let reasons: Vec<u8> = found.iter().map(reason).collect();
+    Ok([part(0), part(1), part(2), PyBytes::new(py, &reasons)])
+}

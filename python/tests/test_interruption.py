@@ -1,0 +1,81 @@
+"""Ctrl-C, a real signal during long work: what is proved until then is kept."""
+
+import json
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+
+import impact_pair
+from impact_pair import Scene
+
+CHILD = """
+import json, os, signal, sys, threading, time
+import impact_pair
+from impact_pair import Scene
+
+def send():
+    sent.append(time.monotonic())
+    os.kill(os.getpid(), signal.SIGINT)
+
+sent = []
+scene = Scene.named("figure-14")
+orbit = scene.run(impacts=800)
+timer = threading.Timer(0.4, send)
+timer.start()
+found = {work}
+took = time.monotonic() - sent[0]
+document = found.json() if hasattr(found, "json") else None
+print(json.dumps([found.interrupted, getattr(found, "complete", bool(found)), took, document]))
+"""
+
+WORKS = {
+    "run": "scene.run(impacts=10**6)",
+    "plot": "scene.plot(impacts=10**6)",
+    "bifurcations": 'Scene.named("cascade").bifurcations("RL", 1, {"amplitude": ("0.3", "4")}, doublings=8)',
+    "periodic": 'Scene.named("figure-17").periodic("RLRRLLRRRLLL", 6, all=True)',
+    "cycles": "scene.cycles((1, 14))",
+    "chaos": "scene.chaos(depth=20)",
+    "chaos_cells": 'scene.chaos_cells({"gap": (9, 10, 400)})',
+    "manifold": 'Scene.named("figure-10").manifold({"frequency": (1, 60, 20000)}, (1, 60))',
+    "two_impact": "scene.two_impact((1, 999), digits=300)[-1]",
+    "describe": "scene.describe(depth=20)",
+    "trade": "scene.trade(impacts=10**6)",
+    "check": "impact_pair.check(orbit)",
+    "prove": "impact_pair.prove(orbit)",
+}
+
+
+def interrupted(work):
+    """What a child has after a signal: whether it was interrupted and is complete, the time it took to stop, and the document."""
+    code = CHILD.replace("{work}", work)
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False, timeout=60)
+    assert done.returncode == 0, done.stderr
+    return json.loads(done.stdout)
+
+
+@pytest.mark.parametrize("work", WORKS)
+def test_ctrl_c_keeps_what_is_proved(work):
+    is_interrupted, is_complete, took, document = interrupted(WORKS[work])
+    assert is_interrupted
+    assert not is_complete or work == "prove"
+    assert took < 10
+    if work == "run":
+        kept = impact_pair.read_orbit(document)
+        assert kept.interrupted
+        assert kept.outcome.message.startswith(f"interrupted after impact {len(kept)}")
+        whole = Scene.named("figure-14").run(impacts=50)
+        assert len(kept) >= 50
+        assert not whole.interrupted
+        assert np.array_equal(kept.sides[:50], whole.sides)
+        assert (kept.t_bounds[:50, 0] <= whole.t_bounds[:, 1]).all()
+        assert (whole.t_bounds[:, 0] <= kept.t_bounds[:50, 1]).all()
+
+
+def test_a_progress_that_raises_stops_the_work_without_a_result():
+    def refuse(_):
+        raise RuntimeError("enough")
+
+    with pytest.raises(RuntimeError, match="enough"):
+        Scene.named("figure-14").run(impacts=10**6, progress=refuse)

@@ -1,0 +1,89 @@
+"""Pictures by matplotlib show what the command line's do: categories, mirror images, proofs, and cells around their values."""
+
+import math
+
+import numpy as np
+import pytest
+
+import impact_pair
+from impact_pair import Scene
+
+mpl = pytest.importorskip("matplotlib")
+mpl.use("Agg")
+from impact_pair import plots  # noqa: E402
+
+
+@pytest.fixture(scope="module")
+def starts():
+    over = {"start.phase": (0, "2*pi", 9), "start.velocity": (-6, "-1/2", 7)}
+    return Scene.named("cascade").sweep(over, transient=100, impacts=1, summary=True)
+
+
+@pytest.fixture(autouse=True)
+def _closed():
+    from matplotlib import pyplot as plt
+
+    yield
+    plt.close("all")
+
+
+def labels(ax):
+    return [text.get_text() for text in ax.get_legend().get_texts()]
+
+
+def test_r35_basins_tell_mirror_images_apart_as_the_command_line_does(starts):
+    ax = plots.basins(starts, header=False)
+    assert len(labels(ax)) == 2
+    svg = starts.svg()
+    for name in labels(ax):
+        assert name.startswith("LR in 1 cycle, L at")
+        assert name in svg
+    assert ax.get_title(loc="left") == ""
+    assert labels(plots.basins(starts, values="word")) == ["LR in 1 cycle"]
+
+
+def test_r35_cells_are_around_their_values(starts):
+    mesh = plots.basins(starts).collections[0]
+    edges = mesh.get_coordinates()
+    middles = 0.5 * (edges[:-1, :-1] + edges[1:, 1:])
+    assert np.allclose(middles[0, :, 0], np.linspace(0, 2 * math.pi, 9))
+    assert np.allclose(middles[:, 0, 1], np.linspace(-6, -0.5, 7))
+    # Each cell has the colour of its own point, of two keys the second one faster.
+    kinds = [round(float(record["period"]["first"]["phase"][0]), 2) for record in starts]
+    numbers = mesh.get_array().reshape(7, 9).T.ravel()
+    assert len({*zip(kinds, numbers, strict=True)}) == 2
+
+
+def test_r35_diagrams_are_coloured_by_proof():
+    found = Scene.named("cascade").sweep({"amplitude": ("0.3", "0.9", 7)}, transient=100, impacts=5)
+    ax = plots.diagram(found)
+    assert labels(ax) == ["undecided convergence", "proved to converge to a periodic orbit"]
+    drawn = sum(len(line.get_xdata()) for line in ax.lines[:2])
+    assert drawn == len(found.states["point"])
+    assert [text.get_text() for text in ax.get_yticklabels()] == ["0", "π/2", "π", "3π/2", "2π"]
+    assert len(ax.lines[1].get_xdata()) == 5 * found.outcomes["attracted"]
+
+
+def test_r35_manifolds_have_a_legend_and_an_inset():
+    found = Scene.named("figure-10").manifold({"frequency": (1, 60, 30)}, (1, 3))
+    ax = plots.manifold(found, inset=((10, 20), (0.5, 2)))
+    assert labels(ax) == ["earlier contact", "admissible, not stable", "proved stable"]
+    assert [text.get_text() for text in ax.texts] == ["N = 1", "N = 3"]
+    assert ax.child_axes[0].get_xlim() == (10, 20)
+
+
+def test_r35_widths_and_headers_are_those_asked_for():
+    orbit = Scene.named("figure-14").run(impacts=30)
+    ax = plots.section_left(orbit, width="single")
+    assert ax.figure.get_figwidth() == pytest.approx(90 / 25.4)
+    assert ax.get_title(loc="left") == "A = 8, Ω = pi, τ = 0, d = 9.42497, e = 0.5\ncertified: 30 impacts"
+    assert plots.displacement(orbit, ax, 2) is ax
+    assert plots.panels(orbit, "ag", width=5, header=False)[0, 0].figure.get_figwidth() == 5
+
+
+def test_r35_a_map_of_something_else_is_refused(starts):
+    with pytest.raises(impact_pair.RangeError, match="values is 'colour'"):
+        plots.basins(starts, values="colour")
+    one = Scene.named("cascade").sweep({"gap": (1, 2, 2)}, transient=1, impacts=1)
+    with pytest.raises(impact_pair.RangeError, match="a map is over 2"):
+        plots.basins(one)
