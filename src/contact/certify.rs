@@ -151,8 +151,8 @@ impl<const WIDE: bool> Bounds<'_, WIDE> {
         let inverse = 1.0 / velocity.abs();
         let reach = 2.0 * (residual.abs() + error) * inverse;
         // C3: no sine is greater than 1
-        let curvature =
-            if WIDE { pair.acceleration * (sin.abs() + sine_error + TAU * reach).min(1.0) } else { pair.acceleration };
+        let most = pair.acceleration;
+        let curvature = if WIDE { most * (sin.abs() + sine_error + TAU * reach).min(1.0) } else { most };
         let doubt = SLACK * curvature.mul_add(reach, velocity_error) * inverse;
         let size = step.abs();
         let is_proved = (doubt <= 0.49) & (size <= reach) & (velocity * target.direction() > 0.0);

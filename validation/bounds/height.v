@@ -57,7 +57,7 @@ Hypotheses (Hx : Rabs (x - u0) <= r_u) (Hw : Rabs (w1 - w) <= r_w) (Hbm : Rabs b
 Hypothesis Hstart : Rabs (z0t - z0) + Rabs (z0_target - (z0 - target)) + spare <= r_z.
 Definition flight_height := z0t + (w1 + be * cosine sigma x) * (N + (u1 - x)) - al * (S1 - sine sigma x) - target.
 
-Notation swing := (swing_of beta_m).
+Notation acceleration := (acceleration_of beta_m).
 Notation drift_error := (drift_error_of beta_m r_beta c).
 Notation tilt := (tilt_of beta_m r_u s0).
 Notation waves := (waves_of alpha_m r_alpha).
@@ -69,7 +69,7 @@ Lemma tilt_holds : 2 * PI * Rabs be * (Rabs (sine sigma u0) + 2 * PI * r_u) <= t
 Proof.
   rewrite <- ES0. assert (ru0 : 0 <= r_u) by (generalize (Rabs_pos (x - u0)); lra). assert (TA := TAU_above). assert (P := PI_above).
   assert (S : Rabs S0 <= Rabs s0 + k) by (apply split_abs in Hs0; apply Rabs_le; generalize (abs_self s0); lra).
-  assert (b0 := Rabs_pos be). assert (z00 := Rabs_pos S0). unfold tilt_of, swing_of.
+  assert (b0 := Rabs_pos be). assert (z00 := Rabs_pos S0). unfold tilt_of, acceleration_of.
   apply Rmult_le_compat.
   - apply Rmult_le_pos; lra.
   - apply Rplus_le_le_0_compat; [lra|apply Rmult_le_pos; lra].

@@ -47,7 +47,7 @@ Hypotheses (Hx : Rabs (x - u0) <= r_u) (Hw : Rabs (w1 - w) <= r_w) (h0 : 0 <= h)
 (* Versine, excess and sine of h (Lemma K2, h >= 2^-300). *)
 Hypotheses (V0 : / 2 ^ 700 <= V) (E0 : 0 <= E) (S0' : / 2 ^ 700 <= Sn).
 Hypotheses (HV : Rabs (versine - V) <= D * V) (HE : Rabs (excess - E) <= D * E) (HS : Rabs (sin_h - Sn) <= D * Sn).
-Notation swing := (swing_of beta_m).
+Notation acceleration := (acceleration_of beta_m).
 Notation hop_height_margin := (hop_height_margin alpha_m r_alpha).
 Notation hop_velocity_margin := (hop_velocity_margin beta_m r_beta).
 
@@ -115,19 +115,19 @@ Proof.
   assert (Tm : P <= (1 + 7 * u) * terms). { destruct Hterms as [F _]. apply split_abs in F, HV, HS. unfold P, D, u in *. unfold Rabs in F.
     destruct (Rcase_abs terms); lra. }
   assert (T0 : 0 <= terms) by (unfold u in *; lra).
-  assert (sw : beta_m * (2 * PI) <= swing). { unfold swing_of, SLACK, u. generalize TAU_above PI_above. nra. }
-  assert (sp : Rabs (be * (Y - X)) <= swing * r_u * P).
+  assert (sw : beta_m * (2 * PI) <= acceleration). { unfold acceleration_of, SLACK, u. generalize TAU_above PI_above. nra. }
+  assert (sp : Rabs (be * (Y - X)) <= acceleration * r_u * P).
   { rewrite Rabs_mult. apply Rle_trans with (Rabs be * (2 * PI * r_u * P)); [apply Rmult_le_compat_l; [apply Rabs_pos|exact Wx]|].
     replace (Rabs be * (2 * PI * r_u * P)) with (Rabs be * (2 * PI) * r_u * P) by ring. repeat apply Rmult_le_compat_r; try assumption.
     apply Rle_trans with (2 := sw). apply Rmult_le_compat_r; [generalize PI_above; lra|exact Hbm]. }
   product Hb We. product Hb Ws. product Hbe Ws. apply split_abs in sp, Hw.
   destruct Hv as [_ [F _]]. apply split_abs in F. rewrite tiny_eta in Hnormal.
   apply (Rmult_le_compat_l beta_m) in Tm as T1; [|lra]. apply (Rmult_le_compat_l r_beta) in Tm as T2; [|lra].
-  assert (sr : 0 <= swing * r_u) by (apply Rmult_le_pos; [generalize PI_above; nra|lra]).
-    apply (Rmult_le_compat_l (swing * r_u)) in Tm as T3; [|lra].
-  positive beta_m terms. positive r_beta terms. assert (bT : 0 <= swing * r_u * terms) by (apply Rmult_le_pos; lra).
+  assert (sr : 0 <= acceleration * r_u) by (apply Rmult_le_pos; [generalize PI_above; nra|lra]).
+    apply (Rmult_le_compat_l (acceleration * r_u)) in Tm as T3; [|lra].
+  positive beta_m terms. positive r_beta terms. assert (bT : 0 <= acceleration * r_u * terms) by (apply Rmult_le_pos; lra).
   apply Rabs_le. unfold hop_velocity_bound, hop_velocity_truth. fold Y. unfold tools.hop_velocity_margin.
-  set (sw' := swing) in *. unfold SLACK, k, D, u in *. lra.
+  set (sw' := acceleration) in *. unfold SLACK, k, D, u in *. lra.
 Qed.
 End Velocity.
 (* Sine and cosine on arrival, by the addition theorems; one u is left for the rounding of `arrive` (root.v). *)

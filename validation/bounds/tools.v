@@ -129,7 +129,7 @@ Proof.
 Qed.
 
 (* `Margins` and `Bounds` of src/contact/bounds.rs. *)
-Definition swing_of beta_m := @MARGIN_swing@.
+Definition acceleration_of beta_m := @MARGIN_acceleration@.
 Definition waves_of alpha_m r_alpha := @MARGIN_waves@.
 Definition drift_margin beta_m r_beta := @MARGIN_drift@.
 Definition velocity_margin beta_m r_beta := @MARGIN_velocity@.
