@@ -37,7 +37,7 @@ cycles, the counts are compared with the orbits listed. For bifurcations, each f
 is proved again, the grazes are not. For sweep, the listed impacts are proved again, the long-term outcome is not. \
 For trap, the listed boxes are proved to be forward invariant. For chaos, each listed word is proved along chains of \
 boxes computed anew, and the entropies are proved to follow from the words. For describe, the orbit and the region in \
-it are proved again, and the asymptotics is compared with theirs. Parameter manifolds are not checked. A \
+it are proved again, and the fate is compared with theirs. Parameter manifolds are not checked. A \
 separate line names the values that are not checked; with --format json each value of the document is listed among \
 the claims with its verdict, or among those not checked. Ctrl-C keeps what is proved so far.
 

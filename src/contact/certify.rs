@@ -150,8 +150,8 @@ impl<const WIDE: bool> Bounds<'_, WIDE> {
         // Within `reach` of the iterate z' differs from its computed value by the fraction `doubt` at most.
         let inverse = 1.0 / velocity.abs();
         let reach = 2.0 * (residual.abs() + error) * inverse;
-        // C3: no sine is greater than 1
         let most = pair.acceleration;
+        // C3: no sine is greater than 1
         let curvature = if WIDE { most * (sin.abs() + sine_error + TAU * reach).min(1.0) } else { most };
         let doubt = SLACK * curvature.mul_add(reach, velocity_error) * inverse;
         let size = step.abs();
