@@ -25,20 +25,31 @@ const FARTHEST: f64 = (1_u64 << 40) as f64; // exact: a power of two
 /// Parts of a forcing period in the table of sines and cosines.
 const PARTS: usize = 256;
 
+/// The least by which an end is moved, `2^-500`: products of two such are normal numbers, which processors are fast with.
+pub(super) const LEAST_STEP: f64 = f64::from_bits((1023 - 500) << 52); // exact: a power of two
+
+/// More than half of the way from a double to the next one. Lemma V11 (doubles)
+#[inline(always)]
+pub(super) fn step(end: f64) -> f64 {
+    const HALF_UNIT: f64 = f64::EPSILON / 2.0 * (1.0 + f64::EPSILON);
+    end.abs() * HALF_UNIT + LEAST_STEP
+}
+
 impl Span {
     pub const fn point(x: f64) -> Self {
         Self { lo: x, hi: x }
     }
 
     /// Returns the numbers between two doubles.
+    #[inline]
     pub fn new(lo: f64, hi: f64) -> Self {
         let is_finite = f64::MIN <= lo && lo <= hi && hi <= f64::MAX;
         if is_finite { Self { lo, hi } } else { Self { lo: f64::NAN, hi: f64::NAN } }
     }
 
-    /// Ends that were rounded to nearest, each moved outward by one double.
+    /// Ends that were rounded to nearest, each moved outward to the next double or beyond. Lemma V11 (doubles)
     fn outward(lo: f64, hi: f64) -> Self {
-        Self::new(lo.next_down(), hi.next_up())
+        Self::new(lo - step(lo), hi + step(hi))
     }
 
     /// Encloses what an exact number's enclosure does.
@@ -132,7 +143,9 @@ impl Span {
 
     fn corners([a, b, c, d]: [f64; 4]) -> Self {
         // V11: the outer corners; either all are NaN or, their ends being finite, none is
-        Self::outward(a.min(b).min(c.min(d)), a.max(b).max(c.max(d)))
+        let least = |x: f64, y: f64| if x < y { x } else { y };
+        let greatest = |x: f64, y: f64| if x > y { x } else { y }; // V11: the same
+        Self::outward(least(least(a, b), least(c, d)), greatest(greatest(a, b), greatest(c, d)))
     }
 
     /// Sine and cosine of N forcing periods.
