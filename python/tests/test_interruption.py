@@ -21,7 +21,7 @@ def send():
 
 sent = []
 scene = Scene.named("figure-14")
-orbit = scene.run(impacts=800)
+orbit = scene.run(impacts=4000)
 timer = threading.Timer(0.4, send)
 timer.start()
 found = {work}
@@ -34,8 +34,8 @@ WORKS = {
     "run": "scene.run(impacts=10**6)",
     "plot": "scene.plot(impacts=10**6)",
     "bifurcations": 'Scene.named("cascade").bifurcations("RL", 1, {"amplitude": ("0.3", "4")}, doublings=8)',
-    "periodic": 'Scene.named("figure-17").periodic("RLRRLLRRRLLL", 6, all=True)',
-    "cycles": "scene.cycles((1, 14))",
+    "periodic": 'Scene.named("figure-17").periodic("RLRRLLRRRLLL" * 8, 48, all=True)',
+    "cycles": "scene.cycles((1, 20))",
     "chaos": "scene.chaos(depth=20)",
     "chaos_cells": 'scene.chaos_cells({"gap": (9, 10, 400)})',
     "manifold": 'Scene.named("figure-10").manifold({"frequency": (1, 60, 20000)}, (1, 60))',
@@ -43,7 +43,7 @@ WORKS = {
     "describe": "scene.describe(depth=20)",
     "trade": "scene.trade(impacts=10**6)",
     "check": "impact_pair.check(orbit)",
-    "prove": "impact_pair.prove(orbit)",
+    "prove": "impact_pair.prove(scene.run(impacts=800))",
 }
 
 
