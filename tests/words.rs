@@ -242,7 +242,9 @@ fn comments_give_numbers_a_name() {
         for source in files(&root.join(folder), "rs") {
             let text = fs::read_to_string(&source).unwrap();
             let comments = text.lines().enumerate().filter_map(|(i, line)| Some((i + 1, line.split_once("//")?.1)));
-            for (line, comment) in comments.filter(|(_, comment)| COMMENTS.iter().any(|word| comment.contains(word))) {
+            for (line, comment) in
+                comments.filter(|(_, comment)| COMMENTS.iter().any(|word| comment.to_lowercase().contains(word)))
+            {
                 faults += &format!("{}:{line}:{comment}\n", source.strip_prefix(root).unwrap().display());
             }
         }

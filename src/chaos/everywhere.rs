@@ -15,7 +15,7 @@ use super::quad::{Chord, State};
 use super::seen::{Seen, apart};
 use super::words::{Base, Path};
 
-/// So many points of the orbit are judges.
+/// Number of points of the orbit that are judges.
 const JUDGES: usize = 40_000;
 /// Middles of h-sets are that far apart, and at most N.
 const EVERYWHERE: f64 = 0.004;

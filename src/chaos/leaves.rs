@@ -20,7 +20,7 @@ pub(super) const BESIDE: [f64; 3] = [0.06, 0.02, 0.006];
 const SIGHT: [f64; 2] = [1.2 * LENGTHS[0], 2.0 * BESIDE[0]];
 /// Impacts ahead that the contracting direction is measured from.
 const AHEAD: usize = 12;
-/// So many points of the orbit are judges, and the impacts after them. Fewer leaves tell nothing.
+/// N points of the orbit are judges, and the impacts after them. Fewer leaves tell nothing.
 const JUDGES: usize = 60_000;
 const AFTER: usize = 64;
 const FEWEST: usize = 100;
@@ -31,7 +31,7 @@ const FOLLOWED: [f64; 3] = [0.3, 0.6, 1.05];
 /// As one bundle are followed the leaves that are so far in the gaps beside them; the h-set reaches so far into these.
 const BAND: f64 = 0.2;
 const INTO: f64 = 0.1;
-/// In each h-set N points are looked at. More than N in a row make a crossing, if images of neighbours are that near; those
+/// In each h-set N points are looked at. More than M in a row make a crossing, if images of neighbours are that near; those
 /// that are so far away make none. A half length is 1.
 const POINTS: usize = 1200;
 const IN_A_ROW: usize = 4;
@@ -266,7 +266,7 @@ mod tests {
     use crate::chaos::law::Law;
     use crate::number::Ball;
 
-    /// So many images, evenly from one place to another.
+    /// N images, evenly from one place to another.
     fn row(from: f64, to: f64, count: usize) -> Vec<[f64; 2]> {
         (0..count).map(|k| [from + (to - from) * k as f64 / (count - 1) as f64, 0.0]).collect()
     }

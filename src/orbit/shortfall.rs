@@ -16,7 +16,7 @@ const GRAZE_BITS: u32 = 4096;
 #[derive(Clone, Copy, Debug)]
 #[cfg_attr(not(feature = "multiprecision"), allow(dead_code))]
 pub(super) enum Shortfall {
-    /// So many bits of the requested width.
+    /// Bits of the requested width.
     Width(f64),
     /// A decision.
     Verdict,

@@ -26,7 +26,7 @@ pub(crate) struct Instant<N> {
 const LONGEST_STEP: f64 = (1_u64 << 53) as f64;
 
 impl<N: Phased> Instant<N> {
-    /// So many turns after the start, as fine as `like`.
+    /// A number of turns after the start, as fine as `like`.
     pub fn new(turns: f64, like: &N) -> Self {
         let whole = turns.round(); // N1: any whole number; the rest is kept
         Self { turns: whole as i64, rest: like.like(turns - whole) } // N1: below 2^52

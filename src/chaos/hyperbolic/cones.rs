@@ -24,7 +24,8 @@ pub(crate) struct Proved {
 }
 
 impl Map<'_> {
-    /// Returns the images of cells that cover a word's strip, or why it is not proved to be mapped across the next h-set, and each cell that meets
+    /// Returns the images of cells that cover a word's strip, or why it is not proved to be mapped across the next h-set, and each cell
+    /// that meets
     /// the h-set to map the cone of slopes up to `kappa` into itself, and to expand. Lemmas D25, D26
     pub fn prove(&self, branch: &Branch, kappa: f64, watch: &dyn Watch) -> Result<Vec<Image>, LeftOut> {
         if !is_flat(branch, kappa) {

@@ -57,7 +57,7 @@ impl Harmonic {
         self.own.map_or(phase, |[ratio, shift]| ratio * phase + shift)
     }
 
-    /// So many of its own forcing periods, or a rate in them.
+    /// A number of its own forcing periods, or a rate in them.
     fn rate(&self, time: Interval) -> Interval {
         self.own.map_or(time, |[ratio, _]| {
             let own = ratio * time;

@@ -43,7 +43,7 @@ fn trace(scene: &Scene, settings: &Settings, cycles: u32) -> (Trace, Vec<(Wall, 
     (recorder.finish(&orbit, settings, count), impacts)
 }
 
-/// So many impacts, certified in doubles, which every build has.
+/// N impacts, certified in doubles, which every build has.
 fn impacts(count: u64) -> Settings {
     Settings { impacts: Some(count), arithmetic: Arithmetic::Interval, ..Settings::default() }
 }

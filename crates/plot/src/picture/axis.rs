@@ -21,7 +21,7 @@ pub struct Axis {
 enum Labels {
     /// Multiples of a step, with N decimals.
     Step(f64, usize),
-    /// So many eighths of a forcing period, and multiples of them.
+    /// A number of eighths of a forcing period, and multiples of them.
     Angle(i32),
     /// Names of 0, 1, 2, ...
     Names(&'static [&'static str]),
@@ -99,7 +99,7 @@ fn step(least: f64) -> (f64, usize) {
     (times * decade, exponent.min(0).unsigned_abs() as usize)
 }
 
-/// So many eighths of a forcing period in words.
+/// N eighths of a forcing period in words.
 fn angle(eighths: i32) -> String {
     let sign = if eighths < 0 { "−" } else { "" };
     let (times, parts) = match eighths.abs() {

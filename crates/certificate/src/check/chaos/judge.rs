@@ -194,7 +194,7 @@ fn shortfall((mut found, why): (Counts, &str), words: &[Word], bases: usize) -> 
 
 /// Looks at flights of less than a forcing period, in doubles, that are as much work as one place of a flight in many bits.
 const LOOKS: u64 = 1 << 7;
-/// So many words allow as much work again as there is for any number of them.
+/// N words allow as much work again as there is for any number of them.
 const MANY: u64 = 1 << 6;
 /// Cones are N times as much work.
 const CONES: u64 = 1 << 4;
