@@ -10,8 +10,6 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use super::proofs::pages;
-
 /// What a certified result is made of.
 const ROOMS: [&str; 23] = [
     "crates/exact",
@@ -242,6 +240,16 @@ pub(super) fn sources(path: &Path) -> Vec<PathBuf> {
 /// The lemmas that a text defines: `**Lemma X1`.
 fn defined(text: &str) -> impl Iterator<Item = String> {
     text.split("**Lemma ").skip(1).map(|rest| word(rest).to_owned()).filter(|name| is_lemma(name))
+}
+
+/// The pages of lemmas, each with its name and text; the index is none.
+pub(super) fn pages(root: &Path) -> Vec<(String, String)> {
+    let mut pages: Vec<PathBuf> =
+        fs::read_dir(root.join("docs/proofs")).unwrap().map(|page| page.unwrap().path()).collect();
+    pages.retain(|page| page.extension().is_some_and(|extension| extension == "md") && !page.ends_with("README.md"));
+    pages.sort();
+    let name = |page: &PathBuf| page.file_name().unwrap().to_str().unwrap().to_owned();
+    pages.iter().map(|page| (name(page), fs::read_to_string(page).unwrap())).collect()
 }
 
 /// The lemmas of the pages of proofs.

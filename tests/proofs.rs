@@ -4,17 +4,7 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use super::labels::{is_lemma, sources, word};
-
-/// The pages of lemmas, each with its name and text; the index is none.
-pub(super) fn pages(root: &Path) -> Vec<(String, String)> {
-    let mut pages: Vec<PathBuf> =
-        fs::read_dir(root.join("docs/proofs")).unwrap().map(|page| page.unwrap().path()).collect();
-    pages.retain(|page| page.extension().is_some_and(|extension| extension == "md") && !page.ends_with("README.md"));
-    pages.sort();
-    let name = |page: &PathBuf| page.file_name().unwrap().to_str().unwrap().to_owned();
-    pages.iter().map(|page| (name(page), fs::read_to_string(page).unwrap())).collect()
-}
+use super::labels::{is_lemma, pages, sources, word};
 
 /// The anchors of lemmas, each with its page, and what is wrong with them.
 fn anchors(pages: &[(String, String)]) -> (BTreeMap<String, String>, Vec<String>) {
@@ -58,6 +48,8 @@ fn astray<'a>(text: &'a str, anchors: &'a BTreeMap<String, String>) -> impl Iter
 fn prose(text: &str) -> String {
     let mut prose = String::new();
     for paragraph in text.split("\n\n").filter(|paragraph| !paragraph.starts_with("$$")) {
+        let after_anchor = paragraph.strip_prefix("<a id=").and_then(|rest| rest.split_once("</a>"));
+        let paragraph = after_anchor.map_or(paragraph, |(_, rest)| rest);
         let plain: Vec<&str> = paragraph.split('`').step_by(2).collect();
         let plain = plain.join(" ");
         let plain: Vec<&str> = plain.split('$').step_by(2).collect();
@@ -125,5 +117,6 @@ fn anchors_and_links_that_are_wrong_are_found() {
     for right in ["[D1](a.md#D1)", "[D1](../proofs/a.md#D1)", "`docs/proofs/a.md#D1`", "[other](b.md#heading)"] {
         assert_eq!(astray(right, &known).count(), 0, "{right}");
     }
+    assert_eq!(unlinked("<a id=\"D1\"></a>**Lemma D1** (name). By D2."), ["D2"]);
     assert_eq!(unlinked("By D1, [D2](a.md#D2), $D_3$, `D4`, P1 and [D5](a.md#D5)-D6."), ["D1", "D6"]);
 }
