@@ -3,10 +3,9 @@
 //! This is the Poincare map of the impact pair, P1-P4 of **equations** (24)-(27) and (A.1)-(A.7) over sets: what proofs of
 //! periodic orbits, covering relations and invariant sets are built from.
 //!
-//! **Lemma S5** (image). Let `X` be a set of states on one wall whose flights are all proved to have their first contact on one wall.
-//! Then [`Image::states`] holds the next impact of every state of `X`, for all parameters of the pair, no other contact comes between,
-//! and [`Image::jacobian`] holds the Jacobian (A.7) at each of them. *Proof.* C1-C6 for the flights from all of `X`, S1, S2 and S4 for the
-//! set, B1 for the products. \[\]
+//! [`Image::states`] holds the next impact of every state of a set whose flights are all proved to have their first contact on one
+//! wall, for all parameters of the pair, and [`Image::jacobian`] the Jacobian (A.7) at each of them: Lemma S5 of
+//! `docs/proofs/sets.md#S5`.
 
 use crate::clock::Clock;
 use crate::contact::Undecided;

@@ -36,7 +36,7 @@
 //! # Modules, in reading order
 //!
 //! Data flows one way: scene, exact parameters, balls, flight, contact, orbit, certificate. The lemmas that the code
-//! rests on are in `docs/proofs.md`, with the labels that the comments use.
+//! rests on are in `docs/proofs`, with the labels that the comments use.
 //!
 //! # Conventions
 //!

@@ -1,7 +1,7 @@
 //! Chatter that ends in rest, and release: beyond the paper.
 //!
 //! Told from the wall (mirrored, as a flight is), `z'' = 2 pi beta sin th`: the wall is pressed while `sin th < 0`, on
-//! phases between 1/2 and 1. Lemmas Z1-Z3 of `docs/proofs.md`.
+//! phases between 1/2 and 1. Lemmas Z1-Z3 of `docs/proofs/chatter.md#Z1`.
 
 use std::cmp::Ordering;
 

@@ -7,10 +7,8 @@ use crate::{Harmonic, Scene};
 
 /// What a logarithm here may be off by, absolutely and in proportion.
 ///
-/// **Lemma U1** (logarithms of sizes). For `x = m 2^e`, `1 <= m < 2^65`, `|e| < 2^53`, the double `(log2 m + e) log10 2` lies within
-/// `1e-9 + 1e-14 |log10 x|` of `log10 x`. *Proof.* `m` is rounded by `2^-52` of itself and `log2` of a double is good to `1e-12`; the
-/// sum, the constant and the product are rounded by `2^-53` each, in proportion. \[\] The powers and quotients that decimals are made
-/// of are good to `1e-12`, which is less.
+/// Lemma U1 of `docs/proofs/printing.md#U1` bounds the error of the logarithm. The powers and quotients that decimals are made of are
+/// good to `1e-12`, which is less.
 const SLACK: (f64, f64) = (1e-9, 1e-14);
 /// Bits that sizes are rounded to.
 const BITS: u32 = 64;

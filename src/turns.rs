@@ -1,9 +1,6 @@
-//! Whole turns of the excitation, counted without loss.
+//! Whole forcing periods, counted without loss.
 //!
-//! **Lemma N1** (forcing periods). A count is an integer below `2^62` in magnitude: sums that would not be are refused, and the motion
-//! ends there, undecided. So a difference of two counts, and a count with a time within one flight (below `2^60` forcing periods) added,
-//! are integers of 64 bits. *Proof.* A double below `2^62` in magnitude that is a whole number is that integer when cast; the sum
-//! of two integers below `2^62` is below `2^63`, and is compared before it is kept. \[\]
+//! A count is an integer below `2^62` in magnitude, and sums that would not be are refused: Lemma N1 of `docs/proofs/clamps.md#N1`.
 
 use num_bigint::BigInt;
 use num_integer::Integer;

@@ -18,6 +18,7 @@ mod orbit;
 mod package;
 mod periodic;
 mod periodic_several;
+mod proofs;
 mod readme;
 mod scene;
 mod several;

@@ -1,4 +1,4 @@
-//! Orbits that converge for all values of a parameter: sets of states that move with it. Lemma D15 of `docs/proofs.md`
+//! Orbits that converge for all values of a parameter: sets of states that move with it. Lemma D15 of `docs/proofs/chaos.md#D15`
 //!
 //! A set is followed from one impact to the next as a parallelogram about a middle that is given for each value of the parameters. What
 //! they move is no error then: where the motion contracts, the parallelograms become small, and one that lies in an earlier one is proved

@@ -1,4 +1,4 @@
-//! Enclosures of the images of rectangles under the reduced impact map: Lemma D33 of `docs/proofs.md`.
+//! Enclosures of the images of rectangles under the reduced impact map: Lemma D33 of `docs/proofs/chaos.md#D33`.
 
 use std::collections::BTreeSet;
 

@@ -1,4 +1,4 @@
-//! All flights from a quadrilateral of states at once, measured from its centre: Lemmas D1-D3, D12 and D15 of `docs/proofs.md`.
+//! All flights from a quadrilateral of states at once, measured from its centre: Lemmas D1-D3, D12 and D15 of `docs/proofs/chaos.md#D1`.
 
 use std::array;
 use std::f64::consts::TAU;

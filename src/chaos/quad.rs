@@ -1,4 +1,4 @@
-//! States, and sets of them whose flights are followed at once: Lemma D1 of `docs/proofs.md`.
+//! States, and sets of them whose flights are followed at once: Lemma D1 of `docs/proofs/chaos.md#D1`.
 
 use crate::number::{TINY, UNIT, up};
 

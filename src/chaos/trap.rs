@@ -1,4 +1,4 @@
-//! A trapping region, made of boxes: Lemmas D4, D5 of `docs/proofs.md`.
+//! A trapping region, made of boxes: Lemmas D4, D5 of `docs/proofs/chaos.md#D4`.
 
 use std::collections::{HashMap, HashSet};
 use std::sync::Mutex;

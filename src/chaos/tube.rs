@@ -1,4 +1,4 @@
-//! Tubes: chains of quadrilaterals of states, and what is proved of how one is mapped along another. Lemmas D6, D7 of `docs/proofs.md`.
+//! Tubes: chains of quadrilaterals of states, and what is proved of how one is mapped along another. Lemmas D6, D7 of `docs/proofs/chaos.md#D6`.
 
 use std::ops::RangeInclusive;
 

@@ -1,4 +1,4 @@
-//! Words: returns of an h-set to the h-sets, proved along chains of boxes. Lemmas D8, D9 of `docs/proofs.md`.
+//! Words: returns of an h-set to the h-sets, proved along chains of boxes. Lemmas D8, D9 of `docs/proofs/chaos.md#D8`.
 
 use std::sync::Mutex;
 use std::thread;

@@ -1,4 +1,4 @@
-//! A-priori error bounds of a flight in doubles (Lemmas C1, C2 and C4 of `docs/proofs.md`, same labels).
+//! A-priori error bounds of a flight in doubles (Lemmas C1, C2 and C4 of `docs/proofs/flights.md#C1`, same labels).
 //!
 //! The bounds hold for every start and every parameter within the radii of the doubles that a [`Flight`] was
 //! computed with. What depends on the pair alone is computed once, in [`Margins`].

@@ -1,7 +1,7 @@
 //! The enclosure disposes: what a floating proposal is worth, proved.
 //!
 //! Lemmas C3 (one root), C4 (nothing earlier on pieces), C5 (monotone flights) and C6 (hops) of
-//! `docs/proofs.md`, same labels, with the bounds of [`super::bounds`].
+//! `docs/proofs/flights.md#C3`, same labels, with the bounds of [`super::bounds`].
 
 use std::cmp::Ordering;
 

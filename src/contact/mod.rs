@@ -3,7 +3,7 @@
 //! Floating point proposes ([`first_contact_f64`]), the enclosure disposes ([`first_contact`]): Newton in
 //! plain doubles, then one bracket a few ulps wide on which the residual changes sign and the velocity does
 //! not (existence and uniqueness), then the extrema before it are proved to stay inside the gap (nothing
-//! earlier). The lemmas C1-C6 are in `docs/proofs.md`. No step allocates, and none depends on the length of
+//! earlier). The lemmas C1-C6 are in `docs/proofs/flights.md#C1`. No step allocates, and none depends on the length of
 //! the flight. `textbook` answers the same question by plain interval arithmetic, in a build with the feature `inari`.
 
 mod bounds;

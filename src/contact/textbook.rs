@@ -8,7 +8,7 @@
 //! - neither, and the piece is halved.
 //!
 //! Nothing here is cleverer than that: it is slow, and it is the second judge of [`super::first_contact`]. Lemma I3 of
-//! `docs/proofs.md`, same label.
+//! `docs/proofs/intervals.md#I3`, same label.
 
 use std::cmp::Ordering;
 

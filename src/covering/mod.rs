@@ -3,7 +3,7 @@
 //! Precision that rises costs half a bit for each impact of a chaotic motion, and the widths of sets that fly grow. Here the
 //! question is another: is there a true orbit, from a start very near the given one, with these impacts, each this near to
 //! where doubles have it? Along the expanding direction the set of states that are considered is stretched over the next one
-//! instead of being followed, so that widths never grow, however long the orbit. Lemmas F1-F4 of `docs/proofs.md`.
+//! instead of being followed, so that widths never grow, however long the orbit. Lemmas F1-F4 of `docs/proofs/covering.md#F1`.
 
 pub(crate) mod chain;
 pub(crate) mod node;

@@ -1,4 +1,4 @@
-//! Parallelograms of states on a wall, and the relation "covers" between them: Lemmas F1 and F2 of `docs/proofs.md`.
+//! Parallelograms of states on a wall, and the relation "covers" between them: Lemmas F1 and F2 of `docs/proofs/covering.md#F1`.
 
 use crate::contact::{Contact, SetContact, Undecided};
 use crate::mapping::Sheared;

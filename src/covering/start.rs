@@ -1,4 +1,4 @@
-//! The segment of starts that a chain begins with: Lemma F3 of `docs/proofs.md`.
+//! The segment of starts that a chain begins with: Lemma F3 of `docs/proofs/covering.md#F3`.
 
 use super::node::Landing;
 use crate::contact::{SetContact, Undecided};

@@ -3,7 +3,7 @@
 //! Along certified impacts the Jacobians (A.7) are enclosed; the product of `n` of them is the derivative `DP^n` of the
 //! orbit's map. Its matrix is never multiplied out: two perpendicular vectors are carried along, each as a direction
 //! known to a narrow interval and a length, since a direction on a circle cannot be wrapped and a growing one narrows
-//! its own error. Their lengths and the determinant give the norm. Lemmas L1-L3 of `docs/proofs.md`. What they tend to
+//! its own error. Their lengths and the determinant give the norm. Lemmas L1-L3 of `docs/proofs/growth.md#L1`. What they tend to
 //! is known of an orbit that is proved to converge to a periodic one: Lemma L4.
 
 mod growth;

@@ -3,7 +3,7 @@
 //! It computes by the textbook's method and judges the rest of the crate, which does without. It rounds outward by switching the rounding mode: as tight as doubles are, at the price of two switches an
 //! operation. It is built here without its sine, which needs C: ours is the kernel's, at the ends and the extrema
 //! between. An interval here is never empty: all operations on such give such, and only what holds a common number is
-//! intersected. Lemmas I1 and I2 of `docs/proofs.md`, same labels.
+//! intersected. Lemmas I1 and I2 of `docs/proofs/intervals.md#I1`, same labels.
 
 use std::cmp::Ordering;
 

@@ -1,7 +1,7 @@
 //! Intervals between two doubles, for bounds that one asks the ends of: boxes of the searches, rests, several harmonics.
 //!
 //! Methods are named as in IEEE 1788. The rounding mode is never touched: each end is rounded to nearest and moved outward by
-//! one double, which is at least what rounding may have taken. Lemmas I1 and I4 of `docs/proofs.md`, same labels.
+//! one double, which is at least what rounding may have taken. Lemmas I1 and I4 of `docs/proofs/intervals.md#I1`, same labels.
 
 use std::cmp::Ordering;
 use std::ops::{Add, Mul, Neg, Sub};

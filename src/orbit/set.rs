@@ -1,16 +1,8 @@
 //! Sets of states: a centre and a parallelogram around it, reorganised at each impact.
 //!
-//! **Lemma S1** (mean value). If a map `f` is differentiable on a convex set `X`, `c` in `X`, and the matrix `J`
-//! of balls holds the Jacobian at every point of `X`, then `f(x)` lies in `f(c) + J (x - c)` for every `x` in `X`.
-//!
-//! **Lemma S2** (reorganisation). Let `X = c + Q r` with `Q` a matrix and `r` a box symmetric about 0, `f(c)` within
-//! `p` (componentwise) of `c'`, and `R` any invertible matrix. Then `f(X)` lies in `c' + R r'` with
-//! `r' = |R^-1 J Q| r + |R^-1| p`. With `R` the rotation whose first axis is the longest image edge the
-//! parallelogram neither degenerates nor is wrapped in a box, so contracting orbits go on for ever.
-//!
-//! **Lemma S4** (shear). The image of the centre is known as a phase within `p` of `c'_1` and a velocity within `q` of
-//! `c'_2 + g (phase - c'_1)`, `g` the acceleration on arrival: an error of the phase moves the velocity along. In S2
-//! `|R^-1| p` becomes `|R^-1 (1, g)| p + |R^-1 (0, 1)| q`.
+//! The image of a set follows from that of its centre and the Jacobian over the set (Lemmas S1, S2 and S4 of `docs/proofs/sets.md#S1`).
+//! With the rotation whose first axis is the longest image edge the parallelogram neither degenerates nor is wrapped in a box, so
+//! contracting orbits go on for ever.
 //!
 //! Coordinates are (phase in forcing periods, velocity / scale), the scale a power of two near the velocities of the
 //! orbit, so that a rotation mixes like with like.

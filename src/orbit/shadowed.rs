@@ -1,9 +1,7 @@
 //! An orbit near the given one, for any number of chaotic impacts: a chain of nodes, and where nothing expands the set from its last one.
 //!
-//! **Lemma F5** (handing over). Let a chain prove that an orbit is in its node `N` at impact `n` (Lemma F2). Then what is proved of
-//! all orbits from the states of a box that holds `N` is true of that one: it is one of them. So after the last node the
-//! sets of S go on from its box, and all that they prove, rests, releases and attractors among it, holds for the chain's orbit. The
-//! state at a release does not depend on the start any more: from there on the orbit is followed in exact data.
+//! What is proved of all orbits from a box that holds the last node is true of the chain's orbit: Lemma F5 of
+//! `docs/proofs/covering.md#F5`. The state at a release no longer depends on the start: from there on the orbit is followed in exact data.
 
 use std::sync::Arc;
 use std::vec::IntoIter;

@@ -1,14 +1,7 @@
 //! A chain that begins after impacts which are proved by precision: its start is so much nearer to the given one.
 //!
-//! **Lemma F6** (splicing). Let the set of all starts within `a` of a given one, along the velocity (or the time) as in Lemma F3, be flown
-//! through `m` impacts, each proved to be the first contact, on one wall, transversal, for all of them. Then `F^m` is differentiable
-//! there; by the chain rule its derivative along the segment is `J_m ... J_1 q`, with each `J_i` at the start's own impacts, so that the
-//! product of the balls that hold (A.7) over the sets holds it. `J_1` is (A.7) of the whole flight from the requested start, at the
-//! scene's time, as in F3: where flights are followed from a later state of it (R3), that is where first contacts are searched for, and
-//! nothing else. With the product for the column of the first axis, and the image of the given
-//! start itself for `F(x)`, condition 2 of F1 says that the image of the segment crosses a node, and F2 goes on from there: the start
-//! that it speaks of is in the segment, and its first impacts are in the sets. Columns are kept with a power of two taken out, which is
-//! exact, and `a` is given in the units of what is left.
+//! The product of the Jacobians along these impacts is the column of the chain's first segment: Lemma F6 of
+//! `docs/proofs/covering.md#F6`.
 
 use num_rational::BigRational;
 

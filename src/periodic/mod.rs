@@ -6,7 +6,7 @@
 //! end at its first contact, and trace, determinant and eigenvalues of the period's Jacobian are enclosed (38).
 //! [`Problem::find_all`] searches the whole state space, so that its list is complete. With several harmonics
 //! with a common period ([`Problem::period`]) the same methods apply. Lemmas T1-T12, H10-H12 and H14 are in
-//! `docs/proofs.md`.
+//! `docs/proofs/periodic.md#T1`.
 
 mod attractor;
 mod basin;

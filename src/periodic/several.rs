@@ -1,4 +1,4 @@
-//! Chains with several harmonics, equation (1): Lemmas H10-H12 of `docs/proofs.md`.
+//! Chains with several harmonics, equation (1): Lemmas H10-H12 of `docs/proofs/periodic.md#H10`.
 
 use super::chain::{Chain, Legs, MOST_CYCLES};
 use super::chained::{Chained, Moment, Rate};

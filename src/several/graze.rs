@@ -1,4 +1,4 @@
-//! Past a contact that may be a graze, under several harmonics: Lemma H13 of `docs/proofs.md`.
+//! Past a contact that may be a graze, under several harmonics: Lemma H13 of `docs/proofs/harmonics.md#H13`.
 
 use rug::Float;
 

@@ -1,4 +1,4 @@
-//! What a flight cannot reach: Lemma H6 of `docs/proofs.md`.
+//! What a flight cannot reach: Lemma H6 of `docs/proofs/harmonics.md#H6`.
 
 use std::cmp::Ordering;
 use std::sync::OnceLock;

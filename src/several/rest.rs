@@ -1,4 +1,4 @@
-//! Chatter that ends in rest, and release, under several harmonics: Lemmas H7 and H8 of `docs/proofs.md`.
+//! Chatter that ends in rest, and release, under several harmonics: Lemmas H7 and H8 of `docs/proofs/harmonics.md#H7`.
 //!
 //! Told from the wall, `p = -z''` is the pressure. With bounds of `p'` and `p''` at all times the lemmas Z1 and Z2 need
 //! no closed form: chatter is proved to end where the pressure hardly changes meanwhile, and the ball is released at

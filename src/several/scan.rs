@@ -1,4 +1,4 @@
-//! The first contact of flights under several harmonics, isolated from left to right: Lemmas H2-H6 of `docs/proofs.md`.
+//! The first contact of flights under several harmonics, isolated from left to right: Lemmas H2-H6 of `docs/proofs/harmonics.md#H2`.
 //!
 //! A state and bounds of the third derivative prove a piece of time after it free of contacts; the next state is taken
 //! where that proof ends. Pieces are as long as the motion is far from the walls, so their number grows with the number

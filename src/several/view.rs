@@ -38,7 +38,7 @@ impl<N: Phased> Kinematics<N> {
     }
 }
 
-/// `r + v s + a s^2/2 - S s^3/6` from below, for the lower bounds of a side: Lemma H2 of `docs/proofs.md`.
+/// `r + v s + a s^2/2 - S s^3/6` from below, for the lower bounds of a side: Lemma H2 of `docs/proofs/harmonics.md#H2`.
 #[derive(Clone, Copy, Debug)]
 struct Cubic {
     room: f64,

@@ -1,4 +1,4 @@
-//! A start inside the gap, a little later: Lemma R3 of `docs/proofs.md`.
+//! A start inside the gap, a little later: Lemma R3 of `docs/proofs/reduction.md#R3`.
 
 use std::cmp::Ordering;
 

@@ -1,4 +1,4 @@
-//! The box with several harmonics at one time, as chains of impacts see it: Lemmas H10, H11 of `docs/proofs.md`.
+//! The box with several harmonics at one time, as chains of impacts see it: Lemmas H10, H11 of `docs/proofs/periodic.md#H10`.
 
 use super::shaking::{Hop, Shaking};
 use crate::several::{Harmonics, Sums, Turning};

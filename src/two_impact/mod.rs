@@ -1,7 +1,7 @@
 //! Periodic motions with two impacts in N cycles: by the closed forms (61)-(73), or isolated with proof where there are none.
 //!
 //! The paper's section 4 gives the equispaced motions, but not whether they are admissible or stable, nor the other motions.
-//! Here each is enclosed, with its proved properties (`docs/proofs.md`, W).
+//! Here each is enclosed, with its proved properties (`docs/proofs/two-impacts.md#W1`).
 //!
 //! | equation | what | item |
 //! |---|---|---|

@@ -108,7 +108,7 @@ def main():
     lines = [
         "# Certificates checked again", "", verdict, "",
         "`impact-pair check` follows every flight anew from a certificate's own numbers, by another route "
-        "(`docs/proofs.md`, V).", "",
+        "(`docs/proofs/checking.md`).", "",
         "| scene | events | outcome | bits | seconds |", "|---|---|---|---|---|", *confirmed, "",
         "Spoiled on purpose, all refused:", "", "| scene | what | refused |", "|---|---|---|", *refused,
     ]

@@ -9,7 +9,7 @@ from periodic import Orbit, Refused, prove
 
 
 def half_map(family, th0):
-    """DP of one flight and the mirror image y -> -y, th -> th - N pi (R2 of docs/proofs.md), which fix the orbit."""
+    """DP of one flight and the mirror image y -> -y, th -> th - N pi (R2 of docs/proofs/reduction.md), which fix the orbit."""
     (_, th0, v0), (_, th1, v1) = family.states(th0)
     return arb_mat([[1, 0], [0, -1]]) * family.pair(th0).jacobian(th0, v0, th1, v1)
 

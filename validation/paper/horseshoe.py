@@ -1,6 +1,6 @@
 """Chaos proved with A far below d/2: an orbit for every sequence of two flight times.
 
-Told in the mirror after each crossing (R2 of docs/proofs.md), an orbit of crossings is a sequence of phases y, flight i
+Mirrored after each crossing (R2 of docs/proofs/reduction.md), an orbit of crossings is a sequence of phases y, flight i
 lasting N_i half periods but for the difference of its phases. Displacement gives its drift C(N; y, z) = (d/A - sin z -
 sin y)/(N pi + z - y), and (A.1), (A.3) ask for F = C(N; y, z) - e C(M; x, y) - (1 + e) cos y = 0 at each impact, with x
 before and z after y. If F > 0 at y = alpha and F < 0 at y = beta for all x, z in [alpha, beta] and all M, N of two

@@ -1,4 +1,4 @@
-//! A normal form of sums, in which two expressions of one number often become the same: **Lemma X2** of `docs/proofs.md`.
+//! A normal form of sums, in which two expressions of one number often become the same: **Lemma X2** of `docs/proofs/exact.md#X2`.
 //!
 //! A sum of terms `r pi^k sqrt(m) g sin(a)` or `... cos(a)`, `r` a fraction, `m` a whole number, `g` powers of roots and
 //! reciprocals of sums, `a` a sum. Each rule that is used is an identity, so what becomes nothing is 0: the converse is not claimed.

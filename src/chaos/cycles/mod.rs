@@ -1,4 +1,4 @@
-//! All periodic orbits of period n of the reduced map in a trapping region: Lemmas D20-D23 of `docs/proofs.md`.
+//! All periodic orbits of period n of the reduced map in a trapping region: Lemmas D20-D23 of `docs/proofs/chaos.md#D20`.
 //!
 //! The reduced map takes them for its cycles. In `graph` the boxes of the region say where a cycle may be when; in `search`
 //! chains of boxes grow impact by impact, cut by all that `relation` and `chain` know of neighbouring impacts, which is smooth at grazes as well; what closes

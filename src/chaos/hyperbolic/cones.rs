@@ -1,4 +1,4 @@
-//! A word's strip is mapped across the next h-set, and expands the cones: Lemmas D25, D26 of `docs/proofs.md`.
+//! A word's strip is mapped across the next h-set, and expands the cones: Lemmas D25, D26 of `docs/proofs/hyperbolic.md#D25`.
 
 use super::frame::{Frame, least};
 use super::left_out::LeftOut;

@@ -1,4 +1,4 @@
-//! The parallelogram of an h-set and its coordinates: Lemma D25 of `docs/proofs.md`.
+//! The parallelogram of an h-set and its coordinates: Lemma D25 of `docs/proofs/hyperbolic.md#D25`.
 
 use crate::chaos::flights::is_positive;
 use crate::chaos::quad::State;

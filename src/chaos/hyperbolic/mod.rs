@@ -1,5 +1,5 @@
 //! The set of the words is uniformly hyperbolic: exponents of all its invariant measures, and its dimension. Lemmas D24-D28 of
-//! `docs/proofs.md`.
+//! `docs/proofs/hyperbolic.md#D24`.
 //!
 //! Floating point proposes the strips ([`propose`]); intervals prove what they are mapped to ([`strip`], [`cones`]), and bound how much strings
 //! of words expand ([`strings`]) and what follows ([`root`]).

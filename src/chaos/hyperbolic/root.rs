@@ -1,4 +1,4 @@
-//! Where the pressure of words is 0, and the ratios around their cycles, from both sides: Lemmas D27, D28 of `docs/proofs.md`.
+//! Where the pressure of words is 0, and the ratios around their cycles, from both sides: Lemmas D27, D28 of `docs/proofs/hyperbolic.md#D27`.
 
 use std::collections::BTreeMap;
 

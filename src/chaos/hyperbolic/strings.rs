@@ -1,4 +1,4 @@
-//! How much strings of words expand: bounds of the logarithms over the points that follow them. Lemma D28 of `docs/proofs.md`.
+//! How much strings of words expand: bounds of the logarithms over the points that follow them. Lemma D28 of `docs/proofs/hyperbolic.md#D28`.
 
 use std::collections::{BTreeMap, HashMap};
 

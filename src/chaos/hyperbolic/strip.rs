@@ -1,4 +1,4 @@
-//! Strips across an h-set, and what the composed map does to their parts: Lemmas D24-D26 of `docs/proofs.md`.
+//! Strips across an h-set, and what the composed map does to their parts: Lemmas D24-D26 of `docs/proofs/hyperbolic.md#D24`.
 
 use super::frame::{Frame, least};
 use crate::chaos::flights::{Flights, is_positive};

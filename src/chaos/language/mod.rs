@@ -1,4 +1,4 @@
-//! The words of walls that motions in a region can make: Lemmas D30-D32 of `docs/proofs.md`.
+//! The words of walls that motions in a region can make: Lemmas D30-D32 of `docs/proofs/hyperbolic.md#D30`.
 //!
 //! In `subsets` the words that the graph of boxes allows become the paths of a deterministic automaton; `growth` bounds how fast their
 //! number grows.

@@ -1,4 +1,4 @@
-//! Past a contact that may be a graze: both continuations at once, Lemma G1 of `docs/proofs.md`.
+//! Past a contact that may be a graze: both continuations at once, Lemma G1 of `docs/proofs/chatter.md#G1`.
 //!
 //! Where no precision tells a touch from a miss, the flight may go on as it is or, after an impact too slow to be
 //! seen, with a velocity changed by as little. Either way it turns back, and a little later one box holds both.

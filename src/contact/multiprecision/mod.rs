@@ -3,7 +3,7 @@
 //! Nearly every contact of a set as narrow as 53 bits is isolated by the double-precision certificate; what that
 //! leaves open (grazes nearer than `10^-13` of the gap, drifts near 0 or `beta`, flights beyond `2^39` forcing periods) is
 //! decided by the same lemmas in balls ([`isolate`]). Either way one contact lies in a known bracket and [`refine`]
-//! only has to find it: Lemma M3 of `docs/proofs.md`.
+//! only has to find it: Lemma M3 of `docs/proofs/multiprecision.md#M3`.
 
 mod graze;
 mod isolate;

@@ -1,7 +1,7 @@
 //! Sine and cosine in fixed point: a table of the circle, a short series, a rotation.
 //!
 //! MPFR finds each of them from nothing. An orbit asks for thousands, so a table pays: what it leaves of the angle is
-//! below `2^-8`, and later terms of the series need fewer limbs. Lemma M5 of `docs/proofs.md` has the bound.
+//! below `2^-8`, and later terms of the series need fewer limbs. Lemma M5 of `docs/proofs/multiprecision.md#M5` has the bound.
 
 use std::cell::RefCell;
 use std::mem::swap;
