@@ -22,9 +22,6 @@ mod run;
 mod scene;
 mod sweep;
 mod table;
-#[cfg(test)]
-#[path = "../../tests/tolerances/mod.rs"]
-mod tolerances;
 mod trade;
 mod trap;
 mod two_impact;

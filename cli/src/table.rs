@@ -46,35 +46,3 @@ pub fn event(out: &mut impl Write, event: &Event) -> io::Result<()> {
 pub fn end(out: &mut impl Write, ending: &Ending<'_>) -> io::Result<()> {
     writeln!(out, "\n{ending}")
 }
-
-#[cfg(test)]
-mod tests {
-    use impact_pair::orbit::Orbit;
-
-    use super::*;
-
-    #[test]
-    fn columns_stand_below_their_names() {
-        let scene = "excitation = { amplitude = 1, frequency = \"pi\", phase = 0 }\n\
-                     pair = { gap = \"3*pi\", restitution = 0.5 }\n\
-                     start = { time = 1000, wall = \"left\", velocity = \"-4*pi\" }";
-        let scene = Scene::parse(scene).unwrap();
-        let settings = scene.settings();
-        let mut orbit = Orbit::of(&scene, settings.clone()).unwrap();
-        let mut table = Vec::new();
-        begin(&mut table, &scene, &settings).unwrap();
-        while let Some(impact) = orbit.next() {
-            event(&mut table, &Event::new(&orbit, &impact)).unwrap();
-        }
-        let text = String::from_utf8(table).unwrap();
-        let [names, rows @ ..] = text.lines().skip(4).collect::<Vec<_>>().leak() else { panic!("no table") };
-        assert_eq!(rows.len(), 100);
-        for name in ["mapping", "wall", "time", "velocity"] {
-            let column = names.find(name).unwrap();
-            for row in rows.iter() {
-                let (left, right) = row.split_at(column);
-                assert!(left.ends_with("  ") && !right.starts_with(' '), "{row}");
-            }
-        }
-    }
-}

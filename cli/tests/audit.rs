@@ -167,6 +167,16 @@ fn the_tolerance_is_relative_to_the_scene() {
 }
 
 #[test]
+fn a_tolerance_is_a_number_from_0_to_1() {
+    for text in ["-1e-9", "2", "[0, 1]", "small", "nan"] {
+        let tolerance = format!("--tolerance={text}");
+        let answer = program(&["audit", FIGURE_14[0], "-", &tolerance]).output().unwrap();
+        assert_eq!(answer.status.code(), Some(2), "{text}");
+        assert!(String::from_utf8_lossy(&answer.stderr).contains("a number"), "{answer:?}");
+    }
+}
+
+#[test]
 fn lists_may_be_written_as_people_do() {
     let rows: Vec<Vec<&str>> = LIST.lines().skip(1).map(|line| line.split(',').collect()).collect();
     let lines = |line: fn(&[&str]) -> String| rows.iter().map(|row| line(row) + "\n").collect::<String>();

@@ -195,3 +195,21 @@ fn r35_the_help_says_which_orbits_are_looked_for() {
         "{said}"
     );
 }
+
+#[test]
+fn columns_stand_below_their_names() {
+    let scene = "excitation = { amplitude = 1, frequency = \"pi\", phase = 0 }\n\
+                 pair = { gap = \"3*pi\", restitution = 0.5 }\n\
+                 start = { time = 1000, wall = \"left\", velocity = \"-4*pi\" }";
+    let answer = common::answer_to(scene, &["--impacts", "100"]);
+    let text = String::from_utf8(answer.stdout).unwrap();
+    let [names, rows @ ..] = text.lines().skip(4).take(101).collect::<Vec<_>>().leak() else { panic!("no table") };
+    assert_eq!(rows.len(), 100);
+    for name in ["mapping", "wall", "time", "velocity"] {
+        let column = names.find(name).unwrap();
+        for row in rows.iter() {
+            let (left, right) = row.split_at(column);
+            assert!(left.ends_with("  ") && !right.starts_with(' '), "{row}");
+        }
+    }
+}

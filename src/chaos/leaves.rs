@@ -72,8 +72,21 @@ struct Bunch {
     free: [f64; 2],
 }
 
-fn mean<T>(all: &[T], of: impl Fn(&T) -> f64) -> f64 {
-    all.iter().map(of).sum::<f64>() / all.len() as f64
+/// The means of two numbers that are made of each.
+fn means<T>(all: &[T], of: impl Fn(&T) -> [f64; 2]) -> [f64; 2] {
+    let sums = all.iter().map(of).fold([0.0; 2], |[a, b], [x, y]| [a + x, b + y]);
+    sums.map(|sum| sum / all.len() as f64)
+}
+
+/// Those of some points that are members, in the same order; without branches, which nobody would foresee.
+fn members(points: &[(usize, [f64; 3])], is_member: impl Fn(&[f64; 3]) -> bool) -> Vec<[f64; 3]> {
+    let (mut found, mut count) = (vec![[0.0; 3]; points.len()], 0);
+    for (_, at) in points {
+        found[count] = *at;
+        count += usize::from(is_member(at));
+    }
+    found.truncate(count);
+    found
 }
 
 impl Cluster {
@@ -195,12 +208,13 @@ impl<'s> Window<'s> {
         for part in FOLLOWED {
             let is_member = |[xi, eta, _]: &[f64; 3]| {
                 let height = eta - b * xi - c * xi * xi;
-                low < height && height < high
+                (low < height) & (height < high)
             };
-            let members: Vec<[f64; 3]> = self.midst(part * long).iter().map(|(_, at)| *at).filter(is_member).collect();
-            let [place, slope] = [mean(&members, |it| it[0]), mean(&members, |it| it[2])];
-            let spread = mean(&members, |it| (it[0] - place).powi(2));
-            c = 0.5 * mean(&members, |it| (it[0] - place) * (it[2] - slope)) / spread;
+            let members = members(self.midst(part * long), is_member);
+            let [place, slope] = means(&members, |it| [it[0], it[2]]);
+            let [spread, turn] =
+                means(&members, |it| [(it[0] - place).powi(2), (it[0] - place) * (it[2] - slope)]);
+            c = 0.5 * turn / spread;
             b = slope - 2.0 * c * place;
             let all = members.iter().map(|[xi, eta, _]| eta - b * xi);
             heights = all.fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], x| [a.min(x), b.max(x)]);
@@ -225,7 +239,7 @@ impl Leaves {
             let free = |k: usize| if k == 0 || k == sorted.len() { *beside } else { gap(k) };
             Bunch {
                 heights: [bunch[0][0], bunch[bunch.len() - 1][0]],
-                slope: mean(bunch, |leaf| leaf[1]),
+                slope: means(bunch, |leaf| [leaf[0], leaf[1]])[1],
                 free: [free(ends[0]), free(ends[1])],
             }
         };

@@ -116,27 +116,3 @@ fn parse_decimal(token: &str) -> Option<Rational> {
     let shift = exponent - i32::try_from(fraction.len()).ok()?;
     Some(Rational::from(digits.parse::<Integer>().ok()?) * Rational::from(10).pow(shift))
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn text_is_read_exactly_and_pi_is_rounded_once() {
-        let exact = |text: &str| Number::from(text).factor;
-        assert_eq!(exact("9.42497"), Rational::from((942497, 100000)));
-        assert_eq!(exact("-1/3"), Rational::from((-1, 3)));
-        assert_eq!(exact("1.5e-3"), Rational::from((3, 2000)));
-        assert_eq!(exact(".5E2"), Rational::from(50));
-        assert_eq!(Number::from("-3*pi/2"), Number::pi_times(Rational::from((-3, 2))));
-        assert_eq!(pi_times(300, "1/3"), Number::from("pi/3").to_float(300));
-        assert_eq!(pi_times(53, 1), std::f64::consts::PI);
-    }
-
-    #[test]
-    fn text_that_is_no_number_is_refused() {
-        for text in ["", "-", "pi*pi", "1/pi", "1/0", "0x1", "1..2", "--1", "nan", "1e"] {
-            assert_eq!(parse(text), None, "{text}");
-        }
-    }
-}

@@ -92,6 +92,11 @@ fn own(record: &Value, scene: &Scene, asked: &sweep::PointSettings) -> Judged<Op
 pub fn judge(records: &[Value], points: &[Scene], asked: &sweep::PointSettings, random: &mut Random) -> Judged<()> {
     let (mut common, mut open): (Option<Units>, _) = (None, None);
     for (record, scene) in records.iter().zip(points) {
+        if record["outcome"] == "undecided" && record["impacts"] == 0 {
+            // Its own run would find as little, after a long search.
+            open = Some("undecided before the first impact");
+            continue;
+        }
         let Some(run) = own(record, scene, asked)? else { continue };
         for member in Member::all(scene, random) {
             match motion::judge(&run, &member) {
