@@ -73,14 +73,10 @@ impl Attraction {
         }))
     }
 
-    /// Returns whether its orbit is claimed to be the only one in its box, admissible and stable, and nothing of it is left open.
+    /// Returns whether its orbit is claimed to be the only one in its box, admissible and stable, with its numbers.
     pub fn is_attractor(&self) -> bool {
-        let ClaimedOrbit { unique, physical, stability, numbers, symmetric, .. } = &self.orbit;
-        *unique
-            && symmetric.is_some()
-            && *physical == Some(true)
-            && *stability == Stability::Stable
-            && numbers.is_some()
+        let ClaimedOrbit { unique, physical, stability, numbers, .. } = &self.orbit;
+        *unique && *physical == Some(true) && *stability == Stability::Stable && numbers.is_some()
     }
 }
 
