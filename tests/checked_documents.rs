@@ -391,6 +391,32 @@ fn with_one_twice(document: &Value, i: usize) -> Value {
     copy
 }
 
+/// Of the values of the second amplitude 0 is one: of this one the orbits are their own mirror images, of no other one they are.
+#[test]
+fn r39_where_a_harmonic_may_vanish_orbits_may_be_symmetric() {
+    let found = |second: &str, cycles: u32| {
+        let scene = Scene::parse(&format!(
+            "excitation = {{ amplitude = [1, \"{second}\"], frequency = [\"pi\", \"2*pi\"], phase = 0 }}\n\
+             pair = {{ gap = 9.42497, restitution = 0.5 }}\nstart = {{ time = 0, wall = \"left\", velocity = -12 }}"
+        ));
+        let scene = scene.unwrap();
+        let problem = Problem::new(scene.pair(), &"P1 P2".parse().unwrap(), cycles).unwrap();
+        let census = problem.find(scene.start(), Precision::default());
+        json!(Units::new(scene.pair()).unwrap().document(&problem, scene.start(), &census))
+    };
+    for (second, cycles, truth) in [("0", 1, json!(true)), ("[0, 1e-6]", 2, json!(null)), ("1e-6", 2, json!(false))] {
+        let document = found(second, cycles);
+        let orbits = document["orbits"].as_array().unwrap();
+        assert!(orbits.len() == 2 && orbits.iter().all(|orbit| orbit["symmetric"] == truth), "{second}: {document}");
+        assert!(is_confirmed(&[document]), "{second}");
+    }
+    for said in [true, false] {
+        let mut document = found("[0, 1e-6]", 2);
+        document["orbits"][0]["symmetric"] = json!(said);
+        assert!(matches!(verdict(&[document]), Verdict::Undecided(_)), "{said}");
+    }
+}
+
 #[test]
 fn r32_an_orbit_listed_twice_is_not_two() {
     for document in [four_orbits(), two_impact(3)] {

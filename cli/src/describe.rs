@@ -36,9 +36,9 @@ undecided, a trapping region; where the motion stays in the region, a horseshoe 
 topological entropy. So no region and no horseshoe are looked for where the motion is attracted, periodic or at rest: \
 trap and chaos find those. Region and horseshoe need one harmonic.
 
-The exponent in the limit is the logarithm of the spectral radius of the attracting orbit's Jacobian, per impact; the \
-finite-time exponent is that of the certified impacts. That a motion is chaotic is never claimed. What is undecided is \
-listed with a command that goes on. [run] of the scene is not used.
+The exponent in the limit is the logarithm of the spectral radius of the attracting orbit's Jacobian, per impact, \
+only an upper bound where e may be 0; the finite-time exponent is that of the certified impacts. That a motion is \
+chaotic is never claimed. What is undecided is listed with a command that goes on. [run] of the scene is not used.
 
 Exit code: 0 the fate is certified; 1 it is undecided, or the run was interrupted (the output still holds what is \
 certified); 2 usage, bad input, I/O.";

@@ -8,10 +8,9 @@ use impact_pair_document::{
 use super::Description;
 use crate::chaos::{Trap, Word as Block};
 use crate::document;
-use crate::exact::decimal_bounds_f64;
 use crate::mapping::Word;
 use crate::orbit::Period;
-use crate::sweep::exponent;
+use crate::sweep::{exponent, limit};
 use crate::{Error, Scene};
 
 /// Events up to which the orbit is part of the document.
@@ -34,7 +33,7 @@ impl Description {
             undecided: self.undecided(fate.kind, name),
             fate,
             exponent: DescribedExponent {
-                limit: self.orbit.limit.map(|[low, high]| decimal_bounds_f64(low, high)),
+                limit: self.orbit.limit.map(limit),
                 finite_time: exponent(self.orbit.exponent).per_impact,
             },
             region: self.region().map(|trap| document::trap(scene, trap)).transpose()?,

@@ -31,6 +31,20 @@ fn an_attracted_motion_has_its_exponent_in_the_limit_and_no_region() {
     assert_eq!(document.proof.unwrap().outcome.orbit, document.fate.orbit);
 }
 
+/// With e = 0 and `sin th0 = 0` the next impact does not depend on the start, to first order: `dt1/dt0 = 0` in (A.7), and so for ever,
+/// though the orbit that attracts the motion has an eigenvalue that is not 0.
+#[test]
+fn r39_without_restitution_the_exponent_in_the_limit_is_bounded_from_above_only() {
+    let document = described(&figure("1", "3.2", "0"));
+    assert_eq!(document.fate.kind, FateName::Attracted);
+    let [low, high] = document.exponent.limit.unwrap();
+    // Of (66), (67) with e = 0: 2 sin th0 + pi cos th0 = 3.2, and the eigenvalue is ((pi/2) tan th0)^2 in two impacts.
+    let phase = 2.0_f64.atan2(std::f64::consts::PI) - (3.2 / 2.0_f64.hypot(std::f64::consts::PI)).acos();
+    let truth = (std::f64::consts::FRAC_PI_2 * phase.tan()).ln();
+    let high = high.parse::<f64>().unwrap();
+    assert!(low == "-inf" && truth <= high + 1e-12 && high - truth < 1e-6, "{low} {high} {truth}");
+}
+
 /// Lemma Q3 holds for all data: so it does for all gaps of an interval.
 #[test]
 fn intervals_of_data_are_described_for_all_their_values() {

@@ -8,7 +8,8 @@ use crate::periodic::{PeriodicOrbit, Stability};
 /// orbit that converges to this one tend to. Lemma L4
 ///
 /// **Equation** (38)
-/// **Range** Below 0 for a stable orbit; minus infinity where `rho` is, or may be, 0: with `e = 0`.
+/// **Range** Below 0 for a stable orbit; the lower bound is minus infinity where `e` is, or may be, 0: then a motion may forget all
+/// disturbances at one impact, whatever `rho` is.
 pub fn limit(orbit: &PeriodicOrbit) -> [f64; 2] {
     let impacts = orbit.impacts.len();
     let bits = orbit.bits + GUARD;
@@ -20,6 +21,7 @@ pub fn limit(orbit: &PeriodicOrbit) -> [f64; 2] {
     // L4: nor is it below the product of both.
     let least = larger(&larger(one.inf(), other.inf()), &orbit.determinant.mig());
     let [low, high] = [least, larger(one.sup(), other.sup())].map(|square| per_impact(&square, impacts));
+    let low = low.filter(|_| orbit.determinant.mig().sign().is_gt()); // L4: e > 0
     let high = high.map_or(f64::NEG_INFINITY, |[_, high]| high);
     // L4: of a stable orbit it is below 1, whatever the enclosures of the eigenvalues say
     let high = if orbit.stability == Stability::Stable { high.min(0.0) } else { high };

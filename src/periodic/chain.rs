@@ -105,7 +105,12 @@ impl Chain {
 
     /// Returns the forcing periods after which the mirrored motion is one as well: half a period, where the harmonics are odd. Lemma T6
     pub fn mirror(&self) -> Option<f64> {
-        self.repetition.is_odd.then(|| f64::from(self.repetition.turns) / 2.0)
+        (self.repetition.is_odd == Some(true)).then(|| f64::from(self.repetition.turns) / 2.0)
+    }
+
+    /// Returns whether it is decided for all parameters at once if there is such a mirror. Lemma T6
+    pub fn is_mirror_decided(&self) -> bool {
+        self.repetition.is_odd.is_some()
     }
 
     /// Returns how many impacts it has.

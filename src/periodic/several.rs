@@ -20,7 +20,7 @@ use crate::shaken::{SeveralHarmonics, Sum};
 pub(super) fn repetition(pair: &ImpactPair, spectrum: &Spectrum) -> Result<Repetition, Error> {
     let repetition = || {
         let turns = u32::try_from(spectrum.period?).ok().filter(|turns| *turns <= MOST_CYCLES)?;
-        Some(Repetition { turns, is_odd: spectrum.is_odd()? })
+        Some(Repetition { turns, is_odd: spectrum.is_odd() })
     };
     repetition().ok_or_else(|| {
         let terms = pair.excitation().terms().iter();

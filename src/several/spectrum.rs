@@ -1,5 +1,7 @@
 //! Several harmonics without units, exactly.
 
+use std::cmp::Ordering;
+
 use num_bigint::BigInt;
 use num_integer::Integer;
 use num_traits::{One, ToPrimitive};
@@ -69,14 +71,17 @@ impl Spectrum {
         Ok(Some(Self { terms, restitution: pair.restitution().clone(), period }))
     }
 
-    /// Whether half a common period later each harmonic is its own opposite; `None` where they have no such period.
+    /// Whether half a common period later each harmonic is its own opposite; `None` where they have no such period, or where an amplitude
+    /// may be 0 and the others alone may be so. Lemma T6
     pub fn is_odd(&self) -> Option<bool> {
         let period = BigInt::from(self.period?);
         let is_odd = |term: &Term| {
             let turns = term.ratio.as_rational().map(|ratio| ratio * &period);
             turns.is_some_and(|turns| turns.is_integer() && turns.numer().is_odd())
         };
-        Some(self.terms.iter().all(is_odd))
+        let may_vanish = |term: &Term| term.alpha.sign() != Some(Ordering::Greater);
+        let is_known = self.terms.iter().all(is_odd) || !self.terms.iter().any(may_vanish);
+        is_known.then(|| self.terms.iter().all(is_odd))
     }
 
     /// What bounds the motion without units: the sums of `A_k/d` and of `2 pi A_k W_k / (d W)`.

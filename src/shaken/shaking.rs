@@ -31,13 +31,14 @@ pub trait Shaking<N: Number> {
 pub struct Repetition {
     /// The common period of all harmonics, in turns of the fastest: 1 of one harmonic.
     pub turns: u32,
-    /// Whether each harmonic is the opposite half of that later: then the mirrored motion is one as well.
-    pub is_odd: bool,
+    /// Whether each harmonic is the opposite half of that later: then the mirrored motion is one as well. `None` where it is so of some
+    /// parameters at most: where an amplitude may be 0, and the others alone may be odd.
+    pub is_odd: Option<bool>,
 }
 
 impl Repetition {
     /// That of one harmonic.
-    pub const TURN: Self = Self { turns: 1, is_odd: true };
+    pub const TURN: Self = Self { turns: 1, is_odd: Some(true) };
 }
 
 /// The velocities of a short flight back to its wall.

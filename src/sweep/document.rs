@@ -98,10 +98,7 @@ pub fn record(number: u64, values: &[(Key, Exact)], point: &Point) -> SweepRecor
         wide_from: point.first_wide,
         impacts_per_cycle: point.impacts_per_cycle.map(extended),
         exponent: exponent(point.exponent),
-        exponent_limit: point.attraction.as_ref().map(|attraction| {
-            let [low, high] = attraction.limit;
-            decimal_bounds_f64(low, high)
-        }),
+        exponent_limit: point.attraction.as_ref().map(|attraction| limit(attraction.limit)),
         period,
         states: point.states.iter().map(impact).collect(),
     }
@@ -134,6 +131,16 @@ fn extended(ball: Ball) -> ExtendedBounds {
         Some(enclosure) => decimal_bounds(&enclosure),
         None => decimal_bounds_f64(ball.mid() - ball.rad(), ball.mid() + ball.rad()),
     }
+}
+
+/// Returns bounds of an exponent in the limit; an upper bound alone has some ten digits.
+pub(crate) fn limit([low, high]: [f64; 2]) -> ExtendedBounds {
+    if low.is_finite() || !high.is_finite() {
+        return decimal_bounds_f64(low, high);
+    }
+    // Bounds are rounded outward by less than what is between them.
+    let [_, high] = decimal_bounds_f64(high - 1e-9 * high.abs(), high);
+    ["-inf".to_owned(), high]
 }
 
 /// Returns bounds of an exponent per impact and per forcing period, or the reason why there are none.

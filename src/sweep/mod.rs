@@ -13,7 +13,7 @@ mod point;
 mod unit;
 
 pub use columns::{Cell, Kind, Table, columns, csv_head, csv_rows, doubles, rows};
-pub(crate) use document::exponent;
+pub(crate) use document::{exponent, limit};
 pub use document::{grid, head, record};
 pub use grid::{Grid, MOST_POINTS, axis};
 pub use point::{Attraction, MOST_IMPACTS, Point, PointSettings, State, follow};

@@ -2,11 +2,16 @@
 
 use serde_json::{Value, json};
 
-use super::forged::{Forged, Forgery, Original};
+use super::forged::{Forged, Forgery, Original, fraction, pair, rational};
 
 pub const FORGERIES: &[Forgery] = &[
     Forgery { name: "description: kind", why: "the orbit or the region proves another fate", forge: kinds },
     Forgery { name: "description: fields", why: "the period, the word and the impact are others", forge: fields },
+    Forgery {
+        name: "description: start",
+        why: "the orbit that proves the fate starts near the scene's own start",
+        forge: starts,
+    },
     Forgery { name: "description: scene", why: "the documents in it are of another scene", forge: scenes },
     Forgery {
         name: "description: region",
@@ -63,6 +68,20 @@ fn fields(original: &Original) -> Vec<Forged> {
         all.push(original.with("a wider orbit", &[("/fate/orbit/trace", json!(["-1", "1"]))]));
     }
     all
+}
+
+/// What an orbit that starts near converges to need not be what the scene's own does.
+fn starts(original: &Original) -> Vec<Forged> {
+    if original.kind != "description" || original.document["proof"].is_null() {
+        return Vec::new();
+    }
+    let start = &original.document["scene"]["start"];
+    let velocity = rational(&start["velocity"]).unwrap();
+    let [lower, upper] = [-1, 1].map(|sign| &velocity + fraction(sign, 1 << 33));
+    let near = json!({ "time": [start["time"], start["time"]], "velocity": pair(&lower, &upper) });
+    let changes =
+        [("/proof/claim", json!("shadowed")), ("/proof/outcome/start", near), ("/proof/outcome/message", json!(""))];
+    vec![original.with("near", &changes).at(&["fate"])]
 }
 
 fn scenes(original: &Original) -> Vec<Forged> {

@@ -35,8 +35,8 @@ from a release on; rests-forever; never-impacts; not-attracted, all impacts are 
 about the future (it may be chaotic or slow); undecided, with the reason and everything certified before. Exponent: \
 the logarithm of the spectral norm of the derivative over the impacts after the transient, in forcing periods and \
 gap widths per period, per impact and per forcing period; -inf after sticking. It is a finite-time exponent, and may be \
-positive for an orbit that is attracted; exponent_limit, of points that are attracted, is its limit: the logarithm of \
-the spectral radius of the period's Jacobian, per impact.
+positive for an orbit that is attracted; exponent_limit, of points that are attracted, is its limit: the logarithm \
+of the spectral radius of the period's Jacobian, per impact, only an upper bound where e may be 0.
 
 With --output FILE all finished points are kept in FILE.partial until FILE is written; after Ctrl-C or a crash \
 --resume continues from there. The output has the same bytes for any number of threads, interrupted or not, in \

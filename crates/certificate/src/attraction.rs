@@ -73,11 +73,12 @@ impl Attraction {
         }))
     }
 
-    /// Returns whether its orbit is claimed to be the only one in its box, admissible and stable, and nothing of it is left open.
-    pub fn is_attractor(&self) -> bool {
+    /// Returns whether its orbit is claimed to be the only one in its box, admissible and stable, and nothing of it is left open but its symmetry
+    /// where it is not decided if the shaking has a mirror.
+    pub fn is_attractor(&self, is_mirror_decided: bool) -> bool {
         let ClaimedOrbit { unique, physical, stability, numbers, symmetric, .. } = &self.orbit;
         *unique
-            && symmetric.is_some()
+            && (symmetric.is_some() || !is_mirror_decided)
             && *physical == Some(true)
             && *stability == Stability::Stable
             && numbers.is_some()

@@ -3,7 +3,7 @@
 use serde_json::Value;
 
 use crate::{Certificate, Claims, Finding, TrapCertificate};
-use impact_pair_document::{DESCRIPTION_SCHEMA, DescriptionDocument, FateName, Place, value};
+use impact_pair_document::{ClaimName, DESCRIPTION_SCHEMA, DescriptionDocument, FateName, Place, value};
 use impact_pair_model::{Error, Period, Word};
 
 /// What a description claims.
@@ -31,6 +31,10 @@ impl DescriptionCertificate {
         let whole = Place::of_schema(&value, DESCRIPTION_SCHEMA)?;
         let document: DescriptionDocument = whole.read()?;
         document.scene.clone().model()?;
+        if document.proof.as_ref().is_some_and(|orbit| orbit.head.claim != ClaimName::ExactStart) {
+            let claim = whole.get(PROOF)?.get("claim")?;
+            return Err(claim.refused("only an orbit from its exact start proves a fate: accepted is \"exact start\""));
+        }
         let mut parts = Vec::new();
         let text = |key: &str| value.get(key).filter(|part| !part.is_null()).map(Value::to_string);
         if let Some(orbit) = text(PROOF) {
@@ -111,6 +115,9 @@ impl DescriptionCertificate {
         }
         let DescriptionDocument { proof, region, fate, .. } = &self.document;
         let differs = |key: &str| Some(format!("fate.{key} is not that of the document that proves it"));
+        if proof.as_ref().is_some_and(|orbit| orbit.outcome.impacts != Some(fate.impacts)) {
+            return differs("impacts");
+        }
         if fate.kind == FateName::StaysInRegion {
             let entered = region.as_ref().and_then(|region| region.entered_at_impact);
             let others = fate.period.is_some() || fate.word.is_some() || fate.wall.is_some() || fate.orbit.is_some();
@@ -127,7 +134,6 @@ impl DescriptionCertificate {
             ("wall", outcome.wall == fate.wall),
             ("period", outcome.period.or(of_word) == fate.period),
             ("orbit", outcome.orbit == fate.orbit),
-            ("impacts", outcome.impacts == Some(fate.impacts)),
         ];
         same.iter().find(|(_, is_same)| !is_same).and_then(|(key, _)| differs(key))
     }

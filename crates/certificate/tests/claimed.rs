@@ -211,6 +211,52 @@ fn holds_for_all(name: &str, path: &str, head: &Value) -> bool {
     }
 }
 
+/// The one line of a recorded document.
+fn recorded(name: &str) -> Value {
+    all().into_iter().find(|(other, _)| other == name).expect(name).1[0].clone()
+}
+
+/// Of a start on an unstable orbit another one near it may be attracted: what a shadowed orbit converges to is not the scene's fate.
+#[test]
+fn r39_a_fate_is_not_proved_by_an_orbit_that_starts_near() {
+    let mut document = recorded("description");
+    document["proof"]["claim"] = json!("shadowed");
+    document["proof"]["outcome"]["start"] =
+        json!({ "time": ["0", "0"], "velocity": ["-12.5663600001", "-12.5663599999"] });
+    document["proof"]["outcome"].as_object_mut().unwrap().remove("message");
+    let orbit = [document["proof"].clone()];
+    assert_eq!(checked(&orbit, &Unwatched).expect("a shadowed orbit").verdict, VerdictName::Confirmed);
+    let refused = Claims::parse(&document.to_string()).expect_err("a fate of another start").to_string();
+    assert!(refused.contains("proof.claim") && refused.contains("exact start"), "{refused}");
+}
+
+/// An orbit beside a region proves how many impacts are certified.
+#[test]
+fn r39_a_fate_has_as_many_impacts_as_its_proof() {
+    let verdict = |impacts: u64| {
+        let mut document = recorded("description of a region");
+        document["proof"] = recorded("count");
+        document["fate"]["impacts"] = json!(impacts);
+        checked(&[document], &Unwatched).expect("a description").verdict
+    };
+    assert_eq!([verdict(6), verdict(999)], [VerdictName::Confirmed, VerdictName::Refuted]);
+}
+
+/// One reader takes the first value, another the last.
+#[test]
+fn r39_a_key_that_is_there_twice_is_refused() {
+    for (name, lines) in all() {
+        let text = text(&lines);
+        for key in ["\"scene\":", "\"gap\":"] {
+            let twice = text.replacen(key, &format!("{key}\"9\",{key}"), 1);
+            let refused = Claims::parse(&twice).expect_err(&name).to_string();
+            assert!(refused.contains("there twice"), "{name}: {refused}");
+        }
+        let listed = format!("[{}]", lines[0]).replacen("\"gap\":", "\"gap\":\"9\",\"gap\":", 1);
+        assert!(Claims::parse(&listed).is_err_and(|refused| refused.to_string().contains("there twice")), "{name}");
+    }
+}
+
 #[test]
 fn r32_nothing_is_listed_as_a_claim_that_is_not_compared() {
     let (mut refused, mut missed) = (0, Vec::new());

@@ -27,7 +27,7 @@ pub struct TrapDocument {
     pub scene: SceneDocument,
     /// Number of boxes.
     pub boxes: u64,
-    /// Number, as `run` lists it, of the impact of the scene's own orbit from which on all impacts are in the region; 0 is its start.
+    /// Number, as `run --digits 9` lists it, of the impact of the scene's own orbit from which on all impacts are in the region; 0 is its start.
     /// `null` if none is proved to be.
     pub entered_at_impact: Option<u64>,
     /// Whether no motion in it sticks or has complete chatter.
@@ -171,7 +171,7 @@ pub struct PeriodDocument {
 pub struct EnteredDocument {
     /// Number of boxes.
     pub boxes: u64,
-    /// Number, as `run` lists it, of the impact from which on all impacts are in it; 0 is the start. Impacts of a chatter that are not
+    /// Number, as `run --digits 9` lists it, of the impact from which on all impacts are in it; 0 is the start. Impacts of a chatter that are not
     /// listed have none.
     pub entered_at_impact: u64,
     /// Whether all h-sets, and so the horseshoe, are proved to lie in it.

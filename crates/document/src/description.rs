@@ -120,7 +120,7 @@ impl FateName {
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct DescribedExponent {
-    /// The limit of an attracted motion: the logarithm of the spectral radius of the period's Jacobian, per impact. `null` for all others.
+    /// The limit of an attracted motion: the logarithm of the spectral radius of the period's Jacobian, per impact; where `e` may be 0, only an upper bound. `null` for all others.
     pub limit: Option<ExtendedBounds>,
     /// Over the certified impacts; `-inf` where the ball comes to rest, `null` where it is not known.
     pub finite_time: Option<ExtendedBounds>,

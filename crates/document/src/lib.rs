@@ -11,6 +11,7 @@ mod cycles;
 mod description;
 mod layout;
 mod number;
+mod once;
 mod orbit;
 mod outcome;
 mod periodic;

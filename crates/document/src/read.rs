@@ -6,6 +6,8 @@ use serde::de::DeserializeOwned;
 use serde_json::{Deserializer, Map, Value};
 use serde_path_to_error::{Path, Segment};
 
+use super::once::Once;
+
 /// A value of a document with its path.
 #[derive(Clone, Debug)]
 pub struct Place<'j> {
@@ -13,19 +15,22 @@ pub struct Place<'j> {
     value: &'j Value,
 }
 
-/// Returns the value of a text.
+/// Returns the value of a text, in which no object has a key twice.
 pub fn value(text: &str) -> Result<Value, Error> {
-    serde_json::from_str(text).map_err(no_json)
+    serde_json::from_str(text).map(|Once(value)| value).map_err(no_json)
 }
 
-/// Returns the values of a text, at least one; JSON Lines have several.
+/// Returns the values of a text, at least one; JSON Lines have several. No object has a key twice.
 pub fn values(text: &str) -> Result<Vec<Value>, Error> {
-    let values: Vec<Value> = Deserializer::from_str(text).into_iter().collect::<Result<_, _>>().map_err(no_json)?;
+    let values = Deserializer::from_str(text).into_iter().map(|value| value.map(|Once(value)| value));
+    let values: Vec<Value> = values.collect::<Result<_, _>>().map_err(no_json)?;
     if values.is_empty() { Err(Error::certificate("not JSON: the text is empty".into())) } else { Ok(values) }
 }
 
 fn no_json(error: serde_json::Error) -> Error {
-    Error::certificate(format!("not JSON: {error}")).because(error)
+    // A key that is there twice is no fault of JSON's grammar.
+    let what = if error.is_data() { "" } else { "not JSON: " };
+    Error::certificate(format!("{what}{error}")).because(error)
 }
 
 impl<'j> Place<'j> {

@@ -79,9 +79,9 @@ impl Frame {
         })
     }
 
-    /// Returns whether it has no state in common with another one, nor whole forcing periods earlier or later. Lemma D25
+    /// Returns whether it has no state in common with another one, nor whole forcing periods earlier or later, if both are near. Lemma D25
     pub fn is_apart(&self, other: &Self) -> bool {
-        self.is_near() && other.is_near() && (-3..=3).all(|turns| self.is_parted(other, f64::from(turns)))
+        (-3..=3).all(|turns| self.is_parted(other, f64::from(turns)))
     }
 
     /// Returns whether it has no state in common with itself whole forcing periods later: by its convexity one is enough. Lemma D9
@@ -93,8 +93,8 @@ impl Frame {
         self.parts(other, turns) || other.parts(self, -turns)
     }
 
-    /// Whether its phases are from -1 to 2 and its speeds positive.
-    fn is_near(&self) -> bool {
+    /// Returns whether its phases are from -1 to 2 and its speeds positive, which those of the h-set need not imply. Lemma D25
+    pub fn is_near(&self) -> bool {
         let [u, w] = [0, 1].map(|i| Ball::new(self.centre[i], 0.0).widened(self.along[i].abs() + self.across[i].abs()));
         is_positive(u + Ball::exact(1.0)) && is_positive(Ball::exact(2.0) - u) && is_positive(w)
     }

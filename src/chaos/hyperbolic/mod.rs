@@ -137,10 +137,11 @@ impl Hyperbolic {
     }
 }
 
-/// Whether the parallelograms have no state in common, nor whole forcing periods later. Lemma D25
+/// Whether the parallelograms hold states of positive speed only, and have none in common, nor whole forcing periods later. Lemma D25
 fn are_apart(frames: &[Frame]) -> bool {
     let apart = |k: usize| frames[..k].iter().all(|other| frames[k].is_apart(other));
-    (0..frames.len()).all(|k| frames[k].is_proper() && frames[k].is_apart_from_its_translates() && apart(k))
+    let is_sound = |frame: &Frame| frame.is_proper() && frame.is_near() && frame.is_apart_from_its_translates();
+    (0..frames.len()).all(|k| is_sound(&frames[k]) && apart(k))
 }
 
 /// Whether a strip is in its h-set, beside those that are there, and takes some time. Lemma D25

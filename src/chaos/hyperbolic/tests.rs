@@ -8,12 +8,13 @@ use super::frame::Frame;
 use super::root::{Edge, ratios, root};
 use super::strings::{NOTHING, ends, hull};
 use super::strip::{Branch, Cell, Map, Strip};
-use super::{Hyperbolic, KAPPA, LeftOut, propose};
+use super::{Hyperbolic, KAPPA, LeftOut, are_apart, propose};
 use crate::Scene;
 use crate::chaos::cycles::{Cycle, Cycles};
 use crate::chaos::guess::{Guess, applied};
 use crate::chaos::horseshoe::Chaos;
 use crate::chaos::law::{Law, Side};
+use crate::chaos::quad::Chord;
 use crate::chaos::words::Base;
 use crate::exact::Enclosure;
 use crate::number::interval::Interval;
@@ -56,6 +57,18 @@ fn r37_no_words_are_no_hyperbolic_set() {
     // From no h-set does one word lead back.
     let alone = Hyperbolic::proved(&law, chaos.bases(), &chaos.words()[1..2], &Unwatched);
     assert_eq!(alone, Err(vec![(0, LeftOut::Return)]));
+}
+
+/// A quadrilateral of positive speeds whose parallelogram has a corner at -0.09: no ball has the motions of its states.
+#[test]
+fn r39_a_parallelogram_has_positive_speeds_only() {
+    let base = |top: f64| Base {
+        left: Chord { bottom: [0.0, 0.01], top: [0.0, top] },
+        right: Chord { bottom: [0.1, 0.01], top: [0.1, 0.1] },
+    };
+    let (steep, even) = (base(0.5), base(0.1));
+    assert!([steep, even].iter().all(|base| base.is_convex() && base.is_near()));
+    assert!(are_apart(&[Frame::of(&even)]) && !are_apart(&[Frame::of(&steep)]));
 }
 
 #[test]

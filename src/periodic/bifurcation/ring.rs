@@ -138,7 +138,7 @@ mod tests {
     #[test]
     fn only_odd_harmonics_fold_and_halves_are_whole_periods() {
         let under = |turns, is_odd, word: &str, cycles| {
-            Chain::under(Repetition { turns, is_odd }, &word.parse().unwrap(), cycles).unwrap()
+            Chain::under(Repetition { turns, is_odd: Some(is_odd) }, &word.parse().unwrap(), cycles).unwrap()
         };
         assert!(
             Ring::mirrored(&under(2, false, "RL", 2)).is_none() && Ring::mirrored(&under(1, false, "RL", 1)).is_none()

@@ -31,7 +31,7 @@ impl Certificate {
             return Ok(());
         }
         let claim = self.attraction().ok_or_else(|| Doubt::False("the outcome has no orbit".into()))?;
-        if !claim.is_attractor() {
+        if !claim.is_attractor(data.has_mirror().is_some()) {
             return Err(Doubt::False("only an orbit that is unique, admissible and stable is an attractor".into()));
         }
         let target = Target { is_whole: true, ..Target::new(data, &claim.word, claim.cycles, &claim.orbit)? };

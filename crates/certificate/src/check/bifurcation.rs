@@ -100,7 +100,7 @@ impl ClaimedPoint {
         }
         let is_half = is_symmetric && self.kind != Kind::PeriodDoubling;
         let (walls, half) = (&target.walls, target.walls.len() / 2);
-        let is_mirrored = (BigInt::from(self.cycles) / &target.turns).is_odd() && data.has_mirror();
+        let is_mirrored = (BigInt::from(self.cycles) / &target.turns).is_odd() && data.has_mirror() == Some(true);
         if is_half && !(is_mirrored && walls.len() % 2 == 0 && (0..half).all(|i| walls[i] != walls[i + half])) {
             return Err(Doubt::False("no orbit of the word is symmetric".into()));
         }

@@ -162,11 +162,14 @@ impl Data<'_> {
     }
 
     /// Returns whether half of these forcing periods later the shaking is the opposite: each harmonic passes an odd number of half periods.
-    pub fn has_mirror(&self) -> bool {
-        let Some(turns) = self.common_turns() else { return false };
+    /// `None` where an amplitude may be 0, and the others alone may do so.
+    pub fn has_mirror(&self) -> Option<bool> {
+        let Some(turns) = self.common_turns() else { return Some(false) };
         let rates = self.tones.iter().filter_map(|tone| tone.rate.as_ref()?.as_rational());
         let passed = rates.map(|rate| rate * &turns).chain([turns.clone().into()]);
-        passed.into_iter().all(|turns| turns.to_integer().is_odd())
+        let is_odd = passed.into_iter().all(|turns| turns.to_integer().is_odd());
+        let may_vanish = self.tones.iter().any(|tone| tone.amplitude.sign() != Some(Ordering::Greater));
+        (is_odd || !may_vanish).then_some(is_odd)
     }
 
     /// If the acceleration at a start on a wall is exactly 0: the sign of `-E'''` there, towards the inside of the gap.

@@ -21,8 +21,8 @@ const MOST_PERIODS: i64 = 4;
 pub(super) struct Recurrence {
     /// The turns of the reference in a common period.
     turns: BigInt,
-    /// Whether half a common period later the shaking is the opposite.
-    has_mirror: bool,
+    /// Whether half a common period later the shaking may be the opposite.
+    may_have_mirror: bool,
     /// 2 pi
     turn: Real,
 }
@@ -39,12 +39,12 @@ impl Recurrence {
     /// That of the data; `None` where no common period is proved.
     pub fn of(data: &Data) -> Option<Self> {
         let turn = Real::of(&(Exact::pi() * Exact::from(2)), BITS);
-        Some(Self { turns: data.common_turns()?, has_mirror: data.has_mirror(), turn })
+        Some(Self { turns: data.common_turns()?, may_have_mirror: data.has_mirror() != Some(false), turn })
     }
 
     /// Returns whether no motion within the bounds of one orbit is one within those of the other, nor its mirror image, if that counts as the same.
     pub fn are_apart(&self, one: &ClaimedOrbit, other: &ClaimedOrbit, mirrors_are_one: bool) -> bool {
-        let mirrored = if mirrors_are_one && self.has_mirror { &[false, true][..] } else { &[false] };
+        let mirrored = if mirrors_are_one && self.may_have_mirror { &[false, true][..] } else { &[false] };
         let shifts = 0..other.impacts.len();
         let mut views = shifts.flat_map(|shift| mirrored.iter().map(move |&is_mirrored| View { shift, is_mirrored }));
         views.all(|view| self.are_apart_in(view, &one.impacts, &other.impacts))

@@ -94,7 +94,7 @@ impl<'r> FixedPoint<'r> {
 
     /// Whether it is its own mirror image, as claimed. Where the flights of a basin are not proved to be motions, their mirror images need not be
     /// flights of the basin: that they are the same is not judged then, and named so.
-    pub fn is_symmetric_as(&self, claimed: bool, has_mirror: bool) -> Result<(), Doubt> {
+    pub fn is_symmetric_as(&self, claimed: bool, has_mirror: Option<bool>) -> Result<(), Doubt> {
         let is_judged = self.round.is_physical || self.basin.is_none();
         match self.is_symmetric(has_mirror).filter(|&found| is_judged || !found) {
             Some(found) if found != claimed => {
@@ -105,11 +105,12 @@ impl<'r> FixedPoint<'r> {
         }
     }
 
-    /// Whether it is its own mirror image half a common period later; `has_mirror`: the shaking then is the opposite one.
-    fn is_symmetric(&self, has_mirror: bool) -> Option<bool> {
+    /// Whether it is its own mirror image half a common period later; `has_mirror`: the shaking then is the opposite one, if that is decided.
+    fn is_symmetric(&self, has_mirror: Option<bool>) -> Option<bool> {
         if self.is_mirrored {
             return Some(true);
         }
+        let has_mirror = has_mirror?;
         let half = self.round.common.half();
         let minus = Real::int(-1, half.bits());
         let mirrored = |Landing { wall, phase, velocity }: &Landing| Landing {

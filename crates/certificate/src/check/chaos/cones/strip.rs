@@ -91,6 +91,13 @@ impl Frame {
         [0, 1].map(|i| xi.scaled(self.along[i]) + eta.scaled(self.across[i]))
     }
 
+    /// Returns whether its speeds are positive, which those of the h-set need not imply, and its phases within 4 forcing periods of 0.
+    pub fn is_near(&self) -> bool {
+        let reach = |i: usize| Span::point(self.along[i]).around() + Span::point(self.across[i]).around();
+        let [u, w] = [0, 1].map(|i| Span::point(self.centre[i]) + reach(i));
+        w.is_positive() && !is_beyond_or_at(u, Span::point(4.0))
+    }
+
     /// Returns whether it has no state in common with another one, a number of forcing periods earlier.
     pub fn is_apart(&self, other: &Self, turns: f64) -> bool {
         let parts = |one: &Self, two: &Self, turns: f64| {
@@ -244,4 +251,22 @@ impl Image {
 pub(super) fn is_tall(sides: &[Spot; 2]) -> bool {
     let [most, width] = [sides[0].map(Span::most), sides[1].map(|x| 0.5 * (x.hi() - x.lo()))];
     4.0 * (width[0] + width[1]) > most[0] + most[1]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::super::tube::Chord;
+    use super::*;
+
+    /// Speeds from 0.01 on, but the parallelogram has a corner at -0.09.
+    #[test]
+    fn r39_a_parallelogram_has_positive_speeds_only() {
+        let base = |top: f64| Base {
+            left: Chord { bottom: [0.0, 0.01], top: [0.0, top] },
+            right: Chord { bottom: [0.1, 0.01], top: [0.1, 0.1] },
+        };
+        let (steep, even) = (base(0.5), base(0.1));
+        assert!(steep.is_sound() && even.is_sound());
+        assert!(Frame::of(&even).is_near() && !Frame::of(&steep).is_near());
+    }
 }
