@@ -261,6 +261,14 @@ fn another_base_or_another_pair_is_refused() {
     refuses_others(&[0], &[[0.0, 0.02]], &[("gap", "9.42497 * 1.01")]);
 }
 
+/// Tubes with room for so little have none for a hundredth.
+#[test]
+#[ignore = "deep"]
+fn a_wider_range_is_refused() {
+    let over = chaos(3, Some("gap=9.42477..9.42498"));
+    refuses(&with(&over, &[("/over/high", json!("9.5192"))]), "over", "not proved again");
+}
+
 #[test]
 #[ignore = "deep"]
 fn bases_moved_otherwise_and_pairs_on_either_side_are_refused() {
@@ -298,9 +306,6 @@ fn refuses_others(bases: &[usize], shifts: &[[f64; 2]], pairs: &[(&str, &str)]) 
     for (key, value) in pairs {
         refuses(&with(&document, &[(&format!("/scene/{key}"), json!(value))]), key, "not proved again");
     }
-    // Tubes with room for so little have none for a hundredth.
-    let over = chaos(3, Some("gap=9.42477..9.42498"));
-    refuses(&with(&over, &[("/over/high", json!("9.5192"))]), "over", "not proved again");
 }
 
 #[test]
