@@ -1,14 +1,16 @@
 //! A word's strip is mapped across the next h-set, and expands the cones: Lemmas D25, D26 of `docs/proofs.md`.
 
+use super::Cone;
 use super::frame::{Frame, least};
 use super::left_out::LeftOut;
+use super::strings::image_slopes;
 use super::strip::{Branch, Cell, Image, Map, Passed, Strip, beside};
 use crate::chaos::flights::is_positive;
 use crate::number::{Ball, Number, up};
 use crate::watch::Watch;
 
 /// A strip is cut into no more cells than this.
-const MOST_CELLS: usize = 1 << 16;
+pub(super) const MOST_CELLS: usize = 1 << 16;
 /// A cell is no smaller than this beside its strip.
 const SMALLEST: f64 = 1.0 / (1 << 20) as f64; // exact: a power of two
 
@@ -21,6 +23,17 @@ pub(crate) struct Proved {
     pub number: usize,
     pub branch: Branch,
     pub images: Vec<Image>,
+}
+
+impl Proved {
+    /// Returns the cones that its cells map theirs into.
+    pub fn cones(&self, kappa: f64) -> impl Iterator<Item = Cone> {
+        let of = move |image: &Image| {
+            let slopes = image_slopes(&[*image], &self.branch.strip, [-kappa, kappa])?;
+            Some(Cone { word: self.number, place: image.middle.map(Ball::mid), slopes })
+        };
+        self.images.iter().filter(|image| !image.is_outside()).filter_map(of)
+    }
 }
 
 impl Map<'_> {

@@ -37,6 +37,20 @@ use strip::{Branch, Map};
 /// The greatest slope of the cones, in the coordinates of an h-set.
 const KAPPA: f64 = 64.0;
 
+/// The cone that a cell of a word's strip maps its cone into.
+///
+/// **Enclosure**: the derivative along the word takes each vector `(1, s)`, `|s| <= kappa`, at each state of the cell to one whose slope is
+/// between these. Lemma D26
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Cone {
+    /// The word, by its place among those of the horseshoe.
+    pub word: usize,
+    /// The image of the cell's middle, about, in the coordinates of the h-set that is covered: from -1 to 1 along it and across.
+    pub place: [f64; 2],
+    /// Bounds of the slopes, in these coordinates.
+    pub slopes: [f64; 2],
+}
+
 /// A uniformly hyperbolic set of motions of a horseshoe: those of some of its words.
 ///
 /// **Enclosure**: on a compact set that the impact map keeps it is uniformly hyperbolic, and for each sequence of the words, without beginning and
@@ -48,8 +62,12 @@ pub struct Hyperbolic {
     pub kappa: f64,
     /// Number of cells.
     pub cells: usize,
+    /// The cones that cells are mapped into, of those whose image meets the h-set.
+    pub cones: Vec<Cone>,
     /// Its words, by their places among those of the horseshoe.
     pub words: Vec<usize>,
+    /// Their strips, in the same order: left and right side, each by its places at the bottom and at the top of its h-set, from -1 to 1.
+    pub strips: Vec<[[f64; 2]; 2]>,
     /// The other words of the horseshoe, and why they are none of its.
     pub left_out: Vec<(usize, LeftOut)>,
     /// Bounds of its topological entropy, per impact and per forcing period.
@@ -126,7 +144,9 @@ impl Hyperbolic {
         Ok(Self {
             kappa: KAPPA,
             cells: all.iter().map(|word| word.images.len()).sum(),
+            cones: all.iter().flat_map(|word| word.cones(KAPPA)).collect(),
             words: all.iter().map(|word| word.number).collect(),
+            strips: all.iter().map(|word| word.branch.strip.sides()).collect(),
             left_out: left_out.into_iter().collect(),
             entropy: measured.entropy,
             exponents: measured.exponents,

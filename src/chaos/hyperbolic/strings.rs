@@ -51,7 +51,7 @@ pub(crate) fn spanned([low, high]: [f64; 2]) -> Ball {
 }
 
 /// Bounds of the slopes of the images of the vectors `(1, slope)` at the states of cells. Lemma D26
-fn image_slopes(images: &[Image], strip: &Strip, slopes: [f64; 2]) -> Option<[f64; 2]> {
+pub(crate) fn image_slopes(images: &[Image], strip: &Strip, slopes: [f64; 2]) -> Option<[f64; 2]> {
     let mut all = NOTHING;
     for image in images {
         for slope in slopes {
