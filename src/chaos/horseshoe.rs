@@ -288,3 +288,55 @@ pub(super) fn problem(bases: &[Base]) -> Option<&'static str> {
     (!(apart && near))
         .then_some("the h-sets overlap, or lie beyond phases from -1 to 2, or have speeds that are not positive")
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::chaos::quad::Chord;
+    use crate::number::{Ball, Number};
+    use crate::watch::Unwatched;
+
+    /// `D = 1/10`, `e = 4/5`.
+    fn figure_16() -> Law {
+        let quotient = |a: f64, b: f64| Ball::exact(a).checked_div(Ball::exact(b)).expect("not 0");
+        Law { gap: quotient(1.0, 10.0), restitution: quotient(4.0, 5.0) }
+    }
+
+    /// Two h-sets that the search finds for figure 16.
+    fn bases() -> [Base; 2] {
+        let base = |[a, b, c, d]: [State; 4]| Base {
+            left: Chord { bottom: a, top: b },
+            right: Chord { bottom: c, top: d },
+        };
+        [
+            [[0.852141, 0.163451], [0.851903, 0.163962], [0.876103, 0.165998], [0.875865, 0.166509]],
+            [[0.850561, 0.166845], [0.849622, 0.168861], [0.874860, 0.168667], [0.873921, 0.170684]],
+        ]
+        .map(base)
+    }
+
+    /// The stretch of the h-set where it begins is 8e-4 of it long, beside a graze at the fourth impact: it was in the cells that each impact
+    /// costs at the ends of a chain of boxes.
+    #[test]
+    fn r37_a_word_that_begins_near_a_graze() {
+        let (law, bases) = (figure_16(), bases());
+        let search = Tried::new(&law, &bases, MAKINGS[0]).deepened((15, u64::MAX), &Unwatched).search;
+        let flights = |path: &crate::chaos::words::Path| -> String {
+            path.sides.iter().map(|side| if side.shift() > 0.0 { 'F' } else { 'N' }).collect()
+        };
+        let found = search.words.iter().filter(|path| (path.from, path.to) == (0, 1) && flights(path) == "NFNNNNFNNNNFNNN");
+        assert_eq!(found.count(), 1);
+    }
+
+    #[test]
+    fn a_search_ends_at_the_depth_that_so_many_boxes_lead_to() {
+        let (law, bases) = (figure_16(), bases());
+        let to = |most: u64| Tried::new(&law, &bases, MAKINGS[0]).deepened((64, most), &Unwatched);
+        let tried = to(2000);
+        assert!(tried.search.tally.boxes >= 2000 && !tried.is_stopped);
+        // One impact less takes fewer.
+        let before = Tried::new(&law, &bases, MAKINGS[0]).deepened((tried.depth - 1, u64::MAX), &Unwatched);
+        assert!(before.search.tally.boxes < 2000);
+        assert_eq!(to(0).depth, 0);
+    }
+}

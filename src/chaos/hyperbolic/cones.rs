@@ -10,7 +10,7 @@ use crate::number::{Ball, Number, up};
 use crate::watch::Watch;
 
 /// A strip is cut into no more cells than this.
-pub(super) const MOST_CELLS: usize = 1 << 16;
+pub(super) const MOST_CELLS: usize = 1 << 18;
 /// A cell is no smaller than this beside its strip.
 const SMALLEST: f64 = 1.0 / (1 << 20) as f64; // exact: a power of two
 
@@ -26,10 +26,10 @@ pub(crate) struct Proved {
 }
 
 impl Proved {
-    /// Returns the cones that its cells map theirs into.
-    pub fn cones(&self, kappa: f64) -> impl Iterator<Item = Cone> {
+    /// Returns cones of the expanding directions at the images of its cells, given bounds of the slopes of those at the cells.
+    pub fn cones(&self, given: [f64; 2]) -> impl Iterator<Item = Cone> {
         let of = move |image: &Image| {
-            let slopes = image_slopes(&[*image], &self.branch.strip, [-kappa, kappa])?;
+            let slopes = image_slopes(&[*image], &self.branch.strip, given)?;
             Some(Cone { word: self.number, place: image.middle.map(Ball::mid), slopes })
         };
         self.images.iter().filter(|image| !image.is_outside()).filter_map(of)

@@ -37,10 +37,9 @@ use strip::{Branch, Map};
 /// The greatest slope of the cones, in the coordinates of an h-set.
 const KAPPA: f64 = 64.0;
 
-/// The cone that a cell of a word's strip maps its cone into.
+/// A cone of directions at the image of a cell of a word's strip.
 ///
-/// **Enclosure**: the derivative along the word takes each vector `(1, s)`, `|s| <= kappa`, at each state of the cell to one whose slope is
-/// between these. Lemma D26
+/// **Enclosure**: the expanding direction at the image of each state of the set in the cell has a slope between these. Lemmas D26, D28
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cone {
     /// The word, by its place among those of the horseshoe.
@@ -62,7 +61,7 @@ pub struct Hyperbolic {
     pub kappa: f64,
     /// Number of cells.
     pub cells: usize,
-    /// The cones that cells are mapped into, of those whose image meets the h-set.
+    /// Cones of all expanding directions, of the cells whose image meets the h-set.
     pub cones: Vec<Cone>,
     /// Its words, by their places among those of the horseshoe.
     pub words: Vec<usize>,
@@ -144,7 +143,7 @@ impl Hyperbolic {
         Ok(Self {
             kappa: KAPPA,
             cells: all.iter().map(|word| word.images.len()).sum(),
-            cones: all.iter().flat_map(|word| word.cones(KAPPA)).collect(),
+            cones: all.iter().flat_map(|word| word.cones(measured.slopes_at(word.branch.from, &all))).collect(),
             words: all.iter().map(|word| word.number).collect(),
             strips: all.iter().map(|word| word.branch.strip.sides()).collect(),
             left_out: left_out.into_iter().collect(),
@@ -202,16 +201,24 @@ struct Measured {
     entropy: [[f64; 2]; 2],
     exponents: [[f64; 2]; 2],
     dimension: [f64; 2],
+    /// Of the expanding directions where each word leads to.
+    slopes: Vec<[f64; 2]>,
 }
 
 impl Measured {
+    /// Bounds of the slopes of the expanding directions in an h-set. Lemma D26
+    fn slopes_at(&self, base: usize, words: &[Proved]) -> [f64; 2] {
+        let into = words.iter().zip(&self.slopes).filter(|(word, _)| word.branch.to == base);
+        into.map(|(_, slopes)| *slopes).fold(NOTHING, hull)
+    }
+
     /// `None` where there are no words, or their strings expand too little to be bounded.
     fn of(map: &Map<'_>, words: &[Proved], watch: &dyn Watch) -> Option<Self> {
         if words.is_empty() {
             return None; // exact: nothing is certified
         }
         let half_cycles = |word: usize| words[word].branch.half_turns as f64; // exact: a small integer
-        let graph = Strings { map, words, kappa: KAPPA, watch }.graph()?;
+        let (graph, slopes) = Strings { map, words, kappa: KAPPA, watch }.graph()?;
         let by_impacts: Vec<Edge> = graph.iter().map(|(edge, _)| *edge).collect();
         // exact: halves
         let by_cycles: Vec<Edge> =
@@ -239,6 +246,7 @@ impl Measured {
             entropy: [impacts, halves.map(|x| 2.0 * x)],
             exponents: [ratios(&by_impacts), ratios(&by_cycles)],
             dimension: [(low + least).next_down(), (high + most).next_up()],
+            slopes,
         })
     }
 }

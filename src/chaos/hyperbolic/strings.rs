@@ -20,6 +20,9 @@ struct Cylinder {
     heights: [f64; 2],
 }
 
+/// Edges, each with its word.
+pub(crate) type Graph = Vec<(Edge, usize)>;
+
 /// Cylinders by their strings.
 type Level = BTreeMap<Letters, Cylinder>;
 
@@ -125,8 +128,8 @@ impl Strings<'_> {
     }
 
     /// Returns the graph of strings: an edge for each word with a word before it and some after it, weighing the logarithm of what it
-    /// expands by, its length being its impacts; with the word of each edge.
-    pub fn graph(&self) -> Option<Vec<(Edge, usize)>> {
+    /// expands by, its length being its impacts; with the word of each edge. And the slopes of the expanding directions where each word leads to.
+    pub fn graph(&self) -> Option<(Graph, Vec<[f64; 2]>)> {
         let mut level = self.pairs();
         let mut best = None;
         let mut slopes = vec![[-self.kappa, self.kappa]; self.words.len()];
@@ -135,7 +138,7 @@ impl Strings<'_> {
                 break;
             }
             slopes = self.slopes(&level, &slopes)?;
-            best = Some(self.edges(&level, &slopes)?);
+            best = Some((self.edges(&level, &slopes)?, slopes.clone()));
             level = self.longer(&level);
         }
         best
@@ -195,7 +198,7 @@ impl Strings<'_> {
         (0..self.words.len()).filter(move |&before| self.words[before].branch.to == from)
     }
 
-    fn edges(&self, level: &Level, slopes: &[[f64; 2]]) -> Option<Vec<(Edge, usize)>> {
+    fn edges(&self, level: &Level, slopes: &[[f64; 2]]) -> Option<Graph> {
         let mut nodes = HashMap::new();
         let mut node = |letters: &[usize]| {
             let next = nodes.len();

@@ -1,5 +1,5 @@
 //! An h-set in its own coordinates, in which it is a square from -1 to 1: the strips of the words of a hyperbolic set, the leaves along which
-//! images lie across it, and the cones that cells are mapped into.
+//! images lie across it, and cones of expanding directions.
 
 use impact_pair::Scene;
 use impact_pair::chaos::{Chaos, Cone, Hyperbolic, State};
@@ -14,7 +14,7 @@ pub const COLOURS: [RGBColor; 3] = [SKY, BLUE, ORANGE];
 /// Cones along the leaf of a word.
 const CONES: usize = 9;
 /// They reach so far along the h-set, and across it at most.
-const REACH: [f64; 2] = [0.07, 0.22];
+const REACH: [f64; 2] = [0.1, 0.2];
 /// Width of leaves.
 pub const LEAF: i32 = SCALE;
 
@@ -50,7 +50,7 @@ fn strip([left, right]: [[f64; 2]; 2]) -> Vec<State> {
     vec![[left[0], -1.0], [right[0], -1.0], [right[1], 1.0], [left[1], 1.0]]
 }
 
-/// Some of the cones that a word's cells map theirs into, all along the h-set, each as two triangles.
+/// Some of the cones where a word's cells are mapped to, all along the h-set, each as two triangles.
 fn wedges(set: &Hyperbolic, number: usize) -> Vec<Vec<State>> {
     let own: Vec<&Cone> = set.cones.iter().filter(|cone| cone.word == number).collect();
     let near = |at: f64| {
