@@ -176,7 +176,8 @@ impl Work<'_> {
         let is_proved = document.certified && !document.interrupted && document.hyperbolic != Some(None);
         let open = (!is_proved).then(|| table::conclusion(&document, &found));
         let is_table = self.format == PeriodicFormat::Table;
-        self.files.draw((&text, open, is_table), || impact_pair_plot::chaos::chaos(scene, over, &found, proved.as_ref()))
+        self.files
+            .draw((&text, open, is_table), || impact_pair_plot::chaos::chaos(scene, over, &found, proved.as_ref()))
     }
 
     /// What is proved of each value in a range.

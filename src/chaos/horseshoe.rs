@@ -139,7 +139,8 @@ impl Chaos {
         let shallow = deepest.min(SHALLOW); // exact: counts
         let first = good(tried(&MAKINGS, shallow), shallow < deepest);
         let is_slow = first.entropy() == 0.0 && !first.is_stopped && shallow < deepest; // proposes: which one to follow deeper
-        let first = if is_slow { tried(&[SLOW], deepest).swap_remove(0) } else { first.deepened((deepest, most), watch) };
+        let first =
+            if is_slow { tried(&[SLOW], deepest).swap_remove(0) } else { first.deepened((deepest, most), watch) };
         let is_open = first.entropy() == 0.0 && !first.is_stopped && deepest > 0; // proposes: whether to try more
         let finer = if is_open { tried(&FINE, deepest) } else { Vec::new() };
         let finest = finer.into_iter().max_by(|a, b| a.entropy().total_cmp(&b.entropy())); // proposes: each is a proof of its own
@@ -304,10 +305,8 @@ mod tests {
 
     /// Two h-sets that the search finds for figure 16.
     fn bases() -> [Base; 2] {
-        let base = |[a, b, c, d]: [State; 4]| Base {
-            left: Chord { bottom: a, top: b },
-            right: Chord { bottom: c, top: d },
-        };
+        let base =
+            |[a, b, c, d]: [State; 4]| Base { left: Chord { bottom: a, top: b }, right: Chord { bottom: c, top: d } };
         [
             [[0.852141, 0.163451], [0.851903, 0.163962], [0.876103, 0.165998], [0.875865, 0.166509]],
             [[0.850561, 0.166845], [0.849622, 0.168861], [0.874860, 0.168667], [0.873921, 0.170684]],
@@ -324,7 +323,8 @@ mod tests {
         let flights = |path: &crate::chaos::words::Path| -> String {
             path.sides.iter().map(|side| if side.shift() > 0.0 { 'F' } else { 'N' }).collect()
         };
-        let found = search.words.iter().filter(|path| (path.from, path.to) == (0, 1) && flights(path) == "NFNNNNFNNNNFNNN");
+        let found =
+            search.words.iter().filter(|path| (path.from, path.to) == (0, 1) && flights(path) == "NFNNNNFNNNNFNNN");
         assert_eq!(found.count(), 1);
     }
 

@@ -354,7 +354,8 @@ fn r32_distinct_words_rest_on_parts_that_lie_apart() {
 #[test]
 fn a_deeper_search_leads_further() {
     let chaos = |depth: usize| {
-        Chaos::of_scene(&scene("8"), &HorseshoeSettings { depth: Some(depth), bases: bases().to_vec() }, &Unwatched).unwrap()
+        Chaos::of_scene(&scene("8"), &HorseshoeSettings { depth: Some(depth), bases: bases().to_vec() }, &Unwatched)
+            .unwrap()
     };
     let shallow = chaos(8);
     assert_eq!(shallow.horseshoe().unwrap().map(|word| word.in_mappings()), ["P1 P2", "P1 P2 P4"]);

@@ -7,14 +7,14 @@ use num_traits::ToPrimitive;
 
 use impact_pair_document::{
     BaseDocument, CHAOS_CELLS_SCHEMA, CHAOS_SCHEMA, ChaosCellsDocument, ChaosDocument, CornersDocument, Decimal,
-    EnteredDocument, EntropyDocument, HyperbolicDocument, LeftOutDocument, PROGRAM, ParameterRange, PeriodDocument, RatesDocument,
-    SceneDocument, SceneOrbitDocument, SharesDocument, StretchDocument, TRAP_SCHEMA, TrapDocument, WallWordsDocument,
-    WordDocument, bounds,
+    EnteredDocument, EntropyDocument, HyperbolicDocument, LeftOutDocument, PROGRAM, ParameterRange, PeriodDocument,
+    RatesDocument, SceneDocument, SceneOrbitDocument, SharesDocument, StretchDocument, TRAP_SCHEMA, TrapDocument,
+    WallWordsDocument, WordDocument, bounds,
 };
 
 use crate::chaos::{
-    Asymptotics, Base, Cells, Chaos, Chord, Horseshoe, Hyperbolic, LeftOut, RangeSettings, Stretch, Trap,
-    Verdict, WallWords,
+    Asymptotics, Base, Cells, Chaos, Chord, Horseshoe, Hyperbolic, LeftOut, RangeSettings, Stretch, Trap, Verdict,
+    WallWords,
 };
 use crate::exact::{Enclosure, Exact, decimal_bounds_f64, decimal_f64};
 use crate::mapping::Word;

@@ -65,7 +65,8 @@ pub fn trap(scene: &Scene, region: &Trap) -> Result<String> {
 /// # Errors
 /// When it cannot be drawn.
 pub fn chaos(scene: &Scene, over: Option<&Range>, found: &Chaos, set: Option<&Hyperbolic>) -> Result<String> {
-    let mut titles = vec!["(a)  the attractor, the h-sets and their images", "(b)  the h-sets along their leaf and across it"];
+    let mut titles =
+        vec!["(a)  the attractor, the h-sets and their images", "(b)  the h-sets along their leaf and across it"];
     titles.extend(set.map(|_| "(c)  an h-set: strips, leaves and cones"));
     let has_bases = !found.bases().is_empty();
     let size = if has_bases { (EACH.0 * titles.len() as u32, EACH.1) } else { ALONE };
