@@ -131,7 +131,7 @@ impl Chaos {
 
     /// What these h-sets lead to.
     pub(super) fn proved(law: &Law, bases: Vec<Base>, depth: Option<usize>, watch: &dyn Watch) -> Self {
-        let (deepest, most) = depth.map_or((MOST_DEPTH as usize, BOXES), |depth| (depth, u64::MAX));
+        let (deepest, most) = depth.map_or((MOST_DEPTH as usize, BOXES), |depth| (depth, u64::MAX)); // proposes: how deep
         let deepest = if bases.is_empty() { 0 } else { deepest }; // exact: counts
         let tried = |makings: &[Making], depth: usize| -> Vec<Tried<'_>> {
             makings.iter().map(|&making| Tried::new(law, &bases, making).deepened((depth, most), watch)).collect()
@@ -180,7 +180,7 @@ impl Chaos {
         self.boxes
     }
 
-    /// Returns whether it was stopped before all words of so many impacts were searched for.
+    /// Returns whether it was stopped before the depth that was requested.
     pub fn is_interrupted(&self) -> bool {
         self.is_interrupted
     }
@@ -239,7 +239,7 @@ impl<'s> Tried<'s> {
         Self { search: Search::new(law, bases, making), depth: 0, is_stopped: false }
     }
 
-    /// The same to a depth, no deeper than so many boxes lead to.
+    /// The same to a depth, no deeper than a number of boxes leads to.
     fn deepened(mut self, (to, most): (usize, u64), watch: &dyn Watch) -> Self {
         while !self.is_stopped && self.depth < to && self.search.tally.boxes < most {
             self.is_stopped = !self.search.deepen(watch);

@@ -1,16 +1,12 @@
 //! A word's strip is mapped across the next h-set, and expands the cones: Lemmas D25, D26 of `docs/proofs.md`.
 
-use super::Cone;
 use super::frame::{Frame, least};
-use super::left_out::LeftOut;
-use super::strings::image_slopes;
+use super::left_out::{LeftOut, MOST_CELLS};
 use super::strip::{Branch, Cell, Image, Map, Passed, Strip, beside};
 use crate::chaos::flights::is_positive;
 use crate::number::{Ball, Number, up};
 use crate::watch::Watch;
 
-/// A strip is cut into no more cells than this.
-pub(super) const MOST_CELLS: usize = 1 << 18;
 /// A cell is no smaller than this beside its strip.
 const SMALLEST: f64 = 1.0 / (1 << 20) as f64; // exact: a power of two
 
@@ -23,17 +19,6 @@ pub(crate) struct Proved {
     pub number: usize,
     pub branch: Branch,
     pub images: Vec<Image>,
-}
-
-impl Proved {
-    /// Returns cones of the expanding directions at the images of its cells, given bounds of the slopes of those at the cells.
-    pub fn cones(&self, given: [f64; 2]) -> impl Iterator<Item = Cone> {
-        let of = move |image: &Image| {
-            let slopes = image_slopes(&[*image], &self.branch.strip, given)?;
-            Some(Cone { word: self.number, place: image.middle.map(Ball::mid), slopes })
-        };
-        self.images.iter().filter(|image| !image.is_outside()).filter_map(of)
-    }
 }
 
 impl Map<'_> {

@@ -1,6 +1,7 @@
 //! Why words are left out of a hyperbolic set.
 
-use super::cones::MOST_CELLS;
+/// A strip is cut into no more cells than this.
+pub(super) const MOST_CELLS: usize = 1 << 18;
 
 /// Why a word is not among those of a hyperbolic set.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]

@@ -2,6 +2,7 @@
 
 use std::collections::{BTreeMap, HashMap};
 
+use super::Cone;
 use super::cones::Proved;
 use super::root::Edge;
 use super::strip::{Cell, Image, Map, Strip, beside};
@@ -54,7 +55,7 @@ pub(crate) fn spanned([low, high]: [f64; 2]) -> Ball {
 }
 
 /// Bounds of the slopes of the images of the vectors `(1, slope)` at the states of cells. Lemma D26
-pub(crate) fn image_slopes(images: &[Image], strip: &Strip, slopes: [f64; 2]) -> Option<[f64; 2]> {
+fn image_slopes(images: &[Image], strip: &Strip, slopes: [f64; 2]) -> Option<[f64; 2]> {
     let mut all = NOTHING;
     for image in images {
         for slope in slopes {
@@ -70,6 +71,17 @@ fn expansion(image: &Image, strip: &Strip, slopes: [f64; 2], rises: bool) -> Opt
     let sign = if rises { 1.0 } else { -1.0 };
     let of = |slope: f64| Some(ends(logarithm(image.direction(strip, slope)?[0].signed(sign))?));
     Some(hull(of(slopes[0])?, of(slopes[1])?))
+}
+
+impl Proved {
+    /// Returns cones of the expanding directions at the images of its cells, given bounds of the slopes of those at the cells.
+    pub fn cones(&self, given: [f64; 2]) -> impl Iterator<Item = Cone> {
+        let of = move |image: &Image| {
+            let slopes = image_slopes(&[*image], &self.branch.strip, given)?;
+            Some(Cone { word: self.number, place: image.middle.map(Ball::mid), slopes })
+        };
+        self.images.iter().filter(|image| !image.is_outside()).filter_map(of)
+    }
 }
 
 /// The words, and all that is asked of their strings.
