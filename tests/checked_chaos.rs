@@ -32,14 +32,14 @@ fn chaos_of(bases: &str, depth: usize, over: Option<&str>) -> Value {
     let scene = figure("figure-14");
     let read: Value = serde_json::from_str(&file(bases)).unwrap();
     let bases: Vec<BaseDocument> = serde_json::from_value(read["bases"].clone()).unwrap();
-    let question = HorseshoeSettings { depth, bases: document::bases(&bases) };
+    let question = HorseshoeSettings { depth: Some(depth), bases: document::bases(&bases) };
     let over: Option<Range> = over.map(|over| over.parse().unwrap());
     let pair = match &over {
         Some(over) => scene.pair().with(over.key, Exact::interval(&over.low, &over.high).unwrap()).unwrap(),
         None => scene.pair().clone(),
     };
     let found = Chaos::of(&pair, scene.start(), &question, &Unwatched).unwrap();
-    json!(document::chaos(&scene, over.as_ref(), &question, &found))
+    json!(document::chaos(&scene, over.as_ref(), &found))
 }
 
 /// The chaos JSON of figure 14 with what its hyperbolic set is measured to be.
@@ -47,12 +47,10 @@ pub fn hyperbolic(depth: usize) -> Value {
     let scene = figure("figure-14");
     let read: Value = serde_json::from_str(&file("docs/bases-figure-14.json")).unwrap();
     let bases: Vec<BaseDocument> = serde_json::from_value(read["bases"].clone()).unwrap();
-    let question = HorseshoeSettings { depth, bases: document::bases(&bases) };
+    let question = HorseshoeSettings { depth: Some(depth), bases: document::bases(&bases) };
     let found = Chaos::of(scene.pair(), scene.start(), &question, &Unwatched).unwrap();
     let set = Hyperbolic::of(scene.pair(), &found, &Unwatched).unwrap();
-    let mut document = document::chaos(&scene, None, &question, &found);
-    document.hyperbolic = Some(set.as_ref().ok().map(document::hyperbolic));
-    json!(document)
+    json!(document::with_hyperbolic(document::chaos(&scene, None, &found), &set))
 }
 
 /// Its bounds are proved again by strips and cells of its own; none that is narrower than what is true, and no other words or cones.

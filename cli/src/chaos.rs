@@ -54,9 +54,10 @@ interrupted (what is proved so far is written); 2 usage, bad input, I/O.";
 pub struct ChaosArguments {
     /// Scene file (TOML), or - for stdin
     scene: PathBuf,
-    /// Maximum number of impacts of a word: each further impact takes about 1.3 times as long
-    #[arg(long, value_name = "K", default_value_t = 12, value_parser = clap::value_parser!(u32).range(1..=i64::from(MOST_DEPTH)))]
-    depth: u32,
+    /// Maximum number of impacts of a word: each further impact takes about 1.3 times as long [default: as many as about a
+    /// million boxes lead to; with :COUNT 12]
+    #[arg(long, value_name = "K", value_parser = clap::value_parser!(u32).range(1..=i64::from(MOST_DEPTH)))]
+    depth: Option<u32>,
     /// Prove besides that the motions of the words are uniformly hyperbolic: bounds of the exponents of all their invariant measures, and of
     /// the Hausdorff dimension
     #[arg(long)]
@@ -84,6 +85,9 @@ pub struct ChaosArguments {
     #[command(flatten)]
     pub destination: Destination,
 }
+
+/// Number of impacts of a word in cells, if none is given.
+const DEPTH: usize = 12;
 
 /// The content of a file of h-sets.
 #[derive(Deserialize)]
@@ -138,7 +142,7 @@ struct Work<'w> {
 impl Work<'_> {
     /// One horseshoe, for one pair or for all of a range at once.
     fn horseshoe(self, over: Option<&Range>, bases: Vec<Base>) -> Result<Answer> {
-        let (scene, depth) = (self.scene, self.arguments.depth as usize);
+        let (scene, depth) = (self.scene, self.arguments.depth.map(|depth| depth as usize));
         let question = HorseshoeSettings { depth, bases };
         let named = || scene::name(&self.arguments.scene);
         let pair = match over {
@@ -154,13 +158,15 @@ impl Work<'_> {
         };
         let progress = Progress::stages(!self.files.quiet);
         let found = Chaos::of(&pair, scene.start(), &question, &progress).with_context(named)?;
-        let mut document = document::chaos(scene, over, &question, &found);
+        let mut document = document::chaos(scene, over, &found);
+        let mut proved = None;
         if self.arguments.hyperbolic {
             let set = Hyperbolic::of(&pair, &found, &progress).with_context(named)?;
-            document.hyperbolic = Some(set.as_ref().ok().map(document::hyperbolic));
+            document = document::with_hyperbolic(document, &set);
             progress.clear();
             let left_out = set.as_ref().map_or_else(|none| none, |set| &set.left_out);
             table::left_out(left_out).iter().for_each(|line| note(self.files.quiet, line));
+            proved = set.ok();
         }
         progress.clear();
         let text = match self.format {
@@ -170,13 +176,14 @@ impl Work<'_> {
         let is_proved = document.certified && !document.interrupted && document.hyperbolic != Some(None);
         let open = (!is_proved).then(|| table::conclusion(&document, &found));
         let is_table = self.format == PeriodicFormat::Table;
-        self.files.draw((&text, open, is_table), || impact_pair_plot::chaos::chaos(scene, over, &found))
+        self.files
+            .draw((&text, open, is_table), || impact_pair_plot::chaos::chaos(scene, over, &found, proved.as_ref()))
     }
 
     /// What is proved of each value in a range.
     fn cells(self, over: &Range, cells: u32) -> Result<Answer> {
         let scene = self.scene;
-        let (halvings, depth) = (self.arguments.halvings, self.arguments.depth as usize);
+        let (halvings, depth) = (self.arguments.halvings, self.arguments.depth.map_or(DEPTH, |depth| depth as usize));
         let asked = RangeSettings { over: over.clone(), cells, halvings, depth };
         let progress = Progress::cells(cells, !self.files.quiet);
         let found = Cells::of(scene.pair(), scene.start(), &asked, &progress);

@@ -320,6 +320,11 @@ class Chaos(Document):
         """The words: first and last h-set, impacts, half forcing periods, flights."""
         return list(self.document["words"])
 
+    @property
+    def left_out(self) -> dict[int, str]:
+        """The words, by their places in ``words``, that are left out of the hyperbolic set, and why; empty if it was not requested."""
+        return {left["word"]: left["reason"] for left in self.document.get("left_out", [])}
+
     def __repr__(self) -> str:
         per = self.document["entropy"]
         said = "certified" if self.certified else "undecided"

@@ -411,7 +411,7 @@ class Scene:
     def chaos(
         self,
         *,
-        depth: int = 12,
+        depth: int | None = None,
         over: Mapping[str, tuple[Value, Value]] | None = None,
         bases: list[dict[str, Any]] | None = None,
         hyperbolic: bool = False,
@@ -420,6 +420,7 @@ class Scene:
     ) -> answers.Chaos:
         """Prove a horseshoe and a lower bound of the topological entropy, for all values of ``over``, if given.
 
+        Words have ``depth`` impacts at most, or as many as about a million boxes lead to.
         With ``hyperbolic`` also exponents and dimension of the motions of its words: ``document["hyperbolic"]``.
         """
         question = (depth, None if over is None else ranged(over), None if bases is None else json.dumps(bases), hyperbolic)

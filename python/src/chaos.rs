@@ -78,7 +78,7 @@ pub fn cycles(
 pub fn chaos(
     py: Python<'_>,
     scene: &Bound<'_, Scene>,
-    question: (u32, Option<String>, Option<String>, bool),
+    question: (Option<u32>, Option<String>, Option<String>, bool),
     picture: bool,
     progress: Option<Py<PyAny>>,
 ) -> PyResult<Drawn> {
@@ -88,7 +88,8 @@ pub fn chaos(
         let bases: Option<Vec<BaseDocument>> =
             bases.map(|text| serde_json::from_str(&text)).transpose().map_err(Fault::certificate)?;
         let bases = bases.map(|bases| document::bases(&bases)).unwrap_or_default();
-        let question = HorseshoeSettings { depth: accepted("depth", depth, 1..=MOST_DEPTH)? as usize, bases };
+        let depth = depth.map(|depth| accepted("depth", depth, 1..=MOST_DEPTH)).transpose()?;
+        let question = HorseshoeSettings { depth: depth.map(|depth| depth as usize), bases };
         let over = over.map(|over| bifurcation::over(&over)).transpose()?;
         let pair = match &over {
             Some(over) => {
@@ -99,13 +100,16 @@ pub fn chaos(
             None => scene.pair().clone(),
         };
         let found = Chaos::of(&pair, scene.start(), &question, monitor)?;
-        let mut document = document::chaos(&scene, over.as_ref(), &question, &found);
+        let mut document = document::chaos(&scene, over.as_ref(), &found);
+        let mut proved = None;
         if hyperbolic {
             let set = Hyperbolic::of(&pair, &found, monitor)?;
-            document.hyperbolic = Some(set.as_ref().ok().map(document::hyperbolic));
+            document = document::with_hyperbolic(document, &set);
+            proved = set.ok();
         }
         let is_proved = found.entropy() > 0.0 && !document.interrupted && document.hyperbolic != Some(None);
-        let svg = picture.then(|| drawn(impact_pair_plot::chaos::chaos(&scene, over.as_ref(), &found))).transpose()?;
+        let picture = picture.then(|| impact_pair_plot::chaos::chaos(&scene, over.as_ref(), &found, proved.as_ref()));
+        let svg = picture.map(drawn).transpose()?;
         Ok((text(&document), is_proved, monitor.is_stopped(), svg))
     })
 }

@@ -297,7 +297,7 @@ impl Work<'_> {
             if problem(&bases).is_some() {
                 continue;
             }
-            let chaos = Chaos::proved(&law, bases, self.asked.depth, self.watch);
+            let chaos = Chaos::proved(&law, bases, Some(self.asked.depth), self.watch);
             if chaos.entropy() > 0.0 {
                 let (entropy, bases) = ([chaos.entropy(), chaos.entropy_a_cycle()], chaos.bases().to_vec());
                 known.clone_from(&bases);

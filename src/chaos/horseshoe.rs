@@ -19,12 +19,14 @@ use crate::watch::{Silent, Stage, Watch};
 
 /// Greatest accepted number of impacts of a word.
 pub const MOST_DEPTH: u32 = 64;
+/// If no number is given, no deeper than this many boxes lead to.
+const BOXES: u64 = 1_000_000;
 
 /// The settings of a search for horseshoes.
 #[derive(Clone, Debug)]
 pub struct HorseshoeSettings {
-    /// Maximum number of impacts of a word.
-    pub depth: usize,
+    /// Maximum number of impacts of a word; `None`: as many as about a million boxes lead to.
+    pub depth: Option<usize>,
     /// The h-sets; searched for if empty.
     pub bases: Vec<Base>,
 }
@@ -51,7 +53,7 @@ pub struct HorseshoeSettings {
 ///     Base::new([0.779603, 1.224294], [0.028826, 0.081513], [-0.0001488, 0.001298]),
 ///     Base::new([0.780161, 1.219425], [0.028649, 0.083055], [-0.0001116, 0.000974]),
 /// ];
-/// let chaos = Chaos::of(scene.pair(), scene.start(), &HorseshoeSettings { depth: 3, bases }, &Unwatched)?;
+/// let chaos = Chaos::of(scene.pair(), scene.start(), &HorseshoeSettings { depth: Some(3), bases }, &Unwatched)?;
 /// // As many motions over n cycles as sequences of two letters.
 /// assert!(chaos.entropy() >= 0.28119 && chaos.entropy_a_cycle() >= 0.69314);
 /// assert_eq!(chaos.horseshoe().unwrap().map(|word| word.in_mappings()), ["P1 P2", "P1 P2 P4"]);
@@ -63,6 +65,7 @@ pub struct Chaos {
     words: Vec<Word>,
     depth: usize,
     boxes: u64,
+    is_interrupted: bool,
     entropy: [f64; 2],
     exponent: Option<f64>,
     attractor: Vec<State>,
@@ -79,7 +82,9 @@ const MAKINGS: [Making; 4] = [
 ];
 /// H-sets are tried with this one.
 const TRIAL: Making = Making { longest: 0.006, margin: 1.08, pad: 5e-6, shortest: 1e-7, ahead: 4 };
-/// Where none of these leads to any entropy: finer ones, for slow expansion along thin leaves. H-sets from everywhere are tried with the last.
+/// Where none of these leads to any entropy so far: for slow expansion.
+const SLOW: Making = Making { longest: 0.001, margin: 1.08, pad: 5e-6, shortest: 1e-9, ahead: 4 };
+/// Where this one leads to none either: finer ones, for slow expansion along thin leaves. H-sets from everywhere are tried with the last.
 const FINE: [Making; 2] = [
     Making { longest: 0.0006, margin: 1.08, pad: 6e-7, shortest: 1e-9, ahead: 12 },
     Making { longest: 0.0003, margin: 1.08, pad: 3e-7, shortest: 1e-9, ahead: 12 },
@@ -106,7 +111,8 @@ impl Chaos {
         let guess = Guess::new(&law);
         let orbit = visited(pair, start, IMPACTS)?.last().and_then(|last| seen(&guess, last.middle()));
         let searching = |_: Stage<'_>| watch.proceed(Stage::Horseshoe { depth: 0, boxes: 0 });
-        let found = |seen: &Seen, effort| bases(seen, &law, question.depth, effort, &searching);
+        let depth = question.depth.unwrap_or(MOST_DEPTH as usize); // proposes: how deep h-sets are judged
+        let found = |seen: &Seen, effort| bases(seen, &law, depth, effort, &searching);
         let bases = match &orbit {
             _ if !question.bases.is_empty() => question.bases.clone(),
             Some(orbit) if orbit.is_chaotic() => found(orbit, THOROUGH),
@@ -124,23 +130,26 @@ impl Chaos {
     }
 
     /// What these h-sets lead to.
-    pub(super) fn proved(law: &Law, bases: Vec<Base>, depth: usize, watch: &dyn Watch) -> Self {
-        let depth = if bases.is_empty() { 0 } else { depth }; // exact: counts
+    pub(super) fn proved(law: &Law, bases: Vec<Base>, depth: Option<usize>, watch: &dyn Watch) -> Self {
+        let (deepest, most) = depth.map_or((MOST_DEPTH as usize, BOXES), |depth| (depth, u64::MAX)); // proposes: how deep
+        let deepest = if bases.is_empty() { 0 } else { deepest }; // exact: counts
         let tried = |makings: &[Making], depth: usize| -> Vec<Tried<'_>> {
-            makings.iter().map(|&making| Tried::new(law, &bases, making).deepened(depth, watch)).collect()
+            makings.iter().map(|&making| Tried::new(law, &bases, making).deepened((depth, most), watch)).collect()
         };
-        let shallow = depth.min(SHALLOW); // exact: counts
-        let first = good(tried(&MAKINGS, shallow), shallow < depth);
-        let first = if first.depth == shallow { first.deepened(depth, watch) } else { first };
-        let is_open = first.entropy() == 0.0 && first.depth == depth && depth > 0; // proposes: whether to try more
-        let finer = if is_open { tried(&FINE, depth) } else { Vec::new() };
+        let shallow = deepest.min(SHALLOW); // exact: counts
+        let first = good(tried(&MAKINGS, shallow), shallow < deepest);
+        let is_slow = first.entropy() == 0.0 && !first.is_stopped && shallow < deepest; // proposes: which one to follow deeper
+        let first =
+            if is_slow { tried(&[SLOW], deepest).swap_remove(0) } else { first.deepened((deepest, most), watch) };
+        let is_open = first.entropy() == 0.0 && !first.is_stopped && deepest > 0; // proposes: whether to try more
+        let finer = if is_open { tried(&FINE, deepest) } else { Vec::new() };
         let finest = finer.into_iter().max_by(|a, b| a.entropy().total_cmp(&b.entropy())); // proposes: each is a proof of its own
-        let Tried { search, depth } = finest.unwrap_or(first); // exact: none was tried
+        let Tried { search, depth, is_stopped: is_interrupted } = finest.unwrap_or(first); // exact: none was tried
         let entropy = [by_impact(&search), 2.0 * entropy(&search.words, bases.len(), |path| path.half_turns)];
         let (tubes, boxes) = (search.shown.clone(), search.tally.boxes);
         let words = search.words.iter().map(Word::of).collect();
         let (exponent, attractor, asymptotics) = (None, Vec::new(), Asymptotics::default());
-        Self { bases, words, depth, boxes, entropy, exponent, attractor, tubes, asymptotics }
+        Self { bases, words, depth, boxes, is_interrupted, entropy, exponent, attractor, tubes, asymptotics }
     }
 
     /// Returns the same of a scene.
@@ -169,6 +178,11 @@ impl Chaos {
     /// Returns the number of boxes mapped.
     pub fn boxes(&self) -> u64 {
         self.boxes
+    }
+
+    /// Returns whether it was stopped before the depth that was requested.
+    pub fn is_interrupted(&self) -> bool {
+        self.is_interrupted
     }
 
     /// Returns a lower bound of the topological entropy per impact; 0 if none is proved.
@@ -213,20 +227,24 @@ pub(super) fn bases(seen: &Seen, law: &Law, depth: usize, effort: Effort, watch:
     seen.bases(law, ([TRIAL, FINE[1]], depth), effort, watch)
 }
 
-/// A search, and how deep it went.
+/// A search, how deep it went, and whether it was stopped before.
 struct Tried<'s> {
     search: Search<'s>,
     depth: usize,
+    is_stopped: bool,
 }
 
 impl<'s> Tried<'s> {
     fn new(law: &'s Law, bases: &'s [Base], making: Making) -> Self {
-        Self { search: Search::new(law, bases, making), depth: 0 }
+        Self { search: Search::new(law, bases, making), depth: 0, is_stopped: false }
     }
 
-    fn deepened(mut self, to: usize, watch: &dyn Watch) -> Self {
-        let stops = |_: &usize| !self.search.deepen(watch);
-        self.depth = (self.depth..to).find(stops).unwrap_or(to); // exact: all
+    /// The same to a depth, no deeper than a number of boxes leads to.
+    fn deepened(mut self, (to, most): (usize, u64), watch: &dyn Watch) -> Self {
+        while !self.is_stopped && self.depth < to && self.search.tally.boxes < most {
+            self.is_stopped = !self.search.deepen(watch);
+            self.depth += usize::from(!self.is_stopped); // exact: a count
+        }
         self
     }
 
@@ -270,4 +288,55 @@ pub(super) fn problem(bases: &[Base]) -> Option<&'static str> {
     let near = bases.iter().all(Base::is_near);
     (!(apart && near))
         .then_some("the h-sets overlap, or lie beyond phases from -1 to 2, or have speeds that are not positive")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::chaos::quad::Chord;
+    use crate::number::{Ball, Number};
+    use crate::watch::Unwatched;
+
+    /// `D = 1/10`, `e = 4/5`.
+    fn figure_16() -> Law {
+        let quotient = |a: f64, b: f64| Ball::exact(a).checked_div(Ball::exact(b)).expect("not 0");
+        Law { gap: quotient(1.0, 10.0), restitution: quotient(4.0, 5.0) }
+    }
+
+    /// Two h-sets that the search finds for figure 16.
+    fn bases() -> [Base; 2] {
+        let base =
+            |[a, b, c, d]: [State; 4]| Base { left: Chord { bottom: a, top: b }, right: Chord { bottom: c, top: d } };
+        [
+            [[0.852141, 0.163451], [0.851903, 0.163962], [0.876103, 0.165998], [0.875865, 0.166509]],
+            [[0.850561, 0.166845], [0.849622, 0.168861], [0.874860, 0.168667], [0.873921, 0.170684]],
+        ]
+        .map(base)
+    }
+
+    /// The stretch of the h-set where it begins is 8e-4 of it long, beside a graze at the fourth impact: it was in the cells that each impact
+    /// costs at the ends of a chain of boxes.
+    #[test]
+    fn r37_a_word_that_begins_near_a_graze() {
+        let (law, bases) = (figure_16(), bases());
+        let search = Tried::new(&law, &bases, MAKINGS[0]).deepened((15, u64::MAX), &Unwatched).search;
+        let flights = |path: &crate::chaos::words::Path| -> String {
+            path.sides.iter().map(|side| if side.shift() > 0.0 { 'F' } else { 'N' }).collect()
+        };
+        let found =
+            search.words.iter().filter(|path| (path.from, path.to) == (0, 1) && flights(path) == "NFNNNNFNNNNFNNN");
+        assert_eq!(found.count(), 1);
+    }
+
+    #[test]
+    fn a_search_ends_at_the_depth_that_so_many_boxes_lead_to() {
+        let (law, bases) = (figure_16(), bases());
+        let to = |most: u64| Tried::new(&law, &bases, MAKINGS[0]).deepened((64, most), &Unwatched);
+        let tried = to(2000);
+        assert!(tried.search.tally.boxes >= 2000 && !tried.is_stopped);
+        // One impact less takes fewer.
+        let before = Tried::new(&law, &bases, MAKINGS[0]).deepened((tried.depth - 1, u64::MAX), &Unwatched);
+        assert!(before.search.tally.boxes < 2000);
+        assert_eq!(to(0).depth, 0);
+    }
 }

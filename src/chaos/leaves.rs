@@ -212,8 +212,7 @@ impl<'s> Window<'s> {
             };
             let members = members(self.midst(part * long), is_member);
             let [place, slope] = means(&members, |it| [it[0], it[2]]);
-            let [spread, turn] =
-                means(&members, |it| [(it[0] - place).powi(2), (it[0] - place) * (it[2] - slope)]);
+            let [spread, turn] = means(&members, |it| [(it[0] - place).powi(2), (it[0] - place) * (it[2] - slope)]);
             c = 0.5 * turn / spread;
             b = slope - 2.0 * c * place;
             let all = members.iter().map(|[xi, eta, _]| eta - b * xi);

@@ -44,7 +44,7 @@ pub use box_map::{BoxImage, BoxMap, Rectangle, Unmapped};
 pub use cells::{Cells, Horseshoe, MOST_CELLS, MOST_HALVINGS, RangeSettings, Stretch, Verdict, seen_impacts};
 pub use cycles::{Cycle, Cycles, MOST_IMPACTS};
 pub use horseshoe::{Chaos, HorseshoeSettings, MOST_DEPTH};
-pub use hyperbolic::{Hyperbolic, LeftOut};
+pub use hyperbolic::{Cone, Hyperbolic, LeftOut};
 pub use language::{BoxGraph, MOST_COUNTED, Unclosed, WallWords};
 pub use quad::{Chord, State};
 pub use region::{NoTrap, Trap};

@@ -37,6 +37,8 @@ struct Sample {
     image: Option<Image>,
 }
 
+/// Parts at the ends of a chain of boxes are that much shorter: some cells are lost there with each impact, and words begin near grazes.
+const GRADED: f64 = 0.001;
 /// Fewer parts than that are not worth a chain of boxes.
 const FEWEST: usize = 12;
 /// Parts of one image that are looked at: where the map contracts to a line (e = 0), none is short enough to be straight.
@@ -115,7 +117,7 @@ impl Making {
         let long = along[0].hypot(along[1]);
         let bulge = (cross(along, radians(minus(m.state, a.state))) / long).abs();
         let thick = (cross(along, radians(applied(m.jacobian, between.half))) / long).abs();
-        let longest = if is_end { 0.02 * self.longest } else { self.longest };
+        let longest = if is_end { GRADED * self.longest } else { self.longest };
         Some(long <= longest && bulge <= 0.3 * ((self.margin - 1.0) * thick + self.pad))
     }
 

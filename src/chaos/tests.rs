@@ -259,7 +259,7 @@ fn the_shortest_horseshoe_holds_for_an_interval_of_gaps() {
     for part in [1e-6, 1e-5, 1e-4] {
         let law = figure_14();
         let law = Law { gap: law.gap.widened(part * law.gap.mid()), ..law };
-        let chaos = Chaos::proved(&law, bases().to_vec(), 3, &Unwatched);
+        let chaos = Chaos::proved(&law, bases().to_vec(), Some(3), &Unwatched);
         assert!(chaos.entropy() > 0.281_199 && chaos.words().len() == 6, "{part} {}", chaos.entropy());
     }
 }
@@ -267,7 +267,7 @@ fn the_shortest_horseshoe_holds_for_an_interval_of_gaps() {
 /// Lemma D13: the scene's orbit and the h-sets are in one region; an h-set that is moved away is not.
 #[test]
 fn the_horseshoe_of_figure_14_is_where_the_orbit_is() {
-    let question = HorseshoeSettings { depth: 3, bases: bases().to_vec() };
+    let question = HorseshoeSettings { depth: Some(3), bases: bases().to_vec() };
     let chaos = Chaos::of_scene(&scene("8"), &question, &Unwatched).unwrap();
     let Asymptotics { attractor, region } = chaos.asymptotics();
     let trap = Trap::of(&scene("8"), 0, &Unwatched).unwrap().unwrap();
@@ -287,7 +287,7 @@ fn a_saddle_is_told_from_an_attractor() {
         [[0.747_691_477_240_234_9, 1.126_724_932_061_096_4], [0.750_701_324_195_974_9, 1.100_911_021_852_679_9]],
     ];
     let [left, right] = corners.map(|[bottom, top]| Chord { bottom, top });
-    let question = HorseshoeSettings { depth: 5, bases: vec![Base { left, right }] };
+    let question = HorseshoeSettings { depth: Some(5), bases: vec![Base { left, right }] };
     let chaos = Chaos::of_scene(&scene("8.4"), &question, &Unwatched).unwrap();
     let attractor = chaos.asymptotics().attractor.as_ref().unwrap();
     assert_eq!((attractor.word.mappings().len(), attractor.cycles), (8, 3));
@@ -309,7 +309,7 @@ fn slow_expansion_is_proved_by_fine_tubes() {
         let chord = |[bottom, top]: [State; 2]| Chord { bottom, top };
         Base { left: chord(left), right: chord(right) }
     };
-    let proved = |depth: usize, moved: f64| Chaos::proved(&law, vec![base(moved)], depth, &Unwatched).entropy();
+    let proved = |depth: usize, moved: f64| Chaos::proved(&law, vec![base(moved)], Some(depth), &Unwatched).entropy();
     let expected = std::f64::consts::LN_2 / 16.0;
     assert!(proved(16, 0.0) <= expected && proved(16, 0.0) > expected - 1e-9);
     assert_eq!([proved(15, 0.0), proved(16, 0.01)], [0.0, 0.0]);
@@ -320,7 +320,7 @@ fn slow_expansion_is_proved_by_fine_tubes() {
 fn r32_a_base_wider_than_a_turn() {
     let chaos = |right: f64| {
         let edge = |phase: f64| Chord { bottom: [phase, 5.0], top: [phase, 5.1] };
-        let question = HorseshoeSettings { depth: 1, bases: vec![Base { left: edge(0.1), right: edge(right) }] };
+        let question = HorseshoeSettings { depth: Some(1), bases: vec![Base { left: edge(0.1), right: edge(right) }] };
         Chaos::of_scene(&scene("8"), &question, &|_: Stage<'_>| ControlFlow::Break(()))
             .map(|_| ())
             .map_err(|error| error.to_string())
@@ -354,7 +354,8 @@ fn r32_distinct_words_rest_on_parts_that_lie_apart() {
 #[test]
 fn a_deeper_search_leads_further() {
     let chaos = |depth: usize| {
-        Chaos::of_scene(&scene("8"), &HorseshoeSettings { depth, bases: bases().to_vec() }, &Unwatched).unwrap()
+        Chaos::of_scene(&scene("8"), &HorseshoeSettings { depth: Some(depth), bases: bases().to_vec() }, &Unwatched)
+            .unwrap()
     };
     let shallow = chaos(8);
     assert_eq!(shallow.horseshoe().unwrap().map(|word| word.in_mappings()), ["P1 P2", "P1 P2 P4"]);
@@ -381,7 +382,7 @@ fn what_holds_of_a_stretch_holds_of_its_values() {
             match &stretches[0].verdict {
                 Verdict::Horseshoe(Horseshoe { entropy, bases }) => {
                     let law = Law::of(scene(value).pair()).unwrap();
-                    let chaos = Chaos::proved(&law, bases.clone(), 5, &Unwatched);
+                    let chaos = Chaos::proved(&law, bases.clone(), Some(5), &Unwatched);
                     assert!(entropy[0] > 0.1 && chaos.entropy() >= 0.9 * entropy[0], "{value} {}", chaos.entropy());
                 }
                 Verdict::Attracted { word, cycles, .. } => {

@@ -138,7 +138,7 @@ fn horseshoe(scene: &Scene, request: &Request, region: &Region, watch: &Latched<
         Region::Proved(_) if watch.is_stopped() => STOPPED,
         Region::Proved(trap) if trap.entered().is_none() => "the motion is not proved to enter the region",
         Region::Proved(_) => {
-            let question = HorseshoeSettings { depth: request.depth, bases: Vec::new() };
+            let question = HorseshoeSettings { depth: Some(request.depth), bases: Vec::new() };
             return match Chaos::of_scene(scene, &question, watch) {
                 Ok(chaos) => Horseshoe::Searched(Box::new(chaos)),
                 Err(error) => Horseshoe::NotExamined(error.to_string()),

@@ -7,14 +7,14 @@ use num_traits::ToPrimitive;
 
 use impact_pair_document::{
     BaseDocument, CHAOS_CELLS_SCHEMA, CHAOS_SCHEMA, ChaosCellsDocument, ChaosDocument, CornersDocument, Decimal,
-    EnteredDocument, EntropyDocument, HyperbolicDocument, PROGRAM, ParameterRange, PeriodDocument, RatesDocument,
-    SceneDocument, SceneOrbitDocument, SharesDocument, StretchDocument, TRAP_SCHEMA, TrapDocument, WallWordsDocument,
-    WordDocument, bounds,
+    EnteredDocument, EntropyDocument, HyperbolicDocument, LeftOutDocument, PROGRAM, ParameterRange, PeriodDocument,
+    RatesDocument, SceneDocument, SceneOrbitDocument, SharesDocument, StretchDocument, TRAP_SCHEMA, TrapDocument,
+    WallWordsDocument, WordDocument, bounds,
 };
 
 use crate::chaos::{
-    Asymptotics, Base, Cells, Chaos, Chord, Horseshoe, HorseshoeSettings, Hyperbolic, RangeSettings, Stretch, Trap,
-    Verdict, WallWords,
+    Asymptotics, Base, Cells, Chaos, Chord, Horseshoe, Hyperbolic, LeftOut, RangeSettings, Stretch, Trap, Verdict,
+    WallWords,
 };
 use crate::exact::{Enclosure, Exact, decimal_bounds_f64, decimal_f64};
 use crate::mapping::Word;
@@ -82,7 +82,7 @@ pub fn bounds_text([low, high]: &[Decimal; 2]) -> String {
 }
 
 /// Returns the chaos document of a scene, over a range of a parameter if given.
-pub fn chaos(scene: &Scene, over: Option<&Range>, question: &HorseshoeSettings, chaos: &Chaos) -> ChaosDocument {
+pub fn chaos(scene: &Scene, over: Option<&Range>, chaos: &Chaos) -> ChaosDocument {
     ChaosDocument {
         schema: CHAOS_SCHEMA.to_owned(),
         program: PROGRAM.to_owned(),
@@ -100,7 +100,7 @@ pub fn chaos(scene: &Scene, over: Option<&Range>, question: &HorseshoeSettings, 
             )
         }),
         scene_orbit: scene_orbit(chaos.asymptotics()),
-        interrupted: chaos.depth() < question.depth && !chaos.bases().is_empty(),
+        interrupted: chaos.is_interrupted(),
         bases: chaos.bases().iter().map(base).collect(),
         words: chaos
             .words()
@@ -115,11 +115,19 @@ pub fn chaos(scene: &Scene, over: Option<&Range>, question: &HorseshoeSettings, 
             .collect(),
         exponent_seen: chaos.exponent(),
         hyperbolic: None,
+        left_out: Vec::new(),
     }
 }
 
+/// Writes into a document what its hyperbolic set is proved to be, or that none is, and why words are left out.
+pub fn with_hyperbolic(document: ChaosDocument, set: &Result<Hyperbolic, Vec<(usize, LeftOut)>>) -> ChaosDocument {
+    let left_out = set.as_ref().map_or_else(|all| all, |set| &set.left_out).iter();
+    let left_out = left_out.map(|(word, why)| LeftOutDocument { word: *word as u32, reason: why.name().to_owned() });
+    ChaosDocument { hyperbolic: Some(set.as_ref().ok().map(hyperbolic)), left_out: left_out.collect(), ..document }
+}
+
 /// Returns what a hyperbolic set is measured to be.
-pub fn hyperbolic(set: &Hyperbolic) -> HyperbolicDocument {
+fn hyperbolic(set: &Hyperbolic) -> HyperbolicDocument {
     let of = |[low, high]: [f64; 2]| bounds(&Enclosure::from_f64_bounds(low, high).expect("finite bounds in order"));
     let rates = |[impact, cycle]: [[f64; 2]; 2]| RatesDocument { per_impact: of(impact), per_cycle: of(cycle) };
     HyperbolicDocument {

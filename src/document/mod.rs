@@ -12,7 +12,7 @@ mod two_impact;
 
 pub use bifurcation::bifurcations;
 pub(crate) use chaos::entropy;
-pub use chaos::{bases, bounds_text, cells, chaos, hyperbolic, trap, wall_words};
+pub use chaos::{bases, bounds_text, cells, chaos, trap, wall_words, with_hyperbolic};
 pub use conclusion::{Conclusion, counted};
 pub use cycles::cycles;
 pub use ending::Ending;

@@ -59,10 +59,11 @@ fn has_orbit(document: &Value, orbit: &Value) -> bool {
 fn has_words(document: &Value) -> Option<bool> {
     let (pair, start) = serde_json::from_value::<SceneDocument>(document["scene"].clone()).ok()?.model().ok()?;
     let bases: Vec<BaseDocument> = serde_json::from_value(document["bases"].clone()).ok()?;
-    let question = HorseshoeSettings { depth: document["depth"].as_u64()? as usize, bases: document::bases(&bases) };
+    let question =
+        HorseshoeSettings { depth: Some(document["depth"].as_u64()? as usize), bases: document::bases(&bases) };
     // It only names what is found.
     let scene = Scene::parse(include_str!("../../scenes/figure-14.toml")).ok()?;
-    let found = json!(document::chaos(&scene, None, &question, &Chaos::of(&pair, &start, &question, &Unwatched).ok()?));
+    let found = json!(document::chaos(&scene, None, &Chaos::of(&pair, &start, &question, &Unwatched).ok()?));
     let found = found["words"].as_array()?;
     let all = document["words"].as_array()?;
     let count = |words: &[Value], word: &Value| words.iter().filter(|other| *other == word).count();

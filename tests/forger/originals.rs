@@ -155,7 +155,7 @@ fn chaos(over: Option<&str>) -> Original {
     let read = fs::read_to_string(format!("{}/docs/bases-figure-14.json", env!("CARGO_MANIFEST_DIR"))).unwrap();
     let bases: Vec<BaseDocument> =
         serde_json::from_value(serde_json::from_str::<Value>(&read).unwrap()["bases"].clone()).unwrap();
-    let question = HorseshoeSettings { depth: 3, bases: document::bases(&bases) };
+    let question = HorseshoeSettings { depth: Some(3), bases: document::bases(&bases) };
     let over: Option<Range> = over.map(|over| over.parse().unwrap());
     let pair = match &over {
         Some(over) => scene.pair().with(over.key, Exact::interval(&over.low, &over.high).unwrap()).unwrap(),
@@ -163,7 +163,7 @@ fn chaos(over: Option<&str>) -> Original {
     };
     let found = Chaos::of(&pair, scene.start(), &question, &Unwatched).unwrap();
     let name = if over.is_some() { "over a range" } else { "of a point" };
-    Original::new("chaos", name, json!(document::chaos(&scene, over.as_ref(), &question, &found)))
+    Original::new("chaos", name, json!(document::chaos(&scene, over.as_ref(), &found)))
 }
 
 /// The horseshoe of a point with what its hyperbolic set is measured to be.

@@ -1,7 +1,7 @@
 """Judges `impact-pair chaos`: every word of its document is found and proved by another program, in Arb balls (`tubes.py`).
 
 The document says with which bases; tubes, cells, proofs and words are this program's own. A word that it does not find is a
-disagreement; the entropies must follow from the listed words.
+disagreement; the entropies must follow from the listed words. What it says of a hyperbolic set is proved in `cones.py`.
 """
 import json
 import math
@@ -12,6 +12,7 @@ import numpy as np
 from flint import arb, ctx
 
 from compare import Disagreement
+from cones import check_hyperbolic, edges_of, frame_of, prove_cones
 from program import run
 from quads import Chord, Law, cross, minus
 from tubes import followed
@@ -117,10 +118,8 @@ def check_entropy(words, bases, told, units, weight):
 
 def prove(document, dropped=lambda place: False):
     """(words, parts of cells) that are proved here of the document's scene, from its bases on."""
-    scene = document["scene"]
     with ctx.workprec(BITS):
-        law = Law(arb(scene["gap"]) / arb(scene["excitation"]["amplitude"][0]), arb(scene["restitution"]))
-        bases = [base_of(listed) for listed in document["bases"]]
+        law, bases = law_and_bases(document)
         check_bases(bases)
         return words_of(law, bases, document["depth"], dropped)
 
@@ -158,6 +157,56 @@ def spoiled(document, proved):
         yield f"an entropy {name} that is greater", document | {"entropy": entropy | {name: more}}, proved
 
 
+def law_and_bases(document):
+    scene = document["scene"]
+    law = Law(arb(scene["gap"]) / arb(scene["excitation"]["amplitude"][0]), arb(scene["restitution"]))
+    return law, [base_of(listed) for listed in document["bases"]]
+
+
+def judge_set(document):
+    """(number of cells, spoiled copies that are refused) of the hyperbolic set of a document; refuses it if it is not proved here."""
+    with ctx.workprec(BITS):
+        law, bases = law_and_bases(document)
+        check_bases([Base(*edges_of(frame_of(base))) for base in bases])
+    words, images = prove_cones(document, bases, law)
+    check_hyperbolic(document, bases, law, words, images)
+    cones = [(name, lambda copy=copy, dropped=dropped: prove_cones(copy, bases, law, dropped)) for name, copy, dropped in spoiled_cones(document)]
+    bounds = [(name, lambda copy=copy: check_hyperbolic(copy, bases, law, words, images)) for name, copy in spoiled_bounds(document)]
+    return sum(map(len, images)), refused(cones + bounds)
+
+
+def refused(judged):
+    """The number of judgements, (name, function), all of which must be refusals."""
+    for name, judge in judged:
+        try:
+            judge()
+        except Disagreement:
+            continue
+        raise Disagreement(f"negative control: a copy with {name} was not refused")
+    return len(judged)
+
+
+def spoiled_cones(document):
+    """(name, copy, cells to drop) of sets whose cones must be refused."""
+    told = document["hyperbolic"]
+    at = 1 / 3
+    yield "a cone not proved in one place", document, lambda cell: abs(cell.a - at) <= cell.reach and abs(cell.eta - at) <= cell.rise
+    for name, changes in (("cones so wide that curves may meet a strip twice", {"kappa": "700"}),
+                          ("a word that does not lead back", {"words": [0, 1, *told["words"][1:]]})):  # fmt: skip
+        yield name, document | {"hyperbolic": told | changes}, lambda cell: False
+
+
+def spoiled_bounds(document):
+    """(name, copy) of sets whose bounds must be refused."""
+    told = document["hyperbolic"]
+    for name, key, of, end, value in (("a greater exponent that is too small", "exponents", "per_impact", 1, "0.75"),
+                                      ("a greater exponent that is too great", "exponents", "per_cycle", 0, "1.6"),
+                                      ("an entropy that is too great", "entropy", "per_impact", 0, "0.2812")):  # fmt: skip
+        bounds = list(told[key][of])
+        bounds[end] = value
+        yield name, document | {"hyperbolic": told | {key: told[key] | {of: bounds}}}
+
+
 def decimal(value):
     """With seven places: as many as are asked for here."""
     return f"{float(value):.7f}"
@@ -165,21 +214,16 @@ def decimal(value):
 
 def judge_chaos(text, bases, depth, binary):
     """(tally, remark): the program's document of a scene, with the bases of a file, and spoiled copies of it."""
-    document = json.loads("\n".join(run(binary, text, ["--depth", str(depth), "--bases", bases], "json", "chaos")))
+    document = json.loads("\n".join(run(binary, text, ["--depth", str(depth), "--bases", bases, "--hyperbolic"], "json", "chaos")))
     if not document["certified"] or not document["words"]:
         raise Disagreement("no word is proved")
     proved, parts = prove(document)
     judge_document(document, proved)
-    count = 0
-    for name, copy, words in spoiled(document, proved):
-        try:
-            judge_document(copy, words)
-        except Disagreement:
-            count += 1
-        else:
-            raise Disagreement(f"negative control: a copy with {name} was not refused")
+    cells, count = judge_set(document)
+    count += refused([(name, lambda copy=copy, words=words: judge_document(copy, words)) for name, copy, words in spoiled(document, proved)])
     words, entropy = len(document["words"]), document["entropy"]["per_impact"]
     return Counter(scenes=1, words=words, spoiled=count), (
         f"all {words} words proved again, with {parts} parts of cells, and the entropy {entropy} follows; "
+        f"{cells} cells of its hyperbolic set, and its exponents up to a sixteenth; "
         f"{count} spoiled copies were refused"
     )

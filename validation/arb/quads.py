@@ -41,15 +41,17 @@ def corners(start, end, from_a, to_a, from_b, to_b):
 
 
 class Flights:
-    """The flights from c + a s + b t + a b k, |a|, |b| <= 1, a quadrilateral given by its corners."""
+    """The flights from c + a s + b t + ..., |a|, |b|, ... <= 1: from a middle and half sides, all of them balls."""
 
-    def __init__(self, law, of):
-        p, q, r, s = of
-        self.law = law
+    @classmethod
+    def of_corners(cls, law, of):
+        """Those from c + a s + b t + a b k, a quadrilateral given by its corners."""
         signs = [(1, 1, 1, 1), (-1, -1, 1, 1), (-1, 1, -1, 1), (1, -1, -1, 1)]
-        self.centre, *self.sides = (
-            tuple(sum(sign * point[i] for sign, point in zip(of_signs, (p, q, r, s))) / 4 for i in (0, 1)) for of_signs in signs
-        )
+        centre, *sides = (tuple(sum(sign * point[i] for sign, point in zip(of_signs, of)) / 4 for i in (0, 1)) for of_signs in signs)
+        return cls(law, centre, sides)
+
+    def __init__(self, law, centre, sides):
+        self.law, self.centre, self.sides = law, centre, sides
         hull = [around(self.centre[i], sum(abs(side[i]) for side in self.sides)) for i in (0, 1)]
         self.start, self.after = hull[0], law.restitution * hull[1]
         self.sin, self.cos = (TURN * hull[0]).sin(), (TURN * hull[0]).cos()
@@ -150,3 +152,7 @@ class Image:
         by_phase = edge[0] * self.by_time - edge[1]
         centre = cross(edge, minus(self.centre, origin))
         return around(centre, sum(abs(by_phase * delay + edge[0] * speed) for delay, speed in self.along))
+
+    def images(self):
+        """The images of the half sides under the derivative at any of the states."""
+        return [(delay, speed + self.by_time * delay) for delay, speed in self.along]

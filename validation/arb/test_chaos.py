@@ -7,7 +7,10 @@ from flint import arb, ctx
 
 from chaos import Base, Word, check_bases, check_entropy, crossings, judge_document
 from compare import Disagreement
+from cones import Word as Letter
+from cones import Strip, check_recurrent, check_strips
 from quads import Chord, Flights, Law, corners, cross, minus
+from strings import is_bound, is_growth
 from tubes import floating_map, is_held
 
 FIGURE_14 = Law(arb("9.42497") / 8, arb("0.5"))
@@ -34,7 +37,7 @@ class Quads(unittest.TestCase):
             if not np.isfinite(images).all() or len(set(far)) > 1:
                 continue
             guess = float(images[0][0]) - 0.5 * bool(far[0])
-            image = Flights(FIGURE_14, corners(start, end, 0, 1, 0, 1)).land(bool(far[0]), guess)
+            image = Flights.of_corners(FIGURE_14, corners(start, end, 0, 1, 0, 1)).land(bool(far[0]), guess)
             if image is None:
                 continue
             landed += 1
@@ -46,7 +49,7 @@ class Quads(unittest.TestCase):
         self.assertGreater(landed, 100)
 
     def test_an_image_is_only_held_away_from_tops_and_bottoms(self):
-        image = Flights(FIGURE_14, corners(*[chord((0.78, 1.2), (0.78, 1.2))] * 2, 0, 1, 0, 1))
+        image = Flights.of_corners(FIGURE_14, corners(*[chord((0.78, 1.2), (0.78, 1.2))] * 2, 0, 1, 0, 1))
         (at,), (far,), _ = floating_map(FIGURE_14, np.array([[0.78, 1.2]]))
         image = image.land(bool(far), at[0] - 0.5 * bool(far))
         for below, above, held in ((0.1, 0.1, True), (-1e-6, 0.1, False), (0.1, -1e-6, False)):
@@ -86,6 +89,33 @@ class Words(unittest.TestCase):
         judge_document(document, [Word(*word.values())] * 2)
         with self.assertRaisesRegex(Disagreement, "not proved here"):
             judge_document(document, [Word(*word.values())])
+
+
+class Hyperbolic(unittest.TestCase):
+    @staticmethod
+    def letter(number, start, end, middle=0.0, impacts=1):
+        return Letter(number, start, end, [True], 1, impacts, impacts, Strip(arb(middle), arb("0.01"), arb("0.2")), 1)
+
+    def test_ratios_are_those_of_closed_ways(self):
+        # A way around alone of ratio 1, and one there and back of ratio 1/2.
+        edges = [(0, 0, arb(1), 1), (0, 1, arb(5), 1), (1, 0, arb(-4), 1)]
+        for ratio, is_lower, holds in (("0.49", True, True), ("0.51", True, False), ("1.01", False, True), ("0.99", False, False)):
+            self.assertIs(is_bound(edges, arb(ratio), is_lower), holds, (ratio, is_lower))
+
+    def test_words_grow_by_the_golden_ratio(self):
+        words = [self.letter(0, 0, 0), self.letter(1, 0, 1), self.letter(2, 1, 0)]
+        for rate, is_upper, holds in (("0.4812", False, True), ("0.4813", False, False), ("0.4813", True, True), ("0.4812", True, False)):
+            self.assertIs(is_growth(words, [0, 1], arb(rate), lambda word: word.impacts, is_upper), holds, (rate, is_upper))
+
+    def test_strips_that_meet_and_words_that_lead_nowhere_are_refused(self):
+        check_strips([self.letter(0, 0, 0, -0.5), self.letter(1, 0, 0, 0.5), self.letter(2, 1, 0, 0.5)])
+        with self.assertRaisesRegex(Disagreement, "disjoint"):
+            check_strips([self.letter(0, 0, 0, 0.3), self.letter(1, 0, 0, 0.5)])
+        with self.assertRaisesRegex(Disagreement, "not in its h-set"):
+            check_strips([self.letter(0, 0, 0, 0.8)])
+        check_recurrent([self.letter(0, 0, 1), self.letter(1, 1, 0)])
+        with self.assertRaisesRegex(Disagreement, "lead back"):
+            check_recurrent([self.letter(0, 0, 0), self.letter(1, 0, 1)])
 
 
 if __name__ == "__main__":

@@ -195,7 +195,7 @@ def is_mapped(law, tube, part, chords):
     pieces = [(0, arb(part.begin), arb(part.end), arb(0), arb(1))]
     while pieces:
         depth, *shares = pieces.pop()
-        flights = Flights(law, corners(start, end, *shares))
+        flights = Flights.of_corners(law, corners(start, end, *shares))
         image = flights.land(part.far, part.guess - (0.5 if part.far else 0))
         if image is not None and is_held(image, chords, part.place):
             continue

@@ -106,6 +106,22 @@ pub struct ChaosDocument {
     /// A uniformly hyperbolic set of motions that words make, if it was requested; `null` where none is proved.
     #[serde(skip_serializing_if = "Option::is_none", default, deserialize_with = "asked")]
     pub hyperbolic: Option<Option<HyperbolicDocument>>,
+    /// The words that are not among those of that set, and why, if it was requested.
+    #[serde(skip_serializing_if = "Vec::is_empty", default)]
+    pub left_out: Vec<LeftOutDocument>,
+}
+
+/// A word that is left out of a hyperbolic set.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
+pub struct LeftOutDocument {
+    /// The word, counted from 0 in `words`.
+    pub word: u32,
+    /// Why: `overlap` (the h-sets overlap as parallelograms), `strip` (no strip of its own is seen in floating point), `leaning` (a curve
+    /// in the cones could meet a side of its strip twice), `cells` (its strip would be cut into too many cells), `cone` (a smallest cell is not
+    /// proved to map its cone into itself and to expand), `return` (no other word of the set leads to its h-set, or back), `strings` (the
+    /// expansion of strings of words is not bounded), or `interrupted`.
+    pub reason: String,
 }
 
 /// A key that is there, whether it is `null` or not.

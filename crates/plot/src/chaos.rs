@@ -1,10 +1,11 @@
 //! Regions that the motion does not leave, and horseshoes: the reduced state space, as SVG.
 
+mod cones;
 mod leaf;
 
 use anyhow::Result;
 use impact_pair::Scene;
-use impact_pair::chaos::{Base, Chaos, State, Trap, seen_impacts};
+use impact_pair::chaos::{Base, Chaos, Hyperbolic, State, Trap, seen_impacts};
 use impact_pair::document::counted;
 use impact_pair::scene::Range;
 use plotters::prelude::*;
@@ -14,9 +15,9 @@ use crate::picture::{self, Arc, Axis, Canvas, Dots, Drawn, Element, FONT, Mark, 
 use crate::picture::{greek, hex, legend, program, said, words};
 use crate::sweep::Cells;
 
-/// Of one panel, and of two beside each other.
+/// Of one panel, and of each of several beside each other.
 const ALONE: (u32, u32) = (900, 640);
-const TOGETHER: (u32, u32) = (1120, 640);
+const EACH: (u32, u32) = (560, 640);
 /// Impacts of a floating-point orbit that are shown, of that in a region after N others.
 const IMPACTS: usize = 20_000;
 const TRANSIENT: usize = 2000;
@@ -58,29 +59,35 @@ pub fn trap(scene: &Scene, region: &Trap) -> Result<String> {
     })
 }
 
-/// Returns a floating-point orbit, the h-sets and their first images; and the h-sets of the horseshoe in coordinates of their own, in which
-/// it is seen how images lie across them.
+/// Returns a floating-point orbit, the h-sets and their first images; the h-sets of the horseshoe in coordinates of their own, in which
+/// it is seen how images lie across them; and of a hyperbolic set, where one is given, the strips, leaves and cones of one h-set.
 ///
 /// # Errors
 /// When it cannot be drawn.
-pub fn chaos(scene: &Scene, over: Option<&Range>, found: &Chaos) -> Result<String> {
+pub fn chaos(scene: &Scene, over: Option<&Range>, found: &Chaos, set: Option<&Hyperbolic>) -> Result<String> {
+    let mut titles =
+        vec!["(a)  the attractor, the h-sets and their images", "(b)  the h-sets along their leaf and across it"];
+    titles.extend(set.map(|_| "(c)  an h-set: strips, leaves and cones"));
     let has_bases = !found.bases().is_empty();
-    picture::svg(if has_bases { TOGETHER } else { ALONE }, SCALE, |root| {
+    let size = if has_bases { (EACH.0 * titles.len() as u32, EACH.1) } else { ALONE };
+    picture::svg(size, SCALE, |root| {
         let top = caption(scene, over, proved(found), root)?;
-        let height = legend(root, top, &entries(found))?;
-        let (_, below) = root.split_vertically(top + height);
+        let height = legend(root, top, &entries(found, set))?;
+        let (_, mut below) = root.split_vertically(top + height);
         if !has_bases {
             return whole(found, &below, root);
         }
-        let (left, right) = below.split_horizontally(TOGETHER.0 as i32 * SCALE / 2);
-        let titles =
-            ["(a)  the attractor, the h-sets and their images", "(b)  the h-sets along their leaf and across it"];
-        let areas = [left, right].map(|area| area.split_vertically(24 * SCALE));
-        for ((title, _), words_of) in areas.iter().zip(titles) {
+        let mut areas = Vec::new();
+        for words_of in titles {
+            let (panel, rest) = below.split_horizontally(EACH.0 as i32 * SCALE);
+            let (title, area) = panel.split_vertically(24 * SCALE);
             title.draw(&Text::new(words_of, (16 * SCALE, 14 * SCALE), words(FONT, &BLACK, HPos::Left)))?;
+            areas.push(area);
+            below = rest;
         }
-        whole(found, &areas[0].1, root)?;
-        leaf::draw(scene, found, &areas[1].1, root)
+        whole(found, &areas[0], root)?;
+        leaf::draw(scene, found, &areas[1], root)?;
+        set.map_or(Ok(()), |set| cones::draw(scene, (found, set), &areas[2], root))
     })
 }
 
@@ -156,7 +163,7 @@ fn seen(found: &Chaos) -> impl Iterator<Item = &State> {
 }
 
 /// What the marks mean.
-fn entries(found: &Chaos) -> Vec<(Mark, String)> {
+fn entries(found: &Chaos, set: Option<&Hyperbolic>) -> Vec<(Mark, String)> {
     let mut entries = Vec::new();
     let impacts = seen(found).count();
     if impacts > 0 {
@@ -179,6 +186,13 @@ fn entries(found: &Chaos) -> Vec<(Mark, String)> {
         let name = said(&word.in_mappings());
         entries
             .push((Mark::Line(colour, leaf::STRIP), format!("(b) images by {name}, which are proved to cover h-sets")));
+    }
+    if let Some(set) = set {
+        let [strips, leaves, cones] = cones::COLOURS;
+        let words = counted(set.words.len() as u32, "word");
+        entries.push((Mark::Cell(strips), format!("(c) strips of the {words} of a uniformly hyperbolic set")));
+        entries.push((Mark::Line(leaves, cones::LEAF), "(c) images that lie across the h-set".to_owned()));
+        entries.push((Mark::Cell(cones), "(c) cones that hold the expanding directions: proved".to_owned()));
     }
     entries
 }

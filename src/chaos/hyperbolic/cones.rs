@@ -1,14 +1,12 @@
 //! A word's strip is mapped across the next h-set, and expands the cones: Lemmas D25, D26 of `docs/proofs/hyperbolic.md#D25`.
 
 use super::frame::{Frame, least};
-use super::left_out::LeftOut;
+use super::left_out::{LeftOut, MOST_CELLS};
 use super::strip::{Branch, Cell, Image, Map, Passed, Strip, beside};
 use crate::chaos::flights::is_positive;
 use crate::number::{Ball, Number, up};
 use crate::watch::Watch;
 
-/// A strip is cut into no more cells than this.
-const MOST_CELLS: usize = 1 << 16;
 /// A cell is no smaller than this beside its strip.
 const SMALLEST: f64 = 1.0 / (1 << 20) as f64; // exact: a power of two
 

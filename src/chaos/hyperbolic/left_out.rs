@@ -1,5 +1,8 @@
 //! Why words are left out of a hyperbolic set.
 
+/// A strip is cut into no more cells than this.
+pub(super) const MOST_CELLS: usize = 1 << 18;
+
 /// Why a word is not among those of a hyperbolic set.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum LeftOut {
@@ -22,17 +25,32 @@ pub enum LeftOut {
 }
 
 impl LeftOut {
-    /// Returns the reason in words.
-    pub fn words(self) -> &'static str {
+    /// Returns the reason as documents name it.
+    pub fn name(self) -> &'static str {
         match self {
+            Self::Overlap => "overlap",
+            Self::Strip => "strip",
+            Self::Leaning => "leaning",
+            Self::Cells => "cells",
+            Self::Cone => "cone",
+            Self::Return => "return",
+            Self::Strings => "strings",
+            Self::Interrupted => "interrupted",
+        }
+    }
+
+    /// Returns the reason in words.
+    pub fn words(self) -> String {
+        let words = match self {
             Self::Overlap => "the h-sets overlap as parallelograms",
             Self::Strip => "no strip of its own is seen",
             Self::Leaning => "its strip leans too much for cones this wide",
-            Self::Cells => "its strip would be cut into more than 65,536 cells",
+            Self::Cells => return format!("its strip would be cut into more than {MOST_CELLS} cells"),
             Self::Cone => "a cone is not proved to be mapped into itself and to expand",
             Self::Return => "no other word leads to it, or back",
             Self::Strings => "the expansion of strings of words is not bounded",
             Self::Interrupted => "interrupted",
-        }
+        };
+        words.to_owned()
     }
 }

@@ -37,6 +37,19 @@ use strip::{Branch, Map};
 /// The greatest slope of the cones, in the coordinates of an h-set.
 const KAPPA: f64 = 64.0;
 
+/// A cone of directions at the image of a cell of a word's strip.
+///
+/// **Enclosure**: the expanding direction at the image of each state of the set in the cell has a slope between these. Lemmas D26, D28
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Cone {
+    /// The word, by its place among those of the horseshoe.
+    pub word: usize,
+    /// The image of the cell's middle, about, in the coordinates of the h-set that is covered: from -1 to 1 along it and across.
+    pub place: [f64; 2],
+    /// Bounds of the slopes, in these coordinates.
+    pub slopes: [f64; 2],
+}
+
 /// A uniformly hyperbolic set of motions of a horseshoe: those of some of its words.
 ///
 /// **Enclosure**: on a compact set that the impact map keeps it is uniformly hyperbolic, and for each sequence of the words, without beginning and
@@ -48,8 +61,12 @@ pub struct Hyperbolic {
     pub kappa: f64,
     /// Number of cells.
     pub cells: usize,
+    /// Cones of all expanding directions, of the cells whose image meets the h-set.
+    pub cones: Vec<Cone>,
     /// Its words, by their places among those of the horseshoe.
     pub words: Vec<usize>,
+    /// Their strips, in the same order: left and right side, each by its places at the bottom and at the top of its h-set, from -1 to 1.
+    pub strips: Vec<[[f64; 2]; 2]>,
     /// The other words of the horseshoe, and why they are none of its.
     pub left_out: Vec<(usize, LeftOut)>,
     /// Bounds of its topological entropy, per impact and per forcing period.
@@ -126,7 +143,9 @@ impl Hyperbolic {
         Ok(Self {
             kappa: KAPPA,
             cells: all.iter().map(|word| word.images.len()).sum(),
+            cones: all.iter().flat_map(|word| word.cones(measured.slopes_at(word.branch.from, &all))).collect(),
             words: all.iter().map(|word| word.number).collect(),
+            strips: all.iter().map(|word| word.branch.strip.sides()).collect(),
             left_out: left_out.into_iter().collect(),
             entropy: measured.entropy,
             exponents: measured.exponents,
@@ -183,16 +202,24 @@ struct Measured {
     entropy: [[f64; 2]; 2],
     exponents: [[f64; 2]; 2],
     dimension: [f64; 2],
+    /// Of the expanding directions where each word leads to.
+    slopes: Vec<[f64; 2]>,
 }
 
 impl Measured {
+    /// Bounds of the slopes of the expanding directions in an h-set. Lemma D26
+    fn slopes_at(&self, base: usize, words: &[Proved]) -> [f64; 2] {
+        let into = words.iter().zip(&self.slopes).filter(|(word, _)| word.branch.to == base);
+        into.map(|(_, slopes)| *slopes).fold(NOTHING, hull)
+    }
+
     /// `None` where there are no words, or their strings expand too little to be bounded.
     fn of(map: &Map<'_>, words: &[Proved], watch: &dyn Watch) -> Option<Self> {
         if words.is_empty() {
             return None; // exact: nothing is certified
         }
         let half_cycles = |word: usize| words[word].branch.half_turns as f64; // exact: a small integer
-        let graph = Strings { map, words, kappa: KAPPA, watch }.graph()?;
+        let (graph, slopes) = Strings { map, words, kappa: KAPPA, watch }.graph()?;
         let by_impacts: Vec<Edge> = graph.iter().map(|(edge, _)| *edge).collect();
         // exact: halves
         let by_cycles: Vec<Edge> =
@@ -220,6 +247,7 @@ impl Measured {
             entropy: [impacts, halves.map(|x| 2.0 * x)],
             exponents: [ratios(&by_impacts), ratios(&by_cycles)],
             dimension: [(low + least).next_down(), (high + most).next_up()],
+            slopes,
         })
     }
 }

@@ -2,6 +2,7 @@
 
 use std::collections::{BTreeMap, HashMap};
 
+use super::Cone;
 use super::cones::Proved;
 use super::root::Edge;
 use super::strip::{Cell, Image, Map, Strip, beside};
@@ -19,6 +20,9 @@ struct Cylinder {
     breadth: [f64; 2],
     heights: [f64; 2],
 }
+
+/// Edges, each with its word.
+pub(crate) type Graph = Vec<(Edge, usize)>;
 
 /// Cylinders by their strings.
 type Level = BTreeMap<Letters, Cylinder>;
@@ -67,6 +71,17 @@ fn expansion(image: &Image, strip: &Strip, slopes: [f64; 2], rises: bool) -> Opt
     let sign = if rises { 1.0 } else { -1.0 };
     let of = |slope: f64| Some(ends(logarithm(image.direction(strip, slope)?[0].signed(sign))?));
     Some(hull(of(slopes[0])?, of(slopes[1])?))
+}
+
+impl Proved {
+    /// Returns cones of the expanding directions at the images of its cells, given bounds of the slopes of those at the cells.
+    pub fn cones(&self, given: [f64; 2]) -> impl Iterator<Item = Cone> {
+        let of = move |image: &Image| {
+            let slopes = image_slopes(&[*image], &self.branch.strip, given)?;
+            Some(Cone { word: self.number, place: image.middle.map(Ball::mid), slopes })
+        };
+        self.images.iter().filter(|image| !image.is_outside()).filter_map(of)
+    }
 }
 
 /// The words, and all that is asked of their strings.
@@ -125,8 +140,8 @@ impl Strings<'_> {
     }
 
     /// Returns the graph of strings: an edge for each word with a word before it and some after it, weighing the logarithm of what it
-    /// expands by, its length being its impacts; with the word of each edge.
-    pub fn graph(&self) -> Option<Vec<(Edge, usize)>> {
+    /// expands by, its length being its impacts; with the word of each edge. And the slopes of the expanding directions where each word leads to.
+    pub fn graph(&self) -> Option<(Graph, Vec<[f64; 2]>)> {
         let mut level = self.pairs();
         let mut best = None;
         let mut slopes = vec![[-self.kappa, self.kappa]; self.words.len()];
@@ -135,7 +150,7 @@ impl Strings<'_> {
                 break;
             }
             slopes = self.slopes(&level, &slopes)?;
-            best = Some(self.edges(&level, &slopes)?);
+            best = Some((self.edges(&level, &slopes)?, slopes.clone()));
             level = self.longer(&level);
         }
         best
@@ -195,7 +210,7 @@ impl Strings<'_> {
         (0..self.words.len()).filter(move |&before| self.words[before].branch.to == from)
     }
 
-    fn edges(&self, level: &Level, slopes: &[[f64; 2]]) -> Option<Vec<(Edge, usize)>> {
+    fn edges(&self, level: &Level, slopes: &[[f64; 2]]) -> Option<Graph> {
         let mut nodes = HashMap::new();
         let mut node = |letters: &[usize]| {
             let next = nodes.len();

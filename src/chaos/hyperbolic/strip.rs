@@ -69,6 +69,14 @@ impl Strip {
         is_right(self, other) || is_right(other, self)
     }
 
+    /// Returns where its left and its right side are, about, at the bottom and at the top.
+    pub fn sides(&self) -> [[f64; 2]; 2] {
+        [-1.0, 1.0].map(|a| {
+            let [place, slope] = self.line(a).map(Ball::mid);
+            [place - slope, place + slope]
+        })
+    }
+
     /// Holds the place at `eta = 0` and the slope of the line with this `a`.
     pub fn line(&self, a: f64) -> [Ball; 2] {
         let a = Ball::exact(a);

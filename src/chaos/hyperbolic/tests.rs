@@ -35,7 +35,7 @@ fn law() -> Law {
 
 fn chaos() -> Chaos {
     let base = |[u, w, a, b, c, d]: [f64; 6]| Base::new([u / TAU, w], [a / TAU, b], [c / TAU, d]);
-    Chaos::proved(&law(), BASES.map(base).to_vec(), 3, &Unwatched)
+    Chaos::proved(&law(), BASES.map(base).to_vec(), Some(3), &Unwatched)
 }
 
 fn of(law: &Law, chaos: &Chaos) -> Hyperbolic {

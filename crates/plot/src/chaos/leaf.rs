@@ -16,7 +16,7 @@ use crate::picture::{Axis, BLUE, Canvas, Drawn, Element, GREEN, Plane, SCALE, VE
 use crate::sweep::value;
 
 /// Beyond the h-sets so much is shown, in half sides of an h-set.
-const BEYOND: f64 = 0.3;
+pub const BEYOND: f64 = 0.3;
 /// H-sets further off across the leaf are not shown.
 const FAR: f64 = 12.0;
 /// States of an h-set's middle line that are followed.
@@ -28,14 +28,15 @@ pub const COLOURS: [RGBColor; 2] = [BLUE, GREEN];
 pub const STRIP: i32 = 3 * SCALE;
 
 /// The coordinates of an h-set, exact for a parallelogram.
-struct Leaf {
+pub struct Leaf {
     centre: State,
     along: State,
     across: State,
 }
 
 impl Leaf {
-    fn of(base: &Base) -> Self {
+    /// Returns those of an h-set.
+    pub fn of(base: &Base) -> Self {
         let [a, b, c, d, _] = round(base);
         let of = |signs: [f64; 4]| {
             [0, 1].map(|i| 0.25 * (signs[0] * a[i] + signs[1] * b[i] + signs[2] * c[i] + signs[3] * d[i]))
@@ -99,8 +100,8 @@ pub fn draw(scene: &Scene, found: &Chaos, area: &Canvas<'_>, root: &Canvas<'_>) 
     Ok(())
 }
 
-/// The image of an h-set's middle line by a word where it lies across the other h-set: of certified impacts.
-fn strips(scene: &Scene, found: &Chaos, word: &Word, shown: &Leaf) -> Vec<Vec<State>> {
+/// Returns the image of an h-set's middle line by a word where it lies across the other h-set: of certified impacts.
+pub fn strips(scene: &Scene, found: &Chaos, word: &Word, shown: &Leaf) -> Vec<Vec<State>> {
     let [from, to] = [word.from, word.to].map(|number| Leaf::of(&found.bases()[number]));
     let images = from.middle().map(|state| image(scene.pair(), state, &word.walls));
     let is_across = |image: &State| {

@@ -289,20 +289,20 @@ impl Case {
         let is_given = amplitude == "8" && is_half;
         let bases =
             if is_given { BASES.map(|[at, long, short]| Base::new(at, long, short)).to_vec() } else { Vec::new() };
-        let question = chaos::HorseshoeSettings { depth: 3, bases };
+        let question = chaos::HorseshoeSettings { depth: Some(3), bases };
         let patience = Patience::new();
         let watch = |at: Stage<'_>| match at {
             Stage::Horseshoe { boxes, .. } if boxes >= 4 * BOXES as u64 => proceed_if(false),
             _ => patience.goes_on(CHAOS[usize::from(is_given)]),
         };
         let found = Chaos::of_scene(&self.scene, &question, &watch)?;
-        let mut document = document::chaos(&self.scene, None, &question, &found);
+        let mut document = document::chaos(&self.scene, None, &found);
         if found.entropy() > 0.0 && self.random.below(2) == 0 {
             let set = Hyperbolic::of(self.scene.pair(), &found, &|at: Stage<'_>| match at {
                 Stage::Cones(cells) => proceed_if(cells < CELLS),
                 _ => proceed_if(true),
             })?;
-            document.hyperbolic = Some(set.as_ref().ok().map(document::hyperbolic));
+            document = document::with_hyperbolic(document, &set);
         }
         Ok(Answer::Chaos(json!(document)))
     }

@@ -118,16 +118,22 @@ fn proved(map: &Map<'_>, listed: &[(usize, Word)], claimed: &Claimed, known: f64
     let strips = branches(map.guess, map.frames, listed);
     let mut all: Vec<Proved> = Vec::new();
     for (number, word) in listed {
-        let branch = strips.iter().find(|(seen, _)| seen == number).map(|(_, branch)| branch);
+        let seen = strips.iter().find(|(seen, _)| seen == number).map_or(&[][..], |(_, branches)| branches);
         let is_free = |branch: &&Branch| {
             let mut others = all.iter().map(|other| &other.branch).filter(|other| other.from == branch.from);
             word.half_cycles > 0
                 && branch.strip.is_sound()
                 && others.all(|other| branch.strip.is_before(&other.strip) || other.strip.is_before(&branch.strip))
         };
-        let Some(branch) = branch.filter(is_free) else { return Ok(Some(unproved(*number))) };
-        let Some(images) = map.prove(branch, claimed.kappa, known)? else { return Ok(Some(unproved(*number))) };
-        all.push(Proved { branch: branch.clone(), images });
+        let mut found = None;
+        for branch in seen.iter().filter(is_free) {
+            found = map.prove(branch, claimed.kappa, known)?.map(|images| Proved { branch: branch.clone(), images });
+            if found.is_some() {
+                break;
+            }
+        }
+        let Some(found) = found else { return Ok(Some(unproved(*number))) };
+        all.push(found);
     }
     let bases = map.frames.len();
     let count = all.len();

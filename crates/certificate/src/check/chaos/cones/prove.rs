@@ -6,7 +6,7 @@ use super::super::span::Span;
 use super::strip::{Branch, Cell, Frame, Image, Map, Passed, is_beyond, is_tall};
 
 /// No strip has more cells, and none is narrower.
-const MOST_CELLS: usize = 1 << 17;
+const MOST_CELLS: usize = 1 << 19;
 const NARROWEST: f64 = 1.0 / (1 << 20) as f64; // exact: a power of two
 
 /// A word with the images of its cells.

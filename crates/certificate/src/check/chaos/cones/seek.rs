@@ -11,8 +11,8 @@ use super::strip::{Branch, Frame, Strip};
 const APART: f64 = 0.01;
 const NEAREST: f64 = 1e-9;
 const PARTS: i32 = 256;
-/// How far beyond the edges a strip is mapped, and how much farther, as its sides are straight.
-const BEYOND: [f64; 3] = [1.004, 1.0015, 1.0004];
+/// How far beyond the edges a strip is mapped, one after another, and how much farther, as its sides are straight.
+const BEYOND: [f64; 4] = [1.004, 1.0015, 1.008, 1.0004];
 const SPARE: f64 = 1e-4;
 const STEPS: usize = 40;
 const HEIGHTS: [f64; 3] = [-1.0, 0.0, 1.0];
@@ -111,8 +111,8 @@ fn solved(guess: &Guess, frames: &[Frame], word: &Word, eta: f64, (near, wanted)
     None
 }
 
-fn strip(guess: &Guess, frames: &[Frame], word: &Word, ends: [f64; 2], rises: bool) -> Option<Strip> {
-    BEYOND.iter().find_map(|beyond| {
+fn strips(guess: &Guess, frames: &[Frame], word: &Word, ends: [f64; 2], rises: bool) -> Vec<Strip> {
+    let strip = |beyond: &f64| {
         let side = |end: usize, sign: f64| {
             let wanted = if rises { sign * beyond } else { -sign * beyond };
             let row = |&eta: &f64| solved(guess, frames, word, eta, (ends[end], wanted));
@@ -124,11 +124,12 @@ fn strip(guess: &Guess, frames: &[Frame], word: &Word, ends: [f64; 2], rises: bo
         let ([left, lean], [right, other]) = (side(0, -1.0)?, side(1, 1.0)?);
         let spare = SPARE * (right - left);
         Some(Strip { left: [left - spare, lean], right: [right + spare, other] }).filter(Strip::is_sound)
-    })
+    };
+    BEYOND.iter().filter_map(strip).collect()
 }
 
-/// The strips of words, as far as they are seen, by the number of the word.
-pub(super) fn branches(guess: &Guess, frames: &[Frame], words: &[(usize, Word)]) -> Vec<(usize, Branch)> {
+/// Strips of words, as far as they are seen, by the number of the word: of each some that differ in how far beyond the edges they are mapped.
+pub(super) fn branches(guess: &Guess, frames: &[Frame], words: &[(usize, Word)]) -> Vec<(usize, Vec<Branch>)> {
     let mut found = Vec::new();
     let mut ordered: Vec<&(usize, Word)> = words.iter().collect();
     ordered.sort_by_key(|(_, word)| word.flights.len());
@@ -140,14 +141,15 @@ pub(super) fn branches(guess: &Guess, frames: &[Frame], words: &[(usize, Word)])
         for (number, word) in own {
             let free = crossings(&line, word, &frames[word.to]).into_iter().find_map(|(ends, rises)| {
                 let is_free = taken.iter().all(|other| ends[1] <= other[0] || other[1] <= ends[0]);
-                let strip = if is_free { strip(guess, frames, word, ends, rises) } else { None };
-                strip.map(|strip| (ends, rises, strip))
+                let strips = if is_free { strips(guess, frames, word, ends, rises) } else { Vec::new() };
+                (!strips.is_empty()).then_some((ends, rises, strips))
             });
-            let Some((ends, rises, strip)) = free else { continue };
+            let Some((ends, rises, strips)) = free else { continue };
             taken.push(ends);
             let Word { to, half_cycles, ref flights, .. } = *word;
             let (flights, turns) = (flights.clone(), turns(word));
-            found.push((*number, Branch { from, to, flights, half_cycles, turns, strip, rises }));
+            let branch = |strip| Branch { from, to, flights: flights.clone(), half_cycles, turns, strip, rises };
+            found.push((*number, strips.into_iter().map(branch).collect()));
         }
     }
     found
