@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from .bounds import Doubles
 
 #: By the numbers of the compiled module.
-REASONS = np.array(["", "rest", "long"])
+REASONS = np.array(["", "rest", "long", "interrupted"])
 
 
 @dataclass(frozen=True)
@@ -36,13 +36,19 @@ class BoxImages:
     near: Doubles
     #: Around those on the other wall (n, 4).
     far: Doubles
-    #: Why nothing is proved (n,): ``"rest"``, a ball may come to rest; ``"long"``, a flight may last over 64 forcing periods; or ``""``.
+    #: Why nothing is proved (n,): ``"rest"``, a ball may come to rest; ``"long"``, a flight may last over 64 forcing periods;
+    #: ``"interrupted"``, Ctrl-C came before; or ``""``.
     reasons: npt.NDArray[np.str_]
 
     @property
     def decided(self) -> npt.NDArray[np.bool_]:
         """Whether the image is proved to be in its rectangles (n,)."""
         return np.asarray(self.reasons == "")
+
+    @property
+    def interrupted(self) -> bool:
+        """Whether Ctrl-C ended the computation."""
+        return bool((self.reasons == "interrupted").any())
 
     def __len__(self) -> int:
         return len(self.reasons)

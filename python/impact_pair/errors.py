@@ -47,4 +47,4 @@ class MissingPackageError(Error, ImportError):
 
 
 class Interrupted(Error):
-    """A sweep whose workers or scheduler were lost; with ``resume=`` all finished chunks are kept."""
+    """A sweep whose workers or scheduler were lost, or the whole grid of one that Ctrl-C ended; ``resume=`` keeps finished chunks."""

@@ -281,6 +281,7 @@ def _manifold(found: Manifold, ax: Any) -> None:
 @_drawn
 def diagram(found: SweepResult, ax: Any, show: str = "phase") -> None:
     """Draw a bifurcation diagram: the phase [rad] or velocity [length/time] of each impact over the parameter, coloured by proof."""
+    found.require_whole()
     states = found.states
     key = found.head["over"][0]["key"]
     outcomes = found.to_dict("points")["outcome"]
@@ -306,6 +307,7 @@ def basins(found: SweepResult, ax: Any, values: str = "outcome") -> None:
     ``values`` is ``"outcome"``, ``"exponent"`` (per impact) or ``"word"``. Outcomes are named, and attractors of one pair that are mirror
     images of each other have colours of their own; rings are where attractors hit the left wall first.
     """
+    found.require_whole()
     axes = found.head["over"]
     if len(axes) != 2:
         raise RangeError(f"the sweep is over {len(axes)} key, but a map is over 2", "over", str(len(axes)))

@@ -263,9 +263,9 @@ class Scene:
             raise RangeError("wall holds other numbers, but accepted are -1 for left and 1 for right", "wall")
         states = (times.tobytes(), velocities.tobytes(), walls.tobytes())
         with reporting(progress, "flights", walls.size) as tell:
-            sides, mappings, found_t, found_v = _core.flights(self._core, states, tell)
+            (sides, mappings, found_t, found_v), interrupted = _core.flights(self._core, states, tell)
         sides_array, mappings_array = np.frombuffer(sides, dtype=np.int8), np.frombuffer(mappings, dtype=np.uint8)
-        return Flights(sides_array, doubles(found_t, -1, 2), doubles(found_v, -1, 2), mappings_array)
+        return Flights(sides_array, doubles(found_t, -1, 2), doubles(found_v, -1, 2), mappings_array, interrupted)
 
     def box_map(self, rects: npt.ArrayLike, *, columns: int = 4096, progress: Progress = None) -> BoxImages:
         """Return certified enclosures of the images of boxes under the impact map, in reduced coordinates.

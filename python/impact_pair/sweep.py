@@ -6,7 +6,9 @@ has the same bytes as ``impact-pair sweep`` writes in one process.
 
 from __future__ import annotations
 
+import contextlib
 import hashlib
+import itertools
 import json
 import os
 import time
@@ -72,7 +74,11 @@ class Question:
 def compute(question: Question, first: int, last: int) -> tuple[bytes, float]:
     """Return the lines of the points from first up to last, and the seconds taken: the work of a worker, on one thread."""
     began = time.perf_counter()
-    return question.core().compute((first, last), 1, None), time.perf_counter() - began
+    lines = question.core().compute((first, last), 1, None)
+    if lines.count(b"\n") < last - first:
+        # Ctrl-C in a terminal is sent to the workers as well.
+        raise KeyboardInterrupt
+    return lines, time.perf_counter() - began
 
 
 class Rate:
@@ -118,7 +124,8 @@ def sweep(
     ``executor`` computes: any ``concurrent.futures.Executor``, such as a ``ProcessPoolExecutor`` or Dask's ``client.get_executor()``;
     without one all processors of this process. It is sent chunks that take about ``seconds``, sized from the first ones, for as many
     ``workers`` as it has. With ``resume`` finished chunks are kept in that folder under a hash of scene, grid and version: called again
-    after a crash of a worker, the scheduler or this process, the sweep continues from there.
+    after a crash of a worker, the scheduler or this process, the sweep continues from there. Ctrl-C ends it: the answer has the
+    finished points, and is ``interrupted``.
     """
     axes = tuple(axis(key, values) for key, values in over.items())
     question = Question(scene, axes, **asked)
@@ -128,10 +135,9 @@ def sweep(
     count = workers or workers_of(executor)
     with reporting(progress, "points", core.points) as tell:
         run = Run(question, chunks, core.points, Rate(seconds, count), tell)
-        if executor is None:
-            run.here(core)
-        else:
-            run.on(executor)
+        # What is finished is kept.
+        with contextlib.suppress(KeyboardInterrupt):
+            run.here(core) if executor is None else run.on(executor)
     return SweepResult(question, chunks)
 
 
@@ -162,6 +168,14 @@ def workers_of(executor: Executor | None) -> int:
     if client is not None and hasattr(client, "ncores"):
         return max(1, sum(map(int, client.ncores().values())))
     return int(getattr(executor, "_max_workers", None) or os.cpu_count() or 1)
+
+
+def stretches(lines: bytes) -> Iterator[tuple[int, int, bytes]]:
+    """Yield the lines of points that follow one another: the first point, the one after the last, and the lines."""
+    found: list[tuple[int, bytes]] = [(json.loads(line)["point"], line) for line in lines.splitlines(keepends=True)]
+    for _, part in itertools.groupby(enumerate(found), lambda numbered: numbered[1][0] - numbered[0]):
+        points = [line for _, line in part]
+        yield points[0][0], points[-1][0] + 1, b"".join(line for _, line in points)
 
 
 class Run:
@@ -198,7 +212,10 @@ class Run:
             first, last = self.next()
             tell = None if self._tell is None else lambda points, before=before: self._tell(before + points)
             lines = core.compute((first, last), 0, tell)
-            self.keep(first, last, lines, time.perf_counter() - began)
+            for start, end, part in stretches(lines):
+                self.keep(start, end, part, time.perf_counter() - began)
+            if lines.count(b"\n") < last - first:
+                return
 
     def on(self, executor: Executor) -> None:
         """Have it computed by the workers of an executor."""
@@ -222,7 +239,7 @@ class Run:
 
 
 class SweepResult:
-    """A finished sweep: the certified result of each point, in the order of the grid."""
+    """A sweep: the certified result of each point, in the order of the grid; after Ctrl-C of those that are finished."""
 
     def __init__(self, question: Question, chunks: Chunks) -> None:
         self._question, self._chunks = question, chunks
@@ -245,7 +262,28 @@ class SweepResult:
     @property
     def complete(self) -> bool:
         """Whether everything requested is certified at every point: the command line's exit code 0."""
-        return all(record["complete"] for record in self)
+        return not self.interrupted and all(record["complete"] for record in self)
+
+    @property
+    def interrupted(self) -> bool:
+        """Whether Ctrl-C ended the sweep: some points of the grid are missing."""
+        return self._missing() > 0
+
+    def _missing(self) -> int:
+        return sum(last - first for first, last in self._chunks.missing(self.points))
+
+    def require_whole(self) -> None:
+        """Raise :class:`Interrupted` where points are missing.
+
+        Raises
+        ------
+        Interrupted
+            When Ctrl-C ended the sweep.
+
+        """
+        if self.interrupted:
+            said = f"the sweep was interrupted, {self._missing()} of {self.points} points are missing"
+            raise Interrupted(f"{said}: to_pandas() has the finished ones, and a sweep with resume= goes on")
 
     @property
     def outcomes(self) -> dict[str, int]:
@@ -254,7 +292,7 @@ class SweepResult:
 
     @property
     def points(self) -> int:
-        """Number of points."""
+        """Number of points of the grid."""
         return self._core.points
 
     def __len__(self) -> int:
@@ -326,8 +364,11 @@ class SweepResult:
         ------
         MissingPackageError
             When xarray is not installed.
+        Interrupted
+            When points are missing.
 
         """
+        self.require_whole()
         return _cf.sweep(self)
 
     def svg(self, show: str = "phase") -> str:
@@ -337,7 +378,7 @@ class SweepResult:
     def save(self, path: str | os.PathLike[str], states: str | os.PathLike[str] | None = None) -> None:
         """Write .csv, .jsonl or .svg, with the bytes of ``impact-pair sweep``; .parquet by pyarrow, ``to_xarray`` as .nc or .zarr.
 
-        It is written atomically.
+        It is written atomically. Of an interrupted sweep .csv, .parquet and .svg have the finished points.
 
         With ``states``, a .csv or .parquet beside another one, the impacts go into a separate table, and ``path`` holds only the
         result of each point; both have the column ``point``.
@@ -346,10 +387,13 @@ class SweepResult:
         ------
         RangeError
             When a name has another ending, or there are no states.
+        Interrupted
+            When points are missing, and the file is one of the whole grid: .jsonl, .nc or .zarr.
 
         """
         path = Path(path)
-        ending(path, (".csv", ".jsonl", ".svg", ".parquet", ".nc", ".zarr"))
+        if ending(path, (".csv", ".jsonl", ".svg", ".parquet", ".nc", ".zarr")) in (".jsonl", ".nc", ".zarr"):
+            self.require_whole()
         if states is not None:
             states = Path(states)
             self._keep(states, path)
@@ -389,12 +433,14 @@ class SweepResult:
 
     def __repr__(self) -> str:
         said = ", ".join(f"{count} {outcome}" for outcome, count in self.outcomes.items())
-        return f"<sweep over {' and '.join(self._question.over)}: {said}>"
+        missing = f"; interrupted, {self._missing()} of {self.points} points are missing" if self.interrupted else ""
+        return f"<sweep over {' and '.join(self._question.over)}: {said}{missing}>"
 
     def _repr_svg_(self) -> str:
         return self.svg()
 
     def __reduce__(self) -> tuple[Any, ...]:
         kept = Memory()
-        kept.add(0, self.points, b"".join(self.lines()))
+        for (first, last), lines in zip(sorted(self._chunks.ranges()), self.lines(), strict=True):
+            kept.add(first, last, lines)
         return SweepResult, (replace(self._question), kept)

@@ -3,6 +3,7 @@
 use anyhow::Result;
 use impact_pair::orbit::{BITS, Orbit};
 use impact_pair_plot::orbit::{Figure, Panel};
+use impact_pair_plot::picture::Look;
 use pyo3::prelude::*;
 
 use crate::errors::{Fault, accepted};
@@ -35,6 +36,7 @@ pub fn plot(
         arithmetic: asked.3.parse().map_err(Fault::from)?,
         splice: asked.4,
         max_bits: accepted("max_bits", asked.5, BITS)?,
+        look: Look::default(),
     };
     watched(py, progress, move |monitor| {
         let settings = figure.settings(&scene);

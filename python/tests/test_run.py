@@ -207,7 +207,7 @@ def test_readme_is_true(monkeypatch):
 
     monkeypatch.chdir(ROOT)
 
-    for page in ("README.md", "python/README.md", "docs/howto/boxes.md", "docs/guide/own-system.md"):
+    for page in ("README.md", "python/README.md", "docs/howto/boxes.md", "docs/howto/exponents.md", "docs/guide/own-system.md"):
         found = doctest.testfile(str(ROOT / page), module_relative=False, optionflags=doctest.ELLIPSIS)
         assert found.attempted > 4
         assert not found.failed

@@ -171,7 +171,7 @@ fn finish(arguments: &SweepArguments, sweep: &mut Sweep, formats: Formats) -> Re
     out.commit()?;
     if let Some(path) = &arguments.plot {
         Output::open(Some(path))?
-            .draw(path, arguments.theme, || impact_pair_plot::sweep::svg(sweep, arguments.show, arguments.within))?;
+            .draw(path, &arguments.look, || impact_pair_plot::sweep::svg(sweep, arguments.show, arguments.within, &arguments.look))?;
     }
     Ok(tally)
 }

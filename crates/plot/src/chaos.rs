@@ -10,8 +10,8 @@ use impact_pair::scene::Range;
 use plotters::prelude::*;
 use plotters::style::text_anchor::HPos;
 
-use crate::picture::{self, Arc, Axis, Canvas, Dots, Drawn, Element, FONT, Mark, Path, Plane, SCALE, SKY, VERMILION};
-use crate::picture::{greek, hex, legend, program, said, words};
+use crate::picture::{self, Arc, Axis, Canvas, Dots, Drawn, Element, FONT, Look, Mark, Path, Plane, SCALE, SKY};
+use crate::picture::{VERMILION, greek, hex, legend, program, said, words};
 use crate::sweep::Cells;
 
 /// Of one panel, and of two beside each other.
@@ -34,7 +34,7 @@ const SPEED: &str = "speed before the impact, in $AΩ$";
 ///
 /// # Errors
 /// When it cannot be drawn.
-pub fn trap(scene: &Scene, region: &Trap) -> Result<String> {
+pub fn trap(scene: &Scene, region: &Trap, look: &Look) -> Result<String> {
     let (columns, rows) = region.grid();
     let arc = Arc::holding(phases(region));
     let states = seen_impacts(scene.pair(), scene.start(), [TRANSIENT, IMPACTS])?;
@@ -45,8 +45,8 @@ pub fn trap(scene: &Scene, region: &Trap) -> Result<String> {
     };
     let proved = format!("certified: a trapping region of {} boxes{entered}; {}", region.boxes(), program());
     let said = format!("{} impacts of a floating-point orbit after {TRANSIENT} others: non-rigorous", states.len());
-    picture::svg(ALONE, SCALE, |root| {
-        let top = caption(scene, None, proved, root)?;
+    picture::svg(look.size(ALONE), SCALE, |root| {
+        let top = caption(scene, None, proved, (root, look))?;
         let boxes = format!("boxes of 2π/{columns} by 1/{rows}");
         let height = legend(root, top, &[(Mark::Cell(SKY), boxes), (Mark::Dot(BLACK), said)])?;
         let (_, below) = root.split_vertically(top + height);
@@ -63,16 +63,17 @@ pub fn trap(scene: &Scene, region: &Trap) -> Result<String> {
 ///
 /// # Errors
 /// When it cannot be drawn.
-pub fn chaos(scene: &Scene, over: Option<&Range>, found: &Chaos) -> Result<String> {
+pub fn chaos(scene: &Scene, over: Option<&Range>, found: &Chaos, look: &Look) -> Result<String> {
     let has_bases = !found.bases().is_empty();
-    picture::svg(if has_bases { TOGETHER } else { ALONE }, SCALE, |root| {
-        let top = caption(scene, over, proved(found), root)?;
+    let size = look.size(if has_bases { TOGETHER } else { ALONE });
+    picture::svg(size, SCALE, |root| {
+        let top = caption(scene, over, proved(found), (root, look))?;
         let height = legend(root, top, &entries(found))?;
         let (_, below) = root.split_vertically(top + height);
         if !has_bases {
             return whole(found, &below, root);
         }
-        let (left, right) = below.split_horizontally(TOGETHER.0 as i32 * SCALE / 2);
+        let (left, right) = below.split_horizontally(size.0 as i32 * SCALE / 2);
         let titles =
             ["(a)  the attractor, the h-sets and their images", "(b)  the h-sets along their leaf and across it"];
         let areas = [left, right].map(|area| area.split_vertically(24 * SCALE));
@@ -168,7 +169,7 @@ fn entries(found: &Chaos) -> Vec<(Mark, String)> {
     if !found.bases().is_empty() {
         let depth = found.depth().min(IMAGES);
         let later = if depth == 1 { "1 impact".to_owned() } else { format!("1 to {depth} impacts") };
-        entries.push((Mark::Outline(VERMILION), "bases".to_owned()));
+        entries.push((Mark::Outline(VERMILION), "h-sets".to_owned()));
         entries.push((
             Mark::Line(SKY, IMAGE),
             format!("(a) their images {later} later, up to where they cover an h-set: proved"),
@@ -188,9 +189,9 @@ fn caption(
     scene: &Scene,
     over: Option<&Range>,
     proved: String,
-    root: &Canvas<'_>,
+    (root, look): (&Canvas<'_>, &Look),
 ) -> Result<i32, Box<dyn std::error::Error>> {
-    picture::caption(root, scene.title().unwrap_or("The impact map"), &[parameters(scene, over), proved])
+    picture::caption(root, look, scene.title().unwrap_or("The impact map"), &[parameters(scene, over), proved])
 }
 
 /// The parameters of a scene, of one that varies its range.
