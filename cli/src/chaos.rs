@@ -169,7 +169,8 @@ impl Work<'_> {
         let is_proved = document.certified && !document.interrupted && document.hyperbolic != Some(None);
         let open = (!is_proved).then(|| table::conclusion(&document, &found));
         let is_table = self.format == PeriodicFormat::Table;
-        self.files.draw((&text, open, is_table), || impact_pair_plot::chaos::chaos(scene, over, &found, &self.arguments.look))
+        self.files
+            .draw((&text, open, is_table), || impact_pair_plot::chaos::chaos(scene, over, &found, &self.arguments.look))
     }
 
     /// What is proved of each value in a range.
@@ -189,6 +190,8 @@ impl Work<'_> {
         };
         let open = (!document.certified).then(|| table::shares(&document));
         let is_table = self.format == PeriodicFormat::Table;
-        self.files.draw((&text, open, is_table), || impact_pair_plot::proved::cells(scene, &asked, &found, &self.arguments.look))
+        self.files.draw((&text, open, is_table), || {
+            impact_pair_plot::proved::cells(scene, &asked, &found, &self.arguments.look)
+        })
     }
 }

@@ -95,7 +95,9 @@ pub fn describe(arguments: &DescribeArguments) -> Result<Answer> {
     };
     let open = (!document.certified || document.interrupted).then(|| conclusion(&document));
     let is_table = format == DescribeFormat::Text;
-    files.draw((&text, open, is_table), || impact_pair_plot::describe::describe(&scene, &found, &document, &arguments.look))
+    files.draw((&text, open, is_table), || {
+        impact_pair_plot::describe::describe(&scene, &found, &document, &arguments.look)
+    })
 }
 
 /// The description for people.

@@ -40,7 +40,8 @@ impl Destination {
         scene::keep_apart(inputs, output, plot.map(|(path, _)| path))?;
         catch_interruption();
         let out = Output::open(output)?;
-        let open = |(path, look): (&Path, &Look)| Ok::<_, Error>((Output::open(Some(path))?, path.to_owned(), look.clone()));
+        let open =
+            |(path, look): (&Path, &Look)| Ok::<_, Error>((Output::open(Some(path))?, path.to_owned(), look.clone()));
         Ok(Files { out, picture: plot.map(open).transpose()?, quiet: self.quiet })
     }
 

@@ -40,7 +40,9 @@ pub fn trap(
                     document.words = words.ok().as_ref().map(document::wall_words);
                 }
                 let is_counted = impacts.is_none() || document.words.is_some();
-                let svg = picture.then(|| drawn(impact_pair_plot::chaos::trap(&scene, &region, &Look::default()))).transpose()?;
+                let svg = picture
+                    .then(|| drawn(impact_pair_plot::chaos::trap(&scene, &region, &Look::default())))
+                    .transpose()?;
                 let is_complete = is_counted && document.entered_at_impact.is_some();
                 Ok((Some(text(&document)), is_complete, monitor.is_stopped(), svg))
             }
@@ -106,7 +108,9 @@ pub fn chaos(
             document.hyperbolic = Some(set.as_ref().ok().map(document::hyperbolic));
         }
         let is_proved = found.entropy() > 0.0 && !document.interrupted && document.hyperbolic != Some(None);
-        let svg = picture.then(|| drawn(impact_pair_plot::chaos::chaos(&scene, over.as_ref(), &found, &Look::default()))).transpose()?;
+        let svg = picture
+            .then(|| drawn(impact_pair_plot::chaos::chaos(&scene, over.as_ref(), &found, &Look::default())))
+            .transpose()?;
         Ok((text(&document), is_proved, monitor.is_stopped(), svg))
     })
 }
@@ -132,7 +136,9 @@ pub fn chaos_cells(
     watched(py, progress, move |monitor| {
         let found = Cells::of(scene.pair(), scene.start(), &asked, monitor)?;
         let document = document::cells(&scene, &asked, &found);
-        let svg = picture.then(|| drawn(impact_pair_plot::proved::cells(&scene, &asked, &found, &Look::default()))).transpose()?;
+        let svg = picture
+            .then(|| drawn(impact_pair_plot::proved::cells(&scene, &asked, &found, &Look::default())))
+            .transpose()?;
         Ok((one_a_line(&document, &["stretches"]), document.certified, monitor.is_stopped(), svg))
     })
 }

@@ -46,12 +46,7 @@ struct Followed {
 ///
 /// # Errors
 /// When it cannot be drawn.
-pub fn describe(
-    scene: &Scene,
-    found: &Description,
-    document: &DescriptionDocument,
-    look: &Look,
-) -> Result<String> {
+pub fn describe(scene: &Scene, found: &Description, document: &DescriptionDocument, look: &Look) -> Result<String> {
     let followed = follow(scene)?;
     let Followed { trace, .. } = &followed;
     let settled = document.fate.from.filter(|_| document.fate.kind == FateName::Attracted);

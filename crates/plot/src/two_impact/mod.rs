@@ -30,13 +30,7 @@ pub type Window = [[f64; 2]; 2];
 ///
 /// # Errors
 /// When it cannot be drawn.
-pub fn svg(
-    scene: &Scene,
-    axis: Axis,
-    curves: &[Manifold],
-    window: Option<Window>,
-    look: &Look,
-) -> Result<String> {
+pub fn svg(scene: &Scene, axis: Axis, curves: &[Manifold], window: Option<Window>, look: &Look) -> Result<String> {
     let picture = Picture { curves, slope: Slope::of(scene, axis), gap: middle(&scene.pair().gap().enclose(64)), axis };
     let height = SIZE.1 + if window.is_some() { BELOW } else { 0 };
     picture::svg(look.size((SIZE.0, height)), SCALE, |root| {
@@ -176,11 +170,7 @@ fn room(places: &[(u32, (i32, i32))]) -> f64 {
 }
 
 /// Title, parameters and program; how high that is.
-fn caption(
-    scene: &Scene,
-    axis: Axis,
-    (root, look): (&Canvas<'_>, &Look),
-) -> Result<i32, Box<dyn std::error::Error>> {
+fn caption(scene: &Scene, axis: Axis, (root, look): (&Canvas<'_>, &Look)) -> Result<i32, Box<dyn std::error::Error>> {
     let (pair, start) = (scene.pair(), scene.start());
     let given = match axis {
         Axis::Frequency => format!("v = {}", start.velocity()),
