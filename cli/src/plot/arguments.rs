@@ -71,7 +71,7 @@ pub struct PlotArguments {
     #[arg(long, value_name = "BITS", default_value_t = MAX_BITS, value_parser = bits())]
     max_bits: u32,
     /// The picture, written atomically; the extension selects the format
-    #[arg(id = "plot", long = "output", short, value_name = "FILE.svg|FILE.png|FILE.pdf", value_parser = impact_pair_plot::picture::path)]
+    #[arg(id = "plot", long = "output", short = 'o', value_name = "FILE.svg|FILE.png|FILE.pdf", value_parser = impact_pair_plot::picture::path)]
     pub output: PathBuf,
     #[command(flatten)]
     pub look: Look,
