@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from . import _core
-from ._exact import whole
+from ._exact import doubles_of, whole
 from ._progress import Progress, reporting
 from .bounds import doubles
 from .errors import RangeError
@@ -56,7 +56,7 @@ class BoxImages:
 
 def box_map(scene: _core.Scene, rects: npt.ArrayLike, columns: int, progress: Progress) -> BoxImages:
     """Return the images of boxes: see :meth:`impact_pair.Scene.box_map`."""
-    boxes = np.ascontiguousarray(rects, dtype=np.float64)
+    boxes = np.ascontiguousarray(doubles_of("rects", rects))
     if boxes.ndim != 2 or boxes.shape[1] != 4:
         message = f"rects has the shape {boxes.shape}, but must have (n, 4): least phase and speed, greatest phase and speed"
         raise RangeError(message, "rects", str(boxes.shape))

@@ -13,6 +13,7 @@ import numpy as np
 
 from . import _cf, _core
 from ._document import Document
+from ._exact import doubles_of
 from ._file import ending, parquet, write
 from ._progress import Progress, reporting
 from .bounds import Bounds, doubles, middles, radii
@@ -249,7 +250,7 @@ class Orbit(Document):
         At a time that may be before or after an impact both velocities are in the bounds. NaN before the start, after the last
         event, but where a time to stop at, ``until``, says that there is none before it, and while infinitely many impacts pass.
         """
-        times = np.ascontiguousarray(np.atleast_1d(np.asarray(t, dtype=np.float64)))
+        times = np.ascontiguousarray(np.atleast_1d(doubles_of("t", t)))
         with reporting(progress, "times", times.size) as tell:
             bounds, interrupted = self._core.at(times.tobytes(), tell)
         found = doubles(bounds, -1, 2, 2)

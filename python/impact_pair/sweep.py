@@ -13,7 +13,7 @@ import json
 import os
 import time
 from collections import Counter
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from concurrent.futures import FIRST_COMPLETED, Executor, Future, wait
 from dataclasses import dataclass, replace
 from functools import cached_property
@@ -23,7 +23,7 @@ from typing import TYPE_CHECKING, Any, Literal
 import numpy as np
 
 from . import _cf, _core
-from ._exact import Value, text, whole
+from ._exact import Value, doubles_of, text, whole
 from ._file import ending, parquet, write
 from ._progress import Progress, reporting
 from ._store import Chunks, Files, Memory
@@ -104,7 +104,7 @@ class Rate:
 
 def sweep(
     scene: str,
-    over: Mapping[str, tuple[Value, Value, int] | Doubles],
+    over: Mapping[str, tuple[Value, Value, int] | Sequence[float] | Doubles],
     asked: dict[str, Any],
     *,
     executor: Executor | None = None,
@@ -116,8 +116,8 @@ def sweep(
     """Certify an orbit at each point of a grid: bifurcation diagrams, exponents, basins.
 
     ``over`` has the keys that vary, one or two: ``{"amplitude": ("1", "10", 1000)}`` are 1000 exact values, evenly spaced,
-    endpoints included; an array such as ``np.linspace(1, 10, 1000)`` stands for its first and last value and their number, and the
-    values between are spaced exactly. Of two keys the second one varies faster. Keys are those of the command line: amplitude,
+    endpoints included; an array or a list such as ``np.linspace(1, 10, 1000)`` stands for its first and last value and their number,
+    and the values between are spaced exactly. Of two keys the second one varies faster. Keys are those of the command line: amplitude,
     frequency, phase, gap, restitution, start.time, start.phase, start.position, start.velocity; with several harmonics amplitude.2
     and so on. Of each orbit ``transient`` impacts are skipped and ``impacts`` listed, or with ``summary`` none.
 
@@ -127,6 +127,8 @@ def sweep(
     after a crash of a worker, the scheduler or this process, the sweep continues from there. Ctrl-C ends it: the answer has the
     finished points, and is ``interrupted``.
     """
+    if not isinstance(over, Mapping):
+        raise RangeError(f'over is {over!r}, but must be a dict, such as {{"amplitude": (1, 10, 1000)}}', "over", repr(over))
     axes = tuple(axis(key, values) for key, values in over.items())
     question = Question(scene, axes, **asked)
     core = question.core()
@@ -141,23 +143,35 @@ def sweep(
     return SweepResult(question, chunks)
 
 
-def spread(key: str, values: Any) -> tuple[Value, Value, int]:
-    """Return first value, last value and number of an array of evenly spaced values, such as that of ``np.linspace``."""
+def spread(key: str, given: Any) -> tuple[Value, Value, int]:
+    """Return first value, last value and number of evenly spaced values, such as those of ``np.linspace``."""
+    values = doubles_of(f"over of {key}", given)
     evenly = np.linspace(values[0], values[-1], len(values)) if values.ndim == 1 and len(values) > 1 else None
-    if evenly is None or not np.allclose(values, evenly, rtol=1e-12, atol=0):
-        message = f"over of {key} is an array, but must be one of two or more evenly spaced values, or (low, high, count)"
-        raise RangeError(message, key, repr(values))
+    if evenly is None or not np.allclose(values, evenly, rtol=1e-6 if given_in_singles(given) else 1e-12, atol=0):
+        message = f"over of {key} is {given!r}, but must be two or more evenly spaced values, or (low, high, count)"
+        raise RangeError(message, key, repr(given))
     return values[0], values[-1], len(values)
+
+
+def given_in_singles(values: Any) -> bool:
+    """Return whether an array has less than double precision, in which steps are rounded more."""
+    return getattr(values, "dtype", np.dtype(float)).itemsize < np.dtype(float).itemsize
+
+
+def spaced(key: str, values: Any) -> tuple[Value, Value, int]:
+    """Return first value, last value and number of what varies: of ``(low, high, count)``, or of an array or a list of values."""
+    if isinstance(values, (np.ndarray, list)):
+        values = spread(key, values)
+    if not isinstance(values, tuple) or len(values) != 3:
+        raise RangeError(f"over of {key} is {values!r}, but must be (low, high, count)", key, repr(values))
+    low, high, count = values
+    return low, high, whole(f"{key} count", count)
 
 
 def axis(key: str, values: Any) -> str:
     """Return what varies in the words of the command line: exact values from one to another, evenly spread."""
-    if isinstance(values, np.ndarray):
-        values = spread(key, values)
-    if not isinstance(values, (tuple, list)) or len(values) != 3:
-        raise RangeError(f"over of {key} is {values!r}, but must be (low, high, count)", key, repr(values))
-    low, high, count = values
-    return f"{key}={text(key, low)}..{text(key, high)}:{whole(f'{key} count', count)}"
+    low, high, count = spaced(key, values)
+    return f"{key}={text(key, low)}..{text(key, high)}:{count}"
 
 
 def workers_of(executor: Executor | None) -> int:

@@ -92,7 +92,8 @@ pub fn chaos(
             bases.map(|text| serde_json::from_str(&text)).transpose().map_err(Fault::certificate)?;
         let bases = bases.map(|bases| document::bases(&bases)).unwrap_or_default();
         let question = HorseshoeSettings { depth: accepted("depth", depth, 1..=MOST_DEPTH)? as usize, bases };
-        let over = over.map(|over| bifurcation::over(&over)).transpose()?;
+        let range = |text: String| bifurcation::over(&text).map_err(|error| Fault::keyed(error, "over", &text));
+        let over = over.map(range).transpose()?;
         let pair = match &over {
             Some(over) => {
                 let values = Exact::interval(&over.low, &over.high)
@@ -127,7 +128,7 @@ pub fn chaos_cells(
 ) -> PyResult<Drawn> {
     let ((over, cells), (halvings, depth)) = (over, question);
     let asked = RangeSettings {
-        over: bifurcation::over(over).map_err(Fault::from)?,
+        over: bifurcation::over(over).map_err(|error| Fault::keyed(error, "over", over))?,
         cells: accepted("cells", cells, 1..=MOST_CELLS)?,
         halvings: accepted("halvings", halvings, 0..=MOST_HALVINGS)?,
         depth: accepted("depth", depth, 1..=MOST_DEPTH)? as usize,

@@ -62,7 +62,10 @@ pub fn flights<'py>(
             }
             let wall = if *wall == side(Some(Wall::Right)) { Wall::Right } else { Wall::Left };
             let at = |error: impact_pair::Error| {
-                let (key, value) = (error.key().unwrap_or_default(), error.value().unwrap_or_default().to_owned());
+                let (key, value) = match error.key() {
+                    Some("start.time") => ("t", *time),
+                    _ => ("v", *velocity),
+                };
                 Fault::range(&format!("{key}[{i}]"), value, "must be finite, and a velocity point at its wall")
             };
             found.push(arrivals.next(wall, *time, *velocity).map_err(at)?.ok());

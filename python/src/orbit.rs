@@ -196,7 +196,8 @@ pub fn run(
     watched(py, progress, move |monitor| {
         let (_, _, _, arithmetic, splice, max_bits) = &asked;
         let max_bits = accepted("max_bits", *max_bits, orbit::BITS)?;
-        let settings = scene.settings_asked(asked_run(&asked)?, arithmetic.parse()?);
+        let chosen = arithmetic.parse().map_err(|error| Fault::keyed(error, "arithmetic", arithmetic))?;
+        let settings = scene.settings_asked(asked_run(&asked)?, chosen);
         let settings = Settings { attractor: true, splice: *splice, max_bits, ..settings };
         let mut orbit = orbit::Orbit::of(&scene, settings.clone())?;
         let mut dense = Dense::new(&orbit, scene.start());

@@ -61,11 +61,12 @@ impl Sweep {
         summary: bool,
     ) -> PyResult<Self> {
         let scene = scene.get().scene.clone();
-        let axes: Result<Vec<Range>, _> = over.iter().map(|text| axis(text)).collect();
-        let grid = Grid::new(axes.map_err(Fault::from)?).map_err(Fault::from)?;
+        let named = |text: &String| axis(text).map_err(|error| Fault::keyed(error, "over", text));
+        let axes: Vec<Range> = over.iter().map(named).collect::<Result<_, _>>()?;
+        let grid = Grid::new(axes).map_err(|error| Fault::keyed(error, "over", &over.join(" ")))?;
         let settings = Settings {
             digits: accepted("digits", asked.0, DIGITS)?,
-            arithmetic: asked.1.parse().map_err(Fault::from)?,
+            arithmetic: asked.1.parse().map_err(|error| Fault::keyed(error, "arithmetic", &asked.1))?,
             max_bits: accepted("max_bits", asked.2, orbit::BITS)?,
             ..Settings::default()
         };

@@ -60,7 +60,7 @@ pub fn periodic(
     let (word, cycles, all) = question;
     let scene = scene.get().scene.clone();
     watched(py, progress, move |monitor| {
-        let word: Word = word.parse()?;
+        let word: Word = word.parse().map_err(|error| Fault::keyed(error, "word", &word))?;
         let problem = Problem::new(scene.pair(), &word, accepted("cycles", cycles, 1..=MOST_CYCLES)?)?;
         let units = Units::new(problem.pair())?;
         let precision = precision(asked, &scene)?;
@@ -85,7 +85,8 @@ pub fn bifurcations(
     let (word, cycles, over, doublings) = question;
     let scene = scene.get().scene.clone();
     watched(py, progress, move |monitor| {
-        let (word, over): (Word, _) = (word.parse()?, bifurcation::over(&over)?);
+        let word: Word = word.parse().map_err(|error| Fault::keyed(error, "word", &word))?;
+        let over = bifurcation::over(&over).map_err(|error| Fault::keyed(error, "over", &over))?;
         let cycles = accepted("cycles", cycles, 1..=MOST_CYCLES)?;
         let doublings = accepted("doublings", doublings, 0..=8)?;
         let wanted = DiagramSettings { over, doublings, precision: precision(asked, &scene)? };
