@@ -20,7 +20,7 @@ from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
-from . import _manifold
+from . import _kinds, _manifold
 from ._kinds import BLUE, CLASSES, GREEN, VERMILION, class_of, colours_of, kinds_of
 from .answers import Manifold
 from .bounds import middles, outward
@@ -37,6 +37,8 @@ if TYPE_CHECKING:
     #: What is magnified: from where to where, on both axes.
     Window = tuple[tuple[float, float], tuple[float, float]]
 
+#: The grey of lines that one adds.
+GREY = _kinds.GREY
 #: Points of a curve per forcing period.
 IN_A_CYCLE = 200
 #: Widths of figures in journals [inches]: 90 and 190 mm.
