@@ -15,7 +15,7 @@ use impact_pair::exact::Exact;
 use impact_pair::json::{BaseDocument, one_a_line};
 use impact_pair::periodic::bifurcation::{PARAMETERS, is_parameter};
 use impact_pair::scene::Range;
-use impact_pair_plot::picture::Theme;
+use impact_pair_plot::picture::Look;
 use serde::Deserialize;
 
 use crate::Answer;
@@ -79,9 +79,8 @@ pub struct ChaosArguments {
     /// Draw a floating-point orbit, the h-sets and their first images; with :COUNT the bifurcation diagram, coloured by verdict
     #[arg(long, value_name = "FILE.svg|FILE.png|FILE.pdf", value_parser = impact_pair_plot::picture::path)]
     plot: Option<PathBuf>,
-    /// Colours of the picture
-    #[arg(long, value_enum, default_value_t, value_name = "light|dark", requires = "plot")]
-    theme: Theme,
+    #[command(flatten)]
+    look: Look,
     #[command(flatten)]
     pub destination: Destination,
 }
@@ -114,7 +113,7 @@ fn range(text: &str) -> Result<Range, impact_pair::Error> {
 
 pub fn chaos(arguments: &ChaosArguments) -> Result<Answer> {
     let format = arguments.destination.format(arguments.format)?;
-    let plot = arguments.plot.as_deref().map(|path| (path, arguments.theme));
+    let plot = arguments.plot.as_deref().map(|path| (path, &arguments.look));
     let Begun { scene, files, .. } = arguments.destination.begin(&arguments.scene, plot)?;
     let bases = arguments.bases.as_deref().map(bases).transpose()?.unwrap_or_default();
     let work = Work { arguments, format, scene: &scene, files };
@@ -176,8 +175,9 @@ impl Work<'_> {
         let is_proved = document.certified && !document.interrupted && document.hyperbolic != Some(None);
         let open = (!is_proved).then(|| table::conclusion(&document, &found));
         let is_table = self.format == PeriodicFormat::Table;
-        self.files
-            .draw((&text, open, is_table), || impact_pair_plot::chaos::chaos(scene, over, &found, proved.as_ref()))
+        self.files.draw((&text, open, is_table), || {
+            impact_pair_plot::chaos::chaos(scene, over, (&found, proved.as_ref()), &self.arguments.look)
+        })
     }
 
     /// What is proved of each value in a range.
@@ -197,6 +197,8 @@ impl Work<'_> {
         };
         let open = (!document.certified).then(|| table::shares(&document));
         let is_table = self.format == PeriodicFormat::Table;
-        self.files.draw((&text, open, is_table), || impact_pair_plot::proved::cells(scene, &asked, &found))
+        self.files.draw((&text, open, is_table), || {
+            impact_pair_plot::proved::cells(scene, &asked, &found, &self.arguments.look)
+        })
     }
 }

@@ -10,7 +10,7 @@ use impact_pair::chaos::MOST_DEPTH;
 use impact_pair::describe::{Request, describe as described, lines};
 use impact_pair::json::DescriptionDocument;
 use impact_pair::orbit::MAX_BITS;
-use impact_pair_plot::picture::Theme;
+use impact_pair_plot::picture::Look;
 
 use crate::Answer;
 use crate::destination::{Begun, Destination};
@@ -62,9 +62,8 @@ pub struct DescribeArguments {
     /// Draw time series, phase plane, impacts with region and h-sets, and itinerary on one page
     #[arg(long, value_name = "FILE.svg|FILE.png|FILE.pdf", value_parser = impact_pair_plot::picture::path)]
     plot: Option<PathBuf>,
-    /// Colours of the picture
-    #[arg(long, value_enum, default_value_t, value_name = "light|dark", requires = "plot")]
-    theme: Theme,
+    #[command(flatten)]
+    look: Look,
     #[command(flatten)]
     destination: Destination,
 }
@@ -81,7 +80,7 @@ enum DescribeFormat {
 
 pub fn describe(arguments: &DescribeArguments) -> Result<Answer> {
     let format = arguments.destination.format(arguments.format)?;
-    let plot = arguments.plot.as_deref().map(|path| (path, arguments.theme));
+    let plot = arguments.plot.as_deref().map(|path| (path, &arguments.look));
     let Begun { scene, files, path } = arguments.destination.begin(&arguments.scene, plot)?;
     let named = || scene::name(path);
     let DescribeArguments { impacts, max_bits, .. } = *arguments;
@@ -96,7 +95,9 @@ pub fn describe(arguments: &DescribeArguments) -> Result<Answer> {
     };
     let open = (!document.certified || document.interrupted).then(|| conclusion(&document));
     let is_table = format == DescribeFormat::Text;
-    files.draw((&text, open, is_table), || impact_pair_plot::describe::describe(&scene, &found, &document))
+    files.draw((&text, open, is_table), || {
+        impact_pair_plot::describe::describe(&scene, &found, &document, &arguments.look)
+    })
 }
 
 /// The description for people.

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use anyhow::{Error, Result};
 use clap::{Args, ValueEnum};
 use impact_pair::Scene;
-use impact_pair_plot::picture::Theme;
+use impact_pair_plot::picture::Look;
 
 use crate::output::Output;
 use crate::progress::catch_interruption;
@@ -35,12 +35,13 @@ impl Destination {
     ///
     /// # Errors
     /// If an output is one of the inputs or cannot be written, or both outputs are one file.
-    pub fn open(&self, inputs: &[&PathBuf], plot: Option<(&Path, Theme)>) -> Result<Files> {
+    pub fn open(&self, inputs: &[&PathBuf], plot: Option<(&Path, &Look)>) -> Result<Files> {
         let output = self.output.as_deref();
         scene::keep_apart(inputs, output, plot.map(|(path, _)| path))?;
         catch_interruption();
         let out = Output::open(output)?;
-        let open = |(path, theme): (&Path, Theme)| Ok::<_, Error>((Output::open(Some(path))?, path.to_owned(), theme));
+        let open =
+            |(path, look): (&Path, &Look)| Ok::<_, Error>((Output::open(Some(path))?, path.to_owned(), look.clone()));
         Ok(Files { out, picture: plot.map(open).transpose()?, quiet: self.quiet })
     }
 
@@ -48,7 +49,7 @@ impl Destination {
     ///
     /// # Errors
     /// If the scene is none, and as [`open`](Self::open).
-    pub fn begin<'a>(&self, path: &'a PathBuf, plot: Option<(&Path, Theme)>) -> Result<Begun<'a>> {
+    pub fn begin<'a>(&self, path: &'a PathBuf, plot: Option<(&Path, &Look)>) -> Result<Begun<'a>> {
         let scene = scene::read(path)?;
         Ok(Begun { files: self.open(&[path], plot)?, scene, path })
     }
@@ -67,7 +68,7 @@ pub struct Begun<'a> {
 /// The open outputs of a verb.
 pub struct Files {
     pub out: Output,
-    picture: Option<(Output, PathBuf, Theme)>,
+    picture: Option<(Output, PathBuf, Look)>,
     pub quiet: bool,
 }
 
@@ -84,8 +85,8 @@ impl Files {
         svg: impl FnOnce() -> Result<String>,
     ) -> Result<Answer> {
         let answer = self.out.answer(text, open, (self.quiet, is_table))?;
-        if let Some((picture, path, theme)) = self.picture {
-            picture.draw(&path, theme, svg)?;
+        if let Some((picture, path, look)) = self.picture {
+            picture.draw(&path, &look, svg)?;
         }
         Ok(answer)
     }

@@ -5,7 +5,7 @@ use std::io::{self, BufWriter, IsTerminal, LineWriter, Write};
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result};
-use impact_pair_plot::picture::{Theme, encoded};
+use impact_pair_plot::picture::{Look, encoded};
 use tempfile::NamedTempFile;
 
 use crate::Answer;
@@ -65,9 +65,9 @@ impl Output {
     }
 
     /// Writes the picture of this `path`, all of it.
-    pub fn draw(mut self, path: &Path, theme: Theme, svg: impl FnOnce() -> Result<String>) -> Result<()> {
+    pub fn draw(mut self, path: &Path, look: &Look, svg: impl FnOnce() -> Result<String>) -> Result<()> {
         let failed = || format!("cannot draw {}", path.display());
-        let bytes = svg().and_then(|svg| encoded(theme.of(&svg), path)).with_context(failed)?;
+        let bytes = svg().and_then(|svg| encoded(&svg, look, path)).with_context(failed)?;
         self.write_all(&bytes).with_context(failed)?;
         self.commit()
     }

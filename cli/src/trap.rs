@@ -9,7 +9,7 @@ use impact_pair::Scene;
 use impact_pair::chaos::{BoxGraph, MOST_COUNTED, Trap, WallWords};
 use impact_pair::document;
 use impact_pair::json::TrapDocument;
-use impact_pair_plot::picture::Theme;
+use impact_pair_plot::picture::Look;
 
 use crate::Answer;
 use crate::destination::{Begun, Destination};
@@ -61,9 +61,8 @@ pub struct TrapArguments {
     /// Draw the region, and a floating-point orbit in it
     #[arg(long, value_name = "FILE.svg|FILE.png|FILE.pdf", value_parser = impact_pair_plot::picture::path)]
     plot: Option<PathBuf>,
-    /// Colours of the picture
-    #[arg(long, value_enum, default_value_t, value_name = "light|dark", requires = "plot")]
-    theme: Theme,
+    #[command(flatten)]
+    look: Look,
     #[command(flatten)]
     pub destination: Destination,
 }
@@ -92,7 +91,7 @@ struct Proved<'s> {
 
 pub fn trap(arguments: &TrapArguments) -> Result<Answer> {
     let format = arguments.destination.format(arguments.format)?;
-    let plot = arguments.plot.as_deref().map(|path| (path, arguments.theme));
+    let plot = arguments.plot.as_deref().map(|path| (path, &arguments.look));
     let Begun { scene, files, path } = arguments.destination.begin(&arguments.scene, plot)?;
     let named = || scene::name(path);
     let progress = Progress::stages(!files.quiet);
@@ -136,7 +135,7 @@ pub fn trap(arguments: &TrapArguments) -> Result<Answer> {
     let entered = proved.document.entered_at_impact.is_none().then(|| entered(&proved.document));
     let open: Vec<String> = uncounted.into_iter().chain(entered).collect();
     let open = (!open.is_empty()).then(|| open.join("; "));
-    files.draw((&text, open, is_table), || impact_pair_plot::chaos::trap(&scene, &region))
+    files.draw((&text, open, is_table), || impact_pair_plot::chaos::trap(&scene, &region, &arguments.look))
 }
 
 impl Proved<'_> {

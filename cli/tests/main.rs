@@ -9,6 +9,7 @@ mod cycles;
 mod describe;
 mod endings;
 mod help;
+mod looks;
 mod mistakes;
 mod output;
 mod periodic;

@@ -34,7 +34,17 @@ fn r35_symbols_of_the_paper_lead_to_the_keys() {
             assert!(said.contains(&format!("did you mean `{key}`?")), "{said}");
         }
     }
-    assert!(said(&["sweep", SCENE, "--over", "v=-2..-1:2"]).contains("did you mean `start.velocity`?"));
+    for (symbol, key) in [("v", "start.velocity"), ("y0", "start.position"), ("tau", "phase")] {
+        assert!(
+            said(&["sweep", SCENE, "--over", &format!("{symbol}=-2..-1:2")])
+                .contains(&format!("did you mean `{key}`?"))
+        );
+    }
+    // In the wrong table as well.
+    for (symbol, key) in [("A", "excitation.amplitude"), ("v0", "start.velocity")] {
+        let scene = changed(&format!("table-{symbol}.toml"), ["gap =", &format!("{symbol} =")]);
+        assert!(said(&["run", &scene]).contains(&format!("did you mean `{key}`?")), "{symbol}");
+    }
 }
 
 #[test]

@@ -83,7 +83,7 @@ def numbers(column: Any) -> Doubles:
     return np.array([np.nan if value is None else value for value in column], dtype=np.float64)
 
 
-def orbit(found: Orbit) -> Any:
+def orbit(found: Orbit, names_of_events: Sequence[str]) -> Any:
     """Return the dataset of an orbit: see its ``to_xarray``."""
     xr = needed("xarray", "xarray")
     dims = ["impact"]
@@ -92,6 +92,11 @@ def orbit(found: Orbit) -> Any:
     named["wall"] = flags(dims, found.sides, *WALLS, "wall of the impact")
     names = ("none", "P1", "P2", "P3", "P4")
     named["mapping"] = flags(dims, [names.index(mapping or "none") for mapping in found.mappings], range(5), names, "mapping to the impact")
+    all_events = ["event"]
+    at |= coordinate("event_time", all_events, found.event_bounds, "time of the event, in the unit of the scene")
+    kinds = [names_of_events.index(kind) for kind in found.event_kinds]
+    named["event_kind"] = flags(all_events, kinds, range(len(names_of_events)), names_of_events, "kind of the event")
+    named["event_wall"] = flags(all_events, found.event_sides, *WALLS, "wall of the event")
     about = {"scene": found.scene, "outcome": found.outcome.fields, "arithmetic": found.arithmetic}
     told = {key: json.dumps(value, ensure_ascii=False) for key, value in about.items()}
     attributes = {"Conventions": "CF-1.11", "certified": int(found.certified), "claim": found.claim, **told}

@@ -4,12 +4,17 @@ from __future__ import annotations
 
 import math
 import operator
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from decimal import Decimal
 from fractions import Fraction
-from typing import Any, SupportsIndex, TypeAlias
+from typing import TYPE_CHECKING, Any, SupportsIndex, TypeAlias, cast
+
+import numpy as np
 
 from .errors import RangeError
+
+if TYPE_CHECKING:
+    import numpy.typing as npt
 
 #: An exact number: an integer, a fraction, a decimal, an expression such as ``"3*pi"``, or a double, which is its exact binary
 #: value (``0.1`` is not 1/10, ``"0.1"`` is).
@@ -18,20 +23,29 @@ Number: TypeAlias = "str | SupportsIndex | Fraction | Decimal | float"
 Value: TypeAlias = "Number | tuple[Number, Number]"
 
 
+#: The keys that are lists with several harmonics.
+HARMONICS = ("excitation.amplitude", "excitation.frequency", "excitation.phase")
+#: The greatest whole numbers that the library takes: of impacts and points, and of all else.
+IMPACTS = 2**63 - 1
+MOST = 2**32 - 1
+
+
 def plain(value: Any) -> Any:
     """Return a numpy scalar of any width, or an array of none, as the number of Python that it is; anything else as it is."""
     is_single = getattr(value, "ndim", None) == 0 and hasattr(value, "item")
+    found = value.item() if is_single else value
     # A long double is more than a float: its item is itself.
-    return value.item() if is_single else value
+    is_long = isinstance(found, np.longdouble) and bool(np.isfinite(found))
+    return Fraction(*found.as_integer_ratio()) if is_long else found
 
 
-def whole(key: str, value: Any) -> int:
+def whole(key: str, value: Any, most: int = MOST) -> int:
     """Return a whole number, also one that is written as a float; ``key`` names it in errors.
 
     Raises
     ------
     RangeError
-        When it is none, or below 0.
+        When it is none, below 0, or above ``most``.
 
     """
     value = plain(value)
@@ -45,12 +59,63 @@ def whole(key: str, value: Any) -> int:
         raise RangeError(f"{key} is {value!r}, but must be a whole number", key, str(value))
     if found < 0:
         raise RangeError(f"{key} is {value!r}, but must not be negative", key, str(value))
+    if found > most:
+        raise RangeError(f"{key} is {value!r}, but must be at most {most}", key, str(value))
     return found
 
 
-def optional_whole(key: str, value: Any) -> int | None:
+def optional_whole(key: str, value: Any, most: int = MOST) -> int | None:
     """Return a whole number, if there is one."""
-    return None if value is None else whole(key, value)
+    return None if value is None else whole(key, value, most)
+
+
+def arithmetic_of(value: Any) -> str:
+    """Return the name of an arithmetic, or its number of bits."""
+    return value if isinstance(value, str) else str(whole("arithmetic", value))
+
+
+def string(key: str, value: Any) -> str:
+    """Return a text; ``key`` names it in errors.
+
+    Raises
+    ------
+    RangeError
+        When it is none.
+
+    """
+    if not isinstance(value, str):
+        raise RangeError(f"{key} is {value!r}, but must be a str", key, repr(value))
+    return value
+
+
+def doubles_of(key: str, values: Any, dtype: Any = np.float64) -> npt.NDArray[Any]:
+    """Return an array of numbers; ``key`` names it in errors.
+
+    Raises
+    ------
+    RangeError
+        When these are none.
+
+    """
+    try:
+        return np.asarray(values, dtype=dtype)
+    except (TypeError, ValueError) as error:
+        raise RangeError(f"{key} is {values!r}, but must be numbers: {error}", key, repr(values)) from None
+
+
+def single(over: Any, example: str) -> tuple[str, Any]:
+    """Return the only key of what a range is given by, and its values.
+
+    Raises
+    ------
+    RangeError
+        When there is not one key.
+
+    """
+    if not isinstance(over, Mapping) or len(over) != 1:
+        raise RangeError(f"over is {over!r}, but must be a dict with one key, such as {example}", "over", repr(over))
+    [(key, values)] = over.items()
+    return string("over", key), values
 
 
 def text(key: str, value: Value) -> str:
@@ -59,7 +124,11 @@ def text(key: str, value: Value) -> str:
     if isinstance(value, tuple):
         if len(value) != 2:
             raise RangeError(f"{key} is {value!r}, but an interval is a tuple of two numbers", key, repr(value))
-        return f"[{text(key, value[0])}, {text(key, value[1])}]"
+        low, high = (plain(end) for end in value)
+        is_known = not isinstance(low, (str, tuple)) and not isinstance(high, (str, tuple))
+        if is_known and text(key, low) and text(key, high) and low > high:
+            raise RangeError(f"{key} is {value!r}, but an interval is (low, high) with low <= high", key, repr(value))
+        return f"[{text(key, low)}, {text(key, high)}]"
     if isinstance(value, str):
         return value
     if isinstance(value, bool):
@@ -80,8 +149,12 @@ def text(key: str, value: Value) -> str:
 
 def texts(key: str, value: Value | Sequence[Value]) -> str | list[str]:
     """Return a number, or a list of them for several harmonics, as exact texts."""
-    if isinstance(value, (str, tuple)) or not isinstance(value, Sequence):
-        return text(key, value)
+    if isinstance(value, np.ndarray) and value.ndim == 1:
+        value = value.tolist()
+    if not isinstance(value, Sequence) or isinstance(value, (str, tuple, bytes)):
+        return text(key, cast("Value", value))
+    if key not in HARMONICS:
+        raise RangeError(f"{key} is {value!r}, but must be a single number; (low, high) stands for all between", key, repr(value))
     return [text(f"{key}.{i + 1}", one) for i, one in enumerate(value)]
 
 

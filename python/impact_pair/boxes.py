@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from . import _core
-from ._exact import whole
+from ._exact import doubles_of, whole
 from ._progress import Progress, reporting
 from .bounds import doubles
 from .errors import RangeError
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from .bounds import Doubles
 
 #: By the numbers of the compiled module.
-REASONS = np.array(["", "rest", "long"])
+REASONS = np.array(["", "rest", "long", "interrupted"])
 
 
 @dataclass(frozen=True)
@@ -36,7 +36,8 @@ class BoxImages:
     near: Doubles
     #: Around those on the other wall (n, 4).
     far: Doubles
-    #: Why nothing is proved (n,): ``"rest"``, a ball may come to rest; ``"long"``, a flight may last over 64 forcing periods; or ``""``.
+    #: Why nothing is proved (n,): ``"rest"``, a ball may come to rest; ``"long"``, a flight may last over 64 forcing periods;
+    #: ``"interrupted"``, Ctrl-C came before; or ``""``.
     reasons: npt.NDArray[np.str_]
 
     @property
@@ -44,13 +45,18 @@ class BoxImages:
         """Whether the image is proved to be in its rectangles (n,)."""
         return np.asarray(self.reasons == "")
 
+    @property
+    def interrupted(self) -> bool:
+        """Whether Ctrl-C ended the computation."""
+        return bool((self.reasons == "interrupted").any())
+
     def __len__(self) -> int:
         return len(self.reasons)
 
 
 def box_map(scene: _core.Scene, rects: npt.ArrayLike, columns: int, progress: Progress) -> BoxImages:
     """Return the images of boxes: see :meth:`impact_pair.Scene.box_map`."""
-    boxes = np.ascontiguousarray(rects, dtype=np.float64)
+    boxes = np.ascontiguousarray(doubles_of("rects", rects))
     if boxes.ndim != 2 or boxes.shape[1] != 4:
         message = f"rects has the shape {boxes.shape}, but must have (n, 4): least phase and speed, greatest phase and speed"
         raise RangeError(message, "rects", str(boxes.shape))

@@ -5,6 +5,22 @@ Hard questions are no errors: what cannot be proved is said by the outcome of th
 
 from __future__ import annotations
 
+import re
+from decimal import Decimal
+
+#: Decimals that are longer than any double is typed.
+LONG = re.compile(r"-?\d+\.\d{16,}(?:[eE][+-]?\d+)?")
+
+
+def as_typed(said: str) -> str:
+    """Return words in which the exact decimals of doubles are the short ones that they are typed as: -0.63."""
+
+    def short(found: re.Match[str]) -> str:
+        double = float(found[0])
+        return repr(double) if Decimal(double) == Decimal(found[0]) else found[0]
+
+    return LONG.sub(short, said)
+
 
 class Error(Exception):
     """Base class of all errors of this package.
@@ -14,9 +30,9 @@ class Error(Exception):
     """
 
     def __init__(self, message: str, key: str | None = None, value: str | None = None) -> None:
-        super().__init__(message)
+        super().__init__(as_typed(message))
         self.key = key
-        self.value = value
+        self.value = None if value is None else as_typed(value)
 
     def __reduce__(self) -> tuple[type[Error], tuple[str, str | None, str | None]]:
         return type(self), (str(self), self.key, self.value)
@@ -47,4 +63,4 @@ class MissingPackageError(Error, ImportError):
 
 
 class Interrupted(Error):
-    """A sweep whose workers or scheduler were lost; with ``resume=`` all finished chunks are kept."""
+    """A sweep whose workers or scheduler were lost, or the whole grid of one that Ctrl-C ended; ``resume=`` keeps finished chunks."""

@@ -13,6 +13,7 @@ import numpy as np
 
 from . import _cf, _core
 from ._document import Document
+from ._exact import doubles_of
 from ._file import ending, parquet, write
 from ._progress import Progress, reporting
 from .bounds import Bounds, doubles, middles, radii
@@ -82,6 +83,8 @@ class States:
     t: Doubles
     y_bounds: Doubles
     v_bounds: Doubles
+    #: Whether Ctrl-C ended the computation: the bounds of later times are NaN.
+    interrupted: bool = False
 
     @property
     def y(self) -> Doubles:
@@ -106,11 +109,15 @@ class Orbit(Document):
         names, walls, mappings, times, velocities = core.columns()
         self._names = np.frombuffer(names, dtype=np.uint8)
         self._at = self._names == 0
+        #: The walls of all events as numbers (m,): -1 left, 1 right.
+        self.event_sides: npt.NDArray[np.int8] = np.frombuffer(walls, dtype=np.int8)
+        #: Bounds of the times of all events (m, 2) [time].
+        self.event_bounds: Doubles = doubles(times, -1, 2)
         #: The walls of the impacts as numbers (n,): -1 left, 1 right.
-        self.sides: npt.NDArray[np.int8] = np.frombuffer(walls, dtype=np.int8)[self._at]
+        self.sides: npt.NDArray[np.int8] = self.event_sides[self._at]
         self._mappings = np.frombuffer(mappings, dtype=np.uint8)[self._at]
         #: Bounds of the times of the impacts (n, 2) [time].
-        self.t_bounds: Doubles = doubles(times, -1, 2)[self._at]
+        self.t_bounds: Doubles = self.event_bounds[self._at]
         #: Bounds of y' just before them (n, 2) [length/time].
         self.v_bounds: Doubles = doubles(velocities, -1, 2)[self._at]
 
@@ -143,6 +150,11 @@ class Orbit(Document):
     def wall(self) -> npt.NDArray[np.str_]:
         """The walls of the impacts (n,): ``"left"`` or ``"right"``."""
         return self.walls
+
+    @cached_property
+    def event_kinds(self) -> npt.NDArray[np.str_]:
+        """The kinds of all events (m,), in time order: ``"impact"``, ``"graze"``, ``"rest"`` or ``"release"``."""
+        return np.asarray(np.array(NAMES)[self._names])
 
     @cached_property
     def mappings(self) -> npt.NDArray[np.object_]:
@@ -238,10 +250,11 @@ class Orbit(Document):
         At a time that may be before or after an impact both velocities are in the bounds. NaN before the start, after the last
         event, but where a time to stop at, ``until``, says that there is none before it, and while infinitely many impacts pass.
         """
-        times = np.ascontiguousarray(np.atleast_1d(np.asarray(t, dtype=np.float64)))
+        times = np.ascontiguousarray(np.atleast_1d(doubles_of("t", t)))
         with reporting(progress, "times", times.size) as tell:
-            found = doubles(self._core.at(times.tobytes(), tell), -1, 2, 2)
-        return States(times, found[:, 0], found[:, 1])
+            bounds, interrupted = self._core.at(times.tobytes(), tell)
+        found = doubles(bounds, -1, 2, 2)
+        return States(times, found[:, 0], found[:, 1], interrupted)
 
     def json(self) -> str:
         """Return the orbit JSON, as ``impact-pair run --format json`` writes it."""
@@ -322,7 +335,8 @@ class Orbit(Document):
         """Return a Dataset of xarray along ``impact``, by the conventions of CF; the scene and the outcome are attributes, as JSON.
 
         The coordinate ``time`` has its bounds in ``time_bnds``, the data ``velocity`` in ``velocity_lower`` and ``velocity_upper``.
-        ``wall`` and ``mapping`` are flags. Units are those of the scene.
+        ``wall`` and ``mapping`` are flags. Along ``event`` there are all events, grazes, rests and releases among them: ``event_time``
+        with ``event_time_bnds``, and the flags ``event_kind`` and ``event_wall``. Units are those of the scene.
 
         Raises
         ------
@@ -330,7 +344,7 @@ class Orbit(Document):
             When xarray is not installed.
 
         """
-        return _cf.orbit(self)
+        return _cf.orbit(self, NAMES)
 
     def savemat(self, path: str) -> None:
         """Write a MATLAB file with ``to_dict``'s arrays (walls as -1 and 1, mappings as 1 to 4), the scene and the outcome in words."""
@@ -395,3 +409,5 @@ class Flights:
     v_bounds: Doubles
     #: 1 to 4 for P1 to P4, 0 undecided (n,).
     mappings: npt.NDArray[np.uint8]
+    #: Whether Ctrl-C ended the computation: later states are undecided.
+    interrupted: bool = False

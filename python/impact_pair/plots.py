@@ -20,7 +20,8 @@ from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
-from ._kinds import BLUE, CLASSES, GREEN, GREY, VERMILION, class_of, colours_of, kinds_of
+from . import _kinds, _manifold
+from ._kinds import BLUE, CLASSES, GREEN, VERMILION, class_of, colours_of, kinds_of
 from .answers import Manifold
 from .bounds import middles, outward
 from .errors import RangeError
@@ -36,18 +37,69 @@ if TYPE_CHECKING:
     #: What is magnified: from where to where, on both axes.
     Window = tuple[tuple[float, float], tuple[float, float]]
 
+#: The grey of lines that one adds.
+GREY = _kinds.GREY
 #: Points of a curve per forcing period.
 IN_A_CYCLE = 200
 #: Widths of figures in journals [inches]: 90 and 190 mm.
 WIDTHS = {"single": 90 / 25.4, "double": 190 / 25.4}
+#: Figures less wide than this have smaller letters [inches].
+NARROW = 5.0
 #: Kinds of outcomes that a legend names.
 MOST_NAMED = 12
+
+
+#: The walls in words.
+WALLS = {-1: "impact on the left wall", 1: "impact on the right wall"}
+#: Symbols of what is no impact, as those of the command line.
+STOPS = {"graze": "D", "rest": "s", "release": "^"}
+#: What the paper calls the panels.
+TITLES = {
+    "a": "time–displacement",
+    "b": "time–velocity",
+    "c": "phase plane, relative",
+    "d": "phase plane, absolute",
+    "e": "switch-planes, relative",
+    "f": "switch-planes, absolute",
+    "g": "Poincaré section of $Σ_-$, the left wall",
+    "h": "Poincaré section of $Σ_+$, the right wall",
+}
+#: Names of keys on axes, as on those of the command line's pictures.
+AXES = {
+    "amplitude": "amplitude of the box A [length]",
+    "frequency": "angular frequency Ω [rad/time]",
+    "phase": "phase of the excitation τ [rad]",
+    "gap": "gap d [length]",
+    "restitution": "coefficient of restitution e",
+    "start.time": "time of the start $t_0$ [time]",
+    "start.phase": "phase at the start $Ωt_0 + τ$ [rad]",
+    "start.position": "relative displacement at the start $y_0$ [length]",
+    "start.velocity": "relative velocity at the start $v_0$ [length/time]",
+}
+
+
+def _named(key: str) -> str:
+    """Return the name of a key; of a term with its number."""
+    plain, _, term = key.rpartition(".")
+    return f"{AXES[plain]}, term {term}" if term.isdigit() else AXES[key]
+
+
+def _inches(width: Width) -> float | None:
+    return WIDTHS[width] if isinstance(width, str) else width
+
+
+def _letters(width: Width) -> Any:
+    """Return a context in which letters have the sizes of journals, in a column of them."""
+    import matplotlib as mpl
+
+    is_narrow = (_inches(width) or NARROW) < NARROW
+    return mpl.rc_context({"font.size": 8, "axes.labelsize": 7, "xtick.labelsize": 7, "ytick.labelsize": 7} if is_narrow else {})
 
 
 def _axes(width: Width) -> Any:
     from matplotlib import pyplot as plt
 
-    inches = WIDTHS[width] if isinstance(width, str) else width
+    inches = _inches(width)
     size = None if inches is None else (inches, 0.75 * inches)
     return plt.subplots(figsize=size, layout="constrained")[1]
 
@@ -57,10 +109,11 @@ def _drawn(draw: Callable[..., None]) -> Callable[..., Any]:
 
     @functools.wraps(draw)
     def picture(found: Any, ax: Any | None = None, *given: Any, width: Width = None, header: bool | None = None, **how: Any) -> Any:
-        own = _axes(width) if ax is None else ax
-        draw(found, own, *given, **how)
-        if header or (header is None and ax is None):
-            own.set_title("\n".join(_said(found)), fontsize="small", loc="left")
+        with _letters(width):
+            own = _axes(width) if ax is None else ax
+            draw(found, own, *given, **how)
+            if header or (header is None and ax is None):
+                own.set_title("\n".join(_said(found)), fontsize="small", loc="left")
         return own
 
     return picture
@@ -122,15 +175,39 @@ def _times(orbit: Orbit, cycles: float) -> Doubles:
     return np.unique(np.concatenate([even, near - 1e-9, near + 1e-9]))
 
 
+def _curve(orbit: Orbit, t: Doubles, x: Doubles, y: Doubles, ax: Any) -> None:
+    """Draw a motion, which jumps at impacts: its jumps are faint."""
+    at = np.searchsorted(t, orbit.t[(orbit.t > t[0]) & (orbit.t < t[-1])])
+    ax.plot(x, y, color=BLUE, linewidth=0.5, alpha=0.3)
+    ax.plot(np.insert(x, at, np.nan), np.insert(y, at, np.nan), color=BLUE, linewidth=0.8)
+
+
+def _walls(orbit: Orbit) -> tuple[float, float]:
+    half = 0.5 * _floats([orbit.scene["gap"]])[0]
+    return -half, half
+
+
+def _stops(orbit: Orbit, ax: Any, t: Doubles, place: Callable[[Doubles, Doubles], tuple[Doubles, Doubles]]) -> None:
+    """Draw the grazes, rests and releases that are shown, at the places of their times and walls."""
+    for kind, symbol in STOPS.items():
+        times = middles(orbit.event_bounds)
+        at = (orbit.event_kinds == kind) & (times >= t[0]) & (times <= t[-1])
+        if at.any():
+            x, y = place(times[at], _walls(orbit)[1] * orbit.event_sides[at])
+            ax.plot(x, y, symbol, color="black", markerfacecolor="white", markersize=5, linestyle="none", label=kind)
+            ax.legend(fontsize="x-small")
+
+
 @_drawn
 def displacement(orbit: Orbit, ax: Any, cycles: float = 8) -> None:
-    """Draw (a): y [length] over t [time], with the walls."""
+    """Draw (a): y [length] over t [time], with the walls; grazes, rests and releases are marked."""
     found = orbit(_times(orbit, cycles))
     ax.fill_between(found.t, *found.y_bounds.T, color=BLUE, alpha=0.3, linewidth=0)
     ax.plot(found.t, found.y, color=BLUE, linewidth=1)
-    for side in (-0.5, 0.5):
-        ax.axhline(side * _floats([orbit.scene["gap"]])[0], color=GREY, linewidth=1)
-    ax.set(xlabel="t", ylabel="y")
+    for wall in _walls(orbit):
+        ax.axhline(wall, color="black", linewidth=1.2)
+    _stops(orbit, ax, found.t, lambda t, y: (t, y))
+    ax.set(xlabel="t [time]", ylabel="y [length]", xlim=found.t[[0, -1]])
 
 
 @_drawn
@@ -138,16 +215,20 @@ def velocity(orbit: Orbit, ax: Any, cycles: float = 8) -> None:
     """Draw (b): y' [length/time] over t [time]."""
     found = orbit(_times(orbit, cycles))
     ax.fill_between(found.t, *found.v_bounds.T, color=BLUE, alpha=0.3, linewidth=0)
-    ax.plot(found.t, found.v, color=BLUE, linewidth=1)
-    ax.set(xlabel="t", ylabel="y'")
+    _curve(orbit, found.t, found.t, found.v, ax)
+    _stops(orbit, ax, found.t, lambda t, y: (t, np.zeros_like(y)))
+    ax.set(xlabel="t [time]", ylabel="y′ [length/time]", xlim=found.t[[0, -1]])
 
 
 @_drawn
 def phase_plane(orbit: Orbit, ax: Any, cycles: float = 40) -> None:
-    """Draw (c): y' [length/time] over y [length]."""
+    """Draw (c): y' [length/time] over y [length], with the walls."""
     found = orbit(_times(orbit, cycles))
-    ax.plot(found.y, found.v, color=BLUE, linewidth=0.7)
-    ax.set(xlabel="y", ylabel="y'")
+    for wall in _walls(orbit):
+        ax.axvline(wall, color="black", linewidth=1.2)
+    _curve(orbit, found.t, found.y, found.v, ax)
+    _stops(orbit, ax, found.t, lambda _, y: (y, np.zeros_like(y)))
+    ax.set(xlabel="y [length]", ylabel="y′ [length/time]")
 
 
 @_drawn
@@ -155,15 +236,17 @@ def absolute_phase_plane(orbit: Orbit, ax: Any, cycles: float = 40) -> None:
     """Draw (d): x' [length/time] over x = y + E(t) [length]; E in floating point."""
     found = orbit(_times(orbit, cycles))
     moved, speed = _shaking(orbit, found.t)
-    ax.plot(found.y + moved, found.v + speed, color=BLUE, linewidth=0.7)
-    ax.set(xlabel="x", ylabel="x'")
+    _curve(orbit, found.t, found.y + moved, found.v + speed, ax)
+    ax.set(xlabel="x = y + E(t) [length]", ylabel="x′ [length/time]")
 
 
 def _impacts(orbit: Orbit, ax: Any, x: Doubles, y: Doubles, sides: tuple[int, ...]) -> None:
     colour = {-1: BLUE, 1: GREEN} if orbit.certified else {-1: VERMILION, 1: VERMILION}
     for side in sides:
         at = orbit.sides == side
-        ax.plot(x[at], y[at], "." if side < 0 else "x", color=colour[side], markersize=3, linestyle="none")
+        ax.plot(x[at], y[at], "." if side < 0 else "x", color=colour[side], markersize=2, linestyle="none", label=WALLS[side])
+    if len(sides) > 1:
+        ax.legend(fontsize="x-small")
 
 
 def _phases(orbit: Orbit) -> Doubles:
@@ -176,7 +259,7 @@ def _phases(orbit: Orbit) -> Doubles:
 def switch_plane(orbit: Orbit, ax: Any, sides: tuple[int, ...] = (-1, 1)) -> None:
     """Draw (e): y' [length/time] before the impacts over W t + tau mod 2 pi [rad], (18)-(21)."""
     _impacts(orbit, ax, _phases(orbit), orbit.v, sides)
-    ax.set(xlabel="Ωt + τ mod 2π", ylabel="y'")
+    ax.set(xlabel="Ωt + τ mod 2π [rad]", ylabel="y′ before the impact [length/time]")
     _angles(ax, "x")
 
 
@@ -184,9 +267,9 @@ def switch_plane(orbit: Orbit, ax: Any, sides: tuple[int, ...] = (-1, 1)) -> Non
 def absolute_switch_plane(orbit: Orbit, ax: Any) -> None:
     """Draw (f): x' [length/time] over x [length] at the impacts, (22)."""
     moved, speed = _shaking(orbit, orbit.t)
-    wall = 0.5 * _floats([orbit.scene["gap"]])[0] * orbit.sides
+    wall = _walls(orbit)[1] * orbit.sides
     _impacts(orbit, ax, wall + moved, orbit.v + speed, (-1, 1))
-    ax.set(xlabel="x", ylabel="x'")
+    ax.set(xlabel="x [length]", ylabel="x′ before the impact [length/time]")
 
 
 @_drawn
@@ -219,10 +302,11 @@ def panels(orbit: Orbit, letters: str = "abcdefgh", *, width: Width = None, head
     from matplotlib import pyplot as plt
 
     rows = -(-len(letters) // 2)
-    inches = 11 if width is None else WIDTHS[width] if isinstance(width, str) else width
-    figure, axes = plt.subplots(rows, min(2, len(letters)), squeeze=False, figsize=(inches, 0.29 * inches * rows), layout="constrained")
+    inches = _inches(width) or 11
+    with _letters(width):
+        figure, axes = plt.subplots(rows, min(2, len(letters)), squeeze=False, figsize=(inches, 0.29 * inches * rows), layout="constrained")
     for letter, ax in zip(letters, axes.flat, strict=False):
-        PANELS[letter](orbit, ax).set_title(f"({letter})", loc="left")
+        PANELS[letter](orbit, ax).set_title(f"({letter})  {TITLES[letter]}", loc="left", fontsize="medium")
     if header:
         figure.suptitle("\n".join(_said(orbit)), fontsize="medium")
     return axes
@@ -246,41 +330,26 @@ HIGHEST = 0.75
 def manifold(found: Manifold, ax: Any, inset: Window | None = None) -> None:
     """Draw figures 10 and 11: A_N [length] over W [rad/time] or v [length/time]; thick where the motion is proved stable.
 
-    Over v both walls are drawn, one the mirror image of the other. ``inset`` is a window ``((x0, x1), (y0, y1))`` that is magnified.
+    Over v both walls are drawn, one the mirror image of the other. ``inset`` is a window ``((x0, x1), (y0, y1))`` that is magnified
+    above d/2.
     """
-    _manifold(found, ax)
     gap = _floats([found.document["scene"]["gap"]])[0]
+    at = np.concatenate([side * middles(curve.at_bounds) for curve in found.curves for side in _manifold.sides(found)])
+    xlabel = {"frequency": "angular frequency Ω [rad/time]", "velocity": "relative velocity v before the impact [length/time]"}
+    ax.set(xlim=(at.min(), at.max()), ylim=(0, HIGHEST * gap), xlabel=xlabel[found.document["over"]], ylabel="amplitude $A_N$ [length]")
     ax.axhline(0.5 * gap, color="black", linewidth=0.7, linestyle="dotted")
-    ax.set(ylim=(0, HIGHEST * gap), xlabel={"frequency": "Ω", "velocity": "y′ before the impact"}[found.document["over"]], ylabel="A")
-    for curve in found.curves:
-        heights = middles(curve.amplitude_bounds)
-        least = (middles(curve.at_bounds)[heights.argmin()], heights.min())
-        ax.annotate(f"N = {curve.cycles}", least, (3, 6), textcoords="offset points", fontsize="x-small")
-    ax.legend(fontsize="x-small", loc="upper left" if found.document["over"] == "velocity" else "upper right")
+    ax.annotate("$d/2$", (at.max(), 0.5 * gap), (4, 2), textcoords="offset points", fontsize="x-small", annotation_clip=False)
+    _manifold.draw(found, ax)
+    _manifold.name(found, ax)
+    _manifold.explain(found, ax)
     if inset is not None:
-        part = ax.inset_axes([0.55, 0.35, 0.42, 0.4], xlim=inset[0], ylim=inset[1])
-        _manifold(found, part)
-        ax.indicate_inset_zoom(part, edgecolor="black")
-
-
-def _manifold(found: Manifold, ax: Any) -> None:
-    sides = (1, -1) if found.document["over"] == "velocity" else (1,)
-    for i, (curve, side) in enumerate((curve, side) for curve in found.curves for side in sides):
-        x, y = side * middles(curve.at_bounds), middles(curve.amplitude_bounds)
-        stable = [part is not None and part["stability"] == "stable" for part in curve.parts]
-        physical = [part is not None and part["physical"] is not False for part in curve.parts]
-        lines = (
-            (y, {"color": GREY, "linewidth": 0.5, "linestyle": "dotted"}, "earlier contact"),
-            (np.where(physical, y, np.nan), {"color": BLUE, "linewidth": 0.8}, "admissible, not stable"),
-            (np.where(stable, y, np.nan), {"color": BLUE, "linewidth": 2.5}, "proved stable"),
-        )
-        for height, style, label in lines:
-            ax.plot(x, height, label=None if i else label, **style)
+        _manifold.magnify(found, ax, inset)
 
 
 @_drawn
 def diagram(found: SweepResult, ax: Any, show: str = "phase") -> None:
     """Draw a bifurcation diagram: the phase [rad] or velocity [length/time] of each impact over the parameter, coloured by proof."""
+    found.require_whole()
     states = found.states
     key = found.head["over"][0]["key"]
     outcomes = found.to_dict("points")["outcome"]
@@ -293,7 +362,8 @@ def diagram(found: SweepResult, ax: Any, show: str = "phase") -> None:
     low, high = _floats([found.head["over"][0][end] for end in ("from", "to")])
     where = np.linspace(low, high, len(classes))[classes == "undecided, impacts before"]
     ax.plot(where, np.ones_like(where), "|", color=CLASSES["undecided, impacts before"], transform=ax.get_xaxis_transform(), clip_on=False)
-    ax.set(xlabel=key, ylabel={"phase": "Ωt + τ mod 2π", "velocity": "y′"}[show], xlim=(low, high))
+    ylabel = {"phase": "phase Ωt + τ of the impact [rad]", "velocity": "relative velocity y′ before the impact [length/time]"}
+    ax.set(xlabel=_named(key), ylabel=ylabel[show], xlim=(low, high))
     if show == "phase":
         _angles(ax, "y")
     ax.legend(fontsize="x-small", markerscale=8, loc="best")
@@ -306,6 +376,7 @@ def basins(found: SweepResult, ax: Any, values: str = "outcome") -> None:
     ``values`` is ``"outcome"``, ``"exponent"`` (per impact) or ``"word"``. Outcomes are named, and attractors of one pair that are mirror
     images of each other have colours of their own; rings are where attractors hit the left wall first.
     """
+    found.require_whole()
     axes = found.head["over"]
     if len(axes) != 2:
         raise RangeError(f"the sweep is over {len(axes)} key, but a map is over 2", "over", str(len(axes)))
@@ -322,7 +393,8 @@ def basins(found: SweepResult, ax: Any, values: str = "outcome") -> None:
     for over, axis in zip(axes, "xy", strict=True):
         if over["key"] == "start.phase" and np.allclose(_floats([over["from"], over["to"]]), [0, 2 * math.pi]):
             _angles(ax, axis)
-    ax.set(xlabel=axes[0]["key"], ylabel=axes[1]["key"])
+    ax.set(xlim=edges[0][[0, -1]], ylim=edges[1][[0, -1]])
+    ax.set(xlabel=_named(axes[0]["key"]), ylabel=_named(axes[1]["key"]))
 
 
 def _edges(ends: list[float], count: int) -> Doubles:

@@ -13,13 +13,13 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from . import _core, answers
-from ._exact import Value, optional, optional_whole, text, texts, whole
+from ._exact import IMPACTS, Value, arithmetic_of, doubles_of, optional, optional_whole, single, string, text, texts, whole
 from ._progress import Progress, reporting
 from .bounds import doubles
 from .boxes import BoxImages, box_map
-from .errors import Error, RangeError, SceneError
+from .errors import Error, ListError, RangeError, SceneError
 from .orbit import Flights, Orbit
-from .sweep import SweepResult, sweep
+from .sweep import SweepResult, spaced, sweep
 
 if TYPE_CHECKING:
     from concurrent.futures import Executor
@@ -97,7 +97,7 @@ class Scene:
             if has_lines:
                 raise
             # Nobody wrote these lines.
-            raise type(error)(re.sub(r"^line \d+: ", "", str(error)), error.key, error.value) from None
+            raise type(error)(re.sub(r"^line \d+: |, on line \d+", "", str(error)), error.key, error.value) from None
 
     @classmethod
     def from_text(cls, source: str) -> Scene:
@@ -123,11 +123,11 @@ class Scene:
     @classmethod
     def named(cls, name: str) -> Scene:
         """Return a scene of the repository, such as ``"figure-14"`` of the paper, ``"chatter"`` or ``"square-wave"``."""
-        source = _core.paper(name)
+        source = _core.paper(string("name", name))
         if source is None:
-            near = difflib.get_close_matches(str(name), _core.SCENES, 1)
+            near = difflib.get_close_matches(name, _core.SCENES, 1)
             meant = f"; did you mean {near[0]!r}?" if near else ""
-            raise RangeError(f"the scene is {name!r}, but known are {', '.join(_core.SCENES)}{meant}", "name", str(name))
+            raise RangeError(f"the scene is {name!r}, but known are {', '.join(_core.SCENES)}{meant}", "name", name)
         scene = cls.from_text(source)
         scene._path = f"scenes/{name}.toml"
         return scene
@@ -201,7 +201,7 @@ class Scene:
         array(['right', 'left'], dtype='<U5')
 
         """
-        impacts = optional_whole("impacts", impacts)
+        impacts = optional_whole("impacts", impacts, IMPACTS)
         asked = asked_of(impacts, until, narrow(digits, max_bits), arithmetic, splice)
         with reporting(progress, "impacts", impacts) as tell:
             return Orbit(_core.run(self._core, asked, tell))
@@ -246,7 +246,7 @@ class Scene:
         Bounds('-0.693147180559(95,89)')
 
         """
-        question = (whole("impacts", impacts), whole("depth", depth), whole("max_bits", max_bits), picture)
+        question = (whole("impacts", impacts, IMPACTS), whole("depth", depth), whole("max_bits", max_bits), picture)
         with reporting(progress, "impacts and boxes") as tell:
             return answers.Description(*_core.describe(self._core, self._path, question, tell))
 
@@ -256,16 +256,19 @@ class Scene:
         Times ``t`` (n,) [time] and velocities ``v`` (n,) [length/time] just before the impact are exact doubles, ``wall`` (n,) is
         -1 for left and 1 for right; one of them may be a single number for all.
         """
-        times, velocities, walls = np.broadcast_arrays(
-            np.asarray(t, dtype=np.float64), np.asarray(v, dtype=np.float64), np.asarray(wall, dtype=np.int8)
-        )
+        given = (doubles_of("t", t), doubles_of("v", v), doubles_of("wall", wall, np.int8))
+        try:
+            times, velocities, walls = np.broadcast_arrays(*given)
+        except ValueError:
+            shapes = ", ".join(str(one.shape) for one in given)
+            raise RangeError(f"t, v and wall have the shapes {shapes}, but must have one", "t", shapes) from None
         if np.any(np.abs(walls) != 1):
             raise RangeError("wall holds other numbers, but accepted are -1 for left and 1 for right", "wall")
         states = (times.tobytes(), velocities.tobytes(), walls.tobytes())
         with reporting(progress, "flights", walls.size) as tell:
-            sides, mappings, found_t, found_v = _core.flights(self._core, states, tell)
+            (sides, mappings, found_t, found_v), interrupted = _core.flights(self._core, states, tell)
         sides_array, mappings_array = np.frombuffer(sides, dtype=np.int8), np.frombuffer(mappings, dtype=np.uint8)
-        return Flights(sides_array, doubles(found_t, -1, 2), doubles(found_v, -1, 2), mappings_array)
+        return Flights(sides_array, doubles(found_t, -1, 2), doubles(found_v, -1, 2), mappings_array, interrupted)
 
     def box_map(self, rects: npt.ArrayLike, *, columns: int = 4096, progress: Progress = None) -> BoxImages:
         """Return certified enclosures of the images of boxes under the impact map, in reduced coordinates.
@@ -306,7 +309,7 @@ class Scene:
 
     def sweep(
         self,
-        over: Mapping[str, tuple[Value, Value, int] | npt.NDArray[np.float64]],
+        over: Mapping[str, tuple[Value, Value, int] | Sequence[float] | npt.NDArray[np.float64]],
         *,
         transient: int = 500,
         impacts: int = 300,
@@ -321,9 +324,9 @@ class Scene:
         progress: Progress = None,
     ) -> SweepResult:
         """Certify an orbit at each point of a grid; see :func:`impact_pair.sweep.sweep`."""
-        numbers = {"transient": transient, "impacts": impacts, "digits": digits, "max_bits": max_bits}
-        asked: dict[str, Any] = {key: whole(key, value) for key, value in numbers.items()}
-        asked |= {"arithmetic": str(arithmetic), "summary": summary}
+        asked: dict[str, Any] = {"transient": whole("transient", transient, IMPACTS), "impacts": whole("impacts", impacts, IMPACTS)}
+        asked |= {"digits": whole("digits", digits), "max_bits": whole("max_bits", max_bits)}
+        asked |= {"arithmetic": arithmetic_of(arithmetic), "summary": summary}
         how = {"executor": executor, "workers": workers, "resume": resume, "seconds": seconds, "progress": progress}
         return sweep(self._text, over, asked, **how)  # type: ignore[arg-type]
 
@@ -339,7 +342,7 @@ class Scene:
     ) -> answers.Periodic:
         """Prove the periodic orbits of a word (``"P2 P1"`` or ``"RL"``) in ``cycles`` forcing periods; ``all``: search everywhere."""
         with reporting(progress, "cells") as tell:
-            question = (word, whole("cycles", cycles), all)
+            question = (string("word", word), whole("cycles", cycles), all)
             return answers.Periodic(*_core.periodic(self._core, question, narrow(digits, max_bits), tell))
 
     def two_impact(
@@ -356,7 +359,9 @@ class Scene:
         ``solve_for`` is ``"velocity"``, ``"amplitude"`` or ``"gap"``: which of the three the other two give.
         """
         with reporting(progress, "cycles") as tell:
-            documents, complete, interrupted = _core.two_impact(self._core, both_ends("cycles", cycles), (wall, solve_for), digits, tell)
+            documents, complete, interrupted = _core.two_impact(
+                self._core, both_ends("cycles", cycles), (wall, solve_for), optional_whole("digits", digits), tell
+            )
         found = [answers.Periodic(document, complete, interrupted) for document in documents]
         return found if isinstance(cycles, tuple) else found[0]
 
@@ -371,10 +376,11 @@ class Scene:
         progress: Progress = None,
     ) -> answers.Manifold:
         """Return A_N (68) over ``{"frequency": (low, high, count)}`` or ``"velocity"``: figures 10 and 11."""
-        [(key, (low, high, count))] = over.items()
-        question = (key, text("from", low), text("to", high), count)
+        key, (low, high, count) = grid(over, '{"frequency": (1, 60, 200)}')
+        question = (key, low, high, count)
+        how = (wall, optional_whole("digits", digits), picture)
         with reporting(progress, "points") as tell:
-            return answers.Manifold(*_core.manifold(self._core, both_ends("cycles", cycles), question, (wall, digits, picture), tell))
+            return answers.Manifold(*_core.manifold(self._core, both_ends("cycles", cycles), question, how, tell))
 
     def bifurcations(
         self,
@@ -388,14 +394,16 @@ class Scene:
         progress: Progress = None,
     ) -> answers.Bifurcations:
         """Prove folds, pitchforks, period doublings and grazes of a word's orbits over ``{"amplitude": (low, high)}``."""
-        question = (word, whole("cycles", cycles), ranged(over), whole("doublings", doublings))
+        question = (string("word", word), whole("cycles", cycles), ranged(over), whole("doublings", doublings))
         with reporting(progress, "steps") as tell:
             return answers.Bifurcations(*_core.bifurcations(self._core, question, narrow(digits, max_bits), tell))
 
     def trap(self, *, finer: int = 0, words: int | None = None, picture: bool = False, progress: Progress = None) -> answers.Trap:
         """Prove a trapping region, its boxes bisected ``finer`` times, and bound the number of words of ``words`` walls in it."""
         with reporting(progress, "boxes") as tell:
-            document, complete, interrupted, said = _core.trap(self._core, (finer, optional_whole("words", words), picture), tell)
+            document, complete, interrupted, said = _core.trap(
+                self._core, (whole("finer", finer), optional_whole("words", words), picture), tell
+            )
         if document is None:
             return answers.Trap(json.dumps({"certified": False, "message": said}), complete, interrupted)
         return answers.Trap(document, complete, interrupted, said)
@@ -423,7 +431,7 @@ class Scene:
         Words have ``depth`` impacts at most, or as many as about a million boxes lead to.
         With ``hyperbolic`` also exponents and dimension of the motions of its words: ``document["hyperbolic"]``.
         """
-        question = (depth, None if over is None else ranged(over), None if bases is None else json.dumps(bases), hyperbolic)
+        question = (whole("depth", depth), None if over is None else ranged(over), None if bases is None else json.dumps(bases), hyperbolic)
         with reporting(progress, "boxes") as tell:
             return answers.Chaos(*_core.chaos(self._core, question, picture, tell))
 
@@ -440,10 +448,11 @@ class Scene:
 
         The cells are ``count`` equal parts of the range. An undecided cell is bisected, at most ``halvings`` times.
         """
-        [(key, (low, high, count))] = over.items()
-        question = (ranged({key: (low, high)}), count)
+        key, (low, high, count) = grid(over, '{"amplitude": (1, 10, 40)}')
+        question = (f"{key}={low}..{high}", count)
+        how = (whole("halvings", halvings), whole("depth", depth))
         with reporting(progress, "cells", count) as tell:
-            return answers.ChaosCells(*_core.chaos_cells(self._core, question, (halvings, depth), picture, tell))
+            return answers.ChaosCells(*_core.chaos_cells(self._core, question, how, picture, tell))
 
     def trade(
         self,
@@ -454,7 +463,7 @@ class Scene:
         progress: Progress = None,
     ) -> answers.Trade:
         """Measure the cost of accuracy: speed, reach and widths of each arithmetic, and the true errors of floating point."""
-        impacts = optional_whole("impacts", impacts)
+        impacts = optional_whole("impacts", impacts, IMPACTS)
         with reporting(progress, "impacts", impacts) as tell:
             return answers.Trade(*_core.trade(self._core, (impacts, whole("max_bits", max_bits), picture), tell))
 
@@ -478,8 +487,13 @@ class Scene:
         time, wall, velocity = (None if column is None else str(column) for column in columns)
         listed = (answers.listing(events), (time, wall, velocity, velocities))
         asked = (text("tolerance", tolerance), optional("until", until))
-        with reporting(progress, "impacts") as tell:
-            return answers.Audit(*_core.audit(self._core, listed, asked, narrow(digits, max_bits), tell))
+        try:
+            with reporting(progress, "impacts") as tell:
+                return answers.Audit(*_core.audit(self._core, listed, asked, narrow(digits, max_bits), tell))
+        except ListError as error:
+            # Not the options of the command line, but the keyword.
+            said = re.sub(r"by --\w+-column NAME or --\w+-column NUMBER", "in columns=", str(error))
+            raise ListError(said, error.key, error.value) from None
 
     def plot(
         self,
@@ -496,11 +510,11 @@ class Scene:
         progress: Progress = None,
     ) -> answers.Picture:
         """Draw panels of the paper's figures 12-17, by their letters, as SVG; for matplotlib see :mod:`impact_pair.plots`."""
-        impacts = optional_whole("impacts", impacts)
+        impacts = optional_whole("impacts", impacts, IMPACTS)
         asked = asked_of(impacts, until, narrow(digits, max_bits), arithmetic, splice)
         shown = (whole("cycles", cycles), whole("orbit_cycles", orbit_cycles))
         with reporting(progress, "impacts", impacts) as tell:
-            return answers.Picture(*_core.plot(self._core, panels, shown, asked, tell))
+            return answers.Picture(*_core.plot(self._core, string("panels", panels), shown, asked, tell))
 
     def __repr__(self) -> str:
         words = ", ".join(f"{key}={value!r}" for key, value in self._keywords().items() if value is not None)
@@ -545,13 +559,22 @@ def asked_of(
 ) -> tuple[int | None, str | None, int | None, str, int, int]:
     """Return the request of an orbit, as the compiled module takes it."""
     digits, max_bits = narrowness
-    return impacts, optional("until", until), digits, str(arithmetic), whole("splice", splice), max_bits
+    return impacts, optional("until", until), digits, arithmetic_of(arithmetic), whole("splice", splice, IMPACTS), max_bits
 
 
 def ranged(over: Mapping[str, tuple[Value, Value]]) -> str:
     """Return a key and its range in the syntax of the command line."""
-    [(key, (low, high))] = over.items()
-    return f"{key}={text(key, low)}..{text(key, high)}"
+    key, ends = single(over, '{"amplitude": (1, 2)}')
+    if not isinstance(ends, (tuple, list)) or len(ends) != 2:
+        raise RangeError(f"over of {key} is {ends!r}, but must be (low, high)", key, repr(ends))
+    return f"{key}={text(key, ends[0])}..{text(key, ends[1])}"
+
+
+def grid(over: Mapping[str, Any], example: str) -> tuple[str, tuple[str, str, int]]:
+    """Return a key, the exact first and last of its values, and their number."""
+    key, values = single(over, example)
+    low, high, count = spaced(key, values)
+    return key, (text(key, low), text(key, high), count)
 
 
 def toml(tables: Mapping[str, Any]) -> str:
@@ -563,15 +586,19 @@ def toml(tables: Mapping[str, Any]) -> str:
     unknown = [name for name in tables if name != "title" and name not in TABLES]
     if unknown:
         raise SceneError(f"{unknown[0]} is not a table of a scene: accepted are title, {', '.join(TABLES)}", unknown[0])
-    for name in TABLES:
+    for name, keys in TABLES.items():
         table = tables.get(name)
         if table is None:
             continue
         lines.append(f"[{name}]")
+        if not isinstance(table, Mapping):
+            raise SceneError(f"{name} is {table!r}, but must be a dict with {', '.join(keys)}", name, repr(table))
         for key, value in table.items():
+            if f"{name}.{key}" == "start.wall" and not isinstance(value, (str, type(None))):
+                raise SceneError(f'start.wall is {value!r}, but must be "left" or "right"', "start.wall", repr(value))
             if value is not None:
                 is_word = f"{name}.{key}" in WORDS
                 is_number = is_word and not isinstance(value, str)
-                value = whole(f"{name}.{key}", value) if is_number else value
+                value = whole(f"{name}.{key}", value, IMPACTS) if is_number else value
                 lines.append(f"{key} = {json.dumps(value if is_word else texts(f'{name}.{key}', value))}")
     return "\n".join(lines) + "\n"

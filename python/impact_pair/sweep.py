@@ -6,12 +6,14 @@ has the same bytes as ``impact-pair sweep`` writes in one process.
 
 from __future__ import annotations
 
+import contextlib
 import hashlib
+import itertools
 import json
 import os
 import time
 from collections import Counter
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from concurrent.futures import FIRST_COMPLETED, Executor, Future, wait
 from dataclasses import dataclass, replace
 from functools import cached_property
@@ -21,7 +23,7 @@ from typing import TYPE_CHECKING, Any, Literal
 import numpy as np
 
 from . import _cf, _core
-from ._exact import Value, text, whole
+from ._exact import Value, doubles_of, text, whole
 from ._file import ending, parquet, write
 from ._progress import Progress, reporting
 from ._store import Chunks, Files, Memory
@@ -72,7 +74,11 @@ class Question:
 def compute(question: Question, first: int, last: int) -> tuple[bytes, float]:
     """Return the lines of the points from first up to last, and the seconds taken: the work of a worker, on one thread."""
     began = time.perf_counter()
-    return question.core().compute((first, last), 1, None), time.perf_counter() - began
+    lines = question.core().compute((first, last), 1, None)
+    if lines.count(b"\n") < last - first:
+        # Ctrl-C in a terminal is sent to the workers as well.
+        raise KeyboardInterrupt
+    return lines, time.perf_counter() - began
 
 
 class Rate:
@@ -98,7 +104,7 @@ class Rate:
 
 def sweep(
     scene: str,
-    over: Mapping[str, tuple[Value, Value, int] | Doubles],
+    over: Mapping[str, tuple[Value, Value, int] | Sequence[float] | Doubles],
     asked: dict[str, Any],
     *,
     executor: Executor | None = None,
@@ -110,16 +116,19 @@ def sweep(
     """Certify an orbit at each point of a grid: bifurcation diagrams, exponents, basins.
 
     ``over`` has the keys that vary, one or two: ``{"amplitude": ("1", "10", 1000)}`` are 1000 exact values, evenly spaced,
-    endpoints included; an array such as ``np.linspace(1, 10, 1000)`` stands for its first and last value and their number, and the
-    values between are spaced exactly. Of two keys the second one varies faster. Keys are those of the command line: amplitude,
+    endpoints included; an array or a list such as ``np.linspace(1, 10, 1000)`` stands for its first and last value and their number,
+    and the values between are spaced exactly. Of two keys the second one varies faster. Keys are those of the command line: amplitude,
     frequency, phase, gap, restitution, start.time, start.phase, start.position, start.velocity; with several harmonics amplitude.2
     and so on. Of each orbit ``transient`` impacts are skipped and ``impacts`` listed, or with ``summary`` none.
 
     ``executor`` computes: any ``concurrent.futures.Executor``, such as a ``ProcessPoolExecutor`` or Dask's ``client.get_executor()``;
     without one all processors of this process. It is sent chunks that take about ``seconds``, sized from the first ones, for as many
     ``workers`` as it has. With ``resume`` finished chunks are kept in that folder under a hash of scene, grid and version: called again
-    after a crash of a worker, the scheduler or this process, the sweep continues from there.
+    after a crash of a worker, the scheduler or this process, the sweep continues from there. Ctrl-C ends it: the answer has the
+    finished points, and is ``interrupted``.
     """
+    if not isinstance(over, Mapping):
+        raise RangeError(f'over is {over!r}, but must be a dict, such as {{"amplitude": (1, 10, 1000)}}', "over", repr(over))
     axes = tuple(axis(key, values) for key, values in over.items())
     question = Question(scene, axes, **asked)
     core = question.core()
@@ -128,30 +137,41 @@ def sweep(
     count = workers or workers_of(executor)
     with reporting(progress, "points", core.points) as tell:
         run = Run(question, chunks, core.points, Rate(seconds, count), tell)
-        if executor is None:
-            run.here(core)
-        else:
-            run.on(executor)
+        # What is finished is kept.
+        with contextlib.suppress(KeyboardInterrupt):
+            run.here(core) if executor is None else run.on(executor)
     return SweepResult(question, chunks)
 
 
-def spread(key: str, values: Any) -> tuple[Value, Value, int]:
-    """Return first value, last value and number of an array of evenly spaced values, such as that of ``np.linspace``."""
+def spread(key: str, given: Any) -> tuple[Value, Value, int]:
+    """Return first value, last value and number of evenly spaced values, such as those of ``np.linspace``."""
+    values = doubles_of(f"over of {key}", given)
     evenly = np.linspace(values[0], values[-1], len(values)) if values.ndim == 1 and len(values) > 1 else None
-    if evenly is None or not np.allclose(values, evenly, rtol=1e-12, atol=0):
-        message = f"over of {key} is an array, but must be one of two or more evenly spaced values, or (low, high, count)"
-        raise RangeError(message, key, repr(values))
+    if evenly is None or not np.allclose(values, evenly, rtol=1e-6 if given_in_singles(given) else 1e-12, atol=0):
+        message = f"over of {key} is {given!r}, but must be two or more evenly spaced values, or (low, high, count)"
+        raise RangeError(message, key, repr(given))
     return values[0], values[-1], len(values)
+
+
+def given_in_singles(values: Any) -> bool:
+    """Return whether an array has less than double precision, in which steps are rounded more."""
+    return getattr(values, "dtype", np.dtype(float)).itemsize < np.dtype(float).itemsize
+
+
+def spaced(key: str, values: Any) -> tuple[Value, Value, int]:
+    """Return first value, last value and number of what varies: of ``(low, high, count)``, or of an array or a list of values."""
+    if isinstance(values, (np.ndarray, list)):
+        values = spread(key, values)
+    if not isinstance(values, tuple) or len(values) != 3:
+        raise RangeError(f"over of {key} is {values!r}, but must be (low, high, count)", key, repr(values))
+    low, high, count = values
+    return low, high, whole(f"{key} count", count)
 
 
 def axis(key: str, values: Any) -> str:
     """Return what varies in the words of the command line: exact values from one to another, evenly spread."""
-    if isinstance(values, np.ndarray):
-        values = spread(key, values)
-    if not isinstance(values, (tuple, list)) or len(values) != 3:
-        raise RangeError(f"over of {key} is {values!r}, but must be (low, high, count)", key, repr(values))
-    low, high, count = values
-    return f"{key}={text(key, low)}..{text(key, high)}:{whole(f'{key} count', count)}"
+    low, high, count = spaced(key, values)
+    return f"{key}={text(key, low)}..{text(key, high)}:{count}"
 
 
 def workers_of(executor: Executor | None) -> int:
@@ -162,6 +182,14 @@ def workers_of(executor: Executor | None) -> int:
     if client is not None and hasattr(client, "ncores"):
         return max(1, sum(map(int, client.ncores().values())))
     return int(getattr(executor, "_max_workers", None) or os.cpu_count() or 1)
+
+
+def stretches(lines: bytes) -> Iterator[tuple[int, int, bytes]]:
+    """Yield the lines of points that follow one another: the first point, the one after the last, and the lines."""
+    found: list[tuple[int, bytes]] = [(json.loads(line)["point"], line) for line in lines.splitlines(keepends=True)]
+    for _, part in itertools.groupby(enumerate(found), lambda numbered: numbered[1][0] - numbered[0]):
+        points = [line for _, line in part]
+        yield points[0][0], points[-1][0] + 1, b"".join(line for _, line in points)
 
 
 class Run:
@@ -198,7 +226,10 @@ class Run:
             first, last = self.next()
             tell = None if self._tell is None else lambda points, before=before: self._tell(before + points)
             lines = core.compute((first, last), 0, tell)
-            self.keep(first, last, lines, time.perf_counter() - began)
+            for start, end, part in stretches(lines):
+                self.keep(start, end, part, time.perf_counter() - began)
+            if lines.count(b"\n") < last - first:
+                return
 
     def on(self, executor: Executor) -> None:
         """Have it computed by the workers of an executor."""
@@ -222,7 +253,7 @@ class Run:
 
 
 class SweepResult:
-    """A finished sweep: the certified result of each point, in the order of the grid."""
+    """A sweep: the certified result of each point, in the order of the grid; after Ctrl-C of those that are finished."""
 
     def __init__(self, question: Question, chunks: Chunks) -> None:
         self._question, self._chunks = question, chunks
@@ -245,7 +276,28 @@ class SweepResult:
     @property
     def complete(self) -> bool:
         """Whether everything requested is certified at every point: the command line's exit code 0."""
-        return all(record["complete"] for record in self)
+        return not self.interrupted and all(record["complete"] for record in self)
+
+    @property
+    def interrupted(self) -> bool:
+        """Whether Ctrl-C ended the sweep: some points of the grid are missing."""
+        return self._missing() > 0
+
+    def _missing(self) -> int:
+        return sum(last - first for first, last in self._chunks.missing(self.points))
+
+    def require_whole(self) -> None:
+        """Raise :class:`Interrupted` where points are missing.
+
+        Raises
+        ------
+        Interrupted
+            When Ctrl-C ended the sweep.
+
+        """
+        if self.interrupted:
+            said = f"the sweep was interrupted, {self._missing()} of {self.points} points are missing"
+            raise Interrupted(f"{said}: to_pandas() has the finished ones, and a sweep with resume= goes on")
 
     @property
     def outcomes(self) -> dict[str, int]:
@@ -254,7 +306,7 @@ class SweepResult:
 
     @property
     def points(self) -> int:
-        """Number of points."""
+        """Number of points of the grid."""
         return self._core.points
 
     def __len__(self) -> int:
@@ -326,8 +378,11 @@ class SweepResult:
         ------
         MissingPackageError
             When xarray is not installed.
+        Interrupted
+            When points are missing.
 
         """
+        self.require_whole()
         return _cf.sweep(self)
 
     def svg(self, show: str = "phase") -> str:
@@ -337,7 +392,7 @@ class SweepResult:
     def save(self, path: str | os.PathLike[str], states: str | os.PathLike[str] | None = None) -> None:
         """Write .csv, .jsonl or .svg, with the bytes of ``impact-pair sweep``; .parquet by pyarrow, ``to_xarray`` as .nc or .zarr.
 
-        It is written atomically.
+        It is written atomically. Of an interrupted sweep .csv, .parquet and .svg have the finished points.
 
         With ``states``, a .csv or .parquet beside another one, the impacts go into a separate table, and ``path`` holds only the
         result of each point; both have the column ``point``.
@@ -346,10 +401,13 @@ class SweepResult:
         ------
         RangeError
             When a name has another ending, or there are no states.
+        Interrupted
+            When points are missing, and the file is one of the whole grid: .jsonl, .nc or .zarr.
 
         """
         path = Path(path)
-        ending(path, (".csv", ".jsonl", ".svg", ".parquet", ".nc", ".zarr"))
+        if ending(path, (".csv", ".jsonl", ".svg", ".parquet", ".nc", ".zarr")) in (".jsonl", ".nc", ".zarr"):
+            self.require_whole()
         if states is not None:
             states = Path(states)
             self._keep(states, path)
@@ -389,12 +447,14 @@ class SweepResult:
 
     def __repr__(self) -> str:
         said = ", ".join(f"{count} {outcome}" for outcome, count in self.outcomes.items())
-        return f"<sweep over {' and '.join(self._question.over)}: {said}>"
+        missing = f"; interrupted, {self._missing()} of {self.points} points are missing" if self.interrupted else ""
+        return f"<sweep over {' and '.join(self._question.over)}: {said}{missing}>"
 
     def _repr_svg_(self) -> str:
         return self.svg()
 
     def __reduce__(self) -> tuple[Any, ...]:
         kept = Memory()
-        kept.add(0, self.points, b"".join(self.lines()))
+        for (first, last), lines in zip(sorted(self._chunks.ranges()), self.lines(), strict=True):
+            kept.add(first, last, lines)
         return SweepResult, (replace(self._question), kept)

@@ -2,21 +2,24 @@
 
 from __future__ import annotations
 
+import json
 import os
+from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from . import _core
 from ._document import Document
+from ._exact import optional_whole, whole
 from ._file import ending, write
 from ._progress import Progress, reporting
 
 if TYPE_CHECKING:
     from typing import TypeAlias
 
-    #: An answer, the path of a file, or the text of a document.
-    Source: TypeAlias = "Document | os.PathLike[str] | str"
+    #: An answer, the path of a file, or a document as text or as a dict.
+    Source: TypeAlias = "Document | os.PathLike[str] | str | Mapping[str, Any]"
 
 
 @dataclass(frozen=True)
@@ -76,6 +79,8 @@ def text_of(source: Source) -> str:
     """Return the text of a document."""
     if isinstance(source, Document):
         return source.json()
+    if isinstance(source, Mapping):
+        return json.dumps(source, ensure_ascii=False)
     if isinstance(source, str) and source.lstrip()[:1] in ("{", "["):
         return source
     return Path(source).read_text(encoding="utf-8")
@@ -87,11 +92,12 @@ def check(source: Source, *, effort: int = 1, progress: Progress = None) -> Chec
     ``effort`` multiplies the work allowed for each claim before it is left undecided.
     """
     with reporting(progress, "claims") as tell:
-        verdict, message, unjudged, claims = _core.check(text_of(source), effort, tell)
+        verdict, message, unjudged, claims = _core.check(text_of(source), whole("effort", effort), tell)
     return Check(verdict, message, unjudged, [Claim(*claim) for claim in claims])
 
 
 def prove(source: Source, impacts: int | None = None, *, progress: Progress = None) -> Theorem:
     """Return a Coq file whose theorem states the claims of an orbit, for its first ``impacts`` or all."""
+    impacts = optional_whole("impacts", impacts)
     with reporting(progress, "impacts", impacts) as tell:
         return Theorem(*_core.prove(text_of(source), impacts, tell))

@@ -10,6 +10,7 @@ use impact_pair::json::{BaseDocument, one_a_line};
 use impact_pair::periodic::Precision;
 use impact_pair::periodic::bifurcation;
 use impact_pair::watch::{Stage, Watch};
+use impact_pair_plot::picture::Look;
 use pyo3::prelude::*;
 
 use crate::errors::{Fault, accepted};
@@ -39,7 +40,9 @@ pub fn trap(
                     document.words = words.ok().as_ref().map(document::wall_words);
                 }
                 let is_counted = impacts.is_none() || document.words.is_some();
-                let svg = picture.then(|| drawn(impact_pair_plot::chaos::trap(&scene, &region))).transpose()?;
+                let svg = picture
+                    .then(|| drawn(impact_pair_plot::chaos::trap(&scene, &region, &Look::default())))
+                    .transpose()?;
                 let is_complete = is_counted && document.entered_at_impact.is_some();
                 Ok((Some(text(&document)), is_complete, monitor.is_stopped(), svg))
             }
@@ -90,7 +93,8 @@ pub fn chaos(
         let bases = bases.map(|bases| document::bases(&bases)).unwrap_or_default();
         let depth = depth.map(|depth| accepted("depth", depth, 1..=MOST_DEPTH)).transpose()?;
         let question = HorseshoeSettings { depth: depth.map(|depth| depth as usize), bases };
-        let over = over.map(|over| bifurcation::over(&over)).transpose()?;
+        let range = |text: String| bifurcation::over(&text).map_err(|error| Fault::keyed(error, "over", &text));
+        let over = over.map(range).transpose()?;
         let pair = match &over {
             Some(over) => {
                 let values = Exact::interval(&over.low, &over.high)
@@ -108,7 +112,9 @@ pub fn chaos(
             proved = set.ok();
         }
         let is_proved = found.entropy() > 0.0 && !document.interrupted && document.hyperbolic != Some(None);
-        let picture = picture.then(|| impact_pair_plot::chaos::chaos(&scene, over.as_ref(), &found, proved.as_ref()));
+        let picture = picture.then(|| {
+            impact_pair_plot::chaos::chaos(&scene, over.as_ref(), (&found, proved.as_ref()), &Look::default())
+        });
         let svg = picture.map(drawn).transpose()?;
         Ok((text(&document), is_proved, monitor.is_stopped(), svg))
     })
@@ -126,7 +132,7 @@ pub fn chaos_cells(
 ) -> PyResult<Drawn> {
     let ((over, cells), (halvings, depth)) = (over, question);
     let asked = RangeSettings {
-        over: bifurcation::over(over).map_err(Fault::from)?,
+        over: bifurcation::over(over).map_err(|error| Fault::keyed(error, "over", over))?,
         cells: accepted("cells", cells, 1..=MOST_CELLS)?,
         halvings: accepted("halvings", halvings, 0..=MOST_HALVINGS)?,
         depth: accepted("depth", depth, 1..=MOST_DEPTH)? as usize,
@@ -135,7 +141,9 @@ pub fn chaos_cells(
     watched(py, progress, move |monitor| {
         let found = Cells::of(scene.pair(), scene.start(), &asked, monitor)?;
         let document = document::cells(&scene, &asked, &found);
-        let svg = picture.then(|| drawn(impact_pair_plot::proved::cells(&scene, &asked, &found))).transpose()?;
+        let svg = picture
+            .then(|| drawn(impact_pair_plot::proved::cells(&scene, &asked, &found, &Look::default())))
+            .transpose()?;
         Ok((one_a_line(&document, &["stretches"]), document.certified, monitor.is_stopped(), svg))
     })
 }

@@ -4,6 +4,7 @@ use impact_pair::chaos::MOST_DEPTH;
 use impact_pair::describe::{Request, describe as described, lines};
 use impact_pair::json::DescriptionDocument;
 use impact_pair::orbit::BITS;
+use impact_pair_plot::picture::Look;
 use pyo3::prelude::*;
 
 use crate::errors::{Fault, accepted};
@@ -29,7 +30,7 @@ pub fn describe(
         let request = Request { impacts, depth, max_bits: accepted("max_bits", max_bits, BITS)? };
         let found = described(&scene, &request, monitor)?;
         let document = found.document(&scene, &name)?;
-        let svg = || drawn(impact_pair_plot::describe::describe(&scene, &found, &document));
+        let svg = || drawn(impact_pair_plot::describe::describe(&scene, &found, &document, &Look::default()));
         let svg = picture.then(svg).transpose()?;
         Ok((text(&document), document.certified && !document.interrupted, document.interrupted, svg))
     })

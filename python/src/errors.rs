@@ -25,6 +25,30 @@ impl Fault {
         Self::Said { class: "RangeError", message, key: Some(key.to_owned()), value }
     }
 
+    /// The error of a text that this keyword gives, which names no key of its own.
+    pub fn keyed(error: Error, key: &str, text: &str) -> Self {
+        match Self::Ours(error).said() {
+            Self::Said { class, message, key: None, value: None } => {
+                Self::Said { class, message, key: Some(key.to_owned()), value: Some(text.to_owned()) }
+            }
+            named => named,
+        }
+    }
+
+    /// The same with its class and its words.
+    fn said(self) -> Self {
+        let Self::Ours(error) = self else { return self };
+        let class = match error {
+            _ if error.is_word() => "WordError",
+            _ if error.is_certificate() => "CertificateError",
+            _ if error.is_list() => "ListError",
+            _ if error.is_scene() => "SceneError",
+            _ => "RangeError",
+        };
+        let (key, value) = (error.key().map(str::to_owned), error.value().map(str::to_owned));
+        Self::Said { class, message: error.to_string(), key, value }
+    }
+
     /// A text that is no document.
     pub fn certificate(error: impl Display) -> Self {
         Self::Said { class: "CertificateError", message: error.to_string(), key: None, value: None }
@@ -46,19 +70,7 @@ pub fn accepted<T: PartialOrd + Display>(key: &str, value: T, range: RangeInclus
 
 impl From<Fault> for PyErr {
     fn from(fault: Fault) -> Self {
-        let (class, message, key, value) = match fault {
-            Fault::Said { class, message, key, value } => (class, message, key, value),
-            Fault::Ours(error) => {
-                let class = match error {
-                    _ if error.is_word() => "WordError",
-                    _ if error.is_certificate() => "CertificateError",
-                    _ if error.is_list() => "ListError",
-                    _ if error.is_scene() => "SceneError",
-                    _ => "RangeError",
-                };
-                (class, error.to_string(), error.key().map(str::to_owned), error.value().map(str::to_owned))
-            }
-        };
+        let Fault::Said { class, message, key, value } = fault.said() else { unreachable!("what is said") };
         Python::attach(|py| {
             let raised = || py.import("impact_pair.errors")?.getattr(class)?.call1((message, key, value));
             raised().map_or_else(|error| error, PyErr::from_value)

@@ -10,7 +10,7 @@ use pyo3::types::PyBytes;
 use crate::errors::Fault;
 use crate::numbers::{bytes, read};
 use crate::scene::Scene;
-use crate::watched::watched_whole;
+use crate::watched::watched;
 
 /// Flights between two looks at whether to go on.
 const SLICE: usize = 1024;
@@ -35,12 +35,12 @@ pub fn number(mapping: Option<Mapping>) -> u8 {
     }
 }
 
-/// Walls, mappings, and bounds of times and velocities.
-type Found<'py> = [Bound<'py, PyBytes>; 4];
+/// Walls, mappings, and bounds of times and velocities; and whether Ctrl-C ended the work.
+type Found<'py> = ([Bound<'py, PyBytes>; 4], bool);
 
 /// The next impacts of states on walls: times and velocities before the impact as bytes of doubles, walls as bytes of sides.
 ///
-/// Where doubles do not decide, the wall is 0 and the bounds are NaN.
+/// Where doubles do not decide, and after Ctrl-C, the wall is 0 and the bounds are NaN.
 #[pyfunction]
 pub fn flights<'py>(
     py: Python<'py>,
@@ -50,7 +50,7 @@ pub fn flights<'py>(
 ) -> PyResult<Found<'py>> {
     let pair = scene.get().scene.pair().clone();
     let (times, velocities, walls) = (read(states.0), read(states.1), states.2.to_vec());
-    let found = watched_whole(py, progress, move |monitor| {
+    let (found, interrupted) = watched(py, progress, move |monitor| {
         let arrivals = Arrivals::new(&pair)?;
         let mut found = Vec::with_capacity(walls.len());
         for (i, ((wall, time), velocity)) in walls.iter().zip(&times).zip(&velocities).enumerate() {
@@ -62,17 +62,23 @@ pub fn flights<'py>(
             }
             let wall = if *wall == side(Some(Wall::Right)) { Wall::Right } else { Wall::Left };
             let at = |error: impact_pair::Error| {
-                let (key, value) = (error.key().unwrap_or_default(), error.value().unwrap_or_default().to_owned());
+                let (key, value) = match error.key() {
+                    Some("start.time") => ("t", *time),
+                    _ => ("v", *velocity),
+                };
                 Fault::range(&format!("{key}[{i}]"), value, "must be finite, and a velocity point at its wall")
             };
             found.push(arrivals.next(wall, *time, *velocity).map_err(at)?.ok());
         }
-        Ok(found)
+        let interrupted = found.len() < walls.len();
+        found.resize_with(walls.len(), || None);
+        Ok((found, interrupted))
     })?;
     let walls: Vec<u8> = found.iter().map(|next| side(next.map(|next| next.wall))).collect();
     let mappings: Vec<u8> = found.iter().map(|next| number(next.map(|next| next.mapping))).collect();
     let unknown = [f64::NAN; 2];
     let times = found.iter().flat_map(|next| next.map_or(unknown, |next| next.time));
     let velocities = found.iter().flat_map(|next| next.map_or(unknown, |next| next.velocity));
-    Ok([PyBytes::new(py, &walls), PyBytes::new(py, &mappings), bytes(py, times), bytes(py, velocities)])
+    let columns = [PyBytes::new(py, &walls), PyBytes::new(py, &mappings), bytes(py, times), bytes(py, velocities)];
+    Ok((columns, interrupted))
 }

@@ -16,7 +16,7 @@ use crate::errors::{Fault, accepted};
 use crate::flights::{number, side};
 use crate::numbers::{bytes, point, read};
 use crate::scene::{Scene, json};
-use crate::watched::{watched, watched_whole};
+use crate::watched::watched;
 
 /// Events as they were computed, or read of a document.
 enum Events {
@@ -143,24 +143,33 @@ impl Orbit {
         self.document(event).map(|event| json(&event)).transpose()
     }
 
-    /// Bounds of the displacement and the velocity at times, four doubles each; NaN where nothing is proved.
-    fn at<'py>(&self, py: Python<'py>, times: &[u8], progress: Option<Py<PyAny>>) -> PyResult<Bound<'py, PyBytes>> {
+    /// Bounds of the displacement and the velocity at times, four doubles each, NaN where nothing is proved and after Ctrl-C; and
+    /// whether that came.
+    fn at<'py>(
+        &self,
+        py: Python<'py>,
+        times: &[u8],
+        progress: Option<Py<PyAny>>,
+    ) -> PyResult<(Bound<'py, PyBytes>, bool)> {
         let Some((orbit, dense)) = &self.motion else {
             let message = "this orbit was read from a document: run the scene again for bounds between impacts";
             return Err(Fault::other(message).into());
         };
         let times = read(times);
-        let found = watched_whole(py, progress, move |monitor| {
+        let (found, interrupted) = watched(py, progress, move |monitor| {
             let orbit = orbit.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
-            let mut found = Vec::with_capacity(4 * times.len());
+            let all = 4 * times.len();
+            let mut found = Vec::with_capacity(all);
             for (i, time) in times.into_iter().enumerate().take_while(|_| monitor.goes_on()) {
                 monitor.tell(i as u64);
                 let [y, v] = dense.at(&orbit, time).unwrap_or([[f64::NAN; 2]; 2]);
                 found.extend([y[0], y[1], v[0], v[1]]);
             }
-            Ok(found)
+            let interrupted = found.len() < all;
+            found.resize(all, f64::NAN);
+            Ok((found, interrupted))
         })?;
-        Ok(bytes(py, found.into_iter()))
+        Ok((bytes(py, found.into_iter()), interrupted))
     }
 }
 
@@ -187,7 +196,8 @@ pub fn run(
     watched(py, progress, move |monitor| {
         let (_, _, _, arithmetic, splice, max_bits) = &asked;
         let max_bits = accepted("max_bits", *max_bits, orbit::BITS)?;
-        let settings = scene.settings_asked(asked_run(&asked)?, arithmetic.parse()?);
+        let chosen = arithmetic.parse().map_err(|error| Fault::keyed(error, "arithmetic", arithmetic))?;
+        let settings = scene.settings_asked(asked_run(&asked)?, chosen);
         let settings = Settings { attractor: true, splice: *splice, max_bits, ..settings };
         let mut orbit = orbit::Orbit::of(&scene, settings.clone())?;
         let mut dense = Dense::new(&orbit, scene.start());

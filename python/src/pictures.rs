@@ -3,6 +3,7 @@
 use anyhow::Result;
 use impact_pair::orbit::{BITS, Orbit};
 use impact_pair_plot::orbit::{Figure, Panel};
+use impact_pair_plot::picture::Look;
 use pyo3::prelude::*;
 
 use crate::errors::{Fault, accepted};
@@ -22,9 +23,10 @@ pub fn plot(
 ) -> PyResult<(String, bool, bool, String)> {
     let scene = scene.get().scene.clone();
     let panel = |letter: char| Panel::ALL.into_iter().find(|panel| panel.letter() == letter);
-    let panels: Option<Vec<Panel>> = panels.chars().map(panel).collect();
-    let panels = panels.filter(|panels| !panels.is_empty());
-    let panels = panels.ok_or_else(|| Fault::range("panels", "not known", "must be some of a, b, c, d, e, f, g, h"))?;
+    let found: Option<Vec<Panel>> = panels.chars().map(panel).collect();
+    let found = found.filter(|found| !found.is_empty());
+    let panels =
+        found.ok_or_else(|| Fault::range("panels", format!("{panels:?}"), "must be some of a, b, c, d, e, f, g, h"))?;
     let figure = Figure {
         panels,
         cycles: accepted("cycles", cycles.0, 1..=10_000)?,
@@ -32,9 +34,10 @@ pub fn plot(
         transient: 0,
         zoom: None,
         run: asked_run(&asked)?,
-        arithmetic: asked.3.parse().map_err(Fault::from)?,
+        arithmetic: asked.3.parse().map_err(|error| Fault::keyed(error, "arithmetic", &asked.3))?,
         splice: asked.4,
         max_bits: accepted("max_bits", asked.5, BITS)?,
+        look: Look::default(),
     };
     watched(py, progress, move |monitor| {
         let settings = figure.settings(&scene);

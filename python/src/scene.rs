@@ -39,7 +39,10 @@ impl Scene {
     fn varied(&self, keys: Vec<(String, String)>) -> PyResult<String> {
         let mut values = Vec::new();
         for (key, text) in &keys {
-            values.push((key.parse().map_err(Fault::from)?, crate::numbers::exact(key, text)?));
+            values.push((
+                key.parse().map_err(|error| Fault::keyed(error, "values", key))?,
+                crate::numbers::exact(key, text)?,
+            ));
         }
         let scene = self.scene.with(&values).map_err(Fault::from)?;
         json(&SceneDocument::new(scene.pair(), scene.start()))

@@ -8,6 +8,7 @@ use impact_pair::sweep::{
     self, Cell, Grid, Kind, PointSettings, Table, axis, columns, csv_head, csv_rows, doubles, follow,
 };
 use impact_pair::watch::Silent;
+use impact_pair_plot::picture::Look;
 use impact_pair_plot::sweep::{Show, svg};
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict, PyList};
@@ -18,7 +19,7 @@ use crate::lines::{Lines, records};
 use crate::numbers::bytes;
 use crate::pictures::drawn;
 use crate::scene::{Scene, json};
-use crate::watched::{Monitor, watched_whole};
+use crate::watched::{Monitor, watched, watched_whole};
 
 /// A sweep over a grid, and the settings of its points.
 #[pyclass(frozen, module = "impact_pair._core")]
@@ -60,11 +61,12 @@ impl Sweep {
         summary: bool,
     ) -> PyResult<Self> {
         let scene = scene.get().scene.clone();
-        let axes: Result<Vec<Range>, _> = over.iter().map(|text| axis(text)).collect();
-        let grid = Grid::new(axes.map_err(Fault::from)?).map_err(Fault::from)?;
+        let named = |text: &String| axis(text).map_err(|error| Fault::keyed(error, "over", text));
+        let axes: Vec<Range> = over.iter().map(named).collect::<Result<_, _>>()?;
+        let grid = Grid::new(axes).map_err(|error| Fault::keyed(error, "over", &over.join(" ")))?;
         let settings = Settings {
             digits: accepted("digits", asked.0, DIGITS)?,
-            arithmetic: asked.1.parse().map_err(Fault::from)?,
+            arithmetic: asked.1.parse().map_err(|error| Fault::keyed(error, "arithmetic", &asked.1))?,
             max_bits: accepted("max_bits", asked.2, orbit::BITS)?,
             ..Settings::default()
         };
@@ -97,7 +99,7 @@ impl Sweep {
         self.grid.points()
     }
 
-    /// The lines of the points from `first` up to `last`, by this number of threads.
+    /// The lines of the points from `first` up to `last`, by this number of threads; after Ctrl-C those that are finished.
     fn compute<'py>(
         &self,
         py: Python<'py>,
@@ -107,7 +109,7 @@ impl Sweep {
     ) -> PyResult<Bound<'py, PyBytes>> {
         let (first, last) = range;
         let points: Vec<u64> = (first..last.min(self.grid.points())).collect();
-        let lines: Vec<Option<String>> = watched_whole(py, progress, |monitor| {
+        let lines: Vec<Option<String>> = watched(py, progress, |monitor| {
             if threads == 1 {
                 return points.into_iter().map(|point| self.line(point, monitor)).collect();
             }
@@ -145,7 +147,7 @@ impl Sweep {
             "velocity" => Show::Velocity,
             other => return Err(Fault::range("show", other, "must be phase or velocity").into()),
         };
-        watched_whole(py, None, |_| drawn(svg(&mut Lines { head: &self.head, lines }, show, None)))
+        watched_whole(py, None, |_| drawn(svg(&mut Lines { head: &self.head, lines }, show, None, &Look::default())))
     }
 
     /// The columns of a table by name: lists, and of bounds bytes of doubles rounded outward, NaN where there are none.

@@ -15,6 +15,7 @@ use impact_pair::trade::Trade;
 use impact_pair::two_impact::{Axis, COUNTS, CYCLES, Problem as TwoImpactProblem, Range, Unknown, speed};
 use impact_pair::watch::Watch;
 use impact_pair_certificate::{Certificate, ClaimKind, Claims, Effort, Verdict};
+use impact_pair_plot::picture::Look;
 use pyo3::prelude::*;
 
 use crate::errors::{Fault, accepted};
@@ -59,7 +60,7 @@ pub fn periodic(
     let (word, cycles, all) = question;
     let scene = scene.get().scene.clone();
     watched(py, progress, move |monitor| {
-        let word: Word = word.parse()?;
+        let word: Word = word.parse().map_err(|error| Fault::keyed(error, "word", &word))?;
         let problem = Problem::new(scene.pair(), &word, accepted("cycles", cycles, 1..=MOST_CYCLES)?)?;
         let units = Units::new(problem.pair())?;
         let precision = precision(asked, &scene)?;
@@ -84,7 +85,8 @@ pub fn bifurcations(
     let (word, cycles, over, doublings) = question;
     let scene = scene.get().scene.clone();
     watched(py, progress, move |monitor| {
-        let (word, over): (Word, _) = (word.parse()?, bifurcation::over(&over)?);
+        let word: Word = word.parse().map_err(|error| Fault::keyed(error, "word", &word))?;
+        let over = bifurcation::over(&over).map_err(|error| Fault::keyed(error, "over", &over))?;
         let cycles = accepted("cycles", cycles, 1..=MOST_CYCLES)?;
         let doublings = accepted("doublings", doublings, 0..=8)?;
         let wanted = DiagramSettings { over, doublings, precision: precision(asked, &scene)? };
@@ -156,7 +158,7 @@ pub fn manifold(
         let range = Range { pair: scene.pair(), speed, axis, from, to, count };
         let (curves, went_on) = range.manifolds(all_cycles(cycles)?, digits(asked, &scene)?, monitor)?;
         let document = document::manifolds(&range, scene.start(), &curves, !went_on);
-        let svg = || drawn(impact_pair_plot::two_impact::svg(&scene, axis, &curves, None));
+        let svg = || drawn(impact_pair_plot::two_impact::svg(&scene, axis, &curves, None, &Look::default()));
         let svg = (picture && !curves.is_empty()).then(svg).transpose()?;
         Ok((one_a_line(&document, &["curves", "points"]), went_on, !went_on, svg))
     })
@@ -181,7 +183,7 @@ pub fn trade(
         }
         Orbit::of(&scene, asked.clone())?;
         let trade = Trade::of(&scene, asked, monitor)?;
-        let svg = picture.then(|| drawn(impact_pair_plot::trade::svg(&trade))).transpose()?;
+        let svg = picture.then(|| drawn(impact_pair_plot::trade::svg(&trade, &Look::default()))).transpose()?;
         let is_interrupted = trade.interrupted.is_some();
         Ok((one_a_line(&trade.document(), &["rungs"]), !is_interrupted, is_interrupted, svg))
     })

@@ -73,6 +73,41 @@ def test_ctrl_c_keeps_what_is_proved(work):
         assert (whole.t_bounds[:, 0] <= kept.t_bounds[:50, 1]).all()
 
 
+PARTS = """
+import json, os, signal, threading
+import numpy as np
+from impact_pair import Scene
+
+scene = Scene.named("figure-14")
+orbit = scene.run(impacts=400)
+t = np.linspace(0, 100, 3_000_000)
+rects = np.tile([0.0, 3.0, 0.5, 3.5], (400_000, 1))
+many = np.ones(3_000_000)
+threading.Timer(0.4, os.kill, (os.getpid(), signal.SIGINT)).start()
+found = {work}
+kept = np.isfinite({bounds})
+print(json.dumps([bool(found.interrupted), int(kept.sum()), len(kept), bool(kept[:100].all())]))
+"""
+
+
+@pytest.mark.parametrize(
+    ("work", "bounds"),
+    [
+        ("orbit(t)", "found.y"),
+        ("scene.flights(many, -many, -1)", "found.t_bounds[:, 0]"),
+        ("scene.box_map(rects)", "found.rects[:, 0]"),
+    ],
+)
+def test_r35_ctrl_c_keeps_the_first_of_many(work, bounds):
+    code = PARTS.replace("{work}", work).replace("{bounds}", bounds)
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False, timeout=60)
+    assert done.returncode == 0, done.stderr
+    is_interrupted, kept, asked, begins = json.loads(done.stdout)
+    assert is_interrupted
+    assert 0 < kept < asked
+    assert begins or work.startswith("scene.box_map")
+
+
 def test_a_progress_that_raises_stops_the_work_without_a_result():
     def refuse(_):
         raise RuntimeError("enough")

@@ -30,6 +30,98 @@ def test_r35_numpy_scalars_are_exact_doubles(restitution):
     assert np.array_equal(found.t_bounds, impact_pair.solve(**PARAMETERS, impacts=3).t_bounds)
 
 
+@pytest.mark.parametrize(
+    ("changed", "key", "said"),
+    [
+        ({"e": -0.63}, "pair.restitution", "pair.restitution is -0.63, but"),
+        ({"e": np.float64(1.1)}, "pair.restitution", "pair.restitution is 1.1, but"),
+        ({"e": "-0.63"}, "pair.restitution", "pair.restitution is -0.63, but"),
+        ({"e": [0.5, 0.6]}, "pair.restitution", r"pair.restitution is \[0.5, 0.6\], but must be a single number"),
+        ({"e": (0.7, 0.6)}, "pair.restitution", r"pair.restitution is \(0.7, 0.6\), but"),
+        ({"A": b"1"}, "excitation.amplitude", "excitation.amplitude is b'1', but"),
+        ({"wall": -1}, "start.wall", 'start.wall is -1, but must be "left" or "right"'),
+        ({"wall": "left", "y0": 0}, "start.position", "but start.wall is given too: a start has one or the other"),
+        ({"digits": 10**10}, "digits", "digits is 10000000000, but must be at most"),
+        ({"impacts": 2**70}, "impacts", "impacts is 1180591620717411303424, but must be at most"),
+        ({"arithmetic": "fast"}, "arithmetic", "fast"),
+    ],
+)
+def test_r35_values_are_printed_as_they_were_typed(changed, key, said):
+    with pytest.raises(impact_pair.Error, match=said) as caught:
+        impact_pair.solve(**PARAMETERS | changed)
+    assert caught.value.key == key
+    assert isinstance(caught.value, ValueError)
+    assert len(str(caught.value.value)) < 30
+
+
+def test_r35_long_doubles_and_arrays_of_harmonics_are_exact():
+    third = np.longdouble(1) / 3
+    found = impact_pair.solve(**PARAMETERS | {"A": third, "arithmetic": 64.0}, impacts=2)
+    assert Fraction(found.scene["excitation"]["amplitude"][0]) == Fraction(*third.as_integer_ratio())
+    two = PARAMETERS | {"A": np.array([1.0, 0.25]), "W": np.array([1, 3]), "tau": np.zeros(2)}
+    assert impact_pair.solve(**two, impacts=2).scene["excitation"]["amplitude"] == ["1", "0.25"]
+
+
+SCENE = Scene.named("figure-12")
+NOT_ASKED = {
+    "no dict": lambda: SCENE.sweep([1, 2]),
+    "three keys": lambda: SCENE.sweep({"gap": (1, 2, 2), "restitution": (0, 1, 2), "amplitude": (1, 2, 2)}),
+    "downwards": lambda: SCENE.sweep({"gap": np.linspace(8, 7, 5)}),
+    "a list that is no grid": lambda: SCENE.sweep({"gap": [7.0, 7.4, 8.0]}),
+    "no such key": lambda: SCENE.sweep({"e": (0, 1, 3)}),
+    "no number of points": lambda: SCENE.manifold({"frequency": (1, 2)}),
+    "half a point": lambda: SCENE.manifold({"frequency": (1, 2, 2.5)}),
+    "a tuple too long": lambda: SCENE.bifurcations("RL", 1, {"gap": (1, 2, 3)}),
+    "no key": lambda: SCENE.bifurcations("RL", 1, {}),
+    "no range": lambda: SCENE.bifurcations("RL", 1, {"gap": 3}),
+    "small letters": lambda: SCENE.periodic("rl", 1),
+    "no word": lambda: SCENE.periodic(12, 1),
+    "finer": lambda: SCENE.trap(finer=-1),
+    "depth": lambda: SCENE.chaos(depth=-1),
+    "over": lambda: SCENE.chaos(over={"gap": (2, 1)}),
+    "cells": lambda: SCENE.chaos_cells({"gap": (1, 2, -3)}),
+    "halvings": lambda: SCENE.chaos_cells({"gap": (1, 2, 3)}, halvings=-1),
+    "digits": lambda: SCENE.two_impact(1, digits=-3),
+    "panels": lambda: SCENE.plot("z"),
+    "shapes": lambda: SCENE.flights([0.0, 1.0], [1.0, 2.0, 3.0], -1),
+    "letters": lambda: SCENE.flights(["a"], [1.0], -1),
+    "a wrong side": lambda: SCENE.flights([0.0], [1.0], [-1]),
+    "boxes": lambda: SCENE.box_map([["a", 2, 3, 4]]),
+    "a name": lambda: Scene.named(14),
+    "a table": lambda: Scene.from_dict({"excitation": 3}),
+    "a value": lambda: SCENE.varied({"e": 0.5}),
+    "effort": lambda: impact_pair.check(SCENE.run(impacts=2), effort=-1),
+    "times": lambda: SCENE.run(impacts=2)("a"),
+}
+
+
+@pytest.mark.parametrize("name", NOT_ASKED)
+def test_r35_what_cannot_be_asked_is_refused_by_the_package_with_key_and_value(name):
+    with pytest.raises(impact_pair.Error) as caught:
+        NOT_ASKED[name]()
+    assert isinstance(caught.value, ValueError)
+    assert caught.value.key
+    assert caught.value.value
+
+
+def test_r35_lists_and_arrays_are_grids_in_all_verbs():
+    by_list = SCENE.sweep({"gap": [9.0, 9.5, 10.0]}, transient=1, impacts=1)
+    assert by_list.head["over"] == [{"key": "gap", "from": "9", "to": "10", "count": 3}]
+    found = Scene.named("figure-10").manifold({"frequency": np.linspace(5, 60, 12)})
+    assert found.document == Scene.named("figure-10").manifold({"frequency": (5, 60, 12)}).document
+
+
+def test_r35_a_document_may_be_a_dict():
+    orbit = SCENE.run(impacts=3)
+    assert impact_pair.check(orbit.document)
+    assert impact_pair.check(orbit.document).claims == orbit.check().claims
+
+
+def test_r35_lists_without_a_wall_lead_to_the_keyword():
+    with pytest.raises(impact_pair.ListError, match="say which one it is in columns="):
+        SCENE.audit({"time": [1.0, 2.0]})
+
+
 def test_r35_an_unknown_scene_leads_to_a_known_one():
     with pytest.raises(impact_pair.RangeError, match="did you mean 'figure-14'") as caught:
         Scene.named("figure14")

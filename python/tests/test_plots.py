@@ -65,11 +65,56 @@ def test_r35_diagrams_are_coloured_by_proof():
 
 
 def test_r35_manifolds_have_a_legend_and_an_inset():
-    found = Scene.named("figure-10").manifold({"frequency": (1, 60, 30)}, (1, 3))
-    ax = plots.manifold(found, inset=((10, 20), (0.5, 2)))
-    assert labels(ax) == ["earlier contact", "admissible, not stable", "proved stable"]
-    assert [text.get_text() for text in ax.texts] == ["N = 1", "N = 3"]
-    assert ax.child_axes[0].get_xlim() == (10, 20)
+    found = Scene.named("figure-10").manifold({"frequency": (1, 60, 30)}, (1, 3), picture=True)
+    ax = plots.manifold(found, inset=((5, 10), (0, 2)))
+    *named, slopes = labels(ax)
+    assert named == [
+        "admissible and stable",
+        "admissible, unstable",
+        "a wall is touched earlier",
+        "fold",
+        "pitchfork",
+        "graze of the near wall",
+    ]
+    assert slopes.startswith("solid: ")
+    assert [text.get_text() for text in ax.texts] == ["$d/2$", "$N = 1$", "$N = 3$"]
+    # The command line's words.
+    assert all(name in found.svg for name in named)
+    [part] = ax.child_axes
+    assert part.get_xlim() == (5, 10)
+    # The magnified part covers neither curves that tend to d/2 nor names, and its frame crosses none.
+    ax.figure.canvas.draw()
+    part_box = part.get_tightbbox()
+    assert part_box.y0 > ax.transData.transform((0, 10))[1]
+    frame = ax.patches[0].get_window_extent()
+    for text in ax.texts:
+        box = text.get_window_extent()
+        assert not box.overlaps(part_box)
+        assert not box.overlaps(frame)
+    marks = [point["mark"] for curve in found.document["curves"] for point in curve["points"]]
+    drawn = [line for line in ax.lines if line.get_marker() == "o"]
+    assert sum(len(line.get_xdata()) for line in drawn) == marks.count("fold") > 0
+
+
+def test_r35_curves_of_manifolds_are_those_of_the_document():
+    found = Scene.named("figure-11").manifold({"velocity": (-200, -1, 20)}, (1, 3))
+    ax = plots.manifold(found)
+    solid = [line for line in ax.lines if line.get_linestyle() in ("-", "--") and line.get_color() != "black"]
+    pieces = {(x0, x1) for line in solid for x0, x1 in zip(line.get_xdata()[:-1], line.get_xdata()[1:], strict=True)}
+    expected = set()
+    for curve in found.curves:
+        at = curve.at_bounds.mean(axis=1)
+        for i, part in enumerate(curve.parts):
+            if part is not None:
+                expected |= {(at[i], at[i + 1]), (-at[i], -at[i + 1])}
+    assert {tuple(np.round(piece, 9)) for piece in pieces} == {tuple(np.round(piece, 9)) for piece in expected}
+
+
+def test_r35_grazes_rests_and_releases_are_marked():
+    ax = plots.displacement(Scene.named("chatter").run(), cycles=12)
+    assert labels(ax) == ["rest", "release"]
+    ax = plots.phase_plane(Scene.named("graze").run(), cycles=12)
+    assert "graze" in labels(ax)
 
 
 def test_r35_widths_and_headers_are_those_asked_for():
@@ -78,6 +123,9 @@ def test_r35_widths_and_headers_are_those_asked_for():
     assert ax.figure.get_figwidth() == pytest.approx(90 / 25.4)
     assert ax.get_title(loc="left") == "A = 8, Ω = pi, τ = 0, d = 9.42497, e = 0.5\ncertified: 30 impacts"
     assert plots.displacement(orbit, ax, 2) is ax
+    # Names of axes are no longer than the axes' sides of the figure.
+    ax.figure.canvas.draw()
+    assert ax.yaxis.label.get_window_extent().height < ax.figure.bbox.height
     assert plots.panels(orbit, "ag", width=5, header=False)[0, 0].figure.get_figwidth() == 5
 
 

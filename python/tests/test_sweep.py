@@ -2,6 +2,7 @@
 
 import json
 import os
+import pickle
 import signal
 import subprocess
 import sys
@@ -216,25 +217,63 @@ def test_chunks_grow_to_the_seconds_asked_for():
 
 
 SWEEPING = """
+import sys
 import impact_pair
 scene = impact_pair.Scene.named("figure-14")
 print("begun", flush=True)
-try:
-    scene.sweep({"amplitude": (1, 10, 10**6)})
-except KeyboardInterrupt:
-    print("stopped")
+found = scene.sweep({"amplitude": (1, 10, 10**6)}, transient=50, impacts=20, resume=sys.argv[1] or None)
+print(found.interrupted, found.complete, len(list(found)), *(record["point"] for record in found if record["point"] < 40))
 """
 
 
-def test_ctrl_c_stops_a_sweep():
-    child = subprocess.Popen([sys.executable, "-c", SWEEPING], stdout=subprocess.PIPE, text=True)
+@pytest.mark.parametrize("is_kept", [False, True])
+def test_r35_ctrl_c_keeps_the_finished_points_of_a_sweep(is_kept, tmp_path):
+    command = [sys.executable, "-c", SWEEPING, str(tmp_path) if is_kept else ""]
+    child = subprocess.Popen(command, stdout=subprocess.PIPE, text=True)
     assert child.stdout.readline() == "begun\n"
     time.sleep(1.0)
     child.send_signal(signal.SIGINT)
     began = time.monotonic()
-    assert child.stdout.read() == "stopped\n"
+    interrupted, complete, points, *first = child.stdout.read().split()
     assert child.wait() == 0
     assert time.monotonic() - began < 10
+    assert (interrupted, complete) == ("True", "False")
+    assert len(first) <= int(points) < 10**6
+    assert first[:8] == [str(point) for point in range(8)]
+    if is_kept:
+        over = {"amplitude": (1, 10, 10**6)}
+        core = Question(Scene.named("figure-14").text, tuple(f"{key}={a}..{b}:{n}" for key, (a, b, n) in over.items()), *ASKED.values(),
+                        6, "auto", 100_000, False)  # fmt: skip
+        [folder] = tmp_path.iterdir()
+        assert folder.name == core.key()
+        assert sum(int(path.name[13:25]) - int(path.name[:12]) for path in folder.glob("0*.jsonl")) == int(points)
+
+
+class Stopped(ThreadPoolExecutor):
+    """A terminal with a person before it, who has seen enough."""
+
+    def submit(self, function, /, first, *args):
+        if args[0] > 3:
+            raise KeyboardInterrupt
+        return super().submit(function, first, *args)
+
+
+def test_r35_an_interrupted_sweep_has_its_finished_points(files, tmp_path):
+    with Stopped(1) as executor:
+        found = Scene.named("figure-14").sweep(OVER, **ASKED, executor=executor, workers=1, seconds=0.001)
+    assert found.interrupted
+    assert not found.complete
+    assert "interrupted, " in repr(found)
+    assert " of 40 points are missing" in repr(found)
+    told = [json.loads(line) for line in files["jsonl"].splitlines()[1:]]
+    assert list(found) == told[: len(list(found))]
+    assert list(pickle.loads(pickle.dumps(found))) == list(found)
+    assert sum(found.outcomes.values()) == len(found.to_pandas("points")) < len(found) == 40
+    found.save(tmp_path / "found.csv")
+    assert files["csv"].startswith((tmp_path / "found.csv").read_bytes())
+    for work in (found.to_xarray, lambda: found.save(tmp_path / "a.jsonl"), lambda: found.save(tmp_path / "a.nc")):
+        with pytest.raises(impact_pair.Interrupted, match="the sweep was interrupted"):
+            work()
 
 
 def test_long_work_releases_the_gil_and_tells_how_far_it_is():

@@ -292,9 +292,9 @@ def test_pictures_by_matplotlib():
     section = plots.section_left(orbit)
     assert len(section.lines[0].get_xdata()) == (orbit.sides < 0).sum()
     assert plots.figure(12, impacts=50).size == 8
-    assert plots.manifold(Scene.named("figure-10").manifold({"frequency": (5, 60, 20)})).get_ylabel() == "A"
+    assert plots.manifold(Scene.named("figure-10").manifold({"frequency": (5, 60, 20)})).get_ylabel() == "amplitude $A_N$ [length]"
     one = Scene.named("figure-14").sweep({"amplitude": (1, 3, 5)}, transient=20, impacts=10)
-    assert plots.diagram(one).get_xlabel() == "amplitude"
+    assert plots.diagram(one).get_xlabel() == "amplitude of the box A [length]"
     two = Scene.named("cascade").sweep({"start.time": (0, 2, 3), "start.velocity": (-6, 0, 4)}, transient=20, impacts=10)
     for values in ("outcome", "exponent", "word"):
         assert plots.basins(two, values=values).collections[0].get_array().shape == (4, 3)

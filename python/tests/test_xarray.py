@@ -48,6 +48,28 @@ def test_r35_an_orbit_has_bounds_by_cf(tmp_path, orbit, ending):
     assert found.attrs["Conventions"].startswith("CF-")
 
 
+@pytest.mark.parametrize("ending", [None, ".nc"])
+@pytest.mark.parametrize(("name", "kinds"), [("chatter", {"impact", "rest", "release"}), ("graze", {"impact", "graze"})])
+def test_r35_grazes_rests_and_releases_are_among_the_events(tmp_path, ending, name, kinds):
+    orbit = Scene.named(name).run()
+    found = orbit.to_xarray()
+    if ending:
+        orbit.save(tmp_path / "orbit.nc")
+        found = opened(tmp_path / "orbit.nc")
+    meanings = found.event_kind.attrs["flag_meanings"].split()
+    named = [meanings[int(kind)] for kind in found.event_kind]
+    assert named == [type(event).__name__.lower() for event in orbit.events]
+    assert kinds <= set(named)
+    for i, event in enumerate(orbit.events):
+        low, high = (Fraction(float(end)) for end in found.event_time_bnds[i])
+        assert low <= event.time.fractions[1]
+        assert high >= event.time.fractions[0]
+        assert int(found.event_wall[i]) == (-1 if event.wall == "left" else 1)
+    assert found.event_time.attrs["bounds"] == "event_time_bnds"
+    impacts = found.event_time_bnds[[kind == "impact" for kind in named]]
+    assert np.array_equal(impacts, found.time_bnds)
+
+
 @pytest.mark.parametrize("ending", [None, ".nc", ".zarr"])
 def test_r35_a_sweep_has_its_grid(tmp_path, grid, ending):
     found = grid.to_xarray()

@@ -7,7 +7,7 @@ use impact_pair::exact::Exact;
 use impact_pair::orbit::{Arithmetic, MAX_BITS};
 use impact_pair::scene::Run;
 use impact_pair_plot::orbit::{Figure, Panel};
-use impact_pair_plot::picture::Theme;
+use impact_pair_plot::picture::Look;
 
 use crate::destination::Destination;
 use crate::values::{ARITHMETICS, bits, digits, point, window};
@@ -71,11 +71,10 @@ pub struct PlotArguments {
     #[arg(long, value_name = "BITS", default_value_t = MAX_BITS, value_parser = bits())]
     max_bits: u32,
     /// The picture, written atomically; the extension selects the format
-    #[arg(long, short, value_name = "FILE.svg|FILE.png|FILE.pdf", value_parser = impact_pair_plot::picture::path)]
+    #[arg(id = "plot", long = "output", short = 'o', value_name = "FILE.svg|FILE.png|FILE.pdf", value_parser = impact_pair_plot::picture::path)]
     pub output: PathBuf,
-    /// Colours of the picture
-    #[arg(long, value_enum, default_value_t, value_name = "light|dark")]
-    pub theme: Theme,
+    #[command(flatten)]
+    pub look: Look,
     /// Print no notes and no progress on stderr
     #[arg(long, short)]
     pub quiet: bool,
@@ -105,6 +104,7 @@ impl PlotArguments {
             arithmetic: self.arithmetic,
             splice: self.splice,
             max_bits: self.max_bits,
+            look: self.look.clone(),
         }
     }
 }

@@ -7,7 +7,7 @@ use clap::{Args, ValueEnum};
 use impact_pair::orbit::Arithmetic;
 use impact_pair::scene::Range;
 use impact_pair::sweep::{MOST_IMPACTS, axis};
-use impact_pair_plot::picture::Theme;
+use impact_pair_plot::picture::Look;
 use impact_pair_plot::sweep::Show;
 
 use crate::destination::Destination;
@@ -95,9 +95,8 @@ pub struct SweepArguments {
     /// Draw the bifurcation diagram, or for two keys the map of outcomes
     #[arg(long, value_name = "FILE.svg|FILE.png|FILE.pdf", value_parser = impact_pair_plot::picture::path)]
     pub plot: Option<PathBuf>,
-    /// Colours of the picture
-    #[arg(long, value_enum, default_value_t, value_name = "light|dark", requires = "plot")]
-    pub theme: Theme,
+    #[command(flatten)]
+    pub look: Look,
     /// Quantity on the vertical axis of the diagram
     #[arg(long, value_enum, default_value_t, requires = "plot")]
     pub show: Show,

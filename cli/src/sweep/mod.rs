@@ -170,8 +170,9 @@ fn finish(arguments: &SweepArguments, sweep: &mut Sweep, formats: Formats) -> Re
     write(sweep, &mut out, formats.output, table).context("cannot write the output")?;
     out.commit()?;
     if let Some(path) = &arguments.plot {
-        Output::open(Some(path))?
-            .draw(path, arguments.theme, || impact_pair_plot::sweep::svg(sweep, arguments.show, arguments.within))?;
+        Output::open(Some(path))?.draw(path, &arguments.look, || {
+            impact_pair_plot::sweep::svg(sweep, arguments.show, arguments.within, &arguments.look)
+        })?;
     }
     Ok(tally)
 }

@@ -6,7 +6,7 @@ use clap::{Args, ValueEnum};
 use impact_pair::Scene;
 use impact_pair::orbit::{Arithmetic, MAX_BITS, Settings};
 use impact_pair::scene::Run;
-use impact_pair_plot::picture::Theme;
+use impact_pair_plot::picture::Look;
 
 use crate::destination::Destination;
 
@@ -51,9 +51,8 @@ pub struct TradeArguments {
     /// Draw the time per impact over the certified digits
     #[arg(long, value_name = "FILE.svg|FILE.png|FILE.pdf", value_parser = impact_pair_plot::picture::path)]
     pub plot: Option<PathBuf>,
-    /// Colours of the picture
-    #[arg(long, value_enum, default_value_t, value_name = "light|dark", requires = "plot")]
-    pub theme: Theme,
+    #[command(flatten)]
+    pub look: Look,
     #[command(flatten)]
     pub destination: Destination,
 }

@@ -8,7 +8,7 @@ use clap::{Args, ValueEnum};
 use impact_pair::pair::Wall;
 use impact_pair::scene::{Key, Range};
 use impact_pair::two_impact::{COUNTS, CYCLES};
-use impact_pair_plot::picture::Theme;
+use impact_pair_plot::picture::Look;
 use impact_pair_plot::two_impact::Window;
 
 use crate::destination::Destination;
@@ -77,9 +77,8 @@ pub struct TwoImpactArguments {
     /// Magnify this window of the picture in an inset
     #[arg(long, value_name = "X0..X1:Y0..Y1", value_parser = window, allow_hyphen_values = true, requires = "plot")]
     pub inset: Option<Window>,
-    /// Colours of the picture
-    #[arg(long, value_enum, default_value_t, value_name = "light|dark", requires = "plot")]
-    pub theme: Theme,
+    #[command(flatten)]
+    pub look: Look,
     #[command(flatten)]
     pub destination: Destination,
 }

@@ -24,7 +24,7 @@ type Options<'a> = (&'a TwoImpactArguments, TwoImpactFormat);
 
 pub fn two_impact(arguments: &TwoImpactArguments) -> Result<Exit> {
     let format = arguments.format()?;
-    let plot = arguments.plot.as_deref().map(|path| (path, arguments.theme));
+    let plot = arguments.plot.as_deref().map(|path| (path, &arguments.look));
     let Begun { scene, files, path } = arguments.destination.begin(&arguments.scene, plot)?;
     let digits = arguments.digits.or(scene.run().digits).unwrap_or(Settings::default().digits);
     let named = || scene::name(path);
@@ -100,5 +100,6 @@ fn draw_manifold(
     if curves.is_empty() {
         return files.answer(&text, open, false);
     }
-    files.draw((&text, open, false), || impact_pair_plot::two_impact::svg(scene, axis, &curves, arguments.inset))
+    let svg = || impact_pair_plot::two_impact::svg(scene, axis, &curves, arguments.inset, &arguments.look);
+    files.draw((&text, open, false), svg)
 }

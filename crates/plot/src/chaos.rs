@@ -11,8 +11,8 @@ use impact_pair::scene::Range;
 use plotters::prelude::*;
 use plotters::style::text_anchor::HPos;
 
-use crate::picture::{self, Arc, Axis, Canvas, Dots, Drawn, Element, FONT, Mark, Path, Plane, SCALE, SKY, VERMILION};
-use crate::picture::{greek, hex, legend, program, said, words};
+use crate::picture::{self, Arc, Axis, Canvas, Dots, Drawn, Element, FONT, Look, Mark, Path, Plane, SCALE, SKY};
+use crate::picture::{VERMILION, greek, hex, legend, program, said, words};
 use crate::sweep::Cells;
 
 /// Of one panel, and of each of several beside each other.
@@ -35,7 +35,7 @@ const SPEED: &str = "speed before the impact, in $AΩ$";
 ///
 /// # Errors
 /// When it cannot be drawn.
-pub fn trap(scene: &Scene, region: &Trap) -> Result<String> {
+pub fn trap(scene: &Scene, region: &Trap, look: &Look) -> Result<String> {
     let (columns, rows) = region.grid();
     let arc = Arc::holding(phases(region));
     let states = seen_impacts(scene.pair(), scene.start(), [TRANSIENT, IMPACTS])?;
@@ -46,8 +46,8 @@ pub fn trap(scene: &Scene, region: &Trap) -> Result<String> {
     };
     let proved = format!("certified: a trapping region of {} boxes{entered}; {}", region.boxes(), program());
     let said = format!("{} impacts of a floating-point orbit after {TRANSIENT} others: non-rigorous", states.len());
-    picture::svg(ALONE, SCALE, |root| {
-        let top = caption(scene, None, proved, root)?;
+    picture::svg(look.size(ALONE), SCALE, |root| {
+        let top = caption(scene, None, proved, (root, look))?;
         let boxes = format!("boxes of 2π/{columns} by 1/{rows}");
         let height = legend(root, top, &[(Mark::Cell(SKY), boxes), (Mark::Dot(BLACK), said)])?;
         let (_, below) = root.split_vertically(top + height);
@@ -64,22 +64,28 @@ pub fn trap(scene: &Scene, region: &Trap) -> Result<String> {
 ///
 /// # Errors
 /// When it cannot be drawn.
-pub fn chaos(scene: &Scene, over: Option<&Range>, found: &Chaos, set: Option<&Hyperbolic>) -> Result<String> {
+pub fn chaos(
+    scene: &Scene,
+    over: Option<&Range>,
+    (found, set): (&Chaos, Option<&Hyperbolic>),
+    look: &Look,
+) -> Result<String> {
     let mut titles =
         vec!["(a)  the attractor, the h-sets and their images", "(b)  the h-sets along their leaf and across it"];
     titles.extend(set.map(|_| "(c)  an h-set: strips, leaves and cones"));
     let has_bases = !found.bases().is_empty();
-    let size = if has_bases { (EACH.0 * titles.len() as u32, EACH.1) } else { ALONE };
+    let size = look.size(if has_bases { (EACH.0 * titles.len() as u32, EACH.1) } else { ALONE });
     picture::svg(size, SCALE, |root| {
-        let top = caption(scene, over, proved(found), root)?;
+        let top = caption(scene, over, proved(found), (root, look))?;
         let height = legend(root, top, &entries(found, set))?;
         let (_, mut below) = root.split_vertically(top + height);
         if !has_bases {
             return whole(found, &below, root);
         }
+        let wide = size.0 as i32 * SCALE / titles.len() as i32;
         let mut areas = Vec::new();
         for words_of in titles {
-            let (panel, rest) = below.split_horizontally(EACH.0 as i32 * SCALE);
+            let (panel, rest) = below.split_horizontally(wide);
             let (title, area) = panel.split_vertically(24 * SCALE);
             title.draw(&Text::new(words_of, (16 * SCALE, 14 * SCALE), words(FONT, &BLACK, HPos::Left)))?;
             areas.push(area);
@@ -175,7 +181,7 @@ fn entries(found: &Chaos, set: Option<&Hyperbolic>) -> Vec<(Mark, String)> {
     if !found.bases().is_empty() {
         let depth = found.depth().min(IMAGES);
         let later = if depth == 1 { "1 impact".to_owned() } else { format!("1 to {depth} impacts") };
-        entries.push((Mark::Outline(VERMILION), "bases".to_owned()));
+        entries.push((Mark::Outline(VERMILION), "h-sets".to_owned()));
         entries.push((
             Mark::Line(SKY, IMAGE),
             format!("(a) their images {later} later, up to where they cover an h-set: proved"),
@@ -202,9 +208,9 @@ fn caption(
     scene: &Scene,
     over: Option<&Range>,
     proved: String,
-    root: &Canvas<'_>,
+    (root, look): (&Canvas<'_>, &Look),
 ) -> Result<i32, Box<dyn std::error::Error>> {
-    picture::caption(root, scene.title().unwrap_or("The impact map"), &[parameters(scene, over), proved])
+    picture::caption(root, look, scene.title().unwrap_or("The impact map"), &[parameters(scene, over), proved])
 }
 
 /// The parameters of a scene, of one that varies its range.

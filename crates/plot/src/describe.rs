@@ -16,8 +16,8 @@ use plotters::prelude::*;
 
 use crate::chaos::section;
 use crate::orbit::{Frame, Panel, Recorder, Style, Trace, explain, panel, title};
-use crate::picture::{self, Axis, BLUE, Canvas, Drawn, GREEN, GREY, Mark, Plane, SCALE, SKY, VERMILION};
-use crate::picture::{greek, legend, program, said};
+use crate::picture::{self, Axis, BLUE, Canvas, Drawn, GREEN, GREY, Look, Mark, Plane, SCALE, SKY};
+use crate::picture::{VERMILION, greek, legend, program, said};
 use crate::sweep::value;
 
 /// The size of a panel as it is shown, and the margin of the page.
@@ -46,7 +46,7 @@ struct Followed {
 ///
 /// # Errors
 /// When it cannot be drawn.
-pub fn describe(scene: &Scene, found: &Description, document: &DescriptionDocument) -> Result<String> {
+pub fn describe(scene: &Scene, found: &Description, document: &DescriptionDocument, look: &Look) -> Result<String> {
     let followed = follow(scene)?;
     let Followed { trace, .. } = &followed;
     let settled = document.fate.from.filter(|_| document.fate.kind == FateName::Attracted);
@@ -56,10 +56,11 @@ pub fn describe(scene: &Scene, found: &Description, document: &DescriptionDocume
     let style = Style { is_certified: true, transient };
     let planes =
         if found.region().is_some() { &[Panel::PhasePlane][..] } else { &[Panel::PhasePlane, Panel::SwitchPlane] };
+    let width = look.size((2 * PANEL.0 as u32, 0)).0;
     let drawn = |height: u32| {
         let mut top = 0;
-        let svg = picture::svg((2 * PANEL.0 as u32, height), SCALE, |root| {
-            top = head(scene, (found, document), root)?;
+        let svg = picture::svg((width, height), SCALE, |root| {
+            top = head(scene, (found, document), (root, look))?;
             top += explain((trace, planes, style), (root, top, MARGIN))?;
             let (_, below) = root.split_vertically(top + MARGIN / 2);
             let areas = below.split_evenly((2, 2));
@@ -75,7 +76,8 @@ pub fn describe(scene: &Scene, found: &Description, document: &DescriptionDocume
     // How high the text is, the first drawing tells.
     let panels = 2 * PANEL.1 as u32;
     let (_, top) = drawn(2 * panels)?;
-    Ok(drawn((top + MARGIN / 2) as u32 / SCALE as u32 + panels)?.0)
+    let own = (top + MARGIN / 2) as u32 / SCALE as u32 + panels;
+    Ok(drawn(look.size((width, own)).1)?.0)
 }
 
 /// Follows the orbit, certified.
@@ -99,7 +101,7 @@ fn follow(scene: &Scene) -> Result<Followed> {
 fn head(
     scene: &Scene,
     (found, document): (&Description, &DescriptionDocument),
-    root: &Canvas<'_>,
+    (root, look): (&Canvas<'_>, &Look),
 ) -> Result<i32, Box<dyn std::error::Error>> {
     let lines = impact_pair::describe::lines(document);
     let shown = lines.iter().filter(|(label, _)| ["fate", "exponent", "entropy"].contains(label));
@@ -107,7 +109,7 @@ fn head(
     let data = greek(&format!("{}; {}", scene.parameters_in_words(), scene.start_in_words()));
     let last = format!("shown from the start on: (a) {CYCLES} forcing periods; (b) {ORBIT_CYCLES}; {}", program());
     let lines: Vec<String> = [data].into_iter().chain(shown).chain([last]).collect();
-    let top = picture::caption(root, scene.title().unwrap_or("The motion"), &lines)?;
+    let top = picture::caption(root, look, scene.title().unwrap_or("The motion"), &lines)?;
     let Some(region) = found.region() else { return Ok(top) };
     let mut entries = vec![
         (Mark::Dot(BLACK), "(c) impacts of the certified orbit".to_owned()),

@@ -7,7 +7,7 @@ use impact_pair::exact::Exact;
 use plotters::prelude::*;
 
 use crate::chaos::{PHASE, parameters};
-use crate::picture::{self, Arc, Axis, BLUE, Canvas, Element, GREY, Mark, PURPLE, SCALE, VERMILION};
+use crate::picture::{self, Arc, Axis, BLUE, Canvas, Element, GREY, Look, Mark, PURPLE, SCALE, VERMILION};
 use crate::sweep::{Cells as Rectangles, Plane, described, value};
 
 const SIZE: (u32, u32) = (960, 680);
@@ -47,13 +47,13 @@ struct Column {
 ///
 /// # Errors
 /// When it cannot be drawn.
-pub fn cells(scene: &Scene, asked: &RangeSettings, found: &Cells) -> Result<String> {
+pub fn cells(scene: &Scene, asked: &RangeSettings, found: &Cells, look: &Look) -> Result<String> {
     let columns: Vec<Column> = (0..COLUMNS).map(|number| column(scene, asked, found, number)).collect::<Result<_>>()?;
     let arc = Arc::holding(columns.iter().flat_map(|column| &column.states).map(|state| [state[0]; 2]));
     let of_kind = |number: usize| found.stretches.iter().filter(move |stretch| kind(&stretch.verdict) == number);
     let told: Vec<usize> = (0..LEGEND.len()).filter(|&number| of_kind(number).next().is_some()).collect();
-    picture::svg(SIZE, SCALE, |root| {
-        let plane = frame(scene, asked, (&told, arc), root)?;
+    picture::svg(look.size(SIZE), SCALE, |root| {
+        let plane = frame(scene, asked, (&told, arc), (root, look))?;
         let mut data = String::new();
         for (number, (_, colour)) in LEGEND.iter().enumerate() {
             let mut all = Rectangles::default();
@@ -84,7 +84,7 @@ fn frame(
     scene: &Scene,
     asked: &RangeSettings,
     (told, arc): (&[usize], Arc),
-    root: &Canvas<'_>,
+    (root, look): (&Canvas<'_>, &Look),
 ) -> Result<Plane, Box<dyn std::error::Error>> {
     let over = described(asked.over.key);
     let title = format!("{}: what is proved over the {}", scene.title().unwrap_or("The impact map"), asked.over.key);
@@ -95,7 +95,7 @@ fn frame(
         transient + impacts
     );
     let lines = [parameters(scene, Some(&asked.over)), format!("{bar}; {}", picture::program())];
-    let top = picture::caption(root, &title, &lines)?;
+    let top = picture::caption(root, look, &title, &lines)?;
     let entries: Vec<(Mark, String)> =
         told.iter().map(|&number| (Mark::Cell(LEGEND[number].1), LEGEND[number].0.to_owned())).collect();
     let height = picture::legend(root, top, &entries)?;

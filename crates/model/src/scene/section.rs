@@ -10,24 +10,27 @@ use impact_pair_exact::Exact;
 
 const NUMBER: &str = "must be a number, or a string with an expression (\"3*pi\") or an interval (\"[9.42, 9.43]\")";
 
-/// The symbols of the paper, and of programs, for keys of a scene.
-const SYMBOLS: [(&str, &str); 16] = [
-    ("A", "amplitude"),
-    ("a", "amplitude"),
-    ("W", "frequency"),
-    ("w", "frequency"),
-    ("omega", "frequency"),
-    ("Omega", "frequency"),
-    ("tau", "phase"),
-    ("d", "gap"),
-    ("e", "restitution"),
-    ("r", "restitution"),
-    ("t", "time"),
-    ("t0", "time"),
-    ("v", "velocity"),
-    ("v0", "velocity"),
-    ("y", "position"),
-    ("side", "wall"),
+/// The symbols of the paper, and of programs, for keys of a scene, with their tables.
+const SYMBOLS: [(&str, &str, &str); 19] = [
+    ("A", "excitation", "amplitude"),
+    ("a", "excitation", "amplitude"),
+    ("W", "excitation", "frequency"),
+    ("w", "excitation", "frequency"),
+    ("omega", "excitation", "frequency"),
+    ("Omega", "excitation", "frequency"),
+    ("tau", "excitation", "phase"),
+    ("d", "pair", "gap"),
+    ("D", "pair", "gap"),
+    ("e", "pair", "restitution"),
+    ("r", "pair", "restitution"),
+    ("epsilon", "pair", "restitution"),
+    ("t", "start", "time"),
+    ("t0", "start", "time"),
+    ("v", "start", "velocity"),
+    ("v0", "start", "velocity"),
+    ("y", "start", "position"),
+    ("y0", "start", "position"),
+    ("side", "start", "wall"),
 ];
 
 /// A table of the file, or the whole file.
@@ -99,7 +102,7 @@ impl<'t> Section<'t> {
                 let place = if self.name.is_empty() { "a scene".into() } else { format!("[{}]", self.name) };
                 let but = format!("is not a key of {place}: accepted are {}", accepted.join(", "));
                 let name = unknown.key.rsplit('.').next().unwrap_or_default();
-                let meant = nearest(name, accepted).map(str::to_owned);
+                let meant = nearest(name, accepted).map_or_else(|| elsewhere(name), |meant| Some(meant.to_owned()));
                 Err(unknown.refused_at(unknown.name.clone(), &but).meant(meant))
             }
         }
@@ -221,9 +224,15 @@ impl<'t> Entry<'t> {
     }
 }
 
+/// The key of another table that a symbol of the paper stands for, with its table.
+fn elsewhere(name: &str) -> Option<String> {
+    let (_, table, meant) = SYMBOLS.iter().find(|(symbol, ..)| *symbol == name)?;
+    Some(format!("{table}.{meant}"))
+}
+
 /// The name that is most like one that is not known, if one is.
 pub(super) fn nearest<'n>(name: &str, known: &[&'n str]) -> Option<&'n str> {
-    if let Some((_, meant)) = SYMBOLS.iter().find(|(symbol, meant)| *symbol == name && known.contains(meant)) {
+    if let Some((.., meant)) = SYMBOLS.iter().find(|(symbol, _, meant)| *symbol == name && known.contains(meant)) {
         return Some(meant);
     }
     let likeness = |other: &str| strsim::normalized_damerau_levenshtein(&name.to_lowercase(), other);

@@ -10,6 +10,7 @@ use impact_pair::scene::Run;
 use impact_pair::watch::Watch;
 
 use super::{Panel, Recorder, Sheet, Style, end_of};
+use crate::picture::Look;
 
 /// What is drawn where nothing says how many impacts: sections need many points.
 const SECTION_IMPACTS: u64 = 4000;
@@ -35,6 +36,8 @@ pub struct Figure {
     pub splice: u64,
     /// See [`Settings::max_bits`].
     pub max_bits: u32,
+    /// How the picture looks.
+    pub look: Look,
 }
 
 impl Figure {
@@ -94,6 +97,7 @@ impl Figure {
             zoom: self.zoom,
             style: Style { is_certified: is_certified(settings.arithmetic), transient: self.transient },
             verdict: ending.to_string(),
+            look: &self.look,
         };
         (sheet.svg(), ending)
     }

@@ -10,7 +10,7 @@ use super::panel;
 use super::style::{FONT, Style};
 use super::symbols;
 use super::trace::Trace;
-use crate::picture::{self, Canvas, Drawn, LETTER, SCALE, greek, said, words, wrapped};
+use crate::picture::{self, Canvas, Drawn, LETTER, Look, SCALE, greek, said, words, wrapped};
 
 /// The sizes of a panel that stands alone, and of one on a sheet, as they are shown.
 const ALONE: (i32, i32) = (900, 560);
@@ -37,6 +37,8 @@ pub struct Sheet<'s> {
     pub style: Style,
     /// What is certified, in one line.
     pub verdict: String,
+    /// How it looks.
+    pub look: &'s Look,
 }
 
 impl Sheet<'_> {
@@ -56,15 +58,15 @@ impl Sheet<'_> {
         let columns = if frames.len() == 1 { 1 } else { 2 };
         let (width, height) = if columns == 1 { ALONE } else { TOGETHER };
         let rows = frames.len().div_ceil(columns);
-        let whole = SCALE * width * columns as i32;
-        let caption = self.caption(whole - 2 * MARGIN);
+        let whole = SCALE * self.look.size(((width * columns as i32) as u32, 0)).0 as i32;
+        let caption = if self.look.no_header { Vec::new() } else { self.caption(whole - 2 * MARGIN) };
         let head = MARGIN + LINE * caption.len() as i32;
         let entries = symbols::entries(self.trace, &self.panels, self.style, explains_boxes);
         let (legend, lines) = symbols::lay_out(&entries, self.style, whole - 2 * MARGIN);
         let top = head + lines * symbols::LINE + MARGIN / 2;
-        let size = (whole / SCALE, top / SCALE + height * rows as i32);
+        let own = ((whole / SCALE) as u32, (top / SCALE + height * rows as i32) as u32);
         let mut has_boxes = false;
-        let svg = picture::svg((size.0 as u32, size.1 as u32), SCALE, |root| {
+        let svg = picture::svg(self.look.size(own), SCALE, |root| {
             write(&caption, root)?;
             for (entry, (x, y)) in legend {
                 symbols::draw(entry, self.style, root, (MARGIN + x, head + y))?;

@@ -15,6 +15,7 @@ use super::style::Style;
 use super::trace::{Kind, Part, Span, Trace};
 use plotters::coord::ranged1d::Ranged;
 
+use crate::picture::Look;
 use crate::tolerances::{DRAWN, DRAWN_END, DRAWN_PHASE};
 
 fn scene(name: &str) -> Scene {
@@ -207,6 +208,7 @@ fn what_is_drawn_is_within_a_tenth_of_a_pixel_of_the_motion() {
         zoom: None,
         style,
         verdict: String::new(),
+        look: &Look::default(),
     };
     let svg = sheet.svg().unwrap();
     let part = |text: &str, from: &str, to: &str| {
@@ -255,6 +257,7 @@ fn the_transient_is_grey_and_what_is_magnified_is_close() {
         zoom: Some([0.2, 0.4]),
         style: Style { is_certified: true, transient: 5 },
         verdict: String::new(),
+        look: &Look::default(),
     };
     let svg = sheet.svg().unwrap();
     for words in ["#999999", "transient: the first 5 impacts", "magnified", "(a): 3 cycles; (g): "] {

@@ -9,6 +9,8 @@ use plotters::coord::ranged1d::{KeyPointHint, NoDefaultFormatting, Ranged, Value
 const MARGIN: f64 = 0.05;
 /// Ticks on an axis, about.
 const TICKS: f64 = 6.0;
+/// What doubles may lack of a whole number of steps: 0.9 - 0.3 is more than 0.6.
+const SLACK: f64 = 1e-9;
 
 /// A linear axis.
 #[derive(Clone, Debug, PartialEq)]
@@ -91,9 +93,9 @@ fn step(least: f64) -> (f64, usize) {
     let exponent = least.log10().floor() as i32;
     let decade = 10f64.powi(exponent);
     let (times, exponent) = match least / decade {
-        part if part <= 1.0 => (1.0, exponent),
-        part if part <= 2.0 => (2.0, exponent),
-        part if part <= 5.0 => (5.0, exponent),
+        part if part <= 1.0 + SLACK => (1.0, exponent),
+        part if part <= 2.0 + SLACK => (2.0, exponent),
+        part if part <= 5.0 + SLACK => (5.0, exponent),
         _ => (10.0, exponent.saturating_add(1)),
     };
     (times * decade, exponent.min(0).unsigned_abs() as usize)
@@ -124,13 +126,15 @@ impl Ranged for Axis {
     fn key_points<Hint: KeyPointHint>(&self, _: Hint) -> Vec<f64> {
         match self.labels {
             Labels::Step(step, _) => {
-                let (first, last) = ((self.range.start / step).ceil() as i64, (self.range.end / step).floor() as i64);
+                let first = (self.range.start / step - SLACK).ceil() as i64;
+                let last = (self.range.end / step + SLACK).floor() as i64;
                 (first..=last).map(|k| k as f64 * step).collect()
             }
             Labels::Names(names) => (0..names.len()).map(|k| k as f64).collect(),
             Labels::Angle(step) => {
                 let step = f64::from(step) * FRAC_PI_4;
-                let (first, last) = ((self.range.start / step).ceil() as i32, (self.range.end / step).floor() as i32);
+                let first = (self.range.start / step - SLACK).ceil() as i32;
+                let last = (self.range.end / step + SLACK).floor() as i32;
                 (first..=last).map(|k| f64::from(k) * step).collect()
             }
         }
@@ -175,6 +179,18 @@ mod tests {
         assert_eq!(labels(&Axis::eighths(-3, 1)), ["−3π/4", "−π/2", "−π/4", "0", "π/4"]);
         assert_eq!(labels(&Axis::eighths(-3, 3)), ["−π/2", "0", "π/2"]);
         assert_eq!(Axis::over(0.0, 10.0).map(&2.5, (100, 500)), 200);
+    }
+
+    #[test]
+    fn r35_the_ends_of_a_range_have_ticks() {
+        assert_eq!(labels(&Axis::over(0.3, 0.9)), ["0.3", "0.4", "0.5", "0.6", "0.7", "0.8", "0.9"]);
+        // Of all ranges of tenths whose ends are whole numbers of steps both have one.
+        for (low, high) in (-12..12).flat_map(|low| (low + 1..=low + 6).map(move |high| (low, high))) {
+            let axis = Axis::over(f64::from(low) * 0.1, f64::from(high) * 0.1);
+            let ticks = axis.key_points(10);
+            let is_tick = |tenths: i32| ticks.iter().any(|tick| (tick * 10.0 - f64::from(tenths)).abs() < 1e-6);
+            assert!(is_tick(low) && is_tick(high), "{low} {high}: {ticks:?}");
+        }
     }
 
     #[test]

@@ -4,7 +4,7 @@ use impact_pair::json::PROGRAM;
 use plotters::prelude::*;
 use plotters::style::text_anchor::HPos;
 
-use super::{Canvas, LETTER, SCALE, letters, words};
+use super::{Canvas, LETTER, Look, SCALE, letters, words};
 
 /// The height of letters.
 pub const FONT: i32 = 15 * SCALE;
@@ -14,11 +14,20 @@ const MARGIN: i32 = 16 * SCALE;
 const ABOVE: i32 = 7 * SCALE;
 const LINE: i32 = 22 * SCALE;
 
-/// Draws a title and lines below it, in as many lines as there is room for; the height that they take.
+/// Draws a title and lines below it, in as many lines as there is room for, unless the picture has no header; the height that
+/// they take.
 ///
 /// # Errors
 /// When they cannot be drawn.
-pub fn caption(root: &Canvas<'_>, title: &str, lines: &[String]) -> Result<i32, Box<dyn std::error::Error>> {
+pub fn caption(
+    root: &Canvas<'_>,
+    look: &Look,
+    title: &str,
+    lines: &[String],
+) -> Result<i32, Box<dyn std::error::Error>> {
+    if look.no_header {
+        return Ok(ABOVE);
+    }
     let width = f64::from(root.dim_in_pixel().0 as i32 - 2 * MARGIN);
     let sized = [(title, TITLE)].into_iter().chain(lines.iter().map(|line| (line.as_str(), FONT)));
     let wrap = |(text, size): (&str, i32)| {

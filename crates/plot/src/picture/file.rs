@@ -4,6 +4,8 @@ use std::path::{Path, PathBuf};
 
 use anyhow::Result;
 
+use super::Look;
+
 /// The endings of names that this build writes, as they are said.
 const ENDINGS: &str = match (cfg!(feature = "png"), cfg!(feature = "pdf")) {
     (true, true) => "accepted is a name that ends in .svg, .png or .pdf",
@@ -31,28 +33,34 @@ fn ending(path: &Path) -> String {
     path.extension().map_or(String::new(), |ending| ending.to_string_lossy().to_ascii_lowercase())
 }
 
-/// The bytes of the picture for a file of this name.
+/// The bytes of a picture for a file of this name, in this look.
 ///
 /// # Errors
-/// When it cannot be turned into a PNG or PDF.
-pub fn encoded(svg: String, path: &Path) -> Result<Vec<u8>> {
+/// When it cannot be turned into a PNG or PDF, or the system has no such letters.
+pub fn encoded(svg: &str, look: &Look, path: &Path) -> Result<Vec<u8>> {
+    let svg = look.of(svg);
     match ending(path).as_str() {
         #[cfg(feature = "png")]
-        "png" => png(&svg),
+        "png" => png(&svg, look),
         #[cfg(feature = "pdf")]
-        "pdf" => pdf(&svg),
+        "pdf" => pdf(&svg, look),
         _ => Ok(svg.into_bytes()),
     }
 }
 
-/// The SVG with its words in the fonts that this program carries.
+/// The SVG with its words in the fonts that this program carries, or in those of the system that are asked for.
 #[cfg(any(feature = "png", feature = "pdf"))]
-fn tree(svg: &str) -> Result<usvg::Tree> {
+fn tree(svg: &str, look: &Look) -> Result<usvg::Tree> {
     let mut options = usvg::Options::default();
     let fonts = options.fontdb_mut();
     fonts.load_font_data(dejavu::sans::regular().to_vec());
     fonts.load_font_data(dejavu::sans::oblique().to_vec());
     fonts.set_sans_serif_family("DejaVu Sans");
+    if let Some(font) = &look.font {
+        fonts.load_system_fonts();
+        let is_there = fonts.faces().any(|face| face.families.iter().any(|(name, _)| name == font));
+        anyhow::ensure!(is_there, "--font is {font}, but accepted is a family of the system's fonts");
+    }
     Ok(usvg::Tree::from_str(svg, &options)?)
 }
 
@@ -62,11 +70,11 @@ const PIXELS: f32 = 2.0;
 
 /// The SVG in pixels.
 #[cfg(feature = "png")]
-fn png(svg: &str) -> Result<Vec<u8>> {
+fn png(svg: &str, look: &Look) -> Result<Vec<u8>> {
     use anyhow::Context;
     use resvg::tiny_skia::{Pixmap, Transform};
 
-    let tree = tree(svg)?;
+    let tree = tree(svg, look)?;
     let size = tree.size().to_int_size().scale_by(PIXELS).context("no pixels")?;
     let mut pixels = Pixmap::new(size.width(), size.height()).context("too many pixels")?;
     resvg::render(&tree, Transform::from_scale(PIXELS, PIXELS), &mut pixels.as_mut());
@@ -75,9 +83,9 @@ fn png(svg: &str) -> Result<Vec<u8>> {
 
 /// The SVG on a page of its size, its letters as letters of fonts that the file holds.
 #[cfg(feature = "pdf")]
-fn pdf(svg: &str) -> Result<Vec<u8>> {
+fn pdf(svg: &str, look: &Look) -> Result<Vec<u8>> {
     use anyhow::anyhow;
     use svg2pdf::{ConversionOptions, PageOptions, to_pdf};
 
-    to_pdf(&tree(svg)?, ConversionOptions::default(), PageOptions::default()).map_err(|error| anyhow!("{error}"))
+    to_pdf(&tree(svg, look)?, ConversionOptions::default(), PageOptions::default()).map_err(|error| anyhow!("{error}"))
 }

@@ -133,6 +133,29 @@ pub fn letters(text: &str) -> f64 {
     all_runs(text).iter().map(width).sum()
 }
 
+/// Returns about how wide a text of several runs is in letters of this `size`, or `None` for one of a single run.
+pub fn runs_width(text: &str, size: f64) -> Option<f64> {
+    let runs = all_runs(text);
+    let width = |run: &Run| {
+        let small = if run.level == Level::Line { 1.0 } else { SMALL };
+        small * run.text.chars().map(advance).sum::<f64>()
+    };
+    (runs.len() > 1).then(|| size * runs.iter().map(width).sum::<f64>())
+}
+
+/// How wide a letter is, in sizes of its font: between Arial and DejaVu Sans, rounded to classes of letters.
+fn advance(letter: char) -> f64 {
+    match letter {
+        'i' | 'j' | 'l' | '\'' | '′' => 0.25,
+        ' ' | '\u{a0}' | 'f' | 't' | 'r' | '[' | ']' | '(' | ')' | '/' | ',' | '.' | ':' | ';' | 'I' | '·' => 0.33,
+        'c' | 'k' | 's' | 'v' | 'x' | 'y' | 'z' => 0.53,
+        'm' | 'M' | 'W' | '…' => 0.87,
+        'w' | '=' | '+' | '−' | '<' | '>' | '≤' | '≥' | '→' => 0.72,
+        'A'..='Z' | 'Ω' => 0.69,
+        _ => 0.6,
+    }
+}
+
 /// Returns the words of a scene as they are set in print.
 pub fn greek(words: &str) -> String {
     let names = [("tau", "τ"), ("2 pi", "2π"), ("pi", "π"), ("A W", "AΩ"), ("W", "Ω"), ("-", "−"), ("'", "′")];
@@ -205,6 +228,8 @@ mod tests {
             assert_eq!(typeset(text, 10.0), text);
         }
         assert_eq!(letters("$A_N$ = 1"), 5.0 + SMALL);
+        assert_eq!(runs_width("amplitude", 10.0), None);
+        assert!((runs_width("$A_N$", 10.0).unwrap() - 6.9 * (1.0 + SMALL)).abs() < 1e-9);
     }
 
     #[test]

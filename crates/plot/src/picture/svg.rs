@@ -28,7 +28,7 @@ impl<'t> Svg<'t> {
     pub fn new(text: &'t mut String, (width, height): (u32, u32), scale: u32) -> Self {
         let size = (width * scale, height * scale);
         *text = format!(
-            "<svg width=\"{width}\" height=\"{height}\" viewBox=\"0 0 {} {}\" xmlns=\"http://www.w3.org/2000/svg\">\n",
+            "<svg width=\"{width}\" height=\"{height}\" viewBox=\"0 0 {} {}\" xmlns=\"http://www.w3.org/2000/svg\" xml:space=\"preserve\">\n",
             size.0, size.1
         );
         Self { text, size }
@@ -114,12 +114,16 @@ impl DrawingBackend for Svg<'_> {
 
     fn draw_text<S: BackendTextStyle>(&mut self, text: &str, style: &S, (x, y): BackendCoord) -> Done {
         let Some(fill) = paint("fill", style.color()) else { return Ok(()) };
-        let anchor = match style.anchor().h_pos {
-            HPos::Left => "start",
-            HPos::Right => "end",
-            HPos::Center => "middle",
-        };
         let size = style.size() / LEADING;
+        // Renderers differ in the middle and the end of a text of several runs, not in its start.
+        let (anchor, before) = match (style.anchor().h_pos, math::runs_width(text, size)) {
+            (HPos::Left, _) => ("start", 0.0),
+            (HPos::Right, None) => ("end", 0.0),
+            (HPos::Center, None) => ("middle", 0.0),
+            (HPos::Right, Some(width)) => ("start", width),
+            (HPos::Center, Some(width)) => ("start", 0.5 * width),
+        };
+        let left = (f64::from(x) - before).round();
         // From the baseline down, in sizes of the letters.
         let down: f64 = match style.anchor().v_pos {
             VPos::Top => 0.76,
@@ -134,7 +138,7 @@ impl DrawingBackend for Svg<'_> {
         };
         let weight = if matches!(style.style(), FontStyle::Bold) { " font-weight=\"bold\"" } else { "" };
         self.write(&format!(
-            "<text x=\"{x}\" y=\"{:.1}\" text-anchor=\"{anchor}\" font-family=\"{}\" font-size=\"{size:.1}\" {fill}{weight}{turned}>{}</text>",
+            "<text x=\"{left}\" y=\"{:.1}\" text-anchor=\"{anchor}\" font-family=\"{}\" font-size=\"{size:.1}\" {fill}{weight}{turned}>{}</text>",
             down.mul_add(size, f64::from(y)),
             style.family().as_str(),
             math::typeset(text, size)

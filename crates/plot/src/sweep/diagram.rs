@@ -7,7 +7,7 @@ use plotters::prelude::*;
 use super::legend::{self, described};
 use super::{Cells, Drawn, Plane, double, middle, value};
 use super::{Records, Show};
-use crate::picture::{self, Axis, BLUE, Canvas, GREEN, Mark, SCALE, VERMILION};
+use crate::picture::{self, Axis, BLUE, Canvas, GREEN, Look, Mark, SCALE, VERMILION};
 use impact_pair::json::{SweepImpact, SweepRecord};
 use impact_pair::scene::Range;
 
@@ -66,10 +66,10 @@ pub fn draw(
     sweep: &mut impl Records,
     axis: &Range,
     (show, within): (Show, Option<[f64; 2]>),
-    root: &Canvas<'_>,
+    (root, look): (&Canvas<'_>, &Look),
 ) -> Drawn<String> {
     let (present, greatest) = survey(sweep)?;
-    let top = legend::caption(sweep.head(), root)?;
+    let top = legend::caption(sweep.head(), (root, look))?;
     let entries: Vec<(Mark, String)> =
         present.iter().map(|class| (Mark::Cell(class.colour()), class.name().to_owned())).collect();
     let lines = picture::legend(root, top, &entries)?;

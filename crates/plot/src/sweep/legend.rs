@@ -4,10 +4,10 @@ use impact_pair::json::{SceneDocument, SweepHead, Written};
 use impact_pair::scene::{Key, Term};
 
 use super::Drawn;
-use crate::picture::{self, Canvas, greek};
+use crate::picture::{self, Canvas, Look, greek};
 
 /// Title, parameters, and how it was computed; how high that is.
-pub fn caption(head: &SweepHead, root: &Canvas<'_>) -> Drawn<i32> {
+pub fn caption(head: &SweepHead, (root, look): (&Canvas<'_>, &Look)) -> Drawn<i32> {
     let varied: Vec<String> = varied(head).map(|key| format!("${}$", key.symbol().0)).collect();
     let varied = format!("{} varied", varied.join(" and "));
     let title = head.title.as_ref().map_or(varied.clone(), |title| format!("{title}; {varied}"));
@@ -25,7 +25,7 @@ pub fn caption(head: &SweepHead, root: &Canvas<'_>) -> Drawn<i32> {
     };
     let shown = format!("{} points, {impacts} of each{left_out}", head.points);
     let made = format!("{certified}; {}", head.program);
-    picture::caption(root, &title, &[parameters(head), shown, made])
+    picture::caption(root, look, &title, &[parameters(head), shown, made])
 }
 
 /// What varies.

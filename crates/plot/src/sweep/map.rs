@@ -14,7 +14,7 @@ use super::Records;
 use super::kind::{Kind, OTHER, UNDECIDED, colours};
 use super::legend::{self, described};
 use super::{Cells, Drawn, Plane, middle, value};
-use crate::picture::{self, Axis, Canvas, Mark, SCALE, hex};
+use crate::picture::{self, Axis, Canvas, Look, Mark, SCALE, hex};
 
 /// Radius of the ring around an attractor.
 const RING: i32 = 6 * SCALE;
@@ -47,12 +47,12 @@ impl Outcomes {
 }
 
 /// Draws axes and words; the data are handed back.
-pub fn draw(sweep: &mut impl Records, grid: &Grid, root: &Canvas<'_>) -> Drawn<String> {
+pub fn draw(sweep: &mut impl Records, grid: &Grid, (root, look): (&Canvas<'_>, &Look)) -> Drawn<String> {
     let [x, y] = grid.axes() else { return Err("a map has two axes".into()) };
     let is_one_pair = [x, y].iter().all(|axis| axis.key >= Key::StartTime);
     let outcomes = Outcomes::of(sweep, grid, is_one_pair)?;
     let colours = colours(&outcomes.kinds);
-    let top = legend::caption(sweep.head(), root)?;
+    let top = legend::caption(sweep.head(), (root, look))?;
     let is_plane_of_starts = [x.key, y.key] == [Key::StartPhase, Key::StartVelocity];
     let starts_left = sweep.head().scene.start.wall == Some(Wall::Left);
     let mut entries = entries(&outcomes.kinds, &colours, is_one_pair);

@@ -19,7 +19,7 @@ use plotters::prelude::*;
 
 pub(crate) use self::cells::Cells;
 pub(crate) use self::legend::described;
-use crate::picture::{self, Axis, Canvas, Element, FONT, SCALE};
+use crate::picture::{self, Axis, Canvas, Element, FONT, Look, SCALE};
 
 /// The picture as it is shown.
 const SIZE: (u32, u32) = (960, 680);
@@ -53,12 +53,12 @@ pub enum Show {
 ///
 /// # Errors
 /// When it cannot be drawn, or the sweep cannot be read.
-pub fn svg(sweep: &mut impl Records, show: Show, within: Option<[f64; 2]>) -> Result<String> {
+pub fn svg(sweep: &mut impl Records, show: Show, within: Option<[f64; 2]>, look: &Look) -> Result<String> {
     let grid = sweep::grid(sweep.head())?;
-    picture::svg(SIZE, SCALE, |root| {
+    picture::svg(look.size(SIZE), SCALE, |root| {
         let data = match grid.axes() {
-            [x] => diagram::draw(sweep, x, (show, within), root)?,
-            _ => map::draw(sweep, &grid, root)?,
+            [x] => diagram::draw(sweep, x, (show, within), (root, look))?,
+            _ => map::draw(sweep, &grid, (root, look))?,
         };
         root.draw(&Element(data))?;
         Ok(())

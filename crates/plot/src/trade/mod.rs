@@ -9,7 +9,7 @@ use impact_pair::trade::{Judgement, Measured, Rung, Trade};
 use plotters::prelude::*;
 use plotters::style::text_anchor::HPos;
 
-use crate::picture::{self, BLUE, Canvas, Drawn, GREEN, VERMILION, greek, words};
+use crate::picture::{self, BLUE, Canvas, Drawn, GREEN, Look, VERMILION, greek, words};
 use axis::Digits;
 use labels::{Area, Label};
 
@@ -98,20 +98,23 @@ impl Mark {
 ///
 /// # Errors
 /// When it cannot be drawn.
-pub fn svg(trade: &Trade<'_>) -> Result<String> {
-    picture::svg(SIZE, 1, |root| draw(trade, root))
+pub fn svg(trade: &Trade<'_>, look: &Look) -> Result<String> {
+    picture::svg(look.size(SIZE), 1, |root| draw(trade, (root, look)))
 }
 
-fn draw(trade: &Trade<'_>, root: &Canvas<'_>) -> Drawn {
+fn draw(trade: &Trade<'_>, (root, look): (&Canvas<'_>, &Look)) -> Drawn {
     let mut marks: Vec<Mark> = trade.rungs.iter().filter_map(|rung| Mark::of(rung, trade)).collect();
     let finite = marks.iter().map(|mark| mark.digits).filter(|digits| digits.is_finite());
     let beyond = BEYOND * finite.fold(10.0, f64::max);
     for mark in marks.iter_mut().filter(|mark| mark.digits.is_infinite()) {
         (mark.digits, mark.label) = (beyond, format!("{}, exact", mark.label));
     }
-    caption(trade, root)?;
-    legend(&marks, root)?;
-    let (_, below) = root.split_vertically(CAPTION + LEGEND);
+    let above = if look.no_header { 0 } else { CAPTION };
+    if !look.no_header {
+        caption(trade, root)?;
+    }
+    legend(&marks, above, root)?;
+    let (_, below) = root.split_vertically(above + LEGEND);
 
     let digits = Digits::around(marks.iter().map(|mark| mark.digits));
     let times = axis::times(marks.iter().map(|mark| mark.microseconds));
@@ -174,8 +177,8 @@ fn draw(trade: &Trade<'_>, root: &Canvas<'_>) -> Drawn {
 }
 
 /// Heights of the lines above the plot.
-const CAPTION: u32 = 70;
-const LEGEND: u32 = 52;
+const CAPTION: i32 = 70;
+const LEGEND: i32 = 52;
 
 /// Title, parameters, start, and what was asked.
 fn caption(trade: &Trade<'_>, root: &Canvas<'_>) -> Drawn {
@@ -190,10 +193,10 @@ fn caption(trade: &Trade<'_>, root: &Canvas<'_>) -> Drawn {
 }
 
 /// What the symbols say: their kinds, and whether they reach the end.
-fn legend(marks: &[Mark], root: &Canvas<'_>) -> Drawn {
+fn legend(marks: &[Mark], above: i32, root: &Canvas<'_>) -> Drawn {
     let say = |text: &str, x: i32, y: i32| Text::new(text.to_owned(), (x, y), words(FONT, &BLACK, HPos::Left));
     let width = |text: &str| (LETTER * f64::from(FONT) * text.chars().count() as f64) as i32;
-    let (mut x, y) = (24, CAPTION as i32 + 14);
+    let (mut x, y) = (24, above + 14);
     for kind in [Kind::Float, Kind::Doubles, Kind::Multiprecision] {
         if marks.iter().any(|mark| mark.kind == kind) {
             symbol(root, kind, true, (x, y))?;
@@ -201,7 +204,7 @@ fn legend(marks: &[Mark], root: &Canvas<'_>) -> Drawn {
             x += width(kind.name()) + 44;
         }
     }
-    let (mut x, y) = (24, CAPTION as i32 + 36);
+    let (mut x, y) = (24, above + 36);
     if !marks.iter().all(|mark| mark.is_complete) {
         let hollow = "hollow: undecided after (N) impacts;";
         symbol(root, Kind::Doubles, false, (x, y))?;

@@ -10,15 +10,14 @@ use plotters::coord::ranged1d::Ranged;
 use plotters::prelude::*;
 use plotters::style::text_anchor::HPos;
 
-use crate::picture::{self, Canvas, Drawn, Element, FONT, Plane, SCALE, hex};
+use crate::picture::{self, Canvas, Drawn, Element, FONT, LETTER, Look, Plane, SCALE, hex, letters};
 use curve::{Kind, Slope};
 
 /// The picture as it is shown, and how much taller it is with a window of it magnified below.
 const SIZE: (u32, u32) = (900, 640);
 const BELOW: u32 = 300;
-/// Heights of the lines above the plot, and the room for names on its right.
-const CAPTION: i32 = 70 * SCALE;
-const LEGEND: i32 = 62 * SCALE;
+/// The height of a line of the legend, and the room for names on the right of the plot.
+const LINE: i32 = 26 * SCALE;
 const RIGHT: i32 = 52 * SCALE;
 /// Amplitudes beyond N gaps are cut off: near W = 0 they have no bound.
 const HIGHEST: f64 = 0.75;
@@ -31,13 +30,13 @@ pub type Window = [[f64; 2]; 2];
 ///
 /// # Errors
 /// When it cannot be drawn.
-pub fn svg(scene: &Scene, axis: Axis, curves: &[Manifold], window: Option<Window>) -> Result<String> {
+pub fn svg(scene: &Scene, axis: Axis, curves: &[Manifold], window: Option<Window>, look: &Look) -> Result<String> {
     let picture = Picture { curves, slope: Slope::of(scene, axis), gap: middle(&scene.pair().gap().enclose(64)), axis };
     let height = SIZE.1 + if window.is_some() { BELOW } else { 0 };
-    picture::svg((SIZE.0, height), SCALE, |root| {
-        caption(scene, axis, root)?;
-        legend(root)?;
-        picture.draw(window, root)
+    picture::svg(look.size((SIZE.0, height)), SCALE, |root| {
+        let top = caption(scene, axis, (root, look))?;
+        let (_, below) = root.split_vertically(top + legend(root, top)?);
+        picture.draw(window, (&below, root))
     })
 }
 
@@ -69,15 +68,16 @@ impl Picture<'_> {
         points
     }
 
-    fn draw(&self, window: Option<Window>, root: &Canvas<'_>) -> Drawn {
+    fn draw(&self, window: Option<Window>, (below, root): (&Canvas<'_>, &Canvas<'_>)) -> Drawn {
         let points: Vec<(u32, Vec<Marked>)> =
             self.curves.iter().map(|curve| (curve.cycles, self.points(curve))).collect();
         let all = || points.iter().flat_map(|(_, points)| points).map(|(_, place)| *place);
         let ends = all().fold((f64::MAX, f64::MIN), |(low, high), [at, _]| (low.min(at), high.max(at)));
         let highest = all().map(|[_, amplitude]| amplitude).fold(0.0, f64::max).min(HIGHEST * self.gap);
         let axes = [picture::Axis::over(ends.0, ends.1), picture::Axis::over(0.0, 1.05 * highest)];
-        let (_, below) = root.split_vertically(CAPTION + LEGEND);
-        let (upper, lower) = below.split_vertically(SIZE.1 as i32 * SCALE - CAPTION - LEGEND);
+        let height = below.dim_in_pixel().1 as i32;
+        let part = if window.is_some() { height * BELOW as i32 / (SIZE.1 + BELOW) as i32 } else { 0 };
+        let (upper, lower) = below.split_vertically(height - part);
         let plane = Plane::draw(&upper, axes, axis_names(self.axis), RIGHT)?;
         self.asymptote(&plane, root)?;
         self.content(&plane, root)?;
@@ -169,8 +169,8 @@ fn room(places: &[(u32, (i32, i32))]) -> f64 {
     pairs.fold(f64::INFINITY, f64::min)
 }
 
-/// Title, parameters and program.
-fn caption(scene: &Scene, axis: Axis, root: &Canvas<'_>) -> Drawn {
+/// Title, parameters and program; how high that is.
+fn caption(scene: &Scene, axis: Axis, (root, look): (&Canvas<'_>, &Look)) -> Result<i32, Box<dyn std::error::Error>> {
     let (pair, start) = (scene.pair(), scene.start());
     let given = match axis {
         Axis::Frequency => format!("v = {}", start.velocity()),
@@ -180,28 +180,68 @@ fn caption(scene: &Scene, axis: Axis, root: &Canvas<'_>) -> Drawn {
     let parameters = picture::greek(&format!("d = {}, e = {}, {given}", pair.gap(), pair.restitution()));
     let program =
         format!("$A_N$ of equation (68) for odd $N$, equispaced impacts, every part proved; {}", picture::program());
-    picture::caption(root, &title, &[parameters, program])?;
-    Ok(())
+    picture::caption(root, look, &title, &[parameters, program])
 }
 
-/// What lines and symbols say.
-fn legend(root: &Canvas<'_>) -> Drawn {
-    let upper = CAPTION + 16 * SCALE;
-    for (kind, x) in [(Kind::Stable, 24), (Kind::Unstable, 240), (Kind::Unphysical, 446)] {
-        let (colour, width) = kind.look();
-        let line = colour.stroke_width(width as u32);
-        root.draw(&PathElement::new([(x * SCALE, upper), ((x + 34) * SCALE, upper)], line))?;
-        root.draw(&Text::new(kind.name(), ((x + 42) * SCALE, upper), words(FONT, HPos::Left)))?;
+/// An entry of the legend.
+#[derive(Clone, Copy)]
+enum Entry {
+    Line(Kind),
+    Symbol(Mark, &'static str),
+    Words(&'static str),
+}
+
+/// The entries, in their order.
+const ENTRIES: [Entry; 7] = [
+    Entry::Line(Kind::Stable),
+    Entry::Line(Kind::Unstable),
+    Entry::Line(Kind::Unphysical),
+    Entry::Words("solid: $sin θ_0 > 0$, dashed: $< 0$"),
+    Entry::Symbol(Mark::Fold, "fold"),
+    Entry::Symbol(Mark::Pitchfork, "pitchfork"),
+    Entry::Symbol(Mark::Graze, "graze of the near wall"),
+];
+
+impl Entry {
+    /// Its words, and how far they stand from its left end.
+    fn words(self) -> (&'static str, i32) {
+        match self {
+            Self::Line(kind) => (kind.name(), 42 * SCALE),
+            Self::Symbol(_, name) => (name, 20 * SCALE),
+            Self::Words(words) => (words, 0),
+        }
     }
-    root.draw(&Text::new("solid: $sin θ_0 > 0$, dashed: $< 0$", (676 * SCALE, upper), words(FONT, HPos::Left)))?;
-    let lower = upper + 26 * SCALE;
-    for (mark, text, x) in
-        [(Mark::Fold, "fold", 36), (Mark::Pitchfork, "pitchfork", 130), (Mark::Graze, "graze of the near wall", 262)]
-    {
-        symbol(root, mark, (x * SCALE, lower))?;
-        root.draw(&Text::new(text, ((x + 14) * SCALE, lower), words(FONT, HPos::Left)))?;
+
+    fn draw(self, root: &Canvas<'_>, (x, y): (i32, i32)) -> Drawn {
+        match self {
+            Self::Line(kind) => {
+                let (colour, width) = kind.look();
+                let line = colour.stroke_width(width as u32);
+                root.draw(&PathElement::new([(x, y), (x + 34 * SCALE, y)], line))?;
+            }
+            Self::Symbol(mark, _) => symbol(root, mark, (x + 6 * SCALE, y))?,
+            Self::Words(_) => {}
+        }
+        let (name, indent) = self.words();
+        root.draw(&Text::new(name, (x + indent, y), words(FONT, HPos::Left)))?;
+        Ok(())
     }
-    Ok(())
+}
+
+/// Draws what lines and symbols say below `top`, in as many lines as they need; the height that they take.
+fn legend(root: &Canvas<'_>, top: i32) -> Result<i32, Box<dyn std::error::Error>> {
+    let (left, right) = (24 * SCALE, root.dim_in_pixel().0 as i32 - 16 * SCALE);
+    let (mut x, mut line) = (left, 0);
+    for entry in ENTRIES {
+        let (name, indent) = entry.words();
+        let width = indent + (LETTER * f64::from(FONT) * letters(name)) as i32;
+        if x > left && x + width > right {
+            (x, line) = (left, line + 1);
+        }
+        entry.draw(root, (x, top + LINE * line + LINE / 2))?;
+        x += width + 30 * SCALE;
+    }
+    Ok(LINE * (line + 1))
 }
 
 /// The symbol of a mark; where `sin th0 = 0` the line itself changes.

@@ -17,7 +17,7 @@ use super::motion::{self, Halt, Judged, Motion, wrong};
 use super::questions::Answer;
 use super::scenes::Case;
 use super::traits::Question;
-use super::{orbits, shadow, sweeps};
+use super::{boxes, orbits, shadow, sweeps};
 use crate::common::Random;
 
 /// What a judge finds.
@@ -242,6 +242,7 @@ fn truth(case: &mut Case, answer: &Answer) -> Judged<()> {
             }
             listed.iter().try_for_each(|orbit| orbits::judge(orbit, &members[0]))
         }
+        Answer::Boxes(images) => all(&members, |member| boxes::judge(images, member)),
         Answer::Audit(document) => audit(document),
     }
 }
@@ -250,7 +251,7 @@ impl Answer {
     /// What `check` reads; `None` where there is nothing for it.
     fn text(&self) -> Option<String> {
         match self {
-            Self::Refused(_) | Self::Nothing(_) | Self::Audit(_) => None,
+            Self::Refused(_) | Self::Nothing(_) | Self::Boxes(_) | Self::Audit(_) => None,
             Self::Orbit(document) if document["certified"] == false => None,
             Self::Orbit(document)
             | Self::Periodic(document)
@@ -301,6 +302,7 @@ impl Answer {
             Self::Chaos(_) => "no horseshoe".into(),
             Self::Cycles(document) if document["exhaustive"] == true => "all cycles".into(),
             Self::Cycles(_) => "not all cycles".into(),
+            Self::Boxes(images) => boxes::outcome(images).into(),
             Self::Audit(document) if document["agreed"] == true => "agreed".into(),
             Self::Audit(_) => "not agreed".into(),
         }

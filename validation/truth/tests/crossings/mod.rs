@@ -4,6 +4,7 @@
 //! from `CROSSINGS_SEED`, a number or `fresh` (printed, so that it can be given again); `CROSSINGS_ONLY` asks one of that number and prints
 //! it; `--nocapture` shows the tables of counts.
 
+mod boxes;
 mod controls;
 mod flight;
 mod judge;
@@ -28,7 +29,7 @@ use judge::{Finding, Judgement, judge};
 use traits::{Coverage, Crossing, Question, array, crossing};
 
 /// Outcomes that must occur. A run of a few impacts is hardly ever proved to be attracted: what `describe` follows longer is.
-const OUTCOMES: [&str; 20] = [
+const OUTCOMES: [&str; 21] = [
     "impacts-reached",
     "time-reached",
     "rests-forever",
@@ -44,6 +45,7 @@ const OUTCOMES: [&str; 20] = [
     "bifurcations",
     "a horseshoe",
     "a hyperbolic set",
+    "images of boxes",
     "described: attracted",
     "described: periodic",
     "described: undecided",

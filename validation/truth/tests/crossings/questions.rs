@@ -18,6 +18,7 @@ use impact_pair::watch::{Stage, Unwatched, proceed_if};
 use impact_pair::{Error, Scene, two_impact};
 use serde_json::{Value, json};
 
+use super::boxes::Mapped;
 use super::flight::float;
 use super::members::Member;
 use super::motion::Motion;
@@ -67,6 +68,8 @@ pub enum Answer {
     Trap(Value),
     Chaos(Value),
     Cycles(Value),
+    /// The images of boxes.
+    Boxes(Vec<Mapped>),
     /// The audit of a list of true impacts.
     Audit(Value),
     /// Nothing is found, in words.
@@ -108,6 +111,7 @@ impl Case {
             Question::Trap => self.trap(),
             Question::Chaos => self.chaos(),
             Question::Cycles => self.cycles(),
+            Question::BoxMap => self.box_map(),
             Question::Audit => self.audit(),
         }
     }
@@ -261,7 +265,8 @@ impl Case {
 
     /// Without the horseshoe, which takes a second to find.
     fn describe(&mut self) -> Result<Answer, Error> {
-        let request = Request { impacts: 1 + self.random.below(40), depth: 2, max_bits: MAX_BITS };
+        let impacts = self.random.pick(&[1, 8, 40, 400]);
+        let request = Request { impacts, depth: 2, max_bits: MAX_BITS };
         let watch = |at: Stage<'_>| match at {
             Stage::Region(boxes) => proceed_if(boxes < BOXES),
             at => proceed_if(!matches!(at, Stage::Horseshoe { .. })),

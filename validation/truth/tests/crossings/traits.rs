@@ -100,13 +100,14 @@ pub enum Question {
     Trap,
     Chaos,
     Cycles,
+    BoxMap,
     Audit,
 }
 
 impl Question {
     pub fn all() -> Vec<Self> {
         let others = [Self::Describe, Self::Periodic, Self::All, Self::TwoImpact];
-        let others = others.into_iter().chain([Self::Trap, Self::Chaos, Self::Cycles, Self::Audit]);
+        let others = others.into_iter().chain([Self::Trap, Self::Chaos, Self::Cycles, Self::BoxMap, Self::Audit]);
         let runs = ARITHMETICS.into_iter().flat_map(|name| [Self::Impacts(name), Self::Until(name)]);
         let over = PARAMETERS.into_iter().map(Self::Bifurcations);
         runs.chain(KEYS.into_iter().map(Self::Sweep)).chain(over).chain(others).collect()
@@ -125,6 +126,7 @@ impl Question {
             Self::Trap => "trap".into(),
             Self::Chaos => "chaos".into(),
             Self::Cycles => "cycles".into(),
+            Self::BoxMap => "box_map".into(),
             Self::Audit => "audit".into(),
         }
     }
