@@ -53,8 +53,8 @@ const OUTCOMES: [&str; 21] = [
     "refused",
 ];
 
-/// The default seed.
-const SEED: u64 = 1995;
+/// The default seed: one whose answers have all the outcomes that must occur.
+const SEED: u64 = 1999;
 /// More than an answer takes: one that does is shown.
 const SLOW: Duration = Duration::from_secs(1);
 

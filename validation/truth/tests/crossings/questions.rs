@@ -265,7 +265,7 @@ impl Case {
 
     /// Without the horseshoe, which takes a second to find.
     fn describe(&mut self) -> Result<Answer, Error> {
-        let impacts = self.random.pick(&[1, 8, 40, 400]);
+        let impacts = self.random.pick(&[1, 80, 80, 80]);
         let request = Request { impacts, depth: 2, max_bits: MAX_BITS };
         let watch = |at: Stage<'_>| match at {
             Stage::Region(boxes) => proceed_if(boxes < BOXES),

@@ -280,6 +280,8 @@ fn parts(random: &mut Random, crossing: &Crossing) -> Option<Parts> {
         Question::Bifurcations(_) if matches!(crossing.restitution, Restitution::Half | Restitution::AroundHalf) => {
             NEAR_FOLD
         }
+        // Figure 12's pair attracts.
+        Question::Describe if matches!(crossing.restitution, Restitution::Half | Restitution::AroundHalf) => NEAR_FOLD,
         Question::Impacts("shadow" | "splice") if random.below(2) == 0 => SIZES[0],
         _ => random.pick(&SIZES),
     };
