@@ -15,12 +15,11 @@ use crate::check::{Effort, Verdict};
 
 /// How chains of boxes are made; any way will do: from cells that are fine to those that leave room for intervals of
 /// parameters, and to those that are finest, for slow expansion.
-const MAKINGS: [Making; 7] = [
+const MAKINGS: [Making; 6] = [
     Making { longest: 0.003, margin: 1.08, pad: 5e-6, shortest: 1e-9, ahead: 4 },
     Making { longest: 0.005, margin: 1.08, pad: 2e-5, shortest: 1e-8, ahead: 4 },
     Making { longest: 0.01, margin: 1.08, pad: 2e-5, shortest: 1e-6, ahead: 4 },
     Making { longest: 0.01, margin: 1.3, pad: 3e-4, shortest: 1e-5, ahead: 4 },
-    Making { longest: 0.001, margin: 1.08, pad: 5e-6, shortest: 1e-9, ahead: 4 },
     Making { longest: 0.0006, margin: 1.08, pad: 6e-7, shortest: 1e-9, ahead: 12 },
     Making { longest: 0.0003, margin: 1.08, pad: 3e-7, shortest: 1e-9, ahead: 12 },
 ];
