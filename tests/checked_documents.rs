@@ -408,12 +408,13 @@ fn r39_where_a_harmonic_may_vanish_orbits_may_be_symmetric() {
         let document = found(second, cycles);
         let orbits = document["orbits"].as_array().unwrap();
         assert!(orbits.len() == 2 && orbits.iter().all(|orbit| orbit["symmetric"] == truth), "{second}: {document}");
-        assert!(is_confirmed(&[document]), "{second}");
     }
+    let mut document = found("[0, 1e-6]", 2);
+    document["orbits"].as_array_mut().unwrap().truncate(1);
+    assert!(is_confirmed(&[document.clone()]), "{:?}", verdict(&[document]));
     for said in [true, false] {
-        let mut document = found("[0, 1e-6]", 2);
         document["orbits"][0]["symmetric"] = json!(said);
-        assert!(matches!(verdict(&[document]), Verdict::Undecided(_)), "{said}");
+        assert!(matches!(verdict(&[document.clone()]), Verdict::Undecided(_)), "{said}");
     }
 }
 

@@ -190,7 +190,7 @@ proptest! {
     #[test]
     fn boxes_that_are_reached_are_named_by_their_wall(
         which in 0..3usize, column in 0..64i64, row in prop_oneof![Just(0), 0..12i64], (a, b) in (0.0..=1.0f64, 0.0..=1.0f64),
-        halvings in 0..4u32,
+        halvings in 0..3u32,
     ) {
         let pair = &pairs()[which];
         let law = Law::of(pair).unwrap();
