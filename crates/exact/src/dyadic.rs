@@ -159,7 +159,10 @@ impl Dyadic {
 
     /// Returns the exact product with `2^shift`.
     pub fn scaled(&self, shift: i64) -> Dyadic {
-        Dyadic::new(self.mantissa.clone(), join(self.exponent, shift))
+        if self.is_zero() {
+            return Dyadic::zero();
+        }
+        Dyadic { mantissa: self.mantissa.clone(), exponent: join(self.exponent, shift) }
     }
 
     /// Returns the exact middle of two. **Cost**: as many bits as their exponents are apart.
@@ -204,8 +207,11 @@ impl Dyadic {
         let cancels = small.top().is_some_and(|small| top - small <= 1);
         // X1: coarser units round outward
         let unit = if cancels { exact } else { large.exponent.min(top - i64::from(bits) - 4).max(exact) };
-        let sum = (&large.mantissa << (large.exponent - unit))
-            + scale_to_integer(&small.mantissa, join(small.exponent, -unit), round);
+        let small = scale_to_integer(&small.mantissa, join(small.exponent, -unit), round);
+        let sum = match large.exponent - unit {
+            0 => small + &large.mantissa,
+            shift => small + (&large.mantissa << shift),
+        };
         Dyadic::new(sum, unit).rounded(bits, round)
     }
 
@@ -225,9 +231,11 @@ impl Ord for Dyadic {
         let by_top = match self.top().cmp(&other.top()) {
             // Equal tops: the shift is bounded by the longer mantissa.
             Ordering::Equal => {
-                let unit = self.exponent.min(other.exponent); // exact: the unit of both
-                let (a, b) = (&self.mantissa << (self.exponent - unit), &other.mantissa << (other.exponent - unit));
-                return a.cmp(&b);
+                return match self.exponent - other.exponent {
+                    0 => self.mantissa.cmp(&other.mantissa),
+                    shift @ 1.. => (&self.mantissa << shift).cmp(&other.mantissa),
+                    shift => self.mantissa.cmp(&(&other.mantissa << -shift)),
+                };
             }
             unequal => unequal,
         };

@@ -82,12 +82,21 @@ impl Enclosure {
 
     /// Encloses x * y.
     pub fn mul(&self, other: &Enclosure, bits: u32) -> Enclosure {
-        // A bilinear function takes its extrema on a box at the corners.
-        let corners =
-            [self.lo.times(&other.lo), self.lo.times(&other.hi), self.hi.times(&other.lo), self.hi.times(&other.hi)];
-        let [first, rest @ ..] = &corners;
-        let lo = rest.iter().fold(first, |least, corner| least.min(corner)); // X1: the least corner
-        let hi = rest.iter().fold(first, |most, corner| most.max(corner)); // X1: the greatest corner
+        // A bilinear function takes its extrema on a box at the corners; signs tell at which.
+        let ([a, b], [c, d]) = ([&self.lo, &self.hi], [&other.lo, &other.hi]);
+        let [is_left, is_right] = [self, other].map(|x| x.hi.sign().is_lt());
+        let (lo, hi) = match (!self.lo.sign().is_lt(), is_left, !other.lo.sign().is_lt(), is_right) {
+            (true, _, true, _) => (a.times(c), b.times(d)),
+            (true, _, _, true) => (b.times(c), a.times(d)),
+            (true, ..) => (b.times(c), b.times(d)),
+            (_, true, true, _) => (a.times(d), b.times(c)),
+            (_, true, _, true) => (b.times(d), a.times(c)),
+            (_, true, ..) => (a.times(d), a.times(c)),
+            (_, _, true, _) => (a.times(d), b.times(d)),
+            (_, _, _, true) => (b.times(c), a.times(c)),
+            // X1: the least corner, the greatest corner
+            _ => (a.times(d).min(b.times(c)), a.times(c).max(b.times(d))),
+        };
         Enclosure { lo: lo.rounded(bits, Round::Down), hi: hi.rounded(bits, Round::Up) }
     }
 
@@ -244,6 +253,17 @@ mod tests {
     fn inside(x: &Enclosure, part: u8) -> BigRational {
         let (lo, hi) = (x.lo.to_rational(), x.hi.to_rational());
         &lo + (hi - &lo) * BigRational::new(part.into(), 255.into())
+    }
+
+    #[test]
+    fn a_product_is_between_its_extreme_corners() {
+        let all = || (-2..=2).flat_map(|low| (low..=2).map(move |high| [low, high]));
+        let of = |[low, high]: [i32; 2]| Enclosure { lo: Dyadic::new(low.into(), 0), hi: Dyadic::new(high.into(), 0) };
+        for (a, b) in all().flat_map(|a| all().map(move |b| (a, b))) {
+            let corners = a.map(|x| b.map(|y| x * y)).concat();
+            let ends = [corners.iter().min(), corners.iter().max()].map(|end| *end.unwrap());
+            assert_eq!(of(a).mul(&of(b), 9), of(ends), "{a:?} {b:?}");
+        }
     }
 
     proptest! {
