@@ -55,7 +55,7 @@ fn shadowed_orbits_are_confirmed() {
     let scene = |scene: &str, impacts| (scene.to_owned(), shadowed(scene, impacts));
     let documents = [
         of("figure-14", 1),
-        of("figure-14", 3000),
+        of("figure-14", 1000),
         of("figure-16", 300),
         of("figure-17", 300),
         scene(TWO, 300),

@@ -57,7 +57,7 @@ QUICK = f"cargo nextest run --cargo-profile validation --workspace {GMP} --no-fa
 LINT = f"cargo clippy {' '.join(PROFILE)} {GMP} --all-targets"
 NO_C = "cargo tree --quiet --edges normal,build,dev --prefix none -p impact-pair -p impact-pair-cli --no-default-features"
 NO_C = f"! {NO_C} | grep -E '^(cc|gmp-mpfr-sys|cmake|bindgen) '"
-MANY = "IMPACT_PAIR_MULTIPLIER=5 FUZZ_CASES=${FUZZ_CASES:-100000}"
+MANY = "IMPACT_PAIR_MULTIPLIER=20 FUZZ_CASES=${FUZZ_CASES:-100000}"
 FRESH = "STRADDLE_CASES=${STRADDLE_CASES:-100000} STRADDLE_SEED=fresh"
 CROSSED = "CROSSINGS_CASES=${CROSSINGS_CASES:-100000} CROSSINGS_SEED=fresh"
 
@@ -83,7 +83,7 @@ PARTS = [
           f"{LINT} --workspace -- -D warnings && {LINT} --workspace --features png,pdf,parquet -- -D warnings"
           f" && cargo clippy {' '.join(PROFILE)} --all-targets -p impact-pair -p impact-pair-cli --no-default-features -- -D warnings", ("tests",)),
     cargo("no C", NO_C, f"{NO_C} && cargo test {' '.join(PROFILE)} -p impact-pair --no-default-features --test library", after=("lints",)),
-    cargo("dependent", "validation/dependent", after=("lints",)),
+    cargo("dependent", "validation/dependent --quick", "validation/dependent", after=("lints",)),
     cargo("documentation", f"RUSTDOCFLAGS='-D warnings' cargo doc {ALL} --no-deps --quiet", after=("lints",)),
     cargo("instructions", "validation/instructions --profile validation", "validation/instructions", after=("tests",)),
     Part("scenes", *2 * (f'for scene in scenes/*.toml; do "$IMPACT_PAIR" run "$scene" --quiet --format csv >/dev/null || exit 1; done; {EXAMPLES}',),

@@ -149,7 +149,7 @@ fn cells_are_written_and_drawn() {
     let folder = folder("cells");
     let path = |name: &str| folder.join(name).to_str().unwrap().to_owned();
     let (output, plot) = (path("cells.json"), path("cells.svg"));
-    let over = ["--over", "amplitude=1..1.2:3", "--halvings", "6"];
+    let over = ["--over", "amplitude=1..1.1:2", "--halvings", "6"];
     let files = ["--format", "json", "--output", &output, "--plot", &plot];
     let arguments = [&["chaos", "scenes/figure-14.toml"], &over[..], &files].concat();
     assert!(program(&arguments).status().unwrap().success());
@@ -159,7 +159,7 @@ fn cells_are_written_and_drawn() {
         (&"impact-pair/chaos-cells/1".into(), &1.0.into())
     );
     let stretch = &document["stretches"][0];
-    assert_eq!((&stretch["low"], &stretch["high"]), (&"1".into(), &"1.2".into()));
+    assert_eq!((&stretch["low"], &stretch["high"]), (&"1".into(), &"1.1".into()));
     assert_eq!((&stretch["period"]["impacts"], &stretch["period"]["cycles"]), (&2.into(), &1.into()));
     let drawn = fs::read_to_string(plot).unwrap();
     assert!(drawn.starts_with("<svg") && drawn.contains("converges to a periodic one"));

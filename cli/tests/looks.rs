@@ -9,7 +9,7 @@ const VERBS: [&[&str]; 7] = [
     &["plot", "scenes/figure-12.toml", "--panel", "c", "--impacts", "20", "--output"],
     &["trap", "scenes/figure-12.toml", "--plot"],
     &["chaos", "scenes/figure-12.toml", "--depth", "1", "--plot"],
-    &["two-impact", "scenes/figure-10.toml", "--manifold", "frequency=5..60:20", "--inset", "10..20:0.1..2", "--plot"],
+    &["two-impact", "scenes/figure-10.toml", "--manifold", "frequency=5..60:6", "--inset", "10..20:0.1..2", "--plot"],
     &["sweep", "scenes/cascade.toml", "--over", "gap=9..10:2", "--transient", "2", "--impacts", "1", "--plot"],
     &["describe", "scenes/figure-13.toml", "--plot"],
     &["trade", "scenes/figure-12.toml", "--impacts", "3", "--plot"],
@@ -33,7 +33,6 @@ fn r35_pictures_have_the_size_and_the_letters_asked_for_and_no_header() {
         assert!(svg.starts_with("<svg width=\"500\" height=\"400\" "), "{arguments:?}: {}", &svg[..80]);
         assert!(!svg.contains("impact-pair"), "{arguments:?}: there is a header");
         assert!(svg.contains("font-family=\"Courier New, sans-serif\"") && !svg.contains("font-family=\"sans-serif\""));
-        drawn(arguments, "least", &["--size", "400x300"]).unwrap();
     }
 }
 

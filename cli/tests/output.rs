@@ -115,7 +115,7 @@ mod interrupted {
     #[test]
     fn a_manifold_keeps_the_points_that_are_proved() {
         let range =
-            ["scenes/figure-10.toml", "--manifold", "frequency=5..60:90000", "--digits", "100", "--cycles", "1..99"];
+            ["scenes/figure-10.toml", "--manifold", "frequency=5..60:9000", "--digits", "100", "--cycles", "1..99"];
         let (document, said) = interrupted("manifold-interrupted", &[&["two-impact"], &range[..]].concat(), "curves");
         assert_eq!(said, "interrupted: the points written are proved, others are missing\n");
         assert_eq!((&document["interrupted"], &document["certified"]), (&true.into(), &false.into()));

@@ -156,7 +156,7 @@ fn shards_put_together_are_the_two_tables_of_the_whole() {
 #[test]
 fn a_sweep_gone_on_with_writes_both_tables() {
     let folder = folder("tables-resumed");
-    let long = ["scenes/figure-14.toml", "--over", "amplitude=3..7:201", "--transient", "50", "--impacts", "5"];
+    let long = ["scenes/figure-14.toml", "--over", "amplitude=3..7:101", "--transient", "20", "--impacts", "5"];
     let [points, states, partial] = ["points.csv", "states.csv", "points.csv.partial"].map(|name| folder.join(name));
     let whole = tables(&mut sweep(&long), [&points, &states]);
     // Begun with states and gone on with; and begun without.
@@ -168,10 +168,10 @@ fn a_sweep_gone_on_with_writes_both_tables() {
             begun.arg("--states").arg(&states);
         }
         let lines = || fs::read_to_string(&partial).map_or(0, |text| text.lines().count());
-        let answer = common::interrupted(&mut begun, || lines() >= 20);
+        let answer = common::interrupted(&mut begun, || lines() >= 5);
         assert_eq!(answer.status.code(), Some(1));
         assert_eq!(files(&folder), ["points.csv.partial"]);
-        assert!(lines() < 202);
+        assert!(lines() < 102);
         assert!(tables(sweep(&long).arg("--resume"), [&points, &states]) == whole);
         assert_eq!(files(&folder), ["points.csv", "states.csv"]);
     }

@@ -1,6 +1,6 @@
 //! Texts that almost mean something: valid ones with a few edits, for everything that reads.
 //!
-//! `FUZZ_CASES` says how many of each (1,000; `validation/run --full` takes 100,000), `PROPTEST_RNG_SEED` which ones. A text that
+//! `FUZZ_CASES` says how many of each (250; `validation/run --full` takes 100,000), `PROPTEST_RNG_SEED` which ones. A text that
 //! fails is made as short as it can be and printed.
 
 use proptest::prelude::*;
@@ -9,7 +9,7 @@ use proptest::test_runner::{Config, TestRunner};
 
 /// So many texts.
 pub fn config() -> Config {
-    let cases = std::env::var("FUZZ_CASES").ok().and_then(|cases| cases.parse().ok()).unwrap_or(1000);
+    let cases = std::env::var("FUZZ_CASES").ok().and_then(|cases| cases.parse().ok()).unwrap_or(250);
     Config { cases, failure_persistence: None, ..Config::default() }
 }
 

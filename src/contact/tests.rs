@@ -214,6 +214,8 @@ fn assert_clear(flight: &Flight<f64>, truth: &TrueFlight, contact: &Truth) -> Re
 }
 
 proptest! {
+    #![proptest_config(ProptestConfig::with_cases(64))]
+
     /// Lemmas C3 to C6.
     #[test]
     fn a_certified_contact_holds_the_first_one_of_every_member(case in cases()) {

@@ -19,11 +19,11 @@ use impact_pair_certificate::{Claims, Effort, Verdict};
 use serde_json::Value;
 
 /// Changes of a document that are tried by default.
-const TRIED: usize = 12;
+const TRIED: usize = 6;
 
 fn tried() -> usize {
     let cases = std::env::var("PROPTEST_CASES").ok().and_then(|cases| cases.parse().ok()).unwrap_or(256);
-    if cases >= 100_000 { usize::MAX } else { TRIED * cases / 256 }
+    if cases >= 100_000 { usize::MAX } else { (TRIED * cases).div_ceil(256) }
 }
 
 /// What `check` says; `None` where the document is refused.

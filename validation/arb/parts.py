@@ -28,7 +28,7 @@ Amount = namedtuple(
     "intervals shadowed",
 )
 FULL = Amount(200, 2000, 60, 200, 200, 60, 200, 60, 200, 40, 1000)
-QUICK = Amount(60, 0, 10, 100, 16, 20, 10, 20, 20, 6, 150)
+QUICK = Amount(30, 0, 10, 60, 16, 20, 10, 20, 20, 6, 80)
 INTERVAL_IMPACTS = 20
 # Bits that tell 10^-60 from nothing, and end soon where nothing can be told.
 STRADDLING_BITS = 1024

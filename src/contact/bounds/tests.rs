@@ -120,6 +120,8 @@ fn assert_extrema<const WIDE: bool>(
 }
 
 proptest! {
+    #![proptest_config(ProptestConfig::with_cases(64))]
+
     #[test]
     fn bounds_hold_the_distance_of_every_member_from_the_doubles(
         case in cases(), time in powers(-3.0, 6.0), hop in powers(-40.0, -0.91), target in prop_oneof![Just(0.0), Just(1.0)],

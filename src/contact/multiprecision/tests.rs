@@ -91,6 +91,8 @@ fn assert_refined(
 }
 
 proptest! {
+    #![proptest_config(ProptestConfig::with_cases(64))]
+
     /// By doubles where they can, else by balls: with 200 bits nearly all is decided, and right.
     #[test]
     fn isolated_contacts_are_those_of_every_member(case in cases(), bits in prop_oneof![Just(64u32), Just(200)]) {

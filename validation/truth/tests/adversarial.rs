@@ -9,6 +9,12 @@ use crate::common::short_flights;
 use crate::common::verdicts::{Answer, Question, Report, ask};
 use crate::common::{Random, cases};
 
+/// Two of five pairs of questions, spread over all that a family varies; all where more cases than the default are asked for.
+fn some(all: Vec<Question>) -> impl Iterator<Item = Question> {
+    let is_all = cases(4) > 1;
+    all.into_iter().enumerate().filter(move |(number, _)| is_all || number / 2 % 5 < 2).map(|(_, question)| question)
+}
+
 /// One round of all families.
 fn round(random: &mut Random) -> Vec<Question> {
     let families = [
@@ -21,14 +27,14 @@ fn round(random: &mut Random) -> Vec<Question> {
         short_flights::dead_starts,
         short_flights::releases,
     ];
-    families.into_iter().flat_map(|family| family(random)).collect()
+    families.into_iter().flat_map(|family| some(family(random))).collect()
 }
 
 #[test]
 fn adversarial_first_flights_are_right_and_decided() {
     let mut random = Random::seeded(501);
     let mut report = Report::default();
-    for _ in 0..cases(1) {
+    for _ in 0..cases(4) {
         for question in round(&mut random) {
             if question.family == "early contact" {
                 short_flights::assert_early(&question);
@@ -39,7 +45,7 @@ fn adversarial_first_flights_are_right_and_decided() {
     report.print();
     let shown = |list: &[String]| list.iter().take(8).cloned().collect::<Vec<_>>().join("\n");
     let (wrong, undecided) = (report.wrong.len(), report.undecided.len());
-    assert!(report.asked >= 1500 * cases(1), "only {} flights", report.asked);
+    assert!(report.asked >= 600 * cases(4), "only {} flights", report.asked);
     assert_eq!(wrong, 0, "wrong:\n{}", shown(&report.wrong));
     assert_eq!(undecided, 0, "undecided of {}:\n{}", report.asked, shown(&report.undecided));
 }
@@ -50,7 +56,8 @@ fn adversarial_first_flights_are_right_and_decided() {
 fn the_judge_finds_the_answer_to_a_twin_wrong() {
     let mut random = Random::seeded(502);
     let (mut found, mut undecided) = (0, 0);
-    let questions = [families::grazes, families::gap_grazes, families::long_flights].map(|family| family(&mut random));
+    let families = [families::grazes, families::gap_grazes, families::long_flights];
+    let questions = families.map(|family| some(family(&mut random)).collect::<Vec<_>>());
     for pair in questions.iter().flat_map(|questions| questions.chunks_exact(2)) {
         for (one, other) in [(&pair[0], &pair[1]), (&pair[1], &pair[0])] {
             match ask(one, &other.truth()).0 {
@@ -61,5 +68,5 @@ fn the_judge_finds_the_answer_to_a_twin_wrong() {
         }
     }
     println!("{found} answers to twins are wrong, {undecided} are undecided");
-    assert!(found > 300);
+    assert!(found > 120);
 }

@@ -59,7 +59,7 @@ fn orbits_at_the_far_ends_are_right_or_undecided_or_an_error() {
         }
     }
     println!("{impacts} impacts, {ended} orbits undecided, {refused} scenes refused");
-    assert!(impacts > 2000 * cases(1));
+    assert!(impacts > cases(2000));
 }
 
 /// The scene with lengths times 2^`lengths` and times times 2^`times`.

@@ -110,7 +110,7 @@ fn point_orbits(seed: u64) {
         ends.add(&scene, judge(&scene, 512, if contracting { 80 } else { 30 }, &[[0.0; 5]]));
     }
     println!("{} impacts; the orbits end {:?} (after 3: three or more)", ends.1, ends.0);
-    assert!(ends.1 > 15_000 * cases(1));
+    assert!(ends.1 > cases(15_000));
 }
 
 #[test]
@@ -136,7 +136,7 @@ fn orbits_of_boxes_hold_the_orbits_of_their_members() {
         ends.add(&scene, judge(&scene, 512, 20, &[corner(first), corner(31 - first), corner(second), inner]));
     }
     println!("{} impacts of boxes; the orbits end {:?}", ends.1, ends.0);
-    assert!(ends.1 > 2_000 * cases(1));
+    assert!(ends.1 > cases(2_000));
 }
 
 #[test]

@@ -54,9 +54,10 @@ impl Random {
     }
 }
 
-/// `base` cases times `IMPACT_PAIR_MULTIPLIER`.
+/// A quarter of `base` cases, times `IMPACT_PAIR_MULTIPLIER`.
 pub fn cases(base: usize) -> usize {
-    base * std::env::var("IMPACT_PAIR_MULTIPLIER").map_or(1, |text| text.parse().unwrap())
+    let multiplier: usize = std::env::var("IMPACT_PAIR_MULTIPLIER").map_or(1, |text| text.parse().unwrap());
+    (base * multiplier).div_ceil(4)
 }
 
 /// A/d in 0.01..100, any W, e in [0, 1]; starts on a wall or inside, v = 0 or tiny, now or at a huge time.

@@ -22,7 +22,7 @@ fn cases(count: usize) -> impl Iterator<Item = Case> {
 #[test]
 fn steps_that_no_contact_can_come_within_lead_to_the_contact_of_the_pieces() {
     let mut agreed = 0;
-    for case in cases(600) {
+    for case in cases(200) {
         let member = Member::new(&case.scene, || 0.0);
         let (shaken, start) = (&member.shaken, &member.start);
         if shaken.tones.len() != 1 {
@@ -34,7 +34,7 @@ fn steps_that_no_contact_can_come_within_lead_to_the_contact_of_the_pieces() {
         agreed += 1;
     }
     println!("{agreed} contacts agree");
-    assert!(agreed > 50);
+    assert!(agreed > 15);
 }
 
 #[test]

@@ -1,5 +1,8 @@
 //! Members of a scene: of each interval of data one value.
 
+use std::cell::RefCell;
+use std::collections::HashMap;
+
 use impact_pair::Scene;
 use impact_pair::exact::{Dyadic, Exact};
 use impact_pair::orbit::Place;
@@ -28,10 +31,18 @@ fn dyadic(x: &Dyadic) -> Float {
     float(mantissa) * float(2).pow(x.exponent() as i32)
 }
 
+thread_local! {
+    /// Values by their expressions: a 0 in disguise takes a second, and all points of a sweep have it.
+    static KNOWN: RefCell<HashMap<String, Float>> = RefCell::default();
+}
+
 /// The value, rounded; exactly 0 where the precision does not distinguish it from 0.
 pub fn value(exact: &Exact) -> Float {
-    let enclosure = exact.enclose(BITS);
-    if enclosure.sign().is_none() { float(0) } else { dyadic(enclosure.inf()) }
+    let computed = || {
+        let enclosure = exact.enclose(BITS);
+        if enclosure.sign().is_none() { float(0) } else { dyadic(enclosure.inf()) }
+    };
+    KNOWN.with_borrow_mut(|known| known.entry(exact.to_string()).or_insert_with(computed).clone())
 }
 
 /// The value that is so far on the way from the lower to the upper end.

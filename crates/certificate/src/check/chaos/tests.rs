@@ -106,6 +106,8 @@ fn the_exponential() {
 }
 
 proptest! {
+    #![proptest_config(ProptestConfig::with_cases(64))]
+
     /// V11 (doubles): an end is moved to the next double at least, and hardly farther, of powers of two and subnormal numbers as well.
     #[test]
     fn ends_are_moved_to_the_next_double_at_least(
