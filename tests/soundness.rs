@@ -358,4 +358,7 @@ fn r40_a_rest_comes_after_infinitely_many_impacts_of_every_member() {
         assert_eq!([found("1/2", "0"), found("[0, 1]", "0"), found("0", "[-1, 0]")], [Some(false); 3]);
         assert_eq!([found("1/2", "[-1e-12, 0]"), found("[0, 1/2]", "-1e-12")], [None; 2]);
     }
+    // Floats, which prove nothing, are those of the middles.
+    let floats = |restitution: &str, velocity: &str| rests(restitution, velocity, Arithmetic::Float);
+    assert_eq!([floats("1/2", "[-1e-12, 0]"), floats("[0, 1/2]", "-1e-12")], [Some(true); 2]);
 }

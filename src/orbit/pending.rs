@@ -150,9 +150,9 @@ impl Orbit {
     fn bounces(&self) -> bool {
         let is_impact = self.cursor.index > self.followed.from.index;
         let moves = |velocity: Ball| velocity.certain_sign().is_some_and(Ordering::is_ne);
-        // C3: certified contacts are transversal, so an impact has a velocity, whatever its ball holds.
-        self.engine.pair.restitution.certain_sign() == Some(Ordering::Greater)
-            && (is_impact || moves(self.cursor.velocity))
+        let rebounds = self.engine.pair.restitution.certain_sign() == Some(Ordering::Greater);
+        // C3: certified contacts are transversal, so an impact has a velocity, whatever its ball holds. Floats prove nothing.
+        rebounds && (is_impact || moves(self.cursor.velocity)) || self.asked.settings.arithmetic == Arithmetic::Float
     }
 
     /// The ball leaves the wall it rests on; all that was not known of its state is forgotten.
