@@ -64,7 +64,7 @@ fn r40_no_bits_are_spent_on_a_width_relative_to_nothing() {
     let (time, _) = orbit.bounds(&impacts[0]);
     // A box at rest is crossed in 18.
     let [low, high] = [time.inf().to_f64_down(), time.sup().to_f64_up()];
-    assert!(17.9 < low && low <= 18.0 && 18.0 <= high && high < 18.1, "{low} {high}");
+    assert!((17.9..=18.0).contains(&low) && (18.0..18.1).contains(&high), "{low} {high}");
     assert!(orbit.first_wide() == Some(1) && orbit.bits() <= 512, "{} bits", orbit.bits());
 }
 
