@@ -55,6 +55,19 @@ fn r17_no_bits_are_spent_on_what_intervals_leave_open() {
     }
 }
 
+/// Where `A W` may be 0 no width is narrow relative to it: the impact is listed as wide as the interval makes it. There was no end.
+#[test]
+fn r40_no_bits_are_spent_on_a_width_relative_to_nothing() {
+    let excitation = "amplitude = \"[0, 1e-4]\", frequency = \"pi\", phase = 0";
+    let scene = scene(excitation, "gap = 9, restitution = 0.5", "time = 0, wall = \"left\", velocity = -1");
+    let (impacts, orbit) = run(&scene, 1);
+    let (time, _) = orbit.bounds(&impacts[0]);
+    // A box at rest is crossed in 18.
+    let [low, high] = [time.inf().to_f64_down(), time.sup().to_f64_up()];
+    assert!((17.9..=18.0).contains(&low) && (18.0..18.1).contains(&high), "{low} {high}");
+    assert!(orbit.first_wide() == Some(1) && orbit.bits() <= 512, "{} bits", orbit.bits());
+}
+
 /// A question that 8,192 bits do not answer ends: fast terms of an amplitude of 1e-300 took more than 100 s.
 #[test]
 fn r17_decisions_have_a_budget() {

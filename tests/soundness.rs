@@ -343,3 +343,22 @@ fn r32_a_time_to_stop_at_of_many_digits_is_compared_exactly() {
     let [before, after] = ["1099511627783.32493599890988574", "1099511627783.324935998909886"].map(listed);
     assert_eq!(before.len() + 2, after.len(), "an impact and a rest: {before:?}, {after:?}");
 }
+
+/// With `e = 0`, or without velocity at a pressed start, a ball stays at once: infinitely many impacts are not those of all members.
+#[test]
+fn r40_a_rest_comes_after_infinitely_many_impacts_of_every_member() {
+    let start = |velocity: &str| format!("time = -0.25, wall = \"left\", velocity = \"{velocity}\"");
+    let rests = |restitution: &str, velocity: &str, arithmetic| {
+        let (found, _) = events(&scene("1", "1", restitution, &start(velocity)), arithmetic, 1);
+        found.iter().find_map(|event| if let Progress::Rest(rest) = event { Some(rest.is_accumulation) } else { None })
+    };
+    for arithmetic in arithmetics() {
+        let found = |restitution: &str, velocity: &str| rests(restitution, velocity, arithmetic);
+        assert_eq!([found("1/2", "-1e-12"), found("[0.4, 1/2]", "[-1e-12, -1e-13]")], [Some(true); 2]);
+        assert_eq!([found("1/2", "0"), found("[0, 1]", "0"), found("0", "[-1, 0]")], [Some(false); 3]);
+        assert_eq!([found("1/2", "[-1e-12, 0]"), found("[0, 1/2]", "-1e-12")], [None; 2]);
+    }
+    // Floats, which prove nothing, are those of the middles.
+    let floats = |restitution: &str, velocity: &str| rests(restitution, velocity, Arithmetic::Float);
+    assert_eq!([floats("1/2", "[-1e-12, 0]"), floats("[0, 1/2]", "-1e-12")], [Some(true); 2]);
+}

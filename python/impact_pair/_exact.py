@@ -136,7 +136,7 @@ def text(key: str, value: Value) -> str:
     if isinstance(value, Fraction):
         return f"{value.numerator}/{value.denominator}"
     if isinstance(value, (float, Decimal)):
-        if not math.isfinite(value):
+        if not (value.is_finite() if isinstance(value, Decimal) else math.isfinite(value)):
             raise RangeError(f"{key} is {value}, but must be finite", key, str(value))
         # Exact: each double is a decimal.
         return str(Decimal(value))

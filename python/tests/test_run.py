@@ -137,6 +137,8 @@ def test_an_orbit_can_be_pickled_and_read():
         ({"d": "x"}, impact_pair.SceneError, "pair.gap", '"x"'),
         ({"v0": 1}, impact_pair.RangeError, "start.velocity", "1"),
         ({"A": float("nan")}, impact_pair.RangeError, "excitation.amplitude", "nan"),
+        ({"A": Decimal("sNaN")}, impact_pair.RangeError, "excitation.amplitude", "sNaN"),
+        ({"d": (Decimal("NaN"), 1)}, impact_pair.RangeError, "pair.gap", "NaN"),
         ({"digits": 1000}, impact_pair.RangeError, "digits", "1000"),
         ({"arithmetic": "fast"}, impact_pair.RangeError, "arithmetic", "fast"),
         ({"wall": "up"}, impact_pair.SceneError, "start.wall", '"up"'),

@@ -55,7 +55,7 @@ impl Doubles {
         // One more than the truth has: a chatter in doubles need not end.
         let settings = Settings { impacts: Some(last + 1), ..settings.clone() };
         let part = |rows: Vec<Listed>| {
-            let judgement = Judgement::new(truth, &rows, end, tolerance);
+            let judgement = Judgement::new(truth, &rows, (end, true), tolerance);
             let first = judgement.first_disagreement();
             let disagrees = first.map(|finding| (truth.impact(finding), finding.verdict));
             let leaves = judgement.departure.map(|departure| departure.impact);

@@ -31,11 +31,17 @@ pub(super) struct Judgement {
 }
 
 impl Judgement {
-    /// Compares the rows with the orbit certified up to the time `end`.
-    pub fn new(truth: &Truth, rows: &[Listed], end: &BigRational, tolerance: &Tolerance) -> Self {
+    /// Compares the rows with the orbit certified up to the time `end`; where the rows are a whole list, up to the last contact that is one
+    /// of them as well.
+    pub fn new(truth: &Truth, rows: &[Listed], (end, is_whole): (&BigRational, bool), tolerance: &Tolerance) -> Self {
         let judge = Judge::new(truth, rows, tolerance);
         let candidates: Vec<Vec<usize>> = (0..rows.len()).map(|row| judge.candidates(row)).collect();
         let alignment = align(&candidates, truth.sites.len(), |a, b, site| judge.is_nearer(a, b, site));
+        let last = alignment.row_of.iter().rposition(Option::is_some).filter(|_| is_whole);
+        let is_due = |site: &usize| {
+            last.is_some_and(|last| *site < last) || compare_rational(truth.sites[*site].time.sup(), end).is_le()
+        };
+        let missed = |sites: Range<usize>| sites.filter(is_due).filter_map(|site| judge.missed(site, &alignment));
         let mut findings = Vec::new();
         let mut next = 0;
         for (row, listed) in rows.iter().enumerate() {
@@ -44,7 +50,7 @@ impl Judgement {
                 // Missed impacts come before a false row that is later.
                 None => judge.unmatched_before(next, &alignment, &listed.time.low),
             };
-            findings.extend((next..until).filter_map(|site| judge.missed(site, &alignment, end)));
+            findings.extend(missed(next..until));
             next = next.max(until); // exact: one of both
             match alignment.site_of[row] {
                 Some(site) => {
@@ -54,7 +60,7 @@ impl Judgement {
                 None => findings.push(judge.unmatched(row, &candidates[row], &alignment)),
             }
         }
-        findings.extend((next..truth.sites.len()).filter_map(|site| judge.missed(site, &alignment, end)));
+        findings.extend(missed(next..truth.sites.len()));
         let departure = departure(&findings, &truth.sites);
         Self { findings, departure }
     }
@@ -188,10 +194,8 @@ impl<'a> Judge<'a> {
         (next..self.middles.len()).take_while(is_earlier).last().map_or(next, |last| last + 1)
     }
 
-    fn missed(&self, site: usize, alignment: &Alignment, end: &BigRational) -> Option<Finding> {
-        let Site { kind, time, .. } = &self.truth.sites[site];
-        let is_missed =
-            alignment.row_of[site].is_none() && *kind == SiteKind::Impact && compare_rational(time.sup(), end).is_le();
+    fn missed(&self, site: usize, alignment: &Alignment) -> Option<Finding> {
+        let is_missed = alignment.row_of[site].is_none() && self.truth.sites[site].kind == SiteKind::Impact;
         is_missed.then_some(Finding { verdict: Verdict::Missed, row: None, site: Some(site), errors: None })
     }
 

@@ -146,7 +146,7 @@ impl<'s> Audit<'s> {
             Some("run.until") => too_late(asked, &rows),
             _ => error,
         })?;
-        let judgement = Judgement::new(&truth, &rows, &end, &tolerance);
+        let judgement = Judgement::new(&truth, &rows, (&end, listed == rows.len()), &tolerance);
         let doubles = Doubles::judge(scene, &settings, &truth, &end, &tolerance, watch)?;
         let left_out = listed - rows.len();
         Ok(Self {
@@ -304,14 +304,36 @@ mod tests {
         format!("time,wall\n{}", times.map(row).collect::<String>())
     }
 
-    #[test]
-    fn a_corrupted_time_does_not_lead_to_the_end_of_the_world() {
-        let scene = Scene::parse(
+    fn exact_orbit_of_figure_12() -> Scene {
+        Scene::parse(
             "excitation = { amplitude = 1, frequency = \"pi\", phase = 0 }\n\
              pair = { gap = \"3*pi\", restitution = 0.5 }\n\
              start = { time = 0, wall = \"left\", velocity = \"-4*pi\" }",
         )
-        .unwrap();
+        .unwrap()
+    }
+
+    /// With a tolerance of a forcing period a row before impact 3 is impact 4: then impact 3, which is later than all rows, is missed.
+    #[test]
+    fn r40_an_impact_before_a_listed_one_is_missed_whatever_the_time_of_the_last_row() {
+        let scene = exact_orbit_of_figure_12();
+        let verdicts = |list: &str, until: Option<&str>| -> Vec<Verdict> {
+            let list = read(list, &Columns::default(), scene.pair()).unwrap();
+            let until = until.map(|until| until.parse().unwrap());
+            let asked = AuditSettings { tolerance: "1".parse().unwrap(), until, ..AuditSettings::default() };
+            let audit = Audit::of(&scene, list, &asked, &Unwatched).unwrap();
+            audit.findings().iter().map(|finding| finding.verdict).collect()
+        };
+        let list = "time,wall\n1,right\n2,left\n2.5,left";
+        let [inside, missed] = [Verdict::Inside, Verdict::Missed];
+        assert_eq!(verdicts(list, None), [inside, inside, missed, inside]);
+        // Its row may be one of those that are left out.
+        assert_eq!(verdicts(&list.replace("2.5,", "3,right\n2.5,"), Some("2.75")), [inside; 3]);
+    }
+
+    #[test]
+    fn a_corrupted_time_does_not_lead_to_the_end_of_the_world() {
+        let scene = exact_orbit_of_figure_12();
         let audit = |list: &str| {
             let rows = read(list, &Columns::default(), scene.pair()).unwrap();
             Audit::of(&scene, rows, &AuditSettings::default(), &Unwatched).unwrap()

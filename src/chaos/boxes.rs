@@ -47,16 +47,14 @@ pub(super) fn edges(law: &Law, grid: Grid, cells: &[Cell], in_quarters: bool) ->
         for (part, some) in cells.chunks(share).enumerate() {
             let edges = &edges;
             scope.spawn(move || {
-                let (mut own, mut found) = (Vec::new(), HashSet::new());
+                let mut own = Vec::new();
                 for (i, &cell) in some.iter().enumerate() {
-                    found.clear();
-                    let mut note = |side, cell| _ = found.insert((side, cell));
-                    for part in parts(grid, cell, in_quarters) {
-                        grid.image(law, &part, &mut note).expect("all flights of a region are followed");
-                    }
+                    let finer = in_quarters.then(|| images(law, grid, &quarters(grid, cell), cells)).flatten();
+                    // D5: the box itself is mapped into the region, whatever is computed of its quarters
+                    let found = finer.or_else(|| images(law, grid, &[grid.quad(cell)], cells));
                     let from = (part * share + i) as u32; // exact: fewer than 2^32
-                    let number = |cell| cells.binary_search(&cell).expect("a region holds its images") as u32; // exact: fewer than 2^32
-                    own.extend(found.iter().map(|&(side, cell)| Edge { from, side, to: number(cell) }));
+                    let found = found.expect("a region holds its images");
+                    own.extend(found.into_iter().map(|(side, to)| Edge { from, side, to }));
                 }
                 edges.lock().expect("no thread has panicked").append(&mut own);
             });
@@ -67,12 +65,47 @@ pub(super) fn edges(law: &Law, grid: Grid, cells: &[Cell], in_quarters: bool) ->
     edges
 }
 
-/// A box, or its quarters.
-fn parts(grid: Grid, (column, row): Cell, in_quarters: bool) -> Vec<Quad> {
-    if !in_quarters {
-        return vec![grid.quad((column, row))];
+/// The walls and the numbers of the boxes that the images of all these parts are noted in; `None` where one is noted in none of the
+/// region, or a flight is not followed.
+fn images(law: &Law, grid: Grid, parts: &[Quad], cells: &[Cell]) -> Option<HashSet<(Side, u32)>> {
+    let mut noted = HashSet::new();
+    for part in parts {
+        grid.image(law, part, &mut |side, cell| _ = noted.insert((side, cell))).ok()?;
     }
+    let number = |(side, cell)| Some((side, cells.binary_search(&cell).ok()? as u32)); // exact: fewer than 2^32
+    noted.into_iter().map(number).collect()
+}
+
+/// The quarters of a box.
+fn quarters(grid: Grid, (column, row): Cell) -> [Quad; 4] {
     let finer = Grid { columns: 2 * grid.columns, rows: 2.0 * grid.rows };
-    let quarter = |[i, j]: [i32; 2]| finer.quad((2 * column + i, 2 * row + j));
-    [[0, 0], [0, 1], [1, 0], [1, 1]].map(quarter).into()
+    [[0, 0], [0, 1], [1, 0], [1, 1]].map(|[i, j]: [i32; 2]| finer.quad((2 * column + i, 2 * row + j)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::exact::Exact;
+    use crate::number::Ball;
+
+    /// Of quarters more may be noted than of the box, by rounding: such edges are those of the box. A region that is not closed stands for
+    /// the rounding.
+    #[test]
+    fn r40_images_that_are_not_in_the_region_are_none() {
+        let ball = |text: &str| Ball::of(&text.parse::<Exact>().unwrap());
+        let law = Law { gap: ball("1.178"), restitution: ball("0.5") };
+        let grid = Grid { columns: 256, rows: 32.0 };
+        let (from, mut cells) = ((10, 40), Vec::new());
+        let image = |parts: &[Quad], cells: &[Cell]| images(&law, grid, parts, cells);
+        grid.image(&law, &grid.quad(from), &mut |_, cell| cells.push(cell)).unwrap();
+        cells.sort_unstable();
+        cells.dedup();
+        let whole = image(&[grid.quad(from)], &cells).unwrap();
+        let parts = image(&quarters(grid, from), &cells).unwrap();
+        assert!(whole.len() > 1 && whole.is_superset(&parts));
+        // Without one of the boxes.
+        let (_, lost) = *parts.iter().next().unwrap();
+        cells.remove(lost as usize);
+        assert_eq!(image(&quarters(grid, from), &cells), None);
+    }
 }

@@ -1,5 +1,7 @@
 //! Events of an orbit besides impacts: grazes, rests, releases, repetition.
 
+use std::cmp::Ordering;
+
 use super::Period;
 use super::attraction::Recent;
 use super::event::{Graze, Outcome, Progress, Release, Rest, finite};
@@ -8,7 +10,7 @@ use super::shadowed::Near;
 use super::shortfall::Shortfall;
 use super::{Cursor, Followed, Orbit};
 use crate::exact::{Enclosure, Exact};
-use crate::number::Ball;
+use crate::number::{Ball, Enclosing};
 #[cfg(feature = "multiprecision")]
 use crate::number::{MpBall, Number};
 use crate::orbit::Arithmetic;
@@ -117,6 +119,9 @@ impl Orbit {
     /// The ball rests from `time` forcing periods after the last contact on, at the latest.
     #[cold]
     fn rest(&mut self, wall: Wall, now: &Enclosure, time: f64, for_ever: bool) -> Option<Progress> {
+        if time > 0.0 && !self.bounces() {
+            return None;
+        }
         let width = self.asked.widths[0];
         // Impacts are listed until they shrink below the digits asked for.
         if time.log2() > width.log2 - 1.0 {
@@ -139,6 +144,15 @@ impl Orbit {
         (self.pending.resting, self.pending.is_expected) = (Some(release), true);
         let rest = Rest { wall, turns, phase: enclosed, is_accumulation: time > 0.0 };
         Some(self.hand_out(Progress::Rest(rest)))
+    }
+
+    /// Whether infinitely many impacts follow of each member: none stays on its wall at once, by `e = 0` or a start without velocity. Lemma Z1
+    fn bounces(&self) -> bool {
+        let is_impact = self.cursor.index > self.followed.from.index;
+        let moves = |velocity: Ball| velocity.certain_sign().is_some_and(Ordering::is_ne);
+        let rebounds = self.engine.pair.restitution.certain_sign() == Some(Ordering::Greater);
+        // C3: certified contacts are transversal, so an impact has a velocity, whatever its ball holds. Floats prove nothing.
+        rebounds && (is_impact || moves(self.cursor.velocity)) || self.asked.settings.arithmetic == Arithmetic::Float
     }
 
     /// The ball leaves the wall it rests on; all that was not known of its state is forgotten.

@@ -81,7 +81,9 @@ impl Orbit {
     /// A contact is wider than requested by N bits; `None` when it has to be taken as it is.
     #[cold]
     pub(super) fn narrow(&mut self, contact: &Contact<Ball>, excess: f64) -> Option<Progress> {
-        if self.engine.arithmetic != Arithmetic::Auto || self.first_wide.is_some() {
+        // Of intervals whose `A W` may be 0 nothing is narrow enough relative to it.
+        let is_hopeless = !self.engine.is_point && excess.is_infinite();
+        if self.engine.arithmetic != Arithmetic::Auto || self.first_wide.is_some() || is_hopeless {
             return None;
         }
         if self.restart(Shortfall::Width(excess)) {

@@ -1,4 +1,4 @@
-//! Sweeps: the impacts of one point under another one's values, and one fewer than there are.
+//! Sweeps: the impacts of one point under another one's values, one fewer than there are, and a point twice.
 
 use serde_json::{Value, json};
 
@@ -8,6 +8,7 @@ pub const FORGERIES: &[Forgery] = &[
     Forgery { name: "sweep: another's impacts", why: "two points of the grid have other orbits", forge: exchanged },
     Forgery { name: "sweep: an impact less", why: "it comes between those around it", forge: dropped },
     Forgery { name: "sweep: transient", why: "each impact is listed as the one after it", forge: later },
+    Forgery { name: "sweep: a point twice", why: "a point has one line", forge: twice },
     Forgery { name: "sweep: what becomes of points", why: "its orbit does not, or not in this rhythm", forge: ended },
 ];
 
@@ -55,6 +56,12 @@ fn dropped(original: &Original) -> Vec<Forged> {
         }
     }
     all
+}
+
+fn twice(original: &Original) -> Vec<Forged> {
+    let own = points(original);
+    let again = |k: usize| with_points(original, &format!("{k} twice"), [&own[..], &own[k..=k]].concat());
+    (0..own.len()).map(again).collect()
 }
 
 fn later(original: &Original) -> Vec<Forged> {

@@ -1,6 +1,7 @@
 //! The sweep JSON Lines, read back: the scene of each point and what is claimed of its impacts.
 
 use std::cmp::Ordering;
+use std::collections::HashSet;
 
 use super::attraction::Bounds;
 use impact_pair_document::{
@@ -83,11 +84,17 @@ impl SweepCertificate {
             return Err(place.get("certified")?.refused("only a certified sweep claims anything: accepted is true"));
         }
         let axes = Axes::of(&head, &place)?;
+        let mut seen = HashSet::new();
         let point = |(i, value)| {
             let place = Place::at(format!("points[{i}]"), value);
-            ClaimedOrbit::of(&head, &axes, &place.read()?, &place)
+            let record: SweepRecord = place.read()?;
+            let mut claimed = ClaimedOrbit::of(&head, &axes, &record, &place)?;
+            if !seen.insert(record.point) {
+                claimed.contradiction = Some("its point is listed before as well");
+            }
+            Ok(claimed)
         };
-        let points: Vec<ClaimedOrbit> = records.iter().enumerate().map(point).collect::<Result<_, _>>()?;
+        let points: Vec<ClaimedOrbit> = records.iter().enumerate().map(point).collect::<Result<_, Error>>()?;
         let mut unjudged = UNJUDGED.map(str::to_owned).to_vec();
         unjudged.extend(place.unread::<SweepHead>()?);
         unjudged.extend(axes.own_values());

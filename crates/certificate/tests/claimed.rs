@@ -257,6 +257,39 @@ fn r39_a_key_that_is_there_twice_is_refused() {
     }
 }
 
+/// Of a sweep with a point twice another one may lack: its lines are no longer its points.
+#[test]
+fn r40_a_point_is_listed_once() {
+    let (_, mut lines) = all().into_iter().find(|(name, _)| name == "sweep").unwrap();
+    assert_eq!(checked(&lines, &Unwatched).expect("a sweep").verdict, VerdictName::Confirmed);
+    lines.push(lines[1].clone());
+    let found = checked(&lines, &Unwatched).expect("a sweep");
+    assert!(found.verdict == VerdictName::Refuted && found.message.contains("listed before"), "{}", found.message);
+}
+
+/// A ball that stays at once, by `e = 0` or without velocity, has no impacts that are left out.
+#[test]
+fn r40_infinitely_many_impacts_are_those_of_every_member() {
+    let verdict = |velocity: &str, restitution: &str| {
+        let excitation = json!({ "amplitude": ["1", "1/9"], "frequency": ["pi", "3*pi"], "phase": ["-pi/2", "-pi/2"] });
+        let start = json!({ "time": "0", "wall": "left", "velocity": velocity });
+        let document = json!({
+            "schema": "impact-pair/orbit/1",
+            "scene": { "excitation": excitation, "gap": "1", "restitution": restitution, "start": start },
+            "certified": true,
+            "claim": "exact start",
+            "outcome": { "kind": "time-reached", "message": "0 impacts up to the requested time", "impacts": 0, "until": "0.1" },
+            "events": [{ "event": "rest", "wall": "left", "time": ["-1e-7", "0.0001014"], "skipped": "infinite" }]
+        });
+        checked(&[document], &Unwatched).expect("an orbit").verdict
+    };
+    assert_eq!(verdict("-1e-3", "0.5"), VerdictName::Confirmed);
+    assert_eq!(verdict("[-1e-3, -1e-4]", "[0.4, 0.5]"), VerdictName::Confirmed);
+    for (velocity, restitution) in [("[-1e-3, 0]", "0.5"), ("-1e-3", "[0, 0.5]")] {
+        assert_eq!(verdict(velocity, restitution), VerdictName::Undecided, "{velocity}, {restitution}");
+    }
+}
+
 #[test]
 fn r32_nothing_is_listed_as_a_claim_that_is_not_compared() {
     let (mut refused, mut missed) = (0, Vec::new());

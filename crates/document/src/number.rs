@@ -39,8 +39,18 @@ impl Decimal {
 }
 
 fn value(text: &str) -> Option<BigRational> {
-    let is_decimal = text.bytes().all(|byte| byte.is_ascii_digit() || b".+-eE".contains(&byte));
-    if is_decimal { Exact::parse(text).ok()?.as_rational().cloned() } else { None }
+    if is_decimal(text) { Exact::parse(text).ok()?.as_rational().cloned() } else { None }
+}
+
+/// Whether a text is a number as JSON writes them, which every reader of decimals takes for the same one.
+fn is_decimal(text: &str) -> bool {
+    let are_digits = |text: &str| !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_digit());
+    let unsigned = text.strip_prefix('-').unwrap_or(text);
+    let (number, exponent) = unsigned.split_once(['e', 'E']).unwrap_or((unsigned, "0"));
+    let (whole, places) = number.split_once('.').unwrap_or((number, "0"));
+    let exponent = exponent.strip_prefix(['+', '-']).unwrap_or(exponent);
+    let is_padded = whole.len() > 1 && whole.starts_with('0');
+    are_digits(whole) && !is_padded && are_digits(places) && are_digits(exponent)
 }
 
 impl TryFrom<String> for Decimal {
@@ -90,5 +100,23 @@ impl schemars::JsonSchema for Written {
 
     fn json_schema(generator: &mut schemars::SchemaGenerator) -> schemars::Schema {
         String::json_schema(generator)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// What is no number of JSON's, such as a sum, is one for some readers and none for others.
+    #[test]
+    fn r40_bounds_are_plain_decimals() {
+        for text in ["0", "-0", "12.50", "-1.5e-3", "2E+7", "0.1", "10e0"] {
+            assert!(Decimal::try_from(text.to_owned()).is_ok(), "{text}");
+        }
+        for text in [
+            "5-4.4", "1+1", "+1", "--1", ".5", "5.", "007", "", "-", "1e", "1e5-2", "1.2.3", "e5", "1e1.5", " 1", "1_0",
+        ] {
+            assert!(Decimal::try_from(text.to_owned()).is_err(), "{text}");
+        }
     }
 }

@@ -56,6 +56,12 @@ impl<'c> Walk<'c> {
     fn chatter(&self, claim: &Claim) -> Result<Standing<'c>, Doubt> {
         let (wall, parameters) = (claim.wall, &self.parameters);
         let mut departure = self.standing.departure().clone();
+        // V3: each member bounces; after a first contact, which is transversal, all that is needed is e > 0
+        let moves = |velocity: Real| velocity.is_positive() || velocity.is_negative();
+        let has_velocity = self.standing.landing().is_some() || moves(departure.velocity.hull());
+        if !(has_velocity && parameters.restitution.hull().is_positive()) {
+            return Err(Doubt::Open("the ball may stay on its wall without any bounce".into()));
+        }
         for _ in 0..MOST_BOUNCES {
             let lasting = accumulation(&departure, parameters)
                 .ok_or_else(|| Doubt::Open("the chatter is not proved to end in rest".into()))?;

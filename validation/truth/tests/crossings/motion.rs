@@ -149,6 +149,9 @@ impl<'a> Motion<'a> {
         if self.state.on != Some(wall) {
             return wrong(format!("{what}, but the ball was not there"));
         }
+        if is_end && self.state.velocity_after.is_zero() {
+            return wrong(format!("{what}, but no impact comes before it"));
+        }
         for _ in 0..BOUNCES {
             match self.next()? {
                 Next::Rests if time.holds(&self.state.time) => return Ok(()),

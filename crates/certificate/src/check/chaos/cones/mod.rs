@@ -85,8 +85,13 @@ pub(super) fn doubt(
     let Some(listed) = listed.filter(|_| is_increasing && !set.words.is_empty()) else {
         return Ok(Some(Doubt::False("hyperbolic.words are not different ones of the words".to_owned())));
     };
+    // V14: cones are proved of a slope that is a double
+    let [kappa, same] = inner(&[set.kappa.clone(), set.kappa.clone()]);
+    if kappa != same {
+        return Ok(Some(open("kappa is no double, and nothing is proved of cones of such a slope")));
+    }
     let claimed = Claimed {
-        kappa: inner(&[set.kappa.clone(), set.kappa.clone()])[0],
+        kappa,
         entropy: rates(&set.entropy),
         exponents: rates(&set.exponents),
         second: inner(&set.second_exponent),
