@@ -84,12 +84,22 @@ import json, os, signal, threading
 import numpy as np
 from impact_pair import Scene
 
+begun = threading.Event()
+
+def note(done):
+    if done:
+        begun.set()
+
+def send():
+    begun.wait()
+    os.kill(os.getpid(), signal.SIGINT)
+
 scene = Scene.named("figure-14")
 orbit = scene.run(impacts=400)
 t = np.linspace(0, 100, 3_000_000)
 rects = np.tile([0.0, 3.0, 0.5, 3.5], (400_000, 1))
 many = np.ones(3_000_000)
-threading.Timer(0.4, os.kill, (os.getpid(), signal.SIGINT)).start()
+threading.Thread(target=send, daemon=True).start()
 found = {work}
 kept = np.isfinite({bounds})
 print(json.dumps([bool(found.interrupted), int(kept.sum()), len(kept), bool(kept[:100].all())]))
@@ -99,9 +109,9 @@ print(json.dumps([bool(found.interrupted), int(kept.sum()), len(kept), bool(kept
 @pytest.mark.parametrize(
     ("work", "bounds"),
     [
-        ("orbit(t)", "found.y"),
-        ("scene.flights(many, -many, -1)", "found.t_bounds[:, 0]"),
-        ("scene.box_map(rects)", "found.rects[:, 0]"),
+        ("orbit(t, progress=note)", "found.y"),
+        ("scene.flights(many, -many, -1, progress=note)", "found.t_bounds[:, 0]"),
+        ("scene.box_map(rects, progress=note)", "found.rects[:, 0]"),
     ],
 )
 def test_r35_ctrl_c_keeps_the_first_of_many(work, bounds):
