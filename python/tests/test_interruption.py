@@ -39,7 +39,7 @@ WORKS = {
     "run": "scene.run(impacts=10**6, progress=note)",
     "plot": "scene.plot(impacts=10**6, progress=note)",
     "bifurcations": 'Scene.named("cascade").bifurcations("RL", 1, {"amplitude": ("0.3", "4")}, doublings=8, progress=note)',
-    "periodic": 'Scene.named("figure-17").periodic("RLRRLLRRRLLL" * 8, 48, all=True, progress=note)',
+    "periodic": 'Scene.named("figure-17").periodic("RLRRLLRRRLLL" * 3, 18, all=True, progress=note)',
     "cycles": "scene.cycles((1, 20), progress=note)",
     "chaos": "scene.chaos(depth=20, progress=note)",
     "chaos_cells": 'scene.chaos_cells({"gap": (9, 10, 400)}, progress=note)',

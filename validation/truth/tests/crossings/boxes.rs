@@ -66,15 +66,20 @@ fn holds(rect: &Rectangle, state: &Reduced, at_edge: bool) -> bool {
 }
 
 impl Case {
-    /// Takes the harmonics after the first one away, as there is no reduced map under several: most of the scenes are to have one.
-    fn keep_first_harmonic(&mut self) {
+    /// Takes the harmonics after the first one away, and lets that one shake, as there is no reduced map under several or none: most of the
+    /// scenes are to have one.
+    fn keep_one_harmonic(&mut self) {
         let terms = self.scene.pair().excitation().terms();
-        let [first, _, ..] = terms else { return };
-        let [amplitude, frequency, phase] = [first.amplitude(), first.frequency(), first.phase()];
-        let excitation =
-            format!("excitation = {{ amplitude = \"{amplitude}\", frequency = \"{frequency}\", phase = \"{phase}\" }}");
+        let [frequency, phase] = [terms[0].frequency().to_string(), terms[0].phase().to_string()];
+        let is_shaken = terms[0].amplitude().enclose(64).to_f64_bounds().0 > 0.0;
+        if terms.len() == 1 && is_shaken {
+            return;
+        }
+        let amplitude = if is_shaken { terms[0].amplitude().to_string() } else { self.random.pick(&["1", "8"]).into() };
         let (_, rest) = self.text.split_once('\n').expect("a line of the excitation");
-        let text = format!("{excitation}\n{rest}");
+        let text = format!(
+            "excitation = {{ amplitude = \"{amplitude}\", frequency = \"{frequency}\", phase = \"{phase}\" }}\n{rest}"
+        );
         if let Ok(scene) = Scene::parse(&text) {
             (self.text, self.scene) = (text, scene);
         }
@@ -82,8 +87,8 @@ impl Case {
 
     /// The images of boxes around impacts of the motion in the middle of the data.
     pub fn box_map(&mut self) -> Result<Answer, Error> {
-        if self.random.below(4) > 0 {
-            self.keep_first_harmonic();
+        if self.random.below(8) > 0 {
+            self.keep_one_harmonic();
         }
         let map = BoxMap::new(self.scene.pair(), self.random.pick(&[16, 256, 4096]))?;
         let mut images = Vec::new();

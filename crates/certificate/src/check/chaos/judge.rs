@@ -26,7 +26,7 @@ const MAKINGS: [Making; 7] = [
 ];
 /// Where each of the coarse ones loses words, those that are lost, if they are at most N, are looked for again along chains of boxes
 /// whose chords are measured from N flights ahead, as long as fewer are lost: another direction, where the one that is contracted most
-/// jumps at a graze further ahead. The fine ones come last, where most words are lost.
+/// jumps at a graze further ahead. The fine ones come last, where many words are lost.
 const COARSE: usize = 4;
 const MOST_LOST: usize = 32;
 const AHEAD: [usize; 3] = [2, 3, 6];
@@ -109,17 +109,26 @@ impl ChaosCertificate {
                 (best, most) = (first, found.words); // proposes: any tubes will do
             }
         }
-        // Those along which most words are found first, then the fine ones, as long as many are lost.
-        let coarse: Vec<Making> = (0..COARSE).map(|k| MAKINGS[(best + k) % COARSE]).collect();
-        for makings in std::iter::once(coarse).chain((COARSE..MAKINGS.len()).map(beginning_with)) {
-            let found = tries.again(&makings)?;
+        // The coarse ones, those along which most words are found first; the fine ones where many are lost.
+        let mut fewest = usize::MAX;
+        for first in if best == 0 { vec![0] } else { vec![best, 0] } {
+            let coarse: Vec<Making> = (0..COARSE).map(|k| MAKINGS[(first + k) % COARSE]).collect();
+            let found = tries.again(&coarse)?;
             if found.is_all {
                 return Ok(None);
             }
+            fewest = fewest.min(found.lost.len()); // proposes: any tubes will do
+        }
+        for first in COARSE..MAKINGS.len() {
             // proposes: any tubes will do
-            if found.lost.len() <= MOST_LOST.min(words.len() / 2) {
+            if fewest <= MOST_LOST.min(words.len() / 2) {
                 break;
             }
+            let found = tries.again(&beginning_with(first))?;
+            if found.is_all {
+                return Ok(None);
+            }
+            fewest = found.lost.len();
         }
         Ok(tries.best)
     }
