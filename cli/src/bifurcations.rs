@@ -51,7 +51,7 @@ pub struct BifurcationArguments {
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=i64::from(MOST_CYCLES)))]
     pub cycles: u32,
     /// The parameter and its range: amplitude (with several terms amplitude.K), gap, restitution or frequency
-    #[arg(long, value_name = "KEY=LO..HI", value_parser = over)]
+    #[arg(long, value_name = "KEY=LO..HI", value_parser = over, allow_hyphen_values = true)]
     over: Range,
     /// Number of period doublings after which new branches are not followed further
     #[arg(long, value_name = "K", default_value_t = 4, value_parser = clap::value_parser!(u32).range(0..=8))]

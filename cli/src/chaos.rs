@@ -67,7 +67,7 @@ pub struct ChaosArguments {
     bases: Option<PathBuf>,
     /// Prove it for all values of a parameter at once: amplitude, gap, restitution or frequency; with :COUNT in COUNT cells, one
     /// by one: whether each holds a horseshoe, or the scene's own orbit converges to a periodic one
-    #[arg(long, value_name = "KEY=LO..HI[:COUNT]", value_parser = range)]
+    #[arg(long, value_name = "KEY=LO..HI[:COUNT]", value_parser = range, allow_hyphen_values = true)]
     over: Option<Range>,
     /// With :COUNT: bisect an undecided cell up to N times
     #[arg(long, value_name = "N", default_value_t = 8, value_parser = clap::value_parser!(u32).range(..=i64::from(MOST_HALVINGS)))]

@@ -56,7 +56,7 @@ pub struct CheckArguments {
     #[arg(long, conflicts_with_all = ["effort", "format"])]
     pub verified: bool,
     /// Multiply the work allowed for each claim by TIMES before it is left undecided
-    #[arg(long, value_name = "TIMES", default_value_t = 1, value_parser = clap::value_parser!(u64).range(1..))]
+    #[arg(long, value_name = "TIMES", default_value_t = 1, value_parser = crate::values::count(1..=u64::MAX))]
     pub effort: u64,
     /// Output format; json is schema impact-pair/check/1 [default: as the ending of --output says, else text]
     #[arg(long, value_enum)]

@@ -41,7 +41,7 @@ pub struct CyclesArguments {
     /// Scene file (TOML), or - for stdin
     scene: PathBuf,
     /// Number of impacts of the cycles, a range 1..N or a single number; each further impact takes up to twice as long
-    #[arg(long, value_name = "LO..HI", value_parser = numbers(1..=MOST_IMPACTS))]
+    #[arg(long, value_name = "LO..HI", value_parser = numbers(1..=MOST_IMPACTS), allow_hyphen_values = true)]
     impacts: RangeInclusive<u32>,
     /// Requested width of enclosures, at most 10^-D: of phases relative to 2 pi, of velocities relative to A W [default: that of the scene, or 9]
     #[arg(long, value_name = "D", value_parser = digits())]

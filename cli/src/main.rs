@@ -37,7 +37,7 @@ use anyhow::{Context, Error, Result};
 use clap::builder::Styles;
 use clap::builder::styling::Style;
 use clap::error::{ContextKind, ContextValue};
-use clap::{CommandFactory, Parser};
+use clap::{Arg, Command, CommandFactory, FromArgMatches};
 use clap_complete::Shell;
 
 use arguments::{Cli, Verb};
@@ -52,7 +52,8 @@ enum Answer {
 }
 
 fn main() -> ExitCode {
-    let cli = Cli::try_parse().unwrap_or_else(|error| with_a_verb(error).exit());
+    let given = command().try_get_matches().and_then(|matches| Cli::from_arg_matches(&matches));
+    let cli = given.unwrap_or_else(|error| with_a_verb(error).exit());
     let answer = match cli.verb {
         Verb::Run(arguments) => run::run(&arguments),
         Verb::Describe(arguments) => describe::describe(&arguments),
@@ -81,6 +82,15 @@ fn main() -> ExitCode {
             ExitCode::from(2)
         }
     }
+}
+
+/// The command line, where a negative number is a value of the option before it: that option's error says what is accepted.
+fn command() -> Command {
+    let reads_negative = |argument: Arg| {
+        let is_option = !argument.is_positional() && argument.get_action().takes_values();
+        if is_option { argument.allow_negative_numbers(true) } else { argument }
+    };
+    Cli::command().mut_subcommands(|verb| verb.mut_args(reads_negative))
 }
 
 /// The parser's error, with the command that was perhaps meant where a scene stands in the place of a verb.

@@ -32,20 +32,19 @@ pub fn bits() -> RangedI64ValueParser<u32> {
 
 /// Reads how many: a whole number of this range.
 pub fn count(range: RangeInclusive<u64>) -> impl Fn(&str) -> Result<u64, String> + Clone {
+    let accepted = match range.clone().into_inner() {
+        (least, u64::MAX) => format!("accepted are whole numbers from {least} on"),
+        (least, most) => format!("accepted are whole numbers from {least} to {most}"),
+    };
     move |text| match text.parse() {
         Ok(number) if range.contains(&number) => Ok(number),
-        Ok(_) if *range.end() == u64::MAX => Err(format!("accepted are whole numbers from {} on", range.start())),
-        Ok(_) => Err(format!("accepted are whole numbers from {} to {}", range.start(), range.end())),
+        Ok(_) => Err(accepted.clone()),
         Err(_) => {
             // 1e5, 1,000
             let meant = Exact::parse(text).ok().and_then(|number| number.as_rational().map(ToString::to_string));
             let meant = meant.unwrap_or_else(|| text.replace([',', '_', ' ', '\''], ""));
             let hint = if meant.parse::<u64>().is_ok() { format!("; did you mean {meant}?") } else { String::new() };
-            let range = match *range.end() {
-                u64::MAX => String::new(),
-                most => format!(" from {} to {most}", range.start()),
-            };
-            Err(format!("accepted are whole numbers{range}{hint}"))
+            Err(format!("{accepted}{hint}"))
         }
     }
 }

@@ -94,6 +94,41 @@ fn r35_numbers_that_are_none_say_what_is_accepted() {
     assert!(said(&["run", SCENE, "--precision", "30"]).contains("--digits D"));
 }
 
+/// Every option of every verb that takes a value reads a negative number as its own: the message names the option, the value and, where the
+/// value is a number, what is accepted.
+#[test]
+fn r35_negative_numbers_are_values_of_their_options() {
+    let told = |arguments: &[&str], option: &str, accepted: &str| {
+        let said = said(arguments);
+        assert!(said.contains(&format!("invalid value '-5' for '{option}")) && said.contains(accepted), "{said}");
+    };
+    for (verb, option, accepted) in [
+        ("run", "--impacts", "accepted are whole numbers from 0 on"),
+        ("run", "--digits", "accepted are whole numbers from 1 to 400"),
+        ("run", "--splice", "accepted are whole numbers from 0 on"),
+        ("run", "--max-bits", "is not in 64..="),
+        ("describe", "--impacts", "accepted are whole numbers from 1 to 100000000"),
+        ("describe", "--depth", "is not in 1..="),
+        ("periodic", "--cycles", "is not in 1..="),
+        ("bifurcations", "--doublings", "is not in 0..=8"),
+        ("trap", "--finer", "is not in 0..=6"),
+        ("chaos", "--depth", "is not in 1..="),
+        ("chaos", "--halvings", "is not in "),
+        ("cycles", "--impacts", "accepted is an integer from 1 to 64"),
+        ("sweep", "--transient", "accepted are whole numbers from 0 to "),
+        ("trade", "--impacts", "accepted are whole numbers from 1 on"),
+        ("two-impact", "--cycles", "accepted is an integer from 1 to "),
+        ("plot", "--cycles", "is not in 1..=10000"),
+        ("check", "--effort", "is not in 1.."),
+        ("prove", "--impacts", "accepted are whole numbers from 1 on"),
+        ("audit", "--tolerance", "-5"),
+    ] {
+        told(&[verb, SCENE, option, "-5"], option, accepted);
+    }
+    assert!(said(&["cycles", SCENE, "--impacts", "-1..3"]).contains("accepted is an integer from 1 to 64"));
+    assert!(said(&["run", SCENE, "-5"]).contains("unexpected argument '-5'"), "an option that does not exist");
+}
+
 #[test]
 fn r35_a_missing_table_names_its_line() {
     let scene = changed("missing-table.toml", ["[pair]\ngap = 9.42497\nrestitution = 0.5\n", ""]);

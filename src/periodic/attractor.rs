@@ -1,7 +1,7 @@
 //! From the last impacts of a motion to the periodic orbit that it is proved to converge to: Lemma Q3.
 
 use super::krawczyk::is_inside;
-use super::{Basin, PeriodicOrbit, Precision, Problem, Stability};
+use super::{Basin, Finding, PeriodicOrbit, Precision, Problem, Stability};
 use crate::mapping::{Mapping, Word};
 use crate::number::Ball;
 use crate::pair::Wall;
@@ -44,8 +44,9 @@ const NEAR_BEFORE: f64 = 0.2;
 const TRIED: usize = 8;
 /// A period is tried from N of its impacts: in doubles the contraction is seen from some and not from others.
 const ENDS: usize = 32;
-/// Bits that its orbit is enclosed in at most.
+/// Bits that its orbit is enclosed in at most, and digits that its basin is looked for with.
 const BITS: u32 = 1024;
+const FEW_DIGITS: u32 = 9;
 
 /// A guess of the period of a motion: the impacts that may make it, with all before them and the one after, and the cycles.
 struct Guess<'s> {
@@ -155,6 +156,24 @@ pub(crate) fn find(
     })
 }
 
+impl Finding<Ball> {
+    /// Whether the orbit is unstable or virtual, or likely to be one of the many unstable ones that chaos comes near.
+    fn is_refused(&self) -> bool {
+        // proposes: chaos near an orbit whose trace is beyond what a stable one has is not asked again
+        let is_wild = self.stability == Stability::Undecided && self.trace.mid().abs() >= MOST_TRACE;
+        self.stability == Stability::Unstable || self.physical == Some(false) || is_wild
+    }
+}
+
+/// Whether an orbit is proved to be stable, admissible, and run through once.
+fn is_attracting(orbit: &PeriodicOrbit) -> Result<(), Open> {
+    match (orbit.stability, orbit.physical, orbit.repeats) {
+        (Stability::Stable, Some(true), Some(1)) => Ok(()),
+        (Stability::Unstable, ..) | (_, Some(false), _) | (.., Some(2..)) => Err(Open::Never),
+        _ => Err(Open::Here),
+    }
+}
+
 impl Problem {
     /// Proves that the orbit near these phases is stable and attracts a motion from one of `states` on, the last at the
     /// latest.
@@ -164,19 +183,19 @@ impl Problem {
             return Err(Open::Never);
         }
         let guess = self.polished(guess).ok_or(Open::Never)?;
-        let finding = self.prove_in_doubles(&guess).ok_or(Open::Never)?;
-        match (finding.stability, finding.physical) {
-            (Stability::Stable, Some(true)) => {}
-            (Stability::Unstable, _) | (_, Some(false)) => return Err(Open::Never),
-            // proposes: chaos near an orbit whose trace is beyond what a stable one has is not asked again
-            _ => return Err(if finding.trace.mid().abs() < MOST_TRACE { Open::Here } else { Open::Never }),
+        // What doubles refute is not asked in more bits.
+        if self.prove_in_doubles(&guess).is_some_and(|finding| finding.is_refused()) {
+            return Err(Open::Never);
         }
+        let prove = |digits: u32| self.prove(&guess, Precision { digits, max_bits: BITS }).ok_or(Open::Never);
+        let near = prove(digits.min(FEW_DIGITS))?; // proposes: how narrow a basin's centre is
+        is_attracting(&near)?;
         let phase = |state: &ImpactState| self.in_period(state);
         let holds = |basin: &Basin, state: &ImpactState| basin.holds(state.wall, phase(state), state.velocity);
-        let basin = self.basins(&finding).find(|basin| holds(basin, last)).ok_or(Open::Here)?;
-        let orbit = self.prove(&guess, Precision { digits, max_bits: BITS }).ok_or(Open::Never)?;
-        let is_it = is_inside(orbit.phases(), &finding.proved.domain);
-        if !is_it || orbit.repeats != Some(1) || orbit.stability != Stability::Stable || orbit.physical != Some(true) {
+        let basin = self.basins(&near).find(|basin| holds(basin, last)).ok_or(Open::Here)?;
+        let orbit = prove(digits)?;
+        is_attracting(&orbit)?;
+        if !is_inside(orbit.phases(), near.domain()) {
             return Err(Open::Never);
         }
         let from = states.iter().find(|state| holds(&basin, state)).ok_or(Open::Here)?.index;

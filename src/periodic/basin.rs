@@ -3,15 +3,16 @@
 //! In coordinates `x = x* + T s` around the orbit's first state the derivative of the period is `G = T^-1 DP T`. Over
 //! the ellipse `|s| <= r` it is enclosed by the product of the Jacobians (A.7) along the tube of states that the
 //! ellipse runs through, each flight's first contact proved for all of them. Where `|G| < 1` all over it, every state
-//! in the ellipse tends to the orbit.
+//! in the ellipse tends to the orbit. Of an orbit that is its own mirror image half a period is followed, and mirrored: its
+//! enclosures are as narrow as the square roots of those of the period.
 
 use std::cmp::Ordering;
 
 use super::chain::times;
 use super::chained::{Chained, Step};
-use super::orbit::Finding;
+use super::identity::reduced_impacts;
 use super::shaking::Shaking;
-use super::{Pair, Problem};
+use super::{Pair, PeriodicOrbit, Problem};
 use crate::mapping::jacobian_between;
 use crate::number::{Ball, Enclosing, Number, up};
 use crate::pair::{Inward, Wall};
@@ -35,6 +36,13 @@ pub struct Basin {
 
 type Matrix = [[Ball; 2]; 2];
 type Axes = [[f64; 2]; 2];
+
+/// What is followed of an orbit: a number of impacts, after which it is what it was, or its mirror image.
+#[derive(Clone, Copy)]
+struct Round {
+    impacts: usize,
+    is_mirrored: bool,
+}
 /// Two vectors of phase and velocity.
 type Basis = [[f64; 2]; 2];
 
@@ -42,55 +50,72 @@ type Basis = [[f64; 2]; 2];
 const LARGEST: f64 = 0.125;
 const HALVINGS: usize = 44;
 const SHORTER: [f64; 3] = [1.0, 0.125, 0.015_625];
+const ONE: Axes = [[1.0, 0.0], [0.0, 1.0]];
 
 impl Problem {
     /// Neighbourhoods that a proved orbit attracts, the largest first. Lemma Q1
     ///
     /// **Cost**: a certified flight and a Jacobian for each impact, 264 times at most.
-    pub fn basins<'p>(&'p self, orbit: &'p Finding<Ball>) -> impl Iterator<Item = Basin> + 'p {
+    pub fn basins<'p>(&'p self, orbit: &'p PeriodicOrbit) -> impl Iterator<Item = Basin> + 'p {
         // Only of an orbit that is one the lemma speaks.
-        let bases = (orbit.physical == Some(true)).then(|| self.bases(orbit)).flatten();
+        let round = self.round(orbit);
+        let bases = (orbit.physical == Some(true)).then(|| self.bases(orbit, round)).flatten();
         // exact: a few halvings
         let sizes = (0..HALVINGS).flat_map(|n| SHORTER.map(|shorter| (LARGEST * 0.5f64.powi(n as i32), shorter)));
         bases.into_iter().flat_map(move |bases| {
             let ellipses = sizes.clone().flat_map(move |size| bases.map(|basis| (basis, size)));
             ellipses.filter_map(move |([first, second], (radius, shorter))| {
                 let axes = [[first[0], second[0] * shorter], [first[1], second[1] * shorter]];
-                self.basin(orbit, axes, radius)
+                self.basin(orbit, round, axes, radius)
             })
         })
     }
 
-    /// The ellipse of this radius in the coordinates of these columns, if the period contracts it.
-    fn basin(&self, orbit: &Finding<Ball>, axes: Axes, radius: f64) -> Option<Basin> {
+    /// The impacts after which the orbit is proved to be what it was, or its mirror image. Lemmas Q1, T6
+    fn round(&self, orbit: &PeriodicOrbit) -> Round {
+        let (walls, all) = (self.chain().walls(), self.chain().impacts());
+        let impacts = reduced_impacts(self.chain(), &orbit.proved).unwrap_or(all); // Q1: of the period it is true
+        Round { impacts, is_mirrored: walls[impacts % all] != walls[0] }
+    }
+
+    /// The ellipse of this radius in the coordinates of these columns, if the round contracts it.
+    fn basin(&self, orbit: &PeriodicOrbit, round: Round, axes: Axes, radius: f64) -> Option<Basin> {
         let inverse = inverse(axes)?;
-        let product = self.product_over(orbit, axes, radius)?;
+        let product = self.product_over(orbit, round, axes, radius)?;
         let factor = contraction(&times(&inverse, &product))?;
-        let (turns, phase) = in_turn(orbit.proved.at[0]);
+        let (turns, phase) = in_turn(orbit.phases()[0]);
         let period = f64::from(self.period());
         let phase = if period > 1.0 { phase + Ball::exact(turns.rem_euclid(period)) } else { phase };
-        let centre = [phase, *self.chain().before(&orbit.legs, 0)];
+        let centre = [phase, orbit.velocity(0)];
         Some(Basin { wall: self.chain().walls()[0], period, centre, inverse, radius, factor })
     }
 
-    /// Encloses `DP T` over the ellipse; `None` where a flight's first contact is not proved for all of it.
-    fn product_over(&self, orbit: &Finding<Ball>, axes: Axes, radius: f64) -> Option<Matrix> {
-        match &self.pair {
-            Pair::One(one) => self.product_under(&**one, orbit, axes, radius),
-            Pair::Several(several) => self.product_under(&**several, orbit, axes, radius),
-        }
+    /// Encloses `DP T` over the ellipse, `P` the round; `None` where a flight's first contact is not proved for all of it.
+    fn product_over(&self, orbit: &PeriodicOrbit, round: Round, axes: Axes, radius: f64) -> Option<Matrix> {
+        let [phases, velocities] = match &self.pair {
+            Pair::One(one) => self.product_under(&**one, orbit, round.impacts, (axes, radius)),
+            Pair::Several(several) => self.product_under(&**several, orbit, round.impacts, (axes, radius)),
+        }?;
+        Some(if round.is_mirrored { [phases, velocities.map(|x| -x)] } else { [phases, velocities] })
     }
 
-    fn product_under<S: Chained>(&self, shaken: &S, orbit: &Finding<Ball>, axes: Axes, radius: f64) -> Option<Matrix> {
+    /// The same over N impacts.
+    fn product_under<S: Chained>(
+        &self,
+        shaken: &S,
+        orbit: &PeriodicOrbit,
+        impacts: usize,
+        (axes, radius): (Axes, f64),
+    ) -> Option<Matrix> {
         let chain = &self.chain;
         let mut product = axes.map(|row| row.map(Ball::exact));
-        for i in 0..chain.impacts() {
+        for i in 0..impacts {
             let wall = chain.walls()[i];
             // The tube: what the mean value theorem makes of the ellipse so far, around the orbit.
             let reach = |row: [Ball; 2]| up(length(row.map(Ball::mag)) * radius);
-            let (turns, phase) = in_turn(orbit.proved.at[i]);
+            let (turns, phase) = in_turn(orbit.phases()[i]);
             let phase = phase.widened(reach(product[0]));
-            let before = chain.before(&orbit.legs, i).widened(reach(product[1]));
+            let before = orbit.velocity(i).widened(reach(product[1]));
             if wall.inward(before).certain_sign() != Some(Ordering::Less) {
                 return None;
             }
@@ -104,13 +129,13 @@ impl Problem {
         Some(product)
     }
 
-    /// The orbit's eigenvectors, that of the larger eigenvalue first, or the two parts of a complex one; and the first
+    /// The eigenvectors of the orbit's round, that of the larger eigenvalue first, or the two parts of a complex one; and the first
     /// with what is perpendicular to it, where they are nearly parallel. In floating point: any invertible matrix will do.
-    fn bases(&self, orbit: &Finding<Ball>) -> Option<[Basis; 2]> {
+    fn bases(&self, orbit: &PeriodicOrbit, round: Round) -> Option<[Basis; 2]> {
         // proposes
-        let speed = (0..self.chain().impacts()).map(|i| self.chain().before(&orbit.legs, i).mag()).fold(0.0, f64::max);
+        let speed = (0..self.chain().impacts()).map(|i| orbit.velocity(i).mag()).fold(0.0, f64::max);
         // Velocities in units of the orbit's greatest, so that both coordinates are of one order.
-        let [[a, b], [c, d]] = orbit.monodromy.map(|row| row.map(Ball::mid));
+        let [[a, b], [c, d]] = self.product_over(orbit, round, ONE, 0.0)?.map(|row| row.map(Ball::mid));
         let (b, c) = (b * speed, c / speed);
         let half = (a + d) / 2.0;
         let under = half * half - (a * d - b * c);

@@ -75,6 +75,12 @@ impl PeriodicOrbit {
         &self.proved.domain
     }
 
+    /// Holds the velocity `y'` just before an impact, in gap widths per forcing period, in doubles.
+    pub(super) fn velocity(&self, impact: usize) -> Ball {
+        let (mid, rad) = self.impacts[impact].velocity.mid_rad();
+        Ball::new(mid, rad)
+    }
+
     /// Returns whether all its properties are decided.
     pub fn is_decided(&self) -> bool {
         self.is_placed() && self.stability != Stability::Undecided

@@ -59,7 +59,7 @@ pub struct AuditArguments {
     /// The list to compare (CSV, TSV, other text, or JSON), or - for stdin
     pub events: PathBuf,
     /// Accepted difference of a time, in periods 2 pi/W, and of a velocity, in A W; from 0 to 1
-    #[arg(long, value_name = "X", default_value = "1e-9", value_parser = tolerance)]
+    #[arg(long, value_name = "X", default_value = "1e-9", value_parser = tolerance, allow_hyphen_values = true)]
     tolerance: Exact,
     /// Compare up to this time: later rows are ignored, and every impact certified before it is expected in the list [default:
     /// the last time listed]

@@ -53,7 +53,7 @@ pub struct TwoImpactArguments {
     /// Scene file (TOML), or - for stdin
     pub scene: PathBuf,
     /// N, or a range such as 1..5, endpoints included
-    #[arg(long, value_name = "N|LO..HI", default_value = "1", value_parser = crate::values::numbers(CYCLES))]
+    #[arg(long, value_name = "N|LO..HI", default_value = "1", value_parser = crate::values::numbers(CYCLES), allow_hyphen_values = true)]
     pub cycles: RangeInclusive<u32>,
     /// The wall whose impact is listed first
     #[arg(long, value_enum, default_value_t)]
@@ -62,7 +62,7 @@ pub struct TwoImpactArguments {
     #[arg(long, value_enum, default_value_t, value_name = "velocity|amplitude|gap", conflicts_with = "manifold")]
     pub solve_for: SolveFor,
     /// A_N over a range: frequency=LO..HI:COUNT (figure 10) or velocity=LO..HI:COUNT (figure 11)
-    #[arg(long, value_name = "KEY=LO..HI:COUNT", value_parser = manifold)]
+    #[arg(long, value_name = "KEY=LO..HI:COUNT", value_parser = manifold, allow_hyphen_values = true)]
     pub manifold: Option<Range>,
     /// Requested width of enclosures, at most 10^-D: of phases relative to 2 pi, of velocities relative to A W [default: that of the
     /// scene, or 9]

@@ -56,6 +56,9 @@ const SIZES: [[&str; 3]; 12] = [
     ["3", "3/2", "4"],
 ];
 
+/// The first N of these are boxes that move by a gap or so.
+const SHAKEN: usize = 7;
+
 impl Random {
     pub fn pick<T: Copy>(&mut self, from: &[T]) -> T {
         from[self.below(from.len() as u64) as usize]
@@ -277,6 +280,8 @@ fn restitution(random: &mut Random, kind: Restitution) -> &'static str {
 fn parts(random: &mut Random, crossing: &Crossing) -> Option<Parts> {
     let size = match crossing.question {
         Question::Chaos => SIZES[0],
+        // Of a box that hardly moves flights are too long for images of boxes.
+        Question::BoxMap => random.pick(&SIZES[..SHAKEN]),
         Question::Bifurcations(_) if matches!(crossing.restitution, Restitution::Half | Restitution::AroundHalf) => {
             NEAR_FOLD
         }

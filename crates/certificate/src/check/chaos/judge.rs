@@ -15,17 +15,18 @@ use crate::check::{Effort, Verdict};
 
 /// How chains of boxes are made; any way will do: from cells that are fine to those that leave room for intervals of
 /// parameters, and to those that are finest, for slow expansion.
-const MAKINGS: [Making; 6] = [
+const MAKINGS: [Making; 7] = [
     Making { longest: 0.003, margin: 1.08, pad: 5e-6, shortest: 1e-9, ahead: 4 },
     Making { longest: 0.005, margin: 1.08, pad: 2e-5, shortest: 1e-8, ahead: 4 },
     Making { longest: 0.01, margin: 1.08, pad: 2e-5, shortest: 1e-6, ahead: 4 },
     Making { longest: 0.01, margin: 1.3, pad: 3e-4, shortest: 1e-5, ahead: 4 },
+    Making { longest: 0.001, margin: 1.08, pad: 5e-6, shortest: 1e-9, ahead: 4 },
     Making { longest: 0.0006, margin: 1.08, pad: 6e-7, shortest: 1e-9, ahead: 12 },
     Making { longest: 0.0003, margin: 1.08, pad: 3e-7, shortest: 1e-9, ahead: 12 },
 ];
 /// Where each of the coarse ones loses words, those that are lost, if they are at most N, are looked for again along chains of boxes
 /// whose chords are measured from N flights ahead, as long as fewer are lost: another direction, where the one that is contracted most
-/// jumps at a graze further ahead. The fine ones come last, where most words are lost.
+/// jumps at a graze further ahead. The fine ones come last, where many words are lost.
 const COARSE: usize = 4;
 const MOST_LOST: usize = 32;
 const AHEAD: [usize; 3] = [2, 3, 6];
@@ -95,53 +96,96 @@ impl ChaosCertificate {
     ) -> Result<Option<Counts>, End> {
         let mut listed = Counts::new();
         words.iter().for_each(|word| *listed.entry(word.clone()).or_default() += 1);
-        let mut best: Option<Counts> = None;
-        let mut tried = |makings: &[Making], ahead: &Ahead, most: usize| {
-            let mut search = Search::new(law, bases, &listed, (makings, ahead), work);
-            let lost = match follow_all(&mut search, words, most, progress) {
-                Ok(lost) if lost.is_empty() => return Ok((lost, true)),
-                Ok(lost) => lost,
-                Err(End::Spent) => Vec::new(),
-                Err(End::Stopped) => return Err(End::Stopped),
-            };
-            let found = search.found;
-            if best.as_ref().is_none_or(|best| found.values().sum::<usize>() > best.values().sum()) {
-                best = Some(found);
-            }
-            Ok((lost, false))
-        };
+        let mut tries = Tries { law, bases, words, listed, work, progress, best: None };
         let beginning_with =
             |first: usize| -> Vec<Making> { MAKINGS[first..].iter().chain(&MAKINGS[..first]).copied().collect() };
+        let (mut best, mut most) = (0, 0);
         for first in 0..COARSE {
-            if tried(&beginning_with(first), &Ahead::new(), 0)?.1 {
+            let found = tries.once(&beginning_with(first), &Ahead::new(), 0)?;
+            if found.is_all {
                 return Ok(None);
             }
+            if found.words > most {
+                (best, most) = (first, found.words); // proposes: any tubes will do
+            }
         }
+        // The coarse ones, those along which most words are found first; the fine ones where many are lost.
+        let mut fewest = usize::MAX;
+        for first in if best == 0 { vec![0] } else { vec![best, 0] } {
+            let coarse: Vec<Making> = (0..COARSE).map(|k| MAKINGS[(first + k) % COARSE]).collect();
+            let found = tries.again(&coarse)?;
+            if found.is_all {
+                return Ok(None);
+            }
+            fewest = fewest.min(found.lost.len()); // proposes: any tubes will do
+        }
+        for first in COARSE..MAKINGS.len() {
+            // proposes: any tubes will do
+            if fewest <= MOST_LOST.min(words.len() / 2) {
+                break;
+            }
+            let found = tries.again(&beginning_with(first))?;
+            if found.is_all {
+                return Ok(None);
+            }
+            fewest = found.lost.len();
+        }
+        Ok(tries.best)
+    }
+}
+
+/// Searches for the listed words along chains of boxes that are made in several ways.
+struct Tries<'t, P> {
+    law: &'t Law,
+    bases: &'t [Base],
+    words: &'t [Word],
+    listed: Counts,
+    work: &'t Allowance<'t>,
+    progress: &'t mut P,
+    /// What the best one found.
+    best: Option<Counts>,
+}
+
+/// What one search found: how many words, those that it lost as far as it went, and whether these are none and it went to the end.
+struct Found<'t> {
+    words: usize,
+    lost: Vec<&'t Word>,
+    is_all: bool,
+}
+
+impl<'t, P: FnMut(usize)> Tries<'t, P> {
+    /// One search, until more than `most` words are lost.
+    fn once(&mut self, makings: &[Making], ahead: &Ahead, most: usize) -> Result<Found<'t>, End> {
+        let mut search = Search::new(self.law, self.bases, &self.listed, (makings, ahead), self.work);
+        let (lost, is_all) = match follow_all(&mut search, self.words, most, self.progress) {
+            Ok(lost) => (lost.clone(), lost.is_empty()),
+            Err(End::Spent) => (Vec::new(), false),
+            Err(End::Stopped) => return Err(End::Stopped),
+        };
+        let found = search.found;
+        let words = found.values().sum::<usize>();
+        if self.best.as_ref().is_none_or(|best| words > best.values().sum()) {
+            self.best = Some(found);
+        }
+        Ok(Found { words, lost, is_all })
+    }
+
+    /// A search, and others that look elsewhere for the words that it lost, as long as fewer are.
+    fn again(&mut self, makings: &[Making]) -> Result<Found<'t>, End> {
         let mut ahead = Ahead::new();
-        let (mut lost, _) = tried(&MAKINGS[..COARSE], &ahead, MOST_LOST)?;
+        let mut found = self.once(makings, &ahead, MOST_LOST)?;
         for other in AHEAD {
-            if lost.is_empty() || lost.len() > MOST_LOST {
+            if found.lost.is_empty() || found.lost.len() > MOST_LOST {
                 break;
             }
-            ahead.extend(lost.iter().flat_map(|word| word.beginnings()).map(|beginning| (beginning, other)));
-            let (next, is_all) = tried(&MAKINGS[..COARSE], &ahead, MOST_LOST)?;
-            if is_all {
-                return Ok(None);
-            }
-            if next.len() >= lost.len() {
+            ahead.extend(found.lost.iter().flat_map(|word| word.beginnings()).map(|beginning| (beginning, other)));
+            let next = self.once(makings, &ahead, MOST_LOST)?;
+            if !next.is_all && next.lost.len() >= found.lost.len() {
                 break;
             }
-            lost = next;
+            found = next;
         }
-        let many = MOST_LOST.min(words.len() / 2); // proposes: any tubes will do
-        if lost.len() > many {
-            for first in COARSE..MAKINGS.len() {
-                if tried(&beginning_with(first), &Ahead::new(), 0)?.1 {
-                    return Ok(None);
-                }
-            }
-        }
-        Ok(best)
+        Ok(found)
     }
 }
 
