@@ -5,7 +5,7 @@ use std::path::PathBuf;
 
 use crate::common::program;
 
-const VERBS: [&str; 16] = [
+const VERBS: [&str; 17] = [
     "run",
     "describe",
     "periodic",
@@ -13,6 +13,7 @@ const VERBS: [&str; 16] = [
     "trap",
     "chaos",
     "cycles",
+    "windows",
     "sweep",
     "plot",
     "check",

@@ -36,6 +36,7 @@ WORKS = {
     "bifurcations": 'Scene.named("cascade").bifurcations("RL", 1, {"amplitude": ("0.3", "4")}, doublings=8)',
     "periodic": 'Scene.named("figure-17").periodic("RLRRLLRRRLLL" * 8, 48, all=True)',
     "cycles": "scene.cycles((1, 20))",
+    "windows": 'scene.windows({"gap": ("9.42", "9.43")}, impacts=10**9)',
     "chaos": "scene.chaos(depth=20)",
     "chaos_cells": 'scene.chaos_cells({"gap": (9, 10, 400)})',
     "manifold": 'Scene.named("figure-10").manifold({"frequency": (1, 60, 20000)}, (1, 60))',

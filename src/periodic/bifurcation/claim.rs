@@ -166,7 +166,8 @@ impl<E: Condition, S: Varied> Claim<'_, E, S> {
         guess: Vec<N>,
         (bits, largest): (u32, f64),
     ) -> Option<Proved<N>> {
-        let equations = Posed { system: &self.system, family };
+        let is_sparse = bits > f64::MANTISSA_DIGITS;
+        let equations = Posed { system: &self.system, family, is_sparse };
         let guess = krawczyk::polish(&equations, inverse, guess, bits / krawczyk::GAINED);
         let effort = Effort { largest, domains: MOST_DOMAINS, images: MOST_IMAGES, slow: 0 };
         krawczyk::prove(&equations, inverse, &guess, effort)
@@ -263,6 +264,7 @@ impl<E: Condition, S: Varied> Claim<'_, E, S> {
             doublings: 0,
             bits,
             is_narrow,
+            zero: zero.at.iter().map(Enclosing::as_enclosure).collect::<Option<_>>()?,
         })
     }
 
