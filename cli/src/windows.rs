@@ -12,6 +12,7 @@ use impact_pair::exact::decimal_digits;
 use impact_pair::orbit::MAX_BITS;
 use impact_pair::periodic::bifurcation::WindowEnd;
 use impact_pair::scene::{Key, Range};
+use impact_pair_plot::picture::Look;
 
 use crate::Answer;
 use crate::destination::{Begun, Destination};
@@ -66,6 +67,11 @@ pub struct WindowsArguments {
     /// Output format; json is schema impact-pair/windows/1 [default: as the ending of --output says, else table]
     #[arg(long, value_enum)]
     format: Option<PeriodicFormat>,
+    /// Draw the windows: the width over the parameter, on a logarithmic scale
+    #[arg(long, value_name = "FILE.svg|FILE.png|FILE.pdf", value_parser = impact_pair_plot::picture::path)]
+    plot: Option<PathBuf>,
+    #[command(flatten)]
+    look: Look,
     #[command(flatten)]
     destination: Destination,
 }
@@ -79,7 +85,8 @@ fn over(text: &str) -> Result<Range, impact_pair::Error> {
 
 pub fn windows(arguments: &WindowsArguments) -> Result<Answer> {
     let format = arguments.destination.format(arguments.format)?;
-    let Begun { scene, files, path } = arguments.destination.begin(&arguments.scene, None)?;
+    let plot = arguments.plot.as_deref().map(|path| (path, &arguments.look));
+    let Begun { scene, files, path } = arguments.destination.begin(&arguments.scene, plot)?;
     let named = || scene::name(path);
     let settings = WindowSettings {
         over: arguments.over.clone(),
@@ -99,7 +106,8 @@ pub fn windows(arguments: &WindowsArguments) -> Result<Answer> {
         }
     };
     let open = (!found.is_certified()).then(|| conclusion(&found));
-    files.answer(&text, open, format == PeriodicFormat::Table)
+    let is_table = format == PeriodicFormat::Table;
+    files.draw((&text, open, is_table), || impact_pair_plot::windows::windows(&scene, &found, &arguments.look))
 }
 
 fn table(scene: &Scene, found: &Windows) -> Result<String, fmt::Error> {

@@ -301,11 +301,8 @@ impl Proving<'_> {
         let outer = |i: usize| self.outer(family, (steps, pad), (&branch.ends[i], points[i]), of);
         let (Some(one), Some(other)) = (outer(0), outer(1)) else { return false };
         let floats = self.setting.floats();
-        let holds = |x: &[N]| {
-            take_time(self.ring, family, x)
-                && self.is_physical(x)
-                && [1.0, -1.0].iter().all(|mu| self.excludes(family, x, *mu))
-        };
+        let holds =
+            |x: &[N]| self.is_admissible(family, x) && [1.0, -1.0].iter().all(|mu| self.excludes(family, x, *mu));
         let tube = Tube {
             curve: &Curve(self.ring),
             over: None,
@@ -342,10 +339,7 @@ impl Proving<'_> {
         let lifted: Vec<Vec<f64>> = stations.iter().map(lift).collect::<Option<_>>()?;
         let curve = Multiplied { ring, direction };
         let project = |x: &[N]| -> Vec<N> { [&x[..ring.unknowns()], &x[x.len() - 2..x.len() - 1]].concat() };
-        let holds = |x: &[N]| {
-            let inner = project(x);
-            take_time(ring, family, &inner) && self.is_physical(&inner) && self.is_dominant(family, x)
-        };
+        let holds = |x: &[N]| self.is_admissible(family, &project(x)) && self.is_dominant(family, x);
         // Over mu, the last unknown.
         let over = Some(2 * ring.unknowns() + 1);
         let tube = Tube { curve: &curve, over, floats: &floats, family, steps, pad, holds: &holds, watch: self.watch };
@@ -358,10 +352,19 @@ impl Proving<'_> {
     /// Whether the other eigenvalue lies inside the unit circle for each member of a box: `e^(2m) < |mu|`. Lemma Y8
     fn is_dominant<N: Enclosing + Turning>(&self, family: &Family<OneHarmonic, N>, x: &[N]) -> bool {
         let (mu, p) = (&x[x.len() - 1], &x[x.len() - 2]);
-        let pair = family.pair(p.clone());
-        let q = determinant(&pair.restitution, self.ring.unknowns());
-        let sign = if mu.as_ball().mid() < 0.0 { -1.0 } else { 1.0 };
+        let q = determinant(&family.pair(p.clone()).restitution, self.ring.unknowns());
+        let sign = if mu.as_ball().mid() < 0.0 { -1.0 } else { 1.0 }; // Y8: of the wrong sign it is not larger
         (mu.clone().signed(sign) - q).certain_sign() == Some(Ordering::Greater)
+    }
+
+    /// Whether what the lemma takes for granted holds for each member of a box of phases and a parameter: flights that take time, to
+    /// their first contacts, and `0 < e < 1`. Lemma Y8
+    fn is_admissible<N: Enclosing + Turning>(&self, family: &Family<OneHarmonic, N>, x: &[N]) -> bool {
+        let e = x.last().map(|p| family.pair(p.clone()).restitution);
+        let is_positive = |x: N| x.certain_sign() == Some(Ordering::Greater);
+        e.is_some_and(|e| is_positive(e.clone()) && is_positive(N::from_f64(1.0) - e))
+            && take_time(self.ring, family, x)
+            && self.is_physical(x)
     }
 
     /// Whether no orbit of a box has the eigenvalue `mu`, 1 or -1: `F'_mu` is regular. Lemma Y8
