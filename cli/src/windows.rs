@@ -24,9 +24,8 @@ use crate::values::{bits, count, digits, precision};
 
 pub const HELP: &str = "\
 Examples:
-  impact-pair windows scenes/figure-14.toml --over gap=9.4247..9.4253
-  impact-pair windows scenes/figure-14.toml --over restitution=0.4999..0.5001 --most 3
-  impact-pair windows scenes/figure-14.toml --over gap=9.4247..9.4253 --format json --output windows.json
+  impact-pair windows scenes/figure-14.toml --over gap=9.4247..9.4253 --impacts 4000000
+  impact-pair windows scenes/figure-14.toml --over restitution=0.4999..0.5001 --impacts 2000000
 
 Floating-point orbits of the reduced map, which mirrors every impact to the left wall, are searched for stable \
 periodic orbits: half of them at the scene's own value of the parameter, the others at values of the range. Each \

@@ -78,7 +78,12 @@ fn folder() -> PathBuf {
 #[cfg(all(unix, feature = "multiprecision"))]
 #[test]
 fn every_example_runs() {
-    runs_examples(&["chaos scenes/figure-14.toml --depth 4", "describe scenes/figure-15.toml", "amplitude.2=0..2"]);
+    runs_examples(&[
+        "chaos scenes/figure-14.toml --depth 4",
+        "describe scenes/figure-15.toml",
+        "amplitude.2=0..2",
+        "windows scenes/figure-14.toml",
+    ]);
 }
 
 #[test]

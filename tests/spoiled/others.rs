@@ -88,7 +88,7 @@ pub fn windows() -> Value {
     .unwrap();
     let (over, precision): (Range, _) = ("amplitude=0.03..0.4".parse().unwrap(), Precision::default());
     let seed =
-        WindowSeed { word: "RL".parse().unwrap(), cycles: 1, is_mirrored: true, phases: vec![0.52], parameter: 0.3 };
+        WindowSeed { word: "RL".parse().unwrap(), cycles: 1, is_mirrored: true, phases: vec![0.28], parameter: 0.3 };
     let window = Window::of(scene.pair(), &over, &seed, precision, &Unwatched).unwrap().expect("a window");
     let windows = vec![FoundWindow { impacts: 1, flights: "F".to_owned(), window }];
     let settings = WindowSettings { over: over.clone(), impacts: 1, longest: 1, most: 1, precision };

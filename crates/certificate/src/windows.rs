@@ -147,7 +147,7 @@ fn contradiction(document: &WindowsDocument, over: Key) -> Option<String> {
         }
         let folds = window.ends.iter().flatten().filter(|kind| *kind == "fold").count();
         if folds > 1 || (window.from.is_some() && window.to.is_some() && folds != 1) {
-            return wrong(".ends: one of both is a fold");
+            return wrong(".ends: exactly one of two ends is a fold");
         }
         let value = window.at.0.enclose(BITS);
         let is_below = |bounds: &[impact_pair_document::Decimal; 2]| bounds[1].value() < value.inf().to_rational();

@@ -282,10 +282,10 @@ impl<'p> Search<'p> {
         let (phases, lasting) = self.family.phases(cycle)?;
         let crossings = cycle.flights.iter().filter(|side| **side == Side::Far).count();
         let is_mirrored = !crossings.is_multiple_of(2);
-        let rounds = if is_mirrored { 2 } else { 1 };
+        let rounds: u8 = if is_mirrored { 2 } else { 1 };
         let cycles = (f64::from(rounds) * lasting).round(); // proposes
         let (mut wall, mut walls) = (Wall::Left, String::new());
-        for side in cycle.flights.iter().cycle().take(rounds as usize * cycle.flights.len()) {
+        for side in cycle.flights.iter().cycle().take(usize::from(rounds) * cycle.flights.len()) {
             walls.push(if wall == Wall::Left { 'L' } else { 'R' });
             wall = side.lands_on(wall);
         }

@@ -16,11 +16,10 @@ use super::super::krawczyk::{Equations, image, is_inside};
 use super::super::orbit::PeriodicOrbit;
 use super::super::precondition::Preconditioner;
 use super::super::{Problem, Stability, determinant};
-use super::claim::{Setting, prove};
+use super::claim::{Setting, prove_critical};
 use super::family::{Family, Varied};
-use super::follow::Change;
 use super::over::Parameter;
-use super::point::Point;
+use super::point::{Kind, Point};
 use super::ring::Ring;
 use super::solve::newton;
 use super::system::{Curve, Multiplied, Traced};
@@ -93,7 +92,7 @@ impl Window {
     ///     start = { time = 0, wall = "left", velocity = -1 }
     /// "#)?;
     /// // Two impacts per period, from the fold of the closed forms (66)-(69) to the pitchfork.
-    /// let seed = WindowSeed { word: "RL".parse()?, cycles: 1, is_mirrored: true, phases: vec![0.52], parameter: 0.3 };
+    /// let seed = WindowSeed { word: "RL".parse()?, cycles: 1, is_mirrored: true, phases: vec![0.28], parameter: 0.3 };
     /// let over = "amplitude=0.03..0.4".parse()?;
     /// let window = Window::of(scene.pair(), &over, &seed, Precision::default(), &Unwatched)?.expect("proved");
     /// assert!(window.is_certified());
@@ -159,6 +158,19 @@ struct Branch {
     inner: Vec<f64>,
 }
 
+/// An end of the branch: the bifurcation there, and the orbits from it to the middle.
+struct End<'b> {
+    stations: &'b [(f64, Vec<f64>)],
+    point: &'b Point,
+    /// `c` of the equations of both.
+    direction: &'b [f64],
+    /// The eigenvalue at the bifurcation.
+    mu: f64,
+}
+
+/// The eigenvalues at the two ends of a branch.
+const MULTIPLIERS: [f64; 2] = [1.0, -1.0];
+
 struct Proving<'p> {
     setting: Setting<'p, OneHarmonic>,
     ring: &'p Ring,
@@ -174,20 +186,31 @@ impl Proving<'_> {
         let ends = branch.ends.each_ref().map(|end| &end[0].1[..]);
         let [a, b] = ends.map(parameter);
         let width = ((a - b) / a).abs();
-        // proposes: digits that tell the ends of the window apart
-        let digits = (END_DIGITS - width.max(f64::MIN_POSITIVE).log10()).ceil() as u32;
-        let fine = Precision { digits: digits.max(self.precision.digits), ..self.precision };
-        let changes = [Change::Turn, Change::Flip];
-        let points = [0, 1].map(|i| {
-            self.watch.goes_on().then(|| prove(&self.setting, self.ring, (changes[i], ends[i]), fine)).flatten()
+        // Digits that distinguish the ends of the window.
+        let digits = (END_DIGITS - width.max(f64::MIN_POSITIVE).log10()).ceil() as u32; // proposes
+        let digits = digits.max(self.precision.digits); // proposes: digits to prove it to
+        let fine = Precision { digits, ..self.precision };
+        let flip = if self.ring.is_mirrored() { Kind::Pitchfork } else { Kind::PeriodDoubling };
+        let directions = [0, 1].map(|i| null_vector(self.ring, &floats, ends[i], MULTIPLIERS[i]));
+        let [Some(one), Some(other)] = directions else { return Ok(None) };
+        let directions = [one, other];
+        let points = [(0, Kind::Fold), (1, flip)].map(|(i, kind)| {
+            let critical = (kind, MULTIPLIERS[i], directions[i].clone());
+            self.watch.goes_on().then(|| prove_critical(&self.setting, self.ring, critical, ends[i], fine)).flatten()
         });
         let [fold, flip] = &points;
         let is_stable_between = match (fold, flip) {
-            (Some(fold), Some(flip)) => self.is_stable(&branch, [fold, flip], width),
+            (Some(fold), Some(flip)) => {
+                let one = End { stations: &branch.ends[0], point: fold, direction: &directions[0], mu: MULTIPLIERS[0] };
+                let other =
+                    End { stations: &branch.ends[1], point: flip, direction: &directions[1], mu: MULTIPLIERS[1] };
+                self.is_stable(&branch, &[one, other], width)
+            }
             _ => false,
         };
         let Some(at) = self.value(&points, [a, b])? else { return Ok(None) };
-        let there = self.setting.parameter.pair_at(at.clone())?;
+        // A value that no pair has is none of an orbit.
+        let Ok(there) = self.setting.parameter.pair_at(at.clone()) else { return Ok(None) };
         let problem = Problem::new(&there, &self.ring.word(), self.ring.chain().cycles())?;
         let inner = self.ring.lift(&branch.inner[..self.ring.unknowns()]);
         let Some(orbit) = problem.prove(&inner, self.precision) else { return Ok(None) };
@@ -224,7 +247,8 @@ impl Proving<'_> {
             let mut x = start.clone();
             let mut all = Vec::new();
             for part in STATIONS.iter().rev() {
-                let mu = sign * (1.0 - inner).mul_add(*part, inner);
+                // At the end exactly 1.
+                let mu = sign * (1.0 - (1.0 - inner) * (1.0 - part));
                 x = solved(mu + q / mu, x)?;
                 all.push((mu, x.clone()));
             }
@@ -267,27 +291,27 @@ impl Proving<'_> {
     }
 
     /// Whether all orbits of the branch between the two ends are proved to be stable. Lemma Y8
-    fn is_stable(&self, branch: &Branch, points: [&Point; 2], width: f64) -> bool {
+    fn is_stable(&self, branch: &Branch, ends: &[End<'_>; 2], width: f64) -> bool {
         let doubles = self.setting.doubles();
         let of_ball = |x: &Enclosure| {
             let (mid, rad) = x.mid_rad();
             Ball::new(mid, rad)
         };
-        width > NARROW && self.is_stable_in(&doubles, (STEPS, PAD), (branch, points), &of_ball)
-            || self.is_stable_precisely(branch, points)
+        width > NARROW && self.is_stable_in(&doubles, (STEPS, PAD), (branch, ends), &of_ball)
+            || self.is_stable_precisely(branch, ends)
     }
 
     #[cfg(feature = "multiprecision")]
-    fn is_stable_precisely(&self, branch: &Branch, points: [&Point; 2]) -> bool {
+    fn is_stable_precisely(&self, branch: &Branch, ends: &[End<'_>; 2]) -> bool {
         const BITS: u32 = 128;
         let pad = (24.0 - f64::from(BITS)).exp2();
         let of_ball = |x: &Enclosure| MpBall::enclosing(x, BITS);
-        self.is_stable_in(&self.setting.balls(BITS), (BITS / 4, pad), (branch, points), &of_ball)
+        self.is_stable_in(&self.setting.balls(BITS), (BITS / 4, pad), (branch, ends), &of_ball)
     }
 
     /// Doubles are all there is.
     #[cfg(not(feature = "multiprecision"))]
-    fn is_stable_precisely(&self, _: &Branch, _: [&Point; 2]) -> bool {
+    fn is_stable_precisely(&self, _: &Branch, _: &[End<'_>; 2]) -> bool {
         false
     }
 
@@ -295,10 +319,10 @@ impl Proving<'_> {
         &self,
         family: &Family<OneHarmonic, N>,
         (steps, pad): (u32, f64),
-        (branch, points): (&Branch, [&Point; 2]),
+        (branch, ends): (&Branch, &[End<'_>; 2]),
         of: &dyn Fn(&Enclosure) -> N,
     ) -> bool {
-        let outer = |i: usize| self.outer(family, (steps, pad), (&branch.ends[i], points[i]), of);
+        let outer = |i: usize| self.outer(family, (steps, pad), &ends[i], of);
         let (Some(one), Some(other)) = (outer(0), outer(1)) else { return false };
         let floats = self.setting.floats();
         let holds =
@@ -323,29 +347,28 @@ impl Proving<'_> {
         &self,
         family: &Family<OneHarmonic, N>,
         (steps, pad): (u32, f64),
-        (stations, point): (&[(f64, Vec<f64>)], &Point),
+        end: &End<'_>,
         of: &dyn Fn(&Enclosure) -> N,
     ) -> Option<Vec<N>> {
         let (ring, floats) = (self.ring, self.setting.floats());
-        let (end, x) = &stations[0];
-        let direction = null_vector(ring, &floats, x, *end)?;
+        let direction = end.direction;
         let lift = |(mu, x): &(f64, Vec<f64>)| -> Option<Vec<f64>> {
             let w = null_vector(ring, &floats, x, *mu)?;
-            let along: f64 = w.iter().zip(&direction).map(|(a, b)| a * b).sum();
+            let along: f64 = w.iter().zip(direction).map(|(a, b)| a * b).sum();
             let (p, phases) = x.split_last()?;
             let w = w.iter().map(|w| w / along);
             Some(phases.iter().copied().chain(w).chain([*p, *mu]).collect())
         };
-        let lifted: Vec<Vec<f64>> = stations.iter().map(lift).collect::<Option<_>>()?;
-        let curve = Multiplied { ring, direction };
+        let lifted: Vec<Vec<f64>> = end.stations.iter().map(lift).collect::<Option<_>>()?;
+        let curve = Multiplied { ring, direction: direction.to_vec() };
         let project = |x: &[N]| -> Vec<N> { [&x[..ring.unknowns()], &x[x.len() - 2..x.len() - 1]].concat() };
         let holds = |x: &[N]| self.is_admissible(family, &project(x)) && self.is_dominant(family, x);
         // Over mu, the last unknown.
         let over = Some(2 * ring.unknowns() + 1);
         let tube = Tube { curve: &curve, over, floats: &floats, family, steps, pad, holds: &holds, watch: self.watch };
         let [first, last]: [Proof<N>; 2] = tube.follow(&lifted)?;
-        let mut zero: Vec<N> = point.zero.iter().map(of).collect();
-        zero.push(N::from_f64(*end));
+        let mut zero: Vec<N> = end.point.zero.iter().map(of).collect();
+        zero.push(N::from_f64(end.mu));
         first.holds(&zero).then(|| project(&last.end))
     }
 
