@@ -28,4 +28,5 @@ mod starts;
 mod straddle;
 mod tolerances;
 mod two_impact;
+mod windows;
 mod words;

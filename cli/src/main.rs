@@ -28,6 +28,7 @@ mod two_impact;
 mod values;
 mod verified;
 mod version;
+mod windows;
 
 use std::io::{self, Write};
 use std::path::Path;
@@ -62,6 +63,7 @@ fn main() -> ExitCode {
         Verb::Trap(arguments) => trap::trap(&arguments),
         Verb::Chaos(arguments) => chaos::chaos(&arguments),
         Verb::Cycles(arguments) => cycles::cycles(&arguments),
+        Verb::Windows(arguments) => windows::windows(&arguments),
         Verb::Check(arguments) => check::check(&arguments),
         Verb::Prove(arguments) => prove::prove(&arguments),
         Verb::Plot(arguments) => plot::plot(&arguments),

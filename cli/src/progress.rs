@@ -137,6 +137,8 @@ impl Watch for Progress {
             Stage::Horseshoe { depth: 0, boxes } => self.count("h-sets, boxes: ".to_owned(), boxes),
             Stage::Horseshoe { depth, boxes } => self.count(format!("horseshoe, depth {depth}, boxes: "), boxes),
             Stage::Parameter(cells) => self.count(String::new(), cells.into()),
+            Stage::Searched(impacts) => self.count("floating-point search, impacts: ".to_owned(), impacts),
+            Stage::Windows { proved, of } => self.count(format!("proofs of windows, of {of}: "), proved as u64),
             _ => {}
         }
         Interruption.proceed(at)

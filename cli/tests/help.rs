@@ -5,7 +5,7 @@ use std::path::PathBuf;
 
 use crate::common::program;
 
-const VERBS: [&str; 16] = [
+const VERBS: [&str; 17] = [
     "run",
     "describe",
     "periodic",
@@ -13,6 +13,7 @@ const VERBS: [&str; 16] = [
     "trap",
     "chaos",
     "cycles",
+    "windows",
     "sweep",
     "plot",
     "check",
@@ -77,7 +78,12 @@ fn folder() -> PathBuf {
 #[cfg(all(unix, feature = "multiprecision"))]
 #[test]
 fn every_example_runs() {
-    runs_examples(&["chaos scenes/figure-14.toml --depth 4", "describe scenes/figure-15.toml", "amplitude.2=0..2"]);
+    runs_examples(&[
+        "chaos scenes/figure-14.toml --depth 4",
+        "describe scenes/figure-15.toml",
+        "amplitude.2=0..2",
+        "windows scenes/figure-14.toml",
+    ]);
 }
 
 #[test]

@@ -298,6 +298,61 @@ class Cycles(Document):
         return f"<{len(self)} cycles, {rest}; fixed points by impacts: {counts}>"
 
 
+@dataclass(frozen=True)
+class Window:
+    """A stable periodic orbit at an exact value of a parameter, and the window in which it is stable."""
+
+    key: str
+    at: str
+    start: Bounds | None
+    end: Bounds | None
+    ends: tuple[str | None, str | None]
+    stable_between: bool
+    reduced_impacts: int
+    flights: str
+    word: str
+    cycles: int
+    orbit: PeriodicOrbit
+
+
+class Windows(Document):
+    """Stable periodic orbits found over a parameter near a scene, the nearest first; others are not excluded."""
+
+    @cached_property
+    def windows(self) -> list[Window]:
+        """Each window, proved."""
+
+        def bounds(found: list[str] | None) -> Bounds | None:
+            return None if found is None else Bounds(*found)
+
+        return [
+            Window(
+                found["key"],
+                found["at"],
+                bounds(found["from"]),
+                bounds(found["to"]),
+                (found["ends"][0], found["ends"][1]),
+                found["stable_between"],
+                found["reduced_impacts"],
+                found["flights"],
+                found["word"],
+                found["cycles"],
+                PeriodicOrbit(found["orbit"]),
+            )
+            for found in self.document["windows"]
+        ]
+
+    def __len__(self) -> int:
+        return len(self.windows)
+
+    def __iter__(self) -> Iterator[Window]:
+        return iter(self.windows)
+
+    def __repr__(self) -> str:
+        said = "certified" if self.certified else "undecided"
+        return f"<{said}: {len(self)} windows, others are not excluded>"
+
+
 class Chaos(Document):
     """A horseshoe: words that can follow one another, and a lower bound of the topological entropy."""
 

@@ -416,6 +416,27 @@ class Scene:
         with reporting(progress, "impacts", ends[1]) as tell:
             return answers.Cycles(*_core.cycles(self._core, ends, (whole("finer", finer), optional_whole("digits", digits)), tell))
 
+    def windows(
+        self,
+        over: Mapping[str, tuple[Value, Value]],
+        *,
+        impacts: int = 40_000_000,
+        longest: int = 44,
+        most: int = 10,
+        digits: int | None = None,
+        max_bits: int = MAX_BITS,
+        progress: Progress = None,
+    ) -> answers.Windows:
+        """Search stable periodic orbits over ``{"gap": (low, high)}`` and prove each with the window in which it is stable.
+
+        ``impacts`` of floating-point orbits are searched for orbits of at most ``longest`` impacts of the reduced map; the ``most``
+        windows that are nearest to the scene's own value are proved.
+        """
+        question = (whole("impacts", impacts), whole("longest", longest), whole("most", most))
+        asked = (optional_whole("digits", digits), whole("max_bits", max_bits))
+        with reporting(progress, "impacts", impacts) as tell:
+            return answers.Windows(*_core.windows(self._core, ranged(over), question, asked, tell))
+
     def chaos(
         self,
         *,

@@ -1,8 +1,8 @@
-//! Regions, all periodic motions in them, and chaos: the verbs `trap`, `cycles` and `chaos`.
+//! Regions, all periodic motions in them, stable ones near a scene, and chaos: the verbs `trap`, `cycles`, `windows` and `chaos`.
 
 use impact_pair::chaos::{
     BoxGraph, Cells, Chaos, Cycles, HorseshoeSettings, Hyperbolic, MOST_CELLS, MOST_COUNTED, MOST_DEPTH, MOST_HALVINGS,
-    MOST_IMPACTS, RangeSettings, Trap, WallWords,
+    MOST_IMPACTS, MOST_WINDOW_IMPACTS, RangeSettings, Trap, WallWords, WindowSettings, Windows,
 };
 use impact_pair::document;
 use impact_pair::exact::Exact;
@@ -16,7 +16,7 @@ use pyo3::prelude::*;
 use crate::errors::{Fault, accepted};
 use crate::pictures::drawn;
 use crate::scene::Scene;
-use crate::verbs::{Answer, Drawn, digits, text};
+use crate::verbs::{Answer, Drawn, digits, precision, text};
 use crate::watched::watched;
 
 /// A trapping region; without a document if none is proved, with the reason.
@@ -73,6 +73,33 @@ pub fn cycles(
         let found = found.as_ref().map_err(|why| *why);
         let document = document::cycles(&scene, &impacts, found)?;
         Ok((text(&document), found.is_ok_and(Cycles::is_certified), monitor.is_stopped()))
+    })
+}
+
+/// Stable periodic orbits near a scene over a parameter, and their windows.
+#[pyfunction]
+pub fn windows(
+    py: Python<'_>,
+    scene: &Bound<'_, Scene>,
+    over: &str,
+    question: (u64, u32, u32),
+    asked: (Option<u32>, u32),
+    progress: Option<Py<PyAny>>,
+) -> PyResult<Answer> {
+    let (impacts, longest, most) = question;
+    let range = bifurcation::over(over).map_err(|error| Fault::keyed(error, "over", over))?;
+    let scene = scene.get().scene.clone();
+    watched(py, progress, move |monitor| {
+        let settings = WindowSettings {
+            over: range,
+            impacts: accepted("impacts", impacts, 1..=1_000_000_000_000)?,
+            longest: accepted("longest", longest, 1..=MOST_WINDOW_IMPACTS as u32)? as usize,
+            most: accepted("most", most, 1..=100_000)? as usize,
+            precision: precision(asked, &scene)?,
+        };
+        let found = Windows::of(&scene, &settings, monitor)?;
+        let document = document::windows(&scene, &settings, &found)?;
+        Ok((text(&document), found.is_certified(), monitor.is_stopped()))
     })
 }
 

@@ -39,7 +39,7 @@ pub fn digits(asked: Option<u32>, scene: &impact_pair::Scene) -> Result<u32, Fau
     Ok(asked.or(scene.run().digits).unwrap_or(Settings::default().digits))
 }
 
-fn precision((asked, max_bits): (Option<u32>, u32), scene: &impact_pair::Scene) -> Result<Precision, Fault> {
+pub fn precision((asked, max_bits): (Option<u32>, u32), scene: &impact_pair::Scene) -> Result<Precision, Fault> {
     Ok(Precision { digits: digits(asked, scene)?, max_bits: accepted("max_bits", max_bits, BITS)? })
 }
 

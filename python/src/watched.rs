@@ -48,7 +48,9 @@ impl Watch for Monitor {
     /// Continues until Ctrl-C comes, or `progress` raises.
     fn proceed(&self, at: Stage<'_>) -> ControlFlow<()> {
         match at {
-            Stage::Impact(done) | Stage::Cones(done) | Stage::Horseshoe { boxes: done, .. } => self.tell(done),
+            Stage::Impact(done) | Stage::Searched(done) | Stage::Cones(done) | Stage::Horseshoe { boxes: done, .. } => {
+                self.tell(done)
+            }
             Stage::Parameter(done) => self.tell(done.into()),
             Stage::Cells { done, .. } | Stage::Region(done) | Stage::Sets(done) | Stage::Claims(done) => {
                 self.tell(done as u64)

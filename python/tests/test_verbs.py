@@ -256,6 +256,7 @@ def test_defaults_are_those_of_the_command_line(cli):
         "chaos": Scene.chaos,
         "trap": Scene.trap,
         "cycles": Scene.cycles,
+        "windows": Scene.windows,
         "trade": Scene.trade,
         "audit": Scene.audit,
         "plot": Scene.plot,

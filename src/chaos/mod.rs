@@ -36,6 +36,7 @@ mod tests;
 mod trap;
 mod trials;
 mod tube;
+mod windows;
 mod words;
 
 pub use asymptotics::{Asymptotics, Entered};
@@ -48,4 +49,5 @@ pub use hyperbolic::{Cone, Hyperbolic, LeftOut};
 pub use language::{BoxGraph, MOST_COUNTED, Unclosed, WallWords};
 pub use quad::{Chord, State};
 pub use region::{NoTrap, Trap};
+pub use windows::{FoundWindow, MOST_WINDOW_IMPACTS, UnprovedWindow, WINDOW_PARAMETERS, WindowSettings, Windows};
 pub use words::Base;

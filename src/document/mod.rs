@@ -9,6 +9,7 @@ mod event;
 mod orbit;
 mod periodic;
 mod two_impact;
+mod windows;
 
 pub use bifurcation::bifurcations;
 pub(crate) use chaos::entropy;
@@ -20,6 +21,7 @@ pub use event::{Bounds, Event, Events, Kind};
 pub use orbit::{arithmetic, follow, head, is_certified, orbit};
 pub use periodic::Units;
 pub use two_impact::{manifolds, two_impact, word};
+pub use windows::windows;
 
 #[cfg(test)]
 mod tests;

@@ -225,13 +225,23 @@ impl Chain {
     ///
     /// `None` when an arrival may be a graze.
     pub fn monodromy<N: Number, S: Shaking<N>>(&self, shaking: &S, legs: &Legs<N, S::Moment>) -> Option<[[N; 2]; 2]> {
+        self.monodromy_of(shaking, legs, self.impacts())
+    }
+
+    /// Returns the product of the Jacobians (A.7) of the first flights, at least one.
+    pub(super) fn monodromy_of<N: Number, S: Shaking<N>>(
+        &self,
+        shaking: &S,
+        legs: &Legs<N, S::Moment>,
+        flights: usize,
+    ) -> Option<[[N; 2]; 2]> {
         let of = |i: usize| {
             let accelerations = [i, self.next(i)].map(|impact| shaking.acceleration(&legs.waves[impact]));
             let velocities = [self.before(&legs.legs, i).clone(), legs.legs[i].before.clone()];
             jacobian_between(shaking.restitution().clone(), legs.legs[i].time.clone(), accelerations, velocities)
         };
         let mut product = of(0)?;
-        for i in 1..self.impacts() {
+        for i in 1..flights {
             product = times(&of(i)?, &product);
         }
         Some(product)

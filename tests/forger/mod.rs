@@ -25,6 +25,7 @@ mod regions;
 mod scenes;
 mod shadows;
 mod sweeps;
+mod windows;
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -40,7 +41,7 @@ use impact_pair_certificate::{Claims, Effort, Verdict};
 const CASES: u64 = 1;
 
 /// All forgeries, by what they forge.
-const FORGERIES: [&[Forgery]; 9] = [
+const FORGERIES: [&[Forgery]; 10] = [
     scenes::FORGERIES,
     outcomes::FORGERIES,
     events::FORGERIES,
@@ -50,6 +51,7 @@ const FORGERIES: [&[Forgery]; 9] = [
     regions::FORGERIES,
     descriptions::FORGERIES,
     sweeps::FORGERIES,
+    windows::FORGERIES,
 ];
 
 fn cases() -> usize {

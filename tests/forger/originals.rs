@@ -19,13 +19,14 @@ use crate::spoiled::{documents, others};
 use impact_pair::scene::Range;
 
 /// Kinds of documents, in the order of the table.
-const KINDS: [&str; 12] = [
+const KINDS: [&str; 13] = [
     "orbit",
     "shadow",
     "periodic",
     "two-impact",
     "bifurcations",
     "cycles",
+    "windows",
     "trap",
     "chaos",
     "hyperbolic",
@@ -41,6 +42,7 @@ pub fn all() -> Vec<Original> {
     all.extend(bifurcations());
     all.extend([cycles(), trap("figure-14"), trap("figure-12"), chaos(None), chaos(Some("gap=9.42477..9.42498"))]);
     all.push(hyperbolic());
+    all.push(Original::new("windows", "of two impacts", others::windows()));
     let described = ["figure-13", "chatter", "figure-14"];
     all.extend(described.map(|name| Original::new("description", name, others::description(name))));
     all.extend(sweeps());

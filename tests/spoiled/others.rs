@@ -3,13 +3,16 @@
 use std::fs;
 
 use impact_pair::Scene;
-use impact_pair::chaos::{BoxGraph, Chaos, Cycles, HorseshoeSettings, Trap, WallWords};
+use impact_pair::chaos::{
+    BoxGraph, Chaos, Cycles, FoundWindow, HorseshoeSettings, Trap, WallWords, WindowSettings, Windows,
+};
 use impact_pair::describe::{Request, describe};
 use impact_pair::document;
 use impact_pair::json::BaseDocument;
 use impact_pair::orbit::Settings;
 use impact_pair::periodic::Precision;
-use impact_pair::periodic::bifurcation::{DiagramSettings, survey};
+use impact_pair::periodic::bifurcation::{DiagramSettings, Window, WindowSeed, survey};
+use impact_pair::scene::Range;
 use impact_pair::sweep::{self, Grid, PointSettings};
 use impact_pair::watch::{Stage, Unwatched, proceed_if};
 use serde_json::{Value, json};
@@ -74,6 +77,25 @@ pub fn cycles(most: u32) -> Value {
     json!(document::cycles(&scene, &asked, found.as_ref().map_err(|why| *why)).unwrap())
 }
 
+/// The window of the equispaced orbit of two impacts, as a search finds windows.
+pub fn windows() -> Value {
+    let scene = Scene::parse(
+        r#"
+        excitation = { amplitude = 0.3, frequency = "pi", phase = 0.25 }
+        pair = { gap = 1, restitution = 0.8 }
+        start = { time = 0, wall = "left", velocity = -1 }"#,
+    )
+    .unwrap();
+    let (over, precision): (Range, _) = ("amplitude=0.03..0.4".parse().unwrap(), Precision::default());
+    let seed =
+        WindowSeed { word: "RL".parse().unwrap(), cycles: 1, is_mirrored: true, phases: vec![0.28], parameter: 0.3 };
+    let window = Window::of(scene.pair(), &over, &seed, precision, &Unwatched).unwrap().expect("a window");
+    let windows = vec![FoundWindow { impacts: 1, flights: "F".to_owned(), window }];
+    let settings = WindowSettings { over: over.clone(), impacts: 1, longest: 1, most: 1, precision };
+    let found = Windows { over, windows, unproved: Vec::new(), seen: 1, interrupted: false };
+    json!(document::windows(&scene, &settings, &found).unwrap())
+}
+
 fn sweep(scene: &str, over: &[&str]) -> Vec<Value> {
     let scene = Scene::parse(scene).unwrap();
     let grid = Grid::new(over.iter().map(|axis| axis.parse().unwrap()).collect()).unwrap();
@@ -104,6 +126,7 @@ pub fn all() -> Vec<(&'static str, Vec<Value>)> {
         ("chaos", vec![chaos()]),
         ("trap", vec![trap()]),
         ("cycles", vec![cycles(3)]),
+        ("windows", vec![windows()]),
         ("description", vec![description("figure-13")]),
         ("description of a region", vec![description("figure-14")]),
         ("sweep", sweep(one, &["amplitude=7..9:2", "start.phase=0..1:2"])),

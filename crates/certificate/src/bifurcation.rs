@@ -37,6 +37,18 @@ pub(super) enum Kind {
     Graze,
 }
 
+impl Kind {
+    /// Returns the kind of an orbit at which an eigenvalue is 1 or -1.
+    pub fn named(text: &str) -> Option<Self> {
+        match text {
+            "fold" => Some(Self::Fold),
+            "pitchfork" => Some(Self::Pitchfork),
+            "period-doubling" => Some(Self::PeriodDoubling),
+            _ => None,
+        }
+    }
+}
+
 /// What varies.
 pub(super) fn parameter(place: &Place<'_>) -> Result<Key, Error> {
     let text = place.read::<String>()?;
@@ -64,11 +76,9 @@ pub(super) fn own_value(key: Key) -> String {
 
 impl ClaimedPoint {
     fn of(point: &BifurcationPointDocument, place: &Place<'_>) -> Result<Self, Error> {
-        let kind = match point.kind.as_str() {
-            "fold" => Kind::Fold,
-            "pitchfork" => Kind::Pitchfork,
-            "period-doubling" => Kind::PeriodDoubling,
-            "graze" => Kind::Graze,
+        let kind = match (Kind::named(&point.kind), point.kind.as_str()) {
+            (Some(kind), _) => kind,
+            (None, "graze") => Kind::Graze,
             _ => return Err(place.get("kind")?.refused("accepted are fold, pitchfork, period-doubling and graze")),
         };
         let orbit = place.get("orbit")?;

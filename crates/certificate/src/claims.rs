@@ -6,11 +6,11 @@ use serde_json::{Deserializer, Value};
 
 use crate::{
     BifurcationCertificate, Certificate, ChaosCertificate, ClaimKind, CyclesCertificate, DescriptionCertificate,
-    Effort, Finding, Judged, PeriodicCertificate, SweepCertificate, TrapCertificate, Verdict,
+    Effort, Finding, Judged, PeriodicCertificate, SweepCertificate, TrapCertificate, Verdict, WindowsCertificate,
 };
 use impact_pair_document::{
     AUDIT_SCHEMA, BIFURCATION_SCHEMA, CHAOS_CELLS_SCHEMA, CHAOS_SCHEMA, CYCLES_SCHEMA, DESCRIPTION_SCHEMA,
-    MANIFOLD_SCHEMA, PERIODIC_SCHEMA, SWEEP_SCHEMA, TRADE_SCHEMA, TRAP_SCHEMA, counted, value,
+    MANIFOLD_SCHEMA, PERIODIC_SCHEMA, SWEEP_SCHEMA, TRADE_SCHEMA, TRAP_SCHEMA, WINDOWS_SCHEMA, counted, value,
 };
 use impact_pair_model::Error;
 use impact_pair_model::watch::{Latched, Stage, Watch};
@@ -26,6 +26,8 @@ pub enum Claims {
     Cycles(Box<CyclesCertificate>),
     /// A bifurcation JSON: its folds, pitchforks and period doublings are checked, not its grazes, and not that there are no others.
     Bifurcations(Box<BifurcationCertificate>),
+    /// A JSON of windows: its orbits and the ends of their windows are checked, not the orbits between them.
+    Windows(Box<WindowsCertificate>),
     /// A sweep: the impacts of all its points are checked, not what becomes of them.
     Sweep(Box<SweepCertificate>),
     /// A chaos JSON: all its words are checked, and that its entropies and its horseshoe follow from them.
@@ -63,6 +65,7 @@ impl Claims {
             Some(PERIODIC_SCHEMA) => Self::Periodic(Box::new(PeriodicCertificate::parse(text)?)),
             Some(CYCLES_SCHEMA) => Self::Cycles(Box::new(CyclesCertificate::parse(text)?)),
             Some(BIFURCATION_SCHEMA) => Self::Bifurcations(Box::new(BifurcationCertificate::parse(text)?)),
+            Some(WINDOWS_SCHEMA) => Self::Windows(Box::new(WindowsCertificate::parse(text)?)),
             Some(MANIFOLD_SCHEMA) => Self::Unchecked("parameter manifolds: that their points solve (66)-(69)"),
             Some(CHAOS_CELLS_SCHEMA) => {
                 Self::Unchecked("subintervals of a parameter: horseshoes and attracted orbits in each")
@@ -170,6 +173,7 @@ impl Claims {
             Self::Periodic(certificate) => certificate.check_within(effort, watch),
             Self::Cycles(certificate) => certificate.check_within(effort, watch),
             Self::Bifurcations(certificate) => certificate.check_within(effort, watch),
+            Self::Windows(certificate) => certificate.check_within(effort, watch),
             Self::Chaos(certificate) => certificate.check_within(effort, watch),
             Self::Trap(certificate) => certificate.check_within(effort, watch),
             Self::Description(_) | Self::List(_) | Self::Sweep(_) | Self::Unchecked(_) => {
@@ -194,6 +198,7 @@ impl Claims {
             Self::Periodic(certificate) => certificate.count(),
             Self::Cycles(certificate) => certificate.orbits().count(),
             Self::Bifurcations(certificate) => certificate.count(),
+            Self::Windows(certificate) => certificate.count(),
             Self::Sweep(certificate) => certificate.count(),
             Self::Chaos(certificate) => certificate.count(),
             Self::Trap(certificate) => certificate.count(),
@@ -212,6 +217,7 @@ impl Claims {
             Self::Periodic(certificate) => certificate.unjudged().to_vec(),
             Self::Cycles(certificate) => certificate.orbits().unjudged().to_vec(),
             Self::Bifurcations(certificate) => certificate.unjudged().to_vec(),
+            Self::Windows(certificate) => certificate.unjudged().to_vec(),
             Self::Sweep(certificate) => certificate.unjudged().to_vec(),
             Self::Chaos(certificate) => certificate.unjudged().to_vec(),
             Self::Trap(certificate) => certificate.unjudged().to_vec(),
@@ -236,6 +242,7 @@ impl Claims {
                 if impacts == 0 { events } else { format!("{events}, impacts 1..{impacts}") }
             }
             Self::Bifurcations(_) => counted(count, "bifurcation"),
+            Self::Windows(_) => counted(count, "window"),
             Self::Sweep(_) => counted(count, "point"),
             Self::Chaos(_) => counted(count, "word"),
             Self::Trap(_) => boxes(count),
@@ -263,6 +270,9 @@ impl Claims {
             }
             Self::Periodic(_) | Self::Cycles(_) => counted(self.count(), "orbit"),
             Self::Bifurcations(certificate) => counted(certificate.checked(), "bifurcation"),
+            Self::Windows(certificate) => {
+                format!("the orbits and the ends of {}", counted(certificate.count(), "window"))
+            }
             Self::Sweep(certificate) => format!("the impacts of {}", counted(certificate.count(), "point")),
             Self::Chaos(certificate) => {
                 format!("{}, the entropies and the horseshoe", counted(certificate.count(), "word"))
@@ -293,6 +303,7 @@ impl Claims {
             Self::Orbit(certificate) => certificate.described(*event, message),
             Self::Periodic(_) | Self::Cycles(_) if *event < self.count() => format!("orbits[{event}]: {message}"),
             Self::Bifurcations(certificate) if *event < certificate.count() => format!("points[{event}]: {message}"),
+            Self::Windows(certificate) if *event < certificate.count() => format!("windows[{event}]: {message}"),
             Self::Sweep(certificate) if *event < certificate.count() => format!("points[{event}]: {message}"),
             Self::Chaos(certificate) if *event < certificate.count() => format!("words[{event}]: {message}"),
             Self::Trap(certificate) if *event < certificate.count() => format!("box {event}: {message}"),
@@ -310,6 +321,7 @@ impl Claims {
             Self::Periodic(_)
             | Self::Cycles(_)
             | Self::Bifurcations(_)
+            | Self::Windows(_)
             | Self::Sweep(_)
             | Self::Chaos(_)
             | Self::Trap(_)

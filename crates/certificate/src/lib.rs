@@ -20,6 +20,7 @@ mod sweep;
 #[path = "../../../tests/tolerances/mod.rs"]
 mod tolerances;
 mod trap;
+mod windows;
 
 pub use bifurcation::BifurcationCertificate;
 pub use chaos::ChaosCertificate;
@@ -35,3 +36,4 @@ pub use prove::Theorem;
 pub use read::{Certificate, Claim, ClaimKind};
 pub use sweep::SweepCertificate;
 pub use trap::TrapCertificate;
+pub use windows::WindowsCertificate;

@@ -120,6 +120,11 @@ impl PeriodicCertificate {
         Ok(Self { says_all_is_proved, has_no_rest, mirrors_are_one: true, ..document })
     }
 
+    /// One orbit, that of a window.
+    pub(super) fn of_orbit(pair: ImpactPair, orbit: OrbitOf) -> Result<Self, Error> {
+        Self::new(pair, vec![orbit], Vec::new())
+    }
+
     fn new(pair: ImpactPair, orbits: Vec<OrbitOf>, mut unjudged: Vec<String>) -> Result<Self, Error> {
         // Of what is no motion it is not judged whether there are others, one of them its mirror image.
         for (i, _) in orbits.iter().enumerate().filter(|(_, orbit)| orbit.orbit.physical != Some(true)) {

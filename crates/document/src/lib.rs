@@ -19,6 +19,7 @@ mod read;
 mod scene;
 mod sweep;
 mod trade;
+mod windows;
 
 pub use audit::*;
 pub use bifurcation::*;
@@ -36,6 +37,7 @@ pub use read::{value, values};
 pub use scene::{ExcitationDocument, SceneDocument, StartDocument};
 pub use sweep::*;
 pub use trade::*;
+pub use windows::*;
 
 /// Returns name and version of this program.
 pub const PROGRAM: &str = concat!("impact-pair ", env!("CARGO_PKG_VERSION"));

@@ -51,6 +51,15 @@ pub enum Stage<'s> {
     Cones(u64),
     /// `.0` cells of a parameter's range are done.
     Parameter(u32),
+    /// `.0` impacts of floating-point orbits are searched for stable periodic orbits.
+    Searched(u64),
+    /// Windows of stable periodic orbits are proved.
+    Windows {
+        /// Orbits that are done.
+        proved: usize,
+        /// All of them.
+        of: usize,
+    },
     /// `.0` claims of a document are confirmed.
     Claims(usize),
 }

@@ -13,3 +13,4 @@ pub mod sweep;
 mod tolerances;
 pub mod trade;
 pub mod two_impact;
+pub mod windows;

@@ -65,8 +65,7 @@ pub(super) fn prove<S: Varied>(
     let with = |between: &[f64]| [phases, between, &[p]].concat();
     let critical = |kind: Kind, mu: f64| {
         let direction = null_vector(ring, &floats, x, mu)?;
-        let guess = with(&direction);
-        Claim { setting, ring, kind, system: Critical { ring, mu, direction }, precision }.prove(guess)
+        prove_critical(setting, ring, (kind, mu, direction), x, precision)
     };
     match change {
         Change::Turn => critical(Kind::Fold, 1.0),
@@ -81,6 +80,19 @@ pub(super) fn prove<S: Varied>(
             Claim { setting, ring, kind: Kind::Graze, system, precision }.prove(with(&[]))
         }
     }
+}
+
+/// Proves the bifurcation with the eigenvalue `mu` near `x`, with a direction for `c`. Lemma Y3
+pub(super) fn prove_critical<S: Varied>(
+    setting: &Setting<'_, S>,
+    ring: &Ring,
+    (kind, mu, direction): (Kind, f64, Vec<f64>),
+    x: &[f64],
+    precision: Precision,
+) -> Option<Point> {
+    let (p, phases) = x.split_last()?;
+    let guess = [phases, &direction, &[*p]].concat();
+    Claim { setting, ring, kind, system: Critical { ring, mu, direction }, precision }.prove(guess)
 }
 
 /// What else a system's zero has to satisfy.
@@ -166,7 +178,8 @@ impl<E: Condition, S: Varied> Claim<'_, E, S> {
         guess: Vec<N>,
         (bits, largest): (u32, f64),
     ) -> Option<Proved<N>> {
-        let equations = Posed { system: &self.system, family };
+        let is_sparse = bits > f64::MANTISSA_DIGITS;
+        let equations = Posed { system: &self.system, family, is_sparse };
         let guess = krawczyk::polish(&equations, inverse, guess, bits / krawczyk::GAINED);
         let effort = Effort { largest, domains: MOST_DOMAINS, images: MOST_IMAGES, slow: 0 };
         krawczyk::prove(&equations, inverse, &guess, effort)
@@ -263,6 +276,7 @@ impl<E: Condition, S: Varied> Claim<'_, E, S> {
             doublings: 0,
             bits,
             is_narrow,
+            zero: zero.at.iter().map(Enclosing::as_enclosure).collect::<Option<_>>()?,
         })
     }
 

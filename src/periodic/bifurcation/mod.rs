@@ -4,7 +4,7 @@
 //! touched; there the extended system (`system`) with the parameter among its unknowns is solved (`solve`) and its zero
 //! proved by Krawczyk's operator (`claim`). At an eigenvalue -1 the branch that leaves is followed as well: a
 //! symmetric orbit's pitchfork is the doubling of half its period. With several harmonics with a common period all that is the
-//! same (`family`). Lemmas Y1-Y7 are in `docs/proofs/bifurcations.md#Y1`.
+//! same (`family`). The windows of stable orbits are proved in `window`. Lemmas Y1-Y8 are in `docs/proofs/bifurcations.md#Y1`.
 
 mod cascade;
 mod claim;
@@ -20,8 +20,10 @@ mod starts;
 mod system;
 mod trace;
 mod tube;
+mod window;
 
 pub use cascade::survey;
 pub use diagram::{Branch, Diagram, DiagramSettings, End, Unproved};
 pub use over::{PARAMETERS, is_parameter, over};
 pub use point::{Kind, Point};
+pub use window::{Window, WindowEnd, WindowSeed};

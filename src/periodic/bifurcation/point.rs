@@ -55,6 +55,8 @@ pub struct Point {
     pub bits: u32,
     /// Whether the bounds are as narrow as requested.
     pub is_narrow: bool,
+    /// Bounds of the unknowns of its equations.
+    pub(super) zero: Vec<Enclosure>,
 }
 
 impl Point {

@@ -100,14 +100,25 @@ impl Ring {
 
     /// `F'_mu w`: the derivatives of `F` along `w` with `w_{i+m} = mu w_i`, for `mu` of 1 or -1. Lemma Y2
     pub fn twisted<N: Number>(&self, slopes: &Slopes<N>, w: &[N], mu: f64) -> Vec<N> {
-        let last = self.unknowns - 1;
+        let ends = [&w[self.unknowns - 1], &w[0]].map(|w| w.clone().signed(mu));
+        self.continued(slopes, w, ends)
+    }
+
+    /// The derivatives of `F` along `w`, given what it is before its first and after its last impact. Lemmas Y2, Y8
+    pub fn continued<N: Number>(&self, slopes: &Slopes<N>, w: &[N], [first, last]: [N; 2]) -> Vec<N> {
         let row = |i: usize| {
             let [before, own, after] = slopes.0[i].clone();
-            let previous = if i == 0 { w[last].clone().signed(mu) } else { w[i - 1].clone() };
-            let next = if i == last { w[0].clone().signed(mu) } else { w[i + 1].clone() };
+            let previous = if i == 0 { first.clone() } else { w[i - 1].clone() };
+            let next = if i + 1 == self.unknowns { last.clone() } else { w[i + 1].clone() };
             before.mul_add(previous, own.mul_add(w[i].clone(), after * next))
         };
         (0..self.unknowns).map(row).collect()
+    }
+
+    /// The trace of the derivative of the ring's return map: of the period's, or of half of it followed by the mirror.
+    pub fn trace<N: Number, B: Shaking<N>>(&self, shaking: &B, legs: &Legs<N, B::Moment>) -> Option<N> {
+        let [[a, _], [_, d]] = self.chain.monodromy_of(shaking, legs, self.unknowns)?;
+        Some(if self.is_mirrored() { a - d } else { a + d })
     }
 }
 

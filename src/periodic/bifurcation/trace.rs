@@ -2,12 +2,13 @@
 
 // Labels: proposes throughout.
 
-use nalgebra::{DMatrix, DVector};
+use nalgebra::{DMatrix, DVector, Scalar};
 
 use super::family::{Family, Varied};
 use super::ring::Ring;
 use super::system::{Curve, System};
 use crate::pair::{Inward, Wall};
+use crate::several::Turning;
 
 /// A point of a branch: phases, then the parameter; and the unit tangent there.
 #[derive(Clone, Debug)]
@@ -46,7 +47,16 @@ const MOST_STEPS: usize = 8;
 
 /// Corrects `x` onto the branch, within the plane through it across `along`.
 pub(super) fn correct<S: Varied>(ring: &Ring, family: &Family<S, f64>, x: &[f64], along: &[f64]) -> Option<Vec<f64>> {
-    let curve = Curve(ring);
+    correct_onto(&Curve(ring), family, x, along)
+}
+
+/// Corrects `x` onto a curve, likewise.
+pub(super) fn correct_onto<S: Varied>(
+    curve: &impl System,
+    family: &Family<S, f64>,
+    x: &[f64],
+    along: &[f64],
+) -> Option<Vec<f64>> {
     let (start, mut x) = (x.to_vec(), x.to_vec());
     for _ in 0..MOST_STEPS {
         let mut values = curve.values(family, &x)?;
@@ -84,7 +94,7 @@ pub(super) fn tangent<S: Varied>(ring: &Ring, family: &Family<S, f64>, x: &[f64]
 
 /// A vector that `F'_mu` all but annuls, of length 1.
 pub(super) fn null_vector<S: Varied>(ring: &Ring, family: &Family<S, f64>, x: &[f64], mu: f64) -> Option<Vec<f64>> {
-    let matrix = twisted_matrix(ring, family, x, mu)?;
+    let matrix = twisted_matrix(ring, family, x, &mu)?;
     let svd = matrix.svd(false, true);
     let v = svd.v_t?;
     let least = svd.singular_values.imin();
@@ -92,19 +102,24 @@ pub(super) fn null_vector<S: Varied>(ring: &Ring, family: &Family<S, f64>, x: &[
 }
 
 /// `F'_mu`
-pub(super) fn twisted_matrix<S: Varied>(
+pub(super) fn twisted_matrix<S: Varied, N: Turning + Scalar>(
     ring: &Ring,
-    family: &Family<S, f64>,
-    x: &[f64],
-    mu: f64,
-) -> Option<DMatrix<f64>> {
-    let (&p, phases) = x.split_last()?;
-    let pair = family.pair(p);
+    family: &Family<S, N>,
+    x: &[N],
+    mu: &N,
+) -> Option<DMatrix<N>> {
+    let (p, phases) = x.split_last()?;
+    let pair = family.pair(p.clone());
     let slopes = ring.chain().slopes(&pair, &ring.legs(&pair, phases)?)?;
     let m = ring.unknowns();
-    let unit = |j: usize| (0..m).map(|i| if i == j { 1.0 } else { 0.0 }).collect::<Vec<f64>>();
-    let columns: Vec<_> = (0..m).map(|j| ring.twisted(&slopes, &unit(j), mu)).collect();
-    Some(DMatrix::from_fn(m, m, |i, j| columns[j][i]))
+    let unit = |j: usize| (0..m).map(|i| N::from_f64(if i == j { 1.0 } else { 0.0 })).collect::<Vec<N>>();
+    let column = |j: usize| -> Option<Vec<N>> {
+        let w = unit(j);
+        let ends = [w[m - 1].clone().checked_div(mu.clone())?, w[0].clone() * mu.clone()];
+        Some(ring.continued(&slopes, &w, ends))
+    };
+    let columns: Vec<_> = (0..m).map(column).collect::<Option<_>>()?;
+    Some(DMatrix::from_fn(m, m, |i, j| columns[j][i].clone()))
 }
 
 impl Station {
@@ -148,7 +163,7 @@ impl Tests {
             }
         }
         let apart = ring.halves().map(|_| asymmetry(phases, ring.turns() / 2.0)).fold(f64::INFINITY, f64::min);
-        let flip = twisted_matrix(ring, family, x, -1.0)?.lu().determinant();
+        let flip = twisted_matrix(ring, family, x, &-1.0)?.lu().determinant();
         Some(Self { flip, turn: tangent[tangent.len() - 1], room, arrival, apart })
     }
 }

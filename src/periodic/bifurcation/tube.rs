@@ -1,20 +1,39 @@
-//! A followed branch proved to be one curve: Krawczyk's operator on slabs across it, each glued to the next. Lemma Y6
+//! A followed curve proved to be one curve: Krawczyk's operator on slabs across it, each glued to the next. Lemmas Y6, Y8
+
+use nalgebra::Scalar;
 
 use super::super::equations::flights;
-use super::super::krawczyk::{image, is_inside};
+use super::super::krawczyk::{image, is_inside, polish};
 use super::super::precondition::Preconditioner;
 use super::family::{Family, Varied};
 use super::ring::Ring;
 use super::system::{Curve, Posed, System};
-use super::trace::{Station, correct};
-use crate::number::{Ball, Enclosing, Number};
+use super::trace::{Station, correct_onto};
+use crate::number::{Ball, Enclosing};
 use crate::several::Turning;
 use crate::watch::Watch;
 
-/// The part of a branch between two planes: `F = 0`, `a (x - x0) = t`, for all `|t| <= tau`.
-struct Slab<'r> {
-    ring: &'r Ring,
-    centre: Vec<f64>,
+/// A curve whose slabs are proved, and what its proofs take.
+pub(super) struct Tube<'t, E, S: Varied, N: Turning> {
+    /// One equation fewer than unknowns.
+    pub curve: &'t E,
+    /// The coordinate over which it is followed; across the way from station to station where there is none.
+    pub over: Option<usize>,
+    pub floats: &'t Family<S, f64>,
+    pub family: &'t Family<S, N>,
+    /// Steps of simplified Newton's iteration to the centre of a slab, beyond floating point.
+    pub steps: u32,
+    /// Added to the radii of the first box that is tried, and a tenth of it to those of the others.
+    pub pad: f64,
+    /// What else has to hold on the domain of a slab.
+    pub holds: &'t dyn Fn(&[N]) -> bool,
+    pub watch: &'t dyn Watch,
+}
+
+/// The part of a curve between two planes: `F = 0`, `a (x - x0) = t`, for all `|t| <= tau`.
+struct Slab<'c, E> {
+    curve: &'c E,
+    base: Vec<f64>,
     along: Vec<f64>,
     tau: f64,
     /// The `t` of the station it goes to, less than `tau`.
@@ -30,107 +49,173 @@ const MOST_HALVINGS: u32 = 12;
 /// How far a slab reaches beyond its two stations, in parts of the way between them.
 const OVERLAP: f64 = 0.02;
 
-impl System for Slab<'_> {
+impl<E: System> System for Slab<'_, E> {
     fn unknowns(&self) -> usize {
-        self.centre.len()
+        self.base.len()
+    }
+
+    fn contains(&self, i: usize, j: usize) -> bool {
+        i + 1 < self.base.len() && self.curve.contains(i, j)
+    }
+
+    fn linear(&self, i: usize) -> Option<Vec<f64>> {
+        if i + 1 == self.base.len() { Some(self.along.clone()) } else { self.curve.linear(i) }
     }
 
     /// With `t = 0`.
     fn values<S: Varied, N: Turning>(&self, family: &Family<S, N>, x: &[N]) -> Option<Vec<N>> {
-        let mut values = Curve(self.ring).values(family, x)?;
-        let add = |sum: N, ((a, c), x): ((&f64, &f64), &N)| N::from_f64(*a).mul_add(x.clone() - N::from_f64(*c), sum);
-        values.push(self.along.iter().zip(&self.centre).zip(x).fold(N::from_f64(0.0), add));
+        let mut values = self.curve.values(family, x)?;
+        values.push(self.distance(x));
         Some(values)
     }
 }
 
-/// A slab proved: for each `t` exactly one orbit lies in `domain`; that of the station it goes to lies in `end`.
-struct Proof {
-    domain: Vec<Ball>,
-    end: Vec<Ball>,
+impl<E: System> Slab<'_, E> {
+    /// `a (x - x0)`
+    fn distance<N: Turning>(&self, x: &[N]) -> N {
+        let add = |sum: N, ((a, c), x): ((&f64, &f64), &N)| N::from_f64(*a).mul_add(x.clone() - N::from_f64(*c), sum);
+        self.along.iter().zip(&self.base).zip(x).fold(N::from_f64(0.0), add)
+    }
 }
 
-impl Slab<'_> {
-    /// Krawczyk's image for all `t` of a ball.
-    fn image<S: Varied>(
-        &self,
-        family: &Family<S, Ball>,
-        inverse: &Preconditioner,
-        x: &[Ball],
-        t: Ball,
-    ) -> Option<Vec<Ball>> {
-        let last = x.len() - 1;
-        let moved = |(i, k): (usize, Ball)| Ball::exact(inverse.row(i)[last]) * t + k;
-        let still = image(&Posed { system: self, family }, inverse, x)?;
-        Some(still.into_iter().enumerate().map(moved).collect())
+/// A slab proved: for each `t` exactly one point of the curve lies in `domain`; that of the station it goes to lies in `end`.
+pub(super) struct Proof<N> {
+    base: Vec<f64>,
+    along: Vec<f64>,
+    tau: f64,
+    domain: Vec<N>,
+    pub end: Vec<N>,
+}
+
+impl<N: Enclosing + Turning> Proof<N> {
+    /// Whether points of the curve lie in the proved part of the slab: then they are on its curve.
+    pub fn holds(&self, points: &[N]) -> bool {
+        let add = |sum: N, ((a, c), x): ((&f64, &f64), &N)| N::from_f64(*a).mul_add(x.clone() - N::from_f64(*c), sum);
+        let t = self.along.iter().zip(&self.base).zip(points).fold(N::from_f64(0.0), add);
+        is_inside(points, &self.domain) && t.is_interior_to(&N::from_f64(0.0).with_radius(self.tau))
+    }
+}
+
+impl<E: System, S: Varied, N: Enclosing + Turning + Scalar> Tube<'_, E, S, N> {
+    /// Proves the curve from the first station to the last one: its first slab and its last one; `None` where it is not proved, or the
+    /// watch stops it.
+    pub fn follow(&self, stations: &[Vec<f64>]) -> Option<[Proof<N>; 2]> {
+        let (mut first, mut last) = (None, None);
+        for ends in stations.windows(2) {
+            self.watch.goes_on().then_some(())?;
+            self.bridge([&ends[0], &ends[1]], (&mut first, &mut last), 0)?;
+        }
+        // Of a single slab both are one.
+        let last = last?;
+        Some([first.unwrap_or_else(|| last.duplicate()), last])
     }
 
-    /// Proves the slab in a box that is widened until its image lies inside.
-    fn prove<S: Varied>(&self, floats: &Family<S, f64>, family: &Family<S, Ball>) -> Option<Proof> {
-        let inverse = Preconditioner::new(&self.jacobian(floats, &self.centre)?)?;
-        let last = self.centre.len() - 1;
-        let all = Ball::new(0.0, self.tau);
-        let first = |(i, &x): (usize, &f64)| Ball::new(x, 1.1 * (inverse.row(i)[last].abs() * self.tau) + 1e-12);
-        let mut domain: Vec<Ball> = self.centre.iter().enumerate().map(first).collect();
-        for _ in 0..MOST_BOXES {
-            let found = self.image(family, &inverse, &domain, all)?;
-            if is_inside(&found, &domain) {
-                let (p, phases) = domain.split_last()?;
-                flights(self.ring.chain(), &family.pair(*p), &self.ring.lift(phases))?;
-                let end = (0..END_IMAGES)
-                    .try_fold(found, |end, _| self.image(family, &inverse, &end, Ball::exact(self.end)))?;
-                return is_inside(&end, &domain).then_some(Proof { domain, end });
+    /// Proves the way between two points of the curve and glues it to the last slab; halves it where that fails.
+    fn bridge(
+        &self,
+        [a, b]: [&[f64]; 2],
+        (first, last): (&mut Option<Proof<N>>, &mut Option<Proof<N>>),
+        halvings: u32,
+    ) -> Option<()> {
+        let part = |i: usize| if self.over.is_none_or(|over| over == i) { b[i] - a[i] } else { 0.0 };
+        let chord: Vec<f64> = (0..a.len()).map(part).collect();
+        let length = chord.iter().map(|c| c * c).sum::<f64>().sqrt();
+        let along: Vec<f64> = chord.iter().map(|c| c / length).collect();
+        let middle: Vec<f64> = a.iter().zip(b).map(|(a, b)| 0.5 * (a + b)).collect();
+        let corrected = correct_onto(self.curve, self.floats, &middle, &along);
+        let base = if self.steps == 0 { corrected? } else { corrected.unwrap_or(middle) }; // proposes: where a slab is tried
+        let (tau, end) = ((0.5 + OVERLAP) * length, 0.5 * length);
+        let proof = self.prove(&Slab { curve: self.curve, base: base.clone(), along, tau, end });
+        if let Some(proof) = proof.filter(|proof| last.as_ref().is_none_or(|last| proof.holds(&last.end))) {
+            if let Some(before) = last.replace(proof) {
+                first.get_or_insert(before);
             }
-            let wider = |(k, &x): (&Ball, &f64)| Ball::new(x, 1.2 * ((k.mid() - x).abs() + k.rad()) + 1e-13);
-            domain = found.iter().zip(&self.centre).map(wider).collect();
+            return Some(());
+        }
+        if halvings >= MOST_HALVINGS || !self.watch.goes_on() {
+            return None;
+        }
+        self.bridge([a, &base], (first, last), halvings + 1)?;
+        self.bridge([&base, b], (first, last), halvings + 1)
+    }
+
+    /// Proves a slab in a box that is widened until its image lies inside.
+    fn prove(&self, slab: &Slab<'_, E>) -> Option<Proof<N>> {
+        let mut at: Vec<f64> = slab.base.clone();
+        let mut inverse = Preconditioner::new(&slab.jacobian(self.floats, &at)?)?;
+        let mut centre: Vec<N> = at.iter().map(|&x| N::from_f64(x)).collect();
+        if self.steps > 0 {
+            centre = polish(
+                &Posed { system: slab, family: self.family, is_sparse: self.steps > 0 },
+                &inverse,
+                centre,
+                self.steps,
+            );
+            at = centre.iter().map(|x| x.as_ball().mid()).collect();
+            inverse = Preconditioner::new(&slab.jacobian(self.floats, &at)?)?;
+        }
+        let last = centre.len() - 1;
+        let all = slab.tau;
+        let size = |i: usize| inverse.row(i)[last].abs() * slab.tau;
+        let first = |(i, x): (usize, &N)| x.with_radius(1.1f64.mul_add(size(i), self.pad));
+        let mut domain: Vec<N> = centre.iter().enumerate().map(first).collect();
+        for _ in 0..MOST_BOXES {
+            let found = self.image(slab, &inverse, &domain, N::from_f64(0.0).with_radius(all))?;
+            if is_inside(&found, &domain) {
+                (self.holds)(&domain).then_some(())?;
+                let narrower = |end: Vec<N>, _| self.image(slab, &inverse, &end, N::from_f64(slab.end));
+                let end = (0..END_IMAGES).try_fold(found, narrower)?;
+                let Slab { base, along, tau, .. } = slab;
+                let (base, along, tau) = (base.clone(), along.clone(), *tau);
+                return is_inside(&end, &domain).then_some(Proof { base, along, tau, domain, end });
+            }
+            let wider = |(k, x): (&N, &N)| {
+                let off = (k.clone() - x.clone()).as_ball();
+                x.with_radius(1.2f64.mul_add(off.mid().abs() + off.rad(), 0.1 * self.pad))
+            };
+            domain = found.iter().zip(&centre).map(wider).collect();
         }
         None
     }
 
-    /// Whether points lie in the proved part of the slab: then they are on its curve.
-    fn holds(&self, proof: &Proof, points: &[Ball]) -> bool {
-        let add = |sum: Ball, ((a, c), x): ((&f64, &f64), &Ball)| Ball::exact(*a).mul_add(*x - Ball::exact(*c), sum);
-        let t = self.along.iter().zip(&self.centre).zip(points).fold(Ball::exact(0.0), add);
-        is_inside(points, &proof.domain) && t.is_interior_to(&Ball::new(0.0, self.tau))
+    /// Krawczyk's image for all `t` of a ball.
+    fn image(&self, slab: &Slab<'_, E>, inverse: &Preconditioner, x: &[N], t: N) -> Option<Vec<N>> {
+        let last = x.len() - 1;
+        let still = image(&Posed { system: slab, family: self.family, is_sparse: self.steps > 0 }, inverse, x)?;
+        let moved = |(i, k): (usize, N)| N::from_f64(inverse.row(i)[last]).mul_add(t.clone(), k);
+        Some(still.into_iter().enumerate().map(moved).collect())
     }
 }
+
+impl<N: Clone> Proof<N> {
+    fn duplicate(&self) -> Self {
+        let Self { base, along, tau, domain, end } = self;
+        Self { base: base.clone(), along: along.clone(), tau: *tau, domain: domain.clone(), end: end.clone() }
+    }
+}
+
+/// Radii added to boxes of the slabs of a branch in doubles.
+const PAD: f64 = 1e-12;
 
 /// Whether the stations' branch is proved to be one curve of orbits, each the only one near it, unless the watch stops it. Lemma Y6
 pub(super) fn is_one_curve<S: Varied>(
     ring: &Ring,
-    families: (&Family<S, f64>, &Family<S, Ball>),
+    (floats, family): (&Family<S, f64>, &Family<S, Ball>),
     stations: &[Station],
     watch: &dyn Watch,
 ) -> bool {
-    let mut end: Option<Vec<Ball>> = None;
+    let holds = |domain: &[Ball]| take_time(ring, family, domain);
+    let tube = Tube { curve: &Curve(ring), over: None, floats, family, steps: 0, pad: PAD, holds: &holds, watch };
+    let stations: Vec<Vec<f64>> = stations.iter().map(|station| station.x.clone()).collect();
     // Of a single station nothing is proved.
-    stations.len() > 1
-        && stations
-            .windows(2)
-            .all(|ends| watch.goes_on() && bridge(ring, families, [&ends[0].x, &ends[1].x], &mut end, 0))
+    tube.follow(&stations).is_some()
 }
 
-/// Proves the way between two points of the branch and glues it to what ends at `end`; halves it where that fails.
-fn bridge<S: Varied>(
-    ring: &Ring,
-    families: (&Family<S, f64>, &Family<S, Ball>),
-    [a, b]: [&[f64]; 2],
-    end: &mut Option<Vec<Ball>>,
-    halvings: u32,
-) -> bool {
-    let chord: Vec<f64> = a.iter().zip(b).map(|(a, b)| b - a).collect();
-    let length = chord.iter().map(|c| c * c).sum::<f64>().sqrt();
-    let along: Vec<f64> = chord.iter().map(|c| c / length).collect();
-    let middle: Vec<f64> = a.iter().zip(b).map(|(a, b)| 0.5 * (a + b)).collect();
-    let Some(centre) = correct(ring, families.0, &middle, &along) else { return false };
-    let slab = Slab { ring, centre: centre.clone(), along, tau: (0.5 + OVERLAP) * length, end: 0.5 * length };
-    if let Some(proof) = slab.prove(families.0, families.1)
-        && end.as_ref().is_none_or(|end| slab.holds(&proof, end))
-    {
-        *end = Some(proof.end);
-        return true;
-    }
-    halvings < MOST_HALVINGS
-        && bridge(ring, families, [a, &centre], end, halvings + 1)
-        && bridge(ring, families, [&centre, b], end, halvings + 1)
+/// Whether all flights over a box of phases and a parameter take time.
+pub(super) fn take_time<S: Varied, N: Enclosing + Turning>(ring: &Ring, family: &Family<S, N>, x: &[N]) -> bool {
+    let flown = || {
+        let (p, phases) = x.split_last()?;
+        flights(ring.chain(), &family.pair(p.clone()), &ring.lift(phases))
+    };
+    flown().is_some()
 }

@@ -23,7 +23,7 @@ use crate::bifurcation::{BifurcationCertificate, ClaimedPoint, Kind};
 use impact_pair_exact::{Exact, Real};
 use impact_pair_model::scene::Key;
 use impact_pair_model::watch::{Latched, Watch};
-use impact_pair_model::{Error, ImpactPair};
+use impact_pair_model::{Error, ImpactPair, Start};
 
 /// Bits that the bounds of a bifurcation are wider than the box that it is proved to lie in.
 const INSIDE: i64 = 24;
@@ -31,6 +31,13 @@ const INSIDE: i64 = 24;
 const SPARE_BITS: i64 = 128;
 /// The largest box, as a power of 2.
 const LARGEST: i64 = -40;
+
+/// A pair over a parameter.
+pub(super) struct Over<'c> {
+    pub pair: &'c ImpactPair,
+    pub start: &'c Start,
+    pub key: Key,
+}
 
 impl BifurcationCertificate {
     /// Proves every point again but the grazes, or says which one is not as claimed or not proved, until the watch stops it, which
@@ -46,7 +53,9 @@ impl BifurcationCertificate {
             return Ok(Verdict::Refuted(end(message)));
         }
         let points = self.points().iter().enumerate().filter(|(_, point)| point.kind != Kind::Graze);
-        let each = one_by_one(points, (&budget, effort.work), |point| point.judged(self, &budget), &watch);
+        let over = Over { pair: self.pair(), start: self.start(), key: self.over() };
+        let judge = |point: &ClaimedPoint| point.judged(&over, &budget, ClaimedPoint::compare);
+        let each = one_by_one(points, (&budget, effort.work), judge, &watch);
         Ok(match each.map(|bits| (bits, self.are_distinct())) {
             Ok((0, _)) => Verdict::Undecided(end("there is no bifurcation to check but grazes")),
             Ok((bits, Ok(()))) => Verdict::Confirmed { bits, pieces: 1 },
@@ -61,7 +70,8 @@ impl BifurcationCertificate {
         for (j, other) in self.points().iter().enumerate() {
             let alike = |(_, one): &(usize, &ClaimedPoint)| one.kind == other.kind && !one.is_elsewhere(other);
             for (i, one) in self.points()[..j].iter().enumerate().filter(alike) {
-                let (_, data) = one.data(self)?;
+                let over = Over { pair: self.pair(), start: self.start(), key: self.over() };
+                let (_, data) = one.data(&over)?;
                 let recurrence = Recurrence::of(&data).ok_or_else(|| open(i, j))?;
                 if !recurrence.are_apart(&one.orbit, &other.orbit, false) {
                     return Err(open(i, j));
@@ -73,13 +83,19 @@ impl BifurcationCertificate {
 }
 
 impl ClaimedPoint {
-    /// It is one, proved in N bits. Another one that is found refutes nothing: there may be several.
-    fn judged(&self, certificate: &BifurcationCertificate, budget: &Budget) -> Result<u32, Doubt> {
+    /// It is one, proved in N bits, of which `compare` says whether it is as claimed. Another one that is found refutes nothing: there
+    /// may be several.
+    pub(super) fn judged(
+        &self,
+        parameter: &Over<'_>,
+        budget: &Budget,
+        compare: impl Fn(&Self, &Curve<'_>, &Cell) -> Result<(), Doubt>,
+    ) -> Result<u32, Doubt> {
         let open = |message: &str| Doubt::Open(message.into());
-        let over = certificate.over();
+        let over = parameter.key;
         match over {
             // Lemma R1
-            Key::Frequency(_) if certificate.pair().excitation().only().is_some() => {
+            Key::Frequency(_) if parameter.pair.excitation().only().is_some() => {
                 return Err(Doubt::False("nothing bifurcates over the frequency".into()));
             }
             Key::Frequency(_) => {
@@ -87,7 +103,7 @@ impl ClaimedPoint {
             }
             _ => {}
         }
-        let (there, data) = self.data(certificate)?;
+        let (there, data) = self.data(parameter)?;
         let data = Data { budget: budget.clone(), ..data };
         let harmonic = match over {
             Key::Amplitude(_) => there.harmonic_of(over).map_err(|error| Doubt::Open(error.to_string()))?,
@@ -110,7 +126,7 @@ impl ClaimedPoint {
             .ok()
             .filter(|&bits| bits <= MOST_BITS)
             .ok_or_else(|| open("the bounds are too narrow"))?;
-        let found = self.found(&target, (over, harmonic), (bits, size, is_half));
+        let found = self.found(&target, (over, harmonic), (bits, size, is_half), compare);
         found.map(|()| bits).map_err(|doubt| match doubt {
             Doubt::False(message) | Doubt::Open(message) => Doubt::Open(message),
         })
@@ -118,14 +134,14 @@ impl ClaimedPoint {
 
     /// A pair beside it, which has the harmonics of all that have a positive value of the parameter, and its data: the value in the scene, and
     /// an end of the bounds, may leave out a harmonic. Lemma V9
-    fn data(&self, certificate: &BifurcationCertificate) -> Result<(ImpactPair, Data<'_>), Doubt> {
+    fn data<'o>(&self, over: &Over<'o>) -> Result<(ImpactPair, Data<'o>), Doubt> {
         let reason = |error: Error| Doubt::Open(error.to_string());
         let middle = (&self.parameter[0] + &self.parameter[1]) / BigInt::from(2);
         if !middle.is_positive() {
             return Err(Doubt::Open("the parameter is not proved to be one of a pair".into()));
         }
-        let there = certificate.pair().with(certificate.over(), Exact::from_rational(middle)).map_err(reason)?;
-        let data = Data::new(&there, certificate.start()).map_err(reason)?;
+        let there = over.pair.with(over.key, Exact::from_rational(middle)).map_err(reason)?;
+        let data = Data::new(&there, over.start).map_err(reason)?;
         Ok((there, data))
     }
 
@@ -145,6 +161,7 @@ impl ClaimedPoint {
         target: &Target<'_>,
         (over, harmonic): (Key, (usize, Option<Exact>)),
         (bits, size, is_half): (u32, i64, bool),
+        compare: impl Fn(&Self, &Curve<'_>, &Cell) -> Result<(), Doubt>,
     ) -> Result<(), Doubt> {
         let open = |message: &str| Doubt::Open(message.into());
         let parameter = hull(&self.parameter.each_ref().map(|bound| Real::rational(bound, bits)));
@@ -172,7 +189,7 @@ impl ClaimedPoint {
         let along: &[usize] = if self.kind == Kind::Fold { &[0, 1] } else { &[PARAMETER] };
         let mut answer = Err(open("nothing is tried"));
         for &j in along {
-            answer = curve.crossing(&at, j, size).and_then(|cell| self.compare(&curve, &cell));
+            answer = curve.crossing(&at, j, size).and_then(|cell| compare(self, &curve, &cell));
             if answer.is_ok() {
                 break;
             }
@@ -180,10 +197,15 @@ impl ClaimedPoint {
         answer
     }
 
+    /// The values of the parameter of a box are as claimed.
+    pub(super) fn compare_parameter(&self, curve: &Curve<'_>, cell: &Cell) -> Result<(), Doubt> {
+        compare("parameter", &curve.spanned(cell, PARAMETER).hull(), &self.parameter)
+    }
+
     /// All orbits of a box are as claimed.
     fn compare(&self, curve: &Curve<'_>, cell: &Cell) -> Result<(), Doubt> {
+        self.compare_parameter(curve, cell)?;
         let value = curve.spanned(cell, PARAMETER);
-        compare("parameter", &value.hull(), &self.parameter)?;
         let one = Real::int(1, value.centre.bits());
         if !value.hull().is_positive() || curve.over == Key::Restitution && !value.hull().is_below(&one) {
             return Err(Doubt::Open("the parameter is not proved to be one of a pair".into()));

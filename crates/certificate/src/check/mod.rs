@@ -46,6 +46,7 @@ mod still;
 mod sweep;
 mod target;
 mod walk;
+mod windows;
 
 use super::{Certificate, ClaimKind};
 use budget::Budget;

@@ -242,6 +242,19 @@ fn truth(case: &mut Case, answer: &Answer) -> Judged<()> {
             }
             listed.iter().try_for_each(|orbit| orbits::judge(orbit, &members[0]))
         }
+        Answer::Windows(document) => {
+            if !is_point {
+                return Err(Halt::Open("a box of data"));
+            }
+            let listed = document["windows"].as_array().map_or(&[][..], Vec::as_slice);
+            listed.iter().try_for_each(|window| {
+                let value = Value::Array(vec![window["at"].clone(); 2]);
+                let Some(there) = at(&case.scene, "pair.gap", &value) else {
+                    return Err(Halt::Open("no scene at the value"));
+                };
+                orbits::judge(&window["orbit"], &Member::new(&there, || 0.0))
+            })
+        }
         Answer::Boxes(images) => all(&members, |member| boxes::judge(images, member)),
         Answer::Audit(document) => audit(document),
     }
@@ -259,7 +272,8 @@ impl Answer {
             | Self::Description(document)
             | Self::Trap(document)
             | Self::Chaos(document)
-            | Self::Cycles(document) => Some(document.to_string()),
+            | Self::Cycles(document)
+            | Self::Windows(document) => Some(document.to_string()),
             Self::Sweep { head, records, .. } => {
                 let lines = [head].into_iter().chain(records).map(|line| line.to_string() + "\n");
                 Some(lines.collect())
@@ -302,6 +316,7 @@ impl Answer {
             Self::Chaos(_) => "no horseshoe".into(),
             Self::Cycles(document) if document["exhaustive"] == true => "all cycles".into(),
             Self::Cycles(_) => "not all cycles".into(),
+            Self::Windows(document) => none_or(orbits(document, "windows"), "window"),
             Self::Boxes(images) => boxes::outcome(images).into(),
             Self::Audit(document) if document["agreed"] == true => "agreed".into(),
             Self::Audit(_) => "not agreed".into(),

@@ -5,7 +5,7 @@ use std::ops::RangeInclusive;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use impact_pair::audit::{self, Audit, Columns};
-use impact_pair::chaos::{self, Base, BoxGraph, Chaos, Cycles, Hyperbolic, Trap, WallWords};
+use impact_pair::chaos::{self, Base, BoxGraph, Chaos, Cycles, Hyperbolic, Trap, WallWords, WindowSettings, Windows};
 use impact_pair::describe::{Request, describe};
 use impact_pair::document::{self, Units};
 use impact_pair::mapping::Word;
@@ -68,6 +68,7 @@ pub enum Answer {
     Trap(Value),
     Chaos(Value),
     Cycles(Value),
+    Windows(Value),
     /// The images of boxes.
     Boxes(Vec<Mapped>),
     /// The audit of a list of true impacts.
@@ -111,6 +112,7 @@ impl Case {
             Question::Trap => self.trap(),
             Question::Chaos => self.chaos(),
             Question::Cycles => self.cycles(),
+            Question::Windows => self.windows(),
             Question::BoxMap => self.box_map(),
             Question::Audit => self.audit(),
         }
@@ -310,6 +312,16 @@ impl Case {
             document = document::with_hyperbolic(document, &set);
         }
         Ok(Answer::Chaos(json!(document)))
+    }
+
+    /// Near the scene's own gap, of few impacts.
+    fn windows(&mut self) -> Result<Answer, Error> {
+        let (name, own) = self.key("gap");
+        let over = format!("{name}={}..{}", own * 0.75, own * 1.25).parse()?;
+        let precision = Precision { digits: 9, max_bits: 512 };
+        let settings = WindowSettings { over, impacts: 4_000, longest: 6, most: 1, precision };
+        let found = Windows::of(&self.scene, &settings, &Unwatched)?;
+        Ok(Answer::Windows(json!(document::windows(&self.scene, &settings, &found)?)))
     }
 
     fn cycles(&mut self) -> Result<Answer, Error> {

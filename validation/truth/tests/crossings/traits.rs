@@ -100,6 +100,7 @@ pub enum Question {
     Trap,
     Chaos,
     Cycles,
+    Windows,
     BoxMap,
     Audit,
 }
@@ -107,7 +108,8 @@ pub enum Question {
 impl Question {
     pub fn all() -> Vec<Self> {
         let others = [Self::Describe, Self::Periodic, Self::All, Self::TwoImpact];
-        let others = others.into_iter().chain([Self::Trap, Self::Chaos, Self::Cycles, Self::BoxMap, Self::Audit]);
+        let others =
+            others.into_iter().chain([Self::Trap, Self::Chaos, Self::Cycles, Self::Windows, Self::BoxMap, Self::Audit]);
         let runs = ARITHMETICS.into_iter().flat_map(|name| [Self::Impacts(name), Self::Until(name)]);
         let over = PARAMETERS.into_iter().map(Self::Bifurcations);
         runs.chain(KEYS.into_iter().map(Self::Sweep)).chain(over).chain(others).collect()
@@ -126,6 +128,7 @@ impl Question {
             Self::Trap => "trap".into(),
             Self::Chaos => "chaos".into(),
             Self::Cycles => "cycles".into(),
+            Self::Windows => "windows".into(),
             Self::BoxMap => "box_map".into(),
             Self::Audit => "audit".into(),
         }

@@ -1,0 +1,169 @@
+//! `impact-pair windows SCENE --over KEY=LO..HI`: stable periodic orbits near a scene and the windows in which they are stable, proved.
+
+use std::fmt::{self, Write};
+use std::path::PathBuf;
+
+use anyhow::{Context, Result};
+use clap::Args;
+use impact_pair::Scene;
+use impact_pair::chaos::{FoundWindow, MOST_WINDOW_IMPACTS, WINDOW_PARAMETERS, WindowSettings, Windows};
+use impact_pair::document::{self, counted};
+use impact_pair::exact::decimal_digits;
+use impact_pair::orbit::MAX_BITS;
+use impact_pair::periodic::bifurcation::WindowEnd;
+use impact_pair::scene::{Key, Range};
+use impact_pair_plot::picture::Look;
+
+use crate::Answer;
+use crate::destination::{Begun, Destination};
+use crate::heading::heading;
+use crate::periodic::{PeriodicFormat, physical, symmetric};
+use crate::progress::Progress;
+use crate::scene;
+use crate::values::{bits, count, digits, precision};
+
+pub const HELP: &str = "\
+Examples:
+  impact-pair windows scenes/figure-14.toml --over gap=9.4247..9.4253 --impacts 4000000
+  impact-pair windows scenes/figure-14.toml --over restitution=0.4999..0.5001 --impacts 2000000
+
+Floating-point orbits of the reduced map, which mirrors every impact to the left wall, are searched for stable \
+periodic orbits: half of them at the scene's own value of the parameter, the others at values of the range. Each \
+orbit listed is proved at an exact value of the parameter: it exists, it is the only one within its bounds, and it is \
+stable. Its window extends from a fold to a period doubling or a pitchfork, and both ends are enclosed. Where `stable \
+between` is proved, there is a stable, admissible orbit of the word for every value between the bounds of the ends. \
+Other windows are not excluded. Those of the doubled orbits, which adjoin, are not listed. One harmonic only.
+
+The nearest windows to the scene's own value come first. Of windows narrower than about 10^-15 of the value, which \
+doubles do not resolve, few are found.
+
+Exit code: 0 there are windows, and of each the orbit, both ends and the orbits between are proved; 1 some of that is \
+not, or the run was interrupted (what is proved is written); 2 usage, bad input, I/O.";
+
+#[derive(Args, Debug)]
+pub struct WindowsArguments {
+    /// Scene file (TOML), or - for stdin
+    scene: PathBuf,
+    /// The parameter and its range: gap, amplitude or restitution
+    #[arg(long, value_name = "KEY=LO..HI", value_parser = over)]
+    over: Range,
+    /// Number of impacts of floating-point orbits that are searched
+    #[arg(long, value_name = "N", default_value_t = 40_000_000, value_parser = count(1..=1_000_000_000_000))]
+    impacts: u64,
+    /// Maximum number of impacts of an orbit in the reduced map
+    #[arg(long, value_name = "N", default_value_t = 44, value_parser = count(1..=MOST_WINDOW_IMPACTS as u64))]
+    longest: u64,
+    /// Maximum number of windows that are proved, the nearest ones
+    #[arg(long, value_name = "N", default_value_t = 10, value_parser = count(1..=100_000))]
+    most: u64,
+    /// Requested width of enclosures, at most 10^-D: of phases relative to 2 pi, of velocities relative to A W; ends are enclosed to
+    /// four more digits than the width of the window takes [default: that of the scene, or 9]
+    #[arg(long, value_name = "D", value_parser = digits())]
+    digits: Option<u32>,
+    /// Maximum precision, in bits
+    #[arg(long, value_name = "BITS", default_value_t = MAX_BITS, value_parser = bits())]
+    max_bits: u32,
+    /// Output format; json is schema impact-pair/windows/1 [default: as the ending of --output says, else table]
+    #[arg(long, value_enum)]
+    format: Option<PeriodicFormat>,
+    /// Draw the windows: the width over the parameter, on a logarithmic scale
+    #[arg(long, value_name = "FILE.svg|FILE.png|FILE.pdf", value_parser = impact_pair_plot::picture::path)]
+    plot: Option<PathBuf>,
+    #[command(flatten)]
+    look: Look,
+    #[command(flatten)]
+    destination: Destination,
+}
+
+/// Reads `KEY=LO..HI` of a parameter over which windows are searched.
+fn over(text: &str) -> Result<Range, impact_pair::Error> {
+    Range::parse(text, &format!("KEY=LO..HI with LO < HI, {WINDOW_PARAMETERS}"), |range| {
+        matches!(range.key, Key::Gap | Key::Amplitude(_) | Key::Restitution) && range.count.is_none()
+    })
+}
+
+pub fn windows(arguments: &WindowsArguments) -> Result<Answer> {
+    let format = arguments.destination.format(arguments.format)?;
+    let plot = arguments.plot.as_deref().map(|path| (path, &arguments.look));
+    let Begun { scene, files, path } = arguments.destination.begin(&arguments.scene, plot)?;
+    let named = || scene::name(path);
+    let settings = WindowSettings {
+        over: arguments.over.clone(),
+        impacts: arguments.impacts,
+        longest: arguments.longest as usize,
+        most: usize::try_from(arguments.most)?,
+        precision: precision(arguments.digits, arguments.max_bits, &scene),
+    };
+    let progress = Progress::stages(!files.quiet);
+    let range = [(settings.over.key, settings.over.to_string())];
+    let found = Windows::of(&scene, &settings, &progress).map_err(|error| scene::about(error, &range, path))?;
+    progress.clear();
+    let text = match format {
+        PeriodicFormat::Table => table(&scene, &found)?,
+        PeriodicFormat::Json => {
+            serde_json::to_string(&document::windows(&scene, &settings, &found).with_context(named)?)? + "\n"
+        }
+    };
+    let open = (!found.is_certified()).then(|| conclusion(&found));
+    let is_table = format == PeriodicFormat::Table;
+    files.draw((&text, open, is_table), || impact_pair_plot::windows::windows(&scene, &found, &arguments.look))
+}
+
+fn table(scene: &Scene, found: &Windows) -> Result<String, fmt::Error> {
+    let mut out = heading(scene);
+    let Range { key, low, high, .. } = &found.over;
+    writeln!(out, "over {} from {low} to {high}\n", key.place())?;
+    for FoundWindow { impacts, flights, window } in &found.windows {
+        let cycles = counted(window.problem.chain().cycles(), "cycle");
+        let (orbit, count) = (&window.orbit, window.problem.chain().impacts());
+        let is_physical = physical(orbit.physical);
+        writeln!(out, "{} = {}: stable, {is_physical}, {count} impacts in {cycles}", key.place(), window.at)?;
+        writeln!(
+            out,
+            "  {} of the reduced map: {flights}; {}",
+            counted(*impacts as u32, "impact"),
+            symmetric(orbit.symmetric)
+        )?;
+        let [from, to] = window.ends.each_ref().map(end);
+        writeln!(out, "  from {from}")?;
+        writeln!(out, "  to   {to}")?;
+        let width = window.width().map_or_else(|| "unknown".to_owned(), |width| format!("{width:.3e}"));
+        let between = if window.is_stable_between { "stable between: proved" } else { "stable between: not proved" };
+        writeln!(out, "  width about {width}; {between}")?;
+    }
+    for open in &found.unproved {
+        writeln!(
+            out,
+            "undecided: {} of the reduced map near {:.12}: {}",
+            counted(open.impacts as u32, "impact"),
+            open.near,
+            open.flights
+        )?;
+    }
+    writeln!(out, "\n{}", conclusion(found))?;
+    Ok(out)
+}
+
+/// An end in words.
+fn end(end: &Option<WindowEnd>) -> String {
+    end.as_ref().map_or_else(
+        || "an end that is not proved".to_owned(),
+        |end| format!("{} ({})", decimal_digits(&end.parameter), end.point.kind.name()),
+    )
+}
+
+/// How much of what was asked is proved.
+fn conclusion(found: &Windows) -> String {
+    let windows = counted(found.windows.len() as u32, "window");
+    if found.interrupted {
+        return format!("interrupted: {windows} proved so far");
+    }
+    let seen = format!("{} seen in floating point", counted(found.seen as u32, "stable orbit"));
+    if found.is_certified() {
+        return format!("certified: {windows}; {seen}; others are not excluded");
+    }
+    let whole = found.windows.iter().filter(|found| found.window.is_certified()).count();
+    format!(
+        "undecided: {windows}, {whole} of them proved with all orbits between the ends; {seen}; try more --impacts or a wider --over"
+    )
+}

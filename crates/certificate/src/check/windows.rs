@@ -1,0 +1,56 @@
+//! Whether a JSON of windows is right: each orbit at its value found again as that of a periodic JSON (Lemma V8), and both ends of its window
+//! as the points of a bifurcation JSON, from the orbit of the window on (Lemma V9). The orbits between are not judged.
+
+use super::bifurcation::Over;
+use super::budget::Budget;
+use super::contact::Doubt;
+use super::{Effort, Finding, Verdict, one_by_one};
+use crate::bifurcation::ClaimedPoint;
+use crate::windows::{ClaimedWindow, WindowsCertificate};
+use impact_pair_model::Error;
+use impact_pair_model::watch::{Latched, Silent, Watch};
+
+impl WindowsCertificate {
+    /// Proves each orbit and the ends of its window again, or says which one is not as claimed or not proved, until the watch stops it,
+    /// which receives the windows confirmed so far.
+    ///
+    /// # Errors
+    /// When the scene's values are beyond the range of exact expressions.
+    pub fn check_within(&self, effort: &Effort, watch: &dyn Watch) -> Result<Verdict, Error> {
+        let watch = Latched::new(watch);
+        let budget = Budget::new(0, effort.parts, &watch);
+        let end = |message: &str| Finding { event: self.count(), message: message.to_owned() };
+        if let Some(message) = self.contradiction() {
+            return Ok(Verdict::Refuted(end(message)));
+        }
+        let over = Over { pair: self.pair(), start: self.start(), key: self.over() };
+        let judge = |window: &ClaimedWindow| window.judged(&over, (effort, &budget), &watch);
+        let each = one_by_one(self.windows().iter().enumerate(), (&budget, effort.work), judge, &watch);
+        Ok(match each {
+            Ok(0) => Verdict::Undecided(end("there is no window to check")),
+            Ok(bits) => Verdict::Confirmed { bits, pieces: 1 },
+            Err(verdict) => verdict,
+        })
+    }
+}
+
+impl ClaimedWindow {
+    /// Its orbit and its ends are as claimed, proved in N bits.
+    fn judged(&self, over: &Over<'_>, (effort, budget): (&Effort, &Budget), watch: &dyn Watch) -> Result<u32, Doubt> {
+        if !self.is_stable() {
+            return Err(Doubt::False("only stable orbits have a window".into()));
+        }
+        let orbit = self.orbit.check_within(effort, &Silent(watch)).map_err(|error| Doubt::Open(error.to_string()))?;
+        let mut most = match orbit {
+            Verdict::Confirmed { bits, .. } => bits,
+            Verdict::Refuted(finding) => return Err(Doubt::False(finding.message.into())),
+            Verdict::Undecided(finding) => return Err(Doubt::Open(finding.message.into())),
+            Verdict::Interrupted { .. } => return Err(Doubt::Open("interrupted".into())),
+        };
+        for end in &self.ends {
+            budget.add(effort.work);
+            most = most.max(end.judged(over, budget, ClaimedPoint::compare_parameter)?); // shown
+        }
+        Ok(most)
+    }
+}

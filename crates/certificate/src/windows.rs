@@ -1,0 +1,198 @@
+//! The JSON of windows, read back: what it claims of each stable orbit and of the ends of its window.
+
+use super::attraction::{ClaimedOrbit, Stability};
+use super::bifurcation::{ClaimedPoint, Kind, own_value, parameter};
+use crate::PeriodicCertificate;
+use crate::periodic::OrbitOf;
+use impact_pair_document::{Place, WINDOWS_SCHEMA, WindowDocument, WindowsDocument, value};
+use impact_pair_exact::Exact;
+use impact_pair_model::scene::Key;
+use impact_pair_model::{Error, ImpactPair, Start, Wall};
+
+/// What a JSON of windows claims.
+#[derive(Clone, Debug)]
+pub struct WindowsCertificate {
+    pair: ImpactPair,
+    start: Start,
+    over: Key,
+    windows: Vec<ClaimedWindow>,
+    contradiction: Option<String>,
+    unjudged: Vec<String>,
+}
+
+/// A window that is claimed.
+#[derive(Clone, Debug)]
+pub(super) struct ClaimedWindow {
+    /// The orbit at its value, as a periodic JSON claims it.
+    pub orbit: PeriodicCertificate,
+    /// Its ends, as points of a bifurcation JSON whose orbits are not claimed: that of the window is near them.
+    pub ends: Vec<ClaimedPoint>,
+}
+
+impl WindowsCertificate {
+    /// Reads a JSON of windows.
+    ///
+    /// # Errors
+    /// Name the key, its value and what is accepted.
+    pub fn parse(text: &str) -> Result<Self, Error> {
+        let value = value(text)?;
+        let whole = Place::of_schema(&value, WINDOWS_SCHEMA)?;
+        let document: WindowsDocument = whole.read()?;
+        let over = parameter(&whole.get("over")?.get("key")?)?;
+        let (pair, _) = document.scene.clone().model()?;
+        let places = whole.get("windows")?.list()?;
+        let mut unjudged = whole.unread::<WindowsDocument>()?;
+        let read = |(window, place): (&WindowDocument, &Place<'_>)| ClaimedWindow::of(window, place, (&pair, over));
+        let windows: Vec<ClaimedWindow> = document.windows.iter().zip(&places).map(read).collect::<Result<_, _>>()?;
+        let always = ["program", "scene.start", "over.low", "over.high", "searched_impacts", "exhaustive"];
+        unjudged.extend(always.map(str::to_owned).into_iter().chain([own_value(over)]));
+        unjudged.extend((!document.undecided.is_empty()).then(|| "undecided".to_owned()));
+        unjudged.extend(document.interrupted.then(|| "interrupted".to_owned()));
+        // That there is such an orbit between the ends is not judged, and so it is not judged whether all is proved.
+        unjudged.extend(document.certified.then(|| "certified".to_owned()));
+        unjudged.extend((0..windows.len()).map(|i| format!("windows[{i}].stable_between")));
+        unjudged.sort();
+        unjudged.dedup();
+        let contradiction = contradiction(&document, over);
+        // Phases are counted from the time 0; no orbit depends on the scene's start.
+        let start = Start::on_wall(Exact::from(0), Wall::Left, Exact::from(0))?;
+        Ok(Self { pair, start, over, windows, contradiction, unjudged })
+    }
+
+    pub(super) fn pair(&self) -> &ImpactPair {
+        &self.pair
+    }
+
+    pub(super) fn start(&self) -> &Start {
+        &self.start
+    }
+
+    pub(super) fn over(&self) -> Key {
+        self.over
+    }
+
+    pub(super) fn windows(&self) -> &[ClaimedWindow] {
+        &self.windows
+    }
+
+    pub(super) fn contradiction(&self) -> Option<&str> {
+        self.contradiction.as_deref()
+    }
+
+    /// Returns how many windows it claims.
+    pub fn count(&self) -> usize {
+        self.windows.len()
+    }
+
+    /// Returns the keys of the document that claim nothing which [`check_within`](Self::check_within) judges.
+    pub fn unjudged(&self) -> &[String] {
+        &self.unjudged
+    }
+}
+
+impl ClaimedWindow {
+    fn of(window: &WindowDocument, place: &Place<'_>, (pair, over): (&ImpactPair, Key)) -> Result<Self, Error> {
+        let at = place.get("orbit")?;
+        if window.orbit.amplitude.is_some() || window.orbit.gap.is_some() {
+            return Err(at.refused("what is solved for the amplitude or the gap is not checked"));
+        }
+        let orbit = ClaimedOrbit::of(&window.orbit, &at)?;
+        let (word, cycles) = (window.word.parse()?, u64::from(window.cycles));
+        let there = pair.with(over, window.at.0.clone())?;
+        let claim = OrbitOf { word, cycles, orbit: orbit.clone() };
+        let bounds = [&window.from, &window.to];
+        let mut ends = Vec::new();
+        for (kind, bounds) in window.ends.iter().zip(bounds) {
+            let (Some(kind), Some(bounds)) = (kind, bounds) else { continue };
+            let kind = Kind::named(kind)
+                .ok_or_else(|| place.refused("accepted ends are fold, pitchfork and period-doubling, or null"))?;
+            let parameter = bounds.each_ref().map(|bound| bound.value());
+            ends.push(ClaimedPoint { kind, parameter, word: claim.word.clone(), cycles, orbit: orbit.clone() });
+        }
+        Ok(Self { orbit: PeriodicCertificate::of_orbit(there, claim)?, ends })
+    }
+}
+
+/// What a document says that its own fields exclude.
+fn contradiction(document: &WindowsDocument, over: Key) -> Option<String> {
+    let WindowsDocument { certified, windows, undecided, interrupted, over: range, .. } = document;
+    let is_whole = |window: &WindowDocument| {
+        window.stable_between
+            && window.from.is_some()
+            && window.to.is_some()
+            && window.orbit.physical.is_some()
+            && window.orbit.symmetric.is_some()
+    };
+    if *certified && (windows.is_empty() || *interrupted || !undecided.is_empty() || !windows.iter().all(is_whole)) {
+        return Some("certified: not everything found is proved".to_owned());
+    }
+    for (i, window) in windows.iter().enumerate() {
+        let wrong = |message: &str| Some(format!("windows[{i}]{message}"));
+        if window.key != over.place() || window.key != range.key {
+            return wrong(".key: it is not that of the range");
+        }
+        if window.orbit.stability != "stable" {
+            return wrong(".orbit.stability: only stable orbits have a window");
+        }
+        for (bounds, kind) in [&window.from, &window.to].into_iter().zip(&window.ends) {
+            if bounds.is_some() != kind.is_some() {
+                return wrong(".ends: an end has both its bounds and its kind, or neither");
+            }
+            if bounds.as_ref().is_some_and(|[low, high]| low.value() > high.value()) {
+                return wrong(": a lower bound is above the upper one");
+            }
+        }
+        if window.stable_between && (window.from.is_none() || window.to.is_none()) {
+            return wrong(".stable_between: between two ends, but one of them is not proved");
+        }
+        let folds = window.ends.iter().flatten().filter(|kind| *kind == "fold").count();
+        if folds > 1 || (window.from.is_some() && window.to.is_some() && folds != 1) {
+            return wrong(".ends: exactly one of two ends is a fold");
+        }
+        let value = window.at.0.enclose(BITS);
+        let is_below = |bounds: &[impact_pair_document::Decimal; 2]| bounds[1].value() < value.inf().to_rational();
+        let is_above = |bounds: &[impact_pair_document::Decimal; 2]| bounds[0].value() > value.sup().to_rational();
+        if window.from.as_ref().is_some_and(|from| !is_below(from))
+            || window.to.as_ref().is_some_and(|to| !is_above(to))
+        {
+            return wrong(".at: it is not between the ends");
+        }
+        if let Some(message) = wrong_flights(window) {
+            return wrong(&message);
+        }
+    }
+    None
+}
+
+/// Bits in which the value of a window is compared with its ends.
+const BITS: u32 = 4096;
+
+/// What the flights of a window say that its word and its impacts exclude.
+fn wrong_flights(window: &WindowDocument) -> Option<String> {
+    let flights = window.flights.as_bytes();
+    if flights.len() != window.reduced_impacts as usize || flights.iter().any(|flight| !b"FN".contains(flight)) {
+        return Some(".flights: not a letter F or N for each of the reduced impacts".to_owned());
+    }
+    let is_odd = flights.iter().filter(|flight| **flight == b'F').count() % 2 == 1;
+    let rounds = if is_odd { 2 } else { 1 };
+    let impacts = &window.orbit.impacts;
+    let is_one = impacts.len() == rounds * flights.len()
+        && (0..impacts.len()).all(|i| {
+            let crosses = impacts[i].wall != impacts[(i + 1) % impacts.len()].wall;
+            crosses == (flights[i % flights.len()] == b'F')
+        });
+    if !is_one {
+        return Some(".flights: contradicts the impacts of the orbit".to_owned());
+    }
+    // An orbit that is the mirror image of itself after half of its impacts, and no other one, has a mirrored period.
+    let is_symmetric = window.orbit.symmetric == Some(true);
+    (is_odd && window.orbit.symmetric.is_some() && !is_symmetric)
+        .then(|| ".orbit.symmetric: contradicts the odd number of flights to the far wall".to_owned())
+}
+
+impl ClaimedWindow {
+    /// Whether its orbit is claimed to be a stable one.
+    pub(super) fn is_stable(&self) -> bool {
+        self.orbit.orbits().iter().all(|claim| claim.orbit.stability == Stability::Stable)
+    }
+}

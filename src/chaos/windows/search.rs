@@ -1,0 +1,263 @@
+//! Stable cycles near a chaotic orbit, searched in floating point: an orbit that nearly comes back, whose product of Jacobians has a small
+//! trace, and Newton's iteration for a cycle of trace 0, the parameter being one of the unknowns.
+//!
+//! Labels: proposes throughout.
+
+use std::collections::HashMap;
+use std::f64::consts::TAU;
+
+use nalgebra::{Matrix3, Vector3};
+
+use crate::chaos::guess::Guess;
+use crate::chaos::law::{Law, Side};
+use crate::chaos::quad::State;
+use crate::number::Ball;
+use crate::watch::Watch;
+
+/// What varies in the reduced map.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Varies {
+    /// `D = d/A`
+    Gap,
+    /// `e`
+    Restitution,
+}
+
+/// The family of reduced maps, and which part of it is searched.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Family {
+    pub varies: Varies,
+    /// What does not vary: `e`, or `D`.
+    pub fixed: f64,
+    /// The range of `D`, or `e`.
+    pub range: [f64; 2],
+    /// The longest cycle that is looked for, at most [`LONGEST`].
+    pub longest: usize,
+}
+
+/// A cycle of trace 0 in floating point.
+#[derive(Clone, Debug)]
+pub(super) struct Superstable {
+    /// `D`, or `e`.
+    pub parameter: f64,
+    /// Phase and speed of an impact.
+    pub state: State,
+    /// Which wall each flight ends on.
+    pub flights: Vec<Side>,
+}
+
+/// The longest cycle that can be looked for, in impacts of the reduced map.
+pub const LONGEST: usize = 64;
+/// Impacts before an orbit is looked at.
+const TRANSIENT: usize = 500;
+/// How near an orbit comes back, in forcing periods and in `A W`.
+const NEAR: State = [0.0016, 0.01];
+/// The greatest trace of a product of Jacobians that is tried, and the factor by which it grows with each impact beyond N of them.
+const TRACE: f64 = 10.0;
+const TRACE_GROWTH: f64 = 1.25;
+const TRACE_FROM: i32 = 23;
+/// How often a word is tried along one orbit.
+const TRIES: u8 = 3;
+/// Steps of Newton's iteration, the distance at which its differences are taken, and when it has ended.
+const STEPS: usize = 14;
+const DIFFERENCE: f64 = 1e-8;
+const ENOUGH: f64 = 1e-9;
+/// The longest step of the parameter, relative, and of the state.
+const FARTHEST: f64 = 2e-4;
+const FARTHEST_STATE: f64 = 0.02;
+/// How near parts of a cycle are where it runs through a shorter one, or has doubled it.
+const SAME: f64 = 1e-3;
+
+/// A state with the derivative of the map from it and the wall that its flight ends on.
+#[derive(Clone, Copy)]
+struct Step {
+    state: State,
+    jacobian: [[f64; 2]; 2],
+    side: Side,
+}
+
+impl Family {
+    /// The reduced map at a value of the parameter.
+    pub fn map(&self, parameter: f64) -> Guess {
+        let [gap, restitution] = match self.varies {
+            Varies::Gap => [parameter, self.fixed],
+            Varies::Restitution => [self.fixed, parameter],
+        };
+        Guess::new(&Law { gap: Ball::exact(gap), restitution: Ball::exact(restitution) })
+    }
+
+    /// Follows an orbit for N impacts and returns the stable cycles it comes near to, each of them perhaps several times.
+    pub fn search(&self, (parameter, start): (f64, State), impacts: usize, watch: &dyn Watch) -> Vec<Superstable> {
+        let map = self.map(parameter);
+        let mut found: Vec<Superstable> = Vec::new();
+        let mut tried = HashMap::new();
+        let mut state = start;
+        let mut past: Vec<Step> = Vec::with_capacity(impacts.min(1 << 16) + LONGEST);
+        for i in 0..TRANSIENT + impacts {
+            let Some(image) = map.map(state) else { break };
+            if i >= TRANSIENT {
+                past.push(Step { state, jacobian: image.jacobian, side: image.side });
+                let next = [image.state[0] - image.state[0].floor(), image.state[1]];
+                self.close(&past, next, parameter, (&mut tried, &mut found));
+            }
+            state = [image.state[0] - image.state[0].floor(), image.state[1]];
+            if past.len() == past.capacity() {
+                past.drain(..past.len() - LONGEST);
+                if !watch.goes_on() {
+                    break;
+                }
+            }
+        }
+        found
+    }
+
+    /// Tries the cycles that the last impacts nearly close, each word a few times.
+    fn close(
+        &self,
+        past: &[Step],
+        next: State,
+        parameter: f64,
+        (tried, found): (&mut HashMap<(usize, u64), u8>, &mut Vec<Superstable>),
+    ) {
+        let mut product = [[1.0, 0.0], [0.0, 1.0]];
+        let (mut multiplied, mut word) = (0, 0);
+        for n in 1..=self.longest.min(past.len()) {
+            let step = &past[past.len() - n];
+            let apart = step.state[0] - next[0];
+            if !((apart - apart.round()).abs() < NEAR[0] && (step.state[1] - next[1]).abs() < NEAR[1]) {
+                continue;
+            }
+            for step in past[past.len() - n..past.len() - multiplied].iter().rev() {
+                product = times(product, step.jacobian);
+                word = word << 1 | u64::from(step.side == Side::Far);
+            }
+            multiplied = n;
+            let most = TRACE * TRACE_GROWTH.powi((n as i32 - TRACE_FROM).max(0));
+            if (product[0][0] + product[1][1]).abs() > most {
+                continue;
+            }
+            let count = tried.entry((n, word)).or_insert(0);
+            if *count >= TRIES {
+                continue;
+            }
+            *count += 1;
+            let flights: Vec<Side> = past[past.len() - n..].iter().map(|step| step.side).collect();
+            let cycle = self.newton(parameter, step.state, flights);
+            found.extend(cycle.filter(|cycle| found.iter().all(|other| !cycle.is_near(other))));
+        }
+    }
+
+    /// Newton's iteration for a cycle of trace 0 with these flights.
+    fn newton(&self, parameter: f64, start: State, flights: Vec<Side>) -> Option<Superstable> {
+        let mut x = Vector3::new(start[0], start[1], parameter);
+        let misses = |x: &Vector3<f64>| -> Option<Vector3<f64>> {
+            let (end, trace, _) = self.fly(x[2], [x[0], x[1]], &flights)?;
+            let apart = end[0] - x[0];
+            Some(Vector3::new(apart - apart.round(), end[1] - x[1], trace))
+        };
+        let [low, high] = self.range;
+        for _ in 0..STEPS {
+            let here = misses(&x)?;
+            let mut jacobian = Matrix3::zeros();
+            for j in 0..3 {
+                let mut there = x;
+                there[j] += DIFFERENCE;
+                let mut back = x;
+                back[j] -= DIFFERENCE;
+                jacobian.set_column(j, &((misses(&there)? - misses(&back)?) / (2.0 * DIFFERENCE)));
+            }
+            let mut step = -jacobian.lu().solve(&here)?;
+            let size = (step[2].abs() / (FARTHEST * parameter)).max(step[0].abs().max(step[1].abs()) / FARTHEST_STATE);
+            if !size.is_finite() {
+                return None;
+            }
+            if size > 1.0 {
+                step /= size;
+            }
+            x += step;
+            if !(x[1] > 0.0 && x[2] >= low && x[2] <= high) {
+                return None;
+            }
+            if step[0].abs() + step[1].abs() + step[2].abs() < ENOUGH {
+                return self.least(Superstable { parameter: x[2], state: [x[0], x[1]], flights });
+            }
+        }
+        None
+    }
+
+    /// The shortest cycle that one runs through several times or has doubled; `None` where it has no least one.
+    fn least(&self, cycle: Superstable) -> Option<Superstable> {
+        let states = self.states(&cycle)?;
+        let count = cycle.flights.len();
+        let is_period = |n: &usize| {
+            count.is_multiple_of(*n)
+                && (0..count).all(|i| {
+                    let j = (i + n) % count;
+                    cycle.flights[i] == cycle.flights[j] && distance(states[i], states[j]) < SAME
+                })
+        };
+        match (1..count).find(is_period) {
+            Some(n) => self.newton(cycle.parameter, cycle.state, cycle.flights[..n].to_vec()),
+            None => Some(cycle),
+        }
+    }
+
+    /// The states of a cycle, phases less whole forcing periods.
+    fn states(&self, cycle: &Superstable) -> Option<Vec<State>> {
+        let map = self.map(cycle.parameter);
+        let mut state = cycle.state;
+        let mut all = Vec::new();
+        for _ in &cycle.flights {
+            all.push([state[0] - state[0].floor(), state[1]]);
+            state = map.map(state)?.state;
+        }
+        Some(all)
+    }
+
+    /// Where flights lead, the trace of the product of their Jacobians, and their phases; `None` where they end on other walls.
+    fn fly(&self, parameter: f64, start: State, flights: &[Side]) -> Option<(State, f64, Vec<f64>)> {
+        let map = self.map(parameter);
+        let (mut state, mut product, mut phases) = (start, [[1.0, 0.0], [0.0, 1.0]], Vec::new());
+        for side in flights {
+            phases.push(state[0]);
+            let image = map.map(state)?;
+            if image.side != *side {
+                return None;
+            }
+            product = times(image.jacobian, product);
+            state = image.state;
+        }
+        Some((state, product[0][0] + product[1][1], phases))
+    }
+
+    /// The phases of a cycle on both walls, as they are, from the left one on, and how long it takes until it is closed, or mirrored.
+    pub fn phases(&self, cycle: &Superstable) -> Option<(Vec<f64>, f64)> {
+        let (end, _, mut phases) = self.fly(cycle.parameter, cycle.state, &cycle.flights)?;
+        let mut halves = 0.0;
+        for (phase, side) in phases.iter_mut().zip(&cycle.flights) {
+            *phase -= 0.5 * halves;
+            halves += if *side == Side::Far { 1.0 } else { 0.0 };
+        }
+        Some((phases, end[0] - cycle.state[0] - 0.5 * halves))
+    }
+}
+
+impl Superstable {
+    /// Whether both may be one cycle, told from whichever impact.
+    pub fn is_near(&self, other: &Self) -> bool {
+        let count = self.flights.len();
+        count == other.flights.len()
+            && (self.parameter - other.parameter).abs() < 1e-11 * self.parameter
+            && (0..count).any(|shift| (0..count).all(|i| self.flights[i] == other.flights[(i + shift) % count]))
+    }
+}
+
+fn times(a: [[f64; 2]; 2], b: [[f64; 2]; 2]) -> [[f64; 2]; 2] {
+    std::array::from_fn(|i| std::array::from_fn(|j| a[i][0].mul_add(b[0][j], a[i][1] * b[1][j])))
+}
+
+/// How far apart two states are, phases in radians and less whole forcing periods.
+fn distance([u, w]: State, [v, x]: State) -> f64 {
+    let apart = u - v;
+    (TAU * (apart - apart.round())).hypot(w - x)
+}

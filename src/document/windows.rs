@@ -1,0 +1,53 @@
+//! The JSON of windows of stable periodic orbits.
+
+use impact_pair_document::{
+    OpenWindowDocument, PROGRAM, ParameterRange, SceneDocument, WINDOWS_SCHEMA, WindowDocument, WindowsDocument, bounds,
+};
+
+use super::Units;
+use crate::chaos::{FoundWindow, UnprovedWindow, WindowSettings, Windows};
+use crate::periodic::bifurcation::WindowEnd;
+use crate::{Error, Scene};
+
+/// Returns the document of the windows near a scene.
+///
+/// # Errors
+/// If a value exceeds the range of exact expressions.
+pub fn windows(scene: &Scene, settings: &WindowSettings, found: &Windows) -> Result<WindowsDocument, Error> {
+    let key = found.over.key.place();
+    let window = |FoundWindow { impacts, flights, window }: &FoundWindow| -> Result<WindowDocument, Error> {
+        let [from, to] = window.ends.each_ref().map(|end| end.as_ref().map(|end| bounds(&end.parameter)));
+        let kind = |end: &Option<WindowEnd>| end.as_ref().map(|end| end.point.kind.name().to_owned());
+        let problem = &window.problem;
+        Ok(WindowDocument {
+            key: key.clone(),
+            at: (&window.at).into(),
+            from,
+            to,
+            ends: window.ends.each_ref().map(kind),
+            stable_between: window.is_stable_between,
+            reduced_impacts: *impacts as u32,
+            flights: flights.clone(),
+            word: problem.word().to_string(),
+            cycles: problem.chain().cycles(),
+            orbit: Units::new(problem.pair())?.orbit(problem, &window.orbit),
+        })
+    };
+    let open = |UnprovedWindow { impacts, flights, near }: &UnprovedWindow| OpenWindowDocument {
+        near: *near,
+        reduced_impacts: *impacts as u32,
+        flights: flights.clone(),
+    };
+    Ok(WindowsDocument {
+        schema: WINDOWS_SCHEMA.to_owned(),
+        program: PROGRAM.to_owned(),
+        certified: found.is_certified(),
+        scene: SceneDocument::new(scene.pair(), scene.start()),
+        over: ParameterRange { key: key.clone(), low: (&found.over.low).into(), high: (&found.over.high).into() },
+        exhaustive: false,
+        searched_impacts: settings.impacts,
+        interrupted: found.interrupted,
+        windows: found.windows.iter().map(window).collect::<Result<_, _>>()?,
+        undecided: found.unproved.iter().map(open).collect(),
+    })
+}

@@ -1,0 +1,113 @@
+//! Windows of stable orbits: ends elsewhere, of another kind, exchanged, values outside, flights and stability of others.
+
+use num_rational::BigRational;
+use serde_json::{Value, json};
+
+use super::forged::{Forged, Forgery, Original, bounds, decimal, fraction, pair};
+
+pub const FORGERIES: &[Forgery] = &[
+    Forgery { name: "windows: ends", why: "the window ends elsewhere", forge: ends },
+    Forgery { name: "windows: kinds", why: "another eigenvalue passes at this end", forge: kinds },
+    Forgery { name: "windows: an end twice", why: "it ends at two values", forge: twice },
+    Forgery { name: "windows: value", why: "at this value the orbit is another one", forge: values },
+    Forgery { name: "windows: flights", why: "the impacts of the orbit are on other walls", forge: flights },
+    Forgery { name: "windows: orbit", why: "the orbit is stable, and takes this time and no other", forge: orbits },
+];
+
+/// The windows with their paths.
+fn windows(original: &Original) -> Vec<(String, &Value)> {
+    let all = original.document["windows"].as_array().filter(|_| original.is(&["windows"]));
+    all.into_iter().flatten().enumerate().map(|(i, window)| (format!("/windows/{i}"), window)).collect()
+}
+
+/// An end of a window, moved by parts of its width.
+fn moved(window: &Value, end: &str, parts: i64) -> Option<Value> {
+    let [from, to] = ["from", "to"].map(|key| bounds(&window[key]));
+    let (from, to) = (from?, to?);
+    let by = (&to[0] - &from[1]) * fraction(parts, 1000);
+    let own = if end == "from" { &from } else { &to };
+    let [low, high]: [BigRational; 2] = [&own[0] + &by, &own[1] + &by];
+    Some(pair(&low, &high))
+}
+
+fn ends(original: &Original) -> Vec<Forged> {
+    let mut all = Vec::new();
+    for (path, window) in windows(original) {
+        for (end, parts) in [("from", 1), ("from", -1), ("to", 1), ("to", -1), ("from", 200), ("to", -200)] {
+            if let Some(bounds) = moved(window, end, parts) {
+                all.push(
+                    original.with(format!("{end} by {parts}/1000 of the width"), &[(&format!("{path}/{end}"), bounds)]),
+                );
+            }
+        }
+    }
+    all
+}
+
+fn kinds(original: &Original) -> Vec<Forged> {
+    let mut all = Vec::new();
+    for (path, window) in windows(original) {
+        for (i, kind) in window["ends"].as_array().into_iter().flatten().enumerate() {
+            for other in ["fold", "pitchfork", "period-doubling", "graze"].iter().filter(|other| *kind != **other) {
+                all.push(original.with(format!("{kind} is {other}"), &[(&format!("{path}/ends/{i}"), json!(other))]));
+            }
+        }
+        let ends = window["ends"].as_array().map(|ends| ends.iter().rev().cloned().collect::<Vec<_>>());
+        all.extend(ends.map(|ends| original.with("exchanged", &[(&format!("{path}/ends"), json!(ends))])));
+    }
+    all
+}
+
+fn twice(original: &Original) -> Vec<Forged> {
+    let both = |(path, window): (String, &Value)| {
+        let [from, to] = ["from", "to"].map(|key| window[key].clone());
+        [
+            original.with("the upper end at the lower one", &[(&format!("{path}/to"), from)]),
+            original.with("the lower end at the upper one", &[(&format!("{path}/from"), to)]),
+        ]
+    };
+    windows(original).into_iter().flat_map(both).collect()
+}
+
+fn values(original: &Original) -> Vec<Forged> {
+    let mut all = Vec::new();
+    for (path, window) in windows(original) {
+        let [Some(from), Some(to)] = ["from", "to"].map(|key| bounds(&window[key])) else { continue };
+        let at: impact_pair::exact::Exact = window["at"].as_str().unwrap().parse().unwrap();
+        let at = at.as_rational().unwrap();
+        let width = &to[0] - &from[1];
+        for parts in [1, -1, 2000, -2000] {
+            let other = at + &width * fraction(parts, 1000);
+            let text = format!("{}/{}", other.numer(), other.denom());
+            all.push(original.with(format!("by {parts}/1000 of the width"), &[(&format!("{path}/at"), json!(text))]));
+        }
+    }
+    all
+}
+
+fn flights(original: &Original) -> Vec<Forged> {
+    let mut all = Vec::new();
+    for (path, window) in windows(original) {
+        let own = window["flights"].as_str().unwrap();
+        let others = [own.replace('F', "N"), own.to_owned() + "F", own.to_owned() + own, String::new()];
+        for other in others.iter().filter(|other| *other != own) {
+            all.push(original.with(format!("{own} is {other}"), &[(&format!("{path}/flights"), json!(other))]));
+        }
+        let impacts = window["reduced_impacts"].as_u64().unwrap() + 1;
+        all.push(original.with("one more impact", &[(&format!("{path}/reduced_impacts"), json!(impacts))]));
+    }
+    all
+}
+
+fn orbits(original: &Original) -> Vec<Forged> {
+    let mut all = Vec::new();
+    for (path, window) in windows(original) {
+        all.push(original.with("unstable", &[(&format!("{path}/orbit/stability"), json!("unstable"))]));
+        let cycles = window["cycles"].as_u64().unwrap();
+        all.push(original.with("two cycles more", &[(&format!("{path}/cycles"), json!(cycles + 2))]));
+        let trace = decimal(&fraction(1, 3));
+        all.push(original.with("another trace", &[(&format!("{path}/orbit/trace"), json!([trace, trace]))]));
+        all.push(original.with("another key", &[(&format!("{path}/key"), json!("pair.restitution"))]));
+    }
+    all
+}

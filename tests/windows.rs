@@ -1,0 +1,111 @@
+//! Windows of stable orbits through the public API: against the closed forms of two impacts, and against sinks of figure 14 that were found
+//! and proved by other programs.
+#![cfg(feature = "multiprecision")]
+
+use impact_pair::Scene;
+use impact_pair::chaos::{WindowSettings, Windows};
+use impact_pair::exact::Exact;
+use impact_pair::periodic::bifurcation::{Kind, Window, WindowSeed};
+use impact_pair::periodic::{Precision, Stability};
+use impact_pair::watch::{Stage, Unwatched, proceed_if};
+
+const SCENE: &str = r#"
+    excitation = { amplitude = 0.3, frequency = "pi", phase = 0 }
+    pair = { gap = 1, restitution = 0.8 }
+    start = { time = 0, wall = "left", velocity = -1 }
+"#;
+
+/// The window of the equispaced orbit of two impacts, from a phase and a value of `A/d` or `e` in floating point.
+fn window(over: &str, phase: f64, parameter: f64, digits: u32) -> Window {
+    let scene = Scene::parse(SCENE).unwrap();
+    let seed = WindowSeed { word: "RL".parse().unwrap(), cycles: 1, is_mirrored: true, phases: vec![phase], parameter };
+    let precision = Precision { digits, ..Precision::default() };
+    Window::of(scene.pair(), &over.parse().unwrap(), &seed, precision, &Unwatched).unwrap().expect("a window")
+}
+
+fn kinds(window: &Window) -> [Option<Kind>; 2] {
+    window.ends.each_ref().map(|end| end.as_ref().map(|end| end.point.kind))
+}
+
+fn holds(window: &Window, end: usize, form: &str) {
+    let exact = Exact::parse(form).unwrap().enclose(300);
+    let found = &window.ends[end].as_ref().unwrap().parameter;
+    assert!(found.contains_enclosure(&exact), "{form} is not in {found:?}");
+}
+
+/// Closed forms (Lemmas W2 and W4): `A_sn = d/sqrt(4 + K^2)`, `A_pf = d sqrt(1 + 4 kappa^2/pi^2)/(K (1 - 4/pi^2))`, `kappa = 9`, `K = 9 pi`.
+/// Both eigenvalues are complex in between.
+#[test]
+fn the_window_of_two_impacts_is_that_of_the_closed_forms() {
+    let window = window("amplitude=0.03..0.4", 0.28, 0.3, 20);
+    assert_eq!(kinds(&window), [Some(Kind::Fold), Some(Kind::Pitchfork)]);
+    assert!(window.is_certified() && window.orbit.stability == Stability::Stable);
+    holds(&window, 0, "1/sqrt(4 + 81*pi^2)");
+    holds(&window, 1, "sqrt(1 + 324/pi^2)/(9*pi*(1 - 4/pi^2))");
+    let width = window.width().unwrap();
+    assert!((width - 0.3105).abs() < 1e-3, "{width}");
+}
+
+/// Over the gap the same ends come in the other order.
+#[test]
+fn over_the_gap_the_ends_are_exchanged() {
+    let window = window("gap=0.8..9", 0.28, 0.3, 9);
+    assert_eq!(kinds(&window), [Some(Kind::Pitchfork), Some(Kind::Fold)]);
+    assert!(window.is_stable_between);
+    holds(&window, 0, "0.3*9*pi*(1 - 4/pi^2)/sqrt(1 + 324/pi^2)");
+    holds(&window, 1, "0.3*sqrt(4 + 81*pi^2)");
+}
+
+/// A search that is stopped keeps what it has; a range of another key is refused.
+#[test]
+fn a_search_can_be_stopped_and_wants_a_parameter() {
+    let scene = Scene::parse(&std::fs::read_to_string("scenes/figure-14.toml").unwrap()).unwrap();
+    let over = |over: &str| over.parse().unwrap();
+    let settings =
+        |over, impacts| WindowSettings { over, impacts, longest: 20, most: 2, precision: Precision::default() };
+    let stop = |at: Stage<'_>| proceed_if(!matches!(at, Stage::Searched(_)));
+    let found = Windows::of(&scene, &settings(over("gap=9.4..9.5"), 1_000_000), &stop).unwrap();
+    assert!(found.interrupted && found.windows.is_empty() && !found.is_certified());
+    for refused in ["frequency=1..2", "start.velocity=-2..-1", "gap=9..10:3"] {
+        assert!(Windows::of(&scene, &settings(over(refused), 1000), &Unwatched).is_err(), "{refused}");
+    }
+}
+
+/// The sinks of the trial near the printed gap of figure 14: the value, and the width of the window in floating point.
+const SINKS: [(&str, usize, f64, f64); 5] = [
+    ("FNFFNFFFFFNFFNFFFFFFNNFFNFFNFFNFFFF", 35, 9.424970350220496, 1.3e-12),
+    ("NFFNFFFFFNFFNFFFFFFNFF", 22, 9.424996066377793, 3.6e-8),
+    ("", 24, 9.4250155997097, 2.6e-10),
+    ("", 29, 9.424884702879044, 2.3e-10),
+    ("", 20, 9.424803265174338, 1.8e-8),
+];
+
+/// Whether one sequence of flights is the other one, told from another impact.
+fn is_one(a: &str, b: &str) -> bool {
+    a.len() == b.len() && (b.to_owned() + b).contains(a)
+}
+
+#[test]
+#[ignore = "deep"]
+fn the_sinks_near_the_printed_gap_are_found_with_their_windows() {
+    let scene = Scene::parse(&std::fs::read_to_string("scenes/figure-14.toml").unwrap()).unwrap();
+    let settings = WindowSettings {
+        over: "gap=9.4247..9.4253".parse().unwrap(),
+        impacts: 80_000_000,
+        longest: 44,
+        most: 40,
+        precision: Precision::default(),
+    };
+    let found = Windows::of(&scene, &settings, &Unwatched).unwrap();
+    for (flights, impacts, gap, width) in SINKS {
+        let own = found.windows.iter().find(|own| {
+            let (at, _) = own.window.at.enclose(80).mid_rad();
+            own.impacts == impacts && (at - gap).abs() < 2.0 * width
+        });
+        let own = own.unwrap_or_else(|| panic!("{impacts} impacts near {gap}"));
+        assert!(flights.is_empty() || is_one(flights, &own.flights), "{}", own.flights);
+        assert!(own.window.is_certified(), "{impacts} impacts near {gap}");
+        let found = own.window.width().unwrap();
+        assert!((0.8..1.25).contains(&(found / width)), "{impacts} impacts: {found} and {width}");
+    }
+}
