@@ -27,7 +27,6 @@ def send():
     os.kill(os.getpid(), signal.SIGINT)
 
 scene = Scene.named("figure-14")
-orbit = scene.run(impacts=4000)
 threading.Thread(target=send, daemon=True).start()
 found = {work}
 took = time.process_time() - sent[0]
@@ -48,7 +47,7 @@ WORKS = {
     "two_impact": "scene.two_impact((1, 999), digits=300, progress=note)[-1]",
     "describe": "scene.describe(depth=20, progress=note)",
     "trade": "scene.trade(impacts=10**6, progress=note)",
-    "check": "impact_pair.check(orbit, progress=note)",
+    "check": "impact_pair.check(scene.run(impacts=4000), progress=note)",
     "prove": "impact_pair.prove(scene.run(impacts=800), progress=note)",
 }
 
