@@ -107,7 +107,9 @@ impl ClaimedWindow {
             let kind = Kind::named(kind)
                 .ok_or_else(|| place.refused("accepted ends are fold, pitchfork and period-doubling, or null"))?;
             let parameter = bounds.each_ref().map(|bound| bound.value());
-            ends.push(ClaimedPoint { kind, parameter, word: claim.word.clone(), cycles, orbit: orbit.clone() });
+            let from = Some(window.at.0.enclose(BITS).inf().to_rational());
+            let (word, orbit) = (claim.word.clone(), orbit.clone());
+            ends.push(ClaimedPoint { kind, parameter, word, cycles, orbit, from });
         }
         Ok(Self { orbit: PeriodicCertificate::of_orbit(there, claim)?, ends })
     }
