@@ -23,3 +23,4 @@ mod tolerances;
 mod trade;
 mod two_impact;
 mod verified;
+mod windows;

@@ -151,6 +151,13 @@ def test_chaos_cells(cli):
         Scene.named("figure-14").chaos_cells({"amplitude": ("1", "1.1", 0)})
 
 
+def test_windows(cli):
+    asked = ("--over", "gap=9.4247..9.4253", "--impacts", 1000, "--most", 1)
+    found = Scene.named("figure-14").windows({"gap": ("9.4247", "9.4253")}, impacts=1000, most=1)
+    assert found.document == cli.json("windows", "scenes/figure-14.toml", *asked)
+    assert len(found) == len(found.document["windows"]) and "others are not excluded" in repr(found)
+
+
 def test_cycles(cli):
     assert Scene.named("figure-14").cycles(3).document == cli.json("cycles", "scenes/figure-14.toml", "--impacts", 3)
     found = Scene.named("figure-14").cycles((1, 5))

@@ -5,6 +5,7 @@ use impact_pair_document::{BIFURCATION_SCHEMA, BifurcationDocument, BifurcationP
 use impact_pair_exact::Exact;
 use impact_pair_model::scene::Key;
 use impact_pair_model::{Error, ImpactPair, Start, Wall, Word};
+use num_rational::BigRational;
 
 /// What a bifurcation JSON claims.
 #[derive(Clone, Debug)]
@@ -26,6 +27,8 @@ pub(super) struct ClaimedPoint {
     pub word: Word,
     pub cycles: u64,
     pub orbit: ClaimedOrbit,
+    /// The value of the parameter at which the orbit is, where it is not that at the point.
+    pub from: Option<BigRational>,
 }
 
 /// What is claimed to happen.
@@ -91,6 +94,7 @@ impl ClaimedPoint {
             word: point.word.parse()?,
             cycles: point.cycles.into(),
             orbit: ClaimedOrbit::of(&point.orbit, &orbit)?,
+            from: None,
         })
     }
 }

@@ -163,7 +163,8 @@ impl Part<'_> {
         let Leaves { judged: mut paths, mut others, .. } = leaves;
         let decisive = self.decisive(judged);
         if let Some((path, _)) = &decisive {
-            others.retain(|other| other != path);
+            // Of an item that decides its own values are in doubt as well.
+            others.retain(|other| other != path && !is_value_of(other, path));
             if !paths.contains(path) {
                 let place = paths.iter().position(|other| is_in(other, path)).unwrap_or(paths.len()); // exact: the end
                 paths.insert(place, path.clone());
@@ -223,6 +224,11 @@ fn add_each(leaves: &mut Leaves<'_>, list: &str, lines: &[&Value]) {
 /// Whether a path leads into what stands at another one.
 fn is_in(path: &str, outer: &str) -> bool {
     path.strip_prefix(outer).is_some_and(|rest| rest.starts_with(['.', '[']))
+}
+
+/// Whether a path leads to a value of what stands at another one, not deeper.
+fn is_value_of(path: &str, outer: &str) -> bool {
+    is_in(path, outer) && !path[outer.len() + 1..].contains(['.', '['])
 }
 
 /// The position of the item of a list that a path leads to, or into.

@@ -50,7 +50,7 @@ impl WindowsCertificate {
         unjudged.extend(document.interrupted.then(|| "interrupted".to_owned()));
         // That there is such an orbit between the ends is not judged, and so it is not judged whether all is proved.
         unjudged.extend(document.certified.then(|| "certified".to_owned()));
-        unjudged.extend((0..windows.len()).map(|i| format!("windows[{i}].stable_between")));
+        unjudged.extend((!windows.is_empty()).then(|| "windows.stable_between".to_owned()));
         unjudged.sort();
         unjudged.dedup();
         let contradiction = contradiction(&document, over);
@@ -107,7 +107,9 @@ impl ClaimedWindow {
             let kind = Kind::named(kind)
                 .ok_or_else(|| place.refused("accepted ends are fold, pitchfork and period-doubling, or null"))?;
             let parameter = bounds.each_ref().map(|bound| bound.value());
-            ends.push(ClaimedPoint { kind, parameter, word: claim.word.clone(), cycles, orbit: orbit.clone() });
+            let from = Some(window.at.0.enclose(BITS).inf().to_rational());
+            let (word, orbit) = (claim.word.clone(), orbit.clone());
+            ends.push(ClaimedPoint { kind, parameter, word, cycles, orbit, from });
         }
         Ok(Self { orbit: PeriodicCertificate::of_orbit(there, claim)?, ends })
     }

@@ -83,7 +83,7 @@ fn assert_all_are_told(name: &str, lines: &[Value], found: &CheckDocument) {
 }
 
 /// The schemas, and which document has the values that are of none of their properties.
-const SCHEMAS: [(&str, &str, usize); 17] = [
+const SCHEMAS: [(&str, &str, usize); 18] = [
     ("orbit", "attracted", 0),
     ("orbit-lines-head", "lines", 0),
     ("orbit-lines-event", "lines", 1),
@@ -94,6 +94,7 @@ const SCHEMAS: [(&str, &str, usize); 17] = [
     ("trap", "trap", 0),
     ("chaos", "chaos", 0),
     ("cycles", "cycles", 0),
+    ("windows", "windows", 0),
     ("description", "description", 0),
     ("sweep-head", "sweep", 0),
     ("sweep-point", "sweep", 1),
@@ -196,7 +197,7 @@ fn bounds(value: &Value) -> Option<[f64; 2]> {
 fn holds_for_all(name: &str, path: &str, head: &Value) -> bool {
     let excitation = &head["scene"]["excitation"];
     let is_one = excitation["phase"].as_array().is_some_and(|all| all.len() == 1);
-    let has_phases = head["orbits"].is_array() || head["points"].is_array() || name == "sweep";
+    let has_phases = ["orbits", "points", "windows"].iter().any(|list| head[list].is_array()) || name == "sweep";
     match path {
         // Lemma R1: under one harmonic what is told by phases holds for every `tau`, and nothing moves a box that is not shaken.
         "scene.excitation.phase" if is_one && (has_phases || excitation["amplitude"] == json!(["0"])) => true,

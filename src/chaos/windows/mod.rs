@@ -53,6 +53,15 @@ pub struct FoundWindow {
     pub window: Window,
 }
 
+impl FoundWindow {
+    /// Whether another one is the same: at one value, with the same flights from another impact on.
+    fn is_one(&self, flights: &str, window: &Window) -> bool {
+        self.window.at.text() == window.at.text()
+            && self.flights.len() == flights.len()
+            && self.flights.repeat(2).contains(flights)
+    }
+}
+
 /// An orbit of floating point that is not proved to be a stable one.
 #[derive(Clone, Debug, PartialEq)]
 pub struct UnprovedWindow {
@@ -121,6 +130,8 @@ impl Windows {
             }
             let (impacts, flights) = (seen[i].flights.len(), word(&seen[i].flights));
             match found {
+                // Floating point may come to one orbit from several of its impacts.
+                Some(window) if all.windows.iter().any(|known| known.is_one(&flights, &window)) => {}
                 Some(window) => all.windows.push(FoundWindow { impacts, flights, window }),
                 None => {
                     let near = search.in_units(seen[i].parameter);

@@ -10,7 +10,7 @@ use num_traits::Signed;
 
 use super::budget::Budget;
 use super::contact::Doubt;
-use super::curve::{Cell, Curve, PARAMETER};
+use super::curve::{Cell, Curve, PARAMETER, Point};
 use super::data::{Data, Piece};
 use super::distinct::Recurrence;
 use super::fixed_point::FixedPoint;
@@ -175,7 +175,8 @@ impl ClaimedPoint {
             units: [0; 3],
             times: Vec::new(),
         };
-        curve.frame.parameters = curve.parameters(super::affine::Affine::fixed(parameter.middle()));
+        let own = self.from.as_ref().map_or_else(|| parameter.middle(), |from| Real::rational(from, bits));
+        curve.frame.parameters = curve.parameters(super::affine::Affine::fixed(own.middle()));
         if curve.frame.parameters.columns() > 0 {
             return Err(open("only bifurcations of a pair whose other data are points are checked"));
         }
@@ -184,12 +185,31 @@ impl ClaimedPoint {
         let unit = |x: &Real| x.enclosure().mag().top().ok_or_else(|| open("a velocity, or the parameter, is 0"));
         curve.units = [0, unit(&guess[1])?, unit(&guess[2])?]; // proposes: scales
         curve.times = target.times(&curve.frame)?;
+        let near = self.crossed(&mut curve, guess.clone(), size, &compare);
+        // The orbit of a window may be too far from its ends.
+        if near.is_ok() || self.from.is_none() {
+            return near;
+        }
+        curve.times = target.times(&curve.frame)?;
+        let [phase, velocity, to] = guess;
+        let guess = curve.walked([phase, velocity, own], &to)?;
+        self.crossed(&mut curve, guess, size, &compare)
+    }
+
+    /// An eigenvalue passes 1 or -1 at an orbit near a guess, and it is as claimed.
+    fn crossed(
+        &self,
+        curve: &mut Curve<'_>,
+        guess: Point,
+        size: i64,
+        compare: &impl Fn(&Self, &Curve<'_>, &Cell) -> Result<(), Doubt>,
+    ) -> Result<(), Doubt> {
         let at = curve.polish(guess)?;
         // A fold is a curve over phase or velocity, all others over the parameter.
         let along: &[usize] = if self.kind == Kind::Fold { &[0, 1] } else { &[PARAMETER] };
-        let mut answer = Err(open("nothing is tried"));
+        let mut answer = Err(Doubt::Open("nothing is tried".into()));
         for &j in along {
-            answer = curve.crossing(&at, j, size).and_then(|cell| compare(self, &curve, &cell));
+            answer = curve.crossing(&at, j, size).and_then(|cell| compare(self, curve, &cell));
             if answer.is_ok() {
                 break;
             }

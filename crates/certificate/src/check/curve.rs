@@ -16,6 +16,8 @@ pub(super) type Point = [Real; 3];
 pub(super) const PARAMETER: usize = 2;
 /// Steps of Newton's iteration.
 const STEPS: u32 = 16;
+/// Steps along the curve, each half of what is left of the way.
+const WAYS: u32 = 8;
 /// The last one needed is below N bits of the arithmetic.
 const ENOUGH: i64 = 40;
 /// A box that holds the curve at an end is N times smaller than the one that holds all of it, as a power of 2.
@@ -187,6 +189,20 @@ impl<'t> Curve<'t> {
             before = Some(size);
         }
         Err(open())
+    }
+
+    /// Returns a point of the curve near the value `to` of the parameter, by steps of half the rest of the way from another point, which are shortest
+    /// near a fold. Non-rigorous.
+    pub fn walked(&mut self, from: Point, to: &Real) -> Result<Point, Doubt> {
+        let mut at = from.map(|x| self.point(&x));
+        for _ in 0..WAYS {
+            self.retime(&at)?;
+            at[PARAMETER] = self.point(&(at[PARAMETER].clone() + to).half());
+            at = self.on_curve(at, PARAMETER)?;
+        }
+        self.retime(&at)?;
+        at[PARAMETER] = self.point(to);
+        Ok(at)
     }
 
     /// The point of the curve with the same coordinate `along` as a guess. Non-rigorous.

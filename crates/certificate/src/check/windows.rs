@@ -43,8 +43,8 @@ impl ClaimedWindow {
         let orbit = self.orbit.check_within(effort, &Silent(watch)).map_err(|error| Doubt::Open(error.to_string()))?;
         let mut most = match orbit {
             Verdict::Confirmed { bits, .. } => bits,
-            Verdict::Refuted(finding) => return Err(Doubt::False(finding.message.into())),
-            Verdict::Undecided(finding) => return Err(Doubt::Open(finding.message.into())),
+            Verdict::Refuted(finding) => return Err(Doubt::False(finding.message)),
+            Verdict::Undecided(finding) => return Err(Doubt::Open(finding.message)),
             Verdict::Interrupted { .. } => return Err(Doubt::Open("interrupted".into())),
         };
         for end in &self.ends {
