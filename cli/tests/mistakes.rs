@@ -119,7 +119,7 @@ fn r35_negative_numbers_are_values_of_their_options() {
         ("trade", "--impacts", "accepted are whole numbers from 1 on"),
         ("two-impact", "--cycles", "accepted is an integer from 1 to "),
         ("plot", "--cycles", "is not in 1..=10000"),
-        ("check", "--effort", "is not in 1.."),
+        ("check", "--effort", "accepted are whole numbers from 1 on"),
         ("prove", "--impacts", "accepted are whole numbers from 1 on"),
         ("audit", "--tolerance", "-5"),
     ] {

@@ -109,9 +109,9 @@ impl ChaosCertificate {
                 (best, most) = (first, found.words); // proposes: any tubes will do
             }
         }
-        // The coarse ones, those along which most words are found first; the fine ones where many are lost.
+        // The coarse ones from the first one on, and from the one along which most words are found; the fine ones where many are lost.
         let mut fewest = usize::MAX;
-        for first in if best == 0 { vec![0] } else { vec![best, 0] } {
+        for first in if best == 0 { vec![0] } else { vec![0, best] } {
             let coarse: Vec<Making> = (0..COARSE).map(|k| MAKINGS[(first + k) % COARSE]).collect();
             let found = tries.again(&coarse)?;
             if found.is_all {
