@@ -97,6 +97,7 @@ def recurrent(images, across, up, highest):
     return {cell for cell in range(len(images)) if not is_alone[cell] or cell in loops}
 
 
+@pytest.mark.deep
 def test_r35_the_example_finds_all_recurrent_boxes(capsys):
     pytest.importorskip("CMGDB")
     found = runpy.run_path(str(ROOT / "python/examples/morse_sets.py"))

@@ -10,6 +10,8 @@ nbformat = pytest.importorskip("nbformat")
 nbclient = pytest.importorskip("nbclient")
 
 NOTEBOOKS = sorted((ROOT / "python/notebooks").glob("*.ipynb"))
+# Those that start a cluster, or draw for seconds.
+SLOW = ("dask", "figures")
 EXECUTED = ROOT / os.environ.get("CARGO_TARGET_DIR", "target") / "notebooks"
 
 
@@ -24,7 +26,7 @@ def test_it_is_stripped(path):
     assert all(cell["outputs"] == [] and cell["execution_count"] is None for cell in code)
 
 
-@pytest.mark.parametrize("path", NOTEBOOKS, ids=lambda path: path.stem)
+@pytest.mark.parametrize("path", [pytest.param(path, id=path.stem, marks=[pytest.mark.deep] * (path.stem in SLOW)) for path in NOTEBOOKS])
 def test_it_runs(path):
     notebook = nbformat.read(path, as_version=4)
     nbclient.NotebookClient(notebook, timeout=120, resources={"metadata": {"path": str(path.parent)}}).execute()
