@@ -166,7 +166,7 @@ fn words_are_confirmed() {
 }
 
 /// What docs/paper.md says of figure 14: long words, from the bases that `chaos --depth 22` finds. Each of the checker's ways to make
-/// chains loses some of them, of the longest ones a few for good: the others have the entropy that is told.
+/// chains loses some of them, of the longest ones a few for good: the others have the entropy that the document states.
 #[test]
 #[ignore = "deep"]
 fn the_entropy_of_long_words_is_confirmed() {

@@ -6,12 +6,14 @@ use std::path::PathBuf;
 use anyhow::{Context, Result};
 use clap::Args;
 use impact_pair::Scene;
-use impact_pair::chaos::{FoundWindow, MOST_WINDOW_IMPACTS, WINDOW_PARAMETERS, WindowSettings, Windows};
+use impact_pair::chaos::{
+    FoundWindow, MOST_WINDOW_IMPACTS, WINDOW_PARAMETERS, WindowSettings, Windows, is_window_range,
+};
 use impact_pair::document::{self, counted};
 use impact_pair::exact::decimal_digits;
 use impact_pair::orbit::MAX_BITS;
 use impact_pair::periodic::bifurcation::WindowEnd;
-use impact_pair::scene::{Key, Range};
+use impact_pair::scene::Range;
 use impact_pair_plot::picture::Look;
 
 use crate::Answer;
@@ -77,9 +79,7 @@ pub struct WindowsArguments {
 
 /// Reads `KEY=LO..HI` of a parameter over which windows are searched.
 fn over(text: &str) -> Result<Range, impact_pair::Error> {
-    Range::parse(text, &format!("KEY=LO..HI with LO < HI, {WINDOW_PARAMETERS}"), |range| {
-        matches!(range.key, Key::Gap | Key::Amplitude(_) | Key::Restitution) && range.count.is_none()
-    })
+    Range::parse(text, &format!("KEY=LO..HI with LO < HI, {WINDOW_PARAMETERS}"), is_window_range)
 }
 
 pub fn windows(arguments: &WindowsArguments) -> Result<Answer> {

@@ -49,5 +49,7 @@ pub use hyperbolic::{Cone, Hyperbolic, LeftOut};
 pub use language::{BoxGraph, MOST_COUNTED, Unclosed, WallWords};
 pub use quad::{Chord, State};
 pub use region::{NoTrap, Trap};
-pub use windows::{FoundWindow, MOST_WINDOW_IMPACTS, UnprovedWindow, WINDOW_PARAMETERS, WindowSettings, Windows};
+pub use windows::{
+    FoundWindow, MOST_WINDOW_IMPACTS, UnprovedWindow, WINDOW_PARAMETERS, WindowSettings, Windows, is_window_range,
+};
 pub use words::Base;

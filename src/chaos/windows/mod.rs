@@ -27,6 +27,11 @@ use search::{Family, Superstable, Varies};
 /// The keys over which windows are searched, in words.
 pub const WINDOW_PARAMETERS: &str = "KEY one of gap, amplitude, restitution";
 
+/// Returns whether windows are searched over such a range.
+pub fn is_window_range(range: &Range) -> bool {
+    matches!(range.key, Key::Gap | Key::Amplitude(_) | Key::Restitution) && range.count.is_none()
+}
+
 /// The settings of a search for windows.
 #[derive(Clone, Debug)]
 pub struct WindowSettings {
@@ -171,9 +176,8 @@ struct Search<'p> {
 
 impl<'p> Search<'p> {
     fn new(pair: &'p ImpactPair, settings: &WindowSettings) -> Result<Self, Error> {
-        let Range { key, low, high, count } = &settings.over;
-        let is_key = matches!(key, Key::Gap | Key::Amplitude(_) | Key::Restitution);
-        if !is_key || count.is_some() {
+        let Range { key, low, high, .. } = &settings.over;
+        if !is_window_range(&settings.over) {
             let message =
                 format!("the range is \"{}\", but accepted is KEY=LO..HI, {WINDOW_PARAMETERS}", settings.over);
             return Err(Error::out_of_range(None, message));

@@ -8,7 +8,7 @@ use std::f64::consts::TAU;
 
 use nalgebra::{Matrix3, Vector3};
 
-use crate::chaos::guess::Guess;
+use crate::chaos::guess::{Guess, times};
 use crate::chaos::law::{Law, Side};
 use crate::chaos::quad::State;
 use crate::number::Ball;
@@ -95,12 +95,12 @@ impl Family {
         let mut past: Vec<Step> = Vec::with_capacity(impacts.min(1 << 16) + LONGEST);
         for i in 0..TRANSIENT + impacts {
             let Some(image) = map.map(state) else { break };
+            let next = in_period(image.state);
             if i >= TRANSIENT {
                 past.push(Step { state, jacobian: image.jacobian, side: image.side });
-                let next = [image.state[0] - image.state[0].floor(), image.state[1]];
                 self.close(&past, next, parameter, (&mut tried, &mut found));
             }
-            state = [image.state[0] - image.state[0].floor(), image.state[1]];
+            state = next;
             if past.len() == past.capacity() {
                 past.drain(..past.len() - LONGEST);
                 if !watch.goes_on() {
@@ -208,7 +208,7 @@ impl Family {
         let mut state = cycle.state;
         let mut all = Vec::new();
         for _ in &cycle.flights {
-            all.push([state[0] - state[0].floor(), state[1]]);
+            all.push(in_period(state));
             state = map.map(state)?.state;
         }
         Some(all)
@@ -243,7 +243,7 @@ impl Family {
 }
 
 impl Superstable {
-    /// Whether both may be one cycle, told from whichever impact.
+    /// Whether both may be one cycle, read from whichever impact.
     pub fn is_near(&self, other: &Self) -> bool {
         let count = self.flights.len();
         count == other.flights.len()
@@ -252,8 +252,9 @@ impl Superstable {
     }
 }
 
-fn times(a: [[f64; 2]; 2], b: [[f64; 2]; 2]) -> [[f64; 2]; 2] {
-    std::array::from_fn(|i| std::array::from_fn(|j| a[i][0].mul_add(b[0][j], a[i][1] * b[1][j])))
+/// A state less whole forcing periods.
+fn in_period([phase, speed]: State) -> State {
+    [phase - phase.floor(), speed]
 }
 
 /// How far apart two states are, phases in radians and less whole forcing periods.

@@ -159,6 +159,12 @@ fn normed(direction: &[f64], unknowns: usize) -> Vec<f64> {
     all
 }
 
+/// `c w - 1`
+fn off_norm<N: Turning>(direction: &[f64], w: &[N]) -> N {
+    let along = |sum: N, (c, w): (&f64, &N)| N::from_f64(*c).mul_add(w.clone(), sum);
+    direction.iter().zip(w).fold(N::from_f64(-1.0), along)
+}
+
 /// An orbit with an eigenvalue `mu` of 1 (40) or -1 (39): unknowns `(u, w, p)`, `F'_mu w = 0`, `c w = 1`. Lemma Y3
 #[derive(Clone, Debug)]
 pub(super) struct Critical<'r> {
@@ -188,8 +194,7 @@ impl System for Critical<'_> {
         let legs = self.ring.legs(&pair, phases)?;
         let mut values = self.ring.residual(&pair, &legs);
         values.extend(self.ring.twisted(&self.ring.chain().slopes(&pair, &legs)?, w, self.mu));
-        let along = |sum: N, (c, w): (&f64, &N)| N::from_f64(*c).mul_add(w.clone(), sum);
-        values.push(self.direction.iter().zip(w).fold(N::from_f64(-1.0), along));
+        values.push(off_norm(&self.direction, w));
         Some(values)
     }
 }
@@ -229,8 +234,7 @@ impl System for Multiplied<'_> {
         let slopes = self.ring.chain().slopes(&pair, &legs)?;
         let ends = [w.last()?.clone().checked_div(mu.clone())?, w[0].clone() * mu.clone()];
         values.extend(self.ring.continued(&slopes, w, ends));
-        let along = |sum: N, (c, w): (&f64, &N)| N::from_f64(*c).mul_add(w.clone(), sum);
-        values.push(self.direction.iter().zip(w).fold(N::from_f64(-1.0), along));
+        values.push(off_norm(&self.direction, w));
         Some(values)
     }
 }
