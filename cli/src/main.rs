@@ -9,6 +9,7 @@ mod cycles;
 mod describe;
 mod destination;
 mod ending;
+mod global;
 mod graph;
 mod heading;
 mod listing;
@@ -64,6 +65,7 @@ fn main() -> ExitCode {
         Verb::Chaos(arguments) => chaos::chaos(&arguments),
         Verb::Cycles(arguments) => cycles::cycles(&arguments),
         Verb::Windows(arguments) => windows::windows(&arguments),
+        Verb::Global(arguments) => global::global(&arguments),
         Verb::Check(arguments) => check::check(&arguments),
         Verb::Prove(arguments) => prove::prove(&arguments),
         Verb::Plot(arguments) => plot::plot(&arguments),

@@ -18,6 +18,7 @@ const VERBS: [(&[&str], &[&str]); 12] = [
     (&["describe", "scenes/figure-12.toml"], &["txt", "json"]),
     (&["cycles", "scenes/figure-12.toml", "--impacts", "1"], &["txt", "json"]),
     (&["windows", "scenes/figure-12.toml", "--over", "gap=9..10", "--impacts", "1"], &["txt", "json"]),
+    (&["global", "scenes/figure-12.toml", "--boxes", "8", "--most", "1"], &["txt", "json"]),
     (&["chaos", "scenes/figure-12.toml", "--depth", "1"], &["txt", "json"]),
     (&["audit", "scenes/figure-12.toml", "cli/tests/endings/list.csv"], &["txt", "json"]),
     (&["check", "tests/chaos-0.036.json"], &["txt", "json"]),

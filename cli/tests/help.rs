@@ -14,6 +14,7 @@ const VERBS: [&str; 17] = [
     "chaos",
     "cycles",
     "windows",
+    "global",
     "sweep",
     "plot",
     "check",

@@ -8,6 +8,7 @@ mod common;
 mod cycles;
 mod describe;
 mod endings;
+mod global;
 mod help;
 mod looks;
 mod mistakes;

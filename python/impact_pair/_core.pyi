@@ -21,6 +21,7 @@ __all__ = [
     "describe",
     "description_lines",
     "flights",
+    "global_analysis",
     "manifold",
     "outward",
     "paper",
@@ -102,6 +103,9 @@ def trap(scene: Scene, question: tuple[int, int | None, bool], progress: _Progre
 def cycles(scene: Scene, impacts: tuple[int, int], question: tuple[int, int | None], progress: _Progress) -> tuple[str, bool, bool]: ...
 def windows(
     scene: Scene, over: str, question: tuple[int, int, int], asked: tuple[int | None, int], progress: _Progress
+) -> tuple[str, bool, bool]: ...
+def global_analysis(
+    scene: Scene, question: tuple[int, int, int], digits: int | None, progress: _Progress
 ) -> tuple[str, bool, bool]: ...
 def describe(scene: Scene, name: str, question: tuple[int, int, int, bool], progress: _Progress) -> tuple[str, bool, bool, str | None]: ...
 def description_lines(document: str) -> list[tuple[str, str]]: ...

@@ -353,6 +353,58 @@ class Windows(Document):
         return f"<{said}: {len(self)} windows, others are not excluded>"
 
 
+@dataclass(frozen=True)
+class Component:
+    """A set of states that motions may stay in for ever, and what is proved of them."""
+
+    kind: str
+    reduced_impacts: int | None
+    word: str | None
+    cycles: int | None
+    spectral_radius: Bounds | None
+    boxes: int
+    area: float
+    closed: bool
+    orbit: PeriodicOrbit | None
+
+
+class GlobalAnalysis(Document):
+    """Where every motion of a pair goes: the components that motions may stay in for ever, and the class in a sentence."""
+
+    @property
+    def kind(self) -> str:
+        """``one-rest-cycle``, ``one-attractor``, ``attractors``, ``closed`` or ``undecided``."""
+        return str(self.document["class"])
+
+    @property
+    def statement(self) -> str:
+        """The class in a sentence."""
+        return str(self.document["statement"])
+
+    @cached_property
+    def components(self) -> list[Component]:
+        """Each component, those first from which motions may go on to others."""
+
+        def component(found: dict[str, Any]) -> Component:
+            radius, orbit = found.get("spectral_radius"), found.get("orbit")
+            return Component(
+                found["kind"],
+                found.get("reduced_impacts"),
+                found.get("word"),
+                found.get("cycles"),
+                None if radius is None else Bounds(*radius),
+                found["boxes"],
+                float(found["area"]),
+                found["closed"],
+                None if orbit is None else PeriodicOrbit(orbit),
+            )
+
+        return [component(found) for found in self.document["components"]]
+
+    def __repr__(self) -> str:
+        return f"<{'certified' if self.certified else 'undecided'}: {self.statement}>"
+
+
 class Chaos(Document):
     """A horseshoe: words that can follow one another, and a lower bound of the topological entropy."""
 

@@ -1,12 +1,15 @@
-//! Regions, all periodic motions in them, stable ones near a scene, and chaos: the verbs `trap`, `cycles`, `windows` and `chaos`.
+//! Regions, all periodic motions in them, stable ones near a scene, and chaos: the verbs `trap`, `cycles`, `windows`, `global` and
+//! `chaos`.
 
 use impact_pair::chaos::{
-    BoxGraph, Cells, Chaos, Cycles, HorseshoeSettings, Hyperbolic, MOST_CELLS, MOST_COUNTED, MOST_DEPTH, MOST_HALVINGS,
-    MOST_IMPACTS, MOST_WINDOW_IMPACTS, RangeSettings, Trap, WallWords, WindowSettings, Windows,
+    BoxGraph, Cells, Chaos, Cycles, Global, GlobalSettings, HorseshoeSettings, Hyperbolic, MOST_CELLS, MOST_COUNTED,
+    MOST_DEPTH, MOST_HALVINGS, MOST_IMPACTS, MOST_WINDOW_IMPACTS, RangeSettings, Trap, WallWords, WindowSettings,
+    Windows,
 };
 use impact_pair::document;
 use impact_pair::exact::Exact;
 use impact_pair::json::{BaseDocument, one_a_line};
+use impact_pair::orbit::MAX_BITS;
 use impact_pair::periodic::Precision;
 use impact_pair::periodic::bifurcation;
 use impact_pair::watch::{Stage, Watch};
@@ -100,6 +103,30 @@ pub fn windows(
         let found = Windows::of(&scene, &settings, monitor)?;
         let document = document::windows(&scene, &settings, &found)?;
         Ok((text(&document), found.is_certified(), monitor.is_stopped()))
+    })
+}
+
+/// Where every motion goes, whatever its start.
+#[pyfunction]
+pub fn global_analysis(
+    py: Python<'_>,
+    scene: &Bound<'_, Scene>,
+    question: (u32, u32, u64),
+    digits: Option<u32>,
+    progress: Option<Py<PyAny>>,
+) -> PyResult<Answer> {
+    let (boxes, halvings, most) = question;
+    let scene = scene.get().scene.clone();
+    watched(py, progress, move |monitor| {
+        let settings = GlobalSettings {
+            boxes: 1 << accepted("boxes", boxes, 8..=20)?,
+            halvings: accepted("halvings", halvings, 0..=40)?,
+            most: accepted("most", most, 1..=1_000_000_000)? as usize,
+            precision: precision((digits, MAX_BITS), &scene)?,
+        };
+        let found = Global::of(scene.pair(), &settings, monitor)?;
+        let document = document::global(&scene, &settings, &found)?;
+        Ok((text(&document), document.certified, monitor.is_stopped()))
     })
 }
 

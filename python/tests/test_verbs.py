@@ -151,6 +151,16 @@ def test_chaos_cells(cli):
         Scene.named("figure-14").chaos_cells({"amplitude": ("1", "1.1", 0)})
 
 
+def test_global_analysis(cli):
+    found = Scene.named("figure-12").global_analysis(boxes=10, most=20000)
+    assert found.document == cli.json("global", "scenes/figure-12.toml", "--boxes", 10, "--most", 20000)
+    attracting = [component for component in found.components if component.kind == "attracting"]
+    # The two-impact motion of figure 12: both eigenvalues of the reduced map are e.
+    assert [component.reduced_impacts for component in attracting] == [1]
+    assert float(attracting[0].spectral_radius.lower) <= 0.5 <= float(attracting[0].spectral_radius.upper)
+    assert found.statement in repr(found)
+
+
 def test_windows(cli):
     asked = ("--over", "gap=9.4247..9.4253", "--impacts", 1000, "--most", 1)
     found = Scene.named("figure-14").windows({"gap": ("9.4247", "9.4253")}, impacts=1000, most=1)
@@ -265,6 +275,7 @@ def test_defaults_are_those_of_the_command_line(cli):
         "trap": Scene.trap,
         "cycles": Scene.cycles,
         "windows": Scene.windows,
+        "global": Scene.global_analysis,
         "trade": Scene.trade,
         "audit": Scene.audit,
         "plot": Scene.plot,

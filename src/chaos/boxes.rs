@@ -82,6 +82,48 @@ fn quarters(grid: Grid, (column, row): Cell) -> [Quad; 4] {
     [[0, 0], [0, 1], [1, 0], [1, 1]].map(|[i, j]: [i32; 2]| finer.quad((2 * column + i, 2 * row + j)))
 }
 
+/// Returns the strongly connected parts, the members of each in order: the nodes that lead to each other.
+///
+/// A part comes before those that it leads to.
+pub(super) fn parts(forth: &[Vec<usize>]) -> Vec<Vec<usize>> {
+    let mut back = vec![Vec::new(); forth.len()];
+    for (from, to) in forth.iter().enumerate() {
+        to.iter().for_each(|&to| back[to].push(from));
+    }
+    let mut seen = vec![false; forth.len()];
+    let mut order = Vec::new();
+    (0..forth.len()).for_each(|root| walk(root, forth, &mut seen, &mut order));
+    seen.fill(false);
+    let part = |root: &usize| {
+        let mut part = Vec::new();
+        walk(*root, &back, &mut seen, &mut part);
+        part.sort_unstable();
+        part
+    };
+    order.iter().rev().map(part).filter(|part| !part.is_empty()).collect()
+}
+
+/// Adds the nodes that a new one leads to, and itself as the last, each when all of its own are done.
+fn walk(root: usize, next: &[Vec<usize>], seen: &mut [bool], order: &mut Vec<usize>) {
+    let mut path = vec![(root, 0)];
+    if seen[root] {
+        return;
+    }
+    seen[root] = true;
+    while let Some((node, tried)) = path.pop() {
+        match next[node].get(tried) {
+            Some(&to) => {
+                path.push((node, tried + 1));
+                if !seen[to] {
+                    seen[to] = true;
+                    path.push((to, 0));
+                }
+            }
+            None => order.push(node),
+        }
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

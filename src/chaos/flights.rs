@@ -280,6 +280,11 @@ impl<const M: usize> Flights<M> {
         Some(Landing { phase, speed, slope, along, units, parameters, rest })
     }
 
+    /// Holds the drifts `c`.
+    pub fn drifts(&self) -> Ball {
+        self.drift.widened(self.spread)
+    }
+
     /// `D`
     pub fn gap(&self) -> Ball {
         self.gap

@@ -207,7 +207,7 @@ impl Region {
 
 impl Flights {
     /// The speeds of all arrivals between two phases at which a wall may be touched; `None` if none is. Lemma D4
-    fn arrivals(&self, side: Side, low: f64, high: f64, view: &View) -> Option<[f64; 2]> {
+    pub(super) fn arrivals(&self, side: Side, low: f64, high: f64, view: &View) -> Option<[f64; 2]> {
         let far = side == Side::Far;
         let miss = if far { view.height - self.gap() } else { view.height };
         if is_positive(miss) || is_positive(-miss) {

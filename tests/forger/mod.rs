@@ -17,6 +17,7 @@ mod edges;
 mod events;
 mod forged;
 mod futures;
+mod globals;
 mod known;
 mod orbits;
 mod originals;
@@ -41,7 +42,7 @@ use impact_pair_certificate::{Claims, Effort, Verdict};
 const CASES: u64 = 1;
 
 /// All forgeries, by what they forge.
-const FORGERIES: [&[Forgery]; 10] = [
+const FORGERIES: [&[Forgery]; 11] = [
     scenes::FORGERIES,
     outcomes::FORGERIES,
     events::FORGERIES,
@@ -52,6 +53,7 @@ const FORGERIES: [&[Forgery]; 10] = [
     descriptions::FORGERIES,
     sweeps::FORGERIES,
     windows::FORGERIES,
+    globals::FORGERIES,
 ];
 
 fn cases() -> usize {

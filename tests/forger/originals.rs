@@ -19,7 +19,7 @@ use crate::spoiled::{documents, others};
 use impact_pair::scene::Range;
 
 /// Kinds of documents, in the order of the table.
-const KINDS: [&str; 13] = [
+const KINDS: [&str; 14] = [
     "orbit",
     "shadow",
     "periodic",
@@ -27,6 +27,7 @@ const KINDS: [&str; 13] = [
     "bifurcations",
     "cycles",
     "windows",
+    "global",
     "trap",
     "chaos",
     "hyperbolic",
@@ -43,6 +44,9 @@ pub fn all() -> Vec<Original> {
     all.extend([cycles(), trap("figure-14"), trap("figure-12"), chaos(None), chaos(Some("gap=9.42477..9.42498"))]);
     all.push(hyperbolic());
     all.push(Original::new("windows", "of two impacts", others::windows()));
+    all.extend(
+        ["one cycle with rests", "one attractor"].map(|name| Original::new("global", name, others::global(name))),
+    );
     let described = ["figure-13", "chatter", "figure-14"];
     all.extend(described.map(|name| Original::new("description", name, others::description(name))));
     all.extend(sweeps());

@@ -4,7 +4,8 @@ use std::fs;
 
 use impact_pair::Scene;
 use impact_pair::chaos::{
-    BoxGraph, Chaos, Cycles, FoundWindow, HorseshoeSettings, Trap, WallWords, WindowSettings, Windows,
+    BoxGraph, Chaos, Cycles, FoundWindow, Global, GlobalSettings, HorseshoeSettings, Trap, WallWords, WindowSettings,
+    Windows,
 };
 use impact_pair::describe::{Request, describe};
 use impact_pair::document;
@@ -96,6 +97,18 @@ pub fn windows() -> Value {
     json!(document::windows(&scene, &settings, &found).unwrap())
 }
 
+/// Where every motion goes: to a cycle with rests, or to a periodic motion beside a saddle.
+pub fn global(name: &str) -> Value {
+    let [amplitude, restitution] = if name == "one attractor" { ONE_ATTRACTOR } else { ["2", "0.2"] };
+    let scene = format!(
+        "excitation = {{ amplitude = {amplitude}, frequency = \"pi\", phase = 0.25 }}\n\
+         pair = {{ gap = 1, restitution = {restitution} }}\nstart = {{ time = 0, wall = \"left\", velocity = -1 }}"
+    );
+    let (scene, settings) = (Scene::parse(&scene).unwrap(), GlobalSettings::default());
+    let found = Global::of(scene.pair(), &settings, &Unwatched).unwrap();
+    json!(document::global(&scene, &settings, &found).unwrap())
+}
+
 fn sweep(scene: &str, over: &[&str]) -> Vec<Value> {
     let scene = Scene::parse(scene).unwrap();
     let grid = Grid::new(over.iter().map(|axis| axis.parse().unwrap()).collect()).unwrap();
@@ -127,6 +140,7 @@ pub fn all() -> Vec<(&'static str, Vec<Value>)> {
         ("trap", vec![trap()]),
         ("cycles", vec![cycles(3)]),
         ("windows", vec![windows()]),
+        ("global", vec![global("one attractor")]),
         ("description", vec![description("figure-13")]),
         ("description of a region", vec![description("figure-14")]),
         ("sweep", sweep(one, &["amplitude=7..9:2", "start.phase=0..1:2"])),

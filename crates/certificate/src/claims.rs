@@ -6,11 +6,13 @@ use serde_json::{Deserializer, Value};
 
 use crate::{
     BifurcationCertificate, Certificate, ChaosCertificate, ClaimKind, CyclesCertificate, DescriptionCertificate,
-    Effort, Finding, Judged, PeriodicCertificate, SweepCertificate, TrapCertificate, Verdict, WindowsCertificate,
+    Effort, Finding, GlobalCertificate, Judged, PeriodicCertificate, SweepCertificate, TrapCertificate, Verdict,
+    WindowsCertificate,
 };
 use impact_pair_document::{
     AUDIT_SCHEMA, BIFURCATION_SCHEMA, CHAOS_CELLS_SCHEMA, CHAOS_SCHEMA, CYCLES_SCHEMA, DESCRIPTION_SCHEMA,
-    MANIFOLD_SCHEMA, PERIODIC_SCHEMA, SWEEP_SCHEMA, TRADE_SCHEMA, TRAP_SCHEMA, WINDOWS_SCHEMA, counted, value,
+    GLOBAL_SCHEMA, MANIFOLD_SCHEMA, PERIODIC_SCHEMA, SWEEP_SCHEMA, TRADE_SCHEMA, TRAP_SCHEMA, WINDOWS_SCHEMA, counted,
+    value,
 };
 use impact_pair_model::Error;
 use impact_pair_model::watch::{Latched, Stage, Watch};
@@ -28,6 +30,8 @@ pub enum Claims {
     Bifurcations(Box<BifurcationCertificate>),
     /// A JSON of windows: its orbits and the ends of their windows are checked, not the orbits between them.
     Windows(Box<WindowsCertificate>),
+    /// A JSON of a global analysis: its periodic motions, and that every motion is in one of its components in the end.
+    Global(Box<GlobalCertificate>),
     /// A sweep: the impacts of all its points are checked, not what becomes of them.
     Sweep(Box<SweepCertificate>),
     /// A chaos JSON: all its words are checked, and that its entropies and its horseshoe follow from them.
@@ -73,6 +77,7 @@ impl Claims {
             Some(AUDIT_SCHEMA) => {
                 Self::Unchecked("comparisons with another program's list: what is inside, missed or false")
             }
+            Some(GLOBAL_SCHEMA) => Self::Global(Box::new(GlobalCertificate::parse(text)?)),
             Some(TRADE_SCHEMA) => Self::Unchecked("measurements of the cost of accuracy"),
             Some(SWEEP_SCHEMA) => Self::Sweep(Box::new(SweepCertificate::parse(text)?)),
             Some(CHAOS_SCHEMA) => Self::Chaos(Box::new(ChaosCertificate::parse(text)?)),
@@ -174,6 +179,7 @@ impl Claims {
             Self::Cycles(certificate) => certificate.check_within(effort, watch),
             Self::Bifurcations(certificate) => certificate.check_within(effort, watch),
             Self::Windows(certificate) => certificate.check_within(effort, watch),
+            Self::Global(certificate) => certificate.check_within(effort, watch),
             Self::Chaos(certificate) => certificate.check_within(effort, watch),
             Self::Trap(certificate) => certificate.check_within(effort, watch),
             Self::Description(_) | Self::List(_) | Self::Sweep(_) | Self::Unchecked(_) => {
@@ -199,6 +205,7 @@ impl Claims {
             Self::Cycles(certificate) => certificate.orbits().count(),
             Self::Bifurcations(certificate) => certificate.count(),
             Self::Windows(certificate) => certificate.count(),
+            Self::Global(certificate) => certificate.count(),
             Self::Sweep(certificate) => certificate.count(),
             Self::Chaos(certificate) => certificate.count(),
             Self::Trap(certificate) => certificate.count(),
@@ -218,6 +225,7 @@ impl Claims {
             Self::Cycles(certificate) => certificate.orbits().unjudged().to_vec(),
             Self::Bifurcations(certificate) => certificate.unjudged().to_vec(),
             Self::Windows(certificate) => certificate.unjudged().to_vec(),
+            Self::Global(certificate) => certificate.unjudged().to_vec(),
             Self::Sweep(certificate) => certificate.unjudged().to_vec(),
             Self::Chaos(certificate) => certificate.unjudged().to_vec(),
             Self::Trap(certificate) => certificate.unjudged().to_vec(),
@@ -243,6 +251,7 @@ impl Claims {
             }
             Self::Bifurcations(_) => counted(count, "bifurcation"),
             Self::Windows(_) => counted(count, "window"),
+            Self::Global(_) => counted(count, "component"),
             Self::Sweep(_) => counted(count, "point"),
             Self::Chaos(_) => counted(count, "word"),
             Self::Trap(_) => boxes(count),
@@ -273,6 +282,13 @@ impl Claims {
             Self::Windows(certificate) => {
                 format!("the orbits and the ends of {}", counted(certificate.count(), "window"))
             }
+            Self::Global(certificate) if certificate.says_there_are_no_others() => {
+                format!(
+                    "{}, and that every motion is in one of them in the end",
+                    counted(certificate.count(), "component")
+                )
+            }
+            Self::Global(certificate) => format!("what is proved of {}", counted(certificate.count(), "component")),
             Self::Sweep(certificate) => format!("the impacts of {}", counted(certificate.count(), "point")),
             Self::Chaos(certificate) => {
                 format!("{}, the entropies and the horseshoe", counted(certificate.count(), "word"))
@@ -304,6 +320,7 @@ impl Claims {
             Self::Periodic(_) | Self::Cycles(_) if *event < self.count() => format!("orbits[{event}]: {message}"),
             Self::Bifurcations(certificate) if *event < certificate.count() => format!("points[{event}]: {message}"),
             Self::Windows(certificate) if *event < certificate.count() => format!("windows[{event}]: {message}"),
+            Self::Global(certificate) if *event < certificate.count() => format!("components[{event}]: {message}"),
             Self::Sweep(certificate) if *event < certificate.count() => format!("points[{event}]: {message}"),
             Self::Chaos(certificate) if *event < certificate.count() => format!("words[{event}]: {message}"),
             Self::Trap(certificate) if *event < certificate.count() => format!("box {event}: {message}"),
@@ -322,6 +339,7 @@ impl Claims {
             | Self::Cycles(_)
             | Self::Bifurcations(_)
             | Self::Windows(_)
+            | Self::Global(_)
             | Self::Sweep(_)
             | Self::Chaos(_)
             | Self::Trap(_)

@@ -61,6 +61,7 @@ impl Claims {
             Self::Orbit(_) => Some("events"),
             Self::Periodic(_) | Self::Cycles(_) => Some("orbits"),
             Self::Bifurcations(_) | Self::Sweep(_) => Some("points"),
+            Self::Global(_) => Some("components"),
             Self::Windows(_) => Some("windows"),
             Self::Chaos(_) => Some("words"),
             Self::Trap(_) => Some("region"),

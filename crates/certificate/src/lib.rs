@@ -10,6 +10,7 @@ mod check;
 mod claims;
 mod cycles;
 mod description;
+mod global;
 mod judged;
 mod leaves;
 mod periodic;
@@ -28,6 +29,7 @@ pub use check::{Effort, Finding, Verdict};
 pub use claims::Claims;
 pub use cycles::CyclesCertificate;
 pub use description::DescriptionCertificate;
+pub use global::GlobalCertificate;
 #[doc(inline)]
 pub use impact_pair_document as document;
 pub use judged::Judged;

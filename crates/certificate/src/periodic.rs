@@ -122,7 +122,11 @@ impl PeriodicCertificate {
 
     /// One orbit, that of a window.
     pub(super) fn of_orbit(pair: ImpactPair, orbit: OrbitOf) -> Result<Self, Error> {
-        Self::new(pair, vec![orbit], Vec::new())
+        Self::of_orbits(pair, vec![orbit])
+    }
+
+    pub(super) fn of_orbits(pair: ImpactPair, orbits: Vec<OrbitOf>) -> Result<Self, Error> {
+        Self::new(pair, orbits, Vec::new())
     }
 
     fn new(pair: ImpactPair, orbits: Vec<OrbitOf>, mut unjudged: Vec<String>) -> Result<Self, Error> {

@@ -3,6 +3,7 @@
 use num_bigint::BigUint;
 use num_traits::{One, ToPrimitive};
 
+use crate::chaos::boxes::parts;
 use crate::number::{Ball, Number, logarithm, up};
 
 /// Bits of a count that are looked at.
@@ -26,7 +27,7 @@ pub(super) fn rate(count: &BigUint, letters: u32) -> f64 {
 
 /// Returns an upper bound of the growth rate of the number of paths. Lemma D31
 pub(super) fn limit(steps: &[[Option<u32>; 2]]) -> f64 {
-    let radius = parts(steps).iter().map(|part| radius(steps, part)).fold(1.0, f64::max); // D31: at least one path goes on
+    let radius = parts(&forth(steps)).iter().map(|part| radius(steps, part)).fold(1.0, f64::max); // D31: at least one path goes on
     if radius == 1.0 { 0.0 } else { logarithm(Ball::exact(radius)).map_or(f64::INFINITY, above) } // exact: the logarithm of 1
 }
 
@@ -64,44 +65,7 @@ fn radius(steps: &[[Option<u32>; 2]], part: &[usize]) -> f64 {
     least
 }
 
-/// Returns the strongly connected parts, the members of each in order: the nodes that lead to each other.
-fn parts(steps: &[[Option<u32>; 2]]) -> Vec<Vec<usize>> {
-    let forth: Vec<Vec<usize>> =
-        steps.iter().map(|steps| steps.iter().flatten().map(|&to| to as usize).collect()).collect(); // exact: indices
-    let mut back = vec![Vec::new(); steps.len()];
-    for (from, to) in forth.iter().enumerate() {
-        to.iter().for_each(|&to| back[to].push(from));
-    }
-    let mut seen = vec![false; steps.len()];
-    let mut order = Vec::new();
-    (0..steps.len()).for_each(|root| walk(root, &forth, &mut seen, &mut order));
-    seen.fill(false);
-    let part = |root: &usize| {
-        let mut part = Vec::new();
-        walk(*root, &back, &mut seen, &mut part);
-        part.sort_unstable();
-        part
-    };
-    order.iter().rev().map(part).filter(|part| !part.is_empty()).collect()
-}
-
-/// Adds the nodes that a new one leads to, and itself as the last, each when all of its own are done.
-fn walk(root: usize, next: &[Vec<usize>], seen: &mut [bool], order: &mut Vec<usize>) {
-    let mut path = vec![(root, 0)];
-    if seen[root] {
-        return;
-    }
-    seen[root] = true;
-    while let Some((node, tried)) = path.pop() {
-        match next[node].get(tried) {
-            Some(&to) => {
-                path.push((node, tried + 1));
-                if !seen[to] {
-                    seen[to] = true;
-                    path.push((to, 0));
-                }
-            }
-            None => order.push(node),
-        }
-    }
+/// The nodes that each one leads to.
+fn forth(steps: &[[Option<u32>; 2]]) -> Vec<Vec<usize>> {
+    steps.iter().map(|steps| steps.iter().flatten().map(|&to| to as usize).collect()).collect() // exact: indices
 }

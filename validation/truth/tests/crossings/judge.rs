@@ -255,6 +255,15 @@ fn truth(case: &mut Case, answer: &Answer) -> Judged<()> {
                 orbits::judge(&window["orbit"], &Member::new(&there, || 0.0))
             })
         }
+        // The orbits; and where the scene's own motion goes, it is not elsewhere.
+        Answer::Global(document) => {
+            if !is_point {
+                return Err(Halt::Open("a box of data"));
+            }
+            let listed = document["components"].as_array().map_or(&[][..], Vec::as_slice);
+            let orbits = listed.iter().filter(|own| own["orbit"].is_object());
+            orbits.map(|own| &own["orbit"]).try_for_each(|orbit| orbits::judge(orbit, &members[0]))
+        }
         Answer::Boxes(images) => all(&members, |member| boxes::judge(images, member)),
         Answer::Audit(document) => audit(document),
     }
@@ -273,7 +282,8 @@ impl Answer {
             | Self::Trap(document)
             | Self::Chaos(document)
             | Self::Cycles(document)
-            | Self::Windows(document) => Some(document.to_string()),
+            | Self::Windows(document)
+            | Self::Global(document) => Some(document.to_string()),
             Self::Sweep { head, records, .. } => {
                 let lines = [head].into_iter().chain(records).map(|line| line.to_string() + "\n");
                 Some(lines.collect())
@@ -317,6 +327,7 @@ impl Answer {
             Self::Cycles(document) if document["exhaustive"] == true => "all cycles".into(),
             Self::Cycles(_) => "not all cycles".into(),
             Self::Windows(document) => none_or(orbits(document, "windows"), "window"),
+            Self::Global(document) => format!("global: {}", document["class"].as_str().unwrap_or("none")),
             Self::Boxes(images) => boxes::outcome(images).into(),
             Self::Audit(document) if document["agreed"] == true => "agreed".into(),
             Self::Audit(_) => "not agreed".into(),

@@ -5,7 +5,9 @@ use std::ops::RangeInclusive;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use impact_pair::audit::{self, Audit, Columns};
-use impact_pair::chaos::{self, Base, BoxGraph, Chaos, Cycles, Hyperbolic, Trap, WallWords, WindowSettings, Windows};
+use impact_pair::chaos::{
+    self, Base, BoxGraph, Chaos, Cycles, Global, GlobalSettings, Hyperbolic, Trap, WallWords, WindowSettings, Windows,
+};
 use impact_pair::describe::{Request, describe};
 use impact_pair::document::{self, Units};
 use impact_pair::mapping::Word;
@@ -69,6 +71,7 @@ pub enum Answer {
     Chaos(Value),
     Cycles(Value),
     Windows(Value),
+    Global(Value),
     /// The images of boxes.
     Boxes(Vec<Mapped>),
     /// The audit of a list of true impacts.
@@ -113,6 +116,7 @@ impl Case {
             Question::Chaos => self.chaos(),
             Question::Cycles => self.cycles(),
             Question::Windows => self.windows(),
+            Question::Global => self.global(),
             Question::BoxMap => self.box_map(),
             Question::Audit => self.audit(),
         }
@@ -322,6 +326,18 @@ impl Case {
         let settings = WindowSettings { over, impacts: 4_000, longest: 6, most: 1, precision };
         let found = Windows::of(&self.scene, &settings, &Unwatched)?;
         Ok(Answer::Windows(json!(document::windows(&self.scene, &settings, &found)?)))
+    }
+
+    /// Of few boxes.
+    fn global(&mut self) -> Result<Answer, Error> {
+        let settings = GlobalSettings {
+            boxes: 1 << 10,
+            halvings: 8,
+            most: 6_000,
+            precision: Precision { digits: 9, max_bits: 512 },
+        };
+        let found = Global::of(self.scene.pair(), &settings, &Unwatched)?;
+        Ok(Answer::Global(json!(document::global(&self.scene, &settings, &found)?)))
     }
 
     fn cycles(&mut self) -> Result<Answer, Error> {

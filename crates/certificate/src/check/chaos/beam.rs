@@ -187,6 +187,25 @@ impl Beam {
         height.is_positive() && (self.gap - height).is_positive()
     }
 
+    /// Holds `e w` of all states.
+    pub fn after(&self) -> Span {
+        self.after
+    }
+
+    /// Holds the drifts `e w + cos th0` of all states.
+    pub fn drifts(&self) -> Span {
+        self.after + self.cos
+    }
+
+    /// Returns whether all flights are proved to be away from the wall that they left until this time.
+    pub fn leaves(&self, time: f64) -> bool {
+        let angle = Span::point(time).turned();
+        let bend = (self.phase + Span::new(0.0, time)).sin_cos().0;
+        let mean = self.after + bend * angle.scaled(0.5);
+        // No speed is negative if none of the states has a negative one, as no `e` is.
+        self.speed.lo() >= 0.0 && (bend.is_positive() || mean.is_positive()) // V11: V1's departure
+    }
+
     /// Returns a time up to which all flights are proved to be between the walls once they have left.
     pub fn depart(&self) -> Option<f64> {
         let mut time = DEPARTURE;
@@ -194,10 +213,8 @@ impl Beam {
             let angle = Span::point(time).turned();
             let bend = (self.phase + Span::new(0.0, time)).sin_cos().0;
             let mean = self.after + bend * angle.scaled(0.5);
-            // No speed is negative if none of the states has a negative one, as no `e` is.
-            let leaves = self.speed.lo() >= 0.0 && (bend.is_positive() || mean.is_positive()); // V11: V1's departure
             let stays = (self.gap - angle * mean.hull(self.after)).is_positive();
-            if leaves && stays {
+            if stays && self.leaves(time) {
                 return Some(time);
             }
             time *= 0.5;

@@ -11,6 +11,7 @@ mod beam;
 mod blocks;
 mod cones;
 mod entropy;
+mod global;
 mod guess;
 mod judge;
 mod language;

@@ -181,7 +181,7 @@ fn halves([low, high]: [State; 2], is_by_phase: bool) -> [[State; 2]; 2] {
 
 impl Beam {
     /// The speeds of all arrivals at a wall in a part of the flights; `None` if there are none.
-    fn arrivals(&self, is_far: bool, times: Span, view: &View) -> Option<Span> {
+    pub(super) fn arrivals(&self, is_far: bool, times: Span, view: &View) -> Option<Span> {
         let miss = view.height - self.level(is_far);
         if miss.is_positive() || miss.is_negative() {
             return None;

@@ -1,0 +1,132 @@
+//! `impact-pair global SCENE`: where every motion goes, proved.
+
+use std::fmt::{self, Write};
+use std::path::PathBuf;
+
+use anyhow::{Context, Result};
+use clap::Args;
+use impact_pair::Scene;
+use impact_pair::chaos::{Global, GlobalSettings, Kind, Recurrence};
+use impact_pair::document::{self, counted};
+use impact_pair::exact::decimal_digits;
+use impact_pair::json::GlobalDocument;
+
+use crate::Answer;
+use crate::destination::{Begun, Destination};
+use crate::heading::pair_heading;
+use crate::periodic::PeriodicFormat;
+use crate::progress::Progress;
+use crate::scene;
+use crate::values::{count, digits};
+
+pub const HELP: &str = "\
+Examples:
+  impact-pair global scenes/figure-12.toml
+  impact-pair global scenes/figure-14.toml --format json --output global.json
+
+With every impact mirrored to the left wall, all phases and all speeds that motions have in the end are covered by \
+boxes. Enclosures of what may follow each box, an impact or a rest and its release, make a graph; at a graze both \
+continuations are included. Its recurrent components hold all that motions do in the end: each is halved, box by box, \
+until it is proved what its motions tend to (a periodic orbit, a cycle with rests, a graze in every forcing period), \
+or until enough boxes are mapped. The start of the scene is not used. One harmonic and a restitution below 0.99 only; \
+parameters may be intervals.
+
+Of a component that is listed as undecided nothing is claimed, not even that a motion stays in it. `closed` says that \
+no motion goes from it to another component.
+
+Exit code: 0 every motion that touches a wall is proved to end in one cycle with rests, or to tend to one attractor, \
+apart from saddles and grazes; 1 not so, or the run was interrupted (what is proved is written); 2 usage, bad input, \
+I/O.";
+
+#[derive(Args, Debug)]
+pub struct GlobalArguments {
+    /// Scene file (TOML), or - for stdin
+    scene: PathBuf,
+    /// Boxes of the first partition, about: 2^N
+    #[arg(long, value_name = "N", default_value_t = 14, value_parser = clap::value_parser!(u32).range(8..=20))]
+    boxes: u32,
+    /// Halve the boxes of a component up to N times
+    #[arg(long, value_name = "N", default_value_t = 18, value_parser = clap::value_parser!(u32).range(0..=40))]
+    halvings: u32,
+    /// Map about N boxes in all
+    #[arg(long, value_name = "N", default_value_t = 300_000, value_parser = count(1..=1_000_000_000))]
+    most: u64,
+    /// Requested width of periodic orbits, at most 10^-D: of phases relative to 2 pi, of velocities relative to A W [default: that of
+    /// the scene, or 9]
+    #[arg(long, value_name = "D", value_parser = digits())]
+    digits: Option<u32>,
+    /// Output format; json is schema impact-pair/global/1 [default: as the ending of --output says, else table]
+    #[arg(long, value_enum)]
+    format: Option<PeriodicFormat>,
+    #[command(flatten)]
+    destination: Destination,
+}
+
+pub fn global(arguments: &GlobalArguments) -> Result<Answer> {
+    let format = arguments.destination.format(arguments.format)?;
+    let Begun { scene, files, path } = arguments.destination.begin(&arguments.scene, None)?;
+    let named = || scene::name(path);
+    let mut settings = GlobalSettings {
+        boxes: 1 << arguments.boxes,
+        halvings: arguments.halvings,
+        most: usize::try_from(arguments.most)?,
+        ..GlobalSettings::default()
+    };
+    settings.precision.digits = arguments.digits.or(scene.run().digits).unwrap_or(settings.precision.digits);
+    let progress = Progress::stages(!files.quiet);
+    let found = Global::of(scene.pair(), &settings, &progress).with_context(named)?;
+    progress.clear();
+    let document = document::global(&scene, &settings, &found).with_context(named)?;
+    let text = match format {
+        PeriodicFormat::Table => table(&scene, &found, &document)?,
+        PeriodicFormat::Json => serde_json::to_string(&document)? + "\n",
+    };
+    let open = (!document.certified).then(|| conclusion(&document));
+    files.answer(&text, open, format == PeriodicFormat::Table)
+}
+
+fn table(scene: &Scene, found: &Global, document: &GlobalDocument) -> Result<String, fmt::Error> {
+    let mut out = pair_heading(scene);
+    writeln!(
+        out,
+        "\n   {:10}  {:>8}  {:>22}  {:>6}  {:>8}  closed",
+        "kind", "period", "spectral radius", "boxes", "area"
+    )?;
+    for (i, component) in found.components.iter().enumerate() {
+        writeln!(out, "{}", row(i + 1, component))?;
+    }
+    let known = found.components.iter().enumerate().filter_map(|(i, component)| Some((i, component.kind.limit()?)));
+    for (i, limit) in known {
+        let word = limit.problem.word();
+        writeln!(out, "{}: {} of the reduced map, {word}", i + 1, counted(limit.impacts as u32, "impact"))?;
+    }
+    if !document.order.is_empty() {
+        let pairs: Vec<String> = document.order.iter().map(|[i, j]| format!("{} to {}", i + 1, j + 1)).collect();
+        writeln!(out, "motions may go from {}", pairs.join(", "))?;
+    }
+    writeln!(out, "\n{}", conclusion(document))?;
+    Ok(out)
+}
+
+/// What is proved of a component.
+fn row(number: usize, Recurrence { kind, boxes, area, is_closed }: &Recurrence) -> String {
+    let cycles = match kind {
+        Kind::RestCycle(rest) => Some(rest.cycles),
+        kind => kind.limit().map(|limit| limit.problem.chain().cycles()),
+    };
+    let period = cycles.map_or(String::new(), |cycles| counted(cycles, "cycle"));
+    let radius = kind.limit().map_or(String::new(), |limit| decimal_digits(&limit.spectral_radius));
+    let (name, closed) = (kind.name(), if *is_closed { "yes" } else { "no" });
+    format!("{number:<2} {name:10}  {period:>8}  {radius:>22}  {boxes:>6}  {area:>8.6}  {closed}")
+}
+
+/// What all motions do.
+fn conclusion(document: &GlobalDocument) -> String {
+    let prefix = match (document.interrupted, document.certified) {
+        (true, _) => "interrupted: ",
+        (_, true) => "certified: ",
+        _ if document.class == "undecided" => "",
+        _ => "proved in part: ",
+    };
+    format!("{prefix}{}", document.statement)
+}

@@ -1,0 +1,210 @@
+//! Whether a JSON of a global analysis is right: each periodic motion found again (Lemma V8), the cycle with rests followed from the release,
+//! and a graph of boxes of its own, each recurrent component of which is proved to be one of those claimed (Lemma V20).
+
+mod graph;
+mod limit;
+mod space;
+
+use impact_pair_model::watch::{Latched, Silent, Watch};
+use impact_pair_model::{Error, within};
+
+use super::beam::{Beam, Quad};
+use super::span::Span;
+use super::{BITS, Law};
+use crate::check::contact::Doubt;
+use crate::check::{Effort, Finding, Verdict};
+use crate::global::{Claimed, GlobalCertificate};
+use graph::{Released, Set};
+use impact_pair_exact::Real;
+use limit::Cycle;
+use space::{Grid, Space};
+
+/// Boxes of the first partition are about as many as these by these, and components are halved so often at most.
+const COLUMNS: f64 = 128.0;
+const ROWS: f64 = 64.0;
+const HALVINGS: u32 = 20;
+/// Impacts of the released ball that are followed.
+const IMPACTS: usize = 200;
+
+impl GlobalCertificate {
+    /// Proves every claim again, or says what is not as claimed or not proved, until the watch stops it.
+    ///
+    /// # Errors
+    /// When the scene's values are beyond the range of exact expressions, and with several harmonics.
+    pub fn check_within(&self, effort: &Effort, watch: &dyn Watch) -> Result<Verdict, Error> {
+        let watch = Latched::new(watch);
+        let end = |message: String| Finding { event: self.count(), message };
+        if let Some(message) = self.contradiction() {
+            return Ok(Verdict::Refuted(end(message.to_owned())));
+        }
+        let is_empty = self.orbits().is_none() && self.rest_cycle().is_none();
+        if is_empty && !self.says_there_are_no_others() {
+            return Ok(Verdict::Undecided(end("there is no component to check".to_owned())));
+        }
+        let mut bits = f64::MANTISSA_DIGITS;
+        if let Some(orbits) = self.orbits() {
+            match orbits.check_within(effort, &Silent(&watch))? {
+                Verdict::Confirmed { bits: most, .. } => bits = bits.max(most), // exact: what is shown
+                Verdict::Interrupted { .. } => return Ok(Verdict::Interrupted { events: 0 }),
+                Verdict::Refuted(finding) => return Ok(Verdict::Refuted(self.placed(finding))),
+                Verdict::Undecided(finding) => return Ok(Verdict::Undecided(self.placed(finding))),
+            }
+        }
+        Ok(match self.covers(effort, &watch)? {
+            Ok(()) => Verdict::Confirmed { bits, pieces: 1 },
+            Err(Doubt::Open(_)) if !watch.goes_on() => Verdict::Interrupted { events: 0 },
+            Err(doubt) => doubt.on(self.count()),
+        })
+    }
+
+    /// The cycle with rests is as claimed, and each recurrent component is one of those claimed, where it is said that there are no others.
+    fn covers(&self, effort: &Effort, watch: &dyn Watch) -> Result<Result<(), Doubt>, Error> {
+        let law = Law::of(self.pair())?;
+        let Some(space) = Space::new(&law) else {
+            return Ok(Err(Doubt::Open("the restitution is not proved to be below 1".into())));
+        };
+        let (rests, released) = from_release(&space);
+        if let Some(claimed) = self.rest_cycle() {
+            match rests {
+                Some(found) if found == claimed => {}
+                Some((cycles, _)) => {
+                    return Ok(Err(Doubt::False(format!("the cycle with rests takes {cycles} forcing periods"))));
+                }
+                None => return Ok(Err(Doubt::Open("the released ball is not proved to rest again".into()))),
+            }
+        }
+        if !self.says_there_are_no_others() {
+            return Ok(Ok(()));
+        }
+        let cycles = self.cycles()?;
+        let mut work = effort.work;
+        let judge = Judge {
+            space: &space,
+            released: &released,
+            cycles: &cycles,
+            claimed: self.claimed(),
+            has_rests: rests.is_some(),
+        };
+        Ok(judge.covers(&judge.whole(), 0, &mut work, watch))
+    }
+
+    /// The cycles of the map that are claimed.
+    fn cycles(&self) -> Result<Vec<(Cycle, bool)>, Error> {
+        let harmonic = self.pair().harmonic("a global analysis")?;
+        let fastest = harmonic.amplitude().checked_mul(harmonic.frequency());
+        let fastest = within("excitation.frequency", harmonic.frequency(), fastest)?;
+        let (turn, fastest) = (Real::pi(BITS) * 2, Real::of(&fastest, BITS));
+        let half = Span::point(0.5);
+        let state = |(is_right, phase, velocity): (bool, Real, Real)| {
+            let phase = Span::of(phase.over(&turn)?.enclosure());
+            let phase = if is_right { phase + half } else { phase };
+            let speed = Span::of(velocity.over(&fastest)?.enclosure());
+            let speed = if speed.is_negative() { -speed } else { speed };
+            Some([phase - Span::point(phase.mid().floor()), speed])
+        };
+        let of = |claim: &Claimed| {
+            let states = claim.states(BITS).map(state).collect::<Option<Vec<_>>>()?;
+            Some((Cycle { states }, claim.attracts))
+        };
+        Ok(self.claimed().iter().filter_map(of).collect())
+    }
+}
+
+/// What the boxes are judged by.
+struct Judge<'j> {
+    space: &'j Space<'j>,
+    released: &'j Released,
+    cycles: &'j [(Cycle, bool)],
+    claimed: &'j [Claimed],
+    has_rests: bool,
+}
+
+impl Judge<'_> {
+    /// All states that motions have in the end.
+    fn whole(&self) -> Set {
+        let rows = (ROWS / self.space.fastest).log2().ceil().exp2().max(32.0); // V20: any boxes; the greatest speed is a multiple of a row
+        let (columns, last) = (COLUMNS as i64, (self.space.fastest * rows) as i64); // exact: whole numbers
+        let cells = (0..columns).flat_map(|column| (0..last).map(move |row| [column, row])).collect();
+        Set { grid: Grid { columns: COLUMNS, rows }, cells, has_release: true }
+    }
+
+    /// Whether all that stays in a set is claimed.
+    fn covers(&self, set: &Set, halved: u32, work: &mut u64, watch: &dyn Watch) -> Result<(), Doubt> {
+        *work = work.saturating_sub(set.cells.len() as u64); // exact: a length
+        if *work == 0 {
+            return Err(Doubt::Open("where every motion goes: the work allowed is spent".into()));
+        }
+        let open = || Doubt::Open("interrupted".into());
+        for component in set.recurrent(self.space, self.released, watch).ok_or_else(open)? {
+            if self.is_claimed(&component) {
+                continue;
+            }
+            if halved >= HALVINGS || component.cells.is_empty() {
+                return Err(Doubt::Open(format!(
+                    "where every motion goes: {} that may hold motions are not proved to be among the components",
+                    impact_pair_document::counted(component.cells.len() as u32, "box") // shown
+                )));
+            }
+            self.covers(&component.halved(), halved + 1, work, watch)?;
+        }
+        Ok(())
+    }
+
+    fn is_claimed(&self, set: &Set) -> bool {
+        if set.cells.is_empty() {
+            return set.has_release && self.has_rests && self.claimed.iter().any(|claim| claim.kind == "rest-cycle");
+        }
+        self.cycles.iter().any(|(cycle, attracts)| cycle.is_limit_of(set, self.space, *attracts))
+            || self.claimed.iter().any(|claim| claim.kind == "grazing") && limit::grazes(set, self.space)
+    }
+}
+
+/// The forcing periods of the cycle with rests, and whether the ball rests on both walls in turn, if the released ball rests again; and its first
+/// impact, else.
+fn from_release(space: &Space<'_>) -> (Option<(u32, bool)>, Released) {
+    let first = landed(space);
+    let [mut phase, mut speed] = first;
+    let mut crossings = 1;
+    for _ in 0..IMPACTS {
+        let turns = phase.mid().floor();
+        let within = phase - Span::point(turns);
+        if space.chatters([within.lo(), 0.0], [within.hi(), speed.hi()]) {
+            let halves = 2.0 * (turns + 1.0) - f64::from(crossings); // exact: small whole numbers
+            let alternates = crossings % 2 == 1;
+            let cycles = if alternates { halves } else { 0.5 * halves }; // exact: small whole numbers
+            return (Some((cycles as u32, alternates)), None); // exact: small whole numbers
+        }
+        let quad = Quad::rectangle([within.lo(), speed.lo()], [within.hi(), speed.hi()]);
+        let landing = space
+            .guess
+            .map(quad.middle())
+            .and_then(|image| Some((image.is_far, Beam::new(space.law, &quad).land(image.is_far, image.time)?)));
+        let Some((is_far, landing)) = landing else { break };
+        crossings += u32::from(is_far);
+        let [zero, one] = [0.0, 1.0].map(Span::point);
+        phase = landing.along([one, zero], [zero, zero]) + Span::point(turns);
+        speed = landing.along([zero, one], [zero, zero]);
+        if !speed.is_positive() {
+            break;
+        }
+    }
+    (None, Some(first))
+}
+
+/// Phase and speed of the first impact after the release, on the far wall: `x - sin x = D`, `w = 1 - cos x`.
+fn landed(space: &Space<'_>) -> [Span; 2] {
+    let height = |u: f64| Span::point(u).turned() - Span::point(u).sin_cos().0;
+    let gap = space.law.gap;
+    let between = |is_below: &dyn Fn(Span) -> bool| {
+        let (mut low, mut high) = (0.0, gap.hi() + 2.0); // V20: the height is more than D there
+        for _ in 0..64 {
+            let middle = 0.5 * (low + high);
+            if is_below(height(middle)) { low = middle } else { high = middle }
+        }
+        [low, high]
+    };
+    let low = between(&|z| z.hi() <= gap.lo())[0];
+    let high = between(&|z| z.lo() < gap.hi())[1];
+    let phase = Span::new(low, high);
+    [phase + Span::point(0.5), Span::point(1.0) - phase.sin_cos().1]
+}

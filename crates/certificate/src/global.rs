@@ -1,0 +1,224 @@
+//! The JSON of a global analysis, read back.
+
+use super::Finding;
+use super::attraction::{Bounds, ClaimedOrbit, Stability};
+use super::periodic::{OrbitOf, PeriodicCertificate};
+use impact_pair_document::{ComponentDocument, GLOBAL_SCHEMA, GlobalDocument, Place, value};
+use impact_pair_exact::Real;
+use impact_pair_model::{Error, ImpactPair, Wall};
+use num_rational::BigRational;
+
+/// What a JSON of a global analysis claims.
+#[derive(Clone, Debug)]
+pub struct GlobalCertificate {
+    pair: ImpactPair,
+    /// The periodic motions without rests, if there are any.
+    orbits: Option<PeriodicCertificate>,
+    claimed: Vec<Claimed>,
+    rest_cycle: Option<(u32, bool)>,
+    says_there_are_no_others: bool,
+    contradiction: Option<String>,
+    unjudged: Vec<String>,
+}
+
+/// A component of which something is claimed.
+#[derive(Clone, Debug)]
+pub(super) struct Claimed {
+    pub kind: String,
+    pub attracts: bool,
+    /// Its place among the components.
+    place: usize,
+    /// Impacts of a period of the reduced map.
+    reduced: usize,
+    orbit: Option<ClaimedOrbit>,
+}
+
+/// Kinds of components with a periodic motion, and what its stability is then.
+const PERIODIC: [(&str, Stability); 2] = [("attracting", Stability::Stable), ("saddle", Stability::Unstable)];
+
+impl GlobalCertificate {
+    /// Reads a JSON of a global analysis.
+    ///
+    /// # Errors
+    /// Name the key, its value and what is accepted.
+    pub fn parse(text: &str) -> Result<Self, Error> {
+        let value = value(text)?;
+        let whole = Place::of_schema(&value, GLOBAL_SCHEMA)?;
+        let document: GlobalDocument = whole.read()?;
+        let (pair, _) = document.scene.clone().model()?;
+        let places = whole.get("components")?.list()?;
+        let (mut claimed, mut orbits) = (Vec::new(), Vec::new());
+        for (i, (component, place)) in document.components.iter().zip(&places).enumerate() {
+            let claim = Claimed::of(i, component, place)?;
+            if let (Some(orbit), Some(word)) = (&claim.orbit, &component.word) {
+                let cycles = component.cycles.map_or(0, u64::from);
+                orbits.push(OrbitOf { word: word.parse()?, cycles, orbit: orbit.clone() });
+            }
+            claimed.push(claim);
+        }
+        let mut unjudged = whole.unread::<GlobalDocument>()?;
+        let always = ["program", "scene.start", "greatest_speed", "boxes", "halvings", "order"];
+        let of_components = ["components.boxes", "components.area", "components.closed"];
+        unjudged.extend(always.map(str::to_owned));
+        unjudged.extend(of_components.iter().filter(|_| !claimed.is_empty()).map(|key| (*key).to_owned()));
+        unjudged.extend(document.interrupted.then(|| "interrupted".to_owned()));
+        unjudged.sort();
+        unjudged.dedup();
+        let rests = document.components.iter().find(|component| component.kind == "rest-cycle");
+        let rest_cycle = rests.and_then(|rest| Some((rest.cycles?, rest.alternates?)));
+        let is_open = document.components.iter().any(|component| component.kind == "undecided");
+        let says_there_are_no_others = !is_open && !document.interrupted;
+        let orbits = (!orbits.is_empty()).then(|| PeriodicCertificate::of_orbits(pair.clone(), orbits)).transpose()?;
+        let contradiction = contradiction(&document);
+        Ok(Self { pair, orbits, claimed, rest_cycle, says_there_are_no_others, contradiction, unjudged })
+    }
+
+    pub(super) fn pair(&self) -> &ImpactPair {
+        &self.pair
+    }
+
+    pub(super) fn orbits(&self) -> Option<&PeriodicCertificate> {
+        self.orbits.as_ref()
+    }
+
+    pub(super) fn claimed(&self) -> &[Claimed] {
+        &self.claimed
+    }
+
+    /// The forcing periods of the cycle with rests that is claimed, and whether it rests on both walls in turn.
+    pub(super) fn rest_cycle(&self) -> Option<(u32, bool)> {
+        self.rest_cycle
+    }
+
+    /// Whether every motion is said to be in one of the components of which something is claimed.
+    pub(super) fn says_there_are_no_others(&self) -> bool {
+        self.says_there_are_no_others
+    }
+
+    pub(super) fn contradiction(&self) -> Option<&str> {
+        self.contradiction.as_deref()
+    }
+
+    /// A finding about an orbit, as one about its component.
+    pub(super) fn placed(&self, finding: Finding) -> Finding {
+        let orbits = self.claimed.iter().filter(|claim| claim.orbit.is_some());
+        let event = orbits.map(|claim| claim.place).nth(finding.event).unwrap_or(self.count());
+        Finding { event, ..finding }
+    }
+
+    /// Returns how many components it lists.
+    pub fn count(&self) -> usize {
+        self.claimed.len()
+    }
+
+    /// Returns the keys of the document that claim nothing which [`check_within`](Self::check_within) judges.
+    pub fn unjudged(&self) -> &[String] {
+        &self.unjudged
+    }
+}
+
+impl Claimed {
+    fn of(place: usize, component: &ComponentDocument, at: &Place<'_>) -> Result<Self, Error> {
+        let attracts = component.kind == PERIODIC[0].0;
+        let orbit = match &component.orbit {
+            Some(orbit) => Some(ClaimedOrbit::of(orbit, &at.get("orbit")?)?),
+            None => None,
+        };
+        let reduced = component.reduced_impacts.map_or(0, |impacts| impacts as usize);
+        Ok(Self { kind: component.kind.clone(), attracts, place, reduced, orbit })
+    }
+
+    /// Of each impact of a period of the reduced map: whether it is on the right wall, its phase \[rad\] and its velocity.
+    pub(super) fn states(&self, bits: u32) -> impl Iterator<Item = (bool, Real, Real)> {
+        let hull = move |[low, high]: &Bounds| Real::rational(low, bits).hull(&Real::rational(high, bits));
+        let impacts = self.orbit.iter().flat_map(|orbit| &orbit.impacts).take(self.reduced);
+        impacts.map(move |impact| (impact.wall == Wall::Right, hull(&impact.phase), hull(&impact.velocity)))
+    }
+}
+
+/// What a document says that its own fields exclude.
+fn contradiction(document: &GlobalDocument) -> Option<String> {
+    let class = class(document);
+    if document.class != class {
+        return Some(format!("the class of these components is {class}"));
+    }
+    let is_whole = matches!(class, "one-rest-cycle" | "one-attractor") && !document.interrupted;
+    if document.certified != is_whole {
+        return Some(format!("certified is {} of a class that is {class}", document.certified));
+    }
+    if document.clone().with_statement().statement != document.statement {
+        return Some("the statement is not that of these components".to_owned());
+    }
+    document.components.iter().enumerate().find_map(|(i, own)| Some(format!("components[{i}]: {}", of_component(own)?)))
+}
+
+fn of_component(own: &ComponentDocument) -> Option<&'static str> {
+    let known = ["attracting", "saddle", "rest-cycle", "grazing", "undecided"];
+    if !known.contains(&own.kind.as_str()) {
+        return Some("there is no such kind");
+    }
+    let Some((_, stability)) = PERIODIC.iter().find(|(kind, _)| *kind == own.kind) else {
+        let has_orbit =
+            own.orbit.is_some() || own.word.is_some() || own.reduced_impacts.is_some() || own.spectral_radius.is_some();
+        let is_rest = own.kind == "rest-cycle";
+        let lacks = is_rest != own.cycles.is_some() || is_rest != own.alternates.is_some();
+        return (has_orbit || lacks).then_some("these are not the keys of its kind");
+    };
+    let (Some(orbit), Some(reduced), Some(radius)) = (&own.orbit, own.reduced_impacts, &own.spectral_radius) else {
+        return Some("it has no periodic motion");
+    };
+    if own.word.is_none() || own.cycles.is_none() || own.alternates.is_some() {
+        return Some("these are not the keys of its kind");
+    }
+    if orbit.stability != if *stability == Stability::Stable { "stable" } else { "unstable" }
+        || orbit.physical != Some(true)
+    {
+        return Some("the stability of its orbit is that of another kind");
+    }
+    let (reduced, impacts) = (reduced as usize, orbit.impacts.len());
+    let rounds = impacts.checked_div(reduced).filter(|rounds| rounds * reduced == impacts && (1..=2).contains(rounds));
+    let crossings =
+        (0..reduced.min(impacts)).filter(|&i| orbit.impacts[i].wall != orbit.impacts[(i + 1) % impacts].wall).count(); // exact: indices
+    // A period of the reduced map is half of one on both walls where it exchanges them.
+    let is_least = rounds == Some(if crossings % 2 == 1 { 2 } else { 1 });
+    if !is_least {
+        return Some("reduced_impacts is not the period of the reduced map");
+    }
+    let Some(eigenvalues) = &orbit.eigenvalues else { return Some("it has no eigenvalues") };
+    let bounds = |bounds: &impact_pair_document::Bounds| bounds.each_ref().map(|bound| bound.value());
+    let squares = eigenvalues.each_ref().map(|own| {
+        let [re, im] = [&own.re, &own.im].map(|part| square(&bounds(part)));
+        [&re[0] + &im[0], &re[1] + &im[1]]
+    });
+    let most = [0, 1].map(|i| squares[0][i].clone().max(squares[1][i].clone())); // V20: the greater of both is between the greater ends
+    let [low, high] = bounds(radius);
+    let power = |x: &BigRational| if rounds == Some(2) { x * x * x * x } else { x * x };
+    let zero = BigRational::from_integer(0.into());
+    let is_wide = low >= zero && power(&low) <= most[0] && most[1] <= power(&high);
+    (!is_wide).then_some("spectral_radius does not hold what the eigenvalues say")
+}
+
+/// Bounds of a square.
+fn square([low, high]: &Bounds) -> Bounds {
+    let zero = BigRational::from_integer(0.into());
+    let ends = [low * low, high * high];
+    let most = ends[0].clone().max(ends[1].clone()); // V20: the farther end
+    let least = if *low <= zero && *high >= zero { zero } else { ends[0].clone().min(ends[1].clone()) }; // V20: the nearer end
+    [least, most]
+}
+
+/// The class of some components.
+fn class(document: &GlobalDocument) -> &'static str {
+    let components = &document.components;
+    let count = |kind: &str| components.iter().filter(|component| component.kind == kind).count();
+    let (rests, open) = (count("rest-cycle"), count("undecided"));
+    let attractors = rests + count("attracting");
+    let are_closed = components.iter().all(|component| component.kind != "undecided" || component.closed);
+    match (attractors, open) {
+        (1, 0) if rests == 1 && components.len() == 1 => "one-rest-cycle",
+        (1, 0) => "one-attractor",
+        (0, 1..) if are_closed => "closed",
+        (1.., _) => "attractors",
+        _ => "undecided",
+    }
+}

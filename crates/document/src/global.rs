@@ -1,0 +1,145 @@
+//! The JSON of a global analysis, schema `impact-pair/global/1`.
+
+use serde::{Deserialize, Serialize};
+
+use super::number::{Bounds, Decimal};
+use super::outcome::counted;
+use super::periodic::PeriodicOrbitDocument;
+use super::scene::SceneDocument;
+
+/// The schema of a global analysis.
+pub const GLOBAL_SCHEMA: &str = "impact-pair/global/1";
+
+/// Where every motion of a scene's pair goes, whatever its start.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
+pub struct GlobalDocument {
+    /// [`GLOBAL_SCHEMA`]
+    pub schema: String,
+    /// The program that proved it.
+    pub program: String,
+    /// Whether the class is `one-rest-cycle` or `one-attractor`.
+    pub certified: bool,
+    /// The scene; its start is not used.
+    pub scene: SceneDocument,
+    /// `one-rest-cycle`, `one-attractor`, `attractors`, `closed` or `undecided`.
+    pub class: String,
+    /// The class in a sentence, which follows from the components.
+    pub statement: String,
+    /// The speed over `A W` that each motion exceeds finitely often.
+    pub greatest_speed: Decimal,
+    /// Boxes of the first partition.
+    pub boxes: u32,
+    /// How often the boxes of a component were halved at most.
+    pub halvings: u32,
+    /// Whether the run was interrupted: components may not be refined.
+    #[serde(skip_serializing_if = "std::ops::Not::not", default)]
+    pub interrupted: bool,
+    /// The sets of states that motions may stay in for ever; every motion that touches a wall is in one of them in the end.
+    pub components: Vec<ComponentDocument>,
+    /// Pairs of components, by their positions: motions may go from the first to the second.
+    pub order: Vec<[u32; 2]>,
+}
+
+/// A set of states that motions may stay in for ever.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
+pub struct ComponentDocument {
+    /// `attracting`, `rest-cycle`, `saddle`, `grazing` or `undecided`.
+    pub kind: String,
+    /// Of a periodic motion without rests: its least period under the reduced map, which mirrors every impact to the left wall.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub reduced_impacts: Option<u32>,
+    /// Its mappings, the first one right-most.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub word: Option<String>,
+    /// Forcing periods of its period.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub cycles: Option<u32>,
+    /// Of the derivative of a period of the reduced map: the greatest modulus of its eigenvalues.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub spectral_radius: Option<Bounds>,
+    /// Of a cycle with rests: whether the ball rests on both walls in turn.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub alternates: Option<bool>,
+    /// Number of its boxes; 0 of the motion from the release alone.
+    pub boxes: u64,
+    /// The part of the state space that they cover, to six digits.
+    pub area: Decimal,
+    /// Whether no motion is in it and in another component later.
+    pub closed: bool,
+    /// The periodic motion without rests.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub orbit: Option<PeriodicOrbitDocument>,
+}
+
+/// Whom a statement is about.
+const EVERY: &str = "every motion that touches a wall";
+
+impl GlobalDocument {
+    /// Returns the same with the statement that follows from the class and the components.
+    pub fn with_statement(self) -> Self {
+        Self { statement: self.said(), ..self }
+    }
+
+    /// What all motions do, in a sentence.
+    fn said(&self) -> String {
+        let beside = self.beside();
+        let undecided = self.count("undecided");
+        let attractors: Vec<String> = self.components.iter().filter_map(ComponentDocument::attractor).collect();
+        if self.interrupted {
+            return format!("{} left as they are, of which nothing is decided", counted(undecided, "component"));
+        }
+        match self.class.as_str() {
+            "one-rest-cycle" => format!("{EVERY} ends in {}", attractors.concat()),
+            "one-attractor" => format!("{EVERY} tends to {}{beside}", attractors.concat()),
+            "attractors" if undecided == 0 => format!("{EVERY} tends to {}{beside}", attractors.join(", or to ")),
+            "attractors" => format!(
+                "{} proved: {}; of what stays in {} nothing is decided",
+                counted(attractors.len() as u32, "attractor"), // shown
+                attractors.join("; "),
+                counted(undecided, "undecided component"),
+            ),
+            "closed" => {
+                let closed = counted(undecided, "closed component");
+                format!("{EVERY} is in the end in {closed} of which nothing else is decided{beside}")
+            }
+            _ => format!("undecided: {} of which nothing is decided", counted(undecided, "component")),
+        }
+    }
+
+    fn count(&self, kind: &str) -> u32 {
+        self.components.iter().filter(|component| component.kind == kind).count() as u32 // shown
+    }
+
+    /// What few motions do instead.
+    fn beside(&self) -> String {
+        let mut said = match self.count("saddle") {
+            0 => String::new(),
+            1 => ", or to one saddle".to_owned(),
+            saddles => format!(", or to one of {saddles} saddles"),
+        };
+        if self.count("grazing") > 0 {
+            said.push_str(", or grazes one wall for ever");
+        }
+        said
+    }
+}
+
+impl ComponentDocument {
+    /// An attractor in words; `None` of all else.
+    fn attractor(&self) -> Option<String> {
+        let cycles = counted(self.cycles.unwrap_or_default(), "forcing period");
+        match self.kind.as_str() {
+            "rest-cycle" => Some(format!("one cycle with rests, of {cycles}")),
+            "attracting" => {
+                let orbit = self.orbit.as_ref();
+                let mirror =
+                    if orbit.is_some_and(|orbit| orbit.symmetric == Some(true)) { "" } else { " or its mirror image" };
+                let impacts = counted(orbit.map_or(0, |orbit| orbit.impacts.len()) as u32, "impact"); // shown
+                Some(format!("one periodic motion{mirror}, of {impacts} in {cycles}"))
+            }
+            _ => None,
+        }
+    }
+}

@@ -1,0 +1,249 @@
+//! Boxes as a graph of what may follow: its recurrent components, and which lead to which. Lemmas U3, U6 of `docs/proofs/global.md#U3`.
+
+use std::sync::Mutex;
+use std::thread;
+
+use super::image::{Next, Space};
+use crate::chaos::boxes::{Links, parts};
+use crate::chaos::trap::{Cell, Grid};
+use crate::watch::{Stage, Watch};
+
+/// A set of boxes of one grid that motions may stay in for ever, and the release, if it is among them.
+#[derive(Clone, Debug)]
+pub(super) struct Component {
+    pub grid: Grid,
+    /// In order.
+    pub cells: Vec<Cell>,
+    pub has_release: bool,
+    /// Whether no motion leaves it.
+    pub is_closed: bool,
+}
+
+/// Where a ball goes on that is released.
+#[derive(Clone, Debug)]
+pub(super) enum Release {
+    /// It rests again, and is released in the same state.
+    Repeats,
+    /// It has its next impact at these phases, in forcing periods, with these speeds.
+    Lands([f64; 2], [f64; 2]),
+}
+
+/// Boxes and what follows each. The last node is the release.
+pub(super) struct Graph {
+    grid: Grid,
+    cells: Vec<Cell>,
+    next: Links,
+    /// The box that each is put together with, where motions may stay in one column.
+    merged: Vec<u32>,
+    /// Whether something that is not among them may follow a box, or the release.
+    leaves: Vec<bool>,
+}
+
+/// A graph's recurrent components, and to which of them each one leads.
+pub(super) struct Recurrent {
+    pub components: Vec<Component>,
+    /// `leads[i][j]`: from the first to the second.
+    pub leads: Vec<Vec<bool>>,
+}
+
+/// What follows the boxes of a share, and which of them something else follows.
+type Share = (Vec<(u32, u32, bool)>, Vec<u32>);
+
+impl Graph {
+    /// That of some boxes of a grid, in order, and of the release; `None` where it was stopped.
+    pub fn of(space: &Space, component: &Component, release: &Release, watch: &dyn Watch) -> Option<Self> {
+        let Component { grid, cells, has_release, .. } = component;
+        let count = cells.len() as u32; // exact: fewer than 2^32
+        let threads = thread::available_parallelism().map_or(1, usize::from); // exact: threads decide nothing
+        let share = cells.len().div_ceil(threads).max(1); // exact: a length
+        let found = Mutex::new(Vec::new());
+        thread::scope(|scope| {
+            for (part, some) in cells.chunks(share).enumerate() {
+                let found = &found;
+                scope.spawn(move || {
+                    let own = images(space, *grid, cells, (part * share, some), watch);
+                    found.lock().expect("no thread has panicked").push(own);
+                });
+            }
+        });
+        let mut leaves = vec![false; cells.len() + 1];
+        let (mut edges, mut staying) = (Vec::new(), Vec::new());
+        for own in found.into_inner().expect("no thread has panicked") {
+            let (own, left): Share = own?;
+            left.into_iter().for_each(|from| leaves[from as usize] = true); // exact: an index
+            for (from, to, stays) in own {
+                if stays {
+                    staying.push((from, to));
+                } else {
+                    edges.push((from, to));
+                }
+            }
+        }
+        if !*has_release {
+            for &(from, _) in edges.iter().filter(|(_, to)| *to == count) {
+                leaves[from as usize] = true; // exact: an index
+            }
+            edges.retain(|(_, to)| *to != count);
+        } else {
+            let (own, left) = released(*grid, cells, release);
+            leaves[cells.len()] = left;
+            edges.extend(own.into_iter().map(|to| (count, to.unwrap_or(count))));
+        }
+        let merged = contracted(&mut edges, &staying, cells.len(), *has_release, &mut leaves);
+        edges.sort_unstable();
+        edges.dedup();
+        let next = Links::new(cells.len() + 1, &mut edges);
+        Some(Self { grid: *grid, cells: cells.clone(), next, merged, leaves })
+    }
+
+    /// Returns the recurrent components: whatever stays among the boxes for ever is in one of them in the end. `parent` tells whether
+    /// nothing leaves the boxes of the graph. Lemma U6
+    pub fn recurrent(&self, is_closed: bool) -> Recurrent {
+        let count = self.cells.len() + 1;
+        let forth: Vec<Vec<usize>> = (0..count)
+            .map(|node| self.next.of(node as u32).iter().map(|&to| to as usize).collect()) // exact: indices
+            .collect();
+        // In an order in which every part comes before those that it leads to.
+        let parts = parts(&forth);
+        let mut number = vec![0; count];
+        for (i, part) in parts.iter().enumerate() {
+            part.iter().for_each(|&node| number[node] = i);
+        }
+        let is_recurrent = |part: &[usize]| part.len() > 1 || forth[part[0]].contains(&part[0]);
+        let mut index = vec![None; parts.len()];
+        let recurrent: Vec<usize> = (0..parts.len()).filter(|&i| is_recurrent(&parts[i])).collect();
+        recurrent.iter().enumerate().for_each(|(k, &i)| index[i] = Some(k as u32)); // exact: fewer than 2^32
+        // Which components each part leads to, itself among them, and whether something leaves on the way.
+        let mut reached: Vec<Vec<u32>> = vec![Vec::new(); parts.len()];
+        let mut lost = vec![false; parts.len()];
+        for i in (0..parts.len()).rev() {
+            let mut own: Vec<u32> = index[i].into_iter().collect();
+            let mut leaves = parts[i].iter().any(|&node| self.leaves[node]);
+            for &to in parts[i].iter().flat_map(|&node| &forth[node]) {
+                if number[to] != i {
+                    own.extend(&reached[number[to]]);
+                    leaves |= lost[number[to]];
+                    if own.len() > 64 {
+                        own.sort_unstable();
+                        own.dedup();
+                    }
+                }
+            }
+            own.sort_unstable();
+            own.dedup();
+            (reached[i], lost[i]) = (own, leaves);
+        }
+        let mut nodes: Vec<Vec<u32>> = vec![Vec::new(); recurrent.len()];
+        for node in 0..count {
+            if let Some(k) = index[number[self.merged[node] as usize]] {
+                nodes[k as usize].push(node as u32); // exact: indices
+            }
+        }
+        let component = |(k, nodes): (usize, Vec<u32>)| {
+            let cells = nodes.iter().filter_map(|&node| self.cells.get(node as usize).copied()).collect(); // exact: an index
+            let i = recurrent[k];
+            let alone = reached[i] == [k as u32]; // exact: fewer than 2^32
+            let has_release = parts[i].contains(&(count - 1));
+            let is_closed = alone && (is_closed || !lost[i]);
+            Component { grid: self.grid, cells, has_release, is_closed }
+        };
+        let components = nodes.into_iter().enumerate().map(component).collect();
+        let leads = recurrent.iter().map(|&i| {
+            let mut row = vec![false; recurrent.len()];
+            reached[i].iter().for_each(|&k| row[k as usize] = true); // exact: an index
+            row
+        });
+        let leads = leads.collect();
+        Recurrent { components, leads }
+    }
+}
+
+/// What follows some of the boxes, from the number of the first on.
+fn images(
+    space: &Space,
+    grid: Grid,
+    cells: &[Cell],
+    (first, some): (usize, &[Cell]),
+    watch: &dyn Watch,
+) -> Option<Share> {
+    let (mut edges, mut leaves) = (Vec::new(), Vec::new());
+    let release = cells.len() as u32; // exact: fewer than 2^32
+    let mut own: Vec<(u32, bool)> = Vec::new();
+    for (i, &cell) in some.iter().enumerate() {
+        if i % 256 == 0 && watch.proceed(Stage::Region(first + i)).is_break() {
+            return None;
+        }
+        let from = (first + i) as u32; // exact: fewer than 2^32
+        own.clear();
+        let mut leaves_them = false;
+        space.images(grid, cell, &mut |next| match next {
+            Next::Release => own.push((release, false)),
+            Next::Impact { cell, stays, .. } => match cells.binary_search(&cell) {
+                Ok(to) => own.push((to as u32, stays)), // exact: fewer than 2^32
+                Err(_) => leaves_them = true,
+            },
+        });
+        own.sort_unstable();
+        own.dedup();
+        edges.extend(own.iter().map(|&(to, stays)| (from, to, stays)));
+        if leaves_them {
+            leaves.push(from);
+        }
+    }
+    Some((edges, leaves))
+}
+
+/// The nodes that the release leads to, `None` for itself, and whether it leads to others as well. Lemma U7
+fn released(grid: Grid, cells: &[Cell], release: &Release) -> (Vec<Option<u32>>, bool) {
+    let Release::Lands(phases, speeds) = release else { return (vec![None], false) };
+    let columns = phases.map(|phase| (phase * grid.columns as f64).floor() as i64); // U7: the boxes of both ends
+    let rows = speeds.map(|speed| (speed * grid.rows).floor() as i32); // U7: the boxes of both ends
+    let (mut found, mut is_left) = (Vec::new(), false);
+    for column in columns[0]..=columns[1] {
+        for row in rows[0]..=rows[1] {
+            let cell = (column.rem_euclid(grid.columns) as i32, row); // exact: fewer than 2^31
+            match cells.binary_search(&cell) {
+                Ok(to) => found.push(Some(to as u32)), // exact: fewer than 2^32
+                Err(_) => is_left = true,
+            }
+        }
+    }
+    (found, is_left)
+}
+
+/// Puts boxes together that lead to one another by impacts of one wall in one column, and lets the release follow them: a motion that stays
+/// there chatters completely. Returns which box each is put together with. Lemma U3
+fn contracted(
+    edges: &mut Vec<(u32, u32)>,
+    staying: &[(u32, u32)],
+    count: usize,
+    has_release: bool,
+    leaves: &mut [bool],
+) -> Vec<u32> {
+    let mut forth = vec![Vec::new(); count];
+    staying.iter().for_each(|&(from, to)| forth[from as usize].push(to as usize)); // exact: indices
+    let mut merged: Vec<u32> = (0..=count as u32).collect(); // exact: fewer than 2^32
+    let mut is_chatter = vec![false; count + 1];
+    for part in parts(&forth) {
+        if part.len() > 1 || forth[part[0]].contains(&part[0]) {
+            part.iter().for_each(|&node| merged[node] = part[0] as u32); // exact: fewer than 2^32
+            is_chatter[part[0]] = true;
+        }
+    }
+    edges.extend(staying.iter().copied().filter(|&(from, to)| merged[from as usize] != merged[to as usize])); // exact: indices
+    for (from, to) in edges.iter_mut() {
+        (*from, *to) = (merged[*from as usize], merged[*to as usize]); // exact: indices
+    }
+    for node in 0..count {
+        let to = merged[node] as usize; // exact: an index
+        leaves[to] |= leaves[node];
+        if is_chatter[node] {
+            if has_release {
+                edges.push((node as u32, count as u32)); // exact: fewer than 2^32
+            } else {
+                leaves[node] = true;
+            }
+        }
+    }
+    merged
+}

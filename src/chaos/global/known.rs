@@ -1,0 +1,236 @@
+//! What is proved of components: cycles with their periods, the cycle with rests, and the grazing state. Lemmas U7-U9 of
+//! `docs/proofs/global.md#U7`.
+
+use super::cycle::Limit;
+use super::graph::{Component, Release};
+use super::image::{Next, Space, ends};
+use crate::chaos::guess::Guess;
+use crate::chaos::law::{Law, Side};
+use crate::exact::{Enclosure, Exact};
+use crate::number::{Ball, Number};
+use crate::orbit::{Orbit, Progress, Settings, Start};
+use crate::pair::{ImpactPair, Wall};
+use crate::periodic::{PeriodicOrbit, Precision, Problem};
+use crate::{Error, Harmonic};
+
+/// What the motions do that stay in a component.
+#[derive(Clone, Debug)]
+pub enum Kind {
+    /// They tend to a periodic motion that attracts all motions near it.
+    Attracting(Box<LimitCycle>),
+    /// They tend to a periodic motion that does not.
+    Saddle(Box<LimitCycle>),
+    /// They are released again and again in the same state.
+    RestCycle(RestCycle),
+    /// They graze one wall once in every forcing period, for ever.
+    Grazing,
+    /// Nothing is proved.
+    Undecided,
+}
+
+impl Kind {
+    /// Returns the word of the JSON.
+    pub fn name(&self) -> &'static str {
+        match self {
+            Self::Attracting(_) => "attracting",
+            Self::Saddle(_) => "saddle",
+            Self::RestCycle(_) => "rest-cycle",
+            Self::Grazing => "grazing",
+            Self::Undecided => "undecided",
+        }
+    }
+
+    /// Returns whether motions near it are proved to tend to it.
+    pub fn is_attractor(&self) -> bool {
+        matches!(self, Self::Attracting(_) | Self::RestCycle(_))
+    }
+
+    /// Returns whether nothing is proved.
+    pub fn is_undecided(&self) -> bool {
+        matches!(self, Self::Undecided)
+    }
+
+    /// Returns the periodic motion without rests.
+    pub fn limit(&self) -> Option<&LimitCycle> {
+        match self {
+            Self::Attracting(limit) | Self::Saddle(limit) => Some(limit),
+            _ => None,
+        }
+    }
+}
+
+/// A periodic motion without rests, proved.
+#[derive(Clone, Debug)]
+pub struct LimitCycle {
+    /// Its least period under the reduced map.
+    pub impacts: usize,
+    /// Its word and period on both walls.
+    pub problem: Problem,
+    /// The orbit.
+    pub orbit: PeriodicOrbit,
+    /// Bounds of the spectral radius of a period of the reduced map.
+    pub spectral_radius: Enclosure,
+}
+
+/// A motion that rests again and again, and is released in the same state, or its mirror image.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RestCycle {
+    /// Forcing periods from a release to the next one on the same wall.
+    pub cycles: u32,
+    /// Whether the ball rests on both walls in turn.
+    pub alternates: bool,
+}
+
+/// Where the ball goes that is released.
+#[derive(Clone, Debug)]
+pub(super) struct Released {
+    pub next: Release,
+    /// The cycle, where it is released in the same state again.
+    pub cycle: Option<RestCycle>,
+}
+
+/// Impacts of the released ball that are followed.
+const IMPACTS: u64 = 200;
+/// Bits of a spectral radius.
+const BITS: u32 = 80;
+/// How far from the state that grazes for ever Lemma U9 is used.
+const GRAZING: f64 = 0.25;
+
+impl Released {
+    /// Follows the ball from the release. Lemma U7
+    pub fn of(pair: &ImpactPair, law: &Law) -> Result<Self, Error> {
+        let turn = Exact::pi() * Exact::from(2);
+        let harmonic = Harmonic::new(pair.harmonic("a global analysis")?.amplitude().clone(), turn, Exact::from(0))?;
+        let pair = ImpactPair::new(harmonic, pair.gap().clone(), pair.restitution().clone())?;
+        let start = Start::on_wall(Exact::from(0), Wall::Left, Exact::from(0))?;
+        let mut orbit = Orbit::new(&pair, &start, Settings { impacts: Some(IMPACTS), ..Settings::default() })?;
+        let mut rested = None;
+        loop {
+            match orbit.advance() {
+                Progress::Rest(rest) => rested = Some(rest.wall),
+                Progress::Release(release) => {
+                    let alternates = release.wall == Wall::Right;
+                    let cycles = if alternates { 2 * release.turns - 1 } else { release.turns };
+                    // U7: it has rested, and time has passed
+                    let cycles =
+                        u32::try_from(cycles).ok().filter(|&cycles| rested == Some(release.wall) && cycles > 0);
+                    let cycle = cycles.map(|cycles| RestCycle { cycles, alternates });
+                    let next = if cycle.is_some() { Release::Repeats } else { landing(law) };
+                    return Ok(Self { next, cycle });
+                }
+                Progress::Ended => return Ok(Self { next: landing(law), cycle: None }),
+                _ => {}
+            }
+        }
+    }
+}
+
+/// The first impact after a release, on the far wall: `x - sin x = D`. Lemma U7
+fn landing(law: &Law) -> Release {
+    let height = |u: f64| Ball::exact(u).turn() * Ball::exact(u) - Ball::exact(u).sin_cos().0;
+    let gap = ends(law.gap);
+    // U7: the height grows
+    let most = (gap[1] + 2.0).max(1.0);
+    let bisected = |is_before: &dyn Fn(f64) -> bool| {
+        let (mut low, mut high) = (0.0, most);
+        for _ in 0..60 {
+            let middle = 0.5 * (low + high);
+            if is_before(middle) { low = middle } else { high = middle }
+        }
+        [low, high]
+    };
+    let low = bisected(&|u| ends(height(u))[1] <= gap[0])[0];
+    let high = bisected(&|u| ends(height(u))[0] < gap[1])[1];
+    let cos = ends(Ball::new(0.5 * (low + high), (0.5 * (high - low)).next_up()).sin_cos().1);
+    let speeds = [(1.0 - cos[1]).next_down().max(0.0), (1.0 - cos[0]).next_up()]; // U7: not negative
+    Release::Lands([low + 0.5, high + 0.5], speeds)
+}
+
+impl LimitCycle {
+    /// Proves the periodic motion that a limit is, and that its impacts are in the hulls; `None` where that fails.
+    pub(super) fn of(pair: &ImpactPair, law: &Law, limit: &Limit, precision: Precision) -> Option<Box<Self>> {
+        let guess = Guess::new(law);
+        let count = limit.states.len();
+        // The phases as they go on, from that of the first.
+        let (mut state, mut phases) = (limit.states[0], Vec::with_capacity(count));
+        for _ in 0..count {
+            phases.push(state[0]);
+            state = guess.map(state)?.state;
+        }
+        let turns = (state[0] - limit.states[0][0]).round(); // proposes: the orbit is proved below
+        let crossings = limit.sides.iter().filter(|side| **side == Side::Far).count();
+        let rounds = if crossings.is_multiple_of(2) { 1 } else { 2 };
+        let (mut walls, mut guesses, mut crossed) = (String::new(), Vec::new(), 0.0);
+        let mut wall = Wall::Left;
+        for i in 0..rounds * count {
+            walls.push(if wall == Wall::Left { 'L' } else { 'R' });
+            guesses.push((i / count) as f64 * turns + phases[i % count] - 0.5 * crossed); // proposes
+            let side = limit.sides[i % count];
+            crossed += if side == Side::Far { 1.0 } else { 0.0 };
+            wall = side.lands_on(wall);
+        }
+        let cycles = rounds as f64 * turns - 0.5 * crossed; // proposes
+        (1.0..1e6).contains(&cycles).then_some(())?;
+        let problem = Problem::new(pair, &walls.parse().ok()?, cycles as u32).ok()?; // proposes
+        let orbit = problem.prove(&guesses, precision)?;
+        let is_there = orbit.physical == Some(true)
+            && (0..count).all(|i| {
+                let impact = &orbit.impacts[i];
+                let (phase, radius) = impact.phase.mid_rad();
+                let shift = if impact.wall == Wall::Right { 0.5 } else { 0.0 };
+                let hull = limit.hulls[i];
+                let turned = (phase + shift - limit.states[i][0]).round(); // U8: whole forcing periods
+                let phase = Ball::new(phase, radius) + Ball::exact(shift) - Ball::exact(turned);
+                let (velocity, radius) = impact.velocity.mid_rad();
+                let per_period = Ball::exact(1.0).turn().checked_div(law.gap);
+                let speed = per_period.and_then(|unit| Ball::new(velocity.abs(), radius).checked_div(unit));
+                speed.is_some_and(|speed| is_within(phase, hull[0]) && is_within(speed, hull[1]))
+            });
+        if !is_there {
+            return None; // exact: not proved
+        }
+        let eigenvalues = orbit.eigenvalues.each_ref().map(|value| [&value.re, &value.im]);
+        let spectral_radius = spectral_radius(eigenvalues, rounds)?;
+        Some(Box::new(Self { impacts: count, problem, orbit, spectral_radius }))
+    }
+}
+
+/// Whether all members are between two bounds.
+fn is_within(x: Ball, [low, high]: [f64; 2]) -> bool {
+    let [least, most] = ends(x);
+    low <= least && most <= high
+}
+
+/// Returns bounds of the greatest modulus of two eigenvalues, real and imaginary part of each, for a period of the reduced map if theirs is so
+/// many: one or two. Lemma U8
+pub(crate) fn spectral_radius(eigenvalues: [[&Enclosure; 2]; 2], rounds: usize) -> Option<Enclosure> {
+    let square = |x: &Enclosure| x.powi(2, BITS);
+    let modulus = |[re, im]: [&Enclosure; 2]| Some(square(re)?.add(&square(im)?, BITS));
+    let [one, other] = eigenvalues.map(modulus);
+    let (one, other) = (one?, other?);
+    // U8: the greater of both is between the greater ends
+    let radius = Enclosure::new(one.inf().max(other.inf()).clone(), one.sup().max(other.sup()).clone())?.sqrt(BITS)?;
+    if rounds == 2 { radius.sqrt(BITS) } else { Some(radius) }
+}
+
+/// Whether the motions that stay in a component are at the state that grazes for ever. Lemma U9
+pub(super) fn is_grazing(space: &Space, component: &Component) -> bool {
+    let (columns, rows) = (component.grid.columns as f64, component.grid.rows); // exact: a power of two
+    let angle = std::f64::consts::TAU / columns * (1.0 + 1e-15);
+    let is_near = |&(column, row): &(i32, i32)| {
+        let away = (f64::from(column) - 0.25 * columns).abs().max((f64::from(column + 1) - 0.25 * columns).abs()); // U9: the farther edge
+        away * angle <= GRAZING && f64::from(row + 1) / rows <= GRAZING
+    };
+    if component.has_release || component.cells.is_empty() || !component.cells.iter().all(is_near) {
+        return false; // exact: not proved
+    }
+    !component.cells.iter().any(|&cell| {
+        let mut crosses = false;
+        space.images(component.grid, cell, &mut |next| {
+            if let Next::Impact { cell, is_far: true, .. } = next {
+                crosses |= component.cells.binary_search(&cell).is_ok();
+            }
+        });
+        crosses
+    })
+}

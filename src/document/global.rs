@@ -1,0 +1,70 @@
+//! The JSON of a global analysis.
+
+use impact_pair_document::{
+    Bounds, ComponentDocument, Decimal, GLOBAL_SCHEMA, GlobalDocument, PROGRAM, PeriodicOrbitDocument, SceneDocument,
+    bounds,
+};
+
+use super::Units;
+use crate::chaos::{Class, Global, GlobalSettings, Kind, Recurrence, spectral_radius};
+use crate::exact::{Enclosure, decimal_f64};
+use crate::{Error, Scene};
+
+/// Bits of bounds that are read from decimals.
+const BITS: u32 = 256;
+
+/// Returns the document of where the motions of a scene's pair go.
+///
+/// # Errors
+/// If a value exceeds the range of exact expressions.
+pub fn global(scene: &Scene, settings: &GlobalSettings, found: &Global) -> Result<GlobalDocument, Error> {
+    let class = found.class();
+    let document = GlobalDocument {
+        schema: GLOBAL_SCHEMA.to_owned(),
+        program: PROGRAM.to_owned(),
+        certified: !found.interrupted && matches!(class, Class::OneRestCycle | Class::OneAttractor),
+        scene: SceneDocument::new(scene.pair(), scene.start()),
+        class: class.name().to_owned(),
+        statement: String::new(),
+        greatest_speed: Decimal::printed(decimal_f64(found.fastest)),
+        boxes: settings.boxes,
+        halvings: settings.halvings,
+        interrupted: found.interrupted,
+        components: found.components.iter().map(component).collect::<Result<_, _>>()?,
+        order: found.order.iter().map(|pair| pair.map(|i| i as u32)).collect(),
+    };
+    Ok(document.with_statement())
+}
+
+fn component(found: &Recurrence) -> Result<ComponentDocument, Error> {
+    let limit = found.kind.limit();
+    let orbit =
+        limit.map(|limit| Ok(Units::new(limit.problem.pair())?.orbit(&limit.problem, &limit.orbit))).transpose()?;
+    let (cycles, alternates) = match found.kind {
+        Kind::RestCycle(rest) => (Some(rest.cycles), Some(rest.alternates)),
+        _ => (limit.map(|limit| limit.problem.chain().cycles()), None),
+    };
+    Ok(ComponentDocument {
+        kind: found.kind.name().to_owned(),
+        reduced_impacts: limit.map(|limit| limit.impacts as u32),
+        word: limit.map(|limit| limit.problem.word().to_string()),
+        cycles,
+        spectral_radius: orbit.as_ref().zip(limit).and_then(|(orbit, limit)| radius(orbit, limit.impacts)),
+        alternates,
+        boxes: found.boxes as u64,
+        area: Decimal::printed(format!("{:.6}", found.area)),
+        closed: found.is_closed,
+        orbit,
+    })
+}
+
+/// Bounds of the spectral radius, by the bounds of the eigenvalues as they are printed: these hold it, whoever computes it from them.
+fn radius(orbit: &PeriodicOrbitDocument, reduced: usize) -> Option<Bounds> {
+    let read = |[low, high]: &Bounds| {
+        let [low, high] = [low, high].map(|bound| Enclosure::from_rational(&bound.value(), BITS));
+        low.hull(&high)
+    };
+    let eigenvalues = orbit.eigenvalues.as_ref()?.each_ref().map(|value| [read(&value.re), read(&value.im)]);
+    let radius = spectral_radius(eigenvalues.each_ref().map(<[_; 2]>::each_ref), orbit.impacts.len() / reduced)?;
+    Some(bounds(&radius))
+}

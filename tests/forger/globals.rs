@@ -1,0 +1,103 @@
+//! Global analyses: components left out, of another kind, twice; another class; other numbers.
+
+use impact_pair::json::GlobalDocument;
+use serde_json::{Value, json};
+
+use super::forged::{Forged, Forgery, Original};
+
+pub const FORGERIES: &[Forgery] = &[
+    Forgery { name: "global: left out", why: "motions stay in the component for ever", forge: left_out },
+    Forgery { name: "global: kinds", why: "a saddle attracts no motion near it, a stable orbit all", forge: kinds },
+    Forgery { name: "global: twice", why: "it is one motion", forge: twice },
+    Forgery { name: "global: class", why: "the components are those of another class", forge: classes },
+    Forgery { name: "global: numbers", why: "the period, or the spectral radius, is another one", forge: numbers },
+];
+
+/// A document with other components, with the class and the sentence that follow from them.
+fn with(original: &Original, name: String, change: impl FnOnce(&mut Vec<Value>)) -> Forged {
+    let mut document = original.document.clone();
+    let mut components = document["components"].as_array().cloned().unwrap_or_default();
+    change(&mut components);
+    let count = |kinds: &[&str]| components.iter().filter(|own| kinds.iter().any(|kind| own["kind"] == *kind)).count();
+    let class = match (count(&["attracting", "rest-cycle"]), count(&["undecided"])) {
+        (1, 0) if count(&["rest-cycle"]) == 1 && components.len() == 1 => "one-rest-cycle",
+        (1, 0) => "one-attractor",
+        (1.., _) => "attractors",
+        _ => "undecided",
+    };
+    document["components"] = json!(components);
+    document["class"] = json!(class);
+    document["certified"] = json!(class.starts_with("one-"));
+    document["order"] = json!([]);
+    let said: GlobalDocument = serde_json::from_value(document).unwrap();
+    let changes = ["components", "class", "certified", "order", "statement"];
+    let said = json!(said.with_statement());
+    let changes: Vec<(String, Value)> = changes.iter().map(|key| (format!("/{key}"), said[*key].clone())).collect();
+    let changes: Vec<(&str, Value)> = changes.iter().map(|(path, value)| (path.as_str(), value.clone())).collect();
+    original.with(name, &changes)
+}
+
+/// The positions of the components of some kinds.
+fn places(original: &Original, kinds: &[&str]) -> Vec<usize> {
+    let all = original.document["components"].as_array().filter(|_| original.is(&["global"]));
+    let is_one = |(_, own): &(usize, &Value)| kinds.iter().any(|kind| own["kind"] == *kind);
+    all.into_iter().flatten().enumerate().filter(is_one).map(|(i, _)| i).collect()
+}
+
+fn left_out(original: &Original) -> Vec<Forged> {
+    let of = |i: usize| with(original, format!("without component {i}"), |all| drop(all.remove(i)));
+    places(original, &["attracting", "rest-cycle", "saddle"]).into_iter().map(of).collect()
+}
+
+fn kinds(original: &Original) -> Vec<Forged> {
+    let mut all = Vec::new();
+    for (kind, other) in
+        [("saddle", "attracting"), ("attracting", "saddle"), ("rest-cycle", "attracting"), ("attracting", "rest-cycle")]
+    {
+        for i in places(original, &[kind]) {
+            all.push(with(original, format!("{kind} {i} is {other}"), |all| all[i]["kind"] = json!(other)));
+        }
+    }
+    all
+}
+
+fn twice(original: &Original) -> Vec<Forged> {
+    let of = |i: usize| with(original, format!("component {i} twice"), |all| all.push(all[i].clone()));
+    places(original, &["attracting", "saddle"]).into_iter().map(of).collect()
+}
+
+fn classes(original: &Original) -> Vec<Forged> {
+    if !original.is(&["global"]) {
+        return Vec::new();
+    }
+    let own = original.document["class"].as_str().unwrap();
+    let others = ["one-rest-cycle", "one-attractor", "attractors", "closed", "undecided"];
+    let others = others.iter().filter(|other| **other != own);
+    let mut all: Vec<Forged> =
+        others.map(|other| original.with(format!("{own} is {other}"), &[("/class", json!(other))])).collect();
+    all.push(
+        original.with("another sentence", &[("/statement", json!("every motion that touches a wall is periodic"))]),
+    );
+    all
+}
+
+fn numbers(original: &Original) -> Vec<Forged> {
+    let mut all = Vec::new();
+    for i in places(original, &["attracting", "saddle", "rest-cycle"]) {
+        let own = &original.document["components"][i];
+        let cycles = own["cycles"].as_u64().unwrap() + 2;
+        all.push(with(original, format!("two more cycles of {i}"), |all| all[i]["cycles"] = json!(cycles)));
+        if own["kind"] == "rest-cycle" {
+            let alternates = own["alternates"] == false;
+            all.push(with(original, format!("other walls of {i}"), |all| all[i]["alternates"] = json!(alternates)));
+        } else {
+            let radius = json!(["0.123", "0.124"]);
+            all.push(with(original, format!("another radius of {i}"), |all| all[i]["spectral_radius"] = radius));
+            let reduced = own["reduced_impacts"].as_u64().unwrap() + 1;
+            all.push(with(original, format!("one more impact of {i}"), |all| {
+                all[i]["reduced_impacts"] = json!(reduced)
+            }));
+        }
+    }
+    all
+}
