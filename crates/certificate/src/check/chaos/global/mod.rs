@@ -141,8 +141,8 @@ impl Judge<'_> {
             }
             if halved >= HALVINGS || component.cells.is_empty() {
                 return Err(Doubt::Open(format!(
-                    "where every motion goes: {} that may hold motions are not proved to be among the components",
-                    impact_pair_document::counted(component.cells.len() as u32, "box") // shown
+                    "where every motion goes: {} boxes that may hold motions are not proved to be among the components",
+                    component.cells.len()
                 )));
             }
             self.covers(&component.halved(), halved + 1, work, watch)?;

@@ -182,6 +182,7 @@ impl<'l> Space<'l> {
         let ([first, last], [low, high]) = (places(phase, grid.columns), places(speed, grid.rows));
         let top = (self.fastest * grid.rows) as i64 - 1; // exact: a whole number
         let columns = grid.columns as i64; // exact: a power of two
+        let first = if is_far { first } else { first.max(home) }; // V20: no impact comes before the flight
         for column in first..=last.min(first + columns) {
             for row in low.max(0)..=high.min(top) {
                 let stays = !is_far && column == home;
