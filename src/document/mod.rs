@@ -8,6 +8,7 @@ mod ending;
 mod event;
 mod orbit;
 mod periodic;
+mod shares;
 mod two_impact;
 mod windows;
 
