@@ -8,8 +8,8 @@ use num_traits::ToPrimitive;
 use impact_pair_document::{
     BaseDocument, CHAOS_CELLS_SCHEMA, CHAOS_SCHEMA, ChaosCellsDocument, ChaosDocument, CornersDocument, Decimal,
     EnteredDocument, EntropyDocument, HyperbolicDocument, LeftOutDocument, PROGRAM, ParameterRange, PeriodDocument,
-    RatesDocument, SceneDocument, SceneOrbitDocument, StretchDocument, TRAP_SCHEMA, TrapDocument,
-    WallWordsDocument, WordDocument, bounds,
+    RatesDocument, SceneDocument, SceneOrbitDocument, StretchDocument, TRAP_SCHEMA, TrapDocument, WallWordsDocument,
+    WordDocument, bounds,
 };
 
 use super::shares::shares;
@@ -24,7 +24,7 @@ use crate::scene::Range;
 use crate::{Error, Scene};
 
 /// Bits that bounds are given in.
-pub(super) const BITS: u32 = 96;
+const BITS: u32 = 96;
 
 /// What the bounds of a region are given in: the period \[time\] and the greatest speed of the box \[length/time\].
 fn units(scene: &Scene) -> Result<[Enclosure; 2], Error> {

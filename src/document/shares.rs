@@ -5,13 +5,14 @@ use num_traits::{ToPrimitive, Zero};
 
 use impact_pair_document::SharesDocument;
 
-use super::chaos::BITS;
 use crate::chaos::{Cells, Stretch, Verdict};
 use crate::exact::Exact;
 use crate::scene::Range;
 
 /// The fractions are whole numbers of these parts of the range.
 const PARTS: i64 = 1_000_000;
+/// Bits that a fraction which is not rational is enclosed with.
+const BITS: u32 = 64;
 
 /// Which way a fraction is rounded.
 #[derive(Clone, Copy)]

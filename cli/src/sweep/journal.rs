@@ -133,7 +133,10 @@ impl Journal {
             }
             if !is_of_grid(&record, grid) {
                 let values = record.values.join(", ");
-                bail!("line {number}: the values of point {} are {values}, which is not its place in the grid", record.point);
+                bail!(
+                    "line {number}: the values of point {} are {values}, which is not its place in the grid",
+                    record.point
+                );
             }
             if places.insert(record.point, place).is_some() {
                 bail!("line {number}: point {} occurs twice", record.point);

@@ -85,7 +85,9 @@ impl SweepCertificate {
         }
         let axes = Axes::of(&head, &place)?;
         if head.shard.is_some_and(|[number, of]| !(1..=of).contains(&number)) {
-            return Err(place.get("shard")?.refused("accepted is the number of a shard, from 1 on, and how many there are"));
+            return Err(place
+                .get("shard")?
+                .refused("accepted is the number of a shard, from 1 on, and how many there are"));
         }
         let mut seen = HashSet::new();
         let point = |(i, value)| {

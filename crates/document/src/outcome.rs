@@ -96,7 +96,11 @@ impl OutcomeDocument {
             "time-reached" => {
                 self.until.as_ref()?;
                 // An event whose bounds contain that time is listed as well, and may come after it.
-                format!("{} listed{}; no other event up to the requested time", counted(impacts, "impact"), self.shadowed())
+                format!(
+                    "{} listed{}; no other event up to the requested time",
+                    counted(impacts, "impact"),
+                    self.shadowed()
+                )
             }
             "periodic" => {
                 let Period { cycles, impacts } = self.period?;

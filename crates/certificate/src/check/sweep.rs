@@ -55,7 +55,8 @@ impl SweepCertificate {
             }
             // An interrupted sweep, or lines are lost.
             None if self.missing() > 0 => {
-                let message = format!("{} points are missing; all {confirmed} that are there are confirmed", self.missing());
+                let missing = self.missing();
+                let message = format!("points missing: {missing}; the {confirmed} that are there are confirmed");
                 Verdict::Undecided(Finding { event: self.count(), message })
             }
             None => Verdict::Confirmed { bits: most, pieces: 1 },
