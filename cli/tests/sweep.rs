@@ -92,6 +92,13 @@ fn shards_put_together_are_the_whole() {
         with(text.replace("\"point\":1,", "\"point\":2,")).contains("line 2: point 2 does not belong to this sweep")
     );
     assert!(with(format!("{text}{}\n", lines[1])).contains("point 1 occurs twice"));
+    // r41: values of another point; a shard that is none, which was a panic.
+    let moved = text.replacen("\"values\":[\"", "\"values\":[\"1+", 1);
+    assert!(moved != text && with(moved).contains("line 2: the values of point 1 are 1+"));
+    for shard in ["[0,0]", "[0,3]", "[4,3]", "[1,0]"] {
+        let refused = with(text.replacen("\"shard\":[2,3]", &format!("\"shard\":{shard}"), 1));
+        assert!(refused.contains("the shard is ") && refused.contains("accepted is I/N"), "{refused}");
+    }
     assert!(with(text[..text.len() / 2].to_owned()).contains("is not the record of a point"));
     assert!(with("nothing".into()).contains("line 1 is no head"));
 }

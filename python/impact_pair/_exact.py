@@ -33,7 +33,8 @@ MOST = 2**32 - 1
 def plain(value: Any) -> Any:
     """Return a numpy scalar of any width, or an array of none, as the number of Python that it is; anything else as it is."""
     is_single = getattr(value, "ndim", None) == 0 and hasattr(value, "item")
-    found = value.item() if is_single else value
+    # A value that is missing has a number behind its mask.
+    found: Any = np.ma.masked if np.ma.is_masked(value) else value.item() if is_single else value
     # A long double is more than a float: its item is itself.
     is_long = isinstance(found, np.longdouble) and bool(np.isfinite(found))
     return Fraction(*found.as_integer_ratio()) if is_long else found
@@ -88,19 +89,45 @@ def string(key: str, value: Any) -> str:
     return value
 
 
-def doubles_of(key: str, values: Any, dtype: Any = np.float64) -> npt.NDArray[Any]:
-    """Return an array of numbers; ``key`` names it in errors.
+def doubles_near(key: str, values: Any, dtype: Any = np.float64) -> npt.NDArray[Any]:
+    """Return an array of the doubles next to numbers; ``key`` names it in errors.
 
     Raises
     ------
     RangeError
-        When these are none.
+        When these are none, or some are masked.
 
     """
+    if np.ma.is_masked(values):
+        raise RangeError(f"{key} is {values!r}, but must be numbers: some are masked", key, repr(values))
     try:
-        return np.asarray(values, dtype=dtype)
-    except (TypeError, ValueError) as error:
+        given = np.asarray(values)
+        if given.dtype.kind in "bc":
+            raise RangeError(f"{key} is {values!r}, but must be real numbers", key, repr(values))
+        return np.asarray(given, dtype=dtype)
+    except (TypeError, ValueError, OverflowError) as error:
         raise RangeError(f"{key} is {values!r}, but must be numbers: {error}", key, repr(values)) from None
+
+
+def doubles_of(key: str, values: Any, dtype: Any = np.float64) -> npt.NDArray[Any]:
+    """Return an array of the numbers given, or of integers with ``dtype``; ``key`` names it in errors.
+
+    Raises
+    ------
+    RangeError
+        When these are none, some are masked, or one is no double (an integer that fits): it would become another number.
+
+    """
+    found = doubles_near(key, values, dtype)
+    given = np.asarray(values)
+    if given.dtype == found.dtype:
+        return found
+    # As numbers of Python, which are compared exactly.
+    same = [own == one or math.isnan(one) for own, one in zip(given.ravel().tolist(), found.ravel().tolist(), strict=True)]
+    if not all(same):
+        said = f"{key} holds {given.ravel()[same.index(False)]!r}, which is not exactly a number of {np.dtype(dtype)}"
+        raise RangeError(said, key, repr(values))
+    return found
 
 
 def single(over: Any, example: str) -> tuple[str, Any]:

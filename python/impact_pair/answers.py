@@ -439,6 +439,13 @@ class Chaos(Document):
         return f"{said}: topological entropy at least {bounds}; {len(self.words)} words"
 
 
+def percent(said: str, share: float) -> str:
+    """Return a share in hundredths of a percent: of what is undecided rounded up, of what is proved down."""
+    millionths = round(share * 1e6)
+    parts = -(-millionths // 100) if said == "undecided" else millionths // 100
+    return f"{parts / 100:.2f}%"
+
+
 class ChaosCells(Document):
     """Verdicts over a range of a parameter: a horseshoe, or an orbit that is attracted."""
 
@@ -453,7 +460,7 @@ class ChaosCells(Document):
         return list(self.document["stretches"])
 
     def __repr__(self) -> str:
-        parts = ", ".join(f"{part:.2%} {said}" for said, part in self.shares.items())
+        parts = ", ".join(f"{percent(said, part)} {said}" for said, part in self.shares.items())
         return f"<{self.document['over']['key']} in {len(self.stretches)} stretches: {parts}>"
 
 

@@ -23,7 +23,7 @@ from typing import TYPE_CHECKING, Any, Literal
 import numpy as np
 
 from . import _cf, _core
-from ._exact import Value, doubles_of, text, whole
+from ._exact import Value, doubles_near, text, whole
 from ._file import ending, parquet, write
 from ._progress import Progress, reporting
 from ._store import Chunks, Files, Memory
@@ -71,10 +71,16 @@ class Question:
         return hashlib.sha256(self.core().head().encode()).hexdigest()[:32]
 
 
-def compute(question: Question, first: int, last: int) -> tuple[bytes, float]:
-    """Return the lines of the points from first up to last, and the seconds taken: the work of a worker, on one thread."""
+def compute(question: Question, first: int, last: int, key: str) -> tuple[bytes, float]:
+    """Return the lines of the points from first up to last, and the seconds taken: the work of a worker, on one thread.
+
+    ``key`` is that of the question where it is asked; a worker with another version has another one, and raises an ``Error``.
+    """
     began = time.perf_counter()
-    lines = question.core().compute((first, last), 1, None)
+    core = question.core()
+    if question.key() != key:
+        raise Error(f"a worker has another version, {json.loads(core.head())['program']}: all must have one")
+    lines = core.compute((first, last), 1, None)
     if lines.count(b"\n") < last - first:
         # Ctrl-C in a terminal is sent to the workers as well.
         raise KeyboardInterrupt
@@ -145,12 +151,13 @@ def sweep(
 
 def spread(key: str, given: Any) -> tuple[Value, Value, int]:
     """Return first value, last value and number of evenly spaced values, such as those of ``np.linspace``."""
-    values = doubles_of(f"over of {key}", given)
+    values = doubles_near(f"over of {key}", given)
     evenly = np.linspace(values[0], values[-1], len(values)) if values.ndim == 1 and len(values) > 1 else None
     if evenly is None or not np.allclose(values, evenly, rtol=1e-6 if given_in_singles(given) else 1e-12, atol=0):
         message = f"over of {key} is {given!r}, but must be two or more evenly spaced values, or (low, high, count)"
         raise RangeError(message, key, repr(given))
-    return values[0], values[-1], len(values)
+    # The ends as they are given: a fraction is no double.
+    return given[0], given[-1], len(values)
 
 
 def given_in_singles(values: Any) -> bool:
@@ -234,11 +241,12 @@ class Run:
     def on(self, executor: Executor) -> None:
         """Have it computed by the workers of an executor."""
         running: dict[Future[tuple[bytes, float]], tuple[int, int]] = {}
+        key = self.question.key()
         try:
             while self.gaps or running:
                 while self.gaps and len(running) < AHEAD * self.rate.workers:
                     first, last = self.next()
-                    running[executor.submit(compute, self.question, first, last)] = (first, last)
+                    running[executor.submit(compute, self.question, first, last, key)] = (first, last)
                 for future in wait(running, return_when=FIRST_COMPLETED).done:
                     first, last = running.pop(future)
                     self.keep(first, last, *future.result())

@@ -172,3 +172,46 @@ def test_r35_a_slice_of_an_orbit_is_a_list_of_impacts():
     assert [impact.index for impact in orbit[::-3]] == [8, 5, 2]
     assert orbit[np.int64(1)] == orbit[1]
     assert orbit[20:] == []
+
+
+@pytest.mark.parametrize(
+    "missing", [np.ma.masked, np.ma.array(0.5, mask=True), np.ma.array(3, mask=True), np.ma.array([0.5], mask=[True])[0]]
+)
+def test_r41_a_value_that_is_masked_is_none(missing):
+    with pytest.raises(impact_pair.RangeError, match="restitution"):
+        impact_pair.solve(**PARAMETERS | {"e": missing}, impacts=1)
+    with pytest.raises(impact_pair.RangeError, match="impacts is"):
+        impact_pair.solve(**PARAMETERS, impacts=missing)
+    values = np.ma.array([9.0, 9.5, 10.0], mask=[False, True, False])
+    with pytest.raises(impact_pair.RangeError, match="masked"):
+        Scene.named("figure-14").sweep({"gap": values}, impacts=1)
+
+
+@pytest.mark.parametrize("wall", [1.9, [1.9], np.array([257]), [257], np.array([255], dtype=np.uint8), [True], [1 + 0j], ["1"]])
+def test_r41_a_wall_that_would_become_another_number_is_refused(wall):
+    with pytest.raises(impact_pair.RangeError, match="wall"):
+        Scene.named("figure-14").flights([0.0], [12.0], wall)
+
+
+@pytest.mark.parametrize("t", [[2**53 + 1], np.array([2**53 + 1]), ["0.1"], [Decimal("0.1")], [Fraction(1, 3)], np.array([1j]), [10**400]])
+def test_r41_a_time_that_is_no_double_is_refused(t):
+    with pytest.raises(impact_pair.RangeError, match="t "):
+        Scene.named("figure-14").flights(t, [12.0], 1)
+
+
+def test_r41_states_that_are_doubles_are_taken_in_any_type():
+    scene = Scene.named("figure-14")
+    told = scene.flights([0.5], [12.0], 1)
+    for t, v, wall in [
+        (np.float32([0.5]), np.array([12]), np.int64([1])),
+        ([Fraction(1, 2)], [Decimal(12)], 1.0),
+        ([np.longdouble(0.5)], (12,), [1]),
+    ]:
+        found = scene.flights(t, v, wall)
+        assert np.array_equal(found.t_bounds, told.t_bounds)
+
+
+def test_r41_the_ends_of_a_list_are_exact():
+    ends = [Fraction(28, 3), Fraction(59, 6), Fraction(31, 3)]
+    found = Scene.named("figure-14").sweep({"gap": ends}, transient=0, impacts=1)
+    assert [record["values"] for record in found] == [["28/3"], ["59/6"], ["31/3"]]

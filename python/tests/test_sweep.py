@@ -173,7 +173,16 @@ def test_the_key_is_of_scene_grid_and_question():
     # Neither the layout of the file nor how a number is written decides.
     again = Question(Scene.named("figure-14").text + "\n# a remark\n", *list(vars(question).values())[1:])
     assert question.key() == again.key()
-    assert compute(question, 3, 6)[0] == compute(question, 3, 6)[0]
+    assert compute(question, 3, 6, question.key())[0] == compute(question, 3, 6, question.key())[0]
+
+
+def test_r41_a_worker_of_another_version_is_refused(monkeypatch):
+    original = Question.key
+    # In the process that asks, the first one to make a key, it is that of another version.
+    answers = iter(["0" * 32])
+    monkeypatch.setattr(Question, "key", lambda question: next(answers, None) or original(question))
+    with ThreadPoolExecutor(1) as executor, pytest.raises(impact_pair.Error, match="a worker has another version, impact-pair"):
+        Scene.named("figure-14").sweep({"amplitude": (1, 2, 3)}, transient=0, impacts=1, executor=executor)
 
 
 def test_a_killed_worker_loses_nothing(files, tmp_path):

@@ -9,6 +9,7 @@ from conftest import ROOT, SCENES, assert_rounded_outward
 
 import impact_pair
 from impact_pair import Scene
+from impact_pair.answers import percent
 
 
 def test_periodic(cli):
@@ -324,3 +325,8 @@ def test_pictures_by_matplotlib():
 def test_the_scenes_are_those_of_the_repository():
     assert SCENES == ROOT / "scenes"
     assert json.loads(Scene.named("figure-14").run(impacts=1).json())["scene"]["gap"] == "9.42497"
+
+
+def test_r41_shares_are_rounded_as_they_are_proved():
+    assert [percent("attracted", share) for share in (1.0, 0.999999, 0.29, 0.0)] == ["100.00%", "99.99%", "29.00%", "0.00%"]
+    assert [percent("undecided", share) for share in (1.0, 0.000001, 0.29, 0.0)] == ["100.00%", "0.01%", "29.00%", "0.00%"]

@@ -8,10 +8,11 @@ use num_traits::ToPrimitive;
 use impact_pair_document::{
     BaseDocument, CHAOS_CELLS_SCHEMA, CHAOS_SCHEMA, ChaosCellsDocument, ChaosDocument, CornersDocument, Decimal,
     EnteredDocument, EntropyDocument, HyperbolicDocument, LeftOutDocument, PROGRAM, ParameterRange, PeriodDocument,
-    RatesDocument, SceneDocument, SceneOrbitDocument, SharesDocument, StretchDocument, TRAP_SCHEMA, TrapDocument,
-    WallWordsDocument, WordDocument, bounds,
+    RatesDocument, SceneDocument, SceneOrbitDocument, StretchDocument, TRAP_SCHEMA, TrapDocument, WallWordsDocument,
+    WordDocument, bounds,
 };
 
+use super::shares::shares;
 use crate::chaos::{
     Asymptotics, Base, Cells, Chaos, Chord, Horseshoe, Hyperbolic, LeftOut, RangeSettings, Stretch, Trap, Verdict,
     WallWords,
@@ -167,21 +168,6 @@ fn period(word: &Word, cycles: u32) -> PeriodDocument {
 
 /// Returns the verdicts over a range of a parameter.
 pub fn cells(scene: &Scene, asked: &RangeSettings, cells: &Cells) -> ChaosCellsDocument {
-    // A range may be narrower than doubles tell apart: in parts of all of it.
-    let long = |low: &Exact, high: &Exact| high.checked_sub(low).map(|long| long.enclose(BITS).mid_rad().0);
-    let unit = long(&asked.over.low, &asked.over.high).unwrap_or(1.0);
-    let width = |stretch: &Stretch| long(&stretch.low, &stretch.high).map_or(0.0, |long| long / unit);
-    let all: f64 = cells.stretches.iter().map(width).sum();
-    let share = |is: fn(&Verdict) -> bool| {
-        let part = cells.stretches.iter().filter(|stretch| is(&stretch.verdict)).map(width).fold(0.0, |sum, x| sum + x);
-        (1e6 * part / all).round() / 1e6
-    };
-    let shares = SharesDocument {
-        horseshoe: share(|verdict| verdict.horseshoe().is_some()),
-        attracted: share(|verdict| matches!(verdict, Verdict::Attracted { .. })),
-        both: share(|verdict| matches!(verdict, Verdict::Attracted { beside: Some(_), .. })),
-        undecided: share(|verdict| *verdict == Verdict::Undecided),
-    };
     ChaosCellsDocument {
         schema: CHAOS_CELLS_SCHEMA.to_owned(),
         program: PROGRAM.to_owned(),
@@ -192,7 +178,7 @@ pub fn cells(scene: &Scene, asked: &RangeSettings, cells: &Cells) -> ChaosCellsD
         halvings: asked.halvings,
         depth: asked.depth as u32,
         interrupted: cells.interrupted,
-        shares,
+        shares: shares(&asked.over, cells),
         stretches: cells.stretches.iter().map(stretch).collect(),
     }
 }

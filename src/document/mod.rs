@@ -9,6 +9,7 @@ mod event;
 mod global;
 mod orbit;
 mod periodic;
+mod shares;
 mod two_impact;
 mod windows;
 

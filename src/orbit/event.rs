@@ -118,7 +118,7 @@ impl Progress {
 pub enum Outcome {
     /// All the impacts requested.
     ImpactsReached,
-    /// All the impacts up to the requested time.
+    /// All the events up to the requested time, and those whose bounds contain it.
     TimeReached,
     /// All that was requested, and from a release on the motion is proved to repeat exactly, for ever.
     Periodic(Period),

@@ -9,6 +9,8 @@ pub const FORGERIES: &[Forgery] = &[
     Forgery { name: "sweep: an impact less", why: "it comes between those around it", forge: dropped },
     Forgery { name: "sweep: transient", why: "each impact is listed as the one after it", forge: later },
     Forgery { name: "sweep: a point twice", why: "a point has one line", forge: twice },
+    Forgery { name: "sweep: head", why: "its points are of other shards, or have impacts", forge: headed },
+    Forgery { name: "sweep: a point missing", why: "the grid has more points", forge: missing },
     Forgery { name: "sweep: what becomes of points", why: "its orbit does not, or not in this rhythm", forge: ended },
 ];
 
@@ -62,6 +64,29 @@ fn twice(original: &Original) -> Vec<Forged> {
     let own = points(original);
     let again = |k: usize| with_points(original, &format!("{k} twice"), [&own[..], &own[k..=k]].concat());
     (0..own.len()).map(again).collect()
+}
+
+/// A whole sweep of two points or more is no shard, and one that lists impacts no summary.
+fn headed(original: &Original) -> Vec<Forged> {
+    let own = points(original);
+    let mut all = Vec::new();
+    for shard in [[1, 2], [2, 2], [1, 3]].iter().filter(|_| own.len() > 1 && original.document[0]["shard"].is_null()) {
+        let mut forged = with_points(original, &format!("shard {shard:?}"), own.clone());
+        forged.document[0]["shard"] = json!(shard);
+        all.push(forged);
+    }
+    if own.iter().any(|point| point["states"].is_array()) {
+        let mut forged = with_points(original, "a summary", own);
+        forged.document[0]["summary"] = json!(true);
+        all.push(forged);
+    }
+    all
+}
+
+fn missing(original: &Original) -> Vec<Forged> {
+    let own = points(original);
+    let without = |k: usize| with_points(original, &format!("without {k}"), [&own[..k], &own[k + 1..]].concat());
+    (0..own.len()).map(without).collect()
 }
 
 fn later(original: &Original) -> Vec<Forged> {

@@ -162,14 +162,17 @@ pub fn stretches(document: &ChaosCellsDocument) -> Result<String, fmt::Error> {
 /// How much of the range is proved.
 pub fn shares(document: &ChaosCellsDocument) -> String {
     let SharesDocument { horseshoe, attracted, both, undecided } = &document.shares;
-    let percent = |share: &f64| format!("{:.2} %", 100.0 * share);
+    // In hundredths of a percent, rounded as the shares are, which are millionths.
+    let percent = |parts: f64| format!("{:.2} %", parts / 100.0);
+    let proved = |share: &f64| percent(((share * 1e6).round() / 100.0).floor());
+    let open = |share: &f64| percent(((share * 1e6).round() / 100.0).ceil());
     let said = if document.certified { "certified" } else { "not all certified" };
     let stopped = if document.interrupted { "interrupted: " } else { "" };
     format!(
         "{stopped}{said}: over {} of the range the scene's own orbit is attracted, {} are proved to hold a horseshoe ({} both), {} undecided",
-        percent(attracted),
-        percent(horseshoe),
-        percent(both),
-        percent(undecided)
+        proved(attracted),
+        proved(horseshoe),
+        proved(both),
+        open(undecided)
     )
 }

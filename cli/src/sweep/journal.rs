@@ -12,7 +12,7 @@ use std::path::{Path, PathBuf};
 use anyhow::{Context, Result, bail};
 use impact_pair::json::SweepHead;
 
-use super::record::{is_own, line, own, read_head, read_record};
+use super::record::{is_of_grid, is_own, line, own, read_head, read_record};
 
 /// Bytes before the text of a line: its CRC-32 in hexadecimal digits, and a blank.
 const SEAL: usize = 9;
@@ -123,19 +123,26 @@ impl Journal {
             let place = Place { offset: end + (written.len() - text.len()) as u64, bytes: text.len() };
             end += all;
             let text = std::str::from_utf8(text).with_context(|| format!("line {number}"))?;
-            let Some(head) = &head else {
+            let Some((head, grid)) = &head else {
                 head = Some(read_head(text)?);
                 continue;
             };
             let record = read_record(text).with_context(|| format!("line {number} is not the record of a point"))?;
-            if !is_own(head, record.point) || record.values.len() != head.over.len() {
+            if !is_own(head, record.point) {
                 bail!("line {number}: point {} does not belong to this sweep or shard", record.point);
+            }
+            if !is_of_grid(&record, grid) {
+                let values = record.values.join(", ");
+                bail!(
+                    "line {number}: the values of point {} are {values}, which is not its place in the grid",
+                    record.point
+                );
             }
             if places.insert(record.point, place).is_some() {
                 bail!("line {number}: point {} occurs twice", record.point);
             }
         }
-        let head = head.context("line 1 is missing")?;
+        let (head, _) = head.context("line 1 is missing")?;
         Ok(Self { head, file: lines.into_inner(), places, end, path: None })
     }
 

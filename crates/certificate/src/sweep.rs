@@ -16,6 +16,8 @@ use impact_pair_model::{Error, Harmonic, ImpactPair, Start, Wall};
 #[derive(Clone, Debug)]
 pub struct SweepCertificate {
     points: Vec<ClaimedOrbit>,
+    /// How many points of the grid, or of the shard, are not there.
+    missing: u64,
     unjudged: Vec<String>,
 }
 
@@ -50,7 +52,7 @@ pub(super) struct ClaimedState {
 }
 
 /// What no lemma of `check` is about.
-const UNJUDGED: [&str; 18] = [
+const UNJUDGED: [&str; 16] = [
     "arithmetic",
     "claim",
     "digits",
@@ -66,8 +68,6 @@ const UNJUDGED: [&str; 18] = [
     "points.reason",
     "points.wide_from",
     "program",
-    "shard",
-    "summary",
     "title",
 ];
 
@@ -84,6 +84,11 @@ impl SweepCertificate {
             return Err(place.get("certified")?.refused("only a certified sweep claims anything: accepted is true"));
         }
         let axes = Axes::of(&head, &place)?;
+        if head.shard.is_some_and(|[number, of]| !(1..=of).contains(&number)) {
+            return Err(place
+                .get("shard")?
+                .refused("accepted is the number of a shard, from 1 on, and how many there are"));
+        }
         let mut seen = HashSet::new();
         let point = |(i, value)| {
             let place = Place::at(format!("points[{i}]"), value);
@@ -103,9 +108,19 @@ impl SweepCertificate {
             unjudged.push("transient".to_owned());
             unjudged.extend((!axes.keys.contains(&Key::StartPhase)).then(|| "reference".to_owned()));
         }
+        // Of points without impacts after the transient a summary says as much, and one point is that of several shards.
+        let is_short = points.iter().all(|point| point.impacts <= head.transient);
+        unjudged.extend(is_short.then(|| "summary".to_owned()));
+        unjudged.extend((points.len() < 2).then(|| "shard".to_owned()));
         unjudged.sort();
         unjudged.dedup();
-        Ok(Self { points, unjudged })
+        let missing = own_points(&head).saturating_sub(seen.len() as u64); // exact: points that are not of it are refuted
+        Ok(Self { points, missing, unjudged })
+    }
+
+    /// How many points of the grid, or of the shard, are not there.
+    pub(super) fn missing(&self) -> u64 {
+        self.missing
     }
 
     pub(super) fn points(&self) -> &[ClaimedOrbit] {
@@ -212,7 +227,11 @@ impl ClaimedOrbit {
             Some(listed) => listed != record.impacts,
             None => !head.summary && record.impacts > head.transient,
         };
-        let contradiction = if !axes.are_all {
+        let contradiction = if !is_own(head, record.point) {
+            Some("its point is not one of the grid, or of the shard")
+        } else if head.summary && !states.is_empty() {
+            Some("it lists impacts, which a summary has not")
+        } else if !axes.are_all {
             Some("the axes have another number of points than given")
         } else if !follow || is_cut {
             Some("its impacts are not all those after the transient")
@@ -242,6 +261,17 @@ impl ClaimedState {
         };
         Ok(Self { index: *index, wall: *wall, phase: values(phase)?, velocity: values(velocity)? })
     }
+}
+
+/// Whether a point is one of the grid, or of the shard: every N-th one.
+fn is_own(head: &SweepHead, point: u64) -> bool {
+    point < head.points && head.shard.is_none_or(|[number, of]| point % of == number - 1)
+}
+
+/// How many points the grid, or the shard, has.
+fn own_points(head: &SweepHead) -> u64 {
+    let [number, of] = head.shard.unwrap_or([1, 1]); // exact: all of them
+    head.points / of + u64::from(number <= head.points % of)
 }
 
 /// The value number `at` of an axis.

@@ -268,6 +268,54 @@ fn r40_a_point_is_listed_once() {
     assert!(found.verdict == VerdictName::Refuted && found.message.contains("listed before"), "{}", found.message);
 }
 
+/// A shard has every N-th point and no other, a summary no impacts, and a whole sweep all its points.
+#[test]
+fn r41_shards_summaries_and_missing_points_of_sweeps_are_judged() {
+    let (_, lines) = all().into_iter().find(|(name, _)| name == "sweep").unwrap();
+    let points = lines.len() - 1;
+    assert!(points > 2, "{points}");
+    let verdict = |head: &[(&str, Value)], points: &[usize]| {
+        let mut own = vec![lines[0].clone()];
+        own.extend(points.iter().map(|point| lines[1 + point].clone()));
+        head.iter().for_each(|(key, value)| own[0][*key] = value.clone());
+        checked(&own, &Unwatched).map(|found| (found.verdict, found.not_checked))
+    };
+    let of = |number: u64, of: u64| [("shard", json!([number, of]))];
+    let whole: Vec<usize> = (0..points).collect();
+    let odd: Vec<usize> = (0..points).step_by(2).collect();
+    let all = |head: &[(&str, Value)], points: &[usize]| verdict(head, points).map(|(verdict, _)| verdict);
+    assert_eq!(all(&[], &whole), Some(VerdictName::Confirmed));
+    assert_eq!(all(&of(1, 2), &odd), Some(VerdictName::Confirmed));
+    let (_, named) = verdict(&of(1, 2), &odd).unwrap();
+    assert!(!named.iter().any(|key| ["shard", "summary"].contains(&key.as_str())), "{named:?}");
+    // Points of another shard.
+    for (number, shards) in [(2, 2), (1, 3), (2, 3)] {
+        assert_eq!(all(&of(number, shards), &odd), Some(VerdictName::Refuted), "{number}/{shards}");
+    }
+    // Not all of the shard, or of the sweep.
+    assert_eq!(all(&of(1, 1), &odd), Some(VerdictName::Undecided));
+    assert_eq!(all(&[], &odd), Some(VerdictName::Undecided));
+    assert_eq!(all(&[], &whole[1..]), Some(VerdictName::Undecided));
+    // No shard at all.
+    for shard in [of(0, 0), of(0, 2), of(3, 2), of(1, 0)] {
+        assert_eq!(all(&shard, &odd), None, "{shard:?}");
+    }
+    assert_eq!(all(&[("summary", json!(true))], &whole), Some(VerdictName::Refuted));
+}
+
+/// An event whose bounds contain the requested time is listed, and may come after it: "3 impacts up to the requested time" was said where
+/// the third one is at `t = 3` and the requested time a little before.
+#[test]
+fn r41_the_message_counts_what_is_listed() {
+    let document = recorded("time");
+    let message = document["outcome"]["message"].as_str().unwrap();
+    let count = document["outcome"]["impacts"].as_u64().unwrap();
+    assert_eq!(message, format!("{count} impacts listed; no other event up to the requested time"));
+    let mut former = document.clone();
+    former["outcome"]["message"] = json!(format!("{count} impacts up to the requested time"));
+    assert_eq!(checked(&[former], &Unwatched).expect("an orbit").verdict, VerdictName::Refuted);
+}
+
 /// A ball that stays at once, by `e = 0` or without velocity, has no impacts that are left out.
 #[test]
 fn r40_infinitely_many_impacts_are_those_of_every_member() {
@@ -279,7 +327,7 @@ fn r40_infinitely_many_impacts_are_those_of_every_member() {
             "scene": { "excitation": excitation, "gap": "1", "restitution": restitution, "start": start },
             "certified": true,
             "claim": "exact start",
-            "outcome": { "kind": "time-reached", "message": "0 impacts up to the requested time", "impacts": 0, "until": "0.1" },
+            "outcome": { "kind": "time-reached", "message": "0 impacts listed; no other event up to the requested time", "impacts": 0, "until": "0.1" },
             "events": [{ "event": "rest", "wall": "left", "time": ["-1e-7", "0.0001014"], "skipped": "infinite" }]
         });
         checked(&[document], &Unwatched).expect("an orbit").verdict

@@ -223,7 +223,8 @@ pub struct ChaosCellsDocument {
     pub stretches: Vec<StretchDocument>,
 }
 
-/// Approximate fractions of a range. A horseshoe and an attracted orbit do not exclude each other: `horseshoe + attracted - both + undecided` is 1.
+/// Fractions of a range, in millionths: rounded down where something is proved, and up where nothing is. A horseshoe and an attracted orbit
+/// do not exclude each other: `horseshoe + attracted - both + undecided` is 1 but for rounding.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct SharesDocument {

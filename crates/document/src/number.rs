@@ -6,9 +6,13 @@ use serde::{Deserialize, Serialize, Serializer};
 
 /// A number written as a decimal, such as `-1.5e-3`.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(extend("pattern" = PATTERN)))]
 #[serde(try_from = "String")]
 pub struct Decimal(String);
+
+/// The decimals that are read, as a regular expression of JSON Schema.
+#[cfg(feature = "schemas")]
+const PATTERN: &str = r"^-?(0|[1-9][0-9]*)(\.[0-9]+)?([eE][+-]?[0-9]+)?$";
 
 /// A lower and an upper bound, rounded outward.
 pub type Bounds = [Decimal; 2];

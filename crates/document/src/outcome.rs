@@ -95,7 +95,12 @@ impl OutcomeDocument {
             "impacts-reached" => so_far,
             "time-reached" => {
                 self.until.as_ref()?;
-                format!("{so_far} up to the requested time")
+                // An event whose bounds contain that time is listed as well, and may come after it.
+                format!(
+                    "{} listed{}; no other event up to the requested time",
+                    counted(impacts, "impact"),
+                    self.shadowed()
+                )
             }
             "periodic" => {
                 let Period { cycles, impacts } = self.period?;

@@ -141,7 +141,7 @@ let document value =
 let plural n = if Z.equal n Z.one then "" else "s"
 let words = function
   | Impacts_reached n -> Printf.sprintf "%s impact%s" (Z.to_string n) (plural n)
-  | Time_reached (n, _) -> Printf.sprintf "%s impact%s up to the requested time" (Z.to_string n) (plural n)
+  | Time_reached (n, _) -> Printf.sprintf "%s impact%s listed; no other event up to the requested time" (Z.to_string n) (plural n)
 
 let wall_name = function Left -> "left" | Right -> "right"
 let mapping_name = function P1 -> "P1" | P2 -> "P2" | P3 -> "P3" | P4 -> "P4"

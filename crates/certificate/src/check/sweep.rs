@@ -53,6 +53,12 @@ impl SweepCertificate {
             None if confirmed == 0 => {
                 Verdict::Undecided(Finding { event: 0, message: "there is no point to check".to_owned() })
             }
+            // An interrupted sweep, or lines are lost.
+            None if self.missing() > 0 => {
+                let missing = self.missing();
+                let message = format!("points missing: {missing}; the {confirmed} that are there are confirmed");
+                Verdict::Undecided(Finding { event: self.count(), message })
+            }
             None => Verdict::Confirmed { bits: most, pieces: 1 },
         };
         Ok((verdict, certain))
