@@ -18,6 +18,7 @@ mod periodic;
 mod read;
 mod scene;
 mod sweep;
+mod tangency;
 mod trade;
 mod windows;
 
@@ -36,6 +37,7 @@ pub use read::Place;
 pub use read::{value, values};
 pub use scene::{ExcitationDocument, SceneDocument, StartDocument};
 pub use sweep::*;
+pub use tangency::*;
 pub use trade::*;
 pub use windows::*;
 
