@@ -97,6 +97,7 @@ mod several;
 mod shaken;
 pub mod sweep;
 pub mod switch_plane;
+pub mod tangency;
 #[cfg(test)]
 #[path = "../tests/tolerances/mod.rs"]
 mod tolerances;

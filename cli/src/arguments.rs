@@ -8,7 +8,9 @@ use crate::plot::arguments as plot;
 use crate::sweep::arguments as sweep;
 use crate::trade::arguments as trade;
 use crate::two_impact::arguments as two_impact;
-use crate::{bifurcations, chaos, check, cycles, describe, man, periodic, prove, run, trap, version, windows};
+use crate::{
+    bifurcations, chaos, check, cycles, describe, man, periodic, prove, run, tangency, trap, version, windows,
+};
 
 /// Verified numerics for the horizontal impact pair: every impact proved
 #[derive(Debug, Parser)]
@@ -58,6 +60,9 @@ pub enum Verb {
     /// Find stable periodic orbits near a scene over a parameter, and prove each with its window: both ends, and the orbits between
     #[command(after_help = EXIT_CODES, after_long_help = windows::HELP)]
     Windows(windows::WindowsArguments),
+    /// Proved homoclinic tangencies of the equispaced motion over a parameter
+    #[command(after_help = EXIT_CODES, after_long_help = tangency::HELP)]
+    Tangency(tangency::TangencyArguments),
     /// Prove every claim of a JSON document again, by an independent method, from its own numbers
     #[command(after_help = check::EXIT_CODES, after_long_help = check::HELP)]
     Check(check::CheckArguments),

@@ -22,6 +22,7 @@ mod run;
 mod scene;
 mod sweep;
 mod table;
+mod tangency;
 mod trade;
 mod trap;
 mod two_impact;
@@ -64,6 +65,7 @@ fn main() -> ExitCode {
         Verb::Chaos(arguments) => chaos::chaos(&arguments),
         Verb::Cycles(arguments) => cycles::cycles(&arguments),
         Verb::Windows(arguments) => windows::windows(&arguments),
+        Verb::Tangency(arguments) => tangency::tangency(&arguments),
         Verb::Check(arguments) => check::check(&arguments),
         Verb::Prove(arguments) => prove::prove(&arguments),
         Verb::Plot(arguments) => plot::plot(&arguments),

@@ -8,6 +8,7 @@ mod ending;
 mod event;
 mod orbit;
 mod periodic;
+mod tangency;
 mod two_impact;
 mod windows;
 
@@ -20,6 +21,7 @@ pub use ending::Ending;
 pub use event::{Bounds, Event, Events, Kind};
 pub use orbit::{arithmetic, follow, head, is_certified, orbit};
 pub use periodic::Units;
+pub use tangency::{at_least, tangency};
 pub use two_impact::{manifolds, two_impact, word};
 pub use windows::windows;
 
