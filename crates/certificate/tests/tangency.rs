@@ -85,3 +85,23 @@ fn what_is_not_checked_is_undecided() {
     let found = message(judged(&wide));
     assert!(found.starts_with("undecided: "), "{found}");
 }
+
+/// The one to the other side of the printed gap, found by the same other program.
+#[test]
+#[ignore = "deep"]
+fn the_second_tangency_is_confirmed() {
+    let second = [
+        ("/parameter", json!(["9.42451617741088059205679", "9.42451617741088059205680"])),
+        ("/flights", json!("FFFFFFNFFFFNFFFFFNFFNFFNFFFF")),
+        ("/saddle/phase", json!(["5.044074125", "5.044074126"])),
+        ("/saddle/speed", json!(["1.302547144", "1.302547145"])),
+        ("/saddle/eigenvalues", json!([["-2.312529492", "-2.312529491"], ["-0.108106730", "-0.108106729"]])),
+        ("/unstable", json!(["-0.00172464834979609857", "-0.00172464834979609856"])),
+        ("/stable", json!(["0.00010816892643807098", "0.00010816892643807099"])),
+        ("/quadratic", json!(["-58608873998", "-58608873997"])),
+        ("/unfolding", json!(["-808.073", "-808.072"])),
+        ("/least_speed", json!("0.3249")),
+    ];
+    let verdict = judged(&second);
+    assert!(matches!(verdict, Verdict::Confirmed { .. }), "{verdict:?}");
+}

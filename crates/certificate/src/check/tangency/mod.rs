@@ -137,7 +137,7 @@ impl ClaimedTangency {
         self.flights.iter().map(|is_far| if *is_far { Letter::Far } else { Letter::Near }).collect()
     }
 
-    /// With a box by so many bits narrower than the claimed one.
+    /// With a box that is N bits narrower than the claimed one.
     fn judged_inside(&self, setting: &Setting<'_>, range: &mut Range<'_>, inside: i64) -> Result<u32, Doubt> {
         let widths = [&self.unstable, &self.stable, &self.parameter].map(|[low, high]| high - low);
         let widths = widths.map(|width| Real::rational(&width, 64).enclosure().mag().top());
@@ -288,6 +288,7 @@ fn no_resonance(eigenvalues: [&Real; 2], highest: u32) -> Result<(), Doubt> {
             all
         })
     });
+    // exact: a count
     for order in 2..=highest as usize {
         for j in 0..=order {
             let product = powers[0][j].clone() * &powers[1][order - j];

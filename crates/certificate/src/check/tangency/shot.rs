@@ -67,7 +67,7 @@ impl<'b> Range<'b> {
             let real = [&gap, &phase, &unstable, &stable];
             let domain = |side| {
                 Domain::new(law, real, side)
-                    .ok_or_else(|| open("the manifolds are not proved to be analytic near the saddle"))
+                    .ok_or_else(|| open("the invariant manifolds are not proved to be analytic near the saddle"))
             };
             let domains = [domain(Side::Unstable)?, domain(Side::Stable)?];
             self.around = Some((gap, domains));
@@ -95,7 +95,7 @@ impl<'b> Range<'b> {
             let most = Real::point(sigma.hull().enclosure().mag(), bits);
             let series = Series::new(law, &saddle, &gap, (side, domain.clone()), &most);
             let found = series.and_then(|series| Some((series.at(law, &gap, sigma)?, series)));
-            found.ok_or_else(|| open("the parameter of a manifold is too far from the saddle"))
+            found.ok_or_else(|| open("the parameter of an invariant manifold is too far from the saddle"))
         };
         let (mut state, unstable) = manifold(Side::Unstable, &domains[0], &u)?;
         let (end, stable) = manifold(Side::Stable, &domains[1], &s)?;
@@ -111,6 +111,7 @@ impl<'b> Range<'b> {
                 Doubt::Open(message) => Doubt::Open(format!("flight {}: {message}", k + 1)),
             };
             let flown = fly(law, &gap, &state, (*letter, &self.guesses[k]), &self.budget).map_err(at)?;
+            self.budget.allow(bits, 1);
             state = flown.state;
             speeds.push(speed(&state));
             times.push(flown.time);
