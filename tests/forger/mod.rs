@@ -25,6 +25,7 @@ mod regions;
 mod scenes;
 mod shadows;
 mod sweeps;
+mod tangencies;
 mod windows;
 
 use std::collections::BTreeMap;
@@ -41,7 +42,7 @@ use impact_pair_certificate::{Claims, Effort, Verdict};
 const CASES: u64 = 1;
 
 /// All forgeries, by what they forge.
-const FORGERIES: [&[Forgery]; 10] = [
+const FORGERIES: [&[Forgery]; 11] = [
     scenes::FORGERIES,
     outcomes::FORGERIES,
     events::FORGERIES,
@@ -51,6 +52,7 @@ const FORGERIES: [&[Forgery]; 10] = [
     regions::FORGERIES,
     descriptions::FORGERIES,
     sweeps::FORGERIES,
+    tangencies::FORGERIES,
     windows::FORGERIES,
 ];
 

@@ -19,7 +19,7 @@ use crate::spoiled::{documents, others};
 use impact_pair::scene::Range;
 
 /// Kinds of documents, in the order of the table.
-const KINDS: [&str; 13] = [
+const KINDS: [&str; 14] = [
     "orbit",
     "shadow",
     "periodic",
@@ -27,6 +27,7 @@ const KINDS: [&str; 13] = [
     "bifurcations",
     "cycles",
     "windows",
+    "tangency",
     "trap",
     "chaos",
     "hyperbolic",
@@ -43,6 +44,7 @@ pub fn all() -> Vec<Original> {
     all.extend([cycles(), trap("figure-14"), trap("figure-12"), chaos(None), chaos(Some("gap=9.42477..9.42498"))]);
     all.push(hyperbolic());
     all.push(Original::new("windows", "of two impacts", others::windows()));
+    all.push(Original::new("tangency", "beside figure 14", others::tangency()));
     let described = ["figure-13", "chatter", "figure-14"];
     all.extend(described.map(|name| Original::new("description", name, others::description(name))));
     all.extend(sweeps());

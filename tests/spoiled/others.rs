@@ -96,6 +96,11 @@ pub fn windows() -> Value {
     json!(document::windows(&scene, &settings, &found).unwrap())
 }
 
+/// The homoclinic tangency beside figure 14, of which Newton's iteration of another program in 120 digits found the numbers.
+pub fn tangency() -> Value {
+    serde_json::from_str(include_str!("../../crates/certificate/tests/documents/tangency.jsonl")).unwrap()
+}
+
 fn sweep(scene: &str, over: &[&str]) -> Vec<Value> {
     let scene = Scene::parse(scene).unwrap();
     let grid = Grid::new(over.iter().map(|axis| axis.parse().unwrap()).collect()).unwrap();
@@ -127,6 +132,7 @@ pub fn all() -> Vec<(&'static str, Vec<Value>)> {
         ("trap", vec![trap()]),
         ("cycles", vec![cycles(3)]),
         ("windows", vec![windows()]),
+        ("tangency", vec![tangency()]),
         ("description", vec![description("figure-13")]),
         ("description of a region", vec![description("figure-14")]),
         ("sweep", sweep(one, &["amplitude=7..9:2", "start.phase=0..1:2"])),

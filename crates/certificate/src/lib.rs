@@ -16,6 +16,7 @@ mod periodic;
 mod prove;
 mod read;
 mod sweep;
+mod tangency;
 #[cfg(test)]
 #[path = "../../../tests/tolerances/mod.rs"]
 mod tolerances;
@@ -35,5 +36,6 @@ pub use periodic::PeriodicCertificate;
 pub use prove::Theorem;
 pub use read::{Certificate, Claim, ClaimKind};
 pub use sweep::SweepCertificate;
+pub use tangency::TangencyCertificate;
 pub use trap::TrapCertificate;
 pub use windows::WindowsCertificate;

@@ -30,8 +30,8 @@ pub struct TangencyDocument {
     pub undecided: Vec<OpenTangencyDocument>,
 }
 
-/// A homoclinic tangency: for exactly one value of the parameter between the bounds the two manifolds of the saddle have a common point along
-/// these flights, with parameters of the manifolds between their bounds, at which their tangents are parallel; it is quadratic, and unfolds
+/// A homoclinic tangency: for exactly one value of the parameter between the bounds the two invariant manifolds of the saddle have a common point along
+/// these flights, with parameters of the invariant manifolds between their bounds, at which their tangents are parallel; it is quadratic, and unfolds
 /// with a speed that is not zero.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
@@ -51,7 +51,7 @@ pub struct HomoclinicTangencyDocument {
     pub stable: Bounds,
     /// Bounds of `q = det(t, Phi_uu - a^2 P_s'')`, not 0: the tangency is quadratic.
     pub quadratic: Bounds,
-    /// Bounds of `m = det(t, Phi_D - P_s,D)`, per unit of `D = d/A`, not 0: the manifolds pass through each other.
+    /// Bounds of `m = det(t, Phi_D - P_s,D)`, per unit of `D = d/A`, not 0: the invariant manifolds pass through each other.
     pub unfolding: Bounds,
     /// Lower bound of the speed of all impacts of the orbit, divided by `A W`.
     pub least_speed: Decimal,
