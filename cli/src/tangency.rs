@@ -13,6 +13,7 @@ use impact_pair::scene::Range;
 use impact_pair::tangency::{
     FlightWord, TANGENCY_PARAMETERS, Tangencies, Tangency, TangencySettings, UnprovedTangency, is_tangency_range,
 };
+use impact_pair_plot::picture::Look;
 
 use crate::Answer;
 use crate::destination::{Begun, Destination};
@@ -69,6 +70,12 @@ pub struct TangencyArguments {
     /// Output format; json is schema impact-pair/tangency/1 [default: as the ending of --output says, else table]
     #[arg(long, value_enum)]
     format: Option<PeriodicFormat>,
+    /// Draw the nearest tangency: both manifolds in the section, and the point of tangency 1,000 times as large, at its value and 1e-4 to
+    /// either side
+    #[arg(long, value_name = "FILE.svg|FILE.png|FILE.pdf", value_parser = impact_pair_plot::picture::path)]
+    plot: Option<PathBuf>,
+    #[command(flatten)]
+    look: Look,
     #[command(flatten)]
     destination: Destination,
 }
@@ -80,7 +87,8 @@ fn over(text: &str) -> Result<Range, impact_pair::Error> {
 
 pub fn tangency(arguments: &TangencyArguments) -> Result<Answer> {
     let format = arguments.destination.format(arguments.format)?;
-    let Begun { scene, files, path } = arguments.destination.begin(&arguments.scene, None)?;
+    let plot = arguments.plot.as_deref().map(|path| (path, &arguments.look));
+    let Begun { scene, files, path } = arguments.destination.begin(&arguments.scene, plot)?;
     let settings = TangencySettings {
         over: arguments.over.clone(),
         word: arguments.word.clone(),
@@ -97,7 +105,8 @@ pub fn tangency(arguments: &TangencyArguments) -> Result<Answer> {
         PeriodicFormat::Json => serde_json::to_string(&document::tangency(&scene, &found))? + "\n",
     };
     let open = (!found.is_certified()).then(|| conclusion(&found));
-    files.answer(&text, open, format == PeriodicFormat::Table)
+    let is_table = format == PeriodicFormat::Table;
+    files.draw((&text, open, is_table), || impact_pair_plot::tangency::tangency(&scene, &found, &arguments.look))
 }
 
 fn table(scene: &Scene, found: &Tangencies) -> Result<String, fmt::Error> {

@@ -1,4 +1,5 @@
-//! Regions, all periodic motions in them, stable ones near a scene, and chaos: the verbs `trap`, `cycles`, `windows` and `chaos`.
+//! Regions, all periodic motions in them, stable ones near a scene, homoclinic tangencies, and chaos: the verbs `trap`,
+//! `cycles`, `windows`, `tangency` and `chaos`.
 
 use impact_pair::chaos::{
     BoxGraph, Cells, Chaos, Cycles, HorseshoeSettings, Hyperbolic, MOST_CELLS, MOST_COUNTED, MOST_DEPTH, MOST_HALVINGS,
@@ -9,6 +10,7 @@ use impact_pair::exact::Exact;
 use impact_pair::json::{BaseDocument, one_a_line};
 use impact_pair::periodic::Precision;
 use impact_pair::periodic::bifurcation;
+use impact_pair::tangency::{FlightWord, Tangencies, TangencySettings};
 use impact_pair::watch::{Stage, Watch};
 use impact_pair_plot::picture::Look;
 use pyo3::prelude::*;
@@ -100,6 +102,34 @@ pub fn windows(
         let found = Windows::of(&scene, &settings, monitor)?;
         let document = document::windows(&scene, &settings, &found)?;
         Ok((text(&document), found.is_certified(), monitor.is_stopped()))
+    })
+}
+
+/// Homoclinic tangencies of the equispaced motion over a parameter.
+#[pyfunction]
+pub fn tangency(
+    py: Python<'_>,
+    scene: &Bound<'_, Scene>,
+    over: &str,
+    question: (Option<&str>, u32, u32),
+    asked: (Option<u32>, u32),
+    progress: Option<Py<PyAny>>,
+) -> PyResult<Answer> {
+    let (word, longest, most) = question;
+    let range = bifurcation::over(over).map_err(|error| Fault::keyed(error, "over", over))?;
+    let word = word.map(|word| word.parse::<FlightWord>().map_err(|error| Fault::keyed(error, "word", word)));
+    let word = word.transpose()?;
+    let scene = scene.get().scene.clone();
+    watched(py, progress, move |monitor| {
+        let settings = TangencySettings {
+            over: range,
+            word,
+            longest: accepted("longest", longest, 1..=40)? as usize,
+            most: accepted("most", most, 1..=100_000)? as usize,
+            precision: precision(asked, &scene)?,
+        };
+        let found = Tangencies::of(&scene, &settings, monitor)?;
+        Ok((text(&document::tangency(&scene, &found)), found.is_certified(), monitor.is_stopped()))
     })
 }
 

@@ -178,20 +178,15 @@ impl<N: Enclosing> Chain<N> {
         Some(pair.miss(&start, &end, self.flights[k])?.map(|x| x.slope))
     }
 
-    /// The directions in which flight `k` changes.
+    /// The directions in which flight `k` changes: with the states at its ends, and with `D` itself.
     fn directions(&self, ends: &Ends<N>, k: usize) -> Vec<Direction<N>> {
         let still = || [0, 1].map(|_| Jet::constant(zero()));
-        let one = |unknown: usize| if unknown == 2 { N::from_f64(1.0) } else { zero() };
-        let mut all: Vec<Direction<N>> = Vec::new();
-        let starts = self.moves(ends, k).into_iter().map(|(unknown, by)| (unknown, by, still()));
-        let ends = self.moves(ends, k + 1).into_iter().map(|(unknown, by)| (unknown, still(), by));
-        let gap = [(2, still(), still())];
-        for (unknown, start, end) in starts.chain(ends) {
-            // Each derivative by D counts the flight's own once.
-            all.push(Direction { unknown, start, end, gap: zero() });
-        }
-        all.extend(gap.map(|(unknown, start, end)| Direction { unknown, start, end, gap: one(unknown) }));
-        all
+        let starts = self.moves(ends, k).into_iter();
+        let starts = starts.map(|(unknown, by)| Direction { unknown, start: by, end: still(), gap: zero() });
+        let arrivals = self.moves(ends, k + 1).into_iter();
+        let arrivals = arrivals.map(|(unknown, by)| Direction { unknown, start: still(), end: by, gap: zero() });
+        let own = Direction { unknown: 2, start: still(), end: still(), gap: N::from_f64(1.0) };
+        starts.chain(arrivals).chain([own]).collect()
     }
 }
 

@@ -55,10 +55,15 @@ pub(super) fn least(chain: &Chain<Ball>, domain: &[Ball]) -> Option<Least> {
         }
         let half = if side == Side::Far { 0.5 } else { 0.0 };
         let time = to[0] - from[0] - Ball::exact(half) * to[0].turn();
-        for speed in [from[1], to[1]] {
-            least.speed = if low(speed) < least.speed { low(speed) } else { least.speed };
+        for (bound, x) in [(&mut least.speed, from[1]), (&mut least.speed, to[1]), (&mut least.time, time)] {
+            // Of a NaN nothing is known.
+            if !is_positive(low(x)) {
+                return None;
+            }
+            if low(x) < *bound {
+                *bound = low(x);
+            }
         }
-        least.time = if low(time) < least.time { low(time) } else { least.time };
     }
-    (is_positive(least.speed) && is_positive(least.time)).then_some(least)
+    Some(least)
 }

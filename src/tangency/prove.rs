@@ -41,9 +41,11 @@ const LARGEST_STEP: f64 = 0.05;
 const ENOUGH: f64 = 1e-12;
 /// A parameter of a manifold is at most that part of the radius for which it is proved.
 const PART: f64 = 0.125;
-/// The radii of `D` for which the manifolds are proved, and of the largest domain.
+/// The radii of `D` for which the manifolds are proved, and of the largest domain; for a ball of `e` they are larger by so many of its radii.
 const REACH: f64 = 1.0 / 8192.0;
 const DOMAIN: f64 = 1.0 / 65_536.0;
+const REACH_OF_BALLS: f64 = 64.0;
+const DOMAIN_OF_BALLS: f64 = 24.0;
 /// How much wider than the radii of the enclosures the bounds are within which there is no other tangency: more than printing adds (Lemma P1),
 /// and the change of units.
 const WIDER: f64 = 8.0;
@@ -93,7 +95,7 @@ fn inverse(chain: &Chain<Ball>, x: &[f64]) -> Option<Preconditioner> {
 }
 
 /// Newton's iteration; proposes.
-fn settle(chain: &Chain<Ball>, mut x: Vec<f64>) -> Option<Vec<f64>> {
+pub(super) fn settle(chain: &Chain<Ball>, mut x: Vec<f64>) -> Option<Vec<f64>> {
     for _ in 0..STEPS {
         // The fixed point follows D.
         let at = points(&x);
@@ -130,7 +132,8 @@ pub(super) fn settled(fold: &Fold, e: f64) -> Option<Fold> {
 fn approximate(fold: &Fold, e: Ball) -> Option<(Fold, [Local; 2])> {
     let mut found = settled(fold, e.mid())?;
     let Fold { gap, guess, .. } = found;
-    let locals = [Side::Unstable, Side::Stable].map(|side| Local::prove(gap, REACH, e, &guess, side));
+    let reach = REACH_OF_BALLS.mul_add(e.rad(), REACH);
+    let locals = [Side::Unstable, Side::Stable].map(|side| Local::prove(gap, reach, e, &guess, side));
     let [Some(unstable), Some(stable)] = locals else { return None };
     while found.sigma[0].abs() > PART * unstable.radius {
         found.sigma[0] /= guess.lambda[0];
@@ -172,22 +175,23 @@ fn chain_in<N: Enclosing>(
 }
 
 /// A zero proved in doubles, with what is needed to narrow it.
-struct InDoubles {
-    chain: Chain<Ball>,
+pub(super) struct InDoubles {
+    pub chain: Chain<Ball>,
     locals: [Local; 2],
     inverse: Preconditioner,
-    x: Vec<f64>,
-    zero: Proved<Ball>,
+    pub x: Vec<f64>,
+    pub zero: Proved<Ball>,
     least: Least,
 }
 
-fn in_doubles(fold: &Fold, e: Ball) -> Option<InDoubles> {
+pub(super) fn in_doubles(fold: &Fold, e: Ball) -> Option<InDoubles> {
     let (fold, locals) = approximate(fold, e)?;
     let (chain, x) = begin(&fold, e)?;
     let x = settle(&chain, x)?;
     let chain = chain_in(&chain, e, (&locals, &x), ERROR);
     let inverse = inverse(&chain, &x)?;
-    let effort = Effort { largest: DOMAIN, domains: 10, images: 30, slow: 3 };
+    let largest = DOMAIN_OF_BALLS.mul_add(e.rad(), DOMAIN);
+    let effort = Effort { largest, domains: 10, images: 30, slow: 3 };
     let zero = prove(&chain, &inverse, &points(&x), effort)?;
     let least = least(&chain, &zero.domain)?;
     Some(InDoubles { chain, locals, inverse, x, zero, least })

@@ -86,6 +86,21 @@ impl Floats {
         [at, along]
     }
 
+    /// The state after the next flight, phases in radians.
+    pub fn next(&self, [theta, w]: [f64; 2]) -> Option<[f64; 2]> {
+        let [u, w] = self.map.map([theta / TAU, w])?.state;
+        Some([TAU * u, w])
+    }
+
+    /// A state, phases in radians, after some flights.
+    pub fn image(&self, [theta, w]: [f64; 2], flights: &[Side]) -> Option<[f64; 2]> {
+        let mut state = [theta / TAU, w];
+        for side in flights {
+            state = self.map.map(state).filter(|image| image.side == *side)?.state;
+        }
+        Some([TAU * state[0], state[1]])
+    }
+
     /// A point of the unstable manifold after some flights; `None` where they end on other walls.
     fn after(&self, sigma: f64, flights: &[Side]) -> Option<Sample> {
         let [[theta, w], _] = self.point(Manifold::Unstable, sigma);

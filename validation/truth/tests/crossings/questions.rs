@@ -14,6 +14,7 @@ use impact_pair::pair::Wall;
 use impact_pair::periodic::bifurcation::{DiagramSettings, survey};
 use impact_pair::periodic::{Budget, Precision, Problem};
 use impact_pair::sweep::{self, Grid};
+use impact_pair::tangency::{Tangencies, TangencySettings};
 use impact_pair::watch::{Stage, Unwatched, proceed_if};
 use impact_pair::{Error, Scene, two_impact};
 use serde_json::{Value, json};
@@ -69,6 +70,7 @@ pub enum Answer {
     Chaos(Value),
     Cycles(Value),
     Windows(Value),
+    Tangency(Value),
     /// The images of boxes.
     Boxes(Vec<Mapped>),
     /// The audit of a list of true impacts.
@@ -113,6 +115,7 @@ impl Case {
             Question::Chaos => self.chaos(),
             Question::Cycles => self.cycles(),
             Question::Windows => self.windows(),
+            Question::Tangency => self.tangency(),
             Question::BoxMap => self.box_map(),
             Question::Audit => self.audit(),
         }
@@ -322,6 +325,16 @@ impl Case {
         let settings = WindowSettings { over, impacts: 4_000, longest: 6, most: 1, precision };
         let found = Windows::of(&self.scene, &settings, &Unwatched)?;
         Ok(Answer::Windows(json!(document::windows(&self.scene, &settings, &found)?)))
+    }
+
+    /// About the scene's own gap, of few flights.
+    fn tangency(&mut self) -> Result<Answer, Error> {
+        let (name, own) = self.key("gap");
+        let over = format!("{name}={}..{}", own * 0.75, own * 1.25).parse()?;
+        let precision = Precision { digits: 9, max_bits: 512 };
+        let settings = TangencySettings { over, word: None, longest: 8, most: 1, precision };
+        let found = Tangencies::of(&self.scene, &settings, &Unwatched)?;
+        Ok(Answer::Tangency(json!(document::tangency(&self.scene, &found))))
     }
 
     fn cycles(&mut self) -> Result<Answer, Error> {
