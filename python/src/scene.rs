@@ -67,6 +67,7 @@ const PAPER: [(&str, &str); 17] = [
     ("figure-13", include_str!("../../scenes/figure-13.toml")),
     ("figure-14", include_str!("../../scenes/figure-14.toml")),
     ("figure-14-sink", include_str!("../../scenes/figure-14-sink.toml")),
+    ("figure-14-sink-35", include_str!("../../scenes/figure-14-sink-35.toml")),
     ("figure-15", include_str!("../../scenes/figure-15.toml")),
     ("figure-16", include_str!("../../scenes/figure-16.toml")),
     ("figure-17", include_str!("../../scenes/figure-17.toml")),
