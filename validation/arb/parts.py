@@ -159,7 +159,7 @@ def tangency_jobs():
     """That beside figure 14."""
     with open(FIGURES[2], encoding="utf-8") as file:
         text = file.read()
-    yield Job(TANGENCIES, "beside figure 14", judge_document, ("crates/certificate/tests/documents/tangency.jsonl",), text)
+    yield Job(TANGENCIES, "beside figure 14", judge_document, ("docs/tangency-figure-14.json",), text)
 
 
 def jobs(amount, seed, parts):

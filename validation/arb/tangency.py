@@ -436,4 +436,4 @@ def judge_document(path, _):
             count += 1
             continue
         raise Disagreement(f"negative control: a copy with {name} was not refused")
-    return Counter(spoiled=count), f"the parameters of {proved} homoclinic tangency enclosed again, {count} spoiled copies were refused"
+    return Counter(spoiled=count), f"the parameters of homoclinic tangencies enclosed again: {proved}; {count} spoiled copies were refused"
