@@ -55,7 +55,7 @@ pub fn json(document: &impl serde::Serialize) -> PyResult<String> {
 }
 
 /// The scenes of the repository, by name.
-const PAPER: [(&str, &str); 17] = [
+const PAPER: [(&str, &str); 18] = [
     ("cascade", include_str!("../../scenes/cascade.toml")),
     ("chatter", include_str!("../../scenes/chatter.toml")),
     ("doublings", include_str!("../../scenes/doublings.toml")),
