@@ -29,10 +29,10 @@ __all__ = [
     "prove",
     "read_orbit",
     "run",
+    "tangency",
     "trade",
     "trap",
     "two_impact",
-    "tangency",
     "windows",
 ]
 __version__: str

@@ -20,6 +20,11 @@ fn low(x: Ball) -> f64 {
     (x.mid() - x.rad()).next_down()
 }
 
+/// The lesser one; `None` where a bound is not positive, or NaN.
+fn lesser(bound: f64, x: f64) -> Option<f64> {
+    is_positive(x).then_some(if x < bound { x } else { bound })
+}
+
 /// Whether all flights from a box are proved to be first contacts, those of the zeros of `g` whose phases are in that of a second box.
 fn is_first(pair: &Pair<Ball>, [theta, w]: State<Ball>, [phi, _]: State<Ball>, side: Side) -> Option<bool> {
     let turn = theta.turn();
@@ -55,15 +60,8 @@ pub(super) fn least(chain: &Chain<Ball>, domain: &[Ball]) -> Option<Least> {
         }
         let half = if side == Side::Far { 0.5 } else { 0.0 };
         let time = to[0] - from[0] - Ball::exact(half) * to[0].turn();
-        for (bound, x) in [(&mut least.speed, from[1]), (&mut least.speed, to[1]), (&mut least.time, time)] {
-            // Of a NaN nothing is known.
-            if !is_positive(low(x)) {
-                return None;
-            }
-            if low(x) < *bound {
-                *bound = low(x);
-            }
-        }
+        least.speed = lesser(lesser(least.speed, low(from[1]))?, low(to[1]))?;
+        least.time = lesser(least.time, low(time))?;
     }
     Some(least)
 }

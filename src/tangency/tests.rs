@@ -157,22 +157,25 @@ fn crossings(found: &InDoubles, gap: f64, apart: f64) -> Vec<Vec<Ball>> {
     [near(1.0), near(-1.0)].into_iter().flatten().collect()
 }
 
-/// For `D` below `D*` there are two common points near the tangency, for `D` above none: where `m` is not 0 the common points are a curve
-/// `D(sigma_u)`, whose only critical point is the tangency; with `q` and `m` of one sign its second derivative `-q/m` is negative.
+/// Lemma J10: for `D` below `D*` there are two common points near the tangency, for `D` above none in a box about it.
 #[test]
 fn two_homoclinic_points_meet_at_the_tangency() {
     let found = tangency();
-    let over = Unfolding::new(&found.chain, &found.zero.domain).unwrap();
-    assert!(over.unfolding.certain_sign().unwrap().is_lt(), "{:?}", over.unfolding);
-    let at = Unfolding::new(&found.chain, &found.zero.at);
-    if let Some(quadratic) = at.and_then(|at| at.quadratic.certain_sign()) {
-        assert!(quadratic.is_lt());
-    }
-    let apart = (2.0f64 * 806.0 * 1e-9 / 1.158e9).sqrt();
-    let below = crossings(&found, found.x[2] - 1e-9, apart);
+    let at = |radius: f64| -> Vec<Ball> { found.x.iter().map(|x| Ball::new(*x, radius)).collect() };
+    let is_negative = |x: Ball| x.certain_sign().is_some_and(std::cmp::Ordering::is_lt);
+    // The widest box over which m has a sign.
+    let over =
+        |radius: &f64| Unfolding::new(&found.chain, &at(*radius)).is_some_and(|over| is_negative(over.unfolding));
+    let radius = (6..12).map(|k| 0.1f64.powi(k)).find(over).unwrap();
+    let apart = (2.0f64 * 806.0 * 1e-12 / 1.158e9).sqrt();
+    let below = crossings(&found, found.x[2] - 1e-12, apart);
     assert_eq!(below.len(), 2);
     let [a, b] = [below[0][0], below[1][0]];
     assert!((a - b).mid() - (a - b).rad() > apart, "{a:?} {b:?}");
-    assert!(below.iter().flatten().all(|x| x.rad() < 1e-9));
-    assert!(crossings(&found, found.x[2] + 1e-9, apart).is_empty());
+    for x in &below {
+        let all = Crossing { chain: &found.chain, gap: Ball::exact(found.x[2] - 1e-12) }.all(x);
+        let states = all.iter().zip(at(radius)).enumerate().filter(|(i, _)| *i < 3 || *i > 3 && (i - FIRST) % 4 < 2);
+        assert!(states.into_iter().all(|(_, (x, outer))| x.is_interior_to(&outer)), "{radius}");
+    }
+    assert!(crossings(&found, found.x[2] + 1e-12, apart).is_empty());
 }

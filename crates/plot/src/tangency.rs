@@ -53,7 +53,7 @@ pub fn tangency(scene: &Scene, found: &Tangencies, look: &Look) -> Result<String
                 decimal_f64((at * 1e7).round() / 1e7)
             );
             let below = title(area, &heading)?;
-            magnified(first, gap(at), portrait.point, (&below, root))?;
+            magnified((&portrait, first), gap(at), (&below, root))?;
         }
         Ok(())
     })
@@ -90,16 +90,23 @@ fn section(portrait: &Portrait, (area, root): (&Canvas<'_>, &Canvas<'_>)) -> Dra
     Ok(())
 }
 
-/// The manifolds about a state.
-fn magnified(tangency: &Tangency, gap: f64, point: State, (area, root): (&Canvas<'_>, &Canvas<'_>)) -> Drawn {
+/// The manifolds about the point of tangency.
+fn magnified(
+    (portrait, tangency): (&Portrait, &Tangency),
+    gap: f64,
+    (area, root): (&Canvas<'_>, &Canvas<'_>),
+) -> Drawn {
     let within = [std::f64::consts::PI / MAGNIFIED, 0.5 * SPEED / MAGNIFIED];
-    let axes = [0, 1].map(|i| Axis::over(point[i] - within[i], point[i] + within[i]));
-    let plane = Plane::draw(area, axes, NAMES, RIGHT)?;
-    let Some([unstable, stable]) = Portrait::magnified(tangency, gap, point, within) else { return Ok(()) };
+    // In thousandths, from the point on.
+    let axes = within.map(|within| Axis::over(-1e3 * within, 1e3 * within));
+    let [theta, w] = portrait.point;
+    let names = [format!("$θ$ less {theta:.7} [0.001 rad]"), format!("$w$ less {w:.7} [0.001]")];
+    let plane = Plane::draw(area, axes, [&names[0], &names[1]], RIGHT)?;
+    let Some([unstable, stable]) = portrait.magnified(tangency, gap, within) else { return Ok(()) };
     let curve = |points: &[State], colour: RGBColor| {
         let mut path = Path::default();
         for (i, state) in points.iter().enumerate() {
-            let place = plane.place(*state);
+            let place = plane.place([1e3 * (state[0] - theta), 1e3 * (state[1] - w)]);
             if i == 0 { path.move_to(place) } else { path.line_to(place) }
         }
         format!("<path stroke=\"{}\" stroke-width=\"{}\" d=\"{}\"/>\n", hex(colour), 2 * SCALE, path.data())
