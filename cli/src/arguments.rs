@@ -60,7 +60,7 @@ pub enum Verb {
     /// Find stable periodic orbits near a scene over a parameter, and prove each with its window: both ends, and the orbits between
     #[command(after_help = EXIT_CODES, after_long_help = windows::HELP)]
     Windows(windows::WindowsArguments),
-    /// Proved homoclinic tangencies of the equispaced motion over a parameter
+    /// Prove homoclinic tangencies of the equispaced motion over a parameter
     #[command(after_help = EXIT_CODES, after_long_help = tangency::HELP)]
     Tangency(tangency::TangencyArguments),
     /// Prove every claim of a JSON document again, by an independent method, from its own numbers
