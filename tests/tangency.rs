@@ -38,7 +38,7 @@ fn both_tangencies_of_figure_14_are_proved_to_30_digits() {
     assert!(first.is_certified() && first.tangencies.len() == 1);
     let tangency = &first.tangencies[0];
     assert!(tangency.parameter.wid().to_f64_up() < 1e-29);
-    assert!(holds(&tangency.parameter, "9.4251263768872049484319883989473"));
+    assert!(holds(&tangency.parameter, "8*1.178140797110900618553998549943430006567797667450"));
     assert!(holds(&tangency.unstable, "0.001036717798769376714535248642529318"));
     assert!(holds(&tangency.stable, "0.0001081798474817610146903775763677"));
     assert!(holds(&tangency.eigenvalues[0], "-2.31243652792056483240174683106"));

@@ -32,13 +32,13 @@ The equispaced motion (66), (67) of half a forcing period between impacts is a f
 mirrors every impact to the left wall. Where it is a saddle, floating point searches for folds of its unstable \
 manifold near its stable one, along the flights of --word or along all words of at most --longest flights: F is a \
 flight to the far wall, N one back to the near wall. Of each tangency listed is proved: for exactly one value of the \
-parameter within its bounds the two manifolds have a common point along these flights, with sigma_u and sigma_s \
+parameter within its bounds the two invariant manifolds have a common point along these flights, with sigma_u and sigma_s \
 within their bounds, at which they are tangent; the tangency is quadratic (q is not 0); it unfolds with a speed other \
 than 0 (m is not 0); each flight of the orbit ends at its first contact. The product of the eigenvalues is e^2: the \
 saddle is dissipative. Other tangencies are not excluded, and nothing is said of the scene's own value of the \
 parameter. One harmonic only.
 
-Where sigma_u or sigma_s is not small, flights of the manifolds are added to the word at that end: the orbit is the \
+Where sigma_u or sigma_s is not small, flights of the invariant manifolds are added to the word at that end: the orbit is the \
 same.
 
 Exit code: 0 there are tangencies, and all folds that were tried are proved to lead to one; 1 some are not, there is \
@@ -61,7 +61,7 @@ pub struct TangencyArguments {
     /// Maximum number of tangencies that are proved, the nearest ones
     #[arg(long, value_name = "N", default_value_t = 10, value_parser = count(1..=100_000))]
     most: u64,
-    /// Requested width of enclosures, at most 10^-D: of d/A and of the parameters of the manifolds [default: that of the scene, or 9]
+    /// Requested width of enclosures, at most 10^-D: of d/A and of the parameters of the invariant manifolds [default: that of the scene, or 9]
     #[arg(long, value_name = "D", value_parser = digits())]
     digits: Option<u32>,
     /// Maximum precision, in bits
@@ -70,7 +70,7 @@ pub struct TangencyArguments {
     /// Output format; json is schema impact-pair/tangency/1 [default: as the ending of --output says, else table]
     #[arg(long, value_enum)]
     format: Option<PeriodicFormat>,
-    /// Draw the nearest tangency: both manifolds in the section, and the point of tangency 1,000 times as large, at its value and 1e-4 to
+    /// Draw the nearest tangency: both invariant manifolds in the section, and the point of tangency 1,000 times as large, at its value and 1e-4 to
     /// either side
     #[arg(long, value_name = "FILE.svg|FILE.png|FILE.pdf", value_parser = impact_pair_plot::picture::path)]
     plot: Option<PathBuf>,

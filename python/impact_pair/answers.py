@@ -355,7 +355,7 @@ class Windows(Document):
 
 @dataclass(frozen=True)
 class Tangency:
-    """A homoclinic tangency: for exactly one value of the parameter in its bounds the manifolds of the saddle are tangent.
+    """A homoclinic tangency: for exactly one value of the parameter in its bounds the invariant manifolds of the saddle are tangent.
 
     It is quadratic (``quadratic`` is not 0) and unfolds with a speed other than 0 (``unfolding``).
     """

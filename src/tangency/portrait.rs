@@ -66,7 +66,7 @@ impl Near<'_> {
         self.floats.image(start, &self.tangency.flights.0[..after])
     }
 
-    /// The state of a parameter of the stable manifold, so many flights after the first.
+    /// The state of a parameter of the stable manifold, after some flights from the unstable one.
     fn preimage_after(&self, sigma: f64, after: usize) -> Option<State> {
         let end = self.floats.point(Manifold::Stable, sigma)[0];
         self.tangency.flights.0[after..].iter().rev().try_fold(end, |state, side| self.preimage(state, *side))

@@ -41,7 +41,7 @@ const LARGEST_STEP: f64 = 0.05;
 const ENOUGH: f64 = 1e-12;
 /// A parameter of a manifold is at most that part of the radius for which it is proved.
 const PART: f64 = 0.125;
-/// The radii of `D` for which the manifolds are proved, and of the largest domain; for a ball of `e` they are larger by so many of its radii.
+/// The radii of `D` for which the manifolds are proved, and of the largest domain; for a ball of `e` they are larger by N of its radii.
 const REACH: f64 = 1.0 / 8192.0;
 const DOMAIN: f64 = 1.0 / 65_536.0;
 const REACH_OF_BALLS: f64 = 64.0;

@@ -191,7 +191,7 @@ impl Floats {
         found
     }
 
-    /// The folds along all words of at most so many flights.
+    /// The folds along all words of at most N flights.
     pub fn all_folds(&self, gap: f64, longest: usize, watch: &dyn Watch) -> Vec<Fold> {
         // A fundamental domain: what lies nearer comes to it.
         let begun = self.begin(MOST / (self.guess.lambda[0] * self.guess.lambda[0]));

@@ -1,19 +1,19 @@
 //! The manifolds against the map in floating point, and what lies to either side of the first tangency beside figure 14.
 
 use approx::assert_abs_diff_eq;
+use nalgebra::DMatrix;
 
 use super::FlightWord;
 use super::chain::{Chain, FIRST, Sparse};
 use super::flight::Pair;
 use super::local::Local;
 use super::manifold::Manifold;
-use super::prove::{InDoubles, in_doubles, settle, settled};
+use super::prove::{InDoubles, in_doubles, settled};
 use super::saddle::{Guessed, Side};
 use super::search::{Floats, Fold};
-use super::unfolding::Unfolding;
 use crate::chaos;
 use crate::number::{Ball, Enclosing};
-use crate::periodic::krawczyk::{Effort, Equations, prove};
+use crate::periodic::krawczyk::{Effort, Equations, Proved, prove};
 use crate::periodic::precondition::{Jacobian, Preconditioner};
 use crate::tolerances::SERIES_OF_MANIFOLDS;
 
@@ -29,23 +29,6 @@ fn tangency() -> InDoubles {
     let word: FlightWord = WORD.parse().unwrap();
     let folds = Floats::new(GAP, 0.5, saddle()).unwrap().folds(GAP, &word.0);
     in_doubles(&settled(&folds[0], 0.5).unwrap(), Ball::exact(0.5)).unwrap()
-}
-
-/// For every `e` within 1e-5 of 1/2 there is one, and only one near: the chain's equations are solved for the whole ball of `e` at once.
-#[test]
-fn the_tangency_is_one_of_a_family_over_e() {
-    let word: FlightWord = WORD.parse().unwrap();
-    let folds = Floats::new(GAP, 0.5, saddle()).unwrap().folds(GAP, &word.0);
-    let fold = settled(&folds[0], 0.5).unwrap();
-    let [family, one] = [1e-5, 0.0].map(|radius| in_doubles(&fold, Ball::new(0.5, radius)).unwrap());
-    let [all, own] = [&family, &one].map(|found| found.zero.at[2]);
-    assert!((all.mid() - own.mid()).abs() + own.rad() < all.rad() && all.rad() < 1e-3, "{all:?} {own:?}");
-    // At both ends, by Newton's iteration alone.
-    for e in [0.499_99, 0.500_01] {
-        let chain = Chain { restitution: Ball::exact(e), ..one.chain.clone() };
-        let end = settle(&chain, one.x.clone()).unwrap()[2];
-        assert!((end - all.mid()).abs() < all.rad(), "{e}: {end} {all:?}");
-    }
 }
 
 /// The map takes the point of `sigma` to that of `lambda sigma`.
@@ -111,29 +94,81 @@ impl Crossing<'_> {
 }
 
 impl Equations<Ball> for Crossing<'_> {
-    type Jacobian = nalgebra::DMatrix<Ball>;
+    type Jacobian = DMatrix<Ball>;
 
     fn values(&self, x: &[Ball]) -> Option<Vec<Ball>> {
         Some(self.chain.values(&self.all(x))?.chunks(4).flat_map(|row| [row[0], row[1]]).collect())
     }
 
     fn jacobian(&self, x: &[Ball]) -> Option<Self::Jacobian> {
-        let mut matrix = nalgebra::DMatrix::from_element(x.len(), x.len(), Ball::exact(0.0));
-        let all: Sparse<Ball> = self.chain.jacobian(&self.all(x))?;
-        for (i, j, value) in all.entries().filter(|(i, _, _)| i % 4 < 2) {
-            let column = match j {
-                0 | 1 => j,
-                _ if j >= FIRST && (j - FIRST) % 4 < 2 => 2 + (j - FIRST) / 4 * 2 + (j - FIRST) % 4,
-                _ => continue,
-            };
-            let row = i / 4 * 2 + i % 4;
-            matrix[(row, column)] = matrix[(row, column)] + *value;
-        }
-        Some(matrix)
+        let state = |j: usize| (j - FIRST) / 4 * 2 + (j - FIRST) % 4;
+        let column = |j: usize| match j {
+            0 | 1 => Some(j),
+            2 | 3 => None,
+            _ => ((j - FIRST) % 4 < 2).then(|| 2 + state(j)),
+        };
+        let row = |i: usize| (i % 4 < 2).then_some(i / 4 * 2 + i % 4);
+        Some(part(&self.chain.jacobian(&self.all(x))?, x.len(), (&row, &column)))
     }
 }
 
-/// The number of common points that are proved at one `D` along the word, from two guesses.
+/// The states and tangents along the flights from one `sigma_u`, and the `D` at which they come to the stable manifold: a chain without its last
+/// equation.
+struct Curve<'c> {
+    chain: &'c Chain<Ball>,
+    sigma: Ball,
+}
+
+impl Curve<'_> {
+    fn all(&self, x: &[Ball]) -> Vec<Ball> {
+        [&[self.sigma], x].concat()
+    }
+}
+
+impl Equations<Ball> for Curve<'_> {
+    type Jacobian = DMatrix<Ball>;
+
+    fn values(&self, x: &[Ball]) -> Option<Vec<Ball>> {
+        let mut values = self.chain.values(&self.all(x))?;
+        values.pop();
+        Some(values)
+    }
+
+    fn jacobian(&self, x: &[Ball]) -> Option<Self::Jacobian> {
+        let row = |i: usize| (i < x.len()).then_some(i);
+        Some(part(&self.chain.jacobian(&self.all(x))?, x.len(), (&row, &|j: usize| j.checked_sub(1))))
+    }
+}
+
+/// A new place of a row or a column; `None` where it is left out.
+type Place<'p> = &'p dyn Fn(usize) -> Option<usize>;
+
+/// A part of a matrix.
+fn part(matrix: &Sparse<Ball>, size: usize, (row, column): (Place<'_>, Place<'_>)) -> DMatrix<Ball> {
+    let mut found = DMatrix::from_element(size, size, Ball::exact(0.0));
+    for (i, j, value) in matrix.entries() {
+        if let Some((i, j)) = row(i).zip(column(j)) {
+            found[(i, j)] = found[(i, j)] + *value;
+        }
+    }
+    found
+}
+
+fn points(x: &[f64]) -> Vec<Ball> {
+    x.iter().map(|x| Ball::exact(*x)).collect()
+}
+
+/// The zero of the equations near a guess, if it is proved.
+fn proved(
+    equations: &impl Equations<Ball, Jacobian = DMatrix<Ball>>,
+    guess: &[f64],
+    effort: Effort,
+) -> Option<Proved<Ball>> {
+    let inverse = Preconditioner::new(&equations.jacobian(&points(guess))?.map(|x| x.mid()))?;
+    prove(equations, &inverse, &points(guess), effort)
+}
+
+/// The common points that are proved at one `D` along the word, from two guesses.
 fn crossings(found: &InDoubles, gap: f64, apart: f64) -> Vec<Vec<Ball>> {
     let near = |sign: f64| -> Option<Vec<Ball>> {
         let guess = Guessed::all(gap, 0.5)[0];
@@ -143,16 +178,14 @@ fn crossings(found: &InDoubles, gap: f64, apart: f64) -> Vec<Vec<Ball>> {
         let mut x = sigma.to_vec();
         x.extend(along.states[1..fold.flights.len()].iter().flatten());
         let crossing = Crossing { chain: &found.chain, gap: Ball::exact(gap) };
-        let points = |x: &[f64]| x.iter().map(|x| Ball::exact(*x)).collect::<Vec<_>>();
         for _ in 0..20 {
             let inverse = crossing.jacobian(&points(&x))?.map(|x| x.mid()).try_inverse()?;
             let misses = crossing.values(&points(&x))?.into_iter().map(|x| x.mid());
             let step = inverse * nalgebra::DVector::from_iterator(x.len(), misses);
             x.iter_mut().zip(step.iter()).for_each(|(x, step)| *x -= step);
         }
-        let inverse = Preconditioner::new(&crossing.jacobian(&points(&x))?.map(|x| x.mid()))?;
         let effort = Effort { largest: 0.1 * apart, domains: 4, images: 10, slow: 2 };
-        prove(&crossing, &inverse, &points(&x), effort).map(|zero| zero.at)
+        proved(&crossing, &x, effort).map(|zero| crossing.all(&zero.at))
     };
     [near(1.0), near(-1.0)].into_iter().flatten().collect()
 }
@@ -160,22 +193,21 @@ fn crossings(found: &InDoubles, gap: f64, apart: f64) -> Vec<Vec<Ball>> {
 /// Lemma J10: for `D` below `D*` there are two common points near the tangency, for `D` above none in a box about it.
 #[test]
 fn two_homoclinic_points_meet_at_the_tangency() {
+    const BELOW: f64 = 1e-12;
     let found = tangency();
-    let at = |radius: f64| -> Vec<Ball> { found.x.iter().map(|x| Ball::new(*x, radius)).collect() };
-    let is_negative = |x: Ball| x.certain_sign().is_some_and(std::cmp::Ordering::is_lt);
-    // The widest box over which m has a sign.
-    let over =
-        |radius: &f64| Unfolding::new(&found.chain, &at(*radius)).is_some_and(|over| is_negative(over.unfolding));
-    let radius = (6..12).map(|k| 0.1f64.powi(k)).find(over).unwrap();
-    let apart = (2.0f64 * 806.0 * 1e-12 / 1.158e9).sqrt();
-    let below = crossings(&found, found.x[2] - 1e-12, apart);
+    let apart = (2.0f64 * 806.0 * BELOW / 1.158e9).sqrt();
+    // For each sigma_u there is one D in the box, and no other; in the box of the tangency it is the only critical point.
+    let curve = Curve { chain: &found.chain, sigma: Ball::new(found.x[0], 3.0 * apart) };
+    let effort = Effort { largest: 0.5 * found.zero.domain[0].rad(), domains: 6, images: 1, slow: 1 };
+    let domain = curve.all(&proved(&curve, &found.x[1..], effort).unwrap().domain);
+    // Two points of this curve lie below, one on each side.
+    let below = crossings(&found, found.x[2] - BELOW, apart);
     assert_eq!(below.len(), 2);
-    let [a, b] = [below[0][0], below[1][0]];
-    assert!((a - b).mid() - (a - b).rad() > apart, "{a:?} {b:?}");
-    for x in &below {
-        let all = Crossing { chain: &found.chain, gap: Ball::exact(found.x[2] - 1e-12) }.all(x);
-        let states = all.iter().zip(at(radius)).enumerate().filter(|(i, _)| *i < 3 || *i > 3 && (i - FIRST) % 4 < 2);
-        assert!(states.into_iter().all(|(_, (x, outer))| x.is_interior_to(&outer)), "{radius}");
-    }
-    assert!(crossings(&found, found.x[2] + 1e-12, apart).is_empty());
+    let [a, b] = [0, 1].map(|i| below[i][0]);
+    let own = found.zero.at[0];
+    assert!((a - own).mid() - (a - own).rad() > 0.0 && (own - b).mid() - (own - b).rad() > 0.0, "{a:?} {own:?} {b:?}");
+    let is_inside =
+        |(i, x): (usize, &Ball)| (i >= FIRST && (i - FIRST) % 4 > 1) || i == 3 || x.is_interior_to(&domain[i]);
+    assert!(below.iter().all(|x| x.iter().enumerate().all(is_inside)));
+    assert!(crossings(&found, found.x[2] + BELOW, apart).is_empty());
 }

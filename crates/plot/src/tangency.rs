@@ -1,4 +1,4 @@
-//! Both manifolds of a saddle in the section, and a homoclinic tangency of theirs magnified, at its value of the parameter and beside it, as SVG.
+//! Both invariant manifolds of a saddle in the section, and a homoclinic tangency of theirs magnified, at its value of the parameter and beside it, as SVG.
 
 use anyhow::{Context, Result};
 use impact_pair::Scene;
@@ -38,7 +38,8 @@ pub fn tangency(scene: &Scene, found: &Tangencies, look: &Look) -> Result<String
         }
         _ => value(scene.pair().gap()) / parameter,
     };
-    let portrait = Portrait::of(first, gap(own)).context("the manifolds cannot be followed in floating point")?;
+    let portrait =
+        Portrait::of(first, gap(own)).context("the invariant manifolds cannot be followed in floating point")?;
     picture::svg(look.size(SIZE), SCALE, |root| {
         let top = head(scene, found, (root, look))?;
         let (_, below) = root.split_vertically(top);
@@ -77,9 +78,9 @@ fn head(
     Ok(top + picture::legend(root, top, &entries)?)
 }
 
-/// The manifolds, the saddle and the point of tangency.
+/// The invariant manifolds, the saddle and the point of tangency.
 fn section(portrait: &Portrait, (area, root): (&Canvas<'_>, &Canvas<'_>)) -> Drawn {
-    let below = title(area, "(a)  both manifolds in the section")?;
+    let below = title(area, "(a)  both invariant manifolds in the section")?;
     let plane = Plane::draw(&below, [Axis::angle(), Axis::over(0.0, SPEED)], NAMES, RIGHT)?;
     for (colour, states) in [(BLUE, &portrait.stable), (VERMILION, &portrait.unstable)] {
         let shown = states.iter().filter(|[_, w]| *w < SPEED);
@@ -90,7 +91,7 @@ fn section(portrait: &Portrait, (area, root): (&Canvas<'_>, &Canvas<'_>)) -> Dra
     Ok(())
 }
 
-/// The manifolds about the point of tangency.
+/// The invariant manifolds about the point of tangency.
 fn magnified(
     (portrait, tangency): (&Portrait, &Tangency),
     gap: f64,
