@@ -27,6 +27,7 @@
 //! | (38)-(40) | eigenvalues, stability; fold and pitchfork of two-impact motions | [`periodic::eigenvalues`], [`periodic::Stability`], [`two_impact::Mark`] |
 //! | beyond the paper | chatter, rest and release; grazes; exact recurrence | [`orbit::Progress`], [`orbit::Outcome`] |
 //! | beyond the paper | finite-time Lyapunov exponents with proved bounds; sweeps over parameters and initial data | [`lyapunov`], [`sweep`] |
+//! | beyond the paper | homoclinic tangencies of the equispaced motion (66), (67) | [`tangency`] |
 //! | beyond the paper | what becomes of a motion, in one answer | [`describe`] |
 //! | beyond the paper | true orbits near chaotic ones, however long: shadowing | [`covering::Shadow`] |
 //! | beyond the paper | as many digits as requested | [`orbit::Arithmetic`], `number::MpBall`, `orbit::Plan` |
@@ -97,6 +98,7 @@ mod several;
 mod shaken;
 pub mod sweep;
 pub mod switch_plane;
+pub mod tangency;
 #[cfg(test)]
 #[path = "../tests/tolerances/mod.rs"]
 mod tolerances;

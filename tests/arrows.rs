@@ -5,7 +5,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// The rooms of `src`, each with those it may import, which stand before it.
-const ROOMS: [(&str, &[&str]); 25] = [
+const ROOMS: [(&str, &[&str]); 26] = [
     ("number", &[]),
     ("scales", &[]),
     ("turns", &[]),
@@ -43,7 +43,8 @@ const ROOMS: [(&str, &[&str]); 25] = [
     ("impact_map", &["number", "turns", "pair", "clock", "mapping", "contact", "shaken", "orbit"]),
     ("lyapunov", &["number", "periodic", "orbit"]),
     ("chaos", &["number", "pair", "flight", "mapping", "contact", "periodic", "orbit"]),
-    ("document", &["turns", "pair", "mapping", "contact", "periodic", "two_impact", "orbit", "chaos"]),
+    ("tangency", &["number", "pair", "periodic", "chaos"]),
+    ("document", &["turns", "pair", "mapping", "contact", "periodic", "two_impact", "orbit", "chaos", "tangency"]),
     ("sweep", &["number", "turns", "pair", "mapping", "periodic", "orbit", "lyapunov", "document"]),
     ("describe", &["mapping", "orbit", "lyapunov", "chaos", "document", "sweep"]),
     ("audit", &["pair", "scales", "contact", "orbit", "document"]),

@@ -26,6 +26,7 @@ mod soundness;
 mod spoiled;
 mod starts;
 mod straddle;
+mod tangency;
 mod tolerances;
 mod two_impact;
 mod windows;

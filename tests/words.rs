@@ -58,8 +58,8 @@ const WORDS: [(&str, &str, &[&str]); 69] = [
     ("dead impact", "perfectly plastic impact", &[]),
     ("impact law", "Newton's impact law", &["newton's"]),
     // A heading of a schema is its name.
-    ("manifold", "parameter manifold", &["parameter", "stable", "unstable", "##"]),
-    ("manifolds", "parameter manifolds", &["parameter", "stable", "unstable", "##"]),
+    ("manifold", "parameter manifold", &["parameter", "stable", "unstable", "invariant", "##"]),
+    ("manifolds", "parameter manifolds", &["parameter", "stable", "unstable", "invariant", "##"]),
     ("is another orbit", "diverges from the true orbit", &[]),
     ("another orbit from", "diverges from the true orbit at", &[]),
     ("spoiled", "corrupted", &[]),

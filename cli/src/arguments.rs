@@ -8,7 +8,9 @@ use crate::plot::arguments as plot;
 use crate::sweep::arguments as sweep;
 use crate::trade::arguments as trade;
 use crate::two_impact::arguments as two_impact;
-use crate::{bifurcations, chaos, check, cycles, describe, global, man, periodic, prove, run, trap, version, windows};
+use crate::{
+    bifurcations, chaos, check, cycles, describe, global, man, periodic, prove, run, tangency, trap, version, windows,
+};
 
 /// Verified numerics for the horizontal impact pair: every impact proved
 #[derive(Debug, Parser)]
@@ -61,6 +63,9 @@ pub enum Verb {
     /// Prove where every motion goes, whatever its start: cycles with rests, attracting periodic orbits, saddles
     #[command(after_help = EXIT_CODES, after_long_help = global::HELP)]
     Global(global::GlobalArguments),
+    /// Prove homoclinic tangencies of the equispaced motion over a parameter
+    #[command(after_help = EXIT_CODES, after_long_help = tangency::HELP)]
+    Tangency(tangency::TangencyArguments),
     /// Prove every claim of a JSON document again, by an independent method, from its own numbers
     #[command(after_help = check::EXIT_CODES, after_long_help = check::HELP)]
     Check(check::CheckArguments),

@@ -23,6 +23,7 @@ mod run;
 mod scene;
 mod sweep;
 mod table;
+mod tangency;
 mod trade;
 mod trap;
 mod two_impact;
@@ -66,6 +67,7 @@ fn main() -> ExitCode {
         Verb::Cycles(arguments) => cycles::cycles(&arguments),
         Verb::Windows(arguments) => windows::windows(&arguments),
         Verb::Global(arguments) => global::global(&arguments),
+        Verb::Tangency(arguments) => tangency::tangency(&arguments),
         Verb::Check(arguments) => check::check(&arguments),
         Verb::Prove(arguments) => prove::prove(&arguments),
         Verb::Plot(arguments) => plot::plot(&arguments),

@@ -139,6 +139,10 @@ impl Watch for Progress {
             Stage::Parameter(cells) => self.count(String::new(), cells.into()),
             Stage::Searched(impacts) => self.count("floating-point search, impacts: ".to_owned(), impacts),
             Stage::Windows { proved, of } => self.count(format!("proofs of windows, of {of}: "), proved as u64),
+            Stage::Folds(pieces) => {
+                self.count("floating-point search, pieces of unstable manifolds: ".to_owned(), pieces)
+            }
+            Stage::Tangencies { proved, of } => self.count(format!("proofs of tangencies, of {of}: "), proved as u64),
             _ => {}
         }
         Interruption.proceed(at)

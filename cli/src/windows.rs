@@ -34,7 +34,8 @@ periodic orbits: half of them at the scene's own value of the parameter, the oth
 orbit listed is proved at an exact value of the parameter: it exists, it is the only one within its bounds, and it is \
 stable. Its window extends from a fold to a period doubling or a pitchfork, and both ends are enclosed. Where `stable \
 between` is proved, there is a stable, admissible orbit of the word for every value between the bounds of the ends. \
-Other windows are not excluded. Those of the doubled orbits, which adjoin, are not listed. One harmonic only.
+Other windows are not excluded, and nothing is claimed of floating-point orbits that are not proved, most of them long. \
+Windows of the doubled orbits, which adjoin, are not listed. One harmonic only.
 
 The nearest windows to the scene's own value come first. Of windows narrower than about 10^-15 of the value, which \
 doubles do not resolve, few are found.
@@ -134,7 +135,7 @@ fn table(scene: &Scene, found: &Windows) -> Result<String, fmt::Error> {
     for open in &found.unproved {
         writeln!(
             out,
-            "undecided: {} of the reduced map near {:.12}: {}",
+            "not proved: a floating-point orbit of {} of the reduced map near {:.12}: {}",
             counted(open.impacts as u32, "impact"),
             open.near,
             open.flights
@@ -158,7 +159,11 @@ fn conclusion(found: &Windows) -> String {
     if found.interrupted {
         return format!("interrupted: {windows} proved so far");
     }
-    let seen = format!("{} seen in floating point", counted(found.seen as u32, "stable orbit"));
+    let unproved = match found.unproved.len() {
+        0 => String::new(),
+        count => format!(", {count} of them not proved, of which nothing is claimed"),
+    };
+    let seen = format!("{} seen in floating point{unproved}", counted(found.seen as u32, "stable orbit"));
     if found.is_certified() {
         return format!("certified: {windows}; {seen}; others are not excluded");
     }

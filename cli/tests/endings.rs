@@ -6,7 +6,7 @@ use std::path::Path;
 use crate::common::{folder, program};
 
 /// The verbs that write data, each with a quick question, and the endings that it writes.
-const VERBS: [(&[&str], &[&str]); 12] = [
+const VERBS: [(&[&str], &[&str]); 13] = [
     (&["run", "scenes/figure-12.toml", "--impacts", "3"], &["txt", "json", "jsonl", "csv"]),
     (&["periodic", "scenes/figure-12.toml", "--word", "RL", "--cycles", "1"], &["txt", "json"]),
     (&["two-impact", "scenes/figure-12.toml", "--cycles", "1"], &["txt", "json"]),
@@ -19,6 +19,7 @@ const VERBS: [(&[&str], &[&str]); 12] = [
     (&["cycles", "scenes/figure-12.toml", "--impacts", "1"], &["txt", "json"]),
     (&["windows", "scenes/figure-12.toml", "--over", "gap=9..10", "--impacts", "1"], &["txt", "json"]),
     (&["global", "scenes/figure-12.toml", "--boxes", "8", "--most", "1"], &["txt", "json"]),
+    (&["tangency", "scenes/figure-12.toml", "--over", "gap=9..10", "--longest", "1"], &["txt", "json"]),
     (&["chaos", "scenes/figure-12.toml", "--depth", "1"], &["txt", "json"]),
     (&["audit", "scenes/figure-12.toml", "cli/tests/endings/list.csv"], &["txt", "json"]),
     (&["check", "tests/chaos-0.036.json"], &["txt", "json"]),

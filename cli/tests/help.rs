@@ -5,7 +5,7 @@ use std::path::PathBuf;
 
 use crate::common::program;
 
-const VERBS: [&str; 17] = [
+const VERBS: [&str; 18] = [
     "run",
     "describe",
     "periodic",
@@ -15,6 +15,7 @@ const VERBS: [&str; 17] = [
     "cycles",
     "windows",
     "global",
+    "tangency",
     "sweep",
     "plot",
     "check",
@@ -84,6 +85,7 @@ fn every_example_runs() {
         "describe scenes/figure-15.toml",
         "amplitude.2=0..2",
         "windows scenes/figure-14.toml",
+        "tangency scenes/figure-14.toml --over gap=9.4245",
     ]);
 }
 

@@ -19,6 +19,7 @@ mod run;
 mod schemas;
 mod sweep;
 mod sweep_tables;
+mod tangency;
 #[path = "../../tests/tolerances/mod.rs"]
 mod tolerances;
 mod trade;

@@ -7,7 +7,8 @@ use std::process::Command;
 use impact_pair_certificate::document::{
     AuditDocument, BifurcationDocument, ChaosCellsDocument, ChaosDocument, CheckDocument, CyclesDocument,
     DescriptionDocument, EventDocument, GlobalDocument, ManifoldDocument, OrbitDocument, OrbitEnd, OrbitHead,
-    PeriodicDocument, SweepHead, SweepRecord, TradeDocument, TrapDocument, TwoImpactDocument, WindowsDocument,
+    PeriodicDocument, SweepHead, SweepRecord, TangencyDocument, TradeDocument, TrapDocument, TwoImpactDocument,
+    WindowsDocument,
 };
 use schemars::{JsonSchema, schema_for};
 use serde::Serialize;
@@ -41,6 +42,7 @@ fn the_schemas_are_those_of_the_documents() {
     assert_is_kept::<CyclesDocument>("cycles");
     assert_is_kept::<WindowsDocument>("windows");
     assert_is_kept::<GlobalDocument>("global");
+    assert_is_kept::<TangencyDocument>("tangency");
     assert_is_kept::<DescriptionDocument>("description");
     assert_is_kept::<CheckDocument>("check");
     assert_is_kept::<AuditDocument>("audit");

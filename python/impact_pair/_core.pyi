@@ -30,6 +30,7 @@ __all__ = [
     "prove",
     "read_orbit",
     "run",
+    "tangency",
     "trade",
     "trap",
     "two_impact",
@@ -101,6 +102,9 @@ def manifold(
 ) -> tuple[str, bool, bool, str | None]: ...
 def trap(scene: Scene, question: tuple[int, int | None, bool], progress: _Progress) -> tuple[str | None, bool, bool, str | None]: ...
 def cycles(scene: Scene, impacts: tuple[int, int], question: tuple[int, int | None], progress: _Progress) -> tuple[str, bool, bool]: ...
+def tangency(
+    scene: Scene, over: str, question: tuple[str | None, int, int], asked: tuple[int | None, int], progress: _Progress
+) -> tuple[str, bool, bool]: ...
 def windows(
     scene: Scene, over: str, question: tuple[int, int, int], asked: tuple[int | None, int], progress: _Progress
 ) -> tuple[str, bool, bool]: ...

@@ -405,6 +405,64 @@ class GlobalAnalysis(Document):
         return f"<{'certified' if self.certified else 'undecided'}: {self.statement}>"
 
 
+@dataclass(frozen=True)
+class Tangency:
+    """A homoclinic tangency: for exactly one value of the parameter in its bounds the invariant manifolds of the saddle are tangent.
+
+    It is quadratic (``quadratic`` is not 0) and unfolds with a speed other than 0 (``unfolding``).
+    """
+
+    key: str
+    parameter: Bounds
+    flights: str
+    phase: Bounds
+    speed: Bounds
+    eigenvalues: tuple[Bounds, Bounds]
+    unstable: Bounds
+    stable: Bounds
+    quadratic: Bounds
+    unfolding: Bounds
+    least_speed: str
+    least_flight: str
+    resonances_excluded_to: int
+
+
+class Tangencies(Document):
+    """Homoclinic tangencies found over a parameter, the nearest to the scene's own value first; others are not excluded."""
+
+    @cached_property
+    def tangencies(self) -> list[Tangency]:
+        """Each tangency, proved."""
+        return [
+            Tangency(
+                found["key"],
+                Bounds(*found["parameter"]),
+                found["flights"],
+                Bounds(*found["saddle"]["phase"]),
+                Bounds(*found["saddle"]["speed"]),
+                (Bounds(*found["saddle"]["eigenvalues"][0]), Bounds(*found["saddle"]["eigenvalues"][1])),
+                Bounds(*found["unstable"]),
+                Bounds(*found["stable"]),
+                Bounds(*found["quadratic"]),
+                Bounds(*found["unfolding"]),
+                found["least_speed"],
+                found["least_flight"],
+                found["resonances_excluded_to"],
+            )
+            for found in self.document["tangencies"]
+        ]
+
+    def __len__(self) -> int:
+        return len(self.tangencies)
+
+    def __iter__(self) -> Iterator[Tangency]:
+        return iter(self.tangencies)
+
+    def __repr__(self) -> str:
+        said = "certified" if self.certified else "undecided"
+        return f"<{said}: {len(self)} homoclinic tangencies, others are not excluded>"
+
+
 class Chaos(Document):
     """A horseshoe: words that can follow one another, and a lower bound of the topological entropy."""
 

@@ -445,6 +445,28 @@ class Scene:
         with reporting(progress, "boxes") as tell:
             return answers.GlobalAnalysis(*_core.global_analysis(self._core, question, optional_whole("digits", digits), tell))
 
+    def tangency(
+        self,
+        over: Mapping[str, tuple[Value, Value]],
+        *,
+        word: str | None = None,
+        longest: int = 18,
+        most: int = 10,
+        digits: int | None = None,
+        max_bits: int = MAX_BITS,
+        progress: Progress = None,
+    ) -> answers.Tangencies:
+        """Prove homoclinic tangencies of the equispaced motion over ``{"gap": (low, high)}``, or over ``amplitude``.
+
+        They are searched along the flights of ``word`` (``F`` to the far wall, ``N`` back to the near one, from the unstable manifold
+        to the stable one), or along all words of at most ``longest`` flights; the ``most`` that are nearest to the scene's own value are
+        proved.
+        """
+        question = (word, whole("longest", longest), whole("most", most))
+        asked = (optional_whole("digits", digits), whole("max_bits", max_bits))
+        with reporting(progress, "impacts", None) as tell:
+            return answers.Tangencies(*_core.tangency(self._core, ranged(over), question, asked, tell))
+
     def chaos(
         self,
         *,

@@ -1,5 +1,5 @@
-//! Regions, all periodic motions in them, stable ones near a scene, and chaos: the verbs `trap`, `cycles`, `windows`, `global` and
-//! `chaos`.
+//! Regions, all periodic motions in them, stable ones near a scene, homoclinic tangencies, where all motions go, and chaos: the
+//! verbs `trap`, `cycles`, `windows`, `tangency`, `global` and `chaos`.
 
 use impact_pair::chaos::{
     BoxGraph, Cells, Chaos, Cycles, Global, GlobalSettings, HorseshoeSettings, Hyperbolic, MOST_CELLS, MOST_COUNTED,
@@ -12,6 +12,7 @@ use impact_pair::json::{BaseDocument, one_a_line};
 use impact_pair::orbit::MAX_BITS;
 use impact_pair::periodic::Precision;
 use impact_pair::periodic::bifurcation;
+use impact_pair::tangency::{FlightWord, Tangencies, TangencySettings};
 use impact_pair::watch::{Stage, Watch};
 use impact_pair_plot::picture::Look;
 use pyo3::prelude::*;
@@ -127,6 +128,34 @@ pub fn global_analysis(
         let found = Global::of(scene.pair(), &settings, monitor)?;
         let document = document::global(&scene, &settings, &found)?;
         Ok((text(&document), document.certified, monitor.is_stopped()))
+    })
+}
+
+/// Homoclinic tangencies of the equispaced motion over a parameter.
+#[pyfunction]
+pub fn tangency(
+    py: Python<'_>,
+    scene: &Bound<'_, Scene>,
+    over: &str,
+    question: (Option<&str>, u32, u32),
+    asked: (Option<u32>, u32),
+    progress: Option<Py<PyAny>>,
+) -> PyResult<Answer> {
+    let (word, longest, most) = question;
+    let range = bifurcation::over(over).map_err(|error| Fault::keyed(error, "over", over))?;
+    let word = word.map(|word| word.parse::<FlightWord>().map_err(|error| Fault::keyed(error, "word", word)));
+    let word = word.transpose()?;
+    let scene = scene.get().scene.clone();
+    watched(py, progress, move |monitor| {
+        let settings = TangencySettings {
+            over: range,
+            word,
+            longest: accepted("longest", longest, 1..=40)? as usize,
+            most: accepted("most", most, 1..=100_000)? as usize,
+            precision: precision(asked, &scene)?,
+        };
+        let found = Tangencies::of(&scene, &settings, monitor)?;
+        Ok((text(&document::tangency(&scene, &found)), found.is_certified(), monitor.is_stopped()))
     })
 }
 

@@ -24,7 +24,7 @@ mod _core {
     #[pymodule_export]
     use super::box_map::box_map;
     #[pymodule_export]
-    use super::chaos::{chaos, chaos_cells, cycles, global_analysis, trap, windows};
+    use super::chaos::{chaos, chaos_cells, cycles, global_analysis, tangency, trap, windows};
     #[pymodule_export]
     use super::describe::{describe, description_lines};
     #[pymodule_export]

@@ -55,7 +55,7 @@ pub fn json(document: &impl serde::Serialize) -> PyResult<String> {
 }
 
 /// The scenes of the repository, by name.
-const PAPER: [(&str, &str); 17] = [
+const PAPER: [(&str, &str); 18] = [
     ("cascade", include_str!("../../scenes/cascade.toml")),
     ("chatter", include_str!("../../scenes/chatter.toml")),
     ("doublings", include_str!("../../scenes/doublings.toml")),
@@ -67,6 +67,7 @@ const PAPER: [(&str, &str); 17] = [
     ("figure-13", include_str!("../../scenes/figure-13.toml")),
     ("figure-14", include_str!("../../scenes/figure-14.toml")),
     ("figure-14-sink", include_str!("../../scenes/figure-14-sink.toml")),
+    ("figure-14-sink-35", include_str!("../../scenes/figure-14-sink-35.toml")),
     ("figure-15", include_str!("../../scenes/figure-15.toml")),
     ("figure-16", include_str!("../../scenes/figure-16.toml")),
     ("figure-17", include_str!("../../scenes/figure-17.toml")),

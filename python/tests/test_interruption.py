@@ -42,6 +42,7 @@ WORKS = {
     "cycles": "scene.cycles((1, 20), progress=note)",
     "windows": 'scene.windows({"gap": ("9.42", "9.43")}, impacts=10**9, progress=note)',
     "global_analysis": "scene.global_analysis(boxes=20, most=10**9, progress=note)",
+    "tangency": 'scene.tangency({"gap": ("9.42", "9.43")}, longest=30, progress=note)',
     "chaos": "scene.chaos(depth=20, progress=note)",
     "chaos_cells": 'scene.chaos_cells({"gap": (9, 10, 400)}, progress=note)',
     "manifold": 'Scene.named("figure-10").manifold({"frequency": (1, 60, 20000)}, (1, 60), progress=note)',

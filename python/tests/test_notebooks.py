@@ -16,7 +16,7 @@ EXECUTED = ROOT / os.environ.get("CARGO_TARGET_DIR", "target") / "notebooks"
 
 
 def test_there_are_notebooks():
-    assert [path.stem for path in NOTEBOOKS] == ["chaos", "dask", "figures", "simulator"]
+    assert [path.stem for path in NOTEBOOKS] == ["chaos", "dask", "figures", "how-chaotic", "simulator"]
 
 
 @pytest.mark.parametrize("path", NOTEBOOKS, ids=lambda path: path.stem)

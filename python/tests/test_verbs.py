@@ -170,6 +170,17 @@ def test_windows(cli):
     assert "others are not excluded" in repr(found)
 
 
+def test_tangency(cli):
+    word = "FFFFFFFNFFFFFNFFNFFNFFFF"
+    asked = ("--over", "gap=9.4249..9.4252", "--word", word)
+    found = Scene.named("figure-14").tangency({"gap": ("9.4249", "9.4252")}, word=word)
+    assert found.document == cli.json("tangency", "scenes/figure-14.toml", *asked)
+    assert [tangency.flights for tangency in found] == [word]
+    # The constant of an independent computation in balls.
+    assert found.tangencies[0].parameter.lower[:25] == "9.42512637688720494843198"
+    assert "others are not excluded" in repr(found)
+
+
 def test_cycles(cli):
     assert Scene.named("figure-14").cycles(3).document == cli.json("cycles", "scenes/figure-14.toml", "--impacts", 3)
     found = Scene.named("figure-14").cycles((1, 5))
@@ -277,6 +288,7 @@ def test_defaults_are_those_of_the_command_line(cli):
         "cycles": Scene.cycles,
         "windows": Scene.windows,
         "global": Scene.global_analysis,
+        "tangency": Scene.tangency,
         "trade": Scene.trade,
         "audit": Scene.audit,
         "plot": Scene.plot,

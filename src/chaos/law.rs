@@ -23,7 +23,7 @@ pub(crate) enum Side {
 
 impl Side {
     /// Of the speed it arrives with, where the wall it leaves is at 0 and the other one above.
-    pub(super) fn sign(self) -> f64 {
+    pub(crate) fn sign(self) -> f64 {
         match self {
             Self::Near => -1.0,
             Self::Far => 1.0,
@@ -39,7 +39,7 @@ impl Side {
     }
 
     /// What is added to the phase of an impact on it, in forcing periods.
-    pub(super) fn shift(self) -> f64 {
+    pub(crate) fn shift(self) -> f64 {
         match self {
             Self::Near => 0.0,
             Self::Far => 0.5,

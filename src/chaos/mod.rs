@@ -45,11 +45,15 @@ pub use blocks::Word;
 pub use box_map::{BoxImage, BoxMap, Rectangle, Unmapped};
 pub use cells::{Cells, Horseshoe, MOST_CELLS, MOST_HALVINGS, RangeSettings, Stretch, Verdict, seen_impacts};
 pub use cycles::{Cycle, Cycles, MOST_IMPACTS};
+pub(crate) use flights::Flights;
 pub(crate) use global::spectral_radius;
 pub use global::{Class, Global, GlobalSettings, Kind, LimitCycle, Recurrence, RestCycle};
+pub(crate) use guess::Guess;
 pub use horseshoe::{Chaos, HorseshoeSettings, MOST_DEPTH};
 pub use hyperbolic::{Cone, Hyperbolic, LeftOut};
 pub use language::{BoxGraph, MOST_COUNTED, Unclosed, WallWords};
+pub(crate) use law::{Law, Side};
+pub(crate) use quad::Quad;
 pub use quad::{Chord, State};
 pub use region::{NoTrap, Trap};
 pub use windows::{

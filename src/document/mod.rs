@@ -10,6 +10,7 @@ mod global;
 mod orbit;
 mod periodic;
 mod shares;
+mod tangency;
 mod two_impact;
 mod windows;
 
@@ -23,6 +24,7 @@ pub use event::{Bounds, Event, Events, Kind};
 pub use global::global;
 pub use orbit::{arithmetic, follow, head, is_certified, orbit};
 pub use periodic::Units;
+pub use tangency::{at_least, tangency};
 pub use two_impact::{manifolds, two_impact, word};
 pub use windows::windows;
 

@@ -76,7 +76,7 @@ pub(super) fn is_inside<N: Enclosing>(inner: &[N], outer: &[N]) -> bool {
 }
 
 /// A guess after N steps of simplified Newton's iteration; nothing is proved.
-pub(super) fn polish<N: Enclosing, E: Equations<N>>(
+pub fn polish<N: Enclosing, E: Equations<N>>(
     equations: &E,
     inverse: &Preconditioner,
     guess: Vec<N>,

@@ -20,7 +20,7 @@ pub fn is_true(kind: &str, document: &Value) -> bool {
         "bifurcations" => has_bifurcations(document) == Some(true),
         "cycles" => document["orbits"].as_array().unwrap().iter().all(|orbit| has_orbit(document, orbit)),
         "chaos" => has_words(document) == Some(true),
-        "trap" | "sweep" | "windows" | "global" => false,
+        "trap" | "sweep" | "windows" | "tangency" | "global" => false,
         _ => truth::is_true(document),
     }
 }

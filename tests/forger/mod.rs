@@ -26,6 +26,7 @@ mod regions;
 mod scenes;
 mod shadows;
 mod sweeps;
+mod tangencies;
 mod windows;
 
 use std::collections::BTreeMap;
@@ -42,7 +43,7 @@ use impact_pair_certificate::{Claims, Effort, Verdict};
 const CASES: u64 = 1;
 
 /// All forgeries, by what they forge.
-const FORGERIES: [&[Forgery]; 11] = [
+const FORGERIES: [&[Forgery]; 12] = [
     scenes::FORGERIES,
     outcomes::FORGERIES,
     events::FORGERIES,
@@ -52,6 +53,7 @@ const FORGERIES: [&[Forgery]; 11] = [
     regions::FORGERIES,
     descriptions::FORGERIES,
     sweeps::FORGERIES,
+    tangencies::FORGERIES,
     windows::FORGERIES,
     globals::FORGERIES,
 ];

@@ -19,7 +19,7 @@ use crate::spoiled::{documents, others};
 use impact_pair::scene::Range;
 
 /// Kinds of documents, in the order of the table.
-const KINDS: [&str; 14] = [
+const KINDS: [&str; 15] = [
     "orbit",
     "shadow",
     "periodic",
@@ -28,6 +28,7 @@ const KINDS: [&str; 14] = [
     "cycles",
     "windows",
     "global",
+    "tangency",
     "trap",
     "chaos",
     "hyperbolic",
@@ -47,6 +48,7 @@ pub fn all() -> Vec<Original> {
     all.extend(
         ["one cycle with rests", "one attractor"].map(|name| Original::new("global", name, others::global(name))),
     );
+    all.push(Original::new("tangency", "beside figure 14", others::tangency()));
     let described = ["figure-13", "chatter", "figure-14"];
     all.extend(described.map(|name| Original::new("description", name, others::description(name))));
     all.extend(sweeps());

@@ -97,6 +97,9 @@ pub fn windows() -> Value {
     json!(document::windows(&scene, &settings, &found).unwrap())
 }
 
+/// `A/d` and `e` of a pair all of whose motions tend to one periodic motion, or to one of two saddles.
+const ONE_ATTRACTOR: [&str; 2] = ["0.583258", "0.377273"];
+
 /// Where every motion goes: to a cycle with rests, or to a periodic motion beside a saddle.
 pub fn global(name: &str) -> Value {
     let [amplitude, restitution] = if name == "one attractor" { ONE_ATTRACTOR } else { ["2", "0.2"] };
@@ -107,6 +110,13 @@ pub fn global(name: &str) -> Value {
     let (scene, settings) = (Scene::parse(&scene).unwrap(), GlobalSettings::default());
     let found = Global::of(scene.pair(), &settings, &Unwatched).unwrap();
     json!(document::global(&scene, &settings, &found).unwrap())
+}
+
+/// The first homoclinic tangency beside figure 14, whose numbers Newton's iteration of another program found in 120 digits.
+pub fn tangency() -> Value {
+    let mut document: Value = serde_json::from_str(include_str!("../../docs/tangency-figure-14.json")).unwrap();
+    document["tangencies"].as_array_mut().unwrap().truncate(1);
+    document
 }
 
 fn sweep(scene: &str, over: &[&str]) -> Vec<Value> {
@@ -141,6 +151,7 @@ pub fn all() -> Vec<(&'static str, Vec<Value>)> {
         ("cycles", vec![cycles(3)]),
         ("windows", vec![windows()]),
         ("global", vec![global("one attractor")]),
+        ("tangency", vec![tangency()]),
         ("description", vec![description("figure-13")]),
         ("description of a region", vec![description("figure-14")]),
         ("sweep", sweep(one, &["amplitude=7..9:2", "start.phase=0..1:2"])),

@@ -11,6 +11,8 @@ pub const WAVES: f64 = 1e-13;
 /// Short hops against long ones, whose heights cancel: in balls, and in doubles down to a thousandth of a turn.
 pub const HOP_OF_BALLS: f64 = 1e-12;
 pub const HOP_OF_DOUBLES: f64 = 1e-11;
+/// A series of an invariant manifold against the map: rounding of both.
+pub const SERIES_OF_MANIFOLDS: f64 = 1e-13;
 /// Central differences with steps of 1e-6: of long formulas with large third derivatives, and of short ones.
 pub const DIFFERENCE: f64 = 1e-4;
 pub const DIFFERENCE_OF_JETS: f64 = 1e-7;

@@ -1,4 +1,4 @@
-"""What is to be judged, in nine parts, each a list of jobs; a job is judged in a process of its own."""
+"""What is to be judged, in ten parts, each a list of jobs; a job is judged in a process of its own."""
 from collections import Counter, namedtuple
 
 from chaos import judge_chaos
@@ -14,6 +14,7 @@ from several_corners import several_corners, untold_corners, written
 from several_scenes import several_scenes
 from shadow import chaotic_scenes, judge_shadow
 from straddling_scenes import straddling_scenes
+from tangency import judge_document
 
 FIGURES = [f"scenes/figure-{number}.toml" for number in (12, 13, 14, 15, 16, 17)]
 DIGITS = 9
@@ -34,8 +35,8 @@ INTERVAL_IMPACTS = 20
 STRADDLING_BITS = 1024
 STRADDLING_WAYS = ["auto", "interval", "64", "128", "256"]
 SEVERAL, STRADDLING, SHADOWED = "several harmonics", "straddling scenes", "shadowed orbits"
-HORSESHOES = "horseshoes"
-PARTS = ["figures", "resting scenes", "extreme scenes", "corner cases", SEVERAL, STRADDLING, "interval scenes", SHADOWED, HORSESHOES]
+HORSESHOES, TANGENCIES = "horseshoes", "homoclinic tangencies"
+PARTS = ["figures", "resting scenes", "extreme scenes", "corner cases", SEVERAL, STRADDLING, "interval scenes", SHADOWED, HORSESHOES, TANGENCIES]
 # Impacts, and how many of them are proved by precision.
 SPLICED = 300, 200
 
@@ -154,6 +155,13 @@ def horseshoe_jobs():
     yield Job(HORSESHOES, "figure-14, depth 3", judge_chaos, (text, "docs/bases-figure-14.json", 3), text)
 
 
+def tangency_jobs():
+    """That beside figure 14."""
+    with open(FIGURES[2], encoding="utf-8") as file:
+        text = file.read()
+    yield Job(TANGENCIES, "beside figure 14", judge_document, ("docs/tangency-figure-14.json",), text)
+
+
 def jobs(amount, seed, parts):
     """All jobs of the parts asked for."""
     found = list(figure_jobs(amount))
@@ -170,4 +178,5 @@ def jobs(amount, seed, parts):
     ]
     found += shadowed_jobs(amount.shadowed)
     found += horseshoe_jobs()
+    found += tangency_jobs()
     return [job for job in found if not parts or job.part in parts]

@@ -6,13 +6,13 @@ use serde_json::{Deserializer, Value};
 
 use crate::{
     BifurcationCertificate, Certificate, ChaosCertificate, ClaimKind, CyclesCertificate, DescriptionCertificate,
-    Effort, Finding, GlobalCertificate, Judged, PeriodicCertificate, SweepCertificate, TrapCertificate, Verdict,
-    WindowsCertificate,
+    Effort, Finding, GlobalCertificate, Judged, PeriodicCertificate, SweepCertificate, TangencyCertificate,
+    TrapCertificate, Verdict, WindowsCertificate,
 };
 use impact_pair_document::{
     AUDIT_SCHEMA, BIFURCATION_SCHEMA, CHAOS_CELLS_SCHEMA, CHAOS_SCHEMA, CYCLES_SCHEMA, DESCRIPTION_SCHEMA,
-    GLOBAL_SCHEMA, MANIFOLD_SCHEMA, PERIODIC_SCHEMA, SWEEP_SCHEMA, TRADE_SCHEMA, TRAP_SCHEMA, WINDOWS_SCHEMA, counted,
-    value,
+    GLOBAL_SCHEMA, MANIFOLD_SCHEMA, PERIODIC_SCHEMA, SWEEP_SCHEMA, TANGENCY_SCHEMA, TRADE_SCHEMA, TRAP_SCHEMA,
+    WINDOWS_SCHEMA, counted, value,
 };
 use impact_pair_model::Error;
 use impact_pair_model::watch::{Latched, Stage, Watch};
@@ -32,6 +32,8 @@ pub enum Claims {
     Windows(Box<WindowsCertificate>),
     /// A JSON of a global analysis: its periodic motions, and that every motion is in one of its components in the end.
     Global(Box<GlobalCertificate>),
+    /// A JSON of tangencies: all its numbers are checked, and that there is one tangency in the bounds.
+    Tangencies(Box<TangencyCertificate>),
     /// A sweep: the impacts of all its points are checked, not what becomes of them.
     Sweep(Box<SweepCertificate>),
     /// A chaos JSON: all its words are checked, and that its entropies and its horseshoe follow from them.
@@ -70,6 +72,7 @@ impl Claims {
             Some(CYCLES_SCHEMA) => Self::Cycles(Box::new(CyclesCertificate::parse(text)?)),
             Some(BIFURCATION_SCHEMA) => Self::Bifurcations(Box::new(BifurcationCertificate::parse(text)?)),
             Some(WINDOWS_SCHEMA) => Self::Windows(Box::new(WindowsCertificate::parse(text)?)),
+            Some(TANGENCY_SCHEMA) => Self::Tangencies(Box::new(TangencyCertificate::parse(text)?)),
             Some(MANIFOLD_SCHEMA) => Self::Unchecked("parameter manifolds: that their points solve (66)-(69)"),
             Some(CHAOS_CELLS_SCHEMA) => {
                 Self::Unchecked("subintervals of a parameter: horseshoes and attracted orbits in each")
@@ -180,6 +183,7 @@ impl Claims {
             Self::Bifurcations(certificate) => certificate.check_within(effort, watch),
             Self::Windows(certificate) => certificate.check_within(effort, watch),
             Self::Global(certificate) => certificate.check_within(effort, watch),
+            Self::Tangencies(certificate) => certificate.check_within(effort, watch),
             Self::Chaos(certificate) => certificate.check_within(effort, watch),
             Self::Trap(certificate) => certificate.check_within(effort, watch),
             Self::Description(_) | Self::List(_) | Self::Sweep(_) | Self::Unchecked(_) => {
@@ -206,6 +210,7 @@ impl Claims {
             Self::Bifurcations(certificate) => certificate.count(),
             Self::Windows(certificate) => certificate.count(),
             Self::Global(certificate) => certificate.count(),
+            Self::Tangencies(certificate) => certificate.count(),
             Self::Sweep(certificate) => certificate.count(),
             Self::Chaos(certificate) => certificate.count(),
             Self::Trap(certificate) => certificate.count(),
@@ -226,6 +231,7 @@ impl Claims {
             Self::Bifurcations(certificate) => certificate.unjudged().to_vec(),
             Self::Windows(certificate) => certificate.unjudged().to_vec(),
             Self::Global(certificate) => certificate.unjudged().to_vec(),
+            Self::Tangencies(certificate) => certificate.unjudged().to_vec(),
             Self::Sweep(certificate) => certificate.unjudged().to_vec(),
             Self::Chaos(certificate) => certificate.unjudged().to_vec(),
             Self::Trap(certificate) => certificate.unjudged().to_vec(),
@@ -252,6 +258,7 @@ impl Claims {
             Self::Bifurcations(_) => counted(count, "bifurcation"),
             Self::Windows(_) => counted(count, "window"),
             Self::Global(_) => counted(count, "component"),
+            Self::Tangencies(_) => tangencies(count),
             Self::Sweep(_) => counted(count, "point"),
             Self::Chaos(_) => counted(count, "word"),
             Self::Trap(_) => boxes(count),
@@ -289,6 +296,7 @@ impl Claims {
                 )
             }
             Self::Global(certificate) => format!("what is proved of {}", counted(certificate.count(), "component")),
+            Self::Tangencies(certificate) => tangencies(certificate.count()),
             Self::Sweep(certificate) => format!("the impacts of {}", counted(certificate.count(), "point")),
             Self::Chaos(certificate) => {
                 format!("{}, the entropies and the horseshoe", counted(certificate.count(), "word"))
@@ -321,6 +329,7 @@ impl Claims {
             Self::Bifurcations(certificate) if *event < certificate.count() => format!("points[{event}]: {message}"),
             Self::Windows(certificate) if *event < certificate.count() => format!("windows[{event}]: {message}"),
             Self::Global(certificate) if *event < certificate.count() => format!("components[{event}]: {message}"),
+            Self::Tangencies(certificate) if *event < certificate.count() => format!("tangencies[{event}]: {message}"),
             Self::Sweep(certificate) if *event < certificate.count() => format!("points[{event}]: {message}"),
             Self::Chaos(certificate) if *event < certificate.count() => format!("words[{event}]: {message}"),
             Self::Trap(certificate) if *event < certificate.count() => format!("box {event}: {message}"),
@@ -340,6 +349,7 @@ impl Claims {
             | Self::Bifurcations(_)
             | Self::Windows(_)
             | Self::Global(_)
+            | Self::Tangencies(_)
             | Self::Sweep(_)
             | Self::Chaos(_)
             | Self::Trap(_)
@@ -350,6 +360,10 @@ impl Claims {
 
 fn boxes(count: usize) -> String {
     format!("{count} {}", if count == 1 { "box" } else { "boxes" })
+}
+
+fn tangencies(count: usize) -> String {
+    format!("{count} homoclinic {}", if count == 1 { "tangency" } else { "tangencies" })
 }
 
 impl Certificate {

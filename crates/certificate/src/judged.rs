@@ -50,7 +50,8 @@ impl Claims {
     pub(super) fn certain(&self, reached: usize) -> usize {
         match self {
             Self::Orbit(certificate) if certificate.confirms_one_by_one() => reached,
-            Self::Periodic(_) | Self::Cycles(_) | Self::Bifurcations(_) | Self::Windows(_) | Self::Sweep(_) => reached,
+            Self::Periodic(_) | Self::Cycles(_) | Self::Bifurcations(_) => reached,
+            Self::Windows(_) | Self::Tangencies(_) | Self::Sweep(_) => reached,
             _ => 0,
         }
     }
@@ -63,6 +64,7 @@ impl Claims {
             Self::Bifurcations(_) | Self::Sweep(_) => Some("points"),
             Self::Global(_) => Some("components"),
             Self::Windows(_) => Some("windows"),
+            Self::Tangencies(_) => Some("tangencies"),
             Self::Chaos(_) => Some("words"),
             Self::Trap(_) => Some("region"),
             Self::Description(_) | Self::List(_) | Self::Unchecked(_) => None,

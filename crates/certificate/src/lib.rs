@@ -17,6 +17,7 @@ mod periodic;
 mod prove;
 mod read;
 mod sweep;
+mod tangency;
 #[cfg(test)]
 #[path = "../../../tests/tolerances/mod.rs"]
 mod tolerances;
@@ -37,5 +38,6 @@ pub use periodic::PeriodicCertificate;
 pub use prove::Theorem;
 pub use read::{Certificate, Claim, ClaimKind};
 pub use sweep::SweepCertificate;
+pub use tangency::TangencyCertificate;
 pub use trap::TrapCertificate;
 pub use windows::WindowsCertificate;

@@ -7,3 +7,4 @@ mod claimed;
 mod environment;
 mod recorded;
 mod schemas;
+mod tangency;

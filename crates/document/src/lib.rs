@@ -19,6 +19,7 @@ mod periodic;
 mod read;
 mod scene;
 mod sweep;
+mod tangency;
 mod trade;
 mod windows;
 
@@ -38,6 +39,7 @@ pub use read::Place;
 pub use read::{value, values};
 pub use scene::{ExcitationDocument, SceneDocument, StartDocument};
 pub use sweep::*;
+pub use tangency::*;
 pub use trade::*;
 pub use windows::*;
 

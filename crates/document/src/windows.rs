@@ -18,7 +18,7 @@ pub struct WindowsDocument {
     pub schema: String,
     /// The program that proved them.
     pub program: String,
-    /// Whether there are windows, and each orbit, both its ends and the orbits between are proved.
+    /// Whether there are windows, and each orbit, both its ends and the orbits between are proved; nothing is claimed of `undecided`.
     pub certified: bool,
     /// The scene; the windows are sorted by their distance from its own value of the parameter.
     pub scene: SceneDocument,

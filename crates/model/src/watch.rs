@@ -60,6 +60,15 @@ pub enum Stage<'s> {
         /// All of them.
         of: usize,
     },
+    /// `.0` pieces of unstable manifolds are searched for homoclinic tangencies.
+    Folds(u64),
+    /// Homoclinic tangencies are proved.
+    Tangencies {
+        /// Those that are done.
+        proved: usize,
+        /// All of them.
+        of: usize,
+    },
     /// `.0` claims of a document are confirmed.
     Claims(usize),
 }

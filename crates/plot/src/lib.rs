@@ -8,6 +8,7 @@ pub mod orbit;
 pub mod picture;
 pub mod proved;
 pub mod sweep;
+pub mod tangency;
 #[cfg(test)]
 #[path = "../../../tests/tolerances/mod.rs"]
 mod tolerances;

@@ -17,6 +17,8 @@ const SIZE: (u32, u32) = (900, 600);
 /// Room on the right of the axes, and the radius of a mark.
 const RIGHT: i32 = 30 * SCALE;
 const RADIUS: i32 = 4 * SCALE;
+/// Rows above and below a mark in which its label may stand.
+const ROWS: i32 = 6;
 
 /// A window in the plot: its value, the decimal logarithm of its width, its impacts, and whether all of it is proved.
 struct Marked {
@@ -45,14 +47,38 @@ pub fn windows(scene: &Scene, found: &Windows, look: &Look) -> Result<String> {
         if let Some(own) = own_value(scene, found).map(value).filter(|own| is_inside(found, *own)) {
             root.draw(&line(own))?;
         }
-        for Marked { at, width, impacts, is_certified } in &all {
-            let (x, y) = plane.pixel([*at, *width]);
-            root.draw(&Circle::new((x, y), RADIUS, colour(*is_certified).filled()))?;
-            let place = (x + 2 * RADIUS, y);
-            root.draw(&Text::new(impacts.to_string(), place, words(FONT, &BLACK, HPos::Left)))?;
+        let marks: Vec<_> = all.iter().map(|window| plane.pixel([window.at, window.width])).collect();
+        for (Marked { is_certified, .. }, mark) in all.iter().zip(&marks) {
+            root.draw(&Circle::new(*mark, RADIUS, colour(*is_certified).filled()))?;
+        }
+        let texts: Vec<String> = all.iter().map(|window| window.impacts.to_string()).collect();
+        for (text, place) in texts.iter().zip(places(&marks, &texts)) {
+            root.draw(&Text::new(text.clone(), place, words(FONT, &BLACK, HPos::Left)))?;
         }
         Ok(())
     })
+}
+
+/// Where the labels of marks begin, beside them at half of their height: each on the right, on the left, above or below, or farther above and below,
+/// wherever no mark and no label before it is in the way.
+fn places(marks: &[(i32, i32)], texts: &[String]) -> Vec<(i32, i32)> {
+    let size = |text: &str| (text.len() as i32 * FONT * 3 / 5, FONT);
+    let meets =
+        |(x, y): (i32, i32), (width, height): (i32, i32), ((left, right), (top, bottom)): ((i32, i32), (i32, i32))| {
+            x < right && left < x + width && y - height / 2 < bottom && top < y + height / 2
+        };
+    let mut taken: Vec<_> = marks.iter().map(|(x, y)| ((x - RADIUS, x + RADIUS), (y - RADIUS, y + RADIUS))).collect();
+    let place = |((x, y), text): (&(i32, i32), &String)| {
+        let (width, height) = size(text);
+        let beside = [x + 2 * RADIUS, x - 2 * RADIUS - width].map(|x| (x, *y));
+        let off = |k: i32| [1, -1].map(|sign| (x - width / 2, y - sign * (RADIUS + k * height)));
+        let all: Vec<(i32, i32)> = beside.into_iter().chain((1..=ROWS).flat_map(off)).collect();
+        let is_free = |at: &&(i32, i32)| !taken.iter().any(|one| meets(**at, (width, height), *one));
+        let (x, y) = *all.iter().find(is_free).unwrap_or(&all[0]);
+        taken.push(((x, x + width), (y - height / 2, y + height / 2)));
+        (x, y)
+    };
+    marks.iter().zip(texts).map(place).collect()
 }
 
 fn colour(is_certified: bool) -> RGBColor {
@@ -102,4 +128,28 @@ fn frame(
     let (narrow, wide) = (ends(f64::min, -1.0).floor() - 1.0, ends(f64::max, 0.0).ceil() + 1.0);
     let axes = [Axis::over(value(&found.over.low), value(&found.over.high)), Axis::over(narrow, wide)];
     Plane::draw(&below, axes, [&described(key), "decimal logarithm of the width of the window"], RIGHT)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Labels of marks that are near one another, or at one place, overlap neither each other nor a mark.
+    #[test]
+    fn labels_do_not_overlap() {
+        let marks = [(100, 100), (104, 100), (100, 104), (108, 101), (400, 100), (401, 160)];
+        let texts = ["20", "22", "24", "9", "35", "44"].map(str::to_owned);
+        let found = places(&marks, &texts);
+        let boxes: Vec<[i32; 4]> = found
+            .iter()
+            .zip(&texts)
+            .map(|((x, y), text)| [*x, x + text.len() as i32 * FONT * 3 / 5, y - FONT / 2, y + FONT / 2])
+            .collect();
+        for (i, a) in boxes.iter().enumerate() {
+            for b in &boxes[..i] {
+                assert!(a[0] >= b[1] || b[0] >= a[1] || a[2] >= b[3] || b[2] >= a[3], "{a:?} {b:?}");
+            }
+        }
+        assert_eq!(found[4], (400 + 2 * RADIUS, 100));
+    }
 }

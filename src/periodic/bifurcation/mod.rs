@@ -24,6 +24,7 @@ mod window;
 
 pub use cascade::survey;
 pub use diagram::{Branch, Diagram, DiagramSettings, End, Unproved};
+pub(crate) use jet::Jet;
 pub use over::{PARAMETERS, is_parameter, over};
 pub use point::{Kind, Point};
 pub use window::{Window, WindowEnd, WindowSeed};

@@ -7,7 +7,7 @@
 //! Lemma V1); sets go on in mean value form ([`affine`], [`step`], Lemma V2), and so does a neighbourhood of a periodic orbit over
 //! whole periods, until it is proved to shrink ([`attraction`], Lemma V6). Of a shadowed orbit each link between two impacts is proved alone,
 //! from nodes found anew from the claimed boxes ([`shadow`], [`chain`], Lemma V10). Orbits of one list are distinguished by their
-//! bounds ([`distinct`], Lemma V13). Regions and words of horseshoes are proved in
+//! bounds ([`distinct`], Lemma V13). Homoclinic tangencies are found by shooting from series of the manifolds ([`tangency`], Lemmas V17-V19). Regions and words of horseshoes are proved in
 //! doubles ([`chaos`], Lemmas V11, V12). A claim is confirmed when what is found lies inside
 //! its bounds, refuted when it lies outside.
 
@@ -44,6 +44,7 @@ mod standing;
 mod step;
 mod still;
 mod sweep;
+mod tangency;
 mod target;
 mod walk;
 mod windows;

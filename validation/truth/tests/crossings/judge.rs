@@ -163,6 +163,26 @@ fn wall_words(document: &Value, walls: &[Wall]) -> Judged<()> {
     Ok(())
 }
 
+/// The saddle of each tangency is the equispaced motion (66), (67), with eigenvalues whose product is `e^2`.
+fn tangency(document: &Value) -> Judged<()> {
+    let middle = |bounds: &Value| -> f64 {
+        let end = |i: usize| bounds[i].as_str().and_then(|text| text.parse::<f64>().ok()).unwrap_or(f64::NAN);
+        0.5 * (end(0) + end(1))
+    };
+    for found in document["tangencies"].as_array().map_or(&[][..], Vec::as_slice) {
+        let saddle = &found["saddle"];
+        let [phase, speed] = [middle(&saddle["phase"]), middle(&saddle["speed"])];
+        let [unstable, stable] = [0, 1].map(|i| middle(&saddle["eigenvalues"][i]));
+        let e = (unstable * stable).sqrt();
+        let trace = 2.0 * e + (1.0 - e * e) * std::f64::consts::FRAC_PI_2 * phase.tan();
+        let is_close = |a: f64, b: f64| (a - b).abs() < 1e-9 * (1.0 + b.abs());
+        if !(is_close(speed, 2.0 * phase.cos() / (1.0 - e)) && is_close(unstable + stable, trace)) {
+            return wrong(format!("no saddle: {saddle}"));
+        }
+    }
+    Ok(())
+}
+
 /// The orbit and the region that a description has are true, and its fate is theirs.
 fn description(document: &Value, scene: &Scene, member: &Member) -> Judged<()> {
     let kind = document["fate"]["kind"].as_str().unwrap_or_default();
@@ -264,6 +284,7 @@ fn truth(case: &mut Case, answer: &Answer) -> Judged<()> {
             let orbits = listed.iter().filter(|own| own["orbit"].is_object());
             orbits.map(|own| &own["orbit"]).try_for_each(|orbit| orbits::judge(orbit, &members[0]))
         }
+        Answer::Tangency(document) => tangency(document),
         Answer::Boxes(images) => all(&members, |member| boxes::judge(images, member)),
         Answer::Audit(document) => audit(document),
     }
@@ -284,6 +305,7 @@ impl Answer {
             | Self::Cycles(document)
             | Self::Windows(document)
             | Self::Global(document) => Some(document.to_string()),
+            Self::Tangency(document) => Some(document.to_string()),
             Self::Sweep { head, records, .. } => {
                 let lines = [head].into_iter().chain(records).map(|line| line.to_string() + "\n");
                 Some(lines.collect())
@@ -328,6 +350,10 @@ impl Answer {
             Self::Cycles(_) => "not all cycles".into(),
             Self::Windows(document) => none_or(orbits(document, "windows"), "window"),
             Self::Global(document) => format!("global: {}", document["class"].as_str().unwrap_or("none")),
+            Self::Tangency(document) => match orbits(document, "tangencies") {
+                0 => "no tangency".into(),
+                _ => "tangencies".into(),
+            },
             Self::Boxes(images) => boxes::outcome(images).into(),
             Self::Audit(document) if document["agreed"] == true => "agreed".into(),
             Self::Audit(_) => "not agreed".into(),

@@ -16,6 +16,7 @@ use impact_pair::pair::Wall;
 use impact_pair::periodic::bifurcation::{DiagramSettings, survey};
 use impact_pair::periodic::{Budget, Precision, Problem};
 use impact_pair::sweep::{self, Grid};
+use impact_pair::tangency::{Tangencies, TangencySettings};
 use impact_pair::watch::{Stage, Unwatched, proceed_if};
 use impact_pair::{Error, Scene, two_impact};
 use serde_json::{Value, json};
@@ -72,6 +73,7 @@ pub enum Answer {
     Cycles(Value),
     Windows(Value),
     Global(Value),
+    Tangency(Value),
     /// The images of boxes.
     Boxes(Vec<Mapped>),
     /// The audit of a list of true impacts.
@@ -117,6 +119,7 @@ impl Case {
             Question::Cycles => self.cycles(),
             Question::Windows => self.windows(),
             Question::Global => self.global(),
+            Question::Tangency => self.tangency(),
             Question::BoxMap => self.box_map(),
             Question::Audit => self.audit(),
         }
@@ -338,6 +341,16 @@ impl Case {
         };
         let found = Global::of(self.scene.pair(), &settings, &Unwatched)?;
         Ok(Answer::Global(json!(document::global(&self.scene, &settings, &found)?)))
+    }
+
+    /// About the scene's own gap, of few flights.
+    fn tangency(&mut self) -> Result<Answer, Error> {
+        let (name, own) = self.key("gap");
+        let over = format!("{name}={}..{}", own * 0.75, own * 1.25).parse()?;
+        let precision = Precision { digits: 9, max_bits: 512 };
+        let settings = TangencySettings { over, word: None, longest: 8, most: 1, precision };
+        let found = Tangencies::of(&self.scene, &settings, &Unwatched)?;
+        Ok(Answer::Tangency(json!(document::tangency(&self.scene, &found))))
     }
 
     fn cycles(&mut self) -> Result<Answer, Error> {

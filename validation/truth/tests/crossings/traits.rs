@@ -102,6 +102,7 @@ pub enum Question {
     Cycles,
     Windows,
     Global,
+    Tangency,
     BoxMap,
     Audit,
 }
@@ -109,15 +110,8 @@ pub enum Question {
 impl Question {
     pub fn all() -> Vec<Self> {
         let others = [Self::Describe, Self::Periodic, Self::All, Self::TwoImpact];
-        let others = others.into_iter().chain([
-            Self::Trap,
-            Self::Chaos,
-            Self::Cycles,
-            Self::Windows,
-            Self::Global,
-            Self::BoxMap,
-            Self::Audit,
-        ]);
+        let chaos = [Self::Trap, Self::Chaos, Self::Cycles, Self::Windows, Self::Tangency, Self::Global];
+        let others = others.into_iter().chain(chaos).chain([Self::BoxMap, Self::Audit]);
         let runs = ARITHMETICS.into_iter().flat_map(|name| [Self::Impacts(name), Self::Until(name)]);
         let over = PARAMETERS.into_iter().map(Self::Bifurcations);
         runs.chain(KEYS.into_iter().map(Self::Sweep)).chain(over).chain(others).collect()
@@ -138,6 +132,7 @@ impl Question {
             Self::Cycles => "cycles".into(),
             Self::Windows => "windows".into(),
             Self::Global => "global".into(),
+            Self::Tangency => "tangency".into(),
             Self::BoxMap => "box_map".into(),
             Self::Audit => "audit".into(),
         }

@@ -1,0 +1,158 @@
+//! `impact-pair tangency SCENE --over KEY=LO..HI`: homoclinic tangencies of the equispaced motion over a parameter, proved.
+
+use std::fmt::{self, Write};
+use std::path::PathBuf;
+
+use anyhow::Result;
+use clap::Args;
+use impact_pair::Scene;
+use impact_pair::document::{self, counted};
+use impact_pair::exact::decimal_digits;
+use impact_pair::orbit::MAX_BITS;
+use impact_pair::scene::Range;
+use impact_pair::tangency::{
+    FlightWord, TANGENCY_PARAMETERS, Tangencies, Tangency, TangencySettings, UnprovedTangency, is_tangency_range,
+};
+use impact_pair_plot::picture::Look;
+
+use crate::Answer;
+use crate::destination::{Begun, Destination};
+use crate::heading::heading;
+use crate::periodic::PeriodicFormat;
+use crate::progress::Progress;
+use crate::scene;
+use crate::values::{bits, count, digits, precision};
+
+pub const HELP: &str = "\
+Examples:
+  impact-pair tangency scenes/figure-14.toml --over gap=9.4249..9.4252 --word FFFFFFFNFFFFFNFFNFFNFFFF --digits 30
+  impact-pair tangency scenes/figure-14.toml --over gap=9.4245..9.4252 --longest 18
+
+The equispaced motion (66), (67) of half a forcing period between impacts is a fixed point of the reduced map, which \
+mirrors every impact to the left wall. Where it is a saddle, floating point searches for folds of its unstable \
+manifold near its stable one, along the flights of --word or along all words of at most --longest flights: F is a \
+flight to the far wall, N one back to the near wall. Of each tangency listed is proved: for exactly one value of the \
+parameter within its bounds the two invariant manifolds have a common point along these flights, with sigma_u and sigma_s \
+within their bounds, at which they are tangent; the tangency is quadratic (q is not 0); it unfolds with a speed other \
+than 0 (m is not 0); each flight of the orbit ends at its first contact. The product of the eigenvalues is e^2: the \
+saddle is dissipative. Other tangencies are not excluded, and nothing is said of the scene's own value of the \
+parameter. One harmonic only.
+
+Where sigma_u or sigma_s is not small, flights of the invariant manifolds are added to the word at that end: the orbit is the \
+same.
+
+Exit code: 0 there are tangencies, and all folds that were tried are proved to lead to one; 1 some are not, there is \
+none, or the run was interrupted (what is proved is written); 2 usage, bad input, I/O.";
+
+#[derive(Args, Debug)]
+pub struct TangencyArguments {
+    /// Scene file (TOML), or - for stdin
+    scene: PathBuf,
+    /// The parameter and its range: gap or amplitude
+    #[arg(long, value_name = "KEY=LO..HI", value_parser = over)]
+    over: Range,
+    /// The flights from the unstable manifold to the stable one in time order: F to the far wall, N back to the near one
+    /// [default: all words are searched]
+    #[arg(long, value_name = "FLIGHTS")]
+    word: Option<FlightWord>,
+    /// Maximum number of flights that are searched without --word
+    #[arg(long, value_name = "N", default_value_t = 18, value_parser = count(1..=40))]
+    longest: u64,
+    /// Maximum number of tangencies that are proved, the nearest ones
+    #[arg(long, value_name = "N", default_value_t = 10, value_parser = count(1..=100_000))]
+    most: u64,
+    /// Requested width of enclosures, at most 10^-D: of d/A and of the parameters of the invariant manifolds [default: that of the scene, or 9]
+    #[arg(long, value_name = "D", value_parser = digits())]
+    digits: Option<u32>,
+    /// Maximum precision, in bits
+    #[arg(long, value_name = "BITS", default_value_t = MAX_BITS, value_parser = bits())]
+    max_bits: u32,
+    /// Output format; json is schema impact-pair/tangency/1 [default: as the ending of --output says, else table]
+    #[arg(long, value_enum)]
+    format: Option<PeriodicFormat>,
+    /// Draw the nearest tangency: both invariant manifolds in the section, and the point of tangency 1,000 times as large, at its value and 1e-4 to
+    /// either side
+    #[arg(long, value_name = "FILE.svg|FILE.png|FILE.pdf", value_parser = impact_pair_plot::picture::path)]
+    plot: Option<PathBuf>,
+    #[command(flatten)]
+    look: Look,
+    #[command(flatten)]
+    destination: Destination,
+}
+
+/// Reads `KEY=LO..HI` of a parameter over which tangencies are searched.
+fn over(text: &str) -> Result<Range, impact_pair::Error> {
+    Range::parse(text, &format!("KEY=LO..HI with LO < HI, {TANGENCY_PARAMETERS}"), is_tangency_range)
+}
+
+pub fn tangency(arguments: &TangencyArguments) -> Result<Answer> {
+    let format = arguments.destination.format(arguments.format)?;
+    let plot = arguments.plot.as_deref().map(|path| (path, &arguments.look));
+    let Begun { scene, files, path } = arguments.destination.begin(&arguments.scene, plot)?;
+    let settings = TangencySettings {
+        over: arguments.over.clone(),
+        word: arguments.word.clone(),
+        longest: usize::try_from(arguments.longest)?,
+        most: usize::try_from(arguments.most)?,
+        precision: precision(arguments.digits, arguments.max_bits, &scene),
+    };
+    let progress = Progress::stages(!files.quiet);
+    let range = [(settings.over.key, settings.over.to_string())];
+    let found = Tangencies::of(&scene, &settings, &progress).map_err(|error| scene::about(error, &range, path))?;
+    progress.clear();
+    let text = match format {
+        PeriodicFormat::Table => table(&scene, &found)?,
+        PeriodicFormat::Json => serde_json::to_string(&document::tangency(&scene, &found))? + "\n",
+    };
+    let open = (!found.is_certified()).then(|| conclusion(&found));
+    let is_table = format == PeriodicFormat::Table;
+    files.draw((&text, open, is_table), || impact_pair_plot::tangency::tangency(&scene, &found, &arguments.look))
+}
+
+fn table(scene: &Scene, found: &Tangencies) -> Result<String, fmt::Error> {
+    let mut out = heading(scene);
+    let Range { key, low, high, .. } = &found.over;
+    writeln!(out, "over {} from {low} to {high}\n", key.place())?;
+    for tangency in &found.tangencies {
+        rows(&mut out, &key.place(), tangency)?;
+    }
+    for UnprovedTangency { near, flights } in &found.unproved {
+        writeln!(out, "undecided: near {near:.12}, {flights}: {}", UnprovedTangency::REASON)?;
+    }
+    writeln!(out, "\n{}", conclusion(found))?;
+    Ok(out)
+}
+
+fn rows(out: &mut String, key: &str, found: &Tangency) -> fmt::Result {
+    let count = counted(found.flights.len() as u32, "flight");
+    writeln!(out, "{key} = {}: quadratic tangency, {count}", decimal_digits(&found.parameter))?;
+    writeln!(out, "  from P_u(sigma_u) to P_s(sigma_s): {}", found.flights)?;
+    let [unstable, stable] = found.eigenvalues.each_ref().map(decimal_digits);
+    writeln!(out, "  saddle: phase {} rad, speed {} A W", decimal_digits(&found.phase), decimal_digits(&found.speed))?;
+    writeln!(out, "  eigenvalues {unstable} and {stable}; no resonance up to order {}", found.resonances_excluded_to)?;
+    writeln!(out, "  sigma_u = {}", decimal_digits(&found.unstable))?;
+    writeln!(out, "  sigma_s = {}", decimal_digits(&found.stable))?;
+    writeln!(
+        out,
+        "  q = {}, m = {} per unit of d/A",
+        decimal_digits(&found.quadratic),
+        decimal_digits(&found.unfolding)
+    )?;
+    let [speed, flight] = [found.least_speed, found.least_flight].map(document::at_least);
+    writeln!(out, "  speeds at least {} A W, flights at least {} rad", speed.text(), flight.text())
+}
+
+/// How much of what was asked is proved.
+fn conclusion(found: &Tangencies) -> String {
+    let proved = match found.tangencies.len() {
+        1 => "1 homoclinic tangency".to_owned(),
+        count => format!("{count} homoclinic tangencies"),
+    };
+    if found.interrupted {
+        return format!("interrupted: {proved} proved so far");
+    }
+    if found.is_certified() {
+        return format!("certified: {proved}; others are not excluded");
+    }
+    format!("undecided: {proved} proved; try another --word, a larger --longest or a wider --over")
+}

@@ -1,0 +1,44 @@
+//! `impact-pair tangency`: snapshots, and a document that is checked.
+
+#![cfg(feature = "multiprecision")]
+
+use std::fs;
+
+use crate::common::{EXACT, UNCERTAIN, folder, program, snapshots};
+
+const OVER: [&str; 4] = ["tangency", "scenes/figure-14.toml", "--over", "gap=9.4249..9.4252"];
+const WORD: [&str; 2] = ["--word", "FFFFFFFNFFFFFNFFNFFNFFFF"];
+
+fn asked(more: &[&str]) -> std::process::Command {
+    program(&[&OVER[..], more].concat())
+}
+
+snapshots! { EXACT;
+    arguments_of_tangency: program(&["tangency", "--help"]);
+    tangency_of_another_word: asked(&["--word", "FFFFFFFNFFFFFNFFNFFNFFFN"]);
+    tangency_of_a_word_that_is_none: asked(&["--word", "FFX"]);
+    tangency_over_the_restitution: program(&["tangency", "scenes/figure-14.toml", "--over", "restitution=0.4..0.6"]);
+    tangency_under_two_harmonics: program(&["tangency", "scenes/two-tones.toml", "--over", "gap=1..2", "--longest", "1"]);
+}
+
+snapshots! { UNCERTAIN;
+    the_first_tangency_of_figure_14: asked(&[&WORD[..], &["--digits", "30"]].concat());
+}
+
+/// Proved, drawn, and checked again; perturbed documents are not confirmed.
+#[test]
+fn a_tangency_of_figure_14_is_checked() {
+    let folder = folder("tangency");
+    let [path, picture] = ["tangency.json", "tangency.svg"].map(|name| folder.join(name).to_str().unwrap().to_owned());
+    let more = ["--digits", "30", "--output", &path, "--plot", &picture, "--quiet"];
+    assert!(asked(&[&WORD[..], &more[..]].concat()).status().unwrap().success());
+    let text = fs::read_to_string(&path).unwrap();
+    assert!(fs::read_to_string(&picture).unwrap().contains("a homoclinic tangency"));
+    let says = |text: &str| {
+        fs::write(&path, text).unwrap();
+        String::from_utf8(program(&["check", &path]).output().unwrap().stdout).unwrap()
+    };
+    assert!(says(&text).starts_with("confirmed: 1 homoclinic tangency"));
+    let perturbed = text.replace("9.42512637688720494843198", "9.42512637688720494843199");
+    assert!(perturbed != text && !says(&perturbed).starts_with("confirmed"));
+}

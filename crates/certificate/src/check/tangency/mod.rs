@@ -1,0 +1,301 @@
+//! Whether a JSON of tangencies is right: each is found again by single shooting in multiprecision, from manifolds that are
+//! power series of a scalar equation with proved remainders (Lemmas V17-V19).
+//!
+//! In reading order: [`jet`] and [`disc`] (arithmetic), [`saddle`], [`local`] (where the manifolds are analytic), [`series`],
+//! [`flights`], [`shot`] (from one manifold to the other), [`newton`] (zeros).
+
+mod disc;
+mod flights;
+mod jet;
+mod local;
+mod newton;
+mod saddle;
+mod series;
+mod shot;
+
+use num_rational::BigRational;
+
+use super::budget::Budget;
+use super::clock::{Beside, beside};
+use super::contact::Doubt;
+use super::frame::hull;
+use super::walk::compare;
+use super::{Effort, Finding, Verdict, one_by_one};
+use crate::attraction::Bounds;
+use crate::tangency::{ClaimedTangency, TangencyCertificate};
+use flights::Letter;
+use impact_pair_exact::{Exact, Real, compare_rational};
+use impact_pair_model::scene::Key;
+use impact_pair_model::watch::{Latched, Watch};
+use impact_pair_model::{Error, ImpactPair};
+use newton::{Zeros, polished, zeros};
+use saddle::Law;
+use shot::{Range, Shot, Unknowns};
+
+/// Bits of the arithmetic beyond those of the box in which a tangency is found.
+const SPARE_BITS: i64 = 112;
+/// By how many bits that box is narrower than the claimed bounds: one after another.
+const INSIDE: [i64; 3] = [20, 72, 160];
+/// The most bits of the arithmetic.
+const MOST_BITS: i64 = 1 << 11;
+/// The highest order of resonances that is looked at.
+const HIGHEST: u32 = 1024;
+
+fn open(message: &str) -> Doubt {
+    Doubt::Open(message.into())
+}
+
+impl TangencyCertificate {
+    /// Proves every tangency again, or says which one is not as claimed or not proved, until the watch stops it, which receives the
+    /// tangencies checked so far.
+    ///
+    /// # Errors
+    /// None: what is beyond exact expressions leaves a tangency undecided.
+    pub fn check_within(&self, effort: &Effort, watch: &dyn Watch) -> Result<Verdict, Error> {
+        let watch = Latched::new(watch);
+        let budget = Budget::new(0, effort.parts, &watch);
+        let end = |message: &str| Finding { event: self.count(), message: message.to_owned() };
+        if let Some(message) = self.contradiction() {
+            return Ok(Verdict::Refuted(end(message)));
+        }
+        let judge = |claim: &ClaimedTangency| claim.judged(self.pair(), &budget);
+        let each = one_by_one(self.tangencies().iter().enumerate(), (&budget, effort.work), judge, &watch);
+        Ok(match each {
+            Ok(0) => Verdict::Undecided(end("there is no tangency to check")),
+            Ok(bits) => Verdict::Confirmed { bits, pieces: 1 },
+            Err(verdict) => verdict,
+        })
+    }
+}
+
+/// The exact data of a tangency, and what its parameter is in them.
+struct Setting<'c> {
+    /// `A` where the gap varies, `d` where the amplitude does.
+    other: &'c Exact,
+    restitution: &'c Exact,
+    key: Key,
+}
+
+impl<'c> Setting<'c> {
+    fn new(pair: &'c ImpactPair, key: Key) -> Result<Self, Doubt> {
+        let harmonic =
+            pair.excitation().only().ok_or_else(|| open("with several harmonics, tangencies are not checked"))?;
+        let other = match key {
+            Key::Gap => harmonic.amplitude(),
+            Key::Amplitude(_) => pair.gap(),
+            _ => return Err(open("tangencies over the restitution are not checked")),
+        };
+        let restitution = pair.restitution();
+        if other.is_point() && restitution.is_point() {
+            Ok(Self { other, restitution, key })
+        } else {
+            Err(open("only tangencies of a pair whose other data are points are checked"))
+        }
+    }
+
+    fn law(&self, bits: u32) -> Result<Law, Doubt> {
+        let e = Real::of(self.restitution, bits);
+        let law = Law::new(e.clone()).filter(|_| e.is_positive() && e.is_below(&Real::int(1, bits)));
+        law.ok_or_else(|| open("a coefficient of restitution between 0 and 1 is needed"))
+    }
+
+    /// `D = d/A` of values of the parameter.
+    fn reduced(&self, parameter: &Real) -> Result<Real, Doubt> {
+        let other = Real::of(self.other, parameter.bits());
+        let quotient = if self.key == Key::Gap { parameter.over(&other) } else { other.over(parameter) };
+        quotient.filter(Real::is_positive).ok_or_else(|| open("the parameter is not proved to be positive"))
+    }
+
+    /// The parameter of values of `D`.
+    fn parameter(&self, gap: &Real) -> Option<Real> {
+        let other = Real::of(self.other, gap.bits());
+        if self.key == Key::Gap { Some(other * gap) } else { other.over(gap) }
+    }
+}
+
+impl ClaimedTangency {
+    /// It is one, proved in N bits.
+    fn judged(&self, pair: &ImpactPair, budget: &Budget<'_>) -> Result<u32, Doubt> {
+        if let Some(message) = self.contradiction() {
+            return Err(Doubt::False(message));
+        }
+        let setting = Setting::new(pair, self.key)?;
+        let near = Real::rational(&self.phase[0], 128);
+        let mut range = Range::new(self.letters(), near, budget.clone());
+        let mut answer = Err(open("nothing is tried"));
+        for inside in INSIDE {
+            answer = self.judged_inside(&setting, &mut range, inside);
+            match &answer {
+                Err(Doubt::Open(_)) if !budget.is_spent() => {}
+                _ => break,
+            }
+        }
+        answer
+    }
+
+    fn letters(&self) -> Vec<Letter> {
+        self.flights.iter().map(|is_far| if *is_far { Letter::Far } else { Letter::Near }).collect()
+    }
+
+    /// With a box that is N bits narrower than the claimed one.
+    fn judged_inside(&self, setting: &Setting<'_>, range: &mut Range<'_>, inside: i64) -> Result<u32, Doubt> {
+        let widths = [&self.unstable, &self.stable, &self.parameter].map(|[low, high]| high - low);
+        let widths = widths.map(|width| Real::rational(&width, 64).enclosure().mag().top());
+        let narrowest = widths.into_iter().map(|top| top.ok_or_else(|| open("the bounds have no width")));
+        let narrowest = narrowest.collect::<Result<Vec<_>, _>>()?.into_iter().fold(0, i64::min); // proposes: a size
+        let bits = SPARE_BITS + inside - narrowest;
+        let bits = u32::try_from(bits.min(MOST_BITS + 1)).ok().filter(|bits| i64::from(*bits) <= MOST_BITS); // proposes
+        let bits = bits.ok_or_else(|| open("the bounds are too narrow"))?;
+        let law = setting.law(bits)?;
+        let claimed = self.claimed(setting, bits)?;
+        self.compare_saddle(&law, range, &claimed)?;
+        let (at, here) = polished(range, &law, &claimed, narrowest - inside - 8).or_else(|doubt| {
+            // No tangency near them, and perhaps none in them.
+            self.none(range, &law, &claimed).and(Err(doubt))
+        })?;
+        let small = [0, 1, 2].map(|i| {
+            let mut width = claimed[i].clone() - &claimed[i].middle();
+            (0..inside).for_each(|_| width = width.half());
+            at[i].clone() + &Real::within(&width.enclosure().mag(), bits)
+        });
+        let is_in = |i: usize| claimed[i].enclosure().contains_enclosure(small[i].enclosure());
+        if !(0..3).all(is_in) {
+            self.none(range, &law, &claimed)?;
+            return Err(open("the tangency that is found is not proved to be inside the bounds"));
+        }
+        let over = range.shot(&law, &small)?;
+        if !matches!(zeros(&small, (&at, &here), &over), Zeros::One) {
+            return Err(open("a tangency is not proved to exist"));
+        }
+        let whole = range.shot(&law, &claimed)?;
+        if !matches!(zeros(&claimed, (&at, &here), &whole), Zeros::One | Zeros::AtMostOne) {
+            return Err(open("the bounds are too wide to prove that there is only one tangency"));
+        }
+        self.compare(setting, &small, &over)?;
+        Ok(bits)
+    }
+
+    /// The claimed values of the three unknowns.
+    fn claimed(&self, setting: &Setting<'_>, bits: u32) -> Result<Unknowns, Doubt> {
+        let all = |bounds: &Bounds| hull(&bounds.each_ref().map(|bound| Real::rational(bound, bits)));
+        Ok([all(&self.unstable), all(&self.stable), setting.reduced(&all(&self.parameter))?])
+    }
+
+    /// Refutes the claim where no value of the bounds is a tangency.
+    fn none(&self, range: &mut Range<'_>, law: &Law, claimed: &Unknowns) -> Result<(), Doubt> {
+        let middle = claimed.clone().map(|x| x.middle());
+        let (here, over) = (range.shot(law, &middle)?, range.shot(law, claimed)?);
+        match zeros(claimed, (&middle, &here), &over) {
+            Zeros::None => Err(Doubt::False("there is no tangency within the bounds".into())),
+            _ => Ok(()),
+        }
+    }
+
+    /// The saddle and its eigenvalues for all values of the parameter. Lemma V17
+    fn compare_saddle(&self, law: &Law, range: &Range<'_>, claimed: &Unknowns) -> Result<(), Doubt> {
+        let saddle = range.saddle_over(law, &claimed[2])?;
+        let bits = law.bits();
+        let phase = saddle.phase.value(bits).hull();
+        let turn = law.pi.clone() * 2;
+        let (gap, claimed) = (&claimed[2], hull(&self.phase.each_ref().map(|bound| Real::rational(bound, bits))));
+        // proposes: a whole number
+        let turns = ((claimed.to_f64() - phase.to_f64()) / std::f64::consts::TAU).round() as i64; // proposes
+        if let Beside::Outside = beside(&(phase.clone() + &(turn * turns)), &self.phase) {
+            return Err(other_saddle(law, &claimed, gap));
+        }
+        let speed = law.speed(&phase).ok_or_else(|| open("a coefficient of restitution below 1 is needed"))?;
+        let [unstable, stable] = [&saddle.unstable, &saddle.stable].map(|x| x.value(bits).hull());
+        let found = [("speed", &speed, &self.speed), ("unstable eigenvalue", &unstable, &self.eigenvalues[0])];
+        for (what, found, claimed) in found.into_iter().chain([("stable eigenvalue", &stable, &self.eigenvalues[1])]) {
+            if let Beside::Outside = beside(found, claimed) {
+                compare(what, found, claimed)?;
+            }
+        }
+        no_resonance([&unstable, &stable], self.resonances)
+    }
+
+    /// All numbers of the tangency in a box are as claimed.
+    fn compare(&self, setting: &Setting<'_>, found: &Unknowns, shot: &Shot) -> Result<(), Doubt> {
+        let bits = found[2].bits();
+        let law = setting.law(bits)?;
+        let parameter =
+            setting.parameter(&found[2]).ok_or_else(|| open("the parameter is not proved to be positive"))?;
+        compare("parameter", &parameter, &self.parameter)?;
+        compare("parameter of the unstable manifold", &found[0], &self.unstable)?;
+        compare("parameter of the stable manifold", &found[1], &self.stable)?;
+        let phase = shot.saddle.phase.value(bits).hull();
+        let off = Real::rational(&self.phase[0], bits) - &phase;
+        let turns = (off.to_f64() / std::f64::consts::TAU).round() as i64; // proposes: a whole number
+        compare("phase of the saddle", &(phase.clone() + &(law.pi.clone() * 2 * turns)), &self.phase)?;
+        let speed = law.speed(&phase).ok_or_else(|| open("a coefficient of restitution below 1 is needed"))?;
+        compare("speed of the saddle", &speed, &self.speed)?;
+        compare("unstable eigenvalue", &shot.saddle.unstable.value(bits).hull(), &self.eigenvalues[0])?;
+        compare("stable eigenvalue", &shot.saddle.stable.value(bits).hull(), &self.eigenvalues[1])?;
+        let [quadratic, unfolding] =
+            shot.tangency().ok_or_else(|| open("the tangent of the stable manifold may be 0"))?;
+        for (what, found, claimed) in [
+            ("quadratic coefficient", &quadratic, &self.quadratic),
+            ("speed of unfolding", &unfolding, &self.unfolding),
+        ] {
+            if found.is_across() {
+                return Err(Doubt::Open(format!("the {what} may be 0")));
+            }
+            compare(what, found, claimed)?;
+        }
+        at_least("speed", shot.all_speeds(), &self.least_speed)?;
+        at_least("flight", shot.all_times(), &self.least_flight)
+    }
+}
+
+/// What is wrong with a saddle that is not the orbit of one forcing period: a fixed point is equispaced, `D = N pi kappa cos(theta) + 2 sin(theta)`
+/// with an odd `N`. Lemma V17
+fn other_saddle(law: &Law, phase: &Real, gap: &Real) -> Doubt {
+    let (s, c) = phase.sin_cos();
+    let periods = (gap.clone() - &(s * 2)).over(&(law.pi.clone() * &law.kappa * &c));
+    let Some(periods) = periods.filter(|x| x.enclosure().wid().top().is_none_or(|top| top <= 0)) else {
+        return open("the bounds of the saddle are too wide");
+    };
+    let near = periods.to_f64() as i64; // V17: within 3 of every odd number that it may be
+    let is_odd_one = |n: &i64| *n > 0 && n % 2 == 1 && !periods.is_apart_from(&Real::int(*n, law.bits()));
+    match (near - 3..=near + 3).any(|n| is_odd_one(&n)) {
+        true => open("the saddle is not the equispaced orbit of N = 1; no other one is checked"),
+        false => Doubt::False("no fixed point has this phase".into()),
+    }
+}
+
+/// All of these are at least as claimed.
+fn at_least(what: &str, found: &[Real], claimed: &BigRational) -> Result<(), Doubt> {
+    for (k, found) in found.iter().enumerate() {
+        if compare_rational(found.enclosure().sup(), claimed).is_lt() {
+            return Err(Doubt::False(format!("the {what} number {k} of the orbit is less than the least one")));
+        }
+        if compare_rational(found.enclosure().inf(), claimed).is_lt() {
+            return Err(Doubt::Open(format!("the {what} number {k} of the orbit is not proved to be as large")));
+        }
+    }
+    Ok(())
+}
+
+/// No product of powers of the eigenvalues, of an order from 2 to `highest`, is one of them.
+fn no_resonance(eigenvalues: [&Real; 2], highest: u32) -> Result<(), Doubt> {
+    if highest > HIGHEST {
+        return Err(Doubt::Open(format!("resonances of orders above {HIGHEST} are not checked")));
+    }
+    let powers = eigenvalues.map(|x| {
+        let one = Real::int(1, x.bits());
+        (0..highest).fold(vec![one], |mut all, _| {
+            all.push(all[all.len() - 1].clone() * x);
+            all
+        })
+    });
+    // exact: a count
+    for order in 2..=highest as usize {
+        for j in 0..=order {
+            let product = powers[0][j].clone() * &powers[1][order - j];
+            if eigenvalues.iter().any(|x| !product.is_apart_from(x)) {
+                return Err(Doubt::Open(format!("a resonance of order {order} is not excluded")));
+            }
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,213 @@
+//! Single shooting: from the unstable manifold along the word to the stable one, for all values of a box (Lemma V19).
+
+use super::flights::{Launch, Letter, across, fly, guess};
+use super::jet::{self, Jet, scaled};
+use super::local::{Domain, GAP_RADIUS, Side};
+use super::saddle::{Law, Saddle};
+use super::series::{Series, State};
+use crate::check::affine::Affine;
+use crate::check::budget::Budget;
+use crate::check::contact::Doubt;
+use impact_pair_exact::{Dyadic, Real};
+
+/// `sigma_u`, `sigma_s`, `D`
+pub(super) type Unknowns = [Real; 3];
+
+/// What does not depend on the box: where the manifolds are analytic, the word, and about when its flights end.
+pub(super) struct Range<'b> {
+    pub letters: Vec<Letter>,
+    pub budget: Budget<'b>,
+    /// A phase near that of the saddle.
+    pub near: Real,
+    guesses: Vec<Real>,
+    /// A real `D`, and the domains of both manifolds around it.
+    around: Option<(Real, [Domain; 2])>,
+}
+
+/// What is found over a box.
+pub(super) struct Shot {
+    pub saddle: Saddle,
+    /// `F^n P_u` and `P_s`.
+    pub ends: [State; 2],
+    /// The speeds before all impacts of the word, from that of `P_u` on, and those near the saddle.
+    speeds: Vec<Real>,
+    /// The durations of all flights, and those near the saddle.
+    times: Vec<Real>,
+    bits: u32,
+}
+
+fn open(message: &str) -> Doubt {
+    Doubt::Open(message.into())
+}
+
+impl<'b> Range<'b> {
+    pub fn new(letters: Vec<Letter>, near: Real, budget: Budget<'b>) -> Self {
+        Self { letters, budget, near, guesses: Vec::new(), around: None }
+    }
+
+    fn saddle(&self, law: &Law, gap: &Affine) -> Result<Saddle, Doubt> {
+        law.saddle(gap, &self.near.at(law.bits()))
+            .ok_or_else(|| open("the equispaced orbit is not proved to be a saddle for this parameter"))
+    }
+
+    /// Returns the saddle for all values of `D`.
+    pub fn saddle_over(&self, law: &Law, gap: &Real) -> Result<Saddle, Doubt> {
+        let middle = gap.middle();
+        let off = (gap.clone() - &middle).enclosure().mag();
+        self.saddle(law, &Affine::varied(middle, off, 0))
+    }
+
+    /// Proves where the manifolds are analytic, once for all `D` near the first one. Lemma V18
+    fn domains(&mut self, law: &Law, gap: &Real) -> Result<[Domain; 2], Doubt> {
+        if self.around.is_none() {
+            let gap = gap.middle();
+            let own = self.saddle(law, &Affine::fixed(gap.clone()))?;
+            let bits = law.bits();
+            let [phase, unstable, stable] = [&own.phase, &own.unstable, &own.stable].map(|x| x.value(bits).hull());
+            let real = [&gap, &phase, &unstable, &stable];
+            let domain = |side| {
+                Domain::new(law, real, side)
+                    .ok_or_else(|| open("the invariant manifolds are not proved to be analytic near the saddle"))
+            };
+            let domains = [domain(Side::Unstable)?, domain(Side::Stable)?];
+            self.around = Some((gap, domains));
+        }
+        let (middle, domains) = self.around.as_ref().expect("it is proved above");
+        let off = Real::point((gap.clone() - middle).enclosure().mag(), law.bits());
+        let half = Real::point(Dyadic::power_of_two(GAP_RADIUS - 1), law.bits());
+        if off.is_below(&half) { Ok(domains.clone()) } else { Err(open("the bounds of the parameter are too wide")) }
+    }
+
+    /// The orbits of all values of a box, its middle the point that derivatives are not taken at.
+    pub fn shot(&mut self, law: &Law, box_: &Unknowns) -> Result<Shot, Doubt> {
+        let bits = law.bits();
+        // Most quantities depend on D alone: it is the first deviation.
+        let varied = |j: usize| {
+            let middle = box_[j].middle();
+            let off = (box_[j].clone() - &middle).enclosure().mag();
+            if off.is_zero() { Affine::fixed(middle) } else { Affine::varied(middle, off, 2 - j) }
+        };
+        let [u, s, d] = [0, 1, 2].map(varied);
+        let domains = self.domains(law, &d.hull())?;
+        let saddle = self.saddle(law, &d)?;
+        let gap = Jet::with_slope(d, Affine::fixed(Real::int(1, bits)));
+        let manifold = |side, domain: &Domain, sigma: &Affine| {
+            let most = Real::point(sigma.hull().enclosure().mag(), bits);
+            let series = Series::new(law, &saddle, &gap, (side, domain.clone()), &most);
+            let found = series.and_then(|series| Some((series.at(law, &gap, sigma)?, series)));
+            found.ok_or_else(|| open("the parameter of an invariant manifold is too far from the saddle"))
+        };
+        let (mut state, unstable) = manifold(Side::Unstable, &domains[0], &u)?;
+        let (end, stable) = manifold(Side::Stable, &domains[1], &s)?;
+        let speed = |state: &State| state.speed.value(bits).hull();
+        let (mut speeds, mut times) = (vec![speed(&state)], Vec::new());
+        for (k, letter) in self.letters.iter().enumerate() {
+            if self.guesses.len() == k {
+                let middle = [&state.phase, &state.speed].map(|x| x.value(bits).centre.to_f64());
+                self.guesses.push(guess(law.e.to_f64(), gap.value(bits).centre.to_f64(), middle));
+            }
+            let at = |doubt| match doubt {
+                Doubt::False(message) => Doubt::False(format!("flight {}: {message}", k + 1)),
+                Doubt::Open(message) => Doubt::Open(format!("flight {}: {message}", k + 1)),
+            };
+            let flown = fly(law, &gap, &state, (*letter, &self.guesses[k]), &self.budget).map_err(at)?;
+            self.budget.allow(bits, 1);
+            state = flown.state;
+            speeds.push(speed(&state));
+            times.push(flown.time);
+        }
+        for (series, sigma) in [(&unstable, &u), (&stable, &s)] {
+            let most = Real::point(sigma.hull().enclosure().mag(), bits);
+            let [speed, time] = self.flies_near(law, (&saddle, &gap), series, &most)?;
+            speeds.push(speed);
+            times.push(time);
+        }
+        Ok(Shot { saddle, ends: [state, end], speeds, times, bits })
+    }
+
+    /// Proves that all flights from the local manifold end with the impact that it is invariant under: the first contact is with the
+    /// far wall, and no other contact is between it and that one; returns their speeds and durations. Lemma V19
+    fn flies_near(
+        &self,
+        law: &Law,
+        (saddle, gap): (&Saddle, &Jet),
+        series: &Series,
+        most: &Real,
+    ) -> Result<[Real; 2], Doubt> {
+        let (bits, lost) = (law.bits(), || open("the flights near the saddle are not proved to be first contacts"));
+        let off = series.deviation(most).ok_or_else(lost)?;
+        let d = gap.value(bits).hull();
+        let centre = saddle.phase.value(bits).hull();
+        let phase = centre.clone() + &Real::within(off.enclosure().sup(), bits);
+        // Both ends of each flight are phases of the local manifold.
+        let time = law.pi.clone() + &(phase.clone() - &phase);
+        let slope = (d.clone() - &(phase.sin() * 2)).over(&time).ok_or_else(lost)?;
+        let speed = (slope - &phase.cos()).over(&law.e).ok_or_else(lost)?;
+        let launch = Launch::new(law, &d, [&phase, &speed], &self.budget);
+        let contact = launch.first(Letter::Far, &law.pi).map_err(|_| lost())?;
+        if launch.is_only(&contact, &time) { Ok([speed, time]) } else { Err(lost()) }
+    }
+}
+
+/// The coefficients of both components of a state.
+fn part(state: &State, power: usize, bits: u32) -> [Affine; 2] {
+    [&state.phase, &state.speed].map(|x| x.at(power, bits))
+}
+
+/// The determinant of two vectors, the second times a number.
+fn determinant(a: &[Affine; 2], b: &[Affine; 2]) -> Affine {
+    across(a.each_ref(), b.each_ref())
+}
+
+impl Shot {
+    /// Returns the speeds before all impacts of the orbit.
+    pub fn all_speeds(&self) -> &[Real] {
+        &self.speeds
+    }
+
+    /// Returns the durations of all flights of the orbit \[rad\].
+    pub fn all_times(&self) -> &[Real] {
+        &self.times
+    }
+
+    fn parts(&self, power: usize) -> [[Affine; 2]; 2] {
+        self.ends.each_ref().map(|state| part(state, power, self.bits))
+    }
+
+    /// The distance of both ends, less whole periods of the phase, and the determinant of both tangents.
+    pub fn residual(&self) -> [Real; 3] {
+        let [flown, end] = self.parts(jet::ONE);
+        let [theta, w] = [0, 1].map(|i| flown[i].hull() - &end[i].hull());
+        let turn = Real::pi(self.bits) * 2;
+        let turns = (theta.to_f64() / std::f64::consts::TAU).round() as i64; // proposes: a whole number
+        let [one, other] = self.parts(jet::X);
+        [theta - &(turn * turns), w, determinant(&one, &other).hull()]
+    }
+
+    /// Its derivatives by the unknowns.
+    pub fn slopes(&self) -> [[Real; 3]; 3] {
+        let two = Real::int(2, self.bits);
+        let ([flown_x, end_x], [flown_d, end_d]) = (self.parts(jet::X), self.parts(jet::D));
+        let ([flown_xx, end_xx], [flown_xd, end_xd]) = (self.parts(jet::XX), self.parts(jet::XD));
+        let row = |i: usize| [flown_x[i].hull(), -end_x[i].hull(), flown_d[i].hull() - &end_d[i].hull()];
+        let twice = |x: Affine| scaled(&x, &two).hull();
+        let by_gap = determinant(&flown_xd, &end_x).hull() + &determinant(&flown_x, &end_xd).hull();
+        let tangents = [twice(determinant(&flown_xx, &end_x)), twice(determinant(&flown_x, &end_xx)), by_gap];
+        [row(0), row(1), tangents]
+    }
+
+    /// `q = det(t, Phi_uu - a^2 P_s'')` and `m = det(t, Phi_D - P_s,D)` with `t = P_s'/abs(P_s')`, `Phi_u = a P_s'`; `None` where `P_s'`
+    /// may be 0.
+    pub fn tangency(&self) -> Option<[Real; 2]> {
+        let hulls = |power: usize| self.parts(power).map(|pair| pair.map(|x| x.hull()));
+        let ([flown_x, end_x], [flown_xx, end_xx]) = (hulls(jet::X), hulls(jet::XX));
+        let [flown_d, end_d] = hulls(jet::D);
+        let square = end_x[0].square() + &end_x[1].square();
+        let along = flown_x[0].clone() * &end_x[0] + &(flown_x[1].clone() * &end_x[1]);
+        let factor = along.over(&square)?.square();
+        let size = square.sqrt()?;
+        let off = |vector: [Real; 2]| (end_x[0].clone() * &vector[1] - &(end_x[1].clone() * &vector[0])).over(&size);
+        let curved = [0, 1].map(|i| (flown_xx[i].clone() - &(end_xx[i].clone() * &factor)) * 2);
+        Some([off(curved)?, off([0, 1].map(|i| flown_d[i].clone() - &end_d[i]))?])
+    }
+}

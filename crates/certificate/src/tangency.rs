@@ -1,0 +1,152 @@
+//! The JSON of tangencies, read back: what it claims of each, as exact fractions.
+
+use super::attraction::Bounds;
+use super::bifurcation::{own_value, parameter};
+use impact_pair_document::{HomoclinicTangencyDocument, Place, TANGENCY_SCHEMA, TangencyDocument, value};
+use impact_pair_model::scene::Key;
+use impact_pair_model::{Error, ImpactPair};
+use num_rational::BigRational;
+
+/// What a JSON of tangencies claims.
+#[derive(Clone, Debug)]
+pub struct TangencyCertificate {
+    pair: ImpactPair,
+    tangencies: Vec<ClaimedTangency>,
+    contradiction: Option<String>,
+    unjudged: Vec<String>,
+}
+
+/// A tangency that is claimed.
+#[derive(Clone, Debug)]
+pub(super) struct ClaimedTangency {
+    pub key: Key,
+    pub parameter: Bounds,
+    /// Of each flight: whether it is to the far wall.
+    pub flights: Vec<bool>,
+    pub phase: Bounds,
+    pub speed: Bounds,
+    /// The unstable one, then the stable one.
+    pub eigenvalues: [Bounds; 2],
+    /// `sigma_u`
+    pub unstable: Bounds,
+    /// `sigma_s`
+    pub stable: Bounds,
+    /// `q`
+    pub quadratic: Bounds,
+    /// `m`
+    pub unfolding: Bounds,
+    pub least_speed: BigRational,
+    pub least_flight: BigRational,
+    pub resonances: u32,
+}
+
+impl TangencyCertificate {
+    /// Reads a JSON of tangencies.
+    ///
+    /// # Errors
+    /// Name the key, its value and what is accepted.
+    pub fn parse(text: &str) -> Result<Self, Error> {
+        let value = value(text)?;
+        let whole = Place::of_schema(&value, TANGENCY_SCHEMA)?;
+        let document: TangencyDocument = whole.read()?;
+        let places = whole.get("tangencies")?.list()?;
+        let read = document.tangencies.iter().zip(&places).map(|(claim, place)| ClaimedTangency::of(claim, place));
+        let tangencies: Vec<ClaimedTangency> = read.collect::<Result<_, _>>()?;
+        let mut unjudged = whole.unread::<TangencyDocument>()?;
+        unjudged.extend(["program", "scene.start"].map(str::to_owned));
+        unjudged.extend(tangencies.iter().map(|tangency| own_value(tangency.key)));
+        // Neither the unit of time nor the origin of phases is in the reduced map.
+        unjudged.extend(["scene.excitation.frequency", "scene.excitation.phase"].map(str::to_owned));
+        unjudged.extend((!document.undecided.is_empty()).then(|| "undecided".to_owned()));
+        unjudged.extend(document.interrupted.then(|| "interrupted".to_owned()));
+        unjudged.sort();
+        unjudged.dedup();
+        let contradiction = contradiction(&document);
+        let (pair, _) = document.scene.model()?;
+        Ok(Self { pair, tangencies, contradiction, unjudged })
+    }
+
+    pub(super) fn pair(&self) -> &ImpactPair {
+        &self.pair
+    }
+
+    pub(super) fn tangencies(&self) -> &[ClaimedTangency] {
+        &self.tangencies
+    }
+
+    pub(super) fn contradiction(&self) -> Option<&str> {
+        self.contradiction.as_deref()
+    }
+
+    /// Returns how many tangencies it claims.
+    pub fn count(&self) -> usize {
+        self.tangencies.len()
+    }
+
+    /// Returns the keys of the document that claim nothing which [`check_within`](Self::check_within) judges.
+    pub fn unjudged(&self) -> &[String] {
+        &self.unjudged
+    }
+}
+
+impl ClaimedTangency {
+    fn of(claim: &HomoclinicTangencyDocument, place: &Place<'_>) -> Result<Self, Error> {
+        let flights = claim.flights.chars().map(|flight| match flight {
+            'F' => Ok(true),
+            'N' => Ok(false),
+            _ => Err(place.get("flights")?.refused("accepted are the letters F and N")),
+        });
+        let bounds = |bounds: &[impact_pair_document::Decimal; 2]| bounds.each_ref().map(|bound| bound.value());
+        Ok(Self {
+            key: parameter(&place.get("key")?)?,
+            parameter: bounds(&claim.parameter),
+            flights: flights.collect::<Result<_, _>>()?,
+            phase: bounds(&claim.saddle.phase),
+            speed: bounds(&claim.saddle.speed),
+            eigenvalues: claim.saddle.eigenvalues.each_ref().map(bounds),
+            unstable: bounds(&claim.unstable),
+            stable: bounds(&claim.stable),
+            quadratic: bounds(&claim.quadratic),
+            unfolding: bounds(&claim.unfolding),
+            least_speed: claim.least_speed.value(),
+            least_flight: claim.least_flight.value(),
+            resonances: claim.resonances_excluded_to,
+        })
+    }
+
+    /// All bounds with their names.
+    fn all_bounds(&self) -> [(&'static str, &Bounds); 9] {
+        let [unstable, stable] = &self.eigenvalues;
+        [
+            ("parameter", &self.parameter),
+            ("saddle.phase", &self.phase),
+            ("saddle.speed", &self.speed),
+            ("saddle.eigenvalues[0]", unstable),
+            ("saddle.eigenvalues[1]", stable),
+            ("unstable", &self.unstable),
+            ("stable", &self.stable),
+            ("quadratic", &self.quadratic),
+            ("unfolding", &self.unfolding),
+        ]
+    }
+}
+
+/// What a document says that its own fields exclude.
+fn contradiction(document: &TangencyDocument) -> Option<String> {
+    let TangencyDocument { certified, tangencies, undecided, interrupted, .. } = document;
+    if *certified && (tangencies.is_empty() || *interrupted || !undecided.is_empty()) {
+        return Some("certified: not everything found is proved".to_owned());
+    }
+    None
+}
+
+impl ClaimedTangency {
+    /// Why its own bounds exclude it.
+    pub(super) fn contradiction(&self) -> Option<String> {
+        let inverted = self.all_bounds().into_iter().find(|(_, bounds)| bounds[0] > bounds[1]);
+        if let Some((name, _)) = inverted {
+            return Some(format!("{name}: the lower bound is above the upper one"));
+        }
+        self.flights.is_empty().then(|| "flights: there is none".to_owned())
+    }
+}

@@ -1,0 +1,91 @@
+//! Tangencies that no producer of this project found: Newton's iteration of another program in 120 digits did.
+
+use impact_pair_certificate::{Claims, Effort, Verdict};
+use impact_pair_model::watch::Unwatched;
+use serde_json::{Value, json};
+
+const DOCUMENT: &str = include_str!("documents/tangency.jsonl");
+
+/// The verdict on the document with other values at these pointers into its tangency.
+fn judged(changes: &[(&str, Value)]) -> Verdict {
+    let mut document: Value = serde_json::from_str(DOCUMENT).unwrap();
+    for (pointer, value) in changes {
+        *document.pointer_mut(&format!("/tangencies/0{pointer}")).unwrap() = value.clone();
+    }
+    Claims::parse(&document.to_string()).unwrap().check_within(&Effort::default(), &Unwatched).unwrap()
+}
+
+fn message(verdict: Verdict) -> String {
+    match verdict {
+        Verdict::Refuted(finding) => format!("refuted: {}", finding.message),
+        Verdict::Undecided(finding) => format!("undecided: {}", finding.message),
+        other => format!("{other:?}"),
+    }
+}
+
+/// Phases count modulo 2 pi, and bounds may be wide: of numbers, and of the parameter as long as there is one tangency only.
+#[test]
+fn the_tangency_beside_figure_14_is_confirmed_within_wide_bounds() {
+    let wide = [
+        ("/saddle/phase", json!(["-1.2392", "-1.2390"])),
+        ("/unfolding", json!(["-807", "-806"])),
+        ("/parameter", json!(["9.425126376", "9.425126377"])),
+        ("/unstable", json!(["0.001036717798", "0.001036717799"])),
+        ("/stable", json!(["0.000108179847", "0.000108179848"])),
+    ];
+    let verdict = judged(&wide);
+    assert!(matches!(verdict, Verdict::Confirmed { .. }), "{verdict:?}");
+}
+
+#[test]
+fn another_saddle_another_word_and_exchanged_eigenvalues_are_refuted() {
+    let shifted = json!(["9.425127376887204948431988399546", "9.425127376887204948431988399549"]);
+    assert_eq!(message(judged(&[("/parameter", shifted)])), "refuted: no fixed point has this phase");
+    let exchanged = json!([["-0.1082", "-0.1081"], ["-2.3125", "-2.3124"]]);
+    let found = message(judged(&[("/saddle/eigenvalues", exchanged)]));
+    assert!(found.starts_with("refuted: the true unstable eigenvalue is -2.3124365279"), "{found}");
+    let found = message(judged(&[("/flights", json!("FFFFFFFNFFFFFNFFNFFNFFFN"))]));
+    assert_eq!(found, "refuted: flight 24: a flight ends on the other wall");
+}
+
+#[test]
+#[ignore = "deep"]
+fn bounds_that_hold_no_tangency_and_false_numbers_are_refuted() {
+    let shifted = [
+        ("/parameter", json!(["9.42512637688720494843198", "9.42512637688720494843199"])),
+        ("/unstable", json!(["0.0010367177987693767145451", "0.0010367177987693767145452"])),
+    ];
+    assert_eq!(message(judged(&shifted)), "refuted: there is no tangency within the bounds");
+    assert_eq!(
+        message(judged(&[("/flights", json!("FFFFFFFNFFFFFNFFNFFNFFF"))])),
+        "refuted: there is no tangency within the bounds"
+    );
+    let positive = json!(["1158440084.207239054131", "1158440084.207239054134"]);
+    let found = message(judged(&[("/quadratic", positive)]));
+    assert!(found.starts_with("refuted: the true quadratic coefficient is -1158440084.2072390541"), "{found}");
+    let found = message(judged(&[("/least_speed", json!("0.353"))]));
+    assert_eq!(found, "refuted: the speed number 20 of the orbit is less than the least one");
+}
+
+/// Of these nothing is proved, and so nothing is refuted.
+#[test]
+fn what_is_not_checked_is_undecided() {
+    let found = message(judged(&[("/key", json!("pair.restitution"))]));
+    assert_eq!(found, "undecided: tangencies over the restitution are not checked");
+    let found = message(judged(&[("/resonances_excluded_to", json!(2000))]));
+    assert_eq!(found, "undecided: resonances of orders above 1024 are not checked");
+    let wide = [("/parameter", json!(["9.3", "9.5"])), ("/saddle/phase", json!(["5", "5.1"]))];
+    let found = message(judged(&wide));
+    assert!(found.starts_with("undecided: "), "{found}");
+}
+
+/// With the one to the other side of the printed gap, found by the same other program.
+#[test]
+#[ignore = "deep"]
+fn both_tangencies_beside_figure_14_are_confirmed() {
+    let text = include_str!("../../../docs/tangency-figure-14.json");
+    let claims = Claims::parse(text).unwrap();
+    let verdict = claims.check_within(&Effort::default(), &Unwatched).unwrap();
+    assert!(matches!(verdict, Verdict::Confirmed { .. }), "{verdict:?}");
+    assert_eq!(claims.all(), "2 homoclinic tangencies");
+}

@@ -1,0 +1,117 @@
+//! Both invariant manifolds of a saddle in the section, and a homoclinic tangency of theirs magnified, at its value of the parameter and beside it, as SVG.
+
+use anyhow::{Context, Result};
+use impact_pair::Scene;
+use impact_pair::chaos::State;
+use impact_pair::exact::decimal_f64;
+use impact_pair::scene::Key;
+use impact_pair::tangency::{Portrait, Tangencies, Tangency};
+use plotters::prelude::*;
+
+use crate::chaos::parameters;
+use crate::orbit::title;
+use crate::picture::{self, Axis, BLUE, Canvas, Dots, Drawn, Element, Look, Mark, Path, Plane, SCALE, VERMILION, hex};
+use crate::sweep::value;
+
+const SIZE: (u32, u32) = (1200, 940);
+/// Room on the right of the axes, and the radius of a mark.
+const RIGHT: i32 = 38 * SCALE;
+const RADIUS: i32 = 4 * SCALE;
+/// The greatest speed of the section, and how much is magnified.
+const SPEED: f64 = 3.0;
+const MAGNIFIED: f64 = 1000.0;
+/// How far beside the tangency the parameter is, in the units of the scene.
+const BESIDE: f64 = 1e-4;
+const NAMES: [&str; 2] = ["phase $θ$ of the impact, mirrored to the left wall [rad]", "speed $w = |v|/(AΩ)$"];
+
+/// Returns the picture of the first tangency: the section, and the part about a point of the orbit 1,000 times as large, at the tangency and
+/// `1e-4` to either side.
+///
+/// # Errors
+/// When there is none, or it cannot be drawn.
+pub fn tangency(scene: &Scene, found: &Tangencies, look: &Look) -> Result<String> {
+    let first = found.tangencies.first().context("there is no tangency to draw")?;
+    let own = first.parameter.mid_rad().0;
+    let gap = |parameter: f64| match found.over.key {
+        Key::Gap => {
+            parameter / scene.pair().excitation().only().map_or(f64::NAN, |harmonic| value(harmonic.amplitude()))
+        }
+        _ => value(scene.pair().gap()) / parameter,
+    };
+    let portrait =
+        Portrait::of(first, gap(own)).context("the invariant manifolds cannot be followed in floating point")?;
+    picture::svg(look.size(SIZE), SCALE, |root| {
+        let top = head(scene, found, (root, look))?;
+        let (_, below) = root.split_vertically(top);
+        let areas = below.split_evenly((2, 2));
+        section(&portrait, (&areas[0], root))?;
+        let key = found.over.key;
+        let values = [("(b)", 0.0, "at the tangency"), ("(c)", -BESIDE, "1e-4 below"), ("(d)", BESIDE, "1e-4 above")];
+        for ((letter, apart, words), area) in values.into_iter().zip(&areas[1..]) {
+            let at = own + apart;
+            let heading = format!(
+                "{letter}  {words}: {key} = {}, magnified {MAGNIFIED:.0} times",
+                decimal_f64((at * 1e7).round() / 1e7)
+            );
+            let below = title(area, &heading)?;
+            magnified((&portrait, first), gap(at), (&below, root))?;
+        }
+        Ok(())
+    })
+}
+
+/// Title, what is given, and what the colours mean; how high that is.
+fn head(
+    scene: &Scene,
+    found: &Tangencies,
+    (root, look): (&Canvas<'_>, &Look),
+) -> Result<i32, Box<dyn std::error::Error>> {
+    let name = format!("{}: a homoclinic tangency", scene.title().unwrap_or("The impact map"));
+    let said = format!("the tangency is proved, the curves are in floating point; {}", picture::program());
+    let top = picture::caption(root, look, &name, &[parameters(scene, Some(&found.over)), said])?;
+    let entries = [
+        (Mark::Cell(VERMILION), "unstable manifold of the equispaced motion".to_owned()),
+        (Mark::Cell(BLUE), "stable manifold".to_owned()),
+        (Mark::Cell(BLACK), "saddle".to_owned()),
+        (Mark::Ring, "point of tangency".to_owned()),
+    ];
+    Ok(top + picture::legend(root, top, &entries)?)
+}
+
+/// The invariant manifolds, the saddle and the point of tangency.
+fn section(portrait: &Portrait, (area, root): (&Canvas<'_>, &Canvas<'_>)) -> Drawn {
+    let below = title(area, "(a)  both invariant manifolds in the section")?;
+    let plane = Plane::draw(&below, [Axis::angle(), Axis::over(0.0, SPEED)], NAMES, RIGHT)?;
+    for (colour, states) in [(BLUE, &portrait.stable), (VERMILION, &portrait.unstable)] {
+        let shown = states.iter().filter(|[_, w]| *w < SPEED);
+        root.draw(&Dots { colour, places: shown.map(|state| plane.pixel(*state)).collect() }.element())?;
+    }
+    root.draw(&Circle::new(plane.pixel(portrait.saddle), RADIUS, BLACK.filled()))?;
+    root.draw(&Circle::new(plane.pixel(portrait.point), 2 * RADIUS, BLACK.stroke_width(SCALE as u32)))?;
+    Ok(())
+}
+
+/// The invariant manifolds about the point of tangency.
+fn magnified(
+    (portrait, tangency): (&Portrait, &Tangency),
+    gap: f64,
+    (area, root): (&Canvas<'_>, &Canvas<'_>),
+) -> Drawn {
+    let within = [std::f64::consts::PI / MAGNIFIED, 0.5 * SPEED / MAGNIFIED];
+    // In thousandths, from the point on.
+    let axes = within.map(|within| Axis::over(-1e3 * within, 1e3 * within));
+    let [theta, w] = portrait.point;
+    let names = [format!("$θ$ less {theta:.7} [0.001 rad]"), format!("$w$ less {w:.7} [0.001]")];
+    let plane = Plane::draw(area, axes, [&names[0], &names[1]], RIGHT)?;
+    let Some([unstable, stable]) = portrait.magnified(tangency, gap, within) else { return Ok(()) };
+    let curve = |points: &[State], colour: RGBColor| {
+        let mut path = Path::default();
+        for (i, state) in points.iter().enumerate() {
+            let place = plane.place([1e3 * (state[0] - theta), 1e3 * (state[1] - w)]);
+            if i == 0 { path.move_to(place) } else { path.line_to(place) }
+        }
+        format!("<path stroke=\"{}\" stroke-width=\"{}\" d=\"{}\"/>\n", hex(colour), 2 * SCALE, path.data())
+    };
+    root.draw(&Element(plane.clipped(&(curve(&stable, BLUE) + &curve(&unstable, VERMILION)))))?;
+    Ok(())
+}

@@ -1,0 +1,51 @@
+//! The JSON of homoclinic tangencies.
+
+use impact_pair_document::{
+    Decimal, HomoclinicTangencyDocument, OpenTangencyDocument, PROGRAM, SaddleDocument, SceneDocument, TANGENCY_SCHEMA,
+    TangencyDocument, bounds,
+};
+
+use crate::Scene;
+use crate::exact::decimal_bounds_f64;
+use crate::tangency::{Tangencies, Tangency, UnprovedTangency};
+
+/// Returns a lower bound of a positive number in about seven digits.
+pub fn at_least(x: f64) -> Decimal {
+    let [lower, _] = decimal_bounds_f64(x, x * (1.0 + 1e-6));
+    Decimal::printed(lower)
+}
+
+/// Returns the document of the tangencies over a parameter of a scene.
+pub fn tangency(scene: &Scene, found: &Tangencies) -> TangencyDocument {
+    let one = |own: &Tangency| HomoclinicTangencyDocument {
+        key: found.over.key.place(),
+        parameter: bounds(&own.parameter),
+        flights: own.flights.to_string(),
+        saddle: SaddleDocument {
+            phase: bounds(&own.phase),
+            speed: bounds(&own.speed),
+            eigenvalues: own.eigenvalues.each_ref().map(bounds),
+        },
+        unstable: bounds(&own.unstable),
+        stable: bounds(&own.stable),
+        quadratic: bounds(&own.quadratic),
+        unfolding: bounds(&own.unfolding),
+        least_speed: at_least(own.least_speed),
+        least_flight: at_least(own.least_flight),
+        resonances_excluded_to: own.resonances_excluded_to,
+    };
+    let open = |UnprovedTangency { near, flights }: &UnprovedTangency| OpenTangencyDocument {
+        near: *near,
+        flights: flights.to_string(),
+        reason: UnprovedTangency::REASON.to_owned(),
+    };
+    TangencyDocument {
+        schema: TANGENCY_SCHEMA.to_owned(),
+        program: PROGRAM.to_owned(),
+        certified: found.is_certified(),
+        scene: SceneDocument::new(scene.pair(), scene.start()),
+        interrupted: found.interrupted,
+        tangencies: found.tangencies.iter().map(one).collect(),
+        undecided: found.unproved.iter().map(open).collect(),
+    }
+}

@@ -1,0 +1,219 @@
+//! The equations of a tangency, states and tangents of the flights from one manifold to the other: Lemma J5 of
+//! `docs/proofs/tangency.md#J5`.
+
+use super::flight::{Pair, State};
+use super::manifold::{Manifold, Point};
+use super::terms::Terms;
+use crate::chaos::Side;
+use crate::number::Enclosing;
+use crate::periodic::bifurcation::Jet;
+use crate::periodic::krawczyk::Equations;
+use crate::periodic::precondition::Jacobian;
+
+/// The unknowns before the states: `sigma_u`, `sigma_s`, `D`, `t`.
+pub(super) const FIRST: usize = 4;
+
+/// The flights from the unstable manifold to the stable one, whose unknowns are [`FIRST`], then phase, speed and tangent of each state between.
+#[derive(Clone, Debug)]
+pub(super) struct Chain<N> {
+    pub restitution: N,
+    pub flights: Vec<Side>,
+    /// Forcing periods between the phase after the last flight and that of the stable manifold.
+    pub turns: f64,
+    /// The tangent of each state is scaled by `2^scale`.
+    pub scales: Vec<i32>,
+    pub manifolds: [Manifold; 2],
+}
+
+/// A matrix by rows, columns and values.
+#[derive(Clone, Debug)]
+pub(super) struct Sparse<N> {
+    size: usize,
+    entries: Vec<(usize, usize, N)>,
+}
+
+/// A state with its tangent.
+pub(super) type Moving<N> = State<Jet<N>>;
+
+/// What changes in a flight with one of the unknowns.
+struct Direction<N> {
+    unknown: usize,
+    start: Moving<N>,
+    end: Moving<N>,
+    gap: N,
+}
+
+/// The states at both ends of the chain, with their manifolds.
+struct Ends<N> {
+    unstable: Point<N>,
+    stable: Point<N>,
+    stretch: N,
+}
+
+impl<N: nalgebra::Scalar> Jacobian<N> for Sparse<N> {
+    fn size(&self) -> usize {
+        self.size
+    }
+
+    fn entries(&self) -> impl Iterator<Item = (usize, usize, &N)> {
+        self.entries.iter().map(|(i, j, value)| (*i, *j, value))
+    }
+}
+
+impl<N: nalgebra::Scalar> Sparse<N> {
+    /// The same matrix of other values.
+    pub fn map<M>(&self, f: impl Fn(&N) -> M) -> Sparse<M> {
+        Sparse { size: self.size, entries: self.entries.iter().map(|(i, j, x)| (*i, *j, f(x))).collect() }
+    }
+}
+
+fn zero<N: Enclosing>() -> N {
+    N::from_f64(0.0)
+}
+
+/// A power of two.
+pub(super) fn power<N: Enclosing>(exponent: i32) -> N {
+    N::from_f64(f64::from(exponent).exp2()) // J5: tangents are scaled by powers of two
+}
+
+impl<N: Enclosing> Chain<N> {
+    /// `D` and `e` of these unknowns.
+    pub fn pair(&self, x: &[N]) -> Pair<N> {
+        Pair { gap: x[2].clone(), restitution: self.restitution.clone() }
+    }
+
+    /// The number of unknowns.
+    pub fn unknowns(&self) -> usize {
+        FIRST + 4 * (self.flights.len() - 1)
+    }
+
+    fn ends(&self, x: &[N]) -> Option<Ends<N>> {
+        let pair = self.pair(x);
+        let [unstable, stable] = &self.manifolds;
+        Some(Ends { unstable: unstable.at(&pair, &x[0])?, stable: stable.at(&pair, &x[1])?, stretch: x[3].clone() })
+    }
+
+    /// The state before flight `k`, with its tangent, as the unknowns have it.
+    fn state(&self, x: &[N], ends: &Ends<N>, k: usize) -> Moving<N> {
+        if k == 0 {
+            return [0, 1].map(|i| Jet {
+                value: ends.unstable.at[i].value.clone(),
+                slope: ends.unstable.along[i].value.clone(),
+            });
+        }
+        if k == self.flights.len() {
+            let turned = x[2].turn() * N::from_f64(self.turns);
+            return [0, 1].map(|i| {
+                let value = ends.stable.at[i].value.clone();
+                let value = if i == 0 { value + turned.clone() } else { value };
+                Jet { value, slope: ends.stretch.times_ref(&ends.stable.along[i].value) }
+            });
+        }
+        let own = &x[FIRST + 4 * (k - 1)..];
+        [0, 1].map(|i| Jet { value: own[i].clone(), slope: own[2 + i].clone() })
+    }
+
+    /// All states of the chain with their tangents, as the unknowns have them.
+    pub fn states(&self, x: &[N]) -> Option<Vec<Moving<N>>> {
+        let ends = self.ends(x)?;
+        Some((0..=self.flights.len()).map(|k| self.state(x, &ends, k)).collect())
+    }
+
+    /// The unknowns on which the state before flight `k` depends, and how.
+    fn moves(&self, ends: &Ends<N>, k: usize) -> Vec<(usize, Moving<N>)> {
+        let jet = |value: &N, slope: &N| Jet { value: value.clone(), slope: slope.clone() };
+        if k == 0 {
+            let Point { at, along, bend } = &ends.unstable;
+            return vec![
+                (0, [0, 1].map(|i| jet(&along[i].value, &bend[i]))),
+                (2, [0, 1].map(|i| jet(&at[i].slope, &along[i].slope))),
+            ];
+        }
+        if k == self.flights.len() {
+            let Point { at, along, bend } = &ends.stable;
+            let stretched = |x: &N| ends.stretch.times_ref(x);
+            return vec![
+                (1, [0, 1].map(|i| jet(&along[i].value, &stretched(&bend[i])))),
+                (2, [0, 1].map(|i| jet(&at[i].slope, &stretched(&along[i].slope)))),
+                (3, [0, 1].map(|i| jet(&zero(), &along[i].value))),
+            ];
+        }
+        let unit = |i: usize, j: usize| if i == j { N::from_f64(1.0) } else { zero() };
+        let first = FIRST + 4 * (k - 1);
+        (0..4).map(|j| (first + j, [0, 1].map(|i| jet(&unit(i, j), &unit(i + 2, j))))).collect()
+    }
+
+    /// A tangent before flight `k` in the scale of the one after it.
+    fn rescaled(&self, state: &Moving<N>, k: usize) -> Moving<N> {
+        let scale: N = power(self.scales[k + 1] - self.scales[k]);
+        state.each_ref().map(|x| Jet { value: x.value.clone(), slope: scale.times_ref(&x.slope) })
+    }
+
+    /// `g` of a flight, and its derivative along the tangents.
+    fn miss(&self, x: &[N], k: usize, [from, to]: [&Moving<N>; 2]) -> Option<[Jet<N>; 2]> {
+        let pair = self.pair(x);
+        let pair = Pair { gap: Jet::constant(pair.gap), restitution: Jet::constant(pair.restitution) };
+        pair.miss(&self.rescaled(from, k), to, self.flights[k])
+    }
+
+    /// How `g` of a flight, and its derivative along the tangents, change where states, tangents and `D` do.
+    pub fn change(
+        &self,
+        x: &[N],
+        k: usize,
+        states: [&Moving<N>; 2],
+        by: [&Moving<N>; 2],
+        gap: &N,
+    ) -> Option<[Jet<N>; 2]> {
+        let of = |state: Moving<N>, by: Moving<N>| -> [Jet<Jet<N>>; 2] {
+            let [value, slope] = [state, by];
+            let mut pairs = value.into_iter().zip(slope).map(|(value, slope)| Jet { value, slope });
+            [0, 1].map(|_| pairs.next().expect("two"))
+        };
+        let own = self.pair(x);
+        let gap = Jet { value: Jet::constant(own.gap), slope: Jet::constant(gap.clone()) };
+        let pair = Pair { gap, restitution: Jet::constant(Jet::constant(own.restitution)) };
+        let start = of(self.rescaled(states[0], k), self.rescaled(by[0], k));
+        let end = of(states[1].clone(), by[1].clone());
+        Some(pair.miss(&start, &end, self.flights[k])?.map(|x| x.slope))
+    }
+
+    /// The directions in which flight `k` changes: with the states at its ends, and with `D` itself.
+    fn directions(&self, ends: &Ends<N>, k: usize) -> Vec<Direction<N>> {
+        let still = || [0, 1].map(|_| Jet::constant(zero()));
+        let starts = self.moves(ends, k).into_iter();
+        let starts = starts.map(|(unknown, by)| Direction { unknown, start: by, end: still(), gap: zero() });
+        let arrivals = self.moves(ends, k + 1).into_iter();
+        let arrivals = arrivals.map(|(unknown, by)| Direction { unknown, start: still(), end: by, gap: zero() });
+        let own = Direction { unknown: 2, start: still(), end: still(), gap: N::from_f64(1.0) };
+        starts.chain(arrivals).chain([own]).collect()
+    }
+}
+
+impl<N: Enclosing> Equations<N> for Chain<N> {
+    type Jacobian = Sparse<N>;
+
+    fn values(&self, x: &[N]) -> Option<Vec<N>> {
+        let states = self.states(x)?;
+        let mut values = Vec::with_capacity(self.unknowns());
+        for k in 0..self.flights.len() {
+            let [height, speed] = self.miss(x, k, [&states[k], &states[k + 1]])?;
+            values.extend([height.value, speed.value, height.slope, speed.slope]);
+        }
+        Some(values)
+    }
+
+    fn jacobian(&self, x: &[N]) -> Option<Sparse<N>> {
+        let ends = self.ends(x)?;
+        let states: Vec<Moving<N>> = (0..=self.flights.len()).map(|k| self.state(x, &ends, k)).collect();
+        let mut entries = Vec::new();
+        for k in 0..self.flights.len() {
+            for Direction { unknown, start, end, gap } in self.directions(&ends, k) {
+                let [height, speed] = self.change(x, k, [&states[k], &states[k + 1]], [&start, &end], &gap)?;
+                let column = [height.value, speed.value, height.slope, speed.slope];
+                entries.extend(column.into_iter().enumerate().map(|(i, value)| (4 * k + i, unknown, value)));
+            }
+        }
+        Some(Sparse { size: self.unknowns(), entries })
+    }
+}

@@ -1,0 +1,332 @@
+//! Homoclinic tangencies: values of a parameter at which the stable and the unstable manifold of a saddle of the reduced impact map are
+//! tangent, proved. Lemmas J1-J10 of `docs/proofs/tangency.md#J1`.
+//!
+//! The saddle is a fixed point of the map that mirrors every impact to the left wall: the equispaced motion (66), (67). Floating point looks for
+//! folds of the unstable manifold near the stable one (`search`); the manifolds are Taylor series with proved errors (`series`, `local`,
+//! `manifold`), the tangency is a regular zero of the equations of all flights between them (`chain`), proved by Krawczyk's operator (`prove`).
+
+mod chain;
+mod disc;
+mod flight;
+mod flights;
+mod local;
+mod manifold;
+mod only;
+mod portrait;
+mod prove;
+mod saddle;
+mod search;
+mod series;
+mod terms;
+#[cfg(test)]
+mod tests;
+mod unfolding;
+
+use crate::chaos::{Law, Side};
+use crate::exact::{Enclosure, Exact};
+use crate::pair::{ImpactPair, within};
+use crate::periodic::Precision;
+use crate::scene::{Key, Range};
+use crate::watch::{Latched, Stage, Watch};
+use crate::{Error, Scene};
+pub use portrait::Portrait;
+use prove::Proof;
+use saddle::Guessed;
+use search::{Floats, Fold};
+
+/// The keys over which tangencies are searched, in words.
+pub const TANGENCY_PARAMETERS: &str = "KEY one of gap, amplitude";
+
+/// The most flights between the two manifolds.
+pub const MOST_FLIGHTS: usize = 200;
+
+/// Returns whether tangencies are searched over such a range.
+pub fn is_tangency_range(range: &Range) -> bool {
+    matches!(range.key, Key::Gap | Key::Amplitude(_)) && range.count.is_none()
+}
+
+/// Flights between the walls in time order: `F` to the far wall, `N` back to the near one.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct FlightWord(Vec<Side>);
+
+impl std::str::FromStr for FlightWord {
+    type Err = Error;
+
+    /// Reads the letters of flights.
+    fn from_str(text: &str) -> Result<Self, Error> {
+        let side = |letter: char| match letter {
+            'F' => Some(Side::Far),
+            'N' => Some(Side::Near),
+            _ => None,
+        };
+        let sides: Option<Vec<Side>> = text.trim().chars().map(side).collect();
+        sides.filter(|sides| (1..=MOST_FLIGHTS).contains(&sides.len())).map(Self).ok_or_else(|| {
+            Error::out_of_range(
+                None,
+                format!("the word is \"{text}\", but accepted are 1 to {MOST_FLIGHTS} letters F (a flight to the far wall) and N (back to the near one)"),
+            )
+        })
+    }
+}
+
+impl FlightWord {
+    /// The number of flights.
+    pub fn len(&self) -> usize {
+        self.0.len()
+    }
+
+    /// Always false: a word has a letter.
+    pub fn is_empty(&self) -> bool {
+        self.0.is_empty()
+    }
+}
+
+impl std::fmt::Display for FlightWord {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        self.0.iter().try_for_each(|side| f.write_str(if *side == Side::Far { "F" } else { "N" }))
+    }
+}
+
+/// The settings of a search for tangencies.
+#[derive(Clone, Debug)]
+pub struct TangencySettings {
+    /// The parameter and its range: gap or amplitude.
+    pub over: Range,
+    /// The flights of the orbit; `None` for a search over all of them.
+    pub word: Option<FlightWord>,
+    /// The most flights that are searched without a word.
+    pub longest: usize,
+    /// Number of tangencies that are proved at most, those nearest to the scene's own value.
+    pub most: usize,
+    /// Requested widths of the enclosures: of `D` and of the parameters of the manifolds, absolute.
+    pub precision: Precision,
+}
+
+/// A homoclinic tangency: for exactly one value of the parameter within its bounds the two manifolds of the saddle have a common point along
+/// these flights, with `unstable` and `stable` within theirs, at which they are tangent. It is quadratic, and unfolds with a speed other than 0.
+#[derive(Clone, Debug)]
+pub struct Tangency {
+    /// The value of the parameter, in the units of the scene.
+    pub parameter: Enclosure,
+    /// The flights from the point of the unstable manifold to that of the stable one.
+    pub flights: FlightWord,
+    /// The phase of the saddle in radians, in `[0, 2 pi)`.
+    pub phase: Enclosure,
+    /// Its speed, over `A W`.
+    pub speed: Enclosure,
+    /// Its eigenvalues: the unstable one and the stable one.
+    pub eigenvalues: [Enclosure; 2],
+    /// The parameter of the unstable manifold, along which the phase has the derivative 1 at the saddle.
+    pub unstable: Enclosure,
+    /// The same of the stable manifold.
+    pub stable: Enclosure,
+    /// `q` of Lemma J5, not 0: by how much the manifolds bend away from each other.
+    pub quadratic: Enclosure,
+    /// `m` of Lemma J5, not 0: how fast they pass through each other, for a unit of `D = d/A`.
+    pub unfolding: Enclosure,
+    /// A lower bound of all speeds of the orbit, over `A W`.
+    pub least_speed: f64,
+    /// A lower bound of all its flights, in radians.
+    pub least_flight: f64,
+    /// No product of powers of the eigenvalues of an order from 2 to this one is one of them.
+    pub resonances_excluded_to: u32,
+}
+
+/// A tangency of floating point that is not proved.
+#[derive(Clone, Debug)]
+pub struct UnprovedTangency {
+    /// The value of the parameter near which the fold is, in the units of the scene.
+    pub near: f64,
+    /// Its flights.
+    pub flights: FlightWord,
+}
+
+/// The tangencies found over a parameter. That there are no others is not proved.
+#[derive(Clone, Debug)]
+pub struct Tangencies {
+    /// The parameter and its range.
+    pub over: Range,
+    /// The tangencies proved, the nearest to the scene's own value first.
+    pub tangencies: Vec<Tangency>,
+    /// Folds of floating point of which nothing is proved.
+    pub unproved: Vec<UnprovedTangency>,
+    /// Whether it was interrupted before the search or the proofs were done.
+    pub interrupted: bool,
+}
+
+impl Tangencies {
+    /// Searches tangencies of the manifolds of the equispaced motion and proves them, until the watch stops it.
+    ///
+    /// # Errors
+    /// With several harmonics, if the range is not one of the parameter's, or `e` or what is fixed of gap and amplitude is an interval.
+    ///
+    /// ```
+    /// use impact_pair::Scene;
+    /// use impact_pair::periodic::Precision;
+    /// use impact_pair::tangency::{Tangencies, TangencySettings};
+    /// use impact_pair::watch::Unwatched;
+    /// let scene = Scene::parse(r#"
+    ///     excitation = { amplitude = 8, frequency = "pi", phase = 0 }
+    ///     pair = { gap = 9.42497, restitution = 0.5 }
+    ///     start = { time = 0, wall = "left", velocity = -1 }
+    /// "#)?;
+    /// let settings = TangencySettings {
+    ///     over: "gap=9.4249..9.4252".parse()?,
+    ///     word: Some("FFFFFFFNFFFFFNFFNFFNFFFF".parse()?),
+    ///     longest: 24,
+    ///     most: 1,
+    ///     precision: Precision::default(),
+    /// };
+    /// let found = Tangencies::of(&scene, &settings, &Unwatched)?;
+    /// assert_eq!(format!("{:.10}", found.tangencies[0].parameter.mid_rad().0), "9.4251263769");
+    /// # Ok::<(), impact_pair::Error>(())
+    /// ```
+    pub fn of(scene: &Scene, settings: &TangencySettings, watch: &dyn Watch) -> Result<Self, Error> {
+        let watch = Latched::new(watch);
+        let search = Search::new(scene.pair(), settings)?;
+        let mut all =
+            Self { over: settings.over.clone(), tangencies: Vec::new(), unproved: Vec::new(), interrupted: false };
+        let folds = search.folds(settings, &watch);
+        for (i, fold) in folds.iter().enumerate() {
+            let at = Stage::Tangencies { proved: i, of: folds.len() };
+            if all.tangencies.len() >= settings.most || watch.proceed(at).is_break() {
+                break;
+            }
+            let flights = FlightWord(fold.flights.clone());
+            match prove::tangency(fold, &search.restitution, settings.precision) {
+                Some(proof) => {
+                    let found = search.tangency(proof, settings.precision)?;
+                    if search.is_inside(&found.parameter)? && all.tangencies.iter().all(|known| !known.meets(&found)) {
+                        all.tangencies.push(found);
+                    }
+                }
+                None => all.unproved.push(UnprovedTangency { near: search.in_units_f64(fold.gap), flights }),
+            }
+        }
+        all.interrupted = watch.is_stopped();
+        Ok(all)
+    }
+
+    /// Returns whether there are tangencies, and all folds that were tried are proved to lead to one.
+    pub fn is_certified(&self) -> bool {
+        !self.interrupted && self.unproved.is_empty() && !self.tangencies.is_empty()
+    }
+}
+
+impl UnprovedTangency {
+    /// Why it is undecided.
+    pub const REASON: &str = "the tangency near this fold of floating point, or one of its flights, is not proved";
+}
+
+impl Tangency {
+    /// Whether another one may be at the same value.
+    fn meets(&self, other: &Self) -> bool {
+        self.parameter.intersection(&other.parameter).is_some()
+    }
+}
+
+/// A search over a parameter of a pair.
+struct Search<'s> {
+    pair: &'s ImpactPair,
+    over: &'s Range,
+    restitution: Exact,
+    /// The amplitude where the gap varies, the gap where the amplitude does.
+    unit: Exact,
+    /// The scene's own value of `D` if the range has it, else that in its middle.
+    own: f64,
+    range: [f64; 2],
+}
+
+const WHAT: &str = "a homoclinic tangency";
+
+impl<'s> Search<'s> {
+    fn new(pair: &'s ImpactPair, settings: &'s TangencySettings) -> Result<Self, Error> {
+        let over = &settings.over;
+        if !is_tangency_range(over) {
+            let message = format!("the range is \"{over}\", but accepted is KEY=LO..HI, {TANGENCY_PARAMETERS}");
+            return Err(Error::out_of_range(None, message));
+        }
+        let harmonic = pair.harmonic(WHAT)?;
+        let unit = if over.key == Key::Gap { harmonic.amplitude().clone() } else { pair.gap().clone() };
+        let place = if over.key == Key::Gap { "excitation.amplitude" } else { "pair.gap" };
+        for (place, value) in [(place, &unit), ("pair.restitution", pair.restitution())] {
+            if !value.is_point() {
+                let message = format!(
+                    "is the interval {value}, but accepted is a single number: tangencies are those of one pair"
+                );
+                return Err(Error::out_of_range(place, message));
+            }
+        }
+        let law = |value: &Exact| Law::of(&pair.with(over.key, value.clone())?);
+        let ends = [law(&over.low)?.gap.mid(), law(&over.high)?.gap.mid()];
+        let range = [ends[0].min(ends[1]), ends[0].max(ends[1])]; // proposes
+        let own = Law::of(pair)?.gap.mid();
+        let is_inside = (range[0]..=range[1]).contains(&own); // proposes
+        let own = if is_inside { own } else { 0.5 * (range[0] + range[1]) };
+        Ok(Self { pair, over, restitution: pair.restitution().clone(), unit, own, range })
+    }
+
+    /// The folds that lead to tangencies in the range, in floating point, the nearest to the scene's own value first.
+    fn folds(&self, settings: &TangencySettings, watch: &dyn Watch) -> Vec<Fold> {
+        let e = Law::of(self.pair).map_or(f64::NAN, |law| law.restitution.mid()); // proposes
+        let mut found: Vec<Fold> = Vec::new();
+        for guess in Guessed::all(self.own, e) {
+            let Some(floats) = Floats::new(self.own, e, guess) else { continue };
+            let folds = match &settings.word {
+                Some(word) => floats.folds(self.own, &word.0),
+                None => floats.all_folds(self.own, settings.longest, watch),
+            };
+            for fold in folds {
+                let Some(fold) = prove::settled(&fold, e) else { continue };
+                let is_new = found.iter().all(|known| (known.gap - fold.gap).abs() > 1e-12 * fold.gap);
+                if is_new && (self.range[0]..=self.range[1]).contains(&fold.gap) {
+                    found.push(fold);
+                }
+            }
+        }
+        found.sort_by(|a, b| (a.gap - self.own).abs().total_cmp(&(b.gap - self.own).abs()));
+        found
+    }
+
+    /// A value of `D` in the units of the scene.
+    fn in_units(&self, gap: &Exact) -> Result<Exact, Error> {
+        match self.over.key {
+            Key::Gap => within("pair.gap", gap, gap.checked_mul(&self.unit)),
+            _ => within("excitation.amplitude", gap, self.unit.checked_div(gap)),
+        }
+    }
+
+    fn in_units_f64(&self, gap: f64) -> f64 {
+        let value = Exact::from_f64(gap).and_then(|gap| self.in_units(&gap).ok());
+        value.map_or(f64::NAN, |value| value.enclose(64).mid_rad().0) // shown
+    }
+
+    /// Whether bounds of the parameter are within the range.
+    fn is_inside(&self, parameter: &Enclosure) -> Result<bool, Error> {
+        let bits = 256;
+        let (low, high) = (self.over.low.enclose(bits), self.over.high.enclose(bits));
+        Ok(low.sup() <= parameter.inf() && parameter.sup() <= high.inf())
+    }
+
+    /// What is proved, in the units of the scene.
+    fn tangency(&self, proof: Proof, precision: Precision) -> Result<Tangency, Error> {
+        let bits = 256 + 4 * precision.digits;
+        let ends = [proof.gap.inf(), proof.gap.sup()].map(|end| Exact::from_rational(end.to_rational()));
+        let [a, b] = [self.in_units(&ends[0])?, self.in_units(&ends[1])?];
+        let [unstable, stable] = proof.sigma;
+        Ok(Tangency {
+            parameter: a.enclose(bits).hull(&b.enclose(bits)),
+            flights: FlightWord(proof.flights),
+            phase: proof.phase,
+            speed: proof.speed,
+            eigenvalues: proof.eigenvalues,
+            unstable,
+            stable,
+            quadratic: proof.quadratic,
+            unfolding: proof.unfolding,
+            least_speed: proof.least.speed,
+            least_flight: proof.least.time,
+            resonances_excluded_to: proof.resonances,
+        })
+    }
+}

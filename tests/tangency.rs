@@ -1,0 +1,108 @@
+//! Homoclinic tangencies beside figure 14, against constants of an independent computation in balls (single shooting in 130 digits).
+
+use impact_pair::Scene;
+use impact_pair::exact::Exact;
+use impact_pair::periodic::Precision;
+use impact_pair::tangency::{FlightWord, Tangencies, TangencySettings};
+use impact_pair::watch::{Stage, Unwatched, proceed_if};
+
+const FIRST: &str = "FFFFFFFNFFFFFNFFNFFNFFFF";
+const SECOND: &str = "FFFFFFNFFFFNFFFFFNFFNFFNFFFF";
+
+fn figure_14() -> Scene {
+    Scene::parse(include_str!("../scenes/figure-14.toml")).unwrap()
+}
+
+fn settings(over: &str, word: &str, digits: u32) -> TangencySettings {
+    let word = Some(word.parse().unwrap());
+    let precision = Precision { digits, ..Precision::default() };
+    TangencySettings { over: over.parse().unwrap(), word, longest: 10, most: 3, precision }
+}
+
+fn found(over: &str, word: &str, digits: u32) -> Tangencies {
+    Tangencies::of(&figure_14(), &settings(over, word, digits), &Unwatched).unwrap()
+}
+
+/// Whether bounds hold a number of 30 digits and more, to its last digit.
+fn holds(bounds: &impact_pair::exact::Enclosure, number: &str) -> bool {
+    let number = Exact::parse(number).unwrap().enclose(400);
+    let places = 28;
+    let last = Exact::parse(&format!("1e-{places}")).unwrap().enclose(400);
+    bounds.intersection(&number.add(&last, 400).hull(&number.sub(&last, 400))).is_some()
+}
+
+#[cfg(feature = "multiprecision")]
+#[test]
+fn both_tangencies_of_figure_14_are_proved_to_30_digits() {
+    let first = found("gap=9.4249..9.4252", FIRST, 30);
+    assert!(first.is_certified() && first.tangencies.len() == 1);
+    let tangency = &first.tangencies[0];
+    assert!(tangency.parameter.wid().to_f64_up() < 1e-29);
+    assert!(holds(&tangency.parameter, "8*1.178140797110900618553998549943430006567797667450"));
+    assert!(holds(&tangency.unstable, "0.001036717798769376714535248642529318"));
+    assert!(holds(&tangency.stable, "0.0001081798474817610146903775763677"));
+    assert!(holds(&tangency.eigenvalues[0], "-2.31243652792056483240174683106"));
+    assert!((tangency.quadratic.mid_rad().0 + 1_158_440_084.207).abs() < 1e-2);
+    assert!((tangency.unfolding.mid_rad().0 + 806.163_64).abs() < 1e-4);
+    assert!((0.3528..0.352_828).contains(&tangency.least_speed) && (1.085..1.085_2).contains(&tangency.least_flight));
+    assert_eq!(tangency.resonances_excluded_to, 100);
+    let second = found("gap=9.4245..9.4246", SECOND, 30);
+    assert!(second.is_certified() && second.tangencies.len() == 1);
+    assert!((second.tangencies[0].parameter.mid_rad().0 - 9.424_516_177_410_880_592).abs() < 1e-14);
+}
+
+/// `D = d/A` alone matters.
+#[test]
+fn over_the_amplitude_the_ratio_is_the_same() {
+    let found = found("amplitude=7.999..8.001", FIRST, 9);
+    let [gap, amplitude] = [9.42497, found.tangencies[0].parameter.mid_rad().0];
+    assert!((gap / amplitude - 1.178_140_797_110_900_6).abs() < 1e-14);
+}
+
+/// Of another word, and in a range without one, nothing is claimed.
+#[test]
+fn nothing_is_claimed_where_there_is_none() {
+    for (over, word) in [("gap=9.4249..9.4252", "FFFFFFFNFFFFFNFFNFFNFFFN"), ("gap=9.4249..9.4251", FIRST)] {
+        let found = found(over, word, 9);
+        assert!(found.tangencies.is_empty() && !found.is_certified(), "{over} {word}");
+    }
+    // Figure 12: the equispaced motion is stable.
+    let scene = Scene::parse(include_str!("../scenes/figure-12.toml")).unwrap();
+    let found = Tangencies::of(&scene, &settings("gap=9.4..9.5", FIRST, 9), &Unwatched).unwrap();
+    assert!(found.tangencies.is_empty());
+}
+
+#[test]
+fn what_is_accepted_is_said() {
+    let scene = |text: &str| Scene::parse(&include_str!("../scenes/figure-14.toml").replace("= 0.5", text)).unwrap();
+    let told = |scene: &Scene, over: &str| {
+        Tangencies::of(scene, &settings(over, FIRST, 9), &Unwatched).unwrap_err().to_string()
+    };
+    assert!(told(&scene("= \"[0.4, 0.5]\""), "gap=9.4..9.5").contains("accepted is a single number"));
+    assert!(told(&figure_14(), "restitution=0.4..0.6").contains("KEY one of gap, amplitude"));
+    for e in ["= 0", "= 1"] {
+        let found = Tangencies::of(&scene(e), &settings("gap=9.4..9.5", FIRST, 9), &Unwatched).unwrap();
+        assert!(found.tangencies.is_empty() && !found.is_certified());
+    }
+    assert!("FFX".parse::<FlightWord>().unwrap_err().to_string().contains("letters F"));
+    assert!("".parse::<FlightWord>().is_err() && "F".repeat(201).parse::<FlightWord>().is_err());
+}
+
+/// Stopped at once, it says so.
+#[test]
+fn an_interrupted_search_is_not_certified() {
+    let found =
+        Tangencies::of(&figure_14(), &settings("gap=9.4249..9.4252", FIRST, 9), &|_: Stage<'_>| proceed_if(false))
+            .unwrap();
+    assert!(found.interrupted && found.tangencies.is_empty() && !found.is_certified());
+}
+
+/// Without a word the search finds the first tangency by itself, in another section: the same value.
+#[test]
+#[ignore = "deep"]
+fn the_search_finds_the_first_tangency() {
+    let all = TangencySettings { word: None, longest: 18, ..settings("gap=9.4244..9.4254", FIRST, 9) };
+    let found = Tangencies::of(&figure_14(), &all, &Unwatched).unwrap();
+    assert!(found.is_certified());
+    assert!((found.tangencies[0].parameter.mid_rad().0 - 9.425_126_376_887_205).abs() < 1e-14);
+}
