@@ -78,11 +78,15 @@ struct Setting<'c> {
 
 impl<'c> Setting<'c> {
     fn new(pair: &'c ImpactPair, key: Key) -> Result<Self, Doubt> {
+        let reason = |error: Error| Doubt::Open(error.to_string());
         let harmonic =
             pair.excitation().only().ok_or_else(|| open("with several harmonics, tangencies are not checked"))?;
         let other = match key {
             Key::Gap => harmonic.amplitude(),
-            Key::Amplitude(_) => pair.gap(),
+            Key::Amplitude(_) => match pair.harmonic_of(key).map_err(reason)? {
+                (_, None) => pair.gap(),
+                (_, Some(_)) => return Err(open("tangencies over one of several terms are not checked")),
+            },
             _ => return Err(open("tangencies over the restitution are not checked")),
         };
         let restitution = pair.restitution();
@@ -148,10 +152,11 @@ impl ClaimedTangency {
         let bits = bits.ok_or_else(|| open("the bounds are too narrow"))?;
         let law = setting.law(bits)?;
         let claimed = self.claimed(setting, bits)?;
-        self.compare_saddle(&law, range, &claimed)?;
+        self.is_saddle(&law, &claimed[2])?;
+        self.compare_saddle(&law, range, &claimed[2])?;
         let (at, here) = polished(range, &law, &claimed, narrowest - inside - 8).or_else(|doubt| {
             // No tangency near them, and perhaps none in them.
-            self.none(range, &law, &claimed).and(Err(doubt))
+            self.none(range, &law, &claimed).and(Err(unproved(doubt)))
         })?;
         let small = [0, 1, 2].map(|i| {
             let mut width = claimed[i].clone() - &claimed[i].middle();
@@ -163,7 +168,7 @@ impl ClaimedTangency {
             self.none(range, &law, &claimed)?;
             return Err(open("the tangency that is found is not proved to be inside the bounds"));
         }
-        let over = range.shot(&law, &small)?;
+        let over = range.shot(&law, &small).map_err(unproved)?;
         if !matches!(zeros(&small, (&at, &here), &over), Zeros::One) {
             return Err(open("a tangency is not proved to exist"));
         }
@@ -184,34 +189,58 @@ impl ClaimedTangency {
     /// Refutes the claim where no value of the bounds is a tangency.
     fn none(&self, range: &mut Range<'_>, law: &Law, claimed: &Unknowns) -> Result<(), Doubt> {
         let middle = claimed.clone().map(|x| x.middle());
-        let (here, over) = (range.shot(law, &middle)?, range.shot(law, claimed)?);
+        let over = range.shot(law, claimed)?;
+        let here = range.shot(law, &middle).map_err(unproved)?;
         match zeros(claimed, (&middle, &here), &over) {
             Zeros::None => Err(Doubt::False("there is no tangency within the bounds".into())),
             _ => Ok(()),
         }
     }
 
+    /// The only fixed point with the claimed phase, for the values of the parameter, is the equispaced orbit with `N = 1`: a fixed point has
+    /// `D = N pi kappa cos(theta) + 2 sin(theta)` with an odd `N` (Lemma V17).
+    fn is_saddle(&self, law: &Law, gap: &Real) -> Result<(), Doubt> {
+        let phase = hull(&self.phase.each_ref().map(|bound| Real::rational(bound, law.bits())));
+        let (s, c) = phase.sin_cos();
+        let periods = (gap.clone() - &(s * 2)).over(&(law.pi.clone() * &law.kappa * &c));
+        let Some(periods) = periods.filter(|x| x.enclosure().wid().top().is_none_or(|top| top <= 0)) else {
+            return Err(open("the bounds of the saddle are too wide"));
+        };
+        let near = periods.to_f64() as i64; // V17: a width of at most 1, so within 3 of all odd numbers that it may be
+        let may_be = |n: &i64| *n > 0 && n % 2 == 1 && !periods.is_apart_from(&Real::int(*n, law.bits()));
+        match (near - 3..=near + 3).filter(may_be).collect::<Vec<_>>()[..] {
+            [] => Err(Doubt::False("no fixed point has this phase".into())),
+            [1] => Ok(()),
+            _ => Err(open("the saddle is not proved to be the equispaced orbit of N = 1; no other one is checked")),
+        }
+    }
+
     /// The saddle and its eigenvalues for all values of the parameter. Lemma V17
-    fn compare_saddle(&self, law: &Law, range: &Range<'_>, claimed: &Unknowns) -> Result<(), Doubt> {
-        let saddle = range.saddle_over(law, &claimed[2])?;
+    fn compare_saddle(&self, law: &Law, range: &Range<'_>, gap: &Real) -> Result<(), Doubt> {
+        let saddle = range.saddle_over(law, gap)?;
         let bits = law.bits();
         let phase = saddle.phase.value(bits).hull();
-        let turn = law.pi.clone() * 2;
-        let (gap, claimed) = (&claimed[2], hull(&self.phase.each_ref().map(|bound| Real::rational(bound, bits))));
-        // proposes: a whole number
-        let turns = ((claimed.to_f64() - phase.to_f64()) / std::f64::consts::TAU).round() as i64; // proposes
-        if let Beside::Outside = beside(&(phase.clone() + &(turn * turns)), &self.phase) {
-            return Err(other_saddle(law, &claimed, gap));
-        }
         let speed = law.speed(&phase).ok_or_else(|| open("a coefficient of restitution below 1 is needed"))?;
         let [unstable, stable] = [&saddle.unstable, &saddle.stable].map(|x| x.value(bits).hull());
-        let found = [("speed", &speed, &self.speed), ("unstable eigenvalue", &unstable, &self.eigenvalues[0])];
-        for (what, found, claimed) in found.into_iter().chain([("stable eigenvalue", &stable, &self.eigenvalues[1])]) {
+        let found = [
+            ("phase of the saddle", &(phase.clone() + &self.turns(law, &phase)), &self.phase),
+            ("speed", &speed, &self.speed),
+            ("unstable eigenvalue", &unstable, &self.eigenvalues[0]),
+            ("stable eigenvalue", &stable, &self.eigenvalues[1]),
+        ];
+        for (what, found, claimed) in found {
             if let Beside::Outside = beside(found, claimed) {
                 compare(what, found, claimed)?;
             }
         }
         no_resonance([&unstable, &stable], self.resonances)
+    }
+
+    /// The whole turns between a phase and the claimed one.
+    fn turns(&self, law: &Law, phase: &Real) -> Real {
+        let off = Real::rational(&self.phase[0], law.bits()) - phase;
+        let turns = (off.to_f64() / std::f64::consts::TAU).round() as i64; // proposes: a whole number
+        law.pi.clone() * 2 * turns
     }
 
     /// All numbers of the tangency in a box are as claimed.
@@ -224,9 +253,7 @@ impl ClaimedTangency {
         compare("parameter of the unstable manifold", &found[0], &self.unstable)?;
         compare("parameter of the stable manifold", &found[1], &self.stable)?;
         let phase = shot.saddle.phase.value(bits).hull();
-        let off = Real::rational(&self.phase[0], bits) - &phase;
-        let turns = (off.to_f64() / std::f64::consts::TAU).round() as i64; // proposes: a whole number
-        compare("phase of the saddle", &(phase.clone() + &(law.pi.clone() * 2 * turns)), &self.phase)?;
+        compare("phase of the saddle", &(phase.clone() + &self.turns(&law, &phase)), &self.phase)?;
         let speed = law.speed(&phase).ok_or_else(|| open("a coefficient of restitution below 1 is needed"))?;
         compare("speed of the saddle", &speed, &self.speed)?;
         compare("unstable eigenvalue", &shot.saddle.unstable.value(bits).hull(), &self.eigenvalues[0])?;
@@ -247,19 +274,10 @@ impl ClaimedTangency {
     }
 }
 
-/// What is wrong with a saddle that is not the orbit of one forcing period: a fixed point is equispaced, `D = N pi kappa cos(theta) + 2 sin(theta)`
-/// with an odd `N`. Lemma V17
-fn other_saddle(law: &Law, phase: &Real, gap: &Real) -> Doubt {
-    let (s, c) = phase.sin_cos();
-    let periods = (gap.clone() - &(s * 2)).over(&(law.pi.clone() * &law.kappa * &c));
-    let Some(periods) = periods.filter(|x| x.enclosure().wid().top().is_none_or(|top| top <= 0)) else {
-        return open("the bounds of the saddle are too wide");
-    };
-    let near = periods.to_f64() as i64; // V17: within 3 of every odd number that it may be
-    let is_odd_one = |n: &i64| *n > 0 && n % 2 == 1 && !periods.is_apart_from(&Real::int(*n, law.bits()));
-    match (near - 3..=near + 3).any(|n| is_odd_one(&n)) {
-        true => open("the saddle is not the equispaced orbit of N = 1; no other one is checked"),
-        false => Doubt::False("no fixed point has this phase".into()),
+/// What is found for some values of the bounds only refutes nothing.
+fn unproved(doubt: Doubt) -> Doubt {
+    match doubt {
+        Doubt::False(message) | Doubt::Open(message) => Doubt::Open(message),
     }
 }
 

@@ -82,9 +82,11 @@ impl Law {
     pub fn saddle(&self, gap: &Affine, guess: &Real) -> Option<Saddle> {
         let bits = self.bits();
         let everywhere = self.phase(&gap.hull(), guess)?;
-        let centre = self.phase(&gap.centre, &everywhere)?;
-        // The zero next to the guess is one for all values.
-        let centre = everywhere.intersection(&centre)?;
+        let centre = if gap.is_fixed() { everywhere.clone() } else { self.phase(&gap.centre, &everywhere)? };
+        // The zero in the middle is the one of the neighbourhood in which there is one only, for each of the values.
+        if !everywhere.enclosure().contains_enclosure(centre.enclosure()) {
+            return None;
+        }
         let one = Real::int(1, bits);
         let slope = one.over(&self.gap_slope(&everywhere))?;
         let value = Affine::of(centre, &[(&slope, gap)]);
