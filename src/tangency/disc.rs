@@ -1,5 +1,6 @@
 //! Complex discs with real centres: Lemma J1 of `docs/proofs/tangency.md#J1`.
 
+use std::cmp::Ordering;
 use std::ops::{Add, Mul, Neg, Sub};
 
 use crate::number::{ABOVE_TURN, Ball, Number, Wave, up};
@@ -82,7 +83,8 @@ impl Wave for Disc {
     fn wave(&self) -> (Self, Self) {
         let (sin, cos) = Ball::exact(self.0.mid()).sin_cos();
         let radius = up(ABOVE_TURN * self.0.rad());
-        if !(radius <= 1.0) {
+        // A NaN is refused as well.
+        if radius.partial_cmp(&1.0).is_none_or(Ordering::is_gt) {
             let unbounded = Self(Ball::new(0.0, f64::INFINITY));
             return (unbounded, unbounded);
         }

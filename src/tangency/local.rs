@@ -1,5 +1,7 @@
 //! How far the series of a manifold converges, and what they are bounded by there: Lemmas J2 and J3 of `docs/proofs/tangency.md#J3`.
 
+use std::cmp::Ordering;
+
 use super::disc::Disc;
 use super::flight::{Pair, sin_cos};
 use super::saddle::{Guessed, Side};
@@ -213,7 +215,8 @@ impl Frame {
             let slopes = self.derivative(larger(needs(rest)))?;
             let norms = slopes.map(|row| sum(&[row[0].mag(), row[1].mag()]));
             let contracts = product(larger(norms), square);
-            if !(contracts < 1.0) {
+            // A NaN is refused as well.
+            if contracts.partial_cmp(&1.0) != Some(Ordering::Less) {
                 return None;
             }
             let moved = applied(&slopes, &self.direction);

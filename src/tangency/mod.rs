@@ -1,5 +1,5 @@
 //! Homoclinic tangencies: values of a parameter at which the stable and the unstable manifold of a saddle of the reduced impact map are
-//! tangent, proved. Lemmas J1-J10 of `docs/proofs/tangency.md#J1`.
+//! tangent, proved. Lemmas J1-J9 of `docs/proofs/tangency.md#J1`.
 //!
 //! The saddle is a fixed point of the map that mirrors every impact to the left wall: the equispaced motion (66), (67). Floating point looks for
 //! folds of the unstable manifold near the stable one (`search`); the manifolds are Taylor series with proved errors (`series`, `local`,

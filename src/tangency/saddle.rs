@@ -51,7 +51,7 @@ impl Guessed {
 /// The zero of `f` near a guess, by an interval step of Newton's iteration. Lemma T3
 pub(super) fn zero<N: Enclosing>(guess: N, f: impl Fn(&N) -> Option<N>, slope: impl Fn(&N) -> Option<N>) -> Option<N> {
     const STEPS: u32 = 10;
-    let step = |x: &N, slopes: N| Some(f(x)?.checked_div(slopes)?);
+    let step = |x: &N, slopes: N| f(x)?.checked_div(slopes);
     let mut x = guess;
     for _ in 0..STEPS {
         x = (x.clone() - step(&x, slope(&x)?)?).centre();

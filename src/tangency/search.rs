@@ -155,15 +155,17 @@ impl Floats {
                 _ => (a.sigma - b.sigma).abs() > 1e-3 * (samples[0].sigma - samples[samples.len() - 1].sigma).abs(),
             };
             let near = (a.sigma - b.sigma).abs() < NEAREST * a.sigma.abs();
-            if far && !near && count < MOST_SAMPLES {
-                if let Some(middle) = self.after(0.5 * (a.sigma + b.sigma), before) {
-                    stack.push(middle);
-                    stack.push(a);
-                    if here.is_some() {
-                        all.last_mut().expect("one").pop();
-                    }
-                    continue;
+            if far
+                && !near
+                && count < MOST_SAMPLES
+                && let Some(middle) = self.after(0.5 * (a.sigma + b.sigma), before)
+            {
+                stack.push(middle);
+                stack.push(a);
+                if here.is_some() {
+                    all.last_mut().expect("one").pop();
                 }
+                continue;
             }
             if here.is_some() != there.is_some() || far {
                 all.push(Vec::new());

@@ -1,34 +1,20 @@
-//! The manifolds against the map in floating point, and what lies to either side of the first tangency beside figure 14.
+//! The manifolds against the map in floating point, and against longer series.
 
 use approx::assert_abs_diff_eq;
-use nalgebra::DMatrix;
 
-use super::FlightWord;
-use super::chain::{Chain, FIRST, Sparse};
 use super::flight::Pair;
 use super::local::Local;
 use super::manifold::Manifold;
-use super::prove::{InDoubles, in_doubles, settled};
 use super::saddle::{Guessed, Side};
-use super::search::{Floats, Fold};
+use super::search::Floats;
 use crate::chaos;
-use crate::number::{Ball, Enclosing};
-use crate::periodic::krawczyk::{Effort, Equations, Proved, prove};
-use crate::periodic::precondition::{Jacobian, Preconditioner};
+use crate::number::Ball;
 use crate::tolerances::SERIES_OF_MANIFOLDS;
 
 const GAP: f64 = 9.42497 / 8.0;
-const WORD: &str = "FFFFFFFNFFFFFNFFNFFNFFFF";
 
 fn saddle() -> Guessed {
     Guessed::all(GAP, 0.5)[0]
-}
-
-/// The tangency, in doubles.
-fn tangency() -> InDoubles {
-    let word: FlightWord = WORD.parse().unwrap();
-    let folds = Floats::new(GAP, 0.5, saddle()).unwrap().folds(GAP, &word.0);
-    in_doubles(&settled(&folds[0], 0.5).unwrap(), Ball::exact(0.5)).unwrap()
 }
 
 /// The map takes the point of `sigma` to that of `lambda sigma`.
@@ -75,139 +61,4 @@ fn tails_hold_what_is_left_out() {
         let far = Pair { gap: Ball::exact(GAP + 6e-5), restitution: Ball::exact(0.5) };
         assert!(manifold.at(&far, &Ball::exact(0.001)).is_none());
     }
-}
-
-/// The common points of both manifolds at one `D`: the equations of a chain without tangents.
-struct Crossing<'c> {
-    chain: &'c Chain<Ball>,
-    gap: Ball,
-}
-
-impl Crossing<'_> {
-    /// As the chain has it.
-    fn all(&self, x: &[Ball]) -> Vec<Ball> {
-        let zero = Ball::exact(0.0);
-        let mut all = vec![x[0], x[1], self.gap, zero];
-        all.extend(x[2..].chunks(2).flat_map(|state| [state[0], state[1], zero, zero]));
-        all
-    }
-}
-
-impl Equations<Ball> for Crossing<'_> {
-    type Jacobian = DMatrix<Ball>;
-
-    fn values(&self, x: &[Ball]) -> Option<Vec<Ball>> {
-        Some(self.chain.values(&self.all(x))?.chunks(4).flat_map(|row| [row[0], row[1]]).collect())
-    }
-
-    fn jacobian(&self, x: &[Ball]) -> Option<Self::Jacobian> {
-        let state = |j: usize| (j - FIRST) / 4 * 2 + (j - FIRST) % 4;
-        let column = |j: usize| match j {
-            0 | 1 => Some(j),
-            2 | 3 => None,
-            _ => ((j - FIRST) % 4 < 2).then(|| 2 + state(j)),
-        };
-        let row = |i: usize| (i % 4 < 2).then_some(i / 4 * 2 + i % 4);
-        Some(part(&self.chain.jacobian(&self.all(x))?, x.len(), (&row, &column)))
-    }
-}
-
-/// The states and tangents along the flights from one `sigma_u`, and the `D` at which they come to the stable manifold: a chain without its last
-/// equation.
-struct Curve<'c> {
-    chain: &'c Chain<Ball>,
-    sigma: Ball,
-}
-
-impl Curve<'_> {
-    fn all(&self, x: &[Ball]) -> Vec<Ball> {
-        [&[self.sigma], x].concat()
-    }
-}
-
-impl Equations<Ball> for Curve<'_> {
-    type Jacobian = DMatrix<Ball>;
-
-    fn values(&self, x: &[Ball]) -> Option<Vec<Ball>> {
-        let mut values = self.chain.values(&self.all(x))?;
-        values.pop();
-        Some(values)
-    }
-
-    fn jacobian(&self, x: &[Ball]) -> Option<Self::Jacobian> {
-        let row = |i: usize| (i < x.len()).then_some(i);
-        Some(part(&self.chain.jacobian(&self.all(x))?, x.len(), (&row, &|j: usize| j.checked_sub(1))))
-    }
-}
-
-/// A new place of a row or a column; `None` where it is left out.
-type Place<'p> = &'p dyn Fn(usize) -> Option<usize>;
-
-/// A part of a matrix.
-fn part(matrix: &Sparse<Ball>, size: usize, (row, column): (Place<'_>, Place<'_>)) -> DMatrix<Ball> {
-    let mut found = DMatrix::from_element(size, size, Ball::exact(0.0));
-    for (i, j, value) in matrix.entries() {
-        if let Some((i, j)) = row(i).zip(column(j)) {
-            found[(i, j)] = found[(i, j)] + *value;
-        }
-    }
-    found
-}
-
-fn points(x: &[f64]) -> Vec<Ball> {
-    x.iter().map(|x| Ball::exact(*x)).collect()
-}
-
-/// The zero of the equations near a guess, if it is proved.
-fn proved(
-    equations: &impl Equations<Ball, Jacobian = DMatrix<Ball>>,
-    guess: &[f64],
-    effort: Effort,
-) -> Option<Proved<Ball>> {
-    let inverse = Preconditioner::new(&equations.jacobian(&points(guess))?.map(|x| x.mid()))?;
-    prove(equations, &inverse, &points(guess), effort)
-}
-
-/// The common points that are proved at one `D` along the word, from two guesses.
-fn crossings(found: &InDoubles, gap: f64, apart: f64) -> Vec<Vec<Ball>> {
-    let near = |sign: f64| -> Option<Vec<Ball>> {
-        let guess = Guessed::all(gap, 0.5)[0];
-        let sigma = [found.x[0] + sign * apart, found.x[1]];
-        let fold = Fold { gap, guess, flights: found.chain.flights.clone(), sigma, distance: 0.0 };
-        let along = Floats::new(gap, 0.5, guess)?.along(&fold)?;
-        let mut x = sigma.to_vec();
-        x.extend(along.states[1..fold.flights.len()].iter().flatten());
-        let crossing = Crossing { chain: &found.chain, gap: Ball::exact(gap) };
-        for _ in 0..20 {
-            let inverse = crossing.jacobian(&points(&x))?.map(|x| x.mid()).try_inverse()?;
-            let misses = crossing.values(&points(&x))?.into_iter().map(|x| x.mid());
-            let step = inverse * nalgebra::DVector::from_iterator(x.len(), misses);
-            x.iter_mut().zip(step.iter()).for_each(|(x, step)| *x -= step);
-        }
-        let effort = Effort { largest: 0.1 * apart, domains: 4, images: 10, slow: 2 };
-        proved(&crossing, &x, effort).map(|zero| crossing.all(&zero.at))
-    };
-    [near(1.0), near(-1.0)].into_iter().flatten().collect()
-}
-
-/// Lemma J10: for `D` below `D*` there are two common points near the tangency, for `D` above none in a box about it.
-#[test]
-fn two_homoclinic_points_meet_at_the_tangency() {
-    const BELOW: f64 = 1e-12;
-    let found = tangency();
-    let apart = (2.0f64 * 806.0 * BELOW / 1.158e9).sqrt();
-    // For each sigma_u there is one D in the box, and no other; in the box of the tangency it is the only critical point.
-    let curve = Curve { chain: &found.chain, sigma: Ball::new(found.x[0], 3.0 * apart) };
-    let effort = Effort { largest: 0.5 * found.zero.domain[0].rad(), domains: 6, images: 1, slow: 1 };
-    let domain = curve.all(&proved(&curve, &found.x[1..], effort).unwrap().domain);
-    // Two points of this curve lie below, one on each side.
-    let below = crossings(&found, found.x[2] - BELOW, apart);
-    assert_eq!(below.len(), 2);
-    let [a, b] = [0, 1].map(|i| below[i][0]);
-    let own = found.zero.at[0];
-    assert!((a - own).mid() - (a - own).rad() > 0.0 && (own - b).mid() - (own - b).rad() > 0.0, "{a:?} {own:?} {b:?}");
-    let is_inside =
-        |(i, x): (usize, &Ball)| (i >= FIRST && (i - FIRST) % 4 > 1) || i == 3 || x.is_interior_to(&domain[i]);
-    assert!(below.iter().all(|x| x.iter().enumerate().all(is_inside)));
-    assert!(crossings(&found, found.x[2] + BELOW, apart).is_empty());
 }

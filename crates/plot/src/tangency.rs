@@ -67,7 +67,10 @@ fn head(
     (root, look): (&Canvas<'_>, &Look),
 ) -> Result<i32, Box<dyn std::error::Error>> {
     let name = format!("{}: a homoclinic tangency", scene.title().unwrap_or("The impact map"));
-    let said = format!("the tangency is proved, the curves are in floating point; {}", picture::program());
+    let said = format!(
+        "the tangency is proved, the curves are in floating point; both branches of the fold are nearer to each other than a line is wide; {}",
+        picture::program()
+    );
     let top = picture::caption(root, look, &name, &[parameters(scene, Some(&found.over)), said])?;
     let entries = [
         (Mark::Cell(VERMILION), "unstable manifold of the equispaced motion".to_owned()),
