@@ -25,7 +25,7 @@ use crate::values::{bits, count, digits, precision};
 
 pub const HELP: &str = "\
 Examples:
-  impact-pair tangency scenes/figure-14.toml --over gap=9.4249..9.4252 --word FFFFFFFNFFFFFNFFNFFNFFFF --digits 30
+  impact-pair tangency scenes/figure-14.toml --over gap=9.425..9.426 --word FFFFFFFNFFFFFNFFNFFNFFFF
   impact-pair tangency scenes/figure-14.toml --over gap=9.4245..9.4252 --longest 18
 
 The equispaced motion (66), (67) of half a forcing period between impacts is a fixed point of the reduced map, which \

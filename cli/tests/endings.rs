@@ -6,7 +6,7 @@ use std::path::Path;
 use crate::common::{folder, program};
 
 /// The verbs that write data, each with a quick question, and the endings that it writes.
-const VERBS: [(&[&str], &[&str]); 13] = [
+const VERBS: [(&[&str], &[&str]); 14] = [
     (&["run", "scenes/figure-12.toml", "--impacts", "3"], &["txt", "json", "jsonl", "csv"]),
     (&["periodic", "scenes/figure-12.toml", "--word", "RL", "--cycles", "1"], &["txt", "json"]),
     (&["two-impact", "scenes/figure-12.toml", "--cycles", "1"], &["txt", "json"]),

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 
 use crate::common::program;
 
-const VERBS: [&str; 18] = [
+const VERBS: [&str; 19] = [
     "run",
     "describe",
     "periodic",

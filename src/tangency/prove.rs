@@ -41,11 +41,9 @@ const LARGEST_STEP: f64 = 0.05;
 const ENOUGH: f64 = 1e-12;
 /// A parameter of a manifold is at most that part of the radius for which it is proved.
 const PART: f64 = 0.125;
-/// The radii of `D` for which the manifolds are proved, and of the largest domain; for a ball of `e` they are larger by N of its radii.
+/// The radii of `D` for which the manifolds are proved, and of the largest domain.
 const REACH: f64 = 1.0 / 8192.0;
 const DOMAIN: f64 = 1.0 / 65_536.0;
-const REACH_OF_BALLS: f64 = 64.0;
-const DOMAIN_OF_BALLS: f64 = 24.0;
 /// How much wider than the radii of the enclosures the bounds are within which there is no other tangency: more than printing adds (Lemma P1),
 /// and the change of units.
 const WIDER: f64 = 8.0;
@@ -132,8 +130,7 @@ pub(super) fn settled(fold: &Fold, e: f64) -> Option<Fold> {
 fn approximate(fold: &Fold, e: Ball) -> Option<(Fold, [Local; 2])> {
     let mut found = settled(fold, e.mid())?;
     let Fold { gap, guess, .. } = found;
-    let reach = REACH_OF_BALLS.mul_add(e.rad(), REACH);
-    let locals = [Side::Unstable, Side::Stable].map(|side| Local::prove(gap, reach, e, &guess, side));
+    let locals = [Side::Unstable, Side::Stable].map(|side| Local::prove(gap, REACH, e, &guess, side));
     let [Some(unstable), Some(stable)] = locals else { return None };
     while found.sigma[0].abs() > PART * unstable.radius {
         found.sigma[0] /= guess.lambda[0];
@@ -190,8 +187,7 @@ pub(super) fn in_doubles(fold: &Fold, e: Ball) -> Option<InDoubles> {
     let x = settle(&chain, x)?;
     let chain = chain_in(&chain, e, (&locals, &x), ERROR);
     let inverse = inverse(&chain, &x)?;
-    let largest = DOMAIN_OF_BALLS.mul_add(e.rad(), DOMAIN);
-    let effort = Effort { largest, domains: 10, images: 30, slow: 3 };
+    let effort = Effort { largest: DOMAIN, domains: 10, images: 30, slow: 3 };
     let zero = prove(&chain, &inverse, &points(&x), effort)?;
     let least = least(&chain, &zero.domain)?;
     Some(InDoubles { chain, locals, inverse, x, zero, least })

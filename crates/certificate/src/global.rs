@@ -57,10 +57,12 @@ impl GlobalCertificate {
             claimed.push(claim);
         }
         let mut unjudged = whole.unread::<GlobalDocument>()?;
-        let always = ["program", "scene.start", "greatest_speed", "boxes", "halvings", "order"];
+        let always =
+            ["program", "scene.excitation.phase", "scene.start", "greatest_speed", "boxes", "halvings", "order"];
         let of_components = ["components.boxes", "components.area", "components.closed"];
         unjudged.extend(always.map(str::to_owned));
         unjudged.extend(of_components.iter().filter(|_| !claimed.is_empty()).map(|key| (*key).to_owned()));
+        unjudged.extend(orbits.is_empty().then(|| "scene.excitation.frequency".to_owned()));
         unjudged.extend(document.interrupted.then(|| "interrupted".to_owned()));
         unjudged.sort();
         unjudged.dedup();

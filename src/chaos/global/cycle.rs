@@ -1,5 +1,5 @@
-//! The periodic motion that all motions of a component tend to: proposed in floating point, proved over the hull of the component. Lemma U8
-//! of `docs/proofs/global.md#U8`.
+//! The periodic motion that all motions of a component tend to: proposed in floating point, proved over the hull of the component. Lemma A8
+//! of `docs/proofs/global.md#A8`.
 
 use std::f64::consts::TAU;
 
@@ -26,9 +26,9 @@ pub(super) struct Limit {
 /// The longest cycle that is looked for, in impacts of the reduced map.
 const LONGEST: usize = 24;
 /// Boxes from whose centres cycles are looked for.
-const SEEDS: usize = 24;
+const SEEDS: usize = 6;
 /// Impacts before an orbit is looked at.
-const TRANSIENT: usize = 2000;
+const TRANSIENT: usize = 500;
 /// Steps of Newton's iteration, when it has ended, and how near a cycle that closes is.
 const STEPS: usize = 12;
 const ENOUGH: f64 = 1e-11;
@@ -49,7 +49,7 @@ pub(super) fn limit(space: &Space, component: &Component) -> Option<Limit> {
     let mut known: Vec<Vec<State>> = Vec::new();
     for &cell in component.cells.iter().step_by(every) {
         let seed = component.grid.quad(cell).centre;
-        for cycle in proposals(&guess, seed) {
+        for cycle in proposals(&guess, seed, component.cells.len()) {
             let is_new = known.iter().all(|other| !is_one(other, &cycle));
             if is_new && cycle.iter().all(|&state| is_near(component, state)) {
                 if let Some(limit) = proved(space, &guess, component, &cycle) {
@@ -62,11 +62,13 @@ pub(super) fn limit(space: &Space, component: &Component) -> Option<Limit> {
     None
 }
 
-/// The cycles that floating point finds from a state: that of its orbit, and those of Newton's iteration.
-fn proposals(guess: &Guess, seed: State) -> Vec<Vec<State>> {
+/// The cycles that floating point finds from a state: that of its orbit, and those of Newton's iteration, each of no more impacts than there are
+/// boxes.
+fn proposals(guess: &Guess, seed: State, boxes: usize) -> Vec<Vec<State>> {
+    let longest = boxes.min(LONGEST); // proposes
     let settled = (0..TRANSIENT).try_fold(seed, |state, _| Some(in_period(guess.map(state)?.state)));
-    let own = settled.and_then(|state| (1..=LONGEST).find_map(|n| closed(guess, state, n)));
-    own.into_iter().chain((1..=LONGEST).filter_map(|n| closed(guess, seed, n))).collect()
+    let own = settled.and_then(|state| (1..=longest).find_map(|n| closed(guess, state, n)));
+    own.into_iter().chain((1..=longest).filter_map(|n| closed(guess, seed, n))).collect()
 }
 
 /// The cycle of N impacts near a state, by Newton's iteration.
@@ -81,7 +83,7 @@ fn closed(guess: &Guess, seed: State, impacts: usize) -> Option<Vec<State>> {
             product = times(image.jacobian, product);
             at = image.state;
         }
-        let miss = [at[0] - state[0] - (at[0] - state[0]).round(), at[1] - state[1]];
+        let miss = [at[0] - state[0] - (at[0] - state[0]).round(), at[1] - state[1]]; // proposes
         let size = (TAU * miss[0]).hypot(miss[1]);
         if size < ENOUGH {
             let shortest = (1..impacts).all(|n| apart(states[n], states[0]) > CLOSED || !impacts.is_multiple_of(n));
@@ -100,7 +102,7 @@ fn closed(guess: &Guess, seed: State, impacts: usize) -> Option<Vec<State>> {
 /// Whether a state is in a box of a component, or in one beside it.
 fn is_near(component: &Component, [phase, speed]: State) -> bool {
     let (column, row) = component.grid.cell(phase, speed);
-    let columns = component.grid.columns as i32;
+    let columns = component.grid.columns as i32; // exact: fewer than 2^31
     let beside = |i: i32, j: i32| component.cells.binary_search(&((column + i).rem_euclid(columns), row + j)).is_ok();
     (-1..=1).any(|i| (-1..=1).any(|j| beside(i, j)))
 }
@@ -111,14 +113,14 @@ fn is_one(one: &[State], other: &[State]) -> bool {
 }
 
 fn in_period([phase, speed]: State) -> State {
-    [phase - phase.floor(), speed]
+    [phase - phase.floor(), speed] // proposes
 }
 
 fn apart([u, w]: State, [v, x]: State) -> f64 {
-    (TAU * (u - v - (u - v).round())).hypot(w - x)
+    (TAU * (u - v - (u - v).round())).hypot(w - x) // proposes
 }
 
-/// Proves that all motions that stay in a component tend to a cycle. Lemma U8
+/// Proves that all motions that stay in a component tend to a cycle. Lemma A8
 fn proved(space: &Space, guess: &Guess, component: &Component, states: &[State]) -> Option<Limit> {
     let count = states.len();
     let images: Vec<Image> = states.iter().map(|&state| guess.map(state)).collect::<Option<_>>()?;
@@ -136,7 +138,7 @@ fn proved(space: &Space, guess: &Guess, component: &Component, states: &[State])
     if !attracts && !steps.iter().flatten().any(|steps| is_saddle(steps)) {
         return None; // exact: not proved
     }
-    // U8: whatever stays goes from each class to the next one
+    // A8: whatever stays goes from each class to the next one
     for (&cell, &class) in component.cells.iter().zip(&classes) {
         let mut is_next = true;
         space.images(component.grid, cell, &mut |next| {
@@ -165,7 +167,7 @@ fn nearest(component: &Component, states: &[State], cell: (i32, i32)) -> usize {
 fn hulls(component: &Component, states: &[State], classes: &[usize]) -> Option<Vec<[[f64; 2]; 2]>> {
     let (columns, rows) = (component.grid.columns, component.grid.rows);
     let hull = |class: usize| {
-        let middle = (states[class][0] * columns as f64).floor() as i64; // U8: phases are counted from any column
+        let middle = (states[class][0] * columns as f64).floor() as i64; // A8: phases are counted from any column
         let own = component.cells.iter().zip(classes).filter(|(_, own)| **own == class);
         let places = own.map(|(&(column, row), _)| {
             let ahead = (i64::from(column) - middle + columns / 2).rem_euclid(columns) - columns / 2;
@@ -173,7 +175,7 @@ fn hulls(component: &Component, states: &[State], classes: &[usize]) -> Option<V
         });
         let [least, most] =
             places.fold([(i64::MAX, i64::MAX), (i64::MIN, i64::MIN)], |[least, most], (column, row)| {
-                [(least.0.min(column), least.1.min(row)), (most.0.max(column), most.1.max(row))] // U8: the hull
+                [(least.0.min(column), least.1.min(row)), (most.0.max(column), most.1.max(row))] // A8: the hull
             });
         let is_local = least.0 <= most.0 && most.0 - least.0 < columns / 4;
         let at = |place: i64, per: f64| place as f64 / per; // exact: powers of two
@@ -211,7 +213,7 @@ fn first_columns(images: &[Image]) -> Option<Columns> {
     } else {
         let (imaginary, radius) = ((-under).sqrt(), determinant.abs().sqrt());
         let second = if b.abs() > c.abs() { [0.0, imaginary] } else { [imaginary, 0.0] };
-        let size = size(vector(half)).max(size(second));
+        let size = size(vector(half)).max(size(second)); // proposes
         ([vector(half), second].map(|column| column.map(|x| x / size)), [radius, radius])
     };
     Some((columns, factors))
@@ -221,14 +223,14 @@ fn first_columns(images: &[Image]) -> Option<Columns> {
 fn orthogonal(images: &[Image]) -> Option<Columns> {
     let [[a, b], [c, d]] = period(images);
     let (half, determinant) = (0.5 * (a + d), a * d - b * c);
-    let root = half + (half * half - determinant).max(0.0).sqrt().copysign(half);
+    let root = half + (half * half - determinant).max(0.0).sqrt().copysign(half); // proposes
     let vector = if b.abs() > c.abs() { [b, root - a] } else { [root - d, c] };
     let [u, w] = if size(vector) > 0.0 { unit(vector) } else { [1.0 / TAU, 0.0] };
     let radius = determinant.abs().sqrt();
     let across = [-w / TAU, u * TAU];
     // So short that what a period shears it by is less than what is left of 1.
     let sheared = size(applied([[a, b], [c, d]], across));
-    let short = (0.25 * (1.0 - radius) / sheared).min(1.0);
+    let short = (0.25 * (1.0 - radius) / sheared).min(1.0); // proposes
     Some(([[u, w], across.map(|x| x * short)], [radius, radius]))
 }
 
@@ -248,7 +250,7 @@ fn unit(vector: State) -> State {
 
 /// Bases at each state of a cycle: two directions and their images, shortened alike at each impact, as columns.
 fn frames(images: &[Image], (mut columns, factors): Columns) -> Option<Vec<[[f64; 2]; 2]>> {
-    let per_impact = factors.map(|factor| factor.powf(1.0 / images.len() as f64));
+    let per_impact = factors.map(|factor| factor.powf(1.0 / images.len() as f64)); // proposes
     let mut frames = Vec::with_capacity(images.len());
     for image in images {
         frames.push([[columns[0][0], columns[1][0]], [columns[0][1], columns[1][1]]]);
@@ -270,26 +272,26 @@ fn within(derivative: Matrix, from: [[f64; 2]; 2], to: [[f64; 2]; 2]) -> Option<
     Some([[over(p)?, over(q)?], [over(r)?, over(s)?]])
 }
 
-/// Whether the product of the greatest stretchings is less than 1. Lemma U8
+/// Whether the product of the greatest stretchings is less than 1. Lemma A8
 fn is_contraction(steps: &[Matrix]) -> bool {
     let norm = |[[a, b], [c, d]]: &Matrix| {
         let squares = *a * *a + *b * *b + *c * *c + *d * *d;
         let determinant = *a * *d - *b * *c;
-        let apart = ends(squares * squares - determinant * determinant * Ball::exact(4.0))[1].max(0.0); // U8: it is not negative
+        let apart = ends(squares * squares - determinant * determinant * Ball::exact(4.0))[1].max(0.0); // A8: it is not negative
         let root = (apart.sqrt()).next_up();
         ((0.5 * (ends(squares)[1] + root).next_up()).sqrt()).next_up()
     };
     steps.iter().fold(1.0, |product: f64, step| (product * norm(step)).next_up()) < 1.0
 }
 
-/// Whether cones about the first direction are mapped into themselves and stretched, and the rest shrinks. Lemma U8
+/// Whether cones about the first direction are mapped into themselves and stretched, and the rest shrinks. Lemma A8
 fn is_saddle(steps: &[Matrix]) -> bool {
     let (mut stretched, mut shrunk) = (1.0_f64, 1.0_f64);
     for [[a, b], [c, d]] in steps {
         let long = ((a.mid().abs() - a.rad()).next_down() - b.mag()).next_down();
         let short = (c.mag() + d.mag()).next_up();
         if !(long > 0.0 && short <= long) {
-            return false; // U8: not proved
+            return false; // A8: not proved
         }
         stretched = (stretched * long).next_down();
         shrunk = (shrunk * short).next_up();

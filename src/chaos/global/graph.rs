@@ -1,4 +1,4 @@
-//! Boxes as a graph of what may follow: its recurrent components, and which lead to which. Lemmas U3, U6 of `docs/proofs/global.md#U3`.
+//! Boxes as a graph of what may follow: its recurrent components, and which lead to which. Lemmas A3, A6 of `docs/proofs/global.md#A3`.
 
 use std::sync::Mutex;
 use std::thread;
@@ -87,7 +87,7 @@ impl Graph {
         } else {
             let (own, left) = released(*grid, cells, release);
             leaves[cells.len()] = left;
-            edges.extend(own.into_iter().map(|to| (count, to.unwrap_or(count))));
+            edges.extend(own.into_iter().map(|to| (count, to.unwrap_or(count)))); // exact: indices
         }
         let merged = contracted(&mut edges, &staying, cells.len(), *has_release, &mut leaves);
         edges.sort_unstable();
@@ -97,7 +97,7 @@ impl Graph {
     }
 
     /// Returns the recurrent components: whatever stays among the boxes for ever is in one of them in the end. `parent` tells whether
-    /// nothing leaves the boxes of the graph. Lemma U6
+    /// nothing leaves the boxes of the graph. Lemma A6
     pub fn recurrent(&self, is_closed: bool) -> Recurrent {
         let count = self.cells.len() + 1;
         let forth: Vec<Vec<usize>> = (0..count)
@@ -136,6 +136,7 @@ impl Graph {
         let mut nodes: Vec<Vec<u32>> = vec![Vec::new(); recurrent.len()];
         for node in 0..count {
             if let Some(k) = index[number[self.merged[node] as usize]] {
+                // exact: indices
                 nodes[k as usize].push(node as u32); // exact: indices
             }
         }
@@ -193,11 +194,11 @@ fn images(
     Some((edges, leaves))
 }
 
-/// The nodes that the release leads to, `None` for itself, and whether it leads to others as well. Lemma U7
+/// The nodes that the release leads to, `None` for itself, and whether it leads to others as well. Lemma A7
 fn released(grid: Grid, cells: &[Cell], release: &Release) -> (Vec<Option<u32>>, bool) {
     let Release::Lands(phases, speeds) = release else { return (vec![None], false) };
-    let columns = phases.map(|phase| (phase * grid.columns as f64).floor() as i64); // U7: the boxes of both ends
-    let rows = speeds.map(|speed| (speed * grid.rows).floor() as i32); // U7: the boxes of both ends
+    let columns = phases.map(|phase| (phase * grid.columns as f64).floor() as i64); // A7: the boxes of both ends
+    let rows = speeds.map(|speed| (speed * grid.rows).floor() as i32); // A7: the boxes of both ends
     let (mut found, mut is_left) = (Vec::new(), false);
     for column in columns[0]..=columns[1] {
         for row in rows[0]..=rows[1] {
@@ -212,7 +213,7 @@ fn released(grid: Grid, cells: &[Cell], release: &Release) -> (Vec<Option<u32>>,
 }
 
 /// Puts boxes together that lead to one another by impacts of one wall in one column, and lets the release follow them: a motion that stays
-/// there chatters completely. Returns which box each is put together with. Lemma U3
+/// there chatters completely. Returns which box each is put together with. Lemma A3
 fn contracted(
     edges: &mut Vec<(u32, u32)>,
     staying: &[(u32, u32)],

@@ -1,4 +1,4 @@
-//! Where motions go from the states of a box: Lemmas U1-U5 of `docs/proofs/global.md#U1`.
+//! Where motions go from the states of a box: Lemmas A1-A5 of `docs/proofs/global.md#A1`.
 
 use std::f64::consts::TAU;
 
@@ -61,12 +61,12 @@ struct Part {
 }
 
 impl Part {
-    /// Bounds of the speeds of contacts with the near wall up to a phase. Lemma U3
+    /// Bounds of the speeds of contacts with the near wall up to a phase. Lemma A3
     fn near(&self, phase: f64) -> [f64; 2] {
         let long = angle([self.phases[0], phase]);
         let [least, most] = self.after;
         let by = up(long * long / 6.0);
-        [(least - up(by + 4.0 * UNIT * least)).max(0.0), up(most + by)] // U3: not negative
+        [(least - up(by + 4.0 * UNIT * least)).max(0.0), up(most + by)] // A3: not negative
     }
 }
 
@@ -75,26 +75,26 @@ fn angle([low, high]: [f64; 2]) -> f64 {
     up(TAU * (high - low) * (1.0 + 4.0 * UNIT))
 }
 
-/// A time for which no flight with at least this speed from these phases touches the near wall, in radians; 0 where none is proved. Lemma U3
+/// A time for which no flight with at least this speed from these phases touches the near wall, in radians; 0 where none is proved. Lemma A3
 fn lifted(least: f64, phases: [f64; 2]) -> f64 {
     let (sin, cos) = over(phases);
-    let [down, below] = [sin, cos].map(|x| (-ends(x)[0]).max(0.0)); // U3: how far below 0
+    let [down, below] = [sin, cos].map(|x| (-ends(x)[0]).max(0.0)); // A3: how far below 0
     let is_lifted = |long: f64| {
         let sixth = up(long * long / 6.0);
         let falls = up(up(below * sixth) + up(0.5 * down * long));
         least > falls
-            || phases[1] <= 0.25 // U3: sine and cosine are not negative
+            || phases[1] <= 0.25 // A3: sine and cosine are not negative
             || phases[1] <= 0.5
                 && ends(sin)[0] * (0.5 - up(long * long / 24.0)) > up(up(cos.mag() * long / 6.0) * (1.0 + 4.0 * UNIT))
     };
-    LIFTED.into_iter().find(|&long| is_lifted(long)).unwrap_or(0.0)
+    LIFTED.into_iter().find(|&long| is_lifted(long)).unwrap_or(0.0) // A3: no such time
 }
 
 impl Space {
     /// `None` where `e` is not proved to be below 0.99.
     pub fn new(law: Law) -> Option<Self> {
         let [low, high] = ends(law.restitution);
-        let restitution = [low.max(0.0), high]; // U1: e >= 0
+        let restitution = [low.max(0.0), high]; // A1: e >= 0
         (high < MOST_RESTITUTION).then_some(Self { law, restitution, gap: ends(law.gap) })
     }
 
@@ -102,10 +102,10 @@ impl Space {
         &self.law
     }
 
-    /// Returns the speed that none exceeds in the end: a multiple of 1/64. Lemma U1
+    /// Returns the speed that none exceeds in the end: a multiple of 1/64. Lemma A1
     pub fn fastest(&self) -> f64 {
         let limit = 2.0 / (1.0 - self.restitution[1]) * (1.0 + 8.0 * UNIT);
-        STEP * ((limit / STEP).floor() + 1.0)
+        STEP * ((limit / STEP).floor() + 1.0) // A1: greater than the limit
     }
 
     /// Notes what may follow the states of a box.
@@ -118,11 +118,11 @@ impl Space {
             return;
         }
         if self.after(speeds)[0] <= 0.0 && phases[1] >= 0.5 {
-            note(Next::Release); // U2: a ball that is pressed
+            note(Next::Release); // A2: a ball that is pressed
         }
         let parts = |length: f64, most: f64| {
-            let halvings = (length / most).log2().ceil().clamp(0.0, f64::from(MOST_PARTS.ilog2())); // U2: any parts
-            2_i32.pow(halvings as u32) // U2: any parts
+            let halvings = (length / most).log2().ceil().clamp(0.0, f64::from(MOST_PARTS.ilog2())); // A2: any parts
+            2_i32.pow(halvings as u32) // A2: any parts
         };
         let [across, along] = [parts(1.0 / columns, WIDTH), parts(1.0 / rows, HEIGHT)];
         let finer = Grid { columns: grid.columns * i64::from(across), rows: rows * f64::from(along) };
@@ -137,7 +137,7 @@ impl Space {
     /// Bounds of the speeds with which balls of such speeds leave.
     fn after(&self, [low, high]: [f64; 2]) -> [f64; 2] {
         let [least, most] = self.restitution;
-        [(least * low).next_down().max(0.0), (most * high).next_up()] // U1: speeds and e are not negative
+        [(least * low).next_down().max(0.0), (most * high).next_up()] // A1: speeds and e are not negative
     }
 
     /// Notes what may follow the states of a part of a box.
@@ -156,17 +156,17 @@ impl Space {
         self.march(grid, &Flights::new(&self.law, &finer.quad((column, row))), &part, note);
     }
 
-    /// Bounds of the speeds of contacts at the phases of a part, of either wall; `None` where there is none. Lemma U3
+    /// Bounds of the speeds of contacts at the phases of a part, of either wall; `None` where there is none. Lemma A3
     fn within(&self, part: &Part) -> [Option<[f64; 2]>; 2] {
         let Part { after: [least, most], phases, .. } = *part;
         let long = angle(phases);
         let near = (part.lifted < long).then(|| part.near(phases[1]));
         let is_far = self.gap[0] <= up(long * up(most + up(0.5 * long + up(long * long / 6.0))));
-        let far = is_far.then(|| [(least - up(long + 4.0 * UNIT * least)).max(0.0), up(most + long)]); // U3: not negative
+        let far = is_far.then(|| [(least - up(long + 4.0 * UNIT * least)).max(0.0), up(most + long)]); // A3: not negative
         [near, far]
     }
 
-    /// Notes the contacts at later phases. Lemmas D4, U4
+    /// Notes the contacts at later phases. Lemmas D4, A4
     fn march(&self, grid: Grid, flights: &Flights, part: &Part, note: &mut dyn FnMut(Next)) {
         let columns = grid.columns as f64; // exact: a power of two
         let from = part.phases[1];
@@ -203,7 +203,7 @@ impl Space {
                 if let Some(mut speeds) = flights.arrivals(side, low, high, &view) {
                     if side == Side::Near && since < 1.0 {
                         let [least, most] = part.near(high);
-                        speeds = [speeds[0].max(least), speeds[1].min(most)]; // U3: both hold them
+                        speeds = [speeds[0].max(least), speeds[1].min(most)]; // A3: both hold them
                     }
                     self.land(grid, side, column, speeds, side == Side::Near && column == part.home, note);
                 }
@@ -221,17 +221,17 @@ impl Space {
         if is_spread { FEW } else { LONGEST }
     }
 
-    /// Bounds of the drifts of those that have touched no wall for so many forcing periods. Lemma U4
+    /// Bounds of the drifts of those that have touched no wall for N forcing periods. Lemma A4
     fn drifts(&self, flights: &Flights, periods: f64) -> [f64; 2] {
         let [low, high] = ends(flights.drifts());
         let angle = TAU * periods * (1.0 - 8.0 * UNIT);
-        [low.max(-up(2.0 / angle)), high.min(up(up(self.gap[1] + 2.0) / angle))] // U4: the heights are between the walls
+        [low.max(-up(2.0 / angle)), high.min(up(up(self.gap[1] + 2.0) / angle))] // A4: the heights are between the walls
     }
 
-    /// Notes the contacts of flights that have lasted long, at any phase that these have. Lemma U4
+    /// Notes the contacts of flights that have lasted long, at any phase that these have. Lemma A4
     fn slow(&self, grid: Grid, drifts: [f64; 2], note: &mut dyn FnMut(Next)) {
         if drifts[0] > drifts[1] {
-            return; // U4: there is none
+            return; // A4: there is none
         }
         let columns = grid.columns as f64; // exact: a power of two
         for column in 0..grid.columns {
@@ -258,23 +258,23 @@ impl Space {
         let column = (column + shift).rem_euclid(grid.columns) as i32; // exact: fewer than 2^31
         let last = (self.fastest() * grid.rows) as i32 - 1; // exact: a whole number
         let [low, high] = speeds.map(|speed| (speed * grid.rows).floor() as i32); // D4: of both ends
-        (low..=high.min(last))
-            .for_each(|row| note(Next::Impact { cell: (column, row), stays, is_far: side == Side::Far })); // U1: none is faster
+        (low..=high.min(last)) // A1: none is faster
+            .for_each(|row| note(Next::Impact { cell: (column, row), stays, is_far: side == Side::Far })); // A1: none is faster
     }
 
-    /// Whether all chatters that begin in a box are complete: Z1 for all of its states. Lemma U5
-    fn chatters(&self, [from, to]: [f64; 2], speed: f64) -> bool {
+    /// Whether all chatters that begin in a box are complete: Z1 for all of its states. Lemma A5
+    pub fn chatters(&self, [from, to]: [f64; 2], speed: f64) -> bool {
         if !(from > 0.5 && to < 1.0) {
-            return false; // U5: only where the ball is pressed
+            return false; // A5: only where the ball is pressed
         }
         let fast = up(self.restitution[1] * speed);
         WINDOWS.iter().any(|part| {
             let end = to + part * (1.0 - to);
             let force = [from, end].map(|phase| ends(-Ball::exact(phase).sin_cos().0));
-            let least = force[0][0].min(force[1][0]); // U5: the sine has one minimum there
-            let most = if from <= 0.75 && end >= 0.75 { 1.0 } else { force[0][1].max(force[1][1]) }; // U5: and is monotone else
+            let least = force[0][0].min(force[1][0]); // A5: the sine has one minimum there
+            let most = if from <= 0.75 && end >= 0.75 { 1.0 } else { force[0][1].max(force[1][1]) }; // A5: and is monotone else
             if least <= 0.0 {
-                return false; // U5: not proved
+                return false; // A5: not proved
             }
             let ratio = up(self.restitution[1] * up((most / least).sqrt() * (1.0 + 4.0 * UNIT)));
             let time = up(2.0 * fast) / (least * (1.0 - ratio) * (1.0 - 8.0 * UNIT));
@@ -291,7 +291,7 @@ fn over([low, high]: [f64; 2]) -> (Ball, Ball) {
     Ball::new(middle, up((middle - low).max(high - middle))).sin_cos() // D1: the farther end
 }
 
-/// Whether a flight of more than a forcing period, with such a drift, may end at such phases. Lemma U4
+/// Whether a flight of more than a forcing period, with such a drift, may end at such phases. Lemma A4
 fn may_land_late(side: Side, [low, high]: [f64; 2], phases: [f64; 2]) -> bool {
     let sin = ends(over(phases).0);
     let fall = |drift: f64| up(TAU * drift * (1.0 + 4.0 * UNIT));

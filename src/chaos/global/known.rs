@@ -1,11 +1,13 @@
-//! What is proved of components: cycles with their periods, the cycle with rests, and the grazing state. Lemmas U7-U9 of
-//! `docs/proofs/global.md#U7`.
+//! What is proved of components: cycles with their periods, the cycle with rests, and the grazing state. Lemmas A7-A9 of
+//! `docs/proofs/global.md#A7`.
 
 use super::cycle::Limit;
 use super::graph::{Component, Release};
 use super::image::{Next, Space, ends};
+use crate::chaos::flights::Flights;
 use crate::chaos::guess::Guess;
 use crate::chaos::law::{Law, Side};
+use crate::chaos::quad::Quad;
 use crate::exact::{Enclosure, Exact};
 use crate::number::{Ball, Number};
 use crate::orbit::{Orbit, Progress, Settings, Start};
@@ -93,12 +95,23 @@ pub(super) struct Released {
 const IMPACTS: u64 = 200;
 /// Bits of a spectral radius.
 const BITS: u32 = 80;
-/// How far from the state that grazes for ever Lemma U9 is used.
+/// How far from the state that grazes for ever Lemma A9 is used.
 const GRAZING: f64 = 0.25;
 
 impl Released {
-    /// Follows the ball from the release. Lemma U7
-    pub fn of(pair: &ImpactPair, law: &Law) -> Result<Self, Error> {
+    /// Follows the ball from the release: as an orbit, and where that is not proved to rest, as the parameters are intervals, by rectangles.
+    /// Lemma A7
+    pub fn of(pair: &ImpactPair, space: &Space) -> Result<Self, Error> {
+        let next = landing(space.law());
+        let cycle = match Self::orbit(pair)? {
+            Some(cycle) => Some(cycle),
+            None => rests(space, &next),
+        };
+        Ok(Self { next: if cycle.is_some() { Release::Repeats } else { next }, cycle })
+    }
+
+    /// The cycle, if the orbit from the release is proved to rest again.
+    fn orbit(pair: &ImpactPair) -> Result<Option<RestCycle>, Error> {
         let turn = Exact::pi() * Exact::from(2);
         let harmonic = Harmonic::new(pair.harmonic("a global analysis")?.amplitude().clone(), turn, Exact::from(0))?;
         let pair = ImpactPair::new(harmonic, pair.gap().clone(), pair.restitution().clone())?;
@@ -111,25 +124,56 @@ impl Released {
                 Progress::Release(release) => {
                     let alternates = release.wall == Wall::Right;
                     let cycles = if alternates { 2 * release.turns - 1 } else { release.turns };
-                    // U7: it has rested, and time has passed
+                    // A7: it has rested, and time has passed
                     let cycles =
                         u32::try_from(cycles).ok().filter(|&cycles| rested == Some(release.wall) && cycles > 0);
-                    let cycle = cycles.map(|cycles| RestCycle { cycles, alternates });
-                    let next = if cycle.is_some() { Release::Repeats } else { landing(law) };
-                    return Ok(Self { next, cycle });
+                    return Ok(cycles.map(|cycles| RestCycle { cycles, alternates }));
                 }
-                Progress::Ended => return Ok(Self { next: landing(law), cycle: None }),
+                Progress::Ended => return Ok(None),
                 _ => {}
             }
         }
     }
 }
 
-/// The first impact after a release, on the far wall: `x - sin x = D`. Lemma U7
+/// The cycle, if rectangles that hold the states from the release on are followed to a complete chatter.
+fn rests(space: &Space, first: &Release) -> Option<RestCycle> {
+    let Release::Lands(mut phases, mut speeds) = *first else { return None };
+    let guess = Guess::new(space.law());
+    let (mut turns, mut crossings) = (0.0, 1_u32);
+    for _ in 0..IMPACTS {
+        let whole = phases[0].floor(); // exact: whole forcing periods
+        turns += whole; // exact: small whole numbers
+        phases = phases.map(|phase| phase - whole); // exact: below 64
+        if space.chatters(phases, speeds[1]) {
+            let halves = 2.0 * (turns + 1.0) - f64::from(crossings); // exact: small whole numbers
+            let alternates = !crossings.is_multiple_of(2);
+            let cycles = if alternates { halves } else { 0.5 * halves }; // exact: small whole numbers
+            return Some(RestCycle { cycles: cycles as u32, alternates }); // exact: small whole numbers
+        }
+        let middle = |[low, high]: [f64; 2]| 0.5 * (low + high);
+        let centre = [middle(phases), middle(speeds)];
+        // A7: the farther end
+        let radius = |[low, high]: [f64; 2], at: f64| (high - at).max(at - low).next_up();
+        let quad = Quad::rectangle(centre, [radius(phases, centre[0]), radius(speeds, centre[1])], speeds[0]);
+        let image = guess.map(centre)?;
+        let landing = Flights::new(space.law(), &quad).land(image.side, image.state[0] - image.side.shift())?;
+        crossings += u32::from(image.side == Side::Far);
+        let [zero, one] = [0.0, 1.0].map(Ball::exact);
+        let along = |normal: [Ball; 2]| ends(landing.along(normal, [zero, zero]));
+        (phases, speeds) = (along([one, zero]), along([zero, one]));
+        if speeds[0] <= 0.0 {
+            return None; // exact: not proved
+        }
+    }
+    None
+}
+
+/// The first impact after a release, on the far wall: `x - sin x = D`. Lemma A7
 fn landing(law: &Law) -> Release {
     let height = |u: f64| Ball::exact(u).turn() * Ball::exact(u) - Ball::exact(u).sin_cos().0;
     let gap = ends(law.gap);
-    // U7: the height grows
+    // A7: the height grows
     let most = (gap[1] + 2.0).max(1.0);
     let bisected = |is_before: &dyn Fn(f64) -> bool| {
         let (mut low, mut high) = (0.0, most);
@@ -142,7 +186,7 @@ fn landing(law: &Law) -> Release {
     let low = bisected(&|u| ends(height(u))[1] <= gap[0])[0];
     let high = bisected(&|u| ends(height(u))[0] < gap[1])[1];
     let cos = ends(Ball::new(0.5 * (low + high), (0.5 * (high - low)).next_up()).sin_cos().1);
-    let speeds = [(1.0 - cos[1]).next_down().max(0.0), (1.0 - cos[0]).next_up()]; // U7: not negative
+    let speeds = [(1.0 - cos[1]).next_down().max(0.0), (1.0 - cos[0]).next_up()]; // A7: not negative
     Release::Lands([low + 0.5, high + 0.5], speeds)
 }
 
@@ -179,7 +223,7 @@ impl LimitCycle {
                 let (phase, radius) = impact.phase.mid_rad();
                 let shift = if impact.wall == Wall::Right { 0.5 } else { 0.0 };
                 let hull = limit.hulls[i];
-                let turned = (phase + shift - limit.states[i][0]).round(); // U8: whole forcing periods
+                let turned = (phase + shift - limit.states[i][0]).round(); // A8: whole forcing periods
                 let phase = Ball::new(phase, radius) + Ball::exact(shift) - Ball::exact(turned);
                 let (velocity, radius) = impact.velocity.mid_rad();
                 let per_period = Ball::exact(1.0).turn().checked_div(law.gap);
@@ -202,23 +246,23 @@ fn is_within(x: Ball, [low, high]: [f64; 2]) -> bool {
 }
 
 /// Returns bounds of the greatest modulus of two eigenvalues, real and imaginary part of each, for a period of the reduced map if theirs is so
-/// many: one or two. Lemma U8
+/// many: one or two. Lemma A8
 pub(crate) fn spectral_radius(eigenvalues: [[&Enclosure; 2]; 2], rounds: usize) -> Option<Enclosure> {
     let square = |x: &Enclosure| x.powi(2, BITS);
     let modulus = |[re, im]: [&Enclosure; 2]| Some(square(re)?.add(&square(im)?, BITS));
     let [one, other] = eigenvalues.map(modulus);
     let (one, other) = (one?, other?);
-    // U8: the greater of both is between the greater ends
+    // A8: the greater of both is between the greater ends
     let radius = Enclosure::new(one.inf().max(other.inf()).clone(), one.sup().max(other.sup()).clone())?.sqrt(BITS)?;
     if rounds == 2 { radius.sqrt(BITS) } else { Some(radius) }
 }
 
-/// Whether the motions that stay in a component are at the state that grazes for ever. Lemma U9
+/// Whether the motions that stay in a component are at the state that grazes for ever. Lemma A9
 pub(super) fn is_grazing(space: &Space, component: &Component) -> bool {
     let (columns, rows) = (component.grid.columns as f64, component.grid.rows); // exact: a power of two
     let angle = std::f64::consts::TAU / columns * (1.0 + 1e-15);
     let is_near = |&(column, row): &(i32, i32)| {
-        let away = (f64::from(column) - 0.25 * columns).abs().max((f64::from(column + 1) - 0.25 * columns).abs()); // U9: the farther edge
+        let away = (f64::from(column) - 0.25 * columns).abs().max((f64::from(column + 1) - 0.25 * columns).abs()); // A9: the farther edge
         away * angle <= GRAZING && f64::from(row + 1) / rows <= GRAZING
     };
     if component.has_release || component.cells.is_empty() || !component.cells.iter().all(is_near) {

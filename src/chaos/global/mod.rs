@@ -1,4 +1,4 @@
-//! Where every motion of a pair goes: Lemmas U1-U9 of `docs/proofs/global.md#U1`.
+//! Where every motion of a pair goes: Lemmas A1-A9 of `docs/proofs/global.md#A1`.
 //!
 //! The speeds that motions have in the end are covered by boxes; `image` encloses what may follow each, `graph` finds the components that
 //! motions may stay in for ever, each is refined alone, and `cycle` proves what they tend to there.
@@ -59,7 +59,7 @@ pub struct Recurrence {
 /// Where every motion of a pair goes.
 ///
 /// **Enclosure**: for every member of the data the impacts of every motion that touches a wall are in one component in the end, or the
-/// motion rests for ever again and again; of each component holds what its [`Kind`] says. Lemmas U1-U9
+/// motion rests for ever again and again; of each component holds what its [`Kind`] says. Lemmas A1-A9
 #[derive(Clone, Debug)]
 pub struct Global {
     /// The components, those first from which motions may go on to others.
@@ -112,7 +112,7 @@ impl Global {
                 format!("pair.restitution is {}, but must be below 0.99 for a global analysis", pair.restitution());
             Error::out_of_range("pair.restitution", said)
         })?;
-        let released = Released::of(pair, &law)?;
+        let released = Released::of(pair, &space)?;
         let mut analysis = Analysis { pair, space, released, settings, watch, mapped: 0, interrupted: false };
         let whole = analysis.whole();
         let (components, order) = analysis.decided(&whole, 0);
@@ -152,19 +152,19 @@ struct Analysis<'a> {
 }
 
 impl Analysis<'_> {
-    /// All states that motions have in the end, in boxes. Lemma U1
+    /// All states that motions have in the end, in boxes. Lemma A1
     fn whole(&self) -> Component {
         let fastest = self.space.fastest();
         // About as many columns as rows.
-        let columns = 1_i64 << (self.settings.boxes.ilog2() / 2); // U6: any boxes
-        let rows = (columns as f64 / fastest).log2().round().exp2().max(64.0); // U1: the greatest speed is a multiple of a row
+        let columns = 1_i64 << (self.settings.boxes.ilog2() / 2); // A6: any boxes
+        let rows = (columns as f64 / fastest).log2().round().exp2().max(64.0); // A1: the greatest speed is a multiple of a row
         let grid = Grid { columns, rows };
         let last = (fastest * rows) as i32; // exact: a whole number
         let cells = (0..columns as i32).flat_map(|column| (0..last).map(move |row| (column, row))).collect(); // exact: fewer than 2^31
         Component { grid, cells, has_release: true, is_closed: true }
     }
 
-    /// What is proved of a component: of itself, or of those that its boxes fall into where they are mapped. Lemma U6
+    /// What is proved of a component: of itself, or of those that its boxes fall into where they are mapped. Lemma A6
     fn decided(&mut self, component: &Component, halved: u32) -> Parts {
         self.mapped += component.cells.len();
         let Some(graph) = Graph::of(&self.space, component, &self.released.next, self.watch) else {
@@ -239,7 +239,7 @@ impl Component {
     /// The same with each box cut into two, across its longer side.
     fn halved(&self) -> Self {
         let Grid { columns, rows } = self.grid;
-        let is_wide = TAU / columns as f64 > 1.0 / rows; // U6: any boxes
+        let is_wide = TAU / columns as f64 > 1.0 / rows; // A6: any boxes
         let halves = |&(column, row): &(i32, i32)| {
             if is_wide {
                 [(2 * column, row), (2 * column + 1, row)]

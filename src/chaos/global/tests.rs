@@ -51,7 +51,7 @@ fn state() -> impl Strategy<Value = [f64; 2]> {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(2000))]
 
-    /// Lemmas U2-U5, against the first contact in floating point. The states next to edges of boxes are within rounding of both.
+    /// Lemmas A2-A5, against the first contact in floating point. The states next to edges of boxes are within rounding of both.
     #[test]
     fn the_next_impact_is_noted(
         [phase, part] in state(), gap in prop_oneof![0.2..4.0, 4.0..30.0], restitution in prop_oneof![Just(0.0), 0.0..0.95],
@@ -89,10 +89,10 @@ proptest! {
     }
 }
 
-/// `run` proves the cycle with rests from one start; here it is that of all. A/d = 2 and 3 are points of the trial's class.
+/// `run` proves the cycle with rests from one start; here it is that of all. A/d = 2 is such a pair.
 #[test]
 fn one_cycle_with_rests_is_where_all_motions_end() {
-    for (ratio, restitution) in [("2", "0.2"), ("[2, 2.02]", "[0.2, 0.21]")] {
+    for (ratio, restitution) in [("2", "0.2"), ("[2, 2.02]", "[0.2, 0.205]")] {
         let found = global(ratio, restitution);
         assert_eq!((found.class(), kinds(&found)), (Class::OneRestCycle, vec!["rest-cycle"]), "{ratio}");
         let Kind::RestCycle(rest) = found.components[0].kind else { panic!("no cycle with rests") };

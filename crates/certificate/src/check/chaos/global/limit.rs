@@ -67,7 +67,7 @@ fn nearest(set: &Set, states: &[State], cell: [i64; 2]) -> usize {
     let [low, high] = Space::corners(set.grid, cell);
     let away = |&state: &State| {
         let apart = 0.5 * (low[0] + high[0]) - state[0];
-        (std::f64::consts::TAU * (apart - apart.round())).hypot(0.5 * (low[1] + high[1]) - state[1])
+        (std::f64::consts::TAU * (apart - apart.round())).hypot(0.5 * (low[1] + high[1]) - state[1]) // proposes: any class
     };
     let nearer = |&i: &usize, &j: &usize| away(&states[i]).total_cmp(&away(&states[j]));
     (0..states.len()).min_by(nearer).unwrap_or(0) // proposes: any class
@@ -78,9 +78,9 @@ fn hull(set: &Set, classes: &[usize], (class, state): (usize, State)) -> Option<
     let mut all: Option<[State; 2]> = None;
     for (&cell, _) in set.cells.iter().zip(classes).filter(|(_, own)| **own == class) {
         let [mut low, mut high] = Space::corners(set.grid, cell);
-        let turns = (0.5 * (low[0] + high[0]) - state[0]).round();
+        let turns = (0.5 * (low[0] + high[0]) - state[0]).round(); // V20: any whole number of forcing periods
         (low[0], high[0]) = (low[0] - turns, high[0] - turns); // V20: whole forcing periods, exact
-        let [least, most] = all.unwrap_or([low, high]);
+        let [least, most] = all.unwrap_or([low, high]); // V20: the hull of one
         // V20: the outer corners
         all = Some([[least[0].min(low[0]), least[1].min(low[1])], [most[0].max(high[0]), most[1].max(high[1])]]);
     }
@@ -217,7 +217,7 @@ fn has_cones(steps: &[Matrix]) -> bool {
     (stretched - Span::point(1.0)).is_positive() && (Span::point(1.0) - shrunk).is_positive()
 }
 
-/// Whether motions that stay in a set graze for ever. Lemma U9
+/// Whether motions that stay in a set graze for ever. Lemma A9
 pub(super) fn grazes(set: &Set, space: &Space<'_>) -> bool {
     let is_near = |&cell: &[i64; 2]| {
         let [low, high] = Space::corners(set.grid, cell);

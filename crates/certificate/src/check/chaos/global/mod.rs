@@ -23,6 +23,8 @@ use space::{Grid, Space};
 const COLUMNS: f64 = 128.0;
 const ROWS: f64 = 64.0;
 const HALVINGS: u32 = 20;
+/// Boxes that are mapped at least before a document is left undecided.
+const BOXES: u64 = 1 << 15;
 /// Impacts of the released ball that are followed.
 const IMPACTS: usize = 200;
 
@@ -77,7 +79,7 @@ impl GlobalCertificate {
             return Ok(Ok(()));
         }
         let cycles = self.cycles()?;
-        let mut work = effort.work;
+        let mut work = BOXES.saturating_add(effort.work / 2); // exact: what is allowed
         let judge = Judge {
             space: &space,
             released: &released,
@@ -100,7 +102,7 @@ impl GlobalCertificate {
             let phase = if is_right { phase + half } else { phase };
             let speed = Span::of(velocity.over(&fastest)?.enclosure());
             let speed = if speed.is_negative() { -speed } else { speed };
-            Some([phase - Span::point(phase.mid().floor()), speed])
+            Some([phase - Span::point(phase.mid().floor()), speed]) // V20: any whole number of forcing periods
         };
         let of = |claim: &Claimed| {
             let states = claim.states(BITS).map(state).collect::<Option<Vec<_>>>()?;
@@ -166,7 +168,7 @@ fn from_release(space: &Space<'_>) -> (Option<(u32, bool)>, Released) {
     let [mut phase, mut speed] = first;
     let mut crossings = 1;
     for _ in 0..IMPACTS {
-        let turns = phase.mid().floor();
+        let turns = phase.mid().floor(); // V20: any whole number of forcing periods
         let within = phase - Span::point(turns);
         if space.chatters([within.lo(), 0.0], [within.hi(), speed.hi()]) {
             let halves = 2.0 * (turns + 1.0) - f64::from(crossings); // exact: small whole numbers

@@ -33,7 +33,7 @@ pub(super) struct Space<'l> {
 /// Parts of boxes are no wider, and no higher, if these are not cut more often than that.
 const PART: State = [1.0 / 256.0, 0.04];
 const CUTS: u32 = 6;
-/// Flights are followed for so many forcing periods; where they may land in several, for fewer.
+/// Flights are followed for N forcing periods; where they may land in several, for fewer.
 const LONGEST: f64 = 64.0;
 const FEW: f64 = 2.0;
 /// Times in forcing periods for which balls may be proved not to come back to the wall, the longest first.
@@ -95,7 +95,7 @@ impl<'l> Space<'l> {
             land(is_far, along([one, zero]), along([zero, one]));
             return;
         }
-        let away = AWAY.into_iter().find(|&time| high[0] + time <= 0.5 || beam.leaves(time)).unwrap_or(0.0);
+        let away = AWAY.into_iter().find(|&time| high[0] + time <= 0.5 || beam.leaves(time)).unwrap_or(0.0); // V20: no such time
         let [least, longest] = [high[0] - low[0], self.patience(&beam)];
         let (mut from, mut step) = (0.0, least);
         while from < longest {
@@ -144,7 +144,7 @@ impl<'l> Space<'l> {
         if times.is_none_or(|times| times.hi() - times.lo() > 6.0) { FEW } else { LONGEST }
     }
 
-    /// The drifts of flights that have touched no wall for so many forcing periods. Lemma V20
+    /// The drifts of flights that have touched no wall for N forcing periods. Lemma V20
     fn drifts(&self, beam: &Beam, periods: f64) -> Span {
         let angle = Span::point(periods).turned();
         let bounds = Span::new(-2.0, (self.law.gap + Span::point(2.0)).hi()).over(angle);
@@ -184,7 +184,9 @@ impl<'l> Space<'l> {
         let columns = grid.columns as i64; // exact: a power of two
         let first = if is_far { first } else { first.max(home) }; // V20: no impact comes before the flight
         for column in first..=last.min(first + columns) {
+            // V20: all columns
             for row in low.max(0)..=high.min(top) {
+                // V20: none is faster
                 let stays = !is_far && column == home;
                 note(Next::Impact { cell: [column.rem_euclid(columns), row], is_far, stays }); // V20: none is faster
             }
