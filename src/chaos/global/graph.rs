@@ -135,8 +135,8 @@ impl Graph {
         }
         let mut nodes: Vec<Vec<u32>> = vec![Vec::new(); recurrent.len()];
         for node in 0..count {
-            if let Some(k) = index[number[self.merged[node] as usize]] {
-                // exact: indices
+            let part = number[self.merged[node] as usize]; // exact: an index
+            if let Some(k) = index[part] {
                 nodes[k as usize].push(node as u32); // exact: indices
             }
         }

@@ -183,8 +183,8 @@ impl<'l> Space<'l> {
         let top = (self.fastest * grid.rows) as i64 - 1; // exact: a whole number
         let columns = grid.columns as i64; // exact: a power of two
         let first = if is_far { first } else { first.max(home) }; // V20: no impact comes before the flight
-        for column in first..=last.min(first + columns) {
-            // V20: all columns
+        let last = last.min(first + columns); // V20: all columns
+        for column in first..=last {
             for row in low.max(0)..=high.min(top) {
                 // V20: none is faster
                 let stays = !is_far && column == home;
