@@ -215,7 +215,7 @@ impl Analysis<'_> {
     /// What is proved of a component.
     fn kind(&self, component: &Component) -> Kind {
         if component.cells.is_empty() {
-            return self.released.cycle.clone().map_or(Kind::Undecided, Kind::RestCycle);
+            return self.released.cycle.map_or(Kind::Undecided, Kind::RestCycle);
         }
         if known::is_grazing(&self.space, component) {
             return Kind::Grazing;

@@ -29,7 +29,7 @@ use judge::{Finding, Judgement, judge};
 use traits::{Coverage, Crossing, Question, array, crossing};
 
 /// Outcomes that must occur. A run of a few impacts is hardly ever proved to be attracted: what `describe` follows longer is.
-const OUTCOMES: [&str; 21] = [
+const OUTCOMES: [&str; 22] = [
     "impacts-reached",
     "time-reached",
     "rests-forever",
@@ -45,6 +45,7 @@ const OUTCOMES: [&str; 21] = [
     "bifurcations",
     "a horseshoe",
     "a hyperbolic set",
+    "global: one-rest-cycle",
     "images of boxes",
     "described: attracted",
     "described: periodic",
@@ -56,7 +57,7 @@ const OUTCOMES: [&str; 21] = [
 /// By default as many as ask all pairs and all triples, and some more.
 const CASES: u64 = 1_600;
 /// The default seed: one whose answers have all the outcomes that must occur.
-const SEED: u64 = 1999;
+const SEED: u64 = 2005;
 /// More than an answer takes: one that does is shown.
 const SLOW: Duration = Duration::from_secs(1);
 
