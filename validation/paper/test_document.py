@@ -33,7 +33,7 @@ class Document(unittest.TestCase):
         for command in runs:
             with self.subTest(command=command):
                 arguments = shlex.split(command)[1:]
-                self.assertIn(arguments[0], ("run", "two-impact", "trap", "chaos", "cycles"))
+                self.assertIn(arguments[0], ("run", "two-impact", "trap", "chaos", "cycles", "check"))
                 done = subprocess.run([BINARY, *arguments, "--quiet"], cwd=ROOT, capture_output=True, text=True,
                                       check=False)
                 self.assertEqual(done.returncode, 0, done.stderr)
