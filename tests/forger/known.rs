@@ -1,7 +1,7 @@
 //! Whether the claims that a forgery leaves are true all the same: computed anew by the library.
 
 use impact_pair::Scene;
-use impact_pair::chaos::{Chaos, HorseshoeSettings};
+use impact_pair::chaos::{Chaos, Global, GlobalSettings, HorseshoeSettings, Kind};
 use impact_pair::document;
 use impact_pair::json::{BaseDocument, SceneDocument};
 use impact_pair::mapping::Word;
@@ -20,9 +20,20 @@ pub fn is_true(kind: &str, document: &Value) -> bool {
         "bifurcations" => has_bifurcations(document) == Some(true),
         "cycles" => document["orbits"].as_array().unwrap().iter().all(|orbit| has_orbit(document, orbit)),
         "chaos" => has_words(document) == Some(true),
-        "trap" | "sweep" | "windows" | "tangency" | "global" => false,
+        "trap" | "sweep" | "windows" | "tangency" => false,
+        "global" => has_rests(document) == Some(true),
         _ => truth::is_true(document),
     }
+}
+
+/// It is about a cycle with rests alone, which is that of its scene.
+fn has_rests(document: &Value) -> Option<bool> {
+    let (pair, _) = serde_json::from_value::<SceneDocument>(document["scene"].clone()).ok()?.model().ok()?;
+    let [claimed] = &document["components"].as_array()?[..] else { return None };
+    let found = Global::of(&pair, &GlobalSettings::default(), &Unwatched).ok()?;
+    let Kind::RestCycle(rest) = found.components.first()?.kind else { return None };
+    let is_one = claimed["cycles"] == rest.cycles && claimed["alternates"] == rest.alternates;
+    Some(is_one && claimed["kind"] == "rest-cycle" && document["class"] == found.class().name())
 }
 
 /// Each of its points is found, of its kind.

@@ -184,11 +184,11 @@ impl<'l> Space<'l> {
         let columns = grid.columns as i64; // exact: a power of two
         let first = if is_far { first } else { first.max(home) }; // V20: no impact comes before the flight
         let last = last.min(first + columns); // V20: all columns
+        let [low, high] = [low.max(0), high.min(top)]; // V20: none is faster
         for column in first..=last {
-            for row in low.max(0)..=high.min(top) {
-                // V20: none is faster
+            for row in low..=high {
                 let stays = !is_far && column == home;
-                note(Next::Impact { cell: [column.rem_euclid(columns), row], is_far, stays }); // V20: none is faster
+                note(Next::Impact { cell: [column.rem_euclid(columns), row], is_far, stays });
             }
         }
     }
