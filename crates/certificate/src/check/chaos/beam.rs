@@ -199,11 +199,15 @@ impl Beam {
 
     /// Returns whether all flights are proved to be away from the wall that they left until this time.
     pub fn leaves(&self, time: f64) -> bool {
-        let angle = Span::point(time).turned();
+        self.leaves_at(Span::point(time).turned(), time).0
+    }
+
+    /// Whether they are, `angle` being the time in radians, and the mean velocity from the wall until then.
+    fn leaves_at(&self, angle: Span, time: f64) -> (bool, Span) {
         let bend = (self.phase + Span::new(0.0, time)).sin_cos().0;
         let mean = self.after + bend * angle.scaled(0.5);
         // No speed is negative if none of the states has a negative one, as no `e` is.
-        self.speed.lo() >= 0.0 && (bend.is_positive() || mean.is_positive()) // V11: V1's departure
+        (self.speed.lo() >= 0.0 && (bend.is_positive() || mean.is_positive()), mean) // V11: V1's departure
     }
 
     /// Returns a time up to which all flights are proved to be between the walls once they have left.
@@ -211,10 +215,9 @@ impl Beam {
         let mut time = DEPARTURE;
         while time >= SHORTEST_DEPARTURE {
             let angle = Span::point(time).turned();
-            let bend = (self.phase + Span::new(0.0, time)).sin_cos().0;
-            let mean = self.after + bend * angle.scaled(0.5);
+            let (leaves, mean) = self.leaves_at(angle, time);
             let stays = (self.gap - angle * mean.hull(self.after)).is_positive();
-            if stays && self.leaves(time) {
+            if leaves && stays {
                 return Some(time);
             }
             time *= 0.5;

@@ -46,8 +46,6 @@ impl Set {
         let size = columns.iter().max().map_or(0, |&last| last + 1);
         let mut together = vec![Vec::new(); size + 1];
         let node = |cell: usize| if cell == count { size } else { columns[cell] };
-        let mut members = vec![0; size];
-        columns.iter().for_each(|&part| members[part] += 1);
         for from in 0..=count {
             let own = next[from].iter().map(|&to| node(to));
             together[node(from)].extend(own);

@@ -117,7 +117,7 @@ fn radius(images: &[Image]) -> f64 {
 
 /// Inverse bases at each state in whose coordinates a period contracts: the roots of the sums of all squares of what its derivatives make of
 /// a vector, weighted.
-fn norms(images: &[Image]) -> Vec<[Doubles; 2]> {
+fn norms(images: &[Image]) -> Vec<Doubles> {
     let weight = (0.5 * (1.0 + radius(images).min(1.0))).powf(-2.0 / images.len() as f64); // proposes
     let (mut square, mut frames) = ([[1.0, 0.0], [0.0, 1.0]], Vec::new());
     for round in 0..ROUNDS {
@@ -128,11 +128,7 @@ fn norms(images: &[Image]) -> Vec<[Doubles; 2]> {
                 // Cholesky's root, upper triangular.
                 let a = square[0][0].sqrt();
                 let b = square[0][1] / a;
-                let root = [[a, b], [0.0, (square[1][1] - b * b).sqrt()]];
-                frames.push([
-                    root,
-                    [[1.0 / root[0][0], -root[0][1] / (root[0][0] * root[1][1])], [0.0, 1.0 / root[1][1]]],
-                ]);
+                frames.push([[a, b], [0.0, (square[1][1] - b * b).sqrt()]]);
             }
         }
     }
@@ -140,8 +136,8 @@ fn norms(images: &[Image]) -> Vec<[Doubles; 2]> {
     frames
 }
 
-/// Inverse bases and bases at each state of a saddle: the expanding and the contracting direction, in steps that expand alike.
-fn directions(images: &[Image]) -> Vec<[Doubles; 2]> {
+/// Inverse bases at each state of a saddle: the expanding and the contracting direction, in steps that expand alike.
+fn directions(images: &[Image]) -> Vec<Doubles> {
     let apply = |m: &Doubles, [u, w]: State| [m[0][0] * u + m[0][1] * w, m[1][0] * u + m[1][1] * w];
     let unit = |[u, w]: State| [u / u.hypot(w), w / u.hypot(w)];
     let (mut forth, mut back) = ([0.3, 1.0], [1.0, 0.2]);
@@ -159,8 +155,7 @@ fn directions(images: &[Image]) -> Vec<[Doubles; 2]> {
     for image in images {
         let base = [[forth[0], back[0]], [forth[1], back[1]]];
         let area = base[0][0] * base[1][1] - base[0][1] * base[1][0];
-        let inverse = [[base[1][1] / area, -base[0][1] / area], [-base[1][0] / area, base[0][0] / area]];
-        frames.push([inverse, base]);
+        frames.push([[base[1][1] / area, -base[0][1] / area], [-base[1][0] / area, base[0][0] / area]]);
         forth = apply(&image.jacobian, forth).map(|x| x * rates[0]);
         back = apply(&image.jacobian, back).map(|x| x * rates[1]);
     }
@@ -169,7 +164,7 @@ fn directions(images: &[Image]) -> Vec<[Doubles; 2]> {
 
 /// A derivative from the coordinates at one state to those at the next one: `R A Q` with `y = R x` there and `x = P^-1 y` here. The inverse here
 /// is formed in intervals, so that both are of one base.
-fn within(derivative: Matrix, [from, _]: [Doubles; 2], [to, _]: [Doubles; 2]) -> Option<Matrix> {
+fn within(derivative: Matrix, from: Doubles, to: Doubles) -> Option<Matrix> {
     let [[a, b], [c, d]] = from.map(|row| row.map(Span::point));
     let area = a * d - b * c;
     let product =
