@@ -65,3 +65,14 @@ def test_the_program_itself(monkeypatch):
     assert impact_pair.verify(document)
     document["events"][3]["wall"] = "left"
     assert not impact_pair.verify(document)
+
+
+@pytest.mark.skipif(not BUILT.exists(), reason="validation/coq/verified/build has not run")
+def test_a_shadowed_orbit(monkeypatch):
+    monkeypatch.setenv("PATH", str(BUILT.parent))
+    document = impact_pair.Scene.named("figure-17").run(impacts=20, arithmetic="shadow").document
+    answer = impact_pair.verify(document)
+    assert answer and "a start on the scene's wall" in str(answer)
+    document["outcome"]["epsilon"]["median"] = "1e-30"
+    document["outcome"]["message"] = ""
+    assert not impact_pair.verify(document)

@@ -3,7 +3,7 @@
 From Coq Require Import ZArith Lia.
 From Flocq Require Import Core.Zaux Core.Digits.
 From Interval Require Import Float.Basic Float.Generic Float.Generic_proof Float.Specific_sig Float.Specific_stdz Float.Specific_ops.
-From ImpactPair Require Pieces.
+From ImpactPair Require Pieces Shadow.
 Open Scope Z_scope.
 
 Module Import Std := StdZRadix2.
@@ -128,3 +128,4 @@ End ShiftRadix2.
 
 Module ShiftFloats := SpecificFloat ShiftRadix2.
 Module Shifting := Pieces.PieceVerifier ShiftFloats.
+Module Shadowing := Shadow.Shadows ShiftFloats.

@@ -429,20 +429,28 @@ Definition check_flight (b : box) (l : leg) : bool :=
   is_positive (I.neg (sided w (add p (offset p G b w) (rise_at p OS b a q step lo)))) &?
   is_not_negative (sided w (add p (offset p G b w) (rise_at p OS b a q step hi))).
 
+(* The phase at a time, and velocities of unit speeds. *)
+Definition phase_over (p : positive) (time : I.type) : I.type :=
+  add p (mul p (enclose_range p (frequency param)) time) (enclose_range p (shift param)).
+Definition velocity_over (p : positive) (speed : I.type) : I.type :=
+  mul p (mul p (enclose_range p (amplitude param)) (enclose_range p (frequency param))) speed.
+
+(* What is printed holds all phases and unit speeds between grid points. *)
+Definition check_shown (p : positive) (step : I.type) (lo hi slow fast : Z) (printed : bounds) : bool :=
+  let TH := stretch p step lo hi in let V := velocity_over p (stretch p step slow fast) in
+  let known r := enclose p (Rational r) in
+  is_not_negative (sub p TH (phase_over p (known (time_lower printed)))) &?
+  is_not_negative (sub p (phase_over p (known (time_upper printed))) TH) &?
+  is_not_negative (sub p V (known (velocity_lower printed))) &?
+  is_not_negative (sub p (known (velocity_upper printed)) V).
+
 Definition check_leg (b : box) (l : leg) (printed : bounds) : bool :=
   let p := bits l in let c := coarse l in let q := scale l in let w := hits l in let OS := known_in p in
   let step := unit_step p q in let a := look p OS b c in let lo := (t l - rt l)%Z in let hi := (t l + rt l)%Z in
   (0 <=? rv l)%Z &? check_flight b l &?
   between p step (arrival p OS (gamma_in p) b c a q step w (t l) (rt l) (tilt l)) (v l - rv l) (v l + rv l) &?
-  (let W := enclose_range p (frequency param) in let tau := enclose_range p (shift param) in
-   let AW := mul p (enclose_range p (amplitude param)) W in
-   let TH := stretch p step lo hi in let V := mul p AW (stretch p step (v l - rv l) (v l + rv l)) in
-   let known r := enclose p (Rational r) in
-   match w, on printed with left, left | right, right => true | _, _ => false end &?
-   is_not_negative (sub p TH (add p (mul p W (known (time_lower printed))) tau)) &?
-   is_not_negative (sub p (add p (mul p W (known (time_upper printed))) tau) TH) &?
-   is_not_negative (sub p V (known (velocity_lower printed))) &?
-   is_not_negative (sub p (known (velocity_upper printed)) V)).
+  match w, on printed with left, left | right, right => true | _, _ => false end &?
+  check_shown p step lo hi (v l - rv l) (v l + rv l) printed.
 
 Fixpoint check_legs (b : box) (legs : list leg) (printed : list bounds) : bool :=
   match legs, printed with
@@ -549,6 +557,34 @@ Proof.
     intros th r. apply arriving. lra.
 Qed.
 
+Lemma holds_phase_over p T t : holds T t -> holds (phase_over p T) (phase s t).
+Proof.
+  destruct described as ((_ & dW & dt) & _). assert (hW := holds_range p _ _ dW). assert (ht := holds_range p _ _ dt).
+  intros hT. unfold phase_over, phase. enclose.
+Qed.
+Lemma holds_velocity_over p V v : holds V v -> holds (velocity_over p V) (A s * W s * v).
+Proof.
+  destruct described as ((dA & dW & _) & _). assert (hA := holds_range p _ _ dA). assert (hW := holds_range p _ _ dW).
+  intros hV. unfold velocity_over. enclose.
+Qed.
+
+Lemma shown_sound p q lo hi slow fast printed i : check_shown p (unit_step p q) lo hi slow fast printed = true -> wall_of i = on printed ->
+  grid q lo <= phase s (time i) <= grid q hi -> grid q slow <= unit_speed s (velocity i) <= grid q fast -> within printed i.
+Proof.
+  unfold check_shown. cbv zeta. intros check same r1 r2. split_checks. rename check into last.
+  assert (sp := unit_step_holds p q).
+  assert (hTH := holds_stretch p q _ sp _ _ _ r1). assert (hV := holds_velocity_over p _ _ (holds_stretch p q _ sp _ _ _ r2)).
+  replace (A s * W s * unit_speed s (velocity i)) with (velocity i) in hV by (unfold unit_speed; field; lra).
+  assert (known : forall r, holds (enclose p (Rational r)) (Q2R r)) by (intros r; exact (holds_enclose p (Rational r))).
+  assert (k1' := holds_phase_over p _ _ (known (time_lower printed))). assert (k2' := holds_phase_over p _ _ (known (time_upper printed))).
+  assert (k3' := known (velocity_lower printed)). assert (k4' := known (velocity_upper printed)).
+  assert (0 <= phase s (time i) - phase s (Q2R (time_lower printed))) by (apply (is_not_negative_sound _ _ k); enclose).
+  assert (0 <= phase s (Q2R (time_upper printed)) - phase s (time i)) by (apply (is_not_negative_sound _ _ k0); enclose).
+  assert (0 <= velocity i - Q2R (velocity_lower printed)) by (apply (is_not_negative_sound _ _ k1); enclose).
+  assert (0 <= Q2R (velocity_upper printed) - velocity i) by (apply (is_not_negative_sound _ _ last); enclose).
+  unfold within, phase in *. rewrite same. repeat split; nra.
+Qed.
+
 Lemma leg_sound b legs printed l : launched b l -> check_leg b legs printed = true ->
   exists i, reaches s l i /\ within printed i /\ wall_of i = hits legs /\
     grid (scale legs) (t legs - rt legs) <= phase s (time i) <= grid (scale legs) (t legs + rt legs) /\
@@ -560,7 +596,7 @@ Proof.
   assert (sp := unit_step_holds p q).
   set (OS := known_in p) in *. set (os := companions s) in *. assert (hos : Forall2 knows OS os) by apply holds_known.
   assert (ap := look_seen _ _ _ _ _ _ _ p _ c b hos inb).
-  split_checks. rename check into velocity_upper_check.
+  split_checks.
   destruct (flight_sound b legs l thc uc inb k0) as (i & reach & same & r1 & onwall & vel & _). fold q in r1. fold os in onwall, vel.
   assert (rt0 : (0 <= rt legs)%Z) by (apply Z.leb_le; unfold check_flight in k0; cbv zeta in k0; split_checks; reflexivity).
   set (th0 := phase s (since l)) in *. set (u := unit_speed s (speed l)) in *. set (gamma := d s / A s) in *.
@@ -568,19 +604,7 @@ Proof.
   assert (speed_in := holds_arrival gamma y th0 u thc uc os p OS hos _ (holds_gamma p) b inb c _ ap q _ sp (hits legs) (t legs) (rt legs) (tilt legs) _ rt0 r1 onwall).
   assert (r2 := between_sound _ _ _ _ _ _ k1 speed_in). rewrite <- vel in r2.
   exists i. split; [exact reach|]. split; [|repeat split; try assumption; apply r1 || apply r2].
-  destruct described as ((dA & dW & dt) & _).
-  assert (hA := holds_range p _ _ dA). assert (hW := holds_range p _ _ dW). assert (ht := holds_range p _ _ dt).
-  assert (hTH := holds_stretch p q _ sp lo hi _ r1). assert (hV := holds_stretch p q _ sp _ _ _ r2).
-  set (x := unit_speed s (velocity i)) in *.
-  assert (ev : velocity i = A s * W s * x) by (unfold x, unit_speed; field; lra).
-  assert (known : forall r, holds (enclose p (Rational r)) (Q2R r)) by (intros r; exact (holds_enclose p (Rational r))).
-  assert (k1' := known (time_lower printed)). assert (k2' := known (time_upper printed)).
-  assert (k3' := known (velocity_lower printed)). assert (k4' := known (velocity_upper printed)).
-  assert (0 <= phase s (time i) - (W s * Q2R (time_lower printed) + tau s)) by (apply (is_not_negative_sound _ _ k3); enclose).
-  assert (0 <= W s * Q2R (time_upper printed) + tau s - phase s (time i)) by (apply (is_not_negative_sound _ _ k4); enclose).
-  assert (0 <= A s * W s * x - Q2R (velocity_lower printed)) by (apply (is_not_negative_sound _ _ k5); enclose).
-  assert (0 <= Q2R (velocity_upper printed) - A s * W s * x) by (apply (is_not_negative_sound _ _ velocity_upper_check); enclose).
-  unfold within, phase in *. rewrite same, ev. repeat split; try nra.
+  apply (shown_sound p q lo hi (v legs - rv legs) (v legs + rv legs)); try assumption. rewrite same.
   destruct (hits legs), (on printed); congruence.
 Qed.
 

@@ -97,10 +97,11 @@ Definition one : I.type := hull (whole p (-1)) (whole p 1).
 Definition launches (w : wall) (N : chart) (a b : Z) : box :=
   let Tc := add p (pt (cu N)) (mul p (pt (lu N)) (middle a b)) in
   let dT := add p (mul p (pt (lu N)) (reach a b)) (mul p (pt (wu N)) one) in
-  let Uc := mul p (I.neg E) (add p (pt (cv N)) (mul p (pt (lv N)) (middle a b))) in
-  let dU := mul p (I.neg E) (add p (mul p (pt (lv N)) (reach a b)) (mul p (pt (wv N)) one)) in
+  let Vc := add p (pt (cv N)) (mul p (pt (lv N)) (middle a b)) in
+  let dV := add p (mul p (pt (lv N)) (reach a b)) (mul p (pt (wv N)) one) in
   {| from := Some w; somewhere := whole p 0; around := turns q (cu N); lowest := cu N - Z.abs (lu N) - Z.abs (wu N); box_scale := q;
-     T := add p Tc dT; Tc := Tc; dT := dT; U := add p Uc dU; Uc := Uc; dU := dU |}.
+     T := add p Tc dT; Tc := Tc; dT := dT;
+     U := mul p (I.neg E) (add p Vc dV); Uc := mul p (I.neg E) Vc; dU := mul p (I.neg E) dV |}.
 
 (* n1 th + n2 rate + n0 - mu (distance from the wall), at phase th of flights of a box, in mean-value form: th in X1, X its
    middle, R their difference; D the coordinate along, from the middle of the stretch. *)
@@ -219,7 +220,7 @@ Proof.
   unfold in_box, b_in, launches. cbn [from somewhere T Tc dT U Uc dU]. split; [reflexivity|].
   split; [rewrite x_phase; unfold thc; enclose|]. split; [rewrite c1; unfold thc; enclose|]. split; [unfold thc; enclose|].
   split; [rewrite d1; enclose|]. split; [|split; [unfold uc; enclose|rewrite d2; enclose]].
-  replace (launch_speed s x) with (uc + (launch_speed s x - uc)) by ring. rewrite d2. unfold uc. enclose.
+  unfold launch_speed. rewrite x_speed. enclose.
 Qed.
 
 Variable seen_ : aspects.

@@ -296,10 +296,10 @@ Proof.
 Qed.
 End Follow.
 
-(* The path along the middle of a parallelogram. *)
-Lemma crosses_middle N : area N <> 0 -> crosses N (fun t => put N t 0) (-1) 1.
+(* The paths along a parallelogram. *)
+Lemma crosses_at N eta : area N <> 0 -> -1 <= eta <= 1 -> crosses N (fun t => put N t eta) (-1) 1.
 Proof.
-  intros h. split; [lra|]. split.
+  intros h level. split; [lra|]. split.
   - apply on_pair; apply continuous_on_forall; intros t _;
       match goal with |- continuous (fun x => ?a + ?b * x + ?c) t => apply (continuous_ext (fun x => b * x + (a + c))); [intros x; match goal with |- ?l = ?r => change (@eq R l r) end; ring|];
         apply (continuous_plus (fun x => b * x) (fun _ => a + c)); [apply (continuous_mult (fun _ => b) (fun x : R => x)); [apply continuous_const|apply continuous_id]|apply continuous_const] end.
@@ -413,7 +413,7 @@ Proof.
   set (N := fun n => base (letters n) (letters (1 + n)%nat) (letters (2 + n)%nat)).
   set (T := fun n => S (letters n) (letters (1 + n)%nat) (letters (2 + n)%nat) (letters (3 + n)%nat)).
   set (g := fun n => word (letters n)).
-  assert (path : crosses (N O) (fun t => put (N O) t 0) (-1) 1) by (apply crosses_middle, base_area).
+  assert (path : crosses (N O) (fun t => put (N O) t 0) (-1) 1) by (apply crosses_at; [apply base_area|lra]).
   destruct (followed N T g (fun n => carried _ _ _ _) _ _ _ path) as (t & _ & h). set (x := put (N O) t 0) in *.
   assert (same : forall n, Nat.iter n return_map x = visit g n x).
   { induction n as [|n IH]; [reflexivity|]. change (return_map (Nat.iter n return_map x) = g n (visit g n x)). rewrite IH.

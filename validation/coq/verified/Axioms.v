@@ -1,3 +1,4 @@
-(* What the extracted checker's theorem rests on. *)
+(* What the theorems of the extracted checker rest on. *)
 From ImpactPair Require Import Carrier.
 Print Assumptions Carrier.Shifting.pieces_verified.
+Print Assumptions Carrier.Shadowing.shadow_verified.

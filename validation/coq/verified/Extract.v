@@ -1,8 +1,8 @@
-(* Extraction of `verify_document` (Pieces.v) to OCaml. Coq's binary integers become those of Zarith: each function below has the
+(* Extraction of `verify_document` (Pieces.v) and `verify_shadow` (Shadow.v) to OCaml. Coq's binary integers become those of Zarith: each function below has the
    meaning of the Coq function, for all arguments; what it says of Zarith's is in integers.ml. These lines are trusted. *)
 From Coq Require Import ZArith QArith Extraction ExtrOcamlBasic.
 From Flocq Require Import Zaux.
-From ImpactPair Require Import Model Certificate Document Pieces Carrier.
+From ImpactPair Require Import Model Certificate Document Pieces Covering Shadow Carrier.
 
 Extract Inductive positive => "Integers.t" [ "Integers.double_plus_one" "Integers.double" "Integers.one" ] "Integers.match_positive".
 Extract Inductive Z => "Integers.t" [ "Integers.zero" "(fun p -> p)" "Integers.neg" ] "Integers.match_integer".
@@ -54,4 +54,4 @@ Extract Constant ClassicalDedekindReals.sig_forall_dec => "(fun _ -> failwith ""
 
 Extraction Language OCaml.
 Set Extraction Output Directory ".".
-Extraction "checker.ml" Shifting.
+Extraction "checker.ml" Shifting Shadowing.

@@ -100,9 +100,29 @@ CHANGES = {
 }
 
 
+def nearer(document):
+    """A shadowed orbit whose impacts are a million times nearer to the middles of their bounds."""
+    document["outcome"]["epsilon"] = {key: f"{Decimal(value) / 10**6:f}" for key, value in document["outcome"]["epsilon"].items()}
+    document["outcome"]["message"] = ""
+
+
+def start_elsewhere(document):
+    """A shadowed orbit whose start is not near the scene's."""
+    start = document["outcome"]["start"]
+    start.update({key: shifted(bounds, 3) for key, bounds in start.items()})
+
+
+SHADOWED = {
+    "nearer impacts": nearer, "a start elsewhere": start_elsewhere, "of the exact start": set_at(["claim"], "exact start"),
+    "no start": lambda document: document["outcome"].pop("start"), "no epsilon": lambda document: document["outcome"].pop("epsilon"),
+}
+
+
 def copies(document):
     """(what, copy) of each change."""
-    for what, change in CHANGES.items():
+    for what, change in {**CHANGES, **(SHADOWED if document["claim"] == "shadowed" else {})}.items():
+        if what == "a shadowed orbit" and document["claim"] == "shadowed":
+            continue
         spoiled = copy.deepcopy(document)
         change(spoiled)
         yield what, spoiled

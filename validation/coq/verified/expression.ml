@@ -196,8 +196,9 @@ let with_exponent = Str.regexp "\\([0-9]+\\)\\(\\.[0-9]+\\)?[eE]\\([-+]?[0-9]+\\
 let in_parentheses = Str.regexp "\\(^\\|[^a-z]\\)(\\([0-9.]+\\|pi\\))"
 let minus_zero = Str.regexp "\\(^\\|[[,]\\)-\\(0\\(\\.0*\\)?\\($\\|[],]\\)\\)"
 
+let without_exponents source = Str.global_substitute with_exponent plain_decimal source
+
 let canonical source =
-  let source = String.concat "" (String.split_on_char ' ' source) in
-  let source = Str.global_substitute with_exponent plain_decimal source in
+  let source = without_exponents (String.concat "" (String.split_on_char ' ' source)) in
   let source = Str.global_replace in_parentheses "\\1\\2" source in
   Str.global_replace minus_zero "\\1\\2" source

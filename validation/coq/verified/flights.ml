@@ -150,15 +150,13 @@ let followed s beginning impacts =
 
 let middles s impacts = List.map (fun i -> let th, v = middle_of s i in (i.on, th, v)) impacts
 
-(* All flights of a list of impacts: from the middles of their bounds, or, where the data are intervals and bounds may be wide, from
-   the middle of the data. *)
-let listed ~is_point data beginning impacts =
-  let s = setting fine data in
-  let float = Fixed.to_float fine in
+(* The flights from a launch along a list of impacts, each from the one before as it is listed. *)
+let along s launch impacts =
+  let float = Fixed.to_float s.bits in
   let e = float s.e and half_gap = float s.gamma /. 2.0 in
   let waves_at th = List.map (fun { share; ratio; lag } ->
-    let phase = Z.add (Fixed.mul fine ratio th) lag in
-    let sine, cosine = Fixed.sin_cos fine phase in
+    let phase = Z.add (Fixed.mul s.bits ratio th) lag in
+    let sine, cosine = Fixed.sin_cos s.bits phase in
     (float share, float ratio, Float.atan2 (float sine) (float cosine))) s.waves in
   let bend waves x = List.fold_left (fun sum (share, ratio, phase) -> sum +. share *. ratio *. ratio *. sin (phase +. ratio *. x)) 0.0 waves in
   let flight (place, th0, before, u) (on, th1, v) =
@@ -167,13 +165,19 @@ let listed ~is_point data beginning impacts =
     let y0, from = match place with On w -> (float_of_int (side w) *. half_gap, Some w) | At y -> (float y, None) in
     let depart, approach, nearness = cuts ~waves ~u ~y0 ~half_gap ~h in
     let reach = List.fold_left (fun sum (share, _, _) -> sum +. share) 0.0 waves in
-    let next = (On on, th1, v, Z.neg (Fixed.mul fine s.e v)) in
+    let next = (On on, th1, v, Z.neg (Fixed.mul s.bits s.e v)) in
     ({ from; wall = on; before = float before; u; e = (if from = None then 1.0 else e); h; bend0 = bend waves 0.0; bend1 = bend waves h;
        rate = float v; depart; approach; nearness; reach }, next) in
   let rec all launch = function
     | [] -> []
     | i :: rest -> let found, next = flight launch i in found :: all next rest in
-  all (start_of s beginning) (if is_point then middles s impacts else followed s beginning impacts)
+  all launch impacts
+
+(* All flights of a list of impacts: from the middles of their bounds, or, where the data are intervals and bounds may be wide, from
+   the middle of the data. *)
+let listed ~is_point data beginning impacts =
+  let s = setting fine data in
+  along s (start_of s beginning) (if is_point then middles s impacts else followed s beginning impacts)
 
 (* The phase at which a flight first meets a wall, about, and that wall: by steps that grow from the launch on, up to `steps_per_radian` for
    each radian of the fastest harmonic. *)

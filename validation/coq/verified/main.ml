@@ -21,29 +21,39 @@ let contents path =
     let channel = open_in_bin path in
     Fun.protect ~finally:(fun () -> close_in channel) (fun () -> really_input_string channel (in_channel_length channel))
 
-let judged document =
-  match Search.pieces document with
-  | Refused reason -> Not_verified reason
-  | Pieces pieces when Shifting.verify_document document pieces -> Verified
-  | Pieces (Whole hint) -> Not_verified (Reason.why document hint)
-  | Pieces _ -> Not_verified "the pieces do not make up the whole"
+let judged = function
+  | Orbit.Exact document ->
+    (match Search.pieces document with
+     | Refused reason -> Not_verified reason
+     | Pieces pieces when Shifting.verify_document document pieces -> Verified
+     | Pieces (Whole hint) -> Not_verified (Reason.why document hint)
+     | Pieces _ -> Not_verified "the pieces do not make up the whole")
+  | Shadowed (document, near) ->
+    (match Chains.of_document document near with
+     | exception Flights.Lost n -> Not_verified (Printf.sprintf "events[%d]: no orbit is found near the middles of the bounds" n)
+     | chain when Shadowing.verify_shadow document near chain -> Verified
+     | chain -> Not_verified (Reason.why_not_shadowed document near chain))
 
 let verdict source =
   match Orbit.read source with
   | exception Json.Unreadable reason -> Unreadable reason
   | exception Orbit.Not_covered reason -> Not_verified reason
-  | document ->
-    print_endline ("claim: " ^ Orbit.claim document);
+  | claim ->
+    print_endline ("claim: " ^ Orbit.claim claim);
     (* Numbers so large or so close that no check is computed. *)
-    try judged document with Z.Overflow | Invalid_argument _ | Failure _ | Stack_overflow | Out_of_memory | Not_found | Division_by_zero ->
+    try judged claim with Z.Overflow | Invalid_argument _ | Failure _ | Stack_overflow | Out_of_memory | Not_found | Division_by_zero ->
       Not_verified "the numbers are beyond what the checker computes with"
 
 (* The same input for Coq, with this program's answer. *)
 let coq path =
-  let document = Orbit.read (contents path) in
-  match Search.pieces document with
-  | Pieces pieces -> print_string (Term.file document pieces (Shifting.verify_document document pieces))
-  | Refused reason -> prerr_endline ("no input for the checker: " ^ reason); exit 1
+  match Orbit.read (contents path) with
+  | Exact document ->
+    (match Search.pieces document with
+     | Pieces pieces -> print_string (Term.file document pieces (Shifting.verify_document document pieces))
+     | Refused reason -> prerr_endline ("no input for the checker: " ^ reason); exit 1)
+  | Shadowed (document, near) ->
+    let chain = Chains.of_document document near in
+    print_string (Term.file_of_shadow document near chain (Shadowing.verify_shadow document near chain))
 
 let () =
   match Array.to_list Sys.argv with

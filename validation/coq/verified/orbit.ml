@@ -11,6 +11,11 @@ let unreadable = Json.unreadable
 
 let schema = "impact-pair/orbit/1"
 let exact_start = "exact start"
+let shadowed = "shadowed"
+
+(* What a document claims: of the orbit from the scene's start, or of one that starts near. *)
+type claim = Exact of document | Shadowed of document * nearness
+let document_of = function Exact document | Shadowed (document, _) -> document
 
 (* Keys that claim nothing. *)
 let no_claims = [ "program"; "arithmetic" ]
@@ -107,9 +112,19 @@ let read_event (place, value) =
   { index = value integer "index"; mapped = value mapping "mapping";
     shown = { on = value wall "wall"; time_lower; time_upper; velocity_lower; velocity_upper } }
 
-let read_outcome value =
+(* The bounds of a shadowed orbit's start, and how far its impacts are from the middles of theirs. *)
+let read_nearness outcome =
+  let inside_of key = let place = inside "outcome" key in (place, members place (get "outcome" outcome key)) in
+  let start_at, start = inside_of "start" and epsilon_at, epsilon = inside_of "epsilon" in
+  only start_at [ "time"; "velocity" ] start;
+  only epsilon_at [ "median"; "maximum" ] epsilon;
+  let start key = bounds (inside start_at key) (get start_at start key) in
+  let epsilon key = let place = inside epsilon_at key in Expression.bound place (string place (get epsilon_at epsilon key)) in
+  { start_times = start "time"; start_velocities = start "velocity"; half_within = epsilon "median"; all_within = epsilon "maximum" }
+
+let read_outcome ~is_shadowed outcome =
   let place = "outcome" in
-  let outcome = members place value in
+  let only place known members = only place (if is_shadowed then "start" :: "epsilon" :: known else known) members in
   let impacts () = integer "outcome.impacts" (get place outcome "impacts") in
   match string "outcome.kind" (get place outcome "kind") with
   | "impacts-reached" ->
@@ -126,22 +141,32 @@ let document value =
   let is = string "schema" (get "" head "schema") in
   if is <> schema then not_covered "schema is %S: covered is %S" (shortened is) schema;
   if not (bool "certified" (get "" head "certified")) then not_covered "certified is false: the document claims nothing";
-  (match List.assoc_opt "claim" head with
-   | None -> ()
-   | Some claim when string "claim" claim = exact_start -> ()
-   | Some claim -> not_covered "claim is %s: covered is %S" (shortened (kind claim)) exact_start);
-  let ended = read_outcome (get "" head "outcome") in
+  let is_shadowed = match List.assoc_opt "claim" head with
+    | None -> false
+    | Some claim when string "claim" claim = exact_start -> false
+    | Some claim when string "claim" claim = shadowed -> true
+    | Some claim -> not_covered "claim is %s: covered are %S and %S" (shortened (kind claim)) exact_start shadowed in
+  let outcome = members "outcome" (get "" head "outcome") in
+  let ended = read_outcome ~is_shadowed outcome in
   let events = List.map read_event (items "events" (get "" head "events")) in
   let scene_data, begun = read_scene (get "" head "scene") in
   only "" ([ "schema"; "certified"; "claim"; "scene"; "outcome"; "events" ] @ no_claims) head;
-  { scene_data; begun; events; ended }
+  let document = { scene_data; begun; events; ended } in
+  if not is_shadowed then Exact document
+  else match begun, ended with
+    | Inside _, _ -> not_covered "scene.start is inside the gap: covered of shadowed orbits are starts on a wall"
+    | _, Time_reached _ -> not_covered "outcome.kind is \"time-reached\": covered of shadowed orbits is \"impacts-reached\""
+    | Struck _, Impacts_reached _ -> Shadowed (document, read_nearness outcome)
 
 (* To JSON. *)
 
 let plural n = if Z.equal n Z.one then "" else "s"
-let words = function
-  | Impacts_reached n -> Printf.sprintf "%s impact%s" (Z.to_string n) (plural n)
-  | Time_reached (n, _) -> Printf.sprintf "%s impact%s listed; no other event up to the requested time" (Z.to_string n) (plural n)
+let words claim = match claim, (document_of claim).ended with
+  | Exact _, Impacts_reached n -> Printf.sprintf "%s impact%s" (Z.to_string n) (plural n)
+  | Shadowed (_, near), Impacts_reached n ->
+    Printf.sprintf "%s impact%s of one true orbit that starts near (shadowed), half of them within %s forcing periods, all within %s"
+      (Z.to_string n) (plural n) (Expression.spell near.half_within) (Expression.spell near.all_within)
+  | _, Time_reached (n, _) -> Printf.sprintf "%s impact%s listed; no other event up to the requested time" (Z.to_string n) (plural n)
 
 let wall_name = function Left -> "left" | Right -> "right"
 let mapping_name = function P1 -> "P1" | P2 -> "P2" | P3 -> "P3" | P4 -> "P4"
@@ -157,33 +182,42 @@ let json_of_scene data beginning =
                             ("phase", list (fun x -> x.shift)) ]);
     ("gap", text data.gap); ("restitution", text data.restitution); ("start", Object start) ]
 
+let pair lower upper = Json.List [ String (Expression.spell lower); String (Expression.spell upper) ]
+
 let json_of_event { index; mapped; shown } =
-  let pair lower upper = Json.List [ String (Expression.spell lower); String (Expression.spell upper) ] in
   Json.Object [
     ("event", String "impact"); ("index", Number (Z.to_string index));
     ("mapping", match mapped with None -> Null | Some m -> String (mapping_name m));
     ("wall", String (wall_name shown.on)); ("time", pair shown.time_lower shown.time_upper);
     ("velocity", pair shown.velocity_lower shown.velocity_upper) ]
 
-let json_of_outcome outcome =
-  let common kind impacts = [ ("kind", Json.String kind); ("message", Json.String (words outcome)); ("impacts", Json.Number (Z.to_string impacts)) ] in
-  Json.Object (match outcome with
-    | Impacts_reached n -> common "impacts-reached" n
+let json_of_nearness { start_times = (a, b); start_velocities = (c, d); half_within; all_within } =
+  let number x = Json.String (Expression.spell x) in
+  [ ("start", Json.Object [ ("time", pair a b); ("velocity", pair c d) ]);
+    ("epsilon", Object [ ("median", number half_within); ("maximum", number all_within) ]) ]
+
+let json_of_outcome claim =
+  let common kind impacts = [ ("kind", Json.String kind); ("message", Json.String (words claim)); ("impacts", Json.Number (Z.to_string impacts)) ] in
+  let near = match claim with Exact _ -> [] | Shadowed (_, near) -> json_of_nearness near in
+  Json.Object (match (document_of claim).ended with
+    | Impacts_reached n -> common "impacts-reached" n @ near
     | Time_reached (n, until) ->
       common "time-reached" n @ [ ("until", String (Expression.text { least = until; most = until })) ])
 
-let json { scene_data; begun; events; ended } =
+let json claim =
+  let { scene_data; begun; events; _ } = document_of claim in
   Json.Object [
-    ("schema", String schema); ("certified", Bool true); ("claim", String exact_start);
-    ("scene", json_of_scene scene_data begun); ("outcome", json_of_outcome ended);
+    ("schema", String schema); ("certified", Bool true); ("claim", String (match claim with Exact _ -> exact_start | Shadowed _ -> shadowed));
+    ("scene", json_of_scene scene_data begun); ("outcome", json_of_outcome claim);
     ("events", List (List.rev (List.rev_map json_of_event events))) ]
 
 (* The canonical form of a document: without what claims nothing, with the defaults that older documents leave out, and with
    numbers in one spelling. *)
 let canonical claim document =
-  let numbers = [ "gap"; "restitution"; "amplitude"; "frequency"; "phase"; "time"; "position"; "velocity"; "until" ] in
+  let numbers = [ "gap"; "restitution"; "amplitude"; "frequency"; "phase"; "time"; "position"; "velocity"; "until"; "median"; "maximum" ] in
   let rec spelled key = function
     | Json.String s when List.mem key numbers -> Json.String (Expression.canonical s)
+    | String s when key = "message" -> String (Expression.without_exponents s)
     | List items -> List (List.rev (List.rev_map (spelled key) items))
     | Object members -> Object (List.map (fun (key, value) -> (key, spelled key value)) members)
     | value -> value in
@@ -191,7 +225,7 @@ let canonical claim document =
   let outcome = function
     | Json.Object members ->
       let members = List.filter (fun member -> member <> ("message", Json.String "")) members in
-      Json.Object (default "message" (Json.String (words claim.ended)) members)
+      Json.Object (default "message" (Json.String (words claim)) members)
     | value -> value in
   let head = members "the document" document in
   let head = List.filter (fun (key, _) -> not (List.mem key no_claims)) head in
@@ -218,11 +252,18 @@ let read source =
   claim
 
 (* The claim in one line, in the words of the theorem. *)
-let claim { ended; _ } =
-  let orbits impacts = Printf.sprintf
-    "from every start that the scene allows there is exactly one sequence of %s impact%s, each the first contact after the one \
-     before, with the listed indices, mappings, walls, and bounds of time and velocity" (Z.to_string impacts) (plural impacts) in
-  match ended with
-  | Impacts_reached n -> orbits n
-  | Time_reached (n, until) ->
+let claim claimed =
+  let impacts n = Printf.sprintf "%s impact%s, each the first contact after the one before, with the listed indices, mappings, walls, and bounds of \
+    time and velocity" (Z.to_string n) (plural n) in
+  let orbits n = "from every start that the scene allows there is exactly one sequence of " ^ impacts n in
+  match claimed, (document_of claimed).ended with
+  | Exact _, Impacts_reached n -> orbits n
+  | Shadowed (_, { start_times; start_velocities; half_within; all_within }), Impacts_reached n ->
+    let spell = Expression.spell in
+    let bounds (lower, upper) = Printf.sprintf "from %s to %s" (spell lower) (spell upper) in
+    Printf.sprintf "a start on the scene's wall, at a time %s with a velocity %s, one of them the scene's, has a sequence of %s; these bounds of the \
+      start hold the scene's and are no more than a thousandth of a forcing period and of A W apart; half of the impacts are within %s forcing \
+      periods of the middles of the bounds of their times, all within %s"
+      (bounds start_times) (bounds start_velocities) (impacts n) (spell half_within) (spell all_within)
+  | _, Time_reached (n, until) ->
     orbits n ^ "; all are up to the time " ^ Expression.text { least = until; most = until } ^ ", and the next one is after it"

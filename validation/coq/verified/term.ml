@@ -55,10 +55,28 @@ let rec pieces = function
   | Whole h -> Printf.sprintf "(Pieces.Whole %s)" (hint h)
   | Cut (d, q, lower, upper) -> Printf.sprintf "(Pieces.Cut %s %s %s %s)" (datum d) (fraction q) (pieces lower) (pieces upper)
 
-(* The answer of the extracted program is Coq's. *)
-let file { scene_data; begun; events; ended } found answer =
-  Printf.sprintf "From Coq Require Import ZArith QArith List.\nFrom ImpactPair Require Import Model Certificate Document.\n\
+let pair (a, b) = Printf.sprintf "(%s, %s)" (fraction a) (fraction b)
+let nearness { start_times; start_velocities; half_within; all_within } =
+  Printf.sprintf "(Nearness %s %s %s %s)" (pair start_times) (pair start_velocities) (fraction half_within) (fraction all_within)
+let chart { cu; cv; lu; lv; wu; wv } = Printf.sprintf "(Chart %s)" (integers [ cu; cv; lu; lv; wu; wv ])
+let link { stretch_from; stretch_to; wide_at; wide_by; near_at; near_by; leave; arrive; tilt_along; tilt_across; turned_over } =
+  Printf.sprintf "(Link %s %b)"
+    (integers [ stretch_from; stretch_to; wide_at; wide_by; near_at; near_by; leave; arrive; tilt_along; tilt_across ]) turned_over
+let chain { chain_bits; chain_scale; first_chart; links } =
+  let step (l, into) = Printf.sprintf "(%s, %s)" (link l) (chart into) in
+  Printf.sprintf "(Chain %s %s %s)" (integers [ chain_bits; chain_scale ]) (chart first_chart) (list step links)
+
+let document { scene_data; begun; events; ended } =
+  Printf.sprintf "(Document %s %s %s %s)" (data scene_data) (beginning begun) (list event events) (outcome ended)
+
+(* The answer of the extracted program is Coq's: a file of definitions, and of the checker on them. *)
+let answered definitions checker answer =
+  let defined = List.map (fun (name, term) -> Printf.sprintf "Definition %s := %s.\n" name term) definitions in
+  Printf.sprintf "From Coq Require Import ZArith QArith List.\nFrom ImpactPair Require Import Model Certificate Covering Document Shadow.\n\
     From ImpactPair Require Pieces Carrier.\nImport ListNotations.\nOpen Scope Z_scope.\n\
-    Definition document := Document %s %s %s %s.\nDefinition pieces := %s.\n\
-    Lemma answer : Carrier.Shifting.verify_document document pieces = %b.\nProof. vm_cast_no_check (eq_refl %b). Qed.\n"
-    (data scene_data) (beginning begun) (list event events) (outcome ended) (pieces found) answer answer
+    %sLemma answer : Carrier.%s %s = %b.\nProof. vm_cast_no_check (eq_refl %b). Qed.\n"
+    (String.concat "" defined) checker (String.concat " " (List.map fst definitions)) answer answer
+
+let file x found = answered [ ("document", document x); ("pieces", pieces found) ] "Shifting.verify_document"
+let file_of_shadow x near found =
+  answered [ ("document", document x); ("near", nearness near); ("chain", chain found) ] "Shadowing.verify_shadow"
