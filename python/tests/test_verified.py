@@ -72,7 +72,8 @@ def test_a_shadowed_orbit(monkeypatch):
     monkeypatch.setenv("PATH", str(BUILT.parent))
     document = impact_pair.Scene.named("figure-17").run(impacts=20, arithmetic="shadow").document
     answer = impact_pair.verify(document)
-    assert answer and "a start on the scene's wall" in str(answer)
+    assert answer
+    assert "a start on the scene's wall" in str(answer)
     document["outcome"]["epsilon"]["median"] = "1e-30"
     document["outcome"]["message"] = ""
     assert not impact_pair.verify(document)
