@@ -200,7 +200,7 @@ def unreadable(suite, quick):
 
 def same_as_coq(suite, quick):
     """The answers on these inputs are those of Coq's own evaluator; the number of them."""
-    folder = Path(suite.verified).parent
+    folder, library = Path(suite.verified).parent, Path("target/coq").resolve()
     document = suite.run("scenes/figure-14.toml", ["--impacts", "4"])
     shadowed = suite.run("scenes/figure-14.toml", [*SHADOWED, "--impacts", "3"])
     wanted = [document, suite.run("scenes/two-tones.toml", ["--until", "1"]), shadowed, *(copy for _, copy in corrupted.copies(document))]
@@ -213,7 +213,7 @@ def same_as_coq(suite, quick):
             continue
         theorem.write_text(done.stdout, encoding="utf-8")
         total += 1
-        compiled = subprocess.run(["coqc", "-q", "-w", "none", "-R", ".", "ImpactPair", theorem.name], cwd=folder, capture_output=True, text=True, check=False)
+        compiled = subprocess.run(["coqc", "-q", "-w", "none", "-R", str(library), "ImpactPair", theorem.name], cwd=folder, capture_output=True, text=True, check=False)
         if compiled.returncode != 0:
             suite.failures.append(f"{source.name}: Coq answers otherwise: {compiled.stderr.strip()[:300]}")
     return total
