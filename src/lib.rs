@@ -114,7 +114,7 @@ pub use impact_pair_exact as exact;
 pub use impact_pair_model::scene;
 #[doc(inline)]
 pub use impact_pair_model::watch;
-pub use impact_pair_model::{Error, Excitation, Harmonic, ImpactPair, Scene};
+pub use impact_pair_model::{Error, ErrorKind, Excitation, Harmonic, ImpactPair, Scene};
 /// The package inari, in the version that this crate computes with; in a build with the feature `inari`.
 #[cfg(feature = "inari")]
 pub use inari;

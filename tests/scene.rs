@@ -2,6 +2,7 @@
 
 use std::error::Error;
 
+use impact_pair::ErrorKind;
 use impact_pair::exact::{Exact, ExactError, ParseError};
 use impact_pair::orbit::{Impact, Orbit, Place, Settings};
 use impact_pair::pair::Wall;
@@ -33,7 +34,7 @@ fn with(line: &str, by: &str) -> String {
 
 fn refusal(text: &str) -> String {
     let error = Scene::parse(text).expect_err(text);
-    assert!(error.is_scene() || error.is_range());
+    assert!(matches!(error.kind(), ErrorKind::Scene | ErrorKind::OutOfRange));
     error.to_string()
 }
 

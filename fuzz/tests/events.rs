@@ -1,8 +1,8 @@
 //! Event lists of other simulators: read or refused with the place; what is read is judged, and judging ends.
 
-use impact_pair::Scene;
 use impact_pair::audit::{Audit, AuditSettings, Columns, read};
 use impact_pair::watch::Unwatched;
+use impact_pair::{ErrorKind, Scene};
 use impact_pair_fuzz::{config, edited, share};
 use proptest::prelude::*;
 
@@ -42,7 +42,7 @@ proptest! {
                     prop_assert!(audit.findings().len() >= rows || asked.until.is_some());
                 }
             }
-            Err(error) => prop_assert!(error.is_list() && !error.to_string().is_empty(), "{error}"),
+            Err(error) => prop_assert!(error.kind() == ErrorKind::List && !error.to_string().is_empty(), "{error}"),
         }
     }
 }

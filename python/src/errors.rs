@@ -3,7 +3,7 @@
 use std::fmt::Display;
 use std::ops::RangeInclusive;
 
-use impact_pair::Error;
+use impact_pair::{Error, ErrorKind};
 use pyo3::prelude::*;
 
 /// What went wrong in the computation: a question that cannot be asked, or a text that does not read as what it should be.
@@ -38,11 +38,11 @@ impl Fault {
     /// The same with its class and its words.
     fn said(self) -> Self {
         let Self::Ours(error) = self else { return self };
-        let class = match error {
-            _ if error.is_word() => "WordError",
-            _ if error.is_certificate() => "CertificateError",
-            _ if error.is_list() => "ListError",
-            _ if error.is_scene() => "SceneError",
+        let class = match error.kind() {
+            ErrorKind::Word => "WordError",
+            ErrorKind::Certificate => "CertificateError",
+            ErrorKind::List => "ListError",
+            ErrorKind::Scene => "SceneError",
             _ => "RangeError",
         };
         let (key, value) = (error.key().map(str::to_owned), error.value().map(str::to_owned));

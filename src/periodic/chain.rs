@@ -289,6 +289,7 @@ fn not_so_many(cycles: u32, accepted: &str) -> Error {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::ErrorKind;
     use crate::mapping::Mapping;
     use crate::number::Wave;
     use crate::tolerances::{DIFFERENCE, HOP_OF_DOUBLES};
@@ -352,8 +353,11 @@ mod tests {
     #[test]
     fn words_that_do_not_close_and_cycles_out_of_range_are_refused() {
         let open = Word::new(vec![Mapping::P2]).unwrap();
-        assert!(Chain::new(&open, 1).unwrap_err().is_word());
+        assert!(Chain::new(&open, 1).unwrap_err().kind() == ErrorKind::Word);
         let closed: Word = "P2 P1".parse().unwrap();
-        assert!(Chain::new(&closed, 0).unwrap_err().is_range() && Chain::new(&closed, MOST_CYCLES + 1).is_err());
+        assert!(
+            Chain::new(&closed, 0).unwrap_err().kind() == ErrorKind::OutOfRange
+                && Chain::new(&closed, MOST_CYCLES + 1).is_err()
+        );
     }
 }

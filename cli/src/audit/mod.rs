@@ -4,9 +4,9 @@ pub mod arguments;
 mod table;
 
 use anyhow::{Context, Error, Result, anyhow, bail};
-use impact_pair::Scene;
 use impact_pair::audit::{Audit, read};
 use impact_pair::json::one_a_line;
+use impact_pair::{ErrorKind, Scene};
 
 use crate::Answer;
 use crate::progress::Progress;
@@ -35,7 +35,7 @@ pub fn audit(arguments: &AuditArguments) -> Result<Answer> {
     let progress = Progress::new(Some(list.rows.len() as u64), !files.quiet);
     let audit = Audit::of(&scene, list, &arguments.asked(), &progress).map_err(|error| match error.key() {
         Some("until") => anyhow!("--{error}"),
-        _ if error.is_list() => Error::from(error).context(named()),
+        _ if error.kind() == ErrorKind::List => Error::from(error).context(named()),
         _ => Error::from(error).context(scene::name(&arguments.scene)),
     })?;
     progress.clear();

@@ -12,7 +12,7 @@ use impact_pair_exact::{Exact, ExactError};
 /// Errors with equal messages are equal, whatever their source.
 #[derive(Clone, Debug)]
 pub struct Error {
-    kind: Kind,
+    kind: ErrorKind,
     /// Returns the key of the scene file that is at fault, when it is one.
     key: Option<String>,
     /// Its value, as written.
@@ -48,43 +48,30 @@ impl PartialEq for Error {
 
 impl Eq for Error {}
 
+/// What an [`Error`] is about.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Kind {
-    Range,
+#[non_exhaustive]
+pub enum ErrorKind {
+    /// A value is out of range, or a request is not supported.
+    OutOfRange,
+    /// A scene file is malformed.
     Scene,
+    /// A word of mappings is malformed.
     Word,
+    /// A certificate is malformed.
     Certificate,
+    /// A list of impacts is malformed.
     List,
 }
 
 impl Error {
-    fn new(kind: Kind, message: String) -> Self {
+    fn new(kind: ErrorKind, message: String) -> Self {
         Self { kind, key: None, value: None, excerpt: None, message, cause: None }
     }
 
-    /// Returns whether a value is out of range.
-    pub fn is_range(&self) -> bool {
-        self.kind == Kind::Range
-    }
-
-    /// Returns whether a scene file is malformed.
-    pub fn is_scene(&self) -> bool {
-        self.kind == Kind::Scene
-    }
-
-    /// Returns whether a word of mappings is malformed.
-    pub fn is_word(&self) -> bool {
-        self.kind == Kind::Word
-    }
-
-    /// Returns whether a certificate is malformed.
-    pub fn is_certificate(&self) -> bool {
-        self.kind == Kind::Certificate
-    }
-
-    /// Returns whether a list of impacts is malformed.
-    pub fn is_list(&self) -> bool {
-        self.kind == Kind::List
+    /// Returns what the error is about.
+    pub fn kind(&self) -> ErrorKind {
+        self.kind
     }
 
     /// Returns the key of the scene file that is at fault, such as `pair.gap`, when it is one.
@@ -124,17 +111,17 @@ impl Error {
 
     /// Returns the error of a text that is not a scene file.
     pub fn scene(message: String) -> Self {
-        Self::new(Kind::Scene, message)
+        Self::new(ErrorKind::Scene, message)
     }
 
     /// Returns the error of a text that is not a certificate.
     pub fn certificate(message: String) -> Self {
-        Self::new(Kind::Certificate, message)
+        Self::new(ErrorKind::Certificate, message)
     }
 
     /// Returns the error of a text that is not a list of impacts.
     pub fn list(message: String) -> Self {
-        Self::new(Kind::List, message)
+        Self::new(ErrorKind::List, message)
     }
 
     /// Returns the error of a value of a scene file that is not of the accepted kind.
@@ -146,12 +133,12 @@ impl Error {
     /// Returns the error of a value that is not accepted at its key.
     pub fn range(key: &str, value: &Exact, accepted: &str) -> Self {
         let message = format!("{key} is {value}, but {accepted}");
-        Self { key: Some(key.to_owned()), value: Some(value.to_string()), ..Self::new(Kind::Range, message) }
+        Self { key: Some(key.to_owned()), value: Some(value.to_string()), ..Self::new(ErrorKind::OutOfRange, message) }
     }
 
     /// Returns the error of a request that is not supported; `key` is the key of the scene file at fault, if any.
     pub fn out_of_range<'k>(key: impl Into<Option<&'k str>>, message: String) -> Self {
-        Self { key: key.into().map(str::to_owned), ..Self::new(Kind::Range, message) }
+        Self { key: key.into().map(str::to_owned), ..Self::new(ErrorKind::OutOfRange, message) }
     }
 
     /// Returns the error of several harmonics where `what` is supported for one only.
@@ -162,7 +149,7 @@ impl Error {
 
     /// Returns the error of a malformed word of mappings.
     pub fn word(message: String) -> Self {
-        Self::new(Kind::Word, message)
+        Self::new(ErrorKind::Word, message)
     }
 
     /// Refuses a value unless it is proved to be greater than 0.

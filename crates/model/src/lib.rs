@@ -15,7 +15,7 @@ mod settings;
 mod start;
 pub mod watch;
 
-pub use error::{Error, within};
+pub use error::{Error, ErrorKind, within};
 pub use excerpt::Excerpt;
 pub use excitation::{Excitation, Harmonic};
 pub use mapping::{Mapping, Word};
