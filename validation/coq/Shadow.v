@@ -47,8 +47,11 @@ Definition claims_shadow (x : document) (n : nearness) : Prop := all_proper (sce
   end.
 
 (* What helps to verify: a parallelogram of starts, of which one half vector is a velocity and the other a phase, the starts
-   being a line along the first of them; and one for each impact, with the link that leads to it. Nothing is claimed of it. *)
-Record chain := Chain { chain_bits : positive; chain_scale : positive; first_chart : chart; links : list (link * chart) }.
+   being a line along the first of them; and one for each impact, with the link that leads to it. For an outcome `time-reached` the
+   next impact is the last of these, with bounds of it. Nothing is claimed of it. *)
+Record chain := Chain { chain_bits : positive; chain_scale : positive; first_chart : chart; links : list (link * chart); afterwards : option bounds }.
+Definition with_next (events : list event) (next : option bounds) : list event :=
+  events ++ match next with None => [] | Some b => [Event 0 None b] end.
 
 (* The flights from wall to wall. *)
 Fixpoint flights (w : wall) (events : list event) : list hop_of :=
@@ -93,14 +96,15 @@ Definition check_off (N : chart) (b : bounds) (most : Q) : bool :=
   let X := sub p (phases N) (phase_over param p (quotient p (add p (known (time_lower b)) (known (time_upper b))) (whole p 2))) in
   let M := mul p (mul p (whole p 2) (I.pi (F.PtoP p))) (known most) in
   is_not_negative (sub p M X) &? is_not_negative (add p M X).
-Definition check_node (n : nearness) (x : event) (N : chart) : bool :=
+Definition check_place (b : bounds) (N : chart) : bool :=
   (0 <? chart_area N)%Z &?
-  check_shown param p step (cu N - phase_reach N) (cu N + phase_reach N) (cv N - speed_reach N) (cv N + speed_reach N) (shown x) &?
-  check_off N (shown x) (all_within n).
-Fixpoint check_nodes (n : nearness) (events : list event) (way : list (link * chart)) : bool :=
+  check_shown param p step (cu N - phase_reach N) (cu N + phase_reach N) (cv N - speed_reach N) (cv N + speed_reach N) b.
+Definition check_node (n : nearness) (x : event) (N : chart) : bool := check_place (shown x) N &? check_off N (shown x) (all_within n).
+Fixpoint check_nodes (n : nearness) (events : list event) (next : option bounds) (way : list (link * chart)) : bool :=
   match events, way with
-  | [], [] => true
-  | x :: events, (_, N) :: way => check_node n x N &? check_nodes n events way
+  | x :: events, (_, N) :: way => check_node n x N &? check_nodes n events next way
+  | [], [] => match next with None => true | Some _ => false end
+  | [], (_, N) :: _ => match next with None => false | Some b => check_place b N end
   | _, _ => false
   end.
 Fixpoint near_ones (n : nearness) (events : list event) (way : list (link * chart)) : nat :=
@@ -165,38 +169,50 @@ Proof.
   apply (Rmult_le_reg_r (2 * PI)); [lra|]. replace (Rabs away * W s / (2 * PI) * (2 * PI)) with (Rabs away * W s) by (field; lra). lra.
 Qed.
 
-Lemma node_sound n w y N x : w = on (shown y) -> in_frame (frame_of q N) x -> check_node n y N = true ->
-  within (shown y) (impact_at s w x) /\ off s (shown y) (impact_at s w x) <= Q2R (all_within n).
+Lemma place_sound w b N x : w = on b -> in_frame (frame_of q N) x -> check_place b N = true -> within b (impact_at s w x).
 Proof.
-  intros same inside check. unfold check_node in check. split_checks. apply Z.ltb_lt in k.
-  destruct (chart_bounds q N x k inside) as [r1 r2]. split; [|exact (off_sound w N _ _ x k inside check)].
-  apply (shown_sound param s described A_positive W_positive p q _ _ _ _ (shown y) _ k0).
+  intros same inside check. unfold check_place in check. split_checks. apply Z.ltb_lt in k.
+  destruct (chart_bounds q N x k inside) as [r1 r2].
+  apply (shown_sound param s described A_positive W_positive p q _ _ _ _ b _ check).
   - exact same.
   - rewrite phase_at by assumption. apply grid_around, r1.
   - rewrite speed_at by assumption. apply grid_around, r2.
 Qed.
+Lemma place_area b N : check_place b N = true -> (0 < chart_area N)%Z.
+Proof. unfold check_place. intros check. split_checks. apply Z.ltb_lt. assumption. Qed.
 
-Lemma chain_sound n events : forall way w N x, check_way p q param (flights w events) N way = true ->
-  check_nodes n events way = true -> keeps q s (flights w events) N way x ->
-  exists orbit, follows s (rebound s (impact_at s w x)) orbit /\ Forall2 within (map shown events) orbit /\
+(* The orbit, and the next impact where one is given. *)
+Lemma chain_sound n next events : forall way w N x, check_way p q param (flights w (with_next events next)) N way = true ->
+  check_nodes n events next way = true -> keeps q s (flights w (with_next events next)) N way x ->
+  exists orbit later, follows s (rebound s (impact_at s w x)) (orbit ++ later) /\ Forall2 within (map shown events) orbit /\
     Forall2 (fun y i => off s (shown y) i <= Q2R (all_within n)) events orbit /\
-    at_least (fun yi => off s (shown (fst yi)) (snd yi) <= Q2R (half_within n)) (near_ones n events way) (combine events orbit).
+    at_least (fun yi => off s (shown (fst yi)) (snd yi) <= Q2R (half_within n)) (near_ones n events way) (combine events orbit) /\
+    match next with None => later = [] | Some b => exists i, later = [i] /\ within b i end.
 Proof.
-  induction events as [|y events IH]; intros [|[l M] way] w N x check nodes kept; cbn [flights check_way check_nodes] in check, nodes; try discriminate.
-  - exists []. cbn. repeat constructor.
-  - split_checks. cbn [flights keeps] in kept. destruct kept as [here later].
+  induction events as [|y events IH]; intros way w N x check nodes kept.
+  - exists []. destruct next as [b|], way as [|[l M] way]; cbn in check, nodes; try discriminate; cbn in kept.
+    + destruct way as [|[? ?] ?]; cbn in check; split_checks; try discriminate.
+      set (h := Hop w (on b) 0) in *. destruct kept as [here _].
+      destruct (link_sound p q param s described A_positive W_positive gap_positive h N M l k) as [flight _].
+      destruct (flight x here) as [_ fl]. cbn [off_wall on_wall h] in fl. destruct here as [_ inside].
+      assert (same : hop s h x = fly s w x) by (unfold hop, h; cbn [off_wall turns_off]; apply turned_none). rewrite same in inside.
+      exists [impact_at s (on b) (fly s w x)]. split; [split; [exact fl|exact I]|]. split; [constructor|]. split; [constructor|]. split; [reflexivity|].
+      exists (impact_at s (on b) (fly s w x)). split; [reflexivity|]. exact (place_sound (on b) b M _ eq_refl inside nodes).
+    + exists []. cbn. repeat constructor.
+  - destruct way as [|[l M] way]; cbn [with_next app flights check_way check_nodes] in check, nodes; try discriminate. fold (with_next events next) in check.
+    split_checks. cbn [with_next app flights keeps] in kept. fold (with_next events next) in kept. destruct kept as [here rest].
     set (h := Hop w (on (shown y)) 0) in *. set (w1 := on (shown y)) in *.
     destruct (link_sound p q param s described A_positive W_positive gap_positive h N M l k0) as [flight _].
     destruct (flight x here) as [_ fl]. cbn [off_wall on_wall h] in fl.
     assert (same : hop s h x = fly s w x) by (unfold hop, h; cbn [off_wall turns_off]; apply turned_none).
-    destruct here as [_ inside]. rewrite same in inside, later.
-    destruct (IH way w1 M (fly s w x) check nodes later) as (orbit & f & all & offs & half).
-    destruct (node_sound n w1 y M (fly s w x) eq_refl inside k) as [shown_in off_in].
-    exists (impact_at s w1 (fly s w x) :: orbit). split; [split; [exact fl|exact f]|]. split; [constructor; assumption|].
-    split; [constructor; assumption|]. cbn [near_ones combine at_least]. cbv zeta.
+    destruct here as [_ inside]. rewrite same in inside, rest.
+    destruct (IH way w1 M (fly s w x) check nodes rest) as (orbit & later & f & all & offs & half & after).
+    unfold check_node in k. split_checks. assert (area := place_area _ _ k1).
+    assert (shown_in := place_sound w1 (shown y) M (fly s w x) eq_refl inside k1).
+    exists (impact_at s w1 (fly s w x) :: orbit), later. split; [split; [exact fl|exact f]|]. split; [constructor; assumption|].
+    split; [constructor; [exact (off_sound w1 M _ _ _ area inside k)|exact offs]|]. split; [|exact after]. cbn [near_ones combine at_least]. cbv zeta.
     destruct (check_off M (shown y) (half_within n)) eqn:close; [right|left; exact half].
-    exists (near_ones n events way). split; [reflexivity|]. split; [|exact half].
-    unfold check_node in k. split_checks. cbn [fst snd]. apply (off_sound w1 M _ _ _ (proj1 (Z.ltb_lt _ _) k1) inside close).
+    exists (near_ones n events way). split; [reflexivity|]. split; [exact (off_sound w1 M _ _ _ area inside close)|exact half].
 Qed.
 
 Lemma grid_absolute m : grid q (Z.abs m) = Rabs (grid q m).
@@ -257,24 +273,25 @@ End Program.
 
 Definition verify_shadow (x : document) (n : nearness) (h : chain) : bool :=
   let p := chain_bits h in let q := chain_scale h in let param := scene_data x in
-  match begun x, ended x with
-  | Struck w times velocities, Impacts_reached m =>
+  match begun x with
+  | Struck w times velocities =>
     check_data p param && check_beginning p param (begun x) && check_beginning p param (Struck w times (between_rationals (start_velocities n))) &&
     is_positive (enclose_range p (amplitude param)) && check_near p param n && check_within p (start_times n) (enclose_range p times) &&
-    check_within p (start_velocities n) (enclose_range p velocities) && (count (events x) =? m)%Z && numbered (Some w) 1 (events x) &&
-    check_first p q param times velocities n (first_chart h) && check_way p q param (flights w (events x)) (first_chart h) (links h) &&
-    check_nodes p q param n (events x) (links h) && (length (events x) <=? 2 * near_ones p q param n (events x) (links h))%nat
-  | _, _ => false
+    check_within p (start_velocities n) (enclose_range p velocities) && check_outcome p (ended x) (events x) (afterwards h) &&
+    numbered (Some w) 1 (events x) && check_first p q param times velocities n (first_chart h) &&
+    check_way p q param (flights w (with_next (events x) (afterwards h))) (first_chart h) (links h) &&
+    check_nodes p q param n (events x) (afterwards h) (links h) && (length (events x) <=? 2 * near_ones p q param n (events x) (links h))%nat
+  | Inside _ _ _ => false
   end.
 
 Theorem shadow_verified x n h : verify_shadow x n h = true -> claims_shadow x n.
 Proof.
   unfold verify_shadow, claims_shadow. cbv zeta. set (p := chain_bits h). set (q := chain_scale h).
-  destruct (begun x) as [w times velocities|] eqn:begin; [|discriminate]. destruct (ended x) as [m|] eqn:ending; [|discriminate].
+  destruct (begun x) as [w times velocities|] eqn:begin; [|discriminate].
   intros v. apply andb_prop in v as [v halves]. apply andb_prop in v as [v nodes]. apply andb_prop in v as [v carried].
-  apply andb_prop in v as [v start_on]. apply andb_prop in v as [v names]. apply andb_prop in v as [v number].
-  apply andb_prop in v as [v velocity_in]. apply andb_prop in v as [v time_in].
-  apply andb_prop in v as [v close]. apply andb_prop in v as [v positive].  apply andb_prop in v as [v near_start]. apply andb_prop in v as [v start_good].
+  apply andb_prop in v as [v start_on]. apply andb_prop in v as [v names]. apply andb_prop in v as [v ending].
+  apply andb_prop in v as [v velocity_in]. apply andb_prop in v as [v time_in]. apply andb_prop in v as [v close].
+  apply andb_prop in v as [v positive]. apply andb_prop in v as [v near_start]. apply andb_prop in v as [v start_good].
   destruct (data_sound p _ _ v start_good) as [pr sense]. destruct (data_sound p _ _ v near_start) as [_ sense'].
   split; [exact pr|]. intros s t u described at_t at_u.
   destruct (sense s described) as [good _]. destruct (sense' s described) as [_ inwards]. split; [exact good|].
@@ -284,19 +301,25 @@ Proof.
   assert (t_in := within_sound p _ _ _ time_in (holds_range p _ _ at_t)).
   assert (u_in := within_sound p _ _ _ velocity_in (holds_range p _ _ at_u)).
   split; [exact (near_sound p _ s described n close)|]. split; [exact t_in|]. split; [exact u_in|]. split; [intros z hz; exact (inwards z hz)|].
-  set (N := first_chart h) in *. destruct (first_sound p q _ s described A_positive W_positive times velocities n N w t u start_on at_t at_u t_in u_in) as (eta & he & started).
+  set (N := first_chart h) in *.
+  destruct (first_sound p q _ s described A_positive W_positive times velocities n N w t u start_on at_t at_u t_in u_in) as (eta & he & started).
   assert (positive_area : area (frame_of q N) <> 0).
   { unfold check_first in start_on. split_checks. apply Rgt_not_eq, chart_area_positive, Z.ltb_lt. assumption. }
   destruct (way_sound p q _ s described A_positive W_positive gap_positive _ _ _ carried) as [(_ & _ & cross) _].
   destruct (cross _ _ _ (crosses_at _ eta positive_area he)) as (a & b & la & lb & kept & (ab & _)). specialize (kept a ltac:(lra)).
   set (y := put (frame_of q N) a eta) in *.
-  destruct (chain_sound p q _ s described A_positive W_positive gap_positive n (events x) (links h) w N y carried nodes kept)
-    as (orbit & f & all & offs & half).
+  destruct (chain_sound p q _ s described A_positive W_positive gap_positive n (afterwards h) (events x) (links h) w N y carried nodes kept)
+    as (orbit & later & f & all & offs & half & next).
   destruct (started a ltac:(lra)) as (time_of & velocity_of & own). fold y in time_of, velocity_of, own.
   exists (impact_at s w y). split; [reflexivity|]. split; [exact time_of|]. split; [exact velocity_of|]. split; [exact own|].
+  apply follows_app in f as [f f'].
   exists orbit. split; [exact f|]. split; [exact (numbered_tells _ _ _ _ names all)|].
   assert (len := as_many _ _ _ all). rewrite map_length in len.
-  split; [cbn; apply Z.eqb_eq in number; unfold count in number; rewrite <- len; exact number|].
-  split; [exact offs|]. exists (near_ones p q (scene_data x) n (events x) (links h)). split; [apply Nat.leb_le, halves|exact half].
+  split; [|split; [exact offs|exists (near_ones p q (scene_data x) n (events x) (links h)); split; [apply Nat.leb_le, halves|exact half]]].
+  unfold check_outcome, count in ending. destruct (ended x) as [m|m T], (afterwards h) as [b'|]; try discriminate; cbn.
+  - apply Z.eqb_eq in ending. rewrite <- len. exact ending.
+  - apply andb_prop in ending as [number until]. apply Z.eqb_eq in number. destruct next as (i & eq & i_in). rewrite eq in f'.
+    destruct (until_sound _ _ _ _ _ _ until all i_in) as (def & before & after_T).
+    split; [exact def|]. split; [rewrite <- len; exact number|]. split; [exact before|]. exists i. split; [apply f'|exact after_T].
 Qed.
 End Shadows.

@@ -132,7 +132,8 @@ let link_of q f d from into =
     leave = cut f.depart; arrive = cut f.approach; tilt_along = tilt into.wv (Z.neg into.wu); tilt_across = tilt (Z.neg into.lv) into.lu;
     turned_over = false }
 
-let of_document { scene_data; begun; events; _ } near =
+(* `None` where the next impact, after the time of an outcome `time-reached`, is not found. *)
+let of_document { scene_data; begun; events; ended } near =
   let wall, t, v = match begun with Struck (w, t, v) -> (w, t, v) | Inside _ -> invalid_arg "a start inside the gap" in
   (* Starts differ by their velocities, or by their times where velocities do not matter. *)
   let is_of_times = fst near.start_velocities = snd near.start_velocities in
@@ -143,19 +144,24 @@ let of_document { scene_data; begun; events; _ } near =
   let q = least + vector_bits in
   let s = setting (max fine (2 * q)) scene_data in
   let start = match start_of s (Struck (wall, t, v)) with _, th, v, _ -> { wall; th; v } in
-  let states = List.map (fun { shown; _ } -> let th, v = middle_of s shown in { wall = shown.on; th; v }) events in
-  let rec better n states = if n = 0 then states else better (n - 1) (improved s direction states) in
-  let states = better steps (Array.of_list (start :: states)) in
-  let flights = Array.of_list (flights_of s states) in
-  let derivatives = Array.map derivative flights in
-  let (u, contracting, _, _) as all = directions direction derivatives in
-  let along, across = sides (Float.ldexp 1.0 (-least)) derivatives all in
-  let charts = Array.mapi (fun k state -> chart_of q state ~bits:s.bits (along.(k), across.(k)) (u.(k), contracting.(k))) states in
-  let links = List.init (Array.length flights) (fun k -> (link_of q flights.(k) derivatives.(k) charts.(k) charts.(k + 1), charts.(k + 1))) in
-  (* A velocity of 0 is an end of those of its parallelogram: the others are towards the wall as well. *)
-  let inward ({ cv; wv; _ } as chart) =
-    let half = Z.shift_right (Z.abs wv) 1 in
-    { chart with cv = Z.add cv (Z.mul (Z.of_int (side wall)) half); wv = Z.mul (Z.of_int (Z.sign wv)) half } in
-  let first_chart = if is_of_times then inward charts.(0) else charts.(0) in
-  let last = states.(Array.length states - 1).th in
-  { chain_bits = Z.of_int (q + spare_bits + Z.numbits (Z.shift_right (Z.abs last) s.bits)); chain_scale = Z.of_int q; first_chart; links }
+  let shown = List.map (fun event -> event.shown) events in
+  let found afterwards =
+    let states = List.map (fun shown -> let th, v = middle_of s shown in { wall = shown.on; th; v }) (shown @ Option.to_list afterwards) in
+    let rec better n states = if n = 0 then states else better (n - 1) (improved s direction states) in
+    let states = better steps (Array.of_list (start :: states)) in
+    let flights = Array.of_list (flights_of s states) in
+    let derivatives = Array.map derivative flights in
+    let (u, contracting, _, _) as all = directions direction derivatives in
+    let along, across = sides (Float.ldexp 1.0 (-least)) derivatives all in
+    let charts = Array.mapi (fun k state -> chart_of q state ~bits:s.bits (along.(k), across.(k)) (u.(k), contracting.(k))) states in
+    let links = List.init (Array.length flights) (fun k -> (link_of q flights.(k) derivatives.(k) charts.(k) charts.(k + 1), charts.(k + 1))) in
+    (* A velocity of 0 is an end of those of its parallelogram: the others are towards the wall as well. *)
+    let inward ({ cv; wv; _ } as chart) =
+      let half = Z.shift_right (Z.abs wv) 1 in
+      { chart with cv = Z.add cv (Z.mul (Z.of_int (side wall)) half); wv = Z.mul (Z.of_int (Z.sign wv)) half } in
+    let first_chart = if is_of_times then inward charts.(0) else charts.(0) in
+    let last = states.(Array.length states - 1).th in
+    { chain_bits = Z.of_int (q + spare_bits + Z.numbits (Z.shift_right (Z.abs last) s.bits)); chain_scale = Z.of_int q; first_chart; links; afterwards } in
+  match ended with
+  | Impacts_reached _ -> Some (found None)
+  | Time_reached (_, until) -> Option.map (fun next -> found (Some next)) (Hints.next_bounds scene_data begun shown until)

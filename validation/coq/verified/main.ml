@@ -31,8 +31,9 @@ let judged = function
   | Shadowed (document, near) ->
     (match Chains.of_document document near with
      | exception Flights.Lost n -> Not_verified (Printf.sprintf "events[%d]: no orbit is found near the middles of the bounds" n)
-     | chain when Shadowing.verify_shadow document near chain -> Verified
-     | chain -> Not_verified (Reason.why_not_shadowed document near chain))
+     | None -> Not_verified Search.no_next
+     | Some chain when Shadowing.verify_shadow document near chain -> Verified
+     | Some chain -> Not_verified (Reason.why_not_shadowed document near chain))
 
 let verdict source =
   match Orbit.read source with
@@ -52,8 +53,9 @@ let coq path =
      | Pieces pieces -> print_string (Term.file document pieces (Shifting.verify_document document pieces))
      | Refused reason -> prerr_endline ("no input for the checker: " ^ reason); exit 1)
   | Shadowed (document, near) ->
-    let chain = Chains.of_document document near in
-    print_string (Term.file_of_shadow document near chain (Shadowing.verify_shadow document near chain))
+    (match Chains.of_document document near with
+     | Some chain -> print_string (Term.file_of_shadow document near chain (Shadowing.verify_shadow document near chain))
+     | None -> prerr_endline ("no input for the checker: " ^ Search.no_next); exit 1)
 
 let () =
   match Array.to_list Sys.argv with

@@ -114,7 +114,11 @@ let read_event (place, value) =
 
 (* The bounds of a shadowed orbit's start, and how far its impacts are from the middles of theirs. *)
 let read_nearness outcome =
-  let inside_of key = let place = inside "outcome" key in (place, members place (get "outcome" outcome key)) in
+  let inside_of key =
+    let place = inside "outcome" key in
+    match List.assoc_opt key outcome with
+    | Some value -> (place, members place value)
+    | None -> not_covered "%s is missing: covered of shadowed orbits are those with impacts" place in
   let start_at, start = inside_of "start" and epsilon_at, epsilon = inside_of "epsilon" in
   only start_at [ "time"; "velocity" ] start;
   only epsilon_at [ "median"; "maximum" ] epsilon;
@@ -153,20 +157,22 @@ let document value =
   only "" ([ "schema"; "certified"; "claim"; "scene"; "outcome"; "events" ] @ no_claims) head;
   let document = { scene_data; begun; events; ended } in
   if not is_shadowed then Exact document
-  else match begun, ended with
-    | Inside _, _ -> not_covered "scene.start is inside the gap: covered of shadowed orbits are starts on a wall"
-    | _, Time_reached _ -> not_covered "outcome.kind is \"time-reached\": covered of shadowed orbits is \"impacts-reached\""
-    | Struck _, Impacts_reached _ -> Shadowed (document, read_nearness outcome)
+  else match begun with
+    | Inside _ -> not_covered "scene.start is inside the gap: covered of shadowed orbits are starts on a wall"
+    | Struck _ -> Shadowed (document, read_nearness outcome)
 
 (* To JSON. *)
 
 let plural n = if Z.equal n Z.one then "" else "s"
-let words claim = match claim, (document_of claim).ended with
-  | Exact _, Impacts_reached n -> Printf.sprintf "%s impact%s" (Z.to_string n) (plural n)
-  | Shadowed (_, near), Impacts_reached n ->
-    Printf.sprintf "%s impact%s of one true orbit that starts near (shadowed), half of them within %s forcing periods, all within %s"
-      (Z.to_string n) (plural n) (Expression.spell near.half_within) (Expression.spell near.all_within)
-  | _, Time_reached (n, _) -> Printf.sprintf "%s impact%s listed; no other event up to the requested time" (Z.to_string n) (plural n)
+let words claim =
+  let near = match claim with
+    | Exact _ -> ""
+    | Shadowed (_, { half_within; all_within; _ }) ->
+      Printf.sprintf " of one true orbit that starts near (shadowed), half of them within %s forcing periods, all within %s"
+        (Expression.spell half_within) (Expression.spell all_within) in
+  match (document_of claim).ended with
+  | Impacts_reached n -> Printf.sprintf "%s impact%s%s" (Z.to_string n) (plural n) near
+  | Time_reached (n, _) -> Printf.sprintf "%s impact%s listed%s; no other event up to the requested time" (Z.to_string n) (plural n) near
 
 let wall_name = function Left -> "left" | Right -> "right"
 let mapping_name = function P1 -> "P1" | P2 -> "P2" | P3 -> "P3" | P4 -> "P4"
@@ -199,8 +205,8 @@ let json_of_nearness { start_times = (a, b); start_velocities = (c, d); half_wit
 let json_of_outcome claim =
   let common kind impacts = [ ("kind", Json.String kind); ("message", Json.String (words claim)); ("impacts", Json.Number (Z.to_string impacts)) ] in
   let near = match claim with Exact _ -> [] | Shadowed (_, near) -> json_of_nearness near in
-  Json.Object (match (document_of claim).ended with
-    | Impacts_reached n -> common "impacts-reached" n @ near
+  Json.Object (near @ match (document_of claim).ended with
+    | Impacts_reached n -> common "impacts-reached" n
     | Time_reached (n, until) ->
       common "time-reached" n @ [ ("until", String (Expression.text { least = until; most = until })) ])
 
@@ -255,15 +261,16 @@ let read source =
 let claim claimed =
   let impacts n = Printf.sprintf "%s impact%s, each the first contact after the one before, with the listed indices, mappings, walls, and bounds of \
     time and velocity" (Z.to_string n) (plural n) in
-  let orbits n = "from every start that the scene allows there is exactly one sequence of " ^ impacts n in
-  match claimed, (document_of claimed).ended with
-  | Exact _, Impacts_reached n -> orbits n
-  | Shadowed (_, { start_times; start_velocities; half_within; all_within }), Impacts_reached n ->
-    let spell = Expression.spell in
-    let bounds (lower, upper) = Printf.sprintf "from %s to %s" (spell lower) (spell upper) in
-    Printf.sprintf "a start on the scene's wall, at a time %s with a velocity %s, one of them the scene's, has a sequence of %s; these bounds of the \
-      start hold the scene's and are no more than a thousandth of a forcing period and of A W apart; half of the impacts are within %s forcing \
-      periods of the middles of the bounds of their times, all within %s"
-      (bounds start_times) (bounds start_velocities) (impacts n) (spell half_within) (spell all_within)
-  | _, Time_reached (n, until) ->
-    orbits n ^ "; all are up to the time " ^ Expression.text { least = until; most = until } ^ ", and the next one is after it"
+  let sequence n = match claimed with
+    | Exact _ -> "from every start that the scene allows there is exactly one sequence of " ^ impacts n
+    | Shadowed (_, { start_times; start_velocities; half_within; all_within }) ->
+      let spell = Expression.spell in
+      let bounds (lower, upper) = Printf.sprintf "from %s to %s" (spell lower) (spell upper) in
+      Printf.sprintf "a start on the scene's wall, at a time %s with a velocity %s, one of them the scene's, has a sequence of %s; these bounds of the \
+        start hold the scene's and are no more than a thousandth of a forcing period and of A W apart; half of the impacts are within %s forcing \
+        periods of the middles of the bounds of their times, all within %s"
+        (bounds start_times) (bounds start_velocities) (impacts n) (spell half_within) (spell all_within) in
+  match (document_of claimed).ended with
+  | Impacts_reached n -> sequence n
+  | Time_reached (n, until) ->
+    sequence n ^ "; all are up to the time " ^ Expression.text { least = until; most = until } ^ ", and the next one is after it"

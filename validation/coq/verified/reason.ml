@@ -45,7 +45,7 @@ let why document hint =
     | None -> "the certificate is not accepted"
 
 (* The first impact whose parallelogram the one before does not cover, or that is not within its bounds. *)
-let first_wrong_link { scene_data; begun; events; _ } near { chain_bits = p; chain_scale = q; first_chart; links } =
+let first_wrong_link { scene_data; begun; events; _ } near { chain_bits = p; chain_scale = q; first_chart; links; _ } =
   let rec look n from hops events links = match hops, events, links with
     | hop :: hops, event :: events, (link, into) :: links ->
       if not (Shadowing.Cover.check_link p q scene_data hop from into link) then
@@ -62,4 +62,4 @@ let why_not_shadowed document near chain =
   | None ->
     match first_wrong_link document near chain with
     | Some reason -> reason
-    | None -> "outcome: not proved are its number of impacts, its bounds of the start, or that half of the impacts are within `median`"
+    | None -> "outcome: not proved are its number of impacts, `until`, its bounds of the start, or that half of the impacts are within `median`"

@@ -43,10 +43,12 @@ let widest document =
 
 type found = Pieces of pieces | Refused of string
 
+let no_next = "outcome.until: the next impact is not found"
+
 let attempt document =
   match Hints.of_document document with
   | exception Flights.Lost n -> Refused (Printf.sprintf "events[%d]: no impact is found there" n)
-  | None -> Refused "outcome.until: the next impact is not found"
+  | None -> Refused no_next
   | Some hint -> Pieces (Whole hint)
 
 let pieces document =

@@ -62,9 +62,9 @@ let chart { cu; cv; lu; lv; wu; wv } = Printf.sprintf "(Chart %s)" (integers [ c
 let link { stretch_from; stretch_to; wide_at; wide_by; near_at; near_by; leave; arrive; tilt_along; tilt_across; turned_over } =
   Printf.sprintf "(Link %s %b)"
     (integers [ stretch_from; stretch_to; wide_at; wide_by; near_at; near_by; leave; arrive; tilt_along; tilt_across ]) turned_over
-let chain { chain_bits; chain_scale; first_chart; links } =
+let chain { chain_bits; chain_scale; first_chart; links; afterwards } =
   let step (l, into) = Printf.sprintf "(%s, %s)" (link l) (chart into) in
-  Printf.sprintf "(Chain %s %s %s)" (integers [ chain_bits; chain_scale ]) (chart first_chart) (list step links)
+  Printf.sprintf "(Chain %s %s %s %s)" (integers [ chain_bits; chain_scale ]) (chart first_chart) (list step links) (option bounds afterwards)
 
 let document { scene_data; begun; events; ended } =
   Printf.sprintf "(Document %s %s %s %s)" (data scene_data) (beginning begun) (list event events) (outcome ended)
