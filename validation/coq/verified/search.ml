@@ -48,6 +48,8 @@ let no_next = "outcome.until: the next impact is not found"
 let attempt document =
   match Hints.of_document document with
   | exception Flights.Lost n -> Refused (Printf.sprintf "events[%d]: no impact is found there" n)
+  (* A radius that is not finite. *)
+  | exception Z.Overflow -> Refused "the data are intervals too wide for boxes around the impacts"
   | None -> Refused no_next
   | Some hint -> Pieces (Whole hint)
 
