@@ -8,6 +8,7 @@ use num_rational::BigRational;
 use super::contact::Doubt;
 use super::{Effort, Finding, Verdict};
 use crate::attraction::{Bounds, Passage};
+use crate::PeriodicCertificate;
 use crate::cycles::CyclesCertificate;
 use impact_pair_exact::Enclosure;
 use impact_pair_model::watch::Watch;
@@ -42,7 +43,7 @@ impl CyclesCertificate {
         let mut known: BTreeMap<Vec<bool>, Vec<(usize, &[Passage])>> = BTreeMap::new();
         for (i, claim) in self.orbits().orbits().iter().enumerate() {
             let impacts = &claim.orbit.impacts[..];
-            if (1..impacts.len()).any(|shift| turn.may_be_one(impacts, impacts, shift, false)) {
+            if turn.may_be_shorter(impacts) {
                 return Err(Doubt::Open(format!("orbits[{i}] is not proved to be no shorter one")));
             }
             let likes = known.entry(flights(impacts)).or_default();
@@ -68,6 +69,16 @@ fn flights(impacts: &[Passage]) -> Vec<bool> {
     (0..count).map(from).max().unwrap_or_default() // exact: none of none
 }
 
+impl PeriodicCertificate {
+    /// No orbit runs through a shorter one several times, as the bounds of its impacts tell; else of which this is not known. Lemma D23
+    pub(super) fn are_no_shorter_ones(&self) -> Result<(), Finding> {
+        let turn = Turn::new();
+        let shorter = self.orbits().iter().position(|claim| turn.may_be_shorter(&claim.orbit.impacts));
+        let message = "the orbit is not proved to be no shorter one".to_owned();
+        shorter.map_or(Ok(()), |event| Err(Finding { event, message }))
+    }
+}
+
 /// Bounds of `pi`.
 struct Turn {
     half: Bounds,
@@ -77,6 +88,11 @@ impl Turn {
     fn new() -> Self {
         let pi = Enclosure::pi(BITS);
         Self { half: [pi.inf().to_rational(), pi.sup().to_rational()] }
+    }
+
+    /// Whether, as far as the bounds tell, an orbit may run through a shorter one several times.
+    fn may_be_shorter(&self, impacts: &[Passage]) -> bool {
+        (1..impacts.len()).any(|shift| self.may_be_one(impacts, impacts, shift, false))
     }
 
     /// Whether, as far as the bounds tell, `b` may be `a` from another impact on, or its mirror image.
