@@ -132,7 +132,33 @@ fn r42_a_reduced_period_is_the_least() {
     assert!(found.not_checked.contains(&"components[0].reduced_impacts".to_owned()), "{:?}", found.not_checked);
 }
 
-/// The same of windows.
+/// An orbit and its mirror image are one of the reduced map.
+#[test]
+fn r42_a_mirror_image_is_no_second_attractor() {
+    let document = recorded("global");
+    let attracts = |own: &&Value| own["kind"] == "attracting";
+    let own = document["components"].as_array().unwrap().iter().find(attracts).unwrap();
+    assert_eq!(own["orbit"]["symmetric"], false);
+    let mut mirrored = own.clone();
+    let mirror = |letter| "2143".chars().nth("1234".find(letter).unwrap()).unwrap();
+    let word = own["word"].as_str().unwrap().chars();
+    let word: String = word.map(|c| if c.is_ascii_digit() { mirror(c) } else { c }).collect();
+    mirrored["word"] = json!(word);
+    for impact in mirrored["orbit"]["impacts"].as_array_mut().unwrap() {
+        impact.as_object_mut().unwrap().remove("cycle");
+        impact["wall"] = json!(if impact["wall"] == "left" { "right" } else { "left" });
+        let [low, high] = [0, 1].map(|i| impact["velocity"][i].as_str().unwrap().parse::<f64>().unwrap());
+        impact["velocity"] = json!([format!("{:.11}", -high - 1e-10), format!("{:.11}", -low + 1e-10)]);
+        let phase = impact["phase"][0].as_str().unwrap().parse::<f64>().unwrap() + std::f64::consts::PI;
+        let phase = phase.rem_euclid(std::f64::consts::TAU);
+        impact["phase"] = json!([format!("{:.11}", phase - 1e-10), format!("{:.11}", phase + 1e-10)]);
+    }
+    let verdict = |components: &[&Value]| checked(&with(&document, "attractors", components)).verdict;
+    assert_eq!(verdict(&[&mirrored, &open(false)]), VerdictName::Confirmed);
+    assert_eq!(verdict(&[own, &mirrored, &open(false)]), VerdictName::Undecided);
+}
+
+/// A window is that of a whole orbit, and listed once.
 #[test]
 fn r42_a_window_is_that_of_a_whole_orbit() {
     let mut document = recorded("windows");
@@ -145,6 +171,9 @@ fn r42_a_window_is_that_of_a_whole_orbit() {
     doubled["windows"][0]["reduced_impacts"] = json!(2);
     doubled["windows"][0]["flights"] = json!("FF");
     assert_eq!(checked(&doubled).verdict, VerdictName::Refuted);
+    let mut twice = document.clone();
+    twice["windows"] = json!([document["windows"][0], document["windows"][0]]);
+    assert_eq!(checked(&twice).verdict, VerdictName::Undecided);
     let window = &mut document["windows"][0];
     around(window, 3);
     (window["reduced_impacts"], window["flights"]) = (json!(3), json!("FFF"));
