@@ -39,7 +39,7 @@ impl CyclesCertificate {
     }
 }
 
-/// Whether an orbit of so many impacts, no shorter one several times, may have this least period under the reduced map.
+/// Whether an orbit of N impacts, no shorter one several times, may have this least period under the reduced map.
 ///
 /// Lemma D23: an orbit that is its own mirror image is that after half of its impacts.
 pub(super) fn is_reduced_period(claimed: u32, impacts: usize, symmetric: Option<bool>) -> bool {
