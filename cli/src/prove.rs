@@ -51,7 +51,8 @@ pub fn prove(arguments: &ProveArguments) -> Result<Answer> {
     if listed == 0 {
         bail!("{}: there is no impact to prove before the first other event", scene::name(path));
     }
-    let is_short = listed == certificate.events().len() && arguments.impacts.is_some_and(|wanted| wanted > listed as u64);
+    let is_short =
+        listed == certificate.events().len() && arguments.impacts.is_some_and(|wanted| wanted > listed as u64);
     let wanted = arguments.impacts.map_or(listed, |wanted| usize::try_from(wanted).unwrap_or(usize::MAX));
     let mut out = Output::open(arguments.destination.output.as_deref())?;
     let progress = Progress::new(Some(wanted.min(listed) as u64), !arguments.destination.quiet && !out.is_terminal());
