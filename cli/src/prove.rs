@@ -51,6 +51,8 @@ pub fn prove(arguments: &ProveArguments) -> Result<Answer> {
     if listed == 0 {
         bail!("{}: there is no impact to prove before the first other event", scene::name(path));
     }
+    let is_short =
+        listed == certificate.events().len() && arguments.impacts.is_some_and(|wanted| wanted > listed as u64);
     let wanted = arguments.impacts.map_or(listed, |wanted| usize::try_from(wanted).unwrap_or(usize::MAX));
     let mut out = Output::open(arguments.destination.output.as_deref())?;
     let progress = Progress::new(Some(wanted.min(listed) as u64), !arguments.destination.quiet && !out.is_terminal());
@@ -64,6 +66,7 @@ pub fn prove(arguments: &ProveArguments) -> Result<Answer> {
     }
     let said = if proved > 0 { format!("written: a theorem of {proved} impacts") } else { "nothing is proved".into() };
     let why = stop.map(|finding| format!("; {}", certificate.described(finding.event, &finding.message)));
+    let why = why.or_else(|| is_short.then(|| format!("; the list has {listed}")));
     note(arguments.destination.quiet, &(said + &why.unwrap_or_default()));
-    Ok(if stop.is_none() { Answer::Complete } else { Answer::Incomplete })
+    Ok(if stop.is_none() && !is_short { Answer::Complete } else { Answer::Incomplete })
 }

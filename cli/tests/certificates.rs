@@ -92,6 +92,19 @@ fn certificates_become_theorems() {
     snapshot!("nothing_to_prove", on("prove", &certificate("none", &none, |text| text)));
 }
 
+/// Fewer impacts than requested are not all of them.
+#[test]
+fn r42_a_theorem_of_fewer_impacts_is_not_all_that_was_asked() {
+    let path = certificate("fewer", &FIGURE_12, |text| text);
+    let code = |impacts: &str| {
+        let answer = on("prove", &path).args(["--impacts", impacts]).output().unwrap();
+        (answer.status.code(), String::from_utf8(answer.stderr).unwrap())
+    };
+    assert_eq!(code("4").0, Some(0));
+    let (status, said) = code("5");
+    assert!(status == Some(1) && said.contains("a theorem of 4 impacts; the list has 4"), "{said}");
+}
+
 /// Of each claim its verdict, of what decides also why, and what is not checked.
 #[test]
 fn r32_each_claim_has_its_verdict() {

@@ -310,7 +310,9 @@ impl<'s> Search<'s> {
 
     /// What is proved, in the units of the scene.
     fn tangency(&self, proof: Proof, precision: Precision) -> Result<Tangency, Error> {
-        let bits = 256 + 4 * precision.digits;
+        // J6: what the change of units adds is far less than the width, within a few of which there is no other one
+        let narrow = proof.gap.wid().top().map_or(0, |top| u32::try_from(128 - top).unwrap_or(0)); // J6: a wide one needs no bits
+        let bits = narrow.max(256 + 4 * precision.digits); // J6: more bits are as good
         let ends = [proof.gap.inf(), proof.gap.sup()].map(|end| Exact::from_rational(end.to_rational()));
         let [a, b] = [self.in_units(&ends[0])?, self.in_units(&ends[1])?];
         let [unstable, stable] = proof.sigma;

@@ -39,6 +39,19 @@ impl CyclesCertificate {
     }
 }
 
+/// Whether an orbit of N impacts, no shorter one several times, may have this least period under the reduced map.
+///
+/// Lemma D23: an orbit that is its own mirror image is that after half of its impacts.
+pub(super) fn is_reduced_period(claimed: u32, impacts: usize, symmetric: Option<bool>) -> bool {
+    let (claimed, impacts) = (u64::from(claimed), impacts as u64); // exact: a length
+    let is_least = match symmetric {
+        Some(true) => 2 * claimed == impacts,
+        Some(false) => claimed == impacts,
+        None => claimed == impacts || 2 * claimed == impacts,
+    };
+    claimed > 0 && is_least
+}
+
 /// What a document says that its own fields exclude.
 ///
 /// Lemma D23: of `n` impacts the fixed points are those of the cycles whose least number of impacts divides `n`, as many of each as it has
@@ -59,14 +72,7 @@ fn contradiction(document: &CyclesDocument, orbits: &[OrbitOf]) -> Option<String
         return Some("no_attractor: a cycle is not unstable, or there may be others".to_owned());
     }
     for (i, (cycle, orbit)) in document.orbits.iter().zip(orbits).enumerate() {
-        let (claimed, impacts) = (u64::from(cycle.reduced_impacts), orbit.orbit.impacts.len() as u64); // exact: a length
-        // Lemma D23: an orbit that is its own mirror image is that after half of its impacts.
-        let is_least = match orbit.orbit.symmetric {
-            Some(true) => 2 * claimed == impacts,
-            Some(false) => claimed == impacts,
-            None => claimed == impacts || 2 * claimed == impacts,
-        };
-        if claimed == 0 || !is_least {
+        if !is_reduced_period(cycle.reduced_impacts, orbit.orbit.impacts.len(), orbit.orbit.symmetric) {
             return Some(format!("orbits[{i}].reduced_impacts: contradicts its impacts and its symmetry"));
         }
     }

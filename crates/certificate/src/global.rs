@@ -2,6 +2,7 @@
 
 use super::Finding;
 use super::attraction::{Bounds, ClaimedOrbit, Stability};
+use super::cycles::is_reduced_period;
 use super::periodic::{OrbitOf, PeriodicCertificate};
 use impact_pair_document::{ComponentDocument, GLOBAL_SCHEMA, GlobalDocument, Place, value};
 use impact_pair_exact::Real;
@@ -64,6 +65,12 @@ impl GlobalCertificate {
         unjudged.extend(of_components.iter().filter(|_| !claimed.is_empty()).map(|key| (*key).to_owned()));
         unjudged.extend(orbits.is_empty().then(|| "scene.excitation.frequency".to_owned()));
         unjudged.extend(document.interrupted.then(|| "interrupted".to_owned()));
+        // Whether components are closed is not judged, nor what follows from it alone.
+        let by_closed = ["class", "statement"].iter().filter(|_| document.class == "closed");
+        unjudged.extend(by_closed.map(|key| (*key).to_owned()));
+        let is_open = |own: &ComponentDocument| own.orbit.as_ref().is_some_and(|orbit| orbit.symmetric.is_none());
+        let open = document.components.iter().enumerate().filter(|(_, own)| is_open(own));
+        unjudged.extend(open.map(|(i, _)| format!("components[{i}].reduced_impacts")));
         unjudged.sort();
         unjudged.dedup();
         let rests = document.components.iter().find(|component| component.kind == "rest-cycle");
@@ -151,6 +158,9 @@ fn contradiction(document: &GlobalDocument) -> Option<String> {
     if document.clone().with_statement().statement != document.statement {
         return Some("the statement is not that of these components".to_owned());
     }
+    if document.components.iter().filter(|own| own.kind == "rest-cycle").count() > 1 {
+        return Some("all cycles with rests begin with the same release: there is one".to_owned());
+    }
     document.components.iter().enumerate().find_map(|(i, own)| Some(format!("components[{i}]: {}", of_component(own)?)))
 }
 
@@ -182,8 +192,9 @@ fn of_component(own: &ComponentDocument) -> Option<&'static str> {
     let crossings =
         (0..reduced.min(impacts)).filter(|&i| orbit.impacts[i].wall != orbit.impacts[(i + 1) % impacts].wall).count(); // exact: indices
     // A period of the reduced map is half of one on both walls where it exchanges them.
-    let is_least = rounds == Some(if crossings % 2 == 1 { 2 } else { 1 });
-    if !is_least {
+    let is_closed = rounds == Some(if crossings % 2 == 1 { 2 } else { 1 });
+    let is_least = own.reduced_impacts.is_some_and(|own| is_reduced_period(own, impacts, orbit.symmetric));
+    if !(is_closed && is_least) {
         return Some("reduced_impacts is not the period of the reduced map");
     }
     let Some(eigenvalues) = &orbit.eigenvalues else { return Some("it has no eigenvalues") };

@@ -125,8 +125,9 @@ impl PeriodicCertificate {
         Self::of_orbits(pair, vec![orbit])
     }
 
+    /// Orbits of the reduced map, in which mirror images are one.
     pub(super) fn of_orbits(pair: ImpactPair, orbits: Vec<OrbitOf>) -> Result<Self, Error> {
-        Self::new(pair, orbits, Vec::new())
+        Ok(Self { mirrors_are_one: true, ..Self::new(pair, orbits, Vec::new())? })
     }
 
     fn new(pair: ImpactPair, orbits: Vec<OrbitOf>, mut unjudged: Vec<String>) -> Result<Self, Error> {

@@ -74,6 +74,17 @@ impl TangencyCertificate {
         &self.tangencies
     }
 
+    /// Whether no two tangencies over one parameter may be at the same value: flights of the invariant manifolds added to the word, the
+    /// orbit is the same.
+    pub(super) fn are_different(&self) -> bool {
+        let meet = |one: &ClaimedTangency, other: &ClaimedTangency| {
+            let ([low, high], [least, most]) = (&one.parameter, &other.parameter);
+            one.key == other.key && low <= most && least <= high
+        };
+        let all = &self.tangencies;
+        (0..all.len()).all(|i| all[..i].iter().all(|other| !meet(&all[i], other)))
+    }
+
     pub(super) fn contradiction(&self) -> Option<&str> {
         self.contradiction.as_deref()
     }

@@ -51,6 +51,9 @@ impl WindowsCertificate {
         // That there is such an orbit between the ends is not judged, and so it is not judged whether all is proved.
         unjudged.extend(document.certified.then(|| "certified".to_owned()));
         unjudged.extend((!windows.is_empty()).then(|| "windows.stable_between".to_owned()));
+        let open = document.windows.iter().enumerate().filter(|(_, window)| window.orbit.symmetric.is_none());
+        let of_open = |i: usize| [format!("windows[{i}].reduced_impacts"), format!("windows[{i}].flights")];
+        unjudged.extend(open.flat_map(|(i, _)| of_open(i)));
         unjudged.sort();
         unjudged.dedup();
         let contradiction = contradiction(&document, over);
@@ -188,8 +191,8 @@ fn wrong_flights(window: &WindowDocument) -> Option<String> {
     }
     // An orbit that is the mirror image of itself after half of its impacts, and no other one, has a mirrored period.
     let is_symmetric = window.orbit.symmetric == Some(true);
-    (is_odd && window.orbit.symmetric.is_some() && !is_symmetric)
-        .then(|| ".orbit.symmetric: contradicts the odd number of flights to the far wall".to_owned())
+    (window.orbit.symmetric.is_some() && is_odd != is_symmetric)
+        .then(|| ".orbit.symmetric: contradicts the number of flights to the far wall".to_owned())
 }
 
 impl ClaimedWindow {

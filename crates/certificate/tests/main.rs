@@ -5,6 +5,7 @@ mod changes;
 mod claimed;
 #[path = "../../../tests/environment/mod.rs"]
 mod environment;
+mod globals;
 mod recorded;
 mod schemas;
 mod tangency;

@@ -37,6 +37,19 @@ fn the_tangency_beside_figure_14_is_confirmed_within_wide_bounds() {
     assert!(matches!(verdict, Verdict::Confirmed { .. }), "{verdict:?}");
 }
 
+/// One tangency listed twice, the second time with a flight of the unstable manifold more, is one.
+#[test]
+fn r42_a_tangency_is_listed_once() {
+    let mut document: Value = serde_json::from_str(DOCUMENT).unwrap();
+    let mut again = document["tangencies"][0].clone();
+    // sigma_u over the unstable eigenvalue, -2.3124365279...; q is another one, and the bounds of the parameter are the same.
+    again["flights"] = json!("FFFFFFFFNFFFFFNFFNFFNFFFF");
+    again["unstable"] = json!(["-0.000448322705", "-0.000448322704"]);
+    document["tangencies"].as_array_mut().unwrap().push(again);
+    let verdict = Claims::parse(&document.to_string()).unwrap().check_within(&Effort::default(), &Unwatched).unwrap();
+    assert_eq!(message(verdict), "undecided: two tangencies may be one");
+}
+
 #[test]
 fn another_saddle_another_word_and_exchanged_eigenvalues_are_refuted() {
     let shifted = json!(["9.425127376887204948431988399546", "9.425127376887204948431988399549"]);

@@ -114,10 +114,14 @@ impl GlobalDocument {
 
     /// What few motions do instead.
     fn beside(&self) -> String {
-        let mut said = match self.count("saddle") {
-            0 => String::new(),
-            1 => ", or to one saddle".to_owned(),
-            saddles => format!(", or to one of {saddles} saddles"),
+        let mut saddles = self.components.iter().filter(|component| component.kind == "saddle");
+        let are_symmetric = saddles.all(ComponentDocument::is_its_mirror_image);
+        let mut said = match (self.count("saddle"), are_symmetric) {
+            (0, _) => String::new(),
+            (1, true) => ", or to one saddle".to_owned(),
+            (1, false) => ", or to one saddle or its mirror image".to_owned(),
+            (saddles, true) => format!(", or to one of {saddles} saddles"),
+            (saddles, false) => format!(", or to one of {saddles} saddles or of their mirror images"),
         };
         if self.count("grazing") > 0 {
             said.push_str(", or grazes one wall for ever");
@@ -127,16 +131,19 @@ impl GlobalDocument {
 }
 
 impl ComponentDocument {
+    /// Whether its motion is known to be its own mirror image, half a period later: else the reduced map holds two motions for one.
+    fn is_its_mirror_image(&self) -> bool {
+        self.alternates == Some(true) || self.orbit.as_ref().is_some_and(|orbit| orbit.symmetric == Some(true))
+    }
+
     /// An attractor in words; `None` of all else.
     fn attractor(&self) -> Option<String> {
         let cycles = counted(self.cycles.unwrap_or_default(), "forcing period");
+        let mirror = if self.is_its_mirror_image() { "" } else { " or its mirror image" };
         match self.kind.as_str() {
-            "rest-cycle" => Some(format!("one cycle with rests, of {cycles}")),
+            "rest-cycle" => Some(format!("one cycle with rests{mirror}, of {cycles}")),
             "attracting" => {
-                let orbit = self.orbit.as_ref();
-                let mirror =
-                    if orbit.is_some_and(|orbit| orbit.symmetric == Some(true)) { "" } else { " or its mirror image" };
-                let impacts = counted(orbit.map_or(0, |orbit| orbit.impacts.len()) as u32, "impact"); // shown
+                let impacts = counted(self.orbit.as_ref().map_or(0, |orbit| orbit.impacts.len()) as u32, "impact"); // shown
                 Some(format!("one periodic motion{mirror}, of {impacts} in {cycles}"))
             }
             _ => None,

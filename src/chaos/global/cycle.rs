@@ -33,6 +33,8 @@ const TRANSIENT: usize = 500;
 const STEPS: usize = 12;
 const ENOUGH: f64 = 1e-11;
 const CLOSED: f64 = 1e-6;
+/// The image of a hull, no wider than a quarter of a forcing period, may be no wider than three quarters: half of that. Lemma A8
+const WIDEST: f64 = 0.374;
 /// Larger components are not tried.
 const MOST_BOXES: usize = 20_000;
 
@@ -193,6 +195,9 @@ fn derivative(space: &Space, [phases, speeds]: &[[f64; 2]; 2], state: State, ima
     let turned = (middle(*phases) - state[0]).round(); // proposes: where it lands
     let landing = Flights::new(space.law(), &quad).land(image.side, image.state[0] - image.side.shift() + turned)?;
     let [zero, one] = [0.0, 1.0].map(Ball::exact);
+    if landing.along([one, zero], [zero, zero]).rad() > WIDEST {
+        return None; // exact: not proved
+    }
     let [[a, c], [b, d]] = [landing.derivative([one, zero]), landing.derivative([zero, one])];
     Some([[a, b], [c, d]])
 }

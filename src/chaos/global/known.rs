@@ -149,7 +149,8 @@ fn rests(space: &Space, first: &Release) -> Option<RestCycle> {
             let halves = 2.0 * (turns + 1.0) - f64::from(crossings); // exact: small whole numbers
             let alternates = !crossings.is_multiple_of(2);
             let cycles = if alternates { halves } else { 0.5 * halves }; // exact: small whole numbers
-            return Some(RestCycle { cycles: cycles as u32, alternates }); // exact: small whole numbers
+            let is_counted = cycles <= f64::from(u32::MAX); // exact: not proved
+            return is_counted.then_some(RestCycle { cycles: cycles as u32, alternates }); // exact: a whole number of 32 bits
         }
         let middle = |[low, high]: [f64; 2]| 0.5 * (low + high);
         let centre = [middle(phases), middle(speeds)];

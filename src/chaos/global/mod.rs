@@ -205,6 +205,7 @@ impl Analysis<'_> {
         let is_final = !kind.is_undecided()
             || halved >= self.settings.halvings
             || self.mapped + 2 * component.cells.len() > self.settings.most
+            || component.is_finest(self.space.fastest())
             || self.interrupted;
         if is_final {
             return (vec![self.recurrence(component, kind)], Vec::new());
@@ -236,6 +237,12 @@ impl Analysis<'_> {
 }
 
 impl Component {
+    /// Whether the places of smaller boxes may exceed 32 bits.
+    fn is_finest(&self, fastest: f64) -> bool {
+        const MOST: f64 = (1_u32 << 30) as f64; // exact: a power of two
+        self.grid.columns as f64 >= MOST || fastest * self.grid.rows >= MOST // exact: a power of two
+    }
+
     /// The same with each box cut into two, across its longer side.
     fn halved(&self) -> Self {
         let Grid { columns, rows } = self.grid;

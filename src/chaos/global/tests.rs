@@ -115,6 +115,25 @@ fn two_attractors_of_figure_12_are_found_without_a_start() {
     assert!(kinds(&found).contains(&"rest-cycle") && kinds(&found).contains(&"saddle"));
 }
 
+/// The ball needs 15,915,494,309.5 forcing periods from one release to the next one: 4294967295 was printed.
+#[test]
+fn r42_a_cycle_with_rests_that_32_bits_do_not_count_is_not_listed() {
+    let settings = GlobalSettings { boxes: 1 << 8, most: 10, ..GlobalSettings::default() };
+    let found = Global::of(&pair("1e-11", "0"), &settings, &Unwatched).unwrap();
+    assert!(!kinds(&found).contains(&"rest-cycle"), "{:?}", kinds(&found));
+}
+
+/// Rows of fast motions were numbered beyond 32 bits with `--halvings 40`, and what landed there was left out.
+#[test]
+fn r42_boxes_are_not_smaller_than_their_numbers_allow() {
+    let of = |columns: i64, rows: f64| {
+        let cells = vec![(0, 0)];
+        Component { grid: Grid { columns, rows }, cells, has_release: false, is_closed: false }
+    };
+    let is_finest = |columns: i64, rows: i32| of(columns, f64::from(rows)).is_finest(128.0);
+    assert!(!is_finest(1 << 28, 1 << 22) && is_finest(1 << 30, 1 << 22) && is_finest(1 << 28, 1 << 23));
+}
+
 #[test]
 fn a_global_analysis_is_interrupted_and_refuses_what_it_cannot_do() {
     use crate::watch::{Stage, proceed_if};

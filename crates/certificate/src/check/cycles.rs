@@ -7,7 +7,8 @@ use num_rational::BigRational;
 
 use super::contact::Doubt;
 use super::{Effort, Finding, Verdict};
-use crate::attraction::{Bounds, Passage};
+use crate::PeriodicCertificate;
+use crate::attraction::{Bounds, ClaimedOrbit, Passage};
 use crate::cycles::CyclesCertificate;
 use impact_pair_exact::Enclosure;
 use impact_pair_model::watch::Watch;
@@ -42,15 +43,11 @@ impl CyclesCertificate {
         let mut known: BTreeMap<Vec<bool>, Vec<(usize, &[Passage])>> = BTreeMap::new();
         for (i, claim) in self.orbits().orbits().iter().enumerate() {
             let impacts = &claim.orbit.impacts[..];
-            if (1..impacts.len()).any(|shift| turn.may_be_one(impacts, impacts, shift, false)) {
+            if turn.may_be_shorter(impacts) {
                 return Err(Doubt::Open(format!("orbits[{i}] is not proved to be no shorter one")));
             }
             let likes = known.entry(flights(impacts)).or_default();
-            let is_one = |(_, other): &&(usize, &[Passage])| {
-                let all = (0..impacts.len()).flat_map(|shift| [(shift, false), (shift, true)]);
-                all.into_iter().any(|(shift, is_mirrored)| turn.may_be_one(impacts, other, shift, is_mirrored))
-            };
-            if let Some((j, _)) = likes.iter().find(is_one) {
+            if let Some((j, _)) = likes.iter().find(|(_, other)| turn.may_be_same(impacts, other)) {
                 return Err(Doubt::Open(format!("orbits[{j}] and orbits[{i}] are not proved to be two")));
             }
             likes.push((i, impacts));
@@ -68,6 +65,21 @@ fn flights(impacts: &[Passage]) -> Vec<bool> {
     (0..count).map(from).max().unwrap_or_default() // exact: none of none
 }
 
+impl PeriodicCertificate {
+    /// No orbit runs through a shorter one several times, as the bounds of its impacts tell; else of which this is not known. Lemma D23
+    pub(super) fn are_no_shorter_ones(&self) -> Result<(), Finding> {
+        let turn = Turn::new();
+        let shorter = self.orbits().iter().position(|claim| turn.may_be_shorter(&claim.orbit.impacts));
+        let message = "the orbit is not proved to be no shorter one".to_owned();
+        shorter.map_or(Ok(()), |event| Err(Finding { event, message }))
+    }
+}
+
+/// Whether, as far as the bounds tell, two orbits may be one, or mirror images.
+pub(super) fn may_be_same(one: &ClaimedOrbit, other: &ClaimedOrbit) -> bool {
+    Turn::new().may_be_same(&one.impacts, &other.impacts)
+}
+
 /// Bounds of `pi`.
 struct Turn {
     half: Bounds,
@@ -77,6 +89,17 @@ impl Turn {
     fn new() -> Self {
         let pi = Enclosure::pi(BITS);
         Self { half: [pi.inf().to_rational(), pi.sup().to_rational()] }
+    }
+
+    /// Whether, as far as the bounds tell, an orbit may run through a shorter one several times.
+    fn may_be_shorter(&self, impacts: &[Passage]) -> bool {
+        (1..impacts.len()).any(|shift| self.may_be_one(impacts, impacts, shift, false))
+    }
+
+    /// Whether, as far as the bounds tell, two orbits may be one, or mirror images.
+    fn may_be_same(&self, a: &[Passage], b: &[Passage]) -> bool {
+        let all = (0..b.len()).flat_map(|shift| [(shift, false), (shift, true)]);
+        all.into_iter().any(|(shift, is_mirrored)| self.may_be_one(a, b, shift, is_mirrored))
     }
 
     /// Whether, as far as the bounds tell, `b` may be `a` from another impact on, or its mirror image.

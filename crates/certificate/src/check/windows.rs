@@ -4,7 +4,9 @@
 use super::bifurcation::Over;
 use super::budget::Budget;
 use super::contact::Doubt;
+use super::cycles::may_be_same;
 use super::{Effort, Finding, Verdict, one_by_one};
+use crate::attraction::ClaimedOrbit;
 use crate::bifurcation::ClaimedPoint;
 use crate::windows::{ClaimedWindow, WindowsCertificate};
 use impact_pair_model::Error;
@@ -23,6 +25,9 @@ impl WindowsCertificate {
         if let Some(message) = self.contradiction() {
             return Ok(Verdict::Refuted(end(message)));
         }
+        if !self.are_different() {
+            return Ok(Verdict::Undecided(end("two windows may be one")));
+        }
         let over = Over { pair: self.pair(), start: self.start(), key: self.over() };
         let judge = |window: &ClaimedWindow| window.judged(&over, (effort, &budget), &watch);
         let each = one_by_one(self.windows().iter().enumerate(), (&budget, effort.work), judge, &watch);
@@ -31,6 +36,15 @@ impl WindowsCertificate {
             Ok(bits) => Verdict::Confirmed { bits, pieces: 1 },
             Err(verdict) => verdict,
         })
+    }
+}
+
+impl WindowsCertificate {
+    /// Whether no two windows are those of one orbit at one value.
+    fn are_different(&self) -> bool {
+        let orbits: Vec<&ClaimedOrbit> =
+            self.windows().iter().flat_map(|window| window.orbit.orbits()).map(|claim| &claim.orbit).collect();
+        (0..orbits.len()).all(|i| orbits[..i].iter().all(|other| !may_be_same(orbits[i], other)))
     }
 }
 
@@ -47,6 +61,7 @@ impl ClaimedWindow {
             Verdict::Undecided(finding) => return Err(Doubt::Open(finding.message)),
             Verdict::Interrupted { .. } => return Err(Doubt::Open("interrupted".into())),
         };
+        self.orbit.are_no_shorter_ones().map_err(|finding| Doubt::Open(finding.message))?;
         for end in &self.ends {
             budget.add(effort.work);
             most = most.max(end.judged(over, budget, ClaimedPoint::compare_parameter)?); // shown

@@ -58,6 +58,9 @@ impl TangencyCertificate {
         if let Some(message) = self.contradiction() {
             return Ok(Verdict::Refuted(end(message)));
         }
+        if !self.are_different() {
+            return Ok(Verdict::Undecided(end("two tangencies may be one")));
+        }
         let judge = |claim: &ClaimedTangency| claim.judged(self.pair(), &budget);
         let each = one_by_one(self.tangencies().iter().enumerate(), (&budget, effort.work), judge, &watch);
         Ok(match each {

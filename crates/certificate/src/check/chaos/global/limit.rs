@@ -13,6 +13,9 @@ pub(super) struct Cycle {
     pub states: Vec<[Span; 2]>,
 }
 
+/// The image of a hull, no wider than a quarter of a forcing period, may be no wider than this. Lemma A8
+const WIDEST: f64 = 0.749;
+
 /// A matrix that holds derivatives.
 type Matrix = [[Span; 2]; 2];
 
@@ -94,6 +97,10 @@ fn derivative(space: &Space<'_>, [low, high]: [State; 2], state: State, image: &
     let guess = image.time + state[0] - quad.middle()[0];
     let landing = beam.land(image.is_far, image.time).or_else(|| beam.land(image.is_far, guess))?;
     let [zero, one] = [0.0, 1.0].map(Span::point);
+    let image = landing.along([one, zero], [zero, zero]);
+    if image.hi() - image.lo() > WIDEST {
+        return None; // V20: not proved
+    }
     let [[a, c], [b, d]] = [landing.derivative([one, zero]), landing.derivative([zero, one])];
     Some([[a, b], [c, d]])
 }

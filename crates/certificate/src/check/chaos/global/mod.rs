@@ -51,6 +51,9 @@ impl GlobalCertificate {
                 Verdict::Refuted(finding) => return Ok(Verdict::Refuted(self.placed(finding))),
                 Verdict::Undecided(finding) => return Ok(Verdict::Undecided(self.placed(finding))),
             }
+            if let Err(finding) = orbits.are_no_shorter_ones() {
+                return Ok(Verdict::Undecided(self.placed(finding)));
+            }
         }
         Ok(match self.covers(effort, &watch)? {
             Ok(()) => Verdict::Confirmed { bits, pieces: 1 },
@@ -174,7 +177,10 @@ fn from_release(space: &Space<'_>) -> (Option<(u32, bool)>, Released) {
             let halves = 2.0 * (turns + 1.0) - f64::from(crossings); // exact: small whole numbers
             let alternates = crossings % 2 == 1;
             let cycles = if alternates { halves } else { 0.5 * halves }; // exact: small whole numbers
-            return (Some((cycles as u32, alternates)), None); // exact: small whole numbers
+            if cycles > f64::from(u32::MAX) {
+                break; // V20: more than a document can say, so nothing is known of it
+            }
+            return (Some((cycles as u32, alternates)), None); // exact: a whole number of 32 bits
         }
         let quad = Quad::rectangle([within.lo(), speed.lo()], [within.hi(), speed.hi()]);
         let landing = space

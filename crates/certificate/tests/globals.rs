@@ -1,0 +1,191 @@
+//! Global analyses and windows that were false and confirmed.
+
+use impact_pair_certificate::{Claims, Effort};
+use impact_pair_document::{CheckDocument, GlobalDocument, VerdictName};
+use impact_pair_model::watch::Unwatched;
+use serde_json::{Value, json};
+
+use crate::recorded::all;
+
+fn checked(document: &Value) -> CheckDocument {
+    let text = document.to_string();
+    let claims = Claims::parse(&text).unwrap();
+    claims.document(&text, &claims.judge(&Effort::default(), &Unwatched).unwrap())
+}
+
+fn recorded(name: &str) -> Value {
+    all().into_iter().find(|(other, _)| other == name).unwrap().1[0].clone()
+}
+
+/// A document of such a pair, with the sentence that follows.
+fn with(document: &Value, class: &str, components: &[&Value]) -> Value {
+    let mut document = document.clone();
+    document["components"] = json!(components);
+    document["class"] = json!(class);
+    document["certified"] = json!(class.starts_with("one-"));
+    document["order"] = json!([]);
+    let document: GlobalDocument = serde_json::from_value(document).unwrap();
+    json!(document.with_statement())
+}
+
+fn rests(cycles: u64, alternates: bool) -> Value {
+    json!({ "kind": "rest-cycle", "cycles": cycles, "alternates": alternates, "boxes": 0, "area": "0", "closed": true })
+}
+
+fn open(is_closed: bool) -> Value {
+    json!({ "kind": "undecided", "boxes": 1, "area": "0", "closed": is_closed })
+}
+
+/// A pair, by its gap over an amplitude of 1, and its restitution.
+fn pair(gap: &str, restitution: &str) -> Value {
+    let mut document = recorded("global");
+    document["scene"]["excitation"]["amplitude"] = json!(["1"]);
+    document["scene"]["gap"] = json!(gap);
+    document["scene"]["restitution"] = json!(restitution);
+    document
+}
+
+/// N times around the orbit of a component, or of a window: true, but for the word "least".
+fn around(own: &mut Value, times: i32) {
+    let word = own["word"].as_str().unwrap().to_owned();
+    own["word"] = json!(vec![word; times as usize].join(" "));
+    own["cycles"] = json!(own["cycles"].as_u64().unwrap() * times as u64);
+    let orbit = &mut own["orbit"];
+    let impacts = vec![orbit["impacts"].as_array().unwrap().clone(); times as usize].concat();
+    orbit["impacts"] = json!(impacts);
+    let number = |bounds: &Value| bounds[0].as_str().unwrap().parse::<f64>().unwrap();
+    let bounds = |x: f64| {
+        let by = 1e-6 * x.abs() + 1e-9;
+        json!([format!("{:.12}", x - by), format!("{:.12}", x + by)])
+    };
+    let mut trace = 0.0;
+    for i in 0..2 {
+        let own = &orbit["eigenvalues"][i];
+        let [x, y] = [number(&own["re"]), number(&own["im"])];
+        let (size, angle) = (x.hypot(y).powi(times), y.atan2(x) * f64::from(times));
+        let [re, im] = [size * angle.cos(), if y == 0.0 { 0.0 } else { size * angle.sin() }];
+        orbit["eigenvalues"][i] = json!({ "re": bounds(re), "im": bounds(im) });
+        trace += re;
+    }
+    orbit["trace"] = bounds(trace);
+    orbit["determinant"] = bounds(number(&orbit["determinant"]).powi(times));
+}
+
+/// All rests are followed by one release, in the reduced map: of two cycles with rests the second one was not compared.
+#[test]
+fn r42_a_cycle_with_rests_is_listed_once() {
+    let pair = pair("0.5", "0.2");
+    let (one, other) = (rests(1, true), rests(5, true));
+    assert_eq!(checked(&with(&pair, "one-rest-cycle", &[&one])).verdict, VerdictName::Confirmed);
+    for open in [&[][..], &[&open(false)]] {
+        let twice = with(&pair, "attractors", &[&[&one, &other], open].concat());
+        assert_eq!(checked(&twice).verdict, VerdictName::Refuted);
+    }
+}
+
+/// From the release on, the ball needs 15,915,494,309.5 forcing periods to the next one: 4294967295 in 32 bits.
+#[test]
+fn r42_a_long_cycle_with_rests_is_not_cut_off() {
+    let document = with(&pair("100000000000", "0"), "attractors", &[&rests(u32::MAX.into(), true), &open(false)]);
+    assert_eq!(checked(&document).verdict, VerdictName::Undecided);
+}
+
+/// With an even number of crossings the ball rests on one wall: there are two cycles, one the mirror image of the other. D = 17/4, e = 0: six
+/// crossings, five forcing periods, by an independent program.
+#[test]
+fn r42_a_cycle_with_rests_on_one_wall_has_a_mirror_image() {
+    let of = |cycles: u64, alternates: bool| {
+        with(&pair("4.25", "0"), "attractors", &[&rests(cycles, alternates), &open(false)])
+    };
+    let document = of(5, false);
+    let said = document["statement"].as_str().unwrap();
+    assert!(said.contains("one cycle with rests or its mirror image, of 5 forcing periods"), "{said}");
+    assert_eq!(checked(&document).verdict, VerdictName::Confirmed);
+    assert_eq!(checked(&of(5, true)).verdict, VerdictName::Refuted);
+}
+
+/// The period under the reduced map is the least one: neither the double of a mirrored one, nor that of several times around.
+#[test]
+fn r42_a_reduced_period_is_the_least() {
+    let document = recorded("global");
+    let is_symmetric = |own: &&Value| own["reduced_impacts"] == 1;
+    let own = document["components"].as_array().unwrap().iter().find(is_symmetric).unwrap();
+    let of = |own: &Value| checked(&with(&document, "undecided", &[own, &open(false)])).verdict;
+    assert_eq!(of(own), VerdictName::Confirmed);
+    let mut doubled = own.clone();
+    doubled["reduced_impacts"] = json!(2);
+    doubled["spectral_radius"] = json!(["0", "3"]);
+    assert_eq!(of(&doubled), VerdictName::Refuted);
+    let mut around_twice = own.clone();
+    around(&mut around_twice, 2);
+    around_twice["reduced_impacts"] = json!(2);
+    around_twice["spectral_radius"] = json!(["0", "3"]);
+    assert_eq!(of(&around_twice), VerdictName::Refuted);
+    let mut around_thrice = own.clone();
+    around(&mut around_thrice, 3);
+    around_thrice["reduced_impacts"] = json!(3);
+    around_thrice["spectral_radius"] = json!(["0", "4"]);
+    assert_eq!(of(&around_thrice), VerdictName::Undecided);
+    // Where it is not said whether it is its mirror image, its period under the reduced map is not judged.
+    doubled["orbit"]["symmetric"] = Value::Null;
+    let found = checked(&with(&document, "undecided", &[&doubled, &open(false)]));
+    assert!(found.not_checked.contains(&"components[0].reduced_impacts".to_owned()), "{:?}", found.not_checked);
+}
+
+/// An orbit and its mirror image are one of the reduced map.
+#[test]
+fn r42_a_mirror_image_is_no_second_attractor() {
+    let document = recorded("global");
+    let attracts = |own: &&Value| own["kind"] == "attracting";
+    let own = document["components"].as_array().unwrap().iter().find(attracts).unwrap();
+    assert_eq!(own["orbit"]["symmetric"], false);
+    let mut mirrored = own.clone();
+    let mirror = |letter| "2143".chars().nth("1234".find(letter).unwrap()).unwrap();
+    let word = own["word"].as_str().unwrap().chars();
+    let word: String = word.map(|c| if c.is_ascii_digit() { mirror(c) } else { c }).collect();
+    mirrored["word"] = json!(word);
+    for impact in mirrored["orbit"]["impacts"].as_array_mut().unwrap() {
+        impact.as_object_mut().unwrap().remove("cycle");
+        impact["wall"] = json!(if impact["wall"] == "left" { "right" } else { "left" });
+        let [low, high] = [0, 1].map(|i| impact["velocity"][i].as_str().unwrap().parse::<f64>().unwrap());
+        impact["velocity"] = json!([format!("{:.11}", -high - 1e-10), format!("{:.11}", -low + 1e-10)]);
+        let phase = impact["phase"][0].as_str().unwrap().parse::<f64>().unwrap() + std::f64::consts::PI;
+        let phase = phase.rem_euclid(std::f64::consts::TAU);
+        impact["phase"] = json!([format!("{:.11}", phase - 1e-10), format!("{:.11}", phase + 1e-10)]);
+    }
+    let verdict = |components: &[&Value]| checked(&with(&document, "attractors", components)).verdict;
+    assert_eq!(verdict(&[&mirrored, &open(false)]), VerdictName::Confirmed);
+    assert_eq!(verdict(&[own, &mirrored, &open(false)]), VerdictName::Undecided);
+}
+
+/// A window is that of a whole orbit, and listed once.
+#[test]
+fn r42_a_window_is_that_of_a_whole_orbit() {
+    let mut document = recorded("windows");
+    document["certified"] = json!(false);
+    let window = &mut document["windows"][0];
+    (window["from"], window["to"], window["ends"]) = (Value::Null, Value::Null, json!([null, null]));
+    window["stable_between"] = json!(false);
+    assert_eq!(checked(&document).verdict, VerdictName::Confirmed);
+    let mut doubled = document.clone();
+    doubled["windows"][0]["reduced_impacts"] = json!(2);
+    doubled["windows"][0]["flights"] = json!("FF");
+    assert_eq!(checked(&doubled).verdict, VerdictName::Refuted);
+    let mut twice = document.clone();
+    twice["windows"] = json!([document["windows"][0], document["windows"][0]]);
+    assert_eq!(checked(&twice).verdict, VerdictName::Undecided);
+    let window = &mut document["windows"][0];
+    around(window, 3);
+    (window["reduced_impacts"], window["flights"]) = (json!(3), json!("FFF"));
+    assert_eq!(checked(&document).verdict, VerdictName::Undecided);
+}
+
+/// Whether components are closed is not judged: nor is a class that follows from that alone.
+#[test]
+fn r42_a_class_of_closed_components_is_not_judged() {
+    let document = recorded("global");
+    let saddle = document["components"].as_array().unwrap().iter().find(|own| own["kind"] == "saddle").unwrap();
+    let found = checked(&with(&document, "closed", &[saddle, &open(true)]));
+    let is_named = |key: &str| found.not_checked.iter().any(|own| own == key);
+    assert!(found.verdict == VerdictName::Confirmed && is_named("class") && is_named("statement"));
+}
