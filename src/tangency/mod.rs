@@ -5,8 +5,11 @@
 //! folds of the unstable manifold near the stable one (`search`); the manifolds are Taylor series with proved errors (`series`, `local`,
 //! `manifold`), the tangency is a regular zero of the equations of all flights between them (`chain`), proved by Krawczyk's operator (`prove`).
 
+mod beside;
+mod boxes;
 mod chain;
 mod disc;
+mod family;
 mod flight;
 mod flights;
 mod local;
@@ -30,19 +33,20 @@ use crate::scene::{Key, Range};
 use crate::watch::{Latched, Stage, Watch};
 use crate::{Error, Scene};
 pub use portrait::Portrait;
-use prove::Proof;
+use flight::{Pair, Parameter};
+use prove::{Proof, Question};
 use saddle::Guessed;
 use search::{Floats, Fold};
 
 /// The keys over which tangencies are searched, in words.
-pub const TANGENCY_PARAMETERS: &str = "KEY one of gap, amplitude";
+pub const TANGENCY_PARAMETERS: &str = "KEY one of gap, amplitude, restitution";
 
 /// The most flights between the two manifolds.
 pub const MOST_FLIGHTS: usize = 200;
 
 /// Returns whether tangencies are searched over such a range.
 pub fn is_tangency_range(range: &Range) -> bool {
-    matches!(range.key, Key::Gap | Key::Amplitude(_)) && range.count.is_none()
+    matches!(range.key, Key::Gap | Key::Amplitude(_) | Key::Restitution) && range.count.is_none()
 }
 
 /// Flights between the walls in time order: `F` to the far wall, `N` back to the near one.
@@ -90,7 +94,7 @@ impl std::fmt::Display for FlightWord {
 /// The settings of a search for tangencies.
 #[derive(Clone, Debug)]
 pub struct TangencySettings {
-    /// The parameter and its range: gap or amplitude.
+    /// The parameter and its range: gap, amplitude or restitution.
     pub over: Range,
     /// The flights of the orbit; `None` for a search over all of them.
     pub word: Option<FlightWord>,
@@ -193,14 +197,14 @@ impl Tangencies {
                 break;
             }
             let flights = FlightWord(fold.flights.clone());
-            match prove::tangency(fold, &search.restitution, settings.precision) {
+            match prove::tangency(fold, &search.question) {
                 Some(proof) => {
-                    let found = search.tangency(proof, settings.precision)?;
+                    let found = search.tangency(proof)?;
                     if search.is_inside(&found.parameter)? && all.tangencies.iter().all(|known| !known.meets(&found)) {
                         all.tangencies.push(found);
                     }
                 }
-                None => all.unproved.push(UnprovedTangency { near: search.in_units_f64(fold.gap), flights }),
+                None => all.unproved.push(UnprovedTangency { near: search.in_units_f64(search.own_of(&fold.pair)), flights }),
             }
         }
         all.interrupted = watch.is_stopped();
@@ -227,77 +231,92 @@ impl Tangency {
 
 /// A search over a parameter of a pair.
 struct Search<'s> {
-    pair: &'s ImpactPair,
     over: &'s Range,
-    restitution: Exact,
-    /// The amplitude where the gap varies, the gap where the amplitude does.
+    question: Question,
+    /// The amplitude where the gap varies, the gap where the amplitude does, or 1.
     unit: Exact,
-    /// The scene's own value of `D` if the range has it, else that in its middle.
-    own: f64,
+    /// The scene's own value of `D` or `e` if the range has it, else that in its middle; and that of the other one.
+    own: Pair<f64>,
     range: [f64; 2],
 }
 
 const WHAT: &str = "a homoclinic tangency";
 
 impl<'s> Search<'s> {
-    fn new(pair: &'s ImpactPair, settings: &'s TangencySettings) -> Result<Self, Error> {
+    fn new(pair: &ImpactPair, settings: &'s TangencySettings) -> Result<Self, Error> {
         let over = &settings.over;
         if !is_tangency_range(over) {
             let message = format!("the range is \"{over}\", but accepted is KEY=LO..HI, {TANGENCY_PARAMETERS}");
             return Err(Error::out_of_range(None, message));
         }
-        let harmonic = pair.harmonic(WHAT)?;
-        let unit = if over.key == Key::Gap { harmonic.amplitude().clone() } else { pair.gap().clone() };
-        let place = if over.key == Key::Gap { "excitation.amplitude" } else { "pair.gap" };
-        for (place, value) in [(place, &unit), ("pair.restitution", pair.restitution())] {
-            if !value.is_point() {
-                let message = format!(
-                    "is the interval {value}, but accepted is a single number: tangencies are those of one pair"
-                );
-                return Err(Error::out_of_range(place, message));
-            }
+        let amplitude = pair.harmonic(WHAT)?.amplitude();
+        let (parameter, place, unit) = match over.key {
+            Key::Gap => (Parameter::Gap, "excitation.amplitude", amplitude.clone()),
+            Key::Restitution => (Parameter::Restitution, "", Exact::from(1)),
+            _ => (Parameter::Gap, "pair.gap", pair.gap().clone()),
+        };
+        if !unit.is_point() {
+            let message =
+                format!("is the interval {unit}, but accepted is a single number: tangencies are those of one pair");
+            return Err(Error::out_of_range(place, message));
         }
-        let law = |value: &Exact| Law::of(&pair.with(over.key, value.clone())?);
-        let ends = [law(&over.low)?.gap.mid(), law(&over.high)?.gap.mid()];
+        let other = match parameter {
+            Parameter::Gap => pair.restitution().clone(),
+            Parameter::Restitution => within("pair.gap", pair.gap(), pair.gap().checked_div(amplitude))?,
+        };
+        let of = |pair: &ImpactPair| -> Result<Pair<f64>, Error> {
+            let law = Law::of(pair)?;
+            Ok(Pair { gap: law.gap.mid(), restitution: law.restitution.mid() })
+        };
+        let at = |value: &Exact| Ok::<f64, Error>(*of(&pair.with(over.key, value.clone())?)?.value(parameter));
+        let ends = [at(&over.low)?, at(&over.high)?];
         let range = [ends[0].min(ends[1]), ends[0].max(ends[1])]; // proposes
-        let own = Law::of(pair)?.gap.mid();
-        let is_inside = (range[0]..=range[1]).contains(&own); // proposes
-        let own = if is_inside { own } else { 0.5 * (range[0] + range[1]) };
-        Ok(Self { pair, over, restitution: pair.restitution().clone(), unit, own, range })
+        let own = of(pair)?;
+        let is_inside = (range[0]..=range[1]).contains(own.value(parameter)); // proposes
+        let middle = Pair::of(parameter, 0.5 * (range[0] + range[1]), *own.value(parameter.other()));
+        let question = Question { over: parameter, other, precision: settings.precision };
+        Ok(Self { over, question, unit, own: if is_inside { own } else { middle }, range })
+    }
+
+    /// The value of the parameter.
+    fn own_of(&self, pair: &Pair<f64>) -> f64 {
+        *pair.value(self.question.over)
     }
 
     /// The folds that lead to tangencies in the range, in floating point, the nearest to the scene's own value first.
     fn folds(&self, settings: &TangencySettings, watch: &dyn Watch) -> Vec<Fold> {
-        let e = Law::of(self.pair).map_or(f64::NAN, |law| law.restitution.mid()); // proposes
         let mut found: Vec<Fold> = Vec::new();
-        for guess in Guessed::all(self.own, e) {
-            let Some(floats) = Floats::new(self.own, e, guess) else { continue };
+        for guess in Guessed::all(self.own) {
+            let Some(floats) = Floats::new(self.own, guess) else { continue };
             let folds = match &settings.word {
-                Some(word) => floats.folds(self.own, &word.0),
-                None => floats.all_folds(self.own, settings.longest, watch),
+                Some(word) => floats.folds(&word.0),
+                None => floats.all_folds(settings.longest, watch),
             };
             for fold in folds {
-                let Some(fold) = prove::settled(&fold, e) else { continue };
-                let is_new = found.iter().all(|known| (known.gap - fold.gap).abs() > 1e-12 * fold.gap);
-                if is_new && (self.range[0]..=self.range[1]).contains(&fold.gap) {
+                let Some(fold) = prove::settled(&fold, self.question.over) else { continue };
+                let value = self.own_of(&fold.pair);
+                let is_new = found.iter().all(|known| (self.own_of(&known.pair) - value).abs() > 1e-12 * value);
+                if is_new && (self.range[0]..=self.range[1]).contains(&value) {
                     found.push(fold);
                 }
             }
         }
-        found.sort_by(|a, b| (a.gap - self.own).abs().total_cmp(&(b.gap - self.own).abs()));
+        let away = |fold: &Fold| (self.own_of(&fold.pair) - self.own_of(&self.own)).abs();
+        found.sort_by(|a, b| away(a).total_cmp(&away(b)));
         found
     }
 
-    /// A value of `D` in the units of the scene.
-    fn in_units(&self, gap: &Exact) -> Result<Exact, Error> {
+    /// A value of `D` or `e` in the units of the scene.
+    fn in_units(&self, value: &Exact) -> Result<Exact, Error> {
         match self.over.key {
-            Key::Gap => within("pair.gap", gap, gap.checked_mul(&self.unit)),
-            _ => within("excitation.amplitude", gap, self.unit.checked_div(gap)),
+            Key::Gap => within("pair.gap", value, value.checked_mul(&self.unit)),
+            Key::Restitution => Ok(value.clone()),
+            _ => within("excitation.amplitude", value, self.unit.checked_div(value)),
         }
     }
 
-    fn in_units_f64(&self, gap: f64) -> f64 {
-        let value = Exact::from_f64(gap).and_then(|gap| self.in_units(&gap).ok());
+    fn in_units_f64(&self, value: f64) -> f64 {
+        let value = Exact::from_f64(value).and_then(|value| self.in_units(&value).ok());
         value.map_or(f64::NAN, |value| value.enclose(64).mid_rad().0) // shown
     }
 
@@ -309,9 +328,10 @@ impl<'s> Search<'s> {
     }
 
     /// What is proved, in the units of the scene.
-    fn tangency(&self, proof: Proof, precision: Precision) -> Result<Tangency, Error> {
-        let bits = 256 + 4 * precision.digits;
-        let ends = [proof.gap.inf(), proof.gap.sup()].map(|end| Exact::from_rational(end.to_rational()));
+    fn tangency(&self, proof: Proof) -> Result<Tangency, Error> {
+        let bits = 256 + 4 * self.question.precision.digits;
+        let ends =
+            [proof.parameter.inf(), proof.parameter.sup()].map(|end| Exact::from_rational(end.to_rational()));
         let [a, b] = [self.in_units(&ends[0])?, self.in_units(&ends[1])?];
         let [unstable, stable] = proof.sigma;
         Ok(Tangency {

@@ -5,6 +5,7 @@
 use std::f64::consts::{PI, TAU};
 
 use super::Tangency;
+use super::flight::Pair;
 use super::saddle::{Guessed, Side as Manifold};
 use super::search::Floats;
 use crate::chaos::{Side, State};
@@ -50,8 +51,8 @@ impl Near<'_> {
         let e = middle(&tangency.eigenvalues[0]) * middle(&tangency.eigenvalues[1]);
         let e = e.sqrt();
         let apart = |guess: &Guessed| ((guess.theta - middle(&tangency.phase) + PI).rem_euclid(TAU) - PI).abs();
-        let guess = Guessed::all(gap, e).into_iter().min_by(|a, b| apart(a).total_cmp(&apart(b)))?;
-        Some(Near { tangency, floats: Floats::new(gap, e, guess)?, gap, e })
+        let guess = Guessed::all(Pair { gap, restitution: e }).into_iter().min_by(|a, b| apart(a).total_cmp(&apart(b)))?;
+        Some(Near { tangency, floats: Floats::new(Pair { gap, restitution: e }, guess)?, gap, e })
     }
 
     /// How many flights before the end the tangency is looked at.

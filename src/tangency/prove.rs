@@ -3,7 +3,9 @@
 use nalgebra::DVector;
 
 use super::chain::Chain;
-use super::flight::Pair;
+use super::beside::{Sides, sides};
+use super::boxes::StateBounds;
+use super::flight::{Pair, Parameter};
 use super::flights::{Least, least};
 use super::local::Local;
 use super::manifold::Manifold;
@@ -23,7 +25,8 @@ use crate::periodic::precondition::{Jacobian, Preconditioner};
 /// What is proved of a tangency, in the units of `docs/proofs/tangency.md`.
 #[derive(Clone, Debug)]
 pub(super) struct Proof {
-    pub gap: Enclosure,
+    /// The value of the parameter.
+    pub parameter: Enclosure,
     pub sigma: [Enclosure; 2],
     pub phase: Enclosure,
     pub speed: Enclosure,
@@ -33,6 +36,18 @@ pub(super) struct Proof {
     pub least: Least,
     pub resonances: u32,
     pub flights: Vec<chaos::Side>,
+    /// Of a family: bounds of the states between, of which there is one tangency only. Lemma J12
+    pub states: Option<Vec<StateBounds>>,
+    /// What is proved on either side. Lemma J13
+    pub beside: Option<Sides>,
+}
+
+/// The parameter that is looked for, and the other one: a number, or all numbers of an interval.
+#[derive(Clone, Debug)]
+pub(super) struct Question {
+    pub over: Parameter,
+    pub other: Exact,
+    pub precision: Precision,
 }
 
 /// Steps of Newton's iteration, the largest one, and when it has ended.
@@ -42,7 +57,7 @@ const ENOUGH: f64 = 1e-12;
 /// A parameter of a manifold is at most that part of the radius for which it is proved.
 const PART: f64 = 0.125;
 /// The radii of `D` for which the manifolds are proved, and of the largest domain.
-const REACH: f64 = 1.0 / 8192.0;
+pub(super) const REACH: f64 = 1.0 / 8192.0;
 const DOMAIN: f64 = 1.0 / 65_536.0;
 /// How much wider than the radii of the enclosures the bounds are within which there is no other tangency: more than printing adds (Lemma P1),
 /// and the change of units.
@@ -58,15 +73,15 @@ fn manifolds(guess: Guessed) -> [Manifold; 2] {
 }
 
 /// The chain along a fold, and its unknowns.
-fn begin(fold: &Fold, e: Ball) -> Option<(Chain<Ball>, Vec<f64>)> {
-    let floats = Floats::new(fold.gap, e.mid(), fold.guess)?;
-    let along = floats.along(fold)?;
-    let mut x = vec![fold.sigma[0], fold.sigma[1], fold.gap, along.stretch];
+fn begin(fold: &Fold, over: Parameter) -> Option<(Chain<Ball>, Vec<f64>)> {
+    let along = Floats::new(fold.pair, fold.guess)?.along(fold)?;
+    let mut x = vec![fold.sigma[0], fold.sigma[1], *fold.pair.value(over), along.stretch];
     for (state, tangent) in along.states.iter().zip(&along.tangents).take(fold.flights.len()).skip(1) {
         x.extend(state.iter().chain(tangent));
     }
     let chain = Chain {
-        restitution: e,
+        over,
+        other: Ball::exact(*fold.pair.value(over.other())),
         flights: fold.flights.clone(),
         turns: along.turns,
         scales: along.scales,
@@ -83,7 +98,7 @@ fn in_period<N: Enclosing>(phase: N) -> N {
     }
 }
 
-fn points(x: &[f64]) -> Vec<Ball> {
+pub(super) fn points(x: &[f64]) -> Vec<Ball> {
     x.iter().map(|x| Ball::exact(*x)).collect()
 }
 
@@ -95,7 +110,7 @@ fn inverse(chain: &Chain<Ball>, x: &[f64]) -> Option<Preconditioner> {
 /// Newton's iteration; proposes.
 pub(super) fn settle(chain: &Chain<Ball>, mut x: Vec<f64>) -> Option<Vec<f64>> {
     for _ in 0..STEPS {
-        // The fixed point follows D.
+        // The fixed point follows the parameter.
         let at = points(&x);
         let misses = DVector::from_iterator(x.len(), chain.values(&at)?.into_iter().map(Ball::mid));
         let mut matrix = nalgebra::DMatrix::<f64>::zeros(x.len(), x.len());
@@ -119,18 +134,20 @@ pub(super) fn settle(chain: &Chain<Ball>, mut x: Vec<f64>) -> Option<Vec<f64>> {
 }
 
 /// The tangency near a fold, in floating point.
-pub(super) fn settled(fold: &Fold, e: f64) -> Option<Fold> {
-    let (chain, x) = begin(fold, Ball::exact(e))?;
+pub(super) fn settled(fold: &Fold, over: Parameter) -> Option<Fold> {
+    let (chain, x) = begin(fold, over)?;
     let x = settle(&chain, x)?;
-    let guess = nearest(x[2], e, &fold.guess)?;
-    Some(Fold { gap: x[2], guess, flights: fold.flights.clone(), sigma: [x[0], x[1]], distance: 0.0 })
+    let pair = Pair::of(over, x[2], *fold.pair.value(over.other()));
+    let guess = nearest(pair, &fold.guess)?;
+    Some(Fold { pair, guess, flights: fold.flights.clone(), sigma: [x[0], x[1]], distance: 0.0 })
 }
 
 /// The same, its section chosen so that both parameters are small.
-fn approximate(fold: &Fold, e: Ball) -> Option<(Fold, [Local; 2])> {
-    let mut found = settled(fold, e.mid())?;
-    let Fold { gap, guess, .. } = found;
-    let locals = [Side::Unstable, Side::Stable].map(|side| Local::prove(gap, REACH, e, &guess, side));
+fn approximate(fold: &Fold, over: Parameter, reach: f64) -> Option<(Fold, [Local; 2])> {
+    let mut found = settled(fold, over)?;
+    let Fold { pair, guess, .. } = found;
+    let reaches = Pair::of(over, REACH, reach);
+    let locals = [Side::Unstable, Side::Stable].map(|side| Local::prove(pair, reaches, &guess, side));
     let [Some(unstable), Some(stable)] = locals else { return None };
     while found.sigma[0].abs() > PART * unstable.radius {
         found.sigma[0] /= guess.lambda[0];
@@ -144,15 +161,15 @@ fn approximate(fold: &Fold, e: Ball) -> Option<(Fold, [Local; 2])> {
 }
 
 /// The saddle of the same kind.
-fn nearest(gap: f64, e: f64, guess: &Guessed) -> Option<Guessed> {
+fn nearest(pair: Pair<f64>, guess: &Guessed) -> Option<Guessed> {
     let apart = |other: &Guessed| (other.theta - guess.theta).abs();
-    Guessed::all(gap, e).into_iter().min_by(|a, b| apart(a).total_cmp(&apart(b))) // proposes
+    Guessed::all(pair).into_iter().min_by(|a, b| apart(a).total_cmp(&apart(b))) // proposes
 }
 
 /// The chain in another arithmetic, its series so long that they err by no more than that.
 fn chain_in<N: Enclosing>(
     chain: &Chain<Ball>,
-    restitution: N,
+    other: N,
     (locals, x): (&[Local; 2], &[f64]),
     error: f64,
 ) -> Chain<N> {
@@ -163,7 +180,8 @@ fn chain_in<N: Enclosing>(
         ..manifold
     };
     Chain {
-        restitution,
+        over: chain.over,
+        other,
         flights: chain.flights.clone(),
         turns: chain.turns,
         scales: chain.scales.clone(),
@@ -175,26 +193,74 @@ fn chain_in<N: Enclosing>(
 pub(super) struct InDoubles {
     pub chain: Chain<Ball>,
     locals: [Local; 2],
-    inverse: Preconditioner,
+    pub inverse: Preconditioner,
     pub x: Vec<f64>,
     pub zero: Proved<Ball>,
-    least: Least,
+    pub least: Least,
 }
 
-pub(super) fn in_doubles(fold: &Fold, e: Ball) -> Option<InDoubles> {
-    let (fold, locals) = approximate(fold, e)?;
-    let (chain, x) = begin(&fold, e)?;
-    let x = settle(&chain, x)?;
-    let chain = chain_in(&chain, e, (&locals, &x), ERROR);
-    let inverse = inverse(&chain, &x)?;
+/// A chain whose manifolds are proved for the other parameter as well, as far as `reach`, and its zero in floating point.
+pub(super) struct Begun {
+    pub chain: Chain<Ball>,
+    pub locals: [Local; 2],
+    pub inverse: Preconditioner,
+    pub x: Vec<f64>,
+}
+
+impl Begun {
+    pub fn new(fold: &Fold, over: Parameter, other: Ball, reach: f64) -> Option<Self> {
+        let (fold, locals) = approximate(fold, over, reach)?;
+        let (chain, x) = begin(&fold, over)?;
+        let x = settle(&chain, x)?;
+        let chain = chain_in(&chain, other, (&locals, &x), ERROR);
+        let middle = Chain { other: other.centre(), ..chain.clone() };
+        let inverse = inverse(&middle, &x)?;
+        Some(Self { chain, locals, inverse, x })
+    }
+}
+
+pub(super) fn in_doubles(fold: &Fold, over: Parameter, other: Ball) -> Option<InDoubles> {
+    const FARTHER: f64 = 4.0;
+    let Begun { chain, locals, inverse, x } = Begun::new(fold, over, other, FARTHER * other.rad())?;
     let effort = Effort { largest: DOMAIN, domains: 10, images: 30, slow: 3 };
     let zero = prove(&chain, &inverse, &points(&x), effort)?;
     let least = least(&chain, &zero.domain)?;
     Some(InDoubles { chain, locals, inverse, x, zero, least })
 }
 
+/// What follows of a chain and an enclosure of its zero, its flights proved. Lemmas J7, J8
+pub(super) fn conclude<N: Enclosing>(
+    chain: &Chain<N>,
+    inverse: &Preconditioner,
+    at: &[N],
+    least: Least,
+) -> Option<Proof> {
+    let saddle = Saddle::new(&chain.pair(at), chain.over, &chain.manifolds[0].guess)?;
+    let eigenvalues = saddle.lambda.each_ref().map(|x| x.value.as_ball());
+    let resonances = resonances(eigenvalues, MOST_ORDER)?;
+    let Unfolding { quadratic, unfolding } = Unfolding::new(chain, inverse, at)?;
+    if quadratic.certain_sign()?.is_eq() || unfolding.certain_sign()?.is_eq() {
+        return None;
+    }
+    let [unstable, stable] = saddle.lambda.each_ref().map(|x| x.value.as_enclosure());
+    Some(Proof {
+        parameter: at[2].as_enclosure()?,
+        sigma: [at[0].as_enclosure()?, at[1].as_enclosure()?],
+        phase: in_period(saddle.theta.value).as_enclosure()?,
+        speed: saddle.speed.value.as_enclosure()?,
+        eigenvalues: [unstable?, stable?],
+        quadratic: quadratic.as_enclosure()?,
+        unfolding: unfolding.as_enclosure()?,
+        least,
+        resonances,
+        flights: chain.flights.clone(),
+        states: None,
+        beside: None,
+    })
+}
+
 impl InDoubles {
-    /// What follows of a chain and an enclosure of its zero. Lemmas J6-J8
+    /// The zero is the only one within its bounds (Lemma J6), and what follows of it.
     fn conclude<N: Enclosing>(&self, chain: &Chain<N>, at: &[N]) -> Option<Proof> {
         let own: Vec<Ball> = at.iter().map(Enclosing::as_ball).collect();
         let is_theirs = own.iter().zip(&self.zero.domain).all(|(x, domain)| x.is_interior_to(domain));
@@ -202,35 +268,15 @@ impl InDoubles {
         if !is_theirs || !is_only(&self.chain, &self.zero.domain, &own, within)? {
             return None;
         }
-        let Pair { gap, restitution } = chain.pair(at);
-        let saddle = Saddle::new(&Pair { gap: gap.clone(), restitution }, &chain.manifolds[0].guess)?;
-        let eigenvalues = saddle.lambda.each_ref().map(|x| x.value.as_ball());
-        let resonances = resonances(eigenvalues, MOST_ORDER)?;
-        let Unfolding { quadratic, unfolding } = Unfolding::new(chain, at)?;
-        if quadratic.certain_sign()?.is_eq() || unfolding.certain_sign()?.is_eq() {
-            return None;
-        }
-        let [unstable, stable] = saddle.lambda.each_ref().map(|x| x.value.as_enclosure());
-        Some(Proof {
-            gap: gap.as_enclosure()?,
-            sigma: [at[0].as_enclosure()?, at[1].as_enclosure()?],
-            phase: in_period(saddle.theta.value).as_enclosure()?,
-            speed: saddle.speed.value.as_enclosure()?,
-            eigenvalues: [unstable?, stable?],
-            quadratic: quadratic.as_enclosure()?,
-            unfolding: unfolding.as_enclosure()?,
-            least: self.least,
-            resonances,
-            flights: self.chain.flights.clone(),
-        })
+        conclude(chain, &self.inverse, at, self.least)
     }
 
     /// The same in more bits.
     #[cfg(feature = "multiprecision")]
-    fn precisely(&self, e: &Exact, bits: u32) -> Option<Proof> {
-        let restitution = MpBall::enclosing(&e.enclose(bits), bits);
+    fn precisely(&self, other: &Exact, bits: u32) -> Option<Proof> {
+        let other = MpBall::enclosing(&other.enclose(bits), bits);
         let error = (24.0 - f64::from(bits)).exp2(); // proposes
-        let chain = chain_in(&self.chain, restitution, (&self.locals, &self.x), error);
+        let chain = chain_in(&self.chain, other, (&self.locals, &self.x), error);
         let guess: Vec<MpBall> = self.x.iter().map(|x| MpBall::from_f64_bits(*x, bits)).collect();
         let polished = crate::periodic::krawczyk::polish(&chain, &self.inverse, guess, bits / 16);
         let effort = Effort { largest: (48.0 - f64::from(bits)).exp2(), domains: 1, images: 8, slow: 1 };
@@ -239,23 +285,29 @@ impl InDoubles {
     }
 }
 
-/// Proves the tangency near a fold, as narrow as requested if the precision suffices; `None` where nothing is proved.
-pub(super) fn tangency(fold: &Fold, e: &Exact, precision: Precision) -> Option<Proof> {
-    let found = in_doubles(fold, Ball::of(e))?;
+/// Proves the tangency near a fold, as narrow as requested if the precision suffices; `None` where nothing is proved. Of an interval of the
+/// other parameter the bounds hold the tangencies of all its members.
+pub(super) fn tangency(fold: &Fold, question: &Question) -> Option<Proof> {
+    let Question { over, other, precision } = question;
+    if !other.is_point() {
+        return super::family::tangency(fold, *over, Ball::of(other));
+    }
+    let found = in_doubles(fold, *over, Ball::of(other))?;
     let is_narrow = |proof: &Proof| {
         let width = |x: &Enclosure| x.wid().top().map_or(f64::NEG_INFINITY, |top| top as f64); // exact: an exponent
         let requested = -std::f64::consts::LOG2_10 * f64::from(precision.digits);
-        [&proof.gap, &proof.sigma[0], &proof.sigma[1]].into_iter().all(|x| width(x) <= requested)
+        [&proof.parameter, &proof.sigma[0], &proof.sigma[1]].into_iter().all(|x| width(x) <= requested)
     };
+    let with_sides = |proof: Option<Proof>| Some(Proof { beside: sides(&found), ..proof? });
     #[cfg(feature = "multiprecision")]
     {
         let mut bits = 128 + (f64::from(precision.digits) * 3.33) as u32; // proposes
         while bits <= precision.max_bits {
-            if let Some(proof) = found.precisely(e, bits).filter(is_narrow) {
-                return Some(proof);
+            if let Some(proof) = found.precisely(other, bits).filter(is_narrow) {
+                return with_sides(Some(proof));
             }
             bits *= 2;
         }
     }
-    found.conclude(&found.chain, &found.zero.at).filter(is_narrow)
+    with_sides(found.conclude(&found.chain, &found.zero.at).filter(is_narrow))
 }

@@ -2,7 +2,7 @@
 
 use approx::assert_abs_diff_eq;
 
-use super::flight::Pair;
+use super::flight::{Pair, Parameter};
 use super::local::Local;
 use super::manifold::Manifold;
 use super::saddle::{Guessed, Side};
@@ -11,16 +11,16 @@ use crate::chaos;
 use crate::number::Ball;
 use crate::tolerances::SERIES_OF_MANIFOLDS;
 
-const GAP: f64 = 9.42497 / 8.0;
+const PAIR: Pair<f64> = Pair { gap: 9.42497 / 8.0, restitution: 0.5 };
 
 fn saddle() -> Guessed {
-    Guessed::all(GAP, 0.5)[0]
+    Guessed::all(PAIR)[0]
 }
 
 /// The map takes the point of `sigma` to that of `lambda sigma`.
 #[test]
 fn manifolds_are_invariant_under_the_map() {
-    let floats = Floats::new(GAP, 0.5, saddle()).unwrap();
+    let floats = Floats::new(PAIR, saddle()).unwrap();
     for (side, lambda) in [(Side::Unstable, saddle().lambda[0]), (Side::Stable, saddle().lambda[1])] {
         for sigma in [1e-3, -2e-3, 0.01] {
             let fold = |sigma: f64| floats.point(side, sigma)[0];
@@ -36,13 +36,13 @@ fn manifolds_are_invariant_under_the_map() {
 #[test]
 fn tails_hold_what_is_left_out() {
     for side in [Side::Unstable, Side::Stable] {
-        let local = Local::prove(GAP, 1e-4, Ball::exact(0.5), &saddle(), side).unwrap();
+        let local = Local::prove(PAIR, Pair { gap: 1e-4, restitution: 0.0 }, &saddle(), side).unwrap();
         let of = |order: usize, gap: Ball, sigma: f64| {
             let manifold = Manifold { side, guess: saddle(), order, local: Some(local) };
-            manifold.at(&Pair { gap, restitution: Ball::exact(0.5) }, &Ball::exact(sigma)).unwrap()
+            manifold.at(&Pair { gap, restitution: Ball::exact(0.5) }, Parameter::Gap, &Ball::exact(sigma)).unwrap()
         };
         for part in [0.02, -0.1, 0.25] {
-            let [short, long] = [3, 40].map(|order| of(order, Ball::exact(GAP), part * local.radius));
+            let [short, long] = [3, 40].map(|order| of(order, Ball::exact(PAIR.gap), part * local.radius));
             for i in 0..2 {
                 let pairs = [
                     (short.at[i].value, long.at[i].value),
@@ -58,7 +58,7 @@ fn tails_hold_what_is_left_out() {
         }
         // Beyond half the reach nothing is claimed.
         let manifold = Manifold { side, guess: saddle(), order: 9, local: Some(local) };
-        let far = Pair { gap: Ball::exact(GAP + 6e-5), restitution: Ball::exact(0.5) };
-        assert!(manifold.at(&far, &Ball::exact(0.001)).is_none());
+        let far = Pair { gap: Ball::exact(PAIR.gap + 6e-5), restitution: Ball::exact(0.5) };
+        assert!(manifold.at(&far, Parameter::Gap, &Ball::exact(0.001)).is_none());
     }
 }
