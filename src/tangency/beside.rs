@@ -2,12 +2,13 @@
 
 use super::boxes::{self, StateBounds, between, high, low};
 use super::chain::{Chain, FIRST, Sparse};
-use super::prove::{InDoubles, points};
+use super::flights::least;
+use super::prove::InDoubles;
 use super::unfolding::{Linear, solved};
 use crate::exact::Enclosure;
 use crate::number::{Ball, Enclosing};
 use crate::periodic::krawczyk::{Effort, Equations, Proved, is_inside, polish, prove_inflating};
-use crate::periodic::precondition::{Jacobian, Preconditioner};
+use crate::periodic::precondition::Preconditioner;
 
 /// How many common points the manifolds have beside a tangency, their `sigma` and states in these boxes.
 #[derive(Clone, Debug)]
@@ -25,8 +26,8 @@ const OWN: usize = 3;
 const PARAMETER: usize = 2;
 const EFFORT: Effort = Effort { largest: 0.0, domains: 12, images: 30, slow: 3 };
 /// The largest half-length of the curve that is tried, in its coordinate, and how often it is halved.
-const LONGEST: f64 = 1.0 / 1024.0;
-const HALVED: i32 = 14;
+const LONGEST: f64 = 1.0 / 64.0;
+const HALVED: i32 = 16;
 /// Parts of it: where the tangency is the only one, what is shown of it, and where its two points are at the least.
 const ONE: f64 = 0.875;
 const BOX: f64 = 0.75;
@@ -108,7 +109,10 @@ impl<'c> Whole<'c> {
         let unknowns = (0..found.x.len()).filter(|i| place(*i).is_some());
         let start: Vec<Ball> = unknowns.map(|i| Ball::exact(found.x[i])).collect();
         let at = start[coordinate].widened(half);
-        let (zero, _) = Curve { chain: &found.chain, coordinate, at }.piece(&start)?;
+        let curve = Curve { chain: &found.chain, coordinate, at };
+        let (zero, _) = curve.piece(&start)?;
+        // All flights from the states of the box are first contacts.
+        least(&found.chain, &curve.all(&zero.domain))?;
         Some(Self { found, coordinate, start, half, zero })
     }
 
@@ -135,8 +139,7 @@ impl<'c> Whole<'c> {
     /// Whether all tangencies between two values of the coordinate are the one that is proved. Lemma J13
     fn has_one(&self, [low, high]: [f64; 2]) -> bool {
         let centre = 0.5 * (low + high);
-        // J13: the ball holds both ends.
-        let at = Ball::new(centre, (centre - low).max(high - centre).next_up());
+        let at = Ball::new(centre, (centre - low).max(high - centre).next_up()); // J13: the ball holds both ends
         let is_proved = |(piece, inverse): (Vec<Ball>, Preconditioner)| {
             self.is_about_the_tangency(&piece)
                 || self.curve(at).slope(&piece, &inverse).is_some_and(|slope| slope.mid().abs() > slope.rad())
@@ -145,23 +148,35 @@ impl<'c> Whole<'c> {
             || (high - low > SHORTEST * self.half && self.has_one([low, centre]) && self.has_one([centre, high]))
     }
 
+    /// Whether the tangency is proved to be on the curve, its coordinate in a ball. Lemma J13
+    fn holds_the_tangency(&self, between: Ball) -> bool {
+        let InDoubles { zero, .. } = self.found;
+        let is_on = |i: usize, own: usize| {
+            zero.at[i].is_interior_to(&self.zero.domain[own])
+                && (own != self.coordinate || zero.at[i].is_interior_to(&between))
+        };
+        (0..zero.at.len()).all(|i| place(i).is_none_or(|own| is_on(i, own)))
+    }
+
     /// Counts the common points. Lemma J13
     fn sides(&self) -> Option<Sides> {
         let middle = self.middle();
+        if !self.holds_the_tangency(Ball::new(middle, TWO * self.half)) {
+            return None;
+        }
         let within = Ball::new(middle, ONE * self.half);
         if !self.has_one([low(within), high(within)]) {
             return None;
         }
-        eprintln!("has one");
         let end = |sign: f64| Some(self.piece(Ball::exact(middle + sign * TWO * self.half))?.0[PARAMETER]);
         let [first, last] = [end(-1.0)?, end(1.0)?];
         let (own, all) = (self.found.zero.at[PARAMETER], self.zero.domain[PARAMETER]);
         // J13: whichever way the fold opens; the domain's ends rounded inward
         let [two, none] = if high(first) < low(own) && high(last) < low(own) {
-            let [least, most] = [high(first).max(high(last)), (all.mid() + all.rad()).next_down()];
+            let [least, most] = [high(first).max(high(last)), (all.mid() + all.rad()).next_down()]; // J13
             [between(least, low(own))?, between(high(own), most)?]
         } else if low(first) > high(own) && low(last) > high(own) {
-            let [least, most] = [(all.mid() - all.rad()).next_up(), low(first).min(low(last))];
+            let [least, most] = [(all.mid() - all.rad()).next_up(), low(first).min(low(last))]; // J13
             [between(high(own), most)?, between(least, low(own))?]
         } else {
             return None;
@@ -192,13 +207,5 @@ fn fastest(found: &InDoubles) -> Option<usize> {
 pub(super) fn sides(found: &InDoubles) -> Option<Sides> {
     let coordinate = fastest(found)?;
     let halves = (0..HALVED).map(|k| LONGEST * f64::from(-k).exp2()); // proposes
-    halves.into_iter().find_map(|half| {
-        let w = Whole::new(found, coordinate, half);
-        eprintln!("half {half:e} whole {}", w.is_some());
-        let w = w?;
-        let t = std::time::Instant::now();
-        let s = w.sides();
-        eprintln!("sides {:?} {:?} D' range {:?}", s.as_ref().map(|s| (s.two.mid_rad(), s.none.mid_rad())), t.elapsed(), w.zero.domain[PARAMETER]);
-        s
-    })
+    halves.into_iter().find_map(|half| Whole::new(found, coordinate, half)?.sides())
 }

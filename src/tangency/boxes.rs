@@ -6,7 +6,7 @@ use crate::exact::Enclosure;
 use crate::number::{Ball, Enclosing, Number};
 
 /// Bounds of a phase in radians, in the first forcing period or next to it, and of a speed over `A W`.
-pub(super) type StateBounds = [Enclosure; 2];
+pub type StateBounds = [Enclosure; 2];
 
 /// A lower bound of the members of a ball.
 pub(super) fn low(x: Ball) -> f64 {
@@ -18,9 +18,15 @@ pub(super) fn high(x: Ball) -> f64 {
     (x.mid() + x.rad()).next_up()
 }
 
-/// More than the change of units and printing add to a ball: an eighth of its radius instead of a hundredth (Lemma P1).
+/// More than printing adds to a ball: a hundredth of its radius (Lemma P1).
 fn printed(x: Ball) -> Ball {
-    x.widened(0.125 * x.rad())
+    x.widened(x.rad() / 64.0)
+}
+
+/// Whether the ends of a ball are positive and differ by less than a tenth, so that changing its units changes the parts of what is printed by
+/// less than a quarter. Lemma J13
+pub(super) fn is_narrow(x: Ball) -> bool {
+    low(x) > 0.0 && high(x) < 1.1 * low(x)
 }
 
 /// Whether a ball is within a domain when it is printed.
@@ -30,9 +36,9 @@ pub(super) fn is_within(x: Ball, domain: Ball) -> bool {
 
 /// A ball that is between two numbers when it is printed.
 pub(super) fn between(a: f64, b: f64) -> Option<Ball> {
-    let ball = Ball::new(0.5 * (a + b), 0.4375 * (b - a)); // proposes
+    let ball = Ball::new(0.5 * (a + b), 31.0 / 64.0 * (b - a)); // proposes
     let wider = printed(ball);
-    (ball.rad() > 0.0 && a < low(wider) && high(wider) < b).then_some(ball) // P1: it is inside, whichever ball it is
+    (ball.rad() > 0.0 && a < low(wider) && high(wider) < b && is_narrow(wider)).then_some(ball)
 }
 
 /// The bounds of states, phases less whole forcing periods; `None` where they are not within the domain of one of them when they are

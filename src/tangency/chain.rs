@@ -73,7 +73,12 @@ impl<N: nalgebra::Scalar> Sparse<N> {
     }
 
     /// The entries whose rows and columns have a place in another matrix.
-    pub fn part(&self, size: usize, row: impl Fn(usize) -> Option<usize>, column: impl Fn(usize) -> Option<usize>) -> Self {
+    pub fn part(
+        &self,
+        size: usize,
+        row: impl Fn(usize) -> Option<usize>,
+        column: impl Fn(usize) -> Option<usize>,
+    ) -> Self {
         let place = |(i, j, x): &(usize, usize, N)| Some((row(*i)?, column(*j)?, x.clone()));
         Self { size, entries: self.entries.iter().filter_map(place).collect() }
     }
@@ -196,8 +201,7 @@ impl<N: Enclosing> Chain<N> {
         };
         let own = self.pair(x);
         let moved = |x: N, by: &N| Jet { value: Jet::constant(x), slope: Jet::constant(by.clone()) };
-        let pair =
-            Pair { gap: moved(own.gap, &pair.gap), restitution: moved(own.restitution, &pair.restitution) };
+        let pair = Pair { gap: moved(own.gap, &pair.gap), restitution: moved(own.restitution, &pair.restitution) };
         let start = of(self.rescaled(states[0], k), self.rescaled(by[0], k));
         let end = of(states[1].clone(), by[1].clone());
         Some(pair.miss(&start, &end, self.flights[k])?.map(|x| x.slope))

@@ -51,7 +51,7 @@ pub(super) fn tangency(fold: &Fold, over: Parameter, other: Ball) -> Option<Proo
     let effort = Effort { largest: 0.0, domains: 20, images: 30, slow: 3 };
     let zero = prove_inflating(&family, &bordered, &guess, effort)?;
     let (at, domain) = (&zero.at[..x.len()], &zero.domain[..x.len()]);
-    if !(0..3).all(|i| boxes::is_within(at[i], domain[i])) {
+    if !(boxes::is_narrow(domain[2]) && (0..3).all(|i| boxes::is_within(at[i], domain[i]))) {
         return None;
     }
     let states = boxes::states((FIRST..x.len()).step_by(4).map(|i| [(at[i], domain[i]), (at[i + 1], domain[i + 1])]))?;

@@ -241,8 +241,7 @@ impl Local {
         const LARGEST: f64 = 0.5;
         const TRIES: i32 = 16;
         let disc = |centre: f64, radius: f64| Disc::new(Ball::new(centre, radius));
-        let discs =
-            Pair { gap: disc(pair.gap, reach.gap), restitution: disc(pair.restitution, reach.restitution) };
+        let discs = Pair { gap: disc(pair.gap, reach.gap), restitution: disc(pair.restitution, reach.restitution) };
         let frame = Frame::new(discs, guess, side)?;
         (0..TRIES).find_map(|k| {
             let radius = LARGEST * 0.75f64.powi(k); // proposes
@@ -255,9 +254,8 @@ impl Local {
     /// Whether all members of a pair are within half the reaches, and the phase and the eigenvalue of a fixed point are those of this one.
     pub fn covers(&self, pair: &Pair<Ball>, phase: Ball, eigenvalue: Ball) -> bool {
         let is_within = |x: Ball, disc: Ball| (x - Ball::exact(disc.mid())).mag() <= disc.rad();
-        let is_near = |by: Parameter| {
-            (*pair.value(by) - Ball::exact(*self.pair.value(by))).mag() <= 0.5 * self.reach.value(by)
-        };
+        let is_near =
+            |by: Parameter| (*pair.value(by) - Ball::exact(*self.pair.value(by))).mag() <= 0.5 * self.reach.value(by);
         is_near(Parameter::Gap)
             && is_near(Parameter::Restitution)
             && is_within(phase, self.fixed)

@@ -1,5 +1,5 @@
 //! Homoclinic tangencies: values of a parameter at which the stable and the unstable manifold of a saddle of the reduced impact map are
-//! tangent, proved. Lemmas J1-J9 of `docs/proofs/tangency.md#J1`.
+//! tangent, proved. Lemmas J1-J13 of `docs/proofs/tangency.md#J1`.
 //!
 //! The saddle is a fixed point of the map that mirrors every impact to the left wall: the equispaced motion (66), (67). Floating point looks for
 //! folds of the unstable manifold near the stable one (`search`); the manifolds are Taylor series with proved errors (`series`, `local`,
@@ -32,8 +32,10 @@ use crate::periodic::Precision;
 use crate::scene::{Key, Range};
 use crate::watch::{Latched, Stage, Watch};
 use crate::{Error, Scene};
-pub use portrait::Portrait;
+use beside::Sides;
+pub use boxes::StateBounds;
 use flight::{Pair, Parameter};
+pub use portrait::Portrait;
 use prove::{Proof, Question};
 use saddle::Guessed;
 use search::{Floats, Fold};
@@ -134,6 +136,28 @@ pub struct Tangency {
     pub least_flight: f64,
     /// No product of powers of the eigenvalues of an order from 2 to this one is one of them.
     pub resonances_excluded_to: u32,
+    /// Where a datum of the scene is an interval: bounds of the states between both points. For each value of that datum there is exactly one
+    /// value of the parameter with a tangency whose `unstable`, `stable`, parameter and states are in their bounds; all other bounds hold
+    /// for each.
+    pub states: Option<Vec<StateBounds>>,
+    /// What is proved on either side.
+    pub beside: Option<Beside>,
+}
+
+/// How many common points the two manifolds have on either side of a tangency, along its flights, with their `sigma_u`, `sigma_s` and the
+/// states between both in these boxes.
+#[derive(Clone, Debug)]
+pub struct Beside {
+    /// Values of the parameter, in the units of the scene: for each there are exactly two common points.
+    pub two: Enclosure,
+    /// The same: for each there is none.
+    pub none: Enclosure,
+    /// The range of `sigma_u`.
+    pub unstable: Enclosure,
+    /// The range of `sigma_s`.
+    pub stable: Enclosure,
+    /// The boxes of the states.
+    pub states: Vec<StateBounds>,
 }
 
 /// A tangency of floating point that is not proved.
@@ -204,7 +228,9 @@ impl Tangencies {
                         all.tangencies.push(found);
                     }
                 }
-                None => all.unproved.push(UnprovedTangency { near: search.in_units_f64(search.own_of(&fold.pair)), flights }),
+                None => all
+                    .unproved
+                    .push(UnprovedTangency { near: search.in_units_f64(search.own_of(&fold.pair)), flights }),
             }
         }
         all.interrupted = watch.is_stopped();
@@ -329,13 +355,9 @@ impl<'s> Search<'s> {
 
     /// What is proved, in the units of the scene.
     fn tangency(&self, proof: Proof) -> Result<Tangency, Error> {
-        let bits = 256 + 4 * self.question.precision.digits;
-        let ends =
-            [proof.parameter.inf(), proof.parameter.sup()].map(|end| Exact::from_rational(end.to_rational()));
-        let [a, b] = [self.in_units(&ends[0])?, self.in_units(&ends[1])?];
         let [unstable, stable] = proof.sigma;
         Ok(Tangency {
-            parameter: a.enclose(bits).hull(&b.enclose(bits)),
+            parameter: self.bounds_in_units(&proof.parameter)?,
             flights: FlightWord(proof.flights),
             phase: proof.phase,
             speed: proof.speed,
@@ -347,6 +369,20 @@ impl<'s> Search<'s> {
             least_speed: proof.least.speed,
             least_flight: proof.least.time,
             resonances_excluded_to: proof.resonances,
+            states: proof.states,
+            beside: proof.beside.map(|sides| self.beside(sides)).transpose()?,
         })
+    }
+
+    fn beside(&self, Sides { two, none, sigma: [unstable, stable], states }: Sides) -> Result<Beside, Error> {
+        Ok(Beside { two: self.bounds_in_units(&two)?, none: self.bounds_in_units(&none)?, unstable, stable, states })
+    }
+
+    /// Values of `D` or `e` in the units of the scene.
+    fn bounds_in_units(&self, values: &Enclosure) -> Result<Enclosure, Error> {
+        let bits = 256 + 4 * self.question.precision.digits;
+        let ends = [values.inf(), values.sup()].map(|end| Exact::from_rational(end.to_rational()));
+        let [a, b] = [self.in_units(&ends[0])?, self.in_units(&ends[1])?];
+        Ok(a.enclose(bits).hull(&b.enclose(bits)))
     }
 }

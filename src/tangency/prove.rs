@@ -2,9 +2,9 @@
 
 use nalgebra::DVector;
 
-use super::chain::Chain;
 use super::beside::{Sides, sides};
 use super::boxes::StateBounds;
+use super::chain::Chain;
 use super::flight::{Pair, Parameter};
 use super::flights::{Least, least};
 use super::local::Local;
@@ -167,12 +167,7 @@ fn nearest(pair: Pair<f64>, guess: &Guessed) -> Option<Guessed> {
 }
 
 /// The chain in another arithmetic, its series so long that they err by no more than that.
-fn chain_in<N: Enclosing>(
-    chain: &Chain<Ball>,
-    other: N,
-    (locals, x): (&[Local; 2], &[f64]),
-    error: f64,
-) -> Chain<N> {
+fn chain_in<N: Enclosing>(chain: &Chain<Ball>, other: N, (locals, x): (&[Local; 2], &[f64]), error: f64) -> Chain<N> {
     let [a, b] = chain.manifolds;
     let with = |manifold: Manifold, local: Local, sigma: f64| Manifold {
         order: Manifold::order_for(&local, sigma.abs(), error),

@@ -57,7 +57,8 @@ impl<N: Enclosing> Unfolding<N> {
             let mut pairs = value.into_iter().zip(slope).map(|(value, slope)| Jet { value, slope });
             [0, 1].map(|_| pairs.next().expect("two"))
         };
-        let answers = |moved: Moving<N>| solved(&Linear { matrix: matrix.clone(), right: chain.end_moved(at, &moved)? }, inverse);
+        let answers =
+            |moved: Moving<N>| solved(&Linear { matrix: matrix.clone(), right: chain.end_moved(at, &moved)? }, inverse);
         let by_state = answers(jets(across.clone(), still()))?;
         let by_tangent = answers(jets(still(), across))?;
         let length = along[0].times_ref(&along[0]) + along[1].times_ref(&along[1]);
@@ -67,6 +68,9 @@ impl<N: Enclosing> Unfolding<N> {
         let length = zero(from, |x| Some(x.times_ref(x) - length.clone()), |x| Some(two.times_ref(x)))?;
         // v_n is scaled, and so is its displacement.
         let scaled = power::<N>(-chain.scales[chain.flights.len()]) * length.clone();
-        Some(Self { quadratic: scaled.checked_div(by_tangent[0].clone())?, unfolding: length.checked_div(by_state[2].clone())? })
+        Some(Self {
+            quadratic: scaled.checked_div(by_tangent[0].clone())?,
+            unfolding: length.checked_div(by_state[2].clone())?,
+        })
     }
 }
