@@ -121,7 +121,9 @@ fn what_is_accepted_is_said() {
     let told = |scene: &Scene, over: &str| {
         Tangencies::of(scene, &settings(over, FIRST, 9), &Unwatched).unwrap_err().to_string()
     };
-    let wide = Scene::parse(&include_str!("../scenes/figure-14.toml").replace("amplitude = 8", "amplitude = \"[7, 8]\"")).unwrap();
+    let wide =
+        Scene::parse(&include_str!("../scenes/figure-14.toml").replace("amplitude = 8", "amplitude = \"[7, 8]\""))
+            .unwrap();
     assert!(told(&wide, "gap=9.4..9.5").contains("accepted is a single number"));
     assert!(told(&figure_14(), "frequency=1..4").contains("KEY one of gap, amplitude, restitution"));
     for e in ["= 0", "= 1"] {

@@ -28,7 +28,6 @@ pub const HELP: &str = "\
 Examples:
   impact-pair tangency scenes/figure-14.toml --over gap=9.425..9.426 --word FFFFFFFNFFFFFNFFNFFNFFFF
   impact-pair tangency scenes/figure-14.toml --over gap=9.4245..9.4252 --longest 18
-  impact-pair tangency scenes/figure-14.toml --over restitution=0.4999..0.5001 --word FFFFFFFNFFFFFNFFNFFNFFFF
 
 The equispaced motion (66), (67) of half a forcing period between impacts is a fixed point of the reduced map, which \
 mirrors every impact to the left wall. Where it is a saddle, floating point searches for folds of its unstable \

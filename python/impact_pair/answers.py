@@ -407,9 +407,10 @@ class GlobalAnalysis(Document):
 
 @dataclass(frozen=True)
 class Beside:
-    """What is proved on either side of a tangency, with the parameters of both manifolds and the states (phase, speed) in these boxes.
+    """What is proved on either side of a tangency, with the parameters of both invariant manifolds and the states in these boxes.
 
-    For each value of the parameter in ``two`` the manifolds have exactly two common points along the flights, for each in ``none`` none.
+    For each value of the parameter in ``two`` the invariant manifolds have exactly two common points along the flights, for each in
+    ``none`` none. States are phase and speed.
     """
 
     two: Bounds

@@ -1,9 +1,9 @@
 //! What lies on either side of a tangency: two common points of the manifolds, and none. Lemma J13 of `docs/proofs/tangency.md#J13`.
 
+use super::begin::InDoubles;
 use super::boxes::{self, StateBounds, between, high, low};
 use super::chain::{Chain, FIRST, Sparse};
 use super::flights::least;
-use super::prove::InDoubles;
 use super::unfolding::{Linear, solved};
 use crate::exact::Enclosure;
 use crate::number::{Ball, Enclosing};

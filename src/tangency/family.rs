@@ -1,10 +1,11 @@
 //! Tangencies for all values of an interval of the other parameter: Lemma J12 of `docs/proofs/tangency.md#J12`.
 
+use super::begin::{Begun, REACH, points};
 use super::boxes;
 use super::chain::{Chain, FIRST, Sparse};
 use super::flight::Parameter;
 use super::flights::least;
-use super::prove::{Begun, Proof, REACH, conclude, points};
+use super::proof::{Proof, conclude};
 use super::search::Fold;
 use crate::number::{Ball, Enclosing};
 use crate::periodic::krawczyk::{Effort, Equations, prove_inflating};

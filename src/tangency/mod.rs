@@ -5,6 +5,7 @@
 //! folds of the unstable manifold near the stable one (`search`); the manifolds are Taylor series with proved errors (`series`, `local`,
 //! `manifold`), the tangency is a regular zero of the equations of all flights between them (`chain`), proved by Krawczyk's operator (`prove`).
 
+mod begin;
 mod beside;
 mod boxes;
 mod chain;
@@ -16,6 +17,7 @@ mod local;
 mod manifold;
 mod only;
 mod portrait;
+mod proof;
 mod prove;
 mod saddle;
 mod search;
@@ -36,7 +38,8 @@ use beside::Sides;
 pub use boxes::StateBounds;
 use flight::{Pair, Parameter};
 pub use portrait::Portrait;
-use prove::{Proof, Question};
+use proof::Proof;
+use prove::Question;
 use saddle::Guessed;
 use search::{Floats, Fold};
 
@@ -186,7 +189,8 @@ impl Tangencies {
     /// Searches tangencies of the manifolds of the equispaced motion and proves them, until the watch stops it.
     ///
     /// # Errors
-    /// With several harmonics, if the range is not one of the parameter's, or `e` or what is fixed of gap and amplitude is an interval.
+    /// With several harmonics, if the range is not one of the parameter's, or if over the gap the amplitude is an interval, or over the
+    /// amplitude the gap.
     ///
     /// ```
     /// use impact_pair::Scene;
@@ -319,7 +323,7 @@ impl<'s> Search<'s> {
                 None => floats.all_folds(settings.longest, watch),
             };
             for fold in folds {
-                let Some(fold) = prove::settled(&fold, self.question.over) else { continue };
+                let Some(fold) = begin::settled(&fold, self.question.over) else { continue };
                 let value = self.own_of(&fold.pair);
                 let is_new = found.iter().all(|known| (self.own_of(&known.pair) - value).abs() > 1e-12 * value);
                 if is_new && (self.range[0]..=self.range[1]).contains(&value) {

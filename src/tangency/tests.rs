@@ -3,11 +3,11 @@
 use approx::assert_abs_diff_eq;
 
 use super::FlightWord;
+use super::begin::{in_doubles, settled};
 use super::beside::sides;
 use super::flight::{Pair, Parameter};
 use super::local::Local;
 use super::manifold::Manifold;
-use super::prove::{in_doubles, settled};
 use super::saddle::{Guessed, Saddle, Side};
 use super::search::Floats;
 use crate::chaos;
