@@ -49,7 +49,8 @@ fn both_tangencies_of_figure_14_are_proved_to_30_digits() {
     // Two common points below, none above, to within a millionth of the tangency; the boxes hold its states.
     let beside = tangency.beside.as_ref().unwrap();
     assert!(beside.two.sup() < tangency.parameter.inf() && tangency.parameter.sup() < beside.none.inf());
-    assert!(beside.none.sup().to_f64_up() > 9.4252 && beside.states.len() == 23);
+    assert!(beside.two.inf().to_f64_up() < 9.425_123_1 && beside.none.sup().to_f64_up() > 9.425_29);
+    assert!(beside.states.len() == 23 && beside.states.iter().flatten().all(|x| x.wid().to_f64_up() < 2e-3));
     let second = found("gap=9.4245..9.4246", SECOND, 30);
     assert!(second.is_certified() && second.tangencies.len() == 1);
     assert!((second.tangencies[0].parameter.mid_rad().0 - 9.424_516_177_410_88).abs() < 1e-14);
