@@ -46,6 +46,11 @@ fn both_tangencies_of_figure_14_are_proved_to_30_digits() {
     assert!((tangency.unfolding.mid_rad().0 + 806.163_64).abs() < 1e-4);
     assert!((0.3528..0.352_828).contains(&tangency.least_speed) && (1.085..1.085_2).contains(&tangency.least_flight));
     assert_eq!(tangency.resonances_excluded_to, 100);
+    // Two common points below, none above, to within a millionth of the tangency; the boxes hold its states.
+    let beside = tangency.beside.as_ref().unwrap();
+    assert!(beside.two.sup() < tangency.parameter.inf() && tangency.parameter.sup() < beside.none.inf());
+    assert!(beside.two.inf().to_f64_up() < 9.425_123_1 && beside.none.sup().to_f64_up() > 9.425_29);
+    assert!(beside.states.len() == 23 && beside.states.iter().flatten().all(|x| x.wid().to_f64_up() < 2e-3));
     let second = found("gap=9.4245..9.4246", SECOND, 30);
     assert!(second.is_certified() && second.tangencies.len() == 1);
     assert!((second.tangencies[0].parameter.mid_rad().0 - 9.424_516_177_410_88).abs() < 1e-14);
@@ -57,6 +62,45 @@ fn over_the_amplitude_the_ratio_is_the_same() {
     let found = found("amplitude=7.999..8.001", FIRST, 9);
     let [gap, amplitude] = [9.42497, found.tangencies[0].parameter.mid_rad().0];
     assert!((gap / amplitude - 1.178_140_797_110_900_6).abs() < 1e-14);
+}
+
+/// At the gap of the tangency for e = 1/2 the restitution of the tangency is 1/2.
+#[cfg(feature = "multiprecision")]
+#[test]
+fn over_the_restitution_the_tangency_is_the_same() {
+    let gap = "gap = \"8*1.17814079711090061855399854994343000656779766745018\"";
+    let scene = Scene::parse(&include_str!("../scenes/figure-14.toml").replace("gap = 9.42497", gap)).unwrap();
+    let found = Tangencies::of(&scene, &settings("restitution=0.4999..0.5001", FIRST, 30), &Unwatched).unwrap();
+    assert!(found.is_certified() && holds(&found.tangencies[0].parameter, "1/2"));
+    assert!(holds(&found.tangencies[0].unstable, "0.001036717798769376714535248642529318"));
+    assert!((found.tangencies[0].quadratic.mid_rad().0 + 1_158_440_084.207).abs() < 1e-2);
+}
+
+/// For each e in 1/2 +- 1e-5: the bounds hold the tangency, its saddle and its coefficients for members.
+#[test]
+fn a_family_over_an_interval_of_the_restitution_is_proved() {
+    let scene = |e: &str| Scene::parse(&include_str!("../scenes/figure-14.toml").replace("= 0.5", e)).unwrap();
+    let of = |e: &str| Tangencies::of(&scene(e), &settings("gap=9.425..9.4253", FIRST, 9), &Unwatched).unwrap();
+    let family = of("= \"[0.49999, 0.50001]\"");
+    assert!(family.is_certified());
+    let family = &family.tangencies[0];
+    assert!(family.parameter.wid().to_f64_up() < 4e-5 && family.states.as_ref().is_some_and(|all| all.len() == 23));
+    let member = of("= 0.500009");
+    let member = &member.tangencies[0];
+    let pairs = [
+        (&family.parameter, &member.parameter),
+        (&family.unstable, &member.unstable),
+        (&family.stable, &member.stable),
+        (&family.phase, &member.phase),
+        (&family.speed, &member.speed),
+        (&family.eigenvalues[0], &member.eigenvalues[0]),
+        (&family.quadratic, &member.quadratic),
+        (&family.unfolding, &member.unfolding),
+    ];
+    assert!(pairs.iter().all(|(all, one)| all.contains_enclosure(one)));
+    assert!(family.least_speed <= member.least_speed && member.states.is_none());
+    // An interval so wide that nothing is proved of it.
+    assert!(of("= \"[0.4999, 0.5001]\"").tangencies.is_empty());
 }
 
 /// Of another word, and in a range without one, nothing is claimed.
@@ -78,8 +122,11 @@ fn what_is_accepted_is_said() {
     let told = |scene: &Scene, over: &str| {
         Tangencies::of(scene, &settings(over, FIRST, 9), &Unwatched).unwrap_err().to_string()
     };
-    assert!(told(&scene("= \"[0.4, 0.5]\""), "gap=9.4..9.5").contains("accepted is a single number"));
-    assert!(told(&figure_14(), "restitution=0.4..0.6").contains("KEY one of gap, amplitude"));
+    let wide =
+        Scene::parse(&include_str!("../scenes/figure-14.toml").replace("amplitude = 8", "amplitude = \"[7, 8]\""))
+            .unwrap();
+    assert!(told(&wide, "gap=9.4..9.5").contains("accepted is a single number"));
+    assert!(told(&figure_14(), "frequency=1..4").contains("KEY one of gap, amplitude, restitution"));
     for e in ["= 0", "= 1"] {
         let found = Tangencies::of(&scene(e), &settings("gap=9.4..9.5", FIRST, 9), &Unwatched).unwrap();
         assert!(found.tangencies.is_empty() && !found.is_certified());

@@ -7,11 +7,12 @@ use anyhow::Result;
 use clap::Args;
 use impact_pair::Scene;
 use impact_pair::document::{self, counted};
-use impact_pair::exact::decimal_digits;
+use impact_pair::exact::{decimal_bounds, decimal_digits};
 use impact_pair::orbit::MAX_BITS;
-use impact_pair::scene::Range;
+use impact_pair::scene::{Key, Range};
 use impact_pair::tangency::{
-    FlightWord, TANGENCY_PARAMETERS, Tangencies, Tangency, TangencySettings, UnprovedTangency, is_tangency_range,
+    Beside, FlightWord, TANGENCY_PARAMETERS, Tangencies, Tangency, TangencySettings, UnprovedTangency,
+    is_tangency_range,
 };
 use impact_pair_plot::picture::Look;
 
@@ -38,6 +39,14 @@ than 0 (m is not 0); each flight of the orbit ends at its first contact. The pro
 saddle is dissipative. Other tangencies are not excluded, and nothing is said of the scene's own value of the \
 parameter. One harmonic only.
 
+On either side of a tangency two ranges of the parameter are listed where they are proved: for each value of the first, the invariant \
+manifolds have exactly two common points along these flights, for each value of the second none, with sigma_u, sigma_s \
+and all states between both points in the boxes of the JSON.
+
+The coefficient of restitution may be an interval, with --over restitution gap and amplitude may: for each value in it there is \
+exactly one tangency whose parameter, sigma_u, sigma_s and states are in the bounds of the JSON, all bounds hold for each, and \
+--digits is not used.
+
 Where sigma_u or sigma_s is not small, flights of the invariant manifolds are added to the word at that end: the orbit is the \
 same.
 
@@ -48,7 +57,7 @@ none, or the run was interrupted (what is proved is written); 2 usage, bad input
 pub struct TangencyArguments {
     /// Scene file (TOML), or - for stdin
     scene: PathBuf,
-    /// The parameter and its range: gap or amplitude
+    /// The parameter and its range: gap, amplitude or restitution
     #[arg(long, value_name = "KEY=LO..HI", value_parser = over)]
     over: Range,
     /// The flights from the unstable manifold to the stable one in time order: F to the far wall, N back to the near one
@@ -61,7 +70,7 @@ pub struct TangencyArguments {
     /// Maximum number of tangencies that are proved, the nearest ones
     #[arg(long, value_name = "N", default_value_t = 10, value_parser = count(1..=100_000))]
     most: u64,
-    /// Requested width of enclosures, at most 10^-D: of d/A and of the parameters of the invariant manifolds [default: that of the scene, or 9]
+    /// Requested width of enclosures, at most 10^-D: of d/A or e, and of the parameters of the invariant manifolds [default: that of the scene, or 9]
     #[arg(long, value_name = "D", value_parser = digits())]
     digits: Option<u32>,
     /// Maximum precision, in bits
@@ -114,7 +123,7 @@ fn table(scene: &Scene, found: &Tangencies) -> Result<String, fmt::Error> {
     let Range { key, low, high, .. } = &found.over;
     writeln!(out, "over {} from {low} to {high}\n", key.place())?;
     for tangency in &found.tangencies {
-        rows(&mut out, &key.place(), tangency)?;
+        rows(&mut out, *key, tangency)?;
     }
     for UnprovedTangency { near, flights } in &found.unproved {
         writeln!(out, "undecided: near {near:.12}, {flights}: {}", UnprovedTangency::REASON)?;
@@ -123,21 +132,25 @@ fn table(scene: &Scene, found: &Tangencies) -> Result<String, fmt::Error> {
     Ok(out)
 }
 
-fn rows(out: &mut String, key: &str, found: &Tangency) -> fmt::Result {
+fn rows(out: &mut String, key: Key, found: &Tangency) -> fmt::Result {
     let count = counted(found.flights.len() as u32, "flight");
-    writeln!(out, "{key} = {}: quadratic tangency, {count}", decimal_digits(&found.parameter))?;
+    writeln!(out, "{} = {}: quadratic tangency, {count}", key.place(), decimal_digits(&found.parameter))?;
     writeln!(out, "  from P_u(sigma_u) to P_s(sigma_s): {}", found.flights)?;
     let [unstable, stable] = found.eigenvalues.each_ref().map(decimal_digits);
     writeln!(out, "  saddle: phase {} rad, speed {} A W", decimal_digits(&found.phase), decimal_digits(&found.speed))?;
     writeln!(out, "  eigenvalues {unstable} and {stable}; no resonance up to order {}", found.resonances_excluded_to)?;
     writeln!(out, "  sigma_u = {}", decimal_digits(&found.unstable))?;
     writeln!(out, "  sigma_s = {}", decimal_digits(&found.stable))?;
-    writeln!(
-        out,
-        "  q = {}, m = {} per unit of d/A",
-        decimal_digits(&found.quadratic),
-        decimal_digits(&found.unfolding)
-    )?;
+    let unit = if key == Key::Restitution { "e" } else { "d/A" };
+    let [quadratic, unfolding] = [&found.quadratic, &found.unfolding].map(decimal_digits);
+    writeln!(out, "  q = {quadratic}, m = {unfolding} per unit of {unit}")?;
+    if found.states.is_some() {
+        writeln!(out, "  exactly one for each value of the scene's interval, the states in the bounds of the JSON")?;
+    }
+    if let Some(Beside { two, none, .. }) = &found.beside {
+        let [two, none] = [two, none].map(|range| decimal_bounds(range).join(" to "));
+        writeln!(out, "  two common points for {two}, none for {none}: in the boxes of the JSON")?;
+    }
     let [speed, flight] = [found.least_speed, found.least_flight].map(document::at_least);
     writeln!(out, "  speeds at least {} A W, flights at least {} rad", speed.text(), flight.text())
 }

@@ -129,16 +129,17 @@ fn table(scene: &Scene, found: &Windows) -> Result<String, fmt::Error> {
         writeln!(out, "  from {from}")?;
         writeln!(out, "  to   {to}")?;
         let width = window.width().map_or_else(|| "unknown".to_owned(), |width| format!("{width:.3e}"));
-        let between = if window.is_stable_between { "stable between: proved" } else { "stable between: not proved" };
-        writeln!(out, "  width about {width}; {between}")?;
+        let between = window.reason.map_or_else(|| "proved".to_owned(), |reason| format!("not proved: {reason}"));
+        writeln!(out, "  width about {width}; stable between: {between}")?;
     }
     for open in &found.unproved {
         writeln!(
             out,
-            "not proved: a floating-point orbit of {} of the reduced map near {:.12}: {}",
+            "not proved: a floating-point orbit of {} of the reduced map near {:.12}: {}: {}",
             counted(open.impacts as u32, "impact"),
             open.near,
-            open.flights
+            open.flights,
+            open.reason
         )?;
     }
     writeln!(out, "\n{}", conclusion(found))?;

@@ -9,6 +9,8 @@ use crate::common::{EXACT, UNCERTAIN, folder, program, snapshots};
 const OVER: [&str; 4] = ["tangency", "scenes/figure-14.toml", "--over", "gap=9.4249..9.4252"];
 const WORD: [&str; 2] = ["--word", "FFFFFFFNFFFFFNFFNFFNFFFF"];
 
+const FAMILY: [&str; 4] = ["tangency", "docs/tangencies/family.toml", "--over", "gap=9.425..9.4253"];
+
 fn asked(more: &[&str]) -> std::process::Command {
     program(&[&OVER[..], more].concat())
 }
@@ -17,12 +19,13 @@ snapshots! { EXACT;
     arguments_of_tangency: program(&["tangency", "--help"]);
     tangency_of_another_word: asked(&["--word", "FFFFFFFNFFFFFNFFNFFNFFFN"]);
     tangency_of_a_word_that_is_none: asked(&["--word", "FFX"]);
-    tangency_over_the_restitution: program(&["tangency", "scenes/figure-14.toml", "--over", "restitution=0.4..0.6"]);
+    tangency_over_the_frequency: program(&["tangency", "scenes/figure-14.toml", "--over", "frequency=1..4"]);
     tangency_under_two_harmonics: program(&["tangency", "scenes/two-tones.toml", "--over", "gap=1..2", "--longest", "1"]);
 }
 
 snapshots! { UNCERTAIN;
     the_first_tangency_of_figure_14: asked(&[&WORD[..], &["--digits", "30"]].concat());
+    a_family_of_tangencies: program(&[&FAMILY[..], &WORD[..]].concat());
 }
 
 /// Proved, drawn, and checked again; perturbed documents are not confirmed.

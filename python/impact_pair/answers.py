@@ -406,10 +406,35 @@ class GlobalAnalysis(Document):
 
 
 @dataclass(frozen=True)
+class Beside:
+    """What is proved on either side of a tangency, with the parameters of both invariant manifolds and the states in these boxes.
+
+    For each value of the parameter in ``two`` the invariant manifolds have exactly two common points along the flights, for each in
+    ``none`` none. States are phase and speed.
+    """
+
+    two: Bounds
+    none: Bounds
+    unstable: Bounds
+    stable: Bounds
+    states: tuple[tuple[Bounds, Bounds], ...]
+
+
+def _states(found: list[dict[str, list[str]]]) -> tuple[tuple[Bounds, Bounds], ...]:
+    return tuple((Bounds(*state["phase"]), Bounds(*state["speed"])) for state in found)
+
+
+def _beside(found: dict[str, Any]) -> Beside:
+    two, none, unstable, stable = (Bounds(*found[key]) for key in ("two", "none", "unstable", "stable"))
+    return Beside(two, none, unstable, stable, _states(found["states"]))
+
+
+@dataclass(frozen=True)
 class Tangency:
     """A homoclinic tangency: for exactly one value of the parameter in its bounds the invariant manifolds of the saddle are tangent.
 
-    It is quadratic (``quadratic`` is not 0) and unfolds with a speed other than 0 (``unfolding``).
+    It is quadratic (``quadratic`` is not 0) and unfolds with a speed other than 0 (``unfolding``). Where a datum of the scene is an
+    interval, that is so for each value in it, among the tangencies whose states are in ``states``.
     """
 
     key: str
@@ -425,6 +450,8 @@ class Tangency:
     least_speed: str
     least_flight: str
     resonances_excluded_to: int
+    states: tuple[tuple[Bounds, Bounds], ...] | None
+    beside: Beside | None
 
 
 class Tangencies(Document):
@@ -448,6 +475,8 @@ class Tangencies(Document):
                 found["least_speed"],
                 found["least_flight"],
                 found["resonances_excluded_to"],
+                None if "states" not in found else _states(found["states"]),
+                None if "beside" not in found else _beside(found["beside"]),
             )
             for found in self.document["tangencies"]
         ]

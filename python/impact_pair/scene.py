@@ -456,7 +456,7 @@ class Scene:
         max_bits: int = MAX_BITS,
         progress: Progress = None,
     ) -> answers.Tangencies:
-        """Prove homoclinic tangencies of the equispaced motion over ``{"gap": (low, high)}``, or over ``amplitude``.
+        """Prove homoclinic tangencies of the equispaced motion over ``{"gap": (low, high)}``, or over ``amplitude`` or ``restitution``.
 
         They are searched along the flights of ``word`` (``F`` to the far wall, ``N`` back to the near one, from the unstable manifold
         to the stable one), or along all words of at most ``longest`` flights; the ``most`` that are nearest to the scene's own value are

@@ -179,6 +179,11 @@ def test_tangency(cli):
     # The constant of an independent computation in balls.
     assert found.tangencies[0].parameter.lower[:25] == "9.42512637688720494843198"
     assert "others are not excluded" in repr(found)
+    own, beside = found.tangencies[0], found.tangencies[0].beside
+    assert own.states is None
+    assert beside is not None
+    assert len(beside.states) == len(word) - 1
+    assert float(beside.two.upper) < float(own.parameter.lower) < float(beside.none.lower)
 
 
 def test_cycles(cli):

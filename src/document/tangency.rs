@@ -1,18 +1,32 @@
 //! The JSON of homoclinic tangencies.
 
 use impact_pair_document::{
-    Decimal, HomoclinicTangencyDocument, OpenTangencyDocument, PROGRAM, SaddleDocument, SceneDocument, TANGENCY_SCHEMA,
-    TangencyDocument, bounds,
+    BesideDocument, Decimal, HomoclinicTangencyDocument, OpenTangencyDocument, PROGRAM, SaddleDocument, SceneDocument,
+    StateBoundsDocument, TANGENCY_SCHEMA, TangencyDocument, bounds,
 };
 
 use crate::Scene;
 use crate::exact::decimal_bounds_f64;
-use crate::tangency::{Tangencies, Tangency, UnprovedTangency};
+use crate::tangency::{Beside, StateBounds, Tangencies, Tangency, UnprovedTangency};
 
 /// Returns a lower bound of a positive number in about seven digits.
 pub fn at_least(x: f64) -> Decimal {
     let [lower, _] = decimal_bounds_f64(x, x * (1.0 + 1e-6));
     Decimal::printed(lower)
+}
+
+fn states(all: &[StateBounds]) -> Vec<StateBoundsDocument> {
+    all.iter().map(|[phase, speed]| StateBoundsDocument { phase: bounds(phase), speed: bounds(speed) }).collect()
+}
+
+fn beside(own: &Beside) -> BesideDocument {
+    BesideDocument {
+        two: bounds(&own.two),
+        none: bounds(&own.none),
+        unstable: bounds(&own.unstable),
+        stable: bounds(&own.stable),
+        states: states(&own.states),
+    }
 }
 
 /// Returns the document of the tangencies over a parameter of a scene.
@@ -33,6 +47,8 @@ pub fn tangency(scene: &Scene, found: &Tangencies) -> TangencyDocument {
         least_speed: at_least(own.least_speed),
         least_flight: at_least(own.least_flight),
         resonances_excluded_to: own.resonances_excluded_to,
+        states: own.states.as_deref().map(states),
+        beside: own.beside.as_ref().map(beside),
     };
     let open = |UnprovedTangency { near, flights }: &UnprovedTangency| OpenTangencyDocument {
         near: *near,

@@ -26,6 +26,7 @@ pub fn windows(scene: &Scene, settings: &WindowSettings, found: &Windows) -> Res
             to,
             ends: window.ends.each_ref().map(kind),
             stable_between: window.is_stable_between,
+            reason: window.reason.map(str::to_owned),
             reduced_impacts: *impacts as u32,
             flights: flights.clone(),
             word: problem.word().to_string(),
@@ -33,10 +34,11 @@ pub fn windows(scene: &Scene, settings: &WindowSettings, found: &Windows) -> Res
             orbit: Units::new(problem.pair())?.orbit(problem, &window.orbit),
         })
     };
-    let open = |UnprovedWindow { impacts, flights, near }: &UnprovedWindow| OpenWindowDocument {
+    let open = |UnprovedWindow { impacts, flights, near, reason }: &UnprovedWindow| OpenWindowDocument {
         near: *near,
         reduced_impacts: *impacts as u32,
         flights: flights.clone(),
+        reason: Some((*reason).to_owned()),
     };
     Ok(WindowsDocument {
         schema: WINDOWS_SCHEMA.to_owned(),

@@ -71,7 +71,7 @@ pub(super) fn image<N: Enclosing, E: Equations<N>>(equations: &E, inverse: &Prec
 }
 
 /// Whether each ball lies in the interior of its outer one.
-pub(super) fn is_inside<N: Enclosing>(inner: &[N], outer: &[N]) -> bool {
+pub fn is_inside<N: Enclosing>(inner: &[N], outer: &[N]) -> bool {
     inner.iter().zip(outer).all(|(inner, outer)| inner.is_interior_to(outer))
 }
 
@@ -107,6 +107,32 @@ pub fn prove<N: Enclosing, E: Equations<N>>(
             return Some(Proved { at: refine(equations, inverse, at, &domain, effort), domain });
         }
         radius *= FINER;
+    }
+    None
+}
+
+/// Proves the one zero near a guess in a domain with a radius of its own for each unknown: somewhat more than the image of the domain before
+/// takes. Lemma T3
+///
+/// `None` as of [`prove`], or where the images grow without end: the equations hold for all members of intervals that are too wide.
+pub fn prove_inflating<N: Enclosing, E: Equations<N>>(
+    equations: &E,
+    inverse: &Preconditioner,
+    guess: &[N],
+    effort: Effort,
+) -> Option<Proved<N>> {
+    const MORE: f64 = 1.25;
+    let mut domain: Vec<N> = guess.iter().map(|x| x.with_radius(effort.largest)).collect();
+    for _ in 0..effort.domains {
+        let at = image(equations, inverse, &domain)?;
+        if is_inside(&at, &domain) {
+            return Some(Proved { at: refine(equations, inverse, at, &domain, effort), domain });
+        }
+        let grown = |(guess, at): (&N, N)| {
+            let needed = (at - guess.clone()).as_ball().mag();
+            guess.with_radius((MORE * needed).max(f64::MIN_POSITIVE)) // proposes
+        };
+        domain = guess.iter().zip(at).map(grown).collect();
     }
     None
 }

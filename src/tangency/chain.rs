@@ -1,7 +1,7 @@
 //! The equations of a tangency, states and tangents of the flights from one manifold to the other: Lemma J5 of
 //! `docs/proofs/tangency.md#J5`.
 
-use super::flight::{Pair, State};
+use super::flight::{Pair, Parameter, State};
 use super::manifold::{Manifold, Point};
 use super::terms::Terms;
 use crate::chaos::Side;
@@ -10,13 +10,17 @@ use crate::periodic::bifurcation::Jet;
 use crate::periodic::krawczyk::Equations;
 use crate::periodic::precondition::Jacobian;
 
-/// The unknowns before the states: `sigma_u`, `sigma_s`, `D`, `t`.
+/// The unknowns before the states: `sigma_u`, `sigma_s`, the parameter, `t`.
 pub(super) const FIRST: usize = 4;
+/// The place of the parameter.
+const PARAMETER: usize = 2;
 
 /// The flights from the unstable manifold to the stable one, whose unknowns are [`FIRST`], then phase, speed and tangent of each state between.
 #[derive(Clone, Debug)]
 pub(super) struct Chain<N> {
-    pub restitution: N,
+    /// The parameter that is unknown, and the value of the other one.
+    pub over: Parameter,
+    pub other: N,
     pub flights: Vec<Side>,
     /// Forcing periods between the phase after the last flight and that of the stable manifold.
     pub turns: f64,
@@ -40,7 +44,7 @@ struct Direction<N> {
     unknown: usize,
     start: Moving<N>,
     end: Moving<N>,
-    gap: N,
+    pair: Pair<N>,
 }
 
 /// The states at both ends of the chain, with their manifolds.
@@ -61,6 +65,30 @@ impl<N: nalgebra::Scalar> Jacobian<N> for Sparse<N> {
 }
 
 impl<N: nalgebra::Scalar> Sparse<N> {
+    /// The same with one more column, of which the last entry is in a row of its own.
+    pub fn bordered(mut self, column: Vec<N>) -> Self {
+        let last = self.size;
+        self.entries.extend(column.into_iter().enumerate().map(|(i, value)| (i, last, value)));
+        Self { size: last + 1, ..self }
+    }
+
+    /// The entries whose rows and columns have a place in another matrix.
+    pub fn part(
+        &self,
+        size: usize,
+        row: impl Fn(usize) -> Option<usize>,
+        column: impl Fn(usize) -> Option<usize>,
+    ) -> Self {
+        let place = |(i, j, x): &(usize, usize, N)| Some((row(*i)?, column(*j)?, x.clone()));
+        Self { size, entries: self.entries.iter().filter_map(place).collect() }
+    }
+
+    /// The same with one more entry.
+    pub fn with(mut self, i: usize, j: usize, value: N) -> Self {
+        self.entries.push((i, j, value));
+        self
+    }
+
     /// The same matrix of other values.
     pub fn map<M>(&self, f: impl Fn(&N) -> M) -> Sparse<M> {
         Sparse { size: self.size, entries: self.entries.iter().map(|(i, j, x)| (*i, *j, f(x))).collect() }
@@ -79,7 +107,7 @@ pub(super) fn power<N: Enclosing>(exponent: i32) -> N {
 impl<N: Enclosing> Chain<N> {
     /// `D` and `e` of these unknowns.
     pub fn pair(&self, x: &[N]) -> Pair<N> {
-        Pair { gap: x[2].clone(), restitution: self.restitution.clone() }
+        Pair::of(self.over, x[2].clone(), self.other.clone())
     }
 
     /// The number of unknowns.
@@ -87,10 +115,12 @@ impl<N: Enclosing> Chain<N> {
         FIRST + 4 * (self.flights.len() - 1)
     }
 
-    fn ends(&self, x: &[N]) -> Option<Ends<N>> {
+    /// The ends, with their derivatives by one parameter.
+    fn ends(&self, x: &[N], by: Parameter) -> Option<Ends<N>> {
         let pair = self.pair(x);
         let [unstable, stable] = &self.manifolds;
-        Some(Ends { unstable: unstable.at(&pair, &x[0])?, stable: stable.at(&pair, &x[1])?, stretch: x[3].clone() })
+        let (unstable, stable) = (unstable.at(&pair, by, &x[0])?, stable.at(&pair, by, &x[1])?);
+        Some(Ends { unstable, stable, stretch: x[3].clone() })
     }
 
     /// The state before flight `k`, with its tangent, as the unknowns have it.
@@ -115,7 +145,7 @@ impl<N: Enclosing> Chain<N> {
 
     /// All states of the chain with their tangents, as the unknowns have them.
     pub fn states(&self, x: &[N]) -> Option<Vec<Moving<N>>> {
-        let ends = self.ends(x)?;
+        let ends = self.ends(x, self.over)?;
         Some((0..=self.flights.len()).map(|k| self.state(x, &ends, k)).collect())
     }
 
@@ -126,7 +156,7 @@ impl<N: Enclosing> Chain<N> {
             let Point { at, along, bend } = &ends.unstable;
             return vec![
                 (0, [0, 1].map(|i| jet(&along[i].value, &bend[i]))),
-                (2, [0, 1].map(|i| jet(&at[i].slope, &along[i].slope))),
+                (PARAMETER, [0, 1].map(|i| jet(&at[i].slope, &along[i].slope))),
             ];
         }
         if k == self.flights.len() {
@@ -134,7 +164,7 @@ impl<N: Enclosing> Chain<N> {
             let stretched = |x: &N| ends.stretch.times_ref(x);
             return vec![
                 (1, [0, 1].map(|i| jet(&along[i].value, &stretched(&bend[i])))),
-                (2, [0, 1].map(|i| jet(&at[i].slope, &stretched(&along[i].slope)))),
+                (PARAMETER, [0, 1].map(|i| jet(&at[i].slope, &stretched(&along[i].slope)))),
                 (3, [0, 1].map(|i| jet(&zero(), &along[i].value))),
             ];
         }
@@ -152,18 +182,17 @@ impl<N: Enclosing> Chain<N> {
     /// `g` of a flight, and its derivative along the tangents.
     fn miss(&self, x: &[N], k: usize, [from, to]: [&Moving<N>; 2]) -> Option<[Jet<N>; 2]> {
         let pair = self.pair(x);
-        let pair = Pair { gap: Jet::constant(pair.gap), restitution: Jet::constant(pair.restitution) };
-        pair.miss(&self.rescaled(from, k), to, self.flights[k])
+        pair.map(|x| Jet::constant(x.clone())).miss(&self.rescaled(from, k), to, self.flights[k])
     }
 
-    /// How `g` of a flight, and its derivative along the tangents, change where states, tangents and `D` do.
+    /// How `g` of a flight, and its derivative along the tangents, change where states, tangents, `D` and `e` do.
     pub fn change(
         &self,
         x: &[N],
         k: usize,
         states: [&Moving<N>; 2],
         by: [&Moving<N>; 2],
-        gap: &N,
+        pair: &Pair<N>,
     ) -> Option<[Jet<N>; 2]> {
         let of = |state: Moving<N>, by: Moving<N>| -> [Jet<Jet<N>>; 2] {
             let [value, slope] = [state, by];
@@ -171,22 +200,56 @@ impl<N: Enclosing> Chain<N> {
             [0, 1].map(|_| pairs.next().expect("two"))
         };
         let own = self.pair(x);
-        let gap = Jet { value: Jet::constant(own.gap), slope: Jet::constant(gap.clone()) };
-        let pair = Pair { gap, restitution: Jet::constant(Jet::constant(own.restitution)) };
+        let moved = |x: N, by: &N| Jet { value: Jet::constant(x), slope: Jet::constant(by.clone()) };
+        let pair = Pair { gap: moved(own.gap, &pair.gap), restitution: moved(own.restitution, &pair.restitution) };
         let start = of(self.rescaled(states[0], k), self.rescaled(by[0], k));
         let end = of(states[1].clone(), by[1].clone());
         Some(pair.miss(&start, &end, self.flights[k])?.map(|x| x.slope))
     }
 
-    /// The directions in which flight `k` changes: with the states at its ends, and with `D` itself.
+    /// The directions in which flight `k` changes: with the states at its ends, and with the parameter itself.
     fn directions(&self, ends: &Ends<N>, k: usize) -> Vec<Direction<N>> {
         let still = || [0, 1].map(|_| Jet::constant(zero()));
+        let none = Pair { gap: zero(), restitution: zero() };
         let starts = self.moves(ends, k).into_iter();
-        let starts = starts.map(|(unknown, by)| Direction { unknown, start: by, end: still(), gap: zero() });
+        let starts = starts.map(|(unknown, by)| Direction { unknown, start: by, end: still(), pair: none.clone() });
         let arrivals = self.moves(ends, k + 1).into_iter();
-        let arrivals = arrivals.map(|(unknown, by)| Direction { unknown, start: still(), end: by, gap: zero() });
-        let own = Direction { unknown: 2, start: still(), end: still(), gap: N::from_f64(1.0) };
+        let arrivals = arrivals.map(|(unknown, by)| Direction { unknown, start: still(), end: by, pair: none.clone() });
+        let own = Pair::of(self.over, N::from_f64(1.0), zero());
+        let own = Direction { unknown: PARAMETER, start: still(), end: still(), pair: own };
         starts.chain(arrivals).chain([own]).collect()
+    }
+}
+
+impl<N: Enclosing> Chain<N> {
+    /// The derivatives of all values by the parameter that is not unknown.
+    pub fn by_other(&self, x: &[N]) -> Option<Vec<N>> {
+        let ends = self.ends(x, self.over.other())?;
+        let by = Pair::of(self.over, zero(), N::from_f64(1.0));
+        let moved = |k: usize| {
+            let by_parameter = self.moves(&ends, k).into_iter().find(|(unknown, _)| *unknown == PARAMETER);
+            by_parameter.map_or_else(|| [0, 1].map(|_| Jet::constant(zero())), |(_, by)| by)
+        };
+        let mut values = Vec::with_capacity(self.unknowns());
+        for k in 0..self.flights.len() {
+            let states = [k, k + 1].map(|k| self.state(x, &ends, k));
+            let [height, speed] = self.change(x, k, states.each_ref(), [&moved(k), &moved(k + 1)], &by)?;
+            values.extend([height.value, speed.value, height.slope, speed.slope]);
+        }
+        Some(values)
+    }
+
+    /// What the equations lose where state and tangent after the last flight are displaced.
+    pub fn end_moved(&self, x: &[N], by: &Moving<N>) -> Option<Vec<N>> {
+        let last = self.flights.len() - 1;
+        let ends = self.ends(x, self.over)?;
+        let states = [last, last + 1].map(|k| self.state(x, &ends, k));
+        let still = [0, 1].map(|_| Jet::constant(zero()));
+        let none = Pair { gap: zero(), restitution: zero() };
+        let [height, speed] = self.change(x, last, states.each_ref(), [&still, by], &none)?;
+        let mut values = vec![zero(); 4 * last];
+        values.extend([height.value, speed.value, height.slope, speed.slope].map(|x: N| -x));
+        Some(values)
     }
 }
 
@@ -204,12 +267,12 @@ impl<N: Enclosing> Equations<N> for Chain<N> {
     }
 
     fn jacobian(&self, x: &[N]) -> Option<Sparse<N>> {
-        let ends = self.ends(x)?;
+        let ends = self.ends(x, self.over)?;
         let states: Vec<Moving<N>> = (0..=self.flights.len()).map(|k| self.state(x, &ends, k)).collect();
         let mut entries = Vec::new();
         for k in 0..self.flights.len() {
-            for Direction { unknown, start, end, gap } in self.directions(&ends, k) {
-                let [height, speed] = self.change(x, k, [&states[k], &states[k + 1]], [&start, &end], &gap)?;
+            for Direction { unknown, start, end, pair } in self.directions(&ends, k) {
+                let [height, speed] = self.change(x, k, [&states[k], &states[k + 1]], [&start, &end], &pair)?;
                 let column = [height.value, speed.value, height.slope, speed.slope];
                 entries.extend(column.into_iter().enumerate().map(|(i, value)| (4 * k + i, unknown, value)));
             }

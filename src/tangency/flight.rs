@@ -3,6 +3,7 @@
 use super::terms::Terms;
 use crate::chaos::Side;
 use crate::number::{Number, Wave};
+use crate::periodic::bifurcation::Jet;
 
 /// A phase in radians and a speed over `A W`, every impact mirrored to the left wall.
 pub(super) type State<N> = [N; 2];
@@ -13,10 +14,58 @@ pub(super) fn sin_cos<N: Wave>(angle: &N) -> Option<(N, N)> {
 }
 
 /// The reduced map's parameters: `D` and `e`.
-#[derive(Clone, Debug)]
+#[derive(Clone, Copy, Debug)]
 pub(super) struct Pair<N> {
     pub gap: N,
     pub restitution: N,
+}
+
+/// One of the parameters: `D`, or `e` (Lemma J11).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Parameter {
+    Gap,
+    Restitution,
+}
+
+impl Parameter {
+    /// The other one.
+    pub fn other(self) -> Self {
+        match self {
+            Self::Gap => Self::Restitution,
+            Self::Restitution => Self::Gap,
+        }
+    }
+}
+
+impl<N> Pair<N> {
+    /// The pair of a value of one parameter and a value of the other.
+    pub fn of(parameter: Parameter, own: N, other: N) -> Self {
+        match parameter {
+            Parameter::Gap => Self { gap: own, restitution: other },
+            Parameter::Restitution => Self { gap: other, restitution: own },
+        }
+    }
+
+    /// A parameter's value.
+    pub fn value(&self, parameter: Parameter) -> &N {
+        match parameter {
+            Parameter::Gap => &self.gap,
+            Parameter::Restitution => &self.restitution,
+        }
+    }
+
+    /// The same of each.
+    pub fn map<M>(&self, f: impl Fn(&N) -> M) -> Pair<M> {
+        Pair { gap: f(&self.gap), restitution: f(&self.restitution) }
+    }
+}
+
+impl<N: Number> Pair<N> {
+    /// The same, with the derivatives by one parameter.
+    pub fn moving(&self, by: Parameter) -> Pair<Jet<N>> {
+        let moved = Jet::variable(self.value(by).clone());
+        Pair::of(by, moved, Jet::constant(self.value(by.other()).clone()))
+    }
 }
 
 impl<N: Wave> Pair<N> {

@@ -1,6 +1,7 @@
 //! First contacts of all flights of a homoclinic orbit, and how slow and how short they are: Lemma J9 of
 //! `docs/proofs/tangency.md#J9`.
 
+use super::boxes::low;
 use super::chain::Chain;
 use super::flight::{Pair, State, sin_cos};
 use crate::chaos::{Flights, Law, Quad, Side};
@@ -13,11 +14,6 @@ pub(super) struct Least {
     pub speed: f64,
     /// Of times of flight, in radians.
     pub time: f64,
-}
-
-/// A lower bound of the members of a ball.
-fn low(x: Ball) -> f64 {
-    (x.mid() - x.rad()).next_down()
 }
 
 /// The lesser one; `None` where a bound is not positive, or NaN.
@@ -50,7 +46,7 @@ pub(super) fn least(chain: &Chain<Ball>, domain: &[Ball]) -> Option<Least> {
         all.push((states[k], states[k + 1], *side));
     }
     for (manifold, sigma) in chain.manifolds.iter().zip(domain) {
-        let part = manifold.at(&pair, &Ball::new(0.0, sigma.mag()))?.at.map(|x| x.value);
+        let part = manifold.at(&pair, chain.over, &Ball::new(0.0, sigma.mag()))?.at.map(|x| x.value);
         all.push((part, [part[0] + part[0].turn(), part[1]], Side::Far));
     }
     let mut least = Least { speed: f64::INFINITY, time: f64::INFINITY };

@@ -3,18 +3,18 @@
 use std::cmp::Ordering;
 
 use super::disc::Disc;
-use super::flight::{Pair, sin_cos};
+use super::flight::{Pair, Parameter, sin_cos};
 use super::saddle::{Guessed, Side};
 use crate::chaos::Side as Wall;
 use crate::number::{Ball, Number};
 use crate::periodic::bifurcation::Jet;
 
-/// A manifold is analytic for complex `|sigma| <= radius` and `|D - gap| <= reach`.
+/// A manifold is analytic for complex `|sigma| <= radius`, and complex `D` and `e` within these reaches of a pair.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Local {
     pub radius: f64,
-    pub gap: f64,
-    pub reach: f64,
+    pub pair: Pair<f64>,
+    pub reach: Pair<f64>,
     /// Bounds there of how far phase and speed are from those of the fixed point.
     pub size: [f64; 2],
     /// The phase of the fixed point, and the eigenvalue: there are no others in these discs.
@@ -237,23 +237,27 @@ impl Frame {
 
 impl Local {
     /// Proves that a manifold is analytic, as far as it finds; `None` where it finds nothing. Lemma J3
-    pub fn prove(gap: f64, reach: f64, e: Ball, guess: &Guessed, side: Side) -> Option<Self> {
+    pub fn prove(pair: Pair<f64>, reach: Pair<f64>, guess: &Guessed, side: Side) -> Option<Self> {
         const LARGEST: f64 = 0.5;
         const TRIES: i32 = 16;
-        let pair = Pair { gap: Disc::new(Ball::new(gap, reach)), restitution: Disc::new(e) };
-        let frame = Frame::new(pair, guess, side)?;
+        let disc = |centre: f64, radius: f64| Disc::new(Ball::new(centre, radius));
+        let discs = Pair { gap: disc(pair.gap, reach.gap), restitution: disc(pair.restitution, reach.restitution) };
+        let frame = Frame::new(discs, guess, side)?;
         (0..TRIES).find_map(|k| {
             let radius = LARGEST * 0.75f64.powi(k); // proposes
             let size = frame.size(radius)?;
             let (fixed, eigenvalue) = (frame.phase.ball(), frame.eigenvalue.ball());
-            Some(Self { radius, gap, reach, size, fixed, eigenvalue })
+            Some(Self { radius, pair, reach, size, fixed, eigenvalue })
         })
     }
 
-    /// Whether all members of a ball of `D` are within half the reach, and the phase and the eigenvalue of a fixed point are those of this one.
-    pub fn covers(&self, gap: Ball, phase: Ball, eigenvalue: Ball) -> bool {
+    /// Whether all members of a pair are within half the reaches, and the phase and the eigenvalue of a fixed point are those of this one.
+    pub fn covers(&self, pair: &Pair<Ball>, phase: Ball, eigenvalue: Ball) -> bool {
         let is_within = |x: Ball, disc: Ball| (x - Ball::exact(disc.mid())).mag() <= disc.rad();
-        (gap - Ball::exact(self.gap)).mag() <= 0.5 * self.reach
+        let is_near =
+            |by: Parameter| (*pair.value(by) - Ball::exact(*self.pair.value(by))).mag() <= 0.5 * self.reach.value(by);
+        is_near(Parameter::Gap)
+            && is_near(Parameter::Restitution)
             && is_within(phase, self.fixed)
             && is_within(eigenvalue, self.eigenvalue)
     }

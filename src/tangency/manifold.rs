@@ -1,13 +1,13 @@
 //! Points of an invariant manifold with their derivatives, enclosed: Lemma J4 of `docs/proofs/tangency.md#J4`.
 
-use super::flight::{Pair, State};
+use super::flight::{Pair, Parameter, State};
 use super::local::Local;
 use super::saddle::{Guessed, Saddle, Side};
 use super::series::Series;
 use crate::number::{Ball, Enclosing};
 use crate::periodic::bifurcation::Jet;
 
-/// A point of a manifold; slopes are those by `D`.
+/// A point of a manifold; slopes are those by one parameter.
 #[derive(Clone, Debug)]
 pub(super) struct Point<N> {
     pub at: State<Jet<N>>,
@@ -28,25 +28,25 @@ pub(super) struct Manifold {
     pub local: Option<Local>,
 }
 
-/// Bounds of what is left out of a value, its derivatives by `sigma`, once and twice, by `D`, and by both.
+/// Bounds of what is left out of a value, its derivatives by `sigma`, once and twice, by one parameter, and by both.
 type Tail = [f64; 5];
 
 impl Manifold {
-    /// Encloses the point of a parameter, for all `D` and `e` of a pair.
-    pub fn at<N: Enclosing>(&self, pair: &Pair<N>, sigma: &N) -> Option<Point<N>> {
-        let base = Saddle::new(pair, &self.guess)?.base(self.side)?;
+    /// Encloses the point of a `sigma`, for all `D` and `e` of a pair, with its derivatives by one of them.
+    pub fn at<N: Enclosing>(&self, pair: &Pair<N>, by: Parameter, sigma: &N) -> Option<Point<N>> {
+        let base = Saddle::new(pair, by, &self.guess)?.base(self.side)?;
         let [mut at, mut along, bend] = Series::new(&base, self.order)?.at(&Jet::constant(sigma.clone()));
         let mut bend = bend.map(|x| x.value);
         if let Some(local) = &self.local {
             let [phase, eigenvalue] = [&base.theta, &base.lambda].map(|x| x.value.as_ball());
-            if !local.covers(pair.gap.as_ball(), phase, eigenvalue) {
+            if !local.covers(&pair.map(Enclosing::as_ball), phase, eigenvalue) {
                 return None;
             }
-            let tails = self.tails(local, sigma.as_ball().mag())?;
+            let tails = self.tails(local, by, sigma.as_ball().mag())?;
             let widened = |x: &mut N, by: f64| *x = x.clone() + N::from_f64(0.0).with_radius(by);
-            for (i, [value, slope, second, by_gap, by_both]) in tails.into_iter().enumerate() {
+            for (i, [value, slope, second, by_parameter, by_both]) in tails.into_iter().enumerate() {
                 widened(&mut at[i].value, value);
-                widened(&mut at[i].slope, by_gap);
+                widened(&mut at[i].slope, by_parameter);
                 widened(&mut along[i].value, slope);
                 widened(&mut along[i].slope, by_both);
                 widened(&mut bend[i], second);
@@ -56,7 +56,7 @@ impl Manifold {
     }
 
     /// Bounds of what is left out of phase and speed. Lemma J4
-    fn tails(&self, local: &Local, sigma: f64) -> Option<[Tail; 2]> {
+    fn tails(&self, local: &Local, by: Parameter, sigma: f64) -> Option<[Tail; 2]> {
         let ball = Ball::exact;
         // J4: any radius between
         let middle = (sigma * local.radius).sqrt().max(0.125 * local.radius);
@@ -70,7 +70,7 @@ impl Manifold {
             power = power * ratio;
         }
         let rest = over(power, ball(1.0) - ratio)?;
-        let reach = ball(0.5) * ball(local.reach);
+        let reach = ball(0.5) * ball(*local.reach.value(by));
         let tail = |size: f64| {
             let value = ball(size) * rest;
             let slope = over(value, apart)?;

@@ -1,18 +1,23 @@
 //! Homoclinic tangencies: values of a parameter at which the stable and the unstable manifold of a saddle of the reduced impact map are
-//! tangent, proved. Lemmas J1-J9 of `docs/proofs/tangency.md#J1`.
+//! tangent, proved. Lemmas J1-J13 of `docs/proofs/tangency.md#J1`.
 //!
 //! The saddle is a fixed point of the map that mirrors every impact to the left wall: the equispaced motion (66), (67). Floating point looks for
 //! folds of the unstable manifold near the stable one (`search`); the manifolds are Taylor series with proved errors (`series`, `local`,
 //! `manifold`), the tangency is a regular zero of the equations of all flights between them (`chain`), proved by Krawczyk's operator (`prove`).
 
+mod begin;
+mod beside;
+mod boxes;
 mod chain;
 mod disc;
+mod family;
 mod flight;
 mod flights;
 mod local;
 mod manifold;
 mod only;
 mod portrait;
+mod proof;
 mod prove;
 mod saddle;
 mod search;
@@ -29,20 +34,24 @@ use crate::periodic::Precision;
 use crate::scene::{Key, Range};
 use crate::watch::{Latched, Stage, Watch};
 use crate::{Error, Scene};
+use beside::Sides;
+pub use boxes::StateBounds;
+use flight::{Pair, Parameter};
 pub use portrait::Portrait;
-use prove::Proof;
+use proof::Proof;
+use prove::Question;
 use saddle::Guessed;
 use search::{Floats, Fold};
 
 /// The keys over which tangencies are searched, in words.
-pub const TANGENCY_PARAMETERS: &str = "KEY one of gap, amplitude";
+pub const TANGENCY_PARAMETERS: &str = "KEY one of gap, amplitude, restitution";
 
 /// The most flights between the two manifolds.
 pub const MOST_FLIGHTS: usize = 200;
 
 /// Returns whether tangencies are searched over such a range.
 pub fn is_tangency_range(range: &Range) -> bool {
-    matches!(range.key, Key::Gap | Key::Amplitude(_)) && range.count.is_none()
+    matches!(range.key, Key::Gap | Key::Amplitude(_) | Key::Restitution) && range.count.is_none()
 }
 
 /// Flights between the walls in time order: `F` to the far wall, `N` back to the near one.
@@ -90,7 +99,7 @@ impl std::fmt::Display for FlightWord {
 /// The settings of a search for tangencies.
 #[derive(Clone, Debug)]
 pub struct TangencySettings {
-    /// The parameter and its range: gap or amplitude.
+    /// The parameter and its range: gap, amplitude or restitution.
     pub over: Range,
     /// The flights of the orbit; `None` for a search over all of them.
     pub word: Option<FlightWord>,
@@ -130,6 +139,28 @@ pub struct Tangency {
     pub least_flight: f64,
     /// No product of powers of the eigenvalues of an order from 2 to this one is one of them.
     pub resonances_excluded_to: u32,
+    /// Where a datum of the scene is an interval: bounds of the states between both points. For each value of that datum there is exactly one
+    /// value of the parameter with a tangency whose `unstable`, `stable`, parameter and states are in their bounds; all other bounds hold
+    /// for each.
+    pub states: Option<Vec<StateBounds>>,
+    /// What is proved on either side.
+    pub beside: Option<Beside>,
+}
+
+/// How many common points the two manifolds have on either side of a tangency, along its flights, with their `sigma_u`, `sigma_s` and the
+/// states between both in these boxes.
+#[derive(Clone, Debug)]
+pub struct Beside {
+    /// Values of the parameter, in the units of the scene: for each there are exactly two common points.
+    pub two: Enclosure,
+    /// The same: for each there is none.
+    pub none: Enclosure,
+    /// The range of `sigma_u`.
+    pub unstable: Enclosure,
+    /// The range of `sigma_s`.
+    pub stable: Enclosure,
+    /// The boxes of the states.
+    pub states: Vec<StateBounds>,
 }
 
 /// A tangency of floating point that is not proved.
@@ -158,7 +189,8 @@ impl Tangencies {
     /// Searches tangencies of the manifolds of the equispaced motion and proves them, until the watch stops it.
     ///
     /// # Errors
-    /// With several harmonics, if the range is not one of the parameter's, or `e` or what is fixed of gap and amplitude is an interval.
+    /// With several harmonics, if the range is not one of the parameter's, or if over the gap the amplitude is an interval, or over the
+    /// amplitude the gap.
     ///
     /// ```
     /// use impact_pair::Scene;
@@ -193,14 +225,16 @@ impl Tangencies {
                 break;
             }
             let flights = FlightWord(fold.flights.clone());
-            match prove::tangency(fold, &search.restitution, settings.precision) {
+            match prove::tangency(fold, &search.question) {
                 Some(proof) => {
-                    let found = search.tangency(proof, settings.precision)?;
+                    let found = search.tangency(proof)?;
                     if search.is_inside(&found.parameter)? && all.tangencies.iter().all(|known| !known.meets(&found)) {
                         all.tangencies.push(found);
                     }
                 }
-                None => all.unproved.push(UnprovedTangency { near: search.in_units_f64(fold.gap), flights }),
+                None => all
+                    .unproved
+                    .push(UnprovedTangency { near: search.in_units_f64(search.own_of(&fold.pair)), flights }),
             }
         }
         all.interrupted = watch.is_stopped();
@@ -227,77 +261,92 @@ impl Tangency {
 
 /// A search over a parameter of a pair.
 struct Search<'s> {
-    pair: &'s ImpactPair,
     over: &'s Range,
-    restitution: Exact,
-    /// The amplitude where the gap varies, the gap where the amplitude does.
+    question: Question,
+    /// The amplitude where the gap varies, the gap where the amplitude does, or 1.
     unit: Exact,
-    /// The scene's own value of `D` if the range has it, else that in its middle.
-    own: f64,
+    /// The scene's own value of `D` or `e` if the range has it, else that in its middle; and that of the other one.
+    own: Pair<f64>,
     range: [f64; 2],
 }
 
 const WHAT: &str = "a homoclinic tangency";
 
 impl<'s> Search<'s> {
-    fn new(pair: &'s ImpactPair, settings: &'s TangencySettings) -> Result<Self, Error> {
+    fn new(pair: &ImpactPair, settings: &'s TangencySettings) -> Result<Self, Error> {
         let over = &settings.over;
         if !is_tangency_range(over) {
             let message = format!("the range is \"{over}\", but accepted is KEY=LO..HI, {TANGENCY_PARAMETERS}");
             return Err(Error::out_of_range(None, message));
         }
-        let harmonic = pair.harmonic(WHAT)?;
-        let unit = if over.key == Key::Gap { harmonic.amplitude().clone() } else { pair.gap().clone() };
-        let place = if over.key == Key::Gap { "excitation.amplitude" } else { "pair.gap" };
-        for (place, value) in [(place, &unit), ("pair.restitution", pair.restitution())] {
-            if !value.is_point() {
-                let message = format!(
-                    "is the interval {value}, but accepted is a single number: tangencies are those of one pair"
-                );
-                return Err(Error::out_of_range(place, message));
-            }
+        let amplitude = pair.harmonic(WHAT)?.amplitude();
+        let (parameter, place, unit) = match over.key {
+            Key::Gap => (Parameter::Gap, "excitation.amplitude", amplitude.clone()),
+            Key::Restitution => (Parameter::Restitution, "", Exact::from(1)),
+            _ => (Parameter::Gap, "pair.gap", pair.gap().clone()),
+        };
+        if !unit.is_point() {
+            let message =
+                format!("is the interval {unit}, but accepted is a single number: tangencies are those of one pair");
+            return Err(Error::out_of_range(place, message));
         }
-        let law = |value: &Exact| Law::of(&pair.with(over.key, value.clone())?);
-        let ends = [law(&over.low)?.gap.mid(), law(&over.high)?.gap.mid()];
+        let other = match parameter {
+            Parameter::Gap => pair.restitution().clone(),
+            Parameter::Restitution => within("pair.gap", pair.gap(), pair.gap().checked_div(amplitude))?,
+        };
+        let of = |pair: &ImpactPair| -> Result<Pair<f64>, Error> {
+            let law = Law::of(pair)?;
+            Ok(Pair { gap: law.gap.mid(), restitution: law.restitution.mid() })
+        };
+        let at = |value: &Exact| Ok::<f64, Error>(*of(&pair.with(over.key, value.clone())?)?.value(parameter));
+        let ends = [at(&over.low)?, at(&over.high)?];
         let range = [ends[0].min(ends[1]), ends[0].max(ends[1])]; // proposes
-        let own = Law::of(pair)?.gap.mid();
-        let is_inside = (range[0]..=range[1]).contains(&own); // proposes
-        let own = if is_inside { own } else { 0.5 * (range[0] + range[1]) };
-        Ok(Self { pair, over, restitution: pair.restitution().clone(), unit, own, range })
+        let own = of(pair)?;
+        let is_inside = (range[0]..=range[1]).contains(own.value(parameter)); // proposes
+        let middle = Pair::of(parameter, 0.5 * (range[0] + range[1]), *own.value(parameter.other()));
+        let question = Question { over: parameter, other, precision: settings.precision };
+        Ok(Self { over, question, unit, own: if is_inside { own } else { middle }, range })
+    }
+
+    /// The value of the parameter.
+    fn own_of(&self, pair: &Pair<f64>) -> f64 {
+        *pair.value(self.question.over)
     }
 
     /// The folds that lead to tangencies in the range, in floating point, the nearest to the scene's own value first.
     fn folds(&self, settings: &TangencySettings, watch: &dyn Watch) -> Vec<Fold> {
-        let e = Law::of(self.pair).map_or(f64::NAN, |law| law.restitution.mid()); // proposes
         let mut found: Vec<Fold> = Vec::new();
-        for guess in Guessed::all(self.own, e) {
-            let Some(floats) = Floats::new(self.own, e, guess) else { continue };
+        for guess in Guessed::all(self.own) {
+            let Some(floats) = Floats::new(self.own, guess) else { continue };
             let folds = match &settings.word {
-                Some(word) => floats.folds(self.own, &word.0),
-                None => floats.all_folds(self.own, settings.longest, watch),
+                Some(word) => floats.folds(&word.0),
+                None => floats.all_folds(settings.longest, watch),
             };
             for fold in folds {
-                let Some(fold) = prove::settled(&fold, e) else { continue };
-                let is_new = found.iter().all(|known| (known.gap - fold.gap).abs() > 1e-12 * fold.gap);
-                if is_new && (self.range[0]..=self.range[1]).contains(&fold.gap) {
+                let Some(fold) = begin::settled(&fold, self.question.over) else { continue };
+                let value = self.own_of(&fold.pair);
+                let is_new = found.iter().all(|known| (self.own_of(&known.pair) - value).abs() > 1e-12 * value);
+                if is_new && (self.range[0]..=self.range[1]).contains(&value) {
                     found.push(fold);
                 }
             }
         }
-        found.sort_by(|a, b| (a.gap - self.own).abs().total_cmp(&(b.gap - self.own).abs()));
+        let away = |fold: &Fold| (self.own_of(&fold.pair) - self.own_of(&self.own)).abs();
+        found.sort_by(|a, b| away(a).total_cmp(&away(b)));
         found
     }
 
-    /// A value of `D` in the units of the scene.
-    fn in_units(&self, gap: &Exact) -> Result<Exact, Error> {
+    /// A value of `D` or `e` in the units of the scene.
+    fn in_units(&self, value: &Exact) -> Result<Exact, Error> {
         match self.over.key {
-            Key::Gap => within("pair.gap", gap, gap.checked_mul(&self.unit)),
-            _ => within("excitation.amplitude", gap, self.unit.checked_div(gap)),
+            Key::Gap => within("pair.gap", value, value.checked_mul(&self.unit)),
+            Key::Restitution => Ok(value.clone()),
+            _ => within("excitation.amplitude", value, self.unit.checked_div(value)),
         }
     }
 
-    fn in_units_f64(&self, gap: f64) -> f64 {
-        let value = Exact::from_f64(gap).and_then(|gap| self.in_units(&gap).ok());
+    fn in_units_f64(&self, value: f64) -> f64 {
+        let value = Exact::from_f64(value).and_then(|value| self.in_units(&value).ok());
         value.map_or(f64::NAN, |value| value.enclose(64).mid_rad().0) // shown
     }
 
@@ -309,15 +358,10 @@ impl<'s> Search<'s> {
     }
 
     /// What is proved, in the units of the scene.
-    fn tangency(&self, proof: Proof, precision: Precision) -> Result<Tangency, Error> {
-        // J6: what the change of units adds is far less than the width, within a few of which there is no other one
-        let narrow = proof.gap.wid().top().map_or(0, |top| u32::try_from(128 - top).unwrap_or(0)); // J6: a wide one needs no bits
-        let bits = narrow.max(256 + 4 * precision.digits); // J6: more bits are as good
-        let ends = [proof.gap.inf(), proof.gap.sup()].map(|end| Exact::from_rational(end.to_rational()));
-        let [a, b] = [self.in_units(&ends[0])?, self.in_units(&ends[1])?];
+    fn tangency(&self, proof: Proof) -> Result<Tangency, Error> {
         let [unstable, stable] = proof.sigma;
         Ok(Tangency {
-            parameter: a.enclose(bits).hull(&b.enclose(bits)),
+            parameter: self.bounds_in_units(&proof.parameter)?,
             flights: FlightWord(proof.flights),
             phase: proof.phase,
             speed: proof.speed,
@@ -329,6 +373,22 @@ impl<'s> Search<'s> {
             least_speed: proof.least.speed,
             least_flight: proof.least.time,
             resonances_excluded_to: proof.resonances,
+            states: proof.states,
+            beside: proof.beside.map(|sides| self.beside(sides)).transpose()?,
         })
+    }
+
+    fn beside(&self, Sides { two, none, sigma: [unstable, stable], states }: Sides) -> Result<Beside, Error> {
+        Ok(Beside { two: self.bounds_in_units(&two)?, none: self.bounds_in_units(&none)?, unstable, stable, states })
+    }
+
+    /// Values of `D` or `e` in the units of the scene.
+    fn bounds_in_units(&self, values: &Enclosure) -> Result<Enclosure, Error> {
+        // J6: what the change of units adds is far less than the width, within a few of which there is no other one
+        let narrow = values.wid().top().map_or(0, |top| u32::try_from(128 - top).unwrap_or(0)); // J6: a wide one needs no bits
+        let bits = narrow.max(256 + 4 * self.question.precision.digits); // J6: more bits are as good
+        let ends = [values.inf(), values.sup()].map(|end| Exact::from_rational(end.to_rational()));
+        let [a, b] = [self.in_units(&ends[0])?, self.in_units(&ends[1])?];
+        Ok(a.enclose(bits).hull(&b.enclose(bits)))
     }
 }

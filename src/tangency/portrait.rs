@@ -5,6 +5,7 @@
 use std::f64::consts::{PI, TAU};
 
 use super::Tangency;
+use super::flight::Pair;
 use super::saddle::{Guessed, Side as Manifold};
 use super::search::Floats;
 use crate::chaos::{Side, State};
@@ -45,13 +46,12 @@ struct Near<'t> {
 }
 
 impl Near<'_> {
-    fn new(tangency: &Tangency, gap: f64) -> Option<Near<'_>> {
-        let middle = |x: &crate::exact::Enclosure| x.mid_rad().0;
-        let e = middle(&tangency.eigenvalues[0]) * middle(&tangency.eigenvalues[1]);
-        let e = e.sqrt();
-        let apart = |guess: &Guessed| ((guess.theta - middle(&tangency.phase) + PI).rem_euclid(TAU) - PI).abs();
-        let guess = Guessed::all(gap, e).into_iter().min_by(|a, b| apart(a).total_cmp(&apart(b)))?;
-        Some(Near { tangency, floats: Floats::new(gap, e, guess)?, gap, e })
+    fn new(tangency: &Tangency, [gap, e]: [f64; 2]) -> Option<Near<'_>> {
+        let phase = tangency.phase.mid_rad().0;
+        let apart = |guess: &Guessed| ((guess.theta - phase + PI).rem_euclid(TAU) - PI).abs();
+        let guess =
+            Guessed::all(Pair { gap, restitution: e }).into_iter().min_by(|a, b| apart(a).total_cmp(&apart(b)))?;
+        Some(Near { tangency, floats: Floats::new(Pair { gap, restitution: e }, guess)?, gap, e })
     }
 
     /// How many flights before the end the tangency is looked at.
@@ -107,9 +107,9 @@ fn in_period([theta, w]: State) -> State {
 }
 
 impl Portrait {
-    /// Returns the manifolds at a value of `D`.
-    pub fn of(tangency: &Tangency, gap: f64) -> Option<Self> {
-        let near = Near::new(tangency, gap)?;
+    /// Returns the manifolds at values of `D` and `e`.
+    pub fn of(tangency: &Tangency, pair: [f64; 2]) -> Option<Self> {
+        let near = Near::new(tangency, pair)?;
         let [unstable, stable] = near.floats.guess.lambda;
         let mut images = near.spread(Manifold::Unstable, FROM, unstable * unstable);
         let mut all = images.clone();
@@ -134,9 +134,9 @@ impl Portrait {
     }
 
     /// Returns both manifolds, the unstable one first, near the point of tangency, as curves.
-    pub fn magnified(&self, tangency: &Tangency, gap: f64, within: State) -> Option<[Vec<State>; 2]> {
+    pub fn magnified(&self, tangency: &Tangency, pair: [f64; 2], within: State) -> Option<[Vec<State>; 2]> {
         let [theta, w] = self.point;
-        let near = Near::new(tangency, gap)?;
+        let near = Near::new(tangency, pair)?;
         let place = |[a, b]: State| [theta + (a - theta + PI).rem_euclid(TAU) - PI, b];
         let is_near = |[a, b]: State| (a - theta).abs() < within[0] && (b - w).abs() < within[1];
         let own = tangency.unstable.mid_rad().0;

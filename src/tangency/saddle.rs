@@ -1,6 +1,6 @@
 //! The fixed point of the reduced map, its eigenvalues and which resonances they exclude: Lemma J8 of `docs/proofs/tangency.md#J8`.
 
-use super::flight::{Pair, sin_cos};
+use super::flight::{Pair, Parameter, sin_cos};
 use super::series::Base;
 use super::terms::Terms;
 use crate::number::{Ball, Enclosing, Number, logarithm};
@@ -22,19 +22,19 @@ pub(super) struct Guessed {
     pub lambda: [f64; 2],
 }
 
-/// Enclosures of the fixed point and its eigenvalues, with their derivatives by `D`.
+/// Enclosures of the fixed point and its eigenvalues, with their derivatives by one parameter.
 #[derive(Clone, Debug)]
 pub(super) struct Saddle<N> {
     pub theta: Jet<N>,
     pub speed: Jet<N>,
     /// The unstable eigenvalue and the stable one.
     pub lambda: [Jet<N>; 2],
-    restitution: N,
+    restitution: Jet<N>,
 }
 
 impl Guessed {
     /// Returns the saddles among the fixed points of flights of half a forcing period; there are two fixed points at most.
-    pub fn all(gap: f64, e: f64) -> Vec<Self> {
+    pub fn all(Pair { gap, restitution: e }: Pair<f64>) -> Vec<Self> {
         let kappa = std::f64::consts::PI * (1.0 + e) / (1.0 - e);
         let (middle, apart) = (2f64.atan2(kappa), (gap / 2f64.hypot(kappa)).acos()); // proposes
         let saddle = |theta: f64| {
@@ -69,38 +69,41 @@ pub(super) fn zero<N: Enclosing>(guess: N, f: impl Fn(&N) -> Option<N>, slope: i
 }
 
 impl<N: Enclosing> Saddle<N> {
-    /// Returns the fixed point near a guess for all `D` and `e` of a pair.
-    pub fn new(pair: &Pair<N>, guess: &Guessed) -> Option<Self> {
-        let (gap, e) = (&pair.gap, &pair.restitution);
+    /// Returns the fixed point near a guess for all `D` and `e` of a pair, and its derivatives by one of them.
+    pub fn new(pair: &Pair<N>, by: Parameter, guess: &Guessed) -> Option<Self> {
+        let Pair { gap, .. } = pair;
+        let moving = pair.moving(by);
+        let e = &moving.restitution;
+        let fixed = Jet::constant;
         let [one, two] = [1.0, 2.0].map(N::from_f64);
-        let rest = one.minus_ref(e);
+        let rest = fixed(one.clone()) - e.clone();
         let half = gap.turn() * N::from_f64(0.5);
-        let kappa = (half.clone() * one.clone().plus_ref(e)).checked_div(rest.clone())?;
+        let kappa = (fixed(half.clone()) * (fixed(one.clone()) + e.clone())).checked_div(rest.clone())?;
         // The centre has as many bits as the parameters.
         let from = |x: f64| gap.centre() - gap.centre() + N::from_f64(x);
         let value = |theta: &N| {
             let (sin, cos) = sin_cos(theta)?;
-            Some(kappa.times_ref(&cos) + two.times_ref(&sin) - gap.clone())
+            Some(kappa.value.times_ref(&cos) + two.times_ref(&sin) - gap.clone())
         };
         let slope = |theta: &N| {
             let (sin, cos) = sin_cos(theta)?;
-            Some(two.times_ref(&cos) - kappa.times_ref(&sin))
+            Some(two.times_ref(&cos) - kappa.value.times_ref(&sin))
         };
         let theta = zero(from(guess.theta), value, slope)?;
-        let theta = Jet { slope: one.clone().checked_div(slope(&theta)?)?, value: theta };
+        let by_itself = moving.gap.slope - kappa.slope.times_ref(&sin_cos(&theta)?.1);
+        let theta = Jet { slope: by_itself.checked_div(slope(&theta)?)?, value: theta };
         let (sin, cos) = sin_cos(&theta)?;
-        let fixed = Jet::constant;
-        let speed = (fixed(two.clone()) * cos.clone()).checked_div(fixed(rest.clone()))?;
+        let speed = (fixed(two.clone()) * cos.clone()).checked_div(rest.clone())?;
         let tangent = sin.checked_div(cos)?;
-        let across = rest * one.plus_ref(e) * half * N::from_f64(0.5);
-        let trace = fixed(two.times_ref(e)) + fixed(across) * tangent;
-        let square = e.times_ref(e);
+        let across = rest * (fixed(one) + e.clone()) * fixed(half * N::from_f64(0.5));
+        let trace = fixed(two.clone()) * e.clone() + across * tangent;
+        let square = e.clone() * e.clone();
         let eigenvalue = |guess: f64| {
-            let value = |x: &N| Some(x.times_ref(&x.minus_ref(&trace.value)).plus_ref(&square));
+            let value = |x: &N| Some(x.times_ref(&x.minus_ref(&trace.value)).plus_ref(&square.value));
             let slope = |x: &N| Some(two.times_ref(x) - trace.value.clone());
             let lambda = zero(from(guess), value, slope)?;
-            let by_gap = (trace.slope.times_ref(&lambda)).checked_div(slope(&lambda)?)?;
-            Some(Jet { value: lambda, slope: by_gap })
+            let moved = trace.slope.times_ref(&lambda) - square.slope.clone();
+            Some(Jet { slope: moved.checked_div(slope(&lambda)?)?, value: lambda })
         };
         let lambda = [eigenvalue(guess.lambda[0])?, eigenvalue(guess.lambda[1])?];
         Some(Self { theta, speed, lambda, restitution: e.clone() })
@@ -119,7 +122,7 @@ impl<N: Enclosing> Saddle<N> {
             sin,
             cos,
             lambda: lambda.clone(),
-            restitution: Jet::constant(self.restitution.clone()),
+            restitution: self.restitution.clone(),
             pi: self.theta.turn() * Jet::from_f64(0.5),
         })
     }

@@ -4,14 +4,16 @@
 
 use std::f64::consts::{PI, TAU};
 
+use super::flight::Pair;
 use super::saddle::{Guessed, Side as Manifold};
 use super::series::{Base, Series};
 use crate::chaos::{Guess, Law, Side, State};
 use crate::number::Ball;
 use crate::watch::{Stage, Watch};
 
-/// The manifolds at one `D`.
+/// The manifolds of one pair.
 pub(super) struct Floats {
+    pair: Pair<f64>,
     map: Guess,
     pub guess: Guessed,
     unstable: Series<f64>,
@@ -21,7 +23,7 @@ pub(super) struct Floats {
 /// A point at which the image of the unstable manifold is about parallel to the stable one.
 #[derive(Clone, Debug)]
 pub(super) struct Fold {
-    pub gap: f64,
+    pub pair: Pair<f64>,
     pub guess: Guessed,
     pub flights: Vec<Side>,
     pub sigma: [f64; 2],
@@ -62,15 +64,16 @@ const FARTHEST: f64 = 0.2;
 
 impl Floats {
     /// The manifolds of a saddle.
-    pub fn new(gap: f64, e: f64, guess: Guessed) -> Option<Self> {
-        let law = Law { gap: Ball::exact(gap), restitution: Ball::exact(e) };
+    pub fn new(pair: Pair<f64>, guess: Guessed) -> Option<Self> {
+        let e = pair.restitution;
+        let law = Law { gap: Ball::exact(pair.gap), restitution: Ball::exact(e) };
         let (sin, cos) = guess.theta.sin_cos();
         let series = |lambda: f64| {
             let base = Base { theta: guess.theta, speed: guess.speed, sin, cos, lambda, restitution: e, pi: PI };
             Series::new(&base, ORDER)
         };
         let [unstable, stable] = [series(guess.lambda[0])?, series(guess.lambda[1])?];
-        Some(Self { map: Guess::new(&law), guess, unstable, stable })
+        Some(Self { pair, map: Guess::new(&law), guess, unstable, stable })
     }
 
     fn series(&self, side: Manifold) -> &Series<f64> {
@@ -183,18 +186,18 @@ impl Floats {
     }
 
     /// The folds of the unstable manifold along a word, the nearest to the stable one first.
-    pub fn folds(&self, gap: f64, flights: &[Side]) -> Vec<Fold> {
+    pub fn folds(&self, flights: &[Side]) -> Vec<Fold> {
         let mut pieces = self.begin(LEAST);
         for n in 1..=flights.len() {
             pieces = pieces.iter().flat_map(|piece| self.refined(piece, &flights[..n])).collect();
         }
-        let mut found: Vec<Fold> = pieces.iter().flat_map(|piece| self.of_piece(gap, flights, piece)).collect();
+        let mut found: Vec<Fold> = pieces.iter().flat_map(|piece| self.of_piece(flights, piece)).collect();
         found.sort_by(|a, b| a.distance.abs().total_cmp(&b.distance.abs()));
         found
     }
 
     /// The folds along all words of at most N flights.
-    pub fn all_folds(&self, gap: f64, longest: usize, watch: &dyn Watch) -> Vec<Fold> {
+    pub fn all_folds(&self, longest: usize, watch: &dyn Watch) -> Vec<Fold> {
         // A fundamental domain: what lies nearer comes to it.
         let begun = self.begin(MOST / (self.guess.lambda[0] * self.guess.lambda[0]));
         let mut stack: Vec<(Vec<Side>, Vec<Sample>)> = begun.into_iter().map(|piece| (Vec::new(), piece)).collect();
@@ -204,7 +207,7 @@ impl Floats {
             if searched % 64 == 0 && watch.proceed(Stage::Folds(searched)).is_break() {
                 break;
             }
-            found.extend(self.of_piece(gap, &flights, &piece));
+            found.extend(self.of_piece(&flights, &piece));
             if flights.len() >= longest {
                 continue;
             }
@@ -217,20 +220,20 @@ impl Floats {
     }
 
     /// The folds of a piece of the unstable manifold, near the stable one.
-    fn of_piece(&self, gap: f64, flights: &[Side], piece: &[Sample]) -> Vec<Fold> {
+    fn of_piece(&self, flights: &[Side], piece: &[Sample]) -> Vec<Fold> {
         let at: Vec<Option<[f64; 2]>> = piece.iter().map(|sample| self.across(sample.state)).collect();
         let mut found = Vec::new();
         for i in 1..piece.len().max(1) - 1 {
             let (Some([_, a]), Some([_, b]), Some([_, c])) = (at[i - 1], at[i], at[i + 1]) else { continue };
             if (b - a) * (c - b) <= 0.0 {
-                found.extend(self.extremum(gap, flights, [piece[i - 1].sigma, piece[i + 1].sigma]));
+                found.extend(self.extremum(flights, [piece[i - 1].sigma, piece[i + 1].sigma]));
             }
         }
         found
     }
 
     /// The fold between two parameters, by thirds.
-    fn extremum(&self, gap: f64, flights: &[Side], [mut low, mut high]: [f64; 2]) -> Option<Fold> {
+    fn extremum(&self, flights: &[Side], [mut low, mut high]: [f64; 2]) -> Option<Fold> {
         let of = |sigma: f64| self.across(self.after(sigma, flights)?.state);
         let middle = of(0.5 * (low + high))?[1];
         let sign = if middle > 0.5 * (of(low)?[1] + of(high)?[1]) { 1.0 } else { -1.0 };
@@ -240,7 +243,7 @@ impl Floats {
         }
         let sigma = 0.5 * (low + high);
         let [along, distance] = of(sigma)?;
-        Some(Fold { gap, guess: self.guess, flights: flights.to_vec(), sigma: [sigma, along], distance })
+        Some(Fold { pair: self.pair, guess: self.guess, flights: flights.to_vec(), sigma: [sigma, along], distance })
     }
 
     /// The states along a fold, with their tangents.

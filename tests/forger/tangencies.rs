@@ -23,6 +23,7 @@ pub const FORGERIES: &[Forgery] = &[
         forge: manifolds,
     },
     Forgery { name: "tangency: least", why: "an impact is slower, or a flight shorter", forge: least },
+    Forgery { name: "tangency: sides", why: "the common points are on the other side", forge: sides },
     Forgery { name: "tangency: key", why: "the bounds are those of another parameter", forge: keys },
 ];
 
@@ -158,6 +159,20 @@ fn least(original: &Original) -> Vec<Forged> {
         ]
     };
     tangencies(original).into_iter().flat_map(of).collect()
+}
+
+fn sides(original: &Original) -> Vec<Forged> {
+    let of = |(path, tangency): (String, &Value)| {
+        let at = |key: &str| format!("{path}/beside/{key}");
+        let [two, none, own] = [&tangency["beside"]["two"], &tangency["beside"]["none"], &tangency["parameter"]];
+        let [a, b, own] = [bounds(two)?, bounds(none)?, bounds(own)?];
+        Some([
+            original.with("exchanged", &[(&at("two"), none.clone()), (&at("none"), two.clone())]),
+            original.with("two beyond the tangency", &[(&at("two"), pair(&a[0], &b[0]))]),
+            original.with("none before the tangency", &[(&at("none"), pair(&a[1], &own[1]))]),
+        ])
+    };
+    tangencies(original).into_iter().filter_map(of).flatten().collect()
 }
 
 fn keys(original: &Original) -> Vec<Forged> {

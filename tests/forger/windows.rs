@@ -10,6 +10,7 @@ pub const FORGERIES: &[Forgery] = &[
     Forgery { name: "windows: kinds", why: "another eigenvalue passes at this end", forge: kinds },
     Forgery { name: "windows: an end twice", why: "it ends at two values", forge: twice },
     Forgery { name: "windows: value", why: "at this value the orbit is another one", forge: values },
+    Forgery { name: "windows: range", why: "the value is outside the range", forge: ranges },
     Forgery { name: "windows: flights", why: "the impacts of the orbit are on other walls", forge: flights },
     Forgery { name: "windows: orbit", why: "the orbit is stable, and takes this time and no other", forge: orbits },
 ];
@@ -67,6 +68,18 @@ fn twice(original: &Original) -> Vec<Forged> {
         ]
     };
     windows(original).into_iter().flat_map(both).collect()
+}
+
+fn ranges(original: &Original) -> Vec<Forged> {
+    let mut all = Vec::new();
+    for (_, window) in windows(original) {
+        let [Some(from), Some(to)] = ["from", "to"].map(|key| bounds(&window[key])) else { continue };
+        for (end, value) in [("low", &to[1]), ("high", &from[0])] {
+            let path = format!("/over/{end}");
+            all.push(original.with(format!("the {end} end beyond the window"), &[(&path, json!(decimal(value)))]));
+        }
+    }
+    all
 }
 
 fn values(original: &Original) -> Vec<Forged> {

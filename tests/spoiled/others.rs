@@ -112,10 +112,12 @@ pub fn global(name: &str) -> Value {
     json!(document::global(&scene, &settings, &found).unwrap())
 }
 
-/// The first homoclinic tangency beside figure 14, whose numbers Newton's iteration of another program found in 120 digits.
+/// The first homoclinic tangency beside figure 14, whose numbers Newton's iteration of another program found in 120 digits, and what
+/// `tangency` proves on either side.
 pub fn tangency() -> Value {
     let mut document: Value = serde_json::from_str(include_str!("../../docs/tangency-figure-14.json")).unwrap();
     document["tangencies"].as_array_mut().unwrap().truncate(1);
+    document["tangencies"][0]["beside"] = serde_json::from_str(include_str!("tangency-beside.json")).unwrap();
     document
 }
 

@@ -38,6 +38,8 @@ pub(super) struct ClaimedTangency {
     pub least_speed: BigRational,
     pub least_flight: BigRational,
     pub resonances: u32,
+    /// Ranges of the parameter with two common points beside it, and with none.
+    pub beside: Option<[Bounds; 2]>,
 }
 
 impl TangencyCertificate {
@@ -57,6 +59,9 @@ impl TangencyCertificate {
         unjudged.extend(tangencies.iter().map(|tangency| own_value(tangency.key)));
         // Neither the unit of time nor the origin of phases is in the reduced map.
         unjudged.extend(["scene.excitation.frequency", "scene.excitation.phase"].map(str::to_owned));
+        let some = |is: fn(&HomoclinicTangencyDocument) -> bool| document.tangencies.iter().any(is);
+        unjudged.extend(some(|own| own.beside.is_some()).then(|| "tangencies.beside".to_owned()));
+        unjudged.extend(some(|own| own.states.is_some()).then(|| "tangencies.states".to_owned()));
         unjudged.extend((!document.undecided.is_empty()).then(|| "undecided".to_owned()));
         unjudged.extend(document.interrupted.then(|| "interrupted".to_owned()));
         unjudged.sort();
@@ -122,6 +127,7 @@ impl ClaimedTangency {
             least_speed: claim.least_speed.value(),
             least_flight: claim.least_flight.value(),
             resonances: claim.resonances_excluded_to,
+            beside: claim.beside.as_ref().map(|sides| [bounds(&sides.two), bounds(&sides.none)]),
         })
     }
 

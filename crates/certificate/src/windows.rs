@@ -44,7 +44,7 @@ impl WindowsCertificate {
         let mut unjudged = whole.unread::<WindowsDocument>()?;
         let read = |(window, place): (&WindowDocument, &Place<'_>)| ClaimedWindow::of(window, place, (&pair, over));
         let windows: Vec<ClaimedWindow> = document.windows.iter().zip(&places).map(read).collect::<Result<_, _>>()?;
-        let always = ["program", "scene.start", "over.low", "over.high", "searched_impacts", "exhaustive"];
+        let always = ["program", "scene.start", "searched_impacts", "exhaustive"];
         unjudged.extend(always.map(str::to_owned).into_iter().chain([own_value(over)]));
         unjudged.extend((!document.undecided.is_empty()).then(|| "undecided".to_owned()));
         unjudged.extend(document.interrupted.then(|| "interrupted".to_owned()));
@@ -54,6 +54,7 @@ impl WindowsCertificate {
         let open = document.windows.iter().enumerate().filter(|(_, window)| window.orbit.symmetric.is_none());
         let of_open = |i: usize| [format!("windows[{i}].reduced_impacts"), format!("windows[{i}].flights")];
         unjudged.extend(open.flat_map(|(i, _)| of_open(i)));
+        unjudged.extend(document.windows.iter().any(|own| own.reason.is_some()).then(|| "windows.reason".to_owned()));
         unjudged.sort();
         unjudged.dedup();
         let contradiction = contradiction(&document, over);
@@ -131,6 +132,9 @@ fn contradiction(document: &WindowsDocument, over: Key) -> Option<String> {
     if *certified && (windows.is_empty() || *interrupted || !windows.iter().all(is_whole)) {
         return Some("certified: not every window is proved".to_owned());
     }
+    if range.low.0.enclose(BITS).inf() >= range.high.0.enclose(BITS).sup() {
+        return Some("over: the lower end is not below the upper one".to_owned());
+    }
     for (i, window) in windows.iter().enumerate() {
         let wrong = |message: &str| Some(format!("windows[{i}]{message}"));
         if window.key != over.place() || window.key != range.key {
@@ -161,6 +165,10 @@ fn contradiction(document: &WindowsDocument, over: Key) -> Option<String> {
             || window.to.as_ref().is_some_and(|to| !is_above(to))
         {
             return wrong(".at: it is not between the ends");
+        }
+        let [low, high] = [&range.low, &range.high].map(|end| end.0.enclose(BITS));
+        if value.sup() < low.inf() || high.sup() < value.inf() {
+            return wrong(".at: it is outside the range");
         }
         if let Some(message) = wrong_flights(window) {
             return wrong(&message);

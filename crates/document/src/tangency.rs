@@ -60,6 +60,41 @@ pub struct HomoclinicTangencyDocument {
     /// The order `n` up to which there is no resonance: `lambda_u^j lambda_s^k` is neither `lambda_u` nor `lambda_s` for natural numbers
     /// `2 <= j + k <= n`.
     pub resonances_excluded_to: u32,
+    /// Where a datum of the scene is an interval: bounds of the states between both points, in time order. For each value of that datum there
+    /// is exactly one value of the parameter with a tangency of which `sigma_u`, `sigma_s`, the parameter and these states are between
+    /// the bounds; all other bounds hold for each.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub states: Option<Vec<StateBoundsDocument>>,
+    /// What is proved on either side of the tangency.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub beside: Option<BesideDocument>,
+}
+
+/// Bounds of a state of the reduced map.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
+pub struct StateBoundsDocument {
+    /// Bounds of the phase of the impact, mirrored to the left wall, in radians, modulo 2 pi.
+    pub phase: Bounds,
+    /// Bounds of the speed before it, divided by `A W`.
+    pub speed: Bounds,
+}
+
+/// How many common points the two invariant manifolds have on either side of a tangency, along its flights, with `sigma_u`, `sigma_s` and the
+/// states between both points in these boxes.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
+pub struct BesideDocument {
+    /// For each value of the parameter between these there are exactly two common points.
+    pub two: Bounds,
+    /// For each value of the parameter between these there is none.
+    pub none: Bounds,
+    /// The range of `sigma_u`.
+    pub unstable: Bounds,
+    /// The range of `sigma_s`.
+    pub stable: Bounds,
+    /// The boxes of the states, in time order.
+    pub states: Vec<StateBoundsDocument>,
 }
 
 /// A fixed point of the reduced map with one eigenvalue outside the unit circle and one inside.

@@ -53,6 +53,9 @@ pub struct WindowDocument {
     pub ends: [Option<String>; 2],
     /// Whether it is proved that for every value between the bounds of both ends there is a stable, admissible orbit of the word.
     pub stable_between: bool,
+    /// Where that is not proved: the reason.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub reason: Option<String>,
     /// Its least period under the reduced map, which mirrors every impact to the left wall.
     pub reduced_impacts: u32,
     /// The flights of a period of the reduced map in time order: `F` to the far wall, `N` back to the near one.
@@ -75,4 +78,7 @@ pub struct OpenWindowDocument {
     pub reduced_impacts: u32,
     /// The flights of a period of the reduced map in time order.
     pub flights: String,
+    /// Why nothing is proved of it.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub reason: Option<String>,
 }

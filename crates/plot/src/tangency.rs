@@ -32,14 +32,15 @@ const NAMES: [&str; 2] = ["phase $θ$ of the impact, mirrored to the left wall [
 pub fn tangency(scene: &Scene, found: &Tangencies, look: &Look) -> Result<String> {
     let first = found.tangencies.first().context("there is no tangency to draw")?;
     let own = first.parameter.mid_rad().0;
-    let gap = |parameter: f64| match found.over.key {
-        Key::Gap => {
-            parameter / scene.pair().excitation().only().map_or(f64::NAN, |harmonic| value(harmonic.amplitude()))
-        }
-        _ => value(scene.pair().gap()) / parameter,
+    let [gap, e] = [scene.pair().gap(), scene.pair().restitution()].map(value);
+    let amplitude = scene.pair().excitation().only().map_or(f64::NAN, |harmonic| value(harmonic.amplitude()));
+    let pair = |parameter: f64| match found.over.key {
+        Key::Gap => [parameter / amplitude, e],
+        Key::Restitution => [gap / amplitude, parameter],
+        _ => [gap / parameter, e],
     };
     let portrait =
-        Portrait::of(first, gap(own)).context("the invariant manifolds cannot be followed in floating point")?;
+        Portrait::of(first, pair(own)).context("the invariant manifolds cannot be followed in floating point")?;
     picture::svg(look.size(SIZE), SCALE, |root| {
         let top = head(scene, found, (root, look))?;
         let (_, below) = root.split_vertically(top);
@@ -54,7 +55,7 @@ pub fn tangency(scene: &Scene, found: &Tangencies, look: &Look) -> Result<String
                 decimal_f64((at * 1e7).round() / 1e7)
             );
             let below = title(area, &heading)?;
-            magnified((&portrait, first), gap(at), (&below, root))?;
+            magnified((&portrait, first), pair(at), (&below, root))?;
         }
         Ok(())
     })
@@ -97,7 +98,7 @@ fn section(portrait: &Portrait, (area, root): (&Canvas<'_>, &Canvas<'_>)) -> Dra
 /// The invariant manifolds about the point of tangency.
 fn magnified(
     (portrait, tangency): (&Portrait, &Tangency),
-    gap: f64,
+    pair: [f64; 2],
     (area, root): (&Canvas<'_>, &Canvas<'_>),
 ) -> Drawn {
     let within = [std::f64::consts::PI / MAGNIFIED, 0.5 * SPEED / MAGNIFIED];
@@ -106,7 +107,7 @@ fn magnified(
     let [theta, w] = portrait.point;
     let names = [format!("$θ$ less {theta:.7} [0.001 rad]"), format!("$w$ less {w:.7} [0.001]")];
     let plane = Plane::draw(area, axes, [&names[0], &names[1]], RIGHT)?;
-    let Some([unstable, stable]) = portrait.magnified(tangency, gap, within) else { return Ok(()) };
+    let Some([unstable, stable]) = portrait.magnified(tangency, pair, within) else { return Ok(()) };
     let curve = |points: &[State], colour: RGBColor| {
         let mut path = Path::default();
         for (i, state) in points.iter().enumerate() {

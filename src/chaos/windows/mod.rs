@@ -18,7 +18,7 @@ use crate::exact::Exact;
 use crate::number::Ball;
 use crate::pair::{ImpactPair, Wall};
 use crate::periodic::Precision;
-use crate::periodic::bifurcation::{Window, WindowSeed};
+use crate::periodic::bifurcation::{NoWindow, Window, WindowSeed};
 use crate::scene::{Key, Range};
 use crate::watch::{Latched, Stage, Watch};
 pub use search::LONGEST as MOST_WINDOW_IMPACTS;
@@ -76,6 +76,8 @@ pub struct UnprovedWindow {
     pub flights: String,
     /// The value of the parameter about which it was found, in the units of the scene.
     pub near: f64,
+    /// Why it is not proved.
+    pub reason: &'static str,
 }
 
 /// The stable orbits found over a parameter, with their windows. That there are no others is not proved.
@@ -135,12 +137,14 @@ impl Windows {
             }
             let (impacts, flights) = (seen[i].flights.len(), word(&seen[i].flights));
             match found {
+                // Of a window across an end of the range the middle may be outside.
+                Ok(window) if !search.holds(&window) => {}
                 // Floating point may come to one orbit from several of its impacts.
-                Some(window) if all.windows.iter().any(|known| known.is_one(&flights, &window)) => {}
-                Some(window) => all.windows.push(FoundWindow { impacts, flights, window }),
-                None => {
+                Ok(window) if all.windows.iter().any(|known| known.is_one(&flights, &window)) => {}
+                Ok(window) => all.windows.push(FoundWindow { impacts, flights, window }),
+                Err(why) => {
                     let near = search.in_units(seen[i].parameter);
-                    all.unproved.push(UnprovedWindow { impacts, flights, near });
+                    all.unproved.push(UnprovedWindow { impacts, flights, near, reason: why.reason() });
                 }
             }
         }
@@ -167,13 +171,15 @@ struct Search<'p> {
     /// The scene's own value of `D` or `e`, if the range has it, else one in the middle.
     own: f64,
     key: Key,
+    /// The ends of the range.
+    ends: [&'p Exact; 2],
     /// The amplitude where the gap varies, the gap where the amplitude does, or 1.
     unit: f64,
     impacts: u64,
 }
 
 impl<'p> Search<'p> {
-    fn new(pair: &'p ImpactPair, settings: &WindowSettings) -> Result<Self, Error> {
+    fn new(pair: &'p ImpactPair, settings: &'p WindowSettings) -> Result<Self, Error> {
         let Range { key, low, high, .. } = &settings.over;
         if !is_window_range(&settings.over) {
             let message =
@@ -198,7 +204,7 @@ impl<'p> Search<'p> {
         let longest = settings.longest.min(MOST_WINDOW_IMPACTS); // proposes
         let own = if is_inside { of(&own) } else { 0.5 * (range[0] + range[1]) };
         let family = Family { varies, fixed, range, longest };
-        Ok(Self { pair, family, own, key: *key, unit, impacts: settings.impacts })
+        Ok(Self { pair, family, own, key: *key, ends: [low, high], unit, impacts: settings.impacts })
     }
 
     /// A value of the parameter in the units of the scene.
@@ -208,6 +214,14 @@ impl<'p> Search<'p> {
             Key::Amplitude(_) => self.unit / value,
             _ => value,
         }
+    }
+
+    /// Whether the value at which a window is proved is in the range.
+    fn holds(&self, window: &Window) -> bool {
+        const BITS: u32 = 256;
+        let [low, high] = self.ends.map(|end| end.enclose(BITS));
+        let at = window.at.enclose(BITS);
+        low.sup() <= at.inf() && at.sup() <= high.inf()
     }
 
     /// The stable cycles that orbits come near to, the nearest to the scene's own value first.
@@ -250,7 +264,7 @@ impl<'p> Search<'p> {
         cycles: &[Superstable],
         settings: &WindowSettings,
         watch: &Latched<'_>,
-    ) -> Result<Vec<(usize, Option<Window>)>, Error> {
+    ) -> Result<Vec<(usize, Result<Window, NoWindow>)>, Error> {
         let (next, count) = (AtomicUsize::new(0), AtomicUsize::new(0));
         let found = Mutex::new(Vec::new());
         let work = || {
@@ -264,12 +278,12 @@ impl<'p> Search<'p> {
                 let Some(cycle) = cycles.get(i) else { break };
                 let window = match self.seed(cycle) {
                     Some(seed) => Window::of(self.pair, &settings.over, &seed, settings.precision, watch),
-                    None => Ok(None),
+                    None => Ok(Err(NoWindow::Seed)),
                 };
                 if watch.is_stopped() {
                     break;
                 }
-                count.fetch_add(usize::from(matches!(window, Ok(Some(_)))), Ordering::Relaxed);
+                count.fetch_add(usize::from(matches!(window, Ok(Ok(_)))), Ordering::Relaxed);
                 found.lock().expect("no thread has panicked").push((i, window));
             }
         };

@@ -27,4 +27,4 @@ pub use diagram::{Branch, Diagram, DiagramSettings, End, Unproved};
 pub(crate) use jet::Jet;
 pub use over::{PARAMETERS, is_parameter, over};
 pub use point::{Kind, Point};
-pub use window::{Window, WindowEnd, WindowSeed};
+pub use window::{NoWindow, Window, WindowEnd, WindowSeed};

@@ -60,6 +60,37 @@ pub struct WindowEnd {
     pub parameter: Enclosure,
 }
 
+/// Why no stable orbit is proved near a seed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum NoWindow {
+    /// The seed is no periodic orbit of a word.
+    Seed,
+    /// Floating point does not follow the branch.
+    Branch,
+    /// There is no value to prove an orbit at.
+    Value,
+    /// The orbit is not proved.
+    Orbit,
+    /// It is not proved to be stable.
+    Stability,
+    /// A flight has an earlier contact.
+    Virtual,
+}
+
+impl NoWindow {
+    /// Returns it in words.
+    pub fn reason(self) -> &'static str {
+        match self {
+            Self::Seed => "no periodic orbit has its walls and takes its number of forcing periods",
+            Self::Branch => "floating point does not follow the branch to the eigenvalues 1 and -1",
+            Self::Value => "its window has no value of the parameter with a pair",
+            Self::Orbit => "existence is not proved at the value in the middle of its window",
+            Self::Stability => "stability is not proved at the value in the middle of its window",
+            Self::Virtual => "it is virtual: a flight has an earlier contact",
+        }
+    }
+}
+
 /// A stable periodic orbit at an exact value of a parameter, and its window.
 #[derive(Clone, Debug)]
 pub struct Window {
@@ -73,10 +104,12 @@ pub struct Window {
     pub ends: [Option<WindowEnd>; 2],
     /// Whether for each value between the bounds of the ends a stable orbit of the word is proved, each flight to its first contact.
     pub is_stable_between: bool,
+    /// Why that is not proved, if it is not.
+    pub reason: Option<&'static str>,
 }
 
 impl Window {
-    /// Proves the stable orbit near a seed and its window; `None` where no stable orbit is proved. Lemma Y8
+    /// Proves the stable orbit near a seed and its window, or says why no stable orbit is proved. Lemma Y8
     ///
     /// # Errors
     /// With several harmonics, if the range is not one of the parameter's, or a value exceeds the range of exact expressions.
@@ -104,13 +137,13 @@ impl Window {
         seed: &WindowSeed,
         precision: Precision,
         watch: &dyn Watch,
-    ) -> Result<Option<Self>, Error> {
+    ) -> Result<Result<Self, NoWindow>, Error> {
         pair.harmonic("a window")?;
         let parameter = Parameter::new(pair, over)?;
         let base = OneHarmonic::of(&parameter.base()?)?;
         let chain = Chain::new(&seed.word, seed.cycles)?;
         let ring = if seed.is_mirrored { Ring::mirrored(&chain) } else { Some(Ring::whole(chain)) };
-        let Some((unknown, ring)) = parameter.unknown.zip(ring) else { return Ok(None) };
+        let Some((unknown, ring)) = parameter.unknown.zip(ring) else { return Ok(Err(NoWindow::Seed)) };
         let setting = Setting { unknown, base: &base, parameter: &parameter };
         Proving { setting, ring: &ring, precision, watch }.window(seed)
     }
@@ -179,9 +212,9 @@ struct Proving<'p> {
 }
 
 impl Proving<'_> {
-    fn window(&self, seed: &WindowSeed) -> Result<Option<Window>, Error> {
+    fn window(&self, seed: &WindowSeed) -> Result<Result<Window, NoWindow>, Error> {
         let floats = self.setting.floats();
-        let Some(branch) = self.branch(&floats, seed) else { return Ok(None) };
+        let Some(branch) = self.branch(&floats, seed) else { return Ok(Err(NoWindow::Branch)) };
         let parameter = |x: &[f64]| x[x.len() - 1];
         let ends = branch.ends.each_ref().map(|end| &end[0].1[..]);
         let [a, b] = ends.map(parameter);
@@ -192,30 +225,34 @@ impl Proving<'_> {
         let fine = Precision { digits, ..self.precision };
         let flip = if self.ring.is_mirrored() { Kind::Pitchfork } else { Kind::PeriodDoubling };
         let directions = [0, 1].map(|i| null_vector(self.ring, &floats, ends[i], MULTIPLIERS[i]));
-        let [Some(one), Some(other)] = directions else { return Ok(None) };
+        let [Some(one), Some(other)] = directions else { return Ok(Err(NoWindow::Branch)) };
         let directions = [one, other];
         let points = [(0, Kind::Fold), (1, flip)].map(|(i, kind)| {
             let critical = (kind, MULTIPLIERS[i], directions[i].clone());
             self.watch.goes_on().then(|| prove_critical(&self.setting, self.ring, critical, ends[i], fine)).flatten()
         });
         let [fold, flip] = &points;
-        let is_stable_between = match (fold, flip) {
+        let between = match (fold, flip) {
             (Some(fold), Some(flip)) => {
                 let one = End { stations: &branch.ends[0], point: fold, direction: &directions[0], mu: MULTIPLIERS[0] };
                 let other =
                     End { stations: &branch.ends[1], point: flip, direction: &directions[1], mu: MULTIPLIERS[1] };
                 self.is_stable(&branch, &[one, other], width)
             }
-            _ => false,
+            (None, _) => Err("the fold is not proved"),
+            _ => Err("the loss of stability is not proved"),
         };
-        let Some(at) = self.value(&points, [a, b])? else { return Ok(None) };
+        let Some(at) = self.value(&points, [a, b])? else { return Ok(Err(NoWindow::Value)) };
         // A value that no pair has is none of an orbit.
-        let Ok(there) = self.setting.parameter.pair_at(at.clone()) else { return Ok(None) };
+        let Ok(there) = self.setting.parameter.pair_at(at.clone()) else { return Ok(Err(NoWindow::Value)) };
         let problem = Problem::new(&there, &self.ring.word(), self.ring.chain().cycles())?;
         let inner = self.ring.lift(&branch.inner[..self.ring.unknowns()]);
-        let Some(orbit) = problem.prove(&inner, self.precision) else { return Ok(None) };
-        if orbit.stability != Stability::Stable || orbit.physical == Some(false) {
-            return Ok(None);
+        let Some(orbit) = problem.prove(&inner, self.precision) else { return Ok(Err(NoWindow::Orbit)) };
+        if orbit.stability != Stability::Stable {
+            return Ok(Err(NoWindow::Stability));
+        }
+        if orbit.physical == Some(false) {
+            return Ok(Err(NoWindow::Virtual));
         }
         let end = |point: Option<Point>| -> Result<Option<WindowEnd>, Error> {
             let Some(point) = point else { return Ok(None) };
@@ -232,7 +269,8 @@ impl Proving<'_> {
         if is_reversed {
             ends.reverse();
         }
-        Ok(Some(Window { at, problem, orbit, ends, is_stable_between }))
+        let (is_stable_between, reason) = (between.is_ok(), between.err());
+        Ok(Ok(Window { at, problem, orbit, ends, is_stable_between, reason }))
     }
 
     /// The branch through a seed, in floating point. Non-rigorous.
@@ -290,19 +328,21 @@ impl Proving<'_> {
         Ok(None)
     }
 
-    /// Whether all orbits of the branch between the two ends are proved to be stable. Lemma Y8
-    fn is_stable(&self, branch: &Branch, ends: &[End<'_>; 2], width: f64) -> bool {
+    /// Proves that all orbits of the branch between the two ends are stable, or says where that fails. Lemma Y8
+    fn is_stable(&self, branch: &Branch, ends: &[End<'_>; 2], width: f64) -> Result<(), &'static str> {
         let doubles = self.setting.doubles();
         let of_ball = |x: &Enclosure| {
             let (mid, rad) = x.mid_rad();
             Ball::new(mid, rad)
         };
-        width > NARROW && self.is_stable_in(&doubles, (STEPS, PAD), (branch, ends), &of_ball)
-            || self.is_stable_precisely(branch, ends)
+        if width > NARROW && self.is_stable_in(&doubles, (STEPS, PAD), (branch, ends), &of_ball).is_ok() {
+            return Ok(());
+        }
+        self.is_stable_precisely(branch, ends)
     }
 
     #[cfg(feature = "multiprecision")]
-    fn is_stable_precisely(&self, branch: &Branch, ends: &[End<'_>; 2]) -> bool {
+    fn is_stable_precisely(&self, branch: &Branch, ends: &[End<'_>; 2]) -> Result<(), &'static str> {
         const BITS: u32 = 128;
         let pad = (24.0 - f64::from(BITS)).exp2();
         let of_ball = |x: &Enclosure| MpBall::enclosing(x, BITS);
@@ -311,8 +351,8 @@ impl Proving<'_> {
 
     /// Doubles are all there is.
     #[cfg(not(feature = "multiprecision"))]
-    fn is_stable_precisely(&self, _: &Branch, _: &[End<'_>; 2]) -> bool {
-        false
+    fn is_stable_precisely(&self, _: &Branch, _: &[End<'_>; 2]) -> Result<(), &'static str> {
+        Err("they are not proved in doubles")
     }
 
     fn is_stable_in<N: Enclosing + Turning + Scalar>(
@@ -321,9 +361,10 @@ impl Proving<'_> {
         (steps, pad): (u32, f64),
         (branch, ends): (&Branch, &[End<'_>; 2]),
         of: &dyn Fn(&Enclosure) -> N,
-    ) -> bool {
+    ) -> Result<(), &'static str> {
         let outer = |i: usize| self.outer(family, (steps, pad), &ends[i], of);
-        let (Some(one), Some(other)) = (outer(0), outer(1)) else { return false };
+        let one = outer(0).ok_or("the orbits next to the fold are not proved")?;
+        let other = outer(1).ok_or("the orbits next to the loss of stability are not proved")?;
         let floats = self.setting.floats();
         let holds =
             |x: &[N]| self.is_admissible(family, x) && [1.0, -1.0].iter().all(|mu| self.excludes(family, x, *mu));
@@ -337,8 +378,9 @@ impl Proving<'_> {
             holds: &holds,
             watch: self.watch,
         };
-        let Some([first, last]) = tube.follow(&branch.between) else { return false };
-        first.holds(&one) && last.holds(&other)
+        let middle = "the orbits in the middle are not proved";
+        let [first, last] = tube.follow(&branch.between).ok_or(middle)?;
+        if first.holds(&one) && last.holds(&other) { Ok(()) } else { Err(middle) }
     }
 
     /// Proves the orbits over an eigenvalue, from the bifurcation at the end of a window to the middle; the phases and the parameter at

@@ -343,9 +343,10 @@ impl Case {
         Ok(Answer::Global(json!(document::global(&self.scene, &settings, &found)?)))
     }
 
-    /// About the scene's own gap, along few flights.
+    /// About the scene's own gap or restitution, along few flights.
     fn tangency(&mut self) -> Result<Answer, Error> {
-        let (name, own) = self.key("gap");
+        let key = self.random.pick(&["gap", "restitution"]);
+        let (name, own) = self.key(key);
         let over = format!("{name}={}..{}", own * 0.75, own * 1.25).parse()?;
         let precision = Precision { digits: 9, max_bits: 512 };
         let settings = TangencySettings { over, word: Some("FFNFF".parse()?), longest: 5, most: 1, precision };

@@ -14,6 +14,7 @@ mod series;
 mod shot;
 
 use num_rational::BigRational;
+use num_traits::Signed;
 
 use super::budget::Budget;
 use super::clock::{Beside, beside};
@@ -273,7 +274,23 @@ impl ClaimedTangency {
             compare(what, found, claimed)?;
         }
         at_least("speed", shot.all_speeds(), &self.least_speed)?;
-        at_least("flight", shot.all_times(), &self.least_flight)
+        at_least("flight", shot.all_times(), &self.least_flight)?;
+        self.compare_sides(setting.key)
+    }
+
+    /// Two common points are on the side of `(D - D*) q/m < 0`, and neither range holds the tangency. Lemma V21
+    fn compare_sides(&self, key: Key) -> Result<(), Doubt> {
+        let Some([two, none]) = &self.beside else { return Ok(()) };
+        let is_positive = |[low, _]: &Bounds| low.is_positive();
+        let is_alike = is_positive(&self.quadratic) == is_positive(&self.unfolding);
+        // D falls where the amplitude grows.
+        let is_below = is_alike == (key == Key::Gap);
+        let (lower, upper) = if is_below { (two, none) } else { (none, two) };
+        let is_range = |[low, high]: &Bounds| low < high;
+        if is_range(two) && is_range(none) && lower[1] < self.parameter[0] && self.parameter[1] < upper[0] {
+            return Ok(());
+        }
+        Err(open("the ranges beside the tangency are not on the sides that its unfolding has"))
     }
 }
 
