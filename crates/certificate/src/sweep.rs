@@ -6,7 +6,7 @@ use std::collections::HashSet;
 use super::attraction::Bounds;
 use impact_pair_document::{
     ClaimName, Decimal, ExtendedBounds, Place, SWEEP_SCHEMA, SceneDocument, SweepAxis, SweepHead, SweepImpact,
-    SweepRecord, Written, values,
+    SweepRecord, values,
 };
 use impact_pair_exact::{Exact, ExactError};
 use impact_pair_model::scene::Key;
@@ -287,31 +287,12 @@ fn on_axis(axis: &SweepAxis, at: u64) -> Result<Exact, ExactError> {
 
 /// Puts a value in the place of the scene's own; `None` where it has none.
 fn varied(scene: &mut SceneDocument, key: Key, reference: Option<usize>, value: Exact) -> Option<()> {
-    let excitation = &mut scene.excitation;
-    // Without a number it is that of the only term.
-    let number = match key.term() {
-        Some(term) => usize::from(term.get()) - 1,
-        None => 0,
-    };
-    let is_told = key.term().is_some() || excitation.amplitude.len() == 1;
-    let place = match key {
-        Key::Amplitude(_) => excitation.amplitude.get_mut(number).filter(|_| is_told)?,
-        Key::Frequency(_) => excitation.frequency.get_mut(number).filter(|_| is_told)?,
-        Key::Phase(_) => excitation.phase.get_mut(number).filter(|_| is_told)?,
-        Key::Gap => &mut scene.gap,
-        Key::Restitution => &mut scene.restitution,
-        Key::StartTime => &mut scene.start.time,
-        Key::StartVelocity => &mut scene.start.velocity,
-        Key::StartPosition => scene.start.position.as_mut()?,
-        Key::StartPhase => {
-            let (pair, _) = scene.clone().model().ok()?;
-            let excitation = pair.excitation();
-            let term = reference.map_or(excitation.reference(), |term| &excitation.terms()[term]);
-            let time = value.checked_sub(term.phase()).and_then(|since| since.checked_div(term.frequency())).ok()?;
-            scene.start.time = Written(time);
-            return Some(());
-        }
-    };
-    *place = Written(value);
-    Some(())
+    if key != Key::StartPhase {
+        return scene.set(key, value);
+    }
+    let (pair, _) = scene.clone().model().ok()?;
+    let excitation = pair.excitation();
+    let term = reference.map_or(excitation.reference(), |term| &excitation.terms()[term]);
+    let time = value.checked_sub(term.phase()).and_then(|since| since.checked_div(term.frequency())).ok()?;
+    scene.set(Key::StartTime, time)
 }
