@@ -39,7 +39,8 @@ impl Plane {
     /// ```
     pub fn new(axes: Vec<Range>, cells: bool) -> Result<Self, Error> {
         let text = || axes.iter().map(Range::to_string).collect::<Vec<_>>().join(" ");
-        let refused = |accepted: &str| Error::out_of_range(None, format!("the plane is \"{}\", but {accepted}", text()));
+        let refused =
+            |accepted: &str| Error::out_of_range(None, format!("the plane is \"{}\", but {accepted}", text()));
         if axes.len() != 2 {
             return Err(refused("accepted are two axes"));
         }

@@ -37,12 +37,7 @@ pub fn head(scene: &Scene, grid: &Grid, asked: &PointSettings, shard: Option<[u6
 
 /// Returns an axis as heads have it.
 pub(crate) fn written(axis: &Range) -> SweepAxis {
-    SweepAxis {
-        key: axis.key.to_string(),
-        from: axis.low.text(),
-        to: axis.high.text(),
-        count: axis.points(),
-    }
+    SweepAxis { key: axis.key.to_string(), from: axis.low.text(), to: axis.high.text(), count: axis.points() }
 }
 
 /// Returns the grid that a head tells of.

@@ -14,9 +14,9 @@ mod point;
 mod unit;
 
 pub use columns::{Cell, Kind, Table, columns, csv_head, csv_line, csv_names, csv_rows, doubles, rows};
+pub(crate) use document::written;
 pub(crate) use document::{exponent, limit};
 pub use document::{grid, head, record};
-pub(crate) use document::written;
 pub use grid::{Grid, MOST_POINTS, axis};
 pub use lines::{Head, Line};
 pub use point::{Attraction, MOST_IMPACTS, Point, PointSettings, State, follow};
