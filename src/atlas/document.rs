@@ -35,8 +35,8 @@ pub fn head(scene: &Scene, plane: &Plane, settings: &GlobalSettings, shard: Opti
 pub(super) fn of(point: u64, values: &[(Key, Exact)], global: GlobalDocument, took: Duration) -> AtlasRecord {
     let of_kind = |kind: &'static str| global.components.iter().filter(move |component| component.kind == kind);
     let count = |kind| of_kind(kind).count() as u64;
-    // Sums of six digits each, without rounding.
-    let area: f64 = of_kind("undecided").filter_map(|component| component.area.text().parse::<f64>().ok()).sum();
+    let areas = of_kind("undecided").filter_map(|component| component.area.text().parse::<f64>().ok());
+    let area = areas.fold(0.0, |all, area| all + area); // shown
     AtlasRecord {
         point,
         values: values.iter().map(|(_, value)| value.text()).collect(),

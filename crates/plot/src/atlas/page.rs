@@ -45,9 +45,11 @@ pub fn html(atlas: &mut impl Records<Head = AtlasHead>) -> Result<String> {
         ("TABLE", table(head, &leaves)),
         ("DATA", data),
     ];
-    let mut page = PAGE.to_owned();
-    for (name, text) in parts {
-        page = page.replacen(&format!("{{{{{name}}}}}"), &text, 1);
+    let mut page = String::new();
+    for (i, piece) in PAGE.split("{{").enumerate() {
+        let (name, rest) = if i == 0 { ("", piece) } else { piece.split_once("}}").context("the page is broken")? };
+        page.extend(parts.iter().filter(|(own, _)| *own == name).map(|(_, text)| text.as_str()));
+        page += rest;
     }
     Ok(page)
 }
