@@ -25,6 +25,7 @@ mod outcomes;
 mod regions;
 mod scenes;
 mod shadows;
+mod atlases;
 mod sweeps;
 mod tangencies;
 mod windows;
@@ -53,6 +54,7 @@ const FORGERIES: [&[Forgery]; 12] = [
     regions::FORGERIES,
     descriptions::FORGERIES,
     sweeps::FORGERIES,
+    atlases::FORGERIES,
     tangencies::FORGERIES,
     windows::FORGERIES,
     globals::FORGERIES,

@@ -14,6 +14,7 @@ use impact_pair::orbit::Settings;
 use impact_pair::periodic::Precision;
 use impact_pair::periodic::bifurcation::{DiagramSettings, Window, WindowSeed, survey};
 use impact_pair::scene::Range;
+use impact_pair::atlas::{self, Plane};
 use impact_pair::sweep::{self, Grid, PointSettings};
 use impact_pair::watch::{Stage, Unwatched, proceed_if};
 use serde_json::{Value, json};
@@ -112,6 +113,21 @@ pub fn global(name: &str) -> Value {
     json!(document::global(&scene, &settings, &found).unwrap())
 }
 
+/// The plane of four points, of which two have cycles with rests, and one an attractor.
+pub fn atlas() -> Vec<Value> {
+    let scene = "excitation = { amplitude = 1, frequency = \"pi\", phase = 0.25 }\n\
+                 pair = { gap = 1, restitution = 0.2 }\nstart = { time = 0, wall = \"left\", velocity = -1 }";
+    let scene = Scene::parse(scene).unwrap();
+    let axes = ["amplitude=0.6..2.2:2", "restitution=0.1..0.15:2"].map(|axis| axis.parse().unwrap());
+    let plane = Plane::new(axes.to_vec(), false).unwrap();
+    let settings = GlobalSettings { boxes: 1 << 10, most: 6_000, ..GlobalSettings::default() };
+    let mut lines = vec![json!(atlas::head(&scene, &plane, &settings, None))];
+    for point in 0..plane.points() {
+        lines.push(json!(atlas::record(&scene, &plane, &settings, point, &Unwatched).unwrap().unwrap()));
+    }
+    lines
+}
+
 /// The first homoclinic tangency beside figure 14, whose numbers Newton's iteration of another program found in 120 digits.
 pub fn tangency() -> Value {
     let mut document: Value = serde_json::from_str(include_str!("../../docs/tangency-figure-14.json")).unwrap();
@@ -151,6 +167,7 @@ pub fn all() -> Vec<(&'static str, Vec<Value>)> {
         ("cycles", vec![cycles(3)]),
         ("windows", vec![windows()]),
         ("global", vec![global("one attractor")]),
+        ("atlas", atlas()),
         ("tangency", vec![tangency()]),
         ("description", vec![description("figure-13")]),
         ("description of a region", vec![description("figure-14")]),

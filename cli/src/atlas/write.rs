@@ -30,8 +30,8 @@ pub fn write(atlas: &mut Gathered<AtlasHead>, out: &mut Output, format: AtlasFor
         #[cfg(feature = "parquet")]
         AtlasFormat::Parquet => {
             let head = atlas.head.clone();
-            let rows = |record| impact_pair::atlas::rows(&head, record);
-            crate::grid::parquet::write(atlas, out, &impact_pair::atlas::columns(&head), rows)
+            let columns = impact_pair::atlas::columns(&head);
+            crate::grid::parquet::write(atlas, out, &columns, |record| impact_pair::atlas::rows(&head, record))
         }
         #[cfg(not(feature = "parquet"))]
         AtlasFormat::Parquet => anyhow::bail!("this build has no Parquet"),

@@ -4,6 +4,8 @@ use std::io::Write;
 
 use anyhow::Result;
 use impact_pair::json::SweepHead;
+#[cfg(feature = "parquet")]
+use impact_pair::sweep::rows as sweep_rows;
 use impact_pair::sweep::{Table, csv_head, csv_rows};
 use impact_pair_plot::records::Records;
 
@@ -23,8 +25,8 @@ pub fn write(sweep: &mut Gathered<SweepHead>, out: &mut Output, format: SweepFor
         #[cfg(feature = "parquet")]
         SweepFormat::Parquet => {
             let head = sweep.head.clone();
-            let rows = |record| impact_pair::sweep::rows(&head, table, record).collect();
-            crate::grid::parquet::write(sweep, out, &impact_pair::sweep::columns(&head, table), rows)
+            let columns = impact_pair::sweep::columns(&head, table);
+            crate::grid::parquet::write(sweep, out, &columns, |record| sweep_rows(&head, table, record).collect())
         }
         #[cfg(not(feature = "parquet"))]
         SweepFormat::Parquet => anyhow::bail!("this build has no Parquet"),
