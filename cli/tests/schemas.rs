@@ -5,10 +5,10 @@ use std::path::Path;
 use std::process::Command;
 
 use impact_pair_certificate::document::{
-    AtlasHead, AtlasRecord, AuditDocument, BifurcationDocument, ChaosCellsDocument, ChaosDocument, CheckDocument, CyclesDocument,
-    DescriptionDocument, EventDocument, GlobalDocument, ManifoldDocument, OrbitDocument, OrbitEnd, OrbitHead,
-    PeriodicDocument, SweepHead, SweepRecord, TangencyDocument, TradeDocument, TrapDocument, TwoImpactDocument,
-    WindowsDocument,
+    AtlasHead, AtlasRecord, AuditDocument, BifurcationDocument, ChaosCellsDocument, ChaosDocument, CheckDocument,
+    CyclesDocument, DescriptionDocument, EventDocument, GlobalDocument, ManifoldDocument, OrbitDocument, OrbitEnd,
+    OrbitHead, PeriodicDocument, SweepHead, SweepRecord, TangencyDocument, TradeDocument, TrapDocument,
+    TwoImpactDocument, WindowsDocument,
 };
 use schemars::{JsonSchema, schema_for};
 use serde::Serialize;

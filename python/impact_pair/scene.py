@@ -14,13 +14,13 @@ import numpy as np
 
 from . import _core, answers
 from ._exact import IMPACTS, Value, arithmetic_of, doubles_of, optional, optional_whole, single, string, text, texts, whole
+from ._grid import spaced
 from ._progress import Progress, reporting
+from .atlas import AtlasResult, atlas
 from .bounds import doubles
 from .boxes import BoxImages, box_map
 from .errors import Error, ListError, RangeError, SceneError
 from .orbit import Flights, Orbit
-from ._grid import spaced
-from .atlas import AtlasResult, atlas
 from .sweep import SweepResult, sweep
 
 if TYPE_CHECKING:

@@ -32,6 +32,7 @@ Rows = Literal["mixed", "points", "states"]
 #: The endings of tables.
 TABLES = (".csv", ".parquet")
 
+
 @dataclass(frozen=True)
 class Question(_grid.Question):
     """The specification of a sweep: everything that its points depend on, as sent to workers."""

@@ -29,7 +29,7 @@ def untimed(lines):
     return [{key: value for key, value in json.loads(line).items() if key != "seconds"} for line in lines]
 
 
-def test_an_atlas_is_that_of_the_command_line(lines, cli, tmp_path):
+def test_an_atlas_is_that_of_the_command_line(lines, tmp_path):
     done = []
     found = Scene.named("figure-14").atlas(PLANE, **FEW, progress=done.append)
     found.save(tmp_path / "found.jsonl")
@@ -77,10 +77,10 @@ def test_on_a_cluster_with_a_worker_killed(lines):
             killed.append(cluster.workers[0].pid)
             os.kill(killed[0], signal.SIGKILL)
 
-    with distributed.LocalCluster(n_workers=2, threads_per_worker=1, processes=True, dashboard_address=None) as cluster:
-        with distributed.Client(cluster) as client:
-            how = {"executor": client.get_executor(), "seconds": 0.05, "progress": kill_one}
-            found = Scene.named("figure-14").atlas(PLANE, **FEW, **how)
+    workers = {"n_workers": 2, "threads_per_worker": 1, "processes": True, "dashboard_address": None}
+    with distributed.LocalCluster(**workers) as cluster, distributed.Client(cluster) as client:
+        how = {"executor": client.get_executor(), "seconds": 0.05, "progress": kill_one}
+        found = Scene.named("figure-14").atlas(PLANE, **FEW, **how)
     assert killed
     assert untimed(b"".join(found.lines()).splitlines()) == untimed(lines[1:])
 
@@ -132,7 +132,8 @@ def test_the_page_is_read_by_keyboard_pointer_and_touch_in_chromium(tmp_path):
     assert said, done.stdout[-2000:]
     tips, panels = (json.loads(said[1])[i::2] for i in (0, 1))
     rows = found.to_dict()
-    named = [f"{rows['class'][i]}: amplitude = {a}, restitution = {e}" for i, (a, e) in enumerate((a, e) for a in (5, 7, 9) for e in (0.05, 0.2))]
+    places = [f"amplitude = {amplitude}, restitution = {restitution}" for amplitude in (5, 7, 9) for restitution in ("0.05", "0.2")]
+    named = [f"{name}: {place}" for name, place in zip(rows["class"], places, strict=True)]
     # The first one has the focus; right and up from it; Enter opens, Escape closes; the lower right corner; a tap on the upper left one.
     assert tips == [named[0], named[3], named[3], "", named[4], named[1]]
     assert [bool(panel) for panel in panels] == [False, False, True, False, False, True]

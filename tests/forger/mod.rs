@@ -12,6 +12,7 @@
 
 #![cfg(feature = "multiprecision")]
 
+mod atlases;
 mod descriptions;
 mod edges;
 mod events;
@@ -25,7 +26,6 @@ mod outcomes;
 mod regions;
 mod scenes;
 mod shadows;
-mod atlases;
 mod sweeps;
 mod tangencies;
 mod windows;

@@ -3,18 +3,18 @@
 use std::fs;
 
 use impact_pair::Scene;
+use impact_pair::atlas::{self, Plane};
 use impact_pair::chaos::{
     BoxGraph, Chaos, Cycles, FoundWindow, Global, GlobalSettings, HorseshoeSettings, Trap, WallWords, WindowSettings,
     Windows,
 };
 use impact_pair::describe::{Request, describe};
 use impact_pair::document;
-use impact_pair::json::BaseDocument;
+use impact_pair::json::{AtlasRecord, BaseDocument};
 use impact_pair::orbit::Settings;
 use impact_pair::periodic::Precision;
 use impact_pair::periodic::bifurcation::{DiagramSettings, Window, WindowSeed, survey};
 use impact_pair::scene::Range;
-use impact_pair::atlas::{self, Plane};
 use impact_pair::sweep::{self, Grid, PointSettings};
 use impact_pair::watch::{Stage, Unwatched, proceed_if};
 use serde_json::{Value, json};
@@ -123,7 +123,8 @@ pub fn atlas() -> Vec<Value> {
     let settings = GlobalSettings { boxes: 1 << 10, most: 6_000, ..GlobalSettings::default() };
     let mut lines = vec![json!(atlas::head(&scene, &plane, &settings, None))];
     for point in 0..plane.points() {
-        lines.push(json!(atlas::record(&scene, &plane, &settings, point, &Unwatched).unwrap().unwrap()));
+        let record = atlas::record(&scene, &plane, &settings, point, &Unwatched).unwrap().unwrap();
+        lines.push(json!(AtlasRecord { seconds: 0.0, ..record }));
     }
     lines
 }

@@ -18,9 +18,9 @@ attractor; 1 at some points it is not, or the atlas was interrupted; 2 usage, ba
 
 pub const HELP: &str = "\
 Examples:
-  impact-pair atlas scenes/figure-14.toml --over amplitude=1..9:9 --over restitution=0.1..0.5:5
-  impact-pair atlas scene.toml --over gap=1..3:16 --over restitution=0..0.8:12 -o atlas.html
-  impact-pair atlas scene.toml --over gap=1..3:16 --over restitution=0..0.1:16 --cells
+  impact-pair atlas scenes/figure-14.toml --over gap=2..4:3 --over restitution=0..0.1:2
+  impact-pair atlas scenes/figure-14.toml --over gap=2..4:3 --over restitution=0..0.1:2 --cells
+  impact-pair atlas scenes/figure-14.toml --over gap=2..3:2 --over restitution=0..0.1:2 -o a.html
 
 Shards become one by atlas --merge one.jsonl two.jsonl three.jsonl --output atlas.csv
 

@@ -84,7 +84,9 @@ impl AtlasCertificate {
         let empty = points.iter().enumerate().filter(|(_, point)| !point.claims_something());
         unjudged.extend(empty.map(|(i, _)| format!("points[{i}]")));
         for (i, point) in points.iter().enumerate() {
-            let own = point.global.unjudged().iter().filter(|key| key.starts_with("components."));
+            // Keys that it does not know, and not those of every component.
+            let is_other = |key: &&String| !UNJUDGED.contains(&format!("points.{key}").as_str());
+            let own = point.global.unjudged().iter().filter(|key| key.starts_with("components.")).filter(is_other);
             unjudged.extend(own.map(|key| format!("points[{i}].{key}")));
         }
         unjudged.sort();

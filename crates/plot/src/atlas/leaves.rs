@@ -75,15 +75,10 @@ impl Leaves {
         })
     }
 
-    /// Returns the classes that occur, each with its number of points or cells and the part of the drawn plane that it has.
-    pub fn counts(&self) -> Vec<(usize, usize, f64)> {
-        let area = |leaf: &Leaf| leaf.ends.iter().map(|[low, high]| high - low).product::<f64>();
-        let whole: f64 = self.all.iter().map(area).sum();
-        let of = |class: usize| {
-            let own = self.all.iter().filter(|leaf| leaf.class == class);
-            (class, own.clone().count(), own.map(area).sum::<f64>() / whole)
-        };
-        (0..CLASSES.len()).map(of).filter(|(_, count, _)| *count > 0).collect()
+    /// Returns the classes that occur, each with its number of points or cells.
+    pub fn counts(&self) -> Vec<(usize, usize)> {
+        let of = |class: usize| (class, self.all.iter().filter(|leaf| leaf.class == class).count());
+        (0..CLASSES.len()).map(of).filter(|(_, count)| *count > 0).collect()
     }
 }
 

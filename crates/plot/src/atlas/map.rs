@@ -63,9 +63,9 @@ fn frame(
     let title = format!("{}: where every motion goes", head.title.as_deref().unwrap_or("The impact pair"));
     let top = picture::caption(root, look, &title, &[given(head), said(head, leaves)])?;
     let what = if head.cells { "cells" } else { "points" };
-    let entry = |(class, count, share): (usize, usize, f64)| {
+    let entry = |(class, count): (usize, usize)| {
         let (_, colour, words) = CLASSES[class];
-        (Mark::Cell(colour), format!("{words}: {count} {what}, {:.1} %", 100.0 * share))
+        (Mark::Cell(colour), format!("{words}: {count} {what}"))
     };
     let mut entries: Vec<(Mark, String)> = leaves.counts().into_iter().map(entry).collect();
     if let Some(parameters) = parameters {
@@ -73,10 +73,12 @@ fn frame(
             curves::all()
                 .any(|(one, cycles)| one == kind && is_seen(&parameters.curve(one, cycles, leaves.range()), leaves))
         };
-        let kinds = [(Bifurcation::Fold, "folds"), (Bifurcation::Pitchfork, "pitchforks, dashed")];
-        let lines = kinds.into_iter().filter(|(kind, _)| is_there(*kind));
-        let of = "of the equispaced motion in N = 1, 3, 5 periods, (66)-(69)";
-        entries.extend(lines.map(|(_, name)| (Mark::Line(BLACK, WIDTH), format!("{name} {of}"))));
+        let kinds = [(Bifurcation::Fold, "folds"), (Bifurcation::Pitchfork, "pitchforks (dashed)")];
+        let names: Vec<&str> = kinds.into_iter().filter(|(kind, _)| is_there(*kind)).map(|(_, name)| name).collect();
+        if !names.is_empty() {
+            let of = "of equispaced motions (66)-(69), N = 1, 3, 5";
+            entries.push((Mark::Line(BLACK, WIDTH), format!("{} {of}", names.join(" and "))));
+        }
         if !parameters.figures(leaves.range()).is_empty() {
             entries.push((Mark::Ring, "the paper's figures".to_owned()));
         }
