@@ -53,7 +53,7 @@ pub fn all() -> Vec<Original> {
     let described = ["figure-13", "chatter", "figure-14"];
     all.extend(described.map(|name| Original::new("description", name, others::description(name))));
     all.extend(sweeps());
-    all.push(Original::new("atlas", "of four points", Value::Array(others::atlas())));
+    all.push(Original::new("atlas", "of four points", Value::Array(others::atlas(None))));
     all.extend(left_open(&all));
     all.extend(lists(&all));
     all.sort_by_key(|original| KINDS.iter().position(|kind| *kind == original.kind));
