@@ -29,6 +29,7 @@
 //! | beyond the paper | finite-time Lyapunov exponents with proved bounds; sweeps over parameters and initial data | [`lyapunov`], [`sweep`] |
 //! | beyond the paper | homoclinic tangencies of the equispaced motion (66), (67) | [`tangency`] |
 //! | beyond the paper | what becomes of a motion, in one answer | [`describe`] |
+//! | beyond the paper | where every motion goes, over the plane of two parameters | [`atlas`] |
 //! | beyond the paper | true orbits near chaotic ones, however long: shadowing | [`covering::Shadow`] |
 //! | beyond the paper | as many digits as requested | [`orbit::Arithmetic`], `number::MpBall`, `orbit::Plan` |
 //! | beyond the paper | with the feature `inari`: intervals of that package, IEEE 1788 | `number::inari`, `orbit::Orbit::intervals` |
@@ -76,6 +77,7 @@
 //! # Ok::<(), impact_pair::Error>(())
 //! ```
 
+pub mod atlas;
 pub mod audit;
 pub mod chaos;
 pub mod clock;

@@ -5,7 +5,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// The rooms of `src`, each with those it may import, which stand before it.
-const ROOMS: [(&str, &[&str]); 26] = [
+const ROOMS: [(&str, &[&str]); 27] = [
     ("number", &[]),
     ("scales", &[]),
     ("turns", &[]),
@@ -46,6 +46,7 @@ const ROOMS: [(&str, &[&str]); 26] = [
     ("tangency", &["number", "pair", "periodic", "chaos"]),
     ("document", &["turns", "pair", "mapping", "contact", "periodic", "two_impact", "orbit", "chaos", "tangency"]),
     ("sweep", &["number", "turns", "pair", "mapping", "periodic", "orbit", "lyapunov", "document"]),
+    ("atlas", &["chaos", "document", "sweep"]),
     ("describe", &["mapping", "orbit", "lyapunov", "chaos", "document", "sweep"]),
     ("audit", &["pair", "scales", "contact", "orbit", "document"]),
     ("trade", &["pair", "scales", "orbit", "document"]),

@@ -3,6 +3,7 @@
 use clap::{Parser, Subcommand};
 use clap_complete::Shell;
 
+use crate::atlas::arguments as atlas;
 use crate::audit::arguments as audit;
 use crate::plot::arguments as plot;
 use crate::sweep::arguments as sweep;
@@ -63,6 +64,9 @@ pub enum Verb {
     /// Prove where every motion goes, whatever its start: cycles with rests, attracting periodic orbits, saddles
     #[command(after_help = EXIT_CODES, after_long_help = global::HELP)]
     Global(global::GlobalArguments),
+    /// Prove where every motion goes over two parameters, at the points of a grid or for all parameters of cells
+    #[command(after_help = atlas::EXIT_CODES, after_long_help = atlas::HELP)]
+    Atlas(atlas::AtlasArguments),
     /// Prove homoclinic tangencies of the equispaced motion over a parameter
     #[command(after_help = EXIT_CODES, after_long_help = tangency::HELP)]
     Tangency(tangency::TangencyArguments),

@@ -35,7 +35,7 @@ For periodic, two-impact and cycles, each orbit is proved again: existence and u
 stability, symmetry, and whether a wall is touched earlier. That there are no other orbits is not checked; for \
 cycles, the counts are compared with the orbits listed. For bifurcations, each fold, pitchfork and period doubling \
 is proved again, the grazes are not. For windows, each orbit and both ends of its window are proved again, the orbits \
-between are not. For sweep, the listed impacts are proved again, the long-term outcome is not. \
+between are not. For sweep, the listed impacts are proved again, the long-term outcome is not. For atlas, each point is proved again as for global. \
 For trap, the listed boxes are proved to be forward invariant. For chaos, each listed word is proved along chains of \
 boxes computed anew, and the entropies are proved to follow from the words. For describe, the orbit and the region in \
 it are proved again, and the fate is compared with theirs. Parameter manifolds are not checked. A \
@@ -51,7 +51,7 @@ verified; 2 usage, bad input, I/O.";
 
 #[derive(Args, Debug)]
 pub struct CheckArguments {
-    /// JSON of run or sweep (or JSON Lines), describe, periodic, two-impact, cycles, bifurcations, windows, trap or chaos, or - for stdin
+    /// JSON of run, sweep or atlas (or JSON Lines), describe, periodic, two-impact, cycles, bifurcations, windows, trap or chaos, or - for stdin
     pub certificate: PathBuf,
     /// Have the program impact-pair-verified, whose checker is extracted from its proof in Coq, check an orbit JSON instead
     #[arg(long, conflicts_with_all = ["effort", "format"])]

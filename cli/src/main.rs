@@ -1,6 +1,7 @@
 //! Command line of impact-pair: certified orbits of the horizontal impact pair.
 
 mod arguments;
+mod atlas;
 mod audit;
 mod bifurcations;
 mod chaos;
@@ -11,6 +12,7 @@ mod destination;
 mod ending;
 mod global;
 mod graph;
+mod grid;
 mod heading;
 mod listing;
 mod man;
@@ -67,6 +69,7 @@ fn main() -> ExitCode {
         Verb::Cycles(arguments) => cycles::cycles(&arguments),
         Verb::Windows(arguments) => windows::windows(&arguments),
         Verb::Global(arguments) => global::global(&arguments),
+        Verb::Atlas(arguments) => atlas::atlas(&arguments),
         Verb::Tangency(arguments) => tangency::tangency(&arguments),
         Verb::Check(arguments) => check::check(&arguments),
         Verb::Prove(arguments) => prove::prove(&arguments),

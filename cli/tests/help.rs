@@ -5,7 +5,7 @@ use std::path::PathBuf;
 
 use crate::common::program;
 
-const VERBS: [&str; 19] = [
+const VERBS: [&str; 20] = [
     "run",
     "describe",
     "periodic",
@@ -15,6 +15,7 @@ const VERBS: [&str; 19] = [
     "cycles",
     "windows",
     "global",
+    "atlas",
     "tangency",
     "sweep",
     "plot",

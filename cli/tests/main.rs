@@ -1,5 +1,6 @@
 //! The tests of the command line, in one executable: a module each.
 
+mod atlas;
 mod audit;
 mod bad_scenes;
 mod certificates;

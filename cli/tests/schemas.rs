@@ -5,10 +5,10 @@ use std::path::Path;
 use std::process::Command;
 
 use impact_pair_certificate::document::{
-    AuditDocument, BifurcationDocument, ChaosCellsDocument, ChaosDocument, CheckDocument, CyclesDocument,
-    DescriptionDocument, EventDocument, GlobalDocument, ManifoldDocument, OrbitDocument, OrbitEnd, OrbitHead,
-    PeriodicDocument, SweepHead, SweepRecord, TangencyDocument, TradeDocument, TrapDocument, TwoImpactDocument,
-    WindowsDocument,
+    AtlasHead, AtlasRecord, AuditDocument, BifurcationDocument, ChaosCellsDocument, ChaosDocument, CheckDocument,
+    CyclesDocument, DescriptionDocument, EventDocument, GlobalDocument, ManifoldDocument, OrbitDocument, OrbitEnd,
+    OrbitHead, PeriodicDocument, SweepHead, SweepRecord, TangencyDocument, TradeDocument, TrapDocument,
+    TwoImpactDocument, WindowsDocument,
 };
 use schemars::{JsonSchema, schema_for};
 use serde::Serialize;
@@ -42,6 +42,8 @@ fn the_schemas_are_those_of_the_documents() {
     assert_is_kept::<CyclesDocument>("cycles");
     assert_is_kept::<WindowsDocument>("windows");
     assert_is_kept::<GlobalDocument>("global");
+    assert_is_kept::<AtlasHead>("atlas-head");
+    assert_is_kept::<AtlasRecord>("atlas-point");
     assert_is_kept::<TangencyDocument>("tangency");
     assert_is_kept::<DescriptionDocument>("description");
     assert_is_kept::<CheckDocument>("check");
@@ -98,6 +100,11 @@ fn what_is_written_is_read_back_the_same() {
     let manifold = ["two-impact", "scene.toml", "--manifold", "frequency=2..4:5", "--format", "json"];
     assert_is::<ManifoldDocument>(&written(&manifold));
     assert_is::<AuditDocument>(&written(&["audit", "scene.toml", "list.csv", "--format", "json"]));
+    let over = ["--over", "gap=2..3:2", "--over", "restitution=0.1..0.2:2", "--boxes", "8", "--most", "1"];
+    let atlas = written(&[&["atlas", "scene.toml", "--format", "jsonl"], &over[..]].concat());
+    let (head, points) = atlas.split_once('\n').unwrap();
+    assert_is::<AtlasHead>(head);
+    points.lines().for_each(assert_is::<AtlasRecord>);
     let sweep = written(&["sweep", "scene.toml", "--over", "amplitude=1..2:3", "--format", "jsonl"]);
     let (head, points) = sweep.split_once('\n').unwrap();
     assert_is::<SweepHead>(head);

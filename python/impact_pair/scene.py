@@ -14,12 +14,14 @@ import numpy as np
 
 from . import _core, answers
 from ._exact import IMPACTS, Value, arithmetic_of, doubles_of, optional, optional_whole, single, string, text, texts, whole
+from ._grid import spaced
 from ._progress import Progress, reporting
+from .atlas import AtlasResult, atlas
 from .bounds import doubles
 from .boxes import BoxImages, box_map
 from .errors import Error, ListError, RangeError, SceneError
 from .orbit import Flights, Orbit
-from .sweep import SweepResult, spaced, sweep
+from .sweep import SweepResult, sweep
 
 if TYPE_CHECKING:
     from concurrent.futures import Executor
@@ -329,6 +331,32 @@ class Scene:
         asked |= {"arithmetic": arithmetic_of(arithmetic), "summary": summary}
         how = {"executor": executor, "workers": workers, "resume": resume, "seconds": seconds, "progress": progress}
         return sweep(self._text, over, asked, **how)  # type: ignore[arg-type]
+
+    def atlas(
+        self,
+        over: Mapping[str, tuple[Value, Value, int] | Sequence[float] | npt.NDArray[np.float64]],
+        *,
+        cells: bool = False,
+        boxes: int | None = None,
+        halvings: int = 18,
+        most: int | None = None,
+        digits: int = 9,
+        executor: Executor | None = None,
+        workers: int | None = None,
+        resume: str | os.PathLike[str] | None = None,
+        seconds: float = 10.0,
+        progress: Progress = None,
+    ) -> AtlasResult:
+        """Prove where every motion goes over the plane of two parameters; see :func:`impact_pair.atlas.atlas`.
+
+        Each point or cell is covered by ``2**boxes`` boxes at first (14, or 12 for ``cells``), and about ``most`` are mapped in all
+        (300,000, or 20,000).
+        """
+        usual = (12, 20_000) if cells else (14, 300_000)
+        asked: dict[str, Any] = {"cells": cells, "halvings": whole("halvings", halvings), "digits": whole("digits", digits)}
+        asked |= {"boxes": whole("boxes", usual[0] if boxes is None else boxes), "most": whole("most", usual[1] if most is None else most)}
+        how = {"executor": executor, "workers": workers, "resume": resume, "seconds": seconds, "progress": progress}
+        return atlas(self._text, over, asked, **how)  # type: ignore[arg-type]
 
     def periodic(
         self,

@@ -2,11 +2,13 @@
 //! bytes of doubles out. Arguments are checked as by the command line; the library computes. All types and
 //! the documentation for people are in the package above it.
 
+mod atlas;
 mod box_map;
 mod chaos;
 mod describe;
 mod errors;
 mod flights;
+mod grid;
 mod lines;
 mod numbers;
 mod orbit;
@@ -21,6 +23,8 @@ use pyo3::prelude::*;
 /// The compiled part of `impact_pair`.
 #[pymodule]
 mod _core {
+    #[pymodule_export]
+    use super::atlas::Atlas;
     #[pymodule_export]
     use super::box_map::box_map;
     #[pymodule_export]

@@ -4,22 +4,19 @@ use impact_pair::exact::Exact;
 use impact_pair::json::{SweepHead, SweepRecord};
 use impact_pair::orbit::{self, Settings};
 use impact_pair::scene::{DIGITS, Key, Range};
-use impact_pair::sweep::{
-    self, Cell, Grid, Kind, PointSettings, Table, axis, columns, csv_head, csv_rows, doubles, follow,
-};
+use impact_pair::sweep::{self, Cell, Grid, PointSettings, Table, axis, columns, csv_head, csv_rows, follow};
 use impact_pair::watch::Silent;
 use impact_pair_plot::picture::Look;
 use impact_pair_plot::sweep::{Show, svg};
 use pyo3::prelude::*;
-use pyo3::types::{PyBytes, PyDict, PyList};
-use rayon::prelude::*;
+use pyo3::types::{PyBytes, PyDict};
 
 use crate::errors::{Fault, accepted};
+use crate::grid::{computed, dictionary};
 use crate::lines::{Lines, records};
-use crate::numbers::bytes;
 use crate::pictures::drawn;
 use crate::scene::{Scene, json};
-use crate::watched::{Monitor, watched, watched_whole};
+use crate::watched::{Monitor, watched_whole};
 
 /// A sweep over a grid, and the settings of its points.
 #[pyclass(frozen, module = "impact_pair._core")]
@@ -43,7 +40,7 @@ impl Sweep {
 }
 
 /// The error of a point, which is named.
-fn named(point: u64, values: &[(Key, Exact)], error: &impact_pair::Error) -> Fault {
+pub fn named(point: u64, values: &[(Key, Exact)], error: &impact_pair::Error) -> Fault {
     let values: Vec<String> = values.iter().map(|(key, value)| format!("{key} = {value}")).collect();
     let (key, value) = (error.key().map(str::to_owned), error.value().map(str::to_owned));
     Fault::Said { class: "RangeError", message: format!("point {point} ({}): {error}", values.join(", ")), key, value }
@@ -107,23 +104,8 @@ impl Sweep {
         threads: usize,
         progress: Option<Py<PyAny>>,
     ) -> PyResult<Bound<'py, PyBytes>> {
-        let (first, last) = range;
-        let points: Vec<u64> = (first..last.min(self.grid.points())).collect();
-        let lines: Vec<Option<String>> = watched(py, progress, |monitor| {
-            if threads == 1 {
-                return points.into_iter().map(|point| self.line(point, monitor)).collect();
-            }
-            let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
-            let pool = pool.map_err(|error| Fault::other(format!("cannot start the threads: {error}")))?;
-            // A point at a time, so that no thread is left with the slow ones.
-            pool.install(|| points.into_par_iter().with_max_len(1).map(|point| self.line(point, monitor)).collect())
-        })?;
-        let mut text = String::new();
-        for line in lines.iter().flatten() {
-            text.push_str(line);
-            text.push('\n');
-        }
-        Ok(PyBytes::new(py, text.as_bytes()))
+        let range = (range.0, range.1.min(self.grid.points()));
+        computed(py, range, threads, progress, |point, monitor| self.line(point, monitor))
     }
 
     /// Lines as a table of CSV, without the names of columns, which are there as a line of their own.
@@ -153,34 +135,10 @@ impl Sweep {
     /// The columns of a table by name: lists, and of bounds bytes of doubles rounded outward, NaN where there are none.
     fn table<'py>(&self, py: Python<'py>, lines: &[u8], rows: &str) -> PyResult<Bound<'py, PyDict>> {
         let table = table(rows)?;
-        let kinds = columns(&self.head, table);
         let records: Vec<SweepRecord> = records(lines).collect::<Result<_, _>>()?;
         let rows: Vec<Vec<Cell<'_>>> =
             records.iter().flat_map(|record| sweep::rows(&self.head, table, record)).collect();
-        let columns = PyDict::new(py);
-        for (column, (name, kind)) in kinds.iter().enumerate() {
-            if matches!(kind, Kind::Bounds | Kind::Exact) {
-                let ends = rows.iter().map(|row| match row[column] {
-                    Cell::Bounds([low, high]) => Some([end(low)?[0], end(high)?[1]]),
-                    Cell::Exact(text) => end(text),
-                    _ => Some([f64::NAN; 2]),
-                });
-                let ends = ends.collect::<Option<Vec<_>>>().ok_or_else(|| Fault::other("a bound is no number"))?;
-                columns.set_item(name, bytes(py, ends.into_iter().flatten()))?;
-                continue;
-            }
-            let list = PyList::empty(py);
-            for row in &rows {
-                match row[column] {
-                    Cell::Whole(number) => list.append(number)?,
-                    Cell::Text(text) => list.append(text)?,
-                    Cell::Truth(truth) => list.append(truth)?,
-                    _ => list.append(py.None())?,
-                }
-            }
-            columns.set_item(name, list)?;
-        }
-        Ok(columns)
+        dictionary(py, &columns(&self.head, table), &rows)
     }
 }
 
@@ -192,8 +150,4 @@ fn table(rows: &str) -> Result<Table, Fault> {
         "states" => Ok(Table::States),
         other => Err(Fault::range("rows", other, "must be mixed, points or states")),
     }
-}
-
-fn end(text: &str) -> Option<[f64; 2]> {
-    doubles(text).ok()
 }

@@ -18,7 +18,8 @@ from conftest import assert_rounded_outward
 
 import impact_pair
 from impact_pair import Scene
-from impact_pair.sweep import Question, Rate, compute
+from impact_pair._grid import Rate, compute
+from impact_pair.sweep import Question
 
 OVER = {"amplitude": ("1", "10", 40)}
 ASKED = {"transient": 50, "impacts": 20}

@@ -295,6 +295,7 @@ def test_defaults_are_those_of_the_command_line(cli):
         "cycles": Scene.cycles,
         "windows": Scene.windows,
         "global": Scene.global_analysis,
+        "atlas": Scene.atlas,
         "tangency": Scene.tangency,
         "trade": Scene.trade,
         "audit": Scene.audit,

@@ -26,6 +26,12 @@ pub enum Kind {
     Truth,
     /// An exact number as written: text in CSV, bounds in Parquet.
     Exact,
+    /// An exact number as written: text in CSV, in Parquet the double next to it, below or equal.
+    Low,
+    /// The same, above or equal.
+    High,
+    /// A double that is no claim.
+    Number,
     /// Two columns, `_lower` and `_upper`.
     Bounds,
 }
@@ -43,6 +49,8 @@ pub enum Cell<'r> {
     Truth(bool),
     /// An exact number as written.
     Exact(&'r str),
+    /// A double.
+    Number(f64),
     /// Decimals, rounded outward.
     Bounds(&'r ExtendedBounds),
 }
@@ -145,9 +153,14 @@ fn said(record: &SweepRecord) -> [Cell<'_>; SAID.len()] {
 
 /// Returns the names of a table's columns as a line of CSV.
 pub fn csv_head(head: &SweepHead, table: Table) -> String {
-    let names = columns(head, table).into_iter().map(|(name, kind)| match kind {
+    csv_names(columns(head, table))
+}
+
+/// Returns the names of columns as a line of CSV.
+pub fn csv_names(columns: Vec<(String, Kind)>) -> String {
+    let names = columns.into_iter().map(|(name, kind)| match kind {
         Kind::Bounds => format!("{name}_lower,{name}_upper"),
-        Kind::Whole | Kind::Text | Kind::Truth | Kind::Exact => name,
+        _ => name,
     });
     names.collect::<Vec<_>>().join(",") + "\n"
 }
@@ -155,18 +168,21 @@ pub fn csv_head(head: &SweepHead, table: Table) -> String {
 /// Returns the rows of a point in a table as lines of CSV.
 pub fn csv_rows(head: &SweepHead, table: Table, record: &SweepRecord) -> String {
     let kinds: Vec<Kind> = columns(head, table).into_iter().map(|(_, kind)| kind).collect();
-    let line = |row: Vec<Cell<'_>>| {
-        let cells = row.iter().zip(&kinds).map(|(cell, kind)| match cell {
-            Cell::Nothing if *kind == Kind::Bounds => ",".to_owned(),
-            Cell::Nothing => String::new(),
-            Cell::Whole(number) => number.to_string(),
-            Cell::Text(text) | Cell::Exact(text) => (*text).to_owned(),
-            Cell::Truth(truth) => truth.to_string(),
-            Cell::Bounds([low, high]) => format!("{low},{high}"),
-        });
-        cells.collect::<Vec<_>>().join(",") + "\n"
-    };
-    rows(head, table, record).map(line).collect()
+    rows(head, table, record).map(|row| csv_line(&row, &kinds)).collect()
+}
+
+/// Returns a row as a line of CSV; the kinds are those of its columns.
+pub fn csv_line(row: &[Cell<'_>], kinds: &[Kind]) -> String {
+    let cells = row.iter().zip(kinds).map(|(cell, kind)| match cell {
+        Cell::Nothing if *kind == Kind::Bounds => ",".to_owned(),
+        Cell::Nothing => String::new(),
+        Cell::Whole(number) => number.to_string(),
+        Cell::Text(text) | Cell::Exact(text) => (*text).to_owned(),
+        Cell::Number(number) => number.to_string(),
+        Cell::Truth(truth) => truth.to_string(),
+        Cell::Bounds([low, high]) => format!("{low},{high}"),
+    });
+    cells.collect::<Vec<_>>().join(",") + "\n"
 }
 
 /// Returns the doubles next to an exact number as written, below and above it.

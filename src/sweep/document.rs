@@ -16,18 +16,12 @@ use crate::{Error, Scene};
 
 /// Returns what a sweep is about; a shard is given by its number and of how many.
 pub fn head(scene: &Scene, grid: &Grid, asked: &PointSettings, shard: Option<[u64; 2]>) -> SweepHead {
-    let over = |axis: &Range| SweepAxis {
-        key: axis.key.to_string(),
-        from: axis.low.text(),
-        to: axis.high.text(),
-        count: axis.points(),
-    };
     SweepHead {
         schema: SWEEP_SCHEMA.to_owned(),
         program: PROGRAM.to_owned(),
         title: scene.title().map(str::to_owned),
         scene: SceneDocument::new(scene.pair(), scene.start()),
-        over: grid.axes().iter().map(over).collect(),
+        over: grid.axes().iter().map(written).collect(),
         points: grid.points(),
         transient: asked.transient,
         impacts: asked.impacts,
@@ -39,6 +33,11 @@ pub fn head(scene: &Scene, grid: &Grid, asked: &PointSettings, shard: Option<[u6
         summary: asked.summary,
         shard,
     }
+}
+
+/// Returns an axis as heads have it.
+pub(crate) fn written(axis: &Range) -> SweepAxis {
+    SweepAxis { key: axis.key.to_string(), from: axis.low.text(), to: axis.high.text(), count: axis.points() }
 }
 
 /// Returns the grid that a head tells of.

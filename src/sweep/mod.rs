@@ -9,12 +9,15 @@
 mod columns;
 mod document;
 mod grid;
+mod lines;
 mod point;
 mod unit;
 
-pub use columns::{Cell, Kind, Table, columns, csv_head, csv_rows, doubles, rows};
+pub use columns::{Cell, Kind, Table, columns, csv_head, csv_line, csv_names, csv_rows, doubles, rows};
+pub(crate) use document::written;
 pub(crate) use document::{exponent, limit};
 pub use document::{grid, head, record};
 pub use grid::{Grid, MOST_POINTS, axis};
+pub use lines::{Head, Line};
 pub use point::{Attraction, MOST_IMPACTS, Point, PointSettings, State, follow};
 pub use unit::Lasting;

@@ -12,6 +12,7 @@
 
 #![cfg(feature = "multiprecision")]
 
+mod atlases;
 mod descriptions;
 mod edges;
 mod events;
@@ -53,6 +54,7 @@ const FORGERIES: [&[Forgery]; 12] = [
     regions::FORGERIES,
     descriptions::FORGERIES,
     sweeps::FORGERIES,
+    atlases::FORGERIES,
     tangencies::FORGERIES,
     windows::FORGERIES,
     globals::FORGERIES,

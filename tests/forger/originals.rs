@@ -19,7 +19,7 @@ use crate::spoiled::{documents, others};
 use impact_pair::scene::Range;
 
 /// Kinds of documents, in the order of the table.
-const KINDS: [&str; 15] = [
+const KINDS: [&str; 16] = [
     "orbit",
     "shadow",
     "periodic",
@@ -34,6 +34,7 @@ const KINDS: [&str; 15] = [
     "hyperbolic",
     "description",
     "sweep",
+    "atlas",
     "list",
 ];
 
@@ -52,6 +53,7 @@ pub fn all() -> Vec<Original> {
     let described = ["figure-13", "chatter", "figure-14"];
     all.extend(described.map(|name| Original::new("description", name, others::description(name))));
     all.extend(sweeps());
+    all.push(Original::new("atlas", "of four points", Value::Array(others::atlas(None))));
     all.extend(left_open(&all));
     all.extend(lists(&all));
     all.sort_by_key(|original| KINDS.iter().position(|kind| *kind == original.kind));

@@ -3,18 +3,19 @@
 use std::fs;
 
 use impact_pair::Scene;
+use impact_pair::atlas::{self, Plane};
 use impact_pair::chaos::{
     BoxGraph, Chaos, Cycles, FoundWindow, Global, GlobalSettings, HorseshoeSettings, Trap, WallWords, WindowSettings,
     Windows,
 };
 use impact_pair::describe::{Request, describe};
 use impact_pair::document;
-use impact_pair::json::BaseDocument;
+use impact_pair::json::{AtlasRecord, BaseDocument};
 use impact_pair::orbit::Settings;
 use impact_pair::periodic::Precision;
 use impact_pair::periodic::bifurcation::{DiagramSettings, Window, WindowSeed, survey};
 use impact_pair::scene::Range;
-use impact_pair::sweep::{self, Grid, PointSettings};
+use impact_pair::sweep::{self, Grid, Head, PointSettings};
 use impact_pair::watch::{Stage, Unwatched, proceed_if};
 use serde_json::{Value, json};
 
@@ -112,6 +113,21 @@ pub fn global(name: &str) -> Value {
     json!(document::global(&scene, &settings, &found).unwrap())
 }
 
+/// The plane of four points with cycles with rests, or a shard of it.
+pub fn atlas(shard: Option<[u64; 2]>) -> Vec<Value> {
+    let scene = "excitation = { amplitude = 1, frequency = \"pi\", phase = 0.25 }\n\
+                 pair = { gap = 1, restitution = 0.2 }\nstart = { time = 0, wall = \"left\", velocity = -1 }";
+    let scene = Scene::parse(scene).unwrap();
+    let axes = ["amplitude=2.2..3:2", "restitution=0.1..0.15:2"].map(|axis| axis.parse().unwrap());
+    let plane = Plane::new(axes.to_vec(), false).unwrap();
+    let settings = GlobalSettings { boxes: 1 << 8, most: 1_000, ..GlobalSettings::default() };
+    let head = atlas::head(&scene, &plane, &settings, shard);
+    let own = (0..plane.points()).filter(|point| head.has(*point));
+    let record = |point| atlas::record(&scene, &plane, &settings, point, &Unwatched).unwrap().unwrap();
+    let records = own.map(|point| json!(AtlasRecord { seconds: 0.0, ..record(point) }));
+    std::iter::once(json!(head)).chain(records).collect()
+}
+
 /// The first homoclinic tangency beside figure 14, whose numbers Newton's iteration of another program found in 120 digits, and what
 /// `tangency` proves on either side.
 pub fn tangency() -> Value {
@@ -153,6 +169,8 @@ pub fn all() -> Vec<(&'static str, Vec<Value>)> {
         ("cycles", vec![cycles(3)]),
         ("windows", vec![windows()]),
         ("global", vec![global("one attractor")]),
+        // Of a shard, since each change of it is checked.
+        ("atlas", atlas(Some([1, 4]))),
         ("tangency", vec![tangency()]),
         ("description", vec![description("figure-13")]),
         ("description of a region", vec![description("figure-14")]),

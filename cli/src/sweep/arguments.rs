@@ -1,7 +1,6 @@
 //! What `sweep` is asked on the command line.
 
 use std::path::PathBuf;
-use std::str::FromStr;
 
 use clap::{Args, ValueEnum};
 use impact_pair::orbit::Arithmetic;
@@ -11,6 +10,7 @@ use impact_pair_plot::picture::Look;
 use impact_pair_plot::sweep::Show;
 
 use crate::destination::Destination;
+use crate::grid::Shard;
 
 pub const EXIT_CODES: &str = "\
 Exit code: 0 everything requested is certified at every point; 1 at some points it is not, or the sweep was \
@@ -120,25 +120,4 @@ pub enum SweepFormat {
     Jsonl,
     /// Apache Parquet: the columns of csv, bounds as doubles rounded outward (a build with --features parquet)
     Parquet,
-}
-
-/// One of several parts of a sweep.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Shard {
-    /// From 1.
-    pub number: u64,
-    pub of: u64,
-}
-
-impl FromStr for Shard {
-    type Err = String;
-
-    fn from_str(text: &str) -> Result<Self, String> {
-        let numbers = || {
-            let (number, of) = text.split_once('/')?;
-            let (number, of) = (number.parse().ok()?, of.parse().ok()?);
-            (1..=of).contains(&number).then_some(Self { number, of })
-        };
-        numbers().ok_or_else(|| "accepted is I/N with I from 1 to N, such as 1/3".into())
-    }
 }

@@ -2,37 +2,26 @@
 
 pub mod arguments;
 mod formats;
-mod journal;
-#[cfg(feature = "parquet")]
-mod parquet;
-mod points;
-mod record;
-mod work;
 mod write;
 
-use std::io::{self, IsTerminal, Write};
 use std::path::Path;
-use std::thread;
-use std::time::Instant;
 
 use anyhow::{Context, Result, bail};
 use impact_pair::Scene;
 use impact_pair::json::SweepHead;
-use impact_pair::orbit::{Arithmetic, Settings};
-use impact_pair::sweep::{self, Grid, PointSettings, Table};
-use impact_pair::watch::Watch;
-use impact_pair_plot::sweep::Records;
+use impact_pair::orbit::{Arithmetic, Orbit, Settings};
+use impact_pair::sweep::{self, Grid, PointSettings, Table, follow};
+use impact_pair_plot::records::Records;
 
 use crate::Answer;
-use crate::output::Output;
-
-use crate::progress::{Interruption, catch_interruption};
+use crate::grid::journal::{Journal, beside};
+use crate::grid::record::line;
+use crate::grid::{Gathered, Work, named, open_once};
+use crate::output::{Output, note};
+use crate::progress::Interruption;
 use crate::scene;
 use arguments::SweepArguments;
 use formats::Formats;
-use journal::{Journal, difference};
-use points::Sweep;
-use work::Work;
 use write::write;
 
 pub fn sweep(arguments: &SweepArguments) -> Result<Answer> {
@@ -56,7 +45,7 @@ fn keep_files_apart(arguments: &SweepArguments) -> Result<()> {
     if scene::is_stdio(states) && output.is_none_or(scene::is_stdio) {
         bail!("--output and --states are both stdout, but are separate tables");
     }
-    if output.and_then(journal::beside).is_some_and(|partial| scene::is_same_file(&partial, states)) {
+    if output.and_then(beside).is_some_and(|partial| scene::is_same_file(&partial, states)) {
         bail!("cannot write {}: finished points are kept there until --output appears", states.display());
     }
     Ok(())
@@ -76,83 +65,46 @@ fn compute(arguments: &SweepArguments, path: &Path) -> Result<Answer> {
     let reference = grid.reference(&scene).map_err(|error| scene::about(error, &ranges, path))?;
     let asked = PointSettings { transient, impacts, summary, reference, settings };
     let head = sweep::head(&scene, &grid, &asked, arguments.shard.map(|shard| [shard.number, shard.of]));
-    let threads = match arguments.threads {
-        Some(threads) => threads.into(),
-        None => thread::available_parallelism().map_or(1, usize::from),
+    // All corners of the grid are scenes, before anything is computed.
+    let is_scene = |point: u64| Orbit::of(&grid.scene(&scene, &grid.values(point)?)?, asked.settings.clone()).map(drop);
+    grid.corners().into_iter().try_for_each(is_scene).map_err(|error| scene::about(error, &ranges, path))?;
+    let outputs = [&arguments.destination.output, &arguments.states, &arguments.plot].map(Option::as_deref);
+    open_once(&outputs)?;
+    let point = |point: u64| {
+        let values = grid.values(point)?;
+        let at = || named(point, &values);
+        let scene = grid.scene(&scene, &values).with_context(at)?;
+        let found = follow(&scene, &asked, &Interruption).with_context(at)?;
+        Ok(found.map(|found| line(&sweep::record(point, &values, &found))))
     };
-    let work = Work { scene: &scene, grid: &grid, asked: &asked, threads };
-    work.check().map_err(|error| scene::about(error, &ranges, path))?;
-    // What cannot be written is refused now and not after hours.
-    for output in [&arguments.destination.output, &arguments.states, &arguments.plot].into_iter().flatten() {
-        drop(Output::open(Some(output))?);
-    }
-
-    // From here on Ctrl-C keeps what is finished.
-    catch_interruption();
-    let mut journal = Journal::open(head.clone(), arguments.destination.output.as_deref(), arguments.resume)?;
-    let (begun, before) = (Instant::now(), journal.points());
-    let visible = !arguments.destination.quiet && io::stderr().is_terminal();
-    work.complete(&mut journal, visible).with_context(|| scene::name(path))?;
-    let computed = journal.points() - before;
-    let left = journal.missing().len();
-    if left > 0 && !Interruption.goes_on() && journal.path().is_some() {
-        let path = journal.path().map(|path| path.display().to_string()).unwrap_or_default();
-        let points = journal.points();
-        note(
-            arguments,
-            &format!("interrupted: {points} points are kept in {path}, {left} are left (go on with --resume)"),
-        );
-        return Ok(Answer::Incomplete);
-    }
-    let seconds = begun.elapsed().as_secs_f64();
-    let rate = format!("{computed} in {seconds:.1} s, {:.1} a second", computed as f64 / seconds.max(1e-9));
-    let mut sweep = Sweep { head, journals: vec![journal] };
+    let SweepArguments { threads, resume, destination, .. } = arguments;
+    let work = Work { head, point: &point, threads: *threads, resume: *resume, destination };
+    let (mut sweep, said) = match work.done(&scene::name(path))?.or_note() {
+        Ok(done) => done,
+        Err(kept) => {
+            note(destination.quiet, &kept);
+            return Ok(Answer::Incomplete);
+        }
+    };
     let tally = finish(arguments, &mut sweep, formats)?;
+    let is_whole = sweep.journals[0].missing().is_empty();
     sweep.journals.into_iter().try_for_each(Journal::finish)?;
-    let lacks = if left > 0 { format!("; interrupted, {left} points are left") } else { String::new() };
-    note(arguments, &format!("{tally} ({rate}){lacks}"));
-    Ok(if tally.is_complete() && left == 0 { Answer::Complete } else { Answer::Incomplete })
+    note(destination.quiet, &format!("{tally}{said}"));
+    Ok(if tally.is_complete() && is_whole { Answer::Complete } else { Answer::Incomplete })
 }
 
 /// Puts the shards of a sweep together.
 fn merge(arguments: &SweepArguments) -> Result<Answer> {
     let formats = Formats::of(arguments)?;
-    let journals: Vec<Journal> = arguments.merge.iter().map(|path| Journal::read(path)).collect::<Result<_>>()?;
-    let whole = |journal: &Journal| SweepHead { shard: None, ..journal.head.clone() };
-    let name = |i: usize| arguments.merge[i].display();
-    let head = whole(&journals[0]);
-    let mut seen = Vec::new();
-    for (i, journal) in journals.iter().enumerate() {
-        let Some([number, of]) = journal.head.shard else { bail!("{} is a whole sweep, not a shard", name(i)) };
-        if whole(journal) != head {
-            let difference = difference(&journal.head, &SweepHead { shard: journal.head.shard, ..head });
-            bail!("{} and {} are of different sweeps: {difference}", name(i), name(0));
-        }
-        let parts = journals[0].head.shard.map_or(0, |[_, of]| of);
-        if of != parts {
-            bail!("{} is one of {of} shards, but {} is one of {parts}", name(i), name(0));
-        }
-        if seen.contains(&number) {
-            bail!("{} is shard {number}/{of}, which is given twice", name(i));
-        }
-        if let Some(point) = journal.missing().first() {
-            bail!("{} lacks point {point}: the shard is not finished", name(i));
-        }
-        seen.push(number);
-    }
-    let of = journals[0].head.shard.map_or(0, |[_, of]| of);
-    if let Some(number) = (1..=of).find(|number| !seen.contains(number)) {
-        bail!("shard {number}/{of} is missing");
-    }
-    formats.keep_states(arguments, head.summary)?;
-    let mut sweep = Sweep { head, journals };
+    let mut sweep = Gathered::<SweepHead>::merged(&arguments.merge)?;
+    formats.keep_states(arguments, sweep.head.summary)?;
     let tally = finish(arguments, &mut sweep, formats)?;
-    note(arguments, &tally.to_string());
+    note(arguments.destination.quiet, &tally.to_string());
     Ok(if tally.is_complete() { Answer::Complete } else { Answer::Incomplete })
 }
 
 /// Writes states, output and plot.
-fn finish(arguments: &SweepArguments, sweep: &mut Sweep, formats: Formats) -> Result<Tally> {
+fn finish(arguments: &SweepArguments, sweep: &mut Gathered<SweepHead>, formats: Formats) -> Result<Tally> {
     let mut tally = Tally::default();
     let certified = sweep.head.certified;
     sweep.each_record(|record| {
@@ -211,12 +163,5 @@ impl std::fmt::Display for Tally {
             (true, some) => format!("not all certified, {some} incomplete"),
         };
         write!(f, "{word}: {points} points, {}", outcomes.join(", "))
-    }
-}
-
-fn note(arguments: &SweepArguments, text: &str) {
-    if !arguments.destination.quiet {
-        // Nobody may be listening.
-        let _ = writeln!(io::stderr(), "{text}");
     }
 }

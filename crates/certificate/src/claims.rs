@@ -5,14 +5,14 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use serde_json::{Deserializer, Value};
 
 use crate::{
-    BifurcationCertificate, Certificate, ChaosCertificate, ClaimKind, CyclesCertificate, DescriptionCertificate,
-    Effort, Finding, GlobalCertificate, Judged, PeriodicCertificate, SweepCertificate, TangencyCertificate,
-    TrapCertificate, Verdict, WindowsCertificate,
+    AtlasCertificate, BifurcationCertificate, Certificate, ChaosCertificate, ClaimKind, CyclesCertificate,
+    DescriptionCertificate, Effort, Finding, GlobalCertificate, Judged, PeriodicCertificate, SweepCertificate,
+    TangencyCertificate, TrapCertificate, Verdict, WindowsCertificate,
 };
 use impact_pair_document::{
-    AUDIT_SCHEMA, BIFURCATION_SCHEMA, CHAOS_CELLS_SCHEMA, CHAOS_SCHEMA, CYCLES_SCHEMA, DESCRIPTION_SCHEMA,
-    GLOBAL_SCHEMA, MANIFOLD_SCHEMA, PERIODIC_SCHEMA, SWEEP_SCHEMA, TANGENCY_SCHEMA, TRADE_SCHEMA, TRAP_SCHEMA,
-    WINDOWS_SCHEMA, counted, value,
+    ATLAS_SCHEMA, AUDIT_SCHEMA, BIFURCATION_SCHEMA, CHAOS_CELLS_SCHEMA, CHAOS_SCHEMA, CYCLES_SCHEMA,
+    DESCRIPTION_SCHEMA, GLOBAL_SCHEMA, MANIFOLD_SCHEMA, PERIODIC_SCHEMA, SWEEP_SCHEMA, TANGENCY_SCHEMA, TRADE_SCHEMA,
+    TRAP_SCHEMA, WINDOWS_SCHEMA, counted, value,
 };
 use impact_pair_model::Error;
 use impact_pair_model::watch::{Latched, Stage, Watch};
@@ -36,6 +36,8 @@ pub enum Claims {
     Tangencies(Box<TangencyCertificate>),
     /// A sweep: the impacts of all its points are checked, not what becomes of them.
     Sweep(Box<SweepCertificate>),
+    /// An atlas of points: the global analysis of each.
+    Atlas(Box<AtlasCertificate>),
     /// A chaos JSON: all its words are checked, and that its entropies and its horseshoe follow from them.
     Chaos(Box<ChaosCertificate>),
     /// A trap JSON: that the region is closed is checked, and what is said of it.
@@ -81,6 +83,10 @@ impl Claims {
                 Self::Unchecked("comparisons with another program's list: what is inside, missed or false")
             }
             Some(GLOBAL_SCHEMA) => Self::Global(Box::new(GlobalCertificate::parse(text)?)),
+            Some(ATLAS_SCHEMA) if head.as_ref().is_some_and(|head| head["cells"] == true) => {
+                Self::Unchecked("cells of two parameters: where every motion goes for all parameters of each")
+            }
+            Some(ATLAS_SCHEMA) => Self::Atlas(Box::new(AtlasCertificate::parse(text)?)),
             Some(TRADE_SCHEMA) => Self::Unchecked("measurements of the cost of accuracy"),
             Some(SWEEP_SCHEMA) => Self::Sweep(Box::new(SweepCertificate::parse(text)?)),
             Some(CHAOS_SCHEMA) => Self::Chaos(Box::new(ChaosCertificate::parse(text)?)),
@@ -169,6 +175,10 @@ impl Claims {
             let (verdict, certain) = certificate.judge_within(effort, watch)?;
             return Ok(self.judged(verdict, certain));
         }
+        if let Self::Atlas(certificate) = self {
+            let (verdict, certain) = certificate.judge_within(effort, watch)?;
+            return Ok(self.judged(verdict, certain));
+        }
         let reached = AtomicUsize::new(0);
         let watch = &|at: Stage<'_>| {
             if let Stage::Claims(claims) = at {
@@ -186,7 +196,7 @@ impl Claims {
             Self::Tangencies(certificate) => certificate.check_within(effort, watch),
             Self::Chaos(certificate) => certificate.check_within(effort, watch),
             Self::Trap(certificate) => certificate.check_within(effort, watch),
-            Self::Description(_) | Self::List(_) | Self::Sweep(_) | Self::Unchecked(_) => {
+            Self::Description(_) | Self::List(_) | Self::Sweep(_) | Self::Atlas(_) | Self::Unchecked(_) => {
                 Ok(Verdict::Undecided(Finding { event: 0, message: "nothing of it is checked".to_owned() }))
             }
         }?;
@@ -212,6 +222,7 @@ impl Claims {
             Self::Global(certificate) => certificate.count(),
             Self::Tangencies(certificate) => certificate.count(),
             Self::Sweep(certificate) => certificate.count(),
+            Self::Atlas(certificate) => certificate.count(),
             Self::Chaos(certificate) => certificate.count(),
             Self::Trap(certificate) => certificate.count(),
             // One more each for what is said of the whole document.
@@ -233,6 +244,7 @@ impl Claims {
             Self::Global(certificate) => certificate.unjudged().to_vec(),
             Self::Tangencies(certificate) => certificate.unjudged().to_vec(),
             Self::Sweep(certificate) => certificate.unjudged().to_vec(),
+            Self::Atlas(certificate) => certificate.unjudged().to_vec(),
             Self::Chaos(certificate) => certificate.unjudged().to_vec(),
             Self::Trap(certificate) => certificate.unjudged().to_vec(),
             Self::List(_) | Self::Description(_) => {
@@ -259,7 +271,7 @@ impl Claims {
             Self::Windows(_) => counted(count, "window"),
             Self::Global(_) => counted(count, "component"),
             Self::Tangencies(_) => tangencies(count),
-            Self::Sweep(_) => counted(count, "point"),
+            Self::Sweep(_) | Self::Atlas(_) => counted(count, "point"),
             Self::Chaos(_) => counted(count, "word"),
             Self::Trap(_) => boxes(count),
             Self::List(_) | Self::Description(_) => {
@@ -298,6 +310,9 @@ impl Claims {
             Self::Global(certificate) => format!("what is proved of {}", counted(certificate.count(), "component")),
             Self::Tangencies(certificate) => tangencies(certificate.count()),
             Self::Sweep(certificate) => format!("the impacts of {}", counted(certificate.count(), "point")),
+            Self::Atlas(certificate) => {
+                format!("what is proved of every motion at {}", counted(certificate.claimed(), "point"))
+            }
             Self::Chaos(certificate) => {
                 format!("{}, the entropies and the horseshoe", counted(certificate.count(), "word"))
             }
@@ -331,6 +346,7 @@ impl Claims {
             Self::Global(certificate) if *event < certificate.count() => format!("components[{event}]: {message}"),
             Self::Tangencies(certificate) if *event < certificate.count() => format!("tangencies[{event}]: {message}"),
             Self::Sweep(certificate) if *event < certificate.count() => format!("points[{event}]: {message}"),
+            Self::Atlas(certificate) if *event < certificate.count() => format!("points[{event}]: {message}"),
             Self::Chaos(certificate) if *event < certificate.count() => format!("words[{event}]: {message}"),
             Self::Trap(certificate) if *event < certificate.count() => format!("box {event}: {message}"),
             Self::List(_) | Self::Description(_) => {
@@ -351,6 +367,7 @@ impl Claims {
             | Self::Global(_)
             | Self::Tangencies(_)
             | Self::Sweep(_)
+            | Self::Atlas(_)
             | Self::Chaos(_)
             | Self::Trap(_)
             | Self::Unchecked(_) => message.clone(),

@@ -104,6 +104,12 @@ impl GlobalCertificate {
         self.says_there_are_no_others
     }
 
+    /// Whether there is anything that a check proves.
+    pub(super) fn claims_something(&self) -> bool {
+        let has_motions = self.orbits.is_some() || self.rest_cycle.is_some();
+        has_motions || self.says_there_are_no_others || self.contradiction.is_some()
+    }
+
     pub(super) fn contradiction(&self) -> Option<&str> {
         self.contradiction.as_deref()
     }

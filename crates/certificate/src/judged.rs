@@ -51,7 +51,7 @@ impl Claims {
         match self {
             Self::Orbit(certificate) if certificate.confirms_one_by_one() => reached,
             Self::Periodic(_) | Self::Cycles(_) | Self::Bifurcations(_) => reached,
-            Self::Windows(_) | Self::Tangencies(_) | Self::Sweep(_) => reached,
+            Self::Windows(_) | Self::Tangencies(_) | Self::Sweep(_) | Self::Atlas(_) => reached,
             _ => 0,
         }
     }
@@ -61,7 +61,7 @@ impl Claims {
         match self {
             Self::Orbit(_) => Some("events"),
             Self::Periodic(_) | Self::Cycles(_) => Some("orbits"),
-            Self::Bifurcations(_) | Self::Sweep(_) => Some("points"),
+            Self::Bifurcations(_) | Self::Sweep(_) | Self::Atlas(_) => Some("points"),
             Self::Global(_) => Some("components"),
             Self::Windows(_) => Some("windows"),
             Self::Tangencies(_) => Some("tangencies"),

@@ -3,6 +3,7 @@
 //! What an orbit JSON claims is checked, and made a theorem for Coq. What this crate judges it shares nothing with: it rests on
 //! exact numbers and on the model alone.
 
+mod atlas;
 mod attraction;
 mod bifurcation;
 mod chaos;
@@ -11,6 +12,7 @@ mod claims;
 mod cycles;
 mod description;
 mod global;
+mod grid;
 mod judged;
 mod leaves;
 mod periodic;
@@ -24,6 +26,7 @@ mod tolerances;
 mod trap;
 mod windows;
 
+pub use atlas::AtlasCertificate;
 pub use bifurcation::BifurcationCertificate;
 pub use chaos::ChaosCertificate;
 pub use check::{Effort, Finding, Verdict};

@@ -83,7 +83,7 @@ fn assert_all_are_told(name: &str, lines: &[Value], found: &CheckDocument) {
 }
 
 /// The schemas, and which document has the values that are of none of their properties.
-const SCHEMAS: [(&str, &str, usize); 20] = [
+const SCHEMAS: [(&str, &str, usize); 22] = [
     ("orbit", "attracted", 0),
     ("orbit-lines-head", "lines", 0),
     ("orbit-lines-event", "lines", 1),
@@ -98,6 +98,8 @@ const SCHEMAS: [(&str, &str, usize); 20] = [
     ("tangency", "tangency", 0),
     ("global", "global", 0),
     ("description", "description", 0),
+    ("atlas-head", "atlas", 0),
+    ("atlas-point", "atlas", 1),
     ("sweep-head", "sweep", 0),
     ("sweep-point", "sweep", 1),
     ("manifold", "", 0),

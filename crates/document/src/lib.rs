@@ -3,6 +3,7 @@
 //! Bounds are decimal strings rounded outward: the true value lies in `[lower, upper]`. Fields are written in the order of
 //! their declaration. Each document names its schema in its first field; `docs/schemas` holds the JSON Schemas.
 
+mod atlas;
 mod audit;
 mod bifurcation;
 mod chaos;
@@ -23,6 +24,7 @@ mod tangency;
 mod trade;
 mod windows;
 
+pub use atlas::*;
 pub use audit::*;
 pub use bifurcation::*;
 pub use chaos::*;

@@ -1,6 +1,7 @@
 //! The exact parameters and initial data, as the user wrote them.
 
 use impact_pair_exact::Exact;
+use impact_pair_model::scene::Key;
 use impact_pair_model::{Error, Excitation, Harmonic, ImpactPair, Place, Start, Wall};
 use serde::{Deserialize, Serialize};
 
@@ -90,5 +91,26 @@ impl SceneDocument {
             (None, None) => return Err(Error::certificate("scene.start.wall is missing".to_owned())),
         };
         Ok((pair, start))
+    }
+
+    /// Puts a value in the place of that of a key, other than the phase of the start; `None` where the scene has no such value.
+    pub fn set(&mut self, key: Key, value: Exact) -> Option<()> {
+        let excitation = &mut self.excitation;
+        // Without a number it is that of the only term.
+        let number = key.term().map_or(0, |term| usize::from(term.get()) - 1); // exact: from 1 on
+        let is_told = key.term().is_some() || excitation.amplitude.len() == 1;
+        let place = match key {
+            Key::Amplitude(_) => excitation.amplitude.get_mut(number).filter(|_| is_told)?,
+            Key::Frequency(_) => excitation.frequency.get_mut(number).filter(|_| is_told)?,
+            Key::Phase(_) => excitation.phase.get_mut(number).filter(|_| is_told)?,
+            Key::Gap => &mut self.gap,
+            Key::Restitution => &mut self.restitution,
+            Key::StartTime => &mut self.start.time,
+            Key::StartVelocity => &mut self.start.velocity,
+            Key::StartPosition => self.start.position.as_mut()?,
+            Key::StartPhase => return None,
+        };
+        *place = Written(value);
+        Some(())
     }
 }

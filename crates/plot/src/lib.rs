@@ -2,11 +2,13 @@
 //!
 //! All of it is enclosed; where what is enclosed is wider than a pixel, it is drawn as a band or a box.
 
+pub mod atlas;
 pub mod chaos;
 pub mod describe;
 pub mod orbit;
 pub mod picture;
 pub mod proved;
+pub mod records;
 pub mod sweep;
 pub mod tangency;
 #[cfg(test)]

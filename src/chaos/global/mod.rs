@@ -106,18 +106,29 @@ impl Global {
     /// # Errors
     /// With several harmonics, with a restitution that is not below 0.99, and when a value is beyond the range of double-precision flights.
     pub fn of(pair: &ImpactPair, settings: &GlobalSettings, watch: &dyn Watch) -> Result<Self, Error> {
-        let law = Law::of(pair)?;
-        let space = Space::new(law).ok_or_else(|| {
-            let said =
-                format!("pair.restitution is {}, but must be below 0.99 for a global analysis", pair.restitution());
-            Error::out_of_range("pair.restitution", said)
-        })?;
+        let space = Self::space(pair)?;
         let released = Released::of(pair, &space)?;
         let mut analysis = Analysis { pair, space, released, settings, watch, mapped: 0, interrupted: false };
         let whole = analysis.whole();
         let (components, order) = analysis.decided(&whole, 0);
         let order = order.into_iter().filter(|[i, j]| i != j).collect();
         Ok(Self { components, order, fastest: space.fastest(), interrupted: analysis.interrupted })
+    }
+
+    /// Returns whether a pair is one that is analysed.
+    ///
+    /// # Errors
+    /// As of [`of`](Self::of).
+    pub fn accepts(pair: &ImpactPair) -> Result<(), Error> {
+        Self::space(pair).map(drop)
+    }
+
+    fn space(pair: &ImpactPair) -> Result<Space, Error> {
+        Space::new(Law::of(pair)?).ok_or_else(|| {
+            let said =
+                format!("pair.restitution is {}, but must be below 0.99 for a global analysis", pair.restitution());
+            Error::out_of_range("pair.restitution", said)
+        })
     }
 
     /// Returns what all motions do.

@@ -12,6 +12,7 @@
 //! its bounds, refuted when it lies outside.
 
 mod affine;
+mod atlas;
 mod attraction;
 mod axes;
 mod basin;

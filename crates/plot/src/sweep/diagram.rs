@@ -4,11 +4,12 @@ use std::collections::BTreeMap;
 
 use plotters::prelude::*;
 
+use super::Show;
 use super::legend::{self, described};
 use super::{Cells, Drawn, Plane, double, middle, value};
-use super::{Records, Show};
 use crate::picture::{self, Axis, BLUE, Canvas, GREEN, Look, Mark, SCALE, VERMILION};
-use impact_pair::json::{SweepImpact, SweepRecord};
+use crate::records::Records;
+use impact_pair::json::{SweepHead, SweepImpact, SweepRecord};
 use impact_pair::scene::Range;
 
 /// The smallest cell: less than a pixel of most screens.
@@ -63,7 +64,7 @@ type Columns = BTreeMap<i32, Vec<i32>>;
 
 /// Draws axes and words; the data are handed back.
 pub fn draw(
-    sweep: &mut impl Records,
+    sweep: &mut impl Records<Head = SweepHead>,
     axis: &Range,
     (show, within): (Show, Option<[f64; 2]>),
     (root, look): (&Canvas<'_>, &Look),
@@ -116,7 +117,7 @@ pub fn draw(
 }
 
 /// The classes that there are, and the greatest speed.
-fn survey(sweep: &mut impl Records) -> Drawn<(Vec<Class>, f64)> {
+fn survey(sweep: &mut impl Records<Head = SweepHead>) -> Drawn<(Vec<Class>, f64)> {
     let (mut present, mut greatest) = (Vec::new(), f64::MIN_POSITIVE);
     sweep.each_record(|record| {
         present.push(Class::of(&record));

@@ -4,17 +4,18 @@ use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 use std::fmt::Write;
 
+use impact_pair::json::SweepHead;
 use impact_pair::mapping::Word;
 use impact_pair::pair::Wall;
 use impact_pair::scene::{Key, Range};
 use impact_pair::sweep::Grid;
 use plotters::prelude::*;
 
-use super::Records;
 use super::kind::{Kind, OTHER, UNDECIDED, colours};
 use super::legend::{self, described};
 use super::{Cells, Drawn, Plane, middle, value};
 use crate::picture::{self, Axis, Canvas, Look, Mark, SCALE, hex};
+use crate::records::Records;
 
 /// Radius of the ring around an attractor.
 const RING: i32 = 6 * SCALE;
@@ -27,7 +28,7 @@ struct Outcomes {
 }
 
 impl Outcomes {
-    fn of(sweep: &mut impl Records, grid: &Grid, is_one_pair: bool) -> Drawn<Self> {
+    fn of(sweep: &mut impl Records<Head = SweepHead>, grid: &Grid, is_one_pair: bool) -> Drawn<Self> {
         let mut kinds: Vec<Kind> = Vec::new();
         let mut points = vec![None; usize::try_from(grid.points())?];
         sweep.each_record(|mut record| {
@@ -47,7 +48,11 @@ impl Outcomes {
 }
 
 /// Draws axes and words; the data are handed back.
-pub fn draw(sweep: &mut impl Records, grid: &Grid, (root, look): (&Canvas<'_>, &Look)) -> Drawn<String> {
+pub fn draw(
+    sweep: &mut impl Records<Head = SweepHead>,
+    grid: &Grid,
+    (root, look): (&Canvas<'_>, &Look),
+) -> Drawn<String> {
     let [x, y] = grid.axes() else { return Err("a map has two axes".into()) };
     let is_one_pair = [x, y].iter().all(|axis| axis.key >= Key::StartTime);
     let outcomes = Outcomes::of(sweep, grid, is_one_pair)?;

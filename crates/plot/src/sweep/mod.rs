@@ -12,7 +12,7 @@ use std::error::Error as StdError;
 
 use anyhow::Result;
 use impact_pair::exact::Exact;
-use impact_pair::json::{ExtendedBounds, SweepHead, SweepRecord};
+use impact_pair::json::{ExtendedBounds, SweepHead};
 use impact_pair::sweep;
 use plotters::coord::ranged1d::Ranged;
 use plotters::prelude::*;
@@ -20,23 +20,12 @@ use plotters::prelude::*;
 pub(crate) use self::cells::Cells;
 pub(crate) use self::legend::described;
 use crate::picture::{self, Axis, Canvas, Element, FONT, Look, SCALE};
+use crate::records::Records;
 
 /// The picture as it is shown.
 const SIZE: (u32, u32) = (960, 680);
 
 type Drawn<T> = Result<T, Box<dyn StdError>>;
-
-/// A sweep whose records can be read several times.
-pub trait Records {
-    /// What it is about.
-    fn head(&self) -> &SweepHead;
-
-    /// Hands on the points that are there, in order.
-    ///
-    /// # Errors
-    /// Those of `hand`, and when a record cannot be read.
-    fn each_record(&mut self, hand: impl FnMut(SweepRecord) -> Result<()>) -> Result<()>;
-}
 
 /// The vertical axis of a diagram.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -53,7 +42,12 @@ pub enum Show {
 ///
 /// # Errors
 /// When it cannot be drawn, or the sweep cannot be read.
-pub fn svg(sweep: &mut impl Records, show: Show, within: Option<[f64; 2]>, look: &Look) -> Result<String> {
+pub fn svg(
+    sweep: &mut impl Records<Head = SweepHead>,
+    show: Show,
+    within: Option<[f64; 2]>,
+    look: &Look,
+) -> Result<String> {
     let grid = sweep::grid(sweep.head())?;
     picture::svg(look.size(SIZE), SCALE, |root| {
         let data = match grid.axes() {

@@ -1,10 +1,10 @@
-//! A table of a sweep as Apache Parquet: its columns, bounds as doubles rounded outward.
+//! A table of a sweep or an atlas as Apache Parquet: its columns, bounds as doubles rounded outward.
 
 use std::sync::Arc;
 
 use anyhow::{Context, Error, Result};
-use impact_pair::sweep::{Cell, Kind, Table, columns, doubles, rows};
-use impact_pair_plot::sweep::Records;
+use impact_pair::sweep::{Cell, Head, Kind, doubles};
+use impact_pair_plot::records::Records;
 use parquet::data_type::{BoolType, ByteArray, ByteArrayType, DataType, DoubleType, Int64Type};
 use parquet::errors::ParquetError;
 use parquet::file::metadata::KeyValue;
@@ -12,7 +12,7 @@ use parquet::file::properties::WriterProperties;
 use parquet::file::writer::{SerializedFileWriter, SerializedRowGroupWriter};
 use parquet::schema::parser::parse_message_type;
 
-use super::points::Sweep;
+use super::Gathered;
 use super::record;
 use crate::output::Output;
 
@@ -24,23 +24,31 @@ enum Column {
     Whole(Vec<Option<i64>>),
     Text(Vec<Option<ByteArray>>),
     Truth(Vec<Option<bool>>),
+    Number(Vec<Option<f64>>),
     /// Lower and upper bounds.
     Bounds([Vec<Option<f64>>; 2]),
 }
 
-/// Writes a table of a sweep; the head, as JSON, stands in the file's metadata under `impact-pair/sweep`.
-pub fn write(sweep: &mut Sweep, out: &mut Output, table: Table) -> Result<()> {
-    let head = sweep.head.clone();
-    let columns = columns(&head, table);
-    let schema = parse_message_type(&schema(&columns)).context("the columns make no schema")?;
-    let about = KeyValue::new("impact-pair/sweep".to_owned(), record::line(&head));
+/// Rows of a record.
+type Rows<'r> = Vec<Vec<Cell<'r>>>;
+
+/// Writes a table with these columns and rows; the head, as JSON, stands in the file's metadata under `impact-pair/sweep` or
+/// `impact-pair/atlas`.
+pub fn write<H: Head>(
+    points: &mut Gathered<H>,
+    out: &mut Output,
+    columns: &[(String, Kind)],
+    rows: impl for<'r> Fn(&'r H::Record) -> Rows<'r>,
+) -> Result<()> {
+    let schema = parse_message_type(&schema(columns)).context("the columns make no schema")?;
+    let about = KeyValue::new(format!("impact-pair/{}", H::NAME), record::line(&points.head));
     let properties = WriterProperties::builder().set_key_value_metadata(Some(vec![about])).build();
     let mut writer = SerializedFileWriter::new(out, Arc::new(schema), Arc::new(properties))?;
-    let empty: Vec<Kind> = columns.into_iter().map(|(_, kind)| kind).collect();
+    let empty: Vec<Kind> = columns.iter().map(|(_, kind)| *kind).collect();
     let mut group = Group::new(&empty);
-    sweep.each_record(|record| {
-        for row in rows(&head, table, &record) {
-            group.push(&row)?;
+    points.each_record(|record| {
+        for row in rows(&record) {
+            group.push(&row, &empty)?;
             if group.rows == GROUP {
                 std::mem::replace(&mut group, Group::new(&empty)).write(writer.next_row_group()?)?;
             }
@@ -60,10 +68,11 @@ fn schema(columns: &[(String, Kind)]) -> String {
         Kind::Whole => format!("OPTIONAL INT64 {name};"),
         Kind::Text => format!("OPTIONAL BYTE_ARRAY {name} (UTF8);"),
         Kind::Truth => format!("OPTIONAL BOOLEAN {name};"),
+        Kind::Low | Kind::High | Kind::Number => format!("OPTIONAL DOUBLE {name};"),
         Kind::Exact | Kind::Bounds => format!("OPTIONAL DOUBLE {name}_lower; OPTIONAL DOUBLE {name}_upper;"),
     };
     let columns: String = columns.iter().map(column).collect();
-    format!("message sweep {{ {columns} }}")
+    format!("message points {{ {columns} }}")
 }
 
 /// Rows that are written together.
@@ -78,13 +87,14 @@ impl Group {
             Kind::Whole => Column::Whole(Vec::new()),
             Kind::Text => Column::Text(Vec::new()),
             Kind::Truth => Column::Truth(Vec::new()),
+            Kind::Low | Kind::High | Kind::Number => Column::Number(Vec::new()),
             Kind::Exact | Kind::Bounds => Column::Bounds([Vec::new(), Vec::new()]),
         };
         Self { columns: kinds.iter().map(column).collect(), rows: 0 }
     }
 
-    fn push(&mut self, row: &[Cell<'_>]) -> Result<()> {
-        for (column, cell) in self.columns.iter_mut().zip(row) {
+    fn push(&mut self, row: &[Cell<'_>], kinds: &[Kind]) -> Result<()> {
+        for ((column, cell), kind) in self.columns.iter_mut().zip(row).zip(kinds) {
             match (column, cell) {
                 (Column::Whole(values), Cell::Whole(number)) => values.push(Some(i64::try_from(*number)?)),
                 (Column::Text(values), Cell::Text(text)) => values.push(Some(ByteArray::from(*text))),
@@ -98,9 +108,14 @@ impl Group {
                     lower.push(Some(low));
                     upper.push(Some(high));
                 }
+                (Column::Number(values), Cell::Number(number)) => values.push(Some(*number)),
+                (Column::Number(values), Cell::Exact(text)) => {
+                    values.push(Some(doubles(text)?[usize::from(*kind == Kind::High)]));
+                }
                 (Column::Whole(values), _) => values.push(None),
                 (Column::Text(values), _) => values.push(None),
                 (Column::Truth(values), _) => values.push(None),
+                (Column::Number(values), _) => values.push(None),
                 (Column::Bounds(both), _) => both.iter_mut().for_each(|values| values.push(None)),
             }
         }
@@ -114,6 +129,7 @@ impl Group {
                 Column::Whole(values) => put::<Int64Type>(&mut group, values)?,
                 Column::Text(values) => put::<ByteArrayType>(&mut group, values)?,
                 Column::Truth(values) => put::<BoolType>(&mut group, values)?,
+                Column::Number(values) => put::<DoubleType>(&mut group, values)?,
                 Column::Bounds([lower, upper]) => {
                     put::<DoubleType>(&mut group, lower)?;
                     put::<DoubleType>(&mut group, upper)?;

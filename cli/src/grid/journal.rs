@@ -10,9 +10,9 @@ use std::io::{self, BufRead, BufReader, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result, bail};
-use impact_pair::json::SweepHead;
+use impact_pair::sweep::{Head, Line};
 
-use super::record::{is_of_grid, is_own, line, own, read_head, read_record};
+use super::record::{is_of_grid, line, own, read_head};
 
 /// Bytes before the text of a line: its CRC-32 in hexadecimal digits, and a blank.
 const SEAL: usize = 9;
@@ -37,8 +37,8 @@ struct Place {
 }
 
 /// A file of records, and where each of them is.
-pub struct Journal {
-    pub head: SweepHead,
+pub struct Journal<H: Head> {
+    pub head: H,
     file: File,
     places: BTreeMap<u64, Place>,
     end: u64,
@@ -59,16 +59,16 @@ pub fn beside(output: &Path) -> Option<PathBuf> {
     Some(name.into())
 }
 
-impl Journal {
-    /// The journal of a sweep: a new one, or to `resume` that of an earlier sweep into the same output.
-    pub fn open(head: SweepHead, output: Option<&Path>, resume: bool) -> Result<Self> {
+impl<H: Head> Journal<H> {
+    /// A new journal, or to `resume` that of an earlier sweep or atlas into the same output.
+    pub fn open(head: H, output: Option<&Path>, resume: bool) -> Result<Self> {
         let Some(path) = output.and_then(beside) else {
             return Self::begin(head, tempfile::tempfile().context("cannot open a temporary file")?, None);
         };
         let shown = path.display().to_string();
         if path.exists() {
             if !resume {
-                bail!("{shown} holds an unfinished sweep: continue it with --resume, or remove the file");
+                bail!("{shown} holds an unfinished {}: continue it with --resume, or remove the file", H::NAME);
             }
             let file = OpenOptions::new().read(true).write(true).open(&path);
             let file = file.with_context(|| format!("cannot open {shown}"))?;
@@ -79,21 +79,21 @@ impl Journal {
     }
 
     /// A new journal.
-    fn begin(head: SweepHead, file: File, path: Option<PathBuf>) -> Result<Self> {
+    fn begin(head: H, file: File, path: Option<PathBuf>) -> Result<Self> {
         let line = line(&head);
         let mut journal = Self { head, file, places: BTreeMap::new(), end: 0, path };
-        journal.write(&line).context("cannot write the head of the sweep")?;
+        journal.write(&line).with_context(|| format!("cannot write the head of the {}", H::NAME))?;
         Ok(journal)
     }
 
-    /// An earlier sweep's journal, which must be about the same; a torn end is cut off.
-    fn resumed(head: SweepHead, file: File, path: PathBuf) -> Result<Self> {
+    /// An earlier journal, which must be about the same; a torn end is cut off.
+    fn resumed(head: H, file: File, path: PathBuf) -> Result<Self> {
         if file.metadata()?.len() == 0 {
             return Self::begin(head, file, Some(path));
         }
         let found = Self::scan(file, true)?;
         if found.head != head {
-            bail!("it belongs to another sweep or another version: {}", difference(&found.head, &head));
+            bail!("it belongs to another {} or another version: {}", H::NAME, difference(&found.head, &head));
         }
         found.file.set_len(found.end).context("cannot remove the incomplete last line")?;
         Ok(Self { path: Some(path), ..found })
@@ -124,22 +124,21 @@ impl Journal {
             end += all;
             let text = std::str::from_utf8(text).with_context(|| format!("line {number}"))?;
             let Some((head, grid)) = &head else {
-                head = Some(read_head(text)?);
+                head = Some(read_head::<H>(text)?);
                 continue;
             };
-            let record = read_record(text).with_context(|| format!("line {number} is not the record of a point"))?;
-            if !is_own(head, record.point) {
-                bail!("line {number}: point {} does not belong to this sweep or shard", record.point);
+            let record: H::Record =
+                serde_json::from_str(text).with_context(|| format!("line {number} is not the record of a point"))?;
+            let point = record.point();
+            if !head.has(point) {
+                bail!("line {number}: point {point} does not belong to this {} or shard", H::NAME);
             }
-            if !is_of_grid(&record, grid) {
-                let values = record.values.join(", ");
-                bail!(
-                    "line {number}: the values of point {} are {values}, which is not its place in the grid",
-                    record.point
-                );
+            if !is_of_grid::<H>(&record, grid) {
+                let values = record.values().join(", ");
+                bail!("line {number}: the values of point {point} are {values}, which is not its place in the grid");
             }
-            if places.insert(record.point, place).is_some() {
-                bail!("line {number}: point {} occurs twice", record.point);
+            if places.insert(point, place).is_some() {
+                bail!("line {number}: point {point} occurs twice");
             }
         }
         let (head, _) = head.context("line 1 is missing")?;
@@ -155,7 +154,7 @@ impl Journal {
         self.places.contains_key(&point)
     }
 
-    /// The points of the sweep, or of the shard, that are not in it.
+    /// The points of all, or of the shard, that are not in it.
     pub fn missing(&self) -> Vec<u64> {
         own(&self.head).filter(|&point| !self.holds(point)).collect()
     }
@@ -199,9 +198,9 @@ impl Journal {
     }
 }
 
-/// The first thing that two sweeps differ in.
-pub fn difference(one: &SweepHead, other: &SweepHead) -> String {
-    let entries = |head: &SweepHead| match serde_json::to_value(head) {
+/// The first thing that two heads differ in.
+pub fn difference<H: Head>(one: &H, other: &H) -> String {
+    let entries = |head: &H| match serde_json::to_value(head) {
         Ok(serde_json::Value::Object(entries)) => entries,
         _ => serde_json::Map::new(),
     };

@@ -1,0 +1,137 @@
+//! What `atlas` is asked on the command line.
+
+use std::path::PathBuf;
+
+use clap::{Args, ValueEnum};
+use impact_pair::chaos::GlobalSettings;
+use impact_pair::scene::Range;
+use impact_pair::sweep::axis;
+use impact_pair_plot::picture::Look;
+
+use crate::destination::Destination;
+use crate::grid::Shard;
+use crate::values::{count, digits};
+
+pub const EXIT_CODES: &str = "\
+Exit code: 0 at every point, or for every cell, every motion is proved to end in one cycle with rests, or to tend to one \
+attractor; 1 at some points it is not, or the atlas was interrupted; 2 usage, bad input, I/O";
+
+pub const HELP: &str = "\
+Examples:
+  impact-pair atlas scenes/figure-14.toml --over gap=2..4:3 --over restitution=0..0.1:2
+  impact-pair atlas scenes/figure-14.toml --over gap=2..4:3 --over restitution=0..0.1:2 --cells
+  impact-pair atlas scenes/figure-14.toml --over gap=2..3:2 --over restitution=0..0.1:2 -o a.html
+
+Shards become one by atlas --merge one.jsonl two.jsonl three.jsonl --output atlas.csv
+
+Each point has a global analysis of its own, as global proves it; the start of the scene is not used. KEY is amplitude, \
+frequency, phase, gap or restitution; only A/d and e matter. Points are exact and evenly spaced, endpoints included; the \
+second axis varies faster. With --cells the rectangle is cut into at most 8 x 8 tiles, and a cell into quarters while its \
+class is not decided for all its parameters, down to COUNT cells along each axis.
+
+Classes: one-rest-cycle, every motion ends in one cycle with rests; one-attractor, every motion tends to one attractor, or \
+stays at saddles or grazes; attractors, those listed are proved, others are not excluded; closed, every motion is in \
+closed components in the end of which nothing else is decided; undecided.
+
+With --output FILE all finished points are kept in FILE.partial until FILE is written; after Ctrl-C or a crash \
+--resume continues from there. Apart from seconds, the output is the same for any number of threads, interrupted or not, \
+in shards or not.
+
+Exit code: 0 at every point, or for every cell, every motion is proved to end in one cycle with rests, or to tend to one \
+attractor; 1 at some points it is not, or the atlas was interrupted; 2 usage, bad input, I/O.";
+
+#[derive(Args, Debug)]
+pub struct AtlasArguments {
+    /// Scene file (TOML), or - for stdin
+    #[arg(required_unless_present = "merge")]
+    pub scene: Option<PathBuf>,
+    /// The two parameters
+    #[arg(long, value_name = "KEY=LO..HI:COUNT", value_parser = axis, required_unless_present = "merge", allow_hyphen_values = true)]
+    pub over: Vec<Range>,
+    /// Prove each answer for all parameters of a cell
+    #[arg(long)]
+    pub cells: bool,
+    /// Boxes of the first partition, about: 2^N [default: 14, with --cells 12]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(8..=20))]
+    pub boxes: Option<u32>,
+    /// Halve the boxes of a component up to N times
+    #[arg(long, value_name = "N", default_value_t = 18, value_parser = clap::value_parser!(u32).range(0..=40))]
+    pub halvings: u32,
+    /// Map about N boxes in all for each point or cell [default: 300000, with --cells 20000]
+    #[arg(long, value_name = "N", value_parser = count(1..=1_000_000_000))]
+    pub most: Option<u64>,
+    /// Requested width of periodic orbits, at most 10^-D: of phases relative to 2 pi, of velocities relative to A W
+    #[arg(long, value_name = "D", default_value_t = 9, value_parser = digits())]
+    pub digits: u32,
+    /// Number of threads [default: the number of processors]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=4096))]
+    pub threads: Option<u16>,
+    /// Compute only the points of shard I of N; written as jsonl
+    #[arg(long, value_name = "I/N", conflicts_with = "plot")]
+    pub shard: Option<Shard>,
+    /// Merge shards
+    #[arg(long, value_name = "FILE", num_args = 1.., conflicts_with_all = MADE_ANEW)]
+    pub merge: Vec<PathBuf>,
+    /// Continue from FILE.partial, if it exists
+    #[arg(long, requires = "output")]
+    pub resume: bool,
+    /// Output format [default: as the ending of --output says, else csv, for a shard jsonl]
+    #[arg(long, value_enum)]
+    pub format: Option<AtlasFormat>,
+    /// Draw the plane in the colours of the classes, or write the page
+    #[arg(long, value_name = "FILE.svg|FILE.png|FILE.pdf|FILE.html", value_parser = drawing)]
+    pub plot: Option<PathBuf>,
+    #[command(flatten)]
+    pub look: Look,
+    #[command(flatten)]
+    pub destination: Destination,
+}
+
+/// The options that shards have fixed already.
+const MADE_ANEW: [&str; 9] = ["scene", "over", "cells", "boxes", "halvings", "most", "digits", "shard", "resume"];
+
+/// How an atlas is written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum AtlasFormat {
+    /// One line per point or cell
+    Csv,
+    /// JSON Lines, schema impact-pair/atlas/1: the head, one point or tile per line, with all components
+    Jsonl,
+    /// Apache Parquet: the columns of csv (a build with --features parquet)
+    Parquet,
+    /// The picture
+    Svg,
+    /// The picture in pixels (a build with --features png)
+    Png,
+    /// The page, one file
+    Html,
+}
+
+impl AtlasArguments {
+    /// How each point is analysed.
+    pub fn settings(&self) -> anyhow::Result<GlobalSettings> {
+        let (boxes, most) = if self.cells { (12, 20_000) } else { (14, 300_000) };
+        let mut settings = GlobalSettings {
+            boxes: 1 << self.boxes.unwrap_or(boxes),
+            halvings: self.halvings,
+            most: usize::try_from(self.most.unwrap_or(most))?,
+            ..GlobalSettings::default()
+        };
+        settings.precision.digits = self.digits;
+        Ok(settings)
+    }
+}
+
+/// Reads the name of a picture or a page.
+fn drawing(text: &str) -> Result<PathBuf, String> {
+    let path = PathBuf::from(text);
+    if is_page(&path) {
+        return Ok(path);
+    }
+    impact_pair_plot::picture::path(text).map_err(|error| error.replacen(".svg", ".html, .svg", 1))
+}
+
+/// Whether a name is one of a page.
+pub fn is_page(path: &std::path::Path) -> bool {
+    path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("html"))
+}

@@ -1,0 +1,13 @@
+//! What `sweep` and `atlas` share: points of a grid, computed by all threads or in shards, kept on disk, and written as tables.
+
+pub mod journal;
+#[cfg(feature = "parquet")]
+pub mod parquet;
+pub mod points;
+pub mod record;
+mod shard;
+pub mod work;
+
+pub use points::Gathered;
+pub use shard::Shard;
+pub use work::{Work, named, open_once};

@@ -1,0 +1,125 @@
+//! The points that are left, computed by all threads.
+
+use std::io::{self, IsTerminal};
+use std::path::{Path, PathBuf};
+use std::sync::Mutex;
+use std::thread;
+use std::time::{Duration, Instant};
+
+use anyhow::{Context, Error, Result};
+use impact_pair::exact::Exact;
+use impact_pair::scene::Key;
+use impact_pair::sweep::Head;
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use rayon::prelude::*;
+
+use super::journal::Journal;
+use super::points::Gathered;
+use crate::destination::Destination;
+use crate::progress::{Interruption, catch_interruption};
+use impact_pair::watch::Watch;
+
+/// How points are computed: the record of one, as a line; `None` when Ctrl-C has come before it was done.
+pub type Point<'w> = &'w (dyn Fn(u64) -> Result<Option<String>> + Sync);
+
+/// A sweep or an atlas at work.
+pub struct Work<'w, H> {
+    pub head: H,
+    pub point: Point<'w>,
+    /// All processors without a number.
+    pub threads: Option<u16>,
+    /// Whether an earlier one is continued.
+    pub resume: bool,
+    pub destination: &'w Destination,
+}
+
+/// What has become of it.
+pub enum Computed<H: Head> {
+    /// Ctrl-C came, and the finished points are kept in this file.
+    Kept { path: PathBuf, points: u64, left: usize },
+    /// The points that are finished, how fast, and how many are left after Ctrl-C.
+    Done { points: Gathered<H>, rate: String, left: usize },
+}
+
+impl<H: Head + Sync + Send> Work<'_, H> {
+    /// Computes the points, until all are done or Ctrl-C comes.
+    pub fn done(self, scene: &str) -> Result<Computed<H>> {
+        // From here on Ctrl-C keeps what is finished.
+        catch_interruption();
+        let mut journal = Journal::open(self.head.clone(), self.destination.output.as_deref(), self.resume)?;
+        let (begun, before) = (Instant::now(), journal.points());
+        let visible = !self.destination.quiet && io::stderr().is_terminal();
+        self.complete(&mut journal, visible).with_context(|| scene.to_owned())?;
+        let computed = journal.points() - before;
+        let left = journal.missing().len();
+        if let Some(path) = journal.path().filter(|_| left > 0 && !Interruption.goes_on()) {
+            return Ok(Computed::Kept { path: path.to_owned(), points: journal.points(), left });
+        }
+        let seconds = begun.elapsed().as_secs_f64();
+        let rate = format!("{computed} in {seconds:.1} s, {:.1} a second", computed as f64 / seconds.max(1e-9));
+        Ok(Computed::Done { points: Gathered { head: self.head, journals: vec![journal] }, rate, left })
+    }
+
+    /// Computes what the journal lacks.
+    fn complete(&self, journal: &mut Journal<H>, visible: bool) -> Result<()> {
+        let left = journal.missing();
+        let bar = progress(journal.points(), left.len() as u64, visible);
+        let threads = self.threads.map_or_else(|| thread::available_parallelism().map_or(1, usize::from), usize::from);
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
+        let pool = pool.context("cannot start the threads")?;
+        let journal = Mutex::new(journal);
+        let each = |&point: &u64| {
+            let Some(line) = (self.point)(point)? else { return Ok(()) };
+            let mut journal = journal.lock().expect("no thread has panicked");
+            journal.add(point, &line).context("cannot write a finished point")?;
+            bar.inc(1);
+            Ok(())
+        };
+        // A point at a time, so that no thread is left with the slow ones.
+        let done: Result<(), Error> = pool.install(|| left.par_iter().with_max_len(1).try_for_each(each));
+        bar.finish_and_clear();
+        done
+    }
+}
+
+impl<H: Head> Computed<H> {
+    /// The note of what is kept, where Ctrl-C came; else the points.
+    pub fn or_note(self) -> std::result::Result<(Gathered<H>, String), String> {
+        match self {
+            Self::Kept { path, points, left } => {
+                let path = path.display();
+                Err(format!("interrupted: {points} points are kept in {path}, {left} are left (go on with --resume)"))
+            }
+            Self::Done { points, rate, left: 0 } => Ok((points, format!(" ({rate})"))),
+            Self::Done { points, rate, left } => {
+                Ok((points, format!(" ({rate}); interrupted, {left} points are left")))
+            }
+        }
+    }
+}
+
+/// Names a point and its values.
+pub fn named(point: u64, values: &[(Key, Exact)]) -> String {
+    let value = |(key, value): &(Key, Exact)| format!("{key} = {value}");
+    format!("point {point} ({})", values.iter().map(value).collect::<Vec<_>>().join(", "))
+}
+
+/// Refuses outputs that cannot be written now and not after hours.
+pub fn open_once(outputs: &[Option<&Path>]) -> Result<()> {
+    outputs.iter().flatten().try_for_each(|path| crate::output::Output::open(Some(path)).map(drop))
+}
+
+/// Points done and to do, the rate, and the time left; drawn only on a terminal.
+fn progress(done: u64, left: u64, visible: bool) -> ProgressBar {
+    if !visible || !io::stderr().is_terminal() {
+        return ProgressBar::hidden();
+    }
+    let style = ProgressStyle::with_template("{bar:30} {pos}/{len} points, {per_sec}, {eta} left");
+    let target = ProgressDrawTarget::stderr_with_hz(5);
+    let bar = ProgressBar::with_draw_target(Some(done + left), target);
+    let bar = bar.with_style(style.expect("a valid template")).with_position(done);
+    // What was done before does not count for the rate.
+    bar.reset_eta();
+    bar.enable_steady_tick(Duration::from_millis(500));
+    bar
+}

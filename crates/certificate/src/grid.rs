@@ -1,0 +1,140 @@
+//! The grid of a sweep or an atlas, read back: what varies, which points there are, and where their values stand.
+
+use std::cmp::Ordering;
+
+use impact_pair_document::{Place, SceneDocument, SweepAxis, Written};
+use impact_pair_exact::{Exact, ExactError};
+use impact_pair_model::Error;
+use impact_pair_model::scene::Key;
+
+/// What varies, and which of its points belong to the document.
+pub(super) struct Axes<'a> {
+    pub keys: Vec<Key>,
+    over: &'a [SweepAxis],
+    points: u64,
+    shard: Option<[u64; 2]>,
+}
+
+/// A point in its grid.
+pub(super) struct Placed {
+    /// The values with their keys, in an order in which they can be set.
+    pub values: Vec<(Key, Exact)>,
+    /// Its place on each axis, from 0.
+    pub places: Vec<Option<u64>>,
+    /// Whether its values are those of the grid; `None` where that is not decided.
+    pub is_of_grid: Option<bool>,
+}
+
+impl<'a> Axes<'a> {
+    /// Those of a head.
+    ///
+    /// # Errors
+    /// Name the key of an axis or the shard, and what is accepted.
+    pub fn of(head: &Place<'_>, over: &'a [SweepAxis], points: u64, shard: Option<[u64; 2]>) -> Result<Self, Error> {
+        if shard.is_some_and(|[number, of]| !(1..=of).contains(&number)) {
+            return Err(head
+                .get("shard")?
+                .refused("accepted is the number of a shard, from 1 on, and how many there are"));
+        }
+        let key = |(axis, place): (&SweepAxis, &Place<'_>)| {
+            axis.key.parse::<Key>().or_else(|error| Err(place.get("key")?.refused(&error.to_string())))
+        };
+        let keys = over.iter().zip(&head.get("over")?.list()?).map(key).collect::<Result<_, _>>()?;
+        Ok(Self { keys, over, points, shard })
+    }
+
+    /// Whether the axes have as many points together as are given.
+    pub fn are_all(&self) -> bool {
+        let all = self.over.iter().try_fold(1u64, |all, axis| all.checked_mul(axis.count));
+        all == Some(self.points)
+    }
+
+    /// Whether a point is one of the grid, or of the shard: every N-th one.
+    pub fn has(&self, point: u64) -> bool {
+        point < self.points && self.shard.is_none_or(|[number, of]| point % of == number - 1)
+    }
+
+    /// How many points the grid, or the shard, has.
+    pub fn own_points(&self) -> u64 {
+        let [number, of] = self.shard.unwrap_or([1, 1]); // exact: all of them
+        self.points / of + u64::from(number <= self.points % of)
+    }
+
+    /// Compares the values of a point with those of the grid.
+    ///
+    /// # Errors
+    /// When there is not one of each axis, or one is no number.
+    pub fn placed(&self, point: u64, written: &[String], place: &Place<'_>) -> Result<Placed, Error> {
+        if written.len() != self.over.len() {
+            return Err(place.get("values")?.refused("there must be one of each axis"));
+        }
+        // The last axis runs through first.
+        let (mut rest, mut is_of_grid) = (point, Some(true));
+        let (mut values, mut places) = (Vec::new(), Vec::new());
+        for ((axis, key), value) in self.over.iter().zip(&self.keys).zip(written).rev() {
+            let value =
+                Exact::parse(value).map_err(|error| Error::certificate(format!("values: {error}")).because(error))?;
+            let at = (axis.count > 1).then(|| rest % axis.count);
+            let order = at.and_then(|at| on_axis(axis, at).ok()).and_then(|grid| grid.compare(&value));
+            is_of_grid = match (is_of_grid, order) {
+                (Some(false), _) | (_, Some(Ordering::Less | Ordering::Greater)) => Some(false),
+                (_, None) => None,
+                (so_far, Some(Ordering::Equal)) => so_far,
+            };
+            rest = rest.checked_div(axis.count).unwrap_or(1);
+            values.push((*key, value));
+            places.insert(0, at);
+        }
+        if rest != 0 {
+            is_of_grid = Some(false);
+        }
+        // The phase of the start depends on the other parameters.
+        values.sort_by_key(|(key, _)| *key == Key::StartPhase);
+        Ok(Placed { values, places, is_of_grid })
+    }
+
+    /// The scene's own values of what varies: they only name it.
+    pub fn own_values(&self) -> impl Iterator<Item = String> {
+        let term = |key: &Key| key.term().map_or(0, |term| usize::from(term.get()) - 1); // exact: the only one
+        self.keys.iter().map(move |key| match key {
+            Key::Amplitude(_) => format!("scene.excitation.amplitude[{}]", term(key)),
+            Key::Frequency(_) => format!("scene.excitation.frequency[{}]", term(key)),
+            Key::Phase(_) => format!("scene.excitation.phase[{}]", term(key)),
+            Key::Gap => "scene.gap".to_owned(),
+            Key::Restitution => "scene.restitution".to_owned(),
+            Key::StartTime | Key::StartPhase => "scene.start.time".to_owned(),
+            Key::StartPosition => "scene.start.position".to_owned(),
+            Key::StartVelocity => "scene.start.velocity".to_owned(),
+        })
+    }
+
+    /// Axes of which all points have one value: it does not tell both ends and the count.
+    pub fn unpinned(&self, points: &[&[Option<u64>]]) -> Vec<String> {
+        let is_pinned = |axis: usize| points.iter().any(|places| places.get(axis) != points[0].get(axis));
+        (0..self.keys.len()).filter(|axis| !is_pinned(*axis)).map(|axis| format!("over[{axis}]")).collect()
+    }
+}
+
+/// The value number `at` of an axis.
+fn on_axis(axis: &SweepAxis, at: u64) -> Result<Exact, ExactError> {
+    let whole = |n: u64| Exact::from_rational(num_rational::BigRational::from_integer(n.into()));
+    let [from, to] = [&axis.from, &axis.to].map(|end| Exact::parse(end).unwrap_or_else(|_| Exact::from(0)));
+    if at + 1 == axis.count {
+        return Ok(to);
+    }
+    let part = whole(at).checked_div(&whole(axis.count - 1))?;
+    from.checked_add(&to.checked_sub(&from)?.checked_mul(&part)?)
+}
+
+/// Puts a value in the place of the scene's own; `None` where it has none. The number, from 0, is that of the term that phases are of.
+pub(super) fn varied(scene: &mut SceneDocument, key: Key, reference: Option<usize>, value: Exact) -> Option<()> {
+    if key != Key::StartPhase {
+        return scene.set(key, value);
+    }
+    let (pair, _) = scene.clone().model().ok()?;
+    let excitation = pair.excitation();
+    let term = reference.map_or(excitation.reference(), |term| &excitation.terms()[term]);
+    let time = value.checked_sub(term.phase()).and_then(|since| since.checked_div(term.frequency())).ok()?;
+    scene.start.time = Written(time);
+    Some(())
+}

@@ -1,0 +1,88 @@
+//! The points or cells of an atlas, as rectangles of the plane.
+
+use anyhow::{Context, Result};
+use impact_pair::exact::Exact;
+use impact_pair::json::{AtlasHead, AtlasRecord};
+use impact_pair::scene::Range;
+use plotters::style::RGBColor;
+
+use crate::picture::{BLUE, GREEN, ORANGE, SKY, VERMILION};
+use crate::records::Records;
+use crate::sweep::value;
+
+/// The classes, with their colours and what they say, the strongest one first.
+pub const CLASSES: [(&str, RGBColor, &str); 5] = [
+    ("one-rest-cycle", GREEN, "every motion ends in one cycle with rests"),
+    ("one-attractor", BLUE, "every motion tends to one attractor, or stays at saddles or grazes"),
+    ("attractors", SKY, "attractors proved, others not excluded"),
+    ("closed", ORANGE, "every motion in closed sets in the end, else undecided"),
+    ("undecided", VERMILION, "undecided"),
+];
+
+/// A point, with half a step around it, or a cell.
+pub struct Leaf {
+    /// Ends on both axes.
+    pub ends: [[f64; 2]; 2],
+    /// Its class, by position.
+    pub class: usize,
+    /// What is proved there; without the cells that are cut.
+    pub record: AtlasRecord,
+}
+
+/// The points or cells that are there, and the axes.
+pub struct Leaves {
+    pub axes: [Range; 2],
+    pub all: Vec<Leaf>,
+}
+
+impl Leaves {
+    /// Reads those of an atlas.
+    ///
+    /// # Errors
+    /// When it cannot be read, or a class is none.
+    pub fn of(atlas: &mut impl Records<Head = AtlasHead>) -> Result<Self> {
+        use impact_pair::sweep::Head;
+
+        let head = atlas.head().clone();
+        let plane = head.grid()?;
+        let axes = plane.axes().map(Clone::clone);
+        let half = axes.each_ref().map(|axis| {
+            let steps = (axis.points() - 1) as f64;
+            if head.cells { 0.0 } else { 0.5 * (value(&axis.high) - value(&axis.low)) / steps }
+        });
+        let mut all = Vec::new();
+        atlas.each_record(|record| {
+            for leaf in record.leaves() {
+                let class = CLASSES.iter().position(|(class, ..)| *class == leaf.class);
+                let class = class.with_context(|| format!("there is no class {}", leaf.class))?;
+                let mut ends = [[0.0; 2]; 2];
+                for (axis, text) in leaf.values.iter().take(2).enumerate() {
+                    let (low, high) = interval(&Exact::parse(text)?);
+                    ends[axis] = [low - half[axis], high + half[axis]];
+                }
+                all.push(Leaf { ends, class, record: leaf.clone() });
+            }
+            Ok(())
+        })?;
+        Ok(Self { axes, all })
+    }
+
+    /// Returns the ends of the plane on both axes, with half a step around points.
+    pub fn range(&self) -> [[f64; 2]; 2] {
+        let own = self.axes.each_ref().map(|axis| [value(&axis.low), value(&axis.high)]);
+        self.all.iter().fold(own, |all, leaf| {
+            [0, 1].map(|axis| [all[axis][0].min(leaf.ends[axis][0]), all[axis][1].max(leaf.ends[axis][1])])
+        })
+    }
+
+    /// Returns the classes that occur, each with its number of points or cells.
+    pub fn counts(&self) -> Vec<(usize, usize)> {
+        let of = |class: usize| (class, self.all.iter().filter(|leaf| leaf.class == class).count());
+        (0..CLASSES.len()).map(of).filter(|(_, count)| *count > 0).collect()
+    }
+}
+
+/// About the ends of a number or an interval.
+fn interval(x: &Exact) -> (f64, f64) {
+    x.ends().map_or((value(x), value(x)), |(low, high)| (value(&low), value(&high)))
+}

@@ -1,0 +1,180 @@
+//! The picture: the plane in the colours of the classes, the paper's curves over it, and its figures marked.
+
+use std::collections::BTreeMap;
+use std::error::Error as StdError;
+use std::fmt::Write;
+
+use anyhow::Result;
+use impact_pair::json::AtlasHead;
+use impact_pair::scene::Key;
+use plotters::prelude::*;
+use plotters::style::text_anchor::HPos;
+
+use super::curves::{self, Bifurcation, Parameters};
+use super::leaves::{CLASSES, Leaves};
+use crate::picture::{self, Axis, Canvas, Element, FONT, Look, Mark, Plane, SCALE, hex, words};
+use crate::records::Records;
+use crate::sweep::{Cells, described};
+
+/// The picture as it is shown.
+pub const SIZE: (u32, u32) = (960, 720);
+/// Room on the right of the axes, and the radius of the ring of a figure.
+const RIGHT: i32 = 28 * SCALE;
+const RING: i32 = 5 * SCALE;
+/// The width of a curve, and of the white on both sides of it.
+const WIDTH: i32 = 2 * SCALE;
+const AROUND: i32 = 4 * SCALE;
+
+/// Returns the picture as SVG.
+///
+/// # Errors
+/// When it cannot be drawn, or the atlas cannot be read.
+pub fn svg(atlas: &mut impl Records<Head = AtlasHead>, look: &Look) -> Result<String> {
+    let leaves = Leaves::of(atlas)?;
+    Ok(drawn(atlas.head(), &leaves, look)?.0)
+}
+
+/// The picture, and where the plane is in it: left, top, right and bottom in parts of its size.
+pub fn drawn(head: &AtlasHead, leaves: &Leaves, look: &Look) -> Result<(String, [f64; 4])> {
+    let mut place = [0.0; 4];
+    let size = look.size(SIZE);
+    let text = picture::svg(size, SCALE, |root| {
+        let parameters = Parameters::of(&head.scene, &leaves.axes);
+        let plane = frame(head, leaves, parameters.as_ref(), (root, look))?;
+        let ((left, right), (bottom, top)) = (plane.pixels[0], plane.pixels[1]);
+        let part = |pixel: i32, whole: u32| f64::from(pixel) / f64::from(whole * SCALE as u32);
+        place = [part(left, size.0), part(top, size.1), part(right, size.0), part(bottom, size.1)];
+        root.draw(&Element(cells(&plane, leaves)))?;
+        if let Some(parameters) = &parameters {
+            over(&plane, parameters, leaves, root)?;
+        }
+        Ok(())
+    })?;
+    Ok((text, place))
+}
+
+/// Title, what is given, the legend and axes.
+fn frame(
+    head: &AtlasHead,
+    leaves: &Leaves,
+    parameters: Option<&Parameters>,
+    (root, look): (&Canvas<'_>, &Look),
+) -> Result<Plane, Box<dyn StdError>> {
+    let title = format!("{}: where every motion goes", head.title.as_deref().unwrap_or("The impact pair"));
+    let top = picture::caption(root, look, &title, &[given(head), said(head, leaves)])?;
+    let what = if head.cells { "cells" } else { "points" };
+    let entry = |(class, count): (usize, usize)| {
+        let (_, colour, words) = CLASSES[class];
+        (Mark::Cell(colour), format!("{words}: {count} {what}"))
+    };
+    let mut entries: Vec<(Mark, String)> = leaves.counts().into_iter().map(entry).collect();
+    if let Some(parameters) = parameters {
+        let is_there = |kind: Bifurcation| {
+            curves::all()
+                .any(|(one, cycles)| one == kind && is_seen(&parameters.curve(one, cycles, leaves.range()), leaves))
+        };
+        let kinds = [(Bifurcation::Fold, "folds"), (Bifurcation::Pitchfork, "pitchforks (dashed)")];
+        let names: Vec<&str> = kinds.into_iter().filter(|(kind, _)| is_there(*kind)).map(|(_, name)| name).collect();
+        if !names.is_empty() {
+            let of = "of equispaced motions (66)-(69), N = 1, 3, 5";
+            entries.push((Mark::Line(BLACK, WIDTH), format!("{} {of}", names.join(" and "))));
+        }
+        if !parameters.figures(leaves.range()).is_empty() {
+            entries.push((Mark::Ring, "the paper's figures".to_owned()));
+        }
+    }
+    let height = picture::legend(root, top, &entries)?;
+    let (_, below) = root.split_vertically(top + height + 6 * SCALE);
+    let axes = leaves.range().map(|[low, high]| Axis::over(low, high));
+    let names = leaves.axes.each_ref().map(|axis| described(axis.key));
+    Plane::draw(&below, axes, [&names[0], &names[1]], RIGHT)
+}
+
+/// The parameters that do not vary and matter.
+fn given(head: &AtlasHead) -> String {
+    let varies =
+        |key: fn(&Key) -> bool| head.over.iter().filter_map(|over| over.key.parse().ok()).any(|own: Key| key(&own));
+    let scene = &head.scene;
+    let amplitude = scene.excitation.amplitude.first().map(|amplitude| amplitude.0.text());
+    let entries = [
+        ("A", amplitude, varies(|key| matches!(key, Key::Amplitude(_)))),
+        ("d", Some(scene.gap.0.text()), varies(|key| *key == Key::Gap)),
+        ("e", Some(scene.restitution.0.text()), varies(|key| *key == Key::Restitution)),
+    ];
+    let fixed = entries.into_iter().filter(|(_, _, varies)| !varies);
+    let mut words: Vec<String> =
+        fixed.filter_map(|(symbol, text, _)| Some(format!("${symbol}$ = {}", text?))).collect();
+    words.push("all starts; of the parameters only $A/d$ and $e$ matter".to_owned());
+    words.join(", ")
+}
+
+/// How it was computed.
+fn said(head: &AtlasHead, leaves: &Leaves) -> String {
+    let what = if head.cells {
+        format!("{} cells, each for all parameters in it", leaves.all.len())
+    } else {
+        let [x, y] = leaves.axes.each_ref().map(|axis| axis.points());
+        format!("{x} × {y} points, each for its exact parameters")
+    };
+    format!("{what}; proved; {}", picture::program())
+}
+
+/// A rectangle for each point or cell, by colours; not by colour alone: what is undecided is struck through.
+fn cells(plane: &Plane, leaves: &Leaves) -> String {
+    let mut paths: BTreeMap<usize, Cells> = BTreeMap::new();
+    let mut strokes = String::new();
+    for leaf in &leaves.all {
+        let [[west, east], [south, north]] = leaf.ends;
+        let ((left, bottom), (right, top)) = (plane.pixel([west, south]), plane.pixel([east, north]));
+        paths.entry(leaf.class).or_default().add((left, top), (right - left, bottom - top));
+        if CLASSES[leaf.class].0 == "undecided" {
+            // Writing to a String cannot fail.
+            let _ = write!(strokes, "M{left} {bottom}L{right} {top}");
+        }
+    }
+    let mut drawn: String = paths.iter().map(|(class, cells)| cells.element(CLASSES[*class].1)).collect();
+    let _ = writeln!(drawn, "<path stroke=\"#FFFFFF\" stroke-width=\"{}\" d=\"{strokes}\"/>", SCALE / 2);
+    drawn
+}
+
+/// Whether any point of a curve is in the plane.
+fn is_seen(curve: &[[f64; 2]], leaves: &Leaves) -> bool {
+    let range = leaves.range();
+    curve.iter().any(|at| at.iter().zip(range).all(|(x, [low, high])| (low..=high).contains(x)))
+}
+
+/// Curves, and the paper's figures with their numbers.
+fn over(plane: &Plane, parameters: &Parameters, leaves: &Leaves, root: &Canvas<'_>) -> Result<(), Box<dyn StdError>> {
+    let range = leaves.range();
+    let mut drawn = String::new();
+    for (kind, cycles) in curves::all() {
+        let curve = parameters.curve(kind, cycles, range);
+        let mut data = String::new();
+        for (i, at) in curve.iter().enumerate() {
+            let (x, y) = plane.place(*at);
+            let _ = write!(data, "{}{x:.1} {y:.1}", if i == 0 { "M" } else { "L" });
+        }
+        let dashes = if kind == Bifurcation::Pitchfork {
+            format!(" stroke-dasharray=\"{0} {0}\"", 3 * WIDTH)
+        } else {
+            String::new()
+        };
+        for (colour, width, dashes) in [(WHITE, AROUND, ""), (BLACK, WIDTH, dashes.as_str())] {
+            let _ = writeln!(drawn, "<path stroke=\"{}\" stroke-width=\"{width}\"{dashes} d=\"{data}\"/>", hex(colour));
+        }
+    }
+    root.draw(&Element(plane.clipped(&drawn)))?;
+    for (number, at) in parameters.figures(range) {
+        let (x, y) = plane.pixel(at);
+        root.draw(&Circle::new((x, y), RING + SCALE, WHITE.filled()))?;
+        root.draw(&Circle::new((x, y), RING, BLACK.stroke_width(SCALE as u32)))?;
+        let text = format!("fig. {number}");
+        let is_right = x + 2 * RING + 4 * FONT < plane.pixels[0].1;
+        let (place, side) = if is_right { (x + 2 * RING, HPos::Left) } else { (x - 2 * RING, HPos::Right) };
+        let (width, half) = (text.len() as i32 * FONT * 2 / 5, FONT * 3 / 5);
+        let from = if is_right { place - SCALE } else { place - width };
+        root.draw(&Rectangle::new([(from, y - half), (from + width + SCALE, y + half)], WHITE.mix(0.8).filled()))?;
+        root.draw(&Text::new(text, (place, y), words(FONT, &BLACK, side)))?;
+    }
+    Ok(())
+}

@@ -1,0 +1,159 @@
+//! The page: one HTML file without anything from elsewhere, in which each point or cell says what is proved of it, and how to prove it again.
+
+use std::fmt::Write;
+
+use anyhow::{Context, Result};
+use impact_pair::json::{AtlasHead, ComponentDocument, SceneDocument};
+use serde_json::{Value, json};
+
+use super::leaves::{CLASSES, Leaf, Leaves};
+use super::map::{SIZE, drawn};
+use crate::picture::{Look, Theme, hex, program};
+use crate::records::Records;
+
+/// The page without its data; `{{NAME}}` stands for what is put in.
+const PAGE: &str = include_str!("page.html");
+
+/// Returns the page.
+///
+/// # Errors
+/// When the picture cannot be drawn, or the atlas cannot be read.
+pub fn html(atlas: &mut impl Records<Head = AtlasHead>) -> Result<String> {
+    let leaves = Leaves::of(atlas)?;
+    let head = atlas.head();
+    let look = |theme: Theme| Look { theme, ..Look::default() };
+    let (svg, place) = drawn(head, &leaves, &Look::default())?;
+    let [light, dark] = [Theme::Light, Theme::Dark].map(|theme| look(theme).of(&svg));
+    let title = format!("{}: where every motion goes", head.title.as_deref().unwrap_or("The impact pair"));
+    let data = json!({
+        "keys": leaves.axes.each_ref().map(|axis| axis.key.to_string()),
+        "range": leaves.range(),
+        "place": place,
+        "classes": CLASSES.map(|(name, colour, words)| json!({ "name": name, "colour": hex(colour), "words": words })),
+        "leaves": leaves.all.iter().map(|leaf| said(head, leaf)).collect::<Result<Vec<_>>>()?,
+        "command": format!("impact-pair global - {} <<'END'", settings(head)),
+    });
+    // No tag can end within it.
+    let data = serde_json::to_string(&data)?.replace('<', "\\u003c");
+    let parts = [
+        ("TITLE", escaped(&title)),
+        ("LIGHT", uri(&light)),
+        ("DARK", uri(&dark)),
+        ("WIDTH", SIZE.0.to_string()),
+        ("HEIGHT", SIZE.1.to_string()),
+        ("PROGRAM", escaped(&program())),
+        ("TABLE", table(head, &leaves)),
+        ("DATA", data),
+    ];
+    let mut page = String::new();
+    for (i, piece) in PAGE.split("{{").enumerate() {
+        let (name, rest) = if i == 0 { ("", piece) } else { piece.split_once("}}").context("the page is broken")? };
+        page.extend(parts.iter().filter(|(own, _)| *own == name).map(|(_, text)| text.as_str()));
+        page += rest;
+    }
+    Ok(page)
+}
+
+/// What the page says of a point or a cell: class, components, order, and the scene.
+fn said(head: &AtlasHead, leaf: &Leaf) -> Result<Value> {
+    let global = leaf.record.global(head).context("an axis is no parameter of the scene")?;
+    Ok(json!({
+        "ends": leaf.ends,
+        "values": leaf.record.values,
+        "class": leaf.class,
+        "statement": global.statement,
+        "components": leaf.record.components.iter().map(component).collect::<Vec<_>>(),
+        "order": leaf.record.order,
+        "seconds": leaf.record.seconds,
+        "scene": toml(&global.scene),
+    }))
+}
+
+/// A component in words.
+fn component(own: &ComponentDocument) -> String {
+    let mut words = own.kind.clone();
+    if let Some(impacts) = own.reduced_impacts {
+        let _ = write!(words, ", period {impacts} of the reduced map");
+    }
+    if let Some(word) = &own.word {
+        let _ = write!(words, ", word {word}");
+    }
+    if let Some(cycles) = own.cycles {
+        let _ = write!(words, ", {cycles} forcing periods");
+    }
+    if let Some([low, high]) = &own.spectral_radius {
+        let _ = write!(words, ", spectral radius in [{}, {}]", low.text(), high.text());
+    }
+    if own.boxes > 0 {
+        let _ = write!(words, ", {} boxes, area {}", own.boxes, own.area.text());
+    }
+    if own.closed { words + ", closed" } else { words }
+}
+
+/// A scene file of these parameters.
+fn toml(scene: &SceneDocument) -> String {
+    let list = |terms: &[impact_pair::json::Written]| {
+        let terms: Vec<String> = terms.iter().map(|term| format!("\"{}\"", term.0)).collect();
+        if terms.len() == 1 { terms.concat() } else { format!("[{}]", terms.join(", ")) }
+    };
+    let SceneDocument { excitation, gap, restitution, start } = scene;
+    let mut text = format!(
+        "excitation = {{ amplitude = {}, frequency = {}, phase = {} }}\npair = {{ gap = \"{}\", restitution = \"{}\" }}\n",
+        list(&excitation.amplitude),
+        list(&excitation.frequency),
+        list(&excitation.phase),
+        gap.0,
+        restitution.0
+    );
+    let place = match (&start.position, start.wall) {
+        (Some(position), _) => format!("position = \"{}\"", position.0),
+        (None, Some(wall)) => format!("wall = \"{}\"", wall.name()),
+        (None, None) => String::new(),
+    };
+    let _ = writeln!(text, "start = {{ time = \"{}\", {place}, velocity = \"{}\" }}", start.time.0, start.velocity.0);
+    text
+}
+
+/// The options of `global` that the atlas had.
+fn settings(head: &AtlasHead) -> String {
+    format!("--boxes {} --halvings {} --most {} --digits {}", head.boxes.ilog2(), head.halvings, head.most, head.digits)
+}
+
+/// All points or cells as the rows of a table.
+fn table(head: &AtlasHead, leaves: &Leaves) -> String {
+    let mut text = String::from("<thead><tr>");
+    let names = leaves.axes.iter().map(|axis| axis.key.to_string());
+    let counts = ["class", "attracting", "with rests", "saddles", "undecided"].map(str::to_owned);
+    for name in names.chain(counts) {
+        let _ = write!(text, "<th scope=\"col\">{}</th>", escaped(&name));
+    }
+    text += "</tr></thead>\n<tbody>\n";
+    for Leaf { record, .. } in &leaves.all {
+        let counts = [record.n_attracting, record.n_rest, record.n_saddle, record.n_undecided];
+        let cells = record.values.iter().cloned().chain([record.class.clone()]).chain(counts.map(|n| n.to_string()));
+        let cells: String = cells.map(|cell| format!("<td>{}</td>", escaped(&cell))).collect();
+        let _ = writeln!(text, "<tr>{cells}</tr>");
+    }
+    let _ = write!(text, "</tbody><caption>{}</caption>", escaped(&format!("{} records", head.points)));
+    text
+}
+
+/// Text as HTML has it.
+fn escaped(text: &str) -> String {
+    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
+}
+
+/// A picture as an address that holds it.
+fn uri(svg: &str) -> String {
+    let mut text = String::from("data:image/svg+xml,");
+    for byte in svg.bytes() {
+        match byte {
+            b'a'..=b'z' | b'A'..=b'Z' | b'0'..=b'9' | b' ' | b'-' | b'.' | b'/' | b':' | b'=' => {
+                text.push(char::from(byte))
+            }
+            // Writing to a String cannot fail.
+            _ => drop(write!(text, "%{byte:02X}")),
+        }
+    }
+    text
+}

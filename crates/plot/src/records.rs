@@ -1,0 +1,19 @@
+//! What pictures of grids read: a head, and the records of points.
+
+use anyhow::Result;
+use impact_pair::sweep::Head;
+
+/// A sweep or an atlas whose records can be read several times.
+pub trait Records {
+    /// The kind of its head.
+    type Head: Head;
+
+    /// What it is about.
+    fn head(&self) -> &Self::Head;
+
+    /// Hands on the points that are there, in order.
+    ///
+    /// # Errors
+    /// Those of `hand`, and when a record cannot be read.
+    fn each_record(&mut self, hand: impl FnMut(<Self::Head as Head>::Record) -> Result<()>) -> Result<()>;
+}

@@ -1,0 +1,345 @@
+"""Grids of points, each a pure function of the exact scene and its number: in this process or on any ``concurrent.futures.Executor``.
+
+What a sweep and an atlas share. Neither the worker nor the order matters.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import hashlib
+import itertools
+import json
+import os
+import time
+from collections.abc import Iterator, Mapping, Sequence
+from concurrent.futures import FIRST_COMPLETED, Executor, Future, wait
+from dataclasses import dataclass, replace
+from functools import cached_property
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Protocol
+
+import numpy as np
+
+from ._exact import Value, doubles_near, text, whole
+from ._progress import Progress, reporting
+from ._store import Chunks, Files, Memory
+from .bounds import doubles
+from .errors import Error, Interrupted, RangeError
+
+if TYPE_CHECKING:
+    from .bounds import Doubles
+
+#: How many times larger than the last ones a chunk may be: the first ones tell the rate.
+GROWTH = 8
+#: Chunks that wait for each worker, so that none is idle.
+AHEAD = 2
+#: The last chunks are smaller, so that workers end together: this number for each.
+TAIL = 4
+
+
+class Core(Protocol):
+    """The computation of points, which is compiled."""
+
+    @property
+    def points(self) -> int:
+        """Number of points of the grid."""
+
+    def check(self) -> None:
+        """Ask that the corners of the grid are scenes."""
+
+    def head(self) -> str:
+        """Return the first line."""
+
+    def compute(self, range: tuple[int, int], threads: int, progress: Any) -> bytes:
+        """Return the lines of the points from the first up to the last."""
+
+
+@dataclass(frozen=True)
+class Question:
+    """The specification of a grid: everything that its points depend on, as sent to workers."""
+
+    scene: str
+    over: tuple[str, ...]
+
+    def core(self) -> Core:
+        """Return the computation."""
+        raise NotImplementedError
+
+    def key(self) -> str:
+        """Return a hash of scene, grid, settings and version: equal keys have the same points."""
+        return hashlib.sha256(self.core().head().encode()).hexdigest()[:32]
+
+
+def compute(question: Question, first: int, last: int, key: str) -> tuple[bytes, float]:
+    """Return the lines of the points from first up to last, and the seconds taken: the work of a worker, on one thread.
+
+    ``key`` is that of the question where it is asked; a worker with another version has another one, and raises an ``Error``.
+    """
+    began = time.perf_counter()
+    core = question.core()
+    if question.key() != key:
+        raise Error(f"a worker has another version, {json.loads(core.head())['program']}: all must have one")
+    lines = core.compute((first, last), 1, None)
+    if lines.count(b"\n") < last - first:
+        # Ctrl-C in a terminal is sent to the workers as well.
+        raise KeyboardInterrupt
+    return lines, time.perf_counter() - began
+
+
+class Rate:
+    """The size of the next chunk, such that it takes some seconds."""
+
+    def __init__(self, seconds: float, workers: int) -> None:
+        self.seconds, self.workers = seconds, workers
+        self.spent, self.done, self.largest = 0.0, 0, 0
+
+    def tell(self, points: int, seconds: float) -> None:
+        """Take in what a chunk took."""
+        # What was measured last counts most: points differ.
+        self.spent, self.done = 0.5 * self.spent + seconds, self.done // 2 + points
+        self.largest = max(self.largest, points)
+
+    def size(self, left: int) -> int:
+        """Return how many points to compute next, of those that are left."""
+        if not self.done:
+            return 1
+        wanted = int(self.seconds * self.done / max(self.spent, 1e-9))
+        return max(1, min(wanted, GROWTH * self.largest, -(-left // (TAIL * self.workers))))
+
+
+def axes(over: Mapping[str, tuple[Value, Value, int] | Sequence[float] | Doubles]) -> tuple[str, ...]:
+    """Return what varies in the words of the command line."""
+    if not isinstance(over, Mapping):
+        raise RangeError(f'over is {over!r}, but must be a dict, such as {{"amplitude": (1, 10, 1000)}}', "over", repr(over))
+    return tuple(axis(key, values) for key, values in over.items())
+
+
+def computed(
+    question: Question,
+    *,
+    executor: Executor | None = None,
+    workers: int | None = None,
+    resume: str | os.PathLike[str] | None = None,
+    seconds: float = 10.0,
+    progress: Progress = None,
+) -> Chunks:
+    """Compute all points, or those that are finished when Ctrl-C comes."""
+    core = question.core()
+    core.check()
+    chunks: Chunks = Memory() if resume is None else Files(Path(resume) / question.key(), core.head())
+    count = workers or workers_of(executor)
+    with reporting(progress, "points", core.points) as tell:
+        run = Run(question, chunks, core.points, Rate(seconds, count), tell)
+        # What is finished is kept.
+        with contextlib.suppress(KeyboardInterrupt):
+            run.here(core) if executor is None else run.on(executor)
+    return chunks
+
+
+def spread(key: str, given: Any) -> tuple[Value, Value, int]:
+    """Return first value, last value and number of evenly spaced values, such as those of ``np.linspace``."""
+    values = doubles_near(f"over of {key}", given)
+    evenly = np.linspace(values[0], values[-1], len(values)) if values.ndim == 1 and len(values) > 1 else None
+    if evenly is None or not np.allclose(values, evenly, rtol=1e-6 if given_in_singles(given) else 1e-12, atol=0):
+        message = f"over of {key} is {given!r}, but must be two or more evenly spaced values, or (low, high, count)"
+        raise RangeError(message, key, repr(given))
+    # The ends as they are given: a fraction is no double.
+    return given[0], given[-1], len(values)
+
+
+def given_in_singles(values: Any) -> bool:
+    """Return whether an array has less than double precision, in which steps are rounded more."""
+    return getattr(values, "dtype", np.dtype(float)).itemsize < np.dtype(float).itemsize
+
+
+def spaced(key: str, values: Any) -> tuple[Value, Value, int]:
+    """Return first value, last value and number of what varies: of ``(low, high, count)``, or of an array or a list of values."""
+    if isinstance(values, (np.ndarray, list)):
+        values = spread(key, values)
+    if not isinstance(values, tuple) or len(values) != 3:
+        raise RangeError(f"over of {key} is {values!r}, but must be (low, high, count)", key, repr(values))
+    low, high, count = values
+    return low, high, whole(f"{key} count", count)
+
+
+def axis(key: str, values: Any) -> str:
+    """Return what varies in the words of the command line: exact values from one to another, evenly spread."""
+    low, high, count = spaced(key, values)
+    return f"{key}={text(key, low)}..{text(key, high)}:{count}"
+
+
+def workers_of(executor: Executor | None) -> int:
+    """Return how many chunks an executor computes at a time."""
+    if executor is None:
+        return 1
+    client = getattr(executor, "_client", None)
+    if client is not None and hasattr(client, "ncores"):
+        return max(1, sum(map(int, client.ncores().values())))
+    return int(getattr(executor, "_max_workers", None) or os.cpu_count() or 1)
+
+
+def stretches(lines: bytes) -> Iterator[tuple[int, int, bytes]]:
+    """Yield the lines of points that follow one another: the first point, the one after the last, and the lines."""
+    found: list[tuple[int, bytes]] = [(json.loads(line)["point"], line) for line in lines.splitlines(keepends=True)]
+    for _, part in itertools.groupby(enumerate(found), lambda numbered: numbered[1][0] - numbered[0]):
+        points = [line for _, line in part]
+        yield points[0][0], points[-1][0] + 1, b"".join(line for _, line in points)
+
+
+class Run:
+    """A sweep at work."""
+
+    def __init__(self, question: Question, chunks: Chunks, points: int, rate: Rate, tell: Any) -> None:
+        self.question, self.chunks, self.rate = question, chunks, rate
+        self.gaps = chunks.missing(points)
+        self.left = sum(last - first for first, last in self.gaps)
+        self.done, self._tell = points - self.left, tell
+
+    def next(self) -> tuple[int, int]:
+        """Take the next points that are left."""
+        first, last = self.gaps[0]
+        last = min(last, first + self.rate.size(self.left))
+        self.gaps[0] = (last, self.gaps[0][1])
+        if last == self.gaps[0][1]:
+            del self.gaps[0]
+        self.left -= last - first
+        return first, last
+
+    def keep(self, first: int, last: int, lines: bytes, took: float) -> None:
+        """Keep a finished chunk."""
+        self.chunks.add(first, last, lines)
+        self.rate.tell(last - first, took)
+        self.done += last - first
+        if self._tell:
+            self._tell(self.done)
+
+    def here(self, core: Core) -> None:
+        """Compute by all processors of this process."""
+        while self.gaps:
+            began, before = time.perf_counter(), self.done
+            first, last = self.next()
+            tell = None if self._tell is None else lambda points, before=before: self._tell(before + points)
+            lines = core.compute((first, last), 0, tell)
+            for start, end, part in stretches(lines):
+                self.keep(start, end, part, time.perf_counter() - began)
+            if lines.count(b"\n") < last - first:
+                return
+
+    def on(self, executor: Executor) -> None:
+        """Have it computed by the workers of an executor."""
+        running: dict[Future[tuple[bytes, float]], tuple[int, int]] = {}
+        key = self.question.key()
+        try:
+            while self.gaps or running:
+                while self.gaps and len(running) < AHEAD * self.rate.workers:
+                    first, last = self.next()
+                    running[executor.submit(compute, self.question, first, last, key)] = (first, last)
+                for future in wait(running, return_when=FIRST_COMPLETED).done:
+                    first, last = running.pop(future)
+                    self.keep(first, last, *future.result())
+        except Error:
+            raise
+        except Exception as lost:
+            # Each library has its own name for it: BrokenProcessPool, KilledWorker, CommClosedError.
+            raise Interrupted(f"the executor failed after {self.done} points: {lost!r}") from lost
+        finally:
+            for future in running:
+                future.cancel()
+
+
+class GridResult:
+    """The points of a grid, in order; after Ctrl-C those that are finished."""
+
+    #: What it is, in a word.
+    name = "grid"
+
+    def __init__(self, question: Question, chunks: Chunks) -> None:
+        self._question, self._chunks = question, chunks
+
+    @cached_property
+    def _core(self) -> Any:
+        return self._question.core()
+
+    @cached_property
+    def head(self) -> dict[str, Any]:
+        """The first line of its JSON Lines."""
+        found: dict[str, Any] = json.loads(self._core.head())
+        return found
+
+    @property
+    def interrupted(self) -> bool:
+        """Whether Ctrl-C ended it: some points of the grid are missing."""
+        return self._missing() > 0
+
+    def _missing(self) -> int:
+        return sum(last - first for first, last in self._chunks.missing(self.points))
+
+    def require_whole(self) -> None:
+        """Raise :class:`Interrupted` where points are missing.
+
+        Raises
+        ------
+        Interrupted
+            When Ctrl-C ended it.
+
+        """
+        if self.interrupted:
+            said = f"the {self.name} was interrupted, {self._missing()} of {self.points} points are missing"
+            raise Interrupted(f"{said}: to_pandas() has the finished ones, and {article(self.name)} with resume= goes on")
+
+    @property
+    def points(self) -> int:
+        """Number of points of the grid."""
+        return int(self._core.points)
+
+    def __len__(self) -> int:
+        return self.points
+
+    def lines(self) -> Iterator[bytes]:
+        """Yield the records as JSON Lines, chunk by chunk, in the order of the grid."""
+        return self._chunks.read()
+
+    def __iter__(self) -> Iterator[dict[str, Any]]:
+        for lines in self.lines():
+            for line in lines.splitlines():
+                yield json.loads(line)
+
+    def _said(self, counts: Mapping[str, int]) -> str:
+        said = ", ".join(f"{count} {name}" for name, count in counts.items())
+        missing = f"; interrupted, {self._missing()} of {self.points} points are missing" if self.interrupted else ""
+        return f"<{self.name} over {' and '.join(self._question.over)}: {said}{missing}>"
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        kept = Memory()
+        for (first, last), lines in zip(sorted(self._chunks.ranges()), self.lines(), strict=True):
+            kept.add(first, last, lines)
+        return type(self), (replace(self._question), kept)
+
+
+def article(name: str) -> str:
+    """Return a word with its article."""
+    return f"an {name}" if name[0] in "aeiou" else f"a {name}"
+
+
+def arrays(table: dict[str, Any]) -> dict[str, Any]:
+    """Return columns as arrays: of bounds doubles (n, 2)."""
+    return {name: doubles(column, -1, 2) if isinstance(column, bytes) else np.array(column, dtype=object) for name, column in table.items()}
+
+
+def flat(table: dict[str, Any]) -> dict[str, Any]:
+    """Return columns by name, bounds as two, ``NAME_lower`` and ``NAME_upper``."""
+    columns: dict[str, Any] = {}
+    for name, column in table.items():
+        if column.ndim == 2:
+            columns |= {f"{name}_lower": column[:, 0], f"{name}_upper": column[:, 1]}
+        else:
+            columns[name] = column
+    return columns
+
+
+def arrow(columns: dict[str, Any], name: str, head: str) -> Any:
+    """Return a pyarrow Table with these columns, the head as metadata."""
+    import pyarrow as pa
+
+    table = pa.table({column: pa.array(list(values)) for column, values in columns.items()})
+    return table.replace_schema_metadata({f"impact-pair/{name}": head})

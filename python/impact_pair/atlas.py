@@ -1,0 +1,148 @@
+"""Atlases: where every motion goes over the plane of two parameters, at the points of a grid or for all parameters of cells."""
+
+from __future__ import annotations
+
+import os
+from collections import Counter
+from collections.abc import Iterator, Mapping, Sequence
+from concurrent.futures import Executor
+from dataclasses import dataclass
+from functools import cached_property
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from . import _core, _grid
+from ._exact import Value
+from ._file import ending, parquet, write
+from ._grid import GridResult, arrays, arrow, axes, computed, flat
+from ._progress import Progress
+
+if TYPE_CHECKING:
+    from ._store import Chunks
+    from .bounds import Doubles
+
+#: The endings of files that an atlas is written into.
+ENDINGS = (".csv", ".jsonl", ".parquet", ".svg", ".html")
+#: The classes in which every motion is proved to end in one cycle with rests, or to tend to one attractor.
+DECIDED = ("one-rest-cycle", "one-attractor")
+
+
+@dataclass(frozen=True)
+class Question(_grid.Question):
+    """The specification of an atlas: everything that its points or cells depend on, as sent to workers."""
+
+    cells: bool
+    boxes: int
+    halvings: int
+    most: int
+    digits: int
+
+    def core(self) -> _core.Atlas:
+        """Return the atlas for the computation."""
+        return _core.Atlas(_core.Scene(self.scene), list(self.over), self.cells, (self.boxes, self.halvings, self.most), self.digits)
+
+
+def atlas(
+    scene: str,
+    over: Mapping[str, tuple[Value, Value, int] | Sequence[float] | Doubles],
+    asked: dict[str, Any],
+    *,
+    executor: Executor | None = None,
+    workers: int | None = None,
+    resume: str | os.PathLike[str] | None = None,
+    seconds: float = 10.0,
+    progress: Progress = None,
+) -> AtlasResult:
+    """Prove where every motion goes at each point of a grid of two parameters, or for all parameters of cells.
+
+    ``over`` has the two keys that vary, as for a sweep: ``{"amplitude": (0.1, 3, 16), "restitution": (0, 0.9, 12)}``; with ``cells`` the
+    counts are those of the smallest cells along each axis. The start of the scene is not used. ``executor``, ``workers``, ``resume`` and
+    ``seconds`` are those of :func:`impact_pair.sweep.sweep`.
+    """
+    question = Question(scene, axes(over), **asked)
+    how: dict[str, Any] = {"executor": executor, "workers": workers, "resume": resume, "seconds": seconds, "progress": progress}
+    return AtlasResult(question, computed(question, **how))
+
+
+class AtlasResult(GridResult):
+    """An atlas: what is proved of every motion at each point or cell, in the order of the grid; after Ctrl-C of those that are finished."""
+
+    name = "atlas"
+
+    def __init__(self, question: Question, chunks: Chunks) -> None:
+        super().__init__(question, chunks)
+
+    @property
+    def complete(self) -> bool:
+        """Whether all of the plane is decided: the command line's exit code 0."""
+        return not self.interrupted and all(name in DECIDED for name in self.classes)
+
+    @property
+    def classes(self) -> dict[str, int]:
+        """Number of points or cells of each class."""
+        return dict(sorted(Counter(self.table["class"]).items()))
+
+    @cached_property
+    def table(self) -> dict[str, Any]:
+        """The columns of CSV as arrays, a row a point or cell: of exact values doubles (n, 2), rounded outward."""
+        return arrays(self._core.table(b"".join(self.lines())))
+
+    def to_dict(self) -> dict[str, Any]:
+        """Return columns by name, exact values as two, ``amplitude_lower`` and ``amplitude_upper``; those of cells rounded outward."""
+        return flat(self.table)
+
+    def to_pandas(self) -> Any:
+        """Return a DataFrame with the columns of ``to_dict``."""
+        import pandas as pd
+
+        return pd.DataFrame(self.to_dict()).infer_objects()
+
+    def to_arrow(self) -> Any:
+        """Return a pyarrow Table with the columns of ``to_dict``, the head as metadata."""
+        return arrow(self.to_dict(), self.name, self._core.head())
+
+    def svg(self) -> str:
+        """Return the plane in the colours of the classes, with the paper's curves over it, as SVG."""
+        return str(self._core.svg(b"".join(self.lines())))
+
+    def html(self) -> str:
+        """Return the page: one file without anything from elsewhere, in which each point or cell says what is proved of it."""
+        return str(self._core.html(b"".join(self.lines())))
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Write .csv, .jsonl, .svg or .html, with the bytes of ``impact-pair atlas``, or .parquet by pyarrow. It is written atomically.
+
+        Raises
+        ------
+        RangeError
+            When a name has another ending.
+        Interrupted
+            When points are missing, and the file is one of the whole grid: .jsonl.
+
+        """
+        path = Path(path)
+        if ending(path, ENDINGS) == ".jsonl":
+            self.require_whole()
+        write(path, self._parts(path.suffix.lower()))
+
+    def _parts(self, kind: str) -> Iterator[bytes]:
+        """Yield the bytes of a file with this ending."""
+        match kind:
+            case ".svg":
+                yield self.svg().encode()
+            case ".html":
+                yield self.html().encode()
+            case ".csv":
+                yield self._core.csv_head().encode()
+                yield from (self._core.csv(lines) for lines in self.lines())
+            case ".parquet":
+                yield parquet(self.to_arrow())
+            case _:
+                yield self._core.head().encode() + b"\n"
+                yield from self.lines()
+
+    def __repr__(self) -> str:
+        return self._said(self.classes)
+
+    def _repr_svg_(self) -> str:
+        return self.svg()

@@ -1,0 +1,67 @@
+//! An atlas as a table: the columns that CSV, Parquet and arrays share, what each row holds, and CSV.
+
+use impact_pair_document::{AtlasHead, AtlasRecord};
+
+use crate::sweep::{Cell, Kind, csv_line, csv_names};
+
+/// What is said of a point or a cell.
+const SAID: [(&str, Kind); 7] = [
+    ("class", Kind::Text),
+    ("n_attracting", Kind::Whole),
+    ("n_rest", Kind::Whole),
+    ("n_saddle", Kind::Whole),
+    ("n_undecided", Kind::Whole),
+    ("undecided_area", Kind::Number),
+    ("seconds", Kind::Number),
+];
+
+/// Returns the columns, in order: the point, or the tile, what varies, and the answer.
+pub fn columns(head: &AtlasHead) -> Vec<(String, Kind)> {
+    let mut columns = vec![("point".to_owned(), Kind::Whole)];
+    for over in &head.over {
+        // A dot would be a path in Parquet.
+        let key = over.key.replace('.', "_");
+        if head.cells {
+            columns.extend([(format!("{key}_low"), Kind::Low), (format!("{key}_high"), Kind::High)]);
+        } else {
+            columns.push((key, Kind::Exact));
+        }
+    }
+    columns.extend(SAID.iter().map(|&(name, kind)| (name.to_owned(), kind)));
+    columns
+}
+
+/// Returns the rows of a record: itself, or the cells that it is cut into.
+pub fn rows<'r>(head: &AtlasHead, record: &'r AtlasRecord) -> Vec<Vec<Cell<'r>>> {
+    record.leaves().into_iter().map(|leaf| row(head.cells, leaf)).collect()
+}
+
+fn row(is_cell: bool, record: &AtlasRecord) -> Vec<Cell<'_>> {
+    let mut cells = vec![Cell::Whole(record.point)];
+    for value in &record.values {
+        if is_cell {
+            let ends = value.trim_start_matches('[').trim_end_matches(']').split_once(',');
+            let (low, high) = ends.unwrap_or((value, value)); // exact: a number is its own interval
+            cells.extend([Cell::Exact(low.trim()), Cell::Exact(high.trim())]);
+        } else {
+            cells.push(Cell::Exact(value));
+        }
+    }
+    cells.push(Cell::Text(&record.class));
+    let counts = [record.n_attracting, record.n_rest, record.n_saddle, record.n_undecided];
+    cells.extend(counts.map(Cell::Whole));
+    let area = record.undecided_area.text().parse().unwrap_or(f64::NAN); // shown
+    cells.extend([Cell::Number(area), Cell::Number(record.seconds)]);
+    cells
+}
+
+/// Returns the names of the columns as a line of CSV.
+pub fn csv_head(head: &AtlasHead) -> String {
+    csv_names(columns(head))
+}
+
+/// Returns the rows of a record as lines of CSV.
+pub fn csv_rows(head: &AtlasHead, record: &AtlasRecord) -> String {
+    let kinds: Vec<Kind> = columns(head).into_iter().map(|(_, kind)| kind).collect();
+    rows(head, record).iter().map(|row| csv_line(row, &kinds)).collect()
+}

@@ -1,0 +1,16 @@
+//! Where every motion goes, over the plane of two parameters: at the points of a grid, or for all parameters of cells.
+//!
+//! A [`Plane`] has exact points, or cells whose parameters are intervals between exact values; of each [`record`] has the answer of a
+//! global analysis, [`crate::chaos::Global`]. Points and tiles do not know of each other, so they may be computed in any order.
+
+mod columns;
+mod document;
+mod plane;
+mod point;
+#[cfg(test)]
+mod tests;
+
+pub use columns::{columns, csv_head, csv_rows, rows};
+pub use document::{decided, head};
+pub use plane::{Plane, Rectangle};
+pub use point::record;

@@ -1,0 +1,68 @@
+//! One point or one tile: the global analysis, for all parameters of a cell or of those that it is cut into.
+
+use std::time::Instant;
+
+use impact_pair_document::AtlasRecord;
+
+use super::document;
+use super::plane::{Plane, Rectangle};
+use crate::chaos::{Global, GlobalSettings};
+use crate::exact::Exact;
+use crate::scene::{Key, Scene};
+use crate::watch::Watch;
+use crate::{Error, document as written};
+
+/// Returns where every motion goes at a point, or at all parameters of a tile and of the cells that it is cut into while that is not
+/// decided; `None` if the watch stops it before.
+///
+/// # Errors
+/// As of [`Global::of`].
+pub fn record(
+    scene: &Scene,
+    plane: &Plane,
+    settings: &GlobalSettings,
+    point: u64,
+    watch: &dyn Watch,
+) -> Result<Option<AtlasRecord>, Error> {
+    if plane.has_cells() {
+        return of_cell(scene, plane, settings, (point, &plane.tile(point)), watch);
+    }
+    analysed(scene, settings, point, &plane.values(point)?, watch)
+}
+
+/// The same of a cell. Lemma A20
+fn of_cell(
+    scene: &Scene,
+    plane: &Plane,
+    settings: &GlobalSettings,
+    (tile, cell): (u64, &Rectangle),
+    watch: &dyn Watch,
+) -> Result<Option<AtlasRecord>, Error> {
+    let Some(mut found) = analysed(scene, settings, tile, &plane.intervals(cell)?, watch)? else { return Ok(None) };
+    if found.is_decided() {
+        return Ok(Some(found));
+    }
+    for quarter in cell.quarters() {
+        let Some(part) = of_cell(scene, plane, settings, (tile, &quarter), watch)? else { return Ok(None) };
+        found.quarters.push(part);
+    }
+    Ok(Some(found))
+}
+
+/// The global analysis with these values.
+fn analysed(
+    scene: &Scene,
+    settings: &GlobalSettings,
+    point: u64,
+    values: &[(Key, Exact)],
+    watch: &dyn Watch,
+) -> Result<Option<AtlasRecord>, Error> {
+    let begun = Instant::now();
+    let scene = scene.with(values)?;
+    let found = Global::of(scene.pair(), settings, watch)?;
+    if found.interrupted {
+        return Ok(None);
+    }
+    let global = written::global(&scene, settings, &found)?;
+    Ok(Some(document::of(point, values, global, begun.elapsed())))
+}

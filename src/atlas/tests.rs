@@ -1,0 +1,78 @@
+//! Points and cells of the plane.
+
+use num_rational::BigRational;
+
+use super::*;
+use crate::chaos::GlobalSettings;
+use crate::scene::Scene;
+use crate::sweep::Head;
+use crate::watch::Unwatched;
+
+fn plane(axes: [&str; 2], cells: bool) -> Plane {
+    Plane::new(axes.map(|axis| axis.parse().unwrap()).to_vec(), cells).unwrap()
+}
+
+/// Tiles, and the cells that each is cut into, cover the rectangle once: each of the smallest cells is in one of them.
+#[test]
+fn a20_cells_cover_the_rectangle_once() {
+    for counts in [[2, 2], [3, 5], [8, 8], [13, 20], [2, 40]] {
+        let [x, y] = counts;
+        let plane = plane([&format!("gap=1..2:{x}"), &format!("restitution=0..0.5:{y}")], true);
+        let mut cells: Vec<Rectangle> = (0..plane.points()).map(|point| plane.tile(point)).collect();
+        let mut seen = std::collections::HashSet::new();
+        while let Some(cell) = cells.pop() {
+            let quarters = cell.quarters();
+            assert!(quarters.is_empty() || quarters.iter().map(Rectangle::smallest).sum::<u64>() == cell.smallest());
+            if quarters.is_empty() {
+                assert!(cell.smallest() == 1 && seen.insert(cell.from), "{cell:?}");
+            }
+            cells.extend(quarters);
+        }
+        assert_eq!(seen.len() as u64, x * y);
+    }
+}
+
+#[test]
+fn the_ends_of_cells_are_exact_and_meet() {
+    let plane = plane(["gap=0.1..0.4:3", "restitution=0..1/2:4"], true);
+    let texts =
+        |cell: &Rectangle| plane.intervals(cell).unwrap().into_iter().map(|(_, x)| x.text()).collect::<Vec<_>>();
+    assert_eq!(texts(&Rectangle { from: [0, 0], to: [1, 2] }), ["[0.1, 0.2]", "[0, 0.25]"]);
+    assert_eq!(texts(&Rectangle { from: [1, 2], to: [3, 4] }), ["[0.2, 0.4]", "[0.25, 1/2]"]);
+    let whole = BigRational::from_integer(12.into());
+    assert_eq!(whole, BigRational::from_integer(plane.points().into()));
+}
+
+#[test]
+fn what_is_no_plane_of_parameters_is_refused() {
+    let refused = |axes: &[&str]| {
+        let axes = axes.iter().map(|axis| axis.parse().unwrap()).collect();
+        Plane::new(axes, false).unwrap_err().to_string()
+    };
+    assert!(refused(&["gap=1..2:3"]).contains("accepted are two axes"));
+    assert!(refused(&["gap=1..2:3", "start.time=0..1:2"]).contains("the start is not used"));
+    assert!(refused(&["gap=1..2:3", "gap=1..2:3"]).contains("do not set the same"));
+}
+
+/// A cell says what its points say, and a point within it can say no other class: cycles with rests at e = 0 (Theorem Z4), alpha from 2 on.
+#[test]
+fn a20_a_cell_holds_for_its_points() {
+    let scene = "excitation = { amplitude = 4, frequency = 1, phase = 0 }\n\
+                 pair = { gap = 1, restitution = 0.05 }\n\
+                 start = { time = 0, wall = \"left\", velocity = 0 }";
+    let scene = Scene::parse(scene).unwrap();
+    let settings = GlobalSettings { boxes: 1 << 10, most: 20_000, ..GlobalSettings::default() };
+    let axes = ["amplitude=4..4.01:2", "restitution=0.05..0.051:2"];
+    let points = plane(axes, false);
+    let cells = plane(axes, true);
+    let at = |plane: &Plane, point| record(&scene, plane, &settings, point, &Unwatched).unwrap().unwrap();
+    for point in 0..4 {
+        let (one, cell) = (at(&points, point), at(&cells, point));
+        assert_eq!((one.class.as_str(), cell.class.as_str()), ("one-rest-cycle", "one-rest-cycle"));
+        assert_eq!(decided(&cells, &cell), [1, 1]);
+        let head = head(&scene, &cells, &settings, None);
+        assert_eq!(head.grid().unwrap().points(), 4);
+        assert!(csv_rows(&head, &cell).contains(",one-rest-cycle,0,1,0,0,0,"));
+        assert_eq!(one.global(&head).unwrap().scene.gap.0.text(), "1");
+    }
+}

@@ -1,0 +1,97 @@
+//! Atlases: what is proved at one point said of another one, components left out or of another kind, other numbers, and points missing.
+
+use serde_json::{Value, json};
+
+use super::forged::{Forged, Forgery, Original};
+
+pub const FORGERIES: &[Forgery] = &[
+    Forgery { name: "atlas: another's motions", why: "two points have other motions", forge: exchanged },
+    Forgery { name: "atlas: left out", why: "motions stay in the component for ever", forge: left_out },
+    Forgery { name: "atlas: numbers", why: "the components are others, or as many as listed", forge: numbers },
+    Forgery { name: "atlas: points", why: "a point has one line, and the grid has all", forge: pointed },
+];
+
+/// The records of its points.
+fn points(original: &Original) -> Vec<Value> {
+    original.document.as_array().filter(|_| original.kind == "atlas").map_or(Vec::new(), |lines| lines[1..].to_vec())
+}
+
+fn with_points(original: &Original, what: &str, points: Vec<Value>) -> Forged {
+    let lines = std::iter::once(original.document[0].clone()).chain(points).collect();
+    original.forged(what, Value::Array(lines))
+}
+
+/// Answers, or values, or numbers of two points that are not of one class.
+fn exchanged(original: &Original) -> Vec<Forged> {
+    let own = points(original);
+    let mut all = Vec::new();
+    for k in 1..own.len() {
+        for keys in [&["values"][..], &["point"], &["class", "components", "n_attracting", "n_rest", "n_saddle"]] {
+            if own[k - 1]["class"] == own[k]["class"] && keys.len() > 1 {
+                continue;
+            }
+            let mut points = own.clone();
+            for key in keys {
+                (points[k - 1][key], points[k][key]) = (own[k][key].clone(), own[k - 1][key].clone());
+            }
+            all.push(with_points(original, &format!("{keys:?} of {} and {k}", k - 1), points));
+        }
+    }
+    all
+}
+
+/// A point without one of its components, with numbers that agree.
+fn left_out(original: &Original) -> Vec<Forged> {
+    let own = points(original);
+    let mut all = Vec::new();
+    for k in 0..own.len() {
+        let components = own[k]["components"].as_array().cloned().unwrap_or_default();
+        for i in 0..components.len() {
+            let kind = components[i]["kind"].as_str().unwrap_or_default();
+            let key = [("attracting", "n_attracting"), ("rest-cycle", "n_rest"), ("saddle", "n_saddle")];
+            // Of a point with undecided components less is claimed.
+            if own[k]["n_undecided"] != 0 {
+                continue;
+            }
+            let Some((_, key)) = key.iter().find(|(own, _)| *own == kind) else { continue };
+            let mut points = own.clone();
+            points[k]["components"].as_array_mut().unwrap().remove(i);
+            points[k][*key] = json!(own[k][*key].as_u64().unwrap() - 1);
+            all.push(with_points(original, &format!("component {i} of {k}"), points));
+        }
+    }
+    all
+}
+
+fn numbers(original: &Original) -> Vec<Forged> {
+    let own = points(original);
+    let mut all = Vec::new();
+    for k in 0..own.len() {
+        for key in ["n_attracting", "n_rest", "n_saddle", "n_undecided"] {
+            let mut points = own.clone();
+            points[k][key] = json!(own[k][key].as_u64().unwrap() + 1);
+            all.push(with_points(original, &format!("{key} of {k}"), points));
+        }
+        for class in ["one-rest-cycle", "one-attractor", "attractors", "closed"] {
+            let mut points = own.clone();
+            points[k]["class"] = json!(class);
+            if own[k]["class"] != class {
+                all.push(with_points(original, &format!("{class} at {k}"), points));
+            }
+        }
+    }
+    all
+}
+
+fn pointed(original: &Original) -> Vec<Forged> {
+    let own = points(original);
+    let mut all = Vec::new();
+    for k in 0..own.len() {
+        let mut fewer = own.clone();
+        fewer.remove(k);
+        let twice = own.iter().chain([&own[k]]).cloned().collect();
+        all.push(with_points(original, &format!("without {k}"), fewer));
+        all.push(with_points(original, &format!("{k} twice"), twice));
+    }
+    all
+}
