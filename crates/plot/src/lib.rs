@@ -4,6 +4,7 @@
 
 pub mod chaos;
 pub mod describe;
+pub mod global;
 pub mod orbit;
 pub mod picture;
 pub mod proved;

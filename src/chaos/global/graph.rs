@@ -1,5 +1,6 @@
-//! Boxes as a graph of what may follow: its recurrent components, and which lead to which. Lemmas A3, A6 of `docs/proofs/global.md#A3`.
+//! Boxes as a graph of what may follow: its recurrent components, and which lead to which. Lemmas A3, A6, A10 of `docs/proofs/global.md#A3`.
 
+use std::collections::HashMap;
 use std::sync::Mutex;
 use std::thread;
 
@@ -24,7 +25,7 @@ pub(super) struct Component {
 pub(super) enum Release {
     /// It rests again, and is released in the same state.
     Repeats,
-    /// It has its next impact at these phases, in forcing periods, with these speeds.
+    /// It has its next impact, or one that it is proved to have later, at these phases, in forcing periods, with these speeds.
     Lands([f64; 2], [f64; 2]),
 }
 
@@ -39,11 +40,21 @@ pub(super) struct Graph {
     leaves: Vec<bool>,
 }
 
-/// A graph's recurrent components, and to which of them each one leads.
+/// A graph's recurrent components, to which of them each one leads, and where motions are in the end from the boxes in none.
 pub(super) struct Recurrent {
     pub components: Vec<Component>,
     /// `leads[i][j]`: from the first to the second.
     pub leads: Vec<Vec<bool>>,
+    /// The boxes in none of them, in order, each with the place of its ends.
+    pub passed: Vec<(Cell, usize)>,
+    pub ends: Vec<Ends>,
+}
+
+/// The components that a motion may be in in the end, and whether it may leave the boxes of the graph.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub(super) struct Ends {
+    pub components: Vec<u32>,
+    pub leaves: bool,
 }
 
 /// What follows the boxes of a share, and which of them something else follows.
@@ -134,10 +145,18 @@ impl Graph {
             (reached[i], lost[i]) = (own, leaves);
         }
         let mut nodes: Vec<Vec<u32>> = vec![Vec::new(); recurrent.len()];
+        let (mut passed, mut ends, mut known) = (Vec::new(), Vec::new(), HashMap::new());
         for node in 0..count {
             let part = number[self.merged[node] as usize]; // exact: an index
             if let Some(k) = index[part] {
                 nodes[k as usize].push(node as u32); // exact: indices
+            } else if let Some(&cell) = self.cells.get(node) {
+                let own = Ends { components: reached[part].clone(), leaves: lost[part] };
+                let place = *known.entry(own.clone()).or_insert(ends.len());
+                if place == ends.len() {
+                    ends.push(own);
+                }
+                passed.push((cell, place));
             }
         }
         let component = |(k, nodes): (usize, Vec<u32>)| {
@@ -155,7 +174,15 @@ impl Graph {
             row
         });
         let leads = leads.collect();
-        Recurrent { components, leads }
+        Recurrent { components, leads, passed, ends }
+    }
+
+    /// Whether motions that stay among the boxes are released again and again: none stays in boxes alone. Lemma A10
+    pub fn is_released_always(&self) -> bool {
+        let release = self.cells.len();
+        let boxes = |node: usize| self.next.of(node as u32).iter().map(|&to| to as usize).filter(|&to| to != release); // exact: indices
+        let forth: Vec<Vec<usize>> = (0..release).map(|node| boxes(node).collect()).collect();
+        parts(&forth).iter().all(|part| part.len() == 1 && !forth[part[0]].contains(&part[0]))
     }
 }
 
