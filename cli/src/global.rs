@@ -33,8 +33,8 @@ or until enough boxes are mapped. The start of the scene is not used. One harmon
 parameters may be intervals.
 
 Of a component that is listed as undecided nothing is claimed, not even that a motion stays in it. `closed` says that \
-no motion goes from it to another component. The basin of an attractor is the boxes all of whose motions are proved \
-to end in it, as a part of the state space: lower bounds.
+no motion goes from it to another component. With --basins the basin of an attractor is the boxes all of whose motions \
+are proved to end in it, as a part of the state space: lower bounds.
 
 With --plot the state space is coloured by the attractor that its motions end in, beside the graph of components. The \
 formats graphml and dot write that graph: an edge where motions may go from one component to another.
@@ -56,6 +56,9 @@ pub struct GlobalArguments {
     /// Map about N boxes in all, those of the smallest undecided component first
     #[arg(long, value_name = "N", default_value_t = 300_000, value_parser = count(1..=1_000_000_000))]
     most: u64,
+    /// Prove basins of attraction, by about 2^N boxes [default: none; with --plot 16]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(8..=24))]
+    basins: Option<u32>,
     /// Requested width of periodic orbits, at most 10^-D: of phases relative to 2 pi, of velocities relative to A W [default: that of
     /// the scene, or 9]
     #[arg(long, value_name = "D", value_parser = digits())]
@@ -71,6 +74,9 @@ pub struct GlobalArguments {
     #[command(flatten)]
     destination: Destination,
 }
+
+/// Basins of pictures are proved by 2^N boxes.
+const BASINS: u32 = 16;
 
 /// How a global analysis is written.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
@@ -95,6 +101,7 @@ pub fn global(arguments: &GlobalArguments) -> Result<Answer> {
         boxes: 1 << arguments.boxes,
         halvings: arguments.halvings,
         most: usize::try_from(arguments.most)?,
+        basins: arguments.basins.or(arguments.plot.is_some().then_some(BASINS)).map(|halvings| 1 << halvings),
         ..GlobalSettings::default()
     };
     settings.precision.digits = arguments.digits.or(scene.run().digits).unwrap_or(settings.precision.digits);

@@ -34,14 +34,14 @@ pub fn global(scene: &Scene, settings: &GlobalSettings, found: &Global) -> Resul
         interrupted: found.interrupted,
         components: found.components.iter().map(component).collect::<Result<_, _>>()?,
         order: found.order.iter().map(|pair| pair.map(|i| i as u32)).collect(),
-        basins: basins(found),
+        basins: settings.basins.and_then(|boxes| basins(boxes, found)),
     };
     Ok(document.with_statement())
 }
 
 /// The basins of the attractors, if there are any. Lemma A11: in whole parts of the state space, rounded so that no more is proved
-fn basins(found: &Global) -> Option<BasinsDocument> {
-    let proved = found.basins();
+fn basins(boxes: u32, found: &Global) -> Option<BasinsDocument> {
+    let proved = found.basins()?;
     let parts = |area: f64| if area < 1.0 { (area * PARTS).next_down().max(0.0).floor() as u32 } else { PARTS as u32 };
     let written = |parts: u32| Decimal::printed(format!("{:.6}", f64::from(parts) / PARTS));
     let areas: Vec<u32> = proved.iter().map(|basin| parts(basin.area)).collect();
@@ -49,7 +49,7 @@ fn basins(found: &Global) -> Option<BasinsDocument> {
     let of =
         |(basin, &parts): (&Basin, &u32)| BasinDocument { component: basin.component as u32, area: written(parts) };
     let areas: Vec<BasinDocument> = proved.iter().zip(&areas).map(of).collect();
-    (!areas.is_empty()).then(|| BasinsDocument { areas, undecided: written(undecided) })
+    (!areas.is_empty()).then(|| BasinsDocument { boxes, areas, undecided: written(undecided) })
 }
 
 fn component(found: &Recurrence) -> Result<ComponentDocument, Error> {

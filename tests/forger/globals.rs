@@ -10,7 +10,11 @@ pub const FORGERIES: &[Forgery] = &[
     Forgery { name: "global: kinds", why: "a saddle attracts no motion near it, a stable orbit all", forge: kinds },
     Forgery { name: "global: twice", why: "it is one motion", forge: twice },
     Forgery { name: "global: class", why: "the components are those of another class", forge: classes },
-    Forgery { name: "global: basins", why: "a saddle has no basin, and no motion ends in two attractors", forge: basins },
+    Forgery {
+        name: "global: basins",
+        why: "a saddle has no basin, and no motion ends in two attractors",
+        forge: basins,
+    },
     Forgery { name: "global: closed", why: "motions near a saddle leave it", forge: closed },
     Forgery { name: "global: numbers", why: "the period, or the spectral radius, is another one", forge: numbers },
 ];
@@ -91,7 +95,8 @@ fn basins(original: &Original) -> Vec<Forged> {
 }
 
 fn closed(original: &Original) -> Vec<Forged> {
-    let of = |i: usize| original.with(format!("saddle {i} is closed"), &[(&format!("/components/{i}/closed"), json!(true))]);
+    let of =
+        |i: usize| original.with(format!("saddle {i} is closed"), &[(&format!("/components/{i}/closed"), json!(true))]);
     places(original, &["saddle"]).into_iter().map(of).collect()
 }
 

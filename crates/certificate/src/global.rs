@@ -17,10 +17,9 @@ pub struct GlobalCertificate {
     orbits: Option<PeriodicCertificate>,
     claimed: Vec<Claimed>,
     rest_cycle: Option<(u32, bool)>,
-    /// Of attractors, by their places: the parts of the state space that are their basins at least.
-    basins: Option<Vec<(usize, BigRational)>>,
+    /// By how many boxes basins are found, about; and of attractors, by their places, the parts of the state space that are theirs at least.
+    basins: Option<(u32, Vec<(usize, BigRational)>)>,
     greatest_speed: f64,
-    boxes: u32,
     says_there_are_no_others: bool,
     contradiction: Option<String>,
     unjudged: Vec<String>,
@@ -76,7 +75,7 @@ impl GlobalCertificate {
         let is_unbound = !says_there_are_no_others && !claimed.is_empty();
         unjudged.extend(is_unbound.then(|| "components.closed".to_owned()));
         unjudged.extend((basins.is_none() && document.basins.is_some()).then(|| "basins".to_owned()));
-        unjudged.extend(basins.is_none().then(|| "greatest_speed".to_owned()));
+        unjudged.extend([if basins.is_none() { "greatest_speed" } else { "basins.boxes" }.to_owned()]);
         unjudged.extend(orbits.is_empty().then(|| "scene.excitation.frequency".to_owned()));
         unjudged.extend(document.interrupted.then(|| "interrupted".to_owned()));
         unjudged.sort();
@@ -84,9 +83,8 @@ impl GlobalCertificate {
         let rests = document.components.iter().find(|component| component.kind == "rest-cycle");
         let rest_cycle = rests.and_then(|rest| Some((rest.cycles?, rest.alternates?)));
         let of_basin = |basin: &BasinDocument| (basin.component as usize, basin.area.value());
-        let basins = basins.map(|basins| basins.areas.iter().map(of_basin).collect());
+        let basins = basins.map(|basins| (basins.boxes, basins.areas.iter().map(of_basin).collect()));
         let greatest_speed = document.greatest_speed.value().to_f64().unwrap_or(f64::NAN); // V27: none that is not is accepted
-        let boxes = document.boxes;
         let orbits = (!orbits.is_empty()).then(|| PeriodicCertificate::of_orbits(pair.clone(), orbits)).transpose()?;
         let contradiction = contradiction(&document);
         Ok(Self {
@@ -96,7 +94,6 @@ impl GlobalCertificate {
             rest_cycle,
             basins,
             greatest_speed,
-            boxes,
             says_there_are_no_others,
             contradiction,
             unjudged,
@@ -120,18 +117,13 @@ impl GlobalCertificate {
         self.rest_cycle
     }
 
-    /// The basins that are judged: of attractors, by their places.
-    pub(super) fn basins(&self) -> Option<&[(usize, BigRational)]> {
-        self.basins.as_deref()
+    /// The basins that are judged: by how many boxes they are found, and of attractors, by their places.
+    pub(super) fn basins(&self) -> Option<(u32, &[(usize, BigRational)])> {
+        self.basins.as_ref().map(|(boxes, areas)| (*boxes, &areas[..]))
     }
 
     pub(super) fn greatest_speed(&self) -> f64 {
         self.greatest_speed
-    }
-
-    /// About how many boxes the basins are found with.
-    pub(super) fn boxes(&self) -> u32 {
-        self.boxes
     }
 
     /// Whether every motion is said to be in one of the components of which something is claimed.

@@ -49,6 +49,8 @@ pub struct GlobalDocument {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct BasinsDocument {
+    /// By how many boxes they are proved, about.
+    pub boxes: u32,
     /// One for each attractor.
     pub areas: Vec<BasinDocument>,
     /// The part of the state space whose motions are not proved to end in one of them, rounded up to six digits.

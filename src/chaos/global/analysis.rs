@@ -33,16 +33,15 @@ pub(super) struct Node {
 
 /// What the boxes of a component, once more halved, fall into.
 pub(super) struct Split {
-    pub grid: Grid,
     /// The nodes of its components.
-    pub children: Vec<usize>,
-    /// Its components by their places in `children`, and its other boxes.
-    pub found: Recurrent,
+    children: Vec<usize>,
+    /// Which of them leads to which.
+    leads: Vec<Vec<bool>>,
 }
 
 /// An analysis as far as it is done: a tree, whose first node is the whole state space.
 pub(super) struct Analysis<'a> {
-    question: Question<'a>,
+    pub question: Question<'a>,
     pub nodes: Vec<Node>,
     /// Boxes whose images are computed so far.
     mapped: usize,
@@ -54,7 +53,7 @@ impl<'a> Analysis<'a> {
     /// first: thin sets that need many boxes wait for those that shrink.
     pub fn of(question: Question<'a>) -> Self {
         let mut analysis = Self { question, nodes: Vec::new(), mapped: 0, interrupted: false };
-        let whole = analysis.whole();
+        let whole = analysis.whole(analysis.question.settings.boxes);
         analysis.nodes.push(Node { component: whole, halved: 0, kind: Kind::Undecided, split: None });
         let mut waiting = BinaryHeap::from([Reverse((0, 0))]);
         while let Some(Reverse((boxes, node))) = waiting.pop() {
@@ -83,8 +82,8 @@ impl<'a> Analysis<'a> {
     pub fn order(&self) -> Vec<[usize; 2]> {
         let place = self.places();
         let mut order = Vec::new();
-        for Split { children, found, .. } in self.nodes.iter().filter_map(|node| node.split.as_ref()) {
-            for (i, row) in found.leads.iter().enumerate() {
+        for Split { children, leads } in self.nodes.iter().filter_map(|node| node.split.as_ref()) {
+            for (i, row) in leads.iter().enumerate() {
                 for j in (0..row.len()).filter(|&j| row[j] && j != i) {
                     let [from, to] = [i, j].map(|k| self.leaves(children[k]));
                     order.extend(from.iter().flat_map(|&from| to.iter().map(move |&to| [from, to])));
@@ -109,12 +108,11 @@ impl<'a> Analysis<'a> {
         }
     }
 
-    /// All states that motions have in the end, in boxes. Lemma A1
-    fn whole(&self) -> Component {
-        let Question { space, settings, .. } = &self.question;
-        let fastest = space.fastest();
+    /// Returns all states that motions have in the end, in so many boxes, about. Lemma A1
+    pub fn whole(&self, boxes: u32) -> Component {
+        let fastest = self.question.space.fastest();
         // About as many columns as rows.
-        let columns = 1_i64 << (settings.boxes.ilog2() / 2); // A6: any boxes
+        let columns = 1_i64 << (boxes.ilog2() / 2); // A6: any boxes
         let rows = (columns as f64 / fastest).log2().round().exp2().max(64.0); // A1: the greatest speed is a multiple of a row
         let grid = Grid { columns, rows };
         let last = (fastest * rows) as i32; // exact: a whole number
@@ -138,13 +136,13 @@ impl<'a> Analysis<'a> {
             self.nodes[node].kind = Kind::RestCycle(None);
             return first..first;
         }
-        let found = graph.recurrent(component.is_closed);
-        for component in &found.components {
-            let kind = self.kind(component);
-            self.nodes.push(Node { component: component.clone(), halved, kind, split: None });
+        let Recurrent { components, leads, .. } = graph.recurrent(component.is_closed);
+        for component in components {
+            let kind = self.kind(&component);
+            self.nodes.push(Node { component, halved, kind, split: None });
         }
         let children = first..self.nodes.len();
-        self.nodes[node].split = Some(Split { grid: component.grid, children: children.clone().collect(), found });
+        self.nodes[node].split = Some(Split { children: children.clone().collect(), leads });
         children
     }
 

@@ -1,8 +1,10 @@
 //! Where motions go from each part of the state space: basins of attraction, proved. Lemma A11 of `docs/proofs/global.md#A11`.
 
+use std::collections::{BTreeSet, HashMap};
+
 use super::Recurrence;
-use super::analysis::{Analysis, Node};
-use super::graph::Ends;
+use super::analysis::{Analysis, Question};
+use super::graph::{Component, Graph, Recurrent};
 use crate::chaos::trap::{Cell, Grid};
 
 /// Where the motions from a part of the state space go.
@@ -10,9 +12,9 @@ use crate::chaos::trap::{Cell, Grid};
 pub enum Goes {
     /// All of them end in this component, an attractor.
     To(usize),
-    /// The part is one of this component, which motions may stay in or leave.
+    /// It is a part of this component, drawn over the others.
     Within(usize),
-    /// To one of several components, or not even that is proved.
+    /// It is not proved that all of them end in one attractor.
     Undecided,
 }
 
@@ -36,96 +38,110 @@ pub struct Basin {
     pub area: f64,
 }
 
-/// Returns the basins of all attractors, as far as they are proved. Lemma A11
-pub(super) fn basins(components: &[Recurrence], patches: &[Patch], fastest: f64) -> Vec<Basin> {
+/// Returns the basins of all attractors, as far as they are proved; `None` where the state space is not among the patches. Lemma A11
+pub(super) fn basins(components: &[Recurrence], patches: &[Patch], fastest: f64) -> Option<Vec<Basin>> {
+    let all = || patches.iter().filter(|patch| !matches!(patch.goes, Goes::Within(_)));
+    all().next()?;
     let attractors = (0..components.len()).filter(|&i| components[i].kind.is_attractor());
     let basin = |component: usize| {
         let is_own = |patch: &&Patch| patch.goes == Goes::To(component);
-        if patches.iter().all(|patch| is_own(&patch)) {
+        if all().all(|patch| is_own(&patch)) {
             return Basin { component, area: 1.0 };
         }
-        let own = patches.iter().filter(is_own);
+        let own = all().filter(is_own).map(Patch::size);
         // A11: the sides are exact, sums are rounded down
-        let sum =
-            own.map(Patch::size).fold(0.0, |sum: f64, size| if sum == 0.0 { size } else { (sum + size).next_down() });
+        let sum = own.fold(0.0, |sum: f64, size| if sum == 0.0 { size } else { (sum + size).next_down() });
         Basin { component, area: (sum / fastest).next_down().max(0.0) } // A11: no area is negative
     };
-    attractors.map(basin).collect()
+    Some(attractors.map(basin).collect())
 }
 
 impl Patch {
     /// Phases times speeds. Lemma A11: sides are multiples of powers of two
-    fn size(&self) -> f64 {
+    pub(super) fn size(&self) -> f64 {
         let [across, along] = [self.phases, self.speeds].map(|[low, high]| high - low); // exact: multiples of a power of two
         across * along
     }
 }
 
-/// What is placed: the components, the place of each node that is left, and the patches so far.
-struct Placed<'p> {
-    components: &'p [Recurrence],
-    places: Vec<usize>,
-    patches: Vec<Patch>,
-}
-
 impl Analysis<'_> {
-    /// Returns the state space in rectangles, each with where its motions go. Lemma A11
-    pub fn patches(&self, components: &[Recurrence]) -> Vec<Patch> {
-        let mut placed = Placed { components, places: self.places(), patches: Vec::new() };
-        self.place(0, &[], &mut placed);
-        placed.patches
-    }
-
-    /// Adds the patches of a node, from which motions may leave for some components besides its own.
-    fn place(&self, node: usize, outside: &[usize], placed: &mut Placed<'_>) {
-        let Node { component, split, .. } = &self.nodes[node];
-        let Some(split) = split else {
-            let own = placed.places[node];
-            let is_basin = component.is_closed && placed.components[own].kind.is_attractor();
-            let goes = if is_basin { Goes::To(own) } else { Goes::Within(own) };
-            component.cells.iter().for_each(|&cell| placed.add(component.grid, cell, goes));
-            return;
+    /// Returns the boxes of all components, and with N boxes for basins the state space in rectangles, each with where its motions go.
+    /// Lemma A11
+    pub fn patches(&self, components: &[Recurrence], boxes: Option<u32>) -> Vec<Patch> {
+        let mut patches = Vec::new();
+        let leaves: Vec<&Component> = self.leaves(0).into_iter().map(|leaf| &self.nodes[leaf].component).collect();
+        for (place, leaf) in leaves.iter().enumerate() {
+            leaf.cells.iter().for_each(|&cell| add(&mut patches, leaf.grid, cell, Goes::Within(place)));
+        }
+        let Some(boxes) = boxes.filter(|_| components.iter().any(|own| own.kind.is_attractor())) else {
+            return patches;
         };
-        let places = |child: usize| self.leaves(split.children[child]).into_iter().map(|leaf| placed.places[leaf]);
-        let of_children: Vec<Vec<usize>> = (0..split.children.len()).map(|child| places(child).collect()).collect();
-        let goes: Vec<Goes> =
-            split.found.ends.iter().map(|ends| goes(ends, &of_children, outside, placed.components)).collect();
-        split.found.passed.iter().for_each(|&(cell, ends)| placed.add(split.grid, cell, goes[ends]));
-        for (i, &child) in split.children.iter().enumerate() {
-            let led = split.found.leads[i].iter().enumerate().filter(|&(j, &leads)| leads && j != i);
-            let mut beyond: Vec<usize> = led.flat_map(|(j, _)| of_children[j].iter().copied()).collect();
-            if !self.nodes[child].component.is_closed {
-                beyond.extend(outside);
+        let whole = self.whole(boxes);
+        let Question { space, released, watch, .. } = &self.question;
+        let Some(graph) = Graph::of(space, &whole, &released.next, *watch) else { return patches };
+        let Recurrent { components: found, leads, passed, ends } = graph.recurrent(true);
+        let held = held(&found, &leaves);
+        let goes = |places: &mut dyn Iterator<Item = usize>| {
+            let mut all: Vec<usize> = places.flat_map(|place| held[place].iter().copied()).collect();
+            all.sort_unstable();
+            all.dedup();
+            match all[..] {
+                [one] if components[one].kind.is_attractor() => Goes::To(one),
+                _ => Goes::Undecided,
             }
-            self.place(child, &beyond, placed);
+        };
+        let of_ends: Vec<Goes> = ends.iter().map(|ends| goes(&mut ends.iter().map(|&place| place as usize))).collect(); // exact: an index
+        let mut boxes: Vec<(Cell, Goes)> = passed.iter().map(|&(cell, ends)| (cell, of_ends[ends])).collect();
+        for (own, leads) in found.iter().zip(&leads) {
+            let goes = goes(&mut (0..leads.len()).filter(|&place| leads[place]));
+            boxes.extend(own.cells.iter().map(|&cell| (cell, goes)));
         }
+        boxes.sort_unstable_by_key(|(cell, _)| *cell);
+        boxes.into_iter().for_each(|(cell, goes)| add(&mut patches, whole.grid, cell, goes));
+        patches
     }
 }
 
-/// Where all motions go that have such ends. Lemma A11
-fn goes(ends: &Ends, of_children: &[Vec<usize>], outside: &[usize], components: &[Recurrence]) -> Goes {
-    let inside = ends.components.iter().flat_map(|&child| &of_children[child as usize]); // exact: an index
-    let beyond = outside.iter().filter(|_| ends.leaves);
-    let mut all: Vec<usize> = inside.chain(beyond).copied().collect();
-    all.sort_unstable();
-    all.dedup();
-    match all[..] {
-        [one] if components[one].kind.is_attractor() => Goes::To(one),
-        _ => Goes::Undecided,
+/// Of each component of a graph, which of the components that are left motions may be in that stay in it: those whose boxes meet its own.
+/// Lemma A11
+fn held(found: &[Component], leaves: &[&Component]) -> Vec<BTreeSet<usize>> {
+    let mut held = vec![BTreeSet::new(); found.len()];
+    let Some(grid) = found.first().map(|own| own.grid) else { return held };
+    let boxes = || found.iter().enumerate().flat_map(|(place, own)| own.cells.iter().map(move |&cell| (cell, place)));
+    let place_of: HashMap<Cell, usize> = boxes().collect();
+    for (leaf, own) in leaves.iter().enumerate() {
+        for &(column, row) in &own.cells {
+            let met = |low: i32, size: f64| {
+                let [low, high] = [low, low + 1].map(|at| f64::from(at) * size); // exact: powers of two
+                (low.ceil() as i64 - 1, high.floor() as i64) // A11: those with an edge in common are among them
+            };
+            let [columns, rows] =
+                [met(column, grid.columns as f64 / own.grid.columns as f64), met(row, grid.rows / own.grid.rows)];
+            for column in columns.0..=columns.1 {
+                for row in rows.0..=rows.1 {
+                    let cell = (column.rem_euclid(grid.columns) as i32, row as i32); // exact: fewer than 2^31
+                    if let Some(&place) = place_of.get(&cell) {
+                        held[place].insert(leaf);
+                    }
+                }
+            }
+        }
+        if own.has_release {
+            (0..found.len()).filter(|&place| found[place].has_release).for_each(|place| _ = held[place].insert(leaf));
+        }
     }
+    held
 }
 
-impl Placed<'_> {
-    /// Adds a box, to the patch below it if both go to the same.
-    fn add(&mut self, grid: Grid, (column, row): Cell, goes: Goes) {
-        let columns = grid.columns as f64; // exact: a power of two
-        let phases = [f64::from(column) / columns, f64::from(column + 1) / columns];
-        let speeds = [f64::from(row) / grid.rows, f64::from(row + 1) / grid.rows];
-        match self.patches.last_mut() {
-            Some(last) if last.goes == goes && last.phases == phases && last.speeds[1] == speeds[0] => {
-                last.speeds[1] = speeds[1];
-            }
-            _ => self.patches.push(Patch { phases, speeds, goes }),
+/// Adds a box, to the patch below it if both go to the same.
+fn add(patches: &mut Vec<Patch>, grid: Grid, (column, row): Cell, goes: Goes) {
+    let columns = grid.columns as f64; // exact: a power of two
+    let phases = [f64::from(column) / columns, f64::from(column + 1) / columns];
+    let speeds = [f64::from(row) / grid.rows, f64::from(row + 1) / grid.rows];
+    match patches.last_mut() {
+        Some(last) if last.goes == goes && last.phases == phases && last.speeds[1] == speeds[0] => {
+            last.speeds[1] = speeds[1];
         }
+        _ => patches.push(Patch { phases, speeds, goes }),
     }
 }

@@ -20,6 +20,15 @@ pub(super) struct Component {
     pub is_closed: bool,
 }
 
+impl Component {
+    /// Returns the columns that its boxes are in, in order.
+    pub fn columns(&self) -> Vec<i32> {
+        let mut columns: Vec<i32> = self.cells.iter().map(|(column, _)| *column).collect();
+        columns.dedup();
+        columns
+    }
+}
+
 /// Where a ball goes on that is released.
 #[derive(Clone, Debug)]
 pub(super) enum Release {
@@ -45,16 +54,9 @@ pub(super) struct Recurrent {
     pub components: Vec<Component>,
     /// `leads[i][j]`: from the first to the second.
     pub leads: Vec<Vec<bool>>,
-    /// The boxes in none of them, in order, each with the place of its ends.
+    /// The boxes in none of them, in order, each with the place of its ends: the components that walks lead to.
     pub passed: Vec<(Cell, usize)>,
-    pub ends: Vec<Ends>,
-}
-
-/// The components that a motion may be in in the end, and whether it may leave the boxes of the graph.
-#[derive(Clone, Debug, PartialEq, Eq, Hash)]
-pub(super) struct Ends {
-    pub components: Vec<u32>,
-    pub leaves: bool,
+    pub ends: Vec<Vec<u32>>,
 }
 
 /// What follows the boxes of a share, and which of them something else follows.
@@ -65,14 +67,15 @@ impl Graph {
     pub fn of(space: &Space, component: &Component, release: &Release, watch: &dyn Watch) -> Option<Self> {
         let Component { grid, cells, has_release, .. } = component;
         let count = cells.len() as u32; // exact: fewer than 2^32
+        let columns = component.columns();
         let threads = thread::available_parallelism().map_or(1, usize::from); // exact: threads decide nothing
         let share = cells.len().div_ceil(threads).max(1); // exact: a length
         let found = Mutex::new(Vec::new());
         thread::scope(|scope| {
             for (part, some) in cells.chunks(share).enumerate() {
-                let found = &found;
+                let (found, columns) = (&found, &columns);
                 scope.spawn(move || {
-                    let own = images(space, *grid, cells, (part * share, some), watch);
+                    let own = images(space, (*grid, columns), cells, (part * share, some), watch);
                     found.lock().expect("no thread has panicked").push(own);
                 });
             }
@@ -151,10 +154,9 @@ impl Graph {
             if let Some(k) = index[part] {
                 nodes[k as usize].push(node as u32); // exact: indices
             } else if let Some(&cell) = self.cells.get(node) {
-                let own = Ends { components: reached[part].clone(), leaves: lost[part] };
-                let place = *known.entry(own.clone()).or_insert(ends.len());
+                let place = *known.entry(&reached[part]).or_insert(ends.len());
                 if place == ends.len() {
-                    ends.push(own);
+                    ends.push(reached[part].clone());
                 }
                 passed.push((cell, place));
             }
@@ -189,7 +191,7 @@ impl Graph {
 /// What follows some of the boxes, from the number of the first on.
 fn images(
     space: &Space,
-    grid: Grid,
+    (grid, columns): (Grid, &[i32]),
     cells: &[Cell],
     (first, some): (usize, &[Cell]),
     watch: &dyn Watch,
@@ -204,8 +206,9 @@ fn images(
         let from = (first + i) as u32; // exact: fewer than 2^32
         own.clear();
         let mut leaves_them = false;
-        space.images(grid, cell, &mut |next| match next {
+        space.images(grid, cell, columns, &mut |next| match next {
             Next::Release => own.push((release, false)),
+            Next::Elsewhere => leaves_them = true,
             Next::Impact { cell, stays, .. } => match cells.binary_search(&cell) {
                 Ok(to) => own.push((to as u32, stays)), // exact: fewer than 2^32
                 Err(_) => leaves_them = true,

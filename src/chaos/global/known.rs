@@ -277,9 +277,10 @@ pub(super) fn is_grazing(space: &Space, component: &Component) -> bool {
     if component.has_release || component.cells.is_empty() || !component.cells.iter().all(is_near) {
         return false; // exact: not proved
     }
+    let columns = component.columns();
     !component.cells.iter().any(|&cell| {
         let mut crosses = false;
-        space.images(component.grid, cell, &mut |next| {
+        space.images(component.grid, cell, &columns, &mut |next| {
             if let Next::Impact { cell, is_far: true, .. } = next {
                 crosses |= component.cells.binary_search(&cell).is_ok();
             }

@@ -34,13 +34,15 @@ pub struct GlobalSettings {
     pub halvings: u32,
     /// Boxes whose images are computed in all, about.
     pub most: usize,
+    /// Boxes by which basins are proved, about, if they are asked for: a power of two from 2^8 to 2^24.
+    pub basins: Option<u32>,
     /// Requested widths of the enclosures of periodic orbits.
     pub precision: Precision,
 }
 
 impl Default for GlobalSettings {
     fn default() -> Self {
-        Self { boxes: 1 << 14, halvings: 40, most: 300_000, precision: Precision::default() }
+        Self { boxes: 1 << 14, halvings: 40, most: 300_000, basins: None, precision: Precision::default() }
     }
 }
 
@@ -67,7 +69,7 @@ pub struct Global {
     pub components: Vec<Recurrence>,
     /// `[i, j]`: motions may go from component `i` to component `j`, as far as the boxes tell.
     pub order: Vec<[usize; 2]>,
-    /// The state space in rectangles, each with where its motions go.
+    /// The boxes of components, and if basins were asked for, the state space in rectangles, each with where its motions go.
     pub patches: Vec<Patch>,
     /// The greatest speed over `A W` that motions have in the end.
     pub fastest: f64,
@@ -106,8 +108,8 @@ impl Class {
 }
 
 impl Global {
-    /// Returns what is proved of the basin of each attractor.
-    pub fn basins(&self) -> Vec<Basin> {
+    /// Returns what is proved of the basin of each attractor, if basins were asked for.
+    pub fn basins(&self) -> Option<Vec<Basin>> {
         basins::basins(&self.components, &self.patches, self.fastest)
     }
 
@@ -125,7 +127,7 @@ impl Global {
         let released = Released::of(pair, &space)?;
         let analysis = Analysis::of(Question { pair, space, released, settings, watch });
         let components = analysis.components();
-        let patches = analysis.patches(&components);
+        let patches = analysis.patches(&components, settings.basins);
         Ok(Self {
             components,
             order: analysis.order(),

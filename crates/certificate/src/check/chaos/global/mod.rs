@@ -15,7 +15,7 @@ use super::{BITS, Law};
 use crate::check::contact::Doubt;
 use crate::check::{Effort, Finding, Verdict};
 use crate::global::{Claimed, GlobalCertificate};
-use basins::Cover;
+use basins::{Areas, Known};
 use graph::{Component, Released, Set};
 use impact_pair_exact::Real;
 use limit::Cycle;
@@ -96,10 +96,16 @@ impl GlobalCertificate {
             rest_claim,
             has_rests,
         };
-        let whole = judge.whole(self.basins().map(|_| self.boxes()));
-        Ok(judge
-            .covers(&whole, 0, &mut work, watch)
-            .and_then(|cover| cover.judge(self.basins().unwrap_or(&[]), space.fastest)))
+        let mut known = Vec::new();
+        if let Err(doubt) = judge.covers(&judge.whole(None), 0, &mut work, &mut known, watch) {
+            return Ok(Err(doubt));
+        }
+        let Some((boxes, basins)) = self.basins() else { return Ok(Ok(())) };
+        let all = judge.whole(Some(boxes));
+        let Some(split) = all.split(&space, &released, watch) else {
+            return Ok(Err(Doubt::Open("interrupted".into())));
+        };
+        Ok(Areas::of(&all, &split, &known).judge(basins, space.fastest))
     }
 
     /// The cycles of the map that are claimed, each with the place of its component.
@@ -138,7 +144,7 @@ struct Judge<'j> {
 impl Judge<'_> {
     /// All states that motions have in the end; for basins in boxes that are half as wide as those of N boxes.
     fn whole(&self, boxes: Option<u32>) -> Set {
-        let half = |boxes: u32| 2.0_f64.powi(boxes.max(2).ilog2() as i32 / 2 + 1).clamp(COLUMNS, MOST_COLUMNS); // V20: any boxes
+        let half = |boxes: u32| 2.0_f64.powi(boxes.max(2).ilog2() as i32 / 2 + 1).clamp(COLUMNS, MOST_COLUMNS); // V27: any boxes
         let across = boxes.map_or(COLUMNS, half); // V20: any boxes
         let rows = (across * ROWS / COLUMNS / self.space.fastest).log2().ceil().exp2().max(64.0); // V20: any boxes; the greatest speed is a multiple of a row
         let (columns, last) = (across as i64, (self.space.fastest * rows) as i64); // exact: whole numbers
@@ -146,8 +152,15 @@ impl Judge<'_> {
         Set { grid: Grid { columns: across, rows }, cells, has_release: true, is_closed: true }
     }
 
-    /// Whether all that stays in a set is claimed, and where its motions go.
-    fn covers(&self, set: &Set, halved: u32, work: &mut u64, watch: &dyn Watch) -> Result<Cover, Doubt> {
+    /// Whether all that stays in a set is claimed; adds the components that are proved to be those claimed.
+    fn covers(
+        &self,
+        set: &Set,
+        halved: u32,
+        work: &mut u64,
+        known: &mut Vec<Known>,
+        watch: &dyn Watch,
+    ) -> Result<(), Doubt> {
         *work = work.saturating_sub(set.cells.len() as u64); // exact: a length
         if *work == 0 {
             return Err(Doubt::Open("where every motion goes: the work allowed is spent".into()));
@@ -155,25 +168,25 @@ impl Judge<'_> {
         let open = || Doubt::Open("interrupted".into());
         let split = set.split(self.space, self.released, watch).ok_or_else(open)?;
         if let Some(claim) = self.rest_claim.filter(|_| set.is_closed && split.is_released_always) {
-            return Ok(Cover::of(claim, set));
+            known.push((claim, set.clone()));
+            return Ok(());
         }
-        let mut covers = Vec::new();
-        for Component { set, .. } in &split.components {
-            covers.push(match self.claim(set) {
+        for Component { set, .. } in split.components {
+            match self.claim(&set) {
                 Some(claim) if set.is_closed && !self.claimed[claim].closed => {
                     return Err(Doubt::Open(format!("component {claim} is closed, which is not said of it")));
                 }
-                Some(claim) => Cover::of(claim, set),
+                Some(claim) => known.push((claim, set)),
                 None if halved >= HALVINGS || set.cells.is_empty() => {
                     return Err(Doubt::Open(format!(
                         "where every motion goes: {} boxes that may hold motions are not proved to be among the components",
                         set.cells.len()
                     )));
                 }
-                None => self.covers(&set.halved(), halved + 1, work, watch)?,
-            });
+                None => self.covers(&set.halved(), halved + 1, work, known, watch)?,
+            }
         }
-        Ok(Cover::joined(set, &split, &covers))
+        Ok(())
     }
 
     /// The place of the component that a set is proved to be; one that is claimed to be closed has to be so.
