@@ -108,7 +108,7 @@ impl<'a> Analysis<'a> {
         }
     }
 
-    /// Returns all states that motions have in the end, in so many boxes, about. Lemma A1
+    /// Returns all states that motions have in the end, in about N boxes. Lemma A1
     pub fn whole(&self, boxes: u32) -> Component {
         let fastest = self.question.space.fastest();
         // About as many columns as rows.

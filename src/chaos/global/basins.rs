@@ -115,8 +115,8 @@ fn held(found: &[Component], leaves: &[&Component]) -> Vec<BTreeSet<usize>> {
                 let [low, high] = [low, low + 1].map(|at| f64::from(at) * size); // exact: powers of two
                 (low.ceil() as i64 - 1, high.floor() as i64) // A11: those with an edge in common are among them
             };
-            let [columns, rows] =
-                [met(column, grid.columns as f64 / own.grid.columns as f64), met(row, grid.rows / own.grid.rows)];
+            let across = grid.columns as f64 / own.grid.columns as f64; // exact: powers of two
+            let [columns, rows] = [met(column, across), met(row, grid.rows / own.grid.rows)];
             for column in columns.0..=columns.1 {
                 for row in rows.0..=rows.1 {
                     let cell = (column.rem_euclid(grid.columns) as i32, row as i32); // exact: fewer than 2^31

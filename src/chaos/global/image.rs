@@ -243,7 +243,8 @@ impl Space {
         if drifts[0] > drifts[1] {
             return; // A4: there is none
         }
-        if (asked.len() as i64) < grid.columns {
+        let is_all = asked.len() as i64 == grid.columns; // exact: a length
+        if !is_all {
             note(Next::Elsewhere);
         }
         let columns = grid.columns as f64; // exact: a power of two

@@ -237,10 +237,10 @@ fn random_starts_end_in_the_attractors() {
 /// in it.
 #[test]
 fn starts_in_a_basin_end_in_its_attractor() {
-    let (ratio, restitution) = ("0.583258", "0.377273");
-    let settings = GlobalSettings { basins: Some(1 << 15), ..GlobalSettings::default() };
+    let (ratio, restitution) = ("1.00681", "0.295455");
+    let settings = GlobalSettings { most: 40_000, basins: Some(1 << 15), ..GlobalSettings::default() };
     let found = Global::of(&pair(ratio, restitution), &settings, &Unwatched).unwrap();
-    assert_eq!(found.class(), Class::OneAttractor);
+    assert_eq!(found.class(), Class::Attractors);
     let size = |patch: &Patch| patch.size();
     let whole: f64 = found.patches.iter().filter(|patch| !matches!(patch.goes, Goes::Within(_))).map(size).sum();
     assert!((whole / found.fastest - 1.0).abs() < 1e-12, "{whole}");
@@ -265,7 +265,7 @@ fn starts_in_a_basin_end_in_its_attractor() {
 /// Lemma A10: where the release is followed by nothing that is known, it is still met again and again.
 #[test]
 fn a_cycle_with_rests_of_an_unknown_period() {
-    let found = global("WIDE", "EWIDE");
+    let found = global("[1, 1.2]", "[0.05, 0.12]");
     assert_eq!(found.class(), Class::OneRestCycle);
     assert!(matches!(found.components[0].kind, Kind::RestCycle(None)) && found.components[0].is_closed);
 }

@@ -132,7 +132,7 @@ impl Set {
         let mut own = Vec::new();
         space.follows(self.grid, cell, &mut |next| match next {
             Next::Release => own.push((if self.has_release { self.cells.len() } else { OUTSIDE }, false)),
-            Next::Impact { cell, stays, .. } => own.push((number(&cell).unwrap_or(OUTSIDE), stays)),
+            Next::Impact { cell, stays, .. } => own.push((number(&cell).unwrap_or(OUTSIDE), stays)), // exact: no box of the set
         });
         own.sort_unstable();
         own.dedup();

@@ -142,11 +142,11 @@ struct Judge<'j> {
 }
 
 impl Judge<'_> {
-    /// All states that motions have in the end; for basins in boxes that are half as wide as those of N boxes.
+    /// All states that motions have in the end; for basins in about as many boxes as are said.
     fn whole(&self, boxes: Option<u32>) -> Set {
-        let half = |boxes: u32| 2.0_f64.powi(boxes.max(2).ilog2() as i32 / 2 + 1).clamp(COLUMNS, MOST_COLUMNS); // V27: any boxes
-        let across = boxes.map_or(COLUMNS, half); // V20: any boxes
-        let rows = (across * ROWS / COLUMNS / self.space.fastest).log2().ceil().exp2().max(64.0); // V20: any boxes; the greatest speed is a multiple of a row
+        let root = |boxes: u32| 2.0_f64.powi(boxes.max(2).ilog2() as i32 / 2).clamp(COLUMNS, MOST_COLUMNS); // V27: any boxes
+        let (across, along) = boxes.map_or((COLUMNS, ROWS), |boxes| (root(boxes), root(boxes))); // V20: any boxes
+        let rows = (along / self.space.fastest).log2().ceil().exp2().max(64.0); // V20: any boxes; the greatest speed is a multiple of a row
         let (columns, last) = (across as i64, (self.space.fastest * rows) as i64); // exact: whole numbers
         let cells = (0..columns).flat_map(|column| (0..last).map(move |row| [column, row])).collect();
         Set { grid: Grid { columns: across, rows }, cells, has_release: true, is_closed: true }

@@ -56,7 +56,7 @@ impl<'l> Space<'l> {
         let limit = Span::point(2.0).over(left).filter(|_| left.is_positive())?;
         // A multiple of 2^-5 that is greater.
         let own = ((limit.hi() * 32.0).floor() + 1.0) / 32.0; // V20: greater than 2/(1 - e)
-        let fastest = greatest.unwrap_or(own);
+        let fastest = greatest.unwrap_or(own); // V27: what is claimed is judged below
         let is_greater = fastest > limit.hi() && (fastest * 64.0).fract() == 0.0; // V20: a multiple of a row
         (is_greater && fastest < 1e3).then(|| Self { law, guess: Guess::new(law), fastest })
     }
