@@ -44,8 +44,8 @@ With --hyperbolic, words are proved to be uniformly hyperbolic by cones, where t
 
 For the orbit of the scene's own start, the output states whether it is proved to converge to a periodic orbit, so \
 that only transients visit the horseshoe, or to stay in a trapping region that contains the horseshoe. With --over \
-KEY=LO..HI:COUNT, each cell of the range is tested for a horseshoe and for convergence of that orbit; each verdict \
-holds for all values in its interval.
+KEY=LO..HI:COUNT, each cell of the range is tested for a horseshoe, for convergence of that orbit, and for a stable \
+periodic orbit that it may not converge to; each verdict holds for all values in its interval.
 
 Exit code: 0 a positive entropy is proved, or with COUNT a verdict for every value; 1 it is not, or the run was \
 interrupted (what is proved so far is written); 2 usage, bad input, I/O.";
@@ -66,7 +66,7 @@ pub struct ChaosArguments {
     #[arg(long, value_name = "FILE")]
     bases: Option<PathBuf>,
     /// Prove it for all values of a parameter at once: amplitude, gap, restitution or frequency; with :COUNT in COUNT cells, one
-    /// by one: whether each holds a horseshoe, or the scene's own orbit converges to a periodic one
+    /// by one: whether each holds a horseshoe, or a stable periodic orbit that the scene's own orbit converges to, or another one
     #[arg(long, value_name = "KEY=LO..HI[:COUNT]", value_parser = range, allow_hyphen_values = true)]
     over: Option<Range>,
     /// With :COUNT: bisect an undecided cell up to N times

@@ -4,17 +4,18 @@ use std::fmt::{self, Write};
 use std::path::PathBuf;
 
 use anyhow::{Context, Result};
-use clap::Args;
+use clap::{Args, ValueEnum};
 use impact_pair::Scene;
 use impact_pair::chaos::{Global, GlobalSettings, Kind, Recurrence};
 use impact_pair::document::{self, counted};
 use impact_pair::exact::decimal_digits;
 use impact_pair::json::GlobalDocument;
+use impact_pair_plot::picture::Look;
 
 use crate::Answer;
 use crate::destination::{Begun, Destination};
+use crate::graph::{Graph, Value};
 use crate::heading::pair_heading;
-use crate::periodic::PeriodicFormat;
 use crate::progress::Progress;
 use crate::scene;
 use crate::values::{count, digits};
@@ -22,7 +23,7 @@ use crate::values::{count, digits};
 pub const HELP: &str = "\
 Examples:
   impact-pair global scenes/figure-12.toml
-  impact-pair global scenes/figure-14.toml --format json --output global.json
+  impact-pair global scenes/figure-14.toml --plot global.svg --format json --output global.json
 
 With every impact mirrored to the left wall, all phases and all speeds that motions have in the end are covered by \
 boxes. Enclosures of what may follow each box, an impact or a rest and its release, make a graph; at a graze both \
@@ -32,7 +33,11 @@ or until enough boxes are mapped. The start of the scene is not used. One harmon
 parameters may be intervals.
 
 Of a component that is listed as undecided nothing is claimed, not even that a motion stays in it. `closed` says that \
-no motion goes from it to another component.
+no motion goes from it to another component. With --basins the basin of an attractor is the boxes all of whose motions \
+are proved to end in it, as a part of the state space: lower bounds.
+
+With --plot the state space is coloured by the attractor that its motions end in, beside the graph of components. The \
+formats graphml and dot write that graph: an edge where motions may go from one component to another.
 
 Exit code: 0 every motion that touches a wall is proved to end in one cycle with rests, or to tend to one attractor, \
 apart from saddles and grazes; 1 not so, or the run was interrupted (what is proved is written); 2 usage, bad input, \
@@ -46,30 +51,57 @@ pub struct GlobalArguments {
     #[arg(long, value_name = "N", default_value_t = 14, value_parser = clap::value_parser!(u32).range(8..=20))]
     boxes: u32,
     /// Halve the boxes of a component up to N times
-    #[arg(long, value_name = "N", default_value_t = 18, value_parser = clap::value_parser!(u32).range(0..=40))]
+    #[arg(long, value_name = "N", default_value_t = 40, value_parser = clap::value_parser!(u32).range(0..=40))]
     halvings: u32,
-    /// Map about N boxes in all
+    /// Map about N boxes in all, those of the smallest undecided component first
     #[arg(long, value_name = "N", default_value_t = 300_000, value_parser = count(1..=1_000_000_000))]
     most: u64,
+    /// Prove basins of attraction, by about 2^N boxes [default: none; with --plot 16]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(8..=24))]
+    basins: Option<u32>,
     /// Requested width of periodic orbits, at most 10^-D: of phases relative to 2 pi, of velocities relative to A W [default: that of
     /// the scene, or 9]
     #[arg(long, value_name = "D", value_parser = digits())]
     digits: Option<u32>,
     /// Output format; json is schema impact-pair/global/1 [default: as the ending of --output says, else table]
     #[arg(long, value_enum)]
-    format: Option<PeriodicFormat>,
+    format: Option<GlobalFormat>,
+    /// Draw the state space by where its motions go, and the graph of components
+    #[arg(long, value_name = "FILE.svg|FILE.png|FILE.pdf", value_parser = impact_pair_plot::picture::path)]
+    plot: Option<PathBuf>,
+    #[command(flatten)]
+    look: Look,
     #[command(flatten)]
     destination: Destination,
 }
 
+/// Basins of pictures are proved by 2^N boxes.
+const BASINS: u32 = 16;
+
+/// How a global analysis is written.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+enum GlobalFormat {
+    /// Human-readable
+    #[default]
+    Table,
+    /// One document of the schema named above
+    Json,
+    /// The graph of components in GraphML
+    Graphml,
+    /// The same in the language of Graphviz
+    Dot,
+}
+
 pub fn global(arguments: &GlobalArguments) -> Result<Answer> {
     let format = arguments.destination.format(arguments.format)?;
-    let Begun { scene, files, path } = arguments.destination.begin(&arguments.scene, None)?;
+    let plot = arguments.plot.as_deref().map(|path| (path, &arguments.look));
+    let Begun { scene, files, path } = arguments.destination.begin(&arguments.scene, plot)?;
     let named = || scene::name(path);
     let mut settings = GlobalSettings {
         boxes: 1 << arguments.boxes,
         halvings: arguments.halvings,
         most: usize::try_from(arguments.most)?,
+        basins: arguments.basins.or(arguments.plot.is_some().then_some(BASINS)).map(|halvings| 1 << halvings),
         ..GlobalSettings::default()
     };
     settings.precision.digits = arguments.digits.or(scene.run().digits).unwrap_or(settings.precision.digits);
@@ -78,11 +110,28 @@ pub fn global(arguments: &GlobalArguments) -> Result<Answer> {
     progress.clear();
     let document = document::global(&scene, &settings, &found).with_context(named)?;
     let text = match format {
-        PeriodicFormat::Table => table(&scene, &found, &document)?,
-        PeriodicFormat::Json => serde_json::to_string(&document)? + "\n",
+        GlobalFormat::Table => table(&scene, &found, &document)?,
+        GlobalFormat::Json => serde_json::to_string(&document)? + "\n",
+        GlobalFormat::Graphml => graph(&scene, &found).graphml()?,
+        GlobalFormat::Dot => graph(&scene, &found).dot()?,
     };
     let open = (!document.certified).then(|| conclusion(&document));
-    files.answer(&text, open, format == PeriodicFormat::Table)
+    files.draw((&text, open, format == GlobalFormat::Table), || {
+        impact_pair_plot::global::global(&scene, &found, &document, &arguments.look)
+    })
+}
+
+/// The components, and which of them motions may go from and to.
+fn graph<'f>(scene: &Scene, found: &'f Global) -> Graph<'f> {
+    let node = |own: &Recurrence| {
+        vec![Value::Word(own.kind.name()), Value::Number(own.boxes as i64), Value::of(own.is_closed)]
+    };
+    Graph {
+        title: format!("components that motions may stay in; {}", scene.parameters_in_words()),
+        keys: &[("kind", "string"), ("boxes", "long"), ("closed", "long")],
+        nodes: found.components.iter().map(node).collect(),
+        edges: Box::new(found.order.iter().map(|&[from, to]| (from, None, to))),
+    }
 }
 
 fn table(scene: &Scene, found: &Global, document: &GlobalDocument) -> Result<String, fmt::Error> {
@@ -104,6 +153,11 @@ fn table(scene: &Scene, found: &Global, document: &GlobalDocument) -> Result<Str
         let pairs: Vec<String> = document.order.iter().map(|[i, j]| format!("{} to {}", i + 1, j + 1)).collect();
         writeln!(out, "motions may go from {}", pairs.join(", "))?;
     }
+    if let Some(basins) = &document.basins {
+        let own = basins.areas.iter().map(|basin| format!("{} of {}", basin.area.text(), basin.component + 1));
+        let all = own.collect::<Vec<_>>().join(", ");
+        writeln!(out, "basins, parts of the state space, at least: {all}; undecided {}", basins.undecided.text())?;
+    }
     writeln!(out, "\n{}", conclusion(document))?;
     Ok(out)
 }
@@ -111,7 +165,7 @@ fn table(scene: &Scene, found: &Global, document: &GlobalDocument) -> Result<Str
 /// What is proved of a component.
 fn row(number: usize, Recurrence { kind, boxes, area, is_closed }: &Recurrence) -> String {
     let cycles = match kind {
-        Kind::RestCycle(rest) => Some(rest.cycles),
+        Kind::RestCycle(rest) => rest.map(|rest| rest.cycles),
         kind => kind.limit().map(|limit| limit.problem.chain().cycles()),
     };
     let period = cycles.map_or(String::new(), |cycles| counted(cycles, "cycle"));

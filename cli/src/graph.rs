@@ -1,19 +1,25 @@
 //! Directed graphs as files that other programs read: GraphML and DOT.
 
-use std::fmt::{self, Write};
+use std::fmt::{self, Display, Write};
 
 use impact_pair::json::PROGRAM;
 
-/// A directed graph whose edges have a letter.
+/// What is known of a node.
+pub enum Value {
+    Number(i64),
+    Word(&'static str),
+}
+
+/// A directed graph, whose edges may have a letter.
 pub struct Graph<'g> {
     /// What it is a graph of, in words.
     pub title: String,
-    /// Whole numbers that nodes have, by their names.
-    pub keys: [&'static str; 2],
-    /// For each node those of its numbers that it has.
-    pub nodes: Vec<Vec<i64>>,
+    /// The names of what is known of nodes, and the types of it in GraphML.
+    pub keys: &'static [(&'static str, &'static str)],
+    /// For each node what is known of it, in the order of the names.
+    pub nodes: Vec<Vec<Value>>,
     /// From node to node.
-    pub edges: Box<dyn Iterator<Item = (usize, char, usize)> + 'g>,
+    pub edges: Box<dyn Iterator<Item = (usize, Option<char>, usize)> + 'g>,
 }
 
 impl Graph<'_> {
@@ -29,21 +35,27 @@ impl Graph<'_> {
         for name in ["title", "program"] {
             key(name, "graph", "string")?;
         }
-        for name in self.keys {
-            key(name, "node", "long")?;
+        for (name, kind) in self.keys {
+            key(name, "node", kind)?;
         }
         key("flight", "edge", "string")?;
         writeln!(out, "  <graph edgedefault=\"directed\">")?;
         writeln!(out, "    <data key=\"title\">{title}</data>\n    <data key=\"program\">{PROGRAM}</data>")?;
-        for (i, numbers) in self.nodes.iter().enumerate() {
+        for (i, values) in self.nodes.iter().enumerate() {
             write!(out, "    <node id=\"{i}\">")?;
-            for (key, number) in self.keys.iter().zip(numbers) {
-                write!(out, "<data key=\"{key}\">{number}</data>")?;
+            for ((key, _), value) in self.keys.iter().zip(values) {
+                write!(out, "<data key=\"{key}\">{value}</data>")?;
             }
             writeln!(out, "</node>")?;
         }
         for (from, letter, to) in self.edges {
-            writeln!(out, "    <edge source=\"{from}\" target=\"{to}\"><data key=\"flight\">{letter}</data></edge>")?;
+            match letter {
+                Some(letter) => writeln!(
+                    out,
+                    "    <edge source=\"{from}\" target=\"{to}\"><data key=\"flight\">{letter}</data></edge>"
+                )?,
+                None => writeln!(out, "    <edge source=\"{from}\" target=\"{to}\"/>")?,
+            }
         }
         writeln!(out, "  </graph>\n</graphml>")?;
         Ok(out)
@@ -53,15 +65,37 @@ impl Graph<'_> {
     pub fn dot(self) -> Result<String, fmt::Error> {
         let mut out = String::new();
         writeln!(out, "digraph {{\n  label=\"{}; {PROGRAM}\";", self.title.replace(['"', '\\'], "'"))?;
-        for (i, numbers) in self.nodes.iter().enumerate() {
-            let numbers = self.keys.iter().zip(numbers).map(|(key, number)| format!("{key}={number}"));
-            writeln!(out, "  {i} [{}];", numbers.collect::<Vec<_>>().join(", "))?;
+        for (i, values) in self.nodes.iter().enumerate() {
+            let values = self.keys.iter().zip(values).map(|((key, _), value)| match value {
+                Value::Number(number) => format!("{key}={number}"),
+                Value::Word(word) => format!("{key}=\"{word}\""),
+            });
+            writeln!(out, "  {i} [{}];", values.collect::<Vec<_>>().join(", "))?;
         }
         for (from, letter, to) in self.edges {
-            writeln!(out, "  {from} -> {to} [label={letter}];")?;
+            match letter {
+                Some(letter) => writeln!(out, "  {from} -> {to} [label={letter}];")?,
+                None => writeln!(out, "  {from} -> {to};")?,
+            }
         }
         writeln!(out, "}}")?;
         Ok(out)
+    }
+}
+
+impl Value {
+    /// A number.
+    pub fn of(number: impl Into<i64>) -> Self {
+        Self::Number(number.into())
+    }
+}
+
+impl Display for Value {
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Number(number) => number.fmt(out),
+            Self::Word(word) => word.fmt(out),
+        }
     }
 }
 

@@ -13,7 +13,7 @@ use impact_pair_plot::picture::Look;
 
 use crate::Answer;
 use crate::destination::{Begun, Destination};
-use crate::graph::Graph;
+use crate::graph::{Graph, Value};
 use crate::heading::heading;
 use crate::output::note;
 use crate::progress::Progress;
@@ -174,19 +174,20 @@ impl Proved<'_> {
     /// The graph that is written: of words if they are counted, else of boxes.
     fn graph(&self) -> Graph<'_> {
         let (scene, TrapDocument { columns, rows, .. }) = (self.scene.parameters_in_words(), &self.document);
-        let keys = ["column", "row"];
+        let keys = &[("column", "long"), ("row", "long")];
+        let lettered = |(from, letter, to): (usize, char, usize)| (from, Some(letter), to);
         match (&self.words, &self.graph) {
             (Some(words), _) => Graph {
                 title: format!("words of walls, from node 0 on; {scene}"),
                 keys,
-                nodes: vec![Vec::new(); words.sets()],
-                edges: Box::new(words.edges()),
+                nodes: (0..words.sets()).map(|_| Vec::new()).collect(),
+                edges: Box::new(words.edges().map(lettered)),
             },
             (None, Some(graph)) => Graph {
                 title: format!("boxes, {columns} columns per forcing period, {rows} rows per speed A W; {scene}"),
                 keys,
-                nodes: graph.boxes().iter().map(|&(column, row)| vec![column.into(), row.into()]).collect(),
-                edges: Box::new(graph.edges()),
+                nodes: graph.boxes().iter().map(|&(column, row)| [column, row].map(Value::of).into()).collect(),
+                edges: Box::new(graph.edges().map(lettered)),
             },
             (None, None) => unreachable!("a graph is found before it is written"),
         }

@@ -7,7 +7,7 @@ use std::f64::consts::LN_2;
 use std::fs;
 use std::time::Instant;
 
-use crate::common::{folder, program, snapshots};
+use crate::common::{answer_to, folder, program, scene, snapshots};
 use serde_json::Value;
 
 /// The exponent is that of a floating orbit.
@@ -185,6 +185,26 @@ fn r35_a_horseshoe_and_an_orbit_that_is_attracted_do_not_exclude_each_other() {
     assert!(!stretch["bases"].as_array().unwrap().is_empty());
     let shares = &document["shares"];
     assert_eq!((&shares["horseshoe"], &shares["attracted"], &shares["both"]), (&1.0.into(), &1.0.into(), &1.0.into()));
+}
+
+/// In a window that the scene's own orbit enters after a chaotic transient: the orbit that `run` proves it to converge to at one end is
+/// that of the whole window.
+#[test]
+fn a_stable_orbit_is_proved_that_the_scenes_own_is_not_proved_to_converge_to() {
+    let over =
+        ["chaos", "scenes/figure-14.toml", "--over", "amplitude=6.2..6.22:1", "--depth", "3", "--format", "json"];
+    let output = program(&over).output().unwrap();
+    let document: Value = serde_json::from_slice(&output.stdout).unwrap();
+    assert_eq!((output.status.code(), &document["shares"]["stable"]), (Some(0), &1.0.into()));
+    let [stretch] = &document["stretches"].as_array().unwrap()[..] else { panic!("{document}") };
+    assert_eq!(stretch["verdict"], "stable");
+    let end = scene("figure-14.toml").replace("amplitude = 8", "amplitude = 6.22");
+    let run = answer_to(&end, &["--impacts", "3000", "--format", "json"]);
+    let run: Value = serde_json::from_slice(&run.stdout).unwrap();
+    let orbit = &run["outcome"]["orbit"];
+    let period = &stretch["period"];
+    assert_eq!((&period["impacts"], &period["cycles"]), (&5.into(), &2.into()));
+    assert_eq!((orbit["impacts"].as_array().map(Vec::len), &run["outcome"]["cycles"]), (Some(5), &2.into()), "{orbit}");
 }
 
 /// Shares of a range that doubles do not tell from a point were not numbers.

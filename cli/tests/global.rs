@@ -4,6 +4,8 @@
 
 use std::fs;
 
+use serde_json::Value;
+
 use crate::common::{EXACT, folder, program, snapshots};
 
 snapshots! { EXACT;
@@ -36,4 +38,43 @@ fn a_global_analysis_is_checked() {
     let other = text.replace("\"cycles\":1", "\"cycles\":2").replace("of 1 forcing period", "of 2 forcing periods");
     says(&other, "refuted");
     says(&text.replace("one-rest-cycle", "one-attractor"), "refuted");
+}
+
+/// Two saddles and an attractor: its basin is confirmed, and is not where it is said to be larger; the graph in two languages, and the
+/// picture.
+#[test]
+fn a_basin_is_checked_and_components_are_drawn() {
+    let folder = folder("basin");
+    let path = |name: &str| folder.join(name).to_str().unwrap().to_owned();
+    let [scene, json, svg] = ["scene.toml", "global.json", "global.svg"].map(path);
+    let text = "excitation = { amplitude = 0.583258, frequency = \"pi\", phase = 0 }\n\
+                pair = { gap = 1, restitution = 0.377273 }\nstart = { time = 0, wall = \"left\", velocity = -1 }\n";
+    fs::write(&scene, text).unwrap();
+    let asked = ["global", &scene, "--basins", "14", "--plot", &svg, "--output", &json, "--quiet"];
+    assert!(program(&asked).status().unwrap().success());
+    let text = fs::read_to_string(&json).unwrap();
+    let document: Value = serde_json::from_str(&text).unwrap();
+    let basins = &document["basins"];
+    let [area, undecided] = [&basins["areas"][0]["area"], &basins["undecided"]].map(|part| part.as_str().unwrap());
+    let sum: f64 = [area, undecided].iter().map(|part| part.parse::<f64>().unwrap()).sum();
+    assert!((sum - 1.0).abs() < 1e-9, "{area} {undecided}");
+    let says = |text: &str, words: &str| {
+        fs::write(&json, text).unwrap();
+        let said = String::from_utf8(program(&["check", &json]).output().unwrap().stdout).unwrap();
+        assert!(said.starts_with(words), "{said}");
+    };
+    says(&text, "confirmed: 3 components");
+    says(&text.replace(&format!("\"area\":\"{area}\"}}"), "\"area\":\"0.9\"}"), "undecided");
+    says(&text.replace("\"closed\":false", "\"closed\":true"), "refuted");
+    let drawn = fs::read_to_string(svg).unwrap();
+    assert!(drawn.starts_with("<svg") && drawn.contains("every motion ends in 3 (attracting, 2 cycles): proved"));
+    let graph = |format: &str| {
+        let output = program(&["global", &scene, "--format", format, "--quiet"]).output().unwrap();
+        String::from_utf8(output.stdout).unwrap()
+    };
+    let (dot, graphml) = (graph("dot"), graph("graphml"));
+    assert!(dot.contains("  0 [kind=\"saddle\", boxes=") && dot.contains("  2 [kind=\"attracting\", boxes="), "{dot}");
+    assert!(dot.contains("  0 -> 2;") && !dot.contains("  2 -> "), "{dot}");
+    assert_eq!(graphml.matches("<edge ").count(), dot.matches(" -> ").count());
+    assert!(graphml.contains("<data key=\"kind\">saddle</data>"), "{graphml}");
 }

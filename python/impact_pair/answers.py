@@ -368,6 +368,16 @@ class Component:
     orbit: PeriodicOrbit | None
 
 
+@dataclass(frozen=True)
+class Basin:
+    """What is proved of the basin of an attractor."""
+
+    component: int
+    """Its position among the components."""
+    area: float
+    """A lower bound of the part of the state space whose motions end in it."""
+
+
 class GlobalAnalysis(Document):
     """Where every motion of a pair goes: the components that motions may stay in for ever, and the class in a sentence."""
 
@@ -400,6 +410,17 @@ class GlobalAnalysis(Document):
             )
 
         return [component(found) for found in self.document["components"]]
+
+    @cached_property
+    def basins(self) -> list[Basin]:
+        """The basin of each attractor, as far as it is proved: boxes all of whose motions end in it."""
+        found = self.document.get("basins") or {"areas": []}
+        return [Basin(basin["component"], float(basin["area"])) for basin in found["areas"]]
+
+    @property
+    def order(self) -> list[tuple[int, int]]:
+        """Pairs of components: motions may go from the first to the second."""
+        return [(first, second) for first, second in self.document["order"]]
 
     def __repr__(self) -> str:
         return f"<{'certified' if self.certified else 'undecided'}: {self.statement}>"
@@ -534,11 +555,15 @@ def percent(said: str, share: float) -> str:
 
 
 class ChaosCells(Document):
-    """Verdicts over a range of a parameter: a horseshoe, or an orbit that is attracted."""
+    """Verdicts over a range of a parameter: a horseshoe, or a stable periodic orbit."""
 
     @property
     def shares(self) -> dict[str, float]:
-        """Fractions of the range proved to hold a ``horseshoe``, to be ``attracted``, ``both``, or neither: ``undecided``."""
+        """Fractions of the range.
+
+        Those proved to hold a ``horseshoe``; where the scene's own orbit is ``attracted``; where another ``stable`` periodic orbit exists;
+        with a horseshoe and a stable orbit, ``both``; with none of these, ``undecided``.
+        """
         return dict(self.document["shares"])
 
     @property

@@ -466,10 +466,20 @@ class Scene:
             return answers.Windows(*_core.windows(self._core, ranged(over), question, asked, tell))
 
     def global_analysis(
-        self, *, boxes: int = 14, halvings: int = 18, most: int = 300_000, digits: int | None = None, progress: Progress = None
+        self,
+        *,
+        boxes: int = 14,
+        halvings: int = 40,
+        most: int = 300_000,
+        basins: int | None = None,
+        digits: int | None = None,
+        progress: Progress = None,
     ) -> answers.GlobalAnalysis:
-        """Prove where every motion goes, whatever its start, with ``2**boxes`` boxes of which about ``most`` are mapped in all."""
-        question = (whole("boxes", boxes), whole("halvings", halvings), whole("most", most))
+        """Prove where every motion goes, whatever its start, with ``2**boxes`` boxes of which about ``most`` are mapped in all.
+
+        With ``basins`` the basins of attraction are proved by about ``2**basins`` boxes.
+        """
+        question = (whole("boxes", boxes), whole("halvings", halvings), whole("most", most), optional_whole("basins", basins))
         with reporting(progress, "boxes") as tell:
             return answers.GlobalAnalysis(*_core.global_analysis(self._core, question, optional_whole("digits", digits), tell))
 

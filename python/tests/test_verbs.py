@@ -153,8 +153,13 @@ def test_chaos_cells(cli):
 
 
 def test_global_analysis(cli):
-    found = Scene.named("figure-12-exact").global_analysis(boxes=10, most=20000)
-    assert found.document == cli.json("global", "scenes/figure-12-exact.toml", "--boxes", 10, "--most", 20000)
+    found = Scene.named("figure-12-exact").global_analysis(boxes=10, most=20000, basins=12)
+    asked = ("--boxes", 10, "--most", 20000, "--basins", 12)
+    assert found.document == cli.json("global", "scenes/figure-12-exact.toml", *asked)
+    attractors = [i for i, component in enumerate(found.components) if component.kind in {"attracting", "rest-cycle"}]
+    assert [basin.component for basin in found.basins] == attractors
+    assert sum(basin.area for basin in found.basins) + float(found.document["basins"]["undecided"]) == pytest.approx(1)
+    assert all(found.components[i].closed is False for i, _ in found.order if found.components[i].kind == "saddle")
     attracting = [component for component in found.components if component.kind == "attracting"]
     # The two-impact motion of figure 12: both eigenvalues of the reduced map are e.
     assert [component.reduced_impacts for component in attracting] == [1]

@@ -1,4 +1,5 @@
-//! The values of a parameter in cells: those that hold a horseshoe, those that attract the scene's own orbit, or both. Lemma D14
+//! The values of a parameter in cells: those that hold a horseshoe, those with a stable periodic orbit, that of the scene's own start or
+//! another one, or both. Lemma D14
 
 use std::iter;
 use std::sync::Mutex;
@@ -12,6 +13,7 @@ use super::law::Law;
 use super::quad::State;
 use super::scene::{Visited, visited};
 use super::seen::{Seen, seen};
+use super::stable::stable;
 use super::trials::ANY;
 use super::words::Base;
 use crate::Error;
@@ -54,7 +56,16 @@ pub enum Verdict {
         /// A horseshoe beside it, if one is proved: both may be true.
         beside: Option<Horseshoe>,
     },
-    /// Neither is proved.
+    /// Each pair has a stable periodic orbit; that the scene's own orbit converges to it is not proved.
+    Stable {
+        /// The word of the period, of it or its mirror image from that impact on that makes it the first one in the alphabet of L and R.
+        word: Word,
+        /// How many cycles it takes.
+        cycles: u32,
+        /// A horseshoe beside it, if one is proved.
+        beside: Option<Horseshoe>,
+    },
+    /// Nothing of these is proved.
     Undecided,
 }
 
@@ -73,6 +84,7 @@ impl Verdict {
         match self {
             Self::Horseshoe(_) => "horseshoe",
             Self::Attracted { .. } => "attracted",
+            Self::Stable { .. } => "stable",
             Self::Undecided => "undecided",
         }
     }
@@ -81,8 +93,16 @@ impl Verdict {
     pub fn horseshoe(&self) -> Option<&Horseshoe> {
         match self {
             Self::Horseshoe(horseshoe) => Some(horseshoe),
-            Self::Attracted { beside, .. } => beside.as_ref(),
+            Self::Attracted { beside, .. } | Self::Stable { beside, .. } => beside.as_ref(),
             Self::Undecided => None,
+        }
+    }
+
+    /// The word of the stable periodic orbit that is proved, and how many cycles it takes.
+    pub fn period(&self) -> Option<(&Word, u32)> {
+        match self {
+            Self::Attracted { word, cycles, .. } | Self::Stable { word, cycles, .. } => Some((word, *cycles)),
+            Self::Horseshoe(_) | Self::Undecided => None,
         }
     }
 
@@ -121,8 +141,8 @@ impl Stretch {
 /// The values of a parameter, by what is proved: without gaps, in their order.
 ///
 /// **Enclosure**: each verdict holds for every value in its stretch, endpoints included. Lemmas D11, D12, D14, D15
-/// **Cost**: some seconds of a processor for a cell with a horseshoe, or where one is looked for beside an orbit that is attracted; milliseconds
-/// to see that it is, as often as the cell is halved.
+/// **Cost**: some seconds of a processor for a cell with a horseshoe, or where one is looked for beside a stable orbit; milliseconds
+/// to prove that orbit, as often as the cell is halved.
 #[derive(Clone, Debug)]
 pub struct Cells {
     /// What is proved.
@@ -220,9 +240,10 @@ impl Work<'_> {
         Ok(stretches)
     }
 
-    /// Looks for a horseshoe where the scene's own orbit is attracted: one does not exclude the other.
+    /// Looks for a horseshoe where a stable orbit is proved: one does not exclude the other.
     fn look_beside(&self, stretch: &mut Stretch, known: &mut Vec<Base>) -> Result<(), Error> {
-        let Stretch { low, high, verdict: Verdict::Attracted { beside, .. }, .. } = stretch else { return Ok(()) };
+        let Stretch { low, high, verdict, .. } = stretch;
+        let (Verdict::Attracted { beside, .. } | Verdict::Stable { beside, .. }) = verdict else { return Ok(()) };
         let middle = middle(low, high)?;
         let pair = self.pair.with(self.asked.over.key, within(NAME, low, Exact::interval(low, high))?)?;
         if self.watch.goes_on() {
@@ -244,7 +265,7 @@ impl Work<'_> {
         let middle = middle(&low, &high)?;
         let mut verdict = Verdict::Undecided;
         if self.watch.goes_on() {
-            verdict = self.attracted(&pair)?;
+            verdict = self.periodic(&pair)?;
             if verdict == Verdict::Undecided && halved <= SEARCHED && halved.is_multiple_of(EVERY) {
                 let found = self.horseshoe(&pair, [&middle, &low, &high], known, false)?;
                 verdict = found.map_or(Verdict::Undecided, Verdict::Horseshoe); // exact: none is proved
@@ -258,11 +279,21 @@ impl Work<'_> {
         Ok(())
     }
 
-    fn attracted(&self, pair: &ImpactPair) -> Result<Verdict, Error> {
-        let first = visited(pair, self.start, 1)?.into_iter().find(|state| state.index > 0);
+    /// Whether the scene's own orbit converges to a stable periodic one; else whether there is one where it settles in floating point.
+    fn periodic(&self, pair: &ImpactPair) -> Result<Verdict, Error> {
+        let Some(first) = visited(pair, self.start, 1)?.into_iter().find(|state| state.index > 0) else {
+            return Ok(Verdict::Undecided);
+        };
         let law = Law::of(pair)?;
-        Ok(match first.and_then(|first| attracted(&law, &first, self.watch)) {
-            Some((word, cycles)) => Verdict::Attracted { word: rotated_to_its_least(&word), cycles, beside: None },
+        if let Some((word, cycles)) = attracted(&law, &first, self.watch) {
+            return Ok(Verdict::Attracted { word: rotated_to_its_least(&word), cycles, beside: None });
+        }
+        Ok(match stable(&law, first.middle(), self.watch) {
+            Some((word, cycles)) => {
+                let [word, mirrored] = [&word, &mirrored(&word)].map(rotated_to_its_least);
+                let word = if walls(&word) <= walls(&mirrored) { word } else { mirrored };
+                Verdict::Stable { word, cycles, beside: None }
+            }
             None => Verdict::Undecided,
         })
     }
@@ -323,6 +354,20 @@ pub fn seen_impacts(pair: &ImpactPair, start: &Start, [transient, impacts]: [usi
     // proposes: shown
     let next = |state: &State| guess.map(*state).map(|image| [image.state[0].rem_euclid(1.0), image.state[1]]);
     Ok(iter::successors(Some(first), next).skip(transient).take(impacts).collect())
+}
+
+/// The walls that the impacts of a word are on.
+fn walls(word: &Word) -> Vec<bool> {
+    word.mappings().iter().map(|mapping| mapping.walls().0 == Wall::Right).collect()
+}
+
+/// The word of the mirror image. Lemma D14: it is a motion as well
+fn mirrored(word: &Word) -> Word {
+    let mirror = |mapping: &Mapping| {
+        let (from, to) = mapping.walls();
+        Mapping::between(from.other(), to.other())
+    };
+    Word::new(word.mappings().iter().map(mirror).collect()).expect("the mirror image of a closed word is closed")
 }
 
 /// A word from that impact on that makes it the first one in the alphabet of L and R.

@@ -32,6 +32,7 @@ mod quad;
 mod region;
 mod scene;
 mod seen;
+mod stable;
 #[cfg(test)]
 mod tests;
 mod trap;
@@ -47,7 +48,7 @@ pub use cells::{Cells, Horseshoe, MOST_CELLS, MOST_HALVINGS, RangeSettings, Stre
 pub use cycles::{Cycle, Cycles, MOST_IMPACTS};
 pub(crate) use flights::Flights;
 pub(crate) use global::spectral_radius;
-pub use global::{Class, Global, GlobalSettings, Kind, LimitCycle, Recurrence, RestCycle};
+pub use global::{Basin, Class, Global, GlobalSettings, Goes, Kind, LimitCycle, Patch, Recurrence, RestCycle};
 pub(crate) use guess::Guess;
 pub use horseshoe::{Chaos, HorseshoeSettings, MOST_DEPTH};
 pub use hyperbolic::{Cone, Hyperbolic, LeftOut};

@@ -198,10 +198,8 @@ fn stretch(stretch: &Stretch) -> StretchDocument {
         }
         None => plain,
     };
-    match &stretch.verdict {
-        Verdict::Attracted { word, cycles, .. } => StretchDocument { period: Some(period(word, *cycles)), ..proved },
-        Verdict::Horseshoe(_) | Verdict::Undecided => proved,
-    }
+    let period = stretch.verdict.period().map(|(word, cycles)| period(word, cycles));
+    StretchDocument { period, ..proved }
 }
 
 /// A bound in three digits rounded down, or up: bounds are rounded outward by a two-hundredth of what is between them at most.

@@ -1,15 +1,17 @@
 //! The JSON of a global analysis.
 
 use impact_pair_document::{
-    Bounds, ComponentDocument, Decimal, GLOBAL_SCHEMA, GlobalDocument, PROGRAM, PeriodicOrbitDocument, SceneDocument,
-    bounds,
+    BasinDocument, BasinsDocument, Bounds, ComponentDocument, Decimal, GLOBAL_SCHEMA, GlobalDocument, PROGRAM,
+    PeriodicOrbitDocument, SceneDocument, bounds,
 };
 
 use super::Units;
-use crate::chaos::{Class, Global, GlobalSettings, Kind, Recurrence, spectral_radius};
+use crate::chaos::{Basin, Class, Global, GlobalSettings, Kind, Recurrence, spectral_radius};
 use crate::exact::{Enclosure, decimal_f64};
 use crate::{Error, Scene};
 
+/// Areas are written in these parts of the state space.
+const PARTS: f64 = 1e6;
 /// Bits of bounds that are read from decimals.
 const BITS: u32 = 256;
 
@@ -32,8 +34,22 @@ pub fn global(scene: &Scene, settings: &GlobalSettings, found: &Global) -> Resul
         interrupted: found.interrupted,
         components: found.components.iter().map(component).collect::<Result<_, _>>()?,
         order: found.order.iter().map(|pair| pair.map(|i| i as u32)).collect(),
+        basins: settings.basins.and_then(|boxes| basins(boxes, found)),
     };
     Ok(document.with_statement())
+}
+
+/// The basins of the attractors, if there are any. Lemma A11: in whole parts of the state space, rounded so that no more is proved
+fn basins(boxes: u32, found: &Global) -> Option<BasinsDocument> {
+    let proved = found.basins()?;
+    let parts = |area: f64| if area < 1.0 { (area * PARTS).next_down().max(0.0).floor() as u32 } else { PARTS as u32 };
+    let written = |parts: u32| Decimal::printed(format!("{:.6}", f64::from(parts) / PARTS));
+    let areas: Vec<u32> = proved.iter().map(|basin| parts(basin.area)).collect();
+    let undecided = (PARTS as u32).saturating_sub(areas.iter().sum()); // A11: what is left of the whole
+    let of =
+        |(basin, &parts): (&Basin, &u32)| BasinDocument { component: basin.component as u32, area: written(parts) };
+    let areas: Vec<BasinDocument> = proved.iter().zip(&areas).map(of).collect();
+    (!areas.is_empty()).then(|| BasinsDocument { boxes, areas, undecided: written(undecided) })
 }
 
 fn component(found: &Recurrence) -> Result<ComponentDocument, Error> {
@@ -41,7 +57,7 @@ fn component(found: &Recurrence) -> Result<ComponentDocument, Error> {
     let orbit =
         limit.map(|limit| Ok(Units::new(limit.problem.pair())?.orbit(&limit.problem, &limit.orbit))).transpose()?;
     let (cycles, alternates) = match found.kind {
-        Kind::RestCycle(rest) => (Some(rest.cycles), Some(rest.alternates)),
+        Kind::RestCycle(rest) => (rest.map(|rest| rest.cycles), rest.map(|rest| rest.alternates)),
         _ => (limit.map(|limit| limit.problem.chain().cycles()), None),
     };
     Ok(ComponentDocument {

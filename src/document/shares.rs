@@ -34,7 +34,8 @@ pub(super) fn shares(over: &Range, cells: &Cells) -> SharesDocument {
     SharesDocument {
         horseshoe: share(|verdict| verdict.horseshoe().is_some(), Rounded::Down),
         attracted: share(|verdict| matches!(verdict, Verdict::Attracted { .. }), Rounded::Down),
-        both: share(|verdict| matches!(verdict, Verdict::Attracted { beside: Some(_), .. }), Rounded::Down),
+        stable: share(|verdict| matches!(verdict, Verdict::Stable { .. }), Rounded::Down),
+        both: share(|verdict| verdict.period().is_some() && verdict.horseshoe().is_some(), Rounded::Down),
         undecided: share(|verdict| *verdict == Verdict::Undecided, Rounded::Up),
     }
 }

@@ -10,6 +10,12 @@ pub const FORGERIES: &[Forgery] = &[
     Forgery { name: "global: kinds", why: "a saddle attracts no motion near it, a stable orbit all", forge: kinds },
     Forgery { name: "global: twice", why: "it is one motion", forge: twice },
     Forgery { name: "global: class", why: "the components are those of another class", forge: classes },
+    Forgery {
+        name: "global: basins",
+        why: "a saddle has no basin, and no motion ends in two attractors",
+        forge: basins,
+    },
+    Forgery { name: "global: closed", why: "motions near a saddle leave it", forge: closed },
     Forgery { name: "global: numbers", why: "the period, or the spectral radius, is another one", forge: numbers },
 ];
 
@@ -29,8 +35,9 @@ fn with(original: &Original, name: String, change: impl FnOnce(&mut Vec<Value>))
     document["class"] = json!(class);
     document["certified"] = json!(class.starts_with("one-"));
     document["order"] = json!([]);
+    document["basins"] = Value::Null;
     let said: GlobalDocument = serde_json::from_value(document).unwrap();
-    let changes = ["components", "class", "certified", "order", "statement"];
+    let changes = ["components", "class", "certified", "order", "statement", "basins"];
     let said = json!(said.with_statement());
     let changes: Vec<(String, Value)> = changes.iter().map(|key| (format!("/{key}"), said[*key].clone())).collect();
     let changes: Vec<(&str, Value)> = changes.iter().map(|(path, value)| (path.as_str(), value.clone())).collect();
@@ -64,6 +71,33 @@ fn kinds(original: &Original) -> Vec<Forged> {
 fn twice(original: &Original) -> Vec<Forged> {
     let of = |i: usize| with(original, format!("component {i} twice"), |all| all.push(all[i].clone()));
     places(original, &["attracting", "saddle"]).into_iter().map(of).collect()
+}
+
+fn basins(original: &Original) -> Vec<Forged> {
+    let areas = places(original, &["attracting", "rest-cycle"]);
+    let saddles = places(original, &["saddle"]);
+    let mut all = Vec::new();
+    for (k, i) in areas.iter().enumerate() {
+        let own = |key: &str, value: Value| (format!("/basins/areas/{k}/{key}"), value);
+        let mut changes = vec![own("area", json!("1.000001")), own("area", json!("-0.1"))];
+        changes.extend(saddles.iter().map(|saddle| own("component", json!(saddle))));
+        all.extend(changes.iter().map(|(path, value)| {
+            original.with(format!("{path} of the basin of {i} is {value}"), &[(path.as_str(), value.clone())])
+        }));
+    }
+    // That less is undecided than what is left of the whole.
+    let parts: f64 = original.document["basins"]["undecided"].as_str().map_or(0.0, |parts| parts.parse().unwrap());
+    if parts > 0.0 {
+        let less = json!(format!("{:.6}", 0.5 * parts));
+        all.push(original.with("half is undecided of what is".into(), &[("/basins/undecided", less)]));
+    }
+    all
+}
+
+fn closed(original: &Original) -> Vec<Forged> {
+    let of =
+        |i: usize| original.with(format!("saddle {i} is closed"), &[(&format!("/components/{i}/closed"), json!(true))]);
+    places(original, &["saddle"]).into_iter().map(of).collect()
 }
 
 fn classes(original: &Original) -> Vec<Forged> {

@@ -31,9 +31,20 @@ fn has_rests(document: &Value) -> Option<bool> {
     let (pair, _) = serde_json::from_value::<SceneDocument>(document["scene"].clone()).ok()?.model().ok()?;
     let [claimed] = &document["components"].as_array()?[..] else { return None };
     let found = Global::of(&pair, &GlobalSettings::default(), &Unwatched).ok()?;
-    let Kind::RestCycle(rest) = found.components.first()?.kind else { return None };
+    let Kind::RestCycle(Some(rest)) = found.components.first()?.kind else { return None };
     let is_one = claimed["cycles"] == rest.cycles && claimed["alternates"] == rest.alternates;
-    Some(is_one && claimed["kind"] == "rest-cycle" && document["class"] == found.class().name())
+    let basins = &document["basins"];
+    let part = |part: &Value| part.as_str().and_then(|part| part.parse::<f64>().ok());
+    // All of the state space is its basin.
+    let is_basin = |basin: &Value| {
+        let (own, rest) = (part(&basin["area"])?, part(&basins["undecided"])?);
+        Some(basin["component"] == 0 && (0.0..=1.0).contains(&own) && own + rest >= 1.0)
+    };
+    let are_basins = match basins["areas"].as_array() {
+        Some(areas) => areas.len() == 1 && is_basin(&areas[0]) == Some(true),
+        None => basins.is_null(),
+    };
+    Some(is_one && are_basins && claimed["kind"] == "rest-cycle" && document["class"] == found.class().name())
 }
 
 /// Each of its points is found, of its kind.

@@ -108,7 +108,8 @@ pub fn global(name: &str) -> Value {
         "excitation = {{ amplitude = {amplitude}, frequency = \"pi\", phase = 0.25 }}\n\
          pair = {{ gap = 1, restitution = {restitution} }}\nstart = {{ time = 0, wall = \"left\", velocity = -1 }}"
     );
-    let (scene, settings) = (Scene::parse(&scene).unwrap(), GlobalSettings::default());
+    let settings = GlobalSettings { basins: Some(1 << 14), ..GlobalSettings::default() };
+    let scene = Scene::parse(&scene).unwrap();
     let found = Global::of(scene.pair(), &settings, &Unwatched).unwrap();
     json!(document::global(&scene, &settings, &found).unwrap())
 }

@@ -161,15 +161,20 @@ pub fn stretches(document: &ChaosCellsDocument) -> Result<String, fmt::Error> {
 
 /// How much of the range is proved.
 pub fn shares(document: &ChaosCellsDocument) -> String {
-    let SharesDocument { horseshoe, attracted, both, undecided } = &document.shares;
+    let SharesDocument { horseshoe, attracted, stable, both, undecided } = &document.shares;
     // In hundredths of a percent, rounded as the shares are, which are millionths.
     let percent = |parts: f64| format!("{:.2} %", parts / 100.0);
     let proved = |share: &f64| percent(((share * 1e6).round() / 100.0).floor());
     let open = |share: &f64| percent(((share * 1e6).round() / 100.0).ceil());
     let said = if document.certified { "certified" } else { "not all certified" };
     let stopped = if document.interrupted { "interrupted: " } else { "" };
+    let other = if *stable > 0.0 {
+        format!(", over {} a stable periodic orbit exists that it is not proved to converge to", proved(stable))
+    } else {
+        String::new()
+    };
     format!(
-        "{stopped}{said}: over {} of the range the scene's own orbit is attracted, {} are proved to hold a horseshoe ({} both), {} undecided",
+        "{stopped}{said}: over {} of the range the scene's own orbit is attracted{other}, {} are proved to hold a horseshoe ({} both), {} undecided",
         proved(attracted),
         proved(horseshoe),
         proved(both),

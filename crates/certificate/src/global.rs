@@ -4,10 +4,11 @@ use super::Finding;
 use super::attraction::{Bounds, ClaimedOrbit, Stability};
 use super::cycles::is_reduced_period;
 use super::periodic::{OrbitOf, PeriodicCertificate};
-use impact_pair_document::{ComponentDocument, GLOBAL_SCHEMA, GlobalDocument, Place, value};
+use impact_pair_document::{BasinDocument, ComponentDocument, GLOBAL_SCHEMA, GlobalDocument, Place, value};
 use impact_pair_exact::Real;
 use impact_pair_model::{Error, ImpactPair, Wall};
 use num_rational::BigRational;
+use num_traits::ToPrimitive;
 
 /// What a JSON of a global analysis claims.
 #[derive(Clone, Debug)]
@@ -17,6 +18,9 @@ pub struct GlobalCertificate {
     orbits: Option<PeriodicCertificate>,
     claimed: Vec<Claimed>,
     rest_cycle: Option<(u32, bool)>,
+    /// By how many boxes basins are found, about; and of attractors, by their places, the parts of the state space that are theirs at least.
+    basins: Option<(u32, Vec<(usize, BigRational)>)>,
+    greatest_speed: f64,
     says_there_are_no_others: bool,
     contradiction: Option<String>,
     unjudged: Vec<String>,
@@ -27,6 +31,7 @@ pub struct GlobalCertificate {
 pub(super) struct Claimed {
     pub kind: String,
     pub attracts: bool,
+    pub closed: bool,
     /// Its place among the components.
     place: usize,
     /// Impacts of a period of the reduced map.
@@ -58,11 +63,20 @@ impl GlobalCertificate {
             claimed.push(claim);
         }
         let mut unjudged = whole.unread::<GlobalDocument>()?;
-        let always =
-            ["program", "scene.excitation.phase", "scene.start", "greatest_speed", "boxes", "halvings", "order"];
-        let of_components = ["components.boxes", "components.area", "components.closed"];
-        unjudged.extend(always.map(str::to_owned));
-        unjudged.extend(of_components.iter().filter(|_| !claimed.is_empty()).map(|key| (*key).to_owned()));
+        let is_open = document.components.iter().any(|component| component.kind == "undecided");
+        let says_there_are_no_others = !is_open && !document.interrupted;
+        let basins = document.basins.as_ref().filter(|_| says_there_are_no_others);
+        unjudged.extend(
+            ["program", "scene.excitation.phase", "scene.start", "boxes", "halvings", "order"].map(str::to_owned),
+        );
+        unjudged.extend(
+            ["components.boxes", "components.area"].iter().filter(|_| !claimed.is_empty()).map(|key| (*key).to_owned()),
+        );
+        // Of a set of which nothing is known it is not known where it is.
+        let is_unbound = !says_there_are_no_others && !claimed.is_empty();
+        unjudged.extend(is_unbound.then(|| "components.closed".to_owned()));
+        unjudged.extend((basins.is_none() && document.basins.is_some()).then(|| "basins".to_owned()));
+        unjudged.extend([if basins.is_none() { "greatest_speed" } else { "basins.boxes" }.to_owned()]);
         unjudged.extend(orbits.is_empty().then(|| "scene.excitation.frequency".to_owned()));
         unjudged.extend(document.interrupted.then(|| "interrupted".to_owned()));
         // Whether components are closed is not judged, nor what follows from it alone.
@@ -75,11 +89,22 @@ impl GlobalCertificate {
         unjudged.dedup();
         let rests = document.components.iter().find(|component| component.kind == "rest-cycle");
         let rest_cycle = rests.and_then(|rest| Some((rest.cycles?, rest.alternates?)));
-        let is_open = document.components.iter().any(|component| component.kind == "undecided");
-        let says_there_are_no_others = !is_open && !document.interrupted;
+        let of_basin = |basin: &BasinDocument| (basin.component as usize, basin.area.value());
+        let basins = basins.map(|basins| (basins.boxes, basins.areas.iter().map(of_basin).collect()));
+        let greatest_speed = document.greatest_speed.value().to_f64().unwrap_or(f64::NAN); // V27: none that is not is accepted
         let orbits = (!orbits.is_empty()).then(|| PeriodicCertificate::of_orbits(pair.clone(), orbits)).transpose()?;
         let contradiction = contradiction(&document);
-        Ok(Self { pair, orbits, claimed, rest_cycle, says_there_are_no_others, contradiction, unjudged })
+        Ok(Self {
+            pair,
+            orbits,
+            claimed,
+            rest_cycle,
+            basins,
+            greatest_speed,
+            says_there_are_no_others,
+            contradiction,
+            unjudged,
+        })
     }
 
     pub(super) fn pair(&self) -> &ImpactPair {
@@ -97,6 +122,15 @@ impl GlobalCertificate {
     /// The forcing periods of the cycle with rests that is claimed, and whether it rests on both walls in turn.
     pub(super) fn rest_cycle(&self) -> Option<(u32, bool)> {
         self.rest_cycle
+    }
+
+    /// The basins that are judged: by how many boxes they are found, and of attractors, by their places.
+    pub(super) fn basins(&self) -> Option<(u32, &[(usize, BigRational)])> {
+        self.basins.as_ref().map(|(boxes, areas)| (*boxes, &areas[..]))
+    }
+
+    pub(super) fn greatest_speed(&self) -> f64 {
+        self.greatest_speed
     }
 
     /// Whether every motion is said to be in one of the components of which something is claimed.
@@ -140,7 +174,7 @@ impl Claimed {
             None => None,
         };
         let reduced = component.reduced_impacts.map_or(0, |impacts| impacts as usize);
-        Ok(Self { kind: component.kind.clone(), attracts, place, reduced, orbit })
+        Ok(Self { kind: component.kind.clone(), attracts, closed: component.closed, place, reduced, orbit })
     }
 
     /// Of each impact of a period of the reduced map: whether it is on the right wall, its phase \[rad\] and its velocity.
@@ -167,7 +201,27 @@ fn contradiction(document: &GlobalDocument) -> Option<String> {
     if document.components.iter().filter(|own| own.kind == "rest-cycle").count() > 1 {
         return Some("all cycles with rests begin with the same release: there is one".to_owned());
     }
+    if let Some(contradiction) = of_basins(document) {
+        return Some(contradiction.to_owned());
+    }
     document.components.iter().enumerate().find_map(|(i, own)| Some(format!("components[{i}]: {}", of_component(own)?)))
+}
+
+/// What the basins say that is excluded: each attractor has one, and no motion is in two. Lemma V27
+fn of_basins(document: &GlobalDocument) -> Option<&'static str> {
+    let is_attractor = |own: &ComponentDocument| own.kind == "attracting" || own.kind == "rest-cycle";
+    let places = (0..document.components.len()).filter(|&i| is_attractor(&document.components[i]));
+    let Some(basins) = &document.basins else { return None };
+    if !places.eq(basins.areas.iter().map(|basin| basin.component as usize)) {
+        return Some("the basins are not those of the attractors");
+    }
+    let one = BigRational::from_integer(1.into());
+    let sum: BigRational = basins.areas.iter().map(|basin| basin.area.value()).sum();
+    let is_negative = |area: &BigRational| *area < BigRational::from_integer(0.into());
+    if sum > one || basins.areas.iter().any(|basin| is_negative(&basin.area.value())) {
+        return Some("the basins are more than the state space, or less than nothing");
+    }
+    (sum + basins.undecided.value() < one).then_some("the basins and what is undecided are less than the state space")
 }
 
 fn of_component(own: &ComponentDocument) -> Option<&'static str> {
@@ -175,11 +229,14 @@ fn of_component(own: &ComponentDocument) -> Option<&'static str> {
     if !known.contains(&own.kind.as_str()) {
         return Some("there is no such kind");
     }
+    if own.closed && matches!(own.kind.as_str(), "saddle" | "grazing") {
+        return Some("motions near a saddle or a graze leave it");
+    }
     let Some((_, stability)) = PERIODIC.iter().find(|(kind, _)| *kind == own.kind) else {
         let has_orbit =
             own.orbit.is_some() || own.word.is_some() || own.reduced_impacts.is_some() || own.spectral_radius.is_some();
         let is_rest = own.kind == "rest-cycle";
-        let lacks = is_rest != own.cycles.is_some() || is_rest != own.alternates.is_some();
+        let lacks = own.cycles.is_some() != own.alternates.is_some() || !is_rest && own.cycles.is_some();
         return (has_orbit || lacks).then_some("these are not the keys of its kind");
     };
     let (Some(orbit), Some(reduced), Some(radius)) = (&own.orbit, own.reduced_impacts, &own.spectral_radius) else {

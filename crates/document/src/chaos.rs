@@ -223,8 +223,8 @@ pub struct ChaosCellsDocument {
     pub stretches: Vec<StretchDocument>,
 }
 
-/// Fractions of a range, in millionths: rounded down where something is proved, and up where nothing is. A horseshoe and an attracted orbit
-/// do not exclude each other: `horseshoe + attracted - both + undecided` is 1 but for rounding.
+/// Fractions of a range, in millionths: rounded down where something is proved, and up where nothing is. A horseshoe and a stable orbit
+/// do not exclude each other: `horseshoe + attracted + stable - both + undecided` is 1 but for rounding.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct SharesDocument {
@@ -232,7 +232,10 @@ pub struct SharesDocument {
     pub horseshoe: f64,
     /// Fraction where the scene's own orbit converges to a stable periodic orbit.
     pub attracted: f64,
-    /// Fraction with both.
+    /// Fraction with a stable periodic orbit that the scene's own orbit is not proved to converge to.
+    #[serde(default)]
+    pub stable: f64,
+    /// Fraction with both, a horseshoe and a stable periodic orbit.
     #[serde(default)]
     pub both: f64,
     /// Undecided fraction.
@@ -247,7 +250,8 @@ pub struct StretchDocument {
     pub low: Written,
     /// Its upper end.
     pub high: Written,
-    /// `horseshoe`, `attracted` (of the orbit of the scene's own start; a horseshoe beside it is given by `entropy`) or `undecided`.
+    /// `horseshoe`, `attracted` (of the orbit of the scene's own start), `stable` (a stable periodic orbit exists, and the scene's own orbit is
+    /// not proved to converge to it) or `undecided`; a horseshoe beside a stable orbit is given by `entropy`.
     pub verdict: String,
     /// For a horseshoe, lower bounds of the topological entropy.
     #[serde(skip_serializing_if = "Option::is_none", default)]
@@ -255,7 +259,7 @@ pub struct StretchDocument {
     /// For a horseshoe, its h-sets, as `chaos --bases` reads them.
     #[serde(skip_serializing_if = "Vec::is_empty", default)]
     pub bases: Vec<BaseDocument>,
-    /// The stable periodic orbit that attracts.
+    /// The stable periodic orbit; with the verdict `stable` it or its mirror image.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub period: Option<PeriodDocument>,
 }

@@ -39,6 +39,32 @@ pub struct GlobalDocument {
     pub components: Vec<ComponentDocument>,
     /// Pairs of components, by their positions: motions may go from the first to the second.
     pub order: Vec<[u32; 2]>,
+    /// Basins of attraction, as far as they are proved, of attractors that are proved.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub basins: Option<BasinsDocument>,
+}
+
+/// Which parts of the state space have motions that are proved to end in one attractor; the state space is the phases of one forcing period
+/// and the speeds up to the greatest one.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
+pub struct BasinsDocument {
+    /// By how many boxes they are proved, about.
+    pub boxes: u32,
+    /// One for each attractor.
+    pub areas: Vec<BasinDocument>,
+    /// The part of the state space whose motions are not proved to end in one of them, rounded up to six digits.
+    pub undecided: Decimal,
+}
+
+/// What is proved of a basin of attraction.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
+pub struct BasinDocument {
+    /// The attractor, by its position among the components.
+    pub component: u32,
+    /// The part of the state space whose motions are proved to end in it, rounded down to six digits.
+    pub area: Decimal,
 }
 
 /// A set of states that motions may stay in for ever.
@@ -53,13 +79,13 @@ pub struct ComponentDocument {
     /// Its mappings, the first one right-most.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub word: Option<String>,
-    /// Forcing periods of its period.
+    /// Forcing periods of its period; of a cycle with rests absent where it is not proved, as it may be another one for other values.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub cycles: Option<u32>,
     /// Of the derivative of a period of the reduced map: the greatest modulus of its eigenvalues.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub spectral_radius: Option<Bounds>,
-    /// Of a cycle with rests: whether the ball rests on both walls in turn.
+    /// Of a cycle with rests whose period is proved: whether the ball rests on both walls in turn.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub alternates: Option<bool>,
     /// Number of its boxes; 0 of the motion from the release alone.
@@ -141,6 +167,9 @@ impl ComponentDocument {
         let cycles = counted(self.cycles.unwrap_or_default(), "forcing period");
         let mirror = if self.is_its_mirror_image() { "" } else { " or its mirror image" };
         match self.kind.as_str() {
+            "rest-cycle" if self.cycles.is_none() => {
+                Some(format!("one cycle with rests{mirror}, of a period that is not proved"))
+            }
             "rest-cycle" => Some(format!("one cycle with rests{mirror}, of {cycles}")),
             "attracting" => {
                 let impacts = counted(self.orbit.as_ref().map_or(0, |orbit| orbit.impacts.len()) as u32, "impact"); // shown

@@ -5,6 +5,7 @@
 pub mod atlas;
 pub mod chaos;
 pub mod describe;
+pub mod global;
 pub mod orbit;
 pub mod picture;
 pub mod proved;

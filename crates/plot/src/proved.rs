@@ -7,7 +7,7 @@ use impact_pair::exact::Exact;
 use plotters::prelude::*;
 
 use crate::chaos::{PHASE, parameters};
-use crate::picture::{self, Arc, Axis, BLUE, Canvas, Element, GREY, Look, Mark, PURPLE, SCALE, VERMILION};
+use crate::picture::{self, Arc, Axis, BLUE, Canvas, Element, GREY, Look, Mark, PURPLE, SCALE, SKY, VERMILION};
 use crate::sweep::{Cells as Rectangles, Plane, described, value};
 
 const SIZE: (u32, u32) = (960, 680);
@@ -20,10 +20,11 @@ const BAR: i32 = 14 * SCALE;
 const ABOVE: i32 = 4 * SCALE;
 
 /// What is given, and in which colour.
-const LEGEND: [(&str, RGBColor); 4] = [
+const LEGEND: [(&str, RGBColor); 5] = [
     ("proved: a horseshoe, positive entropy", VERMILION),
     ("proved: the scene's orbit converges to a periodic one", BLUE),
-    ("proved: both", PURPLE),
+    ("proved: a stable periodic orbit exists", SKY),
+    ("proved: a stable periodic orbit and a horseshoe", PURPLE),
     ("undecided", GREY),
 ];
 
@@ -31,8 +32,9 @@ fn kind(verdict: &Verdict) -> usize {
     match verdict {
         Verdict::Horseshoe(_) => 0,
         Verdict::Attracted { beside: None, .. } => 1,
-        Verdict::Attracted { beside: Some(_), .. } => 2,
-        Verdict::Undecided => 3,
+        Verdict::Stable { beside: None, .. } => 2,
+        Verdict::Attracted { .. } | Verdict::Stable { .. } => 3,
+        Verdict::Undecided => 4,
     }
 }
 

@@ -141,9 +141,10 @@ fn proved(space: &Space, guess: &Guess, component: &Component, states: &[State])
         return None; // exact: not proved
     }
     // A8: whatever stays goes from each class to the next one
+    let columns = component.columns();
     for (&cell, &class) in component.cells.iter().zip(&classes) {
         let mut is_next = true;
-        space.images(component.grid, cell, &mut |next| {
+        space.images(component.grid, cell, &columns, &mut |next| {
             if let Next::Impact { cell, .. } = next
                 && let Ok(to) = component.cells.binary_search(&cell)
             {

@@ -1,5 +1,6 @@
-//! Boxes as a graph of what may follow: its recurrent components, and which lead to which. Lemmas A3, A6 of `docs/proofs/global.md#A3`.
+//! Boxes as a graph of what may follow: its recurrent components, and which lead to which. Lemmas A3, A6, A10 of `docs/proofs/global.md#A3`.
 
+use std::collections::HashMap;
 use std::sync::Mutex;
 use std::thread;
 
@@ -19,12 +20,21 @@ pub(super) struct Component {
     pub is_closed: bool,
 }
 
+impl Component {
+    /// Returns the columns that its boxes are in, in order.
+    pub fn columns(&self) -> Vec<i32> {
+        let mut columns: Vec<i32> = self.cells.iter().map(|(column, _)| *column).collect();
+        columns.dedup();
+        columns
+    }
+}
+
 /// Where a ball goes on that is released.
 #[derive(Clone, Debug)]
 pub(super) enum Release {
     /// It rests again, and is released in the same state.
     Repeats,
-    /// It has its next impact at these phases, in forcing periods, with these speeds.
+    /// It has its next impact, or one that it is proved to have later, at these phases, in forcing periods, with these speeds.
     Lands([f64; 2], [f64; 2]),
 }
 
@@ -39,11 +49,14 @@ pub(super) struct Graph {
     leaves: Vec<bool>,
 }
 
-/// A graph's recurrent components, and to which of them each one leads.
+/// A graph's recurrent components, to which of them each one leads, and where motions are in the end from the boxes in none.
 pub(super) struct Recurrent {
     pub components: Vec<Component>,
     /// `leads[i][j]`: from the first to the second.
     pub leads: Vec<Vec<bool>>,
+    /// The boxes in none of them, in order, each with the place of its ends: the components that walks lead to.
+    pub passed: Vec<(Cell, usize)>,
+    pub ends: Vec<Vec<u32>>,
 }
 
 /// What follows the boxes of a share, and which of them something else follows.
@@ -54,14 +67,15 @@ impl Graph {
     pub fn of(space: &Space, component: &Component, release: &Release, watch: &dyn Watch) -> Option<Self> {
         let Component { grid, cells, has_release, .. } = component;
         let count = cells.len() as u32; // exact: fewer than 2^32
+        let columns = component.columns();
         let threads = thread::available_parallelism().map_or(1, usize::from); // exact: threads decide nothing
         let share = cells.len().div_ceil(threads).max(1); // exact: a length
         let found = Mutex::new(Vec::new());
         thread::scope(|scope| {
             for (part, some) in cells.chunks(share).enumerate() {
-                let found = &found;
+                let (found, columns) = (&found, &columns);
                 scope.spawn(move || {
-                    let own = images(space, *grid, cells, (part * share, some), watch);
+                    let own = images(space, (*grid, columns), cells, (part * share, some), watch);
                     found.lock().expect("no thread has panicked").push(own);
                 });
             }
@@ -134,10 +148,17 @@ impl Graph {
             (reached[i], lost[i]) = (own, leaves);
         }
         let mut nodes: Vec<Vec<u32>> = vec![Vec::new(); recurrent.len()];
+        let (mut passed, mut ends, mut known) = (Vec::new(), Vec::new(), HashMap::new());
         for node in 0..count {
             let part = number[self.merged[node] as usize]; // exact: an index
             if let Some(k) = index[part] {
                 nodes[k as usize].push(node as u32); // exact: indices
+            } else if let Some(&cell) = self.cells.get(node) {
+                let place = *known.entry(&reached[part]).or_insert(ends.len());
+                if place == ends.len() {
+                    ends.push(reached[part].clone());
+                }
+                passed.push((cell, place));
             }
         }
         let component = |(k, nodes): (usize, Vec<u32>)| {
@@ -155,14 +176,22 @@ impl Graph {
             row
         });
         let leads = leads.collect();
-        Recurrent { components, leads }
+        Recurrent { components, leads, passed, ends }
+    }
+
+    /// Whether motions that stay among the boxes are released again and again: none stays in boxes alone. Lemma A10
+    pub fn is_released_always(&self) -> bool {
+        let release = self.cells.len();
+        let boxes = |node: usize| self.next.of(node as u32).iter().map(|&to| to as usize).filter(|&to| to != release); // exact: indices
+        let forth: Vec<Vec<usize>> = (0..release).map(|node| boxes(node).collect()).collect();
+        parts(&forth).iter().all(|part| part.len() == 1 && !forth[part[0]].contains(&part[0]))
     }
 }
 
 /// What follows some of the boxes, from the number of the first on.
 fn images(
     space: &Space,
-    grid: Grid,
+    (grid, columns): (Grid, &[i32]),
     cells: &[Cell],
     (first, some): (usize, &[Cell]),
     watch: &dyn Watch,
@@ -177,8 +206,9 @@ fn images(
         let from = (first + i) as u32; // exact: fewer than 2^32
         own.clear();
         let mut leaves_them = false;
-        space.images(grid, cell, &mut |next| match next {
+        space.images(grid, cell, columns, &mut |next| match next {
             Next::Release => own.push((release, false)),
+            Next::Elsewhere => leaves_them = true,
             Next::Impact { cell, stays, .. } => match cells.binary_search(&cell) {
                 Ok(to) => own.push((to as u32, stays)), // exact: fewer than 2^32
                 Err(_) => leaves_them = true,

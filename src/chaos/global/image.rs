@@ -12,6 +12,8 @@ use crate::number::{Ball, UNIT, up};
 pub(super) enum Next {
     /// The ball rests, and is released.
     Release,
+    /// An impact at a phase of a column that was not asked for.
+    Elsewhere,
     /// An impact in a box; on the far wall, or on the near one; `stays`: there, in the column of phases of the impact before, in the same
     /// forcing period.
     Impact { cell: Cell, stays: bool, is_far: bool },
@@ -108,8 +110,9 @@ impl Space {
         STEP * ((limit / STEP).floor() + 1.0) // A1: greater than the limit
     }
 
-    /// Notes what may follow the states of a box.
-    pub fn images(&self, grid: Grid, (column, row): Cell, note: &mut dyn FnMut(Next)) {
+    /// Notes what may follow the states of a box. Flights that last long, and land in all columns, are noted in those that are asked for, which
+    /// are in order.
+    pub fn images(&self, grid: Grid, (column, row): Cell, asked: &[i32], note: &mut dyn FnMut(Next)) {
         let [columns, rows] = [grid.columns as f64, grid.rows]; // exact: powers of two
         let phases = [f64::from(column) / columns, f64::from(column + 1) / columns];
         let speeds = [f64::from(row) / rows, f64::from(row + 1) / rows];
@@ -129,7 +132,7 @@ impl Space {
         for i in 0..across {
             for j in 0..along {
                 let part = (column * across + i, row * along + j);
-                self.part(grid, finer, part, i64::from(column), note);
+                self.part((grid, asked), finer, part, i64::from(column), note);
             }
         }
     }
@@ -141,7 +144,14 @@ impl Space {
     }
 
     /// Notes what may follow the states of a part of a box.
-    fn part(&self, grid: Grid, finer: Grid, (column, row): Cell, home: i64, note: &mut dyn FnMut(Next)) {
+    fn part(
+        &self,
+        (grid, asked): (Grid, &[i32]),
+        finer: Grid,
+        (column, row): Cell,
+        home: i64,
+        note: &mut dyn FnMut(Next),
+    ) {
         let (columns, rows) = (finer.columns as f64, finer.rows); // exact: powers of two
         let phases = [f64::from(column) / columns, f64::from(column + 1) / columns];
         let after = self.after([f64::from(row) / rows, f64::from(row + 1) / rows]);
@@ -153,7 +163,7 @@ impl Space {
         if let Some(speeds) = far {
             self.land(grid, Side::Far, home, speeds, false, note);
         }
-        self.march(grid, &Flights::new(&self.law, &finer.quad((column, row))), &part, note);
+        self.march((grid, asked), &Flights::new(&self.law, &finer.quad((column, row))), &part, note);
     }
 
     /// Bounds of the speeds of contacts at the phases of a part, of either wall; `None` where there is none. Lemma A3
@@ -167,7 +177,7 @@ impl Space {
     }
 
     /// Notes the contacts at later phases. Lemmas D4, A4
-    fn march(&self, grid: Grid, flights: &Flights, part: &Part, note: &mut dyn FnMut(Next)) {
+    fn march(&self, (grid, asked): (Grid, &[i32]), flights: &Flights, part: &Part, note: &mut dyn FnMut(Next)) {
         let columns = grid.columns as f64; // exact: a power of two
         let from = part.phases[1];
         let first = (from * columns).floor() as i64; // D4: the column that it is in
@@ -210,7 +220,7 @@ impl Space {
             }
             column += 1;
         }
-        self.slow(grid, self.drifts(flights, longest - 1.0), note);
+        self.slow((grid, asked), self.drifts(flights, longest - 1.0), note);
     }
 
     /// For how many forcing periods flights are followed: few where they may end in several.
@@ -228,16 +238,22 @@ impl Space {
         [low.max(-up(2.0 / angle)), high.min(up(up(self.gap[1] + 2.0) / angle))] // A4: the heights are between the walls
     }
 
-    /// Notes the contacts of flights that have lasted long, at any phase that these have. Lemma A4
-    fn slow(&self, grid: Grid, drifts: [f64; 2], note: &mut dyn FnMut(Next)) {
+    /// Notes the contacts of flights that have lasted long, at any phase that these have, in the columns that are asked for. Lemma A4
+    fn slow(&self, (grid, asked): (Grid, &[i32]), drifts: [f64; 2], note: &mut dyn FnMut(Next)) {
         if drifts[0] > drifts[1] {
             return; // A4: there is none
         }
+        let is_all = asked.len() as i64 == grid.columns; // exact: a length
+        if !is_all {
+            note(Next::Elsewhere);
+        }
         let columns = grid.columns as f64; // exact: a power of two
-        for column in 0..grid.columns {
-            let phases = [column as f64 / columns, (column + 1) as f64 / columns]; // exact: a power of two
-            let cos = ends(over(phases).1);
-            for side in [Side::Near, Side::Far] {
+        for side in [Side::Near, Side::Far] {
+            let shift = if side == Side::Far { grid.columns / 2 } else { 0 };
+            for &column in asked {
+                let column = (i64::from(column) + shift).rem_euclid(grid.columns);
+                let phases = [column as f64 / columns, (column + 1) as f64 / columns]; // exact: a power of two
+                let cos = ends(over(phases).1);
                 if may_land_late(side, drifts, phases) {
                     let speeds = match side {
                         Side::Near => [cos[0] - drifts[1], cos[1] - drifts[0]],

@@ -22,8 +22,9 @@ pub enum Kind {
     Attracting(Box<LimitCycle>),
     /// They tend to a periodic motion that does not.
     Saddle(Box<LimitCycle>),
-    /// They are released again and again in the same state.
-    RestCycle(RestCycle),
+    /// They are released again and again in the same state; `None` where the period is not proved: it may be another one for each member
+    /// of the data.
+    RestCycle(Option<RestCycle>),
     /// They graze one wall once in every forcing period, for ever.
     Grazing,
     /// Nothing is proved.
@@ -93,21 +94,20 @@ pub(super) struct Released {
 
 /// Impacts of the released ball that are followed.
 const IMPACTS: u64 = 200;
+/// Where it goes on is told by the last rectangle that is narrower than this, in forcing periods and over `A W`.
+const NARROW: f64 = 0.01;
 /// Bits of a spectral radius.
 const BITS: u32 = 80;
 /// How far from the state that grazes for ever Lemma A9 is used.
 const GRAZING: f64 = 0.25;
 
 impl Released {
-    /// Follows the ball from the release: as an orbit, and where that is not proved to rest, as the parameters are intervals, by rectangles.
-    /// Lemma A7
+    /// Follows the ball from the release: as an orbit, and where that is not proved to rest, by rectangles. Lemma A7
     pub fn of(pair: &ImpactPair, space: &Space) -> Result<Self, Error> {
-        let next = landing(space.law());
-        let cycle = match Self::orbit(pair)? {
-            Some(cycle) => Some(cycle),
-            None => rests(space, &next),
-        };
-        Ok(Self { next: if cycle.is_some() { Release::Repeats } else { next }, cycle })
+        if let Some(cycle) = Self::orbit(pair)? {
+            return Ok(Self { next: Release::Repeats, cycle: Some(cycle) });
+        }
+        Ok(Self::followed(space, landing(space.law())))
     }
 
     /// The cycle, if the orbit from the release is proved to rest again.
@@ -134,44 +134,55 @@ impl Released {
             }
         }
     }
+
+    /// Follows rectangles that hold the states from the first impact on, to a complete chatter, or as far as they are proved to land on one
+    /// wall.
+    fn followed(space: &Space, [mut phases, mut speeds]: [[f64; 2]; 2]) -> Self {
+        let guess = Guess::new(space.law());
+        let (mut turns, mut crossings) = (0.0, 1_u32);
+        let mut next = Release::Lands(phases, speeds);
+        for _ in 0..IMPACTS {
+            let whole = phases[0].floor(); // exact: whole forcing periods
+            turns += whole; // exact: small whole numbers
+            phases = phases.map(|phase| phase - whole); // exact: below 64
+            if space.chatters(phases, speeds[1]) {
+                let halves = 2.0 * (turns + 1.0) - f64::from(crossings); // exact: small whole numbers
+                let alternates = !crossings.is_multiple_of(2);
+                let cycles = if alternates { halves } else { 0.5 * halves }; // exact: small whole numbers
+                if cycles > f64::from(u32::MAX) {
+                    break; // exact: not proved
+                }
+                let cycle = RestCycle { cycles: cycles as u32, alternates }; // exact: a whole number of 32 bits
+                return Self { next: Release::Repeats, cycle: Some(cycle) };
+            }
+            let Some((side, landed)) = landed(space, &guess, [phases, speeds]) else { break };
+            crossings += u32::from(side == Side::Far);
+            [phases, speeds] = landed;
+            if landed.iter().all(|[low, high]| high - low < NARROW) {
+                next = Release::Lands(phases, speeds); // A7: any impact of the released ball
+            }
+        }
+        Self { next, cycle: None }
+    }
 }
 
-/// The cycle, if rectangles that hold the states from the release on are followed to a complete chatter.
-fn rests(space: &Space, first: &Release) -> Option<RestCycle> {
-    let Release::Lands(mut phases, mut speeds) = *first else { return None };
-    let guess = Guess::new(space.law());
-    let (mut turns, mut crossings) = (0.0, 1_u32);
-    for _ in 0..IMPACTS {
-        let whole = phases[0].floor(); // exact: whole forcing periods
-        turns += whole; // exact: small whole numbers
-        phases = phases.map(|phase| phase - whole); // exact: below 64
-        if space.chatters(phases, speeds[1]) {
-            let halves = 2.0 * (turns + 1.0) - f64::from(crossings); // exact: small whole numbers
-            let alternates = !crossings.is_multiple_of(2);
-            let cycles = if alternates { halves } else { 0.5 * halves }; // exact: small whole numbers
-            let is_counted = cycles <= f64::from(u32::MAX); // exact: not proved
-            return is_counted.then_some(RestCycle { cycles: cycles as u32, alternates }); // exact: a whole number of 32 bits
-        }
-        let middle = |[low, high]: [f64; 2]| 0.5 * (low + high);
-        let centre = [middle(phases), middle(speeds)];
-        // A7: the farther end
-        let radius = |[low, high]: [f64; 2], at: f64| (high - at).max(at - low).next_up();
-        let quad = Quad::rectangle(centre, [radius(phases, centre[0]), radius(speeds, centre[1])], speeds[0]);
-        let image = guess.map(centre)?;
-        let landing = Flights::new(space.law(), &quad).land(image.side, image.state[0] - image.side.shift())?;
-        crossings += u32::from(image.side == Side::Far);
-        let [zero, one] = [0.0, 1.0].map(Ball::exact);
-        let along = |normal: [Ball; 2]| ends(landing.along(normal, [zero, zero]));
-        (phases, speeds) = (along([one, zero]), along([zero, one]));
-        if speeds[0] <= 0.0 {
-            return None; // exact: not proved
-        }
-    }
-    None
+/// The wall that all balls of a rectangle land on next, and a rectangle that holds the phases and speeds there; `None` where that is not proved.
+fn landed(space: &Space, guess: &Guess, [phases, speeds]: [[f64; 2]; 2]) -> Option<(Side, [[f64; 2]; 2])> {
+    let middle = |[low, high]: [f64; 2]| 0.5 * (low + high);
+    let centre = [middle(phases), middle(speeds)];
+    // A7: the farther end
+    let radius = |[low, high]: [f64; 2], at: f64| (high - at).max(at - low).next_up();
+    let quad = Quad::rectangle(centre, [radius(phases, centre[0]), radius(speeds, centre[1])], speeds[0]);
+    let image = guess.map(centre)?;
+    let landing = Flights::new(space.law(), &quad).land(image.side, image.state[0] - image.side.shift())?;
+    let [zero, one] = [0.0, 1.0].map(Ball::exact);
+    let along = |normal: [Ball; 2]| ends(landing.along(normal, [zero, zero]));
+    let next = [along([one, zero]), along([zero, one])];
+    (next[1][0] > 0.0).then_some((image.side, next))
 }
 
 /// The first impact after a release, on the far wall: `x - sin x = D`. Lemma A7
-fn landing(law: &Law) -> Release {
+fn landing(law: &Law) -> [[f64; 2]; 2] {
     let height = |u: f64| Ball::exact(u).turn() * Ball::exact(u) - Ball::exact(u).sin_cos().0;
     let gap = ends(law.gap);
     // A7: the height grows
@@ -188,7 +199,7 @@ fn landing(law: &Law) -> Release {
     let high = bisected(&|u| ends(height(u))[0] < gap[1])[1];
     let cos = ends(Ball::new(0.5 * (low + high), (0.5 * (high - low)).next_up()).sin_cos().1);
     let speeds = [(1.0 - cos[1]).next_down().max(0.0), (1.0 - cos[0]).next_up()]; // A7: not negative
-    Release::Lands([low + 0.5, high + 0.5], speeds)
+    [[low + 0.5, high + 0.5], speeds]
 }
 
 impl LimitCycle {
@@ -269,9 +280,10 @@ pub(super) fn is_grazing(space: &Space, component: &Component) -> bool {
     if component.has_release || component.cells.is_empty() || !component.cells.iter().all(is_near) {
         return false; // exact: not proved
     }
+    let columns = component.columns();
     !component.cells.iter().any(|&cell| {
         let mut crosses = false;
-        space.images(component.grid, cell, &mut |next| {
+        space.images(component.grid, cell, &columns, &mut |next| {
             if let Next::Impact { cell, is_far: true, .. } = next {
                 crosses |= component.cells.binary_search(&cell).is_ok();
             }

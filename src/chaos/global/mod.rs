@@ -1,8 +1,11 @@
-//! Where every motion of a pair goes: Lemmas A1-A9 of `docs/proofs/global.md#A1`.
+//! Where every motion of a pair goes: Lemmas A1-A11 of `docs/proofs/global.md#A1`.
 //!
 //! The speeds that motions have in the end are covered by boxes; `image` encloses what may follow each, `graph` finds the components that
-//! motions may stay in for ever, each is refined alone, and `cycle` proves what they tend to there.
+//! motions may stay in for ever, `analysis` refines each alone, `cycle` proves what they tend to there, and `basins` tells which boxes have
+//! motions that all go to one attractor.
 
+mod analysis;
+mod basins;
 mod cycle;
 mod graph;
 mod image;
@@ -10,15 +13,13 @@ mod known;
 #[cfg(test)]
 mod tests;
 
-use std::f64::consts::TAU;
-
 use super::law::Law;
-use super::trap::Grid;
 use crate::Error;
 use crate::pair::ImpactPair;
 use crate::periodic::Precision;
 use crate::watch::Watch;
-use graph::{Component, Graph, Recurrent};
+use analysis::{Analysis, Question};
+pub use basins::{Basin, Goes, Patch};
 use image::Space;
 use known::Released;
 pub(crate) use known::spectral_radius;
@@ -33,13 +34,15 @@ pub struct GlobalSettings {
     pub halvings: u32,
     /// Boxes whose images are computed in all, about.
     pub most: usize,
+    /// Boxes by which basins are proved, about, if they are asked for: a power of two from 2^8 to 2^24.
+    pub basins: Option<u32>,
     /// Requested widths of the enclosures of periodic orbits.
     pub precision: Precision,
 }
 
 impl Default for GlobalSettings {
     fn default() -> Self {
-        Self { boxes: 1 << 14, halvings: 18, most: 300_000, precision: Precision::default() }
+        Self { boxes: 1 << 14, halvings: 40, most: 300_000, basins: None, precision: Precision::default() }
     }
 }
 
@@ -59,15 +62,19 @@ pub struct Recurrence {
 /// Where every motion of a pair goes.
 ///
 /// **Enclosure**: for every member of the data the impacts of every motion that touches a wall are in one component in the end, or the
-/// motion rests for ever again and again; of each component holds what its [`Kind`] says. Lemmas A1-A9
+/// motion rests for ever again and again; of each component holds what its [`Kind`] says. Lemmas A1-A11
 #[derive(Clone, Debug)]
 pub struct Global {
     /// The components, those first from which motions may go on to others.
     pub components: Vec<Recurrence>,
     /// `[i, j]`: motions may go from component `i` to component `j`, as far as the boxes tell.
     pub order: Vec<[usize; 2]>,
+    /// The boxes of components, and if basins were asked for, the state space in rectangles, each with where its motions go.
+    pub patches: Vec<Patch>,
     /// The greatest speed over `A W` that motions have in the end.
     pub fastest: f64,
+    /// What a speed in gap widths per forcing period is multiplied by to be one over `A W`: about, for pictures.
+    pub speed_unit: f64,
     /// Whether it was interrupted: components may not be refined.
     pub interrupted: bool,
 }
@@ -101,6 +108,11 @@ impl Class {
 }
 
 impl Global {
+    /// Returns what is proved of the basin of each attractor, if basins were asked for.
+    pub fn basins(&self) -> Option<Vec<Basin>> {
+        basins::basins(&self.components, &self.patches, self.fastest)
+    }
+
     /// Returns where the motions of a pair go, until the watch stops it.
     ///
     /// # Errors
@@ -108,11 +120,17 @@ impl Global {
     pub fn of(pair: &ImpactPair, settings: &GlobalSettings, watch: &dyn Watch) -> Result<Self, Error> {
         let space = Self::space(pair)?;
         let released = Released::of(pair, &space)?;
-        let mut analysis = Analysis { pair, space, released, settings, watch, mapped: 0, interrupted: false };
-        let whole = analysis.whole();
-        let (components, order) = analysis.decided(&whole, 0);
-        let order = order.into_iter().filter(|[i, j]| i != j).collect();
-        Ok(Self { components, order, fastest: space.fastest(), interrupted: analysis.interrupted })
+        let analysis = Analysis::of(Question { pair, space, released, settings, watch });
+        let components = analysis.components();
+        let patches = analysis.patches(&components, settings.basins);
+        Ok(Self {
+            components,
+            order: analysis.order(),
+            patches,
+            fastest: space.fastest(),
+            speed_unit: law.gap.mid() / std::f64::consts::TAU,
+            interrupted: analysis.is_interrupted(),
+        })
     }
 
     /// Returns whether a pair is one that is analysed.
@@ -145,129 +163,5 @@ impl Global {
             (1.., _) => Class::Attractors,
             _ => Class::Undecided,
         }
-    }
-}
-
-/// A component as it is handed on: what is proved of it, or of those it falls into, and which lead to which.
-type Parts = (Vec<Recurrence>, Vec<[usize; 2]>);
-
-struct Analysis<'a> {
-    pair: &'a ImpactPair,
-    space: Space,
-    released: Released,
-    settings: &'a GlobalSettings,
-    watch: &'a dyn Watch,
-    /// Boxes whose images are computed so far.
-    mapped: usize,
-    interrupted: bool,
-}
-
-impl Analysis<'_> {
-    /// All states that motions have in the end, in boxes. Lemma A1
-    fn whole(&self) -> Component {
-        let fastest = self.space.fastest();
-        // About as many columns as rows.
-        let columns = 1_i64 << (self.settings.boxes.ilog2() / 2); // A6: any boxes
-        let rows = (columns as f64 / fastest).log2().round().exp2().max(64.0); // A1: the greatest speed is a multiple of a row
-        let grid = Grid { columns, rows };
-        let last = (fastest * rows) as i32; // exact: a whole number
-        let cells = (0..columns as i32).flat_map(|column| (0..last).map(move |row| (column, row))).collect(); // exact: fewer than 2^31
-        Component { grid, cells, has_release: true, is_closed: true }
-    }
-
-    /// What is proved of a component: of itself, or of those that its boxes fall into where they are mapped. Lemma A6
-    fn decided(&mut self, component: &Component, halved: u32) -> Parts {
-        self.mapped += component.cells.len();
-        let Some(graph) = Graph::of(&self.space, component, &self.released.next, self.watch) else {
-            self.interrupted = true;
-            return (vec![self.recurrence(component, Kind::Undecided)], Vec::new());
-        };
-        let Recurrent { components, leads } = graph.recurrent(component.is_closed);
-        drop(graph);
-        // The smallest first, as long as boxes may be mapped.
-        let mut by_size: Vec<usize> = (0..components.len()).collect();
-        by_size.sort_by_key(|&i| components[i].cells.len());
-        let mut parts: Vec<Parts> = vec![Parts::default(); components.len()];
-        for i in by_size {
-            parts[i] = self.refined(&components[i], halved);
-        }
-        let mut first = Vec::with_capacity(parts.len());
-        let (mut all, mut order) = (Vec::new(), Vec::new());
-        for (own, between) in parts {
-            let from = all.len();
-            first.push(from);
-            all.extend(own);
-            order.extend(between.into_iter().map(|pair| pair.map(|i| i + from)));
-        }
-        first.push(all.len());
-        for (i, row) in leads.iter().enumerate() {
-            for j in (0..row.len()).filter(|&j| row[j] && j != i) {
-                for from in first[i]..first[i + 1] {
-                    order.extend((first[j]..first[j + 1]).map(|to| [from, to]));
-                }
-            }
-        }
-        (all, order)
-    }
-
-    /// What is proved of a recurrent component, refined as often as is asked.
-    fn refined(&mut self, component: &Component, halved: u32) -> Parts {
-        let kind = self.kind(component);
-        let is_final = !kind.is_undecided()
-            || halved >= self.settings.halvings
-            || self.mapped + 2 * component.cells.len() > self.settings.most
-            || component.is_finest(self.space.fastest())
-            || self.interrupted;
-        if is_final {
-            return (vec![self.recurrence(component, kind)], Vec::new());
-        }
-        self.decided(&component.halved(), halved + 1)
-    }
-
-    /// What is proved of a component.
-    fn kind(&self, component: &Component) -> Kind {
-        if component.cells.is_empty() {
-            return self.released.cycle.map_or(Kind::Undecided, Kind::RestCycle);
-        }
-        if known::is_grazing(&self.space, component) {
-            return Kind::Grazing;
-        }
-        let Some(limit) = cycle::limit(&self.space, component) else { return Kind::Undecided };
-        let Some(orbit) = LimitCycle::of(self.pair, self.space.law(), &limit, self.settings.precision) else {
-            return Kind::Undecided;
-        };
-        if limit.attracts { Kind::Attracting(orbit) } else { Kind::Saddle(orbit) }
-    }
-
-    fn recurrence(&self, component: &Component, kind: Kind) -> Recurrence {
-        let Grid { columns, rows } = component.grid;
-        let boxes = component.cells.len();
-        let area = boxes as f64 / (columns as f64 * rows * self.space.fastest()); // shown
-        Recurrence { kind, boxes, area, is_closed: component.is_closed }
-    }
-}
-
-impl Component {
-    /// Whether the places of smaller boxes may exceed 32 bits.
-    fn is_finest(&self, fastest: f64) -> bool {
-        const MOST: f64 = (1_u32 << 30) as f64; // exact: a power of two
-        self.grid.columns as f64 >= MOST || fastest * self.grid.rows >= MOST // exact: a power of two
-    }
-
-    /// The same with each box cut into two, across its longer side.
-    fn halved(&self) -> Self {
-        let Grid { columns, rows } = self.grid;
-        let is_wide = TAU / columns as f64 > 1.0 / rows; // A6: any boxes
-        let halves = |&(column, row): &(i32, i32)| {
-            if is_wide {
-                [(2 * column, row), (2 * column + 1, row)]
-            } else {
-                [(column, 2 * row), (column, 2 * row + 1)]
-            }
-        };
-        let mut cells: Vec<_> = self.cells.iter().flat_map(halves).collect();
-        cells.sort_unstable();
-        let grid = if is_wide { Grid { columns: 2 * columns, rows } } else { Grid { columns, rows: 2.0 * rows } };
-        Self { grid, cells, ..self.clone() }
     }
 }

@@ -337,6 +337,7 @@ impl Case {
             boxes: 1 << 10,
             halvings: 8,
             most: 6_000,
+            basins: None,
             precision: Precision { digits: 9, max_bits: 512 },
         };
         let found = Global::of(self.scene.pair(), &settings, &Unwatched)?;

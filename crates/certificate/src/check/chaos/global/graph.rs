@@ -1,4 +1,6 @@
-//! Boxes as a graph of what may follow, and its recurrent components (Lemma V20, graph).
+//! Boxes as a graph of what may follow, its recurrent components, and where motions go on (Lemmas V20, graph, and V27).
+
+use std::collections::HashMap;
 
 use super::super::span::Span;
 use super::space::{Grid, Next, Space};
@@ -11,14 +13,38 @@ pub(super) struct Set {
     pub grid: Grid,
     pub cells: Vec<[i64; 2]>,
     pub has_release: bool,
+    /// Whether no motion in it is in another recurrent component later.
+    pub is_closed: bool,
+}
+
+/// The recurrent components of a set, and where the motions of its other boxes go.
+pub(super) struct Split {
+    pub components: Vec<Component>,
+    /// How many boxes have each of these ends.
+    pub passed: HashMap<Ends, u64>,
+    /// Whether motions that stay in the set are released again and again. Lemma A10
+    pub is_released_always: bool,
+}
+
+/// A recurrent component, and where its motions may go.
+pub(super) struct Component {
+    pub set: Set,
+    pub ends: Ends,
+}
+
+/// The components, by their places, that walks lead to, and whether they may leave the set.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Hash)]
+pub(super) struct Ends {
+    pub components: Vec<usize>,
+    pub leaves: bool,
 }
 
 /// Phase and speed of the first impact after a release; `None` where the ball rests again, and is released in the same state.
 pub(super) type Released = Option<[Span; 2]>;
 
 impl Set {
-    /// Returns the recurrent components; `None` where it was stopped. What leaves the set is left out.
-    pub fn recurrent(&self, space: &Space<'_>, released: &Released, watch: &dyn Watch) -> Option<Vec<Self>> {
+    /// Returns the recurrent components, and where all else goes; `None` where it was stopped.
+    pub fn split(&self, space: &Space<'_>, released: &Released, watch: &dyn Watch) -> Option<Split> {
         let count = self.cells.len();
         let number = |cell: &[i64; 2]| self.cells.binary_search(cell).ok();
         let images = |block: std::ops::Range<usize>| -> Result<Vec<Vec<(usize, bool)>>, ()> {
@@ -30,15 +56,23 @@ impl Set {
         let progress = |known: usize| watch.note(Stage::Region(known));
         let images = in_blocks(0..count, BLOCK, images, progress).ok()?;
         let (mut next, mut staying) = (vec![Vec::new(); count + 1], vec![Vec::new(); count]);
+        let mut leaves = vec![false; count + 1];
         for (from, images) in images.into_iter().enumerate() {
             for (to, stays) in images {
-                if stays { staying[from].push(to) } else { next[from].push(to) }
+                match to {
+                    OUTSIDE => leaves[from] = true,
+                    to if stays => staying[from].push(to),
+                    to => next[from].push(to),
+                }
             }
         }
         if self.has_release {
             match released {
                 None => next[count].push(count),
-                Some(state) => space.met(self.grid, *state, &mut |cell| next[count].extend(number(&cell))),
+                Some(state) => space.met(self.grid, *state, &mut |cell| match number(&cell) {
+                    Some(to) => next[count].push(to),
+                    None => leaves[count] = true,
+                }),
             }
         }
         // V20: boxes between which a motion may stay in its column are one node, and a motion that stays there is released
@@ -46,7 +80,9 @@ impl Set {
         let size = columns.iter().max().map_or(0, |&last| last + 1);
         let mut together = vec![Vec::new(); size + 1];
         let node = |cell: usize| if cell == count { size } else { columns[cell] };
+        let mut lost = vec![false; size + 1];
         for from in 0..=count {
+            lost[node(from)] |= leaves[from];
             let own = next[from].iter().map(|&to| node(to));
             together[node(from)].extend(own);
             for &to in staying.get(from).into_iter().flatten() {
@@ -55,6 +91,8 @@ impl Set {
                     together[node(from)].push(to);
                 } else if self.has_release {
                     together[to].push(size);
+                } else {
+                    lost[to] = true;
                 }
             }
         }
@@ -63,23 +101,28 @@ impl Set {
             to.dedup();
         });
         let found = parts(&together);
-        let components = found.iter().max().map_or(0, |&last| last + 1);
-        let mut is_recurrent = vec![false; components];
-        for (from, to) in together.iter().enumerate() {
-            for &to in to.iter().filter(|&&to| found[to] == found[from]) {
-                is_recurrent[found[to]] = true;
+        let (recurrent, ends) = ends(&together, &found, &lost);
+        let is_released_always = self.has_release && is_acyclic_but_for(size, &together);
+        let mut split = Split { components: Vec::new(), passed: HashMap::new(), is_released_always };
+        for (place, &part) in recurrent.iter().enumerate() {
+            let is_alone = ends[part].components == [place];
+            let is_closed = is_alone && (self.is_closed || !ends[part].leaves);
+            let set = Self { grid: self.grid, cells: Vec::new(), has_release: found[size] == part, is_closed };
+            split.components.push(Component { set, ends: ends[part].clone() });
+        }
+        let mut component = vec![None; ends.len()];
+        recurrent.iter().enumerate().for_each(|(place, &part)| component[part] = Some(place));
+        for (cell, place) in self.cells.iter().enumerate() {
+            let part = found[node(cell)];
+            match component[part] {
+                Some(own) => split.components[own].set.cells.push(*place),
+                None => *split.passed.entry(ends[part].clone()).or_default() += 1,
             }
         }
-        let empty = Self { grid: self.grid, cells: Vec::new(), has_release: false };
-        let mut sets = vec![empty; components];
-        for (cell, place) in self.cells.iter().enumerate() {
-            sets[found[node(cell)]].cells.push(*place);
-        }
-        sets[found[size]].has_release = self.has_release;
-        Some(sets.into_iter().zip(is_recurrent).filter(|(_, is)| *is).map(|(set, _)| set).collect())
+        Some(split)
     }
 
-    /// The nodes that may follow a box, each with whether the motion stays in its column; the release is the last one.
+    /// The nodes that may follow a box, each with whether the motion stays in its column; the release is the last one of the set.
     fn follows(
         &self,
         space: &Space<'_>,
@@ -88,8 +131,8 @@ impl Set {
     ) -> Vec<(usize, bool)> {
         let mut own = Vec::new();
         space.follows(self.grid, cell, &mut |next| match next {
-            Next::Release => own.extend(self.has_release.then_some((self.cells.len(), false))),
-            Next::Impact { cell, stays, .. } => own.extend(number(&cell).map(|to| (to, stays))),
+            Next::Release => own.push((if self.has_release { self.cells.len() } else { OUTSIDE }, false)),
+            Next::Impact { cell, stays, .. } => own.push((number(&cell).unwrap_or(OUTSIDE), stays)), // exact: no box of the set
         });
         own.sort_unstable();
         own.dedup();
@@ -107,8 +150,50 @@ impl Set {
         let mut cells: Vec<_> = self.cells.iter().flat_map(halves).collect();
         cells.sort_unstable();
         let grid = if is_wide { Grid { columns: 2.0 * columns, rows } } else { Grid { columns, rows: 2.0 * rows } };
-        Self { grid, cells, has_release: self.has_release }
+        Self { grid, cells, ..*self }
     }
+}
+
+/// Stands for all nodes that are not in a set.
+const OUTSIDE: usize = usize::MAX;
+
+/// Whether a graph has no cycle that avoids a node.
+fn is_acyclic_but_for(without: usize, next: &[Vec<usize>]) -> bool {
+    let others = |to: &Vec<usize>| to.iter().copied().filter(|&to| to != without).collect();
+    let mut forth: Vec<Vec<usize>> = next.iter().map(others).collect();
+    forth[without].clear();
+    let part = parts(&forth);
+    let count = part.iter().max().map_or(0, |&last| last + 1);
+    count == forth.len() && forth.iter().enumerate().all(|(node, to)| !to.contains(&node))
+}
+
+/// The recurrent ones of the parts of a graph, and of each part the recurrent ones that walks lead to, by their places, and whether
+/// they may be lost.
+fn ends(next: &[Vec<usize>], part: &[usize], lost: &[bool]) -> (Vec<usize>, Vec<Ends>) {
+    let count = part.iter().max().map_or(0, |&last| last + 1);
+    let mut nodes = vec![Vec::new(); count];
+    part.iter().enumerate().for_each(|(node, &own)| nodes[own].push(node));
+    let (mut recurrent, mut ends) = (Vec::new(), vec![Ends::default(); count]);
+    // A part comes after those that it leads to.
+    for own in 0..count {
+        let to = || nodes[own].iter().flat_map(|&node| &next[node]).map(|&to| part[to]);
+        let mut all = Ends { components: Vec::new(), leaves: nodes[own].iter().any(|&node| lost[node]) };
+        let mut seen: Vec<usize> = to().filter(|&other| other != own).collect();
+        seen.sort_unstable();
+        seen.dedup();
+        for other in seen {
+            all.components.extend(&ends[other].components);
+            all.leaves |= ends[other].leaves;
+        }
+        if to().any(|other| other == own) {
+            all.components.push(recurrent.len());
+            recurrent.push(own);
+        }
+        all.components.sort_unstable();
+        all.components.dedup();
+        ends[own] = all;
+    }
+    (recurrent, ends)
 }
 
 /// The strongly connected part of each node, numbered from 0 on (Tarjan's algorithm, without recursion).

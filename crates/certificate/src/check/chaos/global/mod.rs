@@ -1,6 +1,7 @@
 //! Whether a JSON of a global analysis is right: each periodic motion found again (Lemma V8), the cycle with rests followed from the release,
 //! and a graph of boxes of its own, each recurrent component of which is proved to be one of those claimed (Lemma V20).
 
+mod basins;
 mod graph;
 mod limit;
 mod space;
@@ -14,7 +15,8 @@ use super::{BITS, Law};
 use crate::check::contact::Doubt;
 use crate::check::{Effort, Finding, Verdict};
 use crate::global::{Claimed, GlobalCertificate};
-use graph::{Released, Set};
+use basins::{Areas, Known};
+use graph::{Component, Released, Set};
 use impact_pair_exact::Real;
 use limit::Cycle;
 use space::{Grid, Space};
@@ -22,6 +24,8 @@ use space::{Grid, Space};
 /// Boxes of the first partition are about as many as these by these, and components are halved so often at most.
 const COLUMNS: f64 = 128.0;
 const ROWS: f64 = 64.0;
+/// The most columns, where basins are judged.
+const MOST_COLUMNS: f64 = 1024.0;
 const HALVINGS: u32 = 20;
 /// Boxes that are mapped at least before a document is left undecided.
 const BOXES: u64 = 1 << 15;
@@ -65,8 +69,8 @@ impl GlobalCertificate {
     /// The cycle with rests is as claimed, and each recurrent component is one of those claimed, where it is said that there are no others.
     fn covers(&self, effort: &Effort, watch: &dyn Watch) -> Result<Result<(), Doubt>, Error> {
         let law = Law::of(self.pair())?;
-        let Some(space) = Space::new(&law) else {
-            return Ok(Err(Doubt::Open("the restitution is not proved to be below 1".into())));
+        let Some(space) = Space::new(&law, self.basins().map(|_| self.greatest_speed())) else {
+            return Ok(Err(Doubt::Open("greatest_speed is not proved to be more than 2/(1 - e)".into())));
         };
         let (rests, released) = from_release(&space);
         if let Some(claimed) = self.rest_cycle() {
@@ -78,23 +82,37 @@ impl GlobalCertificate {
                 None => return Ok(Err(Doubt::Open("the released ball is not proved to rest again".into()))),
             }
         }
+        let rest_claim = self.claimed().iter().position(|claim| claim.kind == "rest-cycle");
         if !self.says_there_are_no_others() {
-            return Ok(Ok(()));
+            let is_open = rest_claim.is_some() && self.rest_cycle().is_none();
+            let open = || Doubt::Open("the released ball is not proved to rest again and again".into());
+            return Ok(if is_open { Err(open()) } else { Ok(()) });
         }
         let cycles = self.cycles()?;
         let mut work = BOXES.saturating_add(effort.work / 2); // exact: what is allowed
+        let has_rests = rests.is_some();
         let judge = Judge {
             space: &space,
             released: &released,
             cycles: &cycles,
             claimed: self.claimed(),
-            has_rests: rests.is_some(),
+            rest_claim,
+            has_rests,
         };
-        Ok(judge.covers(&judge.whole(), 0, &mut work, watch))
+        let mut known = Vec::new();
+        if let Err(doubt) = judge.covers(&judge.whole(None), 0, &mut work, &mut known, watch) {
+            return Ok(Err(doubt));
+        }
+        let Some((boxes, basins)) = self.basins() else { return Ok(Ok(())) };
+        let all = judge.whole(Some(boxes));
+        let Some(split) = all.split(&space, &released, watch) else {
+            return Ok(Err(Doubt::Open("interrupted".into())));
+        };
+        Ok(Areas::of(&all, &split, &known).judge(basins, space.fastest))
     }
 
-    /// The cycles of the map that are claimed.
-    fn cycles(&self) -> Result<Vec<(Cycle, bool)>, Error> {
+    /// The cycles of the map that are claimed, each with the place of its component.
+    fn cycles(&self) -> Result<Vec<(usize, Cycle, bool)>, Error> {
         let harmonic = self.pair().harmonic("a global analysis")?;
         let fastest = harmonic.amplitude().checked_mul(harmonic.frequency());
         let fastest = within("excitation.frequency", harmonic.frequency(), fastest)?;
@@ -107,11 +125,11 @@ impl GlobalCertificate {
             let speed = if speed.is_negative() { -speed } else { speed };
             Some([phase - Span::point(phase.mid().floor()), speed]) // V20: any whole number of forcing periods
         };
-        let of = |claim: &Claimed| {
+        let of = |(place, claim): (usize, &Claimed)| {
             let states = claim.states(BITS).map(state).collect::<Option<Vec<_>>>()?;
-            Some((Cycle { states }, claim.attracts))
+            Some((place, Cycle { states }, claim.attracts))
         };
-        Ok(self.claimed().iter().filter_map(of).collect())
+        Ok(self.claimed().iter().enumerate().filter_map(of).collect())
     }
 }
 
@@ -119,48 +137,71 @@ impl GlobalCertificate {
 struct Judge<'j> {
     space: &'j Space<'j>,
     released: &'j Released,
-    cycles: &'j [(Cycle, bool)],
+    cycles: &'j [(usize, Cycle, bool)],
     claimed: &'j [Claimed],
+    /// The place of the cycle with rests, if one is claimed, and whether the released ball is proved to rest again.
+    rest_claim: Option<usize>,
     has_rests: bool,
 }
 
 impl Judge<'_> {
-    /// All states that motions have in the end.
-    fn whole(&self) -> Set {
-        let rows = (ROWS / self.space.fastest).log2().ceil().exp2().max(32.0); // V20: any boxes; the greatest speed is a multiple of a row
-        let (columns, last) = (COLUMNS as i64, (self.space.fastest * rows) as i64); // exact: whole numbers
+    /// All states that motions have in the end; for basins in about as many boxes as are said.
+    fn whole(&self, boxes: Option<u32>) -> Set {
+        let root = |boxes: u32| 2.0_f64.powi(boxes.max(2).ilog2() as i32 / 2).clamp(COLUMNS, MOST_COLUMNS); // V27: any boxes
+        let (across, along) = boxes.map_or((COLUMNS, ROWS), |boxes| (root(boxes), root(boxes))); // V20: any boxes
+        let rows = (along / self.space.fastest).log2().ceil().exp2().max(64.0); // V20: any boxes; the greatest speed is a multiple of a row
+        let (columns, last) = (across as i64, (self.space.fastest * rows) as i64); // exact: whole numbers
         let cells = (0..columns).flat_map(|column| (0..last).map(move |row| [column, row])).collect();
-        Set { grid: Grid { columns: COLUMNS, rows }, cells, has_release: true }
+        Set { grid: Grid { columns: across, rows }, cells, has_release: true, is_closed: true }
     }
 
-    /// Whether all that stays in a set is claimed.
-    fn covers(&self, set: &Set, halved: u32, work: &mut u64, watch: &dyn Watch) -> Result<(), Doubt> {
+    /// Whether all that stays in a set is claimed; adds the components that are proved to be those claimed.
+    fn covers(
+        &self,
+        set: &Set,
+        halved: u32,
+        work: &mut u64,
+        known: &mut Vec<Known>,
+        watch: &dyn Watch,
+    ) -> Result<(), Doubt> {
         *work = work.saturating_sub(set.cells.len() as u64); // exact: a length
         if *work == 0 {
             return Err(Doubt::Open("where every motion goes: the work allowed is spent".into()));
         }
         let open = || Doubt::Open("interrupted".into());
-        for component in set.recurrent(self.space, self.released, watch).ok_or_else(open)? {
-            if self.is_claimed(&component) {
-                continue;
+        let split = set.split(self.space, self.released, watch).ok_or_else(open)?;
+        if let Some(claim) = self.rest_claim.filter(|_| set.is_closed && split.is_released_always) {
+            known.push((claim, set.clone()));
+            return Ok(());
+        }
+        for Component { set, .. } in split.components {
+            match self.claim(&set) {
+                Some(claim) if set.is_closed && !self.claimed[claim].closed => {
+                    return Err(Doubt::Open(format!("component {claim} is closed, which is not said of it")));
+                }
+                Some(claim) => known.push((claim, set)),
+                None if halved >= HALVINGS || set.cells.is_empty() => {
+                    return Err(Doubt::Open(format!(
+                        "where every motion goes: {} boxes that may hold motions are not proved to be among the components",
+                        set.cells.len()
+                    )));
+                }
+                None => self.covers(&set.halved(), halved + 1, work, known, watch)?,
             }
-            if halved >= HALVINGS || component.cells.is_empty() {
-                return Err(Doubt::Open(format!(
-                    "where every motion goes: {} boxes that may hold motions are not proved to be among the components",
-                    component.cells.len()
-                )));
-            }
-            self.covers(&component.halved(), halved + 1, work, watch)?;
         }
         Ok(())
     }
 
-    fn is_claimed(&self, set: &Set) -> bool {
+    /// The place of the component that a set is proved to be; one that is claimed to be closed has to be so.
+    fn claim(&self, set: &Set) -> Option<usize> {
+        let is_as_closed = |&place: &usize| set.is_closed || !self.claimed[place].closed;
         if set.cells.is_empty() {
-            return set.has_release && self.has_rests && self.claimed.iter().any(|claim| claim.kind == "rest-cycle");
+            return self.rest_claim.filter(|_| set.has_release && self.has_rests);
         }
-        self.cycles.iter().any(|(cycle, attracts)| cycle.is_limit_of(set, self.space, *attracts))
-            || self.claimed.iter().any(|claim| claim.kind == "grazing") && limit::grazes(set, self.space)
+        let cycle = self.cycles.iter().find(|(_, cycle, attracts)| cycle.is_limit_of(set, self.space, *attracts));
+        let grazing =
+            || self.claimed.iter().position(|claim| claim.kind == "grazing").filter(|_| limit::grazes(set, self.space));
+        cycle.map(|(place, ..)| *place).or_else(grazing).filter(is_as_closed)
     }
 }
 

@@ -12,6 +12,13 @@ pub(super) struct Grid {
     pub rows: f64,
 }
 
+impl Grid {
+    /// The area of a box, of phases in forcing periods times speeds.
+    pub fn size(self) -> f64 {
+        1.0 / (self.columns * self.rows) // exact: powers of two
+    }
+}
+
 /// What may follow.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Next {
@@ -42,13 +49,16 @@ const AWAY: [f64; 9] = [0.5, 0.25, 0.125, 0.0625, 0.03125, 0.015625, 0.0078125, 
 const PARTS: u32 = 16;
 
 impl<'l> Space<'l> {
-    /// `None` where `e` is not proved to be below 1.
-    pub fn new(law: &'l Law) -> Option<Self> {
+    /// Up to a greatest speed that is given, or one that is found; `None` where `e` is not proved to be below 1, or the speed given is
+    /// not proved to be more than motions have in the end, or no multiple of 2^-6.
+    pub fn new(law: &'l Law, greatest: Option<f64>) -> Option<Self> {
         let left = Span::point(1.0) - law.restitution;
         let limit = Span::point(2.0).over(left).filter(|_| left.is_positive())?;
         // A multiple of 2^-5 that is greater.
-        let fastest = ((limit.hi() * 32.0).floor() + 1.0) / 32.0; // V20: greater than 2/(1 - e)
-        (fastest < 1e3).then(|| Self { law, guess: Guess::new(law), fastest })
+        let own = ((limit.hi() * 32.0).floor() + 1.0) / 32.0; // V20: greater than 2/(1 - e)
+        let fastest = greatest.unwrap_or(own); // V27: what is claimed is judged below
+        let is_greater = fastest > limit.hi() && (fastest * 64.0).fract() == 0.0; // V20: a multiple of a row
+        (is_greater && fastest < 1e3).then(|| Self { law, guess: Guess::new(law), fastest })
     }
 
     /// Returns the corners of a box.

@@ -1,0 +1,204 @@
+//! Components that are refined one by one, the smallest first, and the tree of what they fall into. Lemmas A6, A10 of
+//! `docs/proofs/global.md#A6`.
+
+use std::cmp::Reverse;
+use std::collections::BinaryHeap;
+use std::f64::consts::TAU;
+
+use super::graph::{Component, Graph, Recurrent};
+use super::image::Space;
+use super::known::{self, Kind, LimitCycle, Released};
+use super::{GlobalSettings, Recurrence, cycle};
+use crate::chaos::trap::Grid;
+use crate::pair::ImpactPair;
+use crate::watch::Watch;
+
+/// The map, and how far it is analysed.
+pub(super) struct Question<'a> {
+    pub pair: &'a ImpactPair,
+    pub space: Space,
+    pub released: Released,
+    pub settings: &'a GlobalSettings,
+    pub watch: &'a dyn Watch,
+}
+
+/// A component, what is proved of it, and what it falls into.
+pub(super) struct Node {
+    pub component: Component,
+    /// How often its boxes are halved.
+    halved: u32,
+    pub kind: Kind,
+    pub split: Option<Split>,
+}
+
+/// What the boxes of a component, once more halved, fall into.
+pub(super) struct Split {
+    /// The nodes of its components.
+    children: Vec<usize>,
+    /// Which of them leads to which.
+    leads: Vec<Vec<bool>>,
+}
+
+/// An analysis as far as it is done: a tree, whose first node is the whole state space.
+pub(super) struct Analysis<'a> {
+    pub question: Question<'a>,
+    pub nodes: Vec<Node>,
+    /// Boxes whose images are computed so far.
+    mapped: usize,
+    interrupted: bool,
+}
+
+impl<'a> Analysis<'a> {
+    /// Returns the analysis of all states that motions have in the end. Of the components that are undecided the smallest is refined
+    /// first: thin sets that need many boxes wait for those that shrink.
+    pub fn of(question: Question<'a>) -> Self {
+        let mut analysis = Self { question, nodes: Vec::new(), mapped: 0, interrupted: false };
+        let whole = analysis.whole(analysis.question.settings.boxes);
+        analysis.nodes.push(Node { component: whole, halved: 0, kind: Kind::Undecided, split: None });
+        let mut waiting = BinaryHeap::from([Reverse((0, 0))]);
+        while let Some(Reverse((boxes, node))) = waiting.pop() {
+            if analysis.mapped + 2 * boxes > analysis.question.settings.most || analysis.interrupted {
+                break;
+            }
+            let children = analysis.refine(node);
+            for child in children.filter(|&child| analysis.is_refined(child)) {
+                waiting.push(Reverse((analysis.nodes[child].component.cells.len(), child)));
+            }
+        }
+        analysis
+    }
+
+    /// Whether it was stopped.
+    pub fn is_interrupted(&self) -> bool {
+        self.interrupted
+    }
+
+    /// Returns the components that are left, those first from which motions may go on to others.
+    pub fn components(&self) -> Vec<Recurrence> {
+        self.leaves(0).into_iter().map(|leaf| self.recurrence(&self.nodes[leaf])).collect()
+    }
+
+    /// Returns which component may lead to which, by their places.
+    pub fn order(&self) -> Vec<[usize; 2]> {
+        let place = self.places();
+        let mut order = Vec::new();
+        for Split { children, leads } in self.nodes.iter().filter_map(|node| node.split.as_ref()) {
+            for (i, row) in leads.iter().enumerate() {
+                for j in (0..row.len()).filter(|&j| row[j] && j != i) {
+                    let [from, to] = [i, j].map(|k| self.leaves(children[k]));
+                    order.extend(from.iter().flat_map(|&from| to.iter().map(move |&to| [from, to])));
+                }
+            }
+        }
+        order.iter().map(|pair| pair.map(|leaf| place[leaf])).collect()
+    }
+
+    /// Returns the place among the components of each node that is left.
+    pub fn places(&self) -> Vec<usize> {
+        let mut places = vec![usize::MAX; self.nodes.len()];
+        self.leaves(0).into_iter().enumerate().for_each(|(place, leaf)| places[leaf] = place);
+        places
+    }
+
+    /// Returns the nodes that a node has fallen into, itself if it has not.
+    pub fn leaves(&self, node: usize) -> Vec<usize> {
+        match &self.nodes[node].split {
+            Some(split) => split.children.iter().flat_map(|&child| self.leaves(child)).collect(),
+            None => vec![node],
+        }
+    }
+
+    /// Returns all states that motions have in the end, in about N boxes. Lemma A1
+    pub fn whole(&self, boxes: u32) -> Component {
+        let fastest = self.question.space.fastest();
+        // About as many columns as rows.
+        let columns = 1_i64 << (boxes.ilog2() / 2); // A6: any boxes
+        let rows = (columns as f64 / fastest).log2().round().exp2().max(64.0); // A1: the greatest speed is a multiple of a row
+        let grid = Grid { columns, rows };
+        let last = (fastest * rows) as i32; // exact: a whole number
+        let cells = (0..columns as i32).flat_map(|column| (0..last).map(move |row| (column, row))).collect(); // exact: fewer than 2^31
+        Component { grid, cells, has_release: true, is_closed: true }
+    }
+
+    /// Replaces a node by what its boxes fall into where they are mapped, and returns these. Lemmas A6, A10
+    fn refine(&mut self, node: usize) -> std::ops::Range<usize> {
+        let own = &self.nodes[node];
+        let component = if node == 0 { own.component.clone() } else { own.component.halved() };
+        let (halved, first) = (if node == 0 { 0 } else { own.halved + 1 }, self.nodes.len());
+        self.mapped += component.cells.len();
+        let Question { space, released, watch, .. } = &self.question;
+        let Some(graph) = Graph::of(space, &component, &released.next, *watch) else {
+            self.interrupted = true;
+            return first..first;
+        };
+        let is_open = component.has_release && component.is_closed && released.cycle.is_none();
+        if is_open && graph.is_released_always() {
+            self.nodes[node].kind = Kind::RestCycle(None);
+            return first..first;
+        }
+        let Recurrent { components, leads, .. } = graph.recurrent(component.is_closed);
+        for component in components {
+            let kind = self.kind(&component);
+            self.nodes.push(Node { component, halved, kind, split: None });
+        }
+        let children = first..self.nodes.len();
+        self.nodes[node].split = Some(Split { children: children.clone().collect(), leads });
+        children
+    }
+
+    /// Whether a node is to be refined.
+    fn is_refined(&self, node: usize) -> bool {
+        let Node { component, kind, halved, .. } = &self.nodes[node];
+        kind.is_undecided()
+            && *halved < self.question.settings.halvings
+            && !component.is_finest(self.question.space.fastest())
+    }
+
+    /// What is proved of a component.
+    fn kind(&self, component: &Component) -> Kind {
+        let Question { pair, space, released, settings, .. } = &self.question;
+        if component.cells.is_empty() {
+            return released.cycle.map_or(Kind::Undecided, |cycle| Kind::RestCycle(Some(cycle)));
+        }
+        if known::is_grazing(space, component) {
+            return Kind::Grazing;
+        }
+        let Some(limit) = cycle::limit(space, component) else { return Kind::Undecided };
+        let Some(orbit) = LimitCycle::of(pair, space.law(), &limit, settings.precision) else {
+            return Kind::Undecided;
+        };
+        if limit.attracts { Kind::Attracting(orbit) } else { Kind::Saddle(orbit) }
+    }
+
+    fn recurrence(&self, Node { component, kind, .. }: &Node) -> Recurrence {
+        let Grid { columns, rows } = component.grid;
+        let boxes = component.cells.len();
+        let area = boxes as f64 / (columns as f64 * rows * self.question.space.fastest()); // shown
+        Recurrence { kind: kind.clone(), boxes, area, is_closed: component.is_closed }
+    }
+}
+
+impl Component {
+    /// Whether the places of smaller boxes may exceed 32 bits.
+    pub(super) fn is_finest(&self, fastest: f64) -> bool {
+        const MOST: f64 = (1_u32 << 30) as f64; // exact: a power of two
+        self.grid.columns as f64 >= MOST || fastest * self.grid.rows >= MOST // exact: a power of two
+    }
+
+    /// The same with each box cut into two, across its longer side.
+    fn halved(&self) -> Self {
+        let Grid { columns, rows } = self.grid;
+        let is_wide = TAU / columns as f64 > 1.0 / rows; // A6: any boxes
+        let halves = |&(column, row): &(i32, i32)| {
+            if is_wide {
+                [(2 * column, row), (2 * column + 1, row)]
+            } else {
+                [(column, 2 * row), (column, 2 * row + 1)]
+            }
+        };
+        let mut cells: Vec<_> = self.cells.iter().flat_map(halves).collect();
+        cells.sort_unstable();
+        let grid = if is_wide { Grid { columns: 2 * columns, rows } } else { Grid { columns, rows: 2.0 * rows } };
+        Self { grid, cells, ..self.clone() }
+    }
+}
