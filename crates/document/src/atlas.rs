@@ -110,6 +110,7 @@ impl AtlasRecord {
             interrupted: false,
             components: self.components.clone(),
             order: self.order.clone(),
+            basins: None,
         };
         Some(document.with_statement())
     }

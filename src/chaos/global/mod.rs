@@ -119,6 +119,7 @@ impl Global {
     /// With several harmonics, with a restitution that is not below 0.99, and when a value is beyond the range of double-precision flights.
     pub fn of(pair: &ImpactPair, settings: &GlobalSettings, watch: &dyn Watch) -> Result<Self, Error> {
         let space = Self::space(pair)?;
+        let speed_unit = space.law().gap.mid() / std::f64::consts::TAU;
         let released = Released::of(pair, &space)?;
         let analysis = Analysis::of(Question { pair, space, released, settings, watch });
         let components = analysis.components();
@@ -128,7 +129,7 @@ impl Global {
             order: analysis.order(),
             patches,
             fastest: space.fastest(),
-            speed_unit: law.gap.mid() / std::f64::consts::TAU,
+            speed_unit,
             interrupted: analysis.is_interrupted(),
         })
     }

@@ -4,6 +4,7 @@ use proptest::prelude::*;
 
 use std::f64::consts::TAU;
 
+use super::graph::Component;
 use super::image::{Next, Space};
 use super::*;
 use crate::Harmonic;
