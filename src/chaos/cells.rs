@@ -265,7 +265,7 @@ impl Work<'_> {
         let middle = middle(&low, &high)?;
         let mut verdict = Verdict::Undecided;
         if self.watch.goes_on() {
-            verdict = self.periodic(&pair)?;
+            verdict = self.periodic(&pair, halved >= self.asked.halvings)?;
             if verdict == Verdict::Undecided && halved <= SEARCHED && halved.is_multiple_of(EVERY) {
                 let found = self.horseshoe(&pair, [&middle, &low, &high], known, false)?;
                 verdict = found.map_or(Verdict::Undecided, Verdict::Horseshoe); // exact: none is proved
@@ -279,8 +279,9 @@ impl Work<'_> {
         Ok(())
     }
 
-    /// Whether the scene's own orbit converges to a stable periodic one; else whether there is one where it settles in floating point.
-    fn periodic(&self, pair: &ImpactPair) -> Result<Verdict, Error> {
+    /// Whether the scene's own orbit converges to a stable periodic one; else, of cells that are not halved any more, whether there is one where it
+    /// settles in floating point, which says less.
+    fn periodic(&self, pair: &ImpactPair, is_last: bool) -> Result<Verdict, Error> {
         let Some(first) = visited(pair, self.start, 1)?.into_iter().find(|state| state.index > 0) else {
             return Ok(Verdict::Undecided);
         };
@@ -288,7 +289,7 @@ impl Work<'_> {
         if let Some((word, cycles)) = attracted(&law, &first, self.watch) {
             return Ok(Verdict::Attracted { word: rotated_to_its_least(&word), cycles, beside: None });
         }
-        Ok(match stable(&law, first.middle(), self.watch) {
+        Ok(match is_last.then(|| stable(&law, first.middle(), self.watch)).flatten() {
             Some((word, cycles)) => {
                 let [word, mirrored] = [&word, &mirrored(&word)].map(rotated_to_its_least);
                 let word = if walls(&word) <= walls(&mirrored) { word } else { mirrored };

@@ -89,7 +89,7 @@ fn basins(original: &Original) -> Vec<Forged> {
     let parts: f64 = original.document["basins"]["undecided"].as_str().map_or(0.0, |parts| parts.parse().unwrap());
     if parts > 0.0 {
         let less = json!(format!("{:.6}", 0.5 * parts));
-        all.push(original.with("half is undecided of what is".into(), &[("/basins/undecided", less)]));
+        all.push(original.with("half is undecided of what is", &[("/basins/undecided", less)]));
     }
     all
 }
