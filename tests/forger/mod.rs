@@ -44,7 +44,7 @@ use impact_pair_certificate::{Claims, Effort, Verdict};
 const CASES: u64 = 1;
 
 /// All forgeries, by what they forge.
-const FORGERIES: [&[Forgery]; 12] = [
+const FORGERIES: [&[Forgery]; 13] = [
     scenes::FORGERIES,
     outcomes::FORGERIES,
     events::FORGERIES,
