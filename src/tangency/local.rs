@@ -111,7 +111,7 @@ struct Frame {
 
 impl Frame {
     fn new(pair: Pair<Disc>, guess: &Guessed, side: Side) -> Option<Self> {
-        let Pair { gap, restitution: e } = pair.clone();
+        let Pair { gap, restitution: e } = pair;
         let one = exact(1.0);
         let half = gap.turn() * exact(0.5);
         let kappa = (half * (one + e)).checked_div(one - e)?;

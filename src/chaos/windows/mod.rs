@@ -164,6 +164,9 @@ fn word(flights: &[Side]) -> String {
     flights.iter().map(|side| if *side == Side::Far { 'F' } else { 'N' }).collect()
 }
 
+/// The place of a cycle, and what is proved of it.
+type Tried = (usize, Result<Window, NoWindow>);
+
 /// A search over a parameter of a pair. It proposes
 struct Search<'p> {
     pair: &'p ImpactPair,
@@ -264,7 +267,7 @@ impl<'p> Search<'p> {
         cycles: &[Superstable],
         settings: &WindowSettings,
         watch: &Latched<'_>,
-    ) -> Result<Vec<(usize, Result<Window, NoWindow>)>, Error> {
+    ) -> Result<Vec<Tried>, Error> {
         let (next, count) = (AtomicUsize::new(0), AtomicUsize::new(0));
         let found = Mutex::new(Vec::new());
         let work = || {
