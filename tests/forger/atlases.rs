@@ -46,8 +46,8 @@ fn left_out(original: &Original) -> Vec<Forged> {
     let mut all = Vec::new();
     for k in 0..own.len() {
         let components = own[k]["components"].as_array().cloned().unwrap_or_default();
-        for i in 0..components.len() {
-            let kind = components[i]["kind"].as_str().unwrap_or_default();
+        for (i, component) in components.iter().enumerate() {
+            let kind = component["kind"].as_str().unwrap_or_default();
             let key = [("attracting", "n_attracting"), ("rest-cycle", "n_rest"), ("saddle", "n_saddle")];
             // Of a point with undecided components less is claimed.
             if own[k]["n_undecided"] != 0 {
