@@ -191,7 +191,7 @@ fn r35_a_horseshoe_and_an_orbit_that_is_attracted_do_not_exclude_each_other() {
 /// that of the whole window.
 #[test]
 fn a_stable_orbit_is_proved_that_the_scenes_own_is_not_proved_to_converge_to() {
-    let over = ["chaos", "scenes/figure-14.toml", "--over", "amplitude=6.2..6.22:1", "--halvings", "0"];
+    let over = ["chaos", "scenes/figure-14.toml", "--over", "amplitude=6.218..6.22:1", "--halvings", "0"];
     let output = program(&over).args(["--depth", "3", "--format", "json"]).output().unwrap();
     let document: Value = serde_json::from_slice(&output.stdout).unwrap();
     assert_eq!((output.status.code(), &document["shares"]["stable"]), (Some(0), &1.0.into()));

@@ -41,7 +41,7 @@ impl Areas {
                 return whole.clone();
             }
             let area = self.0.get(&own).copied().unwrap_or(0.0); // V27: nothing is proved
-            BigRational::from_float((area / fastest).next_down()).unwrap_or_default() // V27: rounded down
+            BigRational::from_float((area / fastest).next_down().max(0.0)).unwrap_or_default() // V27: rounded down, no area is negative
         };
         for (claim, area) in basins {
             let others = basins.iter().filter(|(other, _)| other != claim).map(|(other, _)| proved(*other));
