@@ -24,6 +24,7 @@ fn with(document: &Value, class: &str, components: &[&Value]) -> Value {
     document["class"] = json!(class);
     document["certified"] = json!(class.starts_with("one-"));
     document["order"] = json!([]);
+    document["basins"] = Value::Null;
     let document: GlobalDocument = serde_json::from_value(document).unwrap();
     json!(document.with_statement())
 }

@@ -33,7 +33,12 @@ fn parts<'s>(schema: &'s Value, root: &'s Value) -> Vec<&'s Value> {
     [vec![schema], inner].concat()
 }
 
-/// The paths of all properties, however deep.
+/// Whether it is the whole schema again: cells are made of cells.
+fn is_itself(schema: &Value) -> bool {
+    schema["$ref"] == "#"
+}
+
+/// The paths of all properties, however deep; of a schema within itself none.
 pub fn properties(root: &Value) -> Vec<Vec<Step>> {
     fn walk(schema: &Value, root: &Value, path: &[Step], found: &mut Vec<Vec<Step>>) {
         for part in parts(schema, root) {
@@ -42,7 +47,7 @@ pub fn properties(root: &Value) -> Vec<Vec<Step>> {
                 found.push(path.clone());
                 walk(inner, root, &path, found);
             }
-            if part["items"].is_object() {
+            if part["items"].is_object() && !is_itself(&part["items"]) {
                 walk(&part["items"], root, &[path, &[Step::Item]].concat(), found);
             }
         }
@@ -83,6 +88,7 @@ pub fn sample(schema: &Value, root: &Value) -> Value {
         let count = part("minItems").and_then(Value::as_u64).unwrap_or(1);
         return match (part("prefixItems").and_then(Value::as_array), part("items")) {
             (Some(items), _) => items.iter().map(|item| sample(item, root)).collect(),
+            (None, Some(item)) if is_itself(item) => json!([]),
             (None, Some(item)) => (0..count).map(|_| sample(item, root)).collect(),
             (None, None) => json!([]),
         };
