@@ -22,7 +22,7 @@ impl Original {
 
     /// A document of its kind as it is written.
     pub fn text(&self, document: &Value) -> String {
-        match document.as_array().filter(|_| self.kind == "sweep") {
+        match document.as_array().filter(|_| self.is(&["sweep", "atlas"])) {
             Some(lines) => lines.iter().map(Value::to_string).collect::<Vec<_>>().join("\n"),
             None => document.to_string(),
         }
@@ -45,7 +45,8 @@ impl Original {
 
     /// The name that `check` has for a path: the first line of a sweep is its head, the others are its points.
     pub fn name_of(&self, path: &str) -> String {
-        let line = path.strip_prefix('[').filter(|_| self.kind == "sweep").and_then(|path| path.split_once(']'));
+        let line =
+            path.strip_prefix('[').filter(|_| self.is(&["sweep", "atlas"])).and_then(|path| path.split_once(']'));
         match line.map(|(line, rest)| (line.parse::<usize>().expect("a position"), rest)) {
             Some((0, rest)) => rest.trim_start_matches('.').to_owned(),
             Some((line, rest)) => format!("points[{}]{rest}", line - 1),

@@ -26,7 +26,7 @@ pub const FORGERIES: &[Forgery] = &[
 
 /// Where the scene stands.
 fn place(original: &Original) -> &'static str {
-    if original.is(&["sweep"]) { "/0/scene" } else { "/scene" }
+    if original.is(&["sweep", "atlas"]) { "/0/scene" } else { "/scene" }
 }
 
 /// The document under the name of a scene, if this is one.
@@ -49,8 +49,8 @@ fn is_interval(text: &Value) -> bool {
 }
 
 fn neighbours(original: &Original) -> Vec<Forged> {
-    // Horseshoes and regions are as true of neighbours.
-    if original.is(&["trap", "chaos", "hyperbolic"]) {
+    // Horseshoes, regions and cycles with rests are as true of neighbours.
+    if original.is(&["trap", "chaos", "hyperbolic", "atlas"]) {
         return Vec::new();
     }
     let keys = [
@@ -148,7 +148,7 @@ fn units(original: &Original) -> Vec<Forged> {
 }
 
 fn harmonics(original: &Original) -> Vec<Forged> {
-    if original.is(&["trap", "chaos", "hyperbolic"]) {
+    if original.is(&["trap", "chaos", "hyperbolic", "atlas"]) {
         return Vec::new();
     }
     let own = scene(original);
