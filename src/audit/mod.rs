@@ -122,7 +122,7 @@ impl<'s> Audit<'s> {
     /// Compares `rows` with the certified orbit of a scene, until interrupted by the watch.
     ///
     /// # Errors
-    /// If there is no row, or the time to compare up to is out of range ([`Error::is_list`], or the
+    /// If there is no row, or the time to compare up to is out of range ([`ErrorKind::List`](crate::ErrorKind::List), or the
     /// key `until`), or the scene's values exceed the range of orbits.
     pub fn of(scene: &'s Scene, list: List, asked: &AuditSettings, watch: &dyn Watch) -> Result<Self, Error> {
         let List { mut rows, unused, velocities } = list;

@@ -182,7 +182,7 @@ impl Walls {
 /// objects, an object of arrays, JSON Lines, or the orbit JSON. Walls may be positions near `-d/2` and `d/2` of the pair.
 ///
 /// # Errors
-/// If the list is malformed ([`Error::is_list`]): the message names the place, the value and what is accepted.
+/// If the list is malformed ([`ErrorKind::List`](crate::ErrorKind::List)): the message names the place, the value and what is accepted.
 pub fn read(text: &str, columns: &Columns, pair: &ImpactPair) -> Result<List, Error> {
     let walls = &Walls::new(pair.gap());
     let text = text.trim_start_matches('\u{feff}');
