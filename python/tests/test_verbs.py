@@ -145,7 +145,9 @@ def test_chaos_cells(cli):
     found = Scene.named("figure-14").chaos_cells({"amplitude": ("2", "4", 10)}, depth=4, halvings=3, picture=True)
     assert found.document == told
     assert found.shares == told["shares"]
-    assert [stretch["verdict"] for stretch in found.stretches] == ["attracted", "undecided"]
+    verdicts = [stretch["verdict"] for stretch in found.stretches]
+    assert verdicts[0] == "attracted"
+    assert set(verdicts) == {"attracted", "stable", "undecided"}
     assert not found.complete
     assert found.svg.startswith("<svg")
     with pytest.raises(impact_pair.RangeError):
