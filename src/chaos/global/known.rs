@@ -94,7 +94,7 @@ pub(super) struct Released {
 
 /// Impacts of the released ball that are followed.
 const IMPACTS: u64 = 200;
-/// Where it goes on is told by the last rectangle that is narrower than this, in forcing periods and over `A W`.
+/// Where it goes on is taken from the last rectangle that is narrower than this, in forcing periods and over `A W`.
 const NARROW: f64 = 0.01;
 /// Bits of a spectral radius.
 const BITS: u32 = 80;
