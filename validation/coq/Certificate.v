@@ -379,19 +379,20 @@ Definition opposite (w : wall) : wall := match w with left => right | right => l
 Definition depth : nat := 40.
 Notation "a &? b" := (if a then b else false) (at level 45, right associativity).
 
-(* X lies between the grid points lo and hi. *)
-Definition between (p : positive) (step X : I.type) (lo hi : Z) : bool :=
-  is_not_negative (sub p X (point p step lo)) &? is_not_negative (sub p (point p step hi) X).
-Lemma between_sound p q X x lo hi : between p (unit_step p q) X lo hi = true -> holds X x -> grid q lo <= x <= grid q hi.
-Proof.
-  unfold between. destruct (is_not_negative (sub p X _)) eqn:l; [|discriminate]. intros h hx.
-  assert (st := unit_step_holds p q).
-  assert (0 <= x - grid q lo) by (apply (is_not_negative_sound _ _ l); enclose).
-  assert (0 <= grid q hi - x) by (apply (is_not_negative_sound _ _ h); enclose). lra.
-Qed.
-
 Ltac split_checks := repeat match goal with
   | h : (if ?c then _ else false) = true |- _ => let k := fresh "k" in destruct c eqn:k; [|discriminate h] end.
+
+(* X lies between L and H; and between the grid points lo and hi. *)
+Definition bounded (p : positive) (L X H : I.type) : bool := is_not_negative (sub p X L) &? is_not_negative (sub p H X).
+Definition between (p : positive) (step X : I.type) (lo hi : Z) : bool := bounded p (point p step lo) X (point p step hi).
+Lemma bounded_sound p L X H l x h : bounded p L X H = true -> holds L l -> holds X x -> holds H h -> l <= x <= h.
+Proof.
+  unfold bounded. intros check hL hX hH. split_checks.
+  assert (0 <= x - l) by (apply (is_not_negative_sound _ _ k); enclose).
+  assert (0 <= h - x) by (apply (is_not_negative_sound _ _ check); enclose). lra.
+Qed.
+Lemma between_sound p q X x lo hi : between p (unit_step p q) X lo hi = true -> holds X x -> grid q lo <= x <= grid q hi.
+Proof. intros check hX. assert (st := unit_step_holds p q). apply (bounded_sound _ _ _ _ _ _ _ check); [enclose|exact hX|enclose]. Qed.
 
 Section Data.
 Variable param : data.
@@ -439,10 +440,8 @@ Definition velocity_over (p : positive) (speed : I.type) : I.type :=
 Definition check_shown (p : positive) (step : I.type) (lo hi slow fast : Z) (printed : bounds) : bool :=
   let TH := stretch p step lo hi in let V := velocity_over p (stretch p step slow fast) in
   let known r := enclose p (Rational r) in
-  is_not_negative (sub p TH (phase_over p (known (time_lower printed)))) &?
-  is_not_negative (sub p (phase_over p (known (time_upper printed))) TH) &?
-  is_not_negative (sub p V (known (velocity_lower printed))) &?
-  is_not_negative (sub p (known (velocity_upper printed)) V).
+  bounded p (phase_over p (known (time_lower printed))) TH (phase_over p (known (time_upper printed))) &?
+  bounded p (known (velocity_lower printed)) V (known (velocity_upper printed)).
 
 Definition check_leg (b : box) (l : leg) (printed : bounds) : bool :=
   let p := bits l in let c := coarse l in let q := scale l in let w := hits l in let OS := known_in p in
@@ -571,17 +570,13 @@ Qed.
 Lemma shown_sound p q lo hi slow fast printed i : check_shown p (unit_step p q) lo hi slow fast printed = true -> wall_of i = on printed ->
   grid q lo <= phase s (time i) <= grid q hi -> grid q slow <= unit_speed s (velocity i) <= grid q fast -> within printed i.
 Proof.
-  unfold check_shown. cbv zeta. intros check same r1 r2. split_checks. rename check into last.
+  unfold check_shown. cbv zeta. intros check same r1 r2. split_checks.
   assert (sp := unit_step_holds p q).
   assert (hTH := holds_stretch p q _ sp _ _ _ r1). assert (hV := holds_velocity_over p _ _ (holds_stretch p q _ sp _ _ _ r2)).
   replace (A s * W s * unit_speed s (velocity i)) with (velocity i) in hV by (unfold unit_speed; field; lra).
   assert (known : forall r, holds (enclose p (Rational r)) (Q2R r)) by (intros r; exact (holds_enclose p (Rational r))).
-  assert (k1' := holds_phase_over p _ _ (known (time_lower printed))). assert (k2' := holds_phase_over p _ _ (known (time_upper printed))).
-  assert (k3' := known (velocity_lower printed)). assert (k4' := known (velocity_upper printed)).
-  assert (0 <= phase s (time i) - phase s (Q2R (time_lower printed))) by (apply (is_not_negative_sound _ _ k); enclose).
-  assert (0 <= phase s (Q2R (time_upper printed)) - phase s (time i)) by (apply (is_not_negative_sound _ _ k0); enclose).
-  assert (0 <= velocity i - Q2R (velocity_lower printed)) by (apply (is_not_negative_sound _ _ k1); enclose).
-  assert (0 <= Q2R (velocity_upper printed) - velocity i) by (apply (is_not_negative_sound _ _ last); enclose).
+  assert (times := bounded_sound _ _ _ _ _ _ _ k (holds_phase_over p _ _ (known _)) hTH (holds_phase_over p _ _ (known _))).
+  assert (velocities := bounded_sound _ _ _ _ _ _ _ check (known _) hV (known _)).
   unfold within, phase in *. rewrite same. repeat split; nra.
 Qed.
 

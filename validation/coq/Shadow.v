@@ -71,8 +71,7 @@ Variable param : data.
 Notation step := (unit_step p q).
 Notation known := (fun r => enclose p (Rational r)).
 
-Definition check_within (b : Q * Q) (X : I.type) : bool :=
-  is_not_negative (sub p X (known (fst b))) &? is_not_negative (sub p (known (snd b)) X).
+Definition check_within (b : Q * Q) (X : I.type) : bool := bounded p (known (fst b)) X (known (snd b)).
 Definition phases (N : chart) : I.type := stretch p step (cu N - phase_reach N) (cu N + phase_reach N).
 Definition speeds (N : chart) : I.type := stretch p step (cv N - speed_reach N) (cv N + speed_reach N).
 Definition one_speed (V : range) : I.type := quotient p (enclose_range p V) (velocity_over param p (whole p 1)).
@@ -89,8 +88,7 @@ Definition check_first (T V : range) (n : nearness) (N : chart) : bool :=
     check_within (start_velocities n) (velocity_over param p (speeds N))
   else (lv N =? 0)%Z &? (wu N =? 0)%Z &?
     between p step (one_speed V) (cv N - speed_reach N) (cv N + speed_reach N) &?
-    is_not_negative (sub p (phases N) (phase_over param p (known (fst (start_times n))))) &?
-    is_not_negative (sub p (phase_over param p (known (snd (start_times n)))) (phases N)).
+    bounded p (phase_over param p (known (fst (start_times n)))) (phases N) (phase_over param p (known (snd (start_times n)))).
 
 Definition check_off (N : chart) (b : bounds) (most : Q) : bool :=
   let X := sub p (phases N) (phase_over param p (quotient p (add p (known (time_lower b)) (known (time_upper b))) (whole p 2))) in
@@ -125,11 +123,7 @@ Proof. intros h. apply Rabs_le_between in h. unfold Z.sub. rewrite !grid_plus, g
 Lemma holds_rational r : holds (enclose p (Rational r)) (Q2R r).
 Proof. exact (holds_enclose p (Rational r)). Qed.
 Lemma within_sound b X x : check_within b X = true -> holds X x -> in_bounds b x.
-Proof.
-  unfold check_within. intros check hX. split_checks. assert (l := holds_rational (fst b)). assert (h := holds_rational (snd b)).
-  assert (0 <= x - Q2R (fst b)) by (apply (is_not_negative_sound _ _ k); enclose).
-  assert (0 <= Q2R (snd b) - x) by (apply (is_not_negative_sound _ _ check); enclose). unfold in_bounds. lra.
-Qed.
+Proof. intros check hX. exact (bounded_sound _ _ _ _ _ _ _ check (holds_rational _) hX (holds_rational _)). Qed.
 
 Lemma near_sound n : check_near n = true -> near s n.
 Proof.
@@ -263,10 +257,8 @@ Proof.
     destruct (chart_bounds q N _ k (inside eta he x hx)) as [near _]. apply grid_around in near.
     set (y := put (frame_of q N) x eta) in *. assert (back : phase s (time i) = fst y) by (apply phase_at; assumption). rewrite <- back in near.
     assert (hX := holds_stretch p q _ (unit_step_holds p q) _ _ _ near). fold (phases N) in hX.
-    assert (low := holds_phase_over param s described p _ _ (holds_rational (fst (start_times n)))).
-    assert (high := holds_phase_over param s described p _ _ (holds_rational (snd (start_times n)))).
-    assert (0 <= phase s (time i) - phase s (Q2R (fst (start_times n)))) by (apply (is_not_negative_sound _ _ k3); enclose).
-    assert (0 <= phase s (Q2R (snd (start_times n))) - phase s (time i)) by (apply (is_not_negative_sound _ _ check); enclose).
+    assert (bounds := bounded_sound _ _ _ _ _ _ _ check (holds_phase_over param s described p _ _ (holds_rational _)) hX
+      (holds_phase_over param s described p _ _ (holds_rational _))).
     unfold in_bounds, phase in *. nra.
 Qed.
 End Program.
