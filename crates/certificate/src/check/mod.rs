@@ -137,6 +137,9 @@ fn one_by_one<C>(
 ) -> Result<u32, Verdict> {
     let mut most = 0;
     for (event, claim) in claims {
+        if !watch.goes_on() {
+            return Err(Verdict::Interrupted { events: event });
+        }
         budget.add(work);
         match judge(claim) {
             Err(Doubt::Open(_)) if budget.is_stopped() => return Err(Verdict::Interrupted { events: event }),

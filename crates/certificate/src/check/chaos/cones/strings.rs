@@ -74,7 +74,8 @@ impl Strings<'_> {
             let Some(narrower) = self.slopes(&level, &slopes) else { return Ok(()) };
             slopes = narrower;
             let Some(graph) = self.graph(&level, &slopes) else { return Ok(()) };
-            if visit(&graph) || level.len() > MOST_EDGES {
+            let strings: usize = level.keys().map(|string| self.before(string[0]).count()).sum();
+            if visit(&graph) || strings > MOST_EDGES {
                 return Ok(());
             }
             level = self.longer(&level)?;
