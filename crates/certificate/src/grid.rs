@@ -29,7 +29,7 @@ impl<'a> Axes<'a> {
     /// Those of a head.
     ///
     /// # Errors
-    /// Name the key of an axis or the shard, and what is accepted.
+    /// Name the key of an axis, the axes or the shard, and what is accepted.
     pub fn of(head: &Place<'_>, over: &'a [SweepAxis], points: u64, shard: Option<[u64; 2]>) -> Result<Self, Error> {
         if shard.is_some_and(|[number, of]| !(1..=of).contains(&number)) {
             return Err(head
@@ -39,7 +39,10 @@ impl<'a> Axes<'a> {
         let key = |(axis, place): (&SweepAxis, &Place<'_>)| {
             axis.key.parse::<Key>().or_else(|error| Err(place.get("key")?.refused(&error.to_string())))
         };
-        let keys = over.iter().zip(&head.get("over")?.list()?).map(key).collect::<Result<_, _>>()?;
+        let keys: Vec<Key> = over.iter().zip(&head.get("over")?.list()?).map(key).collect::<Result<_, _>>()?;
+        if (0..keys.len()).any(|i| keys[..i].iter().any(|other| keys[i].is_one_with(*other))) {
+            return Err(head.get("over")?.refused("accepted are axes of which no two set the same"));
+        }
         Ok(Self { keys, over, points, shard })
     }
 
