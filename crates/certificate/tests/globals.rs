@@ -204,6 +204,21 @@ fn r43_a_component_that_is_listed_is_found() {
     assert_eq!(checked(&claimed).verdict, VerdictName::Undecided);
 }
 
+/// Of an interrupted analysis it is not judged whether there are other components: then one is undecided, and the class tells so.
+#[test]
+fn r43_an_interrupted_analysis_has_a_component_that_is_left() {
+    let document = recorded("global");
+    let attracts = document["components"].as_array().unwrap().iter().find(|own| own["kind"] == "attracting").unwrap();
+    let of = |class: &str, components: &[&Value]| {
+        let mut document = with(&document, class, components);
+        (document["interrupted"], document["certified"]) = (json!(true), json!(false));
+        let document: GlobalDocument = serde_json::from_value(document).unwrap();
+        checked(&json!(document.with_statement())).verdict
+    };
+    assert_eq!(of("attractors", &[attracts, &open(false)]), VerdictName::Confirmed);
+    assert_eq!(of("one-attractor", &[attracts]), VerdictName::Refuted);
+}
+
 /// An atlas of one point, that of a global analysis.
 fn atlas_of(document: &Value, over: &Value, values: &Value) -> String {
     let mut lines: Vec<Value> = all().into_iter().find(|(name, _)| name == "atlas").unwrap().1;
