@@ -262,3 +262,15 @@ fn r43_no_two_axes_set_the_same() {
         assert!(error.starts_with("over is ["), "{error}");
     }
 }
+
+/// An end of an axis that is no number was 0.
+#[test]
+fn r43_the_ends_of_an_axis_are_numbers() {
+    let document = recorded("global");
+    let axis = |from: &str| json!({ "key": "restitution", "from": from, "to": "1", "count": 2 });
+    let gap = json!({ "key": "gap", "from": "1", "to": "2", "count": 2 });
+    let of = |from: &str| Claims::parse(&atlas_of(&document, &json!([gap, axis(from)]), &json!(["1", "0"])));
+    assert!(of("0").is_ok());
+    let error = of("nonsense").unwrap_err().to_string();
+    assert!(error.starts_with("over[1].from is \"nonsense\", but "), "{error}");
+}
