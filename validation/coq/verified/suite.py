@@ -179,7 +179,7 @@ def changed(suite, quick):
 
 
 def r43_periods(suite):
-    """How near a shadowed orbit is to the middles of its bounds is told in periods of the fastest harmonic, wherever it stands."""
+    """How near a shadowed orbit is to the middles of its bounds is given in periods of the fastest harmonic, wherever it stands in the list."""
     least = []
     for order in (1, -1):
         scene = TWO.format(*(json.dumps(values[::order]) for values in (["1/100", "8"], ["3*pi", "pi"])))
