@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import operator
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from decimal import Decimal
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any, SupportsIndex, TypeAlias, cast
@@ -102,7 +102,9 @@ def doubles_near(key: str, values: Any, dtype: Any = np.float64) -> npt.NDArray[
         raise RangeError(f"{key} is {values!r}, but must be numbers: some are masked", key, repr(values))
     try:
         given = np.asarray(values)
-        if given.dtype.kind in "bc":
+        # Among numbers in a list a truth value has become one.
+        each: Iterable[Any] = [] if hasattr(values, "dtype") else np.asarray(values, dtype=object).flat
+        if given.dtype.kind in "bc" or any(isinstance(one, (bool, np.bool_)) for one in each):
             raise RangeError(f"{key} is {values!r}, but must be real numbers", key, repr(values))
         return np.asarray(given, dtype=dtype)
     except (TypeError, ValueError, OverflowError) as error:

@@ -500,7 +500,7 @@ class Scene:
         to the stable one), or along all words of at most ``longest`` flights; the ``most`` that are nearest to the scene's own value are
         proved.
         """
-        question = (word, whole("longest", longest), whole("most", most))
+        question = (None if word is None else string("word", word), whole("longest", longest), whole("most", most))
         asked = (optional_whole("digits", digits), whole("max_bits", max_bits))
         with reporting(progress, "impacts", None) as tell:
             return answers.Tangencies(*_core.tangency(self._core, ranged(over), question, asked, tell))
@@ -520,7 +520,8 @@ class Scene:
         Words have ``depth`` impacts at most, or as many as about a million boxes lead to.
         With ``hyperbolic`` also exponents and dimension of the motions of its words: ``document["hyperbolic"]``.
         """
-        question = (whole("depth", depth), None if over is None else ranged(over), None if bases is None else json.dumps(bases), hyperbolic)
+        begun = None if bases is None else json.dumps(bases)
+        question = (optional_whole("depth", depth), None if over is None else ranged(over), begun, hyperbolic)
         with reporting(progress, "boxes") as tell:
             return answers.Chaos(*_core.chaos(self._core, question, picture, tell))
 

@@ -87,6 +87,9 @@ NOT_ASKED = {
     "letters": lambda: SCENE.flights(["a"], [1.0], -1),
     "a wrong side": lambda: SCENE.flights([0.0], [1.0], [-1]),
     "boxes": lambda: SCENE.box_map([["a", 2, 3, 4]]),
+    "a truth among boxes": lambda: SCENE.box_map([[True, 1, 1, 2]]),
+    "a truth among values": lambda: SCENE.sweep({"start.time": [0, True, 2]}),
+    "no flights": lambda: SCENE.tangency({"gap": (9, 10)}, word=3),
     "a name": lambda: Scene.named(14),
     "a table": lambda: Scene.from_dict({"excitation": 3}),
     "a value": lambda: SCENE.varied({"e": 0.5}),
@@ -102,6 +105,14 @@ def test_r35_what_cannot_be_asked_is_refused_by_the_package_with_key_and_value(n
     assert isinstance(caught.value, ValueError)
     assert caught.value.key
     assert caught.value.value
+
+
+def test_r43_chaos_takes_its_own_default():
+    # Its range was not looked at: the depth that is not given was refused before.
+    with pytest.raises(impact_pair.RangeError, match=r"gap=2\.\.1"):
+        SCENE.chaos(over={"gap": (2, 1)})
+    with pytest.raises(impact_pair.Error, match="harmonics"):
+        Scene.named("two-tones").chaos()
 
 
 def test_r35_lists_and_arrays_are_grids_in_all_verbs():

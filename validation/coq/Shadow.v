@@ -11,13 +11,14 @@ From ImpactPair Require Import Model Step Horseshoe Return Certificate Covering 
 Open Scope R_scope.
 Import ListNotations.
 
-(* Bounds of the start; and how far the impacts are from the middles of their bounds at most, in forcing periods of the
-   reference: half of them, and all. *)
+(* Bounds of the start; and how far the impacts are from the middles of their bounds at most, in forcing periods: half of
+   them, and all. A forcing period is one of the fastest harmonic, which is the reference. *)
 Record nearness := Nearness { start_times : Q * Q; start_velocities : Q * Q; half_within : Q; all_within : Q }.
 (* Bounds of a start that is near the scene's: no more than a thousandth of a forcing period apart, and of A W. *)
 Definition width (b : Q * Q) : R := Q2R (snd b) - Q2R (fst b).
 Definition near (s : scene) (n : nearness) : Prop :=
   1000 * width (start_times n) <= period s /\ 1000 * width (start_velocities n) <= A s * W s.
+Definition is_fastest (s : scene) : Prop := List.Forall (fun h => W h <= W s) (others s).
 Definition in_bounds (b : Q * Q) (x : R) : Prop := Q2R (fst b) <= x <= Q2R (snd b).
 Definition between_rationals (b : Q * Q) : range := Between (Rational (fst b)) (Rational (snd b)).
 Definition middle_time (b : bounds) : R := (Q2R (time_lower b) + Q2R (time_upper b)) / 2.
@@ -38,7 +39,7 @@ Definition claims_shadow (x : document) (n : nearness) : Prop := all_proper (sce
   match begun x with
   | Inside _ _ _ => False
   | Struck w times velocities => forall s t v, describes (scene_data x) s -> among times t -> among velocities v ->
-    sensible s /\ near s n /\ in_bounds (start_times n) t /\ in_bounds (start_velocities n) v /\
+    sensible s /\ is_fastest s /\ near s n /\ in_bounds (start_times n) t /\ in_bounds (start_velocities n) v /\
     (forall v, in_bounds (start_velocities n) v -> 0 <= side w * v) /\
     exists i, wall_of i = w /\ in_bounds (start_times n) (time i) /\ in_bounds (start_velocities n) (velocity i) /\
       (time i = t \/ velocity i = v) /\
@@ -80,6 +81,11 @@ Definition check_near (n : nearness) : bool :=
   let turn := quotient p (mul p (whole p 2) (I.pi (F.PtoP p))) (enclose_range p (frequency param)) in
   is_not_negative (sub p turn (width (start_times n))) &?
   is_not_negative (sub p (velocity_over param p (whole p 1)) (width (start_velocities n))).
+(* Of one expression, as written, there is one value. *)
+Definition one_value (a b : range) : bool := same (least a) (most a) && same (least a) (least b) && same (least a) (most b).
+Definition check_fastest : bool :=
+  forallb (fun x => one_value (frequency param) (frequency x) ||
+    is_not_negative (sub p (enclose_range p (frequency param)) (enclose_range p (frequency x)))) (further param).
 (* The starts with the scene's time, or with its velocity, cross it. *)
 Definition check_first (T V : range) (n : nearness) (N : chart) : bool :=
   (0 <? chart_area N)%Z &?
@@ -138,6 +144,18 @@ Proof.
   assert (0 <= period s - 1000 * width (start_times n)) by (apply (is_not_negative_sound _ _ k); enclose).
   assert (0 <= A s * W s - 1000 * width (start_velocities n)) by (apply (is_not_negative_sound _ _ check); enclose).
   unfold near. lra.
+Qed.
+
+Lemma fastest_sound : check_fastest = true -> is_fastest s.
+Proof.
+  unfold check_fastest, is_fastest. rewrite forallb_forall. intros check. destruct described as ((_ & lead & _) & rest & _).
+  assert (slower : forall x, In x (further param) -> forall h, describes_harmonic x h -> W h <= W s).
+  { intros x i h (_ & w & _). specialize (check x i). apply orb_prop in check as [one|less].
+    - apply andb_prop in one as [one most_too]. apply andb_prop in one as [own least_too]. apply same_sound in own, least_too, most_too.
+      destruct (frequency param), (frequency x). cbn in *. subst. unfold among in lead, w. cbn in lead, w. lra.
+    - assert (0 <= W s - W h) by exact (is_not_negative_sound _ _ less (holds_sub p _ _ _ _ (holds_range p _ _ lead) (holds_range p _ _ w))). lra. }
+  clear - rest slower. induction rest as [|x h xs hs k rest IH]; [constructor|].
+  constructor; [apply (slower x); [left; reflexivity|exact k]|]. apply IH. intros y i. apply slower. right. exact i.
 Qed.
 
 Lemma off_sound w N b most x : (0 < chart_area N)%Z -> in_frame (frame_of q N) x -> check_off N b most = true ->
@@ -268,7 +286,8 @@ Definition verify_shadow (x : document) (n : nearness) (h : chain) : bool :=
   match begun x with
   | Struck w times velocities =>
     check_data p param && check_beginning p param (begun x) && check_beginning p param (Struck w times (between_rationals (start_velocities n))) &&
-    is_positive (enclose_range p (amplitude param)) && check_near p param n && check_within p (start_times n) (enclose_range p times) &&
+    is_positive (enclose_range p (amplitude param)) && check_fastest p param && check_near p param n &&
+    check_within p (start_times n) (enclose_range p times) &&
     check_within p (start_velocities n) (enclose_range p velocities) && check_outcome p (ended x) (events x) (afterwards h) &&
     numbered (Some w) 1 (events x) && check_first p q param times velocities n (first_chart h) &&
     check_way p q param (flights w (with_next (events x) (afterwards h))) (first_chart h) (links h) &&
@@ -283,7 +302,7 @@ Proof.
   intros v. apply andb_prop in v as [v halves]. apply andb_prop in v as [v nodes]. apply andb_prop in v as [v carried].
   apply andb_prop in v as [v start_on]. apply andb_prop in v as [v names]. apply andb_prop in v as [v ending].
   apply andb_prop in v as [v velocity_in]. apply andb_prop in v as [v time_in]. apply andb_prop in v as [v close].
-  apply andb_prop in v as [v positive]. apply andb_prop in v as [v near_start]. apply andb_prop in v as [v start_good].
+  apply andb_prop in v as [v fastest]. apply andb_prop in v as [v positive]. apply andb_prop in v as [v near_start]. apply andb_prop in v as [v start_good].
   destruct (data_sound p _ _ v start_good) as [pr sense]. destruct (data_sound p _ _ v near_start) as [_ sense'].
   split; [exact pr|]. intros s t u described at_t at_u.
   destruct (sense s described) as [good _]. destruct (sense' s described) as [_ inwards]. split; [exact good|].
@@ -292,7 +311,8 @@ Proof.
   { destruct described as ((dA & _) & _). exact (is_positive_sound _ _ positive (holds_range p _ _ dA)). }
   assert (t_in := within_sound p _ _ _ time_in (holds_range p _ _ at_t)).
   assert (u_in := within_sound p _ _ _ velocity_in (holds_range p _ _ at_u)).
-  split; [exact (near_sound p _ s described n close)|]. split; [exact t_in|]. split; [exact u_in|]. split; [intros z hz; exact (inwards z hz)|].
+  split; [exact (fastest_sound p _ s described fastest)|]. split; [exact (near_sound p _ s described n close)|].
+  split; [exact t_in|]. split; [exact u_in|]. split; [intros z hz; exact (inwards z hz)|].
   set (N := first_chart h) in *.
   destruct (first_sound p q _ s described A_positive W_positive times velocities n N w t u start_on at_t at_u t_in u_in) as (eta & he & started).
   assert (positive_area : area (frame_of q N) <> 0).

@@ -30,7 +30,7 @@ impl<H: Head> Gathered<H> {
             let Some([number, of]) = shard else { bail!("{} is a whole {}, not a shard", name(i), H::NAME) };
             if journal.head.with_shard(None) != head {
                 let difference = difference(&journal.head, &head.with_shard(shard));
-                bail!("{} and {} are of different {}s: {difference}", name(i), name(0), H::NAME);
+                bail!("{} and {} are of more than one {}: {difference}", name(i), name(0), H::NAME);
             }
             let parts = journals[0].head.shard().map_or(0, |[_, of]| of);
             if of != parts {

@@ -84,9 +84,10 @@ impl AtlasCertificate {
         let empty = points.iter().enumerate().filter(|(_, point)| !point.claims_something());
         unjudged.extend(empty.map(|(i, _)| format!("points[{i}]")));
         for (i, point) in points.iter().enumerate() {
-            // Keys that it does not know, and not those of every component.
+            // Keys that it does not know, and not those of every component; and a class that is not judged.
             let is_other = |key: &&String| !UNJUDGED.contains(&format!("points.{key}").as_str());
-            let own = point.global.unjudged().iter().filter(|key| key.starts_with("components.")).filter(is_other);
+            let is_own = |key: &&String| key.starts_with("components.") || *key == "class";
+            let own = point.global.unjudged().iter().filter(is_own).filter(is_other);
             unjudged.extend(own.map(|key| format!("points[{i}].{key}")));
         }
         unjudged.sort();

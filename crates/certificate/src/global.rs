@@ -191,6 +191,9 @@ fn contradiction(document: &GlobalDocument) -> Option<String> {
     if document.class != class {
         return Some(format!("the class of these components is {class}"));
     }
+    if document.interrupted && document.components.iter().all(|own| own.kind != "undecided") {
+        return Some("it was interrupted, but no component is left as it is".to_owned());
+    }
     let is_whole = matches!(class, "one-rest-cycle" | "one-attractor") && !document.interrupted;
     if document.certified != is_whole {
         return Some(format!("certified is {} of a class that is {class}", document.certified));

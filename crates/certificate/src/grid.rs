@@ -11,6 +11,8 @@ use impact_pair_model::scene::Key;
 pub(super) struct Axes<'a> {
     pub keys: Vec<Key>,
     over: &'a [SweepAxis],
+    /// The first value of each axis, and the last one.
+    ends: Vec<[Exact; 2]>,
     points: u64,
     shard: Option<[u64; 2]>,
 }
@@ -29,7 +31,7 @@ impl<'a> Axes<'a> {
     /// Those of a head.
     ///
     /// # Errors
-    /// Name the key of an axis or the shard, and what is accepted.
+    /// Name the key of an axis, the axes or the shard, and what is accepted.
     pub fn of(head: &Place<'_>, over: &'a [SweepAxis], points: u64, shard: Option<[u64; 2]>) -> Result<Self, Error> {
         if shard.is_some_and(|[number, of]| !(1..=of).contains(&number)) {
             return Err(head
@@ -39,8 +41,19 @@ impl<'a> Axes<'a> {
         let key = |(axis, place): (&SweepAxis, &Place<'_>)| {
             axis.key.parse::<Key>().or_else(|error| Err(place.get("key")?.refused(&error.to_string())))
         };
-        let keys = over.iter().zip(&head.get("over")?.list()?).map(key).collect::<Result<_, _>>()?;
-        Ok(Self { keys, over, points, shard })
+        let ends = |(axis, place): (&SweepAxis, &Place<'_>)| -> Result<[Exact; 2], Error> {
+            let end = |name: &str, text: &str| {
+                Exact::parse(text).or_else(|error| Err(place.get(name)?.refused(&error.to_string())))
+            };
+            Ok([end("from", &axis.from)?, end("to", &axis.to)?])
+        };
+        let places = head.get("over")?.list()?;
+        let keys: Vec<Key> = over.iter().zip(&places).map(key).collect::<Result<_, _>>()?;
+        let ends = over.iter().zip(&places).map(ends).collect::<Result<_, _>>()?;
+        if (0..keys.len()).any(|i| keys[..i].iter().any(|other| keys[i].is_one_with(*other))) {
+            return Err(head.get("over")?.refused("accepted are axes of which no two set the same"));
+        }
+        Ok(Self { keys, over, ends, points, shard })
     }
 
     /// Whether the axes have as many points together as are given.
@@ -71,11 +84,11 @@ impl<'a> Axes<'a> {
         // The last axis runs through first.
         let (mut rest, mut is_of_grid) = (point, Some(true));
         let (mut values, mut places) = (Vec::new(), Vec::new());
-        for ((axis, key), value) in self.over.iter().zip(&self.keys).zip(written).rev() {
+        for (((axis, ends), key), value) in self.over.iter().zip(&self.ends).zip(&self.keys).zip(written).rev() {
             let value =
                 Exact::parse(value).map_err(|error| Error::certificate(format!("values: {error}")).because(error))?;
             let at = (axis.count > 1).then(|| rest % axis.count);
-            let order = at.and_then(|at| on_axis(axis, at).ok()).and_then(|grid| grid.compare(&value));
+            let order = at.and_then(|at| on_axis(ends, axis.count, at).ok()).and_then(|grid| grid.compare(&value));
             is_of_grid = match (is_of_grid, order) {
                 (Some(false), _) | (_, Some(Ordering::Less | Ordering::Greater)) => Some(false),
                 (_, None) => None,
@@ -115,15 +128,14 @@ impl<'a> Axes<'a> {
     }
 }
 
-/// The value number `at` of an axis.
-fn on_axis(axis: &SweepAxis, at: u64) -> Result<Exact, ExactError> {
+/// The value number `at` of N between both ends.
+fn on_axis([from, to]: &[Exact; 2], count: u64, at: u64) -> Result<Exact, ExactError> {
     let whole = |n: u64| Exact::from_rational(num_rational::BigRational::from_integer(n.into()));
-    let [from, to] = [&axis.from, &axis.to].map(|end| Exact::parse(end).unwrap_or_else(|_| Exact::from(0)));
-    if at + 1 == axis.count {
-        return Ok(to);
+    if at + 1 == count {
+        return Ok(to.clone());
     }
-    let part = whole(at).checked_div(&whole(axis.count - 1))?;
-    from.checked_add(&to.checked_sub(&from)?.checked_mul(&part)?)
+    let part = whole(at).checked_div(&whole(count - 1))?;
+    from.checked_add(&to.checked_sub(from)?.checked_mul(&part)?)
 }
 
 /// Puts a value in the place of the scene's own; `None` where it has none. The number, from 0, is that of the term that phases are of.

@@ -190,3 +190,87 @@ fn r42_a_class_of_closed_components_is_not_judged() {
     let is_named = |key: &str| found.not_checked.iter().any(|own| own == key);
     assert!(found.verdict == VerdictName::Confirmed && is_named("class") && is_named("statement"));
 }
+
+/// Every motion of this pair tends to one orbit without rests: of a cycle with rests whose period is not said nothing was asked.
+#[test]
+fn r43_a_component_that_is_listed_is_found() {
+    let document = recorded("global");
+    let listed: Vec<&Value> = document["components"].as_array().unwrap().iter().collect();
+    let rests = json!({ "kind": "rest-cycle", "boxes": 0, "area": "0", "closed": true });
+    let mut claimed = with(&document, "attractors", &[&listed[..], &[&rests]].concat());
+    assert_eq!(checked(&claimed).verdict, VerdictName::Undecided);
+    let areas = json!([{ "component": 2, "area": "0" }, { "component": 3, "area": "0" }]);
+    claimed["basins"] = json!({ "boxes": 256, "areas": areas, "undecided": "1" });
+    assert_eq!(checked(&claimed).verdict, VerdictName::Undecided);
+}
+
+/// Of an interrupted analysis it is not judged whether there are other components: then one is undecided, and the class tells so.
+#[test]
+fn r43_an_interrupted_analysis_has_a_component_that_is_left() {
+    let document = recorded("global");
+    let attracts = document["components"].as_array().unwrap().iter().find(|own| own["kind"] == "attracting").unwrap();
+    let of = |class: &str, components: &[&Value]| {
+        let mut document = with(&document, class, components);
+        (document["interrupted"], document["certified"]) = (json!(true), json!(false));
+        let document: GlobalDocument = serde_json::from_value(document).unwrap();
+        checked(&json!(document.with_statement())).verdict
+    };
+    assert_eq!(of("attractors", &[attracts, &open(false)]), VerdictName::Confirmed);
+    assert_eq!(of("one-attractor", &[attracts]), VerdictName::Refuted);
+}
+
+/// An atlas of one point, that of a global analysis.
+fn atlas_of(document: &Value, over: &Value, values: &Value) -> String {
+    let mut lines: Vec<Value> = all().into_iter().find(|(name, _)| name == "atlas").unwrap().1;
+    let head = &mut lines[0];
+    (head["scene"], head["over"]) = (document["scene"].clone(), over.clone());
+    let record = &mut lines[1];
+    (record["values"], record["class"]) = (values.clone(), document["class"].clone());
+    record["components"] = document["components"].clone();
+    let components = document["components"].as_array().unwrap();
+    let count = |kind: &str| json!(components.iter().filter(|own| own["kind"] == kind).count());
+    for (key, kind) in [("n_attracting", "attracting"), ("n_rest", "rest-cycle"), ("n_saddle", "saddle")] {
+        record[key] = count(kind);
+    }
+    record["n_undecided"] = count("undecided");
+    format!("{}\n{}\n", lines[0], lines[1])
+}
+
+/// A class that is not judged in a JSON of a global analysis is not judged in an atlas.
+#[test]
+fn r43_a_class_of_closed_components_is_not_judged_in_an_atlas() {
+    let document = recorded("global");
+    let saddle = document["components"].as_array().unwrap().iter().find(|own| own["kind"] == "saddle").unwrap();
+    let document = with(&document, "closed", &[saddle, &open(true)]);
+    let axis = |key: &str, from: &str| json!({ "key": key, "from": from, "to": "1", "count": 2 });
+    let over = json!([axis("amplitude", "0.583258"), axis("restitution", "0.377273")]);
+    let text = atlas_of(&document, &over, &json!(["0.583258", "0.377273"]));
+    let claims = Claims::parse(&text).unwrap();
+    let found = claims.document(&text, &claims.judge(&Effort::default(), &Unwatched).unwrap());
+    assert_eq!(found.verdict, VerdictName::Confirmed);
+    assert!(found.not_checked.contains(&"points[0].class".to_owned()), "{:?}", found.not_checked);
+}
+
+/// Of two axes that set the same the second one alone was judged.
+#[test]
+fn r43_no_two_axes_set_the_same() {
+    let document = recorded("global");
+    let axis = |key: &str, from: &str| json!({ "key": key, "from": from, "to": "1", "count": 2 });
+    for key in ["amplitude", "amplitude.1"] {
+        let over = json!([axis(key, "0.1"), axis("amplitude", "0.583258")]);
+        let error = Claims::parse(&atlas_of(&document, &over, &json!(["0.1", "0.583258"]))).unwrap_err().to_string();
+        assert!(error.starts_with("over is ["), "{error}");
+    }
+}
+
+/// An end of an axis that is no number was 0.
+#[test]
+fn r43_the_ends_of_an_axis_are_numbers() {
+    let document = recorded("global");
+    let axis = |from: &str| json!({ "key": "restitution", "from": from, "to": "1", "count": 2 });
+    let gap = json!({ "key": "gap", "from": "1", "to": "2", "count": 2 });
+    let of = |from: &str| Claims::parse(&atlas_of(&document, &json!([gap, axis(from)]), &json!(["1", "0"])));
+    assert!(of("0").is_ok());
+    let error = of("nonsense").unwrap_err().to_string();
+    assert!(error.starts_with("over[1].from is \"nonsense\", but "), "{error}");
+}

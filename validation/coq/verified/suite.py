@@ -10,6 +10,7 @@ import json
 import resource
 import subprocess
 import sys
+from decimal import Decimal
 from pathlib import Path
 
 import corrupted
@@ -27,6 +28,9 @@ SPEED = [("figure-14", ["--impacts", "200"], 1.0), ("figure-14", ["--impacts", "
 INTERVALS = [({"gap": "[9.42496, 9.42498]"}, 6), ({"restitution": "[0.49, 0.5]"}, 2), ({"gap": "[9.42496999, 9.42497001]", "restitution": "[0.4999999, 0.5]"}, 8),
              ({"velocity": "[-12.5664, -12.5663]", "time": "[0, 1e-6]"}, 4), ({"amplitude": "[7.99999, 8.00001]"}, 3),
              ({"frequency": "[3.14159, 3.1416]", "phase": "[-1e-6, 1e-6]"}, 3)]
+# A scene of two harmonics, by the places of the faster and of the slower one.
+TWO = "excitation = {{ amplitude = {0}, frequency = {1}, phase = 0 }}\npair = {{ gap = 9.42497, restitution = 0.5 }}\n" \
+      'start = {{ time = 0, wall = "left", velocity = -12.56636 }}'
 COVERED = ("impacts-reached", "time-reached")
 # Documents of which corrupted copies are made.
 SPOILED = [("figure-14", ["--impacts", "8"]), ("figure-14", ["--until", "4.4"]), ("figure-14", [*SHADOWED, "--impacts", "8"]),
@@ -174,6 +178,23 @@ def changed(suite, quick):
     return total, verified
 
 
+def r43_periods(suite):
+    """How near a shadowed orbit is to the middles of its bounds is given in periods of the fastest harmonic, wherever it stands in the list."""
+    least = []
+    for order in (1, -1):
+        scene = TWO.format(*(json.dumps(values[::order]) for values in (["1/100", "8"], ["3*pi", "pi"])))
+        document = suite.run("-", [*SHADOWED, "--impacts", "150"], scene)
+        document["outcome"] |= {"message": ""}
+        epsilon, half = document["outcome"]["epsilon"], 0
+        most, verdict = Decimal(epsilon["maximum"]), "verified"
+        while verdict == "verified" and half < 20:
+            epsilon.update(median=f"{most / 2**half:.40f}".rstrip("0"), maximum=f"{most / 2**half:.40f}".rstrip("0"))
+            verdict, half = suite.answer(json.dumps(document).encode())[0], half + 1
+        least.append(half)
+    if least[0] != least[1] or not 2 < least[0] < 20:
+        suite.failures.append(f"epsilon of an orbit of two harmonics: refused at halving {least[0]} with the fastest first, {least[1]} with it last")
+
+
 def forged(suite, folder):
     """The forgeries of `tests/forger` (FORGER_FOLDER), named by what `check` says: only those true after all may be verified."""
     documents = sorted(Path(folder).glob("*.json")) if folder else []
@@ -237,6 +258,7 @@ def main():
     parser.add_argument("--quick", action="store_true")
     arguments = parser.parse_args()
     suite, quick = Suite(arguments.program, arguments.verified), arguments.quick
+    r43_periods(suite)
     rows, times, spoiled = right(suite, quick), fast(suite, quick), wrong(suite, quick)
     boxes, (made, accepted) = intervals(suite, quick), random_scenes(suite, quick)
     (mutated, still), refused, coq = changed(suite, quick), unreadable(suite, quick), same_as_coq(suite, quick)

@@ -103,6 +103,9 @@ impl GlobalCertificate {
         if let Err(doubt) = judge.covers(&judge.whole(None), 0, &mut work, &mut known, watch) {
             return Ok(Err(doubt));
         }
+        if let Some(place) = (0..self.count()).find(|place| known.iter().all(|(claim, _)| claim != place)) {
+            return Ok(Err(Doubt::Open(format!("component {place} is not proved to hold any motion"))));
+        }
         let Some((boxes, basins)) = self.basins() else { return Ok(Ok(())) };
         let all = judge.whole(Some(boxes));
         let Some(split) = all.split(&space, &released, watch) else {
@@ -170,7 +173,8 @@ impl Judge<'_> {
         }
         let open = || Doubt::Open("interrupted".into());
         let split = set.split(self.space, self.released, watch).ok_or_else(open)?;
-        if let Some(claim) = self.rest_claim.filter(|_| set.is_closed && split.is_released_always) {
+        let is_rest = |claim: usize| set.is_closed && split.is_released_always && self.claimed[claim].closed;
+        if let Some(claim) = self.rest_claim.filter(|&claim| is_rest(claim)) {
             known.push((claim, set.clone()));
             return Ok(());
         }
