@@ -45,7 +45,7 @@ const MOST_BOXES: u32 = 8;
 /// Images at most that narrow the end of a slab, so that a much shorter one may follow, and bits that each but the last takes off its widest
 /// radius.
 const END_IMAGES: u32 = 40;
-const END_GAIN: f64 = 1.0;
+const END_GAIN: f64 = 0.25;
 /// Halvings of the way between two stations.
 const MOST_HALVINGS: u32 = 12;
 /// How far a slab reaches beyond its two stations, in parts of the way between them.
