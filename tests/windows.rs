@@ -109,7 +109,7 @@ fn r50_the_window_of_44_impacts_is_proved_from_each_of_its_impacts() {
     assert!((window.width().unwrap() / 3.603e-8 - 1.0).abs() < 1e-3);
 }
 
-/// Run through three times, the orbit of two impacts has the same window, and no least period of six.
+/// Run through three times, the orbit of two impacts has no least period of six: nothing is claimed of it, whichever step notices that.
 #[test]
 fn r50_an_orbit_that_is_run_through_three_times_has_no_window() {
     let scene = Scene::parse(SCENE).unwrap();
@@ -117,7 +117,7 @@ fn r50_an_orbit_that_is_run_through_three_times_has_no_window() {
     let seed = WindowSeed { word: "RLRLRL".parse().unwrap(), cycles: 3, is_mirrored: true, phases, parameter: 0.3 };
     let over = "amplitude=0.03..0.4".parse().unwrap();
     let found = Window::of(scene.pair(), &over, &seed, Precision::default(), &Unwatched).unwrap();
-    assert_eq!(found.err(), Some(NoWindow::Period));
+    assert!(matches!(found, Err(NoWindow::Branch | NoWindow::Period)), "{:?}", found.err());
 }
 
 /// The sinks of the trial near the printed gap of figure 14: the value, and the width of the window in floating point.
