@@ -85,7 +85,7 @@ impl Around {
             Side::Stable => most(own) + &reach,
         };
         let ratio = most(&ratio);
-        ratio.is_below(&one).then(|| Self { gap: gap_disc, e: e_disc, pi, phase, ratio, side })
+        ratio.is_below(&one).then_some(Self { gap: gap_disc, e: e_disc, pi, phase, ratio, side })
     }
 
     /// The derivatives of `E` where the phases deviate from the saddle by at most this, the largest deviation first.
