@@ -33,7 +33,8 @@ Floating-point orbits of the reduced map, which mirrors every impact to the left
 periodic orbits: half of them at the scene's own value of the parameter, the others at values of the range. Each \
 orbit listed is proved at an exact value of the parameter: it exists, it is the only one within its bounds, and it is \
 stable. Its window extends from a fold to a period doubling or a pitchfork, and both ends are enclosed. Where `stable \
-between` is proved, there is a stable, admissible orbit of the word for every value between the bounds of the ends. \
+between` is proved, there is a stable, admissible orbit of the word for every value between the bounds of the ends, \
+and one curve of them leads from end to end through the orbit listed. \
 Other windows are not excluded, and nothing is claimed of floating-point orbits that are not proved, most of them long. \
 Windows of the doubled orbits, which adjoin, are not listed. One harmonic only.
 

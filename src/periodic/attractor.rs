@@ -44,6 +44,9 @@ const NEAR_BEFORE: f64 = 0.2;
 const TRIED: usize = 8;
 /// A period is tried from N of its impacts: in doubles the contraction is seen from some and not from others.
 const ENDS: usize = 32;
+/// Where a motion repeats this nearly, the orbit itself may be found from some of them only: of a narrow window doubles distinguish it hardly from
+/// the unstable one beside it.
+const SETTLED: f64 = 1e-9;
 /// Bits that its orbit is enclosed in at most, and digits that its basin is looked for with.
 const BITS: u32 = 1024;
 const FEW_DIGITS: u32 = 9;
@@ -109,6 +112,12 @@ impl<'s> Guess<'s> {
         ends.map(move |earlier| Guess { all: &all[..all.len() - earlier], impacts, cycles })
     }
 
+    /// Whether the motion repeats as nearly as one that is settled.
+    fn is_settled(&self) -> bool {
+        let last = self.all.len() - 1;
+        self.all[last].apart(&self.all[last - self.impacts]).is_some_and(|apart| apart < SETTLED)
+    }
+
     /// The impacts of the period.
     fn states(&self) -> &'s [ImpactState] {
         let last = self.all.len() - 1;
@@ -148,8 +157,8 @@ pub(crate) fn find(
             let problem = problem(&end.word()?, end.cycles)?;
             match problem.attracts(&end.phases(problem.period().into()), end.all, digits) {
                 Ok(attractor) => return Some(attractor),
-                Err(Open::Never) => return None,
-                Err(Open::Here) => {}
+                Err(Open::Never) if !end.is_settled() => return None,
+                Err(_) => {}
             }
         }
         None

@@ -50,6 +50,7 @@ pub fn all() -> Vec<Original> {
         ["one cycle with rests", "one attractor"].map(|name| Original::new("global", name, others::global(name))),
     );
     all.push(Original::new("tangency", "beside figure 14", others::tangency()));
+    all.push(Original::new("tangency", "over the restitution", others::tangency_over_restitution()));
     let described = ["figure-13", "chatter", "figure-14"];
     all.extend(described.map(|name| Original::new("description", name, others::description(name))));
     all.extend(sweeps());

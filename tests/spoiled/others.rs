@@ -140,6 +140,23 @@ pub fn tangency() -> Value {
     document
 }
 
+/// The same over the restitution, at its gap: `D*` is that of a computation in 130 digits.
+pub fn tangency_over_restitution() -> Value {
+    let mut document = tangency();
+    document["scene"]["gap"] = json!("8*1.17814079711090061855399854994343000656779766745018");
+    let tangency = &mut document["tangencies"][0];
+    let values = [
+        ("key", json!("pair.restitution")),
+        ("parameter", json!(["0.4999999999999999999999999999", "0.5000000000000000000000000001"])),
+        ("unfolding", json!(["-150.1974", "-150.1973"])),
+    ];
+    for (key, value) in values {
+        tangency[key] = value;
+    }
+    tangency.as_object_mut().unwrap().remove("beside");
+    document
+}
+
 fn sweep(scene: &str, over: &[&str]) -> Vec<Value> {
     let scene = Scene::parse(scene).unwrap();
     let grid = Grid::new(over.iter().map(|axis| axis.parse().unwrap()).collect()).unwrap();

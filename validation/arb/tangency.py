@@ -6,7 +6,9 @@ u, s and D, and parallel tangents. The remainder of the lines is bounded once, b
 through all flights; interval Newton proves exactly one zero in a box, which has to lie inside the claimed bounds. Its Jacobian is regular, so the
 tangency is quadratic and unfolds. All flights of the word are proved to end at their first contact.
 
-Not judged: that there is no second zero within the claimed bounds, the values of `quadratic` and `unfolding`, resonances.
+q and m are enclosed over that box and compared with `quadratic` and `unfolding`.
+
+Not judged: that there is no second zero within the claimed bounds, whose boxes are too wide for balls through some 230 flights; resonances.
 """
 
 import json
@@ -23,6 +25,8 @@ BEFORE, AFTER, BITS, BOX = 180, 34, 1400, (arb(10) ** -60, arb(10) ** -29, arb(1
 # The local theorem: the radius of the polydisc and of the parameter, on each side, and that of the complex D.
 RADII, DISC = {"unstable": arb("0.004"), "stable": arb("0.00001")}, arb(10) ** -30
 FIRST_BITS = 128
+# q and m are compared if this much of them is certain.
+LEAST_BITS = 20
 
 
 def disc(radius):
@@ -305,14 +309,16 @@ def slope_derivative(pair, th, w, value, dth):
 
 
 def shot(e, word, guess, bounds, unknowns):
-    """The three equations and their Jacobian over a box, and the states at the impacts of the word."""
+    """The three equations and their Jacobian over a box, the states at the impacts of the word, and the jets where the word ends, after all
+    flights, and of the stable manifold there."""
     u, s, gap = unknowns
     pair, gap_jet = Pair(e, gap), [gap, arb(0), arb(1), arb(0), arb(0)]
     state, offs = line(pair, gap_jet, guess, "unstable", u, bounds[0])
     end, end_offs = line(pair, gap_jet, guess, "stable", s, bounds[1])
-    visited = []
+    visited, passed = [], []
     for letter in "F" * BEFORE + word + "F" * AFTER:
-        visited.append(tuple(jet[0] for jet in whole(state, offs)))
+        passed.append(whole(state, offs))
+        visited.append(tuple(jet[0] for jet in passed[-1]))
         state = fly(pair, gap_jet, offs, state, letter == "F")
     state, end = whole(state, offs), whole(end, end_offs)
     turns = round(float(((state[0][0] - end[0][0]) / (2 * arb.pi())).mid()))
@@ -321,26 +327,50 @@ def shot(e, word, guess, bounds, unknowns):
     values = [*off, cross(1, 1)]
     rows = [[state[i][1], -end[i][1], state[i][2] - end[i][2]] for i in (0, 1)]
     rows.append([2 * cross(3, 1), 2 * cross(1, 3), cross(4, 1) + cross(1, 4)])
-    return values, rows, visited[BEFORE : BEFORE + len(word) + 1]
+    last = BEFORE + len(word)
+    return values, rows, visited[BEFORE : last + 1], (passed[last], state, end, visited[last:])
+
+
+def unfolding(pair, ends, eigenvalues):
+    """q and m: `det(P_s', X)/abs(P_s')` of the differences X of second derivatives by sigma_u, and of derivatives by D, at the end of the word.
+
+    They are compared after the k flights to the saddle, whose derivative G takes X and P_s' to those of the images: what second derivatives of
+    these flights add is the same for both curves, and what a change of parameters with D adds is a multiple of P_s'. det G = e^(2k) w/w'.
+    """
+    (unstable, stable), (word, flown, line, visited) = eigenvalues, ends
+    # The coordinates along the eigenvectors are the parameters, some flights away: derivatives by sigma_u and sigma_s.
+    u, s = unstable**BEFORE, stable**AFTER
+    image = tangent = [x[1] * s for x in line]
+    area = pair.e ** (2 * AFTER) * word[1][0] / flown[1][0]
+    arrivals = [*visited[1:], tuple(x[0] for x in flown)]
+    for (th, w), (arrival, _) in reversed(list(zip(visited, arrivals))):
+        [[a, b], [c, d]] = pair.jacobian((th, w), arrival - arb.pi() - th, True)
+        tangent = [d * tangent[0] - b * tangent[1], a * tangent[1] - c * tangent[0]]
+    tangent = [x / area for x in tangent]
+    square = tangent[0] ** 2 + tangent[1] ** 2
+    factor = (word[0][1] * tangent[0] + word[1][1] * tangent[1]) / u / square
+    across = lambda x: (image[0] * x[1] - image[1] * x[0]) / (area * square.sqrt())
+    bend = [2 * (a[3] / u**2 - b[3] * (s * factor) ** 2) for a, b in zip(flown, line)]
+    return across(bend), across([a[2] - b[2] for a, b in zip(flown, line)])
 
 
 def solve(e, word, guess, claims):
-    """(box, visited): a box of the unknowns at the saddle's ends with exactly one zero."""
+    """(box, visited, ends): a box of the unknowns at the saddle's ends with exactly one zero, and what `shot` finds over it."""
     (unstable, stable, gap) = claims
     eigen = Pair(e, gap.mid()).eigen(guess)[1]
     at = [unstable.mid() / eigen[0][0].mid() ** BEFORE, stable.mid() * eigen[1][0].mid() ** AFTER, gap.mid()]
     at = [x.mid() for x in at]
     rests = [remainder(e, gap, guess, side) for side in ("unstable", "stable")]
     for _ in range(8):
-        values, rows, _ = shot(e, word, guess, [arb(0), arb(0)], at)
+        values, rows, *_ = shot(e, word, guess, [arb(0), arb(0)], at)
         step = arb_mat(rows).mid().solve(arb_mat([[v.mid()] for v in values]))
         at = [(x - step[i, 0]).mid() for i, x in enumerate(at)]
         if all(abs(step[i, 0]) < abs(at[i]) * BOX[i] / 1024 for i in range(3)):
             break
     inverse = arb_mat(rows).mid().inv().mid()
     box = [x + arb(0, (abs(x) * radius).upper()) for x, radius in zip(at, BOX)]
-    values, _, _ = shot(e, word, guess, rests, at)
-    _, rows, visited = shot(e, word, guess, rests, box)
+    values, *_ = shot(e, word, guess, rests, at)
+    _, rows, visited, ends = shot(e, word, guess, rests, box)
     change = arb_mat(3, 3, [1 if i == j else 0 for i in range(3) for j in range(3)]) - inverse * arb_mat(rows)
     moved = inverse * arb_mat([[v] for v in values])
     image = [at[i] - moved[i, 0] + sum((change[i, j] * (box[j] - at[j]) for j in range(3)), arb(0)) for i in range(3)]
@@ -348,7 +378,7 @@ def solve(e, word, guess, claims):
         raise Undecided("interval Newton does not map the box into itself")
     # The coordinate along the eigenvector is the parameter of the manifold but for the remainder.
     parameters = [x * (1 + arb(0, (rest * abs(x)).upper())) for x, rest in zip(image, rests)]
-    return [*parameters, image[2]], visited
+    return [*parameters, image[2]], visited, ends
 
 
 def bounds(pair):
@@ -385,7 +415,7 @@ def judge_tangency(document):
         amplitude, e = arb(scene["excitation"]["amplitude"][0]), arb(scene["restitution"])
         gap, guess = bounds(claim["parameter"]) / amplitude, bounds(claim["saddle"]["phase"]).mid()
         claims = (bounds(claim["unstable"]), bounds(claim["stable"]), gap)
-        image, visited = solve(e, claim["flights"], guess, claims)
+        image, visited, ends = solve(e, claim["flights"], guess, claims)
         pair = Pair(e, image[2])
         (th, w), ((unstable, _), (stable, _)) = pair.eigen(guess)
         inside("parameter", amplitude * image[2], claim["parameter"])
@@ -395,6 +425,11 @@ def judge_tangency(document):
         inside("speed", w, claim["saddle"]["speed"])
         inside("unstable eigenvalue", unstable, claim["saddle"]["eigenvalues"][0])
         inside("stable eigenvalue", stable, claim["saddle"]["eigenvalues"][1])
+        quadratic, unfolds = unfolding(pair, ends, (unstable, stable))
+        for name, found in (("quadratic", quadratic), ("unfolding", unfolds)):
+            if found.contains(0) or found.rel_accuracy_bits() < LEAST_BITS:
+                raise Undecided(f"the {name} coefficient is {found.str(10)}")
+            inside(name, found, claim[name])
         for _, speed in visited:
             if not speed >= arb(claim["least_speed"]):
                 raise Disagreement("an impact is slower than the least speed")
@@ -420,6 +455,10 @@ def spoiled(document):
     yield "exchanged eigenvalues", copy((["saddle", "eigenvalues"], eigenvalues[::-1]))
     yield "another word", copy((["flights"], word[:-1] + "N"))
     yield "exchanged manifolds", copy((["unstable"], claim["stable"]), (["stable"], claim["unstable"]))
+    opposite = [f"-{end}".removeprefix("--") for end in claim["quadratic"][::-1]]
+    yield "the other sign of q", copy((["quadratic"], opposite))
+    near = [(arb(end) * (1 + arb("1e-4"))).mid().str(40, radius=False) for end in claim["unfolding"]]
+    yield "another speed of unfolding", copy((["unfolding"], near))
     yield "a larger least speed", copy((["least_speed"], "0.9"))
 
 

@@ -83,8 +83,8 @@ fn bounds_that_hold_no_tangency_and_false_numbers_are_refuted() {
 /// Of these nothing is proved, and so nothing is refuted.
 #[test]
 fn what_is_not_checked_is_undecided() {
-    let found = message(judged(&[("/key", json!("pair.restitution"))]));
-    assert_eq!(found, "undecided: tangencies over the restitution are not checked");
+    let found = message(judged(&[("/key", json!("excitation.frequency"))]));
+    assert_eq!(found, "undecided: only tangencies over gap, amplitude and restitution are checked");
     let found = message(judged(&[("/resonances_excluded_to", json!(2000))]));
     assert_eq!(found, "undecided: resonances of orders above 1024 are not checked");
     let wide = [("/parameter", json!(["9.3", "9.5"])), ("/saddle/phase", json!(["5", "5.1"]))];
@@ -101,4 +101,37 @@ fn both_tangencies_beside_figure_14_are_confirmed() {
     let verdict = claims.check_within(&Effort::default(), &Unwatched).unwrap();
     assert!(matches!(verdict, Verdict::Confirmed { .. }), "{verdict:?}");
     assert_eq!(claims.all(), "2 homoclinic tangencies");
+}
+
+/// The tangency over the restitution, at the gap of that of e = 1/2: its numbers are those of the one over the gap, but for the speed of
+/// unfolding by e. That one is -m dD*/de, m by D, where D* = 1.17814266031.. and 1.178138934085.. at e = 1/2 -+ 1e-5.
+fn over_the_restitution(changes: &[(&str, Value)]) -> Verdict {
+    let mut document: Value = serde_json::from_str(DOCUMENT).unwrap();
+    document["scene"]["gap"] = json!("8*1.17814079711090061855399854994343000656779766745018");
+    let tangency = &mut document["tangencies"][0];
+    tangency["key"] = json!("pair.restitution");
+    tangency["parameter"] = json!(["0.4999999999999999999999999999", "0.5000000000000000000000000001"]);
+    tangency["unstable"] = json!(["0.00103671779876937671453524864", "0.00103671779876937671453524865"]);
+    tangency["stable"] = json!(["0.000108179847481761014690377576", "0.000108179847481761014690377577"]);
+    tangency["unfolding"] = json!(["-150.1974", "-150.1973"]);
+    let [phase, speed] = [["5.0440821019", "5.0440821020"], ["1.3025773114", "1.3025773115"]];
+    let eigenvalues = [["-2.312436528", "-2.312436527"], ["-0.108111076", "-0.108111075"]];
+    tangency["saddle"] = json!({ "phase": phase, "speed": speed, "eigenvalues": eigenvalues });
+    tangency.as_object_mut().unwrap().remove("beside");
+    for (pointer, value) in changes {
+        *tangency.pointer_mut(pointer).unwrap() = value.clone();
+    }
+    Claims::parse(&document.to_string()).unwrap().check_within(&Effort::default(), &Unwatched).unwrap()
+}
+
+#[test]
+fn a_tangency_over_the_restitution_is_confirmed_and_shifted_ones_are_refuted() {
+    let verdict = over_the_restitution(&[]);
+    assert!(matches!(verdict, Verdict::Confirmed { .. }), "{verdict:?}");
+    let per_gap = json!(["-806.1637", "-806.1636"]);
+    let found = message(over_the_restitution(&[("/unfolding", per_gap)]));
+    assert!(found.starts_with("refuted: the true speed of unfolding is -150.197365"), "{found}");
+    let shifted = json!(["0.5000000000000000000000000001", "0.5000000000000000000000000003"]);
+    let found = message(over_the_restitution(&[("/parameter", shifted)]));
+    assert_eq!(found, "refuted: there is no tangency within the bounds");
 }

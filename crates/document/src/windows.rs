@@ -51,12 +51,13 @@ pub struct WindowDocument {
     pub to: Option<Bounds>,
     /// What happens at the lower end and at the upper one: `fold`, `period-doubling`, `pitchfork`; `null` where it is not proved.
     pub ends: [Option<String>; 2],
-    /// Whether it is proved that for every value between the bounds of both ends there is a stable, admissible orbit of the word.
+    /// Whether it is proved that for every value between the bounds of both ends there is a stable, admissible orbit of the word, and that one
+    /// curve of such orbits leads from one end through `orbit` to the other.
     pub stable_between: bool,
     /// Where that is not proved: the reason.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub reason: Option<String>,
-    /// Its least period under the reduced map, which mirrors every impact to the left wall.
+    /// Its least period, proved, under the reduced map, which mirrors every impact to the left wall.
     pub reduced_impacts: u32,
     /// The flights of a period of the reduced map in time order: `F` to the far wall, `N` back to the near one.
     pub flights: String,

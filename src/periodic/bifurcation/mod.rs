@@ -4,8 +4,9 @@
 //! touched; there the extended system (`system`) with the parameter among its unknowns is solved (`solve`) and its zero
 //! proved by Krawczyk's operator (`claim`). At an eigenvalue -1 the branch that leaves is followed as well: a
 //! symmetric orbit's pitchfork is the doubling of half its period. With several harmonics with a common period all that is the
-//! same (`family`). The windows of stable orbits are proved in `window`. Lemmas Y1-Y8 are in `docs/proofs/bifurcations.md#Y1`.
+//! same (`family`). The windows of stable orbits are proved in `window`. Lemmas Y1-Y9 are in `docs/proofs/bifurcations.md#Y1`.
 
+mod between;
 mod cascade;
 mod claim;
 mod diagram;

@@ -3,7 +3,7 @@
 use nalgebra::Scalar;
 
 use super::super::equations::flights;
-use super::super::krawczyk::{image, is_inside, polish};
+use super::super::krawczyk::{image, is_inside, polish, widest};
 use super::super::precondition::Preconditioner;
 use super::family::{Family, Varied};
 use super::ring::Ring;
@@ -42,8 +42,10 @@ struct Slab<'c, E> {
 
 /// Boxes tried for a slab.
 const MOST_BOXES: u32 = 8;
-/// Images that narrow the end of a slab, so that a much shorter one may follow.
-const END_IMAGES: u32 = 4;
+/// Images at most that narrow the end of a slab, so that a much shorter one may follow, and bits that each but the last takes off its widest
+/// radius.
+const END_IMAGES: u32 = 40;
+const END_GAIN: f64 = 0.25;
 /// Halvings of the way between two stations.
 const MOST_HALVINGS: u32 = 12;
 /// How far a slab reaches beyond its two stations, in parts of the way between them.
@@ -97,26 +99,19 @@ impl<N: Enclosing + Turning> Proof<N> {
 }
 
 impl<E: System, S: Varied, N: Enclosing + Turning + Scalar> Tube<'_, E, S, N> {
-    /// Proves the curve from the first station to the last one: its first slab and its last one; `None` where it is not proved, or the
-    /// watch stops it.
-    pub fn follow(&self, stations: &[Vec<f64>]) -> Option<[Proof<N>; 2]> {
-        let (mut first, mut last) = (None, None);
+    /// Proves the curve from the first station to the last one: its slabs in order; `None` where it is not proved, or the watch stops it.
+    pub fn follow(&self, stations: &[Vec<f64>]) -> Option<Vec<Proof<N>>> {
+        let mut slabs = Vec::new();
         for ends in stations.windows(2) {
             self.watch.goes_on().then_some(())?;
-            self.bridge([&ends[0], &ends[1]], (&mut first, &mut last), 0)?;
+            self.bridge([&ends[0], &ends[1]], &mut slabs, 0)?;
         }
-        // Of a single slab both are one.
-        let last = last?;
-        Some([first.unwrap_or_else(|| last.duplicate()), last])
+        // Of a single station nothing is proved.
+        (!slabs.is_empty()).then_some(slabs)
     }
 
     /// Proves the way between two points of the curve and glues it to the last slab; halves it where that fails.
-    fn bridge(
-        &self,
-        [a, b]: [&[f64]; 2],
-        (first, last): (&mut Option<Proof<N>>, &mut Option<Proof<N>>),
-        halvings: u32,
-    ) -> Option<()> {
+    fn bridge(&self, [a, b]: [&[f64]; 2], slabs: &mut Vec<Proof<N>>, halvings: u32) -> Option<()> {
         let part = |i: usize| if self.over.is_none_or(|over| over == i) { b[i] - a[i] } else { 0.0 };
         let chord: Vec<f64> = (0..a.len()).map(part).collect();
         let length = chord.iter().map(|c| c * c).sum::<f64>().sqrt();
@@ -126,17 +121,15 @@ impl<E: System, S: Varied, N: Enclosing + Turning + Scalar> Tube<'_, E, S, N> {
         let base = if self.steps == 0 { corrected? } else { corrected.unwrap_or(middle) }; // proposes: where a slab is tried
         let (tau, end) = ((0.5 + OVERLAP) * length, 0.5 * length);
         let proof = self.prove(&Slab { curve: self.curve, base: base.clone(), along, tau, end });
-        if let Some(proof) = proof.filter(|proof| last.as_ref().is_none_or(|last| proof.holds(&last.end))) {
-            if let Some(before) = last.replace(proof) {
-                first.get_or_insert(before);
-            }
+        if let Some(proof) = proof.filter(|proof| slabs.last().is_none_or(|last| proof.holds(&last.end))) {
+            slabs.push(proof);
             return Some(());
         }
         if halvings >= MOST_HALVINGS || !self.watch.goes_on() {
             return None;
         }
-        self.bridge([a, &base], (first, last), halvings + 1)?;
-        self.bridge([&base, b], (first, last), halvings + 1)
+        self.bridge([a, &base], slabs, halvings + 1)?;
+        self.bridge([&base, b], slabs, halvings + 1)
     }
 
     /// Proves a slab in a box that is widened until its image lies inside.
@@ -163,8 +156,7 @@ impl<E: System, S: Varied, N: Enclosing + Turning + Scalar> Tube<'_, E, S, N> {
             let found = self.image(slab, &inverse, &domain, N::from_f64(0.0).with_radius(all))?;
             if is_inside(&found, &domain) {
                 (self.holds)(&domain).then_some(())?;
-                let narrower = |end: Vec<N>, _| self.image(slab, &inverse, &end, N::from_f64(slab.end));
-                let end = (0..END_IMAGES).try_fold(found, narrower)?;
+                let end = self.end(slab, &inverse, found)?;
                 let Slab { base, along, tau, .. } = slab;
                 let (base, along, tau) = (base.clone(), along.clone(), *tau);
                 return is_inside(&end, &domain).then_some(Proof { base, along, tau, domain, end });
@@ -178,19 +170,26 @@ impl<E: System, S: Varied, N: Enclosing + Turning + Scalar> Tube<'_, E, S, N> {
         None
     }
 
+    /// Narrows the point of the curve at the end of a slab, from a box that holds it, as far as this arithmetic does.
+    fn end(&self, slab: &Slab<'_, E>, inverse: &Preconditioner, mut end: Vec<N>) -> Option<Vec<N>> {
+        for _ in 0..END_IMAGES {
+            let narrower = self.image(slab, inverse, &end, N::from_f64(slab.end))?;
+            let gain = widest(&end) - widest(&narrower);
+            end = narrower;
+            // proposes: when to stop
+            if gain.is_nan() || gain <= END_GAIN {
+                break;
+            }
+        }
+        Some(end)
+    }
+
     /// Krawczyk's image for all `t` of a ball.
     fn image(&self, slab: &Slab<'_, E>, inverse: &Preconditioner, x: &[N], t: N) -> Option<Vec<N>> {
         let last = x.len() - 1;
         let still = image(&Posed { system: slab, family: self.family, is_sparse: self.steps > 0 }, inverse, x)?;
         let moved = |(i, k): (usize, N)| N::from_f64(inverse.row(i)[last]).mul_add(t.clone(), k);
         Some(still.into_iter().enumerate().map(moved).collect())
-    }
-}
-
-impl<N: Clone> Proof<N> {
-    fn duplicate(&self) -> Self {
-        let Self { base, along, tau, domain, end } = self;
-        Self { base: base.clone(), along: along.clone(), tau: *tau, domain: domain.clone(), end: end.clone() }
     }
 }
 
@@ -207,7 +206,6 @@ pub(super) fn is_one_curve<S: Varied>(
     let holds = |domain: &[Ball]| take_time(ring, family, domain);
     let tube = Tube { curve: &Curve(ring), over: None, floats, family, steps: 0, pad: PAD, holds: &holds, watch };
     let stations: Vec<Vec<f64>> = stations.iter().map(|station| station.x.clone()).collect();
-    // Of a single station nothing is proved.
     tube.follow(&stations).is_some()
 }
 

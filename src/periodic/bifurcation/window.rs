@@ -1,39 +1,28 @@
-//! A window of a parameter in which a periodic orbit is stable, from a fold to a loss of stability, proved. Lemma Y8
+//! A window of a parameter in which a periodic orbit is stable, from a fold to a loss of stability, proved. Lemmas Y8, Y9
 //!
-//! Floating point finds orbits of given traces along the branch. From each end, where an eigenvalue is 1 or -1, the branch is followed as a curve
-//! over that eigenvalue; between, where the eigenvalues may be complex, as a curve of orbits that have neither 1 nor -1 for an eigenvalue.
+//! Floating point finds orbits of given traces along the branch; the orbits between the two ends are proved in `between`.
 
-use std::cmp::Ordering;
-
-use nalgebra::{DMatrix, Scalar};
 use num_rational::BigRational;
 
 use super::super::Precision;
 use super::super::chain::Chain;
-use super::super::chained::{Chained, OneHarmonic};
-use super::super::equations::flights;
-use super::super::krawczyk::{Equations, image, is_inside};
+use super::super::chained::OneHarmonic;
 use super::super::orbit::PeriodicOrbit;
-use super::super::precondition::Preconditioner;
 use super::super::{Problem, Stability, determinant};
+use super::between::{Between, Known, Reached};
 use super::claim::{Setting, prove_critical};
-use super::family::{Family, Varied};
+use super::family::Family;
 use super::over::Parameter;
 use super::point::{Kind, Point};
 use super::ring::Ring;
 use super::solve::newton;
-use super::system::{Curve, Multiplied, Traced};
-use super::trace::{null_vector, twisted_matrix};
-use super::tube::{Proof, Tube, take_time};
+use super::system::Traced;
+use super::trace::null_vector;
 use crate::Error;
 use crate::exact::{Enclosure, Exact};
 use crate::mapping::Word;
-#[cfg(feature = "multiprecision")]
-use crate::number::MpBall;
-use crate::number::{Ball, Enclosing};
 use crate::pair::ImpactPair;
 use crate::scene::Range;
-use crate::several::Turning;
 use crate::watch::Watch;
 
 /// An orbit near which a window may be, in floating point.
@@ -75,6 +64,8 @@ pub enum NoWindow {
     Stability,
     /// A flight has an earlier contact.
     Virtual,
+    /// It is not proved that its impacts are those of one least period.
+    Period,
 }
 
 impl NoWindow {
@@ -87,6 +78,7 @@ impl NoWindow {
             Self::Orbit => "existence is not proved at the value in the middle of its window",
             Self::Stability => "stability is not proved at the value in the middle of its window",
             Self::Virtual => "it is virtual: a flight has an earlier contact",
+            Self::Period => "its impacts are not proved to be those of one least period",
         }
     }
 }
@@ -102,14 +94,15 @@ pub struct Window {
     pub orbit: PeriodicOrbit,
     /// The ends in the order of the parameter; `None` where one is not proved.
     pub ends: [Option<WindowEnd>; 2],
-    /// Whether for each value between the bounds of the ends a stable orbit of the word is proved, each flight to its first contact.
+    /// Whether for each value between the bounds of the ends a stable orbit of the word is proved, each flight to its first contact, all on one
+    /// curve, which leads through `orbit` from one end to the other.
     pub is_stable_between: bool,
     /// Why that is not proved, if it is not.
     pub reason: Option<&'static str>,
 }
 
 impl Window {
-    /// Proves the stable orbit near a seed and its window, or says why no stable orbit is proved. Lemma Y8
+    /// Proves the stable orbit near a seed and its window, or says why no stable orbit is proved. Lemmas Y8, Y9
     ///
     /// # Errors
     /// With several harmonics, if the range is not one of the parameter's, or a value exceeds the range of exact expressions.
@@ -169,11 +162,6 @@ const STATIONS: [f64; 5] = [1.0, 0.75, 0.5, 0.25, 0.0];
 const LEAST: f64 = 0.2;
 /// The trace at the orbit itself, which lies about the middle of a window.
 const INNER: f64 = -0.4;
-/// A window relatively narrower is proved in more bits than doubles have, where there are such.
-const NARROW: f64 = 1e-10;
-/// In doubles: steps to the centre of a slab, and what is added to radii.
-const STEPS: u32 = 12;
-const PAD: f64 = 1e-14;
 /// Digits of the ends beyond those of the width.
 const END_DIGITS: f64 = 4.0;
 /// A value lies no farther from the middle of its window than that part of it.
@@ -189,16 +177,6 @@ struct Branch {
     between: Vec<Vec<f64>>,
     /// An orbit in the middle of the window.
     inner: Vec<f64>,
-}
-
-/// An end of the branch: the bifurcation there, and the orbits from it to the middle.
-struct End<'b> {
-    stations: &'b [(f64, Vec<f64>)],
-    point: &'b Point,
-    /// `c` of the equations of both.
-    direction: &'b [f64],
-    /// The eigenvalue at the bifurcation.
-    mu: f64,
 }
 
 /// The eigenvalues at the two ends of a branch.
@@ -231,29 +209,39 @@ impl Proving<'_> {
             let critical = (kind, MULTIPLIERS[i], directions[i].clone());
             self.watch.goes_on().then(|| prove_critical(&self.setting, self.ring, critical, ends[i], fine)).flatten()
         });
-        let [fold, flip] = &points;
-        let between = match (fold, flip) {
-            (Some(fold), Some(flip)) => {
-                let one = End { stations: &branch.ends[0], point: fold, direction: &directions[0], mu: MULTIPLIERS[0] };
-                let other =
-                    End { stations: &branch.ends[1], point: flip, direction: &directions[1], mu: MULTIPLIERS[1] };
-                self.is_stable(&branch, &[one, other], width)
-            }
-            (None, _) => Err("the fold is not proved"),
-            _ => Err("the loss of stability is not proved"),
-        };
         let Some(at) = self.value(&points, [a, b])? else { return Ok(Err(NoWindow::Value)) };
         // A value that no pair has is none of an orbit.
         let Ok(there) = self.setting.parameter.pair_at(at.clone()) else { return Ok(Err(NoWindow::Value)) };
         let problem = Problem::new(&there, &self.ring.word(), self.ring.chain().cycles())?;
         let inner = self.ring.lift(&branch.inner[..self.ring.unknowns()]);
-        let Some(orbit) = problem.prove(&inner, self.precision) else { return Ok(Err(NoWindow::Orbit)) };
+        let Some(orbit) = problem.prove(&inner, fine) else { return Ok(Err(NoWindow::Orbit)) };
         if orbit.stability != Stability::Stable {
             return Ok(Err(NoWindow::Stability));
         }
         if orbit.physical == Some(false) {
             return Ok(Err(NoWindow::Virtual));
         }
+        // Y9: then it is its own mirror image after the impacts of a mirrored ring
+        if problem.reduced_impacts(&orbit) != Some(self.ring.unknowns()) {
+            return Ok(Err(NoWindow::Period));
+        }
+        let [fold, flip] = &points;
+        let between = match (fold, flip) {
+            (Some(fold), Some(flip)) => {
+                let reached = |i: usize, point| Reached {
+                    stations: &branch.ends[i],
+                    point,
+                    direction: &directions[i],
+                    mu: MULTIPLIERS[i],
+                };
+                let known = Known { parameter: self.setting.parameter.without_units(&at)?, orbit: &orbit };
+                let (setting, ring) = (&self.setting, self.ring);
+                let ends = [reached(0, fold), reached(1, flip)];
+                Between { setting, ring, ends, middle: &branch.between, known, watch: self.watch }.prove(width)
+            }
+            (None, _) => Err("the fold is not proved"),
+            _ => Err("the loss of stability is not proved"),
+        };
         let end = |point: Option<Point>| -> Result<Option<WindowEnd>, Error> {
             let Some(point) = point else { return Ok(None) };
             let (parameter, _) = self.setting.parameter.in_units(&point.parameter, point.bits)?;
@@ -326,154 +314,5 @@ impl Proving<'_> {
             scale *= &ten;
         }
         Ok(None)
-    }
-
-    /// Proves that all orbits of the branch between the two ends are stable, or says where that fails. Lemma Y8
-    fn is_stable(&self, branch: &Branch, ends: &[End<'_>; 2], width: f64) -> Result<(), &'static str> {
-        let doubles = self.setting.doubles();
-        let of_ball = |x: &Enclosure| {
-            let (mid, rad) = x.mid_rad();
-            Ball::new(mid, rad)
-        };
-        if width > NARROW && self.is_stable_in(&doubles, (STEPS, PAD), (branch, ends), &of_ball).is_ok() {
-            return Ok(());
-        }
-        self.is_stable_precisely(branch, ends)
-    }
-
-    #[cfg(feature = "multiprecision")]
-    fn is_stable_precisely(&self, branch: &Branch, ends: &[End<'_>; 2]) -> Result<(), &'static str> {
-        const BITS: u32 = 128;
-        let pad = (24.0 - f64::from(BITS)).exp2();
-        let of_ball = |x: &Enclosure| MpBall::enclosing(x, BITS);
-        self.is_stable_in(&self.setting.balls(BITS), (BITS / 4, pad), (branch, ends), &of_ball)
-    }
-
-    /// Doubles are all there is.
-    #[cfg(not(feature = "multiprecision"))]
-    fn is_stable_precisely(&self, _: &Branch, _: &[End<'_>; 2]) -> Result<(), &'static str> {
-        Err("they are not proved in doubles")
-    }
-
-    fn is_stable_in<N: Enclosing + Turning + Scalar>(
-        &self,
-        family: &Family<OneHarmonic, N>,
-        (steps, pad): (u32, f64),
-        (branch, ends): (&Branch, &[End<'_>; 2]),
-        of: &dyn Fn(&Enclosure) -> N,
-    ) -> Result<(), &'static str> {
-        let outer = |i: usize| self.outer(family, (steps, pad), &ends[i], of);
-        let one = outer(0).ok_or("the orbits next to the fold are not proved")?;
-        let other = outer(1).ok_or("the orbits next to the loss of stability are not proved")?;
-        let floats = self.setting.floats();
-        let holds =
-            |x: &[N]| self.is_admissible(family, x) && [1.0, -1.0].iter().all(|mu| self.excludes(family, x, *mu));
-        let tube = Tube {
-            curve: &Curve(self.ring),
-            over: None,
-            floats: &floats,
-            family,
-            steps,
-            pad,
-            holds: &holds,
-            watch: self.watch,
-        };
-        let middle = "the orbits in the middle are not proved";
-        let [first, last] = tube.follow(&branch.between).ok_or(middle)?;
-        if first.holds(&one) && last.holds(&other) { Ok(()) } else { Err(middle) }
-    }
-
-    /// Proves the orbits over an eigenvalue, from the bifurcation at the end of a window to the middle; the phases and the parameter at
-    /// the inner end. Lemma Y8
-    fn outer<N: Enclosing + Turning + Scalar>(
-        &self,
-        family: &Family<OneHarmonic, N>,
-        (steps, pad): (u32, f64),
-        end: &End<'_>,
-        of: &dyn Fn(&Enclosure) -> N,
-    ) -> Option<Vec<N>> {
-        let (ring, floats) = (self.ring, self.setting.floats());
-        let direction = end.direction;
-        let lift = |(mu, x): &(f64, Vec<f64>)| -> Option<Vec<f64>> {
-            let w = null_vector(ring, &floats, x, *mu)?;
-            let along: f64 = w.iter().zip(direction).map(|(a, b)| a * b).sum();
-            let (p, phases) = x.split_last()?;
-            let w = w.iter().map(|w| w / along);
-            Some(phases.iter().copied().chain(w).chain([*p, *mu]).collect())
-        };
-        let lifted: Vec<Vec<f64>> = end.stations.iter().map(lift).collect::<Option<_>>()?;
-        let curve = Multiplied { ring, direction: direction.to_vec() };
-        let project = |x: &[N]| -> Vec<N> { [&x[..ring.unknowns()], &x[x.len() - 2..x.len() - 1]].concat() };
-        let holds = |x: &[N]| self.is_admissible(family, &project(x)) && self.is_dominant(family, x);
-        // Over mu, the last unknown.
-        let over = Some(2 * ring.unknowns() + 1);
-        let tube = Tube { curve: &curve, over, floats: &floats, family, steps, pad, holds: &holds, watch: self.watch };
-        let [first, last]: [Proof<N>; 2] = tube.follow(&lifted)?;
-        let mut zero: Vec<N> = end.point.zero.iter().map(of).collect();
-        zero.push(N::from_f64(end.mu));
-        first.holds(&zero).then(|| project(&last.end))
-    }
-
-    /// Whether the other eigenvalue lies inside the unit circle for each member of a box: `e^(2m) < |mu|`. Lemma Y8
-    fn is_dominant<N: Enclosing + Turning>(&self, family: &Family<OneHarmonic, N>, x: &[N]) -> bool {
-        let (mu, p) = (&x[x.len() - 1], &x[x.len() - 2]);
-        let q = determinant(&family.pair(p.clone()).restitution, self.ring.unknowns());
-        let sign = if mu.as_ball().mid() < 0.0 { -1.0 } else { 1.0 }; // Y8: of the wrong sign it is not larger
-        (mu.clone().signed(sign) - q).certain_sign() == Some(Ordering::Greater)
-    }
-
-    /// Whether what the lemma takes for granted holds for each member of a box of phases and a parameter: flights that take time, to
-    /// their first contacts, and `0 < e < 1`. Lemma Y8
-    fn is_admissible<N: Enclosing + Turning>(&self, family: &Family<OneHarmonic, N>, x: &[N]) -> bool {
-        let e = x.last().map(|p| family.pair(p.clone()).restitution);
-        let is_positive = |x: N| x.certain_sign() == Some(Ordering::Greater);
-        e.is_some_and(|e| is_positive(e.clone()) && is_positive(N::from_f64(1.0) - e))
-            && take_time(self.ring, family, x)
-            && self.is_physical(x)
-    }
-
-    /// Whether no orbit of a box has the eigenvalue `mu`, 1 or -1: `F'_mu` is regular. Lemma Y8
-    fn excludes<N: Enclosing + Turning + Scalar>(&self, family: &Family<OneHarmonic, N>, x: &[N], mu: f64) -> bool {
-        let ring = self.ring;
-        let centre: Vec<f64> = x.iter().map(|x| x.as_ball().mid()).collect();
-        let regular = || {
-            let inverse = Preconditioner::new(&twisted_matrix(ring, &self.setting.floats(), &centre, &mu)?)?;
-            let matrix = twisted_matrix(ring, family, x, &N::from_f64(mu))?;
-            // Any lengths of the coordinates: those of the box.
-            let unit = |x: &N| N::from_f64(0.0).with_radius(x.as_ball().rad());
-            let all: Vec<N> = x[..ring.unknowns()].iter().map(unit).collect();
-            Some(is_inside(&image(&Linear(matrix), &inverse, &all)?, &all))
-        };
-        regular().unwrap_or(false) // exact: not proved
-    }
-
-    /// Whether each flight of the orbits of a box of phases and a parameter is proved to end at its first contact. Lemma T5
-    fn is_physical<N: Enclosing>(&self, x: &[N]) -> bool {
-        let balls: Vec<Ball> = x.iter().map(Enclosing::as_ball).collect();
-        let proved = || {
-            let (p, phases) = balls.split_last()?;
-            let (_, pair) = self.setting.parameter.in_units(&p.as_enclosure()?, f64::MANTISSA_DIGITS).ok()?;
-            let there = <OneHarmonic as Varied>::of(&pair)?;
-            let (chain, phases) = (self.ring.chain(), self.ring.lift(phases));
-            let legs = flights(chain, &self.setting.doubles().pair(*p), &phases)?;
-            there.is_physical(chain, &phases, &legs)
-        };
-        proved() == Some(true)
-    }
-}
-
-/// The equations `L w = 0`.
-struct Linear<N>(DMatrix<N>);
-
-impl<N: Enclosing> Equations<N> for Linear<N> {
-    type Jacobian = DMatrix<N>;
-
-    /// At 0.
-    fn values(&self, x: &[N]) -> Option<Vec<N>> {
-        Some(x.iter().map(|_| N::from_f64(0.0)).collect())
-    }
-
-    fn jacobian(&self, _: &[N]) -> Option<DMatrix<N>> {
-        Some(self.0.clone())
     }
 }

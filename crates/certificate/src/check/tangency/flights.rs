@@ -45,8 +45,8 @@ const FROM_WALL: Start = Start { wall: Some(Wall::Left), is_release: false };
 
 impl<'b> Launch<'b> {
     /// From impacts with these phases and speeds.
-    pub fn new(law: &Law, gap: &Real, [phase, speed]: [&Real; 2], budget: &Budget<'b>) -> Self {
-        let bits = law.bits();
+    pub fn new([gap, e]: [&Real; 2], [phase, speed]: [&Real; 2], budget: &Budget<'b>) -> Self {
+        let bits = e.bits();
         let term =
             Term { amplitude: Affine::fixed(Real::int(1, bits)), phase: Affine::fixed(Real::zero(bits)), rate: None };
         let half_gap = gap.half();
@@ -54,7 +54,7 @@ impl<'b> Launch<'b> {
             shaking: Shaking { waves: vec![term.wave(phase, bits, Affine::hull)] },
             height: -&half_gap,
             half_gap,
-            velocity: law.e.clone() * speed,
+            velocity: e.clone() * speed,
             budget: budget.clone(),
         };
         Self { flight }
@@ -93,7 +93,7 @@ impl<'b> Launch<'b> {
 }
 
 /// Returns about when a flight ends: the first of small steps at whose end the ball is beyond a wall. Non-rigorous.
-pub(super) fn guess(e: f64, gap: f64, [phase, speed]: [f64; 2]) -> Real {
+pub(super) fn guess([gap, e]: [f64; 2], [phase, speed]: [f64; 2]) -> Real {
     let drift = e * speed + phase.cos(); // proposes
     let height = |h: f64| drift * h - (phase + h).sin() + phase.sin(); // proposes
     let is_inside = |h: f64| height(h) > 0.0 && height(h) < gap; // proposes
@@ -116,30 +116,30 @@ pub(super) struct Flown {
 /// Flies from a state to the next impact. Lemma V17
 pub(super) fn fly(
     law: &Law,
-    gap: &Jet,
     from: &State,
     (letter, guess): (Letter, &Real),
     budget: &Budget<'_>,
 ) -> Result<Flown, Doubt> {
-    let (bits, e) = (law.bits(), &law.e);
+    let (bits, gap) = (law.bits(), &law.gap);
     let open = || Doubt::Open("a contact is not proved to be transversal".into());
-    let [theta, speed, level] = [&from.phase, &from.speed, gap].map(|jet| jet.value(bits));
-    let [at, w, d] = [&theta, &speed, &level].map(Affine::hull);
-    let time = Launch::new(law, &d, [&at, &w], budget).first(letter, guess)?;
-    let middle = Launch::new(law, &level.centre, [&theta.centre, &speed.centre], budget);
+    let [theta, speed, level, bounce] = [&from.phase, &from.speed, gap, &law.e].map(|jet| jet.value(bits));
+    let [at, w, d, e] = [&theta, &speed, &level, &bounce].map(Affine::hull);
+    let time = Launch::new([&d, &e], [&at, &w], budget).first(letter, guess)?;
+    let middle = Launch::new([&level.centre, &bounce.centre], [&theta.centre, &speed.centre], budget);
     let own = middle.within(letter, time.clone());
     let (s, c) = at.sin_cos();
     let arrival = e.clone() * &w + &c - &(at + &time).cos();
     let over = |x: Real| x.over(&arrival).ok_or_else(open);
-    // v dtheta_1 = dl - e h dw + (h sin theta + e w) dtheta
-    let slopes = [over(time.clone() * &s + &(e.clone() * &w))?, over(-(time.clone() * e))?, over(Real::int(1, bits))?];
-    let mut terms = vec![(&slopes[0], &theta), (&slopes[1], &speed)];
+    // v dtheta_1 = dl - h (e dw + w de) + (h sin theta + e w) dtheta
+    let by_phase = over(time.clone() * &s + &(e.clone() * &w))?;
+    let slopes = [by_phase, over(-(time.clone() * &e))?, over(Real::int(1, bits))?, over(-(time.clone() * &w))?];
+    let mut terms = vec![(&slopes[0], &theta), (&slopes[1], &speed), (&slopes[3], &bounce)];
     if letter == Letter::Far {
         terms.push((&slopes[2], &level));
     }
     let landing = Affine::of(theta.centre.clone() + &own, &terms);
     let (s, c) = from.phase.sin_cos(bits);
-    let drift = from.speed.times_real(e).plus(&c);
+    let drift = from.speed.times(&law.e).plus(&c);
     let mut phase = Jet::constant_of(landing);
     // The first derivatives, then the second ones.
     for powers in [[jet::X, jet::D], [jet::XX, jet::XD]] {

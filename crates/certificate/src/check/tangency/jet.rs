@@ -1,4 +1,5 @@
-//! Jets: functions of a parameter `x` of a manifold and of `D = d/A`, up to the derivatives that a tangency needs.
+//! Jets: functions of a parameter `x` of a manifold and of `D = d/A`, or of `e` where that is the parameter of the tangency, up to the derivatives
+//! that one needs. Both are called `D` here.
 
 use crate::check::affine::Affine;
 use impact_pair_exact::Real;

@@ -1,20 +1,19 @@
-//! How far the manifolds of the saddle are analytic, proved for complex parameters and a complex `D` (Lemma V18).
+//! How far the manifolds of the saddle are analytic, proved for complex parameters and a complex `D` or `e` (Lemmas V18, V29).
 //!
 //! With `x`, `y`, `z` the phases of three consecutive impacts, all flights to the far wall, the motion is
 //! `E(x, y, z) = c(y, z) - e c(x, y) - (1 + e) cos y = 0`, `c(x, y) = (D - sin x - sin y)/(y + pi - x)` the slope of the flight.
 
 use super::disc::{Disc, most};
-use super::saddle::Law;
 use impact_pair_exact::{Dyadic, Real};
 
 /// Bits of the arithmetic of the suprema.
 const BITS: u32 = 128;
-/// Radii of the disc of the parameter that are tried, as powers of 2.
+/// Radii of the disc of the manifold's parameter that are tried, as powers of 2.
 const RADII: std::ops::RangeInclusive<i64> = 3..=12;
 /// How often the bound of the remainder is doubled.
 const DOUBLED: u32 = 4;
-/// The radius of the disc of `D`, as a power of 2.
-pub(super) const GAP_RADIUS: i64 = -16;
+/// The radius of the disc of the parameter of the tangency, `D` or `e`, as a power of 2.
+pub(super) const RADIUS: i64 = -16;
 
 /// Which manifold.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -23,18 +22,19 @@ pub(super) enum Side {
     Stable,
 }
 
-/// `theta(sigma) = theta_p + sigma + h(sigma)` is analytic for `abs(sigma) <= radius` and all complex `D` at most
-/// `2^GAP_RADIUS` from a real one, with `abs(h) <= bound (abs(sigma)/radius)^2`.
+/// `theta(sigma) = theta_p + sigma + h(sigma)` is analytic for `abs(sigma) <= radius` and all complex `D`, or `e`, at
+/// most `2^RADIUS` from a real one, with `abs(h) <= bound (abs(sigma)/radius)^2`.
 #[derive(Clone, Debug)]
 pub(super) struct Domain {
     pub radius: Real,
     pub bound: Real,
 }
 
-/// The phases of the saddle and its eigenvalues for all `D` of the disc.
-struct Around<'l> {
-    law: &'l Law,
+/// The data, the phases of the saddle and its eigenvalues for all values of the disc.
+struct Around {
     gap: Disc,
+    e: Disc,
+    pi: Real,
     phase: Disc,
     /// An upper bound of the absolute value of what `sigma` is multiplied with towards the saddle.
     ratio: Real,
@@ -44,29 +44,39 @@ struct Around<'l> {
 /// The derivatives of `E`: by the phase of the largest deviation first.
 type Slopes = [Disc; 3];
 
-impl<'l> Around<'l> {
-    /// Lemma V18: Newton's iteration maps each disc into itself, for each `D`.
-    fn new(law: &'l Law, [gap, phase, unstable, stable]: [&Real; 4], side: Side) -> Option<Self> {
+impl Around {
+    /// Lemma V18: Newton's iteration maps each disc into itself, for each value.
+    fn new([gap, e, phase, unstable, stable]: [&Real; 5], is_restitution: bool, side: Side) -> Option<Self> {
         let bits = BITS;
-        let (one, two) = (Real::int(1, bits), Real::int(2, bits));
-        let radius = Real::point(Dyadic::power_of_two(GAP_RADIUS), bits);
-        let steep = law.gap_slope(phase);
-        let around = (radius.clone() * 2).over(&Real::point(steep.enclosure().mig(), bits))?;
-        let phase = Disc::new(phase.clone(), around);
+        let (one, two, pi) = (Real::int(1, bits), Real::int(2, bits), Real::pi(bits));
+        let real = |x: Real| Disc::new(x, Real::zero(bits));
+        let radius = Real::point(Dyadic::power_of_two(RADIUS), bits);
+        let around = Disc::new(if is_restitution { e } else { gap }.clone(), radius);
+        let [gap_disc, e_disc] = if is_restitution { [real(gap.clone()), around] } else { [around, real(e.clone())] };
+        let kappa = |e: &Disc| Some(real(one.clone()).plus(e).times(&real(one.clone()).minus(e).inverse()?));
+        let pi_kappa = kappa(&e_disc)?.times_real(&pi);
+        let at_middle = kappa(&real(e.clone()))?.times_real(&pi);
+        let slope = |pi_kappa: &Disc, (s, c): &(Disc, Disc)| c.times_real(&two).minus(&s.times(pi_kappa));
+        let waves = real(phase.clone()).sin_cos()?;
+        let steep = slope(&at_middle, &waves);
+        // The first step of Newton's iteration from the real phase, and twice it.
+        let miss = pi_kappa.minus(&at_middle).times(&waves.1).minus(&gap_disc.minus(&real(gap.clone())));
+        let first = miss.mag().over(&Real::point(steep.mig().enclosure().mig(), bits))?;
+        let phase = Disc::new(phase.clone(), first * 2);
         let (s, c) = phase.sin_cos()?;
-        let slope = c.times_real(&two).minus(&s.times_real(&(law.pi.clone() * &law.kappa)));
-        let change = slope.times_real(&one.over(&steep)?).minus(&Disc::new(one.clone(), Real::zero(bits)));
+        let change = slope(&pi_kappa, &(s.clone(), c.clone())).times(&steep.inverse()?).minus(&real(one.clone()));
         if !(change.mag() * 2).is_below(&one) {
             return None;
         }
-        let tangent = s.times(&c.inverse()?);
-        let factor = (law.pi.clone() * &(one.clone() - &law.e.square())).half();
-        let trace = tangent.times_real(&factor).plus(&Disc::new(law.e.clone() * 2, Real::zero(bits)));
-        // The trace of the disc, and that of the real value in its middle.
-        let off = trace.minus(&Disc::new(unstable.clone() + stable, Real::zero(bits))).mag();
+        let square = e_disc.times(&e_disc);
+        let factor = real(one.clone()).minus(&square).times_real(&pi.half());
+        let trace = s.times(&c.inverse()?).times(&factor).plus(&e_disc.times_real(&two));
+        // Trace and determinant of the disc, and those of the real value in its middle.
+        let off = trace.minus(&real(unstable.clone() + stable)).mag();
+        let off_square = square.minus(&real(e.square())).mag();
         let size = |x: &Real| Real::point(x.enclosure().mig(), bits);
         let (own, apart) = (if side == Side::Unstable { unstable } else { stable }, size(&(unstable.clone() - stable)));
-        let reach = (most(own) * &off * 2).over(&apart)?;
+        let reach = ((most(own) * &off + &off_square) * 2).over(&apart)?;
         if !((reach.clone() * 2 + &off) * 2).is_below(&apart) {
             return None;
         }
@@ -75,12 +85,12 @@ impl<'l> Around<'l> {
             Side::Stable => most(own) + &reach,
         };
         let ratio = most(&ratio);
-        ratio.is_below(&one).then(|| Self { law, gap: Disc::new(gap.clone(), radius), phase, ratio, side })
+        ratio.is_below(&one).then_some(Self { gap: gap_disc, e: e_disc, pi, phase, ratio, side })
     }
 
     /// The derivatives of `E` where the phases deviate from the saddle by at most this, the largest deviation first.
     fn slopes(&self, deviations: [Real; 3]) -> Option<Slopes> {
-        let Law { e, pi, .. } = self.law;
+        let Self { e, pi, .. } = self;
         let zero = Real::zero(BITS);
         let at = deviations.map(|by| self.phase.plus(&Disc::new(zero.clone(), by)));
         let [x, y, z] = if self.side == Side::Stable {
@@ -97,8 +107,9 @@ impl<'l> Around<'l> {
             Some([slope.minus(c0).times(&time), slope.plus(c1).times(&time).times_real(&Real::int(-1, BITS))])
         };
         let ([first_x, first_y], [second_y, second_z]) = (of_flight(&x, &y)?, of_flight(&y, &z)?);
-        let by_x = first_x.times_real(&-e.clone());
-        let by_y = second_y.minus(&first_y.times_real(e)).plus(&y.0.0.times_real(&(e.clone() + 1)));
+        let by_x = first_x.times(e).times_real(&Real::int(-1, BITS));
+        let more = e.plus(&Disc::new(Real::int(1, BITS), zero));
+        let by_y = second_y.minus(&first_y.times(e)).plus(&y.0.0.times(&more));
         Some(if self.side == Side::Stable { [by_x, by_y, second_z] } else { [second_z, by_y, by_x] })
     }
 
@@ -140,11 +151,10 @@ impl<'l> Around<'l> {
 }
 
 impl Domain {
-    /// Returns the largest disc tried for which it is proved, of the saddle at a real `gap` in its middle.
-    pub fn new(law: &Law, real: [&Real; 4], side: Side) -> Option<Self> {
-        let law = Law { e: law.e.rounded(BITS), kappa: law.kappa.rounded(BITS), pi: law.pi.rounded(BITS) };
+    /// Returns the largest disc tried for which it is proved, of the real `D`, `e`, phase and eigenvalues in the middle, unstable and stable.
+    pub fn new(real: [&Real; 5], is_restitution: bool, side: Side) -> Option<Self> {
         let real = real.map(|x| x.rounded(BITS));
-        let around = Around::new(&law, real.each_ref(), side)?;
+        let around = Around::new(real.each_ref(), is_restitution, side)?;
         RADII.into_iter().find_map(|size| around.domain(&Real::point(Dyadic::power_of_two(-size), BITS)))
     }
 }

@@ -1,5 +1,5 @@
 //! Whether a JSON of tangencies is right: each is found again by single shooting in multiprecision, from manifolds that are
-//! power series of a scalar equation with proved remainders (Lemmas V17-V19).
+//! power series of a scalar equation with proved remainders (Lemmas V17-V19, V29).
 //!
 //! In reading order: [`jet`] and [`disc`] (arithmetic), [`saddle`], [`local`] (where the manifolds are analytic), [`series`],
 //! [`flights`], [`shot`] (from one manifold to the other), [`newton`] (zeros).
@@ -30,8 +30,8 @@ use impact_pair_model::scene::Key;
 use impact_pair_model::watch::{Latched, Watch};
 use impact_pair_model::{Error, ImpactPair};
 use newton::{Zeros, polished, zeros};
-use saddle::Law;
-use shot::{Range, Shot, Unknowns};
+use saddle::{Family, Law};
+use shot::{Range, Shot, Unknowns, known};
 
 /// Bits of the arithmetic beyond those of the box in which a tangency is found.
 const SPARE_BITS: i64 = 112;
@@ -73,51 +73,59 @@ impl TangencyCertificate {
 }
 
 /// The exact data of a tangency, and what its parameter is in them.
-struct Setting<'c> {
-    /// `A` where the gap varies, `d` where the amplitude does.
-    other: &'c Exact,
-    restitution: &'c Exact,
+struct Setting {
+    /// `A` where the gap varies, `d` where the amplitude does; 1 where the restitution does.
+    unit: Exact,
+    /// `e`, or `D = d/A` where the restitution varies.
+    other: Exact,
     key: Key,
 }
 
-impl<'c> Setting<'c> {
-    fn new(pair: &'c ImpactPair, key: Key) -> Result<Self, Doubt> {
+impl Setting {
+    fn new(pair: &ImpactPair, key: Key) -> Result<Self, Doubt> {
         let reason = |error: Error| Doubt::Open(error.to_string());
         let harmonic =
             pair.excitation().only().ok_or_else(|| open("with several harmonics, tangencies are not checked"))?;
-        let other = match key {
-            Key::Gap => harmonic.amplitude(),
+        let restitution = || pair.restitution().clone();
+        let (unit, other) = match key {
+            Key::Gap => (harmonic.amplitude().clone(), restitution()),
             Key::Amplitude(_) => match pair.harmonic_of(key).map_err(reason)? {
-                (_, None) => pair.gap(),
+                (_, None) => (pair.gap().clone(), restitution()),
                 (_, Some(_)) => return Err(open("tangencies over one of several terms are not checked")),
             },
-            _ => return Err(open("tangencies over the restitution are not checked")),
+            Key::Restitution => {
+                let gap = pair.gap().checked_div(harmonic.amplitude());
+                (Exact::from(1), gap.map_err(|error| Doubt::Open(error.to_string()))?)
+            }
+            _ => return Err(open("only tangencies over gap, amplitude and restitution are checked")),
         };
-        let restitution = pair.restitution();
-        if other.is_point() && restitution.is_point() {
-            Ok(Self { other, restitution, key })
+        if unit.is_point() && other.is_point() {
+            Ok(Self { unit, other, key })
         } else {
             Err(open("only tangencies of a pair whose other data are points are checked"))
         }
     }
 
-    fn law(&self, bits: u32) -> Result<Law, Doubt> {
-        let e = Real::of(self.restitution, bits);
-        let law = Law::new(e.clone()).filter(|_| e.is_positive() && e.is_below(&Real::int(1, bits)));
-        law.ok_or_else(|| open("a coefficient of restitution between 0 and 1 is needed"))
+    fn family(&self, bits: u32) -> Family {
+        Family { is_restitution: self.key == Key::Restitution, other: Real::of(&self.other, bits) }
     }
 
-    /// `D = d/A` of values of the parameter.
+    /// `D = d/A` or `e` of values of the parameter.
     fn reduced(&self, parameter: &Real) -> Result<Real, Doubt> {
-        let other = Real::of(self.other, parameter.bits());
-        let quotient = if self.key == Key::Gap { parameter.over(&other) } else { other.over(parameter) };
+        let unit = Real::of(&self.unit, parameter.bits());
+        let quotient = if self.is_falling() { unit.over(parameter) } else { parameter.over(&unit) };
         quotient.filter(Real::is_positive).ok_or_else(|| open("the parameter is not proved to be positive"))
     }
 
-    /// The parameter of values of `D`.
-    fn parameter(&self, gap: &Real) -> Option<Real> {
-        let other = Real::of(self.other, gap.bits());
-        if self.key == Key::Gap { Some(other * gap) } else { other.over(gap) }
+    /// The parameter of values of `D` or `e`.
+    fn parameter(&self, reduced: &Real) -> Option<Real> {
+        let unit = Real::of(&self.unit, reduced.bits());
+        if self.is_falling() { unit.over(reduced) } else { Some(unit * reduced) }
+    }
+
+    /// Whether `D` falls where the parameter grows.
+    fn is_falling(&self) -> bool {
+        matches!(self.key, Key::Amplitude(_))
     }
 }
 
@@ -146,7 +154,7 @@ impl ClaimedTangency {
     }
 
     /// With a box that is N bits narrower than the claimed one.
-    fn judged_inside(&self, setting: &Setting<'_>, range: &mut Range<'_>, inside: i64) -> Result<u32, Doubt> {
+    fn judged_inside(&self, setting: &Setting, range: &mut Range<'_>, inside: i64) -> Result<u32, Doubt> {
         let widths = [&self.unstable, &self.stable, &self.parameter].map(|[low, high]| high - low);
         let widths = widths.map(|width| Real::rational(&width, 64).enclosure().mag().top());
         let narrowest = widths.into_iter().map(|top| top.ok_or_else(|| open("the bounds have no width")));
@@ -154,13 +162,14 @@ impl ClaimedTangency {
         let bits = SPARE_BITS + inside - narrowest;
         let bits = u32::try_from(bits.min(MOST_BITS + 1)).ok().filter(|bits| i64::from(*bits) <= MOST_BITS); // proposes
         let bits = bits.ok_or_else(|| open("the bounds are too narrow"))?;
-        let law = setting.law(bits)?;
+        let family = setting.family(bits);
         let claimed = self.claimed(setting, bits)?;
-        self.is_saddle(&law, &claimed[2])?;
-        self.compare_saddle(&law, range, &claimed[2])?;
-        let (at, here) = polished(range, &law, &claimed, narrowest - inside - 8).or_else(|doubt| {
+        let law = known(family.law_over(&claimed[2]))?;
+        self.is_saddle(&law)?;
+        self.compare_saddle(&law, range)?;
+        let (at, here) = polished(range, &family, &claimed, narrowest - inside - 8).or_else(|doubt| {
             // No tangency near them, and perhaps none in them.
-            self.none(range, &law, &claimed).and(Err(unproved(doubt)))
+            self.none(range, &family, &claimed).and(Err(unproved(doubt)))
         })?;
         let small = [0, 1, 2].map(|i| {
             let mut width = claimed[i].clone() - &claimed[i].middle();
@@ -169,14 +178,14 @@ impl ClaimedTangency {
         });
         let is_in = |i: usize| claimed[i].enclosure().contains_enclosure(small[i].enclosure());
         if !(0..3).all(is_in) {
-            self.none(range, &law, &claimed)?;
+            self.none(range, &family, &claimed)?;
             return Err(open("the tangency that is found is not proved to be inside the bounds"));
         }
-        let over = range.shot(&law, &small).map_err(unproved)?;
+        let over = range.shot(&family, &small).map_err(unproved)?;
         if !matches!(zeros(&small, (&at, &here), &over), Zeros::One) {
             return Err(open("a tangency is not proved to exist"));
         }
-        let whole = range.shot(&law, &claimed)?;
+        let whole = range.shot(&family, &claimed)?;
         if !matches!(zeros(&claimed, (&at, &here), &whole), Zeros::One | Zeros::AtMostOne) {
             return Err(open("the bounds are too wide to prove that there is only one tangency"));
         }
@@ -185,16 +194,16 @@ impl ClaimedTangency {
     }
 
     /// The claimed values of the three unknowns.
-    fn claimed(&self, setting: &Setting<'_>, bits: u32) -> Result<Unknowns, Doubt> {
+    fn claimed(&self, setting: &Setting, bits: u32) -> Result<Unknowns, Doubt> {
         let all = |bounds: &Bounds| hull(&bounds.each_ref().map(|bound| Real::rational(bound, bits)));
         Ok([all(&self.unstable), all(&self.stable), setting.reduced(&all(&self.parameter))?])
     }
 
     /// Refutes the claim where no value of the bounds is a tangency.
-    fn none(&self, range: &mut Range<'_>, law: &Law, claimed: &Unknowns) -> Result<(), Doubt> {
+    fn none(&self, range: &mut Range<'_>, family: &Family, claimed: &Unknowns) -> Result<(), Doubt> {
         let middle = claimed.clone().map(|x| x.middle());
-        let over = range.shot(law, claimed)?;
-        let here = range.shot(law, &middle).map_err(unproved)?;
+        let over = range.shot(family, claimed)?;
+        let here = range.shot(family, &middle).map_err(unproved)?;
         match zeros(claimed, (&middle, &here), &over) {
             Zeros::None => Err(Doubt::False("there is no tangency within the bounds".into())),
             _ => Ok(()),
@@ -203,10 +212,11 @@ impl ClaimedTangency {
 
     /// The only fixed point with the claimed phase, for the values of the parameter, is the equispaced orbit with `N = 1`: a fixed point has
     /// `D = N pi kappa cos(theta) + 2 sin(theta)` with an odd `N` (Lemma V17).
-    fn is_saddle(&self, law: &Law, gap: &Real) -> Result<(), Doubt> {
+    fn is_saddle(&self, law: &Law) -> Result<(), Doubt> {
         let phase = hull(&self.phase.each_ref().map(|bound| Real::rational(bound, law.bits())));
         let (s, c) = phase.sin_cos();
-        let periods = (gap.clone() - &(s * 2)).over(&(law.pi.clone() * &law.kappa * &c));
+        let pi_kappa = law.pi_kappa().ok_or_else(|| open("a coefficient of restitution below 1 is needed"))?;
+        let periods = (law.gap_hull() - &(s * 2)).over(&(pi_kappa * &c));
         let Some(periods) = periods.filter(|x| x.enclosure().wid().top().is_none_or(|top| top <= 0)) else {
             return Err(open("the bounds of the saddle are too wide"));
         };
@@ -220,8 +230,8 @@ impl ClaimedTangency {
     }
 
     /// The saddle and its eigenvalues for all values of the parameter. Lemma V17
-    fn compare_saddle(&self, law: &Law, range: &Range<'_>, gap: &Real) -> Result<(), Doubt> {
-        let saddle = range.saddle_over(law, gap)?;
+    fn compare_saddle(&self, law: &Law, range: &Range<'_>) -> Result<(), Doubt> {
+        let saddle = range.saddle(law)?;
         let bits = law.bits();
         let phase = saddle.phase.value(bits).hull();
         let speed = law.speed(&phase).ok_or_else(|| open("a coefficient of restitution below 1 is needed"))?;
@@ -248,9 +258,9 @@ impl ClaimedTangency {
     }
 
     /// All numbers of the tangency in a box are as claimed.
-    fn compare(&self, setting: &Setting<'_>, found: &Unknowns, shot: &Shot) -> Result<(), Doubt> {
+    fn compare(&self, setting: &Setting, found: &Unknowns, shot: &Shot) -> Result<(), Doubt> {
         let bits = found[2].bits();
-        let law = setting.law(bits)?;
+        let law = known(setting.family(bits).law_over(&found[2]))?;
         let parameter =
             setting.parameter(&found[2]).ok_or_else(|| open("the parameter is not proved to be positive"))?;
         compare("parameter", &parameter, &self.parameter)?;
@@ -275,16 +285,15 @@ impl ClaimedTangency {
         }
         at_least("speed", shot.all_speeds(), &self.least_speed)?;
         at_least("flight", shot.all_times(), &self.least_flight)?;
-        self.compare_sides(setting.key)
+        self.compare_sides(setting)
     }
 
     /// Two common points are on the side of `(D - D*) q/m < 0`, and neither range holds the tangency. Lemma V21
-    fn compare_sides(&self, key: Key) -> Result<(), Doubt> {
+    fn compare_sides(&self, setting: &Setting) -> Result<(), Doubt> {
         let Some([two, none]) = &self.beside else { return Ok(()) };
         let is_positive = |[low, _]: &Bounds| low.is_positive();
         let is_alike = is_positive(&self.quadratic) == is_positive(&self.unfolding);
-        // D falls where the amplitude grows.
-        let is_below = is_alike == (key == Key::Gap);
+        let is_below = is_alike != setting.is_falling();
         let (lower, upper) = if is_below { (two, none) } else { (none, two) };
         let is_range = |[low, high]: &Bounds| low < high;
         if is_range(two) && is_range(none) && lower[1] < self.parameter[0] && self.parameter[1] < upper[0] {

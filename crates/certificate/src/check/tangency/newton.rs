@@ -1,7 +1,7 @@
 //! Three equations in three unknowns: Newton's iteration, and the proof of a zero and that it is the only one (Lemma V19).
 
 use super::disc::most;
-use super::saddle::Law;
+use super::saddle::Family;
 use super::shot::{Range, Shot, Unknowns};
 use crate::check::contact::Doubt;
 use impact_pair_exact::Real;
@@ -45,14 +45,14 @@ fn along(row: &[Real; 3], vector: &[Real; 3]) -> Real {
 /// Returns a point next to a zero, from a guess; non-rigorous.
 pub(super) fn polished(
     range: &mut Range<'_>,
-    law: &Law,
+    family: &Family,
     guess: &Unknowns,
     size: i64,
 ) -> Result<(Unknowns, Shot), Doubt> {
-    let mut at = guess.clone().map(|x| x.at(law.bits()).middle());
+    let mut at = guess.clone().map(|x| x.at(family.bits()).middle());
     let mut before = None;
     for _ in 0..STEPS {
-        let shot = range.shot(law, &at)?;
+        let shot = range.shot(family, &at)?;
         let newton =
             inverse(&shot.slopes()).ok_or_else(|| Doubt::Open("no tangency is found near the bounds".into()))?;
         let residual = shot.residual();

@@ -1,6 +1,6 @@
-//! The paper's equispaced orbit as a fixed point of the reduced map, and its eigenvalues, over values of `D` (Lemma V17).
+//! The paper's equispaced orbit as a fixed point of the reduced map, and its eigenvalues, over values of the parameter (Lemmas V17, V29).
 
-use super::jet::Jet;
+use super::jet::{D, Jet};
 use crate::check::affine::Affine;
 use impact_pair_exact::Real;
 
@@ -9,17 +9,25 @@ const STEPS: u32 = 64;
 /// The widest neighbourhood of a fixed point that is tried, as a power of 2.
 const WIDEST: i64 = -3;
 
-/// Coefficient of restitution and what follows from it.
+/// A family of reduced maps: which of `D = d/A` and `e` is the parameter, and the other one.
+#[derive(Clone, Debug)]
+pub(super) struct Family {
+    pub is_restitution: bool,
+    pub other: Real,
+}
+
+/// The data of the reduced maps for a set of values of the parameter, as jets in it.
 #[derive(Clone, Debug)]
 pub(super) struct Law {
+    /// `D`
+    pub gap: Jet,
     /// `e`
-    pub e: Real,
-    /// `kappa = (1 + e)/(1 - e)`
-    pub kappa: Real,
+    pub e: Jet,
+    pub parameter: Affine,
     pub pi: Real,
 }
 
-/// The fixed point as functions of `D`.
+/// The fixed point as functions of the parameter.
 pub(super) struct Saddle {
     /// `theta`, the phase of its impacts.
     pub phase: Jet,
@@ -29,36 +37,77 @@ pub(super) struct Saddle {
     pub stable: Jet,
 }
 
-impl Law {
-    /// Of `0 < e < 1`.
-    pub fn new(e: Real) -> Option<Self> {
-        let one = Real::int(1, e.bits());
-        let kappa = (one.clone() + &e).over(&(one - &e))?;
-        Some(Self { pi: Real::pi(e.bits()), e, kappa })
-    }
-
+impl Family {
     pub fn bits(&self) -> u32 {
-        self.e.bits()
+        self.other.bits()
     }
 
-    /// `pi kappa cos theta + 2 sin theta`. **Equation** (67)
-    pub fn gap(&self, phase: &Real) -> Real {
-        let (s, c) = phase.sin_cos();
-        self.pi.clone() * &self.kappa * &c + &(s * 2)
+    /// Returns the data for values of the parameter; `None` where these are not `0 < e < 1` and `D > 0`, proved.
+    pub fn law(&self, parameter: &Affine) -> Option<Law> {
+        let one = Real::int(1, self.bits());
+        let varied = Jet::with_slope(parameter.clone(), Affine::fixed(one.clone()));
+        let fixed = Jet::constant(self.other.clone());
+        let [gap, e] = if self.is_restitution { [fixed, varied] } else { [varied, fixed] };
+        let law = Law { gap, e, parameter: parameter.clone(), pi: Real::pi(self.bits()) };
+        let (gap, e) = (law.gap_hull(), law.e_hull());
+        (gap.is_positive() && e.is_positive() && e.is_below(&one)).then_some(law)
     }
 
-    /// Its derivative.
-    pub fn gap_slope(&self, phase: &Real) -> Real {
-        let (s, c) = phase.sin_cos();
-        c * 2 - &(self.pi.clone() * &self.kappa * &s)
+    /// Returns the data for all values of the parameter in a set.
+    pub fn law_over(&self, parameter: &Real) -> Option<Law> {
+        let middle = parameter.middle();
+        let off = (parameter.clone() - &middle).enclosure().mag();
+        self.law(&if off.is_zero() { Affine::fixed(middle) } else { Affine::varied(middle, off, 0) })
+    }
+}
+
+impl Law {
+    pub fn bits(&self) -> u32 {
+        self.pi.bits()
     }
 
-    /// The fixed point with the phase next to a guess, for all `gap`; `None` where none is proved.
-    fn phase(&self, gap: &Real, guess: &Real) -> Option<Real> {
-        let middle = gap.middle();
+    /// Encloses all `D`.
+    pub fn gap_hull(&self) -> Real {
+        self.gap.value(self.bits()).hull()
+    }
+
+    /// Encloses all `e`.
+    pub fn e_hull(&self) -> Real {
+        self.e.value(self.bits()).hull()
+    }
+
+    /// `kappa = (1 + e)/(1 - e)`
+    fn kappa(&self) -> Option<Jet> {
+        let one = Jet::constant(Real::int(1, self.bits()));
+        one.plus(&self.e).over(&one.minus(&self.e), self.bits())
+    }
+
+    /// `pi kappa`, of all `e`.
+    pub fn pi_kappa(&self) -> Option<Real> {
+        Some(self.pi.clone() * &self.kappa()?.value(self.bits()).hull())
+    }
+
+    /// The law at the middle of the parameter's values.
+    fn middle(&self) -> Self {
+        let fixed = |x: &Jet| Jet::constant(x.value(self.bits()).centre);
+        let parameter = Affine::fixed(self.parameter.centre.clone());
+        Self { gap: fixed(&self.gap), e: fixed(&self.e), parameter, pi: self.pi.clone() }
+    }
+
+    /// The fixed point with the phase next to a guess, for all values; `None` where none is proved. **Equation** (67)
+    fn phase(&self, guess: &Real) -> Option<Real> {
+        let (pi_kappa, gap) = (self.pi_kappa()?, self.gap_hull());
+        let miss = |phase: &Real| {
+            let (s, c) = phase.sin_cos();
+            pi_kappa.clone() * &c + &(s * 2) - &gap
+        };
+        let slope = |phase: &Real| {
+            let (s, c) = phase.sin_cos();
+            c * 2 - &(pi_kappa.clone() * &s)
+        };
         let mut at = guess.middle();
         for _ in 0..STEPS {
-            let step = (self.gap(&at) - &middle).over(&self.gap_slope(&at))?.middle();
+            let step = miss(&at).middle().over(&slope(&at).middle())?.middle();
             at = (at - &step).middle();
             if step.enclosure().mag().top().is_none_or(|top| top < 8 - i64::from(self.bits())) {
                 break;
@@ -69,7 +118,7 @@ impl Law {
         // Interval Newton: it maps a neighbourhood into itself.
         while reach.enclosure().mag().top().is_none_or(|top| top < WIDEST) {
             let around = at.clone() + &Real::within(reach.enclosure().sup(), self.bits());
-            let found = at.clone() - &(self.gap(&at) - gap).over(&self.gap_slope(&around))?;
+            let found = at.clone() - &miss(&at).over(&slope(&around))?;
             if (at.clone() - &reach).is_below(&found) && found.is_below(&(at.clone() + &reach)) {
                 return Some(found);
             }
@@ -78,28 +127,36 @@ impl Law {
         None
     }
 
-    /// Returns the fixed point with the phase next to a guess, for all `gap`; `None` where it is not proved to be a saddle.
-    pub fn saddle(&self, gap: &Affine, guess: &Real) -> Option<Saddle> {
+    /// The derivative of the phase of the fixed point by the parameter, at phases.
+    fn phase_slope(&self, phase: Affine) -> Option<Affine> {
         let bits = self.bits();
-        let everywhere = self.phase(&gap.hull(), guess)?;
-        let centre = if gap.is_fixed() { everywhere.clone() } else { self.phase(&gap.centre, &everywhere)? };
+        let pi_kappa = self.kappa()?.times_real(&self.pi);
+        let (s, c) = Jet::constant_of(phase).sin_cos(bits);
+        let miss = pi_kappa.times(&c).plus(&s.times_integer(2)).minus(&self.gap);
+        let steep = c.times_integer(2).minus(&pi_kappa.times(&s));
+        let [miss, steep] = [miss.at(D, bits), steep.value(bits)].map(Jet::constant_of);
+        Some(miss.times_integer(-1).over(&steep, bits)?.value(bits))
+    }
+
+    /// Returns the fixed point with the phase next to a guess, for all values; `None` where it is not proved to be a saddle.
+    pub fn saddle(&self, guess: &Real) -> Option<Saddle> {
+        let bits = self.bits();
+        let everywhere = self.phase(guess)?;
+        let centre = if self.parameter.is_fixed() { everywhere.clone() } else { self.middle().phase(&everywhere)? };
         // The zero in the middle is the one of the neighbourhood in which there is one only, for each of the values.
         if !everywhere.enclosure().contains_enclosure(centre.enclosure()) {
             return None;
         }
         let one = Real::int(1, bits);
-        let slope = one.over(&self.gap_slope(&everywhere))?;
-        let value = Affine::of(centre, &[(&slope, gap)]);
-        let (s, c) = Jet::constant_of(value.clone()).sin_cos(bits);
-        let steep = c.times_integer(2).minus(&s.times_real(&(self.pi.clone() * &self.kappa)));
-        let derivative = Jet::constant(one.clone()).over(&steep, bits)?.value(bits);
-        let phase = Jet::with_slope(value, derivative);
+        let slope = self.phase_slope(Affine::fixed(everywhere))?.hull();
+        let value = Affine::of(centre, &[(&slope, &self.parameter)]);
+        let phase = Jet::with_slope(value.clone(), self.phase_slope(value)?);
         let (s, c) = phase.sin_cos(bits);
         let tangent = s.over(&c, bits)?;
         // The trace is 2 e + (pi/2)(1 - e^2) tan theta, the determinant e^2.
-        let factor = (self.pi.clone() * &(one.clone() - &self.e.square())).half();
-        let half = tangent.times_real(&factor.half()).plus(&Jet::constant(self.e.clone()));
-        let square = Jet::constant(self.e.square());
+        let square = self.e.times(&self.e);
+        let quarter = self.pi.half().half();
+        let half = Jet::constant(one.clone()).minus(&square).times_real(&quarter).times(&tangent).plus(&self.e);
         let root = half.times(&half).minus(&square).sqrt(bits)?;
         let unstable = if half.value(bits).hull().is_positive() { half.plus(&root) } else { half.minus(&root) };
         let stable = square.over(&unstable, bits)?;
@@ -110,6 +167,6 @@ impl Law {
 
     /// `w = 2 cos(theta)/(1 - e)`, the speed before its impacts. **Equation** (66)
     pub fn speed(&self, phase: &Real) -> Option<Real> {
-        (phase.cos() * 2).over(&(Real::int(1, self.bits()) - &self.e))
+        (phase.cos() * 2).over(&(Real::int(1, self.bits()) - &self.e_hull()))
     }
 }

@@ -1,7 +1,7 @@
 //! A manifold of the saddle as a power series with a proved remainder (Lemmas V17, V18).
 
 use super::jet::{self, Jet};
-use super::local::{Domain, GAP_RADIUS, Side};
+use super::local::{Domain, RADIUS, Side};
 use super::saddle::{Law, Saddle};
 use crate::check::affine::Affine;
 use impact_pair_exact::{Dyadic, Real};
@@ -20,7 +20,7 @@ pub(super) struct Series {
     domain: Domain,
 }
 
-/// A point of a manifold, as a jet in its parameter and `D`.
+/// A point of a manifold, as a jet in its parameter and that of the law.
 #[derive(Clone, Debug)]
 pub(super) struct State {
     /// `theta` \[rad\]
@@ -32,17 +32,18 @@ pub(super) struct State {
 impl Series {
     /// Returns as many coefficients as the remainder at `abs(sigma) <= most` needs to be less than `2^-bits`; `None` where
     /// it is not proved.
-    pub fn new(law: &Law, saddle: &Saddle, gap: &Jet, (side, domain): (Side, Domain), most: &Real) -> Option<Self> {
-        let bits = law.bits();
+    pub fn new(law: &Law, saddle: &Saddle, (side, domain): (Side, Domain), most: &Real) -> Option<Self> {
+        let (bits, gap) = (law.bits(), &law.gap);
         let ratio = if side == Side::Unstable { &saddle.unstable } else { &saddle.stable }.clone();
         let count = domain.count(most, bits)?;
         let mut phases = vec![saddle.phase.clone()];
         let (s, c) = saddle.phase.sin_cos(bits);
-        let (pi, e) = (Jet::constant(law.pi.clone()), Jet::constant(law.e.clone()));
+        let (pi, e) = (Jet::constant(law.pi.clone()), &law.e);
         let twice = s.times_integer(2);
         let mut slopes = vec![gap.minus(&twice).over(&pi, bits)?];
         let (mut sines, mut cosines) = (vec![s.clone()], vec![c.clone()]);
         let (mut power, one) = (Jet::constant(Real::int(1, bits)), Jet::constant(Real::int(1, bits)));
+        let more = one.plus(e);
         let mut times: Vec<Jet> = vec![pi.clone()];
         for n in 1..=count {
             power = power.times(&ratio);
@@ -53,7 +54,7 @@ impl Series {
             let divided = |x: Option<Jet>| x.map(|x| x.times_real(&reciprocal(n, bits)));
             let (sine, cosine) = (divided(of(&cosines)), divided(of(&sines).map(|x| x.times_integer(-1))));
             // k_n = (1 + e) L^n c_n/(L^n - e)
-            let factor = power.times_real(&(law.e.clone() + 1)).over(&power.minus(&e), bits)?;
+            let factor = power.times(&more).over(&power.minus(e), bits)?;
             let next = if n == 1 {
                 one.clone()
             } else {
@@ -84,7 +85,7 @@ impl Series {
     }
 
     /// Returns the point with the parameter `sigma + x`.
-    pub fn at(&self, law: &Law, gap: &Jet, sigma: &Affine) -> Option<State> {
+    pub fn at(&self, law: &Law, sigma: &Affine) -> Option<State> {
         let bits = law.bits();
         let most = Real::point(sigma.hull().enclosure().mag(), bits);
         let one = Affine::fixed(Real::int(1, bits));
@@ -92,7 +93,7 @@ impl Series {
         let phase = self.phase(&here, &most, bits)?;
         let (s, c) = phase.sin_cos(bits);
         let pi = Jet::constant(law.pi.clone());
-        let flown = |from: &Jet, to: &Jet, sines: Jet| gap.minus(&sines).over(&to.minus(from).plus(&pi), bits);
+        let flown = |from: &Jet, to: &Jet, sines: Jet| law.gap.minus(&sines).over(&to.minus(from).plus(&pi), bits);
         let speed = match self.side {
             Side::Unstable => {
                 let before = self.phase(&here.over(&self.ratio, bits)?, &most, bits)?;
@@ -102,7 +103,7 @@ impl Series {
             Side::Stable => {
                 let after = self.phase(&here.times(&self.ratio), &most, bits)?;
                 let (sine, _) = after.sin_cos(bits);
-                flown(&phase, &after, sine.plus(&s))?.minus(&c).over(&Jet::constant(law.e.clone()), bits)?
+                flown(&phase, &after, sine.plus(&s))?.minus(&c).over(&law.e, bits)?
             }
         };
         Some(State { phase, speed })
@@ -151,12 +152,12 @@ impl Domain {
         let value = (below.clone() * &x.square()).over(&room)?;
         let first = (below.clone() * &x * order).over(&(self.radius.clone() * &room.square()))?;
         let second = (below * (order * (order - 1))).half().over(&(self.radius.square() * &room.square() * &room))?;
-        // Cauchy's estimate on half of the disc of D.
-        let by_gap = Real::point(Dyadic::power_of_two(1 - GAP_RADIUS), bits);
+        // Cauchy's estimate on half of the disc of the parameter.
+        let by_parameter = Real::point(Dyadic::power_of_two(1 - RADIUS), bits);
         let ball = |x: Real| Some(Affine::fixed(Real::within(&x.enclosure().mag(), bits)).recentred());
-        let [of_gap, of_both] = [&value, &first].map(|x| ball(x.clone() * &by_gap));
+        let [of_parameter, of_both] = [&value, &first].map(|x| ball(x.clone() * &by_parameter));
         let mut terms = [ball(value), ball(first), None, None, None];
-        (terms[jet::XX], terms[jet::D], terms[jet::XD]) = (ball(second), of_gap, of_both);
+        (terms[jet::XX], terms[jet::D], terms[jet::XD]) = (ball(second), of_parameter, of_both);
         Some(Jet::new(terms))
     }
 }

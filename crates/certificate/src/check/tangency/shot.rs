@@ -1,16 +1,16 @@
 //! Single shooting: from the unstable manifold along the word to the stable one, for all values of a box (Lemma V19).
 
 use super::flights::{Launch, Letter, across, fly, guess};
-use super::jet::{self, Jet, scaled};
-use super::local::{Domain, GAP_RADIUS, Side};
-use super::saddle::{Law, Saddle};
+use super::jet::{self, scaled};
+use super::local::{Domain, RADIUS, Side};
+use super::saddle::{Family, Law, Saddle};
 use super::series::{Series, State};
 use crate::check::affine::Affine;
 use crate::check::budget::Budget;
 use crate::check::contact::Doubt;
 use impact_pair_exact::{Dyadic, Real};
 
-/// `sigma_u`, `sigma_s`, `D`
+/// `sigma_u`, `sigma_s`, and the parameter, `D` or `e`
 pub(super) type Unknowns = [Real; 3];
 
 /// What does not depend on the box: where the manifolds are analytic, the word, and about when its flights end.
@@ -20,7 +20,7 @@ pub(super) struct Range<'b> {
     /// A phase near that of the saddle.
     pub near: Real,
     guesses: Vec<Real>,
-    /// A real `D`, and the domains of both manifolds around it.
+    /// A real value of the parameter, and the domains of both manifolds around it.
     around: Option<(Real, [Domain; 2])>,
 }
 
@@ -40,61 +40,61 @@ fn open(message: &str) -> Doubt {
     Doubt::Open(message.into())
 }
 
+/// The data, where they are proved to be some.
+pub(super) fn known(law: Option<Law>) -> Result<Law, Doubt> {
+    law.ok_or_else(|| open("a coefficient of restitution between 0 and 1 and a positive gap are needed"))
+}
+
 impl<'b> Range<'b> {
     pub fn new(letters: Vec<Letter>, near: Real, budget: Budget<'b>) -> Self {
         Self { letters, budget, near, guesses: Vec::new(), around: None }
     }
 
-    fn saddle(&self, law: &Law, gap: &Affine) -> Result<Saddle, Doubt> {
-        law.saddle(gap, &self.near.at(law.bits()))
+    /// Returns the saddle for all values of the parameter.
+    pub fn saddle(&self, law: &Law) -> Result<Saddle, Doubt> {
+        law.saddle(&self.near.at(law.bits()))
             .ok_or_else(|| open("the equispaced orbit is not proved to be a saddle for this parameter"))
     }
 
-    /// Returns the saddle for all values of `D`.
-    pub fn saddle_over(&self, law: &Law, gap: &Real) -> Result<Saddle, Doubt> {
-        let middle = gap.middle();
-        let off = (gap.clone() - &middle).enclosure().mag();
-        self.saddle(law, &Affine::varied(middle, off, 0))
-    }
-
-    /// Proves where the manifolds are analytic, once for all `D` near the first one. Lemma V18
-    fn domains(&mut self, law: &Law, gap: &Real) -> Result<[Domain; 2], Doubt> {
+    /// Proves where the manifolds are analytic, once for all values of the parameter near the first one. Lemma V18
+    fn domains(&mut self, family: &Family, parameter: &Real) -> Result<[Domain; 2], Doubt> {
+        let bits = family.bits();
         if self.around.is_none() {
-            let gap = gap.middle();
-            let own = self.saddle(law, &Affine::fixed(gap.clone()))?;
-            let bits = law.bits();
+            let middle = parameter.middle();
+            let law = known(family.law_over(&middle))?;
+            let own = self.saddle(&law)?;
             let [phase, unstable, stable] = [&own.phase, &own.unstable, &own.stable].map(|x| x.value(bits).hull());
-            let real = [&gap, &phase, &unstable, &stable];
+            let real = [&law.gap_hull(), &law.e_hull(), &phase, &unstable, &stable];
             let domain = |side| {
-                Domain::new(law, real, side)
+                Domain::new(real, family.is_restitution, side)
                     .ok_or_else(|| open("the invariant manifolds are not proved to be analytic near the saddle"))
             };
             let domains = [domain(Side::Unstable)?, domain(Side::Stable)?];
-            self.around = Some((gap, domains));
+            self.around = Some((middle, domains));
         }
         let (middle, domains) = self.around.as_ref().expect("it is proved above");
-        let off = Real::point((gap.clone() - middle).enclosure().mag(), law.bits());
-        let half = Real::point(Dyadic::power_of_two(GAP_RADIUS - 1), law.bits());
+        let off = Real::point((parameter.clone() - middle).enclosure().mag(), bits);
+        let half = Real::point(Dyadic::power_of_two(RADIUS - 1), bits);
         if off.is_below(&half) { Ok(domains.clone()) } else { Err(open("the bounds of the parameter are too wide")) }
     }
 
     /// The orbits of all values of a box, its middle the point that derivatives are not taken at.
-    pub fn shot(&mut self, law: &Law, box_: &Unknowns) -> Result<Shot, Doubt> {
-        let bits = law.bits();
-        // Most quantities depend on D alone: it is the first deviation.
+    pub fn shot(&mut self, family: &Family, box_: &Unknowns) -> Result<Shot, Doubt> {
+        let bits = family.bits();
+        // Most quantities depend on the parameter alone: it is the first deviation.
         let varied = |j: usize| {
             let middle = box_[j].middle();
             let off = (box_[j].clone() - &middle).enclosure().mag();
             if off.is_zero() { Affine::fixed(middle) } else { Affine::varied(middle, off, 2 - j) }
         };
         let [u, s, d] = [0, 1, 2].map(varied);
-        let domains = self.domains(law, &d.hull())?;
-        let saddle = self.saddle(law, &d)?;
-        let gap = Jet::with_slope(d, Affine::fixed(Real::int(1, bits)));
+        let domains = self.domains(family, &d.hull())?;
+        let law = &known(family.law(&d))?;
+        let saddle = self.saddle(law)?;
         let manifold = |side, domain: &Domain, sigma: &Affine| {
             let most = Real::point(sigma.hull().enclosure().mag(), bits);
-            let series = Series::new(law, &saddle, &gap, (side, domain.clone()), &most);
-            let found = series.and_then(|series| Some((series.at(law, &gap, sigma)?, series)));
+            let series = Series::new(law, &saddle, (side, domain.clone()), &most);
+            let found = series.and_then(|series| Some((series.at(law, sigma)?, series)));
             found.ok_or_else(|| open("the parameter of an invariant manifold is too far from the saddle"))
         };
         let (mut state, unstable) = manifold(Side::Unstable, &domains[0], &u)?;
@@ -104,13 +104,13 @@ impl<'b> Range<'b> {
         for (k, letter) in self.letters.iter().enumerate() {
             if self.guesses.len() == k {
                 let middle = [&state.phase, &state.speed].map(|x| x.value(bits).centre.to_f64());
-                self.guesses.push(guess(law.e.to_f64(), gap.value(bits).centre.to_f64(), middle));
+                self.guesses.push(guess([&law.gap, &law.e].map(|x| x.value(bits).centre.to_f64()), middle));
             }
             let at = |doubt| match doubt {
                 Doubt::False(message) => Doubt::False(format!("flight {}: {message}", k + 1)),
                 Doubt::Open(message) => Doubt::Open(format!("flight {}: {message}", k + 1)),
             };
-            let flown = fly(law, &gap, &state, (*letter, &self.guesses[k]), &self.budget).map_err(at)?;
+            let flown = fly(law, &state, (*letter, &self.guesses[k]), &self.budget).map_err(at)?;
             self.budget.allow(bits, 1);
             state = flown.state;
             speeds.push(speed(&state));
@@ -118,7 +118,7 @@ impl<'b> Range<'b> {
         }
         for (series, sigma) in [(&unstable, &u), (&stable, &s)] {
             let most = Real::point(sigma.hull().enclosure().mag(), bits);
-            let [speed, time] = self.flies_near(law, (&saddle, &gap), series, &most)?;
+            let [speed, time] = self.flies_near(law, &saddle, series, &most)?;
             speeds.push(speed);
             times.push(time);
         }
@@ -127,23 +127,17 @@ impl<'b> Range<'b> {
 
     /// Proves that all flights from the local manifold end with the impact that it is invariant under: the first contact is with the
     /// far wall, and no other contact is between it and that one; returns their speeds and durations. Lemma V19
-    fn flies_near(
-        &self,
-        law: &Law,
-        (saddle, gap): (&Saddle, &Jet),
-        series: &Series,
-        most: &Real,
-    ) -> Result<[Real; 2], Doubt> {
+    fn flies_near(&self, law: &Law, saddle: &Saddle, series: &Series, most: &Real) -> Result<[Real; 2], Doubt> {
         let (bits, lost) = (law.bits(), || open("the flights near the saddle are not proved to be first contacts"));
         let off = series.deviation(most).ok_or_else(lost)?;
-        let d = gap.value(bits).hull();
+        let (d, e) = (law.gap_hull(), law.e_hull());
         let centre = saddle.phase.value(bits).hull();
         let phase = centre.clone() + &Real::within(off.enclosure().sup(), bits);
         // Both ends of each flight are phases of the local manifold.
         let time = law.pi.clone() + &(phase.clone() - &phase);
         let slope = (d.clone() - &(phase.sin() * 2)).over(&time).ok_or_else(lost)?;
-        let speed = (slope - &phase.cos()).over(&law.e).ok_or_else(lost)?;
-        let launch = Launch::new(law, &d, [&phase, &speed], &self.budget);
+        let speed = (slope - &phase.cos()).over(&e).ok_or_else(lost)?;
+        let launch = Launch::new([&d, &e], [&phase, &speed], &self.budget);
         let contact = launch.first(Letter::Far, &law.pi).map_err(|_| lost())?;
         if launch.is_only(&contact, &time) { Ok([speed, time]) } else { Err(lost()) }
     }
@@ -191,8 +185,8 @@ impl Shot {
         let ([flown_xx, end_xx], [flown_xd, end_xd]) = (self.parts(jet::XX), self.parts(jet::XD));
         let row = |i: usize| [flown_x[i].hull(), -end_x[i].hull(), flown_d[i].hull() - &end_d[i].hull()];
         let twice = |x: Affine| scaled(&x, &two).hull();
-        let by_gap = determinant(&flown_xd, &end_x).hull() + &determinant(&flown_x, &end_xd).hull();
-        let tangents = [twice(determinant(&flown_xx, &end_x)), twice(determinant(&flown_x, &end_xx)), by_gap];
+        let by_parameter = determinant(&flown_xd, &end_x).hull() + &determinant(&flown_x, &end_xd).hull();
+        let tangents = [twice(determinant(&flown_xx, &end_x)), twice(determinant(&flown_x, &end_xx)), by_parameter];
         [row(0), row(1), tangents]
     }
 
