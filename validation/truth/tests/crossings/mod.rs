@@ -29,7 +29,7 @@ use judge::{Finding, Judgement, judge};
 use traits::{Coverage, Crossing, Question, array, crossing};
 
 /// Outcomes that must occur. A run of a few impacts is hardly ever proved to be attracted: what `describe` follows longer is.
-const OUTCOMES: [&str; 22] = [
+const OUTCOMES: [&str; 23] = [
     "impacts-reached",
     "time-reached",
     "rests-forever",
@@ -46,6 +46,7 @@ const OUTCOMES: [&str; 22] = [
     "a horseshoe",
     "a hyperbolic set",
     "global: one-rest-cycle",
+    "atlas: decided points",
     "images of boxes",
     "described: attracted",
     "described: periodic",
