@@ -16,7 +16,11 @@ pub const FORGERIES: &[Forgery] = &[
         forge: basins,
     },
     Forgery { name: "global: closed", why: "motions near a saddle leave it", forge: closed },
-    Forgery { name: "global: a set of saddle type", why: "motions end there from all states near it", forge: saddle_sets },
+    Forgery {
+        name: "global: a set of saddle type",
+        why: "motions end there from all states near it",
+        forge: saddle_sets,
+    },
     Forgery { name: "global: numbers", why: "the period, or the spectral radius, is another one", forge: numbers },
 ];
 

@@ -92,7 +92,8 @@ pub struct AtlasArguments {
 }
 
 /// The options that shards have fixed already.
-const MADE_ANEW: [&str; 10] = ["scene", "over", "cells", "boxes", "halvings", "most", "work", "digits", "shard", "resume"];
+const MADE_ANEW: [&str; 10] =
+    ["scene", "over", "cells", "boxes", "halvings", "most", "work", "digits", "shard", "resume"];
 
 /// How an atlas is written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]

@@ -146,7 +146,8 @@ impl GlobalDocument {
     fn beside(&self) -> String {
         let saddles = || self.components.iter().filter(|component| component.kind == "saddle");
         let sets = saddles().filter(|saddle| saddle.orbit.is_none()).count();
-        let are_symmetric = saddles().filter(|saddle| saddle.orbit.is_some()).all(ComponentDocument::is_its_mirror_image);
+        let are_symmetric =
+            saddles().filter(|saddle| saddle.orbit.is_some()).all(ComponentDocument::is_its_mirror_image);
         let mut said = match (saddles().count() - sets, are_symmetric) {
             (0, _) => String::new(),
             (1, true) => ", or to one saddle".to_owned(),
@@ -157,7 +158,8 @@ impl GlobalDocument {
         match sets {
             0 => {}
             1 => said.push_str(", or stays for ever in one set of saddle type, at states without area"),
-            _ => said.push_str(&format!(", or stays for ever in one of {sets} sets of saddle type, at states without area")),
+            _ => said
+                .push_str(&format!(", or stays for ever in one of {sets} sets of saddle type, at states without area")),
         }
         if self.count("grazing") > 0 {
             said.push_str(", or grazes one wall for ever");

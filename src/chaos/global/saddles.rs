@@ -256,7 +256,7 @@ fn vanishes(count: usize, stretched: &[(&Piece, f64)]) -> bool {
     };
     for _ in 0..POWERS {
         let next = sums(&lengths);
-        let most = lengths.iter().zip(&next).fold(0.0, |most: f64, (x, y)| most.max(x + y));
+        let most = lengths.iter().zip(&next).fold(0.0, |most: f64, (x, y)| most.max(x + y)); // proposes
         lengths = lengths.iter().zip(&next).map(|(x, y)| (x + y) / most).collect();
     }
     lengths.iter().zip(sums(&lengths)).all(|(own, sum)| *own > 0.0 && sum < *own)
@@ -276,9 +276,8 @@ mod tests {
     fn a12_what_stays_vanishes_where_groups_are_few_and_stretched_far() {
         let [all, golden] = [vec![(0, 0), (0, 1), (1, 0), (1, 1)], vec![(0, 0), (0, 1), (1, 0)]]
             .map(|ends| ends.into_iter().map(|(from, to)| passage(from, to)).collect::<Vec<_>>());
-        let is_proved = |pieces: &[Piece], long: f64| {
-            vanishes(2, &pieces.iter().map(|piece| (piece, long)).collect::<Vec<_>>())
-        };
+        let is_proved =
+            |pieces: &[Piece], long: f64| vanishes(2, &pieces.iter().map(|piece| (piece, long)).collect::<Vec<_>>());
         assert!(is_proved(&all, 2.01) && !is_proved(&all, 2.0) && !is_proved(&all, 1.99));
         assert!(is_proved(&golden, 1.62) && !is_proved(&golden, 1.61));
     }

@@ -161,8 +161,9 @@ fn an_analysis_stops_where_its_work_is_spent() {
         if of(middle).class() == Class::OneRestCycle { high = middle } else { low = middle }
     }
     let (short, enough) = (of(low), of(high));
-    assert_eq!((short.class(), enough.class()), (Class::Undecided, Class::OneRestCycle));
-    assert_eq!(short.components[0].reason, Some(Reason::Work));
+    assert!(short.class() != Class::OneRestCycle && enough.class() == Class::OneRestCycle);
+    assert!(short.components.iter().any(|own| own.reason == Some(Reason::Work)));
+    assert_eq!(of(1).class(), Class::Undecided);
     assert!(enough.components.iter().all(|own| own.reason.is_none()));
 }
 
@@ -295,7 +296,7 @@ fn starts_in_a_basin_end_in_its_attractor() {
     let (ratio, restitution) = ("1.00681", "0.295455");
     let settings = GlobalSettings { most: 40_000, basins: Some(1 << 15), ..GlobalSettings::default() };
     let found = Global::of(&pair(ratio, restitution), &settings, &Unwatched).unwrap();
-    assert_eq!(found.class(), Class::Attractors);
+    assert_eq!(found.class(), Class::OneAttractor);
     let size = |patch: &Patch| patch.size();
     let whole: f64 = found.patches.iter().filter(|patch| !matches!(patch.goes, Goes::Within(_))).map(size).sum();
     assert!((whole / found.fastest - 1.0).abs() < 1e-12, "{whole}");

@@ -366,7 +366,8 @@ impl Answer {
             Self::Cycles(_) => "not all cycles".into(),
             Self::Windows(document) => none_or(orbits(document, "windows"), "window"),
             Self::Atlas { records, .. } => {
-                let is_decided = |record: &Value| record["class"].as_str().is_some_and(|class| class.starts_with("one-"));
+                let is_decided =
+                    |record: &Value| record["class"].as_str().is_some_and(|class| class.starts_with("one-"));
                 if records.iter().any(is_decided) { "atlas: decided points".into() } else { "atlas: undecided".into() }
             }
             Self::Global(document) => format!("global: {}", document["class"].as_str().unwrap_or("none")),

@@ -154,12 +154,8 @@ impl<'s> Clusters<'s> {
             Some([0, 1].map(|i| Span::point(root[i]) + moved[i]))
         };
         let [s, t] = hull;
-        let corners = [
-            corner(s.lo(), t.lo())?,
-            corner(s.lo(), t.hi())?,
-            corner(s.hi(), t.lo())?,
-            corner(s.hi(), t.hi())?,
-        ];
+        let corners =
+            [corner(s.lo(), t.lo())?, corner(s.lo(), t.hi())?, corner(s.hi(), t.lo())?, corner(s.hi(), t.hi())?];
         let quad = Quad { corners };
         let image = space.guess.map(quad.middle()).filter(|image| image.is_far == passage.is_far)?;
         derivative(space, &quad, &image, None)
@@ -216,7 +212,7 @@ fn shrinks(count: usize, stretched: &[([usize; 2], Span)]) -> bool {
         for ([from, to], long) in stretched {
             next[*from] += sizes[*to] / long.mid();
         }
-        let most = next.iter().fold(0.0, |most: f64, &x| most.max(x));
+        let most = next.iter().fold(0.0, |most: f64, &x| most.max(x)); // proposes
         sizes = next.into_iter().map(|x| x / most).collect();
     }
     let mut left: Vec<Span> = sizes.iter().map(|&x| Span::point(x)).collect();
