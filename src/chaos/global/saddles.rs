@@ -14,6 +14,8 @@ use crate::number::{Ball, Number, TINY, UNIT, up};
 /// Larger components, and those with more groups of boxes, are not tried.
 const MOST_BOXES: usize = 40_000;
 const MOST_PIECES: usize = 20_000;
+/// Components whose images take more work are not tried.
+const MOST_WORK: u64 = 2_000_000;
 /// Steps by which directions, and lengths, are iterated.
 const STEPS: usize = 60;
 const POWERS: usize = 400;
@@ -114,8 +116,9 @@ impl<'c> Groups<'c> {
         let Component { grid, cells, .. } = self.component;
         let columns = self.component.columns();
         let mut found: BTreeMap<(usize, usize, bool), Vec<usize>> = BTreeMap::new();
+        let mut work = 0;
         for (from, &cell) in cells.iter().enumerate() {
-            _ = space.images(*grid, cell, &columns, &mut |next| {
+            work += space.images(*grid, cell, &columns, &mut |next| {
                 if let Next::Impact { cell, is_far, .. } = next
                     && let Ok(to) = cells.binary_search(&cell)
                 {
@@ -125,7 +128,7 @@ impl<'c> Groups<'c> {
                     }
                 }
             });
-            if found.len() > MOST_PIECES {
+            if found.len() > MOST_PIECES || work > MOST_WORK {
                 return None; // exact: given up, nothing is certified
             }
         }
