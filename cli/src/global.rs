@@ -6,7 +6,7 @@ use std::path::PathBuf;
 use anyhow::{Context, Result};
 use clap::{Args, ValueEnum};
 use impact_pair::Scene;
-use impact_pair::chaos::{Global, GlobalSettings, Kind, Recurrence};
+use impact_pair::chaos::{Global, GlobalSettings, Kind, Reason, Recurrence, WORK};
 use impact_pair::document::{self, counted};
 use impact_pair::exact::decimal_digits;
 use impact_pair::json::GlobalDocument;
@@ -56,6 +56,9 @@ pub struct GlobalArguments {
     /// Map about N boxes in all, those of the smallest undecided component first
     #[arg(long, value_name = "N", default_value_t = 300_000, value_parser = count(1..=1_000_000_000))]
     most: u64,
+    /// Do about N units of work for them: views of flights, columns that long flights may land in, boxes that are noted
+    #[arg(long, value_name = "N", default_value_t = WORK, value_parser = count(1..=1_000_000_000_000))]
+    work: u64,
     /// Prove basins of attraction, by about 2^N boxes [default: none; with --plot 16]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(8..=24))]
     basins: Option<u32>,
@@ -101,6 +104,7 @@ pub fn global(arguments: &GlobalArguments) -> Result<Answer> {
         boxes: 1 << arguments.boxes,
         halvings: arguments.halvings,
         most: usize::try_from(arguments.most)?,
+        work: arguments.work,
         basins: arguments.basins.or(arguments.plot.is_some().then_some(BASINS)).map(|halvings| 1 << halvings),
         ..GlobalSettings::default()
     };
@@ -149,6 +153,9 @@ fn table(scene: &Scene, found: &Global, document: &GlobalDocument) -> Result<Str
         let word = limit.problem.word();
         writeln!(out, "{}: {} of the reduced map, {word}", i + 1, counted(limit.impacts as u32, "impact"))?;
     }
+    for (i, reason) in found.components.iter().enumerate().filter_map(|(i, own)| Some((i, own.reason?))) {
+        writeln!(out, "{}: not refined further: {}", i + 1, limit(reason))?;
+    }
     if !document.order.is_empty() {
         let pairs: Vec<String> = document.order.iter().map(|[i, j]| format!("{} to {}", i + 1, j + 1)).collect();
         writeln!(out, "motions may go from {}", pairs.join(", "))?;
@@ -162,8 +169,18 @@ fn table(scene: &Scene, found: &Global, document: &GlobalDocument) -> Result<Str
     Ok(out)
 }
 
+/// The limit that leaves a component undecided.
+fn limit(reason: Reason) -> &'static str {
+    match reason {
+        Reason::Most => "--most boxes are mapped",
+        Reason::Halvings => "its boxes are halved as often as --halvings says",
+        Reason::Work => "its images take more than what is left of --work",
+        Reason::Interrupted => "interrupted",
+    }
+}
+
 /// What is proved of a component.
-fn row(number: usize, Recurrence { kind, boxes, area, is_closed }: &Recurrence) -> String {
+fn row(number: usize, Recurrence { kind, boxes, area, is_closed, .. }: &Recurrence) -> String {
     let cycles = match kind {
         Kind::RestCycle(rest) => rest.map(|rest| rest.cycles),
         kind => kind.limit().map(|limit| limit.problem.chain().cycles()),

@@ -366,6 +366,9 @@ class Component:
     area: float
     closed: bool
     orbit: PeriodicOrbit | None
+    """The periodic motion; a saddle without one is a set of saddle type."""
+    reason: str | None
+    """The limit that leaves it undecided: ``most``, ``halvings``, ``work`` or ``interrupted``."""
 
 
 @dataclass(frozen=True)
@@ -407,6 +410,7 @@ class GlobalAnalysis(Document):
                 float(found["area"]),
                 found["closed"],
                 None if orbit is None else PeriodicOrbit(orbit),
+                found.get("reason"),
             )
 
         return [component(found) for found in self.document["components"]]

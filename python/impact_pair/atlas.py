@@ -35,11 +35,13 @@ class Question(_grid.Question):
     boxes: int
     halvings: int
     most: int
+    work: int
     digits: int
 
     def core(self) -> _core.Atlas:
         """Return the atlas for the computation."""
-        return _core.Atlas(_core.Scene(self.scene), list(self.over), self.cells, (self.boxes, self.halvings, self.most), self.digits)
+        limits = (self.boxes, self.halvings, self.most, self.work)
+        return _core.Atlas(_core.Scene(self.scene), list(self.over), self.cells, limits, self.digits)
 
 
 def atlas(

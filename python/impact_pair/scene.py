@@ -340,6 +340,7 @@ class Scene:
         boxes: int | None = None,
         halvings: int = 18,
         most: int | None = None,
+        work: int | None = None,
         digits: int = 9,
         executor: Executor | None = None,
         workers: int | None = None,
@@ -350,11 +351,13 @@ class Scene:
         """Prove where every motion goes over the plane of two parameters; see :func:`impact_pair.atlas.atlas`.
 
         Each point or cell is covered by ``2**boxes`` boxes at first (14, or 12 for ``cells``), and about ``most`` are mapped in all
-        (300,000, or 20,000).
+        (300,000, or 20,000), with about ``work`` units of work: views of flights, columns of long ones, boxes that are noted (100,000,000,
+        or 5,000,000).
         """
-        usual = (12, 20_000) if cells else (14, 300_000)
+        usual = (12, 20_000, 5_000_000) if cells else (14, 300_000, 100_000_000)
         asked: dict[str, Any] = {"cells": cells, "halvings": whole("halvings", halvings), "digits": whole("digits", digits)}
         asked |= {"boxes": whole("boxes", usual[0] if boxes is None else boxes), "most": whole("most", usual[1] if most is None else most)}
+        asked |= {"work": whole("work", usual[2] if work is None else work)}
         how = {"executor": executor, "workers": workers, "resume": resume, "seconds": seconds, "progress": progress}
         return atlas(self._text, over, asked, **how)  # type: ignore[arg-type]
 
@@ -471,15 +474,18 @@ class Scene:
         boxes: int = 14,
         halvings: int = 40,
         most: int = 300_000,
+        work: int = 100_000_000,
         basins: int | None = None,
         digits: int | None = None,
         progress: Progress = None,
     ) -> answers.GlobalAnalysis:
         """Prove where every motion goes, whatever its start, with ``2**boxes`` boxes of which about ``most`` are mapped in all.
 
-        With ``basins`` the basins of attraction are proved by about ``2**basins`` boxes.
+        ``work`` bounds the work of their images: views of flights, columns of long ones, boxes that are noted. With ``basins`` the
+        basins of attraction are proved by about ``2**basins`` boxes.
         """
-        question = (whole("boxes", boxes), whole("halvings", halvings), whole("most", most), optional_whole("basins", basins))
+        limits = (whole("boxes", boxes), whole("halvings", halvings), whole("most", most), whole("work", work))
+        question = (*limits, optional_whole("basins", basins))
         with reporting(progress, "boxes") as tell:
             return answers.GlobalAnalysis(*_core.global_analysis(self._core, question, optional_whole("digits", digits), tell))
 

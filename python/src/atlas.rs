@@ -43,24 +43,25 @@ impl Atlas {
 
 #[pymethods]
 impl Atlas {
-    /// An atlas over two axes, `KEY=LO..HI:COUNT`, of points or cells, with the numbers of boxes, halvings and boxes in all, and digits.
+    /// An atlas over two axes, `KEY=LO..HI:COUNT`, of points or cells, with the numbers of boxes, halvings, boxes in all and work, and digits.
     #[new]
     fn new(
         scene: &Bound<'_, Scene>,
         over: Vec<String>,
         cells: bool,
-        asked: (u32, u32, u64),
+        asked: (u32, u32, u64, u64),
         digits: u32,
     ) -> PyResult<Self> {
         let scene = scene.get().scene.clone();
         let named = |text: &String| axis(text).map_err(|error| Fault::keyed(error, "over", text));
         let axes: Vec<Range> = over.iter().map(named).collect::<Result<_, _>>()?;
         let plane = Plane::new(axes, cells).map_err(|error| Fault::keyed(error, "over", &over.join(" ")))?;
-        let (boxes, halvings, most) = asked;
+        let (boxes, halvings, most, work) = asked;
         let mut settings = GlobalSettings {
             boxes: 1 << accepted("boxes", boxes, 8..=20)?,
             halvings: accepted("halvings", halvings, 0..=40)?,
             most: accepted("most", most, 1..=1_000_000_000)? as usize,
+            work: accepted("work", work, 1..=1_000_000_000_000)?,
             ..GlobalSettings::default()
         };
         settings.precision.digits = accepted("digits", digits, DIGITS)?;

@@ -112,17 +112,18 @@ pub fn windows(
 pub fn global_analysis(
     py: Python<'_>,
     scene: &Bound<'_, Scene>,
-    question: (u32, u32, u64, Option<u32>),
+    question: (u32, u32, u64, u64, Option<u32>),
     digits: Option<u32>,
     progress: Option<Py<PyAny>>,
 ) -> PyResult<Answer> {
-    let (boxes, halvings, most, basins) = question;
+    let (boxes, halvings, most, work, basins) = question;
     let scene = scene.get().scene.clone();
     watched(py, progress, move |monitor| {
         let settings = GlobalSettings {
             boxes: 1 << accepted("boxes", boxes, 8..=20)?,
             halvings: accepted("halvings", halvings, 0..=40)?,
             most: accepted("most", most, 1..=1_000_000_000)? as usize,
+            work: accepted("work", work, 1..=1_000_000_000_000)?,
             basins: basins.map(|halvings| Ok::<_, Fault>(1 << accepted("basins", halvings, 8..=24)?)).transpose()?,
             precision: precision((digits, MAX_BITS), &scene)?,
         };

@@ -26,6 +26,7 @@ pub fn head(scene: &Scene, plane: &Plane, settings: &GlobalSettings, shard: Opti
         boxes: settings.boxes,
         halvings: settings.halvings,
         most: settings.most as u64,
+        work: settings.work,
         digits: settings.precision.digits,
         shard,
     }

@@ -48,7 +48,9 @@ pub use cells::{Cells, Horseshoe, MOST_CELLS, MOST_HALVINGS, RangeSettings, Stre
 pub use cycles::{Cycle, Cycles, MOST_IMPACTS};
 pub(crate) use flights::Flights;
 pub(crate) use global::spectral_radius;
-pub use global::{Basin, Class, Global, GlobalSettings, Goes, Kind, LimitCycle, Patch, Recurrence, RestCycle};
+pub use global::{
+    Basin, Class, Global, GlobalSettings, Goes, Kind, LimitCycle, Patch, Reason, Recurrence, RestCycle, WORK,
+};
 pub(crate) use guess::Guess;
 pub use horseshoe::{Chaos, HorseshoeSettings, MOST_DEPTH};
 pub use hyperbolic::{Cone, Hyperbolic, LeftOut};

@@ -70,6 +70,7 @@ fn component(found: &Recurrence) -> Result<ComponentDocument, Error> {
         boxes: found.boxes as u64,
         area: Decimal::printed(format!("{:.6}", found.area)),
         closed: found.is_closed,
+        reason: found.reason.map(|reason| reason.name().to_owned()),
         orbit,
     })
 }

@@ -16,6 +16,11 @@ pub const FORGERIES: &[Forgery] = &[
         forge: basins,
     },
     Forgery { name: "global: closed", why: "motions near a saddle leave it", forge: closed },
+    Forgery {
+        name: "global: a set of saddle type",
+        why: "motions end there from all states near it",
+        forge: saddle_sets,
+    },
     Forgery { name: "global: numbers", why: "the period, or the spectral radius, is another one", forge: numbers },
 ];
 
@@ -66,6 +71,17 @@ fn kinds(original: &Original) -> Vec<Forged> {
         }
     }
     all
+}
+
+fn saddle_sets(original: &Original) -> Vec<Forged> {
+    let periodic = ["reduced_impacts", "word", "cycles", "spectral_radius", "alternates", "orbit"];
+    let of = |i: usize| {
+        with(original, format!("component {i} is a set of saddle type"), |all| {
+            periodic.iter().for_each(|key| all[i][*key] = Value::Null);
+            (all[i]["kind"], all[i]["closed"]) = (json!("saddle"), json!(false));
+        })
+    };
+    places(original, &["attracting", "rest-cycle"]).into_iter().map(of).collect()
 }
 
 fn twice(original: &Original) -> Vec<Forged> {

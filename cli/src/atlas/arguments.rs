@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
-use impact_pair::chaos::GlobalSettings;
+use impact_pair::chaos::{GlobalSettings, WORK};
 use impact_pair::scene::Range;
 use impact_pair::sweep::axis;
 use impact_pair_plot::picture::Look;
@@ -60,6 +60,10 @@ pub struct AtlasArguments {
     /// Map about N boxes in all for each point or cell [default: 300000, with --cells 20000]
     #[arg(long, value_name = "N", value_parser = count(1..=1_000_000_000))]
     pub most: Option<u64>,
+    /// Do about N units of work for them: views of flights, columns that long flights may land in, boxes that are noted [default:
+    /// 100000000, with --cells 5000000]
+    #[arg(long, value_name = "N", value_parser = count(1..=1_000_000_000_000))]
+    pub work: Option<u64>,
     /// Requested width of periodic orbits, at most 10^-D: of phases relative to 2 pi, of velocities relative to A W
     #[arg(long, value_name = "D", default_value_t = 9, value_parser = digits())]
     pub digits: u32,
@@ -88,7 +92,8 @@ pub struct AtlasArguments {
 }
 
 /// The options that shards have fixed already.
-const MADE_ANEW: [&str; 9] = ["scene", "over", "cells", "boxes", "halvings", "most", "digits", "shard", "resume"];
+const MADE_ANEW: [&str; 10] =
+    ["scene", "over", "cells", "boxes", "halvings", "most", "work", "digits", "shard", "resume"];
 
 /// How an atlas is written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -110,11 +115,12 @@ pub enum AtlasFormat {
 impl AtlasArguments {
     /// How each point is analysed.
     pub fn settings(&self) -> anyhow::Result<GlobalSettings> {
-        let (boxes, most) = if self.cells { (12, 20_000) } else { (14, 300_000) };
+        let (boxes, most, work) = if self.cells { (12, 20_000, 5_000_000) } else { (14, 300_000, WORK) };
         let mut settings = GlobalSettings {
             boxes: 1 << self.boxes.unwrap_or(boxes),
             halvings: self.halvings,
             most: usize::try_from(self.most.unwrap_or(most))?,
+            work: self.work.unwrap_or(work),
             ..GlobalSettings::default()
         };
         settings.precision.digits = self.digits;

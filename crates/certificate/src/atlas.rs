@@ -31,7 +31,7 @@ pub(super) struct ClaimedPoint {
 }
 
 /// What no lemma of `check` is about.
-const UNJUDGED: [&str; 15] = [
+const UNJUDGED: [&str; 17] = [
     "boxes",
     "digits",
     "halvings",
@@ -39,6 +39,7 @@ const UNJUDGED: [&str; 15] = [
     "points.components.area",
     "points.components.boxes",
     "points.components.closed",
+    "points.components.reason",
     "points.greatest_speed",
     "points.order",
     "points.seconds",
@@ -47,6 +48,7 @@ const UNJUDGED: [&str; 15] = [
     "scene.excitation.phase",
     "scene.start",
     "title",
+    "work",
 ];
 
 impl AtlasCertificate {

@@ -32,6 +32,8 @@ pub(super) struct Claimed {
     pub kind: String,
     pub attracts: bool,
     pub closed: bool,
+    /// Whether it is a set of saddle type, not one periodic motion.
+    pub is_saddle_set: bool,
     /// Its place among the components.
     place: usize,
     /// Impacts of a period of the reduced map.
@@ -75,6 +77,10 @@ impl GlobalCertificate {
         // Of a set of which nothing is known it is not known where it is.
         let is_unbound = !says_there_are_no_others && !claimed.is_empty();
         unjudged.extend(is_unbound.then(|| "components.closed".to_owned()));
+        let sets = document.components.iter().enumerate().filter(|(_, own)| is_unbound && is_saddle_set(own));
+        unjudged.extend(sets.map(|(i, _)| format!("components[{i}].kind")));
+        let has_reason = document.components.iter().any(|component| component.reason.is_some());
+        unjudged.extend(has_reason.then(|| "components.reason".to_owned()));
         unjudged.extend((basins.is_none() && document.basins.is_some()).then(|| "basins".to_owned()));
         unjudged.extend([if basins.is_none() { "greatest_speed" } else { "basins.boxes" }.to_owned()]);
         unjudged.extend(orbits.is_empty().then(|| "scene.excitation.frequency".to_owned()));
@@ -174,7 +180,8 @@ impl Claimed {
             None => None,
         };
         let reduced = component.reduced_impacts.map_or(0, |impacts| impacts as usize);
-        Ok(Self { kind: component.kind.clone(), attracts, closed: component.closed, place, reduced, orbit })
+        let (kind, closed) = (component.kind.clone(), component.closed);
+        Ok(Self { kind, attracts, closed, is_saddle_set: is_saddle_set(component), place, reduced, orbit })
     }
 
     /// Of each impact of a period of the reduced map: whether it is on the right wall, its phase \[rad\] and its velocity.
@@ -183,6 +190,11 @@ impl Claimed {
         let impacts = self.orbit.iter().flat_map(|orbit| &orbit.impacts).take(self.reduced);
         impacts.map(move |impact| (impact.wall == Wall::Right, hull(&impact.phase), hull(&impact.velocity)))
     }
+}
+
+/// Whether a component is claimed to be a set of saddle type, not one periodic motion.
+fn is_saddle_set(component: &ComponentDocument) -> bool {
+    component.kind == "saddle" && component.orbit.is_none()
 }
 
 /// What a document says that its own fields exclude.
@@ -235,7 +247,11 @@ fn of_component(own: &ComponentDocument) -> Option<&'static str> {
     if own.closed && matches!(own.kind.as_str(), "saddle" | "grazing") {
         return Some("motions near a saddle or a graze leave it");
     }
-    let Some((_, stability)) = PERIODIC.iter().find(|(kind, _)| *kind == own.kind) else {
+    if own.reason.is_some() && own.kind != "undecided" {
+        return Some("what is proved has no reason to be left undecided");
+    }
+    let periodic = PERIODIC.iter().find(|(kind, _)| *kind == own.kind).filter(|_| !is_saddle_set(own));
+    let Some((_, stability)) = periodic else {
         let has_orbit =
             own.orbit.is_some() || own.word.is_some() || own.reduced_impacts.is_some() || own.spectral_radius.is_some();
         let is_rest = own.kind == "rest-cycle";
@@ -292,7 +308,10 @@ fn class(document: &GlobalDocument) -> &'static str {
     let count = |kind: &str| components.iter().filter(|component| component.kind == kind).count();
     let (rests, open) = (count("rest-cycle"), count("undecided"));
     let attractors = rests + count("attracting");
-    let are_closed = components.iter().all(|component| component.kind != "undecided" || component.closed);
+    // That all states are in the whole state space says nothing.
+    let is_whole = |component: &ComponentDocument| component.area.value() >= BigRational::from_integer(1.into());
+    let is_closed = |component: &ComponentDocument| component.closed && !is_whole(component);
+    let are_closed = components.iter().all(|component| component.kind != "undecided" || is_closed(component));
     match (attractors, open) {
         (1, 0) if rests == 1 && components.len() == 1 => "one-rest-cycle",
         (1, 0) => "one-attractor",

@@ -38,6 +38,8 @@ pub struct AtlasHead {
     pub halvings: u32,
     /// Boxes that are mapped in all, about, for each point or cell.
     pub most: u64,
+    /// The work of their images, about, for each point or cell.
+    pub work: u64,
     /// Requested digits of periodic orbits.
     pub digits: u32,
     /// Number of the shard, and number of shards.
@@ -60,7 +62,7 @@ pub struct AtlasRecord {
     pub n_attracting: u64,
     /// Cycles with rests.
     pub n_rest: u64,
-    /// Periodic motions without rests that do not attract.
+    /// Periodic motions without rests that do not attract, and sets of saddle type.
     pub n_saddle: u64,
     /// Components of which nothing is decided.
     pub n_undecided: u64,

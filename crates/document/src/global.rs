@@ -71,7 +71,8 @@ pub struct BasinDocument {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct ComponentDocument {
-    /// `attracting`, `rest-cycle`, `saddle`, `grazing` or `undecided`.
+    /// `attracting`, `rest-cycle`, `saddle`, `grazing` or `undecided`. A saddle without an orbit is a set of saddle type: its states whose
+    /// motions stay in it have no area.
     pub kind: String,
     /// Of a periodic motion without rests: its least period under the reduced map, which mirrors every impact to the left wall.
     #[serde(skip_serializing_if = "Option::is_none", default)]
@@ -94,6 +95,9 @@ pub struct ComponentDocument {
     pub area: Decimal,
     /// Whether no motion is in it and in another component later.
     pub closed: bool,
+    /// Of an undecided one the limit that leaves it so: the option `most`, `halvings` or `work`, or `interrupted`.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub reason: Option<String>,
     /// The periodic motion without rests.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub orbit: Option<PeriodicOrbitDocument>,
@@ -140,15 +144,23 @@ impl GlobalDocument {
 
     /// What few motions do instead.
     fn beside(&self) -> String {
-        let mut saddles = self.components.iter().filter(|component| component.kind == "saddle");
-        let are_symmetric = saddles.all(ComponentDocument::is_its_mirror_image);
-        let mut said = match (self.count("saddle"), are_symmetric) {
+        let saddles = || self.components.iter().filter(|component| component.kind == "saddle");
+        let sets = saddles().filter(|saddle| saddle.orbit.is_none()).count();
+        let are_symmetric =
+            saddles().filter(|saddle| saddle.orbit.is_some()).all(ComponentDocument::is_its_mirror_image);
+        let mut said = match (saddles().count() - sets, are_symmetric) {
             (0, _) => String::new(),
             (1, true) => ", or to one saddle".to_owned(),
             (1, false) => ", or to one saddle or its mirror image".to_owned(),
             (saddles, true) => format!(", or to one of {saddles} saddles"),
             (saddles, false) => format!(", or to one of {saddles} saddles or of their mirror images"),
         };
+        match sets {
+            0 => {}
+            1 => said.push_str(", or stays for ever in one set of saddle type, at states without area"),
+            _ => said
+                .push_str(&format!(", or stays for ever in one of {sets} sets of saddle type, at states without area")),
+        }
         if self.count("grazing") > 0 {
             said.push_str(", or grazes one wall for ever");
         }

@@ -5,10 +5,10 @@ use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 use std::f64::consts::TAU;
 
-use super::graph::{Component, Graph, Recurrent};
+use super::graph::{Component, Graph, Recurrent, Stopped};
 use super::image::Space;
 use super::known::{self, Kind, LimitCycle, Released};
-use super::{GlobalSettings, Recurrence, cycle};
+use super::{GlobalSettings, Reason, Recurrence, cycle, saddles};
 use crate::chaos::trap::Grid;
 use crate::pair::ImpactPair;
 use crate::watch::Watch;
@@ -43,21 +43,26 @@ pub(super) struct Split {
 pub(super) struct Analysis<'a> {
     pub question: Question<'a>,
     pub nodes: Vec<Node>,
-    /// Boxes whose images are computed so far.
+    /// Boxes whose images are computed so far, and the work of these.
     mapped: usize,
-    interrupted: bool,
+    work: u64,
+    /// Why it has ended where components are left that could be refined.
+    stopped: Option<Reason>,
 }
 
 impl<'a> Analysis<'a> {
     /// Returns the analysis of all states that motions have in the end. Of the components that are undecided the smallest is refined
     /// first: thin sets that need many boxes wait for those that shrink.
     pub fn of(question: Question<'a>) -> Self {
-        let mut analysis = Self { question, nodes: Vec::new(), mapped: 0, interrupted: false };
+        let mut analysis = Self { question, nodes: Vec::new(), mapped: 0, work: 0, stopped: None };
         let whole = analysis.whole(analysis.question.settings.boxes);
         analysis.nodes.push(Node { component: whole, halved: 0, kind: Kind::Undecided, split: None });
         let mut waiting = BinaryHeap::from([Reverse((0, 0))]);
         while let Some(Reverse((boxes, node))) = waiting.pop() {
-            if analysis.mapped + 2 * boxes > analysis.question.settings.most || analysis.interrupted {
+            if analysis.mapped + 2 * boxes > analysis.question.settings.most {
+                analysis.stopped = Some(Reason::Most);
+            }
+            if analysis.stopped.is_some() {
                 break;
             }
             let children = analysis.refine(node);
@@ -70,12 +75,12 @@ impl<'a> Analysis<'a> {
 
     /// Whether it was stopped.
     pub fn is_interrupted(&self) -> bool {
-        self.interrupted
+        self.stopped == Some(Reason::Interrupted)
     }
 
     /// Returns the components that are left, those first from which motions may go on to others.
     pub fn components(&self) -> Vec<Recurrence> {
-        self.leaves(0).into_iter().map(|leaf| self.recurrence(&self.nodes[leaf])).collect()
+        self.leaves(0).into_iter().map(|leaf| self.recurrence(leaf)).collect()
     }
 
     /// Returns which component may lead to which, by their places.
@@ -127,9 +132,16 @@ impl<'a> Analysis<'a> {
         let (halved, first) = (if node == 0 { 0 } else { own.halved + 1 }, self.nodes.len());
         self.mapped += component.cells.len();
         let Question { space, released, watch, .. } = &self.question;
-        let Some(graph) = Graph::of(space, &component, &released.next, *watch) else {
-            self.interrupted = true;
-            return first..first;
+        let allowed = self.question.settings.work.saturating_sub(self.work); // exact: what is left
+        let graph = match Graph::of(space, &component, &released.next, allowed, *watch) {
+            Ok((graph, work)) => {
+                self.work += work;
+                graph
+            }
+            Err(stopped) => {
+                self.stopped = Some(stopped.into());
+                return first..first;
+            }
         };
         let is_open = component.has_release && component.is_closed && released.cycle.is_none();
         if is_open && graph.is_released_always() {
@@ -163,18 +175,33 @@ impl<'a> Analysis<'a> {
         if known::is_grazing(space, component) {
             return Kind::Grazing;
         }
-        let Some(limit) = cycle::limit(space, component) else { return Kind::Undecided };
+        let Some(limit) = cycle::limit(space, component) else {
+            let is_saddle = !component.is_closed && saddles::is_of_saddle_type(space, component);
+            return if is_saddle { Kind::SaddleSet } else { Kind::Undecided };
+        };
         let Some(orbit) = LimitCycle::of(pair, space.law(), &limit, settings.precision) else {
             return Kind::Undecided;
         };
         if limit.attracts { Kind::Attracting(orbit) } else { Kind::Saddle(orbit) }
     }
 
-    fn recurrence(&self, Node { component, kind, .. }: &Node) -> Recurrence {
+    fn recurrence(&self, node: usize) -> Recurrence {
+        let Node { component, kind, .. } = &self.nodes[node];
         let Grid { columns, rows } = component.grid;
         let boxes = component.cells.len();
         let area = boxes as f64 / (columns as f64 * rows * self.question.space.fastest()); // shown
-        Recurrence { kind: kind.clone(), boxes, area, is_closed: component.is_closed }
+        let limits = || if self.is_refined(node) { self.stopped } else { Some(Reason::Halvings) };
+        let reason = if kind.is_undecided() { limits() } else { None };
+        Recurrence { kind: kind.clone(), boxes, area, is_closed: component.is_closed, reason }
+    }
+}
+
+impl From<Stopped> for Reason {
+    fn from(stopped: Stopped) -> Self {
+        match stopped {
+            Stopped::Interrupted => Self::Interrupted,
+            Stopped::Spent => Self::Work,
+        }
     }
 }
 

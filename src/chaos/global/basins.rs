@@ -78,7 +78,7 @@ impl Analysis<'_> {
         };
         let whole = self.whole(boxes);
         let Question { space, released, watch, .. } = &self.question;
-        let Some(graph) = Graph::of(space, &whole, &released.next, *watch) else { return patches };
+        let Ok((graph, _)) = Graph::of(space, &whole, &released.next, u64::MAX, *watch) else { return patches };
         let Recurrent { components: found, leads, passed, ends } = graph.recurrent(true);
         let held = held(&found, &leaves);
         let goes = |places: &mut dyn Iterator<Item = usize>| {

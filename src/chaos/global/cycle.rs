@@ -24,7 +24,7 @@ pub(super) struct Limit {
 }
 
 /// The longest cycle that is looked for, in impacts of the reduced map.
-const LONGEST: usize = 24;
+pub(super) const LONGEST: usize = 24;
 /// Boxes from whose centres cycles are looked for.
 const SEEDS: usize = 6;
 /// Impacts before an orbit is looked at.
@@ -39,7 +39,7 @@ const WIDEST: f64 = 0.374;
 const MOST_BOXES: usize = 20_000;
 
 /// A matrix that holds derivatives.
-type Matrix = [[Ball; 2]; 2];
+pub(super) type Matrix = [[Ball; 2]; 2];
 
 /// Returns the cycle that all motions of a component tend to, proved; `None` where none is found, or nothing is proved.
 pub(super) fn limit(space: &Space, component: &Component) -> Option<Limit> {
@@ -144,7 +144,7 @@ fn proved(space: &Space, guess: &Guess, component: &Component, states: &[State])
     let columns = component.columns();
     for (&cell, &class) in component.cells.iter().zip(&classes) {
         let mut is_next = true;
-        space.images(component.grid, cell, &columns, &mut |next| {
+        _ = space.images(component.grid, cell, &columns, &mut |next| {
             if let Next::Impact { cell, .. } = next
                 && let Ok(to) = component.cells.binary_search(&cell)
             {
@@ -194,7 +194,13 @@ fn derivative(space: &Space, [phases, speeds]: &[[f64; 2]; 2], state: State, ima
     let radius = |[low, high]: [f64; 2]| 0.5 * (high - low); // exact: multiples of a power of two
     let quad = Quad::rectangle([middle(*phases), middle(*speeds)], [radius(*phases), radius(*speeds)], speeds[0]);
     let turned = (middle(*phases) - state[0]).round(); // proposes: where it lands
-    let landing = Flights::new(space.law(), &quad).land(image.side, image.state[0] - image.side.shift() + turned)?;
+    landing(space, &quad, image.side, image.state[0] - image.side.shift() + turned)
+}
+
+/// Returns the derivatives of the map in a quadrilateral all of whose flights land on one wall, about the phase that is given, within three
+/// quarters of a forcing period. Lemma A8
+pub(super) fn landing(space: &Space, quad: &Quad, side: Side, about: f64) -> Option<Matrix> {
+    let landing = Flights::new(space.law(), quad).land(side, about)?;
     let [zero, one] = [0.0, 1.0].map(Ball::exact);
     if landing.along([one, zero], [zero, zero]).rad() > WIDEST {
         return None; // exact: not proved
@@ -266,7 +272,7 @@ fn frames(images: &[Image], (mut columns, factors): Columns) -> Option<Vec<[[f64
 }
 
 /// A derivative in the coordinates of two frames.
-fn within(derivative: Matrix, from: [[f64; 2]; 2], to: [[f64; 2]; 2]) -> Option<Matrix> {
+pub(super) fn within(derivative: Matrix, from: [[f64; 2]; 2], to: [[f64; 2]; 2]) -> Option<Matrix> {
     let from = from.map(|row| row.map(Ball::exact));
     let [[a, b], [c, d]] = to.map(|row| row.map(Ball::exact));
     let area = a * d - b * c;

@@ -2,6 +2,7 @@
 
 use std::collections::HashMap;
 use std::sync::Mutex;
+use std::sync::atomic::{AtomicU64, Ordering};
 use std::thread;
 
 use super::image::{Next, Space};
@@ -59,12 +60,41 @@ pub(super) struct Recurrent {
     pub ends: Vec<Vec<u32>>,
 }
 
+/// Why a graph is not there.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Stopped {
+    Interrupted,
+    /// The images take more work than is allowed.
+    Spent,
+}
+
+/// The work of images that is allowed, and what is done of it by all threads.
+struct Allowance {
+    most: u64,
+    done: AtomicU64,
+}
+
+impl Allowance {
+    /// Adds the work of a box: whether a sum exceeds what is allowed depends on the boxes alone, not on the threads.
+    fn add(&self, work: u64) -> Result<(), Stopped> {
+        let before = self.done.fetch_add(work, Ordering::Relaxed);
+        if before.saturating_add(work) > self.most { Err(Stopped::Spent) } else { Ok(()) } // exact: a count
+    }
+}
+
 /// What follows the boxes of a share, and which of them something else follows.
 type Share = (Vec<(u32, u32, bool)>, Vec<u32>);
 
 impl Graph {
-    /// That of some boxes of a grid, in order, and of the release; `None` where it was stopped.
-    pub fn of(space: &Space, component: &Component, release: &Release, watch: &dyn Watch) -> Option<Self> {
+    /// Returns that of some boxes of a grid, in order, and of the release, and the work of their images, if that is not more than allowed.
+    pub fn of(
+        space: &Space,
+        component: &Component,
+        release: &Release,
+        allowed: u64,
+        watch: &dyn Watch,
+    ) -> Result<(Self, u64), Stopped> {
+        let allowance = Allowance { most: allowed, done: AtomicU64::new(0) };
         let Component { grid, cells, has_release, .. } = component;
         let count = cells.len() as u32; // exact: fewer than 2^32
         let columns = component.columns();
@@ -73,9 +103,9 @@ impl Graph {
         let found = Mutex::new(Vec::new());
         thread::scope(|scope| {
             for (part, some) in cells.chunks(share).enumerate() {
-                let (found, columns) = (&found, &columns);
+                let (found, columns, allowance) = (&found, &columns, &allowance);
                 scope.spawn(move || {
-                    let own = images(space, (*grid, columns), cells, (part * share, some), watch);
+                    let own = images(space, (*grid, columns), cells, (part * share, some), allowance, watch);
                     found.lock().expect("no thread has panicked").push(own);
                 });
             }
@@ -107,7 +137,8 @@ impl Graph {
         edges.sort_unstable();
         edges.dedup();
         let next = Links::new(cells.len() + 1, &mut edges);
-        Some(Self { grid: *grid, cells: cells.clone(), next, merged, leaves })
+        let graph = Self { grid: *grid, cells: cells.clone(), next, merged, leaves };
+        Ok((graph, allowance.done.into_inner()))
     }
 
     /// Returns the recurrent components: whatever stays among the boxes for ever is in one of them in the end. `parent` tells whether
@@ -194,19 +225,20 @@ fn images(
     (grid, columns): (Grid, &[i32]),
     cells: &[Cell],
     (first, some): (usize, &[Cell]),
+    allowance: &Allowance,
     watch: &dyn Watch,
-) -> Option<Share> {
+) -> Result<Share, Stopped> {
     let (mut edges, mut leaves) = (Vec::new(), Vec::new());
     let release = cells.len() as u32; // exact: fewer than 2^32
     let mut own: Vec<(u32, bool)> = Vec::new();
     for (i, &cell) in some.iter().enumerate() {
         if i % 256 == 0 && watch.proceed(Stage::Region(first + i)).is_break() {
-            return None;
+            return Err(Stopped::Interrupted);
         }
         let from = (first + i) as u32; // exact: fewer than 2^32
         own.clear();
         let mut leaves_them = false;
-        space.images(grid, cell, columns, &mut |next| match next {
+        let work = space.images(grid, cell, columns, &mut |next| match next {
             Next::Release => own.push((release, false)),
             Next::Elsewhere => leaves_them = true,
             Next::Impact { cell, stays, .. } => match cells.binary_search(&cell) {
@@ -214,6 +246,7 @@ fn images(
                 Err(_) => leaves_them = true,
             },
         });
+        allowance.add(work)?;
         own.sort_unstable();
         own.dedup();
         edges.extend(own.iter().map(|&(to, stays)| (from, to, stays)));
@@ -221,7 +254,7 @@ fn images(
             leaves.push(from);
         }
     }
-    Some((edges, leaves))
+    Ok((edges, leaves))
 }
 
 /// The nodes that the release leads to, `None` for itself, and whether it leads to others as well. Lemma A7

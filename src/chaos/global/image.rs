@@ -111,14 +111,14 @@ impl Space {
     }
 
     /// Notes what may follow the states of a box. Flights that last long, and land in all columns, are noted in those that are asked for, which
-    /// are in order.
-    pub fn images(&self, grid: Grid, (column, row): Cell, asked: &[i32], note: &mut dyn FnMut(Next)) {
+    /// are in order. Returns the work: views of flights, columns of long ones, and what is noted.
+    pub fn images(&self, grid: Grid, (column, row): Cell, asked: &[i32], note: &mut dyn FnMut(Next)) -> u64 {
         let [columns, rows] = [grid.columns as f64, grid.rows]; // exact: powers of two
         let phases = [f64::from(column) / columns, f64::from(column + 1) / columns];
         let speeds = [f64::from(row) / rows, f64::from(row + 1) / rows];
         if self.chatters(phases, speeds[1]) {
             note(Next::Release);
-            return;
+            return 1;
         }
         if self.after(speeds)[0] <= 0.0 && phases[1] >= 0.5 {
             note(Next::Release); // A2: a ball that is pressed
@@ -129,12 +129,14 @@ impl Space {
         };
         let [across, along] = [parts(1.0 / columns, WIDTH), parts(1.0 / rows, HEIGHT)];
         let finer = Grid { columns: grid.columns * i64::from(across), rows: rows * f64::from(along) };
+        let mut work = 1;
         for i in 0..across {
             for j in 0..along {
                 let part = (column * across + i, row * along + j);
-                self.part((grid, asked), finer, part, i64::from(column), note);
+                work += self.part((grid, asked), finer, part, i64::from(column), note);
             }
         }
+        work
     }
 
     /// Bounds of the speeds with which balls of such speeds leave.
@@ -151,19 +153,20 @@ impl Space {
         (column, row): Cell,
         home: i64,
         note: &mut dyn FnMut(Next),
-    ) {
+    ) -> u64 {
         let (columns, rows) = (finer.columns as f64, finer.rows); // exact: powers of two
         let phases = [f64::from(column) / columns, f64::from(column + 1) / columns];
         let after = self.after([f64::from(row) / rows, f64::from(row + 1) / rows]);
         let part = Part { after, phases, home, lifted: lifted(after[0], phases) };
         let [near, far] = self.within(&part);
+        let mut work = 0;
         if let Some(speeds) = near {
-            self.land(grid, Side::Near, home, speeds, true, note);
+            work += self.land(grid, Side::Near, home, speeds, true, note);
         }
         if let Some(speeds) = far {
-            self.land(grid, Side::Far, home, speeds, false, note);
+            work += self.land(grid, Side::Far, home, speeds, false, note);
         }
-        self.march((grid, asked), &Flights::new(&self.law, &finer.quad((column, row))), &part, note);
+        work + self.march((grid, asked), &Flights::new(&self.law, &finer.quad((column, row))), &part, note)
     }
 
     /// Bounds of the speeds of contacts at the phases of a part, of either wall; `None` where there is none. Lemma A3
@@ -177,14 +180,15 @@ impl Space {
     }
 
     /// Notes the contacts at later phases. Lemmas D4, A4
-    fn march(&self, (grid, asked): (Grid, &[i32]), flights: &Flights, part: &Part, note: &mut dyn FnMut(Next)) {
+    fn march(&self, (grid, asked): (Grid, &[i32]), flights: &Flights, part: &Part, note: &mut dyn FnMut(Next)) -> u64 {
         let columns = grid.columns as f64; // exact: a power of two
         let from = part.phases[1];
         let first = (from * columns).floor() as i64; // D4: the column that it is in
         let longest = self.patience(flights);
         let end = first + (longest * columns) as i64; // exact: a power of two
-        let (mut column, mut step) = (first, 1);
+        let (mut column, mut step, mut work) = (first, 1, 0);
         while column < end {
+            work += 1;
             let low = from.max(column as f64 / columns); // D4: phases after all starts
             let high = (column + step) as f64 / columns; // exact: a power of two
             let view = flights.over(low, high);
@@ -195,7 +199,7 @@ impl Space {
                 continue;
             }
             if is_positive(-view.height) || is_positive(-above) {
-                return;
+                return work;
             }
             if step > 1 {
                 step /= 2;
@@ -215,12 +219,12 @@ impl Space {
                         let [least, most] = part.near(high);
                         speeds = [speeds[0].max(least), speeds[1].min(most)]; // A3: both hold them
                     }
-                    self.land(grid, side, column, speeds, side == Side::Near && column == part.home, note);
+                    work += self.land(grid, side, column, speeds, side == Side::Near && column == part.home, note);
                 }
             }
             column += 1;
         }
-        self.slow((grid, asked), self.drifts(flights, longest - 1.0), note);
+        work + self.slow((grid, asked), self.drifts(flights, longest - 1.0), note)
     }
 
     /// For how many forcing periods flights are followed: few where they may end in several.
@@ -239,15 +243,16 @@ impl Space {
     }
 
     /// Notes the contacts of flights that have lasted long, at any phase that these have, in the columns that are asked for. Lemma A4
-    fn slow(&self, (grid, asked): (Grid, &[i32]), drifts: [f64; 2], note: &mut dyn FnMut(Next)) {
+    fn slow(&self, (grid, asked): (Grid, &[i32]), drifts: [f64; 2], note: &mut dyn FnMut(Next)) -> u64 {
         if drifts[0] > drifts[1] {
-            return; // A4: there is none
+            return 0; // A4: there is none
         }
         let is_all = asked.len() as i64 == grid.columns; // exact: a length
         if !is_all {
             note(Next::Elsewhere);
         }
         let columns = grid.columns as f64; // exact: a power of two
+        let mut work = asked.len() as u64; // exact: a length
         for side in [Side::Near, Side::Far] {
             let shift = if side == Side::Far { grid.columns / 2 } else { 0 };
             for &column in asked {
@@ -261,21 +266,31 @@ impl Space {
                     };
                     let [low, high] = [speeds[0].next_down().max(0.0), speeds[1].next_up()]; // D4: who comes from inside
                     if low <= high {
-                        self.land(grid, side, column, [low, high], false, note);
+                        work += self.land(grid, side, column, [low, high], false, note);
                     }
                 }
             }
         }
+        work
     }
 
-    /// Notes the boxes of contacts in a column with such speeds.
-    fn land(&self, grid: Grid, side: Side, column: i64, speeds: [f64; 2], stays: bool, note: &mut dyn FnMut(Next)) {
+    /// Notes the boxes of contacts in a column with such speeds, and returns their number.
+    fn land(
+        &self,
+        grid: Grid,
+        side: Side,
+        column: i64,
+        speeds: [f64; 2],
+        stays: bool,
+        note: &mut dyn FnMut(Next),
+    ) -> u64 {
         let shift = if side == Side::Far { grid.columns / 2 } else { 0 };
         let column = (column + shift).rem_euclid(grid.columns) as i32; // exact: fewer than 2^31
         let last = (self.fastest() * grid.rows) as i32 - 1; // exact: a whole number
         let [low, high] = speeds.map(|speed| (speed * grid.rows).floor() as i32); // D4: of both ends
-        (low..=high.min(last)) // A1: none is faster
-            .for_each(|row| note(Next::Impact { cell: (column, row), stays, is_far: side == Side::Far })); // A1: none is faster
+        let high = high.min(last); // A1: none is faster
+        (low..=high).for_each(|row| note(Next::Impact { cell: (column, row), stays, is_far: side == Side::Far }));
+        (low..=high).count() as u64 // exact: a length
     }
 
     /// Whether all chatters that begin in a box are complete: Z1 for all of its states. Lemma A5

@@ -22,6 +22,8 @@ pub enum Kind {
     Attracting(Box<LimitCycle>),
     /// They tend to a periodic motion that does not.
     Saddle(Box<LimitCycle>),
+    /// The states that stay in it have no area, and nearby ones are stretched apart: a set of saddle type, if there are any.
+    SaddleSet,
     /// They are released again and again in the same state; `None` where the period is not proved: it may be another one for each member
     /// of the data.
     RestCycle(Option<RestCycle>),
@@ -36,7 +38,7 @@ impl Kind {
     pub fn name(&self) -> &'static str {
         match self {
             Self::Attracting(_) => "attracting",
-            Self::Saddle(_) => "saddle",
+            Self::Saddle(_) | Self::SaddleSet => "saddle",
             Self::RestCycle(_) => "rest-cycle",
             Self::Grazing => "grazing",
             Self::Undecided => "undecided",
@@ -283,7 +285,7 @@ pub(super) fn is_grazing(space: &Space, component: &Component) -> bool {
     let columns = component.columns();
     !component.cells.iter().any(|&cell| {
         let mut crosses = false;
-        space.images(component.grid, cell, &columns, &mut |next| {
+        _ = space.images(component.grid, cell, &columns, &mut |next| {
             if let Next::Impact { cell, is_far: true, .. } = next {
                 crosses |= component.cells.binary_search(&cell).is_ok();
             }

@@ -1,4 +1,4 @@
-//! Where every motion of a pair goes: Lemmas A1-A11 of `docs/proofs/global.md#A1`.
+//! Where every motion of a pair goes: Lemmas A1-A12 of `docs/proofs/global.md#A1`.
 //!
 //! The speeds that motions have in the end are covered by boxes; `image` encloses what may follow each, `graph` finds the components that
 //! motions may stay in for ever, `analysis` refines each alone, `cycle` proves what they tend to there, and `basins` tells which boxes have
@@ -10,6 +10,7 @@ mod cycle;
 mod graph;
 mod image;
 mod known;
+mod saddles;
 #[cfg(test)]
 mod tests;
 
@@ -34,15 +35,20 @@ pub struct GlobalSettings {
     pub halvings: u32,
     /// Boxes whose images are computed in all, about.
     pub most: usize,
+    /// The work of their images in all, about: views of flights, columns that long flights may land in, and boxes that are noted.
+    pub work: u64,
     /// Boxes by which basins are proved, about, if they are asked for: a power of two from 2^8 to 2^24.
     pub basins: Option<u32>,
     /// Requested widths of the enclosures of periodic orbits.
     pub precision: Precision,
 }
 
+/// The work of an analysis by default.
+pub const WORK: u64 = 100_000_000;
+
 impl Default for GlobalSettings {
     fn default() -> Self {
-        Self { boxes: 1 << 14, halvings: 40, most: 300_000, basins: None, precision: Precision::default() }
+        Self { boxes: 1 << 14, halvings: 40, most: 300_000, work: WORK, basins: None, precision: Precision::default() }
     }
 }
 
@@ -57,12 +63,39 @@ pub struct Recurrence {
     pub area: f64,
     /// Whether no motion leaves it that is in it: it is an attracting block.
     pub is_closed: bool,
+    /// Why it is not refined further, if nothing is proved of it.
+    pub reason: Option<Reason>,
+}
+
+/// The limit that leaves a component undecided.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Reason {
+    /// The number of boxes that are mapped in all.
+    Most,
+    /// The number of halvings.
+    Halvings,
+    /// The work of the images.
+    Work,
+    /// It was interrupted.
+    Interrupted,
+}
+
+impl Reason {
+    /// Returns the word of the JSON: the option that sets the limit.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Most => "most",
+            Self::Halvings => "halvings",
+            Self::Work => "work",
+            Self::Interrupted => "interrupted",
+        }
+    }
 }
 
 /// Where every motion of a pair goes.
 ///
 /// **Enclosure**: for every member of the data the impacts of every motion that touches a wall are in one component in the end, or the
-/// motion rests for ever again and again; of each component holds what its [`Kind`] says. Lemmas A1-A11
+/// motion rests for ever again and again; of each component holds what its [`Kind`] says. Lemmas A1-A12
 #[derive(Clone, Debug)]
 pub struct Global {
     /// The components, those first from which motions may go on to others.
@@ -156,7 +189,9 @@ impl Global {
         let attractors = count(Kind::is_attractor);
         let undecided = count(Kind::is_undecided);
         let rests = count(|kind| matches!(kind, Kind::RestCycle(_)));
-        let closed = self.components.iter().all(|component| !component.kind.is_undecided() || component.is_closed);
+        // That all states are in the whole state space says nothing.
+        let is_proper = |component: &Recurrence| component.is_closed && component.area < 1.0; // exact: 1 where it is all boxes
+        let closed = self.components.iter().all(|component| !component.kind.is_undecided() || is_proper(component));
         match (attractors, undecided) {
             (1, 0) if rests == 1 && self.components.len() == 1 => Class::OneRestCycle,
             (1, 0) => Class::OneAttractor,

@@ -131,6 +131,42 @@ fn two_attractors_of_figure_12_are_found_without_a_start() {
     assert!(kinds(&found).contains(&"rest-cycle") && kinds(&found).contains(&"saddle"));
 }
 
+/// Beside the attracting cycle a set of saddle type is left: floating-point orbits from all of its boxes end in the cycle. Lemma A12
+#[test]
+fn a12_motions_leave_a_set_of_saddle_type() {
+    let (ratio, restitution) = ("0.766309", "0.213636");
+    let found = Global::of(&pair(ratio, restitution), &GlobalSettings::default(), &Unwatched).unwrap();
+    assert_eq!(found.class(), Class::OneAttractor);
+    let is_set = |goes: Goes| matches!(goes, Goes::Within(i) if matches!(found.components[i].kind, Kind::SaddleSet));
+    let boxes: Vec<&Patch> = found.patches.iter().filter(|patch| is_set(patch.goes)).collect();
+    let attractor = found.components.iter().position(|own| own.kind.is_attractor()).unwrap();
+    let law = Law::of(&pair(ratio, restitution)).unwrap();
+    assert!(boxes.len() > 1_000);
+    for patch in boxes.iter().step_by(boxes.len() / 200) {
+        let start = [patch.phases, patch.speeds].map(|[low, high]| low + 0.382 * (high - low));
+        assert_eq!(seen(&law, &found, start, 1_000), Seen::Component(attractor), "{start:?}");
+    }
+}
+
+/// The least work that is enough for the class is so by one unit, for any number of threads.
+#[test]
+fn an_analysis_stops_where_its_work_is_spent() {
+    let of = |work: u64| {
+        let settings = GlobalSettings { boxes: 1 << 10, work, ..GlobalSettings::default() };
+        Global::of(&pair("2", "0.2"), &settings, &Unwatched).unwrap()
+    };
+    let (mut low, mut high) = (1, 1 << 20);
+    while high - low > 1 {
+        let middle = (low + high) / 2;
+        if of(middle).class() == Class::OneRestCycle { high = middle } else { low = middle }
+    }
+    let (short, enough) = (of(low), of(high));
+    assert!(short.class() != Class::OneRestCycle && enough.class() == Class::OneRestCycle);
+    assert!(short.components.iter().any(|own| own.reason == Some(Reason::Work)));
+    assert_eq!(of(1).class(), Class::Undecided);
+    assert!(enough.components.iter().all(|own| own.reason.is_none()));
+}
+
 /// The ball needs 15,915,494,309.5 forcing periods from one release to the next one: 4294967295 was printed.
 #[test]
 fn r42_a_cycle_with_rests_that_32_bits_do_not_count_is_not_listed() {
@@ -155,7 +191,7 @@ fn a_global_analysis_is_interrupted_and_refuses_what_it_cannot_do() {
     use crate::watch::{Stage, proceed_if};
     let stop = |_: Stage<'_>| proceed_if(false);
     let found = Global::of(&pair("2", "0.2"), &GlobalSettings::default(), &stop).unwrap();
-    assert!(found.interrupted && found.class() == Class::Closed);
+    assert!(found.interrupted && found.class() == Class::Undecided);
     for restitution in ["1", "0.99", "[0.5, 1]"] {
         let refused = Global::of(&pair("2", restitution), &GlobalSettings::default(), &Unwatched).unwrap_err();
         assert_eq!(refused.key(), Some("pair.restitution"), "{restitution}");
@@ -260,7 +296,7 @@ fn starts_in_a_basin_end_in_its_attractor() {
     let (ratio, restitution) = ("1.00681", "0.295455");
     let settings = GlobalSettings { most: 40_000, basins: Some(1 << 15), ..GlobalSettings::default() };
     let found = Global::of(&pair(ratio, restitution), &settings, &Unwatched).unwrap();
-    assert_eq!(found.class(), Class::Attractors);
+    assert_eq!(found.class(), Class::OneAttractor);
     let size = |patch: &Patch| patch.size();
     let whole: f64 = found.patches.iter().filter(|patch| !matches!(patch.goes, Goes::Within(_))).map(size).sum();
     assert!((whole / found.fastest - 1.0).abs() < 1e-12, "{whole}");

@@ -164,17 +164,71 @@ fn over(plane: &Plane, parameters: &Parameters, leaves: &Leaves, root: &Canvas<'
         }
     }
     root.draw(&Element(plane.clipped(&drawn)))?;
-    for (number, at) in parameters.figures(range) {
-        let (x, y) = plane.pixel(at);
-        root.draw(&Circle::new((x, y), RING + SCALE, WHITE.filled()))?;
-        root.draw(&Circle::new((x, y), RING, BLACK.stroke_width(SCALE as u32)))?;
+    let rings: Vec<(u32, (i32, i32))> =
+        parameters.figures(range).into_iter().map(|(number, at)| (number, plane.pixel(at))).collect();
+    for (_, at) in &rings {
+        root.draw(&Circle::new(*at, RING + SCALE, WHITE.filled()))?;
+        root.draw(&Circle::new(*at, RING, BLACK.stroke_width(SCALE as u32)))?;
+    }
+    let mut taken: Vec<Label> = rings.iter().map(|(_, at)| Label::ring(*at)).collect();
+    for (number, at) in rings {
         let text = format!("fig. {number}");
-        let is_right = x + 2 * RING + 4 * FONT < plane.pixels[0].1;
-        let (place, side) = if is_right { (x + 2 * RING, HPos::Left) } else { (x - 2 * RING, HPos::Right) };
-        let (width, half) = (text.len() as i32 * FONT * 2 / 5, FONT * 3 / 5);
-        let from = if is_right { place - SCALE } else { place - width };
-        root.draw(&Rectangle::new([(from, y - half), (from + width + SCALE, y + half)], WHITE.mix(0.8).filled()))?;
-        root.draw(&Text::new(text, (place, y), words(FONT, &BLACK, side)))?;
+        let label = Label::beside(at, &text, plane.pixels, &taken);
+        let [left, top, right, bottom] = label.ends;
+        root.draw(&Rectangle::new([(left, top), (right, bottom)], WHITE.mix(0.8).filled()))?;
+        root.draw(&Text::new(text, (left + SCALE, (top + bottom) / 2), words(FONT, &BLACK, HPos::Left)))?;
+        taken.push(label);
     }
     Ok(())
+}
+
+/// A rectangle of pixels that a ring or a label fills: left, top, right and bottom.
+#[derive(Clone, Copy)]
+struct Label {
+    ends: [i32; 4],
+}
+
+impl Label {
+    fn ring((x, y): (i32, i32)) -> Self {
+        let by = RING + SCALE;
+        Self { ends: [x - by, y - by, x + by, y + by] }
+    }
+
+    /// Returns the first place beside a ring, right, left, above or below, where a label is in the plane and covers nothing; right if there is none.
+    fn beside((x, y): (i32, i32), text: &str, pixels: [(i32, i32); 2], taken: &[Self]) -> Self {
+        let (width, half) = (text.len() as i32 * FONT * 2 / 5 + 2 * SCALE, FONT * 3 / 5);
+        let (away, far) = (RING + 3 * SCALE, RING + 2 * SCALE + half);
+        let of = |left: i32, middle: i32| Self { ends: [left, middle - half, left + width, middle + half] };
+        let places = [of(x + away, y), of(x - away - width, y), of(x - width / 2, y - far), of(x - width / 2, y + far)];
+        let is_free = |own: &&Self| own.is_in(pixels) && !taken.iter().any(|other| own.meets(other));
+        *places.iter().find(is_free).unwrap_or(&places[0])
+    }
+
+    fn is_in(&self, [(low, high), (bottom, top)]: [(i32, i32); 2]) -> bool {
+        let [left, above, right, below] = self.ends;
+        left >= low && right <= high && above >= top.min(bottom) && below <= top.max(bottom)
+    }
+
+    fn meets(&self, other: &Self) -> bool {
+        let ([a, b, c, d], [e, f, g, h]) = (self.ends, other.ends);
+        a < g && e < c && b < h && f < d
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Figures 12 and 13 are side by side: the label of the first is not drawn over the second one, nor the second label over the first.
+    #[test]
+    fn labels_of_figures_do_not_meet() {
+        let pixels = [(0, 2000), (1500, 0)];
+        let rings = [(300, 700), (300 + 4 * RING, 700)];
+        let mut taken: Vec<Label> = rings.iter().map(|at| Label::ring(*at)).collect();
+        for at in rings {
+            let label = Label::beside(at, "fig. 12", pixels, &taken);
+            assert!(label.is_in(pixels) && !taken.iter().any(|other| label.meets(other)), "{:?}", label.ends);
+            taken.push(label);
+        }
+    }
 }

@@ -283,14 +283,27 @@ fn truth(case: &mut Case, answer: &Answer) -> Judged<()> {
             if !is_point {
                 return Err(Halt::Open("a box of data"));
             }
-            let listed = document["components"].as_array().map_or(&[][..], Vec::as_slice);
-            let orbits = listed.iter().filter(|own| own["orbit"].is_object());
-            orbits.map(|own| &own["orbit"]).try_for_each(|orbit| orbits::judge(orbit, &members[0]))
+            components(document, &members[0])
+        }
+        // The same at each point.
+        Answer::Atlas { records, points, .. } => {
+            if !is_point {
+                return Err(Halt::Open("a box of data"));
+            }
+            let mut all = records.iter().zip(points);
+            all.try_for_each(|(record, scene)| components(record, &Member::new(scene, || 0.0)))
         }
         Answer::Tangency(document) => tangency(document),
         Answer::Boxes(images) => all(&members, |member| boxes::judge(images, member)),
         Answer::Audit(document) => audit(document),
     }
+}
+
+/// The periodic motions among the components of a global analysis.
+fn components(document: &Value, member: &Member) -> Judged<()> {
+    let listed = document["components"].as_array().map_or(&[][..], Vec::as_slice);
+    let orbits = listed.iter().filter(|own| own["orbit"].is_object());
+    orbits.map(|own| &own["orbit"]).try_for_each(|orbit| orbits::judge(orbit, member))
 }
 
 impl Answer {
@@ -309,7 +322,7 @@ impl Answer {
             | Self::Windows(document)
             | Self::Global(document) => Some(document.to_string()),
             Self::Tangency(document) => Some(document.to_string()),
-            Self::Sweep { head, records, .. } => {
+            Self::Sweep { head, records, .. } | Self::Atlas { head, records, .. } => {
                 let lines = [head].into_iter().chain(records).map(|line| line.to_string() + "\n");
                 Some(lines.collect())
             }
@@ -352,6 +365,11 @@ impl Answer {
             Self::Cycles(document) if document["exhaustive"] == true => "all cycles".into(),
             Self::Cycles(_) => "not all cycles".into(),
             Self::Windows(document) => none_or(orbits(document, "windows"), "window"),
+            Self::Atlas { records, .. } => {
+                let is_decided =
+                    |record: &Value| record["class"].as_str().is_some_and(|class| class.starts_with("one-"));
+                if records.iter().any(is_decided) { "atlas: decided points".into() } else { "atlas: undecided".into() }
+            }
             Self::Global(document) => format!("global: {}", document["class"].as_str().unwrap_or("none")),
             Self::Tangency(document) => match orbits(document, "tangencies") {
                 0 => "no tangency".into(),

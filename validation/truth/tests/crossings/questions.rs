@@ -4,6 +4,7 @@ use std::ops::ControlFlow;
 use std::ops::RangeInclusive;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
+use impact_pair::atlas::{self, Plane};
 use impact_pair::audit::{self, Audit, Columns};
 use impact_pair::chaos::{
     self, Base, BoxGraph, Chaos, Cycles, Global, GlobalSettings, Hyperbolic, Trap, WallWords, WindowSettings, Windows,
@@ -73,6 +74,12 @@ pub enum Answer {
     Cycles(Value),
     Windows(Value),
     Global(Value),
+    /// The head of an atlas and its records, and the scenes of its points.
+    Atlas {
+        head: Value,
+        records: Vec<Value>,
+        points: Vec<Scene>,
+    },
     Tangency(Value),
     /// The images of boxes.
     Boxes(Vec<Mapped>),
@@ -119,6 +126,7 @@ impl Case {
             Question::Cycles => self.cycles(),
             Question::Windows => self.windows(),
             Question::Global => self.global(),
+            Question::Atlas => self.atlas(),
             Question::Tangency => self.tangency(),
             Question::BoxMap => self.box_map(),
             Question::Audit => self.audit(),
@@ -337,11 +345,37 @@ impl Case {
             boxes: 1 << 10,
             halvings: 8,
             most: 6_000,
-            basins: None,
             precision: Precision { digits: 9, max_bits: 512 },
+            ..GlobalSettings::default()
         };
         let found = Global::of(self.scene.pair(), &settings, &Unwatched)?;
         Ok(Answer::Global(json!(document::global(&self.scene, &settings, &found)?)))
+    }
+
+    /// Of the scene's own parameters and larger ones, by few boxes.
+    fn atlas(&mut self) -> Result<Answer, Error> {
+        let key = self.random.pick(&["gap", "amplitude"]);
+        let ((length, own), (_, restitution)) = (self.key(key), self.key("restitution"));
+        let over = [
+            format!("{length}={own}..{}:2", own * 1.25 + 0.125),
+            format!("restitution={restitution}..{}:2", restitution + 0.0625),
+        ];
+        let axes = over.iter().map(|axis| axis.parse()).collect::<Result<_, _>>()?;
+        let plane = Plane::new(axes, false)?;
+        let settings = GlobalSettings {
+            boxes: 1 << 8,
+            halvings: 6,
+            most: 1_000,
+            precision: Precision { digits: 9, max_bits: 512 },
+            ..GlobalSettings::default()
+        };
+        let (mut records, mut points) = (Vec::new(), Vec::new());
+        for point in 0..plane.points() {
+            let found = atlas::record(&self.scene, &plane, &settings, point, &Unwatched)?.expect("nobody stops it");
+            records.push(json!(found));
+            points.push(self.scene.with(&plane.values(point)?)?);
+        }
+        Ok(Answer::Atlas { head: json!(atlas::head(&self.scene, &plane, &settings, None)), records, points })
     }
 
     /// About the scene's own gap or restitution, along few flights.

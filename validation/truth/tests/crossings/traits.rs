@@ -102,6 +102,7 @@ pub enum Question {
     Cycles,
     Windows,
     Global,
+    Atlas,
     Tangency,
     BoxMap,
     Audit,
@@ -110,7 +111,7 @@ pub enum Question {
 impl Question {
     pub fn all() -> Vec<Self> {
         let others = [Self::Describe, Self::Periodic, Self::All, Self::TwoImpact];
-        let chaos = [Self::Trap, Self::Chaos, Self::Cycles, Self::Windows, Self::Tangency, Self::Global];
+        let chaos = [Self::Trap, Self::Chaos, Self::Cycles, Self::Windows, Self::Tangency, Self::Global, Self::Atlas];
         let others = others.into_iter().chain(chaos).chain([Self::BoxMap, Self::Audit]);
         let runs = ARITHMETICS.into_iter().flat_map(|name| [Self::Impacts(name), Self::Until(name)]);
         let over = PARAMETERS.into_iter().map(Self::Bifurcations);
@@ -132,6 +133,7 @@ impl Question {
             Self::Cycles => "cycles".into(),
             Self::Windows => "windows".into(),
             Self::Global => "global".into(),
+            Self::Atlas => "atlas".into(),
             Self::Tangency => "tangency".into(),
             Self::BoxMap => "box_map".into(),
             Self::Audit => "audit".into(),

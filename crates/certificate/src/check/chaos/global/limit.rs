@@ -17,7 +17,7 @@ pub(super) struct Cycle {
 const WIDEST: f64 = 0.749;
 
 /// A matrix that holds derivatives.
-type Matrix = [[Span; 2]; 2];
+pub(super) type Matrix = [[Span; 2]; 2];
 
 /// Periods that norms and directions are made from.
 const ROUNDS: usize = 200;
@@ -35,11 +35,12 @@ impl Cycle {
         let Some(hulls) = (0..count).map(|k| hull(set, &classes, (k, middles[k]))).collect::<Option<Vec<_>>>() else {
             return false;
         };
+        let rectangle = |[low, high]: [State; 2]| Quad::rectangle(low, high);
         let holds = |(state, [low, high]): (&[Span; 2], &[State; 2])| {
             (0..2).all(|i| low[i] <= state[i].lo() && state[i].hi() <= high[i]) // V20: the cycle is in the hulls
         };
         let derivatives: Option<Vec<Matrix>> =
-            (0..count).map(|k| derivative(space, hulls[k], middles[k], &images[k])).collect();
+            (0..count).map(|k| derivative(space, &rectangle(hulls[k]), &images[k], Some(middles[k]))).collect();
         let Some(derivatives) = derivatives.filter(|_| self.states.iter().zip(&hulls).all(holds)) else { return false };
         let frames = if attracts { norms(&images) } else { directions(&images) };
         let steps: Option<Vec<Matrix>> =
@@ -90,11 +91,11 @@ fn hull(set: &Set, classes: &[usize], (class, state): (usize, State)) -> Option<
     all.filter(|[low, high]| high[0] - low[0] < 0.25)
 }
 
-/// Holds the derivatives of the map in a rectangle whose flights all land on one wall.
-fn derivative(space: &Space<'_>, [low, high]: [State; 2], state: State, image: &Image) -> Option<Matrix> {
-    let quad = Quad::rectangle(low, high);
-    let beam = Beam::new(space.law, &quad);
-    let guess = image.time + state[0] - quad.middle()[0];
+/// Holds the derivatives of the map in a quadrilateral whose flights all land on one wall, after about the time of a state's, if one is given, or
+/// that of its middle.
+pub(super) fn derivative(space: &Space<'_>, quad: &Quad, image: &Image, state: Option<State>) -> Option<Matrix> {
+    let beam = Beam::new(space.law, quad);
+    let guess = image.time + state.map_or(0.0, |state| state[0] - quad.middle()[0]);
     let landing = beam.land(image.is_far, image.time).or_else(|| beam.land(image.is_far, guess))?;
     let [zero, one] = [0.0, 1.0].map(Span::point);
     let image = landing.along([one, zero], [zero, zero]);
@@ -171,7 +172,7 @@ fn directions(images: &[Image]) -> Vec<Doubles> {
 
 /// A derivative from the coordinates at one state to those at the next one: `R A Q` with `y = R x` there and `x = P^-1 y` here. The inverse here
 /// is formed in intervals, so that both are of one base.
-fn within(derivative: Matrix, from: Doubles, to: Doubles) -> Option<Matrix> {
+pub(super) fn within(derivative: Matrix, from: Doubles, to: Doubles) -> Option<Matrix> {
     let [[a, b], [c, d]] = from.map(|row| row.map(Span::point));
     let area = a * d - b * c;
     let product =
@@ -197,6 +198,18 @@ fn contracts(steps: &[Matrix]) -> bool {
 /// Whether cones about the first direction are mapped into themselves and stretched, and the rest shrinks.
 fn has_cones(steps: &[Matrix]) -> bool {
     let (mut stretched, mut shrunk) = (Span::point(1.0), Span::point(1.0));
+    for step in steps {
+        let (long, short) = cone(step);
+        if !((long - short).lo() >= 0.0 && long.is_positive()) {
+            return false; // V20: not proved
+        }
+        (stretched, shrunk) = (stretched * long, shrunk * short);
+    }
+    (stretched - Span::point(1.0)).is_positive() && (Span::point(1.0) - shrunk).is_positive()
+}
+
+/// Bounds of how long the first coordinate of a vector of the cone becomes at least, and the second one at most.
+pub(super) fn cone([[a, b], [c, d]]: &Matrix) -> (Span, Span) {
     let size = |x: &Span| {
         let most = Span::point(x.most());
         let least = if x.is_positive() {
@@ -208,15 +221,7 @@ fn has_cones(steps: &[Matrix]) -> bool {
         };
         (Span::point(least), most)
     };
-    for [[a, b], [c, d]] in steps {
-        let long = size(a).0 - size(b).1;
-        let short = size(c).1 + size(d).1;
-        if !((long - short).lo() >= 0.0 && long.is_positive()) {
-            return false; // V20: not proved
-        }
-        (stretched, shrunk) = (stretched * long, shrunk * short);
-    }
-    (stretched - Span::point(1.0)).is_positive() && (Span::point(1.0) - shrunk).is_positive()
+    (size(a).0 - size(b).1, size(c).1 + size(d).1)
 }
 
 /// Whether motions that stay in a set graze for ever. Lemma A9

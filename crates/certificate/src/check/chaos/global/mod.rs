@@ -4,6 +4,7 @@
 mod basins;
 mod graph;
 mod limit;
+mod saddles;
 mod space;
 
 use impact_pair_model::watch::{Latched, Silent, Watch};
@@ -205,7 +206,11 @@ impl Judge<'_> {
         let cycle = self.cycles.iter().find(|(_, cycle, attracts)| cycle.is_limit_of(set, self.space, *attracts));
         let grazing =
             || self.claimed.iter().position(|claim| claim.kind == "grazing").filter(|_| limit::grazes(set, self.space));
-        cycle.map(|(place, ..)| *place).or_else(grazing).filter(is_as_closed)
+        let saddles = || {
+            let mut claims = self.claimed.iter();
+            claims.position(|claim| claim.is_saddle_set).filter(|_| saddles::have_no_area(set, self.space))
+        };
+        cycle.map(|(place, ..)| *place).or_else(grazing).or_else(saddles).filter(is_as_closed)
     }
 }
 
