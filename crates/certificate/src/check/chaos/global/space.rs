@@ -1,7 +1,7 @@
 //! What may follow the states of a box: impacts in other boxes, or a rest and its release (Lemma V20, images).
 
 use super::super::Law;
-use super::super::beam::{Beam, Quad, State};
+use super::super::beam::{Beam, Landing, Quad, State};
 use super::super::guess::Guess;
 use super::super::span::Span;
 
@@ -45,6 +45,8 @@ const LONGEST: f64 = 64.0;
 const FEW: f64 = 2.0;
 /// Times in forcing periods for which balls may be proved not to come back to the wall, the longest first.
 const AWAY: [f64; 9] = [0.5, 0.25, 0.125, 0.0625, 0.03125, 0.015625, 0.0078125, 0.00390625, 0.001953125];
+/// The steepest slope of an image that is used, in speeds over phases.
+const STEEPEST: f64 = 1e6;
 /// Parts of the time until the release that a chatter may take.
 const PARTS: u32 = 16;
 
@@ -95,16 +97,14 @@ impl<'l> Space<'l> {
     fn piece(&self, grid: Grid, [low, high]: [State; 2], home: i64, note: Note<'_>) {
         let quad = Quad::rectangle(low, high);
         let beam = Beam::new(self.law, &quad);
-        let mut land = |is_far: bool, phase: Span, speed: Span| self.land(grid, home, (is_far, [phase, speed]), note);
         let image = self.guess.map(quad.middle());
         if let Some((is_far, landing)) =
             image.and_then(|image| Some((image.is_far, beam.land(image.is_far, image.time)?)))
         {
-            let [zero, one] = [0.0, 1.0].map(Span::point);
-            let along = |n| landing.along(n, [zero, zero]);
-            land(is_far, along([one, zero]), along([zero, one]));
+            self.landed(grid, home, (is_far, &landing), [high[0] - low[0], high[1] - low[1]], note);
             return;
         }
+        let mut land = |is_far: bool, phase: Span, speed: Span| self.land(grid, home, (is_far, [phase, speed]), note);
         let away = AWAY.into_iter().find(|&time| high[0] + time <= 0.5 || beam.leaves(time)).unwrap_or(0.0); // V20: no such time
         let [least, longest] = [high[0] - low[0], self.patience(&beam)];
         let (mut from, mut step) = (0.0, least);
@@ -138,6 +138,27 @@ impl<'l> Space<'l> {
             from = to;
         }
         self.slow(grid, self.drifts(&beam, longest), note);
+    }
+
+    /// Notes the boxes that first contacts on one wall are in, column by column: along the longer of the images of a box's sides.
+    fn landed(&self, grid: Grid, home: i64, (is_far, landing): (bool, &Landing), sides: State, note: Note<'_>) {
+        let [zero, one] = [0.0, 1.0].map(Span::point);
+        let along = |n| landing.along(n, [zero, zero]);
+        let (phase, speed) = (along([one, zero]), along([zero, one]));
+        let images =
+            [[sides[0], 0.0], [0.0, sides[1]]].map(|side| landing.derivative(side.map(Span::point)).map(Span::mid));
+        let long = if images[0][0].abs() > images[1][0].abs() { images[0] } else { images[1] };
+        let slope = if long[0] == 0.0 { 0.0 } else { (long[1] / long[0]).clamp(-STEEPEST, STEEPEST) }; // V20: any slope
+        let beside = along([Span::point(-slope), one]);
+        let places = [phase.lo(), phase.hi()].map(|x| (x * grid.columns).floor() as i64); // V11: the columns of both ends
+        for column in places[0]..=places[1] {
+            let own = Span::new(column as f64 / grid.columns, (column + 1) as f64 / grid.columns); // exact: a power of two
+            let sheared = own.common(phase).and_then(|own| speed.common(beside + Span::point(slope) * own));
+            if let Some(sheared) = sheared {
+                let speed = if sheared.lo().is_nan() { speed } else { sheared }; // V20: of what is not known nothing is used
+                self.land_in(grid, home, (is_far, column, speed), note);
+            }
+        }
     }
 
     /// The speeds of contacts with the same wall up to a time: within `x^2/6` of `e w`. Lemma V20
@@ -188,18 +209,26 @@ impl<'l> Space<'l> {
 
     /// Notes the boxes that hold contacts with such phases and speeds, from a box in the column `home`.
     fn land(&self, grid: Grid, home: i64, (is_far, [phase, speed]): (bool, [Span; 2]), note: Note<'_>) {
-        let places = |x: Span, size: f64| [x.lo() * size, x.hi() * size].map(|x| x.floor() as i64); // V11: the boxes of both ends
-        let ([first, last], [low, high]) = (places(phase, grid.columns), places(speed, grid.rows));
+        let [first, last] = [phase.lo(), phase.hi()].map(|x| (x * grid.columns).floor() as i64); // V11: the columns of both ends
+        let columns = grid.columns as i64; // exact: a power of two
+        let last = last.min(first.max(home) + columns); // V20: all columns
+        for column in first..=last {
+            self.land_in(grid, home, (is_far, column, speed), note);
+        }
+    }
+
+    /// Notes the boxes of a column that hold contacts with such speeds.
+    fn land_in(&self, grid: Grid, home: i64, (is_far, column, speed): (bool, i64, Span), note: Note<'_>) {
+        if !is_far && column < home {
+            return; // V20: no impact comes before the flight
+        }
+        let [low, high] = [speed.lo(), speed.hi()].map(|x| (x * grid.rows).floor() as i64); // V11: the boxes of both ends
         let top = (self.fastest * grid.rows) as i64 - 1; // exact: a whole number
         let columns = grid.columns as i64; // exact: a power of two
-        let first = if is_far { first } else { first.max(home) }; // V20: no impact comes before the flight
-        let last = last.min(first + columns); // V20: all columns
-        let [low, high] = [low.max(0), high.min(top)]; // V20: none is faster
-        for column in first..=last {
-            for row in low..=high {
-                let stays = !is_far && column == home;
-                note(Next::Impact { cell: [column.rem_euclid(columns), row], is_far, stays });
-            }
+        let stays = !is_far && column == home;
+        for row in low.max(0)..=high.min(top) {
+            // V20: none is faster
+            note(Next::Impact { cell: [column.rem_euclid(columns), row], is_far, stays });
         }
     }
 
