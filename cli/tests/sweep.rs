@@ -79,7 +79,9 @@ fn shards_put_together_are_the_whole() {
     // A shard of another sweep, one that is not finished, and one that is damaged.
     let other = folder.join("other.jsonl");
     written(sweep(&DIAGRAM).args(["--digits", "7", "--shard", "2/3"]), &other);
-    assert!(merge(&[&one, other.to_str().unwrap(), &three]).contains("different sweeps: digits is 7 in one and 6"));
+    assert!(
+        merge(&[&one, other.to_str().unwrap(), &three]).contains("of more than one sweep: digits is 7 in one and 6")
+    );
     let text = fs::read_to_string(&two).unwrap();
     let lines: Vec<&str> = text.lines().collect();
     let damaged = folder.join("damaged.jsonl");

@@ -364,9 +364,9 @@ impl Case {
         let plane = Plane::new(axes, false)?;
         let settings = GlobalSettings {
             boxes: 1 << 8,
-            halvings: 2,
-            most: 500,
-            work: 1 << 16,
+            halvings: 6,
+            most: 1_000,
+            work: 1 << 17,
             precision: Precision { digits: 9, max_bits: 512 },
             ..GlobalSettings::default()
         };

@@ -226,8 +226,8 @@ impl<'l> Space<'l> {
         let top = (self.fastest * grid.rows) as i64 - 1; // exact: a whole number
         let columns = grid.columns as i64; // exact: a power of two
         let stays = !is_far && column == home;
-        for row in low.max(0)..=high.min(top) {
-            // V20: none is faster
+        let rows = low.max(0)..=high.min(top); // V20: none is faster
+        for row in rows {
             note(Next::Impact { cell: [column.rem_euclid(columns), row], is_far, stays });
         }
     }
