@@ -145,24 +145,15 @@ impl Strings<'_> {
         let mut level = self.pairs();
         let mut best = None;
         let mut slopes = vec![[-self.kappa, self.kappa]; self.words.len()];
-        for letters in 2..=MOST_LETTERS {
+        for _ in 2..=MOST_LETTERS {
             if level.len() > MOST_EDGES || !self.watch.goes_on() {
                 break;
             }
             slopes = self.slopes(&level, &slopes)?;
             best = Some((self.edges(&level, &slopes)?, slopes.clone()));
-            // proposes: any number of letters will do
-            if letters == MOST_LETTERS || self.count_longer(&level) > MOST_EDGES {
-                break;
-            }
             level = self.longer(&level);
         }
         best
-    }
-
-    /// Returns the number of the strings with one more word before them.
-    fn count_longer(&self, level: &Level) -> usize {
-        level.keys().map(|string| self.before(string[0]).count()).sum()
     }
 
     /// The strings of two words: the cells of the second one at the heights of images of the first. Lemma D28

@@ -352,13 +352,15 @@ impl Case {
         Ok(Answer::Global(json!(document::global(&self.scene, &settings, &found)?)))
     }
 
-    /// Of the scene's own parameters and larger ones, by few boxes.
+    /// Of the scene's own parameters and others of which more is proved, by few boxes: a stronger forcing, and less restitution.
     fn atlas(&mut self) -> Result<Answer, Error> {
         let key = self.random.pick(&["gap", "amplitude"]);
         let ((length, own), (_, restitution)) = (self.key(key), self.key("restitution"));
+        let other = if length == "gap" { own / 8.0 } else { own * 8.0 + 0.125 };
+        let (least, most) = (own.min(other), own.max(other));
         let over = [
-            format!("{length}={own}..{}:2", own * 1.25 + 0.125),
-            format!("restitution={restitution}..{}:2", restitution + 0.0625),
+            format!("{length}={least}..{most}:2"),
+            format!("restitution={}..{}:2", restitution / 8.0, restitution + 0.0625),
         ];
         let axes = over.iter().map(|axis| axis.parse()).collect::<Result<_, _>>()?;
         let plane = Plane::new(axes, false)?;
@@ -366,7 +368,7 @@ impl Case {
             boxes: 1 << 8,
             halvings: 6,
             most: 1_000,
-            work: 1 << 17,
+            work: 1 << 20,
             precision: Precision { digits: 9, max_bits: 512 },
             ..GlobalSettings::default()
         };

@@ -117,7 +117,7 @@ pub(super) fn doubt(
 }
 
 /// Expansions are known up to such a part: any at first, as strings cut the cells; or to the next where that is too little.
-const KNOWN: [f64; 3] = [f64::INFINITY, 0.2, 0.1];
+const KNOWN: [f64; 2] = [f64::INFINITY, 0.1];
 
 fn proved(map: &Map<'_>, listed: &[(usize, Word)], claimed: &Claimed, known: f64) -> Result<Option<Doubt>, End> {
     let strips = branches(map.guess, map.frames, listed);
