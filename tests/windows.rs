@@ -142,7 +142,7 @@ fn the_sinks_near_the_printed_gap_are_found_with_their_windows() {
         over: "gap=9.4247..9.4253".parse().unwrap(),
         impacts: 80_000_000,
         longest: 44,
-        most: 40,
+        most: 100,
         precision: Precision::default(),
     };
     let found = Windows::of(&scene, &settings, &Unwatched).unwrap();
