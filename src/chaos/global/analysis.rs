@@ -61,11 +61,12 @@ impl<'a> Analysis<'a> {
         while let Some(Reverse((boxes, node))) = waiting.pop() {
             if analysis.mapped + 2 * boxes > analysis.question.settings.most {
                 analysis.stopped = Some(Reason::Most);
-            }
-            if analysis.stopped.is_some() {
                 break;
             }
             let children = analysis.refine(node);
+            if analysis.stopped.is_some() {
+                break;
+            }
             for child in children.filter(|&child| analysis.is_refined(child)) {
                 waiting.push(Reverse((analysis.nodes[child].component.cells.len(), child)));
             }
