@@ -270,9 +270,10 @@ mod tests {
             let misses = [chain.residual(&balls, &in_balls)];
             let (found, floats) = (chain.residual(&intervals, &ours), chain.residual(&middle, &in_floats));
             prop_assert!((0..4).all(|i| is_near(floats[i], misses[0][i], found[i])), "{misses:?} {found:?}");
-            let slopes = (chain.slopes(&middle, &in_floats).unwrap(), chain.slopes(&balls, &in_balls), chain.slopes(&intervals, &ours));
-            if let (floats, Some(balls), Some(found)) = slopes {
-                let all = floats.entries().zip(balls.entries()).zip(found.entries());
+            let floats = chain.slopes(&middle, &in_floats).unwrap().0;
+            let slopes = (chain.slopes(&balls, &in_balls), chain.slopes(&intervals, &ours));
+            if let (Some(balls), Some(found)) = slopes {
+                let all = floats.iter().zip(&balls.0).zip(&found.0);
                 for ((float, ball), interval) in all {
                     prop_assert!(is_near(*float.2, *ball.2, *interval.2), "{float:?} {ball:?} {interval:?}");
                 }

@@ -5,6 +5,7 @@
 //! Floating point finds, balls prove, and whatever else is a [`Wave`](crate::number::Wave) (a jet in a parameter, say) goes
 //! through the same lines; and in the excitation ([`Shaking`]).
 
+use super::entries::Entries;
 use super::shaking::{Hop, Repetition, Shaking};
 use crate::Error;
 use crate::mapping::{Word, jacobian_between};
@@ -267,13 +268,14 @@ pub(super) fn times<N: Number>(a: &[[N; 2]; 2], b: &[[N; 2]; 2]) -> [[N; 2]; 2] 
 }
 
 impl<N> Slopes<N> {
-    /// Returns the matrix of the derivatives, entry by entry: row, column, value. Two may fall on one place.
-    pub fn entries(&self) -> impl Iterator<Item = (usize, usize, &N)> {
+    /// Returns the matrix of the derivatives. Two may fall on one place.
+    pub fn into_entries(self) -> Entries<N> {
         let count = self.0.len();
-        self.0.iter().enumerate().flat_map(move |(i, row)| {
+        let entries = self.0.into_iter().enumerate().flat_map(|(i, row)| {
             let columns = [(i + count - 1) % count, i, (i + 1) % count];
             columns.into_iter().zip(row).map(move |(j, value)| (i, j, value))
-        })
+        });
+        Entries::new(count, entries.collect())
     }
 }
 
@@ -320,7 +322,7 @@ mod tests {
                 abs_diff_eq!(found, exact, epsilon = DIFFERENCE * (exact.abs() + 1e2))
             };
             let mut matrix = [[0.0; 4]; 4];
-            for (i, j, slope) in chain.slopes(&the_pair, &legs).unwrap().entries() {
+            for (i, j, slope) in chain.slopes(&the_pair, &legs).unwrap().into_entries().iter() {
                 matrix[i][j] += slope;
             }
             for j in 0..4 {

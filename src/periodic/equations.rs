@@ -2,11 +2,9 @@
 
 use std::cmp::Ordering;
 
-use nalgebra::Scalar;
-
-use super::chain::{Chain, Legs, Slopes};
+use super::chain::{Chain, Legs};
+use super::entries::Entries;
 use super::krawczyk::Equations;
-use super::precondition::Jacobian;
 use super::shaking::Shaking;
 use crate::number::Enclosing;
 
@@ -18,26 +16,12 @@ pub(super) struct Orbits<'c, S> {
 }
 
 impl<N: Enclosing, S: Shaking<N>> Equations<N> for Orbits<'_, S> {
-    type Jacobian = Slopes<N>;
-
     fn values(&self, phases: &[N]) -> Option<Vec<N>> {
         Some(self.chain.residual(self.shaking, &flights(self.chain, self.shaking, phases)?))
     }
 
-    fn jacobian(&self, phases: &[N]) -> Option<Slopes<N>> {
-        self.chain.slopes(self.shaking, &flights(self.chain, self.shaking, phases)?)
-    }
-}
-
-/// Three entries a row: cyclic and tridiagonal. As a dense matrix it would make a proof cost 1.07 times as many instructions with 2
-/// impacts, 1.19 with 5 and 3.6 with 20 (`prove/*` of the bench `periodic`).
-impl<N: Scalar> Jacobian<N> for Slopes<N> {
-    fn size(&self) -> usize {
-        self.0.len()
-    }
-
-    fn entries(&self) -> impl Iterator<Item = (usize, usize, &N)> {
-        Slopes::entries(self)
+    fn jacobian(&self, phases: &[N]) -> Option<Entries<N>> {
+        Some(self.chain.slopes(self.shaking, &flights(self.chain, self.shaking, phases)?)?.into_entries())
     }
 }
 

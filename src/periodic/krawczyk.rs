@@ -2,19 +2,16 @@
 //!
 //! Periodic orbits, bifurcations and the slabs of a branch are zeros of equations of their own; this is what proves them all.
 
-use nalgebra::Scalar;
-
-use super::precondition::{Jacobian, Preconditioner};
+use super::entries::Entries;
+use super::precondition::Preconditioner;
 use crate::number::Enclosing;
 
 /// As many equations as unknowns, `F(x) = 0`.
-pub trait Equations<N: Scalar> {
-    /// An enclosure of the Jacobian matrix.
-    type Jacobian: Jacobian<N>;
+pub trait Equations<N> {
     /// `F(x)`; `None` where it may not be defined.
     fn values(&self, x: &[N]) -> Option<Vec<N>>;
     /// `J`, which holds `F'` at all members of the box `x`; `None` where it may not be defined.
-    fn jacobian(&self, x: &[N]) -> Option<Self::Jacobian>;
+    fn jacobian(&self, x: &[N]) -> Option<Entries<N>>;
 }
 
 /// A zero proved: exactly one lies in `domain`, and it lies in `at`.
@@ -53,7 +50,7 @@ fn newton<N: Enclosing>(x: &N, row: &[f64], misses: &[N]) -> N {
 }
 
 /// Krawczyk's image `m - Y F(m) + (1 - Y J)(X - m)` of a box `X` with centre `m`. Lemma T3
-pub(super) fn image<N: Enclosing, E: Equations<N>>(equations: &E, inverse: &Preconditioner, x: &[N]) -> Option<Vec<N>> {
+pub(super) fn image<N: Enclosing>(equations: &dyn Equations<N>, inverse: &Preconditioner, x: &[N]) -> Option<Vec<N>> {
     let centre: Vec<N> = x.iter().map(Enclosing::centre).collect();
     let misses = equations.values(&centre)?;
     let jacobian = equations.jacobian(x)?;
@@ -61,7 +58,7 @@ pub(super) fn image<N: Enclosing, E: Equations<N>>(equations: &E, inverse: &Prec
         let row = inverse.row(i);
         // The row of 1 - Y J.
         let mut rest: Vec<N> = (0..row.len()).map(|j| N::from_f64(if i == j { 1.0 } else { 0.0 })).collect();
-        for (l, j, slope) in jacobian.entries() {
+        for (l, j, slope) in jacobian.iter() {
             rest[j] = N::from_f64(-row[l]).mul_add(slope.clone(), rest[j].clone());
         }
         let newton = newton(&centre[i], row, &misses);
@@ -76,8 +73,8 @@ pub fn is_inside<N: Enclosing>(inner: &[N], outer: &[N]) -> bool {
 }
 
 /// A guess after N steps of simplified Newton's iteration; nothing is proved.
-pub fn polish<N: Enclosing, E: Equations<N>>(
-    equations: &E,
+pub fn polish<N: Enclosing>(
+    equations: &dyn Equations<N>,
     inverse: &Preconditioner,
     guess: Vec<N>,
     steps: u32,
@@ -94,8 +91,8 @@ pub fn polish<N: Enclosing, E: Equations<N>>(
 ///
 /// `None` when no box around the guess is mapped into its interior: the guess is none, or the zero is too near to a double one or
 /// to where the equations end for this arithmetic.
-pub fn prove<N: Enclosing, E: Equations<N>>(
-    equations: &E,
+pub fn prove<N: Enclosing>(
+    equations: &dyn Equations<N>,
     inverse: &Preconditioner,
     guess: &[N],
     effort: Effort,
@@ -115,8 +112,8 @@ pub fn prove<N: Enclosing, E: Equations<N>>(
 /// takes. Lemma T3
 ///
 /// `None` as of [`prove`], or where the images grow without end: the equations hold for all members of intervals that are too wide.
-pub fn prove_inflating<N: Enclosing, E: Equations<N>>(
-    equations: &E,
+pub fn prove_inflating<N: Enclosing>(
+    equations: &dyn Equations<N>,
     inverse: &Preconditioner,
     guess: &[N],
     effort: Effort,
@@ -141,8 +138,8 @@ pub fn prove_inflating<N: Enclosing, E: Equations<N>>(
 ///
 /// Each image holds the zero; a further one is worth its price while it takes something off the widest radius. Near a double zero
 /// the first ones take little, and the narrower the box the more.
-fn refine<N: Enclosing, E: Equations<N>>(
-    equations: &E,
+fn refine<N: Enclosing>(
+    equations: &dyn Equations<N>,
     inverse: &Preconditioner,
     mut at: Vec<N>,
     domain: &[N],
@@ -173,7 +170,6 @@ pub(super) fn widest<N: Enclosing>(balls: &[N]) -> f64 {
 mod tests {
     use super::*;
     use crate::number::{Ball, Wave};
-    use nalgebra::DMatrix;
     use proptest::prelude::*;
 
     const EFFORT: Effort = Effort { largest: LARGEST, domains: 14, images: 40, slow: 0 };
@@ -185,16 +181,14 @@ mod tests {
     }
 
     impl Equations<Ball> for Circle {
-        type Jacobian = DMatrix<Ball>;
-
         fn values(&self, at: &[Ball]) -> Option<Vec<Ball>> {
             let (x, y) = (at[0], at[1]);
             Some(vec![x * x + y * y - Ball::exact(1.0), x * self.sin - y * self.cos])
         }
 
-        fn jacobian(&self, at: &[Ball]) -> Option<DMatrix<Ball>> {
+        fn jacobian(&self, at: &[Ball]) -> Option<Entries<Ball>> {
             let two = Ball::exact(2.0);
-            Some(DMatrix::from_row_slice(2, 2, &[two * at[0], two * at[1], self.sin, -self.cos]))
+            Some(Entries::new(2, vec![(0, 0, two * at[0]), (0, 1, two * at[1]), (1, 0, self.sin), (1, 1, -self.cos)]))
         }
     }
 
@@ -202,20 +196,18 @@ mod tests {
     struct Square;
 
     impl Equations<Ball> for Square {
-        type Jacobian = DMatrix<Ball>;
-
         fn values(&self, at: &[Ball]) -> Option<Vec<Ball>> {
             Some(vec![at[0] * at[0]])
         }
 
-        fn jacobian(&self, at: &[Ball]) -> Option<DMatrix<Ball>> {
-            Some(DMatrix::from_element(1, 1, Ball::exact(2.0) * at[0]))
+        fn jacobian(&self, at: &[Ball]) -> Option<Entries<Ball>> {
+            Some(Entries::new(1, vec![(0, 0, Ball::exact(2.0) * at[0])]))
         }
     }
 
     /// The inverse at these doubles.
-    fn inverse(equations: &impl Equations<Ball, Jacobian = DMatrix<Ball>>, at: &[Ball]) -> Preconditioner {
-        Preconditioner::new(&equations.jacobian(at).unwrap().map(Ball::mid)).unwrap()
+    fn inverse(equations: &dyn Equations<Ball>, at: &[Ball]) -> Preconditioner {
+        Preconditioner::new(&equations.jacobian(at).unwrap().map(|x| x.mid())).unwrap()
     }
 
     proptest! {

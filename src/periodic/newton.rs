@@ -34,7 +34,7 @@ pub(super) fn settle(most: usize, mut step: impl FnMut() -> Option<f64>) -> Opti
 pub fn polish<S: Shaking<f64>>(chain: &Chain, shaking: &S, mut phases: Vec<f64>) -> Option<Vec<f64>> {
     let mut legs = chain.legs(shaking, &phases)?;
     settle(MOST_STEPS, || {
-        let inverse = Preconditioner::new(&chain.slopes(shaking, &legs)?)?;
+        let inverse = Preconditioner::new(&chain.slopes(shaking, &legs)?.into_entries())?;
         let step = newton_step(chain, shaking, &legs, &inverse);
         let size = step.iter().map(|x| x.abs()).fold(0.0, f64::max); // proposes
         let taken = keep_order(chain, &legs.legs, &step);
@@ -80,5 +80,5 @@ pub fn is_plausible<S: Shaking<f64>>(chain: &Chain, shaking: &S, phases: &[f64])
 
 /// Returns the preconditioner at these phases.
 pub fn precondition<S: Shaking<f64>>(chain: &Chain, shaking: &S, phases: &[f64]) -> Option<Preconditioner> {
-    Preconditioner::new(&chain.slopes(shaking, &chain.legs(shaking, phases)?)?)
+    Preconditioner::new(&chain.slopes(shaking, &chain.legs(shaking, phases)?)?.into_entries())
 }

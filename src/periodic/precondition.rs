@@ -1,24 +1,8 @@
 //! Approximate inverses of Jacobian matrices, in doubles: nothing rests on how good they are.
 
-use nalgebra::{DMatrix, Scalar};
+use nalgebra::DMatrix;
 
-/// A square matrix by its entries: all of them, or those that may be other than 0.
-pub trait Jacobian<N: Scalar> {
-    /// How many rows it has, and columns.
-    fn size(&self) -> usize;
-    /// Row, column and value, row by row; what falls on one place is added.
-    fn entries(&self) -> impl Iterator<Item = (usize, usize, &N)>;
-}
-
-impl<N: Scalar> Jacobian<N> for DMatrix<N> {
-    fn size(&self) -> usize {
-        self.nrows()
-    }
-
-    fn entries(&self) -> impl Iterator<Item = (usize, usize, &N)> {
-        (0..self.nrows()).flat_map(move |i| (0..self.ncols()).map(move |j| (i, j, &self[(i, j)])))
-    }
-}
+use super::entries::Entries;
 
 /// An approximate inverse.
 #[derive(Clone, Debug)]
@@ -29,12 +13,8 @@ pub struct Preconditioner {
 
 impl Preconditioner {
     /// Returns the inverse of this matrix; `None` when it has none in doubles.
-    pub fn new(jacobian: &impl Jacobian<f64>) -> Option<Self> {
-        let mut matrix = DMatrix::<f64>::zeros(jacobian.size(), jacobian.size());
-        for (i, j, value) in jacobian.entries() {
-            matrix[(i, j)] += value;
-        }
-        let transposed = matrix.try_inverse()?.transpose();
+    pub fn new(jacobian: &Entries<f64>) -> Option<Self> {
+        let transposed = jacobian.dense().try_inverse()?.transpose();
         transposed.iter().all(|x| x.is_finite()).then_some(Self { transposed })
     }
 

@@ -12,7 +12,7 @@ use super::search::{Floats, Fold};
 use crate::chaos;
 use crate::number::{Ball, Enclosing};
 use crate::periodic::krawczyk::{Effort, Equations, Proved, prove};
-use crate::periodic::precondition::{Jacobian, Preconditioner};
+use crate::periodic::precondition::Preconditioner;
 
 /// Steps of Newton's iteration, the largest one, and when it has ended.
 const STEPS: u32 = 40;
@@ -64,11 +64,8 @@ pub(super) fn settle(chain: &Chain<Ball>, mut x: Vec<f64>) -> Option<Vec<f64>> {
         // The fixed point follows the parameter.
         let at = points(&x);
         let misses = DVector::from_iterator(x.len(), chain.values(&at)?.into_iter().map(Ball::mid));
-        let mut matrix = nalgebra::DMatrix::<f64>::zeros(x.len(), x.len());
-        for (i, j, value) in chain.jacobian(&at)?.entries() {
-            matrix[(i, j)] += value.mid();
-        }
-        let mut step = -matrix.lu().solve(&misses)?;
+        let matrix = chain.jacobian(&at)?.map(|x| x.mid());
+        let mut step = -matrix.dense().lu().solve(&misses)?;
         let size = step.amax();
         if !size.is_finite() {
             return None;

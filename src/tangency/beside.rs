@@ -2,11 +2,12 @@
 
 use super::begin::InDoubles;
 use super::boxes::{self, StateBounds, between, high, low};
-use super::chain::{Chain, FIRST, Sparse};
+use super::chain::{Chain, FIRST};
 use super::flights::least;
 use super::unfolding::{Linear, solved};
 use crate::exact::Enclosure;
 use crate::number::{Ball, Enclosing};
+use crate::periodic::entries::Entries;
 use crate::periodic::krawczyk::{Effort, Equations, Proved, is_inside, polish, prove_inflating};
 use crate::periodic::precondition::Preconditioner;
 
@@ -80,18 +81,16 @@ impl Curve<'_> {
 }
 
 impl Equations<Ball> for Curve<'_> {
-    type Jacobian = Sparse<Ball>;
-
     fn values(&self, x: &[Ball]) -> Option<Vec<Ball>> {
         let all = self.chain.values(&self.all(x))?;
         let own = all.chunks(4).flat_map(|row| [row[0], row[1]]);
         Some(own.chain([x[self.coordinate] - self.at]).collect())
     }
 
-    fn jacobian(&self, x: &[Ball]) -> Option<Sparse<Ball>> {
+    fn jacobian(&self, x: &[Ball]) -> Option<Entries<Ball>> {
         let row = |i: usize| (i % 4 < 2).then_some(i / 4 * 2 + i % 4);
         let own = self.chain.jacobian(&self.all(x))?.part(x.len(), row, place);
-        Some(own.with(x.len() - 1, self.coordinate, Ball::exact(1.0)))
+        Some(own.with_row(x.len() - 1, [(self.coordinate, Ball::exact(1.0))]))
     }
 }
 

@@ -7,8 +7,8 @@ use super::terms::Terms;
 use crate::chaos::Side;
 use crate::number::Enclosing;
 use crate::periodic::bifurcation::Jet;
+use crate::periodic::entries::Entries;
 use crate::periodic::krawczyk::Equations;
-use crate::periodic::precondition::Jacobian;
 
 /// The unknowns before the states: `sigma_u`, `sigma_s`, the parameter, `t`.
 pub(super) const FIRST: usize = 4;
@@ -29,13 +29,6 @@ pub(super) struct Chain<N> {
     pub manifolds: [Manifold; 2],
 }
 
-/// A matrix by rows, columns and values.
-#[derive(Clone, Debug)]
-pub(super) struct Sparse<N> {
-    size: usize,
-    entries: Vec<(usize, usize, N)>,
-}
-
 /// A state with its tangent.
 pub(super) type Moving<N> = State<Jet<N>>;
 
@@ -52,47 +45,6 @@ struct Ends<N> {
     unstable: Point<N>,
     stable: Point<N>,
     stretch: N,
-}
-
-impl<N: nalgebra::Scalar> Jacobian<N> for Sparse<N> {
-    fn size(&self) -> usize {
-        self.size
-    }
-
-    fn entries(&self) -> impl Iterator<Item = (usize, usize, &N)> {
-        self.entries.iter().map(|(i, j, value)| (*i, *j, value))
-    }
-}
-
-impl<N: nalgebra::Scalar> Sparse<N> {
-    /// The same with one more column, of which the last entry is in a row of its own.
-    pub fn bordered(mut self, column: Vec<N>) -> Self {
-        let last = self.size;
-        self.entries.extend(column.into_iter().enumerate().map(|(i, value)| (i, last, value)));
-        Self { size: last + 1, ..self }
-    }
-
-    /// The entries whose rows and columns have a place in another matrix.
-    pub fn part(
-        &self,
-        size: usize,
-        row: impl Fn(usize) -> Option<usize>,
-        column: impl Fn(usize) -> Option<usize>,
-    ) -> Self {
-        let place = |(i, j, x): &(usize, usize, N)| Some((row(*i)?, column(*j)?, x.clone()));
-        Self { size, entries: self.entries.iter().filter_map(place).collect() }
-    }
-
-    /// The same with one more entry.
-    pub fn with(mut self, i: usize, j: usize, value: N) -> Self {
-        self.entries.push((i, j, value));
-        self
-    }
-
-    /// The same matrix of other values.
-    pub fn map<M>(&self, f: impl Fn(&N) -> M) -> Sparse<M> {
-        Sparse { size: self.size, entries: self.entries.iter().map(|(i, j, x)| (*i, *j, f(x))).collect() }
-    }
 }
 
 fn zero<N: Enclosing>() -> N {
@@ -254,8 +206,6 @@ impl<N: Enclosing> Chain<N> {
 }
 
 impl<N: Enclosing> Equations<N> for Chain<N> {
-    type Jacobian = Sparse<N>;
-
     fn values(&self, x: &[N]) -> Option<Vec<N>> {
         let states = self.states(x)?;
         let mut values = Vec::with_capacity(self.unknowns());
@@ -266,7 +216,7 @@ impl<N: Enclosing> Equations<N> for Chain<N> {
         Some(values)
     }
 
-    fn jacobian(&self, x: &[N]) -> Option<Sparse<N>> {
+    fn jacobian(&self, x: &[N]) -> Option<Entries<N>> {
         let ends = self.ends(x, self.over)?;
         let states: Vec<Moving<N>> = (0..=self.flights.len()).map(|k| self.state(x, &ends, k)).collect();
         let mut entries = Vec::new();
@@ -277,6 +227,6 @@ impl<N: Enclosing> Equations<N> for Chain<N> {
                 entries.extend(column.into_iter().enumerate().map(|(i, value)| (4 * k + i, unknown, value)));
             }
         }
-        Some(Sparse { size: self.unknowns(), entries })
+        Some(Entries::new(self.unknowns(), entries))
     }
 }

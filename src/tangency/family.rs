@@ -2,12 +2,13 @@
 
 use super::begin::{Begun, REACH, points};
 use super::boxes;
-use super::chain::{Chain, FIRST, Sparse};
+use super::chain::{Chain, FIRST};
 use super::flight::Parameter;
 use super::flights::least;
 use super::proof::{Proof, conclude};
 use super::search::Fold;
 use crate::number::{Ball, Enclosing};
+use crate::periodic::entries::Entries;
 use crate::periodic::krawczyk::{Effort, Equations, prove_inflating};
 use crate::periodic::precondition::Preconditioner;
 
@@ -26,8 +27,6 @@ impl Family<'_> {
 }
 
 impl Equations<Ball> for Family<'_> {
-    type Jacobian = Sparse<Ball>;
-
     fn values(&self, x: &[Ball]) -> Option<Vec<Ball>> {
         let (chain, own) = self.chain(x)?;
         let mut values = chain.values(own)?;
@@ -35,7 +34,7 @@ impl Equations<Ball> for Family<'_> {
         Some(values)
     }
 
-    fn jacobian(&self, x: &[Ball]) -> Option<Sparse<Ball>> {
+    fn jacobian(&self, x: &[Ball]) -> Option<Entries<Ball>> {
         let (chain, own) = self.chain(x)?;
         let mut column = chain.by_other(own)?;
         column.push(Ball::exact(1.0));

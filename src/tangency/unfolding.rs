@@ -1,12 +1,13 @@
 //! How a tangency bends and unfolds: Lemma J7 of `docs/proofs/tangency.md#J7`.
 
-use super::chain::{Chain, Moving, Sparse, power};
+use super::chain::{Chain, Moving, power};
 use super::saddle::zero;
 use super::terms::Terms;
 use crate::number::Enclosing;
 use crate::periodic::bifurcation::Jet;
+use crate::periodic::entries::Entries;
 use crate::periodic::krawczyk::{Effort, Equations, polish, prove_inflating};
-use crate::periodic::precondition::{Jacobian, Preconditioner};
+use crate::periodic::precondition::Preconditioner;
 
 /// `q` and `m` of Lemma J5.
 pub(super) struct Unfolding<N> {
@@ -16,22 +17,20 @@ pub(super) struct Unfolding<N> {
 
 /// Linear equations: a matrix, and what its product with the unknowns is.
 pub(super) struct Linear<N> {
-    pub matrix: Sparse<N>,
+    pub matrix: Entries<N>,
     pub right: Vec<N>,
 }
 
 impl<N: Enclosing> Equations<N> for Linear<N> {
-    type Jacobian = Sparse<N>;
-
     fn values(&self, x: &[N]) -> Option<Vec<N>> {
         let mut values: Vec<N> = self.right.iter().map(|x| -x.clone()).collect();
-        for (i, j, slope) in self.matrix.entries() {
+        for (i, j, slope) in self.matrix.iter() {
             values[i] = slope.mul_add_ref(&x[j], values[i].clone());
         }
         Some(values)
     }
 
-    fn jacobian(&self, _: &[N]) -> Option<Sparse<N>> {
+    fn jacobian(&self, _: &[N]) -> Option<Entries<N>> {
         Some(self.matrix.clone())
     }
 }

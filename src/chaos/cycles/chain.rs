@@ -3,7 +3,7 @@
 use super::relation::{Leg, Relation};
 use crate::chaos::law::Side;
 use crate::number::interval::Interval;
-use crate::periodic::precondition::Jacobian;
+use crate::periodic::entries::Entries;
 use crate::periodic::precondition::Preconditioner;
 
 /// Boxes of consecutive impacts; a closed chain goes on with its first impact, whole forcing periods later.
@@ -34,19 +34,6 @@ struct Row {
     phases: [usize; 3],
     slopes: [Interval; 3],
     miss: Interval,
-}
-
-/// The derivatives of equations by some of the phases, in doubles.
-struct Square(Vec<(usize, usize, f64)>, usize);
-
-impl Jacobian<f64> for Square {
-    fn size(&self) -> usize {
-        self.1
-    }
-
-    fn entries(&self) -> impl Iterator<Item = (usize, usize, &f64)> {
-        self.0.iter().map(|(i, j, x)| (*i, *j, x))
-    }
 }
 
 impl Chain {
@@ -173,7 +160,9 @@ impl Chain {
             let entry = move |(&j, slope): (&usize, &Interval)| Some((i, place(j)?, slope.mid()));
             row.phases.iter().zip(&row.slopes).filter_map(entry)
         });
-        let Some(inverse) = Preconditioner::new(&Square(entries.collect(), rows.len())) else { return Some(false) };
+        let Some(inverse) = Preconditioner::new(&Entries::new(rows.len(), entries.collect())) else {
+            return Some(false);
+        };
         let mut is_regular = true;
         for own in 0..rows.len() {
             is_regular &= self.solve(start + own, inverse.row(own), &rows, middles)?;

@@ -5,10 +5,9 @@
 
 use std::cmp::Ordering;
 
-use nalgebra::{DMatrix, Scalar};
-
 use super::super::chained::{Chained, OneHarmonic};
 use super::super::determinant;
+use super::super::entries::Entries;
 use super::super::equations::flights;
 use super::super::krawczyk::{Equations, image, is_inside};
 use super::super::orbit::PeriodicOrbit;
@@ -17,7 +16,7 @@ use super::claim::Setting;
 use super::family::{Family, Varied};
 use super::point::Point;
 use super::ring::Ring;
-use super::system::{Curve, Multiplied};
+use super::system::{Curve, Multiplied, System};
 use super::trace::{null_vector, twisted_matrix};
 use super::tube::{Proof, Tube, take_time};
 use crate::exact::{Enclosure, Exact};
@@ -90,7 +89,7 @@ impl Between<'_> {
         Err("they are not proved in doubles")
     }
 
-    fn prove_in<N: Enclosing + Turning + Scalar>(
+    fn prove_in<N: Enclosing + Turning>(
         &self,
         family: &Family<OneHarmonic, N>,
         (steps, pad): (u32, f64),
@@ -103,7 +102,7 @@ impl Between<'_> {
         let holds =
             |x: &[N]| self.is_admissible(family, x) && [1.0, -1.0].iter().all(|mu| self.excludes(family, x, *mu));
         let tube = Tube {
-            curve: &Curve(self.ring),
+            curve: &System::Curve(Curve(self.ring)),
             over: None,
             floats: &floats,
             family,
@@ -148,7 +147,7 @@ impl Between<'_> {
 
     /// Proves the orbits over an eigenvalue, from the bifurcation at the end of a window to the middle; the phases and the parameter at
     /// the inner end. Lemma Y8
-    fn outer<N: Enclosing + Turning + Scalar>(
+    fn outer<N: Enclosing + Turning>(
         &self,
         family: &Family<OneHarmonic, N>,
         (steps, pad): (u32, f64),
@@ -165,7 +164,7 @@ impl Between<'_> {
             Some(phases.iter().copied().chain(w).chain([*p, *mu]).collect())
         };
         let lifted: Vec<Vec<f64>> = end.stations.iter().map(lift).collect::<Option<_>>()?;
-        let curve = Multiplied { ring, direction: direction.to_vec() };
+        let curve = System::Multiplied(Multiplied { ring, direction: direction.to_vec() });
         let project = |x: &[N]| -> Vec<N> { [&x[..ring.unknowns()], &x[x.len() - 2..x.len() - 1]].concat() };
         let holds = |x: &[N]| self.is_admissible(family, &project(x)) && self.is_dominant(family, x);
         // Over mu, the last unknown.
@@ -196,7 +195,7 @@ impl Between<'_> {
     }
 
     /// Whether no orbit of a box has the eigenvalue `mu`, 1 or -1: `F'_mu` is regular. Lemma Y8
-    fn excludes<N: Enclosing + Turning + Scalar>(&self, family: &Family<OneHarmonic, N>, x: &[N], mu: f64) -> bool {
+    fn excludes<N: Enclosing + Turning>(&self, family: &Family<OneHarmonic, N>, x: &[N], mu: f64) -> bool {
         let ring = self.ring;
         let centre: Vec<f64> = x.iter().map(|x| x.as_ball().mid()).collect();
         let regular = || {
@@ -226,17 +225,15 @@ impl Between<'_> {
 }
 
 /// The equations `L w = 0`.
-struct Linear<N>(DMatrix<N>);
+struct Linear<N>(Entries<N>);
 
 impl<N: Enclosing> Equations<N> for Linear<N> {
-    type Jacobian = DMatrix<N>;
-
     /// At 0.
     fn values(&self, x: &[N]) -> Option<Vec<N>> {
         Some(x.iter().map(|_| N::from_f64(0.0)).collect())
     }
 
-    fn jacobian(&self, _: &[N]) -> Option<DMatrix<N>> {
+    fn jacobian(&self, _: &[N]) -> Option<Entries<N>> {
         Some(self.0.clone())
     }
 }

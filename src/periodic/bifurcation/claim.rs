@@ -1,7 +1,5 @@
 //! Proofs of bifurcations: in doubles first, then in as many bits as the digits take. Lemmas Y3-Y5
 
-use std::cmp::Ordering;
-
 use super::super::Precision;
 use super::super::chain::{Chain, Legs};
 use super::super::chained::Moment;
@@ -9,7 +7,6 @@ use super::super::equations::flights;
 use super::super::krawczyk::{self, Effort, LARGEST, Proved, widest};
 use super::super::orbit::{Finding, PeriodicImpact, PeriodicOrbit, whole_periods};
 use super::super::precondition::Preconditioner;
-use super::super::shaking::Shaking;
 use super::family::{Family, Unknown, Varied};
 use super::follow::Change;
 use super::over::Parameter;
@@ -23,7 +20,6 @@ use crate::exact::working_bits;
 #[cfg(feature = "multiprecision")]
 use crate::number::MpBall;
 use crate::number::{Ball, Enclosing};
-use crate::pair::Inward;
 use crate::several::Turning;
 
 /// What varies, and the parameters that do not.
@@ -72,11 +68,11 @@ pub(super) fn prove<S: Varied>(
         Change::Flip if ring.is_mirrored() => critical(Kind::Pitchfork, -1.0),
         Change::Flip | Change::Join => critical(Kind::PeriodDoubling, -1.0),
         Change::Graze(nearest) => {
-            let system = Graze { ring, leg: nearest.leg, wall: nearest.wall };
+            let system = System::Graze(Graze { ring, leg: nearest.leg, wall: nearest.wall });
             Claim { setting, ring, kind: Kind::Graze, system, precision }.prove(with(&[nearest.phase]))
         }
         Change::Vanish(impact) => {
-            let system = Vanishing { ring, impact };
+            let system = System::Vanishing(Vanishing { ring, impact });
             Claim { setting, ring, kind: Kind::Graze, system, precision }.prove(with(&[]))
         }
     }
@@ -92,41 +88,8 @@ pub(super) fn prove_critical<S: Varied>(
 ) -> Option<Point> {
     let (p, phases) = x.split_last()?;
     let guess = [phases, &direction, &[*p]].concat();
-    Claim { setting, ring, kind, system: Critical { ring, mu, direction }, precision }.prove(guess)
-}
-
-/// What else a system's zero has to satisfy.
-pub(super) trait Condition: System {
-    /// Whether what the equations leave open is as it has to be, proved.
-    fn holds<N: Enclosing, B: Shaking<N>>(&self, pair: &B, x: &[N], phases: &[N]) -> bool;
-}
-
-impl Condition for Critical<'_> {
-    /// `e > 0`, for Lemma Y2; velocities that are not 0 are requested with the orbit.
-    fn holds<N: Enclosing, B: Shaking<N>>(&self, pair: &B, _: &[N], _: &[N]) -> bool {
-        pair.restitution().certain_sign() == Some(Ordering::Greater)
-    }
-}
-
-impl Condition for Vanishing<'_> {
-    fn holds<N: Enclosing, B: Shaking<N>>(&self, _: &B, _: &[N], _: &[N]) -> bool {
-        true
-    }
-}
-
-impl Condition for Graze<'_> {
-    /// The touch lies inside its flight, and the ball comes from inside the gap: it is bent away from the wall. Lemma Y5
-    fn holds<N: Enclosing, B: Shaking<N>>(&self, pair: &B, x: &[N], phases: &[N]) -> bool {
-        let at = &x[x.len() - 2];
-        let chain = self.ring.chain();
-        let next = match self.leg + 1 {
-            end if end == chain.impacts() => phases[0].clone() + N::from_f64(f64::from(chain.cycles())),
-            i => phases[i].clone(),
-        };
-        let is_later = |a: &N, b: &N| (a.clone() - b.clone()).certain_sign() == Some(Ordering::Greater);
-        let bend = self.wall.inward(pair.acceleration(&pair.moment(0.0, at)));
-        is_later(at, &phases[self.leg]) && is_later(&next, at) && bend.certain_sign() == Some(Ordering::Greater)
-    }
+    let system = System::Critical(Critical { ring, mu, direction });
+    Claim { setting, ring, kind, system, precision }.prove(guess)
 }
 
 /// The largest radius that is tried where doubles prove none, `2^-20`.
@@ -143,20 +106,20 @@ const EXTENDED_BITS: u32 = 16;
 const MOST_PRECISIONS: u32 = 3;
 
 /// A zero to prove, and what it then is.
-struct Claim<'s, E, S> {
+struct Claim<'s, S> {
     setting: &'s Setting<'s, S>,
     ring: &'s Ring,
     kind: Kind,
-    system: E,
+    system: System<'s>,
     precision: Precision,
 }
 
-impl<E: Condition, S: Varied> Claim<'_, E, S> {
+impl<S: Varied> Claim<'_, S> {
     /// In doubles first, then in as many bits as the digits take.
     fn prove(&self, guess: Vec<f64>) -> Option<Point> {
         let floats = self.setting.floats();
         let guess = newton(&self.system, &floats, guess)?;
-        let inverse = Preconditioner::new(&self.system.jacobian(&floats, &guess)?)?;
+        let inverse = Preconditioner::new(&self.system.jacobian(&floats, &guess, false)?)?;
         let doubles: Vec<Ball> = guess.iter().map(|&x| Ball::exact(x)).collect();
         let family = self.setting.doubles();
         let bits = f64::MANTISSA_DIGITS;

@@ -1,6 +1,6 @@
 //! Approximate zeros of a [`System`]: nothing is proved.
 
-use nalgebra::DMatrix;
+use nalgebra::DVector;
 
 use super::super::newton::settle;
 use super::family::{Family, Varied};
@@ -10,12 +10,11 @@ use super::system::System;
 const MOST_STEPS: usize = 30;
 
 /// An approximate zero from a guess; `None` where Newton's iteration does not settle near it.
-pub(super) fn newton<S: Varied>(system: &impl System, family: &Family<S, f64>, guess: Vec<f64>) -> Option<Vec<f64>> {
+pub(super) fn newton<S: Varied>(system: &System<'_>, family: &Family<S, f64>, guess: Vec<f64>) -> Option<Vec<f64>> {
     let mut x = guess;
     settle(MOST_STEPS, || {
         let values = system.values(family, &x)?;
-        let values = DMatrix::from_column_slice(values.len(), 1, &values);
-        let step = system.jacobian(family, &x)?.lu().solve(&values)?;
+        let step = system.jacobian(family, &x, false)?.dense().lu().solve(&DVector::from_vec(values))?;
         let size = step.amax();
         if !size.is_finite() || size > 1.0 {
             return None;

@@ -2,8 +2,9 @@
 
 // Labels: proposes throughout.
 
-use nalgebra::{DMatrix, DVector, Scalar};
+use nalgebra::DVector;
 
+use super::super::entries::Entries;
 use super::family::{Family, Varied};
 use super::ring::Ring;
 use super::system::{Curve, System};
@@ -47,12 +48,12 @@ const MOST_STEPS: usize = 8;
 
 /// Corrects `x` onto the branch, within the plane through it across `along`.
 pub(super) fn correct<S: Varied>(ring: &Ring, family: &Family<S, f64>, x: &[f64], along: &[f64]) -> Option<Vec<f64>> {
-    correct_onto(&Curve(ring), family, x, along)
+    correct_onto(&System::Curve(Curve(ring)), family, x, along)
 }
 
 /// Corrects `x` onto a curve, likewise.
 pub(super) fn correct_onto<S: Varied>(
-    curve: &impl System,
+    curve: &System<'_>,
     family: &Family<S, f64>,
     x: &[f64],
     along: &[f64],
@@ -61,8 +62,8 @@ pub(super) fn correct_onto<S: Varied>(
     for _ in 0..MOST_STEPS {
         let mut values = curve.values(family, &x)?;
         values.push(along.iter().zip(x.iter().zip(&start)).map(|(t, (x, s))| t * (x - s)).sum());
-        let bordered = border(curve.jacobian(family, &x)?, along);
-        let step = bordered.lu().solve(&DVector::from_vec(values))?;
+        let bordered = border(curve.jacobian(family, &x, false)?, along);
+        let step = bordered.dense().lu().solve(&DVector::from_vec(values))?;
         let size = step.amax();
         if !size.is_finite() || size > 0.2 {
             return None;
@@ -75,39 +76,37 @@ pub(super) fn correct_onto<S: Varied>(
     None
 }
 
-/// A matrix with one more row.
-fn border(matrix: DMatrix<f64>, row: &[f64]) -> DMatrix<f64> {
-    let last = matrix.nrows();
-    let mut bordered = matrix.insert_row(last, 0.0);
-    row.iter().enumerate().for_each(|(j, &x)| bordered[(last, j)] = x);
-    bordered
+/// The Jacobian matrix of a curve with its last row.
+fn border(matrix: Entries<f64>, row: &[f64]) -> Entries<f64> {
+    let last = matrix.size() - 1;
+    matrix.with_row(last, row.iter().copied().enumerate())
 }
 
 /// The unit tangent at `x` that goes the way of `along`.
 pub(super) fn tangent<S: Varied>(ring: &Ring, family: &Family<S, f64>, x: &[f64], along: &[f64]) -> Option<Vec<f64>> {
-    let matrix = border(Curve(ring).jacobian(family, x)?, along);
+    let matrix = border(System::Curve(Curve(ring)).jacobian(family, x, false)?, along);
     let mut right = DVector::zeros(x.len());
     right[x.len() - 1] = 1.0;
-    let tangent = matrix.lu().solve(&right)?.normalize();
+    let tangent = matrix.dense().lu().solve(&right)?.normalize();
     tangent.iter().all(|t| t.is_finite()).then(|| tangent.as_slice().to_vec())
 }
 
 /// A vector that `F'_mu` all but annuls, of length 1.
 pub(super) fn null_vector<S: Varied>(ring: &Ring, family: &Family<S, f64>, x: &[f64], mu: f64) -> Option<Vec<f64>> {
     let matrix = twisted_matrix(ring, family, x, &mu)?;
-    let svd = matrix.svd(false, true);
+    let svd = matrix.dense().svd(false, true);
     let v = svd.v_t?;
     let least = svd.singular_values.imin();
     Some(v.row(least).iter().copied().collect())
 }
 
 /// `F'_mu`
-pub(super) fn twisted_matrix<S: Varied, N: Turning + Scalar>(
+pub(super) fn twisted_matrix<S: Varied, N: Turning>(
     ring: &Ring,
     family: &Family<S, N>,
     x: &[N],
     mu: &N,
-) -> Option<DMatrix<N>> {
+) -> Option<Entries<N>> {
     let (p, phases) = x.split_last()?;
     let pair = family.pair(p.clone());
     let slopes = ring.chain().slopes(&pair, &ring.legs(&pair, phases)?)?;
@@ -119,7 +118,8 @@ pub(super) fn twisted_matrix<S: Varied, N: Turning + Scalar>(
         Some(ring.continued(&slopes, &w, ends))
     };
     let columns: Vec<_> = (0..m).map(column).collect::<Option<_>>()?;
-    Some(DMatrix::from_fn(m, m, |i, j| columns[j][i].clone()))
+    let all = (0..m).flat_map(|i| columns.iter().enumerate().map(move |(j, column)| (i, j, column[i].clone())));
+    Some(Entries::new(m, all.collect()))
 }
 
 impl Station {
@@ -163,7 +163,7 @@ impl Tests {
             }
         }
         let apart = ring.halves().map(|_| asymmetry(phases, ring.turns() / 2.0)).fold(f64::INFINITY, f64::min);
-        let flip = twisted_matrix(ring, family, x, &-1.0)?.lu().determinant();
+        let flip = twisted_matrix(ring, family, x, &-1.0)?.dense().lu().determinant();
         Some(Self { flip, turn: tangent[tangent.len() - 1], room, arrival, apart })
     }
 }

@@ -1,22 +1,20 @@
 //! A followed curve proved to be one curve: Krawczyk's operator on slabs across it, each glued to the next. Lemmas Y6, Y8
 
-use nalgebra::Scalar;
-
 use super::super::equations::flights;
 use super::super::krawczyk::{image, is_inside, polish, widest};
 use super::super::precondition::Preconditioner;
 use super::family::{Family, Varied};
 use super::ring::Ring;
-use super::system::{Curve, Posed, System};
+use super::system::{Curve, Posed, Shape, System};
 use super::trace::{Station, correct_onto};
 use crate::number::{Ball, Enclosing};
 use crate::several::Turning;
 use crate::watch::Watch;
 
 /// A curve whose slabs are proved, and what its proofs take.
-pub(super) struct Tube<'t, E, S: Varied, N: Turning> {
+pub(super) struct Tube<'t, S: Varied, N: Turning> {
     /// One equation fewer than unknowns.
-    pub curve: &'t E,
+    pub curve: &'t System<'t>,
     /// The coordinate over which it is followed; across the way from station to station where there is none.
     pub over: Option<usize>,
     pub floats: &'t Family<S, f64>,
@@ -31,8 +29,8 @@ pub(super) struct Tube<'t, E, S: Varied, N: Turning> {
 }
 
 /// The part of a curve between two planes: `F = 0`, `a (x - x0) = t`, for all `|t| <= tau`.
-struct Slab<'c, E> {
-    curve: &'c E,
+pub(super) struct Slab<'c> {
+    curve: &'c System<'c>,
     base: Vec<f64>,
     along: Vec<f64>,
     tau: f64,
@@ -51,28 +49,28 @@ const MOST_HALVINGS: u32 = 12;
 /// How far a slab reaches beyond its two stations, in parts of the way between them.
 const OVERLAP: f64 = 0.02;
 
-impl<E: System> System for Slab<'_, E> {
+impl Shape for Slab<'_> {
     fn unknowns(&self) -> usize {
         self.base.len()
     }
 
     fn contains(&self, i: usize, j: usize) -> bool {
-        i + 1 < self.base.len() && self.curve.contains(i, j)
+        i + 1 < self.base.len() && self.curve.shape().contains(i, j)
     }
 
     fn linear(&self, i: usize) -> Option<Vec<f64>> {
-        if i + 1 == self.base.len() { Some(self.along.clone()) } else { self.curve.linear(i) }
+        if i + 1 == self.base.len() { Some(self.along.clone()) } else { self.curve.shape().linear(i) }
     }
+}
 
-    /// With `t = 0`.
-    fn values<S: Varied, N: Turning>(&self, family: &Family<S, N>, x: &[N]) -> Option<Vec<N>> {
+impl Slab<'_> {
+    /// See [`System::values`], with `t = 0`.
+    pub fn values<S: Varied, N: Turning>(&self, family: &Family<S, N>, x: &[N]) -> Option<Vec<N>> {
         let mut values = self.curve.values(family, x)?;
         values.push(self.distance(x));
         Some(values)
     }
-}
 
-impl<E: System> Slab<'_, E> {
     /// `a (x - x0)`
     fn distance<N: Turning>(&self, x: &[N]) -> N {
         let add = |sum: N, ((a, c), x): ((&f64, &f64), &N)| N::from_f64(*a).mul_add(x.clone() - N::from_f64(*c), sum);
@@ -98,7 +96,7 @@ impl<N: Enclosing + Turning> Proof<N> {
     }
 }
 
-impl<E: System, S: Varied, N: Enclosing + Turning + Scalar> Tube<'_, E, S, N> {
+impl<S: Varied, N: Enclosing + Turning> Tube<'_, S, N> {
     /// Proves the curve from the first station to the last one: its slabs in order; `None` where it is not proved, or the watch stops it.
     pub fn follow(&self, stations: &[Vec<f64>]) -> Option<Vec<Proof<N>>> {
         let mut slabs = Vec::new();
@@ -133,19 +131,17 @@ impl<E: System, S: Varied, N: Enclosing + Turning + Scalar> Tube<'_, E, S, N> {
     }
 
     /// Proves a slab in a box that is widened until its image lies inside.
-    fn prove(&self, slab: &Slab<'_, E>) -> Option<Proof<N>> {
+    fn prove(&self, slab: &Slab<'_>) -> Option<Proof<N>> {
         let mut at: Vec<f64> = slab.base.clone();
-        let mut inverse = Preconditioner::new(&slab.jacobian(self.floats, &at)?)?;
+        let system = System::Slab(slab);
+        let inverse_at = |at: &[f64]| Preconditioner::new(&system.jacobian(self.floats, at, false)?);
+        let mut inverse = inverse_at(&at)?;
         let mut centre: Vec<N> = at.iter().map(|&x| N::from_f64(x)).collect();
         if self.steps > 0 {
-            centre = polish(
-                &Posed { system: slab, family: self.family, is_sparse: self.steps > 0 },
-                &inverse,
-                centre,
-                self.steps,
-            );
+            let posed = Posed { system: &system, family: self.family, is_sparse: true };
+            centre = polish(&posed, &inverse, centre, self.steps);
             at = centre.iter().map(|x| x.as_ball().mid()).collect();
-            inverse = Preconditioner::new(&slab.jacobian(self.floats, &at)?)?;
+            inverse = inverse_at(&at)?;
         }
         let last = centre.len() - 1;
         let all = slab.tau;
@@ -171,7 +167,7 @@ impl<E: System, S: Varied, N: Enclosing + Turning + Scalar> Tube<'_, E, S, N> {
     }
 
     /// Narrows the point of the curve at the end of a slab, from a box that holds it, as far as this arithmetic does.
-    fn end(&self, slab: &Slab<'_, E>, inverse: &Preconditioner, mut end: Vec<N>) -> Option<Vec<N>> {
+    fn end(&self, slab: &Slab<'_>, inverse: &Preconditioner, mut end: Vec<N>) -> Option<Vec<N>> {
         for _ in 0..END_IMAGES {
             let narrower = self.image(slab, inverse, &end, N::from_f64(slab.end))?;
             let gain = widest(&end) - widest(&narrower);
@@ -185,9 +181,10 @@ impl<E: System, S: Varied, N: Enclosing + Turning + Scalar> Tube<'_, E, S, N> {
     }
 
     /// Krawczyk's image for all `t` of a ball.
-    fn image(&self, slab: &Slab<'_, E>, inverse: &Preconditioner, x: &[N], t: N) -> Option<Vec<N>> {
+    fn image(&self, slab: &Slab<'_>, inverse: &Preconditioner, x: &[N], t: N) -> Option<Vec<N>> {
         let last = x.len() - 1;
-        let still = image(&Posed { system: slab, family: self.family, is_sparse: self.steps > 0 }, inverse, x)?;
+        let system = System::Slab(slab);
+        let still = image(&Posed { system: &system, family: self.family, is_sparse: self.steps > 0 }, inverse, x)?;
         let moved = |(i, k): (usize, N)| N::from_f64(inverse.row(i)[last]).mul_add(t.clone(), k);
         Some(still.into_iter().enumerate().map(moved).collect())
     }
@@ -204,7 +201,16 @@ pub(super) fn is_one_curve<S: Varied>(
     watch: &dyn Watch,
 ) -> bool {
     let holds = |domain: &[Ball]| take_time(ring, family, domain);
-    let tube = Tube { curve: &Curve(ring), over: None, floats, family, steps: 0, pad: PAD, holds: &holds, watch };
+    let tube = Tube {
+        curve: &System::Curve(Curve(ring)),
+        over: None,
+        floats,
+        family,
+        steps: 0,
+        pad: PAD,
+        holds: &holds,
+        watch,
+    };
     let stations: Vec<Vec<f64>> = stations.iter().map(|station| station.x.clone()).collect();
     tube.follow(&stations).is_some()
 }

@@ -16,7 +16,7 @@ use super::over::Parameter;
 use super::point::{Kind, Point};
 use super::ring::Ring;
 use super::solve::newton;
-use super::system::Traced;
+use super::system::{System, Traced};
 use super::trace::null_vector;
 use crate::Error;
 use crate::exact::{Enclosure, Exact};
@@ -267,7 +267,7 @@ impl Proving<'_> {
         let q = determinant(&floats.pair(seed.parameter).restitution, ring.unknowns());
         // proposes: far from where both eigenvalues are one, sqrt(q)
         let inner = if q.sqrt() < 0.25 { LEAST.max(2.0 * q.sqrt()) } else { 0.5 * (1.0 + q.sqrt()) };
-        let solved = |trace: f64, x: Vec<f64>| newton(&Traced { ring, trace }, floats, x);
+        let solved = |trace: f64, x: Vec<f64>| newton(&System::Traced(Traced { ring, trace }), floats, x);
         let start = solved(0.0, [&seed.phases[..], &[seed.parameter]].concat())?;
         let towards = |sign: f64| -> Option<Vec<(f64, Vec<f64>)>> {
             let mut x = start.clone();

@@ -5,7 +5,7 @@ use std::ops::Range;
 use super::cut::{Part, Terms};
 use crate::number::interval::Interval;
 use crate::number::{Ball, Number};
-use crate::periodic::precondition::Jacobian;
+use crate::periodic::entries::Entries;
 use crate::periodic::precondition::Preconditioner;
 use crate::periodic::shaking::Shaking;
 
@@ -29,21 +29,16 @@ pub(super) struct Step {
     pub is_regular: bool,
 }
 
-/// The derivatives by the unknowns, in doubles.
-struct Square<'r>(&'r Rows, Vec<[f64; 3]>);
-
-impl Jacobian<f64> for Square<'_> {
-    fn size(&self) -> usize {
-        self.0.columns.len()
-    }
-
-    fn entries(&self) -> impl Iterator<Item = (usize, usize, &f64)> {
-        let rows = self.0.columns.iter().zip(&self.1).enumerate();
-        rows.flat_map(|(i, (columns, slopes))| columns.iter().zip(slopes).filter_map(move |(j, x)| Some((i, (*j)?, x))))
-    }
-}
-
 impl Rows {
+    /// The derivatives by the unknowns, in doubles.
+    fn middles(&self) -> Entries<f64> {
+        let rows = self.columns.iter().zip(&self.slopes).enumerate();
+        let entries = rows.flat_map(|(i, (columns, slopes))| {
+            columns.iter().zip(slopes).filter_map(move |(j, x)| Some((i, (*j)?, x.mid())))
+        });
+        Entries::new(self.columns.len(), entries.collect())
+    }
+
     /// Returns how much the equations depend on each phase.
     pub fn weights(&self, count: usize) -> Vec<f64> {
         let mut weights = vec![0.0; count];
@@ -84,8 +79,7 @@ impl Terms<'_> {
 
     /// Cuts a part by Newton's equation; `None` when nothing is left. What has no middle is left as it is.
     pub fn newton<S: Shaking<Ball>>(&self, shaking: &S, part: Part, rows: &Rows) -> Option<Step> {
-        let middles = rows.slopes.iter().map(|row| row.map(Interval::mid)).collect();
-        let Some(inverse) = Preconditioner::new(&Square(rows, middles)) else {
+        let Some(inverse) = Preconditioner::new(&rows.middles()) else {
             return Some(Step { part, weakest: 0, is_regular: false });
         };
         let size = |i: usize| inverse.row(i).iter().map(|x| x.abs()).sum::<f64>();

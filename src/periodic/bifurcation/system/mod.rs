@@ -1,0 +1,161 @@
+//! The equations whose zeros are bifurcations, the parameter being one of the unknowns: Lemmas Y3, Y5, Y8.
+
+mod eigenvalue;
+mod orbits;
+
+use super::super::entries::Entries;
+use super::super::krawczyk::Equations;
+use super::super::shaking::Shaking;
+use super::family::{Family, Varied};
+use super::jet::Jet;
+use super::tube::Slab;
+use crate::number::Enclosing;
+use crate::several::Turning;
+pub(super) use eigenvalue::{Critical, Multiplied};
+pub(super) use orbits::{Curve, Graze, Traced, Vanishing};
+
+/// Which equations contain which unknowns.
+pub(super) trait Shape {
+    /// How many unknowns there are.
+    fn unknowns(&self) -> usize;
+
+    /// How many equations there are.
+    fn equations(&self) -> usize {
+        self.unknowns()
+    }
+
+    /// Whether an equation contains an unknown: where it does not, the derivative is 0.
+    fn contains(&self, _: usize, _: usize) -> bool {
+        true
+    }
+
+    /// The coefficients of an equation that is linear, in all unknowns.
+    fn linear(&self, _: usize) -> Option<Vec<f64>> {
+        None
+    }
+}
+
+/// Equations in any arithmetic.
+pub(super) enum System<'r> {
+    Curve(Curve<'r>),
+    Critical(Critical<'r>),
+    Multiplied(Multiplied<'r>),
+    Traced(Traced<'r>),
+    Graze(Graze<'r>),
+    Vanishing(Vanishing<'r>),
+    Slab(&'r Slab<'r>),
+}
+
+impl System<'_> {
+    /// Returns which equations contain which unknowns.
+    pub fn shape(&self) -> &dyn Shape {
+        match self {
+            Self::Curve(system) => system,
+            Self::Critical(system) => system,
+            Self::Multiplied(system) => system,
+            Self::Traced(system) => system,
+            Self::Graze(system) => system,
+            Self::Vanishing(system) => system,
+            Self::Slab(system) => *system,
+        }
+    }
+
+    /// What the equations miss at `x`; `None` where they may not be defined.
+    pub fn values<S: Varied, N: Turning>(&self, family: &Family<S, N>, x: &[N]) -> Option<Vec<N>> {
+        match self {
+            Self::Curve(system) => system.values(family, x),
+            Self::Critical(system) => system.values(family, x),
+            Self::Multiplied(system) => system.values(family, x),
+            Self::Traced(system) => system.values(family, x),
+            Self::Graze(system) => system.values(family, x),
+            Self::Vanishing(system) => system.values(family, x),
+            Self::Slab(system) => system.values(family, x),
+        }
+    }
+
+    /// Whether what the equations leave open is as it has to be at a zero, proved.
+    pub fn holds<N: Enclosing, B: Shaking<N>>(&self, pair: &B, x: &[N], phases: &[N]) -> bool {
+        match self {
+            Self::Critical(system) => system.holds(pair),
+            Self::Graze(system) => system.holds(pair, x, phases),
+            _ => true,
+        }
+    }
+
+    /// The Jacobian matrix, all its entries or those that may be other than 0; over balls, enclosed for all their members. A curve's has a
+    /// last row without entries.
+    ///
+    /// Unknowns that no equation contains together are varied at once: an impact knows its neighbours only (Lemma T2).
+    pub fn jacobian<S: Varied, N: Turning>(
+        &self,
+        family: &Family<S, N>,
+        x: &[N],
+        is_sparse: bool,
+    ) -> Option<Entries<N>> {
+        let (family, shape) = (family.jets(), self.shape());
+        let (rows, columns) = (shape.equations(), shape.unknowns());
+        let linear: Vec<Option<Vec<f64>>> = (0..rows).map(|row| shape.linear(row)).collect();
+        let contains = |row: usize, j: usize| linear[row].is_none() && shape.contains(row, j);
+        let mut slopes: Vec<N> = vec![N::from_f64(0.0); rows * columns];
+        for (i, slope) in slopes.iter_mut().enumerate() {
+            if let Some(coefficients) = &linear[i / columns] {
+                *slope = N::from_f64(coefficients[i % columns]);
+            }
+        }
+        for group in groups(rows, columns, &contains) {
+            let lift = |(i, x): (usize, &N)| match group.contains(&i) {
+                true => Jet::variable(x.clone()),
+                false => Jet::constant(x.clone()),
+            };
+            let x: Vec<_> = x.iter().enumerate().map(lift).collect();
+            let values = self.values(&family, &x)?;
+            for (row, value) in values.into_iter().enumerate() {
+                if let Some(&j) = group.iter().find(|&&j| contains(row, j)) {
+                    slopes[row * columns + j] = value.slope;
+                }
+            }
+        }
+        let is_there = |i: usize, j: usize| !is_sparse || linear[i].is_some() || shape.contains(i, j);
+        let all = slopes.into_iter().enumerate().map(|(place, slope)| (place / columns, place % columns, slope));
+        Some(Entries::new(columns, all.filter(|(i, j, _)| is_there(*i, *j)).collect()))
+    }
+}
+
+/// The unknowns, those together that no equation contains together.
+fn groups(rows: usize, columns: usize, contains: &dyn Fn(usize, usize) -> bool) -> Vec<Vec<usize>> {
+    let mut groups: Vec<(Vec<usize>, Vec<bool>)> = Vec::new();
+    for j in 0..columns {
+        let own: Vec<usize> = (0..rows).filter(|&row| contains(row, j)).collect();
+        let place = groups.iter().position(|(_, taken)| own.iter().all(|&row| !taken[row]));
+        let place = place.unwrap_or_else(|| {
+            groups.push((Vec::new(), vec![false; rows]));
+            groups.len() - 1
+        });
+        groups[place].0.push(j);
+        own.iter().for_each(|&row| groups[place].1[row] = true);
+    }
+    groups.into_iter().map(|(group, _)| group).collect()
+}
+
+/// Whether the equation of an impact of a ring of `m` contains the phase of another one, or what it is varied by.
+fn are_neighbours(i: usize, j: usize, m: usize) -> bool {
+    i == j || (i + 1) % m == j || (j + 1) % m == i
+}
+
+/// A system over a family in one arithmetic.
+pub(super) struct Posed<'s, S: Varied, N: Turning> {
+    pub system: &'s System<'s>,
+    pub family: &'s Family<S, N>,
+    /// Whether the entries that are 0 are left out.
+    pub is_sparse: bool,
+}
+
+impl<S: Varied, N: Turning> Equations<N> for Posed<'_, S, N> {
+    fn values(&self, x: &[N]) -> Option<Vec<N>> {
+        self.system.values(self.family, x)
+    }
+
+    fn jacobian(&self, x: &[N]) -> Option<Entries<N>> {
+        self.system.jacobian(self.family, x, self.is_sparse)
+    }
+}
