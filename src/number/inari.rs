@@ -273,9 +273,9 @@ mod tests {
             let floats = chain.slopes(&middle, &in_floats).unwrap().0;
             let slopes = (chain.slopes(&balls, &in_balls), chain.slopes(&intervals, &ours));
             if let (Some(balls), Some(found)) = slopes {
-                let all = floats.iter().zip(&balls.0).zip(&found.0);
+                let all = floats.iter().flatten().zip(balls.0.iter().flatten()).zip(found.0.iter().flatten());
                 for ((float, ball), interval) in all {
-                    prop_assert!(is_near(*float.2, *ball.2, *interval.2), "{float:?} {ball:?} {interval:?}");
+                    prop_assert!(is_near(*float, *ball, *interval), "{float:?} {ball:?} {interval:?}");
                 }
             }
         }

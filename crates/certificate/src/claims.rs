@@ -55,6 +55,18 @@ impl Claims {
     ///
     /// # Errors
     /// Name the key, its value and what is accepted.
+    ///
+    /// # Examples
+    /// ```
+    /// use impact_pair_certificate::Claims;
+    ///
+    /// let text = include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/documents/count.jsonl"));
+    /// assert!(matches!(Claims::parse(text)?, Claims::Orbit(_)));
+    ///
+    /// let error = Claims::parse(&text.replace("\"P2\"", "\"P5\"")).unwrap_err().to_string();
+    /// assert!(error.contains("mapping") && error.contains("P5"), "{error}");
+    /// # Ok::<(), impact_pair_model::Error>(())
+    /// ```
     pub fn parse(text: &str) -> Result<Self, Error> {
         let head = Deserializer::from_str(text).into_iter::<Value>().next().and_then(Result::ok);
         if let Some(Value::Array(_)) = &head {
@@ -162,6 +174,22 @@ impl Claims {
     ///
     /// # Errors
     /// When the scene's values are beyond the range of exact expressions.
+    ///
+    /// # Examples
+    /// ```
+    /// use impact_pair_certificate::{Claims, Effort, document::VerdictName};
+    /// use impact_pair_model::watch::Unwatched;
+    ///
+    /// let text = include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/documents/count.jsonl"));
+    /// let claims = Claims::parse(text)?;
+    /// let judged = claims.judge(&Effort::default(), &Unwatched)?;
+    /// assert_eq!(judged.name(), VerdictName::Confirmed);
+    /// // The same, value by value: schema impact-pair/check/1.
+    /// let document = claims.document(text, &judged);
+    /// assert!(document.claims.iter().any(|claim| claim.path == "events[5].time"));
+    /// assert!(document.not_checked.contains(&"program".to_owned()));
+    /// # Ok::<(), impact_pair_model::Error>(())
+    /// ```
     pub fn judge(&self, effort: &Effort, watch: &dyn Watch) -> Result<Judged, Error> {
         if let Self::Description(certificate) = self
             && let Some(finding) = certificate.contradiction()
@@ -234,6 +262,13 @@ impl Claims {
     }
 
     /// Returns what of it is not judged: keys, or words.
+    ///
+    /// ```
+    /// # use impact_pair_certificate::Claims;
+    /// let text = include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/documents/count.jsonl"));
+    /// assert_eq!(Claims::parse(text)?.unjudged(), ["arithmetic", "outcome.message", "program"]);
+    /// # Ok::<(), impact_pair_model::Error>(())
+    /// ```
     pub fn unjudged(&self) -> Vec<String> {
         match self {
             Self::Orbit(certificate) => certificate.unjudged().to_vec(),

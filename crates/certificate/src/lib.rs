@@ -2,6 +2,23 @@
 //!
 //! What an orbit JSON claims is checked, and made a theorem for Coq. What this crate judges it shares nothing with: it rests on
 //! exact numbers and on the model alone.
+//!
+//! ```
+//! use impact_pair_certificate::{Claims, Effort, Verdict};
+//! use impact_pair_model::watch::Unwatched;
+//!
+//! // What `impact-pair run scenes/figure-14.toml --impacts 6 --format json` writes.
+//! let text = include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/documents/count.jsonl"));
+//! let claims = Claims::parse(text)?;
+//! assert_eq!(claims.all(), "6 events and the outcome");
+//! assert!(matches!(claims.check_within(&Effort::default(), &Unwatched)?, Verdict::Confirmed { .. }));
+//!
+//! // The ball hits the right wall first.
+//! let claims = Claims::parse(&text.replacen("\"right\"", "\"left\"", 1).replacen("P2", "P4", 1))?;
+//! let Verdict::Refuted(finding) = claims.check_within(&Effort::default(), &Unwatched)? else { panic!("it is false") };
+//! assert!(claims.described(&finding).starts_with("events[0], impact 1: "));
+//! # Ok::<(), impact_pair_model::Error>(())
+//! ```
 
 mod atlas;
 mod attraction;

@@ -65,6 +65,17 @@ impl Certificate {
     ///
     /// # Errors
     /// Name the key, its value and what is accepted.
+    ///
+    /// # Examples
+    /// ```
+    /// use impact_pair_certificate::{Certificate, ClaimKind};
+    ///
+    /// let text = include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/documents/count.jsonl"));
+    /// let certificate = Certificate::parse(text)?;
+    /// assert_eq!((certificate.outcome(), certificate.events().len()), ("impacts-reached", 6));
+    /// assert!(certificate.events().iter().all(|event| matches!(event.kind, ClaimKind::Impact { .. }) && event.time[0] < event.time[1]));
+    /// # Ok::<(), impact_pair_model::Error>(())
+    /// ```
     pub fn parse(text: &str) -> Result<Self, Error> {
         let values = values(text)?;
         let (head, rest) = (Place::of_schema(&values[0], ORBIT_SCHEMA)?, &values[1..]);

@@ -12,6 +12,19 @@ use super::outcome::OutcomeDocument;
 ///
 /// # Panics
 /// If the document is not a struct: never for those of this crate.
+///
+/// # Examples
+/// ```
+/// use impact_pair_document::one_a_line;
+///
+/// #[derive(serde::Serialize)]
+/// struct Found {
+///     schema: &'static str,
+///     orbits: Vec<u32>,
+/// }
+/// let text = one_a_line(&Found { schema: "mine/1", orbits: vec![12, 20] }, &["orbits"]);
+/// assert_eq!(text, "{\"schema\":\"mine/1\",\n \"orbits\":[\n  12,\n  20]}");
+/// ```
 pub fn one_a_line(document: &impl Serialize, lists: &[&str]) -> String {
     let Ok(Value::Object(entries)) = serde_json::to_value(document) else { panic!("a document is an object") };
     format!("{{{}}}", broken(&entries, lists).join(",\n "))

@@ -18,6 +18,15 @@ const PATTERN: &str = r"^-?(0|[1-9][0-9]*)(\.[0-9]+)?([eE][+-]?[0-9]+)?$";
 pub type Bounds = [Decimal; 2];
 
 /// Returns the bounds of an enclosure.
+///
+/// ```
+/// use impact_pair_document::bounds;
+/// use impact_pair_exact::Exact;
+///
+/// let [low, high] = bounds(&Exact::parse("pi").expect("a number").enclose(53));
+/// assert!(low.text().starts_with("3.14159265358979") && high.text().starts_with("3.14159265358979"));
+/// assert!(low.value() < high.value());
+/// ```
 pub fn bounds(x: &Enclosure) -> Bounds {
     decimal_bounds(x).map(Decimal)
 }

@@ -1,6 +1,33 @@
 //! Pictures: orbits as in figures 12-17, sweeps, what accuracy costs, and the manifolds of figures 10 and 11, as SVG.
 //!
 //! All of it is enclosed; where what is enclosed is wider than a pixel, it is drawn as a band or a box.
+//!
+//! ```
+//! use impact_pair::Scene;
+//! use impact_pair::orbit::{Arithmetic, Orbit};
+//! use impact_pair::scene::Run;
+//! use impact_pair::watch::Unwatched;
+//! use impact_pair_plot::orbit::{Figure, Panel};
+//! use impact_pair_plot::picture::Look;
+//!
+//! let scene = Scene::parse(include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/../../scenes/figure-14.toml")))?;
+//! let figure = Figure {
+//!     panels: vec![Panel::Displacement],
+//!     cycles: 3,
+//!     orbit_cycles: 0,
+//!     transient: 0,
+//!     zoom: None,
+//!     run: Run::default(),
+//!     arithmetic: Arithmetic::Interval,
+//!     splice: 0,
+//!     max_bits: 53,
+//!     look: Look::default(),
+//! };
+//! let settings = figure.settings(&scene);
+//! let (svg, ending) = figure.draw(&scene, (Orbit::of(&scene, settings.clone())?, &settings), &Unwatched);
+//! assert!(svg?.starts_with("<svg") && ending.to_string().starts_with("certified: "));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 pub mod atlas;
 pub mod chaos;

@@ -45,6 +45,18 @@ impl Certificate {
     ///
     /// # Errors
     /// When the scene's values are beyond what exact expressions or Coq's hold, the box is not shaken, or the orbit is a shadowed one.
+    ///
+    /// # Examples
+    /// ```
+    /// use impact_pair_certificate::Certificate;
+    /// use impact_pair_model::watch::Unwatched;
+    ///
+    /// let text = include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/documents/count.jsonl"));
+    /// let theorem = Certificate::parse(text)?.prove(2, &Unwatched)?;
+    /// assert_eq!((theorem.impacts, theorem.stop), (2, None));
+    /// assert!(theorem.text.contains("Theorem "));
+    /// # Ok::<(), impact_pair_model::Error>(())
+    /// ```
     pub fn prove(&self, most: usize, watch: &dyn Watch) -> Result<Theorem, Error> {
         if self.claim() == ClaimName::Shadowed {
             return Err(Error::certificate("claim \"shadowed\": only orbits from exact starts can be proved".into()));
