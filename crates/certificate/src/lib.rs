@@ -6,6 +6,7 @@
 mod atlas;
 mod attraction;
 mod bifurcation;
+mod cells;
 mod chaos;
 mod check;
 mod claims;
@@ -28,6 +29,7 @@ mod windows;
 
 pub use atlas::AtlasCertificate;
 pub use bifurcation::BifurcationCertificate;
+pub use cells::CellsCertificate;
 pub use chaos::ChaosCertificate;
 pub use check::{Effort, Finding, Verdict};
 pub use claims::Claims;
