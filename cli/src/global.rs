@@ -6,7 +6,7 @@ use std::path::PathBuf;
 use anyhow::{Context, Result};
 use clap::{Args, ValueEnum};
 use impact_pair::Scene;
-use impact_pair::chaos::{Global, GlobalSettings, Kind, Reason, Recurrence, WORK};
+use impact_pair::chaos::{Global, GlobalSettings, Kind, MOST, Reason, Recurrence, WORK};
 use impact_pair::document::{self, counted};
 use impact_pair::exact::decimal_digits;
 use impact_pair::json::GlobalDocument;
@@ -54,9 +54,10 @@ pub struct GlobalArguments {
     #[arg(long, value_name = "N", default_value_t = 40, value_parser = clap::value_parser!(u32).range(0..=40))]
     halvings: u32,
     /// Map about N boxes in all, those of the smallest undecided component first
-    #[arg(long, value_name = "N", default_value_t = 300_000, value_parser = count(1..=1_000_000_000))]
+    #[arg(long, value_name = "N", default_value_t = MOST as u64, value_parser = count(1..=1_000_000_000))]
     most: u64,
-    /// Do about N units of work for them: views of flights, columns that long flights may land in, boxes that are noted
+    /// Do about N units of work for them: views of flights, columns that long flights may land in, boxes that are noted; as much again
+    /// for basins
     #[arg(long, value_name = "N", default_value_t = WORK, value_parser = count(1..=1_000_000_000_000))]
     work: u64,
     /// Prove basins of attraction, by about 2^N boxes [default: none; with --plot 16]

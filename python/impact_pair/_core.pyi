@@ -4,6 +4,8 @@ from collections.abc import Callable
 from typing import final
 
 __all__ = [
+    "CELL_LIMITS",
+    "GLOBAL_LIMITS",
     "PROGRAM",
     "SCENES",
     "Atlas",
@@ -39,6 +41,8 @@ __all__ = [
 ]
 __version__: str
 PROGRAM: str
+GLOBAL_LIMITS: tuple[int, int, int]
+CELL_LIMITS: tuple[int, int, int]
 SCENES: list[str]
 
 _Progress = Callable[[int], object] | None

@@ -354,7 +354,7 @@ class Scene:
         (300,000, or 20,000), with about ``work`` units of work: views of flights, columns of long ones, boxes that are noted (100,000,000,
         or 5,000,000).
         """
-        usual = (12, 20_000, 5_000_000) if cells else (14, 300_000, 100_000_000)
+        usual = _core.CELL_LIMITS if cells else _core.GLOBAL_LIMITS
         asked: dict[str, Any] = {"cells": cells, "halvings": whole("halvings", halvings), "digits": whole("digits", digits)}
         asked |= {"boxes": whole("boxes", usual[0] if boxes is None else boxes), "most": whole("most", usual[1] if most is None else most)}
         asked |= {"work": whole("work", usual[2] if work is None else work)}
@@ -471,10 +471,10 @@ class Scene:
     def global_analysis(
         self,
         *,
-        boxes: int = 14,
+        boxes: int = _core.GLOBAL_LIMITS[0],
         halvings: int = 40,
-        most: int = 300_000,
-        work: int = 100_000_000,
+        most: int = _core.GLOBAL_LIMITS[1],
+        work: int = _core.GLOBAL_LIMITS[2],
         basins: int | None = None,
         digits: int | None = None,
         progress: Progress = None,
@@ -482,7 +482,7 @@ class Scene:
         """Prove where every motion goes, whatever its start, with ``2**boxes`` boxes of which about ``most`` are mapped in all.
 
         ``work`` bounds the work of their images: views of flights, columns of long ones, boxes that are noted. With ``basins`` the
-        basins of attraction are proved by about ``2**basins`` boxes.
+        basins of attraction are proved by about ``2**basins`` boxes, with as much work again.
         """
         limits = (whole("boxes", boxes), whole("halvings", halvings), whole("most", most), whole("work", work))
         question = (*limits, optional_whole("basins", basins))

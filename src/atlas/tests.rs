@@ -76,3 +76,27 @@ fn a20_a_cell_holds_for_its_points() {
         assert_eq!(one.global(&head).unwrap().scene.gap.0.text(), "1");
     }
 }
+
+/// The limit that leaves a component of a point undecided is written with it; a point that is interrupted has no line.
+#[test]
+fn a_point_that_is_undecided_says_which_limit_left_it() {
+    let scene = "excitation = { amplitude = 1, frequency = 1, phase = 0 }\n\
+                 pair = { gap = \"3*pi\", restitution = 0.5 }\n\
+                 start = { time = 0, wall = \"left\", velocity = 0 }";
+    let scene = Scene::parse(scene).unwrap();
+    let plane = plane(["amplitude=1..2:2", "restitution=0.5..0.6:2"], false);
+    let few = GlobalSettings { boxes: 1 << 8, ..GlobalSettings::default() };
+    let limits = [
+        (GlobalSettings { most: 1_000, ..few }, "most"),
+        (GlobalSettings { halvings: 0, ..few }, "halvings"),
+        (GlobalSettings { work: 1, ..few }, "work"),
+    ];
+    for (settings, name) in limits {
+        let found = record(&scene, &plane, &settings, 0, &Unwatched).unwrap().unwrap();
+        let reasons: Vec<_> = found.components.iter().filter_map(|own| own.reason.as_deref()).collect();
+        assert!(found.n_undecided > 0 && reasons.len() as u64 == found.n_undecided);
+        assert!(reasons.iter().all(|reason| *reason == name), "{name}: {reasons:?}");
+    }
+    let stop = |_: crate::watch::Stage<'_>| crate::watch::proceed_if(false);
+    assert!(record(&scene, &plane, &few, 0, &stop).unwrap().is_none());
+}

@@ -49,7 +49,7 @@ pub use cycles::{Cycle, Cycles, MOST_IMPACTS};
 pub(crate) use flights::Flights;
 pub(crate) use global::spectral_radius;
 pub use global::{
-    Basin, Class, Global, GlobalSettings, Goes, Kind, LimitCycle, Patch, Reason, Recurrence, RestCycle, WORK,
+    Basin, Class, Global, GlobalSettings, Goes, Kind, LimitCycle, MOST, Patch, Reason, Recurrence, RestCycle, WORK,
 };
 pub(crate) use guess::Guess;
 pub use horseshoe::{Chaos, HorseshoeSettings, MOST_DEPTH};

@@ -20,7 +20,7 @@ pub fn is_true(kind: &str, document: &Value) -> bool {
         "bifurcations" => has_bifurcations(document) == Some(true),
         "cycles" => document["orbits"].as_array().unwrap().iter().all(|orbit| has_orbit(document, orbit)),
         "chaos" => has_words(document) == Some(true),
-        "trap" | "sweep" | "atlas" | "windows" | "tangency" => false,
+        "trap" | "sweep" | "atlas" | "windows" | "tangency" | "cells" => false,
         "global" => has_rests(document) == Some(true),
         _ => truth::is_true(document),
     }

@@ -13,6 +13,7 @@
 #![cfg(feature = "multiprecision")]
 
 mod atlases;
+mod cells;
 mod descriptions;
 mod edges;
 mod events;
@@ -44,7 +45,7 @@ use impact_pair_certificate::{Claims, Effort, Verdict};
 const CASES: u64 = 1;
 
 /// All forgeries, by what they forge.
-const FORGERIES: [&[Forgery]; 13] = [
+const FORGERIES: [&[Forgery]; 14] = [
     scenes::FORGERIES,
     outcomes::FORGERIES,
     events::FORGERIES,
@@ -58,6 +59,7 @@ const FORGERIES: [&[Forgery]; 13] = [
     tangencies::FORGERIES,
     windows::FORGERIES,
     globals::FORGERIES,
+    cells::FORGERIES,
 ];
 
 fn cases() -> usize {

@@ -19,7 +19,7 @@ use crate::spoiled::{documents, others};
 use impact_pair::scene::Range;
 
 /// Kinds of documents, in the order of the table.
-const KINDS: [&str; 16] = [
+const KINDS: [&str; 17] = [
     "orbit",
     "shadow",
     "periodic",
@@ -31,6 +31,7 @@ const KINDS: [&str; 16] = [
     "tangency",
     "trap",
     "chaos",
+    "cells",
     "hyperbolic",
     "description",
     "sweep",
@@ -45,6 +46,7 @@ pub fn all() -> Vec<Original> {
     all.extend(bifurcations());
     all.extend([cycles(), trap("figure-14"), trap("figure-12"), chaos(None), chaos(Some("gap=9.42477..9.42498"))]);
     all.push(hyperbolic());
+    all.extend(["attracted", "stable", "a horseshoe"].map(|name| Original::new("cells", name, others::cells(name))));
     all.push(Original::new("windows", "of two impacts", others::windows()));
     all.extend(
         ["one cycle with rests", "one attractor"].map(|name| Original::new("global", name, others::global(name))),

@@ -131,6 +131,17 @@ pub fn atlas(shard: Option<[u64; 2]>) -> Vec<Value> {
     std::iter::once(json!(head)).chain(records).collect()
 }
 
+/// What `chaos scenes/figure-14.toml --over amplitude=LO..HI:1 --depth 4 --format json` wrote: `attracted` over 2.2..2.3, `stable` over 3.7..3.75
+/// with `--halvings 4`, and `a horseshoe` over 9.4..9.41.
+pub fn cells(name: &str) -> Value {
+    let text = match name {
+        "attracted" => include_str!("cells-attracted.json"),
+        "stable" => include_str!("cells-stable.json"),
+        _ => include_str!("cells-horseshoe.json"),
+    };
+    serde_json::from_str(text).unwrap()
+}
+
 /// The first homoclinic tangency beside figure 14, whose numbers Newton's iteration of another program found in 120 digits, and what
 /// `tangency` proves on either side.
 pub fn tangency() -> Value {
@@ -192,6 +203,7 @@ pub fn all() -> Vec<(&'static str, Vec<Value>)> {
         // Of a shard, since each change of it is checked.
         ("atlas", atlas(Some([1, 4]))),
         ("tangency", vec![tangency()]),
+        ("cells", vec![cells("attracted")]),
         ("description", vec![description("figure-13")]),
         ("description of a region", vec![description("figure-14")]),
         ("sweep", sweep(one, &["amplitude=7..9:2", "start.phase=0..1:2"])),

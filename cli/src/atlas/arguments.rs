@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
-use impact_pair::chaos::{GlobalSettings, WORK};
+use impact_pair::chaos::GlobalSettings;
 use impact_pair::scene::Range;
 use impact_pair::sweep::axis;
 use impact_pair_plot::picture::Look;
@@ -115,13 +115,13 @@ pub enum AtlasFormat {
 impl AtlasArguments {
     /// How each point is analysed.
     pub fn settings(&self) -> anyhow::Result<GlobalSettings> {
-        let (boxes, most, work) = if self.cells { (12, 20_000, 5_000_000) } else { (14, 300_000, WORK) };
+        let usual = if self.cells { GlobalSettings::of_cell() } else { GlobalSettings::default() };
         let mut settings = GlobalSettings {
-            boxes: 1 << self.boxes.unwrap_or(boxes),
+            boxes: self.boxes.map_or(usual.boxes, |boxes| 1 << boxes),
             halvings: self.halvings,
-            most: usize::try_from(self.most.unwrap_or(most))?,
-            work: self.work.unwrap_or(work),
-            ..GlobalSettings::default()
+            most: self.most.map_or(Ok(usual.most), usize::try_from)?,
+            work: self.work.unwrap_or(usual.work),
+            ..usual
         };
         settings.precision.digits = self.digits;
         Ok(settings)

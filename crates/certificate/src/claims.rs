@@ -5,9 +5,9 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use serde_json::{Deserializer, Value};
 
 use crate::{
-    AtlasCertificate, BifurcationCertificate, Certificate, ChaosCertificate, ClaimKind, CyclesCertificate,
-    DescriptionCertificate, Effort, Finding, GlobalCertificate, Judged, PeriodicCertificate, SweepCertificate,
-    TangencyCertificate, TrapCertificate, Verdict, WindowsCertificate,
+    AtlasCertificate, BifurcationCertificate, CellsCertificate, Certificate, ChaosCertificate, ClaimKind,
+    CyclesCertificate, DescriptionCertificate, Effort, Finding, GlobalCertificate, Judged, PeriodicCertificate,
+    SweepCertificate, TangencyCertificate, TrapCertificate, Verdict, WindowsCertificate,
 };
 use impact_pair_document::{
     ATLAS_SCHEMA, AUDIT_SCHEMA, BIFURCATION_SCHEMA, CHAOS_CELLS_SCHEMA, CHAOS_SCHEMA, CYCLES_SCHEMA,
@@ -40,6 +40,8 @@ pub enum Claims {
     Atlas(Box<AtlasCertificate>),
     /// A chaos JSON: all its words are checked, and that its entropies and its horseshoe follow from them.
     Chaos(Box<ChaosCertificate>),
+    /// A JSON of verdicts over a parameter: the verdict on each subinterval.
+    Cells(Box<CellsCertificate>),
     /// A trap JSON: that the region is closed is checked, and what is said of it.
     Trap(Box<TrapCertificate>),
     /// A description: the orbit and the region in it are checked, and that its fate is theirs.
@@ -88,9 +90,7 @@ impl Claims {
             Some(WINDOWS_SCHEMA) => Self::Windows(Box::new(WindowsCertificate::parse(text)?)),
             Some(TANGENCY_SCHEMA) => Self::Tangencies(Box::new(TangencyCertificate::parse(text)?)),
             Some(MANIFOLD_SCHEMA) => Self::Unchecked("parameter manifolds: that their points solve (66)-(69)"),
-            Some(CHAOS_CELLS_SCHEMA) => {
-                Self::Unchecked("subintervals of a parameter: horseshoes and attracted orbits in each")
-            }
+            Some(CHAOS_CELLS_SCHEMA) => Self::Cells(Box::new(CellsCertificate::parse(text)?)),
             Some(AUDIT_SCHEMA) => {
                 Self::Unchecked("comparisons with another program's list: what is inside, missed or false")
             }
@@ -207,6 +207,10 @@ impl Claims {
             let (verdict, certain) = certificate.judge_within(effort, watch)?;
             return Ok(self.judged(verdict, certain));
         }
+        if let Self::Cells(certificate) = self {
+            let (verdict, certain) = certificate.judge_within(effort, watch)?;
+            return Ok(self.judged(verdict, certain));
+        }
         let reached = AtomicUsize::new(0);
         let watch = &|at: Stage<'_>| {
             if let Stage::Claims(claims) = at {
@@ -224,7 +228,12 @@ impl Claims {
             Self::Tangencies(certificate) => certificate.check_within(effort, watch),
             Self::Chaos(certificate) => certificate.check_within(effort, watch),
             Self::Trap(certificate) => certificate.check_within(effort, watch),
-            Self::Description(_) | Self::List(_) | Self::Sweep(_) | Self::Atlas(_) | Self::Unchecked(_) => {
+            Self::Description(_)
+            | Self::List(_)
+            | Self::Sweep(_)
+            | Self::Atlas(_)
+            | Self::Cells(_)
+            | Self::Unchecked(_) => {
                 Ok(Verdict::Undecided(Finding { event: 0, message: "nothing of it is checked".to_owned() }))
             }
         }?;
@@ -252,6 +261,7 @@ impl Claims {
             Self::Sweep(certificate) => certificate.count(),
             Self::Atlas(certificate) => certificate.count(),
             Self::Chaos(certificate) => certificate.count(),
+            Self::Cells(certificate) => certificate.count(),
             Self::Trap(certificate) => certificate.count(),
             // One more each for what is said of the whole document.
             Self::List(_) | Self::Description(_) => {
@@ -281,6 +291,7 @@ impl Claims {
             Self::Sweep(certificate) => certificate.unjudged().to_vec(),
             Self::Atlas(certificate) => certificate.unjudged().to_vec(),
             Self::Chaos(certificate) => certificate.unjudged().to_vec(),
+            Self::Cells(certificate) => certificate.unjudged().to_vec(),
             Self::Trap(certificate) => certificate.unjudged().to_vec(),
             Self::List(_) | Self::Description(_) => {
                 let of = |(at, document): (String, &Self)| {
@@ -308,6 +319,7 @@ impl Claims {
             Self::Tangencies(_) => tangencies(count),
             Self::Sweep(_) | Self::Atlas(_) => counted(count, "point"),
             Self::Chaos(_) => counted(count, "word"),
+            Self::Cells(_) => counted(count, "subinterval"),
             Self::Trap(_) => boxes(count),
             Self::List(_) | Self::Description(_) => {
                 let mut left = count;
@@ -351,6 +363,9 @@ impl Claims {
             Self::Chaos(certificate) => {
                 format!("{}, the entropies and the horseshoe", counted(certificate.count(), "word"))
             }
+            Self::Cells(certificate) => {
+                format!("the verdicts on {} and the shares", counted(certificate.claimed(), "subinterval"))
+            }
             Self::Trap(certificate) => {
                 let words = if certificate.document().words.is_some() {
                     ", and the count and entropy of its words"
@@ -383,6 +398,7 @@ impl Claims {
             Self::Sweep(certificate) if *event < certificate.count() => format!("points[{event}]: {message}"),
             Self::Atlas(certificate) if *event < certificate.count() => format!("points[{event}]: {message}"),
             Self::Chaos(certificate) if *event < certificate.count() => format!("words[{event}]: {message}"),
+            Self::Cells(certificate) if *event < certificate.count() => format!("stretches[{event}]: {message}"),
             Self::Trap(certificate) if *event < certificate.count() => format!("box {event}: {message}"),
             Self::List(_) | Self::Description(_) => {
                 let mut left = *event;
@@ -404,6 +420,7 @@ impl Claims {
             | Self::Sweep(_)
             | Self::Atlas(_)
             | Self::Chaos(_)
+            | Self::Cells(_)
             | Self::Trap(_)
             | Self::Unchecked(_) => message.clone(),
         }

@@ -51,7 +51,7 @@ impl Claims {
         match self {
             Self::Orbit(certificate) if certificate.confirms_one_by_one() => reached,
             Self::Periodic(_) | Self::Cycles(_) | Self::Bifurcations(_) => reached,
-            Self::Windows(_) | Self::Tangencies(_) | Self::Sweep(_) | Self::Atlas(_) => reached,
+            Self::Windows(_) | Self::Tangencies(_) | Self::Sweep(_) | Self::Atlas(_) | Self::Cells(_) => reached,
             _ => 0,
         }
     }
@@ -66,6 +66,7 @@ impl Claims {
             Self::Windows(_) => Some("windows"),
             Self::Tangencies(_) => Some("tangencies"),
             Self::Chaos(_) => Some("words"),
+            Self::Cells(_) => Some("stretches"),
             Self::Trap(_) => Some("region"),
             Self::Description(_) | Self::List(_) | Self::Unchecked(_) => None,
         }

@@ -23,6 +23,7 @@
 mod atlas;
 mod attraction;
 mod bifurcation;
+mod cells;
 mod chaos;
 mod check;
 mod claims;
@@ -45,6 +46,7 @@ mod windows;
 
 pub use atlas::AtlasCertificate;
 pub use bifurcation::BifurcationCertificate;
+pub use cells::CellsCertificate;
 pub use chaos::ChaosCertificate;
 pub use check::{Effort, Finding, Verdict};
 pub use claims::Claims;

@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use impact_pair_certificate::{Claims, Effort};
-use impact_pair_document::{CheckDocument, VerdictName};
+use impact_pair_document::{CHAOS_CELLS_SCHEMA, CheckDocument, VerdictName};
 use impact_pair_exact::Exact;
 use impact_pair_model::watch::{Stage, Unwatched, Watch, proceed_if};
 use serde_json::{Value, json};
@@ -21,7 +21,8 @@ fn checked(lines: &[Value], watch: &dyn Watch) -> Option<CheckDocument> {
     let text = text(lines);
     let claims = Claims::parse(&text).ok()?;
     // Where nothing is to be decided it is soon given up.
-    let work = if lines[0]["claim"].is_string() { 1 << 12 } else { Effort::default().work };
+    let is_light = lines[0]["claim"].is_string() || lines[0]["schema"] == CHAOS_CELLS_SCHEMA;
+    let work = if is_light { 1 << 12 } else { Effort::default().work };
     let effort = Effort { bits: 1 << 12, pieces: 16, work, ..Effort::default() };
     let judged = claims.judge(&effort, watch).ok()?;
     Some(claims.document(&text, &judged))
@@ -103,7 +104,7 @@ const SCHEMAS: [(&str, &str, usize); 22] = [
     ("sweep-head", "sweep", 0),
     ("sweep-point", "sweep", 1),
     ("manifold", "", 0),
-    ("chaos-cells", "", 0),
+    ("chaos-cells", "cells", 0),
     ("audit", "", 0),
     ("trade", "", 0),
 ];

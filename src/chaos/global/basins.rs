@@ -78,7 +78,13 @@ impl Analysis<'_> {
         };
         let whole = self.whole(boxes);
         let Question { space, released, watch, .. } = &self.question;
-        let Ok((graph, _)) = Graph::of(space, &whole, &released.next, u64::MAX, *watch) else { return patches };
+        let allowed = self.question.settings.work;
+        let Ok((graph, _)) = Graph::of(space, &whole, &released.next, allowed, *watch) else {
+            // A11: nothing is proved of any box
+            let speeds = [0.0, space.fastest()];
+            patches.push(Patch { phases: [0.0, 1.0], speeds, goes: Goes::Undecided });
+            return patches;
+        };
         let Recurrent { components: found, leads, passed, ends } = graph.recurrent(true);
         let held = held(&found, &leaves);
         let goes = |places: &mut dyn Iterator<Item = usize>| {

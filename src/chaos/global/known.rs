@@ -231,26 +231,28 @@ impl LimitCycle {
         (1.0..1e6).contains(&cycles).then_some(())?;
         let problem = Problem::new(pair, &walls.parse().ok()?, cycles as u32).ok()?; // proposes
         let orbit = problem.prove(&guesses, precision)?;
-        let is_there = orbit.physical == Some(true)
-            && (0..count).all(|i| {
-                let impact = &orbit.impacts[i];
-                let (phase, radius) = impact.phase.mid_rad();
-                let shift = if impact.wall == Wall::Right { 0.5 } else { 0.0 };
-                let hull = limit.hulls[i];
-                let turned = (phase + shift - limit.states[i][0]).round(); // A8: whole forcing periods
-                let phase = Ball::new(phase, radius) + Ball::exact(shift) - Ball::exact(turned);
-                let (velocity, radius) = impact.velocity.mid_rad();
-                let per_period = Ball::exact(1.0).turn().checked_div(law.gap);
-                let speed = per_period.and_then(|unit| Ball::new(velocity.abs(), radius).checked_div(unit));
-                speed.is_some_and(|speed| is_within(phase, hull[0]) && is_within(speed, hull[1]))
-            });
-        if !is_there {
+        if orbit.physical != Some(true) || !is_in_turn(&orbit, law, &limit.hulls) {
             return None; // exact: not proved
         }
         let eigenvalues = orbit.eigenvalues.each_ref().map(|value| [&value.re, &value.im]);
         let spectral_radius = spectral_radius(eigenvalues, rounds)?;
         Some(Box::new(Self { impacts: count, problem, orbit, spectral_radius }))
     }
+}
+
+/// Whether the impacts of a period, mirrored to the left wall and less whole forcing periods, are proved to be in rectangles, one after the
+/// other, round after round: those of two rounds in the same ones. Lemma A8
+pub(super) fn is_in_turn(orbit: &PeriodicOrbit, law: &Law, hulls: &[[[f64; 2]; 2]]) -> bool {
+    let Some(unit) = Ball::exact(1.0).turn().checked_div(law.gap) else { return false };
+    orbit.impacts.iter().zip(hulls.iter().cycle()).all(|(impact, hull)| {
+        let (phase, radius) = impact.phase.mid_rad();
+        let shift = if impact.wall == Wall::Right { 0.5 } else { 0.0 };
+        let turned = (phase + shift - 0.5 * (hull[0][0] + hull[0][1])).round(); // A8: whole forcing periods
+        let phase = Ball::new(phase, radius) + Ball::exact(shift) - Ball::exact(turned);
+        let (velocity, radius) = impact.velocity.mid_rad();
+        let speed = Ball::new(velocity.abs(), radius).checked_div(unit);
+        speed.is_some_and(|speed| is_within(phase, hull[0]) && is_within(speed, hull[1]))
+    })
 }
 
 /// Whether all members are between two bounds.

@@ -35,7 +35,8 @@ pub struct GlobalSettings {
     pub halvings: u32,
     /// Boxes whose images are computed in all, about.
     pub most: usize,
-    /// The work of their images in all, about: views of flights, columns that long flights may land in, and boxes that are noted.
+    /// The work of their images in all, about: views of flights, columns that long flights may land in, and boxes that are noted; as much
+    /// again is allowed for those of basins.
     pub work: u64,
     /// Boxes by which basins are proved, about, if they are asked for: a power of two from 2^8 to 2^24.
     pub basins: Option<u32>,
@@ -43,12 +44,21 @@ pub struct GlobalSettings {
     pub precision: Precision,
 }
 
+/// The boxes whose images are computed by default.
+pub const MOST: usize = 300_000;
 /// The work of an analysis by default.
 pub const WORK: u64 = 100_000_000;
 
 impl Default for GlobalSettings {
     fn default() -> Self {
-        Self { boxes: 1 << 14, halvings: 40, most: 300_000, work: WORK, basins: None, precision: Precision::default() }
+        Self { boxes: 1 << 14, halvings: 40, most: MOST, work: WORK, basins: None, precision: Precision::default() }
+    }
+}
+
+impl GlobalSettings {
+    /// Returns the limits by default for one of many cells of two parameters: fewer boxes, less work.
+    pub fn of_cell() -> Self {
+        Self { boxes: 1 << 12, most: 20_000, work: WORK / 20, ..Self::default() }
     }
 }
 

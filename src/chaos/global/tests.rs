@@ -6,12 +6,14 @@ use std::f64::consts::TAU;
 
 use super::graph::Component;
 use super::image::{Next, Space};
+use super::known::is_in_turn;
 use super::*;
 use crate::Harmonic;
 use crate::chaos::guess::Guess;
 use crate::chaos::trap::Grid;
 use crate::exact::Exact;
 use crate::number::Ball;
+use crate::periodic::PeriodicOrbit;
 use crate::watch::Unwatched;
 
 fn pair(ratio: &str, restitution: &str) -> ImpactPair {
@@ -129,6 +131,25 @@ fn two_attractors_of_figure_12_are_found_without_a_start() {
     let (low, high) = limit.spectral_radius.to_f64_bounds();
     assert!(attracting.is_closed && limit.impacts == 1 && low <= 0.5 && high >= 0.5 && high - low < 1e-3);
     assert!(kinds(&found).contains(&"rest-cycle") && kinds(&found).contains(&"saddle"));
+    a_second_round_is_in_the_rectangles_of_the_first(&limit.orbit);
+}
+
+/// The mirrored states of two rounds are one after the other in the rectangles of one: of a motion that is its own mirror image they are; of
+/// another one those of the second round are elsewhere. Lemma A8
+fn a_second_round_is_in_the_rectangles_of_the_first(orbit: &PeriodicOrbit) {
+    let law = Law::of(&pair("1/(3*pi)", "0.5")).unwrap();
+    let around = |k: usize| {
+        let impact = &orbit.impacts[k];
+        let phase = impact.phase.mid_rad().0 + if impact.wall == crate::pair::Wall::Right { 0.5 } else { 0.0 };
+        [phase, impact.velocity.mid_rad().0.abs() * law.gap.mid() / TAU].map(|x| [x - 1e-3, x + 1e-3])
+    };
+    assert!(orbit.impacts.len() == 2 && is_in_turn(orbit, &law, &[around(0)]));
+    assert!(is_in_turn(orbit, &law, &[around(0), around(1)]));
+    let mut other = orbit.clone();
+    other.impacts[1].phase = other.impacts[1].phase.add(&Exact::parse("1/100").unwrap().enclose(64), 64);
+    let later = around(1);
+    assert!(is_in_turn(&other, &law, &[around(0), [later[0].map(|x| x + 0.01), later[1]]]));
+    assert!(!is_in_turn(&other, &law, &[around(0)]));
 }
 
 /// Beside the attracting cycle a set of saddle type is left: floating-point orbits from all of its boxes end in the cycle. Lemma A12
@@ -165,6 +186,42 @@ fn an_analysis_stops_where_its_work_is_spent() {
     assert!(short.components.iter().any(|own| own.reason == Some(Reason::Work)));
     assert_eq!(of(1).class(), Class::Undecided);
     assert!(enough.components.iter().all(|own| own.reason.is_none()));
+}
+
+/// Each limit is the reason of what it leaves undecided, and of nothing else: of two of which one ends the analysis first, that one.
+#[test]
+fn what_is_undecided_says_which_limit_left_it() {
+    use crate::watch::{Stage, proceed_if};
+    let stop = |_: Stage<'_>| proceed_if(false);
+    let few = GlobalSettings { boxes: 1 << 8, ..GlobalSettings::default() };
+    let reasons = |settings: &GlobalSettings, watch: &dyn Watch| {
+        let found = Global::of(&pair("1/(3*pi)", "0.5"), settings, watch).unwrap();
+        let undecided: Vec<_> = found.components.iter().filter(|own| own.kind.is_undecided()).collect();
+        assert!(!undecided.is_empty());
+        undecided.iter().map(|own| own.reason.unwrap().name()).collect::<Vec<_>>()
+    };
+    let all = |reasons: &[&str], one: &str| reasons.iter().all(|reason| *reason == one);
+    assert!(all(&reasons(&GlobalSettings { most: 1_000, ..few }, &Unwatched), "most"));
+    assert!(all(&reasons(&GlobalSettings { halvings: 0, ..few }, &Unwatched), "halvings"));
+    assert!(all(&reasons(&GlobalSettings { work: 1, ..few }, &Unwatched), "work"));
+    assert!(all(&reasons(&few, &stop), "interrupted"));
+    // The next component would exceed the boxes as well.
+    assert!(all(&reasons(&GlobalSettings { most: 1, work: 1, ..few }, &Unwatched), "work"));
+    assert!(all(&reasons(&GlobalSettings { most: 1, ..few }, &stop), "interrupted"));
+    assert!(all(&reasons(&GlobalSettings { most: 1, halvings: 0, ..few }, &Unwatched), "halvings"));
+}
+
+/// The boxes of basins are mapped with as much work as those of components, and where it is spent nothing is proved of them.
+#[test]
+fn basins_take_no_more_work_than_allowed() {
+    let of = |work: u64, basins: u32| {
+        let settings = GlobalSettings { boxes: 1 << 8, work, basins: Some(basins), ..GlobalSettings::default() };
+        Global::of(&pair("2", "0.2"), &settings, &Unwatched).unwrap()
+    };
+    let enough = of(20_000, 1 << 8);
+    assert_eq!((enough.class(), enough.basins().unwrap()[0].area), (Class::OneRestCycle, 1.0));
+    let short = of(20_000, 1 << 14);
+    assert_eq!((short.class(), short.basins().unwrap()[0].area), (Class::OneRestCycle, 0.0));
 }
 
 /// The ball needs 15,915,494,309.5 forcing periods from one release to the next one: 4294967295 was printed.

@@ -129,15 +129,20 @@ impl Beam {
     }
 
     /// Those of states within bounds, whose differences from a centre are sums of parts of sides.
-    pub fn of(law: &Law, [phase, speed]: Spot, centre: Spot, sides: [Spot; 3]) -> Self {
+    pub fn of(law: &Law, bounds: Spot, centre: Spot, sides: [Spot; 3]) -> Self {
+        Self::moved(law, bounds, centre, sides, [Span::point(0.0); 2])
+    }
+
+    /// The same where `e` moves the states by a direction as well (V36).
+    pub fn moved(law: &Law, [phase, speed]: Spot, centre: Spot, sides: [Spot; 3], by: Spot) -> Self {
         let e = law.restitution;
         let (sin, cos) = phase.sin_cos();
         let (centre_sin, centre_cos) = centre[0].sin_cos();
         // V12: the centre's `e` is the middle one, and `e` a direction like the others
         let (middle, around) = e.parted();
         let drift = middle * centre[1] + centre_cos;
-        let [a, b, c] = sides.map(|[u, w]| [u.turned(), e * w]);
-        let sides = [a, b, c, [Span::point(0.0), around * speed]];
+        let [a, b, c, [ahead, faster]] = [sides[0], sides[1], sides[2], by].map(|[u, w]| [u.turned(), e * w]);
+        let sides = [a, b, c, [ahead, faster + Span::point(around.hi()) * speed]];
         let (gap, after) = (law.gap, e * speed);
         Self { gap, phase, speed, centre, sin, cos, centre_sin, drift, after, sides, restitution: e }
     }
@@ -284,7 +289,7 @@ impl Beam {
         let bend = (self.phase + bracket).sin_cos().0.signed(is_far);
         let rate = rate.signed(is_far);
         let mut changes = [[Span::point(0.0); 2]; 5];
-        changes[4][0] = around.over(rate)?;
+        changes[4][0] = Span::point(around.hi()).over(rate)?;
         let mut times = time + changes[4][0].unturned().around();
         let by = |[u, w]: Spot| {
             // What the drift changes by counts once, so that a side that is contracted is seen to be.
@@ -318,6 +323,15 @@ impl Landing {
     /// A delay, an angle, and a change of speed at a fixed phase, as changes of phase and speed.
     fn sheared(&self, [delay, speed]: Spot) -> Spot {
         [delay.unturned(), speed + self.bend * delay]
+    }
+
+    /// Holds `n (x - q)` for all images `x` of a set that moves with `e` and `D`, the third side being that of `D`, where `q` moves as well (V36).
+    pub fn beside(&self, [n, m]: Spot, [u, w]: Spot, moved: [Spot; 2]) -> Span {
+        let sheared = n.unturned() + m * self.bend;
+        let [a, b, gap, e, own_gap] = self.changes.map(|[delay, speed]| sheared * delay + m * speed);
+        let [by_e, by_gap] = moved.map(|[u, w]| n * u + m * w);
+        let centre = n * (self.centre[0] - u) + m * (self.centre[1] - w);
+        [a, b, e - by_e, gap + own_gap - by_gap].into_iter().fold(centre, |sum, change| sum + change.around())
     }
 
     /// Holds `n (x - q)` for all images `x`.

@@ -15,7 +15,7 @@ use crate::check::{Effort, Verdict};
 
 /// How chains of boxes are made; any way will do: from cells that are fine to those that leave room for intervals of
 /// parameters, and to those that are finest, for slow expansion.
-const MAKINGS: [Making; 7] = [
+pub(super) const MAKINGS: [Making; 7] = [
     Making { longest: 0.003, margin: 1.08, pad: 5e-6, shortest: 1e-9, ahead: 4 },
     Making { longest: 0.005, margin: 1.08, pad: 2e-5, shortest: 1e-8, ahead: 4 },
     Making { longest: 0.01, margin: 1.08, pad: 2e-5, shortest: 1e-6, ahead: 4 },
@@ -156,7 +156,7 @@ struct Found<'t> {
 impl<'t, P: FnMut(usize)> Tries<'t, P> {
     /// One search, until more than `most` words are lost.
     fn once(&mut self, makings: &[Making], ahead: &Ahead, most: usize) -> Result<Found<'t>, End> {
-        let mut search = Search::new(self.law, self.bases, &self.listed, (makings, ahead), self.work);
+        let mut search = Search::new(self.law, self.bases, Some(&self.listed), (makings, ahead), self.work);
         let (lost, is_all) = match follow_all(&mut search, self.words, most, self.progress) {
             Ok(lost) => (lost.clone(), lost.is_empty()),
             Err(End::Spent) => (Vec::new(), false),

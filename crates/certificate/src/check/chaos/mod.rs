@@ -9,6 +9,7 @@ mod allowance;
 mod bases;
 mod beam;
 mod blocks;
+mod cells;
 mod cones;
 mod entropy;
 mod global;

@@ -4,6 +4,7 @@
 use impact_pair_exact::Real;
 use impact_pair_model::Word as Itinerary;
 use num_rational::BigRational;
+use num_traits::Signed;
 
 use super::BITS;
 use super::bases::Base;
@@ -14,7 +15,7 @@ use super::tube::side_of;
 use super::words::Word;
 use crate::chaos::ChaosCertificate;
 use crate::check::contact::Doubt;
-use impact_pair_document::{BaseDocument, PeriodDocument, SceneOrbitDocument, WordDocument};
+use impact_pair_document::{BaseDocument, EntropyDocument, PeriodDocument, SceneOrbitDocument, WordDocument};
 
 /// The entropy of words between more h-sets is not judged.
 const MOST_BASES: usize = 64;
@@ -24,23 +25,7 @@ impl ChaosCertificate {
     pub(super) fn says_one_thing(&self) -> Result<(Vec<Base>, Vec<Word>), Doubt> {
         let document = self.document();
         let wrong = |message: &str| Err(Doubt::False(message.to_owned()));
-        let corners = self.bases().iter().filter_map(|base| base.corners.as_ref());
-        let bases: Vec<Base> = corners.map(Base::of).collect();
-        if bases.len() > MOST_BASES {
-            return Err(Doubt::Open(format!("more than {MOST_BASES} h-sets are not checked")));
-        }
-        if !bases.iter().all(Base::is_sound) {
-            return wrong("an h-set is not a convex quadrilateral of states with its tops to the left");
-        }
-        if (0..bases.len()).any(|k| bases[..k].iter().any(|other| !bases[k].is_apart(other))) {
-            return wrong("the h-sets are not proved to be disjoint");
-        }
-        if !bases.iter().all(Base::is_apart_from_its_translates) {
-            return wrong("an h-set is not proved to be disjoint from its own translate by a forcing period");
-        }
-        if !self.bases().iter().zip(&bases).all(|(claimed, base)| is_about(claimed, base)) {
-            return wrong("the given middle of an h-set is not its middle");
-        }
+        let bases = sound_bases(self.bases())?;
         let mut words = Vec::new();
         for (k, claimed) in document.words.iter().enumerate() {
             let word = Word::of(claimed, bases.len()).filter(|_| claimed.impacts <= document.depth);
@@ -49,23 +34,52 @@ impl ChaosCertificate {
             })?);
         }
         let entropy = &document.entropy;
-        let claimed = [entropy.per_impact.value(), entropy.per_cycle.value()];
-        // Half cycles are weighed, two of which make a cycle.
-        let halved = &claimed[1] / BigRational::from_integer(2.into());
-        let by_impacts: Vec<_> = words.iter().map(Word::by_impacts).collect();
-        let by_half_cycles: Vec<_> = words.iter().map(|word| (word.from, word.to, word.half_cycles)).collect();
-        if claimed.iter().all(|entropy| *entropy <= BigRational::from_integer(0.into())) {
+        if is_none(entropy) {
             return wrong("it says that an entropy is certified, but gives none");
         }
-        for (what, weights, h) in [("per_impact", by_impacts, &claimed[0]), ("per_cycle", by_half_cycles, &halved)] {
-            if !is_reached(&weights, bases.len(), h) {
-                return Err(Doubt::Open(format!("entropy.{what} does not follow from the words")));
-            }
-        }
+        follows(&words, bases.len(), entropy)
+            .map_err(|what| Doubt::Open(format!("entropy.{what} does not follow from the words")))?;
         says_the_shortest(document.horseshoe.as_deref(), &words, bases.len())?;
         says_one_orbit(document.scene_orbit.as_ref())?;
         Ok((bases, words))
     }
+}
+
+/// The h-sets that are claimed, if they are disjoint and as they are described.
+pub(super) fn sound_bases(claimed: &[BaseDocument]) -> Result<Vec<Base>, Doubt> {
+    let wrong = |message: &str| Err(Doubt::False(message.to_owned()));
+    let corners = claimed.iter().filter_map(|base| base.corners.as_ref());
+    let bases: Vec<Base> = corners.map(Base::of).collect();
+    if bases.len() > MOST_BASES {
+        return Err(Doubt::Open(format!("more than {MOST_BASES} h-sets are not checked")));
+    }
+    if !bases.iter().all(Base::is_sound) {
+        return wrong("an h-set is not a convex quadrilateral of states with its tops to the left");
+    }
+    if (0..bases.len()).any(|k| bases[..k].iter().any(|other| !bases[k].is_apart(other))) {
+        return wrong("the h-sets are not proved to be disjoint");
+    }
+    if !bases.iter().all(Base::is_apart_from_its_translates) {
+        return wrong("an h-set is not proved to be disjoint from its own translate by a forcing period");
+    }
+    if !claimed.iter().zip(&bases).all(|(claimed, base)| is_about(claimed, base)) {
+        return wrong("the given middle of an h-set is not its middle");
+    }
+    Ok(bases)
+}
+
+/// Whether no entropy is claimed.
+pub(super) fn is_none(entropy: &EntropyDocument) -> bool {
+    [&entropy.per_impact, &entropy.per_cycle].iter().all(|entropy| !entropy.value().is_positive())
+}
+
+/// Whether words of flights make both of the claimed entropies, or which of them does not follow; half cycles are weighed, two of which make a cycle.
+pub(super) fn follows(words: &[Word], bases: usize, claimed: &EntropyDocument) -> Result<(), &'static str> {
+    let halved = claimed.per_cycle.value() / BigRational::from_integer(2.into());
+    let by_impacts: Vec<_> = words.iter().map(Word::by_impacts).collect();
+    let by_half_cycles: Vec<_> = words.iter().map(|word| (word.from, word.to, word.half_cycles)).collect();
+    let both = [("per_impact", by_impacts, claimed.per_impact.value()), ("per_cycle", by_half_cycles, halved)];
+    both.into_iter().try_for_each(|(what, weights, h)| is_reached(&weights, bases, &h).then_some(()).ok_or(what))
 }
 
 impl Word {

@@ -68,7 +68,7 @@ pub(super) type Ahead = HashMap<Beginning, usize>;
 /// How often each word is listed, or found.
 pub(super) type Counts = HashMap<Word, usize>;
 
-/// The search for the listed words, one impact deeper at each step.
+/// The search for the listed words, or for all words, one impact deeper at each step.
 pub(super) struct Search<'s> {
     law: &'s Law,
     bases: &'s [Base],
@@ -76,7 +76,8 @@ pub(super) struct Search<'s> {
     makings: &'s [Making],
     guess: Guess,
     work: &'s Allowance<'s>,
-    listed: &'s Counts,
+    /// How often each word is listed; `None` where all are searched for.
+    listed: Option<&'s Counts>,
     /// The beginnings of all listed words, by their h-set.
     beginnings: HashSet<Beginning>,
     ahead: &'s Ahead,
@@ -88,7 +89,7 @@ impl<'s> Search<'s> {
     pub fn new(
         law: &'s Law,
         bases: &'s [Base],
-        listed: &'s Counts,
+        listed: Option<&'s Counts>,
         (makings, ahead): (&'s [Making], &'s Ahead),
         work: &'s Allowance<'s>,
     ) -> Self {
@@ -105,7 +106,7 @@ impl<'s> Search<'s> {
             work,
             listed,
             ahead,
-            beginnings: listed.keys().flat_map(Word::beginnings).collect(),
+            beginnings: listed.into_iter().flat_map(Counts::keys).flat_map(Word::beginnings).collect(),
             runs: bases.iter().enumerate().map(run).collect(),
             found: Counts::new(),
         }
@@ -142,7 +143,8 @@ impl<'s> Search<'s> {
 
     /// Returns whether a word is found less often than it is listed.
     pub fn is_missing(&self, word: &Word) -> bool {
-        self.found.get(word).is_none_or(|found| *found < self.listed[word])
+        let listed = self.listed.and_then(|listed| listed.get(word).copied()).unwrap_or(0); // exact: none is
+        self.found.get(word).copied().unwrap_or(0) < listed // exact: none is found
     }
 
     /// The listed words of this depth that are found less often than they are listed.
@@ -150,9 +152,9 @@ impl<'s> Search<'s> {
         let depth = self.runs.first().map_or(0, |run| run.flights.len() + 1); // exact: a count
         let is_missing = |word: &&Word| {
             let found: usize = done.iter().map(|followed| followed.count(|other| other == *word)).sum();
-            word.flights.len() == depth && found < self.listed[*word]
+            word.flights.len() == depth && self.listed.is_some_and(|listed| found < listed[*word])
         };
-        self.listed.keys().filter(is_missing).collect()
+        self.listed.into_iter().flat_map(Counts::keys).filter(is_missing).collect()
     }
 
     /// One run, one impact further, along the first chains of boxes that are made.
@@ -160,7 +162,7 @@ impl<'s> Search<'s> {
         let (mut stretches, mut used) = (Vec::new(), None);
         for Proposal { parts, is_far, next } in making.images(&self.guess, &run.tube, self.work)? {
             let flights = [&run.flights[..], &[is_far]].concat();
-            if !self.beginnings.contains(&(run.from, flights.clone())) {
+            if self.listed.is_some() && !self.beginnings.contains(&(run.from, flights.clone())) {
                 continue;
             }
             let mut proved = Vec::with_capacity(parts.len());
@@ -207,7 +209,7 @@ impl<'s> Search<'s> {
             for turns in base.turns(tube) {
                 let half_cycles = 2 * turns as i64 - far; // exact: a whole number
                 let word = Word { from: *from, to, half_cycles, flights: flights.clone() };
-                if !self.listed.contains_key(&word) {
+                if self.listed.is_some_and(|listed| !listed.contains_key(&word)) {
                     continue;
                 }
                 for [a, b] in base.crossings(tube, turns) {
@@ -221,9 +223,9 @@ impl<'s> Search<'s> {
     }
 }
 
-/// Takes words, as often as they are listed at most, and says how often: which of more does not matter; those first that have most room
+/// Takes words, as often as they are listed at most, if any are, and says how often: which of more does not matter; those first that have most room
 /// in their chains of boxes. The others are followed on, as others that cross an h-set and are not listed: longer words may be relative to them.
-fn take(stretches: &mut [Stretch], listed: &Counts) -> Counts {
+fn take(stretches: &mut [Stretch], listed: Option<&Counts>) -> Counts {
     let mut rooms: HashMap<Word, Vec<f64>> = HashMap::new();
     for Stretch { run, crossings } in stretches.iter() {
         for crossing in crossings {
@@ -232,7 +234,7 @@ fn take(stretches: &mut [Stretch], listed: &Counts) -> Counts {
     }
     for (word, rooms) in &mut rooms {
         rooms.sort_unstable_by(|a, b| b.total_cmp(a));
-        rooms.truncate(listed[word]);
+        rooms.truncate(listed.map_or(usize::MAX, |listed| listed[word])); // exact: all of them
     }
     let mut found = Counts::new();
     for Stretch { run, crossings } in stretches {

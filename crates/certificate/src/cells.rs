@@ -1,0 +1,94 @@
+//! The JSON of verdicts over the cells of a parameter, read back.
+
+use super::bifurcation::{own_value, parameter};
+use impact_pair_document::{CHAOS_CELLS_SCHEMA, ChaosCellsDocument, Place, value};
+use impact_pair_exact::Exact;
+use impact_pair_model::scene::Key;
+use impact_pair_model::{Error, ImpactPair, Start};
+
+/// What a JSON of verdicts over the cells of a parameter claims.
+#[derive(Clone, Debug)]
+pub struct CellsCertificate {
+    pair: ImpactPair,
+    start: Start,
+    /// What varies.
+    key: Key,
+    document: ChaosCellsDocument,
+    unjudged: Vec<String>,
+}
+
+/// What no lemma of `check` is about.
+const UNJUDGED: [&str; 8] = [
+    "cells",
+    "depth",
+    "halvings",
+    "interrupted",
+    "program",
+    "scene.excitation.phase",
+    "stretches.bases.contracting",
+    "stretches.bases.expanding",
+];
+/// What only the orbit of the scene's own start depends on.
+const OF_START: [&str; 2] = ["scene.excitation.frequency", "scene.start"];
+
+impl CellsCertificate {
+    /// Reads a JSON of cells.
+    ///
+    /// # Errors
+    /// Name the key, its value and what is accepted.
+    pub fn parse(text: &str) -> Result<Self, Error> {
+        let value = value(text)?;
+        let whole = Place::of_schema(&value, CHAOS_CELLS_SCHEMA)?;
+        let document: ChaosCellsDocument = whole.read()?;
+        let key = parameter(&whole.get("over")?.get("key")?)?;
+        for (stretch, place) in document.stretches.iter().zip(whole.get("stretches")?.list()?) {
+            for (base, place) in
+                stretch.bases.iter().zip(place.get("bases").and_then(|bases| bases.list()).into_iter().flatten())
+            {
+                if base.corners.is_none() {
+                    return Err(place.missing("corners"));
+                }
+            }
+        }
+        let (pair, start) = document.scene.clone().model()?;
+        let mut unjudged = whole.unread::<ChaosCellsDocument>()?;
+        unjudged.extend(UNJUDGED.map(str::to_owned));
+        unjudged.push(own_value(key));
+        if document.stretches.iter().all(|stretch| stretch.verdict != "attracted") {
+            unjudged.extend(OF_START.map(str::to_owned));
+        }
+        unjudged.sort();
+        unjudged.dedup();
+        Ok(Self { pair, start, key, document, unjudged })
+    }
+
+    /// The pair with all values of the parameter between two.
+    pub(super) fn pair(&self, [low, high]: [&Exact; 2]) -> Result<ImpactPair, Error> {
+        let all = Exact::interval(low, high)
+            .map_err(|error| Error::certificate(format!("stretches: {error}")).because(error))?;
+        self.pair.with(self.key, all)
+    }
+
+    pub(super) fn start(&self) -> &Start {
+        &self.start
+    }
+
+    pub(super) fn document(&self) -> &ChaosCellsDocument {
+        &self.document
+    }
+
+    /// Returns how many subintervals it has.
+    pub fn count(&self) -> usize {
+        self.document.stretches.len()
+    }
+
+    /// Returns of how many subintervals something is claimed.
+    pub fn claimed(&self) -> usize {
+        self.document.stretches.iter().filter(|stretch| stretch.verdict != "undecided").count()
+    }
+
+    /// Returns the keys of the document that claim nothing which [`check_within`](Self::check_within) judges.
+    pub fn unjudged(&self) -> &[String] {
+        &self.unjudged
+    }
+}

@@ -1,0 +1,147 @@
+//! Whether the verdicts on the values of a parameter are right: each is proved again for all values of its subinterval, as a whole or
+//! part by part (Lemma V35).
+
+mod horseshoe;
+mod moving;
+mod orbit;
+mod said;
+
+use impact_pair_exact::Exact;
+use impact_pair_model::watch::{Latched, Stage, Watch};
+use impact_pair_model::{Error, ImpactPair};
+
+use super::Law;
+use super::allowance::{Allowance, End};
+use super::said::{is_none, sound_bases};
+use crate::cells::CellsCertificate;
+use crate::check::contact::Doubt;
+use crate::check::{Effort, Finding, Verdict};
+use horseshoe::Horseshoe;
+use impact_pair_document::StretchDocument;
+use orbit::{Found, Period};
+
+/// Bits of the arithmetic.
+const DOUBLE: u32 = f64::MANTISSA_DIGITS;
+/// Looks at flights of less than a forcing period, in doubles, that are as much work as one place of a flight in many bits.
+const LOOKS: u64 = 1 << 7;
+/// A subinterval may take one in N parts of what a document of another kind may.
+const PART: u64 = 1 << 2;
+/// A subinterval is halved so often.
+const HALVINGS: u32 = 16;
+
+impl CellsCertificate {
+    /// Proves the verdict on each subinterval again, or says of which it is not true or not proved, until the watch stops it, which
+    /// receives the subintervals checked so far.
+    ///
+    /// # Errors
+    /// When the scene's values are beyond the range of exact expressions, and with several harmonics.
+    pub fn check_within(&self, effort: &Effort, watch: &dyn Watch) -> Result<Verdict, Error> {
+        Ok(self.judge_within(effort, watch)?.0)
+    }
+
+    /// Returns the verdict, and how many subintervals are confirmed one after another from the first one on.
+    pub(crate) fn judge_within(&self, effort: &Effort, watch: &dyn Watch) -> Result<(Verdict, usize), Error> {
+        let watch = Latched::new(watch);
+        if let Err((event, doubt)) = self.says_one_thing() {
+            return Ok((doubt.on(event), 0));
+        }
+        let (mut open, mut confirmed, mut certain) = (None, 0, 0);
+        for (event, stretch) in self.document().stretches.iter().enumerate() {
+            if stretch.verdict != "undecided" {
+                let work = Allowance::new(effort.work.saturating_mul(LOOKS) / PART, &watch); // proposes: when to give up
+                match self.judged(stretch, &work)? {
+                    Err(Doubt::Open(_)) if watch.is_stopped() => {
+                        return Ok((Verdict::Interrupted { events: confirmed }, certain));
+                    }
+                    Err(Doubt::False(message)) => return Ok((Verdict::Refuted(Finding { event, message }), certain)),
+                    Err(Doubt::Open(message)) => open = open.or(Some(Finding { event, message })),
+                    Ok(()) => confirmed += 1,
+                }
+            }
+            certain += usize::from(open.is_none()); // exact: a count
+            watch.note(Stage::Claims(event + 1));
+        }
+        let verdict = match open {
+            Some(Finding { event, message }) => {
+                let message = format!("{message}; {confirmed} of {} subintervals confirmed", self.claimed());
+                Verdict::Undecided(Finding { event, message })
+            }
+            None if confirmed == 0 => {
+                let message = "nothing is claimed of any value of the parameter".to_owned();
+                Verdict::Undecided(Finding { event: self.count(), message })
+            }
+            None => Verdict::Confirmed { bits: DOUBLE, pieces: 1 },
+        };
+        Ok((verdict, certain))
+    }
+
+    /// The verdict on a subinterval holds for all its values.
+    fn judged(&self, stretch: &StretchDocument, work: &Allowance) -> Result<Result<(), Doubt>, Error> {
+        if let Some(period) = &stretch.period {
+            let period = match Period::of(period) {
+                Ok(period) => period,
+                Err(doubt) => return Ok(Err(doubt)),
+            };
+            let is_own = stretch.verdict == "attracted";
+            let proved = self.for_all(stretch, &mut |pair, law| {
+                let asked = (pair, self.start());
+                if is_own { period.attracts(asked, law, work) } else { period.exists(asked, law, work) }
+            })?;
+            if let Err(doubt) = said_of_period(proved, is_own) {
+                return Ok(Err(doubt));
+            }
+        }
+        let Some(entropy) = &stretch.entropy else { return Ok(Ok(())) };
+        if is_none(entropy) {
+            return Ok(Err(Doubt::False("a horseshoe is claimed, but no entropy".into())));
+        }
+        let bases = match sound_bases(&stretch.bases) {
+            Ok(bases) => bases,
+            Err(doubt) => return Ok(Err(doubt)),
+        };
+        let mut horseshoe = Horseshoe::new(&bases, entropy, self.document().depth as usize); // exact: of 32 bits
+        let proved = self.for_all(stretch, &mut |_, law| Ok(horseshoe.is_there(law, work)))?;
+        Ok(match proved {
+            Ok(Found::Proved) => Ok(()),
+            Err(End::Spent) => Err(Doubt::Open("the work allowed is spent on its horseshoe".into())),
+            _ => Err(Doubt::Open("its horseshoe is not proved again".into())),
+        })
+    }
+
+    /// What is found of all values of a subinterval: of all of them at once, or else of one half after the other.
+    fn for_all(
+        &self,
+        stretch: &StretchDocument,
+        look: &mut dyn FnMut(&ImpactPair, &Law) -> Result<Result<Found, End>, Error>,
+    ) -> Result<Result<Found, End>, Error> {
+        let mut open = vec![([stretch.low.0.clone(), stretch.high.0.clone()], 0)];
+        while let Some(([low, high], halvings)) = open.pop() {
+            let pair = self.pair([&low, &high])?;
+            match look(&pair, &Law::of(&pair)?)? {
+                Ok(Found::Proved) => {}
+                Ok(Found::Nothing) if halvings < HALVINGS => {
+                    let Ok(middle) = low.checked_add(&high).and_then(|sum| sum.checked_div(&Exact::from(2))) else {
+                        return Ok(Ok(Found::Nothing));
+                    };
+                    open.push(([middle.clone(), high], halvings + 1));
+                    open.push(([low, middle], halvings + 1));
+                }
+                found => return Ok(found),
+            }
+        }
+        Ok(Ok(Found::Proved))
+    }
+}
+
+/// What is said of a periodic orbit that is claimed, of the scene's own orbit or of any.
+fn said_of_period(found: Result<Found, End>, is_own: bool) -> Result<(), Doubt> {
+    match found {
+        Ok(Found::Proved) => Ok(()),
+        Ok(Found::Other) if is_own => Err(Doubt::False("the scene's orbit converges to another periodic orbit".into())),
+        Ok(Found::Fewer) => Err(Doubt::Open("period: the orbit repeats after fewer impacts".into())),
+        Err(End::Spent) => Err(Doubt::Open("the work allowed is spent on its periodic orbit".into())),
+        Ok(Found::Other | Found::Nothing) | Err(End::Stopped) => {
+            Err(Doubt::Open("its periodic orbit is not proved again".into()))
+        }
+    }
+}

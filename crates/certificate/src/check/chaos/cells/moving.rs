@@ -1,0 +1,151 @@
+//! Sets of states that move with the parameters, followed from one impact to the next: one that lies in an earlier one holds a stable periodic
+//! orbit (Lemma V36).
+
+use std::f64::consts::TAU;
+
+use super::super::Law;
+use super::super::beam::{Beam, Spot, State};
+use super::super::guess::{Guess, applied};
+use super::super::span::Span;
+
+/// States `middle + a sides[0] + b sides[1] + c moved[0] + d moved[1]`, where `c` and `d` tell `e` and `D`, all of them in `[-1, 1]`.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Set {
+    pub middle: State,
+    sides: [State; 2],
+    moved: [State; 2],
+    /// Whole forcing periods that were taken off the phase.
+    pub turns: f64,
+}
+
+/// A set, and whether its states are on the other wall than those of which they are the images; the time of about its middle's flight.
+pub(super) struct Landed {
+    pub set: Set,
+    pub is_far: bool,
+    pub time: f64,
+}
+
+/// Sides are that much longer than they have to be, so that it can be proved that they are long enough.
+const LONGER: f64 = 1.0 + 1.0 / (1 << 20) as f64;
+/// Wider sets are not followed.
+const WIDEST: f64 = 0.2;
+
+fn spot(state: State) -> Spot {
+    state.map(Span::point)
+}
+
+/// In radians and speeds.
+fn length([u, w]: State) -> f64 {
+    (TAU * u).hypot(w)
+}
+
+/// The two vectors whose products with a vector are its coordinates by two sides; `None` if these are not proved to be independent.
+fn coordinates([p, q]: [State; 2]) -> Option<[Spot; 2]> {
+    let [[a, b], [c, d]] = [p, q].map(spot);
+    let area = a * d - b * c;
+    let over = |x: Span| x.over(area);
+    Some([[over(d)?, over(-c)?], [over(-b)?, over(a)?]])
+}
+
+fn product(n: &Spot, [u, w]: Spot) -> Span {
+    n[0] * u + n[1] * w
+}
+
+impl Set {
+    /// The states of which a phase, less whole forcing periods, and a speed are between bounds.
+    pub fn around([phase, speed]: Spot) -> Self {
+        let ([u, ahead], [w, faster]) = (halved(phase), halved(speed));
+        let ahead = ahead + f64::EPSILON; // V36: larger sets hold as much, and are not a line
+        Self { middle: [u, w], sides: [[ahead, 0.0], [0.0, faster]], moved: [[0.0; 2]; 2], turns: 0.0 }
+    }
+
+    /// Returns the set of the images; `None` where it is not proved that all of them are on one wall, without a graze.
+    pub fn next(&self, law: &Law, guess: &Guess) -> Option<Landed> {
+        let Self { middle, sides, moved, turns } = *self;
+        if sides.iter().any(|side| length(*side) > WIDEST) {
+            return None; // exact: given up, nothing is certified
+        }
+        let spread = |i: usize| {
+            sides.iter().chain(&moved).fold(Span::point(middle[i]), |all, side| all + Span::point(side[i]).around())
+        };
+        let beam = Beam::moved(
+            law,
+            [spread(0), spread(1)],
+            spot(middle),
+            [sides[0], sides[1], moved[1]].map(spot),
+            spot(moved[0]),
+        );
+        // proposes: where the images are, and how they lie there
+        let image = guess.map(middle)?;
+        let passed = image.state[0].floor(); // exact: whole turns
+        let to = [image.state[0] - passed, image.state[1]];
+        let [by_gap, by_restitution] = image.moved;
+        let moves = |by: State, own: State| {
+            let [u, w] = applied(image.jacobian, by);
+            [u + own[0], w + own[1]]
+        };
+        let moved = [moves(moved[0], by_restitution), moves(moved[1], by_gap)];
+        let directions = square(sides.map(|side| applied(image.jacobian, side)));
+        let landing = beam.land(image.is_far, image.time)?;
+        let there = [Span::point(to[0]) + Span::point(passed), Span::point(to[1])];
+        let reach = |sides: [State; 2]| -> Option<[f64; 2]> {
+            Some(coordinates(sides)?.map(|n| landing.beside(n, there, moved.map(spot)).most()))
+        };
+        let long = reach(directions)?;
+        let sides = [0, 1].map(|i| directions[i].map(|x| x * long[i] * LONGER));
+        // V36: the sides reach as far as the images; no comparison with NaN holds
+        if !reach(sides)?.iter().all(|reach| *reach <= 1.0) {
+            return None;
+        }
+        let set = Self { middle: to, sides, moved, turns: turns + passed };
+        Some(Landed { set, is_far: image.is_far, time: image.time })
+    }
+
+    /// How far the middle is from another one's, whole forcing periods aside, about: in radians and speeds.
+    pub fn away(&self, other: &Self) -> f64 {
+        apart(self.middle, other.middle)
+    }
+
+    /// With sides that are at least twice as long, and at least of a length.
+    pub fn with_room(self, least: f64) -> Self {
+        let longer = |side: State| {
+            let power = (least / length(side)).log2().ceil().clamp(1.0, 64.0); // proposes: longer sides hold as much
+            side.map(|x| x * power.exp2())
+        };
+        Self { sides: self.sides.map(longer), ..self }
+    }
+
+    /// Returns the whole forcing periods by which another one has to be shifted to lie inside this one, for all parameters; `None` where that is not proved.
+    pub fn holds(&self, other: &Self) -> Option<f64> {
+        let shift = (other.middle[0] - self.middle[0]).round(); // V36: any whole number
+        let less = |x: Spot, y: Spot| [x[0] - y[0], x[1] - y[1]];
+        let mut away = less(spot(other.middle), spot(self.middle));
+        away[0] = away[0] - Span::point(shift);
+        let is_inside = |n: &Spot| {
+            let moved = [0, 1].map(|k| less(spot(other.moved[k]), spot(self.moved[k])));
+            let all = [away, spot(other.sides[0]), spot(other.sides[1])].into_iter().chain(moved);
+            let sum = all.fold(Span::point(0.0), |sum, by| sum + Span::point(product(n, by).most()));
+            (Span::point(1.0) - sum).is_positive()
+        };
+        coordinates(self.sides)?.iter().all(is_inside).then_some(shift)
+    }
+}
+
+/// Two states' distance, whole forcing periods aside, about: in radians and speeds.
+pub(super) fn apart([u, w]: State, [v, x]: State) -> f64 {
+    let ahead = u - v;
+    length([ahead - ahead.round(), w - x]) // proposes: where to look
+}
+
+/// The middle of a span, and how far its ends are from it at most.
+fn halved(x: Span) -> [f64; 2] {
+    let (middle, around) = x.parted();
+    [middle.mid(), around.hi()]
+}
+
+/// A direction of length 1 along the longer one of two vectors, and the one square to it.
+fn square([p, q]: [State; 2]) -> [State; 2] {
+    let [u, w] = if length(p) > length(q) { p } else { q };
+    let size = length([u, w]);
+    [[u / size, w / size], [-w / (TAU * size), TAU * u / size]]
+}

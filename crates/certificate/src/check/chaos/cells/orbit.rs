@@ -1,0 +1,236 @@
+//! Whether there is a stable periodic orbit of a claimed word for all parameters of a law, and whether the scene's own orbit converges to it
+//! (Lemma V36).
+
+use impact_pair_document::PeriodDocument;
+use impact_pair_model::{ImpactPair, Start, Wall, Word};
+
+use super::super::allowance::{Allowance, End};
+use super::super::beam::{Spot, State};
+use super::super::guess::{Guess, MOST_TURNS};
+use super::super::span::Span;
+use super::super::trap::mirrored;
+use super::super::{BITS, Law};
+use super::moving::{Landed, Set, apart};
+use crate::Certificate;
+use crate::check::contact::Doubt;
+use crate::check::data::{Data, Piece};
+use crate::check::walk::Walk;
+use impact_pair_exact::Real;
+use impact_pair_model::Error;
+
+/// Impacts that sets are followed for.
+const IMPACTS: usize = 2000;
+/// Impacts after which fewer ones are looked for.
+const MORE: usize = 128;
+/// Every N impacts sets begin anew with room for so often the way by which the middle misses an earlier one, if that is near: much of it where
+/// the orbit comes near its limit slowly, or from both sides in turn.
+const AGAIN: usize = 32;
+const ROOMS: [f64; 3] = [0.0, 8.0, 128.0];
+const NEAR: f64 = 0.02;
+/// Impacts of a floating-point orbit before it is looked at, and how near it has to come again.
+const TRANSIENT: usize = 8_000;
+const CLOSED: f64 = 1e-6;
+/// Where it begins, if not at the scene's own first impact.
+const ELSEWHERE: [State; 4] = [[0.1, 0.5], [0.35, 1.5], [0.6, 1.0], [0.85, 2.0]];
+/// A set that is followed for one impact counts as N flights that are looked at.
+const SET: usize = 8;
+/// Orbits of more impacts are not checked.
+const MOST: usize = 256;
+
+/// A periodic orbit that is claimed.
+pub(super) struct Period {
+    /// Whether each impact is on the right wall, in the order of time.
+    is_right: Vec<bool>,
+    cycles: i64,
+}
+
+/// What is found of a claim.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Found {
+    /// It is true.
+    Proved,
+    /// The orbit repeats after fewer impacts.
+    Fewer,
+    /// The orbit that is found is another one.
+    Other,
+    /// Neither.
+    Nothing,
+}
+
+impl Period {
+    /// What a document claims, unless it contradicts itself.
+    pub fn of(claimed: &PeriodDocument) -> Result<Self, Doubt> {
+        let wrong = |message: &str| Err(Doubt::False(format!("period: {message}")));
+        let Ok(word) = claimed.word.parse::<Word>() else { return wrong("its word is none") };
+        let is_right: Vec<bool> = word.mappings().iter().map(|mapping| mapping.walls().0 == Wall::Right).collect();
+        if !word.is_closed() {
+            return wrong("its word does not end on the wall that it starts from");
+        }
+        // exact: of 32 bits
+        if is_right.len() != claimed.impacts as usize || claimed.cycles == 0 {
+            return wrong("its word has another number of impacts, or it takes no forcing period");
+        }
+        if is_right.len() > MOST {
+            return Err(Doubt::Open(format!("period: orbits of more than {MOST} impacts are not checked")));
+        }
+        Ok(Self { is_right, cycles: claimed.cycles.into() })
+    }
+
+    /// Whether the scene's own orbit converges to it, for all parameters of a pair.
+    pub fn attracts(
+        &self,
+        (pair, start): (&ImpactPair, &Start),
+        law: &Law,
+        work: &Allowance,
+    ) -> Result<Result<Found, End>, Error> {
+        let Some((wall, state)) = first_impact(pair, start)? else { return Ok(Ok(Found::Nothing)) };
+        Ok(self.found((wall == Wall::Right, Set::around(state)), law, work))
+    }
+
+    /// Whether it or its mirror image is a stable orbit, for all parameters of a pair.
+    pub fn exists(
+        &self,
+        (pair, start): (&ImpactPair, &Start),
+        law: &Law,
+        work: &Allowance,
+    ) -> Result<Result<Found, End>, Error> {
+        let own = first_impact(pair, start)?.map(|(_, state)| state.map(Span::mid));
+        let guess = Guess::new(law);
+        for from in own.into_iter().chain(ELSEWHERE) {
+            match self.settled(&guess, from, work) {
+                Ok(Some((is_right, state))) => {
+                    return Ok(self.found((is_right, Set::around(state.map(Span::point))), law, work));
+                }
+                Ok(None) => {}
+                Err(end) => return Ok(Err(end)),
+            }
+        }
+        Ok(Ok(Found::Nothing))
+    }
+
+    /// A state that a floating-point orbit comes to and has again, where it makes the claimed impacts, and the wall that it is on.
+    fn settled(&self, guess: &Guess, from: State, work: &Allowance) -> Result<Option<(bool, State)>, End> {
+        // proposes: where sets begin
+        let next = |state: State| {
+            let image = guess.map(state)?;
+            Some(([image.state[0].rem_euclid(1.0), image.state[1]], image.is_far))
+        };
+        work.spend(TRANSIENT, 1.0)?;
+        let Some(first) = (0..TRANSIENT).try_fold(from, |state, _| Some(next(state)?.0)) else { return Ok(None) };
+        let (mut state, mut walls) = (first, vec![false]);
+        for _ in 0..self.is_right.len() {
+            let Some((image, is_far)) = next(state) else { return Ok(None) };
+            walls.push(walls[walls.len() - 1] != is_far);
+            state = image;
+        }
+        let on = |is_right: bool| walls.iter().skip(1).map(move |wall| *wall != is_right).collect::<Vec<_>>();
+        let wall = [false, true].into_iter().find(|is_right| self.is_made_of(&on(*is_right)));
+        Ok(wall.filter(|_| apart(state, first) < CLOSED).map(|is_right| (is_right, first)))
+    }
+
+    /// What sets from a first one on lead to.
+    fn found(&self, first: (bool, Set), law: &Law, work: &Allowance) -> Result<Found, End> {
+        let mut found = Found::Nothing;
+        for room in ROOMS {
+            found = self.follow(first, room, law, work)?;
+            if found != Found::Nothing {
+                break;
+            }
+        }
+        Ok(found)
+    }
+
+    fn follow(&self, (is_right, first): (bool, Set), room: f64, law: &Law, work: &Allowance) -> Result<Found, End> {
+        let guess = Guess::new(law);
+        let all = self.is_right.len();
+        let (mut sets, mut walls) = (vec![first], vec![is_right]);
+        let mut proved_at = None;
+        while sets.len() <= IMPACTS {
+            let last = sets.len();
+            let Some(Landed { set, is_far, time }) = sets[last - 1].next(law, &guess) else {
+                work.spend(SET, MOST_TURNS)?;
+                break;
+            };
+            work.spend(SET, time)?;
+            walls.push(walls[last - 1] != is_far);
+            for impacts in (1..=all.min(last)).filter(|impacts| all.is_multiple_of(*impacts)) {
+                let Some(shift) = sets[last - impacts].holds(&set) else { continue };
+                let turns = set.turns - sets[last - impacts].turns + shift;
+                match self.compared(&walls[last - impacts..], turns) {
+                    Found::Proved if !self.may_have_fewer() => return Ok(Found::Proved),
+                    Found::Proved => proved_at = proved_at.or(Some(last)),
+                    Found::Nothing => {}
+                    found => return Ok(found),
+                }
+            }
+            if proved_at.is_some_and(|since| last >= since + MORE) {
+                break;
+            }
+            let before = sets.get(last.wrapping_sub(all * (AGAIN / all).max(1))); // proposes: whole rounds before
+            let away = before.map_or(0.0, |before| room * before.away(&set));
+            // proposes: larger sets hold as much
+            sets.push(if last.is_multiple_of(AGAIN) {
+                set.with_room(if away < NEAR { away } else { 0.0 })
+            } else {
+                set
+            });
+        }
+        Ok(if proved_at.is_some() { Found::Proved } else { Found::Nothing })
+    }
+
+    /// Whether impacts on these walls, of which the reduced map has the last state in the first one's set, are those that are claimed.
+    fn compared(&self, walls: &[bool], turns: f64) -> Found {
+        let flights = walls.len() - 1;
+        let far = walls.windows(2).filter(|pair| pair[0] != pair[1]).count();
+        let half_cycles = 2 * turns as i64 - far as i64; // V36: whole numbers, each far impact is half a period later
+        // On the other wall the orbit is mirrored: it is what it was after twice as many.
+        let rounds = if far.is_multiple_of(2) { 1 } else { 2 };
+        let own: Vec<bool> =
+            (0..rounds).flat_map(|round| walls[..flights].iter().map(move |wall| *wall != (round == 1))).collect();
+        let all = self.is_right.len();
+        let is_one_speed = self.cycles * 2 * flights as i64 == half_cycles * all as i64; // exact: small numbers
+        match (is_one_speed && self.is_made_of(&own), own.len()) {
+            (false, _) => Found::Other,
+            (true, impacts) if impacts < all => Found::Fewer,
+            (true, impacts) if impacts == all => Found::Proved,
+            // It may repeat after half of these.
+            (true, _) => Found::Nothing,
+        }
+    }
+
+    /// Whether impacts on these walls again and again are those that are claimed, from some impact on.
+    fn is_made_of(&self, walls: &[bool]) -> bool {
+        let all = self.is_right.len();
+        let is_turned = |shift: usize| {
+            (0..all.max(walls.len())).all(|i| walls[i % walls.len()] == self.is_right[(i + shift) % all])
+        };
+        (0..all).any(is_turned)
+    }
+
+    /// Whether the word is a shorter one several times, so that the orbit may be.
+    fn may_have_fewer(&self) -> bool {
+        let all = self.is_right.len();
+        let is_repeated = |part: usize| (0..all).all(|i| self.is_right[i] == self.is_right[(i + part) % all]);
+        (1..all).any(|part| all.is_multiple_of(part) && is_repeated(part))
+    }
+}
+
+/// Bounds of the scene's own first impact after its start, and its wall; `None` where it is not found.
+fn first_impact(pair: &ImpactPair, start: &Start) -> Result<Option<(Wall, Spot)>, Error> {
+    let certificate = Certificate::of_start(pair.clone(), start.clone());
+    let data = Data::new(pair, start)?;
+    let harmonic = pair.harmonic("the impact map without units")?;
+    let walk = Walk::new(&certificate, &data, &Piece::default(), BITS);
+    if walk.standing.still().is_some() {
+        return Ok(None);
+    }
+    let Some(landing) = walk.next_landing() else { return Ok(None) };
+    let turn = Real::pi(BITS) * 2;
+    let phase = walk.absolute(&landing.phase.hull()).over(&turn);
+    let velocity = landing.velocity.hull().over(&Real::of(harmonic.amplitude(), BITS));
+    let Some((phase, velocity)) = phase.zip(velocity) else { return Ok(None) };
+    let [phase, speed] = mirrored(landing.wall, phase, velocity);
+    let turns = phase.middle().floor().unwrap_or(0); // exact: any whole number of turns
+    let phase = phase.clone() - &Real::int(turns, phase.bits());
+    Ok(Some((landing.wall, [&phase, &speed].map(|x| Span::of(x.enclosure())))))
+}
