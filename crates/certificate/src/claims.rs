@@ -1,13 +1,12 @@
 //! Documents of every verb, and what `check` proves of them.
 
-use std::sync::atomic::{AtomicUsize, Ordering};
-
 use serde_json::{Deserializer, Value};
 
+use crate::checked::Checked;
 use crate::{
-    AtlasCertificate, BifurcationCertificate, CellsCertificate, Certificate, ChaosCertificate, ClaimKind,
-    CyclesCertificate, DescriptionCertificate, Effort, Finding, GlobalCertificate, Judged, PeriodicCertificate,
-    SweepCertificate, TangencyCertificate, TrapCertificate, Verdict, WindowsCertificate,
+    AtlasCertificate, BifurcationCertificate, CellsCertificate, Certificate, ChaosCertificate, CyclesCertificate,
+    DescriptionCertificate, Effort, Finding, GlobalCertificate, Judged, PeriodicCertificate, SweepCertificate,
+    TangencyCertificate, TrapCertificate, Verdict, WindowsCertificate,
 };
 use impact_pair_document::{
     ATLAS_SCHEMA, AUDIT_SCHEMA, BIFURCATION_SCHEMA, CHAOS_CELLS_SCHEMA, CHAOS_SCHEMA, CYCLES_SCHEMA,
@@ -199,76 +198,39 @@ impl Claims {
         if let Some(documents) = self.documents() {
             return Self::judge_each(&documents, effort, &Latched::new(watch));
         }
-        if let Self::Sweep(certificate) = self {
-            let (verdict, certain) = certificate.judge_within(effort, watch)?;
-            return Ok(self.judged(verdict, certain));
-        }
-        if let Self::Atlas(certificate) = self {
-            let (verdict, certain) = certificate.judge_within(effort, watch)?;
-            return Ok(self.judged(verdict, certain));
-        }
-        if let Self::Cells(certificate) = self {
-            let (verdict, certain) = certificate.judge_within(effort, watch)?;
-            return Ok(self.judged(verdict, certain));
-        }
-        let reached = AtomicUsize::new(0);
-        let watch = &|at: Stage<'_>| {
-            if let Stage::Claims(claims) = at {
-                reached.fetch_max(claims, Ordering::Relaxed);
-            }
-            watch.proceed(at)
+        let Some(certificate) = self.certificate() else {
+            let nothing = Finding { event: 0, message: "nothing of it is checked".to_owned() };
+            return Ok(Judged { verdict: Verdict::Undecided(nothing), confirmed: 0 });
         };
-        let verdict = match self {
-            Self::Orbit(certificate) => certificate.check_within(effort, watch),
-            Self::Periodic(certificate) => certificate.check_within(effort, watch),
-            Self::Cycles(certificate) => certificate.check_within(effort, watch),
-            Self::Bifurcations(certificate) => certificate.check_within(effort, watch),
-            Self::Windows(certificate) => certificate.check_within(effort, watch),
-            Self::Global(certificate) => certificate.check_within(effort, watch),
-            Self::Tangencies(certificate) => certificate.check_within(effort, watch),
-            Self::Chaos(certificate) => certificate.check_within(effort, watch),
-            Self::Trap(certificate) => certificate.check_within(effort, watch),
-            Self::Description(_)
-            | Self::List(_)
-            | Self::Sweep(_)
-            | Self::Atlas(_)
-            | Self::Cells(_)
-            | Self::Unchecked(_) => {
-                Ok(Verdict::Undecided(Finding { event: 0, message: "nothing of it is checked".to_owned() }))
-            }
-        }?;
-        Ok(self.judged(verdict, reached.into_inner()))
+        let (verdict, certain) = certificate.judge(effort, watch)?;
+        let confirmed = if let Verdict::Confirmed { .. } = verdict { self.count() + 1 } else { certain };
+        Ok(Judged { verdict, confirmed })
     }
 
-    fn judged(&self, verdict: Verdict, reached: usize) -> Judged {
-        let confirmed = match verdict {
-            Verdict::Confirmed { .. } => self.count() + 1,
-            _ => self.certain(reached),
-        };
-        Judged { verdict, confirmed }
+    /// What is claimed by one document; `None` of several, and of what is not checked.
+    pub(super) fn certificate(&self) -> Option<&dyn Checked> {
+        Some(match self {
+            Self::Orbit(certificate) => &**certificate,
+            Self::Periodic(certificate) => &**certificate,
+            Self::Cycles(certificate) => &**certificate,
+            Self::Bifurcations(certificate) => &**certificate,
+            Self::Windows(certificate) => &**certificate,
+            Self::Global(certificate) => &**certificate,
+            Self::Tangencies(certificate) => &**certificate,
+            Self::Sweep(certificate) => &**certificate,
+            Self::Atlas(certificate) => &**certificate,
+            Self::Chaos(certificate) => &**certificate,
+            Self::Cells(certificate) => &**certificate,
+            Self::Trap(certificate) => &**certificate,
+            Self::Description(_) | Self::List(_) | Self::Unchecked(_) => return None,
+        })
     }
 
     /// Returns how many claims come one after another: events, orbits.
     pub fn count(&self) -> usize {
-        match self {
-            Self::Orbit(certificate) => certificate.events().len(),
-            Self::Periodic(certificate) => certificate.count(),
-            Self::Cycles(certificate) => certificate.orbits().count(),
-            Self::Bifurcations(certificate) => certificate.count(),
-            Self::Windows(certificate) => certificate.count(),
-            Self::Global(certificate) => certificate.count(),
-            Self::Tangencies(certificate) => certificate.count(),
-            Self::Sweep(certificate) => certificate.count(),
-            Self::Atlas(certificate) => certificate.count(),
-            Self::Chaos(certificate) => certificate.count(),
-            Self::Cells(certificate) => certificate.count(),
-            Self::Trap(certificate) => certificate.count(),
-            // One more each for what is said of the whole document.
-            Self::List(_) | Self::Description(_) => {
-                self.documents().into_iter().flatten().map(|(_, document)| document.count() + 1).sum()
-            }
-            Self::Unchecked(_) => 0,
-        }
+        // Of several documents one more each for what is said of the whole document.
+        let of_each = || self.documents().into_iter().flatten().map(|(_, document)| document.count() + 1).sum();
+        self.certificate().map_or_else(of_each, |certificate| certificate.count())
     }
 
     /// Returns what of it is not judged: keys, or words.
@@ -280,127 +242,55 @@ impl Claims {
     /// # Ok::<(), impact_pair_model::Error>(())
     /// ```
     pub fn unjudged(&self) -> Vec<String> {
-        match self {
-            Self::Orbit(certificate) => certificate.unjudged().to_vec(),
-            Self::Periodic(certificate) => certificate.unjudged().to_vec(),
-            Self::Cycles(certificate) => certificate.orbits().unjudged().to_vec(),
-            Self::Bifurcations(certificate) => certificate.unjudged().to_vec(),
-            Self::Windows(certificate) => certificate.unjudged().to_vec(),
-            Self::Global(certificate) => certificate.unjudged().to_vec(),
-            Self::Tangencies(certificate) => certificate.unjudged().to_vec(),
-            Self::Sweep(certificate) => certificate.unjudged().to_vec(),
-            Self::Atlas(certificate) => certificate.unjudged().to_vec(),
-            Self::Chaos(certificate) => certificate.unjudged().to_vec(),
-            Self::Cells(certificate) => certificate.unjudged().to_vec(),
-            Self::Trap(certificate) => certificate.unjudged().to_vec(),
-            Self::List(_) | Self::Description(_) => {
-                let of = |(at, document): (String, &Self)| {
-                    document.unjudged().into_iter().map(move |key| format!("{at}.{key}"))
-                };
-                let own = if let Self::Description(certificate) = self { certificate.own_unjudged() } else { &[] };
-                own.iter().cloned().chain(self.documents().into_iter().flatten().flat_map(of)).collect()
-            }
-            Self::Unchecked(why) => vec![(*why).to_owned()],
+        if let Self::Unchecked(why) = self {
+            return vec![(*why).to_owned()];
         }
+        if let Some(certificate) = self.certificate() {
+            return certificate.unjudged().to_vec();
+        }
+        let of =
+            |(at, document): (String, &Self)| document.unjudged().into_iter().map(move |key| format!("{at}.{key}"));
+        let own = if let Self::Description(certificate) = self { certificate.own_unjudged() } else { &[] };
+        own.iter().cloned().chain(self.documents().into_iter().flatten().flat_map(of)).collect()
     }
 
     /// Returns the first claims, in words.
     pub fn first(&self, count: usize) -> String {
-        match self {
-            Self::Orbit(certificate) => {
-                let is_impact = |kind: &ClaimKind| matches!(kind, ClaimKind::Impact { .. });
-                let impacts = certificate.events()[..count].iter().filter(|claim| is_impact(&claim.kind)).count();
-                let events = counted(count, "event");
-                if impacts == 0 { events } else { format!("{events}, impacts 1..{impacts}") }
-            }
-            Self::Bifurcations(_) => counted(count, "bifurcation"),
-            Self::Windows(_) => counted(count, "window"),
-            Self::Global(_) => counted(count, "component"),
-            Self::Tangencies(_) => tangencies(count),
-            Self::Sweep(_) | Self::Atlas(_) => counted(count, "point"),
-            Self::Chaos(_) => counted(count, "word"),
-            Self::Cells(_) => counted(count, "subinterval"),
-            Self::Trap(_) => boxes(count),
-            Self::List(_) | Self::Description(_) => {
-                let mut left = count;
-                let documents = self.documents().unwrap_or_default();
-                let whole = documents.iter().take_while(|(_, document)| {
-                    let size = document.count() + 1;
-                    let is_whole = left >= size;
-                    left = left.saturating_sub(size);
-                    is_whole
-                });
-                counted(whole.count(), "document")
-            }
-            Self::Periodic(_) | Self::Cycles(_) | Self::Unchecked(_) => counted(count, "orbit"),
+        if let Some(certificate) = self.certificate() {
+            return certificate.first(count);
         }
+        let mut left = count;
+        let documents = self.documents().unwrap_or_default();
+        let whole = documents.iter().take_while(|(_, document)| {
+            let size = document.count() + 1;
+            let is_whole = left >= size;
+            left = left.saturating_sub(size);
+            is_whole
+        });
+        counted(whole.count(), "document")
     }
 
     /// Returns all claims, in words.
     pub fn all(&self) -> String {
+        if let Some(certificate) = self.certificate() {
+            return certificate.all();
+        }
+        let documents = self.documents().unwrap_or_default();
+        let each = documents.iter().map(|(_, document)| document.all()).collect::<Vec<_>>().join(", ");
         match self {
-            Self::Orbit(certificate) => {
-                let near = certificate.nearness();
-                format!("{} and the outcome{near}", counted(certificate.events().len(), "event"))
-            }
-            Self::Periodic(_) | Self::Cycles(_) => counted(self.count(), "orbit"),
-            Self::Bifurcations(certificate) => counted(certificate.checked(), "bifurcation"),
-            Self::Windows(certificate) => {
-                format!("the orbits and the ends of {}", counted(certificate.count(), "window"))
-            }
-            Self::Global(certificate) if certificate.says_there_are_no_others() => {
-                format!(
-                    "{}, and that every motion is in one of them in the end",
-                    counted(certificate.count(), "component")
-                )
-            }
-            Self::Global(certificate) => format!("what is proved of {}", counted(certificate.count(), "component")),
-            Self::Tangencies(certificate) => tangencies(certificate.count()),
-            Self::Sweep(certificate) => format!("the impacts of {}", counted(certificate.count(), "point")),
-            Self::Atlas(certificate) => {
-                format!("what is proved of every motion at {}", counted(certificate.claimed(), "point"))
-            }
-            Self::Chaos(certificate) => {
-                format!("{}, the entropies and the horseshoe", counted(certificate.count(), "word"))
-            }
-            Self::Cells(certificate) => {
-                format!("the verdicts on {} and the shares", counted(certificate.claimed(), "subinterval"))
-            }
-            Self::Trap(certificate) => {
-                let words = if certificate.document().words.is_some() {
-                    ", and the count and entropy of its words"
-                } else {
-                    ""
-                };
-                format!("a trapping region of {} and its bounds{words}", boxes(certificate.count()))
-            }
-            Self::Description(certificate) => {
-                let each: Vec<_> = certificate.parts().iter().map(|(_, document)| document.all()).collect();
-                format!("the fate: {}", each.join(", "))
-            }
-            Self::List(documents) => {
-                let each: Vec<_> = documents.iter().map(Self::all).collect();
-                format!("{}: {}", counted(documents.len(), "document"), each.join(", "))
-            }
-            Self::Unchecked(_) => "nothing".to_owned(),
+            Self::Description(_) => format!("the fate: {each}"),
+            Self::List(documents) => format!("{}: {each}", counted(documents.len(), "document")),
+            _ => "nothing".to_owned(),
         }
     }
 
-    /// Which claim, and what is wrong with it.
+    /// Returns which claim, and what is wrong with it.
     pub fn described(&self, Finding { event, message }: &Finding) -> String {
-        match self {
-            Self::Orbit(certificate) => certificate.described(*event, message),
-            Self::Periodic(_) | Self::Cycles(_) if *event < self.count() => format!("orbits[{event}]: {message}"),
-            Self::Bifurcations(certificate) if *event < certificate.count() => format!("points[{event}]: {message}"),
-            Self::Windows(certificate) if *event < certificate.count() => format!("windows[{event}]: {message}"),
-            Self::Global(certificate) if *event < certificate.count() => format!("components[{event}]: {message}"),
-            Self::Tangencies(certificate) if *event < certificate.count() => format!("tangencies[{event}]: {message}"),
-            Self::Sweep(certificate) if *event < certificate.count() => format!("points[{event}]: {message}"),
-            Self::Atlas(certificate) if *event < certificate.count() => format!("points[{event}]: {message}"),
-            Self::Chaos(certificate) if *event < certificate.count() => format!("words[{event}]: {message}"),
-            Self::Cells(certificate) if *event < certificate.count() => format!("stretches[{event}]: {message}"),
-            Self::Trap(certificate) if *event < certificate.count() => format!("box {event}: {message}"),
-            Self::List(_) | Self::Description(_) => {
+        match self.certificate() {
+            Some(certificate) if *event < certificate.count() => format!("{}: {message}", certificate.place(*event)),
+            Some(certificate) if matches!(self, Self::Orbit(_)) => format!("{}: {message}", certificate.whole()),
+            Some(_) => message.clone(),
+            None => {
                 let mut left = *event;
                 for (at, document) in self.documents().unwrap_or_default() {
                     if left <= document.count() {
@@ -411,40 +301,6 @@ impl Claims {
                 }
                 message.clone()
             }
-            Self::Periodic(_)
-            | Self::Cycles(_)
-            | Self::Bifurcations(_)
-            | Self::Windows(_)
-            | Self::Global(_)
-            | Self::Tangencies(_)
-            | Self::Sweep(_)
-            | Self::Atlas(_)
-            | Self::Chaos(_)
-            | Self::Cells(_)
-            | Self::Trap(_)
-            | Self::Unchecked(_) => message.clone(),
         }
-    }
-}
-
-fn boxes(count: usize) -> String {
-    format!("{count} {}", if count == 1 { "box" } else { "boxes" })
-}
-
-fn tangencies(count: usize) -> String {
-    format!("{count} homoclinic {}", if count == 1 { "tangency" } else { "tangencies" })
-}
-
-impl Certificate {
-    /// Which claim, and what is wrong with it.
-    pub fn described(&self, event: usize, message: &str) -> String {
-        let claim = match self.events().get(event).map(|claim| &claim.kind) {
-            None => "outcome".to_owned(),
-            Some(ClaimKind::Impact { index, .. }) => format!("events[{event}], impact {index}"),
-            Some(ClaimKind::Graze) => format!("events[{event}], a graze"),
-            Some(ClaimKind::Rest { .. }) => format!("events[{event}], a rest"),
-            Some(ClaimKind::Release) => format!("events[{event}], a release"),
-        };
-        format!("{claim}: {message}")
     }
 }

@@ -2,10 +2,10 @@
 
 use serde_json::{Deserializer, Value};
 
-use crate::check::Data;
+use crate::checked::Checked;
 use crate::leaves::Leaves;
-use crate::{Certificate, Claims, Finding, Verdict};
-use impact_pair_document::{CHECK_SCHEMA, CheckDocument, ClaimName, JudgedClaim, VerdictName};
+use crate::{Claims, Finding, Verdict};
+use impact_pair_document::{CHECK_SCHEMA, CheckDocument, JudgedClaim, VerdictName};
 
 /// What a check finds of a document, and how far it confirmed its claims one after another.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -46,32 +46,6 @@ struct Part<'c> {
 }
 
 impl Claims {
-    /// Number of the claims reported as confirmed, one after another, are so for all data, whatever becomes of the others.
-    pub(super) fn certain(&self, reached: usize) -> usize {
-        match self {
-            Self::Orbit(certificate) if certificate.confirms_one_by_one() => reached,
-            Self::Periodic(_) | Self::Cycles(_) | Self::Bifurcations(_) => reached,
-            Self::Windows(_) | Self::Tangencies(_) | Self::Sweep(_) | Self::Atlas(_) | Self::Cells(_) => reached,
-            _ => 0,
-        }
-    }
-
-    /// The list whose items are claims one after another.
-    fn items(&self) -> Option<&'static str> {
-        match self {
-            Self::Orbit(_) => Some("events"),
-            Self::Periodic(_) | Self::Cycles(_) => Some("orbits"),
-            Self::Bifurcations(_) | Self::Sweep(_) | Self::Atlas(_) => Some("points"),
-            Self::Global(_) => Some("components"),
-            Self::Windows(_) => Some("windows"),
-            Self::Tangencies(_) => Some("tangencies"),
-            Self::Chaos(_) => Some("words"),
-            Self::Cells(_) => Some("stretches"),
-            Self::Trap(_) => Some("region"),
-            Self::Description(_) | Self::List(_) | Self::Unchecked(_) => None,
-        }
-    }
-
     /// Returns each claim of the text that this was read from, with its verdict.
     ///
     /// # Panics
@@ -130,18 +104,10 @@ impl Claims {
     }
 }
 
-impl Certificate {
-    /// Whether each event that is confirmed is so for all data: of data that are intervals the pieces come one after another, and of a
-    /// shadowed orbit the links say something only all together.
-    fn confirms_one_by_one(&self) -> bool {
-        self.claim() == ClaimName::ExactStart && Data::new(self.pair(), self.start()).is_ok_and(|data| data.is_point())
-    }
-}
-
 impl Part<'_> {
     /// The verdicts on its values, and the paths of those that are not judged.
     fn judge(&self, judged: &Judged, claims: &mut Vec<JudgedClaim>, not_checked: &mut Vec<String>) {
-        let (names, items) = (self.claims.unjudged(), self.claims.items());
+        let (names, items) = (self.claims.unjudged(), self.claims.certificate().map(Checked::items));
         let mut leaves = Leaves::new(&names, items);
         match (self.claims, &self.values[..]) {
             (Claims::Unchecked(_), values) => {
@@ -188,15 +154,9 @@ impl Part<'_> {
             let key = message.split(' ').next().filter(|_| *event == self.first)?;
             return Some((key.to_owned(), message.clone()));
         }
-        let at = event.checked_sub(self.first).filter(|at| *at <= self.claims.count())?;
-        let path = match (self.claims, self.claims.items()) {
-            (Claims::Unchecked(_) | Claims::List(_), _) | (_, None) => return None,
-            (Claims::Trap(_), _) if at < self.claims.count() => "region".to_owned(),
-            (_, Some(items)) if at < self.claims.count() => format!("{items}[{at}]"),
-            (Claims::Orbit(_), _) => "outcome".to_owned(),
-            (Claims::Cycles(cycles), _) if cycles.contradiction().is_some() => "fixed_points".to_owned(),
-            _ => "certified".to_owned(),
-        };
+        let certificate = self.claims.certificate()?;
+        let at = event.checked_sub(self.first).filter(|at| *at <= certificate.count())?;
+        let path = if at < certificate.count() { certificate.path(at) } else { certificate.whole().to_owned() };
         Some((path, message.clone()))
     }
 

@@ -26,6 +26,7 @@ mod bifurcation;
 mod cells;
 mod chaos;
 mod check;
+mod checked;
 mod claims;
 mod cycles;
 mod description;

@@ -1,0 +1,305 @@
+//! What a document of one verb says to a check: its claims, one after another, and their words.
+
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+use impact_pair_document::{ClaimName, counted};
+use impact_pair_model::Error;
+use impact_pair_model::watch::{Stage, Watch};
+
+use crate::check::Data;
+use crate::{
+    AtlasCertificate, BifurcationCertificate, CellsCertificate, Certificate, ChaosCertificate, ClaimKind,
+    CyclesCertificate, Effort, GlobalCertificate, PeriodicCertificate, SweepCertificate, TangencyCertificate,
+    TrapCertificate, Verdict, WindowsCertificate,
+};
+
+/// A document whose claims are the items of a list, and then what is said of the whole.
+pub(super) trait Checked {
+    /// Proves every claim again, or returns the first one refuted or undecided, until the watch stops it, which receives the claims
+    /// confirmed so far.
+    fn check(&self, effort: &Effort, watch: &dyn Watch) -> Result<Verdict, Error>;
+
+    /// How many items there are.
+    fn count(&self) -> usize;
+
+    /// The keys that claim nothing which is judged.
+    fn unjudged(&self) -> &[String];
+
+    /// The list.
+    fn items(&self) -> &'static str;
+
+    /// An item of it, in words.
+    fn item(&self) -> &'static str;
+
+    /// All claims, in words.
+    fn all(&self) -> String;
+
+    /// The first items, in words.
+    fn first(&self, count: usize) -> String {
+        counted(count, self.item())
+    }
+
+    /// The place of an item, in words.
+    fn place(&self, item: usize) -> String {
+        format!("{}[{item}]", self.items())
+    }
+
+    /// The path of an item.
+    fn path(&self, item: usize) -> String {
+        format!("{}[{item}]", self.items())
+    }
+
+    /// The path of what is said of the whole.
+    fn whole(&self) -> &'static str {
+        "certified"
+    }
+
+    /// Whether an item that is confirmed is so for all data, whatever becomes of the others.
+    fn is_one_by_one(&self) -> bool {
+        true
+    }
+
+    /// The verdict, and how many items are confirmed for all data.
+    fn judge(&self, effort: &Effort, watch: &dyn Watch) -> Result<(Verdict, usize), Error> {
+        let reached = AtomicUsize::new(0);
+        let watch = &|at: Stage<'_>| {
+            if let Stage::Claims(claims) = at {
+                reached.fetch_max(claims, Ordering::Relaxed);
+            }
+            watch.proceed(at)
+        };
+        let verdict = self.check(effort, watch)?;
+        Ok((verdict, if self.is_one_by_one() { reached.into_inner() } else { 0 }))
+    }
+}
+
+/// What all of them have in common.
+macro_rules! checked {
+    ($items:literal, $item:literal) => {
+        fn check(&self, effort: &Effort, watch: &dyn Watch) -> Result<Verdict, Error> {
+            self.check_within(effort, watch)
+        }
+
+        fn count(&self) -> usize {
+            self.count()
+        }
+
+        fn unjudged(&self) -> &[String] {
+            self.unjudged()
+        }
+
+        fn items(&self) -> &'static str {
+            $items
+        }
+
+        fn item(&self) -> &'static str {
+            $item
+        }
+    };
+}
+
+/// What judges item by item itself.
+macro_rules! judged {
+    () => {
+        fn judge(&self, effort: &Effort, watch: &dyn Watch) -> Result<(Verdict, usize), Error> {
+            self.judge_within(effort, watch)
+        }
+    };
+}
+
+impl Checked for Certificate {
+    fn check(&self, effort: &Effort, watch: &dyn Watch) -> Result<Verdict, Error> {
+        self.check_within(effort, watch)
+    }
+
+    fn count(&self) -> usize {
+        self.events().len()
+    }
+
+    fn unjudged(&self) -> &[String] {
+        self.unjudged()
+    }
+
+    fn items(&self) -> &'static str {
+        "events"
+    }
+
+    fn item(&self) -> &'static str {
+        "event"
+    }
+
+    fn all(&self) -> String {
+        format!("{} and the outcome{}", counted(self.events().len(), "event"), self.nearness())
+    }
+
+    fn first(&self, count: usize) -> String {
+        let is_impact = |kind: &ClaimKind| matches!(kind, ClaimKind::Impact { .. });
+        let impacts = self.events()[..count].iter().filter(|claim| is_impact(&claim.kind)).count();
+        let events = counted(count, "event");
+        if impacts == 0 { events } else { format!("{events}, impacts 1..{impacts}") }
+    }
+
+    fn place(&self, item: usize) -> String {
+        match &self.events()[item].kind {
+            ClaimKind::Impact { index, .. } => format!("events[{item}], impact {index}"),
+            ClaimKind::Graze => format!("events[{item}], a graze"),
+            ClaimKind::Rest { .. } => format!("events[{item}], a rest"),
+            ClaimKind::Release => format!("events[{item}], a release"),
+        }
+    }
+
+    fn whole(&self) -> &'static str {
+        "outcome"
+    }
+
+    /// Of data that are intervals the pieces come one after another, and of a shadowed orbit the links say something only all together.
+    fn is_one_by_one(&self) -> bool {
+        self.claim() == ClaimName::ExactStart && Data::new(self.pair(), self.start()).is_ok_and(|data| data.is_point())
+    }
+}
+
+impl Checked for PeriodicCertificate {
+    checked!("orbits", "orbit");
+
+    fn all(&self) -> String {
+        counted(self.count(), "orbit")
+    }
+}
+
+impl Checked for CyclesCertificate {
+    fn check(&self, effort: &Effort, watch: &dyn Watch) -> Result<Verdict, Error> {
+        self.check_within(effort, watch)
+    }
+
+    fn count(&self) -> usize {
+        self.orbits().count()
+    }
+
+    fn unjudged(&self) -> &[String] {
+        self.orbits().unjudged()
+    }
+
+    fn items(&self) -> &'static str {
+        "orbits"
+    }
+
+    fn item(&self) -> &'static str {
+        "orbit"
+    }
+
+    fn all(&self) -> String {
+        counted(self.orbits().count(), "orbit")
+    }
+
+    fn whole(&self) -> &'static str {
+        if self.contradiction().is_some() { "fixed_points" } else { "certified" }
+    }
+}
+
+impl Checked for BifurcationCertificate {
+    checked!("points", "bifurcation");
+
+    fn all(&self) -> String {
+        counted(self.checked(), "bifurcation")
+    }
+}
+
+impl Checked for WindowsCertificate {
+    checked!("windows", "window");
+
+    fn all(&self) -> String {
+        format!("the orbits and the ends of {}", counted(self.count(), "window"))
+    }
+}
+
+impl Checked for GlobalCertificate {
+    checked!("components", "component");
+
+    fn all(&self) -> String {
+        let components = counted(self.count(), "component");
+        match self.says_there_are_no_others() {
+            true => format!("{components}, and that every motion is in one of them in the end"),
+            false => format!("what is proved of {components}"),
+        }
+    }
+
+    fn is_one_by_one(&self) -> bool {
+        false
+    }
+}
+
+impl Checked for TangencyCertificate {
+    checked!("tangencies", "homoclinic tangency");
+
+    fn all(&self) -> String {
+        self.first(self.count())
+    }
+
+    fn first(&self, count: usize) -> String {
+        format!("{count} homoclinic {}", if count == 1 { "tangency" } else { "tangencies" })
+    }
+}
+
+impl Checked for SweepCertificate {
+    checked!("points", "point");
+    judged!();
+
+    fn all(&self) -> String {
+        format!("the impacts of {}", counted(self.count(), "point"))
+    }
+}
+
+impl Checked for AtlasCertificate {
+    checked!("points", "point");
+    judged!();
+
+    fn all(&self) -> String {
+        format!("what is proved of every motion at {}", counted(self.claimed(), "point"))
+    }
+}
+
+impl Checked for CellsCertificate {
+    checked!("stretches", "subinterval");
+    judged!();
+
+    fn all(&self) -> String {
+        format!("the verdicts on {} and the shares", counted(self.claimed(), "subinterval"))
+    }
+}
+
+impl Checked for ChaosCertificate {
+    checked!("words", "word");
+
+    fn all(&self) -> String {
+        format!("{}, the entropies and the horseshoe", counted(self.count(), "word"))
+    }
+
+    fn is_one_by_one(&self) -> bool {
+        false
+    }
+}
+
+impl Checked for TrapCertificate {
+    checked!("region", "box");
+
+    fn all(&self) -> String {
+        let words = if self.document().words.is_some() { ", and the count and entropy of its words" } else { "" };
+        format!("a trapping region of {} and its bounds{words}", self.first(self.count()))
+    }
+
+    fn first(&self, count: usize) -> String {
+        format!("{count} {}", if count == 1 { "box" } else { "boxes" })
+    }
+
+    fn place(&self, item: usize) -> String {
+        format!("box {item}")
+    }
+
+    fn path(&self, _: usize) -> String {
+        "region".to_owned()
+    }
+
+    fn is_one_by_one(&self) -> bool {
+        false
+    }
+}
