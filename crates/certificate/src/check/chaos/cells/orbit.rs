@@ -153,7 +153,7 @@ impl Period {
             };
             work.spend(SET, time)?;
             walls.push(walls[last - 1] != is_far);
-            for impacts in (1..=all.min(last)).filter(|impacts| all.is_multiple_of(*impacts)) {
+            for impacts in (1..=last).take(all).filter(|impacts| all.is_multiple_of(*impacts)) {
                 let Some(shift) = sets[last - impacts].holds(&set) else { continue };
                 let turns = set.turns - sets[last - impacts].turns + shift;
                 match self.compared(&walls[last - impacts..], turns) {
@@ -202,7 +202,7 @@ impl Period {
     fn is_made_of(&self, walls: &[bool]) -> bool {
         let all = self.is_right.len();
         let is_turned = |shift: usize| {
-            (0..all.max(walls.len())).all(|i| walls[i % walls.len()] == self.is_right[(i + shift) % all])
+            (0..all + walls.len()).all(|i| walls[i % walls.len()] == self.is_right[(i + shift) % all])
         };
         (0..all).any(is_turned)
     }
