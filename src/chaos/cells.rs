@@ -14,7 +14,7 @@ use super::quad::State;
 use super::scene::{Visited, visited};
 use super::seen::{Seen, seen};
 use super::stable::stable;
-use super::trials::{ANY, CELL};
+use super::trials::ANY;
 use super::words::Base;
 use crate::Error;
 use crate::exact::{Exact, ExactError};
@@ -151,23 +151,9 @@ pub struct Cells {
     pub interrupted: bool,
 }
 
-/// Horseshoes are looked for in cells that are halved so often at most, and in every other generation of them: by h-sets that are known, and by others in
-/// generations up to the last but one. Those of the first are looked for everywhere, for the value in the middle.
+/// Horseshoes are looked for in cells that are halved so often at most, and in every other generation of them.
 const SEARCHED: u32 = 4;
 const EVERY: u32 = 2;
-
-/// Which h-sets are tried for a cell.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Looking {
-    /// Those that are known.
-    Known,
-    /// Those too that a chaotic orbit leads to quickly.
-    Quickly,
-    /// Those too that it leads to with more effort.
-    Everywhere,
-    /// Those too that are seen before a regular orbit settles.
-    Transients,
-}
 
 /// A search at work.
 struct Work<'w> {
@@ -261,7 +247,7 @@ impl Work<'_> {
         let middle = middle(low, high)?;
         let pair = self.pair.with(self.asked.over.key, within(NAME, low, Exact::interval(low, high))?)?;
         if self.watch.goes_on() {
-            *beside = self.horseshoe(&pair, [&middle, low, high], known, Looking::Transients)?;
+            *beside = self.horseshoe(&pair, [&middle, low, high], known, true)?;
         }
         Ok(())
     }
@@ -281,14 +267,7 @@ impl Work<'_> {
         if self.watch.goes_on() {
             verdict = self.periodic(&pair, halved >= self.asked.halvings)?;
             if verdict == Verdict::Undecided && halved <= SEARCHED && halved.is_multiple_of(EVERY) {
-                let search = if halved == 0 {
-                    Looking::Everywhere
-                } else if halved < SEARCHED {
-                    Looking::Quickly
-                } else {
-                    Looking::Known
-                };
-                let found = self.horseshoe(&pair, [&middle, &low, &high], known, search)?;
+                let found = self.horseshoe(&pair, [&middle, &low, &high], known, false)?;
                 verdict = found.map_or(Verdict::Undecided, Verdict::Horseshoe); // exact: none is proved
             }
             if verdict == Verdict::Undecided && halved < self.asked.halvings {
@@ -320,62 +299,44 @@ impl Work<'_> {
         })
     }
 
-    /// H-sets that are known, or else those that a floating-point orbit in the cell leads to, are tried for all of the cell.
+    /// H-sets that are known, or else those that a floating-point orbit in the cell leads to, are tried for all of the cell; where it is
+    /// regular, with `transients` those that are seen before orbits come near it.
     fn horseshoe(
         &self,
         pair: &ImpactPair,
         values: [&Exact; 3],
         known: &mut Vec<Base>,
-        search: Looking,
+        transients: bool,
     ) -> Result<Option<Horseshoe>, Error> {
         let law = Law::of(pair)?;
-        if let Some(found) = self.proved(&law, known.clone(), known) {
-            return Ok(Some(found));
-        }
-        if search == Looking::Known {
-            return Ok(None);
-        }
         let mut looked_at = None;
         for value in values {
             let one = self.pair.with(self.asked.over.key, value.clone())?;
-            let one_law = Law::of(&one)?;
-            let guess = Guess::new(&one_law);
+            let guess = Guess::new(&Law::of(&one)?);
             let orbit = visited(&one, self.start, 1)?.last().and_then(|last| seen(&guess, last.middle()));
             looked_at = match orbit {
-                Some(orbit) if search == Looking::Transients && !orbit.is_chaotic() => Some(orbit.transients(&guess)),
+                Some(orbit) if transients && !orbit.is_chaotic() => Some(orbit.transients(&guess)),
                 orbit => orbit.filter(Seen::is_chaotic),
-            }
-            .map(|orbit| (orbit, one_law));
+            };
             if looked_at.is_some() {
                 break;
             }
         }
-        let Some((orbit, one)) = looked_at else { return Ok(None) };
-        let quickly = bases(&orbit, &law, self.asked.depth, ANY, self.watch);
-        let mut found = self.proved(&law, quickly, known);
-        if found.is_none() && search == Looking::Everywhere && orbit.is_chaotic() {
-            let everywhere = bases(&orbit, &one, self.asked.depth, CELL, self.watch);
-            found = self.proved(&law, everywhere.clone(), known);
-            // What is not proved for all of a cell may be for a part of it.
-            if found.is_none() && !everywhere.is_empty() {
-                *known = everywhere;
+        let Some(orbit) = looked_at else { return Ok(None) };
+        let found = || bases(&orbit, &law, self.asked.depth, ANY, self.watch);
+        for again in [true, false] {
+            let bases = if again { known.clone() } else { found() };
+            if problem(&bases).is_some() {
+                continue;
+            }
+            let chaos = Chaos::proved(&law, bases, Some(self.asked.depth), self.watch);
+            if chaos.entropy() > 0.0 {
+                let (entropy, bases) = ([chaos.entropy(), chaos.entropy_a_cycle()], chaos.bases().to_vec());
+                known.clone_from(&bases);
+                return Ok(Some(Horseshoe { entropy, bases }));
             }
         }
-        Ok(found)
-    }
-
-    /// The horseshoe that these h-sets make for all of a cell; they are known from then on.
-    fn proved(&self, law: &Law, bases: Vec<Base>, known: &mut Vec<Base>) -> Option<Horseshoe> {
-        if bases.is_empty() || problem(&bases).is_some() {
-            return None; // exact: none is proved
-        }
-        let chaos = Chaos::proved(law, bases, Some(self.asked.depth), self.watch);
-        if chaos.entropy() <= 0.0 {
-            return None; // exact: none is proved
-        }
-        let (entropy, bases) = ([chaos.entropy(), chaos.entropy_a_cycle()], chaos.bases().to_vec());
-        known.clone_from(&bases);
-        Some(Horseshoe { entropy, bases })
+        Ok(None)
     }
 }
 

@@ -30,9 +30,6 @@ pub(super) const THOROUGH: Effort =
     Effort { trials: &[(64, 2_500), (12, 10_000), (4, 40_000)], last: (12, 150_000), most: 3, everywhere: true };
 pub(super) const ANY: Effort =
     Effort { trials: &[(32, 2_000), (4, 8_000)], last: (2, 20_000), most: 1, everywhere: false };
-/// For any, with more effort, of a value in a cell.
-pub(super) const CELL: Effort =
-    Effort { trials: &[(64, 2_500), (12, 10_000), (4, 40_000)], last: (12, 150_000), most: 1, everywhere: true };
 /// Of h-sets from everywhere.
 pub(super) const SLOW: Effort =
     Effort { trials: &[(64, 6_000), (12, 40_000)], last: (4, 200_000), most: 2, everywhere: false };

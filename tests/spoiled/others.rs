@@ -131,8 +131,8 @@ pub fn atlas(shard: Option<[u64; 2]>) -> Vec<Value> {
     std::iter::once(json!(head)).chain(records).collect()
 }
 
-/// What `chaos scenes/figure-14.toml --over amplitude=LO..HI:1 --depth 4 --format json` wrote: `attracted` over 2.2..2.3, `stable` over 3.7..3.75
-/// with `--halvings 4`, and `a horseshoe` over 9.4..9.41.
+/// What `chaos scenes/figure-14.toml --over amplitude=RANGE --depth 4 --format json` wrote: `attracted` over 2.25..2.252:1, `stable` over
+/// 3.5969..3.5984:5 with `--halvings 1`, and `a horseshoe` over 9.4..9.41:1.
 pub fn cells(name: &str) -> Value {
     let text = match name {
         "attracted" => include_str!("cells-attracted.json"),

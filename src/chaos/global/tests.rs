@@ -215,12 +215,12 @@ fn what_is_undecided_says_which_limit_left_it() {
 #[test]
 fn basins_take_no_more_work_than_allowed() {
     let of = |work: u64, basins: u32| {
-        let settings = GlobalSettings { boxes: 1 << 8, work, basins: Some(basins), ..GlobalSettings::default() };
+        let settings = GlobalSettings { boxes: 1 << 10, work, basins: Some(basins), ..GlobalSettings::default() };
         Global::of(&pair("2", "0.2"), &settings, &Unwatched).unwrap()
     };
-    let enough = of(20_000, 1 << 8);
+    let enough = of(1_000_000, 1 << 8);
     assert_eq!((enough.class(), enough.basins().unwrap()[0].area), (Class::OneRestCycle, 1.0));
-    let short = of(20_000, 1 << 14);
+    let short = of(1_000_000, 1 << 18);
     assert_eq!((short.class(), short.basins().unwrap()[0].area), (Class::OneRestCycle, 0.0));
 }
 

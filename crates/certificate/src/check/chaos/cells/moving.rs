@@ -26,7 +26,7 @@ pub(super) struct Landed {
 }
 
 /// Sides are that much longer than they have to be, so that it can be proved that they are long enough.
-const LONGER: f64 = 1.0 + 1.0 / (1 << 20) as f64;
+const LONGER: f64 = 1.0 + 1.0 / (1 << 20) as f64; // exact: a power of two
 /// Wider sets are not followed.
 const WIDEST: f64 = 0.2;
 

@@ -34,6 +34,8 @@ const CLOSED: f64 = 1e-6;
 const ELSEWHERE: [State; 4] = [[0.1, 0.5], [0.35, 1.5], [0.6, 1.0], [0.85, 2.0]];
 /// A set that is followed for one impact counts as N flights that are looked at.
 const SET: usize = 8;
+/// One impact of a floating-point orbit counts as N as well.
+const MAP: usize = 4;
 /// Orbits of more impacts are not checked.
 const MOST: usize = 256;
 
@@ -115,7 +117,7 @@ impl Period {
             let image = guess.map(state)?;
             Some(([image.state[0].rem_euclid(1.0), image.state[1]], image.is_far))
         };
-        work.spend(TRANSIENT, 1.0)?;
+        work.spend(MAP * TRANSIENT, 1.0)?;
         let Some(first) = (0..TRANSIENT).try_fold(from, |state, _| Some(next(state)?.0)) else { return Ok(None) };
         let (mut state, mut walls) = (first, vec![false]);
         for _ in 0..self.is_right.len() {
@@ -153,7 +155,7 @@ impl Period {
             };
             work.spend(SET, time)?;
             walls.push(walls[last - 1] != is_far);
-            for impacts in (1..=all.min(last)).filter(|impacts| all.is_multiple_of(*impacts)) {
+            for impacts in (1..=last).take(all).filter(|impacts| all.is_multiple_of(*impacts)) {
                 let Some(shift) = sets[last - impacts].holds(&set) else { continue };
                 let turns = set.turns - sets[last - impacts].turns + shift;
                 match self.compared(&walls[last - impacts..], turns) {
@@ -201,9 +203,8 @@ impl Period {
     /// Whether impacts on these walls again and again are those that are claimed, from some impact on.
     fn is_made_of(&self, walls: &[bool]) -> bool {
         let all = self.is_right.len();
-        let is_turned = |shift: usize| {
-            (0..all.max(walls.len())).all(|i| walls[i % walls.len()] == self.is_right[(i + shift) % all])
-        };
+        let is_turned =
+            |shift: usize| (0..all + walls.len()).all(|i| walls[i % walls.len()] == self.is_right[(i + shift) % all]);
         (0..all).any(is_turned)
     }
 
