@@ -72,14 +72,17 @@ impl Spectrum {
     }
 
     /// Whether half a common period later each harmonic is its own opposite; `None` where they have no such period, or where an amplitude
-    /// may be 0 and the others alone may be so. Lemma T6
+    /// may be 0, or harmonics of one frequency may cancel, and the others alone may be so. Lemma T6
     pub fn is_odd(&self) -> Option<bool> {
         let period = BigInt::from(self.period?);
         let is_odd = |term: &Term| {
             let turns = term.ratio.as_rational().map(|ratio| ratio * &period);
             turns.is_some_and(|turns| turns.is_integer() && turns.numer().is_odd())
         };
-        let may_vanish = |term: &Term| term.alpha.sign() != Some(Ordering::Greater);
+        let is_alone = |term: &Term| {
+            self.terms.iter().filter(|other| other.ratio.as_rational() == term.ratio.as_rational()).count() == 1
+        };
+        let may_vanish = |term: &Term| term.alpha.sign() != Some(Ordering::Greater) || !is_alone(term);
         let is_known = self.terms.iter().all(is_odd) || !self.terms.iter().any(may_vanish);
         is_known.then(|| self.terms.iter().all(is_odd))
     }
