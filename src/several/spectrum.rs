@@ -155,6 +155,21 @@ mod tests {
         assert_eq!(spectrum(&["1", "sqrt(2)"]).is_odd(), None);
     }
 
+    /// Three harmonics of one frequency, a third of a period apart, cancel: what is left may have a mirror that all together have not.
+    #[test]
+    fn r44_harmonics_of_one_frequency_may_cancel() {
+        let value = |text: &str| text.parse::<Exact>().unwrap();
+        let of = |terms: &[(&str, &str)]| {
+            let terms = terms.iter().map(|(w, tau)| Harmonic::new(value("2"), value(w), value(tau)).unwrap());
+            let pair = ImpactPair::new(Excitation::new(terms.collect()).unwrap(), value("4"), value("0.5")).unwrap();
+            Spectrum::new(&pair, &BigInt::from(7)).unwrap().unwrap().is_odd()
+        };
+        assert_eq!(of(&[("1", "0"), ("2", "0"), ("2", "2*pi/3"), ("2", "4*pi/3")]), None);
+        assert_eq!(of(&[("2", "0"), ("1", "0"), ("1", "pi")]), None);
+        // As far as all are odd nothing is left that is not.
+        assert_eq!(of(&[("1", "0"), ("3", "0"), ("3", "pi")]), Some(true));
+    }
+
     #[test]
     fn phases_are_those_of_equation_1() {
         let value = |text: &str| text.parse::<Exact>().unwrap();
