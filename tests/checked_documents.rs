@@ -420,6 +420,33 @@ fn r39_where_a_harmonic_may_vanish_orbits_may_be_symmetric() {
     }
 }
 
+/// Harmonics of one frequency cancel: the box moves as with the first harmonic alone, under which the same orbits are their own mirror images.
+#[test]
+fn r44_where_harmonics_cancel_orbits_may_be_symmetric() {
+    let found = |excitation: &str, cycles: u32| {
+        let scene = Scene::parse(&format!(
+            "excitation = {{ {excitation} }}\npair = {{ gap = 9.42497, restitution = 0.5 }}\n\
+             start = {{ time = 0, wall = \"left\", velocity = -12 }}"
+        ));
+        let scene = scene.unwrap();
+        let problem = Problem::new(scene.pair(), &"P1 P2".parse().unwrap(), cycles).unwrap();
+        let census = problem.find(scene.start(), Precision::default());
+        json!(Units::new(scene.pair()).unwrap().document(&problem, scene.start(), &census))
+    };
+    let symmetric = |document: &Value| -> Vec<Value> {
+        document["orbits"].as_array().unwrap().iter().map(|orbit| orbit["symmetric"].clone()).collect()
+    };
+    let alone = found("amplitude = 1, frequency = \"pi\", phase = 0", 1);
+    assert_eq!(symmetric(&alone), [true, true]);
+    let cancelled = "amplitude = 1, frequency = [\"pi\", \"2*pi\", \"2*pi\"], phase = [0, 0, \"pi\"]";
+    let mut document = found(&cancelled.replace("= 1,", "= [1, 1, 1],"), 2);
+    assert_eq!(symmetric(&document), [json!(null), json!(null)]);
+    document["orbits"].as_array_mut().unwrap().truncate(1);
+    assert!(is_confirmed(&[document.clone()]), "{:?}", verdict(&[document]));
+    document["orbits"][0]["symmetric"] = json!(false);
+    assert!(matches!(verdict(&[document]), Verdict::Undecided(_)));
+}
+
 #[test]
 fn r32_an_orbit_listed_twice_is_not_two() {
     for document in [four_orbits(), two_impact(3)] {

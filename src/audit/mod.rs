@@ -331,6 +331,19 @@ mod tests {
         assert_eq!(verdicts(&list.replace("2.5,", "3,right\n2.5,"), Some("2.75")), [inside; 3]);
     }
 
+    /// Rests are no impacts, in whatever form the list comes.
+    #[test]
+    fn r44_of_columns_in_json_those_that_are_no_impacts_are_skipped() {
+        let scene = exact_orbit_of_figure_12();
+        let read = |list: &str| read(list, &Columns::default(), scene.pair()).unwrap();
+        let columns =
+            r#"{"event": ["impact", "rest", "impact"], "time": [1, 1.5, 2], "wall": ["right", "right", "left"]}"#;
+        let list = read(columns);
+        assert!(list.unused.is_empty() && list.rows.len() == 2, "{list:?}");
+        assert!(Audit::of(&scene, list, &AuditSettings::default(), &Unwatched).unwrap().is_agreed());
+        assert_eq!(read("event,time,wall\nimpact,1,right\nrest,1.5,right\nimpact,2,left").rows.len(), 2);
+    }
+
     #[test]
     fn a_corrupted_time_does_not_lead_to_the_end_of_the_world() {
         let scene = exact_orbit_of_figure_12();

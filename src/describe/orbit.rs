@@ -42,11 +42,12 @@ impl Followed {
         let mut disturbance = Disturbance::of(&orbit);
         let of = (scene.pair(), scene.start());
         let document = document::follow(&mut orbit, of, watch, |orbit, event| disturbance.follow(orbit, event));
+        let exponent = disturbance.exponent();
         let limit = match orbit.outcome() {
-            Some(Outcome::Attracted(attractor)) => Some(limit(&attractor.orbit)),
+            Some(Outcome::Attracted(attractor)) => Some(limit(&attractor.orbit, exponent)),
             _ => None,
         };
-        Ok(Self { document, exponent: disturbance.exponent(), limit })
+        Ok(Self { document, exponent, limit })
     }
 }
 

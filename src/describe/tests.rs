@@ -45,6 +45,18 @@ fn r39_without_restitution_the_exponent_in_the_limit_is_bounded_from_above_only(
     assert!(low == "-inf" && truth <= high + 1e-12 && high - truth < 1e-6, "{low} {high} {truth}");
 }
 
+/// The ball rests first, pressed on its wall, and is released at a phase that does not depend on the start: all later derivatives are 0.
+#[test]
+fn r44_after_a_rest_the_exponent_in_the_limit_is_bounded_from_above_only() {
+    let start = "time = 1.5, wall = \"left\", velocity = 0";
+    let document =
+        described(&scene("amplitude = 1, frequency = \"pi\", phase = 0", "gap = 3, restitution = 0.5", start));
+    assert_eq!(document.fate.kind, FateName::Attracted);
+    assert_eq!(document.exponent.finite_time.unwrap(), ["-inf", "-inf"]);
+    let [low, high] = document.exponent.limit.unwrap();
+    assert!(low == "-inf" && high.parse::<f64>().unwrap() < 0.0, "{low} {high}");
+}
+
 /// Lemma Q3 holds for all data: so it does for all gaps of an interval.
 #[test]
 fn intervals_of_data_are_described_for_all_their_values() {

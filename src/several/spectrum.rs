@@ -72,14 +72,17 @@ impl Spectrum {
     }
 
     /// Whether half a common period later each harmonic is its own opposite; `None` where they have no such period, or where an amplitude
-    /// may be 0 and the others alone may be so. Lemma T6
+    /// may be 0, or harmonics of one frequency may cancel, and the others alone may be so. Lemma T6
     pub fn is_odd(&self) -> Option<bool> {
         let period = BigInt::from(self.period?);
         let is_odd = |term: &Term| {
             let turns = term.ratio.as_rational().map(|ratio| ratio * &period);
             turns.is_some_and(|turns| turns.is_integer() && turns.numer().is_odd())
         };
-        let may_vanish = |term: &Term| term.alpha.sign() != Some(Ordering::Greater);
+        let is_alone = |term: &Term| {
+            self.terms.iter().filter(|other| other.ratio.as_rational() == term.ratio.as_rational()).count() == 1
+        };
+        let may_vanish = |term: &Term| term.alpha.sign() != Some(Ordering::Greater) || !is_alone(term);
         let is_known = self.terms.iter().all(is_odd) || !self.terms.iter().any(may_vanish);
         is_known.then(|| self.terms.iter().all(is_odd))
     }
@@ -150,6 +153,21 @@ mod tests {
         let is_odd = [&["pi", "3*pi"][..], &["1", "2"], &["3", "5", "15"], &["6", "10"]].map(|w| spectrum(w).is_odd());
         assert_eq!(is_odd, [Some(true), Some(false), Some(true), Some(true)]);
         assert_eq!(spectrum(&["1", "sqrt(2)"]).is_odd(), None);
+    }
+
+    /// Three harmonics of one frequency, a third of a period apart, cancel: what is left may have a mirror that all together have not.
+    #[test]
+    fn r44_harmonics_of_one_frequency_may_cancel() {
+        let value = |text: &str| text.parse::<Exact>().unwrap();
+        let of = |terms: &[(&str, &str)]| {
+            let terms = terms.iter().map(|(w, tau)| Harmonic::new(value("2"), value(w), value(tau)).unwrap());
+            let pair = ImpactPair::new(Excitation::new(terms.collect()).unwrap(), value("4"), value("0.5")).unwrap();
+            Spectrum::new(&pair, &BigInt::from(7)).unwrap().unwrap().is_odd()
+        };
+        assert_eq!(of(&[("1", "0"), ("2", "0"), ("2", "2*pi/3"), ("2", "4*pi/3")]), None);
+        assert_eq!(of(&[("2", "0"), ("1", "0"), ("1", "pi")]), None);
+        // As far as all are odd nothing is left that is not.
+        assert_eq!(of(&[("1", "0"), ("3", "0"), ("3", "pi")]), Some(true));
     }
 
     #[test]

@@ -139,8 +139,12 @@ fn follow_in(
     });
     let Some(outcome) = orbit.outcome().cloned() else { return Ok(None) };
     let last = last.and_then(|event| Event::of(&orbit, &event, window.listed));
+    let exponent =
+        window.disturbance.as_ref().map_or_else(|| Disturbance::of(&orbit).exponent(), Disturbance::exponent);
     let (attraction, cycles) = match &outcome {
-        Outcome::Attracted(attractor) => (Some(attraction(&orbit, attractor, &unit)), Some(attractor.cycles.into())),
+        Outcome::Attracted(attractor) => {
+            (Some(attraction(&orbit, attractor, &unit, exponent)), Some(attractor.cycles.into()))
+        }
         Outcome::Periodic(period) => (None, Some(period.cycles)),
         _ => (None, None),
     };
@@ -148,7 +152,7 @@ fn follow_in(
         lasting: cycles.map(|cycles| unit.lasting(cycles)),
         impacts: window.listed,
         impacts_per_cycle: window.impacts_per_cycle(&orbit),
-        exponent: window.disturbance.as_ref().map_or_else(|| Disturbance::of(&orbit).exponent(), Disturbance::exponent),
+        exponent,
         states: window.states,
         attraction,
         conclusion: Conclusion::of(&orbit, scene.start(), last.as_ref()),
@@ -214,7 +218,7 @@ impl<'u> Window<'u> {
 }
 
 /// The attractor measured from the impact that [`Attraction`] names.
-fn attraction(orbit: &Orbit, attractor: &Attractor, unit: &Unit) -> Attraction {
+fn attraction(orbit: &Orbit, attractor: &Attractor, unit: &Unit, exponent: Exponent) -> Attraction {
     let Attractor { word, orbit: periodic, from, .. } = attractor;
     let impacts = &periodic.impacts;
     let rotated = |shift: usize| impacts.iter().cycle().skip(shift).take(impacts.len());
@@ -234,7 +238,7 @@ fn attraction(orbit: &Orbit, attractor: &Attractor, unit: &Unit) -> Attraction {
         word: Word::new(mappings).expect("a closed word can be rotated"),
         first: in_reference(first).map(|phase| State { index: 1 + shift as u64, wall: first.wall, phase, velocity }),
         from: *from,
-        limit: limit(periodic),
+        limit: limit(periodic, exponent),
     }
 }
 
@@ -296,6 +300,18 @@ mod tests {
         assert!((per_cycle.mid() - 0.25764f64.ln()).abs() < 0.5, "{per_cycle:?}");
         let [low, high] = attraction.limit.map(|end| 2.0 * end);
         assert!(high - low < 1e-10 && (low - 0.25764f64.ln()).abs() < 1e-4, "{low} {high}");
+    }
+
+    /// A rest before the first impact: the exponent over all impacts is minus infinity however many there are; that after the transient is not.
+    #[test]
+    fn r44_the_limit_of_an_exponent_is_that_of_the_impacts_after_the_transient() {
+        let rests = Scene::parse(
+            "excitation = { amplitude = 1, frequency = \"pi\", phase = 0 }\npair = { gap = 3, restitution = 0.5 }\n\
+             start = { time = 1.5, wall = \"left\", velocity = 0 }",
+        );
+        let rests = rests.unwrap();
+        let lowest = |transient: u64| point(&rests, transient, 40).attraction.unwrap().limit[0];
+        assert!(lowest(0) == f64::NEG_INFINITY && lowest(1).is_finite());
     }
 
     #[test]

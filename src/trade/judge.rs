@@ -3,12 +3,13 @@
 //! An error is enclosed by the least and the greatest distance to the enclosure of the true value.
 //! It exceeds a threshold if the least does, and is within it if the greatest is. Impacts are matched by
 //! their number as long as all walls agree; after the first wall that disagrees, the orbit has departed from the true word and is not compared further.
+//! Nor is it after a complete chatter: how many of its impacts are listed is a matter of digits.
 
 use std::ops::ControlFlow;
 
 use super::ladder::Rung;
 use crate::exact::{Dyadic, Enclosure};
-use crate::orbit::{Arithmetic, Impact, Orbit, Settings};
+use crate::orbit::{Arithmetic, Impact, Orbit, Progress, Rest, Settings};
 use crate::pair::Wall;
 use crate::scales::{Size, Unit, Units};
 use crate::watch::Watch;
@@ -155,7 +156,26 @@ pub(super) fn name(truth: &Settings) -> String {
     }
 }
 
-/// Judges `float` on this scene; when interrupted, as far as it came.
+/// What an orbit lists next.
+enum Next {
+    /// An impact; `None` at its end.
+    Reading(Option<Reading>),
+    /// Infinitely many impacts are left out before the next one.
+    Skipped,
+}
+
+fn next(orbit: &mut Orbit) -> Next {
+    loop {
+        match orbit.advance() {
+            Progress::Impact(impact) => return Next::Reading(Some(Reading::new(orbit, &impact))),
+            Progress::Ended => return Next::Reading(None),
+            Progress::Rest(Rest { is_accumulation: true, .. }) => return Next::Skipped,
+            _ => {}
+        }
+    }
+}
+
+/// Judges `float` on this scene, up to the first complete chatter; when interrupted, as far as it came.
 pub(super) fn judge_float(
     scene: &Scene,
     asked: &Settings,
@@ -165,9 +185,13 @@ pub(super) fn judge_float(
     let mut truth = Orbit::of(scene, self::truth(asked))?;
     let mut float = Orbit::of(scene, Rung::Float.settings(asked))?;
     let mut judgement = Judgement::new(*units);
-    truth.follow_impacts(watch, |truth, impact| {
-        let judged = float.next().map(|impact| Reading::new(&float, &impact));
-        judgement.compare(&Reading::new(truth, &impact), judged.as_ref())
+    let _ = truth.follow(watch, |truth, event| match event {
+        Progress::Impact(impact) => match next(&mut float) {
+            Next::Skipped => ControlFlow::Break(()),
+            Next::Reading(judged) => judgement.compare(&Reading::new(truth, &impact), judged.as_ref()),
+        },
+        Progress::Rest(Rest { is_accumulation: true, .. }) => ControlFlow::Break(()),
+        _ => ControlFlow::Continue(()),
     });
     Ok(judgement)
 }
@@ -211,6 +235,17 @@ mod tests {
             assert_eq!(judgement.judged, impact - 1);
             floats[flipped - 1].wall = wall;
         }
+    }
+
+    /// Of the chatter of scenes/chatter.toml the truth lists more impacts than the orbit in doubles does, which follows the same word.
+    #[test]
+    fn r44_after_a_complete_chatter_no_departure_is_told() {
+        let path = format!("{}/scenes/chatter.toml", env!("CARGO_MANIFEST_DIR"));
+        let scene = Scene::parse(&std::fs::read_to_string(path).unwrap()).unwrap();
+        let asked = Settings { impacts: Some(60), ..scene.settings() };
+        let judgement = judge_float(&scene, &asked, &Units::of(&scene), &crate::watch::Unwatched).unwrap();
+        assert!((6..60).contains(&judgement.judged) && judgement.departure.is_none(), "{judgement:?}");
+        assert!(judgement.crossings.iter().all(|crossing| crossing.exceeded.is_none()));
     }
 
     #[test]

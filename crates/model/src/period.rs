@@ -8,6 +8,6 @@ use serde::{Deserialize, Serialize};
 pub struct Period {
     /// Forcing periods.
     pub cycles: u64,
-    /// Impacts per period.
+    /// Impacts per period; of a complete chatter those that are listed.
     pub impacts: u64,
 }

@@ -162,13 +162,18 @@ impl Data<'_> {
     }
 
     /// Returns whether half of these forcing periods later the shaking is the opposite: each harmonic passes an odd number of half periods.
-    /// `None` where an amplitude may be 0, and the others alone may do so.
+    /// `None` where an amplitude may be 0, or harmonics of one frequency may cancel, and the others alone may do so.
     pub fn has_mirror(&self) -> Option<bool> {
         let Some(turns) = self.common_turns() else { return Some(false) };
         let rates = self.tones.iter().filter_map(|tone| tone.rate.as_ref()?.as_rational());
         let passed = rates.map(|rate| rate * &turns).chain([turns.clone().into()]);
         let is_odd = passed.into_iter().all(|turns| turns.to_integer().is_odd());
-        let may_vanish = self.tones.iter().any(|tone| tone.amplitude.sign() != Some(Ordering::Greater));
+        let rate = |tone: &Tone| {
+            tone.rate.as_ref().map_or_else(|| Some(BigInt::from(1).into()), |rate| rate.as_rational().cloned())
+        };
+        let is_alone = |tone: &Tone| self.tones.iter().filter(|other| rate(other) == rate(tone)).count() == 1;
+        let is_sure = |tone: &Tone| tone.amplitude.sign() == Some(Ordering::Greater) && is_alone(tone);
+        let may_vanish = !self.tones.iter().all(is_sure);
         (is_odd || !may_vanish).then_some(is_odd)
     }
 
