@@ -29,7 +29,7 @@ fn sweep(scene: &str, over: &[&str]) -> Vec<Value> {
     lines
 }
 
-fn verdict(lines: &[Value]) -> Verdict {
+pub fn verdict(lines: &[Value]) -> Verdict {
     let text: Vec<_> = lines.iter().map(Value::to_string).collect();
     Claims::parse(&text.join("\n")).unwrap().check_within(&Effort::default(), &Unwatched).unwrap()
 }
@@ -39,7 +39,7 @@ pub fn judged(document: &Value) -> Verdict {
     Claims::parse(&document.to_string()).unwrap().check_within(&Effort::default(), &Unwatched).unwrap()
 }
 
-fn is_confirmed(lines: &[Value]) -> bool {
+pub fn is_confirmed(lines: &[Value]) -> bool {
     matches!(verdict(lines), Verdict::Confirmed { .. })
 }
 
@@ -127,7 +127,7 @@ fn r17_a_point_that_is_not_proved_does_not_hide_one_that_is_false() {
     assert!(matches!(verdict(&lines), Verdict::Refuted(_)), "{:?}", verdict(&lines));
 }
 
-fn two_impact(cycles: u32) -> Value {
+pub fn two_impact(cycles: u32) -> Value {
     let scene = Scene::parse(&SCENE.replace("amplitude = 8", "amplitude = 2")).unwrap();
     let answer = two_impact::Problem::new(scene.pair(), cycles, Unknown::Velocity).unwrap().answer(9);
     json!(document::two_impact(scene.start(), &answer, Wall::Left))

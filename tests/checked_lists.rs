@@ -1,7 +1,7 @@
 //! Lists of orbits: what `check` proves of cycles with their counts, and that none is listed twice.
 #![cfg(feature = "multiprecision")]
 
-use crate::checked_documents::{SCENE, judged};
+use crate::checked_documents::{SCENE, is_confirmed, judged, two_impact, verdict};
 use impact_pair::Scene;
 use impact_pair::chaos::Cycles;
 use impact_pair::document::{self, Units};

@@ -32,7 +32,7 @@ const ENOUGH: i64 = 8;
 const STEPS: u32 = 24;
 /// How often the way between two points, or to an end, is halved.
 const HALVED: u32 = 12;
-/// A side of a cell across the curve is at first so many times as long as the curve strays from its direction, as a power of 2.
+/// The sides of a cell across the curve at first, as a power of 2, in units of how far the curve strays from its direction.
 const ROOM: i64 = 3;
 /// How often a cell is widened.
 const WIDENED: u32 = 4;

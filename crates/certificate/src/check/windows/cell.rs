@@ -44,7 +44,7 @@ impl Cell {
         Self::new(self.centre, [first, side(0, &a), side(1, &b)])
     }
 
-    /// Returns the same set with these sides so many times as long.
+    /// Returns the same set, its sides across multiplied by these factors.
     pub fn widened(self, [a, b]: [Real; 2]) -> Self {
         let [first, second, third] = self.frame;
         Self::new(self.centre, [first, second.map(|x| x * &a), third.map(|x| x * &b)])
