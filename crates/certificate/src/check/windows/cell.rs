@@ -17,7 +17,7 @@ pub(super) type Point = [Real; 3];
 /// Bits of the directions of a set, which are exact.
 const FRAME_BITS: u32 = 96;
 /// The widest phases that are tried, as a power of 2.
-const WIDEST: i64 = -3;
+const WIDEST: i64 = -4;
 
 /// `centre + frame[0] q_0 + frame[1] q_1 + frame[2] q_2` with `|q_i| <= 1`; the directions are points.
 #[derive(Clone, Debug)]
