@@ -3,7 +3,7 @@
 use nalgebra::Scalar;
 
 use super::super::equations::flights;
-use super::super::krawczyk::{image_by_doubles, is_inside, polish, widest};
+use super::super::krawczyk::{image, is_inside, polish, widest};
 use super::super::precondition::Preconditioner;
 use super::family::{Family, Varied};
 use super::ring::Ring;
@@ -187,8 +187,7 @@ impl<E: System, S: Varied, N: Enclosing + Turning + Scalar> Tube<'_, E, S, N> {
     /// Krawczyk's image for all `t` of a ball.
     fn image(&self, slab: &Slab<'_, E>, inverse: &Preconditioner, x: &[N], t: N) -> Option<Vec<N>> {
         let last = x.len() - 1;
-        let still =
-            image_by_doubles(&Posed { system: slab, family: self.family, is_sparse: self.steps > 0 }, inverse, x)?;
+        let still = image(&Posed { system: slab, family: self.family, is_sparse: self.steps > 0 }, inverse, x)?;
         let moved = |(i, k): (usize, N)| N::from_f64(inverse.row(i)[last]).mul_add(t.clone(), k);
         Some(still.into_iter().enumerate().map(moved).collect())
     }
