@@ -1,4 +1,4 @@
-//! Periodic orbits through the public API: known ones, all of a word, and each run again by the certified orbit.
+//! Periodic orbits through the public API: known ones, and each run again by the certified orbit.
 
 #![cfg(feature = "multiprecision")]
 
@@ -8,7 +8,6 @@ use impact_pair::exact::{Enclosure, Exact};
 use impact_pair::number::{Ball, LEAST_BITS, MpBall, Number};
 use impact_pair::orbit::{Arithmetic, Orbit, Settings, Start};
 use impact_pair::pair::Reduced;
-use impact_pair::periodic::newton::{is_plausible, polish};
 use impact_pair::periodic::{Budget, Census, Chain, Finding, PeriodicOrbit, Precision, Problem, Stability};
 use impact_pair::{Harmonic, ImpactPair, Scene};
 use proptest::prelude::*;
@@ -18,7 +17,7 @@ fn value(text: &str) -> Exact {
 }
 
 /// A pair of this `A/d` and `e`, in units in which a turn takes 1 and the gap is 1.
-fn pair(ratio: &str, restitution: &str) -> ImpactPair {
+pub fn pair(ratio: &str, restitution: &str) -> ImpactPair {
     let harmonic = Harmonic::new(value(ratio), value("2*pi"), value("0")).unwrap();
     ImpactPair::new(harmonic, value("1"), value(restitution)).unwrap()
 }
@@ -28,18 +27,18 @@ fn start() -> Start {
     Start::on_wall(value("0"), impact_pair::pair::Wall::Left, value("-1")).unwrap()
 }
 
-fn problem(pair: &ImpactPair, word: &str, cycles: u32) -> Problem {
+pub fn problem(pair: &ImpactPair, word: &str, cycles: u32) -> Problem {
     Problem::new(pair, &word.parse().unwrap(), cycles).unwrap()
 }
 
-fn all(pair: &ImpactPair, word: &str, cycles: u32) -> Census {
+pub fn all(pair: &ImpactPair, word: &str, cycles: u32) -> Census {
     let census = complete(pair, word, cycles);
     assert!(census.is_certified(), "{word} in {cycles} cycles: {census:?}");
     census
 }
 
 /// All orbits, whether their stability is decided or not: at `e = 1` that of elliptic ones is not.
-fn complete(pair: &ImpactPair, word: &str, cycles: u32) -> Census {
+pub fn complete(pair: &ImpactPair, word: &str, cycles: u32) -> Census {
     let census = problem(pair, word, cycles).find_all(&start(), Precision::default(), Budget::default());
     assert!(
         census.exhaustive && census.undecided.is_empty(),
@@ -49,18 +48,7 @@ fn complete(pair: &ImpactPair, word: &str, cycles: u32) -> Census {
     census
 }
 
-/// Lemma T4: at `e = 1` doubles prove an elliptic orbit neutral, and no more bits are asked.
-#[test]
-fn neutral_orbits_take_no_more_bits() {
-    let orbits = complete(&pair("0.1", "1"), "RLRLRL", 3).orbits;
-    let (neutral, rest): (Vec<_>, Vec<_>) = orbits.iter().partition(|orbit| orbit.is_neutral());
-    assert_eq!((neutral.len(), rest.len()), (1, 5));
-    assert!(neutral[0].stability == Stability::Undecided && neutral[0].bits == f64::MANTISSA_DIGITS);
-    assert!(rest.iter().all(|orbit| orbit.stability == Stability::Unstable));
-}
-
-/// The orbits that are motions.
-fn physical(census: Census) -> Vec<PeriodicOrbit> {
+pub fn physical(census: Census) -> Vec<PeriodicOrbit> {
     census.orbits.into_iter().filter(|orbit| orbit.physical == Some(true)).collect()
 }
 
@@ -177,108 +165,6 @@ fn mirrored_words_have_mirrored_orbits() {
                 assert_eq!(one.len(), other.len(), "{word} in {cycles}");
                 assert!(one.iter().zip(&other).all(|(a, b)| abs_diff_eq!(a, b, epsilon = TRACE * a.abs().max(1.0))));
             }
-        }
-    }
-}
-
-/// Words of up to four impacts and three cycles at the parameters of figures 12-15: all orbits, none undecided.
-#[test]
-fn all_orbits_of_short_words_are_known_at_the_figures() {
-    for (ratio, restitution) in [("2/9.42497", "0.5"), ("8/9.42497", "0.5"), ("2", "0.8")] {
-        let pair = pair(ratio, restitution);
-        for word in ["LR", "LLR", "LRR", "LLRR", "LRLR", "LRRR"] {
-            for cycles in 1..=3 {
-                all(&pair, word, cycles);
-            }
-        }
-        for word in ["R", "LL", "RRR", "LLLL"] {
-            assert!(all(&pair, word, 1).orbits.is_empty());
-        }
-    }
-}
-
-/// Long words that a search box by box does not end on: at the cascade, at figure 15 and its double, and at `e = 1`.
-#[test]
-#[ignore = "deep"]
-fn r17_a_search_of_a_longer_word_is_complete() {
-    assert!(physical(complete(&pair("0.36", "0.8"), "LRLRLLRLRLRR", 5)).is_empty());
-}
-
-#[test]
-fn r17_searches_of_long_words_are_complete() {
-    are_complete(&[("RRLLLRRLLL", 2, "2", "0.8", 3), ("RLRLRL", 1, "0.36", "1", 2), ("RLRLRL", 3, "0.36", "1", 10)]);
-}
-
-#[test]
-#[ignore = "deep"]
-fn r17_searches_of_words_of_ten_impacts_are_complete() {
-    are_complete(&[
-        ("LRLRLLRLRR", 5, "0.36", "0.8", 0),
-        ("LRLRLLRLRR", 5, "8/9.42497", "0.5", 0),
-        ("LRLRLLRLRR", 5, "2", "0.8", 0),
-    ]);
-}
-
-/// Words, cycles, A/d, e, and how many orbits the complete search finds.
-fn are_complete(words: &[(&str, u32, &str, &str, usize)]) {
-    for &(word, cycles, ratio, restitution, motions) in words {
-        let found = physical(complete(&pair(ratio, restitution), word, cycles));
-        assert_eq!(found.len(), motions, "{word} in {cycles} at {ratio}, {restitution}");
-    }
-}
-
-/// Whether two lists of phases are one motion told from different impacts.
-fn is_one_motion(chain: &Chain, one: &[f64], other: &[f64]) -> bool {
-    let count = one.len();
-    let at = |i: usize| one[i % count] + if i < count { 0.0 } else { f64::from(chain.cycles()) };
-    (0..count).any(|shift| {
-        let turns = (at(shift) - other[0]).round();
-        let is_near = |i: usize| (at(i + shift) - turns - other[i]).abs() < 1e-6;
-        (0..count).all(|i| chain.walls()[(i + shift) % count] == chain.walls()[i] && is_near(i))
-    })
-}
-
-/// A search lists each motion that Newton's iteration in floats comes to from thousands of phases spread without a plan, once.
-#[test]
-fn searches_miss_nothing_that_newton_finds() {
-    let mut state = 17_u64;
-    let mut random = || {
-        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (state >> 11) as f64 / (1_u64 << 53) as f64
-    };
-    for (word, cycles, ratio, restitution) in [
-        ("LR", 3, "1/9.42497", "0.5"),
-        ("LRLR", 2, "0.36", "0.8"),
-        ("LLRR", 1, "2", "0.8"),
-        ("LLRLR", 2, "0.498", "0.8"),
-        ("LRLRLR", 3, "0.36", "1"),
-        ("RRLLL", 1, "2", "0.8"),
-    ] {
-        let pair = pair(ratio, restitution);
-        let problem = problem(&pair, word, cycles);
-        let chain = problem.chain();
-        let known: Vec<Vec<f64>> = physical(complete(&pair, word, cycles))
-            .iter()
-            .map(|orbit| orbit.phases().iter().map(|phase| phase.mid()).collect())
-            .collect();
-        let is_repeated = |i: usize| known[..i].iter().any(|other| is_one_motion(chain, &known[i], other));
-        assert!(!(0..known.len()).any(is_repeated), "{word}");
-        let floats = problem.reduced().unwrap().centre();
-        let mut tried: Vec<Vec<f64>> = Vec::new();
-        for _ in 0..5_000 {
-            let mut phases: Vec<f64> = (0..chain.impacts()).map(|_| f64::from(cycles) * random()).collect();
-            phases.sort_by(f64::total_cmp);
-            let Some(phases) = polish(chain, &floats, phases).filter(|phases| is_plausible(chain, &floats, phases))
-            else {
-                continue;
-            };
-            if known.iter().chain(&tried).any(|other| is_one_motion(chain, &phases, other)) {
-                continue;
-            }
-            // A zero that is in no list: it belongs to no motion.
-            let orbit = problem.prove(&phases, Precision::default());
-            assert!(orbit.is_none_or(|orbit| orbit.physical == Some(false)), "{word} at {phases:?}");
-            tried.push(phases);
         }
     }
 }

@@ -6,9 +6,10 @@ u, s and D, and parallel tangents. The remainder of the lines is bounded once, b
 through all flights; interval Newton proves exactly one zero in a box, which has to lie inside the claimed bounds. Its Jacobian is regular, so the
 tangency is quadratic and unfolds. All flights of the word are proved to end at their first contact.
 
-q and m are enclosed over that box and compared with `quadratic` and `unfolding`.
+q and m are enclosed over that box and compared with `quadratic` and `unfolding`, and no product of powers of the eigenvalues of an order from 2 to
+`resonances_excluded_to` is one of them.
 
-Not judged: that there is no second zero within the claimed bounds, whose boxes are too wide for balls through some 230 flights; resonances.
+Not judged: that there is no second zero within the claimed bounds, whose boxes are too wide for balls through some 230 flights.
 """
 
 import json
@@ -404,6 +405,16 @@ def first_contacts(e, gap, word, visited):
             raise Disagreement("a flight of the word ends on the other wall")
 
 
+def no_resonance(eigenvalues, highest):
+    """No product of powers of both eigenvalues, of an order from 2 to `highest`, is one of them."""
+    powers = [[x**n for n in range(highest + 1)] for x in eigenvalues]
+    for order in range(2, highest + 1):
+        for j in range(order + 1):
+            product = powers[0][j] * powers[1][order - j]
+            if any(product.overlaps(x) for x in eigenvalues):
+                raise Undecided(f"a resonance of order {order} is not excluded")
+
+
 def judge_tangency(document):
     """The number of tangencies whose parameters are enclosed again, inside the claimed bounds."""
     scene = document["scene"]
@@ -425,6 +436,7 @@ def judge_tangency(document):
         inside("speed", w, claim["saddle"]["speed"])
         inside("unstable eigenvalue", unstable, claim["saddle"]["eigenvalues"][0])
         inside("stable eigenvalue", stable, claim["saddle"]["eigenvalues"][1])
+        no_resonance((unstable, stable), claim["resonances_excluded_to"])
         quadratic, unfolds = unfolding(pair, ends, (unstable, stable))
         for name, found in (("quadratic", quadratic), ("unfolding", unfolds)):
             if found.contains(0) or found.rel_accuracy_bits() < LEAST_BITS:

@@ -12,12 +12,20 @@ from flight import Flight, Undecided
 from orbit import States, Walk, leave, orbit, orbit_at
 from scene import LEFT, RIGHT, Motion, Scene
 from simulate import decimals
+from tangency import no_resonance
 
 SCENES = Path(__file__).resolve().parents[2] / "scenes"
 
 
 def scene(figure):
     return Scene.read(SCENES / f"figure-{figure}.toml")
+
+
+class Resonances(unittest.TestCase):
+    def test_a_resonance_is_not_excluded_from_its_order_on(self):
+        no_resonance((arb(2), arb("0.25")), 3)
+        with self.assertRaises(Undecided):
+            no_resonance((arb(2), arb("0.25")), 4)
 
 
 class Expressions(unittest.TestCase):

@@ -27,6 +27,12 @@ pub(super) struct ClaimedWindow {
     pub orbit: PeriodicCertificate,
     /// Its ends, as points of a bifurcation JSON whose orbits are not claimed: that of the window is near them.
     pub ends: Vec<ClaimedPoint>,
+    /// The value of the parameter.
+    pub at: Exact,
+    /// Of each flight of the reduced map: whether it is to the far wall.
+    pub flights: Vec<bool>,
+    /// Whether all orbits between the ends are claimed to be stable.
+    pub stable_between: bool,
 }
 
 impl WindowsCertificate {
@@ -48,9 +54,6 @@ impl WindowsCertificate {
         unjudged.extend(always.map(str::to_owned).into_iter().chain([own_value(over)]));
         unjudged.extend((!document.undecided.is_empty()).then(|| "undecided".to_owned()));
         unjudged.extend(document.interrupted.then(|| "interrupted".to_owned()));
-        // That there is such an orbit between the ends is not judged, and so it is not judged whether all is proved.
-        unjudged.extend(document.certified.then(|| "certified".to_owned()));
-        unjudged.extend((!windows.is_empty()).then(|| "windows.stable_between".to_owned()));
         let open = document.windows.iter().enumerate().filter(|(_, window)| window.orbit.symmetric.is_none());
         let of_open = |i: usize| [format!("windows[{i}].reduced_impacts"), format!("windows[{i}].flights")];
         unjudged.extend(open.flat_map(|(i, _)| of_open(i)));
@@ -115,7 +118,9 @@ impl ClaimedWindow {
             let (word, orbit) = (claim.word.clone(), orbit.clone());
             ends.push(ClaimedPoint { kind, parameter, word, cycles, orbit, from });
         }
-        Ok(Self { orbit: PeriodicCertificate::of_orbit(there, claim)?, ends })
+        let flights = window.flights.chars().map(|flight| flight == 'F').collect();
+        let (at, stable_between) = (window.at.0.clone(), window.stable_between);
+        Ok(Self { orbit: PeriodicCertificate::of_orbit(there, claim)?, ends, at, flights, stable_between })
     }
 }
 

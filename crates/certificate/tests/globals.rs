@@ -181,6 +181,25 @@ fn r42_a_window_is_that_of_a_whole_orbit() {
     assert_eq!(checked(&document).verdict, VerdictName::Undecided);
 }
 
+/// The orbits between the ends of a window are judged (Lemma V30), and so it is judged whether all is proved.
+#[test]
+fn r38_the_orbits_between_the_ends_of_a_window_are_judged() {
+    let mut document = recorded("windows");
+    let is_named = |found: &CheckDocument, key: &str| found.not_checked.iter().any(|own| own.ends_with(key));
+    let found = checked(&document);
+    assert!(
+        found.verdict == VerdictName::Confirmed
+            && !is_named(&found, "stable_between")
+            && !is_named(&found, "certified")
+    );
+    // Of an orbit that is not said to be admissible another one may be in the bounds.
+    document["certified"] = json!(false);
+    document["windows"][0]["orbit"]["physical"] = Value::Null;
+    assert_ne!(checked(&document).verdict, VerdictName::Confirmed);
+    document["windows"][0]["stable_between"] = json!(false);
+    assert_eq!(checked(&document).verdict, VerdictName::Confirmed);
+}
+
 /// Whether components are closed is not judged: nor is a class that follows from that alone.
 #[test]
 fn r42_a_class_of_closed_components_is_not_judged() {

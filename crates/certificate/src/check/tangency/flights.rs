@@ -20,7 +20,7 @@ const HALVINGS: u32 = 40;
 
 /// A flight from the near wall.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Letter {
+pub(in crate::check) enum Letter {
     /// To the far wall.
     Far,
     /// Back to the near one.
@@ -93,7 +93,7 @@ impl<'b> Launch<'b> {
 }
 
 /// Returns about when a flight ends: the first of small steps at whose end the ball is beyond a wall. Non-rigorous.
-pub(super) fn guess([gap, e]: [f64; 2], [phase, speed]: [f64; 2]) -> Real {
+pub(in crate::check) fn guess([gap, e]: [f64; 2], [phase, speed]: [f64; 2]) -> Real {
     let drift = e * speed + phase.cos(); // proposes
     let height = |h: f64| drift * h - (phase + h).sin() + phase.sin(); // proposes
     let is_inside = |h: f64| height(h) > 0.0 && height(h) < gap; // proposes
@@ -108,13 +108,13 @@ pub(super) fn guess([gap, e]: [f64; 2], [phase, speed]: [f64; 2]) -> Real {
 }
 
 /// One flight of all members: its duration, and the state before the impact in which it ends.
-pub(super) struct Flown {
+pub(in crate::check) struct Flown {
     pub time: Real,
     pub state: State,
 }
 
 /// Flies from a state to the next impact. Lemma V17
-pub(super) fn fly(
+pub(in crate::check) fn fly(
     law: &Law,
     from: &State,
     (letter, guess): (Letter, &Real),
@@ -160,7 +160,7 @@ pub(super) fn fly(
 }
 
 /// The determinant of two vectors.
-pub(super) fn across(a: [&Affine; 2], b: [&Affine; 2]) -> Affine {
+pub(in crate::check) fn across(a: [&Affine; 2], b: [&Affine; 2]) -> Affine {
     let bits = a[0].centre.bits();
     sum(&product(a[0], b[1]), &scaled(&product(a[1], b[0]), &Real::int(-1, bits)))
 }

@@ -5,9 +5,9 @@ use crate::check::affine::Affine;
 use impact_pair_exact::Real;
 
 /// The powers of `x` and `D` in the order of a jet's coefficients.
-pub(super) const ONE: usize = 0;
-pub(super) const X: usize = 1;
-pub(super) const D: usize = 2;
+pub(in crate::check) const ONE: usize = 0;
+pub(in crate::check) const X: usize = 1;
+pub(in crate::check) const D: usize = 2;
 pub(super) const XX: usize = 3;
 pub(super) const XD: usize = 4;
 
@@ -15,7 +15,7 @@ pub(super) const XD: usize = 4;
 ///
 /// Sums, products and functions leave out all other powers (Lemma V17).
 #[derive(Clone, Debug)]
-pub(super) struct Jet {
+pub(in crate::check) struct Jet {
     coefficients: [Option<Affine>; 5],
 }
 
@@ -139,7 +139,7 @@ impl Jet {
 }
 
 /// The sum of two.
-pub(super) fn sum(a: &Affine, b: &Affine) -> Affine {
+pub(in crate::check) fn sum(a: &Affine, b: &Affine) -> Affine {
     if a.is_fixed() && b.is_fixed() {
         return Affine::fixed(a.centre.clone() + &b.centre);
     }
@@ -148,7 +148,7 @@ pub(super) fn sum(a: &Affine, b: &Affine) -> Affine {
 }
 
 /// The product of two.
-pub(super) fn product(a: &Affine, b: &Affine) -> Affine {
+pub(in crate::check) fn product(a: &Affine, b: &Affine) -> Affine {
     if a.is_fixed() && b.is_fixed() {
         return Affine::fixed(a.centre.clone() * &b.centre);
     }
@@ -157,7 +157,7 @@ pub(super) fn product(a: &Affine, b: &Affine) -> Affine {
 }
 
 /// Its product with a number.
-pub(super) fn scaled(x: &Affine, factor: &Real) -> Affine {
+pub(in crate::check) fn scaled(x: &Affine, factor: &Real) -> Affine {
     Affine::of(x.centre.clone() * factor, &[(factor, x)])
 }
 

@@ -5,12 +5,13 @@
 //! [`flights`], [`shot`] (from one manifold to the other), [`newton`] (zeros).
 
 mod disc;
-mod flights;
-mod jet;
+pub(super) mod flights;
+pub(super) mod jet;
 mod local;
 mod newton;
-mod saddle;
-mod series;
+pub(super) mod saddle;
+pub(super) mod series;
+pub(super) mod setting;
 mod shot;
 
 use num_rational::BigRational;
@@ -25,12 +26,12 @@ use super::{Effort, Finding, Verdict, one_by_one};
 use crate::attraction::Bounds;
 use crate::tangency::{ClaimedTangency, TangencyCertificate};
 use flights::Letter;
-use impact_pair_exact::{Exact, Real, compare_rational};
-use impact_pair_model::scene::Key;
+use impact_pair_exact::{Real, compare_rational};
 use impact_pair_model::watch::{Latched, Watch};
 use impact_pair_model::{Error, ImpactPair};
 use newton::{Zeros, polished, zeros};
 use saddle::{Family, Law};
+use setting::Setting;
 use shot::{Range, Shot, Unknowns, known};
 
 /// Bits of the arithmetic beyond those of the box in which a tangency is found.
@@ -69,63 +70,6 @@ impl TangencyCertificate {
             Ok(bits) => Verdict::Confirmed { bits, pieces: 1 },
             Err(verdict) => verdict,
         })
-    }
-}
-
-/// The exact data of a tangency, and what its parameter is in them.
-struct Setting {
-    /// `A` where the gap varies, `d` where the amplitude does; 1 where the restitution does.
-    unit: Exact,
-    /// `e`, or `D = d/A` where the restitution varies.
-    other: Exact,
-    key: Key,
-}
-
-impl Setting {
-    fn new(pair: &ImpactPair, key: Key) -> Result<Self, Doubt> {
-        let reason = |error: Error| Doubt::Open(error.to_string());
-        let harmonic =
-            pair.excitation().only().ok_or_else(|| open("with several harmonics, tangencies are not checked"))?;
-        let restitution = || pair.restitution().clone();
-        let (unit, other) = match key {
-            Key::Gap => (harmonic.amplitude().clone(), restitution()),
-            Key::Amplitude(_) => match pair.harmonic_of(key).map_err(reason)? {
-                (_, None) => (pair.gap().clone(), restitution()),
-                (_, Some(_)) => return Err(open("tangencies over one of several terms are not checked")),
-            },
-            Key::Restitution => {
-                let gap = pair.gap().checked_div(harmonic.amplitude());
-                (Exact::from(1), gap.map_err(|error| Doubt::Open(error.to_string()))?)
-            }
-            _ => return Err(open("only tangencies over gap, amplitude and restitution are checked")),
-        };
-        if unit.is_point() && other.is_point() {
-            Ok(Self { unit, other, key })
-        } else {
-            Err(open("only tangencies of a pair whose other data are points are checked"))
-        }
-    }
-
-    fn family(&self, bits: u32) -> Family {
-        Family { is_restitution: self.key == Key::Restitution, other: Real::of(&self.other, bits) }
-    }
-
-    /// `D = d/A` or `e` of values of the parameter.
-    fn reduced(&self, parameter: &Real) -> Result<Real, Doubt> {
-        let unit = Real::of(&self.unit, parameter.bits());
-        let quotient = if self.is_falling() { unit.over(parameter) } else { parameter.over(&unit) };
-        quotient.filter(Real::is_positive).ok_or_else(|| open("the parameter is not proved to be positive"))
-    }
-
-    /// The parameter of values of `D` or `e`.
-    fn parameter(&self, reduced: &Real) -> Option<Real> {
-        let unit = Real::of(&self.unit, reduced.bits());
-        if self.is_falling() { unit.over(reduced) } else { Some(unit * reduced) }
-    }
-
-    /// Whether `D` falls where the parameter grows.
-    fn is_falling(&self) -> bool {
-        matches!(self.key, Key::Amplitude(_))
     }
 }
 

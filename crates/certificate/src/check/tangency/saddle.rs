@@ -11,14 +11,14 @@ const WIDEST: i64 = -3;
 
 /// A family of reduced maps: which of `D = d/A` and `e` is the parameter, and the other one.
 #[derive(Clone, Debug)]
-pub(super) struct Family {
+pub(in crate::check) struct Family {
     pub is_restitution: bool,
     pub other: Real,
 }
 
 /// The data of the reduced maps for a set of values of the parameter, as jets in it.
 #[derive(Clone, Debug)]
-pub(super) struct Law {
+pub(in crate::check) struct Law {
     /// `D`
     pub gap: Jet,
     /// `e`
@@ -44,8 +44,17 @@ impl Family {
 
     /// Returns the data for values of the parameter; `None` where these are not `0 < e < 1` and `D > 0`, proved.
     pub fn law(&self, parameter: &Affine) -> Option<Law> {
+        let one = Affine::fixed(Real::int(1, self.bits()));
+        self.law_of(parameter, Jet::with_slope(parameter.clone(), one))
+    }
+
+    /// Returns the same without derivatives by the parameter.
+    pub fn law_without_slope(&self, parameter: &Affine) -> Option<Law> {
+        self.law_of(parameter, Jet::constant_of(parameter.clone()))
+    }
+
+    fn law_of(&self, parameter: &Affine, varied: Jet) -> Option<Law> {
         let one = Real::int(1, self.bits());
-        let varied = Jet::with_slope(parameter.clone(), Affine::fixed(one.clone()));
         let fixed = Jet::constant(self.other.clone());
         let [gap, e] = if self.is_restitution { [fixed, varied] } else { [varied, fixed] };
         let law = Law { gap, e, parameter: parameter.clone(), pi: Real::pi(self.bits()) };
@@ -139,7 +148,7 @@ impl Law {
     }
 
     /// Returns the fixed point with the phase next to a guess, for all values; `None` where it is not proved to be a saddle.
-    pub fn saddle(&self, guess: &Real) -> Option<Saddle> {
+    pub(super) fn saddle(&self, guess: &Real) -> Option<Saddle> {
         let bits = self.bits();
         let everywhere = self.phase(guess)?;
         let centre = if self.parameter.is_fixed() { everywhere.clone() } else { self.middle().phase(&everywhere)? };

@@ -22,7 +22,7 @@ pub(super) struct Series {
 
 /// A point of a manifold, as a jet in its parameter and that of the law.
 #[derive(Clone, Debug)]
-pub(super) struct State {
+pub(in crate::check) struct State {
     /// `theta` \[rad\]
     pub phase: Jet,
     /// `w = abs(v)/(A W)`, before the impact.

@@ -1,5 +1,10 @@
 //! Whether a JSON of windows is right: each orbit at its value found again as that of a periodic JSON (Lemma V8), and both ends of its window
-//! as the points of a bifurcation JSON, from the orbit of the window on (Lemma V9). The orbits between are not judged.
+//! as the points of a bifurcation JSON, from the orbit of the window on (Lemma V9). Then all orbits between are proved to be stable ([`between`],
+//! Lemma V30).
+
+mod between;
+mod cell;
+mod legs;
 
 use super::bifurcation::Over;
 use super::budget::Budget;
@@ -65,6 +70,10 @@ impl ClaimedWindow {
         for end in &self.ends {
             budget.add(effort.work);
             most = most.max(end.judged(over, budget, ClaimedPoint::compare_parameter)?); // shown
+        }
+        if self.stable_between {
+            budget.add(effort.work);
+            most = most.max(self.is_stable_between(over, budget)?); // shown
         }
         Ok(most)
     }

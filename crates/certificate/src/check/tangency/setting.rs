@@ -1,0 +1,70 @@
+//! The data of a pair as those of its reduced map, `D = d/A` and `e`, over one parameter.
+
+use super::saddle::Family;
+use crate::check::contact::Doubt;
+use impact_pair_exact::{Exact, Real};
+use impact_pair_model::scene::Key;
+use impact_pair_model::{Error, ImpactPair};
+
+fn open(message: &str) -> Doubt {
+    Doubt::Open(message.into())
+}
+
+/// The exact data of a pair in the units of its reduced map, and what the parameter is in them.
+pub(in crate::check) struct Setting {
+    /// `A` where the gap varies, `d` where the amplitude does; 1 where the restitution does.
+    pub unit: Exact,
+    /// `e`, or `D = d/A` where the restitution varies.
+    pub other: Exact,
+    pub key: Key,
+}
+
+impl Setting {
+    /// Returns the data of a pair with one harmonic, all points but the parameter.
+    pub fn new(pair: &ImpactPair, key: Key) -> Result<Self, Doubt> {
+        let reason = |error: Error| Doubt::Open(error.to_string());
+        let harmonic =
+            pair.excitation().only().ok_or_else(|| open("with several harmonics, reduced maps are not checked"))?;
+        let restitution = || pair.restitution().clone();
+        let (unit, other) = match key {
+            Key::Gap => (harmonic.amplitude().clone(), restitution()),
+            Key::Amplitude(_) => match pair.harmonic_of(key).map_err(reason)? {
+                (_, None) => (pair.gap().clone(), restitution()),
+                (_, Some(_)) => return Err(open("reduced maps over one of several terms are not checked")),
+            },
+            Key::Restitution => {
+                let gap = pair.gap().checked_div(harmonic.amplitude());
+                (Exact::from(1), gap.map_err(|error| Doubt::Open(error.to_string()))?)
+            }
+            _ => return Err(open("only reduced maps over gap, amplitude and restitution are checked")),
+        };
+        if unit.is_point() && other.is_point() {
+            Ok(Self { unit, other, key })
+        } else {
+            Err(open("only reduced maps of a pair whose other data are points are checked"))
+        }
+    }
+
+    /// Returns the reduced maps for all values of the parameter.
+    pub fn family(&self, bits: u32) -> Family {
+        Family { is_restitution: self.key == Key::Restitution, other: Real::of(&self.other, bits) }
+    }
+
+    /// Returns `D = d/A` or `e` of values of the parameter.
+    pub fn reduced(&self, parameter: &Real) -> Result<Real, Doubt> {
+        let unit = Real::of(&self.unit, parameter.bits());
+        let quotient = if self.is_falling() { unit.over(parameter) } else { parameter.over(&unit) };
+        quotient.filter(Real::is_positive).ok_or_else(|| open("the parameter is not proved to be positive"))
+    }
+
+    /// Returns the parameter of values of `D` or `e`.
+    pub fn parameter(&self, reduced: &Real) -> Option<Real> {
+        let unit = Real::of(&self.unit, reduced.bits());
+        if self.is_falling() { unit.over(reduced) } else { Some(unit * reduced) }
+    }
+
+    /// Returns whether `D` falls where the parameter grows.
+    pub fn is_falling(&self) -> bool {
+        matches!(self.key, Key::Amplitude(_))
+    }
+}
