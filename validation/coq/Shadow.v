@@ -35,7 +35,7 @@ Definition as_near (s : scene) (n : nearness) (events : list event) (orbit : lis
   exists half, (length events <= 2 * half)%nat /\
     at_least (fun xi => off s (shown (fst xi)) (snd xi) <= Q2R (half_within n)) half (combine events orbit).
 
-Definition claims_shadow (x : document) (n : nearness) : Prop := all_proper (scene_data x) (begun x) /\
+Definition claims_shadow (x : document_of event) (n : nearness) : Prop := all_proper (scene_data x) (begun x) /\
   match begun x with
   | Inside _ _ _ => False
   | Struck w times velocities => forall s t v, describes (scene_data x) s -> among times t -> among velocities v ->
@@ -281,7 +281,7 @@ Proof.
 Qed.
 End Program.
 
-Definition verify_shadow (x : document) (n : nearness) (h : chain) : bool :=
+Definition verify_shadow (x : document_of event) (n : nearness) (h : chain) : bool :=
   let p := chain_bits h in let q := chain_scale h in let param := scene_data x in
   match begun x with
   | Struck w times velocities =>
