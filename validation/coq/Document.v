@@ -13,7 +13,10 @@ Definition mapping_between (a b : wall) : mapping :=
 
 (* An event is an impact; without a mapping where none is before it. *)
 Record event := Event { index : Z; mapped : option mapping; shown : bounds }.
-Inductive outcome := Impacts_reached (impacts : Z) | Time_reached (impacts : Z) (until : number).
+Inductive outcome :=
+  | Impacts_reached (impacts : Z)
+  | Time_reached (impacts : Z) (until : number)
+  | Repeats (impacts : Z) (until : option number) (cycles : Z) (impacts_each : Z).
 Record document_of (E : Type) := Document { scene_data : data; begun : beginning; events : list E; ended : outcome }.
 Arguments Document {E}.
 Arguments scene_data {E}.
@@ -66,6 +69,7 @@ Definition ends (s : scene) (l : launch) (orbit : list impact) (o : outcome) : P
   | Impacts_reached n => Z.of_nat (length orbit) = n
   | Time_reached n T => defined T /\ Z.of_nat (length orbit) = n /\ Forall (fun i => time i <= value T) orbit /\
       exists i, reaches s (after s l orbit) i /\ value T < time i
+  | Repeats _ _ _ _ => False
   end.
 
 Lemma follows_app s a : forall l b, follows s l (a ++ b) -> follows s l a /\ follows s (after s l a) b.

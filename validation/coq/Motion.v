@@ -44,6 +44,8 @@ Fixpoint goes (a : standing) (motion : list happening) : Prop :=
 Fixpoint after_all (a : standing) (motion : list happening) : standing :=
   match motion with [] => a | h :: motion => after_all (then_ h) motion end.
 
+Lemma after_all_app xs : forall a ys, after_all a (xs ++ ys) = after_all (after_all a xs) ys.
+Proof. induction xs as [|h xs IH]; intros a ys; [reflexivity|apply IH]. Qed.
 Lemma goes_app xs : forall a ys, goes a (xs ++ ys) -> goes a xs /\ goes (after_all a xs) ys.
 Proof. induction xs as [|h xs IH]; intros a ys; cbn; [tauto|]. intros [r f]. destruct (IH _ _ f). tauto. Qed.
 
@@ -84,3 +86,68 @@ Proof.
   intros [r f] [r' f'] h. injection h as h more. assert (x = y) as <- by exact (happens_unique a x y r r' h). f_equal. exact (IH _ _ f f' more).
 Qed.
 End Scene.
+
+(* A motion shifted by a time in which every harmonic makes whole turns is a motion. *)
+Section Later.
+Variable s : scene.
+Variable P : R.
+Hypothesis whole_turns : recurs s P.
+Definition later_on (h : happening) : happening :=
+  match h with Hits i => Hits (later P i) | Rests w t b => Rests w (t + P) b | Leaves w t => Leaves w (t + P) end.
+Definition standing_later (a : standing) : standing := match a with Flying l => Flying (launch_later P l) | Resting w t => Resting w (t + P) end.
+
+Lemma push_later t : box_push s (t + P) = box_push s t.
+Proof. apply (sum_later s P push). intros h i. unfold push. rewrite (proj1 (harmonic_later s P whole_turns h t i)). reflexivity. Qed.
+Lemma pressed_later w a b : pressed s w a b -> pressed s w (a + P) (b + P).
+Proof. intros p t h. replace t with ((t - P) + P) by ring. rewrite push_later. apply p. lra. Qed.
+Lemma pressed_from_later w a : pressed_from s w a -> pressed_from s w (a + P).
+Proof. intros (b & ab & p). exists (b + P). split; [lra|exact (pressed_later _ _ _ p)]. Qed.
+Lemma free_from_later w a : free_from s w a -> free_from s w (a + P).
+Proof. intros (b & ab & p). exists (b + P). split; [lra|]. intros t h. replace t with ((t - P) + P) by ring. rewrite push_later. apply p. lra. Qed.
+Lemma accumulates_later l w t : accumulates s l w t -> accumulates s (launch_later P l) w (t + P).
+Proof.
+  intros (f & first & each & times & speeds). exists (fun n => later P (f n)). split; [exact (reaches_later s P whole_turns _ _ first)|].
+  split; [|split; [exact (is_lim_seq_plus' _ _ _ _ times (is_lim_seq_const P))|exact speeds]].
+  intros n. destruct (each n) as (follow & on & before). split; [exact (next_later s P whole_turns _ _ follow)|]. cbn [later wall_of time]. split; [exact on|lra].
+Qed.
+Lemma happens_later a h : happens s a h -> happens s (standing_later a) (later_on h).
+Proof.
+  destruct a as [l|w t], h as [i|w1 t1 [|]|w1 t1]; cbn; try tauto.
+  - exact (reaches_later s P whole_turns l i).
+  - intros [acc p]. split; [exact (accumulates_later _ _ _ acc)|exact (pressed_from_later _ _ p)].
+  - intros (p & v & -> & press). repeat split; try assumption. exact (pressed_from_later _ _ press).
+  - intros (-> & h & p & f). split; [reflexivity|]. split; [lra|]. split; [exact (pressed_later _ _ _ p)|exact (free_from_later _ _ f)].
+Qed.
+Lemma then_later h : then_ s (later_on h) = standing_later (then_ s h).
+Proof. destruct h; reflexivity. Qed.
+Theorem goes_later motion : forall a, goes s a motion -> goes s (standing_later a) (map later_on motion).
+Proof.
+  induction motion as [|h motion IH]; intros a; cbn [goes map]; [trivial|]. intros [x g]. split; [exact (happens_later _ _ x)|].
+  rewrite then_later. exact (IH _ g).
+Qed.
+Lemma after_later motion : forall a, after_all s (standing_later a) (map later_on motion) = standing_later (after_all s a motion).
+Proof. induction motion as [|h motion IH]; intros a; cbn [after_all map]; [reflexivity|]. rewrite then_later. apply IH. Qed.
+End Later.
+
+(* Under one harmonic a ball is released at a whole half turn. *)
+Lemma released_at s w t w' t' : others s = [] -> 0 < A s -> 0 < W s -> happens s (Resting w t) (Leaves w' t') -> exists k, phase s t' = IZR k * PI.
+Proof.
+  intros one A_positive W_positive (-> & order & press & later & after & free). apply sin_eq_0_0.
+  assert (AW2 : 0 < A s * W s ^ 2) by (apply Rmult_lt_0_compat; [lra|apply pow_lt; lra]).
+  set (g := fun t => side w * (A s * W s ^ 2 * sin (W s * t + tau s))).
+  assert (eq : forall t, side w * box_push s t = g t) by (intros x; rewrite (one_push s one); reflexivity).
+  assert (C : continuity_pt g t') by (unfold g; reg).
+  assert (near : forall eps, 0 < eps -> exists del, 0 < del /\ forall x, Rabs (x - t') < del -> Rabs (g x - g t') < eps).
+  { intros eps h. destruct (C eps h) as (del & d0 & close). exists del. split; [exact d0|]. intros x hx.
+    destruct (Req_dec x t') as [->|n]; [rewrite Rminus_diag_eq, Rabs_R0 by reflexivity; exact h|].
+    apply close. split; [split; [exact I|intros e; apply n; symmetry; exact e]|exact hx]. }
+  destruct (Rtotal_order (g t') 0) as [neg|[zero|pos]].
+  - destruct (near (- g t') ltac:(lra)) as (del & d0 & close). set (x := Rmax ((t + t') / 2) (t' - del / 2)).
+    assert ((t + t') / 2 <= x) by apply Rmax_l. assert (t' - del / 2 <= x) by apply Rmax_r. assert (x < t') by (apply Rmax_lub_lt; lra).
+    specialize (close x ltac:(apply Rabs_def1; lra)). apply Rabs_def2 in close. specialize (press x ltac:(lra)). rewrite eq in press. lra.
+  - unfold g in zero. assert (s0 : A s * W s ^ 2 * sin (W s * t' + tau s) = 0) by (destruct w; cbn [side] in zero; lra).
+    unfold phase. apply Rmult_integral in s0. destruct s0; lra.
+  - destruct (near (g t') pos) as (del & d0 & close). set (x := Rmin ((t' + later) / 2) (t' + del / 2)).
+    assert (x <= (t' + later) / 2) by apply Rmin_l. assert (x <= t' + del / 2) by apply Rmin_r. assert (t' < x) by (apply Rmin_glb_lt; lra).
+    specialize (close x ltac:(apply Rabs_def1; lra)). apply Rabs_def2 in close. specialize (free x ltac:(lra)). rewrite eq in free. lra.
+Qed.

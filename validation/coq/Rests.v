@@ -35,11 +35,23 @@ Definition is_impact (o : occurrence) : bool := match o with Impact_at _ => true
 Definition impacts (listed : list occurrence) : Z := Z.of_nat (length (filter is_impact listed)).
 
 (* All up to a time is listed: what happens next comes later. *)
+Definition up_to (s : scene) (a : standing) (motion : list happening) (T : number) : Prop :=
+  defined T /\ List.Forall (fun h => moment h <= value T) motion /\ exists h, happens s (after_all s a motion) h /\ value T < moment h.
+(* A part of the list, with as many impacts as are said, begins after a release and ends with one from the same wall. It happens again and again,
+   each time so many forcing periods later, for ever. *)
+Definition repeats (s : scene) (a : standing) (listed : list occurrence) (motion : list happening) (cycles each : Z) : Prop :=
+  (0 < cycles)%Z /\ exists before round later m1 m2 m3 w t, listed = before ++ round ++ later /\ motion = m1 ++ m2 ++ m3 /\
+    Forall2 shows before m1 /\ Forall2 shows round m2 /\ impacts round = each /\ after_all s a m1 = Flying (released s w t) /\
+    let period_of := IZR cycles * period s in
+    forall n, let shift := INR n * period_of in
+      goes s (Flying (released s w (t + shift))) (map (later_on shift) m2) /\
+      after_all s (Flying (released s w (t + shift))) (map (later_on shift) m2) = Flying (released s w (t + shift + period_of)).
 Definition ends_so (s : scene) (a : standing) (listed : list occurrence) (motion : list happening) (o : outcome) : Prop :=
   match o with
   | Impacts_reached n => impacts listed = n
-  | Time_reached n T => defined T /\ impacts listed = n /\ List.Forall (fun h => moment h <= value T) motion /\
-      exists h, happens s (after_all s a motion) h /\ value T < moment h
+  | Time_reached n T => impacts listed = n /\ up_to s a motion T
+  | Repeats n until cycles each => impacts listed = n /\ match until with None => True | Some T => up_to s a motion T end /\
+      repeats s a listed motion cycles each
   end.
 Definition is_told (x : document) (s : scene) (l : launch) : Prop := named (first_wall (begun x)) 1 (events x) /\
   exists motion, goes s (Flying l) motion /\ Forall2 shows (events x) motion /\
@@ -118,8 +130,9 @@ Record resting := At_rest { rest_bits : positive; rest_scale : positive; ends : 
    inside it. *)
 Record releasing := At_release { release_bits : positive; release_scale : positive; held_from : Z; ceases : Z; ceases_by : Z; falls_by : Z }.
 Inductive step := Flight (l : leg) | Rest (r : resting) | Release (r : releasing).
-(* What helps to verify: a box of the start, steps, and for an outcome `time-reached` what happens next. Nothing is claimed of it. *)
-Record hint := Hint { origin : start; steps : list step; next_one : option occurrence }.
+(* What helps to verify: a box of the start, steps, with a time up to which all is listed what happens next, and of what repeats how much
+   is listed before and how much each time. Nothing is claimed of it. *)
+Record hint := Hint { origin : start; steps : list step; next_one : option occurrence; rounds : nat * nat }.
 
 Module Resters (F : FloatOps with Definition sensible_format := true).
 Module Import Each := Verifier F.
@@ -479,13 +492,37 @@ End Data.
 (* All that is listed is before T, and the next one after it. *)
 Definition latest (o : occurrence) : Q := match o with Impact_at x => time_upper (shown x) | Rest_at _ _ upper _ | Release_at _ _ upper => upper end.
 Definition earliest (o : occurrence) : Q := match o with Impact_at x => time_lower (shown x) | Rest_at _ lower _ _ | Release_at _ lower _ => lower end.
-Definition check_end (p : positive) (o : outcome) (listed : list occurrence) (next : option occurrence) : bool :=
-  match o, next with
-  | Impacts_reached n, None => (impacts listed =? n)%Z
-  | Time_reached n T, Some next => (impacts listed =? n)%Z && check_defined p T &&
+Definition check_until (p : positive) (until : option number) (listed : list occurrence) (next : option occurrence) : bool :=
+  match until, next with
+  | None, None => true
+  | Some T, Some next => check_defined p T &&
       forallb (fun x => is_not_negative (sub p (enclose p T) (enclose p (Rational (latest x))))) listed &&
       is_positive (sub p (enclose p (Rational (earliest next))) (enclose p T))
   | _, _ => false
+  end.
+(* The last of a list, a release. *)
+Definition last_release (listed : list occurrence) : option (wall * Q * Q) :=
+  match rev listed with Release_at w a b :: _ => Some (w, a, b) | _ => None end.
+Definition is_from (w : wall) (o : occurrence) : bool := match o with Release_at w' _ _ => same_wall w w' | _ => false end.
+(* The least time and the greatest between two releases are within half a forcing period of so many whole ones; no other one between is from
+   that wall. *)
+Definition check_repeats (p : positive) (param : data) (listed : list occurrence) (cycles each : Z) (rounds : nat * nat) : bool :=
+  let before := firstn (fst rounds) listed in let round := firstn (snd rounds) (skipn (fst rounds) listed) in
+  match last_release before, last_release round with
+  | Some (w, a, b), Some (w', a', b') =>
+    let W := enclose_range p (frequency param) in let pi := I.pi (F.PtoP p) in
+    let turns := mul p (whole p (2 * cycles)) pi in
+    let off least most := sub p (mul p W (sub p (enclose p (Rational most)) (enclose p (Rational least)))) turns in
+    (0 <? cycles)%Z && match further param with [] => true | _ => false end && same_wall w w' && (impacts round =? each)%Z &&
+    (length (filter (is_from w) round) =? 1)%nat && is_positive (sub p pi (off a b')) && is_positive (add p pi (off b a'))
+  | _, _ => false
+  end.
+Definition check_end (p : positive) (param : data) (o : outcome) (listed : list occurrence) (h : hint) : bool :=
+  match o with
+  | Impacts_reached n => (impacts listed =? n)%Z && check_until p None listed (next_one h)
+  | Time_reached n T => (impacts listed =? n)%Z && check_until p (Some T) listed (next_one h)
+  | Repeats n until cycles each => (impacts listed =? n)%Z && check_until p until listed (next_one h) &&
+      check_repeats p param listed cycles each (rounds h)
   end.
 
 Lemma shown_times o h : shows o h -> Q2R (earliest o) <= moment h <= Q2R (latest o).
@@ -494,10 +531,79 @@ Proof.
   intros (_ & r & _). exact r.
 Qed.
 
+Lemma last_release_sound listed w a b : last_release listed = Some (w, a, b) -> exists init, listed = init ++ [Release_at w a b].
+Proof.
+  unfold last_release. destruct (rev listed) as [|[x|w1 l1 u1 c|w1 l1 u1] more] eqn:r; try discriminate. intros h. injection h as -> -> ->.
+  exists (rev more). rewrite <- (rev_involutive listed), r. reflexivity.
+Qed.
+(* What ends with a listed release ends with one. *)
+Lemma ends_released s (one : others s = []) (A_positive : 0 < A s) (W_positive : 0 < W s) x listed motion w a b : goes s x motion ->
+  Forall2 shows listed motion -> last_release listed = Some (w, a, b) ->
+  exists t k, after_all s x motion = Flying (released s w t) /\ in_time a b t /\ phase s t = IZR k * PI.
+Proof.
+  intros g all last. destruct (last_release_sound _ _ _ _ last) as [init ->]. apply Forall2_app_inv_l in all as (m & tail & _ & tl & ->).
+  inversion tl as [|o h os hs r none]; subst. inversion none; subst. apply goes_app in g as [_ [happened _]]. rewrite after_all_app. cbn [after_all].
+  destruct h as [i|w' t c|w' t]; cbn [shows] in r; try contradiction. destruct r as [-> times].
+  destruct (after_all s x m) as [l|w0 t0]; [destruct happened|]. destruct (released_at s w0 t0 w t one A_positive W_positive happened) as [k eq].
+  exists t, k. split; [reflexivity|]. split; [exact times|exact eq].
+Qed.
+
+Lemma repeats_sound p param s (described : describes param s) (A_positive : 0 < A s) (W_positive : 0 < W s) x listed motion cycles each rounds :
+  goes s x motion -> Forall2 shows listed motion -> check_repeats p param listed cycles each rounds = true -> repeats s x listed motion cycles each.
+Proof.
+  intros g all check. unfold check_repeats in check. cbv zeta in check.
+  set (before := firstn (fst rounds) listed) in *. set (rest := skipn (fst rounds) listed) in *. set (round := firstn (snd rounds) rest) in *.
+  set (later := skipn (snd rounds) rest).
+  destruct (last_release before) as [[[w a] b]|] eqn:r1; [|discriminate]. destruct (last_release round) as [[[w' a'] b']|] eqn:r2; [|discriminate].
+  repeat match goal with h : _ && _ = true |- _ => apply andb_prop in h as [? ?] end.
+  match goal with h : same_wall w w' = true |- _ => apply same_wall_sound in h; subst w' end.
+  match goal with h : (0 <? cycles)%Z = true |- _ => apply Z.ltb_lt in h; rename h into cycles0 end.
+  match goal with h : (impacts round =? each)%Z = true |- _ => apply Z.eqb_eq in h; rename h into number end.
+  destruct (further param) as [|? ?] eqn:alone; [|discriminate].
+  assert (one : others s = []). { destruct described as (_ & rest' & _). rewrite alone in rest'. inversion rest'. reflexivity. }
+  assert (split_list : listed = before ++ round ++ later) by (unfold before, round, later, rest; rewrite !firstn_skipn; reflexivity).
+  rewrite split_list in all. apply Forall2_app_inv_l in all as (m1 & m' & all1 & all' & eq). apply Forall2_app_inv_l in all' as (m2 & m3 & all2 & all3 & eq').
+  rewrite eq, eq' in g. apply goes_app in g as [g1 g]. apply goes_app in g as [g2 _].
+  destruct (ends_released s one A_positive W_positive _ _ _ _ _ _ g1 all1 r1) as (t & k & at1 & [b1 b2] & ph1). rewrite at1 in g2.
+  destruct (ends_released s one A_positive W_positive _ _ _ _ _ _ g2 all2 r2) as (t' & k' & at2 & [b3 b4] & ph2).
+  assert (known : forall q, holds (enclose p (Rational q)) (Q2R q)) by (intros q; exact (holds_enclose p (Rational q))).
+  assert (hW : holds (enclose_range p (frequency param)) (W s)) by (apply holds_range, described).
+  assert (hpi : holds (I.pi (F.PtoP p)) PI) by apply I.pi_correct.
+  assert (hturns := holds_mul p _ _ _ _ (holds_whole p (2 * cycles)) hpi).
+  assert (off : forall least most, holds (sub p (mul p (enclose_range p (frequency param)) (sub p (enclose p (Rational most)) (enclose p (Rational least))))
+    (mul p (whole p (2 * cycles)) (I.pi (F.PtoP p)))) (W s * (Q2R most - Q2R least) - IZR (2 * cycles) * PI)).
+  { intros least most. apply holds_sub; [|exact hturns]. apply holds_mul; [exact hW|]. apply holds_sub; apply known. }
+  assert (late : 0 < PI - (W s * (Q2R b' - Q2R a) - IZR (2 * cycles) * PI)).
+  { match goal with h : is_positive (sub p (I.pi _) _) = true |- _ => apply (is_positive_sound _ _ h) end. apply holds_sub; [exact hpi|apply off]. }
+  assert (early : 0 < PI + (W s * (Q2R a' - Q2R b) - IZR (2 * cycles) * PI)).
+  { match goal with h : is_positive (add p (I.pi _) _) = true |- _ => apply (is_positive_sound _ _ h) end. apply holds_add; [exact hpi|apply off]. }
+  assert (difference : W s * (t' - t) = IZR (k' - k) * PI).
+  { unfold phase in ph1, ph2. rewrite minus_IZR. lra. }
+  assert (pi0 := PI_RGT_0). assert (same_turns : (k' - k = 2 * cycles)%Z).
+  { assert (W s * (t' - t) <= W s * (Q2R b' - Q2R a)) by (apply Rmult_le_compat_l; lra).
+    assert (W s * (Q2R a' - Q2R b) <= W s * (t' - t)) by (apply Rmult_le_compat_l; lra).
+    assert (h1 : IZR (k' - k) * PI < IZR (2 * cycles + 1) * PI) by (rewrite plus_IZR; lra).
+    assert (h2 : IZR (2 * cycles - 1) * PI < IZR (k' - k) * PI) by (rewrite minus_IZR; lra).
+    apply Rmult_lt_reg_r in h1, h2; try exact pi0. apply lt_IZR in h1, h2. lia. }
+  assert (eq_time : t' = t + IZR cycles * period s).
+  { rewrite same_turns, mult_IZR in difference. unfold period. apply (Rmult_eq_reg_l (W s)); [|lra].
+    replace (W s * (t + IZR cycles * (2 * PI / W s))) with (W s * t + 2 * IZR cycles * PI) by (field; lra). lra. }
+  split; [exact cycles0|]. exists before, round, later, m1, m2, m3, w, t. split; [exact split_list|]. split; [rewrite eq, eq'; reflexivity|].
+  split; [exact all1|]. split; [exact all2|]. split; [exact number|]. split; [exact at1|]. cbv zeta. intros n.
+  set (shift := INR n * (IZR cycles * period s)).
+  assert (turns_ : recurs s shift).
+  { intros h i. destruct (period_recurs s one (Rgt_not_eq _ _ W_positive) h i) as [m whole_]. exists (Z.of_nat n * cycles * m)%Z.
+    unfold shift. rewrite INR_IZR_INZ, !mult_IZR. replace (W h * (IZR (Z.of_nat n) * (IZR cycles * period s))) with (IZR (Z.of_nat n) * IZR cycles * (W h * period s)) by ring.
+    rewrite whole_. ring. }
+  split; [exact (goes_later s shift turns_ m2 _ g2)|].
+  change (Flying (released s w (t + shift))) with (standing_later shift (Flying (released s w t))). rewrite after_later, at2, eq_time.
+  cbn [standing_later]. unfold launch_later, released. cbn [since place speed]. f_equal. f_equal. ring.
+Qed.
+
 Definition verify (x : document) (h : hint) : bool :=
   let p := start_bits (origin h) in let param := scene_data x in
   check_data p param && check_beginning p param (begun x) && check_named (first_wall (begun x)) 1 (events x) &&
-  check_end p (ended x) (events x) (next_one h) && check_start param (begun x) (origin h) &&
+  check_end p param (ended x) (events x) h && check_start param (begun x) (origin h) &&
   check_steps param (In_flight (start_box param (begun x) (origin h)) None) (steps h)
     (events x ++ match next_one h with Some next => [next] | None => [] end).
 
@@ -510,19 +616,26 @@ Proof.
   apply Forall2_app_inv_l in all as (motion & rest & all & tail & ->). apply goes_app in f as [f f'].
   split; [apply named_sound, names|]. exists motion. split; [exact f|]. split; [exact all|].
   split; [intros other fo same_kinds; exact (goes_unique s g other _ motion fo f same_kinds)|].
-  unfold check_end in ending. destruct (ended x) as [n|n T], (next_one h) as [next|]; try discriminate; cbn [ends_so].
-  - apply Z.eqb_eq, ending.
-  - apply andb_prop in ending as [ending later]. apply andb_prop in ending as [ending each]. apply andb_prop in ending as [number def].
+  assert (until_told : forall until, check_until p until (events x) (next_one h) = true ->
+    match until with None => True | Some T => up_to s (Flying l) motion T end).
+  { intros [T|] check; [|exact I]. unfold check_until in check. destruct (next_one h) as [next|]; [|discriminate].
+    apply andb_prop in check as [check later]. apply andb_prop in check as [def each].
     assert (known : forall q, holds (enclose p (Rational q)) (Q2R q)) by (intros q; exact (holds_enclose p (Rational q))).
-    split; [apply (check_defined_sound p), def|]. split; [apply Z.eqb_eq, number|]. split.
-    + rewrite forallb_forall in each. clear - each all known. induction all as [|o k os ks r all IH]; [constructor|].
+    split; [apply (check_defined_sound p), def|]. split.
+    - rewrite forallb_forall in each. clear - each all known. induction all as [|o k os ks r all IH]; [constructor|].
       constructor; [|apply IH; intros y i; apply each; right; exact i].
       assert (0 <= value T - Q2R (latest o)).
       { refine (is_not_negative_sound _ _ (each o (or_introl eq_refl)) _). apply holds_sub; [apply holds_enclose|apply known]. }
       assert (b := shown_times o k r). lra.
-    + inversion tail as [|o k os ks r none]; subst. destruct f' as [happened _]. exists k. split; [exact happened|].
+    - inversion tail as [|o k os ks r none]; subst. destruct f' as [happened _]. exists k. split; [exact happened|].
       assert (0 < Q2R (earliest next) - value T).
       { refine (is_positive_sound _ _ later _). apply holds_sub; [apply known|apply holds_enclose]. }
-      assert (b := shown_times next k r). lra.
+      assert (b := shown_times next k r). lra. }
+  unfold check_end in ending. destruct (ended x) as [n|n T|n until cycles each]; cbn [ends_so].
+  - apply andb_prop in ending as [number _]. apply Z.eqb_eq, number.
+  - apply andb_prop in ending as [number until]. split; [apply Z.eqb_eq, number|exact (until_told (Some T) until)].
+  - apply andb_prop in ending as [ending again]. apply andb_prop in ending as [number till].
+    split; [apply Z.eqb_eq, number|]. split; [exact (until_told until till)|].
+    exact (repeats_sound p (scene_data x) s described a w (Flying l) (events x) motion cycles each (rounds h) f all again).
 Qed.
 End Resters.

@@ -328,7 +328,7 @@ Proof.
   exists orbit. split; [exact f|]. split; [exact (numbered_tells _ _ _ _ names all)|].
   assert (len := as_many _ _ _ all). rewrite map_length in len.
   split; [|split; [exact offs|exists (near_ones p q (scene_data x) n (events x) (links h)); split; [apply Nat.leb_le, halves|exact half]]].
-  unfold check_outcome, count in ending. destruct (ended x) as [m|m T], (afterwards h) as [b'|]; try discriminate; cbn.
+  unfold check_outcome, count in ending. destruct (ended x) as [m|m T|m T c k], (afterwards h) as [b'|]; try discriminate; cbn.
   - apply Z.eqb_eq in ending. rewrite <- len. exact ending.
   - apply andb_prop in ending as [number until]. apply Z.eqb_eq in number. destruct next as (i & eq & i_in). rewrite eq in f'.
     destruct (until_sound _ _ _ _ _ _ until all i_in) as (def & before & after_T).

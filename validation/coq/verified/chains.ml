@@ -163,5 +163,5 @@ let of_document { scene_data; begun; events; ended } near =
     let last = states.(Array.length states - 1).th in
     { chain_bits = Z.of_int (q + spare_bits + Z.numbits (Z.shift_right (Z.abs last) s.bits)); chain_scale = Z.of_int q; first_chart; links; afterwards } in
   match ended with
-  | Impacts_reached _ -> Some (found None)
+  | Impacts_reached _ | Repeats _ -> Some (found None)
   | Time_reached (_, until) -> Option.map (fun next -> found (Some next)) (Hints.next_bounds scene_data (Begun begun) shown until)

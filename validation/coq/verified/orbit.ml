@@ -170,6 +170,7 @@ let read_nearness outcome =
 
 let read_outcome ~is_shadowed outcome =
   let place = "outcome" in
+  let unknown = only in
   let only place known members = only place (if is_shadowed then "start" :: "epsilon" :: known else known) members in
   let impacts () = integer "outcome.impacts" (get place outcome "impacts") in
   match string "outcome.kind" (get place outcome "kind") with
@@ -180,7 +181,16 @@ let read_outcome ~is_shadowed outcome =
     only place [ "kind"; "message"; "impacts"; "until" ] outcome;
     let until = "outcome.until" in
     Time_reached (impacts (), Expression.number until (string until (get place outcome "until")))
-  | other -> not_covered "outcome.kind is %S: covered are \"impacts-reached\" and \"time-reached\"" (shortened other)
+  | "periodic" when not is_shadowed ->
+    only place [ "kind"; "message"; "impacts"; "until"; "period" ] outcome;
+    let place = "outcome.period" in
+    let period = members place (get "outcome" outcome "period") in
+    let count key = integer (inside place key) (get place period key) in
+    unknown place [ "cycles"; "impacts" ] period;
+    let until = Option.map (fun value -> Expression.number "outcome.until" (string "outcome.until" value)) (List.assoc_opt "until" outcome) in
+    Repeats (impacts (), until, count "cycles", count "impacts")
+  | other when is_shadowed -> not_covered "outcome.kind is %S: covered of shadowed orbits are \"impacts-reached\" and \"time-reached\"" (shortened other)
+  | other -> not_covered "outcome.kind is %S: covered are \"impacts-reached\", \"time-reached\" and \"periodic\"" (shortened other)
 
 let document value =
   let head = members "the document" value in
@@ -214,6 +224,9 @@ let words claim =
   match outcome_of claim with
   | Impacts_reached n -> Printf.sprintf "%s impact%s%s" (Z.to_string n) (plural n) near
   | Time_reached (n, _) -> Printf.sprintf "%s impact%s listed%s; no other event up to the requested time" (Z.to_string n) (plural n) near
+  | Repeats (n, _, cycles, each) ->
+    Printf.sprintf "%s impact%s; proved to repeat exactly for ever, %s impact%s every %s" (Z.to_string n) (plural n) (Z.to_string each) (plural each)
+      (if Z.equal cycles Z.one then "cycle" else Z.to_string cycles ^ " cycles")
 
 let wall_name = function Left -> "left" | Right -> "right"
 let mapping_name = function P1 -> "P1" | P2 -> "P2" | P3 -> "P3" | P4 -> "P4"
@@ -252,10 +265,14 @@ let json_of_nearness { start_times = (a, b); start_velocities = (c, d); half_wit
 let json_of_outcome claim =
   let common kind impacts = [ ("kind", Json.String kind); ("message", Json.String (words claim)); ("impacts", Json.Number (Z.to_string impacts)) ] in
   let near = match claim with Exact _ -> [] | Shadowed (_, near) -> json_of_nearness near in
+  let number x = Json.String (Expression.text { least = x; most = x }) in
   Json.Object (near @ match outcome_of claim with
     | Impacts_reached n -> common "impacts-reached" n
     | Time_reached (n, until) ->
-      common "time-reached" n @ [ ("until", String (Expression.text { least = until; most = until })) ])
+      common "time-reached" n @ [ ("until", number until) ]
+    | Repeats (n, until, cycles, each) ->
+      common "periodic" n @ List.map (fun until -> ("until", number until)) (Option.to_list until)
+      @ [ ("period", Object [ ("cycles", Number (Z.to_string cycles)); ("impacts", Number (Z.to_string each)) ]) ])
 
 let json claim =
   let scene, beginning = scene_of claim in
@@ -326,7 +343,11 @@ let claim claimed =
         start hold the scene's and are no more than a thousandth of a forcing period and of A W apart; half of the impacts are within %s forcing \
         periods of the middles of the bounds of their times, all within %s"
         (bounds start_times) (bounds start_velocities) (impacts n) contacts listed (spell half_within) (spell all_within) in
+  let up_to until = "; all are up to the time " ^ Expression.text { least = until; most = until } ^ ", and the next one is after it" in
   match outcome_of claimed with
   | Impacts_reached n -> sequence n
-  | Time_reached (n, until) ->
-    sequence n ^ "; all are up to the time " ^ Expression.text { least = until; most = until } ^ ", and the next one is after it"
+  | Time_reached (n, until) -> sequence n ^ up_to until
+  | Repeats (n, until, cycles, each) ->
+    let text = Z.to_string in
+    Printf.sprintf "%s%s; a part of the list with %s, from after a release up to the next one from the same wall, happens again and again, each time \
+      %s forcing period%s later, for ever" (sequence n) (Option.fold ~none:"" ~some:up_to until) (impacts each) (text cycles) (plural cycles)

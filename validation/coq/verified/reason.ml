@@ -17,7 +17,7 @@ let first_wrong_name begun events =
   look (first_wall begun) 0 Z.one events
 
 (* The first event that is refused after those before it. *)
-let first_wrong_step { scene_data = data; begun; events; _ } { origin; steps; next_one } =
+let first_wrong_step { scene_data = data; begun; events; _ } { origin; steps; next_one; _ } =
   let after place step event = match place, step, event with
     | Steps.In_flight (b, _), Rest r, Rest_at (w, _, _, bounces) -> Steps.On_wall (w, Steps.rest_phase data r.rest_bits r.rest_scale b w bounces r)
     | On_wall (w, _), Release r, _ -> Steps.away data r.release_bits r.release_scale w r
@@ -42,8 +42,9 @@ let why ({ scene_data; begun; events; ended } as document) hint =
   match wrong_data bits scene_data begun events with
   | Some reason -> reason
   | None ->
-    if not (Steps.check_end bits ended events hint.next_one) then
+    if not (Steps.check_end bits scene_data ended events hint) then
       "outcome: the impacts are not those listed, or not all events proved to be up to `until` and the next one after it"
+      ^ (match ended with Repeats _ -> ", or not to repeat as is said" | _ -> "")
     else if not (Check.check_start scene_data begun hint.origin) then "scene.start: not enclosed"
     else match first_wrong_step document hint with
     | Some (n, _) when n = List.length events -> "outcome.until: the next event is not proved to be after it"

@@ -124,10 +124,10 @@ let release_after data w held =
 exception No_next
 
 (* The steps from the start or a release on; `held` is the phase at which a release's rest begins. *)
-let rec steps data from ~first_at ~bounds occurrences ended n =
+let rec steps data from ~first_at ~bounds occurrences until n =
   let impacts, others = impacts_of [] occurrences in
-  let at_end, impacts, next = match others, ended with
-    | [], Time_reached (_, until) ->
+  let at_end, impacts, next = match others, until with
+    | [], Some until ->
       (match Hints.next_bounds data from impacts until with
        | None -> raise No_next
        | Some next -> (true, impacts @ [ next ], Some (Impact_at { index = Z.zero; mapped = None; shown = next })))
@@ -145,24 +145,43 @@ let rec steps data from ~first_at ~bounds occurrences ended n =
       let s, th, _, box = flown.last in
       let held = Fixed.move ~from:s.bits ~into:fine (left_end s th box) in
       let resting = Rest (rest flown.last w upper bounces) in
-      let go_on w lower upper others ended =
+      let go_on w lower upper others until =
         let near = middle_phase (setting fine data) lower upper in
         let first_at first =
           let s = setting (Z.to_int first.start_scale + Hints.working_spare) data in [ Release (release s first held) ] in
-        let _, after, next = steps data (Released (w, near)) ~first_at ~bounds:(Some (lower, upper)) others ended (n + 2) in
+        let _, after, next = steps data (Released (w, near)) ~first_at ~bounds:(Some (lower, upper)) others until (n + 2) in
         (flown.first, here @ legs @ (resting :: after), next) in
-      (match others, ended with
-       | Release_at (w, lower, upper) :: others, _ -> go_on w lower upper others ended
-       | [], Time_reached _ ->
+      (match others, until with
+       | Release_at (w, lower, upper) :: others, _ -> go_on w lower upper others until
+       | [], Some _ ->
          (match release_after data w held with
-          | Some (Release_at (w, lower, upper) as next) -> let first, steps, _ = go_on w lower upper [] (Impacts_reached Z.zero) in (first, steps, Some next)
+          | Some (Release_at (w, lower, upper) as next) -> let first, steps, _ = go_on w lower upper [] None in (first, steps, Some next)
           | _ -> raise No_next)
        | [], _ -> (flown.first, here @ legs @ [ resting ], None)
        | _ -> raise (Lost n))
     | _ -> raise (Lost n)
 
+(* How much is listed up to the first release that comes again, and from there up to the next one from its wall: as many impacts as are said. *)
+let rounds each occurrences =
+  let numbered = List.mapi (fun n o -> (n + 1, o)) occurrences in
+  let releases = List.filter_map (function n, Release_at (w, _, _) -> Some (n, w) | _ -> None) numbered in
+  let count a b = List.length (List.filter (function n, Impact_at _ -> n > a && n <= b | _ -> false) numbered) in
+  let rec first = function
+    | [] -> (0, 0)
+    | (a, w) :: later ->
+      match List.find_opt (fun (_, w') -> w' = w) later with
+      | Some (b, _) when count a b = each -> (a, b - a)
+      | _ -> first later in
+  first releases
+
+let rec nat n = if n = 0 then O else S (nat (n - 1))
+
 (* All that helps to verify a document; `None` where the next event is not found. *)
 let of_document ({ scene_data; begun; events; ended } : document) =
-  match steps scene_data (Begun begun) ~first_at:(fun _ -> []) ~bounds:None events ended 0 with
+  let until, (before, round) = match ended with
+    | Impacts_reached _ -> (None, (0, 0))
+    | Time_reached (_, until) -> (Some until, (0, 0))
+    | Repeats (_, until, _, each) -> (until, if Z.fits_int each then rounds (Z.to_int each) events else (0, 0)) in
+  match steps scene_data (Begun begun) ~first_at:(fun _ -> []) ~bounds:None events until 0 with
   | exception No_next -> None
-  | origin, steps, next_one -> Some { origin; steps; next_one }
+  | origin, steps, next_one -> Some { origin; steps; next_one; rounds = (nat before, nat round) }

@@ -9,7 +9,7 @@ type float = Stdlib.Float.t
 let deepest = 20
 let most_attempts = 4096
 
-let rec nat n = if n = 0 then O else S (nat (n - 1))
+let nat = Rests.nat
 
 (* The intervals of a document, each with what half its width makes in the units of Step.v, about. *)
 let intervals ({ scene_data = p; begun; events; _ } : document) =

@@ -37,6 +37,7 @@ let occurrence = function
 let outcome = function
   | Impacts_reached n -> Printf.sprintf "(Impacts_reached %s)" (integer n)
   | Time_reached (n, until) -> Printf.sprintf "(Time_reached %s %s)" (integer n) (number until)
+  | Repeats (n, until, cycles, each) -> Printf.sprintf "(Repeats %s %s %s %s)" (integer n) (option number until) (integer cycles) (integer each)
 
 let integers items = String.concat " " (List.map integer items)
 let leg { bits; coarse; scale0; hits; t; rt; v; rv; depart; approach; tilt } =
@@ -52,8 +53,9 @@ let step = function
   | Flight l -> Printf.sprintf "(Flight %s)" (leg l)
   | Rest r -> Printf.sprintf "(Rest %s)" (resting r)
   | Release r -> Printf.sprintf "(Release %s)" (releasing r)
-let hint { origin; steps; next_one } = Printf.sprintf "(Hint %s %s %s)" (start origin) (list step steps) (option occurrence next_one)
 let rec natural = function O -> "O" | S n -> Printf.sprintf "(S %s)" (natural n)
+let hint { origin; steps; next_one; rounds = (before, round) } =
+  Printf.sprintf "(Hint %s %s %s (%s, %s))" (start origin) (list step steps) (option occurrence next_one) (natural before) (natural round)
 let datum = function
   | Amplitude n -> "(Pieces.Amplitude " ^ natural n ^ ")"
   | Frequency n -> "(Pieces.Frequency " ^ natural n ^ ")"
