@@ -1,5 +1,5 @@
 (* Documents: that their data make sense, what is said of impacts, and of the outcome; and programs that check it, with the proofs that
-   they are right. Rests.v has the documents of orbits from the scene's start, Shadow.v those of orbits that start near it. *)
+   they are right. Orbit.v has the documents of orbits from the scene's start, Shadow.v those of orbits that start near it. *)
 From Coq Require Import Reals Lra List ZArith QArith Qreals Bool Lia.
 From Interval Require Import Real.Xreal Float.Sig.
 From ImpactPair Require Import Model Certificate.

@@ -2,7 +2,7 @@
    part. A claim that holds for all parts holds for all data (`pieces_verified`). *)
 From Coq Require Import Reals Lra List ZArith QArith Qreals Bool.
 From Interval Require Import Real.Xreal Float.Sig.
-From ImpactPair Require Import Model Certificate Document Rests.
+From ImpactPair Require Import Model Certificate Document Orbit Rests.
 Open Scope R_scope.
 Import ListNotations.
 

@@ -223,8 +223,9 @@ def same_as_coq(suite, quick):
     """The answers on these inputs are those of Coq's own evaluator; the number of them."""
     folder, library = Path(suite.verified).parent, Path("target/coq").resolve()
     document = suite.run("scenes/figure-14.toml", ["--impacts", "4"])
-    shadowed, resting = suite.run("scenes/figure-14.toml", [*SHADOWED, "--impacts", "3"]), suite.run("scenes/chatter.toml", ["--until", "3"])
-    wanted = [document, resting, shadowed, suite.run("scenes/two-tones.toml", ["--until", "1"]), *(copy for _, copy in corrupted.copies(document))]
+    shadowed, resting = suite.run("scenes/figure-14.toml", [*SHADOWED, "--impacts", "3"]), suite.run("scenes/chatter.toml", ["--until", "3", "--digits", "3"])
+    repeated = suite.run("scenes/chatter.toml", ["--until", "20", "--digits", "3"])
+    wanted = [document, resting, shadowed, suite.run("scenes/two-tones.toml", ["--until", "1"]), repeated, *(copy for _, copy in corrupted.copies(document))]
     total = 0
     for number, copy in enumerate(wanted[: 4 if quick else None]):
         source, theorem = folder / f"Answer_{number}.json", folder / f"Answer_{number}.v"

@@ -86,7 +86,7 @@ let document listed { scene_data; begun; events; ended } =
 (* The answer of the extracted program is Coq's: a file of definitions, and of the checker on them. *)
 let answered definitions checker answer =
   let defined = List.map (fun (name, term) -> Printf.sprintf "Definition %s := %s.\n" name term) definitions in
-  Printf.sprintf "From Coq Require Import ZArith QArith List.\nFrom ImpactPair Require Import Model Certificate Covering Document Rests Shadow.\n\
+  Printf.sprintf "From Coq Require Import ZArith QArith List.\nFrom ImpactPair Require Import Model Certificate Covering Document Orbit Rests Shadow.\n\
     From ImpactPair Require Pieces Carrier.\nImport ListNotations.\nOpen Scope Z_scope.\n\
     %sLemma answer : Carrier.%s %s = %b.\nProof. vm_cast_no_check (eq_refl %b). Qed.\n"
     (String.concat "" defined) checker (String.concat " " (List.map fst definitions)) answer answer
