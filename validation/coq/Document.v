@@ -43,6 +43,8 @@ Definition all_proper (p : data) (b : beginning) : Prop :=
    the start is an impact on its wall from inside, or inside the gap. *)
 Definition sensible (s : scene) : Prop :=
   Forall (fun h => 0 <= A h /\ 0 < W h) (reference s :: others s) /\ 0 < d s /\ 0 <= e s <= 1.
+(* Forcing periods are those of the fastest harmonic, which is the reference. *)
+Definition is_fastest (s : scene) : Prop := List.Forall (fun h => W h <= W s) (others s).
 Definition starts (b : beginning) (s : scene) : Prop :=
   match b with
   | Struck w _ r => forall v, among r v -> 0 <= side w * v
@@ -200,6 +202,23 @@ Proof.
       * intros u m. apply (holds_range p) in m. assert (half := holds_quotient p _ _ _ _ g (holds_whole p 2)).
         assert (0 < d s / 2 - u) by (refine (is_positive_sound _ _ _ (holds_sub p _ _ _ _ half m)); assumption).
         assert (0 < d s / 2 + u) by (refine (is_positive_sound _ _ _ (holds_add p _ _ _ _ half m)); assumption). lra.
+Qed.
+
+(* Of one expression, as written, there is one value. *)
+Definition one_value (a b : range) : bool := same (least a) (most a) && same (least a) (least b) && same (least a) (most b).
+Definition check_fastest (param : data) : bool :=
+  forallb (fun x => one_value (frequency param) (frequency x) ||
+    is_not_negative (sub p (enclose_range p (frequency param)) (enclose_range p (frequency x)))) (further param).
+Lemma fastest_sound param s : describes param s -> check_fastest param = true -> is_fastest s.
+Proof.
+  unfold check_fastest, is_fastest. rewrite forallb_forall. intros ((_ & lead & _) & rest & _) check.
+  assert (slower : forall x, In x (further param) -> forall h, describes_harmonic x h -> W h <= W s).
+  { intros x i h (_ & w & _). specialize (check x i). apply orb_prop in check as [one|less].
+    - apply andb_prop in one as [one most_too]. apply andb_prop in one as [own least_too]. apply same_sound in own, least_too, most_too.
+      destruct (frequency param), (frequency x). cbn in *. subst. unfold among in lead, w. cbn in lead, w. lra.
+    - assert (0 <= W s - W h) by exact (is_not_negative_sound _ _ less (holds_sub p _ _ _ _ (holds_range p _ _ lead) (holds_range p _ _ w))). lra. }
+  clear - rest slower. induction rest as [|x h xs hs k rest IH]; [constructor|].
+  constructor; [apply (slower x); [left; reflexivity|exact k]|]. apply IH. intros y i. apply slower. right. exact i.
 Qed.
 
 (* All listed impacts are before T, and the next one after it. *)

@@ -129,25 +129,17 @@ Lemma after_later motion : forall a, after_all s (standing_later a) (map later_o
 Proof. induction motion as [|h motion IH]; intros a; cbn [after_all map]; [reflexivity|]. rewrite then_later. apply IH. Qed.
 End Later.
 
-(* Under one harmonic a ball is released at a whole half turn. *)
-Lemma released_at s w t w' t' : others s = [] -> 0 < A s -> 0 < W s -> happens s (Resting w t) (Leaves w' t') -> exists k, phase s t' = IZR k * PI.
+(* A release is that of another rest on the same wall, later, if both rests, one seen that much later, have a time in common. *)
+Lemma release_later s P (whole_turns : recurs s P) w t0 t1 t2 t3 : happens s (Resting w t0) (Leaves w t1) -> happens s (Resting w t2) (Leaves w t3) ->
+  t2 < t1 + P -> t0 + P < t3 -> t3 = t1 + P.
 Proof.
-  intros one A_positive W_positive (-> & order & press & later & after & free). apply sin_eq_0_0.
-  assert (AW2 : 0 < A s * W s ^ 2) by (apply Rmult_lt_0_compat; [lra|apply pow_lt; lra]).
-  set (g := fun t => side w * (A s * W s ^ 2 * sin (W s * t + tau s))).
-  assert (eq : forall t, side w * box_push s t = g t) by (intros x; rewrite (one_push s one); reflexivity).
-  assert (C : continuity_pt g t') by (unfold g; reg).
-  assert (near : forall eps, 0 < eps -> exists del, 0 < del /\ forall x, Rabs (x - t') < del -> Rabs (g x - g t') < eps).
-  { intros eps h. destruct (C eps h) as (del & d0 & close). exists del. split; [exact d0|]. intros x hx.
-    destruct (Req_dec x t') as [->|n]; [rewrite Rminus_diag_eq, Rabs_R0 by reflexivity; exact h|].
-    apply close. split; [split; [exact I|intros e; apply n; symmetry; exact e]|exact hx]. }
-  destruct (Rtotal_order (g t') 0) as [neg|[zero|pos]].
-  - destruct (near (- g t') ltac:(lra)) as (del & d0 & close). set (x := Rmax ((t + t') / 2) (t' - del / 2)).
-    assert ((t + t') / 2 <= x) by apply Rmax_l. assert (t' - del / 2 <= x) by apply Rmax_r. assert (x < t') by (apply Rmax_lub_lt; lra).
-    specialize (close x ltac:(apply Rabs_def1; lra)). apply Rabs_def2 in close. specialize (press x ltac:(lra)). rewrite eq in press. lra.
-  - unfold g in zero. assert (s0 : A s * W s ^ 2 * sin (W s * t' + tau s) = 0) by (destruct w; cbn [side] in zero; lra).
-    unfold phase. apply Rmult_integral in s0. destruct s0; lra.
-  - destruct (near (g t') pos) as (del & d0 & close). set (x := Rmin ((t' + later) / 2) (t' + del / 2)).
-    assert (x <= (t' + later) / 2) by apply Rmin_l. assert (x <= t' + del / 2) by apply Rmin_r. assert (t' < x) by (apply Rmin_glb_lt; lra).
-    specialize (close x ltac:(apply Rabs_def1; lra)). apply Rabs_def2 in close. specialize (free x ltac:(lra)). rewrite eq in free. lra.
+  intros (_ & o1 & p1 & f1) (_ & o2 & p2 & f2) h1 h2. assert (p1' := pressed_later s P whole_turns _ _ _ p1).
+  set (t := Rmax (t0 + P) t2). assert (t0 + P <= t) by apply Rmax_l. assert (t2 <= t) by apply Rmax_r.
+  symmetry. apply (release_unique s w t).
+  - apply Rmax_lub_lt; lra.
+  - apply Rmax_lub_lt; lra.
+  - intros x hx. apply p1'. lra.
+  - intros x hx. apply p2. lra.
+  - exact (free_from_later s P whole_turns _ _ f1).
+  - exact f2.
 Qed.

@@ -39,7 +39,7 @@ Definition up_to (s : scene) (a : standing) (motion : list happening) (T : numbe
 (* A part of the list, with as many impacts as are said, begins after a release and ends with one from the same wall. It happens again and again,
    each time so many forcing periods later, for ever. *)
 Definition repeats (s : scene) (a : standing) (listed : list occurrence) (motion : list happening) (cycles each : Z) : Prop :=
-  (0 < cycles)%Z /\ exists before round later m1 m2 m3 w t, listed = before ++ round ++ later /\ motion = m1 ++ m2 ++ m3 /\
+  is_fastest s /\ (0 < cycles)%Z /\ exists before round later m1 m2 m3 w t, listed = before ++ round ++ later /\ motion = m1 ++ m2 ++ m3 /\
     Forall2 shows before m1 /\ Forall2 shows round m2 /\ impacts round = each /\ after_all s a m1 = Flying (released s w t) /\
     let period_of := IZR cycles * period s in
     forall n, let shift := INR n * period_of in
@@ -123,22 +123,22 @@ Proof.
   assert (q0 : Q2R 0 = 0) by (unfold Q2R; cbn; lra). rewrite q0. unfold Q2R. rewrite m at 1. rewrite mult_IZR. field. apply IZR_neq. lia.
 Qed.
 
-(* The last of a list, a release. *)
-Definition last_release (listed : list occurrence) : option (wall * Q * Q) :=
-  match rev listed with Release_at w a b :: _ => Some (w, a, b) | _ => None end.
-Lemma last_release_sound listed w a b : last_release listed = Some (w, a, b) -> exists init, listed = init ++ [Release_at w a b].
+(* The end of a list, a rest and its release: the wall, the latest time of the rest, and bounds of the release. *)
+Definition last_rest (listed : list occurrence) : option (wall * Q * (Q * Q)) :=
+  match rev listed with Release_at w a b :: Rest_at _ _ u _ :: _ => Some (w, u, (a, b)) | _ => None end.
+Lemma last_rest_sound listed w u a b : last_rest listed = Some (w, u, (a, b)) -> exists init w' l c, listed = init ++ [Rest_at w' l u c; Release_at w a b].
 Proof.
-  unfold last_release. destruct (rev listed) as [|[x|w1 l1 u1 c|w1 l1 u1] more] eqn:r; try discriminate. intros h. injection h as -> -> ->.
-  exists (rev more). rewrite <- (rev_involutive listed), r. reflexivity.
+  unfold last_rest. destruct (rev listed) as [|[x|w1 l1 u1 c|w1 l1 u1] [|[y|w2 l2 u2 c2|w2 l2 u2] more]] eqn:r; try discriminate.
+  intros h. injection h as -> -> -> ->. exists (rev more), w2, l2, c2.
+  rewrite <- (rev_involutive listed), r. cbn [rev]. rewrite <- app_assoc. reflexivity.
 Qed.
-(* What ends with a listed release ends with one. *)
-Lemma ends_released s (one : others s = []) (A_positive : 0 < A s) (W_positive : 0 < W s) x listed motion w a b : goes s x motion ->
-  Forall2 shows listed motion -> last_release listed = Some (w, a, b) ->
-  exists t k, after_all s x motion = Flying (released s w t) /\ in_time a b t /\ phase s t = IZR k * PI.
+Lemma ends_rested s x listed motion w u a b : goes s x motion -> Forall2 shows listed motion -> last_rest listed = Some (w, u, (a, b)) ->
+  exists t0 t, after_all s x motion = Flying (released s w t) /\ happens s (Resting w t0) (Leaves w t) /\ t0 <= Q2R u /\ in_time a b t.
 Proof.
-  intros g all last. destruct (last_release_sound _ _ _ _ last) as [init ->]. apply Forall2_app_inv_l in all as (m & tail & _ & tl & ->).
-  inversion tl as [|o h os hs r none]; subst. inversion none; subst. apply goes_app in g as [_ [happened _]]. rewrite after_all_app. cbn [after_all].
-  destruct h as [i|w' t c|w' t]; cbn [shows] in r; try contradiction. destruct r as [-> times].
-  destruct (after_all s x m) as [l|w0 t0]; [destruct happened|]. destruct (released_at s w0 t0 w t one A_positive W_positive happened) as [k eq].
-  exists t, k. split; [reflexivity|]. split; [exact times|exact eq].
+  intros g all last. destruct (last_rest_sound _ _ _ _ _ last) as (init & w' & l & c & ->). apply Forall2_app_inv_l in all as (m & tail & _ & tl & ->).
+  inversion tl as [|o h os hs r1 more]; subst. inversion more as [|o' h' os' hs' r2 none]; subst. inversion none; subst.
+  apply goes_app in g as [_ (_ & happened & _)]. rewrite after_all_app. cbn [after_all].
+  destruct h as [i|w1 t0 c1|w1 t0]; cbn [shows] in r1; try contradiction. destruct r1 as (-> & -> & [_ late]).
+  destruct h' as [i|w2 t c2|w2 t]; cbn [shows] in r2; try contradiction. destruct r2 as [-> times].
+  exists t0, t. cbn [then_] in happened |- *. pose proof happened as (same_w & _). subst w'. repeat split; try exact late; apply happened || apply times.
 Qed.

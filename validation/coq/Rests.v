@@ -383,18 +383,25 @@ Definition check_until (p : positive) (until : option number) (listed : list occ
       is_positive (sub p (enclose p (Rational (earliest next))) (enclose p T))
   | _, _ => false
   end.
-Definition is_from (w : wall) (o : occurrence) : bool := match o with Release_at w' _ _ => same_wall w w' | _ => false end.
-(* The least time and the greatest between two releases are within half a forcing period of so many whole ones; no other one between is from
-   that wall. *)
+(* A harmonic makes a whole number of turns in so many periods of the reference: their frequencies are written so. *)
+Definition check_turns (param : data) (cycles : Z) (x : tone) : bool :=
+  same (least (frequency param)) (most (frequency param)) && same (least (frequency x)) (most (frequency x)) &&
+  match linear (least (frequency param)), linear (least (frequency x)) with
+  | Some (x0, y0), Some (x1, y1) =>
+    let q := if Qeq_bool y0 0 then (x1 * inject_Z cycles / x0)%Q else (y1 * inject_Z cycles / y0)%Q in
+    let m := inject_Z (Qnum q / Zpos (Qden q)) in
+    Qeq_bool (x1 * inject_Z cycles) (m * x0) && Qeq_bool (y1 * inject_Z cycles) (m * y0)
+  | _, _ => false
+  end.
+(* Two rests on one wall, the first seen so many forcing periods later, have a time in common: so do their releases. *)
 Definition check_repeats (p : positive) (param : data) (listed : list occurrence) (cycles each : Z) (rounds : nat * nat) : bool :=
   let before := firstn (fst rounds) listed in let round := firstn (snd rounds) (skipn (fst rounds) listed) in
-  match last_release before, last_release round with
-  | Some (w, a, b), Some (w', a', b') =>
-    let W := enclose_range p (frequency param) in let pi := I.pi (F.PtoP p) in
-    let turns := mul p (whole p (2 * cycles)) pi in
-    let off least most := sub p (mul p W (sub p (enclose p (Rational most)) (enclose p (Rational least)))) turns in
-    (0 <? cycles)%Z && match further param with [] => true | _ => false end && same_wall w w' && (impacts round =? each)%Z &&
-    (length (filter (is_from w) round) =? 1)%nat && is_positive (sub p pi (off a b')) && is_positive (add p pi (off b a'))
+  match last_rest before, last_rest round with
+  | Some (w, u, (a, _)), Some (w', u', (a', _)) =>
+    let P := quotient p (mul p (whole p (2 * cycles)) (I.pi (F.PtoP p))) (enclose_range p (frequency param)) in
+    let known q := enclose p (Rational q) in
+    check_fastest p param && (0 <? cycles)%Z && forallb (check_turns param cycles) (further param) && same_wall w w' && (impacts round =? each)%Z &&
+    is_positive (sub p (add p (known a) P) (known u')) && is_positive (sub p (known a') (add p (known u) P))
   | _, _ => false
   end.
 Definition check_end (p : positive) (param : data) (o : outcome) (listed : list occurrence) (h : hint) : bool :=
@@ -411,54 +418,58 @@ Proof.
   intros (_ & r & _). exact r.
 Qed.
 
-Lemma repeats_sound p param s (described : describes param s) (A_positive : 0 < A s) (W_positive : 0 < W s) x listed motion cycles each rounds :
+Lemma turns_sound param s (described : describes param s) (W_positive : 0 < W s) cycles : forallb (check_turns param cycles) (further param) = true ->
+  recurs s (IZR cycles * period s).
+Proof.
+  intros check h [<-|i].
+  { exists cycles. unfold period. field. lra. }
+  rewrite forallb_forall in check. destruct described as ((_ & lead & _) & rest & _).
+  assert (each : forall x, In x (further param) -> forall h, describes_harmonic x h -> exists n, W h * (IZR cycles * period s) = IZR n * (2 * PI)).
+  { intros x j k (_ & w & _). specialize (check x j). unfold check_turns in check. apply andb_prop in check as [check turns_]. apply andb_prop in check as [one one'].
+    apply same_sound in one, one'. unfold among in lead, w. rewrite <- one in lead. rewrite <- one' in w.
+    destruct (linear (least (frequency param))) as [[x0 y0]|] eqn:l0; [|discriminate]. destruct (linear (least (frequency x))) as [[x1 y1]|] eqn:l1; [|discriminate].
+    cbv zeta in turns_. set (m := (Qnum _ / Zpos (Qden _))%Z) in turns_. exists m. apply andb_prop in turns_ as [e1 e2].
+    apply Qeq_bool_eq, Qeq_eqR in e1, e2. rewrite !Q2R_mult in e1, e2.
+    assert (inject : forall z, Q2R (inject_Z z) = IZR z) by (intros z; unfold Q2R; cbn; field). rewrite !inject in e1, e2.
+    assert (k1 := linear_sound _ _ _ l0). assert (k2 := linear_sound _ _ _ l1).
+    assert (same_turns : W k * IZR cycles = IZR m * W s).
+    { replace (W k) with (Q2R x1 + Q2R y1 * PI) by lra. replace (W s) with (Q2R x0 + Q2R y0 * PI) by lra.
+      replace ((Q2R x1 + Q2R y1 * PI) * IZR cycles) with (Q2R x1 * IZR cycles + Q2R y1 * IZR cycles * PI) by ring. rewrite e1, e2. ring. }
+    unfold period. replace (W k * (IZR cycles * (2 * PI / W s))) with (W k * IZR cycles * (2 * PI / W s)) by ring. rewrite same_turns. field. lra. }
+  clear - rest each i. induction rest as [|x k xs ks r rest IH]; [destruct i|]. destruct i as [<-|i]; [exact (each x (or_introl eq_refl) k r)|].
+  apply IH; [exact i|intros y j; apply each; right; exact j].
+Qed.
+
+Lemma repeats_sound p param s (described : describes param s) (W_positive : 0 < W s) x listed motion cycles each rounds :
   goes s x motion -> Forall2 shows listed motion -> check_repeats p param listed cycles each rounds = true -> repeats s x listed motion cycles each.
 Proof.
   intros g all check. unfold check_repeats in check. cbv zeta in check.
   set (before := firstn (fst rounds) listed) in *. set (rest := skipn (fst rounds) listed) in *. set (round := firstn (snd rounds) rest) in *.
   set (later := skipn (snd rounds) rest).
-  destruct (last_release before) as [[[w a] b]|] eqn:r1; [|discriminate]. destruct (last_release round) as [[[w' a'] b']|] eqn:r2; [|discriminate].
-  repeat match goal with h : _ && _ = true |- _ => apply andb_prop in h as [? ?] end.
-  match goal with h : same_wall w w' = true |- _ => apply same_wall_sound in h; subst w' end.
-  match goal with h : (0 <? cycles)%Z = true |- _ => apply Z.ltb_lt in h; rename h into cycles0 end.
-  match goal with h : (impacts round =? each)%Z = true |- _ => apply Z.eqb_eq in h; rename h into number end.
-  destruct (further param) as [|? ?] eqn:alone; [|discriminate].
-  assert (one : others s = []). { destruct described as (_ & rest' & _). rewrite alone in rest'. inversion rest'. reflexivity. }
+  destruct (last_rest before) as [[[w u] [a b]]|] eqn:r1; [|discriminate]. destruct (last_rest round) as [[[w' u'] [a' b']]|] eqn:r2; [|discriminate].
+  apply andb_prop in check as [check second_in]. apply andb_prop in check as [check first_in]. apply andb_prop in check as [check number].
+  apply andb_prop in check as [check same_w]. apply andb_prop in check as [check turns_of].
+  apply andb_prop in check as [fastest cycles0]. apply same_wall_sound in same_w. subst w'.
+  apply Z.ltb_lt in cycles0. apply Z.eqb_eq in number. assert (turns_ := turns_sound param s described W_positive cycles turns_of).
   assert (split_list : listed = before ++ round ++ later) by (unfold before, round, later, rest; rewrite !firstn_skipn; reflexivity).
   rewrite split_list in all. apply Forall2_app_inv_l in all as (m1 & m' & all1 & all' & eq). apply Forall2_app_inv_l in all' as (m2 & m3 & all2 & all3 & eq').
   rewrite eq, eq' in g. apply goes_app in g as [g1 g]. apply goes_app in g as [g2 _].
-  destruct (ends_released s one A_positive W_positive _ _ _ _ _ _ g1 all1 r1) as (t & k & at1 & [b1 b2] & ph1). rewrite at1 in g2.
-  destruct (ends_released s one A_positive W_positive _ _ _ _ _ _ g2 all2 r2) as (t' & k' & at2 & [b3 b4] & ph2).
+  destruct (ends_rested _ _ _ _ _ _ _ _ g1 all1 r1) as (t0 & t & at1 & rest1 & b0 & b1 & b2). rewrite at1 in g2.
+  destruct (ends_rested _ _ _ _ _ _ _ _ g2 all2 r2) as (t0' & t' & at2 & rest2 & b0' & b3 & b4).
   assert (known : forall q, holds (enclose p (Rational q)) (Q2R q)) by (intros q; exact (holds_enclose p (Rational q))).
-  assert (hW : holds (enclose_range p (frequency param)) (W s)) by (apply holds_range, described).
-  assert (hpi : holds (I.pi (F.PtoP p)) PI) by apply I.pi_correct.
-  assert (hturns := holds_mul p _ _ _ _ (holds_whole p (2 * cycles)) hpi).
-  assert (off : forall least most, holds (sub p (mul p (enclose_range p (frequency param)) (sub p (enclose p (Rational most)) (enclose p (Rational least))))
-    (mul p (whole p (2 * cycles)) (I.pi (F.PtoP p)))) (W s * (Q2R most - Q2R least) - IZR (2 * cycles) * PI)).
-  { intros least most. apply holds_sub; [|exact hturns]. apply holds_mul; [exact hW|]. apply holds_sub; apply known. }
-  assert (late : 0 < PI - (W s * (Q2R b' - Q2R a) - IZR (2 * cycles) * PI)).
-  { match goal with h : is_positive (sub p (I.pi _) _) = true |- _ => apply (is_positive_sound _ _ h) end. apply holds_sub; [exact hpi|apply off]. }
-  assert (early : 0 < PI + (W s * (Q2R a' - Q2R b) - IZR (2 * cycles) * PI)).
-  { match goal with h : is_positive (add p (I.pi _) _) = true |- _ => apply (is_positive_sound _ _ h) end. apply holds_add; [exact hpi|apply off]. }
-  assert (difference : W s * (t' - t) = IZR (k' - k) * PI).
-  { unfold phase in ph1, ph2. rewrite minus_IZR. lra. }
-  assert (pi0 := PI_RGT_0). assert (same_turns : (k' - k = 2 * cycles)%Z).
-  { assert (W s * (t' - t) <= W s * (Q2R b' - Q2R a)) by (apply Rmult_le_compat_l; lra).
-    assert (W s * (Q2R a' - Q2R b) <= W s * (t' - t)) by (apply Rmult_le_compat_l; lra).
-    assert (h1 : IZR (k' - k) * PI < IZR (2 * cycles + 1) * PI) by (rewrite plus_IZR; lra).
-    assert (h2 : IZR (2 * cycles - 1) * PI < IZR (k' - k) * PI) by (rewrite minus_IZR; lra).
-    apply Rmult_lt_reg_r in h1, h2; try exact pi0. apply lt_IZR in h1, h2. lia. }
-  assert (eq_time : t' = t + IZR cycles * period s).
-  { rewrite same_turns, mult_IZR in difference. unfold period. apply (Rmult_eq_reg_l (W s)); [|lra].
-    replace (W s * (t + IZR cycles * (2 * PI / W s))) with (W s * t + 2 * IZR cycles * PI) by (field; lra). lra. }
-  split; [exact cycles0|]. exists before, round, later, m1, m2, m3, w, t. split; [exact split_list|]. split; [rewrite eq, eq'; reflexivity|].
-  split; [exact all1|]. split; [exact all2|]. split; [exact number|]. split; [exact at1|]. cbv zeta. intros n.
-  set (shift := INR n * (IZR cycles * period s)).
-  assert (turns_ : recurs s shift).
-  { intros h i. destruct (period_recurs s one (Rgt_not_eq _ _ W_positive) h i) as [m whole_]. exists (Z.of_nat n * cycles * m)%Z.
-    unfold shift. rewrite INR_IZR_INZ, !mult_IZR. replace (W h * (IZR (Z.of_nat n) * (IZR cycles * period s))) with (IZR (Z.of_nat n) * IZR cycles * (W h * period s)) by ring.
-    rewrite whole_. ring. }
-  split; [exact (goes_later s shift turns_ m2 _ g2)|].
+  set (P := IZR cycles * period s) in *.
+  assert (hP : holds (quotient p (mul p (whole p (2 * cycles)) (I.pi (F.PtoP p))) (enclose_range p (frequency param))) P).
+  { replace P with (IZR (2 * cycles) * PI / W s) by (unfold P, period; rewrite mult_IZR; field; lra).
+    apply holds_quotient; [apply holds_mul; [apply holds_whole|apply I.pi_correct]|apply holds_range, described]. }
+  assert (0 < Q2R a + P - Q2R u') by (apply (is_positive_sound _ _ first_in); apply holds_sub; [apply holds_add; [apply known|exact hP]|apply known]).
+  assert (0 < Q2R a' - (Q2R u + P)) by (apply (is_positive_sound _ _ second_in); apply holds_sub; [apply known|apply holds_add; [apply known|exact hP]]).
+  assert (eq_time : t' = t + P) by (apply (release_later s P turns_ w t0 t t0' t' rest1 rest2); lra).
+  split; [exact (fastest_sound p param s described fastest)|]. split; [exact cycles0|]. exists before, round, later, m1, m2, m3, w, t. split; [exact split_list|]. split; [rewrite eq, eq'; reflexivity|].
+  split; [exact all1|]. split; [exact all2|]. split; [exact number|]. split; [exact at1|]. cbv zeta. intros n. fold P. set (shift := INR n * P).
+  assert (all_turns : recurs s shift).
+  { intros h i. destruct (turns_ h i) as [m whole_]. exists (Z.of_nat n * m)%Z. unfold shift. rewrite INR_IZR_INZ, mult_IZR.
+    replace (W h * (IZR (Z.of_nat n) * P)) with (IZR (Z.of_nat n) * (W h * P)) by ring. rewrite whole_. ring. }
+  split; [exact (goes_later s shift all_turns m2 _ g2)|].
   change (Flying (released s w (t + shift))) with (standing_later shift (Flying (released s w t))). rewrite after_later, at2, eq_time.
   cbn [standing_later]. unfold launch_later, released. cbn [since place speed]. f_equal. f_equal. ring.
 Qed.
@@ -499,6 +510,6 @@ Proof.
   - apply andb_prop in ending as [number until]. split; [apply Z.eqb_eq, number|exact (until_told (Some T) until)].
   - apply andb_prop in ending as [ending again]. apply andb_prop in ending as [number till].
     split; [apply Z.eqb_eq, number|]. split; [exact (until_told until till)|].
-    exact (repeats_sound p (scene_data x) s described a w (Flying l) (events x) motion cycles each (rounds h) f all again).
+    exact (repeats_sound p (scene_data x) s described w (Flying l) (events x) motion cycles each (rounds h) f all again).
 Qed.
 End Resters.

@@ -12,6 +12,7 @@ let unreadable = Json.unreadable
 let schema = "impact-pair/orbit/1"
 let exact_start = "exact start"
 let shadowed = "shadowed"
+let periodic = "periodic"
 
 (* What a document claims: of the orbit from the scene's start, or of one that starts near. *)
 type claim = Exact of document | Shadowed of event document_of * nearness
@@ -70,7 +71,7 @@ let only place known members =
   List.iter (fun (key, _) ->
     if not (List.mem key known) then not_covered "%s is not covered by the theorem" (inside place key)) members
 
-(* Forcing periods are those of the fastest harmonic, and the theorem on shadowed orbits is about documents of which it is the first: so it is put
+(* Forcing periods are those of the fastest harmonic, and the theorems on shadowed orbits and on periods are about documents of which it is the first: so it is put
    there, in all lists alike, before anything is read. A sum has no order; that no other one is faster is proved. *)
 let rec change path by value = match path, value with
   | [], _ -> by value
@@ -79,8 +80,10 @@ let rec change path by value = match path, value with
 let with_fastest_first value =
   let at key = function Json.Object members -> List.assoc_opt key members | _ -> None in
   let frequencies = List.fold_left (fun value key -> Option.bind value (at key)) (Some value) [ "scene"; "excitation"; "frequency" ] in
-  match at "claim" value, frequencies with
-  | Some (Json.String claim), Some (Json.List (_ :: _ :: _ as frequencies)) when claim = shadowed ->
+  let has_periods = at "claim" value = Some (Json.String shadowed)
+    || Option.bind (at "outcome" value) (at "kind") = Some (Json.String periodic) in
+  match frequencies with
+  | Some (Json.List (_ :: _ :: _ as frequencies)) when has_periods ->
     let sizes = List.map (fun frequency -> Fixed.middle 256 (range "scene.excitation.frequency" frequency)) frequencies in
     let is_slower x y = Z.sign (Z.sub y x) > 0 in
     let later best (i, x) = if is_slower (snd best) x then (i, x) else best in
@@ -181,7 +184,7 @@ let read_outcome ~is_shadowed outcome =
     only place [ "kind"; "message"; "impacts"; "until" ] outcome;
     let until = "outcome.until" in
     Time_reached (impacts (), Expression.number until (string until (get place outcome "until")))
-  | "periodic" when not is_shadowed ->
+  | kind when kind = periodic && not is_shadowed ->
     only place [ "kind"; "message"; "impacts"; "until"; "period" ] outcome;
     let place = "outcome.period" in
     let period = members place (get "outcome" outcome "period") in
@@ -271,7 +274,7 @@ let json_of_outcome claim =
     | Time_reached (n, until) ->
       common "time-reached" n @ [ ("until", number until) ]
     | Repeats (n, until, cycles, each) ->
-      common "periodic" n @ List.map (fun until -> ("until", number until)) (Option.to_list until)
+      common periodic n @ List.map (fun until -> ("until", number until)) (Option.to_list until)
       @ [ ("period", Object [ ("cycles", Number (Z.to_string cycles)); ("impacts", Number (Z.to_string each)) ]) ])
 
 let json claim =

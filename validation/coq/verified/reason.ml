@@ -71,6 +71,6 @@ let why_not_shadowed document near chain =
   | None ->
     match first_wrong_link document near chain with
     | Some reason -> reason
-    | None when not (Shadowing.check_fastest chain.chain_bits document.scene_data) ->
+    | None when not (Each.check_fastest chain.chain_bits document.scene_data) ->
       "scene.excitation.frequency: no harmonic is proved to be the fastest, in whose periods `outcome.epsilon` is"
     | None -> "outcome: not proved are its number of impacts, `until`, its bounds of the start, or that half of the impacts are within `median`"

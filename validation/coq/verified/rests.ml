@@ -161,18 +161,28 @@ let rec steps data from ~first_at ~bounds occurrences until n =
        | _ -> raise (Lost n))
     | _ -> raise (Lost n)
 
-(* How much is listed up to the first release that comes again, and from there up to the next one from its wall: as many impacts as are said. *)
-let rounds each occurrences =
-  let numbered = List.mapi (fun n o -> (n + 1, o)) occurrences in
-  let releases = List.filter_map (function n, Release_at (w, _, _) -> Some (n, w) | _ -> None) numbered in
-  let count a b = List.length (List.filter (function n, Impact_at _ -> n > a && n <= b | _ -> false) numbered) in
-  let rec first = function
+(* How much is listed up to the first release that comes again, and from there up to that: after so many forcing periods, with as many impacts, as
+   are said. *)
+let same_phase = 1e-9
+let rounds data cycles each occurrences =
+  let s = setting fine data in
+  let turn = 2.0 *. Float.pi in
+  let is_whole x = abs_float (x -. Float.round x) < same_phase in
+  let releases = List.concat (List.mapi (fun n o -> match o with
+    | Release_at (w, lower, upper) -> [ (n + 1, w, Fixed.to_float fine (middle_phase s lower upper)) ]
+    | _ -> []) occurrences) in
+  let ratios = List.map (fun { ratio; _ } -> Fixed.to_float fine ratio) s.waves in
+  let comes_again (_, w, a) (_, w', b) = w = w' && b > a && is_whole ((b -. a) /. turn)
+    && List.for_all (fun ratio -> is_whole (Float.round ((b -. a) /. turn) *. ratio)) ratios in
+  let impacts a b = List.length (List.filteri (fun n o -> n >= a && n < b && is_impact o) occurrences) in
+  let rec first before = function
     | [] -> (0, 0)
-    | (a, w) :: later ->
-      match List.find_opt (fun (_, w') -> w' = w) later with
-      | Some (b, _) when count a b = each -> (a, b - a)
-      | _ -> first later in
-  first releases
+    | ((b, _, at) as release) :: later ->
+      match List.find_opt (fun earlier -> comes_again earlier release) (List.rev before) with
+      | Some (a, _, since) ->
+        if Float.round ((at -. since) /. turn) = Z.to_float cycles && Z.equal (Z.of_int (impacts a b)) each then (a, b - a) else (0, 0)
+      | None -> first (release :: before) later in
+  first [] releases
 
 let rec nat n = if n = 0 then O else S (nat (n - 1))
 
@@ -181,7 +191,7 @@ let of_document ({ scene_data; begun; events; ended } : document) =
   let until, (before, round) = match ended with
     | Impacts_reached _ -> (None, (0, 0))
     | Time_reached (_, until) -> (Some until, (0, 0))
-    | Repeats (_, until, _, each) -> (until, if Z.fits_int each then rounds (Z.to_int each) events else (0, 0)) in
+    | Repeats (_, until, cycles, each) -> (until, rounds scene_data cycles each events) in
   match steps scene_data (Begun begun) ~first_at:(fun _ -> []) ~bounds:None events until 0 with
   | exception No_next -> None
   | origin, steps, next_one -> Some { origin; steps; next_one; rounds = (nat before, nat round) }

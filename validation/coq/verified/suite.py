@@ -32,6 +32,9 @@ INTERVALS = [({"gap": "[9.42496, 9.42498]"}, 6), ({"restitution": "[0.49, 0.5]"}
 TWO = "excitation = {{ amplitude = {0}, frequency = {1}, phase = 0 }}\npair = {{ gap = 9.42497, restitution = 0.5 }}\n" \
       'start = {{ time = 0, wall = "left", velocity = -12.56636 }}'
 COVERED = ("impacts-reached", "time-reached")
+# Two harmonics with a common period, the faster one last, and a motion that repeats.
+COMMON = 'excitation = { amplitude = [2, 0.4], frequency = ["pi", "3*pi"], phase = [0, 1] }\npair = { gap = 3, restitution = 0 }\n' \
+         'start = { time = 0, wall = "left", velocity = -1 }'
 # Documents of which corrupted copies are made.
 SPOILED = [("figure-14", ["--impacts", "8"]), ("figure-14", ["--until", "4.4"]), ("figure-14", [*SHADOWED, "--impacts", "8"]),
            ("chatter", ["--until", "12"]), ("chatter", []), ("two-tones", ["--impacts", "6"]), ("figure-17", ["--impacts", "6"]), ("figure-17", [*SHADOWED, "--impacts", "6"])]
@@ -77,9 +80,9 @@ class Suite:
 
 
 def is_covered(document):
-    """Whether a theorem covers the outcome and all events; of shadowed orbits those from a wall, with impacts alone, of repetitions those of one harmonic."""
+    """Whether a theorem covers the outcome and all events; of shadowed orbits those from a wall, with impacts alone, of repetitions those with frequencies in rationals and pi."""
     is_shadowed = document["claim"] == "shadowed"
-    repeats = not is_shadowed and document["outcome"]["kind"] == "periodic" and len(document["scene"]["excitation"]["amplitude"]) == 1
+    repeats = not is_shadowed and document["outcome"]["kind"] == "periodic" and "sqrt" not in str(document["scene"]["excitation"]["frequency"])
     starts, events = not is_shadowed or "wall" in document["scene"]["start"], ("impact",) if is_shadowed else ("impact", "rest", "release")
     return starts and (repeats or document["outcome"]["kind"] in COVERED) and all(event["event"] in events for event in document["events"])
 
@@ -197,6 +200,18 @@ def r43_periods(suite):
         suite.failures.append(f"epsilon of an orbit of two harmonics: refused at halving {least[0]} with the fastest first, {least[1]} with it last")
 
 
+def common_periods(suite):
+    """A period of several harmonics is that of the fastest one, wherever it stands in the list."""
+    document = suite.run("-", ["--impacts", "30"], COMMON)
+    if document["outcome"]["kind"] != "periodic" or (said := suite.answer(json.dumps(document).encode())[1]) != "verified":
+        suite.failures.append(f"two harmonics with a common period: {document['outcome']}, {said}")
+    for key, other in (("cycles", 1 / 3), ("cycles", 3), ("cycles", 2), ("impacts", 2)):
+        copy = json.loads(json.dumps(document))
+        copy["outcome"] |= {"message": "", "period": {**document["outcome"]["period"], key: int(document["outcome"]["period"][key] * other)}}
+        if suite.answer(json.dumps(copy).encode())[0] == "verified":
+            suite.failures.append(f"two harmonics with a common period: {copy['outcome']['period']} is verified")
+
+
 def forged(suite, folder):
     """The forgeries of `tests/forger` (FORGER_FOLDER), named by what `check` says: only those true after all may be verified."""
     documents = sorted(Path(folder).glob("*.json")) if folder else []
@@ -262,6 +277,7 @@ def main():
     arguments = parser.parse_args()
     suite, quick = Suite(arguments.program, arguments.verified), arguments.quick
     r43_periods(suite)
+    common_periods(suite)
     rows, times, spoiled = right(suite, quick), fast(suite, quick), wrong(suite, quick)
     boxes, (made, accepted) = intervals(suite, quick), random_scenes(suite, quick)
     (mutated, still), refused, coq = changed(suite, quick), unreadable(suite, quick), same_as_coq(suite, quick)
