@@ -112,6 +112,27 @@ Proof.
     rewrite (IHa _ _ eq_refl), (IHb _ _ eq_refl), (zero _ z2), !Q2R_div by exact n0. field.
     intros eq. apply n0, eqR_Qeq. rewrite eq. symmetry. exact q0.
 Qed.
+(* A number as a rational multiple of another one, as it is written. *)
+Fixpoint multiple (n : number) : Q * number :=
+  match n with
+  | Times a b => match a, b with
+    | Rational q, _ => let (r, x) := multiple b in ((q * r)%Q, x)
+    | _, Rational q => let (r, x) := multiple a in ((r * q)%Q, x)
+    | _, _ => (1%Q, n) end
+  | Over a b => match b with
+    | Rational q => if Qeq_bool q 0 then (1%Q, n) else let (r, x) := multiple a in ((r / q)%Q, x)
+    | _ => (1%Q, n) end
+  | _ => (1%Q, n)
+  end.
+Lemma multiple_sound n : value n = Q2R (fst (multiple n)) * value (snd (multiple n)).
+Proof.
+  assert (q1 : Q2R 1 = 1) by (unfold Q2R; cbn; lra). assert (once : forall m, value m = Q2R (fst (1%Q, m)) * value (snd (1%Q, m))) by (intros m; cbn [fst snd]; rewrite q1; ring).
+  induction n as [q| |a IHa b IHb|a IHa b IHb|a IHa b IHb|a IHa b IHb|a IHa|a IHa|a IHa]; try apply once.
+  - cbn [multiple]. destruct (multiple a) as [r1 x1], (multiple b) as [r2 x2]. cbn [fst snd] in IHa, IHb.
+    destruct a; try (destruct b; try apply once); cbn [fst snd value] in *; rewrite Q2R_mult; rewrite ?IHa, ?IHb; ring.
+  - cbn [multiple]. destruct b; try apply once. destruct (Qeq_bool q 0) eqn:z; [apply once|]. destruct (multiple a) as [r1 x1]. cbn [fst snd value] in *.
+    assert (n0 : ~ (q == 0)%Q) by (intros eq; apply Qeq_bool_iff in eq; congruence). rewrite Q2R_div by exact n0. rewrite IHa. unfold Rdiv. ring.
+Qed.
 (* Whole half turns. *)
 Definition half_turns (n : number) : bool :=
   match linear n with Some (x, y) => Qeq_bool x 0 && (Qnum y mod Zpos (Qden y) =? 0)%Z | None => false end.

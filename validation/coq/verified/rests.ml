@@ -87,9 +87,11 @@ let release s (first : start) held =
   let th = Z.shift_left first.start_t (s.bits - q) in
   let _, jerk = pressing s th in
   let falls = min falls_for (0.4 *. abs_float (Fixed.to_float s.bits jerk) /. total s 4.0) in
-  { release_bits = Z.of_int (q + working_spare + size th s); release_scale = first.start_scale;
-    held_from = Z.sub (Hints.floor_at ~bits:fine ~scale:q held) (Z.of_int 2); ceases = first.start_t;
-    ceases_by = first.start_rt; falls_by = Z.max first.start_rt (Hints.of_float q falls) }
+  let held_from = Z.sub (Hints.floor_at ~bits:fine ~scale:q held) (Z.of_int 2) in
+  (* Not from before the rest. *)
+  let falls = Z.min (Hints.of_float q falls) (Z.shift_right (Z.sub first.start_t held_from) 1) in
+  { release_bits = Z.of_int (q + working_spare + size th s); release_scale = first.start_scale; held_from; ceases = first.start_t;
+    ceases_by = first.start_rt; falls_by = Z.max first.start_rt falls }
 
 (* Bits that are wanting for a release within its bounds; none where these are one number. *)
 let bits_of_bounds = 2048

@@ -80,9 +80,9 @@ class Suite:
 
 
 def is_covered(document):
-    """Whether a theorem covers the outcome and all events; of shadowed orbits those from a wall, with impacts alone, of repetitions those with frequencies in rationals and pi."""
+    """Whether a theorem covers the outcome and all events; of shadowed orbits those from a wall, with impacts alone."""
     is_shadowed = document["claim"] == "shadowed"
-    repeats = not is_shadowed and document["outcome"]["kind"] == "periodic" and "sqrt" not in str(document["scene"]["excitation"]["frequency"])
+    repeats = not is_shadowed and document["outcome"]["kind"] == "periodic"
     starts, events = not is_shadowed or "wall" in document["scene"]["start"], ("impact",) if is_shadowed else ("impact", "rest", "release")
     return starts and (repeats or document["outcome"]["kind"] in COVERED) and all(event["event"] in events for event in document["events"])
 
