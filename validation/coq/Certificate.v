@@ -607,7 +607,10 @@ Qed.
 (* A flight, its impact as printed, and the launch from there. *)
 Lemma landed_sound b leg printed l : launched b l -> departs leg (place l / A s) (phase s (since l)) (unit_speed s (speed l)) ->
   check_course b leg = true -> check_arrival b leg printed = true ->
-  exists i, reaches s l i /\ within printed i /\ wall_of i = hits leg /\ launched (landed leg) (rebound s i).
+  exists i, reaches s l i /\ within printed i /\ wall_of i = hits leg /\
+    grid (scale leg) (t leg - rt leg) <= phase s (time i) <= grid (scale leg) (t leg + rt leg) /\
+    grid (scale leg) (v leg - rv leg) <= unit_speed s (velocity i) <= grid (scale leg) (v leg + rv leg) /\
+    launched (landed leg) (rebound s i).
 Proof.
   intros (thc & uc & inb) left_ course check. unfold check_arrival in check. cbv zeta in check.
   destruct (course_sound b leg l thc uc inb left_ course) as (i & reach & same & r1 & onwall & vel & _).
@@ -622,7 +625,7 @@ Proof.
   set (y := place l / A s) in *.
   assert (speed_in := holds_arrival gamma y th0 u thc uc os p OS hos _ (holds_gamma p) b inb c _ ap q _ sp (hits leg) (t leg) (rt leg) (tilt leg) _ rt0 r1 onwall).
   assert (r2 := between_sound _ _ _ _ _ _ k0 speed_in). rewrite <- vel in r2.
-  exists i. split; [exact reach|]. split; [|split; [exact same|]].
+  exists i. split; [exact reach|]. split; [|split; [exact same|split; [exact r1|split; [exact r2|]]]].
   - apply (shown_sound p q lo hi (v leg - rv leg) (v leg + rv leg)); try assumption. rewrite same.
     destruct (hits leg), (on printed); congruence.
   - exists (grid q (t leg)), (- e s * grid q (v leg)).
@@ -637,13 +640,21 @@ Lemma leg_departs b leg l : launched b l -> check_departure (known_in (bits leg)
   departs leg (place l / A s) (phase s (since l)) (unit_speed s (speed l)).
 Proof. intros (thc & uc & inb) check. exact (departure_sound (known_in (bits leg)) b leg (d s / A s) _ _ _ thc uc (holds_known (bits leg)) inb check). Qed.
 
+Lemma leg_sound b leg printed l : launched b l -> check_leg b leg printed = true ->
+  exists i, reaches s l i /\ within printed i /\ wall_of i = hits leg /\
+    grid (scale leg) (t leg - rt leg) <= phase s (time i) <= grid (scale leg) (t leg + rt leg) /\
+    grid (scale leg) (v leg - rv leg) <= unit_speed s (velocity i) <= grid (scale leg) (v leg + rv leg) /\
+    launched (landed leg) (rebound s i).
+Proof.
+  unfold check_leg, check_flight. intros inb check. split_checks. exact (landed_sound b leg printed l inb (leg_departs _ _ _ inb k0) k check).
+Qed.
+
 Lemma legs_sound legs : forall printed b l, launched b l -> check_legs b legs printed = true ->
   exists orbit, follows s l orbit /\ Forall2 within printed orbit.
 Proof.
   induction legs as [|leg legs IH]; intros [|i printed] b l inb check; cbn [check_legs] in check; try discriminate.
   - exists []. split; [exact I|constructor].
-  - unfold check_leg, check_flight in check. split_checks.
-    destruct (landed_sound b leg i l inb (leg_departs _ _ _ inb k1) k0 k) as (j & reach & inside & _ & landed_in).
+  - split_checks. destruct (leg_sound b leg i l inb k) as (j & reach & inside & _ & _ & _ & landed_in).
     destruct (IH printed _ _ landed_in check) as (orbit & f & a).
     exists (j :: orbit). split; [split; assumption|constructor; assumption].
 Qed.

@@ -358,7 +358,7 @@ Proof.
   - destruct a as [b clear|w X], x as [l|w' t0]; try destruct here; try (destruct step; discriminate);
       destruct step as [leg|r|r]; try discriminate; destruct o as [y|w1 lower upper bounces|w1 lower upper]; try discriminate.
     + split_checks. destruct (landed_sound param s described A_positive W_positive b leg (shown y) l H (flies_sound b clear l leg H H0 k) k0 k1)
-        as (i & reach & inside & _ & next_in).
+        as (i & reach & inside & _ & _ & _ & next_in).
       destruct (IH (In_flight (landed param leg) None) listed (Flying (rebound s i)) (conj next_in I) check) as (motion & g & all).
       exists (Hits i :: motion). split; [split; [exact reach|exact g]|constructor; [exact inside|exact all]].
     + split_checks. destruct (rest_sound (rest_bits r) (rest_scale r) b l w1 lower upper bounces r H k) as (t1 & happened & inside & phase_in).
