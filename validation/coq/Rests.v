@@ -2,7 +2,7 @@
 From Coq Require Import Reals Lra List ZArith QArith Qreals Bool Lia.
 From Coquelicot Require Import Coquelicot.
 From Interval Require Import Real.Xreal Float.Sig.
-From ImpactPair Require Import Model Step Motion Certificate Document Orbit.
+From ImpactPair Require Import Model Step Motion Certificate Document Turns Orbit.
 From ImpactPair Require Chatter.
 Open Scope R_scope.
 Import ListNotations.
@@ -383,21 +383,6 @@ Definition check_until (p : positive) (until : option number) (listed : list occ
       is_positive (sub p (enclose p (Rational (earliest next))) (enclose p T))
   | _, _ => false
   end.
-(* A harmonic makes a whole number of turns in so many periods of the reference: both frequencies are a + b pi, or multiples of one number. *)
-Definition turns_of (cycles : Z) (a b : Q) : Z := let q := (a * inject_Z cycles / b)%Q in (Qnum q / Zpos (Qden q))%Z.
-Definition are_turns (cycles m : Z) (a b : Q) : bool := Qeq_bool (a * inject_Z cycles) (inject_Z m * b).
-Definition whole_turns (cycles : Z) (w0 w1 : number) : option Z :=
-  let (q0, u0) := multiple w0 in let (q1, u1) := multiple w1 in let m := turns_of cycles q1 q0 in
-  if same u0 u1 && are_turns cycles m q1 q0 then Some m
-  else match linear w0, linear w1 with
-    | Some (x0, y0), Some (x1, y1) =>
-      let m := if Qeq_bool y0 0 then turns_of cycles x1 x0 else turns_of cycles y1 y0 in
-      if are_turns cycles m x1 x0 && are_turns cycles m y1 y0 then Some m else None
-    | _, _ => None
-    end.
-Definition check_turns (param : data) (cycles : Z) (x : tone) : bool :=
-  same (least (frequency param)) (most (frequency param)) && same (least (frequency x)) (most (frequency x)) &&
-  match whole_turns cycles (least (frequency param)) (least (frequency x)) with Some _ => true | None => false end.
 (* Two rests on one wall, the first seen so many forcing periods later, have a time in common: so do their releases. *)
 Definition check_repeats (p : positive) (param : data) (listed : list occurrence) (cycles each : Z) (rounds : nat * nat) : bool :=
   let before := firstn (fst rounds) listed in let round := firstn (snd rounds) (skipn (fst rounds) listed) in
@@ -421,38 +406,6 @@ Lemma shown_times o h : shows o h -> Q2R (earliest o) <= moment h <= Q2R (latest
 Proof.
   destruct o as [x|w a b c|w a b], h as [i|w' t c'|w' t]; cbn [shows earliest latest moment]; try tauto.
   intros (_ & r & _). exact r.
-Qed.
-
-Lemma whole_turns_sound cycles w0 w1 m : whole_turns cycles w0 w1 = Some m -> value w1 * IZR cycles = IZR m * value w0.
-Proof.
-  assert (equal : forall m a b, are_turns cycles m a b = true -> Q2R a * IZR cycles = IZR m * Q2R b).
-  { intros k a b h. apply Qeq_bool_eq, Qeq_eqR in h. rewrite !Q2R_mult in h.
-    assert (inject : forall z, Q2R (inject_Z z) = IZR z) by (intros z; unfold Q2R; cbn; field). rewrite !inject in h. exact h. }
-  unfold whole_turns. assert (k0 := multiple_sound w0). assert (k1 := multiple_sound w1).
-  destruct (multiple w0) as [q0 u0], (multiple w1) as [q1 u1]. cbn [fst snd] in k0, k1. cbv zeta.
-  destruct (same u0 u1 && are_turns cycles (turns_of cycles q1 q0) q1 q0) eqn:one.
-  - intros h. injection h as <-. apply andb_prop in one as [unit_of h]. apply same_sound in unit_of. subst u1. apply equal in h. rewrite k0, k1.
-    replace (Q2R q1 * value u0 * IZR cycles) with (Q2R q1 * IZR cycles * value u0) by ring. rewrite h. ring.
-  - destruct (linear w0) as [[x0 y0]|] eqn:l0; [|discriminate]. destruct (linear w1) as [[x1 y1]|] eqn:l1; [|discriminate].
-    destruct (are_turns _ _ x1 x0 && are_turns _ _ y1 y0) eqn:both; [|discriminate]. intros h. injection h as <-. apply andb_prop in both as [e1 e2].
-    apply equal in e1, e2. rewrite (linear_sound _ _ _ l0), (linear_sound _ _ _ l1).
-    replace ((Q2R x1 + Q2R y1 * PI) * IZR cycles) with (Q2R x1 * IZR cycles + Q2R y1 * IZR cycles * PI) by ring. rewrite e1, e2. ring.
-Qed.
-Lemma turns_sound param s (described : describes param s) (W_positive : 0 < W s) cycles : forallb (check_turns param cycles) (further param) = true ->
-  recurs s (IZR cycles * period s).
-Proof.
-  intros check h [<-|i].
-  { exists cycles. unfold period. field. lra. }
-  rewrite forallb_forall in check. destruct described as ((_ & lead & _) & rest & _).
-  assert (each : forall x, In x (further param) -> forall h, describes_harmonic x h -> exists n, W h * (IZR cycles * period s) = IZR n * (2 * PI)).
-  { intros x j k (_ & w & _). specialize (check x j). unfold check_turns in check. apply andb_prop in check as [check turns_]. apply andb_prop in check as [one one'].
-    apply same_sound in one, one'. unfold among in lead, w. rewrite <- one in lead. rewrite <- one' in w.
-    destruct (whole_turns cycles _ _) as [m|] eqn:found in turns_; [|discriminate]. apply whole_turns_sound in found. exists m.
-    assert (same_turns : W k * IZR cycles = IZR m * W s).
-    { replace (W k) with (value (least (frequency x))) by lra. replace (W s) with (value (least (frequency param))) by lra. exact found. }
-    unfold period. replace (W k * (IZR cycles * (2 * PI / W s))) with (W k * IZR cycles * (2 * PI / W s)) by ring. rewrite same_turns. field. lra. }
-  clear - rest each i. induction rest as [|x k xs ks r rest IH]; [destruct i|]. destruct i as [<-|i]; [exact (each x (or_introl eq_refl) k r)|].
-  apply IH; [exact i|intros y j; apply each; right; exact j].
 Qed.
 
 Lemma repeats_sound p param s (described : describes param s) (W_positive : 0 < W s) x listed motion cycles each rounds :
