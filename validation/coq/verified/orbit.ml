@@ -337,8 +337,8 @@ let claim claimed =
     | Exact _ ->
       Printf.sprintf "from every start that the scene allows there is exactly one motion with this sequence of %s, %s and %s: each impact is the first \
         contact after what is listed before it; a rest with `skipped` comes after infinitely many impacts on its wall, each the first contact after the one \
-        before, whose times tend to that of the rest and whose velocities tend to 0, any other one at once; from a rest to its release the wall presses the \
-        ball, and then no more; %s" (impacts n) rests releases listed
+        before, whose times tend to that of the rest and whose velocities tend to 0, any other one at once; from a rest to its release the contact force is \
+        positive, and not after it; %s" (impacts n) rests releases listed
     | Shadowed (_, { start_times; start_velocities; half_within; all_within }) ->
       let spell = Expression.spell in
       let bounds (lower, upper) = Printf.sprintf "from %s to %s" (spell lower) (spell upper) in
