@@ -44,7 +44,7 @@ the claims with its verdict, or among those not checked. Ctrl-C keeps what is pr
 
 With --verified the program impact-pair-verified answers, if it is beside impact-pair or on PATH: its checker is \
 extracted from a proof in Coq. It prints what an orbit JSON claims, and that it is verified, or why not: a document \
-that claims more than the theorem covers, such as a rest, is not verified.
+that claims more than the theorem covers, such as a graze, is not verified.
 
 Exit code: 0 every claim is proved again, except those named as not checked; 1 a claim is refuted or undecided, or not \
 verified; 2 usage, bad input, I/O.";

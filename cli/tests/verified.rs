@@ -34,7 +34,7 @@ fn answering(name: &str, answer: &str, code: u8) -> Command {
 #[test]
 fn the_answer_is_passed_on() {
     assert_cmd_snapshot!("verified", answering("verified", "claim: an orbit\\nverified", 0));
-    let reason = "not verified: events[3] is a rest: covered are impacts";
+    let reason = "not verified: events[3] is a graze: covered are impacts, rests and releases";
     assert_cmd_snapshot!("not_verified", answering("not-verified", reason, 1));
     assert_cmd_snapshot!("unreadable", answering("unreadable", "unreadable: schema is missing", 2));
 }

@@ -77,3 +77,13 @@ def test_a_shadowed_orbit(monkeypatch):
     document["outcome"]["epsilon"]["median"] = "1e-30"
     document["outcome"]["message"] = ""
     assert not impact_pair.verify(document)
+
+
+@pytest.mark.skipif(not BUILT.exists(), reason="validation/coq/verified/build has not run")
+def test_a_rest_and_its_release(monkeypatch):
+    monkeypatch.setenv("PATH", str(BUILT.parent))
+    document = impact_pair.Scene.named("chatter").run(until=12).document
+    assert "infinitely many impacts" in str(impact_pair.verify(document))
+    assert [event["event"] for event in document["events"][16:18]] == ["rest", "release"]
+    document["events"][16]["time"] = document["events"][14]["time"]
+    assert not impact_pair.verify(document)

@@ -114,6 +114,8 @@ Definition box_rate_over (m : Z) (X : I.type) : I.type :=
   total (cosine p m X) (fun O k P => mul p (mul p (Share O) (Ratio O)) (cosine p k P)) X.
 Definition box_bend_over (m : Z) (X : I.type) : I.type :=
   total (sine p m X) (fun O k P => mul p (mul p (mul p (Share O) (Ratio O)) (Ratio O)) (sine p k P)) X.
+Definition box_jerk_over (m : Z) (X : I.type) : I.type :=
+  total (cosine p m X) (fun O k P => mul p (mul p (mul p (mul p (Share O) (Ratio O)) (Ratio O)) (Ratio O)) (cosine p k P)) X.
 
 Lemma holds_total first f term part X x : holds first f -> holds X x ->
   (forall O o k P, knows O o -> holds P (companion_phase o x) -> holds (term O k P) (part o)) ->
@@ -127,6 +129,8 @@ Proof. intros h. refine (holds_total _ _ _ _ _ x _ h _); [enclose|]. intros O o 
 Lemma holds_box_rate m X x : holds X x -> holds (box_rate_over m X) (box_rate os x).
 Proof. intros h. refine (holds_total _ _ _ _ _ x _ h _); [enclose|]. intros O o k P (hs & hr & hl) hp. enclose. Qed.
 Lemma holds_box_bend m X x : holds X x -> holds (box_bend_over m X) (box_bend os x).
+Proof. intros h. refine (holds_total _ _ _ _ _ x _ h _); [enclose|]. intros O o k P (hs & hr & hl) hp. enclose. Qed.
+Lemma holds_box_jerk m X x : holds X x -> holds (box_jerk_over m X) (box_jerk os x).
 Proof. intros h. refine (holds_total _ _ _ _ _ x _ h _); [enclose|]. intros O o k P (hs & hr & hl) hp. enclose. Qed.
 End Excitation.
 
@@ -418,17 +422,18 @@ Definition check_departure (OS : list known) (b : box) (l : leg) : bool :=
      else is_not_negative (I.neg (sided w (U b))) &? sweep (pressed_over c OS q rough w) depth low (depart l))
   end.
 
-(* The flight of all launches of a box: its first contact is on the leg's wall, in the leg's bracket of phases. *)
-Definition check_flight (b : box) (l : leg) : bool :=
+(* The flight of all launches of a box, once they have departed: its first contact is on the leg's wall, in the leg's bracket of phases. *)
+Definition check_course (b : box) (l : leg) : bool :=
   let p := bits l in let c := coarse l in let q := scale l in let w := hits l in let OS := known_in p in
   let G := gamma_in p in let step := unit_step p q in let rough := unit_step c q in
   let a := look p OS b c in let ac := look c OS b c in let lo := (t l - rt l)%Z in let hi := (t l + rt l)%Z in
   (0 <=? rt l)%Z &? (depart l <=? approach l)%Z &? (approach l <=? lo)%Z &?
-  is_positive (sub p (point p step lo) (T b)) &? check_departure OS b l &?
+  is_positive (sub p (point p step lo) (T b)) &?
   sweep (inside_over c OS (gamma_in c) b ac q rough) depth (depart l) (approach l) &?
   sweep (inwards_over c OS b ac q rough (opposite w)) depth (approach l) hi &?
   is_positive (I.neg (sided w (add p (offset p G b w) (rise_at p OS b a q step lo)))) &?
   is_not_negative (sided w (add p (offset p G b w) (rise_at p OS b a q step hi))).
+Definition check_flight (b : box) (l : leg) : bool := check_departure (known_in (bits l)) b l &? check_course b l.
 
 (* The phase at a time, and velocities of unit speeds. *)
 Definition phase_over (p : positive) (time : I.type) : I.type :=
@@ -443,19 +448,22 @@ Definition check_shown (p : positive) (step : I.type) (lo hi slow fast : Z) (pri
   bounded p (phase_over p (known (time_lower printed))) TH (phase_over p (known (time_upper printed))) &?
   bounded p (known (velocity_lower printed)) V (known (velocity_upper printed)).
 
-Definition check_leg (b : box) (l : leg) (printed : bounds) : bool :=
+(* Its velocity on arrival; and all that is printed of it. *)
+Definition check_arrival (b : box) (l : leg) (printed : bounds) : bool :=
   let p := bits l in let c := coarse l in let q := scale l in let w := hits l in let OS := known_in p in
   let step := unit_step p q in let a := look p OS b c in let lo := (t l - rt l)%Z in let hi := (t l + rt l)%Z in
-  (0 <=? rv l)%Z &? check_flight b l &?
+  (0 <=? rv l)%Z &?
   between p step (arrival p OS (gamma_in p) b c a q step w (t l) (rt l) (tilt l)) (v l - rv l) (v l + rv l) &?
   match w, on printed with left, left | right, right => true | _, _ => false end &?
   check_shown p step lo hi (v l - rv l) (v l + rv l) printed.
+Definition check_leg (b : box) (l : leg) (printed : bounds) : bool := check_flight b l &? check_arrival b l printed.
+Definition landed (l : leg) : box :=
+  landing (bits l) (enclose_range (bits l) (restitution param)) (hits l) (scale l) (t l) (rt l) (v l) (rv l).
 
 Fixpoint check_legs (b : box) (legs : list leg) (printed : list bounds) : bool :=
   match legs, printed with
   | [], [] => true
-  | l :: legs, i :: printed => check_leg b l i &?
-    check_legs (landing (bits l) (enclose_range (bits l) (restitution param)) (hits l) (scale l) (t l) (rt l) (v l) (rv l)) legs printed
+  | l :: legs, i :: printed => check_leg b l i &? check_legs (landed l) legs printed
   | _, _ => false
   end.
 
@@ -504,15 +512,19 @@ Proof.
     assert (0 <= grid q (approach l) - th0) by (apply (is_not_negative_sound _ _ check); enclose). lra.
 Qed.
 
-Lemma flight_sound b leg l thc uc : in_box (d s / A s) (place l / A s) (phase s (since l)) (unit_speed s (speed l)) thc uc b ->
-  check_flight b leg = true -> exists i, reaches s l i /\ wall_of i = hits leg /\
+(* What a departure has to show. *)
+Definition departs (leg : leg) (y th0 u : R) : Prop := exists ta, (ta = th0 \/ exists w0, y = side w0 * (d s / A s / 2) /\ leaves (companions s) w0 th0 u ta) /\
+  th0 <= ta /\ grid (scale leg) (depart leg) <= ta /\ (ta <= grid (scale leg) (approach leg) \/ ta = grid (scale leg) (depart leg)).
+
+Lemma course_sound b leg l thc uc : in_box (d s / A s) (place l / A s) (phase s (since l)) (unit_speed s (speed l)) thc uc b ->
+  departs leg (place l / A s) (phase s (since l)) (unit_speed s (speed l)) -> check_course b leg = true -> exists i, reaches s l i /\ wall_of i = hits leg /\
     grid (scale leg) (t leg - rt leg) <= phase s (time i) <= grid (scale leg) (t leg + rt leg) /\
     place l / A s + rise (companions s) (phase s (since l)) (unit_speed s (speed l)) (phase s (time i)) = side (hits leg) * (d s / A s / 2) /\
     unit_speed s (velocity i) = rate (companions s) (phase s (since l)) (unit_speed s (speed l)) (phase s (time i)) /\
     forall th, grid (scale leg) (t leg - rt leg) <= th <= grid (scale leg) (t leg + rt leg) ->
       0 < side (hits leg) * rate (companions s) (phase s (since l)) (unit_speed s (speed l)) th.
 Proof.
-  intros inb check. unfold check_flight in check. cbv zeta in check.
+  intros inb left_ check. unfold check_course in check. cbv zeta in check.
   set (p := bits leg) in *. set (c := coarse leg) in *. set (q := scale leg) in *.
   set (lo := (t leg - rt leg)%Z) in *. set (hi := (t leg + rt leg)%Z) in *.
   assert (Gp := holds_gamma p). assert (Gc := holds_gamma c).
@@ -529,13 +541,13 @@ Proof.
   apply (grid_le q) in order1. apply (grid_le q) in order2.
   assert (order3 : grid q lo <= grid q hi) by (apply grid_le; unfold lo, hi; lia).
   assert (order4 : 0 < grid q lo - th0) by (apply (is_positive_sound _ _ k2); enclose).
-  destruct (departure_sound OS b leg gamma y th0 u thc uc hos inb k3) as (ta & departs & o1 & o2 & o3). fold q in o2, o3.
+  destruct left_ as (ta & departs & o1 & o2 & o3). fold q in o2, o3.
   assert (off := holds_offset gamma y th0 u thc uc p _ Gp b inb (hits leg)).
   assert (low := holds_rise_at gamma y th0 u thc uc os p OS hos b inb _ ap q _ sp lo).
   assert (high := holds_rise_at gamma y th0 u thc uc os p OS hos b inb _ ap q _ sp hi).
   assert (arriving : forall th, grid q (approach leg) <= th <= grid q hi -> 0 < side (hits leg) * rate os th0 u th).
   { intros th r. replace (side (hits leg)) with (- side (opposite (hits leg))) by (destruct (hits leg); cbn; ring).
-    refine (sweep_sound q _ (fun x => 0 < - side (opposite (hits leg)) * rate os th0 u x) _ _ _ _ k5 th _); [|lra].
+    refine (sweep_sound q _ (fun x => 0 < - side (opposite (hits leg)) * rate os th0 u x) _ _ _ _ k4 th _); [|lra].
     intros i j h x rx. exact (inwards_sound _ _ _ _ _ _ _ _ _ hos _ inb _ ac q _ sc _ _ _ h x rx). }
   destruct (flight s A_positive W_positive l (hits leg) ta (grid q (approach leg)) (grid q lo) (grid q hi)) as (i & reach & same & r1 & onwall & vel).
   - fold th0. destruct o3; lra.
@@ -543,17 +555,29 @@ Proof.
   - fold th0. lra.
   - replace (d s / A s / 2) with (gamma / 2) by reflexivity. exact departs.
   - fold th0 u y os. intros th r. replace (d s / A s / 2) with (gamma / 2) by reflexivity.
-    refine (sweep_sound q _ (fun x => Rabs (y + rise os th0 u x) < gamma / 2) _ _ _ _ k4 th _); [|lra].
+    refine (sweep_sound q _ (fun x => Rabs (y + rise os th0 u x) < gamma / 2) _ _ _ _ k3 th _); [|lra].
     intros i j h x rx. exact (inside_sound _ _ _ _ _ _ _ _ _ hos _ Gc _ inb _ ac q _ sc _ _ h x rx).
   - fold th0 u os. exact arriving.
   - fold th0 u y os. replace (d s / A s / 2) with (gamma / 2) by reflexivity.
-    assert (0 < - (side (hits leg) * (y - side (hits leg) * (gamma / 2) + rise os th0 u (grid q lo)))) by (apply (is_positive_sound _ _ k6); enclose).
+    assert (0 < - (side (hits leg) * (y - side (hits leg) * (gamma / 2) + rise os th0 u (grid q lo)))) by (apply (is_positive_sound _ _ k5); enclose).
     destruct (hits leg); cbn [side] in *; lra.
   - fold th0 u y os. replace (d s / A s / 2) with (gamma / 2) by reflexivity.
     assert (0 <= side (hits leg) * (y - side (hits leg) * (gamma / 2) + rise os th0 u (grid q hi))) by (apply (is_not_negative_sound _ _ high_check); enclose).
     destruct (hits leg); cbn [side] in *; lra.
   - exists i. split; [exact reach|]. split; [exact same|]. split; [exact r1|]. split; [exact onwall|]. split; [exact vel|].
     intros th r. apply arriving. lra.
+Qed.
+
+Lemma flight_sound b leg l thc uc : in_box (d s / A s) (place l / A s) (phase s (since l)) (unit_speed s (speed l)) thc uc b ->
+  check_flight b leg = true -> exists i, reaches s l i /\ wall_of i = hits leg /\
+    grid (scale leg) (t leg - rt leg) <= phase s (time i) <= grid (scale leg) (t leg + rt leg) /\
+    place l / A s + rise (companions s) (phase s (since l)) (unit_speed s (speed l)) (phase s (time i)) = side (hits leg) * (d s / A s / 2) /\
+    unit_speed s (velocity i) = rate (companions s) (phase s (since l)) (unit_speed s (speed l)) (phase s (time i)) /\
+    forall th, grid (scale leg) (t leg - rt leg) <= th <= grid (scale leg) (t leg + rt leg) ->
+      0 < side (hits leg) * rate (companions s) (phase s (since l)) (unit_speed s (speed l)) th.
+Proof.
+  intros inb check. unfold check_flight in check. split_checks. refine (course_sound b leg l thc uc inb _ check).
+  exact (departure_sound (known_in (bits leg)) b leg (d s / A s) _ _ _ thc uc (holds_known (bits leg)) inb k).
 Qed.
 
 Lemma holds_phase_over p T t : holds T t -> holds (phase_over p T) (phase s t).
@@ -580,27 +604,49 @@ Proof.
   unfold within, phase in *. rewrite same. repeat split; nra.
 Qed.
 
-Lemma leg_sound b legs printed l : launched b l -> check_leg b legs printed = true ->
-  exists i, reaches s l i /\ within printed i /\ wall_of i = hits legs /\
-    grid (scale legs) (t legs - rt legs) <= phase s (time i) <= grid (scale legs) (t legs + rt legs) /\
-    grid (scale legs) (v legs - rv legs) <= unit_speed s (velocity i) <= grid (scale legs) (v legs + rv legs).
+(* A flight, its impact as printed, and the launch from there. *)
+Lemma landed_sound b leg printed l : launched b l -> departs leg (place l / A s) (phase s (since l)) (unit_speed s (speed l)) ->
+  check_course b leg = true -> check_arrival b leg printed = true ->
+  exists i, reaches s l i /\ within printed i /\ wall_of i = hits leg /\
+    grid (scale leg) (t leg - rt leg) <= phase s (time i) <= grid (scale leg) (t leg + rt leg) /\
+    grid (scale leg) (v leg - rv leg) <= unit_speed s (velocity i) <= grid (scale leg) (v leg + rv leg) /\
+    launched (landed leg) (rebound s i).
 Proof.
-  intros (thc & uc & inb) check. unfold check_leg in check. cbv zeta in check.
-  set (p := bits legs) in *. set (c := coarse legs) in *. set (q := scale legs) in *.
-  set (lo := (t legs - rt legs)%Z) in *. set (hi := (t legs + rt legs)%Z) in *.
+  intros (thc & uc & inb) left_ course check. unfold check_arrival in check. cbv zeta in check.
+  destruct (course_sound b leg l thc uc inb left_ course) as (i & reach & same & r1 & onwall & vel & _).
+  assert (rt0 : (0 <= rt leg)%Z) by (apply Z.leb_le; unfold check_course in course; cbv zeta in course; split_checks; reflexivity).
+  set (p := bits leg) in *. set (c := coarse leg) in *. set (q := scale leg) in *.
+  set (lo := (t leg - rt leg)%Z) in *. set (hi := (t leg + rt leg)%Z) in *.
   assert (sp := unit_step_holds p q).
   set (OS := known_in p) in *. set (os := companions s) in *. assert (hos : Forall2 knows OS os) by apply holds_known.
   assert (ap := look_seen _ _ _ _ _ _ _ p _ c b hos inb).
-  split_checks.
-  destruct (flight_sound b legs l thc uc inb k0) as (i & reach & same & r1 & onwall & vel & _). fold q in r1. fold os in onwall, vel.
-  assert (rt0 : (0 <= rt legs)%Z) by (apply Z.leb_le; unfold check_flight in k0; cbv zeta in k0; split_checks; reflexivity).
+  split_checks. assert (rv0 : (0 <= rv leg)%Z) by (apply Z.leb_le; assumption).
   set (th0 := phase s (since l)) in *. set (u := unit_speed s (speed l)) in *. set (gamma := d s / A s) in *.
   set (y := place l / A s) in *.
-  assert (speed_in := holds_arrival gamma y th0 u thc uc os p OS hos _ (holds_gamma p) b inb c _ ap q _ sp (hits legs) (t legs) (rt legs) (tilt legs) _ rt0 r1 onwall).
-  assert (r2 := between_sound _ _ _ _ _ _ k1 speed_in). rewrite <- vel in r2.
-  exists i. split; [exact reach|]. split; [|repeat split; try assumption; apply r1 || apply r2].
-  apply (shown_sound p q lo hi (v legs - rv legs) (v legs + rv legs)); try assumption. rewrite same.
-  destruct (hits legs), (on printed); congruence.
+  assert (speed_in := holds_arrival gamma y th0 u thc uc os p OS hos _ (holds_gamma p) b inb c _ ap q _ sp (hits leg) (t leg) (rt leg) (tilt leg) _ rt0 r1 onwall).
+  assert (r2 := between_sound _ _ _ _ _ _ k0 speed_in). rewrite <- vel in r2.
+  exists i. split; [exact reach|]. split; [|split; [exact same|split; [exact r1|split; [exact r2|]]]].
+  - apply (shown_sound p q lo hi (v leg - rv leg) (v leg + rv leg)); try assumption. rewrite same.
+    destruct (hits leg), (on printed); congruence.
+  - exists (grid q (t leg)), (- e s * grid q (v leg)).
+    assert (E := holds_range p _ _ (proj2 (proj2 (proj2 described)))).
+    assert (h := landing_in p _ (hits leg) _ _ _ _ _ gamma _ _ _ rt0 rv0 E r1 r2).
+    cbn [rebound place since speed]. rewrite same. fold gamma.
+    replace (plane s (hits leg) / A s) with (side (hits leg) * (gamma / 2)) by (unfold plane, gamma; field; lra).
+    replace (unit_speed s (- e s * velocity i)) with (- e s * unit_speed s (velocity i)) by (unfold unit_speed; field; lra).
+    exact h.
+Qed.
+Lemma leg_departs b leg l : launched b l -> check_departure (known_in (bits leg)) b leg = true ->
+  departs leg (place l / A s) (phase s (since l)) (unit_speed s (speed l)).
+Proof. intros (thc & uc & inb) check. exact (departure_sound (known_in (bits leg)) b leg (d s / A s) _ _ _ thc uc (holds_known (bits leg)) inb check). Qed.
+
+Lemma leg_sound b leg printed l : launched b l -> check_leg b leg printed = true ->
+  exists i, reaches s l i /\ within printed i /\ wall_of i = hits leg /\
+    grid (scale leg) (t leg - rt leg) <= phase s (time i) <= grid (scale leg) (t leg + rt leg) /\
+    grid (scale leg) (v leg - rv leg) <= unit_speed s (velocity i) <= grid (scale leg) (v leg + rv leg) /\
+    launched (landed leg) (rebound s i).
+Proof.
+  unfold check_leg, check_flight. intros inb check. split_checks. exact (landed_sound b leg printed l inb (leg_departs _ _ _ inb k0) k check).
 Qed.
 
 Lemma legs_sound legs : forall printed b l, launched b l -> check_legs b legs printed = true ->
@@ -608,19 +654,8 @@ Lemma legs_sound legs : forall printed b l, launched b l -> check_legs b legs pr
 Proof.
   induction legs as [|leg legs IH]; intros [|i printed] b l inb check; cbn [check_legs] in check; try discriminate.
   - exists []. split; [exact I|constructor].
-  - split_checks. destruct (leg_sound b leg i l inb k) as (j & reach & inside & same & r1 & r2).
-    assert (launched_next : launched (landing (bits leg) (enclose_range (bits leg) (restitution param)) (hits leg) (scale leg)
-      (t leg) (rt leg) (v leg) (rv leg)) (rebound s j)).
-    { exists (grid (scale leg) (t leg)), (- e s * grid (scale leg) (v leg)).
-      assert (rt0 : (0 <= rt leg)%Z) by (apply Z.leb_le; unfold check_leg in k; cbv zeta in k; split_checks; unfold check_flight in k1; cbv zeta in k1; split_checks; reflexivity).
-      assert (rv0 : (0 <= rv leg)%Z) by (apply Z.leb_le; unfold check_leg in k; cbv zeta in k; split_checks; reflexivity).
-      assert (E := holds_range (bits leg) _ _ (proj2 (proj2 (proj2 described)))).
-      assert (h := landing_in (bits leg) _ (hits leg) _ _ _ _ _ (d s / A s) _ _ _ rt0 rv0 E r1 r2).
-      cbn [rebound place since speed]. rewrite same.
-      replace (plane s (hits leg) / A s) with (side (hits leg) * (d s / A s / 2)) by (unfold plane; field; lra).
-      replace (unit_speed s (- e s * velocity j)) with (- e s * unit_speed s (velocity j)) by (unfold unit_speed; field; lra).
-      exact h. }
-    destruct (IH printed _ _ launched_next check) as (orbit & f & a).
+  - split_checks. destruct (leg_sound b leg i l inb k) as (j & reach & inside & _ & _ & _ & landed_in).
+    destruct (IH printed _ _ landed_in check) as (orbit & f & a).
     exists (j :: orbit). split; [split; assumption|constructor; assumption].
 Qed.
 End Data.

@@ -1,6 +1,5 @@
-(* What an orbit document claims, and a program `verify` that verifies it, proved sound once and for all (`document_verified`):
-   its data make sense, and from every start that they allow there is exactly one sequence of first contacts of this length,
-   with the listed numbers, mappings, walls and bounds; and the outcome holds. *)
+(* Documents: that their data make sense, what is said of impacts, and of the outcome; and programs that check it, with the proofs that
+   they are right. Orbit.v has the documents of orbits from the scene's start, Shadow.v those of orbits that start near it. *)
 From Coq Require Import Reals Lra List ZArith QArith Qreals Bool Lia.
 From Interval Require Import Real.Xreal Float.Sig.
 From ImpactPair Require Import Model Certificate.
@@ -14,8 +13,16 @@ Definition mapping_between (a b : wall) : mapping :=
 
 (* An event is an impact; without a mapping where none is before it. *)
 Record event := Event { index : Z; mapped : option mapping; shown : bounds }.
-Inductive outcome := Impacts_reached (impacts : Z) | Time_reached (impacts : Z) (until : number).
-Record document := Document { scene_data : data; begun : beginning; events : list event; ended : outcome }.
+Inductive outcome :=
+  | Impacts_reached (impacts : Z)
+  | Time_reached (impacts : Z) (until : number)
+  | Repeats (impacts : Z) (until : option number) (cycles : Z) (impacts_each : Z).
+Record document_of (E : Type) := Document { scene_data : data; begun : beginning; events : list E; ended : outcome }.
+Arguments Document {E}.
+Arguments scene_data {E}.
+Arguments begun {E}.
+Arguments events {E}.
+Arguments ended {E}.
 
 (* Divisors are not 0, radicands not negative; the interval is not empty. *)
 Fixpoint defined (n : number) : Prop :=
@@ -36,6 +43,8 @@ Definition all_proper (p : data) (b : beginning) : Prop :=
    the start is an impact on its wall from inside, or inside the gap. *)
 Definition sensible (s : scene) : Prop :=
   Forall (fun h => 0 <= A h /\ 0 < W h) (reference s :: others s) /\ 0 < d s /\ 0 <= e s <= 1.
+(* Forcing periods are those of the fastest harmonic, which is the reference. *)
+Definition is_fastest (s : scene) : Prop := List.Forall (fun h => W h <= W s) (others s).
 Definition starts (b : beginning) (s : scene) : Prop :=
   match b with
   | Struck w _ r => forall v, among r v -> 0 <= side w * v
@@ -62,26 +71,13 @@ Definition ends (s : scene) (l : launch) (orbit : list impact) (o : outcome) : P
   | Impacts_reached n => Z.of_nat (length orbit) = n
   | Time_reached n T => defined T /\ Z.of_nat (length orbit) = n /\ Forall (fun i => time i <= value T) orbit /\
       exists i, reaches s (after s l orbit) i /\ value T < time i
+  | Repeats _ _ _ _ => False
   end.
-
-Definition claims (x : document) : Prop := all_proper (scene_data x) (begun x) /\
-  forall s l, describes (scene_data x) s -> begins (begun x) s l ->
-    sensible s /\ starts (begun x) s /\
-    exists orbit, follows s l orbit /\ tells (first_wall (begun x)) 1 (events x) orbit /\
-      (forall other, follows s l other -> length other = length orbit -> other = orbit) /\
-      ends s l orbit (ended x).
 
 Lemma follows_app s a : forall l b, follows s l (a ++ b) -> follows s l a /\ follows s (after s l a) b.
 Proof.
   induction a as [|i a IH]; intros l b; cbn; [tauto|]. intros [r f]. destruct (IH _ _ f). tauto.
 Qed.
-Lemma follows_length s (g : 0 < d s) a : forall l b, follows s l a -> follows s l b -> length b = length a -> b = a.
-Proof. intros l b f f'. intros same. exact (follows_unique s g b l a f' f same). Qed.
-
-(* What helps to verify: boxes and cuts of the flights (Certificate.v), and for an outcome `time-reached` those of the next
-   impact, with bounds of it. Nothing is claimed of it. *)
-Record hint := Hint { origin : start; legs : list leg; next_impact : option bounds }.
-
 Definition same_wall (a b : wall) : bool := match a, b with left, left | right, right => true | _, _ => false end.
 Definition same_mapping (a b : option mapping) : bool :=
   match a, b with
@@ -208,6 +204,23 @@ Proof.
         assert (0 < d s / 2 + u) by (refine (is_positive_sound _ _ _ (holds_add p _ _ _ _ half m)); assumption). lra.
 Qed.
 
+(* Of one expression, as written, there is one value. *)
+Definition one_value (a b : range) : bool := same (least a) (most a) && same (least a) (least b) && same (least a) (most b).
+Definition check_fastest (param : data) : bool :=
+  forallb (fun x => one_value (frequency param) (frequency x) ||
+    is_not_negative (sub p (enclose_range p (frequency param)) (enclose_range p (frequency x)))) (further param).
+Lemma fastest_sound param s : describes param s -> check_fastest param = true -> is_fastest s.
+Proof.
+  unfold check_fastest, is_fastest. rewrite forallb_forall. intros ((_ & lead & _) & rest & _) check.
+  assert (slower : forall x, In x (further param) -> forall h, describes_harmonic x h -> W h <= W s).
+  { intros x i h (_ & w & _). specialize (check x i). apply orb_prop in check as [one|less].
+    - apply andb_prop in one as [one most_too]. apply andb_prop in one as [own least_too]. apply same_sound in own, least_too, most_too.
+      destruct (frequency param), (frequency x). cbn in *. subst. unfold among in lead, w. cbn in lead, w. lra.
+    - assert (0 <= W s - W h) by exact (is_not_negative_sound _ _ less (holds_sub p _ _ _ _ (holds_range p _ _ lead) (holds_range p _ _ w))). lra. }
+  clear - rest slower. induction rest as [|x h xs hs k rest IH]; [constructor|].
+  constructor; [apply (slower x); [left; reflexivity|exact k]|]. apply IH. intros y i. apply slower. right. exact i.
+Qed.
+
 (* All listed impacts are before T, and the next one after it. *)
 Definition check_until (T : number) (events : list event) (next : bounds) : bool :=
   let X := enclose p T in
@@ -222,12 +235,6 @@ Definition check_outcome (p : positive) (o : outcome) (events : list event) (nex
   | Time_reached n T, Some b => (count events =? n)%Z && check_until p T events b
   | _, _ => false
   end.
-
-Definition verify (x : document) (h : hint) : bool :=
-  let p := start_bits (origin h) in
-  let printed := map shown (events x) ++ match next_impact h with Some b => [b] | None => [] end in
-  check_data p (scene_data x) && check_beginning p (scene_data x) (begun x) && numbered (first_wall (begun x)) 1 (events x) &&
-  check_outcome p (ended x) (events x) (next_impact h) && check (scene_data x) (begun x) (origin h) (legs h) printed.
 
 Lemma until_sound p T events next orbit i : check_until p T events next = true ->
   Forall2 within (map shown events) orbit -> within next i ->
@@ -250,25 +257,4 @@ Qed.
 Lemma as_many {X Y : Type} (P : X -> Y -> Prop) xs ys : Forall2 P xs ys -> length xs = length ys.
 Proof. induction 1; cbn; congruence. Qed.
 
-Theorem document_verified x h : verify x h = true -> claims x.
-Proof.
-  unfold verify. intros v. apply andb_prop in v as [v checked]. apply andb_prop in v as [v ending].
-  apply andb_prop in v as [v names]. apply andb_prop in v as [v1 v2].
-  destruct (data_sound _ _ _ v1 v2) as [pr sense]. split; [exact pr|]. intros s l described begin.
-  destruct (sense s described) as [good st]. split; [exact good|]. split; [exact st|].
-  assert (g : 0 < d s) by apply good.
-  destruct (orbit_checked _ _ _ _ _ checked s l described begin) as (whole & f & all & _).
-  apply Forall2_app_inv_l in all as (orbit & rest & all & tail & ->).
-  apply follows_app in f as [f f'].
-  assert (len : Z.of_nat (length orbit) = count (events x)).
-  { unfold count. rewrite <- (as_many _ _ _ all), map_length. reflexivity. }
-  exists orbit. split; [exact f|]. split; [exact (numbered_tells _ _ _ _ names all)|].
-  split; [intros other fo; exact (follows_length s g orbit l other f fo)|].
-  unfold check_outcome in ending. destruct (ended x) as [n|n T], (next_impact h) as [b|]; try discriminate; cbn.
-  - apply Z.eqb_eq in ending. lia.
-  - apply andb_prop in ending as [number until]. apply Z.eqb_eq in number.
-    inversion tail as [|b' i bs is w none]; subst. destruct f' as [reached _].
-    destruct (until_sound _ _ _ _ _ _ until all w) as (def & before & later).
-    split; [exact def|]. split; [lia|]. split; [exact before|]. exists i. split; [exact reached|exact later].
-Qed.
 End Verifier.

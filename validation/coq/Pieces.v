@@ -2,7 +2,7 @@
    part. A claim that holds for all parts holds for all data (`pieces_verified`). *)
 From Coq Require Import Reals Lra List ZArith QArith Qreals Bool.
 From Interval Require Import Real.Xreal Float.Sig.
-From ImpactPair Require Import Model Certificate Document.
+From ImpactPair Require Import Model Certificate Document Orbit Rests.
 Open Scope R_scope.
 Import ListNotations.
 
@@ -88,14 +88,12 @@ Proof.
     destruct d; cbn in *; try (exists (below q); cbn; tauto); try (exists (above q); cbn; tauto).
 Qed.
 
-Definition is_told (x : document) (s : scene) (l : launch) : Prop :=
-  exists orbit, follows s l orbit /\ tells (first_wall (begun x)) 1 (events x) orbit /\
-    (forall other, follows s l other -> length other = length orbit -> other = orbit) /\ ends s l orbit (ended x).
 Lemma same_first d f b : first_wall (beginning_at d f b) = first_wall b.
 Proof. destruct d, b; reflexivity. Qed.
 
 Module PieceVerifier (F : FloatOps with Definition sensible_format := true).
-Module Import Each := Verifier F.
+Module Import Each := Resters F.
+Import Each.Each.
 
 Fixpoint verify_each (x : document) (p : pieces) : bool :=
   match p with
@@ -110,10 +108,10 @@ Definition verify_document (x : document) (p : pieces) : bool :=
 Lemma each_sound p : forall x, verify_each x p = true -> forall s l, describes (scene_data x) s -> begins (begun x) s l -> is_told x s l.
 Proof.
   induction p as [h|d q lower IHl upper IHu]; intros x v s l described begin; cbn [verify_each] in v.
-  - destruct (document_verified x h v) as [_ all]. apply (all s l described begin).
+  - exact (verified_told x h v s l described begin).
   - apply andb_prop in v as [a b]. destruct (part_either d q x s l described begin) as (f & which & described' & begin').
     assert (told : is_told (part d f x) s l) by (destruct which as [-> | ->]; [apply (IHl _ a)|apply (IHu _ b)]; assumption).
-    unfold is_told, part in told. cbn [events ended begun] in told. rewrite same_first in told. exact told.
+    unfold is_told, part in told |- *. cbn [events ended begun] in told. rewrite same_first in told. exact told.
 Qed.
 
 Theorem pieces_verified x p : verify_document x p = true -> claims x.

@@ -18,7 +18,6 @@ Record nearness := Nearness { start_times : Q * Q; start_velocities : Q * Q; hal
 Definition width (b : Q * Q) : R := Q2R (snd b) - Q2R (fst b).
 Definition near (s : scene) (n : nearness) : Prop :=
   1000 * width (start_times n) <= period s /\ 1000 * width (start_velocities n) <= A s * W s.
-Definition is_fastest (s : scene) : Prop := List.Forall (fun h => W h <= W s) (others s).
 Definition in_bounds (b : Q * Q) (x : R) : Prop := Q2R (fst b) <= x <= Q2R (snd b).
 Definition between_rationals (b : Q * Q) : range := Between (Rational (fst b)) (Rational (snd b)).
 Definition middle_time (b : bounds) : R := (Q2R (time_lower b) + Q2R (time_upper b)) / 2.
@@ -35,7 +34,7 @@ Definition as_near (s : scene) (n : nearness) (events : list event) (orbit : lis
   exists half, (length events <= 2 * half)%nat /\
     at_least (fun xi => off s (shown (fst xi)) (snd xi) <= Q2R (half_within n)) half (combine events orbit).
 
-Definition claims_shadow (x : document) (n : nearness) : Prop := all_proper (scene_data x) (begun x) /\
+Definition claims_shadow (x : document_of event) (n : nearness) : Prop := all_proper (scene_data x) (begun x) /\
   match begun x with
   | Inside _ _ _ => False
   | Struck w times velocities => forall s t v, describes (scene_data x) s -> among times t -> among velocities v ->
@@ -81,11 +80,6 @@ Definition check_near (n : nearness) : bool :=
   let turn := quotient p (mul p (whole p 2) (I.pi (F.PtoP p))) (enclose_range p (frequency param)) in
   is_not_negative (sub p turn (width (start_times n))) &?
   is_not_negative (sub p (velocity_over param p (whole p 1)) (width (start_velocities n))).
-(* Of one expression, as written, there is one value. *)
-Definition one_value (a b : range) : bool := same (least a) (most a) && same (least a) (least b) && same (least a) (most b).
-Definition check_fastest : bool :=
-  forallb (fun x => one_value (frequency param) (frequency x) ||
-    is_not_negative (sub p (enclose_range p (frequency param)) (enclose_range p (frequency x)))) (further param).
 (* The starts with the scene's time, or with its velocity, cross it. *)
 Definition check_first (T V : range) (n : nearness) (N : chart) : bool :=
   (0 <? chart_area N)%Z &?
@@ -144,18 +138,6 @@ Proof.
   assert (0 <= period s - 1000 * width (start_times n)) by (apply (is_not_negative_sound _ _ k); enclose).
   assert (0 <= A s * W s - 1000 * width (start_velocities n)) by (apply (is_not_negative_sound _ _ check); enclose).
   unfold near. lra.
-Qed.
-
-Lemma fastest_sound : check_fastest = true -> is_fastest s.
-Proof.
-  unfold check_fastest, is_fastest. rewrite forallb_forall. intros check. destruct described as ((_ & lead & _) & rest & _).
-  assert (slower : forall x, In x (further param) -> forall h, describes_harmonic x h -> W h <= W s).
-  { intros x i h (_ & w & _). specialize (check x i). apply orb_prop in check as [one|less].
-    - apply andb_prop in one as [one most_too]. apply andb_prop in one as [own least_too]. apply same_sound in own, least_too, most_too.
-      destruct (frequency param), (frequency x). cbn in *. subst. unfold among in lead, w. cbn in lead, w. lra.
-    - assert (0 <= W s - W h) by exact (is_not_negative_sound _ _ less (holds_sub p _ _ _ _ (holds_range p _ _ lead) (holds_range p _ _ w))). lra. }
-  clear - rest slower. induction rest as [|x h xs hs k rest IH]; [constructor|].
-  constructor; [apply (slower x); [left; reflexivity|exact k]|]. apply IH. intros y i. apply slower. right. exact i.
 Qed.
 
 Lemma off_sound w N b most x : (0 < chart_area N)%Z -> in_frame (frame_of q N) x -> check_off N b most = true ->
@@ -281,7 +263,7 @@ Proof.
 Qed.
 End Program.
 
-Definition verify_shadow (x : document) (n : nearness) (h : chain) : bool :=
+Definition verify_shadow (x : document_of event) (n : nearness) (h : chain) : bool :=
   let p := chain_bits h in let q := chain_scale h in let param := scene_data x in
   match begun x with
   | Struck w times velocities =>
@@ -328,7 +310,7 @@ Proof.
   exists orbit. split; [exact f|]. split; [exact (numbered_tells _ _ _ _ names all)|].
   assert (len := as_many _ _ _ all). rewrite map_length in len.
   split; [|split; [exact offs|exists (near_ones p q (scene_data x) n (events x) (links h)); split; [apply Nat.leb_le, halves|exact half]]].
-  unfold check_outcome, count in ending. destruct (ended x) as [m|m T], (afterwards h) as [b'|]; try discriminate; cbn.
+  unfold check_outcome, count in ending. destruct (ended x) as [m|m T|m T c k], (afterwards h) as [b'|]; try discriminate; cbn.
   - apply Z.eqb_eq in ending. rewrite <- len. exact ending.
   - apply andb_prop in ending as [number until]. apply Z.eqb_eq in number. destruct next as (i & eq & i_in). rewrite eq in f'.
     destruct (until_sound _ _ _ _ _ _ until all i_in) as (def & before & after_T).

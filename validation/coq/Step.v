@@ -42,6 +42,14 @@ Proof.
       (fun o th => - (share o * ratio o * ratio o * sin (companion_phase o th)))); intros; unfold companion_phase; auto_derive; try exact I; ring.
   - unfold box_bend, sum. induction os as [|o rest IH]; cbn; [|rewrite IH]; ring.
 Qed.
+(* -E'' of the box. *)
+Definition box_jerk (th : R) : R := sum (cos th) (fun o => share o * ratio o * ratio o * ratio o * cos (companion_phase o th)) os.
+Lemma box_bend_derivative th : is_derive box_bend th (box_jerk th).
+Proof.
+  apply (sum_derivative sin _ (fun o th => share o * ratio o * ratio o * sin (companion_phase o th))
+    (fun o th => share o * ratio o * ratio o * ratio o * cos (companion_phase o th)));
+    intros; unfold companion_phase; auto_derive; try exact I; ring.
+Qed.
 Ltac derive_box := intros; match goal with |- is_derive _ ?th _ => 
   assert (D := box_at_derivative th); assert (D' := box_rate_derivative th) end;
   auto_derive; [repeat split; eexists; eassumption|];
@@ -143,6 +151,11 @@ Qed.
 Lemma velocity_in_units t : box_velocity s t = A s * W s * box_rate companions (phase s t).
 Proof.
   unfold box_velocity, box_rate, companions, sum, pace. induction (others s) as [|h hs IH]; cbn [map fold_right]; [reflexivity|].
+  rewrite IH, companion_phase_of. cbn [companion_of share ratio]. field. lra.
+Qed.
+Lemma push_in_units t : box_push s t = A s * (W s)^2 * box_bend companions (phase s t).
+Proof.
+  unfold box_push, box_bend, companions, sum, push. induction (others s) as [|h hs IH]; cbn [map fold_right]; [reflexivity|].
   rewrite IH, companion_phase_of. cbn [companion_of share ratio]. field. lra.
 Qed.
 Lemma position_in_phases l t :

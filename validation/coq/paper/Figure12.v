@@ -64,9 +64,9 @@ Proof.
   assert (r1 : grid 20 (0 - 8192) <= phase figure_12 (time i) <= grid 20 (0 + 8192)) by (rewrite !grid_20; cbn in *; lra).
   assert (r2 : grid 20 (-4194304 - 8192) <= unit_speed figure_12 (velocity i) <= grid 20 (-4194304 + 8192)) by (rewrite !grid_20; cbn in *; lra).
   assert (l := launched_after i left 0 8192 (-4194304) 8192 w ltac:(lia) ltac:(lia) r1 r2).
-  destruct (Plain.leg_sound figure_12_data figure_12 described A_positive W_positive _ to_right _ _ l P2_checked) as (j & n & _ & wj & s1 & s2).
+  destruct (Plain.leg_sound figure_12_data figure_12 described A_positive W_positive _ to_right _ _ l P2_checked) as (j & n & _ & wj & s1 & s2 & _).
   assert (l' := launched_after j right 3294199 7700 4194304 4600 wj ltac:(lia) ltac:(lia) s1 s2).
-  destruct (Plain.leg_sound figure_12_data figure_12 described A_positive W_positive _ to_left _ _ l' P1_checked) as (k & n' & _ & wk & u1 & u2).
+  destruct (Plain.leg_sound figure_12_data figure_12 described A_positive W_positive _ to_left _ _ l' P1_checked) as (k & n' & _ & wk & u1 & u2 & _).
   exists j, k. split; [exact wj|]. split; [exact n|]. split; [exact n'|]. split; [exact wk|].
   assert (pi := pi_bounds). units_of u1. units_of u2. cbn [INR].
   split; apply Rabs_le_between; lra.

@@ -1,7 +1,7 @@
 (* The chatter scene as a whole: ten impacts by certificate (Sample_chatter.v), then infinitely many, which accumulate
    between t = 0.2180125 and 0.218013404. *)
 From Coq Require Import Reals Lra List QArith Qreals ZArith.
-From ImpactPair Require Import Model Step Certificate paper.Chatter tests.Sample_chatter.
+From ImpactPair Require Import Model Step Certificate Chatter tests.Sample_chatter.
 Open Scope R_scope.
 Import ListNotations.
 

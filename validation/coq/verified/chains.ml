@@ -143,7 +143,7 @@ let of_document { scene_data; begun; events; ended } near =
   let least = narrower - int_of_float (Float.floor least) in
   let q = least + vector_bits in
   let s = setting (max fine (2 * q)) scene_data in
-  let start = match start_of s (Struck (wall, t, v)) with _, th, v, _ -> { wall; th; v } in
+  let start = match start_of s (Begun (Struck (wall, t, v))) with _, th, v, _ -> { wall; th; v } in
   let shown = List.map (fun event -> event.shown) events in
   let found afterwards =
     let states = List.map (fun shown -> let th, v = middle_of s shown in { wall = shown.on; th; v }) (shown @ Option.to_list afterwards) in
@@ -163,5 +163,5 @@ let of_document { scene_data; begun; events; ended } near =
     let last = states.(Array.length states - 1).th in
     { chain_bits = Z.of_int (q + spare_bits + Z.numbits (Z.shift_right (Z.abs last) s.bits)); chain_scale = Z.of_int q; first_chart; links; afterwards } in
   match ended with
-  | Impacts_reached _ -> Some (found None)
-  | Time_reached (_, until) -> Option.map (fun next -> found (Some next)) (Hints.next_bounds scene_data begun shown until)
+  | Impacts_reached _ | Repeats _ -> Some (found None)
+  | Time_reached (_, until) -> Option.map (fun next -> found (Some next)) (Hints.next_bounds scene_data (Begun begun) shown until)

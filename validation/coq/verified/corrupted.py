@@ -13,14 +13,20 @@ def shifted(bounds, widths):
     return [f"{low + widths * (high - low):f}", f"{high + widths * (high - low):f}"]
 
 
+def places(document, kind):
+    """Numbers of the events of one kind."""
+    return [number for number, event in enumerate(document["events"]) if event["event"] == kind]
+
+
 def renumber(document):
     """Numbers, mappings and count as the walls have them, so that only the motion is wrong."""
-    before = document["scene"]["start"].get("wall")
-    for index, event in enumerate(document["events"], 1):
-        event["index"] = index
-        event["mapping"] = NAMES.get((before, event["wall"]))
+    before, index = document["scene"]["start"].get("wall"), 0
+    for event in document["events"]:
+        if event["event"] == "impact":
+            index += 1
+            event.update(index=index, mapping=NAMES.get((before, event["wall"])))
         before = event["wall"]
-    document["outcome"]["impacts"] = len(document["events"])
+    document["outcome"]["impacts"] = index
     document["outcome"]["message"] = ""
 
 
@@ -65,13 +71,13 @@ def scaled(text):
 def until_later(document):
     """All impacts up to a time by which there is another one."""
     last = Decimal(document["events"][-1]["time"][1])
-    document["outcome"] = {"kind": "time-reached", "message": "", "impacts": len(document["events"]), "until": f"{last + 100:f}"}
+    document["outcome"] = {"kind": "time-reached", "message": "", "impacts": len(places(document, "impact")), "until": f"{last + 100:f}"}
 
 
 def until_earlier(document):
     """All impacts up to a time before the last one listed."""
     first = Decimal(document["events"][0]["time"][1])
-    document["outcome"] = {"kind": "time-reached", "message": "", "impacts": len(document["events"]), "until": f"{first:f}"}
+    document["outcome"] = {"kind": "time-reached", "message": "", "impacts": len(places(document, "impact")), "until": f"{first:f}"}
 
 
 def empty(document):
@@ -118,10 +124,101 @@ SHADOWED = {
 }
 
 
+def of(kind, change):
+    """A change of the first event of one kind."""
+    return lambda document: change(document, document["events"][places(document, kind)[0]])
+
+
+def leave_out(*kinds):
+    """The first events of these kinds left out; impacts keep their numbers."""
+    def change(document):
+        for kind in kinds:
+            del document["events"][places(document, kind)[0]]
+    return change
+
+
+def move(kind, widths):
+    return of(kind, lambda _, event: event.update({"time": shifted(event["time"], widths)}))
+
+
+def narrowed(kind, shares):
+    """The bounds of an event, cut to a part of them."""
+    def change(_, event):
+        low, high = map(Decimal, event["time"])
+        event["time"] = [f"{low + Decimal(share) * (high - low):f}" for share in shares]
+    return of(kind, change)
+
+
+def at_the_wrong_end(document, event):
+    """A release half a forcing period late, where the wall begins to press the ball."""
+    event["time"] = [f"{Decimal(text) + 1:f}" for text in event["time"]]
+
+
+def until_in_the_rest(document):
+    """All events up to a time before the release that is listed."""
+    document["outcome"]["until"] = document["events"][places(document, "rest")[0]]["time"][1]
+
+
+def cut_short(document):
+    """A chatter that is said to end three impacts earlier, with bounds that hold the impacts left out."""
+    at = places(document, "rest")[0]
+    document["events"][at]["time"] = document["events"][at - 3]["time"]
+    del document["events"][at - 3:at]
+    renumber(document)
+
+
+def on_the_other_wall(_, event):
+    event["wall"] = OTHER[event["wall"]]
+
+
+def other_skip(_, event):
+    event["skipped"] = "some"
+
+
+def other_way(_, event):
+    """Infinitely many impacts instead of none, or none instead of infinitely many."""
+    if event.pop("skipped", None) is None:
+        event["skipped"] = "infinite"
+
+
+RESTS = {
+    "a rest later": move("rest", 3), "a rest earlier": move("rest", -3), "no rest": leave_out("rest"), "no release": leave_out("release"),
+    "neither rest nor release": leave_out("rest", "release"), "a rest on the other wall": of("rest", on_the_other_wall),
+    "a release from the other wall": of("release", on_the_other_wall), "other impacts before the rest": of("rest", other_way),
+    "a rest with other words": of("rest", other_skip), "a release at the wrong end of the rest": of("release", at_the_wrong_end),
+    "a release earlier": of("release", lambda _, event: event.update({"time": ["0.99", "0.995"]})),
+    "a release before the rest": of("release", lambda _, event: event.update({"time": ["0.1", "0.15"]})),
+    "a release just earlier": of("release", lambda _, event: event.update({"time": ["0.99999999", "0.999999999999"]})),
+    "a release just later": of("release", lambda _, event: event.update({"time": ["1.000000000001", "1.000000001"]})),
+    "a chatter that ends earlier": cut_short, "less of the rest": narrowed("rest", ("0", "0.4")), "the wrong part of the rest": narrowed("rest", ("-3", "0")),
+    "a time inside the rest": until_in_the_rest, "a key of an impact": of("release", lambda _, event: event.update({"index": 3})),
+    "a velocity of a rest": of("rest", lambda _, event: event.update({"velocity": ["0", "0"]})),
+}
+
+
+def period(**other):
+    def change(document):
+        document["outcome"]["period"] |= other
+        document["outcome"]["message"] = ""
+    return change
+
+
+REPEATS = {
+    "more cycles each time": period(cycles=10), "fewer cycles each time": period(cycles=8), "no cycles each time": period(cycles=0),
+    "more impacts each time": period(impacts=24), "fewer impacts each time": period(impacts=22), "two times for one": period(impacts=46, cycles=18),
+    "no period": lambda document: document["outcome"].pop("period"), "a word": set_at(["outcome", "word"], "P2 P1"),
+    "one time not in full": lambda document: (document["events"].__delitem__(slice(places(document, "release")[1], None)), renumber(document)),
+    "a period of nothing": lambda document: (document["events"].__delitem__(slice(8, None)), renumber(document)),
+    "a key of the period": period(walls=2),
+}
+
+
 def copies(document):
     """(what, copy) of each change."""
-    for what, change in {**CHANGES, **(SHADOWED if document["claim"] == "shadowed" else {})}.items():
-        if what == "a shadowed orbit" and document["claim"] == "shadowed":
+    more = {**(SHADOWED if document["claim"] == "shadowed" else {}), **(RESTS if places(document, "rest") else {}),
+            **(REPEATS if document["outcome"]["kind"] == "periodic" else {})}
+    for what, change in {**CHANGES, **more}.items():
+        if (what == "a shadowed orbit" and document["claim"] == "shadowed") or (what == "a period" and document["outcome"]["kind"] == "periodic"):
             continue
         spoiled = copy.deepcopy(document)
         change(spoiled)

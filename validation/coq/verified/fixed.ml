@@ -50,7 +50,8 @@ let pi bits =
 (* Sine and cosine near 0: Taylor's series of an angle halved k times, and the double angle k times. *)
 let small bits x =
   let halvings = 4 + int_of_float (sqrt (float_of_int bits)) / 2 in
-  let bits' = bits + 2 * halvings + 16 in
+  (* Of a small angle the versine is that much smaller. *)
+  let bits' = bits + 2 * halvings + 16 + max 0 (bits - Z.numbits x) in
   let y = Z.shift_right (move ~from:bits ~into:bits' x) halvings in
   let square = mul bits' y y in
   (* 1 - cos y, and sin y. *)

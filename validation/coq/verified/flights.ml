@@ -42,14 +42,36 @@ let offset s place w = match place with
   | On from -> Z.shift_right (Z.mul (Z.of_int (side from - side w)) s.gamma) 1
   | At y -> Z.sub y (Z.shift_right (Z.mul (Z.of_int (side w)) s.gamma) 1)
 
+(* What a flight begins with: the start of a document, or a release near a phase, given to `fine` bits. *)
+type origin = Begun of beginning | Released of wall * Z.t
+
+(* Bits for phases and velocities of which doubles are made. *)
+let fine = 256
+
+(* -E'' and -E''' of the box. *)
+let pressing { bits; waves; _ } th =
+  let mul = Fixed.mul bits in
+  List.fold_left (fun (bend, jerk) { share; ratio; lag } ->
+    let s, c = Fixed.sin_cos bits (Z.add (mul ratio th) lag) in
+    let square = mul share (mul ratio ratio) in
+    (Z.add bend (mul square s), Z.add jerk (mul (mul square ratio) c))) (Z.zero, Z.zero) waves
+
+(* The phase at which the box has no acceleration, by Newton's method from one near it. *)
+let rec ceasing s th tries =
+  let bend, jerk = pressing s th in
+  let change = Fixed.div s.bits bend jerk in
+  if tries = 0 || Z.numbits change < 4 then Z.sub th change else ceasing s (Z.sub th change) (tries - 1)
+let most_tries = 40
+
 let start_of s = function
-  | Struck (w, t, v) ->
+  | Begun (Struck (w, t, v)) ->
     let v = Fixed.div s.bits (Fixed.middle s.bits v) s.aw in
     (On w, Z.add (Fixed.mul s.bits s.w (Fixed.middle s.bits t)) s.tau, v, Z.neg (Fixed.mul s.bits s.e v))
-  | Inside (t, y, v) ->
+  | Begun (Inside (t, y, v)) ->
     let v = Fixed.div s.bits (Fixed.middle s.bits v) s.aw in
     let a = Fixed.div s.bits s.aw s.w in
     (At (Fixed.div s.bits (Fixed.middle s.bits y) a), Z.add (Fixed.mul s.bits s.w (Fixed.middle s.bits t)) s.tau, v, v)
+  | Released (w, near) -> (On w, ceasing s (Fixed.move ~from:fine ~into:s.bits near) most_tries, Z.zero, Z.zero)
 
 (* The phase and the velocity at which a flight meets a wall, by Newton's method from a phase near it, with ever more bits;
    `None` if it does not settle. *)
@@ -128,9 +150,6 @@ let cuts ~waves ~u ~y0 ~half_gap ~h =
   let nearness = if h < short then 0 else if nearest < 1e-9 then max_int / 4 else int_of_float (Float.ceil (-2.0 *. Float.log2 nearest)) in
   (depart, max depart approach, nearness)
 
-(* Bits for phases and velocities of which doubles are made. *)
-let fine = 256
-
 let middle_of s { time_lower; time_upper; velocity_lower; velocity_upper; _ } =
   let mid a b = Z.shift_right (Z.add (Fixed.of_q s.bits a) (Fixed.of_q s.bits b)) 1 in
   (Z.add (Fixed.mul s.bits s.w (mid time_lower time_upper)) s.tau, Fixed.div s.bits (mid velocity_lower velocity_upper) s.aw)
@@ -138,14 +157,14 @@ let middle_of s { time_lower; time_upper; velocity_lower; velocity_upper; _ } =
 (* The impacts of the orbit from the middle of the data, where they are found. *)
 exception Lost of int
 
-let followed s beginning impacts =
+let followed s origin impacts =
   let rec all n launch = function
     | [] -> []
     | i :: rest ->
       match landing s launch i.on (fst (middle_of s i)) with
       | None -> raise (Lost n)
       | Some (th, v) -> (i.on, th, v) :: all (n + 1) (On i.on, th, Z.neg (Fixed.mul s.bits s.e v)) rest in
-  let place, th, _, u = start_of s beginning in
+  let place, th, _, u = start_of s origin in
   all 0 (place, th, u) impacts
 
 let middles s impacts = List.map (fun i -> let th, v = middle_of s i in (i.on, th, v)) impacts
@@ -164,7 +183,7 @@ let along s launch impacts =
     let waves = waves_at th0 in
     let y0, from = match place with On w -> (float_of_int (side w) *. half_gap, Some w) | At y -> (float y, None) in
     let depart, approach, nearness = cuts ~waves ~u ~y0 ~half_gap ~h in
-    let reach = List.fold_left (fun sum (share, _, _) -> sum +. share) 0.0 waves in
+    let reach = List.fold_left (fun sum (share, ratio, _) -> sum +. share *. max 1.0 ratio) 0.0 waves in
     let next = (On on, th1, v, Z.neg (Fixed.mul s.bits s.e v)) in
     ({ from; wall = on; before = float before; u; e = (if from = None then 1.0 else e); h; bend0 = bend waves 0.0; bend1 = bend waves h;
        rate = float v; depart; approach; nearness; reach }, next) in
@@ -175,9 +194,9 @@ let along s launch impacts =
 
 (* All flights of a list of impacts: from the middles of their bounds, or, where the data are intervals and bounds may be wide, from
    the middle of the data. *)
-let listed ~is_point data beginning impacts =
+let listed ~is_point data origin impacts =
   let s = setting fine data in
-  along s (start_of s beginning) (if is_point then middles s impacts else followed s beginning impacts)
+  along s (start_of s origin) (if is_point then middles s impacts else followed s origin impacts)
 
 (* The phase at which a flight first meets a wall, about, and that wall: by steps that grow from the launch on, up to `steps_per_radian` for
    each radian of the fastest harmonic. *)
@@ -186,7 +205,7 @@ let most_steps_of_flight = 2_000_000
 let first_step = 1e-9
 let growth = 0.05
 
-let next_contact s (place, th0, u) =
+let next_contact ?(from = 0.0) s (place, th0, u) =
   let float = Fixed.to_float s.bits in
   let at0, rate0, _ = shaking s th0 and half_gap = float s.gamma /. 2.0 in
   let slope = float (Z.add u rate0) in
@@ -205,4 +224,4 @@ let next_contact s (place, th0, u) =
       let x = bisected beyond from x in
       Some (Z.add th0 (Z.shift_left (Z.of_float (Float.ldexp x 60)) (s.bits - 60)), if height x > 0.0 then Right else Left)
     else look x (steps - 1) in
-  look 0.0 most_steps_of_flight
+  look from most_steps_of_flight

@@ -25,16 +25,19 @@ let scaled scale x = if x > 0.0 then Float.ldexp x scale else 0.0
 (* Half the widths of what is an interval: e, d/A, phase and velocity of the start; and how far the other harmonics are unknown. *)
 type spread = { of_e : float; of_gap : float; of_phase : float; of_velocity : float; of_time : float }
 
-let spread data beginning =
+let spread data origin =
   let value r = Fixed.to_float fine (Fixed.middle fine r) and half = Fixed.half_width in
   let relative r = let x = half r in if x = 0.0 then 0.0 else x /. abs_float (value r) in
   let { amplitude = a; frequency = w; shift = tau } = data.leading in
-  let t, v = match beginning with Struck (_, t, v) | Inside (t, _, v) -> (t, v) in
-  let place = match beginning with Struck _ -> 0.0 | Inside (_, y, _) -> half y /. value a in
   let unit = value a *. value w in
-  { of_e = half data.restitution; of_gap = value data.gap /. value a *. (relative data.gap +. relative a) +. 2.0 *. place;
-    of_phase = abs_float (value t) *. half w +. value w *. half t +. half tau;
-    of_velocity = half v /. unit +. abs_float (value v /. unit) *. (relative a +. relative w); of_time = relative w }
+  let pair = { of_e = half data.restitution; of_gap = value data.gap /. value a *. (relative data.gap +. relative a); of_phase = 0.0;
+               of_velocity = 0.0; of_time = relative w } in
+  let started t v = { pair with of_phase = abs_float (value t) *. half w +. value w *. half t +. half tau;
+    of_velocity = half v /. unit +. abs_float (value v /. unit) *. (relative a +. relative w) } in
+  match origin with
+  | Begun (Struck (_, t, v)) -> started t v
+  | Begun (Inside (t, y, v)) -> { (started t v) with of_gap = pair.of_gap +. 2.0 *. half y /. value a }
+  | Released _ -> pair
 
 let is_point s = s.of_e +. s.of_gap +. s.of_phase +. s.of_velocity +. s.of_time = 0.0
 
@@ -89,13 +92,13 @@ let of_float scale x = let m, e = Float.frexp x in
   let n = Z.of_float (Float.ldexp m 60) and shift = e - 60 + scale in
   if shift >= 0 then Z.shift_left n shift else Z.shift_right n (-shift)
 
-(* The start's box: of radius 0 where it is a number of the grid. *)
-let origin_box spread s beginning scale =
-  let _, th, v, _ = start_of s beginning in
+(* The box of the start, of radius 0 where it is a number of the grid; or of a release. *)
+let origin_box spread s from scale =
+  let _, th, v, _ = start_of s from in
   let exact x = Z.equal x (Z.shift_left (floor_at ~bits:s.bits ~scale x) (s.bits - scale)) in
   let radius x spread = if spread = 0.0 && exact x then 0.0 else Float.ceil (scaled scale spread) +. 2.0 in
-  let rt = radius th spread.of_phase and rv = radius v spread.of_velocity in
-  (th, v, { scale; rt; rv })
+  let rt = match from with Released _ -> 2.0 | Begun _ -> radius th spread.of_phase in
+  (th, v, { scale; rt; rv = radius v spread.of_velocity })
 
 let printed_at s scale b =
   let phase q = floor_at ~bits:s.bits ~scale (Z.add (Fixed.mul s.bits s.w (Fixed.of_q s.bits q)) s.tau) in
@@ -103,7 +106,7 @@ let printed_at s scale b =
   (phase b.time_lower, phase b.time_upper, speed b.velocity_lower, speed b.velocity_upper)
 
 (* The centres of the impacts, each to enough bits for its box: phase, velocity, bits. *)
-let centres s beginning flights boxes impacts =
+let centres s from flights boxes impacts =
   let rec all n s (place, th0, u) = function
     | [] -> []
     | (f, box, i) :: rest ->
@@ -116,7 +119,7 @@ let centres s beginning flights boxes impacts =
          let s' = if bits < s.bits then Flights.coarser bits s else s in
          let th1 = move th1 and v = move v in
          (s', th1, v) :: all (n + 1) s' (On f.wall, th1, Z.neg (Fixed.mul bits s'.e v)) rest) in
-  let place, th, _, u = start_of s beginning in
+  let place, th, _, u = start_of s from in
   let rec zip fs bs is = match fs, bs, is with f :: fs, b :: bs, i :: is -> (f, b, i) :: zip fs bs is | _ -> [] in
   all 0 s (place, th, u) (zip flights boxes impacts)
 
@@ -129,20 +132,24 @@ let leg (f, box, (s, th1, v)) th0 (from : box) =
     v = grid v; rv = Z.of_float box.rv; depart = (if f.from = None then Z.sub (cut 0.0) radius else cut f.depart);
     approach = cut f.approach; tilt = of_float box.scale (f.bend1 /. f.rate) }
 
-(* Hints for these impacts, with a first scale of n bits or more. *)
-let rec from_scale data beginning impacts flights spread least tries =
+(* Flights from the start or a release on: the box there, and the legs; and the last box with its centre, before the impact. *)
+type flown = { first : start; legs : leg list; last : setting * Z.t * Z.t * box }
+
+(* Hints for these impacts, with a first scale of n bits or more; what comes after them may want more bits as well. *)
+let rec from_scale data from impacts flights spread ~more least tries =
   let s = setting (least + working_spare) data in
-  let th, v, origin = origin_box spread s beginning least in
+  let th, v, origin = origin_box spread s from least in
   let origin = { origin with scale = coarser least (max origin.rt origin.rv) } in
-  let th, v, origin = if origin.scale = least then (th, v, origin) else origin_box spread s beginning origin.scale in
+  let th, v, origin = if origin.scale = least then (th, v, origin) else origin_box spread s from origin.scale in
   let boxes = chain spread origin flights in
-  let centres = centres s beginning flights boxes impacts in
+  let centres = centres s from flights boxes impacts in
+  let last = List.fold_left2 (fun _ box (s, th, v) -> (s, th, v, box)) (s, th, v, origin) boxes centres in
   let wanting = List.fold_left2 (fun most (f, box) ((s, th1, v), i) ->
     let grid = Fixed.round ~bits:s.bits ~scale:box.scale in
     max most (excess f box (grid th1, grid v) (printed_at s box.scale i)))
-    0 (List.combine flights boxes) (List.combine centres impacts) in
+    (more s th last) (List.combine flights boxes) (List.combine centres impacts) in
   if wanting > 0 && tries > 0 && is_point spread then
-    from_scale data beginning impacts flights spread (least + wanting + 1) (tries - 1)
+    from_scale data from impacts flights spread ~more (least + wanting + 1) (tries - 1)
   else begin
     let grid = Fixed.round ~bits:s.bits ~scale:origin.scale in
     let th0 = Fixed.move ~from:s.bits ~into:fine th in
@@ -151,9 +158,8 @@ let rec from_scale data beginning impacts flights spread least tries =
       (List.map2 (fun (f, box) centre -> (f, box, centre)) (List.combine flights boxes) centres) in
     let legs = List.rev legs in
     let bits = List.fold_left (fun most (leg : leg) -> Z.max most leg.bits) (Z.of_int (origin.scale + 64)) legs in
-    let start = { start_bits = bits; start_scale = Z.of_int origin.scale; start_t = grid th; start_rt = Z.of_float origin.rt;
-                  start_v = grid v; start_rv = Z.of_float origin.rv } in
-    (start, legs)
+    { first = { start_bits = bits; start_scale = Z.of_int origin.scale; start_t = grid th; start_rt = Z.of_float origin.rt;
+                start_v = grid v; start_rv = Z.of_float origin.rv }; legs; last }
   end
 
 (* The first scale at which the boxes fit into the listed bounds, about. *)
@@ -176,20 +182,23 @@ let first_scale spread flights data impacts =
 let compare_q a b = Z.compare (Z.mul a.qnum b.qden) (Z.mul b.qnum a.qden)
 let is_empty b = compare_q b.time_lower b.time_upper >= 0 || compare_q b.velocity_lower b.velocity_upper >= 0
 
-let of_impacts data beginning impacts =
+let of_impacts data from impacts ~more =
   List.iteri (fun n b -> if is_empty b then raise (Lost n)) impacts;
-  let spread = spread data beginning in
-  let flights = listed ~is_point:(is_point spread) data beginning impacts in
-  from_scale data beginning impacts flights spread (first_scale spread flights data impacts) 4
+  let spread = spread data from in
+  let flights = listed ~is_point:(is_point spread) data from impacts in
+  from_scale data from impacts flights spread ~more (first_scale spread flights data impacts) 4
 
 (* Bounds of the next impact, which comes after `until`: wide ones will do. *)
 let widest = 1e-3
+(* A ball that leaves a wall without velocity is there, for a double, for some time. *)
+let without_velocity = 1e-3
 
-let next_bounds data beginning impacts until =
+let next_bounds data from impacts until =
   let s = setting fine data in
   let launch = match List.rev impacts with
-    | [] -> let place, th, _, u = start_of s beginning in (place, th, u)
+    | [] -> let place, th, _, u = start_of s from in (place, th, u)
     | i :: _ -> let th, v = middle_of s i in (On i.on, th, Z.neg (Fixed.mul fine s.e v)) in
+  let first = match launch with _, _, u when Z.sign u = 0 -> Some without_velocity | _ -> None in
   let bounds near w = match landing s launch w near with
     | None -> None
     | Some (th, v) ->
@@ -202,15 +211,4 @@ let next_bounds data beginning impacts until =
       let time_lower, time_upper = around time (min widest (after /. 2.0)) in
       let velocity_lower, velocity_upper = around velocity (widest *. abs_float (Fixed.to_float fine velocity)) in
       Some { on = w; time_lower; time_upper; velocity_lower; velocity_upper } in
-  match next_contact s launch with None -> None | Some (near, w) -> bounds near w
-
-(* All that helps to verify a document; `None` where the next impact is not found. *)
-let of_document { scene_data; begun; events; ended } =
-  let impacts = List.map (fun event -> event.shown) events in
-  let hint next =
-    let origin, legs = of_impacts scene_data begun (impacts @ Option.to_list next) in
-    Some { origin; legs; next_impact = next } in
-  match ended with
-  | Impacts_reached _ -> hint None
-  | Time_reached (_, until) ->
-    match next_bounds scene_data begun impacts until with None -> None | next -> hint next
+  match next_contact ?from:first s launch with None -> None | Some (near, w) -> bounds near w

@@ -12,10 +12,13 @@ let unreadable = Json.unreadable
 let schema = "impact-pair/orbit/1"
 let exact_start = "exact start"
 let shadowed = "shadowed"
+let periodic = "periodic"
 
 (* What a document claims: of the orbit from the scene's start, or of one that starts near. *)
-type claim = Exact of document | Shadowed of document * nearness
-let document_of = function Exact document | Shadowed (document, _) -> document
+type claim = Exact of document | Shadowed of event document_of * nearness
+let scene_of = function Exact { scene_data; begun; _ } -> (scene_data, begun) | Shadowed ({ scene_data; begun; _ }, _) -> (scene_data, begun)
+let outcome_of = function Exact { ended; _ } -> ended | Shadowed ({ ended; _ }, _) -> ended
+let occurrences = function Exact { events; _ } -> events | Shadowed ({ events; _ }, _) -> List.map (fun event -> Impact_at event) events
 
 (* Keys that claim nothing. *)
 let no_claims = [ "program"; "arithmetic" ]
@@ -68,7 +71,7 @@ let only place known members =
   List.iter (fun (key, _) ->
     if not (List.mem key known) then not_covered "%s is not covered by the theorem" (inside place key)) members
 
-(* Forcing periods are those of the fastest harmonic, and the theorem on shadowed orbits is about documents of which it is the first: so it is put
+(* Forcing periods are those of the fastest harmonic, and the theorems on shadowed orbits and on periods are about documents of which it is the first: so it is put
    there, in all lists alike, before anything is read. A sum has no order; that no other one is faster is proved. *)
 let rec change path by value = match path, value with
   | [], _ -> by value
@@ -77,8 +80,10 @@ let rec change path by value = match path, value with
 let with_fastest_first value =
   let at key = function Json.Object members -> List.assoc_opt key members | _ -> None in
   let frequencies = List.fold_left (fun value key -> Option.bind value (at key)) (Some value) [ "scene"; "excitation"; "frequency" ] in
-  match at "claim" value, frequencies with
-  | Some (Json.String claim), Some (Json.List (_ :: _ :: _ as frequencies)) when claim = shadowed ->
+  let has_periods = at "claim" value = Some (Json.String shadowed)
+    || Option.bind (at "outcome" value) (at "kind") = Some (Json.String periodic) in
+  match frequencies with
+  | Some (Json.List (_ :: _ :: _ as frequencies)) when has_periods ->
     let sizes = List.map (fun frequency -> Fixed.middle 256 (range "scene.excitation.frequency" frequency)) frequencies in
     let is_slower x y = Z.sign (Z.sub y x) > 0 in
     let later best (i, x) = if is_slower (snd best) x then (i, x) else best in
@@ -123,16 +128,34 @@ let read_scene value =
 
 let read_event (place, value) =
   let event = members place value in
-  (match string (inside place "event") (get place event "event") with
-   | "impact" -> ()
-   | ("graze" | "rest" | "release") as other ->
-     not_covered "%s is a %s: covered are impacts" place other
-   | _ -> wrong (inside place "event") (get place event "event") "\"impact\", \"graze\", \"rest\" or \"release\"");
-  only place [ "event"; "index"; "mapping"; "wall"; "time"; "velocity" ] event;
   let value read key = read (inside place key) (get place event key) in
-  let time_lower, time_upper = value bounds "time" and velocity_lower, velocity_upper = value bounds "velocity" in
-  { index = value integer "index"; mapped = value mapping "mapping";
-    shown = { on = value wall "wall"; time_lower; time_upper; velocity_lower; velocity_upper } }
+  let known keys = only place ("event" :: "wall" :: "time" :: keys) event in
+  match string (inside place "event") (get place event "event") with
+  | "impact" ->
+    known [ "index"; "mapping"; "velocity" ];
+    let time_lower, time_upper = value bounds "time" and velocity_lower, velocity_upper = value bounds "velocity" in
+    Impact_at { index = value integer "index"; mapped = value mapping "mapping";
+                shown = { on = value wall "wall"; time_lower; time_upper; velocity_lower; velocity_upper } }
+  | "rest" ->
+    known [ "skipped" ];
+    let lower, upper = value bounds "time" in
+    let bounces = match List.assoc_opt "skipped" event with
+      | None -> false
+      | Some (Json.String "infinite") -> true
+      | Some other -> wrong (inside place "skipped") other "\"infinite\", or no such key" in
+    Rest_at (value wall "wall", lower, upper, bounces)
+  | "release" ->
+    known [];
+    let lower, upper = value bounds "time" in
+    Release_at (value wall "wall", lower, upper)
+  | "graze" -> not_covered "%s is a graze: covered are impacts, rests and releases" place
+  | _ -> wrong (inside place "event") (get place event "event") "\"impact\", \"graze\", \"rest\" or \"release\""
+
+(* Of shadowed orbits impacts alone are covered. *)
+let impact_only n = function
+  | Impact_at event -> event
+  | Rest_at _ -> not_covered "events[%d] is a rest: covered of shadowed orbits are impacts" n
+  | Release_at _ -> not_covered "events[%d] is a release: covered of shadowed orbits are impacts" n
 
 (* The bounds of a shadowed orbit's start, and how far its impacts are from the middles of theirs. *)
 let read_nearness outcome =
@@ -150,6 +173,7 @@ let read_nearness outcome =
 
 let read_outcome ~is_shadowed outcome =
   let place = "outcome" in
+  let unknown = only in
   let only place known members = only place (if is_shadowed then "start" :: "epsilon" :: known else known) members in
   let impacts () = integer "outcome.impacts" (get place outcome "impacts") in
   match string "outcome.kind" (get place outcome "kind") with
@@ -160,7 +184,16 @@ let read_outcome ~is_shadowed outcome =
     only place [ "kind"; "message"; "impacts"; "until" ] outcome;
     let until = "outcome.until" in
     Time_reached (impacts (), Expression.number until (string until (get place outcome "until")))
-  | other -> not_covered "outcome.kind is %S: covered are \"impacts-reached\" and \"time-reached\"" (shortened other)
+  | kind when kind = periodic && not is_shadowed ->
+    only place [ "kind"; "message"; "impacts"; "until"; "period" ] outcome;
+    let place = "outcome.period" in
+    let period = members place (get "outcome" outcome "period") in
+    let count key = integer (inside place key) (get place period key) in
+    unknown place [ "cycles"; "impacts" ] period;
+    let until = Option.map (fun value -> Expression.number "outcome.until" (string "outcome.until" value)) (List.assoc_opt "until" outcome) in
+    Repeats (impacts (), until, count "cycles", count "impacts")
+  | other when is_shadowed -> not_covered "outcome.kind is %S: covered of shadowed orbits are \"impacts-reached\" and \"time-reached\"" (shortened other)
+  | other -> not_covered "outcome.kind is %S: covered are \"impacts-reached\", \"time-reached\" and \"periodic\"" (shortened other)
 
 let document value =
   let head = members "the document" value in
@@ -177,11 +210,10 @@ let document value =
   let events = List.map read_event (items "events" (get "" head "events")) in
   let scene_data, begun = read_scene (get "" head "scene") in
   only "" ([ "schema"; "certified"; "claim"; "scene"; "outcome"; "events" ] @ no_claims) head;
-  let document = { scene_data; begun; events; ended } in
-  if not is_shadowed then Exact document
+  if not is_shadowed then Exact { scene_data; begun; events; ended }
   else match begun with
     | Inside _ -> not_covered "scene.start is inside the gap: covered of shadowed orbits are starts on a wall"
-    | Struck _ -> Shadowed (document, read_nearness outcome)
+    | Struck _ -> Shadowed ({ scene_data; begun; events = List.mapi impact_only events; ended }, read_nearness outcome)
 
 (* To JSON. *)
 
@@ -192,9 +224,12 @@ let words claim =
     | Shadowed (_, { half_within; all_within; _ }) ->
       Printf.sprintf " of one true orbit that starts near (shadowed), half of them within %s forcing periods, all within %s"
         (Expression.spell half_within) (Expression.spell all_within) in
-  match (document_of claim).ended with
+  match outcome_of claim with
   | Impacts_reached n -> Printf.sprintf "%s impact%s%s" (Z.to_string n) (plural n) near
   | Time_reached (n, _) -> Printf.sprintf "%s impact%s listed%s; no other event up to the requested time" (Z.to_string n) (plural n) near
+  | Repeats (n, _, cycles, each) ->
+    Printf.sprintf "%s impact%s; proved to repeat exactly for ever, %s impact%s every %s" (Z.to_string n) (plural n) (Z.to_string each) (plural each)
+      (if Z.equal cycles Z.one then "cycle" else Z.to_string cycles ^ " cycles")
 
 let wall_name = function Left -> "left" | Right -> "right"
 let mapping_name = function P1 -> "P1" | P2 -> "P2" | P3 -> "P3" | P4 -> "P4"
@@ -212,12 +247,18 @@ let json_of_scene data beginning =
 
 let pair lower upper = Json.List [ String (Expression.spell lower); String (Expression.spell upper) ]
 
-let json_of_event { index; mapped; shown } =
-  Json.Object [
-    ("event", String "impact"); ("index", Number (Z.to_string index));
-    ("mapping", match mapped with None -> Null | Some m -> String (mapping_name m));
-    ("wall", String (wall_name shown.on)); ("time", pair shown.time_lower shown.time_upper);
-    ("velocity", pair shown.velocity_lower shown.velocity_upper) ]
+let json_of_event = function
+  | Impact_at { index; mapped; shown } ->
+    Json.Object [
+      ("event", String "impact"); ("index", Number (Z.to_string index));
+      ("mapping", match mapped with None -> Null | Some m -> String (mapping_name m));
+      ("wall", String (wall_name shown.on)); ("time", pair shown.time_lower shown.time_upper);
+      ("velocity", pair shown.velocity_lower shown.velocity_upper) ]
+  | Rest_at (w, lower, upper, bounces) ->
+    Object ([ ("event", Json.String "rest"); ("wall", String (wall_name w)); ("time", pair lower upper) ]
+      @ if bounces then [ ("skipped", Json.String "infinite") ] else [])
+  | Release_at (w, lower, upper) ->
+    Object [ ("event", String "release"); ("wall", String (wall_name w)); ("time", pair lower upper) ]
 
 let json_of_nearness { start_times = (a, b); start_velocities = (c, d); half_within; all_within } =
   let number x = Json.String (Expression.spell x) in
@@ -227,17 +268,21 @@ let json_of_nearness { start_times = (a, b); start_velocities = (c, d); half_wit
 let json_of_outcome claim =
   let common kind impacts = [ ("kind", Json.String kind); ("message", Json.String (words claim)); ("impacts", Json.Number (Z.to_string impacts)) ] in
   let near = match claim with Exact _ -> [] | Shadowed (_, near) -> json_of_nearness near in
-  Json.Object (near @ match (document_of claim).ended with
+  let number x = Json.String (Expression.text { least = x; most = x }) in
+  Json.Object (near @ match outcome_of claim with
     | Impacts_reached n -> common "impacts-reached" n
     | Time_reached (n, until) ->
-      common "time-reached" n @ [ ("until", String (Expression.text { least = until; most = until })) ])
+      common "time-reached" n @ [ ("until", number until) ]
+    | Repeats (n, until, cycles, each) ->
+      common periodic n @ List.map (fun until -> ("until", number until)) (Option.to_list until)
+      @ [ ("period", Object [ ("cycles", Number (Z.to_string cycles)); ("impacts", Number (Z.to_string each)) ]) ])
 
 let json claim =
-  let { scene_data; begun; events; _ } = document_of claim in
+  let scene, beginning = scene_of claim in
   Json.Object [
     ("schema", String schema); ("certified", Bool true); ("claim", String (match claim with Exact _ -> exact_start | Shadowed _ -> shadowed));
-    ("scene", json_of_scene scene_data begun); ("outcome", json_of_outcome claim);
-    ("events", List (List.rev (List.rev_map json_of_event events))) ]
+    ("scene", json_of_scene scene beginning); ("outcome", json_of_outcome claim);
+    ("events", List (List.rev (List.rev_map json_of_event (occurrences claim)))) ]
 
 (* The canonical form of a document: without what claims nothing, with the defaults that older documents leave out, and with
    numbers in one spelling. *)
@@ -281,18 +326,31 @@ let read source =
 
 (* The claim in one line, in the words of the theorem. *)
 let claim claimed =
-  let impacts n = Printf.sprintf "%s impact%s, each the first contact after the one before, with the listed indices, mappings, walls, and bounds of \
-    time and velocity" (Z.to_string n) (plural n) in
+  let count kind name = match List.length (List.filter kind (occurrences claimed)) with 1 -> "1 " ^ name | n -> Printf.sprintf "%d %ss" n name in
+  let rests = count (function Rest_at _ -> true | _ -> false) "rest" and releases = count (function Release_at _ -> true | _ -> false) "release" in
+  let listed = "with the listed indices, mappings, walls, and bounds of time and velocity" in
+  let impacts n = Printf.sprintf "%s impact%s" (Z.to_string n) (plural n) in
+  let contacts = "each the first contact after the one before" in
   let sequence n = match claimed with
-    | Exact _ -> "from every start that the scene allows there is exactly one sequence of " ^ impacts n
+    | Exact _ when rests = "0 rests" && releases = "0 releases" ->
+      Printf.sprintf "from every start that the scene allows there is exactly one sequence of %s, %s, %s" (impacts n) contacts listed
+    | Exact _ ->
+      Printf.sprintf "from every start that the scene allows there is exactly one motion with this sequence of %s, %s and %s: each impact is the first \
+        contact after what is listed before it; a rest with `skipped` comes after infinitely many impacts on its wall, each the first contact after the one \
+        before, whose times tend to that of the rest and whose velocities tend to 0, any other one at once; from a rest to its release the contact force is \
+        positive, and not after it; %s" (impacts n) rests releases listed
     | Shadowed (_, { start_times; start_velocities; half_within; all_within }) ->
       let spell = Expression.spell in
       let bounds (lower, upper) = Printf.sprintf "from %s to %s" (spell lower) (spell upper) in
-      Printf.sprintf "a start on the scene's wall, at a time %s with a velocity %s, one of them the scene's, has a sequence of %s; these bounds of the \
+      Printf.sprintf "a start on the scene's wall, at a time %s with a velocity %s, one of them the scene's, has a sequence of %s, %s, %s; these bounds of the \
         start hold the scene's and are no more than a thousandth of a forcing period and of A W apart; half of the impacts are within %s forcing \
         periods of the middles of the bounds of their times, all within %s"
-        (bounds start_times) (bounds start_velocities) (impacts n) (spell half_within) (spell all_within) in
-  match (document_of claimed).ended with
+        (bounds start_times) (bounds start_velocities) (impacts n) contacts listed (spell half_within) (spell all_within) in
+  let up_to until = "; all are up to the time " ^ Expression.text { least = until; most = until } ^ ", and the next one is after it" in
+  match outcome_of claimed with
   | Impacts_reached n -> sequence n
-  | Time_reached (n, until) ->
-    sequence n ^ "; all are up to the time " ^ Expression.text { least = until; most = until } ^ ", and the next one is after it"
+  | Time_reached (n, until) -> sequence n ^ up_to until
+  | Repeats (n, until, cycles, each) ->
+    let text = Z.to_string in
+    Printf.sprintf "%s%s; a part of the list with %s, from after a release up to the next one from the same wall, happens again and again, each time \
+      %s forcing period%s later, for ever" (sequence n) (Option.fold ~none:"" ~some:up_to until) (impacts each) (text cycles) (plural cycles)

@@ -2,46 +2,55 @@
 
 open Checker
 module Z = Integers.Z
-module Each = Shifting.Each
+module Steps = Shifting.Each
+module Each = Steps.Each
 module Check = Each.Check
 
-let first_wrong_name { begun; events; _ } =
-  let rec look previous n = function
+let first_wrong_name begun events =
+  let rec look previous n number = function
     | [] -> None
     | event :: rest ->
-      if numbered previous (Z.of_int n) [ event ] then look (Some event.shown.on) (n + 1) rest else Some (n - 1) in
-  look (first_wall begun) 1 events
+      if not (check_named previous number [ event ]) then Some n
+      else match event with
+        | Impact_at { shown; _ } -> look (Some shown.on) (n + 1) (Z.succ number) rest
+        | Rest_at (w, _, _, _) | Release_at (w, _, _) -> look (Some w) (n + 1) number rest in
+  look (first_wall begun) 0 Z.one events
 
-let first_wrong_leg { scene_data; begun; events; _ } { origin; legs; next_impact } =
-  let printed = List.map (fun event -> event.shown) events @ Option.to_list next_impact in
-  let rec look box n legs printed = match legs, printed with
-    | leg :: legs, bounds :: printed ->
-      if Check.check_leg scene_data box leg bounds then
-        let e = Check.enclose_range leg.bits scene_data.restitution in
-        look (Check.landing leg.bits e leg.hits leg.scale0 leg.t leg.rt leg.v leg.rv) (n + 1) legs printed
-      else Some n
+(* The first event that is refused after those before it. *)
+let first_wrong_step { scene_data = data; begun; events; _ } { origin; steps; next_one; _ } =
+  let after place step event = match place, step, event with
+    | Steps.In_flight (b, _), Rest r, Rest_at (w, _, _, bounces) -> Steps.On_wall (w, Steps.rest_phase data r.rest_bits r.rest_scale b w bounces r)
+    | On_wall (w, _), Release r, _ -> Steps.away data r.release_bits r.release_scale w r
+    | _, Flight leg, _ -> In_flight (Check.landed data leg, None)
+    | _ -> place in
+  let rec look place n steps listed = match steps, listed with
+    | step :: steps, event :: listed ->
+      if Steps.check_steps data place [ step ] [ event ] then look (after place step event) (n + 1) steps listed else Some (n, event)
     | _ -> None in
-  look (Check.start_box scene_data begun origin) 0 legs printed
+  look (In_flight (Check.start_box data begun origin, None)) 0 steps (events @ Option.to_list next_one)
 
 (* What is asked of every document. *)
-let wrong_data bits document =
-  if not (Each.check_data bits document.scene_data) then
+let wrong_data bits data begun events =
+  if not (Each.check_data bits data) then
     Some "scene: not proved to be an impact pair (no amplitude negative, frequencies and gap positive, 0 <= restitution <= 1)"
-  else if not (Each.check_beginning bits document.scene_data document.begun) then
+  else if not (Each.check_beginning bits data begun) then
     Some "scene.start: not proved to be on its wall, from inside, or inside the gap"
-  else Option.map (Printf.sprintf "events[%d]: index or mapping is not that of its place in the list") (first_wrong_name document)
+  else Option.map (Printf.sprintf "events[%d]: index or mapping is not that of its place in the list") (first_wrong_name begun events)
 
-let why document hint =
+let why ({ scene_data; begun; events; ended } as document) hint =
   let bits = hint.origin.start_bits in
-  match wrong_data bits document with
+  match wrong_data bits scene_data begun events with
   | Some reason -> reason
   | None ->
-    if not (Each.check_outcome bits document.ended document.events hint.next_impact) then
-      "outcome: the impacts are not those listed, or not all of them proved to be up to `until` and the next one after it"
-    else if not (Check.check_start document.scene_data document.begun hint.origin) then "scene.start: not enclosed"
-    else match first_wrong_leg document hint with
-    | Some n when n = List.length document.events -> "outcome.until: the next impact is not proved to be after it"
-    | Some n -> Printf.sprintf "events[%d]: not proved to be the next contact, on its wall, within its bounds" n
+    if not (Steps.check_end bits scene_data ended events hint) then
+      "outcome: the impacts are not those listed, or not all events proved to be up to `until` and the next one after it"
+      ^ (match ended with Repeats _ -> ", or not to repeat as is said" | _ -> "")
+    else if not (Check.check_start scene_data begun hint.origin) then "scene.start: not enclosed"
+    else match first_wrong_step document hint with
+    | Some (n, _) when n = List.length events -> "outcome.until: the next event is not proved to be after it"
+    | Some (n, Impact_at _) -> Printf.sprintf "events[%d]: not proved to be the next contact, on its wall, within its bounds" n
+    | Some (n, Rest_at _) -> Printf.sprintf "events[%d]: the ball is not proved to come to rest, on its wall, within its bounds" n
+    | Some (n, Release_at _) -> Printf.sprintf "events[%d]: not proved to be the end of the rest, within its bounds" n
     | None -> "the certificate is not accepted"
 
 (* The first impact whose parallelogram the one before does not cover, or that is not within its bounds. *)
@@ -57,11 +66,11 @@ let first_wrong_link { scene_data; begun; events; _ } near { chain_bits = p; cha
   look 0 first_chart (flights (Option.get (first_wall begun)) events) events links
 
 let why_not_shadowed document near chain =
-  match wrong_data chain.chain_bits document with
+  match wrong_data chain.chain_bits document.scene_data document.begun (List.map (fun event -> Impact_at event) document.events) with
   | Some reason -> reason
   | None ->
     match first_wrong_link document near chain with
     | Some reason -> reason
-    | None when not (Shadowing.check_fastest chain.chain_bits document.scene_data) ->
+    | None when not (Each.check_fastest chain.chain_bits document.scene_data) ->
       "scene.excitation.frequency: no harmonic is proved to be the fastest, in whose periods `outcome.epsilon` is"
     | None -> "outcome: not proved are its number of impacts, `until`, its bounds of the start, or that half of the impacts are within `median`"

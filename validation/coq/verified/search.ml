@@ -9,15 +9,15 @@ type float = Stdlib.Float.t
 let deepest = 20
 let most_attempts = 4096
 
-let rec nat n = if n = 0 then O else S (nat (n - 1))
+let nat = Rests.nat
 
 (* The intervals of a document, each with what half its width makes in the units of Step.v, about. *)
-let intervals { scene_data = p; begun; events; _ } =
+let intervals ({ scene_data = p; begun; events; _ } : document) =
   let bits = Flights.fine in
   let value r = Fixed.to_float bits (Fixed.middle bits r) and half = Fixed.half_width in
   let a = value p.leading.amplitude and w = value p.leading.frequency in
   let t, v = match begun with Struck (_, t, v) | Inside (t, _, v) -> (t, v) in
-  let last = match List.rev events with x :: _ -> Fixed.to_float bits (Fixed.of_q bits x.shown.time_upper) | [] -> value t in
+  let last = match List.rev events with x :: _ -> Fixed.to_float bits (Fixed.of_q bits (Shifting.Each.latest x)) | [] -> value t in
   let span = 1.0 +. abs_float last +. abs_float (value t) in
   let of_tone n tone = [
     (Amplitude (nat n), tone.amplitude, half tone.amplitude /. a);
@@ -43,11 +43,11 @@ let widest document =
 
 type found = Pieces of pieces | Refused of string
 
-let no_next = "outcome.until: the next impact is not found"
+let no_next = "outcome.until: the next event is not found"
 
 let attempt document =
-  match Hints.of_document document with
-  | exception Flights.Lost n -> Refused (Printf.sprintf "events[%d]: no impact is found there" n)
+  match Rests.of_document document with
+  | exception Flights.Lost n -> Refused (Printf.sprintf "events[%d]: no such event is found there" n)
   (* A radius that is not finite. *)
   | exception Z.Overflow -> Refused "the data are intervals too wide for boxes around the impacts"
   | None -> Refused no_next

@@ -30,9 +30,14 @@ let beginning = function
 let bounds { on; time_lower; time_upper; velocity_lower; velocity_upper } =
   Printf.sprintf "(Impact %s %s)" (wall on) (String.concat " " (List.map fraction [ time_lower; time_upper; velocity_lower; velocity_upper ]))
 let event { index; mapped; shown } = Printf.sprintf "(Event %s %s %s)" (integer index) (option Orbit.mapping_name mapped) (bounds shown)
+let occurrence = function
+  | Impact_at x -> Printf.sprintf "(Impact_at %s)" (event x)
+  | Rest_at (w, lower, upper, bounces) -> Printf.sprintf "(Rest_at %s %s %s %b)" (wall w) (fraction lower) (fraction upper) bounces
+  | Release_at (w, lower, upper) -> Printf.sprintf "(Release_at %s %s %s)" (wall w) (fraction lower) (fraction upper)
 let outcome = function
   | Impacts_reached n -> Printf.sprintf "(Impacts_reached %s)" (integer n)
   | Time_reached (n, until) -> Printf.sprintf "(Time_reached %s %s)" (integer n) (number until)
+  | Repeats (n, until, cycles, each) -> Printf.sprintf "(Repeats %s %s %s %s)" (integer n) (option number until) (integer cycles) (integer each)
 
 let integers items = String.concat " " (List.map integer items)
 let leg { bits; coarse; scale0; hits; t; rt; v; rv; depart; approach; tilt } =
@@ -40,8 +45,17 @@ let leg { bits; coarse; scale0; hits; t; rt; v; rv; depart; approach; tilt } =
 let start { start_bits; start_scale; start_t; start_rt; start_v; start_rv } =
   Printf.sprintf "(Start %s)" (integers [ start_bits; start_scale; start_t; start_rt; start_v; start_rv ])
 
-let hint { origin; legs; next_impact } = Printf.sprintf "(Hint %s %s %s)" (start origin) (list leg legs) (option bounds next_impact)
+let resting { rest_bits; rest_scale; ends; low; high; ratio } =
+  Printf.sprintf "(At_rest %s)" (integers [ rest_bits; rest_scale; ends; low; high; ratio ])
+let releasing { release_bits; release_scale; held_from; ceases; ceases_by; falls_by } =
+  Printf.sprintf "(At_release %s)" (integers [ release_bits; release_scale; held_from; ceases; ceases_by; falls_by ])
+let step = function
+  | Flight l -> Printf.sprintf "(Flight %s)" (leg l)
+  | Rest r -> Printf.sprintf "(Rest %s)" (resting r)
+  | Release r -> Printf.sprintf "(Release %s)" (releasing r)
 let rec natural = function O -> "O" | S n -> Printf.sprintf "(S %s)" (natural n)
+let hint { origin; steps; next_one; rounds = (before, round) } =
+  Printf.sprintf "(Hint %s %s %s (%s, %s))" (start origin) (list step steps) (option occurrence next_one) (natural before) (natural round)
 let datum = function
   | Amplitude n -> "(Pieces.Amplitude " ^ natural n ^ ")"
   | Frequency n -> "(Pieces.Frequency " ^ natural n ^ ")"
@@ -66,17 +80,17 @@ let chain { chain_bits; chain_scale; first_chart; links; afterwards } =
   let step (l, into) = Printf.sprintf "(%s, %s)" (link l) (chart into) in
   Printf.sprintf "(Chain %s %s %s %s)" (integers [ chain_bits; chain_scale ]) (chart first_chart) (list step links) (option bounds afterwards)
 
-let document { scene_data; begun; events; ended } =
-  Printf.sprintf "(Document %s %s %s %s)" (data scene_data) (beginning begun) (list event events) (outcome ended)
+let document listed { scene_data; begun; events; ended } =
+  Printf.sprintf "(Document %s %s %s %s)" (data scene_data) (beginning begun) (list listed events) (outcome ended)
 
 (* The answer of the extracted program is Coq's: a file of definitions, and of the checker on them. *)
 let answered definitions checker answer =
   let defined = List.map (fun (name, term) -> Printf.sprintf "Definition %s := %s.\n" name term) definitions in
-  Printf.sprintf "From Coq Require Import ZArith QArith List.\nFrom ImpactPair Require Import Model Certificate Covering Document Shadow.\n\
+  Printf.sprintf "From Coq Require Import ZArith QArith List.\nFrom ImpactPair Require Import Model Certificate Covering Document Orbit Rests Shadow.\n\
     From ImpactPair Require Pieces Carrier.\nImport ListNotations.\nOpen Scope Z_scope.\n\
     %sLemma answer : Carrier.%s %s = %b.\nProof. vm_cast_no_check (eq_refl %b). Qed.\n"
     (String.concat "" defined) checker (String.concat " " (List.map fst definitions)) answer answer
 
-let file x found = answered [ ("document", document x); ("pieces", pieces found) ] "Shifting.verify_document"
+let file x found = answered [ ("document", document occurrence x); ("pieces", pieces found) ] "Shifting.verify_document"
 let file_of_shadow x near found =
-  answered [ ("document", document x); ("near", nearness near); ("chain", chain found) ] "Shadowing.verify_shadow"
+  answered [ ("document", document event x); ("near", nearness near); ("chain", chain found) ] "Shadowing.verify_shadow"

@@ -1,4 +1,4 @@
-(* Chatter, beyond the paper. On a window the wall-ward acceleration of the ball lies between a_lo > 0 and a_hi.
+(* Chatter: beyond the paper. On a window the wall-ward acceleration of the ball lies between a_lo > 0 and a_hi.
 
    `bounce`: a ball that leaves the wall at speed u comes back, first contact and same wall, within 2 u/a_lo, and no
    faster than u sqrt(a_hi/a_lo). `chatter`: if r = e sqrt(a_hi/a_lo) < 1 and the sum 2 u/(a_lo (1 - r)) of all return times
@@ -6,7 +6,8 @@
    limit, with u r^n as a bound on its rebound speed. *)
 From Coq Require Import Reals Lra Lia List.
 From Coquelicot Require Import Coquelicot.
-From ImpactPair Require Import Model Step.
+From ImpactPair Require Import Model Step Motion.
+From ImpactPair Require Return.
 Open Scope R_scope.
 
 (* A function with z' decreasing between two slopes; all that `bounce` needs of the flight. *)
@@ -248,6 +249,44 @@ Proof.
   split; [|exact (strict n j a)]. assert (b := lub _ (above n j a)). unfold remaining in b.
   assert (2 * rebound_speed j / (low * (1 - r)) <= 2 * (rebound_speed i * r ^ n) / (low * (1 - r))).
   { apply Rmult_le_compat_r; [left; apply Rinv_0_lt_compat; exact k|lra]. } lra.
+Qed.
+
+(* So they accumulate there, and the wall presses the ball from then on. *)
+Let nth (n : nat) : impact := Nat.iter n (Return.after s) i.
+Lemma nth_after n : forall j, after i n j -> nth n = j.
+Proof.
+  induction n as [|n IH]; intros j; [intros h; symmetry; exact h|]. intros (k & a & follows_). change (Return.after s (nth n) = j). rewrite (IH k a).
+  exact (Return.next_after s gap k j follows_).
+Qed.
+Theorem chatter_accumulates : time i + remaining i < ends -> exists limit, time i < limit <= time i + remaining i /\
+  accumulates s (rebound s i) w limit /\ pressed_from s w limit.
+Proof.
+  intros room. destruct chatter as (limit & bounds & all). exists limit. split; [exact bounds|]. assert (r0 := r_positive).
+  assert (k : 0 < low * (1 - r)) by (apply Rmult_lt_0_compat; lra).
+  assert (small : is_lim_seq (fun n => r ^ S n) 0).
+  { apply (is_lim_seq_incr_1 (fun n => r ^ n)). apply is_lim_seq_geom. rewrite Rabs_pos_eq; lra. }
+  assert (scaled : forall c, is_lim_seq (fun n => c * r ^ S n) 0).
+  { intros c. replace (Finite 0) with (Rbar_mult (Finite c) (Finite 0)) by (cbn; f_equal; ring).
+    apply is_lim_seq_scal_l. exact small. }
+  assert (side2 : side w * side w = 1) by (destruct w; cbn; ring).
+  split.
+  - exists (fun n => nth (S n)). split; [|split; [|split]].
+    + destruct (all 1%nat) as (j & a & _). rewrite (nth_after _ _ a). destruct a as (i' & -> & first). exact first.
+    + intros n. destruct (all (S n)) as (j & a & on & _ & before). destruct (all (S (S n))) as (j' & a' & _).
+      rewrite (nth_after _ _ a), (nth_after _ _ a'). split; [|split; [exact on|apply before]]. destruct a' as (j'' & a'' & follows_).
+      rewrite (after_unique _ _ _ _ a a''). exact follows_.
+    + apply (is_lim_seq_le_le (fun n => limit - 2 * rebound_speed i / (low * (1 - r)) * r ^ S n) _ (fun _ => limit)).
+      * intros n. destruct (all (S n)) as (j & a & _ & _ & before & strictly). rewrite (nth_after _ _ a).
+        replace (2 * rebound_speed i / (low * (1 - r)) * r ^ S n) with (2 * (rebound_speed i * r ^ S n) / (low * (1 - r))) by (field; lra). lra.
+      * replace (Finite limit) with (Finite (limit - 0)) by (f_equal; ring). apply is_lim_seq_minus'; [apply is_lim_seq_const|apply scaled].
+      * apply is_lim_seq_const.
+    + set (u := rebound_speed i) in *. apply (is_lim_seq_le_le (fun n => - (u / e s) * r ^ S n) _ (fun n => u / e s * r ^ S n)); [|apply scaled|apply scaled].
+      intros n. destruct (all (S n)) as (j & a & _ & fast & _). rewrite (nth_after _ _ a). unfold rebound_speed in fast at 1 2. fold u in fast.
+      assert (e s * (side w * velocity j) <= e s * (u / e s * r ^ S n)) by (replace (e s * (u / e s * r ^ S n)) with (u * r ^ S n) by (field; lra); apply fast).
+      assert (0 < side w * velocity j) by (apply (Rmult_lt_reg_l (e s)); lra).
+      assert (side w * velocity j <= u / e s * r ^ S n) by (apply (Rmult_le_reg_l (e s)); lra).
+      destruct w; cbn [side] in *; lra.
+  - exists ends. split; [lra|]. intros t h. assert (p := window t ltac:(destruct start as (_ & _ & o & _); lra)). lra.
 Qed.
 End Orbit.
 End Chatter.
