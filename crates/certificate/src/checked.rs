@@ -44,6 +44,11 @@ pub(super) trait Checked {
         format!("{}[{item}]", self.items())
     }
 
+    /// Which claim, and what is wrong with it.
+    fn described(&self, event: usize, message: &str) -> String {
+        if event < self.count() { format!("{}: {message}", self.place(event)) } else { message.to_owned() }
+    }
+
     /// The path of an item.
     fn path(&self, item: usize) -> String {
         format!("{}[{item}]", self.items())
@@ -148,6 +153,10 @@ impl Checked for Certificate {
         }
     }
 
+    fn described(&self, event: usize, message: &str) -> String {
+        self.described(event, message)
+    }
+
     fn whole(&self) -> &'static str {
         "outcome"
     }
@@ -155,6 +164,14 @@ impl Checked for Certificate {
     /// Of data that are intervals the pieces come one after another, and of a shadowed orbit the links say something only all together.
     fn is_one_by_one(&self) -> bool {
         self.claim() == ClaimName::ExactStart && Data::new(self.pair(), self.start()).is_ok_and(|data| data.is_point())
+    }
+}
+
+impl Certificate {
+    /// Returns which claim, and what is wrong with it.
+    pub fn described(&self, event: usize, message: &str) -> String {
+        let claim = if event < self.events().len() { self.place(event) } else { self.whole().to_owned() };
+        format!("{claim}: {message}")
     }
 }
 

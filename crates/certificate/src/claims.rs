@@ -287,9 +287,7 @@ impl Claims {
     /// Returns which claim, and what is wrong with it.
     pub fn described(&self, Finding { event, message }: &Finding) -> String {
         match self.certificate() {
-            Some(certificate) if *event < certificate.count() => format!("{}: {message}", certificate.place(*event)),
-            Some(certificate) if matches!(self, Self::Orbit(_)) => format!("{}: {message}", certificate.whole()),
-            Some(_) => message.clone(),
+            Some(certificate) => certificate.described(*event, message),
             None => {
                 let mut left = *event;
                 for (at, document) in self.documents().unwrap_or_default() {
