@@ -4,7 +4,7 @@
 
 use super::entries::Entries;
 use super::precondition::Preconditioner;
-use crate::number::Enclosing;
+use crate::number::{Ball, Enclosing, Number};
 
 /// As many equations as unknowns, `F(x) = 0`.
 pub trait Equations<N> {
@@ -63,6 +63,32 @@ pub(super) fn image<N: Enclosing>(equations: &dyn Equations<N>, inverse: &Precon
         }
         let newton = newton(&centre[i], row, &misses);
         rest.into_iter().zip(x).fold(newton, |sum, (g, x)| g.mul_add(x.spread(), sum))
+    };
+    Some((0..x.len()).map(image).collect())
+}
+
+/// [`image`] with `1 - Y J` enclosed in doubles, whatever the arithmetic: only deviations from the centre are multiplied by it, and `Y` itself
+/// is the inverse of `J` no better than doubles are. Lemma T3
+pub(super) fn image_by_doubles<N: Enclosing>(
+    equations: &dyn Equations<N>,
+    inverse: &Preconditioner,
+    x: &[N],
+) -> Option<Vec<N>> {
+    let centre: Vec<N> = x.iter().map(Enclosing::centre).collect();
+    let misses = equations.values(&centre)?;
+    let jacobian = equations.jacobian(x)?;
+    let slopes: Vec<(usize, usize, Ball)> = jacobian.iter().map(|(l, j, slope)| (l, j, slope.as_ball())).collect();
+    let spreads: Vec<Ball> = x.iter().map(|x| Ball::exact(x.spread().as_ball().mag())).collect();
+    let image = |i: usize| {
+        let row = inverse.row(i);
+        let mut rest = vec![Ball::exact(0.0); row.len()];
+        rest[i] = Ball::exact(1.0);
+        for &(l, j, slope) in &slopes {
+            rest[j] = Ball::exact(-row[l]).mul_add(slope, rest[j]);
+        }
+        let spread = |sum: Ball, (g, x): (Ball, &Ball)| Ball::exact(g.mag()).mul_add(*x, sum);
+        let most = rest.into_iter().zip(&spreads).fold(Ball::exact(0.0), spread).mag();
+        newton(&centre[i], row, &misses) + N::from_f64(0.0).with_radius(most)
     };
     Some((0..x.len()).map(image).collect())
 }
@@ -169,7 +195,7 @@ pub(super) fn widest<N: Enclosing>(balls: &[N]) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::number::{Ball, Wave};
+    use crate::number::Wave;
     use proptest::prelude::*;
 
     const EFFORT: Effort = Effort { largest: LARGEST, domains: 14, images: 40, slow: 0 };

@@ -225,7 +225,7 @@ impl Checked for WindowsCertificate {
     checked!("windows", "window");
 
     fn all(&self) -> String {
-        format!("the orbits and the ends of {}", counted(self.count(), "window"))
+        format!("the orbits of {} from end to end", counted(self.count(), "window"))
     }
 }
 

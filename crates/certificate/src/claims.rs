@@ -27,7 +27,7 @@ pub enum Claims {
     Cycles(Box<CyclesCertificate>),
     /// A bifurcation JSON: its folds, pitchforks and period doublings are checked, not its grazes, and not that there are no others.
     Bifurcations(Box<BifurcationCertificate>),
-    /// A JSON of windows: its orbits and the ends of their windows are checked, not the orbits between them.
+    /// A JSON of windows: its orbits, the ends of their windows and the orbits between them are checked.
     Windows(Box<WindowsCertificate>),
     /// A JSON of a global analysis: its periodic motions, and that every motion is in one of its components in the end.
     Global(Box<GlobalCertificate>),

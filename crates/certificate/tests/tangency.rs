@@ -84,7 +84,7 @@ fn bounds_that_hold_no_tangency_and_false_numbers_are_refuted() {
 #[test]
 fn what_is_not_checked_is_undecided() {
     let found = message(judged(&[("/key", json!("excitation.frequency"))]));
-    assert_eq!(found, "undecided: only tangencies over gap, amplitude and restitution are checked");
+    assert_eq!(found, "undecided: only reduced maps over gap, amplitude and restitution are checked");
     let found = message(judged(&[("/resonances_excluded_to", json!(2000))]));
     assert_eq!(found, "undecided: resonances of orders above 1024 are not checked");
     let wide = [("/parameter", json!(["9.3", "9.5"])), ("/saddle/phase", json!(["5", "5.1"]))];

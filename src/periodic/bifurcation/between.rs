@@ -9,7 +9,7 @@ use super::super::chained::{Chained, OneHarmonic};
 use super::super::determinant;
 use super::super::entries::Entries;
 use super::super::equations::flights;
-use super::super::krawczyk::{Equations, image, is_inside};
+use super::super::krawczyk::{Equations, image_by_doubles, is_inside};
 use super::super::orbit::PeriodicOrbit;
 use super::super::precondition::Preconditioner;
 use super::claim::Setting;
@@ -204,7 +204,7 @@ impl Between<'_> {
             // Any lengths of the coordinates: those of the box.
             let unit = |x: &N| N::from_f64(0.0).with_radius(x.as_ball().rad());
             let all: Vec<N> = x[..ring.unknowns()].iter().map(unit).collect();
-            Some(is_inside(&image(&Linear(matrix), &inverse, &all)?, &all))
+            Some(is_inside(&image_by_doubles(&Linear(matrix), &inverse, &all)?, &all))
         };
         regular().unwrap_or(false) // exact: not proved
     }

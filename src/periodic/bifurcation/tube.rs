@@ -1,7 +1,7 @@
 //! A followed curve proved to be one curve: Krawczyk's operator on slabs across it, each glued to the next. Lemmas Y6, Y8
 
 use super::super::equations::flights;
-use super::super::krawczyk::{image, is_inside, polish, widest};
+use super::super::krawczyk::{image_by_doubles, is_inside, polish, widest};
 use super::super::precondition::Preconditioner;
 use super::family::{Family, Varied};
 use super::ring::Ring;
@@ -184,7 +184,8 @@ impl<S: Varied, N: Enclosing + Turning> Tube<'_, S, N> {
     fn image(&self, slab: &Slab<'_>, inverse: &Preconditioner, x: &[N], t: N) -> Option<Vec<N>> {
         let last = x.len() - 1;
         let system = System::Slab(slab);
-        let still = image(&Posed { system: &system, family: self.family, is_sparse: self.steps > 0 }, inverse, x)?;
+        let posed = Posed { system: &system, family: self.family, is_sparse: self.steps > 0 };
+        let still = image_by_doubles(&posed, inverse, x)?;
         let moved = |(i, k): (usize, N)| N::from_f64(inverse.row(i)[last]).mul_add(t.clone(), k);
         Some(still.into_iter().enumerate().map(moved).collect())
     }
