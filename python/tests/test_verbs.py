@@ -141,13 +141,11 @@ def test_a_motion_in_a_region_is_described():
 
 
 def test_chaos_cells(cli):
-    told = cli.json("chaos", "scenes/figure-14.toml", "--depth", 4, "--over", "amplitude=2..4:10", "--halvings", 3)
-    found = Scene.named("figure-14").chaos_cells({"amplitude": ("2", "4", 10)}, depth=4, halvings=3, picture=True)
+    told = cli.json("chaos", "scenes/figure-14.toml", "--depth", 4, "--over", "amplitude=3.4..4:3", "--halvings", 3)
+    found = Scene.named("figure-14").chaos_cells({"amplitude": ("3.4", "4", 3)}, depth=4, halvings=3, picture=True)
     assert found.document == told
     assert found.shares == told["shares"]
-    verdicts = [stretch["verdict"] for stretch in found.stretches]
-    assert verdicts[0] == "attracted"
-    assert set(verdicts) == {"attracted", "stable", "undecided"}
+    assert {stretch["verdict"] for stretch in found.stretches} == {"stable", "undecided"}
     assert not found.complete
     assert found.svg.startswith("<svg")
     with pytest.raises(impact_pair.RangeError):

@@ -49,8 +49,8 @@ fn is_interval(text: &Value) -> bool {
 }
 
 fn neighbours(original: &Original) -> Vec<Forged> {
-    // Horseshoes, regions and cycles with rests are as true of neighbours.
-    if original.is(&["trap", "chaos", "hyperbolic", "atlas"]) {
+    // Horseshoes, stable orbits, regions and cycles with rests are as true of neighbours.
+    if original.is(&["trap", "chaos", "hyperbolic", "atlas", "cells"]) {
         return Vec::new();
     }
     let keys = [
@@ -148,7 +148,7 @@ fn units(original: &Original) -> Vec<Forged> {
 }
 
 fn harmonics(original: &Original) -> Vec<Forged> {
-    if original.is(&["trap", "chaos", "hyperbolic", "atlas"]) {
+    if original.is(&["trap", "chaos", "hyperbolic", "atlas", "cells"]) {
         return Vec::new();
     }
     let own = scene(original);

@@ -84,13 +84,13 @@ pub fn windows() -> Value {
     let scene = Scene::parse(
         r#"
         excitation = { amplitude = 0.3, frequency = "pi", phase = 0.25 }
-        pair = { gap = 1, restitution = 0.8 }
+        pair = { gap = 1, restitution = 0.5 }
         start = { time = 0, wall = "left", velocity = -1 }"#,
     )
     .unwrap();
-    let (over, precision): (Range, _) = ("amplitude=0.03..0.4".parse().unwrap(), Precision::default());
+    let (over, precision): (Range, _) = ("amplitude=0.08..0.45".parse().unwrap(), Precision::default());
     let seed =
-        WindowSeed { word: "RL".parse().unwrap(), cycles: 1, is_mirrored: true, phases: vec![0.28], parameter: 0.3 };
+        WindowSeed { word: "RL".parse().unwrap(), cycles: 1, is_mirrored: true, phases: vec![0.34], parameter: 0.3 };
     let window = Window::of(scene.pair(), &over, &seed, precision, &Unwatched).unwrap().expect("a window");
     let windows = vec![FoundWindow { impacts: 1, flights: "F".to_owned(), window }];
     let settings = WindowSettings { over: over.clone(), impacts: 1, longest: 1, most: 1, precision };

@@ -1,10 +1,13 @@
 //! Boxes as a graph of what may follow, its recurrent components, and where motions go on (Lemmas V20, graph, and V27).
 
 use std::collections::HashMap;
+use std::ops::Range;
+use std::sync::atomic::{AtomicU64, Ordering};
 
 use super::super::span::Span;
 use super::space::{Grid, Next, Space};
 use crate::check::blocks::{BLOCK, in_blocks};
+use crate::check::contact::Doubt;
 use impact_pair_model::watch::{Stage, Watch};
 
 /// Boxes of a grid, in order, and the release, if it is among them.
@@ -43,18 +46,34 @@ pub(super) struct Ends {
 pub(super) type Released = Option<[Span; 2]>;
 
 impl Set {
-    /// Returns the recurrent components, and where all else goes; `None` where it was stopped.
-    pub fn split(&self, space: &Space<'_>, released: &Released, watch: &dyn Watch) -> Option<Split> {
+    /// Returns the recurrent components, and where all else goes, with steps of the images taken off `work`; open where that is spent, or it
+    /// was stopped.
+    pub fn split(
+        &self,
+        space: &Space<'_>,
+        released: &Released,
+        work: &mut u64,
+        watch: &dyn Watch,
+    ) -> Result<Split, Doubt> {
         let count = self.cells.len();
         let number = |cell: &[i64; 2]| self.cells.binary_search(cell).ok();
-        let images = |block: std::ops::Range<usize>| -> Result<Vec<Vec<(usize, bool)>>, ()> {
+        // The sum is that of all boxes in any order, and so is whether it is more than allowed.
+        let spent = AtomicU64::new(0);
+        let images = |block: Range<usize>| -> Result<Vec<Vec<(usize, bool)>>, Doubt> {
+            let image = |k: usize| {
+                let (own, steps) = self.follows(space, self.cells[k], &number);
+                let sum = spent.fetch_add(steps, Ordering::Relaxed).saturating_add(steps); // exact: what is allowed
+                let is_spent = || Doubt::Open("where every motion goes: the work allowed is spent".into());
+                if sum > *work { Err(is_spent()) } else { Ok(own) }
+            };
             if !watch.goes_on() {
-                return Err(());
+                return Err(Doubt::Open("interrupted".into()));
             }
-            Ok(block.map(|k| self.follows(space, self.cells[k], &number)).collect())
+            block.map(image).collect()
         };
         let progress = |known: usize| watch.note(Stage::Region(known));
-        let images = in_blocks(0..count, BLOCK, images, progress).ok()?;
+        let images = in_blocks(0..count, BLOCK, images, progress)?;
+        *work -= spent.into_inner();
         let (mut next, mut staying) = (vec![Vec::new(); count + 1], vec![Vec::new(); count]);
         let mut leaves = vec![false; count + 1];
         for (from, images) in images.into_iter().enumerate() {
@@ -119,24 +138,25 @@ impl Set {
                 None => *split.passed.entry(ends[part].clone()).or_default() += 1,
             }
         }
-        Some(split)
+        Ok(split)
     }
 
-    /// The nodes that may follow a box, each with whether the motion stays in its column; the release is the last one of the set.
+    /// The nodes that may follow a box, each with whether the motion stays in its column, and the steps it took; the release is the last
+    /// one of the set.
     fn follows(
         &self,
         space: &Space<'_>,
         cell: [i64; 2],
         number: &impl Fn(&[i64; 2]) -> Option<usize>,
-    ) -> Vec<(usize, bool)> {
+    ) -> (Vec<(usize, bool)>, u64) {
         let mut own = Vec::new();
-        space.follows(self.grid, cell, &mut |next| match next {
+        let steps = space.follows(self.grid, cell, &mut |next| match next {
             Next::Release => own.push((if self.has_release { self.cells.len() } else { OUTSIDE }, false)),
             Next::Impact { cell, stays, .. } => own.push((number(&cell).unwrap_or(OUTSIDE), stays)), // exact: no box of the set
         });
         own.sort_unstable();
         own.dedup();
-        own
+        (own, steps)
     }
 
     /// Returns the same with each box cut in two, across its longer side.

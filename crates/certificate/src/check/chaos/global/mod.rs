@@ -28,8 +28,9 @@ const ROWS: f64 = 64.0;
 /// The most columns, where basins are judged.
 const MOST_COLUMNS: f64 = 1024.0;
 const HALVINGS: u32 = 20;
-/// Boxes that are mapped at least before a document is left undecided.
+/// Boxes that are mapped at least before a document is left undecided, and the steps that the image of one takes, about.
 const BOXES: u64 = 1 << 15;
+const STEPS: u64 = 64;
 /// Impacts of the released ball that are followed.
 const IMPACTS: usize = 200;
 
@@ -90,7 +91,7 @@ impl GlobalCertificate {
             return Ok(if is_open { Err(open()) } else { Ok(()) });
         }
         let cycles = self.cycles()?;
-        let mut work = BOXES.saturating_add(effort.work / 2); // exact: what is allowed
+        let mut work = BOXES.saturating_add(effort.work / 2).saturating_mul(STEPS); // exact: what is allowed
         let has_rests = rests.is_some();
         let judge = Judge {
             space: &space,
@@ -109,8 +110,9 @@ impl GlobalCertificate {
         }
         let Some((boxes, basins)) = self.basins() else { return Ok(Ok(())) };
         let all = judge.whole(Some(boxes));
-        let Some(split) = all.split(&space, &released, watch) else {
-            return Ok(Err(Doubt::Open("interrupted".into())));
+        let split = match all.split(&space, &released, &mut work, watch) {
+            Ok(split) => split,
+            Err(doubt) => return Ok(Err(doubt)),
         };
         Ok(Areas::of(&all, &split, &known).judge(basins, space.fastest))
     }
@@ -168,12 +170,7 @@ impl Judge<'_> {
         known: &mut Vec<Known>,
         watch: &dyn Watch,
     ) -> Result<(), Doubt> {
-        *work = work.saturating_sub(set.cells.len() as u64); // exact: a length
-        if *work == 0 {
-            return Err(Doubt::Open("where every motion goes: the work allowed is spent".into()));
-        }
-        let open = || Doubt::Open("interrupted".into());
-        let split = set.split(self.space, self.released, watch).ok_or_else(open)?;
+        let split = set.split(self.space, self.released, work, watch)?;
         let is_rest = |claim: usize| set.is_closed && split.is_released_always && self.claimed[claim].closed;
         if let Some(claim) = self.rest_claim.filter(|&claim| is_rest(claim)) {
             known.push((claim, set.clone()));

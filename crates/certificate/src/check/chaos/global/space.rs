@@ -1,5 +1,7 @@
 //! What may follow the states of a box: impacts in other boxes, or a rest and its release (Lemma V20, images).
 
+use std::cell::Cell;
+
 use super::super::Law;
 use super::super::beam::{Beam, Landing, Quad, State};
 use super::super::guess::Guess;
@@ -69,12 +71,18 @@ impl<'l> Space<'l> {
         [corner(column, row), corner(column + 1, row + 1)]
     }
 
-    /// Notes what may follow the states of a box.
-    pub fn follows(&self, grid: Grid, cell: [i64; 2], note: Note<'_>) {
+    /// Notes what may follow the states of a box; the number of steps that it took, of flights and of boxes that were noted.
+    pub fn follows(&self, grid: Grid, cell: [i64; 2], note: Note<'_>) -> u64 {
+        let steps = Cell::new(1);
+        let step = || steps.set(steps.get() + 1);
+        let note: Note<'_> = &mut |next| {
+            step();
+            note(next);
+        };
         let [low, high] = Self::corners(grid, cell);
         if self.chatters(low, high) {
             note(Next::Release);
-            return;
+            return steps.get();
         }
         if (self.law.restitution.lo() <= 0.0 || low[1] <= 0.0) && high[0] >= 0.5 {
             note(Next::Release); // V20: it may lie pressed on the wall
@@ -84,7 +92,7 @@ impl<'l> Space<'l> {
             let too_large = [0, 1].map(|i| (high[i] - low[i]) / PART[i]);
             let widest = usize::from(too_large[1] > too_large[0]);
             if cuts >= CUTS || too_large[widest] <= 1.0 {
-                self.piece(grid, [low, high], cell[0], note);
+                self.piece(grid, [low, high], (cell[0], &step), note);
                 continue;
             }
             let middle = 0.5 * (low[widest] + high[widest]); // exact: a side is a power of two
@@ -92,9 +100,11 @@ impl<'l> Space<'l> {
             (upper[widest], lower[widest]) = (middle, middle);
             open.extend([([low, upper], cuts + 1), ([lower, high], cuts + 1)]);
         }
+        steps.get()
     }
 
-    fn piece(&self, grid: Grid, [low, high]: [State; 2], home: i64, note: Note<'_>) {
+    fn piece(&self, grid: Grid, [low, high]: [State; 2], (home, step_made): (i64, &dyn Fn()), note: Note<'_>) {
+        step_made();
         let quad = Quad::rectangle(low, high);
         let beam = Beam::new(self.law, &quad);
         let image = self.guess.map(quad.middle());
@@ -109,6 +119,7 @@ impl<'l> Space<'l> {
         let [least, longest] = [high[0] - low[0], self.patience(&beam)];
         let (mut from, mut step) = (0.0, least);
         while from < longest {
+            step_made();
             let to = from + step;
             let view = beam.over(from, to);
             if from > 0.0 && beam.is_inside(view.height) {
