@@ -60,9 +60,9 @@ fn widened(original: &Original) -> Vec<Forged> {
 fn misplaced(original: &Original) -> Vec<Forged> {
     let own = stretches(original);
     let mut all = Vec::new();
-    for k in 0..own.len() {
+    for (k, stretch) in own.iter().enumerate() {
         for (end, sign) in [("low", "-"), ("low", "+"), ("high", "-"), ("high", "+")] {
-            let moved = format!("{}{sign}0.001", own[k][end].as_str().unwrap());
+            let moved = format!("{}{sign}0.001", stretch[end].as_str().unwrap());
             all.push(original.with(format!("{end} of {k}"), &[(&format!("/stretches/{k}/{end}"), json!(moved))]));
         }
     }

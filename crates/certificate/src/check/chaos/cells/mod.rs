@@ -29,6 +29,9 @@ const PART: u64 = 1 << 2;
 /// A subinterval is halved so often.
 const HALVINGS: u32 = 16;
 
+/// What is found of some values, or why nothing is; an error where they are beyond exact expressions.
+type Answer = Result<Result<Found, End>, Error>;
+
 impl CellsCertificate {
     /// Proves the verdict on each subinterval again, or says of which it is not true or not proved, until the watch stops it, which
     /// receives the subintervals checked so far.
@@ -109,11 +112,7 @@ impl CellsCertificate {
     }
 
     /// What is found of all values of a subinterval: of all of them at once, or else of one half after the other.
-    fn for_all(
-        &self,
-        stretch: &StretchDocument,
-        look: &mut dyn FnMut(&ImpactPair, &Law) -> Result<Result<Found, End>, Error>,
-    ) -> Result<Result<Found, End>, Error> {
+    fn for_all(&self, stretch: &StretchDocument, look: &mut dyn FnMut(&ImpactPair, &Law) -> Answer) -> Answer {
         let mut open = vec![([stretch.low.0.clone(), stretch.high.0.clone()], 0)];
         while let Some(([low, high], halvings)) = open.pop() {
             let pair = self.pair([&low, &high])?;
