@@ -107,12 +107,12 @@ pub fn windows(
     })
 }
 
-/// Where every motion goes, whatever its start.
 /// The limits by default: boxes of the first partition as a power of two, boxes that are mapped, and the work.
 pub fn limits(usual: &GlobalSettings) -> (u32, usize, u64) {
     (usual.boxes.ilog2(), usual.most, usual.work)
 }
 
+/// Where every motion goes, whatever its start.
 #[pyfunction]
 pub fn global_analysis(
     py: Python<'_>,

@@ -28,20 +28,15 @@ pub(super) trait Checked {
     /// The list.
     fn items(&self) -> &'static str;
 
-    /// An item of it, in words.
-    fn item(&self) -> &'static str;
-
     /// All claims, in words.
     fn all(&self) -> String;
 
     /// The first items, in words.
-    fn first(&self, count: usize) -> String {
-        counted(count, self.item())
-    }
+    fn first(&self, count: usize) -> String;
 
     /// The place of an item, in words.
     fn place(&self, item: usize) -> String {
-        format!("{}[{item}]", self.items())
+        self.path(item)
     }
 
     /// Which claim, and what is wrong with it.
@@ -81,6 +76,13 @@ pub(super) trait Checked {
 /// What all of them have in common.
 macro_rules! checked {
     ($items:literal, $item:literal) => {
+        checked!($items);
+
+        fn first(&self, count: usize) -> String {
+            counted(count, $item)
+        }
+    };
+    ($items:literal) => {
         fn check(&self, effort: &Effort, watch: &dyn Watch) -> Result<Verdict, Error> {
             self.check_within(effort, watch)
         }
@@ -95,10 +97,6 @@ macro_rules! checked {
 
         fn items(&self) -> &'static str {
             $items
-        }
-
-        fn item(&self) -> &'static str {
-            $item
         }
     };
 }
@@ -127,10 +125,6 @@ impl Checked for Certificate {
 
     fn items(&self) -> &'static str {
         "events"
-    }
-
-    fn item(&self) -> &'static str {
-        "event"
     }
 
     fn all(&self) -> String {
@@ -200,12 +194,12 @@ impl Checked for CyclesCertificate {
         "orbits"
     }
 
-    fn item(&self) -> &'static str {
-        "orbit"
+    fn all(&self) -> String {
+        self.first(self.orbits().count())
     }
 
-    fn all(&self) -> String {
-        counted(self.orbits().count(), "orbit")
+    fn first(&self, count: usize) -> String {
+        counted(count, "orbit")
     }
 
     fn whole(&self) -> &'static str {
@@ -246,7 +240,7 @@ impl Checked for GlobalCertificate {
 }
 
 impl Checked for TangencyCertificate {
-    checked!("tangencies", "homoclinic tangency");
+    checked!("tangencies");
 
     fn all(&self) -> String {
         self.first(self.count())
@@ -297,7 +291,7 @@ impl Checked for ChaosCertificate {
 }
 
 impl Checked for TrapCertificate {
-    checked!("region", "box");
+    checked!("region");
 
     fn all(&self) -> String {
         let words = if self.document().words.is_some() { ", and the count and entropy of its words" } else { "" };

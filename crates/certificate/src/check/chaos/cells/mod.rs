@@ -29,7 +29,7 @@ const PART: u64 = 1 << 2;
 /// A subinterval is halved so often.
 const HALVINGS: u32 = 16;
 
-/// What is found of some values, or why nothing is; an error where they are beyond exact expressions.
+/// The finding for some values of the parameter, or why there is none; an error where they are beyond exact expressions.
 type Answer = Result<Result<Found, End>, Error>;
 
 impl CellsCertificate {
@@ -111,7 +111,7 @@ impl CellsCertificate {
         })
     }
 
-    /// What is found of all values of a subinterval: of all of them at once, or else of one half after the other.
+    /// The finding for all values of a subinterval: for all of them at once, or else for one half after the other.
     fn for_all(&self, stretch: &StretchDocument, look: &mut dyn FnMut(&ImpactPair, &Law) -> Answer) -> Answer {
         let mut open = vec![([stretch.low.0.clone(), stretch.high.0.clone()], 0)];
         while let Some(([low, high], halvings)) = open.pop() {

@@ -46,7 +46,7 @@ pub(super) struct Period {
     cycles: i64,
 }
 
-/// What is found of a claim.
+/// A finding on a claim.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Found {
     /// It is true.
