@@ -2,6 +2,7 @@
 
 use super::frame::{Frame, least};
 use super::left_out::{LeftOut, MOST_CELLS};
+use super::sides::Sides;
 use super::strip::{Branch, Cell, Image, Map, Passed, Strip, beside};
 use crate::chaos::flights::is_positive;
 use crate::number::{Ball, Number, up};
@@ -10,8 +11,8 @@ use crate::watch::Watch;
 /// A cell is no smaller than this beside its strip.
 const SMALLEST: f64 = 1.0 / (1 << 20) as f64; // exact: a power of two
 
-/// Expansions are known up to such a part.
-const KNOWN: f64 = 0.25;
+/// Expansions are known up to such a part per impact of the word.
+const KNOWN: f64 = 0.02;
 
 /// A word with the images of the cells of its strip.
 #[derive(Clone, Debug)]
@@ -40,7 +41,7 @@ impl Map<'_> {
     pub fn is_alone(&self, word: &Proved, all: &[Proved], heights: &[Ball], watch: &dyn Watch) -> bool {
         let branch = &word.branch;
         let shortcuts: Vec<Shortcut<'_>> = all.iter().filter_map(|other| Shortcut::of(branch, &other.branch)).collect();
-        let passed = |impacts: usize, centre: [Ball; 2], sides: &[[Ball; 2]; 2]| {
+        let passed = |impacts: usize, centre: [Ball; 2], sides: &Sides| {
             let mut there = shortcuts.iter().filter(|shortcut| shortcut.passed == impacts);
             there.all(|shortcut| {
                 shortcut.is_clear(&self.frames[shortcut.branch.from], heights[shortcut.branch.from], (centre, sides))
@@ -100,8 +101,8 @@ fn crosses(branch: &Branch, image: &Image) -> bool {
     let sign = if branch.rises { 1.0 } else { -1.0 };
     let beyond = |end: f64| {
         // The side is the end of the cell, at all its heights.
-        let at = image.middle[0] + Ball::exact(end) * image.sides[0][0];
-        let edge = (at.widened(image.sides[1][0].mag())).signed(end * sign);
+        let at = image.middle[0] + Ball::exact(end) * image.sides.first[0];
+        let edge = (at.widened(image.sides.second()[0].mag())).signed(end * sign);
         is_positive(edge - one)
     };
     // exact: dyadic
@@ -112,7 +113,7 @@ fn crosses(branch: &Branch, image: &Image) -> bool {
 fn is_cone(branch: &Branch, image: &Image, kappa: f64) -> bool {
     let sign = if branch.rises { 1.0 } else { -1.0 };
     [-kappa, kappa].iter().all(|&slope| {
-        image.direction(&branch.strip, slope).is_some_and(|[x, y]| {
+        image.direction(slope).is_some_and(|[x, y]| {
             let x = x.signed(sign);
             is_positive(x - Ball::exact(1.0)) && is_positive(Ball::exact(kappa) * x - Ball::exact(y.mag()))
         })
@@ -121,7 +122,8 @@ fn is_cone(branch: &Branch, image: &Image, kappa: f64) -> bool {
 
 /// Whether the expansion is known well enough to be worth bounding; any answer will do.
 fn is_known(branch: &Branch, image: &Image) -> bool {
-    image.direction(&branch.strip, 0.0).is_some_and(|[x, _]| x.rad() < KNOWN * x.mid().abs()) // proposes
+    let part = KNOWN * branch.sides.len() as f64; // exact: a length
+    image.direction(0.0).is_some_and(|[x, _]| x.rad() < part * x.mid().abs()) // proposes
 }
 
 /// A strip that a word's images must not meet on the way, as its flights are the last ones of the word: the flights before it, and the
@@ -139,10 +141,10 @@ impl<'b> Shortcut<'b> {
         is_end.then_some(Self { passed, turns: word.turns - branch.turns, branch })
     }
 
-    /// Whether no state `centre + a sides[0] + b sides[1]` is in it. Lemma D25
-    fn is_clear(&self, frame: &Frame, heights: Ball, (centre, sides): ([Ball; 2], &[[Ball; 2]; 2])) -> bool {
+    /// Whether no sum of `centre` and parts of both sides is in it. Lemma D25
+    fn is_clear(&self, frame: &Frame, heights: Ball, (centre, sides): ([Ball; 2], &Sides)) -> bool {
         let (Some(middle), [Some(breadth), Some(height)]) =
-            (frame.place(centre, self.turns), sides.map(|side| frame.coordinates(side)))
+            (frame.place(centre, self.turns), sides.both().map(|side| frame.coordinates(side)))
         else {
             return false;
         };

@@ -18,7 +18,7 @@ fn point(x: State) -> [Ball; 2] {
     x.map(Ball::exact)
 }
 
-fn cross([a, b]: [Ball; 2], [c, d]: [Ball; 2]) -> Ball {
+pub(crate) fn cross([a, b]: [Ball; 2], [c, d]: [Ball; 2]) -> Ball {
     a * d - b * c
 }
 

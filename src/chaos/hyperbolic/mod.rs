@@ -9,6 +9,7 @@ mod frame;
 mod left_out;
 mod propose;
 mod root;
+mod sides;
 mod strings;
 mod strip;
 #[cfg(test)]

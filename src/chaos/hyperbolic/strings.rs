@@ -5,15 +5,15 @@ use std::collections::{BTreeMap, HashMap};
 use super::Cone;
 use super::cones::Proved;
 use super::root::Edge;
-use super::strip::{Cell, Image, Map, Strip, beside};
+use super::strip::{Branch, Cell, Image, Map, Strip, beside};
 use crate::number::{Ball, Number, logarithm, up};
 use crate::watch::Watch;
 
 /// Words by their places among those that are proved.
 type Letters = Vec<usize>;
 
-/// Of a string, a word with one before it and some behind it: the cells of this word in which its points are, bounds of their `a`, and of
-/// the heights of their images.
+/// Of a string, a word alone, or with one before it and some behind it: the cells of this word in which its points are, bounds of their `a`,
+/// and of the heights of their images.
 #[derive(Clone, Debug)]
 struct Cylinder {
     images: Vec<Image>,
@@ -31,8 +31,9 @@ type Level = BTreeMap<Letters, Cylinder>;
 const LOOKS: u32 = 3;
 /// Again only if they are so much narrower.
 const NARROWER: f64 = 0.7;
-/// Strings with more edges are not used.
+/// More strings, or cells of all of them, are not looked at.
 const MOST_EDGES: usize = 8000;
+const MOST_CELLS: usize = 1 << 22;
 const MOST_LETTERS: usize = 9;
 
 /// Bounds of no numbers.
@@ -55,11 +56,11 @@ pub(crate) fn spanned([low, high]: [f64; 2]) -> Ball {
 }
 
 /// Bounds of the slopes of the images of the vectors `(1, slope)` at the states of cells. Lemma D26
-fn image_slopes(images: &[Image], strip: &Strip, slopes: [f64; 2]) -> Option<[f64; 2]> {
+fn image_slopes(images: &[Image], slopes: [f64; 2]) -> Option<[f64; 2]> {
     let mut all = NOTHING;
     for image in images {
         for slope in slopes {
-            let [x, y] = image.direction(strip, slope)?;
+            let [x, y] = image.direction(slope)?;
             all = hull(all, ends(y.checked_div(x)?));
         }
     }
@@ -67,9 +68,9 @@ fn image_slopes(images: &[Image], strip: &Strip, slopes: [f64; 2]) -> Option<[f6
 }
 
 /// Bounds of `ln |X|` for the vectors `(1, slope)` at the states of a cell.
-fn expansion(image: &Image, strip: &Strip, slopes: [f64; 2], rises: bool) -> Option<[f64; 2]> {
+fn expansion(image: &Image, slopes: [f64; 2], rises: bool) -> Option<[f64; 2]> {
     let sign = if rises { 1.0 } else { -1.0 };
-    let of = |slope: f64| Some(ends(logarithm(image.direction(strip, slope)?[0].signed(sign))?));
+    let of = |slope: f64| Some(ends(logarithm(image.direction(slope)?[0].signed(sign))?));
     Some(hull(of(slopes[0])?, of(slopes[1])?))
 }
 
@@ -77,7 +78,7 @@ impl Proved {
     /// Returns cones of the expanding directions at the images of its cells, given bounds of the slopes of those at the cells.
     pub fn cones(&self, given: [f64; 2]) -> impl Iterator<Item = Cone> {
         let of = move |image: &Image| {
-            let slopes = image_slopes(&[*image], &self.branch.strip, given)?;
+            let slopes = image_slopes(&[*image], given)?;
             Some(Cone { word: self.number, place: image.middle.map(Ball::mid), slopes })
         };
         self.images.iter().filter(|image| !image.is_outside()).filter_map(of)
@@ -95,12 +96,12 @@ pub(crate) struct Strings<'s> {
 impl Strings<'_> {
     /// What of a cell may be mapped to the points of a strip with `a` between bounds: narrowed as far as its own image says.
     fn narrowed(&self, image: &Image, strip: &Strip, breadth: [f64; 2]) -> Option<Cell> {
-        let Image { cell, middle, sides } = image;
+        let Image { cell, middle, sides, .. } = image;
         // About the line in the middle between both bounds.
         let line = 0.5 * (breadth[0] + breadth[1]);
         let [place, slope] = strip.line(line);
         let half = strip.breadth(image.spread(1)) * (Ball::exact(breadth[1]) - Ball::exact(breadth[0]));
-        let [along, across] = sides.map(|side| beside(side, slope));
+        let [along, across] = sides.both().map(|side| beside(side, slope));
         // The line is off by its rounding: all of the difference is more than half of it.
         let reach = up(0.5 * half.mag() + f64::EPSILON * strip.breadth(image.spread(1)).mag());
         let wanted = (place - beside(*middle, slope)).widened(up(reach + across.mag()));
@@ -130,40 +131,63 @@ impl Strings<'_> {
 
     /// The bounds of the logarithm of the expansion of a word after another one.
     fn bounds(&self, slopes: [f64; 2], word: usize, images: &[Image]) -> Option<[f64; 2]> {
-        let branch = &self.words[word].branch;
+        let rises = self.words[word].branch.rises;
         if images.is_empty() {
             return None; // exact: nothing is certified
         }
-        images
-            .iter()
-            .try_fold(NOTHING, |all, image| Some(hull(all, expansion(image, &branch.strip, slopes, branch.rises)?)))
+        images.iter().try_fold(NOTHING, |all, image| Some(hull(all, expansion(image, slopes, rises)?)))
     }
 
-    /// Returns the graph of strings: an edge for each word with a word before it and some after it, weighing the logarithm of what it
-    /// expands by, its length being its impacts; with the word of each edge. And the slopes of the expanding directions where each word leads to.
+    /// Returns the graph of strings: an edge for each word alone, or with a word before it and some after it, weighing the logarithm of what
+    /// it expands by, its length being its impacts; with the word of each edge. And the slopes of the expanding directions where each word leads to.
     pub fn graph(&self) -> Option<(Graph, Vec<[f64; 2]>)> {
-        let mut level = self.pairs();
-        let mut best = None;
-        let mut slopes = vec![[-self.kappa, self.kappa]; self.words.len()];
-        for _ in 2..=MOST_LETTERS {
-            if level.len() > MOST_EDGES || !self.watch.goes_on() {
+        let inside = |word: &Proved| word.images.iter().filter(|image| !image.is_outside()).copied().collect();
+        let alone = self.words.iter().enumerate().map(|(word, proved)| (vec![word], Cylinder::of(inside(proved))));
+        let mut level: Level = alone.collect();
+        let mut slopes = self.slopes(&level, &vec![[-self.kappa, self.kappa]; self.words.len()])?;
+        let mut graph = self.edges(&level, &slopes)?;
+        for letters in 1..MOST_LETTERS {
+            if !self.watch.goes_on() || !self.is_worth_it(&level) {
                 break;
             }
+            level = if letters == 1 { self.pairs(&level) } else { self.longer(&level) };
             slopes = self.slopes(&level, &slopes)?;
-            best = Some((self.edges(&level, &slopes)?, slopes.clone()));
-            level = self.longer(&level);
+            graph = self.edges(&level, &slopes)?;
         }
-        best
+        Some((graph, slopes))
+    }
+
+    /// Whether strings with another word before them are few enough; any answer will do.
+    fn is_worth_it(&self, level: &Level) -> bool {
+        let [mut strings, mut cells] = [0, 0];
+        for (string, cylinder) in level {
+            let more = self.before(string[0]).count();
+            strings += more;
+            cells += more * cylinder.images.len();
+        }
+        strings <= MOST_EDGES && cells <= MOST_CELLS
+    }
+
+    /// The word of a string that its cells are of.
+    fn word(string: &[usize]) -> usize {
+        string[usize::from(string.len() > 1)]
+    }
+
+    /// Bounds of the slopes with which a string's word is begun: those that the one before it leads to, or any. Lemma D26
+    fn arriving(&self, string: &[usize], slopes: &[[f64; 2]]) -> [f64; 2] {
+        match string {
+            &[word] => self.before(word).map(|before| slopes[before]).fold(NOTHING, hull),
+            _ => slopes[string[0]],
+        }
     }
 
     /// The strings of two words: the cells of the second one at the heights of images of the first. Lemma D28
-    fn pairs(&self) -> Level {
-        let inside = |word: &Proved| word.images.iter().filter(|image| !image.is_outside()).copied().collect();
-        let whole: Vec<Cylinder> = self.words.iter().map(|word| Cylinder::of(inside(word))).collect();
+    fn pairs(&self, alone: &Level) -> Level {
         let mut level = Level::new();
-        for (word, cylinder) in whole.iter().enumerate() {
+        for (string, cylinder) in alone {
+            let word = string[0];
             for before in self.before(word) {
-                let heights = whole[before].heights;
+                let heights = alone[&vec![before]].heights;
                 level
                     .insert(vec![before, word], self.cut(word, &cylinder.images, &|image| image.cell.between(heights)));
             }
@@ -197,8 +221,8 @@ impl Strings<'_> {
         for _ in 0..LOOKS {
             let mut all = vec![NOTHING; self.words.len()];
             for (string, cylinder) in level {
-                let strip = &self.words[string[1]].branch.strip;
-                all[string[1]] = hull(all[string[1]], image_slopes(&cylinder.images, strip, slopes[string[0]])?);
+                let word = Self::word(string);
+                all[word] = hull(all[word], image_slopes(&cylinder.images, self.arriving(string, &slopes))?);
             }
             slopes = all;
         }
@@ -217,10 +241,17 @@ impl Strings<'_> {
             *nodes.entry(letters.to_vec()).or_insert(next)
         };
         let edge = |(string, cylinder): (&Letters, &Cylinder)| {
-            let (before, word) = (string[0], string[1]);
-            let (from, to) = (node(&string[..string.len() - 1]), node(&string[1..]));
-            let length = self.words[word].branch.sides.len() as f64; // exact: a length
-            Some((Edge { from, to, weight: self.bounds(slopes[before], word, &cylinder.images)?, length }, word))
+            let word = Self::word(string);
+            let Branch { from, to, ref sides, .. } = self.words[word].branch;
+            let is_alone = string.len() == 1;
+            let (from, to) = if is_alone {
+                (node(&[from]), node(&[to]))
+            } else {
+                (node(&string[..string.len() - 1]), node(&string[1..]))
+            };
+            let length = sides.len() as f64; // exact: a length
+            let weight = self.bounds(self.arriving(string, slopes), word, &cylinder.images)?;
+            Some((Edge { from, to, weight, length }, word))
         };
         level.iter().map(edge).collect()
     }

@@ -1,6 +1,7 @@
 //! Strips across an h-set, and what the composed map does to their parts: Lemmas D24-D26 of `docs/proofs/hyperbolic.md#D24`.
 
 use super::frame::{Frame, least};
+use super::sides::Sides;
 use crate::chaos::flights::{Flights, is_positive};
 use crate::chaos::guess::Guess;
 use crate::chaos::law::{Law, Side};
@@ -41,13 +42,15 @@ pub(crate) struct Cell {
 pub(crate) struct Image {
     pub cell: Cell,
     pub middle: [Ball; 2],
-    pub sides: [[Ball; 2]; 2],
+    pub sides: Sides,
+    /// Hold the images of the vectors `(1, 0)` and `(0, 1)` of the h-set that it comes from, at each state; none where they are not known.
+    units: Option<[[Ball; 2]; 2]>,
 }
 
 /// Why a cell has no image: what its half sides had become, in forcing periods and speeds.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Lost {
-    sides: [[Ball; 2]; 2],
+    sides: Sides,
 }
 
 impl Strip {
@@ -103,6 +106,13 @@ impl Cell {
         [strip.breadth(eta), Ball::exact(strip.slope) + Ball::exact(strip.taper) * a]
     }
 
+    /// Holds the images of the vectors `(1, 0)` and `(0, 1)` of the h-set, given those of the half sides. Lemma D26
+    fn units(&self, strip: &Strip, sides: &Sides) -> Option<[[Ball; 2]; 2]> {
+        let ([breadth, slope], [a, height]) = (self.slopes(strip), self.radii.map(Ball::exact));
+        let (a, height) = (Ball::exact(1.0).checked_div(breadth * a)?, Ball::exact(1.0).checked_div(height)?);
+        Some([sides.combined(a, Ball::exact(0.0)), sides.combined(-(slope * a), height)])
+    }
+
     /// Returns both halves, along the strip's breadth or its height: dyadic.
     pub fn halves(&self, axis: usize) -> [Self; 2] {
         [-0.5, 0.5].map(|half| {
@@ -118,13 +128,13 @@ impl Lost {
     /// Returns along which axis a cell is better halved: the height where its image is not known well beside the breadth.
     pub fn axis(&self) -> usize {
         let size = |[u, w]: [Ball; 2], of: fn(Ball) -> f64| (6.0 * of(u)).hypot(of(w));
-        let [breadth, height] = self.sides;
+        let [breadth, height] = self.sides.both();
         usize::from(4.0 * size(height, Ball::rad) > size(breadth, Ball::mag)) // proposes: any part will do
     }
 }
 
 /// What is asked of the states after N impacts: their middle and half sides.
-pub(crate) type Passed<'p> = &'p dyn Fn(usize, [Ball; 2], &[[Ball; 2]; 2]) -> bool;
+pub(crate) type Passed<'p> = &'p dyn Fn(usize, [Ball; 2], &Sides) -> bool;
 
 /// What the flights of a cell are followed by.
 pub(crate) struct Map<'m> {
@@ -142,28 +152,29 @@ impl Map<'_> {
         let eta = Ball::exact(cell.at[1]);
         let mut centre = frame.state(place + slope * eta, eta);
         let ([breadth, slope], [a, height]) = (cell.slopes(strip), cell.radii.map(Ball::exact));
-        let mut sides = [frame.vector(breadth * a, Ball::exact(0.0)), frame.vector(slope * height, height)];
+        let mut sides = Sides::new(frame.vector(breadth * a, Ball::exact(0.0)), frame.vector(slope * height, height));
         for (k, &side) in branch.sides.iter().enumerate() {
             let lost = Lost { sides };
             let landing = self.land(centre, &sides, side).ok_or(lost)?;
             let [u, w] = centre.map(|x| Ball::new(0.0, x.rad()));
             let [v, x] = landing.derivative([u, w]);
             let [phase, speed] = landing.centre();
+            let before = centre[1].widened(sides.reach(1));
             centre = [phase + v, speed + x];
-            sides = sides.map(|side| landing.derivative(side));
+            sides = sides.landed(&landing, [self.law.restitution, before, centre[1]]);
             if k + 1 < branch.sides.len() && !passed(k + 1, centre, &sides) {
                 return Err(Lost { sides });
             }
         }
         let frame = &self.frames[branch.to];
-        let lost = Lost { sides };
-        let middle = frame.place(centre, branch.turns).ok_or(lost)?;
-        let [breadth, height] = sides.map(|side| frame.coordinates(side));
-        Ok(Image { cell, middle, sides: [breadth.ok_or(lost)?, height.ok_or(lost)?] })
+        let seen = frame.place(centre, branch.turns).zip(sides.seen(|vector| frame.coordinates(vector)));
+        let image = |(middle, sides)| Image { cell, middle, sides, units: cell.units(strip, &sides) };
+        seen.map(image).ok_or(Lost { sides })
     }
 
-    /// All flights from the states `centre + a sides[0] + b sides[1]`.
-    fn land(&self, centre: [Ball; 2], sides: &[[Ball; 2]; 2], side: Side) -> Option<crate::chaos::flights::Landing<2>> {
+    /// All flights from the sums of `centre` and parts of both sides.
+    fn land(&self, centre: [Ball; 2], sides: &Sides, side: Side) -> Option<crate::chaos::flights::Landing<2>> {
+        let sides = sides.both();
         let middles = sides.map(|side| side.map(Ball::mid));
         let slack = [0, 1].map(|i| up(centre[i].rad() + sides[0][i].rad() + sides[1][i].rad()));
         let state = centre.map(Ball::mid);
@@ -178,7 +189,7 @@ impl Map<'_> {
 impl Image {
     /// Holds a coordinate of all images.
     pub fn spread(&self, axis: usize) -> Ball {
-        self.middle[axis].widened(up(self.sides[0][axis].mag() + self.sides[1][axis].mag()))
+        self.middle[axis].widened(self.sides.reach(axis))
     }
 
     /// Returns whether no image is in the h-set.
@@ -187,12 +198,9 @@ impl Image {
     }
 
     /// Holds the image of the vector `(1, slope)` of the h-set it comes from, at each state of the cell. Lemma D26
-    pub fn direction(&self, strip: &Strip, slope: f64) -> Option<[Ball; 2]> {
-        let ([breadth, own], [a, height]) = (self.cell.slopes(strip), self.cell.radii.map(Ball::exact));
-        let slope = Ball::exact(slope);
-        let along = (Ball::exact(1.0) - slope * own).checked_div(breadth * a)?;
-        let across = slope.checked_div(height)?;
-        Some([0, 1].map(|i| self.sides[0][i] * along + self.sides[1][i] * across))
+    pub fn direction(&self, slope: f64) -> Option<[Ball; 2]> {
+        let [along, across] = self.units?;
+        Some([0, 1].map(|i| along[i] + Ball::exact(slope) * across[i]))
     }
 }
 
@@ -200,6 +208,6 @@ impl Image {
     /// Returns along which axis its cell is better halved.
     pub fn axis(&self) -> usize {
         let size = |side: [Ball; 2], of: fn(Ball) -> f64| of(side[0]).hypot(of(side[1]));
-        usize::from(4.0 * size(self.sides[1], Ball::rad) > size(self.sides[0], Ball::mag)) // proposes: any part will do
+        usize::from(4.0 * size(self.sides.second(), Ball::rad) > size(self.sides.first, Ball::mag)) // proposes: any part will do
     }
 }

@@ -230,10 +230,14 @@ fn derivatives_hold_those_of_the_states_of_a_cell() {
             let holds = |ball: Ball, x: Ball| (ball.mid() - x.mid()).abs() <= ball.rad() + 1e-9;
             let place = frame.place(state.map(Ball::exact), branch.turns).expect("coordinates");
             assert!((0..2).all(|i| holds(image.spread(i), place[i])), "{place:?}");
-            for (side, known) in sides.iter().zip(image.sides) {
+            for (side, known) in sides.iter().zip(image.sides.both()) {
                 let side = frame.coordinates(side.map(Ball::exact)).expect("coordinates");
                 assert!((0..2).all(|i| holds(known[i], side[i])), "{side:?} is not in {known:?}");
             }
+            let both = sides.map(|side| frame.coordinates(side.map(Ball::exact)).expect("coordinates"));
+            let known = image.sides.combined(Ball::exact(-3.0), Ball::exact(2.0));
+            let sum = [0, 1].map(|i| Ball::exact(-3.0 * both[0][i].mid() + 2.0 * both[1][i].mid()));
+            assert!((0..2).all(|i| holds(known[i], sum[i])), "{sum:?} is not in {known:?}");
         }
     }
 }

@@ -31,6 +31,10 @@ fn pairs() -> [ImpactPair; 3] {
     [pair("8", "9.42497", "0.5"), pair("20", "40", "0.6"), pair("1", "3", "0.9")]
 }
 
+pub(super) fn figure_14() -> Law {
+    Law::of(&pairs()[0]).unwrap()
+}
+
 fn exact(x: f64) -> Exact {
     Exact::from_f64(x).unwrap()
 }

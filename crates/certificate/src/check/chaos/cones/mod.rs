@@ -5,6 +5,7 @@ mod powers;
 mod prove;
 mod rates;
 mod seek;
+mod sides;
 mod strings;
 mod strip;
 
@@ -116,8 +117,8 @@ pub(super) fn doubt(
     Ok(doubt)
 }
 
-/// Expansions are known up to such a part: any at first, as strings cut the cells; or to the next where that is too little.
-const KNOWN: [f64; 2] = [f64::INFINITY, 0.1];
+/// Expansions are known up to such a part per impact of the word, or to the next where that is too little.
+const KNOWN: [f64; 2] = [0.016, 0.004];
 
 fn proved(map: &Map<'_>, listed: &[(usize, Word)], claimed: &Claimed, known: f64) -> Result<Option<Doubt>, End> {
     let strips = branches(map.guess, map.frames, listed);

@@ -3,6 +3,7 @@
 use super::super::allowance::End;
 use super::super::beam::Spot;
 use super::super::span::Span;
+use super::sides::Sides;
 use super::strip::{Branch, Cell, Frame, Image, Map, Passed, is_beyond, is_tall};
 
 /// No strip has more cells, and none is narrower.
@@ -18,7 +19,7 @@ pub(super) struct Proved {
 
 impl Map<'_> {
     /// Returns the images of cells of a strip, `None` if it is not proved to be mapped across, with cones of slopes up to `kappa`;
-    /// expansions known up to a part of them.
+    /// expansions known up to a part of them per impact.
     pub fn prove(&self, branch: &Branch, kappa: f64, known: f64) -> Result<Option<Vec<Image>>, End> {
         let [left, right] = [branch.strip.left[1], branch.strip.right[1]].map(|lean| Span::point(lean).scaled(kappa));
         if is_beyond_one(left) || is_beyond_one(right) {
@@ -38,7 +39,7 @@ impl Map<'_> {
         if ends.is_empty() {
             return Ok(true);
         }
-        let passed = |flown: usize, centre: Spot, sides: &[Spot; 2]| {
+        let passed = |flown: usize, centre: Spot, sides: &Sides| {
             let mut here = ends.iter().filter(|(passed, ..)| *passed == flown);
             here.all(|(_, turns, other)| {
                 is_clear((&self.frames[other.from], heights[other.from]), other, centre, (sides, *turns))
@@ -85,8 +86,8 @@ fn is_beyond_one(x: Span) -> bool {
 fn crosses(branch: &Branch, image: &Image) -> bool {
     let one = Span::point(1.0);
     let beyond = |is_right: bool| {
-        let side = image.sides[0][0];
-        let at = image.middle[0] + if is_right { side } else { -side } + image.sides[1][0].around();
+        let side = image.sides.first[0];
+        let at = image.middle[0] + if is_right { side } else { -side } + image.sides.second()[0].around();
         if is_right == branch.rises { (at - one).is_positive() } else { (at + one).is_negative() }
     };
     let [low, high] = image.cell.across;
@@ -96,7 +97,7 @@ fn crosses(branch: &Branch, image: &Image) -> bool {
 
 fn is_cone(branch: &Branch, image: &Image, kappa: f64) -> bool {
     let is_mapped = |slope: f64| {
-        let Some([x, y]) = image.direction(&branch.strip, slope) else { return false };
+        let Some([x, y]) = image.direction(slope) else { return false };
         let x = x.signed(branch.rises);
         let room = x.scaled(kappa);
         (x - Span::point(1.0)).is_positive() && (room - y).is_positive() && (room + y).is_positive()
@@ -104,10 +105,11 @@ fn is_cone(branch: &Branch, image: &Image, kappa: f64) -> bool {
     is_mapped(kappa) && is_mapped(-kappa)
 }
 
-/// Whether the expansion is known up to such a part; any answer will do.
-fn is_known(branch: &Branch, image: &Image, part: f64) -> bool {
+/// Whether the expansion is known up to such a part per impact; any answer will do.
+fn is_known(branch: &Branch, image: &Image, per_impact: f64) -> bool {
     let width = |x: Span| x.hi() - x.lo();
-    image.direction(&branch.strip, 0.0).is_some_and(|[x, _]| width(x) < 2.0 * part * x.mid().abs())
+    let part = per_impact * branch.flights.len() as f64; // exact: a length
+    image.direction(0.0).is_some_and(|[x, _]| width(x) < 2.0 * part * x.mid().abs())
 }
 
 /// How many flights, and turns, a word has before those that are another one to the same h-set.
@@ -117,9 +119,9 @@ fn end_of<'b>(word: &Branch, other: &'b Branch) -> Option<(usize, f64, &'b Branc
     is_end.then_some((passed, word.turns - other.turns, other))
 }
 
-fn is_clear((frame, heights): (&Frame, Span), other: &Branch, centre: Spot, (sides, turns): (&[Spot; 2], f64)) -> bool {
+fn is_clear((frame, heights): (&Frame, Span), other: &Branch, centre: Spot, (sides, turns): (&Sides, f64)) -> bool {
     let (Some(middle), Some(a), Some(b)) =
-        (frame.place(centre, turns), frame.coordinates(sides[0]), frame.coordinates(sides[1]))
+        (frame.place(centre, turns), frame.coordinates(sides.first), frame.coordinates(sides.second()))
     else {
         return false;
     };

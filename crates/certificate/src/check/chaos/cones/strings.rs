@@ -12,11 +12,12 @@ use super::strip::{Branch, Cell, Image, Map, Strip};
 /// Cells are cut so often, again if they are so much narrower.
 const LOOKS: u32 = 3;
 const NARROWER: f64 = 0.7;
-/// More edges, or longer strings, are not looked at.
-const MOST_EDGES: usize = 8000;
+/// More strings, cells of all of them, or longer strings are not looked at.
+const MOST_EDGES: usize = 16_000;
+const MOST_CELLS: usize = 1 << 22;
 const LONGEST: usize = 10;
 
-/// Of a string, a word with one before it and some behind it: the cells of this word in which its points are, the fractions of its strip
+/// Of a string, a word alone, or with one before it and some behind it: the cells of this word in which its points are, the fractions of its strip
 /// between which they are, and the heights of their images.
 #[derive(Clone, Debug)]
 struct Part {
@@ -66,30 +67,60 @@ impl Strings<'_> {
         &self.words[word].branch
     }
 
-    /// Calls `visit` with the graph of strings of two words, of three, and so on, until it returns true or they are too many.
+    /// Calls `visit` with the graph of words alone, of strings of two words, of three, and so on, until it returns true or they are too many.
     pub fn each(&self, visit: &mut dyn FnMut(&[Step]) -> bool) -> Result<(), End> {
-        let mut level = self.pairs()?;
+        let inside = |word: &Proved| word.images.iter().filter(|image| !image.is_outside()).copied().collect();
+        let alone = self.words.iter().enumerate().map(|(word, proved)| (vec![word], Part::of(inside(proved))));
+        let mut level: Level = alone.collect();
         let mut slopes = vec![[-self.kappa, self.kappa]; self.words.len()];
-        for _ in 2..=LONGEST {
+        for letters in 1..=LONGEST {
             let Some(narrower) = self.slopes(&level, &slopes) else { return Ok(()) };
             slopes = narrower;
             let Some(graph) = self.graph(&level, &slopes) else { return Ok(()) };
-            if visit(&graph) || level.len() > MOST_EDGES {
+            if visit(&graph) || !self.is_worth_it(&level) {
                 return Ok(());
             }
-            level = self.longer(&level)?;
+            level = if letters == 1 { self.pairs(&level)? } else { self.longer(&level)? };
         }
         Ok(())
     }
 
+    /// Whether strings with another word before them are few enough; any answer will do.
+    fn is_worth_it(&self, level: &Level) -> bool {
+        let [mut strings, mut cells] = [0, 0];
+        for (string, part) in level {
+            let more = self.before(string[0]).count();
+            strings += more;
+            cells += more * part.images.len();
+        }
+        strings <= MOST_EDGES && cells <= MOST_CELLS
+    }
+
+    /// The word of a string that its cells are of.
+    fn word(string: &[usize]) -> usize {
+        string[usize::from(string.len() > 1)]
+    }
+
+    /// The slopes with which a string's word is begun: those that the one before it leads to, or any.
+    fn arriving(&self, string: &[usize], slopes: &[[f64; 2]]) -> Option<[f64; 2]> {
+        match string {
+            &[word] => self
+                .before(word)
+                .map(|before| Span::new(slopes[before][0], slopes[before][1]))
+                .reduce(Span::hull)
+                .map(bounds),
+            _ => Some(slopes[string[0]]),
+        }
+    }
+
     /// The strings of two words: cells of the second one at the heights of images of the first.
-    fn pairs(&self) -> Result<Level, End> {
-        let inside = |word: &Proved| word.images.iter().filter(|image| !image.is_outside()).copied().collect();
-        let whole: Vec<Part> = self.words.iter().map(|word| Part::of(inside(word))).collect();
+    fn pairs(&self, alone: &Level) -> Result<Level, End> {
         let mut level = Level::new();
-        for (word, part) in whole.iter().enumerate() {
+        for (string, part) in alone {
+            let word = string[0];
             for before in self.before(word) {
-                let narrowed = |image: &Image| image.cell.between(whole[before].heights);
+                let heights = alone[&vec![before]].heights;
+                let narrowed = |image: &Image| image.cell.between(heights);
                 level.insert(vec![before, word], self.cut(word, part, &narrowed)?);
             }
         }
@@ -141,10 +172,10 @@ impl Strings<'_> {
         for _ in 0..LOOKS {
             let mut all: Vec<Option<Span>> = vec![None; self.words.len()];
             for (string, part) in level {
-                let (before, word) = (string[0], string[1]);
+                let (word, given) = (Self::word(string), self.arriving(string, &slopes)?);
                 for image in &part.images {
-                    for slope in slopes[before] {
-                        let [x, y] = image.direction(&self.branch(word).strip, slope)?;
+                    for slope in given {
+                        let [x, y] = image.direction(slope)?;
                         let slope = y.over(x)?;
                         all[word] = Some(all[word].map_or(slope, |all| all.hull(slope)));
                     }
@@ -163,19 +194,25 @@ impl Strings<'_> {
         };
         let mut graph = Vec::new();
         for (string, part) in level {
-            let (before, branch) = (string[0], self.branch(string[1]));
+            let word = Self::word(string);
+            let (branch, given) = (self.branch(word), self.arriving(string, slopes)?);
             let mut expansion: Option<Span> = None;
             for image in &part.images {
-                for slope in slopes[before] {
-                    let x = image.direction(&branch.strip, slope)?[0].signed(branch.rises);
+                for slope in given {
+                    let x = image.direction(slope)?[0].signed(branch.rises);
                     expansion = Some(expansion.map_or(x, |all| all.hull(x)));
                 }
             }
             let [least, most] = bounds(expansion?);
             let weight = logarithm(least)?.hull(logarithm(most)?);
-            let (from, to) = (node(&string[..string.len() - 1]), node(&string[1..]));
+            let is_alone = string.len() == 1;
+            let (from, to) = if is_alone {
+                (node(&[branch.from]), node(&[branch.to]))
+            } else {
+                (node(&string[..string.len() - 1]), node(&string[1..]))
+            };
             let length = branch.flights.len() as f64; // exact: a length
-            graph.push((Edge { from, to, weight, length }, string[1]));
+            graph.push((Edge { from, to, weight, length }, word));
         }
         Some(graph)
     }
@@ -204,8 +241,9 @@ fn narrowed(image: &Image, strip: &Strip, [low, high]: [f64; 2]) -> Option<Cell>
     let [place, lean] = strip.line(Span::point(line));
     let reach = (Span::point(high) - Span::point(line)).hull(Span::point(line) - Span::point(low)).around();
     let beside = |[xi, eta]: [Span; 2]| xi - lean * eta;
-    let wanted = place + reach * strip.half(image.all(1)) - beside(image.middle) - beside(image.sides[1]).around();
-    let Some(within) = wanted.over(beside(image.sides[0])) else { return Some(image.cell) };
+    let wanted =
+        place + reach * strip.half(image.all(1)) - beside(image.middle) - beside(image.sides.second()).around();
+    let Some(within) = wanted.over(beside(image.sides.first)) else { return Some(image.cell) };
     let within = within.common(Span::new(-1.0, 1.0))?;
     let [from, to] = image.cell.across;
     let ([middle, half], part) = (Cell::centred([from, to]), within);

@@ -6,6 +6,7 @@ use super::super::bases::Base;
 use super::super::beam::{Beam, Spot, State};
 use super::super::guess::Guess;
 use super::super::span::Span;
+use super::sides::{Sides, cross};
 
 /// An h-set as the parallelogram of its middle and its half vectors.
 #[derive(Clone, Copy, Debug)]
@@ -47,15 +48,13 @@ pub(super) struct Cell {
 pub(super) struct Image {
     pub cell: Cell,
     pub middle: Spot,
-    pub sides: [Spot; 2],
+    pub sides: Sides,
+    /// Hold the images of the vectors `(1, 0)` and `(0, 1)` of the h-set it comes from, at each state; none where they are not known.
+    units: Option<[Spot; 2]>,
 }
 
 pub(super) fn spot(x: State) -> Spot {
     x.map(Span::point)
-}
-
-fn cross([a, b]: Spot, [c, d]: Spot) -> Span {
-    a * d - b * c
 }
 
 /// Returns whether no member is within so much of 0.
@@ -176,6 +175,13 @@ impl Cell {
         let [a, b] = [self.across, self.heights].map(|[low, high]| Span::new(low, high));
         [[across, height], [strip.half(b), strip.line(a)[1]]]
     }
+
+    /// Holds the images of the vectors `(1, 0)` and `(0, 1)` of the h-set, given those of the half sides.
+    fn units(&self, strip: &Strip, sides: &Sides) -> Option<[Spot; 2]> {
+        let ([[a, b], [breadth, lean]], one) = (self.rates(strip), Span::point(1.0));
+        let (a, b) = (one.over(breadth * a)?, one.over(b)?);
+        Some([sides.combined(a, Span::point(0.0)), sides.combined(-(lean * a), b)])
+    }
 }
 
 /// What flights are followed by.
@@ -187,18 +193,18 @@ pub(super) struct Map<'m> {
 }
 
 /// What is asked of states after some flights, and what was known when an image was lost.
-pub(super) type Passed<'p> = &'p dyn Fn(usize, Spot, &[Spot; 2]) -> bool;
+pub(super) type Passed<'p> = &'p dyn Fn(usize, Spot, &Sides) -> bool;
 
 impl Map<'_> {
     /// Returns the image of a cell of a word's strip; or else its half sides as far as they were known.
-    pub fn image(&self, branch: &Branch, cell: Cell, passed: Passed<'_>) -> Result<Result<Image, [Spot; 2]>, End> {
+    pub fn image(&self, branch: &Branch, cell: Cell, passed: Passed<'_>) -> Result<Result<Image, Sides>, End> {
         let (frame, strip) = (&self.frames[branch.from], &branch.strip);
         let ([at, _], [height, _]) = (Cell::centred(cell.across), Cell::centred(cell.heights));
         let [place, lean] = strip.line(at);
         let offset = frame.vector(place + lean * height, height);
         let mut centre = [0, 1].map(|i| Span::point(frame.centre[i]) + offset[i]);
         let [[a, b], [breadth, lean]] = cell.rates(strip);
-        let mut sides = [frame.vector(breadth * a, Span::point(0.0)), frame.vector(lean * b, b)];
+        let mut sides = Sides::new(frame.vector(breadth * a, Span::point(0.0)), frame.vector(lean * b, b));
         for (k, &is_far) in branch.flights.iter().enumerate() {
             let middle = centre.map(Span::mid);
             let Some(image) = self.guess.map(middle).filter(|image| image.is_far == is_far) else {
@@ -206,32 +212,28 @@ impl Map<'_> {
             };
             self.work.spend(4, image.time)?;
             let around = [0, 1].map(|i| (centre[i] - Span::point(middle[i])).around());
-            let [phase, speed] =
-                [0, 1].map(|i| Span::point(middle[i]) + around[i] + sides[0][i].around() + sides[1][i].around());
+            let [phase, speed] = [0, 1].map(|i| Span::point(middle[i]) + around[i] + sides.spread(i));
             // V14: they have landed, so no speed is negative
             let speed = if speed.lo() < 0.0 { Span::new(0.0, speed.hi()) } else { speed };
-            let beam = Beam::of(self.law, [phase, speed], spot(middle), [sides[0], sides[1], around]);
+            let beam = Beam::of(self.law, [phase, speed], spot(middle), [sides.first, sides.second(), around]);
             let Some(landing) = beam.land(is_far, image.time) else { return Ok(Err(sides)) };
             let (moved, by) = (landing.image(), landing.derivative(around));
             centre = [0, 1].map(|i| moved[i] + by[i]);
-            sides = sides.map(|side| landing.derivative(side));
+            sides = sides.landed(&landing, (self.law.restitution, speed), centre);
             if k + 1 < branch.flights.len() && !passed(k + 1, centre, &sides) {
                 return Ok(Err(sides));
             }
         }
         let frame = &self.frames[branch.to];
-        let coordinates = (frame.place(centre, branch.turns), frame.coordinates(sides[0]), frame.coordinates(sides[1]));
-        Ok(match coordinates {
-            (Some(middle), Some(a), Some(b)) => Ok(Image { cell, middle, sides: [a, b] }),
-            _ => Err(sides),
-        })
+        let seen = frame.place(centre, branch.turns).zip(sides.seen(|vector| frame.coordinates(vector)));
+        Ok(seen.map(|(middle, sides)| Image { cell, middle, sides, units: cell.units(strip, &sides) }).ok_or(sides))
     }
 }
 
 impl Image {
     /// Holds a coordinate of all images.
     pub fn all(&self, i: usize) -> Span {
-        self.middle[i] + self.sides[0][i].around() + self.sides[1][i].around()
+        self.middle[i] + self.sides.spread(i)
     }
 
     pub fn is_outside(&self) -> bool {
@@ -239,17 +241,15 @@ impl Image {
     }
 
     /// Holds the images of `(1, slope)` at each state of the cell.
-    pub fn direction(&self, strip: &Strip, slope: f64) -> Option<Spot> {
-        let [[a, b], [breadth, lean]] = self.cell.rates(strip);
-        let along = (Span::point(1.0) - lean.scaled(slope)).over(breadth * a)?;
-        let across = Span::point(slope).over(b)?;
-        Some([0, 1].map(|i| self.sides[0][i] * along + self.sides[1][i] * across))
+    pub fn direction(&self, slope: f64) -> Option<Spot> {
+        let [along, across] = self.units?;
+        Some([0, 1].map(|i| along[i] + across[i].scaled(slope)))
     }
 }
 
 /// Whether a cell is better halved in its height: any answer will do.
-pub(super) fn is_tall(sides: &[Spot; 2]) -> bool {
-    let [most, width] = [sides[0].map(Span::most), sides[1].map(|x| 0.5 * (x.hi() - x.lo()))];
+pub(super) fn is_tall(sides: &Sides) -> bool {
+    let [most, width] = [sides.first.map(Span::most), sides.second().map(|x| 0.5 * (x.hi() - x.lo()))];
     4.0 * (width[0] + width[1]) > most[0] + most[1]
 }
 
