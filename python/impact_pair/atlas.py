@@ -86,7 +86,7 @@ class AtlasResult(GridResult):
 
     @cached_property
     def table(self) -> dict[str, Any]:
-        """The columns of CSV as arrays, a row a point or cell: of exact values doubles (n, 2), rounded outward, of the ends of cells inward."""
+        """The columns of CSV as arrays, a row a point or cell: exact values as doubles (n, 2), rounded outward, ends of cells inward."""
         return arrays(self._core.table(b"".join(self.lines())))
 
     def to_dict(self) -> dict[str, Any]:
