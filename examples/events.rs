@@ -34,7 +34,7 @@ fn main() -> Result<(), Error> {
     }
     match orbit.outcome() {
         Some(Outcome::Periodic(period)) => {
-            println!("proved to repeat for ever: {} impacts every {} cycles", period.impacts, period.cycles);
+            println!("proved to repeat for ever: {} listed impacts every {} cycles", period.impacts, period.cycles);
         }
         Some(outcome) => println!("{}", outcome.kind()),
         None => println!("it goes on"),

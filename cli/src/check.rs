@@ -34,11 +34,14 @@ each in its box: link by link, on all processors.
 For periodic, two-impact and cycles, each orbit is proved again: existence and uniqueness within its bounds, \
 stability, symmetry, and whether a wall is touched earlier. That there are no other orbits is not checked; for \
 cycles, the counts are compared with the orbits listed. For bifurcations, each fold, pitchfork and period doubling \
-is proved again, the grazes are not. For windows, each orbit and both ends of its window are proved again, the orbits \
-between are not. For sweep, the listed impacts are proved again, the long-term outcome is not. For atlas, each point is proved again as for global. \
+is proved again, the grazes are not. For windows, each orbit, both ends of its window and the orbits between are \
+proved again. For tangency, each tangency is proved again; how many common points the manifolds have beside it is not. \
+For sweep, the listed impacts are proved again, the long-term outcome is not. For global, a graph of all states is \
+computed anew, and each attractor, cycle with rests and saddle is proved again in it; for atlas, so is each point. \
 For trap, the listed boxes are proved to be forward invariant. For chaos, each listed word is proved along chains of \
-boxes computed anew, and the entropies are proved to follow from the words. For describe, the orbit and the region in \
-it are proved again, and the fate is compared with theirs. Parameter manifolds are not checked. A \
+boxes computed anew, and the entropies are proved to follow from the words; for chaos --over, each verdict is proved \
+for its whole subinterval. For describe, the orbit and the region in it are proved again, and the fate is compared \
+with theirs. Parameter manifolds are not checked. A \
 separate line names the values that are not checked; with --format json each value of the document is listed among \
 the claims with its verdict, or among those not checked. Ctrl-C keeps what is proved so far.
 
@@ -51,7 +54,8 @@ verified; 2 usage, bad input, I/O.";
 
 #[derive(Args, Debug)]
 pub struct CheckArguments {
-    /// JSON of run, sweep or atlas (or JSON Lines), describe, periodic, two-impact, cycles, bifurcations, windows, trap or chaos, or - for stdin
+    /// JSON of run, sweep or atlas (or JSON Lines), describe, periodic, two-impact, cycles, bifurcations, windows, tangency, global, trap or chaos, or
+    /// - for stdin
     pub certificate: PathBuf,
     /// Have the program impact-pair-verified, whose checker is extracted from its proof in Coq, check an orbit JSON instead
     #[arg(long, conflicts_with_all = ["effort", "format"])]

@@ -34,7 +34,7 @@ RESULTS = {
 COUNTS = {
     "impacts": "impacts that are certified",
     "bits": "greatest precision [bits]",
-    "period_impacts": "impacts in a period",
+    "period_impacts": "listed impacts in a period",
     "period_cycles": "forcing periods in a period",
     "attracted_from": "impact from which on the orbit is near the one that attracts",
 }

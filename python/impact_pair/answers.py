@@ -601,7 +601,7 @@ class Description(Document):
 
     @property
     def period(self) -> tuple[int, int] | None:
-        """Impacts and forcing periods of the attracting orbit, or of the periodic motion."""
+        """Impacts and forcing periods of the attracting orbit, or of the periodic motion; of a complete chatter the listed impacts."""
         found = self.document["fate"].get("period")
         return None if found is None else (found["impacts"], found["cycles"])
 
@@ -619,7 +619,7 @@ class Description(Document):
 
     @property
     def exponent_limit(self) -> Bounds | None:
-        """Bounds of the Lyapunov exponent per impact in the limit; None where the motion is not attracted."""
+        """Bounds of the Lyapunov exponent per impact in the limit; None where the motion is not attracted, and after a graze."""
         return pair(self.document["exponent"]["limit"])
 
     @property

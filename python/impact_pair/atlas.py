@@ -86,11 +86,11 @@ class AtlasResult(GridResult):
 
     @cached_property
     def table(self) -> dict[str, Any]:
-        """The columns of CSV as arrays, a row a point or cell: of exact values doubles (n, 2), rounded outward."""
+        """The columns of CSV as arrays, a row a point or cell: exact values as doubles (n, 2), rounded outward, ends of cells inward."""
         return arrays(self._core.table(b"".join(self.lines())))
 
     def to_dict(self) -> dict[str, Any]:
-        """Return columns by name, exact values as two, ``amplitude_lower`` and ``amplitude_upper``; those of cells rounded outward."""
+        """Return columns by name, exact values as two, ``amplitude_lower`` and ``amplitude_upper``; the ends of cells rounded inward."""
         return flat(self.table)
 
     def to_pandas(self) -> Any:

@@ -30,15 +30,19 @@ def outward(bounds: Iterable[Sequence[str]]) -> Doubles:
 
 
 def middles(bounds: Doubles) -> Doubles:
-    """Return the doubles (n,) near the middles of bounds (n, 2)."""
-    return np.asarray(bounds[:, 0] + 0.5 * (bounds[:, 1] - bounds[:, 0]))
+    """Return the doubles (n,) near the middles of bounds (n, 2): infinite where both are the same infinity, NaN where one is infinite."""
+    low, high = bounds[:, 0], bounds[:, 1]
+    with np.errstate(invalid="ignore"):
+        return np.where(low == high, low, low + 0.5 * (high - low))
 
 
 def radii(bounds: Doubles) -> Doubles:
-    """Return the distances (n,) from the middles to the ends of bounds (n, 2), rounded up."""
-    middle = middles(bounds)
-    radius = np.maximum(bounds[:, 1] - middle, middle - bounds[:, 0])
-    return np.asarray(np.where(radius > 0, np.nextafter(radius, np.inf), radius))
+    """Return the distances (n,) from the middles to the ends of bounds (n, 2), rounded up; infinite where one of these is."""
+    low, high, middle = bounds[:, 0], bounds[:, 1], middles(bounds)
+    with np.errstate(invalid="ignore"):
+        radius = np.maximum(high - middle, middle - low)
+        radius = np.where(radius > 0, np.nextafter(radius, np.inf), radius)
+    return np.where(low == high, 0.0, np.where(np.isinf(low) | np.isinf(high), np.inf, radius))
 
 
 @dataclass(frozen=True)
@@ -66,7 +70,7 @@ class Bounds:
 
     @property
     def mid(self) -> float:
-        """A double near the middle."""
+        """A double near the middle; NaN where one bound is infinite."""
         return float(middles(outward([self.decimals]))[0])
 
     @property
@@ -80,8 +84,9 @@ class Bounds:
         return Fraction(Decimal(self.lower)), Fraction(Decimal(self.upper))
 
     def __contains__(self, number: float | Fraction | Decimal) -> bool:
-        low, high = self.fractions
-        return low <= Fraction(number) <= high
+        low, high = (Decimal(end) for end in self.decimals)
+        exact = number if isinstance(number, float) else Fraction(number)
+        return bool(low <= exact <= high)
 
     def arb(self) -> Any:
         """Return a ball of python-flint that holds the number; in the precision that is set there."""

@@ -60,8 +60,8 @@ pub fn dictionary<'py>(
                 Cell::Text(text) => list.append(text)?,
                 Cell::Truth(truth) => list.append(truth)?,
                 Cell::Number(number) => list.append(number)?,
-                // Of the ends of a cell the double that is outside.
-                Cell::Exact(text) => list.append(end(text).map(|ends| ends[usize::from(*kind == Kind::High)]))?,
+                // Of the ends of a cell the double that is inside: what is said of it is proved there.
+                Cell::Exact(text) => list.append(end(text).map(|ends| ends[usize::from(*kind == Kind::Low)]))?,
                 _ => list.append(py.None())?,
             }
         }

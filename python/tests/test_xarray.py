@@ -109,3 +109,22 @@ def test_r35_a_missing_package_is_named(monkeypatch, tmp_path, orbit, package, e
     assert isinstance(caught.value, ImportError)
     assert caught.value.key == package
     assert not list(tmp_path.iterdir())
+
+
+def test_r45_an_infinite_exponent_is_a_value():
+    # Where the ball rests the exponent is -inf: it was NaN, as where there is none. No number was compared with a bound that is infinite.
+    grid = Scene(amplitude=1, frequency="pi", gap=3, restitution="0.5", velocity=0, time="1.5").sweep(
+        {"restitution": ("0.4", "0.5", 2)}, transient=0, impacts=20
+    )
+    found = grid.to_xarray()
+    assert np.array_equal(found.exponent, [-np.inf, -np.inf])
+    lower, middle, upper = found.exponent_limit_lower, found.exponent_limit, found.exponent_limit_upper
+    assert (lower == -np.inf).all()
+    assert np.isnan(middle).all()
+    assert (upper < 0).all()
+    both, one = impact_pair.Bounds("-inf", "-inf"), impact_pair.Bounds("-inf", "-0.5")
+    assert (both.mid, both.rad, one.rad) == (-np.inf, 0, np.inf)
+    assert np.isnan(one.mid)
+    assert all(number in one for number in (-1e300, -np.inf, Fraction(-1, 2)))
+    assert 0 not in one
+    assert -1 not in both

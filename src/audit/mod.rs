@@ -36,6 +36,8 @@ pub use list::{Column, Columns, List, Listed, Number, read};
 pub use truth::{Rest, Site, SiteKind};
 pub use verdict::{Reason, Verdict};
 
+use std::cmp::Ordering;
+
 use num_rational::BigRational;
 
 use crate::contact::Reason as Doubt;
@@ -129,6 +131,11 @@ impl<'s> Audit<'s> {
         let lacks_velocities = velocities && rows.iter().all(|row| row.velocity.is_none());
         let listed = rows.len();
         let end = match &asked.until {
+            Some(until) if until.compare(scene.start().time()) == Some(Ordering::Less) => {
+                let (until, start) = (until.text(), scene.start().time().text());
+                let message = format!("until is `{until}`, but accepted is a time from the start on, {start}");
+                return Err(Error::out_of_range("until", message));
+            }
             Some(until) => {
                 let rounded_up = || until.enclose(Tolerance::GUARD).sup().to_rational();
                 let end = until.as_rational().cloned().unwrap_or_else(rounded_up);
@@ -143,7 +150,7 @@ impl<'s> Audit<'s> {
         let settings = asked.settings(Exact::from_rational(after));
         let truth = Truth::follow(scene, settings.clone(), &tolerance, rows.len(), watch);
         let truth = truth.map_err(|error| match error.key() {
-            Some("run.until") => too_late(asked, &rows),
+            Some("run.until") => out_of_reach(asked, &rows, scene.start().time()),
             _ => error,
         })?;
         let judgement = Judgement::new(&truth, &rows, (&end, listed == rows.len()), &tolerance);
@@ -271,12 +278,16 @@ impl<'s> Audit<'s> {
     }
 }
 
-/// The error that the time to judge up to is beyond what an orbit can be followed to.
-fn too_late(asked: &AuditSettings, rows: &[Listed]) -> Error {
+/// The error that the time to judge up to is before the start, or beyond what an orbit can be followed to.
+fn out_of_reach(asked: &AuditSettings, rows: &[Listed], start: &Exact) -> Error {
     const LATE: &str = "later than an orbit can be followed to";
     let latest = rows.iter().max_by(|one, other| one.time.high.cmp(&other.time.high));
     match (&asked.until, latest) {
-        (None, Some(Listed { place, time, .. })) => Error::list(format!("{place}: time is `{}`, {LATE}", time.written)),
+        (None, Some(Listed { place, time, .. })) => {
+            let is_early = Exact::from_rational(time.high.clone()).compare(start) == Some(Ordering::Less);
+            let why = if is_early { format!("before the start at {}", start.text()) } else { LATE.to_owned() };
+            Error::list(format!("{place}: time is `{}`, {why}", time.written))
+        }
         (until, _) => {
             let until = until.as_ref().map_or(String::new(), Exact::text);
             Error::out_of_range("until", format!("until is `{until}`, {LATE}"))
@@ -342,6 +353,47 @@ mod tests {
         assert!(list.unused.is_empty() && list.rows.len() == 2, "{list:?}");
         assert!(Audit::of(&scene, list, &AuditSettings::default(), &Unwatched).unwrap().is_agreed());
         assert_eq!(read("event,time,wall\nimpact,1,right\nrest,1.5,right\nimpact,2,left").rows.len(), 2);
+    }
+
+    fn refused(list: &str, until: Option<&str>) -> String {
+        let scene = exact_orbit_of_figure_12();
+        let asked = AuditSettings { until: until.map(|until| until.parse().unwrap()), ..AuditSettings::default() };
+        let list = read(list, &Columns::default(), scene.pair());
+        list.and_then(|list| Audit::of(&scene, list, &asked, &Unwatched).map(drop)).unwrap_err().to_string()
+    }
+
+    /// Of two times of one row the last one was compared.
+    #[test]
+    fn r45_a_row_in_json_has_each_key_once() {
+        for list in [
+            r#"[{"time": 7, "time": 1, "wall": "right"}]"#,
+            r#"{"time": [7], "time": [1], "wall": ["right"]}"#,
+            r#"{"events": [], "events": [{"time": 1, "wall": "right"}]}"#,
+        ] {
+            assert!(refused(list, None).contains("twice"), "{list}");
+        }
+    }
+
+    /// In words above a list `time` and `wall` are no columns, where there are more or fewer of them.
+    #[test]
+    fn r45_a_comment_names_columns_only_if_there_is_one_for_each_word() {
+        let scene = exact_orbit_of_figure_12();
+        for comment in ["my own time integrator", "wall clock time", "the wall", "time wall"] {
+            let list = format!("# {comment}\n1 right\n2 left");
+            let list = read(&list, &Columns::default(), scene.pair()).unwrap();
+            assert!(Audit::of(&scene, list, &AuditSettings::default(), &Unwatched).unwrap().is_agreed(), "{comment}");
+        }
+        let list = read("# wall, time\nright, 1\nleft, 2", &Columns::default(), scene.pair()).unwrap();
+        assert!(Audit::of(&scene, list, &AuditSettings::default(), &Unwatched).unwrap().is_agreed());
+    }
+
+    /// Nothing was compared, and it was said to agree; rows before the start were said to be too late.
+    #[test]
+    fn r45_nothing_is_compared_before_the_start() {
+        let list = "time,wall\n1,right";
+        assert_eq!(refused(list, Some("-1")), "until is `-1`, but accepted is a time from the start on, 0");
+        assert!(refused("time,wall\n-3,right", None).ends_with("time is `-3`, before the start at 0"));
+        assert!(refused(list, Some("1e30")).contains("later than an orbit can be followed to"));
     }
 
     #[test]

@@ -44,7 +44,7 @@ impl Followed {
         let document = document::follow(&mut orbit, of, watch, |orbit, event| disturbance.follow(orbit, event));
         let exponent = disturbance.exponent();
         let limit = match orbit.outcome() {
-            Some(Outcome::Attracted(attractor)) => Some(limit(&attractor.orbit, exponent)),
+            Some(Outcome::Attracted(attractor)) => limit(&attractor.orbit, disturbance.passed()),
             _ => None,
         };
         Ok(Self { document, exponent, limit })

@@ -57,6 +57,22 @@ fn r44_after_a_rest_the_exponent_in_the_limit_is_bounded_from_above_only() {
     assert!(low == "-inf" && high.parse::<f64>().unwrap() < 0.0, "{low} {high}");
 }
 
+/// From `v+ = pi` at `th0 = pi/2`, with `A = 1` and `W = 2 pi`, the drift is `pi`: `y' = pi - 2 pi cos th` is 0 next at `th = 5 pi/3`, where the right
+/// wall is touched if `d = 1 + sqrt(3)/2 + 7 pi/12` (11), (12). Of what starts nearby a part hits it and a part does not.
+#[cfg(feature = "multiprecision")]
+#[test]
+fn r45_after_a_graze_there_is_no_exponent_in_the_limit() {
+    let excitation = "amplitude = 1, frequency = \"2*pi\", phase = 0";
+    let start = "time = 0.25, wall = \"left\", velocity = \"-2*pi\"";
+    let exponent = |gap: &str| {
+        let document = described(&scene(excitation, &format!("gap = \"{gap}\", restitution = 0.5"), start));
+        assert_eq!(document.fate.kind, FateName::Attracted, "{gap}");
+        (document.exponent.finite_time.is_some(), document.exponent.limit.is_some())
+    };
+    assert_eq!(exponent("1 + sqrt(3)/2 + 7*pi/12"), (false, false));
+    assert_eq!(exponent("1.01 + sqrt(3)/2 + 7*pi/12"), (true, true));
+}
+
 /// Lemma Q3 holds for all data: so it does for all gaps of an interval.
 #[test]
 fn intervals_of_data_are_described_for_all_their_values() {

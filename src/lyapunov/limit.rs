@@ -1,17 +1,20 @@
 //! The exponent in the limit, of an orbit that converges to a stable periodic one: Lemma L4.
 
-use super::Exponent;
+use super::Passed;
 use crate::exact::{Dyadic, Enclosure};
 use crate::number::{Ball, Number, logarithm};
 use crate::periodic::{PeriodicOrbit, Stability};
 
 /// Bounds of `ln rho` per impact, `rho` being the spectral radius of the period's Jacobian: what the finite-time exponents of every
-/// orbit that converges to this one tend to; `before` is that over the impacts so far. Lemma L4
+/// orbit that converges to this one tend to; `None` where they have no derivative after what the disturbance has `passed`. Lemma L4
 ///
 /// **Equation** (38)
 /// **Range** Below 0 for a stable orbit; the lower bound is minus infinity where a rest has forgotten all disturbances, and where `e` is, or may
 /// be, 0: then a motion may forget them at one impact, whatever `rho` is.
-pub fn limit(orbit: &PeriodicOrbit, before: Exponent) -> [f64; 2] {
+pub fn limit(orbit: &PeriodicOrbit, passed: Passed) -> Option<[f64; 2]> {
+    if passed == Passed::Break {
+        return None; // L4: only a motion whose map has a derivative
+    }
     let impacts = orbit.impacts.len();
     let bits = orbit.bits + GUARD;
     // L4: the square of the larger modulus lies between the larger lower and the larger upper end of both.
@@ -22,12 +25,12 @@ pub fn limit(orbit: &PeriodicOrbit, before: Exponent) -> [f64; 2] {
     // L4: nor is it below the product of both.
     let least = larger(&larger(one.inf(), other.inf()), &orbit.determinant.mig());
     let [low, high] = [least, larger(one.sup(), other.sup())].map(|square| per_impact(&square, impacts));
-    let is_invertible = orbit.determinant.mig().sign().is_gt() && before != Exponent::Forgets;
+    let is_invertible = orbit.determinant.mig().sign().is_gt() && passed == Passed::Flights;
     let low = low.filter(|_| is_invertible); // L4: e > 0, and no rest before
     let high = high.map_or(f64::NEG_INFINITY, |[_, high]| high);
     // L4: of a stable orbit it is below 1, whatever the enclosures of the eigenvalues say
     let high = if orbit.stability == Stability::Stable { high.min(0.0) } else { high };
-    [low.map_or(f64::NEG_INFINITY, |[low, _]| low), high]
+    Some([low.map_or(f64::NEG_INFINITY, |[low, _]| low), high])
 }
 
 /// Bits beyond those of the orbit, so that nothing is lost to rounding here.
@@ -56,8 +59,6 @@ mod tests {
     use crate::periodic::{Precision, Problem};
     use crate::scene::Scene;
 
-    const UNKNOWN: Exponent = Exponent::Unknown(crate::lyapunov::Unknown::NoImpacts);
-
     fn orbits(scene: &str, word: &str) -> Vec<PeriodicOrbit> {
         let scene = Scene::parse(scene).unwrap();
         let word: Word = word.parse().unwrap();
@@ -80,7 +81,7 @@ mod tests {
         let mut seen = 0;
         for restitution in ["0.5", "0.6", "0.7", "0.8", "0.9"] {
             for orbit in orbits(&scene("1", "3*pi", restitution), "RL").iter().filter(complex) {
-                let [low, high] = limit(orbit, UNKNOWN);
+                let [low, high] = limit(orbit, Passed::Flights).unwrap();
                 let truth = restitution.parse::<f64>().unwrap().ln();
                 assert!(low <= truth && truth <= high && high - low < 1e-12, "{restitution}: {low} {high}");
                 seen += 1;
@@ -96,7 +97,7 @@ mod tests {
         let mut seen = 0;
         for gap in ["9.42497", "9.425", "9.43"] {
             for orbit in orbits(&scene("1", gap, "0.5"), "RL").iter().filter(real) {
-                let [low, high] = limit(orbit, UNKNOWN).map(|end| (2.0 * end).exp());
+                let [low, high] = limit(orbit, Passed::Flights).unwrap().map(|end| (2.0 * end).exp());
                 let trace = orbit.trace.mid_rad().0.abs();
                 assert!((low + 0.0625 / low - trace).abs() < 1e-8 && high - low < 1e-8, "{low} {high} {trace}");
                 seen += 1;

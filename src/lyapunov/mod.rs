@@ -65,6 +65,18 @@ impl Unknown {
     }
 }
 
+/// What a disturbance has passed, as far as its limit depends on it (Lemma L4).
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Passed {
+    /// Flights between impacts, of which the map has a derivative.
+    #[default]
+    Flights,
+    /// A rest with a contact force: the derivative is 0 from then on.
+    Rest,
+    /// A graze, or a rest without contact force: there is no derivative.
+    Break,
+}
+
 /// A small disturbance of an orbit, followed from one impact to the next.
 #[derive(Clone, Debug)]
 pub struct Disturbance {
@@ -79,6 +91,7 @@ pub struct Disturbance {
     is_lost: bool,
     /// The result that no longer depends on the growth, if any.
     settled: Option<Exponent>,
+    passed: Passed,
 }
 
 impl Disturbance {
@@ -95,7 +108,16 @@ impl Disturbance {
     fn new(orbit: &Orbit, last: Option<Impact>) -> Self {
         let restitution = orbit.restitution();
         let growth = Growth::new(restitution == Ball::exact(0.0));
-        Self { growth, restitution, last, turns: Ball::exact(0.0), rate: None, is_lost: false, settled: None }
+        Self {
+            growth,
+            restitution,
+            last,
+            turns: Ball::exact(0.0),
+            rate: None,
+            is_lost: false,
+            settled: None,
+            passed: Passed::Flights,
+        }
     }
 
     /// Returns the growth in periods of another harmonic, of which a given number are one period of the fastest: (A.7) then has times in these
@@ -107,6 +129,7 @@ impl Disturbance {
 
     /// Follows it over the orbit's next event.
     pub fn follow(&mut self, orbit: &Orbit, event: &Progress) {
+        self.note(orbit, event);
         match event {
             _ if self.settled.is_some() => {}
             Progress::Impact(impact) => self.pass(orbit, impact),
@@ -117,6 +140,21 @@ impl Disturbance {
             }
             Progress::Release(_) | Progress::Retraced(_) | Progress::Ended => {}
         }
+    }
+
+    /// Notes what its limit depends on, from the first impact on, whether or not the growth is known.
+    fn note(&mut self, orbit: &Orbit, event: &Progress) {
+        let is_smooth = self.passed == Passed::Flights && self.last.is_some();
+        match event {
+            Progress::Rest(rest) if is_smooth && orbit.forgets(rest) => self.passed = Passed::Rest,
+            Progress::Graze(_) | Progress::Rest(_) if is_smooth => self.passed = Passed::Break,
+            _ => {}
+        }
+    }
+
+    /// Returns what it has passed.
+    pub fn passed(&self) -> Passed {
+        self.passed
     }
 
     fn pass(&mut self, orbit: &Orbit, impact: &Impact) {

@@ -26,9 +26,10 @@ pub enum Kind {
     Truth,
     /// An exact number as written: text in CSV, bounds in Parquet.
     Exact,
-    /// An exact number as written: text in CSV, in Parquet the double next to it, below or equal.
+    /// The lower end of a cell, as written: text in CSV, in Parquet the double next to it inside, above or equal, since what is said of a cell
+    /// is proved in it alone.
     Low,
-    /// The same, above or equal.
+    /// The upper end, the same: below or equal.
     High,
     /// A double that is no claim.
     Number,

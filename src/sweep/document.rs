@@ -97,7 +97,7 @@ pub fn record(number: u64, values: &[(Key, Exact)], point: &Point) -> SweepRecor
         wide_from: point.first_wide,
         impacts_per_cycle: point.impacts_per_cycle.map(extended),
         exponent: exponent(point.exponent),
-        exponent_limit: point.attraction.as_ref().map(|attraction| limit(attraction.limit)),
+        exponent_limit: point.attraction.as_ref().and_then(|attraction| attraction.limit).map(limit),
         period,
         states: point.states.iter().map(impact).collect(),
     }

@@ -5,7 +5,7 @@ use std::ops::ControlFlow;
 use crate::Error;
 use crate::document::{Conclusion, Event};
 use crate::exact::Enclosure;
-use crate::lyapunov::{Disturbance, Exponent, limit};
+use crate::lyapunov::{Disturbance, Exponent, Passed, limit};
 use crate::mapping::Word;
 use crate::number::{Ball, Number};
 use crate::orbit::{Arithmetic, Impact, Orbit, Outcome, Progress, Settings, Shadowing};
@@ -61,8 +61,8 @@ pub struct Attraction {
     pub first: Option<State>,
     /// From this impact of the orbit on it is in a neighbourhood that the period contracts.
     pub from: u64,
-    /// Bounds of what the exponent per impact tends to. Lemma L4
-    pub limit: [f64; 2],
+    /// Bounds of what the exponent per impact tends to; `None` after a graze, where there is no derivative. Lemma L4
+    pub limit: Option<[f64; 2]>,
 }
 
 /// The certified results of a point.
@@ -141,9 +141,10 @@ fn follow_in(
     let last = last.and_then(|event| Event::of(&orbit, &event, window.listed));
     let exponent =
         window.disturbance.as_ref().map_or_else(|| Disturbance::of(&orbit).exponent(), Disturbance::exponent);
+    let passed = window.disturbance.as_ref().map_or_else(Passed::default, Disturbance::passed); // exact: none has begun
     let (attraction, cycles) = match &outcome {
         Outcome::Attracted(attractor) => {
-            (Some(attraction(&orbit, attractor, &unit, exponent)), Some(attractor.cycles.into()))
+            (Some(attraction(&orbit, attractor, &unit, passed)), Some(attractor.cycles.into()))
         }
         Outcome::Periodic(period) => (None, Some(period.cycles)),
         _ => (None, None),
@@ -218,7 +219,7 @@ impl<'u> Window<'u> {
 }
 
 /// The attractor measured from the impact that [`Attraction`] names.
-fn attraction(orbit: &Orbit, attractor: &Attractor, unit: &Unit, exponent: Exponent) -> Attraction {
+fn attraction(orbit: &Orbit, attractor: &Attractor, unit: &Unit, passed: Passed) -> Attraction {
     let Attractor { word, orbit: periodic, from, .. } = attractor;
     let impacts = &periodic.impacts;
     let rotated = |shift: usize| impacts.iter().cycle().skip(shift).take(impacts.len());
@@ -238,7 +239,7 @@ fn attraction(orbit: &Orbit, attractor: &Attractor, unit: &Unit, exponent: Expon
         word: Word::new(mappings).expect("a closed word can be rotated"),
         first: in_reference(first).map(|phase| State { index: 1 + shift as u64, wall: first.wall, phase, velocity }),
         from: *from,
-        limit: limit(periodic, exponent),
+        limit: limit(periodic, passed),
     }
 }
 
@@ -298,7 +299,7 @@ mod tests {
         // Of the two eigenvalues 0.25764 is the larger: its logarithm for two impacts.
         let Exponent::Finite { per_cycle, .. } = point.exponent else { panic!("an exponent") };
         assert!((per_cycle.mid() - 0.25764f64.ln()).abs() < 0.5, "{per_cycle:?}");
-        let [low, high] = attraction.limit.map(|end| 2.0 * end);
+        let [low, high] = attraction.limit.unwrap().map(|end| 2.0 * end);
         assert!(high - low < 1e-10 && (low - 0.25764f64.ln()).abs() < 1e-4, "{low} {high}");
     }
 
@@ -310,7 +311,7 @@ mod tests {
              start = { time = 1.5, wall = \"left\", velocity = 0 }",
         );
         let rests = rests.unwrap();
-        let lowest = |transient: u64| point(&rests, transient, 40).attraction.unwrap().limit[0];
+        let lowest = |transient: u64| point(&rests, transient, 40).attraction.unwrap().limit.unwrap()[0];
         assert!(lowest(0) == f64::NEG_INFINITY && lowest(1).is_finite());
     }
 

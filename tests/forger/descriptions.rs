@@ -30,7 +30,7 @@ fn fates() -> Vec<(&'static str, Value)> {
         ("never-impacts", json!({ "kind": "never-impacts", "message": "no wall is ever touched after impact 7" })),
         (
             "periodic",
-            json!({ "kind": "periodic", "message": "repeats exactly for ever, 3 impacts in 1 forcing period", "period": { "impacts": 3, "cycles": 1 } }),
+            json!({ "kind": "periodic", "message": "repeats exactly for ever, 3 listed impacts in 1 forcing period", "period": { "impacts": 3, "cycles": 1 } }),
         ),
         (
             "stays-in-region",

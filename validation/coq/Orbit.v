@@ -33,9 +33,9 @@ Fixpoint named (previous : option wall) (n : Z) (listed : list occurrence) : Pro
 Definition is_impact (o : occurrence) : bool := match o with Impact_at _ => true | _ => false end.
 Definition impacts (listed : list occurrence) : Z := Z.of_nat (length (filter is_impact listed)).
 
-(* All up to a time is listed: what happens next comes later. *)
+(* All up to a time is listed: what happens next comes later. That is no rest after infinitely many impacts, which come before it. *)
 Definition up_to (s : scene) (a : standing) (motion : list happening) (T : number) : Prop :=
-  defined T /\ List.Forall (fun h => moment h <= value T) motion /\ exists h, happens s (after_all s a motion) h /\ value T < moment h.
+  defined T /\ List.Forall (fun h => moment h <= value T) motion /\ exists h, happens s (after_all s a motion) h /\ kind h <> 1%nat /\ value T < moment h.
 (* A part of the list, with as many impacts as are said, begins after a release and ends with one from the same wall. It happens again and again,
    each time so many forcing periods later, for ever. *)
 Definition repeats (s : scene) (a : standing) (listed : list occurrence) (motion : list happening) (cycles each : Z) : Prop :=

@@ -372,13 +372,14 @@ Proof.
 Qed.
 End Data.
 
-(* All that is listed is before T, and the next one after it. *)
+(* All that is listed is before T, and the next one, which no other ones come before, after it. *)
+Definition is_single (o : occurrence) : bool := match o with Rest_at _ _ _ true => false | _ => true end.
 Definition latest (o : occurrence) : Q := match o with Impact_at x => time_upper (shown x) | Rest_at _ _ upper _ | Release_at _ _ upper => upper end.
 Definition earliest (o : occurrence) : Q := match o with Impact_at x => time_lower (shown x) | Rest_at _ lower _ _ | Release_at _ lower _ => lower end.
 Definition check_until (p : positive) (until : option number) (listed : list occurrence) (next : option occurrence) : bool :=
   match until, next with
   | None, None => true
-  | Some T, Some next => check_defined p T &&
+  | Some T, Some next => is_single next && check_defined p T &&
       forallb (fun x => is_not_negative (sub p (enclose p T) (enclose p (Rational (latest x))))) listed &&
       is_positive (sub p (enclose p (Rational (earliest next))) (enclose p T))
   | _, _ => false
@@ -406,6 +407,11 @@ Lemma shown_times o h : shows o h -> Q2R (earliest o) <= moment h <= Q2R (latest
 Proof.
   destruct o as [x|w a b c|w a b], h as [i|w' t c'|w' t]; cbn [shows earliest latest moment]; try tauto.
   intros (_ & r & _). exact r.
+Qed.
+Lemma single_shown o h : is_single o = true -> shows o h -> kind h <> 1%nat.
+Proof.
+  destruct o as [x|w a b [|]|w a b], h as [i|w' t [|]|w' t]; cbn [is_single shows kind]; intros single r; try discriminate; try contradiction.
+  destruct r as (_ & none & _). discriminate.
 Qed.
 
 Lemma repeats_sound p param s (described : describes param s) (W_positive : 0 < W s) x listed motion cycles each rounds :
@@ -461,7 +467,7 @@ Proof.
   assert (until_told : forall until, check_until p until (events x) (next_one h) = true ->
     match until with None => True | Some T => up_to s (Flying l) motion T end).
   { intros [T|] check; [|exact I]. unfold check_until in check. destruct (next_one h) as [next|]; [|discriminate].
-    apply andb_prop in check as [check later]. apply andb_prop in check as [def each].
+    apply andb_prop in check as [check later]. apply andb_prop in check as [check each]. apply andb_prop in check as [single def].
     assert (known : forall q, holds (enclose p (Rational q)) (Q2R q)) by (intros q; exact (holds_enclose p (Rational q))).
     split; [apply (check_defined_sound p), def|]. split.
     - rewrite forallb_forall in each. clear - each all known. induction all as [|o k os ks r all IH]; [constructor|].
@@ -469,7 +475,7 @@ Proof.
       assert (0 <= value T - Q2R (latest o)).
       { refine (is_not_negative_sound _ _ (each o (or_introl eq_refl)) _). apply holds_sub; [apply holds_enclose|apply known]. }
       assert (b := shown_times o k r). lra.
-    - inversion tail as [|o k os ks r none]; subst. destruct f' as [happened _]. exists k. split; [exact happened|].
+    - inversion tail as [|o k os ks r none]; subst. destruct f' as [happened _]. exists k. split; [exact happened|]. split; [exact (single_shown next k single r)|].
       assert (0 < Q2R (earliest next) - value T).
       { refine (is_positive_sound _ _ later _). apply holds_sub; [apply known|apply holds_enclose]. }
       assert (b := shown_times next k r). lra. }

@@ -20,7 +20,7 @@ Examples:
     impact-pair audit scenes/figure-14.toml - --format json --output audit.json
 
 The list: text with commas, semicolons, tabs or blanks between columns, with a header, with a header in a comment (# \
-or %), or without one: then time, wall and velocity are columns 1, 2 and 3. Or JSON: an array of objects, an object \
+or %) that has a word for each column, or without one: then time, wall and velocity are columns 1, 2 and 3. Or JSON: an array of objects, an object \
 of arrays, JSON Lines, or the orbit JSON. Walls are left and right, L and R, -1 and +1, or positions near -d/2 and \
 +d/2. Velocities are y' just before the impact, with their sign. Numbers are read exactly. Columns that are not read \
 are named in the last line and in the JSON (unused_columns). The certified orbit goes as far as the list, whatever \

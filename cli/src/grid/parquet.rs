@@ -110,7 +110,7 @@ impl Group {
                 }
                 (Column::Number(values), Cell::Number(number)) => values.push(Some(*number)),
                 (Column::Number(values), Cell::Exact(text)) => {
-                    values.push(Some(doubles(text)?[usize::from(*kind == Kind::High)]));
+                    values.push(Some(doubles(text)?[usize::from(*kind == Kind::Low)]));
                 }
                 (Column::Whole(values), _) => values.push(None),
                 (Column::Text(values), _) => values.push(None),

@@ -120,7 +120,7 @@ impl FateName {
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct DescribedExponent {
-    /// The limit of an attracted motion: the logarithm of the spectral radius of the period's Jacobian, per impact; where `e` may be 0, only an upper bound. `null` for all others.
+    /// The limit of an attracted motion: the logarithm of the spectral radius of the period's Jacobian, per impact; where `e` may be 0, or after a rest, only an upper bound. `null` for all others, and after a graze, where there is no derivative.
     pub limit: Option<ExtendedBounds>,
     /// Over the certified impacts; `-inf` where the ball comes to rest, `null` where it is not known.
     pub finite_time: Option<ExtendedBounds>,
@@ -174,11 +174,11 @@ impl FateDocument {
         Some(match self.kind {
             FateName::Attracted => format!(
                 "converges to a stable periodic orbit of {} ({}), from {} on",
-                every(self.period?),
+                every(self.period?, "impact"),
                 self.word.as_ref()?,
                 since(self.from?)
             ),
-            FateName::Periodic => format!("repeats exactly for ever, {}", every(self.period?)),
+            FateName::Periodic => format!("repeats exactly for ever, {}", every(self.period?, "listed impact")),
             FateName::RestsForever => format!("the ball rests on the {} wall for ever", self.wall?.name()),
             FateName::NeverImpacts => format!("no wall is ever touched after {}", since(self.impacts)),
             FateName::StaysInRegion => {
@@ -195,6 +195,6 @@ impl FateDocument {
 }
 
 /// A period in words.
-fn every(Period { impacts, cycles }: Period) -> String {
-    format!("{} in {}", counted(impacts, "impact"), counted(cycles, "forcing period"))
+fn every(Period { impacts, cycles }: Period, what: &str) -> String {
+    format!("{} in {}", counted(impacts, what), counted(cycles, "forcing period"))
 }

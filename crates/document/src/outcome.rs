@@ -104,12 +104,12 @@ impl OutcomeDocument {
             }
             "periodic" => {
                 let Period { cycles, impacts } = self.period?;
-                format!("{so_far}; proved to repeat exactly for ever, {}", every(impacts, cycles))
+                format!("{so_far}; proved to repeat exactly for ever, {}", every(impacts, "listed impact", cycles))
             }
             "attracted" => {
                 let (word, from) = (self.word.as_ref()?, self.from?);
                 let impacts = word.parse::<Word>().ok()?.mappings().len() as u64; // exact: a length
-                let every = every(impacts, self.cycles?.into());
+                let every = every(impacts, "impact", self.cycles?.into());
                 format!("{so_far}; proved to converge to a stable orbit of {every} ({word}), from impact {from} on")
             }
             "rests-forever" => format!("{after} at rest on the {} wall for ever", self.wall?.name()),
@@ -163,9 +163,9 @@ fn after(impacts: u64) -> String {
     if impacts == 0 { "before the first impact".into() } else { format!("after impact {impacts}") }
 }
 
-fn every(impacts: u64, cycles: u64) -> String {
+fn every(impacts: u64, what: &str, cycles: u64) -> String {
     let cycles = if cycles == 1 { "cycle".into() } else { format!("{cycles} cycles") };
-    format!("{} every {cycles}", counted(impacts, "impact"))
+    format!("{} every {cycles}", counted(impacts, what))
 }
 
 /// What a reason means.

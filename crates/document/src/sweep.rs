@@ -99,7 +99,7 @@ pub struct SweepRecord {
     pub impacts_per_cycle: Option<ExtendedBounds>,
     /// Growth rate of small disturbances over the impacts after the transient: the finite-time exponent.
     pub exponent: SweepExponent,
-    /// Limit of the exponent per impact of an attracted orbit: the logarithm of the spectral radius of its period's Jacobian, per impact; where `e` may be 0, only an upper bound.
+    /// Limit of the exponent per impact of an attracted orbit: the logarithm of the spectral radius of its period's Jacobian, per impact; where `e` may be 0, or after a rest, only an upper bound. Absent after a graze, where there is no derivative.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub exponent_limit: Option<ExtendedBounds>,
     /// What it is attracted to, or, without a state, the exact period.

@@ -3,8 +3,9 @@
 //! Numbers are taken as they are written, never through a double.
 
 use std::collections::{BTreeMap, BTreeSet};
+use std::fmt;
 
-use serde_json::Deserializer;
+use serde::de::{Deserialize, MapAccess, Visitor};
 use serde_json::value::RawValue;
 
 use super::{Column, Columns, List, Listed, Number, Walls, read_wall, shortened};
@@ -12,8 +13,40 @@ use crate::Error;
 
 type Object<'j> = BTreeMap<String, &'j RawValue>;
 
+/// An object, and a key that it has twice: of two values one reader takes the first, another the last.
+struct Once<'j> {
+    object: Object<'j>,
+    twice: Option<String>,
+}
+
+impl<'j> Deserialize<'j> for Once<'j> {
+    fn deserialize<D: serde::Deserializer<'j>>(deserializer: D) -> Result<Self, D::Error> {
+        deserializer.deserialize_map(Members)
+    }
+}
+
+struct Members;
+
+impl<'j> Visitor<'j> for Members {
+    type Value = Once<'j>;
+
+    fn expecting(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        out.write_str("an object")
+    }
+
+    fn visit_map<A: MapAccess<'j>>(self, mut members: A) -> Result<Once<'j>, A::Error> {
+        let mut found = Once { object: Object::new(), twice: None };
+        while let Some((key, value)) = members.next_entry::<String, &RawValue>()? {
+            if found.object.insert(key.clone(), value).is_some() {
+                found.twice.get_or_insert(key);
+            }
+        }
+        Ok(found)
+    }
+}
+
 pub(super) fn read(text: &str, columns: &Columns, walls: &Walls) -> Result<List, Error> {
-    let values: Result<Vec<&RawValue>, _> = Deserializer::from_str(text).into_iter().collect();
+    let values: Result<Vec<&RawValue>, _> = serde_json::Deserializer::from_str(text).into_iter().collect();
     let values = values.map_err(|error| Error::list(format!("no JSON: {error}")).because(error))?;
     let mut unused = BTreeSet::new();
     let rows = match values.as_slice() {
@@ -54,8 +87,12 @@ fn list(value: &RawValue) -> Result<Vec<&RawValue>, Error> {
 }
 
 fn object<'j>(place: &str, value: &'j RawValue) -> Result<Object<'j>, Error> {
-    serde_json::from_str(value.get())
-        .map_err(|_| Error::list(format!("{place} is `{}`, but accepted is an object", shortened(value.get()))))
+    let Once { object, twice } = serde_json::from_str(value.get())
+        .map_err(|_| Error::list(format!("{place} is `{}`, but accepted is an object", shortened(value.get()))))?;
+    match twice {
+        Some(key) => refuse!("{place} has the key `{}` twice", shortened(&key)),
+        None => Ok(object),
+    }
 }
 
 fn objects<'j>(name: &str, rows: &[&'j RawValue]) -> Result<Vec<(String, Object<'j>)>, Error> {

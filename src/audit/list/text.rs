@@ -24,7 +24,7 @@ pub(super) fn read(text: &str, columns: &Columns, walls: &Walls) -> Result<List,
     let is_header = fields.iter().all(|field| field.parse::<f64>().is_err());
     let header = match is_header {
         true => Header::Line(fields.clone()),
-        false => Header::of_comment(comment, &separator),
+        false => Header::of_comment(comment, &separator, fields.len()),
     };
     let places = Places::find(columns, &header, fields.len())?;
     let data = lines.filter(|(_, line)| !line.starts_with(COMMENTS));
@@ -72,15 +72,16 @@ impl Separator {
 /// What the columns are called.
 enum Header {
     Line(Vec<String>),
-    /// The last comment before the data, as `numpy.savetxt` writes it.
+    /// The last comment before the data, as `numpy.savetxt` writes it: a name for each column.
     Comment(Vec<String>),
     None,
 }
 
 impl Header {
-    fn of_comment(comment: Option<&str>, separator: &Separator) -> Self {
-        comment
-            .map_or(Self::None, |comment| Self::Comment(separator.fields(comment.trim_start_matches(COMMENTS).trim())))
+    /// A comment of another number of words says something else.
+    fn of_comment(comment: Option<&str>, separator: &Separator, width: usize) -> Self {
+        let names = comment.map(|comment| separator.fields(comment.trim_start_matches(COMMENTS).trim()));
+        names.filter(|names| names.len() == width).map_or(Self::None, Self::Comment)
     }
 
     fn names(&self) -> &[String] {

@@ -228,7 +228,7 @@ let words claim =
   | Impacts_reached n -> Printf.sprintf "%s impact%s%s" (Z.to_string n) (plural n) near
   | Time_reached (n, _) -> Printf.sprintf "%s impact%s listed%s; no other event up to the requested time" (Z.to_string n) (plural n) near
   | Repeats (n, _, cycles, each) ->
-    Printf.sprintf "%s impact%s; proved to repeat exactly for ever, %s impact%s every %s" (Z.to_string n) (plural n) (Z.to_string each) (plural each)
+    Printf.sprintf "%s impact%s; proved to repeat exactly for ever, %s listed impact%s every %s" (Z.to_string n) (plural n) (Z.to_string each) (plural each)
       (if Z.equal cycles Z.one then "cycle" else Z.to_string cycles ^ " cycles")
 
 let wall_name = function Left -> "left" | Right -> "right"
