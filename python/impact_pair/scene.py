@@ -476,16 +476,18 @@ class Scene:
         most: int = _core.GLOBAL_LIMITS[1],
         work: int = _core.GLOBAL_LIMITS[2],
         basins: int | None = None,
+        horseshoes: int | None = None,
         digits: int | None = None,
         progress: Progress = None,
     ) -> answers.GlobalAnalysis:
         """Prove where every motion goes, whatever its start, with ``2**boxes`` boxes of which about ``most`` are mapped in all.
 
         ``work`` bounds the work of their images: views of flights, columns of long ones, boxes that are noted. With ``basins`` the
-        basins of attraction are proved by about ``2**basins`` boxes, with as much work again.
+        basins of attraction are proved by about ``2**basins`` boxes, with as much work again. With ``horseshoes`` undecided components,
+        the four largest ones, are searched for horseshoes of words of at most that many impacts.
         """
         limits = (whole("boxes", boxes), whole("halvings", halvings), whole("most", most), whole("work", work))
-        question = (*limits, optional_whole("basins", basins))
+        question = (*limits, optional_whole("basins", basins), optional_whole("horseshoes", horseshoes))
         with reporting(progress, "boxes") as tell:
             return answers.GlobalAnalysis(*_core.global_analysis(self._core, question, optional_whole("digits", digits), tell))
 

@@ -117,11 +117,11 @@ pub fn limits(usual: &GlobalSettings) -> (u32, usize, u64) {
 pub fn global_analysis(
     py: Python<'_>,
     scene: &Bound<'_, Scene>,
-    question: (u32, u32, u64, u64, Option<u32>),
+    question: (u32, u32, u64, u64, Option<u32>, Option<u32>),
     digits: Option<u32>,
     progress: Option<Py<PyAny>>,
 ) -> PyResult<Answer> {
-    let (boxes, halvings, most, work, basins) = question;
+    let (boxes, halvings, most, work, basins, horseshoes) = question;
     let scene = scene.get().scene.clone();
     watched(py, progress, move |monitor| {
         let settings = GlobalSettings {
@@ -130,6 +130,9 @@ pub fn global_analysis(
             most: accepted("most", most, 1..=1_000_000_000)? as usize,
             work: accepted("work", work, 1..=1_000_000_000_000)?,
             basins: basins.map(|halvings| Ok::<_, Fault>(1 << accepted("basins", halvings, 8..=24)?)).transpose()?,
+            horseshoes: horseshoes
+                .map(|depth| Ok::<_, Fault>(accepted("horseshoes", depth, 1..=MOST_DEPTH)? as usize))
+                .transpose()?,
             precision: precision((digits, MAX_BITS), &scene)?,
         };
         let found = Global::of(scene.pair(), &settings, monitor)?;

@@ -8,7 +8,7 @@ use std::thread;
 
 use super::attracted::attracted;
 use super::guess::Guess;
-use super::horseshoe::{Chaos, bases, problem};
+use super::horseshoe::{Horseshoe, bases};
 use super::law::Law;
 use super::quad::State;
 use super::scene::{Visited, visited};
@@ -67,15 +67,6 @@ pub enum Verdict {
     },
     /// Nothing of these is proved.
     Undecided,
-}
-
-/// A horseshoe in the impact map of each pair.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Horseshoe {
-    /// Lower bounds of the topological entropy per impact, and per forcing period.
-    pub entropy: [f64; 2],
-    /// What it was proved with.
-    pub bases: Vec<Base>,
 }
 
 impl Verdict {
@@ -326,14 +317,9 @@ impl Work<'_> {
         let found = || bases(&orbit, &law, self.asked.depth, ANY, self.watch);
         for again in [true, false] {
             let bases = if again { known.clone() } else { found() };
-            if problem(&bases).is_some() {
-                continue;
-            }
-            let chaos = Chaos::proved(&law, bases, Some(self.asked.depth), self.watch);
-            if chaos.entropy() > 0.0 {
-                let (entropy, bases) = ([chaos.entropy(), chaos.entropy_a_cycle()], chaos.bases().to_vec());
-                known.clone_from(&bases);
-                return Ok(Some(Horseshoe { entropy, bases }));
+            if let Some(horseshoe) = Horseshoe::of(&law, bases, self.asked.depth, self.watch) {
+                known.clone_from(&horseshoe.bases);
+                return Ok(Some(horseshoe));
             }
         }
         Ok(None)

@@ -225,7 +225,7 @@ fn flights(walls: &[Wall]) -> String {
     before.zip(walls).map(|(from, to)| if from == to { 'N' } else { 'F' }).collect()
 }
 
-fn base(base: &Base) -> BaseDocument {
+pub(super) fn base(base: &Base) -> BaseDocument {
     let Base { left, right } = base;
     let middle = |[a, b]: [f64; 2], [c, d]: [f64; 2]| [0.5 * (a + c), 0.5 * (b + d)];
     let (low, high) = (middle(left.bottom, right.bottom), middle(left.top, right.top));
