@@ -281,11 +281,7 @@ impl Work<'_> {
             return Ok(Verdict::Attracted { word: rotated_to_its_least(&word), cycles, beside: None });
         }
         Ok(match is_last.then(|| stable(&law, first.middle(), self.watch)).flatten() {
-            Some((word, cycles)) => {
-                let [word, mirrored] = [&word, &mirrored(&word)].map(rotated_to_its_least);
-                let word = if walls(&word) <= walls(&mirrored) { word } else { mirrored };
-                Verdict::Stable { word, cycles, beside: None }
-            }
+            Some((word, cycles)) => Verdict::Stable { word: word_of_both(&word), cycles, beside: None },
             None => Verdict::Undecided,
         })
     }
@@ -299,6 +295,9 @@ impl Work<'_> {
         known: &mut Vec<Base>,
         transients: bool,
     ) -> Result<Option<Horseshoe>, Error> {
+        if !self.watch.goes_on() {
+            return Ok(None);
+        }
         let law = Law::of(pair)?;
         let mut looked_at = None;
         for value in values {
@@ -346,6 +345,12 @@ pub fn seen_impacts(pair: &ImpactPair, start: &Start, [transient, impacts]: [usi
 /// The walls that the impacts of a word are on.
 fn walls(word: &Word) -> Vec<bool> {
     word.mappings().iter().map(|mapping| mapping.walls().0 == Wall::Right).collect()
+}
+
+/// Returns the word of a motion or of its mirror image, whichever is the first one in the alphabet of L and R, from that impact on that makes it so.
+pub(super) fn word_of_both(word: &Word) -> Word {
+    let [word, mirrored] = [word, &mirrored(word)].map(rotated_to_its_least);
+    if walls(&word) <= walls(&mirrored) { word } else { mirrored }
 }
 
 /// The word of the mirror image. Lemma D14: it is a motion as well

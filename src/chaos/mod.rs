@@ -59,6 +59,7 @@ pub(crate) use law::{Law, Side};
 pub(crate) use quad::Quad;
 pub use quad::{Chord, State};
 pub use region::{NoTrap, Trap};
+pub use stable::stable_orbits;
 pub use windows::{
     FoundWindow, MOST_WINDOW_IMPACTS, UnprovedWindow, WINDOW_PARAMETERS, WindowSettings, Windows, is_window_range,
 };

@@ -162,7 +162,8 @@ fn scene_orbit(asymptotics: &Asymptotics) -> Option<SceneOrbitDocument> {
     (attracted.is_some() || region.is_some()).then_some(SceneOrbitDocument { attracted, region })
 }
 
-fn period(word: &Word, cycles: u32) -> PeriodDocument {
+/// Returns a periodic orbit by its word.
+pub(crate) fn period(word: &Word, cycles: u32) -> PeriodDocument {
     PeriodDocument { word: word.to_string(), impacts: word.mappings().len() as u32, cycles }
 }
 

@@ -181,13 +181,15 @@ impl Global {
         let analysis = Analysis::of(Question { pair, space, released, settings, watch });
         let components = analysis.components();
         let patches = analysis.patches(&components, settings.basins);
+        let is_open = components.iter().any(|component| component.kind.is_undecided());
+        let is_cut = is_open && settings.horseshoes.is_some() && !watch.goes_on();
         Ok(Self {
             components,
             order: analysis.order(),
             patches,
             fastest: space.fastest(),
             speed_unit,
-            interrupted: analysis.is_interrupted(),
+            interrupted: analysis.is_interrupted() || is_cut,
         })
     }
 
