@@ -103,7 +103,7 @@ fn rests(original: &Original) -> Vec<Forged> {
     let of = |closed: bool| {
         with(original, format!("a cycle with rests without a period, closed: {closed}"), |all| all.push(rest(closed)))
     };
-    [true, false].map(of).to_vec()
+    [true, false].map(of).into()
 }
 
 /// More entropy than the words have, none, h-sets that are not disjoint, and the horseshoe of another component.
