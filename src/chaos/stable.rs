@@ -79,3 +79,43 @@ fn settled(guess: &Guess, start: State) -> Option<Vec<State>> {
     }
     None
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Harmonic;
+    use crate::exact::Exact;
+    use crate::watch::Unwatched;
+
+    fn pair([ratio, restitution]: [&str; 2]) -> ImpactPair {
+        let exact = |text: &str| text.parse::<Exact>().unwrap();
+        let harmonic = Harmonic::new(exact(ratio), exact("2*pi"), exact("0")).unwrap();
+        ImpactPair::new(harmonic, exact("1"), exact(restitution)).unwrap()
+    }
+
+    fn orbits(values: [&str; 2]) -> Vec<(String, u32)> {
+        let found = stable_orbits(&pair(values), &Unwatched).unwrap();
+        found.into_iter().map(|(word, cycles)| (word.to_string(), cycles)).collect()
+    }
+
+    /// The equispaced motion of (66)-(69) between its fold and its pitchfork is stable, for all values of both parameters; where it is past the
+    /// pitchfork it is not.
+    #[test]
+    fn a21_a_cell_has_the_stable_equispaced_motion() {
+        let equispaced = ("P1 P2".to_owned(), 1);
+        assert!(orbits(["[0.12, 0.121]", "[0.5, 0.5005]"]).contains(&equispaced));
+        assert!(!orbits(["0.6", "0.5"]).contains(&equispaced));
+    }
+
+    /// Two attractors beside one another, of reduced periods 1 and 3, and 2 and 6, as a search in floating point from a grid of starts found
+    /// them; the other impacts of the latter ones are on the other wall or twice as many.
+    #[test]
+    fn a21_orbits_beside_one_another_are_found() {
+        for (values, periods) in [(["0.257176", "0.868182"], [1, 3]), (["0.443933", "0.786364"], [2, 6])] {
+            let found = orbits(values);
+            let impacts: Vec<usize> = found.iter().map(|(word, _)| word.split(' ').count()).collect();
+            let is_there = |period: &usize| impacts.contains(period) || impacts.contains(&(2 * period));
+            assert!(periods.iter().all(is_there), "{values:?}: {found:?}");
+        }
+    }
+}
