@@ -125,7 +125,10 @@ fn toml(scene: &SceneDocument) -> String {
 
 /// The options of `global` that the atlas had.
 fn settings(head: &AtlasHead) -> String {
-    format!("--boxes {} --halvings {} --most {} --digits {}", head.boxes.ilog2(), head.halvings, head.most, head.digits)
+    let horseshoes = head.horseshoes.map_or(String::new(), |depth| format!(" --horseshoes {depth}"));
+    let [boxes, halvings, most, digits] =
+        [u64::from(head.boxes.ilog2()), head.halvings.into(), head.most, head.digits.into()];
+    format!("--boxes {boxes} --halvings {halvings} --most {most} --digits {digits}{horseshoes}")
 }
 
 /// All points or cells as the rows of a table.
