@@ -353,8 +353,8 @@ class Scene:
 
         Each point or cell is covered by ``2**boxes`` boxes at first (14, or 12 for ``cells``), and about ``most`` are mapped in all
         (300,000, or 20,000), with about ``work`` units of work: views of flights, columns of long ones, boxes that are noted (100,000,000,
-        or 5,000,000). With ``horseshoes`` undecided components of a point, and of a smallest cell, are searched for horseshoes of words of at
-        most that many impacts.
+        or 5,000,000). With ``horseshoes`` undecided components of a point, and of a smallest cell, are searched for horseshoes of words
+        of at most that many impacts.
         """
         usual = _core.CELL_LIMITS if cells else _core.GLOBAL_LIMITS
         asked: dict[str, Any] = {"cells": cells, "halvings": whole("halvings", halvings), "digits": whole("digits", digits)}

@@ -57,6 +57,7 @@ def test_cells_have_their_ends_rounded_outward():
     assert len(table) >= 4
     assert table["gap_low"].min() == np.nextafter(1 / 3, 0) or table["gap_low"].min() <= 1 / 3
     assert table["gap_high"].max() >= 2 / 3
+    assert list(table)[-2:] == ["n_stable", "entropy"]
 
 
 def test_workers_and_folders_give_the_same(lines, tmp_path):

@@ -88,7 +88,7 @@ impl Shares {
         within(record, plane.tile(record.point))
     }
 
-    /// Those of one that is not cut, of so many of the smallest cells.
+    /// Those of a record that is not cut, which has N of the smallest cells.
     fn of_leaf(record: &AtlasRecord, all: u64) -> Self {
         let [is_stable, is_chaotic] = [!record.stable.is_empty(), record.entropy() > 0.0];
         let if_open = |is: bool| if is && !record.is_decided() { all } else { 0 };

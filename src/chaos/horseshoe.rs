@@ -238,6 +238,7 @@ impl Horseshoe {
             return None; // exact: not proved
         }
         let chaos = Chaos::proved(law, bases, Some(depth), watch);
+        // exact: none is proved where it is 0
         (chaos.entropy() > 0.0).then_some(Self { entropy: chaos.entropy, bases: chaos.bases })
     }
 }

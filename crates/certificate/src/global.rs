@@ -36,7 +36,7 @@ pub(super) struct Claimed {
     pub closed: bool,
     /// Whether it is a set of saddle type, not one periodic motion.
     pub is_saddle_set: bool,
-    /// The horseshoe that it is claimed to hold.
+    /// The horseshoe that it is claimed to hold. Lemma V37
     pub horseshoe: Option<ProvedHorseshoeDocument>,
     /// Its place among the components.
     place: usize,

@@ -41,10 +41,10 @@ pub(super) fn within(
 
 /// The floating-point orbits from a component's boxes, as long as they are near these; `None` where they leave at once.
 fn staying(guess: &Guess, component: &Component) -> Option<Seen> {
-    // proposes: where h-sets are looked for
     let mut points: Vec<(State, State)> = Vec::new();
     let mut sum = 0.0;
-    for &cell in component.cells.iter().step_by(component.cells.len().div_ceil(SEEDS).max(1)) {
+    let every = component.cells.len().div_ceil(SEEDS).max(1); // proposes: where h-sets are looked for
+    for &cell in component.cells.iter().step_by(every) {
         let (mut state, mut direction) = (component.grid.quad(cell).centre, [1.0 / TAU, 0.3]);
         for k in 0..FOLLOWED {
             let Some(growth) = step(guess, &mut state, &mut direction) else { break };
@@ -60,7 +60,7 @@ fn staying(guess: &Guess, component: &Component) -> Option<Seen> {
             break;
         }
     }
-    let exponent = sum / points.len() as f64;
+    let exponent = sum / points.len() as f64; // proposes: where h-sets are looked for
     (!points.is_empty()).then_some(Seen { points, exponent })
 }
 
@@ -75,7 +75,7 @@ fn is_apart(component: &Component, bases: &[Base]) -> bool {
             let corners = [at(0, 0), at(1, 0), at(1, 1), at(0, 1)];
             let is_beside = |i: usize| {
                 let (low, high) = (corners[0][i], corners[2][i]);
-                round.iter().all(|state| state[i] < low) || round.iter().all(|state| state[i] > high)
+                round.iter().all(|state| state[i] < low) || round.iter().all(|state| state[i] > high) // A13: strictly beside it
             };
             let is_beyond = |k: usize| {
                 let beyond = |&corner: &State| is_positive(-side_of(round[k], round[(k + 1) % 4], corner, 0.0));
