@@ -15,7 +15,7 @@ use super::questions::{Answer, Patience};
 use super::scenes::Case;
 
 /// How often a search is asked whether to go on: moving sets over N impacts, and no horseshoes, which take seconds.
-const SETS: usize = 600;
+const SETS: usize = 400;
 /// Impacts of the true motion, and of the longest word that these decide.
 const IMPACTS: usize = 160;
 const LONGEST: usize = 12;
