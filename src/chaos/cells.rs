@@ -9,6 +9,7 @@ use std::thread;
 use super::attracted::attracted;
 use super::guess::Guess;
 use super::horseshoe::{Horseshoe, bases};
+use super::itinerary::{rotated_to_its_least, word_of_both};
 use super::law::Law;
 use super::quad::State;
 use super::scene::{Visited, visited};
@@ -18,9 +19,9 @@ use super::trials::ANY;
 use super::words::Base;
 use crate::Error;
 use crate::exact::{Exact, ExactError};
-use crate::mapping::{Mapping, Word};
+use crate::mapping::Word;
 use crate::orbit::Start;
-use crate::pair::{ImpactPair, Wall, within};
+use crate::pair::{ImpactPair, within};
 use crate::scene::Range;
 use crate::watch::{Stage, Watch};
 
@@ -340,34 +341,4 @@ pub fn seen_impacts(pair: &ImpactPair, start: &Start, [transient, impacts]: [usi
     // proposes: shown
     let next = |state: &State| guess.map(*state).map(|image| [image.state[0].rem_euclid(1.0), image.state[1]]);
     Ok(iter::successors(Some(first), next).skip(transient).take(impacts).collect())
-}
-
-/// The walls that the impacts of a word are on.
-fn walls(word: &Word) -> Vec<bool> {
-    word.mappings().iter().map(|mapping| mapping.walls().0 == Wall::Right).collect()
-}
-
-/// Returns the word of a motion or of its mirror image, whichever is the first one in the alphabet of L and R, from that impact on that makes it so.
-pub(super) fn word_of_both(word: &Word) -> Word {
-    let [word, mirrored] = [word, &mirrored(word)].map(rotated_to_its_least);
-    if walls(&word) <= walls(&mirrored) { word } else { mirrored }
-}
-
-/// The word of the mirror image. Lemma D14: it is a motion as well
-fn mirrored(word: &Word) -> Word {
-    let mirror = |mapping: &Mapping| {
-        let (from, to) = mapping.walls();
-        Mapping::between(from.other(), to.other())
-    };
-    Word::new(word.mappings().iter().map(mirror).collect()).expect("the mirror image of a closed word is closed")
-}
-
-/// A word from that impact on that makes it the first one in the alphabet of L and R.
-fn rotated_to_its_least(word: &Word) -> Word {
-    let mappings = word.mappings();
-    let rotated = |shift: usize| mappings.iter().cycle().skip(shift).take(mappings.len()).copied();
-    let is_right = |shift: &usize| rotated(*shift).map(|mapping| mapping.walls().0 == Wall::Right).collect::<Vec<_>>();
-    let shift = (0..mappings.len()).min_by_key(is_right).unwrap_or(0); // exact: a word has impacts
-    let mappings: Vec<Mapping> = rotated(shift).collect();
-    Word::new(mappings).expect("a closed word can be rotated")
 }

@@ -24,6 +24,7 @@ mod guess;
 mod horseshoe;
 mod hyperbolic;
 mod index;
+mod itinerary;
 mod language;
 mod law;
 mod leaves;

@@ -2,8 +2,8 @@
 //! `docs/proofs/chaos.md#D15`, with sets that begin where a floating-point orbit has settled.
 
 use super::attracted::attracted;
-use super::cells::word_of_both;
 use super::guess::Guess;
+use super::itinerary::word_of_both;
 use super::law::Law;
 use super::quad::State;
 use super::scene::Visited;
