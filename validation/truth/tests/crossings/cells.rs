@@ -13,6 +13,7 @@ use super::motion::{Halt, Judged, Motion, wrong};
 use super::orbits::apart;
 use super::questions::{Answer, Patience};
 use super::scenes::Case;
+use super::traits::Restitution;
 
 /// How often a search is asked whether to go on: moving sets over N impacts, and no horseshoes, which take seconds.
 const SETS: usize = 400;
@@ -25,6 +26,10 @@ const NEAR: f64 = 1e-9;
 impl Case {
     /// One cell beside the scene's own amplitude or gap, as narrow as one that is halved a few times.
     pub fn cells(&mut self) -> Result<Answer, Error> {
+        // Nothing attracts, and flights are long.
+        if self.crossing.restitution == Restitution::One {
+            return Ok(Answer::Nothing("no loss of speed"));
+        }
         let key = self.random.pick(&["amplitude", "gap"]);
         let (name, own) = self.key(key);
         let wide = self.random.pick(&[1e-2, 1e-4, 1e-6]);
