@@ -6,7 +6,7 @@ use std::path::PathBuf;
 use anyhow::{Context, Result};
 use clap::{Args, ValueEnum};
 use impact_pair::Scene;
-use impact_pair::chaos::{Global, GlobalSettings, Kind, MOST, Reason, Recurrence, WORK};
+use impact_pair::chaos::{Global, GlobalSettings, Kind, MOST, MOST_DEPTH, Reason, Recurrence, WORK};
 use impact_pair::document::{self, counted};
 use impact_pair::exact::decimal_digits;
 use impact_pair::json::GlobalDocument;
@@ -34,7 +34,9 @@ parameters may be intervals.
 
 Of a component that is listed as undecided nothing is claimed, not even that a motion stays in it. `closed` says that \
 no motion goes from it to another component. With --basins the basin of an attractor is the boxes all of whose motions \
-are proved to end in it, as a part of the state space: lower bounds.
+are proved to end in it, as a part of the state space: lower bounds. With --horseshoes the largest few undecided \
+components are searched for horseshoes, as chaos proves them: where one is proved the component holds a compact \
+invariant set of positive topological entropy.
 
 With --plot the state space is coloured by the attractor that its motions end in, beside the graph of components. The \
 formats graphml and dot write that graph: an edge where motions may go from one component to another.
@@ -63,6 +65,9 @@ pub struct GlobalArguments {
     /// Prove basins of attraction, by about 2^N boxes [default: none; with --plot 16]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(8..=24))]
     basins: Option<u32>,
+    /// Look for a horseshoe in undecided components, the four largest ones, by words of at most K impacts: some seconds each
+    #[arg(long, value_name = "K", value_parser = clap::value_parser!(u32).range(1..=i64::from(MOST_DEPTH)))]
+    horseshoes: Option<u32>,
     /// Requested width of periodic orbits, at most 10^-D: of phases relative to 2 pi, of velocities relative to A W [default: that of
     /// the scene, or 9]
     #[arg(long, value_name = "D", value_parser = digits())]
@@ -107,6 +112,7 @@ pub fn global(arguments: &GlobalArguments) -> Result<Answer> {
         most: usize::try_from(arguments.most)?,
         work: arguments.work,
         basins: arguments.basins.or(arguments.plot.is_some().then_some(BASINS)).map(|halvings| 1 << halvings),
+        horseshoes: arguments.horseshoes.map(|depth| depth as usize),
         ..GlobalSettings::default()
     };
     settings.precision.digits = arguments.digits.or(scene.run().digits).unwrap_or(settings.precision.digits);

@@ -369,6 +369,8 @@ class Component:
     """The periodic motion; a saddle without one is a set of saddle type."""
     reason: str | None
     """The limit that leaves it undecided: ``most``, ``halvings``, ``work`` or ``interrupted``."""
+    entropy: float | None
+    """A lower bound of the topological entropy per impact of a horseshoe that is proved to be in it, if one was looked for."""
 
 
 @dataclass(frozen=True)
@@ -399,7 +401,7 @@ class GlobalAnalysis(Document):
         """Each component, those first from which motions may go on to others."""
 
         def component(found: dict[str, Any]) -> Component:
-            radius, orbit = found.get("spectral_radius"), found.get("orbit")
+            radius, orbit, horseshoe = found.get("spectral_radius"), found.get("orbit"), found.get("horseshoe")
             return Component(
                 found["kind"],
                 found.get("reduced_impacts"),
@@ -411,6 +413,7 @@ class GlobalAnalysis(Document):
                 found["closed"],
                 None if orbit is None else PeriodicOrbit(orbit),
                 found.get("reason"),
+                None if horseshoe is None else float(horseshoe["entropy"]["per_impact"]),
             )
 
         return [component(found) for found in self.document["components"]]

@@ -36,11 +36,12 @@ class Question(_grid.Question):
     halvings: int
     most: int
     work: int
+    horseshoes: int | None
     digits: int
 
     def core(self) -> _core.Atlas:
         """Return the atlas for the computation."""
-        limits = (self.boxes, self.halvings, self.most, self.work)
+        limits = (self.boxes, self.halvings, self.most, self.work, self.horseshoes)
         return _core.Atlas(_core.Scene(self.scene), list(self.over), self.cells, limits, self.digits)
 
 

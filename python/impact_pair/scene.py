@@ -341,6 +341,7 @@ class Scene:
         halvings: int = 18,
         most: int | None = None,
         work: int | None = None,
+        horseshoes: int | None = None,
         digits: int = 9,
         executor: Executor | None = None,
         workers: int | None = None,
@@ -352,12 +353,14 @@ class Scene:
 
         Each point or cell is covered by ``2**boxes`` boxes at first (14, or 12 for ``cells``), and about ``most`` are mapped in all
         (300,000, or 20,000), with about ``work`` units of work: views of flights, columns of long ones, boxes that are noted (100,000,000,
-        or 5,000,000).
+        or 5,000,000). With ``horseshoes`` undecided components of a point, and of a smallest cell, are searched for horseshoes of words
+        of at most that many impacts.
         """
         usual = _core.CELL_LIMITS if cells else _core.GLOBAL_LIMITS
         asked: dict[str, Any] = {"cells": cells, "halvings": whole("halvings", halvings), "digits": whole("digits", digits)}
         asked |= {"boxes": whole("boxes", usual[0] if boxes is None else boxes), "most": whole("most", usual[1] if most is None else most)}
         asked |= {"work": whole("work", usual[2] if work is None else work)}
+        asked |= {"horseshoes": optional_whole("horseshoes", horseshoes)}
         how = {"executor": executor, "workers": workers, "resume": resume, "seconds": seconds, "progress": progress}
         return atlas(self._text, over, asked, **how)  # type: ignore[arg-type]
 
@@ -476,16 +479,18 @@ class Scene:
         most: int = _core.GLOBAL_LIMITS[1],
         work: int = _core.GLOBAL_LIMITS[2],
         basins: int | None = None,
+        horseshoes: int | None = None,
         digits: int | None = None,
         progress: Progress = None,
     ) -> answers.GlobalAnalysis:
         """Prove where every motion goes, whatever its start, with ``2**boxes`` boxes of which about ``most`` are mapped in all.
 
         ``work`` bounds the work of their images: views of flights, columns of long ones, boxes that are noted. With ``basins`` the
-        basins of attraction are proved by about ``2**basins`` boxes, with as much work again.
+        basins of attraction are proved by about ``2**basins`` boxes, with as much work again. With ``horseshoes`` undecided components,
+        the four largest ones, are searched for horseshoes of words of at most that many impacts.
         """
         limits = (whole("boxes", boxes), whole("halvings", halvings), whole("most", most), whole("work", work))
-        question = (*limits, optional_whole("basins", basins))
+        question = (*limits, optional_whole("basins", basins), optional_whole("horseshoes", horseshoes))
         with reporting(progress, "boxes") as tell:
             return answers.GlobalAnalysis(*_core.global_analysis(self._core, question, optional_whole("digits", digits), tell))
 

@@ -11,6 +11,7 @@ use impact_pair_plot::picture::Look;
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict};
 
+use crate::chaos::depth;
 use crate::errors::{Fault, accepted};
 use crate::grid::{computed, dictionary};
 use crate::lines::{Lines, records};
@@ -43,25 +44,27 @@ impl Atlas {
 
 #[pymethods]
 impl Atlas {
-    /// An atlas over two axes, `KEY=LO..HI:COUNT`, of points or cells, with the numbers of boxes, halvings, boxes in all and work, and digits.
+    /// An atlas over two axes, `KEY=LO..HI:COUNT`, of points or cells, with the numbers of boxes, halvings, boxes in all, work and impacts of
+    /// words of horseshoes, and digits.
     #[new]
     fn new(
         scene: &Bound<'_, Scene>,
         over: Vec<String>,
         cells: bool,
-        asked: (u32, u32, u64, u64),
+        asked: (u32, u32, u64, u64, Option<u32>),
         digits: u32,
     ) -> PyResult<Self> {
         let scene = scene.get().scene.clone();
         let named = |text: &String| axis(text).map_err(|error| Fault::keyed(error, "over", text));
         let axes: Vec<Range> = over.iter().map(named).collect::<Result<_, _>>()?;
         let plane = Plane::new(axes, cells).map_err(|error| Fault::keyed(error, "over", &over.join(" ")))?;
-        let (boxes, halvings, most, work) = asked;
+        let (boxes, halvings, most, work, horseshoes) = asked;
         let mut settings = GlobalSettings {
             boxes: 1 << accepted("boxes", boxes, 8..=20)?,
             halvings: accepted("halvings", halvings, 0..=40)?,
             most: accepted("most", most, 1..=1_000_000_000)? as usize,
             work: accepted("work", work, 1..=1_000_000_000_000)?,
+            horseshoes: depth(horseshoes)?,
             ..GlobalSettings::default()
         };
         settings.precision.digits = accepted("digits", digits, DIGITS)?;

@@ -112,16 +112,21 @@ pub fn limits(usual: &GlobalSettings) -> (u32, usize, u64) {
     (usual.boxes.ilog2(), usual.most, usual.work)
 }
 
+/// The most impacts of words of horseshoes, if these are looked for in components.
+pub fn depth(horseshoes: Option<u32>) -> Result<Option<usize>, Fault> {
+    Ok(horseshoes.map(|depth| accepted("horseshoes", depth, 1..=MOST_DEPTH)).transpose()?.map(|depth| depth as usize))
+}
+
 /// Where every motion goes, whatever its start.
 #[pyfunction]
 pub fn global_analysis(
     py: Python<'_>,
     scene: &Bound<'_, Scene>,
-    question: (u32, u32, u64, u64, Option<u32>),
+    question: (u32, u32, u64, u64, Option<u32>, Option<u32>),
     digits: Option<u32>,
     progress: Option<Py<PyAny>>,
 ) -> PyResult<Answer> {
-    let (boxes, halvings, most, work, basins) = question;
+    let (boxes, halvings, most, work, basins, horseshoes) = question;
     let scene = scene.get().scene.clone();
     watched(py, progress, move |monitor| {
         let settings = GlobalSettings {
@@ -130,6 +135,7 @@ pub fn global_analysis(
             most: accepted("most", most, 1..=1_000_000_000)? as usize,
             work: accepted("work", work, 1..=1_000_000_000_000)?,
             basins: basins.map(|halvings| Ok::<_, Fault>(1 << accepted("basins", halvings, 8..=24)?)).transpose()?,
+            horseshoes: depth(horseshoes)?,
             precision: precision((digits, MAX_BITS), &scene)?,
         };
         let found = Global::of(scene.pair(), &settings, monitor)?;

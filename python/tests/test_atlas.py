@@ -59,6 +59,7 @@ def test_r45_cells_have_their_ends_rounded_inward():
     low, high = table["gap_low"].min(), table["gap_high"].max()
     assert Fraction(1, 3) <= Fraction(low) < Fraction(1, 3) + Fraction(1, 10**15)
     assert Fraction(2, 3) - Fraction(1, 10**15) < Fraction(high) <= Fraction(2, 3)
+    assert list(table)[-2:] == ["n_stable", "entropy"]
 
 
 def test_workers_and_folders_give_the_same(lines, tmp_path):

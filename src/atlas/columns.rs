@@ -15,6 +15,14 @@ const SAID: [(&str, Kind); 7] = [
     ("seconds", Kind::Number),
 ];
 
+/// What is said besides of cells, and where horseshoes are looked for.
+const BESIDES: [(&str, Kind); 2] = [("n_stable", Kind::Whole), ("entropy", Kind::Number)];
+
+/// Whether an atlas has these columns.
+fn has_more(head: &AtlasHead) -> bool {
+    head.cells || head.horseshoes.is_some()
+}
+
 /// Returns the columns, in order: the point, or the tile, what varies, and the answer.
 pub fn columns(head: &AtlasHead) -> Vec<(String, Kind)> {
     let mut columns = vec![("point".to_owned(), Kind::Whole)];
@@ -27,19 +35,20 @@ pub fn columns(head: &AtlasHead) -> Vec<(String, Kind)> {
             columns.push((key, Kind::Exact));
         }
     }
-    columns.extend(SAID.iter().map(|&(name, kind)| (name.to_owned(), kind)));
+    let besides = if has_more(head) { &BESIDES[..] } else { &[] };
+    columns.extend(SAID.iter().chain(besides).map(|&(name, kind)| (name.to_owned(), kind)));
     columns
 }
 
 /// Returns the rows of a record: itself, or the cells that it is cut into.
 pub fn rows<'r>(head: &AtlasHead, record: &'r AtlasRecord) -> Vec<Vec<Cell<'r>>> {
-    record.leaves().into_iter().map(|leaf| row(head.cells, leaf)).collect()
+    record.leaves().into_iter().map(|leaf| row(head, leaf)).collect()
 }
 
-fn row(is_cell: bool, record: &AtlasRecord) -> Vec<Cell<'_>> {
+fn row<'r>(head: &AtlasHead, record: &'r AtlasRecord) -> Vec<Cell<'r>> {
     let mut cells = vec![Cell::Whole(record.point)];
     for value in &record.values {
-        if is_cell {
+        if head.cells {
             let ends = value.trim_start_matches('[').trim_end_matches(']').split_once(',');
             let (low, high) = ends.unwrap_or((value, value)); // exact: a number is its own interval
             cells.extend([Cell::Exact(low.trim()), Cell::Exact(high.trim())]);
@@ -52,6 +61,9 @@ fn row(is_cell: bool, record: &AtlasRecord) -> Vec<Cell<'_>> {
     cells.extend(counts.map(Cell::Whole));
     let area = record.undecided_area.text().parse().unwrap_or(f64::NAN); // shown
     cells.extend([Cell::Number(area), Cell::Number(record.seconds)]);
+    if has_more(head) {
+        cells.extend([Cell::Whole(record.stable.len() as u64), Cell::Number(record.entropy())]); // exact: a length
+    }
     cells
 }
 

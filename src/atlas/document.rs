@@ -28,6 +28,7 @@ pub fn head(scene: &Scene, plane: &Plane, settings: &GlobalSettings, shard: Opti
         most: settings.most as u64,
         work: settings.work,
         digits: settings.precision.digits,
+        horseshoes: settings.horseshoes.map(|depth| depth as u32), // exact: at most 64
         shard,
     }
 }
@@ -51,26 +52,65 @@ pub(super) fn of(point: u64, values: &[(Key, Exact)], global: GlobalDocument, to
         greatest_speed: global.greatest_speed,
         components: global.components,
         order: global.order,
+        stable: Vec::new(),
         quarters: Vec::new(),
     }
 }
 
-/// Returns how many of the points, or of the smallest cells, are decided, and of how many, as far as they are there. Lemma A20
-///
-/// # Errors
-/// When the head is of no plane, or a record of no cell of it.
-pub fn decided(plane: &Plane, record: &AtlasRecord) -> [u64; 2] {
-    if !plane.has_cells() {
-        return [u64::from(record.is_decided()), 1];
-    }
-    fn within(record: &AtlasRecord, cell: super::Rectangle) -> u64 {
-        if record.is_decided() {
-            return cell.smallest();
+/// How many of the points, or of the smallest cells, something is proved of. Lemmas A20, A21
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Shares {
+    /// All of them.
+    pub all: u64,
+    /// Those whose class is decided.
+    pub decided: u64,
+    /// Of the others, those with a stable periodic orbit.
+    pub stable: u64,
+    /// Of the others, those with a horseshoe.
+    pub horseshoe: u64,
+    /// Of the others, those with either.
+    pub either: u64,
+}
+
+impl Shares {
+    /// Returns those of a record: of a point, or of a tile and the cells that it is cut into. Lemmas A20, A21
+    pub fn of(plane: &Plane, record: &AtlasRecord) -> Self {
+        if !plane.has_cells() {
+            return Self::of_leaf(record, 1);
         }
-        record.quarters.iter().zip(cell.quarters()).map(|(record, cell)| within(record, cell)).sum()
+        fn within(record: &AtlasRecord, cell: super::Rectangle) -> Shares {
+            if record.quarters.is_empty() {
+                return Shares::of_leaf(record, cell.smallest());
+            }
+            let parts = record.quarters.iter().zip(cell.quarters());
+            parts.map(|(record, cell)| within(record, cell)).fold(Shares::default(), Shares::with)
+        }
+        within(record, plane.tile(record.point))
     }
-    let tile = plane.tile(record.point);
-    [within(record, tile), tile.smallest()]
+
+    /// Those of a record that is not cut, which has N of the smallest cells.
+    fn of_leaf(record: &AtlasRecord, all: u64) -> Self {
+        let [is_stable, is_chaotic] = [!record.stable.is_empty(), record.entropy() > 0.0];
+        let if_open = |is: bool| if is && !record.is_decided() { all } else { 0 };
+        Self {
+            all,
+            decided: if record.is_decided() { all } else { 0 },
+            stable: if_open(is_stable),
+            horseshoe: if_open(is_chaotic),
+            either: if_open(is_stable || is_chaotic),
+        }
+    }
+
+    /// Returns those of both.
+    pub fn with(self, other: Self) -> Self {
+        Self {
+            all: self.all + other.all,
+            decided: self.decided + other.decided,
+            stable: self.stable + other.stable,
+            horseshoe: self.horseshoe + other.horseshoe,
+            either: self.either + other.either,
+        }
+    }
 }
 
 impl Head for AtlasHead {

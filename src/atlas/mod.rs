@@ -11,6 +11,6 @@ mod point;
 mod tests;
 
 pub use columns::{columns, csv_head, csv_rows, rows};
-pub use document::{decided, head};
+pub use document::{Shares, head};
 pub use plane::{Plane, Rectangle};
 pub use point::record;

@@ -6,7 +6,7 @@ use impact_pair_document::AtlasRecord;
 
 use super::document;
 use super::plane::{Plane, Rectangle};
-use crate::chaos::{Global, GlobalSettings};
+use crate::chaos::{Global, GlobalSettings, stable_orbits};
 use crate::exact::Exact;
 use crate::scene::{Key, Scene};
 use crate::watch::Watch;
@@ -30,7 +30,7 @@ pub fn record(
     analysed(scene, settings, point, &plane.values(point)?, watch)
 }
 
-/// The same of a cell. Lemma A20
+/// The same of a cell. Lemmas A20, A21
 fn of_cell(
     scene: &Scene,
     plane: &Plane,
@@ -38,11 +38,20 @@ fn of_cell(
     (tile, cell): (u64, &Rectangle),
     watch: &dyn Watch,
 ) -> Result<Option<AtlasRecord>, Error> {
-    let Some(mut found) = analysed(scene, settings, tile, &plane.intervals(cell)?, watch)? else { return Ok(None) };
+    let (values, quarters) = (plane.intervals(cell)?, cell.quarters());
+    // Horseshoes and stable orbits are looked for where a cell is not cut any more.
+    let horseshoes = settings.horseshoes.filter(|_| quarters.is_empty());
+    let own = GlobalSettings { horseshoes, ..*settings };
+    let Some(mut found) = analysed(scene, &own, tile, &values, watch)? else { return Ok(None) };
     if found.is_decided() {
         return Ok(Some(found));
     }
-    for quarter in cell.quarters() {
+    if quarters.is_empty() {
+        let orbits = stable_orbits(scene.with(&values)?.pair(), watch)?;
+        found.stable = orbits.iter().map(|(word, cycles)| written::period(word, *cycles)).collect();
+        return Ok(watch.goes_on().then_some(found));
+    }
+    for quarter in quarters {
         let Some(part) = of_cell(scene, plane, settings, (tile, &quarter), watch)? else { return Ok(None) };
         found.quarters.push(part);
     }

@@ -69,7 +69,7 @@ fn a20_a_cell_holds_for_its_points() {
     for point in 0..4 {
         let (one, cell) = (at(&points, point), at(&cells, point));
         assert_eq!((one.class.as_str(), cell.class.as_str()), ("one-rest-cycle", "one-rest-cycle"));
-        assert_eq!(decided(&cells, &cell), [1, 1]);
+        assert_eq!(Shares::of(&cells, &cell), Shares { all: 1, decided: 1, ..Shares::default() });
         let head = head(&scene, &cells, &settings, None);
         assert_eq!(head.grid().unwrap().points(), 4);
         assert!(csv_rows(&head, &cell).contains(",one-rest-cycle,0,1,0,0,0,"));

@@ -8,7 +8,8 @@ use std::thread;
 
 use super::attracted::attracted;
 use super::guess::Guess;
-use super::horseshoe::{Chaos, bases, problem};
+use super::horseshoe::{Horseshoe, bases};
+use super::itinerary::{rotated_to_its_least, word_of_both};
 use super::law::Law;
 use super::quad::State;
 use super::scene::{Visited, visited};
@@ -18,9 +19,9 @@ use super::trials::ANY;
 use super::words::Base;
 use crate::Error;
 use crate::exact::{Exact, ExactError};
-use crate::mapping::{Mapping, Word};
+use crate::mapping::Word;
 use crate::orbit::Start;
-use crate::pair::{ImpactPair, Wall, within};
+use crate::pair::{ImpactPair, within};
 use crate::scene::Range;
 use crate::watch::{Stage, Watch};
 
@@ -67,15 +68,6 @@ pub enum Verdict {
     },
     /// Nothing of these is proved.
     Undecided,
-}
-
-/// A horseshoe in the impact map of each pair.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Horseshoe {
-    /// Lower bounds of the topological entropy per impact, and per forcing period.
-    pub entropy: [f64; 2],
-    /// What it was proved with.
-    pub bases: Vec<Base>,
 }
 
 impl Verdict {
@@ -290,11 +282,7 @@ impl Work<'_> {
             return Ok(Verdict::Attracted { word: rotated_to_its_least(&word), cycles, beside: None });
         }
         Ok(match is_last.then(|| stable(&law, first.middle(), self.watch)).flatten() {
-            Some((word, cycles)) => {
-                let [word, mirrored] = [&word, &mirrored(&word)].map(rotated_to_its_least);
-                let word = if walls(&word) <= walls(&mirrored) { word } else { mirrored };
-                Verdict::Stable { word, cycles, beside: None }
-            }
+            Some((word, cycles)) => Verdict::Stable { word: word_of_both(&word), cycles, beside: None },
             None => Verdict::Undecided,
         })
     }
@@ -308,6 +296,9 @@ impl Work<'_> {
         known: &mut Vec<Base>,
         transients: bool,
     ) -> Result<Option<Horseshoe>, Error> {
+        if !self.watch.goes_on() {
+            return Ok(None);
+        }
         let law = Law::of(pair)?;
         let mut looked_at = None;
         for value in values {
@@ -326,14 +317,9 @@ impl Work<'_> {
         let found = || bases(&orbit, &law, self.asked.depth, ANY, self.watch);
         for again in [true, false] {
             let bases = if again { known.clone() } else { found() };
-            if problem(&bases).is_some() {
-                continue;
-            }
-            let chaos = Chaos::proved(&law, bases, Some(self.asked.depth), self.watch);
-            if chaos.entropy() > 0.0 {
-                let (entropy, bases) = ([chaos.entropy(), chaos.entropy_a_cycle()], chaos.bases().to_vec());
-                known.clone_from(&bases);
-                return Ok(Some(Horseshoe { entropy, bases }));
+            if let Some(horseshoe) = Horseshoe::of(&law, bases, self.asked.depth, self.watch) {
+                known.clone_from(&horseshoe.bases);
+                return Ok(Some(horseshoe));
             }
         }
         Ok(None)
@@ -355,28 +341,4 @@ pub fn seen_impacts(pair: &ImpactPair, start: &Start, [transient, impacts]: [usi
     // proposes: shown
     let next = |state: &State| guess.map(*state).map(|image| [image.state[0].rem_euclid(1.0), image.state[1]]);
     Ok(iter::successors(Some(first), next).skip(transient).take(impacts).collect())
-}
-
-/// The walls that the impacts of a word are on.
-fn walls(word: &Word) -> Vec<bool> {
-    word.mappings().iter().map(|mapping| mapping.walls().0 == Wall::Right).collect()
-}
-
-/// The word of the mirror image. Lemma D14: it is a motion as well
-fn mirrored(word: &Word) -> Word {
-    let mirror = |mapping: &Mapping| {
-        let (from, to) = mapping.walls();
-        Mapping::between(from.other(), to.other())
-    };
-    Word::new(word.mappings().iter().map(mirror).collect()).expect("the mirror image of a closed word is closed")
-}
-
-/// A word from that impact on that makes it the first one in the alphabet of L and R.
-fn rotated_to_its_least(word: &Word) -> Word {
-    let mappings = word.mappings();
-    let rotated = |shift: usize| mappings.iter().cycle().skip(shift).take(mappings.len()).copied();
-    let is_right = |shift: &usize| rotated(*shift).map(|mapping| mapping.walls().0 == Wall::Right).collect::<Vec<_>>();
-    let shift = (0..mappings.len()).min_by_key(is_right).unwrap_or(0); // exact: a word has impacts
-    let mappings: Vec<Mapping> = rotated(shift).collect();
-    Word::new(mappings).expect("a closed word can be rotated")
 }

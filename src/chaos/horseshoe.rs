@@ -222,6 +222,27 @@ impl Chaos {
     }
 }
 
+/// A horseshoe in the impact map of each pair of a law.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Horseshoe {
+    /// Lower bounds of the topological entropy per impact, and per forcing period.
+    pub entropy: [f64; 2],
+    /// What it was proved with.
+    pub bases: Vec<Base>,
+}
+
+impl Horseshoe {
+    /// Returns the horseshoe of words of at most N impacts between h-sets; `None` where none is proved. Lemmas D9-D11
+    pub(super) fn of(law: &Law, bases: Vec<Base>, depth: usize, watch: &dyn Watch) -> Option<Self> {
+        if bases.is_empty() || problem(&bases).is_some() {
+            return None; // exact: not proved
+        }
+        let chaos = Chaos::proved(law, bases, Some(depth), watch);
+        // exact: none is proved where it is 0
+        (chaos.entropy() > 0.0).then_some(Self { entropy: chaos.entropy, bases: chaos.bases })
+    }
+}
+
 /// H-sets for the most entropy that so much effort finds.
 pub(super) fn bases(seen: &Seen, law: &Law, depth: usize, effort: Effort, watch: &dyn Watch) -> Vec<Base> {
     seen.bases(law, ([TRIAL, FINE[1]], depth), effort, watch)

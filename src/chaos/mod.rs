@@ -24,6 +24,7 @@ mod guess;
 mod horseshoe;
 mod hyperbolic;
 mod index;
+mod itinerary;
 mod language;
 mod law;
 mod leaves;
@@ -44,7 +45,7 @@ mod words;
 pub use asymptotics::{Asymptotics, Entered};
 pub use blocks::Word;
 pub use box_map::{BoxImage, BoxMap, Rectangle, Unmapped};
-pub use cells::{Cells, Horseshoe, MOST_CELLS, MOST_HALVINGS, RangeSettings, Stretch, Verdict, seen_impacts};
+pub use cells::{Cells, MOST_CELLS, MOST_HALVINGS, RangeSettings, Stretch, Verdict, seen_impacts};
 pub use cycles::{Cycle, Cycles, MOST_IMPACTS};
 pub(crate) use flights::Flights;
 pub(crate) use global::spectral_radius;
@@ -52,13 +53,14 @@ pub use global::{
     Basin, Class, Global, GlobalSettings, Goes, Kind, LimitCycle, MOST, Patch, Reason, Recurrence, RestCycle, WORK,
 };
 pub(crate) use guess::Guess;
-pub use horseshoe::{Chaos, HorseshoeSettings, MOST_DEPTH};
+pub use horseshoe::{Chaos, Horseshoe, HorseshoeSettings, MOST_DEPTH};
 pub use hyperbolic::{Cone, Hyperbolic, LeftOut};
 pub use language::{BoxGraph, MOST_COUNTED, Unclosed, WallWords};
 pub(crate) use law::{Law, Side};
 pub(crate) use quad::Quad;
 pub use quad::{Chord, State};
 pub use region::{NoTrap, Trap};
+pub use stable::stable_orbits;
 pub use windows::{
     FoundWindow, MOST_WINDOW_IMPACTS, UnprovedWindow, WINDOW_PARAMETERS, WindowSettings, Windows, is_window_range,
 };

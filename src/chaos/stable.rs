@@ -3,38 +3,121 @@
 
 use super::attracted::attracted;
 use super::guess::Guess;
+use super::itinerary::word_of_both;
 use super::law::Law;
 use super::quad::State;
 use super::scene::Visited;
 use super::seen::apart;
+use crate::Error;
 use crate::mapping::Word;
 use crate::number::Ball;
-use crate::pair::Wall;
+use crate::pair::{ImpactPair, Wall};
 use crate::watch::Watch;
 
 /// Impacts after which a floating-point orbit is looked at, the most after which it comes again, and how near it has to.
 const TRANSIENT: usize = 20_000;
 const LONGEST: usize = 128;
 const CLOSED: f64 = 1e-7;
+/// Orbits that are so near are one.
+const NEAR: f64 = 1e-4;
+
+/// Orbits of a pair begin at N phases and M speeds, up to half of the greatest one that motions have in the end.
+const STARTS: [usize; 2] = [4, 3];
 
 /// Returns the word of a stable periodic orbit that each pair of a law has, and how many cycles it takes, near the one that the orbit of a state
 /// settles on in floating point; `None` where none is proved. Lemma D15
 pub(super) fn stable(law: &Law, start: State, watch: &dyn Watch) -> Option<(Word, u32)> {
-    let [phase, speed] = settled(&Guess::new(law), start)?.map(Ball::exact);
+    if law.restitution.mid() >= 1.0 {
+        return None; // exact: nothing is contracted without a loss of speed
+    }
+    around(law, settled(&Guess::new(law), start)?[0], watch)
+}
+
+/// Returns the words of stable periodic orbits that a pair has for all its parameters, in the alphabet of L and R, each that of the orbit or of
+/// its mirror image that comes first, and how many cycles each takes: of those that floating-point orbits from several states settle on. Lemmas D15, A21
+///
+/// # Errors
+/// With several harmonics, and when a value is beyond the range of flights.
+pub fn stable_orbits(pair: &ImpactPair, watch: &dyn Watch) -> Result<Vec<(Word, u32)>, Error> {
+    let law = Law::of(pair)?;
+    let guess = Guess::new(&law);
+    let fastest = 1.0 / (1.0 - law.restitution.mid()); // proposes: where sets begin
+    let (mut seen, mut found): (Vec<Vec<State>>, Vec<(Word, u32)>) = (Vec::new(), Vec::new());
+    for start in 0..STARTS[0] * STARTS[1] {
+        let at = |place: usize, of: usize| (place as f64 + 0.5) / of as f64; // proposes: where sets begin
+        let [phase, speed] = [at(start % STARTS[0], STARTS[0]), at(start / STARTS[0], STARTS[1])];
+        let Some(cycle) = settled(&guess, [phase, fastest * speed]) else { continue };
+        if seen.iter().flatten().any(|&state| apart(state, cycle[0]) < NEAR) {
+            continue;
+        }
+        if let Some((word, cycles)) = around(&law, cycle[0], watch) {
+            let orbit = (word_of_both(&word), cycles);
+            found.extend((!found.contains(&orbit)).then_some(orbit));
+        }
+        seen.push(cycle);
+    }
+    found.sort_by_key(|(word, cycles)| (word.mappings().len(), *cycles, word.to_string()));
+    Ok(found)
+}
+
+/// The orbit that sets around a state are proved to be contracted to. Lemma D15
+fn around(law: &Law, state: State, watch: &dyn Watch) -> Option<(Word, u32)> {
+    let [phase, speed] = state.map(Ball::exact);
     attracted(law, &Visited { index: 1, wall: Wall::Left, phase, speed }, watch)
 }
 
-/// The state of the floating-point orbit, if it comes to one that it has again.
-fn settled(guess: &Guess, start: State) -> Option<State> {
+/// The states of the floating-point orbit, if it comes to one that it has again, from this one on.
+fn settled(guess: &Guess, start: State) -> Option<Vec<State>> {
     // proposes: where sets begin
     let next = |state: State| Some(guess.map(state)?.state).map(|[phase, speed]| [phase.rem_euclid(1.0), speed]);
     let first = (0..TRANSIENT).try_fold(start, |state, _| next(state))?;
-    let mut state = first;
-    for _ in 0..LONGEST {
-        state = next(state)?;
+    let mut states = vec![first];
+    for k in 0..LONGEST {
+        let state = next(states[k])?;
         if apart(state, first) < CLOSED {
-            return Some(first);
+            return Some(states);
         }
+        states.push(state);
     }
     None
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Harmonic;
+    use crate::exact::Exact;
+    use crate::watch::Unwatched;
+
+    fn pair([ratio, restitution]: [&str; 2]) -> ImpactPair {
+        let exact = |text: &str| text.parse::<Exact>().unwrap();
+        let harmonic = Harmonic::new(exact(ratio), exact("2*pi"), exact("0")).unwrap();
+        ImpactPair::new(harmonic, exact("1"), exact(restitution)).unwrap()
+    }
+
+    fn orbits(values: [&str; 2]) -> Vec<(String, u32)> {
+        let found = stable_orbits(&pair(values), &Unwatched).unwrap();
+        found.into_iter().map(|(word, cycles)| (word.to_string(), cycles)).collect()
+    }
+
+    /// The equispaced motion of (66)-(69) between its fold and its pitchfork is stable, for all values of both parameters; where it is past the
+    /// pitchfork it is not.
+    #[test]
+    fn a21_a_cell_has_the_stable_equispaced_motion() {
+        let equispaced = ("P1 P2".to_owned(), 1);
+        assert!(orbits(["[0.3, 0.3001]", "[0.5, 0.5001]"]).contains(&equispaced));
+        assert!(!orbits(["0.6", "0.5"]).contains(&equispaced));
+    }
+
+    /// Two attractors beside one another, of reduced periods 1 and 3, and 2 and 6, as a search in floating point from a grid of starts found
+    /// them; the other impacts of the latter ones are on the other wall or twice as many.
+    #[test]
+    fn a21_orbits_beside_one_another_are_found() {
+        for (values, periods) in [(["0.257176", "0.868182"], [1, 3]), (["0.443933", "0.786364"], [2, 6])] {
+            let found = orbits(values);
+            let impacts: Vec<usize> = found.iter().map(|(word, _)| word.split(' ').count()).collect();
+            let is_there = |period: &usize| impacts.contains(period) || impacts.contains(&(2 * period));
+            assert!(periods.iter().all(is_there), "{values:?}: {found:?}");
+        }
+    }
 }

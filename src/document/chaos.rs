@@ -162,7 +162,8 @@ fn scene_orbit(asymptotics: &Asymptotics) -> Option<SceneOrbitDocument> {
     (attracted.is_some() || region.is_some()).then_some(SceneOrbitDocument { attracted, region })
 }
 
-fn period(word: &Word, cycles: u32) -> PeriodDocument {
+/// Returns a periodic orbit by its word.
+pub(crate) fn period(word: &Word, cycles: u32) -> PeriodDocument {
     PeriodDocument { word: word.to_string(), impacts: word.mappings().len() as u32, cycles }
 }
 
@@ -225,7 +226,7 @@ fn flights(walls: &[Wall]) -> String {
     before.zip(walls).map(|(from, to)| if from == to { 'N' } else { 'F' }).collect()
 }
 
-fn base(base: &Base) -> BaseDocument {
+pub(super) fn base(base: &Base) -> BaseDocument {
     let Base { left, right } = base;
     let middle = |[a, b]: [f64; 2], [c, d]: [f64; 2]| [0.5 * (a + c), 0.5 * (b + d)];
     let (low, high) = (middle(left.bottom, right.bottom), middle(left.top, right.top));

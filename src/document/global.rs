@@ -2,11 +2,12 @@
 
 use impact_pair_document::{
     BasinDocument, BasinsDocument, Bounds, ComponentDocument, Decimal, GLOBAL_SCHEMA, GlobalDocument, PROGRAM,
-    PeriodicOrbitDocument, SceneDocument, bounds,
+    PeriodicOrbitDocument, ProvedHorseshoeDocument, SceneDocument, bounds,
 };
 
 use super::Units;
-use crate::chaos::{Basin, Class, Global, GlobalSettings, Kind, Recurrence, spectral_radius};
+use super::chaos::{base, entropy};
+use crate::chaos::{Basin, Class, Global, GlobalSettings, Horseshoe, Kind, Recurrence, spectral_radius};
 use crate::exact::{Enclosure, decimal_f64};
 use crate::{Error, Scene};
 
@@ -32,7 +33,7 @@ pub fn global(scene: &Scene, settings: &GlobalSettings, found: &Global) -> Resul
         boxes: settings.boxes,
         halvings: settings.halvings,
         interrupted: found.interrupted,
-        components: found.components.iter().map(component).collect::<Result<_, _>>()?,
+        components: found.components.iter().map(|own| component(own, settings)).collect::<Result<_, _>>()?,
         order: found.order.iter().map(|pair| pair.map(|i| i as u32)).collect(),
         basins: settings.basins.and_then(|boxes| basins(boxes, found)),
     };
@@ -52,7 +53,7 @@ fn basins(boxes: u32, found: &Global) -> Option<BasinsDocument> {
     (!areas.is_empty()).then(|| BasinsDocument { boxes, areas, undecided: written(undecided) })
 }
 
-fn component(found: &Recurrence) -> Result<ComponentDocument, Error> {
+fn component(found: &Recurrence, settings: &GlobalSettings) -> Result<ComponentDocument, Error> {
     let limit = found.kind.limit();
     let orbit =
         limit.map(|limit| Ok(Units::new(limit.problem.pair())?.orbit(&limit.problem, &limit.orbit))).transpose()?;
@@ -71,8 +72,15 @@ fn component(found: &Recurrence) -> Result<ComponentDocument, Error> {
         area: Decimal::printed(format!("{:.6}", found.area)),
         closed: found.is_closed,
         reason: found.reason.map(|reason| reason.name().to_owned()),
+        horseshoe: found.horseshoe.as_ref().zip(settings.horseshoes).map(|(found, depth)| horseshoe(found, depth)),
         orbit,
     })
+}
+
+/// Returns the document of a horseshoe of words of at most N impacts.
+pub(crate) fn horseshoe(found: &Horseshoe, depth: usize) -> ProvedHorseshoeDocument {
+    let bases = found.bases.iter().map(base).collect();
+    ProvedHorseshoeDocument { depth: depth as u32, entropy: entropy(found.entropy), bases }
 }
 
 /// Bounds of the spectral radius, by the bounds of the eigenvalues as they are printed: these hold it, whoever computes it from them.

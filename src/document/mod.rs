@@ -15,8 +15,8 @@ mod two_impact;
 mod windows;
 
 pub use bifurcation::bifurcations;
-pub(crate) use chaos::entropy;
 pub use chaos::{bases, bounds_text, cells, chaos, trap, wall_words, with_hyperbolic};
+pub(crate) use chaos::{entropy, period};
 pub use conclusion::{Conclusion, counted};
 pub use cycles::cycles;
 pub use ending::Ending;

@@ -17,6 +17,16 @@ pub const FORGERIES: &[Forgery] = &[
     },
     Forgery { name: "global: closed", why: "motions near a saddle leave it", forge: closed },
     Forgery {
+        name: "global: a cycle with rests more",
+        why: "one is listed, and all begin with the same release, or motions that rest again and again are not proved",
+        forge: rests,
+    },
+    Forgery {
+        name: "global: a horseshoe",
+        why: "the map has no such horseshoe, or it is where something else is proved",
+        forge: horseshoes,
+    },
+    Forgery {
         name: "global: a set of saddle type",
         why: "motions end there from all states near it",
         forge: saddle_sets,
@@ -82,6 +92,46 @@ fn saddle_sets(original: &Original) -> Vec<Forged> {
         })
     };
     places(original, &["attracting", "rest-cycle"]).into_iter().map(of).collect()
+}
+
+/// A cycle with rests of a period that is not proved, beside the other components.
+fn rests(original: &Original) -> Vec<Forged> {
+    if !original.is(&["global"]) {
+        return Vec::new();
+    }
+    let rest = |closed: bool| json!({ "kind": "rest-cycle", "boxes": 0, "area": "0.000000", "closed": closed });
+    let of = |closed: bool| {
+        with(original, format!("a cycle with rests without a period, closed: {closed}"), |all| all.push(rest(closed)))
+    };
+    [true, false].map(of).into()
+}
+
+/// More entropy than the words have, none, h-sets that are not disjoint, and the horseshoe of another component.
+fn horseshoes(original: &Original) -> Vec<Forged> {
+    let mut all = Vec::new();
+    for i in places(original, &["undecided"]) {
+        let Some(own) = original.document["components"][i]["horseshoe"].as_object().cloned() else { continue };
+        let own = Value::Object(own);
+        let mut forged = |words: &str, change: &dyn Fn(&mut Value)| {
+            let mut other = own.clone();
+            change(&mut other);
+            all.push(with(original, format!("{words} of component {i}"), |all| all[i]["horseshoe"] = other));
+        };
+        // Of two letters per impact no more than ln 2 follows per impact.
+        for key in ["per_impact", "per_cycle"] {
+            forged("more entropy", &|other| other["entropy"][key] = json!("2.5"));
+        }
+        forged("no entropy", &|other| other["entropy"] = json!({ "per_impact": "0", "per_cycle": "0" }));
+        forged("no impacts", &|other| other["depth"] = json!(0));
+        forged("one h-set twice", &|other| {
+            let base = other["bases"][0].clone();
+            other["bases"].as_array_mut().unwrap().push(base);
+        });
+        for j in places(original, &["attracting", "rest-cycle", "saddle"]) {
+            all.push(with(original, format!("that of {i} is in {j}"), |all| all[j]["horseshoe"] = own.clone()));
+        }
+    }
+    all
 }
 
 fn twice(original: &Original) -> Vec<Forged> {

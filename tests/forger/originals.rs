@@ -51,6 +51,7 @@ pub fn all() -> Vec<Original> {
     all.extend(
         ["one cycle with rests", "one attractor"].map(|name| Original::new("global", name, others::global(name))),
     );
+    all.push(Original::new("global", "a horseshoe", others::global_with_horseshoe()));
     all.push(Original::new("tangency", "beside figure 14", others::tangency()));
     all.push(Original::new("tangency", "over the restitution", others::tangency_over_restitution()));
     let described = ["figure-13", "chatter", "figure-14"];

@@ -116,6 +116,11 @@ pub fn global(name: &str) -> Value {
     json!(document::global(&scene, &settings, &found).unwrap())
 }
 
+/// What `global scenes/figure-14.toml --boxes 10 --most 3000 --horseshoes 6 --format json` wrote: a closed component with a horseshoe.
+pub fn global_with_horseshoe() -> Value {
+    serde_json::from_str(include_str!("global-horseshoe.json")).unwrap()
+}
+
 /// The plane of four points with cycles with rests, or a shard of it.
 pub fn atlas(shard: Option<[u64; 2]>) -> Vec<Value> {
     let scene = "excitation = { amplitude = 1, frequency = \"pi\", phase = 0.25 }\n\

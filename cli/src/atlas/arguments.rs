@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
-use impact_pair::chaos::GlobalSettings;
+use impact_pair::chaos::{GlobalSettings, MOST_DEPTH};
 use impact_pair::scene::Range;
 use impact_pair::sweep::axis;
 use impact_pair_plot::picture::Look;
@@ -27,7 +27,8 @@ Shards become one by atlas --merge one.jsonl two.jsonl three.jsonl --output atla
 Each point has a global analysis of its own, as global proves it; the start of the scene is not used. KEY is amplitude, \
 frequency, phase, gap or restitution; only A/d and e matter. Points are exact and evenly spaced, endpoints included; the \
 second axis varies faster. With --cells the rectangle is cut into at most 8 x 8 tiles, and a cell into quarters while its \
-class is not decided for all its parameters, down to COUNT cells along each axis.
+class is not decided for all its parameters, down to COUNT cells along each axis; of a smallest cell that is not decided \
+stable periodic orbits are proved, by sets that move with the parameters.
 
 Classes: one-rest-cycle, every motion ends in one cycle with rests; one-attractor, every motion tends to one attractor, or \
 stays at saddles or grazes; attractors, those listed are proved, others are not excluded; closed, every motion is in \
@@ -64,6 +65,9 @@ pub struct AtlasArguments {
     /// 100000000, with --cells 5000000]
     #[arg(long, value_name = "N", value_parser = count(1..=1_000_000_000_000))]
     pub work: Option<u64>,
+    /// Look for horseshoes in undecided components of a point, and of a smallest cell, by words of at most K impacts: some seconds each
+    #[arg(long, value_name = "K", value_parser = clap::value_parser!(u32).range(1..=i64::from(MOST_DEPTH)))]
+    pub horseshoes: Option<u32>,
     /// Requested width of periodic orbits, at most 10^-D: of phases relative to 2 pi, of velocities relative to A W
     #[arg(long, value_name = "D", default_value_t = 9, value_parser = digits())]
     pub digits: u32,
@@ -92,8 +96,8 @@ pub struct AtlasArguments {
 }
 
 /// The options that shards have fixed already.
-const MADE_ANEW: [&str; 10] =
-    ["scene", "over", "cells", "boxes", "halvings", "most", "work", "digits", "shard", "resume"];
+const MADE_ANEW: [&str; 11] =
+    ["scene", "over", "cells", "boxes", "halvings", "most", "work", "horseshoes", "digits", "shard", "resume"];
 
 /// How an atlas is written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -121,6 +125,7 @@ impl AtlasArguments {
             halvings: self.halvings,
             most: self.most.map_or(Ok(usual.most), usize::try_from)?,
             work: self.work.unwrap_or(usual.work),
+            horseshoes: self.horseshoes.map(|depth| depth as usize),
             ..usual
         };
         settings.precision.digits = self.digits;

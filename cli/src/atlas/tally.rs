@@ -3,7 +3,7 @@
 use std::fmt;
 
 use anyhow::Result;
-use impact_pair::atlas;
+use impact_pair::atlas::Shares;
 use impact_pair::json::AtlasHead;
 use impact_pair::sweep::Head;
 use impact_pair_plot::records::Records;
@@ -16,8 +16,8 @@ const CLASSES: [&str; 5] = ["one-rest-cycle", "one-attractor", "attractors", "cl
 /// What an atlas says in a line.
 pub struct Tally {
     counts: [u64; 5],
-    /// Decided points or smallest cells, and all of them that are there.
-    decided: [u64; 2],
+    /// What is proved of how many of the points or smallest cells that are there.
+    shares: Shares,
     cells: bool,
 }
 
@@ -25,15 +25,14 @@ impl Tally {
     /// Counts the records that are there.
     pub fn of(points: &mut Gathered<AtlasHead>) -> Result<Self> {
         let plane = points.head.grid()?;
-        let mut tally = Self { counts: [0; 5], decided: [0; 2], cells: plane.has_cells() };
+        let mut tally = Self { counts: [0; 5], shares: Shares::default(), cells: plane.has_cells() };
         points.each_record(|record| {
             for leaf in record.leaves() {
                 if let Some(class) = CLASSES.iter().position(|class| *class == leaf.class) {
                     tally.counts[class] += 1;
                 }
             }
-            let [decided, of] = atlas::decided(&plane, &record);
-            tally.decided = [tally.decided[0] + decided, tally.decided[1] + of];
+            tally.shares = tally.shares.with(Shares::of(&plane, &record));
             Ok(())
         })?;
         Ok(tally)
@@ -41,16 +40,18 @@ impl Tally {
 
     /// Whether all is decided.
     pub fn is_complete(&self) -> bool {
-        self.decided[0] == self.decided[1]
+        self.shares.decided == self.shares.all
     }
 }
 
 impl fmt::Display for Tally {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let [decided, of] = self.decided;
+        let Shares { all: of, decided, stable, horseshoe, either } = self.shares;
         // Of whole numbers, rounded down.
-        let share = decided * 10_000 / of.max(1);
-        let (whole, places) = (share / 100, share % 100);
+        let percent = |part: u64| {
+            let share = part * 10_000 / of.max(1);
+            format!("{}.{:02} %", share / 100, share % 100)
+        };
         let word = if self.is_complete() { "certified" } else { "not all decided" };
         let what = if self.cells { "cells" } else { "points" };
         let all: u64 = self.counts.iter().sum();
@@ -59,6 +60,11 @@ impl fmt::Display for Tally {
             write!(f, ", {count} {class}")?;
         }
         let plane = if self.cells { "of the plane" } else { "of the points" };
-        write!(f, "; {whole}.{places:02} % {plane} decided")
+        write!(f, "; {} {plane} decided", percent(decided))?;
+        if either > 0 {
+            let [either, stable, horseshoe] = [either, stable, horseshoe].map(percent);
+            write!(f, "; of the rest {either} with a stable periodic orbit ({stable}) or a horseshoe ({horseshoe})")?;
+        }
+        Ok(())
     }
 }

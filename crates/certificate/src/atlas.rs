@@ -78,6 +78,7 @@ impl AtlasCertificate {
         let mut unjudged = UNJUDGED.map(str::to_owned).to_vec();
         unjudged.extend(place.unread::<AtlasHead>()?);
         unjudged.extend(axes.own_values());
+        unjudged.extend(head.horseshoes.map(|_| "horseshoes".to_owned()));
         let places: Vec<&[Option<u64>]> = points.iter().map(|point| &point.places[..]).collect();
         unjudged.extend(axes.unpinned(&places));
         unjudged.extend((points.len() < 2).then(|| "shard".to_owned()));
@@ -138,6 +139,8 @@ impl ClaimedPoint {
             Some("the axes have another number of points than given")
         } else if counts != ["attracting", "rest-cycle", "saddle", "undecided"].map(count) {
             Some("its numbers of components are not those of its list")
+        } else if !record.stable.is_empty() {
+            Some("stable orbits are listed beside the components of cells alone")
         } else if !record.quarters.is_empty() {
             Some("it is cut into cells, which a point is not")
         } else {

@@ -4,7 +4,9 @@ use super::Finding;
 use super::attraction::{Bounds, ClaimedOrbit, Stability};
 use super::cycles::is_reduced_period;
 use super::periodic::{OrbitOf, PeriodicCertificate};
-use impact_pair_document::{BasinDocument, ComponentDocument, GLOBAL_SCHEMA, GlobalDocument, Place, value};
+use impact_pair_document::{
+    BasinDocument, ComponentDocument, GLOBAL_SCHEMA, GlobalDocument, Place, ProvedHorseshoeDocument, value,
+};
 use impact_pair_exact::Real;
 use impact_pair_model::{Error, ImpactPair, Wall};
 use num_rational::BigRational;
@@ -34,6 +36,8 @@ pub(super) struct Claimed {
     pub closed: bool,
     /// Whether it is a set of saddle type, not one periodic motion.
     pub is_saddle_set: bool,
+    /// The horseshoe that it is claimed to hold. Lemma V37
+    pub horseshoe: Option<ProvedHorseshoeDocument>,
     /// Its place among the components.
     place: usize,
     /// Impacts of a period of the reduced map.
@@ -147,7 +151,8 @@ impl GlobalCertificate {
     /// Whether there is anything that a check proves.
     pub(super) fn claims_something(&self) -> bool {
         let has_motions = self.orbits.is_some() || self.rest_cycle.is_some();
-        has_motions || self.says_there_are_no_others || self.contradiction.is_some()
+        let has_horseshoe = self.claimed.iter().any(|claim| claim.horseshoe.is_some());
+        has_motions || has_horseshoe || self.says_there_are_no_others || self.contradiction.is_some()
     }
 
     pub(super) fn contradiction(&self) -> Option<&str> {
@@ -181,7 +186,8 @@ impl Claimed {
         };
         let reduced = component.reduced_impacts.map_or(0, |impacts| impacts as usize);
         let (kind, closed) = (component.kind.clone(), component.closed);
-        Ok(Self { kind, attracts, closed, is_saddle_set: is_saddle_set(component), place, reduced, orbit })
+        let (is_saddle_set, horseshoe) = (is_saddle_set(component), component.horseshoe.clone());
+        Ok(Self { kind, attracts, closed, is_saddle_set, horseshoe, place, reduced, orbit })
     }
 
     /// Of each impact of a period of the reduced map: whether it is on the right wall, its phase \[rad\] and its velocity.
@@ -249,6 +255,9 @@ fn of_component(own: &ComponentDocument) -> Option<&'static str> {
     }
     if own.reason.is_some() && own.kind != "undecided" {
         return Some("what is proved has no reason to be left undecided");
+    }
+    if own.horseshoe.is_some() && own.kind != "undecided" {
+        return Some("horseshoes are looked for where nothing else is proved");
     }
     let periodic = PERIODIC.iter().find(|(kind, _)| *kind == own.kind).filter(|_| !is_saddle_set(own));
     let Some((_, stability)) = periodic else {

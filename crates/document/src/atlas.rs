@@ -5,6 +5,7 @@ use impact_pair_model::scene::Key;
 use serde::{Deserialize, Serialize};
 
 use super::PROGRAM;
+use super::chaos::PeriodDocument;
 use super::global::{ComponentDocument, GLOBAL_SCHEMA, GlobalDocument};
 use super::number::Decimal;
 use super::scene::SceneDocument;
@@ -42,6 +43,9 @@ pub struct AtlasHead {
     pub work: u64,
     /// Requested digits of periodic orbits.
     pub digits: u32,
+    /// The most impacts of words of horseshoes, if these are looked for: at points, and for the smallest cells.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub horseshoes: Option<u32>,
     /// Number of the shard, and number of shards.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub shard: Option<[u64; 2]>,
@@ -76,6 +80,9 @@ pub struct AtlasRecord {
     pub components: Vec<ComponentDocument>,
     /// Pairs of components, by their positions: motions may go from the first to the second.
     pub order: Vec<[u32; 2]>,
+    /// Of a smallest cell that is not decided: stable periodic orbits that each of its parameters is proved to have, or their mirror images.
+    #[serde(skip_serializing_if = "Vec::is_empty", default)]
+    pub stable: Vec<PeriodDocument>,
     /// The cells that a cell was cut into, as nothing was decided for all of it.
     #[serde(skip_serializing_if = "Vec::is_empty", default)]
     pub quarters: Vec<AtlasRecord>,
@@ -86,6 +93,13 @@ impl AtlasRecord {
     /// grazes.
     pub fn is_decided(&self) -> bool {
         matches!(self.class.as_str(), "one-rest-cycle" | "one-attractor")
+    }
+
+    /// Returns the greatest lower bound of the topological entropy per impact of the horseshoes of its components; 0 where none is proved.
+    pub fn entropy(&self) -> f64 {
+        let horseshoes = self.components.iter().filter_map(|own| own.horseshoe.as_ref());
+        let entropies = horseshoes.filter_map(|horseshoe| horseshoe.entropy.per_impact.text().parse().ok());
+        entropies.fold(0.0, f64::max)
     }
 
     /// Returns the points or cells that are not cut: itself, or those within.

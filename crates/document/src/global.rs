@@ -2,6 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::chaos::{BaseDocument, EntropyDocument};
 use super::number::{Bounds, Decimal};
 use super::outcome::counted;
 use super::periodic::PeriodicOrbitDocument;
@@ -98,9 +99,25 @@ pub struct ComponentDocument {
     /// Of an undecided one the limit that leaves it so: the option `most`, `halvings` or `work`, or `interrupted`.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub reason: Option<String>,
+    /// Of an undecided one a horseshoe that is proved to be in it, if one was looked for.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub horseshoe: Option<ProvedHorseshoeDocument>,
     /// The periodic motion without rests.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub orbit: Option<PeriodicOrbitDocument>,
+}
+
+/// A horseshoe of the impact map.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
+#[serde(deny_unknown_fields)]
+pub struct ProvedHorseshoeDocument {
+    /// Maximum number of impacts of a word.
+    pub depth: u32,
+    /// Lower bounds of the topological entropy.
+    pub entropy: EntropyDocument,
+    /// The h-sets of its words, as `chaos --bases` reads them.
+    pub bases: Vec<BaseDocument>,
 }
 
 /// Whom a statement is about.
@@ -109,7 +126,19 @@ const EVERY: &str = "every motion that touches a wall";
 impl GlobalDocument {
     /// Returns the same with the statement that follows from the class and the components.
     pub fn with_statement(self) -> Self {
-        Self { statement: self.said(), ..self }
+        Self { statement: self.said() + &self.horseshoes(), ..self }
+    }
+
+    /// The components that hold a horseshoe, by their numbers from 1.
+    fn horseshoes(&self) -> String {
+        let of = |(i, own): (usize, &ComponentDocument)| {
+            let entropy = own.horseshoe.as_ref()?.entropy.per_impact.text();
+            Some(format!(
+                "; component {} holds a horseshoe, of topological entropy at least {entropy} per impact",
+                i + 1
+            ))
+        };
+        self.components.iter().enumerate().filter_map(of).collect()
     }
 
     /// What all motions do, in a sentence.

@@ -8,10 +8,13 @@ use std::f64::consts::TAU;
 use super::graph::{Component, Graph, Recurrent, Stopped};
 use super::image::Space;
 use super::known::{self, Kind, LimitCycle, Released};
-use super::{GlobalSettings, Reason, Recurrence, cycle, saddles};
+use super::{GlobalSettings, Reason, Recurrence, cycle, horseshoes, saddles};
 use crate::chaos::trap::Grid;
 use crate::pair::ImpactPair;
 use crate::watch::Watch;
+
+/// Horseshoes are looked for in N components at most.
+const MOST_SEARCHED: usize = 4;
 
 /// The map, and how far it is analysed.
 pub(super) struct Question<'a> {
@@ -81,7 +84,24 @@ impl<'a> Analysis<'a> {
 
     /// Returns the components that are left, those first from which motions may go on to others.
     pub fn components(&self) -> Vec<Recurrence> {
-        self.leaves(0).into_iter().map(|leaf| self.recurrence(leaf)).collect()
+        let leaves = self.leaves(0);
+        let mut found: Vec<Recurrence> = leaves.iter().map(|&leaf| self.recurrence(leaf)).collect();
+        if let Some(depth) = self.question.settings.horseshoes {
+            self.add_horseshoes(depth, &leaves, &mut found);
+        }
+        found
+    }
+
+    /// Adds the horseshoes that are proved to be in components of which nothing else is, the largest few. Lemma A13
+    fn add_horseshoes(&self, depth: usize, leaves: &[usize], found: &mut [Recurrence]) {
+        let mut open: Vec<usize> = (0..found.len()).filter(|&i| found[i].kind.is_undecided()).collect();
+        open.sort_by_key(|&i| Reverse(found[i].boxes));
+        let component = |i: usize| &self.nodes[leaves[i]].component;
+        for i in open.into_iter().take(MOST_SEARCHED).take_while(|_| self.question.watch.goes_on()) {
+            let others: Vec<&Component> = (0..leaves.len()).filter(|&j| j != i).map(component).collect();
+            let Question { space, watch, .. } = &self.question;
+            found[i].horseshoe = horseshoes::within(space, component(i), &others, depth, *watch);
+        }
     }
 
     /// Returns which component may lead to which, by their places.
@@ -193,7 +213,7 @@ impl<'a> Analysis<'a> {
         let area = boxes as f64 / (columns as f64 * rows * self.question.space.fastest()); // shown
         let limits = || if self.is_refined(node) { self.stopped } else { Some(Reason::Halvings) };
         let reason = if kind.is_undecided() { limits() } else { None };
-        Recurrence { kind: kind.clone(), boxes, area, is_closed: component.is_closed, reason }
+        Recurrence { kind: kind.clone(), boxes, area, is_closed: component.is_closed, reason, horseshoe: None }
     }
 }
 

@@ -53,7 +53,7 @@ pub(super) fn limit(space: &Space, component: &Component) -> Option<Limit> {
         let seed = component.grid.quad(cell).centre;
         for cycle in proposals(&guess, seed, component.cells.len()) {
             let is_new = known.iter().all(|other| !is_one(other, &cycle));
-            if is_new && cycle.iter().all(|&state| is_near(component, state)) {
+            if is_new && cycle.iter().all(|&state| component.is_near(state)) {
                 if let Some(limit) = proved(space, &guess, component, &cycle) {
                     return Some(limit);
                 }
@@ -101,12 +101,14 @@ fn closed(guess: &Guess, seed: State, impacts: usize) -> Option<Vec<State>> {
     None
 }
 
-/// Whether a state is in a box of a component, or in one beside it.
-fn is_near(component: &Component, [phase, speed]: State) -> bool {
-    let (column, row) = component.grid.cell(phase, speed);
-    let columns = component.grid.columns as i32; // exact: fewer than 2^31
-    let beside = |i: i32, j: i32| component.cells.binary_search(&((column + i).rem_euclid(columns), row + j)).is_ok();
-    (-1..=1).any(|i| (-1..=1).any(|j| beside(i, j)))
+impl Component {
+    /// Returns whether a state is in one of its boxes, or in one beside it.
+    pub(super) fn is_near(&self, [phase, speed]: State) -> bool {
+        let (column, row) = self.grid.cell(phase, speed);
+        let columns = self.grid.columns as i32; // exact: fewer than 2^31
+        let beside = |i: i32, j: i32| self.cells.binary_search(&((column + i).rem_euclid(columns), row + j)).is_ok();
+        (-1..=1).any(|i| (-1..=1).any(|j| beside(i, j)))
+    }
 }
 
 /// Whether two cycles are one.

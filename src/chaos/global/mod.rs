@@ -1,19 +1,21 @@
-//! Where every motion of a pair goes: Lemmas A1-A12 of `docs/proofs/global.md#A1`.
+//! Where every motion of a pair goes: Lemmas A1-A13 of `docs/proofs/global.md#A1`.
 //!
 //! The speeds that motions have in the end are covered by boxes; `image` encloses what may follow each, `graph` finds the components that
-//! motions may stay in for ever, `analysis` refines each alone, `cycle` proves what they tend to there, and `basins` tells which boxes have
-//! motions that all go to one attractor.
+//! motions may stay in for ever, `analysis` refines each alone, `cycle` proves what they tend to there, `horseshoes` what is chaotic, and
+//! `basins` tells which boxes have motions that all go to one attractor.
 
 mod analysis;
 mod basins;
 mod cycle;
 mod graph;
+mod horseshoes;
 mod image;
 mod known;
 mod saddles;
 #[cfg(test)]
 mod tests;
 
+use super::horseshoe::Horseshoe;
 use super::law::Law;
 use crate::Error;
 use crate::pair::ImpactPair;
@@ -40,6 +42,8 @@ pub struct GlobalSettings {
     pub work: u64,
     /// Boxes by which basins are proved, about, if they are asked for: a power of two from 2^8 to 2^24.
     pub basins: Option<u32>,
+    /// The most impacts of words of horseshoes, if these are looked for in components of which nothing else is decided.
+    pub horseshoes: Option<usize>,
     /// Requested widths of the enclosures of periodic orbits.
     pub precision: Precision,
 }
@@ -51,7 +55,15 @@ pub const WORK: u64 = 100_000_000;
 
 impl Default for GlobalSettings {
     fn default() -> Self {
-        Self { boxes: 1 << 14, halvings: 40, most: MOST, work: WORK, basins: None, precision: Precision::default() }
+        Self {
+            boxes: 1 << 14,
+            halvings: 40,
+            most: MOST,
+            work: WORK,
+            basins: None,
+            horseshoes: None,
+            precision: Precision::default(),
+        }
     }
 }
 
@@ -75,6 +87,8 @@ pub struct Recurrence {
     pub is_closed: bool,
     /// Why it is not refined further, if nothing is proved of it.
     pub reason: Option<Reason>,
+    /// The horseshoe that is proved to be in it, of one of which nothing else is.
+    pub horseshoe: Option<Horseshoe>,
 }
 
 /// The limit that leaves a component undecided.
@@ -105,7 +119,7 @@ impl Reason {
 /// Where every motion of a pair goes.
 ///
 /// **Enclosure**: for every member of the data the impacts of every motion that touches a wall are in one component in the end, or the
-/// motion rests for ever again and again; of each component holds what its [`Kind`] says. Lemmas A1-A12
+/// motion rests for ever again and again; of each component holds what its [`Kind`] says. Lemmas A1-A13
 #[derive(Clone, Debug)]
 pub struct Global {
     /// The components, those first from which motions may go on to others.
@@ -167,13 +181,15 @@ impl Global {
         let analysis = Analysis::of(Question { pair, space, released, settings, watch });
         let components = analysis.components();
         let patches = analysis.patches(&components, settings.basins);
+        let is_open = components.iter().any(|component| component.kind.is_undecided());
+        let is_cut = is_open && settings.horseshoes.is_some() && !watch.goes_on();
         Ok(Self {
             components,
             order: analysis.order(),
             patches,
             fastest: space.fastest(),
             speed_unit,
-            interrupted: analysis.is_interrupted(),
+            interrupted: analysis.is_interrupted() || is_cut,
         })
     }
 

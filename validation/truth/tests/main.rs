@@ -15,6 +15,7 @@ mod intervals;
 mod numbers;
 mod orbits;
 mod random;
+mod random_starts;
 mod stability;
 mod straddle;
 mod theory;

@@ -6,24 +6,31 @@ use impact_pair::json::{AtlasHead, AtlasRecord};
 use impact_pair::scene::Range;
 use plotters::style::RGBColor;
 
-use crate::picture::{BLUE, GREEN, ORANGE, SKY, VERMILION};
+use crate::picture::{BLUE, GREEN, ORANGE, PURPLE, SKY, VERMILION, YELLOW};
 use crate::records::Records;
 use crate::sweep::value;
 
-/// The classes, with their colours and what they say, the strongest one first.
-pub const CLASSES: [(&str, RGBColor, &str); 5] = [
+/// The classes, with their colours and what they say, the strongest one first; where neither of the first three is proved, a stable periodic orbit
+/// of all parameters of a cell, or a horseshoe, comes before them.
+pub const CLASSES: [(&str, RGBColor, &str); 7] = [
     ("one-rest-cycle", GREEN, "every motion ends in one cycle with rests"),
     ("one-attractor", BLUE, "every motion tends to one attractor, or stays at saddles or grazes"),
     ("attractors", SKY, "attractors proved, others not excluded"),
+    (STABLE, PURPLE, "a stable periodic orbit, else undecided"),
+    (HORSESHOE, YELLOW, "a horseshoe, else undecided"),
     ("closed", ORANGE, "every motion in closed sets in the end, else undecided"),
     ("undecided", VERMILION, "undecided"),
 ];
+
+/// What is shown of a cell with a stable orbit, and of a point or cell with a horseshoe.
+const STABLE: &str = "stable";
+const HORSESHOE: &str = "horseshoe";
 
 /// A point, with half a step around it, or a cell.
 pub struct Leaf {
     /// Ends on both axes.
     pub ends: [[f64; 2]; 2],
-    /// Its class, by position.
+    /// What is shown of it, by position.
     pub class: usize,
     /// What is proved there; without the cells that are cut.
     pub record: AtlasRecord,
@@ -53,7 +60,7 @@ impl Leaves {
         let mut all = Vec::new();
         atlas.each_record(|record| {
             for leaf in record.leaves() {
-                let class = CLASSES.iter().position(|(class, ..)| *class == leaf.class);
+                let class = CLASSES.iter().position(|(class, ..)| *class == shown(leaf));
                 let class = class.with_context(|| format!("there is no class {}", leaf.class))?;
                 let mut ends = [[0.0; 2]; 2];
                 for (axis, text) in leaf.values.iter().take(2).enumerate() {
@@ -79,6 +86,15 @@ impl Leaves {
     pub fn counts(&self) -> Vec<(usize, usize)> {
         let of = |class: usize| (class, self.all.iter().filter(|leaf| leaf.class == class).count());
         (0..CLASSES.len()).map(of).filter(|(_, count)| *count > 0).collect()
+    }
+}
+
+/// What is shown of a point or a cell: the class, or what is proved beside a weak one.
+fn shown(leaf: &AtlasRecord) -> &str {
+    match leaf.class.as_str() {
+        "closed" | "undecided" if !leaf.stable.is_empty() => STABLE,
+        "closed" | "undecided" if leaf.entropy() > 0.0 => HORSESHOE,
+        class => class,
     }
 }
 

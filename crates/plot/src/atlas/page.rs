@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use anyhow::{Context, Result};
-use impact_pair::json::{AtlasHead, ComponentDocument, SceneDocument};
+use impact_pair::json::{AtlasHead, ComponentDocument, PeriodDocument, SceneDocument};
 use serde_json::{Value, json};
 
 use super::leaves::{CLASSES, Leaf, Leaves};
@@ -64,9 +64,15 @@ fn said(head: &AtlasHead, leaf: &Leaf) -> Result<Value> {
         "statement": global.statement,
         "components": leaf.record.components.iter().map(component).collect::<Vec<_>>(),
         "order": leaf.record.order,
+        "stable": leaf.record.stable.iter().map(orbit).collect::<Vec<_>>(),
         "seconds": leaf.record.seconds,
         "scene": toml(&global.scene),
     }))
+}
+
+/// A stable periodic orbit in words.
+fn orbit(own: &PeriodDocument) -> String {
+    format!("stable periodic orbit {}, {} impacts in {} forcing periods", own.word, own.impacts, own.cycles)
 }
 
 /// A component in words.
@@ -86,6 +92,9 @@ fn component(own: &ComponentDocument) -> String {
     }
     if own.boxes > 0 {
         let _ = write!(words, ", {} boxes, area {}", own.boxes, own.area.text());
+    }
+    if let Some(horseshoe) = &own.horseshoe {
+        let _ = write!(words, ", horseshoe of entropy {}", horseshoe.entropy.per_impact.text());
     }
     if own.closed { words + ", closed" } else { words }
 }
@@ -116,7 +125,10 @@ fn toml(scene: &SceneDocument) -> String {
 
 /// The options of `global` that the atlas had.
 fn settings(head: &AtlasHead) -> String {
-    format!("--boxes {} --halvings {} --most {} --digits {}", head.boxes.ilog2(), head.halvings, head.most, head.digits)
+    let horseshoes = head.horseshoes.map_or(String::new(), |depth| format!(" --horseshoes {depth}"));
+    let [boxes, halvings, most, digits] =
+        [u64::from(head.boxes.ilog2()), head.halvings.into(), head.most, head.digits.into()];
+    format!("--boxes {boxes} --halvings {halvings} --most {most} --digits {digits}{horseshoes}")
 }
 
 /// All points or cells as the rows of a table.

@@ -17,7 +17,7 @@ use super::motion::{self, Halt, Judged, Motion, wrong};
 use super::questions::Answer;
 use super::scenes::Case;
 use super::traits::Question;
-use super::{boxes, orbits, shadow, sweeps};
+use super::{boxes, cells, orbits, shadow, sweeps};
 use crate::common::Random;
 
 /// What a judge finds.
@@ -86,7 +86,7 @@ fn starts(scene: &Scene, random: &mut Random) -> Vec<Start> {
 }
 
 /// The scene at the middle of the bounds of a parameter.
-fn at(scene: &Scene, key: &str, parameter: &Value) -> Option<Scene> {
+pub fn at(scene: &Scene, key: &str, parameter: &Value) -> Option<Scene> {
     let middle = Bounds::read(parameter)?.middle().to_string_radix(10, Some(40));
     scene.with(&[(key.parse::<scene::Key>().ok()?, middle.parse().ok()?)]).ok()
 }
@@ -257,6 +257,13 @@ fn truth(case: &mut Case, answer: &Answer) -> Judged<()> {
             open.map_or(Ok(()), |why| Err(Halt::Open(why)))
         }
         Answer::Description(document) => all(&members, |member| description(document, &case.scene, member)),
+        Answer::Cells(document) => {
+            if is_point {
+                cells::judge(document, case)
+            } else {
+                Err(Halt::Open("a box of data"))
+            }
+        }
         Answer::Trap(document) => all(&members, |member| trap(document, &case.scene, member)),
         Answer::Cycles(document) => {
             let listed = document["orbits"].as_array().map_or(&[][..], Vec::as_slice);
@@ -318,6 +325,7 @@ impl Answer {
             | Self::Description(document)
             | Self::Trap(document)
             | Self::Chaos(document)
+            | Self::Cells(document)
             | Self::Cycles(document)
             | Self::Windows(document)
             | Self::Global(document) => Some(document.to_string()),
@@ -362,6 +370,7 @@ impl Answer {
             Self::Chaos(document) if document["hyperbolic"].is_object() => "a hyperbolic set".into(),
             Self::Chaos(document) if document["certified"] == true => "a horseshoe".into(),
             Self::Chaos(_) => "no horseshoe".into(),
+            Self::Cells(document) => cells::outcome(document),
             Self::Cycles(document) if document["exhaustive"] == true => "all cycles".into(),
             Self::Cycles(_) => "not all cycles".into(),
             Self::Windows(document) => none_or(orbits(document, "windows"), "window"),

@@ -71,6 +71,8 @@ pub enum Answer {
     Description(Value),
     Trap(Value),
     Chaos(Value),
+    /// Verdicts over a parameter.
+    Cells(Value),
     Cycles(Value),
     Windows(Value),
     Global(Value),
@@ -90,14 +92,14 @@ pub enum Answer {
 }
 
 /// Ends what takes too long.
-struct Patience(AtomicUsize);
+pub struct Patience(AtomicUsize);
 
 impl Patience {
-    fn new() -> Self {
+    pub fn new() -> Self {
         Self(AtomicUsize::new(0))
     }
 
-    fn goes_on(&self, most: usize) -> ControlFlow<()> {
+    pub fn goes_on(&self, most: usize) -> ControlFlow<()> {
         proceed_if(self.0.fetch_add(1, Ordering::Relaxed) < most)
     }
 }
@@ -123,6 +125,7 @@ impl Case {
             Question::TwoImpact => self.two_impact(),
             Question::Trap => self.trap(),
             Question::Chaos => self.chaos(),
+            Question::ChaosCells => self.cells(),
             Question::Cycles => self.cycles(),
             Question::Windows => self.windows(),
             Question::Global => self.global(),
@@ -179,7 +182,7 @@ impl Case {
     }
 
     /// A key with the number of a term, if there is one to be named, and its value in the scene.
-    fn key(&mut self, key: &str) -> (String, f64) {
+    pub fn key(&mut self, key: &str) -> (String, f64) {
         let terms = self.scene.pair().excitation().terms();
         let number = if self.random.below(4) == 0 { 1 } else { terms.len() };
         let term = &terms[if key.ends_with(".K") { number - 1 } else { 0 }];

@@ -286,7 +286,11 @@ fn parts(random: &mut Random, crossing: &Crossing) -> Option<Parts> {
             NEAR_FOLD
         }
         // Figure 12's pair attracts.
-        Question::Describe if matches!(crossing.restitution, Restitution::Half | Restitution::AroundHalf) => NEAR_FOLD,
+        Question::Describe | Question::ChaosCells
+            if matches!(crossing.restitution, Restitution::Half | Restitution::AroundHalf) =>
+        {
+            NEAR_FOLD
+        }
         Question::Impacts("shadow" | "splice") if random.below(2) == 0 => SIZES[0],
         _ => random.pick(&SIZES),
     };

@@ -99,6 +99,7 @@ pub enum Question {
     TwoImpact,
     Trap,
     Chaos,
+    ChaosCells,
     Cycles,
     Windows,
     Global,
@@ -112,7 +113,7 @@ impl Question {
     pub fn all() -> Vec<Self> {
         let others = [Self::Describe, Self::Periodic, Self::All, Self::TwoImpact];
         let chaos = [Self::Trap, Self::Chaos, Self::Cycles, Self::Windows, Self::Tangency, Self::Global, Self::Atlas];
-        let others = others.into_iter().chain(chaos).chain([Self::BoxMap, Self::Audit]);
+        let others = others.into_iter().chain(chaos).chain([Self::ChaosCells, Self::BoxMap, Self::Audit]);
         let runs = ARITHMETICS.into_iter().flat_map(|name| [Self::Impacts(name), Self::Until(name)]);
         let over = PARAMETERS.into_iter().map(Self::Bifurcations);
         runs.chain(KEYS.into_iter().map(Self::Sweep)).chain(over).chain(others).collect()
@@ -130,6 +131,7 @@ impl Question {
             Self::TwoImpact => "two-impact".into(),
             Self::Trap => "trap".into(),
             Self::Chaos => "chaos".into(),
+            Self::ChaosCells => "chaos --over, cells".into(),
             Self::Cycles => "cycles".into(),
             Self::Windows => "windows".into(),
             Self::Global => "global".into(),

@@ -8,7 +8,7 @@ use super::bases::Base;
 use super::entropy::at_least;
 use super::propose::Making;
 use super::words::{Ahead, Counts, Search, Word};
-use super::{Law, cones};
+use super::{LOOKS, Law, cones};
 use crate::chaos::ChaosCertificate;
 use crate::check::contact::Doubt;
 use crate::check::{Effort, Verdict};
@@ -236,8 +236,6 @@ fn shortfall((mut found, why): (Counts, &str), words: &[Word], bases: usize) -> 
     Doubt::Open(format!("{why}{left}")).on(first)
 }
 
-/// Looks at flights of less than a forcing period, in doubles, that are as much work as one place of a flight in many bits.
-const LOOKS: u64 = 1 << 7;
 /// N words allow as much work again as there is for any number of them.
 const MANY: u64 = 1 << 6;
 /// Cones are N times as much work.

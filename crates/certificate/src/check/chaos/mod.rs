@@ -14,6 +14,7 @@ mod cones;
 mod entropy;
 mod global;
 mod guess;
+mod horseshoe;
 mod judge;
 mod language;
 mod propose;
@@ -52,3 +53,5 @@ impl Law {
 
 /// Bits that exact numbers are enclosed with before they become doubles.
 const BITS: u32 = 128;
+/// Looks at flights of less than a forcing period, in doubles, that are as much work as one place of a flight in many bits.
+const LOOKS: u64 = 1 << 7;

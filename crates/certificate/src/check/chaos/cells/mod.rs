@@ -1,7 +1,6 @@
 //! Whether the verdicts on the values of a parameter are right: each is proved again for all values of its subinterval, as a whole or
 //! part by part (Lemma V35).
 
-mod horseshoe;
 mod moving;
 mod orbit;
 mod said;
@@ -10,20 +9,17 @@ use impact_pair_exact::Exact;
 use impact_pair_model::watch::{Latched, Stage, Watch};
 use impact_pair_model::{Error, ImpactPair};
 
-use super::Law;
 use super::allowance::{Allowance, End};
-use super::said::{is_none, sound_bases};
+use super::horseshoe::Horseshoe;
+use super::{LOOKS, Law};
 use crate::cells::CellsCertificate;
 use crate::check::contact::Doubt;
 use crate::check::{Effort, Finding, Verdict};
-use horseshoe::Horseshoe;
 use impact_pair_document::StretchDocument;
 use orbit::{Found, Period};
 
 /// Bits of the arithmetic.
 const DOUBLE: u32 = f64::MANTISSA_DIGITS;
-/// Looks at flights of less than a forcing period, in doubles, that are as much work as one place of a flight in many bits.
-const LOOKS: u64 = 1 << 7;
 /// A subinterval may take one in N parts of what a document of another kind may.
 const PART: u64 = 1 << 2;
 /// A subinterval is halved so often.
@@ -95,15 +91,12 @@ impl CellsCertificate {
             }
         }
         let Some(entropy) = &stretch.entropy else { return Ok(Ok(())) };
-        if is_none(entropy) {
-            return Ok(Err(Doubt::False("a horseshoe is claimed, but no entropy".into())));
-        }
-        let bases = match sound_bases(&stretch.bases) {
-            Ok(bases) => bases,
+        let mut horseshoe = match Horseshoe::claimed(&stretch.bases, entropy, self.document().depth) {
+            Ok(horseshoe) => horseshoe,
             Err(doubt) => return Ok(Err(doubt)),
         };
-        let mut horseshoe = Horseshoe::new(&bases, entropy, self.document().depth as usize); // exact: of 32 bits
-        let proved = self.for_all(stretch, &mut |_, law| Ok(horseshoe.is_there(law, work)))?;
+        let found = |is_there: bool| if is_there { Found::Proved } else { Found::Nothing };
+        let proved = self.for_all(stretch, &mut |_, law| Ok(horseshoe.is_there(law, work).map(found)))?;
         Ok(match proved {
             Ok(Found::Proved) => Ok(()),
             Err(End::Spent) => Err(Doubt::Open("the work allowed is spent on its horseshoe".into())),

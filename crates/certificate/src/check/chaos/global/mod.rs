@@ -10,9 +10,11 @@ mod space;
 use impact_pair_model::watch::{Latched, Silent, Watch};
 use impact_pair_model::{Error, within};
 
+use super::allowance::Allowance;
 use super::beam::{Beam, Quad};
+use super::horseshoe::is_proved;
 use super::span::Span;
-use super::{BITS, Law};
+use super::{BITS, LOOKS, Law};
 use crate::check::contact::Doubt;
 use crate::check::{Effort, Finding, Verdict};
 use crate::global::{Claimed, GlobalCertificate};
@@ -45,8 +47,7 @@ impl GlobalCertificate {
         if let Some(message) = self.contradiction() {
             return Ok(Verdict::Refuted(end(message.to_owned())));
         }
-        let is_empty = self.orbits().is_none() && self.rest_cycle().is_none();
-        if is_empty && !self.says_there_are_no_others() {
+        if !self.claims_something() {
             return Ok(Verdict::Undecided(end("there is no component to check".to_owned())));
         }
         let mut bits = f64::MANTISSA_DIGITS;
@@ -61,11 +62,28 @@ impl GlobalCertificate {
                 return Ok(Verdict::Undecided(self.placed(finding)));
             }
         }
+        if let Err((place, doubt)) = self.holds_horseshoes(effort, &watch)? {
+            let is_open = matches!(doubt, Doubt::Open(_)) && !watch.goes_on();
+            return Ok(if is_open { Verdict::Interrupted { events: 0 } } else { doubt.on(place) });
+        }
         Ok(match self.covers(effort, &watch)? {
             Ok(()) => Verdict::Confirmed { bits, pieces: 1 },
             Err(Doubt::Open(_)) if !watch.goes_on() => Verdict::Interrupted { events: 0 },
             Err(doubt) => doubt.on(self.count()),
         })
+    }
+
+    /// The map has each horseshoe that a component is claimed to hold. Lemma V37
+    fn holds_horseshoes(&self, effort: &Effort, watch: &dyn Watch) -> Result<Result<(), (usize, Doubt)>, Error> {
+        let law = Law::of(self.pair())?;
+        for (place, claim) in self.claimed().iter().enumerate() {
+            let Some(horseshoe) = &claim.horseshoe else { continue };
+            let work = Allowance::new(effort.work.saturating_mul(LOOKS), watch); // proposes: when to give up
+            if let Err(doubt) = is_proved(horseshoe, &law, &work) {
+                return Ok(Err((place, doubt)));
+            }
+        }
+        Ok(Ok(()))
     }
 
     /// The cycle with rests is as claimed, and each recurrent component is one of those claimed, where it is said that there are no others.

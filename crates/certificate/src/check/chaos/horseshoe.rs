@@ -1,0 +1,65 @@
+//! Whether h-sets make a claimed entropy for all parameters of a law, by words that are searched for anew (Lemmas V12, V35, V37).
+
+use impact_pair_document::{BaseDocument, EntropyDocument, ProvedHorseshoeDocument};
+
+use super::Law;
+use super::allowance::{Allowance, End};
+use super::bases::Base;
+use super::judge::MAKINGS;
+use super::said::{follows, is_none, sound_bases};
+use super::words::{Ahead, Search, Word};
+use crate::check::contact::Doubt;
+
+/// A horseshoe that is claimed.
+pub(super) struct Horseshoe<'h> {
+    bases: Vec<Base>,
+    entropy: &'h EntropyDocument,
+    depth: usize,
+    /// The way to make chains of boxes that sufficed last.
+    known: usize,
+}
+
+impl<'h> Horseshoe<'h> {
+    /// Words of at most `depth` impacts between h-sets that are disjoint, of a positive entropy.
+    pub fn claimed(bases: &[BaseDocument], entropy: &'h EntropyDocument, depth: u32) -> Result<Self, Doubt> {
+        if is_none(entropy) {
+            return Err(Doubt::False("a horseshoe is claimed, but no entropy".into()));
+        }
+        Ok(Self { bases: sound_bases(bases)?, entropy, depth: depth as usize, known: 0 }) // exact: of 32 bits
+    }
+
+    /// Whether words of at most the claimed number of impacts make the entropy.
+    pub fn is_there(&mut self, law: &Law, work: &Allowance) -> Result<bool, End> {
+        for making in (self.known..MAKINGS.len()).chain(0..self.known) {
+            if self.is_proved(law, making, work)? {
+                self.known = making;
+                return Ok(true);
+            }
+        }
+        Ok(false)
+    }
+
+    /// Whether they do along chains of boxes of one kind.
+    fn is_proved(&self, law: &Law, making: usize, work: &Allowance) -> Result<bool, End> {
+        let ahead = Ahead::new();
+        let mut search = Search::new(law, &self.bases, None, (&MAKINGS[making..=making], &ahead), work);
+        for _ in 0..self.depth {
+            search.deepen()?;
+            let each = |(word, count): (&Word, &usize)| vec![word.clone(); *count];
+            let words: Vec<Word> = search.found.iter().flat_map(each).collect();
+            if follows(&words, self.bases.len(), self.entropy).is_ok() {
+                return Ok(true);
+            }
+        }
+        Ok(false)
+    }
+}
+
+/// The map has the horseshoe, or why that is not so or not proved. Lemma V37
+pub(super) fn is_proved(claimed: &ProvedHorseshoeDocument, law: &Law, work: &Allowance) -> Result<(), Doubt> {
+    match Horseshoe::claimed(&claimed.bases, &claimed.entropy, claimed.depth)?.is_there(law, work) {
+        Ok(true) => Ok(()),
+        Ok(false) => Err(Doubt::Open("its horseshoe is not proved again".into())),
+        Err(_) => Err(Doubt::Open("the work allowed is spent on its horseshoe".into())),
+    }
+}
