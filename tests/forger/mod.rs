@@ -103,7 +103,9 @@ fn verdict(text: &str) -> Option<(Verdict, Vec<String>)> {
     let claims = Claims::parse(text).ok()?;
     // All states of a pair are many boxes, words of cells are searched for, and orbits between two ends are many sets.
     let heavy = ["impact-pair/global/1", "impact-pair/chaos-cells/1", "impact-pair/windows/1"];
-    let is_heavy = heavy.iter().any(|schema| text.contains(schema));
+    // So are boxes between two manifolds.
+    let is_in_boxes = text.contains("impact-pair/tangency/1") && text.contains("\"states\"");
+    let is_heavy = is_in_boxes || heavy.iter().any(|schema| text.contains(schema));
     let work = if is_heavy { 1 << 16 } else { 1 << 12 };
     let effort = Effort { bits: 1 << 11, work, pieces: 16, ..Effort::default() };
     let verdict = claims.check_within(&effort, &Unwatched).ok()?;
