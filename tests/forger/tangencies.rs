@@ -24,14 +24,22 @@ pub const FORGERIES: &[Forgery] = &[
     },
     Forgery { name: "tangency: least", why: "an impact is slower, or a flight shorter", forge: least },
     Forgery { name: "tangency: sides", why: "the common points are on the other side", forge: sides },
+    Forgery { name: "tangency: key", why: "the bounds are those of another parameter", forge: keys },
+];
+
+/// Of boxes of states.
+pub const IN_BOXES: &[Forgery] = &[
     Forgery {
         name: "tangency: counts",
         why: "for some of these values the common points are outside the boxes, or there are two",
         forge: counts,
     },
     Forgery { name: "tangency: boxes", why: "the common points are not all in this box", forge: boxes },
-    Forgery { name: "tangency: interval", why: "tangencies of a wider interval are outside the boxes", forge: intervals },
-    Forgery { name: "tangency: key", why: "the bounds are those of another parameter", forge: keys },
+    Forgery {
+        name: "tangency: interval",
+        why: "tangencies of a wider interval are outside the boxes",
+        forge: intervals,
+    },
 ];
 
 /// The tangencies with their paths.

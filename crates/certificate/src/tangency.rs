@@ -202,7 +202,8 @@ impl ClaimedTangency {
             }
         }
         let sides = self.beside.as_ref()?;
-        let all = [("two", &sides.two), ("none", &sides.none), ("unstable", &sides.unstable), ("stable", &sides.stable)];
+        let all =
+            [("two", &sides.two), ("none", &sides.none), ("unstable", &sides.unstable), ("stable", &sides.stable)];
         let inverted = all.into_iter().find(|(_, bounds)| bounds[0] > bounds[1]);
         inverted.map(|(name, _)| format!("beside.{name}: the lower bound is above the upper one"))
     }

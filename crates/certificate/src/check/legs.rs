@@ -149,7 +149,9 @@ impl<const N: usize, const P: usize> Legs<N, P> {
     /// Derivatives by the parameters times those of the parameters by the coordinates of the set.
     fn by_parameters(&self, slopes: &Rows<P>, part: impl Fn(&Real) -> Real) -> Rows<N> {
         let sum = |row: &[Real; P], j: usize| {
-            row.iter().zip(&self.parameters).fold(Real::zero(SHORT_BITS), |sum, (x, p)| sum + &(x.clone() * &part(&p[j])))
+            row.iter()
+                .zip(&self.parameters)
+                .fold(Real::zero(SHORT_BITS), |sum, (x, p)| sum + &(x.clone() * &part(&p[j])))
         };
         slopes.each_ref().map(|row| std::array::from_fn(|j| sum(row, j)))
     }

@@ -73,23 +73,27 @@ impl ClaimedTangency {
         let other = Real::of(&setting.other, BITS);
         let mut bounds = vec![all(&sides.unstable), all(&sides.stable), two.hull(&none), other.clone()];
         bounds.extend(sides.states.iter().flatten().map(all));
-        let whole = [wider(&bounds[PARAMETER]), other];
+        let whole = [wider(&wider(&bounds[PARAMETER])), other.clone()];
         let near = Real::rational(&self.phase[0], BITS);
         let chain =
             Chain::new(letters.to_vec(), (setting.is_restitution(), whole), &near, budget.clone()).map_err(unproved)?;
-        let mut start = Area::of(&bounds);
-        start.centre[PARAMETER] = own.middle();
+        let spread = Area::of(&bounds).radii[OTHER].clone();
+        // The tangency, phases as the boxes have them.
+        let mut values = at.clone().map(|x| x.at(BITS)).to_vec();
+        values.push(other);
+        for ([phase, speed], own) in shot.states[1..count].iter().zip(bounds[STATES..].chunks(2)) {
+            let turns = ((phase.to_f64() - own[0].to_f64()) / std::f64::consts::TAU).round() as i64; // V31: any whole number
+            values.extend([phase.at(BITS) - &(Real::pi(BITS) * 2 * turns), speed.at(BITS)]);
+        }
+        let start = values.iter().map(Real::middle).collect();
         let unknowns = [STABLE, PARAMETER].into_iter().chain(STATES..bounds.len()).collect();
         let system = System { equations: 2 * count, unknowns, given: vec![UNSTABLE, OTHER] };
         let ends = bounds[UNSTABLE].ends();
-        let (is_below, spread) = (two.is_below(&own), start.radii[OTHER].clone());
+        let is_below = two.is_below(&own);
         let mut curve = Curve { claim: self, sides, chain, system, two, is_below, spread, bounds };
-        curve.is_proved(start.centre, &ends).map_err(unproved)?;
+        curve.is_proved(start, &ends).map_err(unproved)?;
         curve.system.is_only(&mut curve.chain, &Area::of(&curve.bounds)).map_err(unproved)?;
         // The tangency is on the curve.
-        let mut values = at.clone().map(|x| x.at(BITS)).to_vec();
-        values.push(Real::of(&setting.other, BITS));
-        values.extend(curve.chain.less_turns(&shot.states[1..count]));
         let holds = |(own, x): (&Real, &Real)| own.enclosure().contains_enclosure(x.enclosure());
         if curve.bounds.iter().zip(&values).all(holds) {
             Ok(())

@@ -187,10 +187,10 @@ impl<'b> Chain<'b> {
         } else {
             self.jets(side, at(place), [at(PARAMETER), at(OTHER)], false)?.0
         };
-        let by_other = if is_fixed(OTHER) { None } else { Some(self.jets(side, &area.hull(place), hulls.each_ref(), true)?.0) };
-        let of_other = |power: usize| {
-            by_other.as_ref().map_or_else(|| [0, 1].map(|_| Real::zero(BITS)), |state| of(state, power))
-        };
+        let by_other =
+            if is_fixed(OTHER) { None } else { Some(self.jets(side, &area.hull(place), hulls.each_ref(), true)?.0) };
+        let of_other =
+            |power: usize| by_other.as_ref().map_or_else(|| [0, 1].map(|_| Real::zero(BITS)), |state| of(state, power));
         let rows = |columns: [Vector; 3]| [0, 1].map(|i| columns.each_ref().map(|column| column[i].clone()));
         Ok(End {
             at: of(&thin, jet::ONE),
@@ -217,7 +217,8 @@ impl<'b> Chain<'b> {
         let columns: Rows<2> = first.slopes.each_ref().map(|row| [0, 1].map(|j| row[j].middle()));
         let errors = [0, 1].map(|i| [0, 1].map(|j| size(&(first.slopes[i][j].clone() - &columns[i][j]))));
         let [zero, one] = [0, 1].map(|n| Real::int(n, bits));
-        let mut legs = Legs::<2, 2>::new((columns, errors), [[zero.clone(), one.clone()], [zero.clone(), zero.clone()]]);
+        let mut legs =
+            Legs::<2, 2>::new((columns, errors), [[zero.clone(), one.clone()], [zero.clone(), zero.clone()]]);
         let (mut residual, mut speeds, mut times) = (Vec::new(), vec![first.states[1].clone()], Vec::new());
         let mut tangent = first.tangent.clone();
         for k in 0..count {
@@ -241,9 +242,10 @@ impl<'b> Chain<'b> {
                 self.times.push(guess(data, [0, 1].map(|i| at(i).to_f64())));
             }
             let numbered = |message: String| format!("flight {}: {message}", k + 1);
-            let flown = fly(&law, &state, (self.letters[k], &self.times[k]), &self.budget).map_err(|doubt| match doubt {
-                Doubt::False(message) | Doubt::Open(message) => Doubt::Open(numbered(message)),
-            })?;
+            let flown =
+                fly(&law, &state, (self.letters[k], &self.times[k]), &self.budget).map_err(|doubt| match doubt {
+                    Doubt::False(message) | Doubt::Open(message) => Doubt::Open(numbered(message)),
+                })?;
             self.budget.spend(bits, 1);
             let jets = [&flown.state.phase, &flown.state.speed];
             let [a, b] = jets.map(|jet| [jet.at(jet::X, bits).centre, jet.at(jet::D, bits).centre]);
@@ -276,16 +278,6 @@ impl<'b> Chain<'b> {
         let (row, unfolding) = of_tangents(&legs, (&first, &last), count)?;
         rows.push(row);
         Ok(Over { residual, rows, unfolding, speeds, times })
-    }
-
-    /// Returns the states of an orbit as they are in its equations: less whole forcing periods.
-    pub fn less_turns(&self, states: &[Vector]) -> Vec<Real> {
-        let mut turns = 0;
-        let own = states.iter().zip(&self.turns).flat_map(|([phase, speed], own)| {
-            turns += own;
-            [phase.clone() - &(Real::pi(BITS) * 2 * turns), speed.clone()]
-        });
-        own.collect()
     }
 }
 
@@ -348,10 +340,7 @@ fn of_tangents(
     let curved = (0..count).flat_map(|k| [0, 1].map(|a| scaled(&bent(k, a), &tangents[k][a])));
     let curved = curved.fold(image(&to_the_end[0], &column(&first.bends, 0)), |all, x| sum(&all, &x));
     let moved = column(&legs.slopes(count), 1);
-    let unfolding = shot::unfolding(
-        [tangent, &end],
-        [&curved, &column(&last.bends, 0)],
-        [&moved, &column(&last.slopes, 1)],
-    );
+    let unfolding =
+        shot::unfolding([tangent, &end], [&curved, &column(&last.bends, 0)], [&moved, &column(&last.slopes, 1)]);
     Ok((row, unfolding.ok_or_else(|| open("the tangent of the stable manifold may be 0"))?))
 }

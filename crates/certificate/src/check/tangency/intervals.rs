@@ -46,7 +46,8 @@ impl ClaimedTangency {
         }
         let other = Real::of(&setting.other, BITS);
         let parameter = setting.reduced(&all(&self.parameter))?;
-        let law = known(Family { is_restitution: setting.is_restitution(), other: other.clone() }.law_over(&parameter))?;
+        let law =
+            known(Family { is_restitution: setting.is_restitution(), other: other.clone() }.law_over(&parameter))?;
         self.is_saddle(&law)?;
         let mut bounds = vec![all(&self.unstable), all(&self.stable), parameter, other];
         bounds.extend(states.iter().flatten().map(all));
@@ -89,8 +90,7 @@ impl Tangencies<'_, '_> {
     /// All numbers of these tangencies are as claimed.
     fn compare(&self, found: &Found) -> Result<(), Doubt> {
         let (claim, setting) = (self.claim, self.setting);
-        let family =
-            Family { is_restitution: setting.is_restitution(), other: found.bounds[OTHER].clone() };
+        let family = Family { is_restitution: setting.is_restitution(), other: found.bounds[OTHER].clone() };
         let law: Law = known(family.law_over(&found.bounds[PARAMETER]))?;
         let eigenvalues = claim.compare_fixed_point(&law, &self.range.saddle(&law)?)?;
         no_resonance(eigenvalues.each_ref(), claim.resonances)?;

@@ -125,9 +125,7 @@ impl System {
     /// How far the operator moves unknowns by these radii, the derivatives those of a product.
     fn strays(&self, product: &[Vec<Real>], radii: &[Real]) -> Vec<Real> {
         let stray = |(i, row): (usize, &Vec<Real>)| {
-            let part = |(j, place): (usize, &usize)| {
-                size(&(row[*place].clone() - i64::from(i == j))) * &radii[*place]
-            };
+            let part = |(j, place): (usize, &usize)| size(&(row[*place].clone() - i64::from(i == j))) * &radii[*place];
             self.unknowns.iter().enumerate().map(part).fold(Real::zero(SHORT_BITS), |sum, x| sum + &x)
         };
         product.iter().enumerate().map(stray).collect()

@@ -256,10 +256,9 @@ impl ClaimedTangency {
 
     /// `q` and `m` are as claimed, and not 0.
     fn compare_unfolding(&self, [quadratic, unfolding]: [&Real; 2]) -> Result<(), Doubt> {
-        for (what, found, claimed) in [
-            ("quadratic coefficient", quadratic, &self.quadratic),
-            ("speed of unfolding", unfolding, &self.unfolding),
-        ] {
+        for (what, found, claimed) in
+            [("quadratic coefficient", quadratic, &self.quadratic), ("speed of unfolding", unfolding, &self.unfolding)]
+        {
             if found.is_across() {
                 return Err(Doubt::Open(format!("the {what} may be 0")));
             }
