@@ -13,7 +13,7 @@ use crate::check::clock::{Beside, beside};
 use crate::check::contact::Doubt;
 use crate::check::frame::hull;
 use crate::tangency::{ClaimedSides, ClaimedTangency};
-use impact_pair_exact::Real;
+use impact_pair_exact::{Dyadic, Real};
 
 /// The longest word.
 pub(super) const LONGEST: usize = 200;
@@ -29,9 +29,10 @@ pub(super) fn all(bounds: &Bounds) -> Real {
     hull(&bounds.each_ref().map(|bound| Real::rational(bound, BITS)))
 }
 
-/// Bounds half as wide again, the middle theirs.
+/// Bounds half as wide again, and more than rounding adds.
 pub(super) fn wider(x: &Real) -> Real {
-    x.clone() + &(x.clone() - &x.middle()).half()
+    let least = Real::within(&Dyadic::power_of_two(16 - i64::from(BITS)), BITS); // V31: a larger set is as sound
+    x.clone() + &(x.clone() - &x.middle()).half() + &least
 }
 
 /// Whether values are proved to be within the bounds of the states.
@@ -73,7 +74,7 @@ impl ClaimedTangency {
         let other = Real::of(&setting.other, BITS);
         let mut bounds = vec![all(&sides.unstable), all(&sides.stable), two.hull(&none), other.clone()];
         bounds.extend(sides.states.iter().flatten().map(all));
-        let whole = [wider(&wider(&bounds[PARAMETER])), other.clone()];
+        let whole = [wider(&wider(&bounds[PARAMETER])), wider(&other)];
         let near = Real::rational(&self.phase[0], BITS);
         let chain =
             Chain::new(letters.to_vec(), (setting.is_restitution(), whole), &near, budget.clone()).map_err(unproved)?;
