@@ -64,6 +64,13 @@ pub fn all() -> Vec<Original> {
     all
 }
 
+/// Tangencies with claims of boxes, which take seconds each.
+pub fn in_boxes() -> Vec<Original> {
+    let names = ["with common points", "over an interval"];
+    let all = names.into_iter().zip(others::tangency_in_boxes());
+    all.map(|(name, document)| Original::new("tangency", name, document)).collect()
+}
+
 fn named(name: &str, document: Value) -> Original {
     let kind = match (document["solved_for"].is_string(), document["orbits"].is_array()) {
         (true, _) => "two-impact",

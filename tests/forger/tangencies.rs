@@ -27,6 +27,21 @@ pub const FORGERIES: &[Forgery] = &[
     Forgery { name: "tangency: key", why: "the bounds are those of another parameter", forge: keys },
 ];
 
+/// Of boxes of states.
+pub const IN_BOXES: &[Forgery] = &[
+    Forgery {
+        name: "tangency: counts",
+        why: "for some of these values the common points are outside the boxes, or there are two",
+        forge: counts,
+    },
+    Forgery { name: "tangency: boxes", why: "the common points are not all in this box", forge: boxes },
+    Forgery {
+        name: "tangency: interval",
+        why: "tangencies of a wider interval are outside the boxes",
+        forge: intervals,
+    },
+];
+
 /// The tangencies with their paths.
 fn tangencies(original: &Original) -> Vec<(String, &Value)> {
     let all = original.document["tangencies"].as_array().filter(|_| original.is(&["tangency"]));
@@ -173,6 +188,53 @@ fn sides(original: &Original) -> Vec<Forged> {
         ])
     };
     tangencies(original).into_iter().filter_map(of).flatten().collect()
+}
+
+/// Wider by parts of the width, downwards and upwards.
+fn widened(value: &Value, [down, up]: [i64; 2]) -> Option<Value> {
+    let [low, high] = bounds(value)?;
+    let width = &high - &low;
+    Some(pair(&(low - &width * fraction(down, 1)), &(high + &width * fraction(up, 1))))
+}
+
+fn counts(original: &Original) -> Vec<Forged> {
+    let of = |(path, tangency): (String, &Value)| {
+        let sides = tangency.get("beside")?;
+        let wider = |key: &str, by| {
+            let value = widened(&sides[key], by)?;
+            Some(original.with(format!("{key} {by:?} wider"), &[(&format!("{path}/beside/{key}"), value)]))
+        };
+        let all = [("two", [4, 0]), ("two", [0, 4]), ("none", [2, 0]), ("none", [40, 0])];
+        all.into_iter().map(|(key, by)| wider(key, by)).collect::<Option<Vec<_>>>()
+    };
+    tangencies(original).into_iter().filter_map(of).flatten().collect()
+}
+
+/// Boxes moved by more than half of their width.
+fn boxes(original: &Original) -> Vec<Forged> {
+    let of = |(path, tangency): (String, &Value)| {
+        let lists = ["states", "beside/states"].map(|list| (list, tangency.pointer(&format!("/{list}"))));
+        let mut all = Vec::new();
+        for (list, states) in lists {
+            for (k, _) in states.and_then(Value::as_array).into_iter().flatten().enumerate() {
+                for key in ["phase", "speed"] {
+                    let at = format!("{path}/{list}/{k}/{key}");
+                    let [low, high] = bounds(original.document.pointer(&at).unwrap()).unwrap();
+                    let by = (&high - &low) * fraction(3, 5);
+                    all.push(original.with(format!("{list} {k} {key}"), &[(&at, pair(&(low + &by), &(high + &by)))]));
+                }
+            }
+        }
+        all
+    };
+    tangencies(original).into_iter().flat_map(of).collect()
+}
+
+fn intervals(original: &Original) -> Vec<Forged> {
+    let is_interval = tangencies(original).iter().any(|(_, tangency)| tangency["states"].is_array());
+    let wider = ["[0.69999, 0.700001]", "[0.699999, 0.70001]", "[0.7, 0.700003]"];
+    let of = |other: &str| original.with(other, &[("/scene/restitution", json!(other))]);
+    if is_interval { wider.into_iter().map(of).collect() } else { Vec::new() }
 }
 
 fn keys(original: &Original) -> Vec<Forged> {

@@ -7,6 +7,11 @@ use super::forged::{Forged, Forgery, Original, bounds, decimal, fraction, pair};
 
 pub const FORGERIES: &[Forgery] = &[
     Forgery { name: "windows: ends", why: "the window ends elsewhere", forge: ends },
+    Forgery {
+        name: "windows: between",
+        why: "the orbits between these values are not all stable, or not on one curve through the orbit",
+        forge: between,
+    },
     Forgery { name: "windows: kinds", why: "another eigenvalue passes at this end", forge: kinds },
     Forgery { name: "windows: an end twice", why: "it ends at two values", forge: twice },
     Forgery { name: "windows: value", why: "at this value the orbit is another one", forge: values },
@@ -41,6 +46,31 @@ fn ends(original: &Original) -> Vec<Forged> {
                 );
             }
         }
+    }
+    all
+}
+
+/// Ends beyond the true ones, the orbit at a value between them, inside or beyond.
+fn between(original: &Original) -> Vec<Forged> {
+    let mut all = Vec::new();
+    for (path, window) in windows(original) {
+        let [Some(from), Some(to)] = ["from", "to"].map(|key| bounds(&window[key])) else { continue };
+        let width = &to[0] - &from[1];
+        for (end, parts) in [("from", -200), ("to", 200)] {
+            let Some(bounds) = moved(window, end, parts) else { continue };
+            let there = if end == "from" { &from[0] } else { &to[1] };
+            let at = there + &width * fraction(parts, 2000);
+            let at = json!(format!("{}/{}", at.numer(), at.denom()));
+            let (end_path, at_path) = (format!("{path}/{end}"), format!("{path}/at"));
+            all.push(original.with(format!("{end} beyond"), &[(&end_path, bounds.clone())]));
+            all.push(original.with(format!("{end} and the value beyond"), &[(&end_path, bounds), (&at_path, at)]));
+        }
+        let exchanged =
+            [(&format!("{path}/from"), window["to"].clone()), (&format!("{path}/to"), window["from"].clone())];
+        all.push(
+            original
+                .with("the ends exchanged", &exchanged.each_ref().map(|(path, value)| (path.as_str(), value.clone()))),
+        );
     }
     all
 }

@@ -147,13 +147,18 @@ pub fn cells(name: &str) -> Value {
     serde_json::from_str(text).unwrap()
 }
 
-/// The first homoclinic tangency beside figure 14, whose numbers Newton's iteration of another program found in 120 digits, and what
-/// `tangency` proves on either side.
+/// The first homoclinic tangency beside figure 14, whose numbers Newton's iteration of another program found in 120 digits.
 pub fn tangency() -> Value {
     let mut document: Value = serde_json::from_str(include_str!("../../docs/tangency-figure-14.json")).unwrap();
     document["tangencies"].as_array_mut().unwrap().truncate(1);
-    document["tangencies"][0]["beside"] = serde_json::from_str(include_str!("tangency-beside.json")).unwrap();
     document
+}
+
+/// What `tangency` writes of a tangency of ten flights: with the common points on either side, and for all values of an interval of
+/// coefficients of restitution.
+pub fn tangency_in_boxes() -> [Value; 2] {
+    let [counted, interval] = [include_str!("tangency-counted.json"), include_str!("tangency-interval.json")];
+    [counted, interval].map(|text| serde_json::from_str(text).unwrap())
 }
 
 /// The same over the restitution, at its gap: `D*` is that of a computation in 130 digits.
@@ -169,7 +174,6 @@ pub fn tangency_over_restitution() -> Value {
     for (key, value) in values {
         tangency[key] = value;
     }
-    tangency.as_object_mut().unwrap().remove("beside");
     document
 }
 
@@ -198,6 +202,7 @@ pub fn all() -> Vec<(&'static str, Vec<Value>)> {
         excitation = { amplitude = [8, 1], frequency = ["pi", "3/2*pi"], phase = [0.1, 1] }
         pair = { gap = 9.42497, restitution = 0.5 }
         start = { time = 0, wall = "left", velocity = -12.56636 }"#;
+    let [counted, interval] = tangency_in_boxes();
     vec![
         ("bifurcations", vec![bifurcations()]),
         ("chaos", vec![chaos()]),
@@ -208,6 +213,8 @@ pub fn all() -> Vec<(&'static str, Vec<Value>)> {
         // Of a shard, since each change of it is checked.
         ("atlas", atlas(Some([1, 4]))),
         ("tangency", vec![tangency()]),
+        ("tangency counted", vec![counted]),
+        ("tangency interval", vec![interval]),
         ("cells", vec![cells("attracted")]),
         ("description", vec![description("figure-13")]),
         ("description of a region", vec![description("figure-14")]),

@@ -2,7 +2,9 @@
 
 use super::attraction::Bounds;
 use super::bifurcation::{own_value, parameter};
-use impact_pair_document::{HomoclinicTangencyDocument, Place, TANGENCY_SCHEMA, TangencyDocument, value};
+use impact_pair_document::{
+    HomoclinicTangencyDocument, Place, StateBoundsDocument, TANGENCY_SCHEMA, TangencyDocument, value,
+};
 use impact_pair_model::scene::Key;
 use impact_pair_model::{Error, ImpactPair};
 use num_rational::BigRational;
@@ -38,8 +40,25 @@ pub(super) struct ClaimedTangency {
     pub least_speed: BigRational,
     pub least_flight: BigRational,
     pub resonances: u32,
-    /// Ranges of the parameter with two common points beside it, and with none.
-    pub beside: Option<[Bounds; 2]>,
+    /// Where another datum is an interval: bounds of phase and speed of the states between both points.
+    pub states: Option<Vec<[Bounds; 2]>>,
+    /// How many common points there are beside it.
+    pub beside: Option<ClaimedSides>,
+}
+
+/// Common points of both invariant manifolds beside a tangency, along its flights, that are claimed.
+#[derive(Clone, Debug)]
+pub(super) struct ClaimedSides {
+    /// Values of the parameter with two in the boxes.
+    pub two: Bounds,
+    /// Values with none.
+    pub none: Bounds,
+    /// `sigma_u`
+    pub unstable: Bounds,
+    /// `sigma_s`
+    pub stable: Bounds,
+    /// Phase and speed of the states between.
+    pub states: Vec<[Bounds; 2]>,
 }
 
 impl TangencyCertificate {
@@ -59,9 +78,6 @@ impl TangencyCertificate {
         unjudged.extend(tangencies.iter().map(|tangency| own_value(tangency.key)));
         // Neither the unit of time nor the origin of phases is in the reduced map.
         unjudged.extend(["scene.excitation.frequency", "scene.excitation.phase"].map(str::to_owned));
-        let some = |is: fn(&HomoclinicTangencyDocument) -> bool| document.tangencies.iter().any(is);
-        unjudged.extend(some(|own| own.beside.is_some()).then(|| "tangencies.beside".to_owned()));
-        unjudged.extend(some(|own| own.states.is_some()).then(|| "tangencies.states".to_owned()));
         unjudged.extend((!document.undecided.is_empty()).then(|| "undecided".to_owned()));
         unjudged.extend(document.interrupted.then(|| "interrupted".to_owned()));
         unjudged.sort();
@@ -113,6 +129,9 @@ impl ClaimedTangency {
             _ => Err(place.get("flights")?.refused("accepted are the letters F and N")),
         });
         let bounds = |bounds: &[impact_pair_document::Decimal; 2]| bounds.each_ref().map(|bound| bound.value());
+        let states = |all: &[StateBoundsDocument]| {
+            all.iter().map(|state| [bounds(&state.phase), bounds(&state.speed)]).collect::<Vec<_>>()
+        };
         Ok(Self {
             key: parameter(&place.get("key")?)?,
             parameter: bounds(&claim.parameter),
@@ -127,7 +146,14 @@ impl ClaimedTangency {
             least_speed: claim.least_speed.value(),
             least_flight: claim.least_flight.value(),
             resonances: claim.resonances_excluded_to,
-            beside: claim.beside.as_ref().map(|sides| [bounds(&sides.two), bounds(&sides.none)]),
+            states: claim.states.as_deref().map(states),
+            beside: claim.beside.as_ref().map(|sides| ClaimedSides {
+                two: bounds(&sides.two),
+                none: bounds(&sides.none),
+                unstable: bounds(&sides.unstable),
+                stable: bounds(&sides.stable),
+                states: states(&sides.states),
+            }),
         })
     }
 
@@ -164,6 +190,21 @@ impl ClaimedTangency {
         if let Some((name, _)) = inverted {
             return Some(format!("{name}: the lower bound is above the upper one"));
         }
-        self.flights.is_empty().then(|| "flights: there is none".to_owned())
+        let between = self.flights.len().checked_sub(1);
+        let Some(between) = between else { return Some("flights: there is none".to_owned()) };
+        let lists = [("states", self.states.as_ref()), ("beside.states", self.beside.as_ref().map(|own| &own.states))];
+        for (name, states) in lists.into_iter().filter_map(|(name, states)| Some((name, states?))) {
+            if states.len() != between {
+                return Some(format!("{name}: there are {}, but {between} between both points", states.len()));
+            }
+            if states.iter().flatten().any(|bounds| bounds[0] > bounds[1]) {
+                return Some(format!("{name}: a lower bound is above the upper one"));
+            }
+        }
+        let sides = self.beside.as_ref()?;
+        let all =
+            [("two", &sides.two), ("none", &sides.none), ("unstable", &sides.unstable), ("stable", &sides.stable)];
+        let inverted = all.into_iter().find(|(_, bounds)| bounds[0] > bounds[1]);
+        inverted.map(|(name, _)| format!("beside.{name}: the lower bound is above the upper one"))
     }
 }

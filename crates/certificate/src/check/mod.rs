@@ -32,6 +32,7 @@ mod fixed_point;
 mod flight;
 mod frame;
 mod graze;
+mod legs;
 mod near;
 mod outcome;
 mod periodic;

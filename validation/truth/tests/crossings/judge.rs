@@ -163,6 +163,24 @@ fn wall_words(document: &Value, walls: &[Wall]) -> Judged<()> {
     Ok(())
 }
 
+/// The orbits of a window from its value to both ends, where they are said to be stable.
+fn between(window: &Value, scene: &Scene) -> Judged<()> {
+    let key = window["key"].as_str().unwrap_or_default();
+    let number = |value: &Value| value.as_str().and_then(|text| text.parse::<f64>().ok());
+    let Some(own) = number(&window["at"]).filter(|_| window["stable_between"] == true) else { return Ok(()) };
+    for end in ["from", "to"] {
+        let Some([low, high]) = number(&window[end][0]).zip(number(&window[end][1])).map(<[_; 2]>::from) else {
+            continue;
+        };
+        let last = 0.5 * (low + high);
+        let value = |part: u32| format!("{:.17}", own + (last - own) * f64::from(part) / 16.0);
+        let there = |part: u32| at(scene, key, &Value::Array(vec![Value::String(value(part)); 2]));
+        let members: Option<Vec<Member>> = (1..16).map(|part| Some(Member::new(&there(part)?, || 0.0))).collect();
+        orbits::stay_stable(&window["orbit"], &members.ok_or(Halt::Open("no scene at the value"))?)?;
+    }
+    Ok(())
+}
+
 /// The saddle of each tangency is the equispaced motion (66), (67), with eigenvalues whose product is `e^2`.
 fn tangency(document: &Value) -> Judged<()> {
     let end = |bounds: &Value, i: usize| -> f64 {
@@ -282,7 +300,8 @@ fn truth(case: &mut Case, answer: &Answer) -> Judged<()> {
                 let Some(there) = at(&case.scene, "pair.gap", &value) else {
                     return Err(Halt::Open("no scene at the value"));
                 };
-                orbits::judge(&window["orbit"], &Member::new(&there, || 0.0))
+                orbits::judge(&window["orbit"], &Member::new(&there, || 0.0))?;
+                between(window, &case.scene)
             })
         }
         // The orbits; and where the scene's own motion goes, it is not elsewhere.

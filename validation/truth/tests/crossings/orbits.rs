@@ -143,11 +143,17 @@ pub fn trace_and_determinant(orbit: &Value, member: &Member) -> Judged<[f64; 2]>
     let Some(told) = impacts(orbit).filter(|told| !told.is_empty()) else {
         return wrong("an orbit without impacts".into());
     };
+    let (_, [[a, b], [c, d]]) = derivative(member, &told)?;
+    Ok([a + d, a * d - b * c])
+}
+
+/// The state after a period, phase and velocity before its impact, and its derivatives by either, by differences of true motions: by rows.
+fn derivative(member: &Member, told: &[Told]) -> Judged<([Float; 2], [[f64; 2]; 2])> {
     let step = 2f64.powi(-120);
     let tone = reference(&member.tones);
     let mut columns = Vec::new();
     let end = |varied: [f64; 2]| -> Judged<[Float; 2]> {
-        let found = period(member, &told, varied)?;
+        let found = period(member, told, varied)?;
         let Some(last) = found.get(told.len() - 1) else { return Err(Halt::Open("the period does not close")) };
         Ok([float(&last.time * &tone.frequency), last.velocity_before.clone()])
     };
@@ -157,8 +163,49 @@ pub fn trace_and_determinant(orbit: &Value, member: &Member) -> Judged<[f64; 2]>
         let slope = |i: usize| (float(&there[i] - &here[i]) / float(step)).to_f64();
         columns.push([slope(0), slope(1)]);
     }
-    let [[a, b], [c, d]] = [columns[0], columns[1]];
-    Ok([a + d, a * d - b * c])
+    let [phase, velocity] = here;
+    Ok(([phase + &tone.phase, velocity], [0, 1].map(|i| [columns[0][i], columns[1][i]])))
+}
+
+/// Steps of Newton's iteration for an orbit of another member, and the size of the last one.
+const STEPS: u32 = 12;
+const CLOSED: f64 = 1e-14;
+
+/// The same orbit of members one after another, each near the one before: whether all of them are stable, on the same walls. Lost ones are left open.
+pub fn stay_stable(orbit: &Value, members: &[Member]) -> Judged<()> {
+    let Some(mut told) = impacts(orbit).filter(|told| !told.is_empty()) else {
+        return wrong("an orbit without impacts".into());
+    };
+    for member in members {
+        let mut is_closed = false;
+        for _ in 0..STEPS {
+            let ([phase, velocity], [[a, b], [c, d]]) = derivative(member, &told)?;
+            let turn = float(Constant::Pi) * 2;
+            let off = float(phase - &told[0].phase);
+            let turns = float(&off / &turn).round();
+            let off = [float(off - turns * turn).to_f64(), float(velocity - &told[0].velocity).to_f64()];
+            let determinant = (1.0 - a) * (1.0 - d) - b * c;
+            let step =
+                [(off[0] * (1.0 - d) + b * off[1]) / determinant, (off[1] * (1.0 - a) + c * off[0]) / determinant];
+            told[0].phase += step[0];
+            told[0].velocity += step[1];
+            if step[0].abs() + step[1].abs() / speed(&member.tones) < CLOSED {
+                is_closed = true;
+                break;
+            }
+        }
+        let walls = period(member, &told, [0.0; 2])?;
+        let are_same = walls.iter().zip(told.iter().cycle().skip(1)).all(|(contact, told)| contact.wall == told.wall);
+        if !(is_closed && are_same) {
+            return Err(Halt::Open("the orbit of a window is lost at another value"));
+        }
+        let (_, [[a, b], [c, d]]) = derivative(member, &told)?;
+        let (trace, determinant) = (a + d, a * d - b * c);
+        if trace.abs() > (1.0 + determinant) * (1.0 + OFF) {
+            return wrong(format!("the orbit of a window is unstable between its ends: trace {trace}"));
+        }
+    }
+    Ok(())
 }
 
 /// The walls from which a word starts, in order of time.

@@ -1,12 +1,18 @@
 //! Whether a JSON of tangencies is right: each is found again by single shooting in multiprecision, from manifolds that are
-//! power series of a scalar equation with proved remainders (Lemmas V17-V19, V29).
+//! power series of a scalar equation with proved remainders (Lemmas V17-V19, V29). What it claims of boxes of states is proved by the equations of
+//! all flights (Lemmas V31, V32).
 //!
 //! In reading order: [`jet`] and [`disc`] (arithmetic), [`saddle`], [`local`] (where the manifolds are analytic), [`series`],
-//! [`flights`], [`shot`] (from one manifold to the other), [`newton`] (zeros).
+//! [`flights`], [`shot`] (from one manifold to the other), [`newton`] (zeros); [`chain`] (all flights), [`krawczyk`], [`beside`] (common
+//! points on either side), [`intervals`] (of the other datum).
 
+mod beside;
+mod chain;
 mod disc;
 pub(super) mod flights;
+mod intervals;
 pub(super) mod jet;
+mod krawczyk;
 mod local;
 mod newton;
 pub(super) mod saddle;
@@ -30,7 +36,7 @@ use impact_pair_exact::{Real, compare_rational};
 use impact_pair_model::watch::{Latched, Watch};
 use impact_pair_model::{Error, ImpactPair};
 use newton::{Zeros, polished, zeros};
-use saddle::{Family, Law};
+use saddle::{Family, Law, Saddle};
 use setting::Setting;
 use shot::{Range, Shot, Unknowns, known};
 
@@ -63,7 +69,7 @@ impl TangencyCertificate {
         if !self.are_different() {
             return Ok(Verdict::Undecided(end("two tangencies may be one")));
         }
-        let judge = |claim: &ClaimedTangency| claim.judged(self.pair(), &budget);
+        let judge = |claim: &ClaimedTangency| claim.judged(self.pair(), (effort, &budget));
         let each = one_by_one(self.tangencies().iter().enumerate(), (&budget, effort.work), judge, &watch);
         Ok(match each {
             Ok(0) => Verdict::Undecided(end("there is no tangency to check")),
@@ -75,9 +81,15 @@ impl TangencyCertificate {
 
 impl ClaimedTangency {
     /// It is one, proved in N bits.
-    fn judged(&self, pair: &ImpactPair, budget: &Budget<'_>) -> Result<u32, Doubt> {
+    fn judged(&self, pair: &ImpactPair, (effort, budget): (&Effort, &Budget<'_>)) -> Result<u32, Doubt> {
         if let Some(message) = self.contradiction() {
             return Err(Doubt::False(message));
+        }
+        if let Some(states) = &self.states {
+            return match &self.beside {
+                Some(_) => Err(open("common points beside tangencies for an interval are not counted")),
+                None => self.is_for_each(states, (&Setting::of_all(pair, self.key)?, self.letters()), budget),
+            };
         }
         let setting = Setting::new(pair, self.key)?;
         let near = Real::rational(&self.phase[0], 128);
@@ -90,15 +102,26 @@ impl ClaimedTangency {
                 _ => break,
             }
         }
-        answer
+        let (bits, at, shot) = answer?;
+        if let Some(sides) = &self.beside {
+            self.compare_sides(&setting, [&sides.two, &sides.none])?;
+            budget.add(effort.work);
+            self.has_sides(sides, (&setting, &range.letters), (&at, &shot), budget)?;
+        }
+        Ok(bits)
     }
 
     fn letters(&self) -> Vec<Letter> {
         self.flights.iter().map(|is_far| if *is_far { Letter::Far } else { Letter::Near }).collect()
     }
 
-    /// With a box that is N bits narrower than the claimed one.
-    fn judged_inside(&self, setting: &Setting, range: &mut Range<'_>, inside: i64) -> Result<u32, Doubt> {
+    /// With a box that is N bits narrower than the claimed one: the bits that it took, the box, and what is found over it.
+    fn judged_inside(
+        &self,
+        setting: &Setting,
+        range: &mut Range<'_>,
+        inside: i64,
+    ) -> Result<(u32, Unknowns, Shot), Doubt> {
         let widths = [&self.unstable, &self.stable, &self.parameter].map(|[low, high]| high - low);
         let widths = widths.map(|width| Real::rational(&width, 64).enclosure().mag().top());
         let narrowest = widths.into_iter().map(|top| top.ok_or_else(|| open("the bounds have no width")));
@@ -134,7 +157,7 @@ impl ClaimedTangency {
             return Err(open("the bounds are too wide to prove that there is only one tangency"));
         }
         self.compare(setting, &small, &over)?;
-        Ok(bits)
+        Ok((bits, small, over))
     }
 
     /// The claimed values of the three unknowns.
@@ -210,31 +233,42 @@ impl ClaimedTangency {
         compare("parameter", &parameter, &self.parameter)?;
         compare("parameter of the unstable manifold", &found[0], &self.unstable)?;
         compare("parameter of the stable manifold", &found[1], &self.stable)?;
-        let phase = shot.saddle.phase.value(bits).hull();
-        compare("phase of the saddle", &(phase.clone() + &self.turns(&law, &phase)), &self.phase)?;
-        let speed = law.speed(&phase).ok_or_else(|| open("a coefficient of restitution below 1 is needed"))?;
-        compare("speed of the saddle", &speed, &self.speed)?;
-        compare("unstable eigenvalue", &shot.saddle.unstable.value(bits).hull(), &self.eigenvalues[0])?;
-        compare("stable eigenvalue", &shot.saddle.stable.value(bits).hull(), &self.eigenvalues[1])?;
+        self.compare_fixed_point(&law, &shot.saddle)?;
         let [quadratic, unfolding] =
             shot.tangency().ok_or_else(|| open("the tangent of the stable manifold may be 0"))?;
-        for (what, found, claimed) in [
-            ("quadratic coefficient", &quadratic, &self.quadratic),
-            ("speed of unfolding", &unfolding, &self.unfolding),
-        ] {
+        self.compare_unfolding([&quadratic, &unfolding])?;
+        at_least("speed", shot.all_speeds(), &self.least_speed)?;
+        at_least("flight", shot.all_times(), &self.least_flight)
+    }
+
+    /// The saddle is as claimed; returns its eigenvalues.
+    fn compare_fixed_point(&self, law: &Law, saddle: &Saddle) -> Result<[Real; 2], Doubt> {
+        let bits = law.bits();
+        let phase = saddle.phase.value(bits).hull();
+        compare("phase of the saddle", &(phase.clone() + &self.turns(law, &phase)), &self.phase)?;
+        let speed = law.speed(&phase).ok_or_else(|| open("a coefficient of restitution below 1 is needed"))?;
+        compare("speed of the saddle", &speed, &self.speed)?;
+        let eigenvalues = [&saddle.unstable, &saddle.stable].map(|x| x.value(bits).hull());
+        compare("unstable eigenvalue", &eigenvalues[0], &self.eigenvalues[0])?;
+        compare("stable eigenvalue", &eigenvalues[1], &self.eigenvalues[1])?;
+        Ok(eigenvalues)
+    }
+
+    /// `q` and `m` are as claimed, and not 0.
+    fn compare_unfolding(&self, [quadratic, unfolding]: [&Real; 2]) -> Result<(), Doubt> {
+        for (what, found, claimed) in
+            [("quadratic coefficient", quadratic, &self.quadratic), ("speed of unfolding", unfolding, &self.unfolding)]
+        {
             if found.is_across() {
                 return Err(Doubt::Open(format!("the {what} may be 0")));
             }
             compare(what, found, claimed)?;
         }
-        at_least("speed", shot.all_speeds(), &self.least_speed)?;
-        at_least("flight", shot.all_times(), &self.least_flight)?;
-        self.compare_sides(setting)
+        Ok(())
     }
 
     /// Two common points are on the side of `(D - D*) q/m < 0`, and neither range holds the tangency. Lemma V21
-    fn compare_sides(&self, setting: &Setting) -> Result<(), Doubt> {
-        let Some([two, none]) = &self.beside else { return Ok(()) };
+    fn compare_sides(&self, setting: &Setting, [two, none]: [&Bounds; 2]) -> Result<(), Doubt> {
         let is_positive = |[low, _]: &Bounds| low.is_positive();
         let is_alike = is_positive(&self.quadratic) == is_positive(&self.unfolding);
         let is_below = is_alike != setting.is_falling();

@@ -54,12 +54,9 @@ impl Family {
     }
 
     fn law_of(&self, parameter: &Affine, varied: Jet) -> Option<Law> {
-        let one = Real::int(1, self.bits());
         let fixed = Jet::constant(self.other.clone());
         let [gap, e] = if self.is_restitution { [fixed, varied] } else { [varied, fixed] };
-        let law = Law { gap, e, parameter: parameter.clone(), pi: Real::pi(self.bits()) };
-        let (gap, e) = (law.gap_hull(), law.e_hull());
-        (gap.is_positive() && e.is_positive() && e.is_below(&one)).then_some(law)
+        Law { gap, e, parameter: parameter.clone(), pi: Real::pi(self.bits()) }.proved()
     }
 
     /// Returns the data for all values of the parameter in a set.
@@ -71,6 +68,20 @@ impl Family {
 }
 
 impl Law {
+    /// Returns the data for values of the parameter and of the other datum, without derivatives.
+    pub(super) fn of_both(is_restitution: bool, parameter: Affine, other: Affine) -> Option<Self> {
+        let bits = parameter.centre.bits();
+        let [gap, e] = if is_restitution { [&other, &parameter] } else { [&parameter, &other] };
+        let [gap, e] = [gap, e].map(|x| Jet::constant_of(x.clone()));
+        Self { gap, e, parameter, pi: Real::pi(bits) }.proved()
+    }
+
+    /// These data, where they are proved to be `0 < e < 1` and `D > 0`.
+    fn proved(self) -> Option<Self> {
+        let (gap, e) = (self.gap_hull(), self.e_hull());
+        (gap.is_positive() && e.is_positive() && e.is_below(&Real::int(1, self.bits()))).then_some(self)
+    }
+
     pub fn bits(&self) -> u32 {
         self.pi.bits()
     }

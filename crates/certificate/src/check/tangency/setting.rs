@@ -22,6 +22,16 @@ pub(in crate::check) struct Setting {
 impl Setting {
     /// Returns the data of a pair with one harmonic, all points but the parameter.
     pub fn new(pair: &ImpactPair, key: Key) -> Result<Self, Doubt> {
+        let setting = Self::of_all(pair, key)?;
+        if setting.other.is_point() {
+            Ok(setting)
+        } else {
+            Err(open("only reduced maps of a pair whose other data are points are checked"))
+        }
+    }
+
+    /// Returns the data of a pair with one harmonic, where `e`, or `D` where the restitution varies, may be an interval.
+    pub fn of_all(pair: &ImpactPair, key: Key) -> Result<Self, Doubt> {
         let reason = |error: Error| Doubt::Open(error.to_string());
         let harmonic =
             pair.excitation().only().ok_or_else(|| open("with several harmonics, reduced maps are not checked"))?;
@@ -38,16 +48,16 @@ impl Setting {
             }
             _ => return Err(open("only reduced maps over gap, amplitude and restitution are checked")),
         };
-        if unit.is_point() && other.is_point() {
+        if unit.is_point() {
             Ok(Self { unit, other, key })
         } else {
-            Err(open("only reduced maps of a pair whose other data are points are checked"))
+            Err(open("over the gap only pairs of one amplitude are checked, over the amplitude of one gap"))
         }
     }
 
     /// Returns the reduced maps for all values of the parameter.
     pub fn family(&self, bits: u32) -> Family {
-        Family { is_restitution: self.key == Key::Restitution, other: Real::of(&self.other, bits) }
+        Family { is_restitution: self.is_restitution(), other: Real::of(&self.other, bits) }
     }
 
     /// Returns `D = d/A` or `e` of values of the parameter.
@@ -61,6 +71,11 @@ impl Setting {
     pub fn parameter(&self, reduced: &Real) -> Option<Real> {
         let unit = Real::of(&self.unit, reduced.bits());
         if self.is_falling() { unit.over(reduced) } else { Some(unit * reduced) }
+    }
+
+    /// Returns whether the parameter is `e`.
+    pub fn is_restitution(&self) -> bool {
+        self.key == Key::Restitution
     }
 
     /// Returns whether `D` falls where the parameter grows.

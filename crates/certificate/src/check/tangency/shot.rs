@@ -29,7 +29,9 @@ pub(super) struct Shot {
     pub saddle: Saddle,
     /// `F^n P_u` and `P_s`.
     pub ends: [State; 2],
-    /// The speeds before all impacts of the word, from that of `P_u` on, and those near the saddle.
+    /// The states before all impacts of the word, from that of `P_u` on.
+    pub states: Vec<[Real; 2]>,
+    /// Their speeds, and those near the saddle.
     speeds: Vec<Real>,
     /// The durations of all flights, and those near the saddle.
     times: Vec<Real>,
@@ -61,21 +63,25 @@ impl<'b> Range<'b> {
         let bits = family.bits();
         if self.around.is_none() {
             let middle = parameter.middle();
-            let law = known(family.law_over(&middle))?;
-            let own = self.saddle(&law)?;
-            let [phase, unstable, stable] = [&own.phase, &own.unstable, &own.stable].map(|x| x.value(bits).hull());
-            let real = [&law.gap_hull(), &law.e_hull(), &phase, &unstable, &stable];
-            let domain = |side| {
-                Domain::new(real, family.is_restitution, side)
-                    .ok_or_else(|| open("the invariant manifolds are not proved to be analytic near the saddle"))
-            };
-            let domains = [domain(Side::Unstable)?, domain(Side::Stable)?];
-            self.around = Some((middle, domains));
+            self.around = Some((middle.clone(), self.domains_over(family, &middle)?));
         }
         let (middle, domains) = self.around.as_ref().expect("it is proved above");
         let off = Real::point((parameter.clone() - middle).enclosure().mag(), bits);
         let half = Real::point(Dyadic::power_of_two(RADIUS - 1), bits);
         if off.is_below(&half) { Ok(domains.clone()) } else { Err(open("the bounds of the parameter are too wide")) }
+    }
+
+    /// Proves where the manifolds are analytic for all of these values of the parameter, each with a disc of complex ones. Lemma V18
+    pub fn domains_over(&self, family: &Family, parameter: &Real) -> Result<[Domain; 2], Doubt> {
+        let law = known(family.law_over(parameter))?;
+        let own = self.saddle(&law)?;
+        let [phase, unstable, stable] = [&own.phase, &own.unstable, &own.stable].map(|x| x.value(law.bits()).hull());
+        let real = [&law.gap_hull(), &law.e_hull(), &phase, &unstable, &stable];
+        let domain = |side| {
+            Domain::new(real, family.is_restitution, side)
+                .ok_or_else(|| open("the invariant manifolds are not proved to be analytic near the saddle"))
+        };
+        Ok([domain(Side::Unstable)?, domain(Side::Stable)?])
     }
 
     /// The orbits of all values of a box, its middle the point that derivatives are not taken at.
@@ -99,8 +105,8 @@ impl<'b> Range<'b> {
         };
         let (mut state, unstable) = manifold(Side::Unstable, &domains[0], &u)?;
         let (end, stable) = manifold(Side::Stable, &domains[1], &s)?;
-        let speed = |state: &State| state.speed.value(bits).hull();
-        let (mut speeds, mut times) = (vec![speed(&state)], Vec::new());
+        let passed = |state: &State| [&state.phase, &state.speed].map(|x| x.value(bits).hull());
+        let (mut states, mut times) = (vec![passed(&state)], Vec::new());
         for (k, letter) in self.letters.iter().enumerate() {
             if self.guesses.len() == k {
                 let middle = [&state.phase, &state.speed].map(|x| x.value(bits).centre.to_f64());
@@ -113,21 +119,22 @@ impl<'b> Range<'b> {
             let flown = fly(law, &state, (*letter, &self.guesses[k]), &self.budget).map_err(at)?;
             self.budget.allow(bits, 1);
             state = flown.state;
-            speeds.push(speed(&state));
+            states.push(passed(&state));
             times.push(flown.time);
         }
+        let mut speeds: Vec<Real> = states.iter().map(|[_, speed]| speed.clone()).collect();
         for (series, sigma) in [(&unstable, &u), (&stable, &s)] {
             let most = Real::point(sigma.hull().enclosure().mag(), bits);
             let [speed, time] = self.flies_near(law, &saddle, series, &most)?;
             speeds.push(speed);
             times.push(time);
         }
-        Ok(Shot { saddle, ends: [state, end], speeds, times, bits })
+        Ok(Shot { saddle, ends: [state, end], states, speeds, times, bits })
     }
 
     /// Proves that all flights from the local manifold end with the impact that it is invariant under: the first contact is with the
     /// far wall, and no other contact is between it and that one; returns their speeds and durations. Lemma V19
-    fn flies_near(&self, law: &Law, saddle: &Saddle, series: &Series, most: &Real) -> Result<[Real; 2], Doubt> {
+    pub fn flies_near(&self, law: &Law, saddle: &Saddle, series: &Series, most: &Real) -> Result<[Real; 2], Doubt> {
         let (bits, lost) = (law.bits(), || open("the flights near the saddle are not proved to be first contacts"));
         let off = series.deviation(most).ok_or_else(lost)?;
         let (d, e) = (law.gap_hull(), law.e_hull());
@@ -193,15 +200,26 @@ impl Shot {
     /// `q = det(t, Phi_uu - a^2 P_s'')` and `m = det(t, Phi_D - P_s,D)` with `t = P_s'/abs(P_s')`, `Phi_u = a P_s'`; `None` where `P_s'`
     /// may be 0.
     pub fn tangency(&self) -> Option<[Real; 2]> {
+        let two = Real::int(2, self.bits);
         let hulls = |power: usize| self.parts(power).map(|pair| pair.map(|x| x.hull()));
-        let ([flown_x, end_x], [flown_xx, end_xx]) = (hulls(jet::X), hulls(jet::XX));
-        let [flown_d, end_d] = hulls(jet::D);
-        let square = end_x[0].square() + &end_x[1].square();
-        let along = flown_x[0].clone() * &end_x[0] + &(flown_x[1].clone() * &end_x[1]);
-        let factor = along.over(&square)?.square();
-        let size = square.sqrt()?;
-        let off = |vector: [Real; 2]| (end_x[0].clone() * &vector[1] - &(end_x[1].clone() * &vector[0])).over(&size);
-        let curved = [0, 1].map(|i| (flown_xx[i].clone() - &(end_xx[i].clone() * &factor)) * 2);
-        Some([off(curved)?, off([0, 1].map(|i| flown_d[i].clone() - &end_d[i]))?])
+        let ([flown_x, end_x], [flown_d, end_d]) = (hulls(jet::X), hulls(jet::D));
+        let [flown_xx, end_xx] = hulls(jet::XX).map(|pair| pair.map(|x| x * &two));
+        unfolding([&flown_x, &end_x], [&flown_xx, &end_xx], [&flown_d, &end_d])
     }
+}
+
+/// Returns `q` and `m` of the first and second derivatives of `Phi` and `P_s` by their own parameters, and of those by `D`; `None` where `P_s'`
+/// may be 0.
+pub(super) fn unfolding(
+    [flown, end]: [&[Real; 2]; 2],
+    [bent, end_bent]: [&[Real; 2]; 2],
+    [moved, end_moved]: [&[Real; 2]; 2],
+) -> Option<[Real; 2]> {
+    let square = end[0].square() + &end[1].square();
+    let along = flown[0].clone() * &end[0] + &(flown[1].clone() * &end[1]);
+    let factor = along.over(&square)?.square();
+    let size = square.sqrt()?;
+    let off = |vector: [Real; 2]| (end[0].clone() * &vector[1] - &(end[1].clone() * &vector[0])).over(&size);
+    let curved = [0, 1].map(|i| bent[i].clone() - &(end_bent[i].clone() * &factor));
+    Some([off(curved)?, off([0, 1].map(|i| moved[i].clone() - &end_moved[i]))?])
 }

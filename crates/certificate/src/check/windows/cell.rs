@@ -1,9 +1,9 @@
 //! Periodic orbits of the reduced map in parallelepipeds of states and values of the parameter (Lemma V30).
 
-use super::legs::{Legs, Rows};
 use crate::check::affine::Affine;
 use crate::check::budget::Budget;
 use crate::check::contact::Doubt;
+use crate::check::legs::{Legs, Rows};
 use crate::check::round::{Matrix, along, inverse};
 use crate::check::tangency::flights::{Letter, fly, guess};
 use crate::check::tangency::jet::Jet;
@@ -89,7 +89,7 @@ pub(super) struct Image {
     off: [Real; 2],
     /// Encloses the derivatives of that by the coordinates `q` over the cell.
     slopes: Rows<3>,
-    legs: Legs,
+    legs: Legs<3, 1>,
     /// The derivatives of the state itself by the coordinates.
     starts: Rows<3>,
     /// Where 1, or -1, is an eigenvalue.
@@ -157,11 +157,12 @@ impl<'b> Map<'b> {
     }
 
     /// Flies a period, all flights proved to be first contacts: the state at the centre afterwards, and the derivatives.
-    fn flown(&mut self, cell: &Cell) -> Result<([Real; 2], Legs), Doubt> {
+    fn flown(&mut self, cell: &Cell) -> Result<([Real; 2], Legs<3, 1>), Doubt> {
         let bits = self.bits();
         let [u, v, w] = &cell.frame;
         let row = |i: usize| [u[i].clone(), v[i].clone(), w[i].clone()];
-        let mut legs = Legs::new([row(0), row(1)], row(2));
+        let zero = || [0, 1, 2].map(|_| Real::zero(FRAME_BITS));
+        let mut legs = Legs::new(([row(0), row(1)], [zero(), zero()]), [row(2)]);
         let mut at = [cell.centre[0].clone(), cell.centre[1].clone()];
         for (k, letter) in self.letters.iter().enumerate() {
             if self.budget.is_spent() {
@@ -202,7 +203,7 @@ impl<'b> Map<'b> {
         let periods = Real::pi(bits) * 2 * self.turns;
         let off = [at[0].clone() - &cell.centre[0] - &periods, at[1].clone() - &cell.centre[1]];
         let starts = [0, 1].map(|i| [0, 1, 2].map(|j| cell.frame[j][i].clone()));
-        let slopes = legs.slopes();
+        let slopes = legs.slopes(self.letters.len());
         let slopes = [0, 1].map(|i| [0, 1, 2].map(|j| slopes[i][j].clone() - &starts[i][j]));
         // A.7: on an orbit that is closed, e^2 of each impact
         let e = self.law(&cell.spanned(2))?.e_hull();

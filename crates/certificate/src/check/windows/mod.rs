@@ -4,7 +4,6 @@
 
 mod between;
 mod cell;
-mod legs;
 
 use super::bifurcation::Over;
 use super::budget::Budget;

@@ -1,8 +1,8 @@
-//! The derivatives of many flights by those of each, without the growth of boxes that are boxed again at every impact (Lemma V30).
+//! The derivatives of many flights by those of each, without the growth of boxes that are boxed again at every impact (Lemmas V30, V31).
 
-use crate::check::affine::Affine;
-use crate::check::tangency::flights::Flown;
-use crate::check::tangency::jet::{D, X};
+use super::affine::Affine;
+use super::tangency::flights::Flown;
+use super::tangency::jet::{D, X};
 use impact_pair_exact::{Dyadic, Real};
 
 /// The least radius of a box, as a power of 2.
@@ -10,36 +10,42 @@ const LEAST: i64 = -4096;
 /// Bits of bounds.
 const SHORT_BITS: u32 = 64;
 
+/// A radius that is not 0: a larger box is as sound.
+pub(super) fn not_nothing(radius: Real) -> Real {
+    let tiny = Real::point(Dyadic::power_of_two(LEAST), SHORT_BITS); // V30: a larger box is as sound
+    Real::point((radius + &tiny).enclosure().mag(), SHORT_BITS)
+}
+
 /// Two rows.
 pub(super) type Rows<const N: usize> = [[Real; N]; 2];
 
-/// What one flight does with a box of states and values of the parameter.
-struct Leg {
-    /// About the derivative by the state, and by the parameter, at the middle: points.
+/// What one flight does with a box of states and values of `P` parameters.
+struct Leg<const P: usize> {
+    /// About the derivative by the state, and by the parameters, at the middle: points.
     by_state: Rows<2>,
-    by_parameter: Rows<1>,
+    by_parameters: Rows<P>,
     /// Bounds of what they are off by over the box.
     state_error: Rows<2>,
-    parameter_error: Rows<1>,
-    /// The derivatives of the derivative by the state by phase, speed and parameter, over the box.
-    bends: [Rows<2>; 3],
+    parameter_error: Rows<P>,
+    /// The derivatives of the derivative by the state by phase, speed and each parameter, over the box.
+    bends: Vec<Rows<2>>,
 }
 
-/// The flights of a period over a set, as far as they are known.
-pub(super) struct Legs {
-    /// The derivatives of the parameter by the coordinates of the set.
-    parameter: [Real; 3],
-    legs: Vec<Leg>,
+/// The flights of a word over a set of `N` coordinates, under `P` parameters, as far as they are known.
+pub(super) struct Legs<const N: usize, const P: usize> {
+    /// The derivatives of the parameters by the coordinates of the set.
+    parameters: [[Real; N]; P],
+    legs: Vec<Leg<P>>,
     /// `products[k][j]`: the product of the derivatives at the middle of the flights from `j` to `k`.
     products: Vec<Vec<Rows<2>>>,
     /// Derivatives of the states by the coordinates of the set, at the middle, and bounds of what they are off by.
-    columns: Vec<Rows<3>>,
-    column_errors: Vec<Rows<3>>,
+    columns: Vec<Rows<N>>,
+    column_errors: Vec<Rows<N>>,
     /// Bounds of what the derivatives by the first state are off by.
     errors: Vec<Rows<2>>,
 }
 
-fn size(x: &Real) -> Real {
+pub(super) fn size(x: &Real) -> Real {
     Real::point(x.enclosure().mag(), SHORT_BITS)
 }
 
@@ -51,11 +57,11 @@ fn zeros<const N: usize>() -> Rows<N> {
     [(); 2].map(|()| [(); N].map(|()| Real::zero(SHORT_BITS)))
 }
 
-fn product<const N: usize>(a: &Rows<2>, b: &Rows<N>) -> Rows<N> {
+pub(super) fn product<const N: usize>(a: &Rows<2>, b: &Rows<N>) -> Rows<N> {
     a.each_ref().map(|row| std::array::from_fn(|j| row[0].clone() * &b[0][j] + &(row[1].clone() * &b[1][j])))
 }
 
-fn plus<const N: usize>(a: &Rows<N>, b: &Rows<N>) -> Rows<N> {
+pub(super) fn plus<const N: usize>(a: &Rows<N>, b: &Rows<N>) -> Rows<N> {
     [0, 1].map(|i| std::array::from_fn(|j| a[i][j].clone() + &b[i][j]))
 }
 
@@ -68,62 +74,64 @@ fn unit() -> Rows<2> {
     [[Real::int(1, SHORT_BITS), Real::zero(SHORT_BITS)], [Real::zero(SHORT_BITS), Real::int(1, SHORT_BITS)]]
 }
 
-impl Leg {
+impl<const P: usize> Leg<P> {
     /// From a flight of a box whose radii are known.
-    fn new(flown: &Flown, radii: &[Real; 3], bits: u32) -> Option<Self> {
+    fn new(flown: &Flown, radii: &[Real], bits: u32) -> Option<Self> {
         let entries = [&flown.state.phase, &flown.state.speed].map(|jet| [jet.at(X, bits), jet.at(D, bits)]);
         let point = |x: &Real| x.rounded(bits).middle();
         let by_state = entries.each_ref().map(|row| row.each_ref().map(|x| point(&x.centre)));
         let off = |x: &Affine, point: &Real| size(&(x.hull() - point));
         let state_error = [0, 1].map(|i| [0, 1].map(|j| off(&entries[i][j], &by_state[i][j])));
-        let moved = [&flown.state.phase, &flown.state.speed].map(|jet| jet.value(bits).column(2).over(&radii[2]));
-        let [Some(a), Some(b)] = moved else { return None };
-        let by_parameter = [[point(&a)], [point(&b)]];
-        let parameter_error = [[size(&(a - &by_parameter[0][0]))], [size(&(b - &by_parameter[1][0]))]];
+        let (mut by_parameters, mut parameter_error) = (zeros::<P>(), zeros::<P>());
+        for (i, jet) in [&flown.state.phase, &flown.state.speed].into_iter().enumerate() {
+            for j in 0..P {
+                let slope = jet.value(bits).column(2 + j).over(&radii[2 + j])?;
+                by_parameters[i][j] = point(&slope);
+                parameter_error[i][j] = size(&(slope - &by_parameters[i][j]));
+            }
+        }
         let bend = |a: usize| -> Option<Rows<2>> {
             let [[p, q], [r, s]] = entries.each_ref().map(|row| row.each_ref().map(|x| x.column(a).over(&radii[a])));
             Some([[p?, q?], [r?, s?]])
         };
-        let bends = [bend(0)?, bend(1)?, bend(2)?];
-        Some(Self { by_state, by_parameter, state_error, parameter_error, bends })
+        let bends = (0..2 + P).map(bend).collect::<Option<_>>()?;
+        Some(Self { by_state, by_parameters, state_error, parameter_error, bends })
     }
 }
 
-impl Legs {
-    /// Returns those of a set whose members have these derivatives by its coordinates.
-    pub fn new(columns: Rows<3>, parameter: [Real; 3]) -> Self {
+impl<const N: usize, const P: usize> Legs<N, P> {
+    /// Returns those of a set whose members have these derivatives by its coordinates, up to an error.
+    pub fn new((columns, error): (Rows<N>, Rows<N>), parameters: [[Real; N]; P]) -> Self {
         Self {
-            parameter,
+            parameters,
             legs: Vec::new(),
             products: vec![Vec::new()],
             columns: vec![columns],
-            column_errors: vec![zeros()],
+            column_errors: vec![error],
             errors: vec![zeros()],
         }
     }
 
-    /// Returns how far phase, speed and parameter of the members reach before the next flight.
-    pub fn reach(&self) -> [Real; 3] {
+    /// Returns how far phase, speed and parameters of the members reach before the next flight.
+    pub fn reach(&self) -> Vec<Real> {
         let last = self.legs.len();
         let all = plus(&sizes(&self.columns[last]), &self.column_errors[last]);
-        let sum = |row: &[Real; 3]| row[0].clone() + &row[1] + &row[2];
-        let tiny = Dyadic::power_of_two(LEAST); // V30: a larger box is as sound
-        let least = |x: Real| Real::point((x + &Real::point(tiny.clone(), SHORT_BITS)).enclosure().mag(), SHORT_BITS);
-        [sum(&all[0]), sum(&all[1]), sum(&self.parameter.each_ref().map(size))].map(least)
+        let sum = |row: &[Real; N]| row.iter().fold(Real::zero(SHORT_BITS), |sum, x| sum + x);
+        let parameters = self.parameters.iter().map(|row| sum(&row.each_ref().map(size)));
+        all.iter().map(sum).chain(parameters).map(not_nothing).collect()
     }
 
     /// Adds a flight of the box of that reach; `None` where it is not differentiable.
-    pub fn push(&mut self, flown: &Flown, radii: &[Real; 3], bits: u32) -> Option<()> {
+    pub fn push(&mut self, flown: &Flown, radii: &[Real], bits: u32) -> Option<()> {
         let leg = Leg::new(flown, radii, bits)?;
         let k = self.legs.len();
         let mut products: Vec<Rows<2>> = self.products[k].iter().map(|x| product(&leg.by_state, x)).collect();
         products.push(leg.by_state.clone());
-        let by_parameter: Rows<3> =
-            leg.by_parameter.each_ref().map(|x| self.parameter.each_ref().map(|p| x[0].clone() * p));
-        self.columns.push(plus(&product(&leg.by_state, &self.columns[k]), &by_parameter));
+        let by_parameters = self.by_parameters(&leg.by_parameters, |p| p.clone());
+        self.columns.push(plus(&product(&leg.by_state, &self.columns[k]), &by_parameters));
         self.legs.push(leg);
         self.products.push(products);
-        let column_errors = self.added(&unit(), |k| self.own_error(k));
+        let column_errors = self.column_error(&unit());
         let errors = self.added(&unit(), |k| {
             let own = plus(&sizes(&self.product(0, k)), &self.errors[k]);
             product(&self.legs[k].state_error, &own)
@@ -138,32 +146,62 @@ impl Legs {
         self.products[to].get(from).cloned().unwrap_or_else(unit) // exact: of no flight
     }
 
+    /// Derivatives by the parameters times those of the parameters by the coordinates of the set.
+    fn by_parameters(&self, slopes: &Rows<P>, part: impl Fn(&Real) -> Real) -> Rows<N> {
+        let sum = |row: &[Real; P], j: usize| {
+            row.iter()
+                .zip(&self.parameters)
+                .fold(Real::zero(SHORT_BITS), |sum, (x, p)| sum + &(x.clone() * &part(&p[j])))
+        };
+        slopes.each_ref().map(|row| std::array::from_fn(|j| sum(row, j)))
+    }
+
     /// Bounds what a flight adds to the errors of the derivatives by the coordinates of the set.
-    fn own_error(&self, k: usize) -> Rows<3> {
+    fn own_error(&self, k: usize) -> Rows<N> {
         let (leg, own) = (&self.legs[k], plus(&sizes(&self.columns[k]), &self.column_errors[k]));
-        let parameter = self.parameter.each_ref().map(size);
-        let by_parameter = leg.parameter_error.each_ref().map(|x| parameter.each_ref().map(|p| x[0].clone() * p));
-        plus(&product(&leg.state_error, &own), &by_parameter)
+        plus(&product(&leg.state_error, &own), &self.by_parameters(&leg.parameter_error, size))
+    }
+
+    /// Bounds what the derivatives of the last state by the coordinates are off by, multiplied with a matrix.
+    fn column_error(&self, matrix: &Rows<2>) -> Rows<N> {
+        let first = product(&sizes(&product(matrix, &self.product(0, self.legs.len()))), &self.column_errors[0]);
+        plus(&first, &self.added(matrix, |k| self.own_error(k)))
     }
 
     /// What each flight adds to an error, carried on by those at the middle and then by a matrix.
-    fn added<const N: usize>(&self, matrix: &Rows<2>, own: impl Fn(usize) -> Rows<N>) -> Rows<N> {
+    fn added<const M: usize>(&self, matrix: &Rows<2>, own: impl Fn(usize) -> Rows<M>) -> Rows<M> {
         let last = self.legs.len();
         let carried = (0..last).map(|k| product(&sizes(&product(matrix, &self.product(k + 1, last))), &own(k)));
         carried.fold(zeros(), |sum, x| plus(&sum, &x))
     }
 
     /// Returns the product of a matrix and the derivatives of the last state, less these, by the coordinates, over the set.
-    pub fn moved(&self, matrix: &Rows<2>, less: &Rows<3>) -> Rows<3> {
+    pub fn moved(&self, matrix: &Rows<2>, less: &Rows<N>) -> Rows<N> {
         let minus = less.each_ref().map(|row| row.each_ref().map(|x| -x));
         let middle = product(matrix, &plus(&self.columns[self.legs.len()], &minus));
-        around(&middle, &self.added(matrix, |k| self.own_error(k)))
+        around(&middle, &self.column_error(matrix))
     }
 
-    /// Returns the derivatives of the last state by the coordinates, over the set.
-    pub fn slopes(&self) -> Rows<3> {
+    /// Returns the derivatives of the state before flight `k` by the coordinates, over the set.
+    pub fn slopes(&self, k: usize) -> Rows<N> {
+        around(&self.columns[k], &self.column_errors[k])
+    }
+
+    /// Returns the derivatives of the state after flight `k` by the one before it, and by the parameters, over the box of the flight.
+    pub fn of_flight(&self, k: usize) -> (Rows<2>, Rows<P>) {
+        let leg = &self.legs[k];
+        (around(&leg.by_state, &leg.state_error), around(&leg.by_parameters, &leg.parameter_error))
+    }
+
+    /// Returns how the derivative of flight `k` by the state changes by phase, speed and each parameter, over the box of the flight.
+    pub fn bends(&self, k: usize) -> &[Rows<2>] {
+        &self.legs[k].bends
+    }
+
+    /// Returns the derivatives of the last state by that before each flight, and at last by itself, over the set.
+    pub fn to_the_end(&self) -> Vec<Rows<2>> {
         let last = self.legs.len();
-        around(&self.columns[last], &self.column_errors[last])
+        self.later().iter().enumerate().map(|(k, error)| around(&self.product(k, last), error)).collect()
     }
 
     /// The product at the middle of all flights but one, from it on and round.
@@ -185,10 +223,9 @@ impl Legs {
         a + &d + &Real::within(error.enclosure().sup(), SHORT_BITS)
     }
 
-    /// Returns the derivatives of the trace by the coordinates, over the set.
-    pub fn trace_slopes(&self) -> [Real; 3] {
+    /// Of the flights from each on: bounds of what the product is off by.
+    fn later(&self) -> Vec<Rows<2>> {
         let last = self.legs.len();
-        // Of the flights from `k` on: bounds of what the product is off by.
         let mut later: Vec<Rows<2>> = vec![zeros(); last + 1];
         for k in (0..last).rev() {
             let terms = (k..last).map(|j| {
@@ -197,15 +234,22 @@ impl Legs {
             });
             later[k] = terms.fold(zeros(), |sum, x| plus(&sum, &x));
         }
-        let mut sum = [0, 1, 2].map(|_| Real::zero(SHORT_BITS));
+        later
+    }
+
+    /// Returns the derivatives of the trace by the coordinates, over the set.
+    pub fn trace_slopes(&self) -> [Real; N] {
+        let (last, later) = (self.legs.len(), self.later());
+        let mut sum = std::array::from_fn(|_| Real::zero(SHORT_BITS));
         for (k, leg) in self.legs.iter().enumerate() {
             let [before, after] = [self.product(0, k), self.product(k + 1, last)].map(|x| sizes(&x));
             let off = plus(&product(&plus(&before, &self.errors[k]), &later[k + 1]), &product(&self.errors[k], &after));
             let round = around(&self.round(k), &off);
             let columns = around(&self.columns[k], &self.column_errors[k]);
             for (j, sum) in sum.iter_mut().enumerate() {
-                let by = [&columns[0][j], &columns[1][j], &self.parameter[j]];
-                let bend = (0..3).map(|a| leg.bends[a].each_ref().map(|row| row.each_ref().map(|x| x.clone() * by[a])));
+                let by = columns.iter().chain(&self.parameters).map(|row| &row[j]);
+                let bend = leg.bends.iter().zip(by);
+                let bend = bend.map(|(bend, by)| bend.each_ref().map(|row| row.each_ref().map(|x| x.clone() * by)));
                 let bend = bend.fold(zeros(), |sum, x| plus(&sum, &x));
                 let [[a, _], [_, d]] = product(&round, &bend);
                 *sum = sum.clone() + &a + &d;
