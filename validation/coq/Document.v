@@ -24,6 +24,8 @@ Arguments begun {E}.
 Arguments events {E}.
 Arguments ended {E}.
 
+Definition in_bounds (b : Q * Q) (x : R) : Prop := Q2R (fst b) <= x <= Q2R (snd b).
+
 (* Divisors are not 0, radicands not negative; the interval is not empty. *)
 Fixpoint defined (n : number) : Prop :=
   match n with
