@@ -87,6 +87,25 @@ Lemma last_default {X : Type} (xs : list X) : forall a b, xs <> [] -> last xs a 
 Proof. induction xs as [|x [|y xs] IH]; intros a b h; [destruct (h eq_refl)|reflexivity|]. exact (IH a b ltac:(discriminate)). Qed.
 Lemma last_cons {X : Type} (x : X) xs a : last (x :: xs) a = last xs x.
 Proof. destruct xs as [|y xs]; [reflexivity|]. change (last (y :: xs) a = last (y :: xs) x). apply last_default. discriminate. Qed.
+Lemma last_app {X : Type} (xs ys : list X) : forall a, ys <> [] -> last (xs ++ ys) a = last ys a.
+Proof. induction xs as [|x xs IH]; intros a some; [reflexivity|]. cbn [app]. rewrite last_cons, (IH x some). apply last_default, some. Qed.
+Lemma last_skipn {X : Type} n : forall (xs : list X) a, skipn n xs <> [] -> last xs a = last (skipn n xs) a.
+Proof.
+  induction n as [|n IH]; intros [|x xs] a some; try reflexivity. cbn [skipn] in *. rewrite last_cons, (IH xs x some). apply last_default, some.
+Qed.
+Lemma last_firstn {X : Type} (xs : list X) : forall n a b, (n < length xs)%nat -> last (firstn (S n) xs) a = nth n xs b.
+Proof.
+  induction xs as [|x xs IH]; intros n a b h; [cbn in h; lia|]. cbn [firstn]. rewrite last_cons. destruct n as [|n]; [reflexivity|].
+  cbn [nth]. cbn [length] in h. apply IH. lia.
+Qed.
+Lemma after_nth orbit : forall n i j, (n <= length orbit)%nat -> after s (rebound s i) (firstn n orbit) = rebound s (nth n (i :: orbit) j).
+Proof.
+  induction orbit as [|y orbit IH]; intros [|n] i j h; cbn [length] in h; try reflexivity; [lia|]. cbn [firstn after]. rewrite (IH n y j) by lia. reflexivity.
+Qed.
+Lemma after_last orbit : forall i, after s (rebound s i) orbit = rebound s (last orbit i).
+Proof. induction orbit as [|y orbit IH]; intros i; [reflexivity|]. rewrite last_cons. apply IH. Qed.
+Lemma follows_joined a : forall l b, follows s l a -> follows s (after s l a) b -> follows s l (a ++ b).
+Proof. induction a as [|y a IH]; intros l b fa fb; [exact fb|]. destruct fa as [r fa]. split; [exact r|exact (IH _ _ fa fb)]. Qed.
 Lemma impacts_last walls : forall w x, last (impacts_on w walls x) (impact_at s w x) = impact_at s (last walls w) (fly_on s w walls x).
 Proof. induction walls as [|w1 walls IH]; intros w x; [reflexivity|]. cbn [impacts_on fly_on]. rewrite !last_cons. apply IH. Qed.
 Lemma follows_states orbit : forall w x, follows s (rebound s (impact_at s w x)) orbit ->

@@ -155,10 +155,10 @@ Proof. assert (c := checked). unfold check_disc in c. cbv zeta in c. split_check
 Lemma walls_come_back : last walls (opposite w) = w.
 Proof.
   assert (c := checked). unfold check_disc in c. cbv zeta in c. split_checks.
-  match goal with same : same_wall w _ = true |- _ => destruct w, (last walls _) in *; cbn in same; congruence end.
+  symmetry. apply same_wall_sound. assumption.
 Qed.
 Lemma some_walls : way h <> [].
-Proof. intros none. assert (b := walls_come_back). unfold walls in b. rewrite none in b. destruct w; discriminate b. Qed.
+Proof. intros none. assert (b := walls_come_back). unfold walls in b. rewrite none in b. cbn in b. clear - b. destruct w; discriminate b. Qed.
 
 Theorem disc_flies x : in_ellipse N_ x -> all_fly s w walls x /\ visits q s w all_starts (way h) x.
 Proof.

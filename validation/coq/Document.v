@@ -81,6 +81,8 @@ Proof.
   induction a as [|i a IH]; intros l b; cbn; [tauto|]. intros [r f]. destruct (IH _ _ f). tauto.
 Qed.
 Definition same_wall (a b : wall) : bool := match a, b with left, left | right, right => true | _, _ => false end.
+Lemma same_wall_sound a b : same_wall a b = true -> a = b.
+Proof. destruct a, b; cbn; congruence. Qed.
 Definition same_mapping (a b : option mapping) : bool :=
   match a, b with
   | None, None | Some P1, Some P1 | Some P2, Some P2 | Some P3, Some P3 | Some P4, Some P4 => true
