@@ -122,6 +122,9 @@ Proof.
   apply Z.eqb_eq in h. apply Pos.eqb_eq in h'. destruct q as [n d], q0 as [n' d']. cbn in *. congruence.
 Qed.
 
+Lemma as_many {X Y : Type} (P : X -> Y -> Prop) xs ys : Forall2 P xs ys -> length xs = length ys.
+Proof. induction 1; cbn; congruence. Qed.
+
 Module Verifier (F : FloatOps with Definition sensible_format := true).
 Module Import Check := Checker F.
 
@@ -257,8 +260,5 @@ Proof.
     { refine (is_positive_sound _ _ later _). apply holds_sub; [apply known|apply holds_enclose]. }
     destruct w as (_ & tm & _). lra.
 Qed.
-
-Lemma as_many {X Y : Type} (P : X -> Y -> Prop) xs ys : Forall2 P xs ys -> length xs = length ys.
-Proof. induction 1; cbn; congruence. Qed.
 
 End Verifier.

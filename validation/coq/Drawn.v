@@ -7,9 +7,9 @@ From ImpactPair Require Import Model Step Horseshoe Return Covering Certificate 
 Open Scope R_scope.
 Import ListNotations.
 
-(* How the motion comes into the ellipse: how many listed events are before the impact from which on it repeats the walls, how many rounds until it is
-   there; a box of the last listed impact, the flights after it, and whole turns. *)
-Record approach_to := Approach { listed_before : nat; rounds_until : nat; last_listed : cell; flights_on : list passage; turns_until : Z }.
+(* How the motion comes into the ellipse: how many listed events are before the impact from which on it repeats the walls, and up to the one that is
+   followed on; how many rounds until it is there; a box of that impact, the flights after it, and whole turns. *)
+Record approach_to := Approach { listed_before : nat; listed_until : nat; rounds_until : nat; last_listed : cell; flights_on : list passage; turns_until : Z }.
 
 Fixpoint walls_listed (listed : list occurrence) : option (list wall) :=
   match listed with
@@ -19,6 +19,16 @@ Fixpoint walls_listed (listed : list occurrence) : option (list wall) :=
   end.
 Definition last_impact (listed : list occurrence) : option bounds :=
   match rev listed with Impact_at x :: _ => Some (shown x) | _ => None end.
+
+Definition first_events (n : nat) (x : document) : document := Document (scene_data x) (begun x) (firstn n (events x)) (ended x).
+Lemma drawn_longer s a listed more motion motion' from c i orbit : Forall2 shows listed motion ->
+  is_drawn s a listed motion from c i orbit -> is_drawn s a (listed ++ more) (motion ++ motion') from c i orbit.
+Proof.
+  intros all (before & l & (rest & motion_is) & number & there & on_place & draws). exists before, l. split; [exists (rest ++ motion'); rewrite motion_is, app_assoc; reflexivity|].
+  split; [|split; [exact there|split; [exact on_place|exact draws]]]. rewrite firstn_app.
+  replace (length before - length listed)%nat with 0%nat; [cbn [firstn]; rewrite app_nil_r; exact number|].
+  assert (len := as_many _ _ _ all). rewrite motion_is, app_length in len. lia.
+Qed.
 
 Module Drawings (F : FloatOps with Definition sensible_format := true).
 Module Import Cyc := Cycles F.
@@ -268,7 +278,7 @@ End Program.
 (* What is claimed of the listed motion is verified elsewhere (Pieces.v). *)
 Definition verify_drawn (x : document) (from : Z) (c : cycle) (h : surroundings) (a : approach_to) : bool :=
   check_cycle (scene_data x) c h && is_stable c && is_shaken (scene_data x) &&
-  match spots c with b :: _ => check_approach (scene_data x) x from (spot_wall b) (wide_disc h) a | [] => false end.
+  match spots c with b :: _ => check_approach (scene_data x) (first_events (listed_until a) x) from (spot_wall b) (wide_disc h) a | [] => false end.
 Theorem drawn_verified x from c h a : claims x -> verify_drawn x from c h a = true -> claims_attracted x from c.
 Proof.
   intros told v. split; [exact told|]. unfold verify_drawn in v. apply andb_prop in v as [v approach]. apply andb_prop in v as [v shaken]. apply andb_prop in v as [check _].
@@ -278,6 +288,9 @@ Proof.
   destruct (cycle_sound (scene_data x) s described A_positive W_positive gap_positive c h check) as (b & z & first & one & checked & inside & back & is_one).
   destruct (spots c) as [|b' more] eqn:listed; [discriminate|]. injection first as ->. split; [exact one|].
   exists motion. eexists. eexists. split; [exact g|]. split; [exact all|]. split; [exact is_one|].
-  exact (approach_sound (scene_data x) s described A_positive W_positive gap_positive x from (spot_wall b) (wide_disc h) a (cycles c) c z eq_refl checked eq_refl one inside back approach l motion begin g all).
+  pose proof all as parts. rewrite <- (firstn_skipn (listed_until a) (events x)) in parts. apply Forall2_app_inv_l in parts as (m1 & m2 & all1 & _ & motion_is).
+  rewrite motion_is in g |- *. apply goes_app in g as [g1 _]. rewrite <- (firstn_skipn (listed_until a) (events x)). apply (drawn_longer s _ _ _ _ _ _ _ _ _ all1).
+  exact (approach_sound (scene_data x) s described A_positive W_positive gap_positive (first_events (listed_until a) x) from (spot_wall b) (wide_disc h) a (cycles c) c z
+    eq_refl checked eq_refl one inside back approach l m1 begin g1 all1).
 Qed.
 End Drawings.
