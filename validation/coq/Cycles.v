@@ -98,24 +98,23 @@ Definition check_determinant (p : positive) (b : Q * Q) (n : nat) : bool :=
   end.
 
 (* Real and imaginary parts of the eigenvalues of trace T and determinant D. *)
-Definition eigenvalues_in (p : positive) (T D : I.type) : option ((I.type * I.type) * (I.type * I.type)) :=
+Definition eigenvalues_in (p : positive) (T D : I.type) : (I.type * I.type) * (I.type * I.type) :=
   let disc := sub p (mul p T T) (mul p (whole p 4) D) in let zero := whole p 0 in
   if is_not_negative disc then
-    let r := I.sqrt (F.PtoP p) disc in Some ((quotient p (add p T r) (whole p 2), zero), (quotient p (sub p T r) (whole p 2), zero))
+    let r := I.sqrt (F.PtoP p) disc in ((quotient p (add p T r) (whole p 2), zero), (quotient p (sub p T r) (whole p 2), zero))
   else if is_positive (I.neg disc) then
-    let r := quotient p (I.sqrt (F.PtoP p) (I.neg disc)) (whole p 2) in let x := quotient p T (whole p 2) in Some ((x, r), (x, I.neg r))
-  else None.
+    let r := quotient p (I.sqrt (F.PtoP p) (I.neg disc)) (whole p 2) in let x := quotient p T (whole p 2) in ((x, r), (x, I.neg r))
+  else (* Near one another, real or not. *)
+    let r := hull zero (quotient p (I.sqrt (F.PtoP p) (I.abs disc)) (whole p 2)) in let x := quotient p T (whole p 2) in
+    ((add p x r, r), (sub p x r, I.neg r)).
 Definition is_within_complex (p : positive) (b : complex_bounds) (z : I.type * I.type) : bool := is_within p (fst b) (fst z) &? is_within p (snd b) (snd z).
 Definition circle (p : positive) (z : I.type * I.type) : I.type := sub p (whole p 1) (add p (mul p (fst z) (fst z)) (mul p (snd z) (snd z))).
 Definition check_stability (p : positive) (stable : bool) (z1 z2 : I.type * I.type) : bool :=
   if stable then is_positive (circle p z1) &? is_positive (circle p z2) else is_positive (I.neg (circle p z1)) || is_positive (I.neg (circle p z2)).
 Definition check_eigenvalues (p : positive) (c : cycle) (T D : I.type) : bool :=
-  match eigenvalues_in p T D with
-  | Some (z1, z2) => check_stability p (is_stable c) z1 z2 &?
-      ((is_within_complex p (first_eigenvalue c) z1 && is_within_complex p (second_eigenvalue c) z2) ||
-       (is_within_complex p (first_eigenvalue c) z2 && is_within_complex p (second_eigenvalue c) z1))
-  | None => false
-  end.
+  let (z1, z2) := eigenvalues_in p T D in check_stability p (is_stable c) z1 z2 &?
+    ((is_within_complex p (first_eigenvalue c) z1 && is_within_complex p (second_eigenvalue c) z2) ||
+     (is_within_complex p (first_eigenvalue c) z2 && is_within_complex p (second_eigenvalue c) z1)).
 
 Definition check_cycle (c : cycle) (h : surroundings) : bool :=
   match spots c, further param with
@@ -217,7 +216,7 @@ Proof.
   split; apply Qle_Rle, Qle_bool_imp_le; assumption.
 Qed.
 
-Lemma eigenvalues_sound p M T D z1 z2 : holds T (trace M) -> holds D (det M) -> eigenvalues_in p T D = Some (z1, z2) ->
+Lemma eigenvalues_sound p M T D z1 z2 : holds T (trace M) -> holds D (det M) -> eigenvalues_in p T D = (z1, z2) ->
   exists x1 y1 x2 y2, are_eigenvalues M x1 y1 x2 y2 /\ (holds (fst z1) x1 /\ holds (snd z1) y1) /\ (holds (fst z2) x2 /\ holds (snd z2) y2).
 Proof.
   intros hT hD. unfold eigenvalues_in. cbv zeta. set (disc := sub p (mul p T T) (mul p (whole p 4) D)).
@@ -229,7 +228,20 @@ Proof.
     split; [unfold are_eigenvalues; repeat split; try field|split; split; enclose].
     replace ((trace M + sqrt delta) / 2 * ((trace M - sqrt delta) / 2) - 0 * 0) with ((trace M * trace M - sqrt delta * sqrt delta) / 4) by field.
     rewrite sq. unfold delta. field.
-  - destruct (is_positive (I.neg disc)) eqn:sign'; [|discriminate]. intros eq. injection eq as <- <-.
+  - destruct (is_positive (I.neg disc)) eqn:sign'; intros eq; injection eq as <- <-.
+    2:{ assert (ha : holds (I.abs disc) (Rabs delta)) by exact (I.abs_correct disc (Xreal delta) hd).
+      assert (hr : holds (I.sqrt (F.PtoP p) (I.abs disc)) (sqrt (Rabs delta))) by exact (I.sqrt_correct (F.PtoP p) _ (Xreal (Rabs delta)) ha).
+      assert (h2 := holds_quotient p _ _ _ _ hr (holds_whole p 2)). assert (pos := sqrt_pos (Rabs delta)).
+      assert (between_them : forall x, 0 <= x <= sqrt (Rabs delta) / 2 -> holds (hull (whole p 0) (quotient p (I.sqrt (F.PtoP p) (I.abs disc)) (whole p 2))) x).
+      { intros x hx. exact (holds_hull _ _ _ _ x (holds_whole p 0) h2 hx). }
+      assert (z0 := between_them 0 ltac:(lra)). assert (zr := between_them (sqrt (Rabs delta) / 2) ltac:(lra)).
+      assert (sq := sqrt_sqrt (Rabs delta) (Rabs_pos delta)). set (r := sqrt (Rabs delta)) in *. cbn [fst snd]. destruct (Rle_lt_dec 0 delta) as [le|lt].
+      - exists (trace M / 2 + r / 2), 0, (trace M / 2 - r / 2), (- 0). rewrite Rabs_pos_eq in sq by exact le.
+        split; [unfold are_eigenvalues; repeat split; try field|split; split; enclose].
+        replace ((trace M / 2 + r / 2) * (trace M / 2 - r / 2) - 0 * - 0) with ((trace M * trace M - r * r) / 4) by field. rewrite sq. unfold delta. field.
+      - exists (trace M / 2 + 0), (r / 2), (trace M / 2 - 0), (- (r / 2)). rewrite Rabs_left in sq by exact lt.
+        split; [unfold are_eigenvalues; repeat split; try field|split; split; enclose].
+        replace ((trace M / 2 + 0) * (trace M / 2 - 0) - r / 2 * - (r / 2)) with ((trace M * trace M + r * r) / 4) by field. rewrite sq. unfold delta. field. }
     assert (hn := holds_neg _ _ hd). assert (lt := is_positive_sound _ _ sign' hn).
     assert (hr : holds (I.sqrt (F.PtoP p) (I.neg disc)) (sqrt (- delta))) by exact (I.sqrt_correct (F.PtoP p) (I.neg disc) (Xreal (- delta)) hn).
     assert (sq := sqrt_sqrt (- delta) ltac:(lra)). exists (trace M / 2), (sqrt (- delta) / 2), (trace M / 2), (- (sqrt (- delta) / 2)). cbn [fst snd].
@@ -252,7 +264,7 @@ Lemma check_eigenvalues_sound p c M T D : holds T (trace M) -> holds D (det M) -
   exists x1 y1 x2 y2, are_eigenvalues M x1 y1 x2 y2 /\ in_complex (first_eigenvalue c) x1 y1 /\ in_complex (second_eigenvalue c) x2 y2 /\
     if is_stable c then inside_circle x1 y1 /\ inside_circle x2 y2 else outside_circle x1 y1 \/ outside_circle x2 y2.
 Proof.
-  intros hT hD. unfold check_eigenvalues. destruct (eigenvalues_in p T D) as [[z1 z2]|] eqn:found; [|discriminate]. intros check. split_checks.
+  intros hT hD. unfold check_eigenvalues. destruct (eigenvalues_in p T D) as [z1 z2] eqn:found. intros check. split_checks.
   destruct (eigenvalues_sound p M T D z1 z2 hT hD found) as (x1 & y1 & x2 & y2 & (r1 & r2 & r3 & r4) & (h1 & h2) & (h3 & h4)).
   assert (st := stability_sound p _ _ _ _ _ _ _ k h1 h2 h3 h4). apply orb_prop in check as [c1|c1]; apply andb_prop in c1 as [c1 c2].
   - exists x1, y1, x2, y2. split; [repeat split; assumption|]. split; [exact (complex_sound _ _ _ _ _ c1 h1 h2)|]. split; [exact (complex_sound _ _ _ _ _ c2 h3 h4)|exact st].
