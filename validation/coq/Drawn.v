@@ -20,6 +20,9 @@ Fixpoint walls_listed (listed : list occurrence) : option (list wall) :=
 Definition last_impact (listed : list occurrence) : option bounds :=
   match rev listed with Impact_at x :: _ => Some (shown x) | _ => None end.
 
+(* The first impact of round n from a state y on, the round n of the map P, with whole periods. *)
+Definition visit (s : scene) (w : wall) (cycles_of : Z) (walls : list wall) (y : state) (turn : Z) (n : nat) : impact :=
+  periods_later s (turn + Z.of_nat n * cycles_of) (impact_at s w (Nat.iter n (fun x => turned cycles_of (fly_on s w walls x)) y)).
 Definition first_events (n : nat) (x : document) : document := Document (scene_data x) (begun x) (firstn n (events x)) (ended x).
 Lemma drawn_longer s a listed more motion motion' from c i orbit : Forall2 shows listed motion ->
   is_drawn s a listed motion from c i orbit -> is_drawn s a (listed ++ more) (motion ++ motion') from c i orbit.
@@ -143,7 +146,7 @@ Hypothesis x_in : in_ellipse N x.
 Hypothesis x_back : P x = x.
 Hypothesis y_in : in_ellipse N y.
 Variable turn : Z.
-Definition visit (n : nat) : impact := periods_later s (turn + Z.of_nat n * cycles_of) (impact_at s w (Nat.iter n P y)).
+Let visit : nat -> impact := visit s w cycles_of walls y turn.
 
 Lemma visits_stay n : in_ellipse N (Nat.iter n P y).
 Proof. exact (proj1 (disc_attracts param w cycles_of h s described A_positive W_positive gap_positive checked x y plain x_in x_back y_in n)). Qed.
@@ -158,7 +161,7 @@ Proof.
   - apply leads_later; [apply turns_recur; assumption|]. split; [exact (impacts_follow s walls w z flown)|]. split; [apply impacts_walls|].
     assert (e := impacts_last s walls w z). rewrite (last_default walls w (opposite w) some), back in e. rewrite <- e at 2. apply last_default.
     intros none. assert (ws := impacts_walls s walls w z). rewrite none in ws. cbn in ws. congruence.
-  - unfold visit. change (Nat.iter (S n) P y) with (P z). unfold P. rewrite (later_of_turned s W_positive w cycles_of (fly_on s w walls z)). unfold periods_later.
+  - unfold visit, Drawn.visit. change (Nat.iter (S n) (fun x0 => turned cycles_of (fly_on s w walls x0)) y) with (P z). unfold P. rewrite (later_of_turned s W_positive w cycles_of (fly_on s w walls z)). unfold periods_later.
     rewrite later_later. f_equal. unfold shift. rewrite Nat2Z.inj_succ, <- Z.add_1_r. rewrite !plus_IZR, !mult_IZR, plus_IZR. ring.
 Qed.
 
@@ -197,7 +200,8 @@ Lemma visits_tend : is_lim_seq (fun n => time (visit n) - IZR (turn + Z.of_nat n
   is_lim_seq (fun n => velocity (visit n)) (velocity (impact_at s w x)).
 Proof.
   destruct states_tend as [h1 h2]. split.
-  - apply (is_lim_seq_ext (fun n => (fst (Nat.iter n P y) - tau s) * / W s)); [intros n; unfold visit, periods_later, later, impact_at; cbn [time]; unfold Rdiv; ring|].
+  - apply (is_lim_seq_ext (fun n => (fst (Nat.iter n P y) - tau s) * / W s)); [intros n|].
+    { change (time (visit n)) with ((fst (Nat.iter n P y) - tau s) / W s + IZR (turn + Z.of_nat n * cycles_of) * period s). unfold Rdiv. ring. }
     cbn [impact_at time]. unfold Rdiv. replace (Finite ((fst x - tau s) * / W s)) with (Rbar_mult (fst x - tau s) (/ W s)) by reflexivity.
     apply is_lim_seq_scal_r. apply (is_lim_seq_minus' _ _ _ _ h1). apply is_lim_seq_const.
   - apply (is_lim_seq_ext (fun n => A s * W s * snd (Nat.iter n P y))); [intros n; reflexivity|]. cbn [impact_at velocity].
@@ -267,8 +271,8 @@ Proof.
   exists m1, l'. split; [exists m2; exact motion_is|]. split.
   { rewrite <- (as_many _ _ _ all1). rewrite split_list at 1. rewrite firstn_app, Nat.sub_diag, firstn_all. cbn [firstn]. rewrite app_nil_r. exact k. }
   split; [exact there|]. split; [exact on_place|].
-  exists (rounds_until a), (orbit1 ++ orbit2), (visit w cycles_of h y t), t. rewrite impacts_walls. fold walls. split; [exact k2|]. split.
-  { assert (first : visit w cycles_of h y t 0 = j).
+  exists (rounds_until a), (orbit1 ++ orbit2), (visit s w cycles_of walls y t), t. rewrite impacts_walls. fold walls. split; [exact k2|]. split.
+  { assert (first : visit s w cycles_of walls y t 0 = j).
     { unfold visit. cbn [Nat.iter nat_rect Z.of_nat Z.mul]. rewrite Z.add_0_r. unfold y. rewrite <- (later_of_turned s W_positive w t end_). symmetry. exact j_at. }
     rewrite first. split; [exact f|]. split; [exact orbit_walls|apply j_last]. }
   split; [exact (visit_leads w cycles_of h checked k3 one state_ y state_in state_back y_in t)|]. rewrite same_cycles. split; [exact times|exact speeds].
