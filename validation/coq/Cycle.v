@@ -6,8 +6,9 @@ From ImpactPair Require Import Model Step Horseshoe Return Covering Certificate 
 Open Scope R_scope.
 Import ListNotations.
 
-(* An impact of a periodic orbit: its wall, and bounds of phase, up to whole turns, and velocity. *)
-Record spot := Spot { spot_wall : wall; spot_phase : Q * Q; spot_velocity : Q * Q }.
+(* An impact of a periodic orbit: its wall, bounds of phase, up to whole turns, and velocity; and if it is said the forcing period in which it is, from
+   that of the first impact on. *)
+Record spot := Spot { spot_wall : wall; spot_phase : Q * Q; spot_velocity : Q * Q; spot_period : option Z }.
 (* Real and imaginary part of an eigenvalue. *)
 Definition complex_bounds : Set := ((Q * Q) * (Q * Q))%type.
 Record cycle := Cycle { word : list mapping; cycles : Z; spots : list spot; is_symmetric : bool; trace_bounds : Q * Q; determinant_bounds : Q * Q;
@@ -22,8 +23,8 @@ Section Scene.
 Variable s : scene.
 
 Definition periods_later (k : Z) (i : impact) : impact := later (IZR k * period s) i.
-Definition shows_spot (b : spot) (i : impact) : Prop := wall_of i = spot_wall b /\ in_bounds (spot_velocity b) (velocity i) /\
-  exists k, in_bounds (spot_phase b) (phase s (time i) - IZR k * (2 * PI)).
+Definition shows_spot (first : Z) (b : spot) (i : impact) : Prop := wall_of i = spot_wall b /\ in_bounds (spot_velocity b) (velocity i) /\
+  exists k, in_bounds (spot_phase b) (phase s (time i) - IZR k * (2 * PI)) /\ match spot_period b with None => True | Some n => k = (first + n)%Z end.
 (* The same on the other wall, an odd number of half periods later. *)
 Definition mirrored (k : Z) (i : impact) : impact :=
   {| wall_of := mirror_wall (wall_of i); time := time i + IZR (2 * k + 1) * (period s / 2); velocity := - velocity i |}.
@@ -44,8 +45,8 @@ Definition is_cycle (c : cycle) (i : impact) (orbit : list impact) : Prop :=
   let walls := map wall_of orbit in let P := IZR (cycles c) * period s in let M := monodromy s (wall_of i) walls (point_of s i) in
   (0 < cycles c)%Z /\ orbit <> [] /\ last walls (wall_of i) = wall_of i /\ word c = rev (mappings (wall_of i) walls) /\
   (forall n, let shift := IZR n * P in leads (rebound s (later shift i)) walls (map (later shift) orbit) (later (shift + P) i)) /\
-  Forall2 shows_spot (spots c) (firstn (length orbit) (i :: orbit)) /\
-  (forall z again b, hd_error (spots c) = Some b -> shows_spot b z -> leads (rebound s z) walls again (later P z) -> exists k, z = periods_later k i) /\
+  (exists first, Forall2 (shows_spot first) (spots c) (firstn (length orbit) (i :: orbit))) /\
+  (forall z again b first, hd_error (spots c) = Some b -> shows_spot first b z -> leads (rebound s z) walls again (later P z) -> exists k, z = periods_later k i) /\
   (is_symmetric c = true <-> exists n k, (n < length orbit)%nat /\ nth n (i :: orbit) i = mirrored k i) /\
   in_bounds (trace_bounds c) (trace M) /\ in_bounds (determinant_bounds c) (det M) /\
   exists x1 y1 x2 y2, are_eigenvalues M x1 y1 x2 y2 /\ in_complex (first_eigenvalue c) x1 y1 /\ in_complex (second_eigenvalue c) x2 y2 /\

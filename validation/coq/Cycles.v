@@ -56,12 +56,13 @@ Definition is_within (p : positive) (b : Q * Q) (X : I.type) : bool := bounded p
 Definition unit_of (p : positive) (b : Q * Q) : I.type := quotient p (spanned p b) (velocity_over param p (whole p 1)).
 Definition half_turns_in (p : positive) (k : Z) : I.type := mul p (whole p k) (I.pi (F.PtoP p)).
 
-Fixpoint check_spots (p q : positive) (spots : list spot) (cells : list cell) (turns : list Z) : bool :=
+Fixpoint check_spots (p q : positive) (first : Z) (spots : list spot) (cells : list cell) (turns : list Z) : bool :=
   match spots, cells, turns with
   | [], _, _ => true
   | b :: spots, C :: cells, k :: turns =>
     is_within p (spot_phase b) (sub p (phases_of p q C) (half_turns_in p (2 * k))) &?
-    is_within p (spot_velocity b) (velocity_over param p (speeds_of p q C)) &? check_spots p q spots cells turns
+    is_within p (spot_velocity b) (velocity_over param p (speeds_of p q C)) &?
+    match spot_period b with None => true | Some n => (k =? first + n)%Z end &? check_spots p q first spots cells turns
   | _, _, _ => false
   end.
 (* No impact is a mirror image of the first one. *)
@@ -127,7 +128,7 @@ Definition check_cycle (c : cycle) (h : surroundings) : bool :=
     check_disc param w (cycles c) wide &? check_disc param w (cycles c) narrow &?
     has_box wide (phases_of p q start) (speeds_of p q start) &?
     has_box wide (add p (spanned p (spot_phase b)) (half_turns_in p (2 * first_turns h))) (unit_of p (spot_velocity b)) &?
-    check_spots pn q (spots c) cells (spot_turns h) &? check_mirroring w c wide narrow (mirroring_of h) &?
+    check_spots pn q (hd 0%Z (spot_turns h)) (spots c) cells (spot_turns h) &? check_mirroring w c wide narrow (mirroring_of h) &?
     is_within pn (trace_bounds c) (trace_in param w narrow) &? check_determinant pn (determinant_bounds c) n &?
     check_eigenvalues pn c (trace_in param w narrow) (power_in pn (enclose_range pn (restitution param)) n)
   | _, _ => false
@@ -164,14 +165,16 @@ Lemma visits_lie q way : forall w B x, visits q s w B way x -> cells_hold q (B :
 Proof.
   induction way as [|z way IH]; intros w B x [here rest]; (constructor; [rewrite point_of_impact by assumption; exact here|]); [constructor|exact (IH _ _ _ rest)].
 Qed.
-Lemma spots_sound p q spots : forall cells turns is, check_spots p q spots cells turns = true -> cells_hold q cells is ->
-  map spot_wall spots = map wall_of (firstn (length spots) is) -> Forall2 (shows_spot s) spots (firstn (length spots) is).
+Lemma spots_sound p q first spots : forall cells turns is, check_spots p q first spots cells turns = true -> cells_hold q cells is ->
+  map spot_wall spots = map wall_of (firstn (length spots) is) -> Forall2 (shows_spot s first) spots (firstn (length spots) is).
 Proof.
   induction spots as [|b spots IH]; intros [|C cells] [|k turns] is check hold walls; cbn [check_spots] in check; try discriminate; try (cbn; constructor).
   inversion hold as [|C' i cs js here rest]; subst. cbn [length firstn map] in *. injection walls as same more. split_checks.
   constructor; [|exact (IH _ _ _ check rest more)]. destruct (holds_cell p q _ _ here) as [hX hV].
   split; [symmetry; exact same|]. split; [exact (is_within_sound _ _ _ _ k1 (holds_speed _ _ _ hV))|].
-  exists k. apply (is_within_sound _ _ _ _ k0). assert (t := holds_half_turns p (2 * k)).
+  exists k. split.
+  2:{ destruct (spot_period b) as [n|]; [|exact I]. match goal with same_turn : (k =? first + n)%Z = true |- _ => apply Z.eqb_eq, same_turn end. }
+  apply (is_within_sound _ _ _ _ k0). assert (t := holds_half_turns p (2 * k)).
   replace (phase s (time i) - IZR k * (2 * PI)) with (fst (point_of s i) - IZR (2 * k) * PI) by (rewrite mult_IZR; unfold point_of; cbn [fst]; ring). enclose.
 Qed.
 
@@ -331,10 +334,10 @@ Proof.
     - apply leads_later; [|exact round]. replace (IZR n * (IZR (cycles c) * period s)) with (IZR (n * cycles c) * period s) by (rewrite mult_IZR; ring). apply turns_recur; assumption.
     - rewrite later_later. reflexivity. }
   split.
-  { rewrite len, <- k3. apply (spots_sound (disc_bits narrow) (disc_scale narrow) _ _ _ (i :: orbit) k8 lie). rewrite k2, k3.
+  { eexists. rewrite len, <- k3. apply (spots_sound (disc_bits narrow) (disc_scale narrow) _ _ _ _ (i :: orbit) k8 lie). rewrite k2, k3.
     rewrite <- firstn_map. cbn [map]. rewrite orbit_walls. reflexivity. }
   split.
-  { intros z again b' first_is shown_so leading. injection first_is as <-. destruct shown_so as (on & speed_in & turns & phase_in).
+  { intros z again b' from first_is shown_so leading. injection first_is as <-. destruct shown_so as (on & speed_in & turns & phase_in & _).
     set (back := (first_turns h - turns)%Z). set (z' := periods_later s back z).
     assert (inside : in_ellipse (frame_of (disc_scale wide) (disc_chart wide)) (point_of s z')).
     { apply (has_box_sound param w (cycles c) wide k4 _ _ _ k7).

@@ -20,9 +20,10 @@ let read_word place value = match String.split_on_char ' ' (string place value) 
 
 let read_spot (place, value) =
   let impact = members place value in
-  only place [ "wall"; "phase"; "velocity" ] impact;
+  only place [ "wall"; "phase"; "velocity"; "cycle" ] impact;
   let bounds_of key = bounds (inside place key) (get place impact key) in
-  { spot_wall = wall (inside place "wall") (get place impact "wall"); spot_phase = bounds_of "phase"; spot_velocity = bounds_of "velocity" }
+  { spot_wall = wall (inside place "wall") (get place impact "wall"); spot_phase = bounds_of "phase"; spot_velocity = bounds_of "velocity";
+    spot_period = Option.map (signed (inside place "cycle")) (List.assoc_opt "cycle" impact) }
 
 let read_orbit ~word ~cycles place value =
   let orbit = members place value in
@@ -68,8 +69,9 @@ let document value =
 (* To JSON. *)
 
 let word_text word = String.concat " " (List.map mapping_name word)
-let json_of_spot { spot_wall; spot_phase = (a, b); spot_velocity = (c, d) } =
-  Json.Object [ ("wall", String (wall_name spot_wall)); ("phase", pair a b); ("velocity", pair c d) ]
+let json_of_spot { spot_wall; spot_phase = (a, b); spot_velocity = (c, d); spot_period } =
+  Json.Object ([ ("wall", Json.String (wall_name spot_wall)); ("phase", pair a b); ("velocity", pair c d) ]
+    @ List.map (fun n -> ("cycle", Json.Number (Z.to_string n))) (Option.to_list spot_period))
 let json_of_orbit { spots; is_symmetric; trace_bounds; determinant_bounds; first_eigenvalue; second_eigenvalue; is_stable; _ } =
   let both (a, b) = pair a b in
   let eigenvalue (re, im) = Json.Object [ ("re", both re); ("im", both im) ] in
@@ -92,7 +94,7 @@ let read value =
   claim
 
 (* The claim in one line, in the words of the theorem. *)
-let of_orbit = "impacts, each the first contact after the one before, within the listed bounds of phase, modulo 2 pi, and velocity, on the listed walls, in the order \
+let of_orbit = "impacts, each the first contact after the one before, within the listed bounds of phase, modulo 2 pi, and velocity, and in the listed forcing periods, counted from that of the first impact, on the listed walls, in the order \
   of the word, for ever; no other such orbit has its first impact in these bounds; it is its own mirror image, half a forcing period or an odd number of them later, as \
   `symmetric` says; trace, determinant and eigenvalues of the product of the matrices (A.7) at its impacts are within the listed bounds, and both eigenvalues \
   inside the unit circle if it is stable, one outside if it is unstable"

@@ -36,6 +36,9 @@ let bool place = function Json.Bool b -> b | value -> wrong place value "true or
 let integer place = function
   | Json.Number n when String.length n < 19 && String.for_all (fun c -> c >= '0' && c <= '9') n -> Z.of_string n
   | value -> wrong place value "an integer from 0 on"
+let signed place = function
+  | Json.Number n when String.length n > 1 && n.[0] = '-' -> Z.neg (integer place (Json.Number (String.sub n 1 (String.length n - 1))))
+  | value -> integer place value
 let range place value = Expression.parse place (string place value)
 let wall place value = match string place value with
   | "left" -> Left

@@ -84,7 +84,8 @@ let document listed { scene_data; begun; events; ended } =
   Printf.sprintf "(Document %s %s %s %s)" (data scene_data) (beginning begun) (list listed events) (outcome ended)
 
 (* Periodic orbits, and ellipses around them. *)
-let spot { spot_wall; spot_phase; spot_velocity } = Printf.sprintf "(Spot %s %s %s)" (wall spot_wall) (pair spot_phase) (pair spot_velocity)
+let spot { spot_wall; spot_phase; spot_velocity; spot_period } =
+  Printf.sprintf "(Spot %s %s %s %s)" (wall spot_wall) (pair spot_phase) (pair spot_velocity) (option integer spot_period)
 let cycle { word; cycles; spots; is_symmetric; trace_bounds; determinant_bounds; first_eigenvalue = (a, b); second_eigenvalue = (c, d); is_stable } =
   Printf.sprintf "(Cycle.Cycle %s %s %s %b %s %s (%s, %s) (%s, %s) %b)" (list Reading.mapping_name word) (integer cycles) (list spot spots) is_symmetric
     (pair trace_bounds) (pair determinant_bounds) (pair a) (pair b) (pair c) (pair d) is_stable
