@@ -63,8 +63,12 @@ Definition is_drawn (a : standing) (listed : list occurrence) (motion : list hap
 End Scene.
 
 Definition one_harmonic (s : scene) : Prop := others s = [].
-Definition claims_cycles (p : data) (b : beginning) (list : list cycle) : Prop := all_proper p b /\
-  forall s, describes p s -> sensible s /\ one_harmonic s /\ List.Forall (fun c => exists i orbit, is_cycle s c i orbit) list.
+(* No impact of the other orbit is the first one of this, up to periods. *)
+Definition others_than (s : scene) (a b : impact * list impact) : Prop :=
+  forall n k, (n < length (snd b))%nat -> nth n (fst b :: snd b) (fst b) <> periods_later s k (fst a).
+Definition claims_cycles (p : data) (b : beginning) (orbits : list cycle) : Prop := all_proper p b /\
+  forall s, describes p s -> sensible s /\ one_harmonic s /\
+    exists found, Forall2 (fun c o => is_cycle s c (fst o) (snd o)) orbits found /\ ForallOrdPairs (others_than s) found.
 Definition claims_attracted (x : document) (from : Z) (c : cycle) : Prop := claims x /\
   forall s l, describes (scene_data x) s -> begins (begun x) s l -> one_harmonic s /\
     exists motion i orbit, goes s (Flying l) motion /\ Forall2 shows (events x) motion /\

@@ -49,22 +49,74 @@ Fixpoint check_all (param : data) (orbits : list cycle) (hints : list surroundin
   end.
 (* Bits for what is asked of all data. *)
 Definition few : positive := 256.
+(* Bounds of two impacts that are not one, whatever the periods between them; and orbits of which none is listed twice. *)
+Definition is_less (a b : Q) : bool := negb (Qle_bool b a).
+Definition within_turn (a b : Q) : bool := is_positive (sub few (half_turns_in few 2) (sub few (known_number few b) (known_number few a))).
+Definition apart_spots (a b : spot) : bool := let (p, p') := spot_phase a in let (r, r') := spot_phase b in
+  negb (same_wall (spot_wall a) (spot_wall b)) || is_less (snd (spot_velocity a)) (fst (spot_velocity b)) || is_less (snd (spot_velocity b)) (fst (spot_velocity a)) ||
+  (is_less p' r && within_turn p r') || (is_less r' p && within_turn r p').
+Definition apart_cycles (a b : cycle) : bool := match spots a with [] => false | first :: _ => forallb (apart_spots first) (spots b) end.
+Fixpoint check_distinct (orbits : list cycle) : bool := match orbits with [] => true | c :: orbits => forallb (apart_cycles c) orbits && check_distinct orbits end.
 Definition is_shaken (param : data) : bool := is_positive (enclose_range few (amplitude param)).
 Definition is_single (param : data) : bool := match further param with [] => true | _ => false end.
 Definition verify_cycles (param : data) (b : beginning) (orbits : list cycle) (hints : list surroundings) : bool :=
-  check_data few param && check_beginning few param b && is_shaken param && is_single param && check_all param orbits hints.
+  check_data few param && check_beginning few param b && is_shaken param && is_single param && check_distinct orbits && check_all param orbits hints.
+
+Lemma is_less_sound a b : is_less a b = true -> Q2R a < Q2R b.
+Proof.
+  unfold is_less. intros h. apply negb_true_iff in h. apply Qlt_Rlt. apply Qnot_le_lt. intros le. apply Qle_bool_iff in le. congruence.
+Qed.
+Lemma within_turn_sound a b : within_turn a b = true -> Q2R b - Q2R a < 2 * PI.
+Proof.
+  intros h. assert (h1 := holds_number few a). assert (h2 := holds_number few b). assert (t := holds_half_turns few 2).
+  assert (0 < IZR 2 * PI - (Q2R b - Q2R a)) by (apply (is_positive_sound _ _ h); enclose). lra.
+Qed.
+Lemma apart_spots_sound (s : scene) a b first first' i j : 0 < W s -> apart_spots a b = true -> shows_spot s first a i -> shows_spot s first' b j -> forall k, j <> periods_later s k i.
+Proof.
+  intros W_positive check (w1 & v1 & k1 & p1 & _) (w2 & v2 & k2 & p2 & _) k eq. subst j. unfold periods_later, later in *. cbn [wall_of velocity time] in *.
+  replace (phase s (time i + IZR k * period s)) with (phase s (time i) + IZR k * (2 * PI)) in p2 by (unfold phase, period; field; lra).
+  unfold apart_spots in check. destruct (spot_phase a) as [p p'], (spot_phase b) as [r r']. unfold in_bounds in *. cbn [fst snd] in *.
+  assert (pi := PI_RGT_0). set (x := phase s (time i)) in *. set (m := (k2 - k1 - k)%Z).
+  assert (differ : (x - IZR k1 * (2 * PI)) - (x + IZR k * (2 * PI) - IZR k2 * (2 * PI)) = IZR m * (2 * PI)) by (unfold m; rewrite !minus_IZR; ring).
+  assert (no_turn : forall n, 0 < IZR n * (2 * PI) < 2 * PI -> False).
+  { intros n [h1 h2]. assert (0 < IZR n) by nra. assert (IZR n < 1) by nra. apply lt_IZR in H, H0. lia. }
+  repeat (apply orb_prop in check as [check|check]).
+  - rewrite <- w1, <- w2 in check. destruct (wall_of i); discriminate check.
+  - apply is_less_sound in check. lra.
+  - apply is_less_sound in check. lra.
+  - apply andb_prop in check as [c1 c2]. apply is_less_sound in c1. apply within_turn_sound in c2. apply (no_turn (- m)%Z). rewrite opp_IZR. lra.
+  - apply andb_prop in check as [c1 c2]. apply is_less_sound in c1. apply within_turn_sound in c2. apply (no_turn m). lra.
+Qed.
+Lemma apart_cycles_sound (s : scene) a b o o' : 0 < W s -> apart_cycles a b = true -> is_cycle s a (fst o) (snd o) -> is_cycle s b (fst o') (snd o') -> others_than s o o'.
+Proof.
+  intros W_positive check (_ & _ & _ & _ & _ & (f & own) & _) (_ & _ & _ & _ & _ & (f' & theirs) & _) n k lt. unfold apart_cycles in check.
+  destruct (spots a) as [|x more] eqn:listed; [discriminate|]. inversion own as [|x' i xs is first rest eq1 eq2]; subst.
+  destruct (snd o) as [|i1 orbit]; [discriminate eq2|]. cbn [length firstn] in eq2. injection eq2 as first_is _. subst i.
+  assert (len := as_many _ _ _ theirs). assert (in_list : (n < length (firstn (length (snd o')) (fst o' :: snd o')))%nat) by (rewrite firstn_length; cbn [length]; lia).
+  assert (shown := forall2_nth _ x (fst o') _ _ theirs n in_list).
+  replace (nth n (firstn (length (snd o')) (fst o' :: snd o')) (fst o')) with (nth n (fst o' :: snd o') (fst o')) in shown.
+  - rewrite forallb_forall in check. apply (apart_spots_sound s x (nth n (spots b) x) f f' (fst o) _ W_positive); [|exact first|exact shown].
+    apply check, nth_In. rewrite len. exact in_list.
+  - rewrite <- (firstn_skipn (length (snd o')) (fst o' :: snd o')) at 1. apply app_nth1. exact in_list.
+Qed.
 
 Theorem cycles_verified param b orbits hints : verify_cycles param b orbits hints = true -> claims_cycles param b orbits.
 Proof.
-  unfold verify_cycles. intros v. apply andb_prop in v as [v all]. apply andb_prop in v as [v alone]. apply andb_prop in v as [v shaken]. apply andb_prop in v as [good start].
+  unfold verify_cycles. intros v. apply andb_prop in v as [v all]. apply andb_prop in v as [v distinct]. apply andb_prop in v as [v alone].
+  apply andb_prop in v as [v shaken]. apply andb_prop in v as [good start].
   destruct (data_sound few _ _ good start) as [pr sense]. split; [exact pr|]. intros s described. destruct (sense s described) as [sens _]. split; [exact sens|].
   destruct sens as (tones & gap_positive & _). assert (W_positive : 0 < W s) by (inversion tones; tauto).
   assert (A_positive : 0 < A s) by (destruct described as ((dA & _) & _); exact (is_positive_sound _ _ shaken (holds_range few _ _ dA))).
   split.
   { unfold is_single in alone. destruct described as (_ & rest & _). destruct (further param); [|discriminate alone]. inversion rest. unfold one_harmonic. congruence. }
-  clear - described A_positive W_positive gap_positive all. revert hints all. induction orbits as [|c orbits IH]; intros [|h hints] all; cbn in all; try discriminate; [constructor|].
-  apply andb_prop in all as [check all]. constructor; [|exact (IH _ all)].
-  destruct (cycle_sound param s described A_positive W_positive gap_positive c h check) as (w & x & _ & _ & _ & _ & _ & is_one). eexists. eexists. exact is_one.
+  clear - described A_positive W_positive gap_positive all distinct. revert hints all distinct.
+  induction orbits as [|c orbits IH]; intros [|h hints] all distinct; cbn in all, distinct; try discriminate; [exists []; split; constructor|].
+  apply andb_prop in all as [check all]. apply andb_prop in distinct as [apart distinct]. destruct (IH _ all distinct) as (found & are & pairs).
+  destruct (cycle_sound param s described A_positive W_positive gap_positive c h check) as (w & x & _ & _ & _ & _ & _ & is_one).
+  exists ((impact_at s (spot_wall w) x, impacts_on s (spot_wall w) (map onto (way (wide_disc h))) x) :: found). split; [constructor; [exact is_one|exact are]|]. constructor; [|exact pairs].
+  rewrite forallb_forall in apart. clear - W_positive apart are is_one. induction are as [|c' o cs os one are IH]; constructor.
+  - exact (apart_cycles_sound s c c' (_, _) o W_positive (apart c' (or_introl eq_refl)) is_one one).
+  - apply IH. intros y i. apply apart. right. exact i.
 Qed.
 
 Section Program.
