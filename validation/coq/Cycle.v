@@ -6,7 +6,7 @@ From ImpactPair Require Import Model Step Horseshoe Return Covering Certificate 
 Open Scope R_scope.
 Import ListNotations.
 
-(* An impact of a periodic orbit: its wall, bounds of phase, up to whole turns, and velocity; and if it is said the forcing period in which it is, from
+(* An impact of a periodic orbit: its wall, bounds of phase, from 0 to 2 pi, up to whole turns, and velocity; and if it is said the forcing period in which it is, from
    that of the first impact on. *)
 Record spot := Spot { spot_wall : wall; spot_phase : Q * Q; spot_velocity : Q * Q; spot_period : option Z }.
 (* Real and imaginary part of an eigenvalue. *)
@@ -24,7 +24,7 @@ Variable s : scene.
 
 Definition periods_later (k : Z) (i : impact) : impact := later (IZR k * period s) i.
 Definition shows_spot (first : Z) (b : spot) (i : impact) : Prop := wall_of i = spot_wall b /\ in_bounds (spot_velocity b) (velocity i) /\
-  exists k, in_bounds (spot_phase b) (phase s (time i) - IZR k * (2 * PI)) /\ match spot_period b with None => True | Some n => k = (first + n)%Z end.
+  0 <= Q2R (fst (spot_phase b)) < 2 * PI /\ exists k, in_bounds (spot_phase b) (phase s (time i) - IZR k * (2 * PI)) /\ match spot_period b with None => True | Some n => k = (first + n)%Z end.
 (* The same on the other wall, an odd number of half periods later. *)
 Definition mirrored (k : Z) (i : impact) : impact :=
   {| wall_of := mirror_wall (wall_of i); time := time i + IZR (2 * k + 1) * (period s / 2); velocity := - velocity i |}.

@@ -62,7 +62,8 @@ Fixpoint check_spots (p q : positive) (first : Z) (spots : list spot) (cells : l
   | b :: spots, C :: cells, k :: turns =>
     is_within p (spot_phase b) (sub p (phases_of p q C) (half_turns_in p (2 * k))) &?
     is_within p (spot_velocity b) (velocity_over param p (speeds_of p q C)) &?
-    match spot_period b with None => true | Some n => (k =? first + n)%Z end &? check_spots p q first spots cells turns
+    match spot_period b with None => true | Some n => (k =? first + n)%Z end &?
+    Qle_bool 0 (fst (spot_phase b)) &? is_positive (sub p (half_turns_in p 2) (known_number p (fst (spot_phase b)))) &? check_spots p q first spots cells turns
   | _, _, _ => false
   end.
 (* No impact is a mirror image of the first one. *)
@@ -172,6 +173,10 @@ Proof.
   inversion hold as [|C' i cs js here rest]; subst. cbn [length firstn map] in *. injection walls as same more. split_checks.
   constructor; [|exact (IH _ _ _ check rest more)]. destruct (holds_cell p q _ _ here) as [hX hV].
   split; [symmetry; exact same|]. split; [exact (is_within_sound _ _ _ _ k1 (holds_speed _ _ _ hV))|].
+  split.
+  { assert (n0 := holds_number p (fst (spot_phase b))). assert (t2 := holds_half_turns p 2). split.
+    - match goal with low : Qle_bool 0 _ = true |- _ => apply Qle_bool_imp_le, Qle_Rle in low; assert (q0 : Q2R 0 = 0) by (unfold Q2R; cbn; lra); lra end.
+    - match goal with high : is_positive _ = true |- _ => assert (0 < IZR 2 * PI - Q2R (fst (spot_phase b))) by (apply (is_positive_sound _ _ high); enclose) end. lra. }
   exists k. split.
   2:{ destruct (spot_period b) as [n|]; [|exact I]. match goal with same_turn : (k =? first + n)%Z = true |- _ => apply Z.eqb_eq, same_turn end. }
   apply (is_within_sound _ _ _ _ k0). assert (t := holds_half_turns p (2 * k)).
@@ -337,7 +342,7 @@ Proof.
   { eexists. rewrite len, <- k3. apply (spots_sound (disc_bits narrow) (disc_scale narrow) _ _ _ _ (i :: orbit) k8 lie). rewrite k2, k3.
     rewrite <- firstn_map. cbn [map]. rewrite orbit_walls. reflexivity. }
   split.
-  { intros z again b' from first_is shown_so leading. injection first_is as <-. destruct shown_so as (on & speed_in & turns & phase_in & _).
+  { intros z again b' from first_is shown_so leading. injection first_is as <-. destruct shown_so as (on & speed_in & _ & turns & phase_in & _).
     set (back := (first_turns h - turns)%Z). set (z' := periods_later s back z).
     assert (inside : in_ellipse (frame_of (disc_scale wide) (disc_chart wide)) (point_of s z')).
     { apply (has_box_sound param w (cycles c) wide k4 _ _ _ k7).

@@ -73,7 +73,7 @@ Proof.
 Qed.
 Lemma apart_spots_sound (s : scene) a b first first' i j : 0 < W s -> apart_spots a b = true -> shows_spot s first a i -> shows_spot s first' b j -> forall k, j <> periods_later s k i.
 Proof.
-  intros W_positive check (w1 & v1 & k1 & p1 & _) (w2 & v2 & k2 & p2 & _) k eq. subst j. unfold periods_later, later in *. cbn [wall_of velocity time] in *.
+  intros W_positive check (w1 & v1 & _ & k1 & p1 & _) (w2 & v2 & _ & k2 & p2 & _) k eq. subst j. unfold periods_later, later in *. cbn [wall_of velocity time] in *.
   replace (phase s (time i + IZR k * period s)) with (phase s (time i) + IZR k * (2 * PI)) in p2 by (unfold phase, period; field; lra).
   unfold apart_spots in check. destruct (spot_phase a) as [p p'], (spot_phase b) as [r r']. unfold in_bounds in *. cbn [fst snd] in *.
   assert (pi := PI_RGT_0). set (x := phase s (time i)) in *. set (m := (k2 - k1 - k)%Z).

@@ -155,12 +155,13 @@ let contracting a =
   let r12 = x.m12 /. r11 in
   inverse { m11 = r11; m12 = r12; m21 = 0.0; m22 = sqrt (Float.max 1e-300 (x.m22 -. r12 *. r12)) }
 
-(* The largest ellipse of some shape, about, that is accepted. *)
+(* The largest ellipse of some shape, about, that is accepted; smaller ones hold no bounds of impacts. *)
+let smallest = -60
 let rec largest_disc data w spread round vectors exponent =
-  if exponent < -200 then raise (Lost 0);
+  if exponent < smallest then raise (Lost 0);
   match disc data spread round ~plain:true (scaled (Float.ldexp 1.0 exponent) vectors) with
   | found when Check.check_disc data w round.cycles found -> found
-  | _ | exception Lost _ -> largest_disc data w spread round vectors (exponent - 2)
+  | _ | exception Lost _ -> largest_disc data w spread round vectors (exponent - 3)
 
 (* Half the widths of bounds, in the units of Step.v. *)
 let half_widths s { spot_phase = (a, b); spot_velocity = (c, d); _ } =

@@ -87,7 +87,7 @@ let why_no_cycle place data ({ spots; word; cycles; _ } as cycle) ({ wide_disc; 
     if not (same_names word (List.rev (mappings w walls))) then "the word is not that of the listed walls"
     else if not (Cyc.Disc.check_disc data w cycles wide_disc && Cyc.Disc.check_disc data w cycles narrow_disc) then
       "not proved to come back after `cycles` forcing periods, by first contacts, as the only orbit near"
-    else if not (Cyc.check_spots data pn pw (match around.spot_turns with k :: _ -> k | [] -> Z.zero) spots cells around.spot_turns) then "an impact is not within its bounds, or not in its `cycle`"
+    else if not (Cyc.check_spots data pn pw (match around.spot_turns with k :: _ -> k | [] -> Z.zero) spots cells around.spot_turns) then "an impact is not within its bounds, or not in its `cycle`, or its phase not in [0, 2 pi)"
     else if not (Cyc.check_mirroring w cycle wide_disc narrow_disc around.mirroring_of) then "`symmetric` is not proved"
     else if not (Cyc.is_within pn cycle.trace_bounds trace) then "the trace is not within its bounds"
     else if not (Cyc.check_determinant data pn cycle.determinant_bounds (Rests.nat (2 * List.length walls))) then "the determinant is not within its bounds"
