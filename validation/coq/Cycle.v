@@ -39,7 +39,7 @@ Definition are_eigenvalues (M : matrix R) (x1 y1 x2 y2 : R) : Prop :=
   x1 + x2 = trace M /\ y1 + y2 = 0 /\ x1 * x2 - y1 * y2 = det M /\ x1 * y2 + x2 * y1 = 0.
 Definition in_complex (b : complex_bounds) (x y : R) : Prop := in_bounds (fst b) x /\ in_bounds (snd b) y.
 
-(* Impact i and those of the orbit, the first contacts one after another, again and again, each time so many forcing periods later: within the bounds of
+(* Impact i and those of the orbit, the first contacts one after another, again and again, each time `cycles` forcing periods later: within the bounds of
    the document; the only such orbit whose first impact is; its own mirror image or not; and the product of the matrices (A.7) at its impacts. *)
 Definition is_cycle (c : cycle) (i : impact) (orbit : list impact) : Prop :=
   let walls := map wall_of orbit in let P := IZR (cycles c) * period s in let M := monodromy s (wall_of i) walls (point_of s i) in
@@ -52,7 +52,7 @@ Definition is_cycle (c : cycle) (i : impact) (orbit : list impact) : Prop :=
   exists x1 y1 x2 y2, are_eigenvalues M x1 y1 x2 y2 /\ in_complex (first_eigenvalue c) x1 y1 /\ in_complex (second_eigenvalue c) x2 y2 /\
     if is_stable c then inside_circle x1 y1 /\ inside_circle x2 y2 else outside_circle x1 y1 \/ outside_circle x2 y2.
 
-(* After so many listed impacts the motion repeats the walls of the orbit for ever, and after each round it is nearer to impact i, the limit, up to periods. *)
+(* After N listed impacts the motion repeats the walls of the orbit for ever; the first impacts of its rounds tend to impact i, whole periods taken off. *)
 Definition is_drawn (a : standing) (listed : list occurrence) (motion : list happening) (from : Z) (c : cycle) (i : impact) (orbit : list impact) : Prop :=
   exists before l, (exists rest, motion = before ++ rest) /\ impacts (firstn (length before) listed) = from /\
     after_all s a before = Flying l /\ place l = plane s (wall_of i) /\

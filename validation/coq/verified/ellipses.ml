@@ -49,8 +49,7 @@ let follow s start near =
   start :: all 0 start (List.tl near)
 
 let round_of s cycles states =
-  let (w, th, v) as start = List.hd states in
-  ignore (w, th, v);
+  let (_, _, v) as start = List.hd states in
   let place, th0, u = launch s start in
   let flights = along s (place, th0, v, u) (List.tl states) in
   { s; cycles; states; flights; slopes = List.map slope flights }
@@ -91,7 +90,7 @@ let closed s cycles states =
       better ((w, moved th change.m11, moved v change.m21) :: List.tl states) (tries - 1) in
   better states most_steps
 
-let rec at_bits bits data round =
+let at_bits bits data round =
   let s = setting bits data in
   let move = Fixed.move ~from:round.s.bits ~into:bits in
   closed s round.cycles (List.map (fun (w, th, v) -> (w, move th, move v)) round.states)
@@ -101,7 +100,7 @@ let centre_radii spread round q =
   List.rev (snd (List.fold_left (fun ((rt, rv), found) f ->
     let box = Hints.radii spread f { Hints.scale = q; rt; rv } q in (box, box :: found)) ((0.0, 0.0), []) round.flights))
 
-let room = 1.1
+let widening = 1.1
 let spare_bits = 48
 let integer x = Z.of_float (Float.ceil x)
 
@@ -124,10 +123,10 @@ let disc data spread round ~plain vectors =
     let vectors = times (slope f) vectors in
     let wide, _ = Hints.radii spread f { Hints.scale = q; rt = bt; rv = bv } q in
     let rt, rv = reach vectors in
-    let bt = Float.ceil (room *. rt +. ct) +. 8.0 and bv = Float.ceil (room *. rv +. cv) +. 8.0 in
+    let bt = Float.ceil (widening *. rt +. ct) +. 8.0 and bv = Float.ceil (widening *. rv +. cv) +. 8.0 in
     let cut x = Z.add (grid th0) (Hints.of_float q x) in
     let cell rt rv = { at_t = grid th; by_t = integer rt; at_v = grid v; by_v = integer rv } in
-    let passage = { onto = w; arrives_at = grid th; arrives_by = integer (room *. wide +. 16.0); departed = cut f.depart; approached = cut f.approach;
+    let passage = { onto = w; arrives_at = grid th; arrives_by = integer (widening *. wide +. 16.0); departed = cut f.depart; approached = cut f.approach;
                     centre_tilt = Hints.of_float q (f.bend1 /. f.rate); centre_image = cell ct cv; image_of_all = cell bt bv } in
     (vectors, (bt, bv), th, passage :: found) in
   let rec zip a b c = match a, b, c with x :: a, y :: b, z :: c -> (x, y, z) :: zip a b c | _ -> [] in
@@ -168,7 +167,7 @@ let half_widths s { spot_phase = (a, b); spot_velocity = (c, d); _ } =
   let half a b = Fixed.to_float s.bits (Z.sub (Fixed.of_q s.bits b) (Fixed.of_q s.bits a)) /. 2.0 in
   (half a b, half c d /. Fixed.to_float s.bits s.aw)
 
-(* The mirror image of which impact the first one is, after so many half periods; or that none is. *)
+(* The impact whose mirror image is the first one, and the half periods between them; or that none is. *)
 let mirroring s states ~is_symmetric =
   let states = List.rev (List.tl (List.rev states)) in
   let w0, th0, v0 = List.hd states in

@@ -100,5 +100,5 @@ let why_no_cycles data start orbits arounds =
     let rec look n = function
       | (cycle, around) :: rest when Drawing.Cyc.check_cycle data cycle around -> look (n + 1) rest
       | (cycle, around) :: _ -> why_no_cycle (Printf.sprintf "orbits[%d]" n) data cycle around
-      | [] -> "scene.excitation: not proved to be one harmonic with a positive amplitude" in
+      | [] -> "orbits: two are not proved to be different ones, or the scene not to have one harmonic with a positive amplitude" in
     look 0 (List.combine orbits arounds)
