@@ -3,7 +3,8 @@
 From Coq Require Import ZArith Lia.
 From Flocq Require Import Core.Zaux Core.Digits.
 From Interval Require Import Float.Basic Float.Generic Float.Generic_proof Float.Specific_sig Float.Specific_stdz Float.Specific_ops.
-From ImpactPair Require Pieces Shadow.
+From Coq Require Import Bool.
+From ImpactPair Require Pieces Shadow Orbit Cycle Cycles Drawn.
 Open Scope Z_scope.
 
 Module Import Std := StdZRadix2.
@@ -129,3 +130,10 @@ End ShiftRadix2.
 Module ShiftFloats := SpecificFloat ShiftRadix2.
 Module Shifting := Pieces.PieceVerifier ShiftFloats.
 Module Shadowing := Shadow.Shadows ShiftFloats.
+Module Drawing := Drawn.Drawings ShiftFloats.
+
+(* A document of a motion that a stable periodic orbit attracts. *)
+Definition verify_attracted (x : Orbit.document) (found : Pieces.pieces) (from : Z) (c : Cycle.cycle) (h : Cycles.surroundings) (a : Drawn.approach_to) : bool :=
+  Shifting.verify_document x found && Drawing.verify_drawn x from c h a.
+Theorem attracted_verified x found from c h a : verify_attracted x found from c h a = true -> Cycle.claims_attracted x from c.
+Proof. intros v. apply andb_prop in v as [listed drawn]. exact (Drawing.drawn_verified x from c h a (Shifting.pieces_verified x found listed) drawn). Qed.

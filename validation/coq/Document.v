@@ -24,6 +24,8 @@ Arguments begun {E}.
 Arguments events {E}.
 Arguments ended {E}.
 
+Definition in_bounds (b : Q * Q) (x : R) : Prop := Q2R (fst b) <= x <= Q2R (snd b).
+
 (* Divisors are not 0, radicands not negative; the interval is not empty. *)
 Fixpoint defined (n : number) : Prop :=
   match n with
@@ -79,6 +81,8 @@ Proof.
   induction a as [|i a IH]; intros l b; cbn; [tauto|]. intros [r f]. destruct (IH _ _ f). tauto.
 Qed.
 Definition same_wall (a b : wall) : bool := match a, b with left, left | right, right => true | _, _ => false end.
+Lemma same_wall_sound a b : same_wall a b = true -> a = b.
+Proof. destruct a, b; cbn; congruence. Qed.
 Definition same_mapping (a b : option mapping) : bool :=
   match a, b with
   | None, None | Some P1, Some P1 | Some P2, Some P2 | Some P3, Some P3 | Some P4, Some P4 => true
@@ -117,6 +121,9 @@ Proof.
   induction a; intros [] h; cbn in h; try discriminate; try (apply andb_prop in h as [h h']); try (f_equal; auto; fail).
   apply Z.eqb_eq in h. apply Pos.eqb_eq in h'. destruct q as [n d], q0 as [n' d']. cbn in *. congruence.
 Qed.
+
+Lemma as_many {X Y : Type} (P : X -> Y -> Prop) xs ys : Forall2 P xs ys -> length xs = length ys.
+Proof. induction 1; cbn; congruence. Qed.
 
 Module Verifier (F : FloatOps with Definition sensible_format := true).
 Module Import Check := Checker F.
@@ -253,8 +260,5 @@ Proof.
     { refine (is_positive_sound _ _ later _). apply holds_sub; [apply known|apply holds_enclose]. }
     destruct w as (_ & tm & _). lra.
 Qed.
-
-Lemma as_many {X Y : Type} (P : X -> Y -> Prop) xs ys : Forall2 P xs ys -> length xs = length ys.
-Proof. induction 1; cbn; congruence. Qed.
 
 End Verifier.

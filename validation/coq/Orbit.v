@@ -72,8 +72,6 @@ Proof.
   intros h. apply andb_prop in h as [h more]. apply andb_prop in h as [number name].
   split; [apply Z.eqb_eq, number|]. split; [apply same_mapping_sound, name|apply IH, more].
 Qed.
-Lemma same_wall_sound a b : same_wall a b = true -> a = b.
-Proof. destruct a, b; cbn; congruence. Qed.
 
 (* The end of a list, a rest and its release: the wall, the latest time of the rest, and bounds of the release. *)
 Definition last_rest (listed : list occurrence) : option (wall * Q * (Q * Q)) :=

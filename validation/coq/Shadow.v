@@ -18,7 +18,6 @@ Record nearness := Nearness { start_times : Q * Q; start_velocities : Q * Q; hal
 Definition width (b : Q * Q) : R := Q2R (snd b) - Q2R (fst b).
 Definition near (s : scene) (n : nearness) : Prop :=
   1000 * width (start_times n) <= period s /\ 1000 * width (start_velocities n) <= A s * W s.
-Definition in_bounds (b : Q * Q) (x : R) : Prop := Q2R (fst b) <= x <= Q2R (snd b).
 Definition between_rationals (b : Q * Q) : range := Between (Rational (fst b)) (Rational (snd b)).
 Definition middle_time (b : bounds) : R := (Q2R (time_lower b) + Q2R (time_upper b)) / 2.
 Definition off (s : scene) (b : bounds) (i : impact) : R := Rabs (time i - middle_time b) / period s.

@@ -2,3 +2,5 @@
 From ImpactPair Require Import Carrier.
 Print Assumptions Carrier.Shifting.pieces_verified.
 Print Assumptions Carrier.Shadowing.shadow_verified.
+Print Assumptions Carrier.Drawing.cycles_verified.
+Print Assumptions Carrier.attracted_verified.

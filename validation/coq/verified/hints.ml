@@ -92,11 +92,10 @@ let of_float scale x = let m, e = Float.frexp x in
   let n = Z.of_float (Float.ldexp m 60) and shift = e - 60 + scale in
   if shift >= 0 then Z.shift_left n shift else Z.shift_right n (-shift)
 
-(* The box of the start, of radius 0 where it is a number of the grid; or of a release. *)
+(* The box of the start, of radius 0 where it is 0, or of a release. Enclosures of other numbers of the grid may be wider than one number. *)
 let origin_box spread s from scale =
   let _, th, v, _ = start_of s from in
-  let exact x = Z.equal x (Z.shift_left (floor_at ~bits:s.bits ~scale x) (s.bits - scale)) in
-  let radius x spread = if spread = 0.0 && exact x then 0.0 else Float.ceil (scaled scale spread) +. 2.0 in
+  let radius x spread = if spread = 0.0 && Z.sign x = 0 then 0.0 else Float.ceil (scaled scale spread) +. 2.0 in
   let rt = match from with Released _ -> 2.0 | Begun _ -> radius th spread.of_phase in
   (th, v, { scale; rt; rv = radius v spread.of_velocity })
 

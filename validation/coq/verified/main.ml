@@ -1,11 +1,11 @@
-(* impact-pair-verified DOCUMENT: prints what an orbit document claims, and `verified` where the checker that is extracted from
+(* impact-pair-verified DOCUMENT: prints what a document claims, and `verified` where the checker that is extracted from
    Coq says so. *)
 
 open Checker
 module Z = Integers.Z
 
 let usage = "usage: impact-pair-verified DOCUMENT\n\n\
-  Verifies an orbit document of `impact-pair run --format json` (- for standard input) by a checker extracted from its proof in Coq.\n\
+  Verifies a document of `impact-pair run` or `impact-pair periodic --format json` (- for standard input) by a checker extracted from its proof in Coq.\n\
   Prints the claim, and `verified` (exit 0), `not verified: REASON` (1) or `unreadable: REASON` (2).\n\n\
   impact-pair-verified --coq DOCUMENT prints a file in which Coq itself runs the checker on the same input.\n"
 
@@ -21,13 +21,23 @@ let contents path =
     let channel = open_in_bin path in
     Fun.protect ~finally:(fun () -> close_in channel) (fun () -> really_input_string channel (in_channel_length channel))
 
-let judged = function
-  | Orbit.Exact document ->
-    (match Search.pieces document with
-     | Refused reason -> Not_verified reason
-     | Pieces pieces when Shifting.verify_document document pieces -> Verified
-     | Pieces (Whole hint) -> Not_verified (Reason.why document hint)
-     | Pieces _ -> Not_verified "the pieces do not make up the whole")
+let of_pieces document accepted = match Search.pieces document with
+  | Refused reason -> Not_verified reason
+  | Pieces pieces when Shifting.verify_document document pieces -> accepted pieces
+  | Pieces (Whole hint) -> Not_verified (Reason.why document hint)
+  | Pieces _ -> Not_verified "the pieces do not make up the whole"
+
+let judged_orbit = function
+  | Orbit.Exact document -> of_pieces document (fun _ -> Verified)
+  | Attracted (document, from, cycle) ->
+    of_pieces document (fun pieces ->
+      match Ellipses.around document.scene_data document.begun cycle ~plain:true with
+      | exception Flights.Lost _ -> Not_verified "outcome.orbit: no ellipse around it is found that the flights contract"
+      | around when not (Drawing.Cyc.check_cycle document.scene_data cycle around) -> Not_verified (Reason.why_no_cycle "outcome.orbit" document.scene_data cycle around)
+      | around ->
+        match Ellipses.approach document from around.wide_disc with
+        | Some approach when verify_attracted document pieces from cycle around approach -> Verified
+        | _ -> Not_verified "outcome.from: the motion is not proved to follow the word from there on, into an ellipse that the flights contract")
   | Shadowed (document, near) ->
     (match Chains.of_document document near with
      | exception Flights.Lost n -> Not_verified (Printf.sprintf "events[%d]: no orbit is found near the middles of the bounds" n)
@@ -35,27 +45,53 @@ let judged = function
      | Some chain when Shadowing.verify_shadow document near chain -> Verified
      | Some chain -> Not_verified (Reason.why_not_shadowed document near chain))
 
+let judged_cycles ({ data; start; orbits; _ } : Periodic.claim) =
+  match Ellipses.around_all data start orbits with
+  | Error n -> Not_verified (Printf.sprintf "orbits[%d]: no ellipse around it is found with exactly one orbit" n)
+  | Ok around when Drawing.verify_cycles data start orbits around -> Verified
+  | Ok around -> Not_verified (Reason.why_no_cycles data start orbits around)
+
+type claim = Orbit of Orbit.claim | Cycles of Periodic.claim
+let read source =
+  let value = Json.read source in
+  match Reading.schema_of value with
+  | is when is = Orbit.schema -> Orbit (Orbit.read value)
+  | is when is = Periodic.schema -> Cycles (Periodic.read value)
+  | is -> Reading.not_covered "schema is %S: covered are %S and %S" (Reading.shortened is) Orbit.schema Periodic.schema
+let said = function Orbit claim -> Orbit.claim claim | Cycles claim -> Periodic.claim claim
+let judged = function Orbit claim -> judged_orbit claim | Cycles claim -> judged_cycles claim
+
 let verdict source =
-  match Orbit.read source with
+  match read source with
   | exception Json.Unreadable reason -> Unreadable reason
-  | exception Orbit.Not_covered reason -> Not_verified reason
+  | exception Reading.Not_covered reason -> Not_verified reason
   | claim ->
-    print_endline ("claim: " ^ Orbit.claim claim);
+    print_endline ("claim: " ^ said claim);
     (* Numbers so large or so close that no check is computed. *)
     try judged claim with Z.Overflow | Invalid_argument _ | Failure _ | Stack_overflow | Out_of_memory | Not_found | Division_by_zero ->
       Not_verified "the numbers are beyond what the checker computes with"
 
 (* The same input for Coq, with this program's answer. *)
+let no_input reason = prerr_endline ("no input for the checker: " ^ reason); exit 1
+let pieces_of document = match Search.pieces document with Search.Pieces pieces -> pieces | Refused reason -> no_input reason
 let coq path =
-  match Orbit.read (contents path) with
-  | Exact document ->
-    (match Search.pieces document with
-     | Pieces pieces -> print_string (Term.file document pieces (Shifting.verify_document document pieces))
-     | Refused reason -> prerr_endline ("no input for the checker: " ^ reason); exit 1)
-  | Shadowed (document, near) ->
+  match read (contents path) with
+  | Orbit (Exact document) ->
+    let pieces = pieces_of document in
+    print_string (Term.file document pieces (Shifting.verify_document document pieces))
+  | Orbit (Attracted (document, from, cycle)) ->
+    let pieces = pieces_of document and around = Ellipses.around document.scene_data document.begun cycle ~plain:true in
+    (match Ellipses.approach document from around.wide_disc with
+     | Some approach -> print_string (Term.file_of_attracted document pieces from cycle around approach (verify_attracted document pieces from cycle around approach))
+     | None -> no_input "no way into an ellipse is found")
+  | Orbit (Shadowed (document, near)) ->
     (match Chains.of_document document near with
      | Some chain -> print_string (Term.file_of_shadow document near chain (Shadowing.verify_shadow document near chain))
-     | None -> prerr_endline ("no input for the checker: " ^ Search.no_next); exit 1)
+     | None -> no_input Search.no_next)
+  | Cycles { data; start; orbits; _ } ->
+    (match Ellipses.around_all data start orbits with
+     | Ok around -> print_string (Term.file_of_cycles data start orbits around (Drawing.verify_cycles data start orbits around))
+     | Error n -> no_input (Printf.sprintf "orbits[%d] is not found" n))
 
 let () =
   match Array.to_list Sys.argv with

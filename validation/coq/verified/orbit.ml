@@ -2,74 +2,27 @@
    byte, with the canonical form of the document, so that nothing else is verified than what it says. *)
 
 open Checker
+open Reading
 module Z = Integers.Z
-
-exception Not_covered of string
-
-let not_covered format = Printf.ksprintf (fun message -> raise (Not_covered message)) format
-let unreadable = Json.unreadable
 
 let schema = "impact-pair/orbit/1"
 let exact_start = "exact start"
 let shadowed = "shadowed"
 let periodic = "periodic"
+let attracted = "attracted"
 
-(* What a document claims: of the orbit from the scene's start, or of one that starts near. *)
-type claim = Exact of document | Shadowed of event document_of * nearness
-let scene_of = function Exact { scene_data; begun; _ } -> (scene_data, begun) | Shadowed ({ scene_data; begun; _ }, _) -> (scene_data, begun)
-let outcome_of = function Exact { ended; _ } -> ended | Shadowed ({ ended; _ }, _) -> ended
-let occurrences = function Exact { events; _ } -> events | Shadowed ({ events; _ }, _) -> List.map (fun event -> Impact_at event) events
+(* What a document claims: of the orbit from the scene's start, or of one that starts near; of the first that from an impact on it tends to a periodic orbit. *)
+type claim = Exact of document | Attracted of document * Z.t * cycle | Shadowed of event document_of * nearness
+let scene_of = function
+  | Exact { scene_data; begun; _ } | Attracted ({ scene_data; begun; _ }, _, _) -> (scene_data, begun)
+  | Shadowed ({ scene_data; begun; _ }, _) -> (scene_data, begun)
+let outcome_of = function Exact { ended; _ } | Attracted ({ ended; _ }, _, _) -> ended | Shadowed ({ ended; _ }, _) -> ended
+let occurrences = function
+  | Exact { events; _ } | Attracted ({ events; _ }, _, _) -> events
+  | Shadowed ({ events; _ }, _) -> List.map (fun event -> Impact_at event) events
 
 (* Keys that claim nothing. *)
 let no_claims = [ "program"; "arithmetic" ]
-
-(* Values with the places where they stand. *)
-
-let kind = function
-  | Json.Null -> "null"
-  | Bool b -> string_of_bool b
-  | Number n -> n
-  | String s -> Printf.sprintf "\"%s\"" s
-  | List _ -> "a list"
-  | Object _ -> "an object"
-
-let shortened text = if String.length text > 60 then String.sub text 0 60 ^ ".." else text
-let wrong place value what = unreadable "%s: %s, but accepted is %s" place (shortened (kind value)) what
-
-let members place = function Json.Object members -> members | value -> wrong place value "an object"
-let items place = function
-  | Json.List items -> List.mapi (fun i item -> (Printf.sprintf "%s[%d]" place i, item)) items
-  | value -> wrong place value "a list"
-let inside place key = if place = "" then key else place ^ "." ^ key
-let get place members key =
-  match List.assoc_opt key members with
-  | Some value -> value
-  | None -> unreadable "%s is missing" (inside place key)
-let string place = function Json.String s -> s | value -> wrong place value "a string"
-let bool place = function Json.Bool b -> b | value -> wrong place value "true or false"
-let integer place = function
-  | Json.Number n when String.length n < 19 && String.for_all (fun c -> c >= '0' && c <= '9') n -> Z.of_string n
-  | value -> wrong place value "an integer from 0 on"
-let range place value = Expression.parse place (string place value)
-let wall place value = match string place value with
-  | "left" -> Left
-  | "right" -> Right
-  | _ -> wrong place value "\"left\" or \"right\""
-let mapping place = function
-  | Json.Null -> None
-  | String "P1" -> Some P1
-  | String "P2" -> Some P2
-  | String "P3" -> Some P3
-  | String "P4" -> Some P4
-  | value -> wrong place value "\"P1\", \"P2\", \"P3\", \"P4\" or null"
-let bounds place value = match items place value with
-  | [ (p, lower); (q, upper) ] -> (Expression.bound p (string p lower), Expression.bound q (string q upper))
-  | _ -> wrong place value "a list of two bounds"
-
-(* No other keys than these. *)
-let only place known members =
-  List.iter (fun (key, _) ->
-    if not (List.mem key known) then not_covered "%s is not covered by the theorem" (inside place key)) members
 
 (* Forcing periods are those of the fastest harmonic, and the theorems on shadowed orbits and on periods are about documents of which it is the first: so it is put
    there, in all lists alike, before anything is read. A sum has no order; that no other one is faster is proved. *)
@@ -96,35 +49,6 @@ let with_fastest_first value =
   | _ -> value
 
 (* From JSON. *)
-
-let read_scene value =
-  let place = "scene" in
-  let scene = members place value in
-  only place [ "excitation"; "gap"; "restitution"; "start" ] scene;
-  let excitation = inside place "excitation" in
-  let terms = members excitation (get place scene "excitation") in
-  only excitation [ "amplitude"; "frequency"; "phase" ] terms;
-  let list key = let place = inside excitation key in
-    List.map (fun (place, value) -> range place value) (items place (get excitation terms key)) in
-  let amplitudes = list "amplitude" and frequencies = list "frequency" and phases = list "phase" in
-  if List.compare_lengths amplitudes frequencies <> 0 || List.compare_lengths amplitudes phases <> 0 then
-    unreadable "%s: as many frequencies and phases as amplitudes are accepted" excitation;
-  let tones = List.map2 (fun (amplitude, frequency) shift -> { amplitude; frequency; shift })
-    (List.combine amplitudes frequencies) phases in
-  match tones with
-  | [] -> unreadable "%s.amplitude: an empty list, but accepted is one amplitude or more" excitation
-  | leading :: further ->
-    let value key = range (inside place key) (get place scene key) in
-    let data = { leading; further; gap = value "gap"; restitution = value "restitution" } in
-    let place = inside place "start" in
-    let start = members place (get "scene" scene "start") in
-    only place [ "time"; "wall"; "position"; "velocity" ] start;
-    let value key = range (inside place key) (get place start key) in
-    let beginning = match List.mem_assoc "wall" start, List.mem_assoc "position" start with
-      | true, false -> Struck (wall (inside place "wall") (get place start "wall"), value "time", value "velocity")
-      | false, true -> Inside (value "time", value "position", value "velocity")
-      | _ -> unreadable "%s: accepted is a wall or a position" place in
-    (data, beginning)
 
 let read_event (place, value) =
   let event = members place value in
@@ -193,12 +117,21 @@ let read_outcome ~is_shadowed outcome =
     let until = Option.map (fun value -> Expression.number "outcome.until" (string "outcome.until" value)) (List.assoc_opt "until" outcome) in
     Repeats (impacts (), until, count "cycles", count "impacts")
   | other when is_shadowed -> not_covered "outcome.kind is %S: covered of shadowed orbits are \"impacts-reached\" and \"time-reached\"" (shortened other)
-  | other -> not_covered "outcome.kind is %S: covered are \"impacts-reached\", \"time-reached\" and \"periodic\"" (shortened other)
+  | other -> not_covered "outcome.kind is %S: covered are \"impacts-reached\", \"time-reached\", \"periodic\" and \"attracted\"" (shortened other)
+
+(* The periodic orbit of an outcome `attracted`, from which impact on, and what else the outcome says. *)
+let read_attractor outcome =
+  only "outcome" [ "kind"; "message"; "impacts"; "until"; "word"; "cycles"; "from"; "orbit" ] outcome;
+  let value key = get "outcome" outcome key in
+  let word = Periodic.read_word "outcome.word" (value "word") and cycles = integer "outcome.cycles" (value "cycles") in
+  let impacts = integer "outcome.impacts" (value "impacts") in
+  let ended = match List.assoc_opt "until" outcome with
+    | None -> Impacts_reached impacts
+    | Some until -> Time_reached (impacts, Expression.number "outcome.until" (string "outcome.until" until)) in
+  (Periodic.read_orbit ~word ~cycles "outcome.orbit" (value "orbit"), integer "outcome.from" (value "from"), ended)
 
 let document value =
   let head = members "the document" value in
-  let is = string "schema" (get "" head "schema") in
-  if is <> schema then not_covered "schema is %S: covered is %S" (shortened is) schema;
   if not (bool "certified" (get "" head "certified")) then not_covered "certified is false: the document claims nothing";
   let is_shadowed = match List.assoc_opt "claim" head with
     | None -> false
@@ -206,10 +139,15 @@ let document value =
     | Some claim when string "claim" claim = shadowed -> true
     | Some claim -> not_covered "claim is %s: covered are %S and %S" (shortened (kind claim)) exact_start shadowed in
   let outcome = members "outcome" (get "" head "outcome") in
-  let ended = read_outcome ~is_shadowed outcome in
+  let is_attracted = not is_shadowed && string "outcome.kind" (get "outcome" outcome "kind") = attracted in
+  let attractor = if is_attracted then Some (read_attractor outcome) else None in
+  let ended = match attractor with Some (_, _, ended) -> ended | None -> read_outcome ~is_shadowed outcome in
   let events = List.map read_event (items "events" (get "" head "events")) in
   let scene_data, begun = read_scene (get "" head "scene") in
   only "" ([ "schema"; "certified"; "claim"; "scene"; "outcome"; "events" ] @ no_claims) head;
+  match attractor with
+  | Some (cycle, from, _) -> Periodic.one_harmonic scene_data; Attracted ({ scene_data; begun; events; ended }, from, cycle)
+  | None ->
   if not is_shadowed then Exact { scene_data; begun; events; ended }
   else match begun with
     | Inside _ -> not_covered "scene.start is inside the gap: covered of shadowed orbits are starts on a wall"
@@ -217,35 +155,23 @@ let document value =
 
 (* To JSON. *)
 
-let plural n = if Z.equal n Z.one then "" else "s"
 let words claim =
+  let cycles_text n = if Z.equal n Z.one then "cycle" else Z.to_string n ^ " cycles" in
   let near = match claim with
-    | Exact _ -> ""
+    | Exact _ | Attracted _ -> ""
     | Shadowed (_, { half_within; all_within; _ }) ->
       Printf.sprintf " of one true orbit that starts near (shadowed), half of them within %s forcing periods, all within %s"
         (Expression.spell half_within) (Expression.spell all_within) in
-  match outcome_of claim with
-  | Impacts_reached n -> Printf.sprintf "%s impact%s%s" (Z.to_string n) (plural n) near
-  | Time_reached (n, _) -> Printf.sprintf "%s impact%s listed%s; no other event up to the requested time" (Z.to_string n) (plural n) near
-  | Repeats (n, _, cycles, each) ->
+  match outcome_of claim, claim with
+  | (Impacts_reached n | Time_reached (n, _)), Attracted (_, from, { word; cycles; _ }) ->
+    let each = Z.of_int (List.length word) in
+    Printf.sprintf "%s impact%s; proved to converge to a stable orbit of %s impact%s every %s (%s), from impact %s on" (Z.to_string n) (plural n)
+      (Z.to_string each) (plural each) (cycles_text cycles) (Periodic.word_text word) (Z.to_string from)
+  | Impacts_reached n, _ -> Printf.sprintf "%s impact%s%s" (Z.to_string n) (plural n) near
+  | Time_reached (n, _), _ -> Printf.sprintf "%s impact%s listed%s; no other event up to the requested time" (Z.to_string n) (plural n) near
+  | Repeats (n, _, cycles, each), _ ->
     Printf.sprintf "%s impact%s; proved to repeat exactly for ever, %s listed impact%s every %s" (Z.to_string n) (plural n) (Z.to_string each) (plural each)
-      (if Z.equal cycles Z.one then "cycle" else Z.to_string cycles ^ " cycles")
-
-let wall_name = function Left -> "left" | Right -> "right"
-let mapping_name = function P1 -> "P1" | P2 -> "P2" | P3 -> "P3" | P4 -> "P4"
-
-let json_of_scene data beginning =
-  let text r = Json.String (Expression.text r) in
-  let list field = Json.List (List.map (fun tone -> text (field tone)) (data.leading :: data.further)) in
-  let start = match beginning with
-    | Struck (w, t, v) -> [ ("time", text t); ("wall", Json.String (wall_name w)); ("velocity", text v) ]
-    | Inside (t, y, v) -> [ ("time", text t); ("position", text y); ("velocity", text v) ] in
-  Json.Object [
-    ("excitation", Object [ ("amplitude", list (fun x -> x.amplitude)); ("frequency", list (fun x -> x.frequency));
-                            ("phase", list (fun x -> x.shift)) ]);
-    ("gap", text data.gap); ("restitution", text data.restitution); ("start", Object start) ]
-
-let pair lower upper = Json.List [ String (Expression.spell lower); String (Expression.spell upper) ]
+      (cycles_text cycles)
 
 let json_of_event = function
   | Impact_at { index; mapped; shown } ->
@@ -267,33 +193,30 @@ let json_of_nearness { start_times = (a, b); start_velocities = (c, d); half_wit
 
 let json_of_outcome claim =
   let common kind impacts = [ ("kind", Json.String kind); ("message", Json.String (words claim)); ("impacts", Json.Number (Z.to_string impacts)) ] in
-  let near = match claim with Exact _ -> [] | Shadowed (_, near) -> json_of_nearness near in
+  let near = match claim with Exact _ | Attracted _ -> [] | Shadowed (_, near) -> json_of_nearness near in
   let number x = Json.String (Expression.text { least = x; most = x }) in
-  Json.Object (near @ match outcome_of claim with
-    | Impacts_reached n -> common "impacts-reached" n
-    | Time_reached (n, until) ->
+  let attractor from ({ word; cycles; _ } as cycle) =
+    [ ("word", Json.String (Periodic.word_text word)); ("cycles", Number (Z.to_string cycles)); ("from", Number (Z.to_string from)); ("orbit", Periodic.json_of_orbit cycle) ] in
+  Json.Object (near @ match outcome_of claim, claim with
+    | Impacts_reached n, Attracted (_, from, cycle) -> common attracted n @ attractor from cycle
+    | Time_reached (n, until), Attracted (_, from, cycle) -> common attracted n @ [ ("until", number until) ] @ attractor from cycle
+    | Impacts_reached n, _ -> common "impacts-reached" n
+    | Time_reached (n, until), _ ->
       common "time-reached" n @ [ ("until", number until) ]
-    | Repeats (n, until, cycles, each) ->
+    | Repeats (n, until, cycles, each), _ ->
       common periodic n @ List.map (fun until -> ("until", number until)) (Option.to_list until)
       @ [ ("period", Object [ ("cycles", Number (Z.to_string cycles)); ("impacts", Number (Z.to_string each)) ]) ])
 
 let json claim =
   let scene, beginning = scene_of claim in
   Json.Object [
-    ("schema", String schema); ("certified", Bool true); ("claim", String (match claim with Exact _ -> exact_start | Shadowed _ -> shadowed));
+    ("schema", String schema); ("certified", Bool true); ("claim", String (match claim with Exact _ | Attracted _ -> exact_start | Shadowed _ -> shadowed));
     ("scene", json_of_scene scene beginning); ("outcome", json_of_outcome claim);
     ("events", List (List.rev (List.rev_map json_of_event (occurrences claim)))) ]
 
 (* The canonical form of a document: without what claims nothing, with the defaults that older documents leave out, and with
    numbers in one spelling. *)
 let canonical claim document =
-  let numbers = [ "gap"; "restitution"; "amplitude"; "frequency"; "phase"; "time"; "position"; "velocity"; "until"; "median"; "maximum" ] in
-  let rec spelled key = function
-    | Json.String s when List.mem key numbers -> Json.String (Expression.canonical s)
-    | String s when key = "message" -> String (Expression.without_exponents s)
-    | List items -> List (List.rev (List.rev_map (spelled key) items))
-    | Object members -> Object (List.map (fun (key, value) -> (key, spelled key value)) members)
-    | value -> value in
   let default key value members = if List.mem_assoc key members then members else (key, value) :: members in
   let outcome = function
     | Json.Object members ->
@@ -305,23 +228,11 @@ let canonical claim document =
   let head = default "claim" (Json.String exact_start) head in
   spelled "" (Object (List.map (fun (key, value) -> (key, if key = "outcome" then outcome value else value)) head))
 
-(* The first place where two texts differ. *)
-let difference a b =
-  let n = min (String.length a) (String.length b) in
-  let rec first i = if i < n && a.[i] = b.[i] then first (i + 1) else i in
-  let i = first 0 in
-  let part s = String.sub s (max 0 (i - 20)) (min (String.length s) (i + 20) - max 0 (i - 20)) in
-  (part a, part b)
-
 (* What a document claims. *)
-let read source =
-  let value = with_fastest_first (Json.read source) in
+let read value =
+  let value = with_fastest_first value in
   let claim = document value in
-  let written = Json.text (Json.sorted (canonical claim value)) and understood = Json.text (Json.sorted (json claim)) in
-  if written <> understood then begin
-    let a, b = difference written understood in
-    unreadable "written is `..%s..`, and accepted is the spelling `..%s..`" a b
-  end;
+  compare_with ~canonical:(canonical claim value) ~understood:(json claim);
   claim
 
 (* The claim in one line, in the words of the theorem. *)
@@ -332,9 +243,9 @@ let claim claimed =
   let impacts n = Printf.sprintf "%s impact%s" (Z.to_string n) (plural n) in
   let contacts = "each the first contact after the one before" in
   let sequence n = match claimed with
-    | Exact _ when rests = "0 rests" && releases = "0 releases" ->
+    | (Exact _ | Attracted _) when rests = "0 rests" && releases = "0 releases" ->
       Printf.sprintf "from every start that the scene allows there is exactly one sequence of %s, %s, %s" (impacts n) contacts listed
-    | Exact _ ->
+    | Exact _ | Attracted _ ->
       Printf.sprintf "from every start that the scene allows there is exactly one motion with this sequence of %s, %s and %s: each impact is the first \
         contact after what is listed before it; a rest with `skipped` comes after infinitely many impacts on its wall, each the first contact after the one \
         before, whose times tend to that of the rest and whose velocities tend to 0, any other one at once; from a rest to its release the contact force is \
@@ -347,7 +258,14 @@ let claim claimed =
         periods of the middles of the bounds of their times, all within %s"
         (bounds start_times) (bounds start_velocities) (impacts n) contacts listed (spell half_within) (spell all_within) in
   let up_to until = "; all are up to the time " ^ Expression.text { least = until; most = until } ^ ", and the next one is after it" in
-  match outcome_of claimed with
+  let tends = match claimed with
+    | Attracted (_, from, { word; cycles; _ }) ->
+      let each = Z.of_int (List.length word) in
+      Printf.sprintf "; from impact %s on the motion has impacts in the order of the word for ever, and every %s%s of them tends, whole forcing periods apart, \
+        to the first impact of a periodic orbit of %s in %s forcing period%s: %s" (Z.to_string from) (Z.to_string each) (ordinal each) (impacts each)
+        (Z.to_string cycles) (plural cycles) Periodic.of_orbit
+    | Exact _ | Shadowed _ -> "" in
+  (fun said -> said ^ tends) @@ match outcome_of claimed with
   | Impacts_reached n -> sequence n
   | Time_reached (n, until) -> sequence n ^ up_to until
   | Repeats (n, until, cycles, each) ->

@@ -74,3 +74,31 @@ let why_not_shadowed document near chain =
     | None when not (Each.check_fastest chain.chain_bits document.scene_data) ->
       "scene.excitation.frequency: no harmonic is proved to be the fastest, in whose periods `outcome.epsilon` is"
     | None -> "outcome: not proved are its number of impacts, `until`, its bounds of the start, or that half of the impacts are within `median`"
+
+(* The first part of a periodic orbit that is refused. *)
+let why_no_cycle place data ({ spots; word; cycles; _ } as cycle) ({ wide_disc; narrow_disc; _ } as around) =
+  let module Cyc = Drawing.Cyc in
+  let walls = List.map (fun { onto; _ } -> onto) narrow_disc.way in
+  let w = (List.hd spots).spot_wall in
+  let pn = narrow_disc.disc_bits and pw = narrow_disc.disc_scale in
+  let cells = Cyc.Disc.all_starts narrow_disc :: List.map (fun { image_of_all; _ } -> image_of_all) narrow_disc.way in
+  let trace = Cyc.Disc.trace_in data w narrow_disc in
+  let refused =
+    if not (same_names word (List.rev (mappings w walls))) then "the word is not that of the listed walls"
+    else if not (Cyc.Disc.check_disc data w cycles wide_disc && Cyc.Disc.check_disc data w cycles narrow_disc) then
+      "not proved to come back after `cycles` forcing periods, by first contacts, as the only orbit near"
+    else if not (Cyc.check_spots data pn pw (match around.spot_turns with k :: _ -> k | [] -> Z.zero) spots cells around.spot_turns) then "an impact is not within its bounds, or not in its `cycle`, or its phase not in [0, 2 pi)"
+    else if not (Cyc.check_mirroring w cycle wide_disc narrow_disc around.mirroring_of) then "`symmetric` is not proved"
+    else if not (Cyc.is_within pn cycle.trace_bounds trace) then "the trace is not within its bounds"
+    else if not (Cyc.check_determinant data pn cycle.determinant_bounds (Rests.nat (2 * List.length walls))) then "the determinant is not within its bounds"
+    else "eigenvalues, `stability`, or that it is the only orbit within the bounds of the first impact, are not proved" in
+  place ^ ": " ^ refused
+let why_no_cycles data start orbits arounds =
+  match wrong_data (Z.of_int 256) data start [] with
+  | Some reason -> reason
+  | None ->
+    let rec look n = function
+      | (cycle, around) :: rest when Drawing.Cyc.check_cycle data cycle around -> look (n + 1) rest
+      | (cycle, around) :: _ -> why_no_cycle (Printf.sprintf "orbits[%d]" n) data cycle around
+      | [] -> "orbits: two are not proved to be different ones, or the scene not to have one harmonic with a positive amplitude" in
+    look 0 (List.combine orbits arounds)

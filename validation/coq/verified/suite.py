@@ -14,6 +14,7 @@ from decimal import Decimal
 from pathlib import Path
 
 import corrupted
+import corrupted_orbits
 import scenes
 import texts
 
@@ -35,6 +36,9 @@ COVERED = ("impacts-reached", "time-reached")
 # Two harmonics with a common period, the faster one last, and a motion that repeats.
 COMMON = 'excitation = { amplitude = [2, 0.4], frequency = ["pi", "3*pi"], phase = [0, 1] }\npair = { gap = 3, restitution = 0 }\n' \
          'start = { time = 0, wall = "left", velocity = -1 }'
+# Periodic orbits: scene, word, cycles. And motions that one attracts, of which corrupted copies are made as well.
+PERIODIC = [("figure-12", "P2 P1", 1), ("figure-15", "P1 P3 P2 P4 P4", 1), ("figure-15", "P1 P3 P2 P4 P4 P1 P3 P2 P4 P4", 2), ("even-cycles", "P2 P1", 2)]
+ATTRACTED = [("figure-12", ["--impacts", "5"]), ("figure-13", ["--impacts", "9"]), ("even-cycles", ["--impacts", "8"])]
 # Documents of which corrupted copies are made.
 SPOILED = [("figure-14", ["--impacts", "8"]), ("figure-14", ["--until", "4.4"]), ("figure-14", [*SHADOWED, "--impacts", "8"]),
            ("chatter", ["--until", "12"]), ("chatter", []), ("two-tones", ["--impacts", "6"]), ("figure-17", ["--impacts", "6"]), ("figure-17", [*SHADOWED, "--impacts", "6"])]
@@ -57,6 +61,11 @@ class Suite:
         command = [self.program, "run", scene, *options, "--format", "json", "--quiet"]
         done = subprocess.run(command, input=text, capture_output=True, text=True, check=False, timeout=PATIENCE)
         return json.loads(done.stdout) if done.returncode != 2 else None
+
+    def periodic(self, scene, word, cycles):
+        """The document of the periodic orbits of a word."""
+        command = [self.program, "periodic", f"scenes/{scene}.toml", "--word", word, "--cycles", str(cycles), "--format", "json", "--quiet"]
+        return json.loads(subprocess.run(command, capture_output=True, text=True, check=False, timeout=PATIENCE).stdout)
 
     def answer(self, text):
         """(verdict, its last line, seconds of processor time) of a text."""
@@ -83,8 +92,9 @@ def is_covered(document):
     """Whether a theorem covers the outcome and all events; of shadowed orbits those from a wall, with impacts alone."""
     is_shadowed = document["claim"] == "shadowed"
     repeats = not is_shadowed and document["outcome"]["kind"] == "periodic"
+    draws = not is_shadowed and document["outcome"]["kind"] == "attracted" and len(document["scene"]["excitation"]["amplitude"]) == 1
     starts, events = not is_shadowed or "wall" in document["scene"]["start"], ("impact",) if is_shadowed else ("impact", "rest", "release")
-    return starts and (repeats or document["outcome"]["kind"] in COVERED) and all(event["event"] in events for event in document["events"])
+    return starts and (repeats or draws or document["outcome"]["kind"] in COVERED) and all(event["event"] in events for event in document["events"])
 
 
 def random_scenes(suite, quick):
@@ -156,9 +166,27 @@ def fast(suite, quick):
     return rows
 
 
+def periodic_orbits(suite, quick):
+    """Rows of documents of periodic orbits; and of the orbit that attracts figure 14's neighbour. They must be verified."""
+    rows = []
+    for scene, word, cycles in PERIODIC[: 2 if quick else None]:
+        document = suite.periodic(scene, word, cycles)
+        verdict, said, seconds = suite.answer(json.dumps(document).encode())
+        if verdict != "verified":
+            suite.failures.append(f"{scene}, {word} in {cycles}: {said}")
+        rows.append(f"| {scene} | {word} in {cycles} | {len(document['orbits'])} | {said} | {seconds:.2f} |")
+    return rows
+
+
 def wrong(suite, quick):
     """Corrupted copies, none of which may be verified; the number of them."""
     total = 0
+    orbits = [suite.run(f"scenes/{name}.toml", options) for name, options in ATTRACTED[: 1 if quick else None]]
+    for document in [suite.periodic(*PERIODIC[0]), *orbits]:
+        for what, copy in corrupted_orbits.copies(document):
+            total += 1
+            if (said := suite.answer(json.dumps(copy).encode())[1]).startswith("verified"):
+                suite.failures.append(f"{document['scene']['gap']}, {document['schema']}, {what}: {said}")
     for name, options in SPOILED_IN_SMALL if quick else SPOILED:
         document = suite.run(f"scenes/{name}.toml", options)
         for what, copy in corrupted.copies(document):
@@ -172,8 +200,8 @@ def wrong(suite, quick):
 def changed(suite, quick):
     """Copies with one value changed at random: none is verified that `check` refutes. How many were, and were verified."""
     total = verified = 0
-    for name, options in SPOILED_IN_SMALL:
-        document = suite.run(f"scenes/{name}.toml", options)
+    documents = [(name, suite.run(f"scenes/{name}.toml", options)) for name, options in [*SPOILED_IN_SMALL, ATTRACTED[0]]]
+    for name, document in [*documents, ("periodic orbits of figure-12", suite.periodic(*PERIODIC[0]))]:
         for what, copy in corrupted.at_random(document, 60 if quick else 600):
             total += 1
             if suite.answer(json.dumps(copy).encode())[0] == "verified":
@@ -240,9 +268,9 @@ def same_as_coq(suite, quick):
     document = suite.run("scenes/figure-14.toml", ["--impacts", "4"])
     shadowed, resting = suite.run("scenes/figure-14.toml", [*SHADOWED, "--impacts", "3"]), suite.run("scenes/chatter.toml", ["--until", "3", "--digits", "3"])
     repeated = suite.run("scenes/chatter.toml", ["--until", "20", "--digits", "3"])
-    wanted = [document, resting, shadowed, suite.run("scenes/two-tones.toml", ["--until", "1"]), repeated, *(copy for _, copy in corrupted.copies(document))]
+    wanted = [document, resting, shadowed, suite.run("scenes/two-tones.toml", ["--until", "1"]), repeated, suite.run("scenes/figure-12.toml", ["--impacts", "3"]), suite.periodic(*PERIODIC[0]), *(copy for _, copy in corrupted.copies(document))]
     total = 0
-    for number, copy in enumerate(wanted[: 4 if quick else None]):
+    for number, copy in enumerate([*wanted[:4], wanted[5]] if quick else wanted):
         source, theorem = folder / f"Answer_{number}.json", folder / f"Answer_{number}.v"
         source.write_text(json.dumps(copy), encoding="utf-8")
         done = subprocess.run([suite.verified, "--coq", source], capture_output=True, text=True, check=False)
@@ -278,15 +306,16 @@ def main():
     suite, quick = Suite(arguments.program, arguments.verified), arguments.quick
     r43_periods(suite)
     common_periods(suite)
-    rows, times, spoiled = right(suite, quick), fast(suite, quick), wrong(suite, quick)
+    rows, times, spoiled, orbits = right(suite, quick), fast(suite, quick), wrong(suite, quick), periodic_orbits(suite, quick)
     boxes, (made, accepted) = intervals(suite, quick), random_scenes(suite, quick)
     (mutated, still), refused, coq = changed(suite, quick), unreadable(suite, quick), same_as_coq(suite, quick)
     false_ones, rests_on = forged(suite, arguments.forged), axioms(suite)
-    verdict = (f"{sum('| verified |' in row for row in rows + boxes) + accepted} documents verified, {spoiled} corrupted copies and {refused} other texts refused, "
+    verdict = (f"{sum('| verified |' in row for row in rows + boxes + orbits) + accepted} documents verified, {spoiled} corrupted copies and {refused} other texts refused, "
                f"{coq} answers equal to those of Coq's evaluator; {len(suite.failures)} failures.")
     lines = ["# Documents verified by a checker extracted from Coq", "", verdict, "",
              "| scene | events | outcome | answer | seconds |", "|---|---|---|---|---|", *rows, "",
              "| intervals of figure 14 | impacts | answer | seconds |", "|---|---|---|---|", *boxes, "",
+             "| periodic orbits | word in forcing periods | orbits | answer | seconds |", "|---|---|---|---|---|", *orbits, "",
              "| speed | seconds of processor time | accepted |", "|---|---|---|", *times, "",
              f"Random scenes: {made} documents, {accepted} verified, all others with an event or an outcome that is not covered.", "",
              f"Documents made false by `tests/forger`: {false_ones}, none verified that is false.", "",

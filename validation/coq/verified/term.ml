@@ -23,13 +23,13 @@ let range { least; most } = Printf.sprintf "(Between %s %s)" (number least) (num
 let tone { amplitude; frequency; shift } = Printf.sprintf "(Build_tone %s %s %s)" (range amplitude) (range frequency) (range shift)
 let data { leading; further; gap; restitution } =
   Printf.sprintf "(Build_data %s %s %s %s)" (tone leading) (list tone further) (range gap) (range restitution)
-let wall = Orbit.wall_name
+let wall = Reading.wall_name
 let beginning = function
   | Struck (w, t, v) -> Printf.sprintf "(Struck %s %s %s)" (wall w) (range t) (range v)
   | Inside (t, y, v) -> Printf.sprintf "(Inside %s %s %s)" (range t) (range y) (range v)
 let bounds { on; time_lower; time_upper; velocity_lower; velocity_upper } =
   Printf.sprintf "(Impact %s %s)" (wall on) (String.concat " " (List.map fraction [ time_lower; time_upper; velocity_lower; velocity_upper ]))
-let event { index; mapped; shown } = Printf.sprintf "(Event %s %s %s)" (integer index) (option Orbit.mapping_name mapped) (bounds shown)
+let event { index; mapped; shown } = Printf.sprintf "(Event %s %s %s)" (integer index) (option Reading.mapping_name mapped) (bounds shown)
 let occurrence = function
   | Impact_at x -> Printf.sprintf "(Impact_at %s)" (event x)
   | Rest_at (w, lower, upper, bounces) -> Printf.sprintf "(Rest_at %s %s %s %b)" (wall w) (fraction lower) (fraction upper) bounces
@@ -83,14 +83,40 @@ let chain { chain_bits; chain_scale; first_chart; links; afterwards } =
 let document listed { scene_data; begun; events; ended } =
   Printf.sprintf "(Document %s %s %s %s)" (data scene_data) (beginning begun) (list listed events) (outcome ended)
 
+(* Periodic orbits, and ellipses around them. *)
+let spot { spot_wall; spot_phase; spot_velocity; spot_period } =
+  Printf.sprintf "(Spot %s %s %s %s)" (wall spot_wall) (pair spot_phase) (pair spot_velocity) (option integer spot_period)
+let cycle { word; cycles; spots; is_symmetric; trace_bounds; determinant_bounds; first_eigenvalue = (a, b); second_eigenvalue = (c, d); is_stable } =
+  Printf.sprintf "(Cycle.Cycle %s %s %s %b %s %s (%s, %s) (%s, %s) %b)" (list Reading.mapping_name word) (integer cycles) (list spot spots) is_symmetric
+    (pair trace_bounds) (pair determinant_bounds) (pair a) (pair b) (pair c) (pair d) is_stable
+let cell { at_t; by_t; at_v; by_v } = Printf.sprintf "(Rounds.Cell %s)" (integers [ at_t; by_t; at_v; by_v ])
+let passage { onto; arrives_at; arrives_by; departed; approached; centre_tilt; centre_image; image_of_all } =
+  Printf.sprintf "(Rounds.Passage %s %s %s %s)" (wall onto) (integers [ arrives_at; arrives_by; departed; approached; centre_tilt ]) (cell centre_image) (cell image_of_all)
+let disc { disc_bits; disc_scale; disc_chart; factor; newton = { m11; m12; m21; m22 }; way } =
+  Printf.sprintf "(Discs.Disc %s %s %s (Jacobian.Matrix %s) %s)" (integers [ disc_bits; disc_scale ]) (chart disc_chart) (integer factor)
+    (integers [ m11; m12; m21; m22 ]) (list passage way)
+let mirroring = function
+  | Mirror_of (n, k) -> Printf.sprintf "(Cycles.Mirror_of %s %s)" (natural n) (integer k)
+  | No_mirror turns -> Printf.sprintf "(Cycles.No_mirror %s)" (list integer turns)
+let surroundings { wide_disc; narrow_disc; spot_turns; first_turns; mirroring_of } =
+  Printf.sprintf "(Cycles.Surroundings %s %s %s %s %s)" (disc wide_disc) (disc narrow_disc) (list integer spot_turns) (integer first_turns) (mirroring mirroring_of)
+let approach { listed_before; listed_until; rounds_until; last_listed; flights_on; turns_until } =
+  Printf.sprintf "(Drawn.Approach %s %s %s %s)" (String.concat " " (List.map natural [ listed_before; listed_until; rounds_until ])) (cell last_listed)
+    (list passage flights_on) (integer turns_until)
+
 (* The answer of the extracted program is Coq's: a file of definitions, and of the checker on them. *)
 let answered definitions checker answer =
   let defined = List.map (fun (name, term) -> Printf.sprintf "Definition %s := %s.\n" name term) definitions in
-  Printf.sprintf "From Coq Require Import ZArith QArith List.\nFrom ImpactPair Require Import Model Certificate Covering Document Orbit Rests Shadow.\n\
-    From ImpactPair Require Pieces Carrier.\nImport ListNotations.\nOpen Scope Z_scope.\n\
+  Printf.sprintf "From Coq Require Import ZArith QArith List.\nFrom ImpactPair Require Import Model Certificate Covering Document Orbit Rests Shadow Cycle.\n\
+    From ImpactPair Require Pieces Jacobian Rounds Discs Cycles Drawn Carrier.\nImport ListNotations.\nOpen Scope Z_scope.\n\
     %sLemma answer : Carrier.%s %s = %b.\nProof. vm_cast_no_check (eq_refl %b). Qed.\n"
     (String.concat "" defined) checker (String.concat " " (List.map fst definitions)) answer answer
 
 let file x found = answered [ ("document", document occurrence x); ("pieces", pieces found) ] "Shifting.verify_document"
 let file_of_shadow x near found =
   answered [ ("document", document event x); ("near", nearness near); ("chain", chain found) ] "Shadowing.verify_shadow"
+let file_of_cycles param start orbits around =
+  answered [ ("param", data param); ("start", beginning start); ("orbits", list cycle orbits); ("around", list surroundings around) ] "Drawing.verify_cycles"
+let file_of_attracted x found from c around way =
+  answered [ ("document", document occurrence x); ("pieces", pieces found); ("from", integer from); ("orbit", cycle c); ("around", surroundings around);
+             ("approach", approach way) ] "verify_attracted"

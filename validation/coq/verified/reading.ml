@@ -1,0 +1,140 @@
+(* Values of a document with the places where they stand, and its scene: from JSON, and back. What no theorem covers is `Not_covered`, what is no document
+   `Json.Unreadable`. *)
+
+open Checker
+module Z = Integers.Z
+
+exception Not_covered of string
+
+let not_covered format = Printf.ksprintf (fun message -> raise (Not_covered message)) format
+let unreadable = Json.unreadable
+
+(* Values with the places where they stand. *)
+
+let kind = function
+  | Json.Null -> "null"
+  | Bool b -> string_of_bool b
+  | Number n -> n
+  | String s -> Printf.sprintf "\"%s\"" s
+  | List _ -> "a list"
+  | Object _ -> "an object"
+
+let shortened text = if String.length text > 60 then String.sub text 0 60 ^ ".." else text
+let wrong place value what = unreadable "%s: %s, but accepted is %s" place (shortened (kind value)) what
+
+let members place = function Json.Object members -> members | value -> wrong place value "an object"
+let items place = function
+  | Json.List items -> List.mapi (fun i item -> (Printf.sprintf "%s[%d]" place i, item)) items
+  | value -> wrong place value "a list"
+let inside place key = if place = "" then key else place ^ "." ^ key
+let get place members key =
+  match List.assoc_opt key members with
+  | Some value -> value
+  | None -> unreadable "%s is missing" (inside place key)
+let string place = function Json.String s -> s | value -> wrong place value "a string"
+let bool place = function Json.Bool b -> b | value -> wrong place value "true or false"
+let integer place = function
+  | Json.Number n when String.length n < 19 && String.for_all (fun c -> c >= '0' && c <= '9') n -> Z.of_string n
+  | value -> wrong place value "an integer from 0 on"
+let signed place = function
+  | Json.Number n when String.length n > 1 && n.[0] = '-' -> Z.neg (integer place (Json.Number (String.sub n 1 (String.length n - 1))))
+  | value -> integer place value
+let range place value = Expression.parse place (string place value)
+let wall place value = match string place value with
+  | "left" -> Left
+  | "right" -> Right
+  | _ -> wrong place value "\"left\" or \"right\""
+let mapping place = function
+  | Json.Null -> None
+  | String "P1" -> Some P1
+  | String "P2" -> Some P2
+  | String "P3" -> Some P3
+  | String "P4" -> Some P4
+  | value -> wrong place value "\"P1\", \"P2\", \"P3\", \"P4\" or null"
+let bounds place value = match items place value with
+  | [ (p, lower); (q, upper) ] -> (Expression.bound p (string p lower), Expression.bound q (string q upper))
+  | _ -> wrong place value "a list of two bounds"
+
+(* No other keys than these. *)
+let only place known members =
+  List.iter (fun (key, _) ->
+    if not (List.mem key known) then not_covered "%s is not covered by the theorem" (inside place key)) members
+
+let schema_of value = string "schema" (get "" (members "the document" value) "schema")
+
+let read_scene value =
+  let place = "scene" in
+  let scene = members place value in
+  only place [ "excitation"; "gap"; "restitution"; "start" ] scene;
+  let excitation = inside place "excitation" in
+  let terms = members excitation (get place scene "excitation") in
+  only excitation [ "amplitude"; "frequency"; "phase" ] terms;
+  let list key = let place = inside excitation key in
+    List.map (fun (place, value) -> range place value) (items place (get excitation terms key)) in
+  let amplitudes = list "amplitude" and frequencies = list "frequency" and phases = list "phase" in
+  if List.compare_lengths amplitudes frequencies <> 0 || List.compare_lengths amplitudes phases <> 0 then
+    unreadable "%s: as many frequencies and phases as amplitudes are accepted" excitation;
+  let tones = List.map2 (fun (amplitude, frequency) shift -> { amplitude; frequency; shift })
+    (List.combine amplitudes frequencies) phases in
+  match tones with
+  | [] -> unreadable "%s.amplitude: an empty list, but accepted is one amplitude or more" excitation
+  | leading :: further ->
+    let value key = range (inside place key) (get place scene key) in
+    let data = { leading; further; gap = value "gap"; restitution = value "restitution" } in
+    let place = inside place "start" in
+    let start = members place (get "scene" scene "start") in
+    only place [ "time"; "wall"; "position"; "velocity" ] start;
+    let value key = range (inside place key) (get place start key) in
+    let beginning = match List.mem_assoc "wall" start, List.mem_assoc "position" start with
+      | true, false -> Struck (wall (inside place "wall") (get place start "wall"), value "time", value "velocity")
+      | false, true -> Inside (value "time", value "position", value "velocity")
+      | _ -> unreadable "%s: accepted is a wall or a position" place in
+    (data, beginning)
+
+(* To JSON. *)
+
+let plural n = if Z.equal n Z.one then "" else "s"
+let ordinal n = match Z.to_int (Z.rem n (Z.of_int 100)) with
+  | 11 | 12 | 13 -> "th"
+  | n -> (match n mod 10 with 1 -> "st" | 2 -> "nd" | 3 -> "rd" | _ -> "th")
+
+let wall_name = function Left -> "left" | Right -> "right"
+let mapping_name = function P1 -> "P1" | P2 -> "P2" | P3 -> "P3" | P4 -> "P4"
+
+let json_of_scene data beginning =
+  let text r = Json.String (Expression.text r) in
+  let list field = Json.List (List.map (fun tone -> text (field tone)) (data.leading :: data.further)) in
+  let start = match beginning with
+    | Struck (w, t, v) -> [ ("time", text t); ("wall", Json.String (wall_name w)); ("velocity", text v) ]
+    | Inside (t, y, v) -> [ ("time", text t); ("position", text y); ("velocity", text v) ] in
+  Json.Object [
+    ("excitation", Object [ ("amplitude", list (fun x -> x.amplitude)); ("frequency", list (fun x -> x.frequency));
+                            ("phase", list (fun x -> x.shift)) ]);
+    ("gap", text data.gap); ("restitution", text data.restitution); ("start", Object start) ]
+
+let pair lower upper = Json.List [ String (Expression.spell lower); String (Expression.spell upper) ]
+
+(* The first place where two texts differ. *)
+let difference a b =
+  let n = min (String.length a) (String.length b) in
+  let rec first i = if i < n && a.[i] = b.[i] then first (i + 1) else i in
+  let i = first 0 in
+  let part s = String.sub s (max 0 (i - 20)) (min (String.length s) (i + 20) - max 0 (i - 20)) in
+  (part a, part b)
+
+(* Numbers in one spelling. *)
+let numbers = [ "gap"; "restitution"; "amplitude"; "frequency"; "phase"; "time"; "position"; "velocity"; "until"; "median"; "maximum"; "trace"; "determinant"; "re"; "im" ]
+let rec spelled key = function
+  | Json.String s when List.mem key numbers -> Json.String (Expression.canonical s)
+  | String s when key = "message" -> String (Expression.without_exponents s)
+  | List items -> List (List.rev (List.rev_map (spelled key) items))
+  | Object members -> Object (List.map (fun (key, value) -> (key, spelled key value)) members)
+  | value -> value
+
+(* What is read is written again (`understood`) and compared, byte for byte, with the canonical form of the document. *)
+let compare_with ~canonical ~understood =
+  let written = Json.text (Json.sorted canonical) and understood = Json.text (Json.sorted understood) in
+  if written <> understood then begin
+    let a, b = difference written understood in
+    unreadable "written is `..%s..`, and accepted is the spelling `..%s..`" a b
+  end
