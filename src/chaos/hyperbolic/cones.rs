@@ -12,7 +12,7 @@ use crate::watch::Watch;
 const SMALLEST: f64 = 1.0 / (1 << 20) as f64; // exact: a power of two
 
 /// Expansions are known up to such a part per impact of the word.
-const KNOWN: f64 = 0.02;
+const KNOWN: f64 = 0.04;
 
 /// A word with the images of the cells of its strip.
 #[derive(Clone, Debug)]

@@ -118,7 +118,7 @@ pub(super) fn doubt(
 }
 
 /// Expansions are known up to such a part per impact of the word, or to the next where that is too little.
-const KNOWN: [f64; 2] = [0.016, 0.004];
+const KNOWN: [f64; 2] = [0.03, 0.01];
 
 fn proved(map: &Map<'_>, listed: &[(usize, Word)], claimed: &Claimed, known: f64) -> Result<Option<Doubt>, End> {
     let strips = branches(map.guess, map.frames, listed);

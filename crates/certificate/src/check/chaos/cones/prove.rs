@@ -10,6 +10,9 @@ use super::strip::{Branch, Cell, Frame, Image, Map, Passed, is_beyond, is_tall};
 const MOST_CELLS: usize = 1 << 19;
 const NARROWEST: f64 = 1.0 / (1 << 20) as f64; // exact: a power of two
 
+/// Cells are cut no finer for an expansion that is known better.
+const FINE: f64 = 1.0 / (1 << 10) as f64; // exact: a power of two
+
 /// A word with the images of its cells.
 #[derive(Clone, Debug)]
 pub(super) struct Proved {
@@ -109,7 +112,8 @@ fn is_cone(branch: &Branch, image: &Image, kappa: f64) -> bool {
 fn is_known(branch: &Branch, image: &Image, per_impact: f64) -> bool {
     let width = |x: Span| x.hi() - x.lo();
     let part = per_impact * branch.flights.len() as f64; // exact: a length
-    image.direction(0.0).is_some_and(|[x, _]| width(x) < 2.0 * part * x.mid().abs())
+    let [across, heights] = [image.cell.across, image.cell.heights].map(|[a, b]| b - a);
+    across < FINE || heights < FINE || image.direction(0.0).is_some_and(|[x, _]| width(x) < 2.0 * part * x.mid().abs())
 }
 
 /// How many flights, and turns, a word has before those that are another one to the same h-set.
