@@ -35,7 +35,7 @@ For periodic, two-impact and cycles, each orbit is proved again: existence and u
 stability, symmetry, and whether a wall is touched earlier. That there are no other orbits is not checked; for \
 cycles, the counts are compared with the orbits listed. For bifurcations, each fold, pitchfork and period doubling \
 is proved again, the grazes are not. For windows, each orbit, both ends of its window and the orbits between are \
-proved again. For tangency, each tangency is proved again; how many common points the manifolds have beside it is not. \
+proved again. For tangency, each tangency is proved again, and how many common points the invariant manifolds have beside it. \
 For sweep, the listed impacts are proved again, the long-term outcome is not. For global, a graph of all states is \
 computed anew, and each attractor, cycle with rests and saddle is proved again in it; for atlas, so is each point. \
 For trap, the listed boxes are proved to be forward invariant. For chaos, each listed word is proved along chains of \

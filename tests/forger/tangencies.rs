@@ -23,12 +23,12 @@ pub const FORGERIES: &[Forgery] = &[
         forge: manifolds,
     },
     Forgery { name: "tangency: least", why: "an impact is slower, or a flight shorter", forge: least },
-    Forgery { name: "tangency: sides", why: "the common points are on the other side", forge: sides },
     Forgery { name: "tangency: key", why: "the bounds are those of another parameter", forge: keys },
 ];
 
 /// Of boxes of states.
 pub const IN_BOXES: &[Forgery] = &[
+    Forgery { name: "tangency: sides", why: "the common points are on the other side", forge: sides },
     Forgery {
         name: "tangency: counts",
         why: "for some of these values the common points are outside the boxes, or there are two",

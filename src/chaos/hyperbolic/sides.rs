@@ -33,7 +33,7 @@ impl Sides {
         up(self.first[axis].mag() + self.second()[axis].mag())
     }
 
-    /// Holds so many of the first one and so many of the second one, at each state.
+    /// Holds the sum of multiples of both, at each state.
     pub fn combined(&self, first: Ball, second: Ball) -> [Ball; 2] {
         let along = first + self.part * second;
         [0, 1].map(|i| self.first[i] * along + self.rest[i] * second)

@@ -33,7 +33,7 @@ const LOOKS: u32 = 3;
 const NARROWER: f64 = 0.7;
 /// More strings, or cells of all of them, are not looked at.
 const MOST_EDGES: usize = 8000;
-const MOST_CELLS: usize = 1 << 22;
+const MOST_CELLS: usize = 3 << 20;
 const MOST_LETTERS: usize = 9;
 
 /// Bounds of no numbers.

@@ -11,6 +11,7 @@ import resource
 import subprocess
 import sys
 from decimal import Decimal
+from fractions import Fraction
 from pathlib import Path
 
 import corrupted
@@ -94,7 +95,10 @@ def is_covered(document):
     repeats = not is_shadowed and document["outcome"]["kind"] == "periodic"
     draws = not is_shadowed and document["outcome"]["kind"] == "attracted" and len(document["scene"]["excitation"]["amplitude"]) == 1
     starts, events = not is_shadowed or "wall" in document["scene"]["start"], ("impact",) if is_shadowed else ("impact", "rest", "release")
-    return starts and (repeats or draws or document["outcome"]["kind"] in COVERED) and all(event["event"] in events for event in document["events"])
+    until = Fraction(document["outcome"].get("until") or -1)
+    # No bounds tell a time to stop at from the very time of an event.
+    beside = not any(Fraction(event["time"][0]) <= until <= Fraction(event["time"][1]) for event in document["events"] if event["event"] == "impact")
+    return beside and starts and (repeats or draws or document["outcome"]["kind"] in COVERED) and all(event["event"] in events for event in document["events"])
 
 
 def random_scenes(suite, quick):

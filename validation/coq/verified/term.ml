@@ -107,7 +107,7 @@ let approach { listed_before; listed_until; rounds_until; last_listed; flights_o
 (* The answer of the extracted program is Coq's: a file of definitions, and of the checker on them. *)
 let answered definitions checker answer =
   let defined = List.map (fun (name, term) -> Printf.sprintf "Definition %s := %s.\n" name term) definitions in
-  Printf.sprintf "From Coq Require Import ZArith QArith List.\nFrom ImpactPair Require Import Model Certificate Covering Document Orbit Rests Shadow Cycle.\n\
+  Printf.sprintf "From Coq Require Import ZArith QArith List.\nFrom ImpactPair Require Import Model Data Certificate Covering Document Orbit Resting Rests Shadow Cycle.\n\
     From ImpactPair Require Pieces Jacobian Rounds Discs Cycles Drawn Carrier.\nImport ListNotations.\nOpen Scope Z_scope.\n\
     %sLemma answer : Carrier.%s %s = %b.\nProof. vm_cast_no_check (eq_refl %b). Qed.\n"
     (String.concat "" defined) checker (String.concat " " (List.map fst definitions)) answer answer

@@ -59,7 +59,7 @@ const OUTCOMES: [&str; 23] = [
 /// By default as many as ask all pairs and all triples, and some more.
 const CASES: u64 = 1_650;
 /// The default seed: one whose answers have all the outcomes that must occur.
-const SEED: u64 = 2010;
+const SEED: u64 = 2021;
 /// More than an answer takes: one that does is shown.
 const SLOW: Duration = Duration::from_secs(1);
 

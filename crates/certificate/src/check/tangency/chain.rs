@@ -176,7 +176,7 @@ impl<'b> Chain<'b> {
         let hulls = [PARAMETER, OTHER].map(|i| area.hull(i));
         let is_inside = |i: usize| self.whole[i].enclosure().contains_enclosure(hulls[i].enclosure());
         if !(is_inside(0) && is_inside(1)) {
-            return Err(open("the manifolds are not proved to be analytic that far from the tangency"));
+            return Err(open("the invariant manifolds are not proved to be analytic that far from the tangency"));
         }
         let of = |state: &State, power: usize| [&state.phase, &state.speed].map(|x| x.at(power, BITS).hull());
         let at = |i: usize| &area.centre[i];

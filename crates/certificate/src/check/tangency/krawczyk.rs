@@ -33,7 +33,7 @@ pub(super) struct Found {
 }
 
 fn lost() -> Doubt {
-    Doubt::Open("no orbit is found from one manifold to the other".into())
+    Doubt::Open("no orbit is found from one invariant manifold to the other".into())
 }
 
 /// An approximate inverse.
@@ -177,7 +177,7 @@ impl System {
                 area.radii[*i] = roomy(reach);
             }
         }
-        Err(Doubt::Open("the orbits from one manifold to the other are not proved to exist".into()))
+        Err(Doubt::Open("the orbits from one invariant manifold to the other are not proved to exist".into()))
     }
 }
 

@@ -64,7 +64,7 @@ impl Sides {
         Some(Self { first, rest, area: cross(first, rest), ..*self })
     }
 
-    /// Holds so many of the first one and so many of the second one, at each state.
+    /// Holds the sum of multiples of both, at each state.
     pub fn combined(&self, first: Span, second: Span) -> Spot {
         [0, 1].map(|i| self.first[i] * (first + self.part * second) + self.rest[i] * second)
     }

@@ -14,7 +14,7 @@ const LOOKS: u32 = 3;
 const NARROWER: f64 = 0.7;
 /// More strings, cells of all of them, or longer strings are not looked at.
 const MOST_EDGES: usize = 16_000;
-const MOST_CELLS: usize = 1 << 22;
+const MOST_CELLS: usize = 3 << 21;
 const LONGEST: usize = 10;
 
 /// Of a string, a word alone, or with one before it and some behind it: the cells of this word in which its points are, the fractions of its strip
