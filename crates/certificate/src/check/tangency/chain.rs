@@ -281,8 +281,11 @@ impl<'b> Chain<'b> {
     }
 }
 
+/// The derivatives of one equation, each by the place of its value.
+type Row = Vec<(usize, Real)>;
+
 /// The derivatives of the equations of the flights.
-fn of_flights(legs: &Legs<2, 2>, (first, last): (&End, &End), count: usize) -> Vec<Vec<(usize, Real)>> {
+fn of_flights(legs: &Legs<2, 2>, (first, last): (&End, &End), count: usize) -> Vec<Row> {
     let mut rows = Vec::new();
     for k in 0..count {
         let (by_state, by_data) = legs.of_flight(k);
@@ -312,11 +315,7 @@ fn of_flights(legs: &Legs<2, 2>, (first, last): (&End, &End), count: usize) -> V
 }
 
 /// The derivatives of the determinant of both tangents, and `q` and `m`.
-fn of_tangents(
-    legs: &Legs<2, 2>,
-    (first, last): (&End, &End),
-    count: usize,
-) -> Result<(Vec<(usize, Real)>, [Real; 2]), Doubt> {
+fn of_tangents(legs: &Legs<2, 2>, (first, last): (&End, &End), count: usize) -> Result<(Row, [Real; 2]), Doubt> {
     let to_the_end = legs.to_the_end();
     let tangents: Vec<Vector> = (0..=count).map(|k| column(&legs.slopes(k), 0)).collect();
     // What a change of a coordinate of flight `k` makes of the last tangent.
