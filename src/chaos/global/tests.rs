@@ -377,14 +377,14 @@ fn a_cycle_with_rests_of_an_unknown_period() {
 }
 
 /// Figure 14 has the horseshoe of the blocks of `P1 P2` and `P1 P2 P4` (`tests/bases-figure-14.json`) in its one closed component. How much of
-/// its entropy words of six impacts prove depends on the h-sets that are found. What is proved of the component else stays as it is.
+/// its entropy is proved depends on the h-sets that are found: of words of eight impacts more than half, of six less. What is proved of the component else stays as it is.
 #[test]
 #[ignore = "deep"]
 fn a13_the_closed_component_of_figure_14_holds_a_horseshoe() {
-    let settings = GlobalSettings { boxes: 1 << 12, most: 20_000, horseshoes: Some(6), ..GlobalSettings::default() };
+    let settings = GlobalSettings { boxes: 1 << 12, most: 20_000, horseshoes: Some(8), ..GlobalSettings::default() };
     let found = Global::of(&pair("8/9.42497", "0.5"), &settings, &Unwatched).unwrap();
     let [one] = &found.components[..] else { panic!("one component") };
     let horseshoe = one.horseshoe.as_ref().expect("a horseshoe");
     assert!(one.is_closed && one.kind.is_undecided() && found.class() == Class::Closed);
-    assert!(horseshoe.entropy[0] > 0.0, "{:?}", horseshoe.entropy);
+    assert!(horseshoe.entropy[0] > 0.2 && horseshoe.entropy[0] < 2_f64.ln(), "{:?}", horseshoe.entropy);
 }

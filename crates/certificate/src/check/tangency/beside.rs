@@ -104,7 +104,7 @@ impl ClaimedTangency {
     }
 }
 
-/// What is found of other orbits than the claimed ones refutes nothing.
+/// A doubt about orbits other than the claimed ones leaves the claim open.
 fn unproved(doubt: Doubt) -> Doubt {
     match doubt {
         Doubt::False(message) | Doubt::Open(message) => Doubt::Open(format!("beside the tangency: {message}")),

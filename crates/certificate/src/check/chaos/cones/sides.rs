@@ -9,18 +9,13 @@ use super::super::span::Span;
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Sides {
     pub first: Spot,
-    pub part: Span,
-    pub rest: Spot,
+    part: Span,
+    rest: Spot,
     area: Span,
 }
 
 pub(super) fn cross([a, b]: Spot, [c, d]: Spot) -> Span {
     a * d - b * c
-}
-
-/// `part first + rest`
-fn sum(part: Span, first: Spot, rest: Spot) -> Spot {
-    [0, 1].map(|i| part * first[i] + rest[i])
 }
 
 impl Sides {
@@ -29,7 +24,7 @@ impl Sides {
     }
 
     pub fn second(&self) -> Spot {
-        sum(self.part, self.first, self.rest)
+        [0, 1].map(|i| self.part * self.first[i] + self.rest[i])
     }
 
     /// Holds a coordinate of all sums of parts of both, from -1 to 1.
