@@ -377,7 +377,8 @@ fn a_cycle_with_rests_of_an_unknown_period() {
 }
 
 /// Figure 14 has the horseshoe of the blocks of `P1 P2` and `P1 P2 P4` (`tests/bases-figure-14.json`) in its one closed component. How much of
-/// its entropy is proved depends on the h-sets that are found: of words of eight impacts more than half, of six less. What is proved of the component else stays as it is.
+/// its entropy is proved depends on the h-sets that are found: of words of eight impacts more than half, of six less.
+/// What is proved of the component else stays as it is.
 #[test]
 #[ignore = "deep"]
 fn a13_the_closed_component_of_figure_14_holds_a_horseshoe() {
