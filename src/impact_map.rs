@@ -14,7 +14,7 @@ use crate::mapping::Mapping;
 use crate::number::Ball;
 use crate::orbit::StateSet;
 use crate::pair::{ImpactPair, Inward, Wall};
-use crate::shaken::{Either, Flying, Leaving};
+use crate::shaken::{Either, Flying, Leaving, under};
 use crate::{Error, turns};
 
 /// What a proof finds, or why it found nothing.
@@ -103,10 +103,7 @@ impl ImpactMap {
     /// # Undecided
     /// Where not all flights of the set are proved to end on the same wall: it is too wide, or a flight may graze or end in a rest.
     pub fn image(&self, states: &States) -> Answer<Image> {
-        match &self.shaken {
-            Either::One(shaken) => fly(&**shaken, states),
-            Either::Several(shaken) => fly(&**shaken, states),
-        }
+        under!(&self.shaken, shaken => fly(&**shaken, states))
     }
 
     /// Returns the image of a set under `count` mappings, at least one, with the product of their Jacobians.
@@ -125,10 +122,7 @@ impl ImpactMap {
     /// The unit of velocities in sets.
     fn scale(&self, velocity: Ball) -> f64 {
         use crate::shaken::Shaken;
-        match &self.shaken {
-            Either::One(shaken) => shaken.pair().scale(velocity),
-            Either::Several(shaken) => shaken.pair().scale(velocity),
-        }
+        under!(&self.shaken, shaken => shaken.pair().scale(velocity))
     }
 }
 

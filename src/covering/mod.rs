@@ -21,7 +21,7 @@ pub use crate::clock::Clock;
 use crate::contact::Undecided;
 use crate::number::Ball;
 use crate::pair::{ImpactPair, Wall, ball};
-use crate::shaken::{Either, Initial};
+use crate::shaken::{Either, Initial, under};
 use impact_pair_model::Start;
 
 /// An impact of a true orbit near the given one.
@@ -96,10 +96,7 @@ impl Shadow {
         let clock = Clock::new(pair, start.time(), 0)?;
         let either = Either::new(pair, &clock)?;
         let origin = either.origin(pair, start, &clock)?.map(ball)?;
-        let mut chain: Box<dyn Covering> = match either {
-            Either::One(one) => Box::new(Chain::from_origin(one, origin, None)),
-            Either::Several(several) => Box::new(Chain::from_origin(several, origin, None)),
-        };
+        let mut chain: Box<dyn Covering> = under!(either, shaken => Box::new(Chain::from_origin(shaken, origin, None)));
         let nodes = chain.advance().into_iter();
         Ok(Self { clock, chain, nodes, listed: 0 })
     }

@@ -18,7 +18,7 @@ use crate::clock::Clock;
 use crate::exact::Exact;
 use crate::number::Ball;
 use crate::pair::{ImpactPair, ball};
-use crate::shaken::{Either, Flying, Origin, Released, Shaken};
+use crate::shaken::{Either, Flying, Origin, Released, Shaken, under};
 
 /// A pair and a start.
 #[derive(Clone, Debug)]
@@ -76,10 +76,7 @@ impl Given {
     pub fn new(pair: &ImpactPair, start: &Start, clock: &Clock) -> Result<Self, Error> {
         let either = Either::new(pair, clock)?;
         let origin = either.origin(pair, start, clock)?;
-        let shaken: Arc<dyn Motions> = match either {
-            Either::One(one) => one,
-            Either::Several(several) => several,
-        };
+        let shaken: Arc<dyn Motions> = under!(either, shaken => shaken);
         Ok(Self { pair: Arc::new(pair.clone()), shaken, origin })
     }
 

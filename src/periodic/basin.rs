@@ -12,10 +12,11 @@ use super::chain::times;
 use super::chained::{Chained, Step};
 use super::identity::reduced_impacts;
 use super::shaking::Shaking;
-use super::{Pair, PeriodicOrbit, Problem};
+use super::{PeriodicOrbit, Problem};
 use crate::mapping::jacobian_between;
 use crate::number::{Ball, Enclosing, Number, up};
 use crate::pair::{Inward, Wall};
+use crate::shaken::under;
 
 /// States that all tend to a periodic orbit, proved.
 ///
@@ -92,10 +93,8 @@ impl Problem {
 
     /// Encloses `DP T` over the ellipse, `P` the round; `None` where a flight's first contact is not proved for all of it.
     fn product_over(&self, orbit: &PeriodicOrbit, round: Round, axes: Axes, radius: f64) -> Option<Matrix> {
-        let [phases, velocities] = match &self.pair {
-            Pair::One(one) => self.product_under(&**one, orbit, round.impacts, (axes, radius)),
-            Pair::Several(several) => self.product_under(&**several, orbit, round.impacts, (axes, radius)),
-        }?;
+        let [phases, velocities] =
+            under!(&self.shaken, shaken => self.product_under(&**shaken, orbit, round.impacts, (axes, radius)))?;
         Some(if round.is_mirrored { [phases, velocities.map(|x| -x)] } else { [phases, velocities] })
     }
 

@@ -30,6 +30,8 @@ mod several;
 mod stability;
 mod unshaken;
 
+use std::sync::Arc;
+
 use num_bigint::BigInt;
 
 use crate::Error;
@@ -39,7 +41,7 @@ use crate::number::Ball;
 use crate::number::interval::Interval;
 use crate::pair::{ImpactPair, Reduced, Wall};
 pub use crate::shaken::shaking;
-use crate::shaken::{OneHarmonic, SeveralHarmonics};
+use crate::shaken::{Either, OneHarmonic, SeveralHarmonics, under};
 use crate::watch::{Unwatched, Watch};
 pub use attractor::{Attractor, ImpactState};
 pub(crate) use attractor::{LONGEST, find as find_attractor};
@@ -82,13 +84,6 @@ impl Precision {
 /// Digits that orbits are distinguished by, where those requested do not do.
 const FINE_DIGITS: u32 = 14;
 
-/// The excitation.
-#[derive(Clone, Debug)]
-enum Pair {
-    One(Box<OneHarmonic>),
-    Several(Box<SeveralHarmonics>),
-}
-
 /// The problem of finding the periodic orbits of a word with a given number of forcing periods.
 ///
 /// A cycle is a period of the fastest harmonic; with several harmonics an orbit takes whole common periods.
@@ -111,10 +106,21 @@ pub struct Problem {
     impact_pair: ImpactPair,
     word: Word,
     chain: Chain,
-    pair: Pair,
+    shaken: Either,
     /// No interval among the parameters: more precision narrows.
     #[cfg(feature = "multiprecision")]
     is_point: bool,
+}
+
+/// The excitation of a pair, and the equations of a word that takes N cycles under it.
+fn of_word(pair: &ImpactPair, word: &Word, cycles: u32) -> Result<(Either, Chain), Error> {
+    Ok(match SeveralHarmonics::new(pair, &BigInt::ZERO)? {
+        None => (Either::One(Arc::new(OneHarmonic::of(pair)?)), Chain::new(word, cycles)?),
+        Some(several) => {
+            let chain = Chain::under(repetition(pair, &several.spectrum)?, word, cycles)?;
+            (Either::Several(Arc::new(several)), chain)
+        }
+    })
 }
 
 impl Problem {
@@ -125,24 +131,17 @@ impl Problem {
     /// harmonics also when their frequencies are not proved to be commensurate, or the cycles are no multiple of the
     /// common period.
     pub fn new(pair: &ImpactPair, word: &Word, cycles: u32) -> Result<Self, Error> {
-        let Some(several) = SeveralHarmonics::new(pair, &BigInt::ZERO)? else {
-            let one = OneHarmonic::of(pair)?;
-            return Ok(Self {
-                impact_pair: pair.clone(),
-                word: word.clone(),
-                chain: Chain::new(word, cycles)?,
-                #[cfg(feature = "multiprecision")]
-                is_point: one.is_point(),
-                pair: Pair::One(Box::new(one)),
-            });
-        };
+        let (shaken, chain) = of_word(pair, word, cycles)?;
         Ok(Self {
             impact_pair: pair.clone(),
             word: word.clone(),
-            chain: Chain::under(repetition(pair, &several.spectrum)?, word, cycles)?,
             #[cfg(feature = "multiprecision")]
-            is_point: pair.is_point(),
-            pair: Pair::Several(Box::new(several)),
+            is_point: match &shaken {
+                Either::One(one) => one.is_point(),
+                Either::Several(_) => pair.is_point(),
+            },
+            chain,
+            shaken,
         })
     }
 
@@ -163,9 +162,9 @@ impl Problem {
 
     /// Returns the parameters in doubles; `None` with several harmonics.
     pub fn reduced(&self) -> Option<&Reduced<Ball>> {
-        match &self.pair {
-            Pair::One(one) => Some(&one.bounds_of_pair.pair),
-            Pair::Several(_) => None,
+        match &self.shaken {
+            Either::One(one) => Some(&one.bounds_of_pair.pair),
+            Either::Several(_) => None,
         }
     }
 
@@ -186,10 +185,7 @@ impl Problem {
         if let Some(census) = self.settled() {
             return census;
         }
-        match &self.pair {
-            Pair::One(one) => self.find_under(&**one, start, precision, watch),
-            Pair::Several(several) => self.find_under(&**several, start, precision, watch),
-        }
+        under!(&self.shaken, shaken => self.find_under(&**shaken, start, precision, watch))
     }
 
     fn find_under<S: Chained>(&self, shaken: &S, start: &Start, precision: Precision, watch: &dyn Watch) -> Census {

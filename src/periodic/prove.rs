@@ -8,13 +8,13 @@ use super::newton;
 use super::orbit::{Finding, PeriodicOrbit};
 use super::precondition::Preconditioner;
 use super::shaking::Shaking;
-use super::{Pair, Precision, Problem};
+use super::{Precision, Problem};
 #[cfg(feature = "multiprecision")]
 use crate::exact::working_bits;
 #[cfg(feature = "multiprecision")]
 use crate::number::MpBall;
 use crate::number::{Ball, Enclosing};
-use crate::shaken::Flying;
+use crate::shaken::{Flying, under};
 
 /// Images that may take less than a quarter of a bit off an orbit's enclosure: near a bifurcation the first ones do.
 const MOST_SLOW: u32 = 64;
@@ -35,10 +35,7 @@ impl Problem {
     ///
     /// `None` where that is not proved.
     pub fn prove_in_doubles(&self, guess: &[f64]) -> Option<Finding<Ball>> {
-        match &self.pair {
-            Pair::One(one) => self.prove_in_balls(&**one, guess),
-            Pair::Several(several) => self.prove_in_balls(&**several, guess),
-        }
+        under!(&self.shaken, shaken => self.prove_in_balls(&**shaken, guess))
     }
 
     fn prove_in_balls<S: Chained>(&self, shaken: &S, guess: &[f64]) -> Option<Finding<Ball>> {
@@ -65,10 +62,7 @@ impl Problem {
 
     /// Phases nearer to an orbit's, by Newton's iteration in floating point.
     pub(super) fn polished(&self, guess: &[f64]) -> Option<Vec<f64>> {
-        match &self.pair {
-            Pair::One(one) => newton::polish(&self.chain, one.floats(), guess.to_vec()),
-            Pair::Several(several) => newton::polish(&self.chain, several.floats(), guess.to_vec()),
-        }
+        under!(&self.shaken, shaken => newton::polish(&self.chain, shaken.floats(), guess.to_vec()))
     }
 
     /// Proves the orbit near these phases (in forcing periods, in time order), to the requested width.
@@ -76,10 +70,7 @@ impl Problem {
     /// In doubles first; in more and more bits where they do not prove, decide or narrow enough. `None` where no orbit
     /// could be proved; an orbit may be wider than requested, if the allowed bits end or parameters are intervals.
     pub fn prove(&self, guess: &[f64], precision: Precision) -> Option<PeriodicOrbit> {
-        match &self.pair {
-            Pair::One(one) => self.prove_under(&**one, guess, precision),
-            Pair::Several(several) => self.prove_under(&**several, guess, precision),
-        }
+        under!(&self.shaken, shaken => self.prove_under(&**shaken, guess, precision))
     }
 
     fn prove_under<S: Chained>(&self, shaken: &S, guess: &[f64], precision: Precision) -> Option<PeriodicOrbit> {

@@ -2,11 +2,12 @@
 
 use std::cmp::Ordering;
 
+use super::Problem;
 use super::census::{Census, Region};
 use super::orbit::PeriodicImpact;
-use super::{Pair, Problem};
 use crate::contact::Reason;
 use crate::exact::{Enclosure, Exact};
+use crate::shaken::Either;
 
 /// Bits of what is said of a family.
 const BITS: u32 = 64;
@@ -18,7 +19,7 @@ impl Problem {
         if !self.chain.crosses() {
             return Some(settled);
         }
-        let Pair::One(one) = &self.pair else { return None };
+        let Either::One(one) = &self.shaken else { return None };
         if one.exact.alpha.sign() != Some(Ordering::Equal) {
             return None;
         }

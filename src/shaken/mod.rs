@@ -167,11 +167,23 @@ pub(crate) trait Flying: Shaken + Sized + 'static {
     ) -> Result<Precisely<Self::Waves<MpBall>>, Undecided>;
 }
 
-/// What shakes a pair.
+/// The excitation of a pair: one harmonic or several.
+#[derive(Clone, Debug)]
 pub(crate) enum Either {
     One(Arc<OneHarmonic>),
     Several(Arc<SeveralHarmonics>),
 }
+
+/// An expression in the excitation, whichever of both it is.
+macro_rules! under {
+    ($either:expr, $shaken:ident => $answer:expr) => {
+        match $either {
+            $crate::shaken::Either::One($shaken) => $answer,
+            $crate::shaken::Either::Several($shaken) => $answer,
+        }
+    };
+}
+pub(crate) use under;
 
 impl Either {
     /// Returns the excitation of `pair`, phases given by the clock.

@@ -3,11 +3,8 @@
 use std::cmp::Ordering;
 use std::collections::VecDeque;
 
-use num_bigint::BigInt;
-
 use super::super::chain::Chain;
-use super::super::chained::OneHarmonic;
-use super::super::several::repetition;
+use super::super::of_word;
 use super::claim::{Setting, prove};
 use super::diagram::{Branch, Diagram, DiagramSettings, End, Unproved};
 use super::family::{Family, Varied};
@@ -23,7 +20,7 @@ use crate::exact::Dyadic;
 use crate::mapping::Word;
 use crate::pair::ImpactPair;
 use crate::scene::Key;
-use crate::shaken::SeveralHarmonics;
+use crate::shaken::under;
 use crate::watch::{Latched, Watch};
 use impact_pair_model::Start;
 
@@ -74,16 +71,8 @@ pub fn survey(
 ) -> Result<Diagram, Error> {
     let parameter = Parameter::new(pair, &wanted.over)?;
     let base = parameter.base()?;
-    match SeveralHarmonics::new(&base, &BigInt::ZERO)? {
-        None => {
-            let chain = Chain::new(word, cycles)?;
-            survey_under(&OneHarmonic::of(&base)?, (&chain, &parameter), start, wanted, watch)
-        }
-        Some(several) => {
-            let chain = Chain::under(repetition(&base, &several.spectrum)?, word, cycles)?;
-            survey_under(&several, (&chain, &parameter), start, wanted, watch)
-        }
-    }
+    let (shaken, chain) = of_word(&base, word, cycles)?;
+    under!(&shaken, shaken => survey_under(&**shaken, (&chain, &parameter), start, wanted, watch))
 }
 
 fn survey_under<S: Varied>(

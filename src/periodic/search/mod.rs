@@ -15,9 +15,10 @@ use super::census::{Census, Region};
 use super::chained::Chained;
 use super::identity::{Identity, is_one_orbit};
 use super::orbit::PeriodicOrbit;
-use super::{Pair, Precision, Problem};
+use super::{Precision, Problem};
 use crate::contact::Reason;
 use crate::number::interval::Interval;
+use crate::shaken::under;
 use crate::watch::{Stage, Unwatched, Watch};
 use cell::{Cell, Task};
 use cut::Terms;
@@ -61,10 +62,7 @@ impl Problem {
         if found.exhaustive || found.is_family {
             return found;
         }
-        match &self.pair {
-            Pair::One(one) => self.search(&**one, found.orbits, precision, budget, watch),
-            Pair::Several(several) => self.search(&**several, found.orbits, precision, budget, watch),
-        }
+        under!(&self.shaken, shaken => self.search(&**shaken, found.orbits, precision, budget, watch))
     }
 
     /// How many cells the first phase is searched in.
@@ -160,7 +158,7 @@ mod tests {
     use crate::number::Ball;
     use crate::pair::Wall;
     use crate::periodic::Chain;
-    use crate::shaken::Shaken;
+    use crate::shaken::{Either, Shaken};
     use crate::watch::proceed_if;
     use crate::{Excitation, Harmonic, ImpactPair};
 
@@ -187,7 +185,7 @@ mod tests {
             let problem = Problem::new(&pair, &word.parse().unwrap(), cycles).unwrap();
             let precision = Precision::default();
             let guessed = problem.find(&start, precision).orbits;
-            let Pair::One(one) = &problem.pair else { panic!("one harmonic") };
+            let Either::One(one) = &problem.shaken else { panic!("one harmonic") };
             let census = problem.search(&**one, Vec::new(), precision, Budget::default(), &Unwatched);
             assert!(census.exhaustive, "{word}");
             let is_found = |orbit: &PeriodicOrbit| {
@@ -242,10 +240,7 @@ mod tests {
             ("RLRLRL", 3, "0.36", "1"),
         ];
         let under_one = questions.map(|(word, cycles, ratio, restitution)| problem(ratio, restitution, word, cycles));
-        let held = |problem: &Problem| match &problem.pair {
-            Pair::One(one) => held_by_chains(problem, &**one),
-            Pair::Several(several) => held_by_chains(problem, &**several),
-        };
+        let held = |problem: &Problem| under!(&problem.shaken, shaken => held_by_chains(problem, &**shaken));
         let (one, several): (usize, usize) = (under_one.iter().map(held).sum(), under_several().iter().map(held).sum());
         assert!(one >= 30 && several >= 8, "{one} {several}");
     }
@@ -318,10 +313,7 @@ mod tests {
                 let whole: f64 = (0..count).map(part).sum();
                 let at = |i: usize| 0.31 * f64::from(n) + (0..i).map(part).sum::<f64>() * cycles / whole;
                 let phases: Vec<f64> = (0..count).map(at).collect();
-                match &problem.pair {
-                    Pair::One(one) => meet(&problem.chain, &**one, &phases),
-                    Pair::Several(several) => meet(&problem.chain, &**several, &phases),
-                }
+                under!(&problem.shaken, shaken => meet(&problem.chain, &**shaken, &phases));
             }
         }
     }
@@ -332,7 +324,7 @@ mod tests {
     fn r32_an_orbit_proved_anew_is_asked_whether_it_is_the_one_that_a_cell_found() {
         let start = Start::on_wall("0".parse().unwrap(), Wall::Left, "-1".parse().unwrap()).unwrap();
         let problem = problem("1/9.42497", "0.5", "LR", 1);
-        let Pair::One(one) = &problem.pair else { panic!("one harmonic") };
+        let Either::One(one) = &problem.shaken else { panic!("one harmonic") };
         let all = problem.find(&start, Precision::default()).orbits;
         let [found, other] = &all[..] else { panic!("two motions, not {}", all.len()) };
         // The bounds of the one reach as far as to the other and as far again.

@@ -9,7 +9,7 @@ use super::*;
 use crate::clock::Clock;
 use crate::exact::Exact;
 use crate::pair::ImpactPair;
-use crate::shaken::{Either, Flying, Shaken};
+use crate::shaken::{Either, Flying, Shaken, under};
 use impact_pair_model::{Excitation, Harmonic};
 use proptest::prelude::*;
 
@@ -39,10 +39,7 @@ fn of<S: Flying>(shaken: &Arc<S>, member: &Launch<Ball>, all: &Launch<Ball>) -> 
 }
 
 fn compared(shaken: &Either, member: &Launch<Ball>, all: &Launch<Ball>) -> Option<(f64, f64)> {
-    match shaken {
-        Either::One(one) => of(one, member, all),
-        Either::Several(several) => of(several, member, all),
-    }
+    under!(shaken, shaken => of(shaken, member, all))
 }
 
 fn launch(place: Option<Wall>, height: Ball, phase: Ball, velocity: Ball) -> Launch<Ball> {
