@@ -2,7 +2,7 @@
    of Step.v (`kept`, `region_kept`).
 
    States are seen from the left wall: those of the right one half a forcing period later, as mirror images. A region is a union of boxes of phase and speed. *)
-From Coq Require Import Reals Lra List ZArith QArith Qreals Bool Lia.
+From Coq Require Import Reals Lra List Sorted ZArith QArith Qreals Bool Lia.
 From Coquelicot Require Import Coquelicot.
 From ImpactPair Require Import Model Step Certificate Document Motion Orbit Cycle.
 Open Scope R_scope.
@@ -10,10 +10,14 @@ Import ListNotations.
 
 (* A forcing period has columns, a speed of A W has rows; a column has runs of boxes from a first row to a last one. *)
 Record region := Region { columns : positive; rows : positive; runs : list (Z * (Z * Z)) }.
-Definition boxes (r : region) : Z := fold_right (fun run n => (snd (snd run) - fst (snd run) + 1 + n)%Z) 0%Z (runs r).
-(* What is said of it: bounds of the flights between impacts, in forcing periods and in time; of the speeds before impacts, over A W and in the scene's units;
+(* Runs are listed in order, so that no box is in two of them; and how many boxes they have. *)
+Definition run_before (a b : Z * (Z * Z)) : Prop := (fst a < fst b \/ fst a = fst b /\ snd (snd a) < fst (snd b))%Z.
+Definition in_grid (r : region) (run : Z * (Z * Z)) : Prop := (0 <= fst run < Zpos (columns r) /\ 0 <= fst (snd run) <= snd (snd run))%Z.
+Definition has_boxes (r : region) (n : Z) : Prop := List.Forall (in_grid r) (runs r) /\ Sorted run_before (runs r) /\
+  n = fold_right (fun run n => (snd (snd run) - fst (snd run) + 1 + n)%Z) 0%Z (runs r).
+(* What is said of it: bounds of the flights between impacts, in forcing periods, above once more, and in time; of the speeds before impacts, over A W and in the scene's units;
    and with which impact the scene's motion comes in, if it does; 0 is its start. *)
-Record properties := Properties { flight_periods : Q * Q; flight_times : Q * Q; speeds : Q * Q; velocities : Q * Q; entered : option Z }.
+Record properties := Properties { box_count : Z; flight_periods : Q * Q; longest_flight : Q; flight_times : Q * Q; impact_speeds : Q * Q; impact_velocities : Q * Q; entered : option Z }.
 
 (* Phases are taken up to whole turns. Boxes are closed: they contain their edges. *)
 Definition in_boxes (r : region) (th w : R) : Prop := exists column first last k, In (column, (first, last)) (runs r) /\
@@ -39,10 +43,10 @@ Lemma follows_comes orbit : forall l, follows s l orbit -> comes_along l orbit.
 Proof. induction orbit as [|i orbit IH]; intros l; cbn; [trivial|]. intros [r f]. split; [exact (reaches_comes _ _ r)|exact (IH _ f)]. Qed.
 
 Definition flight_lasts (f : properties) (i j : impact) : Prop :=
-  in_bounds (flight_periods f) ((time j - time i) / period s) /\ in_bounds (flight_times f) (time j - time i).
+  in_bounds (flight_periods f) ((time j - time i) / period s) /\ (time j - time i) / period s <= Q2R (longest_flight f) /\ in_bounds (flight_times f) (time j - time i).
 Fixpoint flights_last (f : properties) (i : impact) (orbit : list impact) : Prop :=
   match orbit with [] => True | j :: orbit => flight_lasts f i j /\ flights_last f j orbit end.
-Definition is_as_fast (f : properties) (i : impact) : Prop := in_bounds (speeds f) (speed_seen i) /\ in_bounds (velocities f) (Rabs (velocity i)).
+Definition is_as_fast (f : properties) (i : impact) : Prop := in_bounds (impact_speeds f) (speed_seen i) /\ in_bounds (impact_velocities f) (Rabs (velocity i)).
 
 (* After an impact there are as many as one likes, each the first contact after the one before. Whatever ways are taken at grazes, all impacts are in the
    region, and the bounds hold. An impact is all that can happen next: no rest, and no infinitely many impacts before a time. *)
@@ -55,7 +59,7 @@ Definition comes_in (r : region) (l : launch) (n : Z) : Prop :=
   else exists orbit i, follows s l (orbit ++ [i]) /\ Z.of_nat (length (orbit ++ [i])) = n /\ in_region r i.
 End Scene.
 
-Definition claims_region (p : data) (b : beginning) (r : region) (f : properties) : Prop := all_proper p b /\ 0 < Q2R (fst (flight_periods f)) /\
+Definition claims_region (p : data) (b : beginning) (r : region) (f : properties) : Prop := all_proper p b /\ has_boxes r (box_count f) /\ 0 < Q2R (fst (flight_periods f)) /\
   forall s, describes p s -> sensible s /\ one_harmonic s /\
     (forall i, in_region s r i -> is_as_fast s f i /\ stays s r f i) /\
     match entered f with None => True | Some n => forall l, begins b s l -> comes_in s r l n end.
