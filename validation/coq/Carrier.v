@@ -4,7 +4,7 @@ From Coq Require Import ZArith Lia.
 From Flocq Require Import Core.Zaux Core.Digits.
 From Interval Require Import Float.Basic Float.Generic Float.Generic_proof Float.Specific_sig Float.Specific_stdz Float.Specific_ops.
 From Coq Require Import Bool.
-From ImpactPair Require Data Document Pieces Shadow Orbit Cycle Cycles Drawn Region March Trap.
+From ImpactPair Require Data Document Pieces Shadow Orbit Cycle Cycles Drawn Region Columns March Trap.
 Open Scope Z_scope.
 
 Module Import Std := StdZRadix2.
@@ -140,7 +140,7 @@ Theorem attracted_verified x found from c h a : verify_attracted x found from c 
 Proof. intros v. apply andb_prop in v as [listed drawn]. exact (Drawing.drawn_verified x from c h a (Shifting.pieces_verified x found listed) drawn). Qed.
 
 (* A document of a trapping region; `found` are the pieces of the impacts up to the one with which the scene's motion comes in. *)
-Definition verify_region (param : Data.data) (b : Data.beginning) (r : Region.region) (f : Region.properties) (h : March.plan) (x : Trap.entry) (found : Pieces.pieces) : bool :=
+Definition verify_region (param : Data.data) (b : Data.beginning) (r : Region.region) (f : Region.properties) (h : Columns.plan) (x : Trap.entry) (found : Pieces.pieces) : bool :=
   match Region.entered f with
   | Some n => (n =? 0) || Shifting.verify_document (Trap.first_impacts param b x n) found
   | None => true

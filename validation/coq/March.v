@@ -5,18 +5,17 @@
 From Coq Require Import Reals Lra List ZArith QArith Qreals Bool Lia.
 From Coquelicot Require Import Coquelicot.
 From Interval Require Import Real.Xreal Interval.Interval Float.Sig.
-From ImpactPair Require Import Model Step Data Certificate Document Region.
+From ImpactPair Require Import Model Step Data Certificate Document Region Columns.
 Open Scope R_scope.
 Import ListNotations.
 
-(* Bits; points of the grid; the shortest and the longest flight, in its units; a part of the march is a box's width over `parts` at least; how often a box is halved. *)
-Record plan := Plan { plan_bits : positive; fine : positive; shortest : Z; longest : Z; parts : Z; halvings : nat }.
 (* Launches: phases and speeds before impact between points of the grid. *)
 Record patch := Patch { from_phase : Z; to_phase : Z; from_speed : Z; to_speed : Z }.
 
 Module Marches (F : FloatOps with Definition sensible_format := true).
-Module Import Ver := Verifier F.
-Import Ver.Check.
+Module Import Col := Columns F.
+Import Col.Ver.
+Import Col.Ver.Check.
 Local Opaque add sub mul quotient whole hull sine cosine quarters half_pi.
 
 Section Region.
@@ -42,15 +41,16 @@ Definition launches_of (q : patch) : launches :=
   let m := Z.div2 (from_phase q + to_phase q) in let X := angles (from_phase q - m) (to_phase q - m) in let S := sine_at m in let C := cosine_at m in
   Launches m X (mul p (restitution_of U) (mul p (speed_unit U) (hull (whole p (from_speed q)) (whole p (to_speed q))))) S C (sines S C X) (cosines S C X).
 
-(* Heights and velocities at phases between two points, with what is needed of them. *)
-Record view := View { sine_then : I.type; cosine_then : I.type; lasting : I.type; height : I.type; velocity_then : I.type }.
+(* Heights and velocities at phases between two points, with what is needed of them: sines and cosines, and times since the launch, of these phases and of one between. *)
+Record view := View { sine_then : I.type; cosine_then : I.type; lasting : I.type; around : I.type; sine_between : I.type; cosine_between : I.type; lasting_between : I.type;
+  height : I.type; velocity_then : I.type }.
 Definition look_at (L : launches) (a b : Z) : view :=
   let m := Z.div2 (a + b) in let X := angles (a - m) (b - m) in let S := sine_at m in let C := cosine_at m in
   let S' := sines S C X in let C' := cosines S C X in let since := angle (m - middle L) in
   let at_middle := add p (sub p (sine_mid L) S) (mul p (add p (speed_after L) (cosine_mid L)) since) in
   let by_launch := I.neg (add p (speed_after L) (mul p (sub p since (off L)) (sine_all L))) in
   let v := sub p (add p (speed_after L) (cosine_all L)) C' in
-  View S' C' (sub p (add p since X) (off L)) (add p (add p at_middle (mul p by_launch (off L))) (mul p v X)) v.
+  View S' C' (sub p (add p since X) (off L)) X S C since (add p (add p at_middle (mul p by_launch (off L))) (mul p v X)) v.
 
 (* Departure: inside the gap up to a point of the grid. *)
 Definition check_depart (q : patch) (L : launches) (until : Z) : bool :=
@@ -61,28 +61,24 @@ Fixpoint depart (n : nat) (q : patch) (L : launches) (after : Z) : option Z :=
   let until := (to_phase q + after)%Z in
   if ((0 <? after)%Z &? check_depart q L until) then Some until else match n with O => None | S n => depart n q L (Z.div2 after) end.
 
-(* Speeds, in rows, in a run of boxes: two enclosures of one speed, which is not negative. *)
-Definition in_run (V V' : I.type) (first last : Z) : bool :=
-  let over X := is_not_negative (sub p X (whole p first)) in let under X := is_not_negative (sub p (whole p (last + 1)) X) in
-  (if (first =? 0)%Z then true else if over V then true else over V') &? (if under V then true else under V').
-Definition in_column (V V' : I.type) (column : Z) : bool :=
-  let c := (column mod Zpos (columns r))%Z in
-  existsb (fun run : Z * (Z * Z) => let (at_, rows) := run in (at_ =? c)%Z &? in_run V V' (fst rows) (snd rows)) (runs r).
-Fixpoint in_columns (n : nat) (V V' : I.type) (column until : Z) : bool :=
-  in_column V V' column &? (if (until <=? (column + 1) * Zpos (2 * fine h))%Z then true else match n with O => false | S n => in_columns n V V' (column + 1) until end).
-Definition most_columns : nat := 64.
-
+(* The velocity of arrival at a wall, of all launches from which the ball comes there. *)
+Definition velocity_told (L : launches) (v : view) (far : bool) : I.type :=
+  let rise S S0 := if far then add p (gap_of U) (sub p S S0) else sub p S S0 in
+  let slope := quotient p (rise (sine_then v) (sine_all L)) (lasting v) in
+  let between := sub p (quotient p (rise (sine_between v) (sine_mid L)) (lasting_between v)) (cosine_between v) in
+  let by_launch := quotient p (sub p slope (cosine_all L)) (lasting v) in
+  let by_arrival := add p (quotient p (sub p (cosine_then v) slope) (lasting v)) (sine_then v) in
+  add p (add p between (mul p by_launch (off L))) (mul p by_arrival (around v)).
 (* All arrivals at a wall between two points of the grid. *)
 Definition arrivals (L : launches) (v : view) (a b : Z) (far : bool) : bool :=
   let signed X := if far then X else I.neg X in
   if is_positive (if far then sub p (gap_of U) (height v) else height v) then true else
   let V := signed (velocity_then v) in
   if is_positive (I.neg V) then true else
-  let rise := sub p (sine_then v) (sine_all L) in
-  let V' := signed (sub p (quotient p (if far then add p (gap_of U) rise else rise) (lasting v)) (cosine_then v)) in
+  let V' := signed (velocity_told L v far) in
   if is_positive (I.neg V') then true else
   let in_rows X := mul p X (whole p (Zpos (rows r))) in let more := if far then half_turn else 0%Z in
-  in_columns most_columns (in_rows V) (in_rows V') ((a + more) / Zpos (2 * fine h)) (b + more).
+  in_columns r h most_columns (in_rows V) (in_rows V') ((a + more) / Zpos (2 * fine h)) (b + more).
 Fixpoint march (n : nat) (q : patch) (L : launches) (finest : Z) (a step : Z) : bool :=
   match n with
   | O => false
@@ -140,8 +136,6 @@ Lemma at_point_minus a b : at_point (a - b) = at_point a - at_point b.
 Proof. unfold at_point. rewrite minus_IZR. ring. Qed.
 Lemma at_point_plus a b : at_point (a + b) = at_point a + at_point b.
 Proof. unfold at_point. rewrite plus_IZR. ring. Qed.
-Lemma halfway a b : (a <= b)%Z -> (a <= Z.div2 (a + b) <= b)%Z.
-Proof. intros o. assert (e := Z.div2_odd (a + b)). unfold Z.b2z in e. destruct (Z.odd (a + b)); lia. Qed.
 
 Lemma holds_angle n : holds (angle n) (at_point n).
 Proof. destruct units_hold as (_ & hd & _). apply holds_mul; [exact hd|apply holds_whole]. Qed.
@@ -159,25 +153,6 @@ Proof.
   unfold cosine_at. set (k := (2 * n / half_turn)%Z). rewrite cos_sin.
   replace (PI / 2 + at_point n) with (at_point n - IZR k * (PI / 2) + IZR (k + 1) * (PI / 2)) by (rewrite plus_IZR; ring).
   apply holds_quarters, holds_turned_by.
-Qed.
-Lemma sin_near x dx : exists t, -1 <= t <= 1 /\ sin (x + dx) = sin x + (cos x + t * dx) * dx.
-Proof.
-  destruct (Req_dec dx 0) as [->|n]; [exists 0; split; [lra|rewrite Rplus_0_r; ring]|].
-  destruct (mean_value sin cos x (x + dx) derivable_pt_lim_sin) as (c & hc & first).
-  destruct (mean_value cos (fun y => - sin y) x c derivable_pt_lim_cos) as (c' & _ & second).
-  exists (- sin c' * ((c - x) / dx)). split.
-  - assert (part : 0 <= (c - x) / dx <= 1).
-    { destruct (Rle_lt_dec 0 dx) as [o|o].
-      - rewrite Rmin_left, Rmax_right in hc by lra. split; [apply Rdiv_le_0_compat; lra|]. apply (Rmult_le_reg_r dx); [lra|]. unfold Rdiv. rewrite Rmult_assoc, Rinv_l by lra. lra.
-      - rewrite Rmin_right, Rmax_left in hc by lra. replace ((c - x) / dx) with ((x - c) / - dx) by (field; lra).
-        split; [apply Rdiv_le_0_compat; lra|]. apply (Rmult_le_reg_r (- dx)); [lra|]. unfold Rdiv. rewrite Rmult_assoc, Rinv_l by lra. lra. }
-    assert (b := SIN_bound c'). nra.
-  - rewrite first, second. field. exact n.
-Qed.
-Lemma cos_near x dx : exists t, -1 <= t <= 1 /\ cos (x + dx) = cos x - (sin x + t * dx) * dx.
-Proof.
-  destruct (sin_near (PI / 2 + x) dx) as (t & b & eq). exists (- t). split; [lra|]. rewrite Rplus_assoc, <- !cos_sin in eq. rewrite eq.
-  replace (cos (PI / 2 + x)) with (- sin x) by (rewrite (sin_cos x); ring). ring.
 Qed.
 Lemma holds_sines S C X x y : holds S (sin x) -> holds C (cos x) -> holds X (y - x) -> holds (sines S C X) (sin y).
 Proof.
@@ -200,7 +175,6 @@ Hypothesis in_q : in_patch q th0 w.
 Let u := e0 * w.
 Let L := launches_of q.
 Let mid := at_point (middle L).
-Let later (a : Z) : Prop := at_point (to_phase q) < at_point a.
 
 Lemma phases_ordered : (from_phase q <= to_phase q)%Z.
 Proof. apply Z.le_ngt. intros o. apply at_point_lt in o. destruct in_q. lra. Qed.
@@ -222,17 +196,21 @@ Proof.
   split; apply (Rmult_le_reg_l sigma); try exact pos; replace (sigma * (w / sigma)) with w by (field; lra); lra.
 Qed.
 
+Lemma seen_between a b x : at_point a <= x <= at_point b -> let v := look_at L a b in
+  holds (around v) (x - at_point (Z.div2 (a + b))) /\ holds (sine_then v) (sin x) /\ holds (cosine_then v) (cos x).
+Proof.
+  intros o v. set (m := Z.div2 (a + b)). assert (hX : holds (angles (a - m) (b - m)) (x - at_point m)) by (apply holds_angles; rewrite !at_point_minus; lra).
+  split; [exact hX|]. split; [apply (holds_sines _ _ _ (at_point m))|apply (holds_cosines _ _ _ (at_point m))]; solve [apply holds_sine_at|apply holds_cosine_at|exact hX].
+Qed.
 Lemma look_sound a b th : (a <= b)%Z -> at_point a <= th <= at_point b -> let v := look_at L a b in
   holds (sine_then v) (sin th) /\ holds (cosine_then v) (cos th) /\ holds (lasting v) (th - th0) /\
   holds (height v) (height_at th0 u th) /\ holds (velocity_then v) (rate_at th0 u th).
 Proof.
   intros ab o v. set (m := Z.div2 (a + b)). assert (hm := halfway a b ab). fold m in hm.
   assert (om : at_point a <= at_point m <= at_point b) by (split; apply at_point_le; lia).
-  assert (hX : forall x, at_point a <= x <= at_point b -> holds (angles (a - m) (b - m)) (x - at_point m)) by (intros x ox; apply holds_angles; rewrite !at_point_minus; lra).
-  assert (hs : forall x, at_point a <= x <= at_point b -> holds (sine_then v) (sin x)).
-  { intros x ox. apply (holds_sines _ _ _ (at_point m)); [apply holds_sine_at|apply holds_cosine_at|exact (hX x ox)]. }
-  assert (hc : forall x, at_point a <= x <= at_point b -> holds (cosine_then v) (cos x)).
-  { intros x ox. apply (holds_cosines _ _ _ (at_point m)); [apply holds_sine_at|apply holds_cosine_at|exact (hX x ox)]. }
+  assert (hX : forall x, at_point a <= x <= at_point b -> holds (angles (a - m) (b - m)) (x - at_point m)) by (intros x ox; apply (seen_between a b x ox)).
+  assert (hs : forall x, at_point a <= x <= at_point b -> holds (sine_then v) (sin x)) by (intros x ox; apply (seen_between a b x ox)).
+  assert (hc : forall x, at_point a <= x <= at_point b -> holds (cosine_then v) (cos x)) by (intros x ox; apply (seen_between a b x ox)).
   assert (since : holds (angle (m - middle L)) (at_point m - mid)) by (unfold mid; rewrite <- at_point_minus; apply holds_angle).
   assert (hu := holds_speed_after). assert (o0 := proj1 in_q). assert (oc := middle_in).
   assert (hv : forall x, at_point a <= x <= at_point b -> holds (velocity_then v) (rate_at th0 u x)).
@@ -250,6 +228,45 @@ Proof.
     assert (hsm := holds_sine_at m). assert (hS : holds (sine_mid L) (sin mid)) by apply holds_sine_at. assert (hC : holds (cosine_mid L) (cos mid)) by apply holds_cosine_at.
     replace (- sin y * (at_point m - y) - u) with (- (u + (at_point m - mid - (y - mid)) * sin y)) by ring.
     cbn [height look_at v velocity_then] in *. fold m in hv |- *. enclose.
+Qed.
+
+Lemma told_sound a b far th : (a <= b)%Z -> at_point a <= th <= at_point b -> at_point (to_phase q) < at_point a -> height_at th0 u th = level D far ->
+  holds (velocity_told L (look_at L a b) far) (rate_at th0 u th).
+Proof.
+  intros ab o late on. set (m := Z.div2 (a + b)). assert (hm := halfway a b ab). fold m in hm. assert (o0 := proj1 in_q). assert (oc := middle_in).
+  assert (om : at_point a <= at_point m <= at_point b) by (split; apply at_point_le; lia). destruct units_hold as (_ & _ & _ & _ & hD & _).
+  set (l := level D far). set (g := fun x y => (l + (sin y - sin x)) / (y - x) - cos y).
+  set (slope := fun x y => (l + (sin y - sin x)) / (y - x)).
+  assert (same : rate_at th0 u th = g th0 th) by (unfold g, l; rewrite <- on, height_is, rate_is; field; lra).
+  destruct (mean_value_between (fun y => g th0 y) (fun y => (cos y - slope th0 y) / (y - th0) + sin y) (at_point m) th) as (z & oz & last).
+  { intros y oy. assert (at_point a <= y) by (revert oy; apply Rmin_case; apply Rmax_case; lra). apply is_derive_Reals. unfold g, slope. auto_derive; [lra|field; lra]. }
+  destruct (mean_value_between (fun x => g x (at_point m)) (fun x => (slope x (at_point m) - cos x) / (at_point m - x)) mid th0) as (y & oy & first).
+  { intros x ox. assert (x <= at_point (to_phase q)) by (revert ox; apply Rmin_case; apply Rmax_case; lra). apply is_derive_Reals. unfold g, slope. auto_derive; [lra|field; lra]. }
+  assert (oz' : at_point a <= z <= at_point b) by (revert oz; apply Rmin_case; apply Rmax_case; lra).
+  assert (oy' : at_point (from_phase q) <= y <= at_point (to_phase q)) by (revert oy; apply Rmin_case; apply Rmax_case; lra).
+  cbv beta in first, last. rewrite same, last, first.
+  set (v := look_at L a b).
+  assert (hX : forall x, at_point a <= x <= at_point b -> holds (around v) (x - at_point m)) by (intros x ox; apply (seen_between a b x ox)).
+  assert (hs : forall x, at_point a <= x <= at_point b -> holds (sine_then v) (sin x)) by (intros x ox; apply (seen_between a b x ox)).
+  assert (hc : forall x, at_point a <= x <= at_point b -> holds (cosine_then v) (cos x)) by (intros x ox; apply (seen_between a b x ox)).
+  assert (since : holds (lasting_between v) (at_point m - mid)) by (unfold mid; rewrite <- at_point_minus; apply holds_angle).
+  assert (hl : forall x y, at_point (from_phase q) <= x <= at_point (to_phase q) -> at_point a <= y <= at_point b -> holds (lasting v) (y - x)).
+  { intros x y0 ox oy0. replace (y0 - x) with (at_point m - mid + (y0 - at_point m) - (x - mid)) by ring. specialize (hX y0 oy0). assert (h0 := holds_off x ox).
+    cbn [lasting around lasting_between look_at v] in *. enclose. }
+  set (rise := fun S S0 => if far then add p (gap_of U) (sub p S S0) else sub p S S0).
+  assert (rises : forall S S0 s1 s0, holds S s1 -> holds S0 s0 -> holds (rise S S0) (l + (s1 - s0))).
+  { intros S S0 s1 s0 h1 h0. unfold rise, l. destruct far; cbn [level]; [enclose|rewrite Rplus_0_l; enclose]. }
+  assert (hS := holds_sine_all). assert (hC := holds_cosine_all).
+  assert (slopes : forall x y, at_point (from_phase q) <= x <= at_point (to_phase q) -> at_point a <= y <= at_point b ->
+    holds (quotient p (rise (sine_then v) (sine_all L)) (lasting v)) (slope x y)).
+  { intros x y0 ox oy0. apply holds_quotient; [apply rises; [exact (hs y0 oy0)|exact (hS x ox)]|exact (hl x y0 ox oy0)]. }
+  assert (hsm : holds (sine_between v) (sin (at_point m))) by apply holds_sine_at. assert (hcm : holds (cosine_between v) (cos (at_point m))) by apply holds_cosine_at.
+  assert (hS0 : holds (sine_mid L) (sin mid)) by apply holds_sine_at.
+  unfold velocity_told. apply holds_add; [apply holds_add|].
+  - apply holds_sub; [|exact hcm]. apply holds_quotient; [apply rises; assumption|exact since].
+  - apply holds_mul; [|exact (holds_off th0 o0)]. apply holds_quotient; [|exact (hl y _ oy' om)]. apply holds_sub; [exact (slopes y _ oy' om)|exact (hC y oy')].
+  - apply holds_mul; [|exact (hX th o)]. apply holds_add; [|exact (hs z oz')]. apply holds_quotient; [|exact (hl th0 z o0 oz')].
+    apply holds_sub; [exact (hc z oz')|exact (slopes th0 z o0 oz')].
 Qed.
 
 Lemma depart_sound until : (from_phase q <= until)%Z -> check_depart q L until = true -> forall th, th0 < th <= at_point until -> 0 < height_at th0 u th < D.
@@ -276,44 +293,13 @@ Proof.
     apply (is_positive_sound _ _ k). enclose.
 Qed.
 
-(* Boxes. *)
-Lemma in_run_sound V V' x first last : in_run V V' first last = true -> 0 <= x -> holds V x -> holds V' x -> IZR first <= x <= IZR last + 1.
-Proof.
-  unfold in_run. intros c pos hV hV'.
-  assert (over : forall X, holds X x -> is_not_negative (sub p X (whole p first)) = true -> IZR first <= x).
-  { intros X hX k. assert (0 <= x - IZR first) by (apply (is_not_negative_sound _ _ k); enclose). lra. }
-  assert (under : forall X, holds X x -> is_not_negative (sub p (whole p (last + 1)) X) = true -> x <= IZR last + 1).
-  { intros X hX k. assert (0 <= IZR (last + 1) - x) by (apply (is_not_negative_sound _ _ k); enclose). rewrite plus_IZR in H. lra. }
-  split_checks. split.
-  - destruct (first =? 0)%Z eqn:zero; [apply Z.eqb_eq in zero; subst; exact pos|].
-    destruct (is_not_negative (sub p V (whole p first))) eqn:o; [exact (over V hV o)|exact (over V' hV' k)].
-  - destruct (is_not_negative (sub p (whole p (last + 1)) V)) eqn:o; [exact (under V hV o)|exact (under V' hV' c)].
-Qed.
-Lemma in_column_sound V V' column th v : in_column V V' column = true -> 0 <= v -> holds V (v * IZR (Zpos (rows r))) -> holds V' (v * IZR (Zpos (rows r))) ->
-  IZR column <= th / (2 * PI) * IZR (Zpos (columns r)) <= IZR column + 1 -> in_boxes r th v.
-Proof.
-  unfold in_column. intros c pos hV hV' o. apply existsb_exists in c as ((at_ & first & last) & member & c). cbn [fst snd] in c. split_checks. apply Z.eqb_eq in k.
-  exists at_, first, last, (column / Zpos (columns r))%Z. split; [exact member|]. split.
-  - assert (e := Z.div_mod column (Zpos (columns r)) ltac:(lia)). rewrite <- k in e. rewrite e in o. rewrite plus_IZR, mult_IZR in o. lra.
-  - apply (in_run_sound V V'); try assumption. apply Rmult_le_pos; [exact pos|apply IZR_le; lia].
-Qed.
-Lemma in_columns_sound n V V' until y : forall column, in_columns n V V' column until = true -> IZR column <= y -> y * IZR (Zpos (2 * fine h)) <= IZR until ->
-  exists c, in_column V V' c = true /\ IZR c <= y <= IZR c + 1.
-Proof.
-  induction n as [|n IH]; intros column c o o'; cbn [in_columns] in c; split_checks.
-  all: destruct (until <=? (column + 1) * Zpos (2 * fine h))%Z eqn:ends; [|try discriminate].
-  1, 2: exists column; split; [exact k|split; [exact o|]]; apply Z.leb_le, IZR_le in ends; rewrite mult_IZR, plus_IZR in ends;
-    apply (Rmult_le_reg_r (IZR (Zpos (2 * fine h)))); [apply IZR_lt; lia|lra].
-  destruct (Rle_lt_dec y (IZR column + 1)) as [l|g]; [exists column; repeat split; assumption|].
-  apply (IH _ c); [rewrite plus_IZR; lra|exact o'].
-Qed.
 Lemma half_turn_is : at_point half_turn = PI.
 Proof. unfold at_point. rewrite delta_is. field. apply not_0_IZR. lia. Qed.
 
-Lemma arrivals_sound a b far th1 : (a <= b)%Z -> arrivals L (look_at L a b) a b far = true -> at_point a <= th1 <= at_point b -> comes D th0 u th1 far ->
+Lemma arrivals_sound a b far th1 : (a <= b)%Z -> at_point (to_phase q) < at_point a -> arrivals L (look_at L a b) a b far = true -> at_point a <= th1 <= at_point b -> comes D th0 u th1 far ->
   in_boxes r (th1 + if far then PI else 0) (towards far * rate_at th0 u th1).
 Proof.
-  intros ab c o cm. destruct (look_sound a b th1 ab o) as (hs & hc & hl & hh & hv). pose proof cm as (later1 & _ & on).
+  intros ab late c o cm. destruct (look_sound a b th1 ab o) as (hs & hc & hl & hh & hv). pose proof cm as (later1 & _ & on).
   assert (pos := comes_towards D th0 u th1 far cm). destruct units_hold as (_ & _ & _ & _ & hD & _).
   unfold arrivals in c. set (v := look_at L a b) in *.
   assert (signed : forall X x, holds X x -> holds (if far then X else I.neg X) (towards far * x)).
@@ -323,13 +309,8 @@ Proof.
       assert (0 < height_at th0 u th1) by exact (is_positive_sound _ _ clear hh)]; lra. }
   assert (hV := signed _ _ hv). destruct (is_positive (I.neg (if far then velocity_then v else I.neg (velocity_then v)))) eqn:away.
   { assert (0 < - (towards far * rate_at th0 u th1)) by exact (is_positive_sound _ _ away (holds_neg _ _ hV)). lra. }
-  set (V' := if far then sub p (quotient p _ _) _ else _) in c.
-  assert (hV' : holds V' (towards far * rate_at th0 u th1)).
-  { apply signed. assert (h0 := holds_sine_all th0 (proj1 in_q)).
-    replace (rate_at th0 u th1) with ((level D far + (sin th1 - sin th0)) / (th1 - th0) - cos th1).
-    - apply holds_sub; [|exact hc]. apply holds_quotient; [|exact hl]. destruct far; cbn [level]; [enclose|rewrite Rplus_0_l; enclose].
-    - rewrite <- on, height_is, rate_is. field. lra. }
-  destruct (is_positive (I.neg V')) eqn:away'.
+  assert (hV' := signed _ _ (told_sound a b far th1 ab o late on)).  fold v in hV'.
+  match type of c with (if ?b then true else _) = true => destruct b eqn:away' end.
   { assert (0 < - (towards far * rate_at th0 u th1)) by exact (is_positive_sound _ _ away' (holds_neg _ _ hV')). lra. }
   set (th := th1 + (if far then PI else 0)). set (more := if far then half_turn else 0%Z) in c.
   assert (moved : at_point (a + more) <= th <= at_point (b + more)).
@@ -340,30 +321,30 @@ Proof.
     repeat split; try apply PI_neq0; apply not_0_IZR; lia. }
   assert (dp := delta_positive). assert (in_points : IZR (a + more) <= th / delta <= IZR (b + more)).
   { split; apply (Rmult_le_reg_l delta); try exact dp; replace (delta * (th / delta)) with th by (field; lra); apply moved. }
-  destruct (in_columns_sound _ _ _ _ y _ c) as (column & in_it & oc).
+  destruct (in_columns_sound r h _ _ _ _ y _ c) as (column & in_it & oc).
   - apply (Rmult_le_reg_r (IZR (Zpos (2 * fine h)))); [apply IZR_lt; lia|]. rewrite y_is. refine (Rle_trans _ _ _ _ (proj1 in_points)).
     rewrite <- mult_IZR. apply IZR_le. rewrite Z.mul_comm. apply Z.mul_div_le. lia.
   - rewrite y_is. apply in_points.
-  - apply (in_column_sound _ _ _ _ _ in_it pos); [enclose|enclose|exact oc].
+  - apply (in_column_sound r h _ _ _ _ _ in_it pos); [enclose|enclose|exact oc].
 Qed.
 
 (* All that the flights come to from a phase on. *)
 Definition comes_well (th1 : R) (far : bool) : Prop := at_point (shortest h) <= th1 - th0 <= at_point (longest h) /\
   in_boxes r (th1 + if far then PI else 0) (towards far * rate_at th0 u th1).
-Lemma march_sound n finest : (0 < finest)%Z -> forall a step, (0 < step)%Z -> th0 < at_point a -> march n q L finest a step = true ->
+Lemma march_sound n finest : (0 < finest)%Z -> forall a step, (0 < step)%Z -> at_point (to_phase q) < at_point a -> march n q L finest a step = true ->
   (exists th, at_point a <= th /\ (height_at th0 u th < 0 \/ D < height_at th0 u th)) /\
   forall th1 far, comes D th0 u th1 far -> at_point a <= th1 -> comes_well th1 far.
 Proof.
   intros fp. induction n as [|n IH]; intros a step sp later0 c; cbn [march] in c; [discriminate|]. set (b := (a + step)%Z) in *.
   assert (ab : (a <= b)%Z) by (unfold b; lia). assert (oab : at_point a < at_point b) by (apply at_point_lt; unfold b; lia).
-  destruct units_hold as (_ & _ & _ & _ & hD & _).
+  assert (o0 := proj1 in_q). assert (after : th0 < at_point a) by lra. destruct units_hold as (_ & _ & _ & _ & hD & _).
   assert (seen_at : forall th, at_point a <= th <= at_point b -> holds (height (look_at L a b)) (height_at th0 u th)) by (intros th o; apply (look_sound a b th ab o)).
   set (v := look_at L a b) in *.
   assert (go_on : forall step', (0 < step')%Z -> march n q L finest b step' = true ->
     (forall th1 far, comes D th0 u th1 far -> at_point a <= th1 <= at_point b -> comes_well th1 far) ->
     (exists th, at_point a <= th /\ (height_at th0 u th < 0 \/ D < height_at th0 u th)) /\
     forall th1 far, comes D th0 u th1 far -> at_point a <= th1 -> comes_well th1 far).
-  { intros step' sp' c' here. destruct (IH b step' sp' ltac:(lra) c') as [(th & o & out) all]. split; [exists th; split; [lra|exact out]|].
+  { intros step' sp' c' here. destruct (IH b step' sp' (Rlt_trans _ _ _ later0 oab) c') as [(th & o & out) all]. split; [exists th; split; [lra|exact out]|].
     intros th1 far cm o1. destruct (Rle_lt_dec th1 (at_point b)); [apply here|apply all]; try assumption; lra. }
   destruct (is_positive (height v) &? is_positive (sub p (gap_of U) (height v))) eqn:clear.
   { split_checks. apply (go_on (2 * step)%Z ltac:(lia) c). intros th1 far (_ & _ & on) o. exfalso. specialize (seen_at th1 o).
@@ -379,7 +360,7 @@ Proof.
     destruct (Rle_lt_or_eq_dec _ _ o1) as [l|<-]; [specialize (inside (at_point a) ltac:(lra)); lra|]. destruct far; cbn in on; lra. }
   destruct (finest <? step)%Z eqn:long; [apply (IH a (Z.max finest (Z.div2 step)) ltac:(lia) later0 c)|].
   split_checks. apply Z.leb_le in k, k0. apply (go_on step sp c). intros th1 far cm o. split.
-  - apply at_point_le in k, k0. rewrite at_point_minus in k, k0. assert (o0 := proj1 in_q). lra.
+  - apply at_point_le in k, k0. rewrite at_point_minus in k, k0. lra.
   - apply (arrivals_sound a b far th1 ab); try assumption. destruct far; assumption.
 Qed.
 
@@ -418,14 +399,6 @@ Lemma rows_sound n column : forall row, check_rows n column row = true -> forall
 Proof.
   induction n as [|n IH]; intros row c k o; [lia|]. cbn [check_rows] in c. split_checks.
   destruct (Z.eq_dec k row) as [->|ne]; [exact (halves_sound _ _ _ k0)|]. apply (IH _ c). lia.
-Qed.
-(* A number between two whole ones is between two that follow one another. *)
-Lemma between_whole n : forall row x, IZR row <= x <= IZR (row + Z.of_nat (S n)) -> exists k, (row <= k < row + Z.of_nat (S n))%Z /\ IZR k <= x <= IZR (k + 1).
-Proof.
-  induction n as [|n IH]; intros row x o; [exists row; split; [lia|exact o]|].
-  destruct (Rle_lt_dec x (IZR (row + 1))) as [l|g]; [exists row; split; [lia|lra]|].
-  destruct (IH (row + 1)%Z x) as (k & hk & ok); [|exists k; split; [lia|exact ok]]. split; [lra|].
-  replace (row + 1 + Z.of_nat (S n))%Z with (row + Z.of_nat (S (S n)))%Z by lia. apply o.
 Qed.
 Theorem boxes_kept : check_boxes = true -> forall th w, in_boxes r th w -> kept D r (at_point (shortest h)) (at_point (longest h)) th (e0 * w).
 Proof.

@@ -3,7 +3,7 @@
 From Coq Require Import Reals Lra List Sorted ZArith QArith Qreals Bool Lia.
 From Coquelicot Require Import Coquelicot.
 From Interval Require Import Real.Xreal Interval.Interval Float.Sig.
-From ImpactPair Require Import Model Step Data Certificate Document Motion Orbit Cycle Region March.
+From ImpactPair Require Import Model Step Data Certificate Document Motion Orbit Cycle Region Kept Columns March.
 Open Scope R_scope.
 Import ListNotations.
 
@@ -50,8 +50,9 @@ Qed.
 
 Module Traps (F : FloatOps with Definition sensible_format := true).
 Module Import Marching := Marches F.
-Import Marching.Ver.
-Import Marching.Ver.Check.
+Import Marching.Col.
+Import Marching.Col.Ver.
+Import Marching.Col.Ver.Check.
 Local Opaque add sub mul quotient whole hull.
 
 (* Bits for what is asked of all data. *)

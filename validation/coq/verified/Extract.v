@@ -2,7 +2,7 @@
    meaning of the Coq function, for all arguments; what it says of Zarith's is in integers.ml. These lines are trusted. *)
 From Coq Require Import ZArith QArith Extraction ExtrOcamlBasic.
 From Flocq Require Import Zaux.
-From ImpactPair Require Import Model Certificate Document Orbit Rests Pieces Covering Shadow Cycle Cycles Drawn Region March Trap Carrier.
+From ImpactPair Require Import Model Certificate Document Orbit Rests Pieces Covering Shadow Cycle Cycles Drawn Region Columns March Trap Carrier.
 
 Extract Inductive positive => "Integers.t" [ "Integers.double_plus_one" "Integers.double" "Integers.one" ] "Integers.match_positive".
 Extract Inductive Z => "Integers.t" [ "Integers.zero" "(fun p -> p)" "Integers.neg" ] "Integers.match_integer".

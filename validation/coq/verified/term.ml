@@ -111,7 +111,7 @@ let properties { box_count; flight_periods; longest_flight; flight_times; impact
   Printf.sprintf "(Region.Properties %s %s %s %s %s %s %s)" (integer box_count) (pair flight_periods) (fraction longest_flight) (pair flight_times)
     (pair impact_speeds) (pair impact_velocities) (option integer entered)
 let plan { plan_bits; fine; shortest; longest; parts; halvings } =
-  Printf.sprintf "(March.Plan %s %s)" (integers [ plan_bits; fine; shortest; longest; parts ]) (natural halvings)
+  Printf.sprintf "(Columns.Plan %s %s)" (integers [ plan_bits; fine; shortest; longest; parts ]) (natural halvings)
 let entry { from_column; until_column; impacts_before } =
   Printf.sprintf "(Trap.Entry %s %s)" (integers [ from_column; until_column ]) (list event impacts_before)
 
@@ -119,7 +119,7 @@ let entry { from_column; until_column; impacts_before } =
 let answered definitions checker answer =
   let defined = List.map (fun (name, term) -> Printf.sprintf "Definition %s := %s.\n" name term) definitions in
   Printf.sprintf "From Coq Require Import ZArith QArith List.\nFrom ImpactPair Require Import Model Data Certificate Covering Document Orbit Resting Rests Shadow Cycle.\n\
-    From ImpactPair Require Pieces Jacobian Rounds Discs Cycles Drawn Region March Trap Carrier.\nImport ListNotations.\nOpen Scope Z_scope.\n\
+    From ImpactPair Require Pieces Jacobian Rounds Discs Cycles Drawn Region Columns March Trap Carrier.\nImport ListNotations.\nOpen Scope Z_scope.\n\
     %sLemma answer : Carrier.%s %s = %b.\nProof. vm_cast_no_check (eq_refl %b). Qed.\n"
     (String.concat "" defined) checker (String.concat " " (List.map fst definitions)) answer answer
 
