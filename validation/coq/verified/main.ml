@@ -51,9 +51,10 @@ let judged_cycles ({ data; start; orbits; _ } : Periodic.claim) =
   | Ok around when Drawing.verify_cycles data start orbits around -> Verified
   | Ok around -> Not_verified (Reason.why_no_cycles data start orbits around)
 
-let judged_region (claim : Trap.claim) = match Plans.entry claim with
-  | None -> Not_verified "entered_at_impact: the scene's motion is not followed up to it"
-  | Some entry ->
+let judged_region (claim : Trap.claim) = match Reason.wrong_data (Z.of_int 256) claim.data claim.start [], Plans.entry claim with
+  | Some reason, _ -> Not_verified reason
+  | None, None -> Not_verified "entered_at_impact: the scene's motion is not followed up to it"
+  | None, Some entry ->
     match Plans.pieces claim entry with
     | Refused reason -> Not_verified ("entered_at_impact: of the impacts up to it, " ^ reason)
     | Pieces pieces ->
