@@ -51,13 +51,12 @@ let judged_cycles ({ data; start; orbits; _ } : Periodic.claim) =
   | Ok around when Drawing.verify_cycles data start orbits around -> Verified
   | Ok around -> Not_verified (Reason.why_no_cycles data start orbits around)
 
-let judged_region (claim : Trap.claim) = match Reason.wrong_data (Z.of_int 256) claim.data claim.start [], Plans.entry claim with
-  | Some reason, _ -> Not_verified reason
-  | None, None -> Not_verified "entered_at_impact: the scene's motion is not followed up to it"
-  | None, Some entry ->
-    match Plans.pieces claim entry with
-    | Refused reason -> Not_verified ("entered_at_impact: of the impacts up to it, " ^ reason)
-    | Pieces pieces ->
+let judged_region (claim : Trap.claim) = match Reason.wrong_data (Z.of_int 256) claim.data claim.start [] with
+  | Some reason -> Not_verified reason
+  | None ->
+    match Plans.coming claim with
+    | Error reason -> Not_verified reason
+    | Ok (entry, pieces) ->
       let holds plan = verify_region claim.data claim.start claim.region claim.properties plan entry pieces in
       let plans = List.map (Plans.plan claim) Plans.attempts in
       if List.exists holds plans then Verified else Not_verified (Reason.why_no_region claim (List.hd (List.rev plans)) entry)
@@ -105,14 +104,11 @@ let coq path =
      | Ok around -> print_string (Term.file_of_cycles data start orbits around (Drawing.verify_cycles data start orbits around))
      | Error n -> no_input (Printf.sprintf "orbits[%d] is not found" n))
   | Region ({ data; start; region; properties; _ } as claim) ->
-    (match Plans.entry claim with
-     | None -> no_input "the scene's motion is not found"
-     | Some entry ->
-       match Plans.pieces claim entry with
-       | Refused reason -> no_input reason
-       | Pieces pieces ->
-         let plan = Plans.plan claim (List.hd Plans.attempts) in
-         print_string (Term.file_of_region data start region properties plan entry pieces (verify_region data start region properties plan entry pieces)))
+    (match Plans.coming claim with
+     | Error reason -> no_input reason
+     | Ok (entry, pieces) ->
+       let plan = Plans.plan claim (List.hd Plans.attempts) in
+       print_string (Term.file_of_region data start region properties plan entry pieces (verify_region data start region properties plan entry pieces)))
 
 let () =
   match Array.to_list Sys.argv with

@@ -30,13 +30,14 @@ let plan claim (bits, parts, halvings) =
   let shortest, longest = flights claim in
   { plan_bits = Z.of_int bits; fine; shortest; longest; parts = Z.of_int parts; halvings = nat halvings }
 
-(* Bounds of an impact are so many bits wide; the motion is followed with more bits, several for each impact. *)
+(* Bounds of an impact are 2^-N wide, in radians and A W; where the data are intervals wider ones are tried first. The motion is followed with more bits, several for each impact. *)
 let narrow = 24
+let wider = [ 7; 10; 14 ]
 let bits_of_impact = 16
 let most_impacts = 10_000
 
 (* An impact as an event, and bounds of its phase. *)
-let event s n from (w, th, v) =
+let event ~narrow s n from (w, th, v) =
   let around x unit =
     let radius = Z.shift_right unit narrow in
     let bound x = { qnum = x; qden = Z.shift_left Z.one s.Flights.bits } in
@@ -46,13 +47,13 @@ let event s n from (w, th, v) =
   { index = Z.of_int n; mapped = Option.map (fun from -> mapping_between from w) from;
     shown = { on = w; time_lower; time_upper; velocity_lower; velocity_upper } }
 
-let columns_around s columns (w, th) =
+let columns_around ~narrow s columns (w, th) =
   let turn = Z.shift_left (Fixed.pi s.Flights.bits) 1 in
   let seen = match w with Left -> th | Right -> Z.add th (Z.shift_right turn 1) in
   let radius = Z.shift_right (Fixed.one s.bits) (narrow - 2) in
   (Z.fdiv (Z.mul columns (Z.sub seen radius)) turn, ceiling (Z.mul columns (Z.add seen radius)) turn)
 
-let entry ({ data; start; region; properties; _ } : Trap.claim) = match properties.entered with
+let entry ~narrow ({ data; start; region; properties; _ } : Trap.claim) = match properties.entered with
   | None -> Some { from_column = Z.zero; until_column = Z.zero; impacts_before = [] }
   | Some n when Z.gt n (Z.of_int most_impacts) -> None
   | Some n ->
@@ -67,10 +68,10 @@ let entry ({ data; start; region; properties; _ } : Trap.claim) = match properti
         | Some (near, w) ->
           match Flights.landing s (place, th, u) w near with
           | None -> None
-          | Some (th, v) -> go (k + 1) (Flights.On w) (Some w) th (Z.neg (Fixed.mul s.bits s.e v)) (event s k from (w, th, v) :: events) in
+          | Some (th, v) -> go (k + 1) (Flights.On w) (Some w) th (Z.neg (Fixed.mul s.bits s.e v)) (event ~narrow s k from (w, th, v) :: events) in
     match go 1 place wall th u [] with
     | Some (impacts_before, Some w, th) ->
-      let from_column, until_column = columns_around s region.columns (w, th) in
+      let from_column, until_column = columns_around ~narrow s region.columns (w, th) in
       Some { from_column; until_column; impacts_before }
     | _ -> None
 
@@ -81,3 +82,21 @@ let no_pieces =
 let pieces ({ data; start; properties; _ } : Trap.claim) entry = match properties.entered with
   | Some n when Z.sign n > 0 -> Search.pieces (first_impacts data start entry n)
   | _ -> Search.Pieces no_pieces
+
+(* The impacts with which the motion comes in, and their pieces; or why there are none. *)
+let coming ({ data; start; region; properties; _ } as claim : Trap.claim) =
+  let is_in entry = match properties.entered with
+    | None -> true
+    | Some n -> Trapping.check_entry data start region (plan claim (List.hd attempts)) entry n in
+  let rec attempt = function
+    | [] -> Error "entered_at_impact: the scene's motion is not followed up to it"
+    | narrow :: more ->
+      match entry ~narrow claim with
+      | None -> attempt []
+      | Some entry ->
+        match pieces claim entry with
+        | Pieces pieces when more = [] || is_in entry -> Ok (entry, pieces)
+        | Refused reason when more = [] -> Error ("entered_at_impact: of the impacts up to it, " ^ reason)
+        | _ -> attempt more in
+  let intervals = Search.intervals { scene_data = data; begun = start; events = []; ended = Impacts_reached Z.zero } in
+  attempt (if intervals = [] then [ narrow ] else wider @ [ narrow ])
