@@ -54,15 +54,16 @@ Definition stays (r : region) (f : properties) (i : impact) : Prop :=
   (forall n, exists orbit, length orbit = n /\ follows s (rebound s i) orbit) /\
   (forall orbit, comes_along (rebound s i) orbit -> List.Forall (fun j => in_region r j /\ is_as_fast f j) orbit /\ flights_last f i orbit) /\
   (forall h, happens s (Flying (rebound s i)) h -> exists j, h = Hits j).
-Definition comes_in (r : region) (l : launch) (n : Z) : Prop :=
-  if (n =? 0)%Z then exists i, l = rebound s i /\ in_region r i
-  else exists orbit i, follows s l (orbit ++ [i]) /\ Z.of_nat (length (orbit ++ [i])) = n /\ in_region r i.
+(* Impact number n of the scene's motion is in the region; 0 is its start. *)
+Definition comes_in (r : region) (b : beginning) (n : Z) : Prop :=
+  if (n =? 0)%Z then match b with Struck w t v => forall i, wall_of i = w -> among t (time i) -> among v (velocity i) -> in_region r i | Inside _ _ _ => False end
+  else forall l, begins b s l -> exists orbit i, follows s l (orbit ++ [i]) /\ Z.of_nat (length (orbit ++ [i])) = n /\ in_region r i.
 End Scene.
 
 Definition claims_region (p : data) (b : beginning) (r : region) (f : properties) : Prop := all_proper p b /\ has_boxes r (box_count f) /\ 0 < Q2R (fst (flight_periods f)) /\
   forall s, describes p s -> sensible s /\ one_harmonic s /\
     (forall i, in_region s r i -> is_as_fast s f i /\ stays s r f i) /\
-    match entered f with None => True | Some n => forall l, begins b s l -> comes_in s r l n end.
+    match entered f with None => True | Some n => comes_in s r b n end.
 
 (* The flights of a ball that leaves the left wall at phase th0 with velocity p, in the units of Step.v; D is the gap. *)
 Section Units.

@@ -192,12 +192,12 @@ Proof.
 Qed.
 Lemma holds_between_known lower upper y : Q2R lower <= y <= Q2R upper -> holds (between_known lower upper) y.
 Proof. apply holds_hull; apply holds_known_few. Qed.
-Lemma entry_sound n l : check_entry n = true -> (n <> 0%Z -> claims (first_impacts param b x n)) -> begins b s l -> comes_in s r l n.
+Lemma entry_sound n : check_entry n = true -> (n <> 0%Z -> claims (first_impacts param b x n)) -> comes_in s r b n.
 Proof.
-  unfold check_entry, comes_in. intros c told begin. destruct (n =? 0)%Z eqn:zero.
-  - destruct b as [w t v|t y v]; [|discriminate]. destruct begin as (i & on_wall & ht & hv & l_is). exists i. split; [exact l_is|].
+  unfold check_entry, comes_in. intros c told. destruct (n =? 0)%Z eqn:zero.
+  - destruct b as [w t v|t y v]; [|discriminate]. intros i on_wall ht hv.
     apply (state_sound i (enclose_range few t) (enclose_range few v)); [rewrite on_wall; exact c|apply holds_range, ht|apply holds_range, hv].
-  - apply Z.eqb_neq in zero. destruct (told zero) as [_ all]. destruct (all s l described begin) as (_ & _ & _ & motion & goes_so & shown_all & _ & ends_there).
+  - intros l begin. apply Z.eqb_neq in zero. destruct (told zero) as [_ all]. destruct (all s l described begin) as (_ & _ & _ & motion & goes_so & shown_all & _ & ends_there).
     cbn [events first_impacts ended ends_so] in *. rewrite impacts_many in ends_there. destruct (impacts_alone _ _ shown_all) as (orbit & -> & each).
     destruct (rev (impacts_before x)) as [|last others_] eqn:reversed; [discriminate|].
     assert (split_ : impacts_before x = rev others_ ++ [last]) by (rewrite <- (rev_involutive (impacts_before x)), reversed; reflexivity).
@@ -223,7 +223,7 @@ Proof.
   assert (fast : forall i, in_region s r i -> is_as_fast s f i) by (intros i inr; exact (speeds_sound s described A_positive W_positive i ltac:(assumption) inr)).
   split.
   - intros i inr. split; [exact (fast i inr)|]. exact (region_kept s r _ _ A_positive W_positive gap_positive one kept_all least_positive f i fast lasts inr).
-  - destruct (entered f) as [n|]; [|exact I]. intros l begin. exact (entry_sound s described n l ltac:(assumption) (told n eq_refl) begin).
+  - destruct (entered f) as [n|]; [|exact I]. apply (entry_sound s described n); [assumption|exact (told n eq_refl)].
 Qed.
 End Document.
 End Traps.
