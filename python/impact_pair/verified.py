@@ -1,4 +1,4 @@
-"""``verify``: an orbit document checked by a program that is extracted from its proof in Coq."""
+"""``verify``: a document checked by a program that is extracted from its proof in Coq."""
 
 from __future__ import annotations
 
@@ -50,9 +50,9 @@ def program() -> Path:
 
 
 def verify(document: Source | Mapping[str, Any]) -> Verified:
-    """Verify an orbit document with a checker that is proved in Coq: an answer, a dict, the path of a file, or its text.
+    """Verify a document with a checker that is proved in Coq: an answer, a dict, the path of a file, or its text.
 
-    Verified are the impacts from an exact start, first and none missed, and the outcomes ``impacts-reached`` and ``time-reached``.
+    Verified are orbits of ``run``, the orbits of ``periodic`` and the region of ``trap``, as far as ``docs/verified.md`` says.
     A document that claims more is not verified. An :class:`Error` says so where the program ``impact-pair-verified`` is not found.
     """
     text = json.dumps(dict(document)) if isinstance(document, Mapping) else text_of(document)

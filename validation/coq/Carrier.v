@@ -4,7 +4,7 @@ From Coq Require Import ZArith Lia.
 From Flocq Require Import Core.Zaux Core.Digits.
 From Interval Require Import Float.Basic Float.Generic Float.Generic_proof Float.Specific_sig Float.Specific_stdz Float.Specific_ops.
 From Coq Require Import Bool.
-From ImpactPair Require Pieces Shadow Orbit Cycle Cycles Drawn.
+From ImpactPair Require Data Document Pieces Shadow Orbit Cycle Cycles Drawn Region Columns March Trap.
 Open Scope Z_scope.
 
 Module Import Std := StdZRadix2.
@@ -131,9 +131,22 @@ Module ShiftFloats := SpecificFloat ShiftRadix2.
 Module Shifting := Pieces.PieceVerifier ShiftFloats.
 Module Shadowing := Shadow.Shadows ShiftFloats.
 Module Drawing := Drawn.Drawings ShiftFloats.
+Module Trapping := Trap.Traps ShiftFloats.
 
 (* A document of a motion that a stable periodic orbit attracts. *)
 Definition verify_attracted (x : Orbit.document) (found : Pieces.pieces) (from : Z) (c : Cycle.cycle) (h : Cycles.surroundings) (a : Drawn.approach_to) : bool :=
   Shifting.verify_document x found && Drawing.verify_drawn x from c h a.
 Theorem attracted_verified x found from c h a : verify_attracted x found from c h a = true -> Cycle.claims_attracted x from c.
 Proof. intros v. apply andb_prop in v as [listed drawn]. exact (Drawing.drawn_verified x from c h a (Shifting.pieces_verified x found listed) drawn). Qed.
+
+(* A document of a trapping region; `found` are the pieces of the impacts up to the one with which the scene's motion comes in. *)
+Definition verify_region (param : Data.data) (b : Data.beginning) (r : Region.region) (f : Region.properties) (h : Columns.plan) (x : Trap.entry) (found : Pieces.pieces) : bool :=
+  match Region.entered f with
+  | Some n => (n =? 0) || Shifting.verify_document (Trap.first_impacts param b x n) found
+  | None => true
+  end && Trapping.verify_trap param b r f h x.
+Theorem region_verified param b r f h x found : verify_region param b r f h x found = true -> Region.claims_region param b r f.
+Proof.
+  unfold verify_region. intros v. apply andb_prop in v as [listed trap]. apply (Trapping.trap_verified _ _ _ _ _ _ trap). intros n is_n some. rewrite is_n in listed.
+  apply orb_prop in listed as [zero|listed]; [apply Z.eqb_eq in zero; contradiction|]. exact (Shifting.pieces_verified _ found listed).
+Qed.

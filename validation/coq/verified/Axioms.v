@@ -4,3 +4,4 @@ Print Assumptions Carrier.Shifting.pieces_verified.
 Print Assumptions Carrier.Shadowing.shadow_verified.
 Print Assumptions Carrier.Drawing.cycles_verified.
 Print Assumptions Carrier.attracted_verified.
+Print Assumptions Carrier.region_verified.

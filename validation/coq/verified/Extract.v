@@ -1,8 +1,8 @@
-(* Extraction of `verify_document` (Pieces.v), `verify_shadow` (Shadow.v), `verify_cycles` (Drawn.v) and `verify_attracted` (Carrier.v) to OCaml. Coq's binary integers become those of Zarith: each function below has the
+(* Extraction of `verify_document` (Pieces.v), `verify_shadow` (Shadow.v), `verify_cycles` (Drawn.v), `verify_attracted` and `verify_region` (Carrier.v) to OCaml. Coq's binary integers become those of Zarith: each function below has the
    meaning of the Coq function, for all arguments; what it says of Zarith's is in integers.ml. These lines are trusted. *)
 From Coq Require Import ZArith QArith Extraction ExtrOcamlBasic.
 From Flocq Require Import Zaux.
-From ImpactPair Require Import Model Certificate Document Orbit Rests Pieces Covering Shadow Cycle Cycles Drawn Carrier.
+From ImpactPair Require Import Model Certificate Document Orbit Rests Pieces Covering Shadow Cycle Cycles Drawn Region Columns March Trap Carrier.
 
 Extract Inductive positive => "Integers.t" [ "Integers.double_plus_one" "Integers.double" "Integers.one" ] "Integers.match_positive".
 Extract Inductive Z => "Integers.t" [ "Integers.zero" "(fun p -> p)" "Integers.neg" ] "Integers.match_integer".
@@ -54,4 +54,4 @@ Extract Constant ClassicalDedekindReals.sig_forall_dec => "(fun _ -> failwith ""
 
 Extraction Language OCaml.
 Set Extraction Output Directory ".".
-Extraction "checker.ml" Shifting Shadowing Drawing verify_attracted.
+Extraction "checker.ml" Shifting Shadowing Drawing Trapping verify_attracted verify_region.

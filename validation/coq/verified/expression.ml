@@ -177,7 +177,8 @@ and leading = function
 let text { least; most } =
   if least = most then print Sum least else "[" ^ print Sum least ^ "," ^ print Sum most ^ "]"
 
-(* The canonical form of a text: no blanks, decimals without exponents, no parentheses around one number, no sign of 0. *)
+(* The canonical form of a text: no blanks, decimals without exponents, no parentheses around one number or around the first factors of a product, the square of a
+   number as a power, no sign of 0. *)
 let plain_decimal source =
   let group n = try Str.matched_group n source with Not_found -> "" in
   let whole = group 1 and part = group 2 in
@@ -198,7 +199,15 @@ let minus_zero = Str.regexp "\\(^\\|[[,]\\)-\\(0\\(\\.0*\\)?\\($\\|[],]\\)\\)"
 
 let without_exponents source = Str.global_substitute with_exponent plain_decimal source
 
+let first_factors = Str.regexp "\\(^\\|[[(,+]\\|[0-9a-z.)]-\\)(\\([0-9a-z.]+\\([*/][0-9a-z.]+\\)+\\))\\($\\|[])*/,+-]\\)"
+let square = Str.regexp "\\(^\\|[[(,+]\\|[0-9a-z.)]-\\)\\([0-9.]+\\|pi\\)\\*\\2\\($\\|[])*/,+-]\\)"
+let rec repeatedly change source =
+  let changed = change source in
+  if changed = source then source else repeatedly change changed
+
 let canonical source =
   let source = without_exponents (String.concat "" (String.split_on_char ' ' source)) in
   let source = Str.global_replace in_parentheses "\\1\\2" source in
+  let source = repeatedly (Str.global_replace first_factors "\\1\\2\\4") source in
+  let source = repeatedly (Str.global_replace square "\\1\\2^2\\3") source in
   Str.global_replace minus_zero "\\1\\2" source

@@ -5,7 +5,7 @@ open Checker
 module Z = Integers.Z
 
 let usage = "usage: impact-pair-verified DOCUMENT\n\n\
-  Verifies a document of `impact-pair run` or `impact-pair periodic --format json` (- for standard input) by a checker extracted from its proof in Coq.\n\
+  Verifies a document of `impact-pair run`, `periodic` or `trap`, in JSON, (- for standard input) by a checker extracted from its proof in Coq.\n\
   Prints the claim, and `verified` (exit 0), `not verified: REASON` (1) or `unreadable: REASON` (2).\n\n\
   impact-pair-verified --coq DOCUMENT prints a file in which Coq itself runs the checker on the same input.\n"
 
@@ -51,15 +51,26 @@ let judged_cycles ({ data; start; orbits; _ } : Periodic.claim) =
   | Ok around when Drawing.verify_cycles data start orbits around -> Verified
   | Ok around -> Not_verified (Reason.why_no_cycles data start orbits around)
 
-type claim = Orbit of Orbit.claim | Cycles of Periodic.claim
+let judged_region (claim : Trap.claim) = match Reason.wrong_data (Z.of_int 256) claim.data claim.start [] with
+  | Some reason -> Not_verified reason
+  | None ->
+    match Plans.coming claim with
+    | Error reason -> Not_verified reason
+    | Ok (entry, pieces) ->
+      let holds plan = verify_region claim.data claim.start claim.region claim.properties plan entry pieces in
+      let plans = List.map (Plans.plan claim) Plans.attempts in
+      if List.exists holds plans then Verified else Not_verified (Reason.why_no_region claim (List.hd (List.rev plans)) entry)
+
+type claim = Orbit of Orbit.claim | Cycles of Periodic.claim | Region of Trap.claim
 let read source =
   let value = Json.read source in
   match Reading.schema_of value with
   | is when is = Orbit.schema -> Orbit (Orbit.read value)
   | is when is = Periodic.schema -> Cycles (Periodic.read value)
-  | is -> Reading.not_covered "schema is %S: covered are %S and %S" (Reading.shortened is) Orbit.schema Periodic.schema
-let said = function Orbit claim -> Orbit.claim claim | Cycles claim -> Periodic.claim claim
-let judged = function Orbit claim -> judged_orbit claim | Cycles claim -> judged_cycles claim
+  | is when is = Trap.schema -> Region (Trap.read value)
+  | is -> Reading.not_covered "schema is %S: covered are %S, %S and %S" (Reading.shortened is) Orbit.schema Periodic.schema Trap.schema
+let said = function Orbit claim -> Orbit.claim claim | Cycles claim -> Periodic.claim claim | Region claim -> Trap.claim claim
+let judged = function Orbit claim -> judged_orbit claim | Cycles claim -> judged_cycles claim | Region claim -> judged_region claim
 
 let verdict source =
   match read source with
@@ -92,6 +103,12 @@ let coq path =
     (match Ellipses.around_all data start orbits with
      | Ok around -> print_string (Term.file_of_cycles data start orbits around (Drawing.verify_cycles data start orbits around))
      | Error n -> no_input (Printf.sprintf "orbits[%d] is not found" n))
+  | Region ({ data; start; region; properties; _ } as claim) ->
+    (match Plans.coming claim with
+     | Error reason -> no_input reason
+     | Ok (entry, pieces) ->
+       let plan = Plans.plan claim (List.hd Plans.attempts) in
+       print_string (Term.file_of_region data start region properties plan entry pieces (verify_region data start region properties plan entry pieces)))
 
 let () =
   match Array.to_list Sys.argv with

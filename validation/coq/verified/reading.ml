@@ -123,7 +123,7 @@ let difference a b =
   (part a, part b)
 
 (* Numbers in one spelling. *)
-let numbers = [ "gap"; "restitution"; "amplitude"; "frequency"; "phase"; "time"; "position"; "velocity"; "until"; "median"; "maximum"; "trace"; "determinant"; "re"; "im" ]
+let numbers = [ "gap"; "restitution"; "amplitude"; "frequency"; "phase"; "time"; "position"; "velocity"; "until"; "median"; "maximum"; "trace"; "determinant"; "re"; "im"; "longest_flight"; "speed"; "flight"; "flight_time"; "speed_before" ]
 let rec spelled key = function
   | Json.String s when List.mem key numbers -> Json.String (Expression.canonical s)
   | String s when key = "message" -> String (Expression.without_exponents s)

@@ -102,3 +102,22 @@ let why_no_cycles data start orbits arounds =
       | (cycle, around) :: _ -> why_no_cycle (Printf.sprintf "orbits[%d]" n) data cycle around
       | [] -> "orbits: two are not proved to be different ones, or the scene not to have one harmonic with a positive amplitude" in
     look 0 (List.combine orbits arounds)
+
+(* The first part of a region that is refused. *)
+let why_no_region ({ data; start; region; properties; _ } : Trap.claim) plan entry =
+  let module March = Trapping.Marching in
+  let units = Trapping.units_in data region plan in
+  let rec first n holds = function [] -> None | run :: runs -> if holds run then first (n + 1) holds runs else Some n in
+  match wrong_data (Z.of_int 256) data start [] with
+  | Some reason -> reason
+  | None ->
+    if not (check_count region properties.box_count) then "boxes: the runs of `region` are not in order, not in the grid, or have another number of boxes"
+    else if not (Trapping.check_flights data region properties plan) then "flight, longest_flight and flight_time: there is no time between these bounds"
+    else match first 0 (Trapping.check_speeds data region properties) region.runs with
+    | Some n -> Printf.sprintf "region[%d]: its rows are not proved to be within `speed` and `speed_before`" n
+    | None ->
+      match first 0 (March.check_run region plan units) region.runs with
+      | Some n -> Printf.sprintf "region[%d]: not all flights from its boxes are proved to come to boxes of the region, within the bounds of flights" n
+      | None when not (match properties.entered with None -> true | Some n -> Trapping.check_entry data start region plan entry n) ->
+        "entered_at_impact: this impact is not proved to be in the region"
+      | None -> "the impacts up to `entered_at_impact` are not proved, or the scene not to have a positive amplitude"

@@ -104,11 +104,22 @@ let approach { listed_before; listed_until; rounds_until; last_listed; flights_o
   Printf.sprintf "(Drawn.Approach %s %s %s %s)" (String.concat " " (List.map natural [ listed_before; listed_until; rounds_until ])) (cell last_listed)
     (list passage flights_on) (integer turns_until)
 
+(* Regions. *)
+let run (column, (first, last)) = Printf.sprintf "(%s, (%s, %s))" (integer column) (integer first) (integer last)
+let region { columns; rows; runs } = Printf.sprintf "(Region.Region %s %s)" (integers [ columns; rows ]) (list run runs)
+let properties { box_count; flight_periods; longest_flight; flight_times; impact_speeds; impact_velocities; entered } =
+  Printf.sprintf "(Region.Properties %s %s %s %s %s %s %s)" (integer box_count) (pair flight_periods) (fraction longest_flight) (pair flight_times)
+    (pair impact_speeds) (pair impact_velocities) (option integer entered)
+let plan { plan_bits; fine; shortest; longest; parts; halvings } =
+  Printf.sprintf "(Columns.Plan %s %s)" (integers [ plan_bits; fine; shortest; longest; parts ]) (natural halvings)
+let entry { from_column; until_column; impacts_before } =
+  Printf.sprintf "(Trap.Entry %s %s)" (integers [ from_column; until_column ]) (list event impacts_before)
+
 (* The answer of the extracted program is Coq's: a file of definitions, and of the checker on them. *)
 let answered definitions checker answer =
   let defined = List.map (fun (name, term) -> Printf.sprintf "Definition %s := %s.\n" name term) definitions in
   Printf.sprintf "From Coq Require Import ZArith QArith List.\nFrom ImpactPair Require Import Model Data Certificate Covering Document Orbit Resting Rests Shadow Cycle.\n\
-    From ImpactPair Require Pieces Jacobian Rounds Discs Cycles Drawn Carrier.\nImport ListNotations.\nOpen Scope Z_scope.\n\
+    From ImpactPair Require Pieces Jacobian Rounds Discs Cycles Drawn Region Columns March Trap Carrier.\nImport ListNotations.\nOpen Scope Z_scope.\n\
     %sLemma answer : Carrier.%s %s = %b.\nProof. vm_cast_no_check (eq_refl %b). Qed.\n"
     (String.concat "" defined) checker (String.concat " " (List.map fst definitions)) answer answer
 
@@ -120,3 +131,6 @@ let file_of_cycles param start orbits around =
 let file_of_attracted x found from c around way =
   answered [ ("document", document occurrence x); ("pieces", pieces found); ("from", integer from); ("orbit", cycle c); ("around", surroundings around);
              ("approach", approach way) ] "verify_attracted"
+let file_of_region param start r f h x found answer =
+  answered [ ("param", data param); ("start", beginning start); ("region", region r); ("said", properties f); ("plan", plan h); ("entry", entry x); ("pieces", pieces found) ]
+    "verify_region" answer
