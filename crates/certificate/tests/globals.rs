@@ -211,6 +211,14 @@ fn r52_an_orbit_of_88_impacts_is_confirmed() {
     assert_ne!(checked(&document).verdict, VerdictName::Confirmed);
 }
 
+/// That of figure 16 nearest to its printed gap: rounding in its 32 flights takes more bits than at first (Lemma V30).
+#[test]
+#[ignore = "deep"]
+fn r52_the_window_of_figure_16_is_confirmed() {
+    let document: Value = serde_json::from_str(include_str!("window-of-figure-16.json")).unwrap();
+    assert_eq!(checked(&document).verdict, VerdictName::Confirmed);
+}
+
 /// Whether components are closed is not judged: nor is a class that follows from that alone.
 #[test]
 fn r42_a_class_of_closed_components_is_not_judged() {

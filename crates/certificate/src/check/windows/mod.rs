@@ -77,39 +77,3 @@ impl ClaimedWindow {
         Ok(most)
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use impact_pair_model::watch::Unwatched;
-    use serde_json::{Value, json};
-
-    const DOCUMENT: &str = include_str!("../../../tests/documents/windows.jsonl");
-
-    /// What is proved of the orbits between the ends of a window with these values, its orbit and its ends not checked.
-    fn between(changes: &[(&str, Value)]) -> Result<u32, String> {
-        let mut document: Value = serde_json::from_str(DOCUMENT).unwrap();
-        for (key, value) in changes {
-            *document["windows"][0].pointer_mut(key).unwrap() = value.clone();
-        }
-        let own = WindowsCertificate::parse(&document.to_string()).unwrap();
-        let over = Over { pair: own.pair(), start: own.start(), key: own.over() };
-        let budget = Budget::new(Effort::default().work, Effort::default().parts, &Unwatched);
-        match own.windows()[0].is_stable_between(&over, &budget) {
-            Ok(bits) => Ok(bits),
-            Err(Doubt::Open(message)) => Err(message),
-            Err(Doubt::False(message)) => panic!("refuted: {message}"),
-        }
-    }
-
-    /// The curve of stable orbits leads to the ends that are claimed, from the orbit that is claimed (Lemma V30, window), whatever V8 and V9 say of them.
-    #[test]
-    fn a_curve_leads_from_the_claimed_orbit_to_the_claimed_ends() {
-        assert!(between(&[]).is_ok());
-        let elsewhere = [("/from", json!(["0.1038", "0.1039"]), "parameter"), ("/at", json!("0.21"), "the orbit")];
-        for (key, value, words) in elsewhere {
-            let found = between(&[(key, value)]);
-            assert!(found.as_ref().is_err_and(|message| message.contains(words)), "{key}: {found:?}");
-        }
-    }
-}
