@@ -1,4 +1,4 @@
-//! Global analyses and windows that were false and confirmed.
+//! Global analyses and windows that were false and confirmed, and an orbit of a window that was undecided.
 
 use impact_pair_certificate::{Claims, Effort};
 use impact_pair_document::{CheckDocument, GlobalDocument, VerdictName};
@@ -197,6 +197,25 @@ fn r38_the_orbits_between_the_ends_of_a_window_are_judged() {
     document["windows"][0]["orbit"]["physical"] = Value::Null;
     assert_ne!(checked(&document).verdict, VerdictName::Confirmed);
     document["windows"][0]["stable_between"] = json!(false);
+    assert_eq!(checked(&document).verdict, VerdictName::Confirmed);
+}
+
+/// That of a window beside figure 14, its own mirror image after 44 impacts: rounding in all 88 flights is more than the least ellipse that is
+/// tried (Lemma V8). Bounds that do not hold its first impact are not confirmed.
+#[test]
+fn r52_an_orbit_of_88_impacts_is_confirmed() {
+    let mut document: Value = serde_json::from_str(include_str!("orbit-of-88-impacts.json")).unwrap();
+    assert_eq!(checked(&document).verdict, VerdictName::Confirmed);
+    let phase = &mut document["orbits"][0]["impacts"][0]["phase"];
+    *phase = json!(["4.92235739593146085134657137", "4.92235739593146085134657139"]);
+    assert_ne!(checked(&document).verdict, VerdictName::Confirmed);
+}
+
+/// That of figure 16 nearest to its printed gap: rounding in its 32 flights takes more bits than at first (Lemma V30).
+#[test]
+#[ignore = "deep"]
+fn r52_the_window_of_figure_16_is_confirmed() {
+    let document: Value = serde_json::from_str(include_str!("window-of-figure-16.json")).unwrap();
     assert_eq!(checked(&document).verdict, VerdictName::Confirmed);
 }
 

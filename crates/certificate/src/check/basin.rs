@@ -89,30 +89,40 @@ impl Ellipse {
 
     /// Returns what a round makes of it, if all first contacts are proved.
     pub fn contracted(self, round: &Round<'_>) -> Result<Contraction, Doubt> {
-        let radius = self.radius(1);
-        let columns = self.axes.each_ref().map(|row| row.each_ref().map(|x| x.clone() * &radius));
-        let landings = round.run(round.set(&self.centre, &columns))?;
+        let landings = self.run(round)?;
         let end = landings.last().expect("the set");
         let derivative = times(&self.inverse, &round.derivatives(end, &self.radius(-1)));
-        let first = round.first();
-        let centre = [&end.phase, &end.velocity].map(|x| x.without(first));
         let open = || Doubt::Open("no neighbourhood of the orbit is enclosed".into());
         let (step, change) = match &self.newton {
             None => (self.inverse.clone(), derivative.clone()),
             // N(s) = s - K (p(s) - s); the sign does not matter for lengths.
             Some(newton) => (times(newton, &self.inverse), less_one(&times(newton, &less_one(&derivative)))),
         };
-        let moved = self.length(&step, [&centre[0], &centre[1]]).ok_or_else(open)?;
-        let factor = norm(&change).ok_or_else(open)?;
-        Ok(Contraction { ellipse: self, landings, derivative, factor, moved })
+        let moved = |landings: &[Landing]| {
+            let end = landings.last().expect("the set");
+            let centre = [&end.phase, &end.velocity].map(|x| x.without(round.first()));
+            self.length(&step, [&centre[0], &centre[1]]).ok_or_else(open)
+        };
+        let (mut moved_by, factor) = (moved(&landings)?, norm(&change).ok_or_else(open)?);
+        // V8: first contacts do not depend on the set that is run, and a smaller one is rounded less
+        if round.is_physical && !is_inside(&factor, &moved_by) && is_inside(&factor, &Real::zero(factor.bits())) {
+            moved_by = moved(&self.sized(-i64::from(self.centre[0].bits())).run(round)?)?;
+        }
+        Ok(Contraction { ellipse: self, landings, derivative, factor, moved: moved_by })
+    }
+
+    /// The impacts of its states in a round.
+    fn run(&self, round: &Round<'_>) -> Result<Vec<Landing>, Doubt> {
+        let radius = self.radius(1);
+        let columns = self.axes.each_ref().map(|row| row.each_ref().map(|x| x.clone() * &radius));
+        round.run(round.set(&self.centre, &columns))
     }
 }
 
 impl Contraction {
     /// Returns whether it is proved to be mapped into itself and contracted, by the period or by Newton's step.
     pub fn is_proved(&self) -> bool {
-        let (one, reach) = (Real::int(1, self.factor.bits()), self.factor.clone() + &self.moved);
-        self.factor.is_below(&one) && reach.enclosure().sup() <= one.enclosure().inf()
+        is_inside(&self.factor, &self.moved)
     }
 
     /// About how many times larger, as a power of 2, an ellipse is that holds the orbit.
@@ -170,6 +180,12 @@ pub(super) fn basin(round: &Round<'_>, shapes: &[Ellipse], wanted: &[&Landing]) 
         }
     }
     Err(doubt)
+}
+
+/// Whether a map with such a factor maps a disc of radius 1 into itself, whose centre is moved that far, and contracts it. Lemmas V6, V8
+fn is_inside(factor: &Real, moved: &Real) -> bool {
+    let (one, reach) = (Real::int(1, factor.bits()), factor.clone() + moved);
+    factor.is_below(&one) && reach.enclosure().sup() <= one.enclosure().inf()
 }
 
 /// `M - 1`

@@ -16,12 +16,14 @@ use crate::check::tangency::flights::Letter;
 use crate::check::tangency::setting::Setting;
 use crate::check::target::{MOST_BITS, narrowest};
 use crate::check::walk::compare;
+use crate::periodic::OrbitOf;
 use crate::windows::ClaimedWindow;
 use impact_pair_exact::{Dyadic, Exact, Real};
 use impact_pair_model::Wall;
 
-/// Bits of the arithmetic beyond those of the tiny cells, and of these beyond the bounds of the ends.
+/// Bits of the arithmetic beyond those of the tiny cells, at first and at most, and of these beyond the bounds of the ends.
 const SPARE_BITS: i64 = 160;
+const MOST_SPARE_BITS: i64 = 640;
 const INSIDE: i64 = 24;
 /// By how many bits a tiny cell is narrower across the curve.
 const THIN: i64 = 28;
@@ -56,12 +58,36 @@ impl ClaimedWindow {
         let first = &claim.orbit.impacts[0];
         let own = narrowest([&first.phase, &first.velocity].into_iter()).unwrap_or(0); // proposes: a size to try
         let size = LARGEST.min(narrow.min(own) - INSIDE); // proposes: a size to try
-        let bits = u32::try_from(SPARE_BITS - size).ok().filter(|bits| *bits <= MOST_BITS);
-        let bits = bits.ok_or_else(|| open("the bounds are too narrow"))?;
-        let start = Start { setting: &setting, over, at: &self.at };
+        let mut spare = SPARE_BITS;
+        let (bits, mut between, known) = loop {
+            let bits = u32::try_from(spare - size).ok().filter(|bits| *bits <= MOST_BITS);
+            let bits = bits.ok_or_else(|| open("the bounds are too narrow"))?;
+            match self.begun((&setting, over), (size, bits), (claim, budget)) {
+                // Rounding in all flights is more than the tiny cell where they are many.
+                Err(Doubt::Open(_)) if spare < MOST_SPARE_BITS && !budget.is_spent() => spare *= 2,
+                begun => {
+                    let (between, known) = begun?;
+                    break (bits, between, known);
+                }
+            }
+        };
+        for end in [one, other] {
+            between.reaches(&known, end, &setting)?;
+        }
+        Ok(bits)
+    }
+
+    /// The curve in N bits, with the orbit that is claimed, proved to be stable.
+    fn begun<'b>(
+        &self,
+        (setting, over): (&Setting, &Over<'_>),
+        (size, bits): (i64, u32),
+        (claim, budget): (&OrbitOf, &Budget<'b>),
+    ) -> Result<(Between<'b>, Cell), Doubt> {
+        let start = Start { setting, over, at: &self.at };
+        let first = &claim.orbit.impacts[0];
         let guess = start.state(first, bits)?;
-        let letters: Vec<Letter> =
-            self.flights.iter().map(|is_far| if *is_far { Letter::Far } else { Letter::Near }).collect();
+        let letters = self.flights.iter().map(|is_far| if *is_far { Letter::Far } else { Letter::Near }).collect();
         let far = self.flights.iter().filter(|is_far| **is_far).count() as i64; // exact: a count
         let map = Map::new(letters, setting.family(bits), budget.clone(), &guess)?;
         // Twice the period where it is a mirrored one, less half a forcing period for each flight to the far wall.
@@ -72,10 +98,7 @@ impl ClaimedWindow {
         let mut between = Between { map, size };
         let known = between.known(guess)?;
         start.holds(first, &known)?;
-        for end in [one, other] {
-            between.reaches(&known, end, &setting)?;
-        }
-        Ok(bits)
+        Ok((between, known))
     }
 }
 
@@ -350,4 +373,54 @@ fn others(kept: usize) -> [usize; 2] {
 
 fn lost() -> Doubt {
     open("the curve of the orbits is lost")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::check::Effort;
+    use crate::windows::WindowsCertificate;
+    use impact_pair_model::watch::Unwatched;
+    use serde_json::{Value, json};
+
+    const DOCUMENT: &str = include_str!("../../../tests/documents/windows.jsonl");
+    const FIGURE_16: &str = include_str!("../../../tests/window-of-figure-16.json");
+
+    fn budget() -> Budget<'static> {
+        Budget::new(Effort::default().work, Effort::default().parts, &Unwatched)
+    }
+
+    /// What is proved of the orbits between the ends of a window with another value, its orbit and its ends not checked.
+    fn between(key: &str, value: Value) -> Result<u32, Doubt> {
+        let mut document: Value = serde_json::from_str(DOCUMENT).unwrap();
+        *document["windows"][0].pointer_mut(key).unwrap() = value;
+        let own = WindowsCertificate::parse(&document.to_string()).unwrap();
+        let over = Over { pair: own.pair(), start: own.start(), key: own.over() };
+        own.windows()[0].is_stable_between(&over, &budget())
+    }
+
+    /// The curve of stable orbits leads to the ends that are claimed, from the orbit that is claimed (Lemma V30, window), whatever V8 and V9 say of them.
+    #[test]
+    fn a_curve_leads_from_the_claimed_orbit_to_the_claimed_ends() {
+        let elsewhere =
+            [("/from", json!(["0.1038", "0.1039"]), "parameter"), ("/at", json!("0.21"), "phase of the orbit")];
+        for (key, value, words) in elsewhere {
+            let found = between(key, value);
+            let is_open = matches!(&found, Err(Doubt::Open(message)) if message.contains(words));
+            assert!(is_open, "{key}: {found:?}");
+        }
+    }
+
+    /// Rounding in 32 flights of figure 16 is more than a tiny cell has room for at first.
+    #[test]
+    fn r52_the_orbit_of_a_window_of_figure_16_is_proved_in_more_bits() {
+        let own = WindowsCertificate::parse(FIGURE_16).unwrap();
+        let (over, window) = (Over { pair: own.pair(), start: own.start(), key: own.over() }, &own.windows()[0]);
+        let (setting, size) = (Setting::new(over.pair, over.key).unwrap(), -141);
+        let begun = |spare: i64| {
+            let bits = u32::try_from(spare - size).unwrap();
+            window.begun((&setting, &over), (size, bits), (&window.orbit.orbits()[0], &budget()))
+        };
+        assert!(begun(SPARE_BITS).is_err() && begun(2 * SPARE_BITS).is_ok());
+    }
 }

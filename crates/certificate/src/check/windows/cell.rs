@@ -299,3 +299,125 @@ impl Along {
         Some(x.slopes[0].clone() + &Real::within(most.enclosure().sup(), FRAME_BITS))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use impact_pair_model::watch::Unwatched;
+
+    const BITS: u32 = 192;
+    /// How much smaller a set is that is as good as a point, as a power of 2.
+    const POINT: i64 = -80;
+    /// Places of members in a set.
+    const MEMBERS: [[f64; 3]; 4] = [[0.9, -0.8, 0.7], [-0.9, -0.9, 0.1], [0.3, 0.9, -0.9], [-0.5, 0.8, 0.9]];
+
+    fn real(x: f64) -> Real {
+        Real::point(Dyadic::from_f64(x).unwrap(), BITS)
+    }
+
+    fn contains(all: &Real, one: &Real) -> bool {
+        all.enclosure().contains_enclosure(one.enclosure())
+    }
+
+    /// `sum_j slopes[j] q_j`
+    fn linear(slopes: &[Real], q: [f64; 3]) -> Real {
+        slopes.iter().zip(q).fold(Real::zero(BITS), |sum, (slope, q)| sum + &(slope.clone() * &real(q)))
+    }
+
+    /// A map along the first flights of the stable orbit of 22 impacts beside figure 14, a set around one of its states, and the same set so small
+    /// that it is as good as one of its members.
+    struct Flights {
+        map: Map<'static>,
+        cell: Cell,
+    }
+
+    impl Flights {
+        fn new(is_restitution: bool) -> Self {
+            let letters =
+                "NFFNFF".chars().map(|letter| if letter == 'F' { Letter::Far } else { Letter::Near }).collect();
+            let [gap, restitution] = [9.424996066377793 / 8.0, 0.5];
+            let [parameter, other] = if is_restitution { [restitution, gap] } else { [gap, restitution] };
+            let centre = [4.49644493882961, 1.05686022947986, parameter].map(real);
+            let frame = [[3.0, 1.0, 0.5], [-1.0, 2.0, 0.0], [0.5, -0.5, 1.0]];
+            let cell = Cell::new(centre, frame.map(|direction| direction.map(|x| real(x * 2f64.powi(-26)))));
+            let family = Family { is_restitution, other: real(other) };
+            let budget = Budget::new(u64::MAX, 64, &Unwatched);
+            let map = Map::new(letters, family, budget, &cell.centre).unwrap();
+            Self { map, cell }
+        }
+
+        fn all(&mut self) -> ([Real; 2], Legs<3, 1>) {
+            self.map.flown(&self.cell.clone()).unwrap()
+        }
+
+        fn member(&mut self, q: [f64; 3]) -> ([Real; 2], Legs<3, 1>) {
+            let Cell { centre, frame } = self.cell.clone();
+            let at = [0, 1, 2].map(|i| centre[i].clone() + &linear(&[0, 1, 2].map(|j| frame[j][i].clone()), q));
+            let small = Real::point(Dyadic::power_of_two(POINT), BITS);
+            let frame = frame.map(|direction| direction.map(|x| x * &small));
+            self.map.flown(&Cell { centre: at, frame }).unwrap()
+        }
+    }
+
+    /// What is said of the derivatives over a set is true of those of its members (Lemma V30, derivatives): the same in a set that is as good as a point.
+    #[test]
+    fn derivatives_over_a_set_hold_those_of_its_members() {
+        let large = Real::point(Dyadic::power_of_two(-POINT), BITS);
+        let scaled = |x: &Real| x.clone() * &large;
+        let newton = [[real(3.0), real(-1.0)], [real(2.0), real(5.0)]];
+        for is_restitution in [false, true] {
+            let mut flights = Flights::new(is_restitution);
+            let (_, all) = flights.all();
+            let zero = || [0, 1].map(|_| [0, 1, 2].map(|_| Real::zero(BITS)));
+            for q in MEMBERS {
+                let (_, one) = flights.member(q);
+                let pairs = |a: &Rows<3>, b: &Rows<3>| {
+                    a.iter().flatten().zip(b.iter().flatten()).all(|(a, b)| contains(a, &scaled(b)))
+                };
+                assert!((0..=6).all(|k| pairs(&all.slopes(k), &one.slopes(k))), "{q:?}");
+                assert!(pairs(&all.moved(&newton, &zero()), &one.moved(&newton, &zero())), "{q:?}");
+                assert!(contains(&all.trace(), &one.trace()), "{q:?}");
+                assert!(
+                    all.trace_slopes().iter().zip(&one.trace_slopes()).all(|(a, b)| contains(a, &scaled(b))),
+                    "{q:?}"
+                );
+                let squares =
+                    |a: &Matrix, b: &Matrix| a.iter().flatten().zip(b.iter().flatten()).all(|(a, b)| contains(a, b));
+                assert!(all.to_the_end().iter().zip(&one.to_the_end()).all(|(a, b)| squares(a, b)), "{q:?}");
+                for k in 0..6 {
+                    let [(by_state, [[p], [r]]), (own, [[a], [b]])] = [&all, &one].map(|legs| legs.of_flight(k));
+                    assert!(squares(&by_state, &own) && contains(&p, &a) && contains(&r, &b), "{q:?} {k}");
+                }
+            }
+        }
+    }
+
+    /// And they are derivatives: a member differs from the middle by no more than they say, in where it comes to, in the trace, and in the derivative
+    /// of each flight.
+    #[test]
+    fn values_of_members_differ_as_the_derivatives_say() {
+        for is_restitution in [false, true] {
+            let mut flights = Flights::new(is_restitution);
+            let (_, all) = flights.all();
+            let (centre, middle) = flights.member([0.0; 3]);
+            for q in MEMBERS {
+                let (at, one) = flights.member(q);
+                let slopes = all.slopes(6);
+                assert!((0..2).all(|i| contains(&linear(&slopes[i], q), &(at[i].clone() - &centre[i]))), "{q:?}");
+                let apart = one.trace() - &middle.trace();
+                assert!(contains(&linear(&all.trace_slopes(), q), &apart), "{q:?}");
+                for k in 0..6 {
+                    let moved = all.slopes(k);
+                    let parameter = linear(&[0, 1, 2].map(|j| flights.cell.frame[j][2].clone()), q);
+                    let moved = [linear(&moved[0], q), linear(&moved[1], q), parameter];
+                    let [(own, _), (other, _)] = [&one, &middle].map(|legs| legs.of_flight(k));
+                    for (i, j) in [(0, 0), (0, 1), (1, 0), (1, 1)] {
+                        let terms = all.bends(k).iter().zip(&moved).map(|(bend, by)| bend[i][j].clone() * by);
+                        let bent = terms.fold(Real::zero(BITS), |sum, x| sum + &x);
+                        assert!(contains(&bent, &(own[i][j].clone() - &other[i][j])), "{q:?} {k} {i} {j}");
+                    }
+                }
+            }
+        }
+    }
+}
