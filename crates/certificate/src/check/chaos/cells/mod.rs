@@ -7,7 +7,7 @@ mod said;
 
 use impact_pair_exact::Exact;
 use impact_pair_model::watch::{Latched, Stage, Watch};
-use impact_pair_model::{Error, ImpactPair};
+use impact_pair_model::{Error, ImpactPair, Start};
 
 use super::allowance::{Allowance, End};
 use super::horseshoe::Horseshoe;
@@ -15,7 +15,7 @@ use super::{LOOKS, Law};
 use crate::cells::CellsCertificate;
 use crate::check::contact::Doubt;
 use crate::check::{Effort, Finding, Verdict};
-use impact_pair_document::StretchDocument;
+use impact_pair_document::{PeriodDocument, StretchDocument};
 use orbit::{Found, Period};
 
 /// Bits of the arithmetic.
@@ -123,6 +123,22 @@ impl CellsCertificate {
         }
         Ok(Ok(Found::Proved))
     }
+}
+
+/// Whether each pair of intervals has a stable periodic orbit of a claimed word, or its mirror image. Lemmas V36, V38
+pub(in crate::check) fn has_stable_orbit(
+    (pair, start): (&ImpactPair, &Start),
+    claimed: &PeriodDocument,
+    effort: &Effort,
+    watch: &dyn Watch,
+) -> Result<Result<(), Doubt>, Error> {
+    let period = match Period::of(claimed) {
+        Ok(period) => period,
+        Err(doubt) => return Ok(Err(doubt)),
+    };
+    let work = Allowance::new(effort.work.saturating_mul(LOOKS) / PART, watch); // proposes: when to give up
+    let found = period.exists((pair, start), &Law::of(pair)?, &work)?;
+    Ok(said_of_period(found, false))
 }
 
 /// What is said of a periodic orbit that is claimed, of the scene's own orbit or of any.
