@@ -208,7 +208,8 @@ impl ClaimedPoint {
 fn has_own_counts(record: &AtlasRecord) -> bool {
     let count = |kind: &str| record.components.iter().filter(|component| component.kind == kind).count() as u64; // exact: a length
     let counts = [record.n_attracting, record.n_rest, record.n_saddle, record.n_undecided];
-    counts == ["attracting", "rest-cycle", "saddle", "undecided"].map(count) && record.quarters.iter().all(has_own_counts)
+    counts == ["attracting", "rest-cycle", "saddle", "undecided"].map(count)
+        && record.quarters.iter().all(has_own_counts)
 }
 
 /// What a record of a tile is found to be: its places on the axes, whether all intervals are those of its cells, and what contradicts that.

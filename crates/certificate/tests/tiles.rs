@@ -6,7 +6,8 @@ use serde_json::{Value, json};
 
 /// The head of an atlas of cells over `A/d` and `e`, of which it is one shard: one tile.
 fn head(over: [(&str, &str, &str, u64); 2], shard: [u64; 2]) -> Value {
-    let axis = |(key, from, to, count): (&str, &str, &str, u64)| json!({ "key": key, "from": from, "to": to, "count": count });
+    let axis =
+        |(key, from, to, count): (&str, &str, &str, u64)| json!({ "key": key, "from": from, "to": to, "count": count });
     json!({
         "schema": "impact-pair/atlas/1", "program": "impact-pair 0.1.0", "title": null,
         "scene": {
@@ -30,8 +31,7 @@ fn record(point: u64, values: [&str; 2], class: &str, component: Value) -> Value
 
 /// The cycle with rests of one forcing period, half a period on each wall, for a wide range of parameters: as `atlas --cells` writes it.
 fn rests(values: [&str; 2]) -> Value {
-    let cycle =
-        json!({ "kind": "rest-cycle", "cycles": 1, "alternates": true, "boxes": 0, "area": "0.000000", "closed": true });
+    let cycle = json!({ "kind": "rest-cycle", "cycles": 1, "alternates": true, "boxes": 0, "area": "0.000000", "closed": true });
     record(14, values, "one-rest-cycle", cycle)
 }
 

@@ -5,7 +5,6 @@ use super::graph::Component;
 use super::image::Space;
 use super::known::LimitCycle;
 use crate::chaos::guess::Guess;
-use crate::chaos::quad::State;
 use crate::chaos::stable::settled_orbits;
 use crate::pair::ImpactPair;
 use crate::periodic::{Precision, Stability};
