@@ -63,8 +63,6 @@ def main():
     widest = ", ".join(f"{float(own['low']):.4f} to {float(own['high']):.4f}" for own in open_[:6])
     width = sum(float(own["high"]) - float(own["low"]) for own in open_[:6]) / sum(float(own["high"]) - float(own["low"]) for own in open_)
     verdict = json.loads(checked["said"])
-    # Of what is undecided the message tells how many subintervals are confirmed.
-    reasons = "; ".join(claim["reason"] for claim in verdict["claims"] if claim.get("reason"))
     claimed = sum(own["verdict"] != "undecided" for own in stretches)
     text = f"""The picture is that of `--over amplitude=1..10:180 --depth 16`: {made['processor']:.0f} s of processor time. At {percent(shares['attracted'])} of all amplitudes from 1 to
 10 the scene's orbit is proved to converge to a periodic one, at {percent(shares['stable'])} more a stable periodic orbit is proved to exist, and at
@@ -73,7 +71,7 @@ def main():
 Left undecided are amplitudes near bifurcations, where motions converge slowly, narrow windows, and thin bands of chaos, whose horseshoes have long words. The dots are floating-point
 orbits; the colours are theorems about all values of the amplitude.
 
-`check` of this document, {claimed} stretches with a verdict, takes {checked['processor']:.0f} s of processor time: {verdict['verdict']}{', ' + reasons if reasons else ''}.
+`check` of this document, {claimed} stretches with a verdict, takes {checked['processor']:.0f} s of processor time: {verdict['message']}.
 """
     page = PAGE.read_text(encoding="utf-8")
     head, rest = page.split(BEGIN, 1)

@@ -19,7 +19,7 @@ pub(super) struct Tile {
 }
 
 impl Tile {
-    /// The tile of a number among those that so many smallest cells along the axes are in; `None` where there is none.
+    /// The tile of a number, among those that N and M smallest cells along the axes are in; `None` where there is none.
     pub fn of(point: u64, counts: [u64; 2]) -> Option<Self> {
         let tiles = counts.map(|count| count.min(TILES)); // V38: no more tiles than cells
         let at = [point.checked_div(tiles[1])?, point.checked_rem(tiles[1])?];

@@ -94,7 +94,7 @@ pub struct ComponentDocument {
     pub boxes: u64,
     /// The part of the state space that they cover, to six digits.
     pub area: Decimal,
-    /// Whether no motion leaves its boxes for those of another component, or for the release.
+    /// Whether its motions are never in another component later, apart from an attractor inside it.
     pub closed: bool,
     /// Of an undecided one the limit that leaves it so: the option `most`, `halvings` or `work`, or `interrupted`.
     #[serde(skip_serializing_if = "Option::is_none", default)]

@@ -26,7 +26,8 @@ pub(super) fn within(
     precision: Precision,
 ) -> Vec<(usize, Box<LimitCycle>)> {
     let law = space.law();
-    if law.gap.rad().max(law.restitution.rad()) > NARROW {
+    let wide = law.gap.rad().max(law.restitution.rad()); // proposes: where cycles are looked for
+    if wide > NARROW {
         return Vec::new(); // exact: given up, nothing is certified
     }
     let guess = Guess::new(law);

@@ -84,7 +84,7 @@ pub struct Recurrence {
     pub boxes: usize,
     /// The part of the state space that they cover.
     pub area: f64,
-    /// Whether no motion leaves its boxes for those of another component, or for the release: it is an attracting block.
+    /// Whether its motions are never in another component later, apart from an attractor inside it: it is an attracting block.
     pub is_closed: bool,
     /// Why it is not refined further, if nothing is proved of it.
     pub reason: Option<Reason>,

@@ -30,7 +30,7 @@ const NEAR: f64 = 0.02;
 /// Impacts of a floating-point orbit before it is looked at, and how near it has to come again.
 const TRANSIENT: usize = 8_000;
 const CLOSED: f64 = 1e-6;
-/// Where it begins, if not at the scene's own first impact; then at so many states that are spread over all.
+/// Where it begins, if not at the scene's own first impact; then at N states that are spread over all.
 const ELSEWHERE: [State; 4] = [[0.1, 0.5], [0.35, 1.5], [0.6, 1.0], [0.85, 2.0]];
 const SPREAD: u32 = 24;
 /// A set that is followed for one impact counts as N flights that are looked at.
@@ -100,7 +100,7 @@ impl Period {
         let own = first_impact(pair, start)?.map(|(_, state)| state.map(Span::mid));
         let guess = Guess::new(law);
         let fastest = 2.0 / (1.0 - law.restitution.mid()).max(0.05); // proposes: where sets begin
-        let spread = (1..=SPREAD).map(|k| [0.618_034, 0.414_214].map(|step| (f64::from(k) * step).fract()));
+        let spread = (1..=SPREAD).map(|k| [0.618_034, 0.414_214].map(|step| (f64::from(k) * step).fract())); // proposes: where sets begin
         let spread = spread.map(|[phase, part]| [phase, part * fastest]);
         for from in own.into_iter().chain(ELSEWHERE).chain(spread) {
             match self.settled(&guess, from, work) {
