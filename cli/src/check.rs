@@ -37,7 +37,7 @@ cycles, the counts are compared with the orbits listed. For bifurcations, each f
 is proved again, the grazes are not. For windows, each orbit, both ends of its window and the orbits between are \
 proved again. For tangency, each tangency is proved again, and how many common points the invariant manifolds have beside it. \
 For sweep, the listed impacts are proved again, the long-term outcome is not. For global, a graph of all states is \
-computed anew, and each attractor, cycle with rests and saddle is proved again in it; for atlas, so is each point. \
+computed anew, and each attractor, cycle with rests and saddle is proved again in it; for atlas, so is each point or cell. \
 For trap, the listed boxes are proved to be forward invariant. For chaos, each listed word is proved along chains of \
 boxes computed anew, and the entropies are proved to follow from the words; for chaos --over, each verdict is proved \
 for its whole subinterval. For describe, the orbit and the region in it are proved again, and the fate is compared \

@@ -40,24 +40,30 @@ pub(super) fn stable(law: &Law, start: State, watch: &dyn Watch) -> Option<(Word
 /// With several harmonics, and when a value is beyond the range of flights.
 pub fn stable_orbits(pair: &ImpactPair, watch: &dyn Watch) -> Result<Vec<(Word, u32)>, Error> {
     let law = Law::of(pair)?;
-    let guess = Guess::new(&law);
-    let fastest = 1.0 / (1.0 - law.restitution.mid()); // proposes: where sets begin
-    let (mut seen, mut found): (Vec<Vec<State>>, Vec<(Word, u32)>) = (Vec::new(), Vec::new());
-    for start in 0..STARTS[0] * STARTS[1] {
-        let at = |place: usize, of: usize| (place as f64 + 0.5) / of as f64; // proposes: where sets begin
-        let [phase, speed] = [at(start % STARTS[0], STARTS[0]), at(start / STARTS[0], STARTS[1])];
-        let Some(cycle) = settled(&guess, [phase, fastest * speed]) else { continue };
-        if seen.iter().flatten().any(|&state| apart(state, cycle[0]) < NEAR) {
-            continue;
-        }
+    let mut found: Vec<(Word, u32)> = Vec::new();
+    for cycle in settled_orbits(&law) {
         if let Some((word, cycles)) = around(&law, cycle[0], watch) {
             let orbit = (word_of_both(&word), cycles);
             found.extend((!found.contains(&orbit)).then_some(orbit));
         }
-        seen.push(cycle);
     }
     found.sort_by_key(|(word, cycles)| (word.mappings().len(), *cycles, word.to_string()));
     Ok(found)
+}
+
+/// Returns the cycles that floating-point orbits from several states settle on, each once, as states.
+pub(super) fn settled_orbits(law: &Law) -> Vec<Vec<State>> {
+    let guess = Guess::new(law);
+    let fastest = 1.0 / (1.0 - law.restitution.mid()); // proposes: where orbits begin
+    let mut found: Vec<Vec<State>> = Vec::new();
+    for start in 0..STARTS[0] * STARTS[1] {
+        let at = |place: usize, of: usize| (place as f64 + 0.5) / of as f64; // proposes: where orbits begin
+        let [phase, speed] = [at(start % STARTS[0], STARTS[0]), at(start / STARTS[0], STARTS[1])];
+        let Some(cycle) = settled(&guess, [phase, fastest * speed]) else { continue };
+        let is_new = !found.iter().flatten().any(|&state| apart(state, cycle[0]) < NEAR);
+        found.extend(is_new.then_some(cycle));
+    }
+    found
 }
 
 /// The orbit that sets around a state are proved to be contracted to. Lemma D15

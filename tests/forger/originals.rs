@@ -58,6 +58,7 @@ pub fn all() -> Vec<Original> {
     all.extend(described.map(|name| Original::new("description", name, others::description(name))));
     all.extend(sweeps());
     all.push(Original::new("atlas", "of four points", Value::Array(others::atlas(None))));
+    all.push(Original::new("atlas", "of four cells", Value::Array(others::atlas_of_cells())));
     all.extend(left_open(&all));
     all.extend(lists(&all));
     all.sort_by_key(|original| KINDS.iter().position(|kind| *kind == original.kind));

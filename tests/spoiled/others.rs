@@ -123,11 +123,20 @@ pub fn global_with_horseshoe() -> Value {
 
 /// The plane of four points with cycles with rests, or a shard of it.
 pub fn atlas(shard: Option<[u64; 2]>) -> Vec<Value> {
+    plane(false, shard)
+}
+
+/// The same of four cells.
+pub fn atlas_of_cells() -> Vec<Value> {
+    plane(true, None)
+}
+
+fn plane(has_cells: bool, shard: Option<[u64; 2]>) -> Vec<Value> {
     let scene = "excitation = { amplitude = 1, frequency = \"pi\", phase = 0.25 }\n\
                  pair = { gap = 1, restitution = 0.2 }\nstart = { time = 0, wall = \"left\", velocity = -1 }";
     let scene = Scene::parse(scene).unwrap();
     let axes = ["amplitude=2.2..3:2", "restitution=0.1..0.15:2"].map(|axis| axis.parse().unwrap());
-    let plane = Plane::new(axes.to_vec(), false).unwrap();
+    let plane = Plane::new(axes.to_vec(), has_cells).unwrap();
     let settings = GlobalSettings { boxes: 1 << 8, most: 1_000, ..GlobalSettings::default() };
     let head = atlas::head(&scene, &plane, &settings, shard);
     let own = (0..plane.points()).filter(|point| head.has(*point));

@@ -2,32 +2,49 @@
 
 use std::collections::HashSet;
 
-use impact_pair_document::{ATLAS_SCHEMA, AtlasHead, AtlasRecord, Place, values};
-use impact_pair_model::Error;
+use impact_pair_document::{ATLAS_SCHEMA, AtlasHead, AtlasRecord, PeriodDocument, Place, values};
+use impact_pair_model::{Error, ImpactPair, Start};
 
 use super::GlobalCertificate;
 use super::grid::{Axes, Placed};
+use super::tiles::Tile;
 
-/// What an atlas of points claims.
+/// What an atlas of points, or of cells, claims.
 #[derive(Clone, Debug)]
 pub struct AtlasCertificate {
     points: Vec<ClaimedPoint>,
+    has_cells: bool,
     /// How many points of the grid, or of the shard, are not there.
     missing: u64,
     unjudged: Vec<String>,
 }
 
-/// A point of it.
+/// A point of it, or a tile.
 #[derive(Clone, Debug)]
 pub(super) struct ClaimedPoint {
-    /// Where every motion goes.
-    pub global: GlobalCertificate,
+    /// What is claimed of the point, or of all parameters of the tile and of the cells that it is cut into.
+    pub parts: Vec<Part>,
     /// Its place on each axis, from 0.
     places: Vec<Option<u64>>,
     /// Whether its values are those of the grid; `None` where that is not decided.
     pub is_of_grid: Option<bool>,
     /// Why it contradicts the head of the atlas, or itself.
     pub contradiction: Option<&'static str>,
+}
+
+/// A global analysis: of a point, or for all parameters of a cell.
+#[derive(Clone, Debug)]
+pub(super) struct Part {
+    /// Where every motion goes.
+    pub global: GlobalCertificate,
+    /// The pair, with intervals of a cell, and the start, from which orbits are looked for.
+    pub pair: ImpactPair,
+    pub start: Start,
+    /// Stable periodic orbits that there are besides.
+    pub stable: Vec<PeriodDocument>,
+    /// Its path in the document, and whether it is cut no more.
+    path: String,
+    is_leaf: bool,
 }
 
 /// What no lemma of `check` is about.
@@ -52,7 +69,7 @@ const UNJUDGED: [&str; 17] = [
 ];
 
 impl AtlasCertificate {
-    /// Reads an atlas of points, its head first, then a point a line.
+    /// Reads an atlas, its head first, then a point or a tile a line.
     ///
     /// # Errors
     /// Name the key, its value and what is accepted.
@@ -60,15 +77,13 @@ impl AtlasCertificate {
         let values = values(text)?;
         let (place, records) = (Place::of_schema(&values[0], ATLAS_SCHEMA)?, &values[1..]);
         let head: AtlasHead = place.read()?;
-        if head.cells {
-            return Err(place.get("cells")?.refused("only points are checked: accepted is false"));
-        }
         let axes = Axes::of(&place, &head.over, head.points, head.shard)?;
         let mut seen = HashSet::new();
         let point = |(i, value)| {
-            let place = Place::at(format!("points[{i}]"), value);
+            let path = format!("points[{i}]");
+            let place = Place::at(path.clone(), value);
             let record: AtlasRecord = place.read()?;
-            let mut claimed = ClaimedPoint::of(&head, &axes, &record, &place)?;
+            let mut claimed = ClaimedPoint::of(&head, &axes, &record, (&place, path))?;
             if !seen.insert(record.point) {
                 claimed.contradiction = Some("its point is listed before as well");
             }
@@ -82,21 +97,15 @@ impl AtlasCertificate {
         let places: Vec<&[Option<u64>]> = points.iter().map(|point| &point.places[..]).collect();
         unjudged.extend(axes.unpinned(&places));
         unjudged.extend((points.len() < 2).then(|| "shard".to_owned()));
-        let has_orbits = points.iter().any(|point| point.global.orbits().is_some());
+        let has_orbits = points.iter().flat_map(|point| &point.parts).any(|part| part.global.orbits().is_some());
         unjudged.extend((!has_orbits).then(|| "scene.excitation.frequency".to_owned()));
-        let empty = points.iter().enumerate().filter(|(_, point)| !point.claims_something());
-        unjudged.extend(empty.map(|(i, _)| format!("points[{i}]")));
-        for (i, point) in points.iter().enumerate() {
-            // Keys that it does not know, and not those of every component; and a class that is not judged.
-            let is_other = |key: &&String| !UNJUDGED.contains(&format!("points.{key}").as_str());
-            let is_own = |key: &&String| key.starts_with("components.") || *key == "class";
-            let own = point.global.unjudged().iter().filter(is_own).filter(is_other);
-            unjudged.extend(own.map(|key| format!("points[{i}].{key}")));
+        for part in points.iter().flat_map(|point| &point.parts) {
+            unjudged.extend(part.unjudged());
         }
         unjudged.sort();
         unjudged.dedup();
         let missing = axes.own_points().saturating_sub(seen.len() as u64); // exact: points that are not of it are refuted
-        Ok(Self { points, missing, unjudged })
+        Ok(Self { points, has_cells: head.cells, missing, unjudged })
     }
 
     /// How many points of the grid, or of the shard, are not there.
@@ -108,14 +117,20 @@ impl AtlasCertificate {
         &self.points
     }
 
-    /// Returns how many points it has.
+    /// Returns how many points, or tiles, it has.
     pub fn count(&self) -> usize {
         self.points.len()
     }
 
-    /// How many points claim something.
+    /// Whether it is one of cells.
+    pub(super) fn has_cells(&self) -> bool {
+        self.has_cells
+    }
+
+    /// How many points, or cells, claim something.
     pub(super) fn claimed(&self) -> usize {
-        self.points.iter().filter(|point| point.claims_something()).count()
+        let parts = self.points.iter().flat_map(|point| &point.parts);
+        parts.filter(|part| part.claims_something()).count()
     }
 
     /// Returns the keys of the document that claim nothing which [`check_within`](Self::check_within) judges.
@@ -124,33 +139,100 @@ impl AtlasCertificate {
     }
 }
 
-impl ClaimedPoint {
-    fn of(head: &AtlasHead, axes: &Axes<'_>, record: &AtlasRecord, place: &Place<'_>) -> Result<Self, Error> {
-        let Placed { places, is_of_grid, .. } = axes.placed(record.point, &record.values, place)?;
+impl Part {
+    /// Returns those of a record, itself first, then those of the cells that it is cut into.
+    fn all(head: &AtlasHead, record: &AtlasRecord, place: &Place<'_>, path: String) -> Result<Vec<Self>, Error> {
         let refused = || place.refused("its axes are not parameters of the scene");
         let document = record.global(head).ok_or_else(refused)?;
+        let (pair, start) = document.scene.clone().model()?;
         let global = serde_json::to_string(&document).map_err(|error| Error::certificate(error.to_string()))?;
         let global = GlobalCertificate::parse(&global)?;
-        let count = |kind: &str| record.components.iter().filter(|component| component.kind == kind).count() as u64; // exact: a length
-        let counts = [record.n_attracting, record.n_rest, record.n_saddle, record.n_undecided];
-        let contradiction = if !axes.has(record.point) {
-            Some("its point is not one of the grid, or of the shard")
-        } else if !axes.are_all() {
-            Some("the axes have another number of points than given")
-        } else if counts != ["attracting", "rest-cycle", "saddle", "undecided"].map(count) {
-            Some("its numbers of components are not those of its list")
-        } else if !record.stable.is_empty() {
-            Some("stable orbits are listed beside the components of cells alone")
-        } else if !record.quarters.is_empty() {
-            Some("it is cut into cells, which a point is not")
-        } else {
-            None
-        };
-        Ok(Self { global, places, is_of_grid, contradiction })
+        let (stable, is_leaf) = (record.stable.clone(), record.quarters.is_empty());
+        let mut parts = vec![Self { global, pair, start, stable, path: path.clone(), is_leaf }];
+        for (i, quarter) in record.quarters.iter().enumerate() {
+            parts.extend(Self::all(head, quarter, place, format!("{path}.quarters[{i}]"))?);
+        }
+        Ok(parts)
     }
 
     /// Whether there is anything to prove.
-    pub(super) fn claims_something(&self) -> bool {
-        self.contradiction.is_some() || self.is_of_grid != Some(true) || self.global.claims_something()
+    pub fn claims_something(&self) -> bool {
+        self.global.claims_something() || !self.stable.is_empty()
     }
+
+    /// The keys that claim nothing which is judged, and not those of every point.
+    fn unjudged(&self) -> Vec<String> {
+        if !self.claims_something() {
+            return vec![if self.is_leaf { self.path.clone() } else { format!("{}.components", self.path) }];
+        }
+        // Keys that it does not know, and not those of every component; and a class that is not judged.
+        let is_other = |key: &&String| !UNJUDGED.contains(&format!("points.{key}").as_str());
+        let is_own = |key: &&String| key.starts_with("components.") || *key == "class";
+        let own = self.global.unjudged().iter().filter(is_own).filter(is_other);
+        own.map(|key| format!("{}.{key}", self.path)).collect()
+    }
+}
+
+impl ClaimedPoint {
+    fn of(
+        head: &AtlasHead,
+        axes: &Axes<'_>,
+        record: &AtlasRecord,
+        (place, path): (&Place<'_>, String),
+    ) -> Result<Self, Error> {
+        let parts = Part::all(head, record, place, path)?;
+        let (places, is_of_grid, cut) = if head.cells {
+            of_tile(axes, record)?
+        } else {
+            let Placed { places, is_of_grid, .. } = axes.placed(record.point, &record.values, place)?;
+            let cut = (!record.quarters.is_empty()).then_some("it is cut into cells, which a point is not");
+            (places, is_of_grid, cut)
+        };
+        let are_all = if head.cells { axes.are_all_tiles() } else { axes.are_all() };
+        let contradiction = if !axes.has(record.point) {
+            Some("its point is not one of the grid, or of the shard")
+        } else if !are_all {
+            Some("the axes have another number of points than given")
+        } else if !has_own_counts(record) {
+            Some("its numbers of components are not those of its list")
+        } else if !head.cells && !record.stable.is_empty() {
+            Some("stable orbits are listed beside the components of cells alone")
+        } else {
+            cut
+        };
+        Ok(Self { parts, places, is_of_grid, contradiction })
+    }
+}
+
+/// Whether the numbers of components of a record, and of those that it is cut into, are those of their lists.
+fn has_own_counts(record: &AtlasRecord) -> bool {
+    let count = |kind: &str| record.components.iter().filter(|component| component.kind == kind).count() as u64; // exact: a length
+    let counts = [record.n_attracting, record.n_rest, record.n_saddle, record.n_undecided];
+    counts == ["attracting", "rest-cycle", "saddle", "undecided"].map(count)
+        && record.quarters.iter().all(has_own_counts)
+}
+
+/// What a record of a tile is found to be: its places on the axes, whether all intervals are those of its cells, and what contradicts that.
+type OfTile = (Vec<Option<u64>>, Option<bool>, Option<&'static str>);
+
+/// The tile of a record, whose cells are the quarters, and so on, of those that are cut. Lemma V38
+fn of_tile(axes: &Axes<'_>, record: &AtlasRecord) -> Result<OfTile, Error> {
+    let tile = axes.cells().and_then(|counts| Tile::of(record.point, counts));
+    let Some(tile) = tile else { return Ok((Vec::new(), Some(false), None)) };
+    let (mut is_of_grid, mut cut, mut open) = (Some(true), None, vec![(tile, record)]);
+    while let Some((cell, own)) = open.pop() {
+        is_of_grid = match (is_of_grid, axes.are_of_cell(&cell, own)?) {
+            (Some(false), _) | (_, Some(false)) => Some(false),
+            (None, _) | (_, None) => None,
+            (Some(true), Some(true)) => Some(true),
+        };
+        let quarters = cell.quarters();
+        if own.point != record.point {
+            cut = Some("a cell of it has the number of another tile");
+        } else if !own.quarters.is_empty() && own.quarters.len() != quarters.len() {
+            cut = Some("it is not cut into all of its quarters");
+        }
+        open.extend(quarters.into_iter().zip(&own.quarters));
+    }
+    Ok((tile.places(), is_of_grid, cut))
 }

@@ -261,11 +261,19 @@ impl Checked for SweepCertificate {
 }
 
 impl Checked for AtlasCertificate {
-    checked!("points", "point");
+    checked!("points");
     judged!();
 
+    fn first(&self, count: usize) -> String {
+        counted(count, if self.has_cells() { "tile" } else { "point" })
+    }
+
     fn all(&self) -> String {
-        format!("what is proved of every motion at {}", counted(self.claimed(), "point"))
+        let claimed = self.claimed();
+        if self.has_cells() {
+            return format!("what is proved of every motion for all parameters of {}", counted(claimed, "cell"));
+        }
+        format!("what is proved of every motion at {}", counted(claimed, "point"))
     }
 }
 

@@ -94,9 +94,6 @@ impl Claims {
                 Self::Unchecked("comparisons with another program's list: what is inside, missed or false")
             }
             Some(GLOBAL_SCHEMA) => Self::Global(Box::new(GlobalCertificate::parse(text)?)),
-            Some(ATLAS_SCHEMA) if head.as_ref().is_some_and(|head| head["cells"] == true) => {
-                Self::Unchecked("cells of two parameters: where every motion goes for all parameters of each")
-            }
             Some(ATLAS_SCHEMA) => Self::Atlas(Box::new(AtlasCertificate::parse(text)?)),
             Some(TRADE_SCHEMA) => Self::Unchecked("measurements of the cost of accuracy"),
             Some(SWEEP_SCHEMA) => Self::Sweep(Box::new(SweepCertificate::parse(text)?)),

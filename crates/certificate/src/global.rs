@@ -23,6 +23,8 @@ pub struct GlobalCertificate {
     /// By how many boxes basins are found, about; and of attractors, by their places, the parts of the state space that are theirs at least.
     basins: Option<(u32, Vec<(usize, BigRational)>)>,
     greatest_speed: f64,
+    /// Boxes of the first partition that it was found with, about.
+    boxes: u32,
     says_there_are_no_others: bool,
     contradiction: Option<String>,
     unjudged: Vec<String>,
@@ -111,6 +113,7 @@ impl GlobalCertificate {
             rest_cycle,
             basins,
             greatest_speed,
+            boxes: document.boxes,
             says_there_are_no_others,
             contradiction,
             unjudged,
@@ -141,6 +144,11 @@ impl GlobalCertificate {
 
     pub(super) fn greatest_speed(&self) -> f64 {
         self.greatest_speed
+    }
+
+    /// Boxes of the first partition that it was found with, about: with wide intervals few boxes are enough, and many take long.
+    pub(super) fn boxes(&self) -> u32 {
+        self.boxes
     }
 
     /// Whether every motion is said to be in one of the components of which something is claimed.

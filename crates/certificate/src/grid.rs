@@ -62,6 +62,21 @@ impl<'a> Axes<'a> {
         all == Some(self.points)
     }
 
+    /// How many points, or smallest cells, are along each axis.
+    pub fn counts(&self) -> Vec<u64> {
+        self.over.iter().map(|axis| axis.count).collect()
+    }
+
+    /// How many points, or tiles, are given.
+    pub fn points(&self) -> u64 {
+        self.points
+    }
+
+    /// The first and the last value of an axis.
+    pub fn ends(&self, axis: usize) -> &[Exact; 2] {
+        &self.ends[axis]
+    }
+
     /// Whether a point is one of the grid, or of the shard: every N-th one.
     pub fn has(&self, point: u64) -> bool {
         point < self.points && self.shard.is_none_or(|[number, of]| point % of == number - 1)
@@ -129,7 +144,7 @@ impl<'a> Axes<'a> {
 }
 
 /// The value number `at` of N between both ends.
-fn on_axis([from, to]: &[Exact; 2], count: u64, at: u64) -> Result<Exact, ExactError> {
+pub(super) fn on_axis([from, to]: &[Exact; 2], count: u64, at: u64) -> Result<Exact, ExactError> {
     let whole = |n: u64| Exact::from_rational(num_rational::BigRational::from_integer(n.into()));
     if at + 1 == count {
         return Ok(to.clone());

@@ -39,6 +39,7 @@ mod prove;
 mod read;
 mod sweep;
 mod tangency;
+mod tiles;
 #[cfg(test)]
 #[path = "../../../tests/tolerances/mod.rs"]
 mod tolerances;

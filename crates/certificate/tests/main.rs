@@ -9,3 +9,4 @@ mod globals;
 mod recorded;
 mod schemas;
 mod tangency;
+mod tiles;

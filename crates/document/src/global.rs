@@ -90,11 +90,11 @@ pub struct ComponentDocument {
     /// Of a cycle with rests whose period is proved: whether the ball rests on both walls in turn.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub alternates: Option<bool>,
-    /// Number of its boxes; 0 of the motion from the release alone.
+    /// Number of its boxes; 0 of the motion from the release alone, and of an attractor that is proved to be in an undecided component.
     pub boxes: u64,
     /// The part of the state space that they cover, to six digits.
     pub area: Decimal,
-    /// Whether no motion is in it and in another component later.
+    /// Whether its motions are never in another component later, apart from an attractor inside it.
     pub closed: bool,
     /// Of an undecided one the limit that leaves it so: the option `most`, `halvings` or `work`, or `interrupted`.
     #[serde(skip_serializing_if = "Option::is_none", default)]
@@ -154,10 +154,11 @@ impl GlobalDocument {
             "one-attractor" => format!("{EVERY} tends to {}{beside}", attractors.concat()),
             "attractors" if undecided == 0 => format!("{EVERY} tends to {}{beside}", attractors.join(", or to ")),
             "attractors" => format!(
-                "{} proved: {}; of what stays in {} nothing is decided",
+                "{} proved: {}; of what stays in {} nothing{} is decided",
                 counted(attractors.len() as u32, "attractor"), // shown
                 attractors.join("; "),
                 counted(undecided, "undecided component"),
+                if self.has_attractors_within() { " else" } else { "" },
             ),
             "closed" => {
                 let closed = counted(undecided, "closed component");
@@ -169,6 +170,11 @@ impl GlobalDocument {
 
     fn count(&self, kind: &str) -> u32 {
         self.components.iter().filter(|component| component.kind == kind).count() as u32 // shown
+    }
+
+    /// Whether an attractor is proved to be in an undecided component.
+    fn has_attractors_within(&self) -> bool {
+        self.components.iter().any(|own| own.kind == "attracting" && own.boxes == 0)
     }
 
     /// What few motions do instead.

@@ -8,7 +8,7 @@ use std::f64::consts::TAU;
 use super::graph::{Component, Graph, Recurrent, Stopped};
 use super::image::Space;
 use super::known::{self, Kind, LimitCycle, Released};
-use super::{GlobalSettings, Reason, Recurrence, cycle, horseshoes, saddles};
+use super::{GlobalSettings, Reason, Recurrence, attractors, cycle, horseshoes, saddles};
 use crate::chaos::trap::Grid;
 use crate::pair::ImpactPair;
 use crate::watch::Watch;
@@ -102,6 +102,17 @@ impl<'a> Analysis<'a> {
             let Question { space, watch, .. } = &self.question;
             found[i].horseshoe = horseshoes::within(space, component(i), &others, depth, *watch);
         }
+    }
+
+    /// Returns the attracting cycles that are proved in components of which nothing else is, each with the place of its component. Lemma A14
+    pub fn attractors_within(&self, found: &[Recurrence]) -> Vec<(usize, Box<LimitCycle>)> {
+        let Question { pair, space, settings, watch, .. } = &self.question;
+        let is_open: Vec<bool> = found.iter().map(|own| own.kind.is_undecided()).collect();
+        if !is_open.contains(&true) || !watch.goes_on() {
+            return Vec::new();
+        }
+        let leaves: Vec<&Component> = self.leaves(0).into_iter().map(|leaf| &self.nodes[leaf].component).collect();
+        attractors::within(pair, space, &leaves, &is_open, settings.precision)
     }
 
     /// Returns which component may lead to which, by their places.

@@ -1,10 +1,11 @@
-//! Where every motion of a pair goes: Lemmas A1-A13 of `docs/proofs/global.md#A1`.
+//! Where every motion of a pair goes: Lemmas A1-A14 of `docs/proofs/global.md#A1`.
 //!
 //! The speeds that motions have in the end are covered by boxes; `image` encloses what may follow each, `graph` finds the components that
-//! motions may stay in for ever, `analysis` refines each alone, `cycle` proves what they tend to there, `horseshoes` what is chaotic, and
-//! `basins` tells which boxes have motions that all go to one attractor.
+//! motions may stay in for ever, `analysis` refines each alone, `cycle` proves what they tend to there, `attractors` and `horseshoes` what is in
+//! those of which that is not proved, and `basins` tells which boxes have motions that all go to one attractor.
 
 mod analysis;
+mod attractors;
 mod basins;
 mod cycle;
 mod graph;
@@ -79,16 +80,23 @@ impl GlobalSettings {
 pub struct Recurrence {
     /// What is proved of the motions that stay in it.
     pub kind: Kind,
-    /// Number of its boxes; 0 of the motion from the release alone.
+    /// Number of its boxes; 0 of the motion from the release alone, and of an attractor in an undecided component.
     pub boxes: usize,
     /// The part of the state space that they cover.
     pub area: f64,
-    /// Whether no motion leaves it that is in it: it is an attracting block.
+    /// Whether its motions are never in another component later, apart from an attractor inside it: it is an attracting block.
     pub is_closed: bool,
     /// Why it is not refined further, if nothing is proved of it.
     pub reason: Option<Reason>,
     /// The horseshoe that is proved to be in it, of one of which nothing else is.
     pub horseshoe: Option<Horseshoe>,
+}
+
+impl Recurrence {
+    /// Returns that of a motion that has no boxes of its own.
+    fn point(kind: Kind) -> Self {
+        Self { kind, boxes: 0, area: 0.0, is_closed: true, reason: None, horseshoe: None }
+    }
 }
 
 /// The limit that leaves a component undecided.
@@ -119,7 +127,7 @@ impl Reason {
 /// Where every motion of a pair goes.
 ///
 /// **Enclosure**: for every member of the data the impacts of every motion that touches a wall are in one component in the end, or the
-/// motion rests for ever again and again; of each component holds what its [`Kind`] says. Lemmas A1-A13
+/// motion rests for ever again and again; of each component holds what its [`Kind`] says. Lemmas A1-A14
 #[derive(Clone, Debug)]
 pub struct Global {
     /// The components, those first from which motions may go on to others.
@@ -179,13 +187,17 @@ impl Global {
         let speed_unit = space.law().gap.mid() / std::f64::consts::TAU;
         let released = Released::of(pair, &space)?;
         let analysis = Analysis::of(Question { pair, space, released, settings, watch });
-        let components = analysis.components();
+        let (mut components, mut order) = (analysis.components(), analysis.order());
+        for (place, limit) in analysis.attractors_within(&components) {
+            order.push([place, components.len()]);
+            components.push(Recurrence::point(Kind::Attracting(limit)));
+        }
         let patches = analysis.patches(&components, settings.basins);
         let is_open = components.iter().any(|component| component.kind.is_undecided());
         let is_cut = is_open && settings.horseshoes.is_some() && !watch.goes_on();
         Ok(Self {
             components,
-            order: analysis.order(),
+            order,
             patches,
             fastest: space.fastest(),
             speed_unit,

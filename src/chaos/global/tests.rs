@@ -106,6 +106,28 @@ proptest! {
     }
 }
 
+/// Two attractors beside one another are found without a start, of reduced periods 1 and 3, and 2 and 6, as a search in floating point from a grid of
+/// starts found them: one of each pair has components of its own after many more boxes only, and is proved within an undecided one before. The orbits
+/// from both end there, by the map in floating point; what is found twice is listed once. Lemma A14
+#[test]
+fn a14_attractors_in_undecided_components_are_found() {
+    let few = GlobalSettings { boxes: 1 << 12, most: 20_000, ..GlobalSettings::default() };
+    for (ratio, restitution, periods) in [("0.257176", "0.868182", [1, 3]), ("0.443933", "0.786364", [2, 6])] {
+        let found = Global::of(&pair(ratio, restitution), &few, &Unwatched).unwrap();
+        let limits: Vec<&LimitCycle> = found.components.iter().filter_map(|own| own.kind.limit()).collect();
+        let mut own: Vec<usize> =
+            limits.iter().filter(|own| own.spectral_radius.to_f64_bounds().1 < 1.0).map(|own| own.impacts).collect();
+        own.sort_unstable();
+        assert_eq!((found.class(), own), (Class::Attractors, periods.to_vec()), "{ratio}");
+        let point = found.components.iter().position(|own| own.kind.is_attractor() && own.boxes == 0).unwrap();
+        let within: Vec<usize> = found.order.iter().filter(|[_, to]| *to == point).map(|[from, _]| *from).collect();
+        assert!(matches!(within[..], [from] if found.components[from].kind.is_undecided()), "{within:?}");
+        let law = Law::of(&pair(ratio, restitution)).unwrap();
+        let ends = |k: u32| seen(&law, &found, [f64::from(k) / 16.0, found.fastest / 4.0], 20_000);
+        assert!((0..16).any(|k| ends(k) == Seen::Component(point)), "{ratio}");
+    }
+}
+
 /// `run` proves the cycle with rests from one start; here it is that of all. A/d = 2 is such a pair.
 #[test]
 fn one_cycle_with_rests_is_where_all_motions_end() {

@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use anyhow::{Context, Result};
-use impact_pair::json::{AtlasHead, ComponentDocument, PeriodDocument, SceneDocument};
+use impact_pair::json::{AtlasHead, ComponentDocument, PeriodDocument, SceneDocument, counted};
 use serde_json::{Value, json};
 
 use super::leaves::{CLASSES, Leaf, Leaves};
@@ -72,7 +72,8 @@ fn said(head: &AtlasHead, leaf: &Leaf) -> Result<Value> {
 
 /// A stable periodic orbit in words.
 fn orbit(own: &PeriodDocument) -> String {
-    format!("stable periodic orbit {}, {} impacts in {} forcing periods", own.word, own.impacts, own.cycles)
+    let [impacts, cycles] = [counted(own.impacts, "impact"), counted(own.cycles, "forcing period")];
+    format!("stable periodic orbit {}, {impacts} in {cycles}", own.word)
 }
 
 /// A component in words.
@@ -85,13 +86,18 @@ fn component(own: &ComponentDocument) -> String {
         let _ = write!(words, ", word {word}");
     }
     if let Some(cycles) = own.cycles {
-        let _ = write!(words, ", {cycles} forcing periods");
+        let _ = write!(words, ", {}", counted(cycles, "forcing period"));
     }
     if let Some([low, high]) = &own.spectral_radius {
         let _ = write!(words, ", spectral radius in [{}, {}]", low.text(), high.text());
     }
     if own.boxes > 0 {
-        let _ = write!(words, ", {} boxes, area {}", own.boxes, own.area.text());
+        let area = match own.area.text() {
+            "0.000000" => "below 0.000001".to_owned(),
+            area => area.to_owned(),
+        };
+        let boxes = if own.boxes == 1 { "box" } else { "boxes" };
+        let _ = write!(words, ", {} {boxes}, area {area}", own.boxes);
     }
     if let Some(horseshoe) = &own.horseshoe {
         let _ = write!(words, ", horseshoe of entropy {}", horseshoe.entropy.per_impact.text());
@@ -126,9 +132,9 @@ fn toml(scene: &SceneDocument) -> String {
 /// The options of `global` that the atlas had.
 fn settings(head: &AtlasHead) -> String {
     let horseshoes = head.horseshoes.map_or(String::new(), |depth| format!(" --horseshoes {depth}"));
-    let [boxes, halvings, most, digits] =
-        [u64::from(head.boxes.ilog2()), head.halvings.into(), head.most, head.digits.into()];
-    format!("--boxes {boxes} --halvings {halvings} --most {most} --digits {digits}{horseshoes}")
+    let AtlasHead { halvings, most, work, digits, .. } = head;
+    let boxes = head.boxes.ilog2();
+    format!("--boxes {boxes} --halvings {halvings} --most {most} --work {work} --digits {digits}{horseshoes}")
 }
 
 /// All points or cells as the rows of a table.

@@ -7,23 +7,25 @@ mod said;
 
 use impact_pair_exact::Exact;
 use impact_pair_model::watch::{Latched, Stage, Watch};
-use impact_pair_model::{Error, ImpactPair};
+use impact_pair_model::{Error, ImpactPair, Start};
 
 use super::allowance::{Allowance, End};
 use super::horseshoe::Horseshoe;
+use super::span::Span;
 use super::{LOOKS, Law};
 use crate::cells::CellsCertificate;
 use crate::check::contact::Doubt;
 use crate::check::{Effort, Finding, Verdict};
-use impact_pair_document::StretchDocument;
+use impact_pair_document::{PeriodDocument, StretchDocument};
 use orbit::{Found, Period};
 
 /// Bits of the arithmetic.
 const DOUBLE: u32 = f64::MANTISSA_DIGITS;
 /// A subinterval may take one in N parts of what a document of another kind may.
 const PART: u64 = 1 << 2;
-/// A subinterval is halved so often.
+/// A subinterval is halved so often, and a cell of two parameters cut into quarters.
 const HALVINGS: u32 = 16;
+const QUARTERED: u32 = 4;
 
 /// The finding for some values of the parameter, or why there is none; an error where they are beyond exact expressions.
 type Answer = Result<Result<Found, End>, Error>;
@@ -123,6 +125,38 @@ impl CellsCertificate {
         }
         Ok(Ok(Found::Proved))
     }
+}
+
+/// Whether each pair of intervals has a stable periodic orbit of a claimed word, or its mirror image. Lemmas V36, V38
+pub(in crate::check) fn has_stable_orbit(
+    (pair, start): (&ImpactPair, &Start),
+    claimed: &PeriodDocument,
+    effort: &Effort,
+    watch: &dyn Watch,
+) -> Result<Result<(), Doubt>, Error> {
+    let period = match Period::of(claimed) {
+        Ok(period) => period,
+        Err(doubt) => return Ok(Err(doubt)),
+    };
+    let work = Allowance::new(effort.work.saturating_mul(LOOKS) / PART, watch); // proposes: when to give up
+    let mut open = vec![(Law::of(pair)?, 0)];
+    while let Some((law, quartered)) = open.pop() {
+        match period.exists((pair, start), &law, &work)? {
+            Ok(Found::Proved) => {}
+            Ok(Found::Nothing) if quartered < QUARTERED => {
+                open.extend(quarters(&law).map(|part| (part, quartered + 1)));
+            }
+            found => return Ok(said_of_period(found, false)),
+        }
+    }
+    Ok(Ok(()))
+}
+
+/// The laws of both halves of the interval of `D` with both halves of that of `e`: all members are in one of them.
+fn quarters(law: &Law) -> [Law; 4] {
+    let halves = |x: Span| [Span::new(x.lo(), x.mid()), Span::new(x.mid(), x.hi())];
+    let [gaps, restitutions] = [law.gap, law.restitution].map(halves);
+    [0, 1, 2, 3].map(|k| Law { gap: gaps[k / 2], restitution: restitutions[k % 2] })
 }
 
 /// What is said of a periodic orbit that is claimed, of the scene's own orbit or of any.

@@ -30,8 +30,9 @@ const NEAR: f64 = 0.02;
 /// Impacts of a floating-point orbit before it is looked at, and how near it has to come again.
 const TRANSIENT: usize = 8_000;
 const CLOSED: f64 = 1e-6;
-/// Where it begins, if not at the scene's own first impact.
+/// Where it begins, if not at the scene's own first impact; then at N states that are spread over all.
 const ELSEWHERE: [State; 4] = [[0.1, 0.5], [0.35, 1.5], [0.6, 1.0], [0.85, 2.0]];
+const SPREAD: u32 = 24;
 /// A set that is followed for one impact counts as N flights that are looked at.
 const SET: usize = 8;
 /// One impact of a floating-point orbit counts as N as well.
@@ -98,7 +99,10 @@ impl Period {
     ) -> Result<Result<Found, End>, Error> {
         let own = first_impact(pair, start)?.map(|(_, state)| state.map(Span::mid));
         let guess = Guess::new(law);
-        for from in own.into_iter().chain(ELSEWHERE) {
+        let fastest = 2.0 / (1.0 - law.restitution.mid()).max(0.05); // proposes: where sets begin
+        let spread = (1..=SPREAD).map(|k| [0.618_034, 0.414_214].map(|step| (f64::from(k) * step).fract())); // proposes: where sets begin
+        let spread = spread.map(|[phase, part]| [phase, part * fastest]);
+        for from in own.into_iter().chain(ELSEWHERE).chain(spread) {
             match self.settled(&guess, from, work) {
                 Ok(Some((is_right, state))) => {
                     return Ok(self.found((is_right, Set::around(state.map(Span::point))), law, work));

@@ -24,7 +24,7 @@ use impact_pair_exact::Real;
 use limit::Cycle;
 use space::{Grid, Space};
 
-/// Boxes of the first partition are about as many as these by these, and components are halved so often at most.
+/// Boxes of the first partition are about as many as these by these, or fewer where a document had fewer; components are halved so often at most.
 const COLUMNS: f64 = 128.0;
 const ROWS: f64 = 64.0;
 /// The most columns, where basins are judged.
@@ -120,14 +120,14 @@ impl GlobalCertificate {
             has_rests,
         };
         let mut known = Vec::new();
-        if let Err(doubt) = judge.covers(&judge.whole(None), 0, &mut work, &mut known, watch) {
+        if let Err(doubt) = judge.covers(&judge.whole(first_boxes(self.boxes())), 0, &mut work, &mut known, watch) {
             return Ok(Err(doubt));
         }
         if let Some(place) = (0..self.count()).find(|place| known.iter().all(|(claim, _)| claim != place)) {
             return Ok(Err(Doubt::Open(format!("component {place} is not proved to hold any motion"))));
         }
         let Some((boxes, basins)) = self.basins() else { return Ok(Ok(())) };
-        let all = judge.whole(Some(boxes));
+        let all = judge.whole([root(boxes).clamp(COLUMNS, MOST_COLUMNS); 2]); // V27: any boxes
         let split = match all.split(&space, &released, &mut work, watch) {
             Ok(split) => split,
             Err(doubt) => return Ok(Err(doubt)),
@@ -157,6 +157,16 @@ impl GlobalCertificate {
     }
 }
 
+/// The root of a number of boxes, about: a power of two.
+fn root(boxes: u32) -> f64 {
+    f64::powi(2.0, boxes.max(2).ilog2() as i32 / 2) // V20: any boxes
+}
+
+/// Boxes of the first partition: no more than the document had, about.
+fn first_boxes(boxes: u32) -> [f64; 2] {
+    [COLUMNS, ROWS].map(|most| most.min(root(boxes))) // V20: any boxes
+}
+
 /// What the boxes are judged by.
 struct Judge<'j> {
     space: &'j Space<'j>,
@@ -169,10 +179,8 @@ struct Judge<'j> {
 }
 
 impl Judge<'_> {
-    /// All states that motions have in the end; for basins in about as many boxes as are said.
-    fn whole(&self, boxes: Option<u32>) -> Set {
-        let root = |boxes: u32| 2.0_f64.powi(boxes.max(2).ilog2() as i32 / 2).clamp(COLUMNS, MOST_COLUMNS); // V27: any boxes
-        let (across, along) = boxes.map_or((COLUMNS, ROWS), |boxes| (root(boxes), root(boxes))); // V20: any boxes
+    /// All states that motions have in the end, in about as many boxes by as many as are said.
+    fn whole(&self, [across, along]: [f64; 2]) -> Set {
         let rows = (along / self.space.fastest).log2().ceil().exp2().max(64.0); // V20: any boxes; the greatest speed is a multiple of a row
         let (columns, last) = (across as i64, (self.space.fastest * rows) as i64); // exact: whole numbers
         let cells = (0..columns).flat_map(|column| (0..last).map(move |row| [column, row])).collect();

@@ -37,9 +37,11 @@ pub(super) struct Space<'l> {
     pub law: &'l Law,
     pub guess: Guess,
     pub fastest: f64,
+    /// Parts of boxes are no wider, and no higher, if these are not cut too often.
+    part: State,
 }
 
-/// Parts of boxes are no wider, and no higher, if these are not cut more often than that.
+/// Sides of parts where the data are narrow; no smaller parts than intervals of `D` and `e` are wide tell more. Cuts of a box.
 const PART: State = [1.0 / 256.0, 0.04];
 const CUTS: u32 = 6;
 /// Flights are followed for N forcing periods; where they may land in several, for fewer.
@@ -62,7 +64,10 @@ impl<'l> Space<'l> {
         let own = ((limit.hi() * 32.0).floor() + 1.0) / 32.0; // V20: greater than 2/(1 - e)
         let fastest = greatest.unwrap_or(own); // V27: what is claimed is judged below
         let is_greater = fastest > limit.hi() && (fastest * 64.0).fract() == 0.0; // V20: a multiple of a row
-        (is_greater && fastest < 1e3).then(|| Self { law, guess: Guess::new(law), fastest })
+        let width = |x: Span| x.hi() - x.lo();
+        let wide = (width(law.gap) / law.gap.mid()).max(width(law.restitution)).min(1.0); // V20: any parts
+        let part = [PART[0].max(0.25 * wide), PART[1].max(wide)]; // V20: any parts
+        (is_greater && fastest < 1e3).then(|| Self { law, guess: Guess::new(law), fastest, part })
     }
 
     /// Returns the corners of a box.
@@ -89,7 +94,7 @@ impl<'l> Space<'l> {
         }
         let mut open = vec![([low, high], 0)];
         while let Some(([low, high], cuts)) = open.pop() {
-            let too_large = [0, 1].map(|i| (high[i] - low[i]) / PART[i]);
+            let too_large = [0, 1].map(|i| (high[i] - low[i]) / self.part[i]);
             let widest = usize::from(too_large[1] > too_large[0]);
             if cuts >= CUTS || too_large[widest] <= 1.0 {
                 self.piece(grid, [low, high], (cell[0], &step), note);
