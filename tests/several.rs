@@ -277,7 +277,8 @@ fn r46_a_rest_whose_release_is_not_proved_is_listed_and_ends_undecided() {
         let (events, outcome) = case.events(Arithmetic::Auto, 1000);
         let last = &events.last().expect("a rest").kind;
         assert!(*last == "rest" && events.len() < 100, "{events:?}");
-        let Some(Outcome::Undecided { reason: Reason::Graze, wall: Some(Wall::Left), time: (from, None) }) = outcome else {
+        let Some(Outcome::Undecided { reason: Reason::Graze, wall: Some(Wall::Left), time: (from, None) }) = outcome
+        else {
             panic!("{outcome:?}")
         };
         from.to_f64_bounds()

@@ -129,8 +129,8 @@ pub(super) fn first_zero<N: Phased>(
         let ahead = p / -low;
         // Falling all the way to a zero a little farther than Newton's step: it is the first.
         if low < 0.0 && slope.sup() + 2.0 * fourth * ahead < 0.0 {
-            let (zero, reach, least) = bracket(bend, &value_at, &slope_at, at.later(&at.rest.like(ahead)))
-                .ok_or(Unproved::Digits)?;
+            let (zero, reach, least) =
+                bracket(bend, &value_at, &slope_at, at.later(&at.rest.like(ahead))).ok_or(Unproved::Digits)?;
             let time = Interval::point(zero.since(&at)) + Interval::point(reach);
             // Lemma H8 looks ahead only.
             if at.since(&zero) < reach && (slope + bend * time).sup() < 0.0 {
