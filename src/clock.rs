@@ -8,7 +8,7 @@ use num_traits::ToPrimitive;
 use crate::Error;
 use crate::exact::{Dyadic, Enclosure, Exact, ExactError};
 use crate::number::Ball;
-use crate::pair::{ImpactPair, ball, too_large, within};
+use crate::pair::{ImpactPair, ball, within};
 use crate::turns;
 
 /// Bits kept beyond those of the largest number of forcing periods and of the widths to be shown.
@@ -99,7 +99,7 @@ impl Clock {
         let since = phase(&self.rate, &self.shift, time).and_then(|phase| phase.checked_sub(&origin));
         let since = within(key, time, since)?;
         let whole = nearest(&since);
-        let turns = whole.to_i64().and_then(|whole| turns::later(0, whole)).ok_or_else(|| too_large(key, time))?;
+        let turns = whole.to_i64().and_then(|whole| turns::later(0, whole)).ok_or_else(|| too_late(key, time))?;
         let rest = within(key, time, since.checked_sub(&Exact::from(turns)))?;
         Ok((turns, rest))
     }
@@ -196,6 +196,11 @@ fn nearest(value: &Exact) -> BigInt {
     let whole = value.enclose(BITS).mag().top().and_then(|top| u32::try_from(top).ok()).unwrap_or(0); // X1: any number of bits encloses
     let low = value.enclose(BITS.saturating_add(whole)).inf().to_rational(); // X1: any number of bits encloses
     (low + BigRational::new(1.into(), 2.into())).floor().to_integer() // exact: any whole number is taken off
+}
+
+/// A time that is more forcing periods away than are counted. Lemma N1
+fn too_late(key: &str, time: &Exact) -> Error {
+    Error::range(key, time, "accepted are times less than 2^62 forcing periods from the start")
 }
 
 /// A number as an interval.

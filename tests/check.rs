@@ -59,6 +59,43 @@ fn spoiled(document: &Value, path: &str, value: Value) -> Verdict {
     verdict(&copy)
 }
 
+/// Released at `t = 1` it is released again 7 cycles and 70 listed impacts later, on the same wall: so it is after twice or three times that.
+#[test]
+fn r46_a_multiple_of_a_period_is_a_period() {
+    let document = certificate("1", "wall = \"left\", velocity = 0", "0.5", 80);
+    assert_eq!(document["outcome"]["period"], json!({ "cycles": 7, "impacts": 70 }));
+    let with = |cycles: u64, impacts: u64| {
+        spoiled(&document, "/outcome/period", json!({ "cycles": cycles, "impacts": impacts }))
+    };
+    for times in 1..4 {
+        assert!(matches!(with(7 * times, 70 * times), Verdict::Confirmed { .. }), "{times}");
+    }
+    for (cycles, impacts) in [(14, 70), (7, 140), (14, 139), (10, 100), (0, 0), (u64::MAX / 7 * 7, 70)] {
+        assert!(matches!(with(cycles, impacts), Verdict::Refuted(_)), "{impacts} in {cycles}");
+    }
+}
+
+/// The time to stop at is less than the event by what its bounds tell, as the time of the event is an exact expression, `pi/2` or `pi`: it was enclosed
+/// less narrowly, and the event listed.
+#[test]
+fn r46_no_exact_event_is_listed_that_comes_after_the_time_to_stop_at() {
+    let half_pi = "1.570796326794896619231321691639751442098584699687552910487472296153908203143";
+    let pi = "3.141592653589793238462643383279502884197169399375105820974944592307816406286";
+    let events = |start: &str, until: &str| {
+        let document = orbit(&format!(
+            "excitation = {{ amplitude = 1, frequency = 1, phase = 0 }}\npair = {{ gap = 2, restitution = 0.5 }}\n\
+             start = {{ {start} }}\nrun = {{ until = \"{until}\" }}"
+        ));
+        assert!(matches!(verdict(&document), Verdict::Confirmed { .. }), "{until}: {:?}", verdict(&document));
+        document["events"].as_array().unwrap().len()
+    };
+    let grazes = "time = 0, position = 0, velocity = -1";
+    assert_eq!([&format!("{half_pi}098"), &format!("{half_pi}2")].map(|until| events(grazes, until)), [0, 1]);
+    // It rests on the right wall until it is released.
+    let rests = "time = 0.5, wall = \"right\", velocity = 0";
+    assert_eq!([&format!("{pi}19"), &format!("{pi}3")].map(|until| events(rests, until)), [1, 2]);
+}
+
 fn event(document: &Value, name: &str) -> usize {
     document["events"].as_array().unwrap().iter().position(|event| event["event"] == name).expect(name)
 }

@@ -1,5 +1,6 @@
 //! Orbits under several harmonics: against the same motion under one, against themselves in other arithmetics, mirrored.
 
+use impact_pair::contact::Reason;
 use impact_pair::exact::Enclosure;
 use impact_pair::orbit::{Arithmetic, Orbit, Outcome, Period, Progress, Settings};
 use impact_pair::pair::Wall;
@@ -263,4 +264,31 @@ fn a_period_between_releases_at_half_a_turn_is_counted_in_whole_turns() {
     for (a, b) in ends[0].iter().zip(&ends[1]) {
         assert!(a.intersection(b).is_some(), "{a:?} {b:?}");
     }
+}
+
+/// Where the contact force goes to 0 like a third power, steps towards the release do not end; where it touches 0, no digits tell a touch from a release. The rest
+/// comes before both: each impact of its complete chatter was listed, and the release looked for again.
+#[test]
+fn r46_a_rest_whose_release_is_not_proved_is_listed_and_ends_undecided() {
+    let ends = |amplitudes: [&str; 2], phases: [&str; 2], rest: &str| {
+        let owned = |items: [&str; 2]| items.map(str::to_owned).to_vec();
+        let [amplitudes, phases, frequencies] = [amplitudes, phases, ["pi", "2*pi"]].map(owned);
+        let case = Case { amplitudes, frequencies, phases, rest: rest.to_owned() };
+        let (events, outcome) = case.events(Arithmetic::Auto, 1000);
+        let last = &events.last().expect("a rest").kind;
+        assert!(*last == "rest" && events.len() < 100, "{events:?}");
+        let Some(Outcome::Undecided { reason: Reason::Graze, wall: Some(Wall::Left), time: (from, None) }) = outcome
+        else {
+            panic!("{outcome:?}")
+        };
+        from.to_f64_bounds()
+    };
+    // -E'' = 8 pi^2 sin(pi t) (1 - cos(pi t)): a zero of the third order at t = 4.
+    let start = "start = { time = 1.5, wall = \"right\", velocity = 0.01 }";
+    let (low, high) = ends(["8", "1"], ["0", "pi"], &format!("pair = {{ gap = 2, restitution = 0.3 }}\n{start}"));
+    assert!(3.45917 < low && high < 3.45918, "{low} {high}");
+    // -E'' = 4 pi^2 (cos(pi t) + cos(2 pi t)): it is negative from t = 1/3 to 5/3 but at t = 1.
+    let start = "start = { time = 0.55, wall = \"left\", velocity = -0.01 }";
+    let (low, high) = ends(["4", "1"], ["pi/2", "pi/2"], &format!("pair = {{ gap = 20, restitution = 0.3 }}\n{start}"));
+    assert!(0.55 < low && high < 0.5502, "{low} {high}");
 }

@@ -309,7 +309,7 @@ impl Orbit {
     #[cold]
     fn is_listed_past(&self, turns: i64, phase: &Enclosure) -> bool {
         let until = self.asked.settings.until.as_ref();
-        let listed = self.clock.time(turns, phase);
+        let listed = self.exact_time(turns, phase);
         until.is_some_and(|until| match until.as_rational() {
             Some(until) => compare_rational(listed.inf(), until).is_gt(),
             None => until.enclose(self.asked.shown.saturating_mul(2)).sup() < listed.inf(), // X1: any number of bits encloses

@@ -9,6 +9,7 @@ use super::recurrence::Recurrence;
 use super::shadowed::Near;
 use super::shortfall::Shortfall;
 use super::{Cursor, Followed, Orbit};
+use crate::contact::Undecided;
 use crate::exact::{Enclosure, Exact};
 use crate::number::{Ball, Enclosing};
 #[cfg(feature = "multiprecision")]
@@ -24,8 +25,8 @@ use crate::turns;
 pub(super) struct Pending {
     /// There has been a rest, or a wall is never hit: the rest of this is to be looked at.
     pub is_expected: bool,
-    /// The ball rests and will be released then; for ever if it is not.
-    pub resting: Option<Option<Released>>,
+    /// The ball rests.
+    pub resting: Option<Resting>,
     /// Of a motion that hits no wall: grazes so far.
     pub grazes: u64,
     pub recurrence: Recurrence,
@@ -35,6 +36,15 @@ pub(super) struct Pending {
     pub recent: Recent,
     /// Whose orbit it is, if it is a shadowed one.
     pub near: Option<Near>,
+}
+
+/// What becomes of a ball that rests.
+#[derive(Debug)]
+pub(super) enum Resting {
+    ForEver,
+    Until(Released),
+    /// Neither a release nor that there is none is proved.
+    Undecided,
 }
 
 impl Orbit {
@@ -50,7 +60,7 @@ impl Orbit {
                 Err(endless) => self.give_up(endless),
             });
         }
-        self.pending.resting.take().map(|release| self.release(release))
+        self.pending.resting.take().map(|resting| self.release(resting))
     }
 
     /// The next graze of a motion that only grazes, once a forcing period, or not even that.
@@ -137,11 +147,9 @@ impl Orbit {
         let enclosed = exactly.as_ref().unwrap_or(now); // exact: another enclosure of the same phase
         let span = Enclosure::from_f64_bounds(0.0, time)?;
         let enclosed = enclosed.add(&span, self.asked.shown.saturating_add(64)); // X1: any number of bits encloses
-        let release = match for_ever {
-            true => None,
-            false => Some(self.engine.given.shaken.release(wall, turns, now, self.asked.shown)?),
-        };
-        (self.pending.resting, self.pending.is_expected) = (Some(release), true);
+        let released = || self.engine.given.shaken.release(wall, turns, now, self.asked.shown);
+        let resting = if for_ever { Resting::ForEver } else { released().map_or(Resting::Undecided, Resting::Until) };
+        (self.pending.resting, self.pending.is_expected) = (Some(resting), true);
         let rest = Rest { wall, turns, phase: enclosed, is_accumulation: time > 0.0 };
         Some(self.hand_out(Progress::Rest(rest)))
     }
@@ -157,10 +165,14 @@ impl Orbit {
 
     /// The ball leaves the wall it rests on; all that was not known of its state is forgotten.
     #[cold]
-    fn release(&mut self, release: Option<Released>) -> Progress {
-        let Some(release) = release else {
-            self.outcome = self.cursor.wall.map(Outcome::RestsForever);
-            return Progress::Ended;
+    fn release(&mut self, resting: Resting) -> Progress {
+        let release = match (resting, self.cursor.wall) {
+            (Resting::Until(release), _) => release,
+            (Resting::Undecided, Some(wall)) => return self.end(Undecided::rest(wall)),
+            (_, wall) => {
+                self.outcome = wall.map(Outcome::RestsForever);
+                return Progress::Ended;
+            }
         };
         let Released { wall, turns, phase: enclosure, .. } = release.clone();
         let (mid, rad) = enclosure.mid_rad();

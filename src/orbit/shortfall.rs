@@ -119,7 +119,8 @@ impl Orbit {
         height.map_or_else(|| wall.map(from_wall), |height| Some(Launch::from_inside(height, turns, phase, velocity)))
     }
 
-    fn end(&mut self, undecided: Undecided) -> Progress {
+    /// The orbit ends undecided.
+    pub(super) fn end(&mut self, undecided: Undecided) -> Progress {
         let Cursor { turns, phase, .. } = self.cursor;
         let now = || self.clock.time(turns, &finite(phase));
         let later = |whole: f64, rest: Ball| {

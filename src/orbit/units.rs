@@ -80,7 +80,7 @@ impl Orbit {
     }
 
     /// The time of a phase, itself exact where that is.
-    fn exact_time(&self, turns: i64, phase: &Enclosure) -> Enclosure {
+    pub(super) fn exact_time(&self, turns: i64, phase: &Enclosure) -> Enclosure {
         match phase.mid_rad() {
             (exact, 0.0) => self.clock.time_of(turns, exact),
             _ => self.clock.time(turns, phase),

@@ -72,6 +72,15 @@ const STEPS: u32 = 1 << 16;
 #[cfg(feature = "multiprecision")]
 const BITS: [u32; 3] = [128, 512, 2048];
 
+/// Why no change of sign is proved.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Unproved {
+    /// In these digits a change of sign and a touch are the same: more of them may tell.
+    Digits,
+    /// The pressure goes to 0 so slowly that the steps towards it do not end, in any digits: a zero of a higher order.
+    Steps,
+}
+
 /// The first change of the pressure's sign after a phase at which the wall is pressed, or from which on it is; `None`
 /// where none is proved.
 pub(crate) fn release(
@@ -81,17 +90,16 @@ pub(crate) fn release(
     turns: i64,
     phase: f64,
 ) -> Option<Zero> {
-    if let Some(zero) = first_zero(spectrum, harmonics, wall, turns, Ball::exact(phase)) {
-        return Some(zero);
-    }
+    let found = first_zero(spectrum, harmonics, wall, turns, Ball::exact(phase));
     #[cfg(feature = "multiprecision")]
-    for bits in BITS {
-        let harmonics = Harmonics::<MpBall>::new(spectrum, bits);
-        if let Some(zero) = first_zero(spectrum, &harmonics, wall, turns, MpBall::from_f64_bits(phase, bits)) {
-            return Some(zero);
+    let found = BITS.into_iter().fold(found, |found, bits| match found {
+        Err(Unproved::Digits) => {
+            let harmonics = Harmonics::<MpBall>::new(spectrum, bits);
+            first_zero(spectrum, &harmonics, wall, turns, MpBall::from_f64_bits(phase, bits))
         }
-    }
-    None
+        decided => decided,
+    });
+    found.ok()
 }
 
 /// The same in one arithmetic: steps on which `p + p' s - S s^2/2` stays positive, `S` a bound of `|p''|`.
@@ -101,7 +109,7 @@ pub(super) fn first_zero<N: Phased>(
     wall: Wall,
     turns: i64,
     phase: N,
-) -> Option<Zero> {
+) -> Result<Zero, Unproved> {
     let fourth = harmonics.rates.fourth;
     let bend = Interval::within(fourth);
     let slope_at = |at: &Instant<N>| harmonics.jerk(turns + at.turns, &at.rest).signed(-wall.sign()).interval();
@@ -116,22 +124,23 @@ pub(super) fn first_zero<N: Phased>(
         let (value, slope) = (value_at(&at).interval(), slope_at(&at));
         let (p, low) = (value.inf(), slope.inf());
         if !is_positive(p) {
-            return None;
+            return Err(Unproved::Digits);
         }
         let ahead = p / -low;
         // Falling all the way to a zero a little farther than Newton's step: it is the first.
         if low < 0.0 && slope.sup() + 2.0 * fourth * ahead < 0.0 {
-            let (zero, reach, least) = bracket(bend, &value_at, &slope_at, at.later(&at.rest.like(ahead)))?;
+            let (zero, reach, least) =
+                bracket(bend, &value_at, &slope_at, at.later(&at.rest.like(ahead))).ok_or(Unproved::Digits)?;
             let time = Interval::point(zero.since(&at)) + Interval::point(reach);
             // Lemma H8 looks ahead only.
             if at.since(&zero) < reach && (slope + bend * time).sup() < 0.0 {
                 let rest = zero.rest.interval();
                 let reach = (Interval::point(reach) + Interval::point(rest.wid())).sup();
-                let turns = turns::later(turns, zero.turns)?;
+                let turns = turns::later(turns, zero.turns).ok_or(Unproved::Steps)?;
                 // Lemma H8: within `reach` of the rounded place, which is within as much of the zero.
                 let least = (Interval::point(least) + bend * Interval::point(2.0 * reach)).inf();
                 let zero = Zero { spectrum: spectrum.clone(), wall, turns, near: rest.mid(), reach, least, bend };
-                return is_positive(least).then_some(zero);
+                return is_positive(least).then_some(zero).ok_or(Unproved::Digits);
             }
         }
         let step = 0.98 * (low + (low * low + 2.0 * fourth * p).sqrt()) / fourth;
@@ -139,11 +148,11 @@ pub(super) fn first_zero<N: Phased>(
         let time = Interval::point(next.since(&at));
         let least = value + time * (slope + Interval::within(0.5 * fourth) * time);
         if !(is_positive(time.inf()) && is_positive(least.inf())) {
-            return None;
+            return Err(Unproved::Digits);
         }
         at = next;
     }
-    None
+    Err(Unproved::Steps)
 }
 
 /// A zero near a time: the time, within how much of it the zero lies, and the least slope there; slopes change by `bend` a turn.

@@ -98,7 +98,7 @@ proptest! {
         let pressure = |turns, rest| (acceleration(&spectrum, turns, rest) * -(wall.sign() as i64)).to_f64();
         let start = pressure(turns, phase);
         prop_assume!(start >= 0.0);
-        let Some(zero) = first_zero(&spectrum, &harmonics, wall, turns, Ball::exact(phase)) else {
+        let Ok(zero) = first_zero(&spectrum, &harmonics, wall, turns, Ball::exact(phase)) else {
             prop_assert!(start < 1e-3 * harmonics.rates.second);
             return Ok(());
         };

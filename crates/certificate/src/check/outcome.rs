@@ -51,6 +51,12 @@ impl Certificate {
     }
 }
 
+/// Whether a motion with a period repeats itself after another time as well, with as many impacts as are claimed. Lemma V3
+fn is_multiple(claimed: Period, own: Period) -> bool {
+    let times = claimed.cycles / own.cycles; // exact: any whole number, as the rest is 0
+    times > 0 && claimed.cycles % own.cycles == 0 && own.impacts.checked_mul(times) == Some(claimed.impacts)
+}
+
 impl Walk<'_> {
     /// What is claimed of the future, and of the time up to which nothing else happens.
     pub(super) fn outcome(&self) -> Result<(), Doubt> {
@@ -69,7 +75,8 @@ impl Walk<'_> {
         let period = still.map(|_| Period { cycles: 1, impacts: 0 }).or(self.period);
         let (is_true, message) = match self.certificate.outcome() {
             "periodic" => match period {
-                Some(Period { cycles, impacts }) if period != ended.period => {
+                Some(found) if !ended.period.is_some_and(|claimed| is_multiple(claimed, found)) => {
+                    let Period { cycles, impacts } = found;
                     return Err(Doubt::False(format!("the period is {impacts} impacts in {cycles} cycles")));
                 }
                 found => (found.is_some(), "the period is not proved"),
