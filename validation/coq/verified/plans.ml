@@ -36,7 +36,7 @@ let wider = [ 7; 10; 14 ]
 let bits_of_impact = 16
 let most_impacts = 10_000
 
-(* An impact as an event, and bounds of its phase. *)
+(* An impact as an event; and the columns around it. *)
 let event ~narrow s n from (w, th, v) =
   let around x unit =
     let radius = Z.shift_right unit narrow in

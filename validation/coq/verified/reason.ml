@@ -119,5 +119,5 @@ let why_no_region ({ data; start; region; properties; _ } : Trap.claim) plan ent
       match first 0 (March.check_run region plan units) region.runs with
       | Some n -> Printf.sprintf "region[%d]: not all flights from its boxes are proved to come to boxes of the region, within the bounds of flights" n
       | None when not (match properties.entered with None -> true | Some n -> Trapping.check_entry data start region plan entry n) ->
-        "entered_at_impact: this impact is not proved to be in the region"
+        "entered_at_impact: this impact, counted along the motion without rests, is not proved to be in the region"
       | None -> "the impacts up to `entered_at_impact` are not proved, or the scene not to have a positive amplitude"
