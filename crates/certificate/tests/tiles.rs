@@ -49,9 +49,9 @@ fn cut() -> [Value; 2] {
 
 /// A cell on which the equispaced motion (66) of two impacts in one forcing period is stable, between its fold and its pitchfork.
 fn stable() -> [Value; 2] {
-    let mut cell = open(0, ["[0.3, 0.3001]", "[0.5, 0.5001]"]);
+    let mut cell = open(0, ["[0.25, 0.2501]", "[0.5, 0.5001]"]);
     cell["stable"] = json!([{ "word": "P1 P2", "impacts": 2, "cycles": 1 }]);
-    [head([("amplitude", "0.3", "0.3002", 2), ("restitution", "0.5", "0.5002", 2)], [1, 4]), cell]
+    [head([("amplitude", "0.25", "0.2502", 2), ("restitution", "0.5", "0.5002", 2)], [1, 4]), cell]
 }
 
 fn verdict([head, tile]: &[Value; 2]) -> Verdict {
