@@ -53,8 +53,9 @@ impl Certificate {
 
 /// Whether a motion with a period repeats itself after another time as well, with as many impacts as are claimed. Lemma V3
 fn is_multiple(claimed: Period, own: Period) -> bool {
-    let times = claimed.cycles / own.cycles; // exact: any whole number, as the rest is 0
-    times > 0 && claimed.cycles % own.cycles == 0 && own.impacts.checked_mul(times) == Some(claimed.impacts)
+    let times = claimed.cycles.checked_div(own.cycles).filter(|times| *times > 0); // exact: the rest is 0
+    claimed.cycles.is_multiple_of(own.cycles)
+        && times.and_then(|times| own.impacts.checked_mul(times)) == Some(claimed.impacts)
 }
 
 impl Walk<'_> {
