@@ -51,31 +51,36 @@ def horseshoes(stretches, low, high):
     return share([own | {"verdict": "yes"} for own in stretches if own.get("entropy")], ["yes"], low, high)
 
 
-def main():
-    KEPT.mkdir(parents=True, exist_ok=True)
-    document, picture = KEPT / "document.json", KEPT / "proved.svg"
-    made = run("made", [*COMMAND, "--output", document, "--plot", picture])
-    checked = run("checked", ["check", document, "--format", "json"])
-    shutil.copy(picture, PICTURE)
-    found = json.loads(document.read_text())
+def write(found, made, judged):
+    """Writes into the page what the document shows, and what is judged of it."""
     shares, stretches = found["shares"], found["stretches"]
     open_ = sorted((own for own in stretches if own["verdict"] == "undecided"), key=lambda own: float(own["low"]) - float(own["high"]))
     widest = ", ".join(f"{float(own['low']):.4f} to {float(own['high']):.4f}" for own in open_[:6])
     width = sum(float(own["high"]) - float(own["low"]) for own in open_[:6]) / sum(float(own["high"]) - float(own["low"]) for own in open_)
-    verdict = json.loads(checked["said"])
-    claimed = sum(own["verdict"] != "undecided" for own in stretches)
     text = f"""The picture is that of `--over amplitude=1..10:180 --depth 16`: {made['processor']:.0f} s of processor time. At {percent(shares['attracted'])} of all amplitudes from 1 to
 10 the scene's orbit is proved to converge to a periodic one, at {percent(shares['stable'])} more a stable periodic orbit is proved to exist, and at
 {percent(shares['horseshoe'])} a horseshoe (of the amplitudes from 8 to 10: {percent(horseshoes(stretches, 8, 10))}), at {percent(shares['both'])} both. Nothing is proved at
 {percent(shares['undecided'])}: {len(open_)} stretches, of which the six widest, {widest}, are {percent(width)}.
 Left undecided are amplitudes near bifurcations, where motions converge slowly, narrow windows, and thin bands of chaos, whose horseshoes have long words. The dots are floating-point
 orbits; the colours are theorems about all values of the amplitude.
-
-`check` of this document, {claimed} stretches with a verdict, takes {checked['processor']:.0f} s of processor time: {verdict['message']}.
-"""
+{judged}"""
     page = PAGE.read_text(encoding="utf-8")
     head, rest = page.split(BEGIN, 1)
     PAGE.write_text(head + BEGIN + text + END + rest.split(END, 1)[1], encoding="utf-8")
+
+
+def main():
+    KEPT.mkdir(parents=True, exist_ok=True)
+    document, picture = KEPT / "document.json", KEPT / "proved.svg"
+    made = run("made", [*COMMAND, "--output", document, "--plot", picture])
+    shutil.copy(picture, PICTURE)
+    found = json.loads(document.read_text())
+    # The check takes as long again: without it the page is right as well.
+    write(found, made, "")
+    checked = run("checked", ["check", document, "--format", "json"])
+    claimed = sum(own["verdict"] != "undecided" for own in found["stretches"])
+    said = json.loads(checked["said"])["message"]
+    write(found, made, f"\n`check` of this document, {claimed} stretches with a verdict, takes {checked['processor']:.0f} s of processor time: {said}.\n")
 
 
 if __name__ == "__main__":

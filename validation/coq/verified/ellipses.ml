@@ -154,13 +154,14 @@ let contracting a =
   let r12 = x.m12 /. r11 in
   inverse { m11 = r11; m12 = r12; m21 = 0.0; m22 = sqrt (Float.max 1e-300 (x.m22 -. r12 *. r12)) }
 
-(* The largest ellipse of some shape, about, that is accepted; smaller ones hold no bounds of impacts. *)
-let smallest = -60
+(* The largest ellipse of some shape, about, that is accepted. After many flights it may have to be small: the product of their derivatives is small, those of
+   its factors are not. *)
+let smallest = -400
 let rec largest_disc data w spread round vectors exponent =
   if exponent < smallest then raise (Lost 0);
   match disc data spread round ~plain:true (scaled (Float.ldexp 1.0 exponent) vectors) with
   | found when Check.check_disc data w round.cycles found -> found
-  | _ | exception Lost _ -> largest_disc data w spread round vectors (exponent - 3)
+  | _ | exception Lost _ -> largest_disc data w spread round vectors (if exponent > -60 then exponent - 3 else exponent - 20)
 
 (* Half the widths of bounds, in the units of Step.v. *)
 let half_widths s { spot_phase = (a, b); spot_velocity = (c, d); _ } =

@@ -273,6 +273,13 @@ def common_periods(suite):
             suite.failures.append(f"two harmonics with a common period: {copy['outcome']['period']} is verified")
 
 
+def small_ellipse(suite):
+    """Of an orbit of 35 impacts the ellipse is smaller than bounds of 9 digits; those of 20 are in it."""
+    document = suite.run("scenes/figure-14-sink-35.toml", ["--impacts", "70", "--digits", "20"])
+    if (said := suite.answer(json.dumps(document).encode())[1]) != "verified":
+        suite.failures.append(f"figure-14-sink-35 in 20 digits: {said}")
+
+
 def forged(suite, folder):
     """The forgeries of `tests/forger` (FORGER_FOLDER), named by what `check` says: only those true after all may be verified."""
     documents = sorted(Path(folder).glob("*.json")) if folder else []
@@ -340,6 +347,8 @@ def main():
     suite, quick = Suite(arguments.program, arguments.verified), arguments.quick
     r43_periods(suite)
     common_periods(suite)
+    if not quick:
+        small_ellipse(suite)
     rows, times, spoiled, orbits = right(suite, quick), fast(suite, quick), wrong(suite, quick), periodic_orbits(suite, quick)
     trapping = regions(suite, quick)
     boxes, (made, accepted) = intervals(suite, quick), random_scenes(suite, quick)

@@ -171,3 +171,22 @@ fn said_of_period(found: Result<Found, End>, is_own: bool) -> Result<(), Doubt> 
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Each gap is in a quarter with each restitution.
+    #[test]
+    fn v38_quarters_hold_all_members() {
+        let law = Law { gap: Span::new(1.0, 1.7), restitution: Span::new(0.3, 0.5) };
+        let members = |x: Span| [x.lo(), 0.5 * (x.lo() + x.mid()), x.mid(), 0.5 * (x.mid() + x.hi()), x.hi()];
+        let holds = |x: Span, member: f64| x.lo() <= member && member <= x.hi();
+        for gap in members(law.gap) {
+            for restitution in members(law.restitution) {
+                let is_in = |part: &Law| holds(part.gap, gap) && holds(part.restitution, restitution);
+                assert!(quarters(&law).iter().any(is_in), "{gap} {restitution}");
+            }
+        }
+    }
+}
