@@ -17,7 +17,7 @@ Variables (n : nat) (good : R -> (nat -> R) -> Prop).
 Hypothesis smaller : forall del del' x, del' <= del -> good del x -> good del' x.
 Hypothesis local : forall x, cube n x -> exists del, 0 < del /\ forall y, cube n y -> close n del x y -> good del y.
 
-(* The first j coordinates are free, the others near those of x. *)
+(* The first j coordinates are free, the next one at most below, the others near those of x. *)
 Let tube (j : nat) (x : nat -> R) (below : R) : Prop := exists del, 0 < del /\ forall y, cube n y ->
   (forall i, (j < i)%nat -> (i < n)%nat -> Rabs (y i - x i) < del) -> y j <= below -> good del y.
 Lemma tube_next j x : (j < n)%nat -> cube n x ->
@@ -30,7 +30,7 @@ Proof.
   { intros t ht. destruct (all (at_ t)) as (del & pos & h).
     { intros i hi. unfold at_. destruct (Nat.eqb_spec i j); [lra|apply hx, hi]. }
     exists (del / 2). split; [lra|]. intros u hu reached.
-    assert (exists del', 0 < del' /\ forall y, cube n y -> (forall i, (j < i)%nat -> (i < n)%nat -> Rabs (y i - x i) < del') -> y j <= u -> good del' y) as (del' & pos' & h').
+    assert (tube j x u) as (del' & pos' & h').
     { destruct reached as [reached|low]; [exact reached|]. exists 1. split; [lra|]. intros y hy _ yj. specialize (hy j jn). lra. }
     exists (Rmin del del'). split; [apply Rmin_glb_lt; assumption|]. assert (m := Rmin_l del del'). assert (m' := Rmin_r del del').
     intros y hy others yj. destruct (Rle_lt_dec (y j) u) as [l|g].
@@ -50,19 +50,21 @@ Proof.
   specialize (h u close_u (or_introl reached)). destruct (Rle_lt_dec 1 (t + e)) as [l|l]; [exact (lower _ 1 l h)|].
   assert (t + e <= t) by (apply upper; split; [lra|exact h]). lra.
 Qed.
+(* One coordinate after the other is freed. *)
 Theorem uniformly : exists del, 0 < del /\ forall y, cube n y -> good del y.
 Proof.
   assert (all : forall j, (j <= n)%nat -> forall x, cube n x -> exists del, 0 < del /\ forall y, cube n y ->
     (forall i, (j <= i)%nat -> (i < n)%nat -> Rabs (y i - x i) < del) -> good del y).
   { induction j as [|j IH]; intros jn x hx.
-    - destruct (local x hx) as (del & pos & h). exists del. split; [exact pos|]. intros y hy others. apply h; [exact hy|]. intros i hi. apply others; [lia|exact hi].
+    - destruct (local x hx) as (del & pos & h). exists del. split; [exact pos|]. intros y hy others. apply h; [exact hy|].
+      intros i hi. apply others; [lia|exact hi].
     - destruct (tube_next j x ltac:(lia) hx (IH ltac:(lia))) as (del & pos & h). exists del. split; [exact pos|].
       intros y hy others. apply h; [exact hy|exact others|]. apply hy. lia. }
   destruct (all n (le_n n) (fun _ => 0)) as (del & pos & h); [intros i _; lra|]. exists del. split; [exact pos|]. intros y hy. apply h; [exact hy|lia].
 Qed.
 End Compact.
 
-(* The points of a lattice of the cube. *)
+(* The points of a lattice of the cube, k steps to a side. *)
 Definition spot (k : nat) (p : Lattice.point) : nat -> R := fun i => -1 + 2 * (INR (p i) / INR k).
 Lemma spot_inside n k p : (0 < k)%nat -> (forall i, (i < n)%nat -> (p i <= k)%nat) -> cube n (spot k p).
 Proof.
@@ -70,13 +72,15 @@ Proof.
   assert (INR (p i) / INR k * INR k = INR (p i)) by (field; lra). nra.
 Qed.
 
+(* Poincaré and Miranda. *)
 Theorem poincare_miranda n (f : nat -> (nat -> R) -> R) : (forall i, (i < n)%nat -> continuous_at_cube n (f i)) ->
   (forall i x, (i < n)%nat -> cube n x -> x i = -1 -> f i x <= 0) -> (forall i x, (i < n)%nat -> cube n x -> x i = 1 -> 0 <= f i x) ->
   exists x, cube n x /\ forall i, (i < n)%nat -> f i x = 0.
 Proof.
   intros cont low high. apply NNPP. intros none.
   (* Else near each point one of the functions has one sign. *)
-  set (good := fun del x => exists i, (i < n)%nat /\ ((forall y, cube n y -> close n del x y -> 0 < f i y) \/ (forall y, cube n y -> close n del x y -> f i y < 0))).
+  set (good := fun del x => exists i, (i < n)%nat /\
+    ((forall y, cube n y -> close n del x y -> 0 < f i y) \/ (forall y, cube n y -> close n del x y -> f i y < 0))).
   destruct (uniformly n good) as (del & pos & all).
   - intros del del' x le (i & hi & sign). exists i. split; [exact hi|].
     destruct sign as [h|h]; [left|right]; intros y hy c; (apply h; [exact hy|]); intros j hj; specialize (c j hj); lra.
@@ -92,7 +96,8 @@ Proof.
     + rewrite Rabs_pos_eq in near by lra. lra.
   - (* On a cell of a fine lattice all of them have both. *)
     destruct (archimed_cor1 (del / 2) ltac:(lra)) as (k & fine & k0). assert (K := lt_0_INR k k0).
-    set (s := fun i (p : Lattice.point) => if Nat.eqb (p i) 0 then false else if Nat.eqb (p i) k then true else if Rlt_dec 0 (f i (spot k p)) then true else false).
+    set (s := fun i (p : Lattice.point) => if Nat.eqb (p i) 0 then false else if Nat.eqb (p i) k then true
+      else if Rlt_dec 0 (f i (spot k p)) then true else false).
     destruct (Lattice.cell n k s) as (p & inside & both).
     { intros i p _ e. unfold s. rewrite e. reflexivity. }
     { intros i p _ e. unfold s. rewrite e, Nat.eqb_refl. destruct (Nat.eqb_spec k 0); [lia|reflexivity]. }
