@@ -8,9 +8,9 @@ Open Scope R_scope.
 Import ListNotations.
 
 (* Corners have a phase, in forcing periods, and a speed over A W. The middle and the half vectors that expand and contract have phases in radians. *)
-Record h_set := H_set { left_bottom : Q * Q; left_top : Q * Q; right_bottom : Q * Q; right_top : Q * Q; middle : Q * Q; expanding : Q * Q; contracting : Q * Q }.
+Record h_set := H_set { left_bottom : Q * Q; left_top : Q * Q; right_bottom : Q * Q; right_top : Q * Q; set_middle : Q * Q; set_expanding : Q * Q; set_contracting : Q * Q }.
 (* Flights in the order of time: true to the far wall, false back to the near one. *)
-Record word := Word { from_set : nat; into_set : nat; flights : list bool; half_cycles : Z }.
+Record word := Word { word_from : nat; word_into : nat; word_flights : list bool; half_cycles : Z }.
 (* Entropies in nats; two words that are blocks which may follow one another in any order. *)
 Record chaos := Chaos { h_sets : list h_set; words : list word; per_impact : Q; per_cycle : Q; blocks : option (nat * nat) }.
 
@@ -37,9 +37,9 @@ Definition speed_of (c : Q * Q) : R := Q2R (snd c).
 Definition as_listed (h : h_set) : Prop := let lb := left_bottom h in let lt := left_top h in let rb := right_bottom h in let rt := right_top h in
   let along (f : Q * Q -> R) := (mean f rb rt - mean f lb lt) / 2 in let across (f : Q * Q -> R) := (mean f lt rt - mean f lb rb) / 2 in
   let all (f : Q * Q -> R) := (mean f lb lt + mean f rb rt) / 2 in
-  nearly (all phase_of) (Q2R (fst (middle h))) /\ nearly (all speed_of) (Q2R (snd (middle h))) /\
-  nearly (along phase_of) (Q2R (fst (expanding h))) /\ nearly (along speed_of) (Q2R (snd (expanding h))) /\
-  nearly (across phase_of) (Q2R (fst (contracting h))) /\ nearly (across speed_of) (Q2R (snd (contracting h))).
+  nearly (all phase_of) (Q2R (fst (set_middle h))) /\ nearly (all speed_of) (Q2R (snd (set_middle h))) /\
+  nearly (along phase_of) (Q2R (fst (set_expanding h))) /\ nearly (along speed_of) (Q2R (snd (set_expanding h))) /\
+  nearly (across phase_of) (Q2R (fst (set_contracting h))) /\ nearly (across speed_of) (Q2R (snd (set_contracting h))).
 
 Definition wall_after (far : bool) (w : wall) : wall := if far then mirror_wall w else w.
 
@@ -48,21 +48,21 @@ Variable s : scene.
 
 (* The impacts J 0, J 1, ... follow a word, from the phase th in its h-set to the phase th1 in the next one: each is the first contact after the one before, on the wall that the
    word says. *)
-Definition follows_word (x : chaos) (w : word) (th th1 : R) (J : nat -> impact) : Prop := let last := J (length (flights w)) in
-  in_set (set_of x (from_set w)) th (speed_seen s (J O)) /\ in_set (set_of x (into_set w)) th1 (speed_seen s last) /\
+Definition follows_word (x : chaos) (w : word) (th th1 : R) (J : nat -> impact) : Prop := let last := J (length (word_flights w)) in
+  in_set (set_of x (word_from w)) th (speed_seen s (J O)) /\ in_set (set_of x (word_into w)) th1 (speed_seen s last) /\
   (exists turns, phase_seen s (J O) = th + IZR turns * (2 * PI)) /\
   phase s (time last) - phase s (time (J O)) = th1 - th + IZR (half_cycles w) * PI /\
-  forall k, (k < length (flights w))%nat -> reaches s (rebound s (J k)) (J (S k)) /\ wall_of (J (S k)) = wall_after (nth k (flights w) false) (wall_of (J k)).
+  forall k, (k < length (word_flights w))%nat -> reaches s (rebound s (J k)) (J (S k)) /\ wall_of (J (S k)) = wall_after (nth k (word_flights w) false) (wall_of (J k)).
 
 (* A sequence of words, of which each begins where the one before ends; `next` is that of the numbers of a one-sided sequence, or of a two-sided one. *)
 Section Sequences.
 Context {X : Type}.
 Variable next : X -> X.
 Definition fits (x : chaos) (ws : X -> nat) : Prop :=
-  forall n, (ws n < length (words x))%nat /\ into_set (word_of x (ws n)) = from_set (word_of x (ws (next n))).
+  forall n, (ws n < length (words x))%nat /\ word_into (word_of x (ws n)) = word_from (word_of x (ws (next n))).
 (* The impacts J n 0, J n 1, ... are those of word n of the sequence; its last one is the first one of the next word. *)
 Definition follows_words (x : chaos) (ws : X -> nat) (J : X -> nat -> impact) : Prop := exists th, forall n,
-  follows_word x (word_of x (ws n)) (th n) (th (next n)) (J n) /\ J n (length (flights (word_of x (ws n)))) = J (next n) O.
+  follows_word x (word_of x (ws n)) (th n) (th (next n)) (J n) /\ J n (length (word_flights (word_of x (ws n)))) = J (next n) O.
 End Sequences.
 
 (* For every sequence of words that fit, one-sided or two-sided, there is a motion that follows it, from either wall. *)
@@ -72,7 +72,7 @@ Definition every_two_sided_sequence (x : chaos) : Prop := forall ws, fits Z.succ
 (* What a sequence of words weighs up to word n. *)
 Fixpoint total (x : chaos) (weight : word -> Z) (ws : nat -> nat) (n : nat) : Z :=
   match n with O => 0%Z | S n => (total x weight ws n + weight (word_of x (ws n)))%Z end.
-Definition impacts_of (w : word) : Z := Z.of_nat (length (flights w)).
+Definition impacts_of (w : word) : Z := Z.of_nat (length (word_flights w)).
 
 (* An impact half cycles later, as its mirror image where their number is odd. *)
 Definition later_by (half : Z) (i : impact) : impact := let mirrored := Z.odd half in
@@ -92,7 +92,7 @@ Definition entropy_at_least (x : chaos) (weight : word -> Z) (h : R) : Prop := e
     exists m, (forall k, (k < m)%nat -> ws k = ws' k) /\ (total x weight ws m < Z.of_nat n)%Z /\ apart eps (J m O) (J' m O).
 
 (* Words that are one block have the same flights and half cycles. *)
-Definition same_block (a b : word) : Prop := flights a = flights b /\ half_cycles a = half_cycles b.
+Definition same_block (a b : word) : Prop := word_flights a = word_flights b /\ half_cycles a = half_cycles b.
 (* For every sequence of the two blocks there is a motion that follows it. *)
 Definition in_any_order (x : chaos) (a b : nat) : Prop := (a < length (words x))%nat /\ (b < length (words x))%nat /\ ~ same_block (word_of x a) (word_of x b) /\
   forall letters : nat -> bool, exists ws, fits S x ws /\ forall n, same_block (word_of x (ws n)) (word_of x (if letters n then a else b)).

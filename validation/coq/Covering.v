@@ -45,11 +45,15 @@ Proof.
   apply (Rmult_le_reg_r (IZR (2 ^ Zpos q))); [assumption|]. replace (_ * _ * _) with (IZR m * IZR n) by (field; lra). exact h.
 Qed.
 
-(* One covering relation: a stretch of the first parallelogram; brackets of the phases of arrival, a wide one that shows the
-   first contact and a narrow one for the image; where flights are cut; two tilts, as in Certificate.v, for the image along and
-   across the second parallelogram; whether it is turned over. *)
+(* How all flights from a stretch of a parallelogram arrive: brackets of the phases of arrival, middle and radius, a wide one that shows
+   the first contact and a narrow one for the image; where flights are cut, the end of the departure and the begin of the arrival; two
+   tilts, as in Certificate.v, for the image along and across a parallelogram. All on the grid. *)
+Record passage := Passage { wide_mid : Z; wide_rad : Z; near_mid : Z; near_rad : Z; go : Z; come : Z; lean_along : Z; lean_across : Z }.
+
+(* One covering relation: a stretch of the first parallelogram; its passage; whether it is turned over. *)
 Record link := Link { stretch_from : Z; stretch_to : Z; wide_at : Z; wide_by : Z; near_at : Z; near_by : Z;
   leave : Z; arrive : Z; tilt_along : Z; tilt_across : Z; turned_over : bool }.
+Definition passage_of (l : link) : passage := Passage (wide_at l) (wide_by l) (near_at l) (near_by l) (leave l) (arrive l) (tilt_along l) (tilt_across l).
 
 (* A step of a word: a flight from wall to wall, and the whole turns that are taken off its phase. *)
 Record hop_of := Hop { off_wall : wall; on_wall : wall; turns_off : Z }.
@@ -62,6 +66,13 @@ Fixpoint follow (word : list hop_of) (x : state) : state := match word with [] =
 (* Each step of the word is a flight to its wall. *)
 Fixpoint flown (word : list hop_of) (x : state) : Prop :=
   match word with [] => True | h :: word => flies s (off_wall h) (on_wall h) x /\ flown word (hop h x) end.
+(* The same for any shift, of the state or of its mirror image. *)
+Definition shifted (k : R) (mirror : bool) (x : state) : state := (fst x - k, if mirror then - snd x else snd x).
+Lemma shifted_continuous k mirror : continuous_on (fun _ => True) (shifted k mirror).
+Proof.
+  unfold shifted. refine (on_pair _ (fun x : state => fst x - k) _ (on_minus _ _ _ (on_fst _) (on_const _ _)) _). destruct mirror; [|exact (on_snd _)].
+  apply (continuous_on_ext _ (fun x : state => 0 - snd x)); [intros x _; apply Rminus_0_l|]. exact (on_minus _ _ _ (on_const _ _) (on_snd _)).
+Qed.
 Lemma turned_continuous k : continuous_on (fun _ => True) (turned k).
 Proof.
   refine (on_pair _ _ _ _ (on_snd _)). exact (on_minus _ _ _ (on_fst _) (on_const _ _)).
@@ -99,7 +110,7 @@ Definition launches (w : wall) (N : chart) (a b : Z) : box :=
   let dT := add p (mul p (pt (lu N)) (reach a b)) (mul p (pt (wu N)) one) in
   let Vc := add p (pt (cv N)) (mul p (pt (lv N)) (middle a b)) in
   let dV := add p (mul p (pt (lv N)) (reach a b)) (mul p (pt (wv N)) one) in
-  {| from := Some w; somewhere := whole p 0; around := turns q (cu N); lowest := cu N - Z.abs (lu N) - Z.abs (wu N); box_scale := q;
+  {| from := Some w; somewhere := whole p 0; around := turns q (cu N); lowest := cu N + Z.min (lu N * a) (lu N * b) / 2 ^ Zpos q - Z.abs (wu N); box_scale := q;
      T := add p Tc dT; Tc := Tc; dT := dT;
      U := mul p (I.neg E) (add p Vc dV); Uc := mul p (I.neg E) Vc; dU := mul p (I.neg E) dV |}.
 
@@ -115,30 +126,35 @@ Definition image (b : box) (a : aspects) (N : chart) (w : wall) (n1 n2 n0 mu : I
   add p (add p (add p middle (mul p (side (lu N) (lv N)) D)) (mul p (side (wu N) (wv N)) one)) (mul p by_arrival R).
 
 Definition area_over (N : chart) : I.type := sub p (mul p (pt (lu N)) (pt (wv N))) (mul p (pt (lv N)) (pt (wu N))).
-(* The second chart's coordinates, times its area, of the image. *)
-Definition along_of (h : hop_of) (M : chart) (image : I.type -> I.type -> I.type -> I.type) : I.type :=
-  let K := mul p (whole p (turns_off h)) (mul p (whole p 2) (I.pi (F.PtoP p))) in
-  image (pt (wv M)) (I.neg (pt (wu M))) (sub p (mul p (pt (wu M)) (pt (cv M))) (mul p (pt (wv M)) (add p (pt (cu M)) K))).
-Definition across_of (h : hop_of) (M : chart) (image : I.type -> I.type -> I.type -> I.type) : I.type :=
-  let K := mul p (whole p (turns_off h)) (mul p (whole p 2) (I.pi (F.PtoP p))) in
-  image (I.neg (pt (lv M))) (pt (lu M)) (sub p (mul p (pt (lv M)) (add p (pt (cu M)) K)) (mul p (pt (lu M)) (pt (cv M)))).
+
+(* All flights of a stretch of the chart N, of which b is the box of launches, are from w to w1, and arrive in the narrow bracket. *)
+Definition check_arrivals (w1 : wall) (N : chart) (from to : Z) (b : box) (a : aspects) (c : passage) : bool :=
+  let n := near_mid c in let lo := (n - near_rad c)%Z in let hi := (n + near_rad c)%Z in let zero := whole p 0 in
+  let height x := image b a N w1 zero zero zero (whole p (-1)) (turns q x) (pt x) (pt x) zero (reach from to) in
+  (0 <=? near_rad c)%Z &? (0 <? chart_area N)%Z &? (wide_mid c - wide_rad c <=? lo)%Z &? (hi <=? wide_mid c + wide_rad c)%Z &?
+  check_flight param b (Leg p p q w1 (wide_mid c) (wide_rad c) 0 0 (go c) (come c) 0) &?
+  is_positive (I.neg (sided w1 (height lo))) &? is_not_negative (sided w1 (height hi)).
+(* n1 phase + n2 velocity + n0 where they arrive; mu is the tilt. *)
+Definition arrived (w1 : wall) (N : chart) (b : box) (a : aspects) (c : passage) (mu : Z) (D n1 n2 n0 : I.type) : I.type :=
+  let n := near_mid c in let r := near_rad c in
+  image b a N w1 n1 n2 n0 (pt mu) (turns q n) (pt n) (stretch p (unit_step p q) (n - r) (n + r)) (stretch p (unit_step p q) (- r) r) D.
+(* The coordinates along and across M, times its area, of an arrival from whose phase K is taken off, or of its mirror image. *)
+Definition along_of (K : I.type) (mirror : bool) (M : chart) (image : I.type -> I.type -> I.type -> I.type) : I.type :=
+  let u := pt (wu M) in let v := pt (wv M) in
+  image v (if mirror then u else I.neg u) (sub p (mul p u (pt (cv M))) (mul p v (add p (pt (cu M)) K))).
+Definition across_of (K : I.type) (mirror : bool) (M : chart) (image : I.type -> I.type -> I.type -> I.type) : I.type :=
+  let u := pt (lu M) in let v := pt (lv M) in
+  image (I.neg v) (if mirror then I.neg u else u) (sub p (mul p v (add p (pt (cu M)) K)) (mul p u (pt (cv M)))).
 Definition turn_over (yes : bool) (X : I.type) : I.type := if yes then I.neg X else X.
 
 Definition check_link (h : hop_of) (N M : chart) (l : link) : bool :=
-  let w := off_wall h in let w1 := on_wall h in let a := stretch_from l in let b := stretch_to l in
-  let box := launches w N a b in let seen := look p OS box p in
-  let n := near_at l in let lo := (n - near_by l)%Z in let hi := (n + near_by l)%Z in
-  let zero := whole p 0 in let m := turns q n in
-  let height x := image box seen N w1 zero zero zero (whole p (-1)) (turns q x) (pt x) (pt x) zero (reach a b) in
-  let landed mu D n1 n2 n0 := image box seen N w1 n1 n2 n0 (pt mu) m (pt n) (stretch p (unit_step p q) lo hi)
-    (stretch p (unit_step p q) (- near_by l) (near_by l)) D in
-  let along D := turn_over (turned_over l) (along_of h M (landed (tilt_along l) D)) in
-  let across := across_of h M (landed (tilt_across l) (reach a b)) in
+  let w1 := on_wall h in let a := stretch_from l in let b := stretch_to l in let c := passage_of l in
+  let box := launches (off_wall h) N a b in let seen := look p OS box p in
+  let K := mul p (whole p (turns_off h)) (mul p (whole p 2) (I.pi (F.PtoP p))) in
+  let along D := turn_over (turned_over l) (along_of K false M (arrived w1 N box seen c (lean_along c) D)) in
+  let across := across_of K false M (arrived w1 N box seen c (lean_across c) (reach a b)) in
   let edge := area_over M in
-  (- 2 ^ Zpos q <=? a)%Z &? (a <=? b)%Z &? (b <=? 2 ^ Zpos q)%Z &? (0 <=? near_by l)%Z &? (0 <? chart_area N)%Z &? (0 <? chart_area M)%Z &?
-  (wide_at l - wide_by l <=? lo)%Z &? (hi <=? wide_at l + wide_by l)%Z &?
-  check_flight param box (Leg p p q w1 (wide_at l) (wide_by l) 0 0 (leave l) (arrive l) 0) &?
-  is_positive (I.neg (sided w1 (height lo))) &? is_not_negative (sided w1 (height hi)) &?
+  (- 2 ^ Zpos q <=? a)%Z &? (a <=? b)%Z &? (b <=? 2 ^ Zpos q)%Z &? (0 <? chart_area M)%Z &? check_arrivals w1 N a b box seen c &?
   is_not_negative (sub p edge across) &? is_not_negative (add p edge across) &?
   is_not_negative (I.neg (add p (along (I.neg (half a b))) edge)) &? is_not_negative (sub p (along (half a b)) edge).
 
@@ -290,24 +306,20 @@ Proof. intros h. unfold along. field. lra. Qed.
 Lemma area_times_across M x : 0 < area (frame_of q M) -> across_area (frame_of q M) x = area (frame_of q M) * across (frame_of q M) x.
 Proof. intros h. unfold across. field. lra. Qed.
 
-(* A start in the stretch of a link, with its image in the second parallelogram. *)
-Definition held (h : hop_of) (N M : chart) (l : link) (x : state) : Prop :=
-  slice (frame_of q N) (grid q (stretch_from l)) (grid q (stretch_to l)) x /\ in_frame (frame_of q M) (hop s h x).
-
-Theorem link_sound h N M l : check_link p q param h N M l = true ->
-  (forall x, held h N M l x -> in_frame (frame_of q N) x /\ flies s (off_wall h) (on_wall h) x) /\ carries (frame_of q N) (frame_of q M) (held h N M l) (hop s h).
+(* All flights of a stretch whose arrivals are checked: they are flights, depend on their starts continuously, and any linear function of their
+   arrivals is enclosed, with the coordinate along from the middle of the stretch in D. *)
+Lemma arrivals_sound (w w1 : wall) (N : chart) (a b : Z) (c : passage) (P := slice (frame_of q N) (grid q a) (grid q b))
+  (box := launches p q param w N a b) (seen_ := look p OS box p) : check_arrivals p q param w1 N a b box seen_ c = true ->
+  (0 < chart_area N)%Z /\ (forall x, P x -> flies s w w1 x) /\ continuous_on P (fly s w) /\
+  forall x n1 n2 n0 N1 N2 N0 mu D, P x -> holds N1 n1 -> holds N2 n2 -> holds N0 n0 -> holds D (along (frame_of q N) x - (grid q a + grid q b) / 2) ->
+    holds (arrived p q param w1 N box seen_ c mu D N1 N2 N0) (n1 * fst (fly s w x) + n2 * snd (fly s w x) + n0).
 Proof.
-  intros check. unfold check_link in check. cbv zeta in check.
-  set (w := off_wall h) in *. set (w1 := on_wall h) in *. set (a := stretch_from l) in *. set (b := stretch_to l) in *.
-  set (box := launches p q param w N a b) in *. set (seen_ := look p OS box p) in *.
-  set (n := near_at l) in *. set (r := near_by l) in *. set (lo := (n - r)%Z) in *. set (hi := (n + r)%Z) in *.
+  intros check. unfold check_arrivals in check. cbv zeta in check.
+  set (n := near_mid c) in *. set (r := near_rad c) in *. set (lo := (n - r)%Z) in *. set (hi := (n + r)%Z) in *.
   split_checks.
-  assert (o1 : (- 2 ^ Zpos q <= a)%Z) by (apply Z.leb_le; assumption). assert (o2 : (a <= b)%Z) by (apply Z.leb_le; assumption).
-  assert (o3 : (b <= 2 ^ Zpos q)%Z) by (apply Z.leb_le; assumption). assert (o4 : (0 <= r)%Z) by (apply Z.leb_le; assumption).
-  assert (areaN : (0 < chart_area N)%Z) by (apply Z.ltb_lt; assumption). assert (areaM : (0 < chart_area M)%Z) by (apply Z.ltb_lt; assumption).
-  assert (o5 : (wide_at l - wide_by l <= lo)%Z) by (apply Z.leb_le; assumption). assert (o6 : (hi <= wide_at l + wide_by l)%Z) by (apply Z.leb_le; assumption).
-  assert (posM := chart_area_positive q M areaM). set (P := slice (frame_of q N) (grid q a) (grid q b)).
-  set (leg := Leg p p q w1 (wide_at l) (wide_by l) 0 0 (leave l) (arrive l) 0) in *.
+  assert (o4 : (0 <= r)%Z) by (apply Z.leb_le; assumption). assert (areaN : (0 < chart_area N)%Z) by (apply Z.ltb_lt; assumption).
+  assert (o5 : (wide_mid c - wide_rad c <= lo)%Z) by (apply Z.leb_le; assumption). assert (o6 : (hi <= wide_mid c + wide_rad c)%Z) by (apply Z.leb_le; assumption).
+  set (leg := Leg p p q w1 (wide_mid c) (wide_rad c) 0 0 (go c) (come c) 0) in *.
   set (mid := (grid q a + grid q b) / 2). set (thc := grid q (cu N) + grid q (lu N) * mid).
   set (uc := - e s * (grid q (cv N) + grid q (lv N) * mid)).
   assert (hos : Forall2 knows OS os) by (apply holds_known; assumption).
@@ -316,12 +328,12 @@ Proof.
   assert (seen_holds : forall x, P x -> seen thc os box seen_).
   { intros x hx. exact (look_seen _ _ _ _ _ _ _ p _ p box hos (inb x hx)). }
   (* All flights, and their arrivals in the wide bracket. *)
-  assert (all : forall x, P x -> flies s w w1 x /\ (grid q (wide_at l - wide_by l) <= fst (fly s w x) <= grid q (wide_at l + wide_by l)) /\
-    forall th, grid q (wide_at l - wide_by l) <= th <= grid q (wide_at l + wide_by l) -> 0 < side w1 * rate os (fst x) (launch_speed s x) th).
+  assert (all : forall x, P x -> flies s w w1 x /\ (grid q (wide_mid c - wide_rad c) <= fst (fly s w x) <= grid q (wide_mid c + wide_rad c)) /\
+    forall th, grid q (wide_mid c - wide_rad c) <= th <= grid q (wide_mid c + wide_rad c) -> 0 < side w1 * rate os (fst x) (launch_speed s x) th).
   { intros x hx. assert (inb' : in_box (d s / A s) (place (rebound s (impact_at s w x)) / A s) (phase s (since (rebound s (impact_at s w x))))
       (unit_speed s (speed (rebound s (impact_at s w x)))) thc uc box).
     { rewrite launch_speed_at, launch_place_at by assumption. cbn [since rebound]. rewrite phase_at by assumption. exact (inb x hx). }
-    destruct (flight_sound param s described A_positive W_positive box leg _ thc uc inb' k7) as (i & reached & on & inside & _ & _ & towards).
+    destruct (flight_sound param s described A_positive W_positive box leg _ thc uc inb' k3) as (i & reached & on & inside & _ & _ & towards).
     rewrite launch_speed_at in towards by assumption. cbn [since rebound] in towards. rewrite phase_at in towards by assumption.
     destruct (flies_to s A_positive W_positive gap_positive w w1 x i reached on) as [fl ->]. split; [exact fl|]. split; [exact inside|exact towards]. }
   assert (heights : forall x y, P x -> holds (image p q param box seen_ N w1 (whole p 0) (whole p 0) (whole p 0) (whole p (-1)) (turns q y) (pt y) (pt y) (whole p 0) (reach p q a b))
@@ -333,21 +345,21 @@ Proof.
       (0 * grid q y + 0 * rate os (fst x) (launch_speed s x) (grid q y) + 0 - -1 * (side w * (gamma / 2) - side w1 * (gamma / 2) + rise os (fst x) (launch_speed s x) (grid q y))) by ring.
     apply z; try apply holds_pt; try apply (holds_whole p); [|exact (holds_reach N a b x hx)].
     replace (grid q y - grid q y) with 0 by ring. apply (holds_whole p). }
-  assert (grid q (wide_at l - wide_by l) <= grid q lo) by (apply grid_le; exact o5).
-  assert (grid q hi <= grid q (wide_at l + wide_by l)) by (apply grid_le; exact o6).
+  assert (grid q (wide_mid c - wide_rad c) <= grid q lo) by (apply grid_le; exact o5).
+  assert (grid q hi <= grid q (wide_mid c + wide_rad c)) by (apply grid_le; exact o6).
   assert (grid q lo <= grid q hi) by (apply grid_le; unfold lo, hi; lia).
   assert (near : forall x, P x -> grid q lo <= fst (fly s w x) <= grid q hi).
   { intros x hx. destruct (all x hx) as (fl & inside & towards). assert (on := landing_height s A_positive W_positive w w1 x fl). unfold height in on. fold gamma os in on.
     assert (side2 : side w1 * side w1 = 1) by (destruct w1; cbn; ring).
-    assert (up : forall y z, grid q (wide_at l - wide_by l) <= y -> y < z -> z <= grid q (wide_at l + wide_by l) ->
+    assert (up : forall y z, grid q (wide_mid c - wide_rad c) <= y -> y < z -> z <= grid q (wide_mid c + wide_rad c) ->
       side w1 * rise os (fst x) (launch_speed s x) y < side w1 * rise os (fst x) (launch_speed s x) z).
     { intros y z hy yz hz. apply (increasing (fun th => side w1 * rise os (fst x) (launch_speed s x) th) (fun th => side w1 * rate os (fst x) (launch_speed s x) th) y z yz).
-      - intros c. apply (derivable_pt_lim_scal (rise os (fst x) (launch_speed s x))). apply rise_derivative.
-      - intros c hc. apply towards. lra. }
+      - intros t. apply (derivable_pt_lim_scal (rise os (fst x) (launch_speed s x))). apply rise_derivative.
+      - intros t ht. apply towards. lra. }
     assert (low : 0 < - (side w1 * (side w * (gamma / 2) - side w1 * (gamma / 2) + rise os (fst x) (launch_speed s x) (grid q lo)))).
-    { apply (is_positive_sound _ _ k8). apply holds_neg, holds_sided. exact (heights x lo hx). }
+    { apply (is_positive_sound _ _ k4). apply holds_neg, holds_sided. exact (heights x lo hx). }
     assert (high : 0 <= side w1 * (side w * (gamma / 2) - side w1 * (gamma / 2) + rise os (fst x) (launch_speed s x) (grid q hi))).
-    { apply (is_not_negative_sound _ _ k9). apply holds_sided. exact (heights x hi hx). }
+    { apply (is_not_negative_sound _ _ check). apply holds_sided. exact (heights x hi hx). }
     set (T1 := fst (fly s w x)) in *.
     assert (at_wall : side w1 * (side w * (gamma / 2) - side w1 * (gamma / 2)) + side w1 * rise os (fst x) (launch_speed s x) T1 = 0).
     { replace (rise os (fst x) (launch_speed s x) T1) with (side w1 * (gamma / 2) - side w * (gamma / 2)) by lra. ring. }
@@ -355,79 +367,116 @@ Proof.
     split; apply Rnot_lt_le; intros lt.
     - assert (u1 := up T1 (grid q lo) ltac:(lra) lt ltac:(lra)). lra.
     - assert (u1 := up (grid q hi) T1 ltac:(lra) lt ltac:(lra)). lra. }
-  assert (continuous : continuous_on P (hop s h)).
-  { apply (on_comp P (fun _ => True) (fly s w) (turned (turns_off h))); [|apply turned_continuous|auto].
-    apply (fly_continuous s A_positive W_positive P w w1 (grid q (wide_at l - wide_by l)) (grid q (wide_at l + wide_by l))).
+  split; [exact areaN|]. split; [intros x hx; apply (all x hx)|]. split.
+  { apply (fly_continuous s A_positive W_positive P w w1 (grid q (wide_mid c - wide_rad c)) (grid q (wide_mid c + wide_rad c))).
     - intros x hx. apply (all x hx).
     - intros x hx. apply (all x hx).
     - intros x th hx. apply (all x hx). }
-  (* The image, in both coordinates. *)
-  assert (landed : forall x n1 n2 n0 N1 N2 N0 mu D, P x -> holds N1 n1 -> holds N2 n2 -> holds N0 n0 -> holds D (along (frame_of q N) x - mid) ->
-    holds (image p q param box seen_ N w1 N1 N2 N0 (pt mu) (turns q n) (pt n) (stretch p (unit_step p q) lo hi) (stretch p (unit_step p q) (- r) r) D)
-      (n1 * fst (fly s w x) + n2 * snd (fly s w x) + n0)).
-  { intros x n1 n2 n0 N1 N2 N0 mu D hx h1 h2 h0 hD. assert (nr := near x hx). destruct (all x hx) as (fl & _).
-    assert (on := landing_height s A_positive W_positive w w1 x fl). unfold height in on. fold gamma os in on.
-    replace (n1 * fst (fly s w x) + n2 * snd (fly s w x) + n0) with (n1 * fst (fly s w x) + n2 * rate os (fst x) (launch_speed s x) (fst (fly s w x)) + n0
-      - grid q mu * (side w * (gamma / 2) - side w1 * (gamma / 2) + rise os (fst x) (launch_speed s x) (fst (fly s w x)))).
-    2:{ rewrite (landing_rate s A_positive W_positive w w1 x fl). fold os. replace (side w * (gamma / 2) - side w1 * (gamma / 2) + _) with 0 by lra. ring. }
-    assert (c0 : grid q 0 = 0) by (unfold grid; ring).
-    assert (r0 : 0 <= grid q r) by (rewrite <- c0; apply grid_le, o4).
-    assert (minus : grid q lo = grid q n - grid q r) by (unfold lo, Z.sub; rewrite grid_plus, grid_opp; reflexivity).
-    assert (plus : grid q hi = grid q n + grid q r) by (unfold hi; apply grid_plus).
-    apply (image_holds N areaN w a b x hx seen_ (seen_holds x hx) w1 n1 n2 n0 (grid q mu) N1 N2 N0 (pt mu) (turns q n) (grid q n)); try assumption.
-    - apply holds_pt.
-    - apply holds_pt.
-    - apply (holds_stretch p q _ (unit_step_holds p q)). lra.
-    - apply (holds_stretch p q _ (unit_step_holds p q)). exact nr.
-    - apply (holds_stretch p q _ (unit_step_holds p q)). rewrite grid_opp. lra. }
-  assert (hK := grid_half_turns (turns_off h)). set (K := mul p (whole p (turns_off h)) _) in hK.
-  assert (m1 := holds_pt p q (cu M)). assert (m2 := holds_pt p q (cv M)). assert (m3 := holds_pt p q (lu M)).
-  assert (m4 := holds_pt p q (lv M)). assert (m5 := holds_pt p q (wu M)). assert (m6 := holds_pt p q (wv M)).
-  assert (edge := holds_area M).
-  assert (crossed : forall x D, P x -> holds D (along (frame_of q N) x - mid) ->
-    holds (along_of p q h M (fun n1 n2 n0 => image p q param box seen_ N w1 n1 n2 n0 (pt (tilt_along l)) (turns q n) (pt n) (stretch p (unit_step p q) lo hi)
-      (stretch p (unit_step p q) (- r) r) D)) (area (frame_of q M) * along (frame_of q M) (hop s h x))).
-  { intros x D hx hD. rewrite <- area_times_along by exact posM. unfold along_of. fold K.
-    replace (along_area (frame_of q M) (hop s h x)) with (grid q (wv M) * fst (fly s w x) + - grid q (wu M) * snd (fly s w x)
-      + (grid q (wu M) * grid q (cv M) - grid q (wv M) * (grid q (cu M) + IZR (turns_off h) * (2 * PI))))
-      by (unfold along_area, hop, turned; cbn [fst snd frame_of centre long wide]; fold w; ring).
-    apply landed; try assumption; enclose. }
-  assert (flat : forall x, P x -> holds (across_of p q h M (fun n1 n2 n0 => image p q param box seen_ N w1 n1 n2 n0 (pt (tilt_across l)) (turns q n) (pt n)
-      (stretch p (unit_step p q) lo hi) (stretch p (unit_step p q) (- r) r) (reach p q a b))) (area (frame_of q M) * across (frame_of q M) (hop s h x))).
-  { intros x hx. rewrite <- area_times_across by exact posM. unfold across_of. fold K.
-    replace (across_area (frame_of q M) (hop s h x)) with (- grid q (lv M) * fst (fly s w x) + grid q (lu M) * snd (fly s w x)
-      + (grid q (lv M) * (grid q (cu M) + IZR (turns_off h) * (2 * PI)) - grid q (lu M) * grid q (cv M)))
-      by (unfold across_area, hop, turned; cbn [fst snd frame_of centre long wide]; fold w; ring).
-    apply landed; try assumption; try enclose. exact (holds_reach N a b x hx). }
-  set (sign := if turned_over l then -1 else 1).
-  assert (holds_over : forall X x, holds X x -> holds (turn_over (turned_over l) X) (sign * x)).
-  { intros X x hx. unfold turn_over, sign. destruct (turned_over l); cbv iota.
-    - replace (-1 * x) with (- x) by ring. apply holds_neg, hx.
-    - rewrite Rmult_1_l. exact hx. }
-  assert (whole_unit : grid q (2 ^ Zpos q) = 1).
-  { unfold grid. field. apply not_0_IZR. assert (0 < 2 ^ Zpos q)%Z by (apply Z.pow_pos_nonneg; lia). lia. }
+  intros x n1 n2 n0 N1 N2 N0 mu D hx h1 h2 h0 hD. assert (nr := near x hx). destruct (all x hx) as (fl & _).
+  assert (on := landing_height s A_positive W_positive w w1 x fl). unfold height in on. fold gamma os in on.
+  replace (n1 * fst (fly s w x) + n2 * snd (fly s w x) + n0) with (n1 * fst (fly s w x) + n2 * rate os (fst x) (launch_speed s x) (fst (fly s w x)) + n0
+    - grid q mu * (side w * (gamma / 2) - side w1 * (gamma / 2) + rise os (fst x) (launch_speed s x) (fst (fly s w x)))).
+  2:{ rewrite (landing_rate s A_positive W_positive w w1 x fl). fold os. replace (side w * (gamma / 2) - side w1 * (gamma / 2) + _) with 0 by lra. ring. }
+  assert (c0 : grid q 0 = 0) by (unfold grid; ring).
+  assert (r0 : 0 <= grid q r) by (rewrite <- c0; apply grid_le, o4).
+  assert (minus : grid q lo = grid q n - grid q r) by (unfold lo, Z.sub; rewrite grid_plus, grid_opp; reflexivity).
+  assert (plus : grid q hi = grid q n + grid q r) by (unfold hi; apply grid_plus).
+  unfold arrived. cbv zeta. fold n r lo hi.
+  apply (image_holds N areaN w a b x hx seen_ (seen_holds x hx) w1 n1 n2 n0 (grid q mu) N1 N2 N0 (pt mu) (turns q n) (grid q n)); try assumption.
+  - apply holds_pt.
+  - apply holds_pt.
+  - apply (holds_stretch p q _ (unit_step_holds p q)). lra.
+  - apply (holds_stretch p q _ (unit_step_holds p q)). exact nr.
+  - apply (holds_stretch p q _ (unit_step_holds p q)). rewrite grid_opp. lra.
+Qed.
+
+(* Coordinates of a state, or of its mirror image, from enclosures of linear functions of it. *)
+Section Coordinates.
+Variables (K : I.type) (k : R) (mirror : bool) (M : chart) (image : I.type -> I.type -> I.type -> I.type) (y : state).
+Hypothesis hK : holds K k.
+Hypothesis M_area : (0 < chart_area M)%Z.
+Hypothesis linear : forall n1 n2 n0 N1 N2 N0, holds N1 n1 -> holds N2 n2 -> holds N0 n0 -> holds (image N1 N2 N0) (n1 * fst y + n2 * snd y + n0).
+Lemma along_of_holds : holds (along_of p q K mirror M image) (area (frame_of q M) * along (frame_of q M) (shifted k mirror y)).
+Proof.
+  rewrite <- area_times_along by (apply chart_area_positive, M_area). unfold along_of. cbv zeta.
+  replace (along_area (frame_of q M) (shifted k mirror y)) with (grid q (wv M) * fst y + (if mirror then grid q (wu M) else - grid q (wu M)) * snd y
+    + (grid q (wu M) * grid q (cv M) - grid q (wv M) * (grid q (cu M) + k)))
+    by (unfold along_area, shifted; cbn [fst snd frame_of centre long wide]; destruct mirror; ring).
+  assert (m1 := holds_pt p q (cu M)). assert (m2 := holds_pt p q (cv M)). assert (m5 := holds_pt p q (wu M)). assert (m6 := holds_pt p q (wv M)).
+  apply linear; [enclose| |enclose]. destruct mirror; enclose.
+Qed.
+Lemma across_of_holds : holds (across_of p q K mirror M image) (area (frame_of q M) * across (frame_of q M) (shifted k mirror y)).
+Proof.
+  rewrite <- area_times_across by (apply chart_area_positive, M_area). unfold across_of. cbv zeta.
+  replace (across_area (frame_of q M) (shifted k mirror y)) with (- grid q (lv M) * fst y + (if mirror then - grid q (lu M) else grid q (lu M)) * snd y
+    + (grid q (lv M) * (grid q (cu M) + k) - grid q (lu M) * grid q (cv M)))
+    by (unfold across_area, shifted; cbn [fst snd frame_of centre long wide]; destruct mirror; ring).
+  assert (m1 := holds_pt p q (cu M)). assert (m2 := holds_pt p q (cv M)). assert (m3 := holds_pt p q (lu M)). assert (m4 := holds_pt p q (lv M)).
+  apply linear; [enclose| |enclose]. destruct mirror; enclose.
+Qed.
+End Coordinates.
+
+(* Whether a number, times an area, is in [-1, 1], or beyond an end. *)
+Lemma between_edges EDGE X M z : (0 < chart_area M)%Z -> holds EDGE (area (frame_of q M)) -> holds X (area (frame_of q M) * z) ->
+  is_not_negative (sub p EDGE X) = true -> is_not_negative (add p EDGE X) = true -> -1 <= z <= 1.
+Proof.
+  intros pos edge hX k1 k2. apply (chart_area_positive q) in pos. set (m := area (frame_of q M)) in *.
+  assert (0 <= m - m * z) by (apply (is_not_negative_sound _ _ k1); enclose). assert (0 <= m + m * z) by (apply (is_not_negative_sound _ _ k2); enclose).
+  split; apply (Rmult_le_reg_l m); lra.
+Qed.
+Lemma before_end EDGE X M z : (0 < chart_area M)%Z -> holds EDGE (area (frame_of q M)) -> holds X (area (frame_of q M) * z) ->
+  is_not_negative (I.neg (add p X EDGE)) = true -> z <= -1.
+Proof.
+  intros pos edge hX k1. apply (chart_area_positive q) in pos. set (m := area (frame_of q M)) in *.
+  assert (0 <= - (m * z + m)) by (apply (is_not_negative_sound _ _ k1); enclose). apply (Rmult_le_reg_l m); lra.
+Qed.
+Lemma after_end EDGE X M z : (0 < chart_area M)%Z -> holds EDGE (area (frame_of q M)) -> holds X (area (frame_of q M) * z) ->
+  is_not_negative (sub p X EDGE) = true -> 1 <= z.
+Proof.
+  intros pos edge hX k1. apply (chart_area_positive q) in pos. set (m := area (frame_of q M)) in *.
+  assert (0 <= m * z - m) by (apply (is_not_negative_sound _ _ k1); enclose). apply (Rmult_le_reg_l m); lra.
+Qed.
+Lemma whole_unit : grid q (2 ^ Zpos q) = 1.
+Proof. unfold grid. field. apply not_0_IZR. assert (0 < 2 ^ Zpos q)%Z by (apply Z.pow_pos_nonneg; lia). lia. Qed.
+
+(* A start in the stretch of a link, with its image in the second parallelogram. *)
+Definition held (h : hop_of) (N M : chart) (l : link) (x : state) : Prop :=
+  slice (frame_of q N) (grid q (stretch_from l)) (grid q (stretch_to l)) x /\ in_frame (frame_of q M) (hop s h x).
+
+Theorem link_sound h N M l : check_link p q param h N M l = true ->
+  (forall x, held h N M l x -> in_frame (frame_of q N) x /\ flies s (off_wall h) (on_wall h) x) /\ carries (frame_of q N) (frame_of q M) (held h N M l) (hop s h).
+Proof.
+  intros check. unfold check_link in check. cbv zeta in check.
+  set (w := off_wall h) in *. set (w1 := on_wall h) in *. set (a := stretch_from l) in *. set (b := stretch_to l) in *. set (c := passage_of l) in *.
+  split_checks.
+  assert (o1 : (- 2 ^ Zpos q <= a)%Z) by (apply Z.leb_le; assumption). assert (o2 : (a <= b)%Z) by (apply Z.leb_le; assumption).
+  assert (o3 : (b <= 2 ^ Zpos q)%Z) by (apply Z.leb_le; assumption). assert (areaM : (0 < chart_area M)%Z) by (apply Z.ltb_lt; assumption).
+  destruct (arrivals_sound w w1 N a b c k3) as (areaN & all & fly_on & landed).
+  set (P := slice (frame_of q N) (grid q a) (grid q b)) in *. set (sign := if turned_over l then -1 else 1).
+  assert (hK := grid_half_turns (turns_off h)). assert (edge := holds_area M).
+  assert (same : forall x, hop s h x = shifted (IZR (turns_off h) * (2 * PI)) false (fly s w x)) by reflexivity.
+  assert (crossed : forall x z, P x -> along (frame_of q N) x = z -> forall D, holds D (z - (grid q a + grid q b) / 2) ->
+    holds (turn_over (turned_over l) (along_of p q (mul p (whole p (turns_off h)) (mul p (whole p 2) (I.pi (F.PtoP p)))) false M
+      (arrived p q param w1 N (launches p q param w N a b) (look p OS (launches p q param w N a b) p) c (lean_along c) D)))
+      (area (frame_of q M) * (sign * along (frame_of q M) (hop s h x)))).
+  { intros x z hx <- D hD. rewrite same. replace (_ * (sign * _)) with (sign * (area (frame_of q M) * along (frame_of q M) (shifted (IZR (turns_off h) * (2 * PI)) false (fly s w x)))) by ring.
+    assert (hA := along_of_holds _ _ false M _ (fly s w x) hK areaM (fun n1 n2 n0 N1 N2 N0 h1 h2 h0 => landed x n1 n2 n0 N1 N2 N0 (lean_along c) D hx h1 h2 h0 hD)).
+    unfold turn_over, sign. destruct (turned_over l); [|rewrite Rmult_1_l; exact hA].
+    set (y := area _ * _) in hA |- *. replace (-1 * y) with (- y) by ring. apply holds_neg, hA. }
   assert (ga := grid_le q _ _ o1). assert (gb := grid_le q _ _ o3). rewrite grid_opp, whole_unit in ga. rewrite whole_unit in gb.
-  split; [intros x [hx _]; change (P x) in hx; split; [destruct hx as [[? ?] ?]; split; [split; lra|assumption]|apply (all x hx)]|].
+  split; [intros x [hx _]; change (P x) in hx; split; [destruct hx as [[? ?] ?]; split; [split; lra|assumption]|exact (all x hx)]|].
   apply (covering _ _ (grid q a) (grid q b) sign).
   - lra.
   - apply grid_le, o2.
   - exact gb.
   - unfold sign. destruct (turned_over l); auto.
-  - exact continuous.
-  - intros x hx. assert (f := flat x hx).
-    assert (0 <= area (frame_of q M) - area (frame_of q M) * across (frame_of q M) (hop s h x)) by (apply (is_not_negative_sound _ _ k10); enclose).
-    assert (0 <= area (frame_of q M) + area (frame_of q M) * across (frame_of q M) (hop s h x)) by (apply (is_not_negative_sound _ _ k11); enclose).
-    split; apply (Rmult_le_reg_l (area (frame_of q M))); lra.
-  - intros x hx at_end. assert (hD : holds (I.neg (half p q a b)) (along (frame_of q N) x - mid)).
-    { rewrite at_end. replace (grid q a - mid) with (- ((grid q b - grid q a) / 2)) by (unfold mid; field). apply holds_neg, holds_half. }
-    assert (f := holds_over _ _ (crossed x _ hx hD)).
-    assert (0 <= - (sign * (area (frame_of q M) * along (frame_of q M) (hop s h x)) + area (frame_of q M))) by (apply (is_not_negative_sound _ _ k12); enclose).
-    apply (Rmult_le_reg_l (area (frame_of q M))); lra.
-  - intros x hx at_end. assert (hD : holds (half p q a b) (along (frame_of q N) x - mid)).
-    { rewrite at_end. replace (grid q b - mid) with ((grid q b - grid q a) / 2) by (unfold mid; field). apply holds_half. }
-    assert (f := holds_over _ _ (crossed x _ hx hD)).
-    assert (0 <= sign * (area (frame_of q M) * along (frame_of q M) (hop s h x)) - area (frame_of q M)) by (apply (is_not_negative_sound _ _ check); enclose).
-    apply (Rmult_le_reg_l (area (frame_of q M))); lra.
+  - apply (on_comp P (fun _ => True) (fly s w) (turned (turns_off h))); [exact fly_on|apply turned_continuous|auto].
+  - intros x hx. rewrite same. refine (between_edges _ _ M _ areaM edge (across_of_holds _ _ false M _ (fly s w x) hK areaM _) k4 k5).
+    intros n1 n2 n0 N1 N2 N0 h1 h2 h0. exact (landed x n1 n2 n0 N1 N2 N0 _ _ hx h1 h2 h0 (holds_reach N a b x hx)).
+  - intros x hx at_end. refine (before_end _ _ M _ areaM edge (crossed x _ hx at_end _ _) k6).
+    replace (grid q a - (grid q a + grid q b) / 2) with (- ((grid q b - grid q a) / 2)) by field. apply holds_neg, holds_half.
+  - intros x hx at_end. refine (after_end _ _ M _ areaM edge (crossed x _ hx at_end _ _) check).
+    replace (grid q b - (grid q a + grid q b) / 2) with ((grid q b - grid q a) / 2) by field. apply holds_half.
 Qed.
 
 (* The starts that keep to a way. *)
