@@ -37,9 +37,11 @@ Definition separated (delta eps : R) (n : nat) (x y : state) : Prop := exists s 
     delta <= Rabs (along N (after words s j x) - along N (after words t j y)) /\
     (eps <= Rabs (fst (after words s j x) - fst (after words t j y)) \/ eps <= Rabs (snd (after words s j x) - snd (after words t j y))).
 
-Theorem many_states b : words_cover base words -> words_apart words -> growth -> live b = true -> exists c delta eps, 0 < c /\ 0 < delta /\ 0 < eps /\ forall n, exists L : list state,
-  c * q ^ n <= INR (length L) /\
-  (forall x, In x L -> in_frame (base b) x /\ exists s, fits words s /\ from_set (word_of words (s 0%nat)) = b /\ obeys base words s x) /\
-  (forall i i', (i < length L)%nat -> (i' < length L)%nat -> i <> i' -> separated delta eps n (nth i L (0, 0)) (nth i' L (0, 0))).
-Admitted.
 End Count.
+
+(* How far they are apart then depends on the words only, not on how they are weighed. *)
+Theorem many_states base words : words_cover base words -> words_apart words -> exists delta eps, 0 < delta /\ 0 < eps /\
+  forall weight live q v b, growth words weight live q v -> live b = true -> exists c, 0 < c /\ forall n, exists L : list state, c * q ^ n <= INR (length L) /\
+    (forall x, In x L -> in_frame (base b) x /\ exists s, fits words s /\ from_set (word_of words (s 0%nat)) = b /\ obeys base words s x) /\
+    (forall i i', (i < length L)%nat -> (i' < length L)%nat -> i <> i' -> separated base words weight delta eps n (nth i L (0, 0)) (nth i' L (0, 0))).
+Admitted.
