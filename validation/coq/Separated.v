@@ -83,8 +83,10 @@ Proof.
 Qed.
 
 (* Any two part, after a weight less than n. *)
-Definition parts (n : nat) (l l' : list nat) : Prop := exists p a r a' r', l = p ++ a :: r /\ l' = p ++ a' :: r' /\ a <> a' /\ (fold_right (fun i w => weight i + w) 0 p < n)%nat.
-Lemma pairs_app {A : Type} (P : A -> A -> Prop) l l' : ForallOrdPairs P l -> ForallOrdPairs P l' -> (forall x y, In x l -> In y l' -> P x y) -> ForallOrdPairs P (l ++ l').
+Definition parts (n : nat) (l l' : list nat) : Prop := exists p a r a' r',
+  l = p ++ a :: r /\ l' = p ++ a' :: r' /\ a <> a' /\ (fold_right (fun i w => weight i + w) 0 p < n)%nat.
+Lemma pairs_app {A : Type} (P : A -> A -> Prop) l l' : ForallOrdPairs P l -> ForallOrdPairs P l' ->
+  (forall x y, In x l -> In y l' -> P x y) -> ForallOrdPairs P (l ++ l').
 Proof.
   intros h h' cross. induction h as [|x l one h IH]; [exact h'|]. cbn. constructor.
   - apply Forall_app. split; [exact one|]. apply Forall_forall. intros y hy. apply cross; [left; reflexivity|exact hy].
