@@ -4,7 +4,7 @@ From Coq Require Import ZArith Lia.
 From Flocq Require Import Core.Zaux Core.Digits.
 From Interval Require Import Float.Basic Float.Generic Float.Generic_proof Float.Specific_sig Float.Specific_stdz Float.Specific_ops.
 From Coq Require Import Bool.
-From ImpactPair Require Data Document Pieces Shadow Orbit Cycle Cycles Drawn Region Columns March Trap.
+From ImpactPair Require Data Document Pieces Shadow Orbit Cycle Cycles Drawn Region Columns March Trap Chaos Reduced Strips Words.
 Open Scope Z_scope.
 
 Module Import Std := StdZRadix2.
@@ -132,6 +132,7 @@ Module Shifting := Pieces.PieceVerifier ShiftFloats.
 Module Shadowing := Shadow.Shadows ShiftFloats.
 Module Drawing := Drawn.Drawings ShiftFloats.
 Module Trapping := Trap.Traps ShiftFloats.
+Module Striding := Words.Documents ShiftFloats.
 
 (* A document of a motion that a stable periodic orbit attracts. *)
 Definition verify_attracted (x : Orbit.document) (found : Pieces.pieces) (from : Z) (c : Cycle.cycle) (h : Cycles.surroundings) (a : Drawn.approach_to) : bool :=

@@ -1,0 +1,245 @@
+(* Hints for the checker of words (Strips.v): parallelograms inside the listed h-sets; the stretches of each from which a word leads across another one; and cells of the stretches, with
+   parallelograms that contain their images. Flights are followed in doubles, from the left wall (Reduced.v). Nothing here is proved, nor need be. *)
+
+open Checker
+module Z = Integers.Z
+type float = Stdlib.Float.t
+
+(* Bits of the checker, and of its grid. *)
+let strip_bits = 80
+let grid = 48
+let turn = 2.0 *. Float.pi
+
+(* d/A and e of a pair: the middle of the data, and the corners where these are intervals. *)
+type pair = { gap : float; e : float }
+let pairs_of data =
+  let bits = Flights.fine in
+  let of_ends { least; most } = List.sort_uniq compare [ Fixed.value bits least; Fixed.value bits most ] in
+  let float = Fixed.to_float bits in
+  let s = Flights.setting bits data in
+  let gaps = List.concat_map (fun d -> List.map (fun a -> float (Fixed.div bits d a)) (of_ends data.leading.amplitude)) (of_ends data.gap) in
+  let corners = List.concat_map (fun gap -> List.map (fun e -> { gap; e = float e }) (of_ends data.restitution)) gaps in
+  ({ gap = float s.gamma; e = float s.e }, if List.length corners = 1 then [] else corners)
+
+(* States: phase, and velocity before an impact on the left wall over A W. Parallelograms: centre and half vectors, in doubles. *)
+type state = Chains.vector
+type shape = { at : state; long : state; wide : state }
+let plus (a, b) (c, d) = (a +. c, b +. d)
+let minus (a, b) (c, d) = (a -. c, b -. d)
+let put shape along across = plus shape.at (plus (Chains.times along shape.long) (Chains.times across shape.wide))
+let coordinates_in shape x = Chains.coordinates shape.long shape.wide (minus x shape.at)
+
+(* The first contact of a flight from the left wall: how long it takes, and whether it is with the far wall. *)
+let first_step = 0.02
+let most_steps = 20_000
+let first_contact { gap; e } (th, v) =
+  let u = -.e *. v in
+  let height h = sin th -. sin (th +. h) +. (u +. cos th) *. h in
+  let rec look h steps =
+    let next = h +. first_step in
+    let y = height next in
+    if steps = 0 then None
+    else if y < 0.0 then Some (Flights.bisected height (Float.max h 1e-9) next, false)
+    else if y > gap then Some (Flights.bisected (fun h -> height h -. gap) h next, true)
+    else look next (steps - 1) in
+  if u > 0.0 then look 0.0 most_steps else None
+
+(* A flight to a wall: where it arrives, before half a turn is added; and the state, mirrored where the wall is the far one. *)
+let arrival pair ((th, v) as x) far =
+  match first_contact pair x with
+  | Some (h, to_far) when to_far = far -> Some (th +. h, -.pair.e *. v +. cos th -. cos (th +. h))
+  | _ -> None
+let seen_from_left far (th, v) = if far then (th +. Float.pi, -.v) else (th, v)
+let leap pair x far = Option.map (seen_from_left far) (arrival pair x far)
+let rec walk pair x = function
+  | [] -> Some x
+  | far :: flights -> Option.bind (leap pair x far) (fun x -> walk pair x flights)
+
+(* The derivative of a flight to a wall, (A.7), of the state as it is seen. *)
+let derivative { e; _ } far (th, v) (th1, rate) =
+  let bend0 = sin th and bend1 = sin th1 in
+  let f = { Flights.from = None; wall = Left; before = v; u = -.e *. v; e; h = th1 -. th; bend0; bend1; rate; depart = 0.0; approach = 0.0; nearness = 0; reach = 0.0 } in
+  let (a, b), (c, d) = Chains.derivative f in
+  if far then ((a, -.b), (c, -.d)) else ((a, b), (c, d))
+
+(* To the grid. *)
+let on_grid x = Z.of_float (Float.round (Float.ldexp x grid))
+let chart { at = (cu, cv); long = (lu, lv); wide = (wu, wv) } =
+  { cu = on_grid cu; cv = on_grid cv; lu = on_grid lu; lv = on_grid lv; wu = on_grid wu; wv = on_grid wv }
+
+(* A parallelogram inside a listed h-set; velocities are the opposite of speeds, and so is the direction across. *)
+let inside_by = 1.0 -. 1e-9
+let shape_of { left_bottom; left_top; right_bottom; right_top; _ } =
+  let number q = Fixed.to_float 128 (Fixed.of_q 128 q) in
+  let state (u, w) = (turn *. number u, -.number w) in
+  let lb, lt, rb, rt = (state left_bottom, state left_top, state right_bottom, state right_top) in
+  let quarter = Chains.times 0.25 and shrunk = Chains.times (0.25 *. inside_by) in
+  { at = quarter (plus (plus lb lt) (plus rb rt)); long = shrunk (minus (plus rb rt) (plus lb lt)); wide = shrunk (minus (plus lb rb) (plus lt rt)) }
+
+(* Whole turns that are taken off after each flight of a word from one parallelogram into another: all of them after the last one. *)
+let strides_of { word_flights; half_cycles; _ } =
+  let far_flights = List.length (List.filter Fun.id word_flights) in
+  let all = Z.shift_right (Z.add half_cycles (Z.of_int far_flights)) 1 in
+  let rec with_turns = function
+    | [] -> []
+    | [ far ] -> [ { far; turns_taken = all } ]
+    | far :: rest -> { far; turns_taken = Z.zero } :: with_turns rest in
+  with_turns word_flights
+
+(* The passage of all states of a shape, or of a slice of it, whose corners are given. *)
+let spare = 1e-11
+let offsets = [ (-1.0, -1.0); (-1.0, 0.0); (-1.0, 1.0); (0.0, -1.0); (0.0, 1.0); (1.0, -1.0); (1.0, 0.0); (1.0, 1.0) ]
+exception Lost
+
+(* How a shape flies to a wall. *)
+let passing (pair, others) far shape (next : chart) =
+  let found = function Some x -> x | None -> raise Lost in
+  let (th, v) as x = shape.at in
+  let (th1, rate) as there = found (arrival pair x far) in
+  let corners = List.map (fun (a, b) -> put shape a b) offsets in
+  let near = List.fold_left (fun most pair -> List.fold_left (fun most x ->
+    Float.max most (abs_float (fst (found (arrival pair x far)) -. th1))) most (x :: corners)) 0.0 (pair :: others) in
+  let (by_phase, _), (by_velocity, _) = derivative pair false x there in
+  let radius f = abs_float (f shape.long) +. abs_float (f shape.wide) in
+  let wide = Float.max near (abs_float by_phase *. radius fst +. abs_float by_velocity *. radius snd) in
+  let depart, approach, _ = Flights.cuts ~waves:[ (1.0, 1.0, th) ] ~u:(-.pair.e *. v) ~y0:(-.pair.gap /. 2.0) ~half_gap:(pair.gap /. 2.0) ~h:(th1 -. th) in
+  let number = Fixed.to_float 0 in
+  let lean n1 n2 = Z.of_float ((number n1 +. number n2 *. sin th1) /. rate) in
+  let mirrored n = if far then Z.neg n else n in
+  { wide_mid = on_grid th1; wide_rad = on_grid (1.5 *. wide +. spare); near_mid = on_grid th1; near_rad = on_grid (1.1 *. near +. spare);
+    go = on_grid (th +. depart); come = on_grid (th +. approach);
+    lean_along = lean next.wv (mirrored (Z.neg next.wu)); lean_across = lean (Z.neg next.lv) (mirrored next.lu) }
+
+(* Directions that contract, backward from the one across the last parallelogram. *)
+let contracting derivatives last =
+  List.fold_right (fun d found -> match found with
+    | next :: _ -> let x = Chains.preimage d next in Chains.times (1.0 /. Chains.size x) x :: found
+    | [] -> found) derivatives [ last ]
+
+(* A parallelogram around the image of a shape, along the image of its long vector and a direction that contracts: how far the image is along and across it. *)
+let around (pair, others) far shape (at : state) derivative direction =
+  let found = function Some x -> x | None -> raise Lost in
+  let unit x = Chains.times (1.0 /. Chains.size x) x in
+  let long = unit (Chains.image derivative shape.long) in
+  let frame = { at; long; wide = (if Chains.cross long direction > 0.0 then unit direction else Chains.times (-1.0) (unit direction)) } in
+  let farther (along, across) pair (a, b) =
+    let x, y = coordinates_in frame (found (leap pair (put shape a b) far)) in
+    (Float.max along (abs_float x), Float.max across (abs_float y)) in
+  (frame, List.fold_left (fun most pair -> List.fold_left (fun most offset -> farther most pair offset) most offsets) (0.0, 0.0) (pair :: others))
+
+(* A cell: the stretch of a shape from `from` to `until`, along, and where its flights go. The parallelograms that contain its images are the tightest ones that are checked, of a few. *)
+let units x = Z.of_float (Float.round (Float.ldexp x grid))
+let wider = [ 1.03; 1.1; 1.25; 1.6; 2.5 ]
+let cell_of data ((pair, _) as pairs) shape into word from until =
+  let p = Z.of_int strip_bits and q = Z.of_int grid in
+  let slice = { shape with at = put shape ((from +. until) /. 2.0) 0.0; long = Chains.times ((until -. from) /. 2.0) shape.long } in
+  let rec orbit x = function
+    | [] -> []
+    | far :: rest ->
+      match arrival pair x far with
+      | None -> raise Lost
+      | Some there -> let seen = seen_from_left far there in (seen, derivative pair far x there) :: orbit seen rest in
+  let states = orbit slice.at word.word_flights in
+  let rec ways (n, a, b) shape strides states directions = match strides, states, directions with
+    | [ { far; _ } ], _, _ -> ([], passing pairs far shape (chart into))
+    | ({ far; _ } as stride) :: strides, (image, derivative) :: states, direction :: directions ->
+      let frame, (along, across) = around pairs far shape image derivative direction in
+      let by size = Chains.times (size +. spare) in
+      let attempt factor =
+        let next = { frame with long = by (factor *. along) frame.long; wide = by (factor *. across) frame.wide } in
+        let hint = chart next in
+        let passage = passing pairs far shape hint in
+        if Striding.Each.check_tread p q data stride n hint a b passage Contained then Some (next, hint, passage) else None in
+      (match List.find_map attempt wider with
+       | None -> raise Lost
+       | Some (next, hint, passage) ->
+         let through, finally = ways (hint, units (-1.0), units 1.0) next strides states directions in
+         ((passage, hint) :: through, finally))
+    | _ -> raise Lost in
+  let through, finally = ways (chart shape, units from, units until) slice (strides_of word) states (List.tl (contracting (List.map snd states) into.wide)) in
+  { until = units until; through; finally }
+
+(* Cells one after another, each of which is checked; halved where they are not. *)
+let smallest = 1e-7
+let cells data pairs shape into word =
+  let strides = strides_of word and p = Z.of_int strip_bits and q = Z.of_int grid in
+  let n = chart shape and m = chart into in
+  let rec all (first, last) from until =
+    if until -. from < smallest then raise Lost;
+    let is_checked cell =
+      let where = match first, last with Some extent, _ | None, Some extent -> extent | None, None -> Anywhere in
+      Striding.Each.check_cell p q data strides n m (units from) cell where in
+    match cell_of data pairs shape into word from until with
+    | cell when is_checked cell -> [ cell ]
+    | _ | exception Lost -> let middle = (from +. until) /. 2.0 in all (first, None) from middle @ all (None, last) middle until in
+  all
+
+(* Where along a parallelogram a word leads across another one: from one bound to another, and whether it is turned over. *)
+let samples = 1 lsl 13
+let at k = 2.0 *. float_of_int k /. float_of_int samples -. 1.0
+(* The ends are this far beyond those of the other one, more than what the states across differ. *)
+let more = 0.004
+let end_cell = 0.02
+
+type stretch = { ends : float * float; middle : float * float; is_backwards : bool }
+let stretches (pair, _) shape into word =
+  let taken = List.fold_left (fun sum { turns_taken; _ } -> sum +. turn *. Z.to_float turns_taken) 0.0 (strides_of word) in
+  let image along across = Option.map (fun (th, v) -> coordinates_in into (th -. taken, v)) (walk pair (put shape along across) word.word_flights) in
+  let images = Array.init (samples + 1) (fun k -> image (at k) 0.0) in
+  let along x across = match image x across with Some (x, _) -> x | None -> raise Lost in
+  (* From sample k on, in steps of one or of minus one, the first place at which the image is beyond the end `bound`. *)
+  let place step k bound =
+    let sign = if bound > 0.0 then 1.0 else -1.0 in
+    let rec look k = match if k < 0 || k > samples then None else images.(k) with
+      | None -> raise Lost
+      | Some (x, _) when sign *. (x -. bound) >= 0.0 -> Flights.bisected (fun x -> along x 0.0 -. bound) (at k) (at (k - step))
+      | Some _ -> look (k + step) in
+    look k in
+  let end_at step k sign =
+    let centre = along (at k) 0.0 in
+    let differ = Float.max (abs_float (along (at k) 1.0 -. centre)) (abs_float (along (at k) (-1.0) -. centre)) in
+    let bound = 1.0 +. more +. 1.5 *. differ in
+    (place step k (sign *. bound), place step k (sign *. (bound +. end_cell))) in
+  let stretch i j sign = match end_at (-1) i sign, end_at 1 j (-.sign) with
+    | (from, start), (until, finish) -> [ { ends = (start, finish); middle = (from, until); is_backwards = sign > 0.0 } ]
+    | exception Lost -> [] in
+  let rec look k since found =
+    if k > samples then List.rev found
+    else match images.(k) with
+      | Some (x, y) when abs_float y <= 1.0 ->
+        if abs_float x < 1.0 then look (k + 1) since found
+        else
+          let sign = Float.copy_sign 1.0 x in
+          let crossed = match since with Some (i, before) when before <> sign -> stretch i k before | _ -> [] in
+          look (k + 1) (Some (k, sign)) (crossed @ found)
+      | _ -> look (k + 1) None found in
+  look 0 None []
+
+let pieces = 8
+let strip_of data pairs shape into word { ends = (start, finish); middle = (from, until); is_backwards } =
+  let before, after = if is_backwards then (Past, Short) else (Short, Past) in
+  let all = cells data pairs shape into word in
+  let place k = from +. (until -. from) *. float_of_int k /. float_of_int pieces in
+  let inner = List.concat_map (fun k -> all (None, None) (place k) (place (k + 1))) (List.init pieces Fun.id) in
+  { begins_at = units start; backwards = is_backwards; cells = all (Some before, None) start from @ inner @ all (None, Some after) until finish }
+
+(* A strip for each word, apart from those of other words from the same h-set: shorter words first. *)
+let found_strips data shapes words =
+  let pairs = pairs_of data in
+  let numbered = List.mapi (fun i word -> (i, word)) words in
+  let shorter (i, v) (j, w) = compare (List.length v.word_flights, i) (List.length w.word_flights, j) in
+  let apart taken { ends = (a, b); _ } = List.for_all (fun (c, d) -> b < c || d < a) taken in
+  let strip taken (i, word) =
+    let from = Words.number word.word_from in
+    let shape = shapes.(from) and into = shapes.(Words.number word.word_into) in
+    let rec first = function
+      | [] -> Error i
+      | stretch :: rest when apart taken.(from) stretch ->
+        (match strip_of data pairs shape into word stretch with
+         | exception Lost -> first rest
+         | strip -> taken.(from) <- stretch.ends :: taken.(from); Ok (i, strip))
+      | _ :: rest -> first rest in
+    first (stretches pairs shape into word) in
+  let taken = Array.make (Array.length shapes) [] in
+  List.fold_left (fun found word -> Result.bind found (fun found -> Result.map (fun strip -> strip :: found) (strip taken word))) (Ok []) (List.sort shorter numbered)
+  |> Result.map (fun found -> List.map snd (List.sort compare found))
