@@ -89,4 +89,118 @@ Definition check_strip (word : list stride) (N M : chart) (t : strip) : bool :=
       check_cells word N M (until c) cells (if backwards t then Short else Past)
   end.
 End Program.
+
+Section Proof.
+Variables p q : positive.
+Variable param : data.
+Variable s : scene.
+Hypothesis described : describes param s.
+Hypothesis A_positive : 0 < A s.
+Hypothesis W_positive : 0 < W s.
+Hypothesis gap_positive : 0 < d s.
+Notation part N a b := (slice (frame_of q N) (grid q a) (grid q b)).
+
+Definition is_at (where_to : extent) (z : R) : Prop :=
+  match where_to with Anywhere => True | Short => z <= -1 | Past => 1 <= z | Contained => -1 <= z <= 1 end.
+(* The map of a word on a stretch of a chart, seen in a second one. *)
+Definition sent (word : list stride) (N M : chart) (a b : Z) (where_to : extent) : Prop :=
+  (forall x, part N a b x -> walks s word x) /\ continuous_on (part N a b) (walk s word) /\
+  forall x, part N a b x -> -1 <= across (frame_of q M) (walk s word x) <= 1 /\ is_at where_to (along (frame_of q M) (walk s word x)).
+
+Lemma tread_sound f N M a b c where_to : check_tread p q param f N M a b c where_to = true -> sent [f] N M a b where_to.
+Proof.
+  intros check. unfold check_tread in check. cbv zeta in check. split_checks.
+  assert (areaM : (0 < chart_area M)%Z) by (apply Z.ltb_lt; assumption).
+  destruct (arrivals_sound p q param s described A_positive W_positive gap_positive left (reaching f) N a b c k0) as (areaN & all & cont & landed).
+  set (K := mul p (whole p (half_turns f)) (I.pi (F.PtoP p))) in *.
+  assert (hK : holds K (IZR (half_turns f) * PI)) by (apply holds_mul; [apply holds_whole|apply I.pi_correct]).
+  assert (edge := holds_area p q M). unfold sent. cbn [walks walk].
+  split; [intros x hx; split; [exact (all x hx)|exact I]|]. split.
+  { apply (continuous_on_ext (part N a b) (fun x : state => shifted (IZR (half_turns f) * PI) (far f) (fly s left x))); [intros x _; symmetry; apply tread_shifted|].
+    apply (on_comp (part N a b) (fun _ => True) (fly s left) (shifted (IZR (half_turns f) * PI) (far f))); [exact cont|apply shifted_continuous|auto]. }
+  intros x hx. rewrite tread_shifted.
+  assert (linear := fun mu n1 n2 n0 N1 N2 N0 h1 h2 h0 => landed x n1 n2 n0 N1 N2 N0 mu _ hx h1 h2 h0 (holds_reach p q N a b x hx)).
+  assert (far_across := across_of_holds p q _ _ (far f) M _ _ hK areaM (linear (lean_across c))).
+  assert (far_along := along_of_holds p q _ _ (far f) M _ _ hK areaM (linear (lean_along c))).
+  split; [exact (between_edges p q _ _ M _ areaM edge far_across k1 k2)|].
+  destruct where_to; cbn [is_at]; [|exact (before_end p q _ _ M _ areaM edge far_along check)|exact (after_end p q _ _ M _ areaM edge far_along check)|exact I].
+  split_checks. exact (between_edges p q _ _ M _ areaM edge far_along k3 check).
+Qed.
+
+Lemma walk_sound word : forall N M a b through finally where_to, check_walk p q param word N M a b through finally where_to = true -> sent word N M a b where_to.
+Proof.
+  induction word as [|f word IH]; intros N M a b through finally where_to check; [discriminate|].
+  destruct through as [|[c C] through]; cbn [check_walk] in check.
+  - destruct word; [exact (tread_sound _ _ _ _ _ _ _ check)|discriminate].
+  - assert (both : (check_tread p q param f N C a b c Contained &? check_walk p q param word C M (- 2 ^ Zpos q) (2 ^ Zpos q) through finally where_to) = true) by (destruct word; exact check).
+    clear check. split_checks. destruct (tread_sound _ _ _ _ _ _ _ k) as (flies1 & cont1 & in1). destruct (IH _ _ _ _ _ _ _ both) as (flies2 & cont2 & in2).
+    cbn [walk walks is_at] in *.
+    assert (into : forall x, part N a b x -> part C (- 2 ^ Zpos q) (2 ^ Zpos q) (tread s f x)).
+    { intros x hx. destruct (in1 x hx). unfold slice. rewrite grid_opp, whole_unit. auto. }
+    split; [intros x hx; split; [apply (flies1 x hx)|exact (flies2 _ (into x hx))]|]. split; [|intros x hx; exact (in2 _ (into x hx))].
+    exact (on_comp _ _ (tread s f) (walk s word) cont1 cont2 into).
+Qed.
+
+(* Two stretches, one after the other. *)
+Lemma part_joined N a b c x : (a <= b)%Z -> (b <= c)%Z -> part N a c x <-> part N a b x \/ part N b c x.
+Proof.
+  intros h1 h2. apply (grid_le q) in h1, h2. unfold slice. split; [|intros [h|h]; (split; [lra|apply h])].
+  intros [h k]. destruct (Rle_lt_dec (along (frame_of q N) x) (grid q b)); [left|right]; (split; [lra|exact k]).
+Qed.
+Lemma sent_joined word N M a b c here there : (a <= b)%Z -> (b <= c)%Z -> sent word N M a b here -> sent word N M b c there -> sent word N M a c Anywhere.
+Proof.
+  intros h1 h2 (flies1 & cont1 & in1) (flies2 & cont2 & in2).
+  assert (either := fun x => part_joined N a b c x h1 h2). split; [|split].
+  - intros x hx. apply either in hx as [hx|hx]; auto.
+  - apply (on_part (fun x => part N a b x \/ part N b c x)); [intros x; apply either|]. apply on_either; try assumption; apply closed_slice.
+  - intros x hx. split; [|exact I]. apply either in hx as [hx|hx]; [apply (in1 x hx)|apply (in2 x hx)].
+Qed.
+
+(* The cells, one after another, up to the last one. *)
+Definition last_end (a : Z) (cells : list cell) : Z := last (map until cells) a.
+Lemma last_end_next a c cells : last_end a (c :: cells) = last_end (until c) cells.
+Proof.
+  unfold last_end. cbn [map]. destruct (map until cells) as [|b more] eqn:eq; [reflexivity|]. clear eq.
+  change (last (b :: more) a = last (b :: more) (until c)). revert b. induction more as [|m more IH]; intros b; [reflexivity|exact (IH m)].
+Qed.
+Lemma cells_sound word N M at_end cells : forall a, check_cells p q param word N M a cells at_end = true ->
+  (a < last_end a cells)%Z /\ sent word N M a (last_end a cells) Anywhere /\
+  forall x, part N a (last_end a cells) x -> along (frame_of q N) x = grid q (last_end a cells) -> is_at at_end (along (frame_of q M) (walk s word x)).
+Proof.
+  induction cells as [|c cells IH]; intros a check; [discriminate|]. rewrite last_end_next. cbn [check_cells] in check. destruct cells as [|c' cells].
+  - unfold check_cell in check. split_checks. apply Z.ltb_lt in k. apply walk_sound in check. change (last_end (until c) []) with (until c).
+    split; [exact k|]. split; [|intros x hx _; apply (proj2 (proj2 check) x hx)]. destruct check as (h1 & h2 & h3).
+    split; [exact h1|]. split; [exact h2|]. intros x hx. split; [apply (h3 x hx)|exact I].
+  - split_checks. destruct (IH (until c) check) as (order & rest & ends). clear IH check. unfold check_cell in k. split_checks. apply Z.ltb_lt in k0. apply walk_sound in k.
+    set (b := last_end (until c) (c' :: cells)) in *. split; [lia|].
+    split; [apply (sent_joined word N M a (until c) b Anywhere Anywhere); try assumption; lia|].
+    intros x [r across] at_b. apply ends; [|exact at_b]. split; [|exact across]. rewrite at_b. assert (g := grid_le q (until c) b ltac:(lia)). lra.
+Qed.
+
+Theorem strip_sound word N M t : check_strip p q param word N M t = true ->
+  covers (frame_of q N) (frame_of q M) (grid q (begins_at t)) (grid q (ends_at t)) (if backwards t then -1 else 1) (walk s word) /\
+  forall x, slice (frame_of q N) (grid q (begins_at t)) (grid q (ends_at t)) x -> walks s word x.
+Proof.
+  intros check. unfold check_strip in check. unfold ends_at in *. set (a := begins_at t) in *.
+  destruct (cells t) as [|c cells]; split_checks; [discriminate|]. fold (last_end a (c :: cells)) in *. rewrite last_end_next in *.
+  apply Z.leb_le in k, k0. unfold check_cell in k1. split_checks. apply Z.ltb_lt in k2. apply walk_sound in k1.
+  destruct (cells_sound _ _ _ _ _ _ check) as (order & rest & ends). set (b := last_end (until c) cells) in *.
+  assert (all := sent_joined word N M a (until c) b _ _ ltac:(lia) ltac:(lia) k1 rest). destruct all as (flying & cont & flat).
+  split; [|exact flying]. assert (ga := grid_le q _ _ k). assert (gb := grid_le q _ _ k0). rewrite grid_opp, whole_unit in ga. rewrite whole_unit in gb.
+  assert (ab : grid q a < grid q b).
+  { unfold grid. apply Rmult_lt_compat_l; [apply grid_step|]. apply IZR_lt. lia. }
+  assert (gc := grid_le q a (until c) ltac:(lia)). assert (gc' := grid_le q (until c) b ltac:(lia)).
+  split; try assumption; try lra.
+  - destruct (backwards t); auto.
+  - intros x hx. apply (flat x hx).
+  - intros x [_ edges] at_a. assert (first : is_at (if backwards t then Past else Short) (along (frame_of q M) (walk s word x))).
+    { apply (proj2 (proj2 k1) x). split; [lra|exact edges]. }
+    destruct (backwards t); cbn [is_at] in first; lra.
+  - intros x [_ edges] at_b. assert (final : is_at (if backwards t then Short else Past) (along (frame_of q M) (walk s word x))).
+    { apply ends; [split; [lra|exact edges]|exact at_b]. }
+    destruct (backwards t); cbn [is_at] in final; lra.
+Qed.
+End Proof.
 End Strips.
+
+Module PlainStrips := Strips PlainFloats.
