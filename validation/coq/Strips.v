@@ -200,7 +200,9 @@ Proof.
     { apply ends; [split; [lra|exact edges]|exact at_b]. }
     destruct (backwards t); cbn [is_at] in final; lra.
 Qed.
+Lemma no_flights N M t : check_strip p q param [] N M t <> true.
+Proof.
+  unfold check_strip. intros h. destruct (cells t) as [|c cells]; split_checks; [discriminate|]. unfold check_cell in k1. split_checks. discriminate k1.
+Qed.
 End Proof.
 End Strips.
-
-Module PlainStrips := Strips PlainFloats.
