@@ -14,7 +14,7 @@ Record stride := Stride { far : bool; turns_taken : Z }.
 (* The wall on which a flight from the left wall ends. *)
 Definition reaching (f : stride) : wall := if far f then right else left.
 (* The half turns that are taken off the phase on that wall. *)
-Definition half_turns (f : stride) : Z := if far f then 2 * turns_taken f - 1 else 2 * turns_taken f.
+Definition half_turns_off (f : stride) : Z := if far f then 2 * turns_taken f - 1 else 2 * turns_taken f.
 
 Section Scene.
 Variable s : scene.
@@ -26,9 +26,9 @@ Definition treads (f : stride) (x : state) : Prop := flies s left (reaching f) x
 Fixpoint walk (word : list stride) (x : state) : state := match word with [] => x | f :: word => walk word (tread f x) end.
 Fixpoint walks (word : list stride) (x : state) : Prop := match word with [] => True | f :: word => treads f x /\ walks word (tread f x) end.
 
-Lemma tread_shifted f x : tread f x = shifted (IZR (half_turns f) * PI) (far f) (fly s left x).
+Lemma tread_shifted f x : tread f x = shifted (IZR (half_turns_off f) * PI) (far f) (fly s left x).
 Proof.
-  unfold tread, leap, turned, shifted, half_turns. destruct (far f); cbn [fst snd]; f_equal; rewrite ?minus_IZR, mult_IZR; ring.
+  unfold tread, leap, turned, shifted, half_turns_off. destruct (far f); cbn [fst snd]; f_equal; rewrite ?minus_IZR, mult_IZR; ring.
 Qed.
 
 (* The impact that a state stands for on a wall; on the left wall T whole turns are put back, on the right one half a turn less. *)
