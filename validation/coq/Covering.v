@@ -48,12 +48,12 @@ Qed.
 (* How all flights from a stretch of a parallelogram arrive: brackets of the phases of arrival, middle and radius, a wide one that shows
    the first contact and a narrow one for the image; where flights are cut, the end of the departure and the begin of the arrival; two
    tilts, as in Certificate.v, for the image along and across a parallelogram. All on the grid. *)
-Record passage := Passage { wide_mid : Z; wide_rad : Z; near_mid : Z; near_rad : Z; go : Z; come : Z; lean_along : Z; lean_across : Z }.
+Record transit := Transit { wide_mid : Z; wide_rad : Z; near_mid : Z; near_rad : Z; go : Z; come : Z; lean_along : Z; lean_across : Z }.
 
-(* One covering relation: a stretch of the first parallelogram; its passage; whether it is turned over. *)
+(* One covering relation: a stretch of the first parallelogram; its transit; whether it is turned over. *)
 Record link := Link { stretch_from : Z; stretch_to : Z; wide_at : Z; wide_by : Z; near_at : Z; near_by : Z;
   leave : Z; arrive : Z; tilt_along : Z; tilt_across : Z; turned_over : bool }.
-Definition passage_of (l : link) : passage := Passage (wide_at l) (wide_by l) (near_at l) (near_by l) (leave l) (arrive l) (tilt_along l) (tilt_across l).
+Definition transit_of (l : link) : transit := Transit (wide_at l) (wide_by l) (near_at l) (near_by l) (leave l) (arrive l) (tilt_along l) (tilt_across l).
 
 (* A step of a word: a flight from wall to wall, and the whole turns that are taken off its phase. *)
 Record hop_of := Hop { off_wall : wall; on_wall : wall; turns_off : Z }.
@@ -128,14 +128,14 @@ Definition image (b : box) (a : aspects) (N : chart) (w : wall) (n1 n2 n0 mu : I
 Definition area_over (N : chart) : I.type := sub p (mul p (pt (lu N)) (pt (wv N))) (mul p (pt (lv N)) (pt (wu N))).
 
 (* All flights of a stretch of the chart N, of which b is the box of launches, are from w to w1, and arrive in the narrow bracket. *)
-Definition check_arrivals (w1 : wall) (N : chart) (from to : Z) (b : box) (a : aspects) (c : passage) : bool :=
+Definition check_arrivals (w1 : wall) (N : chart) (from to : Z) (b : box) (a : aspects) (c : transit) : bool :=
   let n := near_mid c in let lo := (n - near_rad c)%Z in let hi := (n + near_rad c)%Z in let zero := whole p 0 in
   let height x := image b a N w1 zero zero zero (whole p (-1)) (turns q x) (pt x) (pt x) zero (reach from to) in
   (0 <=? near_rad c)%Z &? (0 <? chart_area N)%Z &? (wide_mid c - wide_rad c <=? lo)%Z &? (hi <=? wide_mid c + wide_rad c)%Z &?
   check_flight param b (Leg p p q w1 (wide_mid c) (wide_rad c) 0 0 (go c) (come c) 0) &?
   is_positive (I.neg (sided w1 (height lo))) &? is_not_negative (sided w1 (height hi)).
 (* n1 phase + n2 velocity + n0 where they arrive; mu is the tilt. *)
-Definition arrived (w1 : wall) (N : chart) (b : box) (a : aspects) (c : passage) (mu : Z) (D n1 n2 n0 : I.type) : I.type :=
+Definition arrived (w1 : wall) (N : chart) (b : box) (a : aspects) (c : transit) (mu : Z) (D n1 n2 n0 : I.type) : I.type :=
   let n := near_mid c in let r := near_rad c in
   image b a N w1 n1 n2 n0 (pt mu) (turns q n) (pt n) (stretch p (unit_step p q) (n - r) (n + r)) (stretch p (unit_step p q) (- r) r) D.
 (* The coordinates along and across M, times its area, of an arrival from whose phase K is taken off, or of its mirror image. *)
@@ -148,7 +148,7 @@ Definition across_of (K : I.type) (mirror : bool) (M : chart) (image : I.type ->
 Definition turn_over (yes : bool) (X : I.type) : I.type := if yes then I.neg X else X.
 
 Definition check_link (h : hop_of) (N M : chart) (l : link) : bool :=
-  let w1 := on_wall h in let a := stretch_from l in let b := stretch_to l in let c := passage_of l in
+  let w1 := on_wall h in let a := stretch_from l in let b := stretch_to l in let c := transit_of l in
   let box := launches (off_wall h) N a b in let seen := look p OS box p in
   let K := mul p (whole p (turns_off h)) (mul p (whole p 2) (I.pi (F.PtoP p))) in
   let along D := turn_over (turned_over l) (along_of K false M (arrived w1 N box seen c (lean_along c) D)) in
@@ -308,7 +308,7 @@ Proof. intros h. unfold across. field. lra. Qed.
 
 (* All flights of a stretch whose arrivals are checked: they are flights, depend on their starts continuously, and any linear function of their
    arrivals is enclosed, with the coordinate along from the middle of the stretch in D. *)
-Lemma arrivals_sound (w w1 : wall) (N : chart) (a b : Z) (c : passage) (P := slice (frame_of q N) (grid q a) (grid q b))
+Lemma arrivals_sound (w w1 : wall) (N : chart) (a b : Z) (c : transit) (P := slice (frame_of q N) (grid q a) (grid q b))
   (box := launches p q param w N a b) (seen_ := look p OS box p) : check_arrivals p q param w1 N a b box seen_ c = true ->
   (0 < chart_area N)%Z /\ (forall x, P x -> flies s w w1 x) /\ continuous_on P (fly s w) /\
   forall x n1 n2 n0 N1 N2 N0 mu D, P x -> holds N1 n1 -> holds N2 n2 -> holds N0 n0 -> holds D (along (frame_of q N) x - (grid q a + grid q b) / 2) ->
@@ -447,7 +447,7 @@ Theorem link_sound h N M l : check_link p q param h N M l = true ->
   (forall x, held h N M l x -> in_frame (frame_of q N) x /\ flies s (off_wall h) (on_wall h) x) /\ carries (frame_of q N) (frame_of q M) (held h N M l) (hop s h).
 Proof.
   intros check. unfold check_link in check. cbv zeta in check.
-  set (w := off_wall h) in *. set (w1 := on_wall h) in *. set (a := stretch_from l) in *. set (b := stretch_to l) in *. set (c := passage_of l) in *.
+  set (w := off_wall h) in *. set (w1 := on_wall h) in *. set (a := stretch_from l) in *. set (b := stretch_to l) in *. set (c := transit_of l) in *.
   split_checks.
   assert (o1 : (- 2 ^ Zpos q <= a)%Z) by (apply Z.leb_le; assumption). assert (o2 : (a <= b)%Z) by (apply Z.leb_le; assumption).
   assert (o3 : (b <= 2 ^ Zpos q)%Z) by (apply Z.leb_le; assumption). assert (areaM : (0 < chart_area M)%Z) by (apply Z.ltb_lt; assumption).
