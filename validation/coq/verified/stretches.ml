@@ -86,6 +86,18 @@ let strides_of { word_flights; half_cycles; _ } =
     | far :: rest -> { far; turns_taken = Z.zero } :: with_turns rest in
   with_turns word_flights
 
+(* Until when a flight departs, and from when it arrives: from its launch on it is as fast as a part of the greatest velocity so far, and the same backward from its end. *)
+let parts = 64
+let as_fast = 0.3
+let cuts { e; _ } far (th, v) h =
+  let rate k = -.e *. v +. cos th -. cos (th +. h *. float_of_int k /. float_of_int parts) in
+  let rec fast rate most k = if k < parts && rate k > as_fast *. most then fast rate (Float.max most (rate k)) (k + 1) else k - 1 in
+  let depart = min (parts / 2) (fast rate 0.0 0) in
+  let towards k = if far then rate (parts - k) else -.rate (parts - k) in
+  let approach = max depart (parts - fast towards 0.0 0) in
+  let at k = h *. float_of_int k /. float_of_int parts in
+  (at depart, at approach)
+
 (* The passage of all states of a shape, or of a slice of it, whose corners are given. *)
 let spare = 1e-11
 let offsets = [ (-1.0, -1.0); (-1.0, 0.0); (-1.0, 1.0); (0.0, -1.0); (0.0, 1.0); (1.0, -1.0); (1.0, 0.0); (1.0, 1.0) ]
@@ -94,7 +106,7 @@ exception Lost
 (* How a shape flies to a wall. *)
 let passing (pair, others) far shape (next : chart) =
   let found = function Some x -> x | None -> raise Lost in
-  let (th, v) as x = shape.at in
+  let (th, _) as x = shape.at in
   let (th1, rate) as there = found (arrival pair x far) in
   let corners = List.map (fun (a, b) -> put shape a b) offsets in
   let near = List.fold_left (fun most pair -> List.fold_left (fun most x ->
@@ -102,7 +114,7 @@ let passing (pair, others) far shape (next : chart) =
   let (by_phase, _), (by_velocity, _) = derivative pair false x there in
   let radius f = abs_float (f shape.long) +. abs_float (f shape.wide) in
   let wide = Float.max near (abs_float by_phase *. radius fst +. abs_float by_velocity *. radius snd) in
-  let depart, approach, _ = Flights.cuts ~waves:[ (1.0, 1.0, th) ] ~u:(-.pair.e *. v) ~y0:(-.pair.gap /. 2.0) ~half_gap:(pair.gap /. 2.0) ~h:(th1 -. th) in
+  let depart, approach = cuts pair far x (th1 -. th) in
   let number = Fixed.to_float 0 in
   let lean n1 n2 = Z.of_float ((number n1 +. number n2 *. sin th1) /. rate) in
   let mirrored n = if far then Z.neg n else n in
@@ -116,22 +128,35 @@ let contracting derivatives last =
     | next :: _ -> let x = Chains.preimage d next in Chains.times (1.0 /. Chains.size x) x :: found
     | [] -> found) derivatives [ last ]
 
-(* A parallelogram around the image of a shape, along the image of its long vector and a direction that contracts: how far the image is along and across it. *)
-let around (pair, others) far shape (at : state) derivative direction =
-  let found = function Some x -> x | None -> raise Lost in
+(* The greatest absolute value of an interval of the checker. *)
+let magnitude interval =
+  let value bound = match ShiftFloats.toF bound with
+    | Float (_, m, e) -> Float.ldexp (Fixed.to_float 0 m) (Z.to_int e)
+    | Fzero -> 0.0
+    | Fnan -> raise Lost in
+  match interval with Ibnd0 (lower, upper) -> Float.max (value lower) (value upper) | Inan0 -> raise Lost
+
+(* The tightest parallelogram that the checker finds around the image of a slice of a chart, along the image of its long vector and a direction that contracts. *)
+let around data pairs { far; _ } (n, a, b) shape at derivative direction =
   let unit x = Chains.times (1.0 /. Chains.size x) x in
   let long = unit (Chains.image derivative shape.long) in
   let frame = { at; long; wide = (if Chains.cross long direction > 0.0 then unit direction else Chains.times (-1.0) (unit direction)) } in
-  let farther (along, across) pair (a, b) =
-    let x, y = coordinates_in frame (found (leap pair (put shape a b) far)) in
-    (Float.max along (abs_float x), Float.max across (abs_float y)) in
-  (frame, List.fold_left (fun most pair -> List.fold_left (fun most offset -> farther most pair offset) most offsets) (0.0, 0.0) (pair :: others))
+  let m = chart frame and p = Z.of_int strip_bits and q = Z.of_int grid in
+  let transit = passing pairs far shape m in
+  let open Striding.Each in
+  let known = known_in data p and wall = if far then Right else Left in
+  let box = launches p q data Left n a b in
+  let seen = look p known box p and reach = reach p q a b in
+  let k = mul p (whole p (if far then Z.neg Z.one else Z.zero)) (I.pi (ShiftFloats.coq_PtoP p)) in
+  let area = magnitude (area_over p q m) in
+  let along = along_of p q k far m (arrived p q data wall n box seen transit transit.lean_along reach) in
+  let across = across_of p q k far m (arrived p q data wall n box seen transit transit.lean_across reach) in
+  let by interval = Chains.times (magnitude interval /. area *. (1.0 +. 1e-6) +. spare) in
+  { frame with long = by along frame.long; wide = by across frame.wide }
 
-(* A cell: the stretch of a shape from `from` to `until`, along, and where its flights go. The parallelograms that contain its images are the tightest ones that are checked, of a few. *)
+(* A cell: the stretch of a shape from `from` to `until`, along, and where its flights go. *)
 let units x = Z.of_float (Float.round (Float.ldexp x grid))
-let wider = [ 1.03; 1.1; 1.25; 1.6; 2.5 ]
 let cell_of data ((pair, _) as pairs) shape into word from until =
-  let p = Z.of_int strip_bits and q = Z.of_int grid in
   let slice = { shape with at = put shape ((from +. until) /. 2.0) 0.0; long = Chains.times ((until -. from) /. 2.0) shape.long } in
   let rec orbit x = function
     | [] -> []
@@ -143,18 +168,10 @@ let cell_of data ((pair, _) as pairs) shape into word from until =
   let rec ways (n, a, b) shape strides states directions = match strides, states, directions with
     | [ { far; _ } ], _, _ -> ([], passing pairs far shape (chart into))
     | ({ far; _ } as stride) :: strides, (image, derivative) :: states, direction :: directions ->
-      let frame, (along, across) = around pairs far shape image derivative direction in
-      let by size = Chains.times (size +. spare) in
-      let attempt factor =
-        let next = { frame with long = by (factor *. along) frame.long; wide = by (factor *. across) frame.wide } in
-        let hint = chart next in
-        let passage = passing pairs far shape hint in
-        if Striding.Each.check_tread p q data stride n hint a b passage Contained then Some (next, hint, passage) else None in
-      (match List.find_map attempt wider with
-       | None -> raise Lost
-       | Some (next, hint, passage) ->
-         let through, finally = ways (hint, units (-1.0), units 1.0) next strides states directions in
-         ((passage, hint) :: through, finally))
+      let next = around data pairs stride (n, a, b) shape image derivative direction in
+      let hint = chart next in
+      let through, finally = ways (hint, units (-1.0), units 1.0) next strides states directions in
+      ((passing pairs far shape hint, hint) :: through, finally)
     | _ -> raise Lost in
   let through, finally = ways (chart shape, units from, units until) slice (strides_of word) states (List.tl (contracting (List.map snd states) into.wide)) in
   { until = units until; through; finally }
@@ -168,7 +185,7 @@ let cells data pairs shape into word =
     if until -. from < smallest then raise Lost;
     let is_checked cell =
       let where = match first, last with Some extent, _ | None, Some extent -> extent | None, None -> Anywhere in
-      Striding.Each.check_cell p q data strides n m (units from) cell where in
+      Striding.Each.check_segment p q data strides n m (units from) cell where in
     match cell_of data pairs shape into word from until with
     | cell when is_checked cell -> [ cell ]
     | _ | exception Lost -> let middle = (from +. until) /. 2.0 in all (first, None) from middle @ all (None, last) middle until in
@@ -221,7 +238,7 @@ let strip_of data pairs shape into word { ends = (start, finish); middle = (from
   let all = cells data pairs shape into word in
   let place k = from +. (until -. from) *. float_of_int k /. float_of_int pieces in
   let inner = List.concat_map (fun k -> all (None, None) (place k) (place (k + 1))) (List.init pieces Fun.id) in
-  { begins_at = units start; backwards = is_backwards; cells = all (Some before, None) start from @ inner @ all (None, Some after) until finish }
+  { begins_at = units start; backwards = is_backwards; segments = all (Some before, None) start from @ inner @ all (None, Some after) until finish }
 
 (* A strip for each word, apart from those of other words from the same h-set: shorter words first. *)
 let found_strips data shapes words =
