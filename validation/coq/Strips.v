@@ -133,7 +133,8 @@ Proof.
   induction word as [|f word IH]; intros N M a b through finally where_to check; [discriminate|].
   destruct through as [|[c C] through]; cbn [check_walk] in check.
   - destruct word; [exact (tread_sound _ _ _ _ _ _ _ check)|discriminate].
-  - assert (both : (check_tread p q param f N C a b c Contained &? check_walk p q param word C M (- 2 ^ Zpos q) (2 ^ Zpos q) through finally where_to) = true) by (destruct word; exact check).
+  - assert (both : (check_tread p q param f N C a b c Contained &? check_walk p q param word C M (- 2 ^ Zpos q) (2 ^ Zpos q) through finally where_to) = true)
+      by (destruct word; exact check).
     clear check. split_checks. destruct (tread_sound _ _ _ _ _ _ _ k) as (flies1 & cont1 & in1). destruct (IH _ _ _ _ _ _ _ both) as (flies2 & cont2 & in2).
     cbn [walk walks is_at] in *.
     assert (into : forall x, part N a b x -> part C (- 2 ^ Zpos q) (2 ^ Zpos q) (tread s f x)).
