@@ -2,7 +2,7 @@
    period later. So a state is a phase and the velocity before impact on the left wall over A W (which is not positive), all flights begin on the
    left wall, and a flight to the far wall ends in its mirror image. A word is a list of flights, to the far wall or back to the near one.
 
-   `tread_next`, `walk_leads`, `treads_impacts`: sequences of states are the impacts of the scene, one after another, from either wall. *)
+   `tread_next`, `walk_leads`, `treads_impacts`, `walks_impacts`: sequences of states are the impacts of the scene, one after another, from either wall. *)
 From Coq Require Import Reals Lra List ZArith Bool Lia.
 From Coquelicot Require Import Coquelicot.
 From ImpactPair Require Import Model Step Horseshoe Return Covering Cycle Region.
@@ -115,4 +115,48 @@ Proof.
   - intros k. split; [apply stands_for_wall|]. split; [apply stands_for_phase|apply stands_for_speed].
 Qed.
 End For_ever.
+
+(* Words one after another, from ever to ever: the flights of word n lead from the impact of state n to that of state n + 1. *)
+Lemma wall_last_then w f word : wall_last (wall_then w f) word = wall_then (wall_last w word) f.
+Proof.
+  revert w. induction word as [|g word IH]; intros w; [reflexivity|]. cbn [wall_last]. rewrite <- IH. f_equal.
+  unfold wall_then. destruct (far f), (far g), w; reflexivity.
+Qed.
+Lemma wall_last_twice word : forall w, wall_last (wall_last w word) word = w.
+Proof.
+  induction word as [|f word IH]; intros w; [reflexivity|]. cbn [wall_last]. rewrite <- wall_last_then, IH. unfold wall_then. destruct (far f), w; reflexivity.
+Qed.
+Lemma turns_last_plus word : forall w T, turns_last w T word = (T + turns_last w 0 word)%Z.
+Proof.
+  induction word as [|f word IH]; intros w T; [cbn; lia|]. cbn [turns_last]. rewrite IH, (IH _ (turns_then w 0 f)). unfold turns_then. destruct w, (far f); lia.
+Qed.
+Section Ever.
+Variables (u : Z -> list stride) (x : Z -> state) (w : wall) (T : Z).
+Hypothesis all : forall n, walks (u n) (x n) /\ x (n + 1)%Z = walk (u n) (x n).
+(* The wall and the turns before word n. *)
+Fixpoint later_words (k : nat) : wall * Z := match k with
+  | O => (w, T) | S k => let (v, n) := later_words k in let word := u (Z.of_nat k) in (wall_last v word, turns_last v n word) end.
+Fixpoint earlier_words (k : nat) : wall * Z := match k with
+  | O => (w, T) | S k => let (v, n) := earlier_words k in let word := u (- Z.of_nat (S k))%Z in
+    let v0 := wall_last v word in (v0, n - turns_last v0 0 word)%Z end.
+Definition at_word (n : Z) : wall * Z := if (0 <=? n)%Z then later_words (Z.to_nat n) else earlier_words (Z.to_nat (- n)).
+Lemma at_word_next n : at_word (n + 1) = (wall_last (fst (at_word n)) (u n), turns_last (fst (at_word n)) (snd (at_word n)) (u n)).
+Proof.
+  unfold at_word. destruct (Z.leb_spec 0 n) as [o|o].
+  - replace (0 <=? n + 1)%Z with true by (symmetry; apply Z.leb_le; lia). replace (Z.to_nat (n + 1)) with (S (Z.to_nat n)) by lia.
+    cbn [later_words]. rewrite Z2Nat.id by exact o. destruct (later_words (Z.to_nat n)). reflexivity.
+  - replace (Z.to_nat (- n)) with (S (Z.to_nat (- (n + 1)))) by lia. set (k := Z.to_nat (- (n + 1))). cbn [earlier_words]. replace (- Z.of_nat (S k))%Z with n by lia.
+    assert (same : (if (0 <=? n + 1)%Z then later_words (Z.to_nat (n + 1)) else earlier_words k) = earlier_words k).
+    { destruct (Z.leb_spec 0 (n + 1)) as [o'|o']; [|reflexivity]. unfold k. replace (n + 1)%Z with 0%Z by lia. reflexivity. }
+    rewrite same. destruct (earlier_words k) as [v m]. cbn [fst snd]. rewrite wall_last_twice, turns_last_plus. f_equal. lia.
+Qed.
+Theorem walks_impacts : exists (walls : Z -> wall) (turns : Z -> Z), walls 0%Z = w /\ turns 0%Z = T /\ forall n,
+  let i := stands_for (walls n) (turns n) (x n) in let orbit := impacts_along (walls n) (turns n) (u n) (x n) in
+  walls (n + 1)%Z = wall_last (walls n) (u n) /\ turns (n + 1)%Z = turns_last (walls n) (turns n) (u n) /\
+  follows s (rebound s i) orbit /\ length orbit = length (u n) /\ last orbit i = stands_for (walls (n + 1)%Z) (turns (n + 1)%Z) (x (n + 1)%Z).
+Proof.
+  exists (fun n => fst (at_word n)), (fun n => snd (at_word n)). split; [reflexivity|]. split; [reflexivity|]. intros n. cbv zeta.
+  rewrite at_word_next. cbn [fst snd]. split; [reflexivity|]. split; [reflexivity|]. destruct (all n) as [h ->]. exact (walk_leads _ _ _ _ h).
+Qed.
+End Ever.
 End Scene.

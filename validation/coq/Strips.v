@@ -12,7 +12,8 @@
                 phase of arrival + (pi if far) - 2 pi turns_taken.
      transit    one flight of all states of a segment, all in phases of arrival before half a turn is added and turns are taken off:
                 wide_mid, wide_rad: bracket of the phases of arrival that shows the first contact: at its begin all are inside the gap, at its end
-                all are beyond the wall, and on all of it they go towards the wall;
+                all are beyond the wall, and on all of it they go towards the wall; phase and velocity of the launch are taken as independent here,
+                so it has to be wider than the arrivals;
                 near_mid, near_rad: a narrow bracket inside the wide one, for the image;
                 go, come: up to go (not before the latest start) all move away from the wall they leave, or are pressed away from it; from go to come
                 all are inside the gap; from come to the end of the wide bracket all go towards the wall of arrival; go <= come <= wide_mid - wide_rad;
@@ -24,7 +25,7 @@
                 through: for all flights but the last, the transit, and a chart that holds the image of all states of the segment, or of the chart
                 before (all of it: |along|, |across| <= 1);
                 finally: the transit of the last flight.
-     strip      begins: where the first segment begins, >= -2^q; backwards: false if along the second chart the first segment's image is at <= -1 and the last
+     strip      begins_at: where the first segment begins, >= -2^q; backwards: false if along the second chart the first segment's image is at <= -1 and the last
                 segment's at >= 1, true if it is the other way round; segments: two or more. *)
 From Coq Require Import Reals Lra List ZArith Bool Lia.
 From Coquelicot Require Import Coquelicot.
@@ -132,7 +133,8 @@ Proof.
   induction word as [|f word IH]; intros N M a b through finally where_to check; [discriminate|].
   destruct through as [|[c C] through]; cbn [check_walk] in check.
   - destruct word; [exact (tread_sound _ _ _ _ _ _ _ check)|discriminate].
-  - assert (both : (check_tread p q param f N C a b c Contained &? check_walk p q param word C M (- 2 ^ Zpos q) (2 ^ Zpos q) through finally where_to) = true) by (destruct word; exact check).
+  - assert (both : (check_tread p q param f N C a b c Contained &? check_walk p q param word C M (- 2 ^ Zpos q) (2 ^ Zpos q) through finally where_to) = true)
+      by (destruct word; exact check).
     clear check. split_checks. destruct (tread_sound _ _ _ _ _ _ _ k) as (flies1 & cont1 & in1). destruct (IH _ _ _ _ _ _ _ both) as (flies2 & cont2 & in2).
     cbn [walk walks is_at] in *.
     assert (into : forall x, part N a b x -> part C (- 2 ^ Zpos q) (2 ^ Zpos q) (tread s f x)).
