@@ -4,7 +4,7 @@ From Coq Require Import ZArith Lia.
 From Flocq Require Import Core.Zaux Core.Digits.
 From Interval Require Import Float.Basic Float.Generic Float.Generic_proof Float.Specific_sig Float.Specific_stdz Float.Specific_ops.
 From Coq Require Import Bool.
-From ImpactPair Require Data Document Pieces Shadow Orbit Cycle Cycles Drawn Region Columns March Trap Chaos Reduced Strips Words.
+From ImpactPair Require Data Document Pieces Shadow Orbit Cycle Cycles Drawn Region Columns March Trap Chaos Reduced Strips Words Motions Entropies Blocks Sets.
 Open Scope Z_scope.
 
 Module Import Std := StdZRadix2.
@@ -133,6 +133,8 @@ Module Shadowing := Shadow.Shadows ShiftFloats.
 Module Drawing := Drawn.Drawings ShiftFloats.
 Module Trapping := Trap.Traps ShiftFloats.
 Module Striding := Words.Documents ShiftFloats.
+Module Setting := Sets.Sets ShiftFloats.
+Module Growing := Entropies.Growths ShiftFloats.
 
 (* A document of a motion that a stable periodic orbit attracts. *)
 Definition verify_attracted (x : Orbit.document) (found : Pieces.pieces) (from : Z) (c : Cycle.cycle) (h : Cycles.surroundings) (a : Drawn.approach_to) : bool :=
@@ -150,4 +152,21 @@ Theorem region_verified param b r f h x found : verify_region param b r f h x fo
 Proof.
   unfold verify_region. intros v. apply andb_prop in v as [listed trap]. apply (Trapping.trap_verified _ _ _ _ _ _ trap). intros n is_n some. rewrite is_n in listed.
   apply orb_prop in listed as [zero|listed]; [apply Z.eqb_eq in zero; contradiction|]. exact (Shifting.pieces_verified _ found listed).
+Qed.
+
+(* A document of words: parallelograms inside its h-sets, with the strips of its words; and how fast their number grows, by impacts and by half cycles. *)
+Record chaos_hint := Chaos_hint { found_words : Words.words_document; by_impacts : Entropies.growth_hint; by_half_cycles : Entropies.growth_hint }.
+Definition verify_chaos (param : Data.data) (b : Data.beginning) (c : Chaos.chaos) (h : chaos_hint) : bool :=
+  let x := found_words h in let p := Words.word_bits x in
+  Shadowing.Each.check_data p param && Shadowing.Each.check_beginning p param b && Motions.agrees c x && Blocks.check_blocks c &&
+  Setting.check_h_sets p (Words.grid_bits x) (Chaos.h_sets c) (Words.sets x) && Growing.check_entropies p c (by_impacts h) (by_half_cycles h) && Striding.check_words param x.
+Theorem chaos_verified param b c h : verify_chaos param b c h = true -> Chaos.claims_chaos param b c.
+Proof.
+  unfold verify_chaos. intros v. apply andb_prop in v as [v checked]. apply andb_prop in v as [v grow]. apply andb_prop in v as [v sets]. apply andb_prop in v as [v order].
+  apply andb_prop in v as [v agree]. apply andb_prop in v as [proper begun]. destruct (Shadowing.Each.data_sound _ _ _ proper begun) as [pr sense].
+  destruct (Setting.h_sets_checked _ _ _ _ sets) as (disjoint & listed & _ & inside). split; [exact pr|].
+  split; [exact disjoint|]. split; [exact listed|]. split; [exact (Blocks.blocks_sound c order)|]. intros s described.
+  assert (hold := Striding.words_verified param _ checked s described). split; [apply (sense s described)|]. split; [exact (Words.words_one _ _ hold)|].
+  destruct (Motions.motions_sound s c _ agree inside hold) as (every & two_sided & periodic). split; [exact every|]. split; [exact two_sided|]. split; [exact periodic|].
+  exact (Growing.entropies_sound _ _ _ _ grow s _ agree inside hold).
 Qed.

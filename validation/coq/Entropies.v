@@ -9,19 +9,19 @@ Open Scope R_scope.
 Import ListNotations.
 
 (* A factor by which motions multiply with each impact, or half cycle; and values of the h-sets, not negative. *)
-Record growth_hint := Growth_hint { factor : Q; values : list Z }.
-Definition value_at (g : growth_hint) (b : nat) : Z := nth b (values g) 0%Z.
+Record growth_hint := Growth_hint { growth_by : Q; growth_values : list Z }.
+Definition value_at (g : growth_hint) (b : nat) : Z := nth b (growth_values g) 0%Z.
 Definition heaviest (weight : word -> Z) (words : list word) : Z := fold_right (fun w most => Z.max (weight w) most) 0%Z words.
 (* What a word brings to the h-set that it leads from: the value of the one it leads into, over the factor to the power of its weight, all times
    the numerator of the factor to the power `most`. *)
 Definition brings (weight : word -> Z) (g : growth_hint) (most : Z) (w : word) : nat * Z :=
-  (word_from w, (value_at g (word_into w) * Zpos (Qden (factor g)) ^ weight w * Qnum (factor g) ^ (most - weight w))%Z).
+  (word_from w, (value_at g (word_into w) * Zpos (Qden (growth_by g)) ^ weight w * Qnum (growth_by g) ^ (most - weight w))%Z).
 Definition brought (terms : list (nat * Z)) (b : nat) : Z := fold_right (fun term all => if (fst term =? b)%nat then (snd term + all)%Z else all) 0%Z terms.
 Definition grows (c : chaos) (weight : word -> Z) (g : growth_hint) : bool :=
-  let most := heaviest weight (words c) in let terms := map (brings weight g most) (words c) in let whole := (Qnum (factor g) ^ most)%Z in
-  (Zpos (Qden (factor g)) <? Qnum (factor g))%Z && forallb (fun v => 0 <=? v)%Z (values g) && existsb (fun v => 0 <? v)%Z (values g) &&
+  let most := heaviest weight (words c) in let terms := map (brings weight g most) (words c) in let whole := (Qnum (growth_by g) ^ most)%Z in
+  (Zpos (Qden (growth_by g)) <? Qnum (growth_by g))%Z && forallb (fun v => 0 <=? v)%Z (growth_values g) && existsb (fun v => 0 <? v)%Z (growth_values g) &&
   forallb (fun w => 1 <=? weight w)%Z (words c) &&
-  forallb (fun b => value_at g b * whole <=? brought terms b)%Z (seq 0 (length (values g))).
+  forallb (fun b => value_at g b * whole <=? brought terms b)%Z (seq 0 (length (growth_values g))).
 
 Lemma heaviest_most weight ws w : In w ws -> (weight w <= heaviest weight ws)%Z.
 Proof. induction ws as [|u ws IH]; intros []; cbn [heaviest fold_right]; [subst; lia|]. specialize (IH H). unfold heaviest in IH. lia. Qed.
@@ -57,24 +57,24 @@ Hypothesis growing : grows c weight g = true.
 
 Let live (b : nat) : bool := (0 <? value_at g b)%Z.
 Let v (b : nat) : R := IZR (value_at g b).
-Let r : R := Q2R (factor g).
+Let r : R := Q2R (growth_by g).
 Let weigh (i : nat) : nat := Z.to_nat (weight (word_of c i)).
 
-Lemma growing_parts : (Zpos (Qden (factor g)) < Qnum (factor g))%Z /\ (forall b, 0 <= value_at g b)%Z /\ (exists b, live b = true) /\
+Lemma growing_parts : (Zpos (Qden (growth_by g)) < Qnum (growth_by g))%Z /\ (forall b, 0 <= value_at g b)%Z /\ (exists b, live b = true) /\
   (forall i, (i < length (words c))%nat -> 1 <= weight (word_of c i))%Z /\
-  forall b, (value_at g b * Qnum (factor g) ^ heaviest weight (words c) <= brought (map (brings weight g (heaviest weight (words c))) (words c)) b)%Z \/ live b = false.
+  forall b, (value_at g b * Qnum (growth_by g) ^ heaviest weight (words c) <= brought (map (brings weight g (heaviest weight (words c))) (words c)) b)%Z \/ live b = false.
 Proof.
   assert (h := growing). unfold grows in h. cbv zeta in h. apply andb_prop in h as [h h5]. apply andb_prop in h as [h h4]. apply andb_prop in h as [h h3].
   apply andb_prop in h as [h1 h2]. apply Z.ltb_lt in h1. rewrite forallb_forall in h2, h4, h5. split; [exact h1|]. split; [|split; [|split]].
-  - intros b. unfold value_at. destruct (Nat.lt_ge_cases b (length (values g))) as [l|l]; [apply Z.leb_le, h2, nth_In, l|rewrite nth_overflow by exact l; lia].
+  - intros b. unfold value_at. destruct (Nat.lt_ge_cases b (length (growth_values g))) as [l|l]; [apply Z.leb_le, h2, nth_In, l|rewrite nth_overflow by exact l; lia].
   - apply existsb_exists in h3 as (a & ha & pos). apply (In_nth _ _ 0%Z) in ha as (b & _ & e). exists b. unfold live, value_at. rewrite e. exact pos.
   - intros i hi. apply Z.leb_le, h4, nth_In, hi.
-  - intros b. destruct (Nat.lt_ge_cases b (length (values g))) as [l|l]; [left; apply Z.leb_le, h5, in_seq; lia|right]. unfold live, value_at. rewrite nth_overflow by exact l. reflexivity.
+  - intros b. destruct (Nat.lt_ge_cases b (length (growth_values g))) as [l|l]; [left; apply Z.leb_le, h5, in_seq; lia|right]. unfold live, value_at. rewrite nth_overflow by exact l. reflexivity.
 Qed.
 Lemma factor_above : 1 < r.
 Proof.
-  destruct growing_parts as (h & _). unfold r, Q2R. apply IZR_lt in h. assert (0 < IZR (Zpos (Qden (factor g)))) by (apply IZR_lt; reflexivity).
-  apply (Rmult_lt_reg_r (IZR (Zpos (Qden (factor g))))); [assumption|]. rewrite Rmult_assoc, Rinv_l by lra. lra.
+  destruct growing_parts as (h & _). unfold r, Q2R. apply IZR_lt in h. assert (0 < IZR (Zpos (Qden (growth_by g)))) by (apply IZR_lt; reflexivity).
+  apply (Rmult_lt_reg_r (IZR (Zpos (Qden (growth_by g))))); [assumption|]. rewrite Rmult_assoc, Rinv_l by lra. lra.
 Qed.
 Lemma step_of_word i : (i < length (words c))%nat ->
   Shift.from_set (Shift.word_of (steps s x) i) = word_from (word_of c i) /\ Shift.into_set (Shift.word_of (steps s x) i) = word_into (word_of c i).
@@ -86,11 +86,11 @@ Lemma steps_count : length (steps s x) = length (words c).
 Proof. rewrite steps_length. symmetry. apply (lengths c x agreed). Qed.
 (* One term, times the power. *)
 Lemma term_value i : (i < length (words c))%nat -> let K := heaviest weight (words c) in
-  IZR (snd (brings weight g K (word_of c i))) = v (Shift.into_set (Shift.word_of (steps s x) i)) / r ^ weigh i * IZR (Qnum (factor g) ^ K).
+  IZR (snd (brings weight g K (word_of c i))) = v (Shift.into_set (Shift.word_of (steps s x) i)) / r ^ weigh i * IZR (Qnum (growth_by g) ^ K).
 Proof.
   intros hi K. destruct growing_parts as (h1 & _ & _ & h4 & _). specialize (h4 i hi). rewrite (proj2 (step_of_word i hi)). cbn [brings snd]. unfold v, weigh.
   assert (most : (weight (word_of c i) <= K)%Z) by (apply heaviest_most, nth_In, hi). set (k := weight (word_of c i)) in *.
-  set (num := Qnum (factor g)) in *. set (rest := (num ^ (K - k))%Z).
+  set (num := Qnum (growth_by g)) in *. set (rest := (num ^ (K - k))%Z).
   assert (whole : (num ^ K = num ^ k * rest)%Z) by (unfold rest; rewrite <- Z.pow_add_r by lia; f_equal; lia).
   assert (powers : forall a, IZR (a ^ k) = IZR a ^ Z.to_nat k) by (intros a; rewrite pow_IZR; do 2 f_equal; lia).
   rewrite whole, !mult_IZR, !powers. unfold r, Q2R. fold num. rewrite Rpow_mult_distr, pow_inv. field.
@@ -104,7 +104,7 @@ Proof.
   - intros b h. apply IZR_lt, Z.ltb_lt, h.
   - intros b h. apply Z.ltb_ge in h. specialize (h2 b). unfold v. replace (value_at g b) with 0%Z by lia. reflexivity.
   - intros b h. destruct (h5 b) as [large|no]; [|congruence]. set (K := heaviest weight (words c)) in *. apply IZR_le in large.
-    rewrite mult_IZR, (brought_sum _ no_word) in large. assert (pos : 0 < IZR (Qnum (factor g) ^ K)).
+    rewrite mult_IZR, (brought_sum _ no_word) in large. assert (pos : 0 < IZR (Qnum (growth_by g) ^ K)).
     { apply IZR_lt, Z.pow_pos_nonneg; [lia|]. unfold K, heaviest. clear. induction (words c) as [|w ws IH]; cbn; lia. }
     apply (Rmult_le_reg_r _ _ _ pos). apply Rle_trans with (1 := large). rewrite Separated.sum_over_times. unfold Separated.words_from. rewrite steps_count.
     rewrite (filter_ext_in _ (fun i => (Shift.from_set (Shift.word_of (steps s x) i) =? b)%nat)).
@@ -178,7 +178,7 @@ Proof.
   assert (d := is_not_negative_sound _ _ k (holds_sub p _ _ _ _ f e')). cbn [value] in d. lra.
 Qed.
 
-Definition check_entropy (p : positive) (c : chaos) (weight : word -> Z) (h : Q) (g : growth_hint) : bool := grows c weight g && below_factor p h (factor g).
+Definition check_entropy (p : positive) (c : chaos) (weight : word -> Z) (h : Q) (g : growth_hint) : bool := grows c weight g && below_factor p h (growth_by g).
 Theorem entropy_sound p c weight h g : check_entropy p c weight h g = true -> forall s x, agrees c x = true -> included c x -> words_hold s x ->
   entropy_at_least s c weight (Q2R h).
 Proof.

@@ -25,7 +25,7 @@ Definition agrees_word (number : nat) (w : word) (e : word_entry) : bool :=
   (word_from w =? from_set e)%nat && (word_into w =? into_set e)%nat && (word_from w <? number)%nat && (word_into w <? number)%nat &&
   pairwise (fun f g => Bool.eqb (far f) g) (strides e) (word_flights w) && (half_cycles w =? half_turns (strides e))%Z && (1 <=? half_cycles w)%Z.
 Definition agrees (c : chaos) (x : words_document) : bool := let number := length (h_sets c) in
-  (number =? length (sets x))%nat && pairwise (agrees_word number) (words c) (Words.words x).
+  (number =? length (sets x))%nat && pairwise (agrees_word number) (words c) (entries x).
 (* The parallelograms are in the h-sets of the document, as these are seen. *)
 Definition included (c : chaos) (x : words_document) : Prop := forall n h N, nth_error (h_sets c) n = Some h -> nth_error (sets x) n = Some N ->
   forall y, in_frame (frame_of (grid_bits x) N) y -> in_set h (fst y) (- snd y).
@@ -96,10 +96,10 @@ End Impacts.
 Definition no_frame : frame := {| centre := (0, 0); long := (0, 0); wide := (0, 0) |}.
 Definition no_entry : word_entry := Words.Word O O [] (Strip 0 false []).
 Definition base (x : words_document) (n : nat) : frame := match nth_error (sets x) n with Some N => frame_of (grid_bits x) N | None => no_frame end.
-Definition entry (x : words_document) (i : nat) : word_entry := nth i (Words.words x) no_entry.
+Definition entry (x : words_document) (i : nat) : word_entry := nth i (entries x) no_entry.
 Definition step_from (s : scene) (q : positive) (e : word_entry) : Shift.step_of :=
   Shift.Step (from_set e) (into_set e) (grid q (begins_at (strip_of e))) (grid q (ends_at (strip_of e))) (sign_of e) (walk s (strides e)).
-Definition steps (s : scene) (x : words_document) : list Shift.step_of := map (step_from s (grid_bits x)) (Words.words x).
+Definition steps (s : scene) (x : words_document) : list Shift.step_of := map (step_from s (grid_bits x)) (entries x).
 Definition starting_at (w : wall) : Z := match w with left => 0%Z | right => 1%Z end.
 
 Section Motions.
@@ -107,9 +107,9 @@ Variables (s : scene) (c : chaos) (x : words_document).
 Hypothesis hold : words_hold s x.
 Let q := grid_bits x.
 
-Lemma steps_length : length (steps s x) = length (Words.words x).
+Lemma steps_length : length (steps s x) = length (entries x).
 Proof. apply map_length. Qed.
-Lemma steps_at i : (i < length (Words.words x))%nat -> Shift.word_of (steps s x) i = step_from s q (entry x i) /\ nth_error (Words.words x) i = Some (entry x i).
+Lemma steps_at i : (i < length (entries x))%nat -> Shift.word_of (steps s x) i = step_from s q (entry x i) /\ nth_error (entries x) i = Some (entry x i).
 Proof.
   intros h. split; [|apply nth_error_nth'; exact h]. unfold Shift.word_of, steps, entry. rewrite (nth_indep _ _ (step_from s q no_entry)) by (rewrite map_length; exact h).
   apply (map_nth (step_from s q)).
@@ -140,7 +140,7 @@ Proof.
 Qed.
 
 Hypothesis agreed : agrees c x = true.
-Lemma lengths : length (h_sets c) = length (sets x) /\ length (words c) = length (Words.words x).
+Lemma lengths : length (h_sets c) = length (sets x) /\ length (words c) = length (entries x).
 Proof.
   unfold agrees in agreed. apply andb_prop in agreed as [h1 h2]. apply Nat.eqb_eq in h1. split; [exact h1|]. apply (pairwise_sound _ _ _ h2).
 Qed.

@@ -9,7 +9,7 @@ Import ListNotations.
 (* A word: the h-sets that it leads from and into, by their numbers in the list, from 0 on; its flights; and its strip. *)
 Record word_entry := Word { from_set : nat; into_set : nat; strides : list stride; strip_of : strip }.
 (* The bits of the arithmetic, and the grid 2^-grid_bits. *)
-Record words_document := Words { word_bits : positive; grid_bits : positive; sets : list chart; words : list word_entry }.
+Record words_document := Words { word_bits : positive; grid_bits : positive; sets : list chart; entries : list word_entry }.
 
 (* Strips from one h-set do not touch. *)
 Definition strips_apart (v w : word_entry) : bool :=
@@ -36,8 +36,8 @@ Record words_hold (s : scene) (x : words_document) : Prop := {
   words_positive : 0 < A s /\ 0 < W s /\ 0 < d s;
   words_one : one_harmonic s;
   words_sets : forall n N, set_number x n N -> is_set (grid_bits x) N;
-  words_cover : forall w, In w (words x) -> word_covers s x w;
-  words_apart : forall i j v w, nth_error (words x) i = Some v -> nth_error (words x) j = Some w -> i <> j -> from_set v = from_set w ->
+  words_cover : forall w, In w (entries x) -> word_covers s x w;
+  words_apart : forall i j v w, nth_error (entries x) i = Some v -> nth_error (entries x) j = Some w -> i <> j -> from_set v = from_set w ->
     forall N y, ~ (starts_of (grid_bits x) N v y /\ starts_of (grid_bits x) N w y) }.
 
 Lemma strips_apart_sound q v w N y : strips_apart v w = true -> from_set v = from_set w -> ~ (starts_of q N v y /\ starts_of q N w y).
@@ -76,8 +76,8 @@ Definition check_word (p q : positive) (param : data) (sets : list chart) (w : w
   | _, _ => false
   end.
 Definition check_words (param : data) (x : words_document) : bool :=
-  check_scene (word_bits x) param && forallb (check_set (grid_bits x)) (sets x) && all_apart (words x) &&
-  forallb (check_word (word_bits x) (grid_bits x) param (sets x)) (words x).
+  check_scene (word_bits x) param && forallb (check_set (grid_bits x)) (sets x) && all_apart (entries x) &&
+  forallb (check_word (word_bits x) (grid_bits x) param (sets x)) (entries x).
 
 Theorem words_verified param x : check_words param x = true -> forall s, describes param s -> words_hold s x.
 Proof.

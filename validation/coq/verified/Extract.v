@@ -3,7 +3,7 @@
 From Coq Require Import ZArith QArith Extraction ExtrOcamlBasic.
 From Flocq Require Import Zaux.
 From ImpactPair Require Import Model Certificate Document Orbit Rests Pieces Covering Shadow Cycle Cycles Drawn Region Columns March Trap Carrier.
-From ImpactPair Require Chaos Reduced Strips Words.
+From ImpactPair Require Chaos Reduced Strips Words Motions Entropies Blocks Sets.
 
 Extract Inductive positive => "Integers.t" [ "Integers.double_plus_one" "Integers.double" "Integers.one" ] "Integers.match_positive".
 Extract Inductive Z => "Integers.t" [ "Integers.zero" "(fun p -> p)" "Integers.neg" ] "Integers.match_integer".
@@ -55,4 +55,4 @@ Extract Constant ClassicalDedekindReals.sig_forall_dec => "(fun _ -> failwith ""
 
 Extraction Language OCaml.
 Set Extraction Output Directory ".".
-Extraction "checker.ml" Shifting Shadowing Drawing Trapping Striding Chaos.word_of verify_attracted verify_region.
+Extraction "checker.ml" Shifting Shadowing Drawing Trapping Striding Setting Growing verify_attracted verify_region verify_chaos.

@@ -5,7 +5,7 @@ open Checker
 module Z = Integers.Z
 
 let usage = "usage: impact-pair-verified DOCUMENT\n\n\
-  Verifies a document of `impact-pair run`, `periodic` or `trap`, in JSON, (- for standard input) by a checker extracted from its proof in Coq.\n\
+  Verifies a document of `impact-pair run`, `periodic`, `trap` or `chaos`, in JSON, (- for standard input) by a checker extracted from its proof in Coq.\n\
   Prints the claim, and `verified` (exit 0), `not verified: REASON` (1) or `unreadable: REASON` (2).\n\n\
   impact-pair-verified --coq DOCUMENT prints a file in which Coq itself runs the checker on the same input.\n"
 
@@ -61,16 +61,25 @@ let judged_region (claim : Trap.claim) = match Reason.wrong_data (Z.of_int 256) 
       let plans = List.map (Plans.plan claim) Plans.attempts in
       if List.exists holds plans then Verified else Not_verified (Reason.why_no_region claim (List.hd (List.rev plans)) entry)
 
-type claim = Orbit of Orbit.claim | Cycles of Periodic.claim | Region of Trap.claim
+let judged_chaos (claim : Words.claim) = match Reason.wrong_data (Z.of_int 256) claim.data claim.start [] with
+  | Some reason -> Not_verified reason
+  | None ->
+    match Rates.hint claim with
+    | Error n -> Not_verified (Printf.sprintf "words[%d]: no strip of states is found that it leads across its second h-set" n)
+    | Ok hint when verify_chaos claim.data claim.start claim.chaos hint -> Verified
+    | Ok hint -> Not_verified (Reason.why_no_chaos claim hint)
+
+type claim = Orbit of Orbit.claim | Cycles of Periodic.claim | Region of Trap.claim | Words of Words.claim
 let read source =
   let value = Json.read source in
   match Reading.schema_of value with
   | is when is = Orbit.schema -> Orbit (Orbit.read value)
   | is when is = Periodic.schema -> Cycles (Periodic.read value)
   | is when is = Trap.schema -> Region (Trap.read value)
-  | is -> Reading.not_covered "schema is %S: covered are %S, %S and %S" (Reading.shortened is) Orbit.schema Periodic.schema Trap.schema
-let said = function Orbit claim -> Orbit.claim claim | Cycles claim -> Periodic.claim claim | Region claim -> Trap.claim claim
-let judged = function Orbit claim -> judged_orbit claim | Cycles claim -> judged_cycles claim | Region claim -> judged_region claim
+  | is when is = Words.schema -> Words (Words.read value)
+  | is -> Reading.not_covered "schema is %S: covered are %S, %S, %S and %S" (Reading.shortened is) Orbit.schema Periodic.schema Trap.schema Words.schema
+let said = function Orbit claim -> Orbit.claim claim | Cycles claim -> Periodic.claim claim | Region claim -> Trap.claim claim | Words claim -> Words.claim claim
+let judged = function Orbit claim -> judged_orbit claim | Cycles claim -> judged_cycles claim | Region claim -> judged_region claim | Words claim -> judged_chaos claim
 
 let verdict source =
   match read source with
@@ -109,6 +118,10 @@ let coq path =
      | Ok (entry, pieces) ->
        let plan = Plans.plan claim (List.hd Plans.attempts) in
        print_string (Term.file_of_region data start region properties plan entry pieces (verify_region data start region properties plan entry pieces)))
+  | Words ({ data; start; chaos; _ } as claim) ->
+    (match Rates.hint claim with
+     | Ok hint -> print_string (Term.file_of_chaos data start chaos hint (verify_chaos data start chaos hint))
+     | Error n -> no_input (Printf.sprintf "no strip of words[%d] is found" n))
 
 let () =
   match Array.to_list Sys.argv with

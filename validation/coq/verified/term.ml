@@ -115,11 +115,33 @@ let plan { plan_bits; fine; shortest; longest; parts; halvings } =
 let entry { from_column; until_column; impacts_before } =
   Printf.sprintf "(Trap.Entry %s %s)" (integers [ from_column; until_column ]) (list event impacts_before)
 
+(* Horseshoes. *)
+let h_set { left_bottom; left_top; right_bottom; right_top; set_middle; set_expanding; set_contracting } =
+  Printf.sprintf "(Chaos.H_set %s)" (String.concat " " (List.map pair [ left_bottom; left_top; right_bottom; right_top; set_middle; set_expanding; set_contracting ]))
+let word { word_from; word_into; word_flights; half_cycles } =
+  Printf.sprintf "(Chaos.Word %s %s %s %s)" (natural word_from) (natural word_into) (list string_of_bool word_flights) (integer half_cycles)
+let chaos { h_sets; words; per_impact; per_cycle; blocks } =
+  let both (a, b) = Printf.sprintf "(%s, %s)" (natural a) (natural b) in
+  Printf.sprintf "(Chaos.Chaos %s %s %s %s %s)" (list h_set h_sets) (list word words) (fraction per_impact) (fraction per_cycle) (option both blocks)
+let transit { wide_mid; wide_rad; near_mid; near_rad; go; come; lean_along; lean_across } =
+  Printf.sprintf "(Covering.Transit %s)" (integers [ wide_mid; wide_rad; near_mid; near_rad; go; come; lean_along; lean_across ])
+let segment { until; through; finally } =
+  let step (c, n) = Printf.sprintf "(%s, %s)" (transit c) (chart n) in
+  Printf.sprintf "(Strips.Segment %s %s %s)" (integer until) (list step through) (transit finally)
+let strip { begins_at; backwards; segments } = Printf.sprintf "(Strips.Strip %s %b %s)" (integer begins_at) backwards (list segment segments)
+let entry_of_word { from_set; into_set; strides; strip_of } =
+  let stride { far; turns_taken } = Printf.sprintf "(Reduced.Stride %b %s)" far (integer turns_taken) in
+  Printf.sprintf "(Words.Word %s %s %s %s)" (natural from_set) (natural into_set) (list stride strides) (strip strip_of)
+let growth { growth_by; growth_values } = Printf.sprintf "(Entropies.Growth_hint %s %s)" (fraction growth_by) (list integer growth_values)
+let chaos_hint { found_words = { word_bits; grid_bits; sets; entries }; by_impacts; by_half_cycles } =
+  Printf.sprintf "(Carrier.Chaos_hint (Words.Words %s %s %s) %s %s)" (integers [ word_bits; grid_bits ]) (list chart sets) (list entry_of_word entries)
+    (growth by_impacts) (growth by_half_cycles)
+
 (* The answer of the extracted program is Coq's: a file of definitions, and of the checker on them. *)
 let answered definitions checker answer =
   let defined = List.map (fun (name, term) -> Printf.sprintf "Definition %s := %s.\n" name term) definitions in
   Printf.sprintf "From Coq Require Import ZArith QArith List.\nFrom ImpactPair Require Import Model Data Certificate Covering Document Orbit Resting Rests Shadow Cycle.\n\
-    From ImpactPair Require Pieces Jacobian Rounds Discs Cycles Drawn Region Columns March Trap Carrier.\nImport ListNotations.\nOpen Scope Z_scope.\n\
+    From ImpactPair Require Pieces Jacobian Rounds Discs Cycles Drawn Region Columns March Trap Chaos Reduced Strips Words Entropies Carrier.\nImport ListNotations.\nOpen Scope Z_scope.\n\
     %sLemma answer : Carrier.%s %s = %b.\nProof. vm_cast_no_check (eq_refl %b). Qed.\n"
     (String.concat "" defined) checker (String.concat " " (List.map fst definitions)) answer answer
 
@@ -134,3 +156,5 @@ let file_of_attracted x found from c around way =
 let file_of_region param start r f h x found answer =
   answered [ ("param", data param); ("start", beginning start); ("region", region r); ("said", properties f); ("plan", plan h); ("entry", entry x); ("pieces", pieces found) ]
     "verify_region" answer
+let file_of_chaos param start c h answer =
+  answered [ ("param", data param); ("start", beginning start); ("horseshoe", chaos c); ("hint", chaos_hint h) ] "verify_chaos" answer
