@@ -5,3 +5,4 @@ Print Assumptions Carrier.Shadowing.shadow_verified.
 Print Assumptions Carrier.Drawing.cycles_verified.
 Print Assumptions Carrier.attracted_verified.
 Print Assumptions Carrier.region_verified.
+Print Assumptions Carrier.chaos_verified.

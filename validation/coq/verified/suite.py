@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Has impact-pair-verified judge documents of `impact-pair run`, `periodic` and `trap`: right ones, corrupted ones, and texts that are none.
+"""Has impact-pair-verified judge documents of `impact-pair run`, `periodic`, `trap` and `chaos`: right ones, corrupted ones, and texts that are none.
 
 Run: suite.py --program IMPACT_PAIR --verified PROGRAM [--forged DIR] [--report DIR] [--quick]
 
@@ -17,6 +17,7 @@ from pathlib import Path
 import corrupted
 import corrupted_orbits
 import corrupted_regions
+import corrupted_words
 import scenes
 import texts
 
@@ -45,6 +46,9 @@ ATTRACTED = [("figure-12", ["--impacts", "5"]), ("figure-13", ["--impacts", "9"]
 REGIONS = [("figure-13", 1.0), ("figure-14", 10.0), ("figure-12", 1.0), ("even-cycles", 5.0), ("figure-10", 5.0), ("figure-11", 5.0), ("cascade", 5.0), ("doublings", 40.0),
            ("figure-14-sink", 10.0), ("figure-15", 40.0), ("figure-17", 60.0)]
 REGIONS_OF_INTERVALS = [{"gap": "[9.42496, 9.42498]"}, {"restitution": "[0.4999, 0.5001]"}, {"velocity": "[-12.5664, -12.5663]", "time": "[0, 1e-6]"}]
+# Horseshoes: scene, options, seconds of processor time accepted; of the first one corrupted copies are made.
+BASES = ["--bases", "docs/bases-figure-14.json", "--depth"]
+HORSESHOES = [("figure-14", [*BASES, "3"], 10.0), ("figure-14-sink", [*BASES, "3"], 10.0), ("figure-14", [*BASES, "6"], 40.0), ("figure-17", ["--depth", "4"], 60.0)]
 # Documents of which corrupted copies are made.
 SPOILED = [("figure-14", ["--impacts", "8"]), ("figure-14", ["--until", "4.4"]), ("figure-14", [*SHADOWED, "--impacts", "8"]),
            ("chatter", ["--until", "12"]), ("chatter", []), ("two-tones", ["--impacts", "6"]), ("figure-17", ["--impacts", "6"]), ("figure-17", [*SHADOWED, "--impacts", "6"])]
@@ -78,6 +82,11 @@ class Suite:
         command = [self.program, "trap", "-", "--format", "json", "--quiet"]
         text = with_intervals(Path(f"scenes/{scene}.toml").read_text(encoding="utf-8"), data or {})
         return json.loads(subprocess.run(command, input=text, capture_output=True, text=True, check=False, timeout=PATIENCE).stdout)
+
+    def chaos(self, scene, options):
+        """The document of a horseshoe, without what becomes of the scene's own orbit."""
+        command = [self.program, "chaos", f"scenes/{scene}.toml", *options, "--no-orbit", "--format", "json", "--quiet"]
+        return json.loads(subprocess.run(command, capture_output=True, text=True, check=False, timeout=PATIENCE).stdout)
 
     def answer(self, text):
         """(verdict, its last line, seconds of processor time) of a text."""
@@ -205,6 +214,18 @@ def regions(suite, quick):
     return rows
 
 
+def horseshoes(suite, quick):
+    """Rows of documents of horseshoes, which must be verified."""
+    rows = []
+    for scene, options, accepted in HORSESHOES[: 2 if quick else None]:
+        document = suite.chaos(scene, options)
+        verdict, said, seconds = suite.answer(json.dumps(document).encode())
+        if verdict != "verified" or seconds > accepted:
+            suite.failures.append(f"horseshoe of {scene}: {said}, {seconds:.2f} s, but accepted are {accepted} s")
+        rows.append(f"| {scene} | {options[-1]} | {len(document['words'])} | {document['entropy']['per_impact']} | {said} | {seconds:.2f} |")
+    return rows
+
+
 def wrong(suite, quick):
     """Corrupted copies, none of which may be verified; the number of them."""
     total = 0
@@ -220,6 +241,10 @@ def wrong(suite, quick):
             total += 1
             if (said := suite.answer(json.dumps(copy).encode())[1]).startswith("verified"):
                 suite.failures.append(f"region of {name}, {what}: {said}")
+    for what, copy in corrupted_words.copies(suite.chaos(*HORSESHOES[0][:2])):
+        total += 1
+        if (said := suite.answer(json.dumps(copy).encode())[1]).startswith("verified"):
+            suite.failures.append(f"horseshoe of figure-14, {what}: {said}")
     for name, options in SPOILED_IN_SMALL if quick else SPOILED:
         document = suite.run(f"scenes/{name}.toml", options)
         for what, copy in corrupted.copies(document):
@@ -234,7 +259,8 @@ def changed(suite, quick):
     """Copies with one value changed at random: none is verified that `check` refutes. How many were, and were verified."""
     total = verified = 0
     documents = [(name, suite.run(f"scenes/{name}.toml", options)) for name, options in [*SPOILED_IN_SMALL, ATTRACTED[0]]]
-    for name, document in [*documents, ("periodic orbits of figure-12", suite.periodic(*PERIODIC[0])), ("the region of figure-13", suite.trap("figure-13"))]:
+    for name, document in [*documents, ("periodic orbits of figure-12", suite.periodic(*PERIODIC[0])), ("the region of figure-13", suite.trap("figure-13")),
+                           *([] if quick else [("the horseshoe of figure-14", suite.chaos(*HORSESHOES[0][:2]))])]:
         for what, copy in corrupted.at_random(document, 60 if quick else 600):
             total += 1
             if suite.answer(json.dumps(copy).encode())[0] == "verified":
@@ -294,7 +320,7 @@ def unreadable(suite, quick):
     """Texts that are no document of this kind; the number of them."""
     document = suite.run("scenes/figure-14.toml", ["--impacts", "3"])
     total = 0
-    for what, text, accepted in [*texts.all_of(document, quick), *texts.all_of(suite.trap("figure-13"), True)]:
+    for what, text, accepted in [*texts.all_of(document, quick), *texts.all_of(suite.trap("figure-13"), True), *texts.all_of(suite.chaos(*HORSESHOES[0][:2]), True)]:
         verdict, said, _ = suite.answer(text)
         total += 1
         # Another number may be as true.
@@ -350,17 +376,18 @@ def main():
     if not quick:
         small_ellipse(suite)
     rows, times, spoiled, orbits = right(suite, quick), fast(suite, quick), wrong(suite, quick), periodic_orbits(suite, quick)
-    trapping = regions(suite, quick)
+    trapping, chaotic = regions(suite, quick), horseshoes(suite, quick)
     boxes, (made, accepted) = intervals(suite, quick), random_scenes(suite, quick)
     (mutated, still), refused, coq = changed(suite, quick), unreadable(suite, quick), same_as_coq(suite, quick)
     false_ones, rests_on = forged(suite, arguments.forged), axioms(suite)
-    verdict = (f"{sum('| verified |' in row for row in rows + boxes + orbits + trapping) + accepted} documents verified, {spoiled} corrupted copies and {refused} other texts refused, "
+    verdict = (f"{sum('| verified |' in row for row in rows + boxes + orbits + trapping + chaotic) + accepted} documents verified, {spoiled} corrupted copies and {refused} other texts refused, "
                f"{coq} answers equal to those of Coq's evaluator; {len(suite.failures)} failures.")
     lines = ["# Documents verified by a checker extracted from Coq", "", verdict, "",
              "| scene | events | outcome | answer | seconds |", "|---|---|---|---|---|", *rows, "",
              "| intervals of figure 14 | impacts | answer | seconds |", "|---|---|---|---|", *boxes, "",
              "| periodic orbits | word in forcing periods | orbits | answer | seconds |", "|---|---|---|---|---|", *orbits, "",
              "| trapping region | boxes | entered at impact | answer | seconds |", "|---|---|---|---|---|", *trapping, "",
+             "| horseshoe | impacts of a word | words | entropy per impact | answer | seconds |", "|---|---|---|---|---|---|", *chaotic, "",
              "| speed | seconds of processor time | accepted |", "|---|---|---|", *times, "",
              f"Random scenes: {made} documents, {accepted} verified, all others with an event or an outcome that is not covered.", "",
              f"Documents made false by `tests/forger`: {false_ones}, none verified that is false.", "",
