@@ -62,6 +62,9 @@ pub struct ChaosArguments {
     /// the Hausdorff dimension
     #[arg(long)]
     hyperbolic: bool,
+    /// Leave out what becomes of the orbit of the scene's own start: the words and the entropy alone, which is what check --verified covers
+    #[arg(long)]
+    no_orbit: bool,
     /// Read the h-sets from FILE: JSON with a list "bases" as written by this verb
     #[arg(long, value_name = "FILE")]
     bases: Option<PathBuf>,
@@ -122,6 +125,9 @@ pub fn chaos(arguments: &ChaosArguments) -> Result<Answer> {
             if !bases.is_empty() {
                 bail!("--bases applies to one range, but --over {}=... is divided into {cells} cells", over.key);
             }
+            if arguments.no_orbit {
+                bail!("--no-orbit applies to one range, but --over {}=... is divided into {cells} cells", over.key);
+            }
             if arguments.hyperbolic {
                 bail!("--hyperbolic applies to one range, but --over {}=... is divided into {cells} cells", over.key);
             }
@@ -158,6 +164,7 @@ impl Work<'_> {
         let progress = Progress::stages(!self.files.quiet);
         let found = Chaos::of(&pair, scene.start(), &question, &progress).with_context(named)?;
         let mut document = document::chaos(scene, over, &found);
+        document.scene_orbit = document.scene_orbit.filter(|_| !self.arguments.no_orbit);
         let mut proved = None;
         if self.arguments.hyperbolic {
             let set = Hyperbolic::of(&pair, &found, &progress).with_context(named)?;

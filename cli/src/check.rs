@@ -46,7 +46,7 @@ separate line names the values that are not checked; with --format json each val
 the claims with its verdict, or among those not checked. Ctrl-C keeps what is proved so far.
 
 With --verified the program impact-pair-verified answers, if it is beside impact-pair or on PATH: its checker is \
-extracted from a proof in Coq. It prints what a JSON of run, periodic or trap claims, and that it is verified, or why \
+extracted from a proof in Coq. It prints what a JSON of run, periodic, trap or chaos claims, and that it is verified, or why \
 not: a document that claims more than the theorems cover, such as a graze, is not verified.
 
 Exit code: 0 every claim is proved again, except those named as not checked; 1 a claim is refuted or undecided, or not \
@@ -57,8 +57,8 @@ pub struct CheckArguments {
     /// JSON of run, sweep or atlas (or JSON Lines), describe, periodic, two-impact, cycles, bifurcations, windows, tangency, global, trap or chaos, or
     /// - for stdin
     pub certificate: PathBuf,
-    /// Have the program impact-pair-verified, whose checker is extracted from its proof in Coq, check a JSON of run, periodic or
-    /// trap instead
+    /// Have the program impact-pair-verified, whose checker is extracted from its proof in Coq, check a JSON of run, periodic,
+    /// trap or chaos instead
     #[arg(long, conflicts_with_all = ["effort", "format"])]
     pub verified: bool,
     /// Multiply the work allowed for each claim by TIMES before it is left undecided

@@ -247,11 +247,12 @@ def at_random(document, count):
                 return not value
             if isinstance(value, int):
                 return value + seeded.choice((-1, 1))
-            digits = [i for i, letter in enumerate(value) if letter.isdigit()]
+            text = str(value)
+            digits = [i for i, letter in enumerate(text) if letter.isdigit()]
             if not digits:
                 return seeded.choice(("left", "right", "P1", "P3", "pi", ""))
             at = seeded.choice(digits)
-            return value[:at] + seeded.choice("0123456789") + value[at + 1:]
+            return type(value)(text[:at] + seeded.choice("0123456789") + text[at + 1:])
 
         spoiled = copy.deepcopy(document)
         set_at(list(path), change)(spoiled)

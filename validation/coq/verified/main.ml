@@ -65,7 +65,7 @@ let judged_chaos (claim : Words.claim) = match Reason.wrong_data (Z.of_int 256) 
   | Some reason -> Not_verified reason
   | None ->
     match Rates.hint claim with
-    | Error n -> Not_verified (Printf.sprintf "words[%d]: no strip of states is found that it leads across its second h-set" n)
+    | Error n -> Not_verified (Printf.sprintf "words[%d]: no stretch of its first h-set is found that it leads across the second one" n)
     | Ok hint when verify_chaos claim.data claim.start claim.chaos hint -> Verified
     | Ok hint -> Not_verified (Reason.why_no_chaos claim hint)
 

@@ -10,6 +10,12 @@ type claim = { data : data; start : beginning; chaos : chaos }
 
 (* Keys that claim nothing of the pair: how words were searched for, and an exponent that is seen. *)
 let no_claims = [ "program"; "depth"; "boxes"; "exponent_seen" ]
+let read_no_claims head =
+  ignore (integer "depth" (get "" head "depth"));
+  ignore (integer "boxes" (get "" head "boxes"));
+  match get "" head "exponent_seen" with
+  | Json.Null | Number _ -> ()
+  | value -> wrong "exponent_seen" value "a number or null"
 
 (* Naturals of the checker. *)
 let nat = Rests.nat
@@ -89,6 +95,7 @@ let document value =
   let data, start = read_scene (get "" head "scene") in
   if data.further <> [] then not_covered "scene.excitation: covered are horseshoes of one harmonic";
   only "" ([ "schema"; "certified"; "scene"; "entropy"; "horseshoe"; "bases"; "words" ] @ optional @ no_claims) head;
+  read_no_claims head;
   let entropy = members "entropy" (get "" head "entropy") in
   only "entropy" [ "per_impact"; "per_cycle" ] entropy;
   let rate key = written (inside "entropy" key) (get "entropy" entropy key) in
