@@ -4,7 +4,6 @@ use std::collections::BTreeSet;
 use std::f64::consts::{PI, TAU};
 use std::fs;
 
-use crate::effort::effort;
 use impact_pair::Scene;
 use impact_pair::chaos::{Chaos, HorseshoeSettings, Hyperbolic, Trap};
 use impact_pair::document;
@@ -133,7 +132,7 @@ fn trap(name: &str) -> Value {
 
 /// `None` where it is refused as it is read.
 fn verdict(document: &Value) -> Option<Verdict> {
-    Some(Claims::parse(&document.to_string()).ok()?.check_within(&effort(), &Unwatched).unwrap())
+    Some(Claims::parse(&document.to_string()).ok()?.check_within(&Effort::default(), &Unwatched).unwrap())
 }
 
 fn is_confirmed(document: &Value) -> bool {
