@@ -364,6 +364,8 @@ fn r32_nothing_is_listed_as_a_claim_that_is_not_compared() {
         let whole = json!(lines);
         let last = &lines[lines.len() - 1];
         let kind = [&lines[0]["schema"], &lines[0]["claim"], &last["outcome"]["kind"]].map(Value::to_string);
+        // Each claim of these takes a second: of three one.
+        let is_dear = ["windows", "tangency"].contains(&name.as_str());
         let mut seen = BTreeSet::new();
         for claim in &found.claims {
             let unnumbered = changes::unnumbered(&claim.path);
@@ -371,7 +373,8 @@ fn r32_nothing_is_listed_as_a_claim_that_is_not_compared() {
                 continue;
             }
             // What is compared in a document of this kind is compared by the same code in others.
-            if !compared.insert((kind.clone(), unnumbered.clone())) && !is_all {
+            let is_new = compared.insert((kind.clone(), unnumbered.clone()));
+            if !is_all && (!is_new || is_dear && seen.len() % 3 != 0) {
                 continue;
             }
             let pointer = leaves(&lines).into_iter().find_map(|(path, pointer)| {
