@@ -180,7 +180,7 @@ fn bifurcations_of_two_tones_are_seen_in_the_orbits_beside_them() {
                     let problem = Problem::new(&pair, &point.word, point.cycles).unwrap();
                     let near: Vec<f64> = point.impacts.iter().map(|impact| impact.phase.mid_rad().0).collect();
                     // The two beside a fold are apart like the root of the way to it.
-                    let guesses = (-20..=20).map(|k| {
+                    let guesses = (-20..=20).step_by(4).map(|k| {
                         let moved =
                             near.iter().enumerate().map(|(i, u)| u + 1e-4 * f64::from(k) * f64::from(i as u8 % 2));
                         moved.collect::<Vec<f64>>()

@@ -1,13 +1,14 @@
 //! Bifurcation JSONs: those that are computed are confirmed by `check`, and nothing else.
 #![cfg(feature = "multiprecision")]
 
+use crate::effort::effort;
 use impact_pair::Scene;
 use impact_pair::document;
 use impact_pair::exact::{Exact, decimal_bounds};
 use impact_pair::periodic::Precision;
 use impact_pair::periodic::bifurcation::{DiagramSettings, survey};
 use impact_pair::watch::Unwatched;
-use impact_pair_certificate::{Claims, Effort, Verdict};
+use impact_pair_certificate::{Claims, Verdict};
 use serde_json::{Value, json};
 
 fn bifurcations(over: &str, doublings: u32, digits: u32) -> Value {
@@ -38,7 +39,7 @@ fn claims(document: &Value) -> Claims {
 }
 
 fn verdict(document: &Value) -> Verdict {
-    claims(document).check_within(&Effort::default(), &Unwatched).unwrap()
+    claims(document).check_within(&effort(), &Unwatched).unwrap()
 }
 
 fn assert_confirmed(document: &Value) {

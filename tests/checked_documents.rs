@@ -1,6 +1,7 @@
 //! Sweeps, and documents one after another: what `check` proves of them, and nothing else is confirmed.
 #![cfg(feature = "multiprecision")]
 
+use crate::effort::effort;
 use impact_pair::Scene;
 use impact_pair::document::{self, Units};
 use impact_pair::exact::Exact;
@@ -10,7 +11,7 @@ use impact_pair::periodic::{Precision, Problem};
 use impact_pair::sweep::{self, Grid, PointSettings};
 use impact_pair::two_impact::{self, Unknown};
 use impact_pair::watch::Unwatched;
-use impact_pair_certificate::{Claims, Effort, Verdict};
+use impact_pair_certificate::{Claims, Verdict};
 use serde_json::{Value, json};
 
 /// The lines of a sweep: impacts 4 to 8 of each point.
@@ -31,12 +32,12 @@ fn sweep(scene: &str, over: &[&str]) -> Vec<Value> {
 
 pub fn verdict(lines: &[Value]) -> Verdict {
     let text: Vec<_> = lines.iter().map(Value::to_string).collect();
-    Claims::parse(&text.join("\n")).unwrap().check_within(&Effort::default(), &Unwatched).unwrap()
+    Claims::parse(&text.join("\n")).unwrap().check_within(&effort(), &Unwatched).unwrap()
 }
 
 /// The verdict on one document.
 pub fn judged(document: &Value) -> Verdict {
-    Claims::parse(&document.to_string()).unwrap().check_within(&Effort::default(), &Unwatched).unwrap()
+    Claims::parse(&document.to_string()).unwrap().check_within(&effort(), &Unwatched).unwrap()
 }
 
 pub fn is_confirmed(lines: &[Value]) -> bool {
@@ -137,7 +138,7 @@ pub fn two_impact(cycles: u32) -> Value {
 fn r17_documents_in_a_list_are_judged_one_by_one() {
     let both = json!([two_impact(1), two_impact(2)]);
     let claims = |document: &Value| Claims::parse(&document.to_string()).unwrap();
-    let judged = |document: &Value| claims(document).check_within(&Effort::default(), &Unwatched).unwrap();
+    let judged = |document: &Value| claims(document).check_within(&effort(), &Unwatched).unwrap();
     assert!(matches!(judged(&both), Verdict::Confirmed { .. }), "{:?}", judged(&both));
     assert!(claims(&both).all().starts_with("2 documents: "), "{}", claims(&both).all());
     assert!(claims(&both).unjudged().iter().any(|key| key == "[1].exhaustive"));
@@ -182,7 +183,7 @@ fn r17_cycles_of_impacts_are_judged() {
         let document = json!(Units::new(scene.pair()).unwrap().document(&problem, scene.start(), &census));
         assert!(document["orbits"][0]["impacts"][1]["cycle"].is_i64(), "{document}");
         let judged = |document: &Value| {
-            Claims::parse(&document.to_string()).unwrap().check_within(&Effort::default(), &Unwatched).unwrap()
+            Claims::parse(&document.to_string()).unwrap().check_within(&effort(), &Unwatched).unwrap()
         };
         assert!(matches!(judged(&document), Verdict::Confirmed { .. }), "{:?} {document}", judged(&document));
         for (impact, by) in [(0, 1), (1, 1), (1, -1), (1, i64::from(cycles))] {

@@ -2,12 +2,13 @@
 #![cfg(feature = "multiprecision")]
 
 use crate::checked_documents::{SCENE, is_confirmed, judged, two_impact, verdict};
+use crate::effort::effort;
 use impact_pair::Scene;
 use impact_pair::chaos::Cycles;
 use impact_pair::document::{self, Units};
 use impact_pair::periodic::{Precision, Problem};
 use impact_pair::watch::Unwatched;
-use impact_pair_certificate::{Claims, Effort, Verdict};
+use impact_pair_certificate::{Claims, Verdict};
 use serde_json::{Value, json};
 
 /// All cycles of figure 14 with one to four impacts.
@@ -22,9 +23,8 @@ fn cycles() -> Value {
 #[test]
 fn r32_cycles_whose_counts_are_not_those_of_their_orbits_are_refuted() {
     let document = cycles();
-    let judged = |document: &Value| {
-        Claims::parse(&document.to_string()).unwrap().check_within(&Effort::default(), &Unwatched).unwrap()
-    };
+    let judged =
+        |document: &Value| Claims::parse(&document.to_string()).unwrap().check_within(&effort(), &Unwatched).unwrap();
     assert!(matches!(judged(&document), Verdict::Confirmed { .. }), "{:?} {document}", judged(&document));
     let named = Claims::parse(&document.to_string()).unwrap().unjudged();
     for key in ["certified", "exhaustive", "fixed_points", "impacts", "no_attractor"] {

@@ -2,6 +2,7 @@
 
 use std::sync::Mutex;
 
+use crate::effort::effort;
 use impact_pair::Scene;
 use impact_pair::document;
 use impact_pair::exact::Exact;
@@ -42,7 +43,7 @@ fn shadowed(scene: &str, impacts: u64) -> Value {
 
 /// `None` where it is refused.
 fn verdict(document: &Value) -> Option<Verdict> {
-    Some(Certificate::parse(&document.to_string()).ok()?.check(&Unwatched).unwrap())
+    Some(Certificate::parse(&document.to_string()).ok()?.check_within(&effort(), &Unwatched).unwrap())
 }
 
 fn is_confirmed(document: &Value) -> bool {

@@ -57,7 +57,7 @@ QUICK = f"cargo nextest run --cargo-profile validation --workspace {GMP} --no-fa
 LINT = f"cargo clippy {' '.join(PROFILE)} {GMP} --all-targets"
 NO_C = "cargo tree --quiet --edges normal,build,dev --prefix none -p impact-pair -p impact-pair-cli --no-default-features"
 NO_C = f"! {NO_C} | grep -E '^(cc|gmp-mpfr-sys|cmake|bindgen) '"
-MANY = "IMPACT_PAIR_MULTIPLIER=20 FUZZ_CASES=${FUZZ_CASES:-100000}"
+MANY = "IMPACT_PAIR_MULTIPLIER=40 FUZZ_CASES=${FUZZ_CASES:-100000}"
 FRESH = "STRADDLE_CASES=${STRADDLE_CASES:-100000} STRADDLE_SEED=fresh"
 CROSSED = "CROSSINGS_CASES=${CROSSINGS_CASES:-100000} CROSSINGS_SEED=fresh"
 
@@ -78,6 +78,7 @@ PARTS = [
           f" && cargo test {' '.join(PROFILE)} -p impact-pair -p impact-pair-cli --no-default-features"
           f" && {TEST} --benches && {FRESH} {TEST} --test library straddle:: -- --nocapture"
           f" && {CROSSED} {TEST} --test truth crossings:: -- --nocapture && PROPTEST_CASES=100000 {TEST} --test library spoiled::"
+          f" && PROPTEST_CASES=100000 {TEST} --test recorded claimed::"
           f" && FORGER_FOLDER=$PWD/target/forged FORGER_CASES=all {TEST} --test library forger::", ("program",)),
     cargo("lints", f"{LINT} --workspace -- -D warnings",
           f"{LINT} --workspace -- -D warnings && {LINT} --workspace --features png,pdf,parquet -- -D warnings"

@@ -87,6 +87,9 @@ fn every_example_runs() {
         "amplitude.2=0..2",
         "windows scenes/figure-14.toml",
         "tangency scenes/figure-14.toml --over gap=9.4245",
+        "global scenes/figure-12.toml",
+        "--over amplitude=1..1.1:2 --plot proved.svg",
+        "-o a.html",
     ]);
 }
 

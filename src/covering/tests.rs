@@ -166,18 +166,18 @@ mod refined {
     }
 
     #[test]
-    fn a_thousand_impacts_of_figure_14() {
-        refine(&scene("figure-14"), 1000, 720);
+    fn some_hundred_impacts_of_the_figures() {
+        for (name, impacts, bits) in [("figure-14", 300, 320), ("figure-16", 400, 256), ("figure-17", 300, 320)] {
+            refine(&scene(name), impacts, bits);
+        }
     }
 
     #[test]
-    fn a_thousand_impacts_of_figure_16() {
-        refine(&scene("figure-16"), 1000, 360);
-    }
-
-    #[test]
-    fn a_thousand_impacts_of_figure_17() {
-        refine(&scene("figure-17"), 1000, 720);
+    #[ignore = "deep"]
+    fn a_thousand_impacts_of_the_figures() {
+        for (name, bits) in [("figure-14", 720), ("figure-16", 360), ("figure-17", 720)] {
+            refine(&scene(name), 1000, bits);
+        }
     }
 
     #[test]

@@ -19,7 +19,7 @@ use impact_pair_certificate::{Claims, Effort, Verdict};
 use serde_json::Value;
 
 /// Changes of a document that are tried by default.
-const TRIED: usize = 6;
+const TRIED: usize = 3;
 
 fn tried() -> usize {
     let cases = std::env::var("PROPTEST_CASES").ok().and_then(|cases| cases.parse().ok()).unwrap_or(256);

@@ -1,7 +1,7 @@
 //! `run`, then `check`: two independent routes judge each other, from starts that straddle every branch of the code.
 //!
 //! `check` shares no isolation, no units and no arithmetic with `run` (Lemma V1), so a wrong certificate is refuted by it,
-//! wherever the fault is. `STRADDLE_CASES` starts (500) from `STRADDLE_SEED`, a number or `fresh` (printed, so that it can be
+//! wherever the fault is. `STRADDLE_CASES` starts (250) from `STRADDLE_SEED`, a number or `fresh` (printed, so that it can be
 //! given again); `--nocapture` shows the counts by family.
 
 mod judge;
@@ -33,7 +33,7 @@ fn table(counts: &Counts) -> String {
 
 #[test]
 fn no_certificate_of_a_straddling_start_is_refuted() {
-    let (cases, seed) = (number("STRADDLE_CASES", 500), number("STRADDLE_SEED", SEED));
+    let (cases, seed) = (number("STRADDLE_CASES", 250), number("STRADDLE_SEED", SEED));
     println!("{cases} starts from seed {seed}");
     let (next, counts, wrong) = (AtomicU64::new(0), Mutex::new(Counts::new()), Mutex::new(Vec::new()));
     let work = || loop {

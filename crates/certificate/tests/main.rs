@@ -3,6 +3,8 @@
 #[path = "../../../tests/spoiled/changes.rs"]
 mod changes;
 mod claimed;
+#[path = "../../../tests/effort/mod.rs"]
+mod effort;
 #[path = "../../../tests/environment/mod.rs"]
 mod environment;
 mod globals;

@@ -9,10 +9,10 @@ use crate::common::short_flights;
 use crate::common::verdicts::{Answer, Question, Report, ask};
 use crate::common::{Random, cases};
 
-/// Two of five pairs of questions, spread over all that a family varies; all where more cases than the default are asked for.
+/// One of five pairs of questions, spread over all that a family varies; all where more cases than the default are asked for.
 fn some(all: Vec<Question>) -> impl Iterator<Item = Question> {
     let is_all = cases(4) > 1;
-    all.into_iter().enumerate().filter(move |(number, _)| is_all || number / 2 % 5 < 2).map(|(_, question)| question)
+    all.into_iter().enumerate().filter(move |(number, _)| is_all || number / 2 % 5 == 0).map(|(_, question)| question)
 }
 
 /// One round of all families.
@@ -45,7 +45,7 @@ fn adversarial_first_flights_are_right_and_decided() {
     report.print();
     let shown = |list: &[String]| list.iter().take(8).cloned().collect::<Vec<_>>().join("\n");
     let (wrong, undecided) = (report.wrong.len(), report.undecided.len());
-    assert!(report.asked >= 600 * cases(4), "only {} flights", report.asked);
+    assert!(report.asked >= 300 * cases(4), "only {} flights", report.asked);
     assert_eq!(wrong, 0, "wrong:\n{}", shown(&report.wrong));
     assert_eq!(undecided, 0, "undecided of {}:\n{}", report.asked, shown(&report.undecided));
 }
@@ -68,5 +68,5 @@ fn the_judge_finds_the_answer_to_a_twin_wrong() {
         }
     }
     println!("{found} answers to twins are wrong, {undecided} are undecided");
-    assert!(found > 120);
+    assert!(found > 60);
 }

@@ -54,10 +54,10 @@ impl Random {
     }
 }
 
-/// A quarter of `base` cases, times `IMPACT_PAIR_MULTIPLIER`.
+/// An eighth of `base` cases, times `IMPACT_PAIR_MULTIPLIER`.
 pub fn cases(base: usize) -> usize {
     let multiplier: usize = std::env::var("IMPACT_PAIR_MULTIPLIER").map_or(1, |text| text.parse().unwrap());
-    (base * multiplier).div_ceil(4)
+    (base * multiplier).div_ceil(8)
 }
 
 /// A/d in 0.01..100, any W, e in [0, 1]; starts on a wall or inside, v = 0 or tiny, now or at a huge time.
