@@ -4,6 +4,7 @@
 //! from `CROSSINGS_SEED`, a number or `fresh` (printed, so that it can be given again); `CROSSINGS_ONLY` asks one of that number and prints
 //! it; `--nocapture` shows the tables of counts.
 
+mod attractors;
 mod boxes;
 mod cells;
 mod controls;
@@ -30,7 +31,7 @@ use judge::{Finding, Judgement, judge};
 use traits::{Coverage, Crossing, Question, array, crossing};
 
 /// Outcomes that must occur. A run of a few impacts is hardly ever proved to be attracted: what `describe` follows longer is.
-const OUTCOMES: [&str; 23] = [
+const OUTCOMES: [&str; 25] = [
     "impacts-reached",
     "time-reached",
     "rests-forever",
@@ -47,6 +48,8 @@ const OUTCOMES: [&str; 23] = [
     "a horseshoe",
     "a hyperbolic set",
     "global: one-rest-cycle",
+    "global: an attractor of one impact in an undecided component",
+    "global: an attractor of some impacts in an undecided component",
     "atlas: decided points",
     "images of boxes",
     "described: attracted",

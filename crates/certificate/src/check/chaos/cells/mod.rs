@@ -175,6 +175,37 @@ fn said_of_period(found: Result<Found, End>, is_own: bool) -> Result<(), Doubt> 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use impact_pair_model::watch::Unwatched;
+    use impact_pair_model::{Harmonic, Wall};
+
+    /// Whether a stable orbit of a word in some cycles is proved for all amplitudes and restitutions of intervals.
+    fn is_proved([amplitude, restitution]: [&str; 2], word: &str, cycles: u32) -> bool {
+        let exact = |text: &str| text.parse::<Exact>().unwrap();
+        let harmonic = Harmonic::new(exact(amplitude), Exact::pi(), Exact::from(0)).unwrap();
+        let pair = ImpactPair::new(harmonic, exact("1"), exact(restitution)).unwrap();
+        let start = Start::on_wall(Exact::from(0), Wall::Left, Exact::from(-1)).unwrap();
+        let impacts = word.split(' ').count() as u32;
+        let claimed = PeriodDocument { word: word.to_owned(), cycles, impacts };
+        has_stable_orbit((&pair, &start), &claimed, &Effort::default(), &Unwatched).unwrap().is_ok()
+    }
+
+    /// The equispaced motion of (66)-(69), whose eigenvalues are complex at the first pair: a set lies in one of many impacts before only.
+    #[test]
+    fn v36_sets_are_compared_with_those_of_many_impacts_before() {
+        for pair in [["0.3", "0.5"], ["[0.3, 0.3001]", "[0.5, 0.5001]"], ["0.36", "0.8"]] {
+            assert!(is_proved(pair, "P1 P2", 1), "{pair:?}");
+            assert!(!is_proved(pair, "P1 P2", 3) && !is_proved(pair, "P4 P2 P1", 1), "{pair:?}");
+        }
+    }
+
+    /// Beyond the doubling at 0.46276, and before the one at 0.48999, the orbit takes two cycles: rounds of many impacts do not prove half of it.
+    #[test]
+    fn v36_a_doubled_orbit_is_not_the_one_that_has_doubled() {
+        let doubled = ["0.475", "0.8"];
+        assert!(is_proved(doubled, "P1 P2 P1 P2", 2));
+        assert!(!is_proved(doubled, "P1 P2", 1));
+        assert!(!is_proved(["0.492", "0.8"], "P1 P2 P1 P2", 2));
+    }
 
     /// Each gap is in a quarter with each restitution.
     #[test]
