@@ -84,7 +84,9 @@ fn radius([trace, determinant]: [f64; 2], rounds: usize) -> f64 {
 pub fn judge(document: &Value, member: &Member) -> Judged<()> {
     let mut known: Vec<Vec<[Float; 2]>> = Vec::new();
     for (place, own) in attracting(document) {
-        let Some(told) = orbits::impacts(&own["orbit"]) else { return wrong("an attracting motion without impacts".into()) };
+        let Some(told) = orbits::impacts(&own["orbit"]) else {
+            return wrong("an attracting motion without impacts".into());
+        };
         let states = states(member, &told);
         let reduced = own["reduced_impacts"].as_u64().unwrap_or(0) as usize;
         if !repeats(&states, reduced) {

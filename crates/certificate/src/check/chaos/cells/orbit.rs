@@ -59,10 +59,9 @@ struct Round {
 impl Round {
     /// It comes again after N impacts as well: so after the greatest common divisor of both. Lemma V36
     fn divided(self, impacts: usize) -> Self {
-        let common = if m() == 3 { self.impacts.min(impacts) } else { self.impacts.gcd(&impacts) };
+        let common = self.impacts.gcd(&impacts);
         let turns = self.turns / (self.impacts / common) as f64; // exact: whole forcing periods after each part
-        if m() == 4 { return self; }
-        Self { impacts: common, turns: if m() == 5 { self.turns } else { turns }, ..self }
+        Self { impacts: common, turns, ..self }
     }
 }
 
@@ -178,14 +177,13 @@ impl Period {
             };
             work.spend(SET, time)?;
             walls.push(walls[last - 1] != is_far);
-            for impacts in (1..=last).take(MORE.max(all)).filter(|n| m() != 1 || all.is_multiple_of(*n)) {
+            for impacts in (1..=last).take(MORE.max(all)) {
                 if round.as_ref().is_some_and(|round| impacts.is_multiple_of(round.impacts)) {
                     continue;
                 }
                 let from = last - impacts;
                 let Some(shift) = sets[from].holds(&set) else { continue };
                 let turns = set.turns - sets[from].turns + shift;
-                if m() == 6 { round = None; }
                 let own = round.map_or(Round { from, impacts, turns }, |round| round.divided(impacts));
                 round = Some(own);
                 match self.compared(&walls[own.from..=own.from + own.impacts], own.turns) {
@@ -226,7 +224,6 @@ impl Period {
             (true, impacts) if impacts < all => Found::Fewer,
             (true, impacts) if impacts == all => Found::Proved,
             // It may repeat after a part of these.
-            (true, _) if m() == 2 => Found::Proved,
             (true, _) => Found::Nothing,
         }
     }
@@ -266,5 +263,3 @@ fn first_impact(pair: &ImpactPair, start: &Start) -> Result<Option<(Wall, Spot)>
     let phase = phase.clone() - &Real::int(turns, phase.bits());
     Ok(Some((landing.wall, [&phase, &speed].map(|x| Span::of(x.enclosure())))))
 }
-
-fn m() -> u32 { std::env::var("MUT").ok().and_then(|m| m.parse().ok()).unwrap_or(0) }
