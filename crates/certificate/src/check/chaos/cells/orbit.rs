@@ -177,6 +177,7 @@ impl Period {
             };
             work.spend(SET, time)?;
             walls.push(walls[last - 1] != is_far);
+            // V36: any of the sets before
             for impacts in (1..=last).take(MORE.max(all)) {
                 if round.as_ref().is_some_and(|round| impacts.is_multiple_of(round.impacts)) {
                     continue;
