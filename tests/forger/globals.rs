@@ -32,6 +32,12 @@ pub const FORGERIES: &[Forgery] = &[
         forge: saddle_sets,
     },
     Forgery { name: "global: numbers", why: "the period, or the spectral radius, is another one", forge: numbers },
+    Forgery {
+        name: "global: undecided left out",
+        why: "between the basins of attractors, and beside a cycle, motions stay that end in none of them",
+        forge: undecided_left_out,
+    },
+    Forgery { name: "global: another's word", why: "the orbit has another word, or another period", forge: words },
 ];
 
 /// A document with other components, with the class and the sentence that follow from them.
@@ -69,6 +75,39 @@ fn places(original: &Original, kinds: &[&str]) -> Vec<usize> {
 fn left_out(original: &Original) -> Vec<Forged> {
     let of = |i: usize| with(original, format!("without component {i}"), |all| drop(all.remove(i)));
     places(original, &["attracting", "rest-cycle", "saddle"]).into_iter().map(of).collect()
+}
+
+/// Nothing but what is proved, as if that were all.
+fn undecided_left_out(original: &Original) -> Vec<Forged> {
+    let all = places(original, &["undecided"]);
+    if all.is_empty() || places(original, &["attracting", "rest-cycle"]).is_empty() {
+        return Vec::new();
+    }
+    let forge = |all: &mut Vec<Value>| all.retain(|own| own["kind"] != "undecided");
+    vec![with(original, "without what is undecided".to_owned(), forge)]
+}
+
+/// The word, the orbit and the period of another attracting motion, one by one, and as many impacts twice, or half.
+fn words(original: &Original) -> Vec<Forged> {
+    let places = places(original, &["attracting"]);
+    let mut all = Vec::new();
+    for &i in &places {
+        for &j in places.iter().filter(|&&j| j != i) {
+            let other = original.document["components"][j].clone();
+            for key in ["word", "cycles", "orbit", "reduced_impacts"] {
+                if other[key] != original.document["components"][i][key] {
+                    let name = format!("{key} of {j} is that of {i}");
+                    all.push(with(original, name, |all| all[i][key] = other[key].clone()));
+                }
+            }
+        }
+        let reduced = original.document["components"][i]["reduced_impacts"].as_u64().unwrap();
+        let others = [2 * reduced, reduced / 2];
+        all.extend(others.into_iter().filter(|other| *other > 0).map(|other| {
+            with(original, format!("{other} impacts of {i}"), |all| all[i]["reduced_impacts"] = json!(other))
+        }));
+    }
+    all
 }
 
 fn kinds(original: &Original) -> Vec<Forged> {

@@ -48,9 +48,8 @@ pub fn all() -> Vec<Original> {
     all.push(hyperbolic());
     all.extend(["attracted", "stable", "a horseshoe"].map(|name| Original::new("cells", name, others::cells(name))));
     all.push(Original::new("windows", "of two impacts", others::windows()));
-    all.extend(
-        ["one cycle with rests", "one attractor"].map(|name| Original::new("global", name, others::global(name))),
-    );
+    let globals = ["one cycle with rests", "one attractor", "attractors inside"];
+    all.extend(globals.map(|name| Original::new("global", name, others::global(name))));
     all.push(Original::new("global", "a horseshoe", others::global_with_horseshoe()));
     all.push(Original::new("tangency", "beside figure 14", others::tangency()));
     all.push(Original::new("tangency", "over the restitution", others::tangency_over_restitution()));

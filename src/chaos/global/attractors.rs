@@ -5,6 +5,8 @@ use super::graph::Component;
 use super::image::Space;
 use super::known::LimitCycle;
 use crate::chaos::guess::Guess;
+use crate::chaos::law::Law;
+use crate::chaos::quad::State;
 use crate::chaos::stable::settled_orbits;
 use crate::pair::ImpactPair;
 use crate::periodic::{Precision, Stability};
@@ -30,9 +32,20 @@ pub(super) fn within(
     if wide > NARROW {
         return Vec::new(); // exact: given up, nothing is certified
     }
+    among(&settled_orbits(law), (pair, law), components, is_open, precision)
+}
+
+/// The same of the cycles that are near some states.
+fn among(
+    cycles: &[Vec<State>],
+    (pair, law): (&ImpactPair, &Law),
+    components: &[&Component],
+    is_open: &[bool],
+    precision: Precision,
+) -> Vec<(usize, Box<LimitCycle>)> {
     let guess = Guess::new(law);
     let (mut found, mut taken): (Vec<_>, Vec<Hull>) = (Vec::new(), Vec::new());
-    for cycle in settled_orbits(law) {
+    for cycle in cycles {
         let Some(states) = closed(&guess, cycle[0], cycle.len()) else { continue };
         let proved = ROOMS.into_iter().find_map(|room| {
             let hulls: Vec<Hull> = states.iter().map(|state| state.map(|x| [x - room, x + room])).collect(); // A14: any rectangles
@@ -84,7 +97,69 @@ fn is_apart([phases, speeds]: &Hull, [others, their_speeds]: &Hull) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::Harmonic;
     use crate::chaos::trap::Grid;
+    use crate::exact::Exact;
+
+    const GRID: Grid = Grid { columns: 64, rows: 16.0 };
+
+    fn component(cells: Vec<(i32, i32)>) -> Component {
+        Component { grid: GRID, cells, has_release: false, is_closed: false }
+    }
+
+    /// Beyond its pitchfork the equispaced motion (66)-(69) of `A/d = 0.45`, `e = 1/2` is a saddle; what is stable has two states of the reduced map,
+    /// that of an orbit of two impacts and its mirror image.
+    fn beyond_the_pitchfork() -> (ImpactPair, Law, Vec<State>) {
+        let exact = |text: &str| text.parse::<Exact>().unwrap();
+        let harmonic = Harmonic::new(exact("0.45"), exact("2*pi"), exact("0")).unwrap();
+        let pair = ImpactPair::new(harmonic, exact("1"), exact("0.5")).unwrap();
+        let law = Law::of(&pair).unwrap();
+        let [cycle] = <[_; 1]>::try_from(settled_orbits(&law)).unwrap();
+        (pair, law, cycle)
+    }
+
+    #[test]
+    fn a14_a_stable_cycle_is_listed_once_with_its_open_component() {
+        let (pair, law, own) = beyond_the_pitchfork();
+        let mut cells: Vec<_> = own.iter().map(|[phase, speed]| GRID.cell(*phase, *speed)).collect();
+        cells.sort_unstable();
+        let [at, elsewhere] = [component(cells), component(vec![(0, 0), (1, 0)])];
+        let found = |cycles: &[&[State]], components: &[&Component], is_open: [bool; 2]| -> Vec<usize> {
+            let cycles: Vec<_> = cycles.iter().map(|cycle| cycle.to_vec()).collect();
+            let all = among(&cycles, (&pair, &law), components, &is_open, Precision::default());
+            all.into_iter().map(|(place, limit)| (limit.impacts == 2).then_some(place).unwrap()).collect()
+        };
+        let both = [&elsewhere, &at];
+        assert_eq!(found(&[&own], &both, [true; 2]), [1]);
+        let later = [own[1], own[0]];
+        assert_eq!(found(&[&own, &own, &later], &both, [true; 2]), [1]);
+        assert!(found(&[&own], &both, [true, false]).is_empty(), "what is decided has attractors of its own");
+        assert!(found(&[&own], &[&at, &at], [true; 2]).is_empty(), "it is in one of them");
+        assert!(found(&[&own.repeat(2)], &both, [true; 2]).is_empty(), "two rounds are no period");
+        assert_eq!(closed(&Guess::new(&law), own[0], 4), None);
+        let kappa = 3.0 * std::f64::consts::PI;
+        let angle = 2_f64.atan2(kappa) - (1.0 / 0.45 / 2_f64.hypot(kappa)).acos();
+        let saddle = [angle / std::f64::consts::TAU + 1.0, 4.0 * angle.cos()];
+        let all = component((0..64).flat_map(|column| (0..64).map(move |row| (column, row))).collect());
+        assert_eq!(closed(&Guess::new(&law), saddle, 1).map(|states| states.len()), Some(1));
+        assert!(found(&[&[saddle]], &[&all], [true; 2]).is_empty(), "the saddle attracts nothing");
+    }
+
+    /// A cycle that is proved elsewhere than in the rectangles is not one in them.
+    #[test]
+    fn a14_a_cycle_is_in_its_rectangles() {
+        let (pair, law, own) = beyond_the_pitchfork();
+        let guess = Guess::new(&law);
+        let states = closed(&guess, own[0], 2).unwrap();
+        let is_proved = |away: f64| {
+            let hulls =
+                states.iter().map(|[u, w]| [[u + away - 1e-3, u + away + 1e-3], [w - 1e-3, w + 1e-3]]).collect();
+            let sides = states.iter().map(|&state| guess.map(state).unwrap().side).collect();
+            let limit = Limit { states: states.clone(), sides, hulls, attracts: true };
+            LimitCycle::of(&pair, &law, &limit, Precision::default()).is_some()
+        };
+        assert!(is_proved(0.0) && is_proved(1.0) && !is_proved(0.01));
+    }
 
     /// Rectangles beside one another, across the end of a forcing period too, and boxes that share an edge with one.
     #[test]
@@ -95,12 +170,7 @@ mod tests {
         assert!(!is_apart(&hull(0.0, 1.0), &hull(0.99, 1.0)) && !is_apart(&hull(0.99, 1.0), &hull(0.0, 1.0)));
         assert!(are_apart(&[hull(0.1, 1.0)], &[hull(0.2, 1.0), hull(0.3, 1.0)]));
         assert!(!are_apart(&[hull(0.2, 1.0)], &[hull(0.2, 1.0)]) && !are_apart(&[], &[hull(0.3, 1.0), hull(0.3, 1.0)]));
-        let of = |cells: &[(i32, i32)]| Component {
-            grid: Grid { columns: 8, rows: 8.0 },
-            cells: cells.to_vec(),
-            has_release: false,
-            is_closed: false,
-        };
+        let of = |cells: &[(i32, i32)]| Component { grid: Grid { columns: 8, rows: 8.0 }, ..component(cells.to_vec()) };
         let [one, beside, other] = [of(&[(3, 4), (5, 5)]), of(&[(4, 4)]), of(&[(0, 0)])];
         let at = [[[0.45, 0.5], [0.55, 0.56]]];
         assert_eq!(place(&[&other, &one], &at), Some(1));

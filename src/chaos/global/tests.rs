@@ -122,10 +122,37 @@ fn a14_attractors_in_undecided_components_are_found() {
         let point = found.components.iter().position(|own| own.kind.is_attractor() && own.boxes == 0).unwrap();
         let within: Vec<usize> = found.order.iter().filter(|[_, to]| *to == point).map(|[from, _]| *from).collect();
         assert!(matches!(within[..], [from] if found.components[from].kind.is_undecided()), "{within:?}");
+        assert!(is_in_boxes(&found, within[0], point), "{ratio}");
         let law = Law::of(&pair(ratio, restitution)).unwrap();
         let ends = |k: u32| seen(&law, &found, [f64::from(k) / 16.0, found.fastest / 4.0], 20_000);
         assert!((0..16).any(|k| ends(k) == Seen::Component(point)), "{ratio}");
     }
+}
+
+/// Whether each state of an attractor without boxes of its own is in one of a component.
+fn is_in_boxes(found: &Global, component: usize, point: usize) -> bool {
+    let limit = found.components[point].kind.limit().unwrap();
+    limit.orbit.impacts.iter().all(|impact| {
+        let half = if impact.wall == crate::pair::Wall::Right { 0.5 } else { 0.0 };
+        let state =
+            [(impact.phase.mid_rad().0 + half).rem_euclid(1.0), impact.velocity.mid_rad().0.abs() * found.speed_unit];
+        let is_in = |[low, high]: [f64; 2], x: f64| low <= x && x <= high;
+        let holds = |patch: &Patch| is_in(patch.phases, state[0]) && is_in(patch.speeds, state[1]);
+        found.patches.iter().any(|patch| patch.goes == Goes::Within(component) && holds(patch))
+    })
+}
+
+/// Of several undecided components it is that which has its states: the fourth one, of these boxes.
+#[test]
+fn a14_an_attractor_is_in_the_boxes_of_its_component() {
+    let few = GlobalSettings { boxes: 1 << 8, halvings: 1, most: 2_000, ..GlobalSettings::default() };
+    let found = Global::of(&pair("0.15", "0.5"), &few, &Unwatched).unwrap();
+    assert!(found.components.iter().filter(|own| own.kind.is_undecided()).count() > 1);
+    let point = found.components.iter().position(|own| own.kind.name() == "attracting" && own.boxes == 0).unwrap();
+    let within: Vec<usize> = found.order.iter().filter(|[_, to]| *to == point).map(|[from, _]| *from).collect();
+    assert_eq!(within.len(), 1);
+    let holding: Vec<usize> = (0..point).filter(|&place| is_in_boxes(&found, place, point)).collect();
+    assert_eq!(holding, within);
 }
 
 /// `run` proves the cycle with rests from one start; here it is that of all. A/d = 2 is such a pair.

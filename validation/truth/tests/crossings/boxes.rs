@@ -68,7 +68,7 @@ fn holds(rect: &Rectangle, state: &Reduced, at_edge: bool) -> bool {
 impl Case {
     /// Takes the harmonics after the first one away, and lets that one shake, as there is no reduced map under several or none: most of the
     /// scenes are to have one.
-    fn keep_one_harmonic(&mut self) {
+    pub fn keep_one_harmonic(&mut self) {
         let terms = self.scene.pair().excitation().terms();
         let [frequency, phase] = [terms[0].frequency().to_string(), terms[0].phase().to_string()];
         let is_shaken = terms[0].amplitude().enclose(64).to_f64_bounds().0 > 0.0;

@@ -17,7 +17,7 @@ use super::motion::{self, Halt, Judged, Motion, wrong};
 use super::questions::Answer;
 use super::scenes::Case;
 use super::traits::Question;
-use super::{boxes, cells, orbits, shadow, sweeps};
+use super::{attractors, boxes, cells, orbits, shadow, sweeps};
 use crate::common::Random;
 
 /// What a judge finds.
@@ -329,7 +329,8 @@ fn truth(case: &mut Case, answer: &Answer) -> Judged<()> {
 fn components(document: &Value, member: &Member) -> Judged<()> {
     let listed = document["components"].as_array().map_or(&[][..], Vec::as_slice);
     let orbits = listed.iter().filter(|own| own["orbit"].is_object());
-    orbits.map(|own| &own["orbit"]).try_for_each(|orbit| orbits::judge(orbit, member))
+    orbits.map(|own| &own["orbit"]).try_for_each(|orbit| orbits::judge(orbit, member))?;
+    attractors::judge(document, member)
 }
 
 impl Answer {
@@ -398,7 +399,8 @@ impl Answer {
                     |record: &Value| record["class"].as_str().is_some_and(|class| class.starts_with("one-"));
                 if records.iter().any(is_decided) { "atlas: decided points".into() } else { "atlas: undecided".into() }
             }
-            Self::Global(document) => format!("global: {}", document["class"].as_str().unwrap_or("none")),
+            Self::Global(document) => attractors::outcome(document)
+                .map_or_else(|| format!("global: {}", document["class"].as_str().unwrap_or("none")), str::to_owned),
             Self::Tangency(document) => match orbits(document, "tangencies") {
                 0 => "no tangency".into(),
                 _ => "tangencies".into(),

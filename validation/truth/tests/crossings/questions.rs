@@ -129,6 +129,7 @@ impl Case {
             Question::Cycles => self.cycles(),
             Question::Windows => self.windows(),
             Question::Global => self.global(),
+            Question::Attractors => self.attractors(),
             Question::Atlas => self.atlas(),
             Question::Tangency => self.tangency(),
             Question::BoxMap => self.box_map(),

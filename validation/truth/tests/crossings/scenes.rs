@@ -56,6 +56,16 @@ const SIZES: [[&str; 3]; 12] = [
     ["3", "3/2", "4"],
 ];
 
+/// A, W and d of pairs of which orbits are attracted for `e = 1/2`, of 1, 2 and 16 impacts of the reduced map: found in floating point.
+const SETTLED: [[&str; 3]; 6] = [
+    ["0.25", "2*pi", "1"],
+    ["3/2", "pi", "6"],
+    ["0.36", "2*pi", "1"],
+    ["0.45", "3", "1"],
+    ["0.9", "2*pi", "1"],
+    ["6/5", "1", "2"],
+];
+
 /// The first N of these are boxes that move by a gap or so.
 const SHAKEN: usize = 7;
 
@@ -290,6 +300,9 @@ fn parts(random: &mut Random, crossing: &Crossing) -> Option<Parts> {
             if matches!(crossing.restitution, Restitution::Half | Restitution::AroundHalf) =>
         {
             NEAR_FOLD
+        }
+        Question::Attractors if matches!(crossing.restitution, Restitution::Half | Restitution::AroundHalf) => {
+            random.pick(&SETTLED)
         }
         Question::Impacts("shadow" | "splice") if random.below(2) == 0 => SIZES[0],
         _ => random.pick(&SIZES),

@@ -103,6 +103,7 @@ pub enum Question {
     Cycles,
     Windows,
     Global,
+    Attractors,
     Atlas,
     Tangency,
     BoxMap,
@@ -113,7 +114,8 @@ impl Question {
     pub fn all() -> Vec<Self> {
         let others = [Self::Describe, Self::Periodic, Self::All, Self::TwoImpact];
         let chaos = [Self::Trap, Self::Chaos, Self::Cycles, Self::Windows, Self::Tangency, Self::Global, Self::Atlas];
-        let others = others.into_iter().chain(chaos).chain([Self::ChaosCells, Self::BoxMap, Self::Audit]);
+        let others =
+            others.into_iter().chain(chaos).chain([Self::ChaosCells, Self::BoxMap, Self::Audit, Self::Attractors]);
         let runs = ARITHMETICS.into_iter().flat_map(|name| [Self::Impacts(name), Self::Until(name)]);
         let over = PARAMETERS.into_iter().map(Self::Bifurcations);
         runs.chain(KEYS.into_iter().map(Self::Sweep)).chain(over).chain(others).collect()
@@ -135,6 +137,7 @@ impl Question {
             Self::Cycles => "cycles".into(),
             Self::Windows => "windows".into(),
             Self::Global => "global".into(),
+            Self::Attractors => "global, attractors".into(),
             Self::Atlas => "atlas".into(),
             Self::Tangency => "tangency".into(),
             Self::BoxMap => "box_map".into(),

@@ -117,6 +117,10 @@ impl Set {
 
     /// Returns the whole forcing periods by which another one has to be shifted to lie inside this one, for all parameters; `None` where that is not proved.
     pub fn holds(&self, other: &Self) -> Option<f64> {
+        let reach: f64 = self.sides.iter().map(|side| length(*side)).sum();
+        if self.away(other) > reach {
+            return None; // V36: not proved
+        }
         let shift = (other.middle[0] - self.middle[0]).round(); // V36: any whole number
         let less = |x: Spot, y: Spot| [x[0] - y[0], x[1] - y[1]];
         let mut away = less(spot(other.middle), spot(self.middle));

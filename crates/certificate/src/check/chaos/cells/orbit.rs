@@ -3,6 +3,7 @@
 
 use impact_pair_document::PeriodDocument;
 use impact_pair_model::{ImpactPair, Start, Wall, Word};
+use num_integer::Integer;
 
 use super::super::allowance::{Allowance, End};
 use super::super::beam::{Spot, State};
@@ -20,7 +21,7 @@ use impact_pair_model::Error;
 
 /// Impacts that sets are followed for.
 const IMPACTS: usize = 2000;
-/// Impacts after which fewer ones are looked for.
+/// The most impacts from a set to a later one that lies in it, and those that are followed on for fewer ones.
 const MORE: usize = 128;
 /// Every N impacts sets begin anew with room for so often the way by which the middle misses an earlier one, if that is near: much of it where
 /// the orbit comes near its limit slowly, or from both sides in turn.
@@ -45,6 +46,23 @@ pub(super) struct Period {
     /// Whether each impact is on the right wall, in the order of time.
     is_right: Vec<bool>,
     cycles: i64,
+}
+
+/// The sets of N impacts, of which the last one lies in the first, and whole forcing periods, after which the orbit that they lead to comes again.
+#[derive(Clone, Copy)]
+struct Round {
+    from: usize,
+    impacts: usize,
+    turns: f64,
+}
+
+impl Round {
+    /// It comes again after N impacts as well: so after the greatest common divisor of both. Lemma V36
+    fn divided(self, impacts: usize) -> Self {
+        let common = self.impacts.gcd(&impacts);
+        let turns = self.turns / (self.impacts / common) as f64; // exact: whole forcing periods after each part
+        Self { impacts: common, turns, ..self }
+    }
 }
 
 /// A finding on a claim.
@@ -150,7 +168,7 @@ impl Period {
         let guess = Guess::new(law);
         let all = self.is_right.len();
         let (mut sets, mut walls) = (vec![first], vec![is_right]);
-        let mut proved_at = None;
+        let (mut round, mut proved_at): (Option<Round>, _) = (None, None);
         while sets.len() <= IMPACTS {
             let last = sets.len();
             let Some(Landed { set, is_far, time }) = sets[last - 1].next(law, &guess) else {
@@ -159,10 +177,17 @@ impl Period {
             };
             work.spend(SET, time)?;
             walls.push(walls[last - 1] != is_far);
-            for impacts in (1..=last).take(all).filter(|impacts| all.is_multiple_of(*impacts)) {
-                let Some(shift) = sets[last - impacts].holds(&set) else { continue };
-                let turns = set.turns - sets[last - impacts].turns + shift;
-                match self.compared(&walls[last - impacts..], turns) {
+            // V36: any of the sets before
+            for impacts in (1..=last).take(MORE.max(all)) {
+                if round.as_ref().is_some_and(|round| impacts.is_multiple_of(round.impacts)) {
+                    continue;
+                }
+                let from = last - impacts;
+                let Some(shift) = sets[from].holds(&set) else { continue };
+                let turns = set.turns - sets[from].turns + shift;
+                let own = round.map_or(Round { from, impacts, turns }, |round| round.divided(impacts));
+                round = Some(own);
+                match self.compared(&walls[own.from..=own.from + own.impacts], own.turns) {
                     Found::Proved if !self.may_have_fewer() => return Ok(Found::Proved),
                     Found::Proved => proved_at = proved_at.or(Some(last)),
                     Found::Nothing => {}
@@ -199,7 +224,7 @@ impl Period {
             (false, _) => Found::Other,
             (true, impacts) if impacts < all => Found::Fewer,
             (true, impacts) if impacts == all => Found::Proved,
-            // It may repeat after half of these.
+            // It may repeat after a part of these.
             (true, _) => Found::Nothing,
         }
     }
