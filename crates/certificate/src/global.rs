@@ -144,7 +144,11 @@ impl GlobalCertificate {
     /// Whether there is anything that a check proves.
     pub(super) fn claims_something(&self) -> bool {
         let has_motions = self.orbits.is_some() || self.rest_cycle.is_some();
-        has_motions || self.has_horseshoes() || self.has_grazing_claim() || self.says_there_are_no_others || self.contradiction.is_some()
+        has_motions
+            || self.has_horseshoes()
+            || self.has_grazing_claim()
+            || self.says_there_are_no_others
+            || self.contradiction.is_some()
     }
 
     /// Whether a component is claimed to hold a horseshoe: which one does is not judged.

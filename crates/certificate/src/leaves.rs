@@ -27,9 +27,7 @@ pub(super) fn is_there(value: &Value, path: &str) -> bool {
     let (key, rest) = path.split_once('.').map_or((path, None), |(key, rest)| (key, Some(rest)));
     match value {
         Value::Array(items) => items.iter().any(|item| is_there(item, path)),
-        Value::Object(entries) => {
-            entries.get(key).is_some_and(|value| rest.is_none_or(|rest| is_there(value, rest)))
-        }
+        Value::Object(entries) => entries.get(key).is_some_and(|value| rest.is_none_or(|rest| is_there(value, rest))),
         _ => false,
     }
 }

@@ -3,6 +3,7 @@
 #[path = "../../../tests/spoiled/changes.rs"]
 mod changes;
 mod claimed;
+mod components;
 #[path = "../../../tests/environment/mod.rs"]
 mod environment;
 mod globals;
