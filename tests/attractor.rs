@@ -1,4 +1,7 @@
-//! Motions proved to converge to a periodic orbit, through the public interface. Lemmas Q1-Q3
+//! Motions proved to converge to a periodic orbit, through the public interface. Lemmas Q1-Q4
+
+use std::ops::ControlFlow;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 use crate::tolerances::{EIGENVALUE, EIGENVALUE_7};
 use approx::{AbsDiffEq, abs_diff_eq};
@@ -8,6 +11,7 @@ use impact_pair::number::Ball;
 use impact_pair::orbit::{Arithmetic, Impact, Orbit, Outcome, Settings};
 use impact_pair::pair::{Inward, Wall};
 use impact_pair::periodic::{Attractor, Problem, Stability};
+use impact_pair::watch::{Stage, proceed_if};
 
 fn figure(number: u32) -> Scene {
     let path = format!("{}/scenes/figure-{number}.toml", env!("CARGO_MANIFEST_DIR"));
@@ -159,5 +163,45 @@ fn every_start_in_a_basin_comes_to_the_orbit() {
         u += (phase - u).round();
         assert!(wall == Wall::Left && holds(u, v));
         assert!(size(u, v) <= 1.0 || size(u, v) * 0.99 <= basin.factor() * 1.001, "edge {n}");
+    }
+}
+
+/// Follows an orbit under a watch that stops where nothing countable is new after its last impact.
+fn followed(scene: &str, impacts: u64) -> Orbit {
+    let scene = Scene::parse(scene).unwrap();
+    let settings = Settings { impacts: Some(impacts), attractor: true, ..scene.settings() };
+    let mut orbit = Orbit::of(&scene, settings).unwrap();
+    let are_listed = AtomicBool::new(false);
+    let watch = |at: Stage<'_>| {
+        are_listed.fetch_or(at == Stage::Impact(impacts), Ordering::Relaxed);
+        proceed_if(at != Stage::Working || !are_listed.load(Ordering::Relaxed))
+    };
+    let _ = orbit.follow(&watch, |_, _| ControlFlow::<()>::Continue(()));
+    orbit
+}
+
+fn scene(amplitude: &str, restitution: &str) -> String {
+    format!(
+        "excitation = {{ amplitude = \"{amplitude}\", frequency = \"pi\", phase = 0 }}\n\
+         pair = {{ gap = \"3\", restitution = \"{restitution}\" }}\n\
+         start = {{ time = 0, wall = \"left\", velocity = -1 }}\n"
+    )
+}
+
+/// The search for an attractor was minutes long after the last impact, and no watch was asked.
+#[test]
+fn r47_the_search_for_an_attractor_can_be_stopped_and_goes_on() {
+    let mut orbit = followed(&scene("1", "0.5"), 60);
+    assert!(orbit.outcome().is_none() && orbit.listed_until().is_none());
+    assert!(orbit.next().is_none());
+    assert!(matches!(orbit.outcome(), Some(Outcome::Attracted(_))), "{:?}", orbit.outcome());
+}
+
+/// Nothing attracts where no impact loses energy, or where the box is not moved: nothing is looked for. Lemma Q4
+#[test]
+fn r47_no_attractor_is_looked_for_where_there_is_none() {
+    for (amplitude, restitution) in [("1", "1"), ("0", "0.5"), ("0", "1"), ("1", "[0.999999999999, 1]")] {
+        let orbit = followed(&scene(amplitude, restitution), 6);
+        assert_eq!(orbit.outcome(), Some(&Outcome::ImpactsReached), "A = {amplitude}, e = {restitution}");
     }
 }

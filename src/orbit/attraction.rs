@@ -1,7 +1,11 @@
-//! At the end of an orbit: whether it is proved to converge to a periodic one. Lemmas Q1-Q3
+//! At the end of an orbit: whether it is proved to converge to a periodic one. Lemmas Q1-Q4
+
+use std::cmp::Ordering;
 
 use super::{Arithmetic, Orbit};
+use crate::exact::Exact;
 use crate::periodic::{Attractor, ImpactState, LONGEST, Problem, find_attractor};
+use crate::watch::Watch;
 
 /// How many of the last impacts are kept.
 const KEPT: usize = 4096;
@@ -41,11 +45,12 @@ impl Orbit {
     /// **Cost**: none to speak of for an orbit that has not come near one of its last 128 states, as most chaotic ones
     /// have not; milliseconds otherwise.
     #[cold]
-    pub(super) fn attractor(&self) -> Option<Attractor> {
+    pub(super) fn attractor(&self, watch: &dyn Watch) -> Option<Attractor> {
         // The grazes of a motion without impacts end here as well; floats prove nothing.
         if !self.asked.settings.attractor
             || self.followed.still.is_some()
             || self.asked.settings.arithmetic == Arithmetic::Float
+            || !self.may_attract()
         {
             return None;
         }
@@ -54,7 +59,16 @@ impl Orbit {
         let origin = self.clock.turns_into(self.engine.given.shaken.period()?);
         // Lemma N1: less than a period, of 32 bits.
         states.iter_mut().for_each(|state| state.turns += origin);
-        find_attractor(&states, digits, |word, cycles| Problem::new(&self.engine.given.pair, word, cycles).ok())
+        find_attractor(&states, digits, watch, |word, cycles| Problem::new(&self.engine.given.pair, word, cycles).ok())
+    }
+
+    /// Whether some periodic orbit with impacts may attract for each member of the data: none does where `e = 1`, nor where nothing moves the
+    /// box. Lemma Q4
+    fn may_attract(&self) -> bool {
+        let pair = &self.engine.given.pair;
+        let loses = pair.restitution().compare(&Exact::from(1)) == Some(Ordering::Less);
+        let harmonics = pair.excitation().harmonics();
+        loses && harmonics.iter().any(|harmonic| harmonic.amplitude().sign() == Some(Ordering::Greater))
     }
 }
 

@@ -7,7 +7,7 @@ use crate::watch::{Stage, Watch};
 
 impl Orbit {
     /// Passes each event to `each`, until it breaks off, the orbit ends or the watch stops it; in the last case the orbit has
-    /// no outcome.
+    /// no outcome, and goes on where it is followed again.
     pub fn follow<B>(
         &mut self,
         watch: &dyn Watch,
@@ -15,7 +15,7 @@ impl Orbit {
     ) -> ControlFlow<B> {
         let mut at = Stage::Working;
         while watch.proceed(at).is_continue() {
-            at = match self.advance() {
+            at = match self.advance_within(watch) {
                 Progress::Impact(impact) => {
                     let index = impact.index;
                     each(self, Progress::Impact(impact))?;

@@ -48,6 +48,7 @@ use crate::pair::{Reduced, Wall};
 use crate::periodic::ImpactState;
 use crate::shaken::{Initial, Still};
 use crate::turns;
+use crate::watch::{Latched, Unwatched, Watch};
 use event::finite;
 use given::Given;
 use motion::Motion;
@@ -197,14 +198,23 @@ impl Orbit {
     ///
     /// For those who show progress or may stop; as an iterator the orbit does all this at once.
     pub fn advance(&mut self) -> Progress {
-        self.fly().map_or_else(|other| other, Progress::Impact)
+        self.advance_within(&Unwatched)
+    }
+
+    /// The same; where the watch stops what comes after the last event, the orbit has no outcome yet.
+    fn advance_within(&mut self, watch: &dyn Watch) -> Progress {
+        let progress = self.fly().map_or_else(|other| other, Progress::Impact);
+        if let Progress::Ended = progress {
+            self.conclude(watch);
+        }
+        progress
     }
 
     /// The next impact, or else what has happened instead: impacts, of which there are many, are not moved about.
     #[inline(always)]
     fn fly(&mut self) -> Result<Impact, Progress> {
         if self.outcome.is_none() && self.asked.settings.impacts.is_some_and(|impacts| self.listed >= impacts) {
-            self.finish(Outcome::ImpactsReached);
+            return Err(self.finish(Outcome::ImpactsReached));
         }
         if self.outcome.is_some() {
             return Err(Progress::Ended);
@@ -281,12 +291,24 @@ impl Orbit {
     /// All that was requested is listed.
     #[cold]
     fn finish(&mut self, reached: Outcome) -> Progress {
-        self.pending.is_late = reached == Outcome::TimeReached;
-        self.outcome = Some(match self.pending.recurrence.period() {
-            Some(period) => Outcome::Periodic(period),
-            None => self.attractor().map_or(reached, |attractor| Outcome::Attracted(Box::new(attractor))),
-        });
+        (self.pending.reached, self.pending.is_expected) = (Some(reached), true);
         Progress::Ended
+    }
+
+    /// Looks for an attractor once all that was requested is listed; where the watch stops that, there is no outcome yet.
+    #[cold]
+    fn conclude(&mut self, watch: &dyn Watch) {
+        let Some(reached) = self.pending.reached.clone() else { return };
+        let watch = Latched::new(watch);
+        let found = match self.pending.recurrence.period() {
+            Some(period) => Some(Outcome::Periodic(period)),
+            None => self.attractor(&watch).map(|attractor| Outcome::Attracted(Box::new(attractor))),
+        };
+        if watch.is_stopped() {
+            return;
+        }
+        self.pending.is_late = reached == Outcome::TimeReached;
+        (self.pending.reached, self.outcome) = (None, found.or(Some(reached)));
     }
 
     /// Returns the requested time \[time\], if all events up to it are listed because it ended the list.
@@ -331,7 +353,10 @@ impl Iterator for Orbit {
             match self.fly() {
                 // Repeated impacts come with the other events.
                 Ok(impact) | Err(Progress::Impact(impact)) => return Some(impact),
-                Err(Progress::Ended) => return None,
+                Err(Progress::Ended) => {
+                    self.conclude(&Unwatched);
+                    return None;
+                }
                 Err(_) => {}
             }
         }

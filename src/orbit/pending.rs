@@ -30,6 +30,8 @@ pub(super) struct Pending {
     /// Of a motion that hits no wall: grazes so far.
     pub grazes: u64,
     pub recurrence: Recurrence,
+    /// All that was requested is listed: whether an attractor is proved is still to be asked.
+    pub reached: Option<Outcome>,
     /// The requested time has ended the list.
     pub is_late: bool,
     /// The last impacts handed out.
@@ -51,6 +53,9 @@ impl Orbit {
     /// What comes of a motion that has rested, or never hits a wall; `None` when the next flight is due.
     #[cold]
     pub(super) fn pending(&mut self) -> Option<Progress> {
+        if self.pending.reached.is_some() {
+            return Some(Progress::Ended);
+        }
         if let Some(still) = self.followed.still {
             return Some(self.graze_again(still));
         }

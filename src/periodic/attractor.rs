@@ -5,6 +5,7 @@ use super::{Basin, Finding, PeriodicOrbit, Precision, Problem, Stability};
 use crate::mapping::{Mapping, Word};
 use crate::number::Ball;
 use crate::pair::Wall;
+use crate::watch::Watch;
 
 /// A state at an impact of a motion, certified.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -142,10 +143,11 @@ impl<'s> Guess<'s> {
 /// Recognises the attractor of a motion at its end and proves that the motion converges to it. Lemma Q3
 ///
 /// `states` are certified states of the motion, in order of time, all of its impacts between the first and the last;
-/// `problem` makes the problem of a word, for the same pair.
+/// `problem` makes the problem of a word, for the same pair; the watch is asked before each proof.
 pub(crate) fn find(
     states: &[ImpactState],
     digits: u32,
+    watch: &dyn Watch,
     mut problem: impl FnMut(&Word, u32) -> Option<Problem>,
 ) -> Option<Attractor> {
     // Under several harmonics not all cycles make a problem.
@@ -154,6 +156,9 @@ pub(crate) fn find(
     let tried: Vec<Guess<'_>> = problems.take(TRIED).collect();
     tried.iter().find_map(|guess| {
         for end in guess.ends() {
+            if !watch.goes_on() {
+                return None;
+            }
             let problem = problem(&end.word()?, end.cycles)?;
             match problem.attracts(&end.phases(problem.period().into()), end.all, digits) {
                 Ok(attractor) => return Some(attractor),

@@ -127,6 +127,11 @@ impl AtlasCertificate {
         self.has_cells
     }
 
+    /// Whether a component is claimed to hold a horseshoe.
+    pub(super) fn has_horseshoes(&self) -> bool {
+        self.points.iter().flat_map(|point| &point.parts).any(|part| part.global.has_horseshoes())
+    }
+
     /// How many points, or cells, claim something.
     pub(super) fn claimed(&self) -> usize {
         let parts = self.points.iter().flat_map(|point| &point.parts);
@@ -167,7 +172,7 @@ impl Part {
         }
         // Keys that it does not know, and not those of every component; and a class that is not judged.
         let is_other = |key: &&String| !UNJUDGED.contains(&format!("points.{key}").as_str());
-        let is_own = |key: &&String| key.starts_with("components.") || *key == "class";
+        let is_own = |key: &&String| key.starts_with("components") || *key == "class";
         let own = self.global.unjudged().iter().filter(is_own).filter(is_other);
         own.map(|key| format!("{}.{key}", self.path)).collect()
     }

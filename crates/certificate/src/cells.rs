@@ -1,6 +1,7 @@
 //! The JSON of verdicts over the cells of a parameter, read back.
 
 use super::bifurcation::{own_value, parameter};
+use super::leaves::is_there;
 use impact_pair_document::{CHAOS_CELLS_SCHEMA, ChaosCellsDocument, Place, value};
 use impact_pair_exact::Exact;
 use impact_pair_model::scene::Key;
@@ -17,19 +18,19 @@ pub struct CellsCertificate {
     unjudged: Vec<String>,
 }
 
-/// What no lemma of `check` is about, and the start: motions from most others converge to the same orbit, so that another one is not refuted.
-const UNJUDGED: [&str; 10] = [
+/// What no lemma of `check` is about.
+const UNJUDGED: [&str; 7] = [
     "cells",
     "depth",
     "halvings",
     "interrupted",
     "program",
-    "scene.excitation.frequency",
-    "scene.excitation.phase",
-    "scene.start",
     "stretches.bases.contracting",
     "stretches.bases.expanding",
 ];
+
+/// What the verdict `attracted` alone depends on: whether the scene's own motion converges to an orbit.
+const OF_THE_MOTION: [&str; 3] = ["scene.excitation.frequency", "scene.excitation.phase", "scene.start"];
 
 impl CellsCertificate {
     /// Reads a JSON of cells.
@@ -52,7 +53,9 @@ impl CellsCertificate {
         }
         let (pair, start) = document.scene.clone().model()?;
         let mut unjudged = whole.unread::<ChaosCellsDocument>()?;
-        unjudged.extend(UNJUDGED.map(str::to_owned));
+        unjudged.extend(UNJUDGED.iter().filter(|key| is_there(&value, key)).map(|key| (*key).to_owned()));
+        let is_attracted = document.stretches.iter().any(|stretch| stretch.verdict == "attracted");
+        unjudged.extend(OF_THE_MOTION.iter().filter(|_| !is_attracted).map(|key| (*key).to_owned()));
         unjudged.push(own_value(key));
         unjudged.sort();
         unjudged.dedup();

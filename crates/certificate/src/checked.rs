@@ -13,6 +13,9 @@ use crate::{
     TrapCertificate, Verdict, WindowsCertificate,
 };
 
+/// What is not judged of horseshoes: boxes of components are not in a document. Lemma V37
+const PLACES: &str = "which component holds a horseshoe";
+
 /// A document whose claims are the items of a list, and then what is said of the whole.
 pub(super) trait Checked {
     /// Proves every claim again, or returns the first one refuted or undecided, until the watch stops it, which receives the claims
@@ -219,7 +222,12 @@ impl Checked for WindowsCertificate {
     checked!("windows", "window");
 
     fn all(&self) -> String {
-        format!("the orbits of {} from end to end", counted(self.count(), "window"))
+        let windows = counted(self.count(), "window");
+        match self.windows().iter().filter(|window| window.stable_between).count() {
+            whole if whole == self.count() => format!("the orbits of {windows} from end to end"),
+            0 => format!("a stable orbit in {windows}, not from end to end"),
+            whole => format!("a stable orbit in {windows}, in {whole} of them from end to end"),
+        }
     }
 }
 
@@ -228,9 +236,10 @@ impl Checked for GlobalCertificate {
 
     fn all(&self) -> String {
         let components = counted(self.count(), "component");
-        match self.says_there_are_no_others() {
-            true => format!("{components}, and that every motion is in one of them in the end"),
-            false => format!("what is proved of {components}"),
+        match (self.says_there_are_no_others(), self.has_horseshoes()) {
+            (true, _) => format!("{components}, and that every motion is in one of them in the end"),
+            (false, false) => format!("what is proved of {components}"),
+            (false, true) => format!("what is proved of {components}, not {PLACES}"),
         }
     }
 
@@ -270,10 +279,11 @@ impl Checked for AtlasCertificate {
 
     fn all(&self) -> String {
         let claimed = self.claimed();
-        if self.has_cells() {
-            return format!("what is proved of every motion for all parameters of {}", counted(claimed, "cell"));
-        }
-        format!("what is proved of every motion at {}", counted(claimed, "point"))
+        let said = match self.has_cells() {
+            true => format!("what is proved of every motion for all parameters of {}", counted(claimed, "cell")),
+            false => format!("what is proved of every motion at {}", counted(claimed, "point")),
+        };
+        if self.has_horseshoes() { format!("{said}, not {PLACES}") } else { said }
     }
 }
 

@@ -1,5 +1,7 @@
 //! The JSON of a global analysis, read back.
 
+mod unjudged;
+
 use super::Finding;
 use super::attraction::{Bounds, ClaimedOrbit, Stability};
 use super::cycles::is_reduced_period;
@@ -7,10 +9,11 @@ use super::periodic::{OrbitOf, PeriodicCertificate};
 use impact_pair_document::{
     BasinDocument, ComponentDocument, GLOBAL_SCHEMA, GlobalDocument, Place, ProvedHorseshoeDocument, value,
 };
-use impact_pair_exact::Real;
+use impact_pair_exact::{Exact, Real};
 use impact_pair_model::{Error, ImpactPair, Wall};
 use num_rational::BigRational;
 use num_traits::ToPrimitive;
+use std::cmp::Ordering;
 
 /// What a JSON of a global analysis claims.
 #[derive(Clone, Debug)]
@@ -26,6 +29,8 @@ pub struct GlobalCertificate {
     /// Boxes of the first partition that it was found with, about.
     boxes: u32,
     says_there_are_no_others: bool,
+    /// Whether a motion of the pair is proved to graze one wall for ever.
+    has_grazing_motion: bool,
     contradiction: Option<String>,
     unjudged: Vec<String>,
 }
@@ -70,33 +75,12 @@ impl GlobalCertificate {
             }
             claimed.push(claim);
         }
-        let mut unjudged = whole.unread::<GlobalDocument>()?;
         let is_open = document.components.iter().any(|component| component.kind == "undecided");
         let says_there_are_no_others = !is_open && !document.interrupted;
         let basins = document.basins.as_ref().filter(|_| says_there_are_no_others);
-        unjudged.extend(
-            ["program", "scene.excitation.phase", "scene.start", "boxes", "halvings", "order"].map(str::to_owned),
-        );
-        unjudged.extend(
-            ["components.boxes", "components.area"].iter().filter(|_| !claimed.is_empty()).map(|key| (*key).to_owned()),
-        );
-        // Of a set of which nothing is known it is not known where it is.
-        let is_unbound = !says_there_are_no_others && !claimed.is_empty();
-        unjudged.extend(is_unbound.then(|| "components.closed".to_owned()));
-        let sets = document.components.iter().enumerate().filter(|(_, own)| is_unbound && is_saddle_set(own));
-        unjudged.extend(sets.map(|(i, _)| format!("components[{i}].kind")));
-        let has_reason = document.components.iter().any(|component| component.reason.is_some());
-        unjudged.extend(has_reason.then(|| "components.reason".to_owned()));
-        unjudged.extend((basins.is_none() && document.basins.is_some()).then(|| "basins".to_owned()));
-        unjudged.extend([if basins.is_none() { "greatest_speed" } else { "basins.boxes" }.to_owned()]);
-        unjudged.extend(orbits.is_empty().then(|| "scene.excitation.frequency".to_owned()));
-        unjudged.extend(document.interrupted.then(|| "interrupted".to_owned()));
-        // Whether components are closed is not judged, nor what follows from it alone.
-        let by_closed = ["class", "statement"].iter().filter(|_| document.class == "closed");
-        unjudged.extend(by_closed.map(|key| (*key).to_owned()));
-        let is_open = |own: &ComponentDocument| own.orbit.as_ref().is_some_and(|orbit| orbit.symmetric.is_none());
-        let open = document.components.iter().enumerate().filter(|(_, own)| is_open(own));
-        unjudged.extend(open.map(|(i, _)| format!("components[{i}].reduced_impacts")));
+        let mut unjudged = whole.unread::<GlobalDocument>()?;
+        let has_grazing_motion = has_grazing_motion(&pair);
+        unjudged.extend(unjudged::keys(&document, says_there_are_no_others, has_grazing_motion));
         unjudged.sort();
         unjudged.dedup();
         let rests = document.components.iter().find(|component| component.kind == "rest-cycle");
@@ -115,6 +99,7 @@ impl GlobalCertificate {
             greatest_speed,
             boxes: document.boxes,
             says_there_are_no_others,
+            has_grazing_motion,
             contradiction,
             unjudged,
         })
@@ -159,8 +144,21 @@ impl GlobalCertificate {
     /// Whether there is anything that a check proves.
     pub(super) fn claims_something(&self) -> bool {
         let has_motions = self.orbits.is_some() || self.rest_cycle.is_some();
-        let has_horseshoe = self.claimed.iter().any(|claim| claim.horseshoe.is_some());
-        has_motions || has_horseshoe || self.says_there_are_no_others || self.contradiction.is_some()
+        has_motions
+            || self.has_horseshoes()
+            || self.has_grazing_claim()
+            || self.says_there_are_no_others
+            || self.contradiction.is_some()
+    }
+
+    /// Whether a component is claimed to hold a horseshoe: which one does is not judged.
+    pub(super) fn has_horseshoes(&self) -> bool {
+        self.claimed.iter().any(|claim| claim.horseshoe.is_some())
+    }
+
+    /// Whether a component is claimed to graze, of a pair that has such a motion.
+    fn has_grazing_claim(&self) -> bool {
+        self.has_grazing_motion && self.claimed.iter().any(|claim| claim.kind == "grazing")
     }
 
     pub(super) fn contradiction(&self) -> Option<&str> {
@@ -204,6 +202,13 @@ impl Claimed {
         let impacts = self.orbit.iter().flat_map(|orbit| &orbit.impacts).take(self.reduced);
         impacts.map(move |impact| (impact.wall == Wall::Right, hull(&impact.phase), hull(&impact.velocity)))
     }
+}
+
+/// Whether a motion of the pair is proved to graze one wall for ever: the far wall is not met before. Lemma A9
+fn has_grazing_motion(pair: &ImpactPair) -> bool {
+    let harmonic = pair.harmonic("a global analysis").ok();
+    let twice = harmonic.and_then(|harmonic| harmonic.amplitude().checked_mul(&Exact::from(2)).ok());
+    twice.and_then(|twice| pair.gap().compare(&twice)).is_some_and(Ordering::is_ge)
 }
 
 /// Whether a component is claimed to be a set of saddle type, not one periodic motion.

@@ -17,10 +17,20 @@ pub(super) struct Leaves<'n> {
 }
 
 /// Keys of flags that claim nothing where they are false.
-const FLAGS: [&str; 4] = ["certified", "exhaustive", "no_attractor", "no_rest"];
+const FLAGS: [&str; 5] = ["certified", "exhaustive", "no_attractor", "no_rest", "stable_between"];
 
 /// Keys at which `null` is a claim: that no mapping is named, that no two of the words are free.
 const CLAIM_NONE: [&str; 2] = ["events.mapping", "horseshoe"];
+
+/// Whether anything stands at a path without the positions in lists.
+pub(super) fn is_there(value: &Value, path: &str) -> bool {
+    let (key, rest) = path.split_once('.').map_or((path, None), |(key, rest)| (key, Some(rest)));
+    match value {
+        Value::Array(items) => items.iter().any(|item| is_there(item, path)),
+        Value::Object(entries) => entries.get(key).is_some_and(|value| rest.is_none_or(|rest| is_there(value, rest))),
+        _ => false,
+    }
+}
 
 impl<'n> Leaves<'n> {
     pub fn new(unjudged: &'n [String], items: Option<&'n str>) -> Self {

@@ -209,11 +209,12 @@ fn holds_for_all(name: &str, path: &str, head: &Value) -> bool {
         "scene.excitation.phase" if is_one && (has_phases || excitation["amplitude"] == json!(["0"])) => true,
         "scene.excitation.frequency" if excitation["amplitude"] == json!(["0"]) => true,
         // Without a drift the ball swings alike in every frequency; a region that attracts is entered from other starts as well.
-        "scene.excitation.frequency" => name == "never",
-        "scene.excitation.phase" | "scene.start.time" => name == "trap",
+        "scene.excitation.frequency" => name == "never" || name == "cells",
+        "scene.excitation.phase" | "scene.start.time" => name == "trap" || name == "cells",
+        "scene.start.wall" => name == "cells",
         // What chatters on one wall does not see the other; a dead impact forgets how fast it was.
         "scene.gap" => name == "chatter in a time",
-        "scene.start.velocity" => name == "dead impacts under two",
+        "scene.start.velocity" => name == "dead impacts under two" || name == "cells",
         _ => false,
     }
 }

@@ -7,18 +7,18 @@ use serde_json::{Value, json};
 
 use crate::recorded::all;
 
-fn checked(document: &Value) -> CheckDocument {
+pub fn checked(document: &Value) -> CheckDocument {
     let text = document.to_string();
     let claims = Claims::parse(&text).unwrap();
     claims.document(&text, &claims.judge(&Effort::default(), &Unwatched).unwrap())
 }
 
-fn recorded(name: &str) -> Value {
+pub fn recorded(name: &str) -> Value {
     all().into_iter().find(|(other, _)| other == name).unwrap().1[0].clone()
 }
 
 /// A document of such a pair, with the sentence that follows.
-fn with(document: &Value, class: &str, components: &[&Value]) -> Value {
+pub fn with(document: &Value, class: &str, components: &[&Value]) -> Value {
     let mut document = document.clone();
     document["components"] = json!(components);
     document["class"] = json!(class);
@@ -33,12 +33,12 @@ fn rests(cycles: u64, alternates: bool) -> Value {
     json!({ "kind": "rest-cycle", "cycles": cycles, "alternates": alternates, "boxes": 0, "area": "0", "closed": true })
 }
 
-fn open(is_closed: bool) -> Value {
+pub fn open(is_closed: bool) -> Value {
     json!({ "kind": "undecided", "boxes": 1, "area": "0", "closed": is_closed })
 }
 
 /// A pair, by its gap over an amplitude of 1, and its restitution.
-fn pair(gap: &str, restitution: &str) -> Value {
+pub fn pair(gap: &str, restitution: &str) -> Value {
     let mut document = recorded("global");
     document["scene"]["excitation"]["amplitude"] = json!(["1"]);
     document["scene"]["gap"] = json!(gap);
@@ -258,7 +258,7 @@ fn r43_an_interrupted_analysis_has_a_component_that_is_left() {
 }
 
 /// An atlas of one point, that of a global analysis.
-fn atlas_of(document: &Value, over: &Value, values: &Value) -> String {
+pub fn atlas_of(document: &Value, over: &Value, values: &Value) -> String {
     let mut lines: Vec<Value> = all().into_iter().find(|(name, _)| name == "atlas").unwrap().1;
     let head = &mut lines[0];
     (head["scene"], head["over"]) = (document["scene"].clone(), over.clone());

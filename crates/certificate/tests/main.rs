@@ -3,8 +3,12 @@
 #[path = "../../../tests/spoiled/changes.rs"]
 mod changes;
 mod claimed;
+<<<<<<< HEAD
 #[path = "../../../tests/effort/mod.rs"]
 mod effort;
+=======
+mod components;
+>>>>>>> mend
 #[path = "../../../tests/environment/mod.rs"]
 mod environment;
 mod globals;

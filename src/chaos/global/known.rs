@@ -284,6 +284,9 @@ pub(super) fn is_grazing(space: &Space, component: &Component) -> bool {
     if component.has_release || component.cells.is_empty() || !component.cells.iter().all(is_near) {
         return false; // exact: not proved
     }
+    if ends(space.law().gap)[1] < 2.0 {
+        return false; // A9: there is no such motion
+    }
     let columns = component.columns();
     !component.cells.iter().any(|&cell| {
         let mut crosses = false;

@@ -194,12 +194,12 @@ let cells data pairs shape into word =
 (* Where along a parallelogram a word leads across another one: from one bound to another, and whether it is turned over. *)
 let samples = 1 lsl 13
 let at k = 2.0 *. float_of_int k /. float_of_int samples -. 1.0
-(* The ends are this far beyond those of the other one, more than what the states across differ. *)
-let more = 0.004
-let end_cell = 0.02
+(* The ends are this far beyond those of the other one, more than what the states across differ, and the cells at the ends five times as long: less where the image leaves the other one's
+   edges there. *)
+let beyond_ends = [ 0.004; 0.0005; 0.00006 ]
 
 type stretch = { ends : float * float; middle : float * float; is_backwards : bool }
-let stretches (pair, _) shape into word =
+let stretches (pair, _) shape into word more =
   let taken = List.fold_left (fun sum { turns_taken; _ } -> sum +. turn *. Z.to_float turns_taken) 0.0 (strides_of word) in
   let image along across = Option.map (fun (th, v) -> coordinates_in into (th -. taken, v)) (walk pair (put shape along across) word.word_flights) in
   let images = Array.init (samples + 1) (fun k -> image (at k) 0.0) in
@@ -215,8 +215,8 @@ let stretches (pair, _) shape into word =
   let end_at step k sign =
     let centre = along (at k) 0.0 in
     let differ = Float.max (abs_float (along (at k) 1.0 -. centre)) (abs_float (along (at k) (-1.0) -. centre)) in
-    let bound = 1.0 +. more +. 1.5 *. differ in
-    (place step k (sign *. bound), place step k (sign *. (bound +. end_cell))) in
+    let bound = 1.0 +. more +. 1.2 *. differ in
+    (place step k (sign *. bound), place step k (sign *. (bound +. 5.0 *. more))) in
   let stretch i j sign = match end_at (-1) i sign, end_at 1 j (-.sign) with
     | (from, start), (until, finish) -> [ { ends = (start, finish); middle = (from, until); is_backwards = sign > 0.0 } ]
     | exception Lost -> [] in
@@ -256,7 +256,7 @@ let found_strips data shapes words =
          | exception Lost -> first rest
          | strip -> taken.(from) <- stretch.ends :: taken.(from); Ok (i, strip))
       | _ :: rest -> first rest in
-    first (stretches pairs shape into word) in
+    first (List.concat_map (stretches pairs shape into word) beyond_ends) in
   let taken = Array.make (Array.length shapes) [] in
   List.fold_left (fun found word -> Result.bind found (fun found -> Result.map (fun strip -> strip :: found) (strip taken word))) (Ok []) (List.sort shorter numbered)
   |> Result.map (fun found -> List.map snd (List.sort compare found))

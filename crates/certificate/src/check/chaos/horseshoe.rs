@@ -1,6 +1,6 @@
 //! Whether h-sets make a claimed entropy for all parameters of a law, by words that are searched for anew (Lemmas V12, V35, V37).
 
-use impact_pair_document::{BaseDocument, EntropyDocument, ProvedHorseshoeDocument};
+use impact_pair_document::{BaseDocument, CornersDocument, EntropyDocument, ProvedHorseshoeDocument};
 
 use super::Law;
 use super::allowance::{Allowance, End};
@@ -62,4 +62,24 @@ pub(super) fn is_proved(claimed: &ProvedHorseshoeDocument, law: &Law, work: &All
         Ok(false) => Err(Doubt::Open("its horseshoe is not proved again".into())),
         Err(_) => Err(Doubt::Open("the work allowed is spent on its horseshoe".into())),
     }
+}
+
+/// The h-sets of one component's horseshoe have no state in common with those of another one's, or why both cannot be as claimed, or why that is not
+/// proved. Lemma V37
+pub(super) fn are_apart(
+    own: &ProvedHorseshoeDocument,
+    held: &ProvedHorseshoeDocument,
+    other: usize,
+) -> Result<(), Doubt> {
+    let corners = |horseshoe: &ProvedHorseshoeDocument| -> Vec<CornersDocument> {
+        horseshoe.bases.iter().filter_map(|base| base.corners).collect()
+    };
+    let (own, held) = (corners(own), corners(held));
+    let are_of = |some: &[CornersDocument], all: &[CornersDocument]| some.iter().all(|corners| all.contains(corners));
+    if are_of(&own, &held) || are_of(&held, &own) {
+        return Err(Doubt::False(format!("its horseshoe has the h-sets of that of components[{other}]")));
+    }
+    let is_apart = |corners: &CornersDocument| held.iter().all(|held| Base::of(corners).is_apart(&Base::of(held)));
+    let open = || Doubt::Open(format!("its h-sets are not proved to be apart from those of components[{other}]"));
+    own.iter().all(is_apart).then_some(()).ok_or_else(open)
 }

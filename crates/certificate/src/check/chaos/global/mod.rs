@@ -12,7 +12,7 @@ use impact_pair_model::{Error, within};
 
 use super::allowance::Allowance;
 use super::beam::{Beam, Quad};
-use super::horseshoe::is_proved;
+use super::horseshoe::{are_apart, is_proved};
 use super::span::Span;
 use super::{BITS, LOOKS, Law};
 use crate::check::contact::Doubt;
@@ -47,6 +47,9 @@ impl GlobalCertificate {
         if let Some(message) = self.contradiction() {
             return Ok(Verdict::Refuted(end(message.to_owned())));
         }
+        if let Some((place, doubt)) = self.doubts_grazing()? {
+            return Ok(doubt.on(place));
+        }
         if !self.claims_something() {
             return Ok(Verdict::Undecided(end("there is no component to check".to_owned())));
         }
@@ -73,7 +76,20 @@ impl GlobalCertificate {
         })
     }
 
-    /// The map has each horseshoe that a component is claimed to hold. Lemma V37
+    /// Why the components that are claimed to graze do not, or not each of them: one motion alone does. Lemmas A9, V20
+    fn doubts_grazing(&self) -> Result<Option<(usize, Doubt)>, Error> {
+        let claims = self.claimed().iter().enumerate().filter(|(_, claim)| claim.kind == "grazing");
+        let places: Vec<usize> = claims.map(|(place, _)| place).collect();
+        let Some(&last) = places.last() else { return Ok(None) };
+        if Law::of(self.pair())?.gap.hi() < 2.0 {
+            let message = "no motion grazes one wall for ever: it meets the far wall, as d < 2 A";
+            return Ok(Some((last, Doubt::False(message.into())))); // V20: A9's motion rises to 2 A
+        }
+        let is_second = places.len() > 1;
+        Ok(is_second.then(|| (last, Doubt::Open("it is not proved to hold any motion: one alone grazes".into()))))
+    }
+
+    /// The map has each horseshoe that a component is claimed to hold, and no other one holds the same. Lemma V37
     fn holds_horseshoes(&self, effort: &Effort, watch: &dyn Watch) -> Result<Result<(), (usize, Doubt)>, Error> {
         let law = Law::of(self.pair())?;
         for (place, claim) in self.claimed().iter().enumerate() {
@@ -81,6 +97,12 @@ impl GlobalCertificate {
             let work = Allowance::new(effort.work.saturating_mul(LOOKS), watch); // proposes: when to give up
             if let Err(doubt) = is_proved(horseshoe, &law, &work) {
                 return Ok(Err((place, doubt)));
+            }
+            let others = self.claimed()[..place].iter().enumerate();
+            for (other, held) in others.filter_map(|(other, claim)| Some((other, claim.horseshoe.as_ref()?))) {
+                if let Err(doubt) = are_apart(horseshoe, held, other) {
+                    return Ok(Err((place, doubt)));
+                }
             }
         }
         Ok(Ok(()))

@@ -1,0 +1,130 @@
+//! Claims of components, windows and subintervals that were confirmed, though nothing judged them.
+
+use impact_pair_certificate::{Claims, Effort};
+use impact_pair_document::{CheckDocument, VerdictName};
+use impact_pair_model::watch::Unwatched;
+use serde_json::{Value, json};
+
+use crate::globals::{atlas_of, checked, open, pair, recorded, with};
+
+fn is_named(found: &CheckDocument, path: &str) -> bool {
+    found.not_checked.iter().any(|own| own == path)
+}
+
+fn grazing() -> Value {
+    json!({ "kind": "grazing", "boxes": 3, "area": "0.000001", "closed": false })
+}
+
+/// From `W t + tau = pi/2` the ball that grazes rises to 2 A: where the gap is less it meets the far wall, and does not graze again. Lemma A9
+#[test]
+fn r47_no_motion_grazes_for_ever_below_a_gap_of_two_amplitudes() {
+    let of = |gap: &str, components: &[&Value]| checked(&with(&pair(gap, "0.2"), "undecided", components));
+    assert_eq!(of("1.9999", &[&grazing(), &open(false)]).verdict, VerdictName::Refuted);
+    let grazes = of("2", &[&grazing(), &open(false)]);
+    assert!(grazes.verdict == VerdictName::Confirmed && !is_named(&grazes, "components[0].kind"), "{}", grazes.message);
+    assert_eq!(of("2", &[&grazing(), &open(false), &grazing()]).verdict, VerdictName::Undecided);
+    let may_graze = of("[1.9, 2.1]", &[&grazing(), &open(false)]);
+    assert!(may_graze.verdict != VerdictName::Refuted && is_named(&may_graze, "components[0].kind"));
+}
+
+/// An undecided component of the pair of a recorded horseshoe that is claimed to hold it, its h-sets N forcing periods later.
+fn with_horseshoe(periods: u32) -> Value {
+    let chaos = recorded("chaos");
+    let mut bases = chaos["bases"].clone();
+    for base in bases.as_array_mut().unwrap() {
+        let later = |x: &Value| json!(x.as_f64().unwrap() + f64::from(periods));
+        for corner in ["left", "right"].iter().flat_map(|side| [(side, 0), (side, 1)]) {
+            let phase = &mut base["corners"][corner.0][corner.1][0];
+            *phase = later(phase);
+        }
+        let middle: f64 = base["phase"].as_str().unwrap().parse().unwrap();
+        base["phase"] = json!(format!("{:.9}", middle + std::f64::consts::TAU * f64::from(periods)));
+    }
+    let horseshoe = json!({ "depth": chaos["depth"], "entropy": chaos["entropy"], "bases": bases });
+    json!({ "kind": "undecided", "boxes": 1, "area": "0.000001", "closed": false, "horseshoe": horseshoe })
+}
+
+/// A horseshoe is in one component; in which one of those listed is not in a document. Lemmas A13, V37
+#[test]
+fn r47_which_component_holds_a_horseshoe_is_not_checked() {
+    let mut document = recorded("global");
+    document["scene"] = recorded("chaos")["scene"].clone();
+    let of = |components: &[&Value]| checked(&with(&document, "undecided", components));
+    for components in [&[&with_horseshoe(0)][..], &[&open(false), &with_horseshoe(0)]] {
+        let found = of(components);
+        assert!(found.verdict == VerdictName::Confirmed && is_named(&found, "statement"), "{}", found.message);
+        assert!(found.message.contains("not which component holds a horseshoe"), "{}", found.message);
+    }
+    let same = of(&[&with_horseshoe(0), &with_horseshoe(0)]);
+    assert!(same.verdict == VerdictName::Refuted, "{}", same.message);
+    let later = of(&[&with_horseshoe(0), &with_horseshoe(1)]);
+    assert!(later.verdict == VerdictName::Undecided && later.message.contains("apart"), "{}", later.message);
+}
+
+/// Without both ends nothing is proved of a window from end to end. Lemma V30
+#[test]
+fn r47_a_window_without_ends_is_not_confirmed_from_end_to_end() {
+    let mut document = recorded("windows");
+    let whole = checked(&document);
+    assert!(whole.message.contains("the orbits of 1 window from end to end"), "{}", whole.message);
+    document["certified"] = json!(false);
+    let window = &mut document["windows"][0];
+    window["stable_between"] = json!(false);
+    let found = checked(&document);
+    assert!(found.message.contains("a stable orbit in 1 window, not from end to end"), "{}", found.message);
+    assert!(found.verdict == VerdictName::Confirmed && is_named(&found, "windows[0].stable_between"));
+}
+
+/// An orbit and its claim that is not said to be, or not to be, its own mirror image, of twice the period under the reduced map.
+fn of_twice_the_period() -> (Value, Value) {
+    let document = recorded("global");
+    let mut own =
+        document["components"].as_array().unwrap().iter().find(|own| own["reduced_impacts"] == 1).unwrap().clone();
+    own["reduced_impacts"] = json!(2);
+    own["orbit"].as_object_mut().unwrap().remove("symmetric");
+    let radius: Vec<f64> = [0, 1].map(|i| own["spectral_radius"][i].as_str().unwrap().parse().unwrap()).to_vec();
+    own["spectral_radius"] = json!([0, 1].map(|i| format!("{:.12}", radius[i] * radius[i] + [-1e-9, 1e-9][i])));
+    (document, own)
+}
+
+/// The spectral radius is that of the period under the reduced map, which symmetry decides.
+#[test]
+fn r47_without_symmetry_no_spectral_radius_is_confirmed() {
+    let (document, own) = of_twice_the_period();
+    let found = checked(&with(&document, "undecided", &[&own, &open(false)]));
+    assert_eq!(found.verdict, VerdictName::Confirmed, "{}", found.message);
+    for path in ["components[0].reduced_impacts", "components[0].spectral_radius", "statement"] {
+        assert!(is_named(&found, path), "{path}: {:?}", found.not_checked);
+    }
+}
+
+/// Keys of single components that are named in a JSON of a global analysis are named in an atlas.
+#[test]
+fn r47_what_is_not_checked_of_a_component_is_named_in_an_atlas() {
+    let (document, own) = of_twice_the_period();
+    let document = with(&document, "undecided", &[&own, &open(false)]);
+    let axis = |key: &str, from: &str| json!({ "key": key, "from": from, "to": "1", "count": 2 });
+    let over = json!([axis("amplitude", "0.583258"), axis("restitution", "0.377273")]);
+    let text = atlas_of(&document, &over, &json!(["0.583258", "0.377273"]));
+    let claims = Claims::parse(&text).unwrap();
+    let found = claims.document(&text, &claims.judge(&Effort::default(), &Unwatched).unwrap());
+    for key in ["reduced_impacts", "spectral_radius"] {
+        assert!(is_named(&found, &format!("points[0].components[0].{key}")), "{:?}", found.not_checked);
+    }
+}
+
+/// Of a document of subintervals only keys that it has are named, and what the verdict `attracted` is about is not.
+#[test]
+fn r47_cells_name_what_they_have_and_do_not_use() {
+    let document = recorded("cells");
+    assert_eq!(document["stretches"][0]["verdict"], "attracted");
+    let unjudged = |document: &Value| Claims::parse(&document.to_string()).unwrap().unjudged();
+    assert_eq!(unjudged(&document), ["cells", "depth", "halvings", "program", "scene.excitation.amplitude"]);
+    let mut stable = document.clone();
+    stable["stretches"][0]["verdict"] = json!("stable");
+    stable["interrupted"] = json!(true);
+    let named = unjudged(&stable);
+    for key in ["interrupted", "scene.start", "scene.excitation.phase", "scene.excitation.frequency"] {
+        assert!(named.iter().any(|own| own == key), "{key}: {named:?}");
+    }
+}
