@@ -3,12 +3,9 @@
 #[path = "../../../tests/spoiled/changes.rs"]
 mod changes;
 mod claimed;
-<<<<<<< HEAD
+mod components;
 #[path = "../../../tests/effort/mod.rs"]
 mod effort;
-=======
-mod components;
->>>>>>> mend
 #[path = "../../../tests/environment/mod.rs"]
 mod environment;
 mod globals;
