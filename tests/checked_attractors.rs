@@ -1,7 +1,6 @@
 //! `check` on certificates of motions that are attracted, under one harmonic and several: right ones are confirmed, spoiled ones
 //! are not. Lemma V6
 
-use crate::effort::effort;
 use impact_pair::Scene;
 use impact_pair::document;
 use impact_pair::orbit::{Arithmetic, Settings};
@@ -51,7 +50,7 @@ fn attracted() -> Vec<(&'static str, Value)> {
 }
 
 fn verdict(document: &Value) -> Verdict {
-    Certificate::parse(&document.to_string()).unwrap().check_within(&effort(), &Unwatched).unwrap()
+    Certificate::parse(&document.to_string()).unwrap().check(&Unwatched).unwrap()
 }
 
 fn is_confirmed(document: &Value) -> bool {

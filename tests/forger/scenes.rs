@@ -50,7 +50,8 @@ fn is_interval(text: &Value) -> bool {
 
 fn neighbours(original: &Original) -> Vec<Forged> {
     // Horseshoes, stable orbits, regions and cycles with rests are as true of neighbours.
-    if original.is(&["trap", "chaos", "hyperbolic", "atlas", "cells"]) {
+    let is_without_orbits = original.is(&["global"]) && !original.document.to_string().contains("\"orbit\"");
+    if is_without_orbits || original.is(&["trap", "chaos", "hyperbolic", "atlas", "cells"]) {
         return Vec::new();
     }
     let keys = [
@@ -148,7 +149,8 @@ fn units(original: &Original) -> Vec<Forged> {
 }
 
 fn harmonics(original: &Original) -> Vec<Forged> {
-    if original.is(&["trap", "chaos", "hyperbolic", "atlas", "cells"]) {
+    let is_without_orbits = original.is(&["global"]) && !original.document.to_string().contains("\"orbit\"");
+    if is_without_orbits || original.is(&["trap", "chaos", "hyperbolic", "atlas", "cells"]) {
         return Vec::new();
     }
     let own = scene(original);

@@ -114,8 +114,9 @@ mod tests {
         let harmonic = Harmonic::new(exact("0.45"), exact("2*pi"), exact("0")).unwrap();
         let pair = ImpactPair::new(harmonic, exact("1"), exact("0.5")).unwrap();
         let law = Law::of(&pair).unwrap();
-        let [cycle] = <[_; 1]>::try_from(settled_orbits(&law)).unwrap();
-        (pair, law, cycle)
+        // Other orbits settle at a rest.
+        let cycle = settled_orbits(&law).into_iter().find(|states| states.iter().all(|[_, speed]| *speed > 0.1));
+        (pair, law, cycle.unwrap())
     }
 
     #[test]

@@ -72,7 +72,7 @@ fn repeats(states: &[[Float; 2]], reduced: usize) -> bool {
     reduced > 0 && count.is_multiple_of(reduced) && is_again(reduced) && !(1..reduced).any(is_again)
 }
 
-/// The greatest modulus of the eigenvalues of a period of the reduced map, of which the orbit has so many.
+/// The greatest modulus of the eigenvalues of a period of the reduced map, of which the orbit has `rounds`.
 fn radius([trace, determinant]: [f64; 2], rounds: usize) -> f64 {
     let under = 0.25 * trace * trace - determinant;
     let modulus = if under > 0.0 { 0.5 * trace.abs() + under.sqrt() } else { determinant.abs().sqrt() };
