@@ -64,10 +64,14 @@ let judged_region (claim : Trap.claim) = match Reason.wrong_data (Z.of_int 256) 
 let judged_chaos (claim : Words.claim) = match Reason.wrong_data (Z.of_int 256) claim.data claim.start [] with
   | Some reason -> Not_verified reason
   | None ->
-    match Rates.hint claim with
-    | Error n -> Not_verified (Printf.sprintf "words[%d]: no stretch of its first h-set is found that it leads across the second one" n)
-    | Ok hint when verify_chaos claim.data claim.start claim.chaos hint -> Verified
-    | Ok hint -> Not_verified (Reason.why_no_chaos claim hint)
+    let outline = Rates.outline claim in
+    match Reason.why_no_chaos claim outline with
+    | Some reason -> Not_verified reason
+    | None ->
+      match Rates.with_strips claim outline with
+      | Error n -> Not_verified (Printf.sprintf "words[%d]: no stretch of its first h-set is found that it leads across the second one" n)
+      | Ok hint when verify_chaos claim.data claim.start claim.chaos hint -> Verified
+      | Ok _ -> Not_verified "words: the stretches of two of them touch, or one is not proved"
 
 type claim = Orbit of Orbit.claim | Cycles of Periodic.claim | Region of Trap.claim | Words of Words.claim
 let read source =
@@ -119,7 +123,7 @@ let coq path =
        let plan = Plans.plan claim (List.hd Plans.attempts) in
        print_string (Term.file_of_region data start region properties plan entry pieces (verify_region data start region properties plan entry pieces)))
   | Words ({ data; start; chaos; _ } as claim) ->
-    (match Rates.hint claim with
+    (match Rates.with_strips claim (Rates.outline claim) with
      | Ok hint -> print_string (Term.file_of_chaos data start chaos hint (verify_chaos data start chaos hint))
      | Error n -> no_input (Printf.sprintf "no strip of words[%d] is found" n))
 

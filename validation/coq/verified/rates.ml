@@ -29,13 +29,16 @@ let growth words sets weight h =
 let impacts word = Z.of_int (List.length word.word_flights)
 let half { qnum; qden } = { qnum; qden = Z.shift_left qden 1 }
 
-(* Strips of all words with both growths; or the number of a word of which no strip is found. *)
-let hint ({ data; chaos = { h_sets; words; per_impact; per_cycle; _ }; _ } : Words.claim) =
-  let shapes = Array.of_list (List.map Stretches.shape_of h_sets) in
-  let entry word strip_of = { from_set = word.word_from; into_set = word.word_into; strides = Stretches.strides_of word; strip_of } in
-  Result.map (fun strips ->
-    let sets = List.length h_sets in
-    { found_words = { word_bits = Z.of_int Stretches.strip_bits; grid_bits = Z.of_int Stretches.grid;
-                      sets = List.map Stretches.chart (Array.to_list shapes); entries = List.map2 entry words strips };
-      by_impacts = growth words sets impacts per_impact; by_half_cycles = growth words sets (fun word -> word.half_cycles) (half per_cycle) })
-    (Stretches.found_strips data shapes words)
+(* All but the strips: what is checked of them takes no time. *)
+let outline ({ chaos = { h_sets; words; per_impact; per_cycle; _ }; _ } : Words.claim) =
+  let sets = List.length h_sets and no_strip = { begins_at = Z.zero; backwards = false; segments = [] } in
+  let entry word = { from_set = word.word_from; into_set = word.word_into; strides = Stretches.strides_of word; strip_of = no_strip } in
+  { found_words = { word_bits = Z.of_int Stretches.strip_bits; grid_bits = Z.of_int Stretches.grid;
+                    sets = List.map (fun h_set -> Stretches.chart (Stretches.shape_of h_set)) h_sets; entries = List.map entry words };
+    by_impacts = growth words sets impacts per_impact; by_half_cycles = growth words sets (fun word -> word.half_cycles) (half per_cycle) }
+
+(* With strips of all words; or the number of a word of which no strip is found. *)
+let with_strips ({ data; chaos = { h_sets; words; _ }; _ } : Words.claim) ({ found_words; _ } as outline) =
+  let with_strip entry strip_of = { entry with strip_of } in
+  let all strips = { outline with found_words = { found_words with entries = List.map2 with_strip found_words.entries strips } } in
+  Result.map all (Stretches.found_strips data (Array.of_list (List.map Stretches.shape_of h_sets)) words)

@@ -122,13 +122,13 @@ let why_no_region ({ data; start; region; properties; _ } : Trap.claim) plan ent
         "entered_at_impact: this impact, counted along the motion without rests, is not proved to be in the region"
       | None -> "the impacts up to `entered_at_impact` are not proved, or the scene not to have a positive amplitude"
 
-let why_no_chaos ({ data; chaos; _ } : Words.claim) { found_words = { word_bits; grid_bits; sets; _ } as found; by_impacts; by_half_cycles } =
-  let entropy key weight h growth = if Growing.check_entropy word_bits chaos weight h growth then None else Some (key ^ ": it does not follow from the words") in
-  if not (agrees chaos found) then "words: their half cycles are not those of their flights"
-  else if not (check_blocks chaos) then "horseshoe: the two blocks are not words that may follow one another in any order"
-  else if not (Setting.check_h_sets word_bits grid_bits chaos.h_sets sets) then "bases: h-sets overlap, or phase, speed, expanding and contracting are not those of the corners"
-  else
-    match List.find_map Fun.id [
-      entropy "entropy.per_impact" Rates.impacts chaos.per_impact by_impacts; entropy "entropy.per_cycle" (fun word -> word.half_cycles) (Rates.half chaos.per_cycle) by_half_cycles ] with
-    | Some reason -> reason
-    | None -> if Striding.check_words data found then "it does not follow" else "words: the strips of two of them touch, or one is not proved"
+(* What is wrong with a horseshoe but for its strips. *)
+let why_no_chaos ({ chaos; _ } : Words.claim) { found_words = { word_bits; grid_bits; sets; _ } as found; by_impacts; by_half_cycles } =
+  let entropy key weight h growth () = if Growing.check_entropy word_bits chaos weight h growth then None else Some (key ^ ": it does not follow from the words") in
+  List.find_map (fun reason -> reason ()) [
+    (fun () -> if agrees chaos found then None else Some "words: their half cycles are not those of their flights");
+    (fun () -> if check_blocks chaos then None else Some "horseshoe: the two blocks are not words that may follow one another in any order");
+    (fun () -> if Setting.check_h_sets word_bits grid_bits chaos.h_sets sets then None
+      else Some "bases: h-sets overlap, or phase, speed, expanding and contracting are not those of the corners");
+    entropy "entropy.per_impact" Rates.impacts chaos.per_impact by_impacts;
+    entropy "entropy.per_cycle" (fun word -> word.half_cycles) (Rates.half chaos.per_cycle) by_half_cycles ]

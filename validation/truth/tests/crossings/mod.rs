@@ -62,7 +62,7 @@ const OUTCOMES: [&str; 25] = [
 /// As many as ask all pairs and all triples, and some more.
 const CASES: u64 = 1_700;
 /// The default seed: one whose answers have all the outcomes that must occur.
-const SEED: u64 = 2021;
+const SEED: u64 = 2026;
 /// More than an answer takes: one that does is shown.
 const SLOW: Duration = Duration::from_secs(1);
 
