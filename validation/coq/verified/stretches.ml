@@ -256,7 +256,10 @@ let found_strips data shapes words =
          | exception Lost -> first rest
          | strip -> taken.(from) <- stretch.ends :: taken.(from); Ok (i, strip))
       | _ :: rest -> first rest in
-    first (List.concat_map (stretches pairs shape into word) beyond_ends) in
+    let rec within = function
+      | [] -> Error i
+      | more :: rest -> (match first (stretches pairs shape into word more) with Error _ -> within rest | found -> found) in
+    within beyond_ends in
   let taken = Array.make (Array.length shapes) [] in
   List.fold_left (fun found word -> Result.bind found (fun found -> Result.map (fun strip -> strip :: found) (strip taken word))) (Ok []) (List.sort shorter numbered)
   |> Result.map (fun found -> List.map snd (List.sort compare found))
