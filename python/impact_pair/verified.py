@@ -52,7 +52,8 @@ def program() -> Path:
 def verify(document: Source | Mapping[str, Any]) -> Verified:
     """Verify a document with a checker that is proved in Coq: an answer, a dict, the path of a file, or its text.
 
-    Verified are orbits of ``run``, the orbits of ``periodic``, the region of ``trap`` and the horseshoe of ``chaos``, as far as ``docs/verified.md`` says.
+    Verified are orbits of ``run``, the orbits of ``periodic``, the region of ``trap`` and the horseshoe of ``chaos``, as far as
+    ``docs/verified.md`` says.
     A document that claims more is not verified. An :class:`Error` says so where the program ``impact-pair-verified`` is not found.
     """
     text = json.dumps(dict(document)) if isinstance(document, Mapping) else text_of(document)
