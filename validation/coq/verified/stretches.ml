@@ -98,12 +98,12 @@ let cuts { e; _ } far (th, v) h =
   let at k = h *. float_of_int k /. float_of_int parts in
   (at depart, at approach)
 
-(* The passage of all states of a shape, or of a slice of it, whose corners are given. *)
+(* What brackets and parallelograms are wider by; the corners of a shape, and the middles of its sides. *)
 let spare = 1e-11
 let offsets = [ (-1.0, -1.0); (-1.0, 0.0); (-1.0, 1.0); (0.0, -1.0); (0.0, 1.0); (1.0, -1.0); (1.0, 0.0); (1.0, 1.0) ]
 exception Lost
 
-(* How a shape flies to a wall. *)
+(* The transit of all states of a shape to a wall, as it is seen in the next parallelogram. *)
 let passing (pair, others) far shape (next : chart) =
   let found = function Some x -> x | None -> raise Lost in
   let (th, _) as x = shape.at in

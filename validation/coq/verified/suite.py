@@ -205,15 +205,20 @@ def periodic_orbits(suite, quick):
     return rows
 
 
+def verified_in_time(suite, document, accepted, kind, scene, data):
+    """What a document is of, the answer and its seconds; it must be verified, in the accepted time."""
+    verdict, said, seconds = suite.answer(json.dumps(document).encode())
+    if verdict != "verified" or seconds > accepted:
+        suite.failures.append(f"{kind} of {scene}: {said}, {seconds:.2f} s, but accepted are {accepted} s")
+    return ", ".join([scene, *(f"{key} {value}" for key, value in data.items())]), said, seconds
+
+
 def regions(suite, quick):
     """Rows of documents of trapping regions, which must be verified."""
     rows, others = [], [("figure-14", 10.0, data) for data in REGIONS_OF_INTERVALS[: 1 if quick else None]]
     for scene, accepted, data in [*((*region, {}) for region in REGIONS[: 3 if quick else None]), *others]:
         document = suite.trap(scene, data)
-        verdict, said, seconds = suite.answer(json.dumps(document).encode())
-        if verdict != "verified" or seconds > accepted:
-            suite.failures.append(f"region of {scene}: {said}, {seconds:.2f} s, but accepted are {accepted} s")
-        what = ", ".join([scene, *(f"{key} {value}" for key, value in data.items())])
+        what, said, seconds = verified_in_time(suite, document, accepted, "region", scene, data)
         rows.append(f"| {what} | {document['boxes']} | {document['entered_at_impact']} | {said} | {seconds:.2f} |")
     return rows
 
@@ -223,10 +228,7 @@ def horseshoes(suite, quick):
     rows = []
     for scene, options, data, accepted in HORSESHOES[: 2 if quick else None]:
         document = suite.chaos(scene, options, data)
-        verdict, said, seconds = suite.answer(json.dumps(document).encode())
-        if verdict != "verified" or seconds > accepted:
-            suite.failures.append(f"horseshoe of {scene}: {said}, {seconds:.2f} s, but accepted are {accepted} s")
-        what = ", ".join([scene, *(f"{key} {value}" for key, value in data.items())])
+        what, said, seconds = verified_in_time(suite, document, accepted, "horseshoe", scene, data)
         rows.append(f"| {what} | {options[-1]} | {len(document['words'])} | {document['entropy']['per_impact']} | {said} | {seconds:.2f} |")
     return rows
 
