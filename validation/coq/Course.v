@@ -297,7 +297,6 @@ Proof.
   repeat (split; [assumption|]). assumption.
 Qed.
 
-Definition opposite (w : wall) : wall := match w with left => right | right => left end.
 Definition depth : nat := 40.
 Notation "a &? b" := (if a then b else false) (at level 45, right associativity).
 

@@ -235,6 +235,31 @@ Definition check_until (T : number) (events : list event) (next : bounds) : bool
   is_positive (sub p (enclose p (Rational (time_lower next))) X).
 End At.
 
+(* Rational numbers, and bounds. *)
+Definition known_number (p : positive) (r : Q) : I.type := enclose p (Rational r).
+Definition spanned (p : positive) (b : Q * Q) : I.type := hull (known_number p (fst b)) (known_number p (snd b)).
+Lemma holds_number p r : holds (known_number p r) (Q2R r).
+Proof. exact (holds_enclose p (Rational r)). Qed.
+Lemma holds_spanned p b x : in_bounds b x -> holds (spanned p b) x.
+Proof. apply holds_hull; apply holds_number. Qed.
+
+(* Bits for what is asked of all data. *)
+Definition few : positive := 256.
+(* Data of one harmonic that shakes the box, and what is known of their scenes. *)
+Definition check_single (param : data) (b : beginning) : bool :=
+  check_data few param && check_beginning few param b && is_positive (enclose_range few (amplitude param)) && match further param with [] => true | _ => false end.
+Lemma single_sound param b : check_single param b = true ->
+  all_proper param b /\ forall s, describes param s -> sensible s /\ others s = [] /\ 0 < A s /\ 0 < W s /\ 0 < d s.
+Proof.
+  unfold check_single. intros v. apply andb_prop in v as [v alone]. apply andb_prop in v as [v shaken]. apply andb_prop in v as [good start].
+  destruct (data_sound few _ _ good start) as [pr sense]. split; [exact pr|]. intros s described. destruct (sense s described) as [sens _].
+  split; [exact sens|]. destruct sens as (tones & gap_positive & _). destruct described as ((dA & _) & rest & _). split; [|split; [|split]].
+  - destruct (further param); [inversion rest; reflexivity|discriminate alone].
+  - exact (is_positive_sound _ _ shaken (holds_range few _ _ dA)).
+  - inversion tones; tauto.
+  - exact gap_positive.
+Qed.
+
 Definition count (events : list event) : Z := Z.of_nat (length events).
 Definition check_outcome (p : positive) (o : outcome) (events : list event) (next : option bounds) : bool :=
   match o, next with

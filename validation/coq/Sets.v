@@ -13,8 +13,6 @@ Import ListNotations.
 (* What the program shows of all h-sets: `disjoint_sets` of their list. *)
 Definition disjoint_list (hs : list h_set) : Prop := forall i j th w (k : Z), (i < length hs)%nat -> (j < length hs)%nat ->
   in_set (nth i hs no_set) th w -> in_set (nth j hs no_set) (th + IZR k * (2 * PI)) w -> i = j /\ k = 0%Z.
-Lemma disjoint_list_sets x : disjoint_list (h_sets x) -> disjoint_sets x.
-Proof. exact (fun h => h). Qed.
 
 (* Twice the area of a triangle, counterclockwise. *)
 Definition turn_of (a b c : R * R) : R := (fst b - fst a) * (snd c - snd a) - (snd b - snd a) * (fst c - fst a).
