@@ -51,6 +51,16 @@ def test_what_is_no_document(answering):
     assert impact_pair.verify("{}") == impact_pair.Verified("unreadable", None, "schema is missing")
 
 
+@pytest.mark.parametrize(
+    ("answer", "code"),
+    [("", 0), ("claim: an orbit", 0), ("claim: an orbit", 2), ("not verified: no", 0), ("verified", 1), ("verified", 137)],
+)
+def test_exit_code_and_last_line_say_the_same(answering, answer, code):
+    answering(answer, code)
+    with pytest.raises(impact_pair.Error, match="stopped without a verdict"):
+        impact_pair.verify("{}")
+
+
 def test_a_missing_program_is_named(monkeypatch, tmp_path):
     monkeypatch.setenv("PATH", str(tmp_path))
     monkeypatch.setattr(sys, "executable", str(tmp_path / "python"))
