@@ -49,7 +49,6 @@ Local Opaque add sub mul quotient whole hull sine cosine.
 Section Program.
 Variable param : data.
 
-Definition is_within (p : positive) (b : Q * Q) (X : I.type) : bool := bounded p (known_number p (fst b)) X (known_number p (snd b)).
 Definition unit_of (p : positive) (b : Q * Q) : I.type := quotient p (spanned p b) (velocity_over param p (whole p 1)).
 Definition half_turns_in (p : positive) (k : Z) : I.type := mul p (whole p k) (I.pi (F.PtoP p)).
 
@@ -138,8 +137,6 @@ Hypothesis A_positive : 0 < A s.
 Hypothesis W_positive : 0 < W s.
 Hypothesis gap_positive : 0 < d s.
 
-Lemma is_within_sound p b X x : is_within p b X = true -> holds X x -> in_bounds b x.
-Proof. intros check hX. exact (bounded_sound _ _ _ _ _ _ _ check (holds_number _ _) hX (holds_number _ _)). Qed.
 Lemma holds_unit p b i : in_bounds b (velocity i) -> holds (unit_of p b) (snd (point_of s i)).
 Proof.
   intros r. assert (u := holds_velocity_over param s described p _ _ (holds_whole p 1)). replace (snd (point_of s i)) with (velocity i / (A s * W s * 1)).

@@ -231,17 +231,9 @@ Qed.
 (* All listed impacts are before T, and the next one after it. *)
 Definition check_until (T : number) (events : list event) (next : bounds) : bool :=
   let X := enclose p T in
-  check_defined T && forallb (fun x => is_not_negative (sub p X (enclose p (Rational (time_upper (shown x)))))) events &&
-  is_positive (sub p (enclose p (Rational (time_lower next))) X).
+  check_defined T && forallb (fun x => is_not_negative (sub p X (known_number p (time_upper (shown x))))) events &&
+  is_positive (sub p (known_number p (time_lower next)) X).
 End At.
-
-(* Rational numbers, and bounds. *)
-Definition known_number (p : positive) (r : Q) : I.type := enclose p (Rational r).
-Definition spanned (p : positive) (b : Q * Q) : I.type := hull (known_number p (fst b)) (known_number p (snd b)).
-Lemma holds_number p r : holds (known_number p r) (Q2R r).
-Proof. exact (holds_enclose p (Rational r)). Qed.
-Lemma holds_spanned p b x : in_bounds b x -> holds (spanned p b) x.
-Proof. apply holds_hull; apply holds_number. Qed.
 
 (* Bits for what is asked of all data. *)
 Definition few : positive := 256.
@@ -273,16 +265,15 @@ Lemma until_sound p T events next orbit i : check_until p T events next = true -
   defined T /\ Forall (fun i => time i <= value T) orbit /\ value T < time i.
 Proof.
   unfold check_until. intros h all w. apply andb_prop in h as [h later]. apply andb_prop in h as [def each].
-  assert (known : forall q, holds (enclose p (Rational q)) (Q2R q)) by (intros q; exact (holds_enclose p (Rational q))).
   split; [apply (check_defined_sound p), def|]. split.
   - rewrite forallb_forall in each. revert orbit all.
     induction events as [|x events IH]; intros orbit all; inversion all as [|b j bs js k rest]; subst; [constructor|].
     constructor; [|apply IH; [intros y m; apply each; right; exact m|exact rest]].
     assert (0 <= value T - Q2R (time_upper (shown x))).
-    { refine (is_not_negative_sound _ _ (each x (or_introl eq_refl)) _). apply holds_sub; [apply holds_enclose|apply known]. }
+    { refine (is_not_negative_sound _ _ (each x (or_introl eq_refl)) _). apply holds_sub; [apply holds_enclose|apply holds_number]. }
     destruct k as (_ & tm & _). lra.
   - assert (0 < Q2R (time_lower next) - value T).
-    { refine (is_positive_sound _ _ later _). apply holds_sub; [apply known|apply holds_enclose]. }
+    { refine (is_positive_sound _ _ later _). apply holds_sub; [apply holds_number|apply holds_enclose]. }
     destruct w as (_ & tm & _). lra.
 Qed.
 
