@@ -99,7 +99,7 @@ PARTS = [
     by_program("audits", "validation/references"),
     Part("data", *2 * ('"$(validation/environment)" -B data/make --check && "$(validation/environment)" -B -m unittest discover -s data',),
          ("program", "python"), False, (*SOURCES, "data", "validation/references", "validation/requirements.txt")),
-    cargo("package", "python/test", "python/test --full", ("lints",)),
+    cargo("package", "python/test", "python/test --full", ("lints", "verified")),
     cargo("mutations", "validation/mutations --quick --report $REPORT", "validation/mutations --report $REPORT",
           ("tests", "python", "instructions")),
 ]

@@ -20,10 +20,16 @@ pub fn verify(path: &Path, output: Option<&Path>) -> Result<Answer> {
     scene::keep(path, output)?;
     let answered = answer(&program()?, &text)?;
     let said = String::from_utf8_lossy(&answered.stdout);
-    match answered.status.code() {
-        Some(0) => write(&said, output, Answer::Complete),
-        Some(1) => write(&said, output, Answer::Incomplete),
-        _ => Err(anyhow!("{}{}", said, String::from_utf8_lossy(&answered.stderr)).context(scene::name(path))),
+    // Its exit code and its last line have to say the same.
+    match (answered.status.code(), said.lines().last()) {
+        (Some(0), Some("verified")) => write(&said, output, Answer::Complete),
+        (Some(1), Some(last)) if last.starts_with("not verified: ") => write(&said, output, Answer::Incomplete),
+        (Some(2), Some(last)) if last.starts_with("unreadable: ") => Err(anyhow!("{last}").context(scene::name(path))),
+        _ => {
+            let complaint = String::from_utf8_lossy(&answered.stderr);
+            let stopped = format!("{PROGRAM} stopped without a verdict, {}\n{complaint}", answered.status);
+            Err(anyhow!("{}", stopped.trim()).context(scene::name(path)))
+        }
     }
 }
 

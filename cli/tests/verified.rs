@@ -39,6 +39,27 @@ fn the_answer_is_passed_on() {
     assert_cmd_snapshot!("unreadable", answering("unreadable", "unreadable: schema is missing", 2));
 }
 
+/// Whatever else is on PATH by that name verifies nothing: exit code and last line have to say the same.
+#[test]
+fn no_verdict_is_an_error() {
+    assert_cmd_snapshot!("no_verdict", answering("no-verdict", "claim: an orbit", 0));
+    for (name, answer, code) in
+        [("silent", "", 0), ("contrary", "not verified: no", 0), ("other", "verified", 1), ("stopped", "verified", 137)]
+    {
+        let done = answering(name, answer, code).output().unwrap();
+        assert_eq!((done.status.code(), done.stdout.as_slice()), (Some(2), &b""[..]), "{name}");
+        assert!(String::from_utf8_lossy(&done.stderr).contains("stopped without a verdict"), "{name}");
+    }
+}
+
+#[test]
+fn the_answer_is_written_to_a_file() {
+    let mut command = answering("to-a-file", "not verified: events[3] is a graze", 1);
+    assert_eq!(command.args(["--output", "answer.txt"]).output().unwrap().status.code(), Some(1));
+    let file = command.get_current_dir().unwrap().join("answer.txt");
+    assert_eq!(fs::read_to_string(file).unwrap(), "not verified: events[3] is a graze\n");
+}
+
 #[test]
 fn a_missing_program_is_named() {
     assert_cmd_snapshot!("no_program", verified(&folder("no-program"), &[]));

@@ -19,6 +19,8 @@ if TYPE_CHECKING:
     from .verdicts import Source
 
 PROGRAM = "impact-pair-verified"
+#: Verdicts, by the exit codes that go with them.
+VERDICTS = {0: "verified", 1: "not verified", 2: "unreadable"}
 
 
 @dataclass(frozen=True)
@@ -54,14 +56,15 @@ def verify(document: Source | Mapping[str, Any]) -> Verified:
 
     Verified are orbits of ``run``, the orbits of ``periodic``, the region of ``trap`` and the horseshoe of ``chaos``, as far as
     ``docs/verified.md`` says.
-    A document that claims more is not verified. An :class:`Error` says so where the program ``impact-pair-verified`` is not found.
+    A document that claims more is not verified: of ``chaos`` leave out ``scene_orbit``. An :class:`Error` says so where the program
+    ``impact-pair-verified`` is not found, or stops without a verdict.
     """
     text = json.dumps(dict(document)) if isinstance(document, Mapping) else text_of(document)
     done = subprocess.run([program(), "-"], input=text.encode(), capture_output=True, check=False)
-    lines = done.stdout.decode(errors="replace").splitlines()
-    if not lines or done.returncode not in (0, 1, 2):
-        message = f"{PROGRAM} stopped without an answer: {done.stderr.decode(errors='replace').strip()}"
-        raise Error(message)
+    lines = done.stdout.decode(errors="replace").splitlines() or [""]
     verdict, _, reason = lines[-1].partition(": ")
+    if verdict != VERDICTS.get(done.returncode):
+        message = f"{PROGRAM} stopped without a verdict: {done.stderr.decode(errors='replace').strip()}"
+        raise Error(message)
     claims = [line.removeprefix("claim: ") for line in lines[:-1] if line.startswith("claim: ")]
     return Verified(verdict, claims[0] if claims else None, reason or None)

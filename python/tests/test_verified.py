@@ -51,6 +51,16 @@ def test_what_is_no_document(answering):
     assert impact_pair.verify("{}") == impact_pair.Verified("unreadable", None, "schema is missing")
 
 
+@pytest.mark.parametrize(
+    ("answer", "code"),
+    [("", 0), ("claim: an orbit", 0), ("claim: an orbit", 2), ("not verified: no", 0), ("verified", 1), ("verified", 137)],
+)
+def test_exit_code_and_last_line_say_the_same(answering, answer, code):
+    answering(answer, code)
+    with pytest.raises(impact_pair.Error, match="stopped without a verdict"):
+        impact_pair.verify("{}")
+
+
 def test_a_missing_program_is_named(monkeypatch, tmp_path):
     monkeypatch.setenv("PATH", str(tmp_path))
     monkeypatch.setattr(sys, "executable", str(tmp_path / "python"))
@@ -87,3 +97,15 @@ def test_a_rest_and_its_release(monkeypatch):
     assert [event["event"] for event in document["events"][16:18]] == ["rest", "release"]
     document["events"][16]["time"] = document["events"][14]["time"]
     assert not impact_pair.verify(document)
+
+
+@pytest.mark.skipif(not BUILT.exists(), reason="validation/coq/verified/build has not run")
+def test_what_check_confirms_and_no_theorem_covers(monkeypatch):
+    monkeypatch.setenv("PATH", str(BUILT.parent))
+    graze, described = impact_pair.Scene.named("graze").run(), impact_pair.Scene.named("figure-12").describe()
+    for answer, reason in [(graze, "is a graze: covered are"), (described, 'schema is "impact-pair/description/')]:
+        assert answer.check()
+        found = impact_pair.verify(answer)
+        assert not found
+        assert found.verdict == "not verified"
+        assert reason in found.reason

@@ -66,9 +66,8 @@ Definition velocity_over (p : positive) (speed : I.type) : I.type :=
 (* What is printed holds all phases and unit speeds between grid points. *)
 Definition check_shown (p : positive) (step : I.type) (lo hi slow fast : Z) (printed : bounds) : bool :=
   let TH := stretch p step lo hi in let V := velocity_over p (stretch p step slow fast) in
-  let known r := enclose p (Rational r) in
-  bounded p (phase_over p (known (time_lower printed))) TH (phase_over p (known (time_upper printed))) &?
-  bounded p (known (velocity_lower printed)) V (known (velocity_upper printed)).
+  bounded p (phase_over p (known_number p (time_lower printed))) TH (phase_over p (known_number p (time_upper printed))) &?
+  is_within p (velocity_lower printed, velocity_upper printed) V.
 
 (* Its velocity on arrival; and all that is printed of it. *)
 Definition check_arrival (b : box) (l : leg) (printed : bounds) : bool :=
@@ -168,7 +167,7 @@ Proof.
   assert (low := holds_rise_at gamma y th0 u thc uc os p OS hos b inb _ ap q _ sp lo).
   assert (high := holds_rise_at gamma y th0 u thc uc os p OS hos b inb _ ap q _ sp hi).
   assert (arriving : forall th, grid q (approach leg) <= th <= grid q hi -> 0 < side (hits leg) * rate os th0 u th).
-  { intros th r. replace (side (hits leg)) with (- side (opposite (hits leg))) by (destruct (hits leg); cbn; ring).
+  { intros th r. replace (side (hits leg)) with (- side (opposite (hits leg))) by (rewrite side_opposite; ring).
     refine (sweep_sound q _ (fun x => 0 < - side (opposite (hits leg)) * rate os th0 u x) _ _ _ _ k4 th _); [|lra].
     intros i j h x rx. exact (inwards_sound _ _ _ _ _ _ _ _ _ hos _ inb _ ac q _ sc _ _ _ h x rx). }
   destruct (flight s A_positive W_positive l (hits leg) ta (grid q (approach leg)) (grid q lo) (grid q hi)) as (i & reach & same & r1 & onwall & vel).
@@ -220,9 +219,8 @@ Proof.
   assert (sp := unit_step_holds p q).
   assert (hTH := holds_stretch p q _ sp _ _ _ r1). assert (hV := holds_velocity_over p _ _ (holds_stretch p q _ sp _ _ _ r2)).
   replace (A s * W s * unit_speed s (velocity i)) with (velocity i) in hV by (unfold unit_speed; field; lra).
-  assert (known : forall r, holds (enclose p (Rational r)) (Q2R r)) by (intros r; exact (holds_enclose p (Rational r))).
-  assert (times := bounded_sound _ _ _ _ _ _ _ k (holds_phase_over p _ _ (known _)) hTH (holds_phase_over p _ _ (known _))).
-  assert (velocities := bounded_sound _ _ _ _ _ _ _ check (known _) hV (known _)).
+  assert (times := bounded_sound _ _ _ _ _ _ _ k (holds_phase_over p _ _ (holds_number _ _)) hTH (holds_phase_over p _ _ (holds_number _ _))).
+  assert (velocities := is_within_sound _ _ _ _ check hV). cbn [fst snd] in velocities.
   unfold within, phase in *. rewrite same. repeat split; nra.
 Qed.
 

@@ -41,7 +41,7 @@ Definition as_listed (h : h_set) : Prop := let lb := left_bottom h in let lt := 
   nearly (along phase_of) (Q2R (fst (set_expanding h))) /\ nearly (along speed_of) (Q2R (snd (set_expanding h))) /\
   nearly (across phase_of) (Q2R (fst (set_contracting h))) /\ nearly (across speed_of) (Q2R (snd (set_contracting h))).
 
-Definition wall_after (far : bool) (w : wall) : wall := if far then mirror_wall w else w.
+Definition wall_after (far : bool) (w : wall) : wall := if far then opposite w else w.
 
 Section Scene.
 Variable s : scene.

@@ -297,7 +297,6 @@ Proof.
   repeat (split; [assumption|]). assumption.
 Qed.
 
-Definition opposite (w : wall) : wall := match w with left => right | right => left end.
 Definition depth : nat := 40.
 Notation "a &? b" := (if a then b else false) (at level 45, right associativity).
 
@@ -306,6 +305,8 @@ Ltac split_checks := repeat match goal with
 
 (* X lies between L and H; and between the grid points lo and hi. *)
 Definition bounded (p : positive) (L X H : I.type) : bool := is_not_negative (sub p X L) &? is_not_negative (sub p H X).
+(* Rational bounds. *)
+Definition is_within (p : positive) (b : Q * Q) (X : I.type) : bool := bounded p (known_number p (fst b)) X (known_number p (snd b)).
 Definition between (p : positive) (step X : I.type) (lo hi : Z) : bool := bounded p (point p step lo) X (point p step hi).
 Lemma bounded_sound p L X H l x h : bounded p L X H = true -> holds L l -> holds X x -> holds H h -> l <= x <= h.
 Proof.
@@ -313,6 +314,8 @@ Proof.
   assert (0 <= x - l) by (apply (is_not_negative_sound _ _ k); enclose).
   assert (0 <= h - x) by (apply (is_not_negative_sound _ _ check); enclose). lra.
 Qed.
+Lemma is_within_sound p b X x : is_within p b X = true -> holds X x -> Q2R (fst b) <= x <= Q2R (snd b).
+Proof. intros check hX. exact (bounded_sound _ _ _ _ _ _ _ check (holds_number _ _) hX (holds_number _ _)). Qed.
 Lemma between_sound p q X x lo hi : between p (unit_step p q) X lo hi = true -> holds X x -> grid q lo <= x <= grid q hi.
 Proof. intros check hX. assert (st := unit_step_holds p q). apply (bounded_sound _ _ _ _ _ _ _ check); [enclose|exact hX|enclose]. Qed.
 End Courses.

@@ -14,7 +14,6 @@ Definition complex_bounds : Set := ((Q * Q) * (Q * Q))%type.
 Record cycle := Cycle { word : list mapping; cycles : Z; spots : list spot; is_symmetric : bool; trace_bounds : Q * Q; determinant_bounds : Q * Q;
   first_eigenvalue : complex_bounds; second_eigenvalue : complex_bounds; is_stable : bool }.
 
-Definition mirror_wall (w : wall) : wall := match w with left => right | right => left end.
 (* The mappings along walls, in time order. *)
 Fixpoint mappings (w : wall) (walls : list wall) : list mapping :=
   match walls with [] => [] | w1 :: walls => mapping_between w w1 :: mappings w1 walls end.
@@ -27,7 +26,7 @@ Definition shows_spot (first : Z) (b : spot) (i : impact) : Prop := wall_of i = 
   0 <= Q2R (fst (spot_phase b)) < 2 * PI /\ exists k, in_bounds (spot_phase b) (phase s (time i) - IZR k * (2 * PI)) /\ match spot_period b with None => True | Some n => k = (first + n)%Z end.
 (* The same on the other wall, an odd number of half periods later. *)
 Definition mirrored (k : Z) (i : impact) : impact :=
-  {| wall_of := mirror_wall (wall_of i); time := time i + IZR (2 * k + 1) * (period s / 2); velocity := - velocity i |}.
+  {| wall_of := opposite (wall_of i); time := time i + IZR (2 * k + 1) * (period s / 2); velocity := - velocity i |}.
 
 (* From a launch an orbit leads to impact j along the walls. *)
 Definition leads (l : launch) (walls : list wall) (orbit : list impact) (j : impact) : Prop :=

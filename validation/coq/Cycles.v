@@ -49,10 +49,6 @@ Local Opaque add sub mul quotient whole hull sine cosine.
 Section Program.
 Variable param : data.
 
-(* Rational bounds, and intervals of them. *)
-Definition known_number (p : positive) (r : Q) : I.type := enclose p (Rational r).
-Definition spanned (p : positive) (b : Q * Q) : I.type := hull (known_number p (fst b)) (known_number p (snd b)).
-Definition is_within (p : positive) (b : Q * Q) (X : I.type) : bool := bounded p (known_number p (fst b)) X (known_number p (snd b)).
 Definition unit_of (p : positive) (b : Q * Q) : I.type := quotient p (spanned p b) (velocity_over param p (whole p 1)).
 Definition half_turns_in (p : positive) (k : Z) : I.type := mul p (whole p k) (I.pi (F.PtoP p)).
 
@@ -82,8 +78,8 @@ Definition check_mirroring (w : wall) (c : cycle) (wide narrow : disc) (m : mirr
   let walls := map onto (way narrow) in let cells := all_starts narrow :: map image_of_all (way narrow) in
   let p := disc_bits wide in let q := disc_scale narrow in
   match m with
-  | Mirror_of n k => is_symmetric c &? (n <? length walls)%nat &? same_walls (map mirror_wall (skipn n walls ++ firstn n walls)) walls &?
-      same_wall (mirror_wall (nth n (w :: walls) w)) w &?
+  | Mirror_of n k => is_symmetric c &? (n <? length walls)%nat &? same_walls (map opposite (skipn n walls ++ firstn n walls)) walls &?
+      same_wall (opposite (nth n (w :: walls) w)) w &?
       has_box wide (add p (phases_of p q (nth n cells no_cell)) (half_turns_in p (2 * k + 1))) (I.neg (speeds_of p q (nth n cells no_cell)))
   | No_mirror turns => negb (is_symmetric c) &? (length turns =? length walls)%nat &?
       check_apart (disc_bits narrow) q w (all_starts narrow) (w :: walls) cells turns
@@ -141,12 +137,6 @@ Hypothesis A_positive : 0 < A s.
 Hypothesis W_positive : 0 < W s.
 Hypothesis gap_positive : 0 < d s.
 
-Lemma holds_number p r : holds (known_number p r) (Q2R r).
-Proof. exact (holds_enclose p (Rational r)). Qed.
-Lemma holds_spanned p b x : in_bounds b x -> holds (spanned p b) x.
-Proof. apply holds_hull; apply holds_number. Qed.
-Lemma is_within_sound p b X x : is_within p b X = true -> holds X x -> in_bounds b x.
-Proof. intros check hX. exact (bounded_sound _ _ _ _ _ _ _ check (holds_number _ _) hX (holds_number _ _)). Qed.
 Lemma holds_unit p b i : in_bounds b (velocity i) -> holds (unit_of p b) (snd (point_of s i)).
 Proof.
   intros r. assert (u := holds_velocity_over param s described p _ _ (holds_whole p 1)). replace (snd (point_of s i)) with (velocity i / (A s * W s * 1)).
@@ -388,7 +378,7 @@ Proof.
       destruct from_j as [f_j last_j].
       assert (mirrored_round : leads s (rebound s z) walls (map (mirrored s m) (skipn n orbit ++ map (later P) (firstn n orbit))) (later P z)).
       { split; [exact (follows_mirrored s W_positive one m _ j f_j)|]. split.
-        - etransitivity; [|exact k14]. rewrite map_map. change (fun x0 => wall_of (mirrored s m x0)) with (fun x0 => mirror_wall (wall_of x0)). rewrite <- (map_map wall_of mirror_wall). f_equal. rewrite map_app. f_equal; [rewrite <- skipn_map, orbit_walls; reflexivity|].
+        - etransitivity; [|exact k14]. rewrite map_map. change (fun x0 => wall_of (mirrored s m x0)) with (fun x0 => opposite (wall_of x0)). rewrite <- (map_map wall_of opposite). f_equal. rewrite map_app. f_equal; [rewrite <- skipn_map, orbit_walls; reflexivity|].
           rewrite map_map. change (fun x0 => wall_of (later P x0)) with wall_of. rewrite <- firstn_map, orbit_walls. reflexivity.
         - assert (z_later : later P z = mirrored s m (later P j)) by (symmetry; apply mirrored_later). rewrite z_later, last_map. f_equal.
           etransitivity; [|exact last_j]. apply last_default. intros none. apply app_eq_nil in none as [none _]. assert (l0 := skipn_length n orbit). rewrite none in l0. cbn in l0. lia. }

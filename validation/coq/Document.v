@@ -231,9 +231,26 @@ Qed.
 (* All listed impacts are before T, and the next one after it. *)
 Definition check_until (T : number) (events : list event) (next : bounds) : bool :=
   let X := enclose p T in
-  check_defined T && forallb (fun x => is_not_negative (sub p X (enclose p (Rational (time_upper (shown x)))))) events &&
-  is_positive (sub p (enclose p (Rational (time_lower next))) X).
+  check_defined T && forallb (fun x => is_not_negative (sub p X (known_number p (time_upper (shown x))))) events &&
+  is_positive (sub p (known_number p (time_lower next)) X).
 End At.
+
+(* Bits for what is asked of all data. *)
+Definition few : positive := 256.
+(* Data of one harmonic that shakes the box, and what is known of their scenes. *)
+Definition check_single (param : data) (b : beginning) : bool :=
+  check_data few param && check_beginning few param b && is_positive (enclose_range few (amplitude param)) && match further param with [] => true | _ => false end.
+Lemma single_sound param b : check_single param b = true ->
+  all_proper param b /\ forall s, describes param s -> sensible s /\ others s = [] /\ 0 < A s /\ 0 < W s /\ 0 < d s.
+Proof.
+  unfold check_single. intros v. apply andb_prop in v as [v alone]. apply andb_prop in v as [v shaken]. apply andb_prop in v as [good start].
+  destruct (data_sound few _ _ good start) as [pr sense]. split; [exact pr|]. intros s described. destruct (sense s described) as [sens _].
+  split; [exact sens|]. destruct sens as (tones & gap_positive & _). destruct described as ((dA & _) & rest & _). split; [|split; [|split]].
+  - destruct (further param); [inversion rest; reflexivity|discriminate alone].
+  - exact (is_positive_sound _ _ shaken (holds_range few _ _ dA)).
+  - inversion tones; tauto.
+  - exact gap_positive.
+Qed.
 
 Definition count (events : list event) : Z := Z.of_nat (length events).
 Definition check_outcome (p : positive) (o : outcome) (events : list event) (next : option bounds) : bool :=
@@ -248,16 +265,15 @@ Lemma until_sound p T events next orbit i : check_until p T events next = true -
   defined T /\ Forall (fun i => time i <= value T) orbit /\ value T < time i.
 Proof.
   unfold check_until. intros h all w. apply andb_prop in h as [h later]. apply andb_prop in h as [def each].
-  assert (known : forall q, holds (enclose p (Rational q)) (Q2R q)) by (intros q; exact (holds_enclose p (Rational q))).
   split; [apply (check_defined_sound p), def|]. split.
   - rewrite forallb_forall in each. revert orbit all.
     induction events as [|x events IH]; intros orbit all; inversion all as [|b j bs js k rest]; subst; [constructor|].
     constructor; [|apply IH; [intros y m; apply each; right; exact m|exact rest]].
     assert (0 <= value T - Q2R (time_upper (shown x))).
-    { refine (is_not_negative_sound _ _ (each x (or_introl eq_refl)) _). apply holds_sub; [apply holds_enclose|apply known]. }
+    { refine (is_not_negative_sound _ _ (each x (or_introl eq_refl)) _). apply holds_sub; [apply holds_enclose|apply holds_number]. }
     destruct k as (_ & tm & _). lra.
   - assert (0 < Q2R (time_lower next) - value T).
-    { refine (is_positive_sound _ _ later _). apply holds_sub; [apply known|apply holds_enclose]. }
+    { refine (is_positive_sound _ _ later _). apply holds_sub; [apply holds_number|apply holds_enclose]. }
     destruct w as (_ & tm & _). lra.
 Qed.
 

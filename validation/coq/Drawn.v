@@ -47,8 +47,6 @@ Fixpoint check_all (param : data) (orbits : list cycle) (hints : list surroundin
   | c :: orbits, h :: hints => check_cycle param c h && check_all param orbits hints
   | _, _ => false
   end.
-(* Bits for what is asked of all data. *)
-Definition few : positive := 256.
 (* Bounds of two impacts that are not one, whatever the periods between them; and orbits of which none is listed twice. *)
 Definition is_less (a b : Q) : bool := negb (Qle_bool b a).
 Definition within_turn (a b : Q) : bool := is_positive (sub few (half_turns_in few 2) (sub few (known_number few b) (known_number few a))).
@@ -57,10 +55,8 @@ Definition apart_spots (a b : spot) : bool := let (p, p') := spot_phase a in let
   (is_less p' r && within_turn p r') || (is_less r' p && within_turn r p').
 Definition apart_cycles (a b : cycle) : bool := match spots a with [] => false | first :: _ => forallb (apart_spots first) (spots b) end.
 Fixpoint check_distinct (orbits : list cycle) : bool := match orbits with [] => true | c :: orbits => forallb (apart_cycles c) orbits && check_distinct orbits end.
-Definition is_shaken (param : data) : bool := is_positive (enclose_range few (amplitude param)).
-Definition is_single (param : data) : bool := match further param with [] => true | _ => false end.
 Definition verify_cycles (param : data) (b : beginning) (orbits : list cycle) (hints : list surroundings) : bool :=
-  check_data few param && check_beginning few param b && is_shaken param && is_single param && check_distinct orbits && check_all param orbits hints.
+  check_single param b && check_distinct orbits && check_all param orbits hints.
 
 Lemma is_less_sound a b : is_less a b = true -> Q2R a < Q2R b.
 Proof.
@@ -102,13 +98,9 @@ Qed.
 
 Theorem cycles_verified param b orbits hints : verify_cycles param b orbits hints = true -> claims_cycles param b orbits.
 Proof.
-  unfold verify_cycles. intros v. apply andb_prop in v as [v all]. apply andb_prop in v as [v distinct]. apply andb_prop in v as [v alone].
-  apply andb_prop in v as [v shaken]. apply andb_prop in v as [good start].
-  destruct (data_sound few _ _ good start) as [pr sense]. split; [exact pr|]. intros s described. destruct (sense s described) as [sens _]. split; [exact sens|].
-  destruct sens as (tones & gap_positive & _). assert (W_positive : 0 < W s) by (inversion tones; tauto).
-  assert (A_positive : 0 < A s) by (destruct described as ((dA & _) & _); exact (is_positive_sound _ _ shaken (holds_range few _ _ dA))).
-  split.
-  { unfold is_single in alone. destruct described as (_ & rest & _). destruct (further param); [|discriminate alone]. inversion rest. unfold one_harmonic. congruence. }
+  unfold verify_cycles. intros v. apply andb_prop in v as [v all]. apply andb_prop in v as [single distinct].
+  destruct (single_sound _ _ single) as [pr sense]. split; [exact pr|]. intros s described.
+  destruct (sense s described) as (sens & one & A_positive & W_positive & gap_positive). split; [exact sens|]. split; [exact one|].
   clear - described A_positive W_positive gap_positive all distinct. revert hints all distinct.
   induction orbits as [|c orbits IH]; intros [|h hints] all distinct; cbn in all, distinct; try discriminate; [exists []; split; constructor|].
   apply andb_prop in all as [check all]. apply andb_prop in distinct as [apart distinct]. destruct (IH _ all distinct) as (found & are & pairs).
@@ -333,14 +325,13 @@ End Program.
 
 (* What is claimed of the listed motion is verified elsewhere (Pieces.v). *)
 Definition verify_drawn (x : document) (from : Z) (c : cycle) (h : surroundings) (a : approach_to) : bool :=
-  check_cycle (scene_data x) c h && is_stable c && is_shaken (scene_data x) &&
+  check_cycle (scene_data x) c h && is_stable c && check_single (scene_data x) (begun x) &&
   match spots c with b :: _ => check_approach (scene_data x) (first_events (listed_until a) x) from (spot_wall b) (wide_disc h) a | [] => false end.
 Theorem drawn_verified x from c h a : claims x -> verify_drawn x from c h a = true -> claims_attracted x from c.
 Proof.
-  intros told v. split; [exact told|]. unfold verify_drawn in v. apply andb_prop in v as [v approach]. apply andb_prop in v as [v shaken]. apply andb_prop in v as [check _].
-  intros s l described begin. destruct told as [_ told]. destruct (told s l described begin) as ((tones & gap_positive & _) & _ & (_ & motion & g & all & _ & _)).
-  assert (W_positive : 0 < W s) by (inversion tones; tauto).
-  assert (A_positive : 0 < A s) by (destruct described as ((dA & _) & _); exact (is_positive_sound _ _ shaken (holds_range few _ _ dA))).
+  intros told v. split; [exact told|]. unfold verify_drawn in v. apply andb_prop in v as [v approach]. apply andb_prop in v as [v single]. apply andb_prop in v as [check _].
+  intros s l described begin. destruct told as [_ told]. destruct (told s l described begin) as (_ & _ & (_ & motion & g & all & _ & _)).
+  destruct (single_sound _ _ single) as [_ sense]. destruct (sense s described) as (_ & _ & A_positive & W_positive & gap_positive).
   destruct (cycle_sound (scene_data x) s described A_positive W_positive gap_positive c h check) as (b & z & first & one & checked & inside & back & is_one).
   destruct (spots c) as [|b' more] eqn:listed; [discriminate|]. injection first as ->. split; [exact one|].
   exists motion. eexists. eexists. split; [exact g|]. split; [exact all|]. split; [exact is_one|].

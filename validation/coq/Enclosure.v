@@ -186,6 +186,13 @@ Qed.
 Definition enclose_range (r : range) : I.type := hull (enclose (least r)) (enclose (most r)).
 Lemma holds_range r x : among r x -> holds (enclose_range r) x.
 Proof. apply holds_hull; apply holds_enclose. Qed.
+(* Rational numbers, and what is between two. *)
+Definition known_number (r : Q) : I.type := enclose (Rational r).
+Lemma holds_number r : holds (known_number r) (Q2R r).
+Proof. exact (holds_enclose (Rational r)). Qed.
+Definition spanned (b : Q * Q) : I.type := hull (known_number (fst b)) (known_number (snd b)).
+Lemma holds_spanned b x : Q2R (fst b) <= x <= Q2R (snd b) -> holds (spanned b) x.
+Proof. apply holds_hull; apply holds_number. Qed.
 End Arithmetic.
 
 Ltac enclose := solve [intros; cbv zeta; repeat first [assumption | apply holds_whole | apply holds_point; assumption | match goal with

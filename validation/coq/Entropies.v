@@ -170,11 +170,11 @@ End Growth.
 Module Growths (F : FloatOps with Definition sensible_format := true).
 Module Import Each := Enclosure F.
 Definition below_factor (p : positive) (h factor : Q) : bool :=
-  is_not_negative (sub p (enclose p (Rational factor)) (I.exp (F.PtoP p) (enclose p (Rational h)))).
+  is_not_negative (sub p (known_number p factor) (I.exp (F.PtoP p) (known_number p h))).
 Lemma below_factor_sound p h factor : below_factor p h factor = true -> exp (Q2R h) <= Q2R factor.
 Proof.
-  intros k. assert (f := holds_enclose p (Rational factor)). assert (e := holds_enclose p (Rational h)).
-  assert (e' : holds (I.exp (F.PtoP p) (enclose p (Rational h))) (exp (Q2R h))) by exact (I.exp_correct (F.PtoP p) _ (Xreal _) e).
+  intros k. assert (f := holds_number p factor). assert (e := holds_number p h).
+  assert (e' : holds (I.exp (F.PtoP p) (known_number p h)) (exp (Q2R h))) by exact (I.exp_correct (F.PtoP p) _ (Xreal _) e).
   assert (d := is_not_negative_sound _ _ k (holds_sub p _ _ _ _ f e')). cbn [value] in d. lra.
 Qed.
 

@@ -85,7 +85,7 @@ Lemma kept_reaches i : in_region s r i -> exists j, reaches s (rebound s i) j.
 Proof.
   intros inr. destruct (all_kept _ _ inr) as (dep & out & _). destruct (first_comes D D_positive _ _ dep out) as (th1 & far & o & inside & on).
   fold (launch_seen i) in *. set (t := (th1 - seen (wall_of i) - tau s) / W s). assert (eq : phase_from i t = th1) by (unfold phase_from, phase, t; field; lra).
-  set (w := if far then mirror_wall (wall_of i) else wall_of i).
+  set (w := if far then opposite (wall_of i) else wall_of i).
   set (j := {| wall_of := w; time := t; velocity := free_velocity s (rebound s i) t |}).
   assert (far_is : far_from i j = far) by (unfold far_from; cbn; unfold w; destruct far, (wall_of i); reflexivity).
   assert (place_is : free_position s (rebound s i) t = plane s w) by (apply (on_wall_seen i j); cbn [time j]; rewrite far_is, eq; exact on).

@@ -16,6 +16,10 @@ Record scene := { reference :> harmonic; others : list harmonic; d : R; e : R }.
 Inductive wall := left | right.
 (* -1 on the left wall, 1 on the right one. *)
 Definition side (w : wall) : R := match w with left => -1 | right => 1 end.
+(* The other wall. *)
+Definition opposite (w : wall) : wall := match w with left => right | right => left end.
+Lemma side_opposite w : side (opposite w) = - side w.
+Proof. destruct w; cbn; ring. Qed.
 (* The place of a wall (14). *)
 Definition plane (s : scene) (w : wall) : R := side w * (d s / 2).
 

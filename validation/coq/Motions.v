@@ -61,14 +61,14 @@ Proof. destruct (halves_some half) as (w & T & ->). rewrite impact_is. apply sta
 Lemma impact_later more half y : impact_of (more + half) y = later_by s more (impact_of half y).
 Proof.
   unfold impact_of, later_by. cbn [wall_of time velocity]. rewrite Z.odd_add, plus_IZR. unfold period.
-  destruct (Z.odd more), (Z.odd half); cbn [xorb wall_after mirror_wall]; f_equal; try ring; field; lra.
+  destruct (Z.odd more), (Z.odd half); cbn [xorb wall_after opposite]; f_equal; try ring; field; lra.
 Qed.
 Lemma impact_step f half y : treads s f y -> next s (impact_of half y) (impact_of (half + half_turns_off f) (tread s f y)) /\
   wall_of (impact_of (half + half_turns_off f) (tread s f y)) = wall_after (far f) (wall_of (impact_of half y)).
 Proof.
   intros h. destruct (halves_some half) as (w & T & ->).
   replace (halves w T + half_turns_off f)%Z with (halves (wall_then w f) (turns_then w T f))
-    by (unfold halves, wall_then, turns_then, half_turns_off; destruct w, (far f); cbn [mirror_wall]; lia).
+    by (unfold halves, wall_then, turns_then, half_turns_off; destruct w, (far f); cbn [opposite]; lia).
   rewrite !impact_is. split; [apply tread_next; assumption|]. rewrite !stands_for_wall. reflexivity.
 Qed.
 

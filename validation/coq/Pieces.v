@@ -100,8 +100,6 @@ Fixpoint verify_each (x : document) (p : pieces) : bool :=
   | Whole h => verify x h
   | Cut d q lower upper => verify_each (part d (below q) x) lower && verify_each (part d (above q) x) upper
   end.
-(* Bits for what is asked of all data at once. *)
-Definition few : positive := 256.
 Definition verify_document (x : document) (p : pieces) : bool :=
   check_data few (scene_data x) && check_beginning few (scene_data x) (begun x) && verify_each x p.
 

@@ -39,8 +39,6 @@ Fixpoint comes_along (l : launch) (orbit : list impact) : Prop :=
   match orbit with [] => True | i :: orbit => comes_to l i /\ comes_along (rebound s i) orbit end.
 Lemma reaches_comes l i : reaches s l i -> comes_to l i.
 Proof. intros ((a & _ & c) & p & v). repeat split; try assumption. intros t h. left. apply c, h. Qed.
-Lemma follows_comes orbit : forall l, follows s l orbit -> comes_along l orbit.
-Proof. induction orbit as [|i orbit IH]; intros l; cbn; [trivial|]. intros [r f]. split; [exact (reaches_comes _ _ r)|exact (IH _ f)]. Qed.
 
 Definition flight_lasts (f : properties) (i j : impact) : Prop :=
   in_bounds (flight_periods f) ((time j - time i) / period s) /\ (time j - time i) / period s <= Q2R (longest_flight f) /\ in_bounds (flight_times f) (time j - time i).

@@ -40,7 +40,7 @@ Variables p q : positive.
 Notation pt := (point p (unit_step p q)).
 Notation E := (enclose_range p (restitution param)).
 Notation OS := (known_in param p).
-Notation phase_of t := (phase_over param p (enclose p (Rational t))).
+Notation phase_of t := (phase_over param p (known_number p t)).
 
 (* The phase by which a chatter has ended, at most. *)
 Definition last_phase (b : box) (w : wall) (r : resting) : I.type :=
@@ -147,8 +147,8 @@ Notation pt := (point p (unit_step p q)).
 Notation E := (enclose_range p (restitution param)).
 Notation OS := (known_in param p).
 
-Lemma phase_holds t : holds (phase_over param p (enclose p (Rational t))) (phase s (Q2R t)).
-Proof. apply (holds_phase_over param s described). exact (holds_enclose p (Rational t)). Qed.
+Lemma phase_holds t : holds (phase_over param p (known_number p t)) (phase s (Q2R t)).
+Proof. apply (holds_phase_over param s described). exact (holds_number p t). Qed.
 Lemma pt_holds n : holds (pt n) (grid q n).
 Proof. apply holds_point, unit_step_holds. Qed.
 (* A phase as a time. *)
@@ -292,7 +292,7 @@ Proof.
   assert (order'' : grid q hi <= grid q far) by (apply grid_le; unfold hi, far; lia).
   set (f := fun x => side w * box_bend os x).
   assert (st := unit_step_holds p q).
-  assert (side_of : - side (opposite w) = side w) by (destruct w; cbn; ring).
+  assert (side_of : - side (opposite w) = side w) by (rewrite side_opposite; ring).
   assert (held : forall x, grid q (held_from r) <= x <= grid q near -> 0 < f x).
   { intros x rx. unfold f. rewrite <- side_of. refine (sweep_sound q _ (fun x => 0 < - side (opposite w) * box_bend os x) _ _ _ _ k3 x rx).
     intros i j h y ry. exact (pressed_sound _ _ _ (holds_known param s described p) q _ st _ _ _ h y ry). }

@@ -24,8 +24,8 @@ Definition check_until (p : positive) (until : option number) (listed : list occ
   match until, next with
   | None, None => true
   | Some T, Some next => is_single next && check_defined p T &&
-      forallb (fun x => is_not_negative (sub p (enclose p T) (enclose p (Rational (latest x))))) listed &&
-      is_positive (sub p (enclose p (Rational (earliest next))) (enclose p T))
+      forallb (fun x => is_not_negative (sub p (enclose p T) (known_number p (latest x)))) listed &&
+      is_positive (sub p (known_number p (earliest next)) (enclose p T))
   | _, _ => false
   end.
 (* Two rests on one wall, the first seen so many forcing periods later, have a time in common: so do their releases. *)
@@ -34,9 +34,8 @@ Definition check_repeats (p : positive) (param : data) (listed : list occurrence
   match last_rest before, last_rest round with
   | Some (w, u, (a, _)), Some (w', u', (a', _)) =>
     let P := quotient p (mul p (whole p (2 * cycles)) (I.pi (F.PtoP p))) (enclose_range p (frequency param)) in
-    let known q := enclose p (Rational q) in
     check_fastest p param && (0 <? cycles)%Z && forallb (check_turns param cycles) (further param) && same_wall w w' && (impacts round =? each)%Z &&
-    is_positive (sub p (add p (known a) P) (known u')) && is_positive (sub p (known a') (add p (known u) P))
+    is_positive (sub p (add p (known_number p a) P) (known_number p u')) && is_positive (sub p (known_number p a') (add p (known_number p u) P))
   | _, _ => false
   end.
 Definition check_end (p : positive) (param : data) (o : outcome) (listed : list occurrence) (h : hint) : bool :=
@@ -74,13 +73,12 @@ Proof.
   rewrite eq, eq' in g. apply goes_app in g as [g1 g]. apply goes_app in g as [g2 _].
   destruct (ends_rested _ _ _ _ _ _ _ _ g1 all1 r1) as (t0 & t & at1 & rest1 & b0 & b1 & b2). rewrite at1 in g2.
   destruct (ends_rested _ _ _ _ _ _ _ _ g2 all2 r2) as (t0' & t' & at2 & rest2 & b0' & b3 & b4).
-  assert (known : forall q, holds (enclose p (Rational q)) (Q2R q)) by (intros q; exact (holds_enclose p (Rational q))).
   set (P := IZR cycles * period s) in *.
   assert (hP : holds (quotient p (mul p (whole p (2 * cycles)) (I.pi (F.PtoP p))) (enclose_range p (frequency param))) P).
   { replace P with (IZR (2 * cycles) * PI / W s) by (unfold P, period; rewrite mult_IZR; field; lra).
     apply holds_quotient; [apply holds_mul; [apply holds_whole|apply I.pi_correct]|apply holds_range, described]. }
-  assert (0 < Q2R a + P - Q2R u') by (apply (is_positive_sound _ _ first_in); apply holds_sub; [apply holds_add; [apply known|exact hP]|apply known]).
-  assert (0 < Q2R a' - (Q2R u + P)) by (apply (is_positive_sound _ _ second_in); apply holds_sub; [apply known|apply holds_add; [apply known|exact hP]]).
+  assert (0 < Q2R a + P - Q2R u') by (apply (is_positive_sound _ _ first_in); apply holds_sub; [apply holds_add; [apply holds_number|exact hP]|apply holds_number]).
+  assert (0 < Q2R a' - (Q2R u + P)) by (apply (is_positive_sound _ _ second_in); apply holds_sub; [apply holds_number|apply holds_add; [apply holds_number|exact hP]]).
   assert (eq_time : t' = t + P) by (apply (release_later s P turns_ w t0 t t0' t' rest1 rest2); lra).
   split; [exact (fastest_sound p param s described fastest)|]. split; [exact cycles0|]. exists before, round, later, m1, m2, m3, w, t. split; [exact split_list|]. split; [rewrite eq, eq'; reflexivity|].
   split; [exact all1|]. split; [exact all2|]. split; [exact number|]. split; [exact at1|]. cbv zeta. intros n. fold P. set (shift := INR n * P).
@@ -112,16 +110,15 @@ Proof.
     match until with None => True | Some T => up_to s (Flying l) motion T end).
   { intros [T|] check; [|exact I]. unfold check_until in check. destruct (next_one h) as [next|]; [|discriminate].
     apply andb_prop in check as [check later]. apply andb_prop in check as [check each]. apply andb_prop in check as [single def].
-    assert (known : forall q, holds (enclose p (Rational q)) (Q2R q)) by (intros q; exact (holds_enclose p (Rational q))).
     split; [apply (check_defined_sound p), def|]. split.
-    - rewrite forallb_forall in each. clear - each all known. induction all as [|o k os ks r all IH]; [constructor|].
+    - rewrite forallb_forall in each. clear - each all. induction all as [|o k os ks r all IH]; [constructor|].
       constructor; [|apply IH; intros y i; apply each; right; exact i].
       assert (0 <= value T - Q2R (latest o)).
-      { refine (is_not_negative_sound _ _ (each o (or_introl eq_refl)) _). apply holds_sub; [apply holds_enclose|apply known]. }
+      { refine (is_not_negative_sound _ _ (each o (or_introl eq_refl)) _). apply holds_sub; [apply holds_enclose|apply holds_number]. }
       assert (b := shown_times o k r). lra.
     - inversion tail as [|o k os ks r none]; subst. destruct f' as [happened _]. exists k. split; [exact happened|]. split; [exact (single_shown next k single r)|].
       assert (0 < Q2R (earliest next) - value T).
-      { refine (is_positive_sound _ _ later _). apply holds_sub; [apply known|apply holds_enclose]. }
+      { refine (is_positive_sound _ _ later _). apply holds_sub; [apply holds_number|apply holds_enclose]. }
       assert (b := shown_times next k r). lra. }
   unfold check_end in ending. destruct (ended x) as [n|n T|n until cycles each]; cbn [ends_so].
   - apply andb_prop in ending as [number _]. apply Z.eqb_eq, number.

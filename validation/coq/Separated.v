@@ -1,4 +1,4 @@
-(* Separated sets: where words from h-sets have a vector v with v b <= the sum of v (into) / q ^ weight over the words from b, there are c q^n states of which
+(* How many sequences there are: where words from h-sets have a vector v with v b <= the sum of v (into) / q ^ weight over the words from b, there are c q^n sequences of which
    any two part after words of a total weight less than n. *)
 From Coq Require Import Reals Lra Lia List Arith.
 From Coquelicot Require Import Coquelicot.
@@ -11,8 +11,7 @@ Definition sum_over (f : nat -> R) (l : list nat) : R := fold_right (fun i r => 
 Fixpoint spent (weight : nat -> nat) (s : nat -> nat) (n : nat) : nat := match n with O => O | S n => (spent weight s n + weight (s n))%nat end.
 
 Section Count.
-Variables (base : nat -> frame) (words : list step_of).
-Variables (weight : nat -> nat) (live : nat -> bool) (q : R) (v : nat -> R).
+Variables (words : list step_of) (weight : nat -> nat) (live : nat -> bool) (q : R) (v : nat -> R).
 (* The words from an h-set. *)
 Definition words_from (b : nat) : list nat := filter (fun i => (from_set (word_of words i) =? b)%nat) (seq 0 (length words)).
 Record growth : Prop := {
@@ -177,35 +176,4 @@ Proof.
     rewrite IH by (intros k hk; apply same; lia). rewrite same by lia. reflexivity.
 Qed.
 
-(* Two states that obey sequences of words which part after j words of weight less than n, at a distance then. *)
-Definition separated (delta eps : R) (n : nat) (x y : state) : Prop := exists s t j,
-  fits words s /\ fits words t /\ obeys base words s x /\ obeys base words t y /\
-  (forall k, (k < j)%nat -> s k = t k) /\ s j <> t j /\ (spent weight s j < n)%nat /\
-  let N := base (from_set (word_of words (s j))) in from_set (word_of words (s j)) = from_set (word_of words (t j)) /\
-    in_frame N (after words s j x) /\ in_frame N (after words t j y) /\
-    delta <= Rabs (along N (after words s j x) - along N (after words t j y)) /\
-    (eps <= Rabs (fst (after words s j x) - fst (after words t j y)) \/ eps <= Rabs (snd (after words s j x) - snd (after words t j y))).
-
 End Count.
-
-(* How far they are apart then depends on the words only, not on how they are weighed. *)
-Theorem many_states base words : words_cover base words -> words_apart words -> exists delta eps, 0 < delta /\ 0 < eps /\
-  forall weight live q v b, growth words weight live q v -> live b = true -> exists c, 0 < c /\ forall n, exists L : list state, c * q ^ n <= INR (length L) /\
-    (forall x, In x L -> in_frame (base b) x /\ exists s, fits words s /\ from_set (word_of words (s 0%nat)) = b /\ obeys base words s x) /\
-    (forall i i', (i < length L)%nat -> (i' < length L)%nat -> i <> i' -> separated base words weight delta eps n (nth i L (0, 0)) (nth i' L (0, 0))).
-Proof.
-  intros cover disjoint. destruct (told_apart base words cover disjoint) as (delta & eps & d0 & e0 & told). exists delta, eps. split; [exact d0|]. split; [exact e0|].
-  intros weight live q v b grows h. destruct (many_sequences words weight live q v grows b h) as (c & c0 & many). exists c. split; [exact c0|]. intros n.
-  destruct (many n) as (m & s & number & fit & part).
-  assert (exists L, length L = m /\ forall i, (i < m)%nat -> obeys base words (s i) (nth i L (0, 0))) as (L & len & obey).
-  { assert (obeyed : forall i, (i < m)%nat -> exists x, obeys base words (s i) x) by (intros i hi; apply every_sequence_obeyed; [exact cover|apply fit, hi]).
-    clear - obeyed. induction m as [|m IH]; [exists []; split; [reflexivity|lia]|].
-    destruct IH as (L & len & all); [intros i hi; apply obeyed; lia|]. destruct (obeyed m) as [x ox]; [lia|]. exists (L ++ [x]). split; [rewrite app_length, len; cbn; lia|].
-    intros i hi. destruct (Nat.eq_dec i m) as [->|ne]; [rewrite app_nth2, len, Nat.sub_diag by lia; exact ox|rewrite app_nth1 by lia; apply all; lia]. }
-  subst m. exists L. split; [exact number|]. split.
-  - intros x hx. apply (In_nth _ _ (0, 0)) in hx as (i & hi & <-). destruct (fit i hi) as [f start]. split; [|exists (s i); auto].
-    rewrite <- start. exact (slice_in_frame base words cover _ _ (proj1 (f O)) (proj1 (obey i hi O))).
-  - intros i i' hi hi' ne. destruct (part i i' hi hi' ne) as (j & same & differ & less). destruct (fit i hi) as [f start]. destruct (fit i' hi') as [f' start'].
-    exists (s i), (s i'), j. do 4 (split; [auto|]). split; [exact same|]. split; [exact differ|]. split; [exact less|].
-    apply told; auto. congruence.
-Qed.

@@ -13,8 +13,6 @@ Import ListNotations.
 (* What the program shows of all h-sets: `disjoint_sets` of their list. *)
 Definition disjoint_list (hs : list h_set) : Prop := forall i j th w (k : Z), (i < length hs)%nat -> (j < length hs)%nat ->
   in_set (nth i hs no_set) th w -> in_set (nth j hs no_set) (th + IZR k * (2 * PI)) w -> i = j /\ k = 0%Z.
-Lemma disjoint_list_sets x : disjoint_list (h_sets x) -> disjoint_sets x.
-Proof. exact (fun h => h). Qed.
 
 (* Twice the area of a triangle, counterclockwise. *)
 Definition turn_of (a b c : R * R) : R := (fst b - fst a) * (snd c - snd a) - (snd b - snd a) * (fst c - fst a).
@@ -214,14 +212,14 @@ Module Import Each := Enclosure F.
 Local Opaque add sub mul quotient whole hull.
 
 Definition is_nearly (p : positive) (x : number * Q) : bool :=
-  let off := sub p (enclose p (fst x)) (enclose p (Rational (snd x))) in let least := quotient p (whole p 1) (whole p (10 ^ 9)) in
+  let off := sub p (enclose p (fst x)) (known_number p (snd x)) in let least := quotient p (whole p 1) (whole p (10 ^ 9)) in
   is_not_negative (sub p least off) && is_not_negative (add p least off).
 Definition check_listed (p : positive) (h : h_set) : bool := forallb (is_nearly p) (listed_numbers h).
 Lemma is_nearly_sound p a r : is_nearly p (a, r) = true -> nearly (value a) (Q2R r).
 Proof.
   unfold is_nearly, nearly. cbv zeta. cbn [fst snd]. intros h. apply andb_prop in h as [above below].
   assert (hl : holds (quotient p (whole p 1) (whole p (10 ^ 9))) (1 / IZR (10 ^ 9))) by (apply holds_quotient; apply holds_whole).
-  assert (ho := holds_sub p _ _ _ _ (holds_enclose p a) (holds_enclose p (Rational r))).
+  assert (ho := holds_sub p _ _ _ _ (holds_enclose p a) (holds_number p r)).
   assert (h1 := is_not_negative_sound _ _ above (holds_sub p _ _ _ _ hl ho)). assert (h2 := is_not_negative_sound _ _ below (holds_add p _ _ _ _ hl ho)).
   cbn [value] in h1, h2. replace (1 / IZR (10 ^ 9)) with (/ 10 ^ 9) in h1, h2 by (change (10 ^ 9)%Z with 1000000000%Z; field). apply Rabs_le. lra.
 Qed.
@@ -232,11 +230,11 @@ Qed.
 
 (* A parallelogram is on the left of an edge, 2 pi times as far as it is in forcing periods. *)
 Definition check_edge (p q : positive) (N : chart) (edge : (Q * Q) * (Q * Q)) : bool :=
-  let pt := point p (unit_step p q) in let of_rational r := enclose p (Rational r) in let one := hull (whole p (-1)) (whole p 1) in
+  let pt := point p (unit_step p q) in let one := hull (whole p (-1)) (whole p 1) in
   let a := fst edge in let b := snd edge in let turn := mul p (whole p 2) (I.pi (F.PtoP p)) in
-  let by_speed := mul p turn (sub p (of_rational (fst b)) (of_rational (fst a))) in let by_phase := sub p (of_rational (snd b)) (of_rational (snd a)) in
-  let middle := sub p (mul p by_speed (sub p (I.neg (pt (cv N))) (of_rational (snd a))))
-    (mul p by_phase (sub p (pt (cu N)) (mul p turn (of_rational (fst a))))) in
+  let by_speed := mul p turn (sub p (known_number p (fst b)) (known_number p (fst a))) in let by_phase := sub p (known_number p (snd b)) (known_number p (snd a)) in
+  let middle := sub p (mul p by_speed (sub p (I.neg (pt (cv N))) (known_number p (snd a))))
+    (mul p by_phase (sub p (pt (cu N)) (mul p turn (known_number p (fst a))))) in
   let change u v := mul p (sub p (mul p by_speed (I.neg (pt v))) (mul p by_phase (pt u))) one in
   is_not_negative (add p (add p middle (change (lu N) (lv N))) (change (wu N) (wv N))).
 Definition check_inside (p q : positive) (h : h_set) (N : chart) : bool := (0 <? chart_area N)%Z && forallb (check_edge p q N) (edges h).
@@ -250,9 +248,8 @@ Proof.
   assert (h1 := one xi hxi). assert (h2 := one eta heta). set (unit := hull _ _) in *.
   assert (ht : holds (mul p (whole p 2) (I.pi (F.PtoP p))) (2 * PI)) by (apply holds_mul; [apply holds_whole|apply I.pi_correct]).
   set (turn := mul p _ (I.pi _)) in *.
-  assert (hr : forall r, holds (enclose p (Rational r)) (Q2R r)) by (intros r; exact (holds_enclose p (Rational r))).
   assert (hp : forall n, holds (point p (unit_step p q) n) (grid q n)) by (intros n; apply holds_point, unit_step_holds).
-  assert (ha := hr (fst a)). assert (ha' := hr (snd a)). assert (hb := hr (fst b)). assert (hb' := hr (snd b)).
+  assert (ha := holds_number p (fst a)). assert (ha' := holds_number p (snd a)). assert (hb := holds_number p (fst b)). assert (hb' := holds_number p (snd b)).
   assert (u0 := hp (cu N)). assert (v0 := hp (cv N)). assert (u1 := hp (lu N)). assert (v1 := hp (lv N)). assert (u2 := hp (wu N)). assert (v2 := hp (wv N)).
   set (by_speed := 2 * PI * (Q2R (fst b) - Q2R (fst a))). set (by_phase := Q2R (snd b) - Q2R (snd a)).
   set (at_middle := by_speed * (- grid q (cv N) - Q2R (snd a)) - by_phase * (grid q (cu N) - 2 * PI * Q2R (fst a))).

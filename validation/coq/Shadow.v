@@ -68,14 +68,12 @@ Section Program.
 Variables p q : positive.
 Variable param : data.
 Notation step := (unit_step p q).
-Notation known := (fun r => enclose p (Rational r)).
 
-Definition check_within (b : Q * Q) (X : I.type) : bool := bounded p (known (fst b)) X (known (snd b)).
 Definition phases (N : chart) : I.type := stretch p step (cu N - phase_reach N) (cu N + phase_reach N).
 Definition speeds (N : chart) : I.type := stretch p step (cv N - speed_reach N) (cv N + speed_reach N).
 Definition one_speed (V : range) : I.type := quotient p (enclose_range p V) (velocity_over param p (whole p 1)).
 Definition check_near (n : nearness) : bool :=
-  let width b := mul p (whole p 1000) (sub p (known (snd b)) (known (fst b))) in
+  let width b := mul p (whole p 1000) (sub p (known_number p (snd b)) (known_number p (fst b))) in
   let turn := quotient p (mul p (whole p 2) (I.pi (F.PtoP p))) (enclose_range p (frequency param)) in
   is_not_negative (sub p turn (width (start_times n))) &?
   is_not_negative (sub p (velocity_over param p (whole p 1)) (width (start_velocities n))).
@@ -84,14 +82,14 @@ Definition check_first (T V : range) (n : nearness) (N : chart) : bool :=
   (0 <? chart_area N)%Z &?
   if (lu N =? 0)%Z && (wv N =? 0)%Z then
     between p step (phase_over param p (enclose_range p T)) (cu N - phase_reach N) (cu N + phase_reach N) &?
-    check_within (start_velocities n) (velocity_over param p (speeds N))
+    is_within p (start_velocities n) (velocity_over param p (speeds N))
   else (lv N =? 0)%Z &? (wu N =? 0)%Z &?
     between p step (one_speed V) (cv N - speed_reach N) (cv N + speed_reach N) &?
-    bounded p (phase_over param p (known (fst (start_times n)))) (phases N) (phase_over param p (known (snd (start_times n)))).
+    bounded p (phase_over param p (known_number p (fst (start_times n)))) (phases N) (phase_over param p (known_number p (snd (start_times n)))).
 
 Definition check_off (N : chart) (b : bounds) (most : Q) : bool :=
-  let X := sub p (phases N) (phase_over param p (quotient p (add p (known (time_lower b)) (known (time_upper b))) (whole p 2))) in
-  let M := mul p (mul p (whole p 2) (I.pi (F.PtoP p))) (known most) in
+  let X := sub p (phases N) (phase_over param p (quotient p (add p (known_number p (time_lower b)) (known_number p (time_upper b))) (whole p 2))) in
+  let M := mul p (mul p (whole p 2) (I.pi (F.PtoP p))) (known_number p most) in
   is_not_negative (sub p M X) &? is_not_negative (add p M X).
 Definition check_place (b : bounds) (N : chart) : bool :=
   (0 <? chart_area N)%Z &?
@@ -119,16 +117,12 @@ Hypothesis gap_positive : 0 < d s.
 
 Lemma grid_around c r x : Rabs (x - grid q c) <= grid q r -> grid q (c - r) <= x <= grid q (c + r).
 Proof. intros h. apply Rabs_le_between in h. unfold Z.sub. rewrite !grid_plus, grid_opp. lra. Qed.
-Lemma holds_rational r : holds (enclose p (Rational r)) (Q2R r).
-Proof. exact (holds_enclose p (Rational r)). Qed.
-Lemma within_sound b X x : check_within b X = true -> holds X x -> in_bounds b x.
-Proof. intros check hX. exact (bounded_sound _ _ _ _ _ _ _ check (holds_rational _) hX (holds_rational _)). Qed.
 
 Lemma near_sound n : check_near n = true -> near s n.
 Proof.
   unfold check_near. cbv zeta. intros check. split_checks.
-  assert (narrow : forall b, holds (mul p (whole p 1000) (sub p (enclose p (Rational (snd b))) (enclose p (Rational (fst b))))) (1000 * width b)).
-  { intros b. assert (l := holds_rational (fst b)). assert (h := holds_rational (snd b)). unfold width. enclose. }
+  assert (narrow : forall b, holds (mul p (whole p 1000) (sub p (known_number p (snd b)) (known_number p (fst b)))) (1000 * width b)).
+  { intros b. assert (l := holds_number p (fst b)). assert (h := holds_number p (snd b)). unfold width. enclose. }
   assert (turn : holds (quotient p (mul p (whole p 2) (I.pi (F.PtoP p))) (enclose_range p (frequency param))) (period s)).
   { destruct described as ((_ & dW & _) & _). unfold period.
     apply holds_quotient; [apply holds_mul; [apply holds_whole|apply I.pi_correct]|exact (holds_range p _ _ dW)]. }
@@ -145,11 +139,11 @@ Proof.
   intros area inside check. unfold check_off in check. cbv zeta in check. split_checks.
   destruct (chart_bounds q N x area inside) as [r _]. apply grid_around in r.
   assert (hX := holds_stretch p q _ (unit_step_holds p q) _ _ _ r). fold (phases N) in hX.
-  assert (l := holds_rational (time_lower b)). assert (h := holds_rational (time_upper b)). assert (m := holds_rational most).
-  assert (mid : holds (phase_over param p (quotient p (add p (enclose p (Rational (time_lower b))) (enclose p (Rational (time_upper b)))) (whole p 2)))
+  assert (l := holds_number p (time_lower b)). assert (h := holds_number p (time_upper b)). assert (m := holds_number p most).
+  assert (mid : holds (phase_over param p (quotient p (add p (known_number p (time_lower b)) (known_number p (time_upper b))) (whole p 2)))
     (phase s (middle_time b))).
   { apply (holds_phase_over param s described). unfold middle_time. enclose. }
-  assert (turn : holds (mul p (mul p (whole p 2) (I.pi (F.PtoP p))) (enclose p (Rational most))) (2 * PI * Q2R most)).
+  assert (turn : holds (mul p (mul p (whole p 2) (I.pi (F.PtoP p))) (known_number p most)) (2 * PI * Q2R most)).
   { apply holds_mul; [|exact m]. apply holds_mul; [apply holds_whole|apply I.pi_correct]. }
   assert (0 <= 2 * PI * Q2R most - (fst x - phase s (middle_time b))) by (apply (is_not_negative_sound _ _ k); enclose).
   assert (0 <= 2 * PI * Q2R most + (fst x - phase s (middle_time b))) by (apply (is_not_negative_sound _ _ check); enclose).
@@ -242,7 +236,7 @@ Proof.
       unfold phase. field. lra. }
     split; [rewrite same; exact t_in|]. split; [|left; exact same].
     destruct (chart_bounds q N _ k (inside eta he x hx)) as [_ near]. apply grid_around in near.
-    apply (within_sound _ _ _ check). unfold i. cbn [velocity impact_at].
+    apply (is_within_sound _ _ _ _ check). unfold i. cbn [velocity impact_at].
     apply (holds_velocity_over param s described), (holds_stretch p q _ (unit_step_holds p q)), near.
   - split_checks. apply Z.eqb_eq in k0. apply Z.eqb_eq in k1. rewrite k0, k1, zero in area_of.
     assert (unit_of : holds (one_speed V) (v / (A s * W s * 1))).
@@ -256,8 +250,8 @@ Proof.
     destruct (chart_bounds q N _ k (inside eta he x hx)) as [near _]. apply grid_around in near.
     set (y := put (frame_of q N) x eta) in *. assert (back : phase s (time i) = fst y) by (apply phase_at; assumption). rewrite <- back in near.
     assert (hX := holds_stretch p q _ (unit_step_holds p q) _ _ _ near). fold (phases N) in hX.
-    assert (bounds := bounded_sound _ _ _ _ _ _ _ check (holds_phase_over param s described p _ _ (holds_rational _)) hX
-      (holds_phase_over param s described p _ _ (holds_rational _))).
+    assert (bounds := bounded_sound _ _ _ _ _ _ _ check (holds_phase_over param s described p _ _ (holds_number _ _)) hX
+      (holds_phase_over param s described p _ _ (holds_number _ _))).
     unfold in_bounds, phase in *. nra.
 Qed.
 End Program.
@@ -268,8 +262,8 @@ Definition verify_shadow (x : document_of event) (n : nearness) (h : chain) : bo
   | Struck w times velocities =>
     check_data p param && check_beginning p param (begun x) && check_beginning p param (Struck w times (between_rationals (start_velocities n))) &&
     is_positive (enclose_range p (amplitude param)) && check_fastest p param && check_near p param n &&
-    check_within p (start_times n) (enclose_range p times) &&
-    check_within p (start_velocities n) (enclose_range p velocities) && check_outcome p (ended x) (events x) (afterwards h) &&
+    is_within p (start_times n) (enclose_range p times) &&
+    is_within p (start_velocities n) (enclose_range p velocities) && check_outcome p (ended x) (events x) (afterwards h) &&
     numbered (Some w) 1 (events x) && check_first p q param times velocities n (first_chart h) &&
     check_way p q param (flights w (with_next (events x) (afterwards h))) (first_chart h) (links h) &&
     check_nodes p q param n (events x) (afterwards h) (links h) && (length (events x) <=? 2 * near_ones p q param n (events x) (links h))%nat
@@ -290,8 +284,8 @@ Proof.
   destruct good as (tones & gap_positive & _). assert (W_positive : 0 < W s) by (inversion tones; tauto).
   assert (A_positive : 0 < A s).
   { destruct described as ((dA & _) & _). exact (is_positive_sound _ _ positive (holds_range p _ _ dA)). }
-  assert (t_in := within_sound p _ _ _ time_in (holds_range p _ _ at_t)).
-  assert (u_in := within_sound p _ _ _ velocity_in (holds_range p _ _ at_u)).
+  assert (t_in := is_within_sound p _ _ _ time_in (holds_range p _ _ at_t)).
+  assert (u_in := is_within_sound p _ _ _ velocity_in (holds_range p _ _ at_u)).
   split; [exact (fastest_sound p _ s described fastest)|]. split; [exact (near_sound p _ s described n close)|].
   split; [exact t_in|]. split; [exact u_in|]. split; [intros z hz; exact (inwards z hz)|].
   set (N := first_chart h) in *.

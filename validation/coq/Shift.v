@@ -1,6 +1,6 @@
 (* Finitely many words between h-sets, each of whose maps carries its slice across the h-set it leads into: every sequence of words that fit together
    is followed by a state, and states that follow two sequences are a distance apart where these part. *)
-From Coq Require Import Reals Lra Lia List Arith Bool.
+From Coq Require Import Reals Lra Lia List Arith.
 From Coquelicot Require Import Coquelicot.
 From ImpactPair Require Import Horseshoe Covers.
 Import ListNotations.
@@ -118,36 +118,4 @@ Proof.
   split; [exact d|]. exact (far _ (proj1 (fs j)) _ _ d).
 Qed.
 
-(* Blocks: h-sets from each of which a word of each of two letters leads to one of them. Every sequence of letters is that of a sequence of words, found by search. *)
-Section Block.
-Variables (block : nat -> bool) (letter : nat -> bool).
-Definition spelled (b : nat) (a : bool) : nat :=
-  hd 0%nat (filter (fun i => (from_set (word_of i) =? b)%nat && block (into_set (word_of i)) && Bool.eqb (letter i) a) (seq 0 (length words))).
-Fixpoint place (b : nat) (letters : nat -> bool) (n : nat) : nat :=
-  match n with O => b | S n => into_set (word_of (spelled (place b letters n) (letters n))) end.
-Definition spelling (b : nat) (letters : nat -> bool) (n : nat) : nat := spelled (place b letters n) (letters n).
-Hypothesis both_letters : forall b a, block b = true -> exists i, (i < length words)%nat /\ from_set (word_of i) = b /\ block (into_set (word_of i)) = true /\ letter i = a.
-Lemma spelled_well b a : block b = true -> (spelled b a < length words)%nat /\ from_set (word_of (spelled b a)) = b /\
-  block (into_set (word_of (spelled b a))) = true /\ letter (spelled b a) = a.
-Proof.
-  intros h. unfold spelled. set (P := fun i => (from_set (word_of i) =? b)%nat && block (into_set (word_of i)) && Bool.eqb (letter i) a).
-  destruct (both_letters b a h) as (i & hi & e1 & e2 & e3).
-  assert (found : In i (filter P (seq 0 (length words)))).
-  { apply filter_In. split; [apply in_seq; lia|]. unfold P. rewrite e1, e2, e3, Nat.eqb_refl, eqb_reflx. reflexivity. }
-  destruct (filter P (seq 0 (length words))) as [|k l] eqn:e; [destruct found|]. cbn [hd].
-  assert (k_in : In k (filter P (seq 0 (length words)))) by (rewrite e; left; reflexivity). apply filter_In in k_in as [range p].
-  apply in_seq in range. apply andb_prop in p as [p p3]. apply andb_prop in p as [p1 p2]. apply Nat.eqb_eq in p1. apply eqb_prop in p3.
-  repeat split; [lia|exact p1|exact p2|exact p3].
-Qed.
-Theorem every_spelling b letters : block b = true -> fits (spelling b letters) /\ from_set (word_of (spelling b letters 0)) = b /\
-  forall n, letter (spelling b letters n) = letters n /\ block (from_set (word_of (spelling b letters n))) = true.
-Proof.
-  intros h. assert (inside : forall n, block (place b letters n) = true).
-  { induction n as [|n IH]; [exact h|]. cbn [place]. apply (spelled_well _ _ IH). }
-  assert (well := fun n => spelled_well _ (letters n) (inside n)). split; [|split].
-  - intros n. destruct (well n) as (a & _). destruct (well (S n)) as (_ & c & _). unfold spelling. split; [exact a|rewrite c; reflexivity].
-  - apply (well O).
-  - intros n. destruct (well n) as (_ & c & _ & e). unfold spelling. split; [exact e|rewrite c; apply inside].
-Qed.
-End Block.
 End Words.

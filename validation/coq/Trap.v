@@ -55,8 +55,6 @@ Import Marching.Col.Ver.
 Import Marching.Col.Ver.Check.
 Local Opaque add sub mul quotient whole hull.
 
-(* Bits for what is asked of all data. *)
-Definition few : positive := 256.
 Section Document.
 Variables (param : data) (b : beginning) (r : region) (f : properties) (h : plan) (x : entry).
 Let p := plan_bits h.
@@ -66,7 +64,6 @@ Definition units_in : units :=
   Units (half_pi p) (quotient p (I.pi (F.PtoP p)) (whole p half_columns)) (quotient p (whole p 1) (whole p speed_points)) (hull (whole p (-1)) (whole p 1))
     (quotient p (enclose_range p (gap param)) (enclose_range p (amplitude param))) (enclose_range p (restitution param)).
 
-Definition known_few (q : Q) : I.type := enclose few (Rational q).
 Definition not_less (a b : I.type) : bool := is_not_negative (sub few a b).
 Definition in_periods (n : Z) : Q := Qmake n (2 * (columns r * fine h)).
 (* A time of so many points of the grid. *)
@@ -74,14 +71,14 @@ Definition in_time_units (n : Z) : I.type := quotient few (mul few (quotient few
 Definition check_flights : bool :=
   Qle_bool (fst (flight_periods f)) (in_periods (shortest h)) &? Qle_bool (in_periods (longest h)) (snd (flight_periods f)) &?
   Qle_bool (in_periods (longest h)) (longest_flight f) &?
-  is_positive (known_few (fst (flight_periods f))) &?
-  not_less (in_time_units (shortest h)) (known_few (fst (flight_times f))) &? not_less (known_few (snd (flight_times f))) (in_time_units (longest h)).
+  is_positive (known_number few (fst (flight_periods f))) &?
+  not_less (in_time_units (shortest h)) (known_number few (fst (flight_times f))) &? not_less (known_number few (snd (flight_times f))) (in_time_units (longest h)).
 Definition fastest : I.type := mul few (enclose_range few (amplitude param)) (enclose_range few (frequency param)).
 Definition in_scene_units (row : Z) : I.type := mul few fastest (quotient few (whole few row) (whole few (Zpos (rows r)))).
 Definition check_speeds (run : Z * (Z * Z)) : bool :=
   let (_, rows_of) := run in let (first, last) := rows_of in
   (0 <=? first)%Z &? Qle_bool (fst (impact_speeds f)) (Qmake first (rows r)) &? Qle_bool (Qmake (last + 1) (rows r)) (snd (impact_speeds f)) &?
-  not_less (in_scene_units first) (known_few (fst (impact_velocities f))) &? not_less (known_few (snd (impact_velocities f))) (in_scene_units (last + 1)).
+  not_less (in_scene_units first) (known_number few (fst (impact_velocities f))) &? not_less (known_number few (snd (impact_velocities f))) (in_scene_units (last + 1)).
 
 (* An impact in bounds of time and velocity has its state in the region. *)
 Definition check_state (w : wall) (T V : I.type) : bool :=
@@ -90,21 +87,17 @@ Definition check_state (w : wall) (T V : I.type) : bool :=
   let speed := sided w (quotient few V fastest) in let row := mul few speed (whole few (Zpos (rows r))) in
   is_not_negative speed &? not_less column (whole few (from_column x)) &? not_less (whole few (until_column x)) column &?
   in_columns r h most_columns row row (from_column x) (until_column x * Zpos (2 * fine h)).
-Definition between_known (lower upper : Q) : I.type := hull (known_few lower) (known_few upper).
 Definition check_entry (n : Z) : bool :=
   if (n =? 0)%Z then match b with Struck w t v => check_state w (enclose_range few t) (enclose_range few v) | Inside _ _ _ => false end
   else match rev (impacts_before x) with
-    | last :: _ => let y := shown last in check_state (on y) (between_known (time_lower y) (time_upper y)) (between_known (velocity_lower y) (velocity_upper y))
+    | last :: _ => let y := shown last in check_state (on y) (spanned few (time_lower y, time_upper y)) (spanned few (velocity_lower y, velocity_upper y))
     | [] => false
     end.
 Definition verify_trap : bool :=
-  check_data few param &? check_beginning few param b &? (match further param with [] => true | _ => false end) &? is_positive (enclose_range few (amplitude param)) &?
-  check_count r (box_count f) &? check_flights &? forallb check_speeds (runs r) &? (match entered f with None => true | Some n => check_entry n end) &? check_boxes r h units_in.
+  check_single param b &? check_count r (box_count f) &? check_flights &? forallb check_speeds (runs r) &? (match entered f with None => true | Some n => check_entry n end) &? check_boxes r h units_in.
 
-Lemma holds_known_few q : holds (known_few q) (Q2R q).
-Proof. exact (holds_enclose few (Rational q)). Qed.
 Lemma flights_positive : check_flights = true -> 0 < Q2R (fst (flight_periods f)).
-Proof. unfold check_flights. intros c. split_checks. refine (is_positive_sound _ _ _ (holds_known_few _)). assumption. Qed.
+Proof. unfold check_flights. intros c. split_checks. refine (is_positive_sound _ _ _ (holds_number few _)). assumption. Qed.
 
 Section Scene.
 Variable s : scene.
@@ -141,7 +134,7 @@ Proof.
   assert (dW : holds (enclose_range few (frequency param)) (W s)) by (apply holds_range, described).
   assert (times : forall n, holds (in_time_units n) (delta * IZR n / W s)).
   { intros n. apply holds_quotient; [|exact dW]. apply holds_mul; [|apply holds_whole]. apply holds_quotient; [apply I.pi_correct|apply holds_whole]. }
-  assert (early := not_less_sound _ _ _ _ k3 (times _) (holds_known_few _)). assert (late := not_less_sound _ _ _ _ c (holds_known_few _) (times _)).
+  assert (early := not_less_sound _ _ _ _ k3 (times _) (holds_number few _)). assert (late := not_less_sound _ _ _ _ c (holds_number few _) (times _)).
   split.
   - apply (Rmult_lt_reg_r (/ (2 * PI))); [apply Rinv_0_lt_compat; lra|]. rewrite Rmult_0_l. fold (delta * IZR (shortest h) / (2 * PI)). lra.
   - intros i j [o o']. assert (turn : 0 < / (2 * PI)) by (apply Rinv_0_lt_compat; lra). assert (slow : 0 < / W s) by (apply Rinv_0_lt_compat; lra).
@@ -163,7 +156,7 @@ Proof.
   assert (pos : 0 <= IZR first / IZR (Zpos (rows r))) by (apply Rmult_le_pos; lra).
   assert (scaled : forall n, holds (in_scene_units n) (A s * W s * (IZR n / IZR (Zpos (rows r))))).
   { intros n. apply holds_mul; [exact holds_fastest|]. apply holds_quotient; apply holds_whole. }
-  assert (low := not_less_sound _ _ _ _ k3 (scaled _) (holds_known_few _)). assert (high := not_less_sound _ _ _ _ c (holds_known_few _) (scaled _)).
+  assert (low := not_less_sound _ _ _ _ k3 (scaled _) (holds_number few _)). assert (high := not_less_sound _ _ _ _ c (holds_number few _) (scaled _)).
   assert (aw : 0 < A s * W s) by (apply Rmult_lt_0_compat; assumption).
   assert (size : Rabs (velocity i) = A s * W s * w).
   { assert (e1 : velocity i = side (wall_of i) * (A s * W s * w)) by (unfold w, speed_seen, unit_speed; destruct (wall_of i); cbn; field; lra).
@@ -190,8 +183,6 @@ Proof.
   destruct (in_columns_sound r h _ _ _ _ y _ c low) as (col & in_it & o); [rewrite mult_IZR; apply Rmult_le_compat_r; lra|].
   apply (in_column_sound r h _ _ _ _ _ in_it); [exact (is_not_negative_sound _ _ k hv)|enclose|enclose|exact o].
 Qed.
-Lemma holds_between_known lower upper y : Q2R lower <= y <= Q2R upper -> holds (between_known lower upper) y.
-Proof. apply holds_hull; apply holds_known_few. Qed.
 Lemma entry_sound n : check_entry n = true -> (n <> 0%Z -> claims (first_impacts param b x n)) -> comes_in s r b n.
 Proof.
   unfold check_entry, comes_in. intros c told. destruct (n =? 0)%Z eqn:zero.
@@ -203,20 +194,16 @@ Proof.
     assert (split_ : impacts_before x = rev others_ ++ [last]) by (rewrite <- (rev_involutive (impacts_before x)), reversed; reflexivity).
     assert (count_ := as_many _ _ _ each). rewrite split_ in each. apply Forall2_app_inv_l in each as (before & tail & _ & final & ->).
     inversion final as [|y i ys is w none]; subst. inversion none; subst. exists before, i. split; [apply goes_follows, goes_so|]. split; [lia|].
-    destruct w as (on_wall & ht & hv). apply (state_sound i _ _ ltac:(rewrite on_wall; exact c)); apply holds_between_known; assumption.
+    destruct w as (on_wall & ht & hv). apply (state_sound i _ _ ltac:(rewrite on_wall; exact c)); apply holds_spanned; assumption.
 Qed.
 End Scene.
 
 Theorem trap_verified : verify_trap = true -> (forall n, entered f = Some n -> n <> 0%Z -> claims (first_impacts param b x n)) -> claims_region param b r f.
 Proof.
-  unfold verify_trap. intros v told. split_checks. destruct (data_sound few _ _ k k0) as [pr sense]. split; [exact pr|].
+  unfold verify_trap. intros v told. split_checks. destruct (single_sound _ _ k) as [pr sense]. split; [exact pr|].
   split; [apply count_sound; assumption|].
   assert (checked : check_flights = true) by assumption. split; [exact (flights_positive checked)|].
-  intros s described. destruct (sense s described) as [good _]. split; [exact good|]. pose proof good as (tones & gap_positive & _).
-  assert (W_positive : 0 < W s) by (inversion tones; tauto).
-  assert (A_positive : 0 < A s) by (destruct described as ((dA & _) & _); exact (is_positive_sound _ _ k2 (holds_range few _ _ dA))).
-  assert (one : one_harmonic s) by (destruct described as (_ & rest & _); destruct (further param); [inversion rest; unfold one_harmonic; congruence|discriminate]).
-  split; [exact one|].
+  intros s described. destruct (sense s described) as (good & one & A_positive & W_positive & gap_positive). split; [exact good|]. split; [exact one|].
   destruct (flights_sound s described W_positive checked) as (least_positive & lasts).
   assert (gap_over : 0 < d s / A s) by (apply Rdiv_lt_0_compat; assumption).
   assert (kept_all := boxes_kept r h units_in (d s / A s) (e s) _ _ gap_over eq_refl eq_refl (units_hold s described) v).

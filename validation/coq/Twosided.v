@@ -47,8 +47,6 @@ Proof.
     split; [|exact close']. apply Rlt_le_trans with (1 := close). rewrite <- (Rinv_inv eps). apply Rinv_le_contravar; [apply Rinv_0_lt_compat, eps0|].
     assert (INR k <= INR (max n k)) by (apply le_INR; lia). lra.
 Qed.
-Lemma member (S : state -> Prop) : closed S -> bounded S -> (exists x, S x) -> {x : state | S x}.
-Proof. intros shut bound some. destruct (common_state (fun _ => S)) as [x h]; auto. exists x. exact (h O). Qed.
 
 (* A state alone, and those near it, are closed sets; and so is the image of a closed bounded set. *)
 Lemma closed_near (z : state) r : closed (fun x : state => Rabs (fst x - fst z) <= r /\ Rabs (snd x - snd z) <= r).

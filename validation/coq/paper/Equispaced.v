@@ -7,8 +7,6 @@ From ImpactPair Require Import Model Step.
 Open Scope R_scope.
 Import ListNotations.
 
-Definition other (w : wall) : wall := match w with left => right | right => left end.
-
 Section Orbit.
 Variable s : scene.
 Variables (t0 : R) (n : nat).
@@ -25,7 +23,7 @@ Hypothesis gap : 0 < d s.
 Hypothesis steep : (1 + e s) * cos th0 > 1 - e s.
 
 (* Impact k: on the left wall when k is even, on the right one when it is odd, N half periods after impact k - 1. *)
-Fixpoint wall_after (k : nat) : wall := match k with O => left | S k => other (wall_after k) end.
+Fixpoint wall_after (k : nat) : wall := match k with O => left | S k => opposite (wall_after k) end.
 Definition orbit (k : nat) : impact :=
   {| wall_of := wall_after k; time := t0 + INR k * (INR N * PI / W s); velocity := - side (wall_after k) * speed_66 |}.
 
@@ -34,8 +32,6 @@ Proof.
   rewrite plus_INR, mult_INR. cbn [INR]. replace (x + ((1 + 1) * INR m + 1) * PI) with (x + 2 * INR m * PI + PI) by ring.
   rewrite neg_sin, neg_cos, sin_period, cos_period. split; reflexivity.
 Qed.
-Lemma side_other w : side (other w) = - side w.
-Proof. destruct w; cbn; ring. Qed.
 Lemma side_square w : side w * side w = 1.
 Proof. destruct w; cbn; ring. Qed.
 
@@ -47,7 +43,7 @@ Proof.
   - cbn [orbit time wall_after side INR]. replace (t0 + 0 * (INR N * PI / W s)) with t0 by ring. fold th0. split; ring.
   - replace (phase s (time (orbit (S k)))) with (phase s (time (orbit k)) + INR N * PI).
     2:{ unfold orbit, phase. cbn [time]. rewrite S_INR. field. lra. }
-    unfold N. rewrite (proj1 (half_turns _ n)), (proj2 (half_turns _ n)), a, b. cbn [wall_after]. rewrite side_other. split; ring.
+    unfold N. rewrite (proj1 (half_turns _ n)), (proj2 (half_turns _ n)), a, b. cbn [wall_after]. rewrite side_opposite. split; ring.
 Qed.
 
 Lemma N_positive : 0 < INR N.
@@ -80,7 +76,7 @@ Proof.
   assert (begin : free_position s l (time (orbit k)) = side w * (d s / 2)) by apply (position_start s l).
   assert (arrive : free_position s l (time (orbit (S k))) = - side w * (d s / 2)).
   { rewrite one_position by exact one_harmonic. rewrite sk'. unfold l. cbn [rebound since speed place wall_of]. rewrite sk, ck. unfold plane.
-    cbn [wall_after orbit velocity wall_of time]. fold w. rewrite side_other, S_INR. fold c.
+    cbn [wall_after orbit velocity wall_of time]. fold w. rewrite side_opposite, S_INR. fold c.
     replace (t0 + (INR k + 1) * (INR N * PI / W s) - (t0 + INR k * (INR N * PI / W s))) with (INR N * PI / W s) by ring.
     rewrite eq67. unfold c, speed_66. field. lra. }
   assert (later : time (orbit k) < time (orbit (S k))).
@@ -89,9 +85,9 @@ Proof.
   - fold l. rewrite arrive. destruct w; cbn; [rewrite Rabs_pos_eq|rewrite Rabs_left]; lra.
   - fold l. intros t [h h']. cbn [since l rebound] in h. apply rises in h. apply rises in h'. rewrite begin in h. rewrite arrive in h'.
     destruct w; cbn in *; apply Rabs_def1; lra.
-  - fold l. rewrite arrive. unfold plane. cbn [orbit wall_of wall_after]. fold w. rewrite side_other. reflexivity.
+  - fold l. rewrite arrive. unfold plane. cbn [orbit wall_of wall_after]. fold w. rewrite side_opposite. reflexivity.
   - fold l. rewrite one_velocity by exact one_harmonic. rewrite ck'. unfold l. cbn [rebound since speed]. rewrite ck.
-    cbn [orbit velocity wall_after]. fold w. rewrite side_other. fold c. unfold c, speed_66. field. lra.
+    cbn [orbit velocity wall_after]. fold w. rewrite side_opposite. fold c. unfold c, speed_66. field. lra.
 Qed.
 End Orbit.
 
@@ -113,5 +109,5 @@ Theorem figure_12_periodic : next figure_12_exact (figure_12_orbit 0) (figure_12
     {| wall_of := left; time := time (figure_12_orbit 0) + INR 1 * period figure_12_exact; velocity := velocity (figure_12_orbit 0) |}.
 Proof.
   split; [apply figure_12_for_ever|]. replace {| wall_of := left; time := _; velocity := _ |} with (figure_12_orbit 2); [apply figure_12_for_ever|].
-  assert (pi := PI_RGT_0). unfold figure_12_orbit, period. cbn [wall_after other side time velocity W reference figure_12_exact INR]. f_equal; field; lra.
+  assert (pi := PI_RGT_0). unfold figure_12_orbit, period. cbn [wall_after opposite side time velocity W reference figure_12_exact INR]. f_equal; field; lra.
 Qed.

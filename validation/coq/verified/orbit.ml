@@ -146,7 +146,7 @@ let document value =
   let scene_data, begun = read_scene (get "" head "scene") in
   only "" ([ "schema"; "certified"; "claim"; "scene"; "outcome"; "events" ] @ no_claims) head;
   match attractor with
-  | Some (cycle, from, _) -> Periodic.one_harmonic scene_data; Attracted ({ scene_data; begun; events; ended }, from, cycle)
+  | Some (cycle, from, _) -> one_harmonic "periodic orbits" scene_data; Attracted ({ scene_data; begun; events; ended }, from, cycle)
   | None ->
   if not is_shadowed then Exact { scene_data; begun; events; ended }
   else match begun with
@@ -214,26 +214,19 @@ let json claim =
     ("scene", json_of_scene scene beginning); ("outcome", json_of_outcome claim);
     ("events", List (List.rev (List.rev_map json_of_event (occurrences claim)))) ]
 
-(* The canonical form of a document: without what claims nothing, with the defaults that older documents leave out, and with
-   numbers in one spelling. *)
-let canonical claim document =
+(* The canonical form of a document: with the defaults that older documents leave out, and with numbers in one spelling. *)
+let canonical claim head =
   let default key value members = if List.mem_assoc key members then members else (key, value) :: members in
   let outcome = function
     | Json.Object members ->
       let members = List.filter (fun member -> member <> ("message", Json.String "")) members in
       Json.Object (default "message" (Json.String (words claim)) members)
     | value -> value in
-  let head = members "the document" document in
-  let head = List.filter (fun (key, _) -> not (List.mem key no_claims)) head in
-  let head = default "claim" (Json.String exact_start) head in
+  let head = default "claim" (Json.String exact_start) (members "the document" head) in
   spelled "" (Object (List.map (fun (key, value) -> (key, if key = "outcome" then outcome value else value)) head))
 
 (* What a document claims. *)
-let read value =
-  let value = with_fastest_first value in
-  let claim = document value in
-  compare_with ~canonical:(canonical claim value) ~understood:(json claim);
-  claim
+let read value = claimed ~canonical ~no_claims ~document ~json (with_fastest_first value)
 
 (* The claim in one line, in the words of the theorem. *)
 let claim claimed =

@@ -53,8 +53,6 @@ let read_orbit ~word ~cycles place value =
   { word; cycles; spots; is_symmetric; trace_bounds = bounds (at "trace") (value "trace");
     determinant_bounds = bounds (at "determinant") (value "determinant"); first_eigenvalue; second_eigenvalue; is_stable }
 
-let one_harmonic data = if data.further <> [] then not_covered "scene.excitation: covered are periodic orbits of one harmonic"
-
 let document value =
   let head = members "the document" value in
   if not (bool "certified" (get "" head "certified")) then not_covered "certified is false: the document leaves something undecided";
@@ -63,7 +61,7 @@ let document value =
   let orbits = List.map (fun (place, value) -> read_orbit ~word:named ~cycles:periods place value) (items "orbits" (get "" head "orbits")) in
   let data, start = read_scene (get "" head "scene") in
   only "" ([ "schema"; "certified"; "exhaustive"; "scene"; "word"; "cycles"; "orbits" ] @ no_claims) head;
-  one_harmonic data;
+  one_harmonic "periodic orbits" data;
   { data; start; named; periods; orbits }
 
 (* To JSON. *)
@@ -87,11 +85,7 @@ let json { data; start; named; periods; orbits } =
     ("word", String (word_text named)); ("cycles", Number (Z.to_string periods)); ("orbits", List (List.map json_of_orbit orbits)) ]
 
 (* What a document claims. *)
-let read value =
-  let claim = document value in
-  let head = List.filter (fun (key, _) -> not (List.mem key no_claims)) (members "the document" value) in
-  compare_with ~canonical:(spelled "" (Object head)) ~understood:(json claim);
-  claim
+let read value = claimed ~no_claims ~document ~json value
 
 (* The claim in one line, in the words of the theorem. *)
 let of_orbit = "impacts, each the first contact after the one before, within the listed bounds of phase, modulo 2 pi, and velocity, and in the listed forcing periods, counted from that of the first impact, on the listed walls, in the order \

@@ -90,6 +90,7 @@ let read_scene value =
       | false, true -> Inside (value "time", value "position", value "velocity")
       | _ -> unreadable "%s: accepted is a wall or a position" place in
     (data, beginning)
+let one_harmonic what data = if data.further <> [] then not_covered "scene.excitation: covered are %s of one harmonic" what
 
 (* To JSON. *)
 
@@ -131,10 +132,14 @@ let rec spelled key = function
   | Object members -> Object (List.map (fun (key, value) -> (key, spelled key value)) members)
   | value -> value
 
-(* What is read is written again (`understood`) and compared, byte for byte, with the canonical form of the document. *)
-let compare_with ~canonical ~understood =
-  let written = Json.text (Json.sorted canonical) and understood = Json.text (Json.sorted understood) in
+(* What a document claims. What `document` reads of it `json` writes again, and this is compared, byte for byte, with the canonical form of the document, without the
+   keys that claim nothing. *)
+let claimed ?(canonical = fun _ head -> spelled "" head) ~no_claims ~document ~json value =
+  let claim = document value in
+  let head = List.filter (fun (key, _) -> not (List.mem key no_claims)) (members "the document" value) in
+  let written = Json.text (Json.sorted (canonical claim (Json.Object head))) and understood = Json.text (Json.sorted (json claim)) in
   if written <> understood then begin
     let a, b = difference written understood in
     unreadable "written is `..%s..`, and accepted is the spelling `..%s..`" a b
-  end
+  end;
+  claim

@@ -89,7 +89,7 @@ let why_no_cycle place data ({ spots; word; cycles; _ } as cycle) ({ wide_disc; 
       "not proved to come back after `cycles` forcing periods, by first contacts, as the only orbit near"
     else if not (Cyc.check_spots data pn pw (match around.spot_turns with k :: _ -> k | [] -> Z.zero) spots cells around.spot_turns) then "an impact is not within its bounds, or not in its `cycle`, or its phase not in [0, 2 pi)"
     else if not (Cyc.check_mirroring w cycle wide_disc narrow_disc around.mirroring_of) then "`symmetric` is not proved"
-    else if not (Cyc.is_within pn cycle.trace_bounds trace) then "the trace is not within its bounds"
+    else if not (Cyc.Disc.Round.Each.Check.is_within pn cycle.trace_bounds trace) then "the trace is not within its bounds"
     else if not (Cyc.check_determinant data pn cycle.determinant_bounds (Rests.nat (2 * List.length walls))) then "the determinant is not within its bounds"
     else "eigenvalues, `stability`, or that it is the only orbit within the bounds of the first impact, are not proved" in
   place ^ ": " ^ refused

@@ -28,7 +28,7 @@ let document value =
   is_true "no_rest";
   if List.mem_assoc "words" head then not_covered "words: how many words of walls there are is not covered by the theorem";
   let data, start = read_scene (get "" head "scene") in
-  if data.further <> [] then not_covered "scene.excitation: covered are regions of one harmonic";
+  one_harmonic "regions" data;
   only "" ([ "schema"; "certified"; "scene"; "boxes"; "entered_at_impact"; "no_rest"; "longest_flight"; "speed"; "columns"; "rows"; "flight"; "flight_time"; "speed_before"; "region" ]
     @ no_claims) head;
   let entered = match get "" head "entered_at_impact" with Json.Null -> None | value -> Some (integer "entered_at_impact" value) in
@@ -50,11 +50,7 @@ let json { data; start; region = { columns; rows; runs }; properties = f } =
     ("region", List (List.map (fun (column, (first, last)) -> Json.List [ number column; number first; number last ]) runs)) ]
 
 (* What a document claims. *)
-let read value =
-  let claim = document value in
-  let head = List.filter (fun (key, _) -> not (List.mem key no_claims)) (members "the document" value) in
-  compare_with ~canonical:(spelled "" (Object head)) ~understood:(json claim);
-  claim
+let read value = claimed ~no_claims ~document ~json value
 
 (* The claim in one line, in the words of the theorem. *)
 let claim { region = { columns; rows; _ }; properties = f; _ } =

@@ -93,7 +93,7 @@ let document value =
         (if key = "scene_orbit" then ": `impact-pair chaos --no-orbit` leaves it out" else "")
     | _ -> ()) optional;
   let data, start = read_scene (get "" head "scene") in
-  if data.further <> [] then not_covered "scene.excitation: covered are horseshoes of one harmonic";
+  one_harmonic "horseshoes" data;
   only "" ([ "schema"; "certified"; "scene"; "entropy"; "horseshoe"; "bases"; "words" ] @ optional @ no_claims) head;
   read_no_claims head;
   let entropy = members "entropy" (get "" head "entropy") in
@@ -130,11 +130,7 @@ let rec with_corners key = function
   | List items -> List (List.map (with_corners key) items)
   | Object members -> Object (List.map (fun (name, value) -> (name, with_corners (if key = "corners" then key else name) value)) members)
   | value -> value
-let read value =
-  let claim = document value in
-  let head = List.filter (fun (key, _) -> not (List.mem key no_claims || List.mem key optional)) (members "the document" value) in
-  compare_with ~canonical:(with_corners "" (spelled "" (Object head))) ~understood:(json claim);
-  claim
+let read value = claimed ~canonical:(fun _ head -> with_corners "" (spelled "" head)) ~no_claims:(no_claims @ optional) ~document ~json value
 
 (* The claim in one line, in the words of the theorem. *)
 let claim { chaos = { h_sets; words; per_impact; per_cycle; blocks }; _ } =
