@@ -73,6 +73,21 @@ fn r47_a_window_without_ends_is_not_confirmed_from_end_to_end() {
     let found = checked(&document);
     assert!(found.message.contains("a stable orbit in 1 window, not from end to end"), "{}", found.message);
     assert!(found.verdict == VerdictName::Confirmed && is_named(&found, "windows[0].stable_between"));
+    for key in ["ends", "from", "to"].map(|key| format!("windows[0].{key}")) {
+        assert!(is_named(&found, &key) && !is_named(&whole, &key), "{key}: {:?}", found.not_checked);
+    }
+}
+
+/// Of two impacts in three cycles at A/d = 0.045 an orbit that is not symmetric, with the fold of the symmetric ones as an end: it begins at
+/// their pitchfork. Without the orbits between, an end is a bifurcation of the word, of whichever branch. Lemmas V9, V30
+#[test]
+fn r48_a_bifurcation_of_another_branch_is_not_confirmed_as_an_end_of_a_window() {
+    let document: Value = serde_json::from_str(include_str!("window-of-another-branch.json")).unwrap();
+    let found = checked(&document);
+    assert!(found.verdict != VerdictName::Confirmed || is_named(&found, "windows[0].from"), "{:?}", found.not_checked);
+    let mut between = document.clone();
+    between["windows"][0]["stable_between"] = json!(true);
+    assert_ne!(checked(&between).verdict, VerdictName::Confirmed);
 }
 
 /// An orbit and its claim that is not said to be, or not to be, its own mirror image, of twice the period under the reduced map.
