@@ -128,6 +128,46 @@ fn r47_what_is_not_checked_of_a_component_is_named_in_an_atlas() {
     }
 }
 
+/// Half vectors of h-sets are not compared with the corners; and what is not known of a component is named in an atlas as well.
+#[test]
+fn r48_half_vectors_of_h_sets_and_unknown_keys_of_components_are_named() {
+    let mut own = with_horseshoe(0);
+    own["horseshoe"]["bases"][0]["expanding"] = json!(["1", "1"]);
+    own["basin"] = json!("0.5");
+    let mut document = recorded("global");
+    document["scene"] = recorded("chaos")["scene"].clone();
+    let mut global = with(&document, "undecided", &[&own]);
+    global["components"][0]["basin"] = own["basin"].clone();
+    let of_global = checked(&global);
+    let axis = |key: &str, from: &str| json!({ "key": key, "from": from, "to": "9.5", "count": 2 });
+    let over = json!([axis("amplitude", "8"), axis("gap", "9.42497")]);
+    let text = atlas_of(&global, &over, &json!(["8", "9.42497"]));
+    let claims = Claims::parse(&text).unwrap();
+    let of_atlas = claims.document(&text, &claims.judge(&Effort::default(), &Unwatched).unwrap());
+    for (found, within) in [(&of_global, ""), (&of_atlas, "points[0].")] {
+        assert_eq!(found.verdict, VerdictName::Confirmed, "{}", found.message);
+        for key in ["horseshoe.bases[0].expanding", "horseshoe.bases[1].contracting", "basin"] {
+            assert!(is_named(found, &format!("{within}components[0].{key}")), "{key}: {:?}", found.not_checked);
+        }
+    }
+}
+
+/// A set of saddle type beside an undecided component may hold no motion: their number is not checked then.
+#[test]
+fn r48_sets_of_saddle_type_that_may_be_none_are_not_counted() {
+    let (document, own) = of_twice_the_period();
+    let saddle = json!({ "kind": "saddle", "boxes": 3, "area": "0.000001", "closed": false });
+    let axis = |key: &str, from: &str| json!({ "key": key, "from": from, "to": "1", "count": 2 });
+    let over = json!([axis("amplitude", "0.583258"), axis("restitution", "0.377273")]);
+    for components in [&[&own, &open(false)][..], &[&own, &open(false), &saddle]] {
+        let document = with(&document, "undecided", components);
+        let text = atlas_of(&document, &over, &json!(["0.583258", "0.377273"]));
+        let claims = Claims::parse(&text).unwrap();
+        let found = claims.document(&text, &claims.judge(&Effort::default(), &Unwatched).unwrap());
+        assert_eq!(is_named(&found, "points[0].n_saddle"), components.len() == 3, "{:?}", found.not_checked);
+    }
+}
+
 /// Of a document of subintervals only keys that it has are named, and what the verdict `attracted` is about is not.
 #[test]
 fn r47_cells_name_what_they_have_and_do_not_use() {
