@@ -168,6 +168,16 @@ fn r48_sets_of_saddle_type_that_may_be_none_are_not_counted() {
     }
 }
 
+/// What holds for ever "without sticking" is not proved by a region that is not said to be without it.
+#[test]
+fn r48_a_region_that_may_hold_rests_does_not_prove_a_fate_without_sticking() {
+    let mut document = recorded("description of a region");
+    assert_eq!(checked(&document).verdict, VerdictName::Confirmed);
+    document["region"]["no_rest"] = json!(false);
+    let found = checked(&document);
+    assert!(found.verdict == VerdictName::Refuted && found.message.contains("fate.message"), "{}", found.message);
+}
+
 /// Of a document of subintervals only keys that it has are named, and what the verdict `attracted` is about is not.
 #[test]
 fn r47_cells_name_what_they_have_and_do_not_use() {
