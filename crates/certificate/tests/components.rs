@@ -178,6 +178,33 @@ fn r48_a_region_that_may_hold_rests_does_not_prove_a_fate_without_sticking() {
     assert!(found.verdict == VerdictName::Refuted && found.message.contains("fate.message"), "{}", found.message);
 }
 
+/// A bifurcation of an orbit, of another kind and with other doublings.
+fn bifurcations(kind: &str, doublings: u32) -> Value {
+    let mut document = recorded("bifurcations");
+    (document["points"][0]["kind"], document["points"][0]["doublings"]) = (json!(kind), json!(doublings));
+    document
+}
+
+/// A period doubling is the first one of the requested word at least.
+#[test]
+fn r48_a_period_doubling_is_counted() {
+    assert_eq!(checked(&bifurcations("period-doubling", 0)).verdict, VerdictName::Refuted);
+    assert_ne!(checked(&bifurcations("period-doubling", 1)).verdict, VerdictName::Refuted);
+}
+
+/// Grazes are not proved again, nor that all points are proved where there are some.
+#[test]
+fn r48_with_grazes_it_is_not_checked_that_all_points_are_proved() {
+    let mut document = recorded("bifurcations");
+    assert!(document["certified"] == true && !is_named(&checked(&document), "certified"));
+    let mut graze = document["points"][0].clone();
+    (graze["kind"], graze["parameter"]) = (json!("graze"), json!(["0.39", "0.3900001"]));
+    document["points"].as_array_mut().unwrap().push(graze);
+    let found = checked(&document);
+    assert_eq!(found.verdict, VerdictName::Confirmed, "{}", found.message);
+    assert!(is_named(&found, "points[1]") && is_named(&found, "certified"), "{:?}", found.not_checked);
+}
+
 /// Of a document of subintervals only keys that it has are named, and what the verdict `attracted` is about is not.
 #[test]
 fn r47_cells_name_what_they_have_and_do_not_use() {
