@@ -6,6 +6,7 @@ use impact_pair_document::{ATLAS_SCHEMA, AtlasHead, AtlasRecord, PeriodDocument,
 use impact_pair_model::{Error, ImpactPair, Start};
 
 use super::GlobalCertificate;
+use super::global::DIRECTIONS;
 use super::grid::{Axes, Placed};
 use super::tiles::Tile;
 
@@ -68,6 +69,9 @@ const UNJUDGED: [&str; 17] = [
     "work",
 ];
 
+/// What is found of a cell: where it claims nothing, none of it is judged, but the cells that it is cut into may be.
+const FINDINGS: [&str; 6] = ["class", "components", "n_attracting", "n_rest", "n_saddle", "n_undecided"];
+
 impl AtlasCertificate {
     /// Reads an atlas, its head first, then a point or a tile a line.
     ///
@@ -78,11 +82,12 @@ impl AtlasCertificate {
         let (place, records) = (Place::of_schema(&values[0], ATLAS_SCHEMA)?, &values[1..]);
         let head: AtlasHead = place.read()?;
         let axes = Axes::of(&place, &head.over, head.points, head.shard)?;
-        let mut seen = HashSet::new();
+        let (mut seen, mut unjudged) = (HashSet::new(), place.unread::<AtlasHead>()?);
         let point = |(i, value)| {
             let path = format!("points[{i}]");
             let place = Place::at(path.clone(), value);
             let record: AtlasRecord = place.read()?;
+            unjudged.extend(place.unread::<AtlasRecord>()?);
             let mut claimed = ClaimedPoint::of(&head, &axes, &record, (&place, path))?;
             if !seen.insert(record.point) {
                 claimed.contradiction = Some("its point is listed before as well");
@@ -90,8 +95,7 @@ impl AtlasCertificate {
             Ok(claimed)
         };
         let points: Vec<ClaimedPoint> = records.iter().enumerate().map(point).collect::<Result<_, Error>>()?;
-        let mut unjudged = UNJUDGED.map(str::to_owned).to_vec();
-        unjudged.extend(place.unread::<AtlasHead>()?);
+        unjudged.extend(UNJUDGED.map(str::to_owned));
         unjudged.extend(axes.own_values());
         unjudged.extend(head.horseshoes.map(|_| "horseshoes".to_owned()));
         let places: Vec<&[Option<u64>]> = points.iter().map(|point| &point.places[..]).collect();
@@ -99,9 +103,10 @@ impl AtlasCertificate {
         unjudged.extend((points.len() < 2).then(|| "shard".to_owned()));
         let has_orbits = points.iter().flat_map(|point| &point.parts).any(|part| part.global.orbits().is_some());
         unjudged.extend((!has_orbits).then(|| "scene.excitation.frequency".to_owned()));
-        for part in points.iter().flat_map(|point| &point.parts) {
-            unjudged.extend(part.unjudged());
-        }
+        let parts = || points.iter().flat_map(|point| &point.parts);
+        let deepest = parts().map(Part::depth).max().unwrap_or(0); // exact: no cell is cut
+        unjudged.extend(of_cells(deepest, parts().any(|part| part.global.has_horseshoes())));
+        unjudged.extend(parts().flat_map(Part::unjudged));
         unjudged.sort();
         unjudged.dedup();
         let missing = axes.own_points().saturating_sub(seen.len() as u64); // exact: points that are not of it are refuted
@@ -144,7 +149,19 @@ impl AtlasCertificate {
     }
 }
 
+/// What no lemma is about of points, and of the cells that others are cut into, once, twice and so on. Lemma V38
+fn of_cells(most: usize, have_horseshoes: bool) -> impl Iterator<Item = String> {
+    let of_points = UNJUDGED.iter().filter_map(|key| key.strip_prefix("points."));
+    let all = of_points.chain(DIRECTIONS.into_iter().filter(move |_| have_horseshoes));
+    all.flat_map(move |key| (0..=most).map(move |times| format!("points.{}{key}", "quarters.".repeat(times))))
+}
+
 impl Part {
+    /// How often cells are cut until it is one of them.
+    fn depth(&self) -> usize {
+        self.path.matches(".quarters[").count()
+    }
+
     /// Returns those of a record, itself first, then those of the cells that it is cut into.
     fn all(head: &AtlasHead, record: &AtlasRecord, place: &Place<'_>, path: String) -> Result<Vec<Self>, Error> {
         let refused = || place.refused("its axes are not parameters of the scene");
@@ -168,13 +185,18 @@ impl Part {
     /// The keys that claim nothing which is judged, and not those of every point.
     fn unjudged(&self) -> Vec<String> {
         if !self.claims_something() {
-            return vec![if self.is_leaf { self.path.clone() } else { format!("{}.components", self.path) }];
+            let of = |key: &&str| format!("{}.{key}", self.path);
+            return if self.is_leaf { vec![self.path.clone()] } else { FINDINGS.iter().map(of).collect() };
         }
         // Keys that it does not know, and not those of every component; and a class that is not judged.
-        let is_other = |key: &&String| !UNJUDGED.contains(&format!("points.{key}").as_str());
+        let of_points = |key: &str| UNJUDGED.contains(&format!("points.{key}").as_str()) || DIRECTIONS.contains(&key);
+        let is_other = |key: &&String| !of_points(key);
         let is_own = |key: &&String| key.starts_with("components") || *key == "class";
-        let own = self.global.unjudged().iter().filter(is_own).filter(is_other);
-        own.map(|key| format!("{}.{key}", self.path)).collect()
+        let own = self.global.unjudged().iter().filter(is_own).filter(is_other).map(String::as_str);
+        // How many sets of saddle type there are is judged where each is. Lemma V28
+        let counts_sets = self.global.claimed().iter().any(|claim| claim.is_saddle_set);
+        let count = (counts_sets && !self.global.says_there_are_no_others()).then_some("n_saddle");
+        own.chain(count).map(|key| format!("{}.{key}", self.path)).collect()
     }
 }
 

@@ -122,6 +122,8 @@ impl BifurcationCertificate {
         unjudged.extend(document.interrupted.then(|| "interrupted".to_owned()));
         let is_graze = |(_, point): &(usize, &ClaimedPoint)| point.kind == Kind::Graze;
         unjudged.extend(points.iter().enumerate().filter(is_graze).map(|(i, _)| format!("points[{i}]")));
+        // That all points are proved says so of the grazes as well.
+        unjudged.extend(points.iter().enumerate().any(|point| is_graze(&point)).then(|| "certified".to_owned()));
         unjudged.extend((!points.is_empty()).then(|| "points.orbit.unique".to_owned()));
         unjudged.sort();
         unjudged.dedup();
@@ -185,8 +187,8 @@ fn contradiction(document: &BifurcationDocument, points: &[ClaimedPoint]) -> Res
     }
     for (i, (point, claimed)) in points.iter().zip(&document.points).enumerate() {
         // The orbit at which a doubling comes is the one before it.
-        let doublings = claimed.doublings.saturating_sub((point.kind == Kind::PeriodDoubling).into());
-        let times = |count: u64| count.checked_mul(1u64.checked_shl(doublings)?);
+        let doublings = claimed.doublings.checked_sub((point.kind == Kind::PeriodDoubling).into());
+        let times = |count: u64| count.checked_mul(1u64.checked_shl(doublings?)?);
         let repeated = asked.mappings().iter().cycle().take(point.word.mappings().len());
         let fits = times(asked.mappings().len() as u64) == Some(point.word.mappings().len() as u64)
             && times((*cycles).into()) == Some(point.cycles);

@@ -119,6 +119,10 @@ impl DescriptionCertificate {
             return differs("impacts");
         }
         if fate.kind == FateName::StaysInRegion {
+            // The words are that nothing in it sticks.
+            if region.as_ref().is_some_and(|region| !region.no_rest) {
+                return differs("message");
+            }
             let entered = region.as_ref().and_then(|region| region.entered_at_impact);
             let others = fate.period.is_some() || fate.word.is_some() || fate.wall.is_some() || fate.orbit.is_some();
             return if entered.is_none() || entered != fate.from || others { differs("from") } else { None };

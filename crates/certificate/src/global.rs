@@ -52,6 +52,9 @@ pub(super) struct Claimed {
     orbit: Option<ClaimedOrbit>,
 }
 
+/// Of the h-sets of horseshoes: they follow from the corners, and are not compared with them. Lemma V37
+pub(super) const DIRECTIONS: [&str; 2] =
+    ["components.horseshoe.bases.contracting", "components.horseshoe.bases.expanding"];
 /// Kinds of components with a periodic motion, and what its stability is then.
 const PERIODIC: [(&str, Stability); 2] = [("attracting", Stability::Stable), ("saddle", Stability::Unstable)];
 

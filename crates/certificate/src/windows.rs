@@ -57,6 +57,9 @@ impl WindowsCertificate {
         let open = document.windows.iter().enumerate().filter(|(_, window)| window.orbit.symmetric.is_none());
         let of_open = |i: usize| [format!("windows[{i}].reduced_impacts"), format!("windows[{i}].flights")];
         unjudged.extend(open.flat_map(|(i, _)| of_open(i)));
+        // That a bifurcation near the orbit is an end of its window follows from the orbits between them alone. Lemma V30
+        let apart = document.windows.iter().enumerate().filter(|(_, window)| !window.stable_between);
+        unjudged.extend(apart.flat_map(|(i, _)| ["ends", "from", "to"].map(|key| format!("windows[{i}].{key}"))));
         unjudged.extend(document.windows.iter().any(|own| own.reason.is_some()).then(|| "windows.reason".to_owned()));
         unjudged.sort();
         unjudged.dedup();

@@ -73,6 +73,21 @@ fn r47_a_window_without_ends_is_not_confirmed_from_end_to_end() {
     let found = checked(&document);
     assert!(found.message.contains("a stable orbit in 1 window, not from end to end"), "{}", found.message);
     assert!(found.verdict == VerdictName::Confirmed && is_named(&found, "windows[0].stable_between"));
+    for key in ["ends", "from", "to"].map(|key| format!("windows[0].{key}")) {
+        assert!(is_named(&found, &key) && !is_named(&whole, &key), "{key}: {:?}", found.not_checked);
+    }
+}
+
+/// Of two impacts in three cycles at A/d = 0.045 an orbit that is not symmetric, with the fold of the symmetric ones as an end: it begins at
+/// their pitchfork. Without the orbits between, an end is a bifurcation of the word, of whichever branch. Lemmas V9, V30
+#[test]
+fn r48_a_bifurcation_of_another_branch_is_not_confirmed_as_an_end_of_a_window() {
+    let document: Value = serde_json::from_str(include_str!("window-of-another-branch.json")).unwrap();
+    let found = checked(&document);
+    assert!(found.verdict != VerdictName::Confirmed || is_named(&found, "windows[0].from"), "{:?}", found.not_checked);
+    let mut between = document.clone();
+    between["windows"][0]["stable_between"] = json!(true);
+    assert_ne!(checked(&between).verdict, VerdictName::Confirmed);
 }
 
 /// An orbit and its claim that is not said to be, or not to be, its own mirror image, of twice the period under the reduced map.
@@ -111,6 +126,83 @@ fn r47_what_is_not_checked_of_a_component_is_named_in_an_atlas() {
     for key in ["reduced_impacts", "spectral_radius"] {
         assert!(is_named(&found, &format!("points[0].components[0].{key}")), "{:?}", found.not_checked);
     }
+}
+
+/// Half vectors of h-sets are not compared with the corners; and what is not known of a component is named in an atlas as well.
+#[test]
+fn r48_half_vectors_of_h_sets_and_unknown_keys_of_components_are_named() {
+    let mut own = with_horseshoe(0);
+    own["horseshoe"]["bases"][0]["expanding"] = json!(["1", "1"]);
+    own["basin"] = json!("0.5");
+    let mut document = recorded("global");
+    document["scene"] = recorded("chaos")["scene"].clone();
+    let mut global = with(&document, "undecided", &[&own]);
+    global["components"][0]["basin"] = own["basin"].clone();
+    let of_global = checked(&global);
+    let axis = |key: &str, from: &str| json!({ "key": key, "from": from, "to": "9.5", "count": 2 });
+    let over = json!([axis("amplitude", "8"), axis("gap", "9.42497")]);
+    let text = atlas_of(&global, &over, &json!(["8", "9.42497"]));
+    let claims = Claims::parse(&text).unwrap();
+    let of_atlas = claims.document(&text, &claims.judge(&Effort::default(), &Unwatched).unwrap());
+    for (found, within) in [(&of_global, ""), (&of_atlas, "points[0].")] {
+        assert_eq!(found.verdict, VerdictName::Confirmed, "{}", found.message);
+        for key in ["horseshoe.bases[0].expanding", "horseshoe.bases[1].contracting", "basin"] {
+            assert!(is_named(found, &format!("{within}components[0].{key}")), "{key}: {:?}", found.not_checked);
+        }
+    }
+}
+
+/// A set of saddle type beside an undecided component may hold no motion: their number is not checked then.
+#[test]
+fn r48_sets_of_saddle_type_that_may_be_none_are_not_counted() {
+    let (document, own) = of_twice_the_period();
+    let saddle = json!({ "kind": "saddle", "boxes": 3, "area": "0.000001", "closed": false });
+    let axis = |key: &str, from: &str| json!({ "key": key, "from": from, "to": "1", "count": 2 });
+    let over = json!([axis("amplitude", "0.583258"), axis("restitution", "0.377273")]);
+    for components in [&[&own, &open(false)][..], &[&own, &open(false), &saddle]] {
+        let document = with(&document, "undecided", components);
+        let text = atlas_of(&document, &over, &json!(["0.583258", "0.377273"]));
+        let claims = Claims::parse(&text).unwrap();
+        let found = claims.document(&text, &claims.judge(&Effort::default(), &Unwatched).unwrap());
+        assert_eq!(is_named(&found, "points[0].n_saddle"), components.len() == 3, "{:?}", found.not_checked);
+    }
+}
+
+/// What holds for ever "without sticking" is not proved by a region that is not said to be without it.
+#[test]
+fn r48_a_region_that_may_hold_rests_does_not_prove_a_fate_without_sticking() {
+    let mut document = recorded("description of a region");
+    assert_eq!(checked(&document).verdict, VerdictName::Confirmed);
+    document["region"]["no_rest"] = json!(false);
+    let found = checked(&document);
+    assert!(found.verdict == VerdictName::Refuted && found.message.contains("fate.message"), "{}", found.message);
+}
+
+/// A bifurcation of an orbit, of another kind and with other doublings.
+fn bifurcations(kind: &str, doublings: u32) -> Value {
+    let mut document = recorded("bifurcations");
+    (document["points"][0]["kind"], document["points"][0]["doublings"]) = (json!(kind), json!(doublings));
+    document
+}
+
+/// A period doubling is the first one of the requested word at least.
+#[test]
+fn r48_a_period_doubling_is_counted() {
+    assert_eq!(checked(&bifurcations("period-doubling", 0)).verdict, VerdictName::Refuted);
+    assert_ne!(checked(&bifurcations("period-doubling", 1)).verdict, VerdictName::Refuted);
+}
+
+/// Grazes are not proved again, nor that all points are proved where there are some.
+#[test]
+fn r48_with_grazes_it_is_not_checked_that_all_points_are_proved() {
+    let mut document = recorded("bifurcations");
+    assert!(document["certified"] == true && !is_named(&checked(&document), "certified"));
+    let mut graze = document["points"][0].clone();
+    (graze["kind"], graze["parameter"]) = (json!("graze"), json!(["0.39", "0.3900001"]));
+    document["points"].as_array_mut().unwrap().push(graze);
+    let found = checked(&document);
+    assert_eq!(found.verdict, VerdictName::Confirmed, "{}", found.message);
+    assert!(is_named(&found, "points[1]") && is_named(&found, "certified"), "{:?}", found.not_checked);
 }
 
 /// Of a document of subintervals only keys that it has are named, and what the verdict `attracted` is about is not.

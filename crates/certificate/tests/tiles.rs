@@ -1,6 +1,7 @@
 //! Atlases of cells: what is claimed for all parameters of each, and which cells there are (Lemma V38).
 
 use impact_pair_certificate::{Claims, Effort, Verdict};
+use impact_pair_document::VerdictName;
 use impact_pair_model::watch::Unwatched;
 use serde_json::{Value, json};
 
@@ -93,6 +94,25 @@ fn v38_cells_that_are_others_are_refuted() {
     }
     let more = json!([atlas[1]["quarters"][0], atlas[1]["quarters"][1], atlas[1]["quarters"][1]]);
     refuted("/quarters", more);
+}
+
+/// What is not checked of a point is not checked of a cell that another one is cut into, and nothing of one that claims nothing itself.
+#[test]
+fn r48_what_is_not_checked_of_a_cell_that_is_cut_is_named() {
+    let [head, mut tile] = cut();
+    tile["quarters"][1]["greatest_speed"] = json!("0.001");
+    let text = format!("{head}\n{tile}\n");
+    let claims = Claims::parse(&text).unwrap();
+    let found = claims.document(&text, &claims.judge(&Effort::default(), &Unwatched).unwrap());
+    assert_eq!(found.verdict, VerdictName::Confirmed, "{}", found.message);
+    let of_quarter = ["greatest_speed", "undecided_area", "seconds", "components[0].area", "components[0].boxes"];
+    let of_quarter = of_quarter.map(|key| format!("quarters[1].{key}"));
+    let of_tile = ["class", "components", "n_attracting", "n_rest", "n_saddle", "n_undecided"].map(str::to_owned);
+    for path in of_quarter.iter().chain(&of_tile).map(|key| format!("points[0].{key}")) {
+        assert!(found.not_checked.contains(&path), "{path}: {:?}", found.not_checked);
+        assert!(found.claims.iter().all(|claim| claim.path != path), "{path}");
+    }
+    assert!(found.claims.iter().any(|claim| claim.path == "points[0].quarters[1].class"));
 }
 
 /// Of a smallest cell that is undecided the stable orbit is claimed alone, for all its parameters.

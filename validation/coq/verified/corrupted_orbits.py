@@ -70,7 +70,7 @@ PERIODIC = {
     "an orbit document": lambda document: document.update(schema="impact-pair/orbit/1"),
     "another amplitude": lambda document: document["scene"]["excitation"].update(amplitude=["1.0001"]),
     "two harmonics": lambda document: document["scene"]["excitation"].update(amplitude=["1", "1"], frequency=["pi", "1"], phase=["0", "0"]),
-    "a negative gap": lambda document: document["scene"].update(gap="-1"),
+    "a negative gap": lambda document: document["scene"].update(gap="-1"), "none of the orbits": lambda document: document.update(orbits=[]),
 }
 
 

@@ -83,6 +83,7 @@ def shaken(**data):
 CHANGES = {
     "a box more than there are": count(1), "a box less": count(-1), "runs exchanged": runs_exchanged, "a run twice": run_twice, "a box beyond the grid": beyond_the_grid,
     "a run upside down": upside_down, "the last run left out": last_run_left_out, "no box": lambda document: document.update(region=[], boxes=0, entered_at_impact=1),
+    "no box, and no impact in it": lambda document: document.update(region=[], boxes=0, entered_at_impact=None),
     "longer flights": bound("flight", 0, "0.6"), "shorter flights": bound("flight", 1, "0.3"), "flights longer in time": bound("flight_time", 0, "1.2"),
     "flights shorter in time": bound("flight_time", 1, "0.6"), "flights of no duration": bound("flight", 0, "0"), "a shorter longest flight": lambda document: document.update(longest_flight="0.3"),
     "more speed": bound("speed", 0, "2.7"), "less speed": bound("speed", 1, "0.1"), "more speed in the scene's units": bound("speed_before", 0, "20"),

@@ -23,6 +23,7 @@ def changes(document):
 
     for key in ("per_impact", "per_cycle"):
         yield f"entropy {key} too large", with_entropy(key)
+    yield "no positive entropy", lambda copied: copied["entropy"].update(per_impact="0", per_cycle="0")
     yield "a word left out", lambda copied: copied["words"].pop(0)
     yield "a word twice", lambda copied: copied["words"].append(copied["words"][0])
     yield "a word from another h-set", lambda copied: copied["words"][0].update({"from": (copied["words"][0]["from"] + 1) % len(copied["bases"])})

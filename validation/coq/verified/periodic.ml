@@ -59,6 +59,7 @@ let document value =
   if bool "exhaustive" (get "" head "exhaustive") then not_covered "exhaustive is true: that there are no other orbits is not covered by the theorem";
   let named = read_word "word" (get "" head "word") and periods = integer "cycles" (get "" head "cycles") in
   let orbits = List.map (fun (place, value) -> read_orbit ~word:named ~cycles:periods place value) (items "orbits" (get "" head "orbits")) in
+  if orbits = [] then not_covered "orbits is empty: covered is one orbit or more";
   let data, start = read_scene (get "" head "scene") in
   only "" ([ "schema"; "certified"; "exhaustive"; "scene"; "word"; "cycles"; "orbits" ] @ no_claims) head;
   one_harmonic "periodic orbits" data;
@@ -93,5 +94,5 @@ let of_orbit = "impacts, each the first contact after the one before, within the
   `symmetric` says; trace, determinant and eigenvalues of the product of the matrices (A.7) at its impacts are within the listed bounds, and both eigenvalues \
   inside the unit circle if it is stable, one outside if it is unstable"
 let claim { periods; orbits; named; _ } =
-  Printf.sprintf "for all parameters that the scene allows there are %d periodic orbits, each of %d impacts in %s forcing period%s: %s"
+  Printf.sprintf "for all parameters that the scene allows there are at least %d different periodic orbits, each of %d impacts in %s forcing period%s: %s"
     (List.length orbits) (List.length named) (Z.to_string periods) (plural periods) of_orbit

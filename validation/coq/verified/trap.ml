@@ -26,6 +26,7 @@ let document value =
   let is_true key = if not (at bool key) then not_covered "%s is false: covered is true" key in
   is_true "certified";
   is_true "no_rest";
+  if at items "region" = [] then not_covered "region is empty: covered is one box or more";
   if List.mem_assoc "words" head then not_covered "words: how many words of walls there are is not covered by the theorem";
   let data, start = read_scene (get "" head "scene") in
   one_harmonic "regions" data;

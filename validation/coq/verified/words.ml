@@ -99,6 +99,7 @@ let document value =
   let entropy = members "entropy" (get "" head "entropy") in
   only "entropy" [ "per_impact"; "per_cycle" ] entropy;
   let rate key = written (inside "entropy" key) (get "entropy" entropy key) in
+  if Z.sign (rate "per_impact").qnum <= 0 && Z.sign (rate "per_cycle").qnum <= 0 then not_covered "entropy: covered is a positive lower bound, which `certified` says that there is";
   let h_sets = List.map read_set (items "bases" (get "" head "bases")) in
   let words = List.map (read_word (List.length h_sets)) (items "words" (get "" head "words")) in
   { data; start; chaos = { h_sets; words; per_impact = rate "per_impact"; per_cycle = rate "per_cycle"; blocks = read_blocks words (get "" head "horseshoe") } }
