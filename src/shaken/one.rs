@@ -14,6 +14,7 @@ use crate::contact::{
 use crate::exact::{Enclosure, Exact};
 use crate::excitation::displacement_velocity_acceleration;
 use crate::flight::{Flight, Launch};
+use crate::impact::Touch;
 use crate::number::{ABOVE_TURN, Ball, Kernel, Number, UNIT, Wave, kernel, up};
 #[cfg(feature = "multiprecision")]
 use crate::number::{Magnitude, MpBall};
@@ -90,7 +91,7 @@ impl Shaken for OneHarmonic {
     fn release(&self, wall: Wall, turns: i64, phase: &Enclosure, _: u32) -> Option<Released> {
         let (ahead, phase) = Pressed::on(wall, phase)?.release(wall)?;
         let phase = Enclosure::from_f64_bounds(phase, phase)?;
-        Some(Released { wall, turns: turns::later(turns, ahead)?, phase, zero: None })
+        Some(Released { at: Touch { wall, turns: turns::later(turns, ahead)?, phase }, zero: None })
     }
 
     fn may_be_loose(&self, wall: Wall, _: i64, phase: &Enclosure) -> bool {

@@ -17,6 +17,7 @@ use crate::contact::multiprecision::Passed;
 use crate::contact::{Contact, Reason, SetContact, Undecided};
 use crate::exact::{Enclosure, Exact};
 use crate::flight::Launch;
+use crate::impact::Touch;
 use crate::number::{Ball, UNIT, up};
 #[cfg(feature = "multiprecision")]
 use crate::number::{LEAST_BITS, Magnitude, MpBall};
@@ -142,7 +143,8 @@ impl Shaken for SeveralHarmonics {
 
     fn release(&self, wall: Wall, turns: i64, phase: &Enclosure, bits: u32) -> Option<Released> {
         let zero = release(&self.spectrum, &self.balls.harmonics, wall, turns, phase.mid_rad().0)?;
-        Some(Released { wall, turns: zero.turns, phase: zero.enclosure(bits)?, zero: Some(zero) })
+        let at = Touch { wall, turns: zero.turns, phase: zero.enclosure(bits)? };
+        Some(Released { at, zero: Some(zero) })
     }
 
     fn may_be_loose(&self, wall: Wall, turns: i64, phase: &Enclosure) -> bool {

@@ -51,7 +51,7 @@ mod target;
 mod walk;
 mod windows;
 
-use super::{Certificate, ClaimKind};
+use super::Certificate;
 use budget::Budget;
 pub(super) use contact::Doubt;
 pub(super) use data::{Data, Piece};
@@ -251,7 +251,7 @@ impl Certificate {
             // Whether the set lies inside the printed bounds does not matter here.
             let before = walk.impacts;
             let _ = walk.confirm(claim);
-            if !matches!(claim.kind, ClaimKind::Impact { .. }) {
+            if !claim.kind.is_impact() {
                 continue;
             }
             let Some(landing) = walk.standing.landing().filter(|_| walk.impacts > before) else { break };
