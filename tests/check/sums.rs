@@ -90,7 +90,12 @@ fn the_orbit_that_another_program_proved_is_confirmed_for_these_data_only() {
 
 /// The sets found for the two ends of a datum lie inside those found for all of it, `whole`, and, if `is_tight`, reach nearly
 /// as far.
-pub(super) fn assert_sets(whole: &[(Enclosure, Enclosure)], ends: [&[(Enclosure, Enclosure)]; 2], datum: usize, is_tight: bool) {
+pub(super) fn assert_sets(
+    whole: &[(Enclosure, Enclosure)],
+    ends: [&[(Enclosure, Enclosure)]; 2],
+    datum: usize,
+    is_tight: bool,
+) {
     for (i, (times, velocities)) in whole.iter().enumerate() {
         let [(t0, v0), (t1, v1)] = ends.map(|end| &end[i]);
         for (set, a, b) in [(times, t0, t1), (velocities, v0, v1)] {
