@@ -87,6 +87,7 @@ pub mod describe;
 pub mod document;
 pub mod excitation;
 pub mod flight;
+pub mod impact;
 pub mod impact_map;
 pub mod lyapunov;
 pub mod mapping;

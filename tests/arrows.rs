@@ -5,7 +5,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// The rooms of `src`, each with those it may import, which stand before it.
-const ROOMS: [(&str, &[&str]); 27] = [
+const ROOMS: [(&str, &[&str]); 28] = [
     ("number", &[]),
     ("scales", &[]),
     ("turns", &[]),
@@ -13,14 +13,33 @@ const ROOMS: [(&str, &[&str]); 27] = [
     ("clock", &["number", "turns", "pair"]),
     ("excitation", &["number"]),
     ("mapping", &["number", "pair"]),
+    ("impact", &["number", "pair", "mapping"]),
     ("switch_plane", &["number", "pair"]),
     ("flight", &["number", "pair"]),
     ("rest", &["number", "pair"]),
     ("contact", &["number", "turns", "pair", "mapping", "flight"]),
     ("several", &["number", "turns", "pair", "excitation", "flight", "rest", "contact"]),
-    ("shaken", &["number", "turns", "pair", "clock", "excitation", "mapping", "flight", "rest", "contact", "several"]),
-    ("covering", &["number", "turns", "pair", "clock", "mapping", "flight", "contact", "shaken"]),
-    ("periodic", &["number", "pair", "clock", "excitation", "mapping", "flight", "contact", "several", "shaken"]),
+    (
+        "shaken",
+        &[
+            "number",
+            "turns",
+            "pair",
+            "clock",
+            "excitation",
+            "mapping",
+            "impact",
+            "flight",
+            "rest",
+            "contact",
+            "several",
+        ],
+    ),
+    ("covering", &["number", "turns", "pair", "clock", "mapping", "impact", "flight", "contact", "shaken"]),
+    (
+        "periodic",
+        &["number", "pair", "clock", "excitation", "mapping", "impact", "flight", "contact", "several", "shaken"],
+    ),
     ("two_impact", &["pair", "periodic"]),
     (
         "orbit",
@@ -30,6 +49,7 @@ const ROOMS: [(&str, &[&str]); 27] = [
             "pair",
             "clock",
             "mapping",
+            "impact",
             "covering",
             "switch_plane",
             "flight",

@@ -37,13 +37,13 @@ impl Case {
                     Event { kind: "impact", wall: impact.wall, time, velocity: Some(velocity) }
                 }
                 Progress::Rest(rest) => {
-                    Event { kind: "rest", wall: rest.wall, time: orbit.rest_time(&rest), velocity: None }
+                    Event { kind: "rest", wall: rest.at.wall, time: orbit.rest_time(&rest), velocity: None }
                 }
                 Progress::Release(release) => {
-                    Event { kind: "release", wall: release.wall, time: orbit.release_time(&release), velocity: None }
+                    Event { kind: "release", wall: release.wall, time: orbit.touch_time(&release), velocity: None }
                 }
                 Progress::Graze(graze) => {
-                    Event { kind: "graze", wall: graze.wall, time: orbit.graze_time(&graze), velocity: None }
+                    Event { kind: "graze", wall: graze.wall, time: orbit.touch_time(&graze), velocity: None }
                 }
                 Progress::Retraced(_) => continue,
                 Progress::Ended => return (events, orbit.outcome().cloned()),

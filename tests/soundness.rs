@@ -7,7 +7,7 @@ use impact_pair::contact::{Margins, Radii, Reason, Verdict, first_contact};
 use impact_pair::flight::Flight;
 use impact_pair::mapping::Mapping;
 use impact_pair::number::{Ball, Number, kernel};
-use impact_pair::orbit::{Arithmetic, Graze, Impact, Orbit, Outcome, Progress, Settings};
+use impact_pair::orbit::{Arithmetic, Impact, Orbit, Outcome, Progress, Settings, Touch};
 use impact_pair::pair::{Reduced, Wall};
 use num_rational::BigRational;
 
@@ -57,7 +57,7 @@ fn touches_first(events: &[Progress], orbit: &Orbit, wall: Wall, low: &str, high
         Some(Progress::Impact(impact)) => {
             assert!(impact.wall == wall && is_between(orbit, impact, low, high), "{impact:?}");
         }
-        Some(Progress::Graze(Graze { wall: grazed, .. })) => assert_eq!(*grazed, wall),
+        Some(Progress::Graze(Touch { wall: grazed, .. })) => assert_eq!(*grazed, wall),
         Some(event) => panic!("{event:?}"),
         None => assert!(matches!(orbit.outcome(), Some(Outcome::Undecided { .. }))),
     }

@@ -4,7 +4,7 @@ use std::io::{self, BufWriter, Write};
 
 use clap::ValueEnum;
 use impact_pair::Scene;
-use impact_pair::document::{Ending, Event, Kind, arithmetic, head};
+use impact_pair::document::{Ending, Event, EventKind, arithmetic, head};
 use impact_pair::json::{ArithmeticDocument, EventDocument, OrbitEnd, OrbitHead, write_orbit};
 use impact_pair::mapping::Mapping;
 use impact_pair::orbit::{Arithmetic, Orbit, Settings};
@@ -75,12 +75,12 @@ impl<'s, W: Write> Listing<'s, W> {
             Format::Csv => {
                 let (name, wall, [t0, t1]) = (event.name().text(), event.wall.name(), event.time.decimals());
                 match &event.kind {
-                    Kind::Impact { mapping, velocity } => {
+                    EventKind::Impact { index, mapping, velocity } => {
                         let mapping = mapping.as_ref().map(Mapping::to_string).unwrap_or_default();
-                        let (index, [v0, v1]) = (event.index, velocity.decimals());
+                        let [v0, v1] = velocity.decimals();
                         writeln!(self.out, "{name},{index},{mapping},{wall},{t0},{t1},{v0},{v1}")
                     }
-                    Kind::Graze | Kind::Rest { .. } | Kind::Release => {
+                    EventKind::Graze | EventKind::Rest { .. } | EventKind::Release => {
                         writeln!(self.out, "{name},,,{wall},{t0},{t1},,")
                     }
                 }

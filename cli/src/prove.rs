@@ -5,7 +5,7 @@ use std::path::PathBuf;
 
 use anyhow::{Context, Result, bail};
 use clap::Args;
-use impact_pair_certificate::{Certificate, ClaimKind};
+use impact_pair_certificate::Certificate;
 
 use crate::Answer;
 use crate::destination::Destination;
@@ -47,7 +47,7 @@ pub fn prove(arguments: &ProveArguments) -> Result<Answer> {
     let path = &arguments.certificate;
     let certificate = Certificate::parse(&scene::text(path)?).with_context(|| scene::name(path))?;
     scene::keep(path, arguments.destination.output.as_deref())?;
-    let listed = certificate.events().iter().take_while(|claim| matches!(claim.kind, ClaimKind::Impact { .. })).count();
+    let listed = certificate.events().iter().take_while(|claim| claim.kind.is_impact()).count();
     if listed == 0 {
         bail!("{}: there is no impact to prove before the first other event", scene::name(path));
     }

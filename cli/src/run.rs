@@ -96,8 +96,7 @@ pub fn run(arguments: &RunArguments) -> Result<Answer> {
     listing.begin(&orbit).context(write)?;
     let mut last = None;
     let written = orbit.follow(&progress, |orbit, step| {
-        let index = last.as_ref().map_or(0, |event: &Event| event.index);
-        let Some(event) = Event::of(orbit, &step, index) else { return ControlFlow::Continue(()) };
+        let Some(event) = Event::of(orbit, &step) else { return ControlFlow::Continue(()) };
         if let Err(error) = listing.event(&event) {
             return ControlFlow::Break(error);
         }

@@ -3,7 +3,7 @@
 use std::io::{self, Write};
 
 use impact_pair::Scene;
-use impact_pair::document::{Ending, Event, Kind, is_certified};
+use impact_pair::document::{Ending, Event, EventKind, is_certified};
 use impact_pair::mapping::Mapping;
 use impact_pair::orbit::{Arithmetic, Settings};
 
@@ -24,22 +24,22 @@ pub fn begin(out: &mut impl Write, scene: &Scene, settings: &Settings) -> io::Re
 pub fn event(out: &mut impl Write, event: &Event) -> io::Result<()> {
     let wall = event.wall.name();
     match &event.kind {
-        Kind::Impact { mapping, velocity } => {
+        EventKind::Impact { index, mapping, velocity } => {
             let mapping = mapping.as_ref().map_or("-".into(), Mapping::to_string);
-            writeln!(out, "{:>7}  {mapping:7}  {wall:5}  {:31}  {velocity}", event.index, event.time)
+            writeln!(out, "{index:>7}  {mapping:7}  {wall:5}  {:31}  {velocity}", event.time)
         }
-        Kind::Rest { is_accumulation } => {
+        EventKind::Rest { is_accumulation } => {
             let note = if *is_accumulation { "after infinitely many impacts" } else { "at once" };
             writeln!(out, "{:>7}  {:7}  {wall:5}  {:31}  {note}", "", "rest", event.time)
         }
-        Kind::Graze => {
+        EventKind::Graze => {
             writeln!(
                 out,
                 "{:>7}  {:7}  {wall:5}  {:31}  velocity zero, or too small to decide",
                 "", "graze", event.time
             )
         }
-        Kind::Release => writeln!(out, "{:>7}  {:7}  {wall:5}  {}", "", "release", event.time),
+        EventKind::Release => writeln!(out, "{:>7}  {:7}  {wall:5}  {}", "", "release", event.time),
     }
 }
 

@@ -3,7 +3,7 @@
 use std::ops::ControlFlow;
 use std::sync::Mutex;
 
-use impact_pair::document::{Bounds, Conclusion, Ending, Event, Kind, arithmetic as computed_by, head};
+use impact_pair::document::{Bounds, Conclusion, Ending, Event, EventKind, arithmetic as computed_by, head};
 use impact_pair::json::{Decimal, EventDocument, EventName, OrbitDocument, OrbitHead, OutcomeDocument, write_orbit};
 use impact_pair::orbit::{self, Dense, Settings};
 use impact_pair::scene::{DIGITS, Run};
@@ -91,8 +91,8 @@ fn row(event: &Event) -> Row {
         Bounds::Float(x) => [x.mid_rad().0; 2],
     };
     let (mapping, velocity) = match &event.kind {
-        Kind::Impact { mapping, velocity } => (*mapping, Some(ends(velocity))),
-        Kind::Graze | Kind::Rest { .. } | Kind::Release => (None, None),
+        EventKind::Impact { mapping, velocity, .. } => (*mapping, Some(ends(velocity))),
+        EventKind::Graze | EventKind::Rest { .. } | EventKind::Release => (None, None),
     };
     let (name, wall) = (event.name(), side(Some(event.wall)));
     Row { name, wall, mapping: number(mapping), time: ends(&event.time), velocity }
@@ -203,8 +203,7 @@ pub fn run(
         let mut dense = Dense::new(&orbit, scene.start());
         let mut events: Vec<Event> = Vec::new();
         let _ = orbit.follow(monitor, |orbit, step| {
-            let index = events.last().map_or(0, |event| event.index);
-            events.extend(Event::of(orbit, &step, index));
+            events.extend(Event::of(orbit, &step));
             dense.record(orbit, &step);
             ControlFlow::<()>::Continue(())
         });

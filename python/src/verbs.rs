@@ -14,7 +14,7 @@ use impact_pair::scene::{DIGITS, Run};
 use impact_pair::trade::Trade;
 use impact_pair::two_impact::{Axis, COUNTS, CYCLES, Problem as TwoImpactProblem, Range, Unknown, speed};
 use impact_pair::watch::Watch;
-use impact_pair_certificate::{Certificate, ClaimKind, Claims, Effort, Verdict};
+use impact_pair_certificate::{Certificate, Claims, Effort, Verdict};
 use impact_pair_plot::picture::Look;
 use pyo3::prelude::*;
 
@@ -262,8 +262,7 @@ pub fn prove(
 ) -> PyResult<(String, usize, Option<String>, bool)> {
     watched(py, progress, move |monitor| {
         let certificate = Certificate::parse(&text)?;
-        let is_impact = |kind: &ClaimKind| matches!(kind, ClaimKind::Impact { .. });
-        let listed = certificate.events().iter().take_while(|claim| is_impact(&claim.kind)).count();
+        let listed = certificate.events().iter().take_while(|claim| claim.kind.is_impact()).count();
         if listed == 0 {
             return Err(Fault::certificate("there is no impact to prove before the first other event"));
         }

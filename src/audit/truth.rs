@@ -6,7 +6,7 @@ use impact_pair_document::ArithmeticDocument;
 
 use super::finding::Finding;
 use super::tolerance::Tolerance;
-use crate::document::{Conclusion, Event, Kind, arithmetic};
+use crate::document::{Conclusion, Event, EventKind, arithmetic};
 use crate::exact::{Dyadic, Enclosure, Exact};
 use crate::orbit::{Orbit, Outcome, Place, Settings};
 use crate::pair::Wall;
@@ -100,10 +100,9 @@ impl Truth {
         let (mut impacts, mut counted) = (0, 0);
         let most = rows.saturating_mul(PER_ROW).saturating_add(SPARE); // exact: of what fits into memory
         let ended = orbit.follow(watch, |orbit, step| {
-            let index = last.as_ref().map_or(0, |event| event.index);
-            if let Some(event) = Event::of(orbit, &step, index) {
+            if let Some(event) = Event::of(orbit, &step) {
                 let is_other = sites.last().is_some_and(|last| last.wall != event.wall || last.rest.is_some());
-                note(&mut sites, &event, tolerance);
+                note(&mut sites, (&event, orbit.listed()), tolerance);
                 last = Some(event);
                 if is_other {
                     // The run that ended keeps what it has.
@@ -174,16 +173,16 @@ fn start(scene: &Scene, bits: u32) -> Option<Site> {
     Some(Site { kind: SiteKind::Start, index: 0, wall, time, velocity, rest: None })
 }
 
-/// Adds an event of the orbit.
-fn note(sites: &mut Vec<Site>, event: &Event, tolerance: &Tolerance) {
-    let (index, wall, time) = (event.index, event.wall, event.time.enclosure().clone());
+/// Adds an event of the orbit; `index` is that of the last impact.
+fn note(sites: &mut Vec<Site>, (event, index): (&Event, u64), tolerance: &Tolerance) {
+    let (wall, time) = (event.wall, event.time.enclosure().clone());
     match &event.kind {
-        Kind::Impact { velocity, .. } => {
+        EventKind::Impact { velocity, .. } => {
             let velocity = Some(velocity.enclosure().clone());
             sites.push(Site { kind: SiteKind::Impact, index, wall, time, velocity, rest: None });
         }
-        Kind::Graze => sites.push(Site { kind: SiteKind::Graze, index, wall, time, velocity: None, rest: None }),
-        Kind::Rest { is_accumulation } => {
+        EventKind::Graze => sites.push(Site { kind: SiteKind::Graze, index, wall, time, velocity: None, rest: None }),
+        EventKind::Rest { is_accumulation } => {
             if *is_accumulation {
                 leave_out_tail(sites, &time, tolerance);
             }
@@ -192,7 +191,7 @@ fn note(sites: &mut Vec<Site>, event: &Event, tolerance: &Tolerance) {
                 last.rest = Some(Rest { from: time, until: None, is_accumulation: *is_accumulation });
             }
         }
-        Kind::Release => {
+        EventKind::Release => {
             if let Some(rest) = sites.last_mut().and_then(|last| last.rest.as_mut()) {
                 rest.until = Some(time);
             }

@@ -19,25 +19,12 @@ use crate::Error;
 use crate::Scene;
 pub use crate::clock::Clock;
 use crate::contact::Undecided;
+use crate::impact::Impact;
+use crate::mapping::Mapping;
 use crate::number::Ball;
 use crate::pair::{ImpactPair, Wall, ball};
 use crate::shaken::{Either, Initial, under};
 use impact_pair_model::Start;
-
-/// An impact of a true orbit near the given one.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Shadowed {
-    /// Counts the impacts from 1.
-    pub index: u64,
-    /// The wall.
-    pub wall: Wall,
-    /// Whole forcing periods since the clock's origin.
-    pub turns: i64,
-    /// The rest of the phase `(W t + tau) / (2 pi)`, in forcing periods.
-    pub phase: Ball,
-    /// The relative velocity `y'` just before the impact, in gap widths per forcing period.
-    pub velocity: Ball,
-}
 
 /// Why a chain goes no further.
 #[derive(Clone, Debug, PartialEq)]
@@ -85,6 +72,8 @@ pub struct Shadow {
     chain: Box<dyn Covering>,
     nodes: std::vec::IntoIter<Node>,
     listed: u64,
+    /// The wall of the last impact listed, or of the start; `None` inside the gap.
+    wall: Option<Wall>,
 }
 
 impl Shadow {
@@ -96,9 +85,10 @@ impl Shadow {
         let clock = Clock::new(pair, start.time(), 0)?;
         let either = Either::new(pair, &clock)?;
         let origin = either.origin(pair, start, &clock)?.map(ball)?;
+        let wall = origin.wall();
         let mut chain: Box<dyn Covering> = under!(either, shaken => Box::new(Chain::from_origin(shaken, origin, None)));
         let nodes = chain.advance().into_iter();
-        Ok(Self { clock, chain, nodes, listed: 0 })
+        Ok(Self { clock, chain, nodes, listed: 0, wall })
     }
 
     /// Returns the orbit near that of a scene; errors have the line in the scene file.
@@ -130,16 +120,18 @@ impl Shadow {
 }
 
 impl Iterator for Shadow {
-    type Item = Shadowed;
+    type Item = Impact;
 
     #[inline]
-    fn next(&mut self) -> Option<Shadowed> {
+    fn next(&mut self) -> Option<Impact> {
         if self.nodes.as_slice().is_empty() {
             self.nodes = self.chain.advance().into_iter();
         }
         let node = self.nodes.next()?;
         self.listed += 1;
         let Node { wall, turns, .. } = node;
-        Some(Shadowed { index: self.listed, wall, turns, phase: node.phases(), velocity: node.velocities() })
+        let mapping = self.wall.replace(wall).map(|from| Mapping::between(from, wall));
+        let (index, phase, velocity) = (self.listed, node.phases(), node.velocities());
+        Some(Impact { index, mapping, wall, turns, phase, velocity, precise: None })
     }
 }

@@ -22,7 +22,7 @@ impl Conclusion {
     pub fn of(orbit: &Orbit, start: &Start, last: Option<&Event>) -> Self {
         let plain = OutcomeDocument {
             kind: orbit.outcome().map_or("undecided", Outcome::kind).to_owned(),
-            impacts: Some(last.map_or(0, |event| event.index)),
+            impacts: Some(orbit.listed()),
             until: orbit.listed_until().map(Written::from),
             start: orbit.shadow().map(|shadow| near(&shadow)),
             epsilon: orbit.shadow().and_then(|shadow| shadow.nearness).map(epsilon),

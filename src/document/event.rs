@@ -5,46 +5,22 @@ use std::fmt;
 use serde::{Serialize, Serializer};
 
 use impact_pair_document::{Decimal, EventDocument, EventName, Skipped};
+use impact_pair_model::EventKind;
 
 use super::orbit::is_certified;
 use crate::exact::{Enclosure, decimal_bounds, decimal_digits, decimal_f64};
-use crate::mapping::Mapping;
 use crate::orbit::{Impact, Orbit, Progress};
 use crate::pair::Wall;
 
 /// An event of an orbit with its bounds in the units of the scene.
 #[derive(Clone, Debug)]
 pub struct Event {
-    /// Counts the impacts from 1; for other events the last impact's.
-    pub index: u64,
     /// The wall.
     pub wall: Wall,
     /// When \[time\].
     pub time: Bounds,
-    /// Kind of an event.
-    pub kind: Kind,
-}
-
-/// The kind of an event, with its data.
-#[derive(Clone, Debug)]
-pub enum Kind {
-    /// The ball hits the wall.
-    Impact {
-        /// The mapping that led here; `None` for the first contact of a start inside the gap, and where a graze of the other
-        /// wall may have been a touch.
-        mapping: Option<Mapping>,
-        /// The relative velocity `y'` just before the impact \[length/time\].
-        velocity: Bounds,
-    },
-    /// The wall is touched with zero velocity, or nearly so, or nearly touched.
-    Graze,
-    /// The ball comes to rest on the wall.
-    Rest {
-        /// After infinitely many impacts that are not listed.
-        is_accumulation: bool,
-    },
-    /// The ball leaves the wall that it rested on.
-    Release,
+    /// What happens.
+    pub kind: EventKind<Bounds>,
 }
 
 impl Event {
@@ -53,38 +29,38 @@ impl Event {
         let (time, velocity) = orbit.bounds(impact);
         let Impact { index, mapping, wall, .. } = *impact;
         let velocity = Bounds::of(orbit, velocity);
-        Self { index, wall, time: Bounds::of(orbit, time), kind: Kind::Impact { mapping, velocity } }
+        Self { wall, time: Bounds::of(orbit, time), kind: EventKind::Impact { index, mapping, velocity } }
     }
 
-    /// Returns the event that `progress` of `orbit` is, after `index` impacts, if it is one.
-    pub fn of(orbit: &Orbit, progress: &Progress, index: u64) -> Option<Self> {
+    /// Returns the event that `progress` of `orbit` is, if it is one.
+    pub fn of(orbit: &Orbit, progress: &Progress) -> Option<Self> {
         let (wall, time, kind) = match progress {
             Progress::Impact(impact) => return Some(Self::new(orbit, impact)),
             Progress::Rest(rest) => {
-                (rest.wall, orbit.rest_time(rest), Kind::Rest { is_accumulation: rest.is_accumulation })
+                (rest.at.wall, orbit.rest_time(rest), EventKind::Rest { is_accumulation: rest.is_accumulation })
             }
-            Progress::Graze(graze) => (graze.wall, orbit.graze_time(graze), Kind::Graze),
-            Progress::Release(release) => (release.wall, orbit.release_time(release), Kind::Release),
+            Progress::Graze(graze) => (graze.wall, orbit.touch_time(graze), EventKind::Graze),
+            Progress::Release(release) => (release.wall, orbit.touch_time(release), EventKind::Release),
             Progress::Retraced(_) | Progress::Ended => return None,
         };
-        Some(Self { index, wall, time: Bounds::of(orbit, time), kind })
+        Some(Self { wall, time: Bounds::of(orbit, time), kind })
     }
 
     /// Returns the relative velocity `y'` just before the impact \[length/time\], if it is one.
     pub fn velocity(&self) -> Option<&Bounds> {
         match &self.kind {
-            Kind::Impact { velocity, .. } => Some(velocity),
-            Kind::Graze | Kind::Rest { .. } | Kind::Release => None,
+            EventKind::Impact { velocity, .. } => Some(velocity),
+            EventKind::Graze | EventKind::Rest { .. } | EventKind::Release => None,
         }
     }
 
     /// Returns the word of the orbit JSON.
     pub fn name(&self) -> EventName {
         match self.kind {
-            Kind::Impact { .. } => EventName::Impact,
-            Kind::Graze => EventName::Graze,
-            Kind::Rest { .. } => EventName::Rest,
-            Kind::Release => EventName::Release,
+            EventKind::Impact { .. } => EventName::Impact,
+            EventKind::Graze => EventName::Graze,
+            EventKind::Rest { .. } => EventName::Rest,
+            EventKind::Release => EventName::Release,
         }
     }
 }
@@ -93,8 +69,8 @@ impl Event {
 impl fmt::Display for Event {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(self.name().text())?;
-        if let Kind::Impact { .. } = self.kind {
-            write!(f, " {}", self.index)?;
+        if let EventKind::Impact { index, .. } = &self.kind {
+            write!(f, " {index}")?;
         }
         write!(f, " on the {} wall, t = {}", self.wall.name(), self.time)?;
         self.velocity().map_or(Ok(()), |velocity| write!(f, ", v = {velocity}"))
@@ -112,8 +88,6 @@ impl Serialize for Event {
 #[derive(Debug)]
 pub struct Events<'o> {
     orbit: &'o mut Orbit,
-    /// The last impact's.
-    index: u64,
 }
 
 impl Orbit {
@@ -139,7 +113,7 @@ impl Orbit {
     /// # Ok::<(), impact_pair::Error>(())
     /// ```
     pub fn events(&mut self) -> Events<'_> {
-        Events { index: self.listed(), orbit: self }
+        Events { orbit: self }
     }
 }
 
@@ -152,8 +126,7 @@ impl Iterator for Events<'_> {
             if step == Progress::Ended {
                 return None;
             }
-            if let Some(event) = Event::of(self.orbit, &step, self.index) {
-                self.index = event.index;
+            if let Some(event) = Event::of(self.orbit, &step) {
                 return Some(event);
             }
         }
@@ -172,12 +145,12 @@ impl From<&Event> for EventDocument {
             skipped: None,
         };
         match &event.kind {
-            Kind::Impact { mapping, velocity } => {
+            EventKind::Impact { index, mapping, velocity } => {
                 let velocity = Some(velocity.document());
-                Self { index: Some(event.index), mapping: Some(*mapping), velocity, ..plain }
+                Self { index: Some(*index), mapping: Some(*mapping), velocity, ..plain }
             }
-            Kind::Rest { is_accumulation: true } => Self { skipped: Some(Skipped::Infinite), ..plain },
-            Kind::Rest { is_accumulation: false } | Kind::Graze | Kind::Release => plain,
+            EventKind::Rest { is_accumulation: true } => Self { skipped: Some(Skipped::Infinite), ..plain },
+            EventKind::Rest { is_accumulation: false } | EventKind::Graze | EventKind::Release => plain,
         }
     }
 }

@@ -46,8 +46,7 @@ pub fn follow(
     let mut events: Vec<Event> = Vec::new();
     let _ = orbit.follow(watch, |orbit, step| {
         each(orbit, &step);
-        let index = events.last().map_or(0, |event| event.index);
-        events.extend(Event::of(orbit, &step, index));
+        events.extend(Event::of(orbit, &step));
         ControlFlow::<()>::Continue(())
     });
     OrbitDocument {

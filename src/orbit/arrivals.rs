@@ -80,7 +80,7 @@ impl Arrivals {
         let origin = Origin { place, turns, phase, velocity, phases: Vec::new(), past: Past::Nothing };
         Ok(self.given.shaken.clone().interval(&origin).next_contact().and_then(|contact| {
             let turns = turns::after(turns, contact.turns).ok_or_else(Undecided::endless)?;
-            let [phase, reached] = [contact.phase, contact.velocity].map(super::event::finite);
+            let [phase, reached] = [contact.phase, contact.velocity].map(crate::impact::finite);
             Ok(Arrival {
                 wall: contact.wall,
                 mapping: Mapping::between(wall, contact.wall),

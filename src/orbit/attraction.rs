@@ -4,7 +4,8 @@ use std::cmp::Ordering;
 
 use super::{Arithmetic, Orbit};
 use crate::exact::Exact;
-use crate::periodic::{Attractor, ImpactState, LONGEST, Problem, find_attractor};
+use crate::impact::Impact;
+use crate::periodic::{Attractor, LONGEST, Problem, find_attractor};
 use crate::watch::Watch;
 
 /// How many of the last impacts are kept.
@@ -16,7 +17,7 @@ const _: () = assert!(KEPT > LONGEST, "a period and the state after it");
 /// The last impacts of an orbit.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Recent {
-    states: Vec<ImpactState>,
+    impacts: Vec<Impact>,
     /// Where the next one goes, once there are N.
     next: usize,
 }
@@ -24,17 +25,17 @@ pub(super) struct Recent {
 impl Recent {
     /// Keeps an impact, in the place of the one [`KEPT`] impacts before.
     #[inline(always)]
-    pub fn keep(&mut self, state: ImpactState) {
-        match self.states.get_mut(self.next) {
-            Some(oldest) => *oldest = state,
-            None => self.states.push(state),
+    pub fn keep(&mut self, impact: Impact) {
+        match self.impacts.get_mut(self.next) {
+            Some(oldest) => *oldest = impact,
+            None => self.impacts.push(impact),
         }
         self.next = (self.next + 1) % KEPT;
     }
 
     /// Those kept, in order of time.
-    fn in_order(&self) -> Vec<ImpactState> {
-        let (late, early) = self.states.split_at(self.next.min(self.states.len())); // exact: an index
+    fn in_order(&self) -> Vec<Impact> {
+        let (late, early) = self.impacts.split_at(self.next.min(self.impacts.len())); // exact: an index
         [early, late].concat()
     }
 }
@@ -54,12 +55,12 @@ impl Orbit {
         {
             return None;
         }
-        let (mut states, digits) = (self.pending.recent.in_order(), self.asked.settings.digits.min(DIGITS)); // shown
+        let (mut impacts, digits) = (self.pending.recent.in_order(), self.asked.settings.digits.min(DIGITS)); // shown
         // Without a common period nothing is periodic.
         let origin = self.clock.turns_into(self.engine.given.shaken.period()?);
         // Lemma N1: less than a period, of 32 bits.
-        states.iter_mut().for_each(|state| state.turns += origin);
-        find_attractor(&states, digits, watch, |word, cycles| Problem::new(&self.engine.given.pair, word, cycles).ok())
+        impacts.iter_mut().for_each(|impact| impact.turns += origin);
+        find_attractor(&impacts, digits, watch, |word, cycles| Problem::new(&self.engine.given.pair, word, cycles).ok())
     }
 
     /// Whether some periodic orbit with impacts may attract for each member of the data: none does where `e = 1`, nor where nothing moves the
@@ -84,9 +85,10 @@ mod tests {
             let mut recent = Recent::default();
             for index in 1..=count as u64 {
                 let ball = Ball::exact(index as f64);
-                recent.keep(ImpactState { index, wall: Wall::Left, turns: 0, phase: ball, velocity: ball });
+                let (mapping, precise, wall) = (None, None, Wall::Left);
+                recent.keep(Impact { index, mapping, wall, turns: 0, phase: ball, velocity: ball, precise });
             }
-            let kept: Vec<u64> = recent.in_order().iter().map(|state| state.index).collect();
+            let kept: Vec<u64> = recent.in_order().iter().map(|impact| impact.index).collect();
             let first = count.saturating_sub(KEPT) as u64 + 1;
             assert!(kept.iter().copied().eq(first..=count as u64), "{count}: {kept:?}");
         }

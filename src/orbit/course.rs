@@ -1,8 +1,8 @@
 //! The motion between the events of an orbit, as drawn in figures.
 
-use super::event::finite;
-use super::{Impact, Orbit, Release};
+use super::{Impact, Orbit, Touch};
 use crate::exact::Enclosure;
+use crate::impact::finite;
 use crate::number::Ball;
 use crate::pair::Wall;
 use crate::shaken::{Initial, Location};
@@ -75,9 +75,9 @@ impl Orbit {
     }
 
     /// Returns the flight that begins with a release, with zero velocity.
-    pub fn course_from(&self, release: &Release) -> Course {
-        let (mid, rad) = release.phase.mid_rad();
-        self.leaving(release.wall, release.turns, Ball::new(mid, rad), Ball::exact(0.0))
+    pub fn course_from(&self, release: &Touch) -> Course {
+        let (turns, phase) = release.at();
+        self.leaving(release.wall, turns, phase, Ball::exact(0.0))
     }
 
     /// The flight from a wall.

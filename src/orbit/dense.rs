@@ -55,18 +55,18 @@ impl Dense {
             Progress::Graze(graze) => {
                 // What follows is told backwards from the next impact.
                 self.has_grazed = true;
-                self.parts.push(((graze.turns, ball(&graze.phase)), Part::Unknown));
+                self.parts.push((graze.at(), Part::Unknown));
             }
-            Progress::Rest(Rest { wall, turns, phase, is_accumulation }) => {
+            Progress::Rest(Rest { at, is_accumulation }) => {
                 if *is_accumulation && let Some((_, part)) = self.parts.last_mut() {
                     *part = Part::Unknown;
                 }
                 self.has_grazed = false;
-                self.parts.push(((*turns, ball(phase)), Part::Rest(*wall)));
+                self.parts.push((at.at(), Part::Rest(at.wall)));
             }
             Progress::Release(release) => {
                 let course = orbit.course_from(release);
-                self.parts.push(((release.turns, ball(&release.phase)), Part::Flight(course)));
+                self.parts.push((release.at(), Part::Flight(course)));
             }
             Progress::Retraced(_) | Progress::Ended => {}
         }

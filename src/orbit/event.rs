@@ -3,75 +3,18 @@
 use super::Period;
 use crate::contact::Reason;
 use crate::exact::Enclosure;
-use crate::mapping::Mapping;
-use crate::number::Ball;
+use crate::impact::{Impact, Touch};
 use crate::pair::Wall;
 use crate::periodic::Attractor;
 use crate::turns;
 
-/// One impact of an orbit.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Impact {
-    /// Counts the impacts from 1; the start is not counted.
-    pub index: u64,
-    /// The mapping that led here; `None` for the first contact of a start inside the gap, and where a graze of the other
-    /// wall may have been a touch.
-    pub mapping: Option<Mapping>,
-    /// The wall.
-    pub wall: Wall,
-    /// Whole forcing periods since the clock's origin.
-    pub turns: i64,
-    /// The rest of the phase `(W t + tau) / (2 pi)`, in forcing periods, in about `[-1/2, 1/2]`.
-    pub phase: Ball,
-    /// The relative velocity `y'` just before the impact, in gap widths per forcing period.
-    pub velocity: Ball,
-    /// Phase and velocity more narrowly than these balls, where that was requested.
-    pub precise: Option<Box<(Enclosure, Enclosure)>>,
-}
-
-impl Impact {
-    /// Phase less the whole forcing periods, and velocity, as narrow as they are known.
-    pub(super) fn enclosures(&self) -> (Enclosure, Enclosure) {
-        match &self.precise {
-            Some(precise) => (**precise).clone(),
-            None => (finite(self.phase), finite(self.velocity)),
-        }
-    }
-}
-
-/// A wall that is touched with zero velocity, or not touched: undecided at any precision.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Graze {
-    /// The wall.
-    pub wall: Wall,
-    /// Whole forcing periods since the clock's origin.
-    pub turns: i64,
-    /// Encloses the rest of the phase, in forcing periods.
-    pub phase: Enclosure,
-}
-
 /// The ball has come to rest on a wall.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Rest {
-    /// The wall.
-    pub wall: Wall,
-    /// Whole forcing periods since the clock's origin.
-    pub turns: i64,
-    /// Encloses the rest of the phase when it does, in forcing periods.
-    pub phase: Enclosure,
+    /// Where and when it does.
+    pub at: Touch,
     /// Infinitely many impacts, each slower than the one before, come between the last one listed and the rest.
     pub is_accumulation: bool,
-}
-
-/// The ball leaves the wall on which it rested, where the contact force vanishes.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Release {
-    /// The wall.
-    pub wall: Wall,
-    /// Whole forcing periods since the clock's origin.
-    pub turns: i64,
-    /// Encloses the rest of the phase, in forcing periods; with one harmonic it is exactly 0 on the left wall, -1/2 on the right one.
-    pub phase: Enclosure,
 }
 
 /// Result of [`Orbit::advance`](super::Orbit::advance).
@@ -79,12 +22,13 @@ pub struct Release {
 pub enum Progress {
     /// The next impact is certified.
     Impact(Impact),
-    /// A contact that may be tangential; the orbit continues with both continuations enclosed.
-    Graze(Graze),
+    /// A wall is touched with zero velocity, or not touched: undecided at any precision. The orbit continues with both continuations enclosed.
+    Graze(Touch),
     /// The ball has come to rest, proved.
     Rest(Rest),
-    /// The ball is released, proved.
-    Release(Release),
+    /// The ball leaves the wall on which it rested, where the contact force vanishes, proved; with one harmonic its phase is exactly 0 on the
+    /// left wall, -1/2 on the right one.
+    Release(Touch),
     /// The precision has risen and an impact that was listed before was computed anew.
     Retraced(u64),
     /// The orbit has ended.
@@ -101,10 +45,8 @@ impl Progress {
                 impact.turns = turns::later(impact.turns, cycles)?;
                 impact.index += period.impacts * rounds;
             }
-            Self::Graze(Graze { turns, .. })
-            | Self::Rest(Rest { turns, .. })
-            | Self::Release(Release { turns, .. }) => {
-                *turns = turns::later(*turns, cycles)?;
+            Self::Graze(touch) | Self::Rest(Rest { at: touch, .. }) | Self::Release(touch) => {
+                touch.turns = turns::later(touch.turns, cycles)?;
             }
             Self::Retraced(_) | Self::Ended => {}
         }
@@ -154,9 +96,4 @@ impl Outcome {
             Self::Undecided { .. } => "undecided",
         }
     }
-}
-
-/// The ball as an interval.
-pub(super) fn finite(ball: Ball) -> Enclosure {
-    ball.enclosure().expect("certified balls are finite")
 }

@@ -31,7 +31,7 @@ mod width;
 pub use arrivals::{Arrival, Arrivals};
 pub use course::{Course, CoursePoint};
 pub use dense::{Dense, DenseState};
-pub use event::{Graze, Impact, Outcome, Progress, Release, Rest};
+pub use event::{Outcome, Progress, Rest};
 pub use impact_pair_model::{Arithmetic, BITS, MAX_BITS, Period, Place, Settings, Start};
 #[cfg(feature = "multiprecision")]
 pub use plan::Plan;
@@ -42,14 +42,14 @@ pub use crate::clock::Clock;
 use crate::clock::Phase;
 use crate::contact::{Contact, Undecided};
 use crate::exact::{Enclosure, Exact, compare_rational};
+use crate::impact::finite;
+pub use crate::impact::{Impact, Touch};
 use crate::mapping::Mapping;
 use crate::number::{Ball, Number};
 use crate::pair::{Reduced, Wall};
-use crate::periodic::ImpactState;
 use crate::shaken::{Initial, Still};
 use crate::turns;
 use crate::watch::{Latched, Unwatched, Watch};
-use event::finite;
 use given::Given;
 use motion::Motion;
 use pending::Pending;
@@ -189,8 +189,8 @@ impl Orbit {
         self.first_wide
     }
 
-    /// How many impacts were handed out.
-    pub(crate) fn listed(&self) -> u64 {
+    /// Returns the number of impacts so far.
+    pub fn listed(&self) -> u64 {
         self.listed
     }
 
@@ -256,11 +256,11 @@ impl Orbit {
         self.cursor = next;
         self.listed = next.index;
         self.note_nearness(phase);
+        let mut impact = Impact { index: next.index, mapping, wall, turns, phase, velocity, precise: None };
         if self.asked.settings.attractor {
-            self.pending.recent.keep(ImpactState { index: next.index, wall, turns, phase, velocity });
+            self.pending.recent.keep(impact.clone());
         }
-        let precise = self.precise(&contact).map(Box::new);
-        let impact = Impact { index: next.index, mapping, wall, turns, phase, velocity, precise };
+        impact.precise = self.precise(&contact).map(Box::new);
         if self.pending.is_expected {
             self.pending.recurrence.keep(&Progress::Impact(impact.clone()));
         }

@@ -86,7 +86,7 @@ impl Orbit {
 
     /// Whether all that starts near a motion that comes to this rest comes to it as well. Lemma L3
     pub(crate) fn forgets(&self, rest: &Rest) -> bool {
-        let is_edge = self.engine.given.shaken.may_be_loose(rest.wall, rest.turns, &rest.phase);
+        let is_edge = self.engine.given.shaken.may_be_loose(rest.at.wall, rest.at.turns, &rest.at.phase);
         // Lemma L3: without loss neighbours bounce for ever.
         self.engine.pair.restitution.mag() < 1.0
             && self.engine.pair.beta.certain_sign() == Some(Ordering::Greater)

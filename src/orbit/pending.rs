@@ -4,13 +4,14 @@ use std::cmp::Ordering;
 
 use super::Period;
 use super::attraction::Recent;
-use super::event::{Graze, Outcome, Progress, Release, Rest, finite};
+use super::event::{Outcome, Progress, Rest};
 use super::recurrence::Recurrence;
 use super::shadowed::Near;
 use super::shortfall::Shortfall;
 use super::{Cursor, Followed, Orbit};
 use crate::contact::Undecided;
 use crate::exact::{Enclosure, Exact};
+use crate::impact::{Touch, finite};
 use crate::number::{Ball, Enclosing};
 #[cfg(feature = "multiprecision")]
 use crate::number::{MpBall, Number};
@@ -84,16 +85,14 @@ impl Orbit {
             return Progress::Ended;
         }
         (self.cursor.turns, self.cursor.phase) = (turns, Ball::exact(at));
-        Progress::Graze(Graze { wall, turns, phase: finite(Ball::exact(at)) })
+        Progress::Graze(Touch { wall, turns, phase: finite(Ball::exact(at)) })
     }
 
     /// An event of a motion that is proved to be periodic.
     fn repeat(&mut self, event: Progress) -> Progress {
         let (turns, enclosed) = match &event {
             Progress::Impact(impact) => (impact.turns, impact.enclosures().0),
-            Progress::Graze(Graze { turns, phase, .. }) | Progress::Release(Release { turns, phase, .. }) => {
-                (*turns, phase.clone())
-            }
+            Progress::Graze(touch) | Progress::Release(touch) => (touch.turns, touch.phase.clone()),
             // Infinitely many impacts come before a rest, some of them perhaps in time.
             Progress::Rest(_) | Progress::Retraced(_) | Progress::Ended => return event,
         };
@@ -155,8 +154,8 @@ impl Orbit {
         let released = || self.engine.given.shaken.release(wall, turns, now, self.asked.shown);
         let resting = if for_ever { Resting::ForEver } else { released().map_or(Resting::Undecided, Resting::Until) };
         (self.pending.resting, self.pending.is_expected) = (Some(resting), true);
-        let rest = Rest { wall, turns, phase: enclosed, is_accumulation: time > 0.0 };
-        Some(self.hand_out(Progress::Rest(rest)))
+        let at = Touch { wall, turns, phase: enclosed };
+        Some(self.hand_out(Progress::Rest(Rest { at, is_accumulation: time > 0.0 })))
     }
 
     /// Whether infinitely many impacts follow of each member: none stays on its wall at once, by `e = 0` or a start without velocity. Lemma Z1
@@ -179,13 +178,11 @@ impl Orbit {
                 return Progress::Ended;
             }
         };
-        let Released { wall, turns, phase: enclosure, .. } = release.clone();
-        let (mid, rad) = enclosure.mid_rad();
-        let phase = Ball::new(mid, rad);
-        if self.is_past(turns, phase, || release.phase.clone()) {
+        let (wall, (turns, phase)) = (release.at.wall, release.at.at());
+        if self.is_past(turns, phase, || release.at.phase.clone()) {
             return self.finish(Outcome::TimeReached);
         }
-        let event = self.hand_out(Progress::Release(Release { wall, turns, phase: enclosure }));
+        let event = self.hand_out(Progress::Release(release.at.clone()));
         self.pending.recurrence.release(&release, self.listed);
         self.engine.given.leave(release);
         let velocity = Ball::exact(0.0);
@@ -223,7 +220,7 @@ impl Orbit {
         // From here on the data are a box: no precision makes it narrower.
         self.followed = Followed::new(self.cursor, false, &self.engine.given, &self.asked.settings);
         (self.engine.raise, self.engine.is_point) = (None, false);
-        Some(self.hand_out(Progress::Graze(Graze { wall: passed.wall, turns, phase })))
+        Some(self.hand_out(Progress::Graze(Touch { wall: passed.wall, turns, phase })))
     }
 
     /// It takes balls of many digits to pass a graze.

@@ -37,7 +37,7 @@ impl Recurrence {
     /// Notes a release after `impacts` impacts, which was kept; after two of one kind the motion is the same.
     pub fn release(&mut self, release: &Released, impacts: u64) {
         let same = |(first, before, kept): &(Released, u64, usize)| {
-            Some((first.turns_of_same(release)?.abs_diff(first.turns), impacts - before, *kept))
+            Some((first.turns_of_same(release)?.abs_diff(first.at.turns), impacts - before, *kept))
         };
         match self.first.iter().find_map(same) {
             None => self.first.push((release.clone(), impacts, self.events.len())),
@@ -70,10 +70,12 @@ impl Recurrence {
 mod tests {
     use super::*;
     use crate::exact::Enclosure;
+    use crate::impact::Touch;
     use crate::pair::Wall;
 
     fn release(wall: Wall, turns: i64) -> Released {
-        Released { wall, turns, phase: Enclosure::from_f64_bounds(0.0, 0.0).unwrap(), zero: None }
+        let phase = Enclosure::from_f64_bounds(0.0, 0.0).unwrap();
+        Released { at: Touch { wall, turns, phase }, zero: None }
     }
 
     /// Two kinds of releases; the kind that recurs was first seen after `before` other events.

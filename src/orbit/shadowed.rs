@@ -6,7 +6,6 @@
 use std::sync::Arc;
 use std::vec::IntoIter;
 
-use super::event::finite;
 #[cfg(feature = "multiprecision")]
 use super::motion::Passed;
 use super::motion::{IntervalMotion, Motion, StartBounds};
@@ -20,6 +19,7 @@ use crate::covering::node::Node;
 use crate::covering::start::Beginning;
 use crate::covering::start::{Segment, Starts, Varied};
 use crate::exact::Enclosure;
+use crate::impact::finite;
 use crate::number::Ball;
 use crate::pair::{ImpactPair, Wall};
 use crate::shaken::{Flying, Initial, Location, Origin, Past};

@@ -1,10 +1,11 @@
 //! What happens when the motion does not suffice: more precision, a graze passed, or an honest end.
 
-use super::event::{Outcome, Progress, finite};
+use super::event::{Outcome, Progress};
 use super::{Arithmetic, Cursor, Orbit};
 use crate::contact::{Contact, Reason, Undecided};
 use crate::exact::Enclosure;
 use crate::flight::Launch;
+use crate::impact::finite;
 use crate::number::Ball;
 use crate::shaken::{Since, clear};
 use crate::turns;

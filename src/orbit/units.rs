@@ -1,8 +1,8 @@
 //! Events of an orbit in the units of the scene.
 
-use super::event::finite;
-use super::{Graze, Impact, Orbit, Release, Rest};
+use super::{Impact, Orbit, Rest, Touch};
 use crate::exact::Enclosure;
+use crate::impact::finite;
 use crate::number::Ball;
 #[cfg(feature = "inari")]
 use crate::number::inari::enclosing;
@@ -66,17 +66,12 @@ impl Orbit {
 
     /// Returns bounds of the beginning of a rest \[time\].
     pub fn rest_time(&self, rest: &Rest) -> Enclosure {
-        self.clock.time(rest.turns, &rest.phase)
+        self.clock.time(rest.at.turns, &rest.at.phase)
     }
 
-    /// Returns bounds of the time of a graze \[time\].
-    pub fn graze_time(&self, graze: &Graze) -> Enclosure {
-        self.exact_time(graze.turns, &graze.phase)
-    }
-
-    /// Returns bounds of the time of a release \[time\], exact if possible.
-    pub fn release_time(&self, release: &Release) -> Enclosure {
-        self.exact_time(release.turns, &release.phase)
+    /// Returns bounds of the time of a graze or a release \[time\], exact if possible.
+    pub fn touch_time(&self, touch: &Touch) -> Enclosure {
+        self.exact_time(touch.turns, &touch.phase)
     }
 
     /// The time of a phase, itself exact where that is.

@@ -2,25 +2,10 @@
 
 use super::krawczyk::is_inside;
 use super::{Basin, Finding, PeriodicOrbit, Precision, Problem, Stability};
+use crate::impact::Impact;
 use crate::mapping::{Mapping, Word};
 use crate::number::Ball;
-use crate::pair::Wall;
 use crate::watch::Watch;
-
-/// A state at an impact of a motion, certified.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct ImpactState {
-    /// The impact's number.
-    pub index: u64,
-    /// The wall.
-    pub wall: Wall,
-    /// Whole forcing periods.
-    pub turns: i64,
-    /// The rest of the phase in forcing periods.
-    pub phase: Ball,
-    /// The velocity before the impact, in gap widths per forcing period.
-    pub velocity: Ball,
-}
 
 /// A stable periodic orbit that a motion is proved to converge to.
 #[derive(Clone, Debug, PartialEq)]
@@ -54,7 +39,7 @@ const FEW_DIGITS: u32 = 9;
 
 /// A guess of the period of a motion: the impacts that may make it, with all before them and the one after, and the cycles.
 struct Guess<'s> {
-    all: &'s [ImpactState],
+    all: &'s [Impact],
     impacts: usize,
     cycles: u32,
 }
@@ -72,7 +57,7 @@ enum Open {
 }
 
 /// The periods that the end of a motion nearly repeats after, the shortest first.
-fn guesses(states: &[ImpactState]) -> impl Iterator<Item = Guess<'_>> {
+fn guesses(states: &[Impact]) -> impl Iterator<Item = Guess<'_>> {
     let count = states.len();
     // proposes
     (1..count.min(LONGEST + 1)).filter_map(move |period| {
@@ -80,8 +65,7 @@ fn guesses(states: &[ImpactState]) -> impl Iterator<Item = Guess<'_>> {
         let is_near = last.apart(before).is_some_and(|apart| apart < NEAR);
         // So does the period before it, as far as there is one: chaos that has only come near a state once does not.
         let earlier = states[..count - 1].iter().rev().zip(states[..count - 1 - period].iter().rev()).take(period);
-        let repeats =
-            |(now, then): (&ImpactState, &ImpactState)| now.apart(then).is_some_and(|apart| apart < NEAR_BEFORE);
+        let repeats = |(now, then): (&Impact, &Impact)| now.apart(then).is_some_and(|apart| apart < NEAR_BEFORE);
         let cycles = last.since(before).round(); // proposes
         (is_near && (1.0..=1e6).contains(&cycles) && earlier.clone().all(repeats))
             // proposes: at most 10^6
@@ -89,7 +73,7 @@ fn guesses(states: &[ImpactState]) -> impl Iterator<Item = Guess<'_>> {
     })
 }
 
-impl ImpactState {
+impl Impact {
     /// Forcing periods since another one.
     fn since(&self, before: &Self) -> f64 {
         (self.turns - before.turns) as f64 + (self.phase.mid() - before.phase.mid()) // proposes
@@ -120,7 +104,7 @@ impl<'s> Guess<'s> {
     }
 
     /// The impacts of the period.
-    fn states(&self) -> &'s [ImpactState] {
+    fn states(&self) -> &'s [Impact] {
         let last = self.all.len() - 1;
         &self.all[last - self.impacts..last]
     }
@@ -145,7 +129,7 @@ impl<'s> Guess<'s> {
 /// `states` are certified states of the motion, in order of time, all of its impacts between the first and the last;
 /// `problem` makes the problem of a word, for the same pair; the watch is asked before each proof.
 pub(crate) fn find(
-    states: &[ImpactState],
+    states: &[Impact],
     digits: u32,
     watch: &dyn Watch,
     mut problem: impl FnMut(&Word, u32) -> Option<Problem>,
@@ -191,7 +175,7 @@ fn is_attracting(orbit: &PeriodicOrbit) -> Result<(), Open> {
 impl Problem {
     /// Proves that the orbit near these phases is stable and attracts a motion from one of `states` on, the last at the
     /// latest.
-    fn attracts(&self, guess: &[f64], states: &[ImpactState], digits: u32) -> Result<Attractor, Open> {
+    fn attracts(&self, guess: &[f64], states: &[Impact], digits: u32) -> Result<Attractor, Open> {
         let last = states.last().ok_or(Open::Never)?;
         if !self.chain().crosses() {
             return Err(Open::Never);
@@ -204,8 +188,8 @@ impl Problem {
         let prove = |digits: u32| self.prove(&guess, Precision { digits, max_bits: BITS }).ok_or(Open::Never);
         let near = prove(digits.min(FEW_DIGITS))?; // proposes: how narrow a basin's centre is
         is_attracting(&near)?;
-        let phase = |state: &ImpactState| self.in_period(state);
-        let holds = |basin: &Basin, state: &ImpactState| basin.holds(state.wall, phase(state), state.velocity);
+        let phase = |state: &Impact| self.in_period(state);
+        let holds = |basin: &Basin, state: &Impact| basin.holds(state.wall, phase(state), state.velocity);
         let basin = self.basins(&near).find(|basin| holds(basin, last)).ok_or(Open::Here)?;
         let orbit = prove(digits)?;
         is_attracting(&orbit)?;
@@ -218,7 +202,7 @@ impl Problem {
     }
 
     /// The phase of a state less whole periods of the excitation.
-    fn in_period(&self, state: &ImpactState) -> Ball {
+    fn in_period(&self, state: &Impact) -> Ball {
         match i64::from(self.period()) {
             1 => state.phase,
             // N1: less than a period, of 32 bits

@@ -10,14 +10,14 @@ use crate::number::MpBall;
 #[cfg(feature = "multiprecision")]
 use crate::pair::Reduced;
 use crate::pair::{Wall, rebound};
-use crate::shaken::Flying;
+use crate::shaken::{Flying, Parameters};
 pub(super) use crate::shaken::OneHarmonic;
 
 /// An impact of a floating-point motion: wall, phase in forcing periods, velocity before.
 pub(super) type FloatImpact = (Wall, f64, f64);
 
 /// What an arithmetic knows of the box at a time.
-pub(super) type Moment<S, N> = <<S as Flying>::In<N> as Shaking<N>>::Moment;
+pub(super) type Moment<S, N> = <<S as Parameters>::In<N> as Shaking<N>>::Moment;
 
 /// The first contact of all flights that start in a box, and what the Jacobian (A.7) over it needs.
 pub(super) struct Step {

@@ -43,7 +43,7 @@ use crate::pair::{ImpactPair, Reduced, Wall};
 pub use crate::shaken::shaking;
 use crate::shaken::{Either, OneHarmonic, SeveralHarmonics, under};
 use crate::watch::{Unwatched, Watch};
-pub use attractor::{Attractor, ImpactState};
+pub use attractor::Attractor;
 pub(crate) use attractor::{LONGEST, find as find_attractor};
 pub use basin::Basin;
 pub use census::{Census, Region};

@@ -14,7 +14,7 @@ use crate::exact::working_bits;
 #[cfg(feature = "multiprecision")]
 use crate::number::MpBall;
 use crate::number::{Ball, Enclosing};
-use crate::shaken::{Flying, under};
+use crate::shaken::{Parameters, under};
 
 /// Images that may take less than a quarter of a bit off an orbit's enclosure: near a bifurcation the first ones do.
 const MOST_SLOW: u32 = 64;

@@ -8,34 +8,41 @@ mod clear;
 mod later;
 mod one;
 mod origin;
+#[cfg(feature = "multiprecision")]
+mod precise;
 mod several;
 pub mod shaking;
 mod still;
 mod sum;
 
+/// Without balls of many digits nothing flies in them.
+#[cfg(not(feature = "multiprecision"))]
+mod precise {
+    pub(crate) trait Precise {}
+
+    impl<S> Precise for S {}
+}
+
 use std::fmt::Debug;
 use std::sync::Arc;
 
 use impact_pair_model::Start;
-#[cfg(feature = "multiprecision")]
-use rug::Float;
 
 use crate::Error;
 use crate::clock::Clock;
-#[cfg(feature = "multiprecision")]
-use crate::contact::multiprecision::Passed;
 use crate::contact::{Contact, SetContact, Undecided};
 use crate::exact::{Enclosure, Exact};
 use crate::flight::Launch;
 use crate::mapping::Sheared;
 use crate::number::Ball;
-#[cfg(feature = "multiprecision")]
-use crate::number::{Magnitude, MpBall};
 use crate::pair::{ImpactPair, Reduced, Wall, rebound_of, within};
 use crate::several::{Phased, Turning, phases_at};
 pub(crate) use clear::{Since, clear};
 pub(crate) use one::OneHarmonic;
 pub(crate) use origin::{Initial, Location, Origin, Past, Released};
+pub(crate) use precise::Precise;
+#[cfg(feature = "multiprecision")]
+pub(crate) use precise::{Arrival, Flights, Precisely};
 pub(crate) use several::SeveralHarmonics;
 use shaking::Shaking;
 pub(crate) use still::Still;
@@ -77,8 +84,8 @@ pub(crate) trait Shaken: Debug + Send + Sync {
     fn still(&self, origin: &Origin<Exact>) -> Option<Still>;
 }
 
-/// First contacts.
-pub(crate) trait Flying: Shaken + Sized + 'static {
+/// What flights depend on, in any arithmetic.
+pub(crate) trait Parameters: Shaken + Sized + 'static {
     /// The parameters in an arithmetic.
     type In<N: Turning>: Shaking<N> + Clone + Debug + Send;
     /// Sines and cosines at the start of a flight.
@@ -92,7 +99,10 @@ pub(crate) trait Flying: Shaken + Sized + 'static {
 
     /// Those at the centre of an origin's phases; `exact` are the phases of the harmonics there, where they are known.
     fn waves<N: Phased>(&self, exact: &[Exact], phase: &N, bits: u32) -> Option<Self::Waves<N>>;
+}
 
+/// First contacts.
+pub(crate) trait Flying: Parameters + Precise {
     /// The first contact of a floating-point flight, proved in no way.
     fn propose(&self, launch: &Launch<f64>) -> Result<Contact<f64>, Undecided>;
 
@@ -124,47 +134,6 @@ pub(crate) trait Flying: Shaken + Sized + 'static {
         let jacobian = Sheared::between(restitution, all.time, accelerations, [before, all.velocity]);
         Ok((image, jacobian.ok_or(Undecided::width(&all))?))
     }
-
-    /// The parameters in N bits.
-    #[cfg(feature = "multiprecision")]
-    fn precise(&self, bits: u32) -> Self::In<MpBall>;
-
-    /// Those of [`Shaken::pair`] in N bits.
-    #[cfg(feature = "multiprecision")]
-    fn widened(&self, bits: u32) -> Self::In<MpBall>;
-
-    /// The same parameters in fewer bits.
-    #[cfg(feature = "multiprecision")]
-    fn rounded(&self, parameters: &Self::In<MpBall>, bits: u32) -> Self::In<MpBall>;
-
-    /// Goes past the first extremum that may touch its wall. Lemmas G1, H13
-    #[cfg(feature = "multiprecision")]
-    fn pass(
-        &self,
-        parameters: &Self::In<MpBall>,
-        all: Launch<MpBall>,
-        waves: Option<&Self::Waves<MpBall>>,
-    ) -> Option<Passed>;
-
-    /// The first contacts of a set of flights from a wall, its velocities before the impact in doubles; that of the centre to so
-    /// many bits. Lemma M3
-    #[cfg(feature = "multiprecision")]
-    fn arrive(
-        &self,
-        parameters: &Self::In<MpBall>,
-        flights: Flights<'_, Self::Waves<MpBall>>,
-        bits: u32,
-    ) -> Result<Arrival<Self::Waves<MpBall>>, Undecided>;
-
-    /// The first contacts of all flights from inside the gap, to N bits: in doubles, phase less the whole forcing periods, velocity.
-    #[cfg(feature = "multiprecision")]
-    fn arrive_from_inside(
-        &self,
-        parameters: &Self::In<MpBall>,
-        all: Launch<MpBall>,
-        waves: Option<&Self::Waves<MpBall>>,
-        bits: u32,
-    ) -> Result<Precisely<Self::Waves<MpBall>>, Undecided>;
 }
 
 /// The excitation of a pair: one harmonic or several.
@@ -215,38 +184,3 @@ pub(crate) struct Leaving {
     pub before: Ball,
     pub is_release: bool,
 }
-
-/// A set of flights that leave a wall.
-#[cfg(feature = "multiprecision")]
-pub(crate) struct Flights<'w, W> {
-    pub all: &'w dyn Fn() -> Launch<MpBall>,
-    pub centre: Launch<MpBall>,
-    /// The wall they leave, their phases and velocities before the impact, in doubles.
-    pub wall: Wall,
-    pub phase: Ball,
-    pub before: Ball,
-    /// At the start of the centre.
-    pub waves: Option<&'w W>,
-}
-
-/// The first contacts of a set of flights that left a wall.
-#[cfg(feature = "multiprecision")]
-pub(crate) struct Arrival<W> {
-    /// Encloses the contact of every flight of the set.
-    pub contact: Contact<Ball>,
-    /// Encloses `y''` of all of them, at the start and at the contact.
-    pub accelerations: [Ball; 2],
-    /// The contact of the centre is within `error` of this phase, less the whole forcing periods.
-    pub phase: Float,
-    pub error: Magnitude,
-    /// Its velocity at this phase; at the contact the slope times the distance is added.
-    pub velocity: MpBall,
-    pub slope: Ball,
-    /// At this phase, where they are known.
-    pub waves: Option<W>,
-}
-
-/// Encloses the first contacts of all flights of a set: in doubles, and phase less the whole forcing periods and velocity in balls, with
-/// the sines and cosines at the middle of the phases, where they are known.
-#[cfg(feature = "multiprecision")]
-pub(crate) type Precisely<W> = (Contact<Ball>, [MpBall; 2], Option<W>);

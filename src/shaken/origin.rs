@@ -7,8 +7,9 @@ use impact_pair_model::{Place, Start};
 use super::later::decided;
 use crate::Error;
 use crate::clock::Clock;
-use crate::exact::{Enclosure, Exact};
+use crate::exact::Exact;
 use crate::flight::Launch;
+use crate::impact::Touch;
 use crate::number::{Ball, Enclosing};
 use crate::pair::{ImpactPair, Wall, rebound, within};
 use crate::several::Zero;
@@ -161,10 +162,11 @@ impl Origin<Exact> {
 
     /// Returns a release: no velocity, and the phase as exactly as it can be shown.
     pub fn released(release: Released) -> Self {
-        let [lo, hi] = [release.phase.inf(), release.phase.sup()].map(|end| Exact::from_rational(end.to_rational()));
+        let Touch { wall, turns, phase } = &release.at;
+        let [lo, hi] = [phase.inf(), phase.sup()].map(|end| Exact::from_rational(end.to_rational()));
         Self {
-            place: Location::Wall(release.wall),
-            turns: release.turns,
+            place: Location::Wall(*wall),
+            turns: *turns,
             phase: Exact::interval(&lo, &hi).expect("bounds are in order"),
             velocity: Exact::from(0),
             phases: Vec::new(),
@@ -210,11 +212,7 @@ impl Origin<Ball> {
 /// When a ball that rested on a wall leaves it.
 #[derive(Clone, Debug)]
 pub(crate) struct Released {
-    pub wall: Wall,
-    /// Whole forcing periods since the clock's origin.
-    pub turns: i64,
-    /// Encloses the rest of the phase.
-    pub phase: Enclosure,
+    pub at: Touch,
     /// The zero of the contact force that it is, with several harmonics; one harmonic has it at an exact phase.
     pub zero: Option<Zero>,
 }
@@ -224,7 +222,7 @@ impl Released {
     pub fn turns_of_same(&self, later: &Self) -> Option<i64> {
         match (&self.zero, &later.zero) {
             (Some(zero), Some(other)) => zero.turns_of_same(other),
-            _ => (self.wall == later.wall).then_some(later.turns),
+            _ => (self.at.wall == later.at.wall).then_some(later.at.turns),
         }
     }
 }

@@ -8,21 +8,14 @@ use std::sync::Arc;
 use num_bigint::BigInt;
 
 use super::still::quarter_turn;
-#[cfg(feature = "multiprecision")]
-use super::{Arrival, Flights, Precisely};
-use super::{Flying, Origin, Released, Shaken, Still, Sum};
+use super::{Flying, Origin, Parameters, Released, Shaken, Still, Sum};
 use crate::Error;
-#[cfg(feature = "multiprecision")]
-use crate::contact::multiprecision::Passed;
 use crate::contact::{Contact, Reason, SetContact, Undecided};
 use crate::exact::{Enclosure, Exact};
 use crate::flight::Launch;
+use crate::impact::Touch;
 use crate::number::{Ball, UNIT, up};
-#[cfg(feature = "multiprecision")]
-use crate::number::{LEAST_BITS, Magnitude, MpBall};
 use crate::pair::{ImpactPair, Inward, Reduced, Wall, ball, within};
-#[cfg(feature = "multiprecision")]
-use crate::several::pass;
 use crate::several::{
     Band, Doubt, Found, Harmonics, Phased, Reach, Scan, Spectrum, SumFlight, Turning, accumulation, release,
 };
@@ -142,7 +135,8 @@ impl Shaken for SeveralHarmonics {
 
     fn release(&self, wall: Wall, turns: i64, phase: &Enclosure, bits: u32) -> Option<Released> {
         let zero = release(&self.spectrum, &self.balls.harmonics, wall, turns, phase.mid_rad().0)?;
-        Some(Released { wall, turns: zero.turns, phase: zero.enclosure(bits)?, zero: Some(zero) })
+        let at = Touch { wall, turns: zero.turns, phase: zero.enclosure(bits)? };
+        Some(Released { at, zero: Some(zero) })
     }
 
     fn may_be_loose(&self, wall: Wall, turns: i64, phase: &Enclosure) -> bool {
@@ -156,7 +150,7 @@ impl Shaken for SeveralHarmonics {
     }
 }
 
-impl Flying for SeveralHarmonics {
+impl Parameters for SeveralHarmonics {
     type In<N: Turning> = Sum<N>;
     type Waves<N: Phased> = Vec<(N, N)>;
 
@@ -173,7 +167,9 @@ impl Flying for SeveralHarmonics {
         let is_point = (phase.clone() - phase.centre_of()).is_zero();
         if is_point { waves(exact, bits) } else { None }
     }
+}
 
+impl Flying for SeveralHarmonics {
     fn propose(&self, launch: &Launch<f64>) -> Result<Contact<f64>, Undecided> {
         let found = self.first(&self.floats.harmonics, launch.clone()).map_err(|doubt| doubt.undecided(launch.wall))?;
         let velocity = match found.wall {
@@ -204,57 +200,6 @@ impl Flying for SeveralHarmonics {
         let [all, centre] = [all, centre].map(|launch| SumFlight::new(&self.balls.harmonics, launch, waves));
         let found = self.scan(&all, &centre)?;
         Ok((set_contact(&found, phase, middle), [all.acceleration, found.acceleration]))
-    }
-
-    #[cfg(feature = "multiprecision")]
-    fn precise(&self, bits: u32) -> Sum<MpBall> {
-        let restitution = <MpBall as Phased>::enclose(&self.spectrum.restitution, bits);
-        Sum { harmonics: Harmonics::new(&self.spectrum, bits.max(LEAST_BITS)), restitution } // M1: any number of bits
-    }
-
-    #[cfg(feature = "multiprecision")]
-    fn widened(&self, bits: u32) -> Sum<MpBall> {
-        self.precise(bits)
-    }
-
-    #[cfg(feature = "multiprecision")]
-    fn rounded(&self, sum: &Sum<MpBall>, bits: u32) -> Sum<MpBall> {
-        Sum { harmonics: sum.harmonics.rounded(bits), restitution: sum.restitution.rounded(bits) }
-    }
-
-    #[cfg(feature = "multiprecision")]
-    fn pass(&self, sum: &Sum<MpBall>, all: Launch<MpBall>, _: Option<&Vec<(MpBall, MpBall)>>) -> Option<Passed> {
-        pass(&sum.harmonics, (&self.band, &self.balls.harmonics), all)
-    }
-
-    #[cfg(feature = "multiprecision")]
-    fn arrive(
-        &self,
-        sum: &Sum<MpBall>,
-        Flights { all, centre, waves, .. }: Flights<'_, Vec<(MpBall, MpBall)>>,
-        bits: u32,
-    ) -> Result<Arrival<Vec<(MpBall, MpBall)>>, Undecided> {
-        let centre = SumFlight::new(&sum.harmonics, centre, waves);
-        let (isolated, at) = self.isolated(sum, &all(), &centre, waves, bits)?;
-        let (phase, error, velocity) = isolated.evaluated_near(&centre, &at, bits);
-        let precise::Isolated { contact, accelerations, .. } = isolated;
-        Ok(Arrival { contact, accelerations, phase, error, velocity, slope: accelerations[1], waves: None })
-    }
-
-    #[cfg(feature = "multiprecision")]
-    fn arrive_from_inside(
-        &self,
-        sum: &Sum<MpBall>,
-        all: Launch<MpBall>,
-        waves: Option<&Vec<(MpBall, MpBall)>>,
-        bits: u32,
-    ) -> Result<Precisely<Vec<(MpBall, MpBall)>>, Undecided> {
-        let centre = SumFlight::new(&sum.harmonics, all.map(Phased::centre_of), waves);
-        let (isolated, at) = self.isolated(sum, &all, &centre, waves, bits)?;
-        let all = SumFlight::new(&sum.harmonics, all, waves);
-        let (phase, error, velocity) = isolated.evaluated_near(&all, &at, bits);
-        let velocity = velocity.widened(error * Magnitude::new(sum.harmonics.rates.second, 0));
-        Ok((isolated.contact, [MpBall::new(phase, error), velocity], None))
     }
 }
 

@@ -138,7 +138,7 @@ fn follow_in(
         ControlFlow::<()>::Continue(())
     });
     let Some(outcome) = orbit.outcome().cloned() else { return Ok(None) };
-    let last = last.and_then(|event| Event::of(&orbit, &event, window.listed));
+    let last = last.and_then(|event| Event::of(&orbit, &event));
     let exponent =
         window.disturbance.as_ref().map_or_else(|| Disturbance::of(&orbit).exponent(), Disturbance::exponent);
     let passed = window.disturbance.as_ref().map_or_else(Passed::default, Disturbance::passed); // exact: none has begun

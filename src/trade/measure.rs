@@ -113,7 +113,7 @@ pub(super) fn measure(
     if orbit.outcome().is_none() {
         return Ok(None);
     }
-    let impacts = last.as_ref().map_or(0, |event| event.index);
+    let impacts = orbit.listed();
     let is_long = |time: Duration| time > LONG && time.as_secs_f64() > SLOW.as_secs_f64() * impacts as f64;
     let times = if is_long(times.orbit) { Some(times) } else { repeat(begin, is_certified, watch)? };
     Ok(times.map(|times| Measured {

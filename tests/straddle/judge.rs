@@ -49,16 +49,13 @@ fn settings(case: &Case, number: u64) -> Settings {
 
 /// The orbit's document, and how many events it has.
 fn document(scene: &Scene, settings: &Settings, mut orbit: Orbit) -> (String, usize) {
-    let (mut events, mut index) = (Vec::new(), 0);
-    loop {
+    let mut events = Vec::new();
+    while events.len() <= 16 {
         let step = orbit.advance();
-        if step == Progress::Ended || events.len() > 16 {
+        if step == Progress::Ended {
             break;
         }
-        if let Progress::Impact(impact) = &step {
-            index = impact.index;
-        }
-        events.extend(Event::of(&orbit, &step, index));
+        events.extend(Event::of(&orbit, &step));
     }
     let conclusion = Conclusion::of(&orbit, scene.start(), events.last());
     let head = head(scene.pair(), scene.start(), settings.arithmetic, arithmetic(&orbit));

@@ -9,7 +9,7 @@ use impact_pair::sweep::axis;
 use impact_pair_plot::picture::Look;
 
 use crate::destination::Destination;
-use crate::grid::Shard;
+use crate::grid::GridArguments;
 use crate::values::{count, digits};
 
 pub const EXIT_CODES: &str = "\
@@ -42,6 +42,7 @@ Exit code: 0 at every point, or for every cell, every motion is proved to end in
 attractor; 1 at some points it is not, or the atlas was interrupted; 2 usage, bad input, I/O.";
 
 #[derive(Args, Debug)]
+#[command(mut_arg("merge", |merge| merge.conflicts_with_all(MADE_ANEW)))]
 pub struct AtlasArguments {
     /// Scene file (TOML), or - for stdin
     #[arg(required_unless_present = "merge")]
@@ -71,18 +72,8 @@ pub struct AtlasArguments {
     /// Requested width of periodic orbits, at most 10^-D: of phases relative to 2 pi, of velocities relative to A W
     #[arg(long, value_name = "D", default_value_t = 9, value_parser = digits())]
     pub digits: u32,
-    /// Number of threads [default: the number of processors]
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=4096))]
-    pub threads: Option<u16>,
-    /// Compute only the points of shard I of N; written as jsonl
-    #[arg(long, value_name = "I/N", conflicts_with = "plot")]
-    pub shard: Option<Shard>,
-    /// Merge shards
-    #[arg(long, value_name = "FILE", num_args = 1.., conflicts_with_all = MADE_ANEW)]
-    pub merge: Vec<PathBuf>,
-    /// Continue from FILE.partial, if it exists
-    #[arg(long, requires = "output")]
-    pub resume: bool,
+    #[command(flatten)]
+    pub grid: GridArguments,
     /// Output format [default: as the ending of --output says, else csv, for a shard jsonl]
     #[arg(long, value_enum)]
     pub format: Option<AtlasFormat>,

@@ -13,33 +13,32 @@ use impact_pair::atlas::{self, Plane};
 use impact_pair::chaos::Global;
 use impact_pair::json::AtlasHead;
 
-use crate::grid::journal::Journal;
 use crate::grid::record::line;
-use crate::grid::{Gathered, Work, named, open_once};
+use crate::grid::{Gathered, Work, answered, named, open_once};
 use crate::output::{Output, note};
 use crate::progress::Interruption;
 use crate::{Answer, ending, scene};
 use arguments::{AtlasArguments, AtlasFormat};
-use tally::Tally;
+use tally::Classes;
 
 pub fn atlas(arguments: &AtlasArguments) -> Result<Answer> {
-    let inputs: Vec<_> = arguments.scene.iter().chain(&arguments.merge).collect();
+    let inputs: Vec<_> = arguments.scene.iter().chain(&arguments.grid.merge).collect();
     scene::keep_apart(&inputs, arguments.destination.output.as_deref(), arguments.plot.as_deref())?;
     let format = format(arguments)?;
     match &arguments.scene {
         Some(path) => compute(arguments, format, path),
         None => {
-            let mut atlas = Gathered::merged(&arguments.merge)?;
+            let mut atlas = Gathered::merged(&arguments.grid.merge)?;
             let tally = finish(arguments, format, &mut atlas)?;
             note(arguments.destination.quiet, &tally.to_string());
-            Ok(if tally.is_complete() { Answer::Complete } else { Answer::Incomplete })
+            Ok(answered(&tally))
         }
     }
 }
 
 /// The format of the output.
 fn format(arguments: &AtlasArguments) -> Result<AtlasFormat> {
-    let is_shard = arguments.shard.is_some();
+    let is_shard = arguments.grid.shard.is_some();
     let usual = if is_shard { AtlasFormat::Jsonl } else { AtlasFormat::Csv };
     let file = arguments.destination.output.as_deref();
     let format = ending::format(arguments.format, ("--output", file), AtlasFormat::value_variants(), usual)?;
@@ -66,7 +65,7 @@ fn compute(arguments: &AtlasArguments, format: AtlasFormat, path: &Path) -> Resu
     let scene: Scene = scene::read(path)?;
     let plane = Plane::new(arguments.over.clone(), arguments.cells)?;
     let settings = arguments.settings()?;
-    let head = atlas::head(&scene, &plane, &settings, arguments.shard.map(|shard| [shard.number, shard.of]));
+    let head = atlas::head(&scene, &plane, &settings, arguments.grid.shard());
     // All corners are scenes that are analysed, before anything is computed.
     let ranges: Vec<_> = arguments.over.iter().map(|axis| (axis.key, axis.to_string())).collect();
     let corners = || plane.corners(&scene)?.iter().try_for_each(|corner| Global::accepts(corner.pair()));
@@ -77,25 +76,14 @@ fn compute(arguments: &AtlasArguments, format: AtlasFormat, path: &Path) -> Resu
         let at = || plane.values(point).map_or_else(|error| error.to_string(), |values| named(point, &values));
         Ok(record.with_context(at)?.map(|record| line(&record)))
     };
-    let AtlasArguments { threads, resume, destination, .. } = arguments;
-    let work = Work { head, point: &point, threads: *threads, resume: *resume, destination };
-    let (mut atlas, said) = match work.done(&scene::name(path))?.or_note() {
-        Ok(done) => done,
-        Err(kept) => {
-            note(destination.quiet, &kept);
-            return Ok(Answer::Incomplete);
-        }
-    };
-    let tally = finish(arguments, format, &mut atlas)?;
-    let is_whole = atlas.journals[0].missing().is_empty();
-    atlas.journals.into_iter().try_for_each(Journal::finish)?;
-    note(destination.quiet, &format!("{tally}{said}"));
-    Ok(if tally.is_complete() && is_whole { Answer::Complete } else { Answer::Incomplete })
+    let (grid, destination) = (&arguments.grid, &arguments.destination);
+    let work = Work { head, point: &point, grid, destination };
+    work.answer(&scene::name(path), |atlas| finish(arguments, format, atlas))
 }
 
 /// Writes the output and the plot.
-fn finish(arguments: &AtlasArguments, format: AtlasFormat, atlas: &mut Gathered<AtlasHead>) -> Result<Tally> {
-    let tally = Tally::of(atlas)?;
+fn finish(arguments: &AtlasArguments, format: AtlasFormat, atlas: &mut Gathered<AtlasHead>) -> Result<Classes> {
+    let tally = Classes::of(atlas)?;
     let mut out = Output::open(arguments.destination.output.as_deref())?;
     write::write(atlas, &mut out, format, &arguments.look).context("cannot write the output")?;
     out.commit()?;

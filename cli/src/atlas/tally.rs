@@ -8,20 +8,20 @@ use impact_pair::json::AtlasHead;
 use impact_pair::sweep::Head;
 use impact_pair_plot::records::Records;
 
-use crate::grid::Gathered;
+use crate::grid::{Gathered, Tally};
 
 /// The classes in the order in which they are shown.
 const CLASSES: [&str; 5] = ["one-rest-cycle", "one-attractor", "attractors", "closed", "undecided"];
 
 /// What an atlas says in a line.
-pub struct Tally {
+pub struct Classes {
     counts: [u64; 5],
     /// What is proved of how many of the points or smallest cells that are there.
     shares: Shares,
     cells: bool,
 }
 
-impl Tally {
+impl Classes {
     /// Counts the records that are there.
     pub fn of(points: &mut Gathered<AtlasHead>) -> Result<Self> {
         let plane = points.head.grid()?;
@@ -37,14 +37,15 @@ impl Tally {
         })?;
         Ok(tally)
     }
+}
 
-    /// Whether all is decided.
-    pub fn is_complete(&self) -> bool {
+impl Tally for Classes {
+    fn is_complete(&self) -> bool {
         self.shares.decided == self.shares.all
     }
 }
 
-impl fmt::Display for Tally {
+impl fmt::Display for Classes {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Shares { all: of, decided, stable, horseshoe, either } = self.shares;
         // Of whole numbers, rounded down.

@@ -9,5 +9,5 @@ mod shard;
 pub mod work;
 
 pub use points::Gathered;
-pub use shard::Shard;
-pub use work::{Work, named, open_once};
+pub use shard::GridArguments;
+pub use work::{Tally, Work, answered, named, open_once};

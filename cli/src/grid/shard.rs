@@ -1,6 +1,33 @@
-//! One of several parts of a sweep or an atlas: `I/N`.
+//! How the points of a grid are computed: by which threads, in which of several parts `I/N`, and what there is of them already.
 
+use std::path::PathBuf;
 use std::str::FromStr;
+
+use clap::Args;
+
+/// Which points are computed, and by how many threads.
+#[derive(Args, Debug)]
+pub struct GridArguments {
+    /// Number of threads [default: the number of processors]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=4096))]
+    pub threads: Option<u16>,
+    /// Compute only the points of shard I of N; written as jsonl
+    #[arg(long, value_name = "I/N", conflicts_with = "plot")]
+    pub shard: Option<Shard>,
+    /// Merge shards
+    #[arg(long, value_name = "FILE", num_args = 1..)]
+    pub merge: Vec<PathBuf>,
+    /// Continue from FILE.partial, if it exists
+    #[arg(long, requires = "output")]
+    pub resume: bool,
+}
+
+impl GridArguments {
+    /// The number of the shard, and of how many.
+    pub fn shard(&self) -> Option<[u64; 2]> {
+        self.shard.map(|shard| [shard.number, shard.of])
+    }
+}
 
 /// One of several parts of a sweep or an atlas.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

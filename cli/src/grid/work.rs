@@ -1,7 +1,8 @@
 //! The points that are left, computed by all threads.
 
+use std::fmt::Display;
 use std::io::{self, IsTerminal};
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::sync::Mutex;
 use std::thread;
 use std::time::{Duration, Instant};
@@ -15,7 +16,10 @@ use rayon::prelude::*;
 
 use super::journal::Journal;
 use super::points::Gathered;
+use super::shard::GridArguments;
+use crate::Answer;
 use crate::destination::Destination;
+use crate::output::note;
 use crate::progress::{Interruption, catch_interruption};
 use impact_pair::watch::Watch;
 
@@ -26,45 +30,48 @@ pub type Point<'w> = &'w (dyn Fn(u64) -> Result<Option<String>> + Sync);
 pub struct Work<'w, H> {
     pub head: H,
     pub point: Point<'w>,
-    /// All processors without a number.
-    pub threads: Option<u16>,
-    /// Whether an earlier one is continued.
-    pub resume: bool,
+    pub grid: &'w GridArguments,
     pub destination: &'w Destination,
 }
 
-/// What has become of it.
-pub enum Computed<H: Head> {
-    /// Ctrl-C came, and the finished points are kept in this file.
-    Kept { path: PathBuf, points: u64, left: usize },
-    /// The points that are finished, how fast, and how many are left after Ctrl-C.
-    Done { points: Gathered<H>, rate: String, left: usize },
+/// What is said of all points.
+pub trait Tally: Display {
+    /// Whether all that was asked is proved.
+    fn is_complete(&self) -> bool;
 }
 
 impl<H: Head + Sync + Send> Work<'_, H> {
-    /// Computes the points, until all are done or Ctrl-C comes.
-    pub fn done(self, scene: &str) -> Result<Computed<H>> {
+    /// Computes the points, until all are done or Ctrl-C comes, writes them by `finish`, and says what there is.
+    pub fn answer<T: Tally>(self, scene: &str, finish: impl FnOnce(&mut Gathered<H>) -> Result<T>) -> Result<Answer> {
         // From here on Ctrl-C keeps what is finished.
         catch_interruption();
-        let mut journal = Journal::open(self.head.clone(), self.destination.output.as_deref(), self.resume)?;
+        let Destination { output, quiet } = self.destination;
+        let mut journal = Journal::open(self.head.clone(), output.as_deref(), self.grid.resume)?;
         let (begun, before) = (Instant::now(), journal.points());
-        let visible = !self.destination.quiet && io::stderr().is_terminal();
-        self.complete(&mut journal, visible).with_context(|| scene.to_owned())?;
-        let computed = journal.points() - before;
-        let left = journal.missing().len();
+        self.complete(&mut journal, !quiet && io::stderr().is_terminal()).with_context(|| scene.to_owned())?;
+        let (points, left) = (journal.points(), journal.missing().len());
         if let Some(path) = journal.path().filter(|_| left > 0 && !Interruption.goes_on()) {
-            return Ok(Computed::Kept { path: path.to_owned(), points: journal.points(), left });
+            let path = path.display();
+            let kept = format!("{points} points are kept in {path}, {left} are left (go on with --resume)");
+            note(*quiet, &format!("interrupted: {kept}"));
+            return Ok(Answer::Incomplete);
         }
-        let seconds = begun.elapsed().as_secs_f64();
+        let (computed, seconds) = (points - before, begun.elapsed().as_secs_f64());
         let rate = format!("{computed} in {seconds:.1} s, {:.1} a second", computed as f64 / seconds.max(1e-9));
-        Ok(Computed::Done { points: Gathered { head: self.head, journals: vec![journal] }, rate, left })
+        let mut gathered = Gathered { head: self.head, journals: vec![journal] };
+        let tally = finish(&mut gathered)?;
+        gathered.journals.into_iter().try_for_each(Journal::finish)?;
+        let interrupted = if left > 0 { format!("; interrupted, {left} points are left") } else { String::new() };
+        note(*quiet, &format!("{tally} ({rate}){interrupted}"));
+        Ok(if left == 0 { answered(&tally) } else { Answer::Incomplete })
     }
 
     /// Computes what the journal lacks.
     fn complete(&self, journal: &mut Journal<H>, visible: bool) -> Result<()> {
         let left = journal.missing();
         let bar = progress(journal.points(), left.len() as u64, visible);
-        let threads = self.threads.map_or_else(|| thread::available_parallelism().map_or(1, usize::from), usize::from);
+        let threads =
+            self.grid.threads.map_or_else(|| thread::available_parallelism().map_or(1, usize::from), usize::from);
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
         let pool = pool.context("cannot start the threads")?;
         let journal = Mutex::new(journal);
@@ -82,20 +89,9 @@ impl<H: Head + Sync + Send> Work<'_, H> {
     }
 }
 
-impl<H: Head> Computed<H> {
-    /// The note of what is kept, where Ctrl-C came; else the points.
-    pub fn or_note(self) -> std::result::Result<(Gathered<H>, String), String> {
-        match self {
-            Self::Kept { path, points, left } => {
-                let path = path.display();
-                Err(format!("interrupted: {points} points are kept in {path}, {left} are left (go on with --resume)"))
-            }
-            Self::Done { points, rate, left: 0 } => Ok((points, format!(" ({rate})"))),
-            Self::Done { points, rate, left } => {
-                Ok((points, format!(" ({rate}); interrupted, {left} points are left")))
-            }
-        }
-    }
+/// Whether all that was asked is proved at the points that are there.
+pub fn answered(tally: &impl Tally) -> Answer {
+    if tally.is_complete() { Answer::Complete } else { Answer::Incomplete }
 }
 
 /// Names a point and its values.

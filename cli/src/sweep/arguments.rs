@@ -10,7 +10,7 @@ use impact_pair_plot::picture::Look;
 use impact_pair_plot::sweep::Show;
 
 use crate::destination::Destination;
-use crate::grid::Shard;
+use crate::grid::GridArguments;
 
 pub const EXIT_CODES: &str = "\
 Exit code: 0 everything requested is certified at every point; 1 at some points it is not, or the sweep was \
@@ -46,6 +46,7 @@ Exit code: 0 everything requested is certified at every point; 1 at some points 
 interrupted; 2 usage, bad input, I/O.";
 
 #[derive(Args, Debug)]
+#[command(mut_arg("merge", |merge| merge.conflicts_with_all(MADE_ANEW)))]
 pub struct SweepArguments {
     /// Scene file (TOML), or - for stdin
     #[arg(required_unless_present = "merge")]
@@ -77,18 +78,8 @@ pub struct SweepArguments {
     /// per point, and the column point joins the two
     #[arg(long, value_name = "FILE")]
     pub states: Option<PathBuf>,
-    /// Number of threads [default: the number of processors]
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=4096))]
-    pub threads: Option<u16>,
-    /// Compute only the points of shard I of N; written as jsonl
-    #[arg(long, value_name = "I/N", conflicts_with = "plot")]
-    pub shard: Option<Shard>,
-    /// Merge shards
-    #[arg(long, value_name = "FILE", num_args = 1.., conflicts_with_all = MADE_ANEW)]
-    pub merge: Vec<PathBuf>,
-    /// Continue from FILE.partial, if it exists
-    #[arg(long, requires = "output")]
-    pub resume: bool,
+    #[command(flatten)]
+    pub grid: GridArguments,
     /// Output format [default: as the ending of --output says, else csv, for a shard jsonl]
     #[arg(long, value_enum)]
     pub format: Option<SweepFormat>,

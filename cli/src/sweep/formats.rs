@@ -21,7 +21,7 @@ impl Formats {
     /// # Errors
     /// When an ending is of none of them or contradicts what is asked; when this build does not write one.
     pub fn of(arguments: &SweepArguments) -> Result<Self> {
-        let is_shard = arguments.shard.is_some();
+        let is_shard = arguments.grid.shard.is_some();
         let usual = if is_shard { SweepFormat::Jsonl } else { SweepFormat::Csv };
         let file = arguments.destination.output.as_deref();
         let output = ending::format(arguments.format, ("--output", file), SweepFormat::value_variants(), usual)?;
@@ -46,7 +46,7 @@ impl Formats {
         if arguments.states.is_none() {
             return Ok(());
         }
-        if arguments.shard.is_some() {
+        if arguments.grid.shard.is_some() {
             bail!("--states writes a table, but a shard is written as jsonl: ask --merge for the states");
         }
         if self.output == SweepFormat::Jsonl {

@@ -14,9 +14,9 @@ use impact_pair::sweep::{self, Grid, PointSettings, Table, follow};
 use impact_pair_plot::records::Records;
 
 use crate::Answer;
-use crate::grid::journal::{Journal, beside};
+use crate::grid::journal::beside;
 use crate::grid::record::line;
-use crate::grid::{Gathered, Work, named, open_once};
+use crate::grid::{Gathered, Tally, Work, answered, named, open_once};
 use crate::output::{Output, note};
 use crate::progress::Interruption;
 use crate::scene;
@@ -34,7 +34,7 @@ pub fn sweep(arguments: &SweepArguments) -> Result<Answer> {
 
 /// Refuses to write one file over another one.
 fn keep_files_apart(arguments: &SweepArguments) -> Result<()> {
-    let inputs: Vec<_> = arguments.scene.iter().chain(&arguments.merge).collect();
+    let inputs: Vec<_> = arguments.scene.iter().chain(&arguments.grid.merge).collect();
     let (output, plot) = (arguments.destination.output.as_deref(), arguments.plot.as_deref());
     scene::keep_apart(&inputs, output, plot)?;
     let Some(states) = arguments.states.as_deref() else { return Ok(()) };
@@ -64,7 +64,7 @@ fn compute(arguments: &SweepArguments, path: &Path) -> Result<Answer> {
     let ranges: Vec<_> = arguments.over.iter().map(|axis| (axis.key, axis.to_string())).collect();
     let reference = grid.reference(&scene).map_err(|error| scene::about(error, &ranges, path))?;
     let asked = PointSettings { transient, impacts, summary, reference, settings };
-    let head = sweep::head(&scene, &grid, &asked, arguments.shard.map(|shard| [shard.number, shard.of]));
+    let head = sweep::head(&scene, &grid, &asked, arguments.grid.shard());
     // All corners of the grid are scenes, before anything is computed.
     let is_scene = |point: u64| Orbit::of(&grid.scene(&scene, &grid.values(point)?)?, asked.settings.clone()).map(drop);
     grid.corners().into_iter().try_for_each(is_scene).map_err(|error| scene::about(error, &ranges, path))?;
@@ -77,35 +77,24 @@ fn compute(arguments: &SweepArguments, path: &Path) -> Result<Answer> {
         let found = follow(&scene, &asked, &Interruption).with_context(at)?;
         Ok(found.map(|found| line(&sweep::record(point, &values, &found))))
     };
-    let SweepArguments { threads, resume, destination, .. } = arguments;
-    let work = Work { head, point: &point, threads: *threads, resume: *resume, destination };
-    let (mut sweep, said) = match work.done(&scene::name(path))?.or_note() {
-        Ok(done) => done,
-        Err(kept) => {
-            note(destination.quiet, &kept);
-            return Ok(Answer::Incomplete);
-        }
-    };
-    let tally = finish(arguments, &mut sweep, formats)?;
-    let is_whole = sweep.journals[0].missing().is_empty();
-    sweep.journals.into_iter().try_for_each(Journal::finish)?;
-    note(destination.quiet, &format!("{tally}{said}"));
-    Ok(if tally.is_complete() && is_whole { Answer::Complete } else { Answer::Incomplete })
+    let (grid, destination) = (&arguments.grid, &arguments.destination);
+    let work = Work { head, point: &point, grid, destination };
+    work.answer(&scene::name(path), |sweep| finish(arguments, sweep, formats))
 }
 
 /// Puts the shards of a sweep together.
 fn merge(arguments: &SweepArguments) -> Result<Answer> {
     let formats = Formats::of(arguments)?;
-    let mut sweep = Gathered::<SweepHead>::merged(&arguments.merge)?;
+    let mut sweep = Gathered::<SweepHead>::merged(&arguments.grid.merge)?;
     formats.keep_states(arguments, sweep.head.summary)?;
     let tally = finish(arguments, &mut sweep, formats)?;
     note(arguments.destination.quiet, &tally.to_string());
-    Ok(if tally.is_complete() { Answer::Complete } else { Answer::Incomplete })
+    Ok(answered(&tally))
 }
 
 /// Writes states, output and plot.
-fn finish(arguments: &SweepArguments, sweep: &mut Gathered<SweepHead>, formats: Formats) -> Result<Tally> {
-    let mut tally = Tally::default();
+fn finish(arguments: &SweepArguments, sweep: &mut Gathered<SweepHead>, formats: Formats) -> Result<Outcomes> {
+    let mut tally = Outcomes::default();
     let certified = sweep.head.certified;
     sweep.each_record(|record| {
         tally.add(&record.outcome, record.complete);
@@ -131,13 +120,13 @@ fn finish(arguments: &SweepArguments, sweep: &mut Gathered<SweepHead>, formats: 
 
 /// How many points have which outcome.
 #[derive(Default)]
-struct Tally {
+struct Outcomes {
     outcomes: Vec<(String, u64)>,
     incomplete: u64,
     certified: bool,
 }
 
-impl Tally {
+impl Outcomes {
     fn add(&mut self, outcome: &str, complete: bool) {
         match self.outcomes.iter_mut().find(|(known, _)| known == outcome) {
             Some((_, count)) => *count += 1,
@@ -145,13 +134,15 @@ impl Tally {
         }
         self.incomplete += u64::from(!complete);
     }
+}
 
+impl Tally for Outcomes {
     fn is_complete(&self) -> bool {
         self.incomplete == 0
     }
 }
 
-impl std::fmt::Display for Tally {
+impl std::fmt::Display for Outcomes {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         let points: u64 = self.outcomes.iter().map(|(_, count)| count).sum();
         let mut outcomes = self.outcomes.clone();

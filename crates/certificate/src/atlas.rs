@@ -7,7 +7,7 @@ use impact_pair_model::{Error, ImpactPair, Start};
 
 use super::GlobalCertificate;
 use super::global::DIRECTIONS;
-use super::grid::{Axes, Placed};
+use super::grid::{Axes, Placed, and};
 use super::tiles::Tile;
 
 /// What an atlas of points, or of cells, claims.
@@ -248,11 +248,7 @@ fn of_tile(axes: &Axes<'_>, record: &AtlasRecord) -> Result<OfTile, Error> {
     let Some(tile) = tile else { return Ok((Vec::new(), Some(false), None)) };
     let (mut is_of_grid, mut cut, mut open) = (Some(true), None, vec![(tile, record)]);
     while let Some((cell, own)) = open.pop() {
-        is_of_grid = match (is_of_grid, axes.are_of_cell(&cell, own)?) {
-            (Some(false), _) | (_, Some(false)) => Some(false),
-            (None, _) | (_, None) => None,
-            (Some(true), Some(true)) => Some(true),
-        };
+        is_of_grid = and(is_of_grid, axes.are_of_cell(&cell, own)?);
         let quarters = cell.quarters();
         if own.point != record.point {
             cut = Some("a cell of it has the number of another tile");

@@ -3,14 +3,14 @@
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use impact_pair_document::{ClaimName, counted};
-use impact_pair_model::Error;
 use impact_pair_model::watch::{Stage, Watch};
+use impact_pair_model::{Error, EventKind};
 
 use crate::check::Data;
 use crate::{
-    AtlasCertificate, BifurcationCertificate, CellsCertificate, Certificate, ChaosCertificate, ClaimKind,
-    CyclesCertificate, Effort, GlobalCertificate, PeriodicCertificate, SweepCertificate, TangencyCertificate,
-    TrapCertificate, Verdict, WindowsCertificate,
+    AtlasCertificate, BifurcationCertificate, CellsCertificate, Certificate, ChaosCertificate, CyclesCertificate,
+    Effort, GlobalCertificate, PeriodicCertificate, SweepCertificate, TangencyCertificate, TrapCertificate, Verdict,
+    WindowsCertificate,
 };
 
 /// What is not judged of horseshoes: boxes of components are not in a document. Lemma V37
@@ -135,18 +135,17 @@ impl Checked for Certificate {
     }
 
     fn first(&self, count: usize) -> String {
-        let is_impact = |kind: &ClaimKind| matches!(kind, ClaimKind::Impact { .. });
-        let impacts = self.events()[..count].iter().filter(|claim| is_impact(&claim.kind)).count();
+        let impacts = self.events()[..count].iter().filter(|claim| claim.kind.is_impact()).count();
         let events = counted(count, "event");
         if impacts == 0 { events } else { format!("{events}, impacts 1..{impacts}") }
     }
 
     fn place(&self, item: usize) -> String {
         match &self.events()[item].kind {
-            ClaimKind::Impact { index, .. } => format!("events[{item}], impact {index}"),
-            ClaimKind::Graze => format!("events[{item}], a graze"),
-            ClaimKind::Rest { .. } => format!("events[{item}], a rest"),
-            ClaimKind::Release => format!("events[{item}], a release"),
+            EventKind::Impact { index, .. } => format!("events[{item}], impact {index}"),
+            EventKind::Graze => format!("events[{item}], a graze"),
+            EventKind::Rest { .. } => format!("events[{item}], a rest"),
+            EventKind::Release => format!("events[{item}], a release"),
         }
     }
 

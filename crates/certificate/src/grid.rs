@@ -103,12 +103,8 @@ impl<'a> Axes<'a> {
             let value =
                 Exact::parse(value).map_err(|error| Error::certificate(format!("values: {error}")).because(error))?;
             let at = (axis.count > 1).then(|| rest % axis.count);
-            let order = at.and_then(|at| on_axis(ends, axis.count, at).ok()).and_then(|grid| grid.compare(&value));
-            is_of_grid = match (is_of_grid, order) {
-                (Some(false), _) | (_, Some(Ordering::Less | Ordering::Greater)) => Some(false),
-                (_, None) => None,
-                (so_far, Some(Ordering::Equal)) => so_far,
-            };
+            let grid = at.and_then(|at| on_axis(ends, axis.count, at).ok());
+            is_of_grid = and(is_of_grid, is_one(grid, &value));
             rest = rest.checked_div(axis.count).unwrap_or(1);
             values.push((*key, value));
             places.insert(0, at);
@@ -141,6 +137,20 @@ impl<'a> Axes<'a> {
         let is_pinned = |axis: usize| points.iter().any(|places| places.get(axis) != points[0].get(axis));
         (0..self.keys.len()).filter(|axis| !is_pinned(*axis)).map(|axis| format!("over[{axis}]")).collect()
     }
+}
+
+/// Whether both are so, where that is decided.
+pub(super) fn and(one: Option<bool>, other: Option<bool>) -> Option<bool> {
+    match (one, other) {
+        (Some(false), _) | (_, Some(false)) => Some(false),
+        (None, _) | (_, None) => None,
+        (Some(true), Some(true)) => Some(true),
+    }
+}
+
+/// Whether a value of the grid is this one; `None` where that is not decided, or there is none.
+pub(super) fn is_one(grid: Option<Exact>, value: &Exact) -> Option<bool> {
+    grid?.compare(value).map(Ordering::is_eq)
 }
 
 /// The value number `at` of N between both ends.

@@ -60,7 +60,7 @@ pub use impact_pair_document as document;
 pub use judged::Judged;
 pub use periodic::PeriodicCertificate;
 pub use prove::Theorem;
-pub use read::{Certificate, Claim, ClaimKind};
+pub use read::{Certificate, Claim};
 pub use sweep::SweepCertificate;
 pub use tangency::TangencyCertificate;
 pub use trap::TrapCertificate;

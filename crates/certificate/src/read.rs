@@ -8,10 +8,7 @@ use impact_pair_document::{
 use num_rational::BigRational;
 
 use super::attraction::Attraction;
-use impact_pair_model::Error;
-use impact_pair_model::Mapping;
-use impact_pair_model::{ImpactPair, Wall};
-use impact_pair_model::{Period, Start};
+use impact_pair_model::{Error, EventKind, ImpactPair, Period, Start, Wall};
 
 /// What an orbit JSON claims of an orbit.
 #[derive(Clone, Debug)]
@@ -33,31 +30,7 @@ pub struct Claim {
     /// The lower and the upper bound of its time \[time\].
     pub time: [BigRational; 2],
     /// What is claimed to happen.
-    pub kind: ClaimKind,
-}
-
-/// What is claimed to happen at an event.
-#[derive(Clone, Debug)]
-pub enum ClaimKind {
-    /// The ball hits the wall.
-    Impact {
-        /// Its number, from 1.
-        index: u64,
-        /// The mapping that led here; `None` for the first contact of a start inside the gap, and where a graze of the other
-        /// wall may have been a touch.
-        mapping: Option<Mapping>,
-        /// The bounds of `y'` just before \[length/time\].
-        velocity: [BigRational; 2],
-    },
-    /// The wall is touched, or nearly touched, with zero velocity or nearly none.
-    Graze,
-    /// The ball comes to rest.
-    Rest {
-        /// After infinitely many impacts that are not listed.
-        is_accumulation: bool,
-    },
-    /// The ball leaves the wall that it rested on.
-    Release,
+    pub kind: EventKind<[BigRational; 2]>,
 }
 
 impl Certificate {
@@ -68,12 +41,12 @@ impl Certificate {
     ///
     /// # Examples
     /// ```
-    /// use impact_pair_certificate::{Certificate, ClaimKind};
+    /// use impact_pair_certificate::Certificate;
     ///
     /// let text = include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/documents/count.jsonl"));
     /// let certificate = Certificate::parse(text)?;
     /// assert_eq!((certificate.outcome(), certificate.events().len()), ("impacts-reached", 6));
-    /// assert!(certificate.events().iter().all(|event| matches!(event.kind, ClaimKind::Impact { .. }) && event.time[0] < event.time[1]));
+    /// assert!(certificate.events().iter().all(|event| event.kind.is_impact() && event.time[0] < event.time[1]));
     /// # Ok::<(), impact_pair_model::Error>(())
     /// ```
     pub fn parse(text: &str) -> Result<Self, Error> {
@@ -189,7 +162,7 @@ fn claim(place: &Place<'_>) -> Result<Claim, Error> {
     let kind = match event {
         EventName::Impact => {
             has_none(&["skipped"])?;
-            ClaimKind::Impact {
+            EventKind::Impact {
                 index: index.ok_or_else(|| place.missing("index"))?,
                 mapping: mapping.ok_or_else(|| place.missing("mapping"))?,
                 velocity: velocity.ok_or_else(|| place.missing("velocity"))?.map(|bound| bound.value()),
@@ -197,11 +170,11 @@ fn claim(place: &Place<'_>) -> Result<Claim, Error> {
         }
         EventName::Rest => {
             has_none(&["index", "mapping", "velocity"])?;
-            ClaimKind::Rest { is_accumulation: skipped.is_some() }
+            EventKind::Rest { is_accumulation: skipped.is_some() }
         }
         EventName::Graze | EventName::Release => {
             has_none(&["index", "mapping", "velocity", "skipped"])?;
-            if event == EventName::Graze { ClaimKind::Graze } else { ClaimKind::Release }
+            if event == EventName::Graze { EventKind::Graze } else { EventKind::Release }
         }
     };
     Ok(Claim { wall, time: time.map(|bound| bound.value()), kind })

@@ -1,12 +1,10 @@
 //! The cells of an atlas, read back: the tiles that a rectangle of two parameters is cut into, and the quarters of each. Lemma V38
 
-use std::cmp::Ordering;
-
 use impact_pair_document::AtlasRecord;
 use impact_pair_exact::Exact;
 use impact_pair_model::Error;
 
-use super::grid::{Axes, on_axis};
+use super::grid::{Axes, and, is_one, on_axis};
 
 /// Tiles along an axis, at most.
 const TILES: u64 = 8;
@@ -21,7 +19,7 @@ pub(super) struct Tile {
 impl Tile {
     /// The tile of a number, among those that N and M smallest cells along the axes are in; `None` where there is none.
     pub fn of(point: u64, counts: [u64; 2]) -> Option<Self> {
-        let tiles = counts.map(|count| count.min(TILES)); // V38: no more tiles than cells
+        let tiles = tiles(counts);
         let at = [point.checked_div(tiles[1])?, point.checked_rem(tiles[1])?];
         let end = |axis: usize, place: u64| -> Option<u64> {
             let end = u128::from(place) * u128::from(counts[axis]) / u128::from(tiles[axis]);
@@ -60,8 +58,7 @@ impl Axes<'_> {
 
     /// Whether there are as many tiles as are given.
     pub fn are_all_tiles(&self) -> bool {
-        let tiles = self.cells().map(|cells| cells.map(|count| count.min(TILES))); // V38: no more tiles than cells
-        tiles.is_some_and(|[one, other]| one * other == self.points())
+        self.cells().map(tiles).is_some_and(|[one, other]| one * other == self.points())
     }
 
     /// Whether the values of a record are the intervals of a cell; `None` where that is not decided.
@@ -80,15 +77,16 @@ impl Axes<'_> {
             for (place, end) in [(cell.from[axis], low), (cell.to[axis], high)] {
                 let places = self.counts()[axis].checked_add(1);
                 let grid = places.and_then(|places| on_axis(self.ends(axis), places, place).ok());
-                are = match (are, grid.and_then(|grid| grid.compare(&end))) {
-                    (Some(false), _) | (_, Some(Ordering::Less | Ordering::Greater)) => Some(false),
-                    (_, None) => None,
-                    (so_far, Some(Ordering::Equal)) => so_far,
-                };
+                are = and(are, is_one(grid, &end));
             }
         }
         Ok(are)
     }
+}
+
+/// The tiles along each axis that so many smallest cells are in.
+fn tiles(counts: [u64; 2]) -> [u64; 2] {
+    counts.map(|count| count.min(TILES)) // V38: no more tiles than cells
 }
 
 #[cfg(test)]

@@ -5,6 +5,7 @@
 //! rounded. The library that computes and the crate that checks certificates both depend on this crate, and share nothing else.
 
 mod error;
+mod event;
 mod excerpt;
 mod excitation;
 pub mod mapping;
@@ -16,6 +17,7 @@ mod start;
 pub mod watch;
 
 pub use error::{Error, ErrorKind, within};
+pub use event::EventKind;
 pub use excerpt::Excerpt;
 pub use excitation::{Excitation, Harmonic};
 pub use mapping::{Mapping, Word};

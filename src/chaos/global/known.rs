@@ -122,7 +122,7 @@ impl Released {
         let mut rested = None;
         loop {
             match orbit.advance() {
-                Progress::Rest(rest) => rested = Some(rest.wall),
+                Progress::Rest(rest) => rested = Some(rest.at.wall),
                 Progress::Release(release) => {
                     let alternates = release.wall == Wall::Right;
                     let cycles = if alternates { 2 * release.turns - 1 } else { release.turns };

@@ -2,12 +2,13 @@
 
 use rug::Float;
 
-use super::super::Sum;
 use super::SeveralHarmonics;
+use crate::contact::multiprecision::Passed;
 use crate::contact::{Contact, Undecided};
 use crate::flight::Launch;
-use crate::number::{Ball, Magnitude, MpBall, Number};
-use crate::several::{Found, Instant, Phased, Scan, SumFlight};
+use crate::number::{Ball, LEAST_BITS, Magnitude, MpBall, Number};
+use crate::several::{Found, Harmonics, Instant, Phased, Scan, SumFlight, pass};
+use crate::shaken::{Arrival, Flights, Precise, Precisely, Sum};
 
 /// The first contacts of a set: one for each flight, near a time.
 pub(super) struct Isolated {
@@ -112,5 +113,52 @@ impl SeveralHarmonics {
         let refined = isolated.refine(centre, bits);
         let at = refined.ok_or_else(|| Undecided::precision(&isolated.contact))?;
         Ok((isolated, at))
+    }
+}
+
+impl Precise for SeveralHarmonics {
+    fn precise(&self, bits: u32) -> Sum<MpBall> {
+        let restitution = <MpBall as Phased>::enclose(&self.spectrum.restitution, bits);
+        Sum { harmonics: Harmonics::new(&self.spectrum, bits.max(LEAST_BITS)), restitution } // M1: any number of bits
+    }
+
+    fn widened(&self, bits: u32) -> Sum<MpBall> {
+        self.precise(bits)
+    }
+
+    fn rounded(&self, sum: &Sum<MpBall>, bits: u32) -> Sum<MpBall> {
+        Sum { harmonics: sum.harmonics.rounded(bits), restitution: sum.restitution.rounded(bits) }
+    }
+
+    fn pass(&self, sum: &Sum<MpBall>, all: Launch<MpBall>, _: Option<&Vec<(MpBall, MpBall)>>) -> Option<Passed> {
+        pass(&sum.harmonics, (&self.band, &self.balls.harmonics), all)
+    }
+
+    fn arrive(
+        &self,
+        sum: &Sum<MpBall>,
+        Flights { all, centre, waves, .. }: Flights<'_, Vec<(MpBall, MpBall)>>,
+        bits: u32,
+    ) -> Result<Arrival<Vec<(MpBall, MpBall)>>, Undecided> {
+        let centre = SumFlight::new(&sum.harmonics, centre, waves);
+        let (isolated, at) = self.isolated(sum, &all(), &centre, waves, bits)?;
+        let (phase, error, velocity) = isolated.evaluated_near(&centre, &at, bits);
+        let Isolated { contact, accelerations, .. } = isolated;
+        Ok(Arrival { contact, accelerations, phase, error, velocity, slope: accelerations[1], waves: None })
+    }
+
+    fn arrive_from_inside(
+        &self,
+        sum: &Sum<MpBall>,
+        all: Launch<MpBall>,
+        waves: Option<&Vec<(MpBall, MpBall)>>,
+        bits: u32,
+    ) -> Result<Precisely<Vec<(MpBall, MpBall)>>, Undecided> {
+        let centre = SumFlight::new(&sum.harmonics, all.map(Phased::centre_of), waves);
+        let (isolated, at) = self.isolated(sum, &all, &centre, waves, bits)?;
+        let all = SumFlight::new(&sum.harmonics, all, waves);
+        let (phase, error, velocity) = isolated.evaluated_near(&all, &at, bits);
+        let velocity = velocity.widened(error * Magnitude::new(sum.harmonics.rates.second, 0));
+        Ok((isolated.contact, [MpBall::new(phase, error), velocity], None))
     }
 }

@@ -2,11 +2,11 @@
 //! (Lemma V38).
 
 use super::chaos::has_stable_orbit;
-use super::contact::Doubt;
-use super::{Effort, Finding, Verdict};
-use crate::atlas::{AtlasCertificate, ClaimedPoint, Part};
+use super::points::{Found, Tally, is_placed};
+use super::{Effort, Verdict};
+use crate::atlas::{AtlasCertificate, Part};
 use impact_pair_model::Error;
-use impact_pair_model::watch::{Latched, Silent, Stage, Watch};
+use impact_pair_model::watch::{Latched, Silent, Watch};
 
 impl AtlasCertificate {
     /// Proves what is claimed of every point again, or says of which it is not true or not proved, until the watch stops it, which
@@ -19,64 +19,22 @@ impl AtlasCertificate {
     }
 
     /// Returns the verdict, and how many points are confirmed one after another from the first one on.
-    pub(crate) fn judge_within(&self, effort: &Effort, watch: &dyn Watch) -> Result<(Verdict, usize), Error> {
+    pub(crate) fn judge_within(&self, effort: &Effort, watch: &dyn Watch) -> Result<Found, Error> {
         let watch = Latched::new(watch);
-        let (mut most, mut open, mut confirmed, mut certain) = (0, None, 0, 0);
+        let mut tally = Tally::default();
         for (event, point) in self.points().iter().enumerate() {
-            let parts = match point.placed() {
-                Ok(()) => &point.parts[..],
-                Err(Doubt::False(message)) => return Ok((Verdict::Refuted(Finding { event, message }), certain)),
-                Err(Doubt::Open(message)) => {
-                    open = open.or(Some(Finding { event, message }));
-                    &[]
-                }
-            };
-            for part in parts.iter().filter(|part| part.claims_something()) {
-                match part.judged(effort, &watch)? {
-                    Verdict::Interrupted { .. } => return Ok((Verdict::Interrupted { events: confirmed }, certain)),
-                    Verdict::Refuted(finding) => {
-                        return Ok((Verdict::Refuted(Finding { event, ..finding }), certain));
-                    }
-                    Verdict::Undecided(finding) => open = open.or(Some(Finding { event, ..finding })),
-                    Verdict::Confirmed { bits, .. } => {
-                        most = most.max(bits); // exact: what is shown
-                        confirmed += 1;
-                    }
+            let placed = is_placed(point.contradiction, point.is_of_grid).map_err(|doubt| doubt.on(event));
+            let is_there = placed.is_ok();
+            let parts = point.parts.iter().filter(|part| is_there && part.claims_something());
+            for verdict in placed.err().map(Ok).into_iter().chain(parts.map(|part| part.judged(effort, &watch))) {
+                if let Err(found) = tally.note(event, verdict?) {
+                    return Ok(found);
                 }
             }
-            certain += usize::from(open.is_none()); // exact: a count
-            watch.note(Stage::Claims(event + 1));
+            tally.end(event, &watch);
         }
-        let undecided = |event, message: String| Verdict::Undecided(Finding { event, message });
-        let verdict = match open {
-            Some(Finding { event, message }) => {
-                let (all, what) = if self.has_cells() { (self.claimed(), "cells") } else { (self.count(), "points") };
-                undecided(event, format!("{message}; {confirmed} of {all} {what} confirmed"))
-            }
-            None if confirmed == 0 => undecided(0, "there is no point to check".to_owned()),
-            // An interrupted atlas, or lines are lost.
-            None if self.missing() > 0 => {
-                let missing = self.missing();
-                let message = format!("points missing: {missing}; the {confirmed} that are there are confirmed");
-                undecided(self.count(), message)
-            }
-            None => Verdict::Confirmed { bits: most, pieces: 1 },
-        };
-        Ok((verdict, certain))
-    }
-}
-
-impl ClaimedPoint {
-    /// It is the point of the grid that it is said to be, or the tile.
-    fn placed(&self) -> Result<(), Doubt> {
-        if let Some(message) = self.contradiction {
-            return Err(Doubt::False(message.to_owned()));
-        }
-        match self.is_of_grid {
-            Some(true) => Ok(()),
-            Some(false) => Err(Doubt::False("its values are not those of the grid".to_owned())),
-            None => Err(Doubt::Open("its values are not proved to be those of the grid".into())),
-        }
+        let claims = if self.has_cells() { (self.claimed(), "cells") } else { (self.count(), "points") };
+        Ok(tally.verdict(claims, self.count(), self.missing()))
     }
 }
 

@@ -8,14 +8,13 @@
 use super::basin::{Ellipse, basin, contracted};
 use super::contact::Doubt;
 use super::data::{Data, Piece};
-use super::frame::Frame;
+use super::frame::{Frame, Hit};
 use super::round::Round;
 use super::step::Landing;
 use super::target::{BITS, Target};
-use crate::attraction::{Attraction, Bounds};
-use crate::{Certificate, Claim, ClaimKind};
+use crate::Certificate;
+use crate::attraction::Attraction;
 use impact_pair_exact::Real;
-use impact_pair_model::Wall;
 
 /// Pieces that intervals among the data are cut into.
 const MOST_PIECES: usize = 256;
@@ -35,20 +34,9 @@ impl Certificate {
             return Err(Doubt::False("only an orbit that is unique, admissible and stable is an attractor".into()));
         }
         let target = Target { is_whole: true, ..Target::new(data, &claim.word, claim.cycles, &claim.orbit)? };
-        let question = Convergence { claim, target, hits: self.hits() };
+        let hits = self.events().iter().enumerate().filter_map(Hit::of).collect();
+        let question = Convergence { claim, target, hits };
         for_all_pieces(data, most, |piece| question.answer(piece), |piece| question.widest_datum(piece))
-    }
-
-    /// The claimed impacts.
-    fn hits(&self) -> Vec<Hit<'_>> {
-        let (mut hits, mut follows) = (Vec::new(), false);
-        for Claim { wall, time, kind } in self.events() {
-            if let ClaimKind::Impact { index, velocity, .. } = kind {
-                hits.push(Hit { index: *index, wall: *wall, time, velocity, follows });
-            }
-            follows = matches!(kind, ClaimKind::Impact { .. });
-        }
-        hits
     }
 }
 
@@ -83,16 +71,6 @@ pub(super) fn widest_datum(mut round: Round<'_>, guess: [Real; 2]) -> Option<usi
     let still = derivative.map(|row| row.map(|_| Real::zero(BITS)));
     let last = round.run(round.set(&centre, &still)).ok()?.pop()?;
     last.phase.widest().or(last.velocity.widest())
-}
-
-/// A claimed impact.
-struct Hit<'c> {
-    index: u64,
-    wall: Wall,
-    time: &'c Bounds,
-    velocity: &'c Bounds,
-    /// Whether the event before it is an impact as well.
-    follows: bool,
 }
 
 /// Whether a motion converges to an orbit.
@@ -136,10 +114,10 @@ impl Convergence<'_> {
     fn beginning(&self, end: usize) -> usize {
         let mut at = end;
         while let Some(before) = at.checked_sub(self.target.walls.len()) {
-            let [first, rest @ ..] = &self.hits[before..=at] else { break };
-            let walls = self.target.walls.iter().cycle().skip(1);
-            if first.wall != self.target.walls[0]
-                || rest.iter().zip(walls).any(|(hit, &wall)| !hit.follows || hit.wall != wall)
+            let hits = &self.hits[before..=at];
+            let follows = |pair: &[Hit<'_>]| pair[1].event == pair[0].event + 1;
+            if !hits.windows(2).all(follows)
+                || hits.iter().zip(self.target.walls.iter().cycle()).any(|(hit, &wall)| hit.wall != wall)
             {
                 break;
             }
@@ -157,8 +135,7 @@ impl Convergence<'_> {
     }
 
     fn state(&self, end: usize, frame: &Frame) -> Landing {
-        let Hit { wall, time, velocity, .. } = &self.hits[end];
-        frame.states(*wall, time, velocity)
+        frame.states(&self.hits[end])
     }
 
     fn guess(&self, end: usize, frame: &Frame) -> [Real; 2] {

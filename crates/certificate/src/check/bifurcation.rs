@@ -17,12 +17,12 @@ use super::fixed_point::FixedPoint;
 use super::frame::{Frame, hull};
 use super::target::{MOST_BITS, Target, narrowest};
 use super::walk::compare;
-use super::{Effort, Finding, Verdict, one_by_one};
+use super::{Effort, Verdict, Whole};
 use crate::attraction::Bounds;
 use crate::bifurcation::{BifurcationCertificate, ClaimedPoint, Kind};
 use impact_pair_exact::{Exact, Real};
 use impact_pair_model::scene::Key;
-use impact_pair_model::watch::{Latched, Watch};
+use impact_pair_model::watch::Watch;
 use impact_pair_model::{Error, ImpactPair, Start};
 
 /// Bits that the bounds of a bifurcation are wider than the box that it is proved to lie in.
@@ -46,21 +46,22 @@ impl BifurcationCertificate {
     /// # Errors
     /// None: what is beyond exact expressions leaves a point undecided.
     pub fn check_within(&self, effort: &Effort, watch: &dyn Watch) -> Result<Verdict, Error> {
-        let watch = Latched::new(watch);
-        let budget = Budget::new(0, effort.parts, &watch);
-        let end = |message: &str| Finding { event: self.count(), message: message.to_owned() };
-        if let Some(message) = self.contradiction() {
-            return Ok(Verdict::Refuted(end(message)));
-        }
-        let points = self.points().iter().enumerate().filter(|(_, point)| point.kind != Kind::Graze);
         let over = Over { pair: self.pair(), start: self.start(), key: self.over() };
-        let judge = |point: &ClaimedPoint| point.judged(&over, &budget, ClaimedPoint::compare);
-        let each = one_by_one(points, (&budget, effort.work), judge, &watch);
-        Ok(match each.map(|bits| (bits, self.are_distinct())) {
-            Ok((0, _)) => Verdict::Undecided(end("there is no bifurcation to check but grazes")),
-            Ok((bits, Ok(()))) => Verdict::Confirmed { bits, pieces: 1 },
-            Ok((_, Err(doubt))) => doubt.on(self.count()),
-            Err(verdict) => verdict,
+        let whole = Whole {
+            contradiction: self.contradiction(),
+            alike: None,
+            count: self.count(),
+            nothing: "there is no bifurcation to check but grazes",
+        };
+        let claims = self.points().iter().enumerate().filter(|(_, point)| point.kind != Kind::Graze);
+        let judge = |point: &ClaimedPoint, budget: &Budget<'_>, _: &dyn Watch| {
+            point.judged(&over, budget, ClaimedPoint::compare)
+        };
+        let verdict = whole.judged(claims, effort, watch, judge);
+        let is_confirmed = matches!(verdict, Verdict::Confirmed { .. });
+        Ok(match is_confirmed.then(|| self.are_distinct()) {
+            Some(Err(doubt)) => doubt.on(self.count()),
+            _ => verdict,
         })
     }
 

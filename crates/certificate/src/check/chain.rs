@@ -1,16 +1,12 @@
 //! Nodes around the impacts of a shadowed orbit, each of which covers the next (Lemma V10).
 
-use num_rational::BigRational;
-
 use super::affine::{Affine, COLUMN_BITS};
 use super::clock::{Beside, beside};
 use super::contact::{Claimed, Doubt};
 use super::data::{Data, Piece};
-use super::frame::Frame;
+use super::frame::{Frame, Hit};
 use super::step::{Landing, Launch};
-use crate::{Claim, ClaimKind};
 use impact_pair_exact::{Dyadic, Real};
-use impact_pair_model::Wall;
 
 /// Pairs of numbers by phase \[rad\] and velocity \[length/rad\], or along the expanding axis and the other one.
 pub(super) type Pair = [f64; 2];
@@ -33,23 +29,6 @@ pub(super) struct Course<'c> {
     pub hits: &'c [Hit<'c>],
     /// Whether the starts differ by their times alone; else by their velocities alone.
     pub is_of_times: bool,
-}
-
-/// What is claimed of an impact.
-pub(super) struct Hit<'c> {
-    pub wall: Wall,
-    pub time: &'c [BigRational; 2],
-    pub velocity: &'c [BigRational; 2],
-}
-
-impl<'c> Hit<'c> {
-    /// Returns the claim of an impact.
-    pub fn of(claim: &'c Claim) -> Option<Self> {
-        match &claim.kind {
-            ClaimKind::Impact { velocity, .. } => Some(Self { wall: claim.wall, time: &claim.time, velocity }),
-            _ => None,
-        }
-    }
 }
 
 impl Course<'_> {
@@ -136,6 +115,7 @@ fn exact(x: f64) -> Dyadic {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use impact_pair_model::Wall;
     use proptest::prelude::*;
 
     const BITS: u32 = 192;

@@ -4,9 +4,29 @@ use super::affine::Affine;
 use super::clock::Clock;
 use super::data::{Data, Piece};
 use super::step::{Landing, Parameters};
+use crate::Claim;
 use crate::attraction::Bounds;
 use impact_pair_exact::Real;
-use impact_pair_model::Wall;
+use impact_pair_model::{EventKind, Wall};
+
+/// What is claimed of an impact.
+pub(crate) struct Hit<'c> {
+    /// Its place among the events.
+    pub event: usize,
+    /// Its number, from 1.
+    pub index: u64,
+    pub wall: Wall,
+    pub time: &'c Bounds,
+    pub velocity: &'c Bounds,
+}
+
+impl<'c> Hit<'c> {
+    /// Returns the claim of an impact.
+    pub fn of((event, claim): (usize, &'c Claim)) -> Option<Self> {
+        let EventKind::Impact { index, velocity, .. } = &claim.kind else { return None };
+        Some(Self { event, index: *index, wall: claim.wall, time: &claim.time, velocity })
+    }
+}
 
 /// Radians and their lengths, over a piece of the data.
 pub(crate) struct Frame<'w> {
@@ -22,17 +42,19 @@ impl<'w> Frame<'w> {
         Self { parameters: data.parameters(piece, bits), clock, turn: Real::pi(bits) * 2 }
     }
 
-    /// Returns all states of these times and velocities.
-    pub fn states(&self, wall: Wall, time: &Bounds, velocity: &Bounds) -> Landing {
-        let [phase, velocity] = [
-            hull(&time.each_ref().map(|time| self.clock.phase(time))),
-            hull(&velocity.each_ref().map(|velocity| self.clock.slowed(&Real::rational(velocity, self.turn.bits())))),
-        ];
-        self.spanned(wall, phase, velocity)
+    /// Returns all phases of these times, and all velocities.
+    pub fn hulls(&self, [time, velocity]: [&Bounds; 2]) -> [Real; 2] {
+        let slowed = |velocity| self.clock.slowed(&Real::rational(velocity, self.turn.bits()));
+        [hull(&time.each_ref().map(|time| self.clock.phase(time))), hull(&velocity.each_ref().map(slowed))]
+    }
+
+    /// Returns all states before a claimed impact.
+    pub fn states(&self, hit: &Hit<'_>) -> Landing {
+        self.spanned(hit.wall, self.hulls([hit.time, hit.velocity]))
     }
 
     /// Returns a box of states in which the deviations are those of phase and velocity.
-    pub fn spanned(&self, wall: Wall, phase: Real, velocity: Real) -> Landing {
+    pub fn spanned(&self, wall: Wall, [phase, velocity]: [Real; 2]) -> Landing {
         let (first, zero) = (self.parameters.columns(), Real::zero(self.turn.bits()));
         let [[phase, off], [velocity, away]] = [phase, velocity].map(|x| {
             let middle = x.middle();

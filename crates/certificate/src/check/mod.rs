@@ -36,6 +36,7 @@ mod legs;
 mod near;
 mod outcome;
 mod periodic;
+mod points;
 mod pseudo;
 mod release;
 mod rest;
@@ -51,7 +52,7 @@ mod target;
 mod walk;
 mod windows;
 
-use super::{Certificate, ClaimKind};
+use super::Certificate;
 use budget::Budget;
 pub(super) use contact::Doubt;
 pub(super) use data::{Data, Piece};
@@ -154,6 +155,44 @@ fn one_by_one<C>(
     Ok(most)
 }
 
+/// A document whose claims are judged one after another, and what is known of all of them before.
+struct Whole<'c> {
+    /// Why its own fields exclude it.
+    contradiction: Option<&'c str>,
+    /// Why two claims may be one.
+    alike: Option<&'static str>,
+    /// How many claims it lists.
+    count: usize,
+    /// What is said where there is none to check.
+    nothing: &'static str,
+}
+
+impl Whole<'_> {
+    /// Judges the claims, until one is not confirmed or the watch stops it.
+    fn judged<C>(
+        self,
+        claims: impl Iterator<Item = (usize, C)>,
+        effort: &Effort,
+        watch: &dyn Watch,
+        mut judge: impl FnMut(C, &Budget<'_>, &dyn Watch) -> Result<u32, Doubt>,
+    ) -> Verdict {
+        let Self { contradiction, alike, count, nothing } = self;
+        if let Some(message) = contradiction {
+            return Doubt::False(message.to_owned()).on(count);
+        }
+        if let Some(message) = alike {
+            return Doubt::Open(message.to_owned()).on(count);
+        }
+        let watch = Latched::new(watch);
+        let budget = Budget::new(0, effort.parts, &watch);
+        match one_by_one(claims, (&budget, effort.work), |claim| judge(claim, &budget, &watch), &watch) {
+            Ok(0) => Doubt::Open(nothing.to_owned()).on(count),
+            Ok(bits) => Verdict::Confirmed { bits, pieces: 1 },
+            Err(verdict) => verdict,
+        }
+    }
+}
+
 impl Certificate {
     /// Proves every claim again, or returns the first one refuted or undecided, until the watch stops it, which receives the events
     /// confirmed so far.
@@ -251,7 +290,7 @@ impl Certificate {
             // Whether the set lies inside the printed bounds does not matter here.
             let before = walk.impacts;
             let _ = walk.confirm(claim);
-            if !matches!(claim.kind, ClaimKind::Impact { .. }) {
+            if !claim.kind.is_impact() {
                 continue;
             }
             let Some(landing) = walk.standing.landing().filter(|_| walk.impacts > before) else { break };

@@ -11,16 +11,16 @@ use super::contact::Doubt;
 use super::shadow::{Doubted, Shadow};
 use super::standing::Last;
 use super::walk::{are_bounds, is_next};
-use crate::{Certificate, ClaimKind};
+use crate::Certificate;
 use impact_pair_document::ClaimName;
 use impact_pair_exact::{Dyadic, Exact, Real, decimal_bounds_f64};
-use impact_pair_model::{Harmonic, Place};
+use impact_pair_model::{EventKind, Harmonic, Place};
 
 impl Shadow<'_> {
     /// The impacts have their numbers and mappings.
     pub(super) fn fits(&self, mut last: Last) -> Result<(), Doubted> {
         for (k, claim) in self.certificate.events()[..self.hits.len()].iter().enumerate() {
-            let ClaimKind::Impact { index, mapping, velocity } = &claim.kind else { break };
+            let EventKind::Impact { index, mapping, velocity } = &claim.kind else { break };
             // exact: a length
             let is_numbered = is_next(k as u64, *index);
             is_numbered
@@ -83,7 +83,7 @@ impl Shadow<'_> {
     /// is all within the bounds, but for what printing adds.
     pub(super) fn is_within_epsilon(&self, offs: Vec<Dyadic>) -> Result<(), Doubt> {
         let Some(claimed) = &self.certificate.ended().epsilon else { return Ok(()) };
-        let impacts = self.certificate.events().iter().filter(|claim| matches!(claim.kind, ClaimKind::Impact { .. }));
+        let impacts = self.certificate.events().iter().filter(|claim| claim.kind.is_impact());
         let frequency = Real::of(self.certificate.pair().excitation().reference().frequency(), FIRST_BITS);
         // P1: bounds are printed at most a hundredth wider than what they are bounds of.
         let printed = Real::rational(&BigRational::new(101.into(), 100.into()), FIRST_BITS);

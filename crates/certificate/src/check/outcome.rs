@@ -5,10 +5,10 @@ use super::contact::{Doubt, clear_throughout};
 use super::flight::Part;
 use super::rest::Rest;
 use super::walk::Walk;
-use crate::{Certificate, ClaimKind};
+use crate::Certificate;
 use impact_pair_document::ClaimName;
 use impact_pair_exact::Real;
-use impact_pair_model::Period;
+use impact_pair_model::{EventKind, Period};
 
 impl Certificate {
     /// The outcome says as much in words as in fields, has no field that another kind has, and counts the impacts that are listed.
@@ -33,7 +33,7 @@ impl Certificate {
         if self.claim() == ClaimName::ExactStart && (ended.start.is_some() || ended.epsilon.is_some()) {
             return Err(Doubt::False("an orbit from its exact start is near no other".into()));
         }
-        let listed = self.events().iter().filter(|claim| matches!(claim.kind, ClaimKind::Impact { .. })).count() as u64; // exact: a length
+        let listed = self.events().iter().filter(|claim| claim.kind.is_impact()).count() as u64; // exact: a length
         if ended.impacts != Some(listed) {
             return Err(Doubt::False(format!("{listed} impacts are listed")));
         }
@@ -97,7 +97,7 @@ impl Walk<'_> {
 
     /// No event listed comes after this time but a rest, which stands for what may come before (Lemma V7).
     fn lists_none_after(&self, until: &Real) -> Result<(), Doubt> {
-        let last = self.certificate.events().iter().rfind(|claim| !matches!(claim.kind, ClaimKind::Rest { .. }));
+        let last = self.certificate.events().iter().rfind(|claim| !matches!(claim.kind, EventKind::Rest { .. }));
         match last.is_some_and(|last| until.is_below(&Real::rational(&last.time[0], until.bits()))) {
             true => Err(Doubt::False("a listed event comes after the time `until`".into())),
             false => Ok(()),

@@ -4,10 +4,10 @@
 //! Labels: proposes throughout.
 
 use super::affine::Affine;
-use super::chain::{Course, Hit, Node, Pair};
+use super::chain::{Course, Node, Pair};
 use super::contact::{Doubt, newton};
 use super::data::Piece;
-use super::frame::hull;
+use super::frame::Hit;
 use impact_pair_exact::{Dyadic, Real};
 
 /// Bits that a flight between middles is found with.
@@ -48,12 +48,7 @@ impl Course<'_> {
         let bits = self.frame.turn.bits();
         let (phase, velocity, _) = self.data.state(&Piece::default(), bits);
         let start = [phase.less_centre().hull(), velocity.hull()];
-        let bounds = |hit: &Hit<'_>| {
-            [
-                hull(&hit.time.each_ref().map(|time| self.frame.clock.phase(time))),
-                hull(&hit.velocity.each_ref().map(|x| self.frame.clock.slowed(&Real::rational(x, bits)))),
-            ]
-        };
+        let bounds = |hit: &Hit<'_>| self.frame.hulls([hit.time, hit.velocity]);
         let along = if self.is_of_times { [[1.0, 0.0], [0.0, 1.0]] } else { [[0.0, 1.0], [1.0, 0.0]] };
         let point = |states: [Real; 2]| {
             let size = states.each_ref().map(|x| (x.clone() - &x.middle()).enclosure().mag().to_f64_up());

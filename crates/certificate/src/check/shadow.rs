@@ -11,11 +11,11 @@ use num_rational::BigRational;
 
 use super::blocks::{BLOCK, in_blocks};
 use super::budget::Budget;
-use super::chain::{Course, Hit, Node, open};
+use super::chain::{Course, Node, open};
 use super::clock::{Beside, beside};
 use super::contact::Doubt;
 use super::data::{Data, Piece};
-use super::frame::Frame;
+use super::frame::{Frame, Hit};
 use super::pseudo::{Point, Shot, improve, is_fine, plan, take, worst};
 use super::standing::Standing;
 use super::step::Landing;
@@ -78,7 +78,7 @@ impl Certificate {
                 .ok_or_else(|| (end, Doubt::False("a shadowed orbit tells its start".into())))?;
             let start = Standing::at_start(data, &data.parameters(&Piece::default(), FIRST_BITS), &Piece::default());
             let is_of_times = data.wall.is_some() && start.departure().velocity.hull().is_zero();
-            let hits = self.events().iter().map_while(Hit::of).collect();
+            let hits = self.events().iter().enumerate().map_while(Hit::of).collect();
             let shadow = Shadow { certificate: self, near, hits, is_of_times, effort, watch };
             shadow.fits(start.last())?;
             if !data.is_point() {
@@ -268,10 +268,11 @@ impl Shadow<'_> {
             |course, k| {
                 let Course { data, frame, .. } = course;
                 let standing = match k.checked_sub(1).map(|hit| &self.hits[hit]) {
-                    Some(hit) => Standing::after(&frame.parameters, frame.states(hit.wall, hit.time, hit.velocity)),
+                    Some(hit) => Standing::after(&frame.parameters, frame.states(hit)),
                     None => {
                         // The wall does not matter inside the gap.
-                        let Landing { phase, velocity, .. } = frame.states(Wall::Left, &time, &velocity);
+                        let starts = frame.hulls([&time, &velocity]);
+                        let Landing { phase, velocity, .. } = frame.spanned(Wall::Left, starts);
                         Standing::of_starts(course.departure(0, [phase, velocity]))
                     }
                 };

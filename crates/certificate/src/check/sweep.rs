@@ -3,15 +3,16 @@
 use super::budget::Budget;
 use super::contact::Doubt;
 use super::data::{Data, Piece};
+use super::points::{Found, Tally, is_placed};
 use super::standing::Last;
 use super::step::Landing;
 use super::walk::{Walk, compare};
-use super::{Effort, FIRST_BITS, Finding, Verdict};
+use super::{Effort, FIRST_BITS, Verdict};
 use crate::Certificate;
 use crate::sweep::{ClaimedOrbit, ClaimedState, SweepCertificate};
 use impact_pair_exact::Real;
 use impact_pair_model::Error;
-use impact_pair_model::watch::{Latched, Stage, Watch};
+use impact_pair_model::watch::{Latched, Watch};
 
 impl SweepCertificate {
     /// Proves the impacts of every point again, or says of which they are not true or not proved, until the watch stops it, which
@@ -24,58 +25,31 @@ impl SweepCertificate {
     }
 
     /// Returns the verdict, and how many points are confirmed one after another from the first one on.
-    pub(crate) fn judge_within(&self, effort: &Effort, watch: &dyn Watch) -> Result<(Verdict, usize), Error> {
+    pub(crate) fn judge_within(&self, effort: &Effort, watch: &dyn Watch) -> Result<Found, Error> {
         let watch = Latched::new(watch);
-        let (mut most, mut open, mut confirmed, mut certain) = (0, None, 0, 0);
+        let mut tally = Tally::default();
         for (event, point) in self.points().iter().enumerate() {
             let budget = Budget::new(effort.work, effort.parts, &watch);
             let certificate = Certificate::of_start(point.pair.clone(), point.start.clone());
             let data = Data { budget: budget.clone(), ..Data::new(&point.pair, &point.start)? };
-            match point.judged(&certificate, &data, effort.bits) {
-                Err(Doubt::Open(_)) if budget.is_stopped() => {
-                    return Ok((Verdict::Interrupted { events: confirmed }, certain));
-                }
-                Err(Doubt::False(message)) => return Ok((Verdict::Refuted(Finding { event, message }), certain)),
-                Err(Doubt::Open(message)) => open = open.or(Some(Finding { event, message })),
-                Ok(bits) => {
-                    most = most.max(bits); // exact: what is shown
-                    confirmed += 1;
-                }
+            let verdict = match point.judged(&certificate, &data, effort.bits) {
+                Ok(bits) => Verdict::Confirmed { bits, pieces: 1 },
+                Err(Doubt::Open(_)) if budget.is_stopped() => Verdict::Interrupted { events: 0 },
+                Err(doubt) => doubt.on(event),
+            };
+            if let Err(found) = tally.note(event, verdict) {
+                return Ok(found);
             }
-            certain += usize::from(open.is_none()); // exact: a count
-            watch.note(Stage::Claims(event + 1));
+            tally.end(event, &watch);
         }
-        let verdict = match open {
-            Some(Finding { event, message }) => {
-                let message = format!("{message}; {confirmed} of {} points confirmed", self.count());
-                Verdict::Undecided(Finding { event, message })
-            }
-            None if confirmed == 0 => {
-                Verdict::Undecided(Finding { event: 0, message: "there is no point to check".to_owned() })
-            }
-            // An interrupted sweep, or lines are lost.
-            None if self.missing() > 0 => {
-                let missing = self.missing();
-                let message = format!("points missing: {missing}; the {confirmed} that are there are confirmed");
-                Verdict::Undecided(Finding { event: self.count(), message })
-            }
-            None => Verdict::Confirmed { bits: most, pieces: 1 },
-        };
-        Ok((verdict, certain))
+        Ok(tally.verdict((self.count(), "points"), self.count(), self.missing()))
     }
 }
 
 impl ClaimedOrbit {
     /// Its impacts are as claimed, proved in N bits, `most` at most.
     fn judged(&self, certificate: &Certificate, data: &Data, most: u32) -> Result<u32, Doubt> {
-        if let Some(message) = self.contradiction {
-            return Err(Doubt::False(message.to_owned()));
-        }
-        match self.is_of_grid {
-            Some(true) => {}
-            Some(false) => return Err(Doubt::False("its values are not those of the grid".into())),
-            None => return Err(Doubt::Open("its values are not proved to be those of the grid".into())),
-        }
+        is_placed(self.contradiction, self.is_of_grid)?;
         if self.is_shadowed {
             return Err(Doubt::Open("only orbits from their exact starts are checked in sweeps".into()));
         }

@@ -98,7 +98,7 @@ impl<'c> Target<'c> {
         let origin = self.origin(frame, claim.turn);
         let phase = hull(&claim.phase.each_ref().map(|phase| Real::rational(phase, bits) - &origin));
         let velocity = hull(&claim.velocity.each_ref().map(|x| frame.clock.slowed(&Real::rational(x, bits))));
-        frame.spanned(claim.wall, phase, velocity)
+        frame.spanned(claim.wall, [phase, velocity])
     }
 
     /// Returns the claimed states of the first impact.

@@ -11,11 +11,11 @@ use super::frame::Frame;
 use super::release::Release;
 use super::standing::Standing;
 use super::step::{Landing, Launch, Parameters};
-use crate::{Certificate, Claim, ClaimKind};
+use crate::{Certificate, Claim};
 use impact_pair_exact::{Real, decimal_digits};
-use impact_pair_model::Mapping;
 use impact_pair_model::Period;
 use impact_pair_model::Wall;
+use impact_pair_model::{EventKind, Mapping};
 
 /// An orbit followed along the claims.
 pub(crate) struct Walk<'c> {
@@ -104,11 +104,11 @@ impl<'c> Walk<'c> {
             return Err(Doubt::False("the lower bound of the time is above the upper one".into()));
         }
         match &claim.kind {
-            ClaimKind::Impact { index, mapping, velocity } => self.impact(claim, *index, *mapping, velocity),
-            ClaimKind::Rest { is_accumulation } => self.come_to_rest(claim, *is_accumulation),
-            ClaimKind::Release => self.release(claim),
+            EventKind::Impact { index, mapping, velocity } => self.impact(claim, *index, *mapping, velocity),
+            EventKind::Rest { is_accumulation } => self.come_to_rest(claim, *is_accumulation),
+            EventKind::Release => self.release(claim),
             // A motion that misses its wall by less than can be told is judged as any other (G1).
-            ClaimKind::Graze => match self.standing.still().filter(|still| still.grazes()).cloned() {
+            EventKind::Graze => match self.standing.still().filter(|still| still.grazes()).cloned() {
                 Some(still) => self.graze_again(still, claim),
                 None => self.graze(claim),
             },

@@ -3,11 +3,11 @@
 
 use super::cuts::Cuts;
 use crate::check::{self, Data, Doubt, Piece, Walk};
-use crate::{Certificate, Claim, ClaimKind};
+use crate::{Certificate, Claim};
 use impact_pair_exact::{Exact, Real};
-use impact_pair_model::Excitation;
 use impact_pair_model::Wall;
 use impact_pair_model::watch::{Stage, Watch};
+use impact_pair_model::{EventKind, Excitation};
 
 /// The start of an orbit.
 #[derive(Clone, Debug)]
@@ -102,7 +102,7 @@ pub(super) fn flights(
     let mut before = float(&origin.velocity);
     let mut flights = Vec::new();
     for claim in claims {
-        let ClaimKind::Impact { velocity: printed, .. } = &claim.kind else { break };
+        let EventKind::Impact { velocity: printed, .. } = &claim.kind else { break };
         let departure = walk.standing.departure().clone();
         if let Err(doubt) = walk.confirm(claim) {
             return (origin, flights, Some(doubt));

@@ -10,8 +10,8 @@ mod legs;
 mod next;
 mod text;
 
+use super::Certificate;
 use super::check::{Data, Doubt, Finding};
-use super::{Certificate, ClaimKind};
 use flights::{Flight, Origin, flights};
 use impact_pair_document::ClaimName;
 use impact_pair_model::Error;
@@ -64,7 +64,7 @@ impl Certificate {
         let data = Data::new(self.pair(), self.start())?;
         Error::require_positive("excitation.amplitude", self.pair().excitation().reference().amplitude())?;
         let is_point = data.is_point();
-        let claims = self.events().iter().take_while(|claim| matches!(claim.kind, ClaimKind::Impact { .. }));
+        let claims = self.events().iter().take_while(|claim| claim.kind.is_impact());
         let mut claims: Vec<_> = claims.take(most).cloned().collect();
         // Where the time asked for ended the list, the next impact proves that no other comes before it.
         let listed = claims.len();

@@ -1,8 +1,9 @@
 //! The impact after the last one listed, which proves that no other comes before a time.
 
 use crate::check::{Data, Piece, Walk};
-use crate::{Certificate, Claim, ClaimKind};
+use crate::{Certificate, Claim};
 use impact_pair_exact::{Exact, Real, decimal_bounds};
+use impact_pair_model::EventKind;
 use num_rational::BigRational;
 
 /// Bits that it is first sought with, and how often these are doubled.
@@ -33,6 +34,6 @@ impl Certificate {
         let mapping = walk.standing.last().mapping(landing.wall);
         let velocity = printed(&walk.clock.velocity(&landing.velocity.hull()))?;
         let index = self.events().len() as u64 + 1;
-        is_later.then_some(Claim { wall: landing.wall, time, kind: ClaimKind::Impact { index, mapping, velocity } })
+        is_later.then_some(Claim { wall: landing.wall, time, kind: EventKind::Impact { index, mapping, velocity } })
     }
 }

@@ -7,11 +7,11 @@ use num_rational::BigRational;
 use num_traits::{One, Signed};
 
 use super::legs::{Box, Leg};
-use crate::{Certificate, Claim, ClaimKind};
+use crate::{Certificate, Claim};
 use impact_pair_exact::{Exact, Operation, decimal_bounds};
-use impact_pair_model::Error;
 use impact_pair_model::Harmonic;
 use impact_pair_model::Place;
+use impact_pair_model::{Error, EventKind};
 
 /// Beyond N impacts, or so fine a grid, Coq's faster integers are used.
 const PLAIN_IMPACTS: usize = 20;
@@ -129,7 +129,7 @@ fn tone(harmonic: &Harmonic) -> Result<String, Error> {
 
 /// What is printed of an impact.
 fn bounds(claim: &Claim) -> Option<String> {
-    let ClaimKind::Impact { velocity, .. } = &claim.kind else { return None };
+    let EventKind::Impact { velocity, .. } = &claim.kind else { return None };
     let [t0, t1, v0, v1] = [&claim.time[0], &claim.time[1], &velocity[0], &velocity[1]].map(fraction);
     Some(format!("Impact {} {t0} {t1} {v0} {v1}", claim.wall.name()))
 }

@@ -80,11 +80,10 @@ impl Figure {
         let mut last: Option<Event> = None;
         let _ = orbit.follow(watch, |orbit, step| {
             recorder.record(orbit, &step);
-            let index = last.as_ref().map_or(0, |event| event.index);
-            last = Event::of(orbit, &step, index).or(last.take());
+            last = Event::of(orbit, &step).or(last.take());
             ControlFlow::<()>::Continue(())
         });
-        let impacts = last.as_ref().map_or(0, |event| event.index);
+        let impacts = orbit.listed();
         let conclusion = Conclusion::of(&orbit, scene.start(), last.as_ref());
         let ending = Ending::of(&orbit, conclusion, settings);
         let trace = recorder.finish(&orbit, settings, impacts);

@@ -91,14 +91,12 @@ impl Recorder {
         match event {
             Progress::Impact(impact) => self.impact(orbit, impact),
             Progress::Graze(graze) => {
-                let (middle, radius) = graze.phase.mid_rad();
-                self.touch(orbit, Kind::Graze, (graze.turns, Ball::new(middle, radius)));
+                self.touch(orbit, Kind::Graze, graze.at());
                 self.has_grazed = true;
             }
             Progress::Rest(rest) => {
-                let (middle, radius) = rest.phase.mid_rad();
-                let phase = (rest.turns, Ball::new(middle, radius));
-                self.now = Now::Rests(rest.wall);
+                let phase = rest.at.at();
+                self.now = Now::Rests(rest.at.wall);
                 if rest.is_accumulation {
                     // The last bounces are too small to be told from the wall.
                     self.after = None;
@@ -108,8 +106,7 @@ impl Recorder {
                 self.touch(orbit, Kind::Rest, phase);
             }
             Progress::Release(release) => {
-                let (middle, radius) = release.phase.mid_rad();
-                self.touch(orbit, Kind::Release, (release.turns, Ball::new(middle, radius)));
+                self.touch(orbit, Kind::Release, release.at());
                 self.now = Now::Flies(orbit.course_from(release));
             }
             Progress::Retraced(_) | Progress::Ended => {}

@@ -5,7 +5,7 @@
 use super::scene::{float, holds};
 use impact_pair::Scene;
 use impact_pair::exact::{Dyadic, Enclosure, Exact};
-use impact_pair::orbit::{Graze, Impact, Orbit, Outcome, Place, Progress, Release, Rest, Settings};
+use impact_pair::orbit::{Impact, Orbit, Outcome, Place, Progress, Rest, Settings, Touch};
 use impact_pair::pair::Wall as LibraryWall;
 use impact_pair_truth::{Contact, Problem, Start, Truth, Wall, first_contact};
 use rug::Float;
@@ -133,8 +133,8 @@ impl Pair<'_> {
     }
 
     /// A graze that is an impact is passed; before it there is none.
-    fn graze(&mut self, graze: &Graze) -> Judged<()> {
-        let bounds = self.orbit.graze_time(graze);
+    fn graze(&mut self, graze: &Touch) -> Judged<()> {
+        let bounds = self.orbit.touch_time(graze);
         let truth = self.truth()?;
         let Truth::Contact { time, wall: hit, velocity_before } = truth else { return Ok(()) };
         if time < float(bounds.inf()) {
@@ -150,11 +150,14 @@ impl Pair<'_> {
     /// At rest at once, or after bounces on one wall of which the first is before the rest.
     fn rest(&mut self, rest: &Rest) -> Judged<()> {
         let end = self.orbit.rest_time(rest);
-        let is_there = self.start.on == Some(wall(rest.wall));
+        let is_there = self.start.on == Some(wall(rest.at.wall));
         match self.truth()? {
             Truth::Rests if is_there && holds(&widened(&end), &self.start.time) => Ok(()),
             Truth::Contact { time, wall: hit, .. }
-                if is_there && rest.is_accumulation && hit == wall(rest.wall) && time <= float(widened(&end).sup()) =>
+                if is_there
+                    && rest.is_accumulation
+                    && hit == wall(rest.at.wall)
+                    && time <= float(widened(&end).sup()) =>
             {
                 Ok(())
             }
@@ -163,10 +166,10 @@ impl Pair<'_> {
     }
 
     /// At a whole number of turns on the left, half a turn later on the right; at most half a turn after the rest.
-    fn release(&mut self, rest: &Rest, release: &Release) -> Judged<()> {
+    fn release(&mut self, rest: &Rest, release: &Touch) -> Judged<()> {
         let [lower, upper, began] = [
-            self.orbit.release_time(release).inf(),
-            self.orbit.release_time(release).sup(),
+            self.orbit.touch_time(release).inf(),
+            self.orbit.touch_time(release).sup(),
             self.orbit.rest_time(rest).sup(),
         ]
         .map(float);
@@ -174,7 +177,7 @@ impl Pair<'_> {
         let time = (Float::with_val(BITS, &lower - shift)).round() + shift;
         let since = Float::with_val(BITS, &time - &began);
         let late = 1e-9;
-        if !(lower <= time && time <= upper && release.wall == rest.wall && since >= -late && since <= 0.5 + late) {
+        if !(lower <= time && time <= upper && release.wall == rest.at.wall && since >= -late && since <= 0.5 + late) {
             return wrong(format!("{release:?} at {time}, after {rest:?}"));
         }
         self.start = Start::on_wall(self.problem, wall(release.wall), &time, 0);

@@ -28,12 +28,12 @@ use super::clock::{Beside, beside};
 use super::contact::Doubt;
 use super::frame::hull;
 use super::walk::compare;
-use super::{Effort, Finding, Verdict, one_by_one};
+use super::{Effort, Verdict, Whole};
 use crate::attraction::Bounds;
 use crate::tangency::{ClaimedTangency, TangencyCertificate};
 use flights::Letter;
 use impact_pair_exact::{Real, compare_rational};
-use impact_pair_model::watch::{Latched, Watch};
+use impact_pair_model::watch::Watch;
 use impact_pair_model::{Error, ImpactPair};
 use newton::{Zeros, polished, zeros};
 use saddle::{Family, Law, Saddle};
@@ -60,22 +60,14 @@ impl TangencyCertificate {
     /// # Errors
     /// None: what is beyond exact expressions leaves a tangency undecided.
     pub fn check_within(&self, effort: &Effort, watch: &dyn Watch) -> Result<Verdict, Error> {
-        let watch = Latched::new(watch);
-        let budget = Budget::new(0, effort.parts, &watch);
-        let end = |message: &str| Finding { event: self.count(), message: message.to_owned() };
-        if let Some(message) = self.contradiction() {
-            return Ok(Verdict::Refuted(end(message)));
-        }
-        if !self.are_different() {
-            return Ok(Verdict::Undecided(end("two tangencies may be one")));
-        }
-        let judge = |claim: &ClaimedTangency| claim.judged(self.pair(), (effort, &budget));
-        let each = one_by_one(self.tangencies().iter().enumerate(), (&budget, effort.work), judge, &watch);
-        Ok(match each {
-            Ok(0) => Verdict::Undecided(end("there is no tangency to check")),
-            Ok(bits) => Verdict::Confirmed { bits, pieces: 1 },
-            Err(verdict) => verdict,
-        })
+        let whole = Whole {
+            contradiction: self.contradiction(),
+            alike: (!self.are_different()).then_some("two tangencies may be one"),
+            count: self.count(),
+            nothing: "there is no tangency to check",
+        };
+        let claims = self.tangencies().iter().enumerate();
+        Ok(whole.judged(claims, effort, watch, |claim, budget, _| claim.judged(self.pair(), (effort, budget))))
     }
 }
 

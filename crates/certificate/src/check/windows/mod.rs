@@ -9,12 +9,12 @@ use super::bifurcation::Over;
 use super::budget::Budget;
 use super::contact::Doubt;
 use super::cycles::may_be_same;
-use super::{Effort, Finding, Verdict, one_by_one};
+use super::{Effort, Verdict, Whole};
 use crate::attraction::ClaimedOrbit;
 use crate::bifurcation::ClaimedPoint;
 use crate::windows::{ClaimedWindow, WindowsCertificate};
 use impact_pair_model::Error;
-use impact_pair_model::watch::{Latched, Silent, Watch};
+use impact_pair_model::watch::{Silent, Watch};
 
 impl WindowsCertificate {
     /// Proves each orbit and the ends of its window again, or says which one is not as claimed or not proved, until the watch stops it,
@@ -23,23 +23,15 @@ impl WindowsCertificate {
     /// # Errors
     /// When the scene's values are beyond the range of exact expressions.
     pub fn check_within(&self, effort: &Effort, watch: &dyn Watch) -> Result<Verdict, Error> {
-        let watch = Latched::new(watch);
-        let budget = Budget::new(0, effort.parts, &watch);
-        let end = |message: &str| Finding { event: self.count(), message: message.to_owned() };
-        if let Some(message) = self.contradiction() {
-            return Ok(Verdict::Refuted(end(message)));
-        }
-        if !self.are_different() {
-            return Ok(Verdict::Undecided(end("two windows may be one")));
-        }
         let over = Over { pair: self.pair(), start: self.start(), key: self.over() };
-        let judge = |window: &ClaimedWindow| window.judged(&over, (effort, &budget), &watch);
-        let each = one_by_one(self.windows().iter().enumerate(), (&budget, effort.work), judge, &watch);
-        Ok(match each {
-            Ok(0) => Verdict::Undecided(end("there is no window to check")),
-            Ok(bits) => Verdict::Confirmed { bits, pieces: 1 },
-            Err(verdict) => verdict,
-        })
+        let whole = Whole {
+            contradiction: self.contradiction(),
+            alike: (!self.are_different()).then_some("two windows may be one"),
+            count: self.count(),
+            nothing: "there is no window to check",
+        };
+        let claims = self.windows().iter().enumerate();
+        Ok(whole.judged(claims, effort, watch, |window, budget, watch| window.judged(&over, (effort, budget), watch)))
     }
 }
 

@@ -1,0 +1,34 @@
+//! What happens at an event of an orbit.
+
+use crate::Mapping;
+
+/// What happens at an event of an orbit, with bounds of type `B` in the units of the scene.
+#[derive(Clone, Debug)]
+pub enum EventKind<B> {
+    /// The ball hits the wall.
+    Impact {
+        /// Counts the impacts from 1.
+        index: u64,
+        /// The mapping that led here; `None` for the first contact of a start inside the gap, and where a graze of the other
+        /// wall may have been a touch.
+        mapping: Option<Mapping>,
+        /// The relative velocity `y'` just before the impact \[length/time\].
+        velocity: B,
+    },
+    /// The wall is touched with zero velocity, or nearly so, or nearly touched.
+    Graze,
+    /// The ball comes to rest on the wall.
+    Rest {
+        /// After infinitely many impacts that are not listed.
+        is_accumulation: bool,
+    },
+    /// The ball leaves the wall that it rested on.
+    Release,
+}
+
+impl<B> EventKind<B> {
+    /// Returns whether the ball hits the wall.
+    pub fn is_impact(&self) -> bool {
+        matches!(self, Self::Impact { .. })
+    }
+}

@@ -1,0 +1,60 @@
+//! Impacts and touches of a motion, in forcing periods and gaps.
+
+use crate::exact::Enclosure;
+use crate::mapping::Mapping;
+use crate::number::Ball;
+use crate::pair::Wall;
+
+/// One impact of a motion.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Impact {
+    /// Counts the impacts from 1; the start is not counted.
+    pub index: u64,
+    /// The mapping that led here; `None` for the first contact of a start inside the gap, and where a graze of the other
+    /// wall may have been a touch.
+    pub mapping: Option<Mapping>,
+    /// The wall.
+    pub wall: Wall,
+    /// Whole forcing periods since the clock's origin.
+    pub turns: i64,
+    /// The rest of the phase `(W t + tau) / (2 pi)`, in forcing periods, in about `[-1/2, 1/2]`.
+    pub phase: Ball,
+    /// The relative velocity `y'` just before the impact, in gap widths per forcing period.
+    pub velocity: Ball,
+    /// Phase and velocity more narrowly than these balls, where that was requested.
+    pub precise: Option<Box<(Enclosure, Enclosure)>>,
+}
+
+impl Impact {
+    /// Phase less the whole forcing periods, and velocity, as narrow as they are known.
+    pub(crate) fn enclosures(&self) -> (Enclosure, Enclosure) {
+        match &self.precise {
+            Some(precise) => (**precise).clone(),
+            None => (finite(self.phase), finite(self.velocity)),
+        }
+    }
+}
+
+/// A wall that the ball touches or leaves without velocity, and when.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Touch {
+    /// The wall.
+    pub wall: Wall,
+    /// Whole forcing periods since the clock's origin.
+    pub turns: i64,
+    /// Encloses the rest of the phase, in forcing periods.
+    pub phase: Enclosure,
+}
+
+impl Touch {
+    /// Returns the whole forcing periods and a ball that holds the rest of the phase.
+    pub fn at(&self) -> (i64, Ball) {
+        let (mid, rad) = self.phase.mid_rad();
+        (self.turns, Ball::new(mid, rad))
+    }
+}
+
+/// The ball as an interval.
+pub(crate) fn finite(ball: Ball) -> Enclosure {
+    ball.enclosure().expect("certified balls are finite")
+}

@@ -1,0 +1,80 @@
+//! First contacts in balls of many digits.
+
+use rug::Float;
+
+use super::Parameters;
+use crate::contact::multiprecision::Passed;
+use crate::contact::{Contact, Undecided};
+use crate::flight::Launch;
+use crate::number::{Ball, Magnitude, MpBall};
+use crate::pair::Wall;
+
+/// First contacts in N bits.
+pub(crate) trait Precise: Parameters {
+    /// The parameters in N bits.
+    fn precise(&self, bits: u32) -> Self::In<MpBall>;
+
+    /// Those of [`Shaken::pair`] in N bits.
+    fn widened(&self, bits: u32) -> Self::In<MpBall>;
+
+    /// The same parameters in fewer bits.
+    fn rounded(&self, parameters: &Self::In<MpBall>, bits: u32) -> Self::In<MpBall>;
+
+    /// Goes past the first extremum that may touch its wall. Lemmas G1, H13
+    fn pass(
+        &self,
+        parameters: &Self::In<MpBall>,
+        all: Launch<MpBall>,
+        waves: Option<&Self::Waves<MpBall>>,
+    ) -> Option<Passed>;
+
+    /// The first contacts of a set of flights from a wall, its velocities before the impact in doubles; that of the centre to so
+    /// many bits. Lemma M3
+    fn arrive(
+        &self,
+        parameters: &Self::In<MpBall>,
+        flights: Flights<'_, Self::Waves<MpBall>>,
+        bits: u32,
+    ) -> Result<Arrival<Self::Waves<MpBall>>, Undecided>;
+
+    /// The first contacts of all flights from inside the gap, to N bits: in doubles, phase less the whole forcing periods, velocity.
+    fn arrive_from_inside(
+        &self,
+        parameters: &Self::In<MpBall>,
+        all: Launch<MpBall>,
+        waves: Option<&Self::Waves<MpBall>>,
+        bits: u32,
+    ) -> Result<Precisely<Self::Waves<MpBall>>, Undecided>;
+}
+
+/// A set of flights that leave a wall.
+pub(crate) struct Flights<'w, W> {
+    pub all: &'w dyn Fn() -> Launch<MpBall>,
+    pub centre: Launch<MpBall>,
+    /// The wall they leave, their phases and velocities before the impact, in doubles.
+    pub wall: Wall,
+    pub phase: Ball,
+    pub before: Ball,
+    /// At the start of the centre.
+    pub waves: Option<&'w W>,
+}
+
+/// The first contacts of a set of flights that left a wall.
+pub(crate) struct Arrival<W> {
+    /// Encloses the contact of every flight of the set.
+    pub contact: Contact<Ball>,
+    /// Encloses `y''` of all of them, at the start and at the contact.
+    pub accelerations: [Ball; 2],
+    /// The contact of the centre is within `error` of this phase, less the whole forcing periods.
+    pub phase: Float,
+    pub error: Magnitude,
+    /// Its velocity at this phase; at the contact the slope times the distance is added.
+    pub velocity: MpBall,
+    pub slope: Ball,
+    /// At this phase, where they are known.
+    pub waves: Option<W>,
+}
+
+/// Encloses the first contacts of all flights of a set: in doubles, and phase less the whole forcing periods and velocity in balls, with
+/// the sines and cosines at the middle of the phases, where they are known.
+pub(crate) type Precisely<W> = (Contact<Ball>, [MpBall; 2], Option<W>);
