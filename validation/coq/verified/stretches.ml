@@ -136,60 +136,86 @@ let magnitude interval =
     | Fnan -> raise Lost in
   match interval with Ibnd0 (lower, upper) -> Float.max (value lower) (value upper) | Inan0 -> raise Lost
 
-(* The tightest parallelogram that the checker finds around the image of a slice of a chart, along the image of its long vector and a direction that contracts. *)
-let around data pairs { far; _ } (n, a, b) shape at derivative direction =
+(* The tightest parallelogram that the checker finds around the image of a chart, along the image of its long vector and a direction that contracts. *)
+let around data pairs stride c shape at derivative direction =
   let unit x = Chains.times (1.0 /. Chains.size x) x in
   let long = unit (Chains.image derivative shape.long) in
   let frame = { at; long; wide = (if Chains.cross long direction > 0.0 then unit direction else Chains.times (-1.0) (unit direction)) } in
   let m = chart frame and p = Z.of_int strip_bits and q = Z.of_int grid in
-  let transit = passing pairs far shape m in
-  let open Striding.Each in
-  let known = known_in data p and wall = if far then Right else Left in
-  let box = launches p q data Left n a b in
-  let seen = look p known box p and reach = reach p q a b in
-  let k = mul p (whole p (if far then Z.neg Z.one else Z.zero)) (I.pi (ShiftFloats.coq_PtoP p)) in
-  let area = magnitude (area_over p q m) in
-  let along = along_of p q k far m (arrived p q data wall n box seen transit transit.lean_along reach) in
-  let across = across_of p q k far m (arrived p q data wall n box seen transit transit.lean_across reach) in
-  let by interval = Chains.times (magnitude interval /. area *. (1.0 +. 1e-6) +. spare) in
-  { frame with long = by along frame.long; wide = by across frame.wide }
+  match Striding.Each.bounds p q data stride c m (passing pairs stride.far shape m) with
+  | None -> raise Lost
+  | Some (along, across) ->
+    let area = magnitude (Striding.Each.area_over p q m) in
+    let by interval = Chains.times (magnitude interval /. area *. (1.0 +. 1e-6) +. spare) in
+    { frame with long = by along frame.long; wide = by across frame.wide }
 
-(* A cell: the stretch of a shape from `from` to `until`, along, and where its flights go. *)
-let units x = Z.of_float (Float.round (Float.ldexp x grid))
-let cell_of data ((pair, _) as pairs) shape into word from until =
-  let slice = { shape with at = put shape ((from +. until) /. 2.0) 0.0; long = Chains.times ((until -. from) /. 2.0) shape.long } in
-  let rec orbit x = function
-    | [] -> []
-    | far :: rest ->
-      match arrival pair x far with
-      | None -> raise Lost
-      | Some there -> let seen = seen_from_left far there in (seen, derivative pair far x there) :: orbit seen rest in
-  let states = orbit slice.at word.word_flights in
-  let rec ways (n, a, b) shape strides states directions = match strides, states, directions with
-    | [ { far; _ } ], _, _ -> ([], passing pairs far shape (chart into))
-    | ({ far; _ } as stride) :: strides, (image, derivative) :: states, direction :: directions ->
-      let next = around data pairs stride (n, a, b) shape image derivative direction in
-      let hint = chart next in
-      let through, finally = ways (hint, units (-1.0), units 1.0) next strides states directions in
-      ((passing pairs far shape hint, hint) :: through, finally)
+(* A patch of a shape: from one coordinate along to another, and from one across to another; and the smallest chart that contains it. *)
+type patch = { from : float; until : float; below : float; above : float }
+let whole = { from = -1.0; until = 1.0; below = -1.0; above = 1.0 }
+let patch_of shape { from; until; below; above } =
+  { at = put shape ((from +. until) /. 2.0) ((below +. above) /. 2.0);
+    long = Chains.times ((until -. from) /. 2.0) shape.long; wide = Chains.times ((above -. below) /. 2.0) shape.wide }
+let rounding = Float.ldexp 1.0 (3 - grid)
+let chart_around ({ long; wide; _ } as shape) =
+  let more = rounding /. Chains.cross long wide in
+  chart { shape with long = Chains.times (1.0 +. more *. Chains.size wide) long; wide = Chains.times (1.0 +. more *. Chains.size long) wide }
+
+(* The states that a state visits along a word, with the derivatives of its flights. *)
+let rec orbit pair x = function
+  | [] -> []
+  | { far; _ } :: rest ->
+    match arrival pair x far with
+    | None -> raise Lost
+    | Some there -> let seen = seen_from_left far there in (seen, derivative pair far x there) :: orbit pair seen rest
+
+(* A patch that is followed to the end as a whole. *)
+let cell data ((pair, _) as pairs) shape patch into strides extent =
+  let start = patch_of shape patch in
+  let states = orbit pair start.at strides in
+  let p = Z.of_int strip_bits and q = Z.of_int grid in
+  let rec follow c shape strides states directions = match strides, states, directions with
+    | [ stride ], _, _ ->
+      let m = chart into in
+      let transit = passing pairs stride.far shape m in
+      if Striding.Each.check_tread p q data stride c m transit extent then Final (c, transit) else raise Lost
+    | stride :: strides, (image, derivative) :: states, direction :: directions ->
+      let next = around data pairs stride c shape image derivative direction in
+      let m = chart next in
+      Further (c, passing pairs stride.far shape m, m, follow m next strides states directions)
     | _ -> raise Lost in
-  let through, finally = ways (chart shape, units from, units until) slice (strides_of word) states (List.tl (contracting (List.map snd states) into.wide)) in
-  { until = units until; through; finally }
+  follow (if patch = whole then chart shape else chart_around start) start strides states (List.tl (contracting (List.map snd states) into.wide))
 
-(* Cells one after another, each of which is checked; halved where they are not. *)
-let smallest = 1e-7
-let cells data pairs shape into word =
-  let strides = strides_of word and p = Z.of_int strip_bits and q = Z.of_int grid in
-  let n = chart shape and m = chart into in
-  let rec all (first, last) from until =
-    if until -. from < smallest then raise Lost;
-    let is_checked cell =
-      let where = match first, last with Some extent, _ | None, Some extent -> extent | None, None -> Anywhere in
-      Striding.Each.check_segment p q data strides n m (units from) cell where in
-    match cell_of data pairs shape into word from until with
-    | cell when is_checked cell -> [ cell ]
-    | _ | exception Lost -> let middle = (from +. until) /. 2.0 in all (first, None) from middle @ all (None, last) middle until in
-  all
+(* Whether a patch is longer along than across, where it is longest on its way. *)
+let is_longer_along (pair, _) shape patch strides =
+  let { at; long; wide } = patch_of shape patch in
+  let rec longest x = function
+    | [] -> Chains.size x
+    | (_, derivative) :: rest -> Float.max (Chains.size x) (longest (Chains.image derivative x) rest) in
+  match orbit pair at strides with
+  | exception Lost -> Chains.size long >= Chains.size wide
+  | states -> longest long states >= longest wide states
+
+(* Cells of a patch: halved, along or across, where they are not verified. *)
+let most_halvings = 30
+let units x = Z.of_float (Float.round (Float.ldexp x grid))
+let cut_along { from; until; _ } before after = Cut_along (units ((from +. until) /. 2.0), before, after)
+let halves_along ({ from; until; _ } as patch) = let cut = (from +. until) /. 2.0 in ({ patch with until = cut }, { patch with from = cut })
+let halves_across ({ below; above; _ } as patch) = let cut = (below +. above) /. 2.0 in ({ patch with above = cut }, { patch with below = cut })
+let cells data pairs shape into strides extent =
+  let rec all halvings patch =
+    match cell data pairs shape patch into strides extent with
+    | found -> found
+    | exception Lost ->
+      if halvings = 0 then raise Lost;
+      if is_longer_along pairs shape patch strides then
+        let before, after = halves_along patch in
+        let before = all (halvings - 1) before in
+        cut_along patch before (all (halvings - 1) after)
+      else
+        let below, above = halves_across patch in
+        let below = all (halvings - 1) below in
+        Cut_across (units ((patch.below +. patch.above) /. 2.0), below, all (halvings - 1) above) in
+  all most_halvings
 
 (* Where along a parallelogram a word leads across another one: from one bound to another, and whether it is turned over. *)
 let samples = 1 lsl 13
@@ -232,13 +258,18 @@ let stretches (pair, _) shape into word more =
       | _ -> look (k + 1) None found in
   look 0 None []
 
-let pieces = 8
+(* The strip of a stretch; its middle is cut into so many halves of halves at once. *)
+let pieces = 3
 let strip_of data pairs shape into word { ends = (start, finish); middle = (from, until); is_backwards } =
   let before, after = if is_backwards then (Past, Short) else (Short, Past) in
-  let all = cells data pairs shape into word in
-  let place k = from +. (until -. from) *. float_of_int k /. float_of_int pieces in
-  let inner = List.concat_map (fun k -> all (None, None) (place k) (place (k + 1))) (List.init pieces Fun.id) in
-  { begins_at = units start; backwards = is_backwards; segments = all (Some before, None) start from @ inner @ all (None, Some after) until finish }
+  let all = cells data pairs shape into (strides_of word) in
+  let rec parts k patch =
+    if k = 0 then all Anywhere patch
+    else let before, after = halves_along patch in let before = parts (k - 1) before in cut_along patch before (parts (k - 1) after) in
+  let opening = all before { whole with from = start; until = from } in
+  let closing = all after { whole with from = until; until = finish } in
+  { begins_at = units start; ends_at = units finish; backwards = is_backwards; opens_until = units from; closes_from = units until;
+    opening; inner = parts pieces { whole with from; until }; closing }
 
 (* A strip for each word, apart from those of other words from the same h-set: shorter words first. *)
 let found_strips data shapes words =
