@@ -54,6 +54,14 @@ let leap pair x far = Option.map (seen_from_left far) (arrival pair x far)
 let rec walk pair x = function
   | [] -> Some x
   | far :: flights -> Option.bind (leap pair x far) (fun x -> walk pair x flights)
+(* A state and, once they are asked for, those after it: whether the next flight is to the far wall, and where it ends. *)
+type course = { here : state; next : (bool * course) option Lazy.t }
+let rec course_of pair ((th, v) as x) =
+  let next = lazy (Option.map (fun (h, far) -> (far, course_of pair (seen_from_left far (th +. h, -.pair.e *. v +. cos th -. cos (th +. h))))) (first_contact pair x)) in
+  { here = x; next }
+let rec walked { here; next } = function
+  | [] -> Some here
+  | far :: flights -> match Lazy.force next with Some (is_far, course) when is_far = far -> walked course flights | _ -> None
 
 (* The derivative of a flight to a wall, (A.7), of the state as it is seen. *)
 let derivative { e; _ } far (th, v) (th1, rate) =
@@ -217,18 +225,24 @@ let cells data pairs shape into strides extent =
         Cut_across (units ((patch.below +. patch.above) /. 2.0), below, all (halvings - 1) above) in
   all most_halvings
 
-(* Where along a parallelogram a word leads across another one: from one bound to another, and whether it is turned over. *)
+(* The courses of states from one end of a shape to the other, in its middle. *)
 let samples = 1 lsl 13
 let at k = 2.0 *. float_of_int k /. float_of_int samples -. 1.0
-(* The ends are this far beyond those of the other one, more than what the states across differ, and the cells at the ends five times as long: less where the image leaves the other one's
-   edges there. *)
+let courses (pair, _) shape = Array.init (samples + 1) (fun k -> course_of pair (put shape (at k) 0.0))
+
+(* Where along a parallelogram a word leads across another one: from one bound to another, and whether it is turned over. The ends are this far beyond those
+   of the other one, more than what the states across differ, and the parts at the ends five times as long: less where the image leaves the other one's edges there. *)
 let beyond_ends = [ 0.004; 0.0005; 0.00006 ]
+(* States of a stretch, along and across, whose images are looked at. *)
+let looks_along = 64
+let looks_across = [ -1.0; 0.0; 1.0 ]
 
 type stretch = { ends : float * float; middle : float * float; is_backwards : bool }
-let stretches (pair, _) shape into word more =
+let stretches (pair, _) courses shape into word more =
   let taken = List.fold_left (fun sum { turns_taken; _ } -> sum +. turn *. Z.to_float turns_taken) 0.0 (strides_of word) in
-  let image along across = Option.map (fun (th, v) -> coordinates_in into (th -. taken, v)) (walk pair (put shape along across) word.word_flights) in
-  let images = Array.init (samples + 1) (fun k -> image (at k) 0.0) in
+  let seen (th, v) = coordinates_in into (th -. taken, v) in
+  let image along across = Option.map seen (walk pair (put shape along across) word.word_flights) in
+  let images = Array.map (fun course -> Option.map seen (walked course word.word_flights)) courses in
   let along x across = match image x across with Some (x, _) -> x | None -> raise Lost in
   (* From sample k on, in steps of one or of minus one, the first place at which the image is beyond the end `bound`. *)
   let place step k bound =
@@ -243,19 +257,26 @@ let stretches (pair, _) shape into word more =
     let differ = Float.max (abs_float (along (at k) 1.0 -. centre)) (abs_float (along (at k) (-1.0) -. centre)) in
     let bound = 1.0 +. more +. 1.2 *. differ in
     (place step k (sign *. bound), place step k (sign *. (bound +. 5.0 *. more))) in
+  (* Whether images of the stretch are between the edges, and those of its ends beyond the ends. *)
+  let fits { ends = (a, b); middle = (from, until); is_backwards } =
+    let sign = if is_backwards then -1.0 else 1.0 in
+    let place k = a +. (b -. a) *. float_of_int k /. float_of_int looks_along in
+    let holds inside x across = match image x across with Some (x, y) -> abs_float y <= 1.0 && inside (sign *. x) | None -> false in
+    let all inside x = List.for_all (holds inside x) looks_across in
+    from < until && List.for_all (all (fun x -> x <= -1.0)) [ a; from ] && List.for_all (all (fun x -> x >= 1.0)) [ until; b ]
+      && List.for_all (fun k -> all (fun _ -> true) (place k)) (List.init looks_along Fun.id) in
   let stretch i j sign = match end_at (-1) i sign, end_at 1 j (-.sign) with
-    | (from, start), (until, finish) -> [ { ends = (start, finish); middle = (from, until); is_backwards = sign > 0.0 } ]
+    | (from, start), (until, finish) -> List.filter fits [ { ends = (start, finish); middle = (from, until); is_backwards = sign > 0.0 } ]
     | exception Lost -> [] in
   let rec look k since found =
     if k > samples then List.rev found
     else match images.(k) with
-      | Some (x, y) when abs_float y <= 1.0 ->
-        if abs_float x < 1.0 then look (k + 1) since found
-        else
-          let sign = Float.copy_sign 1.0 x in
-          let crossed = match since with Some (i, before) when before <> sign -> stretch i k before | _ -> [] in
-          look (k + 1) (Some (k, sign)) (crossed @ found)
-      | _ -> look (k + 1) None found in
+      | Some (x, _) when abs_float x < 1.0 -> look (k + 1) since found
+      | Some (x, _) ->
+        let sign = Float.copy_sign 1.0 x in
+        let crossed = match since with Some (i, before) when before <> sign -> stretch i k before | _ -> [] in
+        look (k + 1) (Some (k, sign)) (crossed @ found)
+      | None -> look (k + 1) None found in
   look 0 None []
 
 (* The strip of a stretch; its middle is cut into so many halves of halves at once. *)
@@ -274,6 +295,7 @@ let strip_of data pairs shape into word { ends = (start, finish); middle = (from
 (* A strip for each word, apart from those of other words from the same h-set: shorter words first. *)
 let found_strips data shapes words =
   let pairs = pairs_of data in
+  let starts = Array.map (courses pairs) shapes in
   let numbered = List.mapi (fun i word -> (i, word)) words in
   let shorter (i, v) (j, w) = compare (List.length v.word_flights, i) (List.length w.word_flights, j) in
   let apart taken { ends = (a, b); _ } = List.for_all (fun (c, d) -> b < c || d < a) taken in
@@ -289,7 +311,7 @@ let found_strips data shapes words =
       | _ :: rest -> first rest in
     let rec within = function
       | [] -> Error i
-      | more :: rest -> (match first (stretches pairs shape into word more) with Error _ -> within rest | found -> found) in
+      | more :: rest -> (match first (stretches pairs starts.(from) shape into word more) with Error _ -> within rest | found -> found) in
     within beyond_ends in
   let taken = Array.make (Array.length shapes) [] in
   List.fold_left (fun found word -> Result.bind found (fun found -> Result.map (fun strip -> strip :: found) (strip taken word))) (Ok []) (List.sort shorter numbered)
