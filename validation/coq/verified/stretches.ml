@@ -176,26 +176,17 @@ let rec orbit pair x = function
     | None -> raise Lost
     | Some there -> let seen = seen_from_left far there in (seen, derivative pair far x there) :: orbit pair seen rest
 
-(* A patch that is followed to the end as a whole. *)
-let cell data ((pair, _) as pairs) shape patch into strides extent =
-  let start = patch_of shape patch in
-  let states = orbit pair start.at strides in
-  let p = Z.of_int strip_bits and q = Z.of_int grid in
-  let rec follow c shape strides states directions = match strides, states, directions with
-    | [ stride ], _, _ ->
-      let m = chart into in
-      let transit = passing pairs stride.far shape m in
-      if Striding.Each.check_tread p q data stride c m transit extent then Final (c, transit) else raise Lost
-    | stride :: strides, (image, derivative) :: states, direction :: directions ->
-      let next = around data pairs stride c shape image derivative direction in
-      let m = chart next in
-      Further (c, passing pairs stride.far shape m, m, follow m next strides states directions)
-    | _ -> raise Lost in
-  follow (if patch = whole then chart shape else chart_around start) start strides states (List.tl (contracting (List.map snd states) into.wide))
+(* Whether states of a shape are carried by the flights between the edges of another one, and to where they should be along it. *)
+let fits (pair, _) shape into strides extent =
+  let taken = List.fold_left (fun sum { turns_taken; _ } -> sum +. turn *. Z.to_float turns_taken) 0.0 strides in
+  let flights = List.map (fun { far; _ } -> far) strides in
+  let inside x = match extent with Short -> x <= -1.0 | Past -> x >= 1.0 | Contained -> abs_float x <= 1.0 | Anywhere -> true in
+  List.for_all (fun (a, b) -> match walk pair (put shape a b) flights with
+    | Some (th, v) -> let x, y = coordinates_in into (th -. taken, v) in abs_float y <= 1.0 && inside x
+    | None -> false) offsets
 
 (* Whether a patch is longer along than across, where it is longest on its way. *)
-let is_longer_along (pair, _) shape patch strides =
-  let { at; long; wide } = patch_of shape patch in
+let is_longer_along (pair, _) { at; long; wide } strides =
   let rec longest x = function
     | [] -> Chains.size x
     | (_, derivative) :: rest -> Float.max (Chains.size x) (longest (Chains.image derivative x) rest) in
@@ -203,27 +194,44 @@ let is_longer_along (pair, _) shape patch strides =
   | exception Lost -> Chains.size long >= Chains.size wide
   | states -> longest long states >= longest wide states
 
-(* Cells of a patch: halved, along or across, where they are not verified. *)
-let most_halvings = 30
+(* Cells of a patch: of a shape of a chart, with the flights from there on. It is halved, along or across, where what is inside is not verified, or where what the image's parallelogram
+   holds besides images would be too much of the half width across the last one. Halvings at the start of a word, and later. *)
+let too_much = 0.05
+let halvings, halvings_later = (24, 8)
 let units x = Z.of_float (Float.round (Float.ldexp x grid))
-let cut_along { from; until; _ } before after = Cut_along (units ((from +. until) /. 2.0), before, after)
-let halves_along ({ from; until; _ } as patch) = let cut = (from +. until) /. 2.0 in ({ patch with until = cut }, { patch with from = cut })
-let halves_across ({ below; above; _ } as patch) = let cut = (below +. above) /. 2.0 in ({ patch with above = cut }, { patch with below = cut })
-let cells data pairs shape into strides extent =
-  let rec all halvings patch =
-    match cell data pairs shape patch into strides extent with
+let cells data ((pair, _) as pairs) into extent =
+  let p = Z.of_int strip_bits and q = Z.of_int grid in
+  let rec all halvings c shape ({ from; until; below; above } as patch) strides =
+    let start = patch_of shape patch in
+    match whole_cell (if patch = whole then c else chart_around start) start strides with
     | found -> found
     | exception Lost ->
       if halvings = 0 then raise Lost;
-      if is_longer_along pairs shape patch strides then
-        let before, after = halves_along patch in
-        let before = all (halvings - 1) before in
-        cut_along patch before (all (halvings - 1) after)
+      let cells patch = all (halvings - 1) c shape patch strides in
+      if is_longer_along pairs start strides then
+        let cut = (from +. until) /. 2.0 in
+        let before = cells { patch with until = cut } in
+        Cut_along (units cut, before, cells { patch with from = cut })
       else
-        let below, above = halves_across patch in
-        let below = all (halvings - 1) below in
-        Cut_across (units ((patch.below +. patch.above) /. 2.0), below, all (halvings - 1) above) in
-  all most_halvings
+        let cut = (below +. above) /. 2.0 in
+        let lower = cells { patch with above = cut } in
+        Cut_across (units cut, lower, cells { patch with below = cut })
+  and whole_cell c start strides =
+    match strides, orbit pair start.at strides with
+    | [ stride ], _ ->
+      let m = chart into in
+      let transit = passing pairs stride.far start m in
+      if Striding.Each.check_tread p q data stride c m transit extent then Final (c, transit) else raise Lost
+    | stride :: strides, ((image, derivative) :: states as all_states) ->
+      let direction = List.nth (contracting (List.map snd all_states) into.wide) 1 in
+      let next = around data pairs stride c start image derivative direction in
+      let carried = List.fold_left (fun x (_, derivative) -> Chains.image derivative x) next.wide states in
+      let _, needed = Chains.coordinates next.long next.wide (Chains.image derivative start.wide) and _, part = Chains.coordinates into.long into.wide carried in
+      if (1.0 -. abs_float needed) *. abs_float part > too_much || not (fits pairs next into strides extent) then raise Lost;
+      let m = chart next in
+      Further (c, passing pairs stride.far start m, m, all halvings_later m next whole strides)
+    | _ -> raise Lost in
+  all halvings
 
 (* The courses of states from one end of a shape to the other, in its middle. *)
 let samples = 1 lsl 13
@@ -258,7 +266,7 @@ let stretches (pair, _) courses shape into word more =
     let bound = 1.0 +. more +. 1.2 *. differ in
     (place step k (sign *. bound), place step k (sign *. (bound +. 5.0 *. more))) in
   (* Whether images of the stretch are between the edges, and those of its ends beyond the ends. *)
-  let fits { ends = (a, b); middle = (from, until); is_backwards } =
+  let is_one { ends = (a, b); middle = (from, until); is_backwards } =
     let sign = if is_backwards then -1.0 else 1.0 in
     let place k = a +. (b -. a) *. float_of_int k /. float_of_int looks_along in
     let holds inside x across = match image x across with Some (x, y) -> abs_float y <= 1.0 && inside (sign *. x) | None -> false in
@@ -266,7 +274,7 @@ let stretches (pair, _) courses shape into word more =
     from < until && List.for_all (all (fun x -> x <= -1.0)) [ a; from ] && List.for_all (all (fun x -> x >= 1.0)) [ until; b ]
       && List.for_all (fun k -> all (fun _ -> true) (place k)) (List.init looks_along Fun.id) in
   let stretch i j sign = match end_at (-1) i sign, end_at 1 j (-.sign) with
-    | (from, start), (until, finish) -> List.filter fits [ { ends = (start, finish); middle = (from, until); is_backwards = sign > 0.0 } ]
+    | (from, start), (until, finish) -> List.filter is_one [ { ends = (start, finish); middle = (from, until); is_backwards = sign > 0.0 } ]
     | exception Lost -> [] in
   let rec look k since found =
     if k > samples then List.rev found
@@ -279,18 +287,13 @@ let stretches (pair, _) courses shape into word more =
       | None -> look (k + 1) None found in
   look 0 None []
 
-(* The strip of a stretch; its middle is cut into so many halves of halves at once. *)
-let pieces = 3
 let strip_of data pairs shape into word { ends = (start, finish); middle = (from, until); is_backwards } =
   let before, after = if is_backwards then (Past, Short) else (Short, Past) in
-  let all = cells data pairs shape into (strides_of word) in
-  let rec parts k patch =
-    if k = 0 then all Anywhere patch
-    else let before, after = halves_along patch in let before = parts (k - 1) before in cut_along patch before (parts (k - 1) after) in
-  let opening = all before { whole with from = start; until = from } in
-  let closing = all after { whole with from = until; until = finish } in
+  let cells extent from until = cells data pairs into extent (chart shape) shape { whole with from; until } (strides_of word) in
+  let opening = cells before start from in
+  let closing = cells after until finish in
   { begins_at = units start; ends_at = units finish; backwards = is_backwards; opens_until = units from; closes_from = units until;
-    opening; inner = parts pieces { whole with from; until }; closing }
+    opening; inner = cells Anywhere from until; closing }
 
 (* A strip for each word, apart from those of other words from the same h-set: shorter words first. *)
 let found_strips data shapes words =
