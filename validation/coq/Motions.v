@@ -94,7 +94,7 @@ End Impacts.
 
 (* The words as Shift.v has them. *)
 Definition no_frame : frame := {| centre := (0, 0); long := (0, 0); wide := (0, 0) |}.
-Definition no_entry : word_entry := Words.Word O O [] (Strip 0 false []).
+Definition no_entry : word_entry := Words.Word O O [] no_strip.
 Definition base (x : words_document) (n : nat) : frame := match nth_error (sets x) n with Some N => frame_of (grid_bits x) N | None => no_frame end.
 Definition entry (x : words_document) (i : nat) : word_entry := nth i (entries x) no_entry.
 Definition step_from (s : scene) (q : positive) (e : word_entry) : Shift.step_of :=

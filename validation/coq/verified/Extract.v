@@ -55,4 +55,4 @@ Extract Constant ClassicalDedekindReals.sig_forall_dec => "(fun _ -> failwith ""
 
 Extraction Language OCaml.
 Set Extraction Output Directory ".".
-Extraction "checker.ml" Shifting Shadowing Drawing Trapping Striding Setting Growing verify_attracted verify_region verify_chaos.
+Extraction "checker.ml" Shifting Shadowing Drawing Trapping Striding Setting Growing Strips.no_strip verify_attracted verify_region verify_chaos.

@@ -31,7 +31,7 @@ let half { qnum; qden } = { qnum; qden = Z.shift_left qden 1 }
 
 (* All but the strips: what is checked of them takes no time. *)
 let outline ({ chaos = { h_sets; words; per_impact; per_cycle; _ }; _ } : Words.claim) =
-  let sets = List.length h_sets and no_strip = { begins_at = Z.zero; backwards = false; segments = [] } in
+  let sets = List.length h_sets in
   let entry word = { from_set = word.word_from; into_set = word.word_into; strides = Stretches.strides_of word; strip_of = no_strip } in
   { found_words = { word_bits = Z.of_int Stretches.strip_bits; grid_bits = Z.of_int Stretches.grid;
                     sets = List.map (fun h_set -> Stretches.chart (Stretches.shape_of h_set)) h_sets; entries = List.map entry words };

@@ -54,6 +54,14 @@ let leap pair x far = Option.map (seen_from_left far) (arrival pair x far)
 let rec walk pair x = function
   | [] -> Some x
   | far :: flights -> Option.bind (leap pair x far) (fun x -> walk pair x flights)
+(* A state and, once they are asked for, those after it: whether the next flight is to the far wall, and where it ends. *)
+type course = { here : state; next : (bool * course) option Lazy.t }
+let rec course_of pair ((th, v) as x) =
+  let next = lazy (Option.map (fun (h, far) -> (far, course_of pair (seen_from_left far (th +. h, -.pair.e *. v +. cos th -. cos (th +. h))))) (first_contact pair x)) in
+  { here = x; next }
+let rec walked { here; next } = function
+  | [] -> Some here
+  | far :: flights -> match Lazy.force next with Some (is_far, course) when is_far = far -> walked course flights | _ -> None
 
 (* The derivative of a flight to a wall, (A.7), of the state as it is seen. *)
 let derivative { e; _ } far (th, v) (th1, rate) =
@@ -136,73 +144,113 @@ let magnitude interval =
     | Fnan -> raise Lost in
   match interval with Ibnd0 (lower, upper) -> Float.max (value lower) (value upper) | Inan0 -> raise Lost
 
-(* The tightest parallelogram that the checker finds around the image of a slice of a chart, along the image of its long vector and a direction that contracts. *)
-let around data pairs { far; _ } (n, a, b) shape at derivative direction =
+(* The tightest parallelogram that the checker finds around the image of a chart, along the image of its long vector and a direction that contracts. *)
+let around data pairs stride c shape at derivative direction =
   let unit x = Chains.times (1.0 /. Chains.size x) x in
   let long = unit (Chains.image derivative shape.long) in
   let frame = { at; long; wide = (if Chains.cross long direction > 0.0 then unit direction else Chains.times (-1.0) (unit direction)) } in
   let m = chart frame and p = Z.of_int strip_bits and q = Z.of_int grid in
-  let transit = passing pairs far shape m in
-  let open Striding.Each in
-  let known = known_in data p and wall = if far then Right else Left in
-  let box = launches p q data Left n a b in
-  let seen = look p known box p and reach = reach p q a b in
-  let k = mul p (whole p (if far then Z.neg Z.one else Z.zero)) (I.pi (ShiftFloats.coq_PtoP p)) in
-  let area = magnitude (area_over p q m) in
-  let along = along_of p q k far m (arrived p q data wall n box seen transit transit.lean_along reach) in
-  let across = across_of p q k far m (arrived p q data wall n box seen transit transit.lean_across reach) in
-  let by interval = Chains.times (magnitude interval /. area *. (1.0 +. 1e-6) +. spare) in
-  { frame with long = by along frame.long; wide = by across frame.wide }
+  match Striding.Each.bounds p q data stride c m (passing pairs stride.far shape m) with
+  | None -> raise Lost
+  | Some (along, across) ->
+    let area = magnitude (Striding.Each.area_over p q m) in
+    let by interval = Chains.times (magnitude interval /. area *. (1.0 +. 1e-6) +. spare) in
+    { frame with long = by along frame.long; wide = by across frame.wide }
 
-(* A cell: the stretch of a shape from `from` to `until`, along, and where its flights go. *)
+(* A patch of a shape: from one coordinate along to another, and from one across to another; and the smallest chart that contains it. *)
+type patch = { from : float; until : float; below : float; above : float }
+let whole = { from = -1.0; until = 1.0; below = -1.0; above = 1.0 }
+let patch_of shape { from; until; below; above } =
+  { at = put shape ((from +. until) /. 2.0) ((below +. above) /. 2.0);
+    long = Chains.times ((until -. from) /. 2.0) shape.long; wide = Chains.times ((above -. below) /. 2.0) shape.wide }
+let rounding = Float.ldexp 1.0 (3 - grid)
+let chart_around ({ long; wide; _ } as shape) =
+  let more = rounding /. Chains.cross long wide in
+  chart { shape with long = Chains.times (1.0 +. more *. Chains.size wide) long; wide = Chains.times (1.0 +. more *. Chains.size long) wide }
+
+(* The states that a state visits along a word, with the derivatives of its flights. *)
+let rec orbit pair x = function
+  | [] -> []
+  | { far; _ } :: rest ->
+    match arrival pair x far with
+    | None -> raise Lost
+    | Some there -> let seen = seen_from_left far there in (seen, derivative pair far x there) :: orbit pair seen rest
+
+(* Whether states of a shape are carried by the flights between the edges of another one, and to where they should be along it. *)
+let fits (pair, _) shape into strides extent =
+  let taken = List.fold_left (fun sum { turns_taken; _ } -> sum +. turn *. Z.to_float turns_taken) 0.0 strides in
+  let flights = List.map (fun { far; _ } -> far) strides in
+  let inside x = match extent with Short -> x <= -1.0 | Past -> x >= 1.0 | Contained -> abs_float x <= 1.0 | Anywhere -> true in
+  List.for_all (fun (a, b) -> match walk pair (put shape a b) flights with
+    | Some (th, v) -> let x, y = coordinates_in into (th -. taken, v) in abs_float y <= 1.0 && inside x
+    | None -> false) offsets
+
+(* Whether a patch is longer along than across, where it is longest on its way. *)
+let is_longer_along (pair, _) { at; long; wide } strides =
+  let rec longest x = function
+    | [] -> Chains.size x
+    | (_, derivative) :: rest -> Float.max (Chains.size x) (longest (Chains.image derivative x) rest) in
+  match orbit pair at strides with
+  | exception Lost -> Chains.size long >= Chains.size wide
+  | states -> longest long states >= longest wide states
+
+(* Cells of a patch: of a shape of a chart, with the flights from there on. It is halved, along or across, where what is inside is not verified, or where what the image's parallelogram
+   holds besides images would be too much of the half width across the last one. Halvings at the start of a word, and later. *)
+let too_much = 0.05
+let halvings, halvings_later = (24, 8)
 let units x = Z.of_float (Float.round (Float.ldexp x grid))
-let cell_of data ((pair, _) as pairs) shape into word from until =
-  let slice = { shape with at = put shape ((from +. until) /. 2.0) 0.0; long = Chains.times ((until -. from) /. 2.0) shape.long } in
-  let rec orbit x = function
-    | [] -> []
-    | far :: rest ->
-      match arrival pair x far with
-      | None -> raise Lost
-      | Some there -> let seen = seen_from_left far there in (seen, derivative pair far x there) :: orbit seen rest in
-  let states = orbit slice.at word.word_flights in
-  let rec ways (n, a, b) shape strides states directions = match strides, states, directions with
-    | [ { far; _ } ], _, _ -> ([], passing pairs far shape (chart into))
-    | ({ far; _ } as stride) :: strides, (image, derivative) :: states, direction :: directions ->
-      let next = around data pairs stride (n, a, b) shape image derivative direction in
-      let hint = chart next in
-      let through, finally = ways (hint, units (-1.0), units 1.0) next strides states directions in
-      ((passing pairs far shape hint, hint) :: through, finally)
+let cells data ((pair, _) as pairs) into extent =
+  let p = Z.of_int strip_bits and q = Z.of_int grid in
+  let rec all halvings c shape ({ from; until; below; above } as patch) strides =
+    let start = patch_of shape patch in
+    match whole_cell (if patch = whole then c else chart_around start) start strides with
+    | found -> found
+    | exception Lost ->
+      if halvings = 0 then raise Lost;
+      let cells patch = all (halvings - 1) c shape patch strides in
+      if is_longer_along pairs start strides then
+        let cut = (from +. until) /. 2.0 in
+        let before = cells { patch with until = cut } in
+        Cut_along (units cut, before, cells { patch with from = cut })
+      else
+        let cut = (below +. above) /. 2.0 in
+        let lower = cells { patch with above = cut } in
+        Cut_across (units cut, lower, cells { patch with below = cut })
+  and whole_cell c start strides =
+    match strides, orbit pair start.at strides with
+    | [ stride ], _ ->
+      let m = chart into in
+      let transit = passing pairs stride.far start m in
+      if Striding.Each.check_tread p q data stride c m transit extent then Final (c, transit) else raise Lost
+    | stride :: strides, ((image, derivative) :: states as all_states) ->
+      let direction = List.nth (contracting (List.map snd all_states) into.wide) 1 in
+      let next = around data pairs stride c start image derivative direction in
+      let carried = List.fold_left (fun x (_, derivative) -> Chains.image derivative x) next.wide states in
+      let _, needed = Chains.coordinates next.long next.wide (Chains.image derivative start.wide) and _, part = Chains.coordinates into.long into.wide carried in
+      if (1.0 -. abs_float needed) *. abs_float part > too_much || not (fits pairs next into strides extent) then raise Lost;
+      let m = chart next in
+      Further (c, passing pairs stride.far start m, m, all halvings_later m next whole strides)
     | _ -> raise Lost in
-  let through, finally = ways (chart shape, units from, units until) slice (strides_of word) states (List.tl (contracting (List.map snd states) into.wide)) in
-  { until = units until; through; finally }
+  all halvings
 
-(* Cells one after another, each of which is checked; halved where they are not. *)
-let smallest = 1e-7
-let cells data pairs shape into word =
-  let strides = strides_of word and p = Z.of_int strip_bits and q = Z.of_int grid in
-  let n = chart shape and m = chart into in
-  let rec all (first, last) from until =
-    if until -. from < smallest then raise Lost;
-    let is_checked cell =
-      let where = match first, last with Some extent, _ | None, Some extent -> extent | None, None -> Anywhere in
-      Striding.Each.check_segment p q data strides n m (units from) cell where in
-    match cell_of data pairs shape into word from until with
-    | cell when is_checked cell -> [ cell ]
-    | _ | exception Lost -> let middle = (from +. until) /. 2.0 in all (first, None) from middle @ all (None, last) middle until in
-  all
-
-(* Where along a parallelogram a word leads across another one: from one bound to another, and whether it is turned over. *)
+(* The courses of states from one end of a shape to the other, in its middle. *)
 let samples = 1 lsl 13
 let at k = 2.0 *. float_of_int k /. float_of_int samples -. 1.0
-(* The ends are this far beyond those of the other one, more than what the states across differ, and the cells at the ends five times as long: less where the image leaves the other one's
-   edges there. *)
+let courses (pair, _) shape = Array.init (samples + 1) (fun k -> course_of pair (put shape (at k) 0.0))
+
+(* Where along a parallelogram a word leads across another one: from one bound to another, and whether it is turned over. The ends are this far beyond those
+   of the other one, more than what the states across differ, and the parts at the ends five times as long: less where the image leaves the other one's edges there. *)
 let beyond_ends = [ 0.004; 0.0005; 0.00006 ]
+(* States of a stretch, along and across, whose images are looked at. *)
+let looks_along = 64
+let looks_across = [ -1.0; 0.0; 1.0 ]
 
 type stretch = { ends : float * float; middle : float * float; is_backwards : bool }
-let stretches (pair, _) shape into word more =
+let stretches (pair, _) courses shape into word more =
   let taken = List.fold_left (fun sum { turns_taken; _ } -> sum +. turn *. Z.to_float turns_taken) 0.0 (strides_of word) in
-  let image along across = Option.map (fun (th, v) -> coordinates_in into (th -. taken, v)) (walk pair (put shape along across) word.word_flights) in
-  let images = Array.init (samples + 1) (fun k -> image (at k) 0.0) in
+  let seen (th, v) = coordinates_in into (th -. taken, v) in
+  let image along across = Option.map seen (walk pair (put shape along across) word.word_flights) in
+  let images = Array.map (fun course -> Option.map seen (walked course word.word_flights)) courses in
   let along x across = match image x across with Some (x, _) -> x | None -> raise Lost in
   (* From sample k on, in steps of one or of minus one, the first place at which the image is beyond the end `bound`. *)
   let place step k bound =
@@ -217,32 +265,40 @@ let stretches (pair, _) shape into word more =
     let differ = Float.max (abs_float (along (at k) 1.0 -. centre)) (abs_float (along (at k) (-1.0) -. centre)) in
     let bound = 1.0 +. more +. 1.2 *. differ in
     (place step k (sign *. bound), place step k (sign *. (bound +. 5.0 *. more))) in
+  (* Whether images of the stretch are between the edges, and those of its ends beyond the ends. *)
+  let is_one { ends = (a, b); middle = (from, until); is_backwards } =
+    let sign = if is_backwards then -1.0 else 1.0 in
+    let place k = a +. (b -. a) *. float_of_int k /. float_of_int looks_along in
+    let holds inside x across = match image x across with Some (x, y) -> abs_float y <= 1.0 && inside (sign *. x) | None -> false in
+    let all inside x = List.for_all (holds inside x) looks_across in
+    from < until && List.for_all (all (fun x -> x <= -1.0)) [ a; from ] && List.for_all (all (fun x -> x >= 1.0)) [ until; b ]
+      && List.for_all (fun k -> all (fun _ -> true) (place k)) (List.init looks_along Fun.id) in
   let stretch i j sign = match end_at (-1) i sign, end_at 1 j (-.sign) with
-    | (from, start), (until, finish) -> [ { ends = (start, finish); middle = (from, until); is_backwards = sign > 0.0 } ]
+    | (from, start), (until, finish) -> List.filter is_one [ { ends = (start, finish); middle = (from, until); is_backwards = sign > 0.0 } ]
     | exception Lost -> [] in
   let rec look k since found =
     if k > samples then List.rev found
     else match images.(k) with
-      | Some (x, y) when abs_float y <= 1.0 ->
-        if abs_float x < 1.0 then look (k + 1) since found
-        else
-          let sign = Float.copy_sign 1.0 x in
-          let crossed = match since with Some (i, before) when before <> sign -> stretch i k before | _ -> [] in
-          look (k + 1) (Some (k, sign)) (crossed @ found)
-      | _ -> look (k + 1) None found in
+      | Some (x, _) when abs_float x < 1.0 -> look (k + 1) since found
+      | Some (x, _) ->
+        let sign = Float.copy_sign 1.0 x in
+        let crossed = match since with Some (i, before) when before <> sign -> stretch i k before | _ -> [] in
+        look (k + 1) (Some (k, sign)) (crossed @ found)
+      | None -> look (k + 1) None found in
   look 0 None []
 
-let pieces = 8
 let strip_of data pairs shape into word { ends = (start, finish); middle = (from, until); is_backwards } =
   let before, after = if is_backwards then (Past, Short) else (Short, Past) in
-  let all = cells data pairs shape into word in
-  let place k = from +. (until -. from) *. float_of_int k /. float_of_int pieces in
-  let inner = List.concat_map (fun k -> all (None, None) (place k) (place (k + 1))) (List.init pieces Fun.id) in
-  { begins_at = units start; backwards = is_backwards; segments = all (Some before, None) start from @ inner @ all (None, Some after) until finish }
+  let cells extent from until = cells data pairs into extent (chart shape) shape { whole with from; until } (strides_of word) in
+  let opening = cells before start from in
+  let closing = cells after until finish in
+  { begins_at = units start; ends_at = units finish; backwards = is_backwards; opens_until = units from; closes_from = units until;
+    opening; inner = cells Anywhere from until; closing }
 
 (* A strip for each word, apart from those of other words from the same h-set: shorter words first. *)
 let found_strips data shapes words =
   let pairs = pairs_of data in
+  let starts = Array.map (courses pairs) shapes in
   let numbered = List.mapi (fun i word -> (i, word)) words in
   let shorter (i, v) (j, w) = compare (List.length v.word_flights, i) (List.length w.word_flights, j) in
   let apart taken { ends = (a, b); _ } = List.for_all (fun (c, d) -> b < c || d < a) taken in
@@ -258,7 +314,7 @@ let found_strips data shapes words =
       | _ :: rest -> first rest in
     let rec within = function
       | [] -> Error i
-      | more :: rest -> (match first (stretches pairs shape into word more) with Error _ -> within rest | found -> found) in
+      | more :: rest -> (match first (stretches pairs starts.(from) shape into word more) with Error _ -> within rest | found -> found) in
     within beyond_ends in
   let taken = Array.make (Array.length shapes) [] in
   List.fold_left (fun found word -> Result.bind found (fun found -> Result.map (fun strip -> strip :: found) (strip taken word))) (Ok []) (List.sort shorter numbered)

@@ -125,10 +125,14 @@ let chaos { h_sets; words; per_impact; per_cycle; blocks } =
   Printf.sprintf "(Chaos.Chaos %s %s %s %s %s)" (list h_set h_sets) (list word words) (fraction per_impact) (fraction per_cycle) (option both blocks)
 let transit { wide_mid; wide_rad; near_mid; near_rad; go; come; lean_along; lean_across } =
   Printf.sprintf "(Covering.Transit %s)" (integers [ wide_mid; wide_rad; near_mid; near_rad; go; come; lean_along; lean_across ])
-let segment { until; through; finally } =
-  let step (c, n) = Printf.sprintf "(%s, %s)" (transit c) (chart n) in
-  Printf.sprintf "(Strips.Segment %s %s %s)" (integer until) (list step through) (transit finally)
-let strip { begins_at; backwards; segments } = Printf.sprintf "(Strips.Strip %s %b %s)" (integer begins_at) backwards (list segment segments)
+let rec cells = function
+  | Final (c, passes) -> Printf.sprintf "(Strips.Final %s %s)" (chart c) (transit passes)
+  | Further (c, passes, image, rest) -> Printf.sprintf "(Strips.Further %s %s %s %s)" (chart c) (transit passes) (chart image) (cells rest)
+  | Cut_along (cut, before, after) -> Printf.sprintf "(Strips.Cut_along %s %s %s)" (integer cut) (cells before) (cells after)
+  | Cut_across (cut, below, above) -> Printf.sprintf "(Strips.Cut_across %s %s %s)" (integer cut) (cells below) (cells above)
+let strip { begins_at; ends_at; backwards; opens_until; closes_from; opening; inner; closing } =
+  Printf.sprintf "(Strips.Strip %s %b %s %s)" (integers [ begins_at; ends_at ]) backwards (integers [ opens_until; closes_from ])
+    (String.concat " " (List.map cells [ opening; inner; closing ]))
 let entry_of_word { from_set; into_set; strides; strip_of } =
   let stride { far; turns_taken } = Printf.sprintf "(Reduced.Stride %b %s)" far (integer turns_taken) in
   Printf.sprintf "(Words.Word %s %s %s %s)" (natural from_set) (natural into_set) (list stride strides) (strip strip_of)
