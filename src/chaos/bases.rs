@@ -144,7 +144,7 @@ impl Seen {
     ) -> Vec<Base> {
         let guess = Guess::new(law);
         let trials = Trials { law, making, depth, effort, watch };
-        if effort.everywhere {
+        if effort.bundled {
             let impacts = depth.min(JUDGED_TO);
             let bundles = self.bundles(&guess, impacts, watch);
             let found = [making, fine].into_iter().find_map(|making| {

@@ -1,6 +1,11 @@
 //! The values of a parameter in cells: those that hold a horseshoe, those with a stable periodic orbit, that of the scene's own start or
 //! another one, or both. Lemma D14
 
+mod followed;
+mod spread;
+#[cfg(test)]
+mod tests;
+
 use std::iter;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicU32, Ordering};
@@ -143,9 +148,8 @@ pub struct Cells {
     pub interrupted: bool,
 }
 
-/// Horseshoes are looked for in cells that are halved so often at most, and in every other generation of them.
+/// Beside stable orbits horseshoes are looked for in stretches as wide as a cell that is halved so often at most.
 const SEARCHED: u32 = 4;
-const EVERY: u32 = 2;
 
 /// A search at work.
 struct Work<'w> {
@@ -158,8 +162,8 @@ struct Work<'w> {
 impl Cells {
     /// Returns what is proved of the pairs with each value of the parameter.
     ///
-    /// `watch` receives the number of cells done, and may stop it; results proved so far are kept. The cells do not know of
-    /// one another, so threads decide nothing.
+    /// `watch` receives the number of cells done, and may stop it; results proved so far are kept. First each cell is asked by itself,
+    /// then what is undecided is tried by the h-sets of horseshoes beside it, in a fixed order, so threads decide nothing.
     ///
     /// # Errors
     /// With several harmonics, where an end is no value of the parameter, and when a value is beyond the range of flights.
@@ -189,6 +193,7 @@ impl Cells {
         for (_, cell) in found {
             cell?.into_iter().for_each(|stretch| join(&mut stretches, stretch));
         }
+        let stretches = work.spread(stretches)?;
         Ok(Self { stretches, interrupted: watch.proceed(Stage::Parameter(asked.cells)).is_break() })
     }
 }
@@ -258,7 +263,7 @@ impl Work<'_> {
         let mut verdict = Verdict::Undecided;
         if self.watch.goes_on() {
             verdict = self.periodic(&pair, halved >= self.asked.halvings)?;
-            if verdict == Verdict::Undecided && halved <= SEARCHED && halved.is_multiple_of(EVERY) {
+            if verdict == Verdict::Undecided && halved == 0 {
                 let found = self.horseshoe(&pair, [&middle, &low, &high], known, false)?;
                 verdict = found.map_or(Verdict::Undecided, Verdict::Horseshoe); // exact: none is proved
             }
@@ -300,26 +305,31 @@ impl Work<'_> {
             return Ok(None);
         }
         let law = Law::of(pair)?;
-        let mut looked_at = None;
-        for value in values {
-            let one = self.pair.with(self.asked.over.key, value.clone())?;
-            let guess = Guess::new(&Law::of(&one)?);
-            let orbit = visited(&one, self.start, 1)?.last().and_then(|last| seen(&guess, last.middle()));
-            looked_at = match orbit {
-                Some(orbit) if transients && !orbit.is_chaotic() => Some(orbit.transients(&guess)),
-                orbit => orbit.filter(Seen::is_chaotic),
-            };
-            if looked_at.is_some() {
-                break;
-            }
-        }
-        let Some(orbit) = looked_at else { return Ok(None) };
+        let Some((_, orbit)) = self.looked_at(values, transients)? else { return Ok(None) };
         let found = || bases(&orbit, &law, self.asked.depth, ANY, self.watch);
         for again in [true, false] {
             let bases = if again { known.clone() } else { found() };
             if let Some(horseshoe) = Horseshoe::of(&law, bases, self.asked.depth, self.watch) {
                 known.clone_from(&horseshoe.bases);
                 return Ok(Some(horseshoe));
+            }
+        }
+        Ok(None)
+    }
+
+    /// The first of some values whose floating-point orbit is chaotic, and that orbit; or, with `transients`, regular, and what is seen before
+    /// orbits come near it.
+    fn looked_at(&self, values: [&Exact; 3], transients: bool) -> Result<Option<(Exact, Seen)>, Error> {
+        for value in values {
+            let one = self.pair.with(self.asked.over.key, value.clone())?;
+            let guess = Guess::new(&Law::of(&one)?);
+            let orbit = visited(&one, self.start, 1)?.last().and_then(|last| seen(&guess, last.middle()));
+            let looked_at = match orbit {
+                Some(orbit) if transients && !orbit.is_chaotic() => Some(orbit.transients(&guess)),
+                orbit => orbit.filter(Seen::is_chaotic),
+            };
+            if let Some(orbit) = looked_at {
+                return Ok(Some((value.clone(), orbit)));
             }
         }
         Ok(None)

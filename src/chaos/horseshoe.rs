@@ -92,6 +92,8 @@ const FINE: [Making; 2] = [
 /// Up to this depth all makings are tried; deeper the first one that is nearly as good as the best.
 const SHALLOW: usize = 8;
 const NEARLY: f64 = 0.95;
+/// A quick look ends at this depth, or at the one that so many boxes lead to.
+const QUICK: (usize, u64) = (12, 12_000);
 
 impl Chaos {
     /// Returns the words of at most N impacts.
@@ -145,7 +147,7 @@ impl Chaos {
         let finer = if is_open { tried(&FINE, deepest) } else { Vec::new() };
         let finest = finer.into_iter().max_by(|a, b| a.entropy().total_cmp(&b.entropy())); // proposes: each is a proof of its own
         let Tried { search, depth, is_stopped: is_interrupted } = finest.unwrap_or(first); // exact: none was tried
-        let entropy = [by_impact(&search), 2.0 * entropy(&search.words, bases.len(), |path| path.half_turns)];
+        let entropy = entropies(&search);
         let (tubes, boxes) = (search.shown.clone(), search.tally.boxes);
         let words = search.words.iter().map(Word::of).collect();
         let (exponent, attractor, asymptotics) = (None, Vec::new(), Asymptotics::default());
@@ -241,6 +243,21 @@ impl Horseshoe {
         // exact: none is proved where it is 0
         (chaos.entropy() > 0.0).then_some(Self { entropy: chaos.entropy, bases: chaos.bases })
     }
+
+    /// Returns the same if few boxes lead to one. Lemmas D9-D11
+    pub(super) fn quick(law: &Law, bases: Vec<Base>, depth: usize, watch: &dyn Watch) -> Option<Self> {
+        if bases.is_empty() || problem(&bases).is_some() {
+            return None; // exact: not proved
+        }
+        let most = (depth.min(QUICK.0), QUICK.1); // proposes: how far to look
+        let tried = |&making: &Making| {
+            let tried = Tried::new(law, &bases, making).deepened(most, watch);
+            let found = entropies(&tried.search);
+            (found[0] > 0.0).then_some(found) // exact: none is proved where it is 0
+        };
+        let entropy = MAKINGS.iter().rev().find_map(tried)?;
+        Some(Self { entropy, bases })
+    }
 }
 
 /// H-sets for the most entropy that so much effort finds.
@@ -289,6 +306,11 @@ fn good(tried: Vec<Tried<'_>>, deeper: bool) -> Tried<'_> {
     let mut good = tried.into_iter().filter(|one| one.entropy() >= enough);
     let chosen = if deeper { good.next() } else { good.min_by_key(Tried::shortest) };
     chosen.expect("the best")
+}
+
+/// What its words lead to, per impact and per forcing period.
+fn entropies(search: &Search<'_>) -> [f64; 2] {
+    [by_impact(search), 2.0 * entropy(&search.words, search.bases.len(), |path| path.half_turns)]
 }
 
 fn by_impact(search: &Search<'_>) -> f64 {

@@ -21,18 +21,22 @@ pub(super) struct Effort {
     last: (usize, u64),
     /// The most h-sets.
     most: usize,
+    /// Whether they are looked for about bundles of leaves first.
+    pub bundled: bool,
     /// Whether they are looked for everywhere where saddles lead to none.
     pub everywhere: bool,
 }
 
 /// For the most entropy, and for any.
 pub(super) const THOROUGH: Effort =
-    Effort { trials: &[(64, 2_500), (12, 10_000), (4, 40_000)], last: (12, 150_000), most: 3, everywhere: true };
+    Effort { trials: &[(64, 2_500), (12, 10_000), (4, 40_000)], last: (12, 150_000), most: 3, bundled: true, everywhere: true };
 pub(super) const ANY: Effort =
-    Effort { trials: &[(32, 2_000), (4, 8_000)], last: (2, 20_000), most: 1, everywhere: false };
+    Effort { trials: &[(32, 2_000), (4, 8_000)], last: (2, 20_000), most: 1, bundled: false, everywhere: false };
+/// For some that lead far.
+pub(super) const BUNDLED: Effort = Effort { bundled: true, ..ANY };
 /// Of h-sets from everywhere.
 pub(super) const SLOW: Effort =
-    Effort { trials: &[(64, 6_000), (12, 40_000)], last: (4, 200_000), most: 2, everywhere: false };
+    Effort { trials: &[(64, 6_000), (12, 40_000)], last: (4, 200_000), most: 2, bundled: false, everywhere: false };
 /// Words of more impacts are not tried.
 pub(super) const DEPTH: usize = 60;
 /// Trials of bundles: of N, with M boxes per h-set.
