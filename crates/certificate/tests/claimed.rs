@@ -11,7 +11,7 @@ use serde_json::{Value, json};
 use crate::effort::effort;
 use crate::environment::number;
 use crate::recorded::all;
-use crate::{changes, schemas};
+use crate::{changes, schemas, tiles};
 
 pub fn text(lines: &[Value]) -> String {
     lines.iter().map(Value::to_string).collect::<Vec<_>>().join("\n")
@@ -149,6 +149,32 @@ fn r32_every_value_of_every_schema_is_judged_or_named() {
     }
     println!("{told} properties told, {} refused where they are:\n{}", refused.len(), refused.join("\n"));
     assert!(told > 8 * refused.len() && told > 300, "{told} {refused:?}");
+}
+
+/// What this version does not know it does not judge, wherever it stands.
+#[test]
+fn r48_keys_that_are_not_known_are_named_or_refused() {
+    let (mut named, mut refused) = (0, 0);
+    for (name, lines) in all().into_iter().chain([("cells of a cell".to_owned(), tiles::cut().to_vec())]) {
+        let (whole, mut seen) = (json!(lines), BTreeSet::new());
+        for (path, pointer) in leaves(&lines) {
+            let object = pointer.rfind('/').map_or("", |at| &pointer[..at]);
+            let is_object = whole.pointer(object).is_some_and(Value::is_object);
+            if !is_object || !seen.insert(changes::unnumbered(parent(&path))) {
+                continue;
+            }
+            let mut copy = whole.clone();
+            copy.pointer_mut(object).unwrap()["unknown"] = json!("1");
+            let Some(found) = checked(copy.as_array().unwrap(), &|_: Stage<'_>| proceed_if(false)) else {
+                refused += 1;
+                continue;
+            };
+            let claim = found.claims.iter().find(|claim| claim.path.ends_with("unknown"));
+            assert!(claim.is_none(), "{name}: {claim:?}");
+            named += 1;
+        }
+    }
+    assert!(named > 8 * refused, "{named} named, {refused} refused");
 }
 
 /// Other values in the place of one: false, or, where it bounds from one side or is about, one of them false.
