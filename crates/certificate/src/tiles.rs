@@ -84,7 +84,7 @@ impl Axes<'_> {
     }
 }
 
-/// The tiles along each axis that so many smallest cells are in.
+/// The tiles along each axis that these numbers of smallest cells are in.
 fn tiles(counts: [u64; 2]) -> [u64; 2] {
     counts.map(|count| count.min(TILES)) // V38: no more tiles than cells
 }
