@@ -1,5 +1,6 @@
-(* Extraction of `verify_document` (Pieces.v), `verify_shadow` (Shadow.v), `verify_cycles` (Drawn.v), `verify_attracted` and `verify_region` (Carrier.v) to OCaml. Coq's binary integers become those of Zarith: each function below has the
-   meaning of the Coq function, for all arguments; what it says of Zarith's is in integers.ml. These lines are trusted. *)
+(* Extraction of `verify_document` (Pieces.v), `verify_shadow` (Shadow.v), `verify_cycles` (Drawn.v), `verify_attracted`, `verify_region` and `verify_chaos` (Carrier.v) to OCaml.
+   Coq's binary integers become those of Zarith: each function below has the meaning of the Coq function, for all arguments; what it says of Zarith's is in integers.ml. These
+   lines are trusted. *)
 From Coq Require Import ZArith QArith Extraction ExtrOcamlBasic.
 From Flocq Require Import Zaux.
 From ImpactPair Require Import Model Certificate Document Orbit Rests Pieces Covering Shadow Cycle Cycles Drawn Region Columns March Trap Carrier.
