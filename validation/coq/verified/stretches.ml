@@ -30,8 +30,8 @@ let put shape along across = plus shape.at (plus (Chains.times along shape.long)
 let coordinates_in shape x = Chains.coordinates shape.long shape.wide (minus x shape.at)
 
 (* The first contact of a flight from the left wall: how long it takes, and whether it is with the far wall. *)
-let first_step = 0.02
-let most_steps = 20_000
+let first_step = 0.05
+let most_steps = 8_000
 let first_contact { gap; e } (th, v) =
   let u = -.e *. v in
   let height h = sin th -. sin (th +. h) +. (u +. cos th) *. h in
@@ -239,8 +239,10 @@ let at k = 2.0 *. float_of_int k /. float_of_int samples -. 1.0
 let courses (pair, _) shape = Array.init (samples + 1) (fun k -> course_of pair (put shape (at k) 0.0))
 
 (* Where along a parallelogram a word leads across another one: from one bound to another, and whether it is turned over. The ends are this far beyond those
-   of the other one, more than what the states across differ, and the parts at the ends five times as long: less where the image leaves the other one's edges there. *)
+   of the other one, and the parts at the ends five times as long: less where the image leaves the other one's edges there. *)
 let beyond_ends = [ 0.004; 0.0005; 0.00006 ]
+(* Parts of the way from one state to the next where an image between the ends is near flights to other walls. *)
+let finer = 32
 (* States of a stretch, along and across, whose images are looked at. *)
 let looks_along = 64
 let looks_across = [ -1.0; 0.0; 1.0 ]
@@ -251,20 +253,24 @@ let stretches (pair, _) courses shape into word more =
   let seen (th, v) = coordinates_in into (th -. taken, v) in
   let image along across = Option.map seen (walk pair (put shape along across) word.word_flights) in
   let images = Array.map (fun course -> Option.map seen (walked course word.word_flights)) courses in
+  let is_between = function Some (x, _) -> abs_float x < 1.0 | None -> false in
+  let between k =
+    let place j = at k +. (at (k + 1) -. at k) *. float_of_int j /. float_of_int finer in
+    match images.(k), images.(k + 1) with
+    | (None, x | x, None) when is_between x -> List.init (finer - 1) (fun j -> let place = place (j + 1) in (place, image place 0.0))
+    | _ -> [] in
+  let points = Array.of_list (List.concat (List.init (samples + 1) (fun k -> (at k, images.(k)) :: (if k < samples then between k else [])))) in
+  let last = Array.length points - 1 in
+  let at k = fst points.(k) in
   let along x across = match image x across with Some (x, _) -> x | None -> raise Lost in
-  (* From sample k on, in steps of one or of minus one, the first place at which the image is beyond the end `bound`. *)
-  let place step k bound =
-    let sign = if bound > 0.0 then 1.0 else -1.0 in
-    let rec look k = match if k < 0 || k > samples then None else images.(k) with
-      | None -> raise Lost
-      | Some (x, _) when sign *. (x -. bound) >= 0.0 -> Flights.bisected (fun x -> along x 0.0 -. bound) (at k) (at (k - step))
-      | Some _ -> look (k + step) in
-    look k in
-  let end_at step k sign =
-    let centre = along (at k) 0.0 in
-    let differ = Float.max (abs_float (along (at k) 1.0 -. centre)) (abs_float (along (at k) (-1.0) -. centre)) in
-    let bound = 1.0 +. more +. 1.2 *. differ in
-    (place step k (sign *. bound), place step k (sign *. (bound +. 5.0 *. more))) in
+  (* How far images are beyond an end, of the states across: the least. *)
+  let beyond sign x = List.fold_left (fun least across -> Float.min least (sign *. along x across)) infinity looks_across in
+  (* From point k on, in steps of one or of minus one, the first place at which images are so far beyond. *)
+  let rec place step sign bound k =
+    if k < 0 || k > last then raise Lost
+    else if beyond sign (at k) >= bound then Flights.bisected (fun x -> sign *. (beyond sign x -. bound)) (at k) (at (k - step))
+    else place step sign bound (k + step) in
+  let end_at step k sign = (place step sign (1.0 +. more) k, place step sign (1.0 +. 6.0 *. more) k) in
   (* Whether images of the stretch are between the edges, and those of its ends beyond the ends. *)
   let is_one { ends = (a, b); middle = (from, until); is_backwards } =
     let sign = if is_backwards then -1.0 else 1.0 in
@@ -277,8 +283,8 @@ let stretches (pair, _) courses shape into word more =
     | (from, start), (until, finish) -> List.filter is_one [ { ends = (start, finish); middle = (from, until); is_backwards = sign > 0.0 } ]
     | exception Lost -> [] in
   let rec look k since found =
-    if k > samples then List.rev found
-    else match images.(k) with
+    if k > last then List.rev found
+    else match snd points.(k) with
       | Some (x, _) when abs_float x < 1.0 -> look (k + 1) since found
       | Some (x, _) ->
         let sign = Float.copy_sign 1.0 x in
