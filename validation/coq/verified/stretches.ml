@@ -144,6 +144,8 @@ let magnitude interval =
     | Fnan -> raise Lost in
   match interval with Ibnd0 (lower, upper) -> Float.max (value lower) (value upper) | Inan0 -> raise Lost
 
+(* That all states of a chart arrive is not proved. *)
+exception Not_landed
 (* The tightest parallelogram that the checker finds around the image of a chart, along the image of its long vector and a direction that contracts. *)
 let around data pairs stride c shape at derivative direction =
   let unit x = Chains.times (1.0 /. Chains.size x) x in
@@ -151,7 +153,7 @@ let around data pairs stride c shape at derivative direction =
   let frame = { at; long; wide = (if Chains.cross long direction > 0.0 then unit direction else Chains.times (-1.0) (unit direction)) } in
   let m = chart frame and p = Z.of_int strip_bits and q = Z.of_int grid in
   match Striding.Each.bounds p q data stride c m (passing pairs stride.far shape m) with
-  | None -> raise Lost
+  | None -> raise Not_landed
   | Some (along, across) ->
     let area = magnitude (Striding.Each.area_over p q m) in
     let by interval = Chains.times (magnitude interval /. area *. (1.0 +. 1e-6) +. spare) in
@@ -185,6 +187,14 @@ let fits (pair, _) shape into strides extent =
     | Some (th, v) -> let x, y = coordinates_in into (th -. taken, v) in abs_float y <= 1.0 && inside x
     | None -> false) offsets
 
+(* Whether a patch makes phases of arrival of the next flight differ more along than across, as phase and velocity do each by itself. *)
+let lands_longer_along (pair, _) { at; long; wide } { far; _ } =
+  match arrival pair at far with
+  | None -> Chains.size long >= Chains.size wide
+  | Some there ->
+    let (by_phase, _), (by_velocity, _) = derivative pair false at there in
+    let differ (phase, velocity) = abs_float (by_phase *. phase) +. abs_float (by_velocity *. velocity) in
+    differ long >= differ wide
 (* Whether a patch is longer along than across, where it is longest on its way. *)
 let is_longer_along (pair, _) { at; long; wide } strides =
   let rec longest x = function
@@ -194,21 +204,24 @@ let is_longer_along (pair, _) { at; long; wide } strides =
   | exception Lost -> Chains.size long >= Chains.size wide
   | states -> longest long states >= longest wide states
 
-(* Cells of a patch: of a shape of a chart, with the flights from there on. It is halved, along or across, where what is inside is not verified, or where what the image's parallelogram
-   holds besides images would be too much of the half width across the last one. Halvings at the start of a word, and later. *)
+(* Cells of a patch: of a shape of a chart, with the flights from there on. It is halved, along or across, where it is not verified, or where what the image's parallelogram
+   holds besides images would be too much of the half width across the last one. Halvings at the start of a word, and later; and how many patches are tried. *)
 let too_much = 0.05
 let halvings, halvings_later = (24, 8)
+let most_patches = 3_000
 let units x = Z.of_float (Float.round (Float.ldexp x grid))
 let cells data ((pair, _) as pairs) into extent =
   let p = Z.of_int strip_bits and q = Z.of_int grid in
+  let tried = ref 0 in
   let rec all halvings c shape ({ from; until; below; above } as patch) strides =
     let start = patch_of shape patch in
+    incr tried;
     match whole_cell (if patch = whole then c else chart_around start) start strides with
     | found -> found
-    | exception Lost ->
-      if halvings = 0 then raise Lost;
+    | exception ((Lost | Not_landed) as why) ->
+      if halvings = 0 || !tried > most_patches then raise Lost;
       let cells patch = all (halvings - 1) c shape patch strides in
-      if is_longer_along pairs start strides then
+      if (if why = Not_landed then lands_longer_along pairs start (List.hd strides) else is_longer_along pairs start strides) then
         let cut = (from +. until) /. 2.0 in
         let before = cells { patch with until = cut } in
         Cut_along (units cut, before, cells { patch with from = cut })
