@@ -50,7 +50,7 @@ REGIONS_OF_INTERVALS = [{"gap": "[9.42496, 9.42498]"}, {"restitution": "[0.4999,
 BASES = ["--bases", "docs/bases-figure-14.json", "--depth"]
 THICK = ("figure-17", ["--bases", "validation/coq/verified/bases-figure-17.json", "--depth", "5"], {}, 40.0)
 HORSESHOES = [("figure-14", [*BASES, "3"], {}, 10.0), ("figure-14-sink", [*BASES, "3"], {}, 10.0), ("figure-14", [*BASES, "3"], {"gap": "[9.42496, 9.42498]"}, 10.0),
-              ("figure-14", [*BASES, "6"], {}, 30.0), ("figure-14", [*BASES, "8"], {}, 60.0), THICK]
+              ("figure-14", [*BASES, "6"], {}, 30.0), ("figure-14", [*BASES, "8"], {}, 60.0), ("figure-14", [*BASES, "9"], {}, 110.0), THICK]
 # Documents of which corrupted copies are made.
 SPOILED = [("figure-14", ["--impacts", "8"]), ("figure-14", ["--until", "4.4"]), ("figure-14", [*SHADOWED, "--impacts", "8"]),
            ("chatter", ["--until", "12"]), ("chatter", []), ("two-tones", ["--impacts", "6"]), ("figure-17", ["--impacts", "6"]), ("figure-17", [*SHADOWED, "--impacts", "6"])]
