@@ -1,5 +1,6 @@
 """Corrupted copies of a horseshoe, in documents of `chaos`: each claims something that is false, or that the theorem does not cover, or that is not the canonical form."""
 import copy
+import re
 from fractions import Fraction
 
 
@@ -14,6 +15,15 @@ def moved(base, by):
         for corner in side:
             corner[0] += by / 6.283185307179586
     base["phase"] = f"{float(base['phase']) + by:.12f}"
+
+
+def thinner(base):
+    """An h-set half as thick, all that is said of it; its ends stay in place."""
+    for bottom, top in base["corners"].values():
+        for n in (0, 1):
+            middle, half = (bottom[n] + top[n]) / 2, (top[n] - bottom[n]) / 4
+            bottom[n], top[n] = middle - half, middle + half
+    base["contracting"] = [f"{float(length) / 2:.12f}" for length in base["contracting"]]
 
 
 def changes(document):
@@ -37,11 +47,12 @@ def changes(document):
     yield "an h-set somewhere else", lambda copied: moved(copied["bases"][0], 0.1)
     yield "an h-set a forcing period later", lambda copied: moved(copied["bases"][-1], 6.283185307179586)
     yield "an h-set twice", lambda copied: copied["bases"].append(copied["bases"][0])
+    yield "an h-set half as thick", lambda copied: thinner(copied["bases"][copied["words"][0]["to"]])
     yield "a middle beside the corners", lambda copied: copied["bases"][0].update(phase=more(copied["bases"][0]["phase"]))
     yield "half vectors beside the corners", lambda copied: copied["bases"][0]["expanding"].reverse()
     yield "corners in another order", lambda copied: copied["bases"][0]["corners"]["left"].reverse()
     yield "an h-set across", lambda copied: copied["bases"][0].update(corners={"left": copied["bases"][0]["corners"]["right"], "right": copied["bases"][0]["corners"]["left"]})
-    yield "blocks that are none", lambda copied: copied.update(horseshoe=copied["horseshoe"].replace("2 half cycles", "4 half cycles"))
+    yield "blocks that are none", lambda copied: copied.update(horseshoe=re.sub(r"(\d+) half cycles", lambda found: f"{int(found[1]) + 2} half cycles", copied["horseshoe"]))
     yield "one block twice", lambda copied: copied.update(horseshoe=twice(copied["horseshoe"]))
     yield "another gap", lambda copied: copied["scene"].update(gap="9.3")
     yield "another restitution", lambda copied: copied["scene"].update(restitution="0.6")

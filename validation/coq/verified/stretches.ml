@@ -30,8 +30,8 @@ let put shape along across = plus shape.at (plus (Chains.times along shape.long)
 let coordinates_in shape x = Chains.coordinates shape.long shape.wide (minus x shape.at)
 
 (* The first contact of a flight from the left wall: how long it takes, and whether it is with the far wall. *)
-let first_step = 0.02
-let most_steps = 20_000
+let first_step = 0.05
+let most_steps = 8_000
 let first_contact { gap; e } (th, v) =
   let u = -.e *. v in
   let height h = sin th -. sin (th +. h) +. (u +. cos th) *. h in
@@ -144,6 +144,8 @@ let magnitude interval =
     | Fnan -> raise Lost in
   match interval with Ibnd0 (lower, upper) -> Float.max (value lower) (value upper) | Inan0 -> raise Lost
 
+(* That all states of a chart arrive is not proved. *)
+exception Not_landed
 (* The tightest parallelogram that the checker finds around the image of a chart, along the image of its long vector and a direction that contracts. *)
 let around data pairs stride c shape at derivative direction =
   let unit x = Chains.times (1.0 /. Chains.size x) x in
@@ -151,7 +153,7 @@ let around data pairs stride c shape at derivative direction =
   let frame = { at; long; wide = (if Chains.cross long direction > 0.0 then unit direction else Chains.times (-1.0) (unit direction)) } in
   let m = chart frame and p = Z.of_int strip_bits and q = Z.of_int grid in
   match Striding.Each.bounds p q data stride c m (passing pairs stride.far shape m) with
-  | None -> raise Lost
+  | None -> raise Not_landed
   | Some (along, across) ->
     let area = magnitude (Striding.Each.area_over p q m) in
     let by interval = Chains.times (magnitude interval /. area *. (1.0 +. 1e-6) +. spare) in
@@ -185,6 +187,14 @@ let fits (pair, _) shape into strides extent =
     | Some (th, v) -> let x, y = coordinates_in into (th -. taken, v) in abs_float y <= 1.0 && inside x
     | None -> false) offsets
 
+(* Whether a patch makes phases of arrival of the next flight differ more along than across, as phase and velocity do each by itself. *)
+let lands_longer_along (pair, _) { at; long; wide } { far; _ } =
+  match arrival pair at far with
+  | None -> Chains.size long >= Chains.size wide
+  | Some there ->
+    let (by_phase, _), (by_velocity, _) = derivative pair false at there in
+    let differ (phase, velocity) = abs_float (by_phase *. phase) +. abs_float (by_velocity *. velocity) in
+    differ long >= differ wide
 (* Whether a patch is longer along than across, where it is longest on its way. *)
 let is_longer_along (pair, _) { at; long; wide } strides =
   let rec longest x = function
@@ -194,21 +204,24 @@ let is_longer_along (pair, _) { at; long; wide } strides =
   | exception Lost -> Chains.size long >= Chains.size wide
   | states -> longest long states >= longest wide states
 
-(* Cells of a patch: of a shape of a chart, with the flights from there on. It is halved, along or across, where what is inside is not verified, or where what the image's parallelogram
-   holds besides images would be too much of the half width across the last one. Halvings at the start of a word, and later. *)
+(* Cells of a patch: of a shape of a chart, with the flights from there on. It is halved, along or across, where it is not verified, or where what the image's parallelogram
+   holds besides images would be too much of the half width across the last one. Halvings at the start of a word, and later; and how many patches are tried. *)
 let too_much = 0.05
 let halvings, halvings_later = (24, 8)
+let most_patches = 3_000
 let units x = Z.of_float (Float.round (Float.ldexp x grid))
 let cells data ((pair, _) as pairs) into extent =
   let p = Z.of_int strip_bits and q = Z.of_int grid in
+  let tried = ref 0 in
   let rec all halvings c shape ({ from; until; below; above } as patch) strides =
     let start = patch_of shape patch in
+    incr tried;
     match whole_cell (if patch = whole then c else chart_around start) start strides with
     | found -> found
-    | exception Lost ->
-      if halvings = 0 then raise Lost;
+    | exception ((Lost | Not_landed) as why) ->
+      if halvings = 0 || !tried > most_patches then raise Lost;
       let cells patch = all (halvings - 1) c shape patch strides in
-      if is_longer_along pairs start strides then
+      if (if why = Not_landed then lands_longer_along pairs start (List.hd strides) else is_longer_along pairs start strides) then
         let cut = (from +. until) /. 2.0 in
         let before = cells { patch with until = cut } in
         Cut_along (units cut, before, cells { patch with from = cut })
@@ -239,8 +252,10 @@ let at k = 2.0 *. float_of_int k /. float_of_int samples -. 1.0
 let courses (pair, _) shape = Array.init (samples + 1) (fun k -> course_of pair (put shape (at k) 0.0))
 
 (* Where along a parallelogram a word leads across another one: from one bound to another, and whether it is turned over. The ends are this far beyond those
-   of the other one, more than what the states across differ, and the parts at the ends five times as long: less where the image leaves the other one's edges there. *)
+   of the other one, and the parts at the ends five times as long: less where the image leaves the other one's edges there. *)
 let beyond_ends = [ 0.004; 0.0005; 0.00006 ]
+(* Parts of the way from one state to the next where an image between the ends is near flights to other walls. *)
+let finer = 32
 (* States of a stretch, along and across, whose images are looked at. *)
 let looks_along = 64
 let looks_across = [ -1.0; 0.0; 1.0 ]
@@ -251,20 +266,24 @@ let stretches (pair, _) courses shape into word more =
   let seen (th, v) = coordinates_in into (th -. taken, v) in
   let image along across = Option.map seen (walk pair (put shape along across) word.word_flights) in
   let images = Array.map (fun course -> Option.map seen (walked course word.word_flights)) courses in
+  let is_between = function Some (x, _) -> abs_float x < 1.0 | None -> false in
+  let between k =
+    let place j = at k +. (at (k + 1) -. at k) *. float_of_int j /. float_of_int finer in
+    match images.(k), images.(k + 1) with
+    | (None, x | x, None) when is_between x -> List.init (finer - 1) (fun j -> let place = place (j + 1) in (place, image place 0.0))
+    | _ -> [] in
+  let points = Array.of_list (List.concat (List.init (samples + 1) (fun k -> (at k, images.(k)) :: (if k < samples then between k else [])))) in
+  let last = Array.length points - 1 in
+  let at k = fst points.(k) in
   let along x across = match image x across with Some (x, _) -> x | None -> raise Lost in
-  (* From sample k on, in steps of one or of minus one, the first place at which the image is beyond the end `bound`. *)
-  let place step k bound =
-    let sign = if bound > 0.0 then 1.0 else -1.0 in
-    let rec look k = match if k < 0 || k > samples then None else images.(k) with
-      | None -> raise Lost
-      | Some (x, _) when sign *. (x -. bound) >= 0.0 -> Flights.bisected (fun x -> along x 0.0 -. bound) (at k) (at (k - step))
-      | Some _ -> look (k + step) in
-    look k in
-  let end_at step k sign =
-    let centre = along (at k) 0.0 in
-    let differ = Float.max (abs_float (along (at k) 1.0 -. centre)) (abs_float (along (at k) (-1.0) -. centre)) in
-    let bound = 1.0 +. more +. 1.2 *. differ in
-    (place step k (sign *. bound), place step k (sign *. (bound +. 5.0 *. more))) in
+  (* How far images are beyond an end, of the states across: the least. *)
+  let beyond sign x = List.fold_left (fun least across -> Float.min least (sign *. along x across)) infinity looks_across in
+  (* From point k on, in steps of one or of minus one, the first place at which images are so far beyond. *)
+  let rec place step sign bound k =
+    if k < 0 || k > last then raise Lost
+    else if beyond sign (at k) >= bound then Flights.bisected (fun x -> sign *. (beyond sign x -. bound)) (at k) (at (k - step))
+    else place step sign bound (k + step) in
+  let end_at step k sign = (place step sign (1.0 +. more) k, place step sign (1.0 +. 6.0 *. more) k) in
   (* Whether images of the stretch are between the edges, and those of its ends beyond the ends. *)
   let is_one { ends = (a, b); middle = (from, until); is_backwards } =
     let sign = if is_backwards then -1.0 else 1.0 in
@@ -277,8 +296,8 @@ let stretches (pair, _) courses shape into word more =
     | (from, start), (until, finish) -> List.filter is_one [ { ends = (start, finish); middle = (from, until); is_backwards = sign > 0.0 } ]
     | exception Lost -> [] in
   let rec look k since found =
-    if k > samples then List.rev found
-    else match images.(k) with
+    if k > last then List.rev found
+    else match snd points.(k) with
       | Some (x, _) when abs_float x < 1.0 -> look (k + 1) since found
       | Some (x, _) ->
         let sign = Float.copy_sign 1.0 x in
