@@ -207,6 +207,16 @@ mod tests {
         }
     }
 
+    /// Of an orbit a word several times is not one of its own.
+    #[test]
+    fn v36_several_rounds_of_an_orbit_are_not_another_one() {
+        for pair in [["0.3", "0.5"], ["0.36", "0.8"], ["1/(3*pi)", "0.5"]] {
+            for rounds in 2..=6 {
+                assert!(!is_proved(pair, &vec!["P1 P2"; rounds].join(" "), rounds as u32), "{pair:?} {rounds}");
+            }
+        }
+    }
+
     /// Beyond the doubling at 0.46276, and before the one at 0.48999, the orbit takes two cycles: rounds of many impacts do not prove half of it.
     #[test]
     fn v36_a_doubled_orbit_is_not_the_one_that_has_doubled() {
@@ -229,6 +239,7 @@ mod tests {
         assert_eq!(found("P1 P2 P1 P2", 2), Found::Proved);
         assert_eq!(found("P1 P2", 1), Found::Nothing);
         assert_eq!(found("P1 P2 P4", 1), Found::Other);
+        assert_eq!(found("P1 P2 P4 P4", 2), Found::Other);
         assert_eq!(found("P1 P2 P1 P2", 3), Found::Other);
     }
 
