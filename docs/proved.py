@@ -79,7 +79,9 @@ def main():
     write(found, made, "")
     checked = run("checked", ["check", document, "--format", "json"])
     claimed = sum(own["verdict"] != "undecided" for own in found["stretches"])
-    said = json.loads(checked["said"])["message"]
+    verdict, said = (json.loads(checked["said"])[key] for key in ("verdict", "message"))
+    if verdict == "refuted":
+        raise SystemExit(f"`check` refutes {document}: {said}")
     write(found, made, f"\n`check` of this document, {claimed} stretches with a verdict, takes {checked['processor']:.0f} s of processor time: {said}.\n")
 
 

@@ -194,14 +194,18 @@ impl Label {
         Self { ends: [x - by, y - by, x + by, y + by] }
     }
 
-    /// Returns the first place beside a ring, right, left, above or below, where a label is in the plane and covers nothing; right if there is none.
+    /// Returns the first place beside a ring where a label is in the plane and covers nothing: right, left, above or below, there in the middle, from the
+    /// ring on or up to it; right if there is none.
     fn beside((x, y): (i32, i32), text: &str, pixels: [(i32, i32); 2], taken: &[Self]) -> Self {
         let (width, half) = (text.len() as i32 * FONT * 2 / 5 + 2 * SCALE, FONT * 3 / 5);
         let (away, far) = (RING + 3 * SCALE, RING + 2 * SCALE + half);
         let of = |left: i32, middle: i32| Self { ends: [left, middle - half, left + width, middle + half] };
-        let places = [of(x + away, y), of(x - away - width, y), of(x - width / 2, y - far), of(x - width / 2, y + far)];
-        let is_free = |own: &&Self| own.is_in(pixels) && !taken.iter().any(|other| own.meets(other));
-        *places.iter().find(is_free).unwrap_or(&places[0])
+        let along = [x - width / 2, x - RING, x + RING - width];
+        let places = [of(x + away, y), of(x - away - width, y)].into_iter();
+        let mut places =
+            places.chain([y - far, y + far].into_iter().flat_map(|middle| along.map(|left| of(left, middle))));
+        let is_free = |own: &Self| own.is_in(pixels) && !taken.iter().any(|other| own.meets(other));
+        places.find(is_free).unwrap_or_else(|| of(x + away, y))
     }
 
     fn is_in(&self, [(low, high), (bottom, top)]: [(i32, i32); 2]) -> bool {
@@ -219,16 +223,20 @@ impl Label {
 mod tests {
     use super::*;
 
-    /// Figures 12 and 13 are side by side: the label of the first is not drawn over the second one, nor the second label over the first.
+    /// Figures 12 and 13 are side by side, in the picture of the gallery near an edge of the plane: no label is drawn over another one, or over a ring.
     #[test]
     fn labels_of_figures_do_not_meet() {
         let pixels = [(0, 2000), (1500, 0)];
-        let rings = [(300, 700), (300 + 4 * RING, 700)];
-        let mut taken: Vec<Label> = rings.iter().map(|at| Label::ring(*at)).collect();
-        for at in rings {
-            let label = Label::beside(at, "fig. 12", pixels, &taken);
-            assert!(label.is_in(pixels) && !taken.iter().any(|other| label.meets(other)), "{:?}", label.ends);
-            taken.push(label);
+        for from_the_edge in [300, 64] {
+            for rings in [[from_the_edge, from_the_edge + 122], [2000 - from_the_edge, 1878 - from_the_edge]] {
+                let rings = rings.map(|x| (x, 700));
+                let mut taken: Vec<Label> = rings.iter().map(|at| Label::ring(*at)).collect();
+                for at in rings {
+                    let label = Label::beside(at, "fig. 12", pixels, &taken);
+                    assert!(label.is_in(pixels) && !taken.iter().any(|other| label.meets(other)), "{:?}", label.ends);
+                    taken.push(label);
+                }
+            }
         }
     }
 }

@@ -178,15 +178,24 @@ mod tests {
     use impact_pair_model::watch::Unwatched;
     use impact_pair_model::{Harmonic, Wall};
 
-    /// Whether a stable orbit of a word in some cycles is proved for all amplitudes and restitutions of intervals.
-    fn is_proved([amplitude, restitution]: [&str; 2], word: &str, cycles: u32) -> bool {
+    fn pair([amplitude, restitution]: [&str; 2]) -> ImpactPair {
         let exact = |text: &str| text.parse::<Exact>().unwrap();
         let harmonic = Harmonic::new(exact(amplitude), Exact::pi(), Exact::from(0)).unwrap();
-        let pair = ImpactPair::new(harmonic, exact("1"), exact(restitution)).unwrap();
-        let start = Start::on_wall(Exact::from(0), Wall::Left, Exact::from(-1)).unwrap();
-        let impacts = word.split(' ').count() as u32;
-        let claimed = PeriodDocument { word: word.to_owned(), cycles, impacts };
-        has_stable_orbit((&pair, &start), &claimed, &Effort::default(), &Unwatched).unwrap().is_ok()
+        ImpactPair::new(harmonic, exact("1"), exact(restitution)).unwrap()
+    }
+
+    fn start(velocity: i64) -> Start {
+        Start::on_wall(Exact::from(0), Wall::Left, Exact::from(velocity)).unwrap()
+    }
+
+    fn claimed(word: &str, cycles: u32) -> PeriodDocument {
+        PeriodDocument { word: word.to_owned(), cycles, impacts: word.split(' ').count() as u32 }
+    }
+
+    /// Whether a stable orbit of a word in some cycles is proved for all amplitudes and restitutions of intervals.
+    fn is_proved(values: [&str; 2], word: &str, cycles: u32) -> bool {
+        let asked = (&pair(values), &start(-1));
+        has_stable_orbit(asked, &claimed(word, cycles), &Effort::default(), &Unwatched).unwrap().is_ok()
     }
 
     /// The equispaced motion of (66)-(69), whose eigenvalues are complex at the first pair: a set lies in one of many impacts before only.
@@ -198,6 +207,16 @@ mod tests {
         }
     }
 
+    /// Of an orbit a word several times is not one of its own.
+    #[test]
+    fn v36_several_rounds_of_an_orbit_are_not_another_one() {
+        for pair in [["0.3", "0.5"], ["0.36", "0.8"], ["1/(3*pi)", "0.5"]] {
+            for rounds in 2..=6 {
+                assert!(!is_proved(pair, &vec!["P1 P2"; rounds].join(" "), rounds as u32), "{pair:?} {rounds}");
+            }
+        }
+    }
+
     /// Beyond the doubling at 0.46276, and before the one at 0.48999, the orbit takes two cycles: rounds of many impacts do not prove half of it.
     #[test]
     fn v36_a_doubled_orbit_is_not_the_one_that_has_doubled() {
@@ -205,6 +224,23 @@ mod tests {
         assert!(is_proved(doubled, "P1 P2 P1 P2", 2));
         assert!(!is_proved(doubled, "P1 P2", 1));
         assert!(!is_proved(["0.492", "0.8"], "P1 P2 P1 P2", 2));
+    }
+
+    /// The same of the scene's own orbit, which is followed from its start on and not from where a floating-point orbit has settled: it converges to the
+    /// doubled orbit, another one of the pair has three impacts.
+    #[test]
+    fn v36_an_orbit_that_converges_to_a_doubled_one_does_not_converge_to_half_of_it() {
+        let (pair, start) = (pair(["0.475", "0.8"]), start(-5));
+        let found = |word: &str, cycles: u32| {
+            let work = Allowance::new(LOOKS * Effort::default().work, &Unwatched);
+            let period = Period::of(&claimed(word, cycles)).unwrap();
+            period.attracts((&pair, &start), &Law::of(&pair).unwrap(), &work).unwrap().unwrap()
+        };
+        assert_eq!(found("P1 P2 P1 P2", 2), Found::Proved);
+        assert_eq!(found("P1 P2", 1), Found::Nothing);
+        assert_eq!(found("P1 P2 P4", 1), Found::Other);
+        assert_eq!(found("P1 P2 P4 P4", 2), Found::Other);
+        assert_eq!(found("P1 P2 P1 P2", 3), Found::Other);
     }
 
     /// Each gap is in a quarter with each restitution.
