@@ -289,7 +289,7 @@ const WHAT: &str = "a homoclinic tangency";
 const FOLD: usize = 10_000;
 
 impl TangencySettings {
-    /// The work by default: some half a minute.
+    /// The work by default: some 20 seconds for each saddle.
     pub const WORK: usize = 30_000_000;
 }
 
