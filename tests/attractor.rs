@@ -6,6 +6,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use crate::tolerances::{EIGENVALUE, EIGENVALUE_7};
 use approx::{AbsDiffEq, abs_diff_eq};
 use impact_pair::Scene;
+use impact_pair::chaos::{Chaos, HorseshoeSettings};
 use impact_pair::exact::Enclosure;
 use impact_pair::number::Ball;
 use impact_pair::orbit::{Arithmetic, Impact, Orbit, Outcome, Settings};
@@ -195,6 +196,20 @@ fn r47_the_search_for_an_attractor_can_be_stopped_and_goes_on() {
     assert!(orbit.outcome().is_none() && orbit.listed_until().is_none());
     assert!(orbit.next().is_none());
     assert!(matches!(orbit.outcome(), Some(Outcome::Attracted(_))), "{:?}", orbit.outcome());
+}
+
+/// A search for h-sets that was stopped, and that of the scene's own orbit, said what a whole one says that finds nothing.
+#[test]
+fn r48_a_search_for_h_sets_that_is_stopped_says_so() {
+    let is_interrupted = |number: u32, stops: fn(&Stage<'_>) -> bool| {
+        let question = HorseshoeSettings { depth: Some(1), bases: Vec::new() };
+        let chaos = Chaos::of_scene(&figure(number), &question, &|at: Stage<'_>| proceed_if(!stops(&at))).unwrap();
+        assert_eq!(chaos.entropy(), 0.0, "figure {number}");
+        chaos.is_interrupted()
+    };
+    assert!(is_interrupted(14, |at| matches!(at, Stage::Horseshoe { depth: 0, .. })));
+    assert!(is_interrupted(12, |at| matches!(at, Stage::Working)));
+    assert!(!is_interrupted(12, |_| false));
 }
 
 /// Nothing attracts where no impact loses energy, or where the box is not moved: nothing is looked for. Lemma Q4

@@ -1,10 +1,14 @@
 //! At the extremes: nothing is asked for in vain, and what can be told is told. The scenes are those of issue 17, and of its kind.
 
+use std::sync::atomic::{AtomicUsize, Ordering};
+
 use impact_pair::Scene;
+use impact_pair::chaos::{NoTrap, Trap};
 use impact_pair::contact::Reason;
 #[cfg(feature = "multiprecision")]
 use impact_pair::orbit::Progress;
 use impact_pair::orbit::{Impact, Orbit, Outcome, Settings};
+use impact_pair::watch::{Stage, proceed_if};
 
 fn scene(excitation: &str, pair: &str, start: &str) -> Scene {
     Scene::parse(&format!("excitation = {{ {excitation} }}\npair = {{ {pair} }}\nstart = {{ {start} }}")).unwrap()
@@ -170,4 +174,26 @@ fn r17_the_extremes_of_data_are_read() {
     let error = Orbit::of(&near_one, settings("-5")).unwrap_err();
     assert_eq!(error.to_string(), "run.until is -5, but must be at least start.time, 0");
     assert!(Orbit::of(&near_one, settings("0")).is_ok());
+}
+
+/// At `e = 1` the reduced map preserves the area `w dw dth`, so that no set of boxes is mapped into its interior: none is looked for where the
+/// restitution is 1, or may be.
+#[test]
+fn r48_no_region_is_looked_for_where_the_map_preserves_area() {
+    let regions = |restitution: &str| {
+        let restitution = format!("restitution = {restitution}");
+        let text = include_str!("../scenes/figure-14.toml").replace("restitution = 0.5", &restitution);
+        let boxes = AtomicUsize::new(0);
+        let watch = |at: Stage<'_>| {
+            boxes.fetch_add(usize::from(matches!(at, Stage::Region(_))), Ordering::Relaxed);
+            proceed_if(true)
+        };
+        let found = Trap::of(&Scene::parse(&text).unwrap(), 0, &watch).unwrap();
+        (found.err(), boxes.into_inner())
+    };
+    for restitution in ["1", "\"[0.99, 1]\"", "\"[0, 1]\""] {
+        assert_eq!(regions(restitution), (Some(NoTrap::Elastic), 0), "{restitution}");
+    }
+    let (refused, boxes) = regions("0.5");
+    assert!(refused.is_none() && boxes > 0);
 }

@@ -1,6 +1,9 @@
 //! Homoclinic tangencies beside figure 14, against constants of an independent computation in balls (single shooting in 130 digits).
 
+use std::sync::atomic::{AtomicU64, Ordering};
+
 use impact_pair::Scene;
+use impact_pair::document;
 use impact_pair::exact::Exact;
 use impact_pair::periodic::Precision;
 use impact_pair::tangency::{FlightWord, Tangencies, TangencySettings};
@@ -16,7 +19,8 @@ fn figure_14() -> Scene {
 fn settings(over: &str, word: &str, digits: u32) -> TangencySettings {
     let word = Some(word.parse().unwrap());
     let precision = Precision { digits, ..Precision::default() };
-    TangencySettings { over: over.parse().unwrap(), word, longest: 10, most: 3, precision }
+    let work = TangencySettings::WORK;
+    TangencySettings { over: over.parse().unwrap(), word, longest: 10, most: 3, work, precision }
 }
 
 fn found(over: &str, word: &str, digits: u32) -> Tangencies {
@@ -142,6 +146,42 @@ fn an_interrupted_search_is_not_certified() {
         Tangencies::of(&figure_14(), &settings("gap=9.4249..9.4252", FIRST, 9), &|_: Stage<'_>| proceed_if(false))
             .unwrap();
     assert!(found.interrupted && found.tangencies.is_empty() && !found.is_certified());
+}
+
+/// A search over all words is asked at each of its pieces whether to go on, and at each of its folds.
+#[test]
+fn r48_a_search_over_all_words_can_be_stopped_at_once() {
+    let all = TangencySettings { word: None, longest: 10, ..settings("gap=9.4244..9.4254", FIRST, 9) };
+    let until = |stops: fn(&Stage<'_>) -> bool| {
+        let pieces = AtomicU64::new(0);
+        let watch = |at: Stage<'_>| {
+            if let Stage::Folds(piece) = at {
+                pieces.store(piece, Ordering::Relaxed);
+            }
+            proceed_if(!stops(&at))
+        };
+        let found = Tangencies::of(&figure_14(), &all, &watch).unwrap();
+        assert!(!found.limited && !found.is_certified());
+        (found.interrupted, pieces.into_inner())
+    };
+    assert_eq!(until(|at| matches!(at, Stage::Folds(_))), (true, 1));
+    let (interrupted, pieces) = until(|at| matches!(at, Stage::Working));
+    assert!(interrupted && pieces > 1, "{pieces}");
+    assert!(!until(|_| false).0);
+}
+
+/// The work of a search is bounded; one that ends there is not certified, and says why.
+#[test]
+fn r48_a_search_ends_at_the_limit_of_its_work() {
+    let found = |work: usize| {
+        let all = TangencySettings { word: None, longest: 10, work, ..settings("gap=9.4244..9.4254", FIRST, 9) };
+        Tangencies::of(&figure_14(), &all, &Unwatched).unwrap()
+    };
+    let (few, all) = (found(1_000), found(TangencySettings::WORK));
+    assert!(few.limited && !few.interrupted && !few.is_certified());
+    assert!(!all.limited);
+    let document = document::tangency(&figure_14(), &few);
+    assert!(document.limited && !document.certified);
 }
 
 /// Without a word the search finds the first tangency by itself, in another section: the same value.

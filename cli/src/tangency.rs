@@ -51,7 +51,7 @@ Where sigma_u or sigma_s is not small, flights of the invariant manifolds are ad
 same.
 
 Exit code: 0 there are tangencies, and all folds that were tried are proved to lead to one; 1 some are not, there is \
-none, or the run was interrupted (what is proved is written); 2 usage, bad input, I/O.";
+none, the search ended at the limit of its work, or the run was interrupted (what is proved is written); 2 usage, bad input, I/O.";
 
 #[derive(Args, Debug)]
 pub struct TangencyArguments {
@@ -103,6 +103,7 @@ pub fn tangency(arguments: &TangencyArguments) -> Result<Answer> {
         word: arguments.word.clone(),
         longest: usize::try_from(arguments.longest)?,
         most: usize::try_from(arguments.most)?,
+        work: TangencySettings::WORK,
         precision: precision(arguments.digits, arguments.max_bits, &scene),
     };
     let progress = Progress::stages(!files.quiet);
@@ -166,6 +167,11 @@ fn conclusion(found: &Tangencies) -> String {
     }
     if found.is_certified() {
         return format!("certified: {proved}; others are not excluded");
+    }
+    if found.limited {
+        return format!(
+            "undecided: {proved} proved; the search ended at the limit of its work: try a --word, or a smaller --longest"
+        );
     }
     format!("undecided: {proved} proved; try another --word, a larger --longest or a wider --over")
 }

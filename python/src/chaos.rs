@@ -165,6 +165,7 @@ pub fn tangency(
             word,
             longest: accepted("longest", longest, 1..=40)? as usize,
             most: accepted("most", most, 1..=100_000)? as usize,
+            work: TangencySettings::WORK,
             precision: precision(asked, &scene)?,
         };
         let found = Tangencies::of(&scene, &settings, monitor)?;

@@ -15,7 +15,7 @@ use crate::Error;
 use crate::Scene;
 use crate::orbit::Start;
 use crate::pair::ImpactPair;
-use crate::watch::{Silent, Stage, Watch};
+use crate::watch::{Latched, Silent, Stage, Watch};
 
 /// Greatest accepted number of impacts of a word.
 pub const MOST_DEPTH: u32 = 64;
@@ -109,6 +109,7 @@ impl Chaos {
         question: &HorseshoeSettings,
         watch: &dyn Watch,
     ) -> Result<Self, Error> {
+        let watch = &Latched::new(watch);
         let law = Law::of(pair)?;
         let guess = Guess::new(&law);
         let orbit = visited(pair, start, IMPACTS)?.last().and_then(|last| seen(&guess, last.middle()));
@@ -128,7 +129,9 @@ impl Chaos {
         let horseshoe = if proved.entropy() > 0.0 { proved.bases() } else { &[] }; // exact: none is claimed where it is 0
         let asymptotics = Asymptotics::of(pair, start, horseshoe, &Silent(watch))?;
         let exponent = orbit.as_ref().map(|orbit| orbit.exponent);
-        Ok(Self { exponent, attractor: orbit.map_or_else(Vec::new, Seen::states), asymptotics, ..proved })
+        let attractor = orbit.map_or_else(Vec::new, Seen::states);
+        // The search for h-sets and what becomes of the scene's own orbit may be stopped as well.
+        Ok(Self { exponent, attractor, asymptotics, is_interrupted: watch.is_stopped(), ..proved })
     }
 
     /// What these h-sets lead to.

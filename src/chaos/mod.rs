@@ -52,7 +52,7 @@ pub(crate) use global::spectral_radius;
 pub use global::{
     Basin, Class, Global, GlobalSettings, Goes, Kind, LimitCycle, MOST, Patch, Reason, Recurrence, RestCycle, WORK,
 };
-pub(crate) use guess::Guess;
+pub(crate) use guess::{Guess, Image};
 pub use horseshoe::{Chaos, Horseshoe, HorseshoeSettings, MOST_DEPTH};
 pub use hyperbolic::{Cone, Hyperbolic, LeftOut};
 pub use language::{BoxGraph, MOST_COUNTED, Unclosed, WallWords};

@@ -54,6 +54,8 @@ pub enum NoTrap {
     Long,
     /// The region still grew after millions of boxes.
     Boxes,
+    /// `e` may be 1: the impact map then preserves the area `w dw dth`, and no set of boxes closes.
+    Elastic,
     /// The scene's orbit has no impact that is seen.
     NoImpact,
     /// It was stopped.
@@ -67,6 +69,7 @@ impl NoTrap {
             Self::Rest => "in the finest grid a ball may come to rest",
             Self::Long => "in the finest grid a flight may last for more than 64 forcing periods",
             Self::Boxes => "the region still grew after 4 million boxes",
+            Self::Elastic => "where e may be 1 the impact map preserves area, and no boxes are mapped into themselves",
             Self::NoImpact => "the orbit of the scene has no impacts",
             Self::Interrupted => "interrupted",
         }
@@ -101,6 +104,10 @@ impl Trap {
         watch: &dyn Watch,
     ) -> Result<Result<Self, NoTrap>, Error> {
         let law = Law::of(pair)?;
+        // D5: nothing is claimed
+        if law.restitution.mag() >= 1.0 {
+            return Ok(Err(NoTrap::Elastic));
+        }
         let visited = visited(pair, start, IMPACTS)?;
         let Some(last) = visited.last() else { return Ok(Err(NoTrap::NoImpact)) };
         let guess = Guess::new(&law);

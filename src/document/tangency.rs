@@ -61,6 +61,7 @@ pub fn tangency(scene: &Scene, found: &Tangencies) -> TangencyDocument {
         certified: found.is_certified(),
         scene: SceneDocument::new(scene.pair(), scene.start()),
         interrupted: found.interrupted,
+        limited: found.limited,
         tangencies: found.tangencies.iter().map(one).collect(),
         undecided: found.unproved.iter().map(open).collect(),
     }

@@ -107,6 +107,9 @@ pub struct TangencySettings {
     pub longest: usize,
     /// Number of tangencies that are proved at most, those nearest to the scene's own value.
     pub most: usize,
+    /// The work of the search without a word, about, for each saddle: the flights that it computes in floating point. To follow a fold to
+    /// its tangency is as much as 10,000 flights, and as much again is allowed for all folds.
+    pub work: usize,
     /// Requested widths of the enclosures: of `D` and of the parameters of the manifolds, absolute.
     pub precision: Precision,
 }
@@ -183,6 +186,8 @@ pub struct Tangencies {
     pub unproved: Vec<UnprovedTangency>,
     /// Whether it was interrupted before the search or the proofs were done.
     pub interrupted: bool,
+    /// Whether the search ended at the limit of its work before all words and all folds were tried.
+    pub limited: bool,
 }
 
 impl Tangencies {
@@ -207,6 +212,7 @@ impl Tangencies {
     ///     word: Some("FFFFFFFNFFFFFNFFNFFNFFFF".parse()?),
     ///     longest: 24,
     ///     most: 1,
+    ///     work: TangencySettings::WORK,
     ///     precision: Precision::default(),
     /// };
     /// let found = Tangencies::of(&scene, &settings, &Unwatched)?;
@@ -216,9 +222,9 @@ impl Tangencies {
     pub fn of(scene: &Scene, settings: &TangencySettings, watch: &dyn Watch) -> Result<Self, Error> {
         let watch = Latched::new(watch);
         let search = Search::new(scene.pair(), settings)?;
-        let mut all =
-            Self { over: settings.over.clone(), tangencies: Vec::new(), unproved: Vec::new(), interrupted: false };
-        let folds = search.folds(settings, &watch);
+        let Folds { folds, limited } = search.folds(settings, &watch);
+        let (over, tangencies, unproved) = (settings.over.clone(), Vec::new(), Vec::new());
+        let mut all = Self { over, tangencies, unproved, interrupted: false, limited };
         for (i, fold) in folds.iter().enumerate() {
             let at = Stage::Tangencies { proved: i, of: folds.len() };
             if all.tangencies.len() >= settings.most || watch.proceed(at).is_break() {
@@ -241,9 +247,9 @@ impl Tangencies {
         Ok(all)
     }
 
-    /// Returns whether there are tangencies, and all folds that were tried are proved to lead to one.
+    /// Returns whether there are tangencies, the search was not cut short, and all folds that were tried are proved to lead to one.
     pub fn is_certified(&self) -> bool {
-        !self.interrupted && self.unproved.is_empty() && !self.tangencies.is_empty()
+        !self.interrupted && !self.limited && self.unproved.is_empty() && !self.tangencies.is_empty()
     }
 }
 
@@ -270,7 +276,22 @@ struct Search<'s> {
     range: [f64; 2],
 }
 
+/// What a search in floating point finds.
+struct Folds {
+    folds: Vec<Fold>,
+    /// Whether there may be more: it ended at the limit of its work.
+    limited: bool,
+}
+
 const WHAT: &str = "a homoclinic tangency";
+
+/// The work of following a fold to its tangency, in flights: those nearest to the stable manifold are followed first.
+const FOLD: usize = 10_000;
+
+impl TangencySettings {
+    /// The work by default: some 20 seconds for each saddle.
+    pub const WORK: usize = 30_000_000;
+}
 
 impl<'s> Search<'s> {
     fn new(pair: &ImpactPair, settings: &'s TangencySettings) -> Result<Self, Error> {
@@ -314,16 +335,26 @@ impl<'s> Search<'s> {
     }
 
     /// The folds that lead to tangencies in the range, in floating point, the nearest to the scene's own value first.
-    fn folds(&self, settings: &TangencySettings, watch: &dyn Watch) -> Vec<Fold> {
+    fn folds(&self, settings: &TangencySettings, watch: &Latched<'_>) -> Folds {
         let mut found: Vec<Fold> = Vec::new();
+        let mut limited = false;
         for guess in Guessed::all(self.own) {
             let Some(floats) = Floats::new(self.own, guess) else { continue };
-            let folds = match &settings.word {
-                Some(word) => floats.folds(&word.0),
-                None => floats.all_folds(settings.longest, watch),
+            let (mut folds, is_whole) = match &settings.word {
+                Some(word) => (floats.folds(&word.0), true),
+                None => floats.all_folds(settings.longest, settings.work, watch),
             };
-            for fold in folds {
-                let Some(fold) = begin::settled(&fold, self.question.over) else { continue };
+            let most = settings.work / FOLD;
+            limited |= (!is_whole && !watch.is_stopped()) || folds.len() > most;
+            if folds.len() > most {
+                folds.sort_by(|a, b| a.distance.abs().total_cmp(&b.distance.abs()));
+                folds.truncate(most);
+            }
+            for fold in &folds {
+                if !watch.goes_on() {
+                    break;
+                }
+                let Some(fold) = begin::settled(fold, self.question.over) else { continue };
                 let value = self.own_of(&fold.pair);
                 let is_new = found.iter().all(|known| (self.own_of(&known.pair) - value).abs() > 1e-12 * value);
                 if is_new && (self.range[0]..=self.range[1]).contains(&value) {
@@ -333,7 +364,7 @@ impl<'s> Search<'s> {
         }
         let away = |fold: &Fold| (self.own_of(&fold.pair) - self.own_of(&self.own)).abs();
         found.sort_by(|a, b| away(a).total_cmp(&away(b)));
-        found
+        Folds { folds: found, limited }
     }
 
     /// A value of `D` or `e` in the units of the scene.

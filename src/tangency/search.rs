@@ -2,12 +2,13 @@
 //!
 //! Labels: proposes throughout.
 
+use std::cell::Cell;
 use std::f64::consts::{PI, TAU};
 
 use super::flight::Pair;
 use super::saddle::{Guessed, Side as Manifold};
 use super::series::{Base, Series};
-use crate::chaos::{Guess, Law, Side, State};
+use crate::chaos::{Guess, Image, Law, Side, State};
 use crate::number::Ball;
 use crate::watch::{Stage, Watch};
 
@@ -18,6 +19,8 @@ pub(super) struct Floats {
     pub guess: Guessed,
     unstable: Series<f64>,
     stable: Series<f64>,
+    /// The flights that are computed so far.
+    computed: Cell<usize>,
 }
 
 /// A point at which the image of the unstable manifold is about parallel to the stable one.
@@ -73,7 +76,7 @@ impl Floats {
             Series::new(&base, ORDER)
         };
         let [unstable, stable] = [series(guess.lambda[0])?, series(guess.lambda[1])?];
-        Some(Self { pair, map: Guess::new(&law), guess, unstable, stable })
+        Some(Self { pair, map: Guess::new(&law), guess, unstable, stable, computed: Cell::new(0) })
     }
 
     fn series(&self, side: Manifold) -> &Series<f64> {
@@ -89,9 +92,15 @@ impl Floats {
         [at, along]
     }
 
+    /// The next flight.
+    fn flight(&self, state: State) -> Option<Image> {
+        self.computed.set(self.computed.get() + 1);
+        self.map.map(state)
+    }
+
     /// The state after the next flight, phases in radians.
     pub fn next(&self, [theta, w]: [f64; 2]) -> Option<[f64; 2]> {
-        let [u, w] = self.map.map([theta / TAU, w])?.state;
+        let [u, w] = self.flight([theta / TAU, w])?.state;
         Some([TAU * u, w])
     }
 
@@ -99,7 +108,7 @@ impl Floats {
     pub fn image(&self, [theta, w]: [f64; 2], flights: &[Side]) -> Option<[f64; 2]> {
         let mut state = [theta / TAU, w];
         for side in flights {
-            state = self.map.map(state).filter(|image| image.side == *side)?.state;
+            state = self.flight(state).filter(|image| image.side == *side)?.state;
         }
         Some([TAU * state[0], state[1]])
     }
@@ -109,7 +118,7 @@ impl Floats {
         let [[theta, w], _] = self.point(Manifold::Unstable, sigma);
         let mut state = [theta / TAU, w];
         for side in flights {
-            let image = self.map.map(state)?;
+            let image = self.flight(state)?;
             if image.side != *side {
                 return None;
             }
@@ -140,7 +149,7 @@ impl Floats {
     /// Puts samples between those whose images are far apart or on different walls.
     fn refined(&self, samples: &[Sample], flights: &[Side]) -> Vec<Vec<Sample>> {
         let (before, next) = (&flights[..flights.len() - 1], flights[flights.len() - 1]);
-        let image = |sample: &Sample| self.map.map(sample.state).map(|image| (image.side, image.state));
+        let image = |sample: &Sample| self.flight(sample.state).map(|image| (image.side, image.state));
         let mut all: Vec<Vec<Sample>> = vec![Vec::new()];
         let mut stack: Vec<Sample> = samples.iter().rev().copied().collect();
         let mut count = 0;
@@ -196,16 +205,16 @@ impl Floats {
         found
     }
 
-    /// The folds along all words of at most N flights.
-    pub fn all_folds(&self, longest: usize, watch: &dyn Watch) -> Vec<Fold> {
+    /// The folds along all words of at most N flights, and whether all words are searched, which takes no more flights than `work`.
+    pub fn all_folds(&self, longest: usize, work: usize, watch: &dyn Watch) -> (Vec<Fold>, bool) {
         // A fundamental domain: what lies nearer comes to it.
         let begun = self.begin(MOST / (self.guess.lambda[0] * self.guess.lambda[0]));
         let mut stack: Vec<(Vec<Side>, Vec<Sample>)> = begun.into_iter().map(|piece| (Vec::new(), piece)).collect();
         let (mut found, mut searched) = (Vec::new(), 0);
         while let Some((flights, piece)) = stack.pop() {
             searched += 1;
-            if searched % 64 == 0 && watch.proceed(Stage::Folds(searched)).is_break() {
-                break;
+            if self.computed.get() > work || watch.proceed(Stage::Folds(searched)).is_break() {
+                return (found, false);
             }
             found.extend(self.of_piece(&flights, &piece));
             if flights.len() >= longest {
@@ -216,7 +225,7 @@ impl Floats {
                 stack.extend(self.refined(&piece, &next).into_iter().map(|piece| (next.clone(), piece)));
             }
         }
-        found
+        (found, true)
     }
 
     /// The folds of a piece of the unstable manifold, near the stable one.
@@ -253,7 +262,7 @@ impl Floats {
         let (mut states, mut tangents, mut scales) = (vec![[theta, w]], vec![tangent], vec![0]);
         let mut scale = 0;
         for side in &fold.flights {
-            let image = self.map.map(state)?;
+            let image = self.flight(state)?;
             if image.side != *side {
                 return None;
             }

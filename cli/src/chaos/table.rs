@@ -126,7 +126,8 @@ pub fn conclusion(document: &ChaosDocument, found: &Chaos) -> String {
             "{stopped}certified: the impact map holds a horseshoe; its topological entropy is at least {impact} per impact, {cycle} per forcing period"
         );
     }
-    if found.bases().is_empty() && document.exponent_seen.is_some_and(|exponent| exponent < 1e-3) {
+    let is_searched = !document.interrupted && found.bases().is_empty();
+    if is_searched && document.exponent_seen.is_some_and(|exponent| exponent < 1e-3) {
         return "undecided: the floating-point orbit is regular, and its transients show no horseshoe; there may be one"
             .to_owned();
     }

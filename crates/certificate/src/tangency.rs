@@ -80,6 +80,7 @@ impl TangencyCertificate {
         unjudged.extend(["scene.excitation.frequency", "scene.excitation.phase"].map(str::to_owned));
         unjudged.extend((!document.undecided.is_empty()).then(|| "undecided".to_owned()));
         unjudged.extend(document.interrupted.then(|| "interrupted".to_owned()));
+        unjudged.extend(document.limited.then(|| "limited".to_owned()));
         unjudged.sort();
         unjudged.dedup();
         let contradiction = contradiction(&document);
@@ -176,8 +177,8 @@ impl ClaimedTangency {
 
 /// What a document says that its own fields exclude.
 fn contradiction(document: &TangencyDocument) -> Option<String> {
-    let TangencyDocument { certified, tangencies, undecided, interrupted, .. } = document;
-    if *certified && (tangencies.is_empty() || *interrupted || !undecided.is_empty()) {
+    let TangencyDocument { certified, tangencies, undecided, interrupted, limited, .. } = document;
+    if *certified && (tangencies.is_empty() || *interrupted || *limited || !undecided.is_empty()) {
         return Some("certified: not everything found is proved".to_owned());
     }
     None

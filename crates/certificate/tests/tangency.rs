@@ -50,6 +50,17 @@ fn r42_a_tangency_is_listed_once() {
     assert_eq!(message(verdict), "undecided: two tangencies may be one");
 }
 
+/// What ended at the limit of its work is not everything that was to be searched.
+#[test]
+fn r48_a_limited_search_is_not_certified() {
+    let mut document: Value = serde_json::from_str(DOCUMENT).unwrap();
+    assert_eq!(document["certified"], true);
+    document["limited"] = json!(true);
+    let claims = Claims::parse(&document.to_string()).unwrap();
+    let verdict = claims.check_within(&Effort::default(), &Unwatched).unwrap();
+    assert_eq!(message(verdict), "refuted: certified: not everything found is proved");
+}
+
 #[test]
 fn another_saddle_another_word_and_exchanged_eigenvalues_are_refuted() {
     let shifted = json!(["9.425127376887204948431988399546", "9.425127376887204948431988399549"]);

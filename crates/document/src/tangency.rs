@@ -16,13 +16,16 @@ pub struct TangencyDocument {
     pub schema: String,
     /// The program that proved them.
     pub program: String,
-    /// Whether there are tangencies, and each found is proved.
+    /// Whether there are tangencies, the search was not cut short, and each found is proved.
     pub certified: bool,
     /// The scene; its own value of the parameter is not used.
     pub scene: SceneDocument,
     /// Whether the run was interrupted before the search or the proofs were done.
     #[serde(skip_serializing_if = "std::ops::Not::not", default)]
     pub interrupted: bool,
+    /// Whether the search ended at the limit of its work before all words and all folds were tried.
+    #[serde(skip_serializing_if = "std::ops::Not::not", default)]
+    pub limited: bool,
     /// The tangencies.
     pub tangencies: Vec<HomoclinicTangencyDocument>,
     /// Tangencies of floating point of which nothing is proved.

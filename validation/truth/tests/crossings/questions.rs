@@ -391,7 +391,8 @@ impl Case {
         let (name, own) = self.key(key);
         let over = format!("{name}={}..{}", own * 0.75, own * 1.25).parse()?;
         let precision = Precision { digits: 9, max_bits: 512 };
-        let settings = TangencySettings { over, word: Some("FFNFF".parse()?), longest: 5, most: 1, precision };
+        let (word, work) = (Some("FFNFF".parse()?), TangencySettings::WORK);
+        let settings = TangencySettings { over, word, longest: 5, most: 1, work, precision };
         let found = Tangencies::of(&self.scene, &settings, &Unwatched)?;
         Ok(Answer::Tangency(json!(document::tangency(&self.scene, &found))))
     }
