@@ -28,8 +28,13 @@ pub(super) struct Effort {
 }
 
 /// For the most entropy, and for any.
-pub(super) const THOROUGH: Effort =
-    Effort { trials: &[(64, 2_500), (12, 10_000), (4, 40_000)], last: (12, 150_000), most: 3, bundled: true, everywhere: true };
+pub(super) const THOROUGH: Effort = Effort {
+    trials: &[(64, 2_500), (12, 10_000), (4, 40_000)],
+    last: (12, 150_000),
+    most: 3,
+    bundled: true,
+    everywhere: true,
+};
 pub(super) const ANY: Effort =
     Effort { trials: &[(32, 2_000), (4, 8_000)], last: (2, 20_000), most: 1, bundled: false, everywhere: false };
 /// For some that lead far.

@@ -12,7 +12,8 @@ use crate::watch::Unwatched;
 
 /// H-sets that the search finds for figure 14 with an amplitude of 7.38: one is left after 3 impacts along the saddle of P1 P3 P2.
 fn bases() -> Vec<Base> {
-    let base = |[a, b, c, d]: [State; 4]| Base { left: Chord { bottom: a, top: b }, right: Chord { bottom: c, top: d } };
+    let base =
+        |[a, b, c, d]: [State; 4]| Base { left: Chord { bottom: a, top: b }, right: Chord { bottom: c, top: d } };
     let one = [[0.809132, 1.459969], [0.808817, 1.462298], [0.830951, 1.489599], [0.830635, 1.491928]];
     let other = [[0.804133, 1.496848], [0.803496, 1.501544], [0.825808, 1.527534], [0.825171, 1.53223]];
     vec![base(one), base(other)]
@@ -40,8 +41,7 @@ fn h_sets_that_are_followed_there_and_back_are_the_same() {
     assert!(apart(&back.bases(), &bases()) < 1e-8);
 }
 
-/// There is none where no orbit of few impacts is in an h-set, and it is lost where the saddle of the reduced map is no more: the ball
-/// does not reach the far wall of a gap that is very wide, without a graze.
+/// There is none where no periodic orbit of few impacts is in an h-set, and it is lost on the way to an amplitude at which that orbit is no saddle.
 #[test]
 fn a_saddle_that_is_not_there_is_not_followed() {
     let nowhere = Base::new([0.3, 9.0], [0.001, 0.001], [-0.001, 0.001]);
