@@ -2,7 +2,7 @@
 //! of each part of what is undecided by itself. Lemma D14
 
 use super::super::each::each;
-use super::super::horseshoe::{Horseshoe, bases};
+use super::super::horseshoe::{Horseshoe, bases, problem};
 use super::super::law::Law;
 use super::super::trials::BUNDLED;
 use super::super::words::Base;
@@ -17,8 +17,9 @@ use crate::pair::within;
 const PARTS: [u32; 2] = [3, 4];
 /// So many of these in a row of which nothing is proved end a walk.
 const MISSES: usize = 4;
-/// H-sets are so many times as wide as at the values they are from: an interval of the parameter moves images across.
-const WIDER: f64 = 2.0;
+/// H-sets are so many times as wide as at the values they are from, the first time that they are apart: an interval of the parameter
+/// moves images across.
+const WIDER: [f64; 3] = [2.0, 1.4, 1.0];
 /// The most stretches in which h-sets are searched for, and the narrowest one, a cell being 1.
 const SEARCHES: usize = 8;
 const NARROWEST: f64 = 0.25;
@@ -163,8 +164,10 @@ impl Work<'_> {
         if !stretches.iter().any(is_open) {
             return Ok(stretches); // exact: nothing to prove
         }
-        let bases: Vec<Base> = seed.bases.iter().map(|base| base.wider(WIDER)).collect();
-        let followed = Followed::of(&self.law([&seed.value; 2])?, &bases);
+        let wider = |factor: f64| seed.bases.iter().map(|base| base.wider(factor)).collect::<Vec<Base>>();
+        let bases = WIDER.map(wider).into_iter().find(|bases| problem(bases).is_none());
+        let law = self.law([&seed.value; 2])?;
+        let followed = bases.and_then(|bases| Followed::of(&law, &bases));
         let mut walk = Walk { work: self, followed, is_upward, missed: 0, passed: Vec::new() };
         let mut left = stretches;
         if !is_upward {
