@@ -10,8 +10,8 @@ use crate::number::MpBall;
 #[cfg(feature = "multiprecision")]
 use crate::pair::Reduced;
 use crate::pair::{Wall, rebound};
-use crate::shaken::{Flying, Parameters};
 pub(super) use crate::shaken::OneHarmonic;
+use crate::shaken::{Flying, Parameters};
 
 /// An impact of a floating-point motion: wall, phase in forcing periods, velocity before.
 pub(super) type FloatImpact = (Wall, f64, f64);
