@@ -92,7 +92,7 @@ const FINE: [Making; 2] = [
 /// Up to this depth all makings are tried; deeper the first one that is nearly as good as the best.
 const SHALLOW: usize = 8;
 const NEARLY: f64 = 0.95;
-/// A quick look ends at this depth, or at the one that so many boxes lead to.
+/// The depth at which a quick proof ends, and the number of boxes at which it does.
 const QUICK: (usize, u64) = (12, 12_000);
 
 impl Chaos {

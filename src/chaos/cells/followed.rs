@@ -128,7 +128,7 @@ impl Base {
         (1..=LONGEST).find_map(of)
     }
 
-    /// The same, so many times as wide.
+    /// The same h-set, wider by a factor.
     pub(super) fn wider(&self, factor: f64) -> Self {
         let chord = |Chord { bottom, top }: Chord| {
             let end = |sign: f64| [0, 1].map(|i| 0.5 * (bottom[i] + top[i] + sign * factor * (top[i] - bottom[i])));

@@ -13,12 +13,12 @@ use crate::exact::Exact;
 use crate::number::Ball;
 use crate::pair::within;
 
-/// What is undecided is looked at in parts as wide as a cell that is halved so often, and so often where nothing is proved of one.
+/// How often a cell is halved for the parts in which undecided stretches are looked at: first, and where nothing is proved of such a part.
 const PARTS: [u32; 2] = [3, 4];
-/// So many of these in a row of which nothing is proved end a walk.
+/// How many parts in a row of which nothing is proved end a walk.
 const MISSES: usize = 4;
-/// H-sets are so many times as wide as at the values they are from, the first time that they are apart: an interval of the parameter
-/// moves images across.
+/// Factors by which h-sets are wider than at the value they are from, since an interval of the parameter moves images across; the first
+/// one with which they are apart is taken.
 const WIDER: [f64; 3] = [2.0, 1.4, 1.0];
 /// The most stretches in which h-sets are searched for, and the narrowest one, a cell being 1.
 const SEARCHES: usize = 8;

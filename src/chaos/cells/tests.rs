@@ -72,7 +72,7 @@ fn a_stretch_is_decided_by_the_h_sets_of_a_neighbour() {
     let given = vec![stretch("7.38", "7.4", Verdict::Undecided), stretch("7.4", "7.43", decided.clone())];
     let seed = Seed { value: exact("7.38"), bases: bases() };
     let found = work.walked(&seed, given.clone(), true).unwrap();
-    assert_eq!((found[0].low.text(), found.last().unwrap().high.text()), ("7.38", "7.43"));
+    assert_eq!((found[0].low.text(), found.last().unwrap().high.text()), ("7.38".into(), "7.43".into()));
     assert!(found.len() > 2 && found.windows(2).all(|pair| pair[0].high.text() == pair[1].low.text()));
     assert_eq!(found.last().unwrap().verdict, decided);
     for part in &found[..found.len() - 1] {
