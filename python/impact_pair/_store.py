@@ -93,8 +93,12 @@ class Files(Chunks):
             out.write(lines)
             out.flush()
             os.fsync(out.fileno())
-        draft.replace(path)
-        self._files[first, last] = path
+        try:
+            draft.replace(path)
+        finally:
+            # Ctrl-C may come once it is there.
+            if path.exists():
+                self._files[first, last] = path
 
     def read(self) -> Iterator[bytes]:
         """Yield them in order."""
