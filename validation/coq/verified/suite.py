@@ -316,12 +316,18 @@ def small_ellipse(suite):
         suite.failures.append(f"figure-14-sink-35 in 20 digits: {said}")
 
 
+def has_another_start(file):
+    """Whether it is a document of `periodic` whose start is what the forger has made false."""
+    return file.stem.endswith("-periodic-NotJudged") and any(str(value).startswith("(") for value in json.loads(file.read_text())["scene"]["start"].values())
+
+
 def forged(suite, folder):
-    """The forgeries of `tests/forger` (FORGER_FOLDER), named by what `check` says: only those true after all may be verified."""
+    """The forgeries of `tests/forger` (FORGER_FOLDER), named by what `check` says: only those true after all may be verified, and those of periodic orbits
+    with another start, which claims nothing there."""
     documents = sorted(Path(folder).glob("*.json")) if folder else []
     for file in documents:
         verdict, said, _ = suite.answer(file.read_bytes())
-        if verdict == "verified" and not file.stem.endswith("-True"):
+        if verdict == "verified" and not file.stem.endswith("-True") and not has_another_start(file):
             suite.failures.append(f"{file}: {said}")
     return len(documents)
 

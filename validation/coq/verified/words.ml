@@ -10,8 +10,9 @@ type claim = { data : data; start : beginning; chaos : chaos }
 
 (* Keys that claim nothing of the pair: how words were searched for, and an exponent that is seen. *)
 let no_claims = [ "program"; "depth"; "boxes"; "exponent_seen" ]
-let read_no_claims head =
-  ignore (integer "depth" (get "" head "depth"));
+let read_no_claims head words =
+  if List.exists (fun { word_flights; _ } -> Z.lt (integer "depth" (get "" head "depth")) (Z.of_int (List.length word_flights))) words then
+    wrong "depth" (get "" head "depth") "a number of impacts that no word exceeds";
   ignore (integer "boxes" (get "" head "boxes"));
   match get "" head "exponent_seen" with
   | Json.Null | Number _ -> ()
@@ -69,7 +70,7 @@ let horseshoe a b =
 
 (* The words that a sentence on a horseshoe names. *)
 let read_blocks words = function
-  | Json.Null -> None
+  | Json.Null -> not_covered "horseshoe: covered is a sentence on two blocks"
   | value ->
     let said = string "horseshoe" value in
     let numbered = List.mapi (fun i word -> (i, word)) words in
@@ -95,13 +96,13 @@ let document value =
   let data, start = read_scene (get "" head "scene") in
   one_harmonic "horseshoes" data;
   only "" ([ "schema"; "certified"; "scene"; "entropy"; "horseshoe"; "bases"; "words" ] @ optional @ no_claims) head;
-  read_no_claims head;
   let entropy = members "entropy" (get "" head "entropy") in
   only "entropy" [ "per_impact"; "per_cycle" ] entropy;
   let rate key = written (inside "entropy" key) (get "entropy" entropy key) in
   if Z.sign (rate "per_impact").qnum <= 0 && Z.sign (rate "per_cycle").qnum <= 0 then not_covered "entropy: covered is a positive lower bound, which `certified` says that there is";
   let h_sets = List.map read_set (items "bases" (get "" head "bases")) in
   let words = List.map (read_word (List.length h_sets)) (items "words" (get "" head "words")) in
+  read_no_claims head words;
   { data; start; chaos = { h_sets; words; per_impact = rate "per_impact"; per_cycle = rate "per_cycle"; blocks = read_blocks words (get "" head "horseshoe") } }
 
 (* To JSON. *)
