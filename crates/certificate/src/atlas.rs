@@ -69,7 +69,7 @@ const UNJUDGED: [&str; 17] = [
     "work",
 ];
 
-/// What is found of a cell: where it claims nothing, none of it is judged, but the cells that it is cut into may be.
+/// Keys of the results of a cell: where it claims nothing, none of them is judged; those of the cells that it is cut into may be.
 const FINDINGS: [&str; 6] = ["class", "components", "n_attracting", "n_rest", "n_saddle", "n_undecided"];
 
 impl AtlasCertificate {

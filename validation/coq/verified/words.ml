@@ -11,7 +11,8 @@ type claim = { data : data; start : beginning; chaos : chaos }
 (* Keys that claim nothing of the pair: how words were searched for, and an exponent that is seen. *)
 let no_claims = [ "program"; "depth"; "boxes"; "exponent_seen" ]
 let read_no_claims head words =
-  if List.exists (fun { word_flights; _ } -> Z.lt (integer "depth" (get "" head "depth")) (Z.of_int (List.length word_flights))) words then
+  let depth = integer "depth" (get "" head "depth") in
+  if List.exists (fun { word_flights; _ } -> Z.lt depth (Z.of_int (List.length word_flights))) words then
     wrong "depth" (get "" head "depth") "a number of impacts that no word exceeds";
   ignore (integer "boxes" (get "" head "boxes"));
   match get "" head "exponent_seen" with

@@ -1,10 +1,10 @@
-//! What is found of the points of a grid, one after another: of those of a sweep, or of an atlas.
+//! The verdicts on the points of a grid, one after another: those of a sweep, or of an atlas.
 
 use super::contact::Doubt;
 use super::{Finding, Verdict};
 use impact_pair_model::watch::{Stage, Watch};
 
-/// What is found of the points so far.
+/// The verdicts on the points so far.
 #[derive(Default)]
 pub(super) struct Tally {
     most: u32,
