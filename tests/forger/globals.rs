@@ -72,9 +72,11 @@ fn places(original: &Original, kinds: &[&str]) -> Vec<usize> {
     all.into_iter().flatten().enumerate().filter(is_one).map(|(i, _)| i).collect()
 }
 
+/// But for what lies in an undecided component, which may hold any motion (Lemma A14).
 fn left_out(original: &Original) -> Vec<Forged> {
+    let has_boxes = |i: &usize| original.document["components"][*i]["boxes"] != 0;
     let of = |i: usize| with(original, format!("without component {i}"), |all| drop(all.remove(i)));
-    places(original, &["attracting", "rest-cycle", "saddle"]).into_iter().map(of).collect()
+    places(original, &["attracting", "rest-cycle", "saddle"]).into_iter().filter(has_boxes).map(of).collect()
 }
 
 /// Nothing but what is proved, as if that were all.
@@ -122,13 +124,15 @@ fn kinds(original: &Original) -> Vec<Forged> {
     all
 }
 
+/// That fewer attractors are proved is true; what is false is the kind.
 fn saddle_sets(original: &Original) -> Vec<Forged> {
     let periodic = ["reduced_impacts", "word", "cycles", "spectral_radius", "alternates", "orbit"];
     let of = |i: usize| {
-        with(original, format!("component {i} is a set of saddle type"), |all| {
+        let forged = with(original, format!("component {i} is a set of saddle type"), |all| {
             periodic.iter().for_each(|key| all[i][*key] = Value::Null);
             (all[i]["kind"], all[i]["closed"]) = (json!("saddle"), json!(false));
-        })
+        });
+        forged.at(&[&format!("components[{i}].kind")])
     };
     places(original, &["attracting", "rest-cycle"]).into_iter().map(of).collect()
 }

@@ -81,8 +81,11 @@ fn neighbours(original: &Original) -> Vec<Forged> {
 }
 
 /// Whether a sweep replaces the value by those of its axes; from a given phase on a motion under one harmonic is the same for every `tau`
-/// (Lemma R1).
+/// (Lemma R1), and so are windows of periodic orbits, whose impacts are listed by phase.
 fn is_named_only(original: &Original, key: &str) -> bool {
+    if original.is(&["windows"]) {
+        return key == "/excitation/phase/0";
+    }
     let axes = original.document[0]["over"].as_array().filter(|_| original.is(&["sweep"])).cloned().unwrap_or_default();
     axes.iter().any(|axis| {
         let name = axis["key"].as_str().unwrap().replace('.', "/");
