@@ -103,9 +103,6 @@ impl WindowsCertificate {
 impl ClaimedWindow {
     fn of(window: &WindowDocument, place: &Place<'_>, (pair, over): (&ImpactPair, Key)) -> Result<Self, Error> {
         let at = place.get("orbit")?;
-        if window.orbit.amplitude.is_some() || window.orbit.gap.is_some() {
-            return Err(at.refused("what is solved for the amplitude or the gap is not checked"));
-        }
         let orbit = ClaimedOrbit::of(&window.orbit, &at)?;
         let (word, cycles) = (window.word.parse()?, u64::from(window.cycles));
         let there = pair.with(over, window.at.0.clone())?;

@@ -177,6 +177,29 @@ fn r48_keys_that_are_not_known_are_named_or_refused() {
     assert!(named > 8 * refused, "{named} named, {refused} refused");
 }
 
+/// A periodic orbit has the amplitude and the gap of its scene; one of its own, as motions solved for these have it, is compared with nothing.
+#[test]
+fn r49_no_orbit_with_an_amplitude_or_a_gap_of_its_own_is_confirmed() {
+    let mut refused = 0;
+    for (name, lines) in all() {
+        let whole = json!(lines);
+        for (path, pointer) in leaves(&lines) {
+            let Some(orbit) = pointer.strip_suffix("/stability") else { continue };
+            for key in ["amplitude", "gap"] {
+                let mut copy = whole.clone();
+                copy.pointer_mut(orbit).unwrap()[key] = json!(["0.5", "0.5"]);
+                match checked(copy.as_array().unwrap(), &|_: Stage<'_>| proceed_if(false)) {
+                    Some(found) => {
+                        assert_eq!(found.verdict, VerdictName::Refuted, "{name} {path} {key}: {}", found.message)
+                    }
+                    None => refused += 1,
+                }
+            }
+        }
+    }
+    assert!(refused > 40, "{refused}");
+}
+
 /// Other values in the place of one: false, or, where it bounds from one side or is about, one of them false.
 fn others_of(key: &str, value: &Value) -> Vec<Value> {
     let decimal = |text: &str| {
