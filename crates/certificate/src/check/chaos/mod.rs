@@ -30,7 +30,7 @@ mod words;
 use impact_pair_exact::Exact;
 use impact_pair_model::{Error, ImpactPair, within};
 
-pub(in crate::check) use cells::has_stable_orbit;
+pub(in crate::check) use cells::{are_distinct, has_stable_orbit};
 use span::Span;
 
 /// What the map depends on.
