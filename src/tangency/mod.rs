@@ -329,7 +329,7 @@ impl<'s> Search<'s> {
         let middle = Pair::of(parameter, 0.5 * (range[0] + range[1]), *low.value(parameter.other()));
         let own = of(pair).ok().filter(|own| (range[0]..=range[1]).contains(own.value(parameter))); // proposes
         let question = Question { over: parameter, other, precision: settings.precision };
-        Ok(Self { over, question, unit, own: own.unwrap_or(middle), range })
+        Ok(Self { over, question, unit, own: own.unwrap_or(middle), range }) // proposes: where a search begins
     }
 
     /// The value of the parameter.

@@ -205,7 +205,7 @@ impl<'p> Search<'p> {
             _ => 1.0,
         };
         let longest = settings.longest.min(MOST_WINDOW_IMPACTS); // proposes
-        let own = own.unwrap_or(0.5 * (range[0] + range[1]));
+        let own = own.unwrap_or(0.5 * (range[0] + range[1])); // proposes: where a search begins
         let family = Family { varies, fixed, range, longest };
         Ok(Self { pair, family, own, key: *key, ends: [low, high], unit, impacts: settings.impacts })
     }
