@@ -84,6 +84,18 @@ fn the_unstable_symmetric_orbit_ends_in_a_graze_at_half_the_gap() {
     assert!(graze.parameter.contains_enclosure(&half) && graze.orbit.is_none());
 }
 
+/// The mirror image of a word with more impacts on one wall has more on the other one: no orbit of it is its own, at a graze as well, where the orbit
+/// has no derivative.
+#[test]
+fn r49_a_graze_of_an_orbit_of_three_impacts_is_not_symmetric() {
+    let scene = Scene::parse(&SCENE.replace("0.8", "0.5")).unwrap();
+    let wanted =
+        DiagramSettings { over: "amplitude=0.5..0.6".parse().unwrap(), doublings: 1, precision: Precision::default() };
+    let diagram = survey(scene.pair(), scene.start(), (&"LLR".parse().unwrap(), 1), &wanted, &Unwatched).unwrap();
+    let grazes: Vec<&Point> = diagram.points.iter().filter(|point| point.kind == Kind::Graze).collect();
+    assert!(!grazes.is_empty() && grazes.iter().all(|point| point.symmetric == Some(false)), "{grazes:?}");
+}
+
 #[test]
 fn over_the_gap_the_same_points_come_in_the_other_order() {
     let scene = Scene::parse(SCENE).unwrap();

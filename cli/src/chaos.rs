@@ -149,25 +149,22 @@ impl Work<'_> {
     fn horseshoe(self, over: Option<&Range>, bases: Vec<Base>) -> Result<Answer> {
         let (scene, depth) = (self.scene, self.arguments.depth.map(|depth| depth as usize));
         let question = HorseshoeSettings { depth, bases };
-        let named = || scene::name(&self.arguments.scene);
+        let ranges: Vec<_> = over.iter().map(|over| (over.key, over.to_string())).collect();
+        let about = |error: impact_pair::Error| scene::about(error, &ranges, &self.arguments.scene);
         let pair = match over {
             Some(over) => {
                 let all = Exact::interval(&over.low, &over.high)?;
-                let path = &self.arguments.scene;
-                scene
-                    .pair()
-                    .with(over.key, all)
-                    .map_err(|error| scene::about(error, &[(over.key, over.to_string())], path))?
+                scene.pair().with(over.key, all).map_err(about)?
             }
             None => scene.pair().clone(),
         };
         let progress = Progress::stages(!self.files.quiet);
-        let found = Chaos::of(&pair, scene.start(), &question, &progress).with_context(named)?;
+        let found = Chaos::of(&pair, scene.start(), &question, &progress).map_err(about)?;
         let mut document = document::chaos(scene, over, &found);
         document.scene_orbit = document.scene_orbit.filter(|_| !self.arguments.no_orbit);
         let mut proved = None;
         if self.arguments.hyperbolic {
-            let set = Hyperbolic::of(&pair, &found, &progress).with_context(named)?;
+            let set = Hyperbolic::of(&pair, &found, &progress).map_err(about)?;
             document = document::with_hyperbolic(document, &set);
             progress.clear();
             let left_out = set.as_ref().map_or_else(|none| none, |set| &set.left_out);

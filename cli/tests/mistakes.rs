@@ -61,6 +61,35 @@ fn r35_values_of_over_are_the_options_and_not_the_files() {
     }
 }
 
+/// Lengths are in amplitudes there: the message names the amplitude and what is accepted, not a divisor.
+#[test]
+fn r49_where_lengths_are_in_amplitudes_the_amplitude_is_not_0() {
+    for (name, amplitude) in [("still", "0"), ("may-be-still", "\"[0, 1]\"")] {
+        let scene = changed(&format!("{name}.toml"), ["amplitude = 8", &format!("amplitude = {amplitude}")]);
+        let value = amplitude.trim_matches('"');
+        let cells = ["atlas", &scene, "--over", "gap=1..2:2", "--over", "restitution=0..1:2"];
+        for arguments in [
+            &["trap", &scene][..],
+            &["chaos", &scene],
+            &["chaos", &scene, "--over", "gap=1..2:2"],
+            &["cycles", &scene, "--impacts", "1..2"],
+            &["global", &scene],
+            &["windows", &scene, "--over", "gap=1..2"],
+            &["tangency", &scene, "--over", "gap=1..2"],
+            &["tangency", &scene, "--over", "restitution=0.1..0.2"],
+            &cells,
+        ] {
+            let said = said(arguments);
+            let expected = format!("{scene}: excitation.amplitude is {value}, but must be greater than 0\n");
+            assert_eq!(said, format!("error: {expected}"), "{arguments:?}");
+        }
+    }
+    for verb in ["windows", "tangency", "chaos"] {
+        let said = said(&[verb, SCENE, "--over", "amplitude=0..1"]);
+        assert!(said.starts_with("error: --over amplitude=0..1: excitation.amplitude is "), "{said}");
+    }
+}
+
 #[test]
 fn r35_a_word_in_small_letters_leads_to_the_word() {
     let word = |word: &str| said(&["periodic", SCENE, "--word", word, "--cycles", "1"]);

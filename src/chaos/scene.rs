@@ -16,8 +16,12 @@ pub(super) const IMPACTS: u64 = 100;
 
 impl Law {
     /// That of a pair with one harmonic.
+    ///
+    /// # Errors
+    /// With several harmonics, and where the amplitude may be 0: lengths are in amplitudes.
     pub fn of(pair: &ImpactPair) -> Result<Self, Error> {
         let harmonic = pair.harmonic(WHAT)?;
+        Error::require_positive("excitation.amplitude", harmonic.amplitude())?;
         let gap = within(RATIO, pair.gap(), pair.gap().checked_div(harmonic.amplitude()))?;
         let (gap, restitution) = (Ball::of(&gap), Ball::of(pair.restitution()));
         Ok(Self { gap, restitution })

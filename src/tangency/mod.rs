@@ -301,6 +301,9 @@ impl<'s> Search<'s> {
             return Err(Error::out_of_range(None, message));
         }
         let amplitude = pair.harmonic(WHAT)?.amplitude();
+        if !matches!(over.key, Key::Amplitude(_)) {
+            Error::require_positive("excitation.amplitude", amplitude)?;
+        }
         let (parameter, place, unit) = match over.key {
             Key::Gap => (Parameter::Gap, "excitation.amplitude", amplitude.clone()),
             Key::Restitution => (Parameter::Restitution, "", Exact::from(1)),
@@ -319,14 +322,14 @@ impl<'s> Search<'s> {
             let law = Law::of(pair)?;
             Ok(Pair { gap: law.gap.mid(), restitution: law.restitution.mid() })
         };
-        let at = |value: &Exact| Ok::<f64, Error>(*of(&pair.with(over.key, value.clone())?)?.value(parameter));
-        let ends = [at(&over.low)?, at(&over.high)?];
+        let at = |value: &Exact| of(&pair.with(over.key, value.clone())?);
+        let [low, high] = [at(&over.low)?, at(&over.high)?];
+        let ends = [&low, &high].map(|end| *end.value(parameter));
         let range = [ends[0].min(ends[1]), ends[0].max(ends[1])]; // proposes
-        let own = of(pair)?;
-        let is_inside = (range[0]..=range[1]).contains(own.value(parameter)); // proposes
-        let middle = Pair::of(parameter, 0.5 * (range[0] + range[1]), *own.value(parameter.other()));
+        let middle = Pair::of(parameter, 0.5 * (range[0] + range[1]), *low.value(parameter.other()));
+        let own = of(pair).ok().filter(|own| (range[0]..=range[1]).contains(own.value(parameter))); // proposes
         let question = Question { over: parameter, other, precision: settings.precision };
-        Ok(Self { over, question, unit, own: if is_inside { own } else { middle }, range })
+        Ok(Self { over, question, unit, own: own.unwrap_or(middle), range }) // proposes: where a search begins
     }
 
     /// The value of the parameter.

@@ -87,7 +87,13 @@ impl Attraction {
 
 impl ClaimedOrbit {
     /// Returns what a document claims; it stands at `place`.
+    ///
+    /// # Errors
+    /// Also of one with an amplitude or a gap of its own: no lemma is about these, whatever document it is in.
     pub fn of(orbit: &PeriodicOrbitDocument, place: &Place<'_>) -> Result<Self, Error> {
+        if orbit.amplitude.is_some() || orbit.gap.is_some() {
+            return Err(place.refused("what is solved for the amplitude or the gap is not checked"));
+        }
         let impact = |impact: &PeriodicImpactDocument| Passage {
             wall: impact.wall,
             turn: impact.turn.map(u64::from),

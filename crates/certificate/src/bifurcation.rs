@@ -85,9 +85,6 @@ impl ClaimedPoint {
             _ => return Err(place.get("kind")?.refused("accepted are fold, pitchfork, period-doubling and graze")),
         };
         let orbit = place.get("orbit")?;
-        if point.orbit.amplitude.is_some() || point.orbit.gap.is_some() {
-            return Err(orbit.refused("what is solved for the amplitude or the gap is not checked"));
-        }
         Ok(Self {
             kind,
             parameter: point.parameter.each_ref().map(|bound| bound.value()),

@@ -193,7 +193,11 @@ impl Claims {
             return Ok(Judged { verdict: Verdict::Refuted(finding), confirmed: 0 });
         }
         if let Some(documents) = self.documents() {
-            return Self::judge_each(&documents, effort, &Latched::new(watch));
+            let judged = Self::judge_each(&documents, effort, &Latched::new(watch))?;
+            return Ok(match (self, &judged.verdict) {
+                (Self::Description(certificate), Verdict::Confirmed { .. }) => certificate.with_fate(judged),
+                _ => judged,
+            });
         }
         let Some(certificate) = self.certificate() else {
             let nothing = Finding { event: 0, message: "nothing of it is checked".to_owned() };
@@ -275,7 +279,8 @@ impl Claims {
         let documents = self.documents().unwrap_or_default();
         let each = documents.iter().map(|(_, document)| document.all()).collect::<Vec<_>>().join(", ");
         match self {
-            Self::Description(_) => format!("the fate: {each}"),
+            Self::Description(certificate) if certificate.is_fate_judged() => format!("the fate: {each}"),
+            Self::Description(_) => format!("{each}, not the fate"),
             Self::List(documents) => format!("{}: {each}", counted(documents.len(), "document")),
             _ => "nothing".to_owned(),
         }

@@ -2,7 +2,7 @@
 
 use serde_json::Value;
 
-use crate::{Certificate, Claims, Finding, TrapCertificate};
+use crate::{Certificate, Claims, Finding, Judged, TrapCertificate, Verdict};
 use impact_pair_document::{ClaimName, DESCRIPTION_SCHEMA, DescriptionDocument, FateName, Place, value};
 use impact_pair_model::{Error, Period, Word};
 
@@ -72,7 +72,7 @@ impl DescriptionCertificate {
     }
 
     /// Whether a document in it proves the fate.
-    fn is_fate_judged(&self) -> bool {
+    pub(super) fn is_fate_judged(&self) -> bool {
         match self.document.fate.kind {
             FateName::Undecided => false,
             FateName::StaysInRegion => self.document.region.is_some(),
@@ -82,10 +82,25 @@ impl DescriptionCertificate {
         }
     }
 
+    /// Returns what is found of a description whose documents are confirmed: a fate that none of them proves is left undecided, one that claims
+    /// nothing is not judged.
+    pub(super) fn with_fate(&self, documents: Judged) -> Judged {
+        if self.is_fate_judged() || self.document.fate.kind == FateName::Undecided {
+            return documents;
+        }
+        let message = format!("fate is {}, but no document in it proves that", self.document.fate.kind.text());
+        Judged { verdict: Verdict::Undecided(Finding { event: self.after_all(), message }), ..documents }
+    }
+
+    /// The number of what is said of the whole, after the claims of the documents in it.
+    fn after_all(&self) -> usize {
+        self.parts.iter().map(|(_, part)| part.count() + 1).sum()
+    }
+
     /// Returns what contradicts the documents in it, if anything does.
     pub(super) fn contradiction(&self) -> Option<Finding> {
         let message = self.differing().or_else(|| self.fate_differing())?;
-        Some(Finding { event: self.parts.iter().map(|(_, part)| part.count() + 1).sum(), message })
+        Some(Finding { event: self.after_all(), message })
     }
 
     /// The scene of a document in it is another one, or a flag is not what the fate says.

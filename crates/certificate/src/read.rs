@@ -3,7 +3,7 @@
 //! A document is one object, or JSON Lines: the head, an event a line, and at last the outcome.
 
 use impact_pair_document::{
-    ClaimName, EventDocument, EventName, ORBIT_SCHEMA, OutcomeDocument, Place, SceneDocument, values,
+    ClaimName, EventDocument, EventName, ORBIT_SCHEMA, OutcomeDocument, Place, SceneDocument, Written, values,
 };
 use num_rational::BigRational;
 
@@ -77,6 +77,7 @@ impl Certificate {
         }
         unjudged.extend(outcome.unread::<OutcomeDocument>()?);
         let ended: OutcomeDocument = outcome.read()?;
+        ended.until.as_ref().map_or(Ok(()), |until| is_single(&outcome, "until", until))?;
         if ended.kind == "undecided" {
             // That something cannot be decided claims nothing; that all is listed up to a time does.
             unjudged.extend(["outcome.reason", "outcome.time[1]", "outcome.wall"].map(str::to_owned));
@@ -149,6 +150,12 @@ impl Certificate {
     pub fn period(&self) -> Option<Period> {
         self.ended.period
     }
+}
+
+/// Refuses an interval where one number is meant: a claim about it would have to hold for each member.
+pub(super) fn is_single(place: &Place<'_>, key: &str, value: &Written) -> Result<(), Error> {
+    let refused = |place: Place<'_>| Err(place.refused("accepted is a single number, not an interval"));
+    if value.0.is_point() { Ok(()) } else { refused(place.get(key)?) }
 }
 
 fn claim(place: &Place<'_>) -> Result<Claim, Error> {

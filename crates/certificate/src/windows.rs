@@ -4,6 +4,7 @@ use super::attraction::{ClaimedOrbit, Stability};
 use super::bifurcation::{ClaimedPoint, Kind, own_value, parameter};
 use crate::PeriodicCertificate;
 use crate::periodic::OrbitOf;
+use crate::read::is_single;
 use impact_pair_document::{Place, WINDOWS_SCHEMA, WindowDocument, WindowsDocument, value};
 use impact_pair_exact::Exact;
 use impact_pair_model::scene::Key;
@@ -46,6 +47,9 @@ impl WindowsCertificate {
         let document: WindowsDocument = whole.read()?;
         let over = parameter(&whole.get("over")?.get("key")?)?;
         let (pair, _) = document.scene.clone().model()?;
+        for (key, end) in [("low", &document.over.low), ("high", &document.over.high)] {
+            is_single(&whole.get("over")?, key, end)?;
+        }
         let places = whole.get("windows")?.list()?;
         let mut unjudged = whole.unread::<WindowsDocument>()?;
         let read = |(window, place): (&WindowDocument, &Place<'_>)| ClaimedWindow::of(window, place, (&pair, over));
@@ -103,10 +107,8 @@ impl WindowsCertificate {
 impl ClaimedWindow {
     fn of(window: &WindowDocument, place: &Place<'_>, (pair, over): (&ImpactPair, Key)) -> Result<Self, Error> {
         let at = place.get("orbit")?;
-        if window.orbit.amplitude.is_some() || window.orbit.gap.is_some() {
-            return Err(at.refused("what is solved for the amplitude or the gap is not checked"));
-        }
         let orbit = ClaimedOrbit::of(&window.orbit, &at)?;
+        is_single(place, "at", &window.at)?;
         let (word, cycles) = (window.word.parse()?, u64::from(window.cycles));
         let there = pair.with(over, window.at.0.clone())?;
         let claim = OrbitOf { word, cycles, orbit: orbit.clone() };

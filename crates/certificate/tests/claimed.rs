@@ -177,6 +177,47 @@ fn r48_keys_that_are_not_known_are_named_or_refused() {
     assert!(named > 8 * refused, "{named} named, {refused} refused");
 }
 
+/// A periodic orbit has the amplitude and the gap of its scene; one of its own, as motions solved for these have it, is compared with nothing.
+#[test]
+fn r49_no_orbit_with_an_amplitude_or_a_gap_of_its_own_is_confirmed() {
+    let mut refused = 0;
+    for (name, lines) in all() {
+        let whole = json!(lines);
+        for (path, pointer) in leaves(&lines) {
+            let Some(orbit) = pointer.strip_suffix("/stability") else { continue };
+            for key in ["amplitude", "gap"] {
+                let mut copy = whole.clone();
+                copy.pointer_mut(orbit).unwrap()[key] = json!(["0.5", "0.5"]);
+                match checked(copy.as_array().unwrap(), &|_: Stage<'_>| proceed_if(false)) {
+                    Some(found) => {
+                        assert_eq!(found.verdict, VerdictName::Refuted, "{name} {path} {key}: {}", found.message)
+                    }
+                    None => refused += 1,
+                }
+            }
+        }
+    }
+    assert!(refused > 40, "{refused}");
+}
+
+/// Of an interval of times something would have to be claimed for each: that all is listed up to 1000 is refuted.
+#[test]
+fn r49_a_time_to_stop_at_and_the_value_of_a_window_are_single_numbers() {
+    let all = all();
+    let document = |name: &str| json!(all.iter().find(|(own, _)| own == name).unwrap().1);
+    for (name, place, value) in [
+        ("chatter in a time", "/0/outcome/until", "[0, 1000]"),
+        ("attracted in a time", "/0/outcome/until", "[0, 15.5]"),
+        ("windows", "/0/windows/0/at", "[0.1, 0.2]"),
+        ("windows", "/0/over/low", "[0, 100]"),
+    ] {
+        let mut copy = document(name);
+        *copy.pointer_mut(place).unwrap() = json!(value);
+        let refused = Claims::parse(&text(copy.as_array().unwrap())).unwrap_err().to_string();
+        assert!(refused.contains("a single number, not an interval"), "{name}: {refused}");
+    }
+}
+
 /// Other values in the place of one: false, or, where it bounds from one side or is about, one of them false.
 fn others_of(key: &str, value: &Value) -> Vec<Value> {
     let decimal = |text: &str| {

@@ -178,6 +178,28 @@ fn r48_a_region_that_may_hold_rests_does_not_prove_a_fate_without_sticking() {
     assert!(found.verdict == VerdictName::Refuted && found.message.contains("fate.message"), "{}", found.message);
 }
 
+/// A region proves no other fate: its motions do not rest. That the fate is undecided claims nothing, and is not confirmed either.
+#[test]
+fn r49_a_fate_that_no_document_proves_is_not_confirmed() {
+    let of = |fate: Value, certified: bool| {
+        let mut document = recorded("description of a region");
+        (document["fate"], document["certified"]) = (fate, json!(certified));
+        checked(&document)
+    };
+    let message = "the ball rests on the left wall for ever";
+    let rests = of(json!({ "kind": "rests-forever", "message": message, "impacts": 5, "wall": "left" }), true);
+    assert!(
+        rests.verdict == VerdictName::Undecided && rests.message.contains("fate is rests-forever"),
+        "{}",
+        rests.message
+    );
+    assert!(rests.claims.iter().any(|claim| claim.path == "fate" && claim.verdict == VerdictName::Undecided));
+    let message = "undecided after 60 certified impacts";
+    let open = of(json!({ "kind": "undecided", "message": message, "impacts": 60 }), false);
+    assert!(open.verdict == VerdictName::Confirmed && is_named(&open, "fate"), "{}", open.message);
+    assert!(open.message.contains("not the fate") && !open.message.contains("the fate:"), "{}", open.message);
+}
+
 /// A bifurcation of an orbit, of another kind and with other doublings.
 fn bifurcations(kind: &str, doublings: u32) -> Value {
     let mut document = recorded("bifurcations");

@@ -118,6 +118,17 @@ fn r48_what_is_not_checked_of_a_cell_that_is_cut_is_named() {
     assert!(listed.eq(of_cell.into_iter().chain(of_component)), "{:?}", found.claims);
 }
 
+/// They are counted: each is listed once, from whichever of its impacts its word is read.
+#[test]
+fn r49_a_stable_orbit_of_a_cell_is_listed_once() {
+    let atlas = stable();
+    for again in ["P1 P2", "P2 P1"] {
+        let both = json!([atlas[1]["stable"][0], { "word": again, "impacts": 2, "cycles": 1 }]);
+        let found = changed(&atlas, "/stable", both);
+        assert!(matches!(&found, Verdict::Undecided(finding) if finding.message.contains("stable[1]")), "{found:?}");
+    }
+}
+
 /// Of a smallest cell that is undecided the stable orbit is claimed alone, for all its parameters.
 #[test]
 fn v38_stable_orbits_of_cells_are_proved_again() {

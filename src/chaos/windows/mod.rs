@@ -190,14 +190,14 @@ impl<'p> Search<'p> {
             return Err(Error::out_of_range(None, message));
         }
         let law = |value: &Exact| Law::of(&pair.with(*key, value.clone())?);
-        let (own, ends) = (Law::of(pair)?, [law(low)?, law(high)?]);
+        let laws = [law(low)?, law(high)?];
         let varies = if *key == Key::Restitution { Varies::Restitution } else { Varies::Gap };
         let of = |law: &Law| if varies == Varies::Gap { law.gap.mid() } else { law.restitution.mid() };
-        let ends = ends.each_ref().map(of);
+        let ends = laws.each_ref().map(of);
         // proposes
         let range = [ends[0].min(ends[1]), ends[0].max(ends[1])];
-        let is_inside = (range[0]..=range[1]).contains(&of(&own)); // proposes
-        let fixed = if varies == Varies::Gap { own.restitution.mid() } else { own.gap.mid() };
+        let own = Law::of(pair).ok().map(|own| of(&own)).filter(|own| (range[0]..=range[1]).contains(own)); // proposes
+        let fixed = if varies == Varies::Gap { laws[0].restitution.mid() } else { laws[0].gap.mid() };
         let size = |x: &Exact| Ball::of(x).mid();
         let unit = match key {
             Key::Gap => size(pair.excitation().reference().amplitude()),
@@ -205,7 +205,7 @@ impl<'p> Search<'p> {
             _ => 1.0,
         };
         let longest = settings.longest.min(MOST_WINDOW_IMPACTS); // proposes
-        let own = if is_inside { of(&own) } else { 0.5 * (range[0] + range[1]) };
+        let own = own.unwrap_or(0.5 * (range[0] + range[1])); // proposes: where a search begins
         let family = Family { varies, fixed, range, longest };
         Ok(Self { pair, family, own, key: *key, ends: [low, high], unit, impacts: settings.impacts })
     }

@@ -4,6 +4,7 @@ use super::super::Precision;
 use super::super::chain::{Chain, Legs};
 use super::super::chained::Moment;
 use super::super::equations::flights;
+use super::super::identity::is_symmetric;
 use super::super::krawczyk::{self, Effort, LARGEST, Proved, widest};
 use super::super::orbit::{Finding, PeriodicImpact, PeriodicOrbit, whole_periods};
 use super::super::precondition::Preconditioner;
@@ -207,6 +208,7 @@ impl<S: Varied> Claim<'_, S> {
         let is_narrow = self.is_narrow(&zero.at, shaken.speed(), &velocities);
         // The phases prove that views are apart; the domain of an extended system proves no two of them to be one.
         let proved = Proved { at: phases.clone(), domain: phases.clone() };
+        let symmetric = if ring.is_mirrored() { Some(true) } else { is_symmetric(chain, &proved) };
         let orbit = Finding::new(chain, &shaking, proved, |phases, legs| match self.kind {
             Kind::Graze => None,
             _ => is_physical(&shaken, chain, phases, legs),
@@ -216,7 +218,6 @@ impl<S: Varied> Claim<'_, S> {
         if self.kind != Kind::Graze && orbit.is_none() {
             return None;
         }
-        let symmetric = if ring.is_mirrored() { Some(true) } else { orbit.as_ref().and_then(|orbit| orbit.symmetric) };
         let orbit = orbit.map(|orbit| PeriodicOrbit { symmetric, ..orbit });
         let room = bits + 160;
         let turns = whole_periods(chain, &phases[0].as_enclosure()?, room);

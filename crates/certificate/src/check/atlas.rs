@@ -1,7 +1,7 @@
 //! Whether the points of an atlas are right: the global analysis of each is proved again (Lemma V25), or of each cell, and its stable orbits
 //! (Lemma V38).
 
-use super::chaos::has_stable_orbit;
+use super::chaos::{are_distinct, has_stable_orbit};
 use super::points::{Found, Tally, is_placed};
 use super::{Effort, Verdict};
 use crate::atlas::{AtlasCertificate, Part};
@@ -53,6 +53,6 @@ impl Part {
                 return Ok(if watch.goes_on() { doubt.on(0) } else { Verdict::Interrupted { events: 0 } });
             }
         }
-        Ok(confirmed)
+        Ok(are_distinct(&self.stable).map_or_else(|doubt| doubt.on(0), |()| confirmed))
     }
 }

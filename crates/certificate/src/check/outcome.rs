@@ -117,7 +117,7 @@ impl Walk<'_> {
         if let Some(rest) = self.standing.rest() {
             // Up to its accumulation a rest stands for all that happens.
             let [_, since] = self.clock.time(&rest.since).ends();
-            let has_not_ended = self.parameters.is_still() || !since.is_below(until);
+            let has_not_ended = self.parameters.is_still() || until.is_below(&since);
             return if has_not_ended { Ok(()) } else { judged(&self.release_time(rest)?, "a release") };
         }
         if let Some(still) = self.standing.still() {

@@ -30,7 +30,7 @@ mod words;
 use impact_pair_exact::Exact;
 use impact_pair_model::{Error, ImpactPair, within};
 
-pub(in crate::check) use cells::has_stable_orbit;
+pub(in crate::check) use cells::{are_distinct, has_stable_orbit};
 use span::Span;
 
 /// What the map depends on.
@@ -46,6 +46,7 @@ impl Law {
     /// That of a pair with one harmonic.
     fn of(pair: &ImpactPair) -> Result<Self, Error> {
         let harmonic = pair.harmonic("the impact map without units")?;
+        Error::require_positive("excitation.amplitude", harmonic.amplitude())?;
         let gap = within("pair.gap / excitation.amplitude", pair.gap(), pair.gap().checked_div(harmonic.amplitude()))?;
         let of = |x: &Exact| Span::of(&x.enclose(BITS));
         Ok(Self { gap: of(&gap), restitution: of(pair.restitution()) })

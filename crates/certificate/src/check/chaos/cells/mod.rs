@@ -152,6 +152,16 @@ pub(in crate::check) fn has_stable_orbit(
     Ok(Ok(()))
 }
 
+/// Each of several stable periodic orbits is listed once. Lemma V38
+pub(in crate::check) fn are_distinct(claimed: &[PeriodDocument]) -> Result<(), Doubt> {
+    let periods: Vec<Period> = claimed.iter().map(Period::of).collect::<Result<_, _>>()?;
+    let is_known = |j: usize| periods[..j].iter().any(|other| periods[j].may_be(other));
+    match (0..periods.len()).find(|j| is_known(*j)) {
+        Some(j) => Err(Doubt::Open(format!("stable[{j}] is not proved to be another orbit than those before"))),
+        None => Ok(()),
+    }
+}
+
 /// The laws of both halves of the interval of `D` with both halves of that of `e`: all members are in one of them.
 fn quarters(law: &Law) -> [Law; 4] {
     let halves = |x: Span| [Span::new(x.lo(), x.mid()), Span::new(x.mid(), x.hi())];

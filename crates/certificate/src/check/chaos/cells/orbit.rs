@@ -229,6 +229,15 @@ impl Period {
         }
     }
 
+    /// Whether both may be of one orbit: the walls of the other one, or of its mirror image, are these again and again, in as many forcing
+    /// periods per impact. Lemma V38
+    pub fn may_be(&self, other: &Self) -> bool {
+        let mirrored: Vec<bool> = other.is_right.iter().map(|wall| !wall).collect();
+        let [all, others] = [self, other].map(|period| period.is_right.len() as i64); // exact: lengths
+        let is_one_speed = self.cycles * others == other.cycles * all; // exact: small numbers
+        is_one_speed && (self.is_made_of(&other.is_right) || self.is_made_of(&mirrored))
+    }
+
     /// Whether impacts on these walls again and again are those that are claimed, from some impact on.
     fn is_made_of(&self, walls: &[bool]) -> bool {
         let all = self.is_right.len();
