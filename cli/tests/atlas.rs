@@ -126,7 +126,7 @@ fn shards_and_what_is_kept_are_the_whole() {
     assert!(!files(&folder).iter().any(|name| name.ends_with(".partial")));
 }
 
-/// All parameters of cells: a row a cell, with its ends; what is decided of the plane is said.
+/// All parameters of cells: a row a cell, with its ends; what is decided of the plane is said, of a shard that of its part.
 #[test]
 fn cells_hold_for_all_their_parameters() {
     let folder = folder("atlas-cells");
@@ -137,6 +137,9 @@ fn cells_hold_for_all_their_parameters() {
     assert!(said.starts_with("certified: 4 cells, 4 one-rest-cycle; 100.00 % of the plane decided"), "{said}");
     assert!(table.starts_with("point,amplitude_low,amplitude_high,restitution_low,restitution_high,class,"), "{table}");
     assert!(table.contains("\n3,2.75,3,0.075,0.1,one-rest-cycle,0,1,0,0,0,"), "{table}");
+    let answer = verb("atlas", &[&[scene.as_str(), "--shard", "1/4"], &plane[..]].concat()).output().unwrap();
+    let said = String::from_utf8(answer.stderr).unwrap();
+    assert!(said.starts_with("certified: 1 cell, 1 one-rest-cycle; 100.00 % of this part of the plane"), "{said}");
 }
 
 /// The checksum of a line that is kept: CRC-32, bit by bit.

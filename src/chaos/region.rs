@@ -52,6 +52,8 @@ pub enum NoTrap {
     Rest,
     /// In the finest grid a flight may be longer than 64 forcing periods.
     Long,
+    /// In the finest grid a ball may be so fast that the boxes up to its speed are not counted.
+    Fast,
     /// The region still grew after millions of boxes.
     Boxes,
     /// `e` may be 1: the impact map then preserves the area `w dw dth`, and no set of boxes closes.
@@ -68,10 +70,20 @@ impl NoTrap {
         match self {
             Self::Rest => "in the finest grid a ball may come to rest",
             Self::Long => "in the finest grid a flight may last for more than 64 forcing periods",
+            Self::Fast => "in the finest grid a ball may be faster than the boxes that are counted, 2^31 in a column",
             Self::Boxes => "the region still grew after 4 million boxes",
             Self::Elastic => "where e may be 1 the impact map preserves area, and no boxes are mapped into themselves",
             Self::NoImpact => "the orbit of the scene has no impacts",
             Self::Interrupted => "interrupted",
+        }
+    }
+}
+
+impl From<Refusal> for NoTrap {
+    fn from(refusal: Refusal) -> Self {
+        match refusal {
+            Refusal::Rest => Self::Rest,
+            Refusal::Long => Self::Long,
         }
     }
 }
@@ -230,12 +242,7 @@ fn grown(law: &Law, doubled: u32, seed: [f64; 2], watch: &dyn Watch) -> Result<R
     let more = 1_i64 << doubled;
     let grid = Grid { columns: COARSEST.0 * more, rows: COARSEST.1 * more as f64 }; // exact: a power of two
     let cell = grid.cell(seed[0], seed[1]);
-    Region::grow(law, grid, cell, watch).map_err(|reason| match reason {
-        Some(Refusal::Rest) => NoTrap::Rest,
-        Some(Refusal::Long) => NoTrap::Long,
-        None if watch.goes_on() => NoTrap::Boxes,
-        None => NoTrap::Interrupted,
-    })
+    Region::grow(law, grid, cell, watch)
 }
 
 impl Region {

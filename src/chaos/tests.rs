@@ -10,6 +10,7 @@ use super::guess::Guess;
 use super::law::{Law, Side};
 use super::propose::{Making, Proposal};
 use super::quad::{Chord, Quad, State};
+use super::region::NoTrap;
 use super::trap::{Grid, Region};
 use super::tube::{Part, Tube, taken};
 use super::words::{Base, Path, Search};
@@ -149,6 +150,20 @@ fn a_region_is_closed_and_one_with_a_hole_is_not() {
     assert!(!images(Some(grid.cell(state[0], state[1]))));
     // A ball that is hardly thrown on a pressed wall comes to rest.
     assert!(Region::grow(&law, grid, grid.cell(0.6, 0.001), &Unwatched).is_err());
+}
+
+/// Lemma D4: boxes beyond the last row that is counted are refused, none of them is taken for that row.
+#[test]
+fn boxes_beyond_the_last_row_are_refused() {
+    let [coarse, fine] = [32.0, 2_f64.powi(40)].map(|rows| Grid { columns: 256, rows });
+    let quad = coarse.quad(coarse.cell(0.778, 1.2345));
+    let mut noted = 0;
+    let mut note = |_, _| noted += 1;
+    assert!(coarse.image(&figure_14(), &quad, &mut note).is_ok());
+    let before = std::mem::take(&mut noted);
+    let mut note = |_, _| noted += 1;
+    assert_eq!(fine.image(&figure_14(), &quad, &mut note).err(), Some(NoTrap::Fast));
+    assert_eq!((before > 0, noted), (true, 0));
 }
 
 fn words(law: &Law, bases: &[Base], depth: usize) -> Vec<Path> {

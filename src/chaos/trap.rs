@@ -7,6 +7,7 @@ use std::thread;
 use super::flights::{Flights, View, is_positive};
 use super::law::{Law, Side};
 use super::quad::Quad;
+use super::region::NoTrap;
 use crate::number::{Ball, Number};
 use crate::watch::{Stage, Watch};
 
@@ -51,6 +52,8 @@ pub(crate) enum Refusal {
 
 /// Flights of more forcing periods are not followed.
 const LONGEST: f64 = 64.0;
+/// Rows are counted to N.
+const MOST_ROWS: f64 = 2_147_483_647.0;
 /// A box is cut so often to be measured from rest.
 const CUTS: u32 = 6;
 
@@ -71,13 +74,20 @@ impl Grid {
     }
 
     /// Notes the boxes that all images of the states of a rectangle lie in, and the walls of the flights there. Lemma D4
-    pub fn image(&self, law: &Law, quad: &Quad, note: &mut dyn FnMut(Side, Cell)) -> Result<Reach, Refusal> {
-        self.landings(law, quad, &mut |Arrivals { column, side, speeds }| {
+    pub fn image(&self, law: &Law, quad: &Quad, note: &mut dyn FnMut(Side, Cell)) -> Result<Reach, NoTrap> {
+        let mut has_rows = true;
+        let reach = self.landings(law, quad, &mut |Arrivals { column, side, speeds }| {
             let shift = if side == Side::Far { self.columns / 2 } else { 0 };
             let column = (column + shift).rem_euclid(self.columns) as i32; // exact: fewer than 2^31
-            let rows = speeds.map(|speed| (speed * self.rows).floor() as i32); // D4: of both ends
-            (rows[0]..=rows[1]).for_each(|row| note(side, (column, row)));
-        })
+            let [low, high] = speeds.map(|speed| (speed * self.rows).floor()); // D4: of both ends
+            // D4: else a box is not counted, and no comparison with NaN holds
+            if high < MOST_ROWS {
+                (low as i32..=high as i32).for_each(|row| note(side, (column, row))); // exact: fewer than 2^31
+            } else {
+                has_rows = false;
+            }
+        })?;
+        if has_rows { Ok(reach) } else { Err(NoTrap::Fast) }
     }
 
     /// Notes where all flights from a rectangle may land, column by column. Lemma D4
@@ -169,14 +179,17 @@ impl Region {
     /// Returns the least region of boxes of this grid that holds a box and is closed, as far as it is seen.
     ///
     /// `Err` with the reason where it does not close.
-    pub fn grow(law: &Law, grid: Grid, seed: Cell, watch: &dyn Watch) -> Result<Self, Option<Refusal>> {
+    pub fn grow(law: &Law, grid: Grid, seed: Cell, watch: &dyn Watch) -> Result<Self, NoTrap> {
         let mut cells: HashMap<Cell, Reach> = HashMap::new();
         let mut known: HashSet<Cell> = HashSet::from([seed]);
         let mut frontier = vec![seed];
         let threads = thread::available_parallelism().map_or(1, usize::from); // exact: threads decide nothing
         while !frontier.is_empty() {
-            if known.len() > MOST || watch.proceed(Stage::Region(known.len())).is_break() {
-                return Err(None);
+            if watch.proceed(Stage::Region(known.len())).is_break() {
+                return Err(NoTrap::Interrupted);
+            }
+            if known.len() > MOST {
+                return Err(NoTrap::Boxes);
             }
             let share = frontier.len().div_ceil(threads);
             let results = Mutex::new(Vec::new());
@@ -186,7 +199,7 @@ impl Region {
                     scope.spawn(move || {
                         let mut found = HashSet::new();
                         let mut note = |_, cell| _ = found.insert(cell);
-                        let reaches: Result<Vec<_>, _> = part
+                        let reaches: Result<Vec<_>, NoTrap> = part
                             .iter()
                             .map(|&cell| Ok((cell, grid.image(law, &grid.quad(cell), &mut note)?)))
                             .collect();
@@ -196,7 +209,7 @@ impl Region {
             });
             frontier.clear();
             for result in results.into_inner().expect("no thread has panicked") {
-                let (reaches, found) = result.map_err(Some)?;
+                let (reaches, found) = result?;
                 cells.extend(reaches);
                 frontier.extend(found.into_iter().filter(|&cell| known.insert(cell)));
             }

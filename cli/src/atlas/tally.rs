@@ -19,14 +19,18 @@ pub struct Classes {
     /// What is proved of how many of the points or smallest cells that are there.
     shares: Shares,
     cells: bool,
+    /// Whether all of the plane is there, and not a shard, or what was computed until Ctrl-C.
+    is_whole: bool,
 }
 
 impl Classes {
     /// Counts the records that are there.
     pub fn of(points: &mut Gathered<AtlasHead>) -> Result<Self> {
         let plane = points.head.grid()?;
-        let mut tally = Self { counts: [0; 5], shares: Shares::default(), cells: plane.has_cells() };
+        let mut tally = Self { counts: [0; 5], shares: Shares::default(), cells: plane.has_cells(), is_whole: true };
+        let mut records = 0;
         points.each_record(|record| {
+            records += 1;
             for leaf in record.leaves() {
                 if let Some(class) = CLASSES.iter().position(|class| *class == leaf.class) {
                     tally.counts[class] += 1;
@@ -35,6 +39,7 @@ impl Classes {
             tally.shares = tally.shares.with(Shares::of(&plane, &record));
             Ok(())
         })?;
+        tally.is_whole = records == points.head.points();
         Ok(tally)
     }
 }
@@ -54,13 +59,18 @@ impl fmt::Display for Classes {
             format!("{}.{:02} %", share / 100, share % 100)
         };
         let word = if self.is_complete() { "certified" } else { "not all decided" };
-        let what = if self.cells { "cells" } else { "points" };
+        let [one, many] = if self.cells { ["cell", "cells"] } else { ["point", "points"] };
         let all: u64 = self.counts.iter().sum();
-        write!(f, "{word}: {all} {what}")?;
+        write!(f, "{word}: {all} {}", if all == 1 { one } else { many })?;
         for (class, count) in CLASSES.iter().zip(self.counts).filter(|(_, count)| *count > 0) {
             write!(f, ", {count} {class}")?;
         }
-        let plane = if self.cells { "of the plane" } else { "of the points" };
+        let plane = match (self.cells, self.is_whole) {
+            (true, true) => "of the plane",
+            (true, false) => "of this part of the plane",
+            (false, true) => "of the points",
+            (false, false) => "of these points",
+        };
         write!(f, "; {} {plane} decided", percent(decided))?;
         if either > 0 {
             let [either, stable, horseshoe] = [either, stable, horseshoe].map(percent);

@@ -105,7 +105,8 @@ impl SweepCertificate {
         let places: Vec<&[Option<u64>]> = points.iter().map(|point| &point.places[..]).collect();
         unjudged.extend(axes.unpinned(&places));
         if points.iter().all(|point| point.states.is_empty()) {
-            unjudged.push("transient".to_owned());
+            // There are no bounds to compare.
+            unjudged.extend(["certified", "transient"].map(str::to_owned));
             unjudged.extend((!axes.keys.contains(&Key::StartPhase)).then(|| "reference".to_owned()));
         }
         // Of points without impacts after the transient a summary says as much, and one point is that of several shards.

@@ -377,6 +377,21 @@ fn r41_shards_summaries_and_missing_points_of_sweeps_are_judged() {
     assert_eq!(all(&[("summary", json!(true))], &whole), Some(VerdictName::Refuted));
 }
 
+/// Of a summary no bounds are compared, so that it is not checked that they are certified.
+#[test]
+fn r48_that_bounds_are_certified_is_not_checked_of_a_summary() {
+    let (_, mut lines) = all().into_iter().find(|(name, _)| name == "sweep").unwrap();
+    let is_named = |lines: &[Value]| {
+        let found = checked(lines, &Unwatched).expect("a sweep");
+        assert_eq!(found.verdict, VerdictName::Confirmed, "{}", found.message);
+        found.not_checked.iter().any(|key| key == "certified")
+    };
+    assert!(!is_named(&lines));
+    lines[0]["summary"] = json!(true);
+    lines[1..].iter_mut().for_each(|point| _ = point.as_object_mut().unwrap().remove("states"));
+    assert!(is_named(&lines));
+}
+
 /// An event whose bounds contain the requested time is listed, and may come after it: "3 impacts up to the requested time" was said where
 /// the third one is at `t = 3` and the requested time a little before.
 #[test]

@@ -2,7 +2,8 @@
 //!
 //! Labels: proposes throughout.
 
-use super::super::guess::{Guess, applied, cross, length, minus, times};
+use super::super::global::closed;
+use super::super::guess::{Guess, cross, length, minus, times};
 use super::super::law::Law;
 use super::super::quad::{Chord, State};
 use super::super::words::Base;
@@ -11,10 +12,6 @@ use crate::number::Ball;
 /// Saddles of at most N impacts are looked for, from these places along the h-set, a half length being 1.
 const LONGEST: usize = 16;
 const PLACES: [f64; 7] = [0.0, -0.25, 0.25, -0.5, 0.5, -0.75, 0.75];
-/// Newton steps, the last one that is small enough, and the longest that is believed.
-const NEWTON: usize = 20;
-const CLOSE: f64 = 1e-11;
-const FARTHEST: f64 = 0.1;
 /// What changes `D` or `e` more is followed in steps.
 const STEP: f64 = 5e-4;
 
@@ -35,24 +32,10 @@ pub(super) struct Followed {
 
 impl Saddle {
     /// The one that Newton's method leads to; `None` where it leads to none, or to one that attracts.
-    fn near(guess: &Guess, mut state: State, impacts: usize) -> Option<Self> {
-        for _ in 0..NEWTON {
-            let ([u, w], jacobian) = after(guess, state, impacts)?;
-            let [phase, speed] = minus([u, w], state);
-            let away = [phase - phase.round(), speed];
-            let [[a, b], [c, d]] = jacobian;
-            let determinant = (1.0 - a) * (1.0 - d) - b * c;
-            let step = applied([[1.0 - d, b], [c, 1.0 - a]], away).map(|x| x / determinant);
-            let long = length(step);
-            if long.is_nan() || long > FARTHEST {
-                return None;
-            }
-            state = [state[0] + step[0], state[1] + step[1]];
-            if long < CLOSE {
-                return Some(Self { state, impacts, directions: directions(jacobian)? });
-            }
-        }
-        None
+    fn near(guess: &Guess, seed: State, impacts: usize) -> Option<Self> {
+        let [phase, speed] = *closed(guess, seed, impacts)?.first()?;
+        let state = [phase + (seed[0] - phase).round(), speed];
+        Some(Self { state, impacts, directions: directions(derivative(guess, state, impacts)?)? })
     }
 
     /// The same at other values of the parameters.
@@ -76,12 +59,13 @@ impl Saddle {
     }
 }
 
-/// A state N impacts later, and the derivatives.
-fn after(guess: &Guess, state: State, impacts: usize) -> Option<(State, [[f64; 2]; 2])> {
-    (0..impacts).try_fold((state, [[1.0, 0.0], [0.0, 1.0]]), |(state, jacobian), _| {
+/// The derivatives of N impacts.
+fn derivative(guess: &Guess, state: State, impacts: usize) -> Option<[[f64; 2]; 2]> {
+    let after = (0..impacts).try_fold((state, [[1.0, 0.0], [0.0, 1.0]]), |(state, product), _| {
         let image = guess.map(state)?;
-        Some((image.state, times(image.jacobian, jacobian)))
-    })
+        Some((image.state, times(image.jacobian, product)))
+    });
+    Some(after?.1)
 }
 
 /// The directions that a saddle's derivatives expand and contract; `None` if it is none.

@@ -74,7 +74,7 @@ fn proposals(guess: &Guess, seed: State, boxes: usize) -> Vec<Vec<State>> {
 }
 
 /// Returns the cycle of N impacts near a state, by Newton's iteration.
-pub(super) fn closed(guess: &Guess, seed: State, impacts: usize) -> Option<Vec<State>> {
+pub(in crate::chaos) fn closed(guess: &Guess, seed: State, impacts: usize) -> Option<Vec<State>> {
     let mut state = seed;
     for _ in 0..STEPS {
         let (mut at, mut product) = (state, [[1.0, 0.0], [0.0, 1.0]]);

@@ -24,6 +24,7 @@ use crate::periodic::Precision;
 use crate::watch::Watch;
 use analysis::{Analysis, Question};
 pub use basins::{Basin, Goes, Patch};
+pub(super) use cycle::closed;
 use image::Space;
 use known::Released;
 pub(crate) use known::spectral_radius;

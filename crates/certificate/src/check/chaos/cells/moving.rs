@@ -153,3 +153,108 @@ fn square([p, q]: [State; 2]) -> [State; 2] {
     let size = length([u, w]);
     [[u / size, w / size], [-w / (TAU * size), TAU * u / size]]
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const PARTS: [f64; 5] = [-1.0, -0.5, 0.0, 0.5, 1.0];
+
+    /// All parts of both sides, and of what `e` and `D` move.
+    fn parts() -> impl Iterator<Item = [f64; 4]> {
+        (0..PARTS.len().pow(4)).map(|k| [1, 5, 25, 125].map(|step| PARTS[k / step % 5]))
+    }
+
+    fn state(set: &Set, parts: [f64; 4]) -> State {
+        let by = set.sides.iter().chain(&set.moved).zip(parts);
+        by.fold(set.middle, |[u, w], (by, part)| [u + part * by[0], w + part * by[1]])
+    }
+
+    /// Whether a state is one of a set, whole forcing periods aside, for these parameters.
+    fn is_in(set: &Set, at: State, [_, _, c, d]: [f64; 4]) -> bool {
+        let middle = state(set, [0.0, 0.0, c, d]);
+        let ahead = at[0] - middle[0];
+        let away = [ahead - ahead.round(), at[1] - middle[1]];
+        let [[a, b], [p, q]] = set.sides;
+        let area = a * q - b * p;
+        [away[0] * q - away[1] * p, a * away[1] - b * away[0]].iter().all(|part| (part / area).abs() <= 1.0)
+    }
+
+    /// Each state of a set has its image in the next one, for the parameters that it moves with, where each of sides and moves is long.
+    #[test]
+    fn v36_the_next_set_holds_the_images_of_all_states() {
+        let laws = [
+            ([2.0, 2.04], [0.5, 0.53]),
+            ([2.0, 2.0], [0.5, 0.5]),
+            ([1.2, 1.23], [0.8, 0.8]),
+            ([3.0, 3.0], [0.2, 0.24]),
+        ];
+        let long = [[[0.01, 0.0], [0.0, 0.03]], [[0.001, 0.03], [0.0, 0.001]]];
+        let short = [[1e-6, 0.0], [0.0, 1e-6]];
+        let still = [[0.0; 2]; 2];
+        for (gap, restitution) in laws {
+            for [sides, moved] in
+                [[long[0], still], [long[1], long[0]], [short, long[0]], [short, long[1]], [short, still]]
+            {
+                for middle in [[0.1, 1.5], [0.6, 2.0], [0.95, 1.0]] {
+                    let law =
+                        Law { gap: Span::new(gap[0], gap[1]), restitution: Span::new(restitution[0], restitution[1]) };
+                    let set = Set { middle, sides, moved, turns: 0.0 };
+                    let Landed { set: next, is_far, .. } =
+                        set.next(&law, &Guess::new(&law)).expect("all are on one wall");
+                    for parts in parts() {
+                        let [gap, restitution] = [(law.gap, parts[3]), (law.restitution, parts[2])]
+                            .map(|(x, part)| Span::point(x.mid() + part * 0.5 * (x.hi() - x.lo())));
+                        let image = Guess::new(&Law { gap, restitution }).map(state(&set, parts)).expect("it lands");
+                        assert!(
+                            image.is_far == is_far && is_in(&next, image.state, parts),
+                            "{law:?} {set:?} {parts:?}"
+                        );
+                    }
+                }
+            }
+        }
+    }
+
+    /// What moves a set moves its image by that of the derivative, and makes no side longer, up to squares.
+    #[test]
+    fn v36_what_moves_a_set_is_no_side_of_its_image() {
+        let law = Law { gap: Span::point(2.0), restitution: Span::point(0.5) };
+        for moved in [[[1e-4, 0.0], [0.0; 2]], [[0.0; 2], [0.0, 1e-4]], [[0.0; 2], [1e-4, 1e-4]]] {
+            let set = Set { middle: [0.1, 1.5], sides: [[1e-9, 0.0], [0.0, 1e-9]], moved, turns: 0.0 };
+            let next = set.next(&law, &Guess::new(&law)).expect("all are on one wall").set;
+            let longest = |sides: [State; 2]| sides.map(length).into_iter().fold(0.0, f64::max);
+            assert!(longest(next.sides) < 0.01 * longest(next.moved), "{next:?}");
+        }
+    }
+
+    /// A set is inside another one with its sides and all that moves it, whole forcing periods aside, and by how many.
+    #[test]
+    fn v36_a_set_holds_no_more_than_its_states() {
+        let sides = |by: f64| [[0.75 * by, 0.0], [0.25 * by, by]];
+        let whole = Set { middle: [0.5, 1.0], sides: sides(0.01), moved: [[0.02, 0.01], [0.01, 0.03]], turns: 0.0 };
+        let beside = |middle: State, part: f64, [e, gap]: State| {
+            let moved = [whole.moved[0].map(|x| x + e), whole.moved[1].map(|x| x + gap)];
+            Set { middle, sides: sides(0.01 * part), moved, ..whole }
+        };
+        let inside = [([0.5, 1.0], 0.9, [0.0; 2]), ([0.5, 1.003], 0.6, [0.0; 2]), ([0.5, 1.0], 0.5, [0.001, 0.002])];
+        let outside = [
+            ([0.5, 1.0], 1.1, [0.0; 2]),
+            ([0.5, 1.005], 0.6, [0.0; 2]),
+            ([0.506, 1.0], 0.4, [0.0; 2]),
+            ([0.5, 1.0], 0.5, [0.008, 0.0]),
+            ([0.5, 1.0], 0.5, [0.0, 0.008]),
+            ([0.5, 1.0], 0.5, [0.004, 0.004]),
+        ];
+        for ((middle, part, moved), is_inside) in
+            inside.map(|set| (set, true)).into_iter().chain(outside.map(|set| (set, false)))
+        {
+            let other = beside(middle, part, moved);
+            assert_eq!(whole.holds(&other).is_some(), is_inside, "{other:?}");
+            assert_eq!(parts().all(|parts| is_in(&whole, state(&other, parts), parts)), is_inside, "{other:?}");
+        }
+        for ahead in [-1.0, 0.0, 2.0] {
+            assert_eq!(whole.holds(&beside([0.501 + ahead, 1.0], 0.5, [0.0; 2])), Some(ahead));
+        }
+    }
+}

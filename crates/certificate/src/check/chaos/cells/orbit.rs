@@ -273,3 +273,77 @@ fn first_impact(pair: &ImpactPair, start: &Start) -> Result<Option<(Wall, Spot)>
     let phase = phase.clone() - &Real::int(turns, phase.bits());
     Ok(Some((landing.wall, [&phase, &speed].map(|x| Span::of(x.enclosure())))))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::check::Effort;
+    use crate::check::chaos::LOOKS;
+    use impact_pair_model::watch::Unwatched;
+    use std::f64::consts::TAU;
+
+    fn period(word: &str, cycles: u32) -> Period {
+        let impacts = word.split(' ').count() as u32;
+        Period::of(&PeriodDocument { word: word.to_owned(), cycles, impacts }).unwrap()
+    }
+
+    fn followed(word: &str, cycles: u32, [alpha, restitution]: [f64; 2], first: (bool, State), room: f64) -> Found {
+        let [gap, restitution] = [1.0 / alpha, restitution].map(Span::point);
+        let first = (first.0, Set::around(first.1.map(Span::point)));
+        let work = Allowance::new(LOOKS * Effort::default().work, &Unwatched);
+        period(word, cycles).follow(first, room, &Law { gap, restitution }, &work).unwrap()
+    }
+
+    /// Of an orbit of three impacts in one cycle one has phase 0, to 1e-9: others come near it from both sides in turn, so that sets lie in earlier ones that
+    /// are in another forcing period.
+    #[test]
+    fn v36_forcing_periods_are_counted_where_sets_go_from_one_to_another() {
+        for phase in [0.83939, 0.83879] {
+            let first = (true, [phase, 1.859]);
+            let found = [1, 2, 3].map(|cycles| followed("P2 P4 P1", cycles, [0.5045322695, 0.63], first, ROOMS[1]));
+            assert_eq!(found, [Found::Proved, Found::Other, Found::Other], "{phase}");
+        }
+    }
+
+    /// The equispaced orbit of (66)-(69) is a saddle beyond the pitchfork: sets that are near each other do not prove that it is stable.
+    #[test]
+    fn v36_sets_about_a_saddle_do_not_lie_in_one_another() {
+        let [alpha, restitution] = [0.475_f64, 0.8];
+        let along = TAU / 2.0 * (1.0 + restitution) / (1.0 - restitution);
+        let phase = (0..60).fold(-1.5_f64, |phase, _| -((1.0 / alpha - 2.0 * phase.sin()) / along).acos());
+        let state = [phase / TAU + 1.0, 2.0 * phase.cos() / (1.0 - restitution)];
+        let missed = Guess::new(&Law { gap: Span::point(1.0 / alpha), restitution: Span::point(restitution) })
+            .map(state)
+            .unwrap();
+        assert!(missed.is_far && apart(missed.state, state) < 1e-9);
+        for room in ROOMS {
+            assert_eq!(followed("P1 P2", 1, [alpha, restitution], (false, state), room), Found::Nothing, "{room}");
+        }
+    }
+
+    /// Walls from L to R to L, ... of rounds, and whole forcing periods of the reduced map, which counts half of one less for each far impact.
+    #[test]
+    fn v36_a_round_is_compared_by_its_walls_and_its_forcing_periods() {
+        let walls = |text: &str| text.chars().map(|wall| wall == 'R').collect::<Vec<_>>();
+        for (word, cycles, round, turns, found) in [
+            ("P1 P2", 1, "LR", 1.0, Found::Proved),
+            ("P1 P2", 1, "LRL", 2.0, Found::Proved),
+            ("P1 P2", 1, "LRLRL", 4.0, Found::Nothing),
+            ("P1 P2", 1, "LRL", 3.0, Found::Other),
+            ("P1 P2", 3, "LR", 1.0, Found::Other),
+            ("P1 P2 P1 P2", 2, "LRL", 2.0, Found::Fewer),
+            ("P1 P2 P1 P2", 2, "LRLRL", 4.0, Found::Proved),
+            ("P1 P2 P4", 1, "LRL", 2.0, Found::Other),
+            ("P1 P2 P4 P4", 1, "LRLRL", 3.0, Found::Other),
+            ("P1 P2 P4", 1, "LRLL", 2.0, Found::Proved),
+            ("P1 P2 P4", 1, "LLRL", 2.0, Found::Proved),
+            ("P3 P2 P1", 1, "RLRR", 2.0, Found::Proved),
+            ("P3 P2 P1", 1, "LRLL", 2.0, Found::Other),
+            ("P4 P1 P3 P2", 1, "LLR", 1.0, Found::Proved),
+            ("P4 P1 P3 P2", 1, "LRLRL", 3.0, Found::Other),
+        ] {
+            assert_eq!(period(word, cycles).compared(&walls(round), turns), found, "{word} {cycles} {round} {turns}");
+        }
+        assert!(period("P1 P2 P1 P2", 2).may_have_fewer() && !period("P1 P2 P4", 1).may_have_fewer());
+    }
+}
