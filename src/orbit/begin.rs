@@ -13,11 +13,10 @@ use super::splice::Splice;
 use super::width::Width;
 use super::{Arithmetic, Clock, Cursor, Engine, Followed, Orbit, Requested, Settings, Start};
 use crate::clock::Phase;
-use crate::covering::start::Starts;
 use crate::exact::Exact;
 use crate::number::Ball;
 use crate::pair::{ImpactPair, too_large};
-use crate::shaken::Origin;
+use crate::shaken::{Origin, State};
 use crate::{Error, Scene, rest};
 
 impl Orbit {
@@ -52,13 +51,9 @@ impl Orbit {
             arithmetic => arithmetic,
         };
         // A shadow begins at the starts near by, any other motion at its origin.
-        let (initial, (place, turns, phase, velocity)) = match motion.starts() {
-            Some(Starts { bounds, .. }) => {
-                (bounds.clone(), (bounds.place, bounds.turns, bounds.phase, bounds.velocity))
-            }
-            None => (origin.initial(), (origin.place.clone(), origin.turns, origin.phase, origin.velocity)),
-        };
-        let cursor = Cursor { index: 0, wall: place.wall(), height: place.height(), turns, phase, velocity };
+        let starts = motion.starts().map(|starts| starts.bounds);
+        let cursor = Cursor::at(starts.as_ref().unwrap_or(&origin.state));
+        let initial = starts.unwrap_or_else(|| origin.initial().clone());
         let followed = Followed::new(cursor, near.is_none(), &given, &settings);
         let widths = [Width::new(settings.digits, 1.0), Width::new(settings.digits, speed)];
         let max_reported_chatter = given.shaken.max_reported_chatter(widths[0].linear);
@@ -111,6 +106,14 @@ impl Orbit {
     }
 }
 
+impl Cursor {
+    /// A state before the first impact.
+    fn at(state: &State<Ball>) -> Self {
+        let State { ref place, turns, phase, velocity } = *state;
+        Self { index: 0, wall: place.wall(), height: place.height(), turns, phase, velocity }
+    }
+}
+
 impl Followed {
     /// What is known of a state: the origin of what is given, or a box.
     pub(super) fn new(from: Cursor, is_given: bool, given: &Given, settings: &Settings) -> Self {
@@ -142,7 +145,8 @@ fn shadowed(
     #[cfg(feature = "multiprecision")]
     {
         let reduced = *given.shaken.pair();
-        let splice = Splice::new((pair, start, clock), (&reduced, origin.initial()), spliced, settings.max_bits)?;
+        let splice =
+            Splice::new((pair, start, clock), (&reduced, origin.initial().clone()), spliced, settings.max_bits)?;
         let left = settings.impacts.map(|impacts| impacts - (spliced - 1));
         shaken().spliced(splice, left).ok_or_else(|| Splice::refused(spliced))
     }

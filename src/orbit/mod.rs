@@ -47,7 +47,7 @@ pub use crate::impact::{Impact, Touch};
 use crate::mapping::Mapping;
 use crate::number::{Ball, Number};
 use crate::pair::{Reduced, Wall};
-use crate::shaken::{Initial, Still};
+use crate::shaken::{State, Still};
 use crate::turns;
 use crate::watch::{Latched, Unwatched, Watch};
 use given::Given;
@@ -89,7 +89,7 @@ pub struct Orbit {
     asked: Requested,
     engine: Engine,
     /// The requested start; those near by, one of which has the orbit, of a shadowed one.
-    initial: Initial<Ball>,
+    initial: State<Ball>,
     followed: Followed,
     /// Where the motion is.
     cursor: Cursor,

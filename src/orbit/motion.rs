@@ -15,7 +15,7 @@ use crate::number::Ball;
 #[cfg(feature = "multiprecision")]
 use crate::number::MpBall;
 use crate::pair::{Wall, rebound};
-use crate::shaken::{Flying, Leaving, Location, Origin};
+use crate::shaken::{Flying, Leaving, Location, Origin, State};
 use crate::turns;
 
 /// Bounds of some starts: times and velocities in the units of the scene.
@@ -123,8 +123,8 @@ pub(super) struct IntervalMotion<S: Flying> {
 
 impl<S: Flying> IntervalMotion<S> {
     pub fn new(shaken: Arc<S>, origin: &Origin<Ball>) -> Self {
-        let Origin { turns, phase, velocity, .. } = *origin;
-        let states = match origin.place {
+        let State { ref place, turns, phase, velocity } = origin.state;
+        let states = match *place {
             Location::Wall(wall) => {
                 let set = StateSet::new(phase, velocity, shaken.pair().scale(velocity));
                 States::Wall { wall, set, is_release: origin.release().is_some() }

@@ -147,7 +147,7 @@ impl Orbit {
         if is_wide && self.engine.arithmetic == Arithmetic::Auto && self.restart(Shortfall::Width(1.0)) {
             return Some(Progress::Retraced(0));
         }
-        let exactly = self.exactly().map(|origin| origin.phase.enclose(self.asked.shown));
+        let exactly = self.exactly().map(|origin| origin.state.phase.enclose(self.asked.shown));
         let enclosed = exactly.as_ref().unwrap_or(now); // exact: another enclosure of the same phase
         let span = Enclosure::from_f64_bounds(0.0, time)?;
         let enclosed = enclosed.add(&span, self.asked.shown.saturating_add(64)); // X1: any number of bits encloses

@@ -126,11 +126,11 @@ impl<S: Flying> PreciseMotion<S> {
         let enclose = |x: &Exact| <MpBall as Phased>::enclose(x, bits);
         let phase = match origin.release().and_then(|release| release.zero.as_ref()) {
             Some(zero) => zero.refined(bits),
-            None => enclose(&origin.phase),
+            None => enclose(&origin.state.phase),
         };
-        let velocity = enclose(&origin.velocity);
+        let velocity = enclose(&origin.state.velocity);
         let waves = shaken.waves(&origin.phases, &phase, bits);
-        let states = match &origin.place {
+        let states = match &origin.state.place {
             Location::Wall(wall) => {
                 let set = PreciseSet::new(&phase, &velocity, shaken.pair().scale(velocity.to_ball()));
                 States::Wall { wall: *wall, set, is_release: origin.release().is_some() }
@@ -138,7 +138,7 @@ impl<S: Flying> PreciseMotion<S> {
             Location::Inside(height) => States::Inside { height: enclose(height), phase, velocity },
         };
         let parameters = shaken.precise(bits);
-        Self { shaken, parameters, plan, index: 0, turns: origin.turns, states, doubles: None, waves }
+        Self { shaken, parameters, plan, index: 0, turns: origin.state.turns, states, doubles: None, waves }
     }
 
     /// From a wall: **equations** (15), (A.1)-(A.7) over the set.

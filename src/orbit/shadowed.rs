@@ -22,7 +22,7 @@ use crate::exact::Enclosure;
 use crate::impact::finite;
 use crate::number::Ball;
 use crate::pair::{ImpactPair, Wall};
-use crate::shaken::{Flying, Initial, Location, Origin, Past};
+use crate::shaken::{Flying, Location, Origin, State};
 
 /// Bits that show what the start has in common with the given one.
 pub(super) const START_BITS: u32 = 160;
@@ -93,7 +93,7 @@ pub(super) struct Near {
 impl Near {
     /// Returns the starts of a motion near the one from `start`; either their time or their velocity is that of the requested start.
     pub fn new(clock: &Clock, start: &Start, motion: &dyn Motion) -> Option<Self> {
-        let Starts { varied, bounds: Initial { turns, phase, velocity, .. } } = motion.starts()?;
+        let Starts { varied, bounds: State { turns, phase, velocity, .. } } = motion.starts()?;
         let in_doubles = || match varied {
             Varied::Time => (clock.time(turns, &finite(phase)), start.velocity().enclose(START_BITS)),
             Varied::Velocity => (start.time().enclose(START_BITS), clock.velocity(&finite(velocity))),
@@ -129,7 +129,7 @@ impl<S: Flying> ShadowMotion<S, Splice> {
 impl<S: Flying, B: Beginning<S>> ShadowMotion<S, B> {
     /// The motion along a chain that has begun; `None` where it has not.
     fn of(shaken: Arc<S>, chain: Chain<S, B>, nodes: Vec<Node>) -> Option<Self> {
-        let Initial { turns, phase, .. } = chain.starts().bounds;
+        let State { turns, phase, .. } = chain.starts().bounds;
         let (at, is_begun) = ((turns, phase), !nodes.is_empty());
         let (before, nodes) = (Vec::new().into_iter(), nodes.into_iter());
         is_begun.then_some(Self {
@@ -158,10 +158,9 @@ impl<S: Flying, B: Beginning<S>> ShadowMotion<S, B> {
     #[cold]
     fn hand_over(&self) -> Option<IntervalMotion<S>> {
         let node = self.last?;
-        let (phase, velocity) = (node.phases(), node.velocities());
-        let place = Location::Wall(node.wall);
-        let origin = Origin { place, turns: node.turns, phase, velocity, phases: Vec::new(), past: Past::Nothing };
-        Some(IntervalMotion::new(self.shaken.clone(), &origin))
+        let (place, turns) = (Location::Wall(node.wall), node.turns);
+        let state = State { place, turns, phase: node.phases(), velocity: node.velocities() };
+        Some(IntervalMotion::new(self.shaken.clone(), &Origin::of(state)))
     }
 }
 

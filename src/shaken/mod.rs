@@ -39,7 +39,7 @@ use crate::pair::{ImpactPair, Reduced, Wall, rebound_of, within};
 use crate::several::{Phased, Turning, phases_at};
 pub(crate) use clear::{Since, clear};
 pub(crate) use one::OneHarmonic;
-pub(crate) use origin::{Initial, Location, Origin, Past, Released};
+pub(crate) use origin::{Location, Origin, Released, State};
 pub(crate) use precise::Precise;
 #[cfg(feature = "multiprecision")]
 pub(crate) use precise::{Arrival, Flights, Precisely};
