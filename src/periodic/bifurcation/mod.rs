@@ -7,6 +7,7 @@
 //! same (`family`). The windows of stable orbits are proved in `window`. Lemmas Y1-Y9 are in `docs/proofs/bifurcations.md#Y1`.
 
 mod between;
+mod branch;
 mod cascade;
 mod claim;
 mod diagram;
