@@ -43,7 +43,6 @@ impl Varied {
     }
 
     /// Returns its direction, in (phase, velocity).
-    #[cfg(feature = "multiprecision")]
     pub fn direction(self) -> [f64; 2] {
         match self {
             Self::Time => [1.0, 0.0],

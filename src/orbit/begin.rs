@@ -5,16 +5,14 @@ use std::cmp::Ordering;
 use super::given::Given;
 use super::motion::Motion;
 use super::pending::Pending;
-#[cfg(feature = "multiprecision")]
 use super::raise::Raise;
 use super::shadowed::Near;
-#[cfg(feature = "multiprecision")]
 use super::splice::Splice;
 use super::width::Width;
 use super::{Arithmetic, Clock, Cursor, Engine, Followed, Orbit, Requested, Settings, Start};
 use crate::clock::Phase;
 use crate::exact::Exact;
-use crate::number::Ball;
+use crate::number::{Ball, MULTIPRECISION};
 use crate::pair::{ImpactPair, too_large};
 use crate::shaken::{Origin, State};
 use crate::{Error, Scene, rest};
@@ -63,7 +61,6 @@ impl Orbit {
             motion,
             arithmetic,
             is_point,
-            #[cfg(feature = "multiprecision")]
             raise: None,
             bits: 0,
             min_chatter_time_per_speed: rest::min_chatter_time_per_speed(&reduced),
@@ -95,8 +92,7 @@ impl Orbit {
 
     /// What there is to know of a new start.
     pub(super) fn look_ahead(&mut self) {
-        #[cfg(feature = "multiprecision")]
-        if self.engine.arithmetic == Arithmetic::Auto {
+        if self.engine.arithmetic == Arithmetic::Auto && MULTIPRECISION {
             let left = self.asked.settings.impacts.map(|impacts| impacts - self.listed.min(impacts)); // exact: not negative
             let settings = Settings { impacts: left, ..self.asked.settings.clone() };
             self.engine.raise =
@@ -142,19 +138,14 @@ fn shadowed(
     if spliced == 0 {
         return Ok(motion);
     }
-    #[cfg(feature = "multiprecision")]
-    {
-        let reduced = *given.shaken.pair();
-        let splice =
-            Splice::new((pair, start, clock), (&reduced, origin.initial().clone()), spliced, settings.max_bits)?;
-        let left = settings.impacts.map(|impacts| impacts - (spliced - 1));
-        shaken().spliced(splice, left).ok_or_else(|| Splice::refused(spliced))
+    if !MULTIPRECISION {
+        let message = format!("splice is {spliced}, but this build has no multiprecision");
+        return Err(Error::out_of_range(Some("splice"), message));
     }
-    #[cfg(not(feature = "multiprecision"))]
-    {
-        let _ = clock;
-        Err(Error::out_of_range(Some("splice"), format!("splice is {spliced}, but this build has no multiprecision")))
-    }
+    let (reduced, initial) = (*given.shaken.pair(), origin.initial().clone());
+    let splice = Splice::new((pair, start, clock), (&reduced, initial), spliced, settings.max_bits)?;
+    let left = settings.impacts.map(|impacts| impacts - (spliced - 1));
+    shaken().spliced(splice, left).ok_or_else(|| Splice::refused(spliced))
 }
 
 /// When to stop: not before the start.

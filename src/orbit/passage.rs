@@ -57,7 +57,6 @@ impl Orbit {
     }
 
     /// The same in two parts, from an impact or from the requested start; at inside starts only the column of the velocity is meant.
-    #[cfg(feature = "multiprecision")]
     pub(super) fn sheared(&self, from: Option<&Impact>, to: &Impact) -> Option<Sheared<Ball>> {
         if let Some(from) = from {
             return self.passage(self.engine.pair.restitution, from, to);

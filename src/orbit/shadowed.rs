@@ -6,14 +6,11 @@
 use std::sync::Arc;
 use std::vec::IntoIter;
 
-#[cfg(feature = "multiprecision")]
-use super::motion::Passed;
 use super::motion::{IntervalMotion, Motion, StartBounds};
-#[cfg(feature = "multiprecision")]
 use super::splice::Splice;
 use super::{Arithmetic, Impact, Orbit, Outcome, Settings, Start};
 use crate::clock::Clock;
-use crate::contact::{Contact, Undecided};
+use crate::contact::{Contact, Grazed, Undecided};
 use crate::covering::chain::{AHEAD, Chain, Covering};
 use crate::covering::node::Node;
 use crate::covering::start::Beginning;
@@ -114,7 +111,6 @@ impl<S: Flying> ShadowMotion<S, Segment<S::Waves<Ball>>> {
     }
 }
 
-#[cfg(feature = "multiprecision")]
 impl<S: Flying> ShadowMotion<S, Splice> {
     /// Returns the same after impacts that are proved by precision.
     pub fn spliced(shaken: Arc<S>, splice: Splice, left: Option<u64>) -> Option<Box<dyn Motion>> {
@@ -197,13 +193,11 @@ impl<S: Flying, B: Beginning<S>> Motion for ShadowMotion<S, B> {
         self.precise.as_deref().map(|(phase, velocity)| (phase.rounded(bits), velocity.rounded(bits)))
     }
 
-    #[cfg(feature = "multiprecision")]
     fn accuracy(&self) -> f64 {
         self.set.as_ref().map_or(0.0, Motion::accuracy)
     }
 
-    #[cfg(feature = "multiprecision")]
-    fn pass_graze(&mut self) -> Option<Passed> {
+    fn pass_graze(&mut self) -> Option<Grazed> {
         self.set.as_mut()?.pass_graze()
     }
 }
@@ -249,12 +243,7 @@ impl Nearness {
 mod tests {
     use super::*;
     use crate::Scene;
-    #[cfg(feature = "multiprecision")]
-    use crate::orbit::Progress;
-    use crate::watch::Unwatched;
     use proptest::prelude::*;
-    #[cfg(feature = "multiprecision")]
-    use std::ops::ControlFlow;
 
     fn scene(name: &str) -> Scene {
         let path = format!("{}/scenes/{name}.toml", env!("CARGO_MANIFEST_DIR"));
@@ -299,6 +288,9 @@ mod tests {
     #[cfg(feature = "multiprecision")]
     #[test]
     fn a_rest_ends_the_chain_and_forgets_the_start() {
+        use crate::orbit::Progress;
+        use crate::watch::Unwatched;
+        use std::ops::ControlFlow;
         let text = r#"
             excitation = { amplitude = 4.92, frequency = "pi", phase = 0 }
             pair = { gap = 40, restitution = 0.5 }

@@ -9,16 +9,10 @@ use std::convert::Infallible;
 use inari::Interval;
 
 use super::motion::Motion;
-#[cfg(feature = "multiprecision")]
-use super::motion::PASSING_BITS;
-#[cfg(feature = "multiprecision")]
-use crate::contact::multiprecision::{Passed, pass};
 use crate::contact::textbook::first_contact;
-use crate::contact::{Contact, Reason, Undecided, Verdict};
+use crate::contact::{Contact, Grazed, Reason, Undecided, Verdict};
 use crate::flight::Flight;
 use crate::mapping::{Passage, jacobian};
-#[cfg(feature = "multiprecision")]
-use crate::number::MpBall;
 use crate::number::{Ball, Enclosing, Number, Wave};
 use crate::pair::{Inward, Reduced};
 use crate::shaken::{Location, Origin, State};
@@ -102,19 +96,19 @@ impl Motion for TextbookMotion {
     }
 
     #[cfg(feature = "multiprecision")]
-    fn pass_graze(&mut self) -> Option<Passed> {
+    fn pass_graze(&mut self) -> Option<Grazed> {
+        use crate::contact::multiprecision::pass;
+        use crate::number::MpBall;
+        use crate::shaken::precise::PASSING_BITS;
         let wide = |x: Interval| MpBall::from_ball(x.as_ball()).rounded(PASSING_BITS);
         let passed = pass(&flight(states(&self.state, wide), &self.pair.map(|&x| wide(x))))?;
-        self.state = State {
-            turns: 0,
-            place: Location::Inside(passed.height.to_ball().into()),
-            phase: MpBall::exact(passed.phase.clone()).to_ball().into(),
-            velocity: passed.velocity.to_ball().into(),
-        };
+        let passed = passed.in_doubles()?;
+        let Grazed { phase, height, velocity, .. } = passed;
+        let place = Location::Inside(height.into());
+        self.state = State { place, turns: 0, phase: phase.into(), velocity: velocity.into() };
         Some(passed)
     }
 
-    #[cfg(feature = "multiprecision")]
     fn accuracy(&self) -> f64 {
         let State { phase, velocity, .. } = &self.state;
         -phase.rad().max(velocity.rad()).log2() // proposes: bits to raise by

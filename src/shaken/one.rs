@@ -1,8 +1,5 @@
 //! One harmonic: first contacts by the closed form of [`crate::contact`].
 
-#[cfg(feature = "multiprecision")]
-mod precise;
-
 use super::shaking::Shaking;
 use super::{Flying, Origin, Parameters, Released, Shaken, Still};
 use crate::Error;
@@ -69,7 +66,6 @@ impl Shaken for OneHarmonic {
         up(ABOVE_TURN * self.bounds_of_pair.pair.beta.mag())
     }
 
-    #[cfg(feature = "multiprecision")]
     fn acceleration(&self, _: i64, phase: f64) -> f64 {
         let beta = self.bounds_of_pair.centre.beta;
         beta.turn() * beta * kernel::sin_cos(phase).0
