@@ -6,8 +6,6 @@ use super::physical::{Claim, Found, all_first};
 use super::shaking::Repetition;
 use crate::Error;
 use crate::flight::Launch;
-#[cfg(feature = "multiprecision")]
-use crate::number::MpBall;
 use crate::number::{Ball, Enclosing};
 use crate::pair::ImpactPair;
 use crate::several::{Doubt, Partial, Phased, Spectrum, Turning};
@@ -30,7 +28,7 @@ pub(super) fn repetition(pair: &ImpactPair, spectrum: &Spectrum) -> Result<Repet
 }
 
 /// Whether the first contact of a flight is its end. Lemma H12
-fn is_first<N: Phased + Enclosing>(
+pub(super) fn is_first<N: Phased + Enclosing>(
     several: &SeveralHarmonics,
     sum: &Sum<N>,
     claim: &Claim<N>,
@@ -63,19 +61,6 @@ impl Chained for SeveralHarmonics {
     fn is_physical(&self, chain: &Chain, phases: &[Ball], legs: &Legs<Ball, Moment<Self, Ball>>) -> Option<bool> {
         all_first(chain, phases, &legs.legs, |claim| {
             is_first(self, &self.balls, claim, self.pair.rebound_of(claim.before))
-        })
-    }
-
-    #[cfg(feature = "multiprecision")]
-    fn is_physical_precisely(
-        &self,
-        sum: &Sum<MpBall>,
-        chain: &Chain,
-        phases: &[MpBall],
-        legs: &Legs<MpBall, Moment<Self, MpBall>>,
-    ) -> Option<bool> {
-        all_first(chain, phases, &legs.legs, |claim| {
-            is_first(self, sum, claim, -(sum.restitution.clone() * claim.before.clone()))
         })
     }
 }

@@ -38,12 +38,6 @@ impl OneHarmonic {
         let reduced = exact.enclosed()?;
         Ok(Self::new(exact, reduced))
     }
-
-    /// Returns whether no parameter is an interval of values.
-    #[cfg(feature = "multiprecision")]
-    pub fn is_point(&self) -> bool {
-        [&self.exact.alpha, &self.exact.restitution].iter().all(|x| x.is_point())
-    }
 }
 
 impl Shaken for OneHarmonic {

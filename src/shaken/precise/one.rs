@@ -9,6 +9,13 @@ use crate::pair::{Inward, Reduced};
 use crate::several::Phased;
 use crate::shaken::OneHarmonic;
 
+impl OneHarmonic {
+    /// Returns whether no parameter is an interval of values.
+    pub fn is_point(&self) -> bool {
+        [&self.exact.alpha, &self.exact.restitution].iter().all(|x| x.is_point())
+    }
+}
+
 impl Precise for OneHarmonic {
     fn precise(&self, bits: u32) -> Reduced<MpBall> {
         self.exact.map(|x| <MpBall as Phased>::enclose(x, bits))
