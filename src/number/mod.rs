@@ -30,8 +30,6 @@ pub use magnitude::Magnitude;
 #[cfg(feature = "multiprecision")]
 pub use multiprecision::{MpBall, mpfr_version};
 
-/// Whether this build computes in more than doubles.
-pub const MULTIPRECISION: bool = cfg!(feature = "multiprecision");
 /// The least precision of an `MpBall`, in bits.
 pub const LEAST_BITS: u32 = 64;
 

@@ -29,7 +29,7 @@ pub use arrivals::{Arrival, Arrivals};
 pub use course::{Course, CoursePoint};
 pub use dense::{Dense, DenseState};
 pub use event::{Outcome, Progress, Rest};
-pub use impact_pair_model::{Arithmetic, BITS, MAX_BITS, Period, Place, Settings, Start};
+pub use impact_pair_model::{Arithmetic, BITS, MAX_BITS, MULTIPRECISION, Period, Place, Settings, Start};
 pub use plan::Plan;
 pub(crate) use set::StateSet;
 pub use shadowed::Shadowing;
