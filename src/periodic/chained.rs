@@ -1,14 +1,17 @@
 //! A pair whose chains are proved, for any excitation.
 
+#[cfg_attr(not(feature = "multiprecision"), path = "chained/doubles.rs")]
+mod precise;
+
 use super::chain::{Chain, Legs};
 use super::physical;
-use super::prove::ChainedPrecisely;
 use super::shaking::Shaking;
 use crate::flight::Launch;
 use crate::number::Ball;
 use crate::pair::{Wall, rebound};
 pub(super) use crate::shaken::OneHarmonic;
 use crate::shaken::{Flying, Parameters};
+pub(super) use precise::ChainedPrecisely;
 
 /// An impact of a floating-point motion: wall, phase in forcing periods, velocity before.
 pub(super) type FloatImpact = (Wall, f64, f64);

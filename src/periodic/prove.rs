@@ -14,7 +14,6 @@ use super::shaking::Shaking;
 use super::{Precision, Problem};
 use crate::number::{Ball, Enclosing};
 use crate::shaken::{Parameters, under};
-pub(super) use precise::ChainedPrecisely;
 
 /// Images that may take less than a quarter of a bit off an orbit's enclosure: near a bifurcation the first ones do.
 const MOST_SLOW: u32 = 64;

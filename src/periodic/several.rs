@@ -1,5 +1,8 @@
 //! Chains with several harmonics, equation (1): Lemmas H10-H12 of `docs/proofs/periodic.md#H10`.
 
+#[cfg(feature = "multiprecision")]
+mod precise;
+
 use super::chain::{Chain, Legs, MOST_CYCLES};
 use super::chained::{Chained, Moment, Rate};
 use super::physical::{Claim, Found, all_first};
@@ -28,7 +31,7 @@ pub(super) fn repetition(pair: &ImpactPair, spectrum: &Spectrum) -> Result<Repet
 }
 
 /// Whether the first contact of a flight is its end. Lemma H12
-pub(super) fn is_first<N: Phased + Enclosing>(
+fn is_first<N: Phased + Enclosing>(
     several: &SeveralHarmonics,
     sum: &Sum<N>,
     claim: &Claim<N>,

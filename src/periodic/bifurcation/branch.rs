@@ -6,7 +6,7 @@ use super::family::Family;
 use super::ring::Ring;
 use super::solve::newton;
 use super::system::{System, Traced};
-use super::window::WindowSeed;
+use crate::mapping::Word;
 
 /// Where a curve over an eigenvalue has a station, in parts of the way from the inner one to an end.
 const STATIONS: [f64; 5] = [1.0, 0.75, 0.5, 0.25, 0.0];
@@ -14,6 +14,21 @@ const STATIONS: [f64; 5] = [1.0, 0.75, 0.5, 0.25, 0.0];
 const LEAST: f64 = 0.2;
 /// The trace at the orbit itself, which lies about the middle of a window.
 const INNER: f64 = -0.4;
+
+/// An orbit near which a window may be, in floating point.
+#[derive(Clone, Debug)]
+pub struct WindowSeed {
+    /// The walls of its impacts.
+    pub word: Word,
+    /// The forcing periods it takes.
+    pub cycles: u32,
+    /// Whether it is its own mirror image after half of them.
+    pub is_mirrored: bool,
+    /// The phases of its impacts, of one half where it is mirrored, in forcing periods.
+    pub phases: Vec<f64>,
+    /// `A/d`, or `e` where that varies.
+    pub parameter: f64,
+}
 
 /// Orbits with the phases and the parameter, by their eigenvalue.
 pub(super) struct Branch {

@@ -20,7 +20,6 @@ use super::system::{Critical, Graze, Posed, System, Vanishing};
 use super::trace::null_vector;
 use crate::number::{Ball, Enclosing};
 use crate::several::Turning;
-pub(super) use precise::Fixed;
 
 /// What varies, and the parameters that do not.
 #[derive(Clone, Copy, Debug)]
@@ -117,7 +116,10 @@ impl<S: Varied> Claim<'_, S> {
         let best = zero.and_then(|zero| self.point(&family, &zero, bits, S::is_physical));
         match best {
             Some(point) if point.is_narrow && point.is_decided() => Some(point),
-            best => self.prove_precisely(&inverse, (&guess, largest), best),
+            best => {
+                let is_point = self.setting.base.is_point(self.setting.unknown);
+                self.prove_precisely(&inverse, (&guess, largest), is_point, best)
+            }
         }
     }
 

@@ -7,7 +7,6 @@ use num_bigint::BigInt;
 use super::super::chain::Leg;
 use super::super::chained::{Chained, Moment, OneHarmonic};
 use super::super::shaking::Shaking;
-use super::claim::Fixed;
 use super::jet::Jet;
 use crate::pair::{ImpactPair, Reduced};
 use crate::several::{Harmonics, Partial, Rates, Turning};
@@ -25,9 +24,12 @@ pub(super) enum Unknown {
 }
 
 /// The excitation, as a parameter of it varies.
-pub(super) trait Varied: Chained + Fixed {
+pub(super) trait Varied: Chained {
     /// What shakes a pair; `None` where it is of another kind, or beyond what exact expressions or doubles hold.
     fn of(pair: &ImpactPair) -> Option<Self>;
+
+    /// Whether none of what does not vary is an interval of values.
+    fn is_point(&self, unknown: Unknown) -> bool;
 
     /// The parameters at a value of the unknown. In `base`, where it is [`Unknown::Ratios`], stand the amplitudes over that of the
     /// largest.
@@ -71,6 +73,13 @@ impl Varied for OneHarmonic {
         Self::of(pair).ok()
     }
 
+    fn is_point(&self, unknown: Unknown) -> bool {
+        match unknown {
+            Unknown::Ratio(_) | Unknown::Ratios => self.exact.restitution.is_point(),
+            Unknown::Restitution => self.exact.alpha.is_point(),
+        }
+    }
+
     fn at<N: Turning>(base: &Reduced<N>, unknown: Unknown, value: N) -> Reduced<N> {
         let (alpha, restitution) = match unknown {
             Unknown::Ratio(_) | Unknown::Ratios => (value, base.restitution.clone()),
@@ -101,6 +110,11 @@ impl Varied for OneHarmonic {
 impl Varied for SeveralHarmonics {
     fn of(pair: &ImpactPair) -> Option<Self> {
         Self::new(pair, &BigInt::ZERO).ok()?
+    }
+
+    fn is_point(&self, _: Unknown) -> bool {
+        let of_terms = self.spectrum.terms.iter().flat_map(|term| [&term.alpha, &term.ratio, &term.shift]);
+        of_terms.chain([&self.spectrum.restitution]).all(|x| x.is_point())
     }
 
     fn at<N: Turning>(base: &Sum<N>, unknown: Unknown, value: N) -> Sum<N> {

@@ -10,7 +10,7 @@ use super::super::chained::OneHarmonic;
 use super::super::orbit::PeriodicOrbit;
 use super::super::{Problem, Stability};
 use super::between::{Between, Known, Reached};
-use super::branch::Branch;
+use super::branch::{Branch, WindowSeed};
 use super::claim::{Setting, prove_critical};
 use super::over::Parameter;
 use super::point::{Kind, Point};
@@ -18,25 +18,9 @@ use super::ring::Ring;
 use super::trace::null_vector;
 use crate::Error;
 use crate::exact::{Enclosure, Exact};
-use crate::mapping::Word;
 use crate::pair::ImpactPair;
 use crate::scene::Range;
 use crate::watch::Watch;
-
-/// An orbit near which a window may be, in floating point.
-#[derive(Clone, Debug)]
-pub struct WindowSeed {
-    /// The walls of its impacts.
-    pub word: Word,
-    /// The forcing periods it takes.
-    pub cycles: u32,
-    /// Whether it is its own mirror image after half of them.
-    pub is_mirrored: bool,
-    /// The phases of its impacts, of one half where it is mirrored, in forcing periods.
-    pub phases: Vec<f64>,
-    /// `A/d`, or `e` where that varies.
-    pub parameter: f64,
-}
 
 /// An end of a window, proved.
 #[derive(Clone, Debug)]

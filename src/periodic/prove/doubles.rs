@@ -4,11 +4,6 @@ use super::super::chained::Chained;
 use super::super::orbit::PeriodicOrbit;
 use super::super::{Precision, Problem};
 
-/// What proofs of chains need of a pair in balls of any precision.
-pub(in super::super) trait ChainedPrecisely {}
-
-impl<S> ChainedPrecisely for S {}
-
 impl Problem {
     /// Returns the orbit that doubles prove.
     pub(super) fn prove_precisely<S: Chained>(

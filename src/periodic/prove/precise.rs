@@ -1,92 +1,20 @@
 //! The proof of one orbit in more bits than doubles have.
 
-use super::super::chain::{Chain, Legs};
-use super::super::chained::{Chained, Moment};
+use super::super::chained::Chained;
 use super::super::equations::Orbits;
 use super::super::krawczyk;
 use super::super::newton;
 use super::super::orbit::PeriodicOrbit;
-use super::super::physical::{Claim, Found, all_first};
 use super::super::precondition::Preconditioner;
-use super::super::several::is_first;
 use super::super::shaking::Shaking;
 use super::super::{Precision, Problem};
 use super::is_narrow;
-use crate::contact::PairBounds;
-use crate::contact::multiprecision::{Start, isolate_first};
 use crate::exact::working_bits;
-use crate::flight::Flight;
-use crate::number::{Ball, Enclosing, MpBall};
-use crate::pair::{Inward, Reduced};
-use crate::shaken::{Either, Flying, OneHarmonic, SeveralHarmonics, Sum};
+use crate::number::{Enclosing, MpBall};
+use crate::shaken::Either;
 
 /// Bits that what is not about widths (stability, first contacts) is tried with at most.
 const DECIDING_BITS: u32 = 1024;
-
-/// What proofs of chains need of a pair in balls of any precision.
-pub(in super::super) trait ChainedPrecisely: Flying {
-    /// Whether each flight is proved to end at its first contact, where doubles leave it open. Lemma T5
-    fn is_physical_precisely(
-        &self,
-        shaking: &Self::In<MpBall>,
-        chain: &Chain,
-        phases: &[MpBall],
-        legs: &Legs<MpBall, Moment<Self, MpBall>>,
-    ) -> Option<bool>;
-}
-
-impl ChainedPrecisely for OneHarmonic {
-    fn is_physical_precisely(
-        &self,
-        pair: &Reduced<MpBall>,
-        chain: &Chain,
-        phases: &[MpBall],
-        legs: &Legs<MpBall>,
-    ) -> Option<bool> {
-        all_first(chain, phases, &legs.legs, |claim| is_first_in_balls(&self.bounds_of_pair, pair, claim))
-    }
-}
-
-impl ChainedPrecisely for SeveralHarmonics {
-    fn is_physical_precisely(
-        &self,
-        sum: &Sum<MpBall>,
-        chain: &Chain,
-        phases: &[MpBall],
-        legs: &Legs<MpBall, Moment<Self, MpBall>>,
-    ) -> Option<bool> {
-        all_first(chain, phases, &legs.legs, |claim| {
-            is_first(self, sum, claim, -(sum.restitution.clone() * claim.before.clone()))
-        })
-    }
-}
-
-/// Whether the first contact of a flight is its end. Lemma T5
-fn is_first_in_balls(bounds_of_pair: &PairBounds, pair: &Reduced<MpBall>, claim: &Claim<MpBall>) -> Option<bool> {
-    if !claim.arrives()? {
-        return Some(false);
-    }
-    let after = claim.from.inward(pair.rebound(claim.before.clone()));
-    if claim.sticks(&after) {
-        return Some(false);
-    }
-    let flight = |phase: MpBall, after: MpBall| {
-        let sin_cos = phase.sin_cos();
-        Flight::from_wall(pair, claim.from, phase, after, sin_cos)
-    };
-    let all = flight(claim.start.clone(), after.clone());
-    let centre = flight(claim.start.centre(), after.centre());
-    let start = Start {
-        wall: Some(claim.from),
-        height: Ball::exact(0.0),
-        phase: claim.start.to_ball(),
-        velocity: after.to_ball(),
-    };
-    let isolated = isolate_first(bounds_of_pair, &start, || all, &centre).ok()?;
-    let wall = isolated.target.wall(claim.from);
-    let phase = MpBall::new(isolated.at.clone(), isolated.reach).rounded(claim.start.bits());
-    claim.is_at(pair, Found { wall, turns: isolated.turns, phase })
-}
 
 impl Problem {
     /// No interval among the parameters: more precision narrows.

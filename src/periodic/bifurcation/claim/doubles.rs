@@ -6,14 +6,15 @@ use super::super::family::Varied;
 use super::super::point::Point;
 use super::Claim;
 
-/// What does not vary.
-pub(in super::super) trait Fixed {}
-
-impl<S> Fixed for S {}
-
 impl<S: Varied> Claim<'_, S> {
     /// Returns what doubles prove.
-    pub(super) fn prove_precisely(&self, _: &Preconditioner, _: (&[f64], f64), best: Option<Point>) -> Option<Point> {
+    pub(super) fn prove_precisely(
+        &self,
+        _: &Preconditioner,
+        _: (&[f64], f64),
+        _: bool,
+        best: Option<Point>,
+    ) -> Option<Point> {
         best
     }
 }

@@ -1,41 +1,17 @@
 //! Proofs of bifurcations in more bits than doubles have.
 
-use super::super::super::chained::OneHarmonic;
 use super::super::super::precondition::Preconditioner;
 use super::super::between::{BITS, Between};
-use super::super::family::{Family, Unknown, Varied};
+use super::super::family::{Family, Varied};
 use super::super::point::Point;
 use super::{Claim, Setting};
 use crate::exact::{Enclosure, working_bits};
 use crate::number::MpBall;
-use crate::shaken::SeveralHarmonics;
 
 /// Bits that an extended system loses besides: it is solved for a kernel as well.
 const EXTENDED_BITS: u32 = 16;
 /// Precisions that are tried beyond doubles, each twice the one before: twice is enough where the precision is what lacks.
 const MOST_PRECISIONS: u32 = 3;
-
-/// What does not vary.
-pub(in super::super) trait Fixed {
-    /// Whether none of it is an interval of values.
-    fn is_point(&self, unknown: Unknown) -> bool;
-}
-
-impl Fixed for OneHarmonic {
-    fn is_point(&self, unknown: Unknown) -> bool {
-        match unknown {
-            Unknown::Ratio(_) | Unknown::Ratios => self.exact.restitution.is_point(),
-            Unknown::Restitution => self.exact.alpha.is_point(),
-        }
-    }
-}
-
-impl Fixed for SeveralHarmonics {
-    fn is_point(&self, _: Unknown) -> bool {
-        let of_terms = self.spectrum.terms.iter().flat_map(|term| [&term.alpha, &term.ratio, &term.shift]);
-        of_terms.chain([&self.spectrum.restitution]).all(|x| x.is_point())
-    }
-}
 
 impl<S: Varied> Setting<'_, S> {
     /// In N bits.
@@ -45,11 +21,13 @@ impl<S: Varied> Setting<'_, S> {
 }
 
 impl<S: Varied> Claim<'_, S> {
-    /// Proves the zero near a guess in more and more bits; what is known already is `best`.
+    /// Proves the zero near a guess in more and more bits; what is known already is `best`. An interval among the parameters
+    /// that do not vary is narrowed by no precision.
     pub(super) fn prove_precisely(
         &self,
         inverse: &Preconditioner,
         (guess, largest): (&[f64], f64),
+        is_point: bool,
         best: Option<Point>,
     ) -> Option<Point> {
         let mut best = best;
@@ -66,7 +44,7 @@ impl<S: Varied> Claim<'_, S> {
                 })
             });
             best = found.or(best);
-            if best.as_ref().is_some_and(|point| point.is_narrow) || !self.setting.base.is_point(self.setting.unknown) {
+            if best.as_ref().is_some_and(|point| point.is_narrow) || !is_point {
                 break;
             }
             bits *= 2;
