@@ -157,7 +157,7 @@ fn a_harmonic_that_hardly_moves_the_box_hardly_moves_the_bifurcations() {
 }
 
 /// The orbits near a bifurcation over an amplitude, at a value of it beside its own.
-fn orbits_beside(diagram: &Diagram, (point, key): (&Point, Term), off: f64) -> Vec<PeriodicOrbit> {
+fn orbits_beside(diagram: &Diagram, (point, key): (&Point, Option<Term>), off: f64) -> Vec<PeriodicOrbit> {
     let value = Exact::from_f64(point.parameter.mid_rad().0 + off).unwrap();
     let pair = diagram.pair().with(Key::Amplitude(key), value).unwrap();
     let problem = Problem::new(&pair, &point.word, point.cycles).unwrap();
