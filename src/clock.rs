@@ -165,7 +165,6 @@ impl Clock {
     }
 
     /// Encloses a time \[time\] given in forcing periods.
-    #[cfg(feature = "multiprecision")]
     pub(crate) fn duration(&self, turns: &Enclosure) -> Enclosure {
         turns.mul(&self.period, self.shown)
     }

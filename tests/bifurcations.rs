@@ -168,6 +168,29 @@ fn a_harmonic_that_hardly_moves_the_box_hardly_moves_the_bifurcations() {
     assert!(own.points.is_empty() && own.is_certified() && own.branches.iter().any(|branch| branch.symmetric));
 }
 
+/// The orbits near a bifurcation over an amplitude, at a value of it beside its own.
+fn orbits_beside(diagram: &Diagram, (point, key): (&Point, Option<Term>), off: f64) -> Vec<PeriodicOrbit> {
+    let value = Exact::from_f64(point.parameter.mid_rad().0 + off).unwrap();
+    let pair = diagram.pair().with(Key::Amplitude(key), value).unwrap();
+    let problem = Problem::new(&pair, &point.word, point.cycles).unwrap();
+    let near: Vec<f64> = point.impacts.iter().map(|impact| impact.phase.mid_rad().0).collect();
+    // The two beside a fold are apart like the root of the way to it.
+    let guesses = (-20..=20).step_by(4).map(|k| {
+        let moved = near.iter().enumerate().map(|(i, u)| u + 1e-4 * f64::from(k) * f64::from(i as u8 % 2));
+        moved.collect::<Vec<f64>>()
+    });
+    let mut orbits: Vec<PeriodicOrbit> = Vec::new();
+    for found in guesses.filter_map(|guess| problem.prove(&guess, Precision::default())) {
+        let phase = found.phases()[0].mid();
+        let is_near = (phase - near[0]).abs() < 0.01;
+        let is_known = |known: &PeriodicOrbit| (known.phases()[0].mid() - phase).abs() < 1e-9;
+        if is_near && !orbits.iter().any(is_known) {
+            orbits.push(found);
+        }
+    }
+    orbits
+}
+
 /// Of two tones: orbits beside a fold are two or none, those beside a doubling and a pitchfork change their stability.
 #[test]
 fn bifurcations_of_two_tones_are_seen_in_the_orbits_beside_them() {
@@ -185,30 +208,7 @@ fn bifurcations_of_two_tones_are_seen_in_the_orbits_beside_them() {
             for point in diagram.points.iter().filter(|point| point.kind != Kind::Graze) {
                 let orbit = point.orbit.as_ref().unwrap();
                 assert_eq!(orbit.physical, Some(true));
-                let (at, _) = point.parameter.mid_rad();
-                let beside = |off: f64| {
-                    let value = Exact::from_f64(at + off).unwrap();
-                    let pair = diagram.pair().with(Key::Amplitude(key), value).unwrap();
-                    let problem = Problem::new(&pair, &point.word, point.cycles).unwrap();
-                    let near: Vec<f64> = point.impacts.iter().map(|impact| impact.phase.mid_rad().0).collect();
-                    // The two beside a fold are apart like the root of the way to it.
-                    let guesses = (-20..=20).step_by(4).map(|k| {
-                        let moved =
-                            near.iter().enumerate().map(|(i, u)| u + 1e-4 * f64::from(k) * f64::from(i as u8 % 2));
-                        moved.collect::<Vec<f64>>()
-                    });
-                    let mut orbits: Vec<PeriodicOrbit> = Vec::new();
-                    for found in guesses.filter_map(|guess| problem.prove(&guess, Precision::default())) {
-                        let phase = found.phases()[0].mid();
-                        let is_near = (phase - near[0]).abs() < 0.01;
-                        let is_known = |known: &PeriodicOrbit| (known.phases()[0].mid() - phase).abs() < 1e-9;
-                        if is_near && !orbits.iter().any(is_known) {
-                            orbits.push(found);
-                        }
-                    }
-                    orbits
-                };
-                let [before, after] = [beside(-1e-7), beside(1e-7)];
+                let [before, after] = [-1e-7, 1e-7].map(|off| orbits_beside(diagram, (point, key), off));
                 let symmetric = |orbits: &[PeriodicOrbit]| -> Vec<Stability> {
                     let them = orbits.iter().filter(|orbit| orbit.symmetric == point.symmetric);
                     them.map(|orbit| orbit.stability).collect()

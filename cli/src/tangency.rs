@@ -70,6 +70,10 @@ pub struct TangencyArguments {
     /// Maximum number of tangencies that are proved, the nearest ones
     #[arg(long, value_name = "N", default_value_t = 10, value_parser = count(1..=100_000))]
     most: u64,
+    /// Compute about N flights in floating point for each saddle in the search without --word, and spend as much again on following folds, 10,000
+    /// flights each
+    #[arg(long, value_name = "N", default_value_t = TangencySettings::WORK as u64, value_parser = count(1..=1_000_000_000_000))]
+    work: u64,
     /// Requested width of enclosures, at most 10^-D: of d/A or e, and of the parameters of the invariant manifolds [default: that of the scene, or 9]
     #[arg(long, value_name = "D", value_parser = digits())]
     digits: Option<u32>,
@@ -103,7 +107,7 @@ pub fn tangency(arguments: &TangencyArguments) -> Result<Answer> {
         word: arguments.word.clone(),
         longest: usize::try_from(arguments.longest)?,
         most: usize::try_from(arguments.most)?,
-        work: TangencySettings::WORK,
+        work: usize::try_from(arguments.work)?,
         precision: precision(arguments.digits, arguments.max_bits, &scene),
     };
     let progress = Progress::stages(!files.quiet);
@@ -170,7 +174,7 @@ fn conclusion(found: &Tangencies) -> String {
     }
     if found.limited {
         return format!(
-            "undecided: {proved} proved; the search ended at the limit of its work: try a --word, or a smaller --longest"
+            "undecided: {proved} proved; the search ended at the limit of its work: try a --word, a smaller --longest or a larger --work"
         );
     }
     format!("undecided: {proved} proved; try another --word, a larger --longest or a wider --over")

@@ -19,6 +19,8 @@ snapshots! { EXACT;
     arguments_of_tangency: program(&["tangency", "--help"]);
     tangency_of_another_word: asked(&["--word", "FFFFFFFNFFFFFNFFNFFNFFFN"]);
     tangency_of_a_word_that_is_none: asked(&["--word", "FFX"]);
+    tangency_of_little_work: asked(&["--work", "1"]);
+    tangency_of_no_work: asked(&["--work", "0"]);
     tangency_over_the_frequency: program(&["tangency", "scenes/figure-14.toml", "--over", "frequency=1..4"]);
     tangency_under_two_harmonics: program(&["tangency", "scenes/two-tones.toml", "--over", "gap=1..2", "--longest", "1"]);
 }

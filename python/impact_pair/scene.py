@@ -501,6 +501,7 @@ class Scene:
         word: str | None = None,
         longest: int = 18,
         most: int = 10,
+        work: int = 30_000_000,
         digits: int | None = None,
         max_bits: int = MAX_BITS,
         progress: Progress = None,
@@ -509,9 +510,10 @@ class Scene:
 
         They are searched along the flights of ``word`` (``F`` to the far wall, ``N`` back to the near one, from the unstable manifold
         to the stable one), or along all words of at most ``longest`` flights; the ``most`` that are nearest to the scene's own value are
-        proved.
+        proved. ``work`` bounds the search without ``word``: about as many flights in floating point for each saddle, and as much again to
+        follow folds, 10,000 flights each.
         """
-        question = (None if word is None else string("word", word), whole("longest", longest), whole("most", most))
+        question = (None if word is None else string("word", word), whole("longest", longest), whole("most", most), whole("work", work))
         asked = (optional_whole("digits", digits), whole("max_bits", max_bits))
         with reporting(progress, "impacts", None) as tell:
             return answers.Tangencies(*_core.tangency(self._core, ranged(over), question, asked, tell))
@@ -523,16 +525,18 @@ class Scene:
         over: Mapping[str, tuple[Value, Value]] | None = None,
         bases: list[dict[str, Any]] | None = None,
         hyperbolic: bool = False,
+        no_orbit: bool = False,
         picture: bool = False,
         progress: Progress = None,
     ) -> answers.Chaos:
         """Prove a horseshoe and a lower bound of the topological entropy, for all values of ``over``, if given.
 
         Words have ``depth`` impacts at most, or as many as about a million boxes lead to.
-        With ``hyperbolic`` also exponents and dimension of the motions of its words: ``document["hyperbolic"]``.
+        With ``hyperbolic`` also exponents and dimension of the motions of its words: ``document["hyperbolic"]``. With ``no_orbit`` the
+        document says nothing of the orbit of the scene's own start, as :func:`impact_pair.verify` requires it.
         """
         begun = None if bases is None else json.dumps(bases)
-        question = (optional_whole("depth", depth), None if over is None else ranged(over), begun, hyperbolic)
+        question = (optional_whole("depth", depth), None if over is None else ranged(over), begun, hyperbolic, no_orbit)
         with reporting(progress, "boxes") as tell:
             return answers.Chaos(*_core.chaos(self._core, question, picture, tell))
 

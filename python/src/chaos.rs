@@ -150,11 +150,11 @@ pub fn tangency(
     py: Python<'_>,
     scene: &Bound<'_, Scene>,
     over: &str,
-    question: (Option<&str>, u32, u32),
+    question: (Option<&str>, u32, u32, u64),
     asked: (Option<u32>, u32),
     progress: Option<Py<PyAny>>,
 ) -> PyResult<Answer> {
-    let (word, longest, most) = question;
+    let (word, longest, most, work) = question;
     let range = bifurcation::over(over).map_err(|error| Fault::keyed(error, "over", over))?;
     let word = word.map(|word| word.parse::<FlightWord>().map_err(|error| Fault::keyed(error, "word", word)));
     let word = word.transpose()?;
@@ -165,7 +165,7 @@ pub fn tangency(
             word,
             longest: accepted("longest", longest, 1..=40)? as usize,
             most: accepted("most", most, 1..=100_000)? as usize,
-            work: TangencySettings::WORK,
+            work: accepted("work", work, 1..=1_000_000_000_000)? as usize,
             precision: precision(asked, &scene)?,
         };
         let found = Tangencies::of(&scene, &settings, monitor)?;
@@ -178,11 +178,11 @@ pub fn tangency(
 pub fn chaos(
     py: Python<'_>,
     scene: &Bound<'_, Scene>,
-    question: (Option<u32>, Option<String>, Option<String>, bool),
+    question: (Option<u32>, Option<String>, Option<String>, bool, bool),
     picture: bool,
     progress: Option<Py<PyAny>>,
 ) -> PyResult<Drawn> {
-    let (depth, over, bases, hyperbolic) = question;
+    let (depth, over, bases, hyperbolic, no_orbit) = question;
     let scene = scene.get().scene.clone();
     watched(py, progress, move |monitor| {
         let bases: Option<Vec<BaseDocument>> =
@@ -202,6 +202,7 @@ pub fn chaos(
         };
         let found = Chaos::of(&pair, scene.start(), &question, monitor)?;
         let mut document = document::chaos(&scene, over.as_ref(), &found);
+        document.scene_orbit = document.scene_orbit.filter(|_| !no_orbit);
         let mut proved = None;
         if hyperbolic {
             let set = Hyperbolic::of(&pair, &found, monitor)?;

@@ -70,6 +70,11 @@ def test_trap_and_chaos(cli):
     told = cli.json("chaos", "scenes/figure-14.toml", "--depth", 3, "--bases", file, "--hyperbolic")
     assert found.document == told
     assert (found.entropy > 0) == found.complete
+    assert "scene_orbit" in told
+    alone = Scene.named("figure-14").chaos(depth=3, bases=told["bases"], no_orbit=True)
+    told_alone = cli.json("chaos", "scenes/figure-14.toml", "--depth", 3, "--bases", file, "--no-orbit")
+    assert alone.document == told_alone
+    assert "scene_orbit" not in told_alone
     again = Scene.named("figure-14").chaos(depth=3, bases=told["bases"], over={"gap": ("9.42496", "9.42498")})
     assert again.document["over"]["key"] == "pair.gap" or again.document["over"]
 
@@ -188,6 +193,10 @@ def test_tangency(cli):
     assert own.states is None
     assert beside is not None
     assert len(beside.states) == len(word) - 1
+    few = Scene.named("figure-14").tangency({"gap": ("9.4249", "9.4252")}, work=1)
+    assert few.document == cli.json("tangency", "scenes/figure-14.toml", *asked[:2], "--work", 1)
+    assert few.document["limited"]
+    assert not few.complete
     assert float(beside.two.upper) < float(own.parameter.lower) < float(beside.none.lower)
 
 

@@ -43,7 +43,7 @@ use num_rational::BigRational;
 use crate::contact::Reason as Doubt;
 use crate::document::Conclusion;
 use crate::exact::Exact;
-use crate::orbit::{Arithmetic, MAX_BITS, Settings};
+use crate::orbit::{Arithmetic, MAX_BITS, MULTIPRECISION, Settings};
 use crate::scales::Scales;
 use crate::scene::{DIGITS, Run};
 use crate::watch::Watch;
@@ -79,7 +79,7 @@ impl Default for AuditSettings {
 impl AuditSettings {
     /// How the orbit that judges is computed.
     fn settings(&self, until: Exact) -> Settings {
-        let arithmetic = if cfg!(feature = "multiprecision") { Arithmetic::Auto } else { Arithmetic::Interval };
+        let arithmetic = if MULTIPRECISION { Arithmetic::Auto } else { Arithmetic::Interval };
         let run = Run { impacts: None, until: Some(until), digits: Some(self.digits()) };
         Settings { max_bits: self.max_bits, ..run.settings(arithmetic) }
     }

@@ -27,6 +27,7 @@ use bounds::Bounds;
 use judges::Unproved;
 use solve::{is_phase, propose};
 
+use crate::exact::Enclosure;
 use crate::flight::Flight;
 use crate::number::{Ball, Kernel, Trigonometry};
 use crate::pair::{Reduced, Wall};
@@ -128,6 +129,24 @@ pub struct Contact<N> {
     pub time: N,
     /// The relative velocity `y'` just before the impact.
     pub velocity: N,
+}
+
+/// A contact that may be a graze, passed into the gap; times in forcing periods, heights in gaps, in doubles.
+#[derive(Debug)]
+#[cfg_attr(not(feature = "multiprecision"), allow(dead_code))]
+pub(crate) struct Grazed {
+    /// The wall that may have been touched.
+    pub wall: Wall,
+    /// When, since the phase of the start: whole forcing periods, and the rest as a ball and as an interval.
+    pub touch: (f64, Ball, Enclosure),
+    /// Whole forcing periods from the phase of the start to the state to go on from.
+    pub turns: f64,
+    /// Encloses the rest of its phase.
+    pub phase: Ball,
+    /// Height above the left wall and velocity there, of both continuations.
+    pub height: Ball,
+    /// See `height`.
+    pub velocity: Ball,
 }
 
 /// A pair as the certificates of first contacts want it.

@@ -100,7 +100,6 @@ impl<S: Flying, B: Beginning<S>> Chain<S, B> {
     }
 
     /// Returns what the chain begins with.
-    #[cfg(feature = "multiprecision")]
     pub fn beginning(&self) -> &B {
         &self.beginning
     }

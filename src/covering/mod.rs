@@ -23,7 +23,7 @@ use crate::impact::Impact;
 use crate::mapping::Mapping;
 use crate::number::Ball;
 use crate::pair::{ImpactPair, Wall, ball};
-use crate::shaken::{Either, Initial, under};
+use crate::shaken::{Either, State, under};
 use impact_pair_model::Start;
 
 /// Why a chain goes no further.
@@ -85,7 +85,7 @@ impl Shadow {
         let clock = Clock::new(pair, start.time(), 0)?;
         let either = Either::new(pair, &clock)?;
         let origin = either.origin(pair, start, &clock)?.map(ball)?;
-        let wall = origin.wall();
+        let wall = origin.state.place.wall();
         let mut chain: Box<dyn Covering> = under!(either, shaken => Box::new(Chain::from_origin(shaken, origin, None)));
         let nodes = chain.advance().into_iter();
         Ok(Self { clock, chain, nodes, listed: 0, wall })
@@ -104,7 +104,7 @@ impl Shadow {
     ///
     /// **Enclosure**: the start is in there; of the two the one that is the scene's is exactly that.
     pub fn start(&self) -> (i64, Ball, Ball) {
-        let Initial { turns, phase, velocity, .. } = self.chain.starts().bounds;
+        let State { turns, phase, velocity, .. } = self.chain.starts().bounds;
         (turns, phase, velocity)
     }
 

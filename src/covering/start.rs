@@ -7,7 +7,7 @@ use crate::flight::Launch;
 use crate::mapping::Sheared;
 use crate::number::{Ball, Number};
 use crate::pair::{Reduced, Wall};
-use crate::shaken::{Flying, Initial, Location, Origin};
+use crate::shaken::{Flying, Location, Origin, State};
 
 /// A state on a wall: whole forcing periods, the rest of the phase, and the velocity before the impact.
 pub(crate) type OnWall = (Wall, i64, Ball, Ball);
@@ -37,17 +37,25 @@ pub(crate) enum Varied {
 
 impl Varied {
     /// Returns the velocity; the time where no velocity is left after the impact. Lemma F3
-    pub fn of(pair: &Reduced<Ball>, initial: &Initial<Ball>) -> Self {
+    pub fn of(pair: &Reduced<Ball>, initial: &State<Ball>) -> Self {
         let is_left = initial.place.wall().is_none() || pair.rebound_of(initial.velocity) != Ball::exact(0.0);
         if is_left { Self::Velocity } else { Self::Time }
     }
 
     /// Returns its direction, in (phase, velocity).
-    #[cfg(feature = "multiprecision")]
     pub fn direction(self) -> [f64; 2] {
         match self {
             Self::Time => [1.0, 0.0],
             Self::Velocity => [0.0, 1.0],
+        }
+    }
+
+    /// The states that differ from one by at most `apart`, in forcing periods or in gap widths per forcing period.
+    fn widened(self, state: &State<Ball>, apart: f64) -> State<Ball> {
+        let State { phase, velocity, .. } = *state;
+        match self {
+            Self::Time => State { phase: phase.widened(apart), ..state.clone() },
+            Self::Velocity => State { velocity: velocity.widened(apart), ..state.clone() },
         }
     }
 }
@@ -57,18 +65,13 @@ impl Varied {
 pub(crate) struct Starts {
     pub varied: Varied,
     /// Holds them all.
-    pub bounds: Initial<Ball>,
+    pub bounds: State<Ball>,
 }
 
 impl Starts {
     /// Those that differ by at most `apart`, in forcing periods or in gap widths per forcing period.
-    pub fn within(apart: f64, varied: Varied, asked: &Initial<Ball>) -> Self {
-        let Initial { phase, velocity, .. } = *asked;
-        let bounds = match varied {
-            Varied::Time => Initial { phase: phase.widened(apart), ..asked.clone() },
-            Varied::Velocity => Initial { velocity: velocity.widened(apart), ..asked.clone() },
-        };
-        Self { varied, bounds }
+    pub fn within(apart: f64, varied: Varied, asked: &State<Ball>) -> Self {
+        Self { varied, bounds: varied.widened(asked, apart) }
     }
 }
 
@@ -76,7 +79,7 @@ impl Starts {
 #[derive(Debug)]
 pub(crate) struct Segment<W> {
     /// The requested start.
-    initial: Initial<Ball>,
+    initial: State<Ball>,
     varied: Varied,
     /// The state that flights are followed from.
     origin: Origin<Ball>,
@@ -88,11 +91,11 @@ pub(crate) struct Segment<W> {
 impl<W> Segment<W> {
     /// Returns the segment around the start of a motion that is followed from an origin.
     pub fn new<S: Flying<Waves<Ball> = W>>(shaken: &S, origin: Origin<Ball>) -> Self {
-        let initial = origin.initial();
+        let initial = origin.initial().clone();
         let varied = Varied::of(shaken.pair(), &initial);
-        let waves = shaken.waves(&origin.phases, &origin.phase, f64::MANTISSA_DIGITS);
+        let waves = shaken.waves(&origin.phases, &origin.state.phase, f64::MANTISSA_DIGITS);
         let waves = waves.filter(|_| varied == Varied::Velocity);
-        let scale = shaken.pair().scale(origin.velocity);
+        let scale = shaken.pair().scale(origin.state.velocity);
         Self { initial, varied, origin, waves, scale }
     }
 
@@ -106,12 +109,8 @@ impl<W> Segment<W> {
 
     /// The flights of the starts within `a`, from the origin on; `None` where they may touch a wall before it. Lemma R3
     fn launch(&self, pair: &Reduced<Ball>, a: f64) -> Option<Launch<Ball>> {
-        let Origin { turns, phase, velocity, .. } = self.origin;
         let apart = self.apart(a);
-        let (phase, velocity) = match self.varied {
-            Varied::Time => (phase.widened(apart), velocity),
-            Varied::Velocity => (phase, velocity.widened(apart)),
-        };
+        let State { turns, phase, velocity, .. } = self.varied.widened(&self.origin.state, apart);
         Some(match self.origin.place_after(apart)? {
             Location::Wall(wall) => Launch::from_wall(wall, turns, phase, pair.rebound_of(velocity), false),
             Location::Inside(height) => Launch::from_inside(height, turns, phase, velocity),
@@ -129,8 +128,8 @@ impl<S: Flying> Beginning<S> for Segment<S::Waves<Ball>> {
     }
 
     fn on_wall(&self) -> Option<(OnWall, &[Exact])> {
-        let Origin { turns, phase, velocity, .. } = self.origin;
-        self.origin.wall().map(|wall| ((wall, turns, phase, velocity), &*self.origin.phases))
+        let State { ref place, turns, phase, velocity } = self.origin.state;
+        place.wall().map(|wall| ((wall, turns, phase, velocity), &*self.origin.phases))
     }
 
     fn land(&mut self, shaken: &S, a: f64) -> Result<Landing, Undecided> {
@@ -154,7 +153,7 @@ impl<S: Flying> Beginning<S> for Segment<S::Waves<Ball>> {
             Varied::Velocity => by_velocity * Ball::exact(self.scale),
         });
         let image = SetContact { phase: given.phase, velocity: given.velocity, slope: Ball::exact(0.0), all: given };
-        Landing::new(self.origin.turns, &image, jacobian)
+        Landing::new(self.origin.state.turns, &image, jacobian)
     }
 }
 
@@ -204,7 +203,7 @@ mod tests {
     #[test]
     fn r32_faster_starts_are_farther_at_the_state_that_is_followed() {
         let (_, origin) = followed();
-        let (delay, Location::Inside(height)) = (origin.delay(), &origin.place) else { panic!("inside") };
+        let (delay, Location::Inside(height)) = (origin.delay(), &origin.state.place) else { panic!("inside") };
         assert!(1e-3 < delay.mid() && delay.mid() < 0.1 && delay.rad() < 1e-15, "{delay:?}");
         for apart in [0.0, 1e-12, 1.0] {
             let Some(Location::Inside(all)) = origin.place_after(apart) else { panic!("inside") };

@@ -4,6 +4,7 @@ use impact_pair_document::{FateName, NotExaminedDocument, QuestionDocument};
 
 use super::{Description, Horseshoe, Region};
 use crate::chaos::MOST_DEPTH;
+use crate::orbit::MULTIPRECISION;
 
 /// Numbers of impacts of the cycles that are looked for next.
 const CYCLES: &str = "1..6";
@@ -60,7 +61,7 @@ impl Description {
             ),
             Some("graze") => (
                 format!("does the motion touch a wall with zero velocity after impact {impacts}?"),
-                if cfg!(feature = "multiprecision") { format!("{next} --arithmetic {BITS}") } else { next },
+                if MULTIPRECISION { format!("{next} --arithmetic {BITS}") } else { next },
             ),
             Some(_) => (format!("what happens after impact {impacts}?"), next),
         }

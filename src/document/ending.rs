@@ -7,7 +7,7 @@ use impact_pair_document::ArithmeticDocument;
 use super::conclusion::Conclusion;
 use super::orbit::{arithmetic, is_certified};
 use crate::contact::Reason;
-use crate::orbit::{Arithmetic, Orbit, Settings, VERDICT_BITS};
+use crate::orbit::{Arithmetic, MULTIPRECISION, Orbit, Settings, VERDICT_BITS};
 
 /// The outcome of an orbit, compared with the request.
 pub struct Ending<'s> {
@@ -39,7 +39,7 @@ impl<'s> Ending<'s> {
     fn hint(&self) -> Option<&'static str> {
         let reason = self.conclusion.reason().filter(|reason| *reason != Reason::Budget);
         match (self.settings.arithmetic, reason) {
-            (Arithmetic::Auto, Some(Reason::Precision)) if cfg!(feature = "multiprecision") => {
+            (Arithmetic::Auto, Some(Reason::Precision)) if MULTIPRECISION => {
                 Some("try fewer --digits or more --max-bits")
             }
             (Arithmetic::Auto, Some(Reason::Precision)) => {
@@ -53,7 +53,7 @@ impl<'s> Ending<'s> {
             }
             (Arithmetic::Shadow, None) if self.wide.is_some() => Some("try fewer --digits"),
             // Of point data more bits make every enclosure narrower.
-            (Arithmetic::Auto, Some(Reason::Width)) if cfg!(feature = "multiprecision") => {
+            (Arithmetic::Auto, Some(Reason::Width)) if MULTIPRECISION => {
                 Some("narrower intervals in the scene lead further")
             }
             // Of intervals more bits were not tried.

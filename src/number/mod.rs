@@ -11,10 +11,9 @@ pub mod inari;
 pub(crate) mod interval;
 pub mod kernel;
 mod logarithm;
-#[cfg(feature = "multiprecision")]
 mod magnitude;
 #[cfg(feature = "multiprecision")]
-mod multiprecision;
+pub(crate) mod multiprecision;
 #[cfg(test)]
 pub(crate) mod tests;
 
@@ -27,12 +26,12 @@ pub use ball::Ball;
 pub(crate) use ball::{ABOVE_TURN, LARGEST_RATE, TINY, UNIT, binade, is_positive, up};
 use kernel::SmallAngle;
 pub use logarithm::logarithm;
-#[cfg(feature = "multiprecision")]
 pub use magnitude::Magnitude;
 #[cfg(feature = "multiprecision")]
-pub(crate) use multiprecision::magnitude;
-#[cfg(feature = "multiprecision")]
-pub use multiprecision::{LEAST_BITS, MpBall, mpfr_version};
+pub use multiprecision::{MpBall, mpfr_version};
+
+/// The least precision of an `MpBall`, in bits.
+pub const LEAST_BITS: u32 = 64;
 
 /// What the formulas of the paper need of a number: ring operations and a fused product and sum.
 pub trait Number: Clone + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Neg<Output = Self> {

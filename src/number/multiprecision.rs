@@ -19,7 +19,7 @@ use rug::integer::Order;
 use rug::{Assign, Float, Integer};
 
 use super::kernel::SmallAngle;
-use super::{ABOVE_TURN, Ball, Enclosing, Magnitude, Number, Wave, up};
+use super::{ABOVE_TURN, Ball, Enclosing, LEAST_BITS, Magnitude, Number, Wave, up};
 use crate::exact::{Dyadic, Enclosure};
 
 /// All real numbers within [`MpBall::rad`] of [`MpBall::mid`].
@@ -47,9 +47,6 @@ pub fn mpfr_version() -> String {
 
 /// Bits between a centre and its radius beyond which the sum of both is rounded.
 const MOST_SPREAD: u32 = 1 << 24;
-
-/// The least bits a centre has.
-pub const LEAST_BITS: u32 = 64;
 
 /// `2^(e - p - 1)` for a rounded result, 0 when it is exact (Lemma M1).
 #[inline]

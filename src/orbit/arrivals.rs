@@ -8,7 +8,7 @@ use crate::contact::Undecided;
 use crate::exact::Exact;
 use crate::mapping::Mapping;
 use crate::pair::{ImpactPair, Wall};
-use crate::shaken::{Location, Origin, Past};
+use crate::shaken::{Location, Origin, State};
 use crate::turns;
 
 /// Asks a pair for the impact that follows a state on a wall.
@@ -76,8 +76,7 @@ impl Arrivals {
         let reduced = self.dial.velocity(velocity).filter(|_| points);
         let velocity =
             reduced.ok_or_else(|| refused("start.velocity", velocity, "must be finite and point at the wall"))?;
-        let place = Location::Wall(wall);
-        let origin = Origin { place, turns, phase, velocity, phases: Vec::new(), past: Past::Nothing };
+        let origin = Origin::of(State { place: Location::Wall(wall), turns, phase, velocity });
         Ok(self.given.shaken.clone().interval(&origin).next_contact().and_then(|contact| {
             let turns = turns::after(turns, contact.turns).ok_or_else(Undecided::endless)?;
             let [phase, reached] = [contact.phase, contact.velocity].map(crate::impact::finite);

@@ -5,19 +5,16 @@ use std::cmp::Ordering;
 use super::given::Given;
 use super::motion::Motion;
 use super::pending::Pending;
-#[cfg(feature = "multiprecision")]
 use super::raise::Raise;
 use super::shadowed::Near;
-#[cfg(feature = "multiprecision")]
 use super::splice::Splice;
 use super::width::Width;
-use super::{Arithmetic, Clock, Cursor, Engine, Followed, Orbit, Requested, Settings, Start};
+use super::{Arithmetic, Clock, Cursor, Engine, Followed, MULTIPRECISION, Orbit, Requested, Settings, Start};
 use crate::clock::Phase;
-use crate::covering::start::Starts;
 use crate::exact::Exact;
 use crate::number::Ball;
 use crate::pair::{ImpactPair, too_large};
-use crate::shaken::Origin;
+use crate::shaken::{Origin, State};
 use crate::{Error, Scene, rest};
 
 impl Orbit {
@@ -52,13 +49,9 @@ impl Orbit {
             arithmetic => arithmetic,
         };
         // A shadow begins at the starts near by, any other motion at its origin.
-        let (initial, (place, turns, phase, velocity)) = match motion.starts() {
-            Some(Starts { bounds, .. }) => {
-                (bounds.clone(), (bounds.place, bounds.turns, bounds.phase, bounds.velocity))
-            }
-            None => (origin.initial(), (origin.place.clone(), origin.turns, origin.phase, origin.velocity)),
-        };
-        let cursor = Cursor { index: 0, wall: place.wall(), height: place.height(), turns, phase, velocity };
+        let starts = motion.starts().map(|starts| starts.bounds);
+        let cursor = Cursor::at(starts.as_ref().unwrap_or(&origin.state));
+        let initial = starts.unwrap_or_else(|| origin.initial().clone());
         let followed = Followed::new(cursor, near.is_none(), &given, &settings);
         let widths = [Width::new(settings.digits, 1.0), Width::new(settings.digits, speed)];
         let max_reported_chatter = given.shaken.max_reported_chatter(widths[0].linear);
@@ -68,7 +61,6 @@ impl Orbit {
             motion,
             arithmetic,
             is_point,
-            #[cfg(feature = "multiprecision")]
             raise: None,
             bits: 0,
             min_chatter_time_per_speed: rest::min_chatter_time_per_speed(&reduced),
@@ -100,14 +92,21 @@ impl Orbit {
 
     /// What there is to know of a new start.
     pub(super) fn look_ahead(&mut self) {
-        #[cfg(feature = "multiprecision")]
-        if self.engine.arithmetic == Arithmetic::Auto {
+        if self.engine.arithmetic == Arithmetic::Auto && MULTIPRECISION {
             let left = self.asked.settings.impacts.map(|impacts| impacts - self.listed.min(impacts)); // exact: not negative
             let settings = Settings { impacts: left, ..self.asked.settings.clone() };
             self.engine.raise =
                 Some(Raise::new(self.engine.given.clone(), self.followed.from.turns, self.asked.until, &settings));
         }
         self.pending.is_expected |= self.followed.still.is_some();
+    }
+}
+
+impl Cursor {
+    /// A state before the first impact.
+    fn at(state: &State<Ball>) -> Self {
+        let State { ref place, turns, phase, velocity } = *state;
+        Self { index: 0, wall: place.wall(), height: place.height(), turns, phase, velocity }
     }
 }
 
@@ -139,18 +138,14 @@ fn shadowed(
     if spliced == 0 {
         return Ok(motion);
     }
-    #[cfg(feature = "multiprecision")]
-    {
-        let reduced = *given.shaken.pair();
-        let splice = Splice::new((pair, start, clock), (&reduced, origin.initial()), spliced, settings.max_bits)?;
-        let left = settings.impacts.map(|impacts| impacts - (spliced - 1));
-        shaken().spliced(splice, left).ok_or_else(|| Splice::refused(spliced))
+    if !MULTIPRECISION {
+        let message = format!("splice is {spliced}, but this build has no multiprecision");
+        return Err(Error::out_of_range(Some("splice"), message));
     }
-    #[cfg(not(feature = "multiprecision"))]
-    {
-        let _ = clock;
-        Err(Error::out_of_range(Some("splice"), format!("splice is {spliced}, but this build has no multiprecision")))
-    }
+    let (reduced, initial) = (*given.shaken.pair(), origin.initial().clone());
+    let splice = Splice::new((pair, start, clock), (&reduced, initial), spliced, settings.max_bits)?;
+    let left = settings.impacts.map(|impacts| impacts - (spliced - 1));
+    shaken().spliced(splice, left).ok_or_else(|| Splice::refused(spliced))
 }
 
 /// When to stop: not before the start.

@@ -5,7 +5,7 @@ use crate::exact::Enclosure;
 use crate::impact::finite;
 use crate::number::Ball;
 use crate::pair::Wall;
-use crate::shaken::{Initial, Location};
+use crate::shaken::{Location, State};
 
 /// A flight of an orbit over the whole set of its states, enclosed in doubles, under any number of harmonics.
 ///
@@ -41,9 +41,9 @@ pub struct CoursePoint {
     pub absolute_acceleration: Enclosure,
 }
 
-/// What forces act on the ball.
+/// The forces on the ball: none in flight; at rest the contact force.
 #[derive(Clone, Copy)]
-enum State {
+enum Forces {
     Flies,
     Rests,
 }
@@ -56,7 +56,7 @@ fn on(wall: Wall) -> Ball {
 impl Orbit {
     /// Returns the flight from the requested start, or from those near by of a shadowed orbit, and its phase: whole forcing periods and the rest.
     pub fn first_course(&self) -> (Course, i64, Ball) {
-        let Initial { turns, phase, velocity, .. } = self.initial;
+        let State { turns, phase, velocity, .. } = self.initial;
         let course = match self.initial.place {
             Location::Wall(wall) => self.leaving(wall, turns, phase, self.engine.pair.rebound_of(velocity)),
             Location::Inside(height) => self.course(turns, phase, height - Ball::exact(0.5), velocity),
@@ -94,19 +94,19 @@ impl Orbit {
     /// Returns the point of a flight at the phase of `turns` since the clock's origin and the rest; `None` beyond doubles.
     pub fn course_point(&self, course: &Course, turns: i64, phase: Ball) -> Option<CoursePoint> {
         let (displacement, velocity) = self.along(course, turns, phase);
-        self.point((turns, phase), displacement, velocity, State::Flies)
+        self.point((turns, phase), displacement, velocity, Forces::Flies)
     }
 
     /// Returns the ball on its wall, just before and just after an impact. **Equation** (15)
     pub fn impact_points(&self, impact: &Impact) -> Option<[CoursePoint; 2]> {
         let Impact { wall, turns, phase, velocity, .. } = *impact;
-        let on_wall = |velocity| self.point((turns, phase), on(wall), velocity, State::Flies);
+        let on_wall = |velocity| self.point((turns, phase), on(wall), velocity, Forces::Flies);
         Some([on_wall(velocity)?, on_wall(self.engine.pair.rebound_of(velocity))?])
     }
 
     /// Returns the point of the motion at that phase while the ball rests on `wall`.
     pub fn rest_point(&self, wall: Wall, turns: i64, phase: Ball) -> Option<CoursePoint> {
-        self.point((turns, phase), on(wall), Ball::exact(0.0), State::Rests)
+        self.point((turns, phase), on(wall), Ball::exact(0.0), Forces::Rests)
     }
 
     /// From forcing periods and gaps to the units of the scene.
@@ -115,13 +115,13 @@ impl Orbit {
         (turns, phase): (i64, Ball),
         displacement: Ball,
         velocity: Ball,
-        state: State,
+        forces: Forces,
     ) -> Option<CoursePoint> {
         let [shift, speed, pull] = self.engine.given.shaken.displacement(turns, phase);
         let still = Ball::exact(0.0);
-        let (acceleration, absolute_acceleration) = match state {
-            State::Flies => (pull, still),
-            State::Rests => (still, -pull),
+        let (acceleration, absolute_acceleration) = match forces {
+            Forces::Flies => (pull, still),
+            Forces::Rests => (still, -pull),
         };
         let clock = &self.clock;
         Some(CoursePoint {

@@ -3,12 +3,9 @@
 use std::sync::Arc;
 
 use super::motion::{FloatMotion, IntervalMotion, Motion};
-#[cfg(feature = "multiprecision")]
 use super::plan::Plan;
-#[cfg(feature = "multiprecision")]
-use super::precise::PreciseMotion;
+use super::precise;
 use super::shadowed::ShadowMotion;
-#[cfg(feature = "multiprecision")]
 use super::splice::Splice;
 #[cfg(feature = "inari")]
 use super::textbook::TextbookMotion;
@@ -40,11 +37,9 @@ pub(super) trait Motions: Shaken {
     /// chain begins.
     fn shadow(self: Arc<Self>, origin: &Origin<Ball>, impacts: Option<u64>) -> Option<(Box<dyn Motion>, Option<u64>)>;
     /// The same after what is proved by precision.
-    #[cfg(feature = "multiprecision")]
     fn spliced(self: Arc<Self>, splice: Splice, left: Option<u64>) -> Option<Box<dyn Motion>>;
-    /// In as many bits as planned.
-    #[cfg(feature = "multiprecision")]
-    fn precise(self: Arc<Self>, origin: &Origin<Exact>, plan: Plan) -> Box<dyn Motion>;
+    /// In as many bits as planned; `None` in a build without multiprecision.
+    fn precise(self: Arc<Self>, origin: &Origin<Exact>, plan: Plan) -> Option<Box<dyn Motion>>;
 }
 
 impl<S: Flying> Motions for S {
@@ -60,14 +55,12 @@ impl<S: Flying> Motions for S {
         ShadowMotion::from(self, origin, impacts)
     }
 
-    #[cfg(feature = "multiprecision")]
     fn spliced(self: Arc<Self>, splice: Splice, left: Option<u64>) -> Option<Box<dyn Motion>> {
         ShadowMotion::spliced(self, splice, left)
     }
 
-    #[cfg(feature = "multiprecision")]
-    fn precise(self: Arc<Self>, origin: &Origin<Exact>, plan: Plan) -> Box<dyn Motion> {
-        Box::new(PreciseMotion::new(self, origin, plan))
+    fn precise(self: Arc<Self>, origin: &Origin<Exact>, plan: Plan) -> Option<Box<dyn Motion>> {
+        precise::motion(self, origin, plan)
     }
 }
 
@@ -104,16 +97,14 @@ impl Given {
                 self.pair.harmonic("the textbook method (arithmetic inari)")?;
                 Box::new(TextbookMotion::new(shaken.pair(), &origin))
             }
-            #[cfg(feature = "multiprecision")]
-            Arithmetic::Bits(bits) => self.precise(Plan::constant(bits)),
-            #[cfg(not(feature = "multiprecision"))]
-            Arithmetic::Bits(bits) => return Err(Arithmetic::unknown(&bits.to_string())),
+            Arithmetic::Bits(bits) => {
+                self.precise(Plan::constant(bits)).ok_or_else(|| Arithmetic::unknown(&bits.to_string()))?
+            }
         })
     }
 
-    /// Returns the motion from the origin in as many bits as planned.
-    #[cfg(feature = "multiprecision")]
-    pub fn precise(&self, plan: Plan) -> Box<dyn Motion> {
+    /// Returns the motion from the origin in as many bits as planned; `None` in a build without multiprecision.
+    pub fn precise(&self, plan: Plan) -> Option<Box<dyn Motion>> {
         self.shaken.clone().precise(&self.origin, plan)
     }
 }

@@ -11,17 +11,14 @@ mod given;
 mod motion;
 mod passage;
 mod pending;
-#[cfg(feature = "multiprecision")]
 mod plan;
-#[cfg(feature = "multiprecision")]
+#[cfg_attr(not(feature = "multiprecision"), path = "doubles.rs")]
 mod precise;
-#[cfg(feature = "multiprecision")]
 mod raise;
 mod recurrence;
 mod set;
 mod shadowed;
 mod shortfall;
-#[cfg(feature = "multiprecision")]
 mod splice;
 #[cfg(feature = "inari")]
 mod textbook;
@@ -32,8 +29,7 @@ pub use arrivals::{Arrival, Arrivals};
 pub use course::{Course, CoursePoint};
 pub use dense::{Dense, DenseState};
 pub use event::{Outcome, Progress, Rest};
-pub use impact_pair_model::{Arithmetic, BITS, MAX_BITS, Period, Place, Settings, Start};
-#[cfg(feature = "multiprecision")]
+pub use impact_pair_model::{Arithmetic, BITS, MAX_BITS, MULTIPRECISION, Period, Place, Settings, Start};
 pub use plan::Plan;
 pub(crate) use set::StateSet;
 pub use shadowed::Shadowing;
@@ -47,13 +43,12 @@ pub use crate::impact::{Impact, Touch};
 use crate::mapping::Mapping;
 use crate::number::{Ball, Number};
 use crate::pair::{Reduced, Wall};
-use crate::shaken::{Initial, Still};
+use crate::shaken::{State, Still};
 use crate::turns;
 use crate::watch::{Latched, Unwatched, Watch};
 use given::Given;
 use motion::Motion;
 use pending::Pending;
-#[cfg(feature = "multiprecision")]
 use raise::Raise;
 use width::Width;
 
@@ -89,7 +84,7 @@ pub struct Orbit {
     asked: Requested,
     engine: Engine,
     /// The requested start; those near by, one of which has the orbit, of a shadowed one.
-    initial: Initial<Ball>,
+    initial: State<Ball>,
     followed: Followed,
     /// Where the motion is.
     cursor: Cursor,
@@ -123,7 +118,6 @@ struct Engine {
     /// No interval among the data: more precision makes every enclosure narrower.
     is_point: bool,
     /// What is left to try when the motion does not suffice.
-    #[cfg(feature = "multiprecision")]
     raise: Option<Raise>,
     /// The most bits of motions before the last release.
     bits: u32,
@@ -174,7 +168,6 @@ impl Orbit {
     }
 
     /// Returns the bits of each impact, once it is computed in multiprecision.
-    #[cfg(feature = "multiprecision")]
     pub fn plan(&self) -> Option<&Plan> {
         self.engine.motion.plan()
     }

@@ -2,20 +2,15 @@
 
 use std::sync::Arc;
 
-#[cfg(feature = "multiprecision")]
 use super::plan::Plan;
 use super::set::StateSet;
-#[cfg(feature = "multiprecision")]
-pub(super) use crate::contact::multiprecision::Passed;
-use crate::contact::{Contact, Undecided};
+use crate::contact::{Contact, Grazed, Undecided};
 use crate::covering::start::Starts;
 use crate::exact::Enclosure;
 use crate::flight::Launch;
 use crate::number::Ball;
-#[cfg(feature = "multiprecision")]
-use crate::number::MpBall;
 use crate::pair::{Wall, rebound};
-use crate::shaken::{Flying, Leaving, Location, Origin};
+use crate::shaken::{Flying, Leaving, Location, Origin, State};
 use crate::turns;
 
 /// Bounds of some starts: times and velocities in the units of the scene.
@@ -43,18 +38,15 @@ pub(super) trait Motion: std::fmt::Debug + Send {
     }
 
     /// The bits of each impact, in multiprecision.
-    #[cfg(feature = "multiprecision")]
     fn plan(&self) -> Option<&Plan> {
         None
     }
 
     /// How narrow the set of flights is: `-log2` of the greatest radius, relative for velocities after an impact.
-    #[cfg(feature = "multiprecision")]
     fn accuracy(&self) -> f64;
 
     /// Goes past a contact that may be a graze, into the gap, if that is proved; `None` leaves all as it was.
-    #[cfg(feature = "multiprecision")]
-    fn pass_graze(&mut self) -> Option<Passed> {
+    fn pass_graze(&mut self) -> Option<Grazed> {
         None
     }
 
@@ -68,10 +60,6 @@ pub(super) trait Motion: std::fmt::Debug + Send {
         None
     }
 }
-
-/// Bits enough to lose nothing of doubles on the way past a graze.
-#[cfg(feature = "multiprecision")]
-pub(super) const PASSING_BITS: u32 = 128;
 
 /// The states of a set after a contact, before the impact, or inside the gap.
 #[derive(Debug)]
@@ -104,7 +92,6 @@ impl<S: Flying> Motion for FloatMotion<S> {
         Ok(Contact { wall, turns, phase: exact(phase), time: exact(time), velocity: exact(velocity) })
     }
 
-    #[cfg(feature = "multiprecision")]
     fn accuracy(&self) -> f64 {
         f64::INFINITY
     }
@@ -123,8 +110,8 @@ pub(super) struct IntervalMotion<S: Flying> {
 
 impl<S: Flying> IntervalMotion<S> {
     pub fn new(shaken: Arc<S>, origin: &Origin<Ball>) -> Self {
-        let Origin { turns, phase, velocity, .. } = *origin;
-        let states = match origin.place {
+        let State { ref place, turns, phase, velocity } = origin.state;
+        let states = match *place {
             Location::Wall(wall) => {
                 let set = StateSet::new(phase, velocity, shaken.pair().scale(velocity));
                 States::Wall { wall, set, is_release: origin.release().is_some() }
@@ -167,8 +154,7 @@ impl<S: Flying> Motion for IntervalMotion<S> {
         Ok(Contact { turns, phase: set.phase_ball(), velocity: set.velocity_ball(), ..contact })
     }
 
-    #[cfg(feature = "multiprecision")]
-    fn pass_graze(&mut self) -> Option<Passed> {
+    fn pass_graze(&mut self) -> Option<Grazed> {
         let launch = match self.states {
             States::Wall { wall, set, is_release } => {
                 let after = self.shaken.pair().rebound_of(set.velocity_ball());
@@ -176,16 +162,14 @@ impl<S: Flying> Motion for IntervalMotion<S> {
             }
             States::Inside { height, phase, velocity } => Launch::from_inside(height, self.turns, phase, velocity),
         };
-        let launch = launch.map(|x| MpBall::from_ball(*x).rounded(PASSING_BITS));
-        let passed = self.shaken.pass(&self.shaken.widened(PASSING_BITS), launch, None)?;
-        let phase = MpBall::exact(passed.phase.clone()).to_ball();
+        let passed = self.shaken.pass_graze(launch)?;
+        let Grazed { phase, height, velocity, .. } = passed;
         self.turns = turns::after(self.turns, passed.turns)?;
-        self.states = States::Inside { height: passed.height.to_ball(), phase, velocity: passed.velocity.to_ball() };
+        self.states = States::Inside { height, phase, velocity };
         self.waves = None;
         Some(passed)
     }
 
-    #[cfg(feature = "multiprecision")]
     fn accuracy(&self) -> f64 {
         let (phase, velocity) = match &self.states {
             States::Wall { set, .. } => (set.phase_ball(), set.velocity_ball()),

@@ -6,7 +6,7 @@ use super::{Impact, Orbit, Rest};
 use crate::exact::Enclosure;
 use crate::mapping::Sheared;
 use crate::number::{Ball, Enclosing};
-use crate::shaken::Initial;
+use crate::shaken::State;
 use crate::turns::in_radians;
 
 /// Bits beyond those of a number of forcing periods and of what is shown.
@@ -57,12 +57,11 @@ impl Orbit {
     }
 
     /// The same in two parts, from an impact or from the requested start; at inside starts only the column of the velocity is meant.
-    #[cfg(feature = "multiprecision")]
     pub(super) fn sheared(&self, from: Option<&Impact>, to: &Impact) -> Option<Sheared<Ball>> {
         if let Some(from) = from {
             return self.passage(self.engine.pair.restitution, from, to);
         }
-        let Initial { turns, phase, velocity, .. } = self.initial;
+        let State { turns, phase, velocity, .. } = self.initial;
         let wall = self.initial.place.wall();
         // F3: inside the gap the velocity is that of the flight, as after an impact with e = -1.
         let restitution = if wall.is_some() { self.engine.pair.restitution } else { Ball::exact(-1.0) };
@@ -79,7 +78,7 @@ impl Orbit {
 
     /// Returns the requested start as impact number 0, when it is on a wall.
     pub fn start_impact(&self) -> Option<Impact> {
-        let Initial { turns, phase, velocity, .. } = self.initial;
+        let State { turns, phase, velocity, .. } = self.initial;
         let wall = self.initial.place.wall();
         wall.map(|wall| Impact { index: 0, mapping: None, wall, turns, phase, velocity, precise: None })
     }

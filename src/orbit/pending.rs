@@ -9,16 +9,13 @@ use super::recurrence::Recurrence;
 use super::shadowed::Near;
 use super::shortfall::Shortfall;
 use super::{Cursor, Followed, Orbit};
-use crate::contact::Undecided;
+use crate::contact::{Grazed, Undecided};
 use crate::exact::{Enclosure, Exact};
 use crate::impact::{Touch, finite};
 use crate::number::{Ball, Enclosing};
-#[cfg(feature = "multiprecision")]
-use crate::number::{MpBall, Number};
 use crate::orbit::Arithmetic;
 use crate::pair::{Inward, Wall};
 use crate::shaken::{Origin, Released, Still};
-#[cfg(feature = "multiprecision")]
 use crate::turns;
 
 /// What there is to look after but flights.
@@ -147,7 +144,7 @@ impl Orbit {
         if is_wide && self.engine.arithmetic == Arithmetic::Auto && self.restart(Shortfall::Width(1.0)) {
             return Some(Progress::Retraced(0));
         }
-        let exactly = self.exactly().map(|origin| origin.phase.enclose(self.asked.shown));
+        let exactly = self.exactly().map(|origin| origin.state.phase.enclose(self.asked.shown));
         let enclosed = exactly.as_ref().unwrap_or(now); // exact: another enclosure of the same phase
         let span = Enclosure::from_f64_bounds(0.0, time)?;
         let enclosed = enclosed.add(&span, self.asked.shown.saturating_add(64)); // X1: any number of bits encloses
@@ -199,33 +196,25 @@ impl Orbit {
     }
 
     /// Lists a contact that may be a graze and goes on past it.
-    #[cfg(feature = "multiprecision")]
     pub(super) fn pass_graze(&mut self) -> Option<Progress> {
-        let passed = self.engine.motion.pass_graze()?;
-        let whole = passed.at.mid().to_f64().round(); // exact: any whole number is taken off
-        let turns = turns::after(self.cursor.turns, whole)?;
-        let at = passed.at.clone() - MpBall::from_f64(whole);
-        let phase = at.enclosure()?.rounded(self.asked.shown);
-        if self.is_past(turns, at.to_ball(), || phase.clone()) {
+        let Grazed { wall, touch: (whole, at, enclosure), turns, phase, height, velocity } =
+            self.engine.motion.pass_graze()?;
+        let touched = turns::after(self.cursor.turns, whole)?;
+        let enclosed = enclosure.rounded(self.asked.shown);
+        if self.is_past(touched, at, || enclosed.clone()) {
             return Some(self.finish(Outcome::TimeReached));
         }
         self.cursor = Cursor {
-            wall: self.cursor.wall.filter(|wall| *wall == passed.wall),
-            height: Some(passed.height.to_ball()),
-            turns: turns::after(self.cursor.turns, passed.turns)?,
-            phase: MpBall::exact(passed.phase.clone()).to_ball(),
-            velocity: passed.velocity.to_ball(),
+            wall: self.cursor.wall.filter(|last| *last == wall),
+            height: Some(height),
+            turns: turns::after(self.cursor.turns, turns)?,
+            phase,
+            velocity,
             ..self.cursor
         };
         // From here on the data are a box: no precision makes it narrower.
         self.followed = Followed::new(self.cursor, false, &self.engine.given, &self.asked.settings);
         (self.engine.raise, self.engine.is_point) = (None, false);
-        Some(self.hand_out(Progress::Graze(Touch { wall: passed.wall, turns, phase })))
-    }
-
-    /// It takes balls of many digits to pass a graze.
-    #[cfg(not(feature = "multiprecision"))]
-    pub(super) fn pass_graze(&mut self) -> Option<Progress> {
-        None
+        Some(self.hand_out(Progress::Graze(Touch { wall, turns: touched, phase: enclosed })))
     }
 }

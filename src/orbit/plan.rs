@@ -118,9 +118,10 @@ impl Growth {
     /// `None` for a start beyond doubles.
     pub fn new(given: &Given) -> Option<Self> {
         let (run, origin) = (given.motion(Arithmetic::Float).ok()?, given.origin_ball().ok()?);
-        let (shaken, turns, velocity) = (given.shaken.clone(), origin.turns, origin.velocity);
+        let (shaken, turns, velocity) = (given.shaken.clone(), origin.state.turns, origin.state.velocity);
         let scale = shaken.pair().scale(velocity);
-        let last = origin.wall().map(|_| (velocity.mid(), shaken.acceleration(turns, origin.phase.mid())));
+        let last =
+            origin.state.place.wall().map(|_| (velocity.mid(), shaken.acceleration(turns, origin.state.phase.mid())));
         Some(Self { shaken, run, turns, last, tangent: [1.0, 1.0], scale })
     }
 

@@ -11,20 +11,25 @@ use rug::Float;
 use super::motion::{Motion, States};
 use super::plan::Plan;
 use super::set::{Noise, SHORTEST_EDGE, Shape};
-use crate::contact::multiprecision::Passed;
-use crate::contact::{Contact, Undecided};
+use crate::contact::{Contact, Grazed, Undecided};
 use crate::exact::{Enclosure, Exact};
 use crate::flight::Launch;
 use crate::mapping::jacobian_between;
 use crate::number::{Ball, LEAST_BITS, Magnitude, MpBall};
 use crate::pair::Wall;
 use crate::several::Phased;
+use crate::shaken::precise::{Arrival, Flights};
 use crate::shaken::shaking::Shaking;
-use crate::shaken::{Arrival, Flights, Flying, Location, Origin};
+use crate::shaken::{Flying, Location, Origin};
 use crate::turns;
 
 /// Bits below the radius of a set that its centre is not worth.
 const DROWNED: i64 = 64;
+
+/// Returns the motion from an origin in as many bits as planned.
+pub(super) fn motion<S: Flying>(shaken: Arc<S>, origin: &Origin<Exact>, plan: Plan) -> Option<Box<dyn Motion>> {
+    Some(Box::new(PreciseMotion::new(shaken, origin, plan)))
+}
 
 /// Certified in as many bits as the plan gives each impact.
 #[derive(Debug)]
@@ -89,14 +94,14 @@ impl PreciseSet {
 
     /// Returns the image of the shape, in a unit that suits it and the noise of the centre.
     pub fn image(&self, jacobian: &[[Ball; 2]; 2], phase: Magnitude, velocity: Magnitude, slope: Ball) -> (Shape, i64) {
-        let edges = self.shape.edges().map(|edge| Magnitude::new(edge, self.unit));
+        let edges = self.shape.edges.map(|edge| Magnitude::new(edge, self.unit));
         let unit = greatest_exponent(&[edges[0], edges[1], phase, velocity]);
         let edges = edges.map(|edge| match edge.in_units_of(unit) {
             0.0 => 0.0,
             edge => edge.max(SHORTEST_EDGE), // M4: enlarges the set
         });
         let noise = Noise { phase: phase.in_units_of(unit), velocity: velocity.in_units_of(unit), slope };
-        (self.shape.with_edges(edges).image(jacobian, &noise), unit)
+        (Shape { edges, ..self.shape }.image(jacobian, &noise), unit)
     }
 }
 
@@ -109,7 +114,7 @@ fn greatest_exponent(magnitudes: &[Magnitude]) -> i64 {
 fn bits_for(plan: &Plan, set: &PreciseSet, index: u64) -> u32 {
     let planned = plan.bits(index);
     let (phase, velocity) = (set.shape.phase_radius(), set.shape.velocity_radius());
-    let radius = Magnitude::new(phase.max(velocity / set.shape.scale()), set.unit); // proposes: bits to compute with
+    let radius = Magnitude::new(phase.max(velocity / set.shape.scale), set.unit); // proposes: bits to compute with
     match radius.exponent() {
         // proposes
         Some(exponent) => planned.min((DROWNED - exponent).clamp(i64::from(LEAST_BITS), i64::from(planned)) as u32),
@@ -126,11 +131,11 @@ impl<S: Flying> PreciseMotion<S> {
         let enclose = |x: &Exact| <MpBall as Phased>::enclose(x, bits);
         let phase = match origin.release().and_then(|release| release.zero.as_ref()) {
             Some(zero) => zero.refined(bits),
-            None => enclose(&origin.phase),
+            None => enclose(&origin.state.phase),
         };
-        let velocity = enclose(&origin.velocity);
+        let velocity = enclose(&origin.state.velocity);
         let waves = shaken.waves(&origin.phases, &phase, bits);
-        let states = match &origin.place {
+        let states = match &origin.state.place {
             Location::Wall(wall) => {
                 let set = PreciseSet::new(&phase, &velocity, shaken.pair().scale(velocity.to_ball()));
                 States::Wall { wall: *wall, set, is_release: origin.release().is_some() }
@@ -138,7 +143,7 @@ impl<S: Flying> PreciseMotion<S> {
             Location::Inside(height) => States::Inside { height: enclose(height), phase, velocity },
         };
         let parameters = shaken.precise(bits);
-        Self { shaken, parameters, plan, index: 0, turns: origin.turns, states, doubles: None, waves }
+        Self { shaken, parameters, plan, index: 0, turns: origin.state.turns, states, doubles: None, waves }
     }
 
     /// From a wall: **equations** (15), (A.1)-(A.7) over the set.
@@ -202,13 +207,13 @@ impl<S: Flying> Motion for PreciseMotion<S> {
         self.plan.bits(0)
     }
 
-    fn pass_graze(&mut self) -> Option<Passed> {
+    fn pass_graze(&mut self) -> Option<Grazed> {
         let passed = self.shaken.pass(&self.parameters, self.launch(), self.waves.as_ref())?;
         let (height, velocity) = (passed.height.clone(), passed.velocity.clone());
         self.turns = turns::after(self.turns, passed.turns)?;
         self.states = States::Inside { height, phase: MpBall::exact(passed.phase.clone()), velocity };
         self.waves = None;
-        Some(passed)
+        passed.in_doubles()
     }
 
     fn plan(&self) -> Option<&Plan> {

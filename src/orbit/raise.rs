@@ -86,7 +86,7 @@ impl Raise {
             }
         };
         self.plan = Some(plan.clone());
-        Some(self.given.precise(plan))
+        self.given.precise(plan)
     }
 
     /// Plans beyond impact `index` from a floating-point run.

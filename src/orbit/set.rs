@@ -17,10 +17,11 @@ pub(super) const SHORTEST_EDGE: f64 = f64::from_bits((1023 - 600) << 52);
 #[derive(Clone, Copy, Debug)]
 pub struct Shape {
     /// The first axis: the first column of the rotation.
-    axis: (f64, f64),
+    pub(super) axis: (f64, f64),
     /// Half the edges along the axes.
-    edges: [f64; 2],
-    scale: f64,
+    pub(super) edges: [f64; 2],
+    /// The unit of velocities.
+    pub(super) scale: f64,
 }
 
 /// What the image of a centre may be off by (Lemma S4).
@@ -82,24 +83,6 @@ impl Shape {
         let across = [columns[1][0] * c1 - columns[0][0] * s1, columns[1][1] * c1 - columns[0][1] * s1];
         let edges = [reach(along, [c1 + s1 * shear, s1]), reach(across, [c1 * shear - s1, c1])];
         Self { axis, edges, scale: self.scale }
-    }
-
-    /// Returns the unit of velocities.
-    #[cfg(feature = "multiprecision")]
-    pub fn scale(&self) -> f64 {
-        self.scale
-    }
-
-    /// Half the edges.
-    #[cfg(feature = "multiprecision")]
-    pub fn edges(&self) -> [f64; 2] {
-        self.edges
-    }
-
-    /// Returns the same axes with other edges.
-    #[cfg(feature = "multiprecision")]
-    pub fn with_edges(&self, edges: [f64; 2]) -> Self {
-        Self { edges, ..*self }
     }
 }
 

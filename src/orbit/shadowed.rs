@@ -6,14 +6,11 @@
 use std::sync::Arc;
 use std::vec::IntoIter;
 
-#[cfg(feature = "multiprecision")]
-use super::motion::Passed;
 use super::motion::{IntervalMotion, Motion, StartBounds};
-#[cfg(feature = "multiprecision")]
 use super::splice::Splice;
 use super::{Arithmetic, Impact, Orbit, Outcome, Settings, Start};
 use crate::clock::Clock;
-use crate::contact::{Contact, Undecided};
+use crate::contact::{Contact, Grazed, Undecided};
 use crate::covering::chain::{AHEAD, Chain, Covering};
 use crate::covering::node::Node;
 use crate::covering::start::Beginning;
@@ -22,7 +19,7 @@ use crate::exact::Enclosure;
 use crate::impact::finite;
 use crate::number::Ball;
 use crate::pair::{ImpactPair, Wall};
-use crate::shaken::{Flying, Initial, Location, Origin, Past};
+use crate::shaken::{Flying, Location, Origin, State};
 
 /// Bits that show what the start has in common with the given one.
 pub(super) const START_BITS: u32 = 160;
@@ -93,7 +90,7 @@ pub(super) struct Near {
 impl Near {
     /// Returns the starts of a motion near the one from `start`; either their time or their velocity is that of the requested start.
     pub fn new(clock: &Clock, start: &Start, motion: &dyn Motion) -> Option<Self> {
-        let Starts { varied, bounds: Initial { turns, phase, velocity, .. } } = motion.starts()?;
+        let Starts { varied, bounds: State { turns, phase, velocity, .. } } = motion.starts()?;
         let in_doubles = || match varied {
             Varied::Time => (clock.time(turns, &finite(phase)), start.velocity().enclose(START_BITS)),
             Varied::Velocity => (start.time().enclose(START_BITS), clock.velocity(&finite(velocity))),
@@ -114,7 +111,6 @@ impl<S: Flying> ShadowMotion<S, Segment<S::Waves<Ball>>> {
     }
 }
 
-#[cfg(feature = "multiprecision")]
 impl<S: Flying> ShadowMotion<S, Splice> {
     /// Returns the same after impacts that are proved by precision.
     pub fn spliced(shaken: Arc<S>, splice: Splice, left: Option<u64>) -> Option<Box<dyn Motion>> {
@@ -129,7 +125,7 @@ impl<S: Flying> ShadowMotion<S, Splice> {
 impl<S: Flying, B: Beginning<S>> ShadowMotion<S, B> {
     /// The motion along a chain that has begun; `None` where it has not.
     fn of(shaken: Arc<S>, chain: Chain<S, B>, nodes: Vec<Node>) -> Option<Self> {
-        let Initial { turns, phase, .. } = chain.starts().bounds;
+        let State { turns, phase, .. } = chain.starts().bounds;
         let (at, is_begun) = ((turns, phase), !nodes.is_empty());
         let (before, nodes) = (Vec::new().into_iter(), nodes.into_iter());
         is_begun.then_some(Self {
@@ -158,10 +154,9 @@ impl<S: Flying, B: Beginning<S>> ShadowMotion<S, B> {
     #[cold]
     fn hand_over(&self) -> Option<IntervalMotion<S>> {
         let node = self.last?;
-        let (phase, velocity) = (node.phases(), node.velocities());
-        let place = Location::Wall(node.wall);
-        let origin = Origin { place, turns: node.turns, phase, velocity, phases: Vec::new(), past: Past::Nothing };
-        Some(IntervalMotion::new(self.shaken.clone(), &origin))
+        let (place, turns) = (Location::Wall(node.wall), node.turns);
+        let state = State { place, turns, phase: node.phases(), velocity: node.velocities() };
+        Some(IntervalMotion::new(self.shaken.clone(), &Origin::of(state)))
     }
 }
 
@@ -198,13 +193,11 @@ impl<S: Flying, B: Beginning<S>> Motion for ShadowMotion<S, B> {
         self.precise.as_deref().map(|(phase, velocity)| (phase.rounded(bits), velocity.rounded(bits)))
     }
 
-    #[cfg(feature = "multiprecision")]
     fn accuracy(&self) -> f64 {
         self.set.as_ref().map_or(0.0, Motion::accuracy)
     }
 
-    #[cfg(feature = "multiprecision")]
-    fn pass_graze(&mut self) -> Option<Passed> {
+    fn pass_graze(&mut self) -> Option<Grazed> {
         self.set.as_mut()?.pass_graze()
     }
 }
@@ -250,12 +243,7 @@ impl Nearness {
 mod tests {
     use super::*;
     use crate::Scene;
-    #[cfg(feature = "multiprecision")]
-    use crate::orbit::Progress;
-    use crate::watch::Unwatched;
     use proptest::prelude::*;
-    #[cfg(feature = "multiprecision")]
-    use std::ops::ControlFlow;
 
     fn scene(name: &str) -> Scene {
         let path = format!("{}/scenes/{name}.toml", env!("CARGO_MANIFEST_DIR"));
@@ -300,6 +288,9 @@ mod tests {
     #[cfg(feature = "multiprecision")]
     #[test]
     fn a_rest_ends_the_chain_and_forgets_the_start() {
+        use crate::orbit::Progress;
+        use crate::watch::Unwatched;
+        use std::ops::ControlFlow;
         let text = r#"
             excitation = { amplitude = 4.92, frequency = "pi", phase = 0 }
             pair = { gap = 40, restitution = 0.5 }

@@ -15,7 +15,6 @@ const GRAZE_BITS: u32 = 4096;
 
 /// What a motion falls short of.
 #[derive(Clone, Copy, Debug)]
-#[cfg_attr(not(feature = "multiprecision"), allow(dead_code))]
 pub(super) enum Shortfall {
     /// Bits of the requested width.
     Width(f64),
@@ -94,7 +93,6 @@ impl Orbit {
     }
 
     /// Starts again in more precision, if that may help.
-    #[cfg(feature = "multiprecision")]
     pub(super) fn restart(&mut self, shortfall: Shortfall) -> bool {
         let Some(raise) = &mut self.engine.raise else { return false };
         let Some(motion) =
@@ -105,12 +103,6 @@ impl Orbit {
         self.engine.motion = motion;
         self.cursor = self.followed.from;
         true
-    }
-
-    /// Doubles are all there is in this build.
-    #[cfg(not(feature = "multiprecision"))]
-    pub(super) fn restart(&mut self, _: Shortfall) -> bool {
-        false
     }
 
     /// The flights from the last state.

@@ -18,7 +18,7 @@ use crate::exact::{Enclosure, Exact};
 use crate::mapping::Sheared;
 use crate::number::{Ball, Number, TINY, up};
 use crate::pair::{ImpactPair, Reduced};
-use crate::shaken::{Flying, Initial};
+use crate::shaken::{Flying, State};
 use impact_pair_model::Place;
 
 /// Digits to which the given start's own impacts are proved: those of doubles.
@@ -33,7 +33,7 @@ pub(super) struct Splice {
     start: Start,
     clock: Clock,
     /// The requested start in doubles.
-    initial: Initial<Ball>,
+    initial: State<Ball>,
     varied: Varied,
     bits: u32,
     impacts: u64,
@@ -58,7 +58,7 @@ impl Splice {
     /// When these are not all proved.
     pub fn new(
         (pair, start, clock): (&ImpactPair, &Start, &Clock),
-        (reduced, initial): (&Reduced<Ball>, Initial<Ball>),
+        (reduced, initial): (&Reduced<Ball>, State<Ball>),
         impacts: u64,
         max_bits: u32,
     ) -> Result<Self, Error> {

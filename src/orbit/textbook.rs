@@ -4,71 +4,49 @@
 //! the Jacobian (A.7) over the box times the box around the centre (Lemma S1), cut with the contacts of the whole box. A
 //! box is wrapped in another at each impact; [`super::set`] forcing periods its axes instead.
 
+use std::convert::Infallible;
+
 use inari::Interval;
 
 use super::motion::Motion;
-#[cfg(feature = "multiprecision")]
-use super::motion::PASSING_BITS;
-#[cfg(feature = "multiprecision")]
-use crate::contact::multiprecision::{Passed, pass};
 use crate::contact::textbook::first_contact;
-use crate::contact::{Contact, Reason, Undecided, Verdict};
+use crate::contact::{Contact, Grazed, Reason, Undecided, Verdict};
 use crate::flight::Flight;
 use crate::mapping::{Passage, jacobian};
-#[cfg(feature = "multiprecision")]
-use crate::number::MpBall;
 use crate::number::{Ball, Enclosing, Number, Wave};
 use crate::pair::{Inward, Reduced};
-use crate::shaken::{Location, Origin};
+use crate::shaken::{Location, Origin, State};
 
 /// One impact after another.
 #[derive(Clone, Debug)]
 pub(super) struct TextbookMotion {
     pair: Reduced<Interval>,
-    state: StateBox<Interval>,
+    /// A box; its whole forcing periods are not counted.
+    state: State<Interval>,
 }
 
-/// A box of states: before an impact on a wall, or inside the gap.
-#[derive(Clone, Debug)]
-struct StateBox<N> {
-    place: Location<N>,
-    phase: N,
-    velocity: N,
+/// The same states in another arithmetic.
+fn states<N: Copy, M>(state: &State<N>, f: impl Fn(N) -> M) -> State<M> {
+    state.map(|_, &x| Ok::<_, Infallible>(f(x))).unwrap_or_else(|none| match none {})
 }
 
-impl<N: Copy> StateBox<N> {
-    /// The same states in another arithmetic.
-    fn map<M>(&self, f: impl Fn(N) -> M) -> StateBox<M> {
-        let place = match self.place {
-            Location::Wall(wall) => Location::Wall(wall),
-            Location::Inside(height) => Location::Inside(f(height)),
-        };
-        StateBox { place, phase: f(self.phase), velocity: f(self.velocity) }
-    }
-}
-
-impl<N: Wave> StateBox<N> {
-    /// The flights that start from these states. **Equation** (15)
-    fn flight(self, pair: &Reduced<N>) -> Flight<N> {
-        let sin_cos = self.phase.wave();
-        match self.place {
-            Location::Wall(wall) => {
-                Flight::from_wall(pair, wall, self.phase, wall.inward(pair.rebound(self.velocity)), sin_cos)
-            }
-            Location::Inside(height) => Flight::from_inside(pair, height, self.phase, self.velocity, sin_cos),
-        }
+/// The flights that start from these states. **Equation** (15)
+fn flight<N: Wave>(State { place, phase, velocity, .. }: State<N>, pair: &Reduced<N>) -> Flight<N> {
+    let sin_cos = phase.wave();
+    match place {
+        Location::Wall(wall) => Flight::from_wall(pair, wall, phase, wall.inward(pair.rebound(velocity)), sin_cos),
+        Location::Inside(height) => Flight::from_inside(pair, height, phase, velocity, sin_cos),
     }
 }
 
 impl TextbookMotion {
     pub fn new(pair: &Reduced<Ball>, origin: &Origin<Ball>) -> Self {
-        let state = StateBox { place: origin.place.clone(), phase: origin.phase, velocity: origin.velocity };
-        Self { pair: pair.map(|&x| x.into()), state: state.map(Interval::from) }
+        Self { pair: pair.map(|&x| x.into()), state: states(&origin.state, Interval::from) }
     }
 
     /// The first contact of all flights from a state.
-    fn contact(&self, state: StateBox<Interval>) -> Result<Contact<Interval>, Undecided> {
-        match first_contact(&state.flight(&self.pair)) {
+    fn contact(&self, state: State<Interval>) -> Result<Contact<Interval>, Undecided> {
+        match first_contact(&flight(state, &self.pair)) {
             Verdict::Certified(contact) => Ok(contact),
             Verdict::Undecided(undecided) => Err(undecided),
         }
@@ -76,8 +54,8 @@ impl TextbookMotion {
 
     /// Phase and velocity of all the contacts, in the mean value form. **Equations** (A.1)-(A.7), Lemma S1
     fn image(&self, contact: &Contact<Interval>) -> Result<(Interval, Interval), Undecided> {
-        let StateBox { phase, velocity, .. } = self.state;
-        let centre = self.contact(self.state.map(|x| x.centre()))?;
+        let State { phase, velocity, .. } = self.state;
+        let centre = self.contact(states(&self.state, |x| x.centre()))?;
         let passage = Passage {
             time: contact.time,
             sin0: phase.wave().0,
@@ -104,7 +82,7 @@ impl Motion for TextbookMotion {
     fn next_contact(&mut self) -> Result<Contact<Ball>, Undecided> {
         let mut contact = self.contact(self.state.clone()).map_err(|doubt| {
             // A doubt that the centre does not share is the set's width's fault.
-            let centre = self.contact(self.state.map(|x| x.centre()));
+            let centre = self.contact(states(&self.state, |x| x.centre()));
             let is_wide = centre.is_ok() && doubt.reason == Reason::Graze;
             if is_wide { Undecided { reason: Reason::Width, ..doubt } } else { doubt }
         })?;
@@ -113,25 +91,26 @@ impl Motion for TextbookMotion {
             (contact.phase, contact.velocity) = self.image(&contact)?;
         }
         let Contact { wall, phase, velocity, .. } = contact;
-        self.state = StateBox { place: Location::Wall(wall), phase, velocity };
+        self.state = State { place: Location::Wall(wall), turns: 0, phase, velocity };
         Ok(balls(&contact))
     }
 
     #[cfg(feature = "multiprecision")]
-    fn pass_graze(&mut self) -> Option<Passed> {
+    fn pass_graze(&mut self) -> Option<Grazed> {
+        use crate::contact::multiprecision::pass;
+        use crate::number::MpBall;
+        use crate::shaken::precise::PASSING_BITS;
         let wide = |x: Interval| MpBall::from_ball(x.as_ball()).rounded(PASSING_BITS);
-        let passed = pass(&self.state.map(wide).flight(&self.pair.map(|&x| wide(x))))?;
-        self.state = StateBox {
-            place: Location::Inside(passed.height.to_ball().into()),
-            phase: MpBall::exact(passed.phase.clone()).to_ball().into(),
-            velocity: passed.velocity.to_ball().into(),
-        };
+        let passed = pass(&flight(states(&self.state, wide), &self.pair.map(|&x| wide(x))))?;
+        let passed = passed.in_doubles()?;
+        let Grazed { phase, height, velocity, .. } = passed;
+        let place = Location::Inside(height.into());
+        self.state = State { place, turns: 0, phase: phase.into(), velocity: velocity.into() };
         Some(passed)
     }
 
-    #[cfg(feature = "multiprecision")]
     fn accuracy(&self) -> f64 {
-        let StateBox { phase, velocity, .. } = &self.state;
+        let State { phase, velocity, .. } = &self.state;
         -phase.rad().max(velocity.rad()).log2() // proposes: bits to raise by
     }
 }

@@ -1,17 +1,17 @@
 //! A pair whose chains are proved, for any excitation.
 
+#[cfg_attr(not(feature = "multiprecision"), path = "chained/doubles.rs")]
+mod precise;
+
 use super::chain::{Chain, Legs};
 use super::physical;
 use super::shaking::Shaking;
 use crate::flight::Launch;
 use crate::number::Ball;
-#[cfg(feature = "multiprecision")]
-use crate::number::MpBall;
-#[cfg(feature = "multiprecision")]
-use crate::pair::Reduced;
 use crate::pair::{Wall, rebound};
 pub(super) use crate::shaken::OneHarmonic;
 use crate::shaken::{Flying, Parameters};
+pub(super) use precise::ChainedPrecisely;
 
 /// An impact of a floating-point motion: wall, phase in forcing periods, velocity before.
 pub(super) type FloatImpact = (Wall, f64, f64);
@@ -38,7 +38,7 @@ pub(super) struct Rate {
 }
 
 /// What proofs of chains need of a pair.
-pub(super) trait Chained: Flying {
+pub(super) trait Chained: Flying + ChainedPrecisely {
     /// The box's greatest speed in gap widths per forcing period, about.
     fn speed(&self) -> f64 {
         self.pair().beta.mid()
@@ -67,15 +67,6 @@ pub(super) trait Chained: Flying {
 
     /// Whether each flight is proved to end at its first contact. Lemma T5
     fn is_physical(&self, chain: &Chain, phases: &[Ball], legs: &Legs<Ball, Moment<Self, Ball>>) -> Option<bool>;
-    /// The same in balls, where doubles leave it open.
-    #[cfg(feature = "multiprecision")]
-    fn is_physical_precisely(
-        &self,
-        shaking: &Self::In<MpBall>,
-        chain: &Chain,
-        phases: &[MpBall],
-        legs: &Legs<MpBall, Moment<Self, MpBall>>,
-    ) -> Option<bool>;
 }
 
 impl Chained for OneHarmonic {
@@ -85,16 +76,5 @@ impl Chained for OneHarmonic {
 
     fn is_physical(&self, chain: &Chain, phases: &[Ball], legs: &Legs<Ball>) -> Option<bool> {
         physical::is_physical(&self.bounds_of_pair, chain, phases, legs)
-    }
-
-    #[cfg(feature = "multiprecision")]
-    fn is_physical_precisely(
-        &self,
-        pair: &Reduced<MpBall>,
-        chain: &Chain,
-        phases: &[MpBall],
-        legs: &Legs<MpBall>,
-    ) -> Option<bool> {
-        physical::is_physical_precisely(&self.bounds_of_pair, pair, chain, phases, legs)
     }
 }

@@ -107,9 +107,6 @@ pub struct Problem {
     word: Word,
     chain: Chain,
     shaken: Either,
-    /// No interval among the parameters: more precision narrows.
-    #[cfg(feature = "multiprecision")]
-    is_point: bool,
 }
 
 /// The excitation of a pair, and the equations of a word that takes N cycles under it.
@@ -132,17 +129,7 @@ impl Problem {
     /// common period.
     pub fn new(pair: &ImpactPair, word: &Word, cycles: u32) -> Result<Self, Error> {
         let (shaken, chain) = of_word(pair, word, cycles)?;
-        Ok(Self {
-            impact_pair: pair.clone(),
-            word: word.clone(),
-            #[cfg(feature = "multiprecision")]
-            is_point: match &shaken {
-                Either::One(one) => one.is_point(),
-                Either::Several(_) => pair.is_point(),
-            },
-            chain,
-            shaken,
-        })
+        Ok(Self { impact_pair: pair.clone(), word: word.clone(), chain, shaken })
     }
 
     /// Returns the pair.

@@ -4,16 +4,10 @@ use std::cmp::Ordering;
 
 use super::chain::{Chain, Leg, Legs};
 use super::shaking::Shaking;
-#[cfg(feature = "multiprecision")]
-use crate::contact::multiprecision::{Start, isolate_first};
 use crate::contact::{PairBounds, Radii, Verdict, first_contact};
 use crate::flight::Flight;
-#[cfg(feature = "multiprecision")]
-use crate::number::MpBall;
 use crate::number::{Ball, Enclosing, kernel};
 use crate::pair::Inward;
-#[cfg(feature = "multiprecision")]
-use crate::pair::Reduced;
 use crate::pair::Wall;
 
 /// A flight of a proved chain over its box, with its start moved into the first turn.
@@ -45,18 +39,6 @@ pub(super) fn is_physical(
     legs: &Legs<Ball>,
 ) -> Option<bool> {
     all_first(chain, phases, &legs.legs, |claim| first_in_doubles(bounds_of_pair, claim))
-}
-
-/// The same in balls, where doubles leave it open.
-#[cfg(feature = "multiprecision")]
-pub(super) fn is_physical_precisely(
-    bounds_of_pair: &PairBounds,
-    pair: &Reduced<MpBall>,
-    chain: &Chain,
-    phases: &[MpBall],
-    legs: &Legs<MpBall>,
-) -> Option<bool> {
-    all_first(chain, phases, &legs.legs, |claim| first_in_balls(bounds_of_pair, pair, claim))
 }
 
 /// The conjunction over all flights.
@@ -93,8 +75,8 @@ impl<N: Enclosing> Claim<N> {
         }
     }
 
-    /// Whether the ball, dead after its impact, is pressed against the wall and stays: Lemma Z2.
-    fn sticks(&self, after: &N) -> bool {
+    /// Returns whether the ball, dead after its impact, is pressed against the wall and stays: Lemma Z2.
+    pub fn sticks(&self, after: &N) -> bool {
         let sin = self.from.inward(self.start.wave().0);
         after.certain_sign() == Some(Ordering::Equal) && sin.certain_sign() == Some(Ordering::Less)
     }
@@ -133,31 +115,4 @@ fn first_in_doubles(bounds_of_pair: &PairBounds, claim: &Claim<Ball>) -> Option<
         }
         Verdict::Undecided(_) => None,
     }
-}
-
-#[cfg(feature = "multiprecision")]
-fn first_in_balls(bounds_of_pair: &PairBounds, pair: &Reduced<MpBall>, claim: &Claim<MpBall>) -> Option<bool> {
-    if !claim.arrives()? {
-        return Some(false);
-    }
-    let after = claim.from.inward(pair.rebound(claim.before.clone()));
-    if claim.sticks(&after) {
-        return Some(false);
-    }
-    let flight = |phase: MpBall, after: MpBall| {
-        let sin_cos = phase.sin_cos();
-        Flight::from_wall(pair, claim.from, phase, after, sin_cos)
-    };
-    let all = flight(claim.start.clone(), after.clone());
-    let centre = flight(claim.start.centre(), after.centre());
-    let start = Start {
-        wall: Some(claim.from),
-        height: Ball::exact(0.0),
-        phase: claim.start.to_ball(),
-        velocity: after.to_ball(),
-    };
-    let isolated = isolate_first(bounds_of_pair, &start, || all, &centre).ok()?;
-    let wall = isolated.target.wall(claim.from);
-    let phase = MpBall::new(isolated.at.clone(), isolated.reach).rounded(claim.start.bits());
-    claim.is_at(pair, Found { wall, turns: isolated.turns, phase })
 }

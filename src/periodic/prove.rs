@@ -1,5 +1,8 @@
 //! The proof of one orbit: floating point approximates, doubles prove, more bits where those do not suffice. Lemmas T3-T5
 
+#[cfg_attr(not(feature = "multiprecision"), path = "prove/doubles.rs")]
+mod precise;
+
 use super::chain::Legs;
 use super::chained::Chained;
 use super::equations::Orbits;
@@ -9,19 +12,11 @@ use super::orbit::{Finding, PeriodicOrbit};
 use super::precondition::Preconditioner;
 use super::shaking::Shaking;
 use super::{Precision, Problem};
-#[cfg(feature = "multiprecision")]
-use crate::exact::working_bits;
-#[cfg(feature = "multiprecision")]
-use crate::number::MpBall;
 use crate::number::{Ball, Enclosing};
 use crate::shaken::{Parameters, under};
 
 /// Images that may take less than a quarter of a bit off an orbit's enclosure: near a bifurcation the first ones do.
 const MOST_SLOW: u32 = 64;
-/// Bits that what is not about widths (stability, first contacts) is tried with at most.
-#[cfg(feature = "multiprecision")]
-const DECIDING_BITS: u32 = 1024;
-
 /// What an orbit is worth in N bits.
 fn effort(bits: u32) -> Effort {
     // Radii from 2^-5 in steps of 2^-3, down to eight bits above the last one.
@@ -84,97 +79,6 @@ impl Problem {
             Some(orbit) if is_narrow && orbit.is_settled() => Some(orbit),
             best => self.prove_precisely(shaken, &guess, precision, is_narrow, best),
         }
-    }
-
-    /// The same in balls of rising precision; what is known already is `best`.
-    #[cfg(feature = "multiprecision")]
-    fn prove_precisely<S: Chained>(
-        &self,
-        shaken: &S,
-        guess: &[f64],
-        precision: Precision,
-        mut narrow: bool,
-        mut best: Option<PeriodicOrbit>,
-    ) -> Option<PeriodicOrbit> {
-        let inverse = newton::precondition(&self.chain, shaken.floats(), guess)?;
-        let wanted = working_bits(precision.digits);
-        let mut last = f64::INFINITY;
-        let mut bits = if narrow { 128 } else { wanted.max(128) }; // proposes
-        while bits <= precision.max_bits && (bits <= DECIDING_BITS || (best.is_some() && !narrow)) {
-            let shaking = shaken.precise(bits);
-            let guess = self.polish_precisely(&shaking, &inverse, guess, bits, bits / krawczyk::GAINED);
-            let finding = self.attempt(&shaking, &inverse, &guess, bits, |phases, legs| {
-                shaken.is_physical_precisely(&shaking, &self.chain, phases, legs)
-            });
-            if let Some(finding) = finding {
-                let [phase, _] = finding.widths();
-                narrow = is_narrow(shaken, &finding, precision);
-                // Where more bits do not narrow, still more will not.
-                if phase >= last {
-                    break;
-                }
-                last = phase;
-                best = finding.finish(&self.chain, self.impact_pair.restitution(), bits, narrow).or(best);
-                if narrow && best.as_ref().is_some_and(PeriodicOrbit::is_settled) {
-                    break;
-                }
-            }
-            // No precision narrows what intervals among the parameters leave open.
-            if !self.is_point {
-                break;
-            }
-            bits *= 2;
-        }
-        best
-    }
-
-    /// Doubles are all there is.
-    #[cfg(not(feature = "multiprecision"))]
-    fn prove_precisely<S: Chained>(
-        &self,
-        _: &S,
-        _: &[f64],
-        _: Precision,
-        _: bool,
-        best: Option<PeriodicOrbit>,
-    ) -> Option<PeriodicOrbit> {
-        best
-    }
-
-    /// Whether a guess, polished in more than doubles, lies where a known orbit is the only one: asked where an orbit is known
-    /// that doubles did not prove, near a bifurcation, to which Newton's iteration in floating point comes no nearer than to many points.
-    #[cfg(feature = "multiprecision")]
-    pub(super) fn settles_on_known<S: Chained>(&self, shaken: &S, guess: &[f64], known: &[PeriodicOrbit]) -> bool {
-        const BITS: u32 = 128;
-        let is_precise = known.iter().any(|orbit| orbit.bits > f64::MANTISSA_DIGITS);
-        let settled = || {
-            let guess = self.polished(guess)?;
-            let inverse = newton::precondition(&self.chain, shaken.floats(), &guess)?;
-            // Near a bifurcation a step adds a few bits.
-            let settled = self.polish_precisely(&shaken.precise(BITS), &inverse, &guess, BITS, BITS / 8);
-            Some(settled.iter().map(|x| x.as_ball().mid()).collect::<Vec<f64>>())
-        };
-        is_precise && settled().is_some_and(|guess| self.is_known(&guess, known))
-    }
-
-    /// Doubles are all there is.
-    #[cfg(not(feature = "multiprecision"))]
-    pub(super) fn settles_on_known<S: Chained>(&self, _: &S, _: &[f64], _: &[PeriodicOrbit]) -> bool {
-        false
-    }
-
-    /// A guess in N bits after some steps; nothing is proved.
-    #[cfg(feature = "multiprecision")]
-    fn polish_precisely<B: Shaking<MpBall>>(
-        &self,
-        shaking: &B,
-        inverse: &Preconditioner,
-        guess: &[f64],
-        bits: u32,
-        steps: u32,
-    ) -> Vec<MpBall> {
-        let guess = guess.iter().map(|&x| MpBall::from_f64_bits(x, bits)).collect();
-        krawczyk::polish(&Orbits { chain: &self.chain, shaking }, inverse, guess, steps)
     }
 }
 

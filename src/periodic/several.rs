@@ -1,13 +1,14 @@
 //! Chains with several harmonics, equation (1): Lemmas H10-H12 of `docs/proofs/periodic.md#H10`.
 
+#[cfg(feature = "multiprecision")]
+mod precise;
+
 use super::chain::{Chain, Legs, MOST_CYCLES};
 use super::chained::{Chained, Moment, Rate};
 use super::physical::{Claim, Found, all_first};
 use super::shaking::Repetition;
 use crate::Error;
 use crate::flight::Launch;
-#[cfg(feature = "multiprecision")]
-use crate::number::MpBall;
 use crate::number::{Ball, Enclosing};
 use crate::pair::ImpactPair;
 use crate::several::{Doubt, Partial, Phased, Spectrum, Turning};
@@ -63,19 +64,6 @@ impl Chained for SeveralHarmonics {
     fn is_physical(&self, chain: &Chain, phases: &[Ball], legs: &Legs<Ball, Moment<Self, Ball>>) -> Option<bool> {
         all_first(chain, phases, &legs.legs, |claim| {
             is_first(self, &self.balls, claim, self.pair.rebound_of(claim.before))
-        })
-    }
-
-    #[cfg(feature = "multiprecision")]
-    fn is_physical_precisely(
-        &self,
-        sum: &Sum<MpBall>,
-        chain: &Chain,
-        phases: &[MpBall],
-        legs: &Legs<MpBall, Moment<Self, MpBall>>,
-    ) -> Option<bool> {
-        all_first(chain, phases, &legs.legs, |claim| {
-            is_first(self, sum, claim, -(sum.restitution.clone() * claim.before.clone()))
         })
     }
 }

@@ -1,13 +1,9 @@
 //! Several harmonics in any arithmetic: their sums at any turn, and what bounds the motion.
 
-#[cfg(feature = "multiprecision")]
-use super::phased::TURN_BITS;
 use super::phased::{Phased, Turning};
 use super::spectrum::{Spectrum, Term};
 use crate::Error;
 use crate::exact::Enclosure;
-#[cfg(feature = "multiprecision")]
-use crate::number::MpBall;
 use crate::number::kernel::SmallAngle;
 use crate::number::{Ball, LARGEST_RATE, is_positive, up};
 use crate::pair::{ImpactPair, too_large};
@@ -159,24 +155,6 @@ impl Harmonics<Ball> {
             return Ok(harmonics);
         }
         Err(too_large("excitation.amplitude", pair.excitation().reference().amplitude()))
-    }
-}
-
-#[cfg(feature = "multiprecision")]
-impl Harmonics<MpBall> {
-    /// The same with centres of `bits` bits.
-    pub fn rounded(&self, bits: u32) -> Self {
-        let term = |term: &Partial<MpBall>| {
-            let (ratio, shift) = &term.counter;
-            Partial {
-                alpha: term.alpha.rounded(bits),
-                beta: term.beta.rounded(bits),
-                acceleration: term.acceleration.rounded(bits),
-                ratio: term.ratio.rounded(bits),
-                counter: (ratio.rounded(bits + TURN_BITS), shift.rounded(bits + TURN_BITS)),
-            }
-        };
-        Self { terms: self.terms.iter().map(term).collect(), rates: self.rates }
     }
 }
 

@@ -10,6 +10,8 @@ mod flight;
 mod graze;
 mod harmonics;
 mod phased;
+#[cfg(feature = "multiprecision")]
+mod precise;
 mod reach;
 mod rest;
 mod scan;
@@ -17,17 +19,15 @@ mod spectrum;
 mod ticks;
 mod view;
 
-#[cfg(feature = "multiprecision")]
-pub(crate) use flight::Instant;
 pub(crate) use flight::SumFlight;
-#[cfg(feature = "multiprecision")]
-pub(crate) use graze::pass;
 pub(crate) use harmonics::{Harmonics, Partial, Rates, Sums};
 pub(crate) use phased::{Phased, Turning};
 pub(crate) use reach::{Band, Reach};
 pub(crate) use rest::{Zero, accumulation, release};
 pub(crate) use scan::{Doubt, Found, Scan};
 pub(crate) use spectrum::{Spectrum, phases_at};
+#[cfg(feature = "multiprecision")]
+pub(crate) use {flight::Instant, graze::pass};
 
 #[cfg(test)]
 mod tests;

@@ -4,8 +4,6 @@ use super::ticks::Ticks;
 use crate::exact::Exact;
 use crate::number::interval::Interval;
 use crate::number::{Ball, Wave};
-#[cfg(feature = "multiprecision")]
-use crate::number::{MpBall, Number};
 
 /// A number in which the box under several harmonics is computed.
 pub(crate) trait Turning: Wave + std::fmt::Debug + Send {
@@ -147,68 +145,8 @@ impl Phased for Ball {
     }
 }
 
-/// Bits that turns can take: phases are given with N more.
-#[cfg(feature = "multiprecision")]
-pub(super) const TURN_BITS: u32 = 64;
-
-#[cfg(feature = "multiprecision")]
-impl Turning for MpBall {
-    type Counter = (MpBall, MpBall);
-
-    fn phase_at((ratio, shift): &(MpBall, MpBall), turns: i64) -> MpBall {
-        let turns = MpBall::exact(rug::Float::with_val(TURN_BITS, turns));
-        let phase = turns.mul_add(ratio.clone(), shift.clone());
-        let whole = MpBall::exact(phase.mid().clone().round()); // H1: any whole number of turns
-        let bits = phase.bits() - TURN_BITS;
-        (phase - whole).rounded(bits)
-    }
-    fn middle(&self) -> f64 {
-        middle(self)
-    }
-}
-
-#[cfg(feature = "multiprecision")]
-impl Phased for MpBall {
-    fn counter(ratio: &Exact, shift: &Exact, bits: u32) -> (MpBall, MpBall) {
-        let wide = |x: &Exact| enclosing(x, bits + TURN_BITS);
-        (wide(ratio), wide(shift))
-    }
-    fn enclose(x: &Exact, bits: u32) -> MpBall {
-        enclosing(x, bits)
-    }
-    fn bounds(&self) -> (f64, f64) {
-        self.to_ball().bounds()
-    }
-    fn centre_of(&self) -> MpBall {
-        MpBall::exact(self.mid().clone())
-    }
-    fn later(&self, step: &MpBall) -> MpBall {
-        let bits = self.bits().max(step.bits()); // exact: any time; it is an exact number
-        MpBall::exact(rug::Float::with_val(bits, self.mid() + step.mid()))
-    }
-    fn ratio_to(&self, divisor: &MpBall) -> Option<MpBall> {
-        let bits = self.bits().max(divisor.bits()); // exact: any number; it is an exact one
-        let ratio = rug::Float::with_val(bits, self.mid() / divisor.mid());
-        ratio.is_finite().then(|| MpBall::exact(ratio))
-    }
-    fn root_of(&self) -> MpBall {
-        MpBall::exact(rug::Float::with_val(self.bits(), self.mid().sqrt_ref()))
-    }
-    fn like(&self, x: f64) -> MpBall {
-        MpBall::from_f64_bits(x, self.bits())
-    }
-    fn pieces(&self) -> u32 {
-        ((1 << 22) / self.bits()).max(1 << 9) // proposes: about a second
-    }
-}
-
-#[cfg(feature = "multiprecision")]
-pub(super) fn enclosing(x: &Exact, bits: u32) -> MpBall {
-    MpBall::enclosing(&x.enclose(bits + 8), bits)
-}
-
 /// Half way between the bounds, to nearest.
-fn middle<N: Phased>(x: &N) -> f64 {
+pub(super) fn middle<N: Phased>(x: &N) -> f64 {
     let (low, high) = x.bounds();
     0.5 * (low + high)
 }

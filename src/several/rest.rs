@@ -4,6 +4,9 @@
 //! no closed form: chatter is proved to end where the pressure hardly changes meanwhile, and the ball is released at
 //! the first proved change of the pressure's sign.
 
+#[cfg_attr(not(feature = "multiprecision"), path = "rest/doubles.rs")]
+mod precise;
+
 use std::sync::Arc;
 
 use super::flight::Instant;
@@ -13,8 +16,6 @@ use super::spectrum::Spectrum;
 use crate::exact::Enclosure;
 use crate::number::interval::Interval;
 use crate::number::{Ball, is_positive};
-#[cfg(feature = "multiprecision")]
-use crate::number::{Magnitude, MpBall, Number};
 use crate::pair::Wall;
 use crate::rest::duration;
 use crate::turns;
@@ -68,10 +69,6 @@ pub(crate) struct Zero {
 
 /// Steps of the search at most.
 const STEPS: u32 = 1 << 16;
-/// Bits that are tried to tell a change of sign from a touch.
-#[cfg(feature = "multiprecision")]
-const BITS: [u32; 3] = [128, 512, 2048];
-
 /// Why no change of sign is proved.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Unproved {
@@ -91,15 +88,7 @@ pub(crate) fn release(
     phase: f64,
 ) -> Option<Zero> {
     let found = first_zero(spectrum, harmonics, wall, turns, Ball::exact(phase));
-    #[cfg(feature = "multiprecision")]
-    let found = BITS.into_iter().fold(found, |found, bits| match found {
-        Err(Unproved::Digits) => {
-            let harmonics = Harmonics::<MpBall>::new(spectrum, bits);
-            first_zero(spectrum, &harmonics, wall, turns, MpBall::from_f64_bits(phase, bits))
-        }
-        decided => decided,
-    });
-    found.ok()
+    precise::decided(found, spectrum, wall, turns, phase).ok()
 }
 
 /// The same in one arithmetic: steps on which `p + p' s - S s^2/2` stays positive, `S` a bound of `|p''|`.
@@ -185,45 +174,9 @@ impl Zero {
         Ball::new(self.near, self.reach)
     }
 
-    /// Encloses it in as many bits.
-    #[cfg(feature = "multiprecision")]
-    pub fn refined(&self, bits: u32) -> MpBall {
-        let near = MpBall::from_f64_bits(self.near, bits);
-        let limit = MpBall::from_ball(self.phase());
-        let mut at = near;
-        let mut known = MpBall::from_ball(self.phase());
-        // Newton doubles the bits, the last steps are at full precision.
-        let mut level = 64;
-        for _ in 0..STEPS {
-            let harmonics = Harmonics::<MpBall>::new(&self.spectrum, level + 32);
-            let p = pressure(&harmonics, self.wall, self.turns, &at);
-            // The mean value theorem between here and the zero.
-            let error = p.mag().over(Magnitude::new(self.least, 0));
-            let here = MpBall::new(at.mid().clone(), error);
-            if limit.contains(&at) && here.rad() < known.rad() {
-                known = here;
-            } else if level > bits {
-                return known.rounded(bits + 32);
-            }
-            let slope = harmonics.jerk(self.turns, &at).signed(-self.wall.sign());
-            match p.ratio_to(&slope) {
-                Some(back) => at = at.later(&-back),
-                None => return known.rounded(bits + 32),
-            }
-            level = if level > bits { level } else { (2 * level).min(bits + 1) }; // proposes: bits
-        }
-        known.rounded(bits + 32)
-    }
-
     /// Encloses it as narrowly as `bits` bits allow in this build.
     pub fn enclosure(&self, bits: u32) -> Option<Enclosure> {
-        #[cfg(feature = "multiprecision")]
-        return self.refined(bits).enclosure();
-        #[cfg(not(feature = "multiprecision"))]
-        {
-            let _ = bits;
-            self.phase().enclosure()
-        }
+        precise::enclosure(self, bits)
     }
 
     /// The whole turns of `later`, told as those of `self` are, if both are proved to be whole common periods apart (Lemma H9).

@@ -8,20 +8,12 @@ mod clear;
 mod later;
 mod one;
 mod origin;
-#[cfg(feature = "multiprecision")]
-mod precise;
+#[cfg_attr(not(feature = "multiprecision"), path = "doubles.rs")]
+pub(crate) mod precise;
 mod several;
 pub mod shaking;
 mod still;
 mod sum;
-
-/// Without balls of many digits nothing flies in them.
-#[cfg(not(feature = "multiprecision"))]
-mod precise {
-    pub(crate) trait Precise {}
-
-    impl<S> Precise for S {}
-}
 
 use std::fmt::Debug;
 use std::sync::Arc;
@@ -39,10 +31,8 @@ use crate::pair::{ImpactPair, Reduced, Wall, rebound_of, within};
 use crate::several::{Phased, Turning, phases_at};
 pub(crate) use clear::{Since, clear};
 pub(crate) use one::OneHarmonic;
-pub(crate) use origin::{Initial, Location, Origin, Past, Released};
+pub(crate) use origin::{Location, Origin, Released, State};
 pub(crate) use precise::Precise;
-#[cfg(feature = "multiprecision")]
-pub(crate) use precise::{Arrival, Flights, Precisely};
 pub(crate) use several::SeveralHarmonics;
 use shaking::Shaking;
 pub(crate) use still::Still;
@@ -63,7 +53,6 @@ pub(crate) trait Shaken: Debug + Send + Sync {
     fn steepest(&self) -> f64;
 
     /// `y''` in plain doubles.
-    #[cfg(feature = "multiprecision")]
     fn acceleration(&self, turns: i64, phase: f64) -> f64;
 
     /// Chatter of how many forcing periods may be reported, if widths of `least` forcing periods are; `None`: any that ends before the contact force does, half

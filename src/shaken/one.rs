@@ -1,8 +1,5 @@
 //! One harmonic: first contacts by the closed form of [`crate::contact`].
 
-#[cfg(feature = "multiprecision")]
-mod precise;
-
 use super::shaking::Shaking;
 use super::{Flying, Origin, Parameters, Released, Shaken, Still};
 use crate::Error;
@@ -41,12 +38,6 @@ impl OneHarmonic {
         let reduced = exact.enclosed()?;
         Ok(Self::new(exact, reduced))
     }
-
-    /// Returns whether no parameter is an interval of values.
-    #[cfg(feature = "multiprecision")]
-    pub fn is_point(&self) -> bool {
-        [&self.exact.alpha, &self.exact.restitution].iter().all(|x| x.is_point())
-    }
 }
 
 impl Shaken for OneHarmonic {
@@ -69,7 +60,6 @@ impl Shaken for OneHarmonic {
         up(ABOVE_TURN * self.bounds_of_pair.pair.beta.mag())
     }
 
-    #[cfg(feature = "multiprecision")]
     fn acceleration(&self, _: i64, phase: f64) -> f64 {
         let beta = self.bounds_of_pair.centre.beta;
         beta.turn() * beta * kernel::sin_cos(phase).0

@@ -14,38 +14,33 @@ use crate::number::{Ball, Enclosing};
 use crate::pair::{ImpactPair, Wall, rebound, within};
 use crate::several::Zero;
 
-/// The requested start, in forcing periods and gaps: at the scene's time and place; the phase is in `[-1/2, 1/2]` (about).
+/// A state of a motion, in forcing periods and gaps; the phase is in `[-1/2, 1/2]` (about).
 #[derive(Clone, Debug)]
-pub(crate) struct Initial<N> {
-    pub place: Location<N>,
-    /// Whole forcing periods since the clock's origin.
-    pub turns: i64,
-    pub phase: N,
-    /// Before the impact for a start on a wall.
-    pub velocity: N,
-}
-
-/// A state that a motion is followed from, in forcing periods and gaps, and what is known of it; the phase is in `[-1/2, 1/2]` (about).
-#[derive(Clone, Debug)]
-pub(crate) struct Origin<N> {
+pub(crate) struct State<N> {
     pub place: Location<N>,
     /// Whole forcing periods since the clock's origin.
     pub turns: i64,
     pub phase: N,
     /// Before the impact for a state on a wall.
     pub velocity: N,
+}
+
+/// A state that a motion is followed from, and what is known of it.
+#[derive(Clone, Debug)]
+pub(crate) struct Origin<N> {
+    pub state: State<N>,
     /// The phases of several harmonics, exactly; none at a release.
     pub phases: Vec<Exact>,
-    pub past: Past<N>,
+    past: Past<N>,
 }
 
 /// What leads to a state that a motion is followed from.
 #[derive(Clone, Debug)]
-pub(crate) enum Past<N> {
+enum Past<N> {
     /// Nothing: it is the requested start, or stands for itself.
     Nothing,
     /// A flight that touches no wall, from the requested start. Lemma R3
-    Flight(Initial<N>),
+    Flight(State<N>),
     /// A rest, which ends with this release.
     Rest(Released),
 }
@@ -68,10 +63,13 @@ impl<N> Location<N> {
     }
 
     /// Returns the height, inside the gap.
-    pub fn height(self) -> Option<N> {
+    pub fn height(&self) -> Option<N>
+    where
+        N: Copy,
+    {
         match self {
             Self::Wall(_) => None,
-            Self::Inside(height) => Some(height),
+            Self::Inside(height) => Some(*height),
         }
     }
 
@@ -83,18 +81,26 @@ impl<N> Location<N> {
     }
 }
 
-impl<N> Initial<N> {
-    /// The same start in another arithmetic; `f` also gets the key of what it reads.
-    fn map<M, E>(&self, f: impl Fn(&'static str, &N) -> Result<M, E>) -> Result<Initial<M>, E> {
+impl<N> State<N> {
+    /// Returns the same state in another arithmetic; `f` also gets the key of what it reads.
+    pub fn map<M, E>(&self, f: impl Fn(&'static str, &N) -> Result<M, E>) -> Result<State<M>, E> {
         let (phase, velocity) = (f("start.time", &self.phase)?, f("start.velocity", &self.velocity)?);
-        Ok(Initial { place: self.place.map(f)?, turns: self.turns, phase, velocity })
+        Ok(State { place: self.place.map(f)?, turns: self.turns, phase, velocity })
     }
 }
 
 impl<N> Origin<N> {
-    /// Returns the wall it is on, if it is on one.
-    pub fn wall(&self) -> Option<Wall> {
-        self.place.wall()
+    /// Returns a state that stands for itself.
+    pub fn of(state: State<N>) -> Self {
+        Self { state, phases: Vec::new(), past: Past::Nothing }
+    }
+
+    /// Returns the requested start, where this is that start or a later state of its motion; else itself.
+    pub fn initial(&self) -> &State<N> {
+        match &self.past {
+            Past::Flight(start) => start,
+            Past::Nothing | Past::Rest(_) => &self.state,
+        }
     }
 
     /// Returns the release that it is, if it is one.
@@ -109,24 +115,10 @@ impl<N> Origin<N> {
     pub fn map<M, E>(&self, f: impl Fn(&'static str, &N) -> Result<M, E>) -> Result<Origin<M>, E> {
         let past = match &self.past {
             Past::Nothing => Past::Nothing,
-            Past::Flight(initial) => Past::Flight(initial.map(&f)?),
+            Past::Flight(start) => Past::Flight(start.map(&f)?),
             Past::Rest(release) => Past::Rest(release.clone()),
         };
-        let (phase, velocity) = (f("start.time", &self.phase)?, f("start.velocity", &self.velocity)?);
-        Ok(Origin { place: self.place.map(f)?, turns: self.turns, phase, velocity, phases: self.phases.clone(), past })
-    }
-}
-
-impl<N: Clone> Origin<N> {
-    /// Returns the requested start, where this is that start or a later state of its motion; else itself.
-    pub fn initial(&self) -> Initial<N> {
-        match &self.past {
-            Past::Flight(initial) => initial.clone(),
-            Past::Nothing | Past::Rest(_) => {
-                let Self { place, turns, phase, velocity, .. } = self.clone();
-                Initial { place, turns, phase, velocity }
-            }
-        }
+        Ok(Origin { state: self.state.map(f)?, phases: self.phases.clone(), past })
     }
 }
 
@@ -141,7 +133,7 @@ impl Origin<Exact> {
     ) -> Result<Self, Error> {
         let asked = Self::at(pair, start, clock, phases(start)?)?;
         let Some(later) = decided(pair, start) else { return Ok(asked) };
-        Ok(Self { past: Past::Flight(asked.initial()), ..Self::at(pair, &later, clock, phases(&later)?)? })
+        Ok(Self { past: Past::Flight(asked.state), ..Self::at(pair, &later, clock, phases(&later)?)? })
     }
 
     /// Returns the state itself, given by the clock.
@@ -157,29 +149,29 @@ impl Origin<Exact> {
                 Location::Inside(within("start.position", position, height)?)
             }
         };
-        Ok(Self { place, turns, phase, velocity, phases, past: Past::Nothing })
+        Ok(Self { phases, ..Self::of(State { place, turns, phase, velocity }) })
     }
 
     /// Returns a release: no velocity, and the phase as exactly as it can be shown.
     pub fn released(release: Released) -> Self {
         let Touch { wall, turns, phase } = &release.at;
         let [lo, hi] = [phase.inf(), phase.sup()].map(|end| Exact::from_rational(end.to_rational()));
-        Self {
+        let state = State {
             place: Location::Wall(*wall),
             turns: *turns,
             phase: Exact::interval(&lo, &hi).expect("bounds are in order"),
             velocity: Exact::from(0),
-            phases: Vec::new(),
-            past: Past::Rest(release),
-        }
+        };
+        Self { past: Past::Rest(release), ..Self::of(state) }
     }
 }
 
 impl Origin<Ball> {
     /// Returns the flight from the middle of the start, in floating point.
     pub fn launch(&self, restitution: f64) -> Launch<f64> {
-        let (turns, phase, velocity) = (self.turns, self.phase.mid(), self.velocity.mid());
-        match self.place {
+        let State { ref place, turns, phase, velocity } = self.state;
+        let (phase, velocity) = (phase.mid(), velocity.mid());
+        match *place {
             Location::Wall(wall) => {
                 Launch::from_wall(wall, turns, phase, rebound(&restitution, velocity), self.release().is_some())
             }
@@ -189,18 +181,18 @@ impl Origin<Ball> {
 
     /// Returns the forcing periods since the requested start: exactly 0 where it is that start.
     pub fn delay(&self) -> Ball {
-        let Past::Flight(initial) = &self.past else { return Ball::exact(0.0) };
+        let (now, Past::Flight(start)) = (&self.state, &self.past) else { return Ball::exact(0.0) };
         // Lemma N1: the two are less than a turn apart (R3).
-        Ball::exact((self.turns - initial.turns) as f64) + (self.phase - initial.phase)
+        Ball::exact((now.turns - start.turns) as f64) + (now.phase - start.phase)
     }
 
     /// Returns the place after starts that are up to `apart` gap widths per forcing period faster or slower than the one requested; `None` where one of them
     /// may touch a wall before. Lemma R3
     pub fn place_after(&self, apart: f64) -> Option<Location<Ball>> {
-        let (Past::Flight(initial), Location::Inside(height)) = (&self.past, &self.place) else {
-            return Some(self.place.clone());
+        let (Past::Flight(start), Location::Inside(height)) = (&self.past, &self.state.place) else {
+            return Some(self.state.place.clone());
         };
-        let Location::Inside(from) = initial.place else { return None };
+        let Location::Inside(from) = start.place else { return None };
         let farther = Ball::exact(apart) * self.delay();
         let rooms = [from, Ball::exact(1.0) - from];
         // R3: half of the way to the nearer wall at most

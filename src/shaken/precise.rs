@@ -1,13 +1,19 @@
 //! First contacts in balls of many digits.
 
+mod one;
+mod several;
+
 use rug::Float;
 
 use super::Parameters;
 use crate::contact::multiprecision::Passed;
-use crate::contact::{Contact, Undecided};
+use crate::contact::{Contact, Grazed, Undecided};
 use crate::flight::Launch;
 use crate::number::{Ball, Magnitude, MpBall};
 use crate::pair::Wall;
+
+/// Bits enough to lose nothing of doubles on the way past a graze.
+pub(crate) const PASSING_BITS: u32 = 128;
 
 /// First contacts in N bits.
 pub(crate) trait Precise: Parameters {
@@ -27,6 +33,12 @@ pub(crate) trait Precise: Parameters {
         all: Launch<MpBall>,
         waves: Option<&Self::Waves<MpBall>>,
     ) -> Option<Passed>;
+
+    /// The same for flights in doubles.
+    fn pass_graze(&self, all: Launch<Ball>) -> Option<Grazed> {
+        let all = all.map(|x| MpBall::from_ball(*x).rounded(PASSING_BITS));
+        self.pass(&self.widened(PASSING_BITS), all, None)?.in_doubles()
+    }
 
     /// The first contacts of a set of flights from a wall, its velocities before the impact in doubles; that of the centre to so
     /// many bits. Lemma M3

@@ -1,8 +1,5 @@
 //! Several harmonics: first contacts by the scan of [`crate::several`].
 
-#[cfg(feature = "multiprecision")]
-mod precise;
-
 use std::sync::Arc;
 
 use num_bigint::BigInt;
@@ -53,7 +50,7 @@ impl SeveralHarmonics {
         }))
     }
 
-    fn reach(&self) -> Reach<'_> {
+    pub(super) fn reach(&self) -> Reach<'_> {
         Reach::new(&self.band, &self.balls.harmonics)
     }
 
@@ -64,7 +61,11 @@ impl SeveralHarmonics {
     }
 
     /// The first contacts of all flights; a doubt that the centre does not share is the set's width's fault.
-    fn scan<N: Phased>(&self, all: &SumFlight<'_, N>, centre: &SumFlight<'_, N>) -> Result<Found<N>, Undecided> {
+    pub(super) fn scan<N: Phased>(
+        &self,
+        all: &SumFlight<'_, N>,
+        centre: &SumFlight<'_, N>,
+    ) -> Result<Found<N>, Undecided> {
         Scan::new(all, centre).first(&mut self.reach()).map_err(|doubt| {
             let undecided = doubt.undecided(all.launch.wall);
             let is_width = || Scan::new(centre, centre).first(&mut self.reach()).is_ok();
@@ -115,7 +116,6 @@ impl Shaken for SeveralHarmonics {
         self.balls.harmonics.rates.second
     }
 
-    #[cfg(feature = "multiprecision")]
     fn acceleration(&self, turns: i64, phase: f64) -> f64 {
         self.floats.harmonics.sums(turns, &phase).acceleration
     }

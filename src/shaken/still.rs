@@ -29,19 +29,19 @@ impl Still {
     /// box stands still, and at quarter periods, where sine and cosine are exact.
     pub fn under_one(pair: &Reduced<Exact>, origin: &Origin<Exact>) -> Result<Option<Self>, ExactError> {
         let is_zero = |x: &Exact| x.sign() == Some(Ordering::Equal);
-        let (height, on_wall) = match &origin.place {
+        let (height, on_wall) = match &origin.state.place {
             Location::Inside(height) => (height.clone(), false),
             Location::Wall(wall) => (Exact::from(i64::from(*wall == Wall::Right)), true),
         };
         if is_zero(&pair.beta) {
-            return Ok((!on_wall && is_zero(&origin.velocity)).then_some(Self::UNTOUCHED));
+            return Ok((!on_wall && is_zero(&origin.state.velocity)).then_some(Self::UNTOUCHED));
         }
-        let Some((sin, cos)) = quarter_turn(&origin.phase) else { return Ok(None) };
+        let Some((sin, cos)) = quarter_turn(&origin.state.phase) else { return Ok(None) };
         // After an impact on a wall nothing is left of the velocity, or there is no such drift.
-        if on_wall && !is_zero(&origin.velocity) && !is_zero(&pair.restitution) {
+        if on_wall && !is_zero(&origin.state.velocity) && !is_zero(&pair.restitution) {
             return Ok(None);
         }
-        let velocity = if on_wall { Exact::from(0) } else { origin.velocity.clone() };
+        let velocity = if on_wall { Exact::from(0) } else { origin.state.velocity.clone() };
         let drift = velocity.checked_add(&pair.beta.checked_mul(&cos)?)?;
         if !is_zero(&drift) {
             return Ok(None);
@@ -62,11 +62,11 @@ impl Still {
 
     /// Returns the same with several harmonics, where there is room for all of them.
     pub fn under_several(spectrum: &Spectrum, origin: &Origin<Exact>) -> Result<Option<Self>, ExactError> {
-        let Location::Inside(height) = &origin.place else { return Ok(None) };
+        let Location::Inside(height) = &origin.state.place else { return Ok(None) };
         let waves: Option<Vec<_>> = origin.phases.iter().map(quarter_turn).collect();
         let Some(waves) = waves else { return Ok(None) };
         let turn = Exact::pi() * Exact::from(2);
-        let (mut drift, mut middle, mut amplitude) = (origin.velocity.clone(), height.clone(), Exact::from(0));
+        let (mut drift, mut middle, mut amplitude) = (origin.state.velocity.clone(), height.clone(), Exact::from(0));
         for (term, (sin, cos)) in spectrum.terms.iter().zip(&waves) {
             let beta = term.alpha.checked_mul(&term.ratio)?.checked_mul(&turn)?;
             drift = drift.checked_add(&beta.checked_mul(cos)?)?;

@@ -1,7 +1,8 @@
 //! A tangency near a fold, proved: Lemmas J5-J13 of `docs/proofs/tangency.md#J5`.
 
-#[cfg(feature = "multiprecision")]
-use super::begin::chain_in;
+#[cfg_attr(not(feature = "multiprecision"), path = "prove/doubles.rs")]
+mod precise;
+
 use super::begin::{InDoubles, in_doubles};
 use super::beside::sides;
 use super::chain::Chain;
@@ -10,12 +11,8 @@ use super::only::is_only;
 use super::proof::{Proof, conclude};
 use super::search::Fold;
 use crate::exact::{Enclosure, Exact};
-#[cfg(feature = "multiprecision")]
-use crate::number::MpBall;
 use crate::number::{Ball, Enclosing};
 use crate::periodic::Precision;
-#[cfg(feature = "multiprecision")]
-use crate::periodic::krawczyk::{Effort, prove};
 
 /// The parameter that is looked for, and the other one: a number, or all numbers of an interval.
 #[derive(Clone, Debug)]
@@ -39,19 +36,6 @@ impl InDoubles {
         }
         conclude(chain, &self.inverse, at, self.least)
     }
-
-    /// The same in more bits.
-    #[cfg(feature = "multiprecision")]
-    fn precisely(&self, other: &Exact, bits: u32) -> Option<Proof> {
-        let other = MpBall::enclosing(&other.enclose(bits), bits);
-        let error = (24.0 - f64::from(bits)).exp2(); // proposes
-        let chain = chain_in(&self.chain, other, (&self.locals, &self.x), error);
-        let guess: Vec<MpBall> = self.x.iter().map(|x| MpBall::from_f64_bits(*x, bits)).collect();
-        let polished = crate::periodic::krawczyk::polish(&chain, &self.inverse, guess, bits / 16);
-        let effort = Effort { largest: (48.0 - f64::from(bits)).exp2(), domains: 1, images: 8, slow: 1 };
-        let zero = prove(&chain, &self.inverse, &polished, effort)?;
-        self.conclude(&chain, &zero.at)
-    }
 }
 
 /// Proves the tangency near a fold, as narrow as requested if the precision suffices; `None` where nothing is proved. Of an interval of the
@@ -67,16 +51,7 @@ pub(super) fn tangency(fold: &Fold, question: &Question) -> Option<Proof> {
         let requested = -std::f64::consts::LOG2_10 * f64::from(precision.digits);
         [&proof.parameter, &proof.sigma[0], &proof.sigma[1]].into_iter().all(|x| width(x) <= requested)
     };
-    let with_sides = |proof: Option<Proof>| Some(Proof { beside: sides(&found), ..proof? });
-    #[cfg(feature = "multiprecision")]
-    {
-        let mut bits = 128 + (f64::from(precision.digits) * 3.33) as u32; // proposes
-        while bits <= precision.max_bits {
-            if let Some(proof) = found.precisely(other, bits).filter(is_narrow) {
-                return with_sides(Some(proof));
-            }
-            bits *= 2;
-        }
-    }
-    with_sides(found.conclude(&found.chain, &found.zero.at).filter(is_narrow))
+    let in_doubles = || found.conclude(&found.chain, &found.zero.at).filter(is_narrow);
+    let proof = precise::proof(&found, question, is_narrow).or_else(in_doubles)?;
+    Some(Proof { beside: sides(&found), ..proof })
 }

@@ -9,7 +9,7 @@ use std::ops::ControlFlow;
 
 use super::ladder::Rung;
 use crate::exact::{Dyadic, Enclosure};
-use crate::orbit::{Arithmetic, Impact, Orbit, Progress, Rest, Settings};
+use crate::orbit::{Arithmetic, Impact, MULTIPRECISION, Orbit, Progress, Rest, Settings};
 use crate::pair::Wall;
 use crate::scales::{Size, Unit, Units};
 use crate::watch::Watch;
@@ -145,7 +145,7 @@ fn distance(one: &Enclosure, other: &Enclosure, unit: &Unit) -> [Size; 2] {
 
 /// What the truth is computed with.
 pub(super) fn truth(asked: &Settings) -> Settings {
-    if cfg!(feature = "multiprecision") { Rung::Auto(DIGITS).settings(asked) } else { Rung::Interval.settings(asked) }
+    if MULTIPRECISION { Rung::Auto(DIGITS).settings(asked) } else { Rung::Interval.settings(asked) }
 }
 
 /// The truth in words.

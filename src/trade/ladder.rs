@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use crate::orbit::{Arithmetic, BITS, Settings};
+use crate::orbit::{Arithmetic, BITS, MULTIPRECISION, Settings};
 
 /// Digits that `auto` is requested.
 const DIGITS: [u32; 5] = [3, 9, 15, 30, 100];
@@ -83,7 +83,7 @@ impl Ladder {
             Some(Rung::Float) => Some(Rung::Interval),
             Some(Rung::Interval) if self.textbook => Some(Rung::Inari),
             Some(Rung::Interval | Rung::Inari) => Some(Rung::Shadow),
-            Some(Rung::Shadow) if cfg!(feature = "multiprecision") => Some(Rung::Bits(*BITS.start())),
+            Some(Rung::Shadow) if MULTIPRECISION => Some(Rung::Bits(*BITS.start())),
             Some(Rung::Bits(bits)) => {
                 self.idle = if impacts > self.reached { 0 } else { self.idle + 1 };
                 self.reached = self.reached.max(impacts);

@@ -20,6 +20,36 @@ pub struct PeriodicCertificate {
     unjudged: Vec<String>,
 }
 
+/// A periodic JSON, or that of two-impact motions as one.
+struct Read {
+    document: PeriodicDocument,
+    /// Whether something in it is undecided.
+    has_rest: bool,
+    is_two_impact: bool,
+    unjudged: Vec<String>,
+}
+
+impl Read {
+    fn of(whole: &Place<'_>) -> Result<Self, Error> {
+        let Ok(solved_for) = whole.get("solved_for") else {
+            let document: PeriodicDocument = whole.read()?;
+            let has_rest = document.undecided.as_ref().is_some_and(|rest| !rest.is_empty());
+            let unjudged = whole.unread::<PeriodicDocument>()?;
+            return Ok(Self { document, has_rest, is_two_impact: false, unjudged });
+        };
+        let document: TwoImpactDocument = whole.read()?;
+        if document.solved_for != "velocity" {
+            return Err(solved_for.refused("only what is solved for the velocity is checked"));
+        }
+        let has_rest = !document.undecided.is_empty();
+        let TwoImpactDocument { schema, scene, word, cycles, exhaustive, excludes, certified, orbits, .. } = document;
+        let undecided = None;
+        let document =
+            PeriodicDocument { schema, scene, word, cycles, exhaustive, excludes, certified, orbits, undecided };
+        Ok(Self { document, has_rest, is_two_impact: true, unjudged: whole.unread::<TwoImpactDocument>()? })
+    }
+}
+
 /// An orbit, its word and the cycles of that.
 #[derive(Clone, Debug)]
 pub(super) struct OrbitOf {
@@ -36,26 +66,7 @@ impl PeriodicCertificate {
     pub fn parse(text: &str) -> Result<Self, Error> {
         let value = value(text)?;
         let whole = Place::of_schema(&value, PERIODIC_SCHEMA)?;
-        let is_two_impact = whole.get("solved_for").is_ok();
-        let (document, mut unjudged) = if is_two_impact {
-            let document: TwoImpactDocument = whole.read()?;
-            let solved_for = whole.get("solved_for")?;
-            if document.solved_for != "velocity" {
-                return Err(solved_for.refused("only what is solved for the velocity is checked"));
-            }
-            let has_rest = !document.undecided.is_empty();
-            let TwoImpactDocument { schema, scene, word, cycles, exhaustive, excludes, certified, orbits, .. } =
-                document;
-            let undecided = None;
-            let document =
-                PeriodicDocument { schema, scene, word, cycles, exhaustive, excludes, certified, orbits, undecided };
-            ((document, has_rest), whole.unread::<TwoImpactDocument>()?)
-        } else {
-            let document: PeriodicDocument = whole.read()?;
-            let has_rest = document.undecided.as_ref().is_some_and(|rest| !rest.is_empty());
-            ((document, has_rest), whole.unread::<PeriodicDocument>()?)
-        };
-        let (document, has_rest) = document;
+        let Read { document, has_rest, is_two_impact, mut unjudged } = Read::of(&whole)?;
         let places = whole.get("orbits")?.list()?;
         let orbits = document.orbits.iter().zip(&places).map(|(orbit, place)| ClaimedOrbit::of(orbit, place));
         let orbits: Vec<ClaimedOrbit> = orbits.collect::<Result<_, _>>()?;

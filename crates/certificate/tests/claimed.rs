@@ -428,6 +428,14 @@ fn r40_infinitely_many_impacts_are_those_of_every_member() {
     }
 }
 
+/// The pointer to a value, or to a list of values, by its path.
+fn pointer_of(lines: &[Value], path: &str) -> Option<String> {
+    leaves(lines).into_iter().find_map(|(leaf, pointer)| {
+        let list = pointer.rfind('/').map_or("", |at| &pointer[..at]).to_owned();
+        if leaf == path { Some(pointer) } else { (parent(&leaf) == path).then_some(list) }
+    })
+}
+
 #[test]
 fn r32_nothing_is_listed_as_a_claim_that_is_not_compared() {
     let (mut refused, mut missed, mut compared) = (0, Vec::new(), BTreeSet::new());
@@ -460,13 +468,7 @@ fn r32_nothing_is_listed_as_a_claim_that_is_not_compared() {
             if !is_all && (!is_new || is_dear && seen.len() % 3 != 0) {
                 continue;
             }
-            let pointer = leaves(&lines).into_iter().find_map(|(path, pointer)| {
-                let list = pointer.rfind('/').map_or("", |at| &pointer[..at]);
-                (path == claim.path)
-                    .then(|| pointer.clone())
-                    .or_else(|| (parent(&path) == claim.path).then(|| list.to_owned()))
-            });
-            let pointer = pointer.unwrap_or_else(|| panic!("{name}: {}", claim.path));
+            let pointer = pointer_of(&lines, &claim.path).unwrap_or_else(|| panic!("{name}: {}", claim.path));
             let key = unnumbered.rsplit('.').next().unwrap().to_owned();
             let value = whole.pointer(&pointer).unwrap().clone();
             let is_confirmed = |other: &Value| {

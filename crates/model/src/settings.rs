@@ -38,7 +38,7 @@ impl Arithmetic {
         }
         let inari = if cfg!(feature = "inari") { "inari, " } else { "" };
         let (least, most) = BITS.into_inner();
-        let bits = if cfg!(feature = "multiprecision") {
+        let bits = if MULTIPRECISION {
             format!("or a number of bits from {least} to {most}")
         } else {
             "and, in a build with multiprecision, numbers of bits".to_owned()
@@ -70,6 +70,8 @@ pub struct Settings {
     pub attractor: bool,
 }
 
+/// Whether this build computes in more than doubles.
+pub const MULTIPRECISION: bool = cfg!(feature = "multiprecision");
 /// Default of [`Settings::max_bits`].
 pub const MAX_BITS: u32 = 1_000_000;
 /// Accepted precisions, in bits.
@@ -102,7 +104,7 @@ impl FromStr for Arithmetic {
             "inari" if cfg!(feature = "inari") => Ok(Self::Inari),
             "shadow" => Ok(Self::Shadow),
             _ => match text.parse() {
-                Ok(bits) if BITS.contains(&bits) && cfg!(feature = "multiprecision") => Ok(Self::Bits(bits)),
+                Ok(bits) if BITS.contains(&bits) && MULTIPRECISION => Ok(Self::Bits(bits)),
                 _ => Err(Self::unknown(text)),
             },
         }

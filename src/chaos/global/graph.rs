@@ -6,6 +6,7 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use std::thread;
 
 use super::image::{Next, Space};
+use super::walks::Walks;
 use crate::chaos::boxes::{Links, parts};
 use crate::chaos::trap::{Cell, Grid};
 use crate::watch::{Stage, Watch};
@@ -141,43 +142,12 @@ impl Graph {
         Ok((graph, allowance.done.into_inner()))
     }
 
-    /// Returns the recurrent components: whatever stays among the boxes for ever is in one of them in the end. `parent` tells whether
+    /// Returns the recurrent components: whatever stays among the boxes for ever is in one of them in the end. `is_closed` tells whether
     /// nothing leaves the boxes of the graph. Lemma A6
     pub fn recurrent(&self, is_closed: bool) -> Recurrent {
         let count = self.cells.len() + 1;
-        let forth: Vec<Vec<usize>> = (0..count)
-            .map(|node| self.next.of(node as u32).iter().map(|&to| to as usize).collect()) // exact: indices
-            .collect();
-        // In an order in which every part comes before those that it leads to.
-        let parts = parts(&forth);
-        let mut number = vec![0; count];
-        for (i, part) in parts.iter().enumerate() {
-            part.iter().for_each(|&node| number[node] = i);
-        }
-        let is_recurrent = |part: &[usize]| part.len() > 1 || forth[part[0]].contains(&part[0]);
-        let mut index = vec![None; parts.len()];
-        let recurrent: Vec<usize> = (0..parts.len()).filter(|&i| is_recurrent(&parts[i])).collect();
-        recurrent.iter().enumerate().for_each(|(k, &i)| index[i] = Some(k as u32)); // exact: fewer than 2^32
-        // Which components each part leads to, itself among them, and whether something leaves on the way.
-        let mut reached: Vec<Vec<u32>> = vec![Vec::new(); parts.len()];
-        let mut lost = vec![false; parts.len()];
-        for i in (0..parts.len()).rev() {
-            let mut own: Vec<u32> = index[i].into_iter().collect();
-            let mut leaves = parts[i].iter().any(|&node| self.leaves[node]);
-            for &to in parts[i].iter().flat_map(|&node| &forth[node]) {
-                if number[to] != i {
-                    own.extend(&reached[number[to]]);
-                    leaves |= lost[number[to]];
-                    if own.len() > 64 {
-                        own.sort_unstable();
-                        own.dedup();
-                    }
-                }
-            }
-            own.sort_unstable();
-            own.dedup();
-            (reached[i], lost[i]) = (own, leaves);
-        }
+        let Walks { parts, number, index, reached, lost } = &Walks::of(&self.next, &self.leaves);
+        let recurrent: Vec<usize> = (0..parts.len()).filter(|&i| index[i].is_some()).collect();
         let mut nodes: Vec<Vec<u32>> = vec![Vec::new(); recurrent.len()];
         let (mut passed, mut ends, mut known) = (Vec::new(), Vec::new(), HashMap::new());
         for node in 0..count {

@@ -15,6 +15,7 @@ mod known;
 mod saddles;
 #[cfg(test)]
 mod tests;
+mod walks;
 
 use super::horseshoe::Horseshoe;
 use super::law::Law;

@@ -112,18 +112,7 @@ impl Hyperbolic {
                 strips.push((number, branch));
             }
         }
-        let prove = |(_, branch): &(usize, Branch)| map.prove(branch, KAPPA, &watch);
-        let mut all = Vec::new();
-        for ((number, branch), found) in strips.iter().zip(each(&strips, &prove)) {
-            let why = match found {
-                Ok(images) => {
-                    all.push(Proved { number: *number, branch: branch.clone(), images });
-                    LeftOut::Return
-                }
-                Err(why) => why,
-            };
-            left_out.insert(*number, why);
-        }
+        let all = expanding(&map, &strips, &watch, &mut left_out);
         let all = recurrent(all, frames.len());
         all.iter().for_each(|word| _ = left_out.insert(word.number, LeftOut::Strings));
         let measured = Measured::of(&map, &all, &watch).zip(logarithm(law.restitution));
@@ -131,8 +120,7 @@ impl Hyperbolic {
         left_out.retain(|_, why| *why != LeftOut::Strings);
         let heights = heights(&all, frames.len());
         let alone: Vec<bool> = each(&all, &|word: &Proved| map.is_alone(word, &all, &heights, &watch));
-        let own: Vec<Proved> =
-            all.iter().zip(&alone).filter(|(_, alone)| **alone).map(|(word, _)| word.clone()).collect();
+        let own = all.iter().zip(&alone).filter(|(_, alone)| **alone).map(|(word, _)| word.clone()).collect();
         let own = recurrent(own, frames.len());
         let inner = if own.len() == all.len() {
             Some(measured.dimension)
@@ -155,6 +143,28 @@ impl Hyperbolic {
             dimension: [inner.map_or(0.0, |inner| inner[0]), measured.dimension[1]],
         })
     }
+}
+
+/// The words whose strips are proved to expand; of the others it is noted why they do not.
+fn expanding(
+    map: &Map<'_>,
+    strips: &[(usize, Branch)],
+    watch: &dyn Watch,
+    left_out: &mut BTreeMap<usize, LeftOut>,
+) -> Vec<Proved> {
+    let prove = |(_, branch): &(usize, Branch)| map.prove(branch, KAPPA, watch);
+    let mut all = Vec::new();
+    for ((number, branch), found) in strips.iter().zip(each(strips, &prove)) {
+        let why = match found {
+            Ok(images) => {
+                all.push(Proved { number: *number, branch: branch.clone(), images });
+                LeftOut::Return
+            }
+            Err(why) => why,
+        };
+        left_out.insert(*number, why);
+    }
+    all
 }
 
 /// Whether the parallelograms hold states of positive speed only, and have none in common, nor whole forcing periods later. Lemma D25

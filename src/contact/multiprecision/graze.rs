@@ -8,6 +8,7 @@ use std::cmp::Ordering;
 use rug::Float;
 
 use super::isolate::{Turning, is_rising};
+use crate::contact::Grazed;
 use crate::contact::extrema::Target;
 use crate::flight::Flight;
 use crate::number::{ABOVE_TURN, Magnitude, MpBall, Number};
@@ -29,6 +30,22 @@ pub(crate) struct Passed {
     /// Height above the left wall and velocity there, of both continuations.
     pub height: MpBall,
     pub velocity: MpBall,
+}
+
+impl Passed {
+    /// Returns the same in doubles.
+    pub fn in_doubles(&self) -> Option<Grazed> {
+        let whole = self.at.mid().to_f64().round(); // exact: any whole number is taken off
+        let at = self.at.clone() - MpBall::from_f64(whole);
+        Some(Grazed {
+            wall: self.wall,
+            touch: (whole, at.to_ball(), at.enclosure()?),
+            turns: self.turns,
+            phase: MpBall::exact(self.phase.clone()).to_ball(),
+            height: self.height.to_ball(),
+            velocity: self.velocity.to_ball(),
+        })
+    }
 }
 
 /// Goes past the first extremum of the flights of a set that may touch its wall; `None` where that is not proved.

@@ -13,7 +13,8 @@ use super::Isolated;
 use crate::contact::extrema::Target;
 use crate::flight::{Flight, turned, velocity_after};
 use crate::number::kernel::SmallAngle;
-use crate::number::{LEAST_BITS, Magnitude, MpBall, Number, magnitude};
+use crate::number::multiprecision::magnitude;
+use crate::number::{LEAST_BITS, Magnitude, MpBall, Number};
 use crate::pair::Inward;
 
 /// The contact of one flight, in the frame of its start.

@@ -20,8 +20,6 @@ use super::system::{Curve, Multiplied, System};
 use super::trace::{null_vector, twisted_matrix};
 use super::tube::{Proof, Tube, take_time};
 use crate::exact::{Enclosure, Exact};
-#[cfg(feature = "multiprecision")]
-use crate::number::MpBall;
 use crate::number::{Ball, Enclosing};
 use crate::several::Turning;
 use crate::watch::Watch;
@@ -32,7 +30,7 @@ const NARROW: f64 = 1e-10;
 const STEPS: u32 = 12;
 const PAD: f64 = 1e-14;
 /// Bits of values in which doubles are exceeded.
-const BITS: u32 = 128;
+pub(super) const BITS: u32 = 128;
 
 /// An end of the branch: the bifurcation there, and the orbits from it to the middle.
 pub(super) struct Reached<'b> {
@@ -76,20 +74,8 @@ impl Between<'_> {
         self.prove_precisely()
     }
 
-    #[cfg(feature = "multiprecision")]
-    fn prove_precisely(&self) -> Result<(), &'static str> {
-        let pad = (24.0 - f64::from(BITS)).exp2();
-        let of_ball = |x: &Enclosure| MpBall::enclosing(x, BITS);
-        self.prove_in(&self.setting.balls(BITS), (BITS / 4, pad), &of_ball)
-    }
-
-    /// Doubles are all there is.
-    #[cfg(not(feature = "multiprecision"))]
-    fn prove_precisely(&self) -> Result<(), &'static str> {
-        Err("they are not proved in doubles")
-    }
-
-    fn prove_in<N: Enclosing + Turning>(
+    /// Proves it in one arithmetic.
+    pub fn prove_in<N: Enclosing + Turning>(
         &self,
         family: &Family<OneHarmonic, N>,
         (steps, pad): (u32, f64),

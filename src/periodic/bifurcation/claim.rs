@@ -1,5 +1,8 @@
 //! Proofs of bifurcations: in doubles first, then in as many bits as the digits take. Lemmas Y3-Y5
 
+#[cfg_attr(not(feature = "multiprecision"), path = "claim/doubles.rs")]
+mod precise;
+
 use super::super::Precision;
 use super::super::chain::{Chain, Legs};
 use super::super::chained::Moment;
@@ -16,10 +19,6 @@ use super::ring::Ring;
 use super::solve::newton;
 use super::system::{Critical, Graze, Posed, System, Vanishing};
 use super::trace::null_vector;
-#[cfg(feature = "multiprecision")]
-use crate::exact::working_bits;
-#[cfg(feature = "multiprecision")]
-use crate::number::MpBall;
 use crate::number::{Ball, Enclosing};
 use crate::several::Turning;
 
@@ -41,12 +40,6 @@ impl<S: Varied> Setting<'_, S> {
     /// In doubles.
     pub fn doubles(&self) -> Family<S, Ball> {
         Family { unknown: self.unknown, base: self.base.balls().clone() }
-    }
-
-    /// In N bits.
-    #[cfg(feature = "multiprecision")]
-    pub fn balls(&self, bits: u32) -> Family<S, MpBall> {
-        Family { unknown: self.unknown, base: self.base.precise(bits) }
     }
 }
 
@@ -99,12 +92,6 @@ const SMALL: f64 = 1.0 / (1 << 20) as f64; // exact: a power of two
 /// Domains that are tried, and images that narrow a zero at most: the first slow one is the last.
 const MOST_DOMAINS: u32 = 14;
 const MOST_IMAGES: u32 = 40;
-/// Bits that an extended system loses besides: it is solved for a kernel as well.
-#[cfg(feature = "multiprecision")]
-const EXTENDED_BITS: u32 = 16;
-/// Precisions that are tried beyond doubles, each twice the one before: twice is enough where the precision is what lacks.
-#[cfg(feature = "multiprecision")]
-const MOST_PRECISIONS: u32 = 3;
 
 /// A zero to prove, and what it then is.
 struct Claim<'s, S> {
@@ -130,7 +117,10 @@ impl<S: Varied> Claim<'_, S> {
         let best = zero.and_then(|zero| self.point(&family, &zero, bits, S::is_physical));
         match best {
             Some(point) if point.is_narrow && point.is_decided() => Some(point),
-            best => self.prove_precisely(&inverse, (&guess, largest), best),
+            best => {
+                let is_point = self.setting.base.is_point(self.setting.unknown);
+                self.prove_precisely(&inverse, (&guess, largest), is_point, best)
+            }
         }
     }
 
@@ -147,41 +137,6 @@ impl<S: Varied> Claim<'_, S> {
         let guess = krawczyk::polish(&equations, inverse, guess, bits / krawczyk::GAINED);
         let effort = Effort { largest, domains: MOST_DOMAINS, images: MOST_IMAGES, slow: 0 };
         krawczyk::prove(&equations, inverse, &guess, effort)
-    }
-
-    #[cfg(feature = "multiprecision")]
-    fn prove_precisely(
-        &self,
-        inverse: &Preconditioner,
-        (guess, largest): (&[f64], f64),
-        best: Option<Point>,
-    ) -> Option<Point> {
-        let mut best = best;
-        let mut bits = working_bits(self.precision.digits) + EXTENDED_BITS;
-        for _ in 0..MOST_PRECISIONS {
-            if bits > self.precision.max_bits {
-                break;
-            }
-            let balls: Vec<MpBall> = guess.iter().map(|&x| MpBall::from_f64_bits(x, bits)).collect();
-            let family = self.setting.balls(bits);
-            let found = self.certify(&family, inverse, balls, (bits, largest)).and_then(|zero| {
-                self.point(&family, &zero, bits, |shaken, chain, phases, legs| {
-                    shaken.is_physical_precisely(&shaken.precise(bits), chain, phases, legs)
-                })
-            });
-            best = found.or(best);
-            if best.as_ref().is_some_and(|point| point.is_narrow) || !self.setting.base.is_point(self.setting.unknown) {
-                break;
-            }
-            bits *= 2;
-        }
-        best
-    }
-
-    /// Doubles are all there is.
-    #[cfg(not(feature = "multiprecision"))]
-    fn prove_precisely(&self, _: &Preconditioner, _: (&[f64], f64), best: Option<Point>) -> Option<Point> {
-        best
     }
 
     /// What a proved zero is.

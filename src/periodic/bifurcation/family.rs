@@ -29,7 +29,6 @@ pub(super) trait Varied: Chained {
     fn of(pair: &ImpactPair) -> Option<Self>;
 
     /// Whether none of what does not vary is an interval of values.
-    #[cfg(feature = "multiprecision")]
     fn is_point(&self, unknown: Unknown) -> bool;
 
     /// The parameters at a value of the unknown. In `base`, where it is [`Unknown::Ratios`], stand the amplitudes over that of the
@@ -74,7 +73,6 @@ impl Varied for OneHarmonic {
         Self::of(pair).ok()
     }
 
-    #[cfg(feature = "multiprecision")]
     fn is_point(&self, unknown: Unknown) -> bool {
         match unknown {
             Unknown::Ratio(_) | Unknown::Ratios => self.exact.restitution.is_point(),
@@ -114,7 +112,6 @@ impl Varied for SeveralHarmonics {
         Self::new(pair, &BigInt::ZERO).ok()?
     }
 
-    #[cfg(feature = "multiprecision")]
     fn is_point(&self, _: Unknown) -> bool {
         let of_terms = self.spectrum.terms.iter().flat_map(|term| [&term.alpha, &term.ratio, &term.shift]);
         of_terms.chain([&self.spectrum.restitution]).all(|x| x.is_point())

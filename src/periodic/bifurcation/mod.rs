@@ -7,6 +7,7 @@
 //! same (`family`). The windows of stable orbits are proved in `window`. Lemmas Y1-Y9 are in `docs/proofs/bifurcations.md#Y1`.
 
 mod between;
+mod branch;
 mod cascade;
 mod claim;
 mod diagram;
@@ -23,9 +24,10 @@ mod trace;
 mod tube;
 mod window;
 
+pub use branch::WindowSeed;
 pub use cascade::survey;
 pub use diagram::{Branch, Diagram, DiagramSettings, End, Unproved};
 pub(crate) use jet::Jet;
 pub use over::{PARAMETERS, is_parameter, over};
 pub use point::{Kind, Point};
-pub use window::{NoWindow, Window, WindowEnd, WindowSeed};
+pub use window::{NoWindow, Window, WindowEnd};

@@ -8,37 +8,19 @@ use super::super::Precision;
 use super::super::chain::Chain;
 use super::super::chained::OneHarmonic;
 use super::super::orbit::PeriodicOrbit;
-use super::super::{Problem, Stability, determinant};
+use super::super::{Problem, Stability};
 use super::between::{Between, Known, Reached};
+use super::branch::{Branch, WindowSeed};
 use super::claim::{Setting, prove_critical};
-use super::family::Family;
 use super::over::Parameter;
 use super::point::{Kind, Point};
 use super::ring::Ring;
-use super::solve::newton;
-use super::system::{System, Traced};
 use super::trace::null_vector;
 use crate::Error;
 use crate::exact::{Enclosure, Exact};
-use crate::mapping::Word;
 use crate::pair::ImpactPair;
 use crate::scene::Range;
 use crate::watch::Watch;
-
-/// An orbit near which a window may be, in floating point.
-#[derive(Clone, Debug)]
-pub struct WindowSeed {
-    /// The walls of its impacts.
-    pub word: Word,
-    /// The forcing periods it takes.
-    pub cycles: u32,
-    /// Whether it is its own mirror image after half of them.
-    pub is_mirrored: bool,
-    /// The phases of its impacts, of one half where it is mirrored, in forcing periods.
-    pub phases: Vec<f64>,
-    /// `A/d`, or `e` where that varies.
-    pub parameter: f64,
-}
 
 /// An end of a window, proved.
 #[derive(Clone, Debug)]
@@ -156,28 +138,12 @@ impl Window {
     }
 }
 
-/// Where a curve over an eigenvalue has a station, in parts of the way from the inner one to an end.
-const STATIONS: [f64; 5] = [1.0, 0.75, 0.5, 0.25, 0.0];
-/// The eigenvalue at which the curve between begins, if that is far from where both are one.
-const LEAST: f64 = 0.2;
-/// The trace at the orbit itself, which lies about the middle of a window.
-const INNER: f64 = -0.4;
 /// Digits of the ends beyond those of the width.
 const END_DIGITS: f64 = 4.0;
 /// A value lies no farther from the middle of its window than that part of it.
 const MIDDLE: i64 = 4;
 /// Digits of a value at most.
 const MOST_DIGITS: u32 = 400;
-
-/// The branch in floating point: orbits with the phases and the parameter, by their eigenvalue.
-struct Branch {
-    /// Of each end: the orbits at [`STATIONS`], towards the middle.
-    ends: [Vec<(f64, Vec<f64>)>; 2],
-    /// From the last station of the one to that of the other.
-    between: Vec<Vec<f64>>,
-    /// An orbit in the middle of the window.
-    inner: Vec<f64>,
-}
 
 /// The eigenvalues at the two ends of a branch.
 const MULTIPLIERS: [f64; 2] = [1.0, -1.0];
@@ -192,7 +158,7 @@ struct Proving<'p> {
 impl Proving<'_> {
     fn window(&self, seed: &WindowSeed) -> Result<Result<Window, NoWindow>, Error> {
         let floats = self.setting.floats();
-        let Some(branch) = self.branch(&floats, seed) else { return Ok(Err(NoWindow::Branch)) };
+        let Some(branch) = Branch::through(seed, self.ring, &floats) else { return Ok(Err(NoWindow::Branch)) };
         let parameter = |x: &[f64]| x[x.len() - 1];
         let ends = branch.ends.each_ref().map(|end| &end[0].1[..]);
         let [a, b] = ends.map(parameter);
@@ -210,24 +176,12 @@ impl Proving<'_> {
             self.watch.goes_on().then(|| prove_critical(&self.setting, self.ring, critical, ends[i], fine)).flatten()
         });
         let Some(at) = self.value(&points, [a, b])? else { return Ok(Err(NoWindow::Value)) };
-        // A value that no pair has is none of an orbit.
-        let Ok(there) = self.setting.parameter.pair_at(at.clone()) else { return Ok(Err(NoWindow::Value)) };
-        let problem = Problem::new(&there, &self.ring.word(), self.ring.chain().cycles())?;
-        let inner = self.ring.lift(&branch.inner[..self.ring.unknowns()]);
-        let Some(orbit) = problem.prove(&inner, fine) else { return Ok(Err(NoWindow::Orbit)) };
-        if orbit.stability != Stability::Stable {
-            return Ok(Err(NoWindow::Stability));
-        }
-        if orbit.physical == Some(false) {
-            return Ok(Err(NoWindow::Virtual));
-        }
-        // Y9: then it is its own mirror image after the impacts of a mirrored ring
-        if problem.reduced_impacts(&orbit) != Some(self.ring.unknowns()) {
-            return Ok(Err(NoWindow::Period));
-        }
-        let [fold, flip] = &points;
-        let between = match (fold, flip) {
-            (Some(fold), Some(flip)) => {
+        let (problem, orbit) = match self.orbit(&at, &branch.inner, fine)? {
+            Ok(proved) => proved,
+            Err(none) => return Ok(Err(none)),
+        };
+        let between = match &points {
+            [Some(fold), Some(flip)] => {
                 let reached = |i: usize, point| Reached {
                     stations: &branch.ends[i],
                     point,
@@ -239,9 +193,41 @@ impl Proving<'_> {
                 let ends = [reached(0, fold), reached(1, flip)];
                 Between { setting, ring, ends, middle: &branch.between, known, watch: self.watch }.prove(width)
             }
-            (None, _) => Err("the fold is not proved"),
+            [None, _] => Err("the fold is not proved"),
             _ => Err("the loss of stability is not proved"),
         };
+        let ends = self.ends(points, [a, b])?;
+        let (is_stable_between, reason) = (between.is_ok(), between.err());
+        Ok(Ok(Window { at, problem, orbit, ends, is_stable_between, reason }))
+    }
+
+    /// The stable orbit at a value of the parameter, near one of floating point, and its problem.
+    fn orbit(
+        &self,
+        at: &Exact,
+        inner: &[f64],
+        precision: Precision,
+    ) -> Result<Result<(Problem, PeriodicOrbit), NoWindow>, Error> {
+        // A value that no pair has is none of an orbit.
+        let Ok(there) = self.setting.parameter.pair_at(at.clone()) else { return Ok(Err(NoWindow::Value)) };
+        let problem = Problem::new(&there, &self.ring.word(), self.ring.chain().cycles())?;
+        let inner = self.ring.lift(&inner[..self.ring.unknowns()]);
+        let Some(orbit) = problem.prove(&inner, precision) else { return Ok(Err(NoWindow::Orbit)) };
+        if orbit.stability != Stability::Stable {
+            return Ok(Err(NoWindow::Stability));
+        }
+        if orbit.physical == Some(false) {
+            return Ok(Err(NoWindow::Virtual));
+        }
+        // Y9: then it is its own mirror image after the impacts of a mirrored ring
+        if problem.reduced_impacts(&orbit) != Some(self.ring.unknowns()) {
+            return Ok(Err(NoWindow::Period));
+        }
+        Ok(Ok((problem, orbit)))
+    }
+
+    /// The ends in the order of the parameter; where one is not proved, as far as floating point tells, at `about`.
+    fn ends(&self, points: [Option<Point>; 2], about: [f64; 2]) -> Result<[Option<WindowEnd>; 2], Error> {
         let end = |point: Option<Point>| -> Result<Option<WindowEnd>, Error> {
             let Some(point) = point else { return Ok(None) };
             let (parameter, _) = self.setting.parameter.in_units(&point.parameter, point.bits)?;
@@ -249,42 +235,14 @@ impl Proving<'_> {
         };
         let [one, other] = points;
         let mut ends = [end(one)?, end(other)?];
-        // In the order of the parameter; where an end is not proved, as far as floating point tells.
         let is_reversed = match &ends {
             [Some(one), Some(other)] => one.parameter.inf() > other.parameter.inf(),
-            _ => [a, b].map(|x| self.setting.parameter.range_f64([x; 2])[0]).is_sorted_by(|x, y| x > y),
+            _ => about.map(|x| self.setting.parameter.range_f64([x; 2])[0]).is_sorted_by(|x, y| x > y),
         };
         if is_reversed {
             ends.reverse();
         }
-        let (is_stable_between, reason) = (between.is_ok(), between.err());
-        Ok(Ok(Window { at, problem, orbit, ends, is_stable_between, reason }))
-    }
-
-    /// The branch through a seed, in floating point. Non-rigorous.
-    fn branch(&self, floats: &Family<OneHarmonic, f64>, seed: &WindowSeed) -> Option<Branch> {
-        let ring = self.ring;
-        let q = determinant(&floats.pair(seed.parameter).restitution, ring.unknowns());
-        // proposes: far from where both eigenvalues are one, sqrt(q)
-        let inner = if q.sqrt() < 0.25 { LEAST.max(2.0 * q.sqrt()) } else { 0.5 * (1.0 + q.sqrt()) };
-        let solved = |trace: f64, x: Vec<f64>| newton(&System::Traced(Traced { ring, trace }), floats, x);
-        let start = solved(0.0, [&seed.phases[..], &[seed.parameter]].concat())?;
-        let towards = |sign: f64| -> Option<Vec<(f64, Vec<f64>)>> {
-            let mut x = start.clone();
-            let mut all = Vec::new();
-            for part in STATIONS.iter().rev() {
-                // At the end exactly 1.
-                let mu = sign * (1.0 - (1.0 - inner) * (1.0 - part));
-                x = solved(mu + q / mu, x)?;
-                all.push((mu, x.clone()));
-            }
-            all.reverse();
-            Some(all)
-        };
-        let ends = [towards(1.0)?, towards(-1.0)?];
-        let inner = solved(INNER, start.clone()).unwrap_or_else(|| start.clone()); // proposes
-        let between = vec![ends[0].last()?.1.clone(), start, ends[1].last()?.1.clone()];
-        Some(Branch { ends, between, inner })
+        Ok(ends)
     }
 
     /// A value of the parameter in the middle of the window, with few digits; `None` where there is none.

@@ -16,11 +16,9 @@ fn sign(random: &mut Random) -> f64 {
     if random.below(2) == 0 { 1.0 } else { -1.0 }
 }
 
-/// A scene of decimals; `width` > 0 makes boxes of some of them, so wide relative to their size.
-fn random_scene(random: &mut Random, width: f64) -> Scene {
-    let gap = short(random.magnitude(-3.0, 3.0), 5);
-    let amplitude = short(gap * random.magnitude(-2.0, 1.5), 6);
-    let (omega, rate) = match random.below(3) {
+/// A frequency, and about how large it is.
+fn random_frequency(random: &mut Random) -> (Value, f64) {
+    match random.below(3) {
         0 => {
             let factor = 1 + random.below(200);
             (Value::from(format!("{factor}*pi").as_str()), factor as f64 * TAU / 2.0)
@@ -30,7 +28,14 @@ fn random_scene(random: &mut Random, width: f64) -> Scene {
             let rate = short(random.magnitude(-2.0, 4.0), 5);
             (Value::decimal(rate), rate)
         }
-    };
+    }
+}
+
+/// A scene of decimals; `width` > 0 makes boxes of some of them, so wide relative to their size.
+fn random_scene(random: &mut Random, width: f64) -> Scene {
+    let gap = short(random.magnitude(-3.0, 3.0), 5);
+    let amplitude = short(gap * random.magnitude(-2.0, 1.5), 6);
+    let (omega, rate) = random_frequency(random);
     let tau = match random.below(4) {
         0 => "0".into(),
         1 => "pi/2".into(),
@@ -59,17 +64,13 @@ fn random_scene(random: &mut Random, width: f64) -> Scene {
     };
     let time = short(periods * TAU / rate, 14);
     let time = Value::between(time, if boxes[1] { width * TAU / rate } else { 0.0 });
-    let speed = short(
-        amplitude
-            * rate
-            * match random.below(6) {
-                0 => 0.0,
-                1 => random.magnitude(-6.0, 0.0),
-                2 => random.magnitude(0.0, 1.0),
-                _ => random.uniform(0.0, 2.0),
-            },
-        6,
-    );
+    let times = match random.below(6) {
+        0 => 0.0,
+        1 => random.magnitude(-6.0, 0.0),
+        2 => random.magnitude(0.0, 1.0),
+        _ => random.uniform(0.0, 2.0),
+    };
+    let speed = short(amplitude * rate * times, 6);
     let along = if boxes[2] { width * speed } else { 0.0 };
     let (velocity, at) = match random.below(3) {
         0 => (Value::between(-speed, -along), At::Wall(Wall::Left)),

@@ -84,7 +84,7 @@ impl Convergence<'_> {
     /// Whether it does so for all data of a piece.
     fn answer(&self, piece: &Piece) -> Result<(), Doubt> {
         let frame = Frame::new(self.target.data, piece, BITS);
-        let mut answer = Err(Doubt::Open("the motion is not proved to follow the word at its end".into()));
+        let mut answer = Err(Doubt::open("the motion is not proved to follow the word at its end"));
         // A word that is one of walls several times over fits in several places: a claim is false if it is so in all.
         for (n, end) in self.ends().into_iter().enumerate() {
             match (self.answer_from(end, piece, &frame), &answer) {
@@ -144,7 +144,7 @@ impl Convergence<'_> {
     }
 
     fn answer_from(&self, end: usize, piece: &Piece, frame: &Frame) -> Result<(), Doubt> {
-        let open = |message: &str| Doubt::Open(message.into());
+        let open = |message: &str| Doubt::open(message);
         let mut round = self.round(end, frame);
         let (centre, derivative) = round.polish(self.guess(end, frame))?;
         let near = |state: Landing| {
@@ -175,5 +175,5 @@ fn arrives(round: &Round<'_>, basin: &Ellipse, mut state: Landing) -> Result<(),
         }
         state = round.run(state)?.pop().expect("the set");
     }
-    Err(Doubt::Open("the motion is not proved to come near enough to the orbit".into()))
+    Err(Doubt::open("the motion is not proved to come near enough to the orbit"))
 }

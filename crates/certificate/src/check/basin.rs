@@ -92,7 +92,7 @@ impl Ellipse {
         let landings = self.run(round)?;
         let end = landings.last().expect("the set");
         let derivative = times(&self.inverse, &round.derivatives(end, &self.radius(-1)));
-        let open = || Doubt::Open("no neighbourhood of the orbit is enclosed".into());
+        let open = || Doubt::open("no neighbourhood of the orbit is enclosed");
         let (step, change) = match &self.newton {
             None => (self.inverse.clone(), derivative.clone()),
             // N(s) = s - K (p(s) - s); the sign does not matter for lengths.
@@ -169,12 +169,12 @@ pub(super) fn basin(round: &Round<'_>, shapes: &[Ellipse], wanted: &[&Landing]) 
     let sizes = shapes.iter().flat_map(|shape| wanted.iter().map(|set| shape.size_for(set)));
     let least = -i64::from(bits / 2);
     let most = sizes.flatten().max().unwrap_or(0).min(0).max(least); // proposes: sizes to try
-    let mut doubt = Doubt::Open("the orbit is not proved to be stable".into());
+    let mut doubt = Doubt::open("the orbit is not proved to be stable");
     for size in (least..=most).rev().step_by(SMALLER) {
         for shape in shapes {
             match shape.sized(size).contracted(round) {
                 Ok(contraction) if contraction.is_proved() => return Ok(contraction.ellipse),
-                Ok(_) => doubt = Doubt::Open("no neighbourhood of the orbit is proved to be contracted".into()),
+                Ok(_) => doubt = Doubt::open("no neighbourhood of the orbit is proved to be contracted"),
                 Err(found) => doubt = found,
             }
         }

@@ -92,7 +92,7 @@ impl ClaimedPoint {
         budget: &Budget,
         compare: impl Fn(&Self, &Curve<'_>, &Cell) -> Result<(), Doubt>,
     ) -> Result<u32, Doubt> {
-        let open = |message: &str| Doubt::Open(message.into());
+        let open = |message: &str| Doubt::open(message);
         let over = parameter.key;
         match over {
             // Lemma R1
@@ -139,7 +139,7 @@ impl ClaimedPoint {
         let reason = |error: Error| Doubt::Open(error.to_string());
         let middle = (&self.parameter[0] + &self.parameter[1]) / BigInt::from(2);
         if !middle.is_positive() {
-            return Err(Doubt::Open("the parameter is not proved to be one of a pair".into()));
+            return Err(Doubt::open("the parameter is not proved to be one of a pair"));
         }
         let there = over.pair.with(over.key, Exact::from_rational(middle)).map_err(reason)?;
         let data = Data::new(&there, over.start).map_err(reason)?;
@@ -164,7 +164,7 @@ impl ClaimedPoint {
         (bits, size, is_half): (u32, i64, bool),
         compare: impl Fn(&Self, &Curve<'_>, &Cell) -> Result<(), Doubt>,
     ) -> Result<(), Doubt> {
-        let open = |message: &str| Doubt::Open(message.into());
+        let open = |message: &str| Doubt::open(message);
         let parameter = hull(&self.parameter.each_ref().map(|bound| Real::rational(bound, bits)));
         let mut curve = Curve {
             target,
@@ -208,7 +208,7 @@ impl ClaimedPoint {
         let at = curve.polish(guess)?;
         // A fold is a curve over phase or velocity, all others over the parameter.
         let along: &[usize] = if self.kind == Kind::Fold { &[0, 1] } else { &[PARAMETER] };
-        let mut answer = Err(Doubt::Open("nothing is tried".into()));
+        let mut answer = Err(Doubt::open("nothing is tried"));
         for &j in along {
             answer = curve.crossing(&at, j, size).and_then(|cell| compare(self, curve, &cell));
             if answer.is_ok() {
@@ -229,7 +229,7 @@ impl ClaimedPoint {
         let value = curve.spanned(cell, PARAMETER);
         let one = Real::int(1, value.centre.bits());
         if !value.hull().is_positive() || curve.over == Key::Restitution && !value.hull().is_below(&one) {
-            return Err(Doubt::Open("the parameter is not proved to be one of a pair".into()));
+            return Err(Doubt::open("the parameter is not proved to be one of a pair"));
         }
         let image = curve.image(cell, false)?;
         let derivative = image.derivative();

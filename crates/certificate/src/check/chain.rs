@@ -65,7 +65,7 @@ impl Course<'_> {
         let departure = self.departure(k, self.states(k, node));
         let landing = departure.land(&self.frame.parameters, hit.wall, &claimed).map_err(|doubt| open(&doubt))?;
         if !covers(&landing, next) {
-            return Err(Doubt::Open("no orbit is proved to go on from the impact before".into()));
+            return Err(Doubt::open("no orbit is proved to go on from the impact before"));
         }
         let [phase, velocity] = self.states(k + 1, next).map(|x| x.hull());
         let [time, velocity] = [self.frame.clock.time(&phase), self.frame.clock.velocity(&velocity)];

@@ -67,5 +67,5 @@ pub(super) fn bounce(departure: &Launch, parameters: &Parameters) -> Result<Real
     let velocity = point(&flight.velocity);
     let doubled = velocity.clone() + &velocity;
     let pressure = -point(&flight.shaking.first_acceleration());
-    doubled.over(&pressure).ok_or_else(|| Doubt::Open("the contact force is not proved to be positive".into()))
+    doubled.over(&pressure).ok_or_else(|| Doubt::open("the contact force is not proved to be positive"))
 }

@@ -14,6 +14,13 @@ pub(crate) enum Doubt {
     False(String),
 }
 
+impl Doubt {
+    /// Returns the doubt about what is left open for this reason.
+    pub fn open(reason: &str) -> Self {
+        Self::Open(reason.into())
+    }
+}
+
 /// Bits that most parts of most flights are judged with.
 const FIRST_BITS: u32 = 128;
 /// Halvings that find a contact for Newton's iteration.
@@ -136,11 +143,11 @@ pub(super) fn clear(flight: &Flight, from: Start, end: &Real, claimed: &Real) ->
         match flight.judge(&at, &next) {
             Part::Clear => (at, width) = (next, width.clone() + &width),
             Part::Contact if next.is_below(claimed) => return Err(Doubt::False("an earlier contact is proved".into())),
-            Part::Contact => return Err(Doubt::Open("an earlier contact is proved, within the bounds".into())),
+            Part::Contact => return Err(Doubt::open("an earlier contact is proved, within the bounds")),
             Part::Open => width = width.half(),
         }
         if is_short(&width, end) {
-            return Err(Doubt::Open("an earlier contact is not excluded".into()));
+            return Err(Doubt::open("an earlier contact is not excluded"));
         }
     }
     Err(spent(&flight.budget, &at, end))

@@ -160,7 +160,7 @@ impl<'t> Curve<'t> {
 
     /// Returns the coordinates at which Newton's iteration for an orbit with the eigenvalue `mu` ends. Non-rigorous.
     pub fn polish(&mut self, guess: Point) -> Result<Point, Doubt> {
-        let open = || Doubt::Open("no bifurcation is found near".into());
+        let open = || Doubt::open("no bifurcation is found near");
         let (mut at, mut before) = (guess.map(|x| self.point(&x)), None::<Dyadic>);
         let far = i64::from(self.bits() / 4);
         for _ in 0..STEPS {
@@ -233,7 +233,7 @@ impl<'t> Curve<'t> {
         is_curve(&self.image(&cell, self.is_half)?, &cell, j)?;
         let [before, after] = [-1, 1].map(|sign| self.sign_at(&cell, j, &slopes, sign));
         if before?.is_lt() == after?.is_lt() {
-            return Err(Doubt::Open("no eigenvalue is proved to pass 1 or -1 there".into()));
+            return Err(Doubt::open("no eigenvalue is proved to pass 1 or -1 there"));
         }
         Ok(cell)
     }
@@ -257,7 +257,7 @@ impl<'t> Curve<'t> {
         let critical = image.critical(self.mu);
         match critical.sign().filter(|sign| is_inside && sign.is_ne()) {
             Some(sign) => Ok(sign),
-            None => Err(Doubt::Open("it is not decided on which side of 1 or -1 an eigenvalue lies".into())),
+            None => Err(Doubt::open("it is not decided on which side of 1 or -1 an eigenvalue lies")),
         }
     }
 }
@@ -283,7 +283,7 @@ fn is_curve(image: &Image, cell: &Cell, j: usize) -> Result<(), Doubt> {
         let factor = magnitude(&(change[k][k].clone() - 1)) + &magnitude(&change[k][1 - k]);
         let moved = magnitude(&along(row, &image.moved)) + &magnitude(&along(row, &drift));
         if !(factor.is_below(&unit) && (factor + &moved).is_below(&unit)) {
-            return Err(Doubt::Open("the orbits are not proved to be one curve".into()));
+            return Err(Doubt::open("the orbits are not proved to be one curve"));
         }
     }
     Ok(())
@@ -301,7 +301,7 @@ fn others(j: usize) -> [usize; 2] {
 }
 
 fn lost() -> Doubt {
-    Doubt::Open("the curve of the orbits is lost".into())
+    Doubt::open("the curve of the orbits is lost")
 }
 
 /// The solution of three linear equations, about.

@@ -33,7 +33,7 @@ pub(super) struct FixedPoint<'r> {
 impl<'r> FixedPoint<'r> {
     /// Returns the orbit with the bits of `centre`, where Newton's iteration ended.
     pub fn enclosed(round: &'r Round<'r>, basin: &'r Ellipse, centre: &[Real; 2]) -> Result<Self, Doubt> {
-        let open = || Doubt::Open("the orbit is not enclosed".into());
+        let open = || Doubt::open("the orbit is not enclosed");
         let mut size = SPARE_BITS - i64::from(centre[0].bits());
         for _ in 0..TRIED {
             let ellipse = basin.around(centre.clone(), size).ok_or_else(open)?;
@@ -78,7 +78,7 @@ impl<'r> FixedPoint<'r> {
         if (0..landings.len() - 1).any(is_cut_short) {
             return Ok(());
         }
-        Err(Doubt::Open("no earlier contact is proved".into()))
+        Err(Doubt::open("no earlier contact is proved"))
     }
 
     /// Phases whole common periods off, nearest to another one.
@@ -100,7 +100,7 @@ impl<'r> FixedPoint<'r> {
             Some(found) if found != claimed => {
                 Err(Doubt::False("whether the orbit is symmetric is claimed wrongly".into()))
             }
-            None if is_judged => Err(Doubt::Open("it is not decided whether the orbit is symmetric".into())),
+            None if is_judged => Err(Doubt::open("it is not decided whether the orbit is symmetric")),
             _ => Ok(()),
         }
     }

@@ -32,7 +32,7 @@ impl Walk<'_> {
         let flight = departure.flights(&self.parameters);
         self.is_near(&flight, claim, &claimed)?;
         let summit = summit(&flight, claim.wall, &claimed.guess);
-        let summit = summit.ok_or_else(|| Doubt::Open("no extremum is found there".into()))?;
+        let summit = summit.ok_or_else(|| Doubt::open("no extremum is found there"))?;
         clear_throughout(&flight, departure.start, &summit.before, &claimed.from)?;
         let time = |h: &Real| self.clock.time(&(departure.phase.hull() + h));
         compare("time", &time(&summit.touch), &claim.time)?;
@@ -76,7 +76,7 @@ impl Walk<'_> {
         let velocity = flight.slope(after) + &lost;
         let is_away = if wall == Wall::Right { velocity.is_negative() } else { velocity.is_positive() };
         if !(is_away && matches!(flight.place(&height), Part::Clear)) {
-            return Err(Doubt::Open("both ways past the graze are not proved to leave the wall".into()));
+            return Err(Doubt::open("both ways past the graze are not proved to leave the wall"));
         }
         let phase = self.standing.departure().phase.clone().shifted(after);
         let [height, velocity] = [height, velocity].map(|x| Affine::fixed(x).recentred());

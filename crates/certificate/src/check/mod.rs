@@ -61,6 +61,7 @@ use impact_pair_document::ClaimName;
 use impact_pair_exact::Enclosure;
 use impact_pair_model::Error;
 use impact_pair_model::watch::{Latched, Stage, Watch};
+pub(super) use step::{Launch, Parameters};
 pub(super) use walk::Walk;
 
 /// What a check finds.
@@ -181,12 +182,12 @@ impl Whole<'_> {
             return Doubt::False(message.to_owned()).on(count);
         }
         if let Some(message) = alike {
-            return Doubt::Open(message.to_owned()).on(count);
+            return Doubt::open(message).on(count);
         }
         let watch = Latched::new(watch);
         let budget = Budget::new(0, effort.parts, &watch);
         match one_by_one(claims, (&budget, effort.work), |claim| judge(claim, &budget, &watch), &watch) {
-            Ok(0) => Doubt::Open(nothing.to_owned()).on(count),
+            Ok(0) => Doubt::open(nothing).on(count),
             Ok(bits) => Verdict::Confirmed { bits, pieces: 1 },
             Err(verdict) => verdict,
         }

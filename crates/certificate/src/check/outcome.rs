@@ -92,7 +92,7 @@ impl Walk<'_> {
             // `attracted` is checked once for all pieces of the data: `Certificate::attracts`.
             _ => (true, ""),
         };
-        if is_true { Ok(()) } else { Err(Doubt::Open(message.into())) }
+        if is_true { Ok(()) } else { Err(Doubt::open(message)) }
     }
 
     /// No event listed comes after this time but a rest, which stands for what may come before (Lemma V7).
@@ -107,7 +107,7 @@ impl Walk<'_> {
     /// Nothing happens after the last event up to this time (Lemma V7).
     fn lists_all_until(&self, until: &Real) -> Result<(), Doubt> {
         let missing = |what: &str| Doubt::False(format!("{what} comes before the time up to which all is listed"));
-        let open = || Doubt::Open("it is not proved that no other event happens up to the time `until`".into());
+        let open = || Doubt::open("it is not proved that no other event happens up to the time `until`");
         // Before, after or across the time.
         let judged = |event: &Real, what: &str| match (until.is_below(event), event.is_below(until)) {
             (true, _) => Ok(()),
@@ -152,10 +152,9 @@ impl Walk<'_> {
     fn release_time(&self, rest: &Rest) -> Result<Real, Doubt> {
         match self.data.only() {
             Some(_) => self.released_of_one(rest).map(|(_, clock)| clock.time(&Real::zero(self.bits))),
-            None => self
-                .turning(rest)
-                .map(|root| self.clock.time(&root))
-                .ok_or_else(|| Doubt::Open("no release is proved".into())),
+            None => {
+                self.turning(rest).map(|root| self.clock.time(&root)).ok_or_else(|| Doubt::open("no release is proved"))
+            }
         }
     }
 }

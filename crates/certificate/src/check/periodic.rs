@@ -47,7 +47,7 @@ impl PeriodicCertificate {
             return Err(Doubt::False("not all requested properties of the orbits are proved".into()));
         }
         if self.orbits().is_empty() {
-            return Err(Doubt::Open("there is no orbit to check".into()));
+            return Err(Doubt::open("there is no orbit to check"));
         }
         self.are_distinct(data)
     }
@@ -55,7 +55,7 @@ impl PeriodicCertificate {
     /// Whether each orbit is listed once. Lemma V13
     fn are_distinct(&self, data: &Data) -> Result<(), Doubt> {
         let Some(recurrence) = Recurrence::of(data) else {
-            return Err(Doubt::Open("the harmonics are not proved to have a common period".into()));
+            return Err(Doubt::open("the harmonics are not proved to have a common period"));
         };
         for (j, other) in self.orbits().iter().enumerate() {
             for (i, one) in self.orbits()[..j].iter().enumerate() {
@@ -84,7 +84,7 @@ impl Target<'_> {
     /// It is one, for all data.
     fn is_an_orbit(&self, most: usize) -> Result<(), Doubt> {
         if !self.claim.unique {
-            return Err(Doubt::Open("only orbits that are alone in their bounds are checked".into()));
+            return Err(Doubt::open("only orbits that are alone in their bounds are checked"));
         }
         let widest = |piece: &Piece| {
             let frame = Frame::new(self.data, piece, BITS);
@@ -101,8 +101,7 @@ impl Target<'_> {
         let mut round = self.period(&frame)?;
         let (centre, derivative) = round.polish(self.guess(&frame))?;
         let claimed = self.first(&frame);
-        let phase =
-            round.near(&claimed.phase, &centre[0]).ok_or_else(|| Doubt::Open("the phase is too large".into()))?;
+        let phase = round.near(&claimed.phase, &centre[0]).ok_or_else(|| Doubt::open("the phase is too large"))?;
         let claimed = super::step::Landing { phase, ..claimed };
         let basin = basin(&round, &stepped(&centre, &derivative), &[&claimed])?;
         self.encloses(piece, &basin, &claimed, &centre, &round)
@@ -125,8 +124,7 @@ impl Target<'_> {
 
     /// About how long the flights between the claimed impacts last: as phases are given less whole forcing periods, these follow from the drift.
     pub(super) fn times(&self, frame: &Frame) -> Result<Vec<Real>, Doubt> {
-        let none =
-            || Doubt::Open("the claimed impacts do not follow one another in this number of forcing periods".into());
+        let none = || Doubt::open("the claimed impacts do not follow one another in this number of forcing periods");
         let bits = frame.turn.bits();
         let common = frame.turn.to_f64() * self.turns.to_string().parse::<f64>().map_err(|_| none())?; // proposes
         let float = |x: Real| Real::point(x.mid(), bits).to_f64();

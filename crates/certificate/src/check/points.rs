@@ -69,6 +69,6 @@ pub(super) fn is_placed(contradiction: Option<&str>, is_of_grid: Option<bool>) -
         (Some(message), _) => Err(Doubt::False(message.to_owned())),
         (None, Some(true)) => Ok(()),
         (None, Some(false)) => Err(Doubt::False("its values are not those of the grid".to_owned())),
-        (None, None) => Err(Doubt::Open("its values are not proved to be those of the grid".into())),
+        (None, None) => Err(Doubt::open("its values are not proved to be those of the grid")),
     }
 }

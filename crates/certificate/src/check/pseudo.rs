@@ -66,7 +66,7 @@ impl Course<'_> {
         let ahead = || Real::point((next.node.centre[0].clone() - &point.node.centre[0]).mid(), GUESS_BITS);
         let guess = guess.cloned().unwrap_or_else(ahead);
         if !guess.is_positive() {
-            return Err(Doubt::Open("the time is too near".into()));
+            return Err(Doubt::open("the time is too near"));
         }
         let h = newton(&flight, wall, &guess).at(bits);
         let arrival = flight.slope(&h);

@@ -30,7 +30,7 @@ pub(crate) struct Release {
 impl Walk<'_> {
     /// The ball leaves at the first zero of the acceleration after the rest began, and that is a simple one.
     pub(super) fn release_of_several(&mut self, rest: &Rest, claim: &Claim) -> Result<(), Doubt> {
-        let root = self.turning(rest).ok_or_else(|| Doubt::Open("no release is proved".into()))?;
+        let root = self.turning(rest).ok_or_else(|| Doubt::open("no release is proved"))?;
         compare("time", &self.clock.time(&root), &claim.time)?;
         // How the release depends on the data hardly matters: what lands depends on it by p - E''(0) h = 0.
         let released = Affine::fixed(root.clone()).recentred();

@@ -44,7 +44,7 @@ impl<'c> Walk<'c> {
         }
         let begins = self.standing.start().and_then(Data::inward_jerk) == Some(Ordering::Less);
         if !is_held(departure, &self.parameters, begins) {
-            return Err(Doubt::Open("the ball is not proved to stay on its wall".into()));
+            return Err(Doubt::open("the ball is not proved to stay on its wall"));
         }
         let since = departure.phase.hull();
         compare("time", &self.clock.time(&since), &claim.time)?;
@@ -60,11 +60,11 @@ impl<'c> Walk<'c> {
         let moves = |velocity: Real| velocity.is_positive() || velocity.is_negative();
         let has_velocity = self.standing.landing().is_some() || moves(departure.velocity.hull());
         if !(has_velocity && parameters.restitution.hull().is_positive()) {
-            return Err(Doubt::Open("the ball may stay on its wall without any bounce".into()));
+            return Err(Doubt::open("the ball may stay on its wall without any bounce"));
         }
         for _ in 0..MOST_BOUNCES {
             let lasting = accumulation(&departure, parameters)
-                .ok_or_else(|| Doubt::Open("the chatter is not proved to end in rest".into()))?;
+                .ok_or_else(|| Doubt::open("the chatter is not proved to end in rest"))?;
             let since = departure.phase.hull() + &lasting;
             let time = self.clock.time(&since);
             if let Beside::Across = beside(&time, &claim.time) {
@@ -78,7 +78,7 @@ impl<'c> Walk<'c> {
             compare("time", &time, &claim.time)?;
             return Ok(Standing::resting(departure, Rest { wall, since, begins: false }));
         }
-        Err(Doubt::Open("the rest is not enclosed as claimed".into()))
+        Err(Doubt::open("the rest is not enclosed as claimed"))
     }
 
     /// The ball leaves where the acceleration turns inward.
@@ -124,10 +124,10 @@ impl<'c> Walk<'c> {
         let half = Real::int(odd, self.bits) * &Real::pi(self.bits);
         // exact: shared by all members
         let turns = (self.parameters.origin() + since - &half).over(&turn).and_then(|turns| turns.enclosure().floor());
-        let turns = turns.ok_or_else(|| Doubt::Open("the forcing period of the release is not decided".into()))?;
+        let turns = turns.ok_or_else(|| Doubt::open("the forcing period of the release is not decided"))?;
         // Whole turns dropped so far are an even number of half turns, or the odd one of a release before.
         let halves = &self.halves + (turns + 1) * 2 + odd;
         let clock = Clock::at_quarter_turns(self.data, &(&halves * 2), self.bits);
-        Ok((halves, clock.ok_or_else(|| Doubt::Open("the time of the release is too large".into()))?))
+        Ok((halves, clock.ok_or_else(|| Doubt::open("the time of the release is too large"))?))
     }
 }

@@ -94,7 +94,7 @@ impl Round<'_> {
             let inverse = inverse(&[[one.clone() - &a, -b], [-c, one - &d]]);
             let step = inverse.map(|inverse| inverse.map(|row| point(&along(&row, &miss))));
             let Some(step) = step else {
-                return Err(Doubt::Open("an orbit is not distinguished from its neighbours".into()));
+                return Err(Doubt::open("an orbit is not distinguished from its neighbours"));
             };
             let size = step.iter().map(|x| x.enclosure().mag()).max().unwrap_or_else(Dyadic::zero); // proposes: when to stop
             // As many digits as rounding leaves.
@@ -107,7 +107,7 @@ impl Round<'_> {
             }
             before = Some(size);
         }
-        Err(Doubt::Open("no periodic orbit is found near the motion".into()))
+        Err(Doubt::open("no periodic orbit is found near the motion"))
     }
 
     /// Phases whole common periods of the shaking off, nearest to another one; `None` beyond integers of 64 bits.

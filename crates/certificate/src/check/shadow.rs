@@ -82,7 +82,7 @@ impl Certificate {
             let shadow = Shadow { certificate: self, near, hits, is_of_times, effort, watch };
             shadow.fits(start.last())?;
             if !data.is_point() {
-                return Err((0, Doubt::Open("a shadowed orbit is not checked where data are intervals".into())));
+                return Err((0, Doubt::open("a shadowed orbit is not checked where data are intervals")));
             }
             shadow.starts_around_the_scenes().map_err(|doubt| (end, doubt))?;
             let (bits, offs) = shadow.answer(data, progress)?;
@@ -138,7 +138,7 @@ impl Shadow<'_> {
                     .map(|k| {
                         let budget = &course.data.budget;
                         if budget.is_stopped() {
-                            return Err((k, Doubt::Open("it is stopped".into())));
+                            return Err((k, Doubt::open("it is stopped")));
                         }
                         budget.allow(bits, course.data.tones.len());
                         answer(course, k).map_err(|doubt| (k, doubt))
@@ -199,10 +199,10 @@ impl Shadow<'_> {
                 break;
             }
             if ratio.partial_cmp(&before) != Some(Ordering::Less) {
-                return Err((at - 1, Doubt::Open("no orbit is found near the bounds".into())));
+                return Err((at - 1, Doubt::open("no orbit is found near the bounds")));
             }
             before = ratio;
-            improve(&mut points).ok_or_else(|| (at - 1, Doubt::Open("no orbit is found near the bounds".into())))?;
+            improve(&mut points).ok_or_else(|| (at - 1, Doubt::open("no orbit is found near the bounds")))?;
         }
         plan(&mut points);
         self.starts_near(&points[0], bits).map_err(|doubt| (0, doubt))?;
@@ -223,7 +223,7 @@ impl Shadow<'_> {
             };
             match beside(&found, bounds) {
                 Beside::Inside => Ok(()),
-                _ => Err(Doubt::Open("no start in its bounds is proved to have this orbit".into())),
+                _ => Err(Doubt::open("no start in its bounds is proved to have this orbit")),
             }
         })
     }

@@ -150,7 +150,7 @@ impl Last {
             _ if mapping == self.mapping(to) => Ok(()),
             // It is the one or the other.
             Some(mapping) if self == Self::Either && mapping.walls().1 == to => {
-                Err(Doubt::Open("the graze before is not distinguished from a touch, so no mapping is proved".into()))
+                Err(Doubt::open("the graze before is not distinguished from a touch, so no mapping is proved"))
             }
             _ => Err(Doubt::False("the mapping does not lead from the wall before to this one".into())),
         }

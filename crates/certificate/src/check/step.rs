@@ -172,7 +172,7 @@ impl Launch {
             if self.phase.column_bits() > COLUMN_BITS { contract(&set, wall, contact.at(bits)) } else { contact };
         let contact = contact.at(bits).hull(&h);
         let v = set.slope(&contact);
-        let over = |x: Real| x.over(&v).ok_or_else(|| Doubt::Open("a graze is not excluded".into()));
+        let over = |x: Real| x.over(&v).ok_or_else(|| Doubt::open("a graze is not excluded"));
         let miss = over(centre.height(&h) - &centre.level(wall))?;
 
         // d(th1, v1) by implicit differentiation of (A.2/4/6) and of (A.1/3/5).

@@ -103,7 +103,7 @@ impl Walk<'_> {
         let next = still.next().filter(|(wall, _)| *wall == claim.wall);
         let (_, quarters) = next.ok_or_else(|| Doubt::False("the wall is not touched next".into()))?;
         let clock = Clock::at_quarter_turns(self.data, &quarters, bits);
-        let clock = clock.ok_or_else(|| Doubt::Open("the time of the graze is too large".into()))?;
+        let clock = clock.ok_or_else(|| Doubt::open("the time of the graze is too large"))?;
         compare("time", &clock.time(&Real::zero(bits)), &claim.time)?;
         self.standing.touch(Still { quarters, ..still });
         Ok(())

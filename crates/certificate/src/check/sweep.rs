@@ -51,10 +51,10 @@ impl ClaimedOrbit {
     fn judged(&self, certificate: &Certificate, data: &Data, most: u32) -> Result<u32, Doubt> {
         is_placed(self.contradiction, self.is_of_grid)?;
         if self.is_shadowed {
-            return Err(Doubt::Open("only orbits from their exact starts are checked in sweeps".into()));
+            return Err(Doubt::open("only orbits from their exact starts are checked in sweeps"));
         }
         if !data.is_point() {
-            return Err(Doubt::Open("only points whose data are numbers are checked".into()));
+            return Err(Doubt::open("only points whose data are numbers are checked"));
         }
         let (mut bits, mut before) = (FIRST_BITS, None);
         loop {
@@ -76,7 +76,7 @@ impl ClaimedOrbit {
     fn follow(&self, walk: &mut Walk<'_>) -> Result<(), Doubt> {
         let mut states = self.states.iter().peekable();
         if walk.standing.still().is_some() && self.impacts > 0 {
-            return Err(Doubt::Open("the ball has no drift".into()));
+            return Err(Doubt::open("the ball has no drift"));
         }
         let mut may_rest = false;
         while walk.impacts < self.impacts {
@@ -109,7 +109,7 @@ impl ClaimedOrbit {
         let (own, bits) = (self.pair.excitation().reference(), found.bits());
         let since = found - &Real::of(own.phase(), bits);
         let rate = Real::of(reference.frequency(), bits).over(&Real::of(own.frequency(), bits));
-        let rate = rate.ok_or_else(|| Doubt::Open("the frequencies are too far apart".into()))?;
+        let rate = rate.ok_or_else(|| Doubt::open("the frequencies are too far apart"))?;
         Ok(since * &rate + &Real::of(reference.phase(), bits))
     }
 }
@@ -133,7 +133,7 @@ impl ClaimedState {
         let half = Real::int(1, bits).half();
         // V6: any whole number of periods
         let turns = ahead.and_then(|ahead| (ahead.middle() + &half).floor());
-        let turns = turns.ok_or_else(|| Doubt::Open("a phase is too large".into()))?;
+        let turns = turns.ok_or_else(|| Doubt::open("a phase is too large"))?;
         let wide = Real::pi(found.bits()) * 2;
         let named = |doubt: Doubt| match doubt {
             Doubt::Open(message) => Doubt::Open(format!("impact {index}: {message}")),

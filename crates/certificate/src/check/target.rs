@@ -50,7 +50,7 @@ impl<'c> Target<'c> {
         if claim.impacts.iter().zip(&walls).any(|(impact, wall)| impact.wall != *wall) {
             return Err(Doubt::False("an impact of the orbit is on the other wall".into()));
         }
-        let open = |message: &str| Doubt::Open(message.into());
+        let open = |message: &str| Doubt::open(message);
         let turns = data.common_turns().ok_or_else(|| open("the harmonics are not proved to have a common period"))?;
         if cycles == 0 || !BigInt::from(cycles).is_multiple_of(&turns) {
             return Err(open("the cycles are not a multiple of the common period of all harmonics"));
@@ -127,7 +127,7 @@ impl<'c> Target<'c> {
                 Err(Doubt::Open(_)) if n < DOUBLED && round.first() == 0 && !self.data.budget.is_spent() => bits *= 2,
                 // Of solutions with earlier contacts there may be others in longer flights.
                 Ok(()) if near.is_physical && !basin.holds(claimed) => {
-                    return Err(Doubt::Open("the orbit is not proved to be the only one in its bounds".into()));
+                    return Err(Doubt::open("the orbit is not proved to be the only one in its bounds"));
                 }
                 answer => return answer,
             }
@@ -142,12 +142,12 @@ impl<'c> Target<'c> {
             orbit.is_symmetric_as(*claimed, self.data.has_mirror())?;
         }
         if self.is_whole && !orbit.is_whole() {
-            return Err(Doubt::Open("the orbit is not proved to be no shorter one".into()));
+            return Err(Doubt::open("the orbit is not proved to be no shorter one"));
         }
         let bits = frame.turn.bits();
         let turn = |phase: &Bounds| {
             let turns = Real::rational(&phase[0], bits).over(&frame.turn).and_then(|turns| turns.floor()); // V6: shared by all members
-            turns.ok_or_else(|| Doubt::Open("the forcing period of a phase is not decided".into()))
+            turns.ok_or_else(|| Doubt::open("the forcing period of a phase is not decided"))
         };
         for (claimed, found) in impacts.iter().zip(orbit.impacts()) {
             if turn(&claimed.phase)? != 0 {
@@ -155,7 +155,7 @@ impl<'c> Target<'c> {
             }
             let phase = found.phase.clone().shifted(&self.origin(frame, claimed.turn));
             let middle = hull(&claimed.phase.each_ref().map(|phase| Real::rational(phase, bits))).middle();
-            let phase = orbit.near(&phase, &middle).ok_or_else(|| Doubt::Open("a phase is too large".into()))?;
+            let phase = orbit.near(&phase, &middle).ok_or_else(|| Doubt::open("a phase is too large"))?;
             compare("phase of the orbit", &phase.hull(), &claimed.phase)?;
             compare("velocity of the orbit", &frame.clock.velocity(&found.velocity.hull()), &claimed.velocity)?;
         }
@@ -166,7 +166,7 @@ impl<'c> Target<'c> {
         let power = i32::try_from(2 * self.walls.len()).ok();
         let restitution = Real::of(&self.data.restitution, bits);
         let determinant = power.and_then(|power| restitution.enclosure().powi(power, bits));
-        let determinant = Real::new(determinant.ok_or_else(|| Doubt::Open("the word is too long".into()))?, bits);
+        let determinant = Real::new(determinant.ok_or_else(|| Doubt::open("the word is too long"))?, bits);
         self.compare_stability(&trace, &determinant)?;
         let Some(numbers) = numbers else { return Ok(()) };
         let [one, other] = eigenvalues(&trace, &determinant);
@@ -197,7 +197,7 @@ impl<'c> Target<'c> {
             let beyond = passed - &(middle(claimed) - &middle(&claims[0]));
             let half = Real::int(1, frame.turn.bits()).half();
             let first = claims[0].turn.and_then(|turn| i64::try_from(turn).ok()).unwrap_or(0); // exact: no turn, the first one
-            let told = cycle.checked_sub(first).ok_or_else(|| Doubt::Open("a cycle is too large".into()))?;
+            let told = cycle.checked_sub(first).ok_or_else(|| Doubt::open("a cycle is too large"))?;
             let off = beyond.over(&frame.turn).map(|turns| turns - told);
             match off {
                 // Both are a whole number.
@@ -205,7 +205,7 @@ impl<'c> Target<'c> {
                 Some(off) if half.is_below(&off) || half.is_below(&-off.clone()) => {
                     return Err(Doubt::False("an impact of the orbit is in another forcing period".into()));
                 }
-                _ => return Err(Doubt::Open("the forcing period of an impact is not decided".into())),
+                _ => return Err(Doubt::open("the forcing period of an impact is not decided")),
             }
         }
         Ok(())
@@ -238,7 +238,7 @@ impl<'c> Target<'c> {
             let is_it = match claimed.as_str() {
                 "positive" => found.is_positive(),
                 "negative" => found.is_negative(),
-                _ => return Err(Doubt::Open("no sine is proved to be zero".into())),
+                _ => return Err(Doubt::open("no sine is proved to be zero")),
             };
             if !is_it {
                 let message = "the sine on the left wall has another sign".to_owned();
@@ -260,7 +260,7 @@ impl<'c> Target<'c> {
         let is_stable = at.iter().all(Real::is_positive) && determinant.is_below(&one);
         match (self.claim.stability, is_stable, is_unstable) {
             (Stability::Undecided, ..) | (Stability::Stable, true, _) | (Stability::Unstable, _, true) => Ok(()),
-            (_, false, false) => Err(Doubt::Open("the stability is undecided".into())),
+            (_, false, false) => Err(Doubt::open("the stability is undecided")),
             _ => Err(Doubt::False("the stability claimed is false".into())),
         }
     }

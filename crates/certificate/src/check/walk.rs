@@ -74,7 +74,7 @@ impl<'c> Walk<'c> {
     pub fn all(&mut self, progress: &mut impl FnMut(&Self)) -> Result<(), Doubt> {
         for claim in &self.certificate.events()[self.event..] {
             if self.data.budget.is_stopped() {
-                return Err(Doubt::Open("it is stopped".into()));
+                return Err(Doubt::open("it is stopped"));
             }
             self.confirm(claim)?;
             self.event += 1;
@@ -155,7 +155,7 @@ impl<'c> Walk<'c> {
         if guess.is_positive() {
             Ok(Claimed { from, guess, to: Some(to), is_first: true })
         } else {
-            Err(Doubt::Open("the time is too near".into()))
+            Err(Doubt::open("the time is too near"))
         }
     }
 

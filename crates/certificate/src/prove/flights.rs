@@ -2,12 +2,13 @@
 //! reference harmonic.
 
 use super::cuts::Cuts;
-use crate::check::{self, Data, Doubt, Piece, Walk};
+use crate::check::{self, Data, Doubt, Launch, Parameters, Piece, Walk};
 use crate::{Certificate, Claim};
 use impact_pair_exact::{Exact, Real};
 use impact_pair_model::Wall;
 use impact_pair_model::watch::{Stage, Watch};
 use impact_pair_model::{EventKind, Excitation};
+use num_rational::BigRational;
 
 /// The start of an orbit.
 #[derive(Clone, Debug)]
@@ -91,14 +92,9 @@ pub(super) fn flights(
     watch: &dyn Watch,
 ) -> (Origin, Vec<Flight>, Option<Doubt>) {
     let mut walk = Walk::new(certificate, data, &Piece::default(), bits);
-    let parameters = walk.parameters.clone();
-    let amplitude = parameters.terms[0].amplitude.hull();
-    let unit = |x: &Real| x.over(&amplitude).expect("the box is excited");
-    let middle = |x: &Real| Real::point(x.mid(), bits);
+    let scale = Scale::new(certificate.pair().excitation(), data, walk.parameters.clone(), bits);
     let (phase, velocity, _) = data.state(&Piece::default(), bits);
-    let origin = Origin { phase: walk.absolute(&phase.less_centre().hull()), velocity: unit(&velocity.hull()) };
-    let half_gap = unit(&parameters.half_gap.hull());
-    let spread = [half_width(&parameters.restitution.hull()), 2.0 * half_width(&half_gap)];
+    let origin = Origin { phase: walk.absolute(&phase.less_centre().hull()), velocity: scale.unit(&velocity.hull()) };
     let mut before = float(&origin.velocity);
     let mut flights = Vec::new();
     for claim in claims {
@@ -108,12 +104,62 @@ pub(super) fn flights(
             return (origin, flights, Some(doubt));
         }
         if watch.proceed(Stage::Claims(flights.len() + 1)).is_break() {
-            return (origin, flights, Some(Doubt::Open("interrupted".to_owned())));
+            return (origin, flights, Some(Doubt::open("interrupted")));
         }
+        let printed = scale.printed(&claim.time, printed);
+        let flight = scale.flight(&walk, &departure, printed, before);
+        before = flight.rate;
+        flights.push(flight);
+    }
+    (origin, flights, None)
+}
+
+/// The data of a certificate, and its units.
+struct Scale<'d> {
+    excitation: &'d Excitation,
+    data: &'d Data<'d>,
+    parameters: Parameters<'d>,
+    /// `A` of the reference harmonic \[length\]
+    amplitude: Real,
+    /// See [`Flight::spread`].
+    spread: [f64; 2],
+    bits: u32,
+}
+
+impl<'d> Scale<'d> {
+    fn new(excitation: &'d Excitation, data: &'d Data<'d>, parameters: Parameters<'d>, bits: u32) -> Self {
+        let amplitude = parameters.terms[0].amplitude.hull();
+        let scale = Self { excitation, data, parameters, amplitude, spread: [0.0; 2], bits };
+        let half_gap = scale.unit(&scale.parameters.half_gap.hull());
+        let spread = [half_width(&scale.parameters.restitution.hull()), 2.0 * half_width(&half_gap)];
+        Self { spread, ..scale }
+    }
+
+    /// A length in `A`, or a velocity of lengths per radian in `A W`.
+    fn unit(&self, x: &Real) -> Real {
+        x.over(&self.amplitude).expect("the box is excited")
+    }
+
+    fn middle(&self, x: &Real) -> Real {
+        Real::point(x.mid(), self.bits)
+    }
+
+    /// The claimed bounds of a time as phases, and of a velocity in `A W`.
+    fn printed(&self, time: &[BigRational; 2], velocity: &[BigRational; 2]) -> [[Real; 2]; 2] {
+        let of = |x: &Exact| Real::of(x, self.bits);
+        let frequency = of(&self.data.frequency);
+        let aw = self.amplitude.clone() * &frequency;
+        let phase = |time: &BigRational| Real::rational(time, self.bits) * &frequency + &of(&self.data.delay);
+        let speed = |v: &BigRational| Real::rational(v, self.bits).over(&aw).expect("the box is excited");
+        [time.each_ref().map(phase), velocity.each_ref().map(speed)]
+    }
+
+    /// The flight from a departure to the impact that a walk has come to; `before` is the velocity before the departure.
+    fn flight(&self, walk: &Walk<'_>, departure: &Launch, printed: [[Real; 2]; 2], before: f64) -> Flight {
         let landing = walk.standing.landing().expect("an impact was confirmed");
-        let from = departure.start.wall;
-        let phases = [&departure.phase, &landing.phase].map(|x| middle(&walk.absolute(&x.centre)));
-        let velocity = middle(&unit(&landing.velocity.centre));
+        let (from, parameters) = (departure.start.wall, &self.parameters);
+        let phases = [&departure.phase, &landing.phase].map(|x| self.middle(&walk.absolute(&x.centre)));
+        let velocity = self.middle(&self.unit(&landing.velocity.centre));
         let length = phases[1].clone() - &phases[0];
         let centre = check::Flight {
             shaking: parameters.shaking(&departure.phase.centre, |x| x.centre.clone()),
@@ -122,20 +168,14 @@ pub(super) fn flights(
             velocity: departure.velocity.centre.clone(),
             budget: parameters.budget.clone(),
         };
-        let bend = [centre.shaking.first_acceleration(), centre.shaking.acceleration(&length)].map(|x| unit(&x));
+        let bend = [centre.shaking.first_acceleration(), centre.shaking.acceleration(&length)].map(|x| self.unit(&x));
         let cuts = Cuts::new(&centre, float(&length));
-        let aw = amplitude.clone() * &Real::of(&data.frequency, bits);
-        let time = claim
-            .time
-            .each_ref()
-            .map(|time| Real::rational(time, bits) * &Real::of(&data.frequency, bits) + &Real::of(&data.delay, bits));
-        let speeds = printed.each_ref().map(|v| Real::rational(v, bits).over(&aw).expect("the box is excited"));
-        let u = float(&unit(&departure.velocity.centre));
-        flights.push(Flight {
+        let u = float(&self.unit(&departure.velocity.centre));
+        Flight {
             from,
             wall: landing.wall,
-            tilt: middle(&bend[1].over(&velocity).expect("an impact has a velocity")),
-            printed: [time, speeds],
+            tilt: self.middle(&bend[1].over(&velocity).expect("an impact has a velocity")),
+            printed,
             before,
             u,
             restitution: if from.is_some() { float(&parameters.restitution.centre) } else { 1.0 },
@@ -144,13 +184,11 @@ pub(super) fn flights(
             rate: float(&velocity),
             cuts: cuts.places(u == 0.0),
             nearness: cuts.nearness(),
-            reach: float(&unit(&centre.shaking.reach())),
-            spread,
-            unknown: unknown(certificate.pair().excitation(), &phases[1]),
+            reach: float(&self.unit(&centre.shaking.reach())),
+            spread: self.spread,
+            unknown: unknown(self.excitation, &phases[1]),
             phases,
             velocity,
-        });
-        before = flights.last().map_or(before, |flight| flight.rate);
+        }
     }
-    (origin, flights, None)
 }

@@ -103,12 +103,7 @@ pub fn svg(trade: &Trade<'_>, look: &Look) -> Result<String> {
 }
 
 fn draw(trade: &Trade<'_>, (root, look): (&Canvas<'_>, &Look)) -> Drawn {
-    let mut marks: Vec<Mark> = trade.rungs.iter().filter_map(|rung| Mark::of(rung, trade)).collect();
-    let finite = marks.iter().map(|mark| mark.digits).filter(|digits| digits.is_finite());
-    let beyond = BEYOND * finite.fold(10.0, f64::max);
-    for mark in marks.iter_mut().filter(|mark| mark.digits.is_infinite()) {
-        (mark.digits, mark.label) = (beyond, format!("{}, exact", mark.label));
-    }
+    let marks = marks(trade);
     let above = if look.no_header { 0 } else { CAPTION };
     if !look.no_header {
         caption(trade, root)?;
@@ -150,16 +145,36 @@ fn draw(trade: &Trade<'_>, (root, look): (&Canvas<'_>, &Look)) -> Drawn {
         right: f64::from(x.end) - 2.0,
         bottom: f64::from(y.end) - 2.0,
     };
+    names(&marks, &points, &frame, root)?;
+    for (mark, &point) in marks.iter().zip(&points) {
+        symbol(root, mark.kind, mark.is_complete, point)?;
+    }
+    Ok(())
+}
+
+/// The marks of the arithmetics; those without a width stand beyond all others.
+fn marks(trade: &Trade<'_>) -> Vec<Mark> {
+    let mut marks: Vec<Mark> = trade.rungs.iter().filter_map(|rung| Mark::of(rung, trade)).collect();
+    let finite = marks.iter().map(|mark| mark.digits).filter(|digits| digits.is_finite());
+    let beyond = BEYOND * finite.fold(10.0, f64::max);
+    for mark in marks.iter_mut().filter(|mark| mark.digits.is_infinite()) {
+        (mark.digits, mark.label) = (beyond, format!("{}, exact", mark.label));
+    }
+    marks
+}
+
+/// Writes the names of marks beside these points, with lines to those that stand apart.
+fn names(marks: &[Mark], points: &[(i32, i32)], frame: &Area, root: &Canvas<'_>) -> Drawn {
     let boxes: Vec<Label> = marks
         .iter()
-        .zip(&points)
+        .zip(points)
         .map(|(mark, &(x, y))| Label {
             marker: (f64::from(x), f64::from(y)),
             width: LETTER * f64::from(FONT) * mark.label.chars().count() as f64,
             height: f64::from(FONT) + 1.0,
         })
         .collect();
-    for ((mark, area), label) in marks.iter().zip(labels::place(&boxes, &frame)).zip(&boxes) {
+    for ((mark, area), label) in marks.iter().zip(labels::place(&boxes, frame)).zip(&boxes) {
         lead(root, mark.kind, label.marker, &area)?;
         // Flush with the end that is nearer, since the width is a guess.
         let (x, side) = match label.marker.0 {
@@ -169,9 +184,6 @@ fn draw(trade: &Trade<'_>, (root, look): (&Canvas<'_>, &Look)) -> Drawn {
         };
         let at = (x.round() as i32, ((area.top + area.bottom) / 2.0).round() as i32);
         root.draw(&Text::new(mark.label.clone(), at, words(FONT, &mark.kind.colour(), side)))?;
-    }
-    for (mark, &point) in marks.iter().zip(&points) {
-        symbol(root, mark.kind, mark.is_complete, point)?;
     }
     Ok(())
 }

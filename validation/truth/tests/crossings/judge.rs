@@ -60,11 +60,11 @@ fn check(document: &str) -> (Finding, String) {
     }
 }
 
-/// The judge's word on all members; a wrong one ends it, an open one is remembered.
-fn all(members: &[Member], mut one: impl FnMut(&Member) -> Judged<()>) -> Judged<()> {
+/// The judge's word on all members, or orbits; a wrong one ends it, an open one is remembered.
+fn all<T>(items: impl IntoIterator<Item = T>, mut one: impl FnMut(T) -> Judged<()>) -> Judged<()> {
     let mut open = None;
-    for member in members {
-        match one(member) {
+    for item in items {
+        match one(item) {
             Err(Halt::Open(why)) => open = Some(why),
             other => other?,
         }
@@ -187,7 +187,7 @@ fn tangency(document: &Value) -> Judged<()> {
         bounds[i].as_str().and_then(|text| text.parse::<f64>().ok()).unwrap_or(f64::NAN)
     };
     let middle = |bounds: &Value| 0.5 * (end(bounds, 0) + end(bounds, 1));
-    for found in document["tangencies"].as_array().map_or(&[][..], Vec::as_slice) {
+    for found in list(document, "tangencies") {
         let saddle = &found["saddle"];
         let [phase, speed] = [middle(&saddle["phase"]), middle(&saddle["speed"])];
         let [unstable, stable] = [0, 1].map(|i| middle(&saddle["eigenvalues"][i]));
@@ -238,6 +238,7 @@ fn floats(document: &Value) -> Judged<()> {
 fn truth(case: &mut Case, answer: &Answer) -> Judged<()> {
     let members = Member::all(&case.scene, &mut case.random);
     let is_point = members.len() == 1;
+    let point = || if is_point { Ok(&members[0]) } else { Err(Halt::Open("a box of data")) };
     match answer {
         Answer::Refused(_) | Answer::Nothing(_) | Answer::Chaos(_) => Err(Halt::Open("nothing")),
         Answer::Orbit(document) if document["certified"] == false => floats(document),
@@ -250,72 +251,34 @@ fn truth(case: &mut Case, answer: &Answer) -> Judged<()> {
         Answer::Orbit(document) => all(&members, |member| motion::judge(document, member)),
         Answer::Sweep { records, points, asked, .. } => sweeps::judge(records, points, asked, &mut case.random),
         Answer::Periodic(document) => {
-            let mut open = None;
-            for orbit in document["orbits"].as_array().map_or(&[][..], Vec::as_slice) {
-                match if is_point { orbits::judge(orbit, &members[0]) } else { Err(Halt::Open("a box of data")) } {
-                    Err(Halt::Open(why)) => open = Some(why),
-                    other => other?,
-                }
-            }
-            if document["exhaustive"] == true {
+            let listed = all(list(document, "orbits"), |orbit| orbits::judge(orbit, point()?));
+            if document["exhaustive"] == true && !matches!(listed, Err(Halt::Wrong(_))) {
                 let starts = starts(&case.scene, &mut case.random);
                 orbits::judge_all(document, &case.scene, &starts)?;
             }
-            open.map_or(Ok(()), |why| Err(Halt::Open(why)))
+            listed
         }
         Answer::Bifurcations(document) => {
-            let key = document["over"]["key"].as_str().unwrap_or_default().to_owned();
-            let mut open = (!is_point).then_some("a box of data");
-            for point in document["points"].as_array().map_or(&[][..], Vec::as_slice).iter().filter(|_| is_point) {
-                match bifurcation(point, &case.scene, &key) {
-                    Err(Halt::Open(why)) => open = Some(why),
-                    other => other?,
-                }
-            }
-            open.map_or(Ok(()), |why| Err(Halt::Open(why)))
+            let key = document["over"]["key"].as_str().unwrap_or_default();
+            point()?;
+            all(list(document, "points"), |point| bifurcation(point, &case.scene, key))
         }
         Answer::Description(document) => all(&members, |member| description(document, &case.scene, member)),
-        Answer::Cells(document) => {
-            if is_point {
-                cells::judge(document, case)
-            } else {
-                Err(Halt::Open("a box of data"))
-            }
-        }
+        Answer::Cells(document) => point().and_then(|_| cells::judge(document, case)),
         Answer::Trap(document) => all(&members, |member| trap(document, &case.scene, member)),
         Answer::Cycles(document) => {
-            let listed = document["orbits"].as_array().map_or(&[][..], Vec::as_slice);
-            if !is_point {
-                return Err(Halt::Open("a box of data"));
-            }
-            listed.iter().try_for_each(|orbit| orbits::judge(orbit, &members[0]))
+            let member = point()?;
+            list(document, "orbits").iter().try_for_each(|orbit| orbits::judge(orbit, member))
         }
         Answer::Windows(document) => {
-            if !is_point {
-                return Err(Halt::Open("a box of data"));
-            }
-            let listed = document["windows"].as_array().map_or(&[][..], Vec::as_slice);
-            listed.iter().try_for_each(|window| {
-                let value = Value::Array(vec![window["at"].clone(); 2]);
-                let Some(there) = at(&case.scene, "pair.gap", &value) else {
-                    return Err(Halt::Open("no scene at the value"));
-                };
-                orbits::judge(&window["orbit"], &Member::new(&there, || 0.0))?;
-                between(window, &case.scene)
-            })
+            point()?;
+            list(document, "windows").iter().try_for_each(|found| window(found, &case.scene))
         }
         // The orbits; and where the scene's own motion goes, it is not elsewhere.
-        Answer::Global(document) => {
-            if !is_point {
-                return Err(Halt::Open("a box of data"));
-            }
-            components(document, &members[0])
-        }
+        Answer::Global(document) => components(document, point()?),
         // The same at each point.
         Answer::Atlas { records, points, .. } => {
-            if !is_point {
-                return Err(Halt::Open("a box of data"));
-            }
+            point()?;
             let mut all = records.iter().zip(points);
             all.try_for_each(|(record, scene)| components(record, &Member::new(scene, || 0.0)))
         }
@@ -325,10 +288,22 @@ fn truth(case: &mut Case, answer: &Answer) -> Judged<()> {
     }
 }
 
+/// The rows of a list of a document.
+fn list<'d>(document: &'d Value, key: &str) -> &'d [Value] {
+    document[key].as_array().map_or(&[][..], Vec::as_slice)
+}
+
+/// The orbit of a window, at its value, and those between its ends.
+fn window(window: &Value, scene: &Scene) -> Judged<()> {
+    let value = Value::Array(vec![window["at"].clone(); 2]);
+    let there = at(scene, "pair.gap", &value).ok_or(Halt::Open("no scene at the value"))?;
+    orbits::judge(&window["orbit"], &Member::new(&there, || 0.0))?;
+    between(window, scene)
+}
+
 /// The periodic motions among the components of a global analysis.
 fn components(document: &Value, member: &Member) -> Judged<()> {
-    let listed = document["components"].as_array().map_or(&[][..], Vec::as_slice);
-    let orbits = listed.iter().filter(|own| own["orbit"].is_object());
+    let orbits = list(document, "components").iter().filter(|own| own["orbit"].is_object());
     orbits.map(|own| &own["orbit"]).try_for_each(|orbit| orbits::judge(orbit, member))?;
     attractors::judge(document, member)
 }

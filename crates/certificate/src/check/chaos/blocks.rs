@@ -32,7 +32,7 @@ pub(super) fn says_the_shortest(named: Option<&str>, words: &[Word], bases: usiz
     for ((flights, _), ways) in &blocks {
         lengths.entry(ways).or_default().push(flights.len());
     }
-    let open = |message: &str| Err(Doubt::Open(message.to_owned()));
+    let open = |message: &str| Err(Doubt::open(message));
     if lengths.len() * lengths.len() > MOST_PAIRS {
         return open("the horseshoe is not checked: the graph of words has too many chains");
     }

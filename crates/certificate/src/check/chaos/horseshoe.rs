@@ -59,8 +59,8 @@ impl<'h> Horseshoe<'h> {
 pub(super) fn is_proved(claimed: &ProvedHorseshoeDocument, law: &Law, work: &Allowance) -> Result<(), Doubt> {
     match Horseshoe::claimed(&claimed.bases, &claimed.entropy, claimed.depth)?.is_there(law, work) {
         Ok(true) => Ok(()),
-        Ok(false) => Err(Doubt::Open("its horseshoe is not proved again".into())),
-        Err(_) => Err(Doubt::Open("the work allowed is spent on its horseshoe".into())),
+        Ok(false) => Err(Doubt::open("its horseshoe is not proved again")),
+        Err(_) => Err(Doubt::open("the work allowed is spent on its horseshoe")),
     }
 }
 

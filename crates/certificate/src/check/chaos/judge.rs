@@ -79,7 +79,7 @@ impl ChaosCertificate {
         let Some(Some(set)) = &self.document().hyperbolic else { return Ok(None) };
         let work = Allowance::new(allowed.saturating_mul(CONES), watch); // proposes: when to give up
         match cones::doubt(law, listed, set, &work) {
-            Err(End::Spent) => Ok(Some(Doubt::Open("hyperbolic: the work allowed is spent".to_owned()))),
+            Err(End::Spent) => Ok(Some(Doubt::open("hyperbolic: the work allowed is spent"))),
             found => found,
         }
     }

@@ -64,7 +64,7 @@ pub(super) fn says_what_holds(
             return Ok(());
         };
     }
-    Err(Doubt::Open(open.to_owned()))
+    Err(Doubt::open(open))
 }
 
 /// Whether the number of words is proved to grow by a factor of `e^h` at most.

@@ -94,7 +94,7 @@ impl TrapCertificate {
         let TrapDocument { columns, rows, region, boxes, .. } = self.document();
         let wrong = |message: &str| Err(Doubt::False(message.to_owned()));
         if !(columns.is_power_of_two() && *columns > 1 && rows.is_power_of_two()) {
-            return Err(Doubt::Open("only grids of powers of two are checked".into()));
+            return Err(Doubt::open("only grids of powers of two are checked"));
         }
         let is_run = |&[column, first, last]: &[i32; 3]| {
             0 <= column && i64::from(column) < i64::from(*columns) && 0 <= first && first <= last
@@ -143,10 +143,10 @@ impl TrapCertificate {
             }
         }
         if !is_below(&times[1], longest_flight) {
-            return Err(Doubt::Open("longest_flight is not proved".into()));
+            return Err(Doubt::open("longest_flight is not proved"));
         }
         if !times[0].is_positive() && self.document().no_rest {
-            return Err(Doubt::Open("no_rest is not proved".into()));
+            return Err(Doubt::open("no_rest is not proved"));
         }
         Ok(())
     }
@@ -158,7 +158,7 @@ impl TrapCertificate {
         let period = (Exact::pi() * Exact::from(2)).checked_div(frequency);
         let unit = |x: Result<Exact, _>| match x {
             Ok(x) => Ok(Real::of(&x, BITS)),
-            Err(_) => Err(Doubt::Open("the units exceed the range of exact expressions".into())),
+            Err(_) => Err(Doubt::open("the units exceed the range of exact expressions")),
         };
         Ok([unit(period)?, unit(amplitude.checked_mul(frequency))?])
     }

@@ -2,7 +2,8 @@
 
 use num_traits::Signed;
 
-use super::chain::{Area, BITS, Chain, OTHER, PARAMETER, STABLE, STATES, UNSTABLE};
+use super::area::{Area, BITS, OTHER, PARAMETER, STABLE, STATES, UNSTABLE};
+use super::chain::Chain;
 use super::flights::Letter;
 use super::krawczyk::{Found, System, parts};
 use super::setting::Setting;
@@ -19,10 +20,6 @@ use impact_pair_exact::{Dyadic, Real};
 pub(super) const LONGEST: usize = 200;
 /// How often the curve of common points is halved.
 const HALVED: u32 = 8;
-
-fn open(message: &str) -> Doubt {
-    Doubt::Open(message.into())
-}
 
 /// All numbers of bounds.
 pub(super) fn all(bounds: &Bounds) -> Real {
@@ -67,7 +64,7 @@ impl ClaimedTangency {
     ) -> Result<(), Doubt> {
         let count = letters.len();
         if count > LONGEST {
-            return Err(open("common points along more than 200 flights are not counted"));
+            return Err(Doubt::open("common points along more than 200 flights are not counted"));
         }
         let [two, none, own] = [&sides.two, &sides.none, &self.parameter].map(|bounds| setting.reduced(&all(bounds)));
         let (two, none, own) = (two?, none?, own?);
@@ -99,7 +96,7 @@ impl ClaimedTangency {
         if curve.bounds.iter().zip(&values).all(holds) {
             Ok(())
         } else {
-            Err(open("the tangency is not proved to be among the common points"))
+            Err(Doubt::open("the tangency is not proved to be among the common points"))
         }
     }
 }
@@ -117,7 +114,7 @@ impl Curve<'_, '_> {
         for end in ends {
             let found = self.found(near.clone(), [end, end])?;
             if !self.is_beyond(&found.bounds[PARAMETER]) {
-                return Err(open("the boxes may not hold the common points of all of the range with two"));
+                return Err(Doubt::open("the boxes may not hold the common points of all of the range with two"));
             }
         }
         parts(ends).iter().try_for_each(|part| self.pieces(near.clone(), part, HALVED))
@@ -157,7 +154,7 @@ impl Curve<'_, '_> {
         let near = match found {
             Ok(found) if self.is_as_claimed(&found) => return Ok(()),
             Err(doubt) if depth == 0 => return Err(doubt),
-            _ if depth == 0 => return Err(open("the common points are not proved to be in the boxes")),
+            _ if depth == 0 => return Err(Doubt::open("the common points are not proved to be in the boxes")),
             Ok(found) => found.area.centre,
             Err(_) => near,
         };

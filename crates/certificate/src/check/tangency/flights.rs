@@ -121,7 +121,7 @@ pub(in crate::check) fn fly(
     budget: &Budget<'_>,
 ) -> Result<Flown, Doubt> {
     let (bits, gap) = (law.bits(), &law.gap);
-    let open = || Doubt::Open("a contact is not proved to be transversal".into());
+    let open = || Doubt::open("a contact is not proved to be transversal");
     let [theta, speed, level, bounce] = [&from.phase, &from.speed, gap, &law.e].map(|jet| jet.value(bits));
     let [at, w, d, e] = [&theta, &speed, &level, &bounce].map(Affine::hull);
     let time = Launch::new([&d, &e], [&at, &w], budget).first(letter, guess)?;

@@ -1,7 +1,8 @@
 //! Tangencies for all values of an interval of the other datum (Lemma V32).
 
+use super::area::{Area, BITS, OTHER, PARAMETER, STABLE, STATES, UNSTABLE};
 use super::beside::{LONGEST, all, are_inside, wider};
-use super::chain::{Area, BITS, Chain, OTHER, PARAMETER, STABLE, STATES, UNSTABLE};
+use super::chain::Chain;
 use super::flights::Letter;
 use super::krawczyk::{Found, System, parts};
 use super::saddle::{Family, Law};
@@ -17,10 +18,6 @@ use impact_pair_exact::Real;
 
 /// How often the interval is halved.
 const HALVED: u32 = 8;
-
-fn open(message: &str) -> Doubt {
-    Doubt::Open(message.into())
-}
 
 /// The tangencies of a family.
 struct Tangencies<'c, 'b> {
@@ -42,7 +39,7 @@ impl ClaimedTangency {
     ) -> Result<u32, Doubt> {
         let count = letters.len();
         if count > LONGEST {
-            return Err(open("tangencies along more than 200 flights are not checked for an interval"));
+            return Err(Doubt::open("tangencies along more than 200 flights are not checked for an interval"));
         }
         let other = Real::of(&setting.other, BITS);
         let parameter = setting.reduced(&all(&self.parameter))?;
@@ -79,7 +76,7 @@ impl Tangencies<'_, '_> {
     /// Whether all of them are within the bounds that are claimed.
     fn are_inside(&self, found: &Found) -> Result<bool, Doubt> {
         let parameter = self.setting.parameter(&found.bounds[PARAMETER]);
-        let parameter = parameter.ok_or_else(|| open("the parameter is not proved to be positive"))?;
+        let parameter = parameter.ok_or_else(|| Doubt::open("the parameter is not proved to be positive"))?;
         let is_inside = |x: &Real, bounds: &Bounds| matches!(beside(x, bounds), Beside::Inside);
         Ok(is_inside(&parameter, &self.claim.parameter)
             && is_inside(&found.bounds[UNSTABLE], &self.claim.unstable)
@@ -108,7 +105,7 @@ impl Tangencies<'_, '_> {
                     Err(Doubt::Open(message)) => (found.area.centre, Doubt::Open(message)),
                     answer => return answer,
                 },
-                false => (found.area.centre, open("the tangencies are not proved to be within the bounds")),
+                false => (found.area.centre, Doubt::open("the tangencies are not proved to be within the bounds")),
             },
             Err(doubt) => (near, doubt),
         };

@@ -1,6 +1,7 @@
 //! Krawczyk's operator for the equations of a chain (Lemma V31).
 
-use super::chain::{Area, Chain, Over};
+use super::area::Area;
+use super::chain::{Chain, Over};
 use crate::check::contact::Doubt;
 use crate::check::legs::size;
 use impact_pair_exact::{Dyadic, Enclosure, Real};
@@ -33,7 +34,7 @@ pub(super) struct Found {
 }
 
 fn lost() -> Doubt {
-    Doubt::Open("no orbit is found from one invariant manifold to the other".into())
+    Doubt::open("no orbit is found from one invariant manifold to the other")
 }
 
 /// An approximate inverse.
@@ -148,7 +149,7 @@ impl System {
                 weights[*i] = if least.is_below(stray) { stray.clone() } else { least };
             }
         }
-        Err(Doubt::Open("the boxes are too wide to prove that there is only one orbit in them".into()))
+        Err(Doubt::open("the boxes are too wide to prove that there is only one orbit in them"))
     }
 
     /// Proves that there is exactly one zero next to a point for each of the given values, which are at most these radii from it. Lemma V31
@@ -177,7 +178,7 @@ impl System {
                 area.radii[*i] = roomy(reach);
             }
         }
-        Err(Doubt::Open("the orbits from one invariant manifold to the other are not proved to exist".into()))
+        Err(Doubt::open("the orbits from one invariant manifold to the other are not proved to exist"))
     }
 }
 

@@ -6,6 +6,7 @@
 //! [`flights`], [`shot`] (from one manifold to the other), [`newton`] (zeros); [`chain`] (all flights), [`krawczyk`], [`beside`] (common
 //! points on either side), [`intervals`] (of the other datum).
 
+mod area;
 mod beside;
 mod chain;
 mod disc;
@@ -15,6 +16,7 @@ pub(super) mod jet;
 mod krawczyk;
 mod local;
 mod newton;
+mod rows;
 pub(super) mod saddle;
 pub(super) mod series;
 pub(super) mod setting;
@@ -49,10 +51,6 @@ const MOST_BITS: i64 = 1 << 11;
 /// The highest order of resonances that is looked at.
 const HIGHEST: u32 = 1024;
 
-fn open(message: &str) -> Doubt {
-    Doubt::Open(message.into())
-}
-
 impl TangencyCertificate {
     /// Proves every tangency again, or says which one is not as claimed or not proved, until the watch stops it, which receives the
     /// tangencies checked so far.
@@ -79,14 +77,14 @@ impl ClaimedTangency {
         }
         if let Some(states) = &self.states {
             return match &self.beside {
-                Some(_) => Err(open("common points beside tangencies for an interval are not counted")),
+                Some(_) => Err(Doubt::open("common points beside tangencies for an interval are not counted")),
                 None => self.is_for_each(states, (&Setting::of_all(pair, self.key)?, self.letters()), budget),
             };
         }
         let setting = Setting::new(pair, self.key)?;
         let near = Real::rational(&self.phase[0], 128);
         let mut range = Range::new(self.letters(), near, budget.clone());
-        let mut answer = Err(open("nothing is tried"));
+        let mut answer = Err(Doubt::open("nothing is tried"));
         for inside in INSIDE {
             answer = self.judged_inside(&setting, &mut range, inside);
             match &answer {
@@ -116,11 +114,11 @@ impl ClaimedTangency {
     ) -> Result<(u32, Unknowns, Shot), Doubt> {
         let widths = [&self.unstable, &self.stable, &self.parameter].map(|[low, high]| high - low);
         let widths = widths.map(|width| Real::rational(&width, 64).enclosure().mag().top());
-        let narrowest = widths.into_iter().map(|top| top.ok_or_else(|| open("the bounds have no width")));
+        let narrowest = widths.into_iter().map(|top| top.ok_or_else(|| Doubt::open("the bounds have no width")));
         let narrowest = narrowest.collect::<Result<Vec<_>, _>>()?.into_iter().fold(0, i64::min); // proposes: a size
         let bits = SPARE_BITS + inside - narrowest;
         let bits = u32::try_from(bits.min(MOST_BITS + 1)).ok().filter(|bits| i64::from(*bits) <= MOST_BITS); // proposes
-        let bits = bits.ok_or_else(|| open("the bounds are too narrow"))?;
+        let bits = bits.ok_or_else(|| Doubt::open("the bounds are too narrow"))?;
         let family = setting.family(bits);
         let claimed = self.claimed(setting, bits)?;
         let law = known(family.law_over(&claimed[2]))?;
@@ -138,15 +136,15 @@ impl ClaimedTangency {
         let is_in = |i: usize| claimed[i].enclosure().contains_enclosure(small[i].enclosure());
         if !(0..3).all(is_in) {
             self.none(range, &family, &claimed)?;
-            return Err(open("the tangency that is found is not proved to be inside the bounds"));
+            return Err(Doubt::open("the tangency that is found is not proved to be inside the bounds"));
         }
         let over = range.shot(&family, &small).map_err(unproved)?;
         if !matches!(zeros(&small, (&at, &here), &over), Zeros::One) {
-            return Err(open("a tangency is not proved to exist"));
+            return Err(Doubt::open("a tangency is not proved to exist"));
         }
         let whole = range.shot(&family, &claimed)?;
         if !matches!(zeros(&claimed, (&at, &here), &whole), Zeros::One | Zeros::AtMostOne) {
-            return Err(open("the bounds are too wide to prove that there is only one tangency"));
+            return Err(Doubt::open("the bounds are too wide to prove that there is only one tangency"));
         }
         self.compare(setting, &small, &over)?;
         Ok((bits, small, over))
@@ -174,17 +172,19 @@ impl ClaimedTangency {
     fn is_saddle(&self, law: &Law) -> Result<(), Doubt> {
         let phase = hull(&self.phase.each_ref().map(|bound| Real::rational(bound, law.bits())));
         let (s, c) = phase.sin_cos();
-        let pi_kappa = law.pi_kappa().ok_or_else(|| open("a coefficient of restitution below 1 is needed"))?;
+        let pi_kappa = law.pi_kappa().ok_or_else(|| Doubt::open("a coefficient of restitution below 1 is needed"))?;
         let periods = (law.gap_hull() - &(s * 2)).over(&(pi_kappa * &c));
         let Some(periods) = periods.filter(|x| x.enclosure().wid().top().is_none_or(|top| top <= 0)) else {
-            return Err(open("the bounds of the saddle are too wide"));
+            return Err(Doubt::open("the bounds of the saddle are too wide"));
         };
         let near = periods.to_f64() as i64; // V17: a width of at most 1, so within 3 of all odd numbers that it may be
         let may_be = |n: &i64| *n > 0 && n % 2 == 1 && !periods.is_apart_from(&Real::int(*n, law.bits()));
         match (near - 3..=near + 3).filter(may_be).collect::<Vec<_>>()[..] {
             [] => Err(Doubt::False("no fixed point has this phase".into())),
             [1] => Ok(()),
-            _ => Err(open("the saddle is not proved to be the equispaced orbit of N = 1; no other one is checked")),
+            _ => Err(Doubt::open(
+                "the saddle is not proved to be the equispaced orbit of N = 1; no other one is checked",
+            )),
         }
     }
 
@@ -193,7 +193,7 @@ impl ClaimedTangency {
         let saddle = range.saddle(law)?;
         let bits = law.bits();
         let phase = saddle.phase.value(bits).hull();
-        let speed = law.speed(&phase).ok_or_else(|| open("a coefficient of restitution below 1 is needed"))?;
+        let speed = law.speed(&phase).ok_or_else(|| Doubt::open("a coefficient of restitution below 1 is needed"))?;
         let [unstable, stable] = [&saddle.unstable, &saddle.stable].map(|x| x.value(bits).hull());
         let found = [
             ("phase of the saddle", &(phase.clone() + &self.turns(law, &phase)), &self.phase),
@@ -221,13 +221,13 @@ impl ClaimedTangency {
         let bits = found[2].bits();
         let law = known(setting.family(bits).law_over(&found[2]))?;
         let parameter =
-            setting.parameter(&found[2]).ok_or_else(|| open("the parameter is not proved to be positive"))?;
+            setting.parameter(&found[2]).ok_or_else(|| Doubt::open("the parameter is not proved to be positive"))?;
         compare("parameter", &parameter, &self.parameter)?;
         compare("parameter of the unstable manifold", &found[0], &self.unstable)?;
         compare("parameter of the stable manifold", &found[1], &self.stable)?;
         self.compare_fixed_point(&law, &shot.saddle)?;
         let [quadratic, unfolding] =
-            shot.tangency().ok_or_else(|| open("the tangent of the stable manifold may be 0"))?;
+            shot.tangency().ok_or_else(|| Doubt::open("the tangent of the stable manifold may be 0"))?;
         self.compare_unfolding([&quadratic, &unfolding])?;
         at_least("speed", shot.all_speeds(), &self.least_speed)?;
         at_least("flight", shot.all_times(), &self.least_flight)
@@ -238,7 +238,7 @@ impl ClaimedTangency {
         let bits = law.bits();
         let phase = saddle.phase.value(bits).hull();
         compare("phase of the saddle", &(phase.clone() + &self.turns(law, &phase)), &self.phase)?;
-        let speed = law.speed(&phase).ok_or_else(|| open("a coefficient of restitution below 1 is needed"))?;
+        let speed = law.speed(&phase).ok_or_else(|| Doubt::open("a coefficient of restitution below 1 is needed"))?;
         compare("speed of the saddle", &speed, &self.speed)?;
         let eigenvalues = [&saddle.unstable, &saddle.stable].map(|x| x.value(bits).hull());
         compare("unstable eigenvalue", &eigenvalues[0], &self.eigenvalues[0])?;
@@ -269,7 +269,7 @@ impl ClaimedTangency {
         if is_range(two) && is_range(none) && lower[1] < self.parameter[0] && self.parameter[1] < upper[0] {
             return Ok(());
         }
-        Err(open("the ranges beside the tangency are not on the sides that its unfolding has"))
+        Err(Doubt::open("the ranges beside the tangency are not on the sides that its unfolding has"))
     }
 }
 

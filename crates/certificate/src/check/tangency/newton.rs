@@ -53,8 +53,7 @@ pub(super) fn polished(
     let mut before = None;
     for _ in 0..STEPS {
         let shot = range.shot(family, &at)?;
-        let newton =
-            inverse(&shot.slopes()).ok_or_else(|| Doubt::Open("no tangency is found near the bounds".into()))?;
+        let newton = inverse(&shot.slopes()).ok_or_else(|| Doubt::open("no tangency is found near the bounds"))?;
         let residual = shot.residual();
         let step = newton.map(|row| along(&row, &residual).middle());
         let top = step.iter().filter_map(|x| x.enclosure().mag().top()).max();
@@ -71,7 +70,7 @@ pub(super) fn polished(
             *x = (x.clone() - step).middle();
         }
     }
-    Err(Doubt::Open("no tangency is found near the bounds".into()))
+    Err(Doubt::open("no tangency is found near the bounds"))
 }
 
 /// Returns how many zeros a box has, by what is found at a point of it and all over it; `at` is a point. Lemma V19

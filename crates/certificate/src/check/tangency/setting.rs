@@ -6,10 +6,6 @@ use impact_pair_exact::{Exact, Real};
 use impact_pair_model::scene::Key;
 use impact_pair_model::{Error, ImpactPair};
 
-fn open(message: &str) -> Doubt {
-    Doubt::Open(message.into())
-}
-
 /// The exact data of a pair in the units of its reduced map, and what the parameter is in them.
 pub(in crate::check) struct Setting {
     /// `A` where the gap varies, `d` where the amplitude does; 1 where the restitution does.
@@ -26,32 +22,34 @@ impl Setting {
         if setting.other.is_point() {
             Ok(setting)
         } else {
-            Err(open("only reduced maps of a pair whose other data are points are checked"))
+            Err(Doubt::open("only reduced maps of a pair whose other data are points are checked"))
         }
     }
 
     /// Returns the data of a pair with one harmonic, where `e`, or `D` where the restitution varies, may be an interval.
     pub fn of_all(pair: &ImpactPair, key: Key) -> Result<Self, Doubt> {
         let reason = |error: Error| Doubt::Open(error.to_string());
-        let harmonic =
-            pair.excitation().only().ok_or_else(|| open("with several harmonics, reduced maps are not checked"))?;
+        let harmonic = pair
+            .excitation()
+            .only()
+            .ok_or_else(|| Doubt::open("with several harmonics, reduced maps are not checked"))?;
         let restitution = || pair.restitution().clone();
         let (unit, other) = match key {
             Key::Gap => (harmonic.amplitude().clone(), restitution()),
             Key::Amplitude(_) => match pair.harmonic_of(key).map_err(reason)? {
                 (_, None) => (pair.gap().clone(), restitution()),
-                (_, Some(_)) => return Err(open("reduced maps over one of several terms are not checked")),
+                (_, Some(_)) => return Err(Doubt::open("reduced maps over one of several terms are not checked")),
             },
             Key::Restitution => {
                 let gap = pair.gap().checked_div(harmonic.amplitude());
                 (Exact::from(1), gap.map_err(|error| Doubt::Open(error.to_string()))?)
             }
-            _ => return Err(open("only reduced maps over gap, amplitude and restitution are checked")),
+            _ => return Err(Doubt::open("only reduced maps over gap, amplitude and restitution are checked")),
         };
         if unit.is_point() {
             Ok(Self { unit, other, key })
         } else {
-            Err(open("over the gap only pairs of one amplitude are checked, over the amplitude of one gap"))
+            Err(Doubt::open("over the gap only pairs of one amplitude are checked, over the amplitude of one gap"))
         }
     }
 
@@ -64,7 +62,7 @@ impl Setting {
     pub fn reduced(&self, parameter: &Real) -> Result<Real, Doubt> {
         let unit = Real::of(&self.unit, parameter.bits());
         let quotient = if self.is_falling() { unit.over(parameter) } else { parameter.over(&unit) };
-        quotient.filter(Real::is_positive).ok_or_else(|| open("the parameter is not proved to be positive"))
+        quotient.filter(Real::is_positive).ok_or_else(|| Doubt::open("the parameter is not proved to be positive"))
     }
 
     /// Returns the parameter of values of `D` or `e`.

@@ -38,13 +38,9 @@ pub(super) struct Shot {
     bits: u32,
 }
 
-fn open(message: &str) -> Doubt {
-    Doubt::Open(message.into())
-}
-
 /// The data, where they are proved to be some.
 pub(super) fn known(law: Option<Law>) -> Result<Law, Doubt> {
-    law.ok_or_else(|| open("a coefficient of restitution between 0 and 1 and a positive gap are needed"))
+    law.ok_or_else(|| Doubt::open("a coefficient of restitution between 0 and 1 and a positive gap are needed"))
 }
 
 impl<'b> Range<'b> {
@@ -55,7 +51,7 @@ impl<'b> Range<'b> {
     /// Returns the saddle for all values of the parameter.
     pub fn saddle(&self, law: &Law) -> Result<Saddle, Doubt> {
         law.saddle(&self.near.at(law.bits()))
-            .ok_or_else(|| open("the equispaced orbit is not proved to be a saddle for this parameter"))
+            .ok_or_else(|| Doubt::open("the equispaced orbit is not proved to be a saddle for this parameter"))
     }
 
     /// Proves where the manifolds are analytic, once for all values of the parameter near the first one. Lemma V18
@@ -68,7 +64,11 @@ impl<'b> Range<'b> {
         let (middle, domains) = self.around.as_ref().expect("it is proved above");
         let off = Real::point((parameter.clone() - middle).enclosure().mag(), bits);
         let half = Real::point(Dyadic::power_of_two(RADIUS - 1), bits);
-        if off.is_below(&half) { Ok(domains.clone()) } else { Err(open("the bounds of the parameter are too wide")) }
+        if off.is_below(&half) {
+            Ok(domains.clone())
+        } else {
+            Err(Doubt::open("the bounds of the parameter are too wide"))
+        }
     }
 
     /// Proves where the manifolds are analytic for all of these values of the parameter, each with a disc of complex ones. Lemma V18
@@ -79,7 +79,7 @@ impl<'b> Range<'b> {
         let real = [&law.gap_hull(), &law.e_hull(), &phase, &unstable, &stable];
         let domain = |side| {
             Domain::new(real, family.is_restitution, side)
-                .ok_or_else(|| open("the invariant manifolds are not proved to be analytic near the saddle"))
+                .ok_or_else(|| Doubt::open("the invariant manifolds are not proved to be analytic near the saddle"))
         };
         Ok([domain(Side::Unstable)?, domain(Side::Stable)?])
     }
@@ -101,7 +101,7 @@ impl<'b> Range<'b> {
             let most = Real::point(sigma.hull().enclosure().mag(), bits);
             let series = Series::new(law, &saddle, (side, domain.clone()), &most);
             let found = series.and_then(|series| Some((series.at(law, sigma)?, series)));
-            found.ok_or_else(|| open("the parameter of an invariant manifold is too far from the saddle"))
+            found.ok_or_else(|| Doubt::open("the parameter of an invariant manifold is too far from the saddle"))
         };
         let (mut state, unstable) = manifold(Side::Unstable, &domains[0], &u)?;
         let (end, stable) = manifold(Side::Stable, &domains[1], &s)?;
@@ -135,7 +135,8 @@ impl<'b> Range<'b> {
     /// Proves that all flights from the local manifold end with the impact that it is invariant under: the first contact is with the
     /// far wall, and no other contact is between it and that one; returns their speeds and durations. Lemma V19
     pub fn flies_near(&self, law: &Law, saddle: &Saddle, series: &Series, most: &Real) -> Result<[Real; 2], Doubt> {
-        let (bits, lost) = (law.bits(), || open("the flights near the saddle are not proved to be first contacts"));
+        let (bits, lost) =
+            (law.bits(), || Doubt::open("the flights near the saddle are not proved to be first contacts"));
         let off = series.deviation(most).ok_or_else(lost)?;
         let (d, e) = (law.gap_hull(), law.e_hull());
         let centre = saddle.phase.value(bits).hull();

@@ -41,17 +41,13 @@ const WIDENED: u32 = 4;
 /// The coordinate that is the parameter.
 const PARAMETER: usize = 2;
 
-fn open(message: &str) -> Doubt {
-    Doubt::Open(message.into())
-}
-
 impl ClaimedWindow {
     /// The orbits between its ends are stable, on one curve that leads through its orbit, proved in N bits. Lemma V30
     pub(super) fn is_stable_between(&self, over: &Over<'_>, budget: &Budget<'_>) -> Result<u32, Doubt> {
-        let [one, other] = &self.ends[..] else { return Err(open("an end of the window is not proved")) };
-        let [claim] = self.orbit.orbits() else { return Err(open("the window has no orbit")) };
+        let [one, other] = &self.ends[..] else { return Err(Doubt::open("an end of the window is not proved")) };
+        let [claim] = self.orbit.orbits() else { return Err(Doubt::open("the window has no orbit")) };
         if claim.orbit.physical != Some(true) || !claim.orbit.unique {
-            return Err(open("the orbit is not proved to be the only one in its bounds"));
+            return Err(Doubt::open("the orbit is not proved to be the only one in its bounds"));
         }
         let setting = Setting::new(over.pair, over.key)?;
         let narrow = narrowest([&one.parameter, &other.parameter].into_iter()).unwrap_or(0); // proposes: a size to try
@@ -61,7 +57,7 @@ impl ClaimedWindow {
         let mut spare = SPARE_BITS;
         let (bits, mut between, known) = loop {
             let bits = u32::try_from(spare - size).ok().filter(|bits| *bits <= MOST_BITS);
-            let bits = bits.ok_or_else(|| open("the bounds are too narrow"))?;
+            let bits = bits.ok_or_else(|| Doubt::open("the bounds are too narrow"))?;
             match self.begun((&setting, over), (size, bits), (claim, budget)) {
                 // Rounding in all flights is more than the tiny cell where they are many.
                 Err(Doubt::Open(_)) if spare < MOST_SPARE_BITS && !budget.is_spent() => spare *= 2,
@@ -93,7 +89,7 @@ impl ClaimedWindow {
         // Twice the period where it is a mirrored one, less half a forcing period for each flight to the far wall.
         let rounds = if far.is_odd() { 2 } else { 1 };
         if i128::from(rounds * (2 * map.turns() - far)) != 2 * i128::from(claim.cycles) {
-            return Err(open("the flights of the window do not take the forcing periods of its orbit"));
+            return Err(Doubt::open("the flights of the window do not take the forcing periods of its orbit"));
         }
         let mut between = Between { map, size };
         let known = between.known(guess)?;
@@ -115,7 +111,7 @@ impl Start<'_> {
         let there =
             self.over.pair.with(self.over.key, self.at.clone()).map_err(|error| Doubt::Open(error.to_string()))?;
         let harmonic =
-            there.excitation().only().ok_or_else(|| open("with several harmonics, windows are not checked"))?;
+            there.excitation().only().ok_or_else(|| Doubt::open("with several harmonics, windows are not checked"))?;
         Ok(Real::of(harmonic.amplitude(), bits) * &Real::of(harmonic.frequency(), bits))
     }
 
@@ -124,7 +120,8 @@ impl Start<'_> {
         let middle = |bounds: &[_; 2]| hull(&bounds.each_ref().map(|x| Real::rational(x, bits))).middle();
         let phase = middle(&impact.phase);
         let phase = if impact.wall == Wall::Left { phase } else { phase + &Real::pi(bits) };
-        let speed = middle(&impact.velocity).over(&self.unit(bits)?).ok_or_else(|| open("the amplitude may be 0"))?;
+        let speed =
+            middle(&impact.velocity).over(&self.unit(bits)?).ok_or_else(|| Doubt::open("the amplitude may be 0"))?;
         let speed = if impact.wall == Wall::Left { -speed } else { speed };
         Ok([phase, speed, self.setting.reduced(&Real::of(self.at, bits))?])
     }
@@ -135,7 +132,7 @@ impl Start<'_> {
         let bits = parameter.bits();
         let own = self.setting.reduced(&Real::of(self.at, bits))?;
         if !parameter.enclosure().contains_enclosure(own.enclosure()) {
-            return Err(open("the value of the window is not proved to be that of an orbit"));
+            return Err(Doubt::open("the value of the window is not proved to be that of an orbit"));
         }
         let is_left = impact.wall == Wall::Left;
         let phase = if is_left { phase } else { phase - &Real::pi(bits) };
@@ -198,7 +195,7 @@ impl Between<'_> {
 
     /// The orbit of the curve from a point on at which an eigenvalue is 1, or -1. Non-rigorous.
     fn critical(&mut self, mut at: Point, which: usize) -> Result<Spot, Doubt> {
-        let none = || open("no end of the window is found");
+        let none = || Doubt::open("no end of the window is found");
         for _ in 0..STEPS {
             let (thin, unit) = self.map.thin(&at);
             let image = self.map.image(&thin)?;
@@ -248,7 +245,7 @@ impl Between<'_> {
         if image.criticals.iter().all(|x| x.value.is_positive()) {
             Ok(cell)
         } else {
-            Err(open("the orbit is not proved to be stable"))
+            Err(Doubt::open("the orbit is not proved to be stable"))
         }
     }
 
@@ -266,13 +263,13 @@ impl Between<'_> {
         let middle = Real::point(self.map.image(&thin)?.criticals[which].value.enclosure().mag(), self.map.bits());
         let middle = middle + &critical.across();
         if !middle.is_below(&slope) {
-            return Err(open("no eigenvalue is proved to pass 1 or -1 at an end of the window"));
+            return Err(Doubt::open("no eigenvalue is proved to pass 1 or -1 at an end of the window"));
         }
         let parameter = setting.parameter(&zero.hull()[PARAMETER]);
-        let parameter = parameter.ok_or_else(|| open("the parameter is not proved to be positive"))?;
+        let parameter = parameter.ok_or_else(|| Doubt::open("the parameter is not proved to be positive"))?;
         compare("parameter", &parameter, &end.parameter).map_err(unproved)?;
         let mut from = known.clone();
-        let mut answer = Err(open("nothing is tried"));
+        let mut answer = Err(Doubt::open("nothing is tried"));
         for _ in 0..HALVED {
             answer = self.is_last(&from, &zero, which);
             if answer.is_ok() {
@@ -317,7 +314,7 @@ impl Between<'_> {
         let mut cell = thin.with_sides(main, [a, b]);
         for _ in 0..WIDENED {
             if !(cell.holds(&from.hull()) && cell.holds(&to.hull())) {
-                return Err(open("a cell does not hold the orbits that it is to join"));
+                return Err(Doubt::open("a cell does not hold the orbits that it is to join"));
             }
             let image = self.map.image(&cell)?;
             if let Ok(along) = image.curve() {
@@ -326,7 +323,7 @@ impl Between<'_> {
             let stretch = image.stretch().ok_or_else(lost)?;
             cell = cell.widened(stretch.map(|x| x * 2 + &self.power(1 - ROOM)));
         }
-        Err(open("the orbits are not proved to be one curve"))
+        Err(Doubt::open("the orbits are not proved to be one curve"))
     }
 
     /// All orbits of the curve between two tiny cells are stable.
@@ -336,7 +333,7 @@ impl Between<'_> {
             if is_stable {
                 Ok(())
             } else {
-                Err(open("the orbits in the middle of the window are not proved to be stable"))
+                Err(Doubt::open("the orbits in the middle of the window are not proved to be stable"))
             }
         });
         match joined {
@@ -356,7 +353,7 @@ impl Between<'_> {
         if is_monotone && image.criticals[1 - which].value.is_positive() {
             Ok(())
         } else {
-            Err(open("the orbits next to an end of the window are not proved to be stable"))
+            Err(Doubt::open("the orbits next to an end of the window are not proved to be stable"))
         }
     }
 }
@@ -372,7 +369,7 @@ fn others(kept: usize) -> [usize; 2] {
 }
 
 fn lost() -> Doubt {
-    open("the curve of the orbits is lost")
+    Doubt::open("the curve of the orbits is lost")
 }
 
 #[cfg(test)]

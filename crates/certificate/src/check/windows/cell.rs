@@ -123,10 +123,6 @@ pub(super) struct Map<'b> {
     turns: i64,
 }
 
-fn open(message: &str) -> Doubt {
-    Doubt::Open(message.into())
-}
-
 impl<'b> Map<'b> {
     /// Returns the map along these flights from near a point.
     pub fn new(letters: Vec<Letter>, family: Family, budget: Budget<'b>, near: &Point) -> Result<Self, Doubt> {
@@ -166,11 +162,11 @@ impl<'b> Map<'b> {
         let mut at = [cell.centre[0].clone(), cell.centre[1].clone()];
         for (k, letter) in self.letters.iter().enumerate() {
             if self.budget.is_spent() {
-                return Err(open("the work that is allowed is spent"));
+                return Err(Doubt::open("the work that is allowed is spent"));
             }
             let reach = legs.reach();
             if !reach[0].is_below(&self.widest) {
-                return Err(open("a set of orbits is too large"));
+                return Err(Doubt::open("a set of orbits is too large"));
             }
             let varied = |x: &Real, j: usize| Affine::varied(x.clone(), reach[j].enclosure().sup().clone(), j);
             let law = self.law(&varied(&cell.centre[2], 2))?;
@@ -186,14 +182,15 @@ impl<'b> Map<'b> {
             let flown = fly(&law, &state, (*letter, &self.times[k]), &self.budget)?;
             self.budget.spend(bits, 1);
             at = [&flown.state.phase, &flown.state.speed].map(|x| x.value(bits).centre);
-            legs.push(&flown, &reach, bits).ok_or_else(|| open("a flight is not proved to be differentiable"))?;
+            legs.push(&flown, &reach, bits)
+                .ok_or_else(|| Doubt::open("a flight is not proved to be differentiable"))?;
         }
         Ok((at, legs))
     }
 
     fn law(&self, parameter: &Affine) -> Result<Law, Doubt> {
         let law = self.family.law_without_slope(parameter);
-        law.ok_or_else(|| open("a coefficient of restitution between 0 and 1 and a positive gap are needed"))
+        law.ok_or_else(|| Doubt::open("a coefficient of restitution between 0 and 1 and a positive gap are needed"))
     }
 
     /// Returns what the flights make of a cell.
@@ -274,7 +271,7 @@ impl Image {
     pub fn curve(&self) -> Result<Along, Doubt> {
         let one = Real::int(1, FRAME_BITS);
         let proved = self.sums().filter(|(sums, _)| sums.iter().all(|sum| sum.is_below(&one)));
-        proved.map(|(_, along)| along).ok_or_else(|| open("the orbits are not proved to be one curve"))
+        proved.map(|(_, along)| along).ok_or_else(|| Doubt::open("the orbits are not proved to be one curve"))
     }
 }
 

@@ -55,7 +55,7 @@ impl ClaimedWindow {
             Verdict::Confirmed { bits, .. } => bits,
             Verdict::Refuted(finding) => return Err(Doubt::False(finding.message)),
             Verdict::Undecided(finding) => return Err(Doubt::Open(finding.message)),
-            Verdict::Interrupted { .. } => return Err(Doubt::Open("interrupted".into())),
+            Verdict::Interrupted { .. } => return Err(Doubt::open("interrupted")),
         };
         self.orbit.are_no_shorter_ones().map_err(|finding| Doubt::Open(finding.message))?;
         for end in &self.ends {

@@ -101,8 +101,8 @@ impl CellsCertificate {
         let proved = self.for_all(stretch, &mut |_, law| Ok(horseshoe.is_there(law, work).map(found)))?;
         Ok(match proved {
             Ok(Found::Proved) => Ok(()),
-            Err(End::Spent) => Err(Doubt::Open("the work allowed is spent on its horseshoe".into())),
-            _ => Err(Doubt::Open("its horseshoe is not proved again".into())),
+            Err(End::Spent) => Err(Doubt::open("the work allowed is spent on its horseshoe")),
+            _ => Err(Doubt::open("its horseshoe is not proved again")),
         })
     }
 
@@ -174,10 +174,10 @@ fn said_of_period(found: Result<Found, End>, is_own: bool) -> Result<(), Doubt> 
     match found {
         Ok(Found::Proved) => Ok(()),
         Ok(Found::Other) if is_own => Err(Doubt::False("the scene's orbit converges to another periodic orbit".into())),
-        Ok(Found::Fewer) => Err(Doubt::Open("period: the orbit repeats after fewer impacts".into())),
-        Err(End::Spent) => Err(Doubt::Open("the work allowed is spent on its periodic orbit".into())),
+        Ok(Found::Fewer) => Err(Doubt::open("period: the orbit repeats after fewer impacts")),
+        Err(End::Spent) => Err(Doubt::open("the work allowed is spent on its periodic orbit")),
         Ok(Found::Other | Found::Nothing) | Err(End::Stopped) => {
-            Err(Doubt::Open("its periodic orbit is not proved again".into()))
+            Err(Doubt::open("its periodic orbit is not proved again"))
         }
     }
 }

@@ -99,7 +99,7 @@ fn meet(one: &Exact, other: &Exact, order: Ordering, message: &str) -> Result<()
     match one.compare(other) {
         Some(found) if found == order => Ok(()),
         Some(_) => Err(Doubt::False(message.to_owned())),
-        None => Err(Doubt::Open("two ends are not distinguished".to_owned())),
+        None => Err(Doubt::open("two ends are not distinguished")),
     }
 }
 

@@ -5,6 +5,7 @@ use std::ops::Range;
 use std::sync::atomic::{AtomicU64, Ordering};
 
 use super::super::span::Span;
+use super::parts::{is_acyclic_but_for, parts};
 use super::space::{Grid, Next, Space};
 use crate::check::blocks::{BLOCK, in_blocks};
 use crate::check::contact::Doubt;
@@ -45,6 +46,22 @@ pub(super) struct Ends {
 /// Phase and speed of the first impact after a release; `None` where the ball rests again, and is released in the same state.
 pub(super) type Released = Option<[Span; 2]>;
 
+/// What may follow each box of a set, by numbers of boxes, and the release, which is the last number; `staying` holds the boxes that a
+/// motion reaches without leaving its column.
+struct Followers {
+    next: Vec<Vec<usize>>,
+    staying: Vec<Vec<usize>>,
+    leaves: Vec<bool>,
+}
+
+/// The graph of a set, boxes that a motion may stay between merged into one node; the release is the last node.
+struct Merged {
+    /// The node of each box.
+    node: Vec<usize>,
+    next: Vec<Vec<usize>>,
+    lost: Vec<bool>,
+}
+
 impl Set {
     /// Returns the recurrent components, and where all else goes, with steps of the images taken off `work`; open where that is spent, or it
     /// was stopped.
@@ -55,28 +72,44 @@ impl Set {
         work: &mut u64,
         watch: &dyn Watch,
     ) -> Result<Split, Doubt> {
+        let merged = self.merged(self.followers(space, released, work, watch)?);
+        let Merged { node, next, lost } = &merged;
+        let release = next.len() - 1;
+        let found = parts(next);
+        let (recurrent, ends) = ends(next, &found, lost);
+        let is_released_always = self.has_release && is_acyclic_but_for(release, next);
+        let mut split = Split { components: Vec::new(), passed: HashMap::new(), is_released_always };
+        for (place, &part) in recurrent.iter().enumerate() {
+            let is_alone = ends[part].components == [place];
+            let is_closed = is_alone && (self.is_closed || !ends[part].leaves);
+            let set = Self { grid: self.grid, cells: Vec::new(), has_release: found[release] == part, is_closed };
+            split.components.push(Component { set, ends: ends[part].clone() });
+        }
+        let mut component = vec![None; ends.len()];
+        recurrent.iter().enumerate().for_each(|(place, &part)| component[part] = Some(place));
+        for (cell, &node) in self.cells.iter().zip(node) {
+            let part = found[node];
+            match component[part] {
+                Some(own) => split.components[own].set.cells.push(*cell),
+                None => *split.passed.entry(ends[part].clone()).or_default() += 1,
+            }
+        }
+        Ok(split)
+    }
+
+    /// What may follow the boxes and the release, with steps of the images taken off `work`.
+    fn followers(
+        &self,
+        space: &Space<'_>,
+        released: &Released,
+        work: &mut u64,
+        watch: &dyn Watch,
+    ) -> Result<Followers, Doubt> {
         let count = self.cells.len();
         let number = |cell: &[i64; 2]| self.cells.binary_search(cell).ok();
-        // The sum is that of all boxes in any order, and so is whether it is more than allowed.
-        let spent = AtomicU64::new(0);
-        let images = |block: Range<usize>| -> Result<Vec<Vec<(usize, bool)>>, Doubt> {
-            let image = |k: usize| {
-                let (own, steps) = self.follows(space, self.cells[k], &number);
-                let sum = spent.fetch_add(steps, Ordering::Relaxed).saturating_add(steps); // exact: what is allowed
-                let is_spent = || Doubt::Open("where every motion goes: the work allowed is spent".into());
-                if sum > *work { Err(is_spent()) } else { Ok(own) }
-            };
-            if !watch.goes_on() {
-                return Err(Doubt::Open("interrupted".into()));
-            }
-            block.map(image).collect()
-        };
-        let progress = |known: usize| watch.note(Stage::Region(known));
-        let images = in_blocks(0..count, BLOCK, images, progress)?;
-        *work -= spent.into_inner();
         let (mut next, mut staying) = (vec![Vec::new(); count + 1], vec![Vec::new(); count]);
         let mut leaves = vec![false; count + 1];
-        for (from, images) in images.into_iter().enumerate() {
+        for (from, images) in self.images(space, &number, work, watch)?.into_iter().enumerate() {
             for (to, stays) in images {
                 match to {
                     OUTSIDE => leaves[from] = true,
@@ -94,22 +127,54 @@ impl Set {
                 }),
             }
         }
+        Ok(Followers { next, staying, leaves })
+    }
+
+    /// The nodes that may follow each box, as [`Self::follows`] has them, with their steps taken off `work`.
+    fn images(
+        &self,
+        space: &Space<'_>,
+        number: &(impl Fn(&[i64; 2]) -> Option<usize> + Sync),
+        work: &mut u64,
+        watch: &dyn Watch,
+    ) -> Result<Vec<Vec<(usize, bool)>>, Doubt> {
+        // The sum is that of all boxes in any order, and so is whether it is more than allowed.
+        let spent = AtomicU64::new(0);
+        let images = |block: Range<usize>| -> Result<Vec<Vec<(usize, bool)>>, Doubt> {
+            let image = |k: usize| {
+                let (own, steps) = self.follows(space, self.cells[k], number);
+                let sum = spent.fetch_add(steps, Ordering::Relaxed).saturating_add(steps); // exact: what is allowed
+                let is_spent = || Doubt::open("where every motion goes: the work allowed is spent");
+                if sum > *work { Err(is_spent()) } else { Ok(own) }
+            };
+            if !watch.goes_on() {
+                return Err(Doubt::open("interrupted"));
+            }
+            block.map(image).collect()
+        };
+        let progress = |known: usize| watch.note(Stage::Region(known));
+        let images = in_blocks(0..self.cells.len(), BLOCK, images, progress)?;
+        *work -= spent.into_inner();
+        Ok(images)
+    }
+
+    /// The graph of the set.
+    fn merged(&self, Followers { next, staying, leaves }: Followers) -> Merged {
         // V20: boxes between which a motion may stay in its column are one node, and a motion that stays there is released
-        let columns = parts(&staying);
-        let size = columns.iter().max().map_or(0, |&last| last + 1);
-        let mut together = vec![Vec::new(); size + 1];
-        let node = |cell: usize| if cell == count { size } else { columns[cell] };
-        let mut lost = vec![false; size + 1];
-        for from in 0..=count {
-            lost[node(from)] |= leaves[from];
-            let own = next[from].iter().map(|&to| node(to));
-            together[node(from)].extend(own);
+        let mut node = parts(&staying);
+        let release = node.iter().max().map_or(0, |&last| last + 1);
+        node.push(release);
+        let mut together = vec![Vec::new(); release + 1];
+        let mut lost = vec![false; release + 1];
+        for (from, own) in node.iter().copied().enumerate() {
+            lost[own] |= leaves[from];
+            together[own].extend(next[from].iter().map(|&to| node[to]));
             for &to in staying.get(from).into_iter().flatten() {
-                let to = node(to);
-                if to != node(from) {
-                    together[node(from)].push(to);
+                let to = node[to];
+                if to != own {
+                    together[own].push(to);
                 } else if self.has_release {
-                    together[to].push(size);
+                    together[to].push(release);
                 } else {
                     lost[to] = true;
                 }
@@ -119,26 +184,7 @@ impl Set {
             to.sort_unstable();
             to.dedup();
         });
-        let found = parts(&together);
-        let (recurrent, ends) = ends(&together, &found, &lost);
-        let is_released_always = self.has_release && is_acyclic_but_for(size, &together);
-        let mut split = Split { components: Vec::new(), passed: HashMap::new(), is_released_always };
-        for (place, &part) in recurrent.iter().enumerate() {
-            let is_alone = ends[part].components == [place];
-            let is_closed = is_alone && (self.is_closed || !ends[part].leaves);
-            let set = Self { grid: self.grid, cells: Vec::new(), has_release: found[size] == part, is_closed };
-            split.components.push(Component { set, ends: ends[part].clone() });
-        }
-        let mut component = vec![None; ends.len()];
-        recurrent.iter().enumerate().for_each(|(place, &part)| component[part] = Some(place));
-        for (cell, place) in self.cells.iter().enumerate() {
-            let part = found[node(cell)];
-            match component[part] {
-                Some(own) => split.components[own].set.cells.push(*place),
-                None => *split.passed.entry(ends[part].clone()).or_default() += 1,
-            }
-        }
-        Ok(split)
+        Merged { node, next: together, lost }
     }
 
     /// The nodes that may follow a box, each with whether the motion stays in its column, and the steps it took; the release is the last
@@ -177,16 +223,6 @@ impl Set {
 /// Stands for all nodes that are not in a set.
 const OUTSIDE: usize = usize::MAX;
 
-/// Whether a graph has no cycle that avoids a node.
-fn is_acyclic_but_for(without: usize, next: &[Vec<usize>]) -> bool {
-    let others = |to: &Vec<usize>| to.iter().copied().filter(|&to| to != without).collect();
-    let mut forth: Vec<Vec<usize>> = next.iter().map(others).collect();
-    forth[without].clear();
-    let part = parts(&forth);
-    let count = part.iter().max().map_or(0, |&last| last + 1);
-    count == forth.len() && forth.iter().enumerate().all(|(node, to)| !to.contains(&node))
-}
-
 /// The recurrent ones of the parts of a graph, and of each part the recurrent ones that walks lead to, by their places, and whether
 /// they may be lost.
 fn ends(next: &[Vec<usize>], part: &[usize], lost: &[bool]) -> (Vec<usize>, Vec<Ends>) {
@@ -214,61 +250,4 @@ fn ends(next: &[Vec<usize>], part: &[usize], lost: &[bool]) -> (Vec<usize>, Vec<
         ends[own] = all;
     }
     (recurrent, ends)
-}
-
-/// The strongly connected part of each node, numbered from 0 on (Tarjan's algorithm, without recursion).
-fn parts(next: &[Vec<usize>]) -> Vec<usize> {
-    const OPEN: usize = usize::MAX;
-    let (mut index, mut low) = (vec![OPEN; next.len()], vec![0; next.len()]);
-    let (mut part, mut count) = (vec![OPEN; next.len()], 0);
-    let (mut stack, mut seen) = (Vec::new(), 0);
-    for root in 0..next.len() {
-        if index[root] != OPEN {
-            continue;
-        }
-        let mut path = vec![(root, 0)];
-        while let Some(&mut (node, ref mut tried)) = path.last_mut() {
-            if *tried == 0 {
-                (index[node], low[node]) = (seen, seen);
-                seen += 1;
-                stack.push(node);
-            }
-            if let Some(&to) = next[node].get(*tried) {
-                *tried += 1;
-                if index[to] == OPEN {
-                    path.push((to, 0));
-                } else if part[to] == OPEN {
-                    low[node] = low[node].min(index[to]); // exact: numbers of nodes
-                }
-                continue;
-            }
-            if low[node] == index[node] {
-                while let Some(member) = stack.pop() {
-                    part[member] = count;
-                    if member == node {
-                        break;
-                    }
-                }
-                count += 1;
-            }
-            path.pop();
-            if let Some(&(before, _)) = path.last() {
-                low[before] = low[before].min(low[node]); // exact: numbers of nodes
-            }
-        }
-    }
-    part
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn parts_are_strongly_connected() {
-        let next = vec![vec![1], vec![2], vec![0, 3], vec![4], vec![3, 5], vec![], vec![6]];
-        let part = parts(&next);
-        assert!(part[0] == part[1] && part[1] == part[2] && part[3] == part[4]);
-        assert_eq!(part.iter().collect::<std::collections::BTreeSet<_>>().len(), 4);
-    }
 }

@@ -4,6 +4,7 @@
 mod basins;
 mod graph;
 mod limit;
+mod parts;
 mod saddles;
 mod space;
 
@@ -86,7 +87,7 @@ impl GlobalCertificate {
             return Ok(Some((last, Doubt::False(message.into())))); // V20: A9's motion rises to 2 A
         }
         let is_second = places.len() > 1;
-        Ok(is_second.then(|| (last, Doubt::Open("it is not proved to hold any motion: one alone grazes".into()))))
+        Ok(is_second.then(|| (last, Doubt::open("it is not proved to hold any motion: one alone grazes"))))
     }
 
     /// The map has each horseshoe that a component is claimed to hold, and no other one holds the same. Lemma V37
@@ -112,7 +113,7 @@ impl GlobalCertificate {
     fn covers(&self, effort: &Effort, watch: &dyn Watch) -> Result<Result<(), Doubt>, Error> {
         let law = Law::of(self.pair())?;
         let Some(space) = Space::new(&law, self.basins().map(|_| self.greatest_speed())) else {
-            return Ok(Err(Doubt::Open("greatest_speed is not proved to be more than 2/(1 - e)".into())));
+            return Ok(Err(Doubt::open("greatest_speed is not proved to be more than 2/(1 - e)")));
         };
         let (rests, released) = from_release(&space);
         if let Some(claimed) = self.rest_cycle() {
@@ -121,13 +122,13 @@ impl GlobalCertificate {
                 Some((cycles, _)) => {
                     return Ok(Err(Doubt::False(format!("the cycle with rests takes {cycles} forcing periods"))));
                 }
-                None => return Ok(Err(Doubt::Open("the released ball is not proved to rest again".into()))),
+                None => return Ok(Err(Doubt::open("the released ball is not proved to rest again"))),
             }
         }
         let rest_claim = self.claimed().iter().position(|claim| claim.kind == "rest-cycle");
         if !self.says_there_are_no_others() {
             let is_open = rest_claim.is_some() && self.rest_cycle().is_none();
-            let open = || Doubt::Open("the released ball is not proved to rest again and again".into());
+            let open = || Doubt::open("the released ball is not proved to rest again and again");
             return Ok(if is_open { Err(open()) } else { Ok(()) });
         }
         let cycles = self.cycles()?;

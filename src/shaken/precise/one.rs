@@ -1,13 +1,20 @@
 //! One harmonic: first contacts in balls of many digits, isolated in doubles and refined (Lemma M3).
 
-use super::OneHarmonic;
+use super::{Arrival, Flights, Precise, Precisely};
 use crate::contact::Undecided;
 use crate::contact::multiprecision::{Passed, Refined, Start, isolate_first, pass};
 use crate::flight::{Flight, Launch};
 use crate::number::{Ball, Magnitude, MpBall, Number};
 use crate::pair::{Inward, Reduced};
 use crate::several::Phased;
-use crate::shaken::{Arrival, Flights, Precise, Precisely};
+use crate::shaken::OneHarmonic;
+
+impl OneHarmonic {
+    /// Returns whether no parameter is an interval of values.
+    pub fn is_point(&self) -> bool {
+        [&self.exact.alpha, &self.exact.restitution].iter().all(|x| x.is_point())
+    }
+}
 
 impl Precise for OneHarmonic {
     fn precise(&self, bits: u32) -> Reduced<MpBall> {

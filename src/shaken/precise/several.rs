@@ -2,13 +2,13 @@
 
 use rug::Float;
 
-use super::SeveralHarmonics;
+use super::{Arrival, Flights, Precise, Precisely};
 use crate::contact::multiprecision::Passed;
 use crate::contact::{Contact, Undecided};
 use crate::flight::Launch;
 use crate::number::{Ball, LEAST_BITS, Magnitude, MpBall, Number};
 use crate::several::{Found, Harmonics, Instant, Phased, Scan, SumFlight, pass};
-use crate::shaken::{Arrival, Flights, Precise, Precisely, Sum};
+use crate::shaken::{SeveralHarmonics, Sum};
 
 /// The first contacts of a set: one for each flight, near a time.
 pub(super) struct Isolated {

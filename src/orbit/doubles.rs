@@ -1,0 +1,13 @@
+//! Motions in a build without multiprecision: none in more than doubles.
+
+use std::sync::Arc;
+
+use super::motion::Motion;
+use super::plan::Plan;
+use crate::exact::Exact;
+use crate::shaken::Origin;
+
+/// There is no motion in N bits.
+pub(super) fn motion<S>(_: Arc<S>, _: &Origin<Exact>, _: Plan) -> Option<Box<dyn Motion>> {
+    None
+}

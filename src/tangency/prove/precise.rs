@@ -1,0 +1,35 @@
+//! Proofs of tangencies in more bits than doubles have.
+
+use super::super::begin::{InDoubles, chain_in};
+use super::super::proof::Proof;
+use super::Question;
+use crate::exact::Exact;
+use crate::number::MpBall;
+use crate::periodic::krawczyk::{Effort, polish, prove};
+
+/// Returns a proof that is as narrow as requested, in as few bits as suffice.
+pub(super) fn proof(found: &InDoubles, question: &Question, is_narrow: impl Fn(&Proof) -> bool) -> Option<Proof> {
+    let Question { other, precision, .. } = question;
+    let mut bits = 128 + (f64::from(precision.digits) * 3.33) as u32; // proposes
+    while bits <= precision.max_bits {
+        if let Some(proof) = found.precisely(other, bits).filter(&is_narrow) {
+            return Some(proof);
+        }
+        bits *= 2;
+    }
+    None
+}
+
+impl InDoubles {
+    /// What follows of the zero in more bits.
+    fn precisely(&self, other: &Exact, bits: u32) -> Option<Proof> {
+        let other = MpBall::enclosing(&other.enclose(bits), bits);
+        let error = (24.0 - f64::from(bits)).exp2(); // proposes
+        let chain = chain_in(&self.chain, other, (&self.locals, &self.x), error);
+        let guess: Vec<MpBall> = self.x.iter().map(|x| MpBall::from_f64_bits(*x, bits)).collect();
+        let polished = polish(&chain, &self.inverse, guess, bits / 16);
+        let effort = Effort { largest: (48.0 - f64::from(bits)).exp2(), domains: 1, images: 8, slow: 1 };
+        let zero = prove(&chain, &self.inverse, &polished, effort)?;
+        self.conclude(&chain, &zero.at)
+    }
+}
