@@ -4,7 +4,8 @@ use std::collections::BTreeSet;
 
 use super::law::{Law, Side};
 use super::quad::Quad;
-use super::trap::{Arrivals, Grid, Refusal};
+use super::refusal::Refusal;
+use super::trap::{Arrivals, Grid};
 use crate::Error;
 use crate::pair::ImpactPair;
 

@@ -30,6 +30,7 @@ mod law;
 mod leaves;
 mod propose;
 mod quad;
+mod refusal;
 mod region;
 mod scene;
 mod seen;
@@ -59,7 +60,8 @@ pub use language::{BoxGraph, MOST_COUNTED, Unclosed, WallWords};
 pub(crate) use law::{Law, Side};
 pub(crate) use quad::Quad;
 pub use quad::{Chord, State};
-pub use region::{NoTrap, Trap};
+pub use refusal::NoTrap;
+pub use region::Trap;
 pub use stable::stable_orbits;
 pub use windows::{
     FoundWindow, MOST_WINDOW_IMPACTS, UnprovedWindow, WINDOW_PARAMETERS, WindowSettings, Windows, is_window_range,

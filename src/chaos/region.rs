@@ -6,8 +6,9 @@ use super::flights::is_positive;
 use super::guess::Guess;
 use super::law::Law;
 use super::quad::State;
+use super::refusal::NoTrap;
 use super::scene::{IMPACTS, Visited, visited};
-use super::trap::{Cell, Grid, Refusal, Region};
+use super::trap::{Cell, Grid, Region};
 use super::tube::side_of;
 use super::words::Base;
 use crate::Error;
@@ -43,49 +44,6 @@ pub struct Trap {
     region: Region,
     flight: [f64; 2],
     entered: Option<u64>,
-}
-
-/// Why no region is proved.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum NoTrap {
-    /// In the finest grid a ball may come to rest, or bounce too little to be measured from one that does.
-    Rest,
-    /// In the finest grid a flight may be longer than 64 forcing periods.
-    Long,
-    /// In the finest grid a ball may be so fast that the boxes up to its speed are not counted.
-    Fast,
-    /// The region still grew after millions of boxes.
-    Boxes,
-    /// `e` may be 1: the impact map then preserves the area `w dw dth`, and no set of boxes closes.
-    Elastic,
-    /// The scene's orbit has no impact that is seen.
-    NoImpact,
-    /// It was stopped.
-    Interrupted,
-}
-
-impl NoTrap {
-    /// Returns the reason in words.
-    pub fn words(self) -> &'static str {
-        match self {
-            Self::Rest => "in the finest grid a ball may come to rest",
-            Self::Long => "in the finest grid a flight may last for more than 64 forcing periods",
-            Self::Fast => "in the finest grid a ball may be faster than the boxes that are counted, 2^31 in a column",
-            Self::Boxes => "the region still grew after 4 million boxes",
-            Self::Elastic => "where e may be 1 the impact map preserves area, and no boxes are mapped into themselves",
-            Self::NoImpact => "the orbit of the scene has no impacts",
-            Self::Interrupted => "interrupted",
-        }
-    }
-}
-
-impl From<Refusal> for NoTrap {
-    fn from(refusal: Refusal) -> Self {
-        match refusal {
-            Refusal::Rest => Self::Rest,
-            Refusal::Long => Self::Long,
-        }
-    }
 }
 
 /// Grids: from this many columns and rows, doubled so often.

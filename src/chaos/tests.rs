@@ -10,7 +10,7 @@ use super::guess::Guess;
 use super::law::{Law, Side};
 use super::propose::{Making, Proposal};
 use super::quad::{Chord, Quad, State};
-use super::region::NoTrap;
+use super::refusal::NoTrap;
 use super::trap::{Grid, Region};
 use super::tube::{Part, Tube, taken};
 use super::words::{Base, Path, Search};

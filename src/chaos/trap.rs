@@ -7,7 +7,7 @@ use std::thread;
 use super::flights::{Flights, View, is_positive};
 use super::law::{Law, Side};
 use super::quad::Quad;
-use super::region::NoTrap;
+use super::refusal::{NoTrap, Refusal};
 use crate::number::{Ball, Number};
 use crate::watch::{Stage, Watch};
 
@@ -39,15 +39,6 @@ pub(crate) struct Arrivals {
     pub side: Side,
     /// Bounds of their speeds.
     pub speeds: [f64; 2],
-}
-
-/// Why a box is not proved to fly into others.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Refusal {
-    /// A ball of the box may come to rest, or bounce too little to be measured from one that does.
-    Rest,
-    /// A flight may be longer than is followed.
-    Long,
 }
 
 /// Flights of more forcing periods are not followed.

@@ -50,7 +50,7 @@ impl Orbit {
         };
         // A shadow begins at the starts near by, any other motion at its origin.
         let starts = motion.starts().map(|starts| starts.bounds);
-        let cursor = Cursor::at(starts.as_ref().unwrap_or(&origin.state));
+        let cursor = Cursor::at(starts.as_ref().unwrap_or(&origin.state)); // exact: one of both
         let initial = starts.unwrap_or_else(|| origin.initial().clone());
         let followed = Followed::new(cursor, near.is_none(), &given, &settings);
         let widths = [Width::new(settings.digits, 1.0), Width::new(settings.digits, speed)];

@@ -32,6 +32,14 @@ fn apart(some: &[Base], others: &[Base]) -> f64 {
     pairs.map(|(a, b)| length([a[0] - b[0], a[1] - b[1]])).fold(0.0, f64::max) // shown: a distance
 }
 
+fn stretch(low: &str, high: &str, verdict: Verdict) -> Stretch {
+    Stretch { low: low.parse().unwrap(), high: high.parse().unwrap(), verdict, halved: 0 }
+}
+
+fn stable(word: &str) -> Verdict {
+    Verdict::Stable { word: word.parse().unwrap(), cycles: 1, beside: None }
+}
+
 #[test]
 fn h_sets_that_are_followed_there_and_back_are_the_same() {
     let start = Followed::of(&law(7.38), &bases()).unwrap();
@@ -64,13 +72,11 @@ fn moved_h_sets_lead_to_a_horseshoe() {
 #[test]
 fn a_stretch_is_decided_by_the_h_sets_of_a_neighbour() {
     let scene = Scene::parse(include_str!("../../../scenes/figure-14.toml")).unwrap();
-    let exact = |text: &str| text.parse::<Exact>().unwrap();
     let asked = RangeSettings { over: "amplitude=7.38..7.43".parse().unwrap(), cells: 1, halvings: 4, depth: 8 };
     let work = Work { pair: scene.pair(), start: scene.start(), asked: &asked, watch: &Unwatched };
-    let stretch = |low: &str, high: &str, verdict| Stretch { low: exact(low), high: exact(high), verdict, halved: 0 };
-    let decided = Verdict::Stable { word: "P1 P2".parse().unwrap(), cycles: 1, beside: None };
+    let decided = stable("P1 P2");
     let given = vec![stretch("7.38", "7.4", Verdict::Undecided), stretch("7.4", "7.43", decided.clone())];
-    let seed = Seed { value: exact("7.38"), bases: bases() };
+    let seed = Seed { value: "7.38".parse().unwrap(), bases: bases() };
     let found = work.walked(&seed, given.clone(), true).unwrap();
     assert_eq!((found[0].low.text(), found.last().unwrap().high.text()), ("7.38".into(), "7.43".into()));
     assert!(found.len() > 2 && found.windows(2).all(|pair| pair[0].high.text() == pair[1].low.text()));
@@ -86,4 +92,63 @@ fn a_stretch_is_decided_by_the_h_sets_of_a_neighbour() {
     let nothing = Seed { bases: vec![Base::new([0.3, 9.0], [0.001, 0.001], [-0.001, 0.001])], ..seed };
     let left = work.walked(&nothing, given, true).unwrap();
     assert_eq!(left.iter().map(|stretch| stretch.verdict.name()).collect::<Vec<_>>(), ["undecided", "stable"]);
+}
+
+/// Lemma D14: downward as well, and in the order of the values.
+#[test]
+fn a_stretch_below_is_decided_by_the_h_sets_of_a_neighbour() {
+    let scene = Scene::parse(include_str!("../../../scenes/figure-14.toml")).unwrap();
+    let asked = RangeSettings { over: "amplitude=7.33..7.38".parse().unwrap(), cells: 1, halvings: 4, depth: 8 };
+    let work = Work { pair: scene.pair(), start: scene.start(), asked: &asked, watch: &Unwatched };
+    let given = vec![stretch("7.33", "7.36", stable("P1 P2")), stretch("7.36", "7.38", Verdict::Undecided)];
+    let found = work.walked(&Seed { value: "7.38".parse().unwrap(), bases: bases() }, given, false).unwrap();
+    assert_eq!(
+        (found[0].verdict.name(), found[0].low.text(), found[0].high.text()),
+        ("stable", "7.33".into(), "7.36".into())
+    );
+    assert!(found.windows(2).all(|pair| pair[0].high.text() == pair[1].low.text()));
+    let last = found.last().unwrap();
+    assert_eq!((last.verdict.name(), last.high.text()), ("horseshoe", "7.38".into()));
+}
+
+/// Lemmas D14, D15: neighbours of which the same is proved are one, also where one tells several rounds of the orbit; others are not.
+#[test]
+fn only_what_is_proved_of_both_is_joined() {
+    let attracted = |word: &str, beside: Option<&Horseshoe>| Verdict::Attracted {
+        word: word.parse().unwrap(),
+        cycles: word.split(' ').count() as u32 / 2,
+        beside: beside.cloned(),
+    };
+    let horseshoe = Horseshoe::quick(&law(7.38), bases(), 8, &Unwatched).unwrap();
+    let joined = |verdicts: [Verdict; 2]| {
+        let mut found = Vec::new();
+        for (verdict, [low, high], halved) in
+            verdicts.into_iter().zip([["1", "2"], ["2", "3"]]).zip([3, 1]).map(|((a, b), c)| (a, b, c))
+        {
+            join(&mut found, Stretch { halved, ..stretch(low, high, verdict) });
+        }
+        found
+    };
+    let twice = attracted("P1 P2 P1 P2", None);
+    for (verdicts, expected) in [
+        ([stable("P1 P2"), stable("P1 P2")], stable("P1 P2")),
+        ([attracted("P1 P2", None), twice.clone()], attracted("P1 P2", None)),
+        ([twice.clone(), attracted("P1 P2", None)], attracted("P1 P2", None)),
+    ] {
+        let found = joined(verdicts);
+        assert!(found.len() == 1 && found[0].verdict == expected && found[0].halved == 1, "{found:?}");
+        assert_eq!((found[0].low.text(), found[0].high.text()), ("1".into(), "3".into()));
+    }
+    for verdicts in [
+        [stable("P1 P2"), stable("P1 P3 P2")],
+        [stable("P1 P2"), Verdict::Undecided],
+        [stable("P1 P2"), attracted("P1 P2", None)],
+        [attracted("P1 P2", None), attracted("P1 P3 P2", None)],
+        [attracted("P1 P2", Some(&horseshoe)), twice],
+        [Verdict::Horseshoe(horseshoe.clone()), Verdict::Undecided],
+    ] {
+        let found = joined(verdicts.clone());
+        let kept: Vec<Verdict> = found.into_iter().map(|stretch| stretch.verdict).collect();
+        assert_eq!(kept, verdicts);
+    }
 }

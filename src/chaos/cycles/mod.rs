@@ -19,7 +19,8 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::thread;
 
 use super::law::Law;
-use super::region::{NoTrap, Trap};
+use super::refusal::NoTrap;
+use super::region::Trap;
 use crate::contact::Reason;
 use crate::exact::Enclosure;
 use crate::number::interval::Interval;

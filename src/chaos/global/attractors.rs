@@ -90,7 +90,7 @@ fn is_apart([phases, speeds]: &Hull, [others, their_speeds]: &Hull) -> bool {
     are_beside(*speeds, their_speeds)
         || [-2.0, -1.0, 0.0, 1.0, 2.0].into_iter().all(|periods| {
             let [low, high] = phases.map(|phase| phase + periods);
-            are_beside([low.next_down(), high.next_up()], others) // A14: sums are rounded
+            are_beside([low, high], others) // A14: rounding to nearest keeps the order of a sum and a double
         })
 }
 
@@ -152,14 +152,20 @@ mod tests {
         let (pair, law, own) = beyond_the_pitchfork();
         let guess = Guess::new(&law);
         let states = closed(&guess, own[0], 2).unwrap();
-        let is_proved = |away: f64| {
+        let is_within = |phases: [f64; 2], speeds: [f64; 2]| {
             let hulls =
-                states.iter().map(|[u, w]| [[u + away - 1e-3, u + away + 1e-3], [w - 1e-3, w + 1e-3]]).collect();
+                states.iter().map(|[u, w]| [phases.map(|away| u + away), speeds.map(|away| w + away)]).collect();
             let sides = states.iter().map(|&state| guess.map(state).unwrap().side).collect();
             let limit = Limit { states: states.clone(), sides, hulls, attracts: true };
             LimitCycle::of(&pair, &law, &limit, Precision::default()).is_some()
         };
-        assert!(is_proved(0.0) && is_proved(1.0) && !is_proved(0.01));
+        let about = |middle: f64| [middle - 1e-3, middle + 1e-3];
+        assert!(is_within(about(0.0), about(0.0)) && is_within(about(1.0), about(0.0)));
+        assert!(!is_within(about(0.01), about(0.0)) && !is_within(about(0.0), about(0.01)));
+        // Rectangles that end within the bounds of the impacts may not hold them.
+        for end in [[-1e-3, 0.0], [0.0, 1e-3]] {
+            assert!(!is_within(end, about(0.0)) && !is_within(about(0.0), end));
+        }
     }
 
     /// Rectangles beside one another, across the end of a forcing period too, and boxes that share an edge with one.
@@ -169,6 +175,10 @@ mod tests {
         assert!(is_apart(&hull(0.3, 1.0), &hull(0.33, 1.0)) && is_apart(&hull(0.3, 1.0), &hull(0.3, 1.03)));
         assert!(!is_apart(&hull(0.3, 1.0), &hull(0.31, 1.01)));
         assert!(!is_apart(&hull(0.0, 1.0), &hull(0.99, 1.0)) && !is_apart(&hull(0.99, 1.0), &hull(0.0, 1.0)));
+        assert!(!is_apart(&hull(0.0, 1.0), &hull(2.01, 1.0)) && !is_apart(&hull(2.0, 1.0), &hull(0.01, 1.0)));
+        let [lower, upper] = [[[0.25, 0.5], [0.5, 1.0]], [[0.25, 0.5], [1.0, 1.5]]];
+        let beside = [[0.5, 0.75], [0.5, 1.0]];
+        assert!(!is_apart(&lower, &upper) && !is_apart(&lower, &beside), "they have an edge in common");
         assert!(are_apart(&[hull(0.1, 1.0)], &[hull(0.2, 1.0), hull(0.3, 1.0)]));
         assert!(!are_apart(&[hull(0.2, 1.0)], &[hull(0.2, 1.0)]) && !are_apart(&[], &[hull(0.3, 1.0), hull(0.3, 1.0)]));
         let of = |cells: &[(i32, i32)]| Component { grid: Grid { columns: 8, rows: 8.0 }, ..component(cells.to_vec()) };
@@ -176,6 +186,8 @@ mod tests {
         let at = [[[0.45, 0.5], [0.55, 0.56]]];
         assert_eq!(place(&[&other, &one], &at), Some(1));
         assert_eq!(place(&[&one, &beside], &at), None);
+        let elsewhere = [[0.01, 0.02], [0.05, 0.06]];
+        assert_eq!(place(&[&one, &other], &[at[0], elsewhere]), None, "each rectangle may meet a component");
         assert_eq!(place(&[&other], &at), None);
         assert_eq!(place(&[&other], &[[[0.99, 1.01], [0.05, 0.06]]]), Some(0));
     }
