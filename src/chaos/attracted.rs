@@ -24,8 +24,7 @@ mod tests;
 
 /// Impacts that are followed.
 const IMPACTS: usize = 2000;
-/// The most from a set to a later one that lies in it; N more are followed to find the shortest period, and all of them while the walls of
-/// what is found are those of a shorter one.
+/// The most from a set to a later one that lies in it; N more are followed to find the shortest period.
 const LONGEST: usize = 128;
 /// Every N impacts sets may begin anew that have room for so often the way by which the orbit misses an earlier impact, if that is
 /// near: each of these is tried.
@@ -193,8 +192,7 @@ fn converges(law: &Law, first: &Visited, room: f64, watch: &dyn Watch) -> Option
         sets.push(if has_room { set.with_room(room, &sets[last - AGAIN..last - AGAIN / 2]) } else { set });
         sides.push(side);
         let Some((period, since)) = &found else { continue };
-        let is_long_enough = last >= since + LONGEST && !is_repeated(&sides[period.from..period.from + period.impacts]);
-        if period.impacts == 1 || is_long_enough {
+        if period.impacts == 1 || last == since + LONGEST {
             break;
         }
     }
@@ -209,12 +207,6 @@ impl Period {
         self.turns /= (self.impacts / common) as f64; // exact: whole turns after each part
         self.impacts = common;
     }
-}
-
-/// Whether it is a shorter list several times.
-fn is_repeated(sides: &[Side]) -> bool {
-    let all = sides.len();
-    (1..=all / 2).any(|part| all.is_multiple_of(part) && sides[part..] == sides[..all - part])
 }
 
 /// The word of N flights from a wall, in whole forcing periods of mirrored phases; twice where it ends on the other wall.

@@ -137,19 +137,3 @@ fn orbits_of_values_in_a_cell_converge_as_it_says() {
         }
     }
 }
-
-/// Sets that come back after two rounds first: the orbit, which converges for the middle value, has half that period.
-#[test]
-fn r49_a_period_is_the_shortest_one_where_walls_are_repeated() {
-    let scene = Scene::parse(include_str!("../../../scenes/figure-14.toml")).unwrap();
-    for (over, cells, expected) in
-        [("amplitude=7.2404296875..7.241015625", 3, (5, 2)), ("amplitude=8.47734375..8.477734375", 2, (8, 3))]
-    {
-        let asked = RangeSettings { over: over.parse().unwrap(), cells, halvings: 0, depth: 3 };
-        let found = Cells::of(scene.pair(), scene.start(), &asked, &Unwatched).unwrap();
-        for stretch in &found.stretches {
-            let (word, cycles) = stretch.verdict.period().unwrap_or_else(|| panic!("{over}: {found:?}"));
-            assert_eq!((word.mappings().len(), cycles), expected, "{over}: {stretch:?}");
-        }
-    }
-}
