@@ -56,8 +56,8 @@ def verify(document: Source | Mapping[str, Any]) -> Verified:
 
     Verified are orbits of ``run``, the orbits of ``periodic``, the region of ``trap`` and the horseshoe of ``chaos``, as far as
     ``docs/verified.md`` says.
-    A document that claims more is not verified: of ``chaos`` leave out ``scene_orbit``, by ``no_orbit=True``. An :class:`Error` says so where the
-    program ``impact-pair-verified`` is not found, or stops without a verdict.
+    A document that claims more is not verified: of ``chaos`` leave out ``scene_orbit``, by ``no_orbit=True``. An :class:`Error` says
+    so where the program ``impact-pair-verified`` is not found, or stops without a verdict.
     """
     text = json.dumps(dict(document)) if isinstance(document, Mapping) else text_of(document)
     done = subprocess.run([program(), "-"], input=text.encode(), capture_output=True, check=False)
