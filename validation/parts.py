@@ -55,6 +55,8 @@ TEST = f"cargo test {ALL}"
 # Runs the tests of all executables side by side, where it is there.
 QUICK = f"cargo nextest run --cargo-profile validation --workspace {GMP} --no-fail-fast --status-level fail" if shutil.which("cargo-nextest") else f"{TEST} --lib --bins --tests"
 LINT = f"cargo clippy {' '.join(PROFILE)} {GMP} --all-targets"
+# Lines that ruff refuses half an hour later, in the package.
+FORM = "cargo fmt --all --check && ! awk 'length > 140 { print FILENAME \":\" FNR \": more than 140 characters\" }' $(git ls-files 'python/*.py') | grep ."
 NO_C = "cargo tree --quiet --edges normal,build,dev --prefix none -p impact-pair -p impact-pair-cli --no-default-features"
 NO_C = f"! {NO_C} | grep -E '^(cc|gmp-mpfr-sys|cmake|bindgen) '"
 MANY = "IMPACT_PAIR_MULTIPLIER=40 FUZZ_CASES=${FUZZ_CASES:-100000}"
@@ -71,7 +73,7 @@ PARTS = [
     Part("kernel", "validation/kernel/prove --quick", "validation/kernel/prove", inputs=("src/number/kernel.rs", "validation/kernel", "validation/proving.py")),
     Part("bounds", "validation/bounds/prove --quick", "validation/bounds/prove",
          inputs=("src/number", "src/contact", "src/flight.rs", "validation/bounds", "validation/proving.py")),
-    cargo("formatting", "cargo fmt --all --check"),
+    cargo("formatting", FORM),
     cargo("program", f"cargo build {ALL} --bin impact-pair --examples", after=("formatting",))._replace(inputs=()),
     cargo("tests", f"{QUICK} && {TEST} --doc",
           f"{MANY} {TEST} --features png,pdf,parquet --lib --bins --tests -- --include-ignored && {TEST} --doc"
@@ -135,7 +137,7 @@ def fast_parts():
         if touched & folders:
             targets.append(f"--test {executable}")
             wanted.append(f"binary({executable}) & test({tests})")
-    form = cargo("formatting", "cargo fmt --all --check")._replace(inputs=())
+    form = cargo("formatting", FORM)._replace(inputs=())
     if not touched:
         return [form]
     chosen = " | ".join(f"({one})" for one in wanted)
