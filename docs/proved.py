@@ -2,13 +2,11 @@
 """Draws docs/proved.svg, the bifurcation diagram of figure 14 in the colours of what is proved, and writes into docs/howto/chaos.md what it shows,
 which stretches are left undecided, and what `check` says of the document.
 
-    docs/proved.py
-
     docs/proved.py [SECONDS]
 
-After so many seconds no further stretch is checked, and what there is is written. What is done is kept in target/proved: the document, the picture,
-what `check` says of each stretch as a document of its own, and what each took: this may be stopped and run again, with the same program. The program
-is that of the environment variable IMPACT_PAIR, or target/release/impact-pair. Python 3.11, standard library.
+After SECONDS no further stretch is checked, and the page says how many were. The document, the picture, what `check` says of each stretch as a
+document of its own, and the processor time of each are kept in target/proved: a run that was stopped goes on from there, with the same program. The
+program is that of the environment variable IMPACT_PAIR, or target/release/impact-pair. Python 3.11, standard library.
 """
 import collections
 import json
