@@ -122,9 +122,7 @@ fn only_what_is_proved_of_both_is_joined() {
     let horseshoe = Horseshoe::quick(&law(7.38), bases(), 8, &Unwatched).unwrap();
     let joined = |verdicts: [Verdict; 2]| {
         let mut found = Vec::new();
-        for (verdict, [low, high], halved) in
-            verdicts.into_iter().zip([["1", "2"], ["2", "3"]]).zip([3, 1]).map(|((a, b), c)| (a, b, c))
-        {
+        for ((verdict, [low, high]), halved) in verdicts.into_iter().zip([["1", "2"], ["2", "3"]]).zip([3, 1]) {
             join(&mut found, Stretch { halved, ..stretch(low, high, verdict) });
         }
         found
