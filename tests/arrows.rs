@@ -82,7 +82,7 @@ const CRATES: [(&str, &[&str]); 5] = [
 ];
 
 fn root() -> &'static Path {
-    Path::new(env!("CARGO_MANIFEST_DIR"))
+    Path::new(impact_pair_tests::ROOT)
 }
 
 /// The sources of a room, without its tests.

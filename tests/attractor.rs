@@ -15,7 +15,7 @@ use impact_pair::periodic::{Attractor, Problem, Stability};
 use impact_pair::watch::{Stage, proceed_if};
 
 fn figure(number: u32) -> Scene {
-    let path = format!("{}/scenes/figure-{number}.toml", env!("CARGO_MANIFEST_DIR"));
+    let path = format!("{}/scenes/figure-{number}.toml", impact_pair_tests::ROOT);
     Scene::parse(&std::fs::read_to_string(path).unwrap()).unwrap()
 }
 

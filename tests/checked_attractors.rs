@@ -190,7 +190,7 @@ fn an_orbit_twice_over_is_not_confirmed() {
 /// Beyond the pitchfork there are two orbits, mirror images: the motion converges to one of them.
 #[test]
 fn the_mirror_image_is_another_attractor() {
-    let text = std::fs::read_to_string(format!("{}/scenes/cascade.toml", env!("CARGO_MANIFEST_DIR"))).unwrap();
+    let text = std::fs::read_to_string(format!("{}/scenes/cascade.toml", impact_pair_tests::ROOT)).unwrap();
     let document = document(&text);
     assert!(is_confirmed(&document), "{:?}", verdict(&document));
     let mut mirrored = document.clone();

@@ -16,7 +16,7 @@ use impact_pair_certificate::{Claims, Effort, Finding, Verdict};
 use serde_json::{Value, json};
 
 fn file(name: &str) -> String {
-    fs::read_to_string(format!("{}/{name}", env!("CARGO_MANIFEST_DIR"))).unwrap()
+    fs::read_to_string(format!("{}/{name}", impact_pair_tests::ROOT)).unwrap()
 }
 
 fn figure(name: &str) -> Scene {

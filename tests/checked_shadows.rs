@@ -28,7 +28,7 @@ const RESTING: &str = r#"
     start = { time = 0, wall = "left", velocity = -5 }"#;
 
 fn figure(name: &str) -> String {
-    std::fs::read_to_string(format!("{}/scenes/{name}.toml", env!("CARGO_MANIFEST_DIR"))).unwrap()
+    std::fs::read_to_string(format!("{}/scenes/{name}.toml", impact_pair_tests::ROOT)).unwrap()
 }
 
 /// The orbit JSON of a scene in the shadow arithmetic.

@@ -260,7 +260,7 @@ fn lemmas(root: &Path) -> BTreeSet<String> {
 
 #[test]
 fn every_clamp_cast_and_comparison_carries_its_lemma() {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let root = Path::new(impact_pair_tests::ROOT);
     let lemmas = lemmas(root);
     assert!(lemmas.len() > 130, "{lemmas:?}");
     let (mut unlabelled, mut undefined) = (Vec::new(), Vec::new());
@@ -285,7 +285,7 @@ fn every_clamp_cast_and_comparison_carries_its_lemma() {
 /// Lemmas that are named anywhere, in all sources, are defined.
 #[test]
 fn every_lemma_that_is_named_is_defined() {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let root = Path::new(impact_pair_tests::ROOT);
     let lemmas = lemmas(root);
     let rooms = ["src", "crates", "cli", "tests", "validation"];
     let mut paths: Vec<PathBuf> = rooms.iter().flat_map(|room| sources(&root.join(room))).collect();

@@ -10,7 +10,7 @@ use num_rational::BigRational;
 use proptest::prelude::*;
 
 fn scene(name: &str) -> Scene {
-    let path = format!("{}/scenes/figure-{name}.toml", env!("CARGO_MANIFEST_DIR"));
+    let path = format!("{}/scenes/figure-{name}.toml", impact_pair_tests::ROOT);
     Scene::parse(&std::fs::read_to_string(path).expect("a scene of the repository")).expect("a valid scene")
 }
 

@@ -6,7 +6,7 @@ use std::process::Command;
 
 /// The files of the package, as cargo lists them; made by cargo itself are three of them.
 fn packaged() -> Vec<String> {
-    let root = env!("CARGO_MANIFEST_DIR");
+    let root = impact_pair_tests::ROOT;
     let arguments = ["package", "--list", "--allow-dirty", "--offline", "--package", "impact-pair"];
     let answer = Command::new(env!("CARGO")).args(arguments).current_dir(root).output().unwrap();
     assert!(answer.status.success(), "{}", String::from_utf8_lossy(&answer.stderr));
@@ -30,7 +30,7 @@ fn a_package_holds_the_library_its_examples_and_scenes() {
     for foreign in ["validation/", "tests/", "target/", "python/", "cli/", "docs/gallery/"] {
         assert!(!files.iter().any(|file| file.starts_with(foreign)), "{foreign} is packaged");
     }
-    let size = |file: &String| fs::metadata(Path::new(env!("CARGO_MANIFEST_DIR")).join(file)).map_or(0, |of| of.len());
+    let size = |file: &String| fs::metadata(Path::new(impact_pair_tests::ROOT).join(file)).map_or(0, |of| of.len());
     let bytes: u64 = files.iter().map(size).sum();
     assert!(bytes < 11 << 18, "{bytes} bytes, some 760 KiB when compressed are expected of 2.6 MB");
 }

@@ -79,7 +79,7 @@ fn markdown(folder: &Path) -> Vec<PathBuf> {
 
 #[test]
 fn every_lemma_has_one_anchor_and_every_link_leads_to_it() {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let root = Path::new(impact_pair_tests::ROOT);
     let pages = pages(root);
     let (anchors, mut faults) = anchors(&pages);
     assert!(anchors.len() > 130, "{anchors:?}");

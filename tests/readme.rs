@@ -3,7 +3,7 @@
 use std::fs;
 
 fn file(name: &str) -> String {
-    fs::read_to_string(format!("{}/{name}", env!("CARGO_MANIFEST_DIR"))).unwrap()
+    fs::read_to_string(format!("{}/{name}", impact_pair_tests::ROOT)).unwrap()
 }
 
 /// `validation/fresh` measures README's commands in a fresh clone: its third line has "N processor minutes, M minutes" of each.

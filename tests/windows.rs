@@ -59,7 +59,9 @@ fn over_the_gap_the_ends_are_exchanged() {
 /// A search that is stopped keeps what it has; a range of another key is refused.
 #[test]
 fn a_search_can_be_stopped_and_wants_a_parameter() {
-    let scene = Scene::parse(&std::fs::read_to_string("scenes/figure-14.toml").unwrap()).unwrap();
+    let scene =
+        Scene::parse(&std::fs::read_to_string(format!("{}/scenes/figure-14.toml", impact_pair_tests::ROOT)).unwrap())
+            .unwrap();
     let over = |over: &str| over.parse().unwrap();
     let settings =
         |over, impacts| WindowSettings { over, impacts, longest: 20, most: 2, precision: Precision::default() };
@@ -75,7 +77,9 @@ fn a_search_can_be_stopped_and_wants_a_parameter() {
 /// ends are enclosed the widest.
 #[test]
 fn r50_the_window_of_44_impacts_is_proved_from_each_of_its_impacts() {
-    let scene = Scene::parse(&std::fs::read_to_string("scenes/figure-14.toml").unwrap()).unwrap();
+    let scene =
+        Scene::parse(&std::fs::read_to_string(format!("{}/scenes/figure-14.toml", impact_pair_tests::ROOT)).unwrap())
+            .unwrap();
     let phases = vec![
         0.96038144142,
         1.28689507003,
@@ -137,7 +141,9 @@ fn is_one(a: &str, b: &str) -> bool {
 #[test]
 #[ignore = "deep"]
 fn the_sinks_near_the_printed_gap_are_found_with_their_windows() {
-    let scene = Scene::parse(&std::fs::read_to_string("scenes/figure-14.toml").unwrap()).unwrap();
+    let scene =
+        Scene::parse(&std::fs::read_to_string(format!("{}/scenes/figure-14.toml", impact_pair_tests::ROOT)).unwrap())
+            .unwrap();
     let settings = WindowSettings {
         over: "gap=9.4247..9.4253".parse().unwrap(),
         impacts: 80_000_000,

@@ -200,7 +200,7 @@ fn files(folder: &Path, ending: &str) -> Vec<PathBuf> {
 
 #[test]
 fn user_facing_text_is_in_the_words_of_the_field() {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let root = Path::new(impact_pair_tests::ROOT);
     let mut texts: Vec<(PathBuf, Vec<Text>)> = Vec::new();
     let pages = files(&root.join("docs"), "md").into_iter();
     for page in pages.chain([root.join("README.md"), root.join("python/README.md")]) {
@@ -236,7 +236,7 @@ const COMMENTS: [&str; 1] = ["so many"];
 
 #[test]
 fn comments_give_numbers_a_name() {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let root = Path::new(impact_pair_tests::ROOT);
     let mut faults = String::new();
     for folder in ["src", "crates", "cli", "python/src", "benches", "examples", "validation/truth"] {
         for source in files(&root.join(folder), "rs") {

@@ -53,8 +53,8 @@ GMP = subprocess.run([ROOT / "validation/gmp"], check=True, capture_output=True,
 ALL = f"{' '.join(PROFILE)} --workspace {GMP}"
 TEST = f"cargo test {ALL}"
 # Runs the tests of all executables side by side, where it is there.
-QUICK = f"cargo nextest run --cargo-profile validation --workspace {GMP} --no-fail-fast --status-level fail" if shutil.which("cargo-nextest") else f"{TEST} --lib --bins --tests"
-LINT = f"cargo clippy {' '.join(PROFILE)} {GMP} --all-targets"
+QUICK = f"cargo nextest run --cargo-profile validation --workspace {GMP} --tests --no-fail-fast --status-level fail" if shutil.which("cargo-nextest") else f"{TEST} --tests"
+LINT = f"cargo clippy {' '.join(PROFILE)} {GMP} --workspace"
 # Lines that ruff refuses half an hour later, in the package.
 FORM = "cargo fmt --all --check && ! awk 'length > 140 { print FILENAME \":\" FNR \": more than 140 characters\" }' $(git ls-files 'python/*.py') | grep ."
 NO_C = "cargo tree --quiet --edges normal,build,dev --prefix none -p impact-pair -p impact-pair-cli --no-default-features"
@@ -64,7 +64,9 @@ FRESH = "STRADDLE_CASES=${STRADDLE_CASES:-100000} STRADDLE_SEED=fresh"
 CROSSED = "CROSSINGS_CASES=${CROSSINGS_CASES:-100000} CROSSINGS_SEED=fresh"
 
 # Those of the folder that prove something in a second.
-EXAMPLES = 'for example in events impact_map symmetry_lost; do "${IMPACT_PAIR%/*}/examples/$example" >/dev/null || exit 1; done'
+EXAMPLES = ("events", "impact_map", "symmetry_lost")
+BUILT = " ".join(f"--example {name}" for name in (*EXAMPLES, "instructions"))
+RUN_EXAMPLES = f'for example in {" ".join(EXAMPLES)}; do "${{IMPACT_PAIR%/*}}/examples/$example" >/dev/null || exit 1; done'
 # A README that is read: at most 150 lines of at most 120 characters.
 MANUAL = "! awk 'NR > 150 || length > 120' README.md | grep . && docs/reference/make --check && docs/manual"
 
@@ -74,22 +76,22 @@ PARTS = [
     Part("bounds", "validation/bounds/prove --quick", "validation/bounds/prove",
          inputs=("src/number", "src/contact", "src/flight.rs", "validation/bounds", "validation/proving.py")),
     cargo("formatting", FORM),
-    cargo("program", f"cargo build {ALL} --bin impact-pair --examples", after=("formatting",))._replace(inputs=()),
+    cargo("program", f"cargo build {ALL} --bin impact-pair {BUILT}", after=("formatting",))._replace(inputs=()),
     cargo("tests", f"{QUICK} && {TEST} --doc",
           f"{MANY} {TEST} --features png,pdf,parquet --lib --bins --tests -- --include-ignored && {TEST} --doc"
-          f" && cargo test {' '.join(PROFILE)} -p impact-pair -p impact-pair-cli --no-default-features"
+          f" && cargo test {' '.join(PROFILE)} -p impact-pair -p impact-pair-tests -p impact-pair-cli --no-default-features"
           f" && {TEST} --benches && {FRESH} {TEST} --test library straddle:: -- --nocapture"
           f" && {CROSSED} {TEST} --test truth crossings:: -- --nocapture && PROPTEST_CASES=100000 {TEST} --test library spoiled::"
           f" && PROPTEST_CASES=100000 {TEST} --test recorded claimed::"
           f" && FORGER_FOLDER=$PWD/target/forged FORGER_CASES=all {TEST} --test library forger::", ("program",)),
-    cargo("lints", f"{LINT} --workspace -- -D warnings",
-          f"{LINT} --workspace -- -D warnings && {LINT} --workspace --features png,pdf,parquet -- -D warnings"
+    cargo("lints", f"{LINT} --lib --bins --examples --tests -- -D warnings",
+          f"{LINT} --all-targets -- -D warnings && {LINT} --all-targets --features png,pdf,parquet -- -D warnings"
           f" && cargo clippy {' '.join(PROFILE)} --all-targets -p impact-pair -p impact-pair-cli --no-default-features -- -D warnings", ("tests",)),
-    cargo("no C", NO_C, f"{NO_C} && cargo test {' '.join(PROFILE)} -p impact-pair --no-default-features --test library", after=("lints",)),
+    cargo("no C", NO_C, f"{NO_C} && cargo test {' '.join(PROFILE)} -p impact-pair-tests --no-default-features --test library", after=("lints",)),
     cargo("dependent", "validation/dependent --quick", "validation/dependent", after=("lints",)),
     cargo("documentation", f"RUSTDOCFLAGS='-D warnings' cargo doc {ALL} --no-deps --quiet", after=("lints",)),
     cargo("instructions", "validation/instructions --profile validation", "validation/instructions", after=("tests",)),
-    Part("scenes", *2 * (f'for scene in scenes/*.toml; do "$IMPACT_PAIR" run "$scene" --quiet --format csv >/dev/null || exit 1; done; {EXAMPLES}',),
+    Part("scenes", *2 * (f'for scene in scenes/*.toml; do "$IMPACT_PAIR" run "$scene" --quiet --format csv >/dev/null || exit 1; done; {RUN_EXAMPLES}',),
          ("program",), inputs=(*SOURCES, "examples")),
     Part("gallery", *2 * ("docs/gallery/make --check",), ("program",), inputs=(*SOURCES, "docs")),
     Part("stability", *2 * ("docs/stability/make --check",), ("program",), inputs=(*SOURCES, "docs")),

@@ -35,7 +35,7 @@ const VERBS: [(&[&str], &[&str]); 15] = [
         &["csv", "jsonl", "svg", "html"],
     ),
     (&["tangency", "scenes/figure-12.toml", "--over", "gap=9..10", "--longest", "1"], &["txt", "json"]),
-    (&["chaos", "scenes/figure-12.toml", "--depth", "1"], &["txt", "json"]),
+    (&["chaos", "scenes/figure-14.toml", "--depth", "1", "--bases", "docs/bases-figure-14.json"], &["txt", "json"]),
     (&["audit", "scenes/figure-12.toml", "cli/tests/endings/list.csv"], &["txt", "json"]),
     (&["check", "tests/chaos-0.036.json"], &["txt", "json"]),
     (

@@ -8,7 +8,7 @@ use crate::common::{folder, program};
 const VERBS: [&[&str]; 8] = [
     &["plot", "scenes/figure-12.toml", "--panel", "c", "--impacts", "20", "--output"],
     &["trap", "scenes/figure-12.toml", "--plot"],
-    &["chaos", "scenes/figure-12.toml", "--depth", "1", "--plot"],
+    &["chaos", "scenes/figure-14.toml", "--depth", "1", "--bases", "docs/bases-figure-14.json", "--plot"],
     &["two-impact", "scenes/figure-10.toml", "--manifold", "frequency=5..60:6", "--inset", "10..20:0.1..2", "--plot"],
     &["sweep", "scenes/cascade.toml", "--over", "gap=9..10:2", "--transient", "2", "--impacts", "1", "--plot"],
     &[

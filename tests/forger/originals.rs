@@ -82,7 +82,7 @@ fn named(name: &str, document: Value) -> Original {
 }
 
 fn figure(name: &str) -> Scene {
-    Scene::parse(&fs::read_to_string(format!("{}/scenes/{name}.toml", env!("CARGO_MANIFEST_DIR"))).unwrap()).unwrap()
+    Scene::parse(&fs::read_to_string(format!("{}/scenes/{name}.toml", impact_pair_tests::ROOT)).unwrap()).unwrap()
 }
 
 /// Chaotic ones that are longer than their exact starts' are, with first impacts proved by precision, up to a time, and where the
@@ -173,7 +173,7 @@ fn trap(name: &str) -> Original {
 
 fn chaos(over: Option<&str>) -> Original {
     let scene = figure("figure-14");
-    let read = fs::read_to_string(format!("{}/docs/bases-figure-14.json", env!("CARGO_MANIFEST_DIR"))).unwrap();
+    let read = fs::read_to_string(format!("{}/docs/bases-figure-14.json", impact_pair_tests::ROOT)).unwrap();
     let bases: Vec<BaseDocument> =
         serde_json::from_value(serde_json::from_str::<Value>(&read).unwrap()["bases"].clone()).unwrap();
     let question = HorseshoeSettings { depth: Some(3), bases: document::bases(&bases) };

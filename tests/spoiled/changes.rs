@@ -24,31 +24,43 @@ impl Change {
     }
 }
 
-/// All changes of a document.
-pub fn all(document: &Value) -> Vec<Change> {
-    let mut changes = Vec::new();
+/// A change that fits a document: where, how, and what stands there then; `None` is nothing at all.
+pub struct Plan {
+    path: Vec<String>,
+    what: String,
+    other: Option<Value>,
+}
+
+/// The plans of all changes of a document.
+pub fn plans(document: &Value) -> Vec<Plan> {
+    let mut plans = Vec::new();
     walk(document, &mut Vec::new(), &mut |path, value| {
-        let place = numbered(path);
-        for (what, other) in others(path, value) {
-            let place = place.clone();
-            let mut copy = document.clone();
-            let pointer: String = path.iter().map(|key| format!("/{key}")).collect();
-            match other {
-                Some(other) => *copy.pointer_mut(&pointer).unwrap() = other,
-                None => remove(&mut copy, path),
-            }
-            let name: String =
-                path.iter().filter(|key| key.parse::<usize>().is_err()).map(|key| format!(".{key}")).collect();
-            let path = name.trim_start_matches('.').to_owned();
-            let told = told(&copy);
-            let is_told_otherwise = told != copy;
-            changes.push(Change { path: path.clone(), what: what.clone(), document: copy, place: place.clone() });
-            if is_told_otherwise {
-                changes.push(Change { path, what: format!("{what}, told anew"), document: told, place });
-            }
-        }
+        let of = |(what, other)| Plan { path: path.to_vec(), what, other };
+        plans.extend(others(path, value).into_iter().map(of));
     });
-    changes
+    plans
+}
+
+impl Plan {
+    /// A document that is changed so, as it stands and, where that differs, with what counts or says in words what is changed anew.
+    pub fn changes(self, document: &Value) -> Vec<Change> {
+        let Self { path, what, other } = self;
+        let place = numbered(&path);
+        let mut copy = document.clone();
+        let pointer: String = path.iter().map(|key| format!("/{key}")).collect();
+        match other {
+            Some(other) => *copy.pointer_mut(&pointer).unwrap() = other,
+            None => remove(&mut copy, &path),
+        }
+        let name: String =
+            path.iter().filter(|key| key.parse::<usize>().is_err()).map(|key| format!(".{key}")).collect();
+        let path = name.trim_start_matches('.').to_owned();
+        let anew = told(&copy);
+        let change =
+            |what: String, document: Value| Change { path: path.clone(), what, document, place: place.clone() };
+        let consistent = (anew != copy).then(|| change(format!("{what}, told anew"), anew));
+        [Some(change(what, copy)), consistent].into_iter().flatten().collect()
+    }
 }
 
 /// A path as it is written: `events[0].time`.

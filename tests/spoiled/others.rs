@@ -20,7 +20,7 @@ use impact_pair::watch::{Stage, Unwatched, proceed_if};
 use serde_json::{Value, json};
 
 fn file(name: &str) -> String {
-    fs::read_to_string(format!("{}/{name}", env!("CARGO_MANIFEST_DIR"))).unwrap()
+    fs::read_to_string(format!("{}/{name}", impact_pair_tests::ROOT)).unwrap()
 }
 
 fn figure(name: &str) -> Scene {

@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 use super::{documents, others};
 
 fn folder() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("crates/certificate/tests/documents")
+    Path::new(impact_pair_tests::ROOT).join("crates/certificate/tests/documents")
 }
 
 #[test]
