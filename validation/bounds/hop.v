@@ -115,7 +115,8 @@ Proof.
   assert (Tm : P <= (1 + 7 * u) * terms). { destruct Hterms as [F _]. apply split_abs in F, HV, HS. unfold P, D, u in *. unfold Rabs in F.
     destruct (Rcase_abs terms); lra. }
   assert (T0 : 0 <= terms) by (unfold u in *; lra).
-  assert (sw : beta_m * (2 * PI) <= acceleration). { assert (T := TAU_above). assert (P := PI_above).
+  assert (beta_m0 : 0 <= beta_m) by (apply Rle_trans with (2 := Hb), Rabs_pos).
+  assert (sw : beta_m * (2 * PI) <= acceleration). { assert (turn_above := TAU_above). assert (pi_above := PI_above).
     assert (0 <= beta_m * (2 * PI)) by (apply Rmult_le_pos; lra). assert (beta_m * (2 * PI) <= beta_m * TAU) by (apply Rmult_le_compat_l; lra).
     unfold acceleration_of, SLACK, u. lra. }
   assert (sp : Rabs (be * (Y - X)) <= acceleration * r_u * P).
