@@ -156,18 +156,18 @@ def shadowed_jobs(impacts):
             yield Job(SHADOWED, f"{name}, {count} impacts, splice {splice}", judge_shadow, (text, count, splice, within), text)
 
 
-def horseshoe_jobs():
+def horseshoe_jobs(few):
     """The shortest horseshoe of figure 14."""
     with open(FIGURES[2], encoding="utf-8") as file:
         text = file.read()
-    yield Job(HORSESHOES, "figure-14, depth 3", judge_chaos, (text, "docs/bases-figure-14.json", 3), text)
+    yield Job(HORSESHOES, "figure-14, depth 3", judge_chaos, (text, "docs/bases-figure-14.json", 3, few), text)
 
 
-def tangency_jobs():
+def tangency_jobs(few):
     """That beside figure 14."""
     with open(FIGURES[2], encoding="utf-8") as file:
         text = file.read()
-    yield Job(TANGENCIES, "beside figure 14", judge_document, ("docs/tangency-figure-14.json",), text)
+    yield Job(TANGENCIES, "beside figure 14", judge_document, ("docs/tangency-figure-14.json", few), text)
 
 
 def jobs(amount, seed, parts):
@@ -186,6 +186,6 @@ def jobs(amount, seed, parts):
         for scene in interval_scenes(amount.intervals, seed)
     ]
     found += shadowed_jobs(amount.shadowed)
-    found += horseshoe_jobs()
-    found += tangency_jobs()
+    found += horseshoe_jobs(amount.depths is not None)
+    found += tangency_jobs(amount.depths is not None)
     return [job for job in found if not parts or job.part in parts]
