@@ -71,6 +71,7 @@ def test_workers_and_folders_give_the_same(lines, tmp_path):
     assert list(again.lines()) == list(found.lines())
 
 
+@pytest.mark.deep
 def test_on_a_cluster_with_a_worker_killed(lines):
     distributed = pytest.importorskip("distributed")
     killed = []

@@ -50,6 +50,7 @@ def test_on_a_cluster_with_a_worker_killed(cluster, cli, tmp_path):
     assert (tmp_path / "found.csv").read_bytes() == (tmp_path / "told.csv").read_bytes()
 
 
+@pytest.mark.deep
 def test_a_killed_client_is_resumed(cluster, cli, tmp_path):
     over = {"amplitude": ("1", "10", 200)}
     script = CLIENT.format(over=over, asked=ASKED)

@@ -10,8 +10,8 @@ nbformat = pytest.importorskip("nbformat")
 nbclient = pytest.importorskip("nbclient")
 
 NOTEBOOKS = sorted((ROOT / "python/notebooks").glob("*.ipynb"))
-# Those that start a cluster, or draw for seconds.
-SLOW = ("dask", "figures")
+# Those that start a cluster, or draw for seconds; of the others one is enough in small.
+SLOW = ("dask", "figures", "how-chaotic", "simulator")
 EXECUTED = ROOT / os.environ.get("CARGO_TARGET_DIR", "target") / "notebooks"
 
 

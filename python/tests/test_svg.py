@@ -52,7 +52,7 @@ def ink(image):
     return np.array([across[0], across[-1], down[0], down[-1]])
 
 
-@pytest.mark.parametrize("name", ["plot", "manifold", "basins"])
+@pytest.mark.parametrize("name", [pytest.param("plot", marks=pytest.mark.deep), "manifold", "basins"])
 def test_r35_words_stand_where_they_stand_in_another_renderer(pictures, name):
     root = ET.fromstring(pictures[name])
     # All of several runs, whose middles and ends renderers see differently, and some others.

@@ -137,6 +137,7 @@ def test_describe(cli, tmp_path):
         Scene.named("figure-13").describe(impacts=0)
 
 
+@pytest.mark.deep
 def test_a_motion_in_a_region_is_described():
     found = Scene.named("figure-14").describe(depth=3)
     assert (found.fate, found.since, found.region.boxes) == ("stays-in-region", 2, 431)

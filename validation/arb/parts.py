@@ -1,4 +1,5 @@
 """What is to be judged, in ten parts, each a list of jobs; a job is judged in a process of its own."""
+import re
 from collections import Counter, namedtuple
 
 from chaos import judge_chaos
@@ -26,10 +27,11 @@ Job = namedtuple("Job", "part name judge arguments scene")
 # How much of everything is judged; 200 impacts of a scene unless it says otherwise.
 Amount = namedtuple(
     "Amount", "figures long resting resting_impacts extremes extreme_impacts several several_impacts straddling "
-    "intervals shadowed",
+    "intervals shadowed depths",
 )
-FULL = Amount(200, 2000, 60, 200, 200, 60, 200, 60, 200, 40, 1000)
-QUICK = Amount(30, 0, 10, 60, 16, 20, 10, 20, 20, 6, 80)
+FULL = Amount(200, 2000, 60, 200, 200, 60, 200, 60, 200, 40, 1000, None)
+# Eight scenes are judged in all ways, ten straddle all branches; near grazes of the least, a middle and the greatest depth.
+QUICK = Amount(20, 0, 8, 60, 8, 20, 8, 20, 10, 4, 60, (3, 12, 30))
 INTERVAL_IMPACTS = 20
 # Bits that tell 10^-60 from nothing, and end soon where nothing can be told.
 STRADDLING_BITS = 1024
@@ -113,10 +115,16 @@ def judge_one_corner(corner, binary):
     return tally, in_words(corner.outcome, tally)
 
 
+def deep_enough(corners, depths):
+    """Corner cases; of those that are near something by 10^-k the ones with these k, or all."""
+    near = lambda corner: re.search(r" by 1e-(\d+)", corner.name)
+    return [corner for corner in corners if depths is None or not (found := near(corner)) or int(found[1]) in depths]
+
+
 def several_jobs(amount, seed):
     """Random scenes with several harmonics, corner cases, and motions written in more than one way."""
     yield from scene_jobs(SEVERAL, several_scenes(amount.several, seed), amount.several_impacts)
-    for corner in several_corners():
+    for corner in deep_enough(several_corners(), amount.depths):
         yield Job(SEVERAL, corner.name, judge_one_corner, (corner,), toml(corner.tables))
     for corner in untold_corners():
         yield Job(SEVERAL, corner.name, judge_one_untold, (corner,), toml(corner.tables))
@@ -148,18 +156,18 @@ def shadowed_jobs(impacts):
             yield Job(SHADOWED, f"{name}, {count} impacts, splice {splice}", judge_shadow, (text, count, splice, within), text)
 
 
-def horseshoe_jobs():
+def horseshoe_jobs(few):
     """The shortest horseshoe of figure 14."""
     with open(FIGURES[2], encoding="utf-8") as file:
         text = file.read()
-    yield Job(HORSESHOES, "figure-14, depth 3", judge_chaos, (text, "docs/bases-figure-14.json", 3), text)
+    yield Job(HORSESHOES, "figure-14, depth 3", judge_chaos, (text, "docs/bases-figure-14.json", 3, few), text)
 
 
-def tangency_jobs():
+def tangency_jobs(few):
     """That beside figure 14."""
     with open(FIGURES[2], encoding="utf-8") as file:
         text = file.read()
-    yield Job(TANGENCIES, "beside figure 14", judge_document, ("docs/tangency-figure-14.json",), text)
+    yield Job(TANGENCIES, "beside figure 14", judge_document, ("docs/tangency-figure-14.json", few), text)
 
 
 def jobs(amount, seed, parts):
@@ -168,7 +176,8 @@ def jobs(amount, seed, parts):
     found += scene_jobs("resting scenes", scenes(amount.resting, seed), amount.resting_impacts)
     found += scene_jobs("extreme scenes", extreme_scenes(amount.extremes, seed), amount.extreme_impacts)
     found += [
-        Job("corner cases", corner.name, judge_one_corner, (corner,), toml(corner.tables)) for corner in corners()
+        Job("corner cases", corner.name, judge_one_corner, (corner,), toml(corner.tables))
+        for corner in deep_enough(corners(), amount.depths)
     ]
     found += several_jobs(amount, seed)
     found += straddling_jobs(amount.straddling, seed)
@@ -177,6 +186,6 @@ def jobs(amount, seed, parts):
         for scene in interval_scenes(amount.intervals, seed)
     ]
     found += shadowed_jobs(amount.shadowed)
-    found += horseshoe_jobs()
-    found += tangency_jobs()
+    found += horseshoe_jobs(amount.depths is not None)
+    found += tangency_jobs(amount.depths is not None)
     return [job for job in found if not parts or job.part in parts]

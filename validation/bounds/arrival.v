@@ -124,7 +124,7 @@ Proof.
   assert (m0 : Rabs (S' - g / 2 * C') <= 1 + y / 2) by (apply split_abs in LS; apply Rabs_le; lra).
   product t1 M. product N m0. product Q m0.
   assert (yy : 0 <= y * y) by (apply Rmult_le_pos; lra). assert (eyy : 0 <= e * y * y) by (apply Rmult_le_pos; lra).
-    assert (e2 : e * y <= y / 2) by nra. assert (e3 : e * y * y <= y * y / 2) by nra.
+    assert (e2 : e * y <= / 2 * y) by (apply Rmult_le_compat_r; lra). assert (e3 := Rmult_le_compat_r y _ _ Y0 e2).
   split; apply Rabs_le; unfold u in *; lra.
 Qed.
 
@@ -169,13 +169,13 @@ Proof.
   { rewrite Rabs_mult, Rabs_mult, (Rabs_pos_eq (2 * PI)), Rmult_assoc by lra. apply Rmult_le_compat_l; [lra|].
     rewrite <- (Rmult_1_r r_beta). apply Rmult_le_compat; auto using Rabs_pos. }
   apply split_abs in A2, A3, G'. assert (be' : beta_m * e <= beta_m * e_s) by (apply Rmult_le_compat_l; assumption).
-    assert (bs : 0 <= beta_m * e_s) by nra.
+    assert (bs : 0 <= beta_m * e_s) by (apply Rmult_le_pos; lra).
   assert (R : Rabs (2 * PI * be * S' - b2) <= 2 * PI * (beta_m * (e_s + 6 * u) + r_beta)).
   { assert (h1 : 2 * PI * (beta_m * e) <= 2 * PI * (beta_m * e_s)) by (apply Rmult_le_compat_l; lra).
     assert (h2 : 6.283 * beta_m <= 2 * PI * beta_m) by (apply Rmult_le_compat_r; lra).
     apply Rabs_le. unfold u in *. lra. }
   apply Rle_trans with (1 := R). replace bend_of with (SLACK * TAU * (beta_m * (e_s + 8 * u) + r_beta)) by (unfold bend_of, u; field).
-  assert (T0 := TAU_above). apply Rmult_le_compat; [lra| |unfold SLACK, u in *; nra|unfold u in *; nra]. apply Rplus_le_le_0_compat;
+  assert (T0 := TAU_above). apply Rmult_le_compat; [lra| |unfold SLACK, TAU in *; lra|unfold u in *; lra]. apply Rplus_le_le_0_compat;
     [|exact rb]. apply Rmult_le_pos; [exact bm|unfold u; lra].
 Qed.
 End Acceleration.

@@ -99,7 +99,7 @@ Proof.
   assert (A0 := Rabs_pos A). assert (B0 := Rabs_pos B). assert (m0 := Rabs_pos m). assert (e0 := eta_positive).
   destruct (low_sum (Rabs B) rb) as [L1 N1]; [apply generic_format_abs; exact DB|exact Drb|lra|]. set (w := rnd (Rabs B + rb)) in *.
   apply (Rmult_le_compat_l ra _ _ ra0) in L1.
-  destruct (low (Rabs A * rb)) as [L2 N2]; [nra|]. set (p := rnd (Rabs A * rb)) in *.
+  destruct (low (Rabs A * rb)) as [L2 N2]; [apply Rmult_le_pos; lra|]. set (p := rnd (Rabs A * rb)) in *.
   destruct (low (ra * w + p)) as [L3 N3]; [nra|]. set (s := rnd (ra * w + p)) in *.
   destruct (low (u * Rabs m)) as [L4 N4]; [unfold u; lra|]. set (v := rnd (u * Rabs m)) in *.
   destruct (low (s + v)) as [L5 N5]; [lra|]. set (x := rnd (s + v)) in *.
@@ -134,12 +134,12 @@ Proof.
   assert (Q : Rabs q <= (1 + u) * Rabs m + eta) by (apply split_abs in M; unfold Rabs, u in *; destruct (Rcase_abs q), (Rcase_abs m); lra).
   destruct (low_sum (Rabs m) tiny) as [L1 N1]; [apply generic_format_abs, rnd_double|apply double_power; lia|rewrite tiny_eta; lra|].
   set (g := rnd (Rabs m + tiny)) in *. apply (Rmult_le_compat_l rb _ _ rb0) in L1. apply (Rmult_le_compat_l rb _ _ rb0) in Q.
-  assert (rbe : 0 <= rb * eta) by nra. assert (rbg : 0 <= rb * g) by nra.
+  assert (rbe : 0 <= rb * eta) by (apply Rmult_le_pos; lra). assert (rbg : 0 <= rb * g) by (apply Rmult_le_pos; lra).
   destruct (low (rb * g + ra)) as [L2 N2]; [lra|]. set (n1 := rnd (rb * g + ra)) in *.
   destruct (low_sum n1 smallest) as [L3 N3]; [apply rnd_double|apply double_power; lia|rewrite smallest_eta; lra|].
   set (n := rnd (n1 + smallest)) in *. rewrite smallest_eta in L3.
   assert (Li : 0 < / L) by (apply Rinv_0_lt_compat; exact L0).
-  destruct (low (n / L)) as [L4 N4]; [unfold Rdiv; nra|]. set (sp := rnd (n / L)) in *.
+  destruct (low (n / L)) as [L4 N4]; [apply Rmult_le_pos; lra|]. set (sp := rnd (n / L)) in *.
   assert (U1 := up_factor sp N4). assert (up0 := up_le sp (rnd_double _) N4).
   destruct (low (u * Rabs m)) as [L5 N5]; [unfold u; lra|]. set (v := rnd (u * Rabs m)) in *.
   destruct (low (up sp + v)) as [L6 N6]; [lra|]. set (x := rnd (up sp + v)) in *.

@@ -115,7 +115,10 @@ Proof.
   assert (Tm : P <= (1 + 7 * u) * terms). { destruct Hterms as [F _]. apply split_abs in F, HV, HS. unfold P, D, u in *. unfold Rabs in F.
     destruct (Rcase_abs terms); lra. }
   assert (T0 : 0 <= terms) by (unfold u in *; lra).
-  assert (sw : beta_m * (2 * PI) <= acceleration). { unfold acceleration_of, SLACK, u. generalize TAU_above PI_above. nra. }
+  assert (beta_m0 : 0 <= beta_m) by (apply Rle_trans with (2 := Hb), Rabs_pos).
+  assert (sw : beta_m * (2 * PI) <= acceleration). { assert (turn_above := TAU_above). assert (pi_above := PI_above).
+    assert (0 <= beta_m * (2 * PI)) by (apply Rmult_le_pos; lra). assert (beta_m * (2 * PI) <= beta_m * TAU) by (apply Rmult_le_compat_l; lra).
+    unfold acceleration_of, SLACK, u. lra. }
   assert (sp : Rabs (be * (Y - X)) <= acceleration * r_u * P).
   { rewrite Rabs_mult. apply Rle_trans with (Rabs be * (2 * PI * r_u * P)); [apply Rmult_le_compat_l; [apply Rabs_pos|exact Wx]|].
     replace (Rabs be * (2 * PI * r_u * P)) with (Rabs be * (2 * PI) * r_u * P) by ring. repeat apply Rmult_le_compat_r; try assumption.
@@ -123,7 +126,7 @@ Proof.
   product Hb We. product Hb Ws. product Hbe Ws. apply split_abs in sp, Hw.
   destruct Hv as [_ [F _]]. apply split_abs in F. rewrite tiny_eta in Hnormal.
   apply (Rmult_le_compat_l beta_m) in Tm as T1; [|lra]. apply (Rmult_le_compat_l r_beta) in Tm as T2; [|lra].
-  assert (sr : 0 <= acceleration * r_u) by (apply Rmult_le_pos; [generalize PI_above; nra|lra]).
+  assert (sr : 0 <= acceleration * r_u) by (apply Rmult_le_pos; [apply Rle_trans with (2 := sw), Rmult_le_pos; generalize PI_above|]; lra).
     apply (Rmult_le_compat_l (acceleration * r_u)) in Tm as T3; [|lra].
   positive beta_m terms. positive r_beta terms. assert (bT : 0 <= acceleration * r_u * terms) by (apply Rmult_le_pos; lra).
   apply Rabs_le. unfold hop_velocity_bound, hop_velocity_truth. fold Y. unfold tools.hop_velocity_margin.

@@ -77,7 +77,10 @@ Proof.
     assert (S1 := slope c). assert (S2 := slope d). rewrite Rabs_pos_eq in S1 by lra. rewrite Rabs_left in S2 by lra.
     assert (S1' := split_abs _ _ (S1 ltac:(lra))). assert (S2' := split_abs _ _ (S2 ltac:(lra))).
     replace (at_ + t - at_) with t in e1 by ring. replace (at_ - (at_ - t)) with t in e2 by ring.
-    split; intros sw; [rewrite (Rabs_pos_eq w) in * by lra|rewrite (Rabs_left w) in * by lra]; split; nra. }
+    assert (scaled : forall p q, p <= q -> p * t <= q * t) by (intros p q o; apply Rmult_le_compat_r; lra).
+    split; intros sw; [rewrite (Rabs_pos_eq w) in * by lra|rewrite (Rabs_left w) in * by lra].
+    - assert (Lc := scaled ((1 - x) * w) (f' c)). assert (Ld := scaled ((1 - x) * w) (f' d)). clear scaled. split; lra.
+    - assert (Lc := scaled (f' c) ((1 - x) * w)). assert (Ld := scaled (f' d) ((1 - x) * w)). clear scaled. split; lra. }
   destruct (side reach) as [P M]; [lra|]. assert (A := abs_self (f at_)).
   assert (bound : forall y, at_ - reach <= y <= at_ + reach -> Rabs (y - at_) <= reach) by (intros; apply Rabs_le; lra).
   destruct (Rlt_le_dec 0 w) as [p|n].

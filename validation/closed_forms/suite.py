@@ -16,7 +16,7 @@ from report import write_report
 
 PROCESSES = 2
 # --quick takes every N-th orbit.
-THIN = 8
+THIN = 20
 SCENES = Path(__file__).resolve().parents[2] / "scenes"
 
 

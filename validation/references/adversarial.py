@@ -125,7 +125,8 @@ def mirrored(hard: Hard) -> Hard:
 def flights(quick: bool) -> list[Hard]:
     """The whole set, or a part of it; of flights of 300 turns and more only one side."""
     with mp.workdps(FLIGHT_DIGITS):
-        depths = DEPTHS[::2] if quick else DEPTHS
-        short = [*far_wall(depths), *own_wall(depths), *hops(4 if quick else 8), *long_flights(30 if quick else 100)]
+        # The shallowest and the deepest.
+        depths = DEPTHS[::5] if quick else DEPTHS
+        short = [*far_wall(depths), *own_wall(depths), *hops(4 if quick else 8), *long_flights(10 if quick else 100)]
         longer = [] if quick else [hard for hard in long_flights(2000) if hard not in short]
         return [side for hard in short for side in (hard, mirrored(hard))] + longer

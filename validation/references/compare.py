@@ -47,7 +47,7 @@ def main() -> int:
     parser.add_argument("--report", type=Path, required=True, help="folder for references.md and its pictures")
     parser.add_argument("--quick", action="store_true")
     options = parser.parse_args()
-    impacts = 20 if options.quick else 200
+    impacts = 10 if options.quick else 200
     options.report.mkdir(parents=True, exist_ok=True)
 
     orbits = [figure(options.program, options.scenes, number, impacts) for number in FIGURES]
