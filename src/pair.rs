@@ -3,6 +3,7 @@
 use crate::Error;
 use crate::exact::Exact;
 use crate::number::{Ball, LARGEST_RATE, Number};
+use crate::units::{in_gaps, turn};
 pub(crate) use impact_pair_model::within;
 pub use impact_pair_model::{ImpactPair, Wall};
 
@@ -56,8 +57,8 @@ impl Reduced<Exact> {
     /// ```
     pub fn exact(pair: &ImpactPair) -> Result<Self, Error> {
         let amplitude = pair.harmonic("the pair without units")?.amplitude();
-        let alpha = within(RATIO, amplitude, amplitude.checked_div(pair.gap()))?;
-        let beta = within(RATIO, amplitude, alpha.checked_mul(&(Exact::pi() * Exact::from(2))))?;
+        let alpha = in_gaps(RATIO, amplitude, pair)?;
+        let beta = within(RATIO, amplitude, alpha.checked_mul(&turn()))?;
         Ok(Self { alpha, beta, restitution: pair.restitution().clone() })
     }
 
@@ -92,6 +93,11 @@ pub(crate) fn rebound_of(restitution: Ball, before: Ball) -> Ball {
 }
 
 impl<N: Number> Reduced<N> {
+    /// Returns the parameters with these `A/d` and `e`.
+    pub fn new(alpha: N, restitution: N) -> Self {
+        Self { beta: alpha.turn() * alpha.clone(), alpha, restitution }
+    }
+
     /// Returns the velocity after an impact. **Equation** (15)
     #[inline(always)]
     pub fn rebound(&self, velocity_before: N) -> N {

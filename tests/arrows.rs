@@ -5,12 +5,13 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// The rooms of `src`, each with those it may import, which stand before it.
-const ROOMS: [(&str, &[&str]); 28] = [
+const ROOMS: [(&str, &[&str]); 29] = [
     ("number", &[]),
-    ("scales", &[]),
+    ("units", &[]),
+    ("scales", &["units"]),
     ("turns", &[]),
-    ("pair", &["number"]),
-    ("clock", &["number", "turns", "pair"]),
+    ("pair", &["number", "units"]),
+    ("clock", &["number", "units", "turns", "pair"]),
     ("excitation", &["number"]),
     ("mapping", &["number", "pair"]),
     ("impact", &["number", "pair", "mapping"]),
@@ -18,11 +19,12 @@ const ROOMS: [(&str, &[&str]); 28] = [
     ("flight", &["number", "pair"]),
     ("rest", &["number", "pair"]),
     ("contact", &["number", "turns", "pair", "mapping", "flight"]),
-    ("several", &["number", "turns", "pair", "excitation", "flight", "rest", "contact"]),
+    ("several", &["number", "units", "turns", "pair", "excitation", "flight", "rest", "contact"]),
     (
         "shaken",
         &[
             "number",
+            "units",
             "turns",
             "pair",
             "clock",
@@ -40,11 +42,12 @@ const ROOMS: [(&str, &[&str]); 28] = [
         "periodic",
         &["number", "pair", "clock", "excitation", "mapping", "impact", "flight", "contact", "several", "shaken"],
     ),
-    ("two_impact", &["pair", "periodic"]),
+    ("two_impact", &["units", "pair", "periodic"]),
     (
         "orbit",
         &[
             "number",
+            "units",
             "turns",
             "pair",
             "clock",
@@ -62,10 +65,13 @@ const ROOMS: [(&str, &[&str]); 28] = [
     ),
     ("impact_map", &["number", "turns", "pair", "clock", "mapping", "contact", "shaken", "orbit"]),
     ("lyapunov", &["number", "periodic", "orbit"]),
-    ("chaos", &["number", "pair", "flight", "mapping", "contact", "periodic", "orbit"]),
-    ("tangency", &["number", "pair", "periodic", "chaos"]),
-    ("document", &["turns", "pair", "mapping", "contact", "periodic", "two_impact", "orbit", "chaos", "tangency"]),
-    ("sweep", &["number", "turns", "pair", "mapping", "periodic", "orbit", "lyapunov", "document"]),
+    ("chaos", &["number", "units", "pair", "flight", "mapping", "contact", "periodic", "orbit"]),
+    ("tangency", &["number", "units", "pair", "periodic", "chaos"]),
+    (
+        "document",
+        &["units", "turns", "pair", "mapping", "contact", "periodic", "two_impact", "orbit", "chaos", "tangency"],
+    ),
+    ("sweep", &["number", "units", "turns", "pair", "mapping", "periodic", "orbit", "lyapunov", "document"]),
     ("atlas", &["chaos", "document", "sweep"]),
     ("describe", &["mapping", "orbit", "lyapunov", "chaos", "document", "sweep"]),
     ("audit", &["pair", "scales", "contact", "orbit", "document"]),

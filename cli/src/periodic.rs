@@ -6,12 +6,13 @@ use std::path::PathBuf;
 use anyhow::{Context, Result};
 use clap::{Args, ValueEnum};
 use impact_pair::Scene;
-use impact_pair::document::{Units, counted};
-use impact_pair::exact::{Enclosure, decimal_digits};
+use impact_pair::document::counted;
+use impact_pair::exact::{Enclosure, Exact, decimal_digits};
 use impact_pair::mapping::Word;
 use impact_pair::orbit::MAX_BITS;
 use impact_pair::periodic::chain::MOST_CYCLES;
 use impact_pair::periodic::{Budget, Census, Eigenvalue, PeriodicOrbit, Precision, Problem};
+use impact_pair::units::Units;
 
 use crate::Answer;
 use crate::destination::{Begun, Destination};
@@ -86,7 +87,7 @@ pub fn periodic(arguments: &PeriodicArguments) -> Result<Answer> {
     let Begun { scene, files, path } = arguments.destination.begin(&arguments.scene, None)?;
     let named = || scene::name(path);
     let problem = Problem::new(scene.pair(), &arguments.word, arguments.cycles).with_context(named)?;
-    let units = Units::new(problem.pair()).with_context(named)?;
+    let units = Units::gaps(problem.pair()).with_context(named)?;
     let (start, precision) = (scene.start(), arguments.precision(&scene));
     let progress = match arguments.all {
         true => Progress::search(!files.quiet),
@@ -105,7 +106,7 @@ pub fn periodic(arguments: &PeriodicArguments) -> Result<Answer> {
     files.answer(&text, open, format == PeriodicFormat::Table)
 }
 
-fn table(scene: &Scene, problem: &Problem, units: &Units, census: &Census) -> Result<String, fmt::Error> {
+fn table(scene: &Scene, problem: &Problem, units: &Units<Exact>, census: &Census) -> Result<String, fmt::Error> {
     let mut out = heading(scene);
     let cycles = problem.chain().cycles();
     writeln!(out, "word {} in {}", problem.word(), counted(cycles, "cycle"))?;

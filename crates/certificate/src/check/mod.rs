@@ -49,6 +49,7 @@ mod still;
 mod sweep;
 mod tangency;
 mod target;
+mod units;
 mod walk;
 mod windows;
 

@@ -15,6 +15,7 @@ use crate::check::frame::hull;
 use crate::check::tangency::flights::Letter;
 use crate::check::tangency::setting::Setting;
 use crate::check::target::{MOST_BITS, narrowest};
+use crate::check::units::greatest_speed;
 use crate::check::walk::compare;
 use crate::periodic::OrbitOf;
 use crate::windows::ClaimedWindow;
@@ -112,7 +113,8 @@ impl Start<'_> {
             self.over.pair.with(self.over.key, self.at.clone()).map_err(|error| Doubt::Open(error.to_string()))?;
         let harmonic =
             there.excitation().only().ok_or_else(|| Doubt::open("with several harmonics, windows are not checked"))?;
-        Ok(Real::of(harmonic.amplitude(), bits) * &Real::of(harmonic.frequency(), bits))
+        let speed = greatest_speed(harmonic).map_err(|error| Doubt::Open(error.to_string()))?;
+        Ok(Real::of(&speed, bits))
     }
 
     /// The middle of the bounds of an impact, as a state of the reduced map and a value of its parameter.
