@@ -143,6 +143,55 @@ fn rooms_import_what_stands_before_them() {
     }
 }
 
+/// What DESIGN.md has between backticks, in this part of it.
+fn quoted(part: &str) -> Vec<&str> {
+    part.split('`').skip(1).step_by(2).collect()
+}
+
+#[test]
+fn design_lists_the_rooms_in_this_order_and_all_crates() {
+    let design = fs::read_to_string(root().join("DESIGN.md")).unwrap();
+    let names = |heading: &str| -> Vec<&str> {
+        let part = design.split("\n## ").find(|part| part.starts_with(heading)).unwrap();
+        part.lines()
+            .filter(|line| line.starts_with("| `"))
+            .flat_map(|line| quoted(line.split(" |").next().unwrap()))
+            .collect()
+    };
+    let rooms = names("Rooms");
+    let place =
+        |name: &str| rooms.iter().position(|room| *room == name).unwrap_or_else(|| panic!("{name} is not listed"));
+    assert_eq!(rooms.len(), ROOMS.len(), "{rooms:?}");
+    for (room, allowed) in ROOMS {
+        assert!(allowed.iter().all(|other| place(other) < place(room)), "{room} is listed above what it imports");
+    }
+    let crates = names("Crates");
+    assert!(CRATES.iter().all(|(path, _)| crates.contains(path)), "{crates:?}");
+}
+
+#[test]
+fn design_names_files_that_are_there() {
+    let design = fs::read_to_string(root().join("DESIGN.md")).unwrap();
+    let is_there = |path: &str| {
+        let tops = if ROOMS.iter().any(|(room, _)| path.starts_with(&format!("{room}/"))) {
+            root().join("src")
+        } else {
+            root().to_owned()
+        };
+        tops.join(path).exists() || tops.join(format!("{path}.rs")).exists()
+    };
+    // `several/{precise,graze}`: two of them.
+    let each = |path: &str| -> Vec<String> {
+        match path.split_once('{').and_then(|(folder, rest)| Some((folder, rest.strip_suffix('}')?))) {
+            Some((folder, names)) => names.split(',').map(|name| format!("{folder}{name}")).collect(),
+            None => vec![path.to_owned()],
+        }
+    };
+    let paths = quoted(&design).into_iter().filter(|text| text.contains('/') && !text.contains([' ', '=']));
+    let missing: Vec<String> = paths.flat_map(each).filter(|path| !is_there(path)).collect();
+    assert!(missing.is_empty(), "{missing:?}");
+}
+
 #[test]
 fn crates_depend_on_what_stands_before_them() {
     for (path, allowed) in CRATES {
