@@ -55,6 +55,30 @@ impl Destination {
     }
 }
 
+/// The picture of an answer, and where both go. What the picture is of, each verb says by `mut_arg("plot", ..)`.
+#[derive(Args, Debug)]
+pub struct Drawing {
+    /// Draw the answer
+    #[arg(long, value_name = "FILE.svg|FILE.png|FILE.pdf", value_parser = impact_pair_plot::picture::path)]
+    pub plot: Option<PathBuf>,
+    #[command(flatten)]
+    pub look: Look,
+    #[command(flatten)]
+    pub destination: Destination,
+}
+
+impl Drawing {
+    /// As [`Destination::format`].
+    pub fn format<F: ValueEnum + Default>(&self, given: Option<F>) -> Result<F> {
+        self.destination.format(given)
+    }
+
+    /// As [`Destination::begin`], with the picture if one is requested.
+    pub fn begin<'a>(&self, path: &'a PathBuf) -> Result<Begun<'a>> {
+        self.destination.begin(path, self.plot.as_deref().map(|path| (path, &self.look)))
+    }
+}
+
 /// A verb that has begun.
 pub struct Begun<'a> {
     /// What it is about.

@@ -10,10 +10,9 @@ use impact_pair::chaos::{Global, GlobalSettings, Kind, MOST, MOST_DEPTH, Reason,
 use impact_pair::document::{self, counted};
 use impact_pair::exact::decimal_digits;
 use impact_pair::json::GlobalDocument;
-use impact_pair_plot::picture::Look;
 
 use crate::Answer;
-use crate::destination::{Begun, Destination};
+use crate::destination::{Begun, Drawing};
 use crate::graph::{Graph, Value};
 use crate::heading::pair_heading;
 use crate::progress::Progress;
@@ -46,6 +45,7 @@ apart from saddles and grazes; 1 not so, or the run was interrupted (what is pro
 I/O.";
 
 #[derive(Args, Debug)]
+#[command(mut_arg("plot", |plot| plot.help("Draw the state space by where its motions go, and the graph of components")))]
 pub struct GlobalArguments {
     /// Scene file (TOML), or - for stdin
     scene: PathBuf,
@@ -75,13 +75,8 @@ pub struct GlobalArguments {
     /// Output format; json is schema impact-pair/global/1 [default: as the ending of --output says, else table]
     #[arg(long, value_enum)]
     format: Option<GlobalFormat>,
-    /// Draw the state space by where its motions go, and the graph of components
-    #[arg(long, value_name = "FILE.svg|FILE.png|FILE.pdf", value_parser = impact_pair_plot::picture::path)]
-    plot: Option<PathBuf>,
     #[command(flatten)]
-    look: Look,
-    #[command(flatten)]
-    destination: Destination,
+    drawing: Drawing,
 }
 
 /// Basins of pictures are proved by 2^N boxes.
@@ -102,16 +97,15 @@ enum GlobalFormat {
 }
 
 pub fn global(arguments: &GlobalArguments) -> Result<Answer> {
-    let format = arguments.destination.format(arguments.format)?;
-    let plot = arguments.plot.as_deref().map(|path| (path, &arguments.look));
-    let Begun { scene, files, path } = arguments.destination.begin(&arguments.scene, plot)?;
+    let format = arguments.drawing.format(arguments.format)?;
+    let Begun { scene, files, path } = arguments.drawing.begin(&arguments.scene)?;
     let named = || scene::name(path);
     let mut settings = GlobalSettings {
         boxes: 1 << arguments.boxes,
         halvings: arguments.halvings,
         most: usize::try_from(arguments.most)?,
         work: arguments.work,
-        basins: arguments.basins.or(arguments.plot.is_some().then_some(BASINS)).map(|halvings| 1 << halvings),
+        basins: arguments.basins.or(arguments.drawing.plot.is_some().then_some(BASINS)).map(|halvings| 1 << halvings),
         horseshoes: arguments.horseshoes.map(|depth| depth as usize),
         ..GlobalSettings::default()
     };
@@ -128,7 +122,7 @@ pub fn global(arguments: &GlobalArguments) -> Result<Answer> {
     };
     let open = (!document.certified).then(|| conclusion(&document));
     files.draw((&text, open, format == GlobalFormat::Table), || {
-        impact_pair_plot::global::global(&scene, &found, &document, &arguments.look)
+        impact_pair_plot::global::global(&scene, &found, &document, &arguments.drawing.look)
     })
 }
 
