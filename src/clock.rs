@@ -104,13 +104,13 @@ impl Clock {
         Ok((turns, rest))
     }
 
-    /// The same with the rest in a ball.
+    /// Returns the phase of a time, its rest in a ball.
     pub(crate) fn phase_of(&self, key: &'static str, time: &Exact) -> Result<Phase, Error> {
         let (turns, rest) = self.split(key, time)?;
         Ok(Phase { turns, rest: ball(key, &rest)? })
     }
 
-    /// Bounds how wide the bounds of a time are, in periods, and those of a velocity, in gap widths per forcing period.
+    /// Returns upper bounds of the widths of a time, in periods, and of a velocity, in gap widths per forcing period.
     ///
     /// The bits of exact factors are not counted: they are 160 more than what is requested has.
     pub(crate) fn widths(&self, turns: i64, rest: Ball, velocity: Ball) -> (f64, f64) {
@@ -118,7 +118,7 @@ impl Clock {
         (2.0f64.mul_add(rest.rad(), time), 2.0f64.mul_add(velocity.rad(), of_velocity))
     }
 
-    /// The same by logarithms of radii, which may be below the range of doubles.
+    /// Returns the same widths by logarithms of radii, which may be below the range of doubles.
     pub(crate) fn log2_widths(&self, turns: i64, radii: (f64, f64), velocity: Ball) -> (f64, f64) {
         let (time, of_velocity) = self.spread(turns, velocity);
         let sum =
@@ -126,7 +126,7 @@ impl Clock {
         (sum(radii.0, time), sum(radii.1, of_velocity))
     }
 
-    /// What intervals of W, tau and d add to the widths of a time and of a velocity.
+    /// Returns the widths that intervals of W, tau and d add to a time and to a velocity.
     fn spread(&self, turns: i64, velocity: Ball) -> (f64, f64) {
         let Some([per_turn, once, per_unit]) = self.spread else { return (0.0, 0.0) };
         let turns = Dyadic::new(&self.origin + turns, 0);
@@ -185,19 +185,19 @@ impl Clock {
     }
 }
 
-/// A whole number nearest to the value, or next to it.
+/// Returns a whole number nearest to the value, or next to it.
 fn nearest(value: &Exact) -> BigInt {
     let whole = value.enclose(BITS).mag().top().and_then(|top| u32::try_from(top).ok()).unwrap_or(0); // X1: any number of bits encloses
     let low = value.enclose(BITS.saturating_add(whole)).inf().to_rational(); // X1: any number of bits encloses
     (low + BigRational::new(1.into(), 2.into())).floor().to_integer() // exact: any whole number is taken off
 }
 
-/// A time that is more forcing periods away than are counted. Lemma N1
+/// Returns the error about a time more than 2^62 forcing periods away. Lemma N1
 fn too_late(key: &str, time: &Exact) -> Error {
     Error::range(key, time, "accepted are times less than 2^62 forcing periods from the start")
 }
 
-/// A number as an interval.
+/// Returns the number as an enclosure.
 fn enclosure(x: f64) -> Enclosure {
     Enclosure::from_f64_bounds(x, x).expect("a finite number")
 }

@@ -7,7 +7,7 @@ use crate::units::{in_gaps, turn};
 pub(crate) use impact_pair_model::within;
 pub use impact_pair_model::{ImpactPair, Wall};
 
-/// Numbers as they are measured from a wall.
+/// Components measured from a wall.
 pub trait Inward {
     /// A component measured from this wall: positive where it points away from it.
     fn inward<N: Number>(self, x: N) -> N;
@@ -27,10 +27,10 @@ impl Inward for Wall {
     }
 }
 
-/// What stands behind `A/d`.
+/// The quotient that errors name.
 const RATIO: &str = "excitation.amplitude / pair.gap";
 
-/// All that the motion depends on once time is in forcing periods and length in gaps.
+/// The dimensionless parameters of the motion: time in forcing periods, length in gaps.
 #[derive(Clone, Copy, Debug)]
 pub struct Reduced<N> {
     /// `A/d`
@@ -134,7 +134,7 @@ pub(crate) fn ball(key: &'static str, value: &Exact) -> Result<Ball, Error> {
     if ball.mid().abs() + ball.rad() <= LARGEST_RATE { Ok(ball) } else { Err(too_large(key, value)) }
 }
 
-/// A value that is too large for the arithmetic of a flight.
+/// Returns the error about a value that is too large for the arithmetic of a flight.
 pub(crate) fn too_large(key: &str, value: &Exact) -> Error {
     Error::range(key, value, "double-precision flights accept at most 2^400 in units of gap widths and forcing periods")
 }

@@ -6,7 +6,7 @@ use crate::exact::{Dyadic, Enclosure};
 use crate::units::{self, Units};
 use crate::{Error, Scene};
 
-/// What a logarithm here may be off by, absolutely and in proportion.
+/// Error bounds of a logarithm, absolute and relative.
 ///
 /// Lemma U1 of `docs/proofs/printing.md#U1` bounds the error of the logarithm. The powers and quotients that decimals are made of are
 /// good to `1e-12`, which is less.
@@ -14,12 +14,12 @@ const SLACK: (f64, f64) = (1e-9, 1e-14);
 /// Bits that sizes are rounded to.
 const BITS: u32 = 64;
 
-/// A bound of a size >= 0 by its decimal logarithm, since it may be below the range of doubles.
+/// An upper or lower bound of a size >= 0, as its decimal logarithm: sizes may be below the range of doubles.
 #[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
 pub struct Size(f64);
 
 impl Size {
-    /// Nothing.
+    /// The size 0.
     pub const ZERO: Self = Self(f64::NEG_INFINITY);
 
     /// `10^exponent`
@@ -27,7 +27,7 @@ impl Size {
         Self(exponent as f64) // exact: an i32
     }
 
-    /// Returns the greater one.
+    /// Returns the greater of both.
     pub fn max(self, other: Self) -> Self {
         Self(self.0.max(other.0)) // exact: one of both
     }

@@ -13,7 +13,7 @@ use impact_pair_model::{Harmonic, ImpactPair, within};
 use crate::Error;
 use crate::exact::{Enclosure, Exact, ExactError};
 
-/// What stands behind `d/A`.
+/// The quotient that errors name.
 const RATIO: &str = "pair.gap / excitation.amplitude";
 const FREQUENCY: &str = "excitation.frequency";
 

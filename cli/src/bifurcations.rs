@@ -67,7 +67,7 @@ pub struct BifurcationArguments {
 }
 
 impl BifurcationArguments {
-    /// What is asked of the branches.
+    /// Returns the settings of the diagram.
     pub fn wanted(&self, scene: &Scene) -> DiagramSettings {
         let precision = self.precision.of(scene);
         DiagramSettings { over: self.over.clone(), doublings: self.doublings, precision }

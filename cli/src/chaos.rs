@@ -178,7 +178,7 @@ impl Work<'_> {
         })
     }
 
-    /// What is proved of each value in a range.
+    /// Writes the verdicts over a range.
     fn cells(self, over: &Range, cells: u32) -> Result<Answer> {
         let scene = self.scene;
         let (halvings, depth) = (self.arguments.halvings, self.arguments.depth.map_or(DEPTH, |depth| depth as usize));

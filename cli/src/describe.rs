@@ -63,7 +63,7 @@ pub struct DescribeArguments {
     drawing: Drawing,
 }
 
-/// How a description is written.
+/// Output formats of a description.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
 enum DescribeFormat {
     /// Human-readable: one line for each question
@@ -109,7 +109,7 @@ fn text(scene: &Scene, document: &DescriptionDocument) -> Result<String, fmt::Er
     Ok(out)
 }
 
-/// What is said beside the output where it is incomplete.
+/// Returns the note on stderr about an incomplete output.
 fn conclusion(document: &DescriptionDocument) -> String {
     let stopped = if document.interrupted { "interrupted; " } else { "" };
     let said = if document.certified { "certified: " } else { "" };

@@ -1,4 +1,4 @@
-//! Where an answer goes, and what every verb begins with: its inputs are kept apart from its outputs, and these are opened.
+//! Outputs of a verb: they are proved to be other files than its inputs, and opened.
 
 use std::path::{Path, PathBuf};
 
@@ -11,7 +11,7 @@ use crate::output::Output;
 use crate::progress::catch_interruption;
 use crate::{Answer, ending, scene};
 
-/// Where an answer goes, and what is said beside it.
+/// The output of a verb, and whether notes are printed.
 #[derive(Args, Debug)]
 pub struct Destination {
     /// Write to FILE, atomically, instead of stdout; its ending chooses the format
@@ -85,7 +85,7 @@ pub struct Begun<'a> {
     pub scene: Scene,
     /// Where that is read from.
     pub path: &'a PathBuf,
-    /// Where the answer goes.
+    /// The outputs.
     pub files: Files,
 }
 

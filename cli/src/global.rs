@@ -82,7 +82,7 @@ pub struct GlobalArguments {
 /// Basins of pictures are proved by 2^N boxes.
 const BASINS: u32 = 16;
 
-/// How a global analysis is written.
+/// Output formats of a global analysis.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
 enum GlobalFormat {
     /// Human-readable
@@ -180,7 +180,7 @@ fn limit(reason: Reason) -> &'static str {
     }
 }
 
-/// What is proved of a component.
+/// Returns the line of a component.
 fn row(number: usize, Recurrence { kind, boxes, area, is_closed, .. }: &Recurrence) -> String {
     let cycles = match kind {
         Kind::RestCycle(rest) => rest.map(|rest| rest.cycles),
@@ -192,7 +192,7 @@ fn row(number: usize, Recurrence { kind, boxes, area, is_closed, .. }: &Recurren
     format!("{number:<2} {name:10}  {period:>8}  {radius:>22}  {boxes:>6}  {area:>8.6}  {closed}")
 }
 
-/// What all motions do.
+/// Returns the last line: where all motions end.
 fn conclusion(document: &GlobalDocument) -> String {
     let prefix = match (document.interrupted, document.certified) {
         (true, _) => "interrupted: ",

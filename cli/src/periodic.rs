@@ -60,7 +60,7 @@ pub struct PeriodicArguments {
     pub destination: Destination,
 }
 
-/// How periodic orbits and bifurcations are written.
+/// Output formats of periodic orbits and bifurcations.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
 pub enum PeriodicFormat {
     /// Human-readable: the certain digits, then the last digits of both bounds
@@ -139,7 +139,7 @@ pub fn symmetric(known: Option<bool>) -> &'static str {
     }
 }
 
-/// What is proved of an orbit, in words.
+/// Returns the properties of an orbit, in words.
 fn described(orbit: &PeriodicOrbit) -> String {
     let (physical, symmetric) = (physical(orbit.physical), symmetric(orbit.symmetric));
     let repeats = match orbit.repeats {
@@ -164,7 +164,7 @@ fn shown(value: &Eigenvalue) -> String {
     if is_zero(&value.im) { re } else { format!("{re} + {} i", decimal_digits(&value.im)) }
 }
 
-/// How many orbits there are.
+/// Returns the number of orbits, in words.
 pub fn orbits(count: usize) -> String {
     if count == 0 { "no orbit".to_owned() } else { counted(count, "orbit") }
 }

@@ -150,7 +150,7 @@ fn rows(out: &mut String, key: Key, found: &Tangency) -> fmt::Result {
     writeln!(out, "  speeds at least {} A W, flights at least {} rad", speed.text(), flight.text())
 }
 
-/// How much of what was asked is proved.
+/// Returns the last line of the table: whether everything requested is proved.
 fn conclusion(found: &Tangencies) -> String {
     let proved = match found.tangencies.len() {
         1 => "1 homoclinic tangency".to_owned(),

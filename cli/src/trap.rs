@@ -62,7 +62,7 @@ pub struct TrapArguments {
     drawing: Drawing,
 }
 
-/// How a region is written.
+/// Output formats of a region.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
 enum TrapFormat {
     /// Human-readable
@@ -76,7 +76,7 @@ enum TrapFormat {
     Dot,
 }
 
-/// What is proved of a region.
+/// A region and its document.
 struct Proved<'s> {
     scene: &'s Scene,
     graph: Option<BoxGraph>,

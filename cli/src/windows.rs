@@ -144,7 +144,7 @@ fn end(end: &Option<WindowEnd>) -> String {
     )
 }
 
-/// How much of what was asked is proved.
+/// Returns the last line of the table: whether everything requested is proved.
 fn conclusion(found: &Windows) -> String {
     let windows = counted(found.windows.len() as u32, "window");
     if found.interrupted {

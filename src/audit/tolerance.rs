@@ -1,4 +1,4 @@
-//! How far off is too far: distances to the truth, and what is proved of them.
+//! The tolerance of an audit: distances to the certified orbit, compared with it.
 
 use crate::exact::{Dyadic, Enclosure, Exact};
 use crate::scales::Scales;

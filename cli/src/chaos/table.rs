@@ -1,4 +1,4 @@
-//! What `chaos` prints for people.
+//! The table of `chaos`.
 
 use std::collections::BTreeMap;
 use std::fmt::{self, Write};
@@ -160,7 +160,7 @@ pub fn stretches(document: &ChaosCellsDocument) -> Result<String, fmt::Error> {
     Ok(out)
 }
 
-/// How much of the range is proved.
+/// Returns the part of the range that is proved, in words.
 pub fn shares(document: &ChaosCellsDocument) -> String {
     let SharesDocument { horseshoe, attracted, stable, both, undecided } = &document.shares;
     // In hundredths of a percent, rounded as the shares are, which are millionths.

@@ -1,4 +1,4 @@
-//! What `trade` is asked on the command line.
+//! Command-line arguments of `trade`.
 
 use std::path::PathBuf;
 

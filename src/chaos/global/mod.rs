@@ -146,7 +146,7 @@ pub struct Global {
     pub interrupted: bool,
 }
 
-/// What all motions do.
+/// The class of a pair: the ends of all its motions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Class {
     /// Every motion ends in one cycle with rests.

@@ -34,7 +34,7 @@ use super::units::ratio;
 pub(in crate::check) use cells::{are_distinct, has_stable_orbit};
 use span::Span;
 
-/// What the map depends on.
+/// The parameters of the map.
 #[derive(Clone, Copy, Debug)]
 struct Law {
     /// `D = d/A`

@@ -33,11 +33,11 @@ const LARGEST: i64 = -96;
 /// Steps of Newton's iteration, and how much smaller than a tiny cell the last one is, as a power of 2.
 const ENOUGH: i64 = 8;
 const STEPS: u32 = 24;
-/// How often the way between two points, or to an end, is halved.
+/// Number of bisections of the path between two points, or to an end.
 const HALVED: u32 = 12;
 /// The sides of a cell across the curve at first, as a power of 2, in units of how far the curve strays from its direction.
 const ROOM: i64 = 3;
-/// How often a cell is widened.
+/// Number of times that a cell is widened.
 const WIDENED: u32 = 4;
 /// The coordinate that is the parameter.
 const PARAMETER: usize = 2;
