@@ -131,7 +131,12 @@ pub fn conclusion(document: &ChaosDocument, found: &Chaos) -> String {
         return "undecided: the floating-point orbit is regular, and its transients show no horseshoe; there may be one"
             .to_owned();
     }
-    let hint = if document.over.is_some() { "; try a narrower --over" } else { "; try more --depth" };
+    let hint = match (document.interrupted, document.over.is_some()) {
+        // It was not the settings that ended the search.
+        (true, _) => "",
+        (false, true) => "; try a narrower --over",
+        (false, false) => "; try more --depth",
+    };
     format!("{stopped}undecided: no horseshoe is proved{hint}")
 }
 
