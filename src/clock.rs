@@ -6,10 +6,11 @@ use num_rational::BigRational;
 use num_traits::ToPrimitive;
 
 use crate::Error;
-use crate::exact::{Dyadic, Enclosure, Exact, ExactError};
+use crate::exact::{Dyadic, Enclosure, Exact};
 use crate::number::Ball;
 use crate::pair::{ImpactPair, ball, within};
 use crate::turns;
+use crate::units::{self, Phases, Units};
 
 /// Bits kept beyond those of the largest number of forcing periods and of the widths to be shown.
 const BITS: u32 = 160;
@@ -24,19 +25,16 @@ pub(crate) struct Phase {
 /// Converts phases to times and reduced velocities to velocities, and back, by enclosures of the exact factors.
 #[derive(Clone, Debug)]
 pub struct Clock {
-    /// `tau / (2 pi)` and `W / (2 pi)`
-    shift: Exact,
-    rate: Exact,
+    phases: Phases,
     /// The whole forcing periods that phases are counted from.
     origin: BigInt,
     bits: u32,
     /// Maximum precision of printed values, in bits.
     shown: u32,
-    /// Enclosures of `2 pi / W`, `tau / W`, `W d / (2 pi)` and `d`.
+    /// Enclosures of `2 pi / W` and `tau / W`.
     period: Enclosure,
     delay: Enclosure,
-    speed: Enclosure,
-    gap: Enclosure,
+    gaps: Units<Enclosure>,
     /// `2 pi / (W d)`
     slowness: Exact,
     /// What intervals of W, tau and d add to widths: to a time for each forcing period since `t = -tau/W` and once, in periods;
@@ -47,32 +45,30 @@ pub struct Clock {
 impl Clock {
     /// The clock of `pair` whose turn 0 is the one nearest to `time`; it shows widths down to about `2^-shown`.
     pub(crate) fn new(pair: &ImpactPair, time: &Exact, shown: u32) -> Result<Self, Error> {
-        let turn = Exact::pi() * Exact::from(2);
-        let (frequency, delay) = (pair.excitation().reference().frequency(), pair.excitation().reference().phase());
-        let shift = within("excitation.phase", delay, delay.checked_div(&turn))?;
-        let rate = within("excitation.frequency", frequency, frequency.checked_div(&turn))?;
-        let period = within("excitation.frequency", frequency, turn.checked_div(frequency))?;
-        let delay = within("excitation.phase", delay, delay.checked_div(frequency))?;
-        let speed = within("pair.gap", pair.gap(), rate.checked_mul(pair.gap()))?;
+        let reference = pair.excitation().reference();
+        let phases = Phases::of(reference)?;
+        let period = units::period(reference)?;
+        let delay =
+            within("excitation.phase", reference.phase(), reference.phase().checked_div(reference.frequency()))?;
+        let gaps = Units::gaps(pair)?;
         let slowness = within("pair.gap", pair.gap(), period.checked_div(pair.gap()))?;
-        let start = within("start.time", time, phase(&rate, &shift, time))?;
+        let start = within("start.time", time, phases.at(time))?;
         let origin = nearest(&start);
         let shown = BITS.saturating_add(shown); // X1: any number of bits encloses
         let bits = shown.saturating_add(u32::try_from(origin.bits()).unwrap_or(u32::MAX / 2)); // X1
-        let (period, delay, speed) = (period.enclose(bits), delay.enclose(bits), speed.enclose(shown));
+        let (period, delay, gaps) = (period.enclose(bits), delay.enclose(bits), gaps.map(|x| x.enclose(shown)));
         let relative = |of: &Enclosure, to: &Enclosure| of.wid().to_f64_up() / to.mig().to_f64_down();
         Ok(Self {
             bits,
             shown,
-            spread: (!pair.is_point())
-                .then(|| [relative(&period, &period), relative(&delay, &period), relative(&speed, &speed)]),
+            spread: (!pair.is_point()).then(|| {
+                [relative(&period, &period), relative(&delay, &period), relative(&gaps.velocity, &gaps.velocity)]
+            }),
             period,
             delay,
-            speed,
-            gap: pair.gap().enclose(shown),
+            gaps,
             slowness,
-            shift,
-            rate,
+            phases,
             origin,
         })
     }
@@ -80,7 +76,11 @@ impl Clock {
     /// Encloses `W / (2 pi)`, `tau / (2 pi)` less the whole forcing periods of the origin, and `2 pi / (W d)`, in N bits.
     pub(crate) fn factors(&self, bits: u32) -> [Enclosure; 3] {
         let origin = Enclosure::from_rational(&BigRational::from(self.origin.clone()), bits);
-        [self.rate.enclose(bits), self.shift.enclose(bits).sub(&origin, bits), self.slowness.enclose(bits)]
+        [
+            self.phases.rate.enclose(bits),
+            self.phases.shift.enclose(bits).sub(&origin, bits),
+            self.slowness.enclose(bits),
+        ]
     }
 
     /// How many forcing periods after the start of a period of N forcing periods phases are counted from.
@@ -96,7 +96,7 @@ impl Clock {
     /// The phase `(W t + tau) / (2 pi)` of a time, in whole forcing periods after the origin and the rest.
     pub(crate) fn split(&self, key: &'static str, time: &Exact) -> Result<(i64, Exact), Error> {
         let origin = Exact::from(self.origin.clone());
-        let since = phase(&self.rate, &self.shift, time).and_then(|phase| phase.checked_sub(&origin));
+        let since = self.phases.at(time).and_then(|phase| phase.checked_sub(&origin));
         let since = within(key, time, since)?;
         let whole = nearest(&since);
         let turns = whole.to_i64().and_then(|whole| turns::later(0, whole)).ok_or_else(|| too_late(key, time))?;
@@ -104,13 +104,13 @@ impl Clock {
         Ok((turns, rest))
     }
 
-    /// The same with the rest in a ball.
+    /// Returns the phase of a time, its rest in a ball.
     pub(crate) fn phase_of(&self, key: &'static str, time: &Exact) -> Result<Phase, Error> {
         let (turns, rest) = self.split(key, time)?;
         Ok(Phase { turns, rest: ball(key, &rest)? })
     }
 
-    /// Bounds how wide the bounds of a time are, in periods, and those of a velocity, in gap widths per forcing period.
+    /// Returns upper bounds of the widths of a time, in periods, and of a velocity, in gap widths per forcing period.
     ///
     /// The bits of exact factors are not counted: they are 160 more than what is requested has.
     pub(crate) fn widths(&self, turns: i64, rest: Ball, velocity: Ball) -> (f64, f64) {
@@ -118,7 +118,7 @@ impl Clock {
         (2.0f64.mul_add(rest.rad(), time), 2.0f64.mul_add(velocity.rad(), of_velocity))
     }
 
-    /// The same by logarithms of radii, which may be below the range of doubles.
+    /// Returns the same widths by logarithms of radii, which may be below the range of doubles.
     pub(crate) fn log2_widths(&self, turns: i64, radii: (f64, f64), velocity: Ball) -> (f64, f64) {
         let (time, of_velocity) = self.spread(turns, velocity);
         let sum =
@@ -126,7 +126,7 @@ impl Clock {
         (sum(radii.0, time), sum(radii.1, of_velocity))
     }
 
-    /// What intervals of W, tau and d add to the widths of a time and of a velocity.
+    /// Returns the widths that intervals of W, tau and d add to a time and to a velocity.
     fn spread(&self, turns: i64, velocity: Ball) -> (f64, f64) {
         let Some([per_turn, once, per_unit]) = self.spread else { return (0.0, 0.0) };
         let turns = Dyadic::new(&self.origin + turns, 0);
@@ -149,7 +149,7 @@ impl Clock {
     pub fn time_of(&self, turns: i64, rest: f64) -> Enclosure {
         let exact = || {
             let phase = Exact::from(&self.origin + turns).checked_add(&Exact::from_f64(rest)?).ok()?;
-            phase.checked_sub(&self.shift).ok()?.checked_div(&self.rate).ok()
+            phase.checked_sub(&self.phases.shift).ok()?.checked_div(&self.phases.rate).ok()
         };
         match exact() {
             Some(time) => time.enclose(self.bits),
@@ -159,7 +159,7 @@ impl Clock {
 
     /// Encloses `t mod 2 pi/W` \[time\]: from `[0, 2 pi/W)` on, and beyond when the phase may be a whole number of forcing periods.
     pub fn time_in_period(&self, rest: &Enclosure) -> Enclosure {
-        let turns = rest.sub(&self.shift.enclose(self.shown), self.shown);
+        let turns = rest.sub(&self.phases.shift.enclose(self.shown), self.shown);
         let whole = Enclosure::from_rational(&turns.inf().to_rational().floor(), self.shown); // exact: a whole number
         turns.sub(&whole, self.shown).mul(&self.period, self.shown)
     }
@@ -171,38 +171,33 @@ impl Clock {
 
     /// Encloses a length \[length\] given in gaps.
     pub fn length(&self, length: &Enclosure) -> Enclosure {
-        length.mul(&self.gap, self.shown)
+        length.mul(&self.gaps.length, self.shown)
     }
 
     /// Encloses a velocity \[length/time\] given in gap widths per forcing period.
     pub fn velocity(&self, velocity: &Enclosure) -> Enclosure {
-        velocity.mul(&self.speed, self.shown)
+        velocity.mul(&self.gaps.velocity, self.shown)
     }
 
     /// Encloses an acceleration \[length/time^2\] given in gap widths per forcing period squared.
     pub fn acceleration(&self, acceleration: &Enclosure) -> Enclosure {
-        self.velocity(acceleration).mul(&self.rate.enclose(self.shown), self.shown)
+        self.velocity(acceleration).mul(&self.phases.rate.enclose(self.shown), self.shown)
     }
 }
 
-/// `rate * time + shift`
-fn phase(rate: &Exact, shift: &Exact, time: &Exact) -> Result<Exact, ExactError> {
-    rate.checked_mul(time)?.checked_add(shift)
-}
-
-/// A whole number nearest to the value, or next to it.
+/// Returns a whole number nearest to the value, or next to it.
 fn nearest(value: &Exact) -> BigInt {
     let whole = value.enclose(BITS).mag().top().and_then(|top| u32::try_from(top).ok()).unwrap_or(0); // X1: any number of bits encloses
     let low = value.enclose(BITS.saturating_add(whole)).inf().to_rational(); // X1: any number of bits encloses
     (low + BigRational::new(1.into(), 2.into())).floor().to_integer() // exact: any whole number is taken off
 }
 
-/// A time that is more forcing periods away than are counted. Lemma N1
+/// Returns the error about a time more than 2^62 forcing periods away. Lemma N1
 fn too_late(key: &str, time: &Exact) -> Error {
     Error::range(key, time, "accepted are times less than 2^62 forcing periods from the start")
 }
 
-/// A number as an interval.
+/// Returns the number as an enclosure.
 fn enclosure(x: f64) -> Enclosure {
     Enclosure::from_f64_bounds(x, x).expect("a finite number")
 }

@@ -108,6 +108,7 @@ mod tolerances;
 pub mod trade;
 pub mod turns;
 pub mod two_impact;
+pub mod units;
 
 #[doc(inline)]
 pub use impact_pair_document as json;

@@ -3,10 +3,11 @@
 use crate::Error;
 use crate::exact::Exact;
 use crate::number::{Ball, LARGEST_RATE, Number};
+use crate::units::{in_gaps, turn};
 pub(crate) use impact_pair_model::within;
 pub use impact_pair_model::{ImpactPair, Wall};
 
-/// Numbers as they are measured from a wall.
+/// Components measured from a wall.
 pub trait Inward {
     /// A component measured from this wall: positive where it points away from it.
     fn inward<N: Number>(self, x: N) -> N;
@@ -26,10 +27,10 @@ impl Inward for Wall {
     }
 }
 
-/// What stands behind `A/d`.
+/// The quotient that errors name.
 const RATIO: &str = "excitation.amplitude / pair.gap";
 
-/// All that the motion depends on once time is in forcing periods and length in gaps.
+/// The dimensionless parameters of the motion: time in forcing periods, length in gaps.
 #[derive(Clone, Copy, Debug)]
 pub struct Reduced<N> {
     /// `A/d`
@@ -56,8 +57,8 @@ impl Reduced<Exact> {
     /// ```
     pub fn exact(pair: &ImpactPair) -> Result<Self, Error> {
         let amplitude = pair.harmonic("the pair without units")?.amplitude();
-        let alpha = within(RATIO, amplitude, amplitude.checked_div(pair.gap()))?;
-        let beta = within(RATIO, amplitude, alpha.checked_mul(&(Exact::pi() * Exact::from(2))))?;
+        let alpha = in_gaps(RATIO, amplitude, pair)?;
+        let beta = within(RATIO, amplitude, alpha.checked_mul(&turn()))?;
         Ok(Self { alpha, beta, restitution: pair.restitution().clone() })
     }
 
@@ -92,6 +93,11 @@ pub(crate) fn rebound_of(restitution: Ball, before: Ball) -> Ball {
 }
 
 impl<N: Number> Reduced<N> {
+    /// Returns the parameters with these `A/d` and `e`.
+    pub fn new(alpha: N, restitution: N) -> Self {
+        Self { beta: alpha.turn() * alpha.clone(), alpha, restitution }
+    }
+
     /// Returns the velocity after an impact. **Equation** (15)
     #[inline(always)]
     pub fn rebound(&self, velocity_before: N) -> N {
@@ -128,7 +134,7 @@ pub(crate) fn ball(key: &'static str, value: &Exact) -> Result<Ball, Error> {
     if ball.mid().abs() + ball.rad() <= LARGEST_RATE { Ok(ball) } else { Err(too_large(key, value)) }
 }
 
-/// A value that is too large for the arithmetic of a flight.
+/// Returns the error about a value that is too large for the arithmetic of a flight.
 pub(crate) fn too_large(key: &str, value: &Exact) -> Error {
     Error::range(key, value, "double-precision flights accept at most 2^400 in units of gap widths and forcing periods")
 }

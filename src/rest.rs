@@ -135,11 +135,10 @@ pub(crate) fn duration(speed: f64, rebound: f64, pressure: Interval, window: f64
 mod tests {
     use super::*;
     use crate::exact::Exact;
-    use crate::number::Number;
 
     fn pair(alpha: f64, restitution: f64) -> Reduced<Ball> {
         let alpha = Ball::exact(alpha);
-        Reduced { alpha, beta: alpha * alpha.turn(), restitution: Ball::exact(restitution) }
+        Reduced::new(alpha, Ball::exact(restitution))
     }
 
     fn enclosure(text: &str) -> Enclosure {

@@ -2,10 +2,11 @@
 
 use std::fmt;
 
-use crate::exact::{Dyadic, Enclosure, Exact};
-use crate::{Harmonic, Scene};
+use crate::exact::{Dyadic, Enclosure};
+use crate::units::{self, Units};
+use crate::{Error, Scene};
 
-/// What a logarithm here may be off by, absolutely and in proportion.
+/// Error bounds of a logarithm, absolute and relative.
 ///
 /// Lemma U1 of `docs/proofs/printing.md#U1` bounds the error of the logarithm. The powers and quotients that decimals are made of are
 /// good to `1e-12`, which is less.
@@ -13,12 +14,12 @@ const SLACK: (f64, f64) = (1e-9, 1e-14);
 /// Bits that sizes are rounded to.
 const BITS: u32 = 64;
 
-/// A bound of a size >= 0 by its decimal logarithm, since it may be below the range of doubles.
+/// An upper or lower bound of a size >= 0, as its decimal logarithm: sizes may be below the range of doubles.
 #[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
 pub struct Size(f64);
 
 impl Size {
-    /// Nothing.
+    /// The size 0.
     pub const ZERO: Self = Self(f64::NEG_INFINITY);
 
     /// `10^exponent`
@@ -26,7 +27,7 @@ impl Size {
         Self(exponent as f64) // exact: an i32
     }
 
-    /// Returns the greater one.
+    /// Returns the greater of both.
     pub fn max(self, other: Self) -> Self {
         Self(self.0.max(other.0)) // exact: one of both
     }
@@ -101,14 +102,14 @@ impl Unit {
     }
 }
 
-/// What times and velocities are measured in.
+/// What digits of times and velocities are relative to, both greater than 0.
 #[derive(Clone, Copy, Debug)]
-pub struct Units {
-    /// The period of the excitation, `2 pi / W`.
-    pub time: Unit,
-    /// `A W`; the gap a forcing period, `d W / (2 pi)`, when A may be zero.
-    pub velocity: Unit,
-    /// What the unit of velocities is.
+pub struct Scales<N> {
+    /// The period of the excitation, `2 pi / W` \[time\].
+    pub period: N,
+    /// `A W`, with several harmonics their sum; where A may be zero gap widths per forcing period, `d W / (2 pi)` \[length/time\].
+    pub velocity: N,
+    /// Which of the two it is.
     pub speed: Speed,
 }
 
@@ -130,47 +131,31 @@ impl fmt::Display for Speed {
     }
 }
 
-impl Units {
-    /// Those of a scene.
+impl Scales<Enclosure> {
+    /// Returns those of a scene, enclosed.
+    ///
+    /// # Errors
+    /// If they exceed the range of exact expressions.
+    pub fn of(scene: &Scene) -> Result<Self, Error> {
+        let (pair, excitation) = (scene.pair(), scene.pair().excitation());
+        let period = units::period(excitation.reference())?.enclose(BITS);
+        let fastest = excitation.harmonics().iter().try_fold(Enclosure::point(Dyadic::zero()), |sum, harmonic| {
+            Ok::<_, Error>(sum.add(&Units::amplitudes(harmonic)?.velocity.enclose(BITS), BITS))
+        })?;
+        Ok(if fastest.mig().is_zero() {
+            Self { period, velocity: Units::gaps(pair)?.velocity.enclose(BITS), speed: Speed::Gap }
+        } else {
+            Self { period, velocity: fastest, speed: Speed::Excitation }
+        })
+    }
+
+    /// Returns them as units of sizes.
     ///
     /// # Panics
     /// Never: scales are greater than 0.
-    pub fn of(scene: &Scene) -> Self {
-        let Scales { period, velocity, speed } = Scales::of(scene);
+    pub fn units(&self) -> Scales<Unit> {
         let unit = |scale: &Enclosure| Unit::new(scale).expect("scales are positive");
-        Self { time: unit(&period), velocity: unit(&velocity), speed }
-    }
-}
-
-/// What digits are relative to, enclosed: both greater than 0.
-#[derive(Clone, Debug)]
-pub struct Scales {
-    /// The period of the excitation, `2 pi / W` \[time\].
-    pub period: Enclosure,
-    /// `A W`, with several harmonics their sum, or the gap a forcing period where A may be zero \[length/time\].
-    pub velocity: Enclosure,
-    /// Which of the two it is.
-    pub speed: Speed,
-}
-
-impl Scales {
-    /// Those of a scene.
-    ///
-    /// # Panics
-    /// Never: `W > 0` is checked with the scene.
-    pub fn of(scene: &Scene) -> Self {
-        let (pair, enclose) = (scene.pair(), |x: &Exact| x.enclose(BITS));
-        let frequency = enclose(pair.excitation().reference().frequency());
-        let turn = enclose(&(Exact::pi() * Exact::from(2)));
-        let period = turn.div(&frequency, BITS).expect("W > 0 is checked with the scene");
-        let greatest = |harmonic: &Harmonic| enclose(harmonic.amplitude()).mul(&enclose(harmonic.frequency()), BITS);
-        let speeds = pair.excitation().harmonics().iter().map(greatest);
-        let fastest = speeds.reduce(|sum, speed| sum.add(&speed, BITS)).expect("an excitation has a harmonic");
-        if !fastest.mig().is_zero() {
-            return Self { period, velocity: fastest, speed: Speed::Excitation };
-        }
-        let gap_a_turn = enclose(pair.gap()).div(&period, BITS).expect("a period is positive");
-        Self { period, velocity: gap_a_turn, speed: Speed::Gap }
+        Scales { period: unit(&self.period), velocity: unit(&self.velocity), speed: self.speed }
     }
 }
 
@@ -228,11 +213,11 @@ mod tests {
                  pair = {{ gap = 4, restitution = 0.5 }}\n\
                  start = {{ time = 0, wall = \"left\", velocity = -1 }}"
             );
-            Units::of(&Scene::parse(&text).unwrap())
+            Scales::of(&Scene::parse(&text).unwrap()).unwrap().units()
         };
         let eight = Dyadic::from_f64(8.0).unwrap();
         assert_eq!(scene("0").velocity.above(&eight).short(), "2.1e0");
         assert_eq!(scene("\"1/pi\"").velocity.below(&eight).decimal_down(), "3.99e0");
-        assert_eq!(scene("1").time.below(&eight).decimal_down(), "7.99e0");
+        assert_eq!(scene("1").period.below(&eight).decimal_down(), "7.99e0");
     }
 }

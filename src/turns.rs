@@ -27,14 +27,6 @@ pub(crate) fn after(turns: i64, whole: f64) -> Option<i64> {
     (whole.abs() < MOST as f64 && count.unsigned_abs() < MOST as u64).then_some(count)
 }
 
-/// Returns the phase `W t + tau` \[rad\] of one in forcing periods, its lower bound in `[0, 2 pi)`.
-pub fn in_radians(turns: &Enclosure, bits: u32) -> Enclosure {
-    let bits = bits + 64;
-    let whole = Enclosure::from_rational(&turns.inf().to_rational().floor(), bits); // exact: any whole number of turns
-    let two_pi = Enclosure::pi(bits).add(&Enclosure::pi(bits), bits);
-    turns.sub(&whole, bits).mul(&two_pi, bits)
-}
-
 /// Returns the turn, less whole common periods of N forcing periods, that a phase is in: 0 with one harmonic.
 pub fn in_period(turns: &Enclosure, period: u32) -> u32 {
     let turn = turns.inf().to_rational().floor().to_integer().mod_floor(&BigInt::from(period)); // exact: a whole number

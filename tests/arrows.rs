@@ -5,12 +5,13 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// The rooms of `src`, each with those it may import, which stand before it.
-const ROOMS: [(&str, &[&str]); 28] = [
+const ROOMS: [(&str, &[&str]); 29] = [
     ("number", &[]),
-    ("scales", &[]),
+    ("units", &[]),
+    ("scales", &["units"]),
     ("turns", &[]),
-    ("pair", &["number"]),
-    ("clock", &["number", "turns", "pair"]),
+    ("pair", &["number", "units"]),
+    ("clock", &["number", "units", "turns", "pair"]),
     ("excitation", &["number"]),
     ("mapping", &["number", "pair"]),
     ("impact", &["number", "pair", "mapping"]),
@@ -18,11 +19,12 @@ const ROOMS: [(&str, &[&str]); 28] = [
     ("flight", &["number", "pair"]),
     ("rest", &["number", "pair"]),
     ("contact", &["number", "turns", "pair", "mapping", "flight"]),
-    ("several", &["number", "turns", "pair", "excitation", "flight", "rest", "contact"]),
+    ("several", &["number", "units", "turns", "pair", "excitation", "flight", "rest", "contact"]),
     (
         "shaken",
         &[
             "number",
+            "units",
             "turns",
             "pair",
             "clock",
@@ -40,11 +42,12 @@ const ROOMS: [(&str, &[&str]); 28] = [
         "periodic",
         &["number", "pair", "clock", "excitation", "mapping", "impact", "flight", "contact", "several", "shaken"],
     ),
-    ("two_impact", &["pair", "periodic"]),
+    ("two_impact", &["units", "pair", "periodic"]),
     (
         "orbit",
         &[
             "number",
+            "units",
             "turns",
             "pair",
             "clock",
@@ -62,10 +65,13 @@ const ROOMS: [(&str, &[&str]); 28] = [
     ),
     ("impact_map", &["number", "turns", "pair", "clock", "mapping", "contact", "shaken", "orbit"]),
     ("lyapunov", &["number", "periodic", "orbit"]),
-    ("chaos", &["number", "pair", "flight", "mapping", "contact", "periodic", "orbit"]),
-    ("tangency", &["number", "pair", "periodic", "chaos"]),
-    ("document", &["turns", "pair", "mapping", "contact", "periodic", "two_impact", "orbit", "chaos", "tangency"]),
-    ("sweep", &["number", "turns", "pair", "mapping", "periodic", "orbit", "lyapunov", "document"]),
+    ("chaos", &["number", "units", "pair", "flight", "mapping", "contact", "periodic", "orbit"]),
+    ("tangency", &["number", "units", "pair", "periodic", "chaos"]),
+    (
+        "document",
+        &["units", "turns", "pair", "mapping", "contact", "periodic", "two_impact", "orbit", "chaos", "tangency"],
+    ),
+    ("sweep", &["number", "units", "turns", "pair", "mapping", "periodic", "orbit", "lyapunov", "document"]),
     ("atlas", &["chaos", "document", "sweep"]),
     ("describe", &["mapping", "orbit", "lyapunov", "chaos", "document", "sweep"]),
     ("audit", &["pair", "scales", "contact", "orbit", "document"]),
@@ -135,6 +141,55 @@ fn rooms_import_what_stands_before_them() {
             }
         }
     }
+}
+
+/// What DESIGN.md has between backticks, in this part of it.
+fn quoted(part: &str) -> Vec<&str> {
+    part.split('`').skip(1).step_by(2).collect()
+}
+
+#[test]
+fn design_lists_the_rooms_in_this_order_and_all_crates() {
+    let design = fs::read_to_string(root().join("DESIGN.md")).unwrap();
+    let names = |heading: &str| -> Vec<&str> {
+        let part = design.split("\n## ").find(|part| part.starts_with(heading)).unwrap();
+        part.lines()
+            .filter(|line| line.starts_with("| `"))
+            .flat_map(|line| quoted(line.split(" |").next().unwrap()))
+            .collect()
+    };
+    let rooms = names("Rooms");
+    let place =
+        |name: &str| rooms.iter().position(|room| *room == name).unwrap_or_else(|| panic!("{name} is not listed"));
+    assert_eq!(rooms.len(), ROOMS.len(), "{rooms:?}");
+    for (room, allowed) in ROOMS {
+        assert!(allowed.iter().all(|other| place(other) < place(room)), "{room} is listed above what it imports");
+    }
+    let crates = names("Crates");
+    assert!(CRATES.iter().all(|(path, _)| crates.contains(path)), "{crates:?}");
+}
+
+#[test]
+fn design_names_files_that_are_there() {
+    let design = fs::read_to_string(root().join("DESIGN.md")).unwrap();
+    let is_there = |path: &str| {
+        let tops = if ROOMS.iter().any(|(room, _)| path.starts_with(&format!("{room}/"))) {
+            root().join("src")
+        } else {
+            root().to_owned()
+        };
+        tops.join(path).exists() || tops.join(format!("{path}.rs")).exists()
+    };
+    // `several/{precise,graze}`: two of them.
+    let each = |path: &str| -> Vec<String> {
+        match path.split_once('{').and_then(|(folder, rest)| Some((folder, rest.strip_suffix('}')?))) {
+            Some((folder, names)) => names.split(',').map(|name| format!("{folder}{name}")).collect(),
+            None => vec![path.to_owned()],
+        }
+    };
+    let paths = quoted(&design).into_iter().filter(|text| text.contains('/') && !text.contains([' ', '=']));
+    let missing: Vec<String> = paths.flat_map(each).filter(|path| !is_there(path)).collect();
+    assert!(missing.is_empty(), "{missing:?}");
 }
 
 #[test]

@@ -3,13 +3,14 @@
 
 use crate::effort::effort;
 use impact_pair::Scene;
-use impact_pair::document::{self, Units};
+use impact_pair::document;
 use impact_pair::exact::Exact;
 use impact_pair::orbit::Settings;
 use impact_pair::pair::Wall;
 use impact_pair::periodic::{Precision, Problem};
 use impact_pair::sweep::{self, Grid, PointSettings};
 use impact_pair::two_impact::{self, Unknown};
+use impact_pair::units::Units;
 use impact_pair::watch::Unwatched;
 use impact_pair_certificate::{Claims, Verdict};
 use serde_json::{Value, json};
@@ -180,7 +181,7 @@ fn r17_cycles_of_impacts_are_judged() {
         let scene = Scene::parse(&scene).unwrap();
         let problem = Problem::new(scene.pair(), &"P1 P2".parse().unwrap(), cycles).unwrap();
         let census = problem.find(scene.start(), Precision { digits: 9, ..Precision::default() });
-        let document = json!(Units::new(scene.pair()).unwrap().document(&problem, scene.start(), &census));
+        let document = json!(Units::gaps(scene.pair()).unwrap().document(&problem, scene.start(), &census));
         assert!(document["orbits"][0]["impacts"][1]["cycle"].is_i64(), "{document}");
         let judged = |document: &Value| {
             Claims::parse(&document.to_string()).unwrap().check_within(&effort(), &Unwatched).unwrap()

@@ -5,8 +5,9 @@ use crate::checked_documents::{SCENE, is_confirmed, judged, two_impact, verdict}
 use crate::effort::effort;
 use impact_pair::Scene;
 use impact_pair::chaos::Cycles;
-use impact_pair::document::{self, Units};
+use impact_pair::document;
 use impact_pair::periodic::{Precision, Problem};
+use impact_pair::units::Units;
 use impact_pair::watch::Unwatched;
 use impact_pair_certificate::{Claims, Verdict};
 use serde_json::{Value, json};
@@ -69,7 +70,7 @@ fn four_orbits() -> Value {
     let scene = Scene::parse(scene).unwrap();
     let problem = Problem::new(scene.pair(), &"LR".parse().unwrap(), 1).unwrap();
     let census = problem.find(scene.start(), Precision::default());
-    json!(Units::new(scene.pair()).unwrap().document(&problem, scene.start(), &census))
+    json!(Units::gaps(scene.pair()).unwrap().document(&problem, scene.start(), &census))
 }
 
 /// The document with one of its orbits at the end as well.
@@ -90,7 +91,7 @@ fn r39_where_a_harmonic_may_vanish_orbits_may_be_symmetric() {
         let scene = scene.unwrap();
         let problem = Problem::new(scene.pair(), &"P1 P2".parse().unwrap(), cycles).unwrap();
         let census = problem.find(scene.start(), Precision::default());
-        json!(Units::new(scene.pair()).unwrap().document(&problem, scene.start(), &census))
+        json!(Units::gaps(scene.pair()).unwrap().document(&problem, scene.start(), &census))
     };
     let judged = |(second, cycles, truth): (&str, u32, Value)| {
         let document = found(second, cycles);
@@ -119,7 +120,7 @@ fn r44_where_harmonics_cancel_orbits_may_be_symmetric() {
         let scene = scene.unwrap();
         let problem = Problem::new(scene.pair(), &"P1 P2".parse().unwrap(), cycles).unwrap();
         let census = problem.find(scene.start(), Precision::default());
-        json!(Units::new(scene.pair()).unwrap().document(&problem, scene.start(), &census))
+        json!(Units::gaps(scene.pair()).unwrap().document(&problem, scene.start(), &census))
     };
     let symmetric = |document: &Value| -> Vec<Value> {
         document["orbits"].as_array().unwrap().iter().map(|orbit| orbit["symmetric"].clone()).collect()

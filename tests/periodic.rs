@@ -348,10 +348,11 @@ proptest! {
 /// of a chain, of flights without rests (T1, W1), do not have it: of such motions nothing is claimed (T12).
 #[test]
 fn r32_what_rests_is_excluded_from_what_is_proved_to_be_all() {
-    use impact_pair::document::{Units, two_impact};
+    use impact_pair::document::two_impact;
     use impact_pair::orbit::{Outcome, Progress};
     use impact_pair::pair::Wall;
     use impact_pair::two_impact::{Problem, Unknown};
+    use impact_pair::units::Units;
 
     let pair = pair("0.9", "0");
     let start = Start::on_wall(value("0"), Wall::Left, value("0")).unwrap();
@@ -372,7 +373,7 @@ fn r32_what_rests_is_excluded_from_what_is_proved_to_be_all() {
     assert!(matches!(orbit.outcome(), Some(Outcome::Periodic(_))), "{:?}", orbit.outcome());
     let problem = problem(&pair, "LR", 1);
     let census = problem.find_all(&start, Precision::default(), Budget::default());
-    let document = Units::new(&pair).unwrap().document(&problem, &start, &census);
+    let document = Units::gaps(&pair).unwrap().document(&problem, &start, &census);
     assert!(document.exhaustive && document.orbits.iter().all(|orbit| orbit.physical != Some(true)));
     assert_eq!(document.excludes.as_deref(), Some("motions that rest"));
     let answer = Problem::new(&pair, 1, Unknown::Velocity).unwrap().answer(9);
@@ -380,6 +381,6 @@ fn r32_what_rests_is_excluded_from_what_is_proved_to_be_all() {
     assert!(document.exhaustive && document.orbits.iter().all(|orbit| orbit.physical != Some(true)));
     assert_eq!(document.excludes.as_deref(), Some("motions that rest"));
     // Where not all are looked for, there is nothing to exclude.
-    let some = Units::new(&pair).unwrap().document(&problem, &start, &problem.find(&start, Precision::default()));
+    let some = Units::gaps(&pair).unwrap().document(&problem, &start, &problem.find(&start, Precision::default()));
     assert_eq!((some.exhaustive, some.excludes), (false, None));
 }

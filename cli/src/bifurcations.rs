@@ -9,7 +9,6 @@ use impact_pair::Scene;
 use impact_pair::document::{self, counted};
 use impact_pair::exact::decimal_digits;
 use impact_pair::mapping::Word;
-use impact_pair::orbit::MAX_BITS;
 use impact_pair::periodic::bifurcation::{Diagram, DiagramSettings, End, Kind, over, survey};
 use impact_pair::periodic::chain::MOST_CYCLES;
 use impact_pair::scene::{Key, Range};
@@ -20,7 +19,7 @@ use crate::heading::heading;
 use crate::periodic::{PeriodicFormat, physical, symmetric};
 use crate::progress::Progress;
 use crate::scene;
-use crate::values::{bits, digits, precision};
+use crate::values::PrecisionArguments;
 
 pub const HELP: &str = "\
 Examples:
@@ -41,6 +40,7 @@ Exit code: 0 every change that was found is proved to the requested width; 1 som
 run was interrupted (the output still holds what is certified); 2 usage, bad input, I/O.";
 
 #[derive(Args, Debug)]
+#[command(mut_arg("digits", |digits| digits.help("Requested width of enclosures, at most 10^-D: of the parameter relative to itself, of phases relative to 2 pi, of velocities relative to A W [default: that of the scene, or 9]")))]
 pub struct BifurcationArguments {
     /// Scene file (TOML), or - for stdin
     pub scene: PathBuf,
@@ -56,13 +56,8 @@ pub struct BifurcationArguments {
     /// Number of period doublings after which new branches are not followed further
     #[arg(long, value_name = "K", default_value_t = 4, value_parser = clap::value_parser!(u32).range(0..=8))]
     doublings: u32,
-    /// Requested width of enclosures, at most 10^-D: of the parameter relative to itself, of phases relative to 2
-    /// pi, of velocities relative to A W [default: that of the scene, or 9]
-    #[arg(long, value_name = "D", value_parser = digits())]
-    digits: Option<u32>,
-    /// Maximum precision, in bits
-    #[arg(long, value_name = "BITS", default_value_t = MAX_BITS, value_parser = bits())]
-    max_bits: u32,
+    #[command(flatten)]
+    precision: PrecisionArguments,
     /// Output format; json is schema impact-pair/bifurcations/1 [default: as the ending of --output
     /// says, else table]
     #[arg(long, value_enum)]
@@ -72,9 +67,9 @@ pub struct BifurcationArguments {
 }
 
 impl BifurcationArguments {
-    /// What is asked of the branches.
+    /// Returns the settings of the diagram.
     pub fn wanted(&self, scene: &Scene) -> DiagramSettings {
-        let precision = precision(self.digits, self.max_bits, scene);
+        let precision = self.precision.of(scene);
         DiagramSettings { over: self.over.clone(), doublings: self.doublings, precision }
     }
 }

@@ -15,11 +15,10 @@ use impact_pair::exact::Exact;
 use impact_pair::json::{BaseDocument, one_a_line};
 use impact_pair::periodic::bifurcation::{PARAMETERS, is_parameter};
 use impact_pair::scene::Range;
-use impact_pair_plot::picture::Look;
 use serde::Deserialize;
 
 use crate::Answer;
-use crate::destination::{Begun, Destination, Files};
+use crate::destination::{Begun, Drawing, Files};
 use crate::heading::heading;
 use crate::output::note;
 use crate::periodic::PeriodicFormat;
@@ -51,6 +50,7 @@ Exit code: 0 a positive entropy is proved, or with COUNT a verdict for every val
 interrupted (what is proved so far is written); 2 usage, bad input, I/O.";
 
 #[derive(Args, Debug)]
+#[command(mut_arg("plot", |plot| plot.help("Draw a floating-point orbit, the h-sets and their first images; with :COUNT the bifurcation diagram, coloured by verdict")))]
 pub struct ChaosArguments {
     /// Scene file (TOML), or - for stdin
     scene: PathBuf,
@@ -79,13 +79,8 @@ pub struct ChaosArguments {
     /// [default: as the ending of --output says, else table]
     #[arg(long, value_enum)]
     format: Option<PeriodicFormat>,
-    /// Draw a floating-point orbit, the h-sets and their first images; with :COUNT the bifurcation diagram, coloured by verdict
-    #[arg(long, value_name = "FILE.svg|FILE.png|FILE.pdf", value_parser = impact_pair_plot::picture::path)]
-    plot: Option<PathBuf>,
     #[command(flatten)]
-    look: Look,
-    #[command(flatten)]
-    pub destination: Destination,
+    drawing: Drawing,
 }
 
 /// Number of impacts of a word in cells, if none is given.
@@ -115,9 +110,8 @@ fn range(text: &str) -> Result<Range, impact_pair::Error> {
 }
 
 pub fn chaos(arguments: &ChaosArguments) -> Result<Answer> {
-    let format = arguments.destination.format(arguments.format)?;
-    let plot = arguments.plot.as_deref().map(|path| (path, &arguments.look));
-    let Begun { scene, files, .. } = arguments.destination.begin(&arguments.scene, plot)?;
+    let format = arguments.drawing.format(arguments.format)?;
+    let Begun { scene, files, .. } = arguments.drawing.begin(&arguments.scene)?;
     let bases = arguments.bases.as_deref().map(bases).transpose()?.unwrap_or_default();
     let work = Work { arguments, format, scene: &scene, files };
     match &arguments.over {
@@ -180,11 +174,11 @@ impl Work<'_> {
         let open = (!is_proved).then(|| table::conclusion(&document, &found));
         let is_table = self.format == PeriodicFormat::Table;
         self.files.draw((&text, open, is_table), || {
-            impact_pair_plot::chaos::chaos(scene, over, (&found, proved.as_ref()), &self.arguments.look)
+            impact_pair_plot::chaos::chaos(scene, over, (&found, proved.as_ref()), &self.arguments.drawing.look)
         })
     }
 
-    /// What is proved of each value in a range.
+    /// Writes the verdicts over a range.
     fn cells(self, over: &Range, cells: u32) -> Result<Answer> {
         let scene = self.scene;
         let (halvings, depth) = (self.arguments.halvings, self.arguments.depth.map_or(DEPTH, |depth| depth as usize));
@@ -202,7 +196,7 @@ impl Work<'_> {
         let open = (!document.certified).then(|| table::shares(&document));
         let is_table = self.format == PeriodicFormat::Table;
         self.files.draw((&text, open, is_table), || {
-            impact_pair_plot::proved::cells(scene, &asked, &found, &self.arguments.look)
+            impact_pair_plot::proved::cells(scene, &asked, &found, &self.arguments.drawing.look)
         })
     }
 }

@@ -71,7 +71,7 @@ pub struct CheckArguments {
     pub destination: Destination,
 }
 
-/// How a verdict is written.
+/// Output formats of a verdict.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
 pub enum CheckFormat {
     /// Human-readable: the verdict in one line, what is not checked in another
@@ -82,7 +82,7 @@ pub enum CheckFormat {
 }
 
 impl CheckArguments {
-    /// How much a check may take.
+    /// Returns the limits of the check.
     pub fn effort(&self) -> Effort {
         let Effort { parts, work, .. } = Effort::default();
         let times = u32::try_from(self.effort).unwrap_or(u32::MAX);

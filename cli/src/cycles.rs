@@ -101,7 +101,7 @@ fn table(scene: &Scene, found: Result<&Cycles, NoTrap>) -> Result<String, fmt::E
     Ok(out)
 }
 
-/// What is proved of a cycle.
+/// Returns the line of a cycle.
 fn row(cycle: &Cycle) -> String {
     let Cycle { impacts, problem, orbit } = cycle;
     let symmetric = match orbit.symmetric {
@@ -123,7 +123,7 @@ fn row(cycle: &Cycle) -> String {
     format!("{impacts:>7}  {stability:10}  {symmetric:13}  {eigenvalue:22}  {time:>9}  {walls}")
 }
 
-/// How much of what was asked is proved.
+/// Returns the last line of the table: whether everything requested is proved.
 fn conclusion(found: Result<&Cycles, NoTrap>) -> String {
     let found = match found {
         Ok(found) => found,

@@ -10,10 +10,9 @@ use impact_pair::chaos::MOST_DEPTH;
 use impact_pair::describe::{Request, describe as described, lines};
 use impact_pair::json::DescriptionDocument;
 use impact_pair::orbit::MAX_BITS;
-use impact_pair_plot::picture::Look;
 
 use crate::Answer;
-use crate::destination::{Begun, Destination};
+use crate::destination::{Begun, Drawing};
 use crate::heading::heading;
 use crate::progress::Progress;
 use crate::scene;
@@ -44,6 +43,7 @@ Exit code: 0 the fate is certified; 1 it is undecided, or the run was interrupte
 certified); 2 usage, bad input, I/O.";
 
 #[derive(Args, Debug)]
+#[command(mut_arg("plot", |plot| plot.help("Draw time series, phase plane, impacts with region and h-sets, and itinerary on one page")))]
 pub struct DescribeArguments {
     /// Scene file (TOML), or - for stdin
     scene: PathBuf,
@@ -59,16 +59,11 @@ pub struct DescribeArguments {
     /// Output format; json is schema impact-pair/description/1 [default: as the ending of --output says, else text]
     #[arg(long, value_enum)]
     format: Option<DescribeFormat>,
-    /// Draw time series, phase plane, impacts with region and h-sets, and itinerary on one page
-    #[arg(long, value_name = "FILE.svg|FILE.png|FILE.pdf", value_parser = impact_pair_plot::picture::path)]
-    plot: Option<PathBuf>,
     #[command(flatten)]
-    look: Look,
-    #[command(flatten)]
-    destination: Destination,
+    drawing: Drawing,
 }
 
-/// How a description is written.
+/// Output formats of a description.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
 enum DescribeFormat {
     /// Human-readable: one line for each question
@@ -79,9 +74,8 @@ enum DescribeFormat {
 }
 
 pub fn describe(arguments: &DescribeArguments) -> Result<Answer> {
-    let format = arguments.destination.format(arguments.format)?;
-    let plot = arguments.plot.as_deref().map(|path| (path, &arguments.look));
-    let Begun { scene, files, path } = arguments.destination.begin(&arguments.scene, plot)?;
+    let format = arguments.drawing.format(arguments.format)?;
+    let Begun { scene, files, path } = arguments.drawing.begin(&arguments.scene)?;
     let named = || scene::name(path);
     let DescribeArguments { impacts, max_bits, .. } = *arguments;
     let request = Request { impacts, depth: arguments.depth as usize, max_bits };
@@ -96,7 +90,7 @@ pub fn describe(arguments: &DescribeArguments) -> Result<Answer> {
     let open = (!document.certified || document.interrupted).then(|| conclusion(&document));
     let is_table = format == DescribeFormat::Text;
     files.draw((&text, open, is_table), || {
-        impact_pair_plot::describe::describe(&scene, &found, &document, &arguments.look)
+        impact_pair_plot::describe::describe(&scene, &found, &document, &arguments.drawing.look)
     })
 }
 
@@ -115,7 +109,7 @@ fn text(scene: &Scene, document: &DescriptionDocument) -> Result<String, fmt::Er
     Ok(out)
 }
 
-/// What is said beside the output where it is incomplete.
+/// Returns the note on stderr about an incomplete output.
 fn conclusion(document: &DescriptionDocument) -> String {
     let stopped = if document.interrupted { "interrupted; " } else { "" };
     let said = if document.certified { "certified: " } else { "" };

@@ -1,4 +1,4 @@
-//! Where an answer goes, and what every verb begins with: its inputs are kept apart from its outputs, and these are opened.
+//! Outputs of a verb: they are proved to be other files than its inputs, and opened.
 
 use std::path::{Path, PathBuf};
 
@@ -11,7 +11,7 @@ use crate::output::Output;
 use crate::progress::catch_interruption;
 use crate::{Answer, ending, scene};
 
-/// Where an answer goes, and what is said beside it.
+/// The output of a verb, and whether notes are printed.
 #[derive(Args, Debug)]
 pub struct Destination {
     /// Write to FILE, atomically, instead of stdout; its ending chooses the format
@@ -55,13 +55,37 @@ impl Destination {
     }
 }
 
+/// The picture of an answer, and where both go. What the picture is of, each verb says by `mut_arg("plot", ..)`.
+#[derive(Args, Debug)]
+pub struct Drawing {
+    /// Draw the answer
+    #[arg(long, value_name = "FILE.svg|FILE.png|FILE.pdf", value_parser = impact_pair_plot::picture::path)]
+    pub plot: Option<PathBuf>,
+    #[command(flatten)]
+    pub look: Look,
+    #[command(flatten)]
+    pub destination: Destination,
+}
+
+impl Drawing {
+    /// As [`Destination::format`].
+    pub fn format<F: ValueEnum + Default>(&self, given: Option<F>) -> Result<F> {
+        self.destination.format(given)
+    }
+
+    /// As [`Destination::begin`], with the picture if one is requested.
+    pub fn begin<'a>(&self, path: &'a PathBuf) -> Result<Begun<'a>> {
+        self.destination.begin(path, self.plot.as_deref().map(|path| (path, &self.look)))
+    }
+}
+
 /// A verb that has begun.
 pub struct Begun<'a> {
     /// What it is about.
     pub scene: Scene,
     /// Where that is read from.
     pub path: &'a PathBuf,
-    /// Where the answer goes.
+    /// The outputs.
     pub files: Files,
 }
 

@@ -10,10 +10,9 @@ use impact_pair::chaos::{Global, GlobalSettings, Kind, MOST, MOST_DEPTH, Reason,
 use impact_pair::document::{self, counted};
 use impact_pair::exact::decimal_digits;
 use impact_pair::json::GlobalDocument;
-use impact_pair_plot::picture::Look;
 
 use crate::Answer;
-use crate::destination::{Begun, Destination};
+use crate::destination::{Begun, Drawing};
 use crate::graph::{Graph, Value};
 use crate::heading::pair_heading;
 use crate::progress::Progress;
@@ -46,6 +45,7 @@ apart from saddles and grazes; 1 not so, or the run was interrupted (what is pro
 I/O.";
 
 #[derive(Args, Debug)]
+#[command(mut_arg("plot", |plot| plot.help("Draw the state space by where its motions go, and the graph of components")))]
 pub struct GlobalArguments {
     /// Scene file (TOML), or - for stdin
     scene: PathBuf,
@@ -75,19 +75,14 @@ pub struct GlobalArguments {
     /// Output format; json is schema impact-pair/global/1 [default: as the ending of --output says, else table]
     #[arg(long, value_enum)]
     format: Option<GlobalFormat>,
-    /// Draw the state space by where its motions go, and the graph of components
-    #[arg(long, value_name = "FILE.svg|FILE.png|FILE.pdf", value_parser = impact_pair_plot::picture::path)]
-    plot: Option<PathBuf>,
     #[command(flatten)]
-    look: Look,
-    #[command(flatten)]
-    destination: Destination,
+    drawing: Drawing,
 }
 
 /// Basins of pictures are proved by 2^N boxes.
 const BASINS: u32 = 16;
 
-/// How a global analysis is written.
+/// Output formats of a global analysis.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
 enum GlobalFormat {
     /// Human-readable
@@ -102,16 +97,15 @@ enum GlobalFormat {
 }
 
 pub fn global(arguments: &GlobalArguments) -> Result<Answer> {
-    let format = arguments.destination.format(arguments.format)?;
-    let plot = arguments.plot.as_deref().map(|path| (path, &arguments.look));
-    let Begun { scene, files, path } = arguments.destination.begin(&arguments.scene, plot)?;
+    let format = arguments.drawing.format(arguments.format)?;
+    let Begun { scene, files, path } = arguments.drawing.begin(&arguments.scene)?;
     let named = || scene::name(path);
     let mut settings = GlobalSettings {
         boxes: 1 << arguments.boxes,
         halvings: arguments.halvings,
         most: usize::try_from(arguments.most)?,
         work: arguments.work,
-        basins: arguments.basins.or(arguments.plot.is_some().then_some(BASINS)).map(|halvings| 1 << halvings),
+        basins: arguments.basins.or(arguments.drawing.plot.is_some().then_some(BASINS)).map(|halvings| 1 << halvings),
         horseshoes: arguments.horseshoes.map(|depth| depth as usize),
         ..GlobalSettings::default()
     };
@@ -128,7 +122,7 @@ pub fn global(arguments: &GlobalArguments) -> Result<Answer> {
     };
     let open = (!document.certified).then(|| conclusion(&document));
     files.draw((&text, open, format == GlobalFormat::Table), || {
-        impact_pair_plot::global::global(&scene, &found, &document, &arguments.look)
+        impact_pair_plot::global::global(&scene, &found, &document, &arguments.drawing.look)
     })
 }
 
@@ -186,7 +180,7 @@ fn limit(reason: Reason) -> &'static str {
     }
 }
 
-/// What is proved of a component.
+/// Returns the line of a component.
 fn row(number: usize, Recurrence { kind, boxes, area, is_closed, .. }: &Recurrence) -> String {
     let cycles = match kind {
         Kind::RestCycle(rest) => rest.map(|rest| rest.cycles),
@@ -198,7 +192,7 @@ fn row(number: usize, Recurrence { kind, boxes, area, is_closed, .. }: &Recurren
     format!("{number:<2} {name:10}  {period:>8}  {radius:>22}  {boxes:>6}  {area:>8.6}  {closed}")
 }
 
-/// What all motions do.
+/// Returns the last line: where all motions end.
 fn conclusion(document: &GlobalDocument) -> String {
     let prefix = match (document.interrupted, document.certified) {
         (true, _) => "interrupted: ",

@@ -4,7 +4,7 @@ use std::fmt::{self, Display, Write};
 
 use impact_pair::json::PROGRAM;
 
-/// What is known of a node.
+/// A node.
 pub enum Value {
     Number(i64),
     Word(&'static str),

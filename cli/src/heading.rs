@@ -1,4 +1,4 @@
-//! What a table for people begins with: whose orbit it is.
+//! The first lines of a table: title, parameters and start of the scene.
 
 use impact_pair::Scene;
 

@@ -12,7 +12,7 @@ use serde::Serialize;
 
 use crate::table;
 
-/// How the events of an orbit are written.
+/// Output formats of the events of an orbit.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
 pub enum Format {
     /// Human-readable: the certain digits, then the last digits of both bounds

@@ -47,7 +47,7 @@ use clap_complete::Shell;
 
 use arguments::{Cli, Verb};
 
-/// What the exit code says of the answer.
+/// The meaning of the exit code.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Answer {
     /// All that was asked is certified, or no proof was requested.

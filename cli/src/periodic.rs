@@ -6,19 +6,19 @@ use std::path::PathBuf;
 use anyhow::{Context, Result};
 use clap::{Args, ValueEnum};
 use impact_pair::Scene;
-use impact_pair::document::{Units, counted};
-use impact_pair::exact::{Enclosure, decimal_digits};
+use impact_pair::document::counted;
+use impact_pair::exact::{Enclosure, Exact, decimal_digits};
 use impact_pair::mapping::Word;
-use impact_pair::orbit::MAX_BITS;
 use impact_pair::periodic::chain::MOST_CYCLES;
-use impact_pair::periodic::{Budget, Census, Eigenvalue, PeriodicOrbit, Precision, Problem};
+use impact_pair::periodic::{Budget, Census, Eigenvalue, PeriodicOrbit, Problem};
+use impact_pair::units::Units;
 
 use crate::Answer;
 use crate::destination::{Begun, Destination};
 use crate::heading::heading;
 use crate::progress::Progress;
 use crate::scene;
-use crate::values::{bits, digits, precision};
+use crate::values::PrecisionArguments;
 
 pub const HELP: &str = "\
 Examples:
@@ -37,6 +37,7 @@ Exit code: 0 everything requested is certified; 1 some of it is not: no orbit wa
 or wider than --digits (the output still holds what is certified); 2 usage, bad input, I/O.";
 
 #[derive(Args, Debug)]
+#[command(mut_arg("digits", |digits| digits.help("Requested width of enclosures, at most 10^-D: of phases relative to 2 pi, of velocities relative to A W [default: that of the scene, or 9]")))]
 pub struct PeriodicArguments {
     /// Scene file (TOML), or - for stdin
     pub scene: PathBuf,
@@ -49,13 +50,8 @@ pub struct PeriodicArguments {
     /// Search the whole state space, so that the list is complete up to orbits with sticking
     #[arg(long)]
     pub all: bool,
-    /// Requested width of enclosures, at most 10^-D: of phases relative to 2 pi, of velocities relative to A W
-    /// [default: that of the scene, or 9]
-    #[arg(long, value_name = "D", value_parser = digits())]
-    digits: Option<u32>,
-    /// Maximum precision, in bits
-    #[arg(long, value_name = "BITS", default_value_t = MAX_BITS, value_parser = bits())]
-    max_bits: u32,
+    #[command(flatten)]
+    precision: PrecisionArguments,
     /// Output format; json is schema impact-pair/periodic/1 [default: as the ending of --output says, else
     /// table]
     #[arg(long, value_enum)]
@@ -64,14 +60,7 @@ pub struct PeriodicArguments {
     pub destination: Destination,
 }
 
-impl PeriodicArguments {
-    /// How narrow the enclosures are asked to be.
-    pub fn precision(&self, scene: &Scene) -> Precision {
-        precision(self.digits, self.max_bits, scene)
-    }
-}
-
-/// How periodic orbits and bifurcations are written.
+/// Output formats of periodic orbits and bifurcations.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
 pub enum PeriodicFormat {
     /// Human-readable: the certain digits, then the last digits of both bounds
@@ -86,8 +75,8 @@ pub fn periodic(arguments: &PeriodicArguments) -> Result<Answer> {
     let Begun { scene, files, path } = arguments.destination.begin(&arguments.scene, None)?;
     let named = || scene::name(path);
     let problem = Problem::new(scene.pair(), &arguments.word, arguments.cycles).with_context(named)?;
-    let units = Units::new(problem.pair()).with_context(named)?;
-    let (start, precision) = (scene.start(), arguments.precision(&scene));
+    let units = Units::gaps(problem.pair()).with_context(named)?;
+    let (start, precision) = (scene.start(), arguments.precision.of(&scene));
     let progress = match arguments.all {
         true => Progress::search(!files.quiet),
         false => Progress::of("searching for orbits", !files.quiet),
@@ -105,7 +94,7 @@ pub fn periodic(arguments: &PeriodicArguments) -> Result<Answer> {
     files.answer(&text, open, format == PeriodicFormat::Table)
 }
 
-fn table(scene: &Scene, problem: &Problem, units: &Units, census: &Census) -> Result<String, fmt::Error> {
+fn table(scene: &Scene, problem: &Problem, units: &Units<Exact>, census: &Census) -> Result<String, fmt::Error> {
     let mut out = heading(scene);
     let cycles = problem.chain().cycles();
     writeln!(out, "word {} in {}", problem.word(), counted(cycles, "cycle"))?;
@@ -150,7 +139,7 @@ pub fn symmetric(known: Option<bool>) -> &'static str {
     }
 }
 
-/// What is proved of an orbit, in words.
+/// Returns the properties of an orbit, in words.
 fn described(orbit: &PeriodicOrbit) -> String {
     let (physical, symmetric) = (physical(orbit.physical), symmetric(orbit.symmetric));
     let repeats = match orbit.repeats {
@@ -175,7 +164,7 @@ fn shown(value: &Eigenvalue) -> String {
     if is_zero(&value.im) { re } else { format!("{re} + {} i", decimal_digits(&value.im)) }
 }
 
-/// How many orbits there are.
+/// Returns the number of orbits, in words.
 pub fn orbits(count: usize) -> String {
     if count == 0 { "no orbit".to_owned() } else { counted(count, "orbit") }
 }

@@ -82,7 +82,7 @@ pub fn is_stdio(path: &Path) -> bool {
     path.as_os_str() == "-"
 }
 
-/// Where a path leads, whatever links and dots are in it.
+/// Returns the file that a path leads to, links and dots resolved.
 fn place(path: &Path) -> Option<PathBuf> {
     if is_stdio(path) {
         return None;

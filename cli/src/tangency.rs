@@ -8,21 +8,19 @@ use clap::Args;
 use impact_pair::Scene;
 use impact_pair::document::{self, counted};
 use impact_pair::exact::{decimal_bounds, decimal_digits};
-use impact_pair::orbit::MAX_BITS;
 use impact_pair::scene::{Key, Range};
 use impact_pair::tangency::{
     Beside, FlightWord, TANGENCY_PARAMETERS, Tangencies, Tangency, TangencySettings, UnprovedTangency,
     is_tangency_range,
 };
-use impact_pair_plot::picture::Look;
 
 use crate::Answer;
-use crate::destination::{Begun, Destination};
+use crate::destination::{Begun, Drawing};
 use crate::heading::heading;
 use crate::periodic::PeriodicFormat;
 use crate::progress::Progress;
 use crate::scene;
-use crate::values::{bits, count, digits, precision};
+use crate::values::{PrecisionArguments, count};
 
 pub const HELP: &str = "\
 Examples:
@@ -54,6 +52,8 @@ Exit code: 0 there are tangencies, and all folds that were tried are proved to l
 none, the search ended at the limit of its work, or the run was interrupted (what is proved is written); 2 usage, bad input, I/O.";
 
 #[derive(Args, Debug)]
+#[command(mut_arg("digits", |digits| digits.help("Requested width of enclosures, at most 10^-D: of d/A or e, and of the parameters of the invariant manifolds [default: that of the scene, or 9]")))]
+#[command(mut_arg("plot", |plot| plot.help("Draw the nearest tangency: both invariant manifolds in the section, and the point of tangency 1,000 times as large, at its value and 1e-4 to either side")))]
 pub struct TangencyArguments {
     /// Scene file (TOML), or - for stdin
     scene: PathBuf,
@@ -74,23 +74,13 @@ pub struct TangencyArguments {
     /// flights each
     #[arg(long, value_name = "N", default_value_t = TangencySettings::WORK as u64, value_parser = count(1..=1_000_000_000_000))]
     work: u64,
-    /// Requested width of enclosures, at most 10^-D: of d/A or e, and of the parameters of the invariant manifolds [default: that of the scene, or 9]
-    #[arg(long, value_name = "D", value_parser = digits())]
-    digits: Option<u32>,
-    /// Maximum precision, in bits
-    #[arg(long, value_name = "BITS", default_value_t = MAX_BITS, value_parser = bits())]
-    max_bits: u32,
+    #[command(flatten)]
+    precision: PrecisionArguments,
     /// Output format; json is schema impact-pair/tangency/1 [default: as the ending of --output says, else table]
     #[arg(long, value_enum)]
     format: Option<PeriodicFormat>,
-    /// Draw the nearest tangency: both invariant manifolds in the section, and the point of tangency 1,000 times as large, at its value and 1e-4 to
-    /// either side
-    #[arg(long, value_name = "FILE.svg|FILE.png|FILE.pdf", value_parser = impact_pair_plot::picture::path)]
-    plot: Option<PathBuf>,
     #[command(flatten)]
-    look: Look,
-    #[command(flatten)]
-    destination: Destination,
+    drawing: Drawing,
 }
 
 /// Reads `KEY=LO..HI` of a parameter over which tangencies are searched.
@@ -99,16 +89,15 @@ fn over(text: &str) -> Result<Range, impact_pair::Error> {
 }
 
 pub fn tangency(arguments: &TangencyArguments) -> Result<Answer> {
-    let format = arguments.destination.format(arguments.format)?;
-    let plot = arguments.plot.as_deref().map(|path| (path, &arguments.look));
-    let Begun { scene, files, path } = arguments.destination.begin(&arguments.scene, plot)?;
+    let format = arguments.drawing.format(arguments.format)?;
+    let Begun { scene, files, path } = arguments.drawing.begin(&arguments.scene)?;
     let settings = TangencySettings {
         over: arguments.over.clone(),
         word: arguments.word.clone(),
         longest: usize::try_from(arguments.longest)?,
         most: usize::try_from(arguments.most)?,
         work: usize::try_from(arguments.work)?,
-        precision: precision(arguments.digits, arguments.max_bits, &scene),
+        precision: arguments.precision.of(&scene),
     };
     let progress = Progress::stages(!files.quiet);
     let range = [(settings.over.key, settings.over.to_string())];
@@ -120,7 +109,8 @@ pub fn tangency(arguments: &TangencyArguments) -> Result<Answer> {
     };
     let open = (!found.is_certified()).then(|| conclusion(&found));
     let is_table = format == PeriodicFormat::Table;
-    files.draw((&text, open, is_table), || impact_pair_plot::tangency::tangency(&scene, &found, &arguments.look))
+    files
+        .draw((&text, open, is_table), || impact_pair_plot::tangency::tangency(&scene, &found, &arguments.drawing.look))
 }
 
 fn table(scene: &Scene, found: &Tangencies) -> Result<String, fmt::Error> {
@@ -160,7 +150,7 @@ fn rows(out: &mut String, key: Key, found: &Tangency) -> fmt::Result {
     writeln!(out, "  speeds at least {} A W, flights at least {} rad", speed.text(), flight.text())
 }
 
-/// How much of what was asked is proved.
+/// Returns the last line of the table: whether everything requested is proved.
 fn conclusion(found: &Tangencies) -> String {
     let proved = match found.tangencies.len() {
         1 => "1 homoclinic tangency".to_owned(),

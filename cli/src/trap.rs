@@ -9,10 +9,9 @@ use impact_pair::Scene;
 use impact_pair::chaos::{BoxGraph, MOST_COUNTED, Trap, WallWords};
 use impact_pair::document;
 use impact_pair::json::TrapDocument;
-use impact_pair_plot::picture::Look;
 
 use crate::Answer;
-use crate::destination::{Begun, Destination};
+use crate::destination::{Begun, Drawing};
 use crate::graph::{Graph, Value};
 use crate::heading::heading;
 use crate::output::note;
@@ -45,6 +44,7 @@ Exit code: 0 a region is proved, the scene's own orbit is in it from some impact
 --words is given; 1 one of these is undecided; 2 usage, bad input, I/O.";
 
 #[derive(Args, Debug)]
+#[command(mut_arg("plot", |plot| plot.help("Draw the region, and a floating-point orbit in it")))]
 pub struct TrapArguments {
     /// Scene file (TOML), or - for stdin
     pub scene: PathBuf,
@@ -58,16 +58,11 @@ pub struct TrapArguments {
     /// [default: as the ending of --output says, else table]
     #[arg(long, value_enum)]
     format: Option<TrapFormat>,
-    /// Draw the region, and a floating-point orbit in it
-    #[arg(long, value_name = "FILE.svg|FILE.png|FILE.pdf", value_parser = impact_pair_plot::picture::path)]
-    plot: Option<PathBuf>,
     #[command(flatten)]
-    look: Look,
-    #[command(flatten)]
-    pub destination: Destination,
+    drawing: Drawing,
 }
 
-/// How a region is written.
+/// Output formats of a region.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
 enum TrapFormat {
     /// Human-readable
@@ -81,7 +76,7 @@ enum TrapFormat {
     Dot,
 }
 
-/// What is proved of a region.
+/// A region and its document.
 struct Proved<'s> {
     scene: &'s Scene,
     graph: Option<BoxGraph>,
@@ -90,9 +85,8 @@ struct Proved<'s> {
 }
 
 pub fn trap(arguments: &TrapArguments) -> Result<Answer> {
-    let format = arguments.destination.format(arguments.format)?;
-    let plot = arguments.plot.as_deref().map(|path| (path, &arguments.look));
-    let Begun { scene, files, path } = arguments.destination.begin(&arguments.scene, plot)?;
+    let format = arguments.drawing.format(arguments.format)?;
+    let Begun { scene, files, path } = arguments.drawing.begin(&arguments.scene)?;
     let named = || scene::name(path);
     let progress = Progress::stages(!files.quiet);
     let found = Trap::of(&scene, arguments.finer, &progress).with_context(named)?;
@@ -135,7 +129,7 @@ pub fn trap(arguments: &TrapArguments) -> Result<Answer> {
     let entered = proved.document.entered_at_impact.is_none().then(|| entered(&proved.document));
     let open: Vec<String> = uncounted.into_iter().chain(entered).collect();
     let open = (!open.is_empty()).then(|| open.join("; "));
-    files.draw((&text, open, is_table), || impact_pair_plot::chaos::trap(&scene, &region, &arguments.look))
+    files.draw((&text, open, is_table), || impact_pair_plot::chaos::trap(&scene, &region, &arguments.drawing.look))
 }
 
 impl Proved<'_> {

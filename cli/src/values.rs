@@ -2,20 +2,34 @@
 
 use std::ops::RangeInclusive;
 
+use clap::Args;
 use clap::builder::RangedI64ValueParser;
 use impact_pair::Scene;
 use impact_pair::exact::Exact;
-use impact_pair::orbit::BITS;
+use impact_pair::orbit::{BITS, MAX_BITS};
 use impact_pair::periodic::Precision;
 use impact_pair::scene::DIGITS;
 
 /// The arithmetics, as they are typed.
 pub const ARITHMETICS: &str = "auto|float|interval|inari|shadow|BITS";
 
-/// The digits of the command line, or else of the scene, or else the usual ones.
-pub fn precision(digits: Option<u32>, max_bits: u32, scene: &Scene) -> Precision {
-    let digits = digits.or(scene.run().digits).unwrap_or(Precision::default().digits);
-    Precision { digits, max_bits }
+/// How narrow enclosures are requested. What their widths are relative to, each verb says by `mut_arg("digits", ..)`.
+#[derive(Args, Debug)]
+pub struct PrecisionArguments {
+    /// Requested width of enclosures, at most 10^-D
+    #[arg(long, value_name = "D", value_parser = digits())]
+    digits: Option<u32>,
+    /// Maximum precision, in bits
+    #[arg(long, value_name = "BITS", default_value_t = MAX_BITS, value_parser = bits())]
+    max_bits: u32,
+}
+
+impl PrecisionArguments {
+    /// The digits of the command line, or else of the scene, or else the usual ones.
+    pub fn of(&self, scene: &Scene) -> Precision {
+        let digits = self.digits.or(scene.run().digits).unwrap_or(Precision::default().digits);
+        Precision { digits, max_bits: self.max_bits }
+    }
 }
 
 /// Reads a number of digits.

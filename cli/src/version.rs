@@ -1,4 +1,4 @@
-//! What `--version` says: the program, its arithmetics, and what it was built for.
+//! The output of `--version`: the program, its arithmetics, and the target of the build.
 
 use std::env::consts::{ARCH, OS};
 use std::sync::OnceLock;

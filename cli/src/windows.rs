@@ -11,18 +11,16 @@ use impact_pair::chaos::{
 };
 use impact_pair::document::{self, counted};
 use impact_pair::exact::decimal_digits;
-use impact_pair::orbit::MAX_BITS;
 use impact_pair::periodic::bifurcation::WindowEnd;
 use impact_pair::scene::Range;
-use impact_pair_plot::picture::Look;
 
 use crate::Answer;
-use crate::destination::{Begun, Destination};
+use crate::destination::{Begun, Drawing};
 use crate::heading::heading;
 use crate::periodic::{PeriodicFormat, physical, symmetric};
 use crate::progress::Progress;
 use crate::scene;
-use crate::values::{bits, count, digits, precision};
+use crate::values::{PrecisionArguments, count};
 
 pub const HELP: &str = "\
 Examples:
@@ -45,6 +43,8 @@ Exit code: 0 there are windows, and of each the orbit, both ends and the orbits 
 not, or the run was interrupted (what is proved is written); 2 usage, bad input, I/O.";
 
 #[derive(Args, Debug)]
+#[command(mut_arg("digits", |digits| digits.help("Requested width of enclosures, at most 10^-D: of phases relative to 2 pi, of velocities relative to A W; ends are enclosed to four more digits than the width of the window takes [default: that of the scene, or 9]")))]
+#[command(mut_arg("plot", |plot| plot.help("Draw the windows: the width over the parameter, on a logarithmic scale")))]
 pub struct WindowsArguments {
     /// Scene file (TOML), or - for stdin
     scene: PathBuf,
@@ -60,23 +60,13 @@ pub struct WindowsArguments {
     /// Maximum number of windows that are proved, the nearest ones
     #[arg(long, value_name = "N", default_value_t = 10, value_parser = count(1..=100_000))]
     most: u64,
-    /// Requested width of enclosures, at most 10^-D: of phases relative to 2 pi, of velocities relative to A W; ends are enclosed to
-    /// four more digits than the width of the window takes [default: that of the scene, or 9]
-    #[arg(long, value_name = "D", value_parser = digits())]
-    digits: Option<u32>,
-    /// Maximum precision, in bits
-    #[arg(long, value_name = "BITS", default_value_t = MAX_BITS, value_parser = bits())]
-    max_bits: u32,
+    #[command(flatten)]
+    precision: PrecisionArguments,
     /// Output format; json is schema impact-pair/windows/1 [default: as the ending of --output says, else table]
     #[arg(long, value_enum)]
     format: Option<PeriodicFormat>,
-    /// Draw the windows: the width over the parameter, on a logarithmic scale
-    #[arg(long, value_name = "FILE.svg|FILE.png|FILE.pdf", value_parser = impact_pair_plot::picture::path)]
-    plot: Option<PathBuf>,
     #[command(flatten)]
-    look: Look,
-    #[command(flatten)]
-    destination: Destination,
+    drawing: Drawing,
 }
 
 /// Reads `KEY=LO..HI` of a parameter over which windows are searched.
@@ -85,16 +75,15 @@ fn over(text: &str) -> Result<Range, impact_pair::Error> {
 }
 
 pub fn windows(arguments: &WindowsArguments) -> Result<Answer> {
-    let format = arguments.destination.format(arguments.format)?;
-    let plot = arguments.plot.as_deref().map(|path| (path, &arguments.look));
-    let Begun { scene, files, path } = arguments.destination.begin(&arguments.scene, plot)?;
+    let format = arguments.drawing.format(arguments.format)?;
+    let Begun { scene, files, path } = arguments.drawing.begin(&arguments.scene)?;
     let named = || scene::name(path);
     let settings = WindowSettings {
         over: arguments.over.clone(),
         impacts: arguments.impacts,
         longest: arguments.longest as usize,
         most: usize::try_from(arguments.most)?,
-        precision: precision(arguments.digits, arguments.max_bits, &scene),
+        precision: arguments.precision.of(&scene),
     };
     let progress = Progress::stages(!files.quiet);
     let range = [(settings.over.key, settings.over.to_string())];
@@ -108,7 +97,7 @@ pub fn windows(arguments: &WindowsArguments) -> Result<Answer> {
     };
     let open = (!found.is_certified()).then(|| conclusion(&found));
     let is_table = format == PeriodicFormat::Table;
-    files.draw((&text, open, is_table), || impact_pair_plot::windows::windows(&scene, &found, &arguments.look))
+    files.draw((&text, open, is_table), || impact_pair_plot::windows::windows(&scene, &found, &arguments.drawing.look))
 }
 
 fn table(scene: &Scene, found: &Windows) -> Result<String, fmt::Error> {
@@ -155,7 +144,7 @@ fn end(end: &Option<WindowEnd>) -> String {
     )
 }
 
-/// How much of what was asked is proved.
+/// Returns the last line of the table: whether everything requested is proved.
 fn conclusion(found: &Windows) -> String {
     let windows = counted(found.windows.len() as u32, "window");
     if found.interrupted {

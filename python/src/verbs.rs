@@ -1,7 +1,7 @@
 //! The other verbs: each answers with its document as JSON and whether everything requested is certified.
 
 use impact_pair::audit::{Audit, AuditSettings, Column, Columns, read};
-use impact_pair::document::{self, Units};
+use impact_pair::document;
 use impact_pair::exact::Exact;
 use impact_pair::json::one_a_line;
 use impact_pair::mapping::Word;
@@ -13,6 +13,7 @@ use impact_pair::periodic::{Budget, Precision, Problem};
 use impact_pair::scene::{DIGITS, Run};
 use impact_pair::trade::Trade;
 use impact_pair::two_impact::{Axis, COUNTS, CYCLES, Problem as TwoImpactProblem, Range, Unknown, speed};
+use impact_pair::units::Units;
 use impact_pair::watch::Watch;
 use impact_pair_certificate::{Certificate, Claims, Effort, Verdict};
 use impact_pair_plot::picture::Look;
@@ -62,7 +63,7 @@ pub fn periodic(
     watched(py, progress, move |monitor| {
         let word: Word = word.parse().map_err(|error| Fault::keyed(error, "word", &word))?;
         let problem = Problem::new(scene.pair(), &word, accepted("cycles", cycles, 1..=MOST_CYCLES)?)?;
-        let units = Units::new(problem.pair())?;
+        let units = Units::gaps(problem.pair())?;
         let precision = precision(asked, &scene)?;
         let census = match all {
             true => problem.find_all_while(scene.start(), precision, Budget::default(), monitor),

@@ -42,7 +42,7 @@ use num_rational::BigRational;
 
 use crate::contact::Reason as Doubt;
 use crate::document::Conclusion;
-use crate::exact::Exact;
+use crate::exact::{Enclosure, Exact};
 use crate::orbit::{Arithmetic, MAX_BITS, MULTIPRECISION, Settings};
 use crate::scales::Scales;
 use crate::scene::{DIGITS, Run};
@@ -144,7 +144,7 @@ impl<'s> Audit<'s> {
             }
             None => rows.iter().map(|row| row.time.high.clone()).max().ok_or_else(|| Error::list("no row".into()))?,
         };
-        let tolerance = Tolerance::new(scene, &asked.tolerance, asked.digits());
+        let tolerance = Tolerance::new(scene, &asked.tolerance, asked.digits())?;
         // A listed impact may be early: the truth is followed for a period more.
         let after = &end + tolerance.scales.period.sup().to_rational();
         let settings = asked.settings(Exact::from_rational(after));
@@ -172,7 +172,7 @@ impl<'s> Audit<'s> {
     }
 
     /// Returns the units of the tolerance.
-    pub fn scales(&self) -> &Scales {
+    pub fn scales(&self) -> &Scales<Enclosure> {
         &self.tolerance.scales
     }
 

@@ -1,14 +1,14 @@
-//! How far off is too far: distances to the truth, and what is proved of them.
+//! The tolerance of an audit: distances to the certified orbit, compared with it.
 
-use crate::Scene;
 use crate::exact::{Dyadic, Enclosure, Exact};
 use crate::scales::Scales;
+use crate::{Error, Scene};
 
 /// The tolerance of a scene.
 pub(super) struct Tolerance {
     /// Relative, as it is requested.
     pub relative: Exact,
-    pub scales: Scales,
+    pub scales: Scales<Enclosure>,
     /// An upper bound of what a time may be off \[time\], and a velocity \[length/time\].
     time: Dyadic,
     velocity: Dyadic,
@@ -21,12 +21,15 @@ impl Tolerance {
     pub const GUARD: u32 = 256;
 
     /// Returns the tolerance relative to the scene's period and velocity, for enclosures of N digits.
-    pub fn new(scene: &Scene, relative: &Exact, digits: u32) -> Self {
-        let scales = Scales::of(scene);
+    ///
+    /// # Errors
+    /// If these exceed the range of exact expressions.
+    pub fn new(scene: &Scene, relative: &Exact, digits: u32) -> Result<Self, Error> {
+        let scales = Scales::of(scene)?;
         let bits = digits.saturating_mul(10) / 3 + Self::GUARD; // proposes
         let allowed = |scale: &Enclosure| relative.enclose(bits).mul(scale, bits).sup().clone();
         let (time, velocity) = (allowed(&scales.period), allowed(&scales.velocity));
-        Self { relative: relative.clone(), scales, time, velocity, bits }
+        Ok(Self { relative: relative.clone(), scales, time, velocity, bits })
     }
 
     /// Encloses the distance of the points of both.

@@ -9,11 +9,12 @@ use std::f64::consts::TAU;
 use num_integer::Integer;
 
 use super::flights::Flights;
-use super::guess::{Guess, applied, length};
+use super::guess::Guess;
 use super::law::{Law, Side};
 use super::quad::{Quad, State};
 use super::scene::Visited;
-use super::seen::apart;
+use super::vector::apart;
+use super::vector::{applied, length};
 use crate::mapping::{Mapping, Word};
 use crate::number::{Ball, Number, UNIT, up};
 use crate::pair::Wall;

@@ -9,9 +9,10 @@ use super::guess::Guess;
 use super::law::Law;
 use super::propose::Making;
 use super::quad::State;
-use super::seen::{Seen, apart, step};
+use super::seen::{Seen, step};
 use super::trials::{DEPTH, Effort, SLOW, Trials};
 use super::tube::side_of;
+use super::vector::{GENERIC, apart, cross};
 use super::words::Base;
 use crate::watch::Watch;
 
@@ -45,7 +46,7 @@ impl Seen {
         for start in 0..STARTS[0] * STARTS[1] {
             let (i, j) = (start / STARTS[1], start % STARTS[1]);
             let mut state = [(i as f64 + 0.5) / STARTS[0] as f64, fastest * (j as f64 + 0.5) / STARTS[1] as f64];
-            let (mut direction, mut passed, mut sum) = ([1.0 / TAU, 0.3], Vec::new(), 0.0);
+            let (mut direction, mut passed, mut sum) = (GENERIC, Vec::new(), 0.0);
             for k in 0..LOOKED_FOR[1] {
                 let Some(growth) = step(guess, &mut state, &mut direction) else { break };
                 if attractor.iter().any(|&other| apart(state, other) < NEAR) {
@@ -91,7 +92,7 @@ impl Seen {
         let mut scored: Vec<(f64, Base)> = Vec::new();
         for (centre, along) in self.centres() {
             let Some(across) = guess.contracting(centre, making.ahead) else { continue };
-            let determinant = along[0] * across[1] - along[1] * across[0];
+            let determinant = cross(along, across);
             if TAU * determinant.abs() < 0.2 {
                 continue;
             }

@@ -5,11 +5,12 @@
 use std::cell::OnceCell;
 
 use super::each::each;
-use super::guess::{Guess, length};
+use super::guess::Guess;
 use super::index::Indexed;
 use super::leaves::{BESIDE, GAPS, LENGTHS, Leaves, Window};
 use super::quad::State;
-use super::seen::{Seen, apart};
+use super::seen::Seen;
+use super::vector::{apart, length};
 use super::words::Base;
 use crate::watch::Watch;
 

@@ -8,11 +8,12 @@ use std::f64::consts::TAU;
 use super::bases::LENGTHS;
 use super::each::each;
 use super::entropy::entropy;
-use super::guess::{Guess, cross};
+use super::guess::Guess;
 use super::law::Side;
 use super::propose::Making;
 use super::quad::{Chord, State};
-use super::seen::{Seen, apart};
+use super::seen::Seen;
+use super::vector::{apart, cross, radians};
 use super::words::{Base, Path};
 
 /// Number of points of the orbit that are judges.
@@ -93,7 +94,6 @@ fn aligned(
     [long, width]: [f64; 2],
 ) -> Option<Base> {
     let sine = cross(along, across);
-    let radians = |[u, w]: State| [TAU * u, w];
     let end = |sign: f64| {
         let at = [0, 1].map(|i| centre[i] + sign * long * along[i]);
         let own = guess.contracting(at, making.ahead)?;

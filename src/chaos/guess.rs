@@ -6,6 +6,7 @@ use std::f64::consts::TAU;
 
 use super::law::{Law, Side};
 use super::quad::State;
+use super::vector::times;
 use crate::contact::first_contact_f64;
 use crate::flight::Flight;
 use crate::mapping::{Passage, jacobian};
@@ -34,8 +35,7 @@ pub(crate) struct Image {
 
 impl Guess {
     pub fn new(law: &Law) -> Self {
-        let alpha = 1.0 / law.gap.mid();
-        let pair = Reduced { alpha, beta: TAU * alpha, restitution: law.restitution.mid() };
+        let pair = Reduced::new(1.0 / law.gap.mid(), law.restitution.mid());
         Self { pair, radii: [law.gap.rad(), law.restitution.rad()] }
     }
 
@@ -88,27 +88,4 @@ impl Guess {
         let direction = if cos < 0.0 { [sin, -cos] } else { [-sin, cos] };
         Some([direction[0] / TAU, direction[1]])
     }
-}
-
-/// The product of two matrices.
-pub(super) fn times(a: [[f64; 2]; 2], b: [[f64; 2]; 2]) -> [[f64; 2]; 2] {
-    std::array::from_fn(|i| std::array::from_fn(|j| a[i][0] * b[0][j] + a[i][1] * b[1][j]))
-}
-
-/// A vector's image.
-pub(crate) fn applied([[a, b], [c, d]]: [[f64; 2]; 2], [x, y]: State) -> State {
-    [a * x + b * y, c * x + d * y]
-}
-
-/// Lengths as pictures have them: phases in radians.
-pub(crate) fn length([u, w]: State) -> f64 {
-    (TAU * u).hypot(w)
-}
-
-pub(crate) fn minus([a, b]: State, [c, d]: State) -> State {
-    [a - c, b - d]
-}
-
-pub(crate) fn cross([a, b]: State, [c, d]: State) -> f64 {
-    a * d - b * c
 }

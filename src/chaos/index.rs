@@ -5,7 +5,8 @@
 use std::f64::consts::TAU;
 
 use super::quad::State;
-use super::seen::{Seen, apart};
+use super::seen::Seen;
+use super::vector::apart;
 
 /// An orbit with its points by phase.
 pub(super) struct Indexed<'s> {

@@ -1,6 +1,6 @@
 //! The reduced map: what it takes from the pair, and which wall its flights end on.
 
-use crate::number::Ball;
+use crate::number::{Ball, Number};
 use crate::pair::Wall;
 
 /// The pair as the reduced map sees it: every impact mirrored to the left wall, lengths in amplitudes.
@@ -10,6 +10,13 @@ pub(crate) struct Law {
     pub gap: Ball,
     /// `e`
     pub restitution: Ball,
+}
+
+impl Law {
+    /// `2 pi A/d`: the greatest speed of the box in gap widths per forcing period; `None` where the gap may be 0.
+    pub fn beta(&self) -> Option<Ball> {
+        Ball::exact(1.0).turn().checked_div(self.gap)
+    }
 }
 
 /// Which wall a flight ends on.

@@ -4,11 +4,12 @@
 //! Labels: proposes throughout.
 
 use super::entropy::entropy;
-use super::guess::{Guess, cross, length};
+use super::guess::Guess;
 use super::index::Indexed;
 use super::law::Side;
 use super::quad::State;
 use super::seen::Seen;
+use super::vector::{cross, unit};
 use super::words::{Base, Path};
 
 /// The widest gaps, which may part them.
@@ -98,7 +99,6 @@ impl Cluster {
 
 impl<'s> Window<'s> {
     pub fn new(orbit: &Indexed<'s>, guess: &Guess, (centre, along): (State, State)) -> Option<Self> {
-        let unit = |direction: State| direction.map(|x| x / length(direction));
         let (along, across) = (unit(along), unit(guess.contracting(centre, AHEAD)?));
         let mut window = Self { seen: orbit.seen, centre, along, across, near: Vec::new() };
         let reach = [0, 1].map(|i| SIGHT[0] * along[i].abs() + SIGHT[1] * across[i].abs());

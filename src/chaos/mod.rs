@@ -40,6 +40,7 @@ mod tests;
 mod trap;
 mod trials;
 mod tube;
+mod vector;
 mod windows;
 mod words;
 

@@ -2,11 +2,11 @@
 //!
 //! Labels: proposes throughout.
 
-use super::guess::{Guess, Image, applied, cross, length, minus};
+use super::guess::{Guess, Image};
 use super::law::Side;
 use super::quad::{Chord, State};
 use super::tube::{Part, Tube};
-use std::f64::consts::TAU;
+use super::vector::{applied, cross, length, minus, radians};
 
 /// How chains of boxes are made.
 #[derive(Clone, Copy, Debug)]
@@ -48,10 +48,6 @@ const MOST: usize = 1 << 18;
 struct Parts {
     segments: Vec<Vec<(Sample, Sample)>>,
     seen: usize,
-}
-
-fn radians([u, w]: State) -> State {
-    [TAU * u, w]
 }
 
 impl Making {

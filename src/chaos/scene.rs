@@ -3,14 +3,13 @@
 use super::law::Law;
 use super::quad::State;
 use crate::Error;
-use crate::exact::Exact;
 use crate::number::{Ball, Number};
 use crate::orbit::{Impact, Orbit, Place, Settings, Start};
-use crate::pair::{ImpactPair, Wall, within};
+use crate::pair::{ImpactPair, Reduced, Wall, within};
+use crate::units::{self, Phases, Units};
 
 /// What a region or a horseshoe is about.
 const WHAT: &str = "the reduced impact map";
-const RATIO: &str = "pair.gap / excitation.amplitude";
 /// Impacts of the scene's own orbit that are looked at.
 pub(super) const IMPACTS: u64 = 100;
 
@@ -22,9 +21,7 @@ impl Law {
     pub fn of(pair: &ImpactPair) -> Result<Self, Error> {
         let harmonic = pair.harmonic(WHAT)?;
         Error::require_positive("excitation.amplitude", harmonic.amplitude())?;
-        let gap = within(RATIO, pair.gap(), pair.gap().checked_div(harmonic.amplitude()))?;
-        let (gap, restitution) = (Ball::of(&gap), Ball::of(pair.restitution()));
-        Ok(Self { gap, restitution })
+        Ok(Self { gap: Ball::of(&units::ratio(pair)?), restitution: Ball::of(pair.restitution()) })
     }
 }
 
@@ -49,17 +46,13 @@ pub(super) fn visited(pair: &ImpactPair, start: &Start, impacts: u64) -> Result<
     let harmonic = pair.harmonic(WHAT)?;
     let mut found = Vec::new();
     if let Place::Wall(wall) = start.place() {
-        let turn = Exact::pi() * Exact::from(2);
-        let phase = harmonic.frequency().checked_mul(start.time()).and_then(|x| x.checked_add(harmonic.phase()));
-        let phase = within("start.time", start.time(), phase.and_then(|x| x.checked_div(&turn)))?;
-        let fastest = harmonic.amplitude().checked_mul(harmonic.frequency());
-        let speed = fastest.and_then(|fastest| start.velocity().checked_div(&fastest));
-        let speed = Ball::of(&within("start.velocity", start.velocity(), speed)?);
-        found.push(mirrored(0, *wall, Ball::of(&phase), speed));
+        let phase = within("start.time", start.time(), Phases::of(harmonic)?.at(start.time()))?;
+        let speed = start.velocity().checked_div(&Units::amplitudes(harmonic)?.velocity);
+        let speed = within("start.velocity", start.velocity(), speed)?;
+        found.push(mirrored(0, *wall, Ball::of(&phase), Ball::of(&speed)));
     }
     let settings = Settings { impacts: Some(impacts), ..Settings::default() };
-    let fastest = Ball::of(&within(RATIO, harmonic.amplitude(), harmonic.amplitude().checked_div(pair.gap()))?);
-    let fastest = fastest.turn() * fastest;
+    let fastest = Ball::of(&Reduced::exact(pair)?.beta);
     for Impact { index, wall, phase, velocity, .. } in Orbit::new(pair, start, settings)? {
         let Some(speed) = velocity.checked_div(fastest) else { break };
         found.push(mirrored(index, wall, phase, speed));

@@ -2,10 +2,9 @@
 //!
 //! Labels: proposes throughout.
 
-use std::f64::consts::TAU;
-
-use super::guess::{Guess, applied, length};
+use super::guess::Guess;
 use super::quad::State;
+use super::vector::{GENERIC, applied, length};
 
 /// Impacts before the orbit is looked at, and how many are.
 const TRANSIENT: usize = 2000;
@@ -23,7 +22,7 @@ pub(crate) struct Seen {
 
 /// The floating-point orbit from a state; `None` where it ends.
 pub(crate) fn seen(guess: &Guess, start: State) -> Option<Seen> {
-    let (mut state, mut direction, mut sum) = (start, [1.0 / TAU, 0.3], 0.0);
+    let (mut state, mut direction, mut sum) = (start, GENERIC, 0.0);
     let mut points = Vec::with_capacity(LOOKED_AT);
     for k in 0..TRANSIENT + LOOKED_AT {
         let growth = step(guess, &mut state, &mut direction)?;
@@ -38,16 +37,11 @@ pub(crate) fn seen(guess: &Guess, start: State) -> Option<Seen> {
 /// One impact further, with the direction that expands; by how much it does.
 pub(super) fn step(guess: &Guess, state: &mut State, direction: &mut State) -> Option<f64> {
     let image = guess.map(*state)?;
-    let [u, w] = applied(image.jacobian, *direction);
-    let growth = (TAU * u).hypot(w);
-    *direction = [u / growth, w / growth];
+    let image_of = applied(image.jacobian, *direction);
+    let growth = length(image_of);
+    *direction = image_of.map(|x| x / growth);
     *state = [image.state[0].rem_euclid(1.0), image.state[1]];
     Some(growth)
-}
-
-/// How far apart two states are, phases less whole forcing periods.
-pub(super) fn apart([u, w]: State, [v, x]: State) -> f64 {
-    length([u - v - (u - v).round(), w - x])
 }
 
 impl Seen {

@@ -7,7 +7,7 @@ use super::itinerary::word_of_both;
 use super::law::Law;
 use super::quad::State;
 use super::scene::Visited;
-use super::seen::apart;
+use super::vector::apart;
 use crate::Error;
 use crate::mapping::Word;
 use crate::number::Ball;

@@ -46,8 +46,8 @@ fn bases() -> [Base; 3] {
 /// The next impact of the flight from one state by the closed form of [`crate::contact`]: another route, certified.
 pub(super) fn truth(law: &Law, [phase, speed]: State) -> Option<(Side, [Ball; 2])> {
     let alpha = Ball::exact(1.0).checked_div(law.gap).unwrap();
-    let beta = alpha.turn() * alpha;
-    let pair = Reduced { alpha, beta, restitution: law.restitution };
+    let pair = Reduced::new(alpha, law.restitution);
+    let beta = pair.beta;
     let after = law.restitution * beta * Ball::exact(speed);
     let flight = Flight::from_wall(&pair.centre(), Wall::Left, phase, after.mid(), sin_cos(phase));
     let radii = Radii { velocity: after.rad(), ..Radii::default() };

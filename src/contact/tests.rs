@@ -2,8 +2,8 @@
 //! flights that they are about, many of them grazing a wall by as little as doubles can tell.
 
 use super::*;
+use crate::number::kernel::sin_cos;
 use crate::number::tests::{Truth, member, places, powers};
-use crate::number::{Number, kernel::sin_cos};
 use crate::pair::Reduced;
 use proptest::prelude::*;
 use proptest::strategy::ValueTree;
@@ -147,7 +147,7 @@ pub(super) fn pairs() -> impl Strategy<Value = Reduced<Ball>> {
     let radius = prop_oneof![2 => Just(0.0), 1 => powers(-17.0, -6.0)];
     (powers(-3.0, 3.0), radius).prop_map(|(alpha, radius)| {
         let alpha = Ball::new(alpha, alpha * radius);
-        Reduced { alpha, beta: alpha * alpha.turn(), restitution: Ball::exact(0.5) }
+        Reduced::new(alpha, Ball::exact(0.5))
     })
 }
 

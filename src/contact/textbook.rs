@@ -217,7 +217,7 @@ mod tests {
     impl Start {
         fn pair(&self) -> Reduced<Ball> {
             let alpha = Ball::exact(self.alpha);
-            Reduced { alpha, beta: alpha * alpha.turn(), restitution: Ball::exact(0.5) }
+            Reduced::new(alpha, Ball::exact(0.5))
         }
 
         /// All flights with phases and velocities within these radii.

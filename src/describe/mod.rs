@@ -17,7 +17,7 @@ use crate::{Error, Scene};
 pub use lines::lines;
 use orbit::Followed;
 
-/// How far the questions are examined.
+/// Limits within which the questions are examined.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Request {
     /// Maximum number of impacts that are certified at the requested digits; ten times as many in double precision.
@@ -34,7 +34,7 @@ impl Default for Request {
     }
 }
 
-/// What is proved of the motion from the start of a scene.
+/// The statements proved about the motion from the start of a scene.
 ///
 /// **Enclosure**: every statement holds for all values of the scene's data. A fate is claimed where the orbit's outcome proves it, or
 /// where one of its impacts lies in a trapping region. Lemmas Q3, D4, D5

@@ -15,7 +15,7 @@ const FACTOR: u64 = 4;
 /// In double precision N times as many impacts are followed: a motion that converges slowly costs little there.
 const IN_DOUBLES: u64 = 10;
 
-/// An orbit that was followed.
+/// An orbit, followed as far as its fate requires.
 #[derive(Debug)]
 pub(super) struct Followed {
     /// Its events and its outcome.

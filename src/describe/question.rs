@@ -1,4 +1,4 @@
-//! What a description leaves undecided, with a command that goes on, and what it did not examine.
+//! The undecided questions of a description, each with a command that continues, and the questions that were not examined.
 
 use impact_pair_document::{FateName, NotExaminedDocument, QuestionDocument};
 
@@ -20,6 +20,8 @@ impl Description {
         let question = |question: &str, command: String| QuestionDocument { question: question.to_owned(), command };
         let mut all = Vec::new();
         match fate {
+            // No command goes on: the reason is among what is not examined.
+            FateName::Undecided if self.is_endless() => {}
             FateName::Undecided => {
                 let (asked, command) = self.orbit_question(&name);
                 all.push(question(&asked, command));
@@ -47,7 +49,7 @@ impl Description {
         all
     }
 
-    /// The question that the orbit leaves undecided.
+    /// Returns the undecided question about the orbit, and a command that continues.
     fn orbit_question(&self, name: &str) -> (String, String) {
         let (impacts, more) = (self.orbit.impacts(), self.request.impacts.saturating_mul(MORE));
         if self.is_interrupted {
@@ -73,18 +75,28 @@ impl Description {
             question: question.to_owned(),
             reason: reason.to_owned(),
         };
-        match (&self.region, &self.horseshoe) {
+        let outcome = &self.orbit.document.outcome;
+        let endless = outcome.explanation().filter(|_| self.is_endless());
+        let after = format!("what happens after impact {}", self.orbit.impacts());
+        let endless = endless.map(|why| not_examined(&after, &format!("{why}, with any number of impacts or digits")));
+        let others = match (&self.region, &self.horseshoe) {
             (Region::NotExamined(why), _) => vec![not_examined("a trapping region and a horseshoe", why)],
             (Region::Unproved(why), _) => {
                 vec![not_examined("a horseshoe", &format!("no trapping region is proved: {why}"))]
             }
             (Region::Proved(_), Horseshoe::NotExamined(why)) => vec![not_examined("a horseshoe", why)],
             (Region::Proved(_), Horseshoe::Searched(_)) => Vec::new(),
-        }
+        };
+        endless.into_iter().chain(others).collect()
+    }
+
+    /// Whether the orbit ends at a flight of which neither more impacts nor more bits find the end.
+    fn is_endless(&self) -> bool {
+        !self.is_interrupted && self.orbit.decides().is_none() && self.orbit.document.outcome.is_endless()
     }
 }
 
-/// The name of a file as a shell reads it.
+/// Returns the name of a file, quoted for a shell.
 fn quoted(name: &str) -> String {
     let is_plain = |c: char| c.is_alphanumeric() || "/._-+=:,@".contains(c);
     if !name.is_empty() && name.chars().all(is_plain) {

@@ -118,7 +118,14 @@ fn without_an_excitation_region_and_horseshoe_are_not_examined() {
     let still = "time = 0, wall = \"left\", velocity = -1";
     let document = described(&scene("amplitude = 0, frequency = 1, phase = 0", "gap = 9, restitution = 0.5", still));
     assert_eq!(document.fate.kind, FateName::Undecided);
-    assert!(document.not_examined[0].question.contains("region"), "{:?}", document.not_examined);
+    let [orbit, region] = &document.not_examined[..] else { panic!("{:?}", document.not_examined) };
+    assert!(region.question.contains("region"), "{region:?}");
+    // Each flight takes twice as long as the one before: no number of impacts, and no precision, ends that.
+    assert!(
+        orbit.question.starts_with("what happens after impact 5") && orbit.reason.contains("too long"),
+        "{orbit:?}"
+    );
+    assert!(document.undecided.is_empty(), "{:?}", document.undecided);
 }
 
 #[test]

@@ -5,12 +5,13 @@ use impact_pair_document::{
     PeriodicOrbitDocument, SceneDocument, UnprovedDocument, bounds,
 };
 
-use super::periodic::{Units, periodic_orbit};
+use super::periodic::periodic_orbit;
 use crate::Error;
 use crate::mapping::Word;
 use crate::orbit::Start;
 use crate::periodic::bifurcation::{Branch, Diagram, End, Point, Unproved};
 use crate::scene::Range;
+use crate::units::Units;
 
 /// Bifurcations of a word's orbits over a parameter; its own value in the pair, and `start`, only name the scene.
 ///
@@ -40,7 +41,7 @@ pub fn bifurcations(
 
 fn point(point: &Point, diagram: &Diagram) -> Result<BifurcationPointDocument, Error> {
     let (parameter, pair) = diagram.in_units(point)?;
-    let units = Units::new(&pair)?;
+    let units = Units::gaps(&pair)?;
     let orbit = match &point.orbit {
         Some(orbit) => periodic_orbit(&units.measured(orbit)),
         // Where an impact is the graze the Jacobian has no bound.

@@ -17,31 +17,24 @@ use crate::chaos::{
     Asymptotics, Base, Cells, Chaos, Chord, Horseshoe, Hyperbolic, LeftOut, RangeSettings, Stretch, Trap, Verdict,
     WallWords,
 };
-use crate::exact::{Enclosure, Exact, decimal_bounds_f64, decimal_f64};
+use crate::exact::{Enclosure, decimal_bounds_f64, decimal_f64};
 use crate::mapping::Word;
-use crate::pair::{Wall, within};
+use crate::pair::Wall;
 use crate::scene::Range;
+use crate::units::{self, Units};
 use crate::{Error, Scene};
 
 /// Bits that bounds are given in.
 const BITS: u32 = 96;
-
-/// What the bounds of a region are given in: the period \[time\] and the greatest speed of the box \[length/time\].
-fn units(scene: &Scene) -> Result<[Enclosure; 2], Error> {
-    let reference = scene.pair().excitation().reference();
-    let (amplitude, frequency) = (reference.amplitude(), reference.frequency());
-    let turn = Exact::pi() * Exact::from(2);
-    let period = within("excitation.frequency", frequency, turn.checked_div(frequency))?;
-    let speed = within("excitation.frequency", frequency, amplitude.checked_mul(frequency))?;
-    Ok([period, speed].map(|unit| unit.enclose(BITS)))
-}
 
 /// Returns a region of a scene.
 ///
 /// # Errors
 /// If a value exceeds the range of exact expressions.
 pub fn trap(scene: &Scene, trap: &Trap) -> Result<TrapDocument, Error> {
-    let [period, fastest] = units(scene)?;
+    let reference = scene.pair().excitation().reference();
+    let (period, fastest) = (units::period(reference)?, Units::amplitudes(reference)?.velocity);
+    let [period, fastest] = [period, fastest].map(|unit| unit.enclose(BITS));
     let bounds_text = |[low, high]: [f64; 2]| Enclosure::from_f64_bounds(low, high).expect("finite bounds in order");
     let (flight, speed) = (bounds_text(trap.flight()), bounds_text(trap.speed()));
     let (columns, rows) = trap.grid();

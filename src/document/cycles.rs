@@ -4,9 +4,9 @@ use std::ops::RangeInclusive;
 
 use impact_pair_document::{CYCLES_SCHEMA, CycleDocument, CyclesDocument, OpenCycleDocument, PROGRAM, SceneDocument};
 
-use super::Units;
 use crate::chaos::{Cycle, Cycles, NoTrap};
 use crate::periodic::Region;
+use crate::units::Units;
 use crate::{Error, Scene};
 
 /// Returns the cycles document of a scene, or the reason why no region is proved.
@@ -18,7 +18,7 @@ pub fn cycles(
     asked: &RangeInclusive<u32>,
     found: Result<&Cycles, NoTrap>,
 ) -> Result<CyclesDocument, Error> {
-    let units = Units::new(scene.pair())?;
+    let units = Units::gaps(scene.pair())?;
     let cycle = |cycle: &Cycle| CycleDocument {
         reduced_impacts: cycle.impacts as u32,
         word: cycle.problem.word().to_string(),

@@ -5,10 +5,10 @@ use impact_pair_document::{
     PeriodicOrbitDocument, ProvedHorseshoeDocument, SceneDocument, bounds,
 };
 
-use super::Units;
 use super::chaos::{base, entropy};
 use crate::chaos::{Basin, Class, Global, GlobalSettings, Horseshoe, Kind, Recurrence, spectral_radius};
 use crate::exact::{Enclosure, decimal_f64};
+use crate::units::Units;
 use crate::{Error, Scene};
 
 /// Areas are written in these parts of the state space.
@@ -56,7 +56,7 @@ fn basins(boxes: u32, found: &Global) -> Option<BasinsDocument> {
 fn component(found: &Recurrence, settings: &GlobalSettings) -> Result<ComponentDocument, Error> {
     let limit = found.kind.limit();
     let orbit =
-        limit.map(|limit| Ok(Units::new(limit.problem.pair())?.orbit(&limit.problem, &limit.orbit))).transpose()?;
+        limit.map(|limit| Ok(Units::gaps(limit.problem.pair())?.orbit(&limit.problem, &limit.orbit))).transpose()?;
     let (cycles, alternates) = match found.kind {
         Kind::RestCycle(rest) => (rest.map(|rest| rest.cycles), rest.map(|rest| rest.alternates)),
         _ => (limit.map(|limit| limit.problem.chain().cycles()), None),

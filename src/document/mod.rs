@@ -24,7 +24,6 @@ pub use event::{Bounds, Event, Events};
 pub use global::global;
 pub use impact_pair_model::EventKind;
 pub use orbit::{arithmetic, follow, head, is_certified, orbit};
-pub use periodic::Units;
 pub use tangency::{at_least, tangency};
 pub use two_impact::{manifolds, two_impact, word};
 pub use windows::windows;

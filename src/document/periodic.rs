@@ -7,41 +7,15 @@ use impact_pair_document::{
 
 use crate::exact::{Enclosure, Exact};
 use crate::orbit::Start;
-use crate::pair::{ImpactPair, within};
 use crate::periodic::{
     Census, Eigenvalue, MeasuredImpact, MeasuredOrbit, PeriodicImpact, PeriodicOrbit, Problem, Region,
 };
-use crate::{Error, turns};
+use crate::turns;
+use crate::units::{Units, in_radians};
 
-/// The units that periodic orbits are given in: those of a pair.
-#[derive(Clone, Debug)]
-pub struct Units {
-    /// `W d / (2 pi)`
-    speed: Exact,
-}
-
-impl Units {
-    /// Returns the units of `pair`.
-    ///
-    /// # Errors
-    /// If `W d` exceeds the range of exact expressions.
-    pub fn new(pair: &ImpactPair) -> Result<Self, Error> {
-        let turn = Exact::pi() * Exact::from(2);
-        let speed = pair
-            .excitation()
-            .reference()
-            .frequency()
-            .checked_mul(pair.gap())
-            .and_then(|speed| speed.checked_div(&turn));
-        Ok(Self { speed: within("pair.gap", pair.gap(), speed)? })
-    }
-
-    /// Returns a velocity \[length/time\] given in gap widths per forcing period.
-    pub fn velocity(&self, velocity: &Enclosure, bits: u32) -> Enclosure {
-        velocity.mul(&self.speed.enclose(bits + 64), bits + 64)
-    }
-
-    /// Returns an orbit in these units.
+/// Periodic orbits, found in gaps and gap widths per forcing period, in the units of the scene.
+impl Units<Exact> {
+    /// Returns an orbit.
     pub fn measured(&self, orbit: &PeriodicOrbit) -> MeasuredOrbit {
         measured(orbit, |velocity| self.velocity(velocity, orbit.bits))
     }
@@ -114,7 +88,7 @@ fn measured_impact(
 ) -> MeasuredImpact {
     MeasuredImpact {
         wall: impact.wall,
-        phase: turns::in_radians(&impact.phase, bits),
+        phase: in_radians(&impact.phase, bits),
         turn: turns::in_period(&impact.phase, period),
         velocity: velocity(&impact.velocity),
     }

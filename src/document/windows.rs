@@ -4,9 +4,9 @@ use impact_pair_document::{
     OpenWindowDocument, PROGRAM, ParameterRange, SceneDocument, WINDOWS_SCHEMA, WindowDocument, WindowsDocument, bounds,
 };
 
-use super::Units;
 use crate::chaos::{FoundWindow, UnprovedWindow, WindowSettings, Windows};
 use crate::periodic::bifurcation::WindowEnd;
+use crate::units::Units;
 use crate::{Error, Scene};
 
 /// Returns the document of the windows near a scene.
@@ -31,7 +31,7 @@ pub fn windows(scene: &Scene, settings: &WindowSettings, found: &Windows) -> Res
             flights: flights.clone(),
             word: problem.word().to_string(),
             cycles: problem.chain().cycles(),
-            orbit: Units::new(problem.pair())?.orbit(problem, &window.orbit),
+            orbit: Units::gaps(problem.pair())?.orbit(problem, &window.orbit),
         })
     };
     let open = |UnprovedWindow { impacts, flights, near, reason }: &UnprovedWindow| OpenWindowDocument {

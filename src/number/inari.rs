@@ -258,7 +258,7 @@ mod tests {
         ) {
             let chain = Chain::new(&"RRLL".parse().unwrap(), 2).unwrap();
             let phases = [first, first + steps[0], first + steps[0] + steps[1], first + steps.iter().sum::<f64>()];
-            let balls = Reduced { alpha: Ball::exact(alpha), beta: Ball::exact(alpha).turn() * Ball::exact(alpha), restitution: Ball::exact(e) };
+            let balls = Reduced::new(Ball::exact(alpha), Ball::exact(e));
             let intervals = Reduced { alpha: between(alpha, alpha), beta: Interval::TAU * between(alpha, alpha), restitution: between(e, e) };
             let middle = balls.centre();
             let in_balls = chain.legs(&balls, &phases.map(|phase| Ball::new(phase, width))).unwrap();

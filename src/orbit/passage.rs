@@ -7,7 +7,7 @@ use crate::exact::Enclosure;
 use crate::mapping::Sheared;
 use crate::number::{Ball, Enclosing};
 use crate::shaken::State;
-use crate::turns::in_radians;
+use crate::units::in_radians;
 
 /// Bits beyond those of a number of forcing periods and of what is shown.
 const SPARE_BITS: u32 = 64;

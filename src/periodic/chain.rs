@@ -299,7 +299,7 @@ mod tests {
     use proptest::prelude::*;
 
     fn pair(alpha: f64, restitution: f64) -> Reduced<f64> {
-        Reduced { alpha, beta: std::f64::consts::TAU * alpha, restitution }
+        Reduced::new(alpha, restitution)
     }
 
     fn misses(chain: &Chain, pair: &Reduced<f64>, phases: &[f64]) -> Vec<f64> {

@@ -1,4 +1,4 @@
-//! Where orbits may be: from floating-point motions that nearly close, and from phases spread evenly. Non-rigorous.
+//! Guesses of orbits: floating-point motions that nearly close, and phases spread evenly. Non-rigorous.
 
 // Labels: proposes throughout.
 

@@ -23,7 +23,7 @@ pub struct Proved<N> {
     pub domain: Vec<N>,
 }
 
-/// How far a proof goes. Nothing that is proved rests on it.
+/// Limits of a proof. Nothing that is proved rests on them.
 #[derive(Clone, Copy, Debug)]
 pub struct Effort {
     /// The radius of the largest domain that is tried.

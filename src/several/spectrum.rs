@@ -10,6 +10,7 @@ use crate::Error;
 use crate::exact::{Exact, ExactError};
 use crate::excitation::Harmonic;
 use crate::pair::{ImpactPair, Reduced, within};
+use crate::units::{Phases, in_gaps, turn};
 
 /// The harmonics of a pair, time in turns of the fastest and length in gaps.
 ///
@@ -44,7 +45,7 @@ impl Spectrum {
             return Ok(None);
         }
         let fastest = excitation.reference();
-        let turn = Exact::pi() * Exact::from(2);
+        let own = Phases::of(fastest)?.shift;
         let mut common = Some(BigInt::one());
         let mut terms = Vec::new();
         for harmonic in excitation.harmonics() {
@@ -57,14 +58,13 @@ impl Spectrum {
                     within("excitation.frequency", frequency, frequency.checked_div(fastest.frequency()))?
                 }
             };
+            let phases = Phases::of(harmonic)?;
             let shift = || -> Result<Exact, ExactError> {
-                let own = harmonic.phase().checked_div(&turn)?;
-                let before = fastest.phase().checked_div(&turn)?.checked_sub(&Exact::from(origin.clone()))?;
-                whole_turns_off(own.checked_sub(&ratio.checked_mul(&before)?)?)
+                let before = own.checked_sub(&Exact::from(origin.clone()))?;
+                whole_turns_off(phases.shift.checked_sub(&ratio.checked_mul(&before)?)?)
             };
             let shift = within("excitation.phase", harmonic.phase(), shift())?;
-            let alpha =
-                within("excitation.amplitude", harmonic.amplitude(), harmonic.amplitude().checked_div(pair.gap()))?;
+            let alpha = in_gaps("excitation.amplitude", harmonic.amplitude(), pair)?;
             terms.push(Term { alpha, ratio, shift });
         }
         let period = common.and_then(|common| common.to_u64());
@@ -96,10 +96,9 @@ impl Spectrum {
         let sum = |of: &dyn Fn(&Term) -> Result<Exact, ExactError>| {
             self.terms.iter().try_fold(zero.clone(), |sum, term| sum.checked_add(&of(term)?))
         };
-        let turn = Exact::pi() * Exact::from(2);
         Ok(Reduced {
             alpha: sum(&|term| Ok(term.alpha.clone()))?,
-            beta: sum(&|term| term.alpha.checked_mul(&term.ratio)?.checked_mul(&turn))?,
+            beta: sum(&|term| term.alpha.checked_mul(&term.ratio)?.checked_mul(&turn()))?,
             restitution: self.restitution.clone(),
         })
     }
@@ -109,10 +108,10 @@ impl Spectrum {
 ///
 /// # Errors
 /// When one is beyond what exact expressions hold.
-pub(crate) fn phases_at(pair: &ImpactPair, time: &Exact) -> Result<Vec<Exact>, ExactError> {
-    let turn = Exact::pi() * Exact::from(2);
+pub(crate) fn phases_at(pair: &ImpactPair, time: &Exact) -> Result<Vec<Exact>, Error> {
     let phase = |harmonic: &Harmonic| {
-        whole_turns_off(harmonic.frequency().checked_mul(time)?.checked_add(harmonic.phase())?.checked_div(&turn)?)
+        let phase = Phases::of(harmonic)?.at(time);
+        within("start.time", time, phase.and_then(whole_turns_off))
     };
     pair.excitation().harmonics().iter().map(phase).collect()
 }

@@ -27,7 +27,7 @@ use crate::exact::{Enclosure, Exact};
 use crate::flight::Launch;
 use crate::mapping::Sheared;
 use crate::number::Ball;
-use crate::pair::{ImpactPair, Reduced, Wall, rebound_of, within};
+use crate::pair::{ImpactPair, Reduced, Wall, rebound_of};
 use crate::several::{Phased, Turning, phases_at};
 pub(crate) use clear::{Since, clear};
 pub(crate) use one::OneHarmonic;
@@ -159,7 +159,7 @@ impl Either {
     pub fn origin(&self, pair: &ImpactPair, start: &Start, clock: &Clock) -> Result<Origin<Exact>, Error> {
         Origin::new(pair, start, clock, |start| match self {
             Self::One(_) => Ok(Vec::new()),
-            Self::Several(_) => within("start.time", start.time(), phases_at(pair, start.time())),
+            Self::Several(_) => phases_at(pair, start.time()),
         })
     }
 }

@@ -13,6 +13,7 @@ use crate::impact::Touch;
 use crate::number::{Ball, Enclosing};
 use crate::pair::{ImpactPair, Wall, rebound, within};
 use crate::several::Zero;
+use crate::units::in_gaps;
 
 /// A state of a motion, in forcing periods and gaps; the phase is in `[-1/2, 1/2]` (about).
 #[derive(Clone, Debug)]
@@ -144,8 +145,8 @@ impl Origin<Exact> {
             Place::Wall(wall) => Location::Wall(*wall),
             Place::Inside(position) => {
                 let half = Exact::from(1).checked_div(&Exact::from(2));
-                let ratio = position.checked_div(pair.gap());
-                let height = ratio.and_then(|ratio| ratio.checked_add(&half?));
+                let ratio = in_gaps("start.position", position, pair)?;
+                let height = half.and_then(|half| ratio.checked_add(&half));
                 Location::Inside(within("start.position", position, height)?)
             }
         };

@@ -130,8 +130,7 @@ impl Grid {
         let (phases, others): (Vec<_>, Vec<_>) = values.iter().cloned().partition(|(key, _)| *key == Key::StartPhase);
         let varied = scene.with(&others)?;
         let (Some(term), [(_, phase)]) = (reference, &phases[..]) else { return scene.with(values) };
-        let term = &varied.pair().excitation().terms()[term];
-        let time = phase.checked_sub(term.phase()).and_then(|since| since.checked_div(term.frequency()));
+        let time = varied.pair().excitation().terms()[term].time_at(phase);
         let time = time.map_err(|error| refused(&format!("start.phase={phase}"), &error.to_string()).because(error))?;
         varied.with(&[(Key::StartTime, time)])
     }

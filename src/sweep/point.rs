@@ -12,7 +12,7 @@ use crate::orbit::{Arithmetic, Impact, Orbit, Outcome, Progress, Settings, Shado
 use crate::pair::Wall;
 use crate::periodic::{Attractor, PeriodicImpact};
 use crate::scene::Scene;
-use crate::turns::in_radians;
+use crate::units::in_radians;
 use crate::watch::Watch;
 
 use super::unit::{Lasting, Unit};

@@ -13,7 +13,7 @@ use crate::exact::{Enclosure, Exact};
 use crate::number::Ball;
 use crate::orbit::{Impact, Orbit};
 use crate::pair::{ImpactPair, ball, within};
-use crate::turns::in_radians;
+use crate::units::{self, Phases, in_radians};
 
 /// Bits of a time that is shown.
 const BITS: u32 = 160;
@@ -56,8 +56,7 @@ impl Unit {
     pub fn of(pair: &ImpactPair, reference: Option<usize>) -> Result<Self, Error> {
         let excitation = pair.excitation();
         let own = excitation.reference();
-        let turn = Exact::pi() * Exact::from(2);
-        let period = within(KEY, own.frequency(), turn.checked_div(own.frequency()))?;
+        let period = units::period(own)?;
         let term = reference.filter(|term| *term != excitation.reference_term());
         let Some(term) = term.and_then(|term| excitation.terms().get(term)) else {
             return Ok(Self { period, other: None });
@@ -67,8 +66,7 @@ impl Unit {
             Some(fraction) => Exact::from_rational(fraction.clone()),
             None => within(KEY, term.frequency(), term.frequency().checked_div(own.frequency()))?,
         };
-        let delay = |of: &Exact| within("excitation.phase", of, of.checked_div(&turn));
-        let delays = [delay(own.phase())?, delay(term.phase())?];
+        let delays = [Phases::of(own)?.shift, Phases::of(term)?.shift];
         let fractions = excitation.harmonics().iter().map(|other| other.frequency().fraction_of(own.frequency()));
         let common = fractions
             .map(|fraction| Some(fraction?.denom().clone()))

@@ -32,6 +32,7 @@ use crate::exact::{Enclosure, Exact};
 use crate::pair::{ImpactPair, within};
 use crate::periodic::Precision;
 use crate::scene::{Key, Range};
+use crate::units::ratio;
 use crate::watch::{Latched, Stage, Watch};
 use crate::{Error, Scene};
 use beside::Sides;
@@ -316,7 +317,7 @@ impl<'s> Search<'s> {
         }
         let other = match parameter {
             Parameter::Gap => pair.restitution().clone(),
-            Parameter::Restitution => within("pair.gap", pair.gap(), pair.gap().checked_div(amplitude))?,
+            Parameter::Restitution => ratio(pair)?,
         };
         let of = |pair: &ImpactPair| -> Result<Pair<f64>, Error> {
             let law = Law::of(pair)?;

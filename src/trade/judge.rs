@@ -11,7 +11,7 @@ use super::ladder::Rung;
 use crate::exact::{Dyadic, Enclosure};
 use crate::orbit::{Arithmetic, Impact, MULTIPRECISION, Orbit, Progress, Rest, Settings};
 use crate::pair::Wall;
-use crate::scales::{Size, Unit, Units};
+use crate::scales::{Scales, Size, Unit};
 use crate::watch::Watch;
 use crate::{Error, Scene};
 
@@ -41,7 +41,7 @@ impl Reading {
 #[derive(Clone, Debug)]
 pub struct Judgement {
     /// Units of the errors.
-    pub units: Units,
+    pub units: Scales<Unit>,
     /// Number of impacts compared, on the true word.
     pub judged: u64,
     /// The largest error of a time.
@@ -99,7 +99,7 @@ pub struct Divergence {
 }
 
 impl Judgement {
-    fn new(units: Units) -> Self {
+    fn new(units: Scales<Unit>) -> Self {
         let crossing = |exponent| Crossing { exponent, within: 0, exceeded: None };
         Self {
             units,
@@ -120,7 +120,7 @@ impl Judgement {
             return ControlFlow::Break(());
         };
         self.judged = index;
-        let error = distance(&reading.time, &truth.time, &self.units.time);
+        let error = distance(&reading.time, &truth.time, &self.units.period);
         self.time.note(index, error);
         self.velocity.note(index, distance(&reading.velocity, &truth.velocity, &self.units.velocity));
         for crossing in &mut self.crossings {
@@ -179,7 +179,7 @@ fn next(orbit: &mut Orbit) -> Next {
 pub(super) fn judge_float(
     scene: &Scene,
     asked: &Settings,
-    units: &Units,
+    units: &Scales<Unit>,
     watch: &dyn Watch,
 ) -> Result<Judgement, Error> {
     let mut truth = Orbit::of(scene, self::truth(asked))?;
@@ -205,7 +205,7 @@ mod tests {
                          start = { time = 0, wall = \"left\", velocity = -12.56636 }";
 
     /// Floats and truths of the first impacts of figure 14.
-    fn readings(impacts: u64) -> (Units, Vec<Reading>, Vec<Reading>) {
+    fn readings(impacts: u64) -> (Scales<Unit>, Vec<Reading>, Vec<Reading>) {
         let scene = Scene::parse(SCENE).unwrap();
         let asked = Settings { impacts: Some(impacts), ..scene.settings() };
         let read = |settings: Settings| {
@@ -213,10 +213,10 @@ mod tests {
             let impacts: Vec<_> = orbit.by_ref().collect();
             impacts.iter().map(|impact| Reading::new(&orbit, impact)).collect()
         };
-        (Units::of(&scene), read(Rung::Float.settings(&asked)), read(truth(&asked)))
+        (Scales::of(&scene).unwrap().units(), read(Rung::Float.settings(&asked)), read(truth(&asked)))
     }
 
-    fn judge(units: Units, floats: &[Reading], truths: &[Reading]) -> Judgement {
+    fn judge(units: Scales<Unit>, floats: &[Reading], truths: &[Reading]) -> Judgement {
         let mut judgement = Judgement::new(units);
         let _ = truths.iter().enumerate().try_for_each(|(i, truth)| judgement.compare(truth, floats.get(i)));
         judgement
@@ -243,7 +243,8 @@ mod tests {
         let path = format!("{}/scenes/chatter.toml", env!("CARGO_MANIFEST_DIR"));
         let scene = Scene::parse(&std::fs::read_to_string(path).unwrap()).unwrap();
         let asked = Settings { impacts: Some(60), ..scene.settings() };
-        let judgement = judge_float(&scene, &asked, &Units::of(&scene), &crate::watch::Unwatched).unwrap();
+        let judgement =
+            judge_float(&scene, &asked, &Scales::of(&scene).unwrap().units(), &crate::watch::Unwatched).unwrap();
         assert!((6..60).contains(&judgement.judged) && judgement.departure.is_none(), "{judgement:?}");
         assert!(judgement.crossings.iter().all(|crossing| crossing.exceeded.is_none()));
     }

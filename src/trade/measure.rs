@@ -9,7 +9,7 @@ use impact_pair_document::ArithmeticDocument;
 use super::ladder::Rung;
 use crate::document::{Conclusion, Event, arithmetic, is_certified};
 use crate::orbit::{Impact, Orbit, Settings};
-use crate::scales::{Size, Units};
+use crate::scales::{Scales, Size, Unit};
 use crate::watch::{Silent, Watch};
 use crate::{Error, Scene};
 
@@ -60,7 +60,7 @@ impl Measured {
     }
 }
 
-/// Guaranteed widths, in the units of [`Units`].
+/// Guaranteed widths, in the units of [`Scales`].
 #[derive(Clone, Copy, Debug)]
 pub struct Widths {
     /// Of times.
@@ -102,7 +102,7 @@ pub(super) fn measure(
     scene: &Scene,
     rung: Rung,
     asked: &Settings,
-    units: &Units,
+    units: &Scales<Unit>,
     watch: &dyn Watch,
 ) -> Result<Option<Measured>, Error> {
     let settings = rung.settings(asked);
@@ -136,7 +136,7 @@ struct Seen {
 }
 
 /// The first run: looks at each impact, and at the clock.
-fn observe(orbit: &mut Orbit, units: &Units, watch: &dyn Watch) -> Seen {
+fn observe(orbit: &mut Orbit, units: &Scales<Unit>, watch: &dyn Watch) -> Seen {
     let mut widths = Widths { time: Extent::NONE, velocity: Extent::NONE };
     let mut last = None;
     let (mut in_orbit, mut in_bounds) = (Duration::ZERO, Duration::ZERO);
@@ -147,7 +147,7 @@ fn observe(orbit: &mut Orbit, units: &Units, watch: &dyn Watch) -> Seen {
         let bounded = Instant::now();
         in_orbit += computed - since;
         in_bounds += bounded - computed;
-        widths.time.note(units.time.above(&time.wid()));
+        widths.time.note(units.period.above(&time.wid()));
         widths.velocity.note(units.velocity.above(&velocity.wid()));
         last = Some(impact);
         since = Instant::now();
@@ -220,7 +220,7 @@ mod tests {
                      pair = { gap = \"3*pi\", restitution = 0.5 }\n\
                      start = { time = 0, wall = \"left\", velocity = \"-4*pi\" }";
         let scene = Scene::parse(scene).unwrap();
-        let (asked, units) = (Settings { impacts: Some(5), ..scene.settings() }, Units::of(&scene));
+        let (asked, units) = (Settings { impacts: Some(5), ..scene.settings() }, Scales::of(&scene).unwrap().units());
         let of = |rung| measure(&scene, rung, &asked, &units, &Unwatched).unwrap().unwrap();
         let float = of(Rung::Float);
         assert!((float.impacts, float.is_complete(), float.is_certified) == (5, true, false));

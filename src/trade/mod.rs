@@ -11,7 +11,7 @@ pub use measure::{Extent, Measured, Times, Widths};
 
 use crate::document::counted;
 use crate::orbit::Settings;
-use crate::scales::Units;
+use crate::scales::{Scales, Unit};
 use crate::watch::{Stage, Watch};
 use crate::{Error, Scene};
 use ladder::Ladder;
@@ -25,7 +25,7 @@ pub struct Trade<'s> {
     /// The requested length of the orbit for each arithmetic.
     pub asked: Settings,
     /// Units of widths and errors.
-    pub units: Units,
+    pub units: Scales<Unit>,
     /// The measured arithmetics, in order.
     pub rungs: Vec<Measured>,
     /// The true errors of `float`.
@@ -40,7 +40,7 @@ impl<'s> Trade<'s> {
     /// # Errors
     /// If the scene's values exceed the range of orbits.
     pub fn of(scene: &'s Scene, asked: Settings, watch: &dyn Watch) -> Result<Self, Error> {
-        let units = Units::of(scene);
+        let units = Scales::of(scene)?.units();
         let one_harmonic = scene.pair().excitation().only().is_some();
         let mut ladder = Ladder::new(asked.max_bits, one_harmonic && cfg!(feature = "inari"));
         let mut trade = Self { scene, asked, units, rungs: Vec::new(), judgement: None, interrupted: None };

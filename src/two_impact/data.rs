@@ -4,7 +4,7 @@ use std::cmp::Ordering;
 
 use crate::Error;
 use crate::exact::{Exact, ExactError};
-use crate::pair::{ImpactPair, within};
+use crate::pair::ImpactPair;
 
 use super::closed_forms;
 use super::elastic;
@@ -12,6 +12,7 @@ use super::equispaced::{self, Orders, Solutions};
 use super::motion::{Motion, Parameters};
 use super::unequispaced::Spacing;
 use crate::exact::Real;
+use crate::units::ratio;
 
 /// A pair and a number of cycles.
 #[derive(Clone, Debug)]
@@ -33,8 +34,6 @@ impl Found {
     }
 }
 
-const RATIO: &str = "pair.gap / excitation.amplitude";
-
 impl Data {
     /// # Errors
     /// When e is neither 1 nor proved to be below 1, or `d/A` beyond the range of exact expressions.
@@ -47,7 +46,7 @@ impl Data {
         };
         let data = Self { pair: pair.clone(), cycles, is_elastic };
         if pair.excitation().reference().amplitude().sign() == Some(Ordering::Greater) {
-            within(RATIO, pair.gap(), data.ratio())?;
+            ratio(pair)?;
         }
         Ok(data)
     }
@@ -70,11 +69,6 @@ impl Data {
 
     fn is_odd(&self) -> bool {
         self.cycles % 2 == 1
-    }
-
-    /// `g = d/A`
-    fn ratio(&self) -> Result<Exact, ExactError> {
-        self.pair.gap().checked_div(self.pair.excitation().reference().amplitude())
     }
 
     /// `N pi (1 + e)`
@@ -101,7 +95,7 @@ impl Data {
 
     /// Returns all motions for `A` and `d`.
     pub fn motions(&self, bits: u32) -> Found {
-        let exact = self.ratio().expect("proved to exist by `new`");
+        let exact = ratio(&self.pair).expect("proved to exist by `new`");
         let parameters = self.parameters(Real::of(&exact, bits));
         let orders = self.orders(&exact);
         let (mut motions, mut doubts) = match (self.is_elastic, self.is_odd()) {

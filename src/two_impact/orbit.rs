@@ -5,6 +5,7 @@ use std::cmp::Ordering;
 use crate::exact::{Enclosure, Real};
 use crate::pair::Wall;
 use crate::periodic::{Eigenvalue, MeasuredImpact, MeasuredOrbit};
+use crate::units::Units;
 
 use super::motion::Motion;
 use super::stability::Spectrum;
@@ -24,22 +25,11 @@ pub struct Orbit {
     pub sine: Option<Ordering>,
 }
 
-/// What a motion is measured in.
-pub(super) struct Units {
-    /// `A`
-    pub amplitude: Real,
-    /// `W`
-    pub frequency: Real,
-    /// The bits that bounds are rounded to, outward.
-    pub shown: u32,
-}
-
 impl Orbit {
-    /// `None` if the speed may be 0.
-    pub(super) fn of(motion: &Motion, units: &Units, unique: bool) -> Option<Self> {
+    /// The orbit of a motion in amplitudes and `A W`, its bounds rounded outward to N bits; `None` if the speed may be 0.
+    pub(super) fn of(motion: &Motion, units: &Units<Real>, shown: u32, unique: bool) -> Option<Self> {
         let Spectrum { trace, determinant, eigenvalues, stability } = Spectrum::of(motion)?;
-        let Units { amplitude, frequency, shown } = units;
-        let velocity = &motion.speed * amplitude * frequency;
+        let velocity = &motion.speed * &units.velocity;
         // Digits count from the unit, not from a greater number's first digit.
         let of = |x: &Real| {
             let beyond = x.enclosure().mag().top().map_or(0, |top| top.clamp(0, 4096) as u32); // shown
@@ -68,8 +58,8 @@ impl Orbit {
         Some(Self {
             measured,
             spacing: of(&motion.spacing),
-            amplitude: of(amplitude),
-            gap: of(&(&motion.parameters.ratio * amplitude)),
+            amplitude: of(&units.length),
+            gap: of(&(&motion.parameters.ratio * &units.length)),
             sine: motion.left.0.sign(),
         })
     }

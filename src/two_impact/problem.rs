@@ -9,11 +9,12 @@ use num_rational::BigRational;
 use crate::Error;
 use crate::exact::{Dyadic, Enclosure, Exact, whole_bits, working_bits};
 use crate::pair::{ImpactPair, Wall, within};
+use crate::units::Units;
 
 use super::closed_forms::{drift, slope};
 use super::data::{Data, Found};
 use super::motion::{Motion, Parameters};
-use super::orbit::{Orbit, Units};
+use super::orbit::Orbit;
 use super::unequispaced::Spacing;
 use crate::exact::Real;
 use crate::periodic::{MeasuredOrbit, Stability};
@@ -167,8 +168,8 @@ impl Problem {
         let mut orbits = Vec::new();
         for (motion, amplitude) in &motions {
             let is_unique = is_unique(motion, motions.iter().map(|(motion, _)| motion), &doubts, (is_searched, shown));
-            let units = Units { amplitude: amplitude.clone(), frequency: frequency.clone(), shown };
-            match Orbit::of(motion, &units, is_unique) {
+            let units = Units { length: amplitude.clone(), velocity: amplitude * &frequency };
+            match Orbit::of(motion, &units, shown, is_unique) {
                 Some(orbit) => orbits.push(orbit),
                 None => doubts.push(motion.spacing.clone()),
             }

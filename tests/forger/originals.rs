@@ -4,13 +4,14 @@ use std::fs;
 
 use impact_pair::Scene;
 use impact_pair::chaos::{Chaos, Cycles, HorseshoeSettings};
-use impact_pair::document::{self, Units};
+use impact_pair::document;
 use impact_pair::exact::Exact;
 use impact_pair::json::BaseDocument;
 use impact_pair::orbit::{Arithmetic, Settings};
 use impact_pair::periodic::bifurcation::{DiagramSettings, survey};
 use impact_pair::periodic::{Budget, Precision, Problem};
 use impact_pair::sweep::{self, Grid, PointSettings};
+use impact_pair::units::Units;
 use impact_pair::watch::Unwatched;
 use serde_json::{Value, json};
 
@@ -128,7 +129,7 @@ fn every_orbit() -> Original {
     let scene = scene("amplitude = 2, frequency = \"pi\", phase = 0", "9.42497", "0.5");
     let problem = Problem::new(scene.pair(), &"P1 P2".parse().unwrap(), 1).unwrap();
     let census = problem.find_all(scene.start(), Precision::default(), Budget::default());
-    let document = json!(Units::new(scene.pair()).unwrap().document(&problem, scene.start(), &census));
+    let document = json!(Units::gaps(scene.pair()).unwrap().document(&problem, scene.start(), &census));
     assert_eq!(document["exhaustive"], true);
     Original::new("periodic", "every orbit", document)
 }

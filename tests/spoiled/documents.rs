@@ -2,12 +2,13 @@
 
 use impact_pair::ImpactPair;
 use impact_pair::Scene;
-use impact_pair::document::{self, Units};
+use impact_pair::document;
 use impact_pair::mapping::Word;
 use impact_pair::orbit::{Arithmetic, Settings, Start};
 use impact_pair::pair::Wall;
 use impact_pair::periodic::{Precision, Problem};
 use impact_pair::two_impact::{self, Unknown};
+use impact_pair::units::Units;
 use serde_json::{Value, json};
 
 /// Scenes with names and the outcome each must have.
@@ -198,7 +199,7 @@ pub fn orbit(scene: &str, arithmetic: Arithmetic) -> Value {
 pub fn periodic((pair, start): (&ImpactPair, &Start), word: &Word, cycles: u32, digits: u32) -> Value {
     let problem = Problem::new(pair, word, cycles).unwrap();
     let census = problem.find(start, Precision { digits, ..Precision::default() });
-    json!(Units::new(pair).unwrap().document(&problem, start, &census))
+    json!(Units::gaps(pair).unwrap().document(&problem, start, &census))
 }
 
 /// That of two-impact motions.

@@ -1,4 +1,4 @@
-//! What `atlas` is asked on the command line.
+//! Command-line arguments of `atlas`.
 
 use std::path::PathBuf;
 
@@ -90,7 +90,7 @@ pub struct AtlasArguments {
 const MADE_ANEW: [&str; 11] =
     ["scene", "over", "cells", "boxes", "halvings", "most", "work", "horseshoes", "digits", "shard", "resume"];
 
-/// How an atlas is written.
+/// Output formats of an atlas.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum AtlasFormat {
     /// One line per point or cell

@@ -1,4 +1,4 @@
-//! How many points or cells have which class, and the part of the plane that is decided.
+//! Numbers of points or cells of each class, and the part of the plane that is decided.
 
 use std::fmt;
 

@@ -1,4 +1,4 @@
-//! What `audit` is asked on the command line.
+//! Command-line arguments of `audit`.
 
 use std::path::PathBuf;
 
@@ -94,7 +94,7 @@ pub struct AuditArguments {
     pub destination: Destination,
 }
 
-/// How an audit is written.
+/// Output formats of an audit.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
 pub enum AuditFormat {
     /// Human-readable: the first disagreements, and a summary

@@ -1,4 +1,4 @@
-//! What `chaos` prints for people.
+//! The table of `chaos`.
 
 use std::collections::BTreeMap;
 use std::fmt::{self, Write};
@@ -131,7 +131,12 @@ pub fn conclusion(document: &ChaosDocument, found: &Chaos) -> String {
         return "undecided: the floating-point orbit is regular, and its transients show no horseshoe; there may be one"
             .to_owned();
     }
-    let hint = if document.over.is_some() { "; try a narrower --over" } else { "; try more --depth" };
+    let hint = match (document.interrupted, document.over.is_some()) {
+        // It was not the settings that ended the search.
+        (true, _) => "",
+        (false, true) => "; try a narrower --over",
+        (false, false) => "; try more --depth",
+    };
     format!("{stopped}undecided: no horseshoe is proved{hint}")
 }
 
@@ -160,7 +165,7 @@ pub fn stretches(document: &ChaosCellsDocument) -> Result<String, fmt::Error> {
     Ok(out)
 }
 
-/// How much of the range is proved.
+/// Returns the part of the range that is proved, in words.
 pub fn shares(document: &ChaosCellsDocument) -> String {
     let SharesDocument { horseshoe, attracted, stable, both, undecided } = &document.shares;
     // In hundredths of a percent, rounded as the shares are, which are millionths.

@@ -29,7 +29,7 @@ fn unsealed(line: &[u8]) -> Result<&[u8]> {
     Ok(text)
 }
 
-/// Where the record of a point is.
+/// The position of the record of a point.
 #[derive(Clone, Copy, Debug)]
 struct Place {
     offset: u64,
@@ -145,7 +145,7 @@ impl<H: Head> Journal<H> {
         Ok(Self { head, file: lines.into_inner(), places, end, path: None })
     }
 
-    /// How many points are in it.
+    /// Number of points in it.
     pub fn points(&self) -> u64 {
         self.places.len() as u64
     }

@@ -1,4 +1,4 @@
-//! What `sweep` and `atlas` share: points of a grid, computed by all threads or in shards, kept on disk, and written as tables.
+//! The common part of `sweep` and `atlas`: points of a grid, computed by all threads or in shards, kept on disk, and written as tables.
 
 pub mod journal;
 #[cfg(feature = "parquet")]

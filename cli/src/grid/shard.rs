@@ -1,11 +1,11 @@
-//! How the points of a grid are computed: by which threads, in which of several parts `I/N`, and what there is of them already.
+//! Threads and shards `I/N` by which the points of a grid are computed, and the points that exist already.
 
 use std::path::PathBuf;
 use std::str::FromStr;
 
 use clap::Args;
 
-/// Which points are computed, and by how many threads.
+/// The points to compute, and the number of threads.
 #[derive(Args, Debug)]
 pub struct GridArguments {
     /// Number of threads [default: the number of processors]

@@ -34,7 +34,7 @@ pub struct Work<'w, H> {
     pub destination: &'w Destination,
 }
 
-/// What is said of all points.
+/// The summary of all points.
 pub trait Tally: Display {
     /// Whether all that was asked is proved.
     fn is_complete(&self) -> bool;

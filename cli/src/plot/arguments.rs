@@ -1,4 +1,4 @@
-//! What `plot` is asked on the command line.
+//! Command-line arguments of `plot`.
 
 use std::path::PathBuf;
 

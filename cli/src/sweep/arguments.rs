@@ -1,4 +1,4 @@
-//! What `sweep` is asked on the command line.
+//! Command-line arguments of `sweep`.
 
 use std::path::PathBuf;
 
@@ -102,7 +102,7 @@ pub struct SweepArguments {
 const MADE_ANEW: [&str; 10] =
     ["scene", "over", "transient", "impacts", "digits", "arithmetic", "max_bits", "summary", "shard", "resume"];
 
-/// How the points of a sweep are written.
+/// Output formats of the points of a sweep.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum SweepFormat {
     /// One line per impact and one per point, bounds in columns

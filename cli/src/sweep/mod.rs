@@ -118,7 +118,7 @@ fn finish(arguments: &SweepArguments, sweep: &mut Gathered<SweepHead>, formats: 
     Ok(tally)
 }
 
-/// How many points have which outcome.
+/// The numbers of points by outcome.
 #[derive(Default)]
 struct Outcomes {
     outcomes: Vec<(String, u64)>,

@@ -1,4 +1,4 @@
-//! What `trade` is asked on the command line.
+//! Command-line arguments of `trade`.
 
 use std::path::PathBuf;
 
@@ -6,9 +6,8 @@ use clap::{Args, ValueEnum};
 use impact_pair::Scene;
 use impact_pair::orbit::{Arithmetic, MAX_BITS, Settings};
 use impact_pair::scene::Run;
-use impact_pair_plot::picture::Look;
 
-use crate::destination::Destination;
+use crate::destination::Drawing;
 
 pub const EXIT_CODES: &str = "\
 Exit code: 0 every row was measured (an undecided one is a result); 1 interrupted (the output holds what was \
@@ -36,6 +35,7 @@ Exit code: 0 every row was measured (an undecided one is a result); 1 interrupte
 measured); 2 usage, bad input, I/O.";
 
 #[derive(Args, Debug)]
+#[command(mut_arg("plot", |plot| plot.help("Draw the time per impact over the certified digits")))]
 pub struct TradeArguments {
     /// Scene file (TOML), or - for stdin
     pub scene: PathBuf,
@@ -48,13 +48,8 @@ pub struct TradeArguments {
     /// Output format [default: as the ending of --output says, else table]
     #[arg(long, value_enum)]
     pub format: Option<TradeFormat>,
-    /// Draw the time per impact over the certified digits
-    #[arg(long, value_name = "FILE.svg|FILE.png|FILE.pdf", value_parser = impact_pair_plot::picture::path)]
-    pub plot: Option<PathBuf>,
     #[command(flatten)]
-    pub look: Look,
-    #[command(flatten)]
-    pub destination: Destination,
+    pub drawing: Drawing,
 }
 
 impl TradeArguments {

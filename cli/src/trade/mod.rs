@@ -15,9 +15,8 @@ use crate::scene;
 use arguments::{TradeArguments, TradeFormat};
 
 pub fn trade(arguments: &TradeArguments) -> Result<Answer> {
-    let format = arguments.destination.format(arguments.format)?;
-    let plot = arguments.plot.as_deref().map(|path| (path, &arguments.look));
-    let Begun { scene, files, path } = arguments.destination.begin(&arguments.scene, plot)?;
+    let format = arguments.drawing.format(arguments.format)?;
+    let Begun { scene, files, path } = arguments.drawing.begin(&arguments.scene)?;
     let asked = arguments.settings(&scene);
     if asked.impacts == Some(0) {
         bail!("{}: run.impacts is 0: no impacts to measure (try --impacts)", scene::name(path));
@@ -32,5 +31,5 @@ pub fn trade(arguments: &TradeArguments) -> Result<Answer> {
         TradeFormat::Json => format!("{}\n", one_a_line(&trade.document(), &["rungs"])),
     };
     let open = trade.interrupted.as_ref().map(|rung| format!("interrupted in row {rung}"));
-    files.draw((&text, open, false), || impact_pair_plot::trade::svg(&trade, &arguments.look))
+    files.draw((&text, open, false), || impact_pair_plot::trade::svg(&trade, &arguments.drawing.look))
 }

@@ -1,4 +1,4 @@
-//! What `two-impact` is asked on the command line.
+//! Command-line arguments of `two-impact`.
 
 use std::ops::RangeInclusive;
 use std::path::PathBuf;
@@ -100,7 +100,7 @@ impl TwoImpactArguments {
     }
 }
 
-/// How the answer of `two-impact` is written.
+/// Output formats of `two-impact`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
 pub enum TwoImpactFormat {
     /// Human-readable; for a parameter manifold the points where something changes

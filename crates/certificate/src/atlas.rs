@@ -10,12 +10,12 @@ use super::global::DIRECTIONS;
 use super::grid::{Axes, Placed, and};
 use super::tiles::Tile;
 
-/// What an atlas of points, or of cells, claims.
+/// The claims of an atlas of points, or of cells.
 #[derive(Clone, Debug)]
 pub struct AtlasCertificate {
     points: Vec<ClaimedPoint>,
     has_cells: bool,
-    /// How many points of the grid, or of the shard, are not there.
+    /// Number of points of the grid, or of the shard, that are missing.
     missing: u64,
     unjudged: Vec<String>,
 }
@@ -36,7 +36,7 @@ pub(super) struct ClaimedPoint {
 /// A global analysis: of a point, or for all parameters of a cell.
 #[derive(Clone, Debug)]
 pub(super) struct Part {
-    /// Where every motion goes.
+    /// The global analysis.
     pub global: GlobalCertificate,
     /// The pair, with intervals of a cell, and the start, from which orbits are looked for.
     pub pair: ImpactPair,
@@ -48,7 +48,7 @@ pub(super) struct Part {
     is_leaf: bool,
 }
 
-/// What no lemma of `check` is about.
+/// Keys that no lemma of `check` covers.
 const UNJUDGED: [&str; 17] = [
     "boxes",
     "digits",
@@ -113,7 +113,7 @@ impl AtlasCertificate {
         Ok(Self { points, has_cells: head.cells, missing, unjudged })
     }
 
-    /// How many points of the grid, or of the shard, are not there.
+    /// Number of points of the grid, or of the shard, that are missing.
     pub(super) fn missing(&self) -> u64 {
         self.missing
     }
@@ -137,7 +137,7 @@ impl AtlasCertificate {
         self.points.iter().flat_map(|point| &point.parts).any(|part| part.global.has_horseshoes())
     }
 
-    /// How many points, or cells, claim something.
+    /// Number of points, or cells, that claim something.
     pub(super) fn claimed(&self) -> usize {
         let parts = self.points.iter().flat_map(|point| &point.parts);
         parts.filter(|part| part.claims_something()).count()
@@ -157,7 +157,7 @@ fn of_cells(most: usize, have_horseshoes: bool) -> impl Iterator<Item = String> 
 }
 
 impl Part {
-    /// How often cells are cut until it is one of them.
+    /// Number of bisections from the tile to the cell.
     fn depth(&self) -> usize {
         self.path.matches(".quarters[").count()
     }

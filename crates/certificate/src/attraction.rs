@@ -1,4 +1,4 @@
-//! What documents claim of periodic orbits, as exact fractions.
+//! Claims of documents about periodic orbits, as exact fractions.
 
 use impact_pair_document::{Decimal, OutcomeDocument, PeriodicImpactDocument, PeriodicOrbitDocument, Place};
 use num_rational::BigRational;
@@ -35,7 +35,7 @@ pub(super) struct ClaimedOrbit {
     pub sine: Option<String>,
 }
 
-/// What is claimed of its stability.
+/// The claims about its stability.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Stability {
     Stable,

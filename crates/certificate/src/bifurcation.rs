@@ -7,7 +7,7 @@ use impact_pair_model::scene::Key;
 use impact_pair_model::{Error, ImpactPair, Start, Wall, Word};
 use num_rational::BigRational;
 
-/// What a bifurcation JSON claims.
+/// The claims of a bifurcation JSON.
 #[derive(Clone, Debug)]
 pub struct BifurcationCertificate {
     pair: ImpactPair,
@@ -31,7 +31,7 @@ pub(super) struct ClaimedPoint {
     pub from: Option<BigRational>,
 }
 
-/// What is claimed to happen.
+/// The kind of the bifurcation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Kind {
     Fold,
@@ -52,7 +52,7 @@ impl Kind {
     }
 }
 
-/// What varies.
+/// Reads the key of the parameter that varies.
 pub(super) fn parameter(place: &Place<'_>) -> Result<Key, Error> {
     let text = place.read::<String>()?;
     let key = text.parse().ok().filter(|key: &Key| key.place() == text);
@@ -173,7 +173,7 @@ impl BifurcationCertificate {
     }
 }
 
-/// What a document says that its own fields exclude.
+/// Returns a statement of the document that its own fields exclude.
 fn contradiction(document: &BifurcationDocument, points: &[ClaimedPoint]) -> Result<Option<String>, Error> {
     let BifurcationDocument { word, cycles, certified, branches, undecided, .. } = document;
     let asked: Word = word.parse()?;

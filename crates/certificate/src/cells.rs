@@ -7,18 +7,18 @@ use impact_pair_exact::Exact;
 use impact_pair_model::scene::Key;
 use impact_pair_model::{Error, ImpactPair, Start};
 
-/// What a JSON of verdicts over the cells of a parameter claims.
+/// The claims of a JSON of verdicts over the cells of a parameter.
 #[derive(Clone, Debug)]
 pub struct CellsCertificate {
     pair: ImpactPair,
     start: Start,
-    /// What varies.
+    /// The parameter that varies.
     key: Key,
     document: ChaosCellsDocument,
     unjudged: Vec<String>,
 }
 
-/// What no lemma of `check` is about.
+/// Keys that no lemma of `check` covers.
 const UNJUDGED: [&str; 7] = [
     "cells",
     "depth",

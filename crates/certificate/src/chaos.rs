@@ -5,7 +5,7 @@ use impact_pair_document::{BaseDocument, CHAOS_SCHEMA, ChaosDocument, Place, val
 use impact_pair_exact::Exact;
 use impact_pair_model::{Error, ImpactPair};
 
-/// What a chaos JSON claims.
+/// The claims of a chaos JSON.
 #[derive(Clone, Debug)]
 pub struct ChaosCertificate {
     /// With all values of the parameter.
@@ -14,7 +14,7 @@ pub struct ChaosCertificate {
     unjudged: Vec<String>,
 }
 
-/// What no lemma of `check` is about.
+/// Keys that no lemma of `check` covers.
 const UNJUDGED: [&str; 13] = [
     "bases.contracting",
     "bases.expanding",

@@ -1,4 +1,4 @@
-//! What a document of one verb says to a check: its claims, one after another, and their words.
+//! The claims of a document of one verb, in order, and their words.
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 
@@ -22,7 +22,7 @@ pub(super) trait Checked {
     /// confirmed so far.
     fn check(&self, effort: &Effort, watch: &dyn Watch) -> Result<Verdict, Error>;
 
-    /// How many items there are.
+    /// Number of items.
     fn count(&self) -> usize;
 
     /// The keys that claim nothing which is judged.
@@ -42,7 +42,7 @@ pub(super) trait Checked {
         self.path(item)
     }
 
-    /// Which claim, and what is wrong with it.
+    /// The claim, and the reason.
     fn described(&self, event: usize, message: &str) -> String {
         if event < self.count() { format!("{}: {message}", self.place(event)) } else { message.to_owned() }
     }

@@ -52,7 +52,7 @@ pub(super) fn is_reduced_period(claimed: u32, impacts: usize, symmetric: Option<
     claimed > 0 && is_least
 }
 
-/// What a document says that its own fields exclude.
+/// Returns a statement of the document that its own fields exclude.
 ///
 /// Lemma D23: of `n` impacts the fixed points are those of the cycles whose least number of impacts divides `n`, as many of each as it has
 /// impacts. So where a count stands all these cycles are listed, those of fewer impacts as well.

@@ -219,7 +219,7 @@ fn is_saddle_set(component: &ComponentDocument) -> bool {
     component.kind == "saddle" && component.orbit.is_none()
 }
 
-/// What a document says that its own fields exclude.
+/// Returns a statement of the document that its own fields exclude.
 fn contradiction(document: &GlobalDocument) -> Option<String> {
     let class = class(document);
     if document.class != class {

@@ -29,7 +29,7 @@ pub struct Claim {
     pub wall: Wall,
     /// The lower and the upper bound of its time \[time\].
     pub time: [BigRational; 2],
-    /// What is claimed to happen.
+    /// The kind of the event.
     pub kind: EventKind<[BigRational; 2]>,
 }
 

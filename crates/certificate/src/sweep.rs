@@ -14,7 +14,7 @@ use impact_pair_model::{Error, Harmonic, ImpactPair, Start, Wall};
 #[derive(Clone, Debug)]
 pub struct SweepCertificate {
     points: Vec<ClaimedOrbit>,
-    /// How many points of the grid, or of the shard, are not there.
+    /// Number of points of the grid, or of the shard, that are missing.
     missing: u64,
     unjudged: Vec<String>,
 }
@@ -49,7 +49,7 @@ pub(super) struct ClaimedState {
     pub velocity: Bounds,
 }
 
-/// What no lemma of `check` is about.
+/// Keys that no lemma of `check` covers.
 const UNJUDGED: [&str; 16] = [
     "arithmetic",
     "claim",
@@ -119,7 +119,7 @@ impl SweepCertificate {
         Ok(Self { points, missing, unjudged })
     }
 
-    /// How many points of the grid, or of the shard, are not there.
+    /// Number of points of the grid, or of the shard, that are missing.
     pub(super) fn missing(&self) -> u64 {
         self.missing
     }

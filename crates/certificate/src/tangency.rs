@@ -175,7 +175,7 @@ impl ClaimedTangency {
     }
 }
 
-/// What a document says that its own fields exclude.
+/// Returns a statement of the document that its own fields exclude.
 fn contradiction(document: &TangencyDocument) -> Option<String> {
     let TangencyDocument { certified, tangencies, undecided, interrupted, limited, .. } = document;
     if *certified && (tangencies.is_empty() || *interrupted || *limited || !undecided.is_empty()) {

@@ -129,7 +129,7 @@ impl ClaimedWindow {
     }
 }
 
-/// What a document says that its own fields exclude.
+/// Returns a statement of the document that its own fields exclude.
 fn contradiction(document: &WindowsDocument, over: Key) -> Option<String> {
     let WindowsDocument { certified, windows, interrupted, over: range, .. } = document;
     let is_whole = |window: &WindowDocument| {

@@ -1,5 +1,6 @@
 //! The checker's tests on recorded documents, which need no producer.
 
+mod altered;
 #[path = "../../../tests/spoiled/changes.rs"]
 mod changes;
 mod claimed;

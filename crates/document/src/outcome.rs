@@ -9,6 +9,9 @@ use serde::{Deserialize, Serialize};
 use super::number::{Bounds, Decimal, Written};
 use super::periodic::PeriodicOrbitDocument;
 
+/// The reason of an orbit whose next flight has no end that is found.
+const ENDLESS: &str = "budget";
+
 /// Outcome of an orbit.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
@@ -115,7 +118,7 @@ impl OutcomeDocument {
             "rests-forever" => format!("{after} at rest on the {} wall for ever", self.wall?.name()),
             "never-impacts" => format!("{after} no wall is ever touched again"),
             "undecided" => {
-                let why = explanation(self.reason.as_deref()?)?;
+                let why = self.explanation()?;
                 let wall = self.wall.map_or(String::new(), |wall| format!("{} wall, ", wall.name()));
                 let time = match self.time.as_ref()? {
                     [Some(from), Some(to)] => format!("t = {}", shown(from, to)),
@@ -126,6 +129,22 @@ impl OutcomeDocument {
             }
             _ => return None,
         })
+    }
+
+    /// Returns what its reason means, if it is undecided.
+    pub fn explanation(&self) -> Option<&'static str> {
+        Some(match self.reason.as_deref()? {
+            "graze" => "a wall may be touched with zero velocity",
+            "width" => "the set of states has become too wide to decide",
+            "precision" => "the next impact cannot be enclosed to the requested digits",
+            ENDLESS => "the flight is too long to follow, or has no provable end",
+            _ => return None,
+        })
+    }
+
+    /// Returns whether it is undecided because the next flight has no end that is found: neither more impacts nor more bits help.
+    pub fn is_endless(&self) -> bool {
+        self.reason.as_deref() == Some(ENDLESS)
     }
 
     /// What a shadowed orbit adds to the number of its impacts.
@@ -139,7 +158,7 @@ impl OutcomeDocument {
 
     /// Returns the message of an interrupted orbit, which ends undecided as well.
     pub fn interruption(&self) -> Option<String> {
-        let is_one = self.kind == "undecided" && self.reason.as_deref() == Some("budget") && self.wall.is_none();
+        let is_one = self.kind == "undecided" && self.is_endless() && self.wall.is_none();
         Some(format!("interrupted {}", after(self.impacts.filter(|_| is_one)?)))
     }
 }
@@ -166,15 +185,4 @@ fn after(impacts: u64) -> String {
 fn every(impacts: u64, what: &str, cycles: u64) -> String {
     let cycles = if cycles == 1 { "cycle".into() } else { format!("{cycles} cycles") };
     format!("{} every {cycles}", counted(impacts, what))
-}
-
-/// What a reason means.
-fn explanation(reason: &str) -> Option<&'static str> {
-    Some(match reason {
-        "graze" => "a wall may be touched with zero velocity",
-        "width" => "the set of states has become too wide to decide",
-        "precision" => "the next impact cannot be enclosed to the requested digits",
-        "budget" => "the flight is too long to follow, or has no provable end",
-        _ => return None,
-    })
 }

@@ -11,6 +11,7 @@ use impact_pair::json::{DescriptionDocument, FateName};
 use impact_pair::mapping::Mapping;
 use impact_pair::orbit::{Orbit, Progress, Settings};
 use impact_pair::pair::Wall;
+use impact_pair::units::Units;
 use impact_pair::watch::Unwatched;
 use plotters::prelude::*;
 
@@ -135,7 +136,7 @@ fn impacts(
         let frame = Frame::new(Panel::SwitchPlane, trace, CYCLES).lettered('c');
         return panel(&frame, None, style, (root, area)).map(|_| ());
     };
-    let fastest = value(harmonic.amplitude()) * value(harmonic.frequency());
+    let fastest = Units::amplitudes(harmonic)?.map(value).velocity;
     let mirrored = trace.crossings.iter().map(|crossing| -> State {
         let lead = if crossing.wall == Wall::Right { PI } else { 0.0 };
         [((crossing.phase.middle + lead) / TAU).rem_euclid(1.0), crossing.velocity.middle.abs() / fastest]

@@ -3,9 +3,10 @@
 //! Labels: proposes throughout.
 
 use super::super::global::closed;
-use super::super::guess::{Guess, cross, length, minus, times};
+use super::super::guess::Guess;
 use super::super::law::Law;
 use super::super::quad::{Chord, State};
+use super::super::vector::{cross, length, minus, times, unit};
 use super::super::words::Base;
 use crate::number::Ball;
 
@@ -76,8 +77,7 @@ fn directions([[a, b], [c, d]]: [[f64; 2]; 2]) -> Option<[State; 2]> {
     let contracts = determinant / expands;
     let of = |value: f64| {
         let (one, other) = ([b, value - a], [value - d, c]);
-        let longer = if length(one) > length(other) { one } else { other };
-        longer.map(|x| x / length(longer))
+        unit(if length(one) > length(other) { one } else { other })
     };
     (expands.abs() > 1.0 && contracts.abs() < 1.0).then(|| [of(expands), of(contracts)])
 }

@@ -6,7 +6,7 @@ use super::followed::Followed;
 use super::spread::Seed;
 use super::*;
 use crate::Scene;
-use crate::chaos::guess::length;
+use crate::chaos::vector::length;
 use crate::number::{Ball, Number};
 use crate::watch::Unwatched;
 

@@ -171,7 +171,7 @@ impl Cycles {
         if !found.orbit.physical? {
             return Some(false);
         }
-        let fastest = Ball::exact(1.0).turn().checked_div(task.law.gap)?;
+        let fastest = task.law.beta()?;
         let impacts = found.orbit.impacts.iter().zip(found.orbit.phases());
         let mut places = impacts.map(|(impact, &phase)| {
             let (low, high) = impact.velocity.to_f64_bounds();
@@ -283,8 +283,7 @@ fn searched_block(task: &Task, graph: &Graph, block: usize, impacts: usize) -> B
 
 /// A chain that is left undecided, as the whole system sees it.
 fn region(task: &Task, chain: &Chain) -> Region {
-    let fastest = Interval::from(Ball::exact(1.0).turn()).checked_div(Interval::from(task.law.gap));
-    let fastest = fastest.expect("a gap is larger than 0");
+    let fastest = Interval::from(task.law.beta().expect("a gap is larger than 0"));
     let enclosure = |x: Interval| Enclosure::from_f64_bounds(x.inf(), x.sup()).expect("finite intervals");
     let mut crossed = 0_u32;
     let impact = |i: usize| {

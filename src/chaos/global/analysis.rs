@@ -198,7 +198,7 @@ impl<'a> Analysis<'a> {
             && !component.is_finest(self.question.space.fastest())
     }
 
-    /// What is proved of a component.
+    /// Returns the kind of a component, as far as it is proved.
     fn kind(&self, component: &Component) -> Kind {
         let Question { pair, space, released, settings, .. } = &self.question;
         if component.cells.is_empty() {

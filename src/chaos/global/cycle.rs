@@ -6,9 +6,10 @@ use std::f64::consts::TAU;
 use super::graph::Component;
 use super::image::{Next, Space, ends};
 use crate::chaos::flights::Flights;
-use crate::chaos::guess::{Guess, Image, applied, times};
+use crate::chaos::guess::{Guess, Image};
 use crate::chaos::law::Side;
 use crate::chaos::quad::{Quad, State};
+use crate::chaos::vector::{apart, applied, in_period, length, minus, times, unit};
 use crate::number::{Ball, Number};
 
 /// A cycle of the reduced map that all motions that stay in a component tend to.
@@ -86,7 +87,7 @@ pub(in crate::chaos) fn closed(guess: &Guess, seed: State, impacts: usize) -> Op
             at = image.state;
         }
         let miss = [at[0] - state[0] - (at[0] - state[0]).round(), at[1] - state[1]]; // proposes
-        let size = (TAU * miss[0]).hypot(miss[1]);
+        let size = length(miss);
         if size < ENOUGH {
             let shortest = (1..impacts).all(|n| apart(states[n], states[0]) > CLOSED || !impacts.is_multiple_of(n));
             return shortest.then_some(states);
@@ -94,7 +95,7 @@ pub(in crate::chaos) fn closed(guess: &Guess, seed: State, impacts: usize) -> Op
         let [[a, b], [c, d]] = [[product[0][0] - 1.0, product[0][1]], [product[1][0], product[1][1] - 1.0]];
         let area = a * d - b * c;
         state = [state[0] - (d * miss[0] - b * miss[1]) / area, state[1] - (a * miss[1] - c * miss[0]) / area];
-        if !(state[0].is_finite() && state[1] > 0.0) || (TAU * (state[0] - seed[0])).hypot(state[1] - seed[1]) > 1.0 {
+        if !(state[0].is_finite() && state[1] > 0.0) || length(minus(state, seed)) > 1.0 {
             return None;
         }
     }
@@ -114,14 +115,6 @@ impl Component {
 /// Whether two cycles are one.
 fn is_one(one: &[State], other: &[State]) -> bool {
     one.len() == other.len() && other.iter().any(|state| apart(*state, one[0]) < CLOSED)
-}
-
-fn in_period([phase, speed]: State) -> State {
-    [phase - phase.floor(), speed] // proposes
-}
-
-fn apart([u, w]: State, [v, x]: State) -> f64 {
-    (TAU * (u - v - (u - v).round())).hypot(w - x) // proposes
 }
 
 /// Proves that all motions that stay in a component tend to a cycle. Lemma A8
@@ -227,7 +220,7 @@ fn first_columns(images: &[Image]) -> Option<Columns> {
     } else {
         let (imaginary, radius) = ((-under).sqrt(), determinant.abs().sqrt());
         let second = if b.abs() > c.abs() { [0.0, imaginary] } else { [imaginary, 0.0] };
-        let size = size(vector(half)).max(size(second)); // proposes
+        let size = length(vector(half)).max(length(second)); // proposes
         ([vector(half), second].map(|column| column.map(|x| x / size)), [radius, radius])
     };
     Some((columns, factors))
@@ -239,11 +232,11 @@ fn orthogonal(images: &[Image]) -> Option<Columns> {
     let (half, determinant) = (0.5 * (a + d), a * d - b * c);
     let root = half + (half * half - determinant).max(0.0).sqrt().copysign(half); // proposes
     let vector = if b.abs() > c.abs() { [b, root - a] } else { [root - d, c] };
-    let [u, w] = if size(vector) > 0.0 { unit(vector) } else { [1.0 / TAU, 0.0] };
+    let [u, w] = if length(vector) > 0.0 { unit(vector) } else { [1.0 / TAU, 0.0] };
     let radius = determinant.abs().sqrt();
     let across = [-w / TAU, u * TAU];
     // So short that what a period shears it by is less than what is left of 1.
-    let sheared = size(applied([[a, b], [c, d]], across));
+    let sheared = length(applied([[a, b], [c, d]], across));
     let short = (0.25 * (1.0 - radius) / sheared).min(1.0); // proposes
     Some(([[u, w], across.map(|x| x * short)], [radius, radius]))
 }
@@ -251,15 +244,6 @@ fn orthogonal(images: &[Image]) -> Option<Columns> {
 /// The derivative of a period.
 fn period(images: &[Image]) -> [[f64; 2]; 2] {
     images.iter().fold([[1.0, 0.0], [0.0, 1.0]], |product, image| times(image.jacobian, product))
-}
-
-fn size([u, w]: State) -> f64 {
-    (TAU * u).hypot(w)
-}
-
-fn unit(vector: State) -> State {
-    let size = size(vector);
-    vector.map(|x| x / size)
 }
 
 /// Bases at each state of a cycle: two directions and their images, shortened alike at each impact, as columns.

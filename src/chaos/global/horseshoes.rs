@@ -1,7 +1,5 @@
 //! Horseshoes in components of which nothing else is decided. Lemma A13 of `docs/proofs/global.md#A13`.
 
-use std::f64::consts::TAU;
-
 use super::graph::Component;
 use super::image::Space;
 use crate::chaos::flights::is_positive;
@@ -12,6 +10,7 @@ use crate::chaos::seen::{Seen, step};
 use crate::chaos::trap::{Cell, Grid};
 use crate::chaos::trials::ANY;
 use crate::chaos::tube::side_of;
+use crate::chaos::vector::GENERIC;
 use crate::chaos::words::Base;
 use crate::watch::Watch;
 
@@ -45,7 +44,7 @@ fn staying(guess: &Guess, component: &Component) -> Option<Seen> {
     let mut sum = 0.0;
     let every = component.cells.len().div_ceil(SEEDS).max(1); // proposes: where h-sets are looked for
     for &cell in component.cells.iter().step_by(every) {
-        let (mut state, mut direction) = (component.grid.quad(cell).centre, [1.0 / TAU, 0.3]);
+        let (mut state, mut direction) = (component.grid.quad(cell).centre, GENERIC);
         for k in 0..FOLLOWED {
             let Some(growth) = step(guess, &mut state, &mut direction) else { break };
             if !component.is_near(state) {

@@ -243,7 +243,7 @@ impl LimitCycle {
 /// Whether the impacts of a period, mirrored to the left wall and less whole forcing periods, are proved to be in rectangles, one after the
 /// other, round after round: those of two rounds in the same ones. Lemma A8
 pub(super) fn is_in_turn(orbit: &PeriodicOrbit, law: &Law, hulls: &[[[f64; 2]; 2]]) -> bool {
-    let Some(unit) = Ball::exact(1.0).turn().checked_div(law.gap) else { return false };
+    let Some(unit) = law.beta() else { return false };
     orbit.impacts.iter().zip(hulls.iter().cycle()).all(|(impact, hull)| {
         let (phase, radius) = impact.phase.mid_rad();
         let shift = if impact.wall == Wall::Right { 0.5 } else { 0.0 };

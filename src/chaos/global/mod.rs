@@ -146,7 +146,7 @@ pub struct Global {
     pub interrupted: bool,
 }
 
-/// What all motions do.
+/// The class of a pair: the ends of all its motions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Class {
     /// Every motion ends in one cycle with rests.
@@ -186,7 +186,7 @@ impl Global {
     /// With several harmonics, with a restitution that is not below 0.99, and when a value is beyond the range of double-precision flights.
     pub fn of(pair: &ImpactPair, settings: &GlobalSettings, watch: &dyn Watch) -> Result<Self, Error> {
         let space = Self::space(pair)?;
-        let speed_unit = space.law().gap.mid() / std::f64::consts::TAU;
+        let speed_unit = 1.0 / space.law().beta().expect("a gap is larger than 0").mid(); // shown
         let released = Released::of(pair, &space)?;
         let analysis = Analysis::of(Question { pair, space, released, settings, watch });
         let (mut components, mut order) = (analysis.components(), analysis.order());

@@ -6,9 +6,10 @@ use std::f64::consts::TAU;
 use super::cycle::{LONGEST, Matrix, landing, within};
 use super::graph::Component;
 use super::image::{Next, Space};
-use crate::chaos::guess::{Guess, Image, applied, length};
+use crate::chaos::guess::{Guess, Image};
 use crate::chaos::law::Side;
 use crate::chaos::quad::{Quad, State};
+use crate::chaos::vector::{GENERIC, applied, unit};
 use crate::number::{Ball, Number, TINY, UNIT, up};
 
 /// Larger components, and those with more groups of boxes, are not tried.
@@ -196,7 +197,7 @@ impl<'c> Groups<'c> {
 
 /// Directions at each group: the first is what the flights before have stretched, the second what those that follow shrink.
 fn frames(count: usize, pieces: &[Piece], images: &[Image]) -> Vec<Frame> {
-    let (mut along, mut across) = (vec![[0.3 / TAU, 1.0]; count], vec![[1.0 / TAU, 0.3]; count]);
+    let (mut along, mut across) = (vec![[0.3 / TAU, 1.0]; count], vec![GENERIC; count]);
     for _ in 0..STEPS {
         let (mut forth, mut back) = (vec![[0.0; 2]; count], vec![[0.0; 2]; count]);
         for (Piece { from, to, .. }, image) in pieces.iter().zip(images) {
@@ -207,11 +208,6 @@ fn frames(count: usize, pieces: &[Piece], images: &[Image]) -> Vec<Frame> {
         (along, across) = (forth.into_iter().map(unit).collect(), back.into_iter().map(unit).collect());
     }
     along.iter().zip(&across).map(|([a, c], [b, d])| [[*a, *b], [*c, *d]]).collect()
-}
-
-fn unit(vector: State) -> State {
-    let size = length(vector);
-    vector.map(|x| x / size)
 }
 
 /// Adds a direction, or its opposite.

@@ -11,10 +11,11 @@ use super::strip::{Branch, Cell, Map, Strip};
 use super::{Hyperbolic, KAPPA, LeftOut, are_apart, propose};
 use crate::Scene;
 use crate::chaos::cycles::{Cycle, Cycles};
-use crate::chaos::guess::{Guess, applied};
+use crate::chaos::guess::Guess;
 use crate::chaos::horseshoe::Chaos;
 use crate::chaos::law::{Law, Side};
 use crate::chaos::quad::Chord;
+use crate::chaos::vector::applied;
 use crate::chaos::words::Base;
 use crate::exact::Enclosure;
 use crate::number::interval::Interval;
@@ -104,7 +105,7 @@ fn ball(x: &Enclosure) -> Ball {
 /// The impacts that a cycle comes back after, in bounds that are proved without words, strips or cones.
 fn impacts(law: &Law, cycle: &Cycle) -> Vec<Impact> {
     let all = &cycle.orbit.impacts;
-    let fastest = Ball::exact(1.0).turn().checked_div(law.gap).expect("a gap");
+    let fastest = law.beta().expect("a gap");
     let impact = |k: usize| {
         let (own, next) = (&all[k], &all[(k + 1) % all.len()]);
         let (ahead, sign) = if own.wall == Wall::Left { (0.0, -1.0) } else { (0.5, 1.0) };

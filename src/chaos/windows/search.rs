@@ -4,13 +4,13 @@
 //! Labels: proposes throughout.
 
 use std::collections::HashMap;
-use std::f64::consts::TAU;
 
 use nalgebra::{Matrix3, Vector3};
 
-use crate::chaos::guess::{Guess, times};
+use crate::chaos::guess::Guess;
 use crate::chaos::law::{Law, Side};
 use crate::chaos::quad::State;
+use crate::chaos::vector::{apart, in_period, times};
 use crate::number::Ball;
 use crate::watch::Watch;
 
@@ -193,7 +193,7 @@ impl Family {
             count.is_multiple_of(*n)
                 && (0..count).all(|i| {
                     let j = (i + n) % count;
-                    cycle.flights[i] == cycle.flights[j] && distance(states[i], states[j]) < SAME
+                    cycle.flights[i] == cycle.flights[j] && apart(states[i], states[j]) < SAME
                 })
         };
         match (1..count).find(is_period) {
@@ -250,15 +250,4 @@ impl Superstable {
             && (self.parameter - other.parameter).abs() < 1e-11 * self.parameter
             && (0..count).any(|shift| (0..count).all(|i| self.flights[i] == other.flights[(i + shift) % count]))
     }
-}
-
-/// A state less whole forcing periods.
-fn in_period([phase, speed]: State) -> State {
-    [phase - phase.floor(), speed]
-}
-
-/// How far apart two states are, phases in radians and less whole forcing periods.
-fn distance([u, w]: State, [v, x]: State) -> f64 {
-    let apart = u - v;
-    (TAU * (apart - apart.round())).hypot(w - x)
 }

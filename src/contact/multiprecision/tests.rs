@@ -14,7 +14,7 @@ use std::cmp::Ordering;
 fn flight_of(truth: &TrueFlight, bits: u32, radius: Magnitude) -> Flight<MpBall> {
     let ball = |x: &Truth| MpBall::enclosing(&x.0, bits);
     let alpha = ball(&truth.alpha);
-    let pair = Reduced { beta: alpha.turn() * alpha.clone(), alpha, restitution: MpBall::from_f64(0.5) };
+    let pair = Reduced::new(alpha, MpBall::from_f64(0.5));
     let (phase, velocity) = (ball(&truth.phase), ball(&truth.velocity).widened(radius));
     let sin_cos = phase.sin_cos();
     // A height of 0 is the wall.

@@ -85,7 +85,7 @@ impl Varied for OneHarmonic {
             Unknown::Ratio(_) | Unknown::Ratios => (value, base.restitution.clone()),
             Unknown::Restitution => (base.alpha.clone(), value),
         };
-        Reduced { beta: alpha.turn() * alpha.clone(), alpha, restitution }
+        Reduced::new(alpha, restitution)
     }
 
     fn jets<N: Turning>(base: &Reduced<N>) -> Reduced<Jet<N>> {

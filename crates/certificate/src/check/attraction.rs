@@ -1,4 +1,4 @@
-//! What is claimed of a periodic orbit that the motion converges to.
+//! Claims about a periodic orbit that the motion converges to.
 //!
 //! The route (Lemma V6): from the last of the claimed impacts, confirmed before as theorems, Newton's iteration seeks a state that
 //! comes again after a period of the word. An ellipse around it is proved to be mapped into itself and contracted ([`basin`](super::basin)), and

@@ -20,7 +20,7 @@ pub(super) struct Ellipse {
     size: i64,
 }
 
-/// What a period makes of an ellipse.
+/// The image of an ellipse under a period.
 pub(super) struct Contraction {
     pub ellipse: Ellipse,
     /// Its impacts, the next first one at the end.
@@ -29,7 +29,7 @@ pub(super) struct Contraction {
     pub derivative: Matrix,
     /// What distances are multiplied by at most, where an ellipse's radius is 1.
     factor: Real,
-    /// How far the centre is moved.
+    /// Displacement of the centre.
     moved: Real,
 }
 

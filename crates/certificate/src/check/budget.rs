@@ -1,4 +1,4 @@
-//! How much work a check may take, counted and not timed, so that its answer is the same on every machine.
+//! The work of a check, counted and not timed, so that its answer is the same on every machine.
 
 use std::cell::Cell;
 use std::rc::Rc;
@@ -51,7 +51,7 @@ impl<'w> Budget<'w> {
     }
 }
 
-/// What a place costs, in places of one harmonic in few bits.
+/// The cost of a place, in places of one harmonic in few bits.
 fn cost(bits: u32, harmonics: usize) -> u64 {
     let size = u64::from(bits / PLAIN_BITS) + 1;
     size * size * harmonics as u64 // exact: a length

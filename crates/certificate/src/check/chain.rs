@@ -21,7 +21,7 @@ pub(super) struct Node {
     pub sides: Pair,
 }
 
-/// Where starts and impacts are, with the data that flights depend on.
+/// Starts and impacts, with the data that flights depend on.
 pub(super) struct Course<'c> {
     pub data: &'c Data<'c>,
     pub frame: Frame<'c>,

@@ -18,7 +18,7 @@ pub(crate) struct Clock {
     frequency: Real,
 }
 
-/// Where a set lies beside the bounds claimed for it.
+/// The position of a set relative to the bounds claimed for it.
 pub(super) enum Beside {
     Inside,
     Outside,
@@ -104,7 +104,7 @@ fn with_turns(data: &Data, bits: u32) -> u32 {
     bits.saturating_add(turns.max(u32::try_from(time).unwrap_or(0))) // X1
 }
 
-/// Where `found` lies.
+/// Returns the position of `found`.
 pub(super) fn beside(found: &Real, [lower, upper]: &[BigRational; 2]) -> Beside {
     let (lo, hi) = (found.enclosure().inf(), found.enclosure().sup());
     if compare_rational(lo, lower).is_ge() && compare_rational(hi, upper).is_le() {

@@ -5,7 +5,7 @@ use super::flight::{Flight, Part};
 use impact_pair_exact::{Dyadic, Real};
 use impact_pair_model::Wall;
 
-/// What cannot be confirmed, and why.
+/// A claim that is not confirmed, and the reason.
 #[derive(Clone, Debug)]
 pub(crate) enum Doubt {
     /// More bits, or smaller sets of data, may tell.
@@ -28,7 +28,7 @@ const FOUND_BITS: u32 = 20;
 /// Steps of Newton's iteration from a guess.
 const STEPS: u32 = 64;
 
-/// Where a claim says that a contact comes: phases since the departure.
+/// The claimed place of a contact: phases since the departure.
 #[derive(Clone, Debug)]
 pub(crate) struct Claimed {
     /// At the earliest.
@@ -56,7 +56,7 @@ pub(super) fn first_contact(flight: &Flight, from: Start, wall: Wall, claimed: &
     }
 }
 
-/// How a flight begins.
+/// Initial conditions of a flight.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Start {
     /// The wall it leaves, if it does.

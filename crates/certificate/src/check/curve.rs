@@ -50,10 +50,10 @@ pub(super) struct Cell {
     pub sizes: [i64; 3],
 }
 
-/// What a round makes of a box, in units.
+/// The image of a box under a period, in units.
 pub(super) struct Image {
     pub landings: Vec<Landing>,
-    /// How far the centre is moved.
+    /// Displacement of the centre.
     moved: [Real; 2],
     /// Encloses the derivatives by the coordinates over the box.
     slopes: [[Real; 3]; 2],
@@ -142,7 +142,7 @@ impl<'t> Curve<'t> {
         self.image(&Cell { centre: at.clone(), sizes: [-i64::from(self.bits()); 3] }, self.is_half)
     }
 
-    /// How long the flights from a point last.
+    /// Computes the durations of the flights from a point anew.
     fn retime(&mut self, at: &Point) -> Result<(), Doubt> {
         let sizes = [-i64::from(self.bits()); 3];
         let Image { landings, .. } = self.image(&Cell { centre: at.clone(), sizes }, false)?;

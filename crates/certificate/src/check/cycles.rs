@@ -56,7 +56,7 @@ impl CyclesCertificate {
     }
 }
 
-/// Which flights of an orbit lead to the other wall, from where they come last in order: the same from all its impacts and in the mirror.
+/// The flights of an orbit that lead to the other wall, rotated to the last in order: independent of the first impact and of the mirror.
 fn flights(impacts: &[Passage]) -> Vec<bool> {
     let count = impacts.len();
     let from = |shift: usize| -> Vec<bool> {

@@ -52,7 +52,7 @@ pub(crate) struct Tone {
     pub rate: Option<Exact>,
 }
 
-/// Which halves of halves of each datum that is an interval.
+/// The part of each datum that is an interval, by bisection.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Piece {
     /// By the number of the datum: part `k` of `2^n`; the whole of those that are not listed.

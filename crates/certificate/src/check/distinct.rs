@@ -27,7 +27,7 @@ pub(super) struct Recurrence {
     turn: Real,
 }
 
-/// How the impacts of two motions are compared.
+/// The comparison of the impacts of two motions.
 #[derive(Clone, Copy)]
 struct View {
     /// Impacts later.

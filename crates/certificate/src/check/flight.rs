@@ -23,7 +23,7 @@ pub(crate) struct Flight<'w> {
     pub budget: Budget<'w>,
 }
 
-/// What is known of a part of a flight.
+/// Bounds of a part of a flight.
 pub(crate) enum Part {
     /// The ball is strictly between the walls throughout.
     Clear,

@@ -9,7 +9,7 @@ use crate::attraction::Bounds;
 use impact_pair_exact::Real;
 use impact_pair_model::{EventKind, Wall};
 
-/// What is claimed of an impact.
+/// The claims about an impact.
 pub(crate) struct Hit<'c> {
     /// Its place among the events.
     pub event: usize,

@@ -49,6 +49,7 @@ mod still;
 mod sweep;
 mod tangency;
 mod target;
+mod units;
 mod walk;
 mod windows;
 
@@ -64,7 +65,7 @@ use impact_pair_model::watch::{Latched, Stage, Watch};
 pub(super) use step::{Launch, Parameters};
 pub(super) use walk::Walk;
 
-/// What a check finds.
+/// The verdict of a check.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Verdict {
     /// Every claim is proved again.
@@ -94,7 +95,7 @@ pub struct Finding {
     pub message: String,
 }
 
-/// How much a check may take before it leaves a claim undecided.
+/// Limits of a check, beyond which a claim is left undecided.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Effort {
     /// Bits of its arithmetic.
@@ -162,7 +163,7 @@ struct Whole<'c> {
     contradiction: Option<&'c str>,
     /// Why two claims may be one.
     alike: Option<&'static str>,
-    /// How many claims it lists.
+    /// Number of claims.
     count: usize,
     /// What is said where there is none to check.
     nothing: &'static str,

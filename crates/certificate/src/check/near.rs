@@ -1,4 +1,4 @@
-//! How near a shadowed orbit is: its start to the scene's, its impacts to where they are listed (Lemma V10).
+//! Distances of a shadowed orbit: of its start from the scene's, of its impacts from those listed (Lemma V10).
 
 use std::cmp::Ordering;
 
@@ -129,14 +129,14 @@ impl Certificate {
     }
 }
 
-/// How far members of the bounds are at most from an exact number.
+/// Returns an upper bound of the distance of members of the bounds from an exact number.
 fn reach(exact: &Exact, bounds: &[BigRational; 2]) -> Real {
     let exact = Real::of(exact, FIRST_BITS);
     let [lower, upper] = bounds.each_ref().map(|bound| (Real::rational(bound, FIRST_BITS) - &exact).enclosure().mag());
     Real::point(lower.max(upper), FIRST_BITS) // exact: the farther end
 }
 
-/// Where an exact number lies beside bounds.
+/// The position of an exact number relative to bounds.
 fn place(exact: &Exact, bounds: &[BigRational; 2]) -> Beside {
     match exact.as_rational() {
         Some(x) if bounds[0] <= *x && *x <= bounds[1] => Beside::Inside,

@@ -1,4 +1,4 @@
-//! What is claimed of the end of an orbit: in fields that are proved, and in words that must be those of the fields.
+//! Claims about the end of an orbit: fields, which are proved, and words, which must be those of the fields.
 
 use super::clock::Clock;
 use super::contact::{Doubt, clear_throughout};

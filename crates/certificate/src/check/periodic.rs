@@ -39,7 +39,7 @@ impl PeriodicCertificate {
         Ok(each.and_then(whole).map_or_else(|verdict| verdict, |()| Verdict::Confirmed { bits: BITS, pieces: 1 }))
     }
 
-    /// What is said of all orbits together.
+    /// Checks the claims about all orbits together.
     fn whole(&self, data: &Data) -> Result<(), Doubt> {
         if self.says_all_is_proved()
             && !(self.orbits().iter().all(|claim| claim.orbit.is_decided()) && self.has_no_rest())

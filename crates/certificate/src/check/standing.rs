@@ -24,7 +24,7 @@ pub(crate) struct Standing<'d> {
     start: Option<&'d Data<'d>>,
 }
 
-/// How the motion goes on.
+/// The motion from here on.
 #[derive(Debug)]
 enum Going {
     /// The ball flies.

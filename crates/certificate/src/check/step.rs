@@ -8,7 +8,7 @@ use super::shaking::{Shaking, Term, Wave};
 use impact_pair_exact::Real;
 use impact_pair_model::Wall;
 
-/// What the motion depends on, over the data of the scene.
+/// The parameters of the motion, over the data of the scene.
 #[derive(Clone)]
 pub(crate) struct Parameters<'w> {
     /// `d/2` \[length\]

@@ -21,7 +21,7 @@ pub(super) const BITS: u32 = 192;
 /// Bits beyond those that the claimed bounds are worth.
 const SPARE_BITS: u32 = 96;
 pub(super) const MOST_BITS: u32 = 1 << 12;
-/// How often these are doubled.
+/// Number of doublings.
 const DOUBLED: u32 = 3;
 
 /// A claimed orbit of a word.

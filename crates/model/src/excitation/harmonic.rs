@@ -1,7 +1,7 @@
 //! One harmonic, equation (9).
 
 use crate::error::Error;
-use impact_pair_exact::Exact;
+use impact_pair_exact::{Exact, ExactError};
 
 /// One harmonic: the displacement `A sin(W t + tau)` of the box. **Equation** (9)
 #[derive(Clone, Debug)]
@@ -35,6 +35,14 @@ impl Harmonic {
     /// `tau` \[rad\]
     pub fn phase(&self) -> &Exact {
         &self.phase
+    }
+
+    /// Returns the time \[time\] near 0 at which the phase `W t + tau` \[rad\] is this one.
+    ///
+    /// # Errors
+    /// If it exceeds the range of exact expressions.
+    pub fn time_at(&self, phase: &Exact) -> Result<Exact, ExactError> {
+        phase.checked_sub(&self.phase)?.checked_div(&self.frequency)
     }
 
     /// Returns whether no parameter is an interval.

@@ -203,8 +203,7 @@ impl Scene {
         match key {
             Key::StartTime => self.start.time = value,
             Key::StartPhase => {
-                let fastest = self.pair.excitation().reference();
-                let time = value.checked_sub(fastest.phase()).and_then(|since| since.checked_div(fastest.frequency()));
+                let time = self.pair.excitation().reference().time_at(&value);
                 self.start.time = within("start.phase", &value, time)?;
             }
             Key::StartVelocity => self.start.velocity = value,

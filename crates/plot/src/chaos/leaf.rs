@@ -9,6 +9,7 @@ use impact_pair::chaos::{Base, Chaos, State, Word};
 use impact_pair::exact::Exact;
 use impact_pair::orbit::{Arithmetic, Impact, Orbit, Settings, Start};
 use impact_pair::pair::{ImpactPair, Wall};
+use impact_pair::units::Units;
 use plotters::style::RGBColor;
 
 use super::{OUTLINE, RIGHT, dots, lines, round, seen};
@@ -125,18 +126,17 @@ pub fn strips(scene: &Scene, found: &Chaos, word: &Word, shown: &Leaf) -> Vec<Ve
 /// Where a state is after impacts on these walls; `None` where they are others, or not certified in doubles.
 fn image(pair: &ImpactPair, [phase, speed]: State, walls: &[Wall]) -> Option<State> {
     let harmonic = pair.excitation().only()?;
-    let [amplitude, frequency, lead] = [harmonic.amplitude(), harmonic.frequency(), harmonic.phase()].map(value);
-    let time = Exact::try_from((TAU * phase - lead) / frequency).ok()?;
-    let velocity = Exact::try_from(-speed * amplitude * frequency).ok()?;
+    let (gaps, amplitudes) = (Units::gaps(pair).ok()?.map(value), Units::amplitudes(harmonic).ok()?.map(value));
+    let time = harmonic.time_at(&Exact::try_from(TAU * phase).ok()?).ok()?;
+    let velocity = Exact::try_from(-speed * amplitudes.velocity).ok()?;
     let start = Start::on_wall(time, Wall::Left, velocity).ok()?;
     let settings =
         Settings { impacts: Some(walls.len() as u64), arithmetic: Arithmetic::Interval, ..Settings::default() };
     let impacts: Vec<Impact> = Orbit::new(pair, &start, settings).ok()?.collect();
     let last = impacts.last().filter(|_| impacts.iter().map(|impact| impact.wall).eq(walls.iter().copied()))?;
-    // Mirrored to the left wall, and from gaps a turn to the unit of speeds here.
+    // Mirrored to the left wall.
     let mirrored = if last.wall == Wall::Right { 0.5 } else { 0.0 };
-    let unit = value(pair.gap()) / (TAU * amplitude);
-    Some([last.phase.mid() + mirrored, last.velocity.mid().abs() * unit])
+    Some([last.phase.mid() + mirrored, last.velocity.mid().abs() * gaps.velocity / amplitudes.velocity])
 }
 
 #[cfg(test)]

@@ -28,7 +28,7 @@ pub fn caption(head: &SweepHead, (root, look): (&Canvas<'_>, &Look)) -> Drawn<i3
     picture::caption(root, look, &title, &[parameters(head), shown, made])
 }
 
-/// What varies.
+/// Returns the parameters that vary.
 fn varied(head: &SweepHead) -> impl Iterator<Item = Key> {
     head.over.iter().filter_map(|over| over.key.parse().ok())
 }

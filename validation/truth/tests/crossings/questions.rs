@@ -10,7 +10,7 @@ use impact_pair::chaos::{
     self, Base, BoxGraph, Chaos, Cycles, Global, GlobalSettings, Hyperbolic, Trap, WallWords, WindowSettings, Windows,
 };
 use impact_pair::describe::{Request, describe};
-use impact_pair::document::{self, Units};
+use impact_pair::document;
 use impact_pair::mapping::Word;
 use impact_pair::orbit::{Arithmetic, Orbit, Settings};
 use impact_pair::pair::Wall;
@@ -18,6 +18,7 @@ use impact_pair::periodic::bifurcation::{DiagramSettings, survey};
 use impact_pair::periodic::{Budget, Precision, Problem};
 use impact_pair::sweep::{self, Grid};
 use impact_pair::tangency::{Tangencies, TangencySettings};
+use impact_pair::units::Units;
 use impact_pair::watch::{Stage, Unwatched, proceed_if};
 use impact_pair::{Error, Scene, two_impact};
 use serde_json::{Value, json};
@@ -247,7 +248,7 @@ impl Case {
     fn periodic(&mut self, is_all: bool) -> Result<Answer, Error> {
         let (word, cycles) = self.word();
         let problem = Problem::new(self.scene.pair(), &word, cycles)?;
-        let units = Units::new(problem.pair())?;
+        let units = Units::gaps(problem.pair())?;
         let precision = Precision { digits: 9, max_bits: 256 };
         let (patience, budget) = (Patience::new(), Budget { boxes: 1_500, halvings: 30 });
         let census = match is_all {

@@ -1,4 +1,4 @@
-//! How much work a check of words may take, counted and not timed: its answer is the same on every machine.
+//! The work of a check of words, counted and not timed: its answer is the same on every machine.
 
 use std::sync::atomic::{AtomicI64, Ordering};
 
@@ -6,7 +6,7 @@ use impact_pair_model::watch::Watch;
 
 use super::guess::MOST_TURNS;
 
-/// What ends a search.
+/// The end of a search.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum End {
     /// Its user stops it.

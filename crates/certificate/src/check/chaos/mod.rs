@@ -28,12 +28,13 @@ mod tube;
 mod words;
 
 use impact_pair_exact::Exact;
-use impact_pair_model::{Error, ImpactPair, within};
+use impact_pair_model::{Error, ImpactPair};
 
+use super::units::ratio;
 pub(in crate::check) use cells::{are_distinct, has_stable_orbit};
 use span::Span;
 
-/// What the map depends on.
+/// The parameters of the map.
 #[derive(Clone, Copy, Debug)]
 struct Law {
     /// `D = d/A`
@@ -47,9 +48,8 @@ impl Law {
     fn of(pair: &ImpactPair) -> Result<Self, Error> {
         let harmonic = pair.harmonic("the impact map without units")?;
         Error::require_positive("excitation.amplitude", harmonic.amplitude())?;
-        let gap = within("pair.gap / excitation.amplitude", pair.gap(), pair.gap().checked_div(harmonic.amplitude()))?;
         let of = |x: &Exact| Span::of(&x.enclose(BITS));
-        Ok(Self { gap: of(&gap), restitution: of(pair.restitution()) })
+        Ok(Self { gap: of(&ratio(pair, harmonic)?), restitution: of(pair.restitution()) })
     }
 }
 

@@ -49,7 +49,7 @@ const GRADED: f64 = 0.001;
 
 /// Radians and speeds.
 fn vector(from: State, to: State) -> State {
-    [TAU * (to[0] - from[0]), to[1] - from[1]]
+    in_radians([to[0] - from[0], to[1] - from[1]])
 }
 
 fn cross([a, b]: State, [c, d]: State) -> f64 {
@@ -88,8 +88,7 @@ impl Sample {
 
     /// The image of the half chord, in radians and speeds.
     fn thick(&self) -> State {
-        let [u, w] = applied(self.image().jacobian, self.half);
-        [TAU * u, w]
+        in_radians(applied(self.image().jacobian, self.half))
     }
 }
 

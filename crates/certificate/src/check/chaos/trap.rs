@@ -18,6 +18,7 @@ use crate::check::budget::Budget;
 use crate::check::contact::Doubt;
 use crate::check::data::{Data, Piece};
 use crate::check::step::Landing;
+use crate::check::units::{greatest_speed, period};
 use crate::check::walk::Walk;
 use crate::check::{Effort, FIRST_BITS, Finding, Verdict};
 use crate::trap::TrapCertificate;
@@ -154,13 +155,9 @@ impl TrapCertificate {
     /// A period \[time\] and the greatest speed of the box \[length/time\].
     fn units(&self) -> Result<[Real; 2], Doubt> {
         let reference = self.pair().excitation().reference();
-        let (amplitude, frequency) = (reference.amplitude(), reference.frequency());
-        let period = (Exact::pi() * Exact::from(2)).checked_div(frequency);
-        let unit = |x: Result<Exact, _>| match x {
-            Ok(x) => Ok(Real::of(&x, BITS)),
-            Err(_) => Err(Doubt::open("the units exceed the range of exact expressions")),
-        };
-        Ok([unit(period)?, unit(amplitude.checked_mul(frequency))?])
+        let units = period(reference).and_then(|period| Ok([period, greatest_speed(reference)?]));
+        let units = units.map_err(|_| Doubt::open("the units exceed the range of exact expressions"))?;
+        Ok(units.map(|unit| Real::of(&unit, BITS)))
     }
 
     /// Whether an impact of the scene's orbit, or its start as number 0, is in the region, or an earlier one is: then all later ones are,
@@ -236,8 +233,7 @@ fn starts_at(pair: &ImpactPair, start: &Start) -> Result<Option<[Real; 2]>, Erro
     let turn = Exact::pi() * Exact::from(2);
     let phase = harmonic.frequency().checked_mul(start.time()).and_then(|x| x.checked_add(harmonic.phase()));
     let phase = within("start.time", start.time(), phase.and_then(|phase| phase.checked_div(&turn)))?;
-    let fastest = harmonic.amplitude().checked_mul(harmonic.frequency());
-    let velocity = fastest.and_then(|fastest| start.velocity().checked_div(&fastest));
+    let velocity = start.velocity().checked_div(&greatest_speed(harmonic)?);
     let velocity = within("start.velocity", start.velocity(), velocity)?;
     Ok(Some(mirrored(*wall, Real::of(&phase, BITS), Real::of(&velocity, BITS))))
 }

@@ -65,7 +65,7 @@ type Beginning = (usize, Vec<bool>);
 /// How many flights ahead chains of boxes are measured from, where it is not as many as elsewhere.
 pub(super) type Ahead = HashMap<Beginning, usize>;
 
-/// How often each word is listed, or found.
+/// Number of times that each word is listed, or found.
 pub(super) type Counts = HashMap<Word, usize>;
 
 /// The search for the listed words, or for all words, one impact deeper at each step.
@@ -76,7 +76,7 @@ pub(super) struct Search<'s> {
     makings: &'s [Making],
     guess: Guess,
     work: &'s Allowance<'s>,
-    /// How often each word is listed; `None` where all are searched for.
+    /// Number of times that each word is listed; `None` where all are searched for.
     listed: Option<&'s Counts>,
     /// The beginnings of all listed words, by their h-set.
     beginnings: HashSet<Beginning>,

@@ -1,4 +1,4 @@
-//! How many common points both manifolds have on either side of a tangency (Lemma V31).
+//! Number of common points of both manifolds on either side of a tangency (Lemma V31).
 
 use num_traits::Signed;
 
@@ -18,7 +18,7 @@ use impact_pair_exact::{Dyadic, Real};
 
 /// The longest word.
 pub(super) const LONGEST: usize = 200;
-/// How often the curve of common points is halved.
+/// Number of bisections of the curve of common points.
 const HALVED: u32 = 8;
 
 /// All numbers of bounds.

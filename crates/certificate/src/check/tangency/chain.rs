@@ -14,7 +14,7 @@ use crate::check::contact::Doubt;
 use crate::check::legs::{Legs, Rows, not_nothing, size};
 use impact_pair_exact::Real;
 
-/// What the equations are over an area.
+/// The equations over an area.
 pub(super) struct Over {
     /// Their values at the centre: two of each flight, and the determinant of both tangents.
     pub residual: Vec<Real>,

@@ -16,7 +16,7 @@ use crate::check::contact::Doubt;
 use crate::tangency::ClaimedTangency;
 use impact_pair_exact::Real;
 
-/// How often the interval is halved.
+/// Number of bisections of the interval.
 const HALVED: u32 = 8;
 
 /// The tangencies of a family.

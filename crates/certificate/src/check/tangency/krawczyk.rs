@@ -15,7 +15,7 @@ const SMALLEST: i64 = -60;
 /// How often a box is made larger, and by which part, as a power of 2.
 const WIDENED: u32 = 8;
 const ROOM: i64 = -4;
-/// How often weights are improved.
+/// Number of improvements of the weights.
 const WEIGHTS: u32 = 8;
 
 /// Which of the equations are solved: their number, for which of the values; the others are given.

@@ -1,4 +1,4 @@
-//! How far the manifolds of the saddle are analytic, proved for complex parameters and a complex `D` or `e` (Lemmas V18, V29).
+//! Discs in which the manifolds of the saddle are analytic, for complex parameters and a complex `D` or `e` (Lemmas V18, V29).
 //!
 //! With `x`, `y`, `z` the phases of three consecutive impacts, all flights to the far wall, the motion is
 //! `E(x, y, z) = c(y, z) - e c(x, y) - (1 + e) cos y = 0`, `c(x, y) = (D - sin x - sin y)/(y + pi - x)` the slope of the flight.
@@ -10,12 +10,12 @@ use impact_pair_exact::{Dyadic, Real};
 const BITS: u32 = 128;
 /// Radii of the disc of the manifold's parameter that are tried, as powers of 2.
 const RADII: std::ops::RangeInclusive<i64> = 3..=12;
-/// How often the bound of the remainder is doubled.
+/// Number of doublings of the bound of the remainder.
 const DOUBLED: u32 = 4;
 /// The radius of the disc of the parameter of the tangency, `D` or `e`, as a power of 2.
 pub(super) const RADIUS: i64 = -16;
 
-/// Which manifold.
+/// A manifold.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Side {
     Unstable,

@@ -11,7 +11,7 @@ const STEPS: u32 = 12;
 
 type Matrix = [[Real; 3]; 3];
 
-/// What interval Newton says of a box.
+/// The result of interval Newton for a box.
 pub(super) enum Zeros {
     /// Exactly one zero, inside the box.
     One,

@@ -2,6 +2,7 @@
 
 use super::saddle::Family;
 use crate::check::contact::Doubt;
+use crate::check::units::ratio;
 use impact_pair_exact::{Exact, Real};
 use impact_pair_model::scene::Key;
 use impact_pair_model::{Error, ImpactPair};
@@ -40,10 +41,7 @@ impl Setting {
                 (_, None) => (pair.gap().clone(), restitution()),
                 (_, Some(_)) => return Err(Doubt::open("reduced maps over one of several terms are not checked")),
             },
-            Key::Restitution => {
-                let gap = pair.gap().checked_div(harmonic.amplitude());
-                (Exact::from(1), gap.map_err(|error| Doubt::Open(error.to_string()))?)
-            }
+            Key::Restitution => (Exact::from(1), ratio(pair, harmonic).map_err(reason)?),
             _ => return Err(Doubt::open("only reduced maps over gap, amplitude and restitution are checked")),
         };
         if unit.is_point() {

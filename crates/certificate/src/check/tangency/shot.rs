@@ -24,7 +24,7 @@ pub(super) struct Range<'b> {
     around: Option<(Real, [Domain; 2])>,
 }
 
-/// What is found over a box.
+/// The result over a box.
 pub(super) struct Shot {
     pub saddle: Saddle,
     /// `F^n P_u` and `P_s`.

@@ -15,6 +15,7 @@ use crate::check::frame::hull;
 use crate::check::tangency::flights::Letter;
 use crate::check::tangency::setting::Setting;
 use crate::check::target::{MOST_BITS, narrowest};
+use crate::check::units::greatest_speed;
 use crate::check::walk::compare;
 use crate::periodic::OrbitOf;
 use crate::windows::ClaimedWindow;
@@ -32,11 +33,11 @@ const LARGEST: i64 = -96;
 /// Steps of Newton's iteration, and how much smaller than a tiny cell the last one is, as a power of 2.
 const ENOUGH: i64 = 8;
 const STEPS: u32 = 24;
-/// How often the way between two points, or to an end, is halved.
+/// Number of bisections of the path between two points, or to an end.
 const HALVED: u32 = 12;
 /// The sides of a cell across the curve at first, as a power of 2, in units of how far the curve strays from its direction.
 const ROOM: i64 = 3;
-/// How often a cell is widened.
+/// Number of times that a cell is widened.
 const WIDENED: u32 = 4;
 /// The coordinate that is the parameter.
 const PARAMETER: usize = 2;
@@ -112,7 +113,8 @@ impl Start<'_> {
             self.over.pair.with(self.over.key, self.at.clone()).map_err(|error| Doubt::Open(error.to_string()))?;
         let harmonic =
             there.excitation().only().ok_or_else(|| Doubt::open("with several harmonics, windows are not checked"))?;
-        Ok(Real::of(harmonic.amplitude(), bits) * &Real::of(harmonic.frequency(), bits))
+        let speed = greatest_speed(harmonic).map_err(|error| Doubt::Open(error.to_string()))?;
+        Ok(Real::of(&speed, bits))
     }
 
     /// The middle of the bounds of an impact, as a state of the reduced map and a value of its parameter.

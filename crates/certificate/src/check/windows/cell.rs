@@ -83,9 +83,9 @@ impl Cell {
     }
 }
 
-/// What the flights of a period make of a cell.
+/// The image of a cell under the flights of a period.
 pub(super) struct Image {
-    /// How far the state at the centre is moved, less whole forcing periods.
+    /// Displacement of the state at the centre, less whole forcing periods.
     off: [Real; 2],
     /// Encloses the derivatives of that by the coordinates `q` over the cell.
     slopes: Rows<3>,

@@ -79,7 +79,7 @@ pub(super) enum Found {
 }
 
 impl Period {
-    /// What a document claims, unless it contradicts itself.
+    /// Returns the claims of a document, unless it contradicts itself.
     pub fn of(claimed: &PeriodDocument) -> Result<Self, Doubt> {
         let wrong = |message: &str| Err(Doubt::False(format!("period: {message}")));
         let Ok(word) = claimed.word.parse::<Word>() else { return wrong("its word is none") };

@@ -28,7 +28,7 @@ use seek::branches;
 use strings::{Step, Strings};
 use strip::{Branch, Frame, Map};
 
-/// What is claimed: bounds as doubles that lie between them.
+/// The claims: bounds as doubles within those of the document.
 struct Claimed {
     kappa: f64,
     entropy: [[f64; 2]; 2],

@@ -1,4 +1,4 @@
-//! Where the strips of listed words are about, in plain doubles: what they do is proved.
+//! Approximate strips of listed words, in doubles: nothing rests on them.
 //!
 //! Labels: proposes throughout.
 
@@ -67,7 +67,7 @@ fn turns(word: &Word) -> f64 {
     0.5 * (word.half_cycles as f64 + far)
 }
 
-/// Where images cross an h-set, and whether from left to right.
+/// The crossings of images and an h-set, and whether they run from left to right.
 fn crossings(line: &[Seen], word: &Word, frame: &Frame) -> Vec<([f64; 2], bool)> {
     let (mut found, mut last) = (Vec::new(), None);
     let (turns, flights) = (turns(word), word.flights.len());

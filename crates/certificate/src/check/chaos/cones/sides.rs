@@ -1,4 +1,4 @@
-//! What the derivative makes of the half sides of a cell (Lemma V14, half sides).
+//! Images of the half sides of a cell under the derivative (Lemma V14, half sides).
 
 use super::super::beam::{Landing, Spot};
 use super::super::span::Span;

@@ -1,4 +1,4 @@
-//! How much strings of words expand, and the graph of strings (Lemma V14).
+//! Expansion along strings of words, and the graph of strings (Lemma V14).
 
 use std::collections::BTreeMap;
 

@@ -8,8 +8,8 @@ mod parts;
 mod saddles;
 mod space;
 
+use impact_pair_model::Error;
 use impact_pair_model::watch::{Latched, Silent, Watch};
-use impact_pair_model::{Error, within};
 
 use super::allowance::Allowance;
 use super::beam::{Beam, Quad};
@@ -17,6 +17,7 @@ use super::horseshoe::{are_apart, is_proved};
 use super::span::Span;
 use super::{BITS, LOOKS, Law};
 use crate::check::contact::Doubt;
+use crate::check::units::greatest_speed;
 use crate::check::{Effort, Finding, Verdict};
 use crate::global::{Claimed, GlobalCertificate};
 use basins::{Areas, Known};
@@ -161,9 +162,7 @@ impl GlobalCertificate {
     /// The cycles of the map that are claimed, each with the place of its component.
     fn cycles(&self) -> Result<Vec<(usize, Cycle, bool)>, Error> {
         let harmonic = self.pair().harmonic("a global analysis")?;
-        let fastest = harmonic.amplitude().checked_mul(harmonic.frequency());
-        let fastest = within("excitation.frequency", harmonic.frequency(), fastest)?;
-        let (turn, fastest) = (Real::pi(BITS) * 2, Real::of(&fastest, BITS));
+        let (turn, fastest) = (Real::pi(BITS) * 2, Real::of(&greatest_speed(harmonic)?, BITS));
         let half = Span::point(0.5);
         let state = |(is_right, phase, velocity): (bool, Real, Real)| {
             let phase = Span::of(phase.over(&turn)?.enclosure());
