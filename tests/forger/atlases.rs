@@ -8,6 +8,11 @@ pub const FORGERIES: &[Forgery] = &[
     Forgery { name: "atlas: another's motions", why: "two points have other motions", forge: exchanged },
     Forgery { name: "atlas: left out", why: "motions stay in the component for ever", forge: left_out },
     Forgery { name: "atlas: numbers", why: "the components are others, or as many as listed", forge: numbers },
+    Forgery {
+        name: "atlas: a stable orbit twice",
+        why: "each orbit is listed once, from whichever impact its word is read",
+        forge: stable_twice,
+    },
     Forgery { name: "atlas: points", why: "a point has one line, and the grid has all", forge: pointed },
 ];
 
@@ -77,6 +82,25 @@ fn numbers(original: &Original) -> Vec<Forged> {
             points[k]["class"] = json!(class);
             if own[k]["class"] != class {
                 all.push(with_points(original, &format!("{class} at {k}"), points));
+            }
+        }
+    }
+    all
+}
+
+/// Read from each of its impacts.
+fn stable_twice(original: &Original) -> Vec<Forged> {
+    let own = points(original);
+    let mut all = Vec::new();
+    for (k, point) in own.iter().enumerate() {
+        for (i, orbit) in point["stable"].as_array().into_iter().flatten().enumerate() {
+            let word: Vec<&str> = orbit["word"].as_str().unwrap().split(' ').collect();
+            for shift in 0..word.len() {
+                let mut again = orbit.clone();
+                again["word"] = json!([&word[shift..], &word[..shift]].concat().join(" "));
+                let mut points = own.clone();
+                points[k]["stable"].as_array_mut().unwrap().push(again);
+                all.push(with_points(original, &format!("orbit {i} of {k}, read {shift} mappings later"), points));
             }
         }
     }

@@ -2,10 +2,14 @@
 
 use serde_json::{Value, json};
 
-use super::forged::{Forged, Forgery, Original, fraction, pair, rational};
+use super::forged::{Forged, Forgery, Original, WHOLE, fraction, pair, rational};
 
 pub const FORGERIES: &[Forgery] = &[
-    Forgery { name: "description: kind", why: "the orbit or the region proves another fate", forge: kinds },
+    Forgery {
+        name: "description: kind",
+        why: "the orbit or the region proves another fate, or no document in it proves this one",
+        forge: kinds,
+    },
     Forgery { name: "description: fields", why: "the period, the word and the impact are others", forge: fields },
     Forgery {
         name: "description: start",
@@ -40,14 +44,15 @@ fn fates() -> Vec<(&'static str, Value)> {
     ]
 }
 
-/// Each other fate in the place of the true one; where no document proves one, `check` names it as not checked.
+/// Each other fate in the place of the true one. Where no document proves it the description is not confirmed either: it is for its fate,
+/// which is not only to be named as not checked.
 fn kinds(original: &Original) -> Vec<Forged> {
     if original.kind != "description" {
         return Vec::new();
     }
     let other = |(name, mut fate): (&str, Value)| {
         fate["impacts"] = json!(7);
-        original.with(name, &[("/fate", fate)]).at(&["fate"])
+        original.with(name, &[("/fate", fate)]).at(&[WHOLE])
     };
     fates().into_iter().map(other).collect()
 }

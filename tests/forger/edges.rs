@@ -2,9 +2,8 @@
 
 use num_rational::BigRational;
 use num_traits::{One, Zero};
-use serde_json::Value;
 
-use super::forged::{Forged, Forgery, Original, bounds, fraction, magnitude, pair};
+use super::forged::{Forged, Forgery, Original, bounds, fraction, magnitude, pair, walk};
 
 pub const FORGERIES: &[Forgery] = &[
     Forgery { name: "bounds: at the edge 0", why: "they end before the true bounds begin", forge: at_zero },
@@ -45,22 +44,6 @@ fn places(original: &Original) -> Vec<(String, [BigRational; 2])> {
         .filter(|&k| is_end(k) && is_pinned(&all[k].1))
         .map(|k| (all[k].1.clone(), all[k].2.clone()))
         .collect()
-}
-
-fn walk(value: &Value, path: &mut String, each: &mut impl FnMut(&str, &Value)) {
-    each(path, value);
-    let inner: Vec<(String, &Value)> = match value {
-        Value::Object(entries) => entries.iter().map(|(key, value)| (key.clone(), value)).collect(),
-        Value::Array(items) => items.iter().enumerate().map(|(k, item)| (k.to_string(), item)).collect(),
-        _ => Vec::new(),
-    };
-    for (key, value) in inner {
-        let length = path.len();
-        path.push('/');
-        path.push_str(&key);
-        walk(value, path, each);
-        path.truncate(length);
-    }
 }
 
 /// How far beyond the bounds nothing true is: of a shadowed orbit, whose start is one of several, some widths.

@@ -77,6 +77,9 @@ pub struct Forged {
     pub false_claims: Option<Vec<String>>,
 }
 
+/// The path of the document itself, which no name of what is not judged covers.
+pub const WHOLE: &str = "";
+
 impl Forged {
     pub fn probably(self) -> Self {
         Self { is_certain: false, ..self }
@@ -128,6 +131,23 @@ pub fn with(document: &Value, changes: &[(&str, Value)]) -> Value {
         }
     }
     copy
+}
+
+/// Calls a function with each value in a document and its pointer.
+pub fn walk(value: &Value, path: &mut String, each: &mut impl FnMut(&str, &Value)) {
+    each(path, value);
+    let inner: Vec<(String, &Value)> = match value {
+        Value::Object(entries) => entries.iter().map(|(key, value)| (key.clone(), value)).collect(),
+        Value::Array(items) => items.iter().enumerate().map(|(k, item)| (k.to_string(), item)).collect(),
+        _ => Vec::new(),
+    };
+    for (key, value) in inner {
+        let length = path.len();
+        path.push('/');
+        path.push_str(&key);
+        walk(value, path, each);
+        path.truncate(length);
+    }
 }
 
 /// Paths in `a.b[0].c` notation where two documents differ.

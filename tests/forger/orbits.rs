@@ -3,7 +3,7 @@
 use num_rational::BigRational;
 use serde_json::{Value, json};
 
-use super::forged::{Forged, Forgery, Original, bounds, decimal, fraction, pair, with};
+use super::forged::{Forged, Forgery, Original, bounds, decimal, fraction, pair, walk, with};
 
 pub const FORGERIES: &[Forgery] = &[
     Forgery {
@@ -21,6 +21,11 @@ pub const FORGERIES: &[Forgery] = &[
         forge: symmetric,
     },
     Forgery { name: "orbits: physical", why: "an earlier contact there is, or there is none", forge: physical },
+    Forgery {
+        name: "orbits: an amplitude or a gap of its own",
+        why: "amplitude and gap of an orbit are those of its scene",
+        forge: of_their_own,
+    },
     Forgery { name: "bifurcations: kind", why: "the eigenvalue that passes is another one", forge: kinds },
     Forgery {
         name: "bifurcations: parameter",
@@ -179,6 +184,20 @@ fn physical(original: &Original) -> Vec<Forged> {
         let Some(is_physical) = orbit["physical"].as_bool() else { continue };
         all.push(original.with(path.clone(), &[(&format!("{path}/physical"), json!(!is_physical))]));
     }
+    all
+}
+
+/// Of any document that has orbits; an orbit that is solved for one of both has it.
+fn of_their_own(original: &Original) -> Vec<Forged> {
+    let mut all = Vec::new();
+    walk(&original.document, &mut String::new(), &mut |path, value| {
+        for key in ["amplitude", "gap"] {
+            if !value["stability"].is_null() && value[key].is_null() {
+                let path = format!("{path}/{key}");
+                all.push(original.with(path.clone(), &[(&path, json!(["0.123", "0.124"]))]));
+            }
+        }
+    });
     all
 }
 

@@ -59,6 +59,7 @@ pub fn all() -> Vec<Original> {
     all.extend(sweeps());
     all.push(Original::new("atlas", "of four points", Value::Array(others::atlas(None))));
     all.push(Original::new("atlas", "of four cells", Value::Array(others::atlas_of_cells())));
+    all.push(Original::new("atlas", "of a stable orbit", Value::Array(others::atlas_of_stable_orbit())));
     all.extend(left_open(&all));
     all.extend(lists(&all));
     all.sort_by_key(|original| KINDS.iter().position(|kind| *kind == original.kind));

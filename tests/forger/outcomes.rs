@@ -26,6 +26,11 @@ pub const FORGERIES: &[Forgery] = &[
         why: "an event that is not listed comes before the time up to which there is none",
         forge: undecided,
     },
+    Forgery {
+        name: "outcome: until an interval of times",
+        why: "one of these times comes after an event that is not listed",
+        forge: until_any,
+    },
     Forgery { name: "outcome: impacts-reached", why: "another number of impacts is listed", forge: impacts_reached },
 ];
 
@@ -170,6 +175,13 @@ fn undecided(original: &Original) -> Vec<Forged> {
         }
     }
     each(original, all)
+}
+
+/// Up to a time of an interval that begins where all is listed and ends long after it.
+fn until_any(original: &Original) -> Vec<Forged> {
+    let last = original.document["outcome"]["until"].as_str().filter(|_| is_orbit(original) && goes_on(original));
+    let whole = |from: &str| original.with(from, &[("/outcome/until", json!(format!("[{from}, 1000000]")))]);
+    last.map_or(Vec::new(), |last| ["0", last].map(whole).into())
 }
 
 fn impacts_reached(original: &Original) -> Vec<Forged> {

@@ -130,20 +130,27 @@ pub fn global_with_horseshoe() -> Value {
 
 /// The plane of four points with cycles with rests, or a shard of it.
 pub fn atlas(shard: Option<[u64; 2]>) -> Vec<Value> {
-    plane(false, shard)
+    plane(RESTS, false, shard)
 }
 
 /// The same of four cells.
 pub fn atlas_of_cells() -> Vec<Value> {
-    plane(true, None)
+    plane(RESTS, true, None)
 }
 
-fn plane(has_cells: bool, shard: Option<[u64; 2]>) -> Vec<Value> {
+/// A cell of which few boxes decide nothing, with the stable equispaced motion.
+pub fn atlas_of_stable_orbit() -> Vec<Value> {
+    plane(["amplitude=0.25..0.2502:2", "restitution=0.5..0.5002:2"], true, Some([1, 4]))
+}
+
+/// Axes of a plane of cycles with rests.
+const RESTS: [&str; 2] = ["amplitude=2.2..3:2", "restitution=0.1..0.15:2"];
+
+fn plane(axes: [&str; 2], has_cells: bool, shard: Option<[u64; 2]>) -> Vec<Value> {
     let scene = "excitation = { amplitude = 1, frequency = \"pi\", phase = 0.25 }\n\
                  pair = { gap = 1, restitution = 0.2 }\nstart = { time = 0, wall = \"left\", velocity = -1 }";
     let scene = Scene::parse(scene).unwrap();
-    let axes = ["amplitude=2.2..3:2", "restitution=0.1..0.15:2"].map(|axis| axis.parse().unwrap());
-    let plane = Plane::new(axes.to_vec(), has_cells).unwrap();
+    let plane = Plane::new(axes.map(|axis| axis.parse().unwrap()).to_vec(), has_cells).unwrap();
     let settings = GlobalSettings { boxes: 1 << 8, most: 1_000, ..GlobalSettings::default() };
     let head = atlas::head(&scene, &plane, &settings, shard);
     let own = (0..plane.points()).filter(|point| head.has(*point));
