@@ -9,7 +9,7 @@ use crate::chaos::law::Law;
 use crate::chaos::quad::State;
 use crate::chaos::stable::settled_orbits;
 use crate::pair::ImpactPair;
-use crate::periodic::{Precision, Stability};
+use crate::periodic::{PeriodicOrbit, Precision, Stability};
 
 /// Half sides of the rectangles about the states of a cycle, in forcing periods and over `A W`: each is tried.
 const ROOMS: [f64; 2] = [1e-3, 1e-6];
@@ -53,9 +53,7 @@ fn among(
             let sides = states.iter().map(|&state| Some(guess.map(state)?.side)).collect::<Option<_>>()?;
             let limit = Limit { states: states.clone(), sides, hulls, attracts: true };
             let own = LimitCycle::of(pair, law, &limit, precision)?;
-            // A14: where it closes after two rounds, they are one under the reduced map
-            let is_round = own.orbit.impacts.len() == states.len() || own.orbit.symmetric == Some(true);
-            (is_round && own.orbit.stability == Stability::Stable).then_some((place, own, limit.hulls))
+            attracts_after(&own.orbit, states.len()).then_some((place, own, limit.hulls))
         });
         if let Some((place, limit, hulls)) = proved {
             found.push((place, limit));
@@ -63,6 +61,13 @@ fn among(
         }
     }
     found
+}
+
+/// Whether an orbit is stable, and comes again after N impacts of the reduced map. Lemma A14
+fn attracts_after(orbit: &PeriodicOrbit, impacts: usize) -> bool {
+    // A14: where it closes after two rounds, they are one under the reduced map
+    let is_round = orbit.impacts.len() == impacts || orbit.symmetric == Some(true);
+    is_round && orbit.stability == Stability::Stable
 }
 
 /// The place of the one component that has boxes which meet some rectangles; `None` where there are more, or none.
@@ -98,6 +103,7 @@ fn is_apart([phases, speeds]: &Hull, [others, their_speeds]: &Hull) -> bool {
 mod tests {
     use super::*;
     use crate::Harmonic;
+    use crate::chaos::global::known::is_motion_in_turn;
     use crate::chaos::trap::Grid;
     use crate::exact::Exact;
 
@@ -144,6 +150,30 @@ mod tests {
         let all = component((0..64).flat_map(|column| (0..64).map(move |row| (column, row))).collect());
         assert_eq!(closed(&Guess::new(&law), saddle, 1).map(|states| states.len()), Some(1));
         assert!(found(&[&[saddle]], &[&all], [true; 2]).is_empty(), "the saddle attracts nothing");
+    }
+
+    /// Two rounds are one where the orbit is proved to be its own mirror image; one that may have an earlier contact is no motion.
+    #[test]
+    fn a14_what_is_left_open_of_an_orbit_is_not_taken_for_proved() {
+        let (pair, law, own) = beyond_the_pitchfork();
+        let hulls: Vec<Hull> = own.iter().map(|state| state.map(|x| [x - 1e-3, x + 1e-3])).collect();
+        let sides = own.iter().map(|&state| Guess::new(&law).map(state).unwrap().side).collect();
+        let limit = Limit { states: own, sides, hulls: hulls.clone(), attracts: true };
+        let orbit = LimitCycle::of(&pair, &law, &limit, Precision::default()).unwrap().orbit;
+        assert!(orbit.impacts.len() == 2 && attracts_after(&orbit, 2) && !attracts_after(&orbit, 1));
+        let with = |change: &dyn Fn(&mut PeriodicOrbit)| {
+            let mut other = orbit.clone();
+            change(&mut other);
+            other
+        };
+        for (symmetric, is_round) in [(Some(true), true), (Some(false), false), (None, false)] {
+            assert_eq!(attracts_after(&with(&|own| own.symmetric = symmetric), 1), is_round, "{symmetric:?}");
+        }
+        assert!(!attracts_after(&with(&|own| own.stability = Stability::Unstable), 2));
+        for (physical, is_motion) in [(Some(true), true), (Some(false), false), (None, false)] {
+            let found = is_motion_in_turn(&with(&|own| own.physical = physical), &law, &hulls);
+            assert_eq!(found, is_motion, "{physical:?}");
+        }
     }
 
     /// A cycle that is proved elsewhere than in the rectangles is not one in them.

@@ -231,13 +231,18 @@ impl LimitCycle {
         (1.0..1e6).contains(&cycles).then_some(())?;
         let problem = Problem::new(pair, &walls.parse().ok()?, cycles as u32).ok()?; // proposes
         let orbit = problem.prove(&guesses, precision)?;
-        if orbit.physical != Some(true) || !is_in_turn(&orbit, law, &limit.hulls) {
+        if !is_motion_in_turn(&orbit, law, &limit.hulls) {
             return None; // exact: not proved
         }
         let eigenvalues = orbit.eigenvalues.each_ref().map(|value| [&value.re, &value.im]);
         let spectral_radius = spectral_radius(eigenvalues, rounds)?;
         Some(Box::new(Self { impacts: count, problem, orbit, spectral_radius }))
     }
+}
+
+/// Whether an orbit is proved to be a motion, without an earlier contact, and in rectangles, one after the other. Lemma A8
+pub(super) fn is_motion_in_turn(orbit: &PeriodicOrbit, law: &Law, hulls: &[[[f64; 2]; 2]]) -> bool {
+    orbit.physical == Some(true) && is_in_turn(orbit, law, hulls)
 }
 
 /// Whether the impacts of a period, mirrored to the left wall and less whole forcing periods, are proved to be in rectangles, one after the
