@@ -5,6 +5,7 @@
 //! to be contracted to a periodic orbit.
 
 use std::f64::consts::TAU;
+use std::ops::RangeInclusive;
 
 use num_integer::Integer;
 
@@ -31,6 +32,8 @@ const LONGEST: usize = 128;
 /// near: each of these is tried.
 const AGAIN: usize = 32;
 const ROOMS: [f64; 2] = [0.0, 8.0];
+/// The same for a shorter round, measured by it: near its doubling, where a multiplier is near -1, sets that hold their images are long.
+const ROOMS_OF_SHORTER: [f64; 3] = [8.0, 128.0, 1024.0];
 const NEAR: f64 = 0.02;
 /// Sides are that much longer than they have to be, so that it can be proved that they are long enough.
 const LONGER: f64 = 1.0 + 1e-9;
@@ -58,7 +61,7 @@ fn coordinates([p, q]: [State; 2]) -> Option<[[Ball; 2]; 2]> {
 
 impl Set {
     fn of(first: &Visited) -> Self {
-        let turns = first.phase.mid().floor(); // exact: whole turns, word_of by themselves
+        let turns = first.phase.mid().floor(); // exact: whole turns, counted by themselves
         Self {
             middle: [first.phase.mid() - turns, first.speed.mid()],
             // D15: what the middle is rounded by
@@ -92,7 +95,7 @@ impl Set {
             [own[k][0] + u, own[k][1] + w]
         });
         let directions = directions(self.sides.map(|side| applied(image.jacobian, side)));
-        let turns = image.state[0].floor(); // exact: whole turns, word_of by themselves
+        let turns = image.state[0].floor(); // exact: whole turns, counted by themselves
         let middle = [image.state[0] - turns, image.state[1]];
 
         let landing = Flights::moved(law, &quad, self.moved).land(image.side, arrival)?;
@@ -153,75 +156,103 @@ fn directions([p, q]: [State; 2]) -> [State; 2] {
     [[u / size, w / size], [-w / (TAU * size), TAU * u / size]]
 }
 
-/// A periodic orbit that has a state in a set: N impacts, and whole forcing periods, after which it comes again.
-struct Period {
-    from: usize,
-    impacts: usize,
+/// Flights, from an impact on a wall, and whole forcing periods of the reduced map, after which a periodic orbit comes again.
+struct Round {
+    wall: Wall,
+    sides: Vec<Side>,
     turns: f64,
+}
+
+impl Round {
+    /// It comes again after N impacts as well: so after the greatest common divisor of both. Lemma D15
+    fn divide(&mut self, impacts: usize) {
+        let common = self.sides.len().gcd(&impacts);
+        self.turns /= (self.sides.len() / common) as f64; // exact: whole turns after each part
+        self.sides.truncate(common);
+    }
+
+    /// The most impacts, of which its flights are several times the same, after which it may come again as well.
+    fn part(&self) -> Option<usize> {
+        let all = self.sides.len();
+        let is_repeated = |part: &usize| all.is_multiple_of(*part) && self.sides[*part..] == self.sides[..all - part];
+        (1..=all / 2).rev().find(is_repeated)
+    }
+
+    /// Its word, in whole forcing periods: twice the flights where they end on the other wall.
+    fn word(&self) -> Option<(Word, u32)> {
+        let far = self.sides.iter().filter(|&&side| side == Side::Far).count();
+        let half_cycles = 2 * self.turns as i64 - far as i64; // exact: whole numbers, each far impact is half a turn later
+        let rounds = if far.is_multiple_of(2) { 1 } else { 2 };
+        let mut from = self.wall;
+        let mut mappings = Vec::new();
+        for side in self.sides.repeat(rounds) {
+            let to = side.lands_on(from);
+            mappings.push(Mapping::between(from, to));
+            from = to;
+        }
+        let cycles = half_cycles * rounds as i64 / 2; // exact: an even number
+        Some((Word::new(mappings).ok()?, u32::try_from(cycles).ok()?))
+    }
 }
 
 /// The word of the periodic orbit that the orbit from a state converges to, for all `D` and `e` of the law, from some impact on, and how
 /// many cycles it takes; `None` where that is not proved. Lemma D15
 pub(super) fn attracted(law: &Law, first: &Visited, watch: &dyn Watch) -> Option<(Word, u32)> {
-    ROOMS.into_iter().find_map(|room| converges(law, first, room, watch))
+    let any = ROOMS.map(|room| Enlarged { room, before: AGAIN / 2 + 1..=AGAIN, longest: LONGEST });
+    let mut found = any.iter().find_map(|enlarged| converges(law, first, enlarged, watch))?;
+    // D15: one pair, which repeats after as many impacts as all others; its sets are small, so that fewer impacts are enough
+    let one = Law { gap: Ball::exact(law.gap.mid()), restitution: Ball::exact(law.restitution.mid()) };
+    let first = Visited { phase: Ball::exact(first.phase.mid()), speed: Ball::exact(first.speed.mid()), ..*first };
+    while let Some(part) = found.part() {
+        let by_it = ROOMS_OF_SHORTER.map(|room| Enlarged { room, before: part..=part, longest: IMPACTS });
+        let mut rounds = by_it.iter().filter_map(|enlarged| converges(&one, &first, enlarged, watch));
+        let Some(shorter) = rounds.find(|round| !round.sides.len().is_multiple_of(found.sides.len())) else { break };
+        found.divide(shorter.sides.len());
+    }
+    found.word()
 }
 
-/// The same by sets that have so much room every now and then.
-fn converges(law: &Law, first: &Visited, room: f64, watch: &dyn Watch) -> Option<(Word, u32)> {
+/// How sets begin anew: with so much room, compared with the sets of so many impacts before; and how many impacts after a round is found
+/// a shorter one is looked for.
+struct Enlarged {
+    room: f64,
+    before: RangeInclusive<usize>,
+    longest: usize,
+}
+
+/// What sets from a state on are proved to converge to.
+fn converges(law: &Law, first: &Visited, enlarged: &Enlarged, watch: &dyn Watch) -> Option<Round> {
     let guess = Guess::new(law);
     let (mut sets, mut sides) = (vec![Set::of(first)], Vec::new());
-    let mut found: Option<(Period, usize)> = None;
+    let mut found: Option<(Round, usize)> = None;
     while sets.len() <= IMPACTS && watch.goes_on() {
         let last = sets.len();
         let Some((set, side)) = sets[last - 1].next(law, &guess) else { break };
+        sides.push(side);
         let recent = last.saturating_sub(LONGEST)..last; // exact: all there are
         for from in recent.rev() {
             let impacts = last - from;
-            if found.as_ref().is_some_and(|(period, _)| impacts.is_multiple_of(period.impacts)) {
+            if found.as_ref().is_some_and(|(round, _)| impacts.is_multiple_of(round.sides.len())) {
                 continue;
             }
             let Some(shift) = sets[from].holds(&set) else { continue };
             match &mut found {
                 None => {
-                    found = Some((Period { from, impacts, turns: set.turns - sets[from].turns + shift }, last));
+                    let turns = set.turns - sets[from].turns + shift;
+                    found = Some((Round { wall: sets[from].wall, sides: sides[from..].to_vec(), turns }, last));
                     break;
                 }
-                Some((period, _)) => period.divide(impacts),
+                Some((round, _)) => round.divide(impacts),
             }
         }
-        let has_room = last.is_multiple_of(AGAIN) && (found.is_some() || room > 0.0); // proposes: larger sets hold as much
-        sets.push(if has_room { set.with_room(room, &sets[last - AGAIN..last - AGAIN / 2]) } else { set });
-        sides.push(side);
-        let Some((period, since)) = &found else { continue };
-        if period.impacts == 1 || last == since + LONGEST {
+        let has_room = last.is_multiple_of(AGAIN) && (found.is_some() || enlarged.room > 0.0); // proposes: larger sets hold as much
+        let begin = last.checked_sub(*enlarged.before.end()); // proposes: none where there are not so many
+        let earlier = begin.map_or(&[][..], |begin| &sets[begin..=last - enlarged.before.start()]);
+        sets.push(if has_room { set.with_room(enlarged.room, earlier) } else { set });
+        let Some((round, since)) = &found else { continue };
+        if round.sides.len() == 1 || last == since + enlarged.longest {
             break;
         }
     }
-    let (Period { from, impacts, turns }, _) = found?;
-    word_of(sets[from].wall, &sides[from..from + impacts], turns)
-}
-
-impl Period {
-    /// It comes again after N impacts as well: so after the greatest common divisor of both. Lemma D15
-    fn divide(&mut self, impacts: usize) {
-        let common = self.impacts.gcd(&impacts);
-        self.turns /= (self.impacts / common) as f64; // exact: whole turns after each part
-        self.impacts = common;
-    }
-}
-
-/// The word of N flights from a wall, in whole forcing periods of mirrored phases; twice where it ends on the other wall.
-fn word_of(wall: Wall, sides: &[Side], turns: f64) -> Option<(Word, u32)> {
-    let far = sides.iter().filter(|&&side| side == Side::Far).count();
-    let half_cycles = 2 * turns as i64 - far as i64; // exact: whole numbers, each far impact is word_of half a turn later
-    let rounds = if far.is_multiple_of(2) { 1 } else { 2 };
-    let mut from = wall;
-    let mut mappings = Vec::new();
-    for side in sides.repeat(rounds) {
-        let to = side.lands_on(from);
-        mappings.push(Mapping::between(from, to));
-        from = to;
-    }
-    let cycles = half_cycles * rounds as i64 / 2; // exact: an even number
-    Some((Word::new(mappings).ok()?, u32::try_from(cycles).ok()?))
+    Some(found?.0)
 }
