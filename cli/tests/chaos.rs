@@ -253,3 +253,24 @@ fn edges_of(text: &str) -> Vec<[String; 3]> {
     };
     text.lines().filter(|line| line.contains("<edge ") || line.contains(" -> ")).filter_map(of_line).collect()
 }
+
+/// Before a doubling a multiplier of the stable orbit is near -1, and sets come back after two rounds long before they do after one. The periods
+/// are those of floating-point orbits of another program: 8 impacts, and 16 beyond the doubling, with the same word twice. Lemmas D15, V36
+#[test]
+fn r49_a_stable_orbit_is_given_with_its_shortest_period_where_a_word_is_repeated() {
+    let path = folder("chaos-shortest").join("cells.json");
+    let path = path.to_str().unwrap();
+    for (over, impacts, cycles) in
+        [("amplitude=8.47734375..8.477734375:2", 8, 3), ("amplitude=8.4822265625..8.482421875:1", 16, 6)]
+    {
+        let asked = ["--over", over, "--halvings", "0", "--depth", "1", "--output", path, "--quiet"];
+        program(&[&["chaos", "scenes/figure-14.toml"][..], &asked].concat()).output().unwrap();
+        let document: Value = serde_json::from_str(&fs::read_to_string(path).unwrap()).unwrap();
+        for stretch in document["stretches"].as_array().unwrap() {
+            let period = &stretch["period"];
+            assert_eq!((&period["impacts"], &period["cycles"]), (&impacts.into(), &cycles.into()), "{stretch}");
+        }
+        let said = String::from_utf8(program(&["check", path]).output().unwrap().stdout).unwrap();
+        assert!(said.starts_with("confirmed: "), "{said}");
+    }
+}

@@ -171,7 +171,7 @@ impl Round {
         self.sides.truncate(common);
     }
 
-    /// The most impacts, of which its flights are several times the same, after which it may come again as well.
+    /// The longest part that its flights repeat, after which it may come again as well, in impacts.
     fn part(&self) -> Option<usize> {
         let all = self.sides.len();
         let is_repeated = |part: &usize| all.is_multiple_of(*part) && self.sides[*part..] == self.sides[..all - part];
@@ -212,11 +212,12 @@ pub(super) fn attracted(law: &Law, first: &Visited, watch: &dyn Watch) -> Option
     found.word()
 }
 
-/// How sets begin anew: with so much room, compared with the sets of so many impacts before; and how many impacts after a round is found
-/// a shorter one is looked for.
+/// The sets that begin anew every [`AGAIN`] impacts, and the search for a shorter round.
 struct Enlarged {
+    /// Their room, in the distance from the nearest of the sets that are `before` impacts earlier.
     room: f64,
     before: RangeInclusive<usize>,
+    /// The most impacts that are followed once a round is found.
     longest: usize,
 }
 
@@ -246,7 +247,7 @@ fn converges(law: &Law, first: &Visited, enlarged: &Enlarged, watch: &dyn Watch)
             }
         }
         let has_room = last.is_multiple_of(AGAIN) && (found.is_some() || enlarged.room > 0.0); // proposes: larger sets hold as much
-        let begin = last.checked_sub(*enlarged.before.end()); // proposes: none where there are not so many
+        let begin = last.checked_sub(*enlarged.before.end()); // proposes: none at the beginning
         let earlier = begin.map_or(&[][..], |begin| &sets[begin..=last - enlarged.before.start()]);
         sets.push(if has_room { set.with_room(enlarged.room, earlier) } else { set });
         let Some((round, since)) = &found else { continue };

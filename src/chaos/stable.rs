@@ -115,28 +115,6 @@ mod tests {
         assert!(!orbits(["0.6", "0.5"]).contains(&equispaced));
     }
 
-    /// Stable orbits of figure 14 over a part of its amplitudes, from a start that floating-point orbits settle from.
-    fn of_amplitudes([low, high]: [&str; 2]) -> (usize, u32) {
-        let law = Law::of(&pair([&format!("[{low}/9.42497, {high}/9.42497]"), "0.5"])).unwrap();
-        let (word, cycles) = stable(&law, [0.1, 0.5], &Unwatched).expect("one is proved");
-        (word.mappings().len(), cycles)
-    }
-
-    /// Near its doubling a multiplier of the orbit is near -1, and sets come back after two rounds long before they do after one. The periods are
-    /// those of floating-point orbits of another program: 5 and 8 impacts, and 10 and 16 beyond the doubling, with the same word twice. Lemma D15
-    #[test]
-    fn r49_a_period_is_the_shortest_one_where_a_word_is_repeated() {
-        for amplitudes in [["7.2404296875", "7.240625"], ["7.240625", "7.2408203125"], ["7.2408203125", "7.241015625"]]
-        {
-            assert_eq!(of_amplitudes(amplitudes), (5, 2), "{amplitudes:?}");
-        }
-        for amplitudes in [["8.47734375", "8.4775390625"], ["8.4775390625", "8.477734375"]] {
-            assert_eq!(of_amplitudes(amplitudes), (8, 3), "{amplitudes:?}");
-        }
-        assert_eq!(of_amplitudes(["7.2505859375", "7.25078125"]), (10, 4));
-        assert_eq!(of_amplitudes(["8.4822265625", "8.482421875"]), (16, 6));
-    }
-
     /// Two attractors beside one another, of reduced periods 1 and 3, and 2 and 6, as a search in floating point from a grid of starts found
     /// them; the other impacts of the latter ones are on the other wall or twice as many.
     #[test]
