@@ -5,7 +5,6 @@
 //! to be contracted to a periodic orbit.
 
 use std::f64::consts::TAU;
-use std::ops::RangeInclusive;
 
 use num_integer::Integer;
 
@@ -32,8 +31,8 @@ const LONGEST: usize = 128;
 /// near: each of these is tried.
 const AGAIN: usize = 32;
 const ROOMS: [f64; 2] = [0.0, 8.0];
-/// The same for a shorter round, measured by it: near its doubling, where a multiplier is near -1, sets that hold their images are long.
-const ROOMS_OF_SHORTER: [f64; 3] = [8.0, 128.0, 1024.0];
+/// Lengths of the sides of sets by which a shorter round is looked for at one value: each of these is tried.
+const LENGTHS: [f64; 3] = [1e-6, 1e-5, 1e-4];
 const NEAR: f64 = 0.02;
 /// Sides are that much longer than they have to be, so that it can be proved that they are long enough.
 const LONGER: f64 = 1.0 + 1e-9;
@@ -114,18 +113,21 @@ impl Set {
         ))
     }
 
-    /// At least twice as large and, where it comes back to one of some sets before, so large that what it converges to is likely to be in
-    /// it; sets shrink as fast as motions converge.
-    fn with_room(self, room: f64, before: &[Self]) -> Self {
-        let away = |other: &Self| apart(other.middle, self.middle);
-        let back = room * before.iter().map(away).fold(f64::INFINITY, f64::min); // proposes: how much longer
-        let least = if back < NEAR { back } else { 0.0 };
+    /// At least twice as large, with sides of a length at least; sets shrink as fast as motions converge.
+    fn enlarged(self, least: f64) -> Self {
         let longer = |side: State| {
             let power = (least / length(side)).log2().ceil().max(1.0); // D15: at least twice as long
             let factor = f64::powi(2.0, power as i32); // D15: a power of two, so that no side is turned by rounding
             side.map(|x| factor * x)
         };
         Self { sides: self.sides.map(longer), ..self }
+    }
+
+    /// Room for so often the way to the nearest of some sets before, if that is near.
+    fn room(&self, times: f64, before: &[Self]) -> f64 {
+        let away = |other: &Self| apart(other.middle, self.middle);
+        let room = times * before.iter().map(away).fold(f64::INFINITY, f64::min); // proposes: how large sets become
+        if room < NEAR { room } else { 0.0 } // proposes: how large sets become
     }
 
     /// By how many whole forcing periods another one has to be shifted to lie in this one, for each value of the parameters with a margin; `None`
@@ -171,11 +173,10 @@ impl Round {
         self.sides.truncate(common);
     }
 
-    /// The longest part that its flights repeat, after which it may come again as well, in impacts.
-    fn part(&self) -> Option<usize> {
+    /// Whether its flights are fewer ones several times, so that it may come again after these.
+    fn is_repeated(&self) -> bool {
         let all = self.sides.len();
-        let is_repeated = |part: &usize| all.is_multiple_of(*part) && self.sides[*part..] == self.sides[..all - part];
-        (1..=all / 2).rev().find(is_repeated)
+        (1..=all / 2).any(|part| all.is_multiple_of(part) && self.sides[part..] == self.sides[..all - part])
     }
 
     /// Its word, in whole forcing periods: twice the flights where they end on the other wall.
@@ -198,31 +199,31 @@ impl Round {
 /// The word of the periodic orbit that the orbit from a state converges to, for all `D` and `e` of the law, from some impact on, and how
 /// many cycles it takes; `None` where that is not proved. Lemma D15
 pub(super) fn attracted(law: &Law, first: &Visited, watch: &dyn Watch) -> Option<(Word, u32)> {
-    let any = ROOMS.map(|room| Enlarged { room, before: AGAIN / 2 + 1..=AGAIN, longest: LONGEST });
-    let mut found = any.iter().find_map(|enlarged| converges(law, first, enlarged, watch))?;
+    let mut found = ROOMS.into_iter().find_map(|room| converges(law, first, Enlarged::By(room), watch))?;
     // D15: one pair, which repeats after as many impacts as all others; its sets are small, so that fewer impacts are enough
     let one = Law { gap: Ball::exact(law.gap.mid()), restitution: Ball::exact(law.restitution.mid()) };
     let first = Visited { phase: Ball::exact(first.phase.mid()), speed: Ball::exact(first.speed.mid()), ..*first };
-    while let Some(part) = found.part() {
-        let by_it = ROOMS_OF_SHORTER.map(|room| Enlarged { room, before: part..=part, longest: IMPACTS });
-        let mut rounds = by_it.iter().filter_map(|enlarged| converges(&one, &first, enlarged, watch));
-        let Some(shorter) = rounds.find(|round| !round.sides.len().is_multiple_of(found.sides.len())) else { break };
-        found.divide(shorter.sides.len());
+    for length in LENGTHS {
+        if !found.is_repeated() {
+            break;
+        }
+        if let Some(shorter) = converges(&one, &first, Enlarged::To(length), watch) {
+            found.divide(shorter.sides.len());
+        }
     }
     found.word()
 }
 
-/// The sets that begin anew every [`AGAIN`] impacts, and the search for a shorter round.
-struct Enlarged {
-    /// Their room, in the distance from the nearest of the sets that are `before` impacts earlier.
-    room: f64,
-    before: RangeInclusive<usize>,
-    /// The most impacts that are followed once a round is found.
-    longest: usize,
+/// How large sets are every [`AGAIN`] impacts: room for so often the way by which the orbit misses an earlier impact, for a round as soon as
+/// one is found; or sides of a length at least, for the shortest of all rounds.
+#[derive(Clone, Copy)]
+enum Enlarged {
+    By(f64),
+    To(f64),
 }
 
 /// What sets from a state on are proved to converge to.
-fn converges(law: &Law, first: &Visited, enlarged: &Enlarged, watch: &dyn Watch) -> Option<Round> {
+fn converges(law: &Law, first: &Visited, enlarged: Enlarged, watch: &dyn Watch) -> Option<Round> {
     let guess = Guess::new(law);
     let (mut sets, mut sides) = (vec![Set::of(first)], Vec::new());
     let mut found: Option<(Round, usize)> = None;
@@ -246,12 +247,17 @@ fn converges(law: &Law, first: &Visited, enlarged: &Enlarged, watch: &dyn Watch)
                 Some((round, _)) => round.divide(impacts),
             }
         }
-        let has_room = last.is_multiple_of(AGAIN) && (found.is_some() || enlarged.room > 0.0); // proposes: larger sets hold as much
-        let begin = last.checked_sub(*enlarged.before.end()); // proposes: none at the beginning
-        let earlier = begin.map_or(&[][..], |begin| &sets[begin..=last - enlarged.before.start()]);
-        sets.push(if has_room { set.with_room(enlarged.room, earlier) } else { set });
+        let begins_anew = last.is_multiple_of(AGAIN);
+        // proposes: larger sets hold as much
+        sets.push(match enlarged {
+            Enlarged::By(times) if begins_anew && (found.is_some() || times > 0.0) => {
+                set.enlarged(set.room(times, &sets[last - AGAIN..last - AGAIN / 2]))
+            }
+            Enlarged::To(length) if begins_anew => set.enlarged(length),
+            _ => set,
+        });
         let Some((round, since)) = &found else { continue };
-        if round.sides.len() == 1 || last == since + enlarged.longest {
+        if round.sides.len() == 1 || matches!(enlarged, Enlarged::By(_)) && last == since + LONGEST {
             break;
         }
     }

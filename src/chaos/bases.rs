@@ -164,8 +164,14 @@ impl Seen {
             let trials = Trials { making: fine, depth, effort: SLOW, ..trials };
             trials.best(&self.crossed(&guess, (fine, depth)))
         };
-        let depths = SHALLOWER.map(|part| (part * depth.min(DEPTH) as f64) as usize);
-        depths.into_iter().map(from_everywhere).find(|found| !found.is_empty() || !watch.goes_on()).unwrap_or_default()
+        let mut depths = SHALLOWER.map(|part| (part * depth.min(DEPTH) as f64) as usize).to_vec();
+        depths.dedup();
+        depths
+            .into_iter()
+            .filter(|depth| *depth > 0)
+            .map(from_everywhere)
+            .find(|found| !found.is_empty() || !watch.goes_on())
+            .unwrap_or_default()
     }
 }
 

@@ -22,8 +22,8 @@ fn sums(words: &[Path], bases: usize, weight: impl Fn(&Path) -> i64, q: Ball) ->
 ///
 /// 0 where none is proved.
 pub(crate) fn entropy(words: &[Path], bases: usize, weight: impl Fn(&Path) -> i64 + Copy) -> f64 {
-    if words.iter().any(|word| weight(word) < 1) {
-        return 0.0; // exact: nothing is certified
+    if words.len() < 2 || words.iter().any(|word| weight(word) < 1) {
+        return 0.0; // exact: nothing is certified; one word has no entropy
     }
     let reached = |q: f64| is_reached(&sums(words, bases, weight, Ball::exact(q)));
     // proposes: the greatest sum is found by halving
