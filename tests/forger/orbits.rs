@@ -187,7 +187,7 @@ fn physical(original: &Original) -> Vec<Forged> {
     all
 }
 
-/// Of any document that has orbits; an orbit that is solved for one of both has it.
+/// An amplitude or a gap in an orbit, in any document that has orbits: only those that are solved for one of the two have it.
 fn of_their_own(original: &Original) -> Vec<Forged> {
     let mut all = Vec::new();
     walk(&original.document, &mut String::new(), &mut |path, value| {

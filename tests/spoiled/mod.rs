@@ -18,7 +18,7 @@ use impact_pair::watch::Unwatched;
 use impact_pair_certificate::{Claims, Effort, Verdict};
 use serde_json::Value;
 
-/// Changes of a document that are tried by default, as they stand and told anew.
+/// Changes of a document that are tried by default, each with the counts and messages as they were and made consistent.
 const TRIED: usize = 2;
 
 fn tried() -> usize {
