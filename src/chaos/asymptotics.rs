@@ -29,7 +29,7 @@ pub struct Entered {
     pub boxes: usize,
     /// The impact from which on all impacts are in it, 0 for the start.
     pub at_impact: u64,
-    /// Whether all h-sets, and so the horseshoe with all its images, are proved to lie in it.
+    /// `true` if all h-sets, and so the horseshoe with all its images, are proved to lie in the region.
     pub holds_bases: bool,
 }
 

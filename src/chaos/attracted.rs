@@ -173,7 +173,7 @@ impl Round {
         self.sides.truncate(common);
     }
 
-    /// Whether its flights are fewer ones several times, so that it may come again after these.
+    /// Returns whether its flights repeat a shorter sequence, so that the orbit may have a shorter period.
     fn is_repeated(&self) -> bool {
         let all = self.sides.len();
         (1..=all / 2).any(|part| all.is_multiple_of(part) && self.sides[part..] == self.sides[..all - part])
@@ -214,15 +214,15 @@ pub(super) fn attracted(law: &Law, first: &Visited, watch: &dyn Watch) -> Option
     found.word()
 }
 
-/// How large sets are every [`AGAIN`] impacts: room for so often the way by which the orbit misses an earlier impact, for a round as soon as
-/// one is found; or sides of a length at least, for the shortest of all rounds.
+/// The rule by which sets are enlarged every [`AGAIN`] impacts: to find a round soon, by a multiple of the distance by which the orbit
+/// misses an earlier impact; to find the shortest round, to sides of at least a given length, phases in radians.
 #[derive(Clone, Copy)]
 enum Enlarged {
     By(f64),
     To(f64),
 }
 
-/// What sets from a state on are proved to converge to.
+/// Returns the round of the periodic orbit that the sets from a state on are proved to converge to; `None` where none is proved.
 fn converges(law: &Law, first: &Visited, enlarged: Enlarged, watch: &dyn Watch) -> Option<Round> {
     let guess = Guess::new(law);
     let (mut sets, mut sides) = (vec![Set::of(first)], Vec::new());

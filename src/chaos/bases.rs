@@ -19,7 +19,7 @@ use crate::watch::Watch;
 /// Returns of N impacts are looked for, and of each the N that come nearest.
 const RETURNS: usize = 12;
 const NEAREST: usize = 8;
-/// How far apart these are.
+/// Distance within which a state counts as a return, and beyond which two returns count as different; phases in radians.
 const APART: f64 = 0.02;
 /// Transients begin at N phases and speeds, up to M times the greatest one seen.
 const STARTS: [usize; 2] = [48, 24];

@@ -11,7 +11,7 @@ pub struct Word {
     pub from: usize,
     /// The one it crosses.
     pub to: usize,
-    /// Where its impacts are if it starts on the left wall.
+    /// The walls of its impacts if it starts on the left wall.
     pub walls: Vec<Wall>,
     /// Half cycles from its start to its end, less what the phases of the two h-sets differ by.
     pub half_cycles: i64,
@@ -84,7 +84,7 @@ pub(super) fn horseshoe(words: &[Word], bases: usize) -> Option<[&Word; 2]> {
     None
 }
 
-/// Whether there are h-sets from each of which a word of either block leads to one of them. Lemma D9
+/// Returns whether there are h-sets from each of which a word of each block leads to one of them. Lemma D9
 fn is_free(blocks: [&Block<'_>; 2], bases: usize) -> bool {
     let mut alive = vec![true; bases];
     loop {

@@ -1,4 +1,4 @@
-//! Where clusters of leaves make good h-sets: tried all over a floating-point orbit, moved as long as more is seen, parted further.
+//! Clusters of leaves that make good h-sets: tried all over a floating-point orbit, moved while more entropy is seen, and parted by more gaps.
 //!
 //! Labels: proposes throughout.
 
@@ -30,8 +30,8 @@ const FURTHER: usize = 5;
 /// Moves, relative: the first ones, and those that are small enough.
 const MOVES: [f64; 2] = [0.3, 0.01];
 
-/// Where clusters of leaves are looked for: about a point of the orbit, so far along its leaf and beside it, in radians; bit `n` of
-/// `cuts` says whether the gap that is the widest but `n` parts them.
+/// A place where clusters of leaves are looked for: about a point of the orbit, up to `long` along its leaf and `beside` across it, in
+/// radians; bit `n` of `cuts` says whether the gap with `n` wider ones parts them.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Place {
     pub middle: (State, State),
@@ -191,7 +191,7 @@ fn distinct(bundles: impl Iterator<Item = Bundle>) -> Vec<Bundle> {
     found
 }
 
-/// Whether they may be h-sets.
+/// Returns whether they may be h-sets: convex, near, and apart from one another.
 fn are_good(bases: &[Base]) -> bool {
     let is_apart = |(k, base): (usize, &Base)| bases[..k].iter().all(|other| base.is_apart(other));
     bases.iter().all(|base| base.is_convex() && base.is_near()) && bases.iter().enumerate().all(is_apart)

@@ -7,12 +7,12 @@ use super::law::{Law, Side};
 use super::quad::{Quad, State};
 use crate::number::{Ball, Number, TINY, UNIT, up};
 
-/// What a flight's drift and its height at a phase of arrival change by, along one side: `drift`, and `x drift - shift`.
+/// Changes of a flight's drift, and of its height at a phase of arrival, along one side: `drift`, and `x drift - shift`.
 #[derive(Clone, Copy, Debug)]
 struct Slope {
     drift: Ball,
     shift: Ball,
-    /// How far the far wall moves.
+    /// Displacement of the far wall, in amplitudes.
     ahead: f64,
 }
 
@@ -51,7 +51,7 @@ pub(crate) struct View {
     bend: f64,
 }
 
-/// Where the flights land, in mean-value form: the image of the quadrilateral. Lemma D3
+/// Landings of the flights in mean-value form: the image of the quadrilateral. Lemma D3
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Landing<const M: usize = 1> {
     /// The centre's image.
@@ -72,7 +72,7 @@ fn turn() -> Ball {
     Number::turn(&Ball::exact(0.0))
 }
 
-/// Whether all members are positive: no NaN is.
+/// Returns whether all members are positive; `false` for a NaN.
 pub(crate) fn is_positive(x: Ball) -> bool {
     x.mid() > x.rad()
 }
@@ -157,7 +157,7 @@ impl<const M: usize> Flights<M> {
         View { height: centre.widened(spread), rate, bend: sin.mag() }
     }
 
-    /// Whether a height is between the walls.
+    /// Returns whether all members of a height are between the walls.
     fn is_inside(&self, height: Ball) -> bool {
         is_positive(height) && is_positive(self.gap - height)
     }
@@ -194,7 +194,7 @@ impl<const M: usize> Flights<M> {
         None
     }
 
-    /// Whether even a ball without velocity leaves, and stays away for that long: measured from `z/x^2`.
+    /// Returns whether even a ball without velocity leaves, and stays away for this angle, in radians: by a lower bound of `z/x^2`.
     fn leaves(&self, angle: f64) -> bool {
         let least = (self.sin.mid() - self.sin.rad()) * (0.5 - angle * angle / 24.0) * (1.0 - 4.0 * UNIT);
         least > up(self.cos.mag() * angle / 6.0)
@@ -298,7 +298,7 @@ impl<const M: usize> Flights<M> {
         [least - 2.0 * error, most + 2.0 * error]
     }
 
-    /// `z'` of all flights that are at this height between two phases, measured from both phases: `z' = (z + sin th1 - sin th0)/x - cos th1`. Lemma D4
+    /// Holds `z'` of all flights that are at this height between two phases, from both phases: `z' = (z + sin th1 - sin th0)/x - cos th1`. Lemma D4
     pub fn velocity_by_phases(&self, height: Ball, low: f64, high: f64) -> Option<Ball> {
         let arrival = 0.5 * (low + high);
         let radius = up((arrival - low).max(high - arrival)); // D4: the farther end

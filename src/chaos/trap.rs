@@ -45,7 +45,7 @@ pub(crate) struct Arrivals {
 const LONGEST: f64 = 64.0;
 /// Rows are counted to N.
 const MOST_ROWS: f64 = 2_147_483_647.0;
-/// A box is cut so often to be measured from rest.
+/// Number of times that a box is cut at most, to distinguish its balls from those at rest.
 const CUTS: u32 = 6;
 
 impl Grid {

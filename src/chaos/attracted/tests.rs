@@ -22,7 +22,7 @@ fn member(set: &Set, law: &Law, part: [f64; 4]) -> (State, Law) {
     (state, Law { gap: within(law.gap, d), restitution: within(law.restitution, c) })
 }
 
-/// How far from the middle of a set, for the parameters of a member, a state is, in its sides; less its own radius.
+/// Distance of a state from the middle of a set, for the parameters of a member, in coordinates by its sides; less the state's own radius.
 fn reach(set: &Set, [phase, speed]: [Ball; 2], [c, d]: [f64; 2]) -> f64 {
     let moved =
         |i: usize| Ball::exact(c) * Ball::exact(set.moved[0][i]) + Ball::exact(d) * Ball::exact(set.moved[1][i]);
@@ -102,7 +102,7 @@ proptest! {
     }
 }
 
-/// What `run` proves of one value of the parameter, by sets without any.
+/// Numbers of impacts and of cycles of the stable orbit that `run` proves for one value of the parameter, by sets without parameters.
 fn impacts_and_cycles(scene: &Scene, asked: &RangeSettings, value: &crate::exact::Exact) -> (usize, u32) {
     let pair = scene.pair().with(asked.over.key, value.clone()).unwrap();
     let settings =

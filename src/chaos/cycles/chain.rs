@@ -18,11 +18,11 @@ pub(super) struct Chain {
     pub turns: Option<f64>,
 }
 
-/// What holds of all chains.
+/// The relations that hold for all chains.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Laws {
     pub relation: Relation,
-    /// How long flights take, in forcing periods.
+    /// Bounds of the times of flight, in forcing periods.
     pub times: Interval,
 }
 

@@ -58,7 +58,8 @@ impl Graph {
         Some(back.iter().map(|layer| self.layer(layer)).collect())
     }
 
-    /// Which boxes are reached after each number of steps, in this block and those after it, and where `held` is.
+    /// Returns flags of the boxes reached after each number of steps, in this block and those after it, and only where `held`, read
+    /// backward, has them.
     fn walk(
         &self,
         links: &Links,

@@ -39,7 +39,7 @@ use search::{Found, Search, Task};
 pub struct Cycle {
     /// The least number of impacts after which the motion is what it was, or its mirror image.
     pub impacts: usize,
-    /// What it is an orbit of: its word, from the left wall on, and its cycles of the excitation.
+    /// The problem that it is an orbit of: its word, from the left wall on, and its cycles of the excitation.
     pub problem: Problem,
     /// The orbit.
     pub orbit: PeriodicOrbit,
@@ -166,7 +166,7 @@ impl Cycles {
         self.undecided.push((impacts, Region { impacts: orbit.impacts.clone(), reason: Reason::Precision }));
     }
 
-    /// Whether an orbit is a motion in the region.
+    /// Returns whether an orbit is admissible and lies in the region; `None` if undecided.
     fn is_counted(&self, task: &Task, found: &Found) -> Option<bool> {
         if !found.orbit.physical? {
             return Some(false);
@@ -247,7 +247,7 @@ impl Cycles {
     }
 }
 
-/// What the search in a block leaves.
+/// The result of the search in a block.
 struct Block {
     found: Vec<Found>,
     undecided: Vec<Chain>,

@@ -35,7 +35,7 @@ fn found(scene: &Scene, impacts: RangeInclusive<u32>) -> Cycles {
     Cycles::of(scene, 0, &impacts, Precision::default(), &Unwatched).unwrap().unwrap()
 }
 
-/// Whether a number computed in floating point may be in it.
+/// Returns whether a number computed in floating point, with an error of 1e-8, may be in an interval.
 fn holds(x: Interval, y: f64) -> bool {
     let error = 1e-8 * (1.0 + y.abs());
     x.inf() <= y + error && y - error <= x.sup()
