@@ -63,7 +63,7 @@ fn among(
     found
 }
 
-/// Whether an orbit is stable, and comes again after N impacts of the reduced map. Lemma A14
+/// Returns whether an orbit is stable, and closes after N impacts of the reduced map. Lemma A14
 fn attracts_after(orbit: &PeriodicOrbit, impacts: usize) -> bool {
     // A14: where it closes after two rounds, they are one under the reduced map
     let is_round = orbit.impacts.len() == impacts || orbit.symmetric == Some(true);
@@ -84,12 +84,12 @@ fn place(components: &[&Component], hulls: &[Hull]) -> Option<usize> {
     met.next().filter(|_| met.next().is_none())
 }
 
-/// Whether some rectangles are apart from one another, and from those that are taken.
+/// Returns whether rectangles have no state in common with one another, nor with those that are taken.
 fn are_apart(taken: &[Hull], own: &[Hull]) -> bool {
     (0..own.len()).all(|i| taken.iter().chain(&own[..i]).all(|other| is_apart(other, &own[i])))
 }
 
-/// Whether two rectangles have no state in common, modulo whole forcing periods. Lemma A14
+/// Returns whether two rectangles have no state in common, modulo whole forcing periods. Lemma A14
 fn is_apart([phases, speeds]: &Hull, [others, their_speeds]: &Hull) -> bool {
     let are_beside = |[low, high]: [f64; 2], other: &[f64; 2]| low > other[1] || high < other[0];
     are_beside(*speeds, their_speeds)

@@ -63,7 +63,7 @@ fn staying(guess: &Guess, component: &Component) -> Option<Seen> {
     (!points.is_empty()).then_some(Seen { points, exponent })
 }
 
-/// Whether no box of a component meets an h-set, modulo whole forcing periods. Lemma A13
+/// Returns whether no box of a component meets an h-set, modulo whole forcing periods. Lemma A13
 fn is_apart(component: &Component, bases: &[Base]) -> bool {
     let Grid { columns, rows } = component.grid;
     let meets = |base: &Base, (column, row): Cell| {

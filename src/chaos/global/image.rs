@@ -1,4 +1,4 @@
-//! Where motions go from the states of a box: Lemmas A1-A5 of `docs/proofs/global.md#A1`.
+//! Images of boxes: all that may follow their states. Lemmas A1-A5 of `docs/proofs/global.md#A1`.
 
 use std::f64::consts::TAU;
 
@@ -7,12 +7,12 @@ use crate::chaos::law::{Law, Side};
 use crate::chaos::trap::{Cell, Grid};
 use crate::number::{Ball, UNIT, up};
 
-/// What may follow a state of a box.
+/// An event that may follow a state of a box.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Next {
     /// The ball rests, and is released.
     Release,
-    /// An impact at a phase of a column that was not asked for.
+    /// An impact at a phase of a column that was not requested.
     Elsewhere,
     /// An impact in a box; on the far wall, or on the near one; `stays`: there, in the column of phases of the impact before, in the same
     /// forcing period.
@@ -43,7 +43,7 @@ const MOST_PARTS: u32 = 8;
 /// Times for which flights may be proved not to touch the near wall, in radians.
 const LIFTED: [f64; 12] =
     [3.0, 2.0, 1.0, 0.5, 0.25, 0.125, 0.0625, 0.03125, 0.015625, 0.0078125, 0.00390625, 0.001953125];
-/// Which parts of the time until the contact force vanishes a chatter may take.
+/// Parts of the time until the contact force vanishes in which a chatter may end: each is tried.
 const WINDOWS: [f64; 6] = [0.0625, 0.125, 0.25, 0.5, 0.75, 0.875];
 
 /// Bounds of a ball's members.
@@ -51,7 +51,7 @@ pub(super) fn ends(x: Ball) -> [f64; 2] {
     [(x.mid() - x.rad()).next_down(), (x.mid() + x.rad()).next_up()]
 }
 
-/// What holds of the flights from a part of a box.
+/// Bounds of the flights from a part of a box.
 struct Part {
     /// Bounds of `e w`.
     after: [f64; 2],
@@ -293,7 +293,7 @@ impl Space {
         (low..=high).count() as u64 // exact: a length
     }
 
-    /// Whether all chatters that begin in a box are complete: Z1 for all of its states. Lemma A5
+    /// Returns whether all chatters that begin at these phases with at most this speed are complete: Z1 for all of these states. Lemma A5
     pub fn chatters(&self, [from, to]: [f64; 2], speed: f64) -> bool {
         if !(from > 0.5 && to < 1.0) {
             return false; // A5: only where the ball is pressed
@@ -322,7 +322,7 @@ fn over([low, high]: [f64; 2]) -> (Ball, Ball) {
     Ball::new(middle, up((middle - low).max(high - middle))).sin_cos() // D1: the farther end
 }
 
-/// Whether a flight of more than a forcing period, with such a drift, may end at such phases. Lemma A4
+/// Returns whether a flight of more than a forcing period, with such a drift, may end at such phases. Lemma A4
 fn may_land_late(side: Side, [low, high]: [f64; 2], phases: [f64; 2]) -> bool {
     let sin = ends(over(phases).0);
     let fall = |drift: f64| up(TAU * drift * (1.0 + 4.0 * UNIT));

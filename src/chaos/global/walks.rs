@@ -12,7 +12,7 @@ pub(super) struct Walks {
     pub index: Vec<Option<u32>>,
     /// The recurrent parts that each part leads to, itself among them, by their places, in order.
     pub reached: Vec<Vec<u32>>,
-    /// Whether something leaves the boxes on the way from each part.
+    /// For each part: whether something leaves the boxes on a walk from it.
     pub lost: Vec<bool>,
 }
 
