@@ -19,7 +19,7 @@ pub(super) const LENGTHS: [f64; 5] = [0.3, 0.2, 0.13, 0.08, 0.05];
 pub(super) const BESIDE: [f64; 3] = [0.06, 0.02, 0.006];
 /// The greatest of these that a window sees.
 const SIGHT: [f64; 2] = [1.2 * LENGTHS[0], 2.0 * BESIDE[0]];
-/// Impacts ahead that the contracting direction is measured from.
+/// Impacts ahead that the contracting direction is determined from.
 const AHEAD: usize = 12;
 /// N points of the orbit are judges, and the impacts after them. Fewer leaves tell nothing.
 const JUDGES: usize = 60_000;
@@ -49,7 +49,7 @@ pub(super) struct Window<'s> {
     near: Vec<(usize, [f64; 3])>,
 }
 
-/// What is about a leaf from end to end.
+/// A cluster of leaves: its half length, and the slope, middle and half width of its band, in a window's coordinates.
 pub(super) struct Cluster {
     long: f64,
     slope: f64,

@@ -1,4 +1,4 @@
-//! What the scene's motion does not leave: [`Trap`].
+//! A trapping region of the scene's motion: [`Trap`].
 
 use std::collections::BTreeMap;
 
@@ -204,7 +204,7 @@ fn grown(law: &Law, doubled: u32, seed: [f64; 2], watch: &dyn Watch) -> Result<R
 }
 
 impl Region {
-    /// Whether all states with such a phase and speed are proved to be in it, or none of them is.
+    /// Returns `Some(true)` if all states with such a phase and speed are proved to be in it, `Some(false)` if none of them is; else `None`.
     pub(super) fn holds(&self, phase: Ball, speed: Ball) -> Option<bool> {
         let Grid { columns, rows } = self.grid;
         let cells = |x: Ball, per: f64| {

@@ -8,7 +8,7 @@ use crate::orbit::{Impact, Orbit, Place, Settings, Start};
 use crate::pair::{ImpactPair, Reduced, Wall, within};
 use crate::units::{self, Phases, Units};
 
-/// What a region or a horseshoe is about.
+/// The name of the map in messages.
 const WHAT: &str = "the reduced impact map";
 /// Impacts of the scene's own orbit that are looked at.
 pub(super) const IMPACTS: u64 = 100;

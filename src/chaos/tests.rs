@@ -59,7 +59,7 @@ pub(super) fn truth(law: &Law, [phase, speed]: State) -> Option<(Side, [Ball; 2]
     })
 }
 
-/// Whether two enclosures of one number have a member in common.
+/// Returns whether two enclosures of one number have a member in common, up to rounding.
 pub(super) fn meet(a: Ball, b: Ball) -> bool {
     (a.mid() - b.mid()).abs() <= a.rad() + b.rad() + 1e-15
 }
@@ -415,7 +415,7 @@ fn what_holds_of_a_stretch_holds_of_its_values() {
     }
 }
 
-/// Where an orbit changes what it converges to, nothing is certified of a cell that holds the change.
+/// Nothing is certified of a cell that holds a value at which the orbit changes what it converges to.
 #[test]
 fn a_cell_across_a_bifurcation_is_undecided() {
     // The equispaced orbit of two impacts in a cycle is stable at A = 1 and not at A = 9.

@@ -22,12 +22,12 @@ pub(crate) struct Grid {
 /// A box of a grid: column and row.
 pub(crate) type Cell = (i32, i32);
 
-/// What holds of all flights from a box.
+/// Bounds of all flights from a box.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Reach {
     /// Bounds of the time of flight, in forcing periods.
     pub time: [f64; 2],
-    /// Which walls may be touched: the near one, the far one.
+    /// Flags of the walls that may be touched: the near one, the far one.
     pub sides: [bool; 2],
 }
 
@@ -163,7 +163,7 @@ pub(crate) struct Region {
     pub cells: HashMap<Cell, Reach>,
 }
 
-/// How far a region grows before a finer grid is tried.
+/// Number of boxes beyond which a region is given up.
 const MOST: usize = 4_000_000;
 
 impl Region {

@@ -1,4 +1,4 @@
-//! What h-sets lead to, tried with few boxes.
+//! Trials of h-sets with few boxes: the entropy that they lead to.
 //!
 //! Labels: proposes throughout.
 
@@ -12,7 +12,7 @@ use super::propose::Making;
 use super::words::{Base, Search};
 use crate::watch::{Stage, Watch};
 
-/// How much is tried to find h-sets.
+/// The effort that is spent on finding h-sets.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Effort {
     /// Trials: of N h-sets, with M boxes each; those that lead to most entropy stay.
@@ -21,9 +21,9 @@ pub(super) struct Effort {
     last: (usize, u64),
     /// The most h-sets.
     most: usize,
-    /// Whether they are looked for about bundles of leaves first.
+    /// `true` if they are looked for about bundles of leaves first.
     pub bundled: bool,
-    /// Whether they are looked for everywhere where saddles lead to none.
+    /// `true` if they are looked for everywhere where saddles lead to none.
     pub everywhere: bool,
 }
 
@@ -46,10 +46,10 @@ pub(super) const SLOW: Effort =
 pub(super) const DEPTH: usize = 60;
 /// Trials of bundles: of N, with M boxes per h-set.
 const BUNDLES: [(usize, u64); 2] = [(32, 10_000), (8, 60_000)];
-/// What an h-set more has to add, as a factor.
+/// Least factor by which one more h-set has to raise the entropy.
 const WORTH: f64 = 1.01;
 
-/// How h-sets are tried.
+/// The settings of trials of h-sets.
 #[derive(Clone, Copy)]
 pub(super) struct Trials<'t> {
     pub law: &'t Law,

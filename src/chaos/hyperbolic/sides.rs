@@ -1,4 +1,4 @@
-//! What the derivative makes of the half sides of a cell: Lemma D24 (sides) of `docs/proofs/hyperbolic.md#D24`.
+//! Images of the half sides of a cell under the derivative: Lemma D24 (sides) of `docs/proofs/hyperbolic.md#D24`.
 
 use super::frame::cross;
 use crate::chaos::flights::Landing;

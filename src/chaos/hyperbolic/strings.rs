@@ -1,4 +1,4 @@
-//! How much strings of words expand: bounds of the logarithms over the points that follow them. Lemma D28 of `docs/proofs/hyperbolic.md#D28`.
+//! Expansion of strings of words: bounds of its logarithm over the points that follow them. Lemma D28 of `docs/proofs/hyperbolic.md#D28`.
 
 use std::collections::{BTreeMap, HashMap};
 
@@ -94,7 +94,7 @@ pub(crate) struct Strings<'s> {
 }
 
 impl Strings<'_> {
-    /// What of a cell may be mapped to the points of a strip with `a` between bounds: narrowed as far as its own image says.
+    /// Returns a part of a cell that holds all states mapped to the points of a strip with `a` between bounds; `None` if there are none.
     fn narrowed(&self, image: &Image, strip: &Strip, breadth: [f64; 2]) -> Option<Cell> {
         let Image { cell, middle, sides, .. } = image;
         // About the line in the middle between both bounds.
@@ -157,7 +157,7 @@ impl Strings<'_> {
         Some((graph, slopes))
     }
 
-    /// Whether strings with another word before them are few enough; any answer will do.
+    /// Returns whether strings with another word before them are few enough; any answer is sound.
     fn is_worth_it(&self, level: &Level) -> bool {
         let [mut strings, mut cells] = [0, 0];
         for (string, cylinder) in level {

@@ -105,7 +105,7 @@ impl WallWords {
     /// `watch` receives the number of sets of boxes.
     ///
     /// # Errors
-    /// Where there are too many sets of boxes, or it is stopped, before the words are that long.
+    /// If there are too many sets of boxes, or it is stopped, before the words are that long.
     pub fn of(graph: &BoxGraph, impacts: u32, watch: &dyn Watch) -> Result<Self, Unclosed> {
         let subsets = Subsets::of(&graph.links(), graph.cells.len(), impacts as usize, watch)?; // exact: a small whole number
         let counts = subsets.counts(impacts as usize); // exact: a small whole number
