@@ -95,7 +95,7 @@ impl Node {
     }
 }
 
-/// How the image of a parallelogram lies in the axes of another: bounds of condition 2 of Lemma F1, times the determinant.
+/// The image of a parallelogram in the axes of another: bounds of condition 2 of Lemma F1, times the determinant.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Link {
     /// `|M_11|` is at least, `|M_12|`, `|M_21|` and `|M_22|` at most this.

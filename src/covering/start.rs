@@ -28,7 +28,7 @@ pub(crate) trait Beginning<S>: std::fmt::Debug + Send {
     fn on_wall(&self) -> Option<(OnWall, &[Exact])>;
 }
 
-/// What starts differ in from the one requested; all else is as it is requested.
+/// The quantity in which starts differ from the one requested; all else is as it is requested.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Varied {
     Time,

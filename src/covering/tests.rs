@@ -88,7 +88,7 @@ mod refined {
         along: Vec<f64>,
     }
 
-    /// How far an impact is from a node's centre: whether it is in its box, and the coordinate.
+    /// Returns whether an impact is in a node's box, and its coordinate from the node's centre along the unstable axis.
     fn placed(impact: &Impact, node: &Node) -> (bool, f64) {
         let (phase, velocity) = *impact.precise.clone().expect("bits");
         let point = |x: f64| Enclosure::from_f64_bounds(x, x).unwrap();

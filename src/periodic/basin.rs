@@ -38,7 +38,7 @@ pub struct Basin {
 type Matrix = [[Ball; 2]; 2];
 type Axes = [[f64; 2]; 2];
 
-/// What is followed of an orbit: a number of impacts, after which it is what it was, or its mirror image.
+/// The part of an orbit that is followed: a number of impacts, after which it is what it was, or its mirror image.
 #[derive(Clone, Copy)]
 struct Round {
     impacts: usize,

@@ -22,7 +22,7 @@ use super::trace::null_vector;
 use crate::number::{Ball, Enclosing};
 use crate::several::Turning;
 
-/// What varies, and the parameters that do not.
+/// The parameter that varies, and those that do not.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Setting<'s, S> {
     pub unknown: Unknown,
@@ -139,7 +139,7 @@ impl<S: Varied> Claim<'_, S> {
         krawczyk::prove(&equations, inverse, &guess, effort)
     }
 
-    /// What a proved zero is.
+    /// Returns the bifurcation at a proved zero; `None` where its orbit is not proved.
     fn point<N: Enclosing + Turning>(
         &self,
         family: &Family<S, N>,
@@ -199,7 +199,7 @@ impl<S: Varied> Claim<'_, S> {
         })
     }
 
-    /// Whether the widths are those requested: the parameter's relative to itself.
+    /// Returns whether the widths are those requested: the parameter's relative to itself.
     fn is_narrow<N: Enclosing>(&self, at: &[N], speed: f64, velocities: &[N]) -> bool {
         // A radius is half of a width.
         let asked = self.precision.log2_width() - 1.0;
