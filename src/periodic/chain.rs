@@ -55,7 +55,7 @@ impl Chain {
     /// Returns the chain of a word that closes after `cycles` cycles of one harmonic.
     ///
     /// # Errors
-    /// When the word does not end on the wall it starts from, or `cycles` is not in 1 to [`MOST_CYCLES`].
+    /// If the word does not end on the wall it starts from, or `cycles` is not in 1 to [`MOST_CYCLES`].
     pub fn new(word: &Word, cycles: u32) -> Result<Self, Error> {
         Self::under(Repetition::TURN, word, cycles)
     }
@@ -63,8 +63,7 @@ impl Chain {
     /// Returns the chain of a word that closes after `cycles` turns of the fastest harmonic.
     ///
     /// # Errors
-    /// When the word does not end on the wall it starts from, or `cycles` is not in 1 to [`MOST_CYCLES`] or no multiple
-    /// of the common period.
+    /// If the word does not end on the wall it starts from, or `cycles` is not in 1 to [`MOST_CYCLES`] or no multiple of the common period.
     pub fn under(repetition: Repetition, word: &Word, cycles: u32) -> Result<Self, Error> {
         if !word.is_closed() {
             return Err(open(word));

@@ -28,11 +28,11 @@ pub struct Proved<N> {
 pub struct Effort {
     /// The radius of the largest domain that is tried.
     pub largest: f64,
-    /// How many are tried.
+    /// Number of domains that are tried.
     pub domains: u32,
     /// Images that narrow the zero: where nothing is rounded (at quarter periods) they would do so for ever.
     pub images: u32,
-    /// How many of them may take less than a quarter of a bit off it.
+    /// Number of them that may take less than a quarter of a bit off it.
     pub slow: u32,
 }
 
@@ -93,7 +93,7 @@ pub(super) fn image_by_doubles<N: Enclosing>(
     Some((0..x.len()).map(image).collect())
 }
 
-/// Whether each ball lies in the interior of its outer one.
+/// Returns whether each ball lies in the interior of its outer one.
 pub fn is_inside<N: Enclosing>(inner: &[N], outer: &[N]) -> bool {
     inner.iter().zip(outer).all(|(inner, outer)| inner.is_interior_to(outer))
 }

@@ -60,7 +60,7 @@ fn newton_step<S: Shaking<f64>>(
     (0..misses.len()).map(|i| -inverse.row(i).iter().zip(&misses).fold(0.0, |sum, (y, f)| y.mul_add(*f, sum))).collect()
 }
 
-/// How much of a step keeps the impacts in order.
+/// Returns the part of a step, at most 1, that keeps the impacts in order.
 fn keep_order(chain: &Chain, legs: &[Leg<f64>], step: &[f64]) -> f64 {
     let room = |i: usize| {
         let change = step[chain.next(i)] - step[i];

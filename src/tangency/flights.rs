@@ -21,7 +21,7 @@ fn lesser(bound: f64, x: f64) -> Option<f64> {
     is_positive(x).then_some(if x < bound { x } else { bound })
 }
 
-/// Whether all flights from a box are proved to be first contacts, those of the zeros of `g` whose phases are in that of a second box.
+/// Returns whether all flights from a box are proved to be first contacts, those of the zeros of `g` whose phases are in that of a second box.
 fn is_first(pair: &Pair<Ball>, [theta, w]: State<Ball>, [phi, _]: State<Ball>, side: Side) -> Option<bool> {
     let turn = theta.turn();
     let [start, end] = [theta.checked_div(turn)?, phi.checked_div(turn)?];

@@ -76,7 +76,7 @@ impl Harmonic {
         self.beta * self.rate(time).sinc() * self.phase(middle).cos()
     }
 
-    /// What it adds to `-w/h` and `-v/h` of a hop. Lemma T9
+    /// Returns its terms in `-w/h` and `-v/h` of a hop. Lemma T9
     fn hop(&self, time: Interval, middle: Interval) -> [Interval; 2] {
         let (time, middle) = (self.rate(time), self.phase(middle));
         let quarter = time.scaled(0.25);
@@ -133,7 +133,7 @@ impl<'c> Terms<'c> {
         relative.max(self.restitution.wid()) // proposes
     }
 
-    /// What all harmonics do.
+    /// Returns the sum of a function over all harmonics; `None` if there are none.
     fn sum(harmonics: &[Harmonic], of: impl Fn(&Harmonic) -> Interval) -> Option<Interval> {
         harmonics.iter().map(of).reduce(|a, b| a + b)
     }
