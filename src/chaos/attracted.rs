@@ -25,21 +25,21 @@ mod tests;
 
 /// Impacts that are followed.
 const IMPACTS: usize = 2000;
-/// The most from a set to a later one that lies in it; N more are followed to find the shortest period.
+/// The most impacts from a set to a later one that lies in it; this many more are followed to find the shortest period.
 const LONGEST: usize = 128;
-/// Every N impacts sets may begin anew that have room for so often the way by which the orbit misses an earlier impact, if that is
-/// near: each of these is tried.
+/// Number of impacts after which sets may begin anew, with sides as long as a multiple of the distance by which the orbit misses an
+/// earlier impact, if that is near: each multiple is tried.
 const AGAIN: usize = 32;
 const ROOMS: [f64; 2] = [0.0, 8.0];
 /// Lengths of the sides of sets by which a shorter round is looked for at one value: each of these is tried.
 const LENGTHS: [f64; 3] = [1e-6, 1e-5, 1e-4];
 const NEAR: f64 = 0.02;
-/// Sides are that much longer than they have to be, so that it can be proved that they are long enough.
+/// Factor by which sides are longer than they have to be, so that it can be proved that they are long enough.
 const LONGER: f64 = 1.0 + 1e-9;
 /// Wider sets are not followed.
 const WIDEST: f64 = 0.25;
 
-/// States `middle + a sides[0] + b sides[1] + c moved[0] + d moved[1]`, `|a|, |b| <= 1`; `c` and `d` in `[-1, 1]` tell `e` and `D`.
+/// States `middle + a sides[0] + b sides[1] + c moved[0] + d moved[1]`, `|a|, |b| <= 1`; `c` and `d` in `[-1, 1]` give `e` and `D`.
 #[derive(Clone, Copy, Debug)]
 struct Set {
     middle: State,
@@ -123,7 +123,7 @@ impl Set {
         Self { sides: self.sides.map(longer), ..self }
     }
 
-    /// Room for so often the way to the nearest of some sets before, if that is near.
+    /// The given multiple of the distance to the nearest of some sets before, if that is near, else 0; phases in radians.
     fn room(&self, times: f64, before: &[Self]) -> f64 {
         let away = |other: &Self| apart(other.middle, self.middle);
         let room = times * before.iter().map(away).fold(f64::INFINITY, f64::min); // proposes: how large sets become
@@ -158,7 +158,7 @@ fn directions([p, q]: [State; 2]) -> [State; 2] {
     [[u / size, w / size], [-w / (TAU * size), TAU * u / size]]
 }
 
-/// Flights, from an impact on a wall, and whole forcing periods of the reduced map, after which a periodic orbit comes again.
+/// Flights, from an impact on a wall, and whole forcing periods of the reduced map, after which a periodic orbit closes.
 struct Round {
     wall: Wall,
     sides: Vec<Side>,
@@ -166,7 +166,7 @@ struct Round {
 }
 
 impl Round {
-    /// It comes again after N impacts as well: so after the greatest common divisor of both. Lemma D15
+    /// The orbit closes after this number of impacts as well: so after the greatest common divisor of both. Lemma D15
     fn divide(&mut self, impacts: usize) {
         let common = self.sides.len().gcd(&impacts);
         self.turns /= (self.sides.len() / common) as f64; // exact: whole turns after each part

@@ -107,7 +107,7 @@ mod tests {
         Word { from, to, walls: walls.chars().map(wall).collect(), half_cycles }
     }
 
-    /// The words of chaos-0.036: the two that go to the right wall differ in their time, and only one of them comes again to where it
+    /// The words of chaos-0.036: the two that go to the right wall differ in their time, and only one of them leads back to where it
     /// started with the third.
     #[test]
     fn r32_blocks_of_one_name_and_another_time() {

@@ -148,7 +148,7 @@ pub struct Cells {
     pub interrupted: bool,
 }
 
-/// Beside stable orbits horseshoes are looked for in stretches as wide as a cell that is halved so often at most.
+/// Number of halvings of a cell up to which a horseshoe is looked for beside a stable orbit.
 const SEARCHED: u32 = 4;
 
 /// A search at work.

@@ -84,7 +84,7 @@ impl Flights {
 }
 
 impl<const M: usize> Flights<M> {
-    /// Those of states that move by so much for the radius of each parameter.
+    /// Returns the flights of states that are displaced by `moved` for the radius of each parameter.
     pub fn moved(law: &Law, quad: &Quad, moved: [State; M]) -> Self {
         let e = law.restitution;
         let [start, speed] = quad.centre;
@@ -341,7 +341,7 @@ impl<const M: usize> Landing<M> {
         [delay, speed + delay * self.slope]
     }
 
-    /// Returns the same where `p` moves by so much for the radius of each parameter, as the images do. Lemma D15
+    /// Returns the same where `p` is displaced by `moved` for the radius of each parameter, as the images are. Lemma D15
     pub fn beside(&self, [n, m]: [Ball; 2], point: [Ball; 2], moved: [State; M]) -> Ball {
         let from = |k: usize, change: Ball| {
             let [u, w] = moved[k].map(Ball::exact);

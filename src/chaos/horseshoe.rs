@@ -102,7 +102,8 @@ impl Chaos {
     /// are kept. If no h-sets are given and the floating-point orbit is regular, there are no words.
     ///
     /// # Errors
-    /// If the pair has several harmonics, h-sets overlap each other or their own translates or are not convex, or a value is beyond the range of flights.
+    /// If the pair has several harmonics, h-sets overlap each other or their own translates or are not convex, or a value is beyond the
+    /// range of flights.
     pub fn of(
         pair: &ImpactPair,
         start: &Start,
@@ -263,7 +264,7 @@ impl Horseshoe {
     }
 }
 
-/// H-sets for the most entropy that so much effort finds.
+/// H-sets for the most entropy that is found with this effort.
 pub(super) fn bases(seen: &Seen, law: &Law, depth: usize, effort: Effort, watch: &dyn Watch) -> Vec<Base> {
     seen.bases(law, ([TRIAL, FINE[1]], depth), effort, watch)
 }

@@ -21,7 +21,7 @@ pub(super) const BESIDE: [f64; 3] = [0.06, 0.02, 0.006];
 const SIGHT: [f64; 2] = [1.2 * LENGTHS[0], 2.0 * BESIDE[0]];
 /// Impacts ahead that the contracting direction is determined from.
 const AHEAD: usize = 12;
-/// N points of the orbit are judges, and the impacts after them. Fewer leaves tell nothing.
+/// Number of points of the orbit whose leaves and words are counted, of impacts after each, and the fewest leaves that are enough.
 const JUDGES: usize = 60_000;
 const AFTER: usize = 64;
 const FEWEST: usize = 100;
@@ -29,11 +29,11 @@ const FEWEST: usize = 100;
 const MIDST: f64 = 0.3;
 const LEAN: f64 = 0.3;
 const FOLLOWED: [f64; 3] = [0.3, 0.6, 1.05];
-/// As one bundle are followed the leaves that are so far in the gaps beside them; the h-set reaches so far into these.
+/// Parts of the gaps beside a bundle in which leaves are followed with it, and into which its h-set reaches.
 const BAND: f64 = 0.2;
 const INTO: f64 = 0.1;
-/// In each h-set N points are looked at. More than M in a row make a crossing, if images of neighbours are that near; those
-/// that are so far away make none. A half length is 1.
+/// Number of points that are looked at in each h-set; the number in a row above which they make a crossing, if images of neighbours are
+/// nearer than `NEAR`; images farther than `FAR` make none. A half length is 1.
 const POINTS: usize = 1200;
 const IN_A_ROW: usize = 4;
 const NEAR: f64 = 0.6;
@@ -175,7 +175,7 @@ impl<'s> Window<'s> {
         words
     }
 
-    /// Returns the leaves in a place of such a half length, so far beside the middle one; `None` if there are too few.
+    /// Returns the leaves in a place of this half length and half width beside the middle one; `None` if there are too few.
     pub fn leaves(&self, [long, beside]: [f64; 2]) -> Option<Leaves> {
         let midst = self.midst(MIDST * long).iter().map(|(_, at)| at).filter(|[_, _, slope]| slope.abs() < LEAN);
         let mut sorted: Vec<[f64; 2]> = midst
@@ -195,7 +195,7 @@ impl<'s> Window<'s> {
         Some(Leaves { long, beside, sorted, widest })
     }
 
-    /// Returns the clusters of leaves that these gaps part: bit `n` of `cuts` says whether that is one that is the widest but `n`.
+    /// Returns the clusters of leaves that gaps part: bit `n` of `cuts` says whether the gap with `n` wider ones does.
     pub fn clusters(&self, leaves: &Leaves, cuts: u32) -> Vec<Cluster> {
         leaves.bunches(cuts).iter().map(|bunch| self.cluster(leaves.long, bunch)).collect()
     }

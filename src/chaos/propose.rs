@@ -37,7 +37,7 @@ struct Sample {
     image: Option<Image>,
 }
 
-/// Parts at the ends of a chain of boxes are that much shorter: some cells are lost there with each impact, and words begin near grazes.
+/// Factor by which parts at the ends of a chain of boxes are shorter: some cells are lost there with each impact, and words begin near grazes.
 const GRADED: f64 = 0.001;
 /// Fewer parts than that are not worth a chain of boxes.
 const FEWEST: usize = 12;

@@ -46,7 +46,7 @@ pub struct Trap {
     entered: Option<u64>,
 }
 
-/// Grids: from this many columns and rows, doubled so often.
+/// Columns and rows of the coarsest grid, and the number of times that it is doubled at most.
 const COARSEST: (i64, f64) = (256, 32.0);
 const DOUBLINGS: u32 = 7;
 /// Floating impacts before the region is grown from where the ball is.

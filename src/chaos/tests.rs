@@ -309,8 +309,8 @@ fn a_saddle_is_told_from_an_attractor() {
     assert!(chaos.entropy() > 0.0 && chaos.asymptotics().region.is_none_or(|region| !region.holds_bases));
 }
 
-/// A = 0.498 d, where four impacts expand by half only: two words of 16 impacts in an h-set, so entropy (log 2)/16, and none of fewer. No chain of boxes
-/// but the finest leads there, nor does any in an h-set that is moved off the leaves.
+/// A = 0.498 d, where four impacts expand by half only: two words of 16 impacts in an h-set, so entropy (log 2)/16, and none of fewer. No
+/// chain of boxes but the finest leads there, nor does any in an h-set that is moved off the leaves.
 #[test]
 fn slow_expansion_is_proved_by_fine_tubes() {
     let scene = Scene::parse(include_str!("../../validation/paper/scenes/chaos-0.498.toml")).unwrap();
@@ -365,7 +365,7 @@ fn r32_distinct_words_rest_on_parts_that_lie_apart() {
     assert!(is_mapped(good) && !is_mapped(Part { from: good.to, to: good.from, ..good }));
 }
 
-/// As far as the makings are compared, the horseshoe told is as short as there is; deeper, the entropy is what counts.
+/// As far as the makings are compared, the horseshoe found is as short as there is; deeper, the entropy is what counts.
 #[test]
 fn a_deeper_search_leads_further() {
     let chaos = |depth: usize| {

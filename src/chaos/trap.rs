@@ -43,7 +43,7 @@ pub(crate) struct Arrivals {
 
 /// Flights of more forcing periods are not followed.
 const LONGEST: f64 = 64.0;
-/// Rows are counted to N.
+/// The most rows that are counted.
 const MOST_ROWS: f64 = 2_147_483_647.0;
 /// Number of times that a box is cut at most, to distinguish its balls from those at rest.
 const CUTS: u32 = 6;

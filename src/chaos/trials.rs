@@ -15,7 +15,7 @@ use crate::watch::{Stage, Watch};
 /// The effort that is spent on finding h-sets.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Effort {
-    /// Trials: of N h-sets, with M boxes each; those that lead to most entropy stay.
+    /// Trials: the number of h-sets, and of boxes for each; those that lead to most entropy stay.
     trials: &'static [(usize, u64)],
     /// The last trial if none led to any.
     last: (usize, u64),
@@ -44,7 +44,7 @@ pub(super) const SLOW: Effort =
     Effort { trials: &[(64, 6_000), (12, 40_000)], last: (4, 200_000), most: 2, bundled: false, everywhere: false };
 /// Words of more impacts are not tried.
 pub(super) const DEPTH: usize = 60;
-/// Trials of bundles: of N, with M boxes per h-set.
+/// Trials of bundles: their number, and the boxes for each h-set.
 const BUNDLES: [(usize, u64); 2] = [(32, 10_000), (8, 60_000)];
 /// Least factor by which one more h-set has to raise the entropy.
 const WORTH: f64 = 1.01;

@@ -54,9 +54,9 @@ impl Part {
     }
 }
 
-/// Images lie in the cells up to N before and after their place.
+/// Number of cells before and after their place in which images lie.
 pub(crate) const WINDOW: usize = 2;
-/// A part is halved so often.
+/// Number of times that a part is halved at most.
 const HALVINGS: u32 = 9;
 
 /// The stretches of proved parts that follow one another, each of them behind the last part of those before it, which is `used`, and

@@ -14,7 +14,7 @@ use crate::shaken::{Flying, Origin};
 
 /// Nodes that are handed out at a time.
 const BLOCK: usize = 4096;
-/// Impacts that are proposed anew where a link is not proved: after N another orbit has nothing of its troubles.
+/// Impacts that are proposed anew where a link is not proved: another orbit is then far enough from the one that fails there.
 const BACK: usize = 60;
 /// Impacts that are looked ahead: contracting directions and sides have forgotten by then where they began.
 pub(crate) const AHEAD: usize = 512;

@@ -99,8 +99,8 @@ impl Shadow {
         Self::new(scene.pair(), scene.start()).map_err(|error| scene.located(error, &scene.settings()))
     }
 
-    /// Returns where the orbit starts: whole forcing periods since the clock's origin, the rest of the phase, and the velocity in gap widths per forcing period, before
-    /// the impact for a start on a wall.
+    /// Returns where the orbit starts: whole forcing periods since the clock's origin, the rest of the phase, and the velocity in gap
+    /// widths per forcing period, before the impact for a start on a wall.
     ///
     /// **Enclosure**: the start is in there; of the two the one that is the scene's is exactly that.
     pub fn start(&self) -> (i64, Ball, Ball) {

@@ -145,7 +145,7 @@ impl<S: Flying> Beginning<S> for Segment<S::Waves<Ball>> {
             Location::Inside(_) => Ball::from_f64(-1.0),
         };
         let velocities = [Beginning::<S>::starts(self, a).bounds.velocity, all.velocity];
-        // F3: the flight begins at the start asked for.
+        // F3: the flight begins at the requested start.
         let time = self.origin.delay() + all.time;
         let jacobian = Sheared::between(restitution, time, swings, velocities).ok_or(Undecided::width(&all))?;
         let jacobian = jacobian.along(|[by_time, by_velocity]| match self.varied {

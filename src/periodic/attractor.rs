@@ -24,11 +24,12 @@ pub struct Attractor {
 
 /// The longest period that is looked for, in impacts.
 pub(crate) const LONGEST: usize = 128;
-/// States this near, relative to their size, make a guess, and N guesses are tried: nothing rests on either.
+/// Relative distances of states within which they make a guess, at the end and before it, and the number of guesses that are tried:
+/// nothing rests on them.
 const NEAR: f64 = 0.02;
 const NEAR_BEFORE: f64 = 0.2;
 const TRIED: usize = 8;
-/// A period is tried from N of its impacts: in doubles the contraction is seen from some and not from others.
+/// Number of its impacts from which a period is tried: in doubles the contraction is seen from some and not from others.
 const ENDS: usize = 32;
 /// Distance of repeating states below which the orbit itself may be found from some of them only: in doubles the orbit of a narrow window
 /// can hardly be distinguished from the unstable one beside it.
@@ -89,7 +90,7 @@ impl Impact {
 }
 
 impl<'s> Guess<'s> {
-    /// The same, told from earlier impacts of the period as well.
+    /// The same, from earlier impacts of the period on as well.
     fn ends(&self) -> impl Iterator<Item = Guess<'s>> {
         let Self { all, impacts, cycles } = *self;
         let earliest = impacts.min(all.len() - impacts); // proposes: a period before each
@@ -181,7 +182,7 @@ impl Problem {
             return Err(Open::Never);
         }
         let guess = self.polished(guess).ok_or(Open::Never)?;
-        // What doubles refute is not asked in more bits.
+        // A guess that doubles refute is not tried in more bits.
         if self.prove_in_doubles(&guess).is_some_and(|finding| finding.is_refused()) {
             return Err(Open::Never);
         }

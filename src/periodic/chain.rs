@@ -1,8 +1,8 @@
 //! The equations of a closed chain of impacts, one unknown for each: its phase.
 //!
-//! The flights' equations (A.2), (A.4), (A.6) are solved for the drift, (A.1), (A.3), (A.5) for the velocities; the
+//! The flights' equations (A.2), (A.4), (A.6) are solved for the drift, (A.1), (A.3), (A.5) for the velocities;
 //! Newton's impact law (15) at each wall is the equation that is left (Lemma T1). Everything is generic in the number, so that
-//! Floating point finds, balls prove, and whatever else is a [`Wave`](crate::number::Wave) (a jet in a parameter, say) goes
+//! floating point finds, balls prove, and whatever else is a [`Wave`](crate::number::Wave) (a jet in a parameter, say) goes
 //! through the same lines; and in the excitation ([`Shaking`]).
 
 use super::entries::Entries;

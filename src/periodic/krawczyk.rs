@@ -39,7 +39,7 @@ pub struct Effort {
 /// `2^-5`, the largest radius that is of use, in forcing periods, and the factor from one domain to the next.
 pub(super) const LARGEST: f64 = 0.031_25;
 const FINER: f64 = 0.125;
-/// An image that takes N bits off an enclosure is not slow.
+/// The fewest bits that an image takes off an enclosure if it is not slow.
 const FAST: f64 = 0.25;
 /// Bits that one step with a preconditioner in doubles adds at least, where it adds what it should.
 pub(super) const GAINED: u32 = 32;

@@ -223,8 +223,7 @@ impl Problem {
         Some((problem, phases))
     }
 
-    /// The orbit near a guess, and whether it is one of those known: what the requested digits do not tell apart is proved to
-    /// more. Lemma T6
+    /// The orbit near a guess, and whether it is one of those known: orbits that the requested digits do not distinguish are proved to more. Lemma T6
     fn prove_beside<'o>(
         &self,
         guess: &[f64],

@@ -40,7 +40,7 @@ fn vector(size: f64) -> impl Strategy<Value = State> {
 }
 
 proptest! {
-    /// Lemma D15: the next set holds the image of each member, told for its own parameters; and what images differ by from any states
+    /// Lemma D15: the next set holds the image of each member, given its own parameters; and the difference of images from any states
     /// that move with these is in its bounds.
     #[test]
     fn the_next_set_holds_the_images(

@@ -10,7 +10,7 @@ use super::super::vector::{cross, length, minus, times, unit};
 use super::super::words::Base;
 use crate::number::Ball;
 
-/// Saddles of at most N impacts are looked for, from these places along the h-set, a half length being 1.
+/// The most impacts of saddles that are looked for, and the places along the h-set from which they are, a half length being 1.
 const LONGEST: usize = 16;
 const PLACES: [f64; 7] = [0.0, -0.25, 0.25, -0.5, 0.5, -0.75, 0.75];
 /// The greatest change of `D` or `e` that is followed in one step.

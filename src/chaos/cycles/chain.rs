@@ -198,7 +198,7 @@ impl Chain {
                 rest = rest - along * offset(j);
             }
         }
-        // What overflows says nothing.
+        // Where a sum overflows, nothing is known.
         if !(rest.is_common_interval() && along[i].is_common_interval()) {
             return Some(false);
         }

@@ -123,7 +123,7 @@ fn counts_are_those_of_an_independent_search() {
         let cycles = found(&figure(number), 1..=counts.len() as u32);
         assert!(cycles.is_certified() && cycles.has_no_attractor(), "figure {number}: {:?}", cycles.undecided());
         assert!(cycles.fixed_points().values().eq(&counts), "figure {number}: {:?}", cycles.fixed_points());
-        // Each state that comes again is one of a cycle whose impacts divide the number.
+        // Each state that returns is one of a cycle whose impacts divide the number.
         for (&impacts, &count) in cycles.fixed_points() {
             let of = cycles.cycles().iter().filter(|cycle| impacts.is_multiple_of(cycle.impacts));
             assert_eq!(count, of.map(|cycle| cycle.impacts).sum::<usize>(), "figure {number}, {impacts} impacts");

@@ -142,7 +142,7 @@ impl Graph {
         Ok((graph, allowance.done.into_inner()))
     }
 
-    /// Returns the recurrent components: whatever stays among the boxes for ever is in one of them in the end. `is_closed` tells whether
+    /// Returns the recurrent components: whatever stays among the boxes for ever is in one of them in the end. `is_closed` says whether
     /// nothing leaves the boxes of the graph. Lemma A6
     pub fn recurrent(&self, is_closed: bool) -> Recurrent {
         let count = self.cells.len() + 1;

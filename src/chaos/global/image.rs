@@ -32,11 +32,11 @@ pub(super) struct Space {
 const STEP: f64 = 1.0 / 64.0;
 /// Restitutions nearer to 1 are refused: boxes would be too many.
 const MOST_RESTITUTION: f64 = 0.99;
-/// Flights of more forcing periods land with any of the phases that slow ones have; of those that may end in several forcing periods few
-/// are followed.
+/// The most forcing periods of flights that are followed, and of those that may end in several; longer ones land with any of the phases
+/// that slow ones have.
 const LONGEST: f64 = 64.0;
 const FEW: f64 = 2.0;
-/// Boxes are cut into parts of at most this phase, in forcing periods, and speed: into N at most along each side.
+/// The greatest phase, in forcing periods, and speed of the parts that boxes are cut into, and the most parts along each side.
 const WIDTH: f64 = 1.0 / 256.0;
 const HEIGHT: f64 = 0.04;
 const MOST_PARTS: u32 = 8;
@@ -110,8 +110,8 @@ impl Space {
         STEP * ((limit / STEP).floor() + 1.0) // A1: greater than the limit
     }
 
-    /// Notes what may follow the states of a box. Flights that last long, and land in all columns, are noted in those that are asked for, which
-    /// are in order. Returns the work: views of flights, columns of long ones, and what is noted.
+    /// Notes all that may follow the states of a box. Flights that last long, and land in all columns, are noted in those of `asked`,
+    /// which are in order. Returns the work: views of flights, columns of long ones, and what is noted.
     pub fn images(&self, grid: Grid, (column, row): Cell, asked: &[i32], note: &mut dyn FnMut(Next)) -> u64 {
         let [columns, rows] = [grid.columns as f64, grid.rows]; // exact: powers of two
         let phases = [f64::from(column) / columns, f64::from(column + 1) / columns];
@@ -242,7 +242,7 @@ impl Space {
         [low.max(-up(2.0 / angle)), high.min(up(up(self.gap[1] + 2.0) / angle))] // A4: the heights are between the walls
     }
 
-    /// Notes the contacts of flights that have lasted long, at any phase that these have, in the columns that are asked for. Lemma A4
+    /// Notes the contacts of flights that have lasted long, at any phase that these have, in the columns that are requested. Lemma A4
     fn slow(&self, (grid, asked): (Grid, &[i32]), drifts: [f64; 2], note: &mut dyn FnMut(Next)) -> u64 {
         if drifts[0] > drifts[1] {
             return 0; // A4: there is none

@@ -43,7 +43,7 @@ pub struct GlobalSettings {
     /// The work of their images in all, about: views of flights, columns that long flights may land in, and boxes that are noted; as much
     /// again is allowed for those of basins.
     pub work: u64,
-    /// Boxes by which basins are proved, about, if they are asked for: a power of two from 2^8 to 2^24.
+    /// Boxes by which basins are proved, about, if they are requested: a power of two from 2^8 to 2^24.
     pub basins: Option<u32>,
     /// The most impacts of words of horseshoes, if these are looked for in components of which nothing else is decided.
     pub horseshoes: Option<usize>,
@@ -134,9 +134,9 @@ impl Reason {
 pub struct Global {
     /// The components, those first from which motions may go on to others.
     pub components: Vec<Recurrence>,
-    /// `[i, j]`: motions may go from component `i` to component `j`, as far as the boxes tell.
+    /// `[i, j]`: motions may go from component `i` to component `j`, as far as the boxes can distinguish.
     pub order: Vec<[usize; 2]>,
-    /// The boxes of components, and if basins were asked for, the state space in rectangles, each with where its motions go.
+    /// The boxes of components, and if basins were requested, the state space in rectangles, each with where its motions go.
     pub patches: Vec<Patch>,
     /// The greatest speed over `A W` that motions have in the end.
     pub fastest: f64,
@@ -175,7 +175,7 @@ impl Class {
 }
 
 impl Global {
-    /// Returns what is proved of the basin of each attractor, if basins were asked for.
+    /// Returns what is proved of the basin of each attractor, if basins were requested.
     pub fn basins(&self) -> Option<Vec<Basin>> {
         basins::basins(&self.components, &self.patches, self.fastest)
     }

@@ -22,7 +22,7 @@ const STEPS: usize = 60;
 const POWERS: usize = 400;
 /// Widths of the cones that are tried.
 const WIDTHS: [f64; 9] = [0.0078125, 0.03125, 0.0625, 0.125, 0.25, 0.5, 1.0, 2.0, 4.0];
-/// Cones are wider than needed by so much.
+/// Factor by which cones are wider than needed.
 const SLACK: f64 = 1.05;
 
 /// The boxes of a component in groups that do not touch each other.

@@ -27,9 +27,9 @@ pub(crate) type Graph = Vec<(Edge, usize)>;
 /// Cylinders by their strings.
 type Level = BTreeMap<Letters, Cylinder>;
 
-/// Cells are narrowed and looked at again so often.
+/// Number of times that cells are narrowed and looked at again.
 const LOOKS: u32 = 3;
-/// Again only if they are so much narrower.
+/// Part of its size to which a cell has to be narrowed to be looked at again.
 const NARROWER: f64 = 0.7;
 /// More strings, or cells of all of them, are not looked at.
 const MOST_EDGES: usize = 8000;

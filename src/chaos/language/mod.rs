@@ -115,7 +115,7 @@ impl WallWords {
         Ok(Self { impacts, counts, subsets, entropy })
     }
 
-    /// Returns the number of impacts of the words that were asked for.
+    /// Returns the number of impacts of the words that were requested.
     pub fn impacts(&self) -> u32 {
         self.impacts
     }

@@ -52,7 +52,7 @@ pub const LONGEST: usize = 64;
 const TRANSIENT: usize = 500;
 /// Distance, in forcing periods and in `A W`, within which an orbit counts as having come back.
 const NEAR: State = [0.0016, 0.01];
-/// The greatest trace of a product of Jacobians that is tried, and the factor by which it grows with each impact beyond N of them.
+/// The greatest trace of a product of Jacobians that is tried, the factor by which it grows per impact, and the impacts beyond which it does.
 const TRACE: f64 = 10.0;
 const TRACE_GROWTH: f64 = 1.25;
 const TRACE_FROM: i32 = 23;

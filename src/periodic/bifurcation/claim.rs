@@ -112,7 +112,7 @@ impl<S: Varied> Claim<'_, S> {
         let family = self.setting.doubles();
         let bits = f64::MANTISSA_DIGITS;
         let zero = self.certify(&family, &inverse, doubles, (bits, LARGEST));
-        // What doubles prove is the largest domain; where they prove none, it is smaller than they can tell.
+        // Doubles prove the largest domain; where they prove none, it is smaller than they can distinguish.
         let largest = zero.as_ref().map_or(SMALL, |zero| zero.domain[0].rad());
         let best = zero.and_then(|zero| self.point(&family, &zero, bits, S::is_physical));
         match best {

@@ -52,7 +52,7 @@ const MOST_STATIONS: usize = 20_000;
 const LONGEST: f64 = 0.01;
 const SHORTEST: f64 = 1e-10;
 const OF_RANGE: f64 = 0.01;
-/// Cosines of the angle between tangents: at least so much, and so much for a longer step.
+/// The least cosine of the angle between tangents, and the least for a longer step.
 const STRAIGHT: f64 = 0.99;
 const STRAIGHTER: f64 = 0.998;
 /// Parts that the way to a change of sign is cut into, one after the other: a third of them are halves.
@@ -168,7 +168,7 @@ fn locate<S: Varied>(
         let chord: Vec<f64> = a.x.iter().zip(&b.x).map(|(a, b)| b - a).collect();
         let guess: Vec<f64> = a.x.iter().zip(&chord).map(|(a, c)| part.mul_add(*c, *a)).collect();
         let corrected = correct(ring, family, &guess, &chord);
-        // Where branches meet, nothing can be corrected any more.
+        // Where branches meet, corrections fail.
         let Some(middle) = corrected.and_then(|x| Station::new(ring, family, x, &a.tangent)) else { break };
         let (from, to) = if test(&middle.tests) * at_a > 0.0 { (middle, b) } else { (a, middle) };
         (a, b) = (from, to);

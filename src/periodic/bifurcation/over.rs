@@ -101,7 +101,7 @@ impl Parameter {
         amplitudes.max_by(|a, b| size(a).total_cmp(&size(b))).expect("an excitation has a term")
     }
 
-    /// Returns what varies without units at a value of the parameter.
+    /// Returns the quantity without units that varies, at a value of the parameter.
     ///
     /// # Errors
     /// If it exceeds the range of exact expressions.
@@ -115,7 +115,7 @@ impl Parameter {
         within(self.place(), value, ratio())
     }
 
-    /// Returns the parameter from what varies without units, as far as the ends of a ball tell, and the pair with it.
+    /// Returns the parameter from the quantity without units, within the bounds that the ends of a ball give, and the pair with it.
     ///
     /// # Errors
     /// If it exceeds the range of exact expressions, or is not in its range.
@@ -138,7 +138,7 @@ impl Parameter {
         Ok((hull, self.pair_at(all?)?))
     }
 
-    /// Returns what varies without units, in doubles.
+    /// Returns the quantity without units that varies, in doubles.
     ///
     /// # Errors
     /// If it is beyond doubles.

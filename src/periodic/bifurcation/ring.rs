@@ -65,7 +65,7 @@ impl Ring {
         self.unknowns
     }
 
-    /// Returns whether it tells symmetric orbits only.
+    /// Returns whether it holds symmetric orbits only.
     pub fn is_mirrored(&self) -> bool {
         self.unknowns < self.chain.impacts()
     }

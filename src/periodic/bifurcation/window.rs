@@ -226,7 +226,7 @@ impl Proving<'_> {
         Ok(Ok((problem, orbit)))
     }
 
-    /// The ends in the order of the parameter; where one is not proved, as far as floating point tells, at `about`.
+    /// The ends in the order of the parameter; where one is not proved, in that of the floating-point values `about`.
     fn ends(&self, points: [Option<Point>; 2], about: [f64; 2]) -> Result<[Option<WindowEnd>; 2], Error> {
         let end = |point: Option<Point>| -> Result<Option<WindowEnd>, Error> {
             let Some(point) = point else { return Ok(None) };

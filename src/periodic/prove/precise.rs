@@ -47,7 +47,7 @@ impl Problem {
             if let Some(finding) = finding {
                 let [phase, _] = finding.widths();
                 narrow = is_narrow(shaken, &finding, precision);
-                // Where more bits do not narrow, still more will not.
+                // If more bits do not narrow, still more will not.
                 if phase >= last {
                     break;
                 }

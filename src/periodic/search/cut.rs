@@ -293,7 +293,7 @@ impl<'c> Terms<'c> {
         Some(())
     }
 
-    /// The signs of `w_i/h_i` and `v_{i+1}/h_i`, told away from the walls: a hop of no time has them, too.
+    /// The signs of `w_i/h_i` and `v_{i+1}/h_i`, positive away from the walls: a hop of no time has them, too.
     fn cut_ratios(&self, part: &Part, i: usize) -> Option<()> {
         let [after, before] = self.ratios(&part.phases, i, part.times[i]);
         let [from, to] = [i, self.chain.next(i)].map(|impact| self.chain.walls()[impact].sign());

@@ -89,7 +89,7 @@ impl Problem {
         let line = |n: u32| f64::from(n) * f64::from(self.chain.period()) / f64::from(self.cells());
         let mut cells: Vec<_> =
             (0..self.cells()).map(|n| Cell::new(&task, Interval::new(line(n), line(n + 1)))).collect();
-        // What cells leave of the budget is shared among those that have not done.
+        // The budget that cells leave is shared among those that have not done.
         let mut left = budget.boxes;
         loop {
             let mut busy: Vec<_> = cells.iter_mut().filter(|cell| !cell.is_done()).collect();
@@ -134,7 +134,7 @@ impl Problem {
         Census { orbits, exhaustive: undecided.is_empty(), undecided, is_search: true, ..Census::default() }
     }
 
-    /// The orbit of a cell, proved anew to as many digits as it takes to tell whether it is one of those known; `None` where Newton's iteration
+    /// The orbit of a cell, proved anew to as many digits as decide whether it is one of those known; `None` where Newton's iteration
     /// leads from the middles of its phases to what is not proved to be that orbit. Lemma T6
     fn prove_again(
         &self,
