@@ -113,7 +113,7 @@ impl Set {
         ))
     }
 
-    /// At least twice as large, with sides of a length at least; sets shrink as fast as motions converge.
+    /// The set with sides at least twice as long, and of at least a given length; sets shrink as fast as motions converge.
     fn enlarged(self, least: f64) -> Self {
         let longer = |side: State| {
             let power = (least / length(side)).log2().ceil().max(1.0); // D15: at least twice as long
@@ -130,8 +130,8 @@ impl Set {
         if room < NEAR { room } else { 0.0 } // proposes: how large sets become
     }
 
-    /// By how many whole forcing periods another one has to be shifted to lie in this one, for each value of the parameters with a margin; `None`
-    /// where that is not proved. Lemma D15
+    /// Returns the number of whole forcing periods by which another one has to be shifted to lie in this one, for each value of the
+    /// parameters with a margin; `None` where that is not proved. Lemma D15
     fn holds(&self, other: &Self) -> Option<f64> {
         let shift = (other.middle[0] - self.middle[0]).round(); // exact: any whole number will do
         let away = [

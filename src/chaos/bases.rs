@@ -24,10 +24,10 @@ const APART: f64 = 0.02;
 /// Numbers of phases and of speeds at which transients begin, and the factor of the greatest speed over the greatest one seen.
 const STARTS: [usize; 2] = [48, 24];
 const FASTER: f64 = 1.5;
-/// They are looked at from one impact to another, until they are so near to the orbit that they lead to.
+/// The impacts from which on transients are looked at, and up to which, and the distance from the orbit within which they end.
 const LOOKED_FOR: [usize; 2] = [6, 80];
 const NEAR: f64 = 0.01;
-/// Those that are shorter, or grow less an impact, see no saddle.
+/// The least number of impacts, and the least growth per impact, of transients that see a saddle.
 const LONG: usize = 16;
 const GROWTH: f64 = 0.1;
 /// The most impacts of words by which bundles of leaves are compared.
@@ -38,7 +38,7 @@ const SHALLOWER: [f64; 3] = [1.0, 0.75, 0.5];
 pub(super) const LENGTHS: [f64; 7] = [0.3, 0.2, 0.13, 0.08, 0.05, 0.03, 0.015];
 const WIDTHS: [f64; 7] = [0.001, 0.002, 0.005, 0.01, 0.02, 0.04, 0.08];
 impl Seen {
-    /// Of a regular orbit: what orbits from elsewhere see before they come near it. A horseshoe may be there as a saddle.
+    /// Returns the transients of a regular orbit: points of orbits from elsewhere before they come near it. A horseshoe may be there as a saddle.
     pub fn transients(&self, guess: &Guess) -> Self {
         let attractor: Vec<State> = self.points.iter().rev().take(RETURNS * RETURNS).map(|(state, _)| *state).collect();
         let fastest = FASTER * attractor.iter().fold(0.0, |most: f64, state| most.max(state[1]));

@@ -27,7 +27,7 @@ impl Word {
         Self { walls: walls.collect(), from: path.from, to: path.to, half_cycles: path.half_turns }
     }
 
-    /// In mappings, the first one right-most, as the paper writes them.
+    /// Returns it in mappings, the first one right-most, as the paper writes them.
     pub fn in_mappings(&self) -> String {
         let mut from = Wall::Left;
         let mut names: Vec<String> = Vec::new();

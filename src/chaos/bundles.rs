@@ -21,7 +21,7 @@ const MIDDLES: usize = 80;
 const NESTED: [u32; 4] = [0b0, 0b1, 0b11, 0b111];
 /// The most h-sets of a place.
 const MOST: u32 = 4;
-/// If they are not apart from one another they are made shorter.
+/// Factors by which h-sets are made shorter until they are apart from one another.
 const SHORTER: [f64; 5] = [1.0, 0.93, 0.86, 0.8, 0.7];
 /// Number of places that are moved, their least distance relative to their length, and the number of those that are parted further.
 const STARTS: usize = 16;

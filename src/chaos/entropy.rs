@@ -1,4 +1,4 @@
-//! From words to entropy: Lemma D10 of `docs/proofs/chaos.md#D10`.
+//! Entropy of words: Lemma D10 of `docs/proofs/chaos.md#D10`.
 
 use super::words::Path;
 use crate::number::{Ball, logarithm};

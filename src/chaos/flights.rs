@@ -21,13 +21,13 @@ pub(crate) struct Flights<const M: usize = 1> {
     gap: Ball,
     start: f64,
     radius: f64,
-    /// Over all of them.
+    /// Sine and cosine over all starts.
     sin: Ball,
     cos: Ball,
     /// `e w`, and a lower bound.
     after: Ball,
     least: f64,
-    /// Of the centre's, at the middle of all `e`.
+    /// The sine and the drift of the centre, at the middle of all `e`.
     centre_sin: Ball,
     drift: Ball,
     sides: [Slope; 2],
@@ -59,7 +59,7 @@ pub(crate) struct Landing<const M: usize = 1> {
     pub speed: Ball,
     /// `dw/dth` at a fixed drift, over the bracket, in speeds per forcing period.
     slope: Ball,
-    /// By side, and by parameter: the change of phase, and the change of speed at a fixed phase.
+    /// The change of phase, and the change of speed at a fixed phase, by side and by parameter.
     along: [[Ball; 2]; 2],
     /// The same for a unit of phase, and of speed.
     units: [[Ball; 2]; 2],

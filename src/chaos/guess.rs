@@ -27,7 +27,7 @@ pub(crate) struct Image {
     /// The phase goes on from that of the start; half a forcing period is added where the far wall is touched.
     pub state: State,
     pub side: Side,
-    /// Of phase in forcing periods and speed over `A W`.
+    /// The derivative of phase in forcing periods and speed over `A W`.
     pub jacobian: [[f64; 2]; 2],
     /// Displacements of the image by `D` and by `e`, each by its radius.
     pub moved: [State; 2],

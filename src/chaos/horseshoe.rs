@@ -19,7 +19,7 @@ use crate::watch::{Latched, Silent, Stage, Watch};
 
 /// Greatest accepted number of impacts of a word.
 pub const MOST_DEPTH: u32 = 64;
-/// If no number is given, no deeper than this many boxes lead to.
+/// Number of boxes at which a search without a given depth goes no deeper.
 const BOXES: u64 = 1_000_000;
 
 /// The settings of a search for horseshoes.
@@ -89,7 +89,7 @@ const FINE: [Making; 2] = [
     Making { longest: 0.0006, margin: 1.08, pad: 6e-7, shortest: 1e-9, ahead: 12 },
     Making { longest: 0.0003, margin: 1.08, pad: 3e-7, shortest: 1e-9, ahead: 12 },
 ];
-/// Up to this depth all makings are tried; deeper the first one that is nearly as good as the best.
+/// The depth up to which all makings are tried, and the part of the best entropy that is enough for the first one that is followed deeper.
 const SHALLOW: usize = 8;
 const NEARLY: f64 = 0.95;
 /// The depth at which a quick proof ends, and the number of boxes at which it does.
@@ -302,8 +302,8 @@ impl<'s> Tried<'s> {
     }
 }
 
-/// Of those that lead to the most entropy the one with the shortest horseshoe; if it is to be followed deeper, the first one that leads to
-/// nearly as much: the finest cells lead furthest.
+/// Returns, of those that lead to the most entropy, the one with the shortest horseshoe; if it is to be followed deeper, the first one
+/// that leads to nearly as much: the finest cells lead furthest.
 fn good(tried: Vec<Tried<'_>>, deeper: bool) -> Tried<'_> {
     let best = tried.iter().fold(0.0, |best: f64, one| best.max(one.entropy())); // proposes: each is a proof of its own
     let enough = if deeper { NEARLY * best } else { best };

@@ -79,7 +79,7 @@ fn means<T>(all: &[T], of: impl Fn(&T) -> [f64; 2]) -> [f64; 2] {
     sums.map(|sum| sum / all.len() as f64)
 }
 
-/// Those of some points that are members, in the same order; without branches, which nobody would foresee.
+/// The members among some points, in the same order; without branches, which are hard to predict.
 fn members(points: &[(usize, [f64; 3])], is_member: impl Fn(&[f64; 3]) -> bool) -> Vec<[f64; 3]> {
     let (mut found, mut count) = (vec![[0.0; 3]; points.len()], 0);
     for (_, at) in points {
@@ -135,7 +135,7 @@ impl<'s> Window<'s> {
         [xi, eta, rise / run]
     }
 
-    /// Those in reach that are not as far along the leaf.
+    /// The points in reach that are not as far along the leaf.
     fn midst(&self, far: f64) -> &[(usize, [f64; 3])] {
         let first = self.near.partition_point(|(_, at)| at[0] <= -far);
         &self.near[first..first + self.near[first..].partition_point(|(_, at)| at[0] < far)]
@@ -246,7 +246,7 @@ impl Leaves {
     }
 }
 
-/// From where to where images of points in a row lead across, from -1 to 1 or back, none of them taken.
+/// The stretches of images of points in a row that lead across, from -1 to 1 or back, none of them taken.
 fn crossings(images: &[[f64; 2]], taken: &[bool]) -> Vec<[usize; 2]> {
     let mut found = Vec::new();
     // The last one beyond an end: before it all, and which one it is.

@@ -27,7 +27,7 @@ pub(super) struct Effort {
     pub everywhere: bool,
 }
 
-/// For the most entropy, and for any.
+/// The efforts for the most entropy, and for any.
 pub(super) const THOROUGH: Effort = Effort {
     trials: &[(64, 2_500), (12, 10_000), (4, 40_000)],
     last: (12, 150_000),
@@ -37,9 +37,9 @@ pub(super) const THOROUGH: Effort = Effort {
 };
 pub(super) const ANY: Effort =
     Effort { trials: &[(32, 2_000), (4, 8_000)], last: (2, 20_000), most: 1, bundled: false, everywhere: false };
-/// For some that lead far.
+/// The effort for h-sets that lead far.
 pub(super) const BUNDLED: Effort = Effort { bundled: true, ..ANY };
-/// Of h-sets from everywhere.
+/// The effort for h-sets from everywhere.
 pub(super) const SLOW: Effort =
     Effort { trials: &[(64, 6_000), (12, 40_000)], last: (4, 200_000), most: 2, bundled: false, everywhere: false };
 /// Words of more impacts are not tried.

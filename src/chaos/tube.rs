@@ -13,7 +13,7 @@ use crate::number::Ball;
 pub(crate) struct Tube {
     chords: Vec<Chord>,
     normals: Vec<Normals>,
-    /// For each cell: whether all windows that hold it are embedded.
+    /// Flags of the cells: all windows that hold the cell are embedded.
     embedded: Vec<bool>,
 }
 
@@ -90,7 +90,7 @@ fn dot([a, b]: [Ball; 2], [c, d]: [Ball; 2]) -> Ball {
     a * c + b * d
 }
 
-/// On which side of a directed line a state lies, shifted by whole forcing periods: positive to the left.
+/// The side of a directed line on which a state lies, shifted by whole forcing periods: positive to the left.
 pub(crate) fn side_of(from: State, to: State, state: State, turns: f64) -> Ball {
     let [u, w] = edge(from, state);
     dot(left(edge(from, to)), [u - Ball::exact(turns), w])

@@ -65,7 +65,7 @@ pub(crate) struct Search<'s> {
 const SHOWN: usize = 3;
 
 impl Base {
-    /// From a centre and the half vectors of its sides.
+    /// Returns the h-set of a centre and the half vectors of its sides.
     pub fn new(centre: State, along: State, across: State) -> Self {
         let corner = |a: f64, b: f64| [0, 1].map(|i| centre[i] + a * along[i] + b * across[i]);
         let chord = |a: f64, sign: f64| Chord { bottom: corner(a, -sign), top: corner(a, sign) };

@@ -20,7 +20,7 @@ pub(crate) struct Point {
     pub node: Node,
     /// Bounds of its distance from the image of the point before: radii of phase and velocity, and the slope that shears them, scaled.
     noise: [f64; 3],
-    /// Of the flight to the next one, scaled: that by which it multiplies the unstable direction, too.
+    /// The derivative of the flight to the next one, scaled, and the factor by which it multiplies the unstable direction.
     jacobian: [[f64; 2]; 2],
     growth: f64,
 }

@@ -64,12 +64,12 @@ impl Varied {
 #[derive(Clone, Debug)]
 pub(crate) struct Starts {
     pub varied: Varied,
-    /// Holds them all.
+    /// Bounds of all of them.
     pub bounds: State<Ball>,
 }
 
 impl Starts {
-    /// Those that differ by at most `apart`, in forcing periods or in gap widths per forcing period.
+    /// Returns the starts that differ by at most `apart`, in forcing periods or in gap widths per forcing period.
     pub fn within(apart: f64, varied: Varied, asked: &State<Ball>) -> Self {
         Self { varied, bounds: varied.widened(asked, apart) }
     }
@@ -83,7 +83,7 @@ pub(crate) struct Segment<W> {
     varied: Varied,
     /// The state that flights are followed from.
     origin: Origin<Ball>,
-    /// There, where they are known better than by the phase.
+    /// The harmonics at that state, where they are known better than by the phase.
     waves: Option<W>,
     scale: f64,
 }

@@ -159,7 +159,7 @@ mod refined {
         panic!("no start was found: {:?}", runs.map(|run| run.along.len()));
     }
 
-    /// To a thousand bits after the point.
+    /// The number rounded to a thousand bits after the point.
     fn rounded(x: &BigRational) -> BigRational {
         let unit = BigRational::from_integer(num_bigint::BigInt::from(1) << 1000);
         (x * unit.clone()).round() / unit

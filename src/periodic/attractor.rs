@@ -1,4 +1,4 @@
-//! From the last impacts of a motion to the periodic orbit that it is proved to converge to: Lemma Q3.
+//! The periodic orbit that a motion is proved to converge to, from its last impacts: Lemma Q3.
 
 use super::krawczyk::is_inside;
 use super::{Basin, Finding, PeriodicOrbit, Precision, Problem, Stability};
@@ -45,7 +45,7 @@ struct Guess<'s> {
     cycles: u32,
 }
 
-/// Of a stable orbit of a period that contracts areas the trace is smaller.
+/// A bound of the trace of a stable orbit of a period that contracts areas.
 const MOST_TRACE: f64 = 2.0;
 
 /// The reason why an orbit is not proved to attract a motion.

@@ -66,7 +66,7 @@ pub(crate) enum Identity {
 }
 
 impl Identity {
-    /// From the verdicts on each of them.
+    /// Returns the verdict that those on each of them give.
     pub fn of(verdicts: impl Iterator<Item = Option<bool>>) -> Self {
         match any(verdicts) {
             Some(false) => Self::New,
@@ -86,7 +86,7 @@ pub(super) fn is_one_reduced<N: Enclosing>(chain: &Chain, one: &Proved<N>, other
     any(views(chain).map(|view| view.is_same(chain, one, other)))
 }
 
-/// After how many impacts an orbit is first what it was, or its mirror image.
+/// Returns the least number of impacts after which an orbit is what it was, or its mirror image; `None` if undecided.
 pub(super) fn reduced_impacts<N: Enclosing>(chain: &Chain, orbit: &Proved<N>) -> Option<usize> {
     let mut views: Vec<View> = views(chain).filter(|view| view.shift > 0).collect();
     views.sort_by_key(|view| view.shift);

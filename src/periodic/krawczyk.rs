@@ -6,7 +6,7 @@ use super::entries::Entries;
 use super::precondition::Preconditioner;
 use crate::number::{Ball, Enclosing, Number};
 
-/// As many equations as unknowns, `F(x) = 0`.
+/// A system of as many equations as unknowns, `F(x) = 0`.
 pub trait Equations<N> {
     /// `F(x)`; `None` where it may not be defined.
     fn values(&self, x: &[N]) -> Option<Vec<N>>;

@@ -24,7 +24,7 @@ pub struct MeasuredImpact {
 pub struct MeasuredOrbit {
     /// Forcing periods of the fastest harmonic after which the excitation repeats: 1 with one harmonic.
     pub period: u32,
-    /// In time order.
+    /// The impacts, in time order.
     pub impacts: Vec<MeasuredImpact>,
     /// `true` if no other orbit of its word in as many cycles lies within the bounds.
     pub unique: bool,

@@ -205,7 +205,7 @@ impl Problem {
         is_one_reduced(&self.chain, &one.proved, &other.proved)
     }
 
-    /// After how many impacts an orbit is first what it was, or its mirror image. Lemma T6
+    /// Returns the least number of impacts after which an orbit is what it was, or its mirror image; `None` if undecided. Lemma T6
     pub(crate) fn reduced_impacts(&self, orbit: &PeriodicOrbit) -> Option<usize> {
         identity::reduced_impacts(&self.chain, &orbit.proved)
     }

@@ -40,7 +40,7 @@ impl PeriodicImpact {
 pub struct PeriodicOrbit {
     /// Forcing periods after which the excitation repeats: 1 with one harmonic.
     pub period: u32,
-    /// In time order, starting on the wall that the word starts on.
+    /// The impacts, in time order, starting on the wall that the word starts on.
     pub impacts: Vec<PeriodicImpact>,
     /// `Some(true)`: no flight touches a wall before it ends; `Some(false)`: one does (Lemma T5).
     pub physical: Option<bool>,
@@ -52,7 +52,7 @@ pub struct PeriodicOrbit {
     pub trace: Enclosure,
     /// Its determinant, `e^(2k)` (Lemma T4).
     pub determinant: Enclosure,
-    /// **Equation** (38), the one of larger modulus first.
+    /// The eigenvalues, the one of larger modulus first. **Equation** (38)
     pub eigenvalues: [Eigenvalue; 2],
     /// Stable or unstable, proved (Lemma T4).
     pub stability: Stability,
@@ -115,9 +115,9 @@ pub struct Finding<N> {
     pub trace: N,
     /// See [`determinant`].
     pub determinant: N,
-    /// Lemma T4.
+    /// The stability (Lemma T4).
     pub stability: Stability,
-    /// Lemma T5.
+    /// `Some(true)`: no flight touches a wall before it ends; `Some(false)`: one does (Lemma T5).
     pub physical: Option<bool>,
 }
 

@@ -1,4 +1,4 @@
-//! From a fold in floating point to a chain whose zero is proved in doubles: Lemma J5 of `docs/proofs/tangency.md#J5`.
+//! The chain of a fold in floating point, and its zero, proved in doubles: Lemma J5 of `docs/proofs/tangency.md#J5`.
 
 use nalgebra::DVector;
 

@@ -18,7 +18,7 @@ pub(super) fn high(x: Ball) -> f64 {
     (x.mid() + x.rad()).next_up()
 }
 
-/// More than printing adds to a ball: a hundredth of its radius (Lemma P1).
+/// The ball widened by more than printing adds: a hundredth of its radius (Lemma P1).
 fn printed(x: Ball) -> Ball {
     x.widened(x.rad() / 64.0)
 }

@@ -10,9 +10,9 @@ use crate::number::{Ball, Number, is_positive};
 /// Lower bounds over a homoclinic orbit.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Least {
-    /// Of speeds, in `A W`.
+    /// A lower bound of speeds, in `A W`.
     pub speed: f64,
-    /// Of times of flight, in radians.
+    /// A lower bound of times of flight, in radians.
     pub time: f64,
 }
 

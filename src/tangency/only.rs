@@ -1,4 +1,4 @@
-//! That a tangency is the only one within its bounds: Lemma J6 of `docs/proofs/tangency.md#J6`.
+//! Proof that a tangency is the only one within its bounds: Lemma J6 of `docs/proofs/tangency.md#J6`.
 
 use super::chain::{Chain, FIRST, Moving};
 use super::flight::{Pair, follow};

@@ -25,7 +25,7 @@ pub(super) struct Proof {
     pub least: Least,
     pub resonances: u32,
     pub flights: Vec<chaos::Side>,
-    /// Of a family: bounds of the states between, of which there is one tangency only. Lemma J12
+    /// Bounds of the states between, of which there is one tangency only, of a family. Lemma J12
     pub states: Option<Vec<StateBounds>>,
     /// The common points on either side; `None` where they are not proved. Lemma J13
     pub beside: Option<Sides>,

@@ -14,7 +14,7 @@ pub(super) struct Chain {
     pub speeds: Vec<Interval>,
     /// The wall that each flight ends on.
     pub sides: Vec<Side>,
-    /// Of a closed chain: the forcing periods until it is closed.
+    /// The forcing periods until a closed chain is closed; `None` of others.
     pub turns: Option<f64>,
 }
 

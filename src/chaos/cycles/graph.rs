@@ -14,7 +14,7 @@ const MOST_BLOCKS: usize = 256;
 /// The boxes of a region, each with those that it flies to.
 pub(super) struct Graph {
     grid: Grid,
-    /// In order.
+    /// The boxes, in order.
     cells: Vec<Cell>,
     next: Links,
     previous: Links,

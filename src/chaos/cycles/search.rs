@@ -51,7 +51,7 @@ pub(super) struct Found {
 pub(super) struct Search<'t> {
     task: &'t Task<'t>,
     layers: &'t [Layer],
-    /// By walls and cycles.
+    /// The orbits found, by walls and cycles.
     pub found: BTreeMap<(String, u32), Vec<Found>>,
     pub undecided: Vec<Chain>,
     /// `true` if the search went through the whole block.

@@ -13,7 +13,7 @@ use crate::periodic::{PeriodicOrbit, Precision, Stability};
 
 /// Half sides of the rectangles about the states of a cycle, in forcing periods and over `A W`: each is tried.
 const ROOMS: [f64; 2] = [1e-3, 1e-6];
-/// Of wider intervals of `D` and `e` none are looked for.
+/// The widest intervals of `D` and `e` over which cycles are looked for.
 const NARROW: f64 = 1e-6;
 
 /// A rectangle of states: bounds of phases, not farther than a forcing period from those of a period, and of speeds.

@@ -108,8 +108,8 @@ impl Analysis<'_> {
     }
 }
 
-/// Of each component of a graph, which of the components that are left motions may be in that stay in it: those whose boxes meet its own.
-/// Lemma A11
+/// Returns for each component of a graph the components that are left which motions that stay in it may be in: those whose boxes meet its
+/// own. Lemma A11
 fn held(found: &[Component], leaves: &[&Component]) -> Vec<BTreeSet<usize>> {
     let mut held = vec![BTreeSet::new(); found.len()];
     let Some(grid) = found.first().map(|own| own.grid) else { return held };

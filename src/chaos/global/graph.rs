@@ -15,7 +15,7 @@ use crate::watch::{Stage, Watch};
 #[derive(Clone, Debug)]
 pub(super) struct Component {
     pub grid: Grid,
-    /// In order.
+    /// The boxes, in order.
     pub cells: Vec<Cell>,
     pub has_release: bool,
     /// `true` if no motion leaves it.

@@ -227,7 +227,7 @@ impl Space {
         work + self.slow((grid, asked), self.drifts(flights, longest - 1.0), note)
     }
 
-    /// For how many forcing periods flights are followed: few where they may end in several.
+    /// Returns the number of forcing periods for which flights are followed: few where they may end in several.
     fn patience(&self, flights: &Flights) -> f64 {
         let [low, high] = ends(flights.drifts());
         let [least, most] = [high.abs(), low.abs()].map(|drift| self.gap[1] / drift); // proposes: any number of them

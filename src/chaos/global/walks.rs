@@ -4,7 +4,7 @@ use crate::chaos::boxes::{Links, parts};
 
 /// A graph's strongly connected parts, and where walks from each lead.
 pub(super) struct Walks {
-    /// In an order in which every part comes before those that it leads to.
+    /// The parts, in an order in which every part comes before those that it leads to.
     pub parts: Vec<Vec<usize>>,
     /// The part of each node.
     pub number: Vec<usize>,

@@ -28,7 +28,7 @@ pub(crate) fn least(x: Ball) -> f64 {
 }
 
 impl Frame {
-    /// That of the half vectors between the middles of opposite edges.
+    /// Returns the parallelogram of the half vectors between the middles of opposite edges.
     pub fn of(Base { left, right }: &Base) -> Self {
         let mean = |f: &dyn Fn(usize) -> f64| [0, 1].map(|i| 0.25 * f(i));
         let (p, q, r, s) = (left.bottom, left.top, right.bottom, right.top);

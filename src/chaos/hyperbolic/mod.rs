@@ -213,7 +213,7 @@ struct Measured {
     entropy: [[f64; 2]; 2],
     exponents: [[f64; 2]; 2],
     dimension: [f64; 2],
-    /// Of the expanding directions where each word leads to.
+    /// Bounds of the slopes of the expanding directions where each word leads to.
     slopes: Vec<[f64; 2]>,
 }
 

@@ -17,7 +17,7 @@ const NEAREST: f64 = 1e-9;
 const PARTS: usize = 256;
 /// Places, a half length being 1, to which the sides of a strip are mapped beyond the edges of the h-set that is covered: each is tried.
 const BEYOND: [f64; 3] = [1.006, 1.002, 1.0005];
-/// More than that, as the sides are straight.
+/// Part of a strip's breadth that is added on either side, as the sides are straight.
 const SPARE: f64 = 2e-4;
 const STEPS: usize = 40;
 

@@ -12,8 +12,8 @@ use crate::watch::Watch;
 /// Words by their places among those that are proved.
 type Letters = Vec<usize>;
 
-/// Of a string, a word alone, or with one before it and some behind it: the cells of this word in which its points are, bounds of their `a`,
-/// and of the heights of their images.
+/// The cells of a word in which the points of a string are, bounds of their `a`, and of the heights of their images. The string is the
+/// word alone, or with one before it and some behind it.
 #[derive(Clone, Debug)]
 struct Cylinder {
     images: Vec<Image>,
@@ -31,7 +31,7 @@ type Level = BTreeMap<Letters, Cylinder>;
 const LOOKS: u32 = 3;
 /// Part of its size to which a cell has to be narrowed to be looked at again.
 const NARROWER: f64 = 0.7;
-/// More strings, or cells of all of them, are not looked at.
+/// The most strings, cells of all of them, and letters that are looked at.
 const MOST_EDGES: usize = 8000;
 const MOST_CELLS: usize = 3 << 20;
 const MOST_LETTERS: usize = 9;

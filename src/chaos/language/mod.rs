@@ -56,7 +56,7 @@ impl BoxGraph {
         self.edges.iter().map(|edge| (edge.from as usize, letter(edge.side), edge.to as usize)) // exact: indices
     }
 
-    /// For each letter the boxes that it leads to from each.
+    /// Returns for each letter the boxes that it leads to from each box.
     fn links(&self) -> [Links; 2] {
         LETTERS.map(|(side, _)| {
             let own = self.edges.iter().filter(|edge| edge.side == side);

@@ -26,7 +26,7 @@ use crate::watch::Watch;
 
 /// A window relatively narrower is proved in more bits than doubles have, where there are such.
 const NARROW: f64 = 1e-10;
-/// In doubles: steps to the centre of a slab, and what is added to radii.
+/// Steps to the centre of a slab, and the length that is added to radii, in doubles.
 const STEPS: u32 = 12;
 const PAD: f64 = 1e-14;
 /// Bits of values in which doubles are exceeded.
@@ -34,7 +34,7 @@ pub(super) const BITS: u32 = 128;
 
 /// An end of the branch: the bifurcation there, and the orbits from it to the middle.
 pub(super) struct Reached<'b> {
-    /// From the bifurcation on, each with its eigenvalue.
+    /// The orbits from the bifurcation on, each with its eigenvalue.
     pub stations: &'b [(f64, Vec<f64>)],
     pub point: &'b Point,
     /// `c` of the equations of both.

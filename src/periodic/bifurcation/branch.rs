@@ -32,9 +32,9 @@ pub struct WindowSeed {
 
 /// Orbits with the phases and the parameter, by their eigenvalue.
 pub(super) struct Branch {
-    /// Of each end: the orbits at [`STATIONS`], towards the middle.
+    /// The orbits at [`STATIONS`], towards the middle, of each end.
     pub ends: [Vec<(f64, Vec<f64>)>; 2],
-    /// From the last station of the one to that of the other.
+    /// The orbits from the last station of the one to that of the other.
     pub between: Vec<Vec<f64>>,
     /// An orbit in the middle of the window.
     pub inner: Vec<f64>,

@@ -32,12 +32,12 @@ pub(super) struct Setting<'s, S> {
 }
 
 impl<S: Varied> Setting<'_, S> {
-    /// In floating point.
+    /// Returns the family in floating point.
     pub fn floats(&self) -> Family<S, f64> {
         Family { unknown: self.unknown, base: self.base.floats().clone() }
     }
 
-    /// In doubles.
+    /// Returns the family in doubles.
     pub fn doubles(&self) -> Family<S, Ball> {
         Family { unknown: self.unknown, base: self.base.balls().clone() }
     }
@@ -103,7 +103,7 @@ struct Claim<'s, S> {
 }
 
 impl<S: Varied> Claim<'_, S> {
-    /// In doubles first, then in as many bits as the digits take.
+    /// Proves the bifurcation in doubles first, then in as many bits as the digits take.
     fn prove(&self, guess: Vec<f64>) -> Option<Point> {
         let floats = self.setting.floats();
         let guess = newton(&self.system, &floats, guess)?;

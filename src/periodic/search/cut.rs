@@ -97,7 +97,7 @@ pub(super) struct Part {
     pub speeds: Vec<Interval>,
 }
 
-/// Anything.
+/// All numbers.
 const ALL: Interval = Interval::new(f64::MIN, f64::MAX);
 /// Fractions of a flight at which the ball has to be in the gap.
 const LOOKS: [f64; 5] = [0.1, 0.3, 0.5, 0.7, 0.9];
