@@ -207,7 +207,7 @@ impl<'t> Search<'t> {
         }
     }
 
-    /// Returns whether the chain lies where a known orbit is the only one; if not, and if `looks`, after a search for an orbit there.
+    /// Returns whether the chain lies where a known orbit is the only one; if none is known and `looks` is set, an orbit is searched for first.
     fn is_known(&mut self, chain: &Chain, looks: bool) -> bool {
         let Some(told) = Told::new(chain) else { return false };
         let known = self.found.entry((told.walls.clone(), told.cycles)).or_default();

@@ -133,7 +133,7 @@ impl<'t, 'p, S: Chained> Cell<'t, 'p, S> {
         }
     }
 
-    /// Returns whether the part lies where a known orbit is the only one; if not, and if `looks`, after a search for an orbit there.
+    /// Returns whether the part lies where a known orbit is the only one; if none is known and `looks` is set, an orbit is searched for first.
     fn is_known(&mut self, part: &Part, looks: bool) -> bool {
         let balls: Vec<Ball> = part.phases.iter().map(|&x| x.into()).collect();
         let whole = Proved { domain: balls.clone(), at: balls };
