@@ -1,9 +1,9 @@
-//! The same of each, by all threads.
+//! A map over a slice, by all threads.
 
 use std::sync::Mutex;
 use std::thread;
 
-/// What a function makes of each, by all threads.
+/// Returns the values of a function at all elements, in their order, computed by all threads.
 pub(super) fn each<T: Sync, U: Send>(all: &[T], function: &(dyn Fn(&T) -> U + Sync)) -> Vec<U> {
     let threads = thread::available_parallelism().map_or(1, usize::from);
     let (queue, done) = (Mutex::new(all.iter().enumerate()), Mutex::new(Vec::new()));
