@@ -125,7 +125,7 @@ fn rounded_at(x: &Dyadic, quantum: i64, round: Round) -> String {
     DecimalDigits::new(&multiple(x, quantum, round), quantum).to_string()
 }
 
-/// How often `10^quantum` goes into `x`, rounded to an integer in the direction asked.
+/// Returns `x / 10^quantum`, rounded to an integer in the requested direction.
 pub(super) fn multiple(x: &Dyadic, quantum: i64, round: Round) -> BigInt {
     let (m, e) = (x.mantissa(), x.exponent());
     if quantum <= 0 {

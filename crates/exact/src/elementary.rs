@@ -238,7 +238,7 @@ impl Reduced {
     }
 }
 
-/// How often the argument is divided by three before the series: a square-root balance of steps against terms.
+/// Number of divisions of the argument by three before the series is summed: the square root balances steps against terms.
 fn tripling_steps(scale: u64) -> u64 {
     scale.isqrt() / 2
 }

@@ -71,7 +71,7 @@ const SIGN_BITS: u32 = 4096;
 #[derive(Clone)]
 pub struct Exact {
     node: Arc<Node>,
-    /// What the user wrote, if this very value was read from a text.
+    /// The user's text, if this very value was read from one.
     written: Option<Arc<str>>,
 }
 
@@ -89,7 +89,7 @@ struct Node {
     normal: OnceLock<Option<Normal>>,
 }
 
-/// How an expression is put together.
+/// The outermost operation of an expression, with its operands.
 enum Form {
     /// `r * pi^k`.
     Monomial(Monomial),

@@ -26,7 +26,7 @@ const LARGEST_FACTOR: u32 = 64;
 #[derive(Clone, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) struct Normal(BTreeMap<Term, BigRational>);
 
-/// What the coefficients multiply.
+/// The factor that a rational coefficient multiplies: `pi^pi_power sqrt(radicand)` times a wave and powers of `factors`.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 struct Term {
     wave: Option<Wave>,
@@ -36,7 +36,7 @@ struct Term {
     radicand: BigInt,
 }
 
-/// What a term holds as it is: the root of a sum, or one over a sum.
+/// A factor of a term that is not expanded: the root of a sum, or the reciprocal of one.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 enum Factor {
     Root(Normal),

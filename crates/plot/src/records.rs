@@ -1,4 +1,4 @@
-//! What pictures of grids read: a head, and the records of points.
+//! The input of pictures of grids: a head, and the records of points.
 
 use anyhow::Result;
 use impact_pair::sweep::Head;
@@ -8,7 +8,7 @@ pub trait Records {
     /// The kind of its head.
     type Head: Head;
 
-    /// What it is about.
+    /// Returns the head, which holds everything that the points depend on.
     fn head(&self) -> &Self::Head;
 
     /// Hands on the points that are there, in order.

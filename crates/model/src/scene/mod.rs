@@ -54,7 +54,7 @@ pub struct Scene {
     places: Vec<(String, Excerpt)>,
 }
 
-/// How far to follow the orbit: the table `[run]`.
+/// The length and accuracy of the orbit: the table `[run]`.
 #[derive(Clone, Debug, Default)]
 pub struct Run {
     /// Stop after N impacts; 0 requests none.
@@ -160,7 +160,7 @@ fn at_its_place(error: Error, places: &[(String, Excerpt)]) -> Error {
     }
 }
 
-/// What is no TOML, with the line it stands on.
+/// Returns the error for a text that is not TOML, with the line at fault.
 fn unreadable(text: &str, error: TomlError) -> Error {
     let at = error.span().unwrap_or(text.len()..text.len());
     let excerpt = Excerpt::new(text, at);

@@ -38,7 +38,7 @@ pub(super) struct Section<'t> {
     text: &'t str,
     /// Empty for the whole file.
     name: &'static str,
-    /// Where its name stands.
+    /// The place of its name in the text.
     span: Range<usize>,
     table: &'t dyn TableLike,
 }
@@ -136,7 +136,7 @@ impl<'t> Entry<'t> {
         self.text.get(self.value.clone()).unwrap_or_default()
     }
 
-    /// Where the value stands.
+    /// Returns the place of the value in the text.
     fn excerpt(&self) -> Excerpt {
         Excerpt::new(self.text, self.value.clone())
     }

@@ -186,8 +186,8 @@ impl Scene {
     /// Returns the scene with these values in place of its own; the settings of its run are kept.
     ///
     /// # Errors
-    /// When a value is not in its range, it is that of a harmonic and there are several or no term has its number, the start then
-    /// is none (a position beyond the gap), or there is a start on a wall and a position for it.
+    /// Returns an error if a value is out of range, if the excitation has several harmonics but the key names no term, or a term that
+    /// does not exist, if the start becomes impossible (a position beyond the gap), or if a position is given for a start on a wall.
     pub fn with(&self, values: &[(Key, Exact)]) -> Result<Self, Error> {
         let mut values: Vec<_> = values.to_vec();
         values.sort_by_key(|(key, _)| *key);
@@ -230,7 +230,8 @@ impl ImpactPair {
     /// Returns the pair with another value of one of its parameters; the same pair for a key of the start.
     ///
     /// # Errors
-    /// When the value is not in its range, or it is that of a harmonic and there are several or no term has its number.
+    /// Returns an error if the value is out of range, or if the excitation has several harmonics but the key names no term, or a
+    /// term that does not exist.
     pub fn with(&self, key: Key, value: Exact) -> Result<Self, Error> {
         let (mut excitation, mut gap, mut restitution) =
             (self.excitation().clone(), self.gap().clone(), self.restitution().clone());
@@ -249,7 +250,7 @@ impl ImpactPair {
     /// [`Excitation::harmonic_of`].
     ///
     /// # Errors
-    /// When intervals leave open which harmonic it is.
+    /// Returns an error if intervals leave undecided which harmonic it is.
     pub fn harmonic_of(&self, key: Key) -> Result<(usize, Option<Exact>), Error> {
         let excitation = self.excitation();
         let number = key.term().map_or(0, |number| usize::from(number.get()) - 1);

@@ -34,7 +34,7 @@ pub enum Bifurcation {
     Pitchfork,
 }
 
-/// How `A`, `d` and `e` are where two of them vary.
+/// The amplitude, the gap and the restitution coefficient of a plane in which two of them vary.
 pub struct Parameters {
     keys: [Key; 2],
     amplitude: f64,
@@ -115,7 +115,7 @@ pub fn alpha(kind: Bifurcation, cycles: u32, e: f64) -> Option<f64> {
     (inverse > 0.0 && !is_virtual).then(|| 1.0 / inverse)
 }
 
-/// Whether the motion that starts at a phase below 0 touches the wall that it leaves before the other one. Lemma W3
+/// Returns whether the motion that starts at a phase below 0 touches the wall that it leaves before the other one. Lemma W3
 fn grazes(theta: f64, e: f64) -> Option<bool> {
     let greatest = grazing_angle(&Real::of(&Exact::parse(&e.to_string()).ok()?, BITS))?;
     let (greatest, _) = greatest.enclosure().mid_rad();

@@ -32,7 +32,7 @@ pub fn path(points: &[Point], frame: &Frame<'_>, plane: &Plane) -> Path {
     path
 }
 
-/// How a kind of strokes is drawn: their parts, width in pixels as they are shown, and opacity.
+/// The style of one kind of strokes: their parts, width in pixels as they are shown, and opacity.
 type Look = (&'static [Part], f64, f64);
 
 /// Draws all curves of a panel, those of the transient first.

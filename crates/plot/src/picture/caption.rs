@@ -1,4 +1,4 @@
-//! What stands above a picture: its title, and lines that say what it shows.
+//! The header of a picture: its title, and lines that say what it shows.
 
 use impact_pair::json::PROGRAM;
 use plotters::prelude::*;
@@ -18,7 +18,7 @@ const LINE: i32 = 22 * SCALE;
 /// they take.
 ///
 /// # Errors
-/// When they cannot be drawn.
+/// Returns an error if the text cannot be drawn.
 pub fn caption(
     root: &Canvas<'_>,
     look: &Look,

@@ -12,7 +12,7 @@ use super::{Element, SCALE, hex};
 pub struct Dots {
     /// Their colour.
     pub colour: RGBColor,
-    /// Where they are.
+    /// Their places on the canvas \[pixels\].
     pub places: Vec<(i32, i32)>,
 }
 
@@ -27,7 +27,7 @@ const OPACITY: f64 = 0.55;
 const VERY_MANY: usize = 20_000;
 
 impl Dots {
-    /// Whether there are enough to show density.
+    /// Returns whether there are enough different places to show density.
     fn are_many(&self) -> bool {
         self.places.iter().collect::<BTreeSet<_>>().len() > FEW
     }

@@ -1,4 +1,4 @@
-//! What a reader may choose of every picture: its colours, its size, its letters, and whether it has a header.
+//! The options of every picture: its colours, size and font, and whether it has a header.
 
 use std::str::FromStr;
 

@@ -7,7 +7,7 @@ use plotters::coord::ranged1d::{KeyPointHint, NoDefaultFormatting, Ranged, Value
 /// Digits that the axis names, where it reaches them.
 const TICKS: [f64; 18] =
     [-2.0, -1.0, 0.0, 1.0, 2.0, 3.0, 5.0, 10.0, 20.0, 50.0, 100.0, 200.0, 500.0, 1e3, 2e3, 5e3, 1e4, 1e5];
-/// What stays free beyond the marks, in parts of the axis.
+/// Free room beyond the marks, as a fraction of the axis.
 const MARGIN: f64 = 0.05;
 /// The same on the axis of times, as a factor.
 const ROOM: f64 = 2.0;
