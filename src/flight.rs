@@ -40,7 +40,7 @@ pub(crate) fn velocity_after<N: Number>(beta: N, velocity: N, (sin, cos): (N, N)
     beta.mul_add_ref(&wave, velocity)
 }
 
-/// Where a flight starts, not mirrored: after the impact, for a start on a wall.
+/// The start of a flight, not mirrored: after the impact, for a start on a wall.
 #[derive(Clone, Debug)]
 pub(crate) struct Launch<N> {
     /// `None` inside the gap.
@@ -193,7 +193,7 @@ impl<N: Number> Flight<N> {
 }
 
 impl Flight<f64> {
-    /// Whether no extrema are expected: `|c| >= beta`.
+    /// Returns whether no extrema are expected: `|c| >= beta`.
     #[inline(always)]
     pub(crate) fn is_monotone(&self) -> bool {
         self.drift.abs() >= self.beta

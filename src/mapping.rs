@@ -4,7 +4,7 @@ use crate::number::Number;
 use crate::pair::rebound;
 pub use impact_pair_model::{Mapping, Word};
 
-/// What the Jacobian of one mapping depends on; velocities in gap widths per forcing period, with their sign, before the impacts.
+/// The data of the Jacobian of one mapping; velocities in gap widths per forcing period, with their sign, before the impacts.
 #[derive(Clone, Copy, Debug)]
 pub struct Passage<N> {
     /// `h = t1 - t0` in forcing periods.

@@ -57,7 +57,7 @@ pub(super) fn of(point: u64, values: &[(Key, Exact)], global: GlobalDocument, to
     }
 }
 
-/// How many of the points, or of the smallest cells, something is proved of. Lemmas A20, A21
+/// Numbers of points, or of smallest cells, of which a property is proved. Lemmas A20, A21
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Shares {
     /// All of them.

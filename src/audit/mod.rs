@@ -77,7 +77,7 @@ impl Default for AuditSettings {
 }
 
 impl AuditSettings {
-    /// How the orbit that judges is computed.
+    /// Returns the settings of the certified orbit up to the time `until`.
     fn settings(&self, until: Exact) -> Settings {
         let arithmetic = if MULTIPRECISION { Arithmetic::Auto } else { Arithmetic::Interval };
         let run = Run { impacts: None, until: Some(until), digits: Some(self.digits()) };
@@ -108,7 +108,7 @@ pub struct Audit<'s> {
     pub left_out: usize,
     /// Columns of the list that are not read.
     pub unused: Vec<String>,
-    /// Whether the list has no velocities, although they are looked for.
+    /// True if the list has no velocities, although they are looked for.
     lacks_velocities: bool,
     /// The end of the comparison: the requested time (an irrational one a little later), or the last one listed.
     end: BigRational,

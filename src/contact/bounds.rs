@@ -18,7 +18,7 @@ pub(super) const SLACK: f64 = 1.0 + 128.0 * UNIT;
 /// The error of the sine on arrival of a hop, by the addition theorem: the least accurate sine in use.
 pub(super) const HOP_SINE_ERROR: f64 = 2.0 * SIN_COS_ERROR + DEPARTURE_ERROR + 4.0 * UNIT;
 
-/// How far the true start may lie from the doubles of a [`Flight`].
+/// Bounds of the distance of the true start from the doubles of a [`Flight`].
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Radii {
     /// of the phase of the start, in forcing periods
@@ -119,7 +119,7 @@ impl<'a, const WIDE: bool> Bounds<'a, WIDE> {
         self.flight.velocity.abs() + self.radii.velocity
     }
 
-    /// What the spread of starts adds to the error of `z` within `time` turns of the start.
+    /// Returns the part of the error of `z` that comes from the spread of starts, within `time` turns of the start.
     #[inline(always)]
     fn spread(&self, time: f64) -> f64 {
         let Radii { phase, velocity, height } = self.radii;

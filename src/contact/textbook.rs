@@ -69,7 +69,7 @@ pub fn first_contact(flight: &Flight<Interval>) -> Verdict<Contact<Interval>> {
     Verdict::Undecided(Undecided::endless())
 }
 
-/// What is known of a piece.
+/// The result for a piece.
 enum Piece {
     /// No wall is touched in it, but for the departure.
     Inside,
@@ -105,7 +105,7 @@ impl Walk<'_> {
         }
     }
 
-    /// Whether the height rises all through the piece: by its first derivative there that is not 0 (Lemma I3 (a)).
+    /// Returns whether the height rises all through the piece: by its first derivative there that is not 0 (Lemma I3 (a)).
     fn rises(&self, piece: Interval, velocity: Interval) -> bool {
         let (flight, starts) = (self.0, |x: Interval| piece.contains(0.0) && x.inf() >= 0.0);
         if velocity.inf() > 0.0 || !starts(flight.velocity) {
@@ -116,7 +116,7 @@ impl Walk<'_> {
         flight.acceleration_at(sin).inf() > 0.0 || starts(flight.acceleration_at(flight.sin)) && jerk.inf() > 0.0
     }
 
-    /// Whether the flight starts on its wall, which nothing but a rise takes it off.
+    /// Returns whether the flight starts on its wall, which it can leave by a rise only.
     fn is_on_wall(&self) -> bool {
         self.0.height.inf() <= 0.0
     }

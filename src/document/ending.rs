@@ -11,7 +11,7 @@ use crate::orbit::{Arithmetic, MULTIPRECISION, Orbit, Settings, VERDICT_BITS};
 
 /// The outcome of an orbit, compared with the request.
 pub struct Ending<'s> {
-    /// How it ended.
+    /// The conclusion of the orbit.
     pub conclusion: Conclusion,
     /// The arithmetic, as in the orbit JSON.
     pub computed: ArithmeticDocument,
@@ -35,7 +35,7 @@ impl<'s> Ending<'s> {
         self.conclusion.reason().is_none() && self.wide.is_none()
     }
 
-    /// What else there is to try, if it would help.
+    /// Returns advice on other settings, if they would help.
     fn hint(&self) -> Option<&'static str> {
         let reason = self.conclusion.reason().filter(|reason| *reason != Reason::Budget);
         match (self.settings.arithmetic, reason) {

@@ -17,9 +17,9 @@ use crate::pair::Wall;
 pub struct Event {
     /// The wall.
     pub wall: Wall,
-    /// When \[time\].
+    /// Time of the event \[time\].
     pub time: Bounds,
-    /// What happens.
+    /// The kind of the event.
     pub kind: EventKind<Bounds>,
 }
 
@@ -165,7 +165,7 @@ pub enum Bounds {
 }
 
 impl Bounds {
-    /// What `orbit` knows of a number.
+    /// Returns a number of `orbit`: certified, or of a floating-point orbit.
     fn of(orbit: &Orbit, x: Enclosure) -> Self {
         if is_certified(orbit.arithmetic()) { Self::Certified(x) } else { Self::Float(x) }
     }

@@ -141,7 +141,7 @@ fn floats_claim_nothing() {
     }
 }
 
-/// Where the impacts that a document lists come, and how fast, found again: times and velocities.
+/// Returns the times and velocities of the impacts that a document lists, found again by its certificate.
 fn found_again(document: &Value) -> Vec<(Enclosure, Enclosure)> {
     Certificate::parse(&document.to_string()).unwrap().retraced(192).unwrap()
 }

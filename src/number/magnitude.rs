@@ -52,12 +52,12 @@ impl Magnitude {
         Self { fraction: 1.0, exponent }
     }
 
-    /// Whether it is 0, exactly.
+    /// Returns whether it is exactly 0.
     pub fn is_zero(self) -> bool {
         self.fraction == 0.0 // M0: exactly nothing
     }
 
-    /// Whether it bounds anything.
+    /// Returns whether it is finite, and so bounds something.
     pub fn is_finite(self) -> bool {
         self.fraction.is_finite()
     }

@@ -21,7 +21,7 @@ impl Orbit {
     /// Returns the orbit of `pair` from `start`.
     ///
     /// # Errors
-    /// When a value is beyond the range of double-precision flights, or this build has no multiprecision and it is
+    /// Returns an error if a value is beyond the range of double-precision flights, or this build has no multiprecision and it is
     /// requested.
     pub fn new(pair: &ImpactPair, start: &Start, settings: Settings) -> Result<Self, Error> {
         let shown = match settings.arithmetic {

@@ -55,7 +55,7 @@ impl Splice {
     /// Of the orbit of `pair` from `start`, and N impacts.
     ///
     /// # Errors
-    /// When these are not all proved.
+    /// Returns an error if these are not all proved.
     pub fn new(
         (pair, start, clock): (&ImpactPair, &Start, &Clock),
         (reduced, initial): (&Reduced<Ball>, State<Ball>),

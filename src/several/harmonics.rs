@@ -148,7 +148,7 @@ impl Harmonics<Ball> {
     /// Encloses the harmonics of `pair` in doubles.
     ///
     /// # Errors
-    /// When they are too large for the arithmetic of a flight.
+    /// Returns an error if they are too large for the arithmetic of a flight.
     pub fn in_doubles(spectrum: &Spectrum, pair: &ImpactPair) -> Result<Self, Error> {
         let harmonics = Self::new(spectrum, f64::MANTISSA_DIGITS);
         if is_positive(LARGEST_RATE - harmonics.rates.fourth) {

@@ -38,7 +38,7 @@ impl Spectrum {
     /// The harmonics of `pair`, phases counted from the turn `origin`; `None` of a single one.
     ///
     /// # Errors
-    /// When a value is beyond what exact expressions hold.
+    /// Returns an error if a value is beyond what exact expressions hold.
     pub fn new(pair: &ImpactPair, origin: &BigInt) -> Result<Option<Self>, Error> {
         let excitation = pair.excitation();
         if excitation.only().is_some() {
@@ -90,7 +90,7 @@ impl Spectrum {
     /// What bounds the motion without units: the sums of `A_k/d` and of `2 pi A_k W_k / (d W)`.
     ///
     /// # Errors
-    /// When a sum is beyond what exact expressions hold.
+    /// Returns an error if a sum is beyond what exact expressions hold.
     pub fn sums(&self) -> Result<Reduced<Exact>, ExactError> {
         let zero = Exact::from(0);
         let sum = |of: &dyn Fn(&Term) -> Result<Exact, ExactError>| {
@@ -107,7 +107,7 @@ impl Spectrum {
 /// The phases of all harmonics of `pair` at a time, in turns, less whole ones: exact where expressions show it.
 ///
 /// # Errors
-/// When one is beyond what exact expressions hold.
+/// Returns an error if one is beyond what exact expressions hold.
 pub(crate) fn phases_at(pair: &ImpactPair, time: &Exact) -> Result<Vec<Exact>, Error> {
     let phase = |harmonic: &Harmonic| {
         let phase = Phases::of(harmonic)?.at(time);

@@ -147,7 +147,7 @@ impl Either {
     /// Returns the excitation of `pair`, phases given by the clock.
     ///
     /// # Errors
-    /// When a value is beyond what exact expressions or doubles hold.
+    /// Returns an error if a value is beyond what exact expressions or doubles hold.
     pub fn new(pair: &ImpactPair, clock: &Clock) -> Result<Self, Error> {
         Ok(match SeveralHarmonics::new(pair, clock.origin())? {
             None => Self::One(Arc::new(OneHarmonic::of(pair)?)),

@@ -32,7 +32,7 @@ impl OneHarmonic {
     /// Returns what shakes a pair of one harmonic.
     ///
     /// # Errors
-    /// When a value is beyond what exact expressions or doubles hold, or there are several harmonics.
+    /// Returns an error if a value is beyond what exact expressions or doubles hold, or there are several harmonics.
     pub fn of(pair: &ImpactPair) -> Result<Self, Error> {
         let exact = Reduced::exact(pair)?;
         let reduced = exact.enclosed()?;

@@ -31,7 +31,7 @@ impl SeveralHarmonics {
     /// Returns the harmonics of `pair`, phases counted from the forcing period `origin`; `None` of a single one.
     ///
     /// # Errors
-    /// When a value is beyond what exact expressions or doubles hold.
+    /// Returns an error if a value is beyond what exact expressions or doubles hold.
     pub fn new(pair: &ImpactPair, origin: &BigInt) -> Result<Option<Self>, Error> {
         let Some(spectrum) = Spectrum::new(pair, origin)? else { return Ok(None) };
         let harmonics = Harmonics::in_doubles(&spectrum, pair)?;

@@ -189,7 +189,7 @@ pub fn csv_line(row: &[Cell<'_>], kinds: &[Kind]) -> String {
 /// Returns the doubles next to an exact number as written, below and above it.
 ///
 /// # Errors
-/// When it is none.
+/// Returns an error if it is none.
 pub fn doubles(text: &str) -> Result<[f64; 2], ParseError> {
     Ok(match text {
         "inf" => [f64::INFINITY; 2],

@@ -39,7 +39,7 @@ impl Grid {
     /// Returns the grid of these axes.
     ///
     /// # Errors
-    /// When there are none or more than two, both say the same, or there are more than [`MOST_POINTS`] points.
+    /// Returns an error if there are none or more than two, both say the same, or there are more than [`MOST_POINTS`] points.
     pub fn new(axes: Vec<Range>) -> Result<Self, Error> {
         if let Some(range) = axes.iter().find(|range| !is_axis(range)) {
             return Err(refused(&range.to_string(), ACCEPTED));
@@ -99,7 +99,7 @@ impl Grid {
     /// faster there, or where this one does not move the box.
     ///
     /// # Errors
-    /// When an upper end is not one of the scene.
+    /// Returns an error if an upper end is not one of the scene.
     ///
     /// ```
     /// use impact_pair::{Scene, sweep::Grid};

@@ -34,7 +34,7 @@ pub trait Head: Clone + PartialEq + Serialize + DeserializeOwned {
     /// Returns the points.
     ///
     /// # Errors
-    /// When the axes are no grid, or it has another number of points.
+    /// Returns an error if the axes are no grid, or it has another number of points.
     fn grid(&self) -> Result<Self::Grid, Error>;
 
     /// Returns the values of a point, one per axis.

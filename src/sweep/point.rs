@@ -105,7 +105,7 @@ impl Point {
 /// left to [`Arithmetic::Auto`].
 ///
 /// # Errors
-/// When a value is beyond the range of double-precision flights.
+/// Returns an error if a value is beyond the range of double-precision flights.
 pub fn follow(scene: &Scene, asked: &PointSettings, watch: &dyn Watch) -> Result<Option<Point>, Error> {
     if asked.settings.arithmetic != Arithmetic::Shadow {
         return follow_in(asked.settings.arithmetic, scene, asked, watch);

@@ -36,7 +36,7 @@ impl Found {
 
 impl Data {
     /// # Errors
-    /// When e is neither 1 nor proved to be below 1, or `d/A` beyond the range of exact expressions.
+    /// Returns an error if e is neither 1 nor proved to be below 1, or `d/A` beyond the range of exact expressions.
     pub fn new(pair: &ImpactPair, cycles: u32) -> Result<Self, Error> {
         let e = pair.restitution();
         let is_elastic = match e.compare(&Exact::from(1)) {

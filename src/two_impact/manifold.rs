@@ -150,7 +150,7 @@ impl Range<'_> {
     /// Returns the curve of N cycles, N odd; of its points the first ones, those computed before the watch stops it.
     ///
     /// # Errors
-    /// When there are several harmonics, e is not below 1, N is even (65), a number is an interval of values, the range is empty or
+    /// Returns an error if there are several harmonics, e is not below 1, N is even (65), a number is an interval of values, the range is empty or
     /// holds 0, or two marks cannot be distinguished.
     pub fn manifold(&self, cycles: u32, digits: u32, watch: &dyn Watch) -> Result<Manifold, Error> {
         self.check(cycles)?;

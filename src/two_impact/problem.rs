@@ -75,7 +75,7 @@ pub struct Answer {
 /// Returns the speed before the impact that a scene starts with \[length/time\].
 ///
 /// # Errors
-/// When it starts inside the gap.
+/// Returns an error if it starts inside the gap.
 pub fn speed(scene: &Scene) -> Result<Exact, Error> {
     let (start, key) = (scene.start(), "start.velocity");
     match start.place() {
@@ -92,7 +92,7 @@ impl Problem {
     /// Returns the search for `pair`.
     ///
     /// # Errors
-    /// When a given number is not greater than 0, e is neither 1 nor proved to be below 1, N is not among [`CYCLES`], there are
+    /// Returns an error if a given number is not greater than 0, e is neither 1 nor proved to be below 1, N is not among [`CYCLES`], there are
     /// several harmonics, or the amplitude is unknown for e = 1 and N even, where it is arbitrary.
     pub fn new(pair: &ImpactPair, cycles: u32, unknown: Unknown) -> Result<Self, Error> {
         if !CYCLES.contains(&cycles) {

@@ -10,7 +10,7 @@ use crate::number::Ball;
 use crate::number::kernel::SmallAngle;
 use crate::pair::Wall;
 
-/// What a lane holds, as a double: so all are vectors of one width.
+/// A value in a lane, stored as a double, so that all vectors have one width.
 pub(super) trait Held {
     fn held(self) -> f64;
     fn of(held: f64) -> Self;
@@ -99,7 +99,7 @@ impl Balls {
     }
 }
 
-/// How far a flight is solved.
+/// The progress of the solution of a flight.
 #[derive(Clone, Copy)]
 pub(super) struct State {
     /// The number of the extremum that ends the piece.

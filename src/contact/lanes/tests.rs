@@ -53,7 +53,7 @@ fn phases() -> impl Strategy<Value = f64> {
     ]
 }
 
-/// What a start is made for: its velocity, the size of a corner and which corner.
+/// Strategy for the data of starts: wall, phase, velocity, the size of a corner and its number.
 fn starts() -> impl Strategy<Value = Vec<(bool, f64, f64, f64, u8)>> {
     prop::collection::vec((any::<bool>(), phases(), 0.0..8.0f64, sizes(), 0..8u8), 1..40)
 }
