@@ -12,15 +12,16 @@ use crate::number::interval::Interval;
 use crate::number::{Ball, Enclosing};
 use crate::pair::{Reduced, Wall};
 
-/// What [`accumulation`] wants of time at least, in turns, for each unit of the velocity before an impact.
+/// Returns the least time that [`accumulation`] needs, in forcing periods, for each unit of the velocity before an impact (gap
+/// widths per forcing period).
 pub(crate) fn min_chatter_time_per_speed(pair: &Reduced<Ball>) -> f64 {
     let (beta, rebound) = (pair.beta.mid(), pair.restitution.mid());
     let least = 4.0 * rebound / (std::f64::consts::TAU * beta * (1.0 - rebound));
-    // Where nothing shakes anything may rest; where nothing is lost only what is at rest.
+    // Without excitation any bounce may end in rest; without loss only a ball without velocity.
     if beta == 0.0 { 0.0 } else { least.min(f64::MAX) } // proposes: Z1 is proved where it says so
 }
 
-/// Where a set of phases lies on a stretch of a turn during which a wall is pressed.
+/// The place of a set of phases in the half period during which the ball is pressed to a wall.
 #[derive(Debug)]
 pub(crate) struct Pressed {
     /// The turns since the pressure began, and until it ends, of all members.
@@ -52,7 +53,7 @@ impl Pressed {
         is_inside.then(|| Self { since: Interval::enclosing(&since), left: Interval::enclosing(&left), turns })
     }
 
-    /// Whether the pressure begins exactly there: then it is 0.
+    /// Returns whether the contact force begins exactly there: then it is 0.
     ///
     /// Lemma Z2: a ball at rest is pressed from then on; any earlier, however little, it still leaves.
     pub fn is_at_its_begin(&self) -> bool {
@@ -90,7 +91,7 @@ fn sine(phase: f64) -> Interval {
     phase.sin()
 }
 
-/// How long, in turns, chatter can last that begins with a bounce of a set at `velocity`, that after the impact.
+/// Returns an upper bound of the duration, in forcing periods, of chatter that begins with a bounce of a set at `velocity`, that after the impact.
 ///
 /// `Some(t)`: within `t` turns infinitely many impacts follow, all on this wall, each slower than the one before, and
 /// the ball is at rest from their accumulation on until its release (Lemma Z1). 0 for a ball that does not leave.
@@ -116,8 +117,8 @@ pub(crate) fn accumulation(pair: &Reduced<Ball>, pressed: &Pressed, velocity: Ba
     duration(speed, rebound, swing * pressed.sine(window)?, window)
 }
 
-/// How long, in turns, chatter lasts at most that begins with a bounce at `speed`, while the pressure stays within `pressure`
-/// for `window` turns (Lemma Z1); `None` where it is not proved to end in them.
+/// Returns an upper bound of the duration, in forcing periods, of chatter that begins with a bounce at `speed`, while the contact force stays within
+/// `pressure` for `window` forcing periods (Lemma Z1); `None` if it is not proved to end in them.
 pub(crate) fn duration(speed: f64, rebound: f64, pressure: Interval, window: f64) -> Option<f64> {
     let [speed, rebound, least, most] = [speed, rebound, pressure.inf(), pressure.sup()].map(Interval::point);
     if least.inf().partial_cmp(&0.0) != Some(Ordering::Greater) {

@@ -122,7 +122,7 @@ struct Both<'a> {
 }
 
 impl Both<'_> {
-    /// Returns the reason for an undecided set: its width, if the flight from its centre is decided.
+    /// Returns the undecided result of a set: the reason is its width if the flight from its centre is decided.
     #[cold]
     fn blame(doubt: Undecided, centre: Result<Bracket, Undecided>) -> Undecided {
         match centre {

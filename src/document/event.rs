@@ -165,7 +165,7 @@ pub enum Bounds {
 }
 
 impl Bounds {
-    /// Returns a number of `orbit`: certified, or of a floating-point orbit.
+    /// Returns the number `x` of an orbit: certified, or computed by a non-rigorous arithmetic.
     fn of(orbit: &Orbit, x: Enclosure) -> Self {
         if is_certified(orbit.arithmetic()) { Self::Certified(x) } else { Self::Float(x) }
     }

@@ -20,7 +20,7 @@ pub struct Course {
     drift: Ball,
 }
 
-/// Where the ball is at some time, in both frames.
+/// The state of the ball at some time, in both frames.
 ///
 /// **Enclosure**: each coordinate holds that of the true motion. **Units**: time \[time\], length \[length\].
 #[derive(Clone, Debug, PartialEq)]

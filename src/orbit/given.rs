@@ -1,4 +1,4 @@
-//! What is followed, exactly, and from where: in any arithmetic.
+//! The exact pair and start of the motion that is followed, for any arithmetic.
 
 use std::sync::Arc;
 

@@ -86,7 +86,7 @@ pub struct Orbit {
     /// The requested start; those near by, one of which has the orbit, of a shadowed one.
     initial: State<Ball>,
     followed: Followed,
-    /// Where the motion is.
+    /// The state after the last impact or graze of the motion.
     cursor: Cursor,
     /// Impacts handed out.
     listed: u64,
@@ -95,7 +95,7 @@ pub struct Orbit {
     outcome: Option<Outcome>,
 }
 
-/// What is requested.
+/// The request.
 #[derive(Debug)]
 struct Requested {
     settings: Settings,
@@ -106,10 +106,10 @@ struct Requested {
     shown: u32,
 }
 
-/// What flies.
+/// The motion and its arithmetic.
 #[derive(Debug)]
 struct Engine {
-    /// What is followed, from the orbit's start or the last release.
+    /// The pair and the start that are followed, from the orbit's start or the last release.
     given: Given,
     pair: Reduced<Ball>,
     motion: Box<dyn Motion>,
@@ -117,7 +117,7 @@ struct Engine {
     arithmetic: Arithmetic,
     /// No interval among the data: more precision makes every enclosure narrower.
     is_point: bool,
-    /// What is left to try when the motion does not suffice.
+    /// The ways to raise the precision if the motion does not suffice.
     raise: Option<Raise>,
     /// The most bits of motions before the last release.
     bits: u32,
@@ -137,7 +137,7 @@ struct Followed {
     still: Option<Still>,
 }
 
-/// How far the motion has come.
+/// The state up to which the motion has been followed.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Cursor {
     index: u64,
@@ -269,7 +269,7 @@ impl Orbit {
         event
     }
 
-    /// Whether the last bounce is slow enough to ask whether it is the first of a chatter: most are not.
+    /// Returns whether the last bounce is so slow that it may be the first of a chatter: most are not.
     #[inline]
     fn may_rest(&self) -> bool {
         let Cursor { index, wall: Some(wall), phase, velocity, .. } = self.cursor else { return false };
@@ -309,7 +309,7 @@ impl Orbit {
         self.asked.settings.until.as_ref().filter(|_| self.pending.is_late)
     }
 
-    /// Whether an event certainly comes after the time to stop at: as its bounds say that are listed, `enclosed` its phase
+    /// Returns whether an event certainly comes after the time to stop at: by its listed bounds, `enclosed` being its phase
     /// without the whole forcing periods.
     fn is_past(&self, turns: i64, phase: Ball, enclosed: impl FnOnce() -> Enclosure) -> bool {
         self.asked.until.is_some_and(|until| {

@@ -42,7 +42,7 @@ pub(super) trait Motion: std::fmt::Debug + Send {
         None
     }
 
-    /// How narrow the set of flights is: `-log2` of the greatest radius, relative for velocities after an impact.
+    /// Returns the accuracy of the set of flights in bits: `-log2` of the greatest radius, relative for velocities after an impact.
     fn accuracy(&self) -> f64;
 
     /// Goes past a contact that may be a graze, into the gap, if that is proved; `None` leaves all as it was.

@@ -69,7 +69,7 @@ impl Orbit {
         self.passage(restitution, &start, to)
     }
 
-    /// What (A.7) says of a flight between two states.
+    /// Returns the Jacobian (A.7) of a flight between two states.
     fn passage(&self, restitution: Ball, from: &Impact, to: &Impact) -> Option<Sheared<Ball>> {
         let accelerations =
             [from, to].map(|impact| self.engine.given.shaken.displacement(impact.turns, impact.phase)[2]);
@@ -83,7 +83,7 @@ impl Orbit {
         wall.map(|wall| Impact { index: 0, mapping: None, wall, turns, phase, velocity, precise: None })
     }
 
-    /// Whether all that starts near a motion that comes to this rest comes to it as well. Lemma L3
+    /// Returns whether all motions that start near one that comes to this rest come to it as well. Lemma L3
     pub(crate) fn forgets(&self, rest: &Rest) -> bool {
         let is_edge = self.engine.given.shaken.may_be_loose(rest.at.wall, rest.at.turns, &rest.at.phase);
         // Lemma L3: without loss neighbours bounce for ever.

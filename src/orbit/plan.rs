@@ -1,4 +1,4 @@
-//! How many bits each impact of an orbit gets.
+//! The number of bits for each impact of an orbit.
 //!
 //! Chaos eats bits: an error made at impact `i` is `2^(g_k - g_i)` times as large at impact `k`, `g` the logarithm of
 //! the length of a tangent vector that the Jacobians (A.7) carry along. A floating-point run finds how much that is. It
@@ -28,7 +28,7 @@ const BLOCK: usize = 32;
 /// The bits of each impact.
 #[derive(Clone, Debug)]
 pub struct Plan {
-    /// What the rest of the orbit eats after impact `i`, by the floating-point run; nothing beyond its end.
+    /// Bits lost after impact `i` in the rest of the orbit, by the floating-point run; 0 beyond its end.
     rest: Arc<[f32]>,
     /// Impacts it looks ahead; the floating-point run may have ended before.
     horizon: u64,
@@ -46,9 +46,9 @@ impl Plan {
         Self { rest: Arc::default(), horizon: u64::MAX, last: f64::from(bits), deviation: 0.0, most: bits }
     }
 
-    /// What the first `horizon` impacts of `run` need for relative widths of `2^-asked`; at most `most` bits.
+    /// Returns the bits that the first `horizon` impacts of `run` need for relative widths of `2^-asked`; at most `most` bits.
     ///
-    /// The run tells the bits that each impact eats.
+    /// The run yields the bits that each impact loses.
     pub(super) fn new(run: impl Iterator<Item = f64>, horizon: u64, asked: f64, most: u32) -> Self {
         let mut sum = 0.0;
         let total = |grown| {
@@ -76,7 +76,7 @@ impl Plan {
         (bits as u32).clamp(LEAST_BITS.min(self.most), self.most)
     }
 
-    /// How many impacts it looks ahead.
+    /// Returns the number of impacts that the plan covers.
     pub(super) fn horizon(&self) -> u64 {
         self.horizon
     }

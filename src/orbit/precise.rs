@@ -122,7 +122,7 @@ fn bits_for(plan: &Plan, set: &PreciseSet, index: u64) -> u32 {
     }
 }
 
-/// What a step leads to: the contacts in doubles, the set after it, and what is known at its centre.
+/// The result of a step: the contacts in doubles, the set after it, and the sines and cosines at its centre, if known.
 type Arrived<W> = (Contact<Ball>, PreciseSet, Option<W>);
 
 impl<S: Flying> PreciseMotion<S> {
@@ -237,7 +237,7 @@ impl<S: Flying> Motion for PreciseMotion<S> {
 }
 
 impl<S: Flying> PreciseMotion<S> {
-    /// How all states fly on.
+    /// Returns the flights of all states to the next contact.
     fn launch(&self) -> Launch<MpBall> {
         match &self.states {
             States::Wall { wall, set, is_release } => {

@@ -8,7 +8,7 @@ use crate::shaken::Released;
 /// Events that are kept to be repeated; longer periods are computed anew each time.
 const KEPT: usize = 1 << 16;
 
-/// What has happened since the first release from a wall.
+/// The events since the first release from a wall.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Recurrence {
     /// The first release of each kind, the impacts listed before it, and the events kept up to it.

@@ -76,7 +76,7 @@ pub(crate) struct SumFlight<'h, N: Phased> {
     pub jerk: N,
 }
 
-/// What the formulas give at a time: distances from both walls, `z'` and `z''`.
+/// The values of the formulas at a time: distances from both walls, `z'` and `z''`.
 #[derive(Clone, Debug)]
 pub(crate) struct Kinematics<N> {
     pub left: N,
@@ -99,7 +99,7 @@ impl<'h, N: Phased> SumFlight<'h, N> {
         for (term, (sin, cos)) in harmonics.terms.iter().zip(&waves) {
             sine = term.alpha.clone().mul_add(sin.clone(), sine);
             cosine = term.beta.clone().mul_add(cos.clone(), cosine);
-            // What is exactly nothing adds exactly nothing, so that a start at a release is seen.
+            // A term that is exactly 0 adds exactly 0, so that a start at a release is recognised.
             if !sin.is_zero() {
                 acceleration = term.acceleration.clone().mul_add(sin.clone(), acceleration);
             }

@@ -53,7 +53,7 @@ pub(crate) struct Sums<N> {
     pub acceleration: N,
 }
 
-/// What a departure adds: to `z` on top of `z'(0) h`, to `z'` and to `z''`.
+/// The increments over a short time: to `z` on top of `z'(0) h`, to `z'` and to `z''`.
 #[derive(Clone, Debug)]
 pub(crate) struct Added<N> {
     pub height: N,
@@ -118,7 +118,7 @@ impl<N: Turning> Harmonics<N> {
         Sums::of(self.terms.iter().zip(waves.iter().cloned()))
     }
 
-    /// What a short `time` adds to what the harmonics do from where their sines and cosines are these, without cancellation;
+    /// Returns the increments of the harmonics over a short `time` from a phase at which their sines and cosines are `waves`, without cancellation;
     /// `None` where [`Wave::short`] knows no departure.
     pub fn departure(&self, waves: &[(N, N)], time: &N) -> Option<Added<N>> {
         let zero = N::from_f64(0.0);

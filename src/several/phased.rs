@@ -28,7 +28,7 @@ pub(crate) trait Phased: Turning {
         let (inf, sup) = self.bounds();
         Interval::new(inf, sup)
     }
-    /// Whether it is exactly 0.
+    /// Returns whether it is exactly 0.
     fn is_zero(&self) -> bool {
         self.bounds() == (0.0, 0.0)
     }

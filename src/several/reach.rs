@@ -1,4 +1,4 @@
-//! What a flight cannot reach: Lemma H6 of `docs/proofs/harmonics.md#H6`.
+//! Times at which a flight cannot reach a wall: Lemma H6 of `docs/proofs/harmonics.md#H6`.
 
 use std::cmp::Ordering;
 use std::sync::OnceLock;
@@ -19,7 +19,7 @@ pub(crate) struct Band {
     period: Option<u64>,
 }
 
-/// How near to the extrema the bounds come, relative to the sum of the amplitudes.
+/// Tolerance of the bounds of the extrema, relative to the sum of the amplitudes.
 const TIGHT: f64 = 1e-13;
 /// Longer common periods are not searched.
 const LONGEST_PERIOD: u64 = 4096;
@@ -90,7 +90,7 @@ impl<'b> Reach<'b> {
         Self { band, harmonics, window: None, asked: 0 }
     }
 
-    /// When to look next, in turns after the start, if until then no wall is near at `now`.
+    /// Returns the end of the window in which no wall can be reached, in turns after the start, if the time `now` lies in it.
     pub fn jump<N: Phased>(&mut self, flight: &SumFlight<'_, N>, now: f64) -> Option<f64> {
         self.asked += 1;
         if self.asked == 1 || self.asked == PATIENCE {

@@ -20,8 +20,8 @@ use crate::pair::Wall;
 use crate::rest::duration;
 use crate::turns;
 
-/// How long, in turns, chatter can last that begins with a bounce at `phase` after `turns` whole ones with `velocity`,
-/// that after the impact, both of a whole set; as [`crate::rest::accumulation`] for one harmonic.
+/// Returns an upper bound of the duration, in turns, of chatter that begins with a bounce at `phase` after `turns` whole ones with
+/// `velocity`, that after the impact, both of a whole set; as [`crate::rest::accumulation`] for one harmonic.
 pub(crate) fn accumulation(
     harmonics: &Harmonics<Ball>,
     restitution: Ball,
@@ -69,7 +69,7 @@ pub(crate) struct Zero {
 
 /// Steps of the search at most.
 const STEPS: u32 = 1 << 16;
-/// Why no change of sign is proved.
+/// The reason why no change of sign is proved.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Unproved {
     /// In these digits a change of sign and a touch are the same: more of them may tell.

@@ -71,7 +71,7 @@ impl Spectrum {
         Ok(Some(Self { terms, restitution: pair.restitution().clone(), period }))
     }
 
-    /// Whether half a common period later each harmonic is its own opposite; `None` where they have no such period, or where an amplitude
+    /// Returns whether each harmonic is its own opposite half a common period later; `None` if they have no such period, or if an amplitude
     /// may be 0, or harmonics of one frequency may cancel, and the others alone may be so. Lemma T6
     pub fn is_odd(&self) -> Option<bool> {
         let period = BigInt::from(self.period?);
@@ -87,7 +87,7 @@ impl Spectrum {
         is_known.then(|| self.terms.iter().all(is_odd))
     }
 
-    /// What bounds the motion without units: the sums of `A_k/d` and of `2 pi A_k W_k / (d W)`.
+    /// Returns the bounds of the motion without units: the sums of `A_k/d` and of `2 pi A_k W_k / (d W)`.
     ///
     /// # Errors
     /// Returns an error if a sum is beyond what exact expressions hold.
@@ -107,7 +107,7 @@ impl Spectrum {
 /// The phases of all harmonics of `pair` at a time, in turns, less whole ones: exact where expressions show it.
 ///
 /// # Errors
-/// Returns an error if one is beyond what exact expressions hold.
+/// Returns an error if a phase is beyond what exact expressions hold.
 pub(crate) fn phases_at(pair: &ImpactPair, time: &Exact) -> Result<Vec<Exact>, Error> {
     let phase = |harmonic: &Harmonic| {
         let phase = Phases::of(harmonic)?.at(time);

@@ -78,7 +78,7 @@ impl SeveralHarmonics {
         })
     }
 
-    /// Whether a ball that lies on a wall at an origin, where the contact force is exactly 0, is proved to be pressed from then on.
+    /// Returns whether a ball that lies on a wall at an origin, with contact force exactly 0, is proved to be pressed to it from then on.
     fn is_pressed_from(&self, wall: Wall, phases: &[Exact]) -> bool {
         let zero = Ball::exact(0.0);
         let launch = Launch::from_wall(wall, 0, zero, zero, false);

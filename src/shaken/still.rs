@@ -25,8 +25,8 @@ impl Still {
 
     /// Returns whether the motion from an origin is proved to stay between the walls for ever, with one harmonic (Lemma Z4).
     ///
-    /// Where there is a drift a wall is reached in the end, so the drift has to be 0, exactly: that is decided where the
-    /// box stands still, and at quarter periods, where sine and cosine are exact.
+    /// With a drift a wall is reached in the end, so the drift has to be 0, exactly: that is decided if the box stands still,
+    /// and at quarter periods, where sine and cosine are exact.
     pub fn under_one(pair: &Reduced<Exact>, origin: &Origin<Exact>) -> Result<Option<Self>, ExactError> {
         let is_zero = |x: &Exact| x.sign() == Some(Ordering::Equal);
         let (height, on_wall) = match &origin.state.place {

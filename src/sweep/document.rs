@@ -43,7 +43,7 @@ pub(crate) fn written(axis: &Range) -> SweepAxis {
 /// Returns the grid that a head tells of.
 ///
 /// # Errors
-/// Returns an error if it is none, or has another number of points.
+/// Returns an error if the head has no valid grid, or its number of points is not that of the grid.
 pub fn grid(head: &SweepHead) -> Result<Grid, Error> {
     let axis_of = |over: &SweepAxis| axis(&format!("{}={}..{}:{}", over.key, over.from, over.to, over.count));
     let grid = Grid::new(head.over.iter().map(axis_of).collect::<Result<_, _>>()?)?;

@@ -19,7 +19,7 @@ use crate::units::{self, Phases, in_radians};
 const BITS: u32 = 160;
 const KEY: &str = "excitation.frequency";
 
-/// How long a period lasts.
+/// The length of a period.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Lasting {
     /// In cycles of the reference, where they are a whole number.

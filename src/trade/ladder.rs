@@ -59,7 +59,7 @@ impl fmt::Display for Rung {
 pub(super) struct Ladder {
     next: Option<Rung>,
     max_bits: u32,
-    /// Whether the textbook's method is one: it is known of one harmonic only, and in a build with the feature `inari`.
+    /// True if the textbook method is measured: it is known for one harmonic only, and in a build with the feature `inari`.
     textbook: bool,
     /// The greatest number of impacts reached with fixed bits, and the number of steps since without progress.
     reached: u64,

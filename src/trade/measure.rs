@@ -25,7 +25,7 @@ const SLOW: Duration = Duration::from_micros(20);
 /// The measurements of one arithmetic.
 #[derive(Clone, Debug)]
 pub struct Measured {
-    /// What it is.
+    /// The arithmetic as requested.
     pub rung: Rung,
     /// The arithmetic, as in the orbit JSON.
     pub computed: ArithmeticDocument,
@@ -33,13 +33,13 @@ pub struct Measured {
     pub bits: u32,
     /// Impacts reached.
     pub impacts: u64,
-    /// Whether anything is claimed.
+    /// True if anything is certified.
     pub is_certified: bool,
-    /// How it ended.
+    /// The outcome of the orbit.
     pub conclusion: Conclusion,
     /// The guaranteed widths; `None` if non-rigorous.
     pub widths: Option<Widths>,
-    /// How long it takes.
+    /// The computing times.
     pub times: Times,
 }
 
@@ -69,7 +69,7 @@ pub struct Widths {
     pub velocity: Extent,
 }
 
-/// How wide the enclosures of a quantity are.
+/// Widths of the enclosures of a quantity.
 #[derive(Clone, Copy, Debug)]
 pub struct Extent {
     /// The widest.
@@ -128,7 +128,7 @@ pub(super) fn measure(
     }))
 }
 
-/// What the first run shows.
+/// The observations of the first run.
 struct Seen {
     last: Option<Event>,
     widths: Option<Widths>,
@@ -161,7 +161,7 @@ fn observe(orbit: &mut Orbit, units: &Scales<Unit>, watch: &dyn Watch) -> Seen {
     }
 }
 
-/// Repeats the run for a while, in forcing periods without and, where they are certified, with bounds; `None` if interrupted.
+/// Repeats the run for a while, alternately without and, if they are certified, with bounds; `None` if interrupted.
 fn repeat(
     begin: impl Fn() -> Result<Orbit, Error>,
     is_certified: bool,
@@ -184,7 +184,7 @@ fn repeat(
     Ok(Some(Times { orbit: median(without), with_bounds, repetitions }))
 }
 
-/// How long the orbit takes from here to its end; `None` if interrupted.
+/// Returns the computing time of the orbit from here to its end; `None` if interrupted.
 fn time(mut orbit: Orbit, watch: &dyn Watch, each: impl Fn(&Orbit, Impact)) -> Option<Duration> {
     let since = Instant::now();
     orbit.follow_impacts(&Silent(watch), |orbit, impact| {

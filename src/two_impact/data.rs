@@ -77,7 +77,7 @@ impl Data {
         self.pair.restitution().checked_add(&Exact::from(1))?.checked_mul(&period)
     }
 
-    /// How `g` compares with 2 and with `K`, exactly.
+    /// Returns the exact order of `g` and 2, and of `g` and `K`.
     fn orders(&self, ratio: &Exact) -> Orders {
         let slope = || {
             let below = Exact::from(1).checked_sub(self.pair.restitution())?;
@@ -145,7 +145,7 @@ impl Data {
         }
     }
 
-    /// Whether `sin th0 = 0` exactly, by (67): `2 d W = (1 + e) N pi |v|`.
+    /// Returns whether `sin th0 = 0` exactly, by (67): `2 d W = (1 + e) N pi |v|`.
     fn is_level(&self, speed: &Exact) -> bool {
         let sides = || {
             let gap = self.pair.gap().checked_mul(self.frequency())?.checked_mul(&Exact::from(2))?;
@@ -207,7 +207,7 @@ impl Data {
         }
     }
 
-    /// How `(1 - e)|v|` compares with `2 A W`: `cos th0` with 1, (66).
+    /// Returns the order of `(1 - e)|v|` and `2 A W`: that of `cos th0` and 1, (66).
     fn speed_order(&self, speed: &Exact) -> Option<Ordering> {
         let sides = || {
             let below = Exact::from(1).checked_sub(self.pair.restitution())?.checked_mul(speed)?;

@@ -36,7 +36,7 @@ impl Axis {
     }
 }
 
-/// Where something changes along a curve, in the order of rising `d W/|v|`.
+/// A change along a curve, in the order of rising `d W/|v|`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Mark {
     /// The near wall is grazed: admissible beyond.
@@ -64,9 +64,9 @@ impl Mark {
 /// The properties proved at every point between one listed point of a curve and the next.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Part {
-    /// Whether `sin th0 > 0`: solid in the figures; else it is negative.
+    /// True if `sin th0 > 0`: solid in the figures; else it is negative.
     pub is_solid: bool,
-    /// Whether no wall is touched between the impacts.
+    /// True if no wall is touched between the impacts.
     pub is_physical: bool,
     /// Stability.
     pub stability: Stability,
@@ -150,8 +150,8 @@ impl Range<'_> {
     /// Returns the curve of N cycles, N odd; of its points the first ones, those computed before the watch stops it.
     ///
     /// # Errors
-    /// Returns an error if there are several harmonics, e is not below 1, N is even (65), a number is an interval of values, the range is empty or
-    /// holds 0, or two marks cannot be distinguished.
+    /// Returns an error if there are several harmonics, if e is not below 1, if N is even (65), if a number is an interval of values,
+    /// if the range is empty or holds 0, or if two marks cannot be distinguished.
     pub fn manifold(&self, cycles: u32, digits: u32, watch: &dyn Watch) -> Result<Manifold, Error> {
         self.check(cycles)?;
         let bits = working_bits(digits);
@@ -233,7 +233,7 @@ impl Range<'_> {
         Ok(())
     }
 
-    /// Whether `x` falls along the axis.
+    /// Returns whether `x` falls along the axis.
     fn runs_down(&self) -> bool {
         self.axis == Axis::Velocity(Wall::Right)
     }
@@ -310,7 +310,7 @@ fn order(a: &Real, b: &Real) -> Option<Ordering> {
     (a - b).sign().filter(|order| order.is_ne())
 }
 
-/// What holds from here to the next place: no mark is between them.
+/// Returns the properties from here to the next place: no mark is between them.
 fn part(left: &Place, marks: &[(Mark, Real)]) -> Part {
     let is_beyond = |mark: Mark| {
         marks.iter().any(|(other, x)| {

@@ -6,7 +6,7 @@ use super::motion::Motion;
 use crate::exact::Real;
 use crate::periodic::Stability;
 
-/// What is known of `DP` over a period.
+/// The spectrum of `DP` over a period.
 #[derive(Clone, Debug)]
 pub(super) struct Spectrum {
     pub trace: Real,

@@ -53,7 +53,7 @@ fn phases() -> impl Strategy<Value = f64> {
     ]
 }
 
-/// Strategy for the data of starts: wall, phase, velocity, the size of a corner and its number.
+/// Strategy for the data of starts: whether on the left wall, phase, velocity, the size of a perturbation and the kind of start.
 fn starts() -> impl Strategy<Value = Vec<(bool, f64, f64, f64, u8)>> {
     prop::collection::vec((any::<bool>(), phases(), 0.0..8.0f64, sizes(), 0..8u8), 1..40)
 }

@@ -23,7 +23,7 @@ pub(super) struct Isolated {
 }
 
 impl Isolated {
-    /// What was found of flights that start in these phases with this acceleration.
+    /// Returns the contacts `found`, of flights that start in these phases with this acceleration.
     fn new<N: Phased>(found: &Found<N>, rest: Float, time: Ball, phase: Ball, acceleration: Ball) -> Self {
         let near = MpBall::new(rest.clone(), Magnitude::new(found.reach, 0)).to_ball();
         Self {

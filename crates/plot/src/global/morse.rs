@@ -45,7 +45,7 @@ pub fn draw(found: &Global, area: &Canvas<'_>) -> Drawn {
 }
 
 /// Returns for each component the length of the longest path of arrows that leads to it. Arrows lead to components of
-/// greater numbers, except for those from and to the last one.
+/// greater numbers, except for those of the last component.
 fn depths(count: usize, arrows: &[[usize; 2]]) -> Vec<usize> {
     let mut depths = vec![0; count];
     for _ in 0..count {
