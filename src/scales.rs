@@ -1,4 +1,4 @@
-//! Widths and errors of any smallness, in the units that the digits are asked in.
+//! Widths and errors of any smallness, in the units to which the requested digits refer.
 
 use std::fmt;
 

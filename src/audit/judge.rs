@@ -256,7 +256,7 @@ impl<'a> Judge<'a> {
         let is_before_its_end = match (&rest.until, &self.truth.doubtful_from) {
             (Some(until), _) => time.sup() <= until.sup(),
             (None, None) => true,
-            // Nobody knows for how long it rests.
+            // The duration of the rest is unknown.
             (None, Some(_)) => time.inf() <= self.tolerance.around_time(&rest.from).sup(),
         };
         time.inf() > self.truth.sites[site].time.sup() && is_before_its_end

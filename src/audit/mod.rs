@@ -278,7 +278,7 @@ impl<'s> Audit<'s> {
     }
 }
 
-/// The error that the time to judge up to is before the start, or beyond what an orbit can be followed to.
+/// Returns the error that the requested end of the comparison is before the start, or later than an orbit can be followed.
 fn out_of_reach(asked: &AuditSettings, rows: &[Listed], start: &Exact) -> Error {
     const LATE: &str = "later than an orbit can be followed to";
     let latest = rows.iter().max_by(|one, other| one.time.high.cmp(&other.time.high));

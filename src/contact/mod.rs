@@ -95,7 +95,7 @@ impl Undecided {
         Self { reason: Reason::Graze, wall, contact: None, lasting: false }
     }
 
-    /// The ball lies on its wall and is pressed against it: there is no flight, or none is proved to begin.
+    /// The ball sticks to its wall, by the contact force: there is no flight, or none is proved to begin.
     pub(crate) fn rest(wall: Wall) -> Self {
         Self { lasting: true, ..Self::graze(Some(wall)) }
     }

@@ -69,7 +69,7 @@ pub(crate) trait Judge {
 pub(crate) enum NoProposal {
     /// The drift is 0: the motion repeats inside the gap for ever.
     NoDrift,
-    /// The ball starts with zero velocity and is pressed against its wall.
+    /// The ball starts with zero velocity and sticks to its wall, by the contact force.
     Rest,
     /// The flight would last longer than [`LONGEST_FLIGHT`].
     TooLong,
@@ -229,7 +229,7 @@ pub(super) fn look_near<T: Trigonometry>(flight: &Flight<f64>, target: Target, a
 }
 
 impl Iterate {
-    /// Returns whether it is on a hop: falling, and pressed towards the wall.
+    /// Returns whether it is on a hop: falling, with acceleration towards the wall.
     #[inline(always)]
     pub fn is_on_hop(&self) -> bool {
         (self.velocity < 0.0) & (self.sin < 0.0)

@@ -263,8 +263,8 @@ mod tests {
         })
     }
 
-    /// From inside, so that the far wall is all but grazed after `h` forcing periods at a phase where the box forcing periods: the height that
-    /// is missed by goes down to nothing.
+    /// Starts inside the gap whose height has its maximum at or near the far wall, at the phase `at`, `time` forcing periods later: the
+    /// distance from a graze goes down to 0.
     fn towards_grazes() -> impl Strategy<Value = Start> {
         let miss = prop_oneof![
             Just(0.0),
@@ -355,7 +355,7 @@ mod tests {
         assert_eq!((reason, wall), (Reason::Graze, Some(Wall::Left)));
         // One that would go through the wall has not left it.
         assert_eq!(undecided(Start { velocity: -1.0, ..start }).reason, Reason::Graze);
-        // A hair before the release and after it: pressed, and not.
+        // Just before the release and just after it: with a contact force, and without.
         assert_eq!(undecided(Start { phase: -1e-9, ..start }).reason, Reason::Graze);
         assert!(Start { phase: 1e-9, ..start }.contact().certified().is_some());
     }
@@ -370,7 +370,7 @@ mod tests {
 
     #[test]
     fn a_motion_without_end_is_given_up() {
-        // The drift is 1e-5 gaps a turn.
+        // The drift is 1e-5 gap widths per forcing period.
         let velocity = 1e-5 - 0.3 * std::f64::consts::TAU;
         let start = Start { alpha: 0.3, wall: Wall::Left, height: Some(0.5), phase: 0.0, velocity };
         assert_eq!(undecided(start).reason, Reason::Budget);

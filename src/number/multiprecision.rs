@@ -1,4 +1,4 @@
-//! Balls with MPFR centres: as many digits as asked.
+//! Balls with MPFR centres: as many digits as requested.
 //!
 //! A centre has a precision of its own; the result of an operation has the larger one of its operands. Radii are
 //! [`Magnitude`]s.

@@ -152,7 +152,7 @@ proptest! {
     #[test]
     fn members_of_a_ball_lie_in_it_and_none_beyond_its_ends(x in balls(), place in places(), by in powers(-9.0, 3.0)) {
         prop_assert!(member(&x, place).is_in(&x));
-        // The ends of a ball are told to 160 bits.
+        // The ends of a ball are given to 160 bits.
         if x.rad() > 1e-30 * x.mid().abs() && x.mag() < 1e300 {
             prop_assert!(!member(&x, 1.0 + by).is_in(&x) && !member(&x, -1.0 - by).is_in(&x));
         }

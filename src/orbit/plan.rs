@@ -101,7 +101,7 @@ fn deviation(growth: &[f32]) -> f64 {
     (square / BLOCK as f64).sqrt()
 }
 
-/// A floating-point run that carries a tangent vector along: how many bits each impact eats.
+/// A floating-point run that carries a tangent vector along, and so yields the bits that each impact loses.
 #[derive(Debug)]
 pub(super) struct Growth {
     shaken: Arc<dyn Motions>,
@@ -125,7 +125,7 @@ impl Growth {
         Some(Self { shaken, run, turns, last, tangent: [1.0, 1.0], scale })
     }
 
-    /// Goes on to the next impact: the bits it eats, and the forcing periods that passed.
+    /// Goes on to the next impact. Returns the bits that it loses, and the forcing periods that passed.
     pub fn next_impact(&mut self) -> Option<(f64, f64)> {
         let contact = self.run.next_contact().ok()?;
         self.turns = turns::after(self.turns, contact.turns)?;

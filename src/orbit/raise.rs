@@ -1,6 +1,6 @@
 //! The restart of `auto` if the motion is too wide: the same orbit again from its start, in more precision.
 //!
-//! Exact data are as exact in every precision, so a chaotic orbit has to start anew with the bits that it eats.
+//! Exact data are as exact in every precision, so a chaotic orbit has to start anew with the bits that it loses on its way.
 
 // Labels: proposes throughout.
 

@@ -131,7 +131,7 @@ impl<'h, N: Phased> SumFlight<'h, N> {
         Kinematics { right: N::from_f64(1.0) - left.clone(), left, velocity: self.drift.clone() - cosine, acceleration }
     }
 
-    /// The state so long after the departure from a wall, without cancellation.
+    /// Returns the state `time` turns after the departure from a wall, without cancellation.
     fn departure(&self, wall: Wall, time: &N) -> Option<Kinematics<N>> {
         let added = self.harmonics.departure(&self.waves, time)?;
         let moved = self.launch.velocity.clone().mul_add(time.clone(), added.height);

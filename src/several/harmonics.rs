@@ -20,7 +20,7 @@ pub(crate) struct Harmonics<N: Turning> {
 pub(crate) struct Partial<N: Turning> {
     /// `A_k / d`
     pub alpha: N,
-    /// `2 pi alpha W_k / W`: its greatest speed, in gaps a turn.
+    /// `2 pi alpha W_k / W`: its greatest speed, in gap widths per forcing period.
     pub beta: N,
     /// `2 pi beta W_k / W`: its greatest acceleration.
     pub acceleration: N,
@@ -159,7 +159,7 @@ impl Harmonics<Ball> {
 }
 
 impl Rates {
-    /// Of harmonics that are not asked for theirs.
+    /// Rates of harmonics for which none are computed.
     pub const UNKNOWN: Self =
         Self { shift: f64::INFINITY, second: f64::INFINITY, third: f64::INFINITY, fourth: f64::INFINITY };
 

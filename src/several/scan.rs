@@ -95,7 +95,7 @@ impl<'f, 'h, N: Phased> Scan<'f, 'h, N> {
         let sign = start.wall?.sign();
         let inward = |x: &N| x.clone().signed(sign).bounds();
         let [rate, bend, jerk] = [&start.velocity, &self.all.acceleration, &self.all.jerk].map(inward);
-        // A few times as long as the bounce lasts, or as the pressure after a release may keep away.
+        // A few times as long as the bounce lasts, or as the contact force after a release may stay away.
         let horizon = match start.is_release {
             true => 8.0 * jerk.0 / self.rates.fourth,
             false => -8.0 * rate.0 / bend.1,
@@ -356,7 +356,7 @@ fn low<N: Phased>(x: &N) -> f64 {
 }
 
 impl<N: Phased> Doubt<N> {
-    /// The doubt as the orbit tells it.
+    /// Returns the doubt as the orbit reports it.
     pub fn undecided(&self, start: Option<Wall>) -> Undecided {
         match self {
             Self::Graze { wall, .. } => Undecided::graze(Some(*wall)),

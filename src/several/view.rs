@@ -9,7 +9,7 @@ use crate::pair::Wall;
 /// Newton steps to the root of a cubic: a guess of three digits is enough, and four steps give it.
 const STEPS: u32 = 4;
 
-/// Bounds of a state, told from one wall: the distance from it and its two derivatives.
+/// Bounds of a state, measured from one wall: the distance from it and its two derivatives.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Side {
     pub room: (f64, f64),
@@ -160,7 +160,7 @@ impl Side {
         self.rate.1 < 0.0 && end + 16.0 * UNIT * size < 0.0
     }
 
-    /// A lower bound of the bend, told inward, less than `time` turns away.
+    /// A lower bound of the bend, measured inward, less than `time` turns away.
     #[inline]
     pub fn least_bend(&self, rates: &Rates, time: f64) -> f64 {
         (self.bend.0 - up(rates.third * time)).next_down()

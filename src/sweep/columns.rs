@@ -7,7 +7,7 @@ use crate::exact::{Exact, ParseError};
 /// The rows of a table of a sweep. Its columns are those that such rows may fill.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Table {
-    /// Impacts and points; the column `record` tells them apart.
+    /// Impacts and points, distinguished by the column `record`.
     Mixed,
     /// The points, with the first impacts of their attractors.
     Points,

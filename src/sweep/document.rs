@@ -40,7 +40,7 @@ pub(crate) fn written(axis: &Range) -> SweepAxis {
     SweepAxis { key: axis.key.to_string(), from: axis.low.text(), to: axis.high.text(), count: axis.points() }
 }
 
-/// Returns the grid that a head tells of.
+/// Returns the grid of a head.
 ///
 /// # Errors
 /// Returns an error if the head has no valid grid, or its number of points is not that of the grid.

@@ -13,13 +13,13 @@ use crate::scales::{Scales, Size, Unit};
 use crate::watch::{Silent, Watch};
 use crate::{Error, Scene};
 
-/// Runs are repeated until those without and with bounds, and what prepares them, have taken so long together, ...
+/// Runs are repeated until those without and with bounds, and their preparations, have taken this time together, ...
 const LONG_ENOUGH: Duration = Duration::from_millis(400);
-/// ... or so often.
+/// ... or until there are this many of them.
 const OFTEN_ENOUGH: usize = 301;
-/// The first run is timed impact by impact. That is all when it takes longer than this, ...
+/// The first run is timed impact by impact. It is not repeated if it takes longer than this, ...
 const LONG: Duration = Duration::from_secs(1);
-/// ... and than this an impact: looking at the clock three times takes less than 1 % of it.
+/// ... and longer than this per impact: reading the clock three times takes less than 1 % of it.
 const SLOW: Duration = Duration::from_micros(20);
 
 /// The measurements of one arithmetic.
@@ -97,7 +97,7 @@ pub struct Times {
     pub repetitions: usize,
 }
 
-/// Measures a rung; `None` if interrupted.
+/// Measures an arithmetic; `None` if interrupted.
 pub(super) fn measure(
     scene: &Scene,
     rung: Rung,

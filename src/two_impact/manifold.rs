@@ -249,7 +249,7 @@ impl Range<'_> {
         let fold = (below.square() * 2).over(&(&period * (&e + 1))).map(|step| &level + step);
         let graze = || grazing_angle(&e).and_then(|b| (&below * b.sin()).over(&b.cos())).map(|step| &level - step);
         let mut all = vec![(Mark::Pitchfork, pitchfork), (Mark::Level, Some(level.clone())), (Mark::Fold, fold)];
-        // A dead ball (e = 0) is pressed to the wall where sin th0 < 0: it has no graze but the level.
+        // With perfectly plastic impacts (e = 0) the ball sticks to the wall where sin th0 < 0: it has no graze but the level.
         if self.pair.restitution().sign() != Some(Ordering::Equal) {
             all.push((Mark::Graze, graze()));
         }

@@ -152,7 +152,7 @@ impl Flight<'_> {
     /// Returns whether it touches no wall before its end (Lemma W3, the extrema): those of height 0 or `g` exactly are undecided.
     fn is_first(&self) -> Option<bool> {
         if self.is_dead {
-            // It leaves at rest: where the sine is negative it is pressed to the wall.
+            // It leaves at rest: where the sine is negative it sticks to the wall.
             match self.sin.sign()? {
                 Ordering::Less => return Some(false),
                 Ordering::Equal => return None,

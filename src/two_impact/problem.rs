@@ -26,7 +26,7 @@ pub(super) const SHOWN: u32 = 11;
 /// The closed form, which is not known for several harmonics, with the command that serves these.
 pub(super) const ONE_HARMONIC: &str =
     "the closed form of two impacts (for several, use periodic --word RL --cycles N --all)";
-/// The precision is doubled so often at most.
+/// Greatest number of doublings of the precision.
 const ROUNDS: u32 = 4;
 
 /// The quantity of (66)-(68) to solve for.

@@ -1,4 +1,4 @@
-//! In which formats a sweep is written: as the endings of the files say, where nothing else is asked.
+//! The formats of a sweep's files: the requested ones, or those of their endings.
 
 use std::path::Path;
 

@@ -120,7 +120,7 @@ pub(super) fn exact_decimal(x: &Dyadic) -> Option<String> {
     (digits.digits.len() <= LONGEST_EXACT).then(|| digits.to_string())
 }
 
-/// `x` rounded to a multiple of `10^quantum` in the direction asked.
+/// `x` rounded to a multiple of `10^quantum` in the requested direction.
 fn rounded_at(x: &Dyadic, quantum: i64, round: Round) -> String {
     DecimalDigits::new(&multiple(x, quantum, round), quantum).to_string()
 }

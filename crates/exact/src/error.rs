@@ -52,7 +52,7 @@ pub enum ExactError {
         /// The double.
         value: String,
     },
-    /// Cancellation eats more than the internal precision allowed.
+    /// Cancellation loses more bits than the internal precision allowed.
     #[error("a value loses too many digits to cancellation: 65536 bits do not suffice to enclose it")]
     TooIllConditioned,
 }

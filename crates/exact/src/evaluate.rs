@@ -1,4 +1,4 @@
-//! Precision control: from `bits` asked to an enclosure that keeps the promise.
+//! Precision control: from the requested `bits` to an enclosure that is as narrow as promised.
 
 use std::cmp::Ordering;
 

@@ -1,4 +1,4 @@
-//! Exact real numbers as expressions, enclosed at any precision asked, never through a rounded double.
+//! Exact real numbers as expressions, enclosed at any requested precision, never through a rounded double.
 //!
 //! An [`Exact`] is read from a text such as `9.42497`, `10*pi` or `sqrt(2)/3`, or built by arithmetic, and encloses its
 //! value in an [`Enclosure`] as narrow as requested. Numbers of the form `r * pi^k` with a rational `r` are kept in normal form, so

@@ -52,7 +52,7 @@ pub fn describe(scene: &Scene, found: &Description, document: &DescriptionDocume
     let Followed { trace, .. } = &followed;
     let settled = document.fate.from.filter(|_| document.fate.kind == FateName::Attracted);
     let settled = settled.map_or(0, |from| from as usize);
-    // A transient that fills the picture is not told from the rest.
+    // A transient that fills the picture is not distinguished from the rest.
     let transient = if settled < trace.crossings.len() / 2 { settled } else { 0 };
     let style = Style { is_certified: true, transient };
     let planes =

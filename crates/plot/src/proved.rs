@@ -15,7 +15,7 @@ const SIZE: (u32, u32) = (960, 680);
 const COLUMNS: u32 = 600;
 const ROWS: i32 = 260;
 const IMPACTS: [usize; 2] = [600, 160];
-/// Height of the bar above the diagram that tells what is proved, and how far above it is.
+/// Height of the bar above the diagram that shows the verdicts, and its distance from the diagram.
 const BAR: i32 = 14 * SCALE;
 const ABOVE: i32 = 4 * SCALE;
 

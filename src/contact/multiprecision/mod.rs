@@ -1,4 +1,4 @@
-//! First contacts in multiprecision: isolated as cheaply as can be, refined to as many bits as asked.
+//! First contacts in multiprecision: isolated as cheaply as can be, refined to the requested bits.
 //!
 //! Nearly every contact of a set as narrow as 53 bits is isolated by the double-precision certificate; what that
 //! leaves open (grazes nearer than `10^-13` of the gap, drifts near 0 or `beta`, flights beyond `2^39` forcing periods) is

@@ -1,4 +1,4 @@
-//! The root in an isolated bracket, to as many bits as asked.
+//! The root in an isolated bracket, to the requested bits.
 //!
 //! **Lemma M3.** Let the contact of a flight lie within `reach` of `a`, and `|z'| >= m > 0` there. Then it lies within
 //! `|z(b)| / m` of any `b` within `reach` of `a`. *Proof.* The mean value theorem between `b` and the contact. []

@@ -131,7 +131,7 @@ impl Scene {
         self.run.settings(Arithmetic::Auto)
     }
 
-    /// Returns how the scene is run: as `asked`, completed by its table `[run]`.
+    /// Returns the settings of the run: those of `asked`, else those of the table `[run]`.
     pub fn settings_asked(&self, asked: Run, arithmetic: Arithmetic) -> Settings {
         let (impacts, until) = (asked.impacts.or(self.run.impacts), asked.until.or_else(|| self.run.until.clone()));
         Run { impacts, until, digits: self.digits_asked(asked.digits, arithmetic) }.settings(arithmetic)

@@ -216,7 +216,7 @@ impl Scene {
         Ok(())
     }
 
-    /// The start, asked again whether it is one.
+    /// Returns the start, checked again against the varied pair.
     fn checked_start(&self) -> Result<Start, Error> {
         let Start { time, velocity, place } = self.start.clone();
         match place {

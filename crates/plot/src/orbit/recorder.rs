@@ -98,7 +98,7 @@ impl Recorder {
                 let phase = rest.at.at();
                 self.now = Now::Rests(rest.at.wall);
                 if rest.is_accumulation {
-                    // The last bounces are too small to be told from the wall.
+                    // The last bounces are too small to be distinguished from the wall.
                     self.after = None;
                     self.sweep(orbit, Part::Chatter, phase, None);
                     self.last = phase;

@@ -62,7 +62,7 @@ impl Class {
 /// The impacts of points of one class: of each column of cells its rows.
 type Columns = BTreeMap<i32, Vec<i32>>;
 
-/// Draws axes and words; the data are handed back.
+/// Draws axes and words, and returns the data as SVG.
 pub fn draw(
     sweep: &mut impl Records<Head = SweepHead>,
     axis: &Range,

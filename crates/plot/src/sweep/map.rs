@@ -47,7 +47,7 @@ impl Outcomes {
     }
 }
 
-/// Draws axes and words; the data are handed back.
+/// Draws axes and words, and returns the data as SVG.
 pub fn draw(
     sweep: &mut impl Records<Head = SweepHead>,
     grid: &Grid,

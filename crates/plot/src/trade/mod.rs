@@ -54,7 +54,7 @@ impl Kind {
     }
 }
 
-/// A rung to draw.
+/// A measured arithmetic as a marker of the plot.
 struct Mark {
     kind: Kind,
     digits: f64,
@@ -192,7 +192,7 @@ fn names(marks: &[Mark], points: &[(i32, i32)], frame: &Area, root: &Canvas<'_>)
 const CAPTION: i32 = 70;
 const LEGEND: i32 = 52;
 
-/// Title, parameters, start, and what was asked.
+/// Title, parameters, start, and request.
 fn caption(trade: &Trade<'_>, root: &Canvas<'_>) -> Drawn {
     let scene = trade.scene;
     let title = format!("What accuracy costs. {}", scene.title().unwrap_or_default());
