@@ -57,13 +57,13 @@ pub(crate) struct Launch<N> {
 }
 
 impl<N: Number> Launch<N> {
-    /// From a wall.
+    /// Returns the start of a flight from a wall.
     #[inline(always)]
     pub fn from_wall(wall: Wall, turns: i64, phase: N, velocity: N, is_release: bool) -> Self {
         Self { wall: Some(wall), height: N::from_f64(0.0), turns, phase, velocity, is_release }
     }
 
-    /// From inside the gap.
+    /// Returns the start of a flight from inside the gap.
     pub fn from_inside(height: N, turns: i64, phase: N, velocity: N) -> Self {
         Self { wall: None, height, turns, phase, velocity, is_release: false }
     }

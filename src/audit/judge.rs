@@ -25,7 +25,7 @@ pub struct Divergence {
 
 /// The result of the comparison of a list.
 pub(super) struct Judgement {
-    /// In the order of the list, with missed impacts in between.
+    /// The findings in the order of the list, with missed impacts in between.
     pub findings: Vec<Finding>,
     pub departure: Option<Divergence>,
 }

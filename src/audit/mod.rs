@@ -69,7 +69,7 @@ pub struct AuditSettings {
 }
 
 impl Default for AuditSettings {
-    /// To `10^-9`, up to the last time listed.
+    /// Returns the settings of a tolerance of `10^-9`, up to the last time listed.
     fn default() -> Self {
         let tolerance = "1e-9".parse().expect("a number");
         Self { tolerance, until: None, digits: None, max_bits: MAX_BITS }

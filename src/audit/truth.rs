@@ -40,11 +40,11 @@ pub struct Site {
 /// The kind of a contact, which determines whether it has to be listed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SiteKind {
-    /// It has to be.
+    /// An impact: has to be listed.
     Impact,
-    /// The impact that the orbit starts with: need not be.
+    /// The impact that the orbit starts with: need not be listed.
     Start,
-    /// Need not be.
+    /// A graze: need not be listed.
     Graze,
 }
 
@@ -58,7 +58,7 @@ impl Site {
 /// The ball on its wall.
 #[derive(Clone, Debug)]
 pub struct Rest {
-    /// Since when \[time\].
+    /// Beginning of the rest \[time\].
     pub from: Enclosure,
     /// `None`: for ever, or to the end.
     pub until: Option<Enclosure>,
@@ -69,7 +69,7 @@ pub struct Rest {
 /// The certified orbit, as far as it is needed.
 pub(super) struct Truth {
     pub sites: Vec<Site>,
-    /// From when on nothing is certified; `None` if all that was requested is.
+    /// Time from which on nothing is certified \[time\]; `None` if everything requested is.
     pub doubtful_from: Option<Enclosure>,
     /// True if the orbit was not followed further because the list lacks more impacts than it has rows.
     pub is_cut: bool,

@@ -282,7 +282,7 @@ impl<const WIDE: bool> Bounds<'_, WIDE> {
         (error, SLACK * ACOS_ERROR.mul_add(self.flight.drift.abs(), error))
     }
 
-    /// The same with the heights of the extrema taken at the computed critical phase (Lemma E2).
+    /// Decides the same as `are_inside`, with the heights of the extrema at the computed critical phase (Lemma E2).
     #[cold]
     fn are_inside_refined(self, mut extrema: Extrema, k: f64, target: Target, error: f64) -> Result<(), Doubt> {
         extrema.refine::<Kernel>(self.flight);

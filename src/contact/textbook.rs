@@ -231,12 +231,12 @@ mod tests {
             }
         }
 
-        /// By the textbook.
+        /// Returns the contact by the textbook method.
         fn contact(&self) -> Verdict<Contact<Interval>> {
             first_contact(&self.flight(0.0, 0.0))
         }
 
-        /// By the closed form.
+        /// Returns the contact by the closed form.
         fn ours(&self) -> Verdict<Contact<Ball>> {
             let (pair, sin_cos) = (self.pair(), kernel::sin_cos(self.phase));
             let (flight, height) = match self.height {
@@ -249,7 +249,7 @@ mod tests {
         }
     }
 
-    /// From a wall: A/d over six decades, quarter periods among the phases, speeds down to a billionth of the box's, or none.
+    /// Starts on a wall: A/d over six decades, quarter periods among the phases, speeds down to a billionth of the box's, or 0.
     fn from_walls() -> impl Strategy<Value = Start> {
         let wall = prop_oneof![Just(Wall::Left), Just(Wall::Right)];
         let phase = prop_oneof![4 => -0.5..0.5f64, 1 => (-2..=2i32).prop_map(|k| f64::from(k) / 4.0)];

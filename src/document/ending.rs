@@ -24,7 +24,7 @@ pub struct Ending<'s> {
 }
 
 impl<'s> Ending<'s> {
-    /// That of an orbit that has ended, or was left.
+    /// Returns the ending of an orbit that has ended, or was left.
     pub fn of(orbit: &Orbit, conclusion: Conclusion, settings: &'s Settings) -> Self {
         let (computed, wide, bits) = (arithmetic(orbit), orbit.first_wide(), orbit.bits());
         Self { conclusion, computed, wide, settings, bits }

@@ -158,7 +158,7 @@ impl From<&Event> for EventDocument {
 /// A number: exact, enclosed, or computed.
 #[derive(Clone, Debug)]
 pub enum Bounds {
-    /// It is proved to lie in here.
+    /// Proved bounds.
     Certified(Enclosure),
     /// A computed approximation, not certified.
     Float(Enclosure),

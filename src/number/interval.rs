@@ -245,7 +245,7 @@ impl From<Interval> for Ball {
     }
 }
 
-/// Of the quotients or products of ends; one that is no number is 0 times an infinity, or a quotient of two, and others bound it.
+/// Returns the least of the quotients or products of ends; a NaN is 0 times an infinity, or a quotient of two, and others bound it.
 #[inline(always)]
 fn least(x: [f64; 4]) -> f64 {
     x[0].min(x[1]).min(x[2].min(x[3])) // I4: a NaN is passed over

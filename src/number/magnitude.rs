@@ -72,7 +72,7 @@ impl Magnitude {
         self.fraction.log2() + self.exponent as f64 // shown
     }
 
-    /// In units of `2^unit`, rounded up; at least the smallest normal double unless it is 0.
+    /// Returns it in units of `2^unit`, rounded up; at least the smallest normal double unless it is 0.
     pub fn in_units_of(self, unit: i64) -> f64 {
         if self.is_zero() || !self.is_finite() {
             return self.fraction;
@@ -84,7 +84,7 @@ impl Magnitude {
         }
     }
 
-    /// As a double, rounded up.
+    /// Returns it as a double, rounded up.
     pub fn to_f64(self) -> f64 {
         self.in_units_of(0)
     }

@@ -45,7 +45,7 @@ pub struct Arrival {
 }
 
 impl Arrivals {
-    /// For this pair.
+    /// Returns the impact map of a pair, with states and bounds as doubles.
     ///
     /// # Errors
     /// Returns an error if a value is beyond the range of double-precision flights.

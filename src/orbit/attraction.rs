@@ -33,7 +33,7 @@ impl Recent {
         self.next = (self.next + 1) % KEPT;
     }
 
-    /// Those kept, in order of time.
+    /// Returns the impacts that are kept, in order of time.
     fn in_order(&self) -> Vec<Impact> {
         let (late, early) = self.impacts.split_at(self.next.min(self.impacts.len())); // exact: an index
         [early, late].concat()

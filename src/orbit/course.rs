@@ -109,7 +109,7 @@ impl Orbit {
         self.point((turns, phase), on(wall), Ball::exact(0.0), Forces::Rests)
     }
 
-    /// From forcing periods and gaps to the units of the scene.
+    /// Returns the state in the units of the scene, from forcing periods and gaps.
     fn point(
         &self,
         (turns, phase): (i64, Ball),

@@ -40,7 +40,7 @@ pub struct Dense {
 pub type DenseState = [[f64; 2]; 2];
 
 impl Dense {
-    /// For an orbit from `start` that has not gone on yet.
+    /// Returns the record of an orbit from `start` that has not advanced yet.
     pub fn new(orbit: &Orbit, start: &Start) -> Self {
         let (course, turns, phase) = orbit.first_course();
         let start = orbit.shadow().is_none().then(|| start.time().clone());

@@ -123,7 +123,7 @@ struct Engine {
     bits: u32,
     /// No chatter is shorter than the velocity before an impact times this, in forcing periods.
     min_chatter_time_per_speed: f64,
-    /// Nor is it reported before it is as short as this, or ends before the contact force does.
+    /// Greatest duration of chatter that is reported, in forcing periods; `None`: any that ends before the contact force does.
     max_reported_chatter: Option<f64>,
 }
 
@@ -131,7 +131,7 @@ struct Engine {
 #[derive(Clone, Copy, Debug)]
 struct Followed {
     from: Cursor,
-    /// It is [`Given::origin`] itself, and not a box of starts near by, or past a graze.
+    /// True if it is [`Given::origin`] itself, and not a box of starts near by, or past a graze.
     is_given: bool,
     /// No wall is ever hit from there on.
     still: Option<Still>,
@@ -320,7 +320,7 @@ impl Orbit {
         })
     }
 
-    /// The same by the bounds that are listed, against the exact time to stop at: to twice their bits, where that is irrational.
+    /// Returns whether the listed bounds are past the exact time to stop at: to twice their bits, if that is irrational.
     #[cold]
     fn is_listed_past(&self, turns: i64, phase: &Enclosure) -> bool {
         let until = self.asked.settings.until.as_ref();

@@ -56,7 +56,7 @@ impl Orbit {
         self.passage(self.engine.pair.restitution, from, to).map(Sheared::jacobian)
     }
 
-    /// The same in two parts, from an impact or from the requested start; at inside starts only the column of the velocity is meant.
+    /// Returns the Jacobian in two parts, from an impact or from the requested start; for a start inside the gap only the velocity's column is meant.
     pub(super) fn sheared(&self, from: Option<&Impact>, to: &Impact) -> Option<Sheared<Ball>> {
         if let Some(from) = from {
             return self.passage(self.engine.pair.restitution, from, to);

@@ -25,7 +25,7 @@ pub(super) struct Pending {
     pub is_expected: bool,
     /// The ball rests.
     pub resting: Option<Resting>,
-    /// Of a motion that hits no wall: grazes so far.
+    /// Number of grazes so far, of a motion that hits no wall.
     pub grazes: u64,
     pub recurrence: Recurrence,
     /// All that was requested is listed: whether an attractor is proved is still to be asked.

@@ -13,7 +13,7 @@ const KEPT: usize = 1 << 16;
 pub(super) struct Recurrence {
     /// The first release of each kind, the impacts listed before it, and the events kept up to it.
     first: Vec<(Released, u64, usize)>,
-    /// Since the first release from any wall.
+    /// Events since the first release from any wall.
     events: Vec<Progress>,
     period: Option<Period>,
     /// The next event to repeat, and how many periods after it was computed.

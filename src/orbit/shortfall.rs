@@ -34,7 +34,7 @@ impl Orbit {
         self.excess_below_doubles(turns, contact)
     }
 
-    /// The same where doubles are too coarse to say.
+    /// Returns the number of bits by which a contact is wider than requested, where doubles are too coarse to decide.
     #[cold]
     fn excess_below_doubles(&self, turns: i64, contact: &Contact<Ball>) -> f64 {
         let [time, velocity] = self.asked.widths;

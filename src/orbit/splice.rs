@@ -52,7 +52,7 @@ struct Flown {
 }
 
 impl Splice {
-    /// Of the orbit of `pair` from `start`, and N impacts.
+    /// Proves the first `impacts` impacts of the orbit of `pair` from `start`.
     ///
     /// # Errors
     /// Returns an error if these impacts are not all proved.

@@ -51,7 +51,7 @@ impl<N: Phased> Instant<N> {
         ((self.turns - earlier.turns) as f64 + rest).next_up() // N1: exact before the horizon, 2^52
     }
 
-    /// As a number.
+    /// Returns the time as one number.
     pub fn time(&self) -> N {
         match self.turns {
             0 => self.rest.clone(),

@@ -12,9 +12,9 @@ use crate::number::interval::Interval;
 /// Bounds of the sum of the harmonics, `E/d`, at all times.
 #[derive(Debug)]
 pub(crate) struct Band {
-    /// By the sum of the amplitudes.
+    /// Bounds by the sum of the amplitudes.
     coarse: Interval,
-    /// Over a common period, to about [`TIGHT`], once it was needed.
+    /// Bounds over a common period, to about [`TIGHT`], computed when first needed.
     tight: OnceLock<Interval>,
     period: Option<u64>,
 }
@@ -73,7 +73,7 @@ fn greatest(harmonics: &Harmonics<Ball>, period: u64, sign: f64) -> f64 {
     bound
 }
 
-/// From when on a flight cannot come back to the wall it drifts away from, and until when it cannot reach the other.
+/// The window of time in which a flight can no longer come back to the wall it drifts away from, and cannot yet reach the other.
 #[derive(Debug)]
 pub(crate) struct Reach<'b> {
     band: &'b Band,

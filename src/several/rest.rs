@@ -72,7 +72,7 @@ const STEPS: u32 = 1 << 16;
 /// The reason why no change of sign is proved.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Unproved {
-    /// In these digits a change of sign and a touch are the same: more of them may tell.
+    /// In these digits a change of sign and a touch are not distinguished: more of them may do so.
     Digits,
     /// The contact force goes to 0 so slowly that the steps towards it do not end, in any digits: a zero of a higher order.
     Steps,

@@ -122,7 +122,7 @@ fn whole_bits(phase: &Exact) -> u32 {
     top.and_then(|top| u32::try_from(top).ok()).unwrap_or(0) // X1: any number of bits encloses
 }
 
-/// The same phase near 0: within 2 of it (Lemma H1).
+/// Returns the phase less whole turns: within 2 of 0 (Lemma H1).
 fn whole_turns_off(phase: Exact) -> Result<Exact, ExactError> {
     let near = match phase.as_rational() {
         Some(fraction) => fraction.round().to_integer(), // exact: any whole number is taken off

@@ -145,7 +145,7 @@ impl Side {
         self.cubic(rates).is_positive(time)
     }
 
-    /// For how long that may be provable, at most `most`.
+    /// Returns a time up to which that may be provable, at most `most`.
     #[inline]
     pub fn reach(&self, rates: &Rates, most: f64) -> f64 {
         self.cubic(rates).reach(most)

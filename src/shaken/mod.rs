@@ -86,7 +86,7 @@ pub(crate) trait Parameters: Shaken + Sized + 'static {
     /// The parameters in doubles.
     fn balls(&self) -> &Self::In<Ball>;
 
-    /// Those at the centre of an origin's phases; `exact` are the phases of the harmonics there, where they are known.
+    /// Returns the sines and cosines at the centre of an origin's phases; `exact` are the phases of the harmonics there, where they are known.
     fn waves<N: Phased>(&self, exact: &[Exact], phase: &N, bits: u32) -> Option<Self::Waves<N>>;
 }
 

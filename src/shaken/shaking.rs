@@ -37,7 +37,7 @@ pub struct Repetition {
 }
 
 impl Repetition {
-    /// That of one harmonic.
+    /// The repetition of one harmonic.
     pub const TURN: Self = Self { turns: 1, is_odd: Some(true) };
 }
 

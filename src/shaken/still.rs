@@ -13,14 +13,14 @@ use crate::several::Spectrum;
 /// A motion without drift that stays between the walls for ever.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Still {
-    /// It touches the left wall, with zero velocity, at phase 1/4 of every forcing period.
+    /// True if it touches the left wall, with zero velocity, at phase 1/4 of every forcing period.
     pub grazes_left: bool,
-    /// It touches the right wall at phase 3/4.
+    /// True if it touches the right wall, likewise, at phase 3/4.
     pub grazes_right: bool,
 }
 
 impl Still {
-    /// It touches none.
+    /// A motion that touches no wall.
     const UNTOUCHED: Self = Self { grazes_left: false, grazes_right: false };
 
     /// Returns whether the motion from an origin is proved to stay between the walls for ever, with one harmonic (Lemma Z4).

@@ -59,7 +59,7 @@ pub struct Attraction {
     pub word: Word,
     /// The impact; `None` where its phase is another one of the reference in each period, as where that does not move the box.
     pub first: Option<State>,
-    /// From this impact of the orbit on it is in a neighbourhood that the period contracts.
+    /// The impact of the orbit from which on it is in a neighbourhood that the period contracts.
     pub from: u64,
     /// Bounds of what the exponent per impact tends to; `None` after a graze, where there is no derivative. Lemma L4
     pub limit: Option<[f64; 2]>,
@@ -119,7 +119,7 @@ pub fn follow(scene: &Scene, asked: &PointSettings, watch: &dyn Watch) -> Result
     follow_in(Arithmetic::Auto, scene, asked, watch)
 }
 
-/// The same in one arithmetic.
+/// Follows the orbit of a scene in one arithmetic.
 fn follow_in(
     arithmetic: Arithmetic,
     scene: &Scene,

@@ -18,7 +18,7 @@ pub enum Rung {
     Interval,
     /// The textbook's method.
     Inari,
-    /// Of one true orbit near the given one.
+    /// Certified bounds of one true orbit near the given one.
     Shadow,
     /// Certified with this number of bits.
     Bits(u32),

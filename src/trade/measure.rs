@@ -63,9 +63,9 @@ impl Measured {
 /// Guaranteed widths, in the units of [`Scales`].
 #[derive(Clone, Copy, Debug)]
 pub struct Widths {
-    /// Of times.
+    /// Widths of times.
     pub time: Extent,
-    /// Of velocities.
+    /// Widths of velocities.
     pub velocity: Extent,
 }
 

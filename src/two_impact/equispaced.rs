@@ -9,9 +9,9 @@ use crate::exact::Real;
 /// The exact orders of `g = d/A` and 2, and of `g` and `K`.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Orders {
-    /// Of `2 - g`.
+    /// The sign of `2 - g`.
     pub room: Option<Ordering>,
-    /// Of `g - K`.
+    /// The sign of `g - K`.
     pub rise: Option<Ordering>,
 }
 

@@ -23,7 +23,7 @@ pub(super) enum Part {
 
 /// An interval, and the signs of the function at its ends where they are known: `Equal` says that it is 0 there.
 pub(super) struct Interval {
-    /// From one end to the other, or a little beyond.
+    /// The interval from one end to the other, or a little beyond.
     pub x: Real,
     pub signs: [Option<Ordering>; 2],
 }
@@ -33,7 +33,7 @@ pub(super) struct Interval {
 enum Class {
     /// The function has this sign.
     Sign(Ordering),
-    /// It rises or falls.
+    /// The function rises or falls.
     Slope,
     Neither,
 }

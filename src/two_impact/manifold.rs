@@ -92,7 +92,7 @@ pub struct Point {
 pub struct Manifold {
     /// N
     pub cycles: u32,
-    /// In the order of W or v.
+    /// The points in the order of W or v.
     pub points: Vec<Point>,
 }
 
@@ -105,9 +105,9 @@ pub struct Range<'p> {
     pub speed: Exact,
     /// The parameter of the curves.
     pub axis: Axis,
-    /// From here ...
+    /// Lower end of the range of W \[rad/time\] or v \[length/time\].
     pub from: Exact,
-    /// ... to here.
+    /// Upper end of the range.
     pub to: Exact,
     /// Number of equidistant points, endpoints included.
     pub count: usize,

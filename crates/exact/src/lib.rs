@@ -85,7 +85,7 @@ struct Node {
     base: OnceLock<Enclosure>,
     /// A few recent enclosures by precision, so shared subexpressions are evaluated once.
     recent: Mutex<Vec<(u32, Enclosure)>>,
-    /// As a sum of terms, if it is a short one.
+    /// Normal form as a sum of terms, if it is a short one.
     normal: OnceLock<Option<Normal>>,
 }
 

@@ -63,8 +63,8 @@ pub struct Settings {
     pub arithmetic: Arithmetic,
     /// Maximum precision of [`Arithmetic::Auto`], in bits.
     pub max_bits: u32,
-    /// With [`Arithmetic::Shadow`]: this number of impacts is proved in higher precision first; the start of the orbit
-    /// is then nearer to the given one.
+    /// Number of impacts that [`Arithmetic::Shadow`] first proves in higher precision; the start of the orbit is then nearer to
+    /// the given one.
     pub splice: u64,
     /// True if a proof that the motion converges to a periodic orbit is tried at the end.
     pub attractor: bool,

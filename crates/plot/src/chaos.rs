@@ -15,7 +15,7 @@ use crate::picture::{self, Arc, Axis, Canvas, Dots, Drawn, Element, FONT, Look, 
 use crate::picture::{VERMILION, greek, hex, legend, program, said, words};
 use crate::sweep::Cells;
 
-/// Of one panel, and of each of several beside each other.
+/// Size of a single panel, and of each of several beside each other \[pixels\].
 const ALONE: (u32, u32) = (900, 640);
 const EACH: (u32, u32) = (560, 640);
 /// Impacts of a floating-point orbit that are shown, of that in a region after N others.

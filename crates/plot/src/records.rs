@@ -14,6 +14,6 @@ pub trait Records {
     /// Hands on the points that are there, in order.
     ///
     /// # Errors
-    /// Those of `hand`, and when a record cannot be read.
+    /// Returns the errors of `hand`, and an error if a record cannot be read.
     fn each_record(&mut self, hand: impl FnMut(<Self::Head as Head>::Record) -> Result<()>) -> Result<()>;
 }

@@ -108,7 +108,7 @@ pub struct Number {
     pub low: BigRational,
     /// The decimal, or the upper bound.
     pub high: BigRational,
-    /// As it is written.
+    /// The text as it is written.
     pub written: String,
 }
 
@@ -151,7 +151,7 @@ struct Walls {
 }
 
 impl Walls {
-    /// Those of a box with this gap \[length\].
+    /// Returns the reader for the walls of a box with this gap \[length\].
     fn new(gap: &Exact) -> Self {
         let gap = gap.enclose(64);
         let two = BigRational::from_integer(2.into());

@@ -104,9 +104,9 @@ impl Balls {
 pub(super) struct State {
     /// The number of the extremum that ends the piece.
     pub k: f64,
-    /// For a flight that is near: the time that is looked at.
+    /// The time of the next look, for a flight that is near.
     pub time: f64,
-    /// It may be a hop.
+    /// True if it may be a hop.
     pub is_hop: bool,
     /// The departure root is divided out: a hop, or a short flight.
     pub is_near: bool,

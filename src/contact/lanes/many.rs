@@ -90,7 +90,7 @@ pub fn image_of(pair: &Reduced<Ball>, margins: &Margins, (wall, [phase, before])
     finish(pair, [phase, before], &flight, first_contacts(&flight, margins, point, all))
 }
 
-/// The same for many sets of states, in their order, with the same bits: half as dear each.
+/// Encloses the images of many sets of states, in their order, bit for bit as [`image_of`] does: at half the cost.
 pub fn images_of(
     pair: &Reduced<Ball>,
     sets: impl IntoIterator<Item = (Wall, [Ball; 2])>,

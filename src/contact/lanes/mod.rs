@@ -83,7 +83,7 @@ impl Lanes {
         }
     }
 
-    /// On which piece, and where.
+    /// Chooses the piece on which the contact is searched for, and the bracket, of each flight.
     #[inline(never)]
     fn propose(&mut self) {
         for lane in 0..LANES {
@@ -254,21 +254,21 @@ impl Lanes {
         }
     }
 
-    /// For flights at exact phases.
+    /// Certifies the contacts of flights that start at exact phases.
     #[inline(never)]
     fn certify_points(&mut self, margins: &Margins, spreads: &Spreads, brackets: &mut Brackets) {
         self.bracket::<false>(margins, spreads, brackets);
         self.judge::<false>(margins, spreads, brackets);
     }
 
-    /// For all flights of sets.
+    /// Certifies the contacts of all flights of sets.
     #[inline(never)]
     fn certify_sets(&mut self, margins: &Margins, spreads: &Spreads, brackets: &mut Brackets) {
         self.bracket::<true>(margins, spreads, brackets);
         self.judge::<true>(margins, spreads, brackets);
     }
 
-    /// For the flights from the centres of sets, whose contacts are proved to be first with the set's.
+    /// Brackets the contacts of the flights from the centres of sets, which are proved to be first with those of the sets.
     #[inline(never)]
     fn bracket_centres(&mut self, margins: &Margins, spreads: &Spreads, brackets: &mut Brackets) {
         self.bracket::<false>(margins, spreads, brackets);

@@ -22,7 +22,7 @@ const MOST_STEPS: u32 = 8;
 pub(crate) struct Passed {
     /// The wall that may have been touched.
     pub wall: Wall,
-    /// At which phase, in forcing periods counted on from that of the start.
+    /// Phase of the graze, in forcing periods counted on from that of the start.
     pub at: MpBall,
     /// Whole turns to the phase to go on from, and this phase, exactly.
     pub turns: f64,

@@ -102,7 +102,7 @@ pub(super) struct Kind {
 /// The extrema of the flights of a set (Lemma E1).
 #[derive(Clone, Debug)]
 pub(super) struct Turning {
-    /// At every extremum `|sin th|` is this.
+    /// `|sin th|` at every extremum.
     pub sine: MpBall,
     pub far: Kind,
     pub near: Kind,
@@ -110,7 +110,7 @@ pub(super) struct Turning {
 }
 
 impl Turning {
-    /// For flights with `|c| < beta`.
+    /// Returns the extrema of flights with `|c| < beta`.
     pub fn new(flight: &Flight<MpBall>, rising: bool) -> Option<Self> {
         let one = || MpBall::from_f64(1.0);
         let zero = || MpBall::from_f64(0.0);

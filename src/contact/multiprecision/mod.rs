@@ -33,7 +33,7 @@ pub(crate) struct Isolated {
     /// The contact of each flight of the set lies within `reach` of this phase, less the whole forcing periods.
     pub at: Float,
     pub reach: Magnitude,
-    /// For each of them `|z'|` is at least this within `reach`.
+    /// A lower bound of `|z'|` within `reach`, for each of them.
     pub least: Magnitude,
     /// Time since the start, over the set.
     pub time: Ball,

@@ -113,7 +113,7 @@ impl Isolated {
         is_short && self.target == Target::Near && flight.height.mid().is_zero()
     }
 
-    /// The same for a hop: the unknown is the time, and nothing cancels however short it is.
+    /// Encloses the contact of a hop: the unknown is the time, and nothing cancels however short it is.
     fn refine_hop(&self, flight: &Flight<MpBall>, bits: u32) -> Option<Refined> {
         let mut time = Float::with_val(bits, self.time.mid());
         let mut before = Magnitude::INFINITE;
@@ -175,7 +175,7 @@ impl Isolated {
     }
 }
 
-/// From a phase to the root beside it, with an error of the fourth order.
+/// Returns the step from a phase to the root beside it, with an error of the fourth order.
 ///
 /// With `n = z/z'`, `A = z''/(2 z')` and `B = z'''/(6 z')`: `-n - (A + (2 A^2 - B) n) n^2`, the inverted Taylor series.
 fn step(flight: &Flight<MpBall>, sight: &Sight) -> Option<Float> {

@@ -12,7 +12,7 @@ use rug::{Assign, Float, Integer};
 use super::arithmetic::LONG;
 use crate::number::Magnitude;
 
-/// Beyond these bits MPFR is the faster.
+/// Number of bits beyond which MPFR is faster.
 const MOST_BITS: u32 = 1 << 15;
 /// Turns that are reduced, as a power of two.
 const LARGEST: i32 = 8;

@@ -45,7 +45,7 @@ pub(super) struct Section<'t> {
 
 /// A key of a table with its value.
 pub(super) struct Entry<'t> {
-    /// With the table's name: `pair.gap`.
+    /// The key with the table's name: `pair.gap`.
     pub key: String,
     text: &'t str,
     name: Range<usize>,
@@ -151,7 +151,7 @@ impl<'t> Entry<'t> {
         self.refused_at(self.value.clone(), but)
     }
 
-    /// The same, for what stands at a place of the text.
+    /// Returns the error that the text at `place` is what it is, `but` something else is accepted.
     fn refused_at(&self, place: Range<usize>, but: &str) -> Error {
         let written = self.written();
         let first_line = written.lines().next().unwrap_or_default();

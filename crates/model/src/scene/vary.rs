@@ -102,7 +102,7 @@ impl Key {
         }
     }
 
-    /// The same of a term.
+    /// Returns the key of the same quantity of a term; `None` if it is not one of a term.
     fn of(self, term: Term) -> Option<Self> {
         match self {
             Self::Amplitude(_) => Some(Self::Amplitude(Some(term))),
@@ -246,8 +246,8 @@ impl ImpactPair {
         Self::new(excitation, gap, restitution)
     }
 
-    /// Of a pair with an amplitude that moves the box, the number of its harmonic and what other terms add to it: see
-    /// [`Excitation::harmonic_of`].
+    /// Returns, for a pair with an amplitude that moves the box, the number of the key's harmonic and the amplitude that other terms
+    /// add to it: see [`Excitation::harmonic_of`].
     ///
     /// # Errors
     /// Returns an error if intervals leave undecided which harmonic it is.

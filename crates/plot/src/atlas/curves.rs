@@ -28,9 +28,9 @@ const FIGURES: [(u32, f64, f64); 6] = [
 /// A bifurcation of the equispaced motion with two impacts in N forcing periods.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Bifurcation {
-    /// It appears, together with a saddle.
+    /// The fold, at which the orbit appears together with a saddle.
     Fold,
-    /// It loses its symmetry.
+    /// The pitchfork, at which the orbit loses its symmetry.
     Pitchfork,
 }
 
@@ -43,7 +43,7 @@ pub struct Parameters {
 }
 
 impl Parameters {
-    /// Those of a scene with one harmonic of which these two vary; `None` where another parameter does.
+    /// Returns the parameters of a scene with one harmonic, of which those of the axes vary; `None` where another parameter does.
     pub fn of(scene: &SceneDocument, axes: &[Range; 2]) -> Option<Self> {
         let keys = axes.each_ref().map(|axis| axis.key);
         let is_one = |key: &Key| matches!(key, Key::Amplitude(_) | Key::Gap | Key::Restitution);

@@ -16,7 +16,7 @@ use super::{OUTLINE, RIGHT, dots, lines, round, seen};
 use crate::picture::{Axis, BLUE, Canvas, Drawn, Element, GREEN, Plane, SCALE, VERMILION};
 use crate::sweep::value;
 
-/// Beyond the h-sets so much is shown, in half sides of an h-set.
+/// Width of the margin shown around the h-sets, in half sides of an h-set.
 pub const BEYOND: f64 = 0.3;
 /// H-sets further off across the leaf are not shown.
 const FAR: f64 = 12.0;

@@ -26,7 +26,7 @@ pub struct Figure {
     pub orbit_cycles: u32,
     /// Impacts of the transient, which is drawn grey.
     pub transient: usize,
-    /// From when to when the time panels are magnified \[time\].
+    /// The range of time that is magnified in the time panels \[time\].
     pub zoom: Option<[f64; 2]>,
     /// Length of the orbit, where one is given, and digits; of the table `[run]` only the digits are used.
     pub run: Run,

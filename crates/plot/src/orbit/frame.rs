@@ -228,7 +228,7 @@ impl<'t> Frame<'t> {
         }
     }
 
-    /// From when to when nothing is proved \[time\].
+    /// Returns the range of time in which nothing is proved \[time\].
     pub fn open(&self) -> Option<(f64, f64)> {
         let (from, to) = (self.trace.known.max(self.begin), self.end);
         (self.panel.is_of_time() && self.trace.is_open && from < to).then(|| (self.time(from), self.time(to)))

@@ -45,7 +45,7 @@ pub fn end_of(scene: &impact_pair::Scene, cycles: u32) -> Option<Exact> {
 }
 
 impl Recorder {
-    /// For an orbit that has not gone on yet, and the curves of N cycles.
+    /// Returns the recorder of an orbit that has not advanced yet, for the curves of N cycles.
     pub fn new(orbit: &Orbit, cycles: u32) -> Self {
         let (course, turns, phase) = orbit.first_course();
         let wall = Span::from(&orbit.wall_displacement());

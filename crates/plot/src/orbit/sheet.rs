@@ -31,7 +31,7 @@ pub struct Sheet<'s> {
     pub cycles: u32,
     /// Cycles that the phase planes show.
     pub orbit_cycles: u32,
-    /// From when to when the time panels are magnified \[time\].
+    /// The range of time that is magnified in the time panels \[time\].
     pub zoom: Option<[f64; 2]>,
     /// Colours of the trace.
     pub style: Style,

@@ -30,7 +30,7 @@ enum Labels {
 }
 
 impl Axis {
-    /// From `low` to `high`; where these are one number, some room around it.
+    /// Returns the axis from `low` to `high`; if these are one number, with some room around it.
     pub fn over(low: f64, high: f64) -> Self {
         let room = if high > low { 0.0 } else { low.abs().max(1.0) };
         let range = low - room..high + room;

@@ -9,7 +9,7 @@ use super::{Canvas, LETTER, Look, SCALE, letters, words};
 /// The height of letters.
 pub const FONT: i32 = 15 * SCALE;
 const TITLE: i32 = FONT + 3 * SCALE;
-/// From the left edge, and above the first line.
+/// Distance of the text from the left edge, and from the upper edge.
 const MARGIN: i32 = 16 * SCALE;
 const ABOVE: i32 = 7 * SCALE;
 const LINE: i32 = 22 * SCALE;

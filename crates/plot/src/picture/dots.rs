@@ -23,7 +23,7 @@ const FEW: usize = 100;
 /// Dots are dealt to N paths, each of this opacity: within a path they cover each other unseen.
 const LAYERS: usize = 6;
 const OPACITY: f64 = 0.55;
-/// From here on their places are distinguished by half a pixel as it is shown only, lest the file be too large.
+/// Number of dots from which on their places are rounded to half a pixel as it is shown, lest the file be too large.
 const VERY_MANY: usize = 20_000;
 
 impl Dots {

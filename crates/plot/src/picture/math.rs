@@ -189,7 +189,7 @@ fn powers(words: &str) -> String {
     each_power(words, "")
 }
 
-/// The same in other words, with `around` around each number.
+/// Writes powers of ten as such, with `around` around each number.
 fn each_power(words: &str, around: &str) -> String {
     let is_number = |text: &str| text.trim_start_matches('-').starts_with(|c: char| c.is_ascii_digit());
     let word = |word: &str| {

@@ -65,7 +65,7 @@ pub type Drawn = Result<(), Box<dyn StdError>>;
 /// Returns the SVG text of what `draw` draws on a white canvas that is shown in this `size` and has `scale` pixels for one.
 ///
 /// # Errors
-/// Those of `draw`.
+/// Returns the errors of `draw`.
 pub fn svg(size: (u32, u32), scale: i32, draw: impl FnOnce(&Canvas<'_>) -> Drawn) -> Result<String> {
     let mut text = String::new();
     {

@@ -15,7 +15,7 @@ use impact_pair::json::{ExtendedBounds, SweepPeriod, SweepRecord};
 const LETTERS: usize = 10;
 /// The attractors with the most points have colours of their own.
 const COLOURS: [RGBColor; 5] = [BLUE, ORANGE, GREEN, PURPLE, SKY];
-/// Of the other attractors.
+/// Colour of the other attractors.
 pub const OTHER: RGBColor = GREY;
 pub const UNDECIDED: RGBColor = VERMILION;
 const SETTLED: RGBColor = YELLOW;

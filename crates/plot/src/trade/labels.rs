@@ -60,7 +60,7 @@ const DISTANCES: [f64; 9] = [10.0, 16.0, 24.0, 34.0, 46.0, 60.0, 76.0, 94.0, 114
 const DIRECTIONS: [i32; 16] = [0, 8, 1, -1, 2, -2, 4, -4, 3, -3, 5, -5, 6, -6, 7, -7];
 /// Another marker is at least N times as far from a label as its own.
 const NEARER: f64 = 1.3;
-/// From here on a line leads from the marker to the label.
+/// Distance from which on a line leads from the marker to the label.
 pub const LEADER: f64 = 14.0;
 
 /// Places the labels one after another within `frame`: where nothing is covered, no line
