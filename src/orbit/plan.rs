@@ -1,6 +1,6 @@
 //! The number of bits for each impact of an orbit.
 //!
-//! Chaos loses bits: an error made at impact `i` is `2^(g_k - g_i)` times as large at impact `k`, `g` the logarithm of
+//! Chaos costs bits: an error made at impact `i` is `2^(g_k - g_i)` times as large at impact `k`, `g` the logarithm of
 //! the length of a tangent vector that the Jacobians (A.7) carry along. A floating-point run finds how much that is. It
 //! leaves the true orbit after a hundred impacts of a chaotic one, but a neighbour's growth differs from the true one
 //! as sums of weakly dependent numbers do: by a few times the root of the number of impacts left. So impact `i` gets

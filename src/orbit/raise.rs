@@ -1,6 +1,6 @@
-//! The restart of `auto` if the motion is too wide: the same orbit again from its start, in more precision.
+//! The restart of `auto` if the motion does not suffice: the same orbit again from its start, in more precision.
 //!
-//! Exact data are as exact in every precision, so a chaotic orbit has to start anew with the bits that it loses on its way.
+//! Exact data are as exact in every precision, so a chaotic orbit has to start anew with the bits that it loses later.
 
 // Labels: proposes throughout.
 
