@@ -250,7 +250,7 @@ impl ImpactPair {
     /// add to it: see [`Excitation::harmonic_of`].
     ///
     /// # Errors
-    /// Returns an error if intervals leave undecided which harmonic it is.
+    /// Returns an error if intervals leave undecided which harmonic it is, or if the amplitude exceeds the range of exact expressions.
     pub fn harmonic_of(&self, key: Key) -> Result<(usize, Option<Exact>), Error> {
         let excitation = self.excitation();
         let number = key.term().map_or(0, |number| usize::from(number.get()) - 1);
