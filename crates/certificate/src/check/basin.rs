@@ -27,7 +27,7 @@ pub(super) struct Contraction {
     pub landings: Vec<Landing>,
     /// Encloses `T^-1 DP T` over the ellipse.
     pub derivative: Matrix,
-    /// What distances are multiplied by at most, where an ellipse's radius is 1.
+    /// Upper bound of the factor that distances are multiplied by, in units of the ellipse's radius.
     factor: Real,
     /// Displacement of the centre.
     moved: Real,
@@ -182,7 +182,7 @@ pub(super) fn basin(round: &Round<'_>, shapes: &[Ellipse], wanted: &[&Landing]) 
     Err(doubt)
 }
 
-/// Whether a map with such a factor maps a disc of radius 1 into itself, whose centre is moved that far, and contracts it. Lemmas V6, V8
+/// Returns whether an affine bound maps a disc of radius 1 into itself: its factor below 1, its centre displaced by `moved`. Lemmas V6, V8
 fn is_inside(factor: &Real, moved: &Real) -> bool {
     let (one, reach) = (Real::int(1, factor.bits()), factor.clone() + moved);
     factor.is_below(&one) && reach.enclosure().sup() <= one.enclosure().inf()

@@ -17,7 +17,7 @@ pub(super) enum End {
 
 /// The work that is left, shared by all threads and by all chains of boxes that are tried.
 ///
-/// Whether it suffices for all that is done at one depth depends on nothing else; where it does not, nothing of that depth is kept.
+/// Its sufficiency for one depth depends on nothing but that depth; where it does not suffice, nothing of that depth is kept.
 pub(super) struct Allowance<'w> {
     left: AtomicI64,
     watch: &'w dyn Watch,

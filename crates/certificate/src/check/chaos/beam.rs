@@ -207,7 +207,7 @@ impl Beam {
         self.leaves_at(Span::point(time).turned(), time).0
     }
 
-    /// Whether they are, `angle` being the time in radians, and the mean velocity from the wall until then.
+    /// Returns whether all have left the wall up to `time` \[forcing periods\], `angle` in radians, and the mean velocity from the wall until then.
     fn leaves_at(&self, angle: Span, time: f64) -> (bool, Span) {
         let bend = (self.phase + Span::new(0.0, time)).sin_cos().0;
         let mean = self.after + bend * angle.scaled(0.5);
@@ -275,7 +275,7 @@ impl Beam {
         None
     }
 
-    /// What the contacts in a bracket are, with velocities `rate` towards the wall there.
+    /// Encloses the first contacts in a bracket of times \[forcing periods\], with velocities `rate` towards the wall there.
     fn landing(&self, is_far: bool, guess: f64, bracket: Span, rate: Span) -> Option<Landing> {
         let guess = Span::point(guess);
         let (centre_sin, _) = (self.centre[0] + guess).sin_cos();

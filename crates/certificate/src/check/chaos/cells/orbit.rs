@@ -1,4 +1,4 @@
-//! Whether there is a stable periodic orbit of a claimed word for all parameters of a law, and whether the scene's own orbit converges to it
+//! Check of a stable periodic orbit of a claimed word for all parameters of a law, and of the convergence of the scene's own orbit to it
 //! (Lemma V36).
 
 use impact_pair_document::PeriodDocument;
@@ -31,7 +31,7 @@ const NEAR: f64 = 0.02;
 /// Impacts of a floating-point orbit before it is looked at, and how near it has to come again.
 const TRANSIENT: usize = 8_000;
 const CLOSED: f64 = 1e-6;
-/// Where it begins, if not at the scene's own first impact; then at N states that are spread over all.
+/// States at which a floating-point orbit begins, if not at the scene's own first impact; then at `SPREAD` states spread over all.
 const ELSEWHERE: [State; 4] = [[0.1, 0.5], [0.35, 1.5], [0.6, 1.0], [0.85, 2.0]];
 const SPREAD: u32 = 24;
 /// A set that is followed for one impact counts as N flights that are looked at.
@@ -43,7 +43,7 @@ const MOST: usize = 256;
 
 /// A periodic orbit that is claimed.
 pub(super) struct Period {
-    /// Whether each impact is on the right wall, in the order of time.
+    /// True for each impact on the right wall, in the order of time.
     is_right: Vec<bool>,
     cycles: i64,
 }
@@ -97,7 +97,7 @@ impl Period {
         Ok(Self { is_right, cycles: claimed.cycles.into() })
     }
 
-    /// Whether the scene's own orbit converges to it, for all parameters of a pair.
+    /// Proves that the scene's own orbit converges to it, for all parameters of a pair.
     pub fn attracts(
         &self,
         (pair, start): (&ImpactPair, &Start),
@@ -108,7 +108,7 @@ impl Period {
         Ok(self.found((wall == Wall::Right, Set::around(state)), law, work))
     }
 
-    /// Whether it or its mirror image is a stable orbit, for all parameters of a pair.
+    /// Proves that it or its mirror image is a stable orbit, for all parameters of a pair.
     pub fn exists(
         &self,
         (pair, start): (&ImpactPair, &Start),
@@ -152,7 +152,7 @@ impl Period {
         Ok(wall.filter(|_| apart(state, first) < CLOSED).map(|is_right| (is_right, first)))
     }
 
-    /// What sets from a first one on lead to.
+    /// The finding on the orbit that sets lead to from a first one on.
     fn found(&self, first: (bool, Set), law: &Law, work: &Allowance) -> Result<Found, End> {
         let mut found = Found::Nothing;
         for room in ROOMS {
@@ -209,7 +209,7 @@ impl Period {
         Ok(if proved_at.is_some() { Found::Proved } else { Found::Nothing })
     }
 
-    /// Whether impacts on these walls, of which the reduced map has the last state in the first one's set, are those that are claimed.
+    /// Compares the claimed impacts with those on these walls, after which the last state of the reduced map lies in the first set.
     fn compared(&self, walls: &[bool], turns: f64) -> Found {
         let flights = walls.len() - 1;
         let far = walls.windows(2).filter(|pair| pair[0] != pair[1]).count();
@@ -229,7 +229,7 @@ impl Period {
         }
     }
 
-    /// Whether both may be of one orbit: the walls of the other one, or of its mirror image, are these again and again, in as many forcing
+    /// Returns whether both may be of one orbit: the walls of the other one, or of its mirror image, repeat to these, with equally many forcing
     /// periods per impact. Lemma V38
     pub fn may_be(&self, other: &Self) -> bool {
         let mirrored: Vec<bool> = other.is_right.iter().map(|wall| !wall).collect();
@@ -238,7 +238,7 @@ impl Period {
         is_one_speed && (self.is_made_of(&other.is_right) || self.is_made_of(&mirrored))
     }
 
-    /// Whether impacts on these walls again and again are those that are claimed, from some impact on.
+    /// Returns whether the claimed walls, from some impact on, are these walls repeated.
     fn is_made_of(&self, walls: &[bool]) -> bool {
         let all = self.is_right.len();
         let is_turned =
@@ -246,7 +246,7 @@ impl Period {
         (0..all).any(is_turned)
     }
 
-    /// Whether the word is a shorter one several times, so that the orbit may be.
+    /// Returns whether the word is a shorter one repeated, so that the orbit may be.
     fn may_have_fewer(&self) -> bool {
         let all = self.is_right.len();
         let is_repeated = |part: usize| (0..all).all(|i| self.is_right[i] == self.is_right[(i + part) % all]);

@@ -1,4 +1,4 @@
-//! Whether what a JSON of cells says of its subintervals fits together: no gap, no overlap, shares that follow (Lemma V35).
+//! Consistency of the subintervals of a JSON of cells: no gap, no overlap, shares that follow (Lemma V35).
 
 use std::cmp::Ordering;
 
@@ -103,7 +103,7 @@ fn meet(one: &Exact, other: &Exact, order: Ordering, message: &str) -> Result<()
     }
 }
 
-/// Why the verdict on a subinterval is not one, or contradicts what is given of it.
+/// The contradiction in a subinterval: an unknown verdict, or one that its other fields exclude.
 fn contradiction(stretch: &StretchDocument) -> Option<&'static str> {
     let has_period = match stretch.verdict.as_str() {
         "attracted" | "stable" => true,

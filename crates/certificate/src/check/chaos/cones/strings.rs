@@ -31,7 +31,7 @@ type Level = BTreeMap<Vec<usize>, Part>;
 /// An edge of the graph of strings, and its word.
 pub(super) type Step = (Edge, usize);
 
-/// What is looked at of strings of words.
+/// The proved words whose strings are followed, the map, and the slope `kappa` of their cones.
 pub(super) struct Strings<'s> {
     pub map: &'s Map<'s>,
     pub words: &'s [Proved],
@@ -42,7 +42,7 @@ fn bounds(x: Span) -> [f64; 2] {
     [x.lo(), x.hi()]
 }
 
-/// What no cell is cut by.
+/// The interval of all fractions of a strip, and of all heights.
 fn everything() -> Span {
     Span::new(-1.0, 1.0)
 }
@@ -85,7 +85,7 @@ impl Strings<'_> {
         Ok(())
     }
 
-    /// Whether strings with another word before them are few enough; any answer will do.
+    /// Returns whether there are few enough strings with another word before them; any answer will do.
     fn is_worth_it(&self, level: &Level) -> bool {
         let [mut strings, mut cells] = [0, 0];
         for (string, part) in level {
@@ -228,7 +228,7 @@ impl Cell {
         Some(Self { heights, ..self })
     }
 
-    /// Whether it is worth being looked at again; any answer will do.
+    /// Returns whether it is enough narrower than `before` to be followed again; any answer will do.
     fn is_narrower(&self, before: &Self) -> bool {
         let is_less = |[a, b]: [f64; 2], [c, d]: [f64; 2]| b - a < NARROWER * (d - c);
         is_less(self.across, before.across) || is_less(self.heights, before.heights)

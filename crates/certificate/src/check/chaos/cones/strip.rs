@@ -32,7 +32,7 @@ pub(super) struct Branch {
     pub half_cycles: i64,
     pub turns: f64,
     pub strip: Strip,
-    /// Whether the image goes from left to right.
+    /// True if the image goes from left to right.
     pub rises: bool,
 }
 
@@ -43,7 +43,7 @@ pub(super) struct Cell {
     pub heights: [f64; 2],
 }
 
-/// Where the middle of a cell is mapped to, in the coordinates there, and what the derivative makes of its half sides.
+/// The image of the middle of a cell, in the coordinates of its h-set, and those of the half sides under the derivative.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Image {
     pub cell: Cell,
@@ -142,7 +142,7 @@ impl Strip {
     }
 }
 
-/// Whether a member may be as far from 0.
+/// Returns whether a member may be `most` or farther from 0.
 fn is_beyond_or_at(x: Span, most: Span) -> bool {
     !((most - x).is_positive() && (most + x).is_positive())
 }
@@ -184,7 +184,7 @@ impl Cell {
     }
 }
 
-/// What flights are followed by.
+/// The map of an h-set's states along flights, with the work allowed.
 pub(super) struct Map<'m> {
     pub law: &'m Law,
     pub guess: &'m Guess,
@@ -192,7 +192,7 @@ pub(super) struct Map<'m> {
     pub work: &'m Allowance<'m>,
 }
 
-/// What is asked of states after some flights, and what was known when an image was lost.
+/// A condition on the states after some flights, from their number, centre and half sides; an image that fails it is given up.
 pub(super) type Passed<'p> = &'p dyn Fn(usize, Spot, &Sides) -> bool;
 
 impl Map<'_> {
@@ -247,7 +247,7 @@ impl Image {
     }
 }
 
-/// Whether a cell is better halved in its height: any answer will do.
+/// Returns whether a cell is better halved in its height: any answer will do.
 pub(super) fn is_tall(sides: &Sides) -> bool {
     let [most, width] = [sides.first.map(Span::most), sides.second().map(|x| 0.5 * (x.hi() - x.lo()))];
     4.0 * (width[0] + width[1]) > most[0] + most[1]

@@ -1,4 +1,4 @@
-//! Which parts of the state space have motions that end in one attractor (Lemma V27).
+//! Parts of the state space whose motions end in one attractor (Lemma V27).
 
 use std::collections::{BTreeSet, HashMap};
 

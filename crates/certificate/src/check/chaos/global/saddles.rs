@@ -1,4 +1,4 @@
-//! Whether the states of a set of boxes whose motions stay in it have no area (Lemma V28).
+//! Proofs that the states of a set of boxes whose motions stay in it have no area (Lemma V28).
 
 use std::collections::{BTreeMap, HashMap};
 
@@ -15,7 +15,7 @@ const MOST_PASSAGES: usize = 1 << 15;
 /// Rounds of iterations that propose.
 const ROUNDS: usize = 50;
 const POWERS: usize = 500;
-/// How wide cones are, at the narrowest, and how often they are made twice as wide.
+/// Half width of the narrowest cones, and the number of times that they are doubled.
 const NARROWEST: f64 = 0.01;
 const DOUBLINGS: i32 = 10;
 
@@ -190,7 +190,7 @@ fn bases(count: usize, passages: &[Passage], images: &[Image]) -> Vec<Doubles> {
     all.into_iter().map(|[along, across]| [[along[0], across[0]], [along[1], across[1]]]).collect()
 }
 
-/// How wide cones have to be where the ones before them are mapped to, if nothing bends.
+/// Approximate slopes that cones need so that those mapped into them fit, if nothing bends.
 fn heights(count: usize, passages: &[Passage], images: &[Image], bases: &[Doubles]) -> Vec<f64> {
     let mut heights = vec![1.0_f64; count];
     for _ in 0..ROUNDS {
@@ -204,7 +204,7 @@ fn heights(count: usize, passages: &[Passage], images: &[Image], bases: &[Double
     heights
 }
 
-/// Whether a positive vector is made smaller by the matrix of the inverses of what passages stretch by.
+/// Returns whether the matrix of the inverses of the passages' stretching factors makes a positive vector smaller.
 fn shrinks(count: usize, stretched: &[([usize; 2], Span)]) -> bool {
     let mut sizes = vec![1.0_f64; count];
     for _ in 0..POWERS {
