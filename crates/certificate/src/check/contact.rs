@@ -33,11 +33,11 @@ const STEPS: u32 = 64;
 pub(crate) struct Claimed {
     /// At the earliest.
     pub from: Real,
-    /// Where to look.
+    /// An approximate place, near which the contact is sought.
     pub guess: Real,
     /// At the latest, where a claim says so.
     pub to: Option<Real>,
-    /// Whether it is the first contact; otherwise any that solves the equations, reached from between the walls.
+    /// True if it is the first contact; else any that solves the equations, reached from between the walls.
     pub is_first: bool,
 }
 
@@ -84,7 +84,7 @@ fn isolate(flight: &Flight, from: Start, wall: Wall, claimed: &Claimed) -> Resul
     Ok(before.hull(&after))
 }
 
-/// Whether no first contact with `wall` comes within the claimed bounds (Lemma V1).
+/// Refutes a contact with `wall` within the claimed bounds, if none is proved to come there (Lemma V1).
 fn refute(flight: &Flight, from: Start, wall: Wall, claimed: &Claimed) -> Result<(), Doubt> {
     let Some(to) = &claimed.to else { return Ok(()) };
     let [_, to] = to.rounded(flight.bits()).ends();
@@ -187,7 +187,7 @@ pub(super) fn clear_throughout(flight: &Flight, from: Start, end: &Real, claimed
     }
 }
 
-/// Why a flight is not followed to its end.
+/// The reason why a flight is not followed to its end.
 fn spent(budget: &Budget, at: &Real, end: &Real) -> Doubt {
     let times = (end.to_f64() / at.to_f64()).ceil(); // shown
     let is_told = budget.is_spent() && times.is_finite();
@@ -195,13 +195,13 @@ fn spent(budget: &Budget, at: &Real, end: &Real) -> Doubt {
     Doubt::Open(format!("the flight is too long for the work allowed{needed}"))
 }
 
-/// Whether a part is too short for the arithmetic.
+/// Returns whether a part is too short for the arithmetic.
 fn is_short(width: &Real, whole: &Real) -> bool {
     let top = |x: &Real| x.enclosure().mag().top();
     top(width).is_none_or(|short| top(whole).is_none_or(|long| long - short > i64::from(whole.bits()) / 2))
 }
 
-/// Where Newton's plain iteration from `guess` ends; it begins with the bits of `guess` and takes as many as its digits are
+/// The limit of Newton's plain iteration from `guess`; it begins with the bits of `guess` and takes as many as its digits are
 /// worth. Nothing is proved of it.
 pub(super) fn newton(flight: &Flight, wall: Wall, guess: &Real) -> Real {
     let most = flight.bits();
@@ -228,7 +228,7 @@ pub(super) fn newton(flight: &Flight, wall: Wall, guess: &Real) -> Real {
     h
 }
 
-/// Whether a step of Newton's iteration, which doubles the digits, is the last one needed.
+/// Returns whether a step of Newton's iteration, which doubles the digits, is the last one needed.
 fn is_last(step: &Real, h: &Real) -> bool {
     let top = |x: &Real| x.enclosure().mag().top();
     top(step).is_none_or(|small| top(h).is_none_or(|large| 2 * (large - small) > i64::from(h.bits())))

@@ -27,7 +27,7 @@ const ROOM: i64 = 2;
 /// A side of a box is at least so much of the one along the curve, as a power of 2.
 const THIN: i64 = 8;
 
-/// What a period makes of states over a parameter, or half of it seen in the mirror.
+/// The map of a period over states and a parameter, or of half a period followed by the mirror image.
 pub(super) struct Curve<'t> {
     pub target: &'t Target<'t>,
     pub frame: Frame<'t>,

@@ -19,7 +19,7 @@ pub(super) fn not_nothing(radius: Real) -> Real {
 /// Two rows.
 pub(super) type Rows<const N: usize> = [[Real; N]; 2];
 
-/// What one flight does with a box of states and values of `P` parameters.
+/// The derivatives of one flight over a box of states and values of `P` parameters.
 struct Leg<const P: usize> {
     /// About the derivative by the state, and by the parameters, at the middle: points.
     by_state: Rows<2>,
@@ -168,7 +168,7 @@ impl<const N: usize, const P: usize> Legs<N, P> {
         plus(&first, &self.added(matrix, |k| self.own_error(k)))
     }
 
-    /// What each flight adds to an error, carried on by those at the middle and then by a matrix.
+    /// The sum of the errors that the flights add, carried on by the derivatives at the middle and then by a matrix.
     fn added<const M: usize>(&self, matrix: &Rows<2>, own: impl Fn(usize) -> Rows<M>) -> Rows<M> {
         let last = self.legs.len();
         let carried = (0..last).map(|k| product(&sizes(&product(matrix, &self.product(k + 1, last))), &own(k)));

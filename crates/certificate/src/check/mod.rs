@@ -1,4 +1,4 @@
-//! Whether an orbit JSON is right, found out anew from its own decimal numbers.
+//! Check of an orbit JSON, computed anew from its own decimal numbers.
 //!
 //! The route shares nothing with the one that made the certificate but the exact numbers and their interval arithmetic: physical
 //! lengths instead of gaps, radians instead of forcing periods, one arithmetic of integers at a precision that rises until every claim is
@@ -91,7 +91,7 @@ pub enum Verdict {
 pub struct Finding {
     /// The position among the events, from 0; their number for the outcome.
     pub event: usize,
-    /// Why, in words.
+    /// The reason in words.
     pub message: String,
 }
 
@@ -159,13 +159,13 @@ fn one_by_one<C>(
 
 /// A document whose claims are judged one after another, and what is known of all of them before.
 struct Whole<'c> {
-    /// Why its own fields exclude it.
+    /// The reason why its own fields exclude it.
     contradiction: Option<&'c str>,
-    /// Why two claims may be one.
+    /// The reason why two claims may be one.
     alike: Option<&'static str>,
     /// Number of claims.
     count: usize,
-    /// What is said where there is none to check.
+    /// The message of a document that has no claim to check.
     nothing: &'static str,
 }
 
@@ -205,7 +205,7 @@ impl Certificate {
     /// of a shadowed orbit of any length, by as many threads as there are processors.
     ///
     /// # Errors
-    /// When the scene's values are beyond the range of exact expressions.
+    /// Returns an error if the scene's values are beyond the range of exact expressions.
     pub fn check(&self, watch: &dyn Watch) -> Result<Verdict, Error> {
         self.check_within(&Effort::default(), watch)
     }
@@ -213,7 +213,7 @@ impl Certificate {
     /// Returns the same with no more than this effort.
     ///
     /// # Errors
-    /// When the scene's values are beyond the range of exact expressions.
+    /// Returns an error if the scene's values are beyond the range of exact expressions.
     pub fn check_within(&self, effort: &Effort, watch: &dyn Watch) -> Result<Verdict, Error> {
         let watch = Latched::new(watch);
         let budget = Budget::new(effort.work, effort.parts, &watch);
@@ -283,7 +283,7 @@ impl Certificate {
     /// are sure to be on one wall.
     ///
     /// # Errors
-    /// When the scene's values are beyond the range of exact expressions.
+    /// Returns an error if the scene's values are beyond the range of exact expressions.
     pub fn retraced(&self, bits: u32) -> Result<Vec<(Enclosure, Enclosure)>, Error> {
         let data = Data::new(self.pair(), self.start())?;
         let mut walk = Walk::new(self, &data, &Piece::default(), bits);

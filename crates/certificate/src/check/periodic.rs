@@ -1,4 +1,4 @@
-//! Whether a periodic JSON is right: each orbit found again, alone in its bounds, with all that is said of it.
+//! Check of a periodic JSON: each orbit is found again, alone in its bounds, with all that is said of it.
 //!
 //! The route (Lemma V8): Newton's iteration for a state that comes again after a period of the word begins at the claimed one. Newton's
 //! step is proved to contract an ellipse of states that holds the claimed bounds of the first impact, so there is one orbit and no more,
@@ -25,7 +25,7 @@ impl PeriodicCertificate {
     /// receives the orbits confirmed so far.
     ///
     /// # Errors
-    /// When the scene's values are beyond the range of exact expressions.
+    /// Returns an error if the scene's values are beyond the range of exact expressions.
     pub fn check_within(&self, effort: &Effort, watch: &dyn Watch) -> Result<Verdict, Error> {
         let watch = Latched::new(watch);
         let budget = Budget::new(0, effort.parts, &watch);
@@ -52,7 +52,7 @@ impl PeriodicCertificate {
         self.are_distinct(data)
     }
 
-    /// Whether each orbit is listed once. Lemma V13
+    /// Proves that each orbit is listed once. Lemma V13
     fn are_distinct(&self, data: &Data) -> Result<(), Doubt> {
         let Some(recurrence) = Recurrence::of(data) else {
             return Err(Doubt::open("the harmonics are not proved to have a common period"));
@@ -73,7 +73,7 @@ impl PeriodicCertificate {
 }
 
 impl OrbitOf {
-    /// Whether it is claimed within the bounds of another one of the same word, which is alone in these. Lemmas V8, V13
+    /// Returns whether it is claimed within the bounds of another one of the same word, which is alone in these. Lemmas V8, V13
     fn is_within(&self, other: &Self) -> bool {
         let is_alone = other.orbit.unique && other.orbit.physical == Some(true) && self.orbit.physical == Some(true);
         is_alone && (&self.word, self.cycles) == (&other.word, other.cycles) && begins_within(&self.orbit, &other.orbit)
@@ -107,7 +107,7 @@ impl Target<'_> {
         self.encloses(piece, &basin, &claimed, &centre, &round)
     }
 
-    /// Whether its impacts are claimed to be first contacts.
+    /// Returns whether its impacts are claimed to be first contacts.
     pub(super) fn is_physical(&self) -> bool {
         self.claim.physical == Some(true)
     }

@@ -59,7 +59,7 @@ impl Walk<'_> {
 
     /// The period, if a release at `root` is proved to be `before` whole common periods of all harmonics later.
     ///
-    /// What is a zero of the acceleration at one of them is one at the other, and where the acceleration has no extremum
+    /// A zero of the acceleration at one of them is one at the other, and where the acceleration has no extremum
     /// between two zeros they are the same.
     fn period_since(&self, before: &Release, root: &Real) -> Option<Period> {
         let common = self.data.common_turns()?;

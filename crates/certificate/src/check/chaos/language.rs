@@ -1,4 +1,4 @@
-//! How many words of walls the motions in a region can make (Lemma V16).
+//! Numbers of words of walls that the motions in a region can make (Lemma V16).
 
 use std::collections::{BTreeMap, HashMap, HashSet};
 use std::ops::Range;
@@ -34,7 +34,7 @@ pub(super) struct Sets {
     next: Vec<Vec<usize>>,
 }
 
-/// What is said of the words, proved on a graph of its own: the boxes are cut finer until it is.
+/// Proves the claimed number of words and their entropy on a graph of its own: the boxes are cut finer until they are proved.
 pub(super) fn says_what_holds(
     claimed: &WallWordsDocument,
     (law, guess): (&Law, &Guess),
@@ -67,7 +67,7 @@ pub(super) fn says_what_holds(
     Err(Doubt::open(open))
 }
 
-/// Whether the number of words is proved to grow by a factor of `e^h` at most.
+/// Returns whether the number of words is proved to grow by a factor of `e^h` at most.
 pub(super) fn is_above(sets: &Sets, counts: &[BigInt], h: &BigRational) -> bool {
     if *h >= BigRational::one() {
         return true; // V16: there are two letters
@@ -133,7 +133,7 @@ impl Sets {
         (0..letters).map(longer).collect()
     }
 
-    /// Whether for a vector without members of 0 none of the sums over the next sets in the same part is more than `q` times its member.
+    /// Returns whether, for a vector without zero members, none of the sums over the next sets in the same part is more than `q` times its member.
     fn grow_by(&self, q: &Real) -> bool {
         let parts = self.parts();
         let inside: Vec<Vec<usize>> = self
@@ -169,7 +169,7 @@ impl Sets {
     }
 }
 
-/// What a node leads to, itself included, through nodes that are open.
+/// The nodes that a node leads to, itself included, through nodes that are open.
 fn reach(root: usize, next: &[Vec<usize>], is_open: impl Fn(usize) -> bool) -> HashSet<usize> {
     let (mut seen, mut open) = (HashSet::from([root]), vec![root]);
     while let Some(at) = open.pop() {

@@ -1,4 +1,4 @@
-//! Whether a set of boxes is closed under the map, both ways to go on at a graze included (Lemma V11, closed).
+//! Proof that a set of boxes is closed under the map, both ways to go on at a graze included (Lemma V11, closed).
 
 use std::collections::HashMap;
 
@@ -16,7 +16,7 @@ pub(super) struct Region {
     boxes: HashMap<[i64; 2], u32>,
 }
 
-/// What is told of flights: whether they end on the far wall, and with what phases and speeds; it answers whether that is allowed.
+/// A condition on flights, from whether they end on the far wall, and with what phases and speeds; returns whether they are allowed.
 type Note<'n> = &'n mut dyn FnMut(bool, [Span; 2]) -> bool;
 
 /// A box is halved so often, and gone through part by part from the other number on.
@@ -27,7 +27,7 @@ const LONGEST: f64 = 64.0;
 /// More boxes than these are not looked for.
 const MOST: f64 = 1e4;
 
-/// Why a box is not proved to be mapped into the set.
+/// The reason why a box is not proved to be mapped into the set.
 pub(super) enum Open {
     /// A ball may come to rest.
     Rest,
