@@ -8,7 +8,7 @@ use impact_pair_document::{
 use impact_pair_exact::Exact;
 use impact_pair_model::{Error, ImpactPair, Start, Wall, Word};
 
-/// What a periodic JSON claims of periodic orbits, or that of two-impact motions.
+/// The claims of a periodic JSON, or of that of two-impact motions.
 #[derive(Clone, Debug)]
 pub struct PeriodicCertificate {
     pair: ImpactPair,
@@ -23,7 +23,7 @@ pub struct PeriodicCertificate {
 /// A periodic JSON, or that of two-impact motions as one.
 struct Read {
     document: PeriodicDocument,
-    /// Whether something in it is undecided.
+    /// True if something in it is undecided.
     has_rest: bool,
     is_two_impact: bool,
     unjudged: Vec<String>,
@@ -167,17 +167,17 @@ impl PeriodicCertificate {
         self.orbits.len()
     }
 
-    /// Whether it claims that all that was asked is proved.
+    /// Returns whether it claims that all that was requested is proved.
     pub(super) fn says_all_is_proved(&self) -> bool {
         self.says_all_is_proved
     }
 
-    /// Whether no part of the state space is left undecided.
+    /// Returns whether no part of the state space is left undecided.
     pub(super) fn has_no_rest(&self) -> bool {
         self.has_no_rest
     }
 
-    /// Whether an orbit and its mirror image are listed as one.
+    /// Returns whether an orbit and its mirror image are listed as one.
     pub(super) fn mirrors_are_one(&self) -> bool {
         self.mirrors_are_one
     }

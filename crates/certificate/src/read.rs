@@ -10,7 +10,7 @@ use num_rational::BigRational;
 use super::attraction::Attraction;
 use impact_pair_model::{Error, EventKind, ImpactPair, Period, Start, Wall};
 
-/// What an orbit JSON claims of an orbit.
+/// The claims of an orbit JSON.
 #[derive(Clone, Debug)]
 pub struct Certificate {
     pair: ImpactPair,
@@ -99,7 +99,7 @@ impl Certificate {
         Ok(Self { pair, start, claim: of_start, events: claims, attraction, ended, unjudged })
     }
 
-    /// What claims nothing but a start.
+    /// Returns a certificate that claims nothing but a start.
     pub(super) fn of_start(pair: ImpactPair, start: Start) -> Self {
         let (claim, events, ended) = (ClaimName::default(), Vec::new(), OutcomeDocument::default());
         Self { pair, start, claim, events, ended, attraction: None, unjudged: Vec::new() }

@@ -27,7 +27,7 @@ pub(crate) struct Rest {
     pub wall: Wall,
     /// Since the origin.
     pub since: Real,
-    /// Whether it is from a phase on at which the contact force is exactly 0 that the wall is pressed.
+    /// True if the contact force is exactly 0 at the phase `since`, and positive from then on.
     pub begins: bool,
 }
 

@@ -23,7 +23,7 @@ pub(super) struct Round<'p> {
     pub common: Real,
     /// The cycles of the word \[rad\].
     pub lasting: Real,
-    /// Whether all its contacts have to be the first ones.
+    /// True if all its contacts have to be the first ones.
     pub is_physical: bool,
     /// About how long the flights last.
     pub times: Vec<Real>,

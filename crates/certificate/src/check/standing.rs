@@ -144,7 +144,7 @@ impl Last {
         }
     }
 
-    /// Whether a claimed mapping is that of a flight that ends on a wall.
+    /// Proves that a claimed mapping is that of a flight that ends on a wall.
     pub fn leads(self, mapping: Option<Mapping>, to: Wall) -> Result<(), Doubt> {
         match mapping {
             _ if mapping == self.mapping(to) => Ok(()),

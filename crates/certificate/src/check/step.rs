@@ -202,7 +202,7 @@ impl Launch {
     }
 }
 
-/// How a landing depends on a quantity `x`: `v dth1 = along dx`, `dv = y'' dth1 + beside dx`.
+/// The dependence of a landing on a quantity `x`: `v dth1 = along dx`, `dv = y'' dth1 + beside dx`.
 struct Slope<'x> {
     x: &'x Affine,
     along: Real,
@@ -210,7 +210,7 @@ struct Slope<'x> {
 }
 
 impl Term {
-    /// How a landing at `h` after a departure at the phase `since` depends on what of the harmonic is not known exactly.
+    /// The slopes of a landing at `h` after a departure at the phase `since`, by the data of the harmonic that are not known exactly.
     fn slopes(&self, wave: &Wave, since: &Real, h: &Real) -> Vec<Slope<'_>> {
         let Self { amplitude, phase, rate } = self;
         let mut slopes = Vec::new();

@@ -17,7 +17,7 @@ use impact_pair_model::Wall;
 pub(crate) struct Still {
     /// The last quarter period up to the phase last grazed, or that of the start.
     quarters: BigInt,
-    /// Whether the left wall is touched at 1/4 period, and the right wall at 3/4.
+    /// True where the left wall is touched at 1/4 period, and the right wall at 3/4.
     touches: [bool; 2],
 }
 
@@ -77,7 +77,7 @@ impl Still {
 }
 
 impl Walk<'_> {
-    /// Whether a ball that starts inside the gap without drift, so that `y + E` stays as it is, is proved to touch no wall:
+    /// Returns whether a ball that starts inside the gap without drift, so that `y + E` stays constant, is proved to touch no wall:
     /// nowhere where `E` may get to, or nowhere in a common period of all harmonics.
     pub(super) fn swings_freely(&self) -> Result<bool, Doubt> {
         let Some(data) = self.standing.start() else { return Ok(false) };

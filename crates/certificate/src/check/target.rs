@@ -33,7 +33,7 @@ pub(super) struct Target<'c> {
     pub cycles: u64,
     /// Of the reference, after which the shaking repeats.
     pub turns: BigInt,
-    /// Whether it must not run through a shorter orbit several times.
+    /// True if it must not run through a shorter orbit several times.
     pub is_whole: bool,
 }
 

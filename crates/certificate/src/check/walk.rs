@@ -25,7 +25,7 @@ pub(crate) struct Walk<'c> {
     pub clock: Clock,
     /// The whole half periods dropped from the phase that phases are counted from, which is within a turn of 0.
     pub(super) halves: BigInt,
-    /// Where it stands, and what is known there.
+    /// The place that it has reached, and what is known there.
     pub standing: Standing<'c>,
     /// The first release from each wall with one harmonic: half periods, impacts before it.
     pub(super) releases: [Option<(BigInt, u64)>; 2],
@@ -142,7 +142,7 @@ impl<'c> Walk<'c> {
         self.impacts += 1;
     }
 
-    /// Where after the departure the claim says to look: in the middle of what of its bounds comes later.
+    /// The claimed place of the next event, after the departure: the guess is the middle of the part of its bounds that comes later.
     pub(super) fn ahead(&self, claim: &Claim) -> Result<Claimed, Doubt> {
         let departed = self.standing.departure().phase.hull();
         let [from, to] = claim.time.each_ref().map(|time| self.clock.phase(time) - &departed);
@@ -189,7 +189,7 @@ pub(super) fn are_bounds([lower, upper]: &[BigRational; 2]) -> Result<(), Doubt>
     }
 }
 
-/// What is found lies inside the claimed bounds.
+/// Compares an enclosure with the claimed bounds that it must lie in.
 pub(super) fn compare(what: &str, found: &Real, claimed: &[BigRational; 2]) -> Result<(), Doubt> {
     let shown = || decimal_digits(&found.enclosure().rounded(160));
     match beside(found, claimed) {

@@ -1,4 +1,4 @@
-//! What a JSON of a global analysis says that no lemma of `check` is about.
+//! Statements of a JSON of a global analysis that no lemma of `check` covers.
 
 use impact_pair_document::{ComponentDocument, GlobalDocument};
 
@@ -38,7 +38,7 @@ pub(super) fn keys(document: &GlobalDocument, says_there_are_no_others: bool, ha
     keys
 }
 
-/// Whether it is not said of a periodic motion if it is its own mirror image: its period under the reduced map is not judged.
+/// Returns whether the document leaves open if a periodic motion is its own mirror image: its period under the reduced map is not checked.
 fn lacks_symmetry(own: &ComponentDocument) -> bool {
     own.orbit.as_ref().is_some_and(|orbit| orbit.symmetric.is_none())
 }

@@ -1,4 +1,4 @@
-//! Where a flight is cut for the proof: 3/4 of the way to the first zero of `y'`, and as much before the last one. Nothing
+//! Places where a flight is cut for the proof: 3/4 of the way to the first zero of `y'`, and as much before the last one. Nothing
 //! here is trusted; a cut in a bad place costs time, or the proof.
 
 use crate::check::Flight;
@@ -117,7 +117,7 @@ fn point(h: f64, bits: u32) -> Real {
     Real::point(Dyadic::from_f64(h).unwrap_or_else(Dyadic::zero), bits)
 }
 
-/// Where a sign changes between `a` and `b`.
+/// The place of a change of sign between `a` and `b`.
 fn bisected(sign: impl Fn(f64) -> bool, mut a: f64, mut b: f64, narrow: f64) -> f64 {
     let first = sign(a);
     while b - a > narrow {

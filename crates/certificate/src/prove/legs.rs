@@ -37,7 +37,7 @@ const FEW_BITS: f64 = 10.0;
 const SPARE_BITS: u32 = 20;
 /// Covers what is of second order in the radii.
 const MARGIN: f64 = 1.01;
-/// What is of second order in a box is at most `2^-8` of what is of first order, which [`MARGIN`] covers.
+/// Bits by which terms of second order in a box are at least smaller than those of first order: [`MARGIN`] covers a part of `2^-8`.
 const NEARLY_LINEAR: f64 = 8.0;
 
 /// The box of the start, with the finest grid, `2^-scale` or coarser.
@@ -148,7 +148,7 @@ fn magnitude(x: &Real) -> u32 {
     u32::try_from(x.enclosure().mag().top().unwrap_or(0) + 1).unwrap_or(0)
 }
 
-/// Whether a radius is an integer that can be written.
+/// Returns whether a radius is an integer that can be written.
 pub(super) fn is_sound(leg: &Leg) -> bool {
     let Box { rt, rv, t, v, .. } = &leg.arrival;
     rt.is_finite() && rv.is_finite() && !rt.is_negative() && !rv.is_negative() && t.bits() + v.bits() < 1 << 24

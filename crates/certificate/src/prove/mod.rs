@@ -25,7 +25,7 @@ pub struct Theorem {
     pub text: String,
     /// The impacts it proves.
     pub impacts: usize,
-    /// Why it does not prove all that were requested.
+    /// The reason why it does not prove all that were requested.
     pub stop: Option<Finding>,
 }
 
@@ -44,7 +44,7 @@ impl Certificate {
     /// `watch` receives the impacts computed so far, and may stop it: then fewer are proved.
     ///
     /// # Errors
-    /// When the scene's values are beyond what exact expressions or Coq's hold, the box is not shaken, or the orbit is a shadowed one.
+    /// Returns an error if the scene's values are beyond what exact expressions or Coq's hold, the box is not shaken, or the orbit is a shadowed one.
     ///
     /// # Examples
     /// ```

@@ -35,7 +35,7 @@ pub(super) struct Chain<'b> {
     budget: Budget<'b>,
     /// A phase near that of the saddle.
     near: Real,
-    /// Where the manifolds are proved to be analytic: by the parameter, and by the other datum.
+    /// Intervals of the parameter, and of the other datum, over which the manifolds are proved to be analytic.
     whole: [Real; 2],
     domains: [[Domain; 2]; 2],
     /// About how long the flights last, and whole forcing periods by which states are earlier than the flights say.
@@ -177,7 +177,7 @@ impl<'b> Chain<'b> {
         Ok(flown)
     }
 
-    /// How far flight `k` ends from the next state, or the last one from the stable manifold.
+    /// Difference of phase and speed between the end of flight `k` and the next state, or the stable manifold after the last flight.
     fn missed(&mut self, area: &Area, last: &End, jets: [&Jet; 2], k: usize) -> Result<[Real; 2], Doubt> {
         let (place, is_last) = (STATES + 2 * k, k + 1 == self.letters.len());
         let [phase, speed] = jets.map(|jet| jet.value(BITS).centre);

@@ -81,7 +81,7 @@ impl<'b> Launch<'b> {
         }
     }
 
-    /// Whether each flight has no other contact up to this time: the ball moves towards the wall of its contact all the while.
+    /// Returns whether each flight has no other contact up to this time: the ball moves towards the wall of its contact all the while.
     pub fn is_only(&self, contact: &Real, other: &Real) -> bool {
         !self.flight.slope(&contact.hull(other)).is_across()
     }

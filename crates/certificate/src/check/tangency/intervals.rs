@@ -73,7 +73,7 @@ impl Tangencies<'_, '_> {
         self.system.found(&mut self.chain, at, &[(OTHER, radius)])
     }
 
-    /// Whether all of them are within the bounds that are claimed.
+    /// Returns whether all of them are proved to be within the bounds that are claimed.
     fn are_inside(&self, found: &Found) -> Result<bool, Doubt> {
         let parameter = self.setting.parameter(&found.bounds[PARAMETER]);
         let parameter = parameter.ok_or_else(|| Doubt::open("the parameter is not proved to be positive"))?;

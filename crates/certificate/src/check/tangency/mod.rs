@@ -1,6 +1,6 @@
-//! Whether a JSON of tangencies is right: each is found again by single shooting in multiprecision, from manifolds that are
-//! power series of a scalar equation with proved remainders (Lemmas V17-V19, V29). What it claims of boxes of states is proved by the equations of
-//! all flights (Lemmas V31, V32).
+//! Check of a JSON of tangencies: each is found again by single shooting in multiprecision, from manifolds that are power series of a
+//! scalar equation with proved remainders (Lemmas V17-V19, V29). What it claims of boxes of states is proved by the equations of all
+//! flights (Lemmas V31, V32).
 //!
 //! In reading order: [`jet`] and [`disc`] (arithmetic), [`saddle`], [`local`] (where the manifolds are analytic), [`series`],
 //! [`flights`], [`shot`] (from one manifold to the other), [`newton`] (zeros); [`chain`] (all flights), [`krawczyk`], [`beside`] (common
@@ -273,7 +273,7 @@ impl ClaimedTangency {
     }
 }
 
-/// What is found for some values of the bounds only refutes nothing.
+/// Turns a refutation for some values of the bounds only into an undecided claim.
 fn unproved(doubt: Doubt) -> Doubt {
     match doubt {
         Doubt::False(message) | Doubt::Open(message) => Doubt::Open(message),

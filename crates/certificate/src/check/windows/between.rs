@@ -1,4 +1,4 @@
-//! Whether all orbits between the two ends of a window are stable, on one curve through the orbit that is listed (Lemma V30).
+//! Proofs that all orbits between the two ends of a window are stable, on one curve through the orbit that is listed (Lemma V30).
 //!
 //! Points of the curve are found by Newton's iteration, each in a tiny cell in which it is proved. Cells over the way from one to the next are
 //! proved to hold one curve, of stable orbits, or, next to an end, one along which the eigenvalue that passes 1 or -1 does so once.
@@ -145,7 +145,7 @@ impl Start<'_> {
     }
 }
 
-/// What is found of another orbit than that of the document refutes nothing.
+/// Turns a refutation into an undecided claim: it may be about another orbit than that of the document.
 fn unproved(doubt: Doubt) -> Doubt {
     match doubt {
         Doubt::False(message) | Doubt::Open(message) => Doubt::Open(message),
@@ -389,7 +389,7 @@ mod tests {
         Budget::new(Effort::default().work, Effort::default().parts, &Unwatched)
     }
 
-    /// What is proved of the orbits between the ends of a window with another value, its orbit and its ends not checked.
+    /// The verdict on the orbits between the ends of a window with another value, its orbit and its ends not checked.
     fn between(key: &str, value: Value) -> Result<u32, Doubt> {
         let mut document: Value = serde_json::from_str(DOCUMENT).unwrap();
         *document["windows"][0].pointer_mut(key).unwrap() = value;
