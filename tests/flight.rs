@@ -123,7 +123,7 @@ proptest! {
         }
     }
 
-    /// Where the enclosure has decided, plain doubles with either trigonometry are close (a label, not a proof).
+    /// Plain doubles with either trigonometry are close to a contact that the enclosure has decided (a label, not a proof).
     #[test]
     fn plain_doubles_agree_with_wide_margin_flights((alpha, wall, phase, speed) in starts()) {
         let Some((flight, contact)) = certified(alpha, wall, phase, speed) else { return Ok(()) };

@@ -19,7 +19,7 @@ const NOTHING: &str = "cos(pi/5) - cos(2*pi/5) - 1/2";
 const ONE: &str = "amplitude = 8, frequency = \"pi\", phase = 0.3";
 const TWO: &str = "amplitude = [8, \"1/3\"], frequency = [\"pi\", \"2*pi\"], phase = [0.3, 0.7]";
 const INCOMMENSURATE: &str = "amplitude = [8, \"1/3\"], frequency = [\"pi\", \"sqrt(2)*pi\"], phase = [0.3, 0.7]";
-/// What the starts of intervals are run in.
+/// Bits of the runs from the starts of intervals.
 const BITS: u32 = 256;
 /// Halvings of an interval of starts.
 const HALVINGS: u32 = 90;
@@ -65,8 +65,8 @@ fn middle(x: &Enclosure) -> BigRational {
     (x.inf().to_rational() + x.sup().to_rational()) / BigRational::from_integer(2.into())
 }
 
-/// Whether between these velocities, at the scene's time and place, there is one that has these impacts: the one with the time of the
-/// last of them, found by halving, where the ends are on its two sides.
+/// Returns whether there is a velocity between these, at the scene's time and place, that has these impacts: the one with the time of the last
+/// of them, found by halving, where the ends are on its two sides.
 fn has_them(scene: &Scene, velocity: &Enclosure, impacts: &[Listed]) -> bool {
     let last = impacts.len() - 1;
     let is_late =

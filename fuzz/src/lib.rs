@@ -13,7 +13,7 @@ pub fn config() -> Config {
     Config { cases, failure_persistence: None, ..Config::default() }
 }
 
-/// What numbers, words and signs are replaced by.
+/// Replacements of numbers, words and signs.
 const TOKENS: [&str; 40] = [
     "0",
     "-0",

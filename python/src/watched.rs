@@ -18,7 +18,7 @@ const BLINK: Duration = Duration::from_millis(50);
 /// Bytes of the thread's stack: as a program's own.
 const STACK: usize = 8 << 20;
 
-/// How far work is, and whether it is to go on.
+/// The progress of a computation, and a flag that stops it.
 #[derive(Debug, Default)]
 pub struct Monitor {
     stopped: AtomicBool,

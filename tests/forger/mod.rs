@@ -143,7 +143,7 @@ fn spread(all: Vec<Forged>, most: usize) -> Vec<Forged> {
     all.into_iter().enumerate().filter(|(i, _)| is_taken(*i)).map(|(_, forged)| forged).collect()
 }
 
-/// How often each judgement was found of each kind of document.
+/// Number of times that each verdict was found, by forgery and kind of document.
 type Counts = BTreeMap<(&'static str, &'static str, Judgement), usize>;
 
 fn table(counts: &Counts, kinds: &[&'static str]) -> String {

@@ -42,7 +42,7 @@ pub const FORGERIES: &[Forgery] = &[
 
 const ORBITS: [&str; 4] = ["periodic", "two-impact", "bifurcations", "cycles"];
 
-/// Where the orbits stand, each in an entry of a list.
+/// The path of the list that holds the orbits, each in an entry, and its entries.
 fn list(original: &Original) -> Option<(&'static str, &[Value])> {
     let (key, path) = if original.is(&["bifurcations"]) { ("points", "/points") } else { ("orbits", "/orbits") };
     if !original.is(&ORBITS) {

@@ -8,17 +8,17 @@ use serde_json::{Value, json};
 
 /// A document with one thing changed.
 pub struct Change {
-    /// Where.
+    /// The path of the change, without the positions in lists.
     pub path: String,
-    /// How.
+    /// The change in words.
     pub what: String,
     pub document: Value,
-    /// Where, with the positions in lists.
+    /// The path with the positions in lists.
     place: String,
 }
 
 impl Change {
-    /// Whether it is at, or in, what stands at a key, which may have positions in lists.
+    /// Returns whether it is at a key, which may have positions in lists, or in the value there.
     pub fn is_at(&self, key: &str) -> bool {
         self.path.starts_with(key) || self.place.starts_with(key)
     }
@@ -95,7 +95,7 @@ fn remove(document: &mut Value, path: &[String]) {
     }
 }
 
-/// What may stand instead of a value; `None` is nothing at all.
+/// Other values for a place, each with its name; `None` leaves the key out.
 fn others(path: &[String], value: &Value) -> Vec<(String, Option<Value>)> {
     let mut others: Vec<(String, Option<Value>)> = vec![("left out".into(), None)];
     let mut put = |what: &str, value: Value| others.push((what.into(), Some(value)));

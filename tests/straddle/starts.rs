@@ -80,7 +80,7 @@ impl Dice {
     }
 }
 
-/// What a scene is made of: expressions.
+/// The parts of a scene, as expressions.
 pub struct Parts {
     amplitude: String,
     frequency: String,

@@ -1,4 +1,4 @@
-//! What `check` lists as claims: each value is there or named beside, and none is there that is not compared.
+//! Claims as `check` lists them: each value of a document is listed or named beside, and no value is listed that is not compared.
 
 use std::collections::BTreeSet;
 
@@ -17,7 +17,7 @@ pub fn text(lines: &[Value]) -> String {
     lines.iter().map(Value::to_string).collect::<Vec<_>>().join("\n")
 }
 
-/// What `check` finds; `None` where the document is refused as it is read.
+/// The result of `check`; `None` where the document is refused as it is read.
 pub fn checked(lines: &[Value], watch: &dyn Watch) -> Option<CheckDocument> {
     let text = text(lines);
     let claims = Claims::parse(&text).ok()?;
@@ -151,7 +151,7 @@ fn r32_every_value_of_every_schema_is_judged_or_named() {
     assert!(told > 8 * refused.len() && told > 300, "{told} {refused:?}");
 }
 
-/// What this version does not know it does not judge, wherever it stands.
+/// Keys that this version does not know are not confirmed at any place.
 #[test]
 fn r48_keys_that_are_not_known_are_named_or_refused() {
     let (mut named, mut refused) = (0, 0);
@@ -248,7 +248,7 @@ fn bounds(value: &Value) -> Option<[f64; 2]> {
     Some([low.as_str()?.parse().ok()?, high.as_str()?.parse().ok()?])
 }
 
-/// Whether a claim holds whatever stands there.
+/// Returns whether a claim holds for every value at a path.
 fn holds_for_all(name: &str, path: &str, head: &Value) -> bool {
     let excitation = &head["scene"]["excitation"];
     let is_one = excitation["phase"].as_array().is_some_and(|all| all.len() == 1);

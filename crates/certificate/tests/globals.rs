@@ -219,7 +219,7 @@ fn r52_the_window_of_figure_16_is_confirmed() {
     assert_eq!(checked(&document).verdict, VerdictName::Confirmed);
 }
 
-/// Whether components are closed is not judged: nor is a class that follows from that alone.
+/// A claim that components are closed is not checked: nor is a class that follows from that alone.
 #[test]
 fn r42_a_class_of_closed_components_is_not_judged() {
     let document = recorded("global");

@@ -96,7 +96,7 @@ fn v38_cells_that_are_others_are_refuted() {
     refuted("/quarters", more);
 }
 
-/// What is not checked of a point is not checked of a cell that another one is cut into, and nothing of one that claims nothing itself.
+/// Keys that are not checked of a point are not checked of a cell that another one is cut into, and no key of one that claims nothing itself.
 #[test]
 fn r48_what_is_not_checked_of_a_cell_that_is_cut_is_named() {
     let [head, mut tile] = cut();

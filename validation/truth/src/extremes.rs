@@ -4,7 +4,7 @@ use crate::flight::{Flight, Truth, Unresolved};
 use crate::problem::Wall;
 use rug::Float;
 
-/// Where an extreme lies against the wall it points to.
+/// The place of an extreme against the wall it points to.
 enum Reach {
     Inside,
     Outside,

@@ -16,7 +16,7 @@ use crate::root::Piece;
 use rug::float::Constant;
 use rug::{Assign, Float};
 
-/// What becomes of a free flight.
+/// The end of a free flight.
 #[derive(Clone, Debug)]
 pub enum Truth {
     /// The ball meets `wall` at `time` (absolute) with relative velocity `velocity_before`, for the first time.
@@ -40,7 +40,7 @@ pub enum Truth {
     },
 }
 
-/// How a flight begins.
+/// The beginning of a flight.
 enum Heading {
     /// It first moves towards this wall.
     Towards(Wall),

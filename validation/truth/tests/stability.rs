@@ -242,7 +242,7 @@ fn whole_periods_before_the_start_change_nothing() {
     }
 }
 
-/// Whether a start there may have a velocity to the right.
+/// Returns whether a start has its velocity to the right here: on the right wall, and nowhere else.
 fn place_sign(place: &At) -> bool {
     matches!(place, At::Wall(Wall::Right))
 }
@@ -374,8 +374,8 @@ fn releases_are_decided_in_every_arithmetic() {
     }
 }
 
-/// What no precision decides costs little: a ball that grazes its wall once a turn for ever (the paper's model II), and
-/// a drift that takes more than 2^52 turns to cross the gap.
+/// Motions that no precision decides cost little: a ball that grazes its wall once in each forcing period for ever (the paper's model II), and
+/// a drift that takes more than 2^52 forcing periods to cross the gap.
 #[test]
 fn what_no_precision_decides_costs_little() {
     let scene = |tau: &str, time: &str| Scene {

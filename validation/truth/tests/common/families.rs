@@ -28,7 +28,7 @@ where
     Float::with_val(BITS, value)
 }
 
-/// What a flight is made of before its velocity is known.
+/// The data of a flight before its velocity is known.
 #[derive(Clone, Debug)]
 pub struct Draft {
     /// A/d
@@ -66,7 +66,7 @@ impl Draft {
     }
 }
 
-/// Which of the extrema after the start.
+/// The order of an extremum after the start.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Order {
     First,
@@ -74,7 +74,7 @@ pub enum Order {
     Later,
 }
 
-/// How a flight comes to its graze: from where, with which first move, at which extremum.
+/// The way of a flight to its graze: from where, with which first move, at which extremum.
 #[derive(Clone, Copy, Debug)]
 pub struct Approach {
     pub from_wall: bool,

@@ -1,4 +1,4 @@
-//! What the tests share: a seeded generator and problems biased to corners.
+//! Shared parts of the tests: a seeded generator and problems biased to corners.
 #![allow(dead_code)] // each test crate uses a part
 
 pub mod aim;

@@ -10,7 +10,7 @@ use impact_pair_truth::{Number, Wall, pi_times};
 use rug::Float;
 use std::f64::consts::TAU;
 
-/// How a ball is about to touch a wall.
+/// The motion of a ball that is about to touch a wall.
 #[derive(Clone, Copy, Debug)]
 enum Way {
     /// It hops: a slow start from the wall, against an acceleration towards it.

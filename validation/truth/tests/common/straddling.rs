@@ -13,7 +13,7 @@ use rug::Float;
 /// Bits of the truth: times of 2^60 turns and offsets of 10^-60 leave more than 512.
 pub const BITS: u32 = 768;
 
-/// What the truth says of a first impact.
+/// The verdict of the independent simulator on a first impact.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Judgement {
     /// Wall, time and velocity are right.
@@ -47,7 +47,7 @@ impl Judgement {
     ];
 }
 
-/// Why judging ends before the impact: a wrong claim, or nothing more to judge.
+/// A result, or the verdict at which the comparison ends before the impact: a wrong claim, or nothing more to compare.
 type Judged<T> = Result<T, (Judgement, String)>;
 
 fn wrong<T>(words: String) -> Judged<T> {
@@ -98,7 +98,7 @@ struct Pair<'a> {
     problem: &'a Problem,
     start: Start,
     orbit: Orbit,
-    /// What was passed before the impact.
+    /// The verdict so far, by the rests and grazes passed before the impact.
     passed: Judgement,
 }
 

@@ -1,4 +1,4 @@
-//! Where two features meet: traits of a scene times all that can be asked, each answer judged by `check` and by a truth that shares no code.
+//! Crossings of features: traits of a scene times all questions, each answer compared with `check` and with a truth that shares no code.
 //!
 //! All pairs of traits, and all triples of start, excitation and question, by a covering array ([`traits`]): `CROSSINGS_CASES` answers
 //! from `CROSSINGS_SEED`, a number or `fresh` (printed, so that it can be given again), by default those rows of the array that cross a pair

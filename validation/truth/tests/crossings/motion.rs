@@ -9,7 +9,7 @@ use std::cmp::Ordering;
 use super::flight::{Next, Shaken, State, float};
 use super::members::{Bounds, Member, decimal, named, value};
 
-/// Why judging ends: a claim is wrong, or the truth does not decide.
+/// The reason why a comparison ends: a claim is wrong, or the truth does not decide.
 #[derive(Clone, Debug)]
 pub enum Halt {
     Wrong(String),
@@ -42,7 +42,7 @@ impl<'a> Motion<'a> {
         Self { shaken, state, touches: 0 }
     }
 
-    /// What comes next; its `Open` ends the judging.
+    /// The next event; where the simulator leaves it open the comparison ends.
     fn next(&self) -> Judged<Next> {
         match self.shaken.next(&self.state) {
             Next::Open => Err(Halt::Open("the flight is too long for the truth")),
@@ -61,7 +61,7 @@ impl<'a> Motion<'a> {
         self.touches += 1;
     }
 
-    /// Whether the last bounce is so slow that the rest has come; without a loss of speed none comes.
+    /// Returns whether the last bounce is so slow that the rest has come; without a loss of speed none comes.
     fn has_ended(&self) -> bool {
         if self.shaken.restitution == 1 {
             return false;
@@ -224,7 +224,7 @@ impl<'a> Motion<'a> {
         }
     }
 
-    /// How it ended.
+    /// Compares the outcome with the motion after the last event.
     pub fn ended(&mut self, outcome: &Value, member: &Member) -> Judged<()> {
         let what = format!("{} after the last event", outcome["kind"]);
         match outcome["kind"].as_str().unwrap_or_default() {

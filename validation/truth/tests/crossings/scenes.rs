@@ -6,7 +6,7 @@ use impact_pair::exact::Exact;
 use super::traits::{Crossing, Data, Excitation, Question, Restitution, Start};
 use crate::common::Random;
 
-/// Where `LR` in one cycle has its fold near the scene's values, for `e = 1/2`: `A/d = 1/sqrt(4 + 9 pi^2)` (Lemma W2).
+/// Amplitude, frequency and gap near the fold of `LR` in one cycle, for `e = 1/2`: `A/d = 1/sqrt(4 + 9 pi^2)` (Lemma W2).
 pub const NEAR_FOLD: [&str; 3] = ["1", "pi", "9.42497"];
 
 /// A scene with its crossing.
@@ -15,7 +15,7 @@ pub struct Case {
     /// The scene file.
     pub text: String,
     pub scene: Scene,
-    /// What is drawn for the question.
+    /// The random numbers from which the question is drawn.
     pub random: Random,
 }
 

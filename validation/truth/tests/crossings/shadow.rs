@@ -13,10 +13,10 @@ use super::motion::{Halt, Judged, Motion, shown, wrong};
 
 /// Newton's steps for an impact.
 const STEPS: u32 = 12;
-/// Where the last impact is led in its bounds.
+/// Parts of its bounds at which the last impact is sought.
 const PLACES: [f64; 5] = [0.5, 0.25, 0.75, 0.1, 0.9];
 
-/// What of the start is varied.
+/// The datum of the start that is varied.
 #[derive(Clone, Copy, PartialEq)]
 enum Varied {
     Time,

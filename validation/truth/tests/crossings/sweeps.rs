@@ -14,7 +14,7 @@ use crate::common::Random;
 /// The harmonics in whose phase all states so far may be told.
 type Units = BTreeSet<usize>;
 
-/// Which harmonics a phase may be that of, at a time within bounds.
+/// The numbers of the harmonics whose phase it may be, at a time within bounds.
 fn units(tones: &[Tone], time: &Bounds, phase: &Bounds) -> Units {
     let turn = float(Constant::Pi) * 2;
     let fits = |tone: &Tone| {
@@ -27,7 +27,7 @@ fn units(tones: &[Tone], time: &Bounds, phase: &Bounds) -> Units {
     (0..tones.len()).filter(|&number| fits(&tones[number])).collect()
 }
 
-/// Whether two bounds of one thing meet.
+/// Returns whether two bounds of one quantity overlap.
 fn meet(a: &Value, b: &Value) -> bool {
     let (Some(a), Some(b)) = (Bounds::read(a), Bounds::read(b)) else { return false };
     a.0 <= b.1 && b.0 <= a.1
