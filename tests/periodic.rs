@@ -380,7 +380,7 @@ fn r32_what_rests_is_excluded_from_what_is_proved_to_be_all() {
     let document = two_impact(&start, &answer, Wall::Left);
     assert!(document.exhaustive && document.orbits.iter().all(|orbit| orbit.physical != Some(true)));
     assert_eq!(document.excludes.as_deref(), Some("motions that rest"));
-    // Where not all are looked for, there is nothing to exclude.
+    // A search that is not for all has nothing to exclude.
     let some = Units::gaps(&pair).unwrap().document(&problem, &start, &problem.find(&start, Precision::default()));
     assert_eq!((some.exhaustive, some.excludes), (false, None));
 }

@@ -123,7 +123,7 @@ fn r32_a_shadow_of_uncertain_direction_starts_at_the_time_of_the_scene() {
 fn r32_a_splice_after_a_start_of_uncertain_direction_knows_how_far_it_is() {
     let scene = scene(ONE, "1.3", "1.3591249314245908", NOTHING);
     for splice in [2, 8, 12] {
-        // What does not expand along this segment is no shadow.
+        // An orbit that does not expand along this segment is not shadowed.
         if let Some((impacts, near)) = claimed(&scene, splice, 20) {
             assert!(has_them(&scene, &near, &impacts), "{splice}: {near:?}");
         }

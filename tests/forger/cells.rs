@@ -77,7 +77,7 @@ fn misplaced(original: &Original) -> Vec<Forged> {
 fn other_verdict(original: &Original) -> Vec<Forged> {
     let mut all = Vec::new();
     for (k, stretch) in stretches(original).iter().enumerate() {
-        // What is stable may attract the scene's own orbit as well, and the reverse.
+        // A stable orbit may attract the scene's own orbit as well, and the reverse.
         let others = ["horseshoe", "attracted", "stable", "undecided", "chaotic"];
         let is_other = |other: &&&str| {
             let both = ["attracted", "stable"];

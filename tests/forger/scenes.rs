@@ -36,7 +36,7 @@ fn under(original: &Original, what: String, scene: Value) -> Option<Forged> {
     // Of basins no impact is listed, but what becomes of them.
     let is_of_basins = original.is(&["sweep"]) && original.document[0]["summary"] == true;
     let forged = if is_of_basins { forged.at(&["[1].period", "[1].exponent"]) } else { forged };
-    // Where there is no impact a neighbour may have none either.
+    // If there is no impact, a neighbour may have none either.
     Some(forged.probably())
 }
 

@@ -236,7 +236,7 @@ pub fn told(document: &Value) -> Value {
     }
     let Some(outcome) = told.get("outcome") else { return told };
     let Ok(outcome) = serde_json::from_value::<OutcomeDocument>(outcome.clone()) else { return told };
-    // Where only the count was changed it is what is wrong; where impacts were, it follows.
+    // If only the count was changed it is the error; if impacts were, it follows from them.
     let listed = document["events"]
         .as_array()
         .map_or(0, |events| events.iter().filter(|event| event["event"] == "impact").count());

@@ -193,7 +193,7 @@ impl Part {
         let is_other = |key: &&String| !of_points(key);
         let is_own = |key: &&String| key.starts_with("components") || *key == "class";
         let own = self.global.unjudged().iter().filter(is_own).filter(is_other).map(String::as_str);
-        // How many sets of saddle type there are is judged where each is. Lemma V28
+        // The number of sets of saddle type is checked where each of them is. Lemma V28
         let counts_sets = self.global.claimed().iter().any(|claim| claim.is_saddle_set);
         let count = (counts_sets && !self.global.says_there_are_no_others()).then_some("n_saddle");
         own.chain(count).map(|key| format!("{}.{key}", self.path)).collect()

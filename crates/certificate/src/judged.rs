@@ -150,7 +150,7 @@ impl Part<'_> {
     fn decisive(&self, judged: &Judged) -> Option<(String, String)> {
         let Finding { event, message } = judged.finding()?;
         if let Claims::Description(_) = self.claims {
-            // What contradicts its documents begins with the key.
+            // A contradiction to its documents begins with the key.
             let key = message.split(' ').next().filter(|_| *event == self.first)?;
             return Some((key.to_owned(), message.clone()));
         }
@@ -168,7 +168,7 @@ impl Part<'_> {
         items: Option<&str>,
     ) -> JudgedClaim {
         let reason = decisive.filter(|(decisive, _)| *decisive == path).map(|(_, message)| message.clone());
-        // What is said of the whole comes after its items.
+        // Claims about the whole come after its items.
         let item = items.and_then(|items| position(&path, items)).unwrap_or(self.claims.count()); // exact: a position
         let is_confirmed = matches!(judged.verdict, Verdict::Confirmed { .. }) || self.first + item < judged.confirmed;
         let verdict = match (&reason, is_confirmed) {

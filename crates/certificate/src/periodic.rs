@@ -81,7 +81,7 @@ impl PeriodicCertificate {
             "undecided",
             "solved_for",
         ]));
-        // Where it claims nothing, nothing is left out.
+        // A search that does not claim to be exhaustive has nothing to leave out.
         unjudged.extend(document.exhaustive.then(|| "exhaustive".to_owned()));
         // That all is proved says of a search that there are no others; of two impacts it is always said.
         unjudged.extend((document.certified && (document.exhaustive || is_two_impact)).then(|| "certified".to_owned()));

@@ -84,7 +84,7 @@ impl Certificate {
         }
         unjudged.sort();
         unjudged.dedup();
-        // What every kind says, older documents do not.
+        // The fields that each kind requires; documents of older versions lack some.
         let required: &[&str] = match ended.kind.as_str() {
             "time-reached" => &["impacts", "until"],
             "periodic" => &["impacts", "period"],

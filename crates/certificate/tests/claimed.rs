@@ -21,7 +21,7 @@ pub fn text(lines: &[Value]) -> String {
 pub fn checked(lines: &[Value], watch: &dyn Watch) -> Option<CheckDocument> {
     let text = text(lines);
     let claims = Claims::parse(&text).ok()?;
-    // Where nothing is to be decided it is soon given up.
+    // Documents in which nothing is to be decided are soon given up.
     let is_light = lines[0]["claim"].is_string() || lines[0]["schema"] == CHAOS_CELLS_SCHEMA;
     let work = if is_light { 1 << 12 } else { effort().work };
     let effort = Effort { bits: 1 << 12, pieces: 16, work, ..Effort::default() };
@@ -261,7 +261,7 @@ fn holds_for_all(name: &str, path: &str, head: &Value) -> bool {
         "scene.excitation.frequency" => name == "never" || name == "cells",
         "scene.excitation.phase" | "scene.start.time" => name == "trap" || name == "cells",
         "scene.start.wall" => name == "cells",
-        // What chatters on one wall does not see the other; a dead impact forgets how fast it was.
+        // A chatter on one wall does not depend on the other; a perfectly plastic impact forgets the speed before it.
         "scene.gap" => name == "chatter in a time",
         "scene.start.velocity" => name == "dead impacts under two" || name == "cells",
         _ => false,
@@ -280,8 +280,8 @@ fn pointer_of(lines: &[Value], path: &str) -> Option<String> {
 fn r32_nothing_is_listed_as_a_claim_that_is_not_compared() {
     let (mut refused, mut missed, mut compared) = (0, Vec::new(), BTreeSet::new());
     let is_all = number("PROPTEST_CASES", 256) >= 100_000;
-    // What is undecided from its start on claims nothing but that it is so. A word that is not there is sought for seconds, and so
-    // are orbits of which shorter ones are asked as well. Boxes between two manifolds take seconds each.
+    // A document that is undecided from its start on claims nothing else. A word that does not exist is sought for seconds, and so
+    // are orbits of which shorter ones are requested as well. Boxes between two invariant manifolds take seconds each.
     let slow = ["chaos", "three turns", "attracted under two", "tangency counted", "tangency interval"];
     // Others of the same schema have the same keys.
     let like_others = ["attracted in a time", "chatter in a time", "dead impacts under two", "sweep over a term"];
@@ -307,7 +307,7 @@ fn r32_nothing_is_listed_as_a_claim_that_is_not_compared() {
             if !seen.insert(unnumbered.clone()) || holds_for_all(&name, &unnumbered, &lines[0]) {
                 continue;
             }
-            // What is compared in a document of this kind is compared by the same code in others.
+            // Claims of a document of this kind are compared by the same code in others.
             let is_new = compared.insert((kind.clone(), unnumbered.clone()));
             if !is_all && (!is_new || seen.len() % share != 0) {
                 continue;
@@ -319,7 +319,7 @@ fn r32_nothing_is_listed_as_a_claim_that_is_not_compared() {
                 let mut copy = whole.clone();
                 *copy.pointer_mut(&pointer).unwrap() = other.clone();
                 let mut lines = copy.as_array().unwrap().clone();
-                // What counts or says in words what is changed is told anew, unless it is what is changed.
+                // Counts and texts about the changed value are made anew, unless they are the change itself.
                 if lines.len() == 1 && !["impacts", "index", "message"].contains(&key.as_str()) {
                     lines[0] = changes::told(&lines[0]);
                 }

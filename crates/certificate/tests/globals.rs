@@ -127,7 +127,7 @@ fn r42_a_reduced_period_is_the_least() {
     around_thrice["reduced_impacts"] = json!(3);
     around_thrice["spectral_radius"] = json!(["0", "4"]);
     assert_eq!(of(&around_thrice), VerdictName::Undecided);
-    // Where it is not said whether it is its mirror image, its period under the reduced map is not judged.
+    // If the document leaves open whether it is its mirror image, its period under the reduced map is not checked.
     doubled["orbit"]["symmetric"] = Value::Null;
     let found = checked(&with(&document, "undecided", &[&doubled, &open(false)]));
     assert!(found.not_checked.contains(&"components[0].reduced_impacts".to_owned()), "{:?}", found.not_checked);

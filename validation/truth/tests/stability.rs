@@ -98,12 +98,12 @@ fn random_corners_are_the_same_in_every_arithmetic() {
         impacts += autos[0].len();
         least += runs[0].len();
         for run in autos {
-            // How much of a chatter is listed depends on the digits asked for.
+            // The number of listed impacts of a chatter depends on the digits requested.
             assert!(run.rests || run.len() >= runs[0].len(), "{:?} {}: {scene:?}", run.kind, run.len());
             let same = (run.len(), run.end()) == (autos[0].len(), autos[0].end());
             assert!(run.rests || autos[0].rests || same, "{:?}: {scene:?}", run.kind);
         }
-        // What auto leaves open the truth does, too: the ball rests, never meets a wall again, or in 2^52 turns.
+        // Motions that auto leaves open the truth does, too: the ball rests, never meets a wall again, or in 2^52 forcing periods.
         if let Outcome::Undecided { reason, .. } = autos[0].outcome() {
             let truth = scene.truth(2048, [0.0; 5], autos[0].len() + 1);
             let goes_on = truth.len() > autos[0].len();

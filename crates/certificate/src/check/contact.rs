@@ -71,7 +71,7 @@ fn isolate(flight: &Flight, from: Start, wall: Wall, claimed: &Claimed) -> Resul
     let h = newton(flight, wall, &guessed);
     let is_near = |x: &Real| x.is_positive() && !(guessed.clone() + &guessed).is_below(x);
     let Some((before, after)) = Some(&h).filter(|h| is_near(h)).and_then(|h| bracket(flight, wall, h)) else {
-        // Where no contact is found near the guess, one before it, or none at all, may be.
+        // No contact is found near the guess: one before it may be, or none at all.
         if claimed.is_first {
             refute(flight, from, wall, claimed)?;
             clear(flight, from, &guessed, &claimed.from)?;

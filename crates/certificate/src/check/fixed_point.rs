@@ -39,7 +39,7 @@ impl<'r> FixedPoint<'r> {
             let ellipse = basin.around(centre.clone(), size).ok_or_else(open)?;
             let contraction = ellipse.contracted(round)?;
             if contraction.is_proved() {
-                // What is in both is the only orbit of either.
+                // An orbit in both sets is the only one of either.
                 let is_it = basin.holds(&contraction.landings[0]);
                 let Contraction { landings, derivative, .. } = contraction;
                 let orbit = Self { round, basin: Some(basin), landings, derivative, is_mirrored: false };

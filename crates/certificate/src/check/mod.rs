@@ -242,7 +242,7 @@ impl Certificate {
     /// The verdict on all events and the outcome.
     fn judged(&self, effort: &Effort, data: &Data, progress: &mut impl FnMut(usize)) -> Verdict {
         let (mut bits, mut pieces, mut cut) = (FIRST_BITS, vec![Piece::default()], 1);
-        // Where more bits did not help, and how many there were at first.
+        // The event at which more bits did not help, and the number of bits at first.
         let mut stuck = (0, bits);
         while let Some(piece) = pieces.pop() {
             let mut walk = Walk::new(self, data, &piece, bits);
@@ -289,7 +289,7 @@ impl Certificate {
         let mut walk = Walk::new(self, &data, &Piece::default(), bits);
         let mut found = Vec::new();
         for claim in self.events() {
-            // Whether the set lies inside the printed bounds does not matter here.
+            // It does not matter here if the set lies inside the printed bounds.
             let before = walk.impacts;
             let _ = walk.confirm(claim);
             if !claim.kind.is_impact() {

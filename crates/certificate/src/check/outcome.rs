@@ -138,7 +138,7 @@ impl Walk<'_> {
         let flight = departure.flights(&self.parameters);
         match clear_throughout(&flight, departure.start, &end, &least) {
             Ok(()) => Ok(()),
-            // Where the flight would be beyond a wall it has hit one.
+            // A flight that would be beyond a wall has hit it.
             Err(Doubt::Open(doubt))
                 if !(least.is_positive() && matches!(flight.place(&flight.height(&least)), Part::Contact)) =>
             {

@@ -32,7 +32,7 @@ impl Walk<'_> {
     pub(super) fn release_of_several(&mut self, rest: &Rest, claim: &Claim) -> Result<(), Doubt> {
         let root = self.turning(rest).ok_or_else(|| Doubt::open("no release is proved"))?;
         compare("time", &self.clock.time(&root), &claim.time)?;
-        // How the release depends on the data hardly matters: what lands depends on it by p - E''(0) h = 0.
+        // The dependence of the release on the data hardly matters: a landing depends on it by p - E''(0) h = 0.
         let released = Affine::fixed(root.clone()).recentred();
         self.standing = Standing::released(&self.parameters, rest.wall, released);
         if self.period.is_none() {

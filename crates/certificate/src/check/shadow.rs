@@ -244,7 +244,7 @@ impl Shadow<'_> {
                 let standing = Standing::after(&frame.parameters, landing);
                 Walk::at((self.certificate, data), frame, standing, *impacts)
             }
-            // Where there is no chain the start is the scene's.
+            // Without a chain the start is the scene's.
             None => Walk::new(self.certificate, data, &Piece::default(), bits),
         };
         let mut offs = Vec::new();

@@ -21,7 +21,7 @@ pub(super) fn keys(document: &GlobalDocument, says_there_are_no_others: bool, ha
     keys.push(if has_basins { "basins.boxes" } else { "greatest_speed" }.to_owned());
     keys.extend((!any(&|own| own.orbit.is_some())).then(|| "scene.excitation.frequency".to_owned()));
     keys.extend(document.interrupted.then(|| "interrupted".to_owned()));
-    // Whether components are closed is not judged, nor what follows from it alone.
+    // A claim that components are closed is not checked, nor what follows from it alone.
     keys.extend(["class", "statement"].iter().filter(|_| document.class == "closed").map(|key| (*key).to_owned()));
     // Of a set of which nothing is known it is not known where it is.
     let is_unbound = !says_there_are_no_others && !components.is_empty();

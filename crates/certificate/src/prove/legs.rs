@@ -84,7 +84,7 @@ fn radii(flight: &Flight, from: &Box, scale: u32) -> [f64; 2] {
     let by_speed = [(restitution * h / rate).abs(), (restitution * (1.0 - tilt * h)).abs()];
     let shrunk = (-f64::from(from.scale - scale)).exp2();
     let (rt, rv) = ((from.rt + 1.0) * shrunk, (from.rv + 1.0) * shrunk);
-    // What intervals of e, d/A and the other harmonics add; nothing for data that are points, however fine the grid.
+    // The parts of the radii from intervals of e, d/A and the other harmonics; 0 for data that are points, however fine the grid.
     let [e, gap, place, speed] = [spread[0], spread[1], place, speed]
         .map(|spread| if spread > 0.0 { spread * f64::from(scale).exp2() } else { 0.0 });
     let off = gap + 2.0 * place + speed * h;

@@ -66,7 +66,7 @@ impl Certificate {
         let is_point = data.is_point();
         let claims = self.events().iter().take_while(|claim| claim.kind.is_impact());
         let mut claims: Vec<_> = claims.take(most).cloned().collect();
-        // Where the time asked for ended the list, the next impact proves that no other comes before it.
+        // If the time requested ended the list, the next impact proves that no other comes before it.
         let listed = claims.len();
         let until = self.ended().until.as_ref().filter(|_| listed == self.events().len());
         claims.extend(until.and_then(|until| self.next_after(&data, &until.0)));

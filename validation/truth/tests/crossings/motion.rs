@@ -159,7 +159,7 @@ impl<'a> Motion<'a> {
                     let before = self.state.time.clone();
                     self.rebound(&contact);
                     if self.has_ended() {
-                        // What is left takes less than the time from one bounce to the next but for a few bits.
+                        // The rest of the chatter takes less than the time from one bounce to the next but for a few bits.
                         let left = float(&self.state.time - &before) << 20;
                         let late = float(&self.state.time + &left);
                         self.state.velocity_after = float(0);

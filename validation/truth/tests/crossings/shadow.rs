@@ -140,7 +140,7 @@ pub fn judge(document: &Value, member: &Member) -> Judged<()> {
     };
     let impacts: Option<Vec<_>> = events.iter().filter(|event| event["event"] == "impact").map(impact).collect();
     let Some(impacts) = impacts else { return wrong("an impact without bounds".into()) };
-    // What comes after an impact that is no node is that of all starts in its bounds.
+    // The motion after an impact that is no node is that of all starts in its bounds.
     let nodes = events.iter().take_while(|event| event["event"] == "impact").count();
     let claim = Claim { member, varied, start, impacts: impacts.into_iter().take(nodes).collect() };
     if claim.impacts.is_empty() {

@@ -58,7 +58,7 @@ fn compared(record: &Value, run: &Value, tones: &[Tone]) -> Judged<Units> {
 
 /// The run of a point's own scene; `None` where another orbit may have been listed: one near the start.
 fn own(record: &Value, scene: &Scene, asked: &sweep::PointSettings) -> Judged<Option<Value>> {
-    // What is not shadowed is certified from the exact start, to the digits.
+    // Orbits that are not shadowed are certified from the exact start, to the digits.
     let is_shadow = asked.settings.arithmetic == Arithmetic::Shadow;
     // In the bits that it took: in more a graze may be told from an impact, which has a number.
     let arithmetic = match record["bits"].as_u64() {

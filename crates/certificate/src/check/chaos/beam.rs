@@ -292,7 +292,7 @@ impl Beam {
         changes[4][0] = Span::point(around.hi()).over(rate)?;
         let mut times = time + changes[4][0].unturned().around();
         let by = |[u, w]: Spot| {
-            // What the drift changes by counts once, so that a side that is contracted is seen to be.
+            // The change of the drift counts once, so that the bounds show it if a side is contracted.
             let drift = w - self.sin * u;
             Some([(self.after * u - angle * drift).over(rate)?, drift.signed(is_far)])
         };

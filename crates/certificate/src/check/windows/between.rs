@@ -303,7 +303,7 @@ impl Between<'_> {
         let half = Real::point(half.enclosure().mag(), self.map.bits());
         let along = half.clone() + &(half * &self.power(-4)); // proposes: a size to try
         let thin = self.around(spot, (main, &along))?;
-        // How far the ends are from the direction of the curve.
+        // The distance of an end from the direction of the curve.
         let strays = |end: &Point, i: usize| {
             let part = (end[main].clone() - &at[main]).over(&along)?;
             Some((end[i].clone() - &at[i] - &(part * &thin.frame[0][i])).enclosure().mag())
