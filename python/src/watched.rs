@@ -26,7 +26,7 @@ pub struct Monitor {
 }
 
 impl Monitor {
-    /// Notes that so much is done.
+    /// Notes the number of items done.
     pub fn tell(&self, done: u64) {
         self.done.store(done, Ordering::Relaxed);
     }
@@ -92,7 +92,7 @@ fn watch<T: Send>(
         thread::scope(|scope| {
             let (send, receive) = channel();
             let at_work = || {
-                // Nobody waits any more only if there is nothing to be told.
+                // The receiver is gone only if no result is wanted any more.
                 let _ = send.send(work(&monitor));
                 drop(send);
             };

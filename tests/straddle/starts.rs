@@ -208,7 +208,7 @@ fn drift_of_the_box(dice: &mut Dice) -> Parts {
 fn several(dice: &mut Dice) -> Parts {
     let quiet = dice.pick(&["1/3", "1/10", "1/10^12", "1"]);
     let fast = dice.pick(&["6*pi", "4*pi", "2*pi*sqrt(2)", "3*pi"]);
-    // So much that a wall is reached within a few turns: longer flights are for other judges.
+    // Amplitudes for which a wall is reached within a few forcing periods: longer flights are for other tests.
     let amplitude = dice.pick(&["1", "3/2", "3", "10"]);
     let phase = if dice.below(2) == 0 { dice.phase() } else { dice.quarter() };
     let time = format!("{phase}{}", dice.offset());

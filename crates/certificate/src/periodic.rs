@@ -89,7 +89,7 @@ impl PeriodicCertificate {
         unjudged.push("scene.start".to_owned());
         let (pair, _) = document.scene.model()?;
         let mut word: Word = document.word.parse()?;
-        // Both words of two impacts are the same motion, told from the one wall or the other.
+        // Both words of two impacts are the same motion, begun on one wall or the other.
         let begins = |orbit: &ClaimedOrbit| orbit.impacts.first().map(|first| first.wall);
         if is_two_impact && orbits.first().and_then(begins).is_some_and(|wall| word.mappings()[0].walls().0 != wall) {
             word = Word::new(word.mappings().iter().rev().copied().collect())?;

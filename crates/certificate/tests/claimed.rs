@@ -254,7 +254,7 @@ fn holds_for_all(name: &str, path: &str, head: &Value) -> bool {
     let is_one = excitation["phase"].as_array().is_some_and(|all| all.len() == 1);
     let has_phases = ["orbits", "points", "windows"].iter().any(|list| head[list].is_array()) || name == "sweep";
     match path {
-        // Lemma R1: under one harmonic what is told by phases holds for every `tau`, and nothing moves a box that is not shaken.
+        // Lemma R1: under one harmonic a claim about phases holds for every `tau`, and nothing moves a box that is not shaken.
         "scene.excitation.phase" if is_one && (has_phases || excitation["amplitude"] == json!(["0"])) => true,
         "scene.excitation.frequency" if excitation["amplitude"] == json!(["0"]) => true,
         // Without a drift the ball swings alike in every frequency; a region that attracts is entered from other starts as well.

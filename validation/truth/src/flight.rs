@@ -30,7 +30,7 @@ pub enum Truth {
     },
     /// On a wall with v+ = 0 and pressed against it: it stays for a while (how long is not this function's question).
     Rests,
-    /// No contact, ever: the ball neither drifts (c = 0, or not to be told from 0 with inputs of P bits) nor reaches.
+    /// No contact, ever: the ball neither drifts (c = 0, or not distinguished from 0 with inputs of P bits) nor reaches.
     Never,
     /// Not decidable by this truth: near `time` (absolute) the ball comes within 2^-(3P/4) max(d, A) of touching a
     /// wall tangentially, or meets it too slowly.

@@ -5,7 +5,7 @@ use super::step::{Launch, Parameters};
 use impact_pair_exact::Real;
 use impact_pair_model::Wall;
 
-/// Windows are tried from N times what a constant contact force would take, doubled at most so often.
+/// Number of windows tried: 2, 4, 8 and so on times the duration of the chatter under a constant contact force.
 const WINDOWS: u32 = 8;
 
 /// Time from the departure to the last of infinitely many impacts on the same wall \[rad\]; `None` where it is not proved.

@@ -24,7 +24,7 @@ const ENOUGH: i64 = 40;
 const END: i64 = 24;
 /// Room on both sides of the curve, as a power of 2 of how far it strays.
 const ROOM: i64 = 2;
-/// A side of a box is at least so much of the one along the curve, as a power of 2.
+/// Bits by which a side of a box is at most smaller than the one along the curve.
 const THIN: i64 = 8;
 
 /// The map of a period over states and a parameter, or of half a period followed by the mirror image.

@@ -132,7 +132,7 @@ impl Doubt {
     }
 }
 
-/// Judges claims one after another, each with so much work; the bits that it took, or the verdict on the first that is not confirmed.
+/// Checks claims one after another, each with `work`; returns the bits used, or the verdict on the first that is not confirmed.
 fn one_by_one<C>(
     claims: impl Iterator<Item = (usize, C)>,
     (budget, work): (&Budget, u64),

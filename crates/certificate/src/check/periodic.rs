@@ -140,7 +140,7 @@ impl Target<'_> {
             let drift = float(departure.velocity.centre.clone() + &shaking.first_velocity());
             let shift = float(shaking.shift(&Real::point(turned.mid(), bits)));
             let more = ((level(to.wall) - level(from.wall) + shift) / drift - least) / common;
-            // proposes: a time near a whole number of periods may be told a period off
+            // proposes: a time near a whole number of periods may be a period off
             let time = least + common * if more.is_finite() { more.round().max(-1.0) } else { 0.0 };
             whole += time;
             times.push(impact_pair_exact::Dyadic::from_f64(time).map(|time| Real::point(time, bits)).ok_or_else(none)?);

@@ -107,7 +107,7 @@ impl<'c> Walk<'c> {
             EventKind::Impact { index, mapping, velocity } => self.impact(claim, *index, *mapping, velocity),
             EventKind::Rest { is_accumulation } => self.come_to_rest(claim, *is_accumulation),
             EventKind::Release => self.release(claim),
-            // A motion that misses its wall by less than can be told is judged as any other (G1).
+            // A motion that misses its wall by less than the bounds distinguish is checked as any other (G1).
             EventKind::Graze => match self.standing.still().filter(|still| still.grazes()).cloned() {
                 Some(still) => self.graze_again(still, claim),
                 None => self.graze(claim),

@@ -117,7 +117,7 @@ fn listed_time(scene: &Scene, number: u64) -> Option<Float> {
     Some(Bounds::read(&event["time"])?.0)
 }
 
-/// From the listed impact on at which it is told to be in the region, speeds and flights are within the bounds.
+/// Checks that speeds and flights are within the bounds from the listed impact on at which the motion is claimed to be in the region.
 fn trap(document: &Value, scene: &Scene, member: &Member) -> Judged<()> {
     let Some(entered) = document["entered_at_impact"].as_u64() else { return Err(Halt::Open("not entered")) };
     let listed = if entered == 0 { Some(Float::with_val(64, f64::NEG_INFINITY)) } else { listed_time(scene, entered) };

@@ -179,7 +179,7 @@ impl<'a> Motion<'a> {
     }
 
     fn release(&mut self, wall: Wall, time: &Bounds, what: &str) -> Judged<()> {
-        // Of a rest whose beginning is told by bounds alone: the pressure ends once in so short a time.
+        // The rest may have begun anywhere in its bounds: the contact force ends once in so short a time.
         let Some(at) = self.shaken.release(wall, &self.state.time) else {
             return Err(Halt::Open("the truth finds no release"));
         };

@@ -17,14 +17,14 @@ use super::motion::{Halt, Judged, Motion, wrong};
 /// Error allowed in the impacts of a period, in radians and in speeds of the box: bounds of `10^-9`, and the growth over a period.
 const OFF: f64 = 1e-3;
 
-/// An impact of an orbit that is told.
+/// A claimed impact of an orbit.
 #[derive(Clone, Debug)]
 pub struct Told {
     pub wall: Wall,
     pub phase: Float,
     pub velocity: Float,
     turn: u64,
-    /// Whole turns since the first one's, as the phases are told; where they are told.
+    /// Whole forcing periods since the first impact's, where the document gives them.
     cycle: Option<i64>,
 }
 
@@ -43,7 +43,7 @@ pub fn impacts(orbit: &Value) -> Option<Vec<Told>> {
     orbit["impacts"].as_array()?.iter().map(told).collect()
 }
 
-/// The harmonic whose phase is told: the fastest.
+/// The harmonic whose phase documents give: the fastest.
 pub fn reference(tones: &[Tone]) -> &Tone {
     tones.iter().reduce(|a, b| if b.frequency > a.frequency { b } else { a }).expect("a harmonic")
 }
@@ -116,7 +116,7 @@ fn is_in_other_turns(member: &Member, told: &[Told], found: &[Contact]) -> Optio
     (!later.is_empty()).then(|| later.iter().any(is_other))
 }
 
-/// One orbit of a list: whether the true motion is as is told where it is physical, and another where it is not.
+/// Checks one orbit of a list: the true motion is the claimed one if it is admissible, and another if it is virtual.
 pub fn judge(orbit: &Value, member: &Member) -> Judged<()> {
     let Some(told) = impacts(orbit).filter(|told| !told.is_empty()) else {
         return wrong("an orbit without impacts".into());

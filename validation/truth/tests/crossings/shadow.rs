@@ -1,4 +1,4 @@
-//! A shadowed orbit: whether a start within the bounds told, its time or its velocity that of the scene, has the impacts listed.
+//! Check of a shadowed orbit: a start within the claimed bounds, its time or its velocity that of the scene, has the impacts listed.
 //!
 //! It is sought impact by impact: Newton's steps lead the time of each impact to the middle of its bounds, and where all impacts are
 //! within theirs the start must be within its own.
@@ -149,7 +149,7 @@ pub fn judge(document: &Value, member: &Member) -> Judged<()> {
     if let Some(beside) = claim.is_beside()? {
         return wrong(format!("impact 1 is not that of any start in {near}: {beside}"));
     }
-    // Of few impacts in wide bounds there are many starts: those told may be as good as the one that is sought.
+    // Few impacts in wide bounds have many starts: the claimed ones may be as good as the one that is sought.
     for start in [claim.start.middle(), claim.start.0.clone(), claim.start.1.clone()] {
         if claim.has_impacts(&claim.impacts(&start, claim.impacts.len())?) {
             return Ok(());

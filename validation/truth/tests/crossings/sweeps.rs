@@ -11,7 +11,7 @@ use super::members::{Bounds, Member};
 use super::motion::{self, Halt, Judged, wrong};
 use crate::common::Random;
 
-/// The harmonics in whose phase all states so far may be told.
+/// The harmonics whose phases the states so far may be.
 type Units = BTreeSet<usize>;
 
 /// The numbers of the harmonics whose phase it may be, at a time within bounds.
@@ -33,7 +33,7 @@ fn meet(a: &Value, b: &Value) -> bool {
     a.0 <= b.1 && b.0 <= a.1
 }
 
-/// The states of a record and the events of a run, impact by impact; the harmonics in whose phase they may be told.
+/// Compares the states of a record with the events of a run, impact by impact; returns the harmonics whose phases they may be.
 fn compared(record: &Value, run: &Value, tones: &[Tone]) -> Judged<Units> {
     let mut fits: Units = (0..tones.len()).collect();
     for state in record["states"].as_array().map_or(&[][..], Vec::as_slice) {
@@ -60,7 +60,7 @@ fn compared(record: &Value, run: &Value, tones: &[Tone]) -> Judged<Units> {
 fn own(record: &Value, scene: &Scene, asked: &sweep::PointSettings) -> Judged<Option<Value>> {
     // Orbits that are not shadowed are certified from the exact start, to the digits.
     let is_shadow = asked.settings.arithmetic == Arithmetic::Shadow;
-    // In the bits that it took: in more a graze may be told from an impact, which has a number.
+    // In the bits that it took: in more a graze may be distinguished from an impact, which has a number.
     let arithmetic = match record["bits"].as_u64() {
         Some(53) if is_shadow => Arithmetic::Interval,
         _ if is_shadow => Arithmetic::Auto,

@@ -24,7 +24,7 @@ pub(super) struct Allowance<'w> {
 }
 
 impl<'w> Allowance<'w> {
-    /// So much work, until the watch stops it.
+    /// Returns an allowance of `work`, until the watch stops it.
     pub fn new(work: u64, watch: &'w dyn Watch) -> Self {
         let left = i64::try_from(work).unwrap_or(i64::MAX); // proposes: when to give up
         Self { left: AtomicI64::new(left), watch }

@@ -17,7 +17,7 @@ use super::region::Region;
 use crate::check::blocks::{BLOCK, in_blocks};
 use crate::check::contact::Doubt;
 
-/// Boxes are halved so often for their edges, at first and at last.
+/// Numbers of halvings of boxes for their edges, tried in this order.
 const HALVINGS: [u32; 3] = [2, 4, 6];
 /// Longer words are not counted.
 const LONGEST: u32 = 1000;

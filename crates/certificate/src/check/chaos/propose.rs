@@ -44,7 +44,7 @@ type Pair = [Sample; 2];
 
 /// Fewer parts than that are not worth a chain of boxes.
 const FEWEST: usize = 12;
-/// Cells at the ends are so much shorter.
+/// Factor by which cells at the ends are shorter.
 const GRADED: f64 = 0.001;
 
 /// Radians and speeds.

@@ -36,7 +36,7 @@ pub(super) struct Part {
 pub(super) const WINDOW: usize = 2;
 /// A set of flights that is enclosed counts as N that are looked at.
 const SET: usize = 4;
-/// A part is halved so often.
+/// Most halvings of a part.
 const HALVINGS: u32 = 12;
 
 /// The stretches of proved parts that follow one another, each of them behind the last part of those before it, which is `used`, and

@@ -23,7 +23,7 @@ use orbit::{Found, Period};
 const DOUBLE: u32 = f64::MANTISSA_DIGITS;
 /// A subinterval may take one in N parts of what a document of another kind may.
 const PART: u64 = 1 << 2;
-/// A subinterval is halved so often, and a cell of two parameters cut into quarters.
+/// Most halvings of a subinterval, and most cuts of a cell of two parameters into quarters.
 const HALVINGS: u32 = 16;
 const QUARTERED: u32 = 4;
 

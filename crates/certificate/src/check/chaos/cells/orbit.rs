@@ -23,7 +23,7 @@ use impact_pair_model::Error;
 const IMPACTS: usize = 2000;
 /// The most impacts from a set to a later one that lies in it, and those that are followed on for fewer ones.
 const MORE: usize = 128;
-/// Every N impacts sets begin anew with room for so often the way by which the middle misses an earlier one, if that is near: much of it where
+/// Sets are enlarged every `AGAIN` impacts, by a multiple of `ROOMS` of the distance to an earlier middle, if that is near: much of it where
 /// the orbit comes near its limit slowly, or from both sides in turn.
 const AGAIN: usize = 32;
 const ROOMS: [f64; 3] = [0.0, 8.0, 128.0];

@@ -9,7 +9,7 @@ use super::prove::Proved;
 use super::rates::Edge;
 use super::strip::{Branch, Cell, Image, Map, Strip};
 
-/// Cells are cut so often, again if they are so much narrower.
+/// Most cuts of a cell, and the ratio of widths below which it is cut again.
 const LOOKS: u32 = 3;
 const NARROWER: f64 = 0.7;
 /// More strings, cells of all of them, or longer strings are not looked at.

@@ -57,7 +57,7 @@ pub(super) fn spot(x: State) -> Spot {
     x.map(Span::point)
 }
 
-/// Returns whether no member is within so much of 0.
+/// Returns whether all members are farther from 0 than `most`.
 pub(super) fn is_beyond(x: Span, most: Span) -> bool {
     (x - most).is_positive() || (x + most).is_negative()
 }

@@ -26,7 +26,7 @@ use impact_pair_exact::Real;
 use limit::Cycle;
 use space::{Grid, Space};
 
-/// Boxes of the first partition are about as many as these by these, or fewer where a document had fewer; components are halved so often at most.
+/// Most columns and rows of the first partition, fewer where a document had fewer, and most halvings of components.
 const COLUMNS: f64 = 128.0;
 const ROWS: f64 = 64.0;
 /// The most columns, where basins are judged.
