@@ -66,9 +66,9 @@ impl Figure {
 pub struct Launch {
     /// The wall it leaves.
     pub wall: Wall,
-    /// In turns.
+    /// Phase at the start \[forcing periods\].
     pub phase: f64,
-    /// After the impact, relative to the gap.
+    /// Velocity after the impact, relative to the gap.
     pub velocity: f64,
 }
 

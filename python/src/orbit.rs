@@ -123,7 +123,7 @@ impl Orbit {
         self.outcome.interruption().as_ref() == Some(&self.outcome.message)
     }
 
-    /// Of each event: its name's number (impact, graze, rest, release), its wall, its mapping, bounds of time and velocity.
+    /// Columns of the events: the number of the name (impact, graze, rest, release), wall, mapping, bounds of time and velocity.
     fn columns<'py>(&self, py: Python<'py>) -> PyResult<[Bound<'py, PyBytes>; 5]> {
         let rows = self.rows()?;
         let column = |of: fn(&Row) -> u8| PyBytes::new(py, &rows.iter().map(of).collect::<Vec<_>>());

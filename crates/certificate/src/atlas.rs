@@ -43,7 +43,7 @@ pub(super) struct Part {
     pub start: Start,
     /// Stable periodic orbits that there are besides.
     pub stable: Vec<PeriodDocument>,
-    /// Its path in the document, and whether it is cut no more.
+    /// Its path in the document, and whether it is not cut any more.
     path: String,
     is_leaf: bool,
 }

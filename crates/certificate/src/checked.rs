@@ -157,7 +157,7 @@ impl Checked for Certificate {
         "outcome"
     }
 
-    /// Of data that are intervals the pieces come one after another, and of a shadowed orbit the links say something only all together.
+    /// False for data that are intervals, whose pieces come one after another, and for a shadowed orbit, whose links prove nothing one by one.
     fn is_one_by_one(&self) -> bool {
         self.claim() == ClaimName::ExactStart && Data::new(self.pair(), self.start()).is_ok_and(|data| data.is_point())
     }

@@ -23,7 +23,7 @@ pub struct GlobalCertificate {
     orbits: Option<PeriodicCertificate>,
     claimed: Vec<Claimed>,
     rest_cycle: Option<(u32, bool)>,
-    /// By how many boxes basins are found, about; and of attractors, by their places, the parts of the state space that are theirs at least.
+    /// Approximate number of boxes that basins are found by; lower bounds of the parts of the state space of attractors, by their places.
     basins: Option<(u32, Vec<(usize, BigRational)>)>,
     greatest_speed: f64,
     /// Boxes of the first partition that it was found with, about.
@@ -52,7 +52,7 @@ pub(super) struct Claimed {
     orbit: Option<ClaimedOrbit>,
 }
 
-/// Of the h-sets of horseshoes: they follow from the corners, and are not compared with them. Lemma V37
+/// Keys of the h-sets of horseshoes: they follow from the corners, and are not compared with them. Lemma V37
 pub(super) const DIRECTIONS: [&str; 2] =
     ["components.horseshoe.bases.contracting", "components.horseshoe.bases.expanding"];
 /// Kinds of components with a periodic motion, and what its stability is then.
@@ -199,7 +199,7 @@ impl Claimed {
         Ok(Self { kind, attracts, closed, is_saddle_set, horseshoe, place, reduced, orbit })
     }
 
-    /// Of each impact of a period of the reduced map: whether it is on the right wall, its phase \[rad\] and its velocity.
+    /// The impacts of a period of the reduced map: whether each is on the right wall, its phase \[rad\] and its velocity.
     pub(super) fn states(&self, bits: u32) -> impl Iterator<Item = (bool, Real, Real)> {
         let hull = move |[low, high]: &Bounds| Real::rational(low, bits).hull(&Real::rational(high, bits));
         let impacts = self.orbit.iter().flat_map(|orbit| &orbit.impacts).take(self.reduced);

@@ -28,7 +28,7 @@ pub(super) struct Placed {
 }
 
 impl<'a> Axes<'a> {
-    /// Those of a head.
+    /// Reads the axes of a head.
     ///
     /// # Errors
     /// Name the key of an axis, the axes or the shard, and what is accepted.

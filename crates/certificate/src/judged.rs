@@ -10,7 +10,7 @@ use impact_pair_document::{CHECK_SCHEMA, CheckDocument, JudgedClaim, VerdictName
 /// The result of a check of a document, and the number of claims confirmed one after another.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Judged {
-    /// On all of it.
+    /// The verdict on all of it.
     pub verdict: Verdict,
     /// The claims before this one are proved again, each for all data, counted as [`Finding::event`] counts them.
     pub(super) confirmed: usize,
@@ -39,7 +39,7 @@ struct Part<'c> {
     claims: &'c Claims,
     /// The beginning of its paths: its position in a list.
     prefix: String,
-    /// Its values: JSON Lines are several.
+    /// The values of the document: JSON Lines are several.
     values: Vec<&'c Value>,
     /// The number of its first claim.
     first: usize,

@@ -115,7 +115,7 @@ impl Certificate {
         &self.start
     }
 
-    /// Of which start the orbit is claimed to be.
+    /// Returns the start that the orbit is claimed for: every one that the scene allows, or one within the bounds of the outcome.
     pub fn claim(&self) -> ClaimName {
         self.claim
     }
@@ -130,7 +130,7 @@ impl Certificate {
         &self.ended.kind
     }
 
-    /// All that is claimed of how it ended.
+    /// Returns the claims about its end.
     pub(super) fn ended(&self) -> &OutcomeDocument {
         &self.ended
     }

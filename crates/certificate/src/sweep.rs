@@ -28,13 +28,13 @@ pub(super) struct ClaimedOrbit {
     pub reference: Option<Harmonic>,
     /// Number of impacts certified.
     pub impacts: u64,
-    /// Those that are listed, after a transient.
+    /// The impacts listed, after a transient.
     pub states: Vec<ClaimedState>,
     /// Its place on each axis, from 0.
     pub places: Vec<Option<u64>>,
     /// True if its values are those of the grid; `None` where that is undecided.
     pub is_of_grid: Option<bool>,
-    /// It is of an orbit that starts near.
+    /// True if it is an orbit that starts near the scene's start.
     pub is_shadowed: bool,
     /// The contradiction of it to the head of the sweep, or to itself.
     pub contradiction: Option<&'static str>,

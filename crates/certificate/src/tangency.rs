@@ -23,7 +23,7 @@ pub struct TangencyCertificate {
 pub(super) struct ClaimedTangency {
     pub key: Key,
     pub parameter: Bounds,
-    /// Of each flight: whether it is to the far wall.
+    /// True for each flight to the far wall.
     pub flights: Vec<bool>,
     pub phase: Bounds,
     pub speed: Bounds,

@@ -30,7 +30,7 @@ pub(super) struct ClaimedWindow {
     pub ends: Vec<ClaimedPoint>,
     /// The value of the parameter.
     pub at: Exact,
-    /// Of each flight of the reduced map: whether it is to the far wall.
+    /// True for each flight of the reduced map to the far wall.
     pub flights: Vec<bool>,
     /// True if all orbits between the ends are claimed to be stable.
     pub stable_between: bool,

@@ -125,7 +125,7 @@ impl Contraction {
         is_inside(&self.factor, &self.moved)
     }
 
-    /// About how many times larger, as a power of 2, an ellipse is that holds the orbit.
+    /// Approximate factor, as a power of 2, by which an ellipse that holds the orbit is larger.
     pub fn larger_by(&self) -> i64 {
         let rest = Real::int(1, self.factor.bits()) - &self.factor;
         let needed = self.moved.over(&rest).and_then(|needed| needed.enclosure().sup().top());

@@ -84,8 +84,8 @@ impl BifurcationCertificate {
 }
 
 impl ClaimedPoint {
-    /// It is one, proved in N bits, of which `compare` says whether it is as claimed. Another one that is found refutes nothing: there
-    /// may be several.
+    /// Proves that it is one, and returns the bits used; `compare` checks the claims about it. Another one that is found refutes nothing:
+    /// there may be several.
     pub(super) fn judged(
         &self,
         parameter: &Over<'_>,
@@ -223,7 +223,7 @@ impl ClaimedPoint {
         compare("parameter", &curve.spanned(cell, PARAMETER).hull(), &self.parameter)
     }
 
-    /// All orbits of a box are as claimed.
+    /// Proves that all orbits of a box are as claimed.
     fn compare(&self, curve: &Curve<'_>, cell: &Cell) -> Result<(), Doubt> {
         self.compare_parameter(curve, cell)?;
         let value = curve.spanned(cell, PARAMETER);

@@ -60,7 +60,7 @@ pub(super) fn is_held(departure: &Launch, parameters: &Parameters, is_first: boo
     flight.velocity.is_zero() && (is_pressed || is_first || flight.shaking.is_still())
 }
 
-/// About how long the next short bounce lasts \[rad\]: twice the velocity over the contact force.
+/// Approximate duration of the next short bounce \[rad\]: twice the velocity over the contact force.
 pub(super) fn bounce(departure: &Launch, parameters: &Parameters) -> Result<Real, Doubt> {
     let flight = departure.flights(parameters);
     let point = |x: &Real| Real::point(x.mid(), x.bits());

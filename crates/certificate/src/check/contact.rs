@@ -10,7 +10,7 @@ use impact_pair_model::Wall;
 pub(crate) enum Doubt {
     /// More bits, or smaller sets of data, may tell.
     Open(String),
-    /// It is proved to be false.
+    /// The claim is proved to be false.
     False(String),
 }
 
@@ -31,11 +31,11 @@ const STEPS: u32 = 64;
 /// The claimed place of a contact: phases since the departure.
 #[derive(Clone, Debug)]
 pub(crate) struct Claimed {
-    /// At the earliest.
+    /// The earliest phase.
     pub from: Real,
     /// An approximate place, near which the contact is sought.
     pub guess: Real,
-    /// At the latest, where a claim says so.
+    /// The latest phase, where a claim gives one.
     pub to: Option<Real>,
     /// True if it is the first contact; else any that solves the equations, reached from between the walls.
     pub is_first: bool,
@@ -61,7 +61,7 @@ pub(super) fn first_contact(flight: &Flight, from: Start, wall: Wall, claimed: &
 pub(crate) struct Start {
     /// The wall it leaves, if it does.
     pub wall: Option<Wall>,
-    /// From rest at the phase where the acceleration turns inward.
+    /// True if it begins at rest, at the phase where the acceleration turns inward.
     pub is_release: bool,
 }
 
@@ -153,7 +153,7 @@ pub(super) fn clear(flight: &Flight, from: Start, end: &Real, claimed: &Real) ->
     Err(spent(&flight.budget, &at, end))
 }
 
-/// About where the first part of a flight ends by whose end a wall is hit; `None` if none is found.
+/// Approximate end of the first part of a flight by whose end a wall is hit; `None` if none is found.
 pub(super) fn first_hit(flight: &Flight, from: Start) -> Option<Real> {
     let bits = flight.bits();
     let (mut end, no_claim) = (Real::int(1, bits), Real::zero(bits));

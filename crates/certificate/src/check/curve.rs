@@ -32,14 +32,14 @@ pub(super) struct Curve<'t> {
     pub target: &'t Target<'t>,
     pub frame: Frame<'t>,
     pub over: Key,
-    /// Of an amplitude, the number of its harmonic, and what other terms in step add to it.
+    /// The number of the harmonic of an amplitude, and what other terms in step add to it.
     pub harmonic: (usize, Option<Exact>),
     pub is_half: bool,
     /// The eigenvalue sought: 1 or -1.
     pub mu: i64,
-    /// Of the coordinates, as powers of 2.
+    /// Units of the coordinates, as powers of 2.
     pub units: [i64; 3],
-    /// About how long the flights of a whole period last.
+    /// Approximate durations of the flights of a whole period.
     pub times: Vec<Real>,
 }
 

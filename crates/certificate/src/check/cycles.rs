@@ -36,8 +36,8 @@ impl CyclesCertificate {
         })
     }
 
-    /// No orbit runs through a shorter one several times, and no two are one and the same, or mirror images: the bounds of some impact
-    /// tell them apart, wherever the one is taken to begin.
+    /// Proves that no orbit runs through a shorter one several times, and that no two are one and the same, or mirror images: the bounds of
+    /// some impact distinguish them, wherever the one is taken to begin.
     fn are_different(&self) -> Result<(), Doubt> {
         let turn = Turn::new();
         let mut known: BTreeMap<Vec<bool>, Vec<(usize, &[Passage])>> = BTreeMap::new();
@@ -66,7 +66,7 @@ fn flights(impacts: &[Passage]) -> Vec<bool> {
 }
 
 impl PeriodicCertificate {
-    /// No orbit runs through a shorter one several times, as the bounds of its impacts tell; else of which this is not known. Lemma D23
+    /// Proves that no orbit runs through a shorter one several times, by the bounds of its impacts, or names one that may. Lemma D23
     pub(super) fn are_no_shorter_ones(&self) -> Result<(), Finding> {
         let turn = Turn::new();
         let shorter = self.orbits().iter().position(|claim| turn.may_be_shorter(&claim.orbit.impacts));

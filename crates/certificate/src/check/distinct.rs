@@ -30,13 +30,13 @@ pub(super) struct Recurrence {
 /// The comparison of the impacts of two motions.
 #[derive(Clone, Copy)]
 struct View {
-    /// Impacts later.
+    /// Number of impacts by which the second motion is taken later.
     shift: usize,
     is_mirrored: bool,
 }
 
 impl Recurrence {
-    /// That of the data; `None` where no common period is proved.
+    /// Returns the recurrence of the data; `None` where no common period is proved.
     pub fn of(data: &Data) -> Option<Self> {
         let turn = Real::of(&(Exact::pi() * Exact::from(2)), BITS);
         Some(Self { turns: data.common_turns()?, may_have_mirror: data.has_mirror() != Some(false), turn })

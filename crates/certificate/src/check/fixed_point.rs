@@ -20,7 +20,7 @@ const SPARE_BITS: i64 = 40;
 /// The orbit of a basin, or the orbits of a box.
 pub(super) struct FixedPoint<'r> {
     round: &'r Round<'r>,
-    /// In which there is no other one.
+    /// The ellipse in which there is no other orbit.
     basin: Option<&'r Ellipse>,
     /// Its impacts, the next first one at the end.
     landings: Vec<Landing>,

@@ -95,7 +95,7 @@ impl Walk<'_> {
         if is_true { Ok(()) } else { Err(Doubt::open(message)) }
     }
 
-    /// No event listed comes after this time but a rest, which stands for what may come before (Lemma V7).
+    /// Proves that no listed event comes after this time but a rest, which stands for what may come before (Lemma V7).
     fn lists_none_after(&self, until: &Real) -> Result<(), Doubt> {
         let last = self.certificate.events().iter().rfind(|claim| !matches!(claim.kind, EventKind::Rest { .. }));
         match last.is_some_and(|last| until.is_below(&Real::rational(&last.time[0], until.bits()))) {

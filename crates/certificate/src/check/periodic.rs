@@ -81,7 +81,7 @@ impl OrbitOf {
 }
 
 impl Target<'_> {
-    /// It is one, for all data.
+    /// Proves that it is an orbit as claimed, for all data.
     fn is_an_orbit(&self, most: usize) -> Result<(), Doubt> {
         if !self.claim.unique {
             return Err(Doubt::open("only orbits that are alone in their bounds are checked"));
@@ -122,7 +122,7 @@ impl Target<'_> {
         Ok(self.round(frame, self.times(frame)?, self.is_physical()))
     }
 
-    /// About how long the flights between the claimed impacts last: as phases are given less whole forcing periods, these follow from the drift.
+    /// Approximate durations of the flights between the claimed impacts: as phases are given modulo forcing periods, these follow from the drift.
     pub(super) fn times(&self, frame: &Frame) -> Result<Vec<Real>, Doubt> {
         let none = || Doubt::open("the claimed impacts do not follow one another in this number of forcing periods");
         let bits = frame.turn.bits();

@@ -26,7 +26,7 @@ pub(super) struct Point {
     pub node: Node,
     /// Half widths of the bounds.
     size: Pair,
-    /// By rows, of the flight to the next one.
+    /// The Jacobian of the flight to the next point, by rows.
     jacobian: [Pair; 2],
     /// Factors by which the flight multiplies `u` and `s`.
     growth: Pair,

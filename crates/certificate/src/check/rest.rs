@@ -95,7 +95,7 @@ impl<'c> Walk<'c> {
         }
     }
 
-    /// With one harmonic that is at an even number of half periods on the left wall, an odd one on the right wall.
+    /// Proves the release with one harmonic: at an even number of half periods on the left wall, an odd one on the right wall.
     fn release_of_one(&mut self, rest: &Rest, claim: &Claim) -> Result<(), Doubt> {
         let (halves, clock) = self.released_of_one(rest)?;
         let (wall, odd) = (rest.wall, i64::from(rest.wall == Wall::Right));

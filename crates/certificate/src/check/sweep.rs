@@ -47,7 +47,7 @@ impl SweepCertificate {
 }
 
 impl ClaimedOrbit {
-    /// Its impacts are as claimed, proved in N bits, `most` at most.
+    /// Proves that its impacts are as claimed, and returns the bits used, `most` at most.
     fn judged(&self, certificate: &Certificate, data: &Data, most: u32) -> Result<u32, Doubt> {
         is_placed(self.contradiction, self.is_of_grid)?;
         if self.is_shadowed {

@@ -39,14 +39,14 @@ pub(crate) struct Walk<'c> {
 }
 
 impl<'c> Walk<'c> {
-    /// From the scene's own start.
+    /// Returns the orbit from the scene's own start.
     pub fn new(certificate: &'c Certificate, data: &'c Data<'c>, piece: &Piece, bits: u32) -> Self {
         let frame = Frame::new(data, piece, bits);
         let standing = Standing::at_start(data, &frame.parameters, piece);
         Self::at((certificate, data), frame, standing, 0)
     }
 
-    /// From states after N impacts, the first events that are claimed.
+    /// Returns the orbit from states after N impacts, the first events that are claimed.
     pub fn at(
         (certificate, data): (&'c Certificate, &'c Data<'c>),
         frame: Frame<'c>,

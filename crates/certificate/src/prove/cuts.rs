@@ -12,7 +12,7 @@ const ENDS: f64 = 1e-9;
 const NARROW: f64 = 1e-10;
 /// Parts of a flight that are looked at for one cut at most.
 const MOST_PARTS: usize = 1 << 14;
-/// In shorter flights an extremum is as near the wall as the ends.
+/// Length of a flight below which an extremum is as near the wall as the ends.
 const SHORT: f64 = 1e-3;
 /// Forcing periods of the reference harmonic beyond which extrema are not all looked at.
 const MANY_TURNS: f64 = 2.0;
@@ -23,7 +23,7 @@ pub(super) struct Cuts<'w> {
     h: f64,
 }
 
-/// From which end zeros are sought.
+/// The end from which zeros are sought.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Order {
     First,
@@ -75,7 +75,7 @@ impl<'w> Cuts<'w> {
     }
 }
 
-/// At most N zeros of a function with this derivative inside `(0, h)`, in order: parts on which it has no zero are left
+/// Returns at most N zeros of a function with this derivative inside `(0, h)`, in order: parts on which it has no zero are left
 /// out, parts on which it is monotone have at most one, others are halved.
 fn zeros(
     f: impl Fn(&Real) -> Real,

@@ -24,7 +24,7 @@ pub(super) struct Flight {
     /// The wall it leaves; `None` for a start inside the gap.
     pub from: Option<Wall>,
     pub wall: Wall,
-    /// At its ends.
+    /// The phases at its ends.
     pub phases: [Real; 2],
     /// Before the impact at its end.
     pub velocity: Real,
@@ -45,7 +45,7 @@ pub(super) struct Flight {
     pub cuts: [f64; 2],
     /// Bits that extrema near a wall take.
     pub nearness: u32,
-    /// No displacement of the box is greater.
+    /// Upper bound of the displacement of the box.
     pub reach: f64,
     /// Half the widths of `e` and of `d/A`.
     pub spread: [f64; 2],

@@ -118,7 +118,7 @@ fn coarser(scale: u32, radius: f64) -> u32 {
     if radius > WIDE { scale - ((radius.log2() - FEW_BITS) as u32).min(scale) } else { scale }
 }
 
-/// By how many bits a box is too wide, for what is printed of it or for terms of second order; 0 for one that fits.
+/// Bits by which a box is too wide, for the printed bounds or for terms of second order; 0 for one that fits.
 pub(super) fn excess(flight: &Flight, arrival: &Box) -> u32 {
     let room = |middle: &BigInt, [low, high]: &[Real; 2]| {
         let scaled = |end: &Dyadic| Enclosure::point(end.scaled(arrival.scale.into())).floor().unwrap_or_default();

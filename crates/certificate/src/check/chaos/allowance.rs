@@ -9,7 +9,7 @@ use super::guess::MOST_TURNS;
 /// The end of a search.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum End {
-    /// Its user stops it.
+    /// The user stops it.
     Stopped,
     /// The work that is allowed is done.
     Spent,
@@ -48,5 +48,5 @@ impl<'w> Allowance<'w> {
     }
 }
 
-/// No more is taken at once, so that what is left cannot wrap.
+/// The most work taken at once, so that what is left cannot wrap.
 const ALL: i64 = 1 << 40;

@@ -111,7 +111,7 @@ pub(super) struct Landing {
     pub centre: Spot,
     /// `epsilon sin th1`
     bend: Span,
-    /// By side, by `e` and by `D`: the change of the phase of arrival \[rad\], and of the speed at a fixed one.
+    /// Changes of the phase of arrival \[rad\], and of the speed at a fixed one, by each side, by `e` and by `D`.
     changes: [Spot; 5],
     /// The same changes by a unit of phase, and of speed.
     units: [Spot; 2],
@@ -128,7 +128,7 @@ impl Beam {
         Self::of(law, [hull(0), hull(1)], quad.centre(), quad.sides())
     }
 
-    /// Those of states within bounds, whose differences from a centre are sums of parts of sides.
+    /// Returns the flights from states within bounds, whose differences from a centre are sums of parts of sides.
     pub fn of(law: &Law, bounds: Spot, centre: Spot, sides: [Spot; 3]) -> Self {
         Self::moved(law, bounds, centre, sides, [Span::point(0.0); 2])
     }

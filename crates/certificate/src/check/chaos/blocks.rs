@@ -10,7 +10,7 @@ use impact_pair_model::{Mapping, Wall};
 use super::words::Word;
 use crate::check::contact::Doubt;
 
-/// From which h-set to which: in order, none twice.
+/// The pairs of h-sets that a block leads from and to: in order, none twice.
 type Ways = Vec<[usize; 2]>;
 /// The impacts of the longer block, and of the shorter one: the longer one counts first.
 type Size = [usize; 2];
@@ -60,7 +60,7 @@ pub(super) fn says_the_shortest(named: Option<&str>, words: &[Word], bases: usiz
     }
 }
 
-/// Of blocks of N impacts.
+/// Returns the size of two blocks with these numbers of impacts.
 fn size(a: usize, b: usize) -> Size {
     [a.max(b), a.min(b)] // exact: lengths
 }

@@ -18,7 +18,7 @@ pub(super) struct Guess {
     step: (f64, f64),
 }
 
-/// By rows, of phases and speeds.
+/// A matrix by rows, of phases and speeds.
 pub(super) type Matrix = [[f64; 2]; 2];
 
 /// The approximate image of a state.

@@ -86,7 +86,7 @@ pub(super) fn is_above(sets: &Sets, counts: &[BigInt], h: &BigRational) -> bool 
 }
 
 impl Sets {
-    /// From the boxes that each leads to, by letters; `None` if there are too many.
+    /// Returns the sets for the boxes that each box leads to, by letters; `None` if there are too many.
     pub fn of(edges: &[[Vec<u32>; 2]]) -> Option<Self> {
         let all: Vec<u32> = (0..edges.len() as u32).collect(); // exact: no more boxes than are judged
         let (mut members, mut looks) = (all.len(), 0);

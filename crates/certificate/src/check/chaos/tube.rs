@@ -19,7 +19,7 @@ pub(super) struct Chord {
 #[derive(Clone, Debug)]
 pub(super) struct Tube {
     chords: Vec<Chord>,
-    /// By cell: whether all windows that hold it are embedded.
+    /// True for each cell if all windows that hold it are embedded.
     embedded: Vec<bool>,
 }
 

@@ -38,7 +38,7 @@ pub(super) struct Chain<'b> {
     /// Intervals of the parameter, and of the other datum, over which the manifolds are proved to be analytic.
     whole: [Real; 2],
     domains: [[Domain; 2]; 2],
-    /// About how long the flights last, and whole forcing periods by which states are earlier than the flights say.
+    /// Approximate durations of flights, and whole forcing periods by which states are earlier than the flights say.
     times: Vec<Real>,
     turns: Vec<i64>,
 }
@@ -204,7 +204,7 @@ struct Near {
 }
 
 impl Near {
-    /// Those of flight `k`: the first one begins on the unstable manifold.
+    /// Returns the states of flight `k`: the first one begins on the unstable manifold.
     fn of(area: &Area, first: &End, k: usize) -> Self {
         match k {
             0 => Self {
@@ -221,7 +221,7 @@ impl Near {
         }
     }
 
-    /// They as coordinates.
+    /// Returns them as coordinates.
     fn state(&self) -> State {
         let varied = |i: usize| Some(Affine::varied(self.at[i].clone(), self.radii[i].enclosure().sup().clone(), i));
         let unit = || Some(Affine::fixed(Real::int(1, BITS)));

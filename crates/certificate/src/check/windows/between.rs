@@ -26,7 +26,7 @@ use impact_pair_model::Wall;
 const SPARE_BITS: i64 = 160;
 const MOST_SPARE_BITS: i64 = 640;
 const INSIDE: i64 = 24;
-/// By how many bits a tiny cell is narrower across the curve.
+/// Bits by which a tiny cell is narrower across the curve.
 const THIN: i64 = 28;
 /// The largest tiny cell, as a power of 2.
 const LARGEST: i64 = -96;
@@ -161,7 +161,7 @@ struct Spot {
 /// The curve of orbits of a window.
 struct Between<'b> {
     map: Map<'b>,
-    /// Of the tiny cells, as a power of 2.
+    /// Size of the tiny cells, as a power of 2.
     size: i64,
 }
 
@@ -328,7 +328,7 @@ impl Between<'_> {
         Err(Doubt::open("the orbits are not proved to be one curve"))
     }
 
-    /// All orbits of the curve between two tiny cells are stable.
+    /// Proves that all orbits of the curve between two tiny cells are stable.
     fn are_stable(&mut self, from: &Cell, to: &Cell, depth: u32) -> Result<(), Doubt> {
         let joined = self.over(from, to).and_then(|(image, _)| {
             let is_stable = image.criticals.iter().all(|x| x.value.is_positive());
@@ -348,7 +348,7 @@ impl Between<'_> {
         }
     }
 
-    /// From a stable orbit to the end all orbits are.
+    /// Proves that all orbits from a stable one to the end are stable.
     fn is_last(&mut self, from: &Cell, zero: &Cell, which: usize) -> Result<(), Doubt> {
         let (image, along) = self.over(from, zero)?;
         let is_monotone = along.slope(&image.criticals[which]).is_some_and(|slope| !slope.is_across());

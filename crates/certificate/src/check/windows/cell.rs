@@ -98,7 +98,7 @@ pub(super) struct Image {
 
 /// `1 + det - trace` or `1 + det + trace` of the derivative by the state, zero where 1, or -1, is an eigenvalue.
 pub(super) struct Critical {
-    /// Over the cell.
+    /// The function over the cell.
     pub value: Real,
     /// Its derivatives by the coordinates `q` over the cell.
     pub slopes: [Real; 3],
@@ -117,7 +117,7 @@ pub(super) struct Map<'b> {
     budget: Budget<'b>,
     /// Sets are not tried that reach farther in phase.
     widest: Real,
-    /// About how long the flights last.
+    /// Approximate durations of the flights.
     times: Vec<Real>,
     /// Forcing periods of the reduced map that a period takes.
     turns: i64,
@@ -230,7 +230,7 @@ impl Image {
         self.slopes.each_ref().map(|row| coordinates.map(|j| row[j].clone()))
     }
 
-    /// About the inverse of these: any matrix is as sound.
+    /// Approximate inverse of these: any matrix is as sound.
     fn newton(&self, coordinates: [usize; 2]) -> Option<Matrix> {
         let middles = self.square(coordinates).map(|row| row.map(|x| x.middle()));
         Some(inverse(&middles)?.map(|row| row.map(|x| x.middle())))

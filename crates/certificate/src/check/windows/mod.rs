@@ -45,7 +45,7 @@ impl WindowsCertificate {
 }
 
 impl ClaimedWindow {
-    /// Its orbit and its ends are as claimed, proved in N bits.
+    /// Proves that its orbit and its ends are as claimed, and returns the bits used.
     fn judged(&self, over: &Over<'_>, (effort, budget): (&Effort, &Budget), watch: &dyn Watch) -> Result<u32, Doubt> {
         if !self.is_stable() {
             return Err(Doubt::False("only stable orbits have a window".into()));

@@ -217,7 +217,7 @@ mod tests {
         }
     }
 
-    /// Of an orbit a word several times is not one of its own.
+    /// The word of an orbit repeated is not that of another orbit.
     #[test]
     fn v36_several_rounds_of_an_orbit_are_not_another_one() {
         for pair in [["0.3", "0.5"], ["0.36", "0.8"], ["1/(3*pi)", "0.5"]] {

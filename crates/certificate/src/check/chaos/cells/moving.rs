@@ -34,7 +34,7 @@ fn spot(state: State) -> Spot {
     state.map(Span::point)
 }
 
-/// In radians and speeds.
+/// Length of a difference of states, phase in radians and speed.
 fn length([u, w]: State) -> f64 {
     (TAU * u).hypot(w)
 }
@@ -106,7 +106,7 @@ impl Set {
         apart(self.middle, other.middle)
     }
 
-    /// With sides that are at least twice as long, and at least of a length.
+    /// Returns the set with sides that are at least twice as long, and at least of a length.
     pub fn with_room(self, least: f64) -> Self {
         let longer = |side: State| {
             let power = (least / length(side)).log2().ceil().clamp(1.0, 64.0); // proposes: longer sides hold as much

@@ -57,7 +57,7 @@ struct Round {
 }
 
 impl Round {
-    /// It comes again after N impacts as well: so after the greatest common divisor of both. Lemma V36
+    /// Returns the round after which it repeats, if it does after N impacts as well: the greatest common divisor of both. Lemma V36
     fn divided(self, impacts: usize) -> Self {
         let common = self.impacts.gcd(&impacts);
         let turns = self.turns / (self.impacts / common) as f64; // exact: whole forcing periods after each part
@@ -68,7 +68,7 @@ impl Round {
 /// A finding on a claim.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Found {
-    /// It is true.
+    /// The claim is true.
     Proved,
     /// The orbit repeats after fewer impacts.
     Fewer,
@@ -294,8 +294,8 @@ mod tests {
         period(word, cycles).follow(first, room, &Law { gap, restitution }, &work).unwrap()
     }
 
-    /// Of an orbit of three impacts in one cycle one has phase 0, to 1e-9: others come near it from both sides in turn, so that sets lie in earlier ones that
-    /// are in another forcing period.
+    /// One impact of an orbit of three impacts in one cycle has phase 0, to 1e-9: others come near it from both sides in turn, so that sets lie
+    /// in earlier ones that are in another forcing period.
     #[test]
     fn v36_forcing_periods_are_counted_where_sets_go_from_one_to_another() {
         for phase in [0.83939, 0.83879] {

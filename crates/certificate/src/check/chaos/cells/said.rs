@@ -40,7 +40,7 @@ impl CellsCertificate {
         self.shares_follow(&document.shares).map_err(|doubt| (all, doubt))
     }
 
-    /// No share of what is proved is more than that of its subintervals, and that of what is not is no less.
+    /// Proves that no share of proved values is more than that of their subintervals, and the share of undecided ones no less.
     fn shares_follow(&self, shares: &SharesDocument) -> Result<(), Doubt> {
         let horseshoe = |stretch: &StretchDocument| stretch.entropy.is_some();
         let is = |name: &'static str| move |stretch: &StretchDocument| stretch.verdict == name;

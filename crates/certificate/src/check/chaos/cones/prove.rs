@@ -6,7 +6,7 @@ use super::super::span::Span;
 use super::sides::Sides;
 use super::strip::{Branch, Cell, Frame, Image, Map, Passed, is_beyond, is_tall};
 
-/// No strip has more cells, and none is narrower.
+/// Most cells of a strip, and the least width of one.
 const MOST_CELLS: usize = 1 << 19;
 const NARROWEST: f64 = 1.0 / (1 << 20) as f64; // exact: a power of two
 

@@ -17,8 +17,8 @@ const MOST_EDGES: usize = 16_000;
 const MOST_CELLS: usize = 3 << 21;
 const LONGEST: usize = 10;
 
-/// Of a string, a word alone, or with one before it and some behind it: the cells of this word in which its points are, the fractions of its strip
-/// between which they are, and the heights of their images.
+/// A string, which is a word alone, or one with a word before it and some behind it: the cells of this word in which its points are, the
+/// fractions of its strip between which they are, and the heights of their images.
 #[derive(Clone, Debug)]
 struct Part {
     images: Vec<Image>,
@@ -219,7 +219,7 @@ impl Strings<'_> {
 }
 
 impl Cell {
-    /// Its part at some heights; `None` if there is none.
+    /// The part of a cell at some heights; `None` if there is none.
     fn between(self, heights: Span) -> Option<Self> {
         let [low, high] = self.heights;
         let own = Span::new(low, high).common(heights)?;

@@ -80,7 +80,7 @@ impl Frame {
         Some([cross(vector, across).over(area)?, cross(along, vector).over(area)?])
     }
 
-    /// Those of a state, a number of forcing periods earlier.
+    /// Coordinates of a state, a number of forcing periods earlier.
     pub fn place(&self, [u, w]: Spot, turns: f64) -> Option<Spot> {
         let [centre, speed] = spot(self.centre);
         self.coordinates([u - Span::point(turns) - centre, w - speed])
@@ -169,7 +169,7 @@ impl Cell {
         [middle, Span::point(half.hi())]
     }
 
-    /// Its half breadth and its half height; what the place changes by with both at all its states.
+    /// The half breadth and the half height of a cell, and the changes of its place with both at all its states.
     fn rates(&self, strip: &Strip) -> [Spot; 2] {
         let ([_, across], [_, height]) = (Self::centred(self.across), Self::centred(self.heights));
         let [a, b] = [self.across, self.heights].map(|[low, high]| Span::new(low, high));

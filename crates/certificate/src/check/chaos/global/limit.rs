@@ -21,7 +21,7 @@ pub(super) type Matrix = [[Span; 2]; 2];
 
 /// Periods that norms and directions are made from.
 const ROUNDS: usize = 200;
-/// Within this of the state that grazes for ever, in both coordinates.
+/// Greatest distance from the state that grazes for ever, in phase \[rad\] and in speed.
 const GRAZING: f64 = 0.25;
 
 impl Cycle {

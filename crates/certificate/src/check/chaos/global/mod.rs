@@ -201,7 +201,7 @@ struct Judge<'j> {
 }
 
 impl Judge<'_> {
-    /// All states that motions have in the end, in about as many boxes by as many as are said.
+    /// The set of all states that motions have in the end, in about this number of boxes across and along.
     fn whole(&self, [across, along]: [f64; 2]) -> Set {
         let rows = (along / self.space.fastest).log2().ceil().exp2().max(64.0); // V20: any boxes; the greatest speed is a multiple of a row
         let (columns, last) = (across as i64, (self.space.fastest * rows) as i64); // exact: whole numbers

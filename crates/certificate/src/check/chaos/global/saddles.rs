@@ -172,7 +172,7 @@ fn unit([u, w]: State) -> State {
     [u / size, w / size]
 }
 
-/// Of each cluster, as columns: the mean direction that flights before it stretch, and that of what later flights shrink.
+/// Columns of two directions for each cluster: the mean one that flights before it stretch, and the mean one that later flights shrink.
 fn bases(count: usize, passages: &[Passage], images: &[Image]) -> Vec<Doubles> {
     let mut all = vec![[[0.2, 1.0], [1.0, 0.2]]; count];
     let joined = |[u, w]: State, [v, x]: State| if u * v + w * x < 0.0 { [u - v, w - x] } else { [u + v, w + x] };

@@ -184,7 +184,7 @@ impl<'l> Space<'l> {
         (beam.after() + by).common(Span::new(0.0, f64::MAX)).unwrap_or(Span::new(0.0, f64::MAX)) // V11: who comes from inside
     }
 
-    /// For how many forcing periods flights are followed.
+    /// Number of forcing periods for which flights are followed.
     fn patience(&self, beam: &Beam) -> f64 {
         let drifts = beam.drifts();
         let times = self.law.gap.over(drifts);
