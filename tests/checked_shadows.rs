@@ -262,7 +262,8 @@ fn beside_stillness(position: &str, [time, velocity]: [&Value; 2], more: &[Value
     document
 }
 
-/// With v(0) = 5e-4 the impact is at 3.08603342942608920..., v = 0.05603064495253... (mpmath's `findroot` of the formula above).
+/// Bounds of time and velocity of the impact, which are 3.08603342942608920... and 0.05603064495253... with v(0) = 5e-4 (`findroot` of mpmath, for
+/// the formula above).
 const TIME: [&str; 2] = ["3.08503", "3.08703"];
 const VELOCITY: [&str; 2] = ["0.0550", "0.0571"];
 

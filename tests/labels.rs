@@ -41,7 +41,7 @@ const ROOMS: [&str; 25] = [
 const WORDS: [&str; 3] = ["proposes", "exact", "shown"];
 const NUMBERS: [&str; 14] =
     ["i8", "i16", "i32", "i64", "i128", "isize", "u8", "u16", "u32", "u64", "u128", "usize", "f32", "f64"];
-/// With an argument: without one they are an iterator's, and lose nothing.
+/// Methods that lose something with an argument: without one they are an iterator's, and lose nothing.
 const BOUNDS: [&str; 3] = [".max(", ".min(", ".clamp("];
 const CALLS: [&str; 17] = [
     "f64::max",

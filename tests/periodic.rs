@@ -169,7 +169,7 @@ fn mirrored_words_have_mirrored_orbits() {
     }
 }
 
-/// From a narrow box around a proved orbit the certified orbit goes round a hundred periods; each impact stays at it.
+/// Runs a certified orbit from a narrow box around a proved one for a hundred periods; each impact stays at it.
 fn runs_a_hundred_periods(pair: &ImpactPair, orbit: &PeriodicOrbit, cycles: u32) {
     let interval = |x: &Enclosure| {
         let end = |x: &impact_pair::exact::Dyadic| Exact::from_rational(x.to_rational());

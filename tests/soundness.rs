@@ -34,7 +34,7 @@ fn events(scene: &Scene, arithmetic: Arithmetic, impacts: u64) -> (Vec<Progress>
     }
 }
 
-/// Those of this build, the ones that decide the scenes of few digits last.
+/// The arithmetics of this build; those that decide the scenes of few digits come last.
 fn arithmetics() -> Vec<Arithmetic> {
     let names = ["interval", "auto", "64", "128", "256", "1024"];
     let count = if cfg!(feature = "multiprecision") { names.len() } else { 2 };

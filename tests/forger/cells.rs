@@ -121,7 +121,7 @@ fn other_word(original: &Original) -> Vec<Forged> {
     all
 }
 
-/// Of two letters per impact no more than ln 2 follows per impact.
+/// Claims entropies above ln 2 per impact, which two letters per impact exclude.
 fn more_entropy(original: &Original) -> Vec<Forged> {
     let own = stretches(original);
     let with_entropy = own.iter().enumerate().filter(|(_, stretch)| stretch["entropy"].is_object());

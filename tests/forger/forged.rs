@@ -38,7 +38,7 @@ impl Original {
         Forged { what, document, of, is_certain: true, false_claims: None }
     }
 
-    /// With other values at these paths.
+    /// Returns a forgery with other values at these paths.
     pub fn with(&self, what: impl Into<String>, changes: &[(&str, Value)]) -> Forged {
         self.forged(what, with(&self.document, changes))
     }

@@ -26,7 +26,7 @@ pub fn is_true(kind: &str, document: &Value) -> bool {
     }
 }
 
-/// It is about a cycle with rests alone, which is that of its scene.
+/// Returns whether the document is about a cycle with rests alone, and that is the cycle of its scene.
 fn has_rests(document: &Value) -> Option<bool> {
     let (pair, _) = serde_json::from_value::<SceneDocument>(document["scene"].clone()).ok()?.model().ok()?;
     let [claimed] = &document["components"].as_array()?[..] else { return None };

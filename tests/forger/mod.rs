@@ -87,7 +87,7 @@ fn only() -> Option<String> {
 /// The verdict of `check` on a forgery.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 enum Judgement {
-    /// As it is read or afterwards.
+    /// Refuted as it is read or afterwards.
     Refuted,
     Undecided,
     /// Confirmed but for the claims that are false, which are named.

@@ -212,7 +212,7 @@ pub fn moved(text: &str, units: i64) -> String {
     format!("{}e{}", whole + i128::from(units), power.parse::<i64>().unwrap() - places)
 }
 
-/// About how many units of the last place lie between two decimals.
+/// Approximate number of units of the last place between two decimals.
 fn units(lower: &str, upper: &str) -> i64 {
     let place = lower.split_once('.').map_or(0, |(_, part)| part.split(['e', 'E']).next().unwrap_or("").len() as i32);
     let apart = upper.parse::<f64>().unwrap() - lower.parse::<f64>().unwrap();

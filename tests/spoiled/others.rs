@@ -215,7 +215,7 @@ fn sweep(scene: &str, over: &[&str]) -> Vec<Value> {
     lines
 }
 
-/// By the verb, a document that is confirmed.
+/// Confirmed documents, by the name of their verb.
 pub fn all() -> Vec<(&'static str, Vec<Value>)> {
     let one = r#"
         excitation = { amplitude = 8, frequency = "pi", phase = 0.1 }

@@ -154,7 +154,7 @@ fn later_touch_from_a_wall(dice: &mut Dice) -> Parts {
     plain("1", &gap, restitution, start)
 }
 
-/// On a wall where the pressure begins or ends, at rest or slow.
+/// A start on a wall where the contact force begins or ends, at rest or slow.
 fn edge_of_pressure(dice: &mut Dice) -> Parts {
     let time = format!("{}{}", dice.quarter(), dice.offset());
     let speed = if dice.below(2) == 0 { "0".into() } else { dice.speed() };
@@ -181,7 +181,7 @@ fn many_turns(dice: &mut Dice) -> Parts {
     plain(amplitude, "1", restitution, start)
 }
 
-/// No drift, or hardly any.
+/// A start with no drift, or hardly any.
 fn no_drift(dice: &mut Dice) -> Parts {
     let phase = if dice.below(2) == 0 { dice.phase() } else { dice.quarter() };
     let amplitude = dice.pick(&["1/10", "1/2", "1/4", "1/1000"]);

@@ -61,7 +61,7 @@ fn verdict([head, tile]: &[Value; 2]) -> Verdict {
     atlas.check_within(&Effort::default(), &Unwatched).unwrap()
 }
 
-/// With one value of the record at a path changed.
+/// The verdict on a copy with one value of the record at a path changed.
 fn changed(atlas: &[Value; 2], path: &str, value: Value) -> Verdict {
     let mut atlas = atlas.clone();
     *atlas[1].pointer_mut(path).unwrap_or_else(|| panic!("{path}")) = value;

@@ -28,7 +28,7 @@ pub enum Truth {
         /// y' just before; it points into the wall.
         velocity_before: Float,
     },
-    /// On a wall with v+ = 0 and pressed against it: it stays for a while (how long is not this function's question).
+    /// A rest on a wall with v+ = 0 and a positive contact force: the ball stays for a while (how long is not this function's question).
     Rests,
     /// No contact, ever: the ball neither drifts (c = 0, or not distinguished from 0 with inputs of P bits) nor reaches.
     Never,
@@ -42,11 +42,11 @@ pub enum Truth {
 
 /// The beginning of a flight.
 enum Heading {
-    /// It first moves towards this wall.
+    /// The ball first moves towards this wall.
     Towards(Wall),
     /// v+ = 0 with theta0 = 0 or pi, as far as P bits tell: released, y''' moves it monotonely towards this wall.
     Released(Wall),
-    /// Pressed against its wall.
+    /// The ball is held on its wall.
     Rests,
     /// A = 0 and v+ = 0, inside.
     Floats,

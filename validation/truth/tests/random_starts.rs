@@ -114,11 +114,11 @@ impl Simulator {
 /// The end of a motion.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 enum End {
-    /// At an attractor, by its place among the components.
+    /// The motion is at an attractor, by its place among the components.
     At(usize),
-    /// It is near none of them.
+    /// The motion is near none of them.
     Elsewhere,
-    /// It was not followed to the end.
+    /// The motion was not followed to the end.
     Lost,
 }
 

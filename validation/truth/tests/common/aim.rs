@@ -29,7 +29,7 @@ pub struct Aim {
     bits: u32,
     amplitude: Float,
     omega: Float,
-    /// In [0, 2 pi).
+    /// Phase at the start, in [0, 2 pi).
     theta0: Float,
     /// y_i + A sin(theta0)
     base: Float,

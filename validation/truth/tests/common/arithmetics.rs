@@ -36,7 +36,7 @@ pub struct Run {
     pub kind: Kind,
     pub orbit: Orbit,
     pub impacts: Vec<Impact>,
-    /// Of time and velocity.
+    /// Bounds of time and velocity of each impact.
     pub bounds: Vec<(Enclosure, Enclosure)>,
     /// Number of calls to advance.
     pub steps: u64,

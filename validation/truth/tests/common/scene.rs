@@ -70,7 +70,7 @@ pub struct Scene {
     pub gap: Value,
     pub restitution: Value,
     pub time: Value,
-    /// Before the impact, for a start on a wall.
+    /// Velocity before the impact, for a start on a wall.
     pub velocity: Value,
     pub at: At,
 }

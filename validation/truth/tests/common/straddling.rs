@@ -20,7 +20,7 @@ pub enum Judgement {
     Right,
     /// They are right after a rest and its release.
     Released,
-    /// They are right after a graze that the bits did not tell.
+    /// They are right after a graze that the bits did not decide.
     Grazed,
     /// No wall is ever touched, or nothing ever leaves one.
     Still,
@@ -147,7 +147,7 @@ impl Pair<'_> {
         Ok(())
     }
 
-    /// At rest at once, or after bounces on one wall of which the first is before the rest.
+    /// Checks a rest: at once, or after bounces on one wall of which the first is before the rest.
     fn rest(&mut self, rest: &Rest) -> Judged<()> {
         let end = self.orbit.rest_time(rest);
         let is_there = self.start.on == Some(wall(rest.at.wall));
@@ -165,7 +165,7 @@ impl Pair<'_> {
         }
     }
 
-    /// At a whole number of turns on the left, half a turn later on the right; at most half a turn after the rest.
+    /// Checks a release: at whole forcing periods on the left, half a period later on the right; at most half a period after the rest.
     fn release(&mut self, rest: &Rest, release: &Touch) -> Judged<()> {
         let [lower, upper, began] = [
             self.orbit.touch_time(release).inf(),

@@ -24,7 +24,7 @@ const NEAR: f64 = 1e-6;
 const OFF: f64 = 1e-3;
 
 impl Case {
-    /// By so few boxes that the components of attractors stay undecided.
+    /// Asks for a global analysis by so few boxes that the components of attractors stay undecided.
     pub fn attractors(&mut self) -> Result<Answer, Error> {
         self.keep_one_harmonic();
         let settings = GlobalSettings {

@@ -105,7 +105,7 @@ impl Case {
     }
 }
 
-/// No impact of this member that follows one in a box is outside of the image.
+/// Checks that no impact of this member that follows one in a box is outside of the image.
 pub fn judge(images: &[Mapped], member: &Member) -> Judged<()> {
     let states = impacts(member);
     let mut judged = 0;

@@ -43,7 +43,7 @@ pub struct Shaken {
     pub restitution: Float,
 }
 
-/// After an impact, inside, or at rest.
+/// The state of the ball after an impact, inside, or at rest.
 #[derive(Clone, Debug)]
 pub struct State {
     pub time: Float,

@@ -35,7 +35,7 @@ pub enum Finding {
 
 /// The verdicts of both judges on an answer.
 pub struct Judgement {
-    /// Of `check`, and of the truth.
+    /// The verdicts of `check`, and of the truth.
     pub findings: [Finding; 2],
     /// The answer in a word: an outcome, orbits, a refusal.
     pub outcome: String,

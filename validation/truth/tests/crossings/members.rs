@@ -22,7 +22,7 @@ pub struct Member {
     pub start: State,
     /// All harmonics, those that are 0 among them.
     pub tones: Vec<Tone>,
-    /// Before an impact, for a start on a wall.
+    /// Velocity before an impact, for a start on a wall.
     pub velocity: Float,
 }
 

@@ -59,7 +59,7 @@ const OUTCOMES: [&str; 25] = [
     "refused",
 ];
 
-/// As many as ask all pairs and all triples, and some more.
+/// Number of answers that ask all pairs and all triples, and some more.
 const CASES: u64 = 1_700;
 /// The default seed: one whose answers have all the outcomes that must occur.
 const SEED: u64 = 2026;
@@ -77,7 +77,7 @@ struct Counts {
 #[derive(Default)]
 struct Tally {
     questions: BTreeMap<Question, Counts>,
-    /// By the value of each trait.
+    /// Counts by the value of each trait.
     traits: BTreeMap<(usize, &'static str), Counts>,
     outcomes: BTreeMap<String, u64>,
     coverage: Coverage,

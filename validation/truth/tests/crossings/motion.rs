@@ -210,7 +210,7 @@ impl<'a> Motion<'a> {
         }
     }
 
-    /// No contact comes before a time, in bounds or at once.
+    /// Checks that no contact comes before a time, in bounds or at once.
     fn is_clear(&mut self, until: &Float, what: &str) -> Judged<()> {
         match self.next()? {
             Next::Contact(contact) if contact.time < *until => {
@@ -263,7 +263,7 @@ impl<'a> Motion<'a> {
         }
     }
 
-    /// After N cycles it leaves the same wall as before, where it is released at all.
+    /// Checks that it leaves the same wall as before after N cycles, if it is released at all.
     fn repeats(&mut self, outcome: &Value, member: &Member) -> Judged<()> {
         let cycles = outcome["period"]["cycles"].as_u64().unwrap_or(0);
         let mut releases = Vec::new();
@@ -284,7 +284,8 @@ impl<'a> Motion<'a> {
         Err(Halt::Open("no release comes"))
     }
 
-    /// After many periods it is within the bounds of the orbit, or nearer to it than at first: intervals among the data are as many orbits.
+    /// Checks that it is within the bounds of the orbit after many periods, or nearer to it than at first: intervals among the data are many
+    /// orbits.
     fn converges(&mut self, outcome: &Value, member: &Member) -> Judged<()> {
         let impacts = outcome["orbit"]["impacts"].as_array().map_or(&[][..], Vec::as_slice);
         let speeds: Option<Vec<_>> =

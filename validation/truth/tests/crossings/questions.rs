@@ -285,7 +285,7 @@ impl Case {
         Ok(Answer::Bifurcations(json!(found)))
     }
 
-    /// Without the horseshoe, which takes a second to find.
+    /// Asks for a description without the horseshoe, which takes a second to find.
     fn describe(&mut self) -> Result<Answer, Error> {
         let impacts = self.random.pick(&[1, 80, 80, 80]);
         let request = Request { impacts, depth: 2, max_bits: MAX_BITS };
@@ -344,7 +344,7 @@ impl Case {
         Ok(Answer::Windows(json!(document::windows(&self.scene, &settings, &found)?)))
     }
 
-    /// Of few boxes.
+    /// Asks for a global analysis by few boxes.
     fn global(&mut self) -> Result<Answer, Error> {
         let settings = GlobalSettings {
             boxes: 1 << 10,
@@ -357,7 +357,7 @@ impl Case {
         Ok(Answer::Global(json!(document::global(&self.scene, &settings, &found)?)))
     }
 
-    /// Of the scene's own parameters and others of which more is proved, by few boxes: a stronger forcing, and less restitution.
+    /// Asks for an atlas of the scene's own parameters and others of which more is proved, by few boxes: a stronger forcing, and less restitution.
     fn atlas(&mut self) -> Result<Answer, Error> {
         let key = self.random.pick(&["gap", "amplitude"]);
         let ((length, own), (_, restitution)) = (self.key(key), self.key("restitution"));
@@ -386,7 +386,7 @@ impl Case {
         Ok(Answer::Atlas { head: json!(atlas::head(&self.scene, &plane, &settings, None)), records, points })
     }
 
-    /// About the scene's own gap or restitution, along few flights.
+    /// Asks for tangencies about the scene's own gap or restitution, along few flights.
     fn tangency(&mut self) -> Result<Answer, Error> {
         let key = self.random.pick(&["gap", "restitution"]);
         let (name, own) = self.key(key);
