@@ -29,7 +29,7 @@ pub(super) struct ClaimedPoint {
     places: Vec<Option<u64>>,
     /// True if its values are those of the grid; `None` where that is undecided.
     pub is_of_grid: Option<bool>,
-    /// The contradiction of it to the head of the atlas, or to itself.
+    /// Its contradiction to the head of the atlas, or to itself.
     pub contradiction: Option<&'static str>,
 }
 

@@ -36,7 +36,7 @@ pub(super) struct ClaimedOrbit {
     pub is_of_grid: Option<bool>,
     /// True if it is an orbit that starts near the scene's start.
     pub is_shadowed: bool,
-    /// The contradiction of it to the head of the sweep, or to itself.
+    /// Its contradiction to the head of the sweep, or to itself.
     pub contradiction: Option<&'static str>,
 }
 

@@ -81,7 +81,7 @@ struct Convergence<'c> {
 }
 
 impl Convergence<'_> {
-    /// Proves it for all data of a piece.
+    /// Proves the convergence for all data of a piece.
     fn answer(&self, piece: &Piece) -> Result<(), Doubt> {
         let frame = Frame::new(self.target.data, piece, BITS);
         let mut answer = Err(Doubt::open("the motion is not proved to follow the word at its end"));

@@ -27,7 +27,7 @@ pub(super) struct Contraction {
     pub landings: Vec<Landing>,
     /// Encloses `T^-1 DP T` over the ellipse.
     pub derivative: Matrix,
-    /// Upper bound of the factor that distances are multiplied by, in units of the ellipse's radius.
+    /// Greatest factor by which distances are multiplied, with the ellipse's radius as the unit.
     factor: Real,
     /// Displacement of the centre.
     moved: Real,
@@ -125,7 +125,7 @@ impl Contraction {
         is_inside(&self.factor, &self.moved)
     }
 
-    /// Approximate factor, as a power of 2, by which an ellipse that holds the orbit is larger.
+    /// Approximate factor, as a power of 2, by which an ellipse that holds the orbit is larger than this one.
     pub fn larger_by(&self) -> i64 {
         let rest = Real::int(1, self.factor.bits()) - &self.factor;
         let needed = self.moved.over(&rest).and_then(|needed| needed.enclosure().sup().top());

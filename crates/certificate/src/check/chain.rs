@@ -168,7 +168,7 @@ mod tests {
     }
 
     proptest! {
-        /// Compared with the images of edges and inner points of a node in floating point.
+        /// `covers` is compared with the images of the edges and of inner points of a node, in floating point.
         #[test]
         fn edges_come_to_lie_beyond_edges(
             centre in prop::array::uniform2(-1.0..1.0f64), far in prop::array::uniform2(-5.0..5.0f64), wide in prop::array::uniform2(-1.0..1.0f64),

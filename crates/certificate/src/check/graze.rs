@@ -16,7 +16,7 @@ struct Summit {
     after: Real,
     /// Time of the extremum, and the times around it at which the wall may be touched.
     touch: Real,
-    /// Greatest distance that it may reach beyond the wall, negative where it does not reach it.
+    /// Distance that it may reach beyond the wall, negative where it does not reach it.
     excess: Real,
     /// The greatest speed at which the wall may be hit.
     speed: Real,

@@ -207,7 +207,7 @@ impl Beam {
         self.leaves_at(Span::point(time).turned(), time).0
     }
 
-    /// Returns whether all have left the wall up to `time` \[forcing periods\], `angle` in radians, and the mean velocity from the wall until then.
+    /// Returns whether all are away from the wall until `time` \[forcing periods\], `angle` in radians, and the mean velocity until then.
     fn leaves_at(&self, angle: Span, time: f64) -> (bool, Span) {
         let bend = (self.phase + Span::new(0.0, time)).sin_cos().0;
         let mean = self.after + bend * angle.scaled(0.5);

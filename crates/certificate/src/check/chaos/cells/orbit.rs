@@ -229,7 +229,7 @@ impl Period {
         }
     }
 
-    /// Returns whether both may be of one orbit: the walls of the other one, or of its mirror image, repeat to these, with equally many forcing
+    /// Returns whether both may be of one orbit: the walls of the other one, or of its mirror image, are these repeated, in as many forcing
     /// periods per impact. Lemma V38
     pub fn may_be(&self, other: &Self) -> bool {
         let mirrored: Vec<bool> = other.is_right.iter().map(|wall| !wall).collect();

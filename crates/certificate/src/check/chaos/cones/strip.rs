@@ -43,7 +43,7 @@ pub(super) struct Cell {
     pub heights: [f64; 2],
 }
 
-/// The image of the middle of a cell, in the coordinates of its h-set, and those of the half sides under the derivative.
+/// The image of the middle of a cell, and those of its half sides under the derivative, in the coordinates of the next h-set.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Image {
     pub cell: Cell,
@@ -184,7 +184,7 @@ impl Cell {
     }
 }
 
-/// The map of an h-set's states along flights, with the work allowed.
+/// The law, the h-sets and the work allowed, with which flights are followed.
 pub(super) struct Map<'m> {
     pub law: &'m Law,
     pub guess: &'m Guess,

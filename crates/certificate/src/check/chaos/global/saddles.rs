@@ -190,7 +190,7 @@ fn bases(count: usize, passages: &[Passage], images: &[Image]) -> Vec<Doubles> {
     all.into_iter().map(|[along, across]| [[along[0], across[0]], [along[1], across[1]]]).collect()
 }
 
-/// Approximate slopes that cones need so that those mapped into them fit, if nothing bends.
+/// Approximate half widths that cones need to hold the images of those before them, if nothing bends.
 fn heights(count: usize, passages: &[Passage], images: &[Image], bases: &[Doubles]) -> Vec<f64> {
     let mut heights = vec![1.0_f64; count];
     for _ in 0..ROUNDS {
