@@ -143,7 +143,7 @@ fn rooms_import_what_stands_before_them() {
     }
 }
 
-/// What DESIGN.md has between backticks, in this part of it.
+/// The texts between backticks in this part of DESIGN.md.
 fn quoted(part: &str) -> Vec<&str> {
     part.split('`').skip(1).step_by(2).collect()
 }
