@@ -1,4 +1,4 @@
-//! What the benches share: the flights of figures 12-17, from their printed data; a clock and a median.
+//! Shared parts of the benches: the flights of figures 12-17, from their printed data; a clock and a median.
 
 use std::time::Instant;
 
@@ -46,7 +46,7 @@ impl Figure {
         Orbit::new(&self.pair, &self.start, settings).expect("printed data")
     }
 
-    /// Where each of `count` flights of the floating orbit starts: wall, phase and velocity after the impact.
+    /// Starts of the first `count` flights of the floating-point orbit, after their impacts, and the reduced pair in balls.
     pub fn launches(&self, count: u64) -> (Reduced<Ball>, Vec<Launch>) {
         let pair = Reduced::exact(&self.pair).and_then(|exact| exact.enclosed()).expect("printed data");
         let launches = self
@@ -66,9 +66,9 @@ impl Figure {
 pub struct Launch {
     /// The wall it leaves.
     pub wall: Wall,
-    /// In turns.
+    /// Phase at the start \[forcing periods\].
     pub phase: f64,
-    /// After the impact, relative to the gap.
+    /// Velocity after the impact, relative to the gap.
     pub velocity: f64,
 }
 

@@ -1,4 +1,4 @@
-//! What proofs cost in multiprecision: certified orbits against plain MPFR with the same precision plan, as ratios.
+//! Costs of proofs in multiprecision: certified orbits against plain MPFR with the same precision plan, as ratios.
 //!
 //! `cargo bench --bench multiprecision`. The plain program does what a competent user of MPFR would: the wall and a
 //! first guess from doubles, steps of the fourth order that quadruple the bits, one sine and cosine at full precision

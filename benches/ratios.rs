@@ -1,4 +1,4 @@
-//! What proofs cost: one run, interleaved, as ratios, with the width beside the time.
+//! Costs of proofs: one run, interleaved, as ratios, with the width beside the time.
 //!
 //! `cargo bench --bench ratios`. Each figure's flights are solved by four programs in turn, again and again, and
 //! the table gives the median time of each and the medians of the ratios taken round by round: plain doubles with

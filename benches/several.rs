@@ -1,4 +1,4 @@
-//! What several harmonics cost: nanoseconds for each impact, over the number of terms, in one run, interleaved.
+//! Costs of several harmonics: nanoseconds per impact, over the number of terms, in one run, interleaved.
 //!
 //! `cargo bench --bench several`. The amplitude of a figure is shared among `n` terms whose frequencies, a few per cent
 //! apart, have no common period; their sum moves the box about as the figure's harmonic does. One term is the

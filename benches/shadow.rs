@@ -1,4 +1,4 @@
-//! What a shadowed impact costs, beside a certified step in doubles and a plain float: in one run, interleaved.
+//! Costs of a shadowed impact, beside a certified step in doubles and a plain one in floating point: in one run, interleaved.
 //!
 //! `cargo bench --bench shadow`. The chaotic figures are shadowed for 100,000 impacts; the float orbit has as many, an orbit in
 //! interval arithmetic as many as doubles certify. Times are nanoseconds an impact, median over the rounds; so are the ratios

@@ -1,4 +1,4 @@
-//! What accuracy costs, by criterion: `cargo bench --bench trade`.
+//! Costs of accuracy, by criterion: `cargo bench --bench trade`.
 //!
 //! Orbit steps on the rungs of `impact-pair trade`, for figures 12 (periodic) and 14 (chaotic). Ids are
 //! `trade/FIGURE/RUNG`; throughput counts the impacts that the rung reaches.

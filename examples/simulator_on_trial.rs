@@ -1,7 +1,7 @@
-//! Judges a simulator of one's own: `cargo run --release --example simulator_on_trial`.
+//! Test of a simulator of one's own: `cargo run --release --example simulator_on_trial`.
 //!
 //! Fixed steps, an impact where the ball is beyond a wall at the end of one, its time by linear interpolation: as many write it
-//! first. On figure 14 it is told from which impact on it is somewhere else.
+//! first. On figure 14 the audit names the impact at which it diverges from the true orbit.
 
 use std::f64::consts::PI;
 

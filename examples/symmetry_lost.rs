@@ -1,4 +1,4 @@
-//! Where the simplest motion loses its symmetry, with proof: `cargo run --release --example symmetry_lost`.
+//! The amplitude at which the simplest motion loses its symmetry, with proof: `cargo run --release --example symmetry_lost`.
 //!
 //! Two impacts a cycle: over the amplitude, all such motions, whether they exist (no wall is touched earlier) and are stable. The
 //! symmetric one stops being stable at the pitchfork, A/d = 0.34588927..., and two that mirror one another take its place.

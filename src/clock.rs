@@ -37,8 +37,8 @@ pub struct Clock {
     gaps: Units<Enclosure>,
     /// `2 pi / (W d)`
     slowness: Exact,
-    /// What intervals of W, tau and d add to widths: to a time for each forcing period since `t = -tau/W` and once, in periods;
-    /// to a velocity for each unit of it. `None` for exact ones.
+    /// Widths that intervals of W, tau and d add: to a time, in periods, for each forcing period since `t = -tau/W`, and once; to a
+    /// velocity, as a fraction of it. `None` for exact data.
     spread: Option<[f64; 3]>,
 }
 
@@ -83,7 +83,7 @@ impl Clock {
         ]
     }
 
-    /// How many forcing periods after the start of a period of N forcing periods phases are counted from.
+    /// Returns the number of whole forcing periods from the start of a period of N forcing periods to the origin of phases.
     pub(crate) fn turns_into(&self, period: u32) -> i64 {
         self.origin.mod_floor(&BigInt::from(period)).to_i64().unwrap_or(0) // exact: below 2^32
     }

@@ -40,7 +40,7 @@ pub(crate) fn velocity_after<N: Number>(beta: N, velocity: N, (sin, cos): (N, N)
     beta.mul_add_ref(&wave, velocity)
 }
 
-/// Where a flight starts, not mirrored: after the impact, for a start on a wall.
+/// The start of a flight, not mirrored: after the impact, for a start on a wall.
 #[derive(Clone, Debug)]
 pub(crate) struct Launch<N> {
     /// `None` inside the gap.
@@ -57,13 +57,13 @@ pub(crate) struct Launch<N> {
 }
 
 impl<N: Number> Launch<N> {
-    /// From a wall.
+    /// Returns the start of a flight from a wall.
     #[inline(always)]
     pub fn from_wall(wall: Wall, turns: i64, phase: N, velocity: N, is_release: bool) -> Self {
         Self { wall: Some(wall), height: N::from_f64(0.0), turns, phase, velocity, is_release }
     }
 
-    /// From inside the gap.
+    /// Returns the start of a flight from inside the gap.
     pub fn from_inside(height: N, turns: i64, phase: N, velocity: N) -> Self {
         Self { wall: None, height, turns, phase, velocity, is_release: false }
     }
@@ -193,7 +193,7 @@ impl<N: Number> Flight<N> {
 }
 
 impl Flight<f64> {
-    /// Whether no extrema are expected: `|c| >= beta`.
+    /// Returns whether no extrema are expected: `|c| >= beta`.
     #[inline(always)]
     pub(crate) fn is_monotone(&self) -> bool {
         self.drift.abs() >= self.beta

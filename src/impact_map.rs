@@ -17,7 +17,7 @@ use crate::pair::{ImpactPair, Inward, Wall};
 use crate::shaken::{Either, Flying, Leaving, under};
 use crate::{Error, turns};
 
-/// What a proof finds, or why it found nothing.
+/// The result of a proof, or the reason why there is none.
 pub type Answer<T> = Result<T, Undecided>;
 
 /// The impact map of a pair.
@@ -70,7 +70,7 @@ impl ImpactMap {
     /// Returns the impact map of a pair; parameters that are intervals are varied over all their values.
     ///
     /// # Errors
-    /// When a parameter is beyond what exact expressions or doubles hold.
+    /// Returns an error if a parameter is beyond what exact expressions or doubles hold.
     pub fn new(pair: &ImpactPair) -> Result<Self, Error> {
         let clock = Clock::new(pair, &Exact::from(0), 0)?;
         Ok(Self { shaken: Either::new(pair, &clock)? })
@@ -79,7 +79,8 @@ impl ImpactMap {
     /// Returns the box of all states on a wall with these phases and velocities before the impact.
     ///
     /// # Errors
-    /// When a phase lies outside `[-1, 1]`, or a velocity is not towards the wall: at most 0 on the left, at least 0 on the right.
+    /// Returns an error if a phase lies outside `[-1, 1]`, or if a velocity is not towards the wall: at most 0 on the left, at least 0 on the
+    /// right.
     pub fn states(&self, wall: Wall, phase: Ball, velocity: Ball) -> Result<States, Error> {
         // exact: it refuses what is not promised
         if !(0.0..=1.0).contains(&phase.mag()) {
@@ -101,7 +102,7 @@ impl ImpactMap {
     /// Returns the states of a set just before the next impact, with the Jacobian over it.
     ///
     /// # Undecided
-    /// Where not all flights of the set are proved to end on the same wall: it is too wide, or a flight may graze or end in a rest.
+    /// Undecided if not all flights of the set are proved to end on the same wall: it is too wide, or a flight may graze or end in a rest.
     pub fn image(&self, states: &States) -> Answer<Image> {
         under!(&self.shaken, shaken => fly(&**shaken, states))
     }
@@ -109,7 +110,7 @@ impl ImpactMap {
     /// Returns the image of a set under `count` mappings, at least one, with the product of their Jacobians.
     ///
     /// # Undecided
-    /// Where one of the images is.
+    /// Undecided if one of the images is.
     pub fn iterate(&self, states: &States, count: usize) -> Answer<Image> {
         let mut image = self.image(states)?;
         for _ in 1..count {

@@ -4,7 +4,7 @@ use crate::number::Number;
 use crate::pair::rebound;
 pub use impact_pair_model::{Mapping, Word};
 
-/// What the Jacobian of one mapping depends on; velocities in gap widths per forcing period, with their sign, before the impacts.
+/// The data of the Jacobian of one mapping; velocities in gap widths per forcing period, with their sign, before the impacts.
 #[derive(Clone, Copy, Debug)]
 pub struct Passage<N> {
     /// `h = t1 - t0` in forcing periods.
@@ -43,7 +43,7 @@ pub fn jacobian<N: Number>(beta: N, restitution: N, passage: &Passage<N>) -> Opt
     jacobian_between(restitution, time, [swing.clone() * sin0, swing * sin1], [velocity0, velocity1])
 }
 
-/// The same from the accelerations `y''` after the impact it starts with and at the one it ends with.
+/// Returns the Jacobian of a mapping, from the accelerations `y''` after the impact it starts with and at the one it ends with.
 #[inline(always)]
 pub(crate) fn jacobian_between<N: Number>(
     restitution: N,
@@ -66,7 +66,7 @@ pub(crate) struct Sheared<N> {
 }
 
 impl<N: Number> Sheared<N> {
-    /// From what [`jacobian_between`] is given.
+    /// Returns the Jacobian in two parts, from the arguments of [`jacobian_between`].
     #[inline(always)]
     pub fn between(restitution: N, time: N, [swing0, swing1]: [N; 2], [velocity0, velocity1]: [N; 2]) -> Option<Self> {
         let inverse = N::from_f64(1.0).checked_div(velocity1)?;

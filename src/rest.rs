@@ -1,6 +1,6 @@
-//! Chatter that ends in rest, and release: beyond the paper.
+//! Complete chatter, which ends in sticking, and release: beyond the paper.
 //!
-//! Told from the wall (mirrored, as a flight is), `z'' = 2 pi beta sin th`: the wall is pressed while `sin th < 0`, on
+//! Measured from the wall (mirrored, as a flight is), `z'' = 2 pi beta sin th`: the contact force acts while `sin th < 0`, on
 //! phases between 1/2 and 1. Lemmas Z1-Z3 of `docs/proofs/chatter.md#Z1`.
 
 use std::cmp::Ordering;
@@ -12,21 +12,22 @@ use crate::number::interval::Interval;
 use crate::number::{Ball, Enclosing};
 use crate::pair::{Reduced, Wall};
 
-/// What [`accumulation`] wants of time at least, in turns, for each unit of the velocity before an impact.
+/// Returns the least time that [`accumulation`] needs, in forcing periods, for each unit of the velocity before an impact (gap
+/// widths per forcing period).
 pub(crate) fn min_chatter_time_per_speed(pair: &Reduced<Ball>) -> f64 {
     let (beta, rebound) = (pair.beta.mid(), pair.restitution.mid());
     let least = 4.0 * rebound / (std::f64::consts::TAU * beta * (1.0 - rebound));
-    // Where nothing shakes anything may rest; where nothing is lost only what is at rest.
+    // Without excitation any bounce may end in rest; without loss only a ball without velocity.
     if beta == 0.0 { 0.0 } else { least.min(f64::MAX) } // proposes: Z1 is proved where it says so
 }
 
-/// Where a set of phases lies on a stretch of a turn during which a wall is pressed.
+/// The place of a set of phases in the half period during which the contact force on a wall acts.
 #[derive(Debug)]
 pub(crate) struct Pressed {
-    /// The turns since the pressure began, and until it ends, of all members.
+    /// Forcing periods since the contact force began, and until it ends, of all members.
     since: Interval,
     left: Interval,
-    /// Whole turns from phase 0 to the turn in which it began.
+    /// Whole forcing periods from phase 0 to the one in which it began.
     turns: BigInt,
 }
 
@@ -34,7 +35,7 @@ pub(crate) struct Pressed {
 const EXACTLY: u32 = 1 << 30;
 
 impl Pressed {
-    /// `None` unless it is certain that all phases are pressed, and during the same half of a turn.
+    /// `None` unless it is certain that the contact force acts at all phases, during the same half of a forcing period.
     ///
     /// Nothing is rounded before the half turn is taken off: a phase `10^-300` inside is inside (Lemma Z1).
     pub fn on(wall: Wall, phase: &Enclosure) -> Option<Self> {
@@ -52,9 +53,9 @@ impl Pressed {
         is_inside.then(|| Self { since: Interval::enclosing(&since), left: Interval::enclosing(&left), turns })
     }
 
-    /// Whether the pressure begins exactly there: then it is 0.
+    /// Returns whether the contact force begins exactly there: then it is 0.
     ///
-    /// Lemma Z2: a ball at rest is pressed from then on; any earlier, however little, it still leaves.
+    /// Lemma Z2: a ball at rest sticks from then on; any earlier, however little, it still leaves.
     pub fn is_at_its_begin(&self) -> bool {
         self.since == Interval::ZERO // Z2: exactly there
     }
@@ -65,14 +66,14 @@ impl Pressed {
         Some((i64::try_from(&self.turns).ok()?.checked_add(1)?, -wall.mirror_phase())) // Z2: refused beyond
     }
 
-    /// `|sin|` on all phases of the set and `window` turns after each; `None` where the pressure may end before.
+    /// `|sin|` on all phases of the set and `window` forcing periods after each; `None` where the contact force may end before.
     fn sine(&self, window: f64) -> Option<Interval> {
         let window = Interval::new(0.0, window);
         let (since, left) = (self.since + window, self.left - window);
         if left.inf().partial_cmp(&0.0) != Some(Ordering::Greater) {
             return None;
         }
-        // It rises for a quarter of a turn and falls after it: told from the nearer end.
+        // It rises for a quarter of a forcing period and falls after it: computed from the nearer end.
         let at = |since: f64, left: f64| sine(if since <= 0.25 { since } else { left });
         let ends = at(since.inf(), left.sup()).hull(at(since.sup(), left.inf()));
         // Z1: the top between both
@@ -80,7 +81,7 @@ impl Pressed {
     }
 }
 
-/// The sine at so much of a turn, at most a quarter of it, to a few units in the last place of itself.
+/// The sine at `phase` turns, at most a quarter of one, to a few units in the last place of itself.
 fn sine(phase: f64) -> Interval {
     let phase = Interval::point(phase);
     // Z1: `x (1 - x^2/6) <= sin x <= x`, and `(2 pi)^2/6 < 8`
@@ -90,24 +91,24 @@ fn sine(phase: f64) -> Interval {
     phase.sin()
 }
 
-/// How long, in turns, chatter can last that begins with a bounce of a set at `velocity`, that after the impact.
+/// Returns an upper bound of the duration, in forcing periods, of chatter that begins with a bounce of a set at `velocity`, that after the impact.
 ///
 /// `Some(t)`: within `t` turns infinitely many impacts follow, all on this wall, each slower than the one before, and
 /// the ball is at rest from their accumulation on until its release (Lemma Z1). 0 for a ball that does not leave.
 /// `None`: not proved.
 pub(crate) fn accumulation(pair: &Reduced<Ball>, pressed: &Pressed, velocity: Ball) -> Option<f64> {
-    // Lemmas Z1, Z2: what is not certainly shaken is not certainly pressed, nor released.
+    // Lemmas Z1, Z2: without certain excitation neither a contact force nor a release is certain.
     if pair.beta.certain_sign() != Some(Ordering::Greater) {
         return None;
     }
     let (speed, rebound) = (velocity.mag(), pair.restitution.mag());
-    // Z1, Z2: exactly at rest, of any set that is pressed, or from there on
+    // Z1, Z2: exactly at rest, of any set with a contact force, or from there on
     if speed == 0.0 {
         return Some(0.0);
     }
     let beta = Interval::from(pair.beta);
     let swing = Interval::TAU * beta;
-    // Twice what the pressure would take if it were constant. Any window will do that the sum fits into.
+    // Twice the time under a constant contact force. Any window serves into which the sum fits.
     let now = swing * pressed.sine(0.0)?;
     let window = 4.0 * speed / (now.mid() * (1.0 - rebound));
     if rebound >= 1.0 || window.partial_cmp(&0.5) != Some(Ordering::Less) {
@@ -116,8 +117,8 @@ pub(crate) fn accumulation(pair: &Reduced<Ball>, pressed: &Pressed, velocity: Ba
     duration(speed, rebound, swing * pressed.sine(window)?, window)
 }
 
-/// How long, in turns, chatter lasts at most that begins with a bounce at `speed`, while the pressure stays within `pressure`
-/// for `window` turns (Lemma Z1); `None` where it is not proved to end in them.
+/// Returns an upper bound of the duration, in forcing periods, of chatter that begins with a bounce at `speed`, while the contact force stays within
+/// `pressure` for `window` forcing periods (Lemma Z1); `None` if it is not proved to end in them.
 pub(crate) fn duration(speed: f64, rebound: f64, pressure: Interval, window: f64) -> Option<f64> {
     let [speed, rebound, least, most] = [speed, rebound, pressure.inf(), pressure.sup()].map(Interval::point);
     if least.inf().partial_cmp(&0.0) != Some(Ordering::Greater) {
@@ -162,7 +163,7 @@ mod tests {
         assert!(rests(&pair, Wall::Left, "[-0.51, 0.01]", 1e-4).is_none());
     }
 
-    /// The pressure is `(2 pi)^3 alpha x` where it began or ends `x` turns away: the time is as long as where it is constant.
+    /// The contact force is `(2 pi)^3 alpha x` if it began or ends `x` turns away: the time is as long as under a constant one.
     #[test]
     fn chatter_is_proved_however_near_to_the_begin_or_the_end_of_the_pressure() {
         let pair = pair(0.1, 0.01);
@@ -179,7 +180,7 @@ mod tests {
                 let bound = rests(&pair, wall, &phase, speed).unwrap();
                 let constant = 2.0 * speed / (pressure * 0.99);
                 assert!((0.99..1.02).contains(&(bound / constant)), "{phase}: {bound} {constant}");
-                // As fast as that would lead out of the pressure, at its end.
+                // At this speed the chatter would outlast the contact force, at its end.
                 let is_end = !phase.contains("+") && phase.contains("-1e") || phase.contains("1/2 - ");
                 let fast = rests(&pair, wall, &phase, 2.0 * pressure * distance);
                 assert!(!is_end || fast.is_none(), "{phase}");
@@ -193,7 +194,7 @@ mod tests {
         assert_eq!(rests(&pair(0.1, 1.0), Wall::Left, "-1/4", 0.0), Some(0.0));
     }
 
-    /// Lemma Z2: at the begin of the pressure exactly a ball at rest stays, a little before it leaves.
+    /// Lemma Z2: exactly at the beginning of the contact force a ball at rest stays, a little earlier it leaves.
     #[test]
     fn the_pressure_begins_at_its_phase_and_not_before() {
         let at_rest = |wall, phase: &str| rests(&pair(0.1, 0.5), wall, phase, 0.0).is_some();

@@ -1,4 +1,4 @@
-//! Widths and errors of any smallness, in the units that the digits are asked in.
+//! Widths and errors of any smallness, in the units to which the requested digits refer.
 
 use std::fmt;
 
@@ -102,14 +102,14 @@ impl Unit {
     }
 }
 
-/// What digits of times and velocities are relative to, both greater than 0.
+/// Units of the widths of times and velocities, both greater than 0.
 #[derive(Clone, Copy, Debug)]
 pub struct Scales<N> {
     /// The period of the excitation, `2 pi / W` \[time\].
     pub period: N,
     /// `A W`, with several harmonics their sum; where A may be zero gap widths per forcing period, `d W / (2 pi)` \[length/time\].
     pub velocity: N,
-    /// Which of the two it is.
+    /// The definition of the unit of velocities.
     pub speed: Speed,
 }
 

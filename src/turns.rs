@@ -33,7 +33,7 @@ pub fn in_period(turns: &Enclosure, period: u32) -> u32 {
     turn.to_u32().expect("less than the period")
 }
 
-/// The same sum where who follows the motion takes it by [`after`] as well: what is refused there is not gone on with.
+/// Returns the sum without a check, for a motion whose follower also takes it by [`after`]: a sum refused there ends the motion.
 #[inline(always)]
 pub(crate) fn counted(turns: i64, whole: f64) -> i64 {
     turns.wrapping_add(whole as i64) // N1: the other count ends first, and this one with it

@@ -245,7 +245,7 @@ fn what_has_no_branch_under_several_harmonics_is_refused_in_one_line() {
     assert!(open.contains("whose frequency and phase are not intervals"), "{open}");
 }
 
-/// What is kept when a survey is ended early is among what the whole one proves, and it is not called all.
+/// A survey that is ended early keeps points that the whole one proves, and is not called complete.
 #[test]
 fn a_survey_that_is_ended_keeps_what_is_proved() {
     let scene = Scene::parse(SCENE).unwrap();

@@ -57,7 +57,7 @@ fn is_confirmed(document: &Value) -> bool {
     matches!(verdict(document), Verdict::Confirmed { .. })
 }
 
-/// Whether a copy with another value at a path of the outcome is confirmed.
+/// Returns whether a copy with another value at a path of the outcome is confirmed.
 fn is_confirmed_with(document: &Value, path: &str, value: Value) -> bool {
     let mut copy = document.clone();
     *copy["outcome"].pointer_mut(path).expect(path) = value;
@@ -212,7 +212,7 @@ fn the_mirror_image_is_another_attractor() {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(2))]
 
-    /// What `run` proves to be attracted is confirmed, by the other route, and with a bound past the truth it is not.
+    /// Orbits that `run` proves to be attracted are confirmed, by the other route, and with a bound past the truth they are not.
     #[test]
     fn attractors_of_random_scenes_are_confirmed(
         amplitude in 0.5..9.0f64, second in 0.0..0.3f64, frequency in 2u32..4, e in 0.1..0.8f64, velocity in -30.0..-5.0f64,

@@ -159,7 +159,7 @@ fn spoiled(document: &Value, (path, value): (&str, &str)) -> u32 {
     tried
 }
 
-/// What varies with the gap does not with the frequency.
+/// A bifurcation over the gap is none over the frequency.
 #[test]
 fn no_bifurcation_over_the_frequency_is_confirmed() {
     let mut document = bifurcations("pair.gap=1.02..1.1", 0, 9);

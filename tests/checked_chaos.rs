@@ -148,7 +148,7 @@ fn with(document: &Value, changes: &[(&str, Value)]) -> Value {
     copy
 }
 
-/// What is refused, and how.
+/// Asserts that a document is not confirmed, with a message that contains `words`.
 fn refuses(document: &Value, whose: &str, words: &str) {
     match verdict(document) {
         Some(Verdict::Refuted(Finding { message, .. }) | Verdict::Undecided(Finding { message, .. })) => {
@@ -165,7 +165,7 @@ fn words_are_confirmed() {
     }
 }
 
-/// What docs/paper.md says of figure 14: long words, from the bases that `chaos --depth 22` finds. Each of the checker's ways to make
+/// The claim of docs/paper.md on figure 14: long words, from the h-sets that `chaos --depth 22` finds. Each of the checker's ways to make
 /// chains loses some of them, of the longest ones a few for good: the others have the entropy that the document states.
 #[test]
 #[ignore = "deep"]

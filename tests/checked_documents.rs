@@ -104,7 +104,7 @@ fn r17_no_sweep_that_is_changed_is_confirmed() {
     assert!(is_confirmed(&copy));
 }
 
-/// Where no bounce repeats a wall nothing can rest, and what is false is refuted.
+/// False values are refuted at an amplitude at which no bounce repeats a wall, so that nothing can rest.
 #[test]
 fn r17_an_impact_that_is_false_is_refuted() {
     let lines = sweep(&SCENE.replace("amplitude = 8", "amplitude = 2"), &["amplitude=2..2.1:2"]);
@@ -156,7 +156,7 @@ fn r17_documents_in_a_list_are_judged_one_by_one() {
     assert!(Claims::parse("[1]").is_err());
 }
 
-/// What comes after a list is not passed over.
+/// A list of documents with a text after it is refused.
 #[test]
 fn r32_nothing_comes_after_a_list_of_documents() {
     let list = json!([two_impact(1)]).to_string();

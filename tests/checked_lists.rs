@@ -150,7 +150,7 @@ fn r32_an_orbit_listed_twice_is_not_two() {
     }
 }
 
-/// What is wider than what is asked of its bounds is the same orbit.
+/// An orbit with bounds wider than requested is the same orbit.
 #[test]
 fn r32_an_orbit_in_wider_bounds_is_not_another_one() {
     let document = four_orbits();

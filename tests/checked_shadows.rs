@@ -208,7 +208,7 @@ fn judges_spoiled(figures: [(&str, &[usize]); 3]) {
     }
 }
 
-/// What no state within the bounds does is proved to be false; a bound that is only too narrow is not.
+/// A claim that no start within the bounds satisfies is proved to be false; a bound that is only too narrow is not.
 #[test]
 fn what_no_start_does_is_refuted() {
     let document = shadowed(&figure("figure-14"), 100);
@@ -262,11 +262,12 @@ fn beside_stillness(position: &str, [time, velocity]: [&Value; 2], more: &[Value
     document
 }
 
-/// With v(0) = 5e-4 the impact is at 3.08603342942608920..., v = 0.05603064495253... (mpmath's `findroot` of the formula above).
+/// Bounds of time and velocity of the impact, which are 3.08603342942608920... and 0.05603064495253... with v(0) = 5e-4 (`findroot` of mpmath, for
+/// the formula above).
 const TIME: [&str; 2] = ["3.08503", "3.08703"];
 const VELOCITY: [&str; 2] = ["0.0550", "0.0571"];
 
-/// What the scene's own start does for ever, a start near it does not.
+/// The scene's own start may do for ever what no start near it does.
 #[test]
 fn r32_what_the_scenes_start_does_for_ever_is_not_said_of_another() {
     let graze = |time: [&str; 2]| json!({"event": "graze", "wall": "right", "time": time});

@@ -59,7 +59,7 @@ fn r17_no_bits_are_spent_on_what_intervals_leave_open() {
     }
 }
 
-/// Where `A W` may be 0 no width is narrow relative to it: the impact is listed as wide as the interval makes it. There was no end.
+/// No width is narrow relative to `A W` that may be 0: the impact is listed as wide as the interval makes it. There was no end.
 #[test]
 fn r40_no_bits_are_spent_on_a_width_relative_to_nothing() {
     let excitation = "amplitude = \"[0, 1e-4]\", frequency = \"pi\", phase = 0";

@@ -123,13 +123,13 @@ proptest! {
         }
     }
 
-    /// Where the enclosure has decided, plain doubles with either trigonometry are close (a label, not a proof).
+    /// Plain doubles with either trigonometry are close to a contact that the enclosure has decided (a label, not a proof).
     #[test]
     fn plain_doubles_agree_with_wide_margin_flights((alpha, wall, phase, speed) in starts()) {
         let Some((flight, contact)) = certified(alpha, wall, phase, speed) else { return Ok(()) };
         let own = first_contact_f64::<Kernel>(&flight).expect("the proposal that was certified");
         prop_assert_eq!(own.wall, contact.wall);
-        // What the rounding of heights makes of times.
+        // The error of times by the rounding of heights.
         let noise = noise(alpha, own.time) / own.velocity.abs() + contact.time.rad();
         prop_assert!((own.time - contact.time.mid()).abs() <= noise);
         if let Some(std) = first_contact_f64::<Std>(&flight).filter(|std| std.wall == contact.wall) {

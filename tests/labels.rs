@@ -10,7 +10,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// What a certified result is made of.
+/// Folders and files of the code that makes certified results.
 const ROOMS: [&str; 25] = [
     "crates/exact",
     "crates/certificate/src/check",
@@ -41,7 +41,7 @@ const ROOMS: [&str; 25] = [
 const WORDS: [&str; 3] = ["proposes", "exact", "shown"];
 const NUMBERS: [&str; 14] =
     ["i8", "i16", "i32", "i64", "i128", "isize", "u8", "u16", "u32", "u64", "u128", "usize", "f32", "f64"];
-/// With an argument: without one they are an iterator's, and lose nothing.
+/// Methods that lose something with an argument: without one they are an iterator's, and lose nothing.
 const BOUNDS: [&str; 3] = [".max(", ".min(", ".clamp("];
 const CALLS: [&str; 17] = [
     "f64::max",
@@ -96,7 +96,7 @@ impl Line {
         Self { code: code.trim().to_owned(), comment: String::new() }
     }
 
-    /// Whether the statement of the next line is another one.
+    /// Returns whether the next line begins another statement.
     fn ends_statement(&self) -> bool {
         self.code.is_empty() || self.code.ends_with([';', '{', '}']) || self.code.ends_with("},") || self.is_arm()
     }
@@ -105,7 +105,7 @@ impl Line {
         self.code.contains("=>") && self.code.ends_with(',')
     }
 
-    /// What of it may lose something.
+    /// Returns whether it may lose something: a clamp, a rounding, a cast, or a comparison with a literal.
     fn suspect(&self) -> bool {
         let code = &self.code;
         let found = |what: &str| {
@@ -126,7 +126,7 @@ pub(super) fn word(text: &str) -> &str {
     text.split(|c: char| !c.is_ascii_alphanumeric() && c != '_').next().unwrap_or_default()
 }
 
-/// Whether a text starts with a literal that is a double.
+/// Returns whether a text starts with a literal that is a double.
 fn starts_with_float(text: &str) -> bool {
     let text = text.trim_start_matches('-');
     let end = text.find(|c: char| !c.is_ascii_alphanumeric() && c != '.' && c != '_').unwrap_or(text.len());
@@ -164,7 +164,7 @@ fn mentioned(comment: &str) -> impl Iterator<Item = &str> {
     comment.match_indices("Lemma ").map(|(at, what)| word(&comment[at + what.len()..])).filter(|name| is_lemma(name))
 }
 
-/// What a source gives rise to: lines without a label, labels that nobody defined, and how many lines each label allows.
+/// The findings on a source: lines without a label, labels that are defined nowhere, and how many lines each label allows.
 #[derive(Default)]
 struct Findings {
     unlabelled: Vec<String>,

@@ -41,7 +41,7 @@ fn the_exact_orbit_of_figure_12_is_enclosed_for_a_thousand_impacts() {
     assert_eq!((count, orbit.outcome()), (1000, Some(&Outcome::ImpactsReached)));
 }
 
-/// What the issue of this version asks for, from the printed point data.
+/// The numbers of impacts that doubles certify at least, from the printed point data.
 #[test]
 fn the_figures_reach_as_far_as_doubles_certify() {
     for (name, asked, least) in [

@@ -1,4 +1,4 @@
-//! What is published: what a user compiles and reads, and not what judges it.
+//! The published package: files that a user compiles and reads, and none that test them.
 
 use std::fs;
 use std::path::Path;

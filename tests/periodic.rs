@@ -169,7 +169,7 @@ fn mirrored_words_have_mirrored_orbits() {
     }
 }
 
-/// From a narrow box around a proved orbit the certified orbit goes round a hundred periods; each impact stays at it.
+/// Runs a certified orbit from a narrow box around a proved one for a hundred periods; each impact stays at it.
 fn runs_a_hundred_periods(pair: &ImpactPair, orbit: &PeriodicOrbit, cycles: u32) {
     let interval = |x: &Enclosure| {
         let end = |x: &impact_pair::exact::Dyadic| Exact::from_rational(x.to_rational());
@@ -380,7 +380,7 @@ fn r32_what_rests_is_excluded_from_what_is_proved_to_be_all() {
     let document = two_impact(&start, &answer, Wall::Left);
     assert!(document.exhaustive && document.orbits.iter().all(|orbit| orbit.physical != Some(true)));
     assert_eq!(document.excludes.as_deref(), Some("motions that rest"));
-    // Where not all are looked for, there is nothing to exclude.
+    // A search that is not for all has nothing to exclude.
     let some = Units::gaps(&pair).unwrap().document(&problem, &start, &problem.find(&start, Precision::default()));
     assert_eq!((some.exhaustive, some.excludes), (false, None));
 }

@@ -269,7 +269,7 @@ fn scaling_all_lengths_changes_neither_words_nor_phases() {
     }
 }
 
-/// What is refused says what it comes from, to programs as well.
+/// Errors keep their causes, for programs as well.
 #[test]
 fn errors_keep_their_causes() {
     let refused = |line: &str, by: &str| Scene::parse(&with(line, by)).unwrap_err();

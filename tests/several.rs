@@ -7,7 +7,7 @@ use impact_pair::pair::Wall;
 use impact_pair::scene::Scene;
 use proptest::prelude::*;
 
-/// What a scene file says of the excitation, and of all else.
+/// The data of a scene file: those of the excitation, and all others as one text.
 #[derive(Clone, Debug)]
 struct Case {
     amplitudes: Vec<String>,
@@ -266,8 +266,8 @@ fn a_period_between_releases_at_half_a_turn_is_counted_in_whole_turns() {
     }
 }
 
-/// Where the contact force goes to 0 like a third power, steps towards the release do not end; where it touches 0, no digits tell a touch from a release. The rest
-/// comes before both: each impact of its complete chatter was listed, and the release looked for again.
+/// Steps towards a release do not end at a contact force that goes to 0 like a third power; of one that touches 0 no digits distinguish a
+/// touch from a release. The rest comes before both: each impact of its complete chatter was listed, and the release sought again.
 #[test]
 fn r46_a_rest_whose_release_is_not_proved_is_listed_and_ends_undecided() {
     let ends = |amplitudes: [&str; 2], phases: [&str; 2], rest: &str| {

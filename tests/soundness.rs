@@ -34,7 +34,7 @@ fn events(scene: &Scene, arithmetic: Arithmetic, impacts: u64) -> (Vec<Progress>
     }
 }
 
-/// Those of this build, the ones that decide the scenes of few digits last.
+/// The arithmetics of this build; those that decide the scenes of few digits come last.
 fn arithmetics() -> Vec<Arithmetic> {
     let names = ["interval", "auto", "64", "128", "256", "1024"];
     let count = if cfg!(feature = "multiprecision") { names.len() } else { 2 };
@@ -45,13 +45,13 @@ fn rational(text: &str) -> BigRational {
     text.parse::<impact_pair::exact::Exact>().unwrap().as_rational().unwrap().clone()
 }
 
-/// Whether the impact's time lies between these.
+/// Returns whether the impact's time is proved to lie between these.
 fn is_between(orbit: &Orbit, impact: &Impact, low: &str, high: &str) -> bool {
     let time = orbit.bounds(impact).0;
     time.inf().to_rational() >= rational(low) && time.sup().to_rational() <= rational(high)
 }
 
-/// What a start next to the left wall may be certified to do first: to touch it then, or maybe.
+/// Asserts that the first event is a touch of this wall, as an impact between these times or as a graze, or that none is decided.
 fn touches_first(events: &[Progress], orbit: &Orbit, wall: Wall, low: &str, high: &str) {
     match events.first() {
         Some(Progress::Impact(impact)) => {

@@ -19,7 +19,7 @@ const NOTHING: &str = "cos(pi/5) - cos(2*pi/5) - 1/2";
 const ONE: &str = "amplitude = 8, frequency = \"pi\", phase = 0.3";
 const TWO: &str = "amplitude = [8, \"1/3\"], frequency = [\"pi\", \"2*pi\"], phase = [0.3, 0.7]";
 const INCOMMENSURATE: &str = "amplitude = [8, \"1/3\"], frequency = [\"pi\", \"sqrt(2)*pi\"], phase = [0.3, 0.7]";
-/// What the starts of intervals are run in.
+/// Bits of the runs from the starts of intervals.
 const BITS: u32 = 256;
 /// Halvings of an interval of starts.
 const HALVINGS: u32 = 90;
@@ -65,8 +65,8 @@ fn middle(x: &Enclosure) -> BigRational {
     (x.inf().to_rational() + x.sup().to_rational()) / BigRational::from_integer(2.into())
 }
 
-/// Whether between these velocities, at the scene's time and place, there is one that has these impacts: the one with the time of the
-/// last of them, found by halving, where the ends are on its two sides.
+/// Returns whether there is a velocity between these, at the scene's time and place, that has these impacts: the one with the time of the last
+/// of them, found by halving, where the ends are on its two sides.
 fn has_them(scene: &Scene, velocity: &Enclosure, impacts: &[Listed]) -> bool {
     let last = impacts.len() - 1;
     let is_late =
@@ -123,7 +123,7 @@ fn r32_a_shadow_of_uncertain_direction_starts_at_the_time_of_the_scene() {
 fn r32_a_splice_after_a_start_of_uncertain_direction_knows_how_far_it_is() {
     let scene = scene(ONE, "1.3", "1.3591249314245908", NOTHING);
     for splice in [2, 8, 12] {
-        // What does not expand along this segment is no shadow.
+        // An orbit that does not expand along this segment is not shadowed.
         if let Some((impacts, near)) = claimed(&scene, splice, 20) {
             assert!(has_them(&scene, &near, &impacts), "{splice}: {near:?}");
         }

@@ -29,7 +29,7 @@ fn all(pair: &ImpactPair, cycles: u32) -> Answer {
     Problem::new(pair, cycles, Unknown::Velocity).unwrap().answer(20)
 }
 
-/// Whether there is a number in both.
+/// Returns whether the two have a number in common.
 fn meets(x: &Enclosure, y: &Enclosure) -> bool {
     x.intersection(y).is_some()
 }
@@ -276,7 +276,7 @@ fn follow(pair: &ImpactPair, orbit: &Orbit, cycles: u32) {
     assert!(matches!(run.advance(), Progress::Ended));
 }
 
-/// Whether the certified orbit has the two impacts of a motion and none before; `None` if that is not decided.
+/// Returns whether the certified orbit has the two impacts of a motion and none before; `None` if that is undecided.
 fn is_followed(pair: &ImpactPair, orbit: &Orbit, cycles: u32) -> Option<bool> {
     let mut run = start(pair, orbit, 2);
     for wall in [Wall::Right, Wall::Left] {
@@ -304,7 +304,7 @@ fn start(pair: &ImpactPair, orbit: &Orbit, impacts: u64) -> Run {
     Run::new(&shifted, &start, Settings { impacts: Some(impacts), ..Settings::default() }).unwrap()
 }
 
-/// Whether an impact may be that of a motion on this wall in this period.
+/// Returns whether an impact may be that of a motion on this wall in this period.
 fn is_expected(run: &Run, impact: &Impact, orbit: &Orbit, (cycles, period, wall): (u32, u32, Wall)) -> bool {
     let number = |n: u32| exact(&n.to_string()).enclose(BITS);
     let (time, velocity) = run.bounds(impact);
@@ -348,7 +348,7 @@ fn parts_of_the_manifolds_agree_with_the_motions_in_them() {
     }
 }
 
-/// What is there when a manifold is ended early is its beginning; nothing is said of what comes after the last point.
+/// A parameter manifold that is ended early is the beginning of the whole; it claims nothing after the last point.
 #[test]
 fn a_manifold_that_is_ended_is_the_beginning_of_the_whole() {
     let pair = pair("1", "20", "0.8");

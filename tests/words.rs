@@ -100,7 +100,7 @@ fn words(number: usize, line: &str) -> Text {
         .collect()
 }
 
-/// What is refused in a text: the line, the words, and what to write instead.
+/// The refused words in a text: the line, the words, and what to write instead.
 fn refused(text: &Text) -> Vec<(usize, &'static str, &'static str)> {
     let mut found = Vec::new();
     for (refused, instead, after) in WORDS {

@@ -29,14 +29,14 @@ TAIL = 40
 PATIENCE = 2700
 # Of OCaml's programs, Coq above all: a small heap of young values, collected seldom, takes a quarter less processor time.
 OCAML = "s=1M,o=1000"
-# Whose change lets all parts run again.
+# Versions of tools: a change lets all parts run again.
 TOOLS = subprocess.run("rustc --version; coqc --version; ocamlopt -version; gappa --version", shell=True, capture_output=True, text=True, check=False).stdout + sys.version
-# What runs now: stopped when another part fails, or the user interrupts.
+# The running processes: stopped when another part fails, or the user interrupts.
 RUNNING = set()
 
 # `small` and `full` are shell commands; `inputs` are the files and folders whose bytes decide whether it has to run again.
 Part = namedtuple("Part", "name small full after cargo inputs", defaults=((), False, (".",)))
-# What the program is built from.
+# The files that the program is built from.
 SOURCES = ("Cargo.toml", "Cargo.lock", ".cargo", "src", "crates", "cli", "scenes")
 
 
@@ -114,7 +114,7 @@ PARTS = [
 ]
 
 
-# What `--fast` looks at: the crates by their folders, and the tests that are asked of what has changed, by the name of their executable.
+# The folders of the crates for `--fast`, and the tests that run for what has changed, by the name of their executable.
 CRATES = {"src": "impact-pair", "cli": "impact-pair-cli", "fuzz": "impact-pair-fuzz", "validation/truth": "impact-pair-truth",
           **{f"crates/{name}": f"impact-pair-{name}" for name in ("certificate", "document", "exact", "model", "plot")}}
 LIBRARY = {"src", "crates/exact", "crates/model"}
@@ -241,7 +241,7 @@ def run_all(parts, full, environment):
 
 
 def version():
-    """What is tested, as git calls it."""
+    """The tested version, as git names it."""
     command = ["git", "describe", "--always", "--dirty"]
     return subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=False).stdout.strip() or "unknown"
 

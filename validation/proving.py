@@ -1,4 +1,4 @@
-"""What the scripts that prove bounds from the source text share: running Gappa and Coq, and reading Rust formulas.
+"""Shared parts of the scripts that prove bounds from the source text: running Gappa and Coq, and reading Rust formulas.
 
 `let` lines of Rust are nearly Python expressions, so Python's parser reads them. Here they become trees: tuples
 `("+", a, b)`, `("fma", a, b, c)`, `("name", x)`, `("number", fraction)`, ... A `let` name stands for the tree it was given, the
@@ -19,14 +19,14 @@ def write(path, text):
 
 
 def gappa(name, text, folder):
-    """Whether Gappa proves the goal, and what it says."""
+    """True if Gappa proves the goal, and its output."""
     path = write(folder / (re.sub(r"\W+", "_", name) + ".g"), text)
     result = run(["gappa", "-Eno-auto-dichotomy", path], folder)
     return result.returncode == 0, result.stdout + result.stderr
 
 
 def coq(name, text, folder):
-    """Whether Coq accepts the file, and what it says."""
+    """True if Coq accepts the file, and its output."""
     result = run(["coqc", "-q", write(folder / f"{name}.v", text)], folder)
     return result.returncode == 0, result.stdout + result.stderr[-300:]
 

@@ -139,7 +139,7 @@ fn table(scene: &Scene, diagram: &Diagram) -> Result<String> {
     Ok(out)
 }
 
-/// Why a branch ends, in words.
+/// Returns the reason why a branch ends, in words.
 fn end(end: End) -> &'static str {
     match end {
         End::Range => "the range",

@@ -26,7 +26,7 @@ impl Destination {
     /// The format of the output: the one given, else that of its ending, else the usual one.
     ///
     /// # Errors
-    /// When the ending is of no format, or contradicts the one given.
+    /// Returns an error if the ending belongs to no format, or contradicts the given format.
     pub fn format<F: ValueEnum + Default>(&self, given: Option<F>) -> Result<F> {
         ending::format(given, ("--output", self.output.as_deref()), F::value_variants(), F::default())
     }
@@ -81,9 +81,9 @@ impl Drawing {
 
 /// A verb that has begun.
 pub struct Begun<'a> {
-    /// What it is about.
+    /// The scene that the verb reads.
     pub scene: Scene,
-    /// Where that is read from.
+    /// The path of the scene file.
     pub path: &'a PathBuf,
     /// The outputs.
     pub files: Files,

@@ -14,7 +14,7 @@ const TELLING: [&str; 16] = [
 /// The format of the file that an option names: the one `given`, else that of its ending, else the `usual` one.
 ///
 /// # Errors
-/// When the ending is none of those `accepted` and no format is given, or when both contradict each other.
+/// Returns an error if the ending is not one of `accepted` and no format is given, or if the ending and the given format disagree.
 pub fn format<F: ValueEnum>(
     given: Option<F>,
     (option, file): (&str, Option<&Path>),
@@ -64,7 +64,7 @@ fn listed(formats: &[impl ValueEnum]) -> String {
 /// Refuses the name of a file of which there is one format only.
 ///
 /// # Errors
-/// When it has another ending.
+/// Returns an error if the name has another ending than `wanted`.
 pub fn only(wanted: &str, file: Option<&Path>) -> Result<()> {
     match file.and_then(|path| Some((path, of(path)?))) {
         Some((path, ending)) if ending != wanted => {

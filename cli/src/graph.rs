@@ -12,7 +12,7 @@ pub enum Value {
 
 /// A directed graph, whose edges may have a letter.
 pub struct Graph<'g> {
-    /// What it is a graph of, in words.
+    /// Title of the graph: what its nodes and edges are, in words.
     pub title: String,
     /// The names of what is known of nodes, and the types of it in GraphML.
     pub keys: &'static [(&'static str, &'static str)],

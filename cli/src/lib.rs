@@ -87,7 +87,7 @@ pub fn main() -> ExitCode {
     match answer {
         Ok(Answer::Complete) => ExitCode::SUCCESS,
         Ok(Answer::Incomplete) => ExitCode::from(1),
-        // Who closes a pipe has read enough.
+        // A reader that closes the pipe has read enough.
         Err(error) if is_broken_pipe(&error) => ExitCode::SUCCESS,
         Err(error) => {
             complain(&error);

@@ -47,13 +47,13 @@ impl<'s, W: Write> Listing<'s, W> {
         head(self.scene.pair(), self.scene.start(), self.settings.arithmetic, computed)
     }
 
-    /// What comes before the events.
+    /// Writes the part of the output before the events.
     pub fn begin(&mut self, orbit: &Orbit) -> io::Result<()> {
         match self.format {
             Format::Table => table::begin(&mut self.out, self.scene, self.settings),
             Format::Json => Ok(()),
             Format::Jsonl => {
-                // Whether an orbit is a shadowed one is known before its first impact.
+                // An orbit is known to be shadowed or not before its first impact.
                 let head = self.head(match self.settings.arithmetic {
                     Arithmetic::Shadow => arithmetic(orbit),
                     _ => ArithmeticDocument::asked(self.settings),
@@ -88,7 +88,7 @@ impl<'s, W: Write> Listing<'s, W> {
         }
     }
 
-    /// What comes after the events; hands back what was written to.
+    /// Writes the part of the output after the events, and returns the writer.
     pub fn end(mut self, ending: &Ending<'_>) -> io::Result<W> {
         match self.format {
             Format::Table => table::end(&mut self.out, ending)?,

@@ -14,7 +14,7 @@ use crate::Answer;
 pub enum Output {
     /// Line by line, so that pipes see every event as it comes.
     Stdout(io::Stdout),
-    /// What cannot be replaced: a device, a named pipe.
+    /// An existing file that cannot be replaced, such as a device or a named pipe.
     Special(LineWriter<File>),
     /// A new file beside the one it is to replace.
     File { draft: BufWriter<NamedTempFile>, target: PathBuf },
@@ -50,12 +50,12 @@ impl Output {
         Ok(Self::File { draft: BufWriter::new(draft.tempfile_in(folder)?), target })
     }
 
-    /// Whether the data go to stdout.
+    /// Returns whether the data go to stdout.
     pub fn is_stdout(&self) -> bool {
         matches!(self, Self::Stdout(_))
     }
 
-    /// Whether a person may be reading along on the terminal.
+    /// Returns whether the data go to a terminal.
     pub fn is_terminal(&self) -> bool {
         match self {
             Self::Stdout(stdout) => stdout.is_terminal(),

@@ -107,7 +107,7 @@ fn table(scene: &Scene, problem: &Problem, units: &Units<Exact>, census: &Census
             if large.len() + small.len() > 80 { "\n          and " } else { " and " }
         )?;
         writeln!(out, "  trace {}, determinant {}", decimal_digits(&found.trace), decimal_digits(&found.determinant))?;
-        // Which turn since the first impact's, and which of the common period, where these are longer than one.
+        // The forcing period, and the period of the reduced orbit, in which each impact comes; printed where there is more than one.
         let cycle = |said: &str| if cycles > found.period { format!("{said:>5}  ") } else { String::new() };
         let turn = |said: &str| if found.period > 1 { format!("{said:>4}  ") } else { String::new() };
         writeln!(out, "  {:5}  {}{}{:31}  velocity before", "wall", cycle("cycle"), turn("turn"), "phase W t + tau")?;
@@ -121,7 +121,7 @@ fn table(scene: &Scene, problem: &Problem, units: &Units<Exact>, census: &Census
     Ok(out)
 }
 
-/// Whether an orbit is one of the ball's, in words.
+/// Returns in words whether an orbit is admissible.
 pub fn physical(known: Option<bool>) -> &'static str {
     match known {
         Some(true) => "admissible",
@@ -130,7 +130,7 @@ pub fn physical(known: Option<bool>) -> &'static str {
     }
 }
 
-/// Whether an orbit is its own mirror image, in words.
+/// Returns in words whether an orbit is its own mirror image.
 pub fn symmetric(known: Option<bool>) -> &'static str {
     match known {
         Some(true) => "symmetric",

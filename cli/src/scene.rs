@@ -72,12 +72,12 @@ pub fn differ((one, path): (&str, Option<&Path>), (other, its): (&str, Option<&P
     }
 }
 
-/// Whether both paths name one file, which may be yet to come; stdin and stdout are none.
+/// Returns whether both paths name the same file, existing or not; stdin and stdout are no files.
 pub fn is_same_file(one: &Path, other: &Path) -> bool {
     place(one).is_some_and(|one| place(other) == Some(one))
 }
 
-/// Whether a path means stdin or stdout.
+/// Returns whether a path is `-`, which stands for stdin or stdout.
 pub fn is_stdio(path: &Path) -> bool {
     path.as_os_str() == "-"
 }

@@ -188,7 +188,7 @@ impl Proved<'_> {
     }
 }
 
-/// Whether the scene's own orbit is in the region.
+/// Returns the sentence that says from which impact on the scene's own orbit lies in the region, if that is proved.
 fn entered(document: &TrapDocument) -> String {
     match document.entered_at_impact {
         Some(0) => "the scene's start and all impacts after it are in it".to_owned(),

@@ -40,7 +40,7 @@ fn write(said: &str, output: Option<&Path>, answer: Answer) -> Result<Answer> {
     Ok(answer)
 }
 
-/// What the program answers of a text.
+/// Returns the output of the verified checker `program` for the certificate `text`.
 fn answer(program: &Path, text: &str) -> Result<Answered> {
     let run = || {
         let mut child = Command::new(program)

@@ -18,7 +18,7 @@ pub fn text() -> &'static str {
     })
 }
 
-/// Whether a fused product and sum is one instruction.
+/// True if the target has an instruction for fused multiply-add.
 const FUSED: bool = cfg!(any(target_feature = "fma", target_arch = "aarch64"));
 
 /// The features of the build.

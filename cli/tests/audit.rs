@@ -40,7 +40,7 @@ fn audit(arguments: &[&str]) -> Command {
     command
 }
 
-/// What the program answers to a list on stdin.
+/// Returns the output of `audit` for a list on stdin.
 fn answer(list: &str, arguments: &[&str]) -> Output {
     use std::io::Write;
     let mut command = audit(arguments);
@@ -57,7 +57,7 @@ fn judged(list: &str, arguments: &[&str], code: i32) -> Value {
     serde_json::from_slice(&answer.stdout).unwrap()
 }
 
-/// What disagrees: the verdict, and the impact or, of a false one, the row.
+/// Returns the verdicts that disagree, each with the number of its impact or, for a false one, of its row.
 fn disagreements(document: &Value) -> Vec<(String, u64)> {
     let found = document["events"].as_array().unwrap().iter().filter_map(|event| {
         let verdict = event["verdict"].as_str().unwrap();
@@ -127,7 +127,7 @@ snapshots! {
     a_list_beyond_the_bits: "time,wall\n60,right\n100,left\n", [FIGURE_14[0], FIGURE_14[1], "--max-bits", "64"];
 }
 
-/// What has to be found, and nothing else, wherever it is.
+/// Each corrupted impact is found, and nothing else, wherever it is.
 #[test]
 fn one_spoiled_impact_is_found_exactly() {
     let found = |list: &str| disagreements(&judged(list, &FIGURE_14, 1));
@@ -288,7 +288,7 @@ fn a_list_is_judged_up_to_a_time() {
     judged(&late, &FIGURE_14, 1);
     let document = judged(&late, &[&FIGURE_14[..], &["--until", "6"]].concat(), 0);
     assert_eq!((&document["counts"]["left_out"], &document["counts"]["inside"]), (&1.into(), &7.into()));
-    // What is certified before that time is asked for, listed or not.
+    // Impacts certified before the requested time are due, listed or not.
     let document = judged(LIST, &[&FIGURE_14[..], &["--until", "7.7"]].concat(), 1);
     assert_eq!(disagreements(&document), [("missed".into(), 9)]);
 }

@@ -17,7 +17,7 @@ fn refusal(scene: &str) -> String {
     String::from_utf8(answer.stderr).unwrap()
 }
 
-/// Whether it is the line that the message names, and marks below it; nothing where no line is to blame.
+/// Returns whether an excerpt is the line that the message names, with marks below it; empty where the message names no line.
 fn shows_a_line(scene: &str, message: &str, excerpt: &str) -> bool {
     let Some((number, _)) = message.strip_prefix("line ").and_then(|rest| rest.split_once(':')) else {
         return excerpt.is_empty();

@@ -125,7 +125,7 @@ fn a_region_is_written_and_drawn() {
     assert!(drawn.contains(">−3π/4<") && !drawn.contains(">π/2<"));
 }
 
-/// What cannot be written is told before anything is computed: these would take minutes.
+/// Files that cannot be written are reported before anything is computed: these commands would take minutes.
 #[test]
 fn files_are_opened_first() {
     let folder = folder("first");

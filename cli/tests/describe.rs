@@ -75,7 +75,7 @@ fn the_page_has_four_panels() {
     assert!(drawn.contains("converges to a stable periodic orbit") && drawn.contains("P1 R→L"));
 }
 
-/// What is certified before Ctrl-C is kept.
+/// Results certified before Ctrl-C are kept.
 #[cfg(unix)]
 #[test]
 fn ctrl_c_keeps_the_region() {

@@ -38,7 +38,7 @@ fn r35_pictures_have_the_size_and_the_letters_asked_for_and_no_header() {
         fs::read_to_string(path).ok()
     };
     for arguments in VERBS {
-        // Where nothing is proved there may be nothing to draw.
+        // Nothing may be drawn if nothing is proved.
         let Some(own) = drawn(arguments, "own", &[]) else { continue };
         assert!(own.contains("impact-pair\u{a0}") || own.contains("impact-pair 0"), "{arguments:?}: no header");
         let look = ["--no-header", "--size", "500x400", "--font", "Courier New"];

@@ -1,4 +1,4 @@
-//! What people type by mistake: the message says what was perhaps meant.
+//! Common mistakes on the command line: the message suggests the intended text.
 
 use std::fs;
 
@@ -6,7 +6,7 @@ use crate::common::{folder, program};
 
 const SCENE: &str = "scenes/figure-14.toml";
 
-/// What is said of a command that cannot be asked.
+/// Returns the message for a command line that is refused.
 fn said(arguments: &[&str]) -> String {
     let done = program(arguments).output().unwrap();
     let said = String::from_utf8(done.stderr).unwrap();

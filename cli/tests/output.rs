@@ -94,7 +94,7 @@ mod interrupted {
         assert_eq!(String::from_utf8(answer.stderr).unwrap(), format!("interrupted after impact {count}\n"));
     }
 
-    /// What the program writes to a file and says when Ctrl-C comes as soon as there are some of `what`.
+    /// Returns the document and the message of a command interrupted (Ctrl-C) as soon as the array `what` of its document is not empty.
     fn interrupted(name: &str, arguments: &[&str], what: &str) -> (serde_json::Value, String) {
         let folder = folder(name);
         let file = folder.join("answer.json");

@@ -65,7 +65,7 @@ snapshots! { UNCERTAIN;
     too_few_bits_at_most: run(&["scenes/figure-12.toml", "--max-bits", "53"]);
 }
 
-/// How `impact-pair run` ends on a scene of this excitation and phase, pair and start.
+/// Returns the outcome and the number of events of `impact-pair run` on a scene of this excitation, pair and start.
 fn end_of(excitation: &str, pair: &str, start: &str, arguments: &[&str]) -> (serde_json::Value, usize) {
     let scene = format!("excitation = {{ {excitation} }}\npair = {{ {pair} }}\nstart = {{ time = 0, {start} }}\n");
     let answer = common::answer_to(&scene, &[&["--format", "json"], arguments].concat());
@@ -186,7 +186,7 @@ fn r35_an_orbit_that_attracts_is_recognised_wherever_the_list_ends() {
     }
 }
 
-/// What was looked for is said where it may be missed.
+/// The help says which periodic orbits are looked for.
 #[test]
 fn r35_the_help_says_which_orbits_are_looked_for() {
     let said = String::from_utf8(run(&["--help"]).output().unwrap().stdout).unwrap();

@@ -59,7 +59,7 @@ start = { time = 0, wall = "left", velocity = -12.56636 }
 run = { impacts = 20 }
 "#;
 
-/// What the program writes, in a folder with the scene.
+/// Returns the output of the program, run in a folder with the scene, an orbit of it and a list.
 fn written(arguments: &[&str]) -> String {
     let folder = tempfile::tempdir().unwrap();
     fs::write(folder.path().join("scene.toml"), SCENE).unwrap();

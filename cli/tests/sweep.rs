@@ -17,7 +17,7 @@ fn sweep(arguments: &[&str]) -> Command {
 const DIAGRAM: [&str; 7] =
     ["scenes/figure-14.toml", "--over", "amplitude=4..9:21", "--transient", "60", "--impacts", "12"];
 
-/// What an undecided point costs in chaos without multiprecision.
+/// Exit code of a sweep of the chaotic scene: 1 without multiprecision, since some points are undecided then.
 const CODE: i32 = if cfg!(feature = "multiprecision") { 0 } else { 1 };
 
 fn written(command: &mut Command, file: &Path) -> Vec<u8> {
@@ -140,7 +140,7 @@ fn a_torn_journal_is_gone_on_with_and_a_damaged_one_is_refused() {
     assert!(String::from_utf8(resume().stderr).unwrap().contains("(14 in "), "seven points are taken over");
     assert_eq!(fs::read(&file).unwrap(), whole);
     assert_eq!(files(&folder), ["resumed.csv", "whole.csv"]);
-    // Where there is nothing to go on with, it begins.
+    // With nothing to resume, the sweep begins.
     assert_eq!(written(sweep(&DIAGRAM).arg("--resume"), &folder.join("new.csv")), whole);
 }
 
@@ -317,7 +317,7 @@ fn two_terms(folder: &Path, amplitude: &str, phase: &str) -> String {
     scene.to_str().unwrap().to_owned()
 }
 
-/// What holds at a value of a term's parameter is what holds of the scene that has that value.
+/// A value of one term's parameter gives the results of the scene with that value.
 #[test]
 fn a_key_with_a_number_varies_that_term() {
     let folder = folder("sweep-terms");
@@ -414,7 +414,7 @@ fn r35_attracted_points_have_the_limit_of_the_exponent() {
         "{table}"
     );
     assert!(table.lines().skip(1).all(|line| line.rsplit(',').take(2).all(|end| end.starts_with("-0.2"))), "{table}");
-    // What is not attracted has none.
+    // A point that is not attracted has no limit of the exponent.
     let chaos =
         ["scenes/figure-14.toml", "--over", "gap=9.42497..9.425:2", "--transient", "5", "--impacts", "5", "--quiet"];
     let table = String::from_utf8(sweep(&[&chaos[..], &["--summary"]].concat()).output().unwrap().stdout).unwrap();

@@ -37,7 +37,7 @@ fn said(command: &mut Command) -> Output {
     answer
 }
 
-/// What is written on stdout.
+/// Returns the text that a command writes to stdout.
 fn told(command: &mut Command) -> String {
     String::from_utf8(said(command).stdout).unwrap()
 }
@@ -177,7 +177,7 @@ fn a_sweep_gone_on_with_writes_both_tables() {
     }
 }
 
-/// What is said of what is refused.
+/// Returns the message for a command line that is refused.
 fn refusal(command: &mut Command) -> String {
     let answer = command.output().unwrap();
     assert_eq!((answer.status.code(), answer.stdout.is_empty()), (Some(2), true), "{answer:?}");

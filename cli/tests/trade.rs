@@ -112,7 +112,7 @@ fn has_the_shape_of_a_trade(document: &Value) {
             assert!(rung["asked"]["digits"].as_f64().is_none_or(|asked| digits >= asked), "{rung}");
         }
     }
-    // What is known of the float's errors is independent of how it was found out, as far as doubles lead.
+    // The true errors of the floating-point orbit do not depend on how they were determined, as far as doubles lead.
     let truth = &rungs[0]["truth"];
     let [nine, ..] = truth["time_errors"].as_array().unwrap().as_slice() else { panic!("no errors: {truth}") };
     assert_eq!(nine["threshold"], "1e-9");

@@ -7,13 +7,13 @@ use proptest::prelude::*;
 use proptest::strategy::ValueTree;
 use proptest::test_runner::{Config, TestRunner};
 
-/// So many texts.
+/// The configuration of all fuzz tests: `FUZZ_CASES` texts each, or 250.
 pub fn config() -> Config {
     let cases = std::env::var("FUZZ_CASES").ok().and_then(|cases| cases.parse().ok()).unwrap_or(250);
     Config { cases, failure_persistence: None, ..Config::default() }
 }
 
-/// What numbers, words and signs are replaced by.
+/// Replacements of numbers, words and signs.
 const TOKENS: [&str; 40] = [
     "0",
     "-0",

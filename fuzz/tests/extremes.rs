@@ -60,7 +60,7 @@ fn start() -> impl Strategy<Value = String> {
     })
 }
 
-/// What `auto` spends at most, beyond what the digits take: 8,192 bits of decisions.
+/// Upper bound of the bits that `auto` takes: 8,192 for decisions, and as many again for the digits.
 const MOST_BITS: u32 = 16_384;
 
 proptest! {

@@ -34,17 +34,17 @@ class Document:
 
     @property
     def certified(self) -> bool:
-        """Whether the claims of the document are proved."""
+        """True if the claims of the document are proved."""
         return bool(self.document["certified"])
 
     @property
     def complete(self) -> bool | None:
-        """Whether everything requested is certified: the command line's exit code 0. ``None`` for a document that was read."""
+        """True if everything requested is certified: the command line's exit code 0. ``None`` for a document that was read."""
         return self._complete
 
     @property
     def interrupted(self) -> bool:
-        """Whether Ctrl-C ended the computation: the document has what was proved until then."""
+        """True if Ctrl-C ended the computation: the document has what was proved until then."""
         return self._interrupted
 
     @property

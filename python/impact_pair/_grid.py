@@ -29,7 +29,7 @@ from .errors import Error, Interrupted, RangeError
 if TYPE_CHECKING:
     from .bounds import Doubles
 
-#: How many times larger than the last ones a chunk may be: the first ones tell the rate.
+#: The largest ratio of a chunk to the last ones: the first ones tell the rate.
 GROWTH = 8
 #: Chunks that wait for each worker, so that none is idle.
 AHEAD = 2
@@ -95,7 +95,7 @@ class Rate:
 
     def tell(self, points: int, seconds: float) -> None:
         """Take in what a chunk took."""
-        # What was measured last counts most: points differ.
+        # The last measurement counts most: points differ.
         self.spent, self.done = 0.5 * self.spent + seconds, self.done // 2 + points
         self.largest = max(self.largest, points)
 
@@ -130,7 +130,7 @@ def computed(
     count = workers or workers_of(executor)
     with reporting(progress, "points", core.points) as tell:
         run = Run(question, chunks, core.points, Rate(seconds, count), tell)
-        # What is finished is kept.
+        # Finished points are kept.
         with contextlib.suppress(KeyboardInterrupt):
             run.here(core) if executor is None else run.on(executor)
     return chunks
@@ -250,7 +250,7 @@ class Run:
 class GridResult:
     """The points of a grid, in order; after Ctrl-C those that are finished."""
 
-    #: What it is, in a word.
+    #: The name of its kind, in a word.
     name = "grid"
 
     def __init__(self, question: Question, chunks: Chunks) -> None:
@@ -268,7 +268,7 @@ class GridResult:
 
     @property
     def interrupted(self) -> bool:
-        """Whether Ctrl-C ended it: some points of the grid are missing."""
+        """True if Ctrl-C ended it: some points of the grid are missing."""
         return self._missing() > 0
 
     def _missing(self) -> int:

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 #: Distinguishable with colour-vision deficiency.
 BLUE, ORANGE, GREEN, PURPLE, SKY = "#0072b2", "#e69f00", "#009e73", "#cc79a7", "#56b4e9"
 VERMILION, YELLOW, GREY, BLACK = "#d55e00", "#f0e442", "#999999", "#000000"
-#: What is known of a point, as a diagram shows it; what comes later is drawn on top.
+#: Colours of points in a diagram, by what is known of them; later ones are drawn on top.
 CLASSES = {
     "undecided convergence": BLACK,
     "proved to converge to a periodic orbit": BLUE,

@@ -64,13 +64,13 @@ class PeriodicOrbit:
 
     @property
     def physical(self) -> bool | None:
-        """Whether it is admissible: no wall is touched earlier on any flight; None if undecided."""
+        """True if it is admissible: no wall is touched earlier on any flight; None if undecided."""
         found: bool | None = self.fields["physical"]
         return found
 
     @property
     def symmetric(self) -> bool | None:
-        """Whether it is its own mirror image; None if undecided."""
+        """True if it is its own mirror image; None if undecided."""
         found: bool | None = self.fields["symmetric"]
         return found
 
@@ -110,7 +110,7 @@ class Periodic(Document):
 
     @property
     def exhaustive(self) -> bool:
-        """Whether the list is proved complete, apart from motions with sticking."""
+        """True if the list is proved complete, apart from motions with sticking."""
         return bool(self.document["exhaustive"])
 
     @cached_property
@@ -204,9 +204,9 @@ class Curve:
     at_bounds: Doubles
     #: Bounds of A_N [length] (n, 2).
     amplitude_bounds: Doubles
-    #: What changes at a point: graze, pitchfork, fold, or None (n,).
+    #: The kind of a special point: graze, pitchfork, fold, or None (n,).
     marks: list[str | None]
-    #: What is proved between each point and the next (n,): ``sine``, ``physical``, ``stability``.
+    #: Properties proved between each point and the next (n,): ``sine``, ``physical``, ``stability``.
     parts: list[dict[str, Any] | None]
 
 
@@ -273,7 +273,7 @@ class Cycles(Document):
 
     @property
     def exhaustive(self) -> bool:
-        """Whether the list is complete."""
+        """True if the list is complete."""
         return bool(self.document["exhaustive"])
 
     @property
@@ -375,7 +375,7 @@ class Component:
 
 @dataclass(frozen=True)
 class Basin:
-    """What is proved of the basin of an attractor."""
+    """A proved lower bound of the basin of an attractor."""
 
     component: int
     """Its position among the components."""
@@ -384,7 +384,7 @@ class Basin:
 
 
 class GlobalAnalysis(Document):
-    """Where every motion of a pair goes: the components that motions may stay in for ever, and the class in a sentence."""
+    """A global analysis of a pair: the components that motions may stay in for ever, and the class in a sentence."""
 
     @property
     def kind(self) -> str:
@@ -435,7 +435,7 @@ class GlobalAnalysis(Document):
 
 @dataclass(frozen=True)
 class Beside:
-    """What is proved on either side of a tangency, with the parameters of both invariant manifolds and the states in these boxes.
+    """Proved counts of common points beside a tangency, with the parameters of both invariant manifolds and the states in these boxes.
 
     For each value of the parameter in ``two`` the invariant manifolds have exactly two common points along the flights, for each in
     ``none`` none. States are phase and speed.
@@ -584,7 +584,7 @@ class ChaosCells(Document):
 
 
 class Description(Document):
-    """What is proved of a motion: its fate, exponent, region, horseshoe, and what is undecided."""
+    """Proved properties of a motion: its fate, exponent, region, horseshoe, and what is undecided."""
 
     @property
     def fate(self) -> str:
@@ -712,7 +712,7 @@ class Audit(Document):
 
     @property
     def agreed(self) -> bool:
-        """Whether all rows are inside or in a chatter, and no impact is missed."""
+        """True if all rows are inside or in a chatter, and no impact is missed."""
         return bool(self.document["agreed"])
 
     @property
@@ -760,7 +760,7 @@ class Picture(Document):
 
     @property
     def certified(self) -> bool:
-        """Whether the picture is proved."""
+        """True if the picture is proved."""
         return not self.verdict.startswith("computed")
 
     def json(self) -> str:

@@ -77,7 +77,7 @@ class AtlasResult(GridResult):
 
     @property
     def complete(self) -> bool:
-        """Whether all of the plane is decided: the command line's exit code 0."""
+        """True if all of the plane is decided: the command line's exit code 0."""
         return not self.interrupted and all(name in DECIDED for name in self.classes)
 
     @property

@@ -36,18 +36,18 @@ class BoxImages:
     near: Doubles
     #: Around those on the other wall (n, 4).
     far: Doubles
-    #: Why nothing is proved (n,): ``"rest"``, a ball may come to rest; ``"long"``, a flight may last over 64 forcing periods;
+    #: Reasons why nothing is proved (n,): ``"rest"``, a ball may come to rest; ``"long"``, a flight may last over 64 forcing periods;
     #: ``"interrupted"``, Ctrl-C came before; or ``""``.
     reasons: npt.NDArray[np.str_]
 
     @property
     def decided(self) -> npt.NDArray[np.bool_]:
-        """Whether the image is proved to be in its rectangles (n,)."""
+        """True where the image is proved to be in its rectangles (n,)."""
         return np.asarray(self.reasons == "")
 
     @property
     def interrupted(self) -> bool:
-        """Whether Ctrl-C ended the computation."""
+        """True if Ctrl-C ended the computation."""
         return bool((self.reasons == "interrupted").any())
 
     def __len__(self) -> int:

@@ -83,7 +83,7 @@ class States:
     t: Doubles
     y_bounds: Doubles
     v_bounds: Doubles
-    #: Whether Ctrl-C ended the computation: the bounds of later times are NaN.
+    #: True if Ctrl-C ended the computation: the bounds of later times are NaN.
     interrupted: bool = False
 
     @property
@@ -168,12 +168,12 @@ class Orbit(Document):
 
     @property
     def certified(self) -> bool:
-        """Whether the bounds are proved: false for ``arithmetic="float"``."""
+        """True if the bounds are proved: false for ``arithmetic="float"``."""
         return bool(self._about[0]["certified"])
 
     @property
     def interrupted(self) -> bool:
-        """Whether Ctrl-C ended the computation: the events are those certified until then."""
+        """True if Ctrl-C ended the computation: the events are those certified until then."""
         return self._core.interrupted()
 
     @property
@@ -409,5 +409,5 @@ class Flights:
     v_bounds: Doubles
     #: 1 to 4 for P1 to P4, 0 undecided (n,).
     mappings: npt.NDArray[np.uint8]
-    #: Whether Ctrl-C ended the computation: later states are undecided.
+    #: True if Ctrl-C ended the computation: later states are undecided.
     interrupted: bool = False

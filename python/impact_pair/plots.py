@@ -34,7 +34,7 @@ if TYPE_CHECKING:
 
     #: A width of a figure: of a column or a page of a journal, or in inches.
     Width = Literal["single", "double"] | float | None
-    #: What is magnified: from where to where, on both axes.
+    #: The magnified range of both axes, each from and to.
     Window = tuple[tuple[float, float], tuple[float, float]]
 
 #: The grey of lines that one adds.
@@ -53,7 +53,7 @@ MOST_NAMED = 12
 WALLS = {-1: "impact on the left wall", 1: "impact on the right wall"}
 #: Symbols of what is no impact, as those of the command line.
 STOPS = {"graze": "D", "rest": "s", "release": "^"}
-#: What the paper calls the panels.
+#: The paper's names of the panels.
 TITLES = {
     "a": "time–displacement",
     "b": "time–velocity",

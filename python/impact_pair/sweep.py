@@ -91,12 +91,12 @@ class SweepResult(GridResult):
 
     @property
     def certified(self) -> bool:
-        """Whether the bounds are proved: false for ``arithmetic="float"``."""
+        """True if the bounds are proved: false for ``arithmetic="float"``."""
         return bool(self.head["certified"])
 
     @property
     def complete(self) -> bool:
-        """Whether everything requested is certified at every point: the command line's exit code 0."""
+        """True if everything requested is certified at every point: the command line's exit code 0."""
         return not self.interrupted and all(record["complete"] for record in self)
 
     @property

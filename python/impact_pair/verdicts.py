@@ -49,7 +49,7 @@ class Check:
 
     @property
     def interrupted(self) -> bool:
-        """Whether Ctrl-C ended the check: the claims until then are confirmed."""
+        """True if Ctrl-C ended the check: the claims until then are confirmed."""
         return self.verdict == "interrupted"
 
     def __bool__(self) -> bool:
@@ -65,7 +65,7 @@ class Theorem:
     impacts: int
     #: The reason why not all requested impacts are proved, if so.
     stop: str | None
-    #: Whether Ctrl-C ended it.
+    #: True if Ctrl-C ended it.
     interrupted: bool
 
     def save(self, path: str | os.PathLike[str]) -> None:

@@ -29,7 +29,7 @@ class Verified:
 
     #: ``verified``, ``not verified`` or ``unreadable``.
     verdict: str
-    #: What the document claims, in the words of the theorem; ``None`` where the theorem does not cover it.
+    #: The claim of the document, in the words of the theorem; ``None`` where the theorem does not cover it.
     claim: str | None
     #: The reason why it is not verified.
     reason: str | None

@@ -117,7 +117,7 @@ pub fn depth(horseshoes: Option<u32>) -> Result<Option<usize>, Fault> {
     Ok(horseshoes.map(|depth| accepted("horseshoes", depth, 1..=MOST_DEPTH)).transpose()?.map(|depth| depth as usize))
 }
 
-/// Where every motion goes, whatever its start.
+/// The components that every motion ends in, for all starts.
 #[pyfunction]
 pub fn global_analysis(
     py: Python<'_>,

@@ -1,4 +1,4 @@
-//! What becomes of a motion: the verb `describe`.
+//! The description of a motion: its fate, exponent and region, by the verb `describe`.
 
 use impact_pair::chaos::MOST_DEPTH;
 use impact_pair::describe::{Request, describe as described, lines};

@@ -6,7 +6,7 @@ use std::ops::RangeInclusive;
 use impact_pair::{Error, ErrorKind};
 use pyo3::prelude::*;
 
-/// What went wrong in the computation: a question that cannot be asked, or a text that does not read as what it should be.
+/// An error of a computation: a question that is refused, or a text that does not read as what it should be.
 pub enum Fault {
     Ours(Error),
     Said { class: &'static str, message: String, key: Option<String>, value: Option<String> },

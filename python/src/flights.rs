@@ -40,7 +40,7 @@ type Found<'py> = ([Bound<'py, PyBytes>; 4], bool);
 
 /// The next impacts of states on walls: times and velocities before the impact as bytes of doubles, walls as bytes of sides.
 ///
-/// Where doubles do not decide, and after Ctrl-C, the wall is 0 and the bounds are NaN.
+/// For states that doubles do not decide, and those left after Ctrl-C, the wall is 0 and the bounds are NaN.
 #[pyfunction]
 pub fn flights<'py>(
     py: Python<'py>,

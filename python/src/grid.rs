@@ -1,4 +1,4 @@
-//! What sweeps and atlases share: points computed by threads, and tables as columns.
+//! Shared parts of sweeps and atlases: points computed by threads, and tables as columns.
 
 use impact_pair::sweep::{Cell, Kind, doubles};
 use pyo3::prelude::*;

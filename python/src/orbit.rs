@@ -37,7 +37,7 @@ pub struct Orbit {
     motion: Option<(Mutex<orbit::Orbit>, Dense)>,
 }
 
-/// What is kept of an event in arrays.
+/// The fields of an event that arrays have.
 struct Row {
     name: EventName,
     wall: u8,
@@ -113,17 +113,17 @@ impl Orbit {
         Ok((json(&self.head)?, json(&self.outcome)?))
     }
 
-    /// Whether everything requested is certified, the last line of the table, and the maximum precision in bits.
+    /// True if everything requested is certified (`None` of an orbit that was read), the last line of the table, and the maximum precision in bits.
     fn ending(&self) -> (Option<bool>, &str, Option<u32>) {
         (self.complete, &self.said, self.bits)
     }
 
-    /// Whether it was interrupted.
+    /// Returns whether it was interrupted.
     fn interrupted(&self) -> bool {
         self.outcome.interruption().as_ref() == Some(&self.outcome.message)
     }
 
-    /// Of each event: its name's number (impact, graze, rest, release), its wall, its mapping, bounds of time and velocity.
+    /// Columns of the events: the number of the name (impact, graze, rest, release), wall, mapping, bounds of time and velocity.
     fn columns<'py>(&self, py: Python<'py>) -> PyResult<[Bound<'py, PyBytes>; 5]> {
         let rows = self.rows()?;
         let column = |of: fn(&Row) -> u8| PyBytes::new(py, &rows.iter().map(of).collect::<Vec<_>>());

@@ -18,7 +18,7 @@ const BLINK: Duration = Duration::from_millis(50);
 /// Bytes of the thread's stack: as a program's own.
 const STACK: usize = 8 << 20;
 
-/// How far work is, and whether it is to go on.
+/// The progress of a computation, and a flag that stops it.
 #[derive(Debug, Default)]
 pub struct Monitor {
     stopped: AtomicBool,
@@ -26,7 +26,7 @@ pub struct Monitor {
 }
 
 impl Monitor {
-    /// Notes that so much is done.
+    /// Notes the number of items done.
     pub fn tell(&self, done: u64) {
         self.done.store(done, Ordering::Relaxed);
     }
@@ -92,7 +92,7 @@ fn watch<T: Send>(
         thread::scope(|scope| {
             let (send, receive) = channel();
             let at_work = || {
-                // Nobody waits any more only if there is nothing to be told.
+                // The receiver is gone only if no result is wanted any more.
                 let _ = send.send(work(&monitor));
                 drop(send);
             };

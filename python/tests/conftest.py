@@ -1,4 +1,4 @@
-"""What the tests judge by: the command line, built from the same sources."""
+"""The reference of the tests: the command line, built from the same sources."""
 
 import json
 import os

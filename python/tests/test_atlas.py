@@ -52,7 +52,7 @@ def test_an_atlas_is_that_of_the_command_line(lines, tmp_path):
 
 
 def test_r45_cells_have_their_ends_rounded_inward():
-    # What is said of a cell is proved between its ends: doubles beyond them are in another cell, or in none.
+    # The class of a cell is proved between its ends: doubles beyond them are in another cell, or in none.
     found = Scene.named("figure-14").atlas({"gap": ("1/3", "2/3", 2), "restitution": (0.05, 0.1, 2)}, cells=True, boxes=8)
     table = found.to_pandas()
     assert len(table) >= 4

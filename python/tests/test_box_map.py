@@ -36,7 +36,7 @@ def landed(scene, states, walls):
 
 
 def is_in(state, rect, slack=1e-9):
-    """Whether a state is in a rectangle, its phase modulo 1; bounds in doubles are compared with the slack of theirs."""
+    """True if a state is in a rectangle, its phase modulo 1; bounds in doubles are compared with the slack of theirs."""
     phase = rect[0] - slack + np.mod(state[0] - rect[0] + slack, 1)
     return phase <= rect[2] + slack and rect[1] - slack <= state[1] <= rect[3] + slack
 

@@ -66,7 +66,7 @@ def test_a_killed_client_is_resumed(cluster, cli, tmp_path):
     with distributed.Client(cluster) as again:
         executor = again.get_executor()
         found = Scene.named("figure-14").sweep(over, **ASKED, executor=executor, resume=tmp_path / "kept", progress=first.append)
-    # What was finished is not computed again.
+    # Finished points are not computed again.
     assert first[0] > 20
     found.save(tmp_path / "found.jsonl")
     asked = ("--over", "amplitude=1..10:200", "--transient", 50, "--impacts", 20, "--format", "jsonl")

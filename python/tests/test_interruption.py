@@ -55,8 +55,8 @@ WORKS = {
 
 
 def interrupted(work, least=0):
-    """What a child has after a signal, sent once it reports progress of at least so much: whether it was interrupted and is complete, the
-    processor time it took to stop, and the document."""
+    """Values from a child that receives a signal once it reports progress of at least ``least``: if it was interrupted and is complete,
+    the processor time it took to stop, and the document."""
     code = CHILD.replace("{work}", work).replace("{least}", str(least))
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False, timeout=60)
     assert done.returncode == 0, done.stderr

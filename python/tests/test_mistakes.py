@@ -1,4 +1,4 @@
-"""What people pass by mistake, or in another type: numbers are taken, and the rest is refused by the package's own errors."""
+"""Arguments passed by mistake, or of another type: numbers are taken, and the rest is refused by the package's own errors."""
 
 from decimal import Decimal
 from fractions import Fraction

@@ -1,4 +1,4 @@
-"""Where the ball is between impacts, against (10)-(13) in 60 digits by mpmath and an integrator."""
+"""Displacement and velocity of the ball between impacts, against (10)-(13) in 60 digits by mpmath and an integrator."""
 
 import math
 

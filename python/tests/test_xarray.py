@@ -112,7 +112,7 @@ def test_r35_a_missing_package_is_named(monkeypatch, tmp_path, orbit, package, e
 
 
 def test_r45_an_infinite_exponent_is_a_value():
-    # Where the ball rests the exponent is -inf: it was NaN, as where there is none. No number was compared with a bound that is infinite.
+    # The exponent of a ball at rest is -inf: it was NaN, as where there is none. No number was compared with an infinite bound.
     grid = Scene(amplitude=1, frequency="pi", gap=3, restitution="0.5", velocity=0, time="1.5").sweep(
         {"restitution": ("0.4", "0.5", 2)}, transient=0, impacts=20
     )

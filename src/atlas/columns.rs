@@ -4,7 +4,7 @@ use impact_pair_document::{AtlasHead, AtlasRecord};
 
 use crate::sweep::{Cell, Kind, csv_line, csv_names};
 
-/// What is said of a point or a cell.
+/// Columns on a point or a cell, with their types.
 const SAID: [(&str, Kind); 7] = [
     ("class", Kind::Text),
     ("n_attracting", Kind::Whole),
@@ -15,10 +15,10 @@ const SAID: [(&str, Kind); 7] = [
     ("seconds", Kind::Number),
 ];
 
-/// What is said besides of cells, and where horseshoes are looked for.
+/// Further columns of an atlas of cells, or of one that looks for horseshoes.
 const BESIDES: [(&str, Kind); 2] = [("n_stable", Kind::Whole), ("entropy", Kind::Number)];
 
-/// Whether an atlas has these columns.
+/// Returns whether an atlas has the columns [`BESIDES`].
 fn has_more(head: &AtlasHead) -> bool {
     head.cells || head.horseshoes.is_some()
 }

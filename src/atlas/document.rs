@@ -57,18 +57,18 @@ pub(super) fn of(point: u64, values: &[(Key, Exact)], global: GlobalDocument, to
     }
 }
 
-/// How many of the points, or of the smallest cells, something is proved of. Lemmas A20, A21
+/// Numbers of points, or of smallest cells, of which a property is proved. Lemmas A20, A21
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Shares {
     /// All of them.
     pub all: u64,
-    /// Those whose class is decided.
+    /// Number of those whose class is decided.
     pub decided: u64,
-    /// Of the others, those with a stable periodic orbit.
+    /// Number of the others with a stable periodic orbit.
     pub stable: u64,
-    /// Of the others, those with a horseshoe.
+    /// Number of the others with a horseshoe.
     pub horseshoe: u64,
-    /// Of the others, those with either.
+    /// Number of the others with either.
     pub either: u64,
 }
 
@@ -88,7 +88,7 @@ impl Shares {
         within(record, plane.tile(record.point))
     }
 
-    /// Those of a record that is not cut, which has N of the smallest cells.
+    /// Returns the numbers of a record that is not subdivided, with `all` smallest cells.
     fn of_leaf(record: &AtlasRecord, all: u64) -> Self {
         let [is_stable, is_chaotic] = [!record.stable.is_empty(), record.entropy() > 0.0];
         let if_open = |is: bool| if is && !record.is_decided() { all } else { 0 };

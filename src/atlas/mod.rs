@@ -1,4 +1,4 @@
-//! Where every motion goes, over the plane of two parameters: at the points of a grid, or for all parameters of cells.
+//! The fate of every motion, over the plane of two parameters: at the points of a grid, or for all parameters of cells.
 //!
 //! A [`Plane`] has exact points, or cells whose parameters are intervals between exact values; of each [`record`] has the answer of a
 //! global analysis, [`crate::chaos::Global`]. Points and tiles do not know of each other, so they may be computed in any order.

@@ -28,7 +28,7 @@ impl Plane {
     /// Returns the plane of these axes, of whose points, or with `cells` of whose cells there are as many as each of them says.
     ///
     /// # Errors
-    /// When there are not two axes, one of them is no parameter of the pair, or as for [`Grid::new`].
+    /// Returns an error if there are not exactly two axes, if one of them is no parameter of the pair, or as [`Grid::new`] does.
     ///
     /// ```
     /// use impact_pair::atlas::Plane;
@@ -110,7 +110,7 @@ impl Plane {
     /// Returns the scenes at the four corners, of which all other ones are between.
     ///
     /// # Errors
-    /// When one of them is no scene.
+    /// Returns an error if one of them is not a valid scene.
     pub fn corners(&self, scene: &Scene) -> Result<Vec<Scene>, Error> {
         let corners = self.grid.corners().into_iter();
         corners.map(|point| scene.with(&self.grid.values(point)?)).collect()

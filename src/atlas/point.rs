@@ -16,7 +16,7 @@ use crate::{Error, document as written};
 /// decided; `None` if the watch stops it before.
 ///
 /// # Errors
-/// As of [`Global::of`].
+/// Returns the errors of [`Global::of`].
 pub fn record(
     scene: &Scene,
     plane: &Plane,
@@ -30,7 +30,7 @@ pub fn record(
     analysed(scene, settings, point, &plane.values(point)?, watch)
 }
 
-/// The same of a cell. Lemmas A20, A21
+/// Returns the record of a cell, and of those that it is cut into while that is undecided. Lemmas A20, A21
 fn of_cell(
     scene: &Scene,
     plane: &Plane,

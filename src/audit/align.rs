@@ -1,4 +1,4 @@
-//! Which row of the list is which contact of the certified orbit.
+//! The assignment of rows of the list to contacts of the certified orbit.
 //!
 //! A row may be any contact of a few, its candidates. As many rows as possible are matched so that rows and contacts
 //! keep their order: a longest increasing subsequence (Hunt and Szymanski, Comm. ACM 20(5), 350-353, 1977). So a row

@@ -12,7 +12,7 @@ use super::truth::{Site, SiteKind};
 use super::verdict::Verdict;
 use crate::exact::Enclosure;
 
-/// Bits that a time to judge up to is shown in.
+/// Bits in which the end of the comparison is shown.
 const BITS: u32 = 64;
 
 impl Audit<'_> {

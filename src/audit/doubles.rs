@@ -1,4 +1,4 @@
-//! How far double precision can be trusted on this scene: two orbits in doubles, compared as any other list.
+//! The reach of double precision on this scene: two orbits in doubles, compared as any other list.
 //!
 //! The first is the exact orbit of the scene's data rounded to doubles: once it is proved to be outside, any simulator that
 //! reads the scene in doubles is right only by chance, however accurate. The second is impact-pair's own float orbit: it
@@ -31,7 +31,7 @@ pub struct Doubles {
     pub float: Option<Parting>,
 }
 
-/// Where an orbit differs from the true one, by true impacts up to the end of the list.
+/// The first impacts at which an orbit differs from the true one, up to the end of the list, by their true numbers.
 #[derive(Clone, Copy, Debug)]
 pub struct Parting {
     /// The first impact that disagrees.

@@ -1,4 +1,4 @@
-//! What is found of a row or an impact.
+//! The result of the comparison for a row of the list or an impact.
 
 use super::verdict::Verdict;
 use crate::exact::Enclosure;

@@ -12,7 +12,7 @@ use super::truth::{Rest, Site, SiteKind, Truth, is_faster};
 use super::verdict::{Reason, Verdict};
 use crate::exact::{Dyadic, Enclosure, compare_rational};
 
-/// Where a list diverges from the orbit.
+/// The place at which a list diverges from the orbit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Divergence {
     /// The place among the findings.
@@ -23,9 +23,9 @@ pub struct Divergence {
     pub row: Option<usize>,
 }
 
-/// What is found of a list.
+/// The result of the comparison of a list.
 pub(super) struct Judgement {
-    /// In the order of the list, with missed impacts in between.
+    /// The findings in the order of the list, with missed impacts in between.
     pub findings: Vec<Finding>,
     pub departure: Option<Divergence>,
 }
@@ -125,13 +125,13 @@ impl<'a> Judge<'a> {
         first..end
     }
 
-    /// Whether the velocity of a row is proved not to be that of a contact, and may be that of an impact in the chatter after it.
+    /// Returns whether the velocity of a row is proved not to be that of a contact, and may be that of an impact in the chatter after it.
     fn is_of_chatter_after(&self, row: usize, site: usize) -> bool {
         let rest = self.truth.sites[site].rest.as_ref();
         self.is_outside_in_velocity(row, site) && rest.is_some_and(|rest| self.is_in_chatter(row, site, rest))
     }
 
-    /// Whether the velocity of a row, if it has one, is proved not to be that of a contact, if it has one.
+    /// Returns whether the velocity of a row is proved not to be that of a contact; false if either has none.
     fn is_outside_in_velocity(&self, row: usize, site: usize) -> bool {
         let velocities = self.velocity(row).zip(self.truth.sites[site].velocity.as_ref());
         velocities.is_some_and(|(listed, truth)| {
@@ -139,19 +139,19 @@ impl<'a> Judge<'a> {
         })
     }
 
-    /// Whether a contact that is not certified may come within the enclosure of this one.
+    /// Returns whether a contact that is not certified may come within the enclosure of this one.
     fn is_before_doubt(&self, site: usize) -> bool {
         self.truth.doubtful_from.as_ref().is_some_and(|from| from.inf() <= self.truth.sites[site].time.sup())
     }
 
-    /// Whether a row may be a contact that is not certified, as far as its times are compared.
+    /// Returns whether a row may be a contact that is not certified, as far as its times are compared.
     fn is_in_doubt(&self, row: usize) -> bool {
         let around = self.tolerance.around_time(&self.times[row]);
         self.truth.doubtful_from.as_ref().is_some_and(|from| around.sup() >= from.inf())
             || self.near(row).any(|site| self.is_before_doubt(site))
     }
 
-    /// Whether any other contact may.
+    /// Returns whether any other contact, certified or not, may come within the enclosure of this one.
     fn may_hold_another(&self, site: usize) -> bool {
         let sites = &self.truth.sites;
         let meets =
@@ -159,7 +159,7 @@ impl<'a> Judge<'a> {
         self.is_before_doubt(site) || meets(site, site + 1) || site > 0 && meets(site - 1, site)
     }
 
-    /// Whether a row may well be a contact after the last certified one.
+    /// Returns whether a row is so late that it may be a contact after the last certified one.
     fn is_beyond(&self, row: usize, site: usize) -> bool {
         let is_open = self.truth.doubtful_from.is_some() && site + 1 == self.truth.sites.len();
         // As far as the last contact's half of the flight that led to it.
@@ -171,8 +171,8 @@ impl<'a> Judge<'a> {
         is_open && self.rows[row].time.low > end()
     }
 
-    /// Whether a row is nearer to a contact than another one: by its velocity, where that of one of them only may be the contact's, else by
-    /// its time.
+    /// Returns whether row `one` is nearer to a contact than row `other`: by its velocity, if only one of the two velocities may be the contact's,
+    /// else by its time.
     fn is_nearer(&self, one: usize, other: usize, site: usize) -> bool {
         let [is_one_outside, is_other_outside] = [one, other].map(|row| self.is_outside_in_velocity(row, site));
         if is_one_outside != is_other_outside {
@@ -251,19 +251,19 @@ impl<'a> Judge<'a> {
         Finding { verdict, row: Some(row), site, errors: None }
     }
 
-    /// Whether a time comes after the contact and not after the release of the rest that follows it.
+    /// Returns whether a time comes after the contact and not after the release of the rest that follows it.
     fn is_within(&self, time: &Enclosure, site: usize, rest: &Rest) -> bool {
         let is_before_its_end = match (&rest.until, &self.truth.doubtful_from) {
             (Some(until), _) => time.sup() <= until.sup(),
             (None, None) => true,
-            // Nobody knows for how long it rests.
+            // The duration of the rest is unknown.
             (None, Some(_)) => time.inf() <= self.tolerance.around_time(&rest.from).sup(),
         };
         time.inf() > self.truth.sites[site].time.sup() && is_before_its_end
     }
 
-    /// Whether a row lies in the complete chatter in this rest: on its wall, no later than it by more than the tolerance,
-    /// and with a velocity between that of the impact before and none.
+    /// Returns whether a row may belong to the complete chatter before this rest: on its wall, not later than its start by more than the
+    /// tolerance, and with a velocity between that of the impact before the rest and 0.
     fn is_in_chatter(&self, row: usize, site: usize, rest: &Rest) -> bool {
         let first = &self.truth.sites[site];
         let (time, end) = (&self.times[row], self.tolerance.around_time(&rest.from));

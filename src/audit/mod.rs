@@ -69,7 +69,7 @@ pub struct AuditSettings {
 }
 
 impl Default for AuditSettings {
-    /// To `10^-9`, up to the last time listed.
+    /// Returns the settings of a tolerance of `10^-9`, up to the last time listed.
     fn default() -> Self {
         let tolerance = "1e-9".parse().expect("a number");
         Self { tolerance, until: None, digits: None, max_bits: MAX_BITS }
@@ -77,7 +77,7 @@ impl Default for AuditSettings {
 }
 
 impl AuditSettings {
-    /// How the orbit that judges is computed.
+    /// Returns the settings of the certified orbit up to the time `until`.
     fn settings(&self, until: Exact) -> Settings {
         let arithmetic = if MULTIPRECISION { Arithmetic::Auto } else { Arithmetic::Interval };
         let run = Run { impacts: None, until: Some(until), digits: Some(self.digits()) };
@@ -108,7 +108,7 @@ pub struct Audit<'s> {
     pub left_out: usize,
     /// Columns of the list that are not read.
     pub unused: Vec<String>,
-    /// Whether the list has no velocities, although they are looked for.
+    /// True if the list has no velocities, although they are looked for.
     lacks_velocities: bool,
     /// The end of the comparison: the requested time (an irrational one a little later), or the last one listed.
     end: BigRational,
@@ -278,7 +278,7 @@ impl<'s> Audit<'s> {
     }
 }
 
-/// The error that the time to judge up to is before the start, or beyond what an orbit can be followed to.
+/// Returns the error that the requested end of the comparison is before the start, or later than an orbit can be followed.
 fn out_of_reach(asked: &AuditSettings, rows: &[Listed], start: &Exact) -> Error {
     const LATE: &str = "later than an orbit can be followed to";
     let latest = rows.iter().max_by(|one, other| one.time.high.cmp(&other.time.high));

@@ -23,7 +23,7 @@ const PER_RUN: usize = 1 << 16;
 /// A certified contact that a list may have, in time order.
 #[derive(Clone, Debug)]
 pub struct Site {
-    /// Its verdict.
+    /// The kind of contact, which determines whether it has to be listed.
     pub kind: SiteKind,
     /// The impact's number; for others that of the last impact.
     pub index: u64,
@@ -37,14 +37,14 @@ pub struct Site {
     pub rest: Option<Rest>,
 }
 
-/// Whether a contact has to be listed.
+/// The kind of a contact, which determines whether it has to be listed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SiteKind {
-    /// It has to be.
+    /// An impact: has to be listed.
     Impact,
-    /// The impact that the orbit starts with: need not be.
+    /// The impact that the orbit starts with: need not be listed.
     Start,
-    /// Need not be.
+    /// A graze: need not be listed.
     Graze,
 }
 
@@ -58,7 +58,7 @@ impl Site {
 /// The ball on its wall.
 #[derive(Clone, Debug)]
 pub struct Rest {
-    /// Since when \[time\].
+    /// Beginning of the rest \[time\].
     pub from: Enclosure,
     /// `None`: for ever, or to the end.
     pub until: Option<Enclosure>,
@@ -69,12 +69,12 @@ pub struct Rest {
 /// The certified orbit, as far as it is needed.
 pub(super) struct Truth {
     pub sites: Vec<Site>,
-    /// From when on nothing is certified; `None` if all that was requested is.
+    /// Time from which on nothing is certified \[time\]; `None` if everything requested is.
     pub doubtful_from: Option<Enclosure>,
-    /// Whether the orbit was not followed further because the list lacks more impacts than it has rows.
+    /// True if the orbit was not followed further because the list lacks more impacts than it has rows.
     pub is_cut: bool,
     pub conclusion: Conclusion,
-    /// What computed it, as the orbit JSON says it.
+    /// The arithmetic that computed it, as in the orbit JSON.
     pub computed: ArithmeticDocument,
     /// The first impact whose enclosure is wider than the requested digits.
     pub wide: Option<u64>,
@@ -217,7 +217,7 @@ fn leave_out_tail(sites: &mut Vec<Site>, end: &Enclosure, tolerance: &Tolerance)
     }
 }
 
-/// Whether a velocity is proved not to lie between that of a contact and 0, by more than the tolerance.
+/// Returns whether a velocity is proved not to lie between that of a contact and 0, by more than the tolerance.
 pub(super) fn is_faster(velocity: &Enclosure, than: &Enclosure, tolerance: &Tolerance) -> bool {
     let slower = than.hull(&Enclosure::point(Dyadic::zero()));
     tolerance.is_outside_in_velocity(&tolerance.distance(velocity, &slower))

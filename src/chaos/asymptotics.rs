@@ -29,15 +29,15 @@ pub struct Entered {
     pub boxes: usize,
     /// The impact from which on all impacts are in it, 0 for the start.
     pub at_impact: u64,
-    /// Whether all h-sets, and so the horseshoe with all its images, are proved to lie in it.
+    /// `true` if all h-sets, and so the horseshoe with all its images, are proved to lie in the region.
     pub holds_bases: bool,
 }
 
-/// Impacts after which it is asked whether the orbit converges, and with what: in doubles, in as many bits as it takes.
+/// Arithmetics, each with the number of impacts after which it is asked whether the orbit converges: in doubles, then in as many bits as it takes.
 const ASKED: [(Arithmetic, u64); 2] = [(Arithmetic::Interval, 20_000), (Arithmetic::Auto, 800)];
 
 impl Asymptotics {
-    /// That of an orbit; the region is looked for where there are h-sets.
+    /// Returns the result for an orbit; the region is looked for where there are h-sets.
     pub(super) fn of(pair: &ImpactPair, start: &Start, bases: &[Base], watch: &dyn Watch) -> Result<Self, Error> {
         let mut attractor = None;
         for asked in ASKED {

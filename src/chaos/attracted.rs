@@ -25,21 +25,21 @@ mod tests;
 
 /// Impacts that are followed.
 const IMPACTS: usize = 2000;
-/// The most from a set to a later one that lies in it; N more are followed to find the shortest period.
+/// The most impacts from a set to a later one that lies in it; this many more are followed to find the shortest period.
 const LONGEST: usize = 128;
-/// Every N impacts sets may begin anew that have room for so often the way by which the orbit misses an earlier impact, if that is
-/// near: each of these is tried.
+/// Number of impacts after which sets may begin anew, with sides as long as a multiple of the distance by which the orbit misses an
+/// earlier impact, if that is near: each multiple is tried.
 const AGAIN: usize = 32;
 const ROOMS: [f64; 2] = [0.0, 8.0];
 /// Lengths of the sides of sets by which a shorter round is looked for at one value: each of these is tried.
 const LENGTHS: [f64; 3] = [1e-6, 1e-5, 1e-4];
 const NEAR: f64 = 0.02;
-/// Sides are that much longer than they have to be, so that it can be proved that they are long enough.
+/// Factor by which sides are longer than they have to be, so that it can be proved that they are long enough.
 const LONGER: f64 = 1.0 + 1e-9;
 /// Wider sets are not followed.
 const WIDEST: f64 = 0.25;
 
-/// States `middle + a sides[0] + b sides[1] + c moved[0] + d moved[1]`, `|a|, |b| <= 1`; `c` and `d` in `[-1, 1]` tell `e` and `D`.
+/// States `middle + a sides[0] + b sides[1] + c moved[0] + d moved[1]`, `|a|, |b| <= 1`; `c` and `d` in `[-1, 1]` give `e` and `D`.
 #[derive(Clone, Copy, Debug)]
 struct Set {
     middle: State,
@@ -113,7 +113,7 @@ impl Set {
         ))
     }
 
-    /// At least twice as large, with sides of a length at least; sets shrink as fast as motions converge.
+    /// The set with sides at least twice as long, and of at least a given length; sets shrink as fast as motions converge.
     fn enlarged(self, least: f64) -> Self {
         let longer = |side: State| {
             let power = (least / length(side)).log2().ceil().max(1.0); // D15: at least twice as long
@@ -123,15 +123,15 @@ impl Set {
         Self { sides: self.sides.map(longer), ..self }
     }
 
-    /// Room for so often the way to the nearest of some sets before, if that is near.
+    /// The given multiple of the distance to the nearest of some sets before, if that is near, else 0; phases in radians.
     fn room(&self, times: f64, before: &[Self]) -> f64 {
         let away = |other: &Self| apart(other.middle, self.middle);
         let room = times * before.iter().map(away).fold(f64::INFINITY, f64::min); // proposes: how large sets become
         if room < NEAR { room } else { 0.0 } // proposes: how large sets become
     }
 
-    /// By how many whole forcing periods another one has to be shifted to lie in this one, for each value of the parameters with a margin; `None`
-    /// where that is not proved. Lemma D15
+    /// Returns the number of whole forcing periods by which another one has to be shifted to lie in this one, for each value of the
+    /// parameters with a margin; `None` where that is not proved. Lemma D15
     fn holds(&self, other: &Self) -> Option<f64> {
         let shift = (other.middle[0] - self.middle[0]).round(); // exact: any whole number will do
         let away = [
@@ -158,7 +158,7 @@ fn directions([p, q]: [State; 2]) -> [State; 2] {
     [[u / size, w / size], [-w / (TAU * size), TAU * u / size]]
 }
 
-/// Flights, from an impact on a wall, and whole forcing periods of the reduced map, after which a periodic orbit comes again.
+/// Flights, from an impact on a wall, and whole forcing periods of the reduced map, after which a periodic orbit closes.
 struct Round {
     wall: Wall,
     sides: Vec<Side>,
@@ -166,14 +166,14 @@ struct Round {
 }
 
 impl Round {
-    /// It comes again after N impacts as well: so after the greatest common divisor of both. Lemma D15
+    /// The orbit closes after this number of impacts as well: so after the greatest common divisor of both. Lemma D15
     fn divide(&mut self, impacts: usize) {
         let common = self.sides.len().gcd(&impacts);
         self.turns /= (self.sides.len() / common) as f64; // exact: whole turns after each part
         self.sides.truncate(common);
     }
 
-    /// Whether its flights are fewer ones several times, so that it may come again after these.
+    /// Returns whether its flights repeat a shorter sequence, so that the orbit may have a shorter period.
     fn is_repeated(&self) -> bool {
         let all = self.sides.len();
         (1..=all / 2).any(|part| all.is_multiple_of(part) && self.sides[part..] == self.sides[..all - part])
@@ -214,15 +214,15 @@ pub(super) fn attracted(law: &Law, first: &Visited, watch: &dyn Watch) -> Option
     found.word()
 }
 
-/// How large sets are every [`AGAIN`] impacts: room for so often the way by which the orbit misses an earlier impact, for a round as soon as
-/// one is found; or sides of a length at least, for the shortest of all rounds.
+/// The rule by which sets are enlarged every [`AGAIN`] impacts: to find a round soon, by a multiple of the distance by which the orbit
+/// misses an earlier impact; to find the shortest round, to sides of at least a given length, phases in radians.
 #[derive(Clone, Copy)]
 enum Enlarged {
     By(f64),
     To(f64),
 }
 
-/// What sets from a state on are proved to converge to.
+/// Returns the round of the periodic orbit that the sets from a state on are proved to converge to; `None` where none is proved.
 fn converges(law: &Law, first: &Visited, enlarged: Enlarged, watch: &dyn Watch) -> Option<Round> {
     let guess = Guess::new(law);
     let (mut sets, mut sides) = (vec![Set::of(first)], Vec::new());

@@ -16,29 +16,29 @@ use super::vector::{GENERIC, apart, cross};
 use super::words::Base;
 use crate::watch::Watch;
 
-/// Returns of N impacts are looked for, and of each the N that come nearest.
+/// The most impacts of returns that are looked for, and the number of nearest returns that are kept of each.
 const RETURNS: usize = 12;
 const NEAREST: usize = 8;
-/// How far apart these are.
+/// Distance within which a state counts as a return, and beyond which two returns count as different; phases in radians.
 const APART: f64 = 0.02;
-/// Transients begin at N phases and speeds, up to M times the greatest one seen.
+/// Numbers of phases and of speeds at which transients begin, and the factor of the greatest speed over the greatest one seen.
 const STARTS: [usize; 2] = [48, 24];
 const FASTER: f64 = 1.5;
-/// They are looked at from one impact to another, until they are so near to the orbit that they lead to.
+/// The impacts from which on transients are looked at, and up to which, and the distance from the orbit within which they end.
 const LOOKED_FOR: [usize; 2] = [6, 80];
 const NEAR: f64 = 0.01;
-/// Those that are shorter, or grow less an impact, see no saddle.
+/// The least number of impacts, and the least growth per impact, of transients that see a saddle.
 const LONG: usize = 16;
 const GROWTH: f64 = 0.1;
-/// Bundles of leaves are judged by words of N impacts at most.
+/// The most impacts of words by which bundles of leaves are compared.
 const JUDGED_TO: usize = 20;
-/// H-sets from everywhere are judged by words of so much of the depth: long ones are often seen where none are proved.
+/// Parts of the depth up to which words are seen, by which h-sets from everywhere are compared: long ones are often seen where none are proved.
 const SHALLOWER: [f64; 3] = [1.0, 0.75, 0.5];
 /// Half lengths, phases in radians, and half widths relative to them.
 pub(super) const LENGTHS: [f64; 7] = [0.3, 0.2, 0.13, 0.08, 0.05, 0.03, 0.015];
 const WIDTHS: [f64; 7] = [0.001, 0.002, 0.005, 0.01, 0.02, 0.04, 0.08];
 impl Seen {
-    /// Of a regular orbit: what orbits from elsewhere see before they come near it. A horseshoe may be there as a saddle.
+    /// Returns the transients of a regular orbit: points of orbits from elsewhere before they come near it. A horseshoe may be there as a saddle.
     pub fn transients(&self, guess: &Guess) -> Self {
         let attractor: Vec<State> = self.points.iter().rev().take(RETURNS * RETURNS).map(|(state, _)| *state).collect();
         let fastest = FASTER * attractor.iter().fold(0.0, |most: f64, state| most.max(state[1]));
@@ -181,8 +181,8 @@ impl Base {
         (-3..=3).all(|turns| self.is_parted(other, f64::from(turns)) || other.is_parted(self, f64::from(-turns)))
     }
 
-    /// Returns whether it has no state in common with itself whole forcing periods later: an edge parts it from its translate by one forcing period, and so by
-    /// more, as it is convex. Lemma D9
+    /// Returns whether it has no state in common with itself whole forcing periods later: an edge parts it from its translate by one
+    /// forcing period, and so by more, as it is convex. Lemma D9
     pub fn is_apart_from_its_translates(&self) -> bool {
         self.is_parted(self, 1.0) || self.is_parted(self, -1.0)
     }

@@ -11,7 +11,7 @@ pub struct Word {
     pub from: usize,
     /// The one it crosses.
     pub to: usize,
-    /// Where its impacts are if it starts on the left wall.
+    /// The walls of its impacts if it starts on the left wall.
     pub walls: Vec<Wall>,
     /// Half cycles from its start to its end, less what the phases of the two h-sets differ by.
     pub half_cycles: i64,
@@ -27,7 +27,7 @@ impl Word {
         Self { walls: walls.collect(), from: path.from, to: path.to, half_cycles: path.half_turns }
     }
 
-    /// In mappings, the first one right-most, as the paper writes them.
+    /// Returns it in mappings, the first one right-most, as the paper writes them.
     pub fn in_mappings(&self) -> String {
         let mut from = Wall::Left;
         let mut names: Vec<String> = Vec::new();
@@ -84,7 +84,7 @@ pub(super) fn horseshoe(words: &[Word], bases: usize) -> Option<[&Word; 2]> {
     None
 }
 
-/// Whether there are h-sets from each of which a word of either block leads to one of them. Lemma D9
+/// Returns whether there are h-sets from each of which a word of each block leads to one of them. Lemma D9
 fn is_free(blocks: [&Block<'_>; 2], bases: usize) -> bool {
     let mut alive = vec![true; bases];
     loop {
@@ -107,7 +107,7 @@ mod tests {
         Word { from, to, walls: walls.chars().map(wall).collect(), half_cycles }
     }
 
-    /// The words of chaos-0.036: the two that go to the right wall differ in their time, and only one of them comes again to where it
+    /// The words of chaos-0.036: the two that go to the right wall differ in their time, and only one of them leads back to where it
     /// started with the third.
     #[test]
     fn r32_blocks_of_one_name_and_another_time() {

@@ -18,7 +18,7 @@ pub struct Rectangle {
     pub speed: [f64; 2],
 }
 
-/// Where the flights from a rectangle land.
+/// The image of a rectangle: bounds of the landings of its flights, by wall.
 ///
 /// Phases begin in `[0, 1)` and may end beyond 1; those of a whole period are `[0, 1]`.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -58,10 +58,10 @@ pub struct BoxMap {
     grid: Grid,
 }
 
-/// Why the image of a rectangle is not bounded.
+/// The reason why the image of a rectangle is not bounded.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Unmapped {
-    /// A ball may come to rest, or bounce too little to be measured from one that does.
+    /// A ball may come to rest, or bounce too little to be distinguished from one that does.
     Rest,
     /// A flight may be longer than 64 forcing periods.
     Long,
@@ -152,7 +152,7 @@ mod tests {
         BoxMap::new(scene.unwrap().pair(), columns)
     }
 
-    /// What is around columns of one wall, and `speeds`.
+    /// Returns the bounds of phase of the rectangle around landings in these columns of eight, all on the near wall.
     fn around(columns: &[i64]) -> [f64; 2] {
         let map = map(8).unwrap();
         let landed = columns.iter().map(|&column| Arrivals { column, side: Side::Near, speeds: [1.0, 2.0] });

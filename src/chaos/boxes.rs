@@ -16,14 +16,14 @@ pub(super) struct Edge {
     pub to: u32,
 }
 
-/// For each box those linked to it.
+/// The boxes that are linked to each box.
 pub(super) struct Links {
     start: Vec<u32>,
     to: Vec<u32>,
 }
 
 impl Links {
-    /// From pairs, in any order.
+    /// Returns the links of pairs, in any order.
     pub fn new(count: usize, pairs: &mut [(u32, u32)]) -> Self {
         pairs.sort_unstable();
         let start = |cell: usize| pairs.partition_point(|&(from, _)| (from as usize) < cell) as u32; // exact: fewer than 2^32

@@ -1,4 +1,4 @@
-//! Where clusters of leaves make good h-sets: tried all over a floating-point orbit, moved as long as more is seen, parted further.
+//! Clusters of leaves that make good h-sets: tried all over a floating-point orbit, moved while more entropy is seen, and parted by more gaps.
 //!
 //! Labels: proposes throughout.
 
@@ -14,24 +14,24 @@ use super::words::Base;
 use crate::threads::each;
 use crate::watch::Watch;
 
-/// Points of the orbit that are that far apart, and at most N.
+/// Least distance of points of the orbit that are tried, phases in radians, and their greatest number.
 const APART: f64 = 0.004;
 const MIDDLES: usize = 80;
 /// The widest gap parts, or the widest two, or three, or none.
 const NESTED: [u32; 4] = [0b0, 0b1, 0b11, 0b111];
-/// At most N h-sets.
+/// The most h-sets of a place.
 const MOST: u32 = 4;
-/// If they are not apart from one another they are made shorter.
+/// Factors by which h-sets are made shorter until they are apart from one another.
 const SHORTER: [f64; 5] = [1.0, 0.93, 0.86, 0.8, 0.7];
-/// N places, that far apart, relative to what is there, are moved; and N of these are parted further.
+/// Number of places that are moved, their least distance relative to their length, and the number of those that are parted further.
 const STARTS: usize = 16;
 const ELSEWHERE: f64 = 0.25;
 const FURTHER: usize = 5;
 /// Moves, relative: the first ones, and those that are small enough.
 const MOVES: [f64; 2] = [0.3, 0.01];
 
-/// Where clusters of leaves are looked for: about a point of the orbit, so far along its leaf and beside it, in radians; bit `n` of
-/// `cuts` says whether the gap that is the widest but `n` parts them.
+/// A place where clusters of leaves are looked for: about a point of the orbit, up to `long` along its leaf and `beside` across it, in
+/// radians; bit `n` of `cuts` says whether the gap with `n` wider ones parts them.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Place {
     pub middle: (State, State),
@@ -106,7 +106,7 @@ impl<'s> Sight<'s> {
         Window::new(&self.orbit, self.guess, middle)
     }
 
-    /// The point of the orbit so far along the leaf.
+    /// The point of the orbit at this part of the length along the leaf.
     fn beyond(&self, Place { middle: (centre, along), long, .. }: Place, part: f64) -> (State, State) {
         let size = part * long / length(along);
         let at = [0, 1].map(|i| centre[i] + size * along[i]);
@@ -126,7 +126,7 @@ impl<'s> Sight<'s> {
         self.bundles(&self.window(middle)?, (middle, [long, beside]), &[cuts]).swap_remove(0)
     }
 
-    /// The h-sets of a place of a half length and so far beside, parted by gaps in each of these ways; shorter if need be to be apart.
+    /// The h-sets of a place of this half length and half width, parted by gaps in each of these ways; shorter if need be to be apart.
     fn bundles(
         &self,
         window: &Window,
@@ -191,7 +191,7 @@ fn distinct(bundles: impl Iterator<Item = Bundle>) -> Vec<Bundle> {
     found
 }
 
-/// Whether they may be h-sets.
+/// Returns whether they may be h-sets: convex, near, and apart from one another.
 fn are_good(bases: &[Base]) -> bool {
     let is_apart = |(k, base): (usize, &Base)| bases[..k].iter().all(|other| base.is_apart(other));
     bases.iter().all(|base| base.is_convex() && base.is_near()) && bases.iter().enumerate().all(is_apart)

@@ -41,13 +41,13 @@ pub struct RangeSettings {
     pub over: Range,
     /// Cells that it is cut into, equally wide.
     pub cells: u32,
-    /// How often a cell is halved where nothing is proved of all of it.
+    /// Number of times that a cell is halved at most, where nothing is proved of all of it.
     pub halvings: u32,
     /// The most impacts of a horseshoe's words.
     pub depth: usize,
 }
 
-/// What is proved for all values of the parameter in a stretch.
+/// The result that is proved for all values of the parameter in a stretch.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Verdict {
     /// The impact map of each pair holds a horseshoe; what becomes of the scene's own orbit is not proved.
@@ -56,7 +56,7 @@ pub enum Verdict {
     Attracted {
         /// The word of the period, from that impact on that makes it the first one in the alphabet of L and R.
         word: Word,
-        /// How many cycles it takes.
+        /// Number of forcing periods that the orbit takes.
         cycles: u32,
         /// A horseshoe beside it, if one is proved: both may be true.
         beside: Option<Horseshoe>,
@@ -65,7 +65,7 @@ pub enum Verdict {
     Stable {
         /// The word of the period, of it or its mirror image from that impact on that makes it the first one in the alphabet of L and R.
         word: Word,
-        /// How many cycles it takes.
+        /// Number of forcing periods that the orbit takes.
         cycles: u32,
         /// A horseshoe beside it, if one is proved.
         beside: Option<Horseshoe>,
@@ -102,7 +102,7 @@ impl Verdict {
         }
     }
 
-    /// Whether it tells several periods where another one tells one. Lemma D15: of a common value both speak of one orbit
+    /// Returns whether its word may be several periods of that of another verdict. Lemma D15: of a common value both speak of one orbit
     fn is_round_of(&self, other: &Self) -> bool {
         match (self, other) {
             (Self::Attracted { word: round, beside, .. }, Self::Attracted { word, beside: own, .. }) => {
@@ -121,14 +121,14 @@ pub struct Stretch {
     pub low: Exact,
     /// The greatest value.
     pub high: Exact,
-    /// What is proved.
+    /// The verdict, for all of these values.
     pub verdict: Verdict,
-    /// How often the widest cell in it was halved.
+    /// Number of times that the widest cell in it was halved.
     halved: u32,
 }
 
 impl Stretch {
-    /// How often the widest cell in either was halved.
+    /// Number of times that the widest cell in either was halved.
     fn widest(&self, other: &Self) -> u32 {
         self.halved.min(other.halved) // exact: a count
     }
@@ -141,13 +141,13 @@ impl Stretch {
 /// to prove that orbit, as often as the cell is halved.
 #[derive(Clone, Debug)]
 pub struct Cells {
-    /// What is proved.
+    /// The stretches, each with what is proved of its values.
     pub stretches: Vec<Stretch>,
-    /// Whether it was stopped; what was not looked at is undecided.
+    /// `true` if it was stopped; what was not looked at is undecided.
     pub interrupted: bool,
 }
 
-/// Beside stable orbits horseshoes are looked for in stretches as wide as a cell that is halved so often at most.
+/// Number of halvings of a cell up to which a horseshoe is looked for beside a stable orbit.
 const SEARCHED: u32 = 4;
 
 /// A search at work.
@@ -187,7 +187,7 @@ impl Cells {
     }
 }
 
-/// What messages name.
+/// The name of the value in messages.
 const NAME: &str = "the parameter";
 
 /// Adds a stretch behind the others, to the last one where the same is proved of both. Lemma D14: they have the end in common
@@ -265,8 +265,8 @@ impl Work<'_> {
         Ok(())
     }
 
-    /// Whether the scene's own orbit converges to a stable periodic one; else, of cells that are not halved any more, whether there is one where it
-    /// settles in floating point, which says less.
+    /// Returns the verdict on a stable periodic orbit: one that the scene's own orbit converges to; else, for cells that are not halved any more, one
+    /// where the scene's orbit settles in floating point, which says less.
     fn periodic(&self, pair: &ImpactPair, is_last: bool) -> Result<Verdict, Error> {
         let Some(first) = visited(pair, self.start, 1)?.into_iter().find(|state| state.index > 0) else {
             return Ok(Verdict::Undecided);

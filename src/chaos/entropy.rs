@@ -1,4 +1,4 @@
-//! From words to entropy: Lemma D10 of `docs/proofs/chaos.md#D10`.
+//! Entropy of words: Lemma D10 of `docs/proofs/chaos.md#D10`.
 
 use super::words::Path;
 use crate::number::{Ball, logarithm};
@@ -38,7 +38,7 @@ pub(crate) fn entropy(words: &[Path], bases: usize, weight: impl Fn(&Path) -> i6
     }
 }
 
-/// Whether the spectral radius is proved to be at least 1: a vector that is not negative and does not shrink.
+/// Returns whether the spectral radius is proved to be at least 1, by a vector that is not negative and does not shrink.
 fn is_reached(matrix: &[Vec<Ball>]) -> bool {
     let size = matrix.len();
     let mut vector = vec![1.0f64; size];

@@ -16,18 +16,18 @@ use super::vector::{apart, cross, radians};
 use super::words::{Base, Path};
 use crate::threads::each;
 
-/// Number of points of the orbit that are judges.
+/// Number of points of the orbit whose words are counted.
 const JUDGES: usize = 40_000;
-/// Middles of h-sets are that far apart, and at most N.
+/// Least distance of the middles of h-sets, phases in radians, and their greatest number.
 const EVERYWHERE: f64 = 0.004;
 const MIDDLES: usize = 160;
 /// Half lengths, each shorter than the one before by a factor, and half widths relative to them.
 const SHORTER: (usize, f64) = (16, 0.8);
 const WIDTHS: [f64; 6] = [0.01, 0.02, 0.04, 0.08, 0.16, 0.3];
-/// In each h-set N points are looked at; more than M in a row make a crossing.
+/// Number of points that are looked at in each h-set, and the number in a row above which they make a crossing.
 const POINTS: usize = 1000;
 const IN_A_ROW: usize = 4;
-/// Images reach that far beyond the ends, and not beyond that much of the width.
+/// Places of images of a crossing, in half lengths and half widths: at least so far beyond the ends, at most so far across.
 const BEYOND: [f64; 2] = [1.1, 0.85];
 /// The least sine of the angle between an end and the leaf, and the least cosine of that between an end and the middle.
 const LEAST_SINE: f64 = 0.1;

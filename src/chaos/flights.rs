@@ -7,12 +7,12 @@ use super::law::{Law, Side};
 use super::quad::{Quad, State};
 use crate::number::{Ball, Number, TINY, UNIT, up};
 
-/// What a flight's drift and its height at a phase of arrival change by, along one side: `drift`, and `x drift - shift`.
+/// Changes of a flight's drift, and of its height at a phase of arrival, along one side: `drift`, and `x drift - shift`.
 #[derive(Clone, Copy, Debug)]
 struct Slope {
     drift: Ball,
     shift: Ball,
-    /// How far the far wall moves.
+    /// Displacement of the far wall, in amplitudes.
     ahead: f64,
 }
 
@@ -21,13 +21,13 @@ pub(crate) struct Flights<const M: usize = 1> {
     gap: Ball,
     start: f64,
     radius: f64,
-    /// Over all of them.
+    /// Sine and cosine over all starts.
     sin: Ball,
     cos: Ball,
     /// `e w`, and a lower bound.
     after: Ball,
     least: f64,
-    /// Of the centre's, at the middle of all `e`.
+    /// The sine and the drift of the centre, at the middle of all `e`.
     centre_sin: Ball,
     drift: Ball,
     sides: [Slope; 2],
@@ -51,7 +51,7 @@ pub(crate) struct View {
     bend: f64,
 }
 
-/// Where the flights land, in mean-value form: the image of the quadrilateral. Lemma D3
+/// Landings of the flights in mean-value form: the image of the quadrilateral. Lemma D3
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Landing<const M: usize = 1> {
     /// The centre's image.
@@ -59,7 +59,7 @@ pub(crate) struct Landing<const M: usize = 1> {
     pub speed: Ball,
     /// `dw/dth` at a fixed drift, over the bracket, in speeds per forcing period.
     slope: Ball,
-    /// By side, and by parameter: the change of phase, and the change of speed at a fixed phase.
+    /// The change of phase, and the change of speed at a fixed phase, by side and by parameter.
     along: [[Ball; 2]; 2],
     /// The same for a unit of phase, and of speed.
     units: [[Ball; 2]; 2],
@@ -72,7 +72,7 @@ fn turn() -> Ball {
     Number::turn(&Ball::exact(0.0))
 }
 
-/// Whether all members are positive: no NaN is.
+/// Returns whether all members are positive; `false` for a NaN.
 pub(crate) fn is_positive(x: Ball) -> bool {
     x.mid() > x.rad()
 }
@@ -84,7 +84,7 @@ impl Flights {
 }
 
 impl<const M: usize> Flights<M> {
-    /// Those of states that move by so much for the radius of each parameter.
+    /// Returns the flights of states that are displaced by `moved` for the radius of each parameter.
     pub fn moved(law: &Law, quad: &Quad, moved: [State; M]) -> Self {
         let e = law.restitution;
         let [start, speed] = quad.centre;
@@ -157,7 +157,7 @@ impl<const M: usize> Flights<M> {
         View { height: centre.widened(spread), rate, bend: sin.mag() }
     }
 
-    /// Whether a height is between the walls.
+    /// Returns whether all members of a height are between the walls.
     fn is_inside(&self, height: Ball) -> bool {
         is_positive(height) && is_positive(self.gap - height)
     }
@@ -194,7 +194,7 @@ impl<const M: usize> Flights<M> {
         None
     }
 
-    /// Whether even a ball without velocity leaves, and stays away for that long: measured from `z/x^2`.
+    /// Returns whether even a ball without velocity leaves, and stays away for this angle, in radians: by a lower bound of `z/x^2`.
     fn leaves(&self, angle: f64) -> bool {
         let least = (self.sin.mid() - self.sin.rad()) * (0.5 - angle * angle / 24.0) * (1.0 - 4.0 * UNIT);
         least > up(self.cos.mag() * angle / 6.0)
@@ -298,7 +298,7 @@ impl<const M: usize> Flights<M> {
         [least - 2.0 * error, most + 2.0 * error]
     }
 
-    /// `z'` of all flights that are at this height between two phases, measured from both phases: `z' = (z + sin th1 - sin th0)/x - cos th1`. Lemma D4
+    /// Holds `z'` of all flights that are at this height between two phases, from both phases: `z' = (z + sin th1 - sin th0)/x - cos th1`. Lemma D4
     pub fn velocity_by_phases(&self, height: Ball, low: f64, high: f64) -> Option<Ball> {
         let arrival = 0.5 * (low + high);
         let radius = up((arrival - low).max(high - arrival)); // D4: the farther end
@@ -341,7 +341,7 @@ impl<const M: usize> Landing<M> {
         [delay, speed + delay * self.slope]
     }
 
-    /// Returns the same where `p` moves by so much for the radius of each parameter, as the images do. Lemma D15
+    /// Returns the same where `p` is displaced by `moved` for the radius of each parameter, as the images are. Lemma D15
     pub fn beside(&self, [n, m]: [Ball; 2], point: [Ball; 2], moved: [State; M]) -> Ball {
         let from = |k: usize, change: Ball| {
             let [u, w] = moved[k].map(Ball::exact);

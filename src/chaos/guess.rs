@@ -21,15 +21,15 @@ pub(crate) struct Guess {
     radii: [f64; 2],
 }
 
-/// Where a state is mapped to.
+/// The image of a state.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Image {
     /// The phase goes on from that of the start; half a forcing period is added where the far wall is touched.
     pub state: State,
     pub side: Side,
-    /// Of phase in forcing periods and speed over `A W`.
+    /// The derivative of phase in forcing periods and speed over `A W`.
     pub jacobian: [[f64; 2]; 2],
-    /// How far `D` and `e` move it, each by its radius.
+    /// Displacements of the image by `D` and by `e`, each by its radius.
     pub moved: [State; 2],
 }
 

@@ -19,7 +19,7 @@ use crate::watch::{Latched, Silent, Stage, Watch};
 
 /// Greatest accepted number of impacts of a word.
 pub const MOST_DEPTH: u32 = 64;
-/// If no number is given, no deeper than this many boxes lead to.
+/// Number of boxes at which a search without a given depth goes no deeper.
 const BOXES: u64 = 1_000_000;
 
 /// The settings of a search for horseshoes.
@@ -73,7 +73,7 @@ pub struct Chaos {
     asymptotics: Asymptotics,
 }
 
-/// How chains of boxes are made; any way will do: from cells that are fine to those that leave room for intervals of parameters.
+/// Makings of chains of boxes, any of which is sound: from fine cells to those that leave space for intervals of parameters.
 const MAKINGS: [Making; 4] = [
     Making { longest: 0.003, margin: 1.08, pad: 5e-6, shortest: 1e-9, ahead: 4 },
     Making { longest: 0.005, margin: 1.08, pad: 2e-5, shortest: 1e-8, ahead: 4 },
@@ -82,14 +82,14 @@ const MAKINGS: [Making; 4] = [
 ];
 /// H-sets are tried with this one.
 const TRIAL: Making = Making { longest: 0.006, margin: 1.08, pad: 5e-6, shortest: 1e-7, ahead: 4 };
-/// Where none of these leads to any entropy so far: for slow expansion.
+/// The making for slow expansion, where none of these leads to any entropy so far.
 const SLOW: Making = Making { longest: 0.001, margin: 1.08, pad: 5e-6, shortest: 1e-9, ahead: 4 };
-/// Where this one leads to none either: finer ones, for slow expansion along thin leaves. H-sets from everywhere are tried with the last.
+/// Finer makings, where this one leads to none either: for slow expansion along thin leaves. H-sets from everywhere are tried with the last.
 const FINE: [Making; 2] = [
     Making { longest: 0.0006, margin: 1.08, pad: 6e-7, shortest: 1e-9, ahead: 12 },
     Making { longest: 0.0003, margin: 1.08, pad: 3e-7, shortest: 1e-9, ahead: 12 },
 ];
-/// Up to this depth all makings are tried; deeper the first one that is nearly as good as the best.
+/// The depth up to which all makings are tried, and the part of the best entropy that is enough for the first one that is followed deeper.
 const SHALLOW: usize = 8;
 const NEARLY: f64 = 0.95;
 /// The depth at which a quick proof ends, and the number of boxes at which it does.
@@ -102,7 +102,8 @@ impl Chaos {
     /// are kept. If no h-sets are given and the floating-point orbit is regular, there are no words.
     ///
     /// # Errors
-    /// If the pair has several harmonics, h-sets overlap each other or their own translates or are not convex, or a value is beyond the range of flights.
+    /// If the pair has several harmonics, h-sets overlap each other or their own translates or are not convex, or a value is beyond the
+    /// range of flights.
     pub fn of(
         pair: &ImpactPair,
         start: &Start,
@@ -134,7 +135,7 @@ impl Chaos {
         Ok(Self { exponent, attractor, asymptotics, is_interrupted: watch.is_stopped(), ..proved })
     }
 
-    /// What these h-sets lead to.
+    /// Returns the words and bounds of the entropy that these h-sets lead to.
     pub(super) fn proved(law: &Law, bases: Vec<Base>, depth: Option<usize>, watch: &dyn Watch) -> Self {
         let (deepest, most) = depth.map_or((MOST_DEPTH as usize, BOXES), |depth| (depth, u64::MAX)); // proposes: how deep
         let deepest = if bases.is_empty() { 0 } else { deepest }; // exact: counts
@@ -232,7 +233,7 @@ impl Chaos {
 pub struct Horseshoe {
     /// Lower bounds of the topological entropy per impact, and per forcing period.
     pub entropy: [f64; 2],
-    /// What it was proved with.
+    /// The h-sets that it was proved with.
     pub bases: Vec<Base>,
 }
 
@@ -263,7 +264,7 @@ impl Horseshoe {
     }
 }
 
-/// H-sets for the most entropy that so much effort finds.
+/// H-sets for the most entropy that is found with this effort.
 pub(super) fn bases(seen: &Seen, law: &Law, depth: usize, effort: Effort, watch: &dyn Watch) -> Vec<Base> {
     seen.bases(law, ([TRIAL, FINE[1]], depth), effort, watch)
 }
@@ -289,20 +290,20 @@ impl<'s> Tried<'s> {
         self
     }
 
-    /// What its words lead to, an impact.
+    /// Returns a lower bound of the entropy of its words, per impact.
     fn entropy(&self) -> f64 {
         by_impact(&self.search)
     }
 
-    /// How long the two blocks of the shortest horseshoe are, the longer one first.
+    /// Returns the lengths of the two blocks of the shortest horseshoe, in impacts, the longer one first; the greatest number if there is none.
     fn shortest(&self) -> [usize; 2] {
         let words: Vec<Word> = self.search.words.iter().map(Word::of).collect();
         horseshoe(&words, self.search.bases.len()).map_or([usize::MAX; 2], |[a, b]| [b, a].map(|word| word.walls.len()))
     }
 }
 
-/// Of those that lead to the most entropy the one with the shortest horseshoe; if it is to be followed deeper, the first one that leads to
-/// nearly as much: the finest cells lead furthest.
+/// Returns, of those that lead to the most entropy, the one with the shortest horseshoe; if it is to be followed deeper, the first one
+/// that leads to nearly as much: the finest cells lead furthest.
 fn good(tried: Vec<Tried<'_>>, deeper: bool) -> Tried<'_> {
     let best = tried.iter().fold(0.0, |best: f64, one| best.max(one.entropy())); // proposes: each is a proof of its own
     let enough = if deeper { NEARLY * best } else { best };
@@ -311,7 +312,7 @@ fn good(tried: Vec<Tried<'_>>, deeper: bool) -> Tried<'_> {
     chosen.expect("the best")
 }
 
-/// What its words lead to, per impact and per forcing period.
+/// Returns lower bounds of the entropy of the words, per impact and per forcing period.
 fn entropies(search: &Search<'_>) -> [f64; 2] {
     [by_impact(search), 2.0 * entropy(&search.words, search.bases.len(), |path| path.half_turns)]
 }
@@ -320,7 +321,7 @@ fn by_impact(search: &Search<'_>) -> f64 {
     entropy(&search.words, search.bases.len(), |path| path.sides.len() as i64) // exact: a length
 }
 
-/// What is wrong with h-sets, if anything is. Lemma D9
+/// Returns the fault of h-sets, in words, or `None` if they are sound. Lemma D9
 pub(super) fn problem(bases: &[Base]) -> Option<&'static str> {
     if !bases.iter().all(Base::is_convex) {
         return Some("the h-sets are not all convex quadrilaterals with their tops on the left from left to right");

@@ -22,7 +22,7 @@ impl<'s> Indexed<'s> {
         Self { seen, order }
     }
 
-    /// Returns the numbers of the points whose phases, modulo 1, are at most so far from this one.
+    /// Returns the numbers of the points whose phases, modulo 1, differ from this one by at most `reach`.
     pub fn within(&self, phase: f64, reach: f64) -> impl Iterator<Item = usize> {
         let phase = phase.rem_euclid(1.0);
         let reach = reach.min(0.5);
@@ -39,7 +39,7 @@ impl<'s> Indexed<'s> {
         loop {
             let near = self.within(at[0], reach).map(|k| self.seen.points[k]);
             let found = near.min_by(|a, b| apart(a.0, at).total_cmp(&apart(b.0, at)));
-            // Whatever is not within reach is at least that far away.
+            // Points that are not within reach are at least this far away.
             if reach >= 0.5 || found.is_some_and(|found| apart(found.0, at) <= TAU * reach) {
                 return found;
             }

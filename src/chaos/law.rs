@@ -1,4 +1,4 @@
-//! The reduced map: what it takes from the pair, and which wall its flights end on.
+//! The reduced map: its parameters, and the walls that its flights end on.
 
 use crate::number::{Ball, Number};
 use crate::pair::Wall;
@@ -19,7 +19,7 @@ impl Law {
     }
 }
 
-/// Which wall a flight ends on.
+/// The wall that a flight ends on, relative to the one it left.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub(crate) enum Side {
     /// The wall it left.
@@ -29,7 +29,7 @@ pub(crate) enum Side {
 }
 
 impl Side {
-    /// Of the speed it arrives with, where the wall it leaves is at 0 and the other one above.
+    /// Returns the sign of the speed at which a flight arrives, where the wall it leaves is at 0 and the other one above.
     pub(crate) fn sign(self) -> f64 {
         match self {
             Self::Near => -1.0,
@@ -45,7 +45,7 @@ impl Side {
         }
     }
 
-    /// What is added to the phase of an impact on it, in forcing periods.
+    /// The shift of the phase of an impact on it, in forcing periods.
     pub(crate) fn shift(self) -> f64 {
         match self {
             Self::Near => 0.0,

@@ -19,9 +19,9 @@ pub(super) const LENGTHS: [f64; 5] = [0.3, 0.2, 0.13, 0.08, 0.05];
 pub(super) const BESIDE: [f64; 3] = [0.06, 0.02, 0.006];
 /// The greatest of these that a window sees.
 const SIGHT: [f64; 2] = [1.2 * LENGTHS[0], 2.0 * BESIDE[0]];
-/// Impacts ahead that the contracting direction is measured from.
+/// Impacts ahead that the contracting direction is determined from.
 const AHEAD: usize = 12;
-/// N points of the orbit are judges, and the impacts after them. Fewer leaves tell nothing.
+/// Number of points of the orbit whose leaves and words are counted, of impacts after each, and the fewest leaves that are enough.
 const JUDGES: usize = 60_000;
 const AFTER: usize = 64;
 const FEWEST: usize = 100;
@@ -29,11 +29,11 @@ const FEWEST: usize = 100;
 const MIDST: f64 = 0.3;
 const LEAN: f64 = 0.3;
 const FOLLOWED: [f64; 3] = [0.3, 0.6, 1.05];
-/// As one bundle are followed the leaves that are so far in the gaps beside them; the h-set reaches so far into these.
+/// Parts of the gaps beside a bundle in which leaves are followed with it, and into which its h-set reaches.
 const BAND: f64 = 0.2;
 const INTO: f64 = 0.1;
-/// In each h-set N points are looked at. More than M in a row make a crossing, if images of neighbours are that near; those
-/// that are so far away make none. A half length is 1.
+/// Number of points that are looked at in each h-set; the number in a row above which they make a crossing, if images of neighbours are
+/// nearer than `NEAR`; images farther than `FAR` make none. A half length is 1.
 const POINTS: usize = 1200;
 const IN_A_ROW: usize = 4;
 const NEAR: f64 = 0.6;
@@ -49,7 +49,7 @@ pub(super) struct Window<'s> {
     near: Vec<(usize, [f64; 3])>,
 }
 
-/// What is about a leaf from end to end.
+/// A cluster of leaves: its half length, and the slope, middle and half width of its band, in a window's coordinates.
 pub(super) struct Cluster {
     long: f64,
     slope: f64,
@@ -79,7 +79,7 @@ fn means<T>(all: &[T], of: impl Fn(&T) -> [f64; 2]) -> [f64; 2] {
     sums.map(|sum| sum / all.len() as f64)
 }
 
-/// Those of some points that are members, in the same order; without branches, which nobody would foresee.
+/// The members among some points, in the same order; without branches, which are hard to predict.
 fn members(points: &[(usize, [f64; 3])], is_member: impl Fn(&[f64; 3]) -> bool) -> Vec<[f64; 3]> {
     let (mut found, mut count) = (vec![[0.0; 3]; points.len()], 0);
     for (_, at) in points {
@@ -135,7 +135,7 @@ impl<'s> Window<'s> {
         [xi, eta, rise / run]
     }
 
-    /// Those in reach that are not as far along the leaf.
+    /// The points in reach that are not as far along the leaf.
     fn midst(&self, far: f64) -> &[(usize, [f64; 3])] {
         let first = self.near.partition_point(|(_, at)| at[0] <= -far);
         &self.near[first..first + self.near[first..].partition_point(|(_, at)| at[0] < far)]
@@ -175,7 +175,7 @@ impl<'s> Window<'s> {
         words
     }
 
-    /// Returns the leaves in a place of such a half length, so far beside the middle one; `None` if there are too few.
+    /// Returns the leaves in a place of this half length and half width beside the middle one; `None` if there are too few.
     pub fn leaves(&self, [long, beside]: [f64; 2]) -> Option<Leaves> {
         let midst = self.midst(MIDST * long).iter().map(|(_, at)| at).filter(|[_, _, slope]| slope.abs() < LEAN);
         let mut sorted: Vec<[f64; 2]> = midst
@@ -195,7 +195,7 @@ impl<'s> Window<'s> {
         Some(Leaves { long, beside, sorted, widest })
     }
 
-    /// Returns the clusters of leaves that these gaps part: bit `n` of `cuts` says whether that is one that is the widest but `n`.
+    /// Returns the clusters of leaves that gaps part: bit `n` of `cuts` says whether the gap with `n` wider ones does.
     pub fn clusters(&self, leaves: &Leaves, cuts: u32) -> Vec<Cluster> {
         leaves.bunches(cuts).iter().map(|bunch| self.cluster(leaves.long, bunch)).collect()
     }
@@ -246,7 +246,7 @@ impl Leaves {
     }
 }
 
-/// From where to where images of points in a row lead across, from -1 to 1 or back, none of them taken.
+/// The stretches of images of points in a row that lead across, from -1 to 1 or back, none of them taken.
 fn crossings(images: &[[f64; 2]], taken: &[bool]) -> Vec<[usize; 2]> {
     let mut found = Vec::new();
     // The last one beyond an end: before it all, and which one it is.

@@ -1,7 +1,7 @@
 //! Chaos, proved: trapping regions with all cycles in them, and horseshoes with a lower bound of their topological entropy.
 //!
-//! Floating point approximates in `bases`, `bundles`, `everywhere`, `guess`, `index`, `leaves`, `propose` and `trials`; intervals verify in `flights`,
-//! `tube`, `words`, `hyperbolic`, `trap`, `box_map`, `boxes`, `language`, `cycles` and `attracted`.
+//! Floating point approximates in `bases`, `bundles`, `everywhere`, `guess`, `index`, `leaves`, `propose` and `trials`; intervals verify
+//! in `flights`, `tube`, `words`, `hyperbolic`, `trap`, `box_map`, `boxes`, `language`, `cycles` and `attracted`.
 //! The impact map is *reduced* here: every impact is mirrored to the left wall (Lemma R2), a state is a phase in forcing periods and
 //! the speed before the impact over `A W`, and only `D = d/A` and `e` are left. Lemmas D1-D15, D20-D23 and D33
 //! of `docs/proofs/chaos.md#D1`, D24-D28 and D30-D32 of `docs/proofs/hyperbolic.md#D24`.

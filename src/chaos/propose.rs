@@ -8,17 +8,17 @@ use super::quad::{Chord, State};
 use super::tube::{Part, Tube};
 use super::vector::{applied, cross, length, minus, radians};
 
-/// How chains of boxes are made.
+/// The settings by which chains of boxes are made.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Making {
     /// Cells are about as long at most, phases in radians.
     pub longest: f64,
-    /// What a chord is longer than the image that it holds, as a factor and beyond that.
+    /// Factor by which a chord is longer than the image that it holds, and a length beyond that.
     pub margin: f64,
     pub pad: f64,
     /// Parts are not cut below this length.
     pub shortest: f64,
-    /// Impacts ahead that the contracting direction is measured from.
+    /// Impacts ahead that the contracting direction is determined from.
     pub ahead: usize,
 }
 
@@ -37,7 +37,7 @@ struct Sample {
     image: Option<Image>,
 }
 
-/// Parts at the ends of a chain of boxes are that much shorter: some cells are lost there with each impact, and words begin near grazes.
+/// Factor by which parts at the ends of a chain of boxes are shorter: some cells are lost there with each impact, and words begin near grazes.
 const GRADED: f64 = 0.001;
 /// Fewer parts than that are not worth a chain of boxes.
 const FEWEST: usize = 12;
@@ -103,7 +103,7 @@ impl Making {
         length(minus(a.state, b.state)) > self.longest
     }
 
-    /// Whether a part is short and straight enough; `None` where the map jumps in it.
+    /// Returns whether a part is short and straight enough; `None` where the map jumps in it.
     fn is_fine(&self, from: &Sample, between: &Sample, to: &Sample, is_end: bool) -> Option<bool> {
         let (a, m, b) = (from.image?, between.image?, to.image?);
         if a.side != b.side || a.side != m.side {

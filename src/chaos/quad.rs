@@ -62,7 +62,7 @@ impl Quad {
         }
     }
 
-    /// Returns bounds of the distances from the centre, if that moves by so much in one or two directions.
+    /// Returns bounds of the distances from the centre, if that is displaced by `moved` in one or two directions.
     pub fn radii(&self, moved: &[State]) -> State {
         let by = |i: usize| moved.iter().map(|by| by[i].abs()).sum::<f64>();
         each(|i| up(self.sides[0][i].abs() + self.sides[1][i].abs() + self.twist[i].abs() + self.slack[i] + by(i)))

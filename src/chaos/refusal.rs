@@ -1,18 +1,18 @@
-//! Why no trapping region is proved: of a box, and of all grids.
+//! Reasons why no trapping region is proved: of a box, and of all grids.
 
-/// Why a box is not proved to fly into others.
+/// The reason why a box is not proved to fly into others.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Refusal {
-    /// A ball of the box may come to rest, or bounce too little to be measured from one that does.
+    /// A ball of the box may come to rest, or bounce too little to be distinguished from one that does.
     Rest,
     /// A flight may be longer than is followed.
     Long,
 }
 
-/// Why no region is proved.
+/// The reason why no region is proved.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum NoTrap {
-    /// In the finest grid a ball may come to rest, or bounce too little to be measured from one that does.
+    /// In the finest grid a ball may come to rest, or bounce too little to be distinguished from one that does.
     Rest,
     /// In the finest grid a flight may be longer than 64 forcing periods.
     Long,

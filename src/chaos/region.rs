@@ -1,4 +1,4 @@
-//! What the scene's motion does not leave: [`Trap`].
+//! A trapping region of the scene's motion: [`Trap`].
 
 use std::collections::BTreeMap;
 
@@ -46,7 +46,7 @@ pub struct Trap {
     entered: Option<u64>,
 }
 
-/// Grids: from this many columns and rows, doubled so often.
+/// Columns and rows of the coarsest grid, and the number of times that it is doubled at most.
 const COARSEST: (i64, f64) = (256, 32.0);
 const DOUBLINGS: u32 = 7;
 /// Floating impacts before the region is grown from where the ball is.
@@ -204,7 +204,7 @@ fn grown(law: &Law, doubled: u32, seed: [f64; 2], watch: &dyn Watch) -> Result<R
 }
 
 impl Region {
-    /// Whether all states with such a phase and speed are proved to be in it, or none of them is.
+    /// Returns `Some(true)` if all states with such a phase and speed are proved to be in it, `Some(false)` if none of them is; else `None`.
     pub(super) fn holds(&self, phase: Ball, speed: Ball) -> Option<bool> {
         let Grid { columns, rows } = self.grid;
         let cells = |x: Ball, per: f64| {

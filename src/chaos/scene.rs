@@ -1,4 +1,4 @@
-//! From a scene to the reduced map, and to the first states of its orbit.
+//! The reduced map of a scene, and the first states of its orbit.
 
 use super::law::Law;
 use super::quad::State;
@@ -8,13 +8,13 @@ use crate::orbit::{Impact, Orbit, Place, Settings, Start};
 use crate::pair::{ImpactPair, Reduced, Wall, within};
 use crate::units::{self, Phases, Units};
 
-/// What a region or a horseshoe is about.
+/// The name of the map in messages.
 const WHAT: &str = "the reduced impact map";
 /// Impacts of the scene's own orbit that are looked at.
 pub(super) const IMPACTS: u64 = 100;
 
 impl Law {
-    /// That of a pair with one harmonic.
+    /// Returns the law of a pair with one harmonic.
     ///
     /// # Errors
     /// With several harmonics, and where the amplitude may be 0: lengths are in amplitudes.
@@ -35,13 +35,13 @@ pub(crate) struct Visited {
 }
 
 impl Visited {
-    /// Some state in it, about the middle.
+    /// Returns a state in it, about the middle.
     pub fn middle(&self) -> State {
         [self.phase.mid(), self.speed.mid().abs()]
     }
 }
 
-/// The start of an orbit and its first impacts, N, each mirrored to the left wall: certified.
+/// The start of an orbit and its first `impacts` impacts, each mirrored to the left wall: certified.
 pub(super) fn visited(pair: &ImpactPair, start: &Start, impacts: u64) -> Result<Vec<Visited>, Error> {
     let harmonic = pair.harmonic(WHAT)?;
     let mut found = Vec::new();

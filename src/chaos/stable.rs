@@ -14,14 +14,14 @@ use crate::number::Ball;
 use crate::pair::{ImpactPair, Wall};
 use crate::watch::Watch;
 
-/// Impacts after which a floating-point orbit is looked at, the most after which it comes again, and how near it has to.
+/// Impacts after which a floating-point orbit is looked at, the most after which it closes, and the distance within which it does.
 const TRANSIENT: usize = 20_000;
 const LONGEST: usize = 128;
 const CLOSED: f64 = 1e-7;
-/// Orbits that are so near are one.
+/// Distance below which two orbits are taken for one.
 const NEAR: f64 = 1e-4;
 
-/// Orbits of a pair begin at N phases and M speeds, up to half of the greatest one that motions have in the end.
+/// Numbers of phases and of speeds, up to half of the greatest one that motions have in the end, at which orbits of a pair begin.
 const STARTS: [usize; 2] = [4, 3];
 
 /// Returns the word of a stable periodic orbit that each pair of a law has, and how many cycles it takes, near the one that the orbit of a state
@@ -34,7 +34,8 @@ pub(super) fn stable(law: &Law, start: State, watch: &dyn Watch) -> Option<(Word
 }
 
 /// Returns the words of stable periodic orbits that a pair has for all its parameters, in the alphabet of L and R, each that of the orbit or of
-/// its mirror image that comes first, and how many cycles each takes: of those that floating-point orbits from several states settle on. Lemmas D15, A21
+/// its mirror image that comes first, and how many cycles each takes: of those that floating-point orbits from several states settle on.
+/// Lemmas D15, A21
 ///
 /// # Errors
 /// With several harmonics, and when a value is beyond the range of flights.

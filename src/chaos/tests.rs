@@ -59,7 +59,7 @@ pub(super) fn truth(law: &Law, [phase, speed]: State) -> Option<(Side, [Ball; 2]
     })
 }
 
-/// Whether two enclosures of one number have a member in common.
+/// Returns whether two enclosures of one number have a member in common, up to rounding.
 pub(super) fn meet(a: Ball, b: Ball) -> bool {
     (a.mid() - b.mid()).abs() <= a.rad() + b.rad() + 1e-15
 }
@@ -309,8 +309,8 @@ fn a_saddle_is_told_from_an_attractor() {
     assert!(chaos.entropy() > 0.0 && chaos.asymptotics().region.is_none_or(|region| !region.holds_bases));
 }
 
-/// A = 0.498 d, where four impacts expand by half only: two words of 16 impacts in an h-set, so entropy (log 2)/16, and none of fewer. No chain of boxes
-/// but the finest leads there, nor does any in an h-set that is moved off the leaves.
+/// A = 0.498 d, where four impacts expand by half only: two words of 16 impacts in an h-set, so entropy (log 2)/16, and none of fewer. No
+/// chain of boxes but the finest leads there, nor does any in an h-set that is moved off the leaves.
 #[test]
 fn slow_expansion_is_proved_by_fine_tubes() {
     let scene = Scene::parse(include_str!("../../validation/paper/scenes/chaos-0.498.toml")).unwrap();
@@ -365,7 +365,7 @@ fn r32_distinct_words_rest_on_parts_that_lie_apart() {
     assert!(is_mapped(good) && !is_mapped(Part { from: good.to, to: good.from, ..good }));
 }
 
-/// As far as the makings are compared, the horseshoe told is as short as there is; deeper, the entropy is what counts.
+/// As far as the makings are compared, the horseshoe found is as short as there is; deeper, the entropy is what counts.
 #[test]
 fn a_deeper_search_leads_further() {
     let chaos = |depth: usize| {
@@ -415,7 +415,7 @@ fn what_holds_of_a_stretch_holds_of_its_values() {
     }
 }
 
-/// Where an orbit changes what it converges to, nothing is certified of a cell that holds the change.
+/// Nothing is certified of a cell that holds a value at which the orbit changes what it converges to.
 #[test]
 fn a_cell_across_a_bifurcation_is_undecided() {
     // The equispaced orbit of two impacts in a cycle is stable at A = 1 and not at A = 9.

@@ -21,12 +21,12 @@ pub(crate) struct Grid {
 /// A box of a grid: column and row.
 pub(crate) type Cell = (i32, i32);
 
-/// What holds of all flights from a box.
+/// Bounds of all flights from a box.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Reach {
     /// Bounds of the time of flight, in forcing periods.
     pub time: [f64; 2],
-    /// Which walls may be touched: the near one, the far one.
+    /// Flags of the walls that may be touched: the near one, the far one.
     pub sides: [bool; 2],
 }
 
@@ -42,9 +42,9 @@ pub(crate) struct Arrivals {
 
 /// Flights of more forcing periods are not followed.
 const LONGEST: f64 = 64.0;
-/// Rows are counted to N.
+/// The most rows that are counted.
 const MOST_ROWS: f64 = 2_147_483_647.0;
-/// A box is cut so often to be measured from rest.
+/// Number of times that a box is cut at most, to distinguish its balls from those at rest.
 const CUTS: u32 = 6;
 
 impl Grid {
@@ -162,7 +162,7 @@ pub(crate) struct Region {
     pub cells: HashMap<Cell, Reach>,
 }
 
-/// How far a region grows before a finer grid is tried.
+/// Number of boxes beyond which a region is given up.
 const MOST: usize = 4_000_000;
 
 impl Region {

@@ -1,4 +1,4 @@
-//! What h-sets lead to, tried with few boxes.
+//! Trials of h-sets with few boxes: the entropy that they lead to.
 //!
 //! Labels: proposes throughout.
 
@@ -12,22 +12,22 @@ use super::words::{Base, Search};
 use crate::threads::each;
 use crate::watch::{Stage, Watch};
 
-/// How much is tried to find h-sets.
+/// The effort that is spent on finding h-sets.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Effort {
-    /// Trials: of N h-sets, with M boxes each; those that lead to most entropy stay.
+    /// Trials: the number of h-sets, and of boxes for each; those that lead to most entropy stay.
     trials: &'static [(usize, u64)],
     /// The last trial if none led to any.
     last: (usize, u64),
     /// The most h-sets.
     most: usize,
-    /// Whether they are looked for about bundles of leaves first.
+    /// `true` if they are looked for about bundles of leaves first.
     pub bundled: bool,
-    /// Whether they are looked for everywhere where saddles lead to none.
+    /// `true` if they are looked for everywhere where saddles lead to none.
     pub everywhere: bool,
 }
 
-/// For the most entropy, and for any.
+/// The efforts for the most entropy, and for any.
 pub(super) const THOROUGH: Effort = Effort {
     trials: &[(64, 2_500), (12, 10_000), (4, 40_000)],
     last: (12, 150_000),
@@ -37,19 +37,19 @@ pub(super) const THOROUGH: Effort = Effort {
 };
 pub(super) const ANY: Effort =
     Effort { trials: &[(32, 2_000), (4, 8_000)], last: (2, 20_000), most: 1, bundled: false, everywhere: false };
-/// For some that lead far.
+/// The effort for h-sets that lead far.
 pub(super) const BUNDLED: Effort = Effort { bundled: true, ..ANY };
-/// Of h-sets from everywhere.
+/// The effort for h-sets from everywhere.
 pub(super) const SLOW: Effort =
     Effort { trials: &[(64, 6_000), (12, 40_000)], last: (4, 200_000), most: 2, bundled: false, everywhere: false };
 /// Words of more impacts are not tried.
 pub(super) const DEPTH: usize = 60;
-/// Trials of bundles: of N, with M boxes per h-set.
+/// Trials of bundles: their number, and the boxes for each h-set.
 const BUNDLES: [(usize, u64); 2] = [(32, 10_000), (8, 60_000)];
-/// What an h-set more has to add, as a factor.
+/// Least factor by which one more h-set has to raise the entropy.
 const WORTH: f64 = 1.01;
 
-/// How h-sets are tried.
+/// The settings of trials of h-sets.
 #[derive(Clone, Copy)]
 pub(super) struct Trials<'t> {
     pub law: &'t Law,

@@ -13,7 +13,7 @@ use crate::number::Ball;
 pub(crate) struct Tube {
     chords: Vec<Chord>,
     normals: Vec<Normals>,
-    /// Whether the windows around a cell are embedded.
+    /// Flags of the cells: all windows that hold the cell are embedded.
     embedded: Vec<bool>,
 }
 
@@ -43,20 +43,20 @@ impl Part {
         (is_next || is_same) && (self.place == other.place || self.place == other.place + 1)
     }
 
-    /// Whether it has no inner point in common with another part or with what lies before that: Lemma D9.
+    /// Returns whether it has no inner point in common with another part or with what lies before that: Lemma D9.
     fn lies_behind(&self, other: &Self) -> bool {
         self.cell > other.cell || self.cell == other.cell && self.from >= other.to
     }
 
-    /// Whether it leads forward within its cell. Lemma D7
+    /// Returns whether it leads forward within its cell. Lemma D7
     fn is_forward(&self) -> bool {
         -1.0 <= self.from && self.from < self.to && self.to <= 1.0 // D7: from one edge of the cell to the other
     }
 }
 
-/// Images lie in the cells up to N before and after their place.
+/// Number of cells before and after their place in which images lie.
 pub(crate) const WINDOW: usize = 2;
-/// A part is halved so often.
+/// Number of times that a part is halved at most.
 const HALVINGS: u32 = 9;
 
 /// The stretches of proved parts that follow one another, each of them behind the last part of those before it, which is `used`, and
@@ -81,7 +81,7 @@ pub(crate) fn edge(from: State, to: State) -> [Ball; 2] {
     [Ball::exact(to[0]) - Ball::exact(from[0]), Ball::exact(to[1]) - Ball::exact(from[1])]
 }
 
-/// The vector a quarter period to the left.
+/// The vector rotated to the left by a right angle.
 pub(crate) fn left([u, w]: [Ball; 2]) -> [Ball; 2] {
     [-w, u]
 }
@@ -90,7 +90,7 @@ fn dot([a, b]: [Ball; 2], [c, d]: [Ball; 2]) -> Ball {
     a * c + b * d
 }
 
-/// On which side of a directed line a state lies, shifted by whole forcing periods: positive to the left.
+/// The side of a directed line on which a state lies, shifted by whole forcing periods: positive to the left.
 pub(crate) fn side_of(from: State, to: State, state: State, turns: f64) -> Ball {
     let [u, w] = edge(from, state);
     dot(left(edge(from, to)), [u - Ball::exact(turns), w])
@@ -133,7 +133,7 @@ impl Tube {
         Self::new(self.chords[from..=to].to_vec())
     }
 
-    /// Whether an image is proved to lie in the cells around `place`, away from tops and bottoms. Lemma D6
+    /// Returns whether an image is proved to lie in the cells around `place`, away from tops and bottoms. Lemma D6
     fn holds(&self, landing: &Landing, place: usize) -> bool {
         let cells = self.cells();
         if place < WINDOW || place + WINDOW >= cells {
@@ -165,7 +165,7 @@ impl Tube {
         })
     }
 
-    /// Whether the windows of the images of a part and of its neighbours are embedded.
+    /// Returns whether the windows of the images of a part and of its neighbours are embedded.
     fn is_embedded(&self, place: usize) -> bool {
         let low = place.saturating_sub(WINDOW); // D6: the tube's ends
         let high = (place + WINDOW + 1).min(self.cells() - 1); // D6: the tube's ends

@@ -25,9 +25,9 @@ pub struct Base {
 pub(crate) struct Path {
     pub from: usize,
     pub to: usize,
-    /// Where each flight ends.
+    /// The wall that each flight ends on.
     pub sides: Vec<Side>,
-    /// How many half periods it takes.
+    /// Number of half forcing periods that it takes.
     pub half_turns: i64,
 }
 
@@ -38,7 +38,7 @@ struct Run {
     tube: Tube,
 }
 
-/// What is done at one depth.
+/// Counts of the boxes that are tried so far, and of those that are not proved to be mapped.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Tally {
     pub boxes: u64,
@@ -54,7 +54,7 @@ pub(crate) struct Search<'s> {
     runs: Vec<Run>,
     pub words: Vec<Path>,
     pub tally: Tally,
-    /// How many threads follow runs. With one, what a limit of boxes ends depends on nothing else.
+    /// Number of threads that follow runs. With one, where a limit of boxes ends the search depends on nothing else.
     pub threads: usize,
     /// The middles of the first chains of boxes, for pictures.
     pub shown: Vec<Vec<State>>,
@@ -65,7 +65,7 @@ pub(crate) struct Search<'s> {
 const SHOWN: usize = 3;
 
 impl Base {
-    /// From a centre and the half vectors of its sides.
+    /// Returns the h-set of a centre and the half vectors of its sides.
     pub fn new(centre: State, along: State, across: State) -> Self {
         let corner = |a: f64, b: f64| [0, 1].map(|i| centre[i] + a * along[i] + b * across[i]);
         let chord = |a: f64, sign: f64| Chord { bottom: corner(a, -sign), top: corner(a, sign) };

@@ -18,7 +18,7 @@ pub(super) const SLACK: f64 = 1.0 + 128.0 * UNIT;
 /// The error of the sine on arrival of a hop, by the addition theorem: the least accurate sine in use.
 pub(super) const HOP_SINE_ERROR: f64 = 2.0 * SIN_COS_ERROR + DEPARTURE_ERROR + 4.0 * UNIT;
 
-/// How far the true start may lie from the doubles of a [`Flight`].
+/// Bounds of the distance of the true start from the doubles of a [`Flight`].
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Radii {
     /// of the phase of the start, in forcing periods
@@ -38,17 +38,17 @@ pub struct Margins {
     pub(super) least_beta: f64,
     /// An upper bound of `2 pi beta`: `z''` is nowhere larger.
     pub(super) acceleration: f64,
-    /// Of `z''` for a computed sine: kernel errors, roundings, the radius of `beta`.
+    /// Error of `z''` for a computed sine: kernel errors, roundings, the radius of `beta`.
     pub(super) bend: f64,
     /// Half the greatest `z'''`.
     pub(super) jerk: f64,
-    /// Of the sine terms of `z`: kernel errors and the radius of `alpha`.
+    /// Error of the sine terms of `z`: kernel errors and the radius of `alpha`.
     waves: f64,
-    /// Of the drift: kernel error and the radius of `beta`.
+    /// Error of the drift: kernel error and the radius of `beta`.
     drift: f64,
-    /// Of `z'`: the same for two cosines.
+    /// Error of `z'`: the same for two cosines.
     velocity: f64,
-    /// Of a hop's height for each unit of versine plus excess, and of its velocity.
+    /// Error of a hop's height for each unit of versine plus excess, and of its velocity.
     hop_height: f64,
     hop_velocity: f64,
 }
@@ -86,9 +86,9 @@ pub(super) struct Bounds<'a, const WIDE: bool> {
     pub flight: &'a Flight<f64>,
     pub pair: &'a Margins,
     pub radii: Radii,
-    /// Of `|c - computed c|` for the start at the centre.
+    /// Bound of `|c - computed c|` for the start at the centre.
     drift: f64,
-    /// Of `|d c / d phase0|` over the starts.
+    /// Bound of `|d c / d phase0|` over the starts.
     tilt: f64,
 }
 
@@ -119,7 +119,7 @@ impl<'a, const WIDE: bool> Bounds<'a, WIDE> {
         self.flight.velocity.abs() + self.radii.velocity
     }
 
-    /// What the spread of starts adds to the error of `z` within `time` turns of the start.
+    /// Returns the part of the error of `z` that comes from the spread of starts, within `time` turns of the start.
     #[inline(always)]
     fn spread(&self, time: f64) -> f64 {
         let Radii { phase, velocity, height } = self.radii;

@@ -11,7 +11,7 @@ use super::solve::{Iterate, look_near};
 use crate::number::kernel::{ACOS_ERROR, SIN_COS_ERROR, SmallAngle};
 use crate::number::{Ball, Kernel, UNIT, binade, up};
 
-/// Where and when a flight arrives: exactly one root of the piece lies in there, for each start.
+/// The wall, phase and time of a flight's arrival: exactly one root of the piece lies in these bounds, for each start.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Arrival {
     pub target: Target,
@@ -31,11 +31,11 @@ pub(crate) struct Bracket {
     pub velocity: Ball,
     /// Mirrored sine on arrival.
     pub sin: Ball,
-    /// What of the velocity's radius does not come from that of the root.
+    /// The part of the velocity's radius that does not come from the radius of the root.
     pub rest: f64,
 }
 
-/// What could not be proved about a bracketed contact.
+/// The property that could not be proved of a bracketed contact.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Doubt {
     /// The direction of departure is not certain.
@@ -49,7 +49,7 @@ pub(crate) enum Doubt {
 /// Flights from a wall up to this many forcing periods are bracketed with the departure root divided out; it works to 1/8.
 pub(super) const SHORT: f64 = 0.124;
 
-/// Whether the kernel takes a time, of a flight that ends near its start (Lemma K2).
+/// Returns whether the kernel accepts a time, of a flight that ends near its start (Lemma K2).
 #[inline(always)]
 pub(super) fn is_near_time(time: f64) -> bool {
     (4.909093465297727e-91..=0.125).contains(&time)
@@ -63,7 +63,7 @@ struct Root {
     velocity: Ball,
     /// The mirrored sine there.
     sin: Ball,
-    /// What of the velocity's radius does not come from that of the root.
+    /// The part of the velocity's radius that does not come from the radius of the root.
     rest: f64,
 }
 
@@ -156,7 +156,7 @@ impl<const WIDE: bool> Bounds<'_, WIDE> {
         let doubt = SLACK * curvature.mul_add(reach, velocity_error) * inverse;
         let size = step.abs();
         let is_proved = (doubt <= 0.49) & (size <= reach) & (velocity * target.direction() > 0.0);
-        // What z is at the end of the step, by Taylor's formula; the root is not farther than that over least |z'|.
+        // `left` is |z| at the end of the step, by Taylor's formula; the root is not farther than that over the least |z'|.
         let bend = self.flight.acceleration_at(sin);
         let left = (0.5 * bend * step).mul_add(step, (-velocity).mul_add(step, residual)).abs();
         let taylor = pair.jerk.mul_add(size, bend_error).mul_add(size, velocity_error) * size;
@@ -265,7 +265,7 @@ impl<const WIDE: bool> Bounds<'_, WIDE> {
         if clear.is_ok() { clear } else { self.are_inside_refined(*extrema, k, arrival.target, error) }
     }
 
-    /// Whether the contact is on its piece, where critical phases may be `shift` off: later than the extremum before last of its
+    /// Returns whether the contact is on its piece, for critical phases that may be `shift` off: later than the extremum before last of its
     /// kind, earlier than the last; the sign of `z'` is proved on the bracket.
     #[inline(always)]
     fn is_between(&self, extrema: &Extrema, k: f64, arrival: &Arrival, shift: f64) -> bool {
@@ -282,7 +282,7 @@ impl<const WIDE: bool> Bounds<'_, WIDE> {
         (error, SLACK * ACOS_ERROR.mul_add(self.flight.drift.abs(), error))
     }
 
-    /// The same with the heights of the extrema taken at the computed critical phase (Lemma E2).
+    /// Decides the same as `are_inside`, with the heights of the extrema at the computed critical phase (Lemma E2).
     #[cold]
     fn are_inside_refined(self, mut extrema: Extrema, k: f64, target: Target, error: f64) -> Result<(), Doubt> {
         extrema.refine::<Kernel>(self.flight);
@@ -290,7 +290,7 @@ impl<const WIDE: bool> Bounds<'_, WIDE> {
         extrema.are_inside(self.flight.drift, k, target, SLACK * (error + stationary))
     }
 
-    /// Whether all the starts leave in the same direction and on the same monotone piece.
+    /// Returns whether all starts leave in the same direction and on the same monotone piece.
     #[inline(always)]
     fn departure_is_certain(&self, rising: bool) -> bool {
         let flight = self.flight;
@@ -312,14 +312,14 @@ impl<const WIDE: bool> Bounds<'_, WIDE> {
 }
 
 impl Extrema {
-    /// Whether the piece before extremum `k` starts with the flight, and has no extremum before it.
+    /// Returns whether the piece before extremum `k` starts with the flight, and has no extremum before it.
     #[inline(always)]
     fn is_on_first(&self, k: f64, target: Target) -> bool {
         // C4: extremum 0 ends the first piece
         self.rising == (target == Target::Far) && k == 0.0
     }
 
-    /// Whether the extrema that come before extremum `k` of the target's kind are `margin` inside the gap.
+    /// Returns whether the extrema that come before extremum `k` of the target's kind are `margin` inside the gap.
     ///
     /// Of this kind the one before `k` decides (the drift brings each nearer to the wall than the one before), of
     /// the other kind the first.

@@ -1,7 +1,7 @@
-//! Where a flight forcing periods: its extrema in closed form.
+//! The extrema of a flight in closed form.
 //!
 //! `z' = c - beta cos th` vanishes only where `cos th = q = c/beta`: minima at `th = +2 pi p`, maxima at
-//! `th = -2 pi p` modulo a forcing period, with `2 pi p = acos q`. Between them `z` is monotone, and from one turn to
+//! `th = -2 pi p` modulo `2 pi`, with `2 pi p = acos q`. Between them `z` is monotone, and from one forcing period to
 //! the next both kinds move by the drift `c`. So the first maximum above 1 or minimum below 0 is found by
 //! one division, and a flight of 100,000 forcing periods costs what a short one costs.
 
@@ -16,11 +16,11 @@ pub(crate) struct Extrema {
     pub p: f64,
     /// Its sine, from `q` (coarse) or of the computed `p` (refined).
     pub sine: f64,
-    /// Whether the ball rises right after the start.
+    /// True if the ball rises right after the start.
     pub rising: bool,
-    /// When the first maximum after the start comes.
+    /// Time of the first maximum after the start.
     pub first_max: f64,
-    /// When the first minimum after the start comes.
+    /// Time of the first minimum after the start.
     pub first_min: f64,
     /// The height of the first maximum.
     pub max: f64,
@@ -28,7 +28,7 @@ pub(crate) struct Extrema {
     pub min: f64,
 }
 
-/// Which wall a flight ends on: the far one (height 1) or the one it is measured from (height 0).
+/// The wall on which a flight ends: the far one (height 1) or the one it is measured from (height 0).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Target {
     Near,

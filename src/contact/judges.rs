@@ -122,7 +122,7 @@ struct Both<'a> {
 }
 
 impl Both<'_> {
-    /// Whose fault an undecided set is.
+    /// Returns the undecided result of a set: the reason is its width if the flight from its centre is decided.
     #[cold]
     fn blame(doubt: Undecided, centre: Result<Bracket, Undecided>) -> Undecided {
         match centre {
@@ -208,7 +208,7 @@ impl Judge for Unproved<'_> {
     }
 }
 
-/// What it means that the solver found no contact.
+/// Returns the undecided result that a flight without a proposed contact has.
 #[cold]
 fn unproposed(flight: &Flight<f64>, none: NoProposal) -> Undecided {
     match none {
@@ -223,7 +223,7 @@ fn unbracketed(from: Wall, target: Target) -> Undecided {
     Undecided::graze(Some(target.wall(from)))
 }
 
-/// What could not be excluded before a bracketed contact.
+/// Returns the undecided result of a bracketed contact before which another one is not excluded.
 #[cold]
 fn doubted<const WIDE: bool>(bounds: Bounds<'_, WIDE>, doubt: Doubt, arrival: Arrival) -> Undecided {
     let flight = bounds.flight;

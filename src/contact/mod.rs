@@ -51,7 +51,7 @@ impl<T> Verdict<T> {
     }
 }
 
-/// Why a question stayed open.
+/// The reason why a question is undecided.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Reason {
     /// A wall may be touched with zero velocity: a graze, or a ball that comes to rest.
@@ -79,7 +79,7 @@ impl Reason {
 /// A question that stayed open, with the best enclosure of where.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Undecided {
-    /// Why.
+    /// The reason.
     pub reason: Reason,
     /// The wall that may be touched, when it is one.
     pub wall: Option<Wall>,
@@ -95,7 +95,7 @@ impl Undecided {
         Self { reason: Reason::Graze, wall, contact: None, lasting: false }
     }
 
-    /// The ball lies on its wall and is pressed against it: there is no flight, or none is proved to begin.
+    /// The ball sticks to its wall, by the contact force: there is no flight, or none is proved to begin.
     pub(crate) fn rest(wall: Wall) -> Self {
         Self { lasting: true, ..Self::graze(Some(wall)) }
     }
@@ -137,7 +137,7 @@ pub struct Contact<N> {
 pub(crate) struct Grazed {
     /// The wall that may have been touched.
     pub wall: Wall,
-    /// When, since the phase of the start: whole forcing periods, and the rest as a ball and as an interval.
+    /// The time of the touch since the phase of the start: whole forcing periods, and the rest as a ball and as an interval.
     pub touch: (f64, Ball, Enclosure),
     /// Whole forcing periods from the phase of the start to the state to go on from.
     pub turns: f64,

@@ -22,7 +22,7 @@ const MOST_HOP_STEPS: u32 = 8;
 /// Flights longer than this many forcing periods are not followed: the phase kernel ends there.
 pub(crate) const LONGEST_FLIGHT: f64 = (1_u64 << 39) as f64;
 
-/// Whether a phase is within 2 turns of 0.
+/// Returns whether a phase is within 2 turns of 0.
 ///
 /// Lemma C4: mirroring it rounds by at most 2 UNIT then; orbits count whole forcing periods apart.
 #[inline(always)]
@@ -49,7 +49,7 @@ pub(crate) struct Iterate {
     pub step: f64,
 }
 
-/// What is made of a proposed first contact; each kind of flight has its own proof.
+/// The treatment of a proposed first contact; each kind of flight has its own proof.
 ///
 /// A trait and not an enum: each kind is compiled with its judge, and nothing passes through memory.
 pub(crate) trait Judge {
@@ -64,12 +64,12 @@ pub(crate) trait Judge {
     fn nothing(&self, why: NoProposal) -> Self::Answer;
 }
 
-/// Why the solver proposes no contact.
+/// The reason why the solver proposes no contact.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum NoProposal {
     /// The drift is 0: the motion repeats inside the gap for ever.
     NoDrift,
-    /// The ball starts with zero velocity and is pressed against its wall.
+    /// The ball starts with zero velocity and sticks to its wall, by the contact force.
     Rest,
     /// The flight would last longer than [`LONGEST_FLIGHT`].
     TooLong,
@@ -112,7 +112,7 @@ pub(crate) fn propose<T: Trigonometry, J: Judge>(flight: &Flight<f64>, judge: &J
     }
 }
 
-/// Where a root is searched for: what [`refine`] narrows.
+/// The bracket in which a root is searched, which [`refine`] narrows.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Search {
     pub target: Target,
@@ -122,12 +122,12 @@ pub(super) struct Search {
     pub high: f64,
 }
 
-/// Where to search for the contact on a given piece of a flight that has extrema.
+/// Returns the bracket of the contact on a given piece of a flight that has extrema.
 #[inline(always)]
 pub(super) fn on_piece(flight: &Flight<f64>, extrema: &Extrema, piece: Piece) -> Search {
     let target = piece.target;
     let (first, span) = extrema.before(target);
-    // How far the extremum lies beyond the target, as a fraction of the rise or fall of the piece.
+    // The distance of the extremum beyond the target, as a fraction of the rise or fall of the piece.
     let (beyond, rise) = match target {
         Target::Far => ((extrema.max - 1.0) + piece.k * flight.drift, flight.drift * span),
         Target::Near => (-extrema.min - piece.k * flight.drift, -flight.drift * span),
@@ -143,7 +143,7 @@ pub(super) fn on_piece(flight: &Flight<f64>, extrema: &Extrema, piece: Piece) ->
 #[inline(always)]
 pub(super) fn on_monotone(flight: &Flight<f64>) -> (Search, f64) {
     let target = if flight.drift > 0.0 { Target::Far } else { Target::Near };
-    // Where sin th1 = 0 would have it; the truth is at most alpha/|c| turns away, and not before the start.
+    // The time if sin th1 were 0; the true one is at most alpha/|c| turns away, and not before the start.
     let base = flight.alpha.mul_add(flight.sin, flight.height - target.height());
     let mean = -base / flight.drift;
     let spread = flight.alpha / flight.drift.abs();
@@ -210,14 +210,14 @@ fn refine<T: Trigonometry>(flight: &Flight<f64>, mut search: Search) -> Iterate 
 /// The guess is right for short hops; one of up to a sixteenth of a forcing period is found from it.
 const HOPS: RangeInclusive<f64> = 4.909093465297727e-91..=0.0625;
 
-/// How long a hop lasts if the acceleration stays what it is, where Newton steps from there lead to its end.
+/// Returns the duration of a hop under constant acceleration, if Newton steps from there lead to its end.
 #[inline(always)]
 pub(super) fn hop_guess(flight: &Flight<f64>) -> Option<f64> {
     let guess = -2.0 * flight.velocity / flight.acceleration_at(flight.sin);
     HOPS.contains(&guess).then_some(guess)
 }
 
-/// What is seen `at` forcing periods after the start on a wall, at most an eighth: the departure root divided out.
+/// Returns the state `at` forcing periods after the start on a wall, at most an eighth: the departure root divided out.
 #[inline(always)]
 pub(super) fn look_near<T: Trigonometry>(flight: &Flight<f64>, target: Target, at: f64) -> (Iterate, SmallAngle) {
     let departure = T::departure(at);
@@ -229,7 +229,7 @@ pub(super) fn look_near<T: Trigonometry>(flight: &Flight<f64>, target: Target, a
 }
 
 impl Iterate {
-    /// Returns whether it is on a hop: falling, and pressed towards the wall.
+    /// Returns whether it is on a hop: falling, with acceleration towards the wall.
     #[inline(always)]
     pub fn is_on_hop(&self) -> bool {
         (self.velocity < 0.0) & (self.sin < 0.0)
@@ -262,7 +262,7 @@ fn hop<T: Trigonometry>(flight: &Flight<f64>) -> Option<(Iterate, SmallAngle)> {
     None
 }
 
-/// Whether the far wall may be reached in that time.
+/// Returns whether the far wall may be reached within `time` forcing periods.
 #[inline(always)]
 pub(super) fn reaches_far(flight: &Flight<f64>, time: f64) -> bool {
     flight.velocity * time >= 1.0
@@ -274,7 +274,7 @@ fn whole_turns(phase: f64) -> f64 {
     if phase.abs() <= 1.0 { 0.0 } else { phase.round() }
 }
 
-/// Where `3 x^2 - 2 x^3` takes the value `v`, to within 0.004: a guess for a piece with flat ends.
+/// Returns the `x` in `[0, 1]` at which `3 x^2 - 2 x^3` is `v`, to within 0.004: a guess for a piece with flat ends.
 #[inline(always)]
 pub(super) fn inverse_smoothstep(v: f64) -> f64 {
     let v = v.clamp(0.0, 1.0);

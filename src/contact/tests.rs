@@ -1,5 +1,5 @@
-//! What the tests of this room take for the truth: single flights by equations (11) and (12) in 320 bits; and the
-//! flights that they are about, many of them grazing a wall by as little as doubles can tell.
+//! Reference for the tests of this module: single flights by equations (11) and (12) in 320 bits; and the
+//! flights that are tested, many of them grazing a wall by as little as doubles can distinguish.
 
 use super::*;
 use crate::number::kernel::sin_cos;

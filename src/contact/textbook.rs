@@ -69,7 +69,7 @@ pub fn first_contact(flight: &Flight<Interval>) -> Verdict<Contact<Interval>> {
     Verdict::Undecided(Undecided::endless())
 }
 
-/// What is known of a piece.
+/// The result for a piece.
 enum Piece {
     /// No wall is touched in it, but for the departure.
     Inside,
@@ -105,7 +105,7 @@ impl Walk<'_> {
         }
     }
 
-    /// Whether the height rises all through the piece: by its first derivative there that is not 0 (Lemma I3 (a)).
+    /// Returns whether the height rises all through the piece: by its first derivative there that is not 0 (Lemma I3 (a)).
     fn rises(&self, piece: Interval, velocity: Interval) -> bool {
         let (flight, starts) = (self.0, |x: Interval| piece.contains(0.0) && x.inf() >= 0.0);
         if velocity.inf() > 0.0 || !starts(flight.velocity) {
@@ -116,7 +116,7 @@ impl Walk<'_> {
         flight.acceleration_at(sin).inf() > 0.0 || starts(flight.acceleration_at(flight.sin)) && jerk.inf() > 0.0
     }
 
-    /// Whether the flight starts on its wall, which nothing but a rise takes it off.
+    /// Returns whether the flight starts on its wall, which it can leave by a rise only.
     fn is_on_wall(&self) -> bool {
         self.0.height.inf() <= 0.0
     }
@@ -231,12 +231,12 @@ mod tests {
             }
         }
 
-        /// By the textbook.
+        /// Returns the contact by the textbook method.
         fn contact(&self) -> Verdict<Contact<Interval>> {
             first_contact(&self.flight(0.0, 0.0))
         }
 
-        /// By the closed form.
+        /// Returns the contact by the closed form.
         fn ours(&self) -> Verdict<Contact<Ball>> {
             let (pair, sin_cos) = (self.pair(), kernel::sin_cos(self.phase));
             let (flight, height) = match self.height {
@@ -249,7 +249,7 @@ mod tests {
         }
     }
 
-    /// From a wall: A/d over six decades, quarter periods among the phases, speeds down to a billionth of the box's, or none.
+    /// Starts on a wall: A/d over six decades, quarter periods among the phases, speeds down to a billionth of the box's, or 0.
     fn from_walls() -> impl Strategy<Value = Start> {
         let wall = prop_oneof![Just(Wall::Left), Just(Wall::Right)];
         let phase = prop_oneof![4 => -0.5..0.5f64, 1 => (-2..=2i32).prop_map(|k| f64::from(k) / 4.0)];
@@ -263,8 +263,8 @@ mod tests {
         })
     }
 
-    /// From inside, so that the far wall is all but grazed after `h` forcing periods at a phase where the box forcing periods: the height that
-    /// is missed by goes down to nothing.
+    /// Starts inside the gap whose height has its maximum at or near the far wall, at the phase `at`, `time` forcing periods later: the
+    /// distance from a graze goes down to 0.
     fn towards_grazes() -> impl Strategy<Value = Start> {
         let miss = prop_oneof![
             Just(0.0),
@@ -355,7 +355,7 @@ mod tests {
         assert_eq!((reason, wall), (Reason::Graze, Some(Wall::Left)));
         // One that would go through the wall has not left it.
         assert_eq!(undecided(Start { velocity: -1.0, ..start }).reason, Reason::Graze);
-        // A hair before the release and after it: pressed, and not.
+        // Just before the release and just after it: with a contact force, and without.
         assert_eq!(undecided(Start { phase: -1e-9, ..start }).reason, Reason::Graze);
         assert!(Start { phase: 1e-9, ..start }.contact().certified().is_some());
     }
@@ -370,7 +370,7 @@ mod tests {
 
     #[test]
     fn a_motion_without_end_is_given_up() {
-        // The drift is 1e-5 gaps a turn.
+        // The drift is 1e-5 gap widths per forcing period.
         let velocity = 1e-5 - 0.3 * std::f64::consts::TAU;
         let start = Start { alpha: 0.3, wall: Wall::Left, height: Some(0.5), phase: 0.0, velocity };
         assert_eq!(undecided(start).reason, Reason::Budget);

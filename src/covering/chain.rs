@@ -14,11 +14,11 @@ use crate::shaken::{Flying, Origin};
 
 /// Nodes that are handed out at a time.
 const BLOCK: usize = 4096;
-/// Impacts that are proposed anew where a link is not proved: after N another orbit has nothing of its troubles.
+/// Impacts that are proposed anew where a link is not proved: another orbit is then far enough from the one that fails there.
 const BACK: usize = 60;
 /// Impacts that are looked ahead: contracting directions and sides have forgotten by then where they began.
 pub(crate) const AHEAD: usize = 512;
-/// How often a link is dodged.
+/// Number of times in a block that a link is avoided by moving the orbit before it.
 const TRIES: u32 = 2;
 
 /// A chain under any excitation.
@@ -29,10 +29,10 @@ pub(crate) trait Covering: std::fmt::Debug + Send {
     /// The next nodes, proved; empty at the end.
     fn advance(&mut self) -> Vec<Node>;
 
-    /// Why there are no more.
+    /// The reason why there are no more nodes; `None` while there are.
     fn ending(&self) -> Option<&Ending>;
 
-    /// Whether the motion was seen to expand beyond the last node.
+    /// Returns whether the motion was seen to expand beyond the last node.
     fn expands(&self) -> bool;
 }
 
@@ -85,8 +85,8 @@ impl<S: Flying, B: Beginning<S>> Chain<S, B> {
         chain
     }
 
-    /// Whether a state comes to rest on its wall, after infinitely many impacts or none; `phases` are those of several harmonics,
-    /// where they are known exactly. Lemmas Z1, H7
+    /// Returns whether a state is proved to come to rest on its wall, after infinitely many impacts or none; `phases` are those of
+    /// several harmonics, where they are known exactly. Lemmas Z1, H7
     fn comes_to_rest(&self, (wall, turns, phase, before): OnWall, phases: &[Exact]) -> bool {
         let after = wall.inward(self.shaken.pair().rebound_of(before));
         let time = |phase| self.shaken.accumulation(wall, turns, &phase, after, phases);

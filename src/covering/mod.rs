@@ -26,7 +26,7 @@ use crate::pair::{ImpactPair, Wall, ball};
 use crate::shaken::{Either, State, under};
 use impact_pair_model::Start;
 
-/// Why a chain goes no further.
+/// The reason why a chain goes no further.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Ending {
     /// From a point near the end the ball comes to rest on a wall, proved: nothing expands any more.
@@ -80,7 +80,7 @@ impl Shadow {
     /// Returns the orbit of `pair` near the one from `start`.
     ///
     /// # Errors
-    /// When a value is beyond the range of double-precision flights.
+    /// If a value is beyond the range of double-precision flights.
     pub fn new(pair: &ImpactPair, start: &Start) -> Result<Self, Error> {
         let clock = Clock::new(pair, start.time(), 0)?;
         let either = Either::new(pair, &clock)?;
@@ -99,8 +99,8 @@ impl Shadow {
         Self::new(scene.pair(), scene.start()).map_err(|error| scene.located(error, &scene.settings()))
     }
 
-    /// Returns where the orbit starts: whole forcing periods since the clock's origin, the rest of the phase, and the velocity in gap widths per forcing period, before
-    /// the impact for a start on a wall.
+    /// Returns where the orbit starts: whole forcing periods since the clock's origin, the rest of the phase, and the velocity in gap
+    /// widths per forcing period, before the impact for a start on a wall.
     ///
     /// **Enclosure**: the start is in there; of the two the one that is the scene's is exactly that.
     pub fn start(&self) -> (i64, Ball, Ball) {

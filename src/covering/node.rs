@@ -19,7 +19,7 @@ pub(crate) struct Axes {
 }
 
 impl Axes {
-    /// Those of a curve that is given by a parameter.
+    /// Returns the axes of a curve that is given by a parameter.
     pub fn of_curve(scale: f64) -> Self {
         Self { unstable: [1.0, 0.0], stable: [0.0, 1.0], scale }
     }
@@ -48,7 +48,7 @@ pub(crate) struct Landing {
     pub phase: Ball,
     pub velocity: Ball,
     pub slope: Ball,
-    /// Over the set; that of a curve is the derivative by its parameter, in the first column. Lemmas F3, F6
+    /// The derivative over the set; that of a curve is by its parameter, in the first column. Lemmas F3, F6
     pub jacobian: Sheared<Ball>,
 }
 
@@ -95,7 +95,7 @@ impl Node {
     }
 }
 
-/// How the image of a parallelogram lies in the axes of another: bounds of condition 2 of Lemma F1, times the determinant.
+/// The image of a parallelogram in the axes of another: bounds of condition 2 of Lemma F1, times the determinant.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Link {
     /// `|M_11|` is at least, `|M_12|`, `|M_21|` and `|M_22|` at most this.

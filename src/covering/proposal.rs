@@ -1,4 +1,4 @@
-//! What is proposed: a pseudo-orbit, its directions and the sides of its nodes. Nothing here proves anything.
+//! The proposed chain: a pseudo-orbit, its directions and the sides of its nodes. Nothing here proves anything.
 //!
 //! Labels: proposes throughout.
 
@@ -10,7 +10,7 @@ use crate::number::Ball;
 use crate::shaken::Flying;
 use crate::turns;
 
-/// What a node is wider than the least that covers the next one, and how many times the noise it makes room for.
+/// Factor by which a node is wider than the least that covers the next one, and multiple of the noise that it makes room for.
 const MARGIN: f64 = 1.05;
 const NOISES: f64 = 2.0;
 
@@ -18,9 +18,9 @@ const NOISES: f64 = 2.0;
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Point {
     pub node: Node,
-    /// What it may be off the image of the one before: radii of phase and velocity, and the slope that shears them, scaled.
+    /// Bounds of its distance from the image of the point before: radii of phase and velocity, and the slope that shears them, scaled.
     noise: [f64; 3],
-    /// Of the flight to the next one, scaled: that by which it multiplies the unstable direction, too.
+    /// The derivative of the flight to the next one, scaled, and the factor by which it multiplies the unstable direction.
     jacobian: [[f64; 2]; 2],
     growth: f64,
 }

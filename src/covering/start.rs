@@ -28,7 +28,7 @@ pub(crate) trait Beginning<S>: std::fmt::Debug + Send {
     fn on_wall(&self) -> Option<(OnWall, &[Exact])>;
 }
 
-/// What starts differ in from the one requested; all else is as it is requested.
+/// The quantity in which starts differ from the one requested; all else is as it is requested.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Varied {
     Time,
@@ -64,12 +64,12 @@ impl Varied {
 #[derive(Clone, Debug)]
 pub(crate) struct Starts {
     pub varied: Varied,
-    /// Holds them all.
+    /// Bounds of all of them.
     pub bounds: State<Ball>,
 }
 
 impl Starts {
-    /// Those that differ by at most `apart`, in forcing periods or in gap widths per forcing period.
+    /// Returns the starts that differ by at most `apart`, in forcing periods or in gap widths per forcing period.
     pub fn within(apart: f64, varied: Varied, asked: &State<Ball>) -> Self {
         Self { varied, bounds: varied.widened(asked, apart) }
     }
@@ -83,7 +83,7 @@ pub(crate) struct Segment<W> {
     varied: Varied,
     /// The state that flights are followed from.
     origin: Origin<Ball>,
-    /// There, where they are known better than by the phase.
+    /// The harmonics at that state, where they are known better than by the phase.
     waves: Option<W>,
     scale: f64,
 }
@@ -145,7 +145,7 @@ impl<S: Flying> Beginning<S> for Segment<S::Waves<Ball>> {
             Location::Inside(_) => Ball::from_f64(-1.0),
         };
         let velocities = [Beginning::<S>::starts(self, a).bounds.velocity, all.velocity];
-        // F3: the flight begins at the start asked for.
+        // F3: the flight begins at the requested start.
         let time = self.origin.delay() + all.time;
         let jacobian = Sheared::between(restitution, time, swings, velocities).ok_or(Undecided::width(&all))?;
         let jacobian = jacobian.along(|[by_time, by_velocity]| match self.varied {

@@ -88,7 +88,7 @@ mod refined {
         along: Vec<f64>,
     }
 
-    /// How far an impact is from a node's centre: whether it is in its box, and the coordinate.
+    /// Returns whether an impact is in a node's box, and its coordinate from the node's centre along the unstable axis.
     fn placed(impact: &Impact, node: &Node) -> (bool, f64) {
         let (phase, velocity) = *impact.precise.clone().expect("bits");
         let point = |x: f64| Enclosure::from_f64_bounds(x, x).unwrap();
@@ -159,7 +159,7 @@ mod refined {
         panic!("no start was found: {:?}", runs.map(|run| run.along.len()));
     }
 
-    /// To a thousand bits after the point.
+    /// The number rounded to a thousand bits after the point.
     fn rounded(x: &BigRational) -> BigRational {
         let unit = BigRational::from_integer(num_bigint::BigInt::from(1) << 1000);
         (x * unit.clone()).round() / unit

@@ -1,4 +1,4 @@
-//! What becomes of the motion of a scene: [`describe`].
+//! The asymptotic behaviour of the motion of a scene: [`describe`].
 //!
 //! Questions are examined in the order of their cost, and only as far as the answer requires: the certified orbit and its outcome; a
 //! trapping region, where that leaves the fate undecided; a horseshoe, where the motion stays in the region.

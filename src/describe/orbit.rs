@@ -12,7 +12,7 @@ use crate::{Error, Scene};
 /// Impacts that are followed first, and the factor from one attempt to the next.
 const FIRST: u64 = 32;
 const FACTOR: u64 = 4;
-/// In double precision N times as many impacts are followed: a motion that converges slowly costs little there.
+/// Factor by which more impacts are followed in double precision: a motion that converges slowly costs little there.
 const IN_DOUBLES: u64 = 10;
 
 /// An orbit, followed as far as its fate requires.

@@ -90,7 +90,7 @@ impl Description {
         endless.into_iter().chain(others).collect()
     }
 
-    /// Whether the orbit ends at a flight of which neither more impacts nor more bits find the end.
+    /// Returns whether the orbit ends at a flight whose end neither more impacts nor more bits find.
     fn is_endless(&self) -> bool {
         !self.is_interrupted && self.orbit.decides().is_none() && self.orbit.document.outcome.is_endless()
     }

@@ -12,7 +12,7 @@ fn figure(amplitude: &str, gap: &str, restitution: &str) -> Scene {
     scene(&excitation, &pair, "time = 0, wall = \"left\", velocity = -12.56636")
 }
 
-/// What is said of a scene without a search for a horseshoe, which takes long.
+/// Returns the description of a scene without a search for a horseshoe, which takes long.
 fn described(scene: &Scene) -> DescriptionDocument {
     let watch = |at: Stage<'_>| proceed_if(!matches!(at, Stage::Horseshoe { .. }));
     let request = Request { impacts: 500, ..Request::default() };
@@ -45,7 +45,7 @@ fn r39_without_restitution_the_exponent_in_the_limit_is_bounded_from_above_only(
     assert!(low == "-inf" && truth <= high + 1e-12 && high - truth < 1e-6, "{low} {high} {truth}");
 }
 
-/// The ball rests first, pressed on its wall, and is released at a phase that does not depend on the start: all later derivatives are 0.
+/// The ball first sticks to its wall, and is released at a phase that does not depend on the start: all later derivatives are 0.
 #[test]
 fn r44_after_a_rest_the_exponent_in_the_limit_is_bounded_from_above_only() {
     let start = "time = 1.5, wall = \"left\", velocity = 0";

@@ -44,7 +44,7 @@ fn point(point: &Point, diagram: &Diagram) -> Result<BifurcationPointDocument, E
     let units = Units::gaps(&pair)?;
     let orbit = match &point.orbit {
         Some(orbit) => periodic_orbit(&units.measured(orbit)),
-        // Where an impact is the graze the Jacobian has no bound.
+        // The Jacobian of an orbit with a graze has no bound.
         None => PeriodicOrbitDocument {
             impacts: point.impacts.iter().map(|impact| units.impact(impact, (point.bits, point.period))).collect(),
             unique: true,

@@ -144,7 +144,7 @@ pub(crate) fn entropy([impact, cycle]: [f64; 2]) -> EntropyDocument {
     EntropyDocument { per_impact: lower(impact), per_cycle: lower(cycle) }
 }
 
-/// What is proved of the scene's own orbit, if anything is.
+/// Returns the results proved of the scene's own orbit, if there are any.
 fn scene_orbit(asymptotics: &Asymptotics) -> Option<SceneOrbitDocument> {
     let attracted = asymptotics.attractor.as_ref().map(|attractor| period(&attractor.word, attractor.cycles));
     let region = asymptotics.region.map(|entered| EnteredDocument {

@@ -10,7 +10,7 @@ use crate::exact::{Enclosure, Exact, decimal_bounds_f64};
 use crate::orbit::{Orbit, Outcome, Shadowing, Start};
 use crate::periodic::Attractor;
 
-/// How an orbit ended: the `outcome` of the orbit JSON.
+/// The end of an orbit: the `outcome` of the orbit JSON.
 #[derive(Clone, Debug)]
 pub struct Conclusion {
     document: OutcomeDocument,
@@ -73,13 +73,13 @@ impl Conclusion {
     }
 }
 
-/// Where the start is of a shadowed orbit.
+/// Returns the start of a shadowed orbit.
 fn near(shadow: &Shadowing) -> NearDocument {
     let Shadowing { time, velocity, .. } = shadow;
     NearDocument { time: bounds(time), velocity: bounds(velocity) }
 }
 
-/// How near it is, in three digits rounded up.
+/// Returns the distances of the true impacts from the listed ones, median and maximum, in forcing periods, in three digits rounded up.
 fn epsilon(nearness: [f64; 2]) -> EpsilonDocument {
     // Bounds are rounded outward by a two-hundredth of what is between them at most.
     let [median, maximum] = nearness.map(|at_most| {
@@ -89,7 +89,7 @@ fn epsilon(nearness: [f64; 2]) -> EpsilonDocument {
     EpsilonDocument { median, maximum }
 }
 
-/// What is known of what was not decided: no contact comes before; and the next contact itself, where it is proved.
+/// Returns the outcome of an undecided orbit: no contact comes before the time; and the next contact itself, if it is proved.
 fn undecided(
     plain: OutcomeDocument,
     reason: Reason,

@@ -11,7 +11,7 @@ use crate::orbit::{Arithmetic, MULTIPRECISION, Orbit, Settings, VERDICT_BITS};
 
 /// The outcome of an orbit, compared with the request.
 pub struct Ending<'s> {
-    /// How it ended.
+    /// The conclusion of the orbit.
     pub conclusion: Conclusion,
     /// The arithmetic, as in the orbit JSON.
     pub computed: ArithmeticDocument,
@@ -24,7 +24,7 @@ pub struct Ending<'s> {
 }
 
 impl<'s> Ending<'s> {
-    /// That of an orbit that has ended, or was left.
+    /// Returns the ending of an orbit that has ended, or was left.
     pub fn of(orbit: &Orbit, conclusion: Conclusion, settings: &'s Settings) -> Self {
         let (computed, wide, bits) = (arithmetic(orbit), orbit.first_wide(), orbit.bits());
         Self { conclusion, computed, wide, settings, bits }
@@ -35,7 +35,7 @@ impl<'s> Ending<'s> {
         self.conclusion.reason().is_none() && self.wide.is_none()
     }
 
-    /// What else there is to try, if it would help.
+    /// Returns advice on other settings, if they would help.
     fn hint(&self) -> Option<&'static str> {
         let reason = self.conclusion.reason().filter(|reason| *reason != Reason::Budget);
         match (self.settings.arithmetic, reason) {

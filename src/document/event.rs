@@ -17,9 +17,9 @@ use crate::pair::Wall;
 pub struct Event {
     /// The wall.
     pub wall: Wall,
-    /// When \[time\].
+    /// Time of the event \[time\].
     pub time: Bounds,
-    /// What happens.
+    /// The kind of the event.
     pub kind: EventKind<Bounds>,
 }
 
@@ -158,14 +158,14 @@ impl From<&Event> for EventDocument {
 /// A number: exact, enclosed, or computed.
 #[derive(Clone, Debug)]
 pub enum Bounds {
-    /// It is proved to lie in here.
+    /// Proved bounds.
     Certified(Enclosure),
     /// A computed approximation, not certified.
     Float(Enclosure),
 }
 
 impl Bounds {
-    /// What `orbit` knows of a number.
+    /// Returns the number `x` of an orbit: certified, or computed by a non-rigorous arithmetic.
     fn of(orbit: &Orbit, x: Enclosure) -> Self {
         if is_certified(orbit.arithmetic()) { Self::Certified(x) } else { Self::Float(x) }
     }

@@ -14,7 +14,7 @@ const PARTS: i64 = 1_000_000;
 /// Bits that a fraction which is not rational is enclosed with.
 const BITS: u32 = 64;
 
-/// Which way a fraction is rounded.
+/// The direction in which a fraction is rounded.
 #[derive(Clone, Copy)]
 enum Rounded {
     Down,
@@ -88,7 +88,7 @@ mod tests {
         assert_eq!(said(&[["0", "0.9999999"]], ["0", "1"]), [0.999_999, 1.0]);
         assert_eq!(said(&[["0.9999999", "1"]], ["0", "1"]), [0.0, 0.000_001]);
         assert_eq!(said(&[["2", "7/3"]], ["2", "3"]), [0.333_333, 0.333_334]);
-        // What is exact is not rounded, in any unit.
+        // Exact fractions are not rounded, in any unit.
         assert_eq!(said(&[["1", "1.25"], ["1.5", "1.75"]], ["1", "2"]), [0.5, 0.5]);
         assert_eq!(said(&[["pi", "1.5*pi"]], ["pi", "2*pi"]), [0.5, 0.5]);
         assert_eq!(said(&[["sqrt(2)", "sqrt(2)+1e-9"]], ["sqrt(2)", "sqrt(2)+1e-3"]), [0.000_001, 0.000_001]);

@@ -141,7 +141,7 @@ fn floats_claim_nothing() {
     }
 }
 
-/// Where the impacts that a document lists come, and how fast, found again: times and velocities.
+/// Returns the times and velocities of the impacts that a document lists, found again by its certificate.
 fn found_again(document: &Value) -> Vec<(Enclosure, Enclosure)> {
     Certificate::parse(&document.to_string()).unwrap().retraced(192).unwrap()
 }
@@ -243,7 +243,7 @@ fn an_attractor_is_confirmed_and_nothing_else_in_its_place() {
         later(&mut copy, impact);
         assert!(matches!(verdict(&copy), Verdict::Refuted(_)), "impact {impact}");
     }
-    // Phases are told in [0, 2 pi).
+    // Phases are given in [0, 2 pi).
     let mut copy = document.clone();
     (0..2).for_each(|impact| later(&mut copy, impact));
     assert!(matches!(verdict(&copy), Verdict::Refuted(_)));

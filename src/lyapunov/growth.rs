@@ -82,7 +82,7 @@ pub struct Growth {
 impl Growth {
     /// Returns the unit matrix.
     ///
-    /// Where `is_dead`, `e = 0`: every Jacobian maps the direction of the velocity to 0, as its second column is `-e`
+    /// If `is_dead`, `e = 0`: every Jacobian maps the direction of the velocity to 0, as its second column is `-e`
     /// times something.
     pub fn new(is_dead: bool) -> Self {
         let (first, second) = if is_dead {

@@ -1,10 +1,10 @@
-//! How fast small disturbances of an orbit grow: finite-time Lyapunov exponents with proved bounds.
+//! The growth of small disturbances of an orbit: finite-time Lyapunov exponents with proved bounds.
 //!
 //! Along certified impacts the Jacobians (A.7) are enclosed; the product of `n` of them is the derivative `DP^n` of the
 //! orbit's map. Its matrix is never multiplied out: two perpendicular vectors are carried along, each as a direction
 //! known to a narrow interval and a length, since a direction on a circle cannot be wrapped and a growing one narrows
-//! its own error. Their lengths and the determinant give the norm. Lemmas L1-L3 of `docs/proofs/growth.md#L1`. What they tend to
-//! is known of an orbit that is proved to converge to a periodic one: Lemma L4.
+//! its own error. Their lengths and the determinant give the norm. Lemmas L1-L3 of `docs/proofs/growth.md#L1`. The limit of the
+//! exponents is known for an orbit that is proved to converge to a periodic one: Lemma L4.
 
 mod growth;
 mod limit;
@@ -15,7 +15,7 @@ use crate::orbit::{Impact, Orbit, Progress};
 pub use growth::Growth;
 pub use limit::limit;
 
-/// How fast a disturbance grows, at most, from an impact on over those that follow: natural logarithms.
+/// The greatest growth rate of a small disturbance from an impact on, over the impacts that follow: natural logarithms.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Exponent {
     /// `ln |DP^n|` divided by the impacts, and by the cycles, that the `n` flights take. Lemma L3
@@ -31,7 +31,7 @@ pub enum Exponent {
     Unknown(Unknown),
 }
 
-/// Why there is no exponent.
+/// The reason why there is no exponent.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Unknown {
     /// There are no two impacts in a row.
@@ -65,7 +65,7 @@ impl Unknown {
     }
 }
 
-/// What a disturbance has passed, as far as its limit depends on it (Lemma L4).
+/// The events that a disturbance has passed, as far as its limit depends on them (Lemma L4).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Passed {
     /// Flights between impacts, of which the map has a derivative.

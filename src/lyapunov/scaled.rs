@@ -11,7 +11,7 @@ pub(super) struct Scaled {
 
 /// A mantissa beyond `2^(+-LARGEST)` is brought back.
 const LARGEST: i32 = 200;
-/// Of a sum the smaller term is bounded, not computed, when it is less than `2^-FAR` of the larger one.
+/// The smaller term of a sum is bounded, not computed, when it is less than `2^-FAR` of the larger one.
 const FAR: i32 = 300;
 
 impl Scaled {

@@ -6,7 +6,7 @@ use super::Ball;
 use crate::exact::Enclosure;
 
 impl Ball {
-    /// Whether both are finite, and near as intervals.
+    /// Returns whether both are finite, and near as intervals.
     fn is_near(&self, other: &Self, near: impl Fn(&Enclosure, &Enclosure) -> bool) -> bool {
         self.enclosure().zip(other.enclosure()).is_some_and(|(a, b)| near(&a, &b))
     }

@@ -39,7 +39,7 @@ pub(crate) fn up(radius: f64) -> f64 {
     radius * (1.0 + 8.0 * UNIT)
 }
 
-/// Whether `x` is greater than 0: no NaN is.
+/// Returns whether `x` is greater than 0: no NaN is.
 #[inline(always)]
 pub(crate) fn is_positive(x: f64) -> bool {
     x > 0.0

@@ -13,9 +13,9 @@ use super::kernel::{self, DEPARTURE_ERROR, SIN_COS_ERROR, SmallAngle};
 use super::{Ball, Enclosing, Number, SHORT, Wave};
 use crate::exact::Enclosure;
 
-/// Where sines and cosines lie.
+/// The range of sines and cosines.
 const RANGE: Interval = const_interval!(-1.0, 1.0);
-/// What a field of a departure is multiplied by to hold the truth: `1/(1 - x) <= 1 + 2 x` (Lemma K2).
+/// The factor by which a field of a departure is multiplied so that it holds the truth: `1/(1 - x) <= 1 + 2 x` (Lemma K2).
 const RELATIVE: Interval = const_interval!(1.0 - 2.0 * DEPARTURE_ERROR, 1.0 + 2.0 * DEPARTURE_ERROR);
 
 /// The interval between two doubles, exactly; all numbers where they are none.
@@ -196,7 +196,7 @@ mod tests {
         })
     }
 
-    /// Whether `inner` lies in `outer`, but for the unit in the last place that inari may have rounded it outward by.
+    /// Returns whether `inner` lies in `outer`, but for the unit in the last place by which inari may have rounded it outward.
     fn is_in(inner: Interval, outer: Interval) -> bool {
         outer.inf() <= inner.inf().next_up() && inner.sup().next_down() <= outer.sup()
     }

@@ -38,7 +38,7 @@ impl Interval {
     pub const PI: Self = Self { inf: std::f64::consts::PI, sup: std::f64::consts::PI.next_up() };
     /// Bounds of 2 pi: twice those of pi.
     pub const TAU: Self = Self { inf: std::f64::consts::TAU, sup: std::f64::consts::TAU.next_up() };
-    /// Where sines and cosines lie.
+    /// The range of sines and cosines.
     const RANGE: Self = Self { inf: -1.0, sup: 1.0 };
 
     /// The interval between two doubles, exactly; all numbers where they bound none.
@@ -99,13 +99,13 @@ impl Interval {
         self.inf.abs().max(self.sup.abs()) // I4: the farther end
     }
 
-    /// Whether both ends are finite.
+    /// Returns whether both ends are finite.
     #[inline(always)]
     pub fn is_common_interval(self) -> bool {
         self.inf.is_finite() && self.sup.is_finite()
     }
 
-    /// Whether `x` is a member.
+    /// Returns whether `x` is a member.
     #[inline(always)]
     pub fn contains(self, x: f64) -> bool {
         self.inf <= x && x <= self.sup
@@ -221,7 +221,7 @@ impl Interval {
         }
     }
 
-    /// Whether a whole number plus `shift` may be a member.
+    /// Returns whether a whole number plus `shift` may be a member.
     #[inline(always)]
     fn may_hold_whole(self, shift: f64) -> bool {
         (self.sup - shift).next_up().floor() >= (self.inf - shift).next_down().ceil() // I1: whole ends, outward
@@ -245,7 +245,7 @@ impl From<Interval> for Ball {
     }
 }
 
-/// Of the quotients or products of ends; one that is no number is 0 times an infinity, or a quotient of two, and others bound it.
+/// Returns the least of the quotients or products of ends; a NaN is 0 times an infinity, or a quotient of two, and others bound it.
 #[inline(always)]
 fn least(x: [f64; 4]) -> f64 {
     x[0].min(x[1]).min(x[2].min(x[3])) // I4: a NaN is passed over

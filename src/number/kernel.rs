@@ -90,7 +90,7 @@ const A: [f64; 9] = [
 /// `1.5 * 2^50`: next to it the doubles are the multiples of 1/4.
 const MAGIC: f64 = (3_u64 << 49) as f64; // K1: exact
 
-/// How far sine and cosine at `h` turns have left their values and slopes at 0.
+/// Versine, excess and sine at a small angle of `h` turns: the differences of cosine and sine from their values and slopes at 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SmallAngle<N = f64> {
     /// `1 - cos 2 pi h`

@@ -6,7 +6,7 @@ use super::{Ball, Number, up};
 const TERMS: u32 = 12;
 /// The rest of that series for `z^2 <= 0.0295`: at most `0.0295^12/(25 * 0.97) < 2^-65`.
 const REST: f64 = 1.0 / (1_u128 << 65) as f64; // B3: exact, a power of two
-/// How far `ln 2 = 0.69314718055994530941723...` is from the nearest double.
+/// Bound of the distance of `ln 2 = 0.69314718055994530941723...` from the nearest double.
 const LN_2_ERROR: f64 = 2.4e-17;
 
 /// Encloses `ln x` of every `x` in the ball; `None` when it may be 0 or less, or is no normal double.

@@ -52,12 +52,12 @@ impl Magnitude {
         Self { fraction: 1.0, exponent }
     }
 
-    /// Whether it is 0, exactly.
+    /// Returns whether it is exactly 0.
     pub fn is_zero(self) -> bool {
         self.fraction == 0.0 // M0: exactly nothing
     }
 
-    /// Whether it bounds anything.
+    /// Returns whether it is finite, and so bounds something.
     pub fn is_finite(self) -> bool {
         self.fraction.is_finite()
     }
@@ -72,7 +72,7 @@ impl Magnitude {
         self.fraction.log2() + self.exponent as f64 // shown
     }
 
-    /// In units of `2^unit`, rounded up; at least the smallest normal double unless it is 0.
+    /// Returns it in units of `2^unit`, rounded up; at least the smallest normal double unless it is 0.
     pub fn in_units_of(self, unit: i64) -> f64 {
         if self.is_zero() || !self.is_finite() {
             return self.fraction;
@@ -84,7 +84,7 @@ impl Magnitude {
         }
     }
 
-    /// As a double, rounded up.
+    /// Returns it as a double, rounded up.
     pub fn to_f64(self) -> f64 {
         self.in_units_of(0)
     }

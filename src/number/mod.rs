@@ -33,7 +33,7 @@ pub use multiprecision::{MpBall, mpfr_version};
 /// The least precision of an `MpBall`, in bits.
 pub const LEAST_BITS: u32 = 64;
 
-/// What the formulas of the paper need of a number: ring operations and a fused product and sum.
+/// A number with the operations of the paper's formulas: ring operations and a fused multiply-add.
 pub trait Number: Clone + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Neg<Output = Self> {
     /// The number that the double `x` is, exactly.
     fn from_f64(x: f64) -> Self;
@@ -124,11 +124,11 @@ impl Wave for f64 {
 pub trait Enclosing: Wave + nalgebra::Scalar {
     /// The centre alone.
     fn centre(&self) -> Self;
-    /// How members differ from the centre: a ball around 0.
+    /// The differences of the members from the centre: a ball around 0.
     fn spread(&self) -> Self;
     /// The same centre with this radius.
     fn with_radius(&self, radius: f64) -> Self;
-    /// Whether the ball is proved to lie in the interior of `outer`.
+    /// Returns whether the ball is proved to lie in the interior of `outer`.
     fn is_interior_to(&self, outer: &Self) -> bool;
     /// `log2` of the radius, to nearest: it decides nothing.
     fn log2_radius(&self) -> f64;
@@ -145,7 +145,7 @@ pub trait Enclosing: Wave + nalgebra::Scalar {
 /// [`Kernel`] is ours and certified; [`Std`] is the standard library's, which promises no bound: it serves
 /// as the plain baseline that the benches compare with.
 pub trait Trigonometry {
-    /// How far [`Trigonometry::acos`] may be off, in turns (for [`Std`] what is usual, not what is proved).
+    /// Bound of the error of [`Trigonometry::acos`], in turns (for [`Std`] the usual one, not proved).
     const ACOS_ERROR: f64;
     /// `(sin 2 pi u, cos 2 pi u)`
     fn sin_cos(u: f64) -> (f64, f64);

@@ -1,4 +1,4 @@
-//! Balls with MPFR centres: as many digits as asked.
+//! Balls with MPFR centres: as many digits as requested.
 //!
 //! A centre has a precision of its own; the result of an operation has the larger one of its operands. Radii are
 //! [`Magnitude`]s.
@@ -162,7 +162,7 @@ impl MpBall {
         self.mig().and_then(|_| self.mid.cmp0())
     }
 
-    /// Whether all of `other` lies inside.
+    /// Returns whether all of `other` lies inside.
     pub fn contains(&self, other: &Self) -> bool {
         let bits = self.bits().max(other.bits()) + 2; // M1: any number of bits
         let (distance, _) = Float::with_val_round(bits, &self.mid - &other.mid, Round::AwayZero);
@@ -232,7 +232,7 @@ impl MpBall {
         (Self { mid: sin, rad }, Self { mid: cos, rad })
     }
 
-    /// How many quarter turns it is, when it is exactly that many, and a few at most.
+    /// Returns the number of quarter turns, if it is exactly an integer, and small.
     fn quarter(&self) -> Option<i32> {
         if !self.rad.is_zero() {
             return None;

@@ -1,4 +1,4 @@
-//! What the tests of enclosures take for the truth: intervals of 320 bits, far narrower than what they judge.
+//! Reference for the tests of enclosures: intervals of 320 bits, far narrower than the enclosures that are tested.
 
 use std::ops::{Add, Mul, Neg, Sub};
 
@@ -95,12 +95,12 @@ impl Truth {
         Self((self - &by).0.hull(&(self + &by).0))
     }
 
-    /// Whether it is proved to be greater than `b`.
+    /// Returns whether it is proved to be greater than `b`.
     pub fn exceeds(&self, b: impl Into<Self>) -> bool {
         self.0.inf() > b.into().0.sup()
     }
 
-    /// Whether it may lie in the ball: one that is not finite holds everything.
+    /// Returns whether it may lie in the ball: one that is not finite holds everything.
     pub fn is_in(&self, ball: &impl Enclosing) -> bool {
         ball.as_enclosure().is_none_or(|ball| ball.intersection(&self.0).is_some())
     }
@@ -152,7 +152,7 @@ proptest! {
     #[test]
     fn members_of_a_ball_lie_in_it_and_none_beyond_its_ends(x in balls(), place in places(), by in powers(-9.0, 3.0)) {
         prop_assert!(member(&x, place).is_in(&x));
-        // The ends of a ball are told to 160 bits.
+        // The ends of a ball are given to 160 bits.
         if x.rad() > 1e-30 * x.mid().abs() && x.mag() < 1e300 {
             prop_assert!(!member(&x, 1.0 + by).is_in(&x) && !member(&x, -1.0 - by).is_in(&x));
         }

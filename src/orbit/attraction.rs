@@ -8,7 +8,7 @@ use crate::impact::Impact;
 use crate::periodic::{Attractor, LONGEST, Problem, find_attractor};
 use crate::watch::Watch;
 
-/// How many of the last impacts are kept.
+/// Number of the last impacts that are kept.
 const KEPT: usize = 4096;
 /// An attractor's orbit is enclosed to N digits at most.
 const DIGITS: u32 = 100;
@@ -18,7 +18,7 @@ const _: () = assert!(KEPT > LONGEST, "a period and the state after it");
 #[derive(Clone, Debug, Default)]
 pub(super) struct Recent {
     impacts: Vec<Impact>,
-    /// Where the next one goes, once there are N.
+    /// Position of the next one, once [`KEPT`] are kept.
     next: usize,
 }
 
@@ -33,7 +33,7 @@ impl Recent {
         self.next = (self.next + 1) % KEPT;
     }
 
-    /// Those kept, in order of time.
+    /// Returns the impacts that are kept, in order of time.
     fn in_order(&self) -> Vec<Impact> {
         let (late, early) = self.impacts.split_at(self.next.min(self.impacts.len())); // exact: an index
         [early, late].concat()
@@ -63,8 +63,8 @@ impl Orbit {
         find_attractor(&impacts, digits, watch, |word, cycles| Problem::new(&self.engine.given.pair, word, cycles).ok())
     }
 
-    /// Whether some periodic orbit with impacts may attract for each member of the data: none does where `e = 1`, nor where nothing moves the
-    /// box. Lemma Q4
+    /// Returns whether some periodic orbit with impacts may attract, for each member of the data: none does if `e = 1`, nor if nothing moves
+    /// the box. Lemma Q4
     fn may_attract(&self) -> bool {
         let pair = &self.engine.given.pair;
         let loses = pair.restitution().compare(&Exact::from(1)) == Some(Ordering::Less);

@@ -1,4 +1,4 @@
-//! Where an orbit begins, and again after each release.
+//! The beginning of an orbit, from its start and again from each release.
 
 use std::cmp::Ordering;
 
@@ -21,8 +21,8 @@ impl Orbit {
     /// Returns the orbit of `pair` from `start`.
     ///
     /// # Errors
-    /// When a value is beyond the range of double-precision flights, or this build has no multiprecision and it is
-    /// requested.
+    /// Returns an error if a value is beyond the range of double-precision flights, or if multiprecision is requested and this build
+    /// has none.
     pub fn new(pair: &ImpactPair, start: &Start, settings: Settings) -> Result<Self, Error> {
         let shown = match settings.arithmetic {
             Arithmetic::Bits(bits) => bits,
@@ -90,7 +90,7 @@ impl Orbit {
         Self::new(scene.pair(), scene.start(), settings.clone()).map_err(|error| scene.located(error, &settings))
     }
 
-    /// What there is to know of a new start.
+    /// Prepares a new start: the ways to raise the precision, and whether no wall is ever hit.
     pub(super) fn look_ahead(&mut self) {
         if self.engine.arithmetic == Arithmetic::Auto && MULTIPRECISION {
             let left = self.asked.settings.impacts.map(|impacts| impacts - self.listed.min(impacts)); // exact: not negative
@@ -111,7 +111,7 @@ impl Cursor {
 }
 
 impl Followed {
-    /// What is known of a state: the origin of what is given, or a box.
+    /// Returns a state that is followed: the origin of `given`, if `is_given`, or a box.
     pub(super) fn new(from: Cursor, is_given: bool, given: &Given, settings: &Settings) -> Self {
         let is_proved = is_given && settings.arithmetic != Arithmetic::Float;
         let still = || given.shaken.still(&given.origin);
@@ -148,7 +148,7 @@ fn shadowed(
     shaken().spliced(splice, left).ok_or_else(|| Splice::refused(spliced))
 }
 
-/// When to stop: not before the start.
+/// Returns the phase at which to stop, not before the start.
 fn until(clock: &Clock, start: &Start, time: &Exact) -> Result<Phase, Error> {
     if time.compare(start.time()) == Some(Ordering::Less) {
         let accepted = format!("must be at least start.time, {}", start.time());

@@ -20,7 +20,7 @@ pub struct Course {
     drift: Ball,
 }
 
-/// Where the ball is at some time, in both frames.
+/// The state of the ball at some time, in both frames.
 ///
 /// **Enclosure**: each coordinate holds that of the true motion. **Units**: time \[time\], length \[length\].
 #[derive(Clone, Debug, PartialEq)]
@@ -109,7 +109,7 @@ impl Orbit {
         self.point((turns, phase), on(wall), Ball::exact(0.0), Forces::Rests)
     }
 
-    /// From forcing periods and gaps to the units of the scene.
+    /// Returns the state in the units of the scene, from forcing periods and gaps.
     fn point(
         &self,
         (turns, phase): (i64, Ball),

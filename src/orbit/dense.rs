@@ -1,4 +1,4 @@
-//! Where the ball is at any time of an orbit that has been followed: dense output.
+//! The state of the ball at any time of an orbit that has been followed: dense output.
 
 use std::cmp::Ordering;
 
@@ -14,7 +14,7 @@ const BITS: u32 = 192;
 /// A phase: whole forcing periods since the clock's origin and the rest.
 pub(super) type Phase = (i64, Ball);
 
-/// What the ball does between two events.
+/// The motion of the ball between two events.
 #[derive(Clone, Copy, Debug)]
 enum Part {
     Flight(Course),
@@ -28,7 +28,7 @@ enum Part {
 /// **Enclosure** (Lemma O1): [`Dense::at`] holds the displacement and the velocity of every motion of the orbit's set at that time.
 #[derive(Debug)]
 pub struct Dense {
-    /// Where each part begins; it ends where the next one begins.
+    /// The phase at which each part begins, and the part, which ends at the beginning of the next one.
     parts: Vec<(Phase, Part)>,
     has_grazed: bool,
     /// The exact start, unless it is another one that is followed.
@@ -40,7 +40,7 @@ pub struct Dense {
 pub type DenseState = [[f64; 2]; 2];
 
 impl Dense {
-    /// For an orbit from `start` that has not gone on yet.
+    /// Returns the record of an orbit from `start` that has not advanced yet.
     pub fn new(orbit: &Orbit, start: &Start) -> Self {
         let (course, turns, phase) = orbit.first_course();
         let start = orbit.shadow().is_none().then(|| start.time().clone());
@@ -53,7 +53,7 @@ impl Dense {
         match event {
             Progress::Impact(impact) => self.impact(orbit, impact),
             Progress::Graze(graze) => {
-                // What follows is told backwards from the next impact.
+                // The flight that follows is determined backwards from the next impact.
                 self.has_grazed = true;
                 self.parts.push((graze.at(), Part::Unknown));
             }
@@ -86,7 +86,7 @@ impl Dense {
     /// Returns bounds of `y` and `y'` at a time of the orbit, which has ended; `None` before its start, after what it lists, and while
     /// infinitely many impacts pass or nothing is proved.
     ///
-    /// Where an impact may come before or after the time, they hold the states of both flights.
+    /// If an impact may come before or after the time, they hold the states of both flights.
     pub fn at(&self, orbit: &Orbit, time: f64) -> Option<DenseState> {
         let (exact, phase) = (Exact::from_f64(time)?, self.dial.phase(time)?);
         let last = self.parts.len() - 1;
@@ -125,7 +125,7 @@ impl Dense {
     }
 }
 
-/// Whether the last part is proved to last up to a time.
+/// Returns whether the last part is proved to last up to a time.
 fn lasts(orbit: &Orbit, time: &Exact) -> bool {
     match orbit.outcome() {
         Some(Outcome::RestsForever(_) | Outcome::NeverImpacts) => true,
@@ -142,7 +142,7 @@ fn between(from: Phase, to: Phase) -> Ball {
     Ball::exact(to.0.saturating_sub(from.0) as f64) + (to.1 - from.1)
 }
 
-/// Whether all of a ball is greater than 0.
+/// Returns whether all of a ball is greater than 0.
 fn is_certain(ball: Ball) -> bool {
     ball.mid() > ball.rad()
 }

@@ -11,7 +11,7 @@ use crate::turns;
 /// The ball has come to rest on a wall.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Rest {
-    /// Where and when it does.
+    /// The wall and the time.
     pub at: Touch,
     /// Infinitely many impacts, each slower than the one before, come between the last one listed and the rest.
     pub is_accumulation: bool,
@@ -54,7 +54,7 @@ impl Progress {
     }
 }
 
-/// Why an orbit ended.
+/// The reason why an orbit ended.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Outcome {
@@ -73,7 +73,7 @@ pub enum Outcome {
     NeverImpacts,
     /// The next impact could not be proved.
     Undecided {
-        /// Why.
+        /// The reason.
         reason: Reason,
         /// The wall concerned, when it is one.
         wall: Option<Wall>,

@@ -1,4 +1,4 @@
-//! What is followed, exactly, and from where: in any arithmetic.
+//! The exact pair and start of the motion that is followed, for any arithmetic.
 
 use std::sync::Arc;
 
@@ -29,16 +29,16 @@ pub(super) struct Given {
 
 /// The motions under the excitation: what follows is compiled for each kind of it.
 pub(super) trait Motions: Shaken {
-    /// In plain doubles.
+    /// Returns the motion in plain doubles.
     fn float(self: Arc<Self>, origin: &Origin<Ball>) -> Box<dyn Motion>;
-    /// In doubles, certified.
+    /// Returns the motion in doubles, certified.
     fn interval(self: Arc<Self>, origin: &Origin<Ball>) -> Box<dyn Motion>;
     /// Near the given one, for as many impacts as are given, and after how many it does not expand, if it does not; `None` where no
     /// chain begins.
     fn shadow(self: Arc<Self>, origin: &Origin<Ball>, impacts: Option<u64>) -> Option<(Box<dyn Motion>, Option<u64>)>;
-    /// The same after what is proved by precision.
+    /// Returns the motion near the given one, after the impacts that are proved in higher precision.
     fn spliced(self: Arc<Self>, splice: Splice, left: Option<u64>) -> Option<Box<dyn Motion>>;
-    /// In as many bits as planned; `None` in a build without multiprecision.
+    /// Returns the motion in the planned bits; `None` in a build without multiprecision.
     fn precise(self: Arc<Self>, origin: &Origin<Exact>, plan: Plan) -> Option<Box<dyn Motion>>;
 }
 

@@ -86,7 +86,7 @@ pub struct Orbit {
     /// The requested start; those near by, one of which has the orbit, of a shadowed one.
     initial: State<Ball>,
     followed: Followed,
-    /// Where the motion is.
+    /// The state after the last impact or graze of the motion.
     cursor: Cursor,
     /// Impacts handed out.
     listed: u64,
@@ -95,7 +95,7 @@ pub struct Orbit {
     outcome: Option<Outcome>,
 }
 
-/// What is requested.
+/// The request.
 #[derive(Debug)]
 struct Requested {
     settings: Settings,
@@ -106,10 +106,10 @@ struct Requested {
     shown: u32,
 }
 
-/// What flies.
+/// The motion and its arithmetic.
 #[derive(Debug)]
 struct Engine {
-    /// What is followed, from the orbit's start or the last release.
+    /// The pair and the start that are followed, from the orbit's start or the last release.
     given: Given,
     pair: Reduced<Ball>,
     motion: Box<dyn Motion>,
@@ -117,13 +117,13 @@ struct Engine {
     arithmetic: Arithmetic,
     /// No interval among the data: more precision makes every enclosure narrower.
     is_point: bool,
-    /// What is left to try when the motion does not suffice.
+    /// The ways to raise the precision if the motion does not suffice.
     raise: Option<Raise>,
     /// The most bits of motions before the last release.
     bits: u32,
     /// No chatter is shorter than the velocity before an impact times this, in forcing periods.
     min_chatter_time_per_speed: f64,
-    /// Nor is it reported before it is as short as this, or ends before the contact force does.
+    /// Greatest duration of chatter that is reported, in forcing periods; `None`: any that ends before the contact force does.
     max_reported_chatter: Option<f64>,
 }
 
@@ -131,13 +131,13 @@ struct Engine {
 #[derive(Clone, Copy, Debug)]
 struct Followed {
     from: Cursor,
-    /// It is [`Given::origin`] itself, and not a box of starts near by, or past a graze.
+    /// True if it is [`Given::origin`] itself, and not a box of starts near by, or past a graze.
     is_given: bool,
     /// No wall is ever hit from there on.
     still: Option<Still>,
 }
 
-/// How far the motion has come.
+/// The state up to which the motion has been followed.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Cursor {
     index: u64,
@@ -269,7 +269,7 @@ impl Orbit {
         event
     }
 
-    /// Whether the last bounce is slow enough to ask whether it is the first of a chatter: most are not.
+    /// Returns whether the last bounce is so slow that it may be the first of a chatter: most are not.
     #[inline]
     fn may_rest(&self) -> bool {
         let Cursor { index, wall: Some(wall), phase, velocity, .. } = self.cursor else { return false };
@@ -309,7 +309,7 @@ impl Orbit {
         self.asked.settings.until.as_ref().filter(|_| self.pending.is_late)
     }
 
-    /// Whether an event certainly comes after the time to stop at: as its bounds say that are listed, `enclosed` its phase
+    /// Returns whether an event certainly comes after the time to stop at: by its listed bounds, `enclosed` being its phase
     /// without the whole forcing periods.
     fn is_past(&self, turns: i64, phase: Ball, enclosed: impl FnOnce() -> Enclosure) -> bool {
         self.asked.until.is_some_and(|until| {
@@ -320,7 +320,7 @@ impl Orbit {
         })
     }
 
-    /// The same by the bounds that are listed, against the exact time to stop at: to twice their bits, where that is irrational.
+    /// Returns whether the listed bounds are past the exact time to stop at: to twice their bits, if that is irrational.
     #[cold]
     fn is_listed_past(&self, turns: i64, phase: &Enclosure) -> bool {
         let until = self.asked.settings.until.as_ref();

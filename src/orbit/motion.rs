@@ -42,7 +42,7 @@ pub(super) trait Motion: std::fmt::Debug + Send {
         None
     }
 
-    /// How narrow the set of flights is: `-log2` of the greatest radius, relative for velocities after an impact.
+    /// Returns the accuracy of the set of flights in bits: `-log2` of the greatest radius, relative for velocities after an impact.
     fn accuracy(&self) -> f64;
 
     /// Goes past a contact that may be a graze, into the gap, if that is proved; `None` leaves all as it was.
@@ -104,7 +104,7 @@ pub(super) struct IntervalMotion<S: Flying> {
     /// Whole turns of the last contact.
     turns: i64,
     states: States<StateSet, Ball>,
-    /// At the start of the next flight, where they are known better than by the phase.
+    /// Sines and cosines at the start of the next flight, where they are known better than by the phase.
     waves: Option<S::Waves<Ball>>,
 }
 
@@ -122,7 +122,7 @@ impl<S: Flying> IntervalMotion<S> {
         Self { shaken, turns, states, waves }
     }
 
-    /// From a wall: **equations** (15), (A.1)-(A.7) over the set.
+    /// Returns the contacts of flights from a wall, and the set after them: **equations** (15), (A.1)-(A.7) over the set.
     #[inline(always)]
     fn step(&self, wall: Wall, set: &StateSet, is_release: bool) -> Result<(Contact<Ball>, StateSet), Undecided> {
         let (phase, before) = (set.phase_ball(), set.velocity_ball());
@@ -131,7 +131,7 @@ impl<S: Flying> IntervalMotion<S> {
         Ok((image.all, set.image(&image, &jacobian.jacobian())))
     }
 
-    /// From inside the gap: the enclosure of all first contacts is the new set.
+    /// Returns the contacts of flights from inside the gap, and the set after them: the enclosure of all first contacts.
     #[cold]
     fn first(&self, height: Ball, phase: Ball, velocity: Ball) -> Result<(Contact<Ball>, StateSet), Undecided> {
         let all = Launch::from_inside(height, self.turns, phase, velocity);

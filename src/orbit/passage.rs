@@ -56,7 +56,7 @@ impl Orbit {
         self.passage(self.engine.pair.restitution, from, to).map(Sheared::jacobian)
     }
 
-    /// The same in two parts, from an impact or from the requested start; at inside starts only the column of the velocity is meant.
+    /// Returns the Jacobian in two parts, from an impact or from the requested start; for a start inside the gap only the velocity's column is meant.
     pub(super) fn sheared(&self, from: Option<&Impact>, to: &Impact) -> Option<Sheared<Ball>> {
         if let Some(from) = from {
             return self.passage(self.engine.pair.restitution, from, to);
@@ -69,7 +69,7 @@ impl Orbit {
         self.passage(restitution, &start, to)
     }
 
-    /// What (A.7) says of a flight between two states.
+    /// Returns the Jacobian (A.7) of a flight between two states.
     fn passage(&self, restitution: Ball, from: &Impact, to: &Impact) -> Option<Sheared<Ball>> {
         let accelerations =
             [from, to].map(|impact| self.engine.given.shaken.displacement(impact.turns, impact.phase)[2]);
@@ -83,7 +83,7 @@ impl Orbit {
         wall.map(|wall| Impact { index: 0, mapping: None, wall, turns, phase, velocity, precise: None })
     }
 
-    /// Whether all that starts near a motion that comes to this rest comes to it as well. Lemma L3
+    /// Returns whether all motions that start near one that comes to this rest come to it as well. Lemma L3
     pub(crate) fn forgets(&self, rest: &Rest) -> bool {
         let is_edge = self.engine.given.shaken.may_be_loose(rest.at.wall, rest.at.turns, &rest.at.phase);
         // Lemma L3: without loss neighbours bounce for ever.

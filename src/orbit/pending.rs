@@ -18,14 +18,14 @@ use crate::pair::{Inward, Wall};
 use crate::shaken::{Origin, Released, Still};
 use crate::turns;
 
-/// What there is to look after but flights.
+/// State of an orbit apart from flights: rests, releases, repetitions, and the end of the list.
 #[derive(Debug, Default)]
 pub(super) struct Pending {
     /// There has been a rest, or a wall is never hit: the rest of this is to be looked at.
     pub is_expected: bool,
     /// The ball rests.
     pub resting: Option<Resting>,
-    /// Of a motion that hits no wall: grazes so far.
+    /// Number of grazes so far, of a motion that hits no wall.
     pub grazes: u64,
     pub recurrence: Recurrence,
     /// All that was requested is listed: whether an attractor is proved is still to be asked.
@@ -34,11 +34,11 @@ pub(super) struct Pending {
     pub is_late: bool,
     /// The last impacts handed out.
     pub recent: Recent,
-    /// Whose orbit it is, if it is a shadowed one.
+    /// The starts one of which has the orbit, if it is a shadowed one.
     pub near: Option<Near>,
 }
 
-/// What becomes of a ball that rests.
+/// The end of a rest.
 #[derive(Debug)]
 pub(super) enum Resting {
     ForEver,
@@ -48,7 +48,7 @@ pub(super) enum Resting {
 }
 
 impl Orbit {
-    /// What comes of a motion that has rested, or never hits a wall; `None` when the next flight is due.
+    /// Returns the next event of a motion that has rested, or never hits a wall; `None` when the next flight is due.
     #[cold]
     pub(super) fn pending(&mut self) -> Option<Progress> {
         if self.pending.reached.is_some() {
@@ -155,7 +155,8 @@ impl Orbit {
         Some(self.hand_out(Progress::Rest(Rest { at, is_accumulation: time > 0.0 })))
     }
 
-    /// Whether infinitely many impacts follow of each member: none stays on its wall at once, by `e = 0` or a start without velocity. Lemma Z1
+    /// Returns whether infinitely many impacts follow for each member: none stays on its wall at once, by `e = 0` or a start without
+    /// velocity. Lemma Z1
     fn bounces(&self) -> bool {
         let is_impact = self.cursor.index > self.followed.from.index;
         let moves = |velocity: Ball| velocity.certain_sign().is_some_and(Ordering::is_ne);

@@ -1,6 +1,6 @@
-//! How many bits each impact of an orbit gets.
+//! The number of bits for each impact of an orbit.
 //!
-//! Chaos eats bits: an error made at impact `i` is `2^(g_k - g_i)` times as large at impact `k`, `g` the logarithm of
+//! Chaos costs bits: an error made at impact `i` is `2^(g_k - g_i)` times as large at impact `k`, `g` the logarithm of
 //! the length of a tangent vector that the Jacobians (A.7) carry along. A floating-point run finds how much that is. It
 //! leaves the true orbit after a hundred impacts of a chaotic one, but a neighbour's growth differs from the true one
 //! as sums of weakly dependent numbers do: by a few times the root of the number of impacts left. So impact `i` gets
@@ -28,7 +28,7 @@ const BLOCK: usize = 32;
 /// The bits of each impact.
 #[derive(Clone, Debug)]
 pub struct Plan {
-    /// What the rest of the orbit eats after impact `i`, by the floating-point run; nothing beyond its end.
+    /// Bits lost after impact `i` in the rest of the orbit, by the floating-point run; 0 beyond its end.
     rest: Arc<[f32]>,
     /// Impacts it looks ahead; the floating-point run may have ended before.
     horizon: u64,
@@ -46,9 +46,9 @@ impl Plan {
         Self { rest: Arc::default(), horizon: u64::MAX, last: f64::from(bits), deviation: 0.0, most: bits }
     }
 
-    /// What the first `horizon` impacts of `run` need for relative widths of `2^-asked`; at most `most` bits.
+    /// Returns the bits that the first `horizon` impacts of `run` need for relative widths of `2^-asked`; at most `most` bits.
     ///
-    /// The run tells the bits that each impact eats.
+    /// The run yields the bits that each impact loses.
     pub(super) fn new(run: impl Iterator<Item = f64>, horizon: u64, asked: f64, most: u32) -> Self {
         let mut sum = 0.0;
         let total = |grown| {
@@ -76,7 +76,7 @@ impl Plan {
         (bits as u32).clamp(LEAST_BITS.min(self.most), self.most)
     }
 
-    /// How many impacts it looks ahead.
+    /// Returns the number of impacts that the plan covers.
     pub(super) fn horizon(&self) -> u64 {
         self.horizon
     }
@@ -101,7 +101,7 @@ fn deviation(growth: &[f32]) -> f64 {
     (square / BLOCK as f64).sqrt()
 }
 
-/// A floating-point run that carries a tangent vector along: how many bits each impact eats.
+/// A floating-point run that carries a tangent vector along, and so yields the bits that each impact loses.
 #[derive(Debug)]
 pub(super) struct Growth {
     shaken: Arc<dyn Motions>,
@@ -109,7 +109,7 @@ pub(super) struct Growth {
     turns: i64,
     /// Velocity before the last impact, and the acceleration there; `None` inside the gap.
     last: Option<(f64, f64)>,
-    /// In forcing periods, and in units of the scale.
+    /// Tangent vector: phase in forcing periods, velocity in units of the scale.
     tangent: [f64; 2],
     scale: f64,
 }
@@ -125,7 +125,7 @@ impl Growth {
         Some(Self { shaken, run, turns, last, tangent: [1.0, 1.0], scale })
     }
 
-    /// Goes on to the next impact: the bits it eats, and the forcing periods that passed.
+    /// Goes on to the next impact. Returns the bits that it loses, and the forcing periods that passed.
     pub fn next_impact(&mut self) -> Option<(f64, f64)> {
         let contact = self.run.next_contact().ok()?;
         self.turns = turns::after(self.turns, contact.turns)?;

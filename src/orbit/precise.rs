@@ -35,7 +35,7 @@ pub(super) fn motion<S: Flying>(shaken: Arc<S>, origin: &Origin<Exact>, plan: Pl
 #[derive(Debug)]
 pub(super) struct PreciseMotion<S: Flying> {
     shaken: Arc<S>,
-    /// In as many bits as the first impact gets.
+    /// The parameters, in the bits of the first impact.
     parameters: S::In<MpBall>,
     plan: Plan,
     /// Impacts so far.
@@ -45,7 +45,7 @@ pub(super) struct PreciseMotion<S: Flying> {
     states: States<PreciseSet, MpBall>,
     /// Its phases and velocities in doubles, where they are known.
     doubles: Option<[Ball; 2]>,
-    /// At the start of the next flight, of the centre, where they are known.
+    /// Sines and cosines at the start of the next flight from the centre, where they are known.
     waves: Option<S::Waves<MpBall>>,
 }
 
@@ -54,7 +54,7 @@ pub(super) struct PreciseMotion<S: Flying> {
 pub(super) struct PreciseSet {
     pub phase: Float,
     pub velocity: Float,
-    /// In units of `2^unit`.
+    /// The parallelogram around the centre, in units of `2^unit`.
     pub shape: Shape,
     pub unit: i64,
 }
@@ -122,7 +122,7 @@ fn bits_for(plan: &Plan, set: &PreciseSet, index: u64) -> u32 {
     }
 }
 
-/// What a step leads to: the contacts in doubles, the set after it, and what is known at its centre.
+/// The result of a step: the contacts in doubles, the set after it, and the sines and cosines at its centre, if known.
 type Arrived<W> = (Contact<Ball>, PreciseSet, Option<W>);
 
 impl<S: Flying> PreciseMotion<S> {
@@ -146,7 +146,7 @@ impl<S: Flying> PreciseMotion<S> {
         Self { shaken, parameters, plan, index: 0, turns: origin.state.turns, states, doubles: None, waves }
     }
 
-    /// From a wall: **equations** (15), (A.1)-(A.7) over the set.
+    /// Returns the contacts of flights from a wall, and the set after them: **equations** (15), (A.1)-(A.7) over the set.
     fn step(&self, wall: Wall, set: &PreciseSet, is_release: bool) -> Result<Arrived<S::Waves<MpBall>>, Undecided> {
         let [bits, next_bits] = [self.index, self.index + 1].map(|index| bits_for(&self.plan, set, index));
         let parameters = self.shaken.rounded(&self.parameters, bits);
@@ -170,7 +170,7 @@ impl<S: Flying> PreciseMotion<S> {
         Ok((contact, PreciseSet { phase, velocity: velocity.mid().clone(), shape, unit }, waves))
     }
 
-    /// From inside the gap: the enclosure of all first contacts is the new set.
+    /// Returns the contacts of flights from inside the gap, and the set after them: the enclosure of all first contacts.
     fn first(
         &self,
         height: &MpBall,
@@ -237,7 +237,7 @@ impl<S: Flying> Motion for PreciseMotion<S> {
 }
 
 impl<S: Flying> PreciseMotion<S> {
-    /// How all states fly on.
+    /// Returns the flights of all states to the next contact.
     fn launch(&self) -> Launch<MpBall> {
         match &self.states {
             States::Wall { wall, set, is_release } => {

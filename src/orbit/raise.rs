@@ -1,6 +1,6 @@
-//! What `auto` does when the motion falls short: the same orbit again from its start, in more precision.
+//! The restart of `auto` if the motion does not suffice: the same orbit again from its start, in more precision.
 //!
-//! Exact data are as exact in every precision, so a chaotic orbit has to start anew with the bits that it eats.
+//! Exact data are as exact in every precision, so a chaotic orbit has to start anew with the bits that it loses later.
 
 // Labels: proposes throughout.
 
@@ -26,17 +26,18 @@ const FARTHEST: u64 = 1 << 22;
 pub(super) struct Raise {
     given: Given,
     impacts: Option<u64>,
-    /// How long the orbit is to last, in forcing periods.
+    /// Requested length of the orbit, in forcing periods.
     turns: f64,
     /// Bits of the requested width.
     asked: f64,
     most: u32,
-    /// How narrow a flight can become in any precision: as narrow as the excitation is given.
+    /// Greatest accuracy of a flight in any precision, in bits: that of the excitation's data.
     finest: f64,
     /// Bits that are left for decisions.
     verdict_bits: f64,
     plan: Option<Plan>,
-    /// Where it fell short before, in width or else in a verdict, and how narrow the set was there.
+    /// The last failure in multiprecision: the impact before it, whether the width or else a decision was missing, and the accuracy of
+    /// the set there, in bits.
     before: Option<(u64, bool, f64)>,
 }
 
@@ -67,7 +68,7 @@ impl Raise {
             Some(plan) if index >= plan.horizon() => self.look_ahead(index)?,
             Some(mut plan) => {
                 let missing = match shortfall {
-                    // Where some are missing here, more may be farther on.
+                    // Further bits may be missing later.
                     Shortfall::Width(bits) => 2.0 * bits,
                     // A decision near a graze takes twice the digits; a state that is exact has no end of them.
                     Shortfall::Verdict => {

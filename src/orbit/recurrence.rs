@@ -8,12 +8,12 @@ use crate::shaken::Released;
 /// Events that are kept to be repeated; longer periods are computed anew each time.
 const KEPT: usize = 1 << 16;
 
-/// What has happened since the first release from a wall.
+/// The events since the first release from a wall.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Recurrence {
     /// The first release of each kind, the impacts listed before it, and the events kept up to it.
     first: Vec<(Released, u64, usize)>,
-    /// Since the first release from any wall.
+    /// Events since the first release from any wall.
     events: Vec<Progress>,
     period: Option<Period>,
     /// The next event to repeat, and how many periods after it was computed.

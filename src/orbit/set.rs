@@ -24,7 +24,7 @@ pub struct Shape {
     pub(super) scale: f64,
 }
 
-/// What the image of a centre may be off by (Lemma S4).
+/// The error of the image of a centre (Lemma S4).
 #[derive(Clone, Copy, Debug)]
 pub struct Noise {
     /// of the phase

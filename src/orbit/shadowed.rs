@@ -1,6 +1,6 @@
 //! An orbit near the given one, for any number of chaotic impacts: a chain of nodes, and where nothing expands the set from its last one.
 //!
-//! What is proved of all orbits from a box that holds the last node is true of the chain's orbit: Lemma F5 of
+//! Statements proved of all orbits from a box that holds the last node are true of the chain's orbit: Lemma F5 of
 //! `docs/proofs/covering.md#F5`. The state at a release no longer depends on the start: from there on the orbit is followed in exact data.
 
 use std::sync::Arc;
@@ -37,7 +37,7 @@ pub(super) struct ShadowMotion<S: Flying, B> {
     /// The last node handed out; its forcing periods and phase, or those of the starts.
     last: Option<Node>,
     at: (i64, Ball),
-    /// What goes on after the last node.
+    /// The motion after the last node.
     set: Option<IntervalMotion<S>>,
 }
 
@@ -48,12 +48,14 @@ pub struct Shadowing {
     pub time: Enclosure,
     /// **Enclosure**: and its velocity \[length/time\]; one of the two is the scene's.
     pub velocity: Enclosure,
-    /// How far impacts are at most from the middles of their enclosures, in forcing periods: half of them, and all; `None` without impacts.
+    /// Bounds of the distances of impacts from the middles of their enclosures, in forcing periods: of half of them, and of all; `None`
+    /// without impacts.
     pub nearness: Option<[f64; 2]>,
 }
 
 impl Orbit {
-    /// Whether sets from the exact start decide a motion that does not expand: then its orbit is followed, which says more.
+    /// Returns whether sets from the exact start decide a motion that does not expand: then its orbit is followed, since it gives stronger
+    /// claims.
     pub(super) fn is_regular(pair: &ImpactPair, start: &Start, settings: &Settings, impacts: u64) -> bool {
         let impacts = settings.impacts.map_or(impacts, |asked| asked.min(impacts)); // proposes: what to claim
         let until = settings.until.clone();
@@ -202,7 +204,7 @@ impl<S: Flying, B: Beginning<S>> Motion for ShadowMotion<S, B> {
     }
 }
 
-/// How near impacts are proved to be to where they are listed: radii of phases in forcing periods, counted by their size.
+/// Distances within which impacts are proved to lie from their listed values: radii of phases in forcing periods, counted by their size.
 #[derive(Debug)]
 pub(super) struct Nearness {
     counts: Vec<u64>,

@@ -1,4 +1,4 @@
-//! What happens when the motion does not suffice: more precision, a graze passed, or an honest end.
+//! The treatment of a motion that does not suffice: more precision, a graze passed, or an undecided end.
 
 use super::event::{Outcome, Progress};
 use super::{Arithmetic, Cursor, Orbit};
@@ -13,7 +13,7 @@ use crate::turns;
 /// Bits that `auto` takes to tell a graze from a near one: at `2^-4000` of the gap both are called a graze.
 const GRAZE_BITS: u32 = 4096;
 
-/// What a motion falls short of.
+/// The quantity that a motion lacks.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Shortfall {
     /// Bits of the requested width.
@@ -23,7 +23,7 @@ pub(super) enum Shortfall {
 }
 
 impl Orbit {
-    /// How many bits a contact is wider than requested; not positive if it is not.
+    /// Returns the number of bits by which a contact is wider than requested; not positive if it is not wider.
     #[inline]
     pub(super) fn excess(&self, turns: i64, contact: &Contact<Ball>) -> f64 {
         let [time, velocity] = self.asked.widths;
@@ -34,7 +34,7 @@ impl Orbit {
         self.excess_below_doubles(turns, contact)
     }
 
-    /// The same where doubles are too coarse to say.
+    /// Returns the number of bits by which a contact is wider than requested, where doubles are too coarse to decide.
     #[cold]
     fn excess_below_doubles(&self, turns: i64, contact: &Contact<Ball>) -> f64 {
         let [time, velocity] = self.asked.widths;
@@ -60,7 +60,7 @@ impl Orbit {
     /// The motion cannot go on: in more precision, or not at all.
     #[cold]
     pub(super) fn give_up(&mut self, undecided: Undecided) -> Progress {
-        // What the precision does not distinguish is called a graze; both continuations are then followed as one set.
+        // A contact that the precision does not distinguish from a graze is called a graze; both continuations are then followed as one set.
         let may_graze = undecided.reason == Reason::Graze && self.cursor.index == self.listed;
         let deep = self.engine.arithmetic != Arithmetic::Auto || self.engine.motion.bits() >= GRAZE_BITS;
         if may_graze

@@ -42,7 +42,7 @@ pub(super) struct Splice {
     curve: Option<(Flown, StartBounds)>,
 }
 
-/// What is proved of the first impacts of some starts.
+/// The proved first impacts of some starts.
 #[derive(Clone, Debug)]
 struct Flown {
     impacts: Vec<Impact>,
@@ -52,10 +52,10 @@ struct Flown {
 }
 
 impl Splice {
-    /// Of the orbit of `pair` from `start`, and N impacts.
+    /// Proves the first `impacts` impacts of the orbit of `pair` from `start`.
     ///
     /// # Errors
-    /// When these are not all proved.
+    /// Returns an error if these impacts are not all proved.
     pub fn new(
         (pair, start, clock): (&ImpactPair, &Start, &Clock),
         (reduced, initial): (&Reduced<Ball>, State<Ball>),

@@ -2,7 +2,7 @@
 //!
 //! Flights are solved by [`crate::contact::textbook`]. The set of states is a box: its image is that of the centre and
 //! the Jacobian (A.7) over the box times the box around the centre (Lemma S1), cut with the contacts of the whole box. A
-//! box is wrapped in another at each impact; [`super::set`] forcing periods its axes instead.
+//! box is wrapped in another at each impact; [`super::set`] rotates its axes instead.
 
 use std::convert::Infallible;
 
@@ -25,7 +25,7 @@ pub(super) struct TextbookMotion {
     state: State<Interval>,
 }
 
-/// The same states in another arithmetic.
+/// Returns the states in another arithmetic.
 fn states<N: Copy, M>(state: &State<N>, f: impl Fn(N) -> M) -> State<M> {
     state.map(|_, &x| Ok::<_, Infallible>(f(x))).unwrap_or_else(|none| match none {})
 }

@@ -1,4 +1,4 @@
-//! From the last impacts of a motion to the periodic orbit that it is proved to converge to: Lemma Q3.
+//! The periodic orbit that a motion is proved to converge to, from its last impacts: Lemma Q3.
 
 use super::krawczyk::is_inside;
 use super::{Basin, Finding, PeriodicOrbit, Precision, Problem, Stability};
@@ -12,7 +12,7 @@ use crate::watch::Watch;
 pub struct Attractor {
     /// The word of the period.
     pub word: Word,
-    /// How many cycles of the excitation it takes.
+    /// Number of forcing periods that it takes.
     pub cycles: u32,
     /// The orbit.
     pub orbit: PeriodicOrbit,
@@ -24,14 +24,15 @@ pub struct Attractor {
 
 /// The longest period that is looked for, in impacts.
 pub(crate) const LONGEST: usize = 128;
-/// States this near, relative to their size, make a guess, and N guesses are tried: nothing rests on either.
+/// Relative distances of states within which they make a guess, at the end and before it, and the number of guesses that are tried:
+/// nothing rests on them.
 const NEAR: f64 = 0.02;
 const NEAR_BEFORE: f64 = 0.2;
 const TRIED: usize = 8;
-/// A period is tried from N of its impacts: in doubles the contraction is seen from some and not from others.
+/// Number of its impacts from which a period is tried: in doubles the contraction is seen from some and not from others.
 const ENDS: usize = 32;
-/// Where a motion repeats this nearly, the orbit itself may be found from some of them only: of a narrow window doubles distinguish it hardly from
-/// the unstable one beside it.
+/// Distance of repeating states below which the orbit itself may be found from some of them only: in doubles the orbit of a narrow window
+/// can hardly be distinguished from the unstable one beside it.
 const SETTLED: f64 = 1e-9;
 /// Bits that its orbit is enclosed in at most, and digits that its basin is looked for with.
 const BITS: u32 = 1024;
@@ -44,10 +45,10 @@ struct Guess<'s> {
     cycles: u32,
 }
 
-/// Of a stable orbit of a period that contracts areas the trace is smaller.
+/// A bound of the trace of a stable orbit of a period that contracts areas.
 const MOST_TRACE: f64 = 2.0;
 
-/// Why an orbit is not proved to attract a motion.
+/// The reason why an orbit is not proved to attract a motion.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Open {
     /// The ball has no such orbit, or it is unstable.
@@ -79,7 +80,7 @@ impl Impact {
         (self.turns - before.turns) as f64 + (self.phase.mid() - before.phase.mid()) // proposes
     }
 
-    /// How far two states on one wall differ, in forcing periods less whole ones and in parts of the velocities.
+    /// Distance of two states on one wall: of the phases, in forcing periods less whole ones, plus that of the velocities relative to their sizes.
     fn apart(&self, before: &Self) -> Option<f64> {
         let since = self.since(before);
         let (now, then) = (self.velocity.mid(), before.velocity.mid());
@@ -89,7 +90,7 @@ impl Impact {
 }
 
 impl<'s> Guess<'s> {
-    /// The same, told from earlier impacts of the period as well.
+    /// The same, from earlier impacts of the period on as well.
     fn ends(&self) -> impl Iterator<Item = Guess<'s>> {
         let Self { all, impacts, cycles } = *self;
         let earliest = impacts.min(all.len() - impacts); // proposes: a period before each
@@ -97,7 +98,7 @@ impl<'s> Guess<'s> {
         ends.map(move |earlier| Guess { all: &all[..all.len() - earlier], impacts, cycles })
     }
 
-    /// Whether the motion repeats as nearly as one that is settled.
+    /// Returns whether the motion repeats as nearly as one that is settled.
     fn is_settled(&self) -> bool {
         let last = self.all.len() - 1;
         self.all[last].apart(&self.all[last - self.impacts]).is_some_and(|apart| apart < SETTLED)
@@ -155,7 +156,7 @@ pub(crate) fn find(
 }
 
 impl Finding<Ball> {
-    /// Whether the orbit is unstable or virtual, or likely to be one of the many unstable ones that chaos comes near.
+    /// Returns whether the orbit is unstable or virtual, or likely to be one of the many unstable ones that chaos comes near.
     fn is_refused(&self) -> bool {
         // proposes: chaos near an orbit whose trace is beyond what a stable one has is not asked again
         let is_wild = self.stability == Stability::Undecided && self.trace.mid().abs() >= MOST_TRACE;
@@ -163,7 +164,7 @@ impl Finding<Ball> {
     }
 }
 
-/// Whether an orbit is proved to be stable, admissible, and run through once.
+/// Returns `Ok` if an orbit is proved to be stable, admissible, and run through once.
 fn is_attracting(orbit: &PeriodicOrbit) -> Result<(), Open> {
     match (orbit.stability, orbit.physical, orbit.repeats) {
         (Stability::Stable, Some(true), Some(1)) => Ok(()),
@@ -181,7 +182,7 @@ impl Problem {
             return Err(Open::Never);
         }
         let guess = self.polished(guess).ok_or(Open::Never)?;
-        // What doubles refute is not asked in more bits.
+        // A guess that doubles refute is not tried in more bits.
         if self.prove_in_doubles(&guess).is_some_and(|finding| finding.is_refused()) {
             return Err(Open::Never);
         }

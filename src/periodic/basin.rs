@@ -38,7 +38,7 @@ pub struct Basin {
 type Matrix = [[Ball; 2]; 2];
 type Axes = [[f64; 2]; 2];
 
-/// What is followed of an orbit: a number of impacts, after which it is what it was, or its mirror image.
+/// The part of an orbit that is followed: a number of impacts, after which it is what it was, or its mirror image.
 #[derive(Clone, Copy)]
 struct Round {
     impacts: usize,
@@ -47,7 +47,7 @@ struct Round {
 /// Two vectors of phase and velocity.
 type Basis = [[f64; 2]; 2];
 
-/// The radii tried, each half of the one before, in forcing periods; the second axis N times shorter.
+/// The largest radius tried, in forcing periods, the number of its halvings, and the parts of it that the second axis is long.
 const LARGEST: f64 = 0.125;
 const HALVINGS: usize = 44;
 const SHORTER: [f64; 3] = [1.0, 0.125, 0.015_625];

@@ -8,7 +8,7 @@ use crate::contact::Reason;
 pub struct Region {
     /// The impacts that an orbit there would have; velocities that are unknown are bounded.
     pub impacts: Vec<PeriodicImpact>,
-    /// Why.
+    /// The reason why it is undecided.
     pub reason: Reason,
 }
 
@@ -17,15 +17,16 @@ pub struct Region {
 pub struct Census {
     /// Each once, in the order of their first phases.
     pub orbits: Vec<PeriodicOrbit>,
-    /// Whether it is proved that the word has no other admissible orbit in the whole state space (Lemma T9), apart from motions with sticking (Lemma T12).
+    /// `true` if it is proved that the word has no other admissible orbit in the whole state space (Lemma T9), apart from motions with
+    /// sticking (Lemma T12).
     pub exhaustive: bool,
-    /// Where else orbits may be, if all of them were requested.
+    /// The other parts of the state space where orbits may be, if all of them were requested.
     pub undecided: Vec<Region>,
-    /// Whether all of them were requested.
+    /// `true` if all of them were requested.
     pub is_search: bool,
     /// Proved: orbits come in a family, none of them isolated (Lemma T11), which is listed as undecided.
     pub is_family: bool,
-    /// Whether the search was interrupted.
+    /// `true` if the search was interrupted.
     pub interrupted: bool,
 }
 

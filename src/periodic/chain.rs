@@ -1,8 +1,8 @@
 //! The equations of a closed chain of impacts, one unknown for each: its phase.
 //!
-//! The flights' equations (A.2), (A.4), (A.6) are solved for the drift, (A.1), (A.3), (A.5) for the velocities; the
+//! The flights' equations (A.2), (A.4), (A.6) are solved for the drift, (A.1), (A.3), (A.5) for the velocities;
 //! Newton's impact law (15) at each wall is the equation that is left (Lemma T1). Everything is generic in the number, so that
-//! Floating point finds, balls prove, and whatever else is a [`Wave`](crate::number::Wave) (a jet in a parameter, say) goes
+//! floating point finds, balls prove, and whatever else is a [`Wave`](crate::number::Wave) (a jet in a parameter, say) goes
 //! through the same lines; and in the excitation ([`Shaking`]).
 
 use super::entries::Entries;
@@ -55,7 +55,7 @@ impl Chain {
     /// Returns the chain of a word that closes after `cycles` cycles of one harmonic.
     ///
     /// # Errors
-    /// When the word does not end on the wall it starts from, or `cycles` is not in 1 to [`MOST_CYCLES`].
+    /// If the word does not end on the wall it starts from, or `cycles` is not in 1 to [`MOST_CYCLES`].
     pub fn new(word: &Word, cycles: u32) -> Result<Self, Error> {
         Self::under(Repetition::TURN, word, cycles)
     }
@@ -63,8 +63,7 @@ impl Chain {
     /// Returns the chain of a word that closes after `cycles` turns of the fastest harmonic.
     ///
     /// # Errors
-    /// When the word does not end on the wall it starts from, or `cycles` is not in 1 to [`MOST_CYCLES`] or no multiple
-    /// of the common period.
+    /// If the word does not end on the wall it starts from, or `cycles` is not in 1 to [`MOST_CYCLES`] or no multiple of the common period.
     pub fn under(repetition: Repetition, word: &Word, cycles: u32) -> Result<Self, Error> {
         if !word.is_closed() {
             return Err(open(word));

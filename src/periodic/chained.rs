@@ -16,7 +16,7 @@ pub(super) use precise::ChainedPrecisely;
 /// An impact of a floating-point motion: wall, phase in forcing periods, velocity before.
 pub(super) type FloatImpact = (Wall, f64, f64);
 
-/// What an arithmetic knows of the box at a time.
+/// The state of the box at a time, in an arithmetic.
 pub(super) type Moment<S, N> = <<S as Parameters>::In<N> as Shaking<N>>::Moment;
 
 /// The first contact of all flights that start in a box, and what the Jacobian (A.7) over it needs.
@@ -37,7 +37,7 @@ pub(super) struct Rate {
     pub own: Option<[Ball; 2]>,
 }
 
-/// What proofs of chains need of a pair.
+/// The operations on a pair that proofs of its chains need.
 pub(super) trait Chained: Flying + ChainedPrecisely {
     /// The box's greatest speed in gap widths per forcing period, about.
     fn speed(&self) -> f64 {
@@ -65,7 +65,7 @@ pub(super) trait Chained: Flying + ChainedPrecisely {
         Some(Step { wall: contact.wall, time: contact.time, velocity: contact.velocity, accelerations })
     }
 
-    /// Whether each flight is proved to end at its first contact. Lemma T5
+    /// Returns whether each flight is proved to end at its first contact; `None` if undecided. Lemma T5
     fn is_physical(&self, chain: &Chain, phases: &[Ball], legs: &Legs<Ball, Moment<Self, Ball>>) -> Option<bool>;
 }
 

@@ -19,7 +19,7 @@ const MOTIONS: usize = 48;
 const SPREAD: usize = 600;
 /// Steps to the root that a sequence is made of: each gains a bit at least.
 const ROOT_STEPS: u32 = 40;
-/// The best window of N impacts is a guess.
+/// Number of successive windows of a motion of which the best is a guess.
 const BLOCK: usize = 100;
 
 /// Phases near those of orbits of the chain; the first ones come from the motion of `start`.

@@ -1,4 +1,4 @@
-//! Which chains are one orbit: shifted by impacts, by whole common periods, or mirrored. Lemma T6
+//! Chains that are one orbit: shifted by impacts, by whole common periods, or mirrored. Lemma T6
 
 use std::cmp::Ordering;
 
@@ -7,7 +7,7 @@ use super::krawczyk::{Proved, is_inside};
 use crate::number::{Ball, Enclosing};
 use crate::pair::Wall;
 
-/// The same motion measured from another impact on, or of the mirrored ball.
+/// The same motion counted from another impact on, or of the mirrored ball.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct View {
     /// Impacts later.
@@ -54,7 +54,7 @@ impl View {
     }
 }
 
-/// Whether an orbit is one of those known.
+/// The verdict on whether an orbit is one of those known.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Identity {
     /// It is proved to be none of them.
@@ -66,7 +66,7 @@ pub(crate) enum Identity {
 }
 
 impl Identity {
-    /// From the verdicts on each of them.
+    /// Returns the verdict that those on each of them give.
     pub fn of(verdicts: impl Iterator<Item = Option<bool>>) -> Self {
         match any(verdicts) {
             Some(false) => Self::New,
@@ -76,17 +76,17 @@ impl Identity {
     }
 }
 
-/// Whether `one` is the orbit `other`, measured from whichever impact.
+/// Returns whether `one` is the orbit `other`, from whichever impact on; `None` if undecided.
 pub(super) fn is_one_orbit<N: Enclosing>(chain: &Chain, one: &Proved<N>, other: &Proved<N>) -> Option<bool> {
     any(View::of(chain, false).map(|view| view.is_same(chain, one, other)))
 }
 
-/// Whether `one` is the orbit `other` or its mirror image, measured from whichever impact.
+/// Returns whether `one` is the orbit `other` or its mirror image, from whichever impact on; `None` if undecided.
 pub(super) fn is_one_reduced<N: Enclosing>(chain: &Chain, one: &Proved<N>, other: &Proved<N>) -> Option<bool> {
     any(views(chain).map(|view| view.is_same(chain, one, other)))
 }
 
-/// After how many impacts an orbit is first what it was, or its mirror image.
+/// Returns the least number of impacts after which an orbit is what it was, or its mirror image; `None` if undecided.
 pub(super) fn reduced_impacts<N: Enclosing>(chain: &Chain, orbit: &Proved<N>) -> Option<usize> {
     let mut views: Vec<View> = views(chain).filter(|view| view.shift > 0).collect();
     views.sort_by_key(|view| view.shift);
@@ -103,7 +103,7 @@ fn views(chain: &Chain) -> impl Iterator<Item = View> {
     View::of(chain, false).chain(View::of(chain, true))
 }
 
-/// Whether the orbit is its own mirror image.
+/// Returns whether the orbit is its own mirror image; `None` if undecided.
 pub(super) fn is_symmetric<N: Enclosing>(chain: &Chain, orbit: &Proved<N>) -> Option<bool> {
     if !chain.is_mirror_decided() {
         return None; // T6: it may be for the parameters of which a harmonic vanishes
@@ -111,7 +111,7 @@ pub(super) fn is_symmetric<N: Enclosing>(chain: &Chain, orbit: &Proved<N>) -> Op
     any(View::of(chain, true).map(|view| view.is_same(chain, orbit, orbit)))
 }
 
-/// How often the chain runs through a shorter orbit: 1 when it does not.
+/// Returns the number of times that the chain runs through a shorter orbit: 1 when it does not; `None` if undecided.
 pub(super) fn repeats<N: Enclosing>(chain: &Chain, orbit: &Proved<N>) -> Option<usize> {
     for view in View::of(chain, false).skip(1) {
         if view.is_same(chain, orbit, orbit)? {
@@ -121,7 +121,7 @@ pub(super) fn repeats<N: Enclosing>(chain: &Chain, orbit: &Proved<N>) -> Option<
     Some(1)
 }
 
-/// Whether one of them is true: three-valued.
+/// Returns whether one of them is true; `None` if undecided.
 fn any(mut verdicts: impl Iterator<Item = Option<bool>>) -> Option<bool> {
     let mut all = Some(false);
     verdicts

@@ -6,7 +6,7 @@ use super::entries::Entries;
 use super::precondition::Preconditioner;
 use crate::number::{Ball, Enclosing, Number};
 
-/// As many equations as unknowns, `F(x) = 0`.
+/// A system of as many equations as unknowns, `F(x) = 0`.
 pub trait Equations<N> {
     /// `F(x)`; `None` where it may not be defined.
     fn values(&self, x: &[N]) -> Option<Vec<N>>;
@@ -28,18 +28,18 @@ pub struct Proved<N> {
 pub struct Effort {
     /// The radius of the largest domain that is tried.
     pub largest: f64,
-    /// How many are tried.
+    /// Number of domains that are tried.
     pub domains: u32,
     /// Images that narrow the zero: where nothing is rounded (at quarter periods) they would do so for ever.
     pub images: u32,
-    /// How many of them may take less than a quarter of a bit off it.
+    /// Number of them that may take less than a quarter of a bit off it.
     pub slow: u32,
 }
 
 /// `2^-5`, the largest radius that is of use, in forcing periods, and the factor from one domain to the next.
 pub(super) const LARGEST: f64 = 0.031_25;
 const FINER: f64 = 0.125;
-/// An image that takes N bits off an enclosure is not slow.
+/// The fewest bits that an image takes off an enclosure if it is not slow.
 const FAST: f64 = 0.25;
 /// Bits that one step with a preconditioner in doubles adds at least, where it adds what it should.
 pub(super) const GAINED: u32 = 32;
@@ -93,7 +93,7 @@ pub(super) fn image_by_doubles<N: Enclosing>(
     Some((0..x.len()).map(image).collect())
 }
 
-/// Whether each ball lies in the interior of its outer one.
+/// Returns whether each ball lies in the interior of its outer one.
 pub fn is_inside<N: Enclosing>(inner: &[N], outer: &[N]) -> bool {
     inner.iter().zip(outer).all(|(inner, outer)| inner.is_interior_to(outer))
 }

@@ -24,13 +24,13 @@ pub struct MeasuredImpact {
 pub struct MeasuredOrbit {
     /// Forcing periods of the fastest harmonic after which the excitation repeats: 1 with one harmonic.
     pub period: u32,
-    /// In time order.
+    /// The impacts, in time order.
     pub impacts: Vec<MeasuredImpact>,
-    /// Whether no other orbit of its word in as many cycles lies within the bounds.
+    /// `true` if no other orbit of its word in as many cycles lies within the bounds.
     pub unique: bool,
-    /// Whether no wall is touched between the impacts: proved, refuted, or not decided.
+    /// `Some(true)`: no wall is touched between the impacts; `Some(false)`: one is; `None`: undecided.
     pub physical: Option<bool>,
-    /// Whether it is its own mirror image: proved, refuted, or not decided.
+    /// `Some(true)`: it is its own mirror image; `Some(false)`: it is not; `None`: undecided.
     pub symmetric: Option<bool>,
     /// The trace of the Jacobian (A.7) over a period.
     pub trace: Enclosure,

@@ -124,9 +124,8 @@ impl Problem {
     /// Returns the problem for `pair` with this word and this number of cycles.
     ///
     /// # Errors
-    /// When the word is not closed, there is no cycle or too many of them, or `A/d` is beyond doubles. Under several
-    /// harmonics also when their frequencies are not proved to be commensurate, or the cycles are no multiple of the
-    /// common period.
+    /// If the word is not closed, there is no cycle or too many of them, or `A/d` is beyond doubles. Under several harmonics also if
+    /// their frequencies are not proved to be commensurate, or the cycles are no multiple of the common period.
     pub fn new(pair: &ImpactPair, word: &Word, cycles: u32) -> Result<Self, Error> {
         let (shaken, chain) = of_word(pair, word, cycles)?;
         Ok(Self { impact_pair: pair.clone(), word: word.clone(), chain, shaken })
@@ -194,25 +193,25 @@ impl Problem {
         Census { orbits: found, interrupted, ..Census::default() }
     }
 
-    /// Whether each orbit in a box of phases, impact by impact, is proved to be this one or its mirror image. Lemma T6
+    /// Returns whether each orbit in a box of phases, impact by impact, is proved to be this one or its mirror image. Lemma T6
     pub(crate) fn is_all_of(&self, phases: &[Interval], orbit: &PeriodicOrbit) -> bool {
         let balls: Vec<Ball> = phases.iter().map(|&x| x.into()).collect();
         let whole = Proved { domain: balls.clone(), at: balls };
         is_one_reduced(&self.chain, &whole, &orbit.proved) == Some(true)
     }
 
-    /// Whether both are one orbit, or mirror images. Lemma T6
+    /// Returns whether both are one orbit, or mirror images; `None` if undecided. Lemma T6
     pub(crate) fn is_reduced(&self, one: &PeriodicOrbit, other: &PeriodicOrbit) -> Option<bool> {
         is_one_reduced(&self.chain, &one.proved, &other.proved)
     }
 
-    /// After how many impacts an orbit is first what it was, or its mirror image. Lemma T6
+    /// Returns the least number of impacts after which an orbit is what it was, or its mirror image; `None` if undecided. Lemma T6
     pub(crate) fn reduced_impacts(&self, orbit: &PeriodicOrbit) -> Option<usize> {
         identity::reduced_impacts(&self.chain, &orbit.proved)
     }
 
-    /// What asks for an orbit that is after N impacts what it was, or its mirror image: for one round of it, or two where
-    /// walls are exchanged; and the phases of that.
+    /// Returns the problem of an orbit that is after N impacts what it was, or its mirror image: of one round of it, or two where walls
+    /// are exchanged; and the phases of that.
     pub(crate) fn least(&self, impacts: usize, orbit: &PeriodicOrbit) -> Option<(Self, Vec<Interval>)> {
         let (walls, count) = (self.chain.walls(), self.chain.impacts());
         let rounds = if walls[impacts % count] == walls[0] { 1 } else { 2 };
@@ -224,8 +223,7 @@ impl Problem {
         Some((problem, phases))
     }
 
-    /// The orbit near a guess, and whether it is one of those known: what the requested digits do not tell apart is proved to
-    /// more. Lemma T6
+    /// The orbit near a guess, and whether it is one of those known: orbits that the requested digits do not distinguish are proved to more. Lemma T6
     fn prove_beside<'o>(
         &self,
         guess: &[f64],
@@ -266,7 +264,7 @@ impl Problem {
         found
     }
 
-    /// Whether a guess lies where a known orbit is the only one.
+    /// Returns whether a guess lies where a known orbit is the only one.
     fn is_known(&self, guess: &[f64], found: &[PeriodicOrbit]) -> bool {
         let point: Vec<Ball> = guess.iter().map(|&x| Ball::exact(x)).collect();
         let point = Proved { domain: point.clone(), at: point };

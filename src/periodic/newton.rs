@@ -7,7 +7,7 @@ use crate::pair::Inward;
 
 /// Steps before a start is given up.
 const MOST_STEPS: usize = 60;
-/// Phases beyond N forcing periods have lost the orbit.
+/// The greatest phase, in forcing periods, at which an orbit is not lost.
 const FARTHEST: f64 = 1e9;
 /// The least part of a flight's time that one step leaves.
 const KEPT: f64 = 0.2;
@@ -15,7 +15,7 @@ const KEPT: f64 = 0.2;
 /// Steps below this are tiny.
 const TINY: f64 = 1e-9;
 
-/// Takes at most N steps, each of which tells its size, until they are tiny and no longer shrink: as far as doubles go.
+/// Takes at most `most` steps, each of which returns its size, until they are tiny and no longer shrink: as far as doubles go.
 ///
 /// `None` where they do not settle.
 pub(super) fn settle(most: usize, mut step: impl FnMut() -> Option<f64>) -> Option<()> {
@@ -60,7 +60,7 @@ fn newton_step<S: Shaking<f64>>(
     (0..misses.len()).map(|i| -inverse.row(i).iter().zip(&misses).fold(0.0, |sum, (y, f)| y.mul_add(*f, sum))).collect()
 }
 
-/// How much of a step keeps the impacts in order.
+/// Returns the part of a step, at most 1, that keeps the impacts in order.
 fn keep_order(chain: &Chain, legs: &[Leg<f64>], step: &[f64]) -> f64 {
     let room = |i: usize| {
         let change = step[chain.next(i)] - step[i];
@@ -70,7 +70,7 @@ fn keep_order(chain: &Chain, legs: &[Leg<f64>], step: &[f64]) -> f64 {
     (0..step.len()).map(room).fold(1.0, f64::min) // proposes
 }
 
-/// Returns whether these phases are in order and each impact comes from inside the gap, as far as doubles can tell.
+/// Returns whether these phases are in order and each impact comes from inside the gap, as far as doubles can decide.
 pub fn is_plausible<S: Shaking<f64>>(chain: &Chain, shaking: &S, phases: &[f64]) -> bool {
     chain.legs(shaking, phases).is_some_and(|legs| {
         let arrives = |i: usize| chain.walls()[i].inward(*chain.before(&legs.legs, i)) < 0.0;

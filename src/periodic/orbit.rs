@@ -40,25 +40,25 @@ impl PeriodicImpact {
 pub struct PeriodicOrbit {
     /// Forcing periods after which the excitation repeats: 1 with one harmonic.
     pub period: u32,
-    /// In time order, starting on the wall that the word starts on.
+    /// The impacts, in time order, starting on the wall that the word starts on.
     pub impacts: Vec<PeriodicImpact>,
     /// `Some(true)`: no flight touches a wall before it ends; `Some(false)`: one does (Lemma T5).
     pub physical: Option<bool>,
-    /// Whether it is its own mirror image, half a period of the excitation later (Lemma T6).
+    /// `Some(true)`: it is its own mirror image, half a period of the excitation later; `Some(false)`: it is not (Lemma T6).
     pub symmetric: Option<bool>,
-    /// How often it runs through a shorter orbit: 1 when it does not (Lemma T6).
+    /// Number of times that it runs through a shorter orbit: 1 when it does not (Lemma T6).
     pub repeats: Option<usize>,
     /// Trace of the product of the Jacobians (A.7) over the period.
     pub trace: Enclosure,
     /// Its determinant, `e^(2k)` (Lemma T4).
     pub determinant: Enclosure,
-    /// **Equation** (38), the one of larger modulus first.
+    /// The eigenvalues, the one of larger modulus first. **Equation** (38)
     pub eigenvalues: [Eigenvalue; 2],
     /// Stable or unstable, proved (Lemma T4).
     pub stability: Stability,
     /// The bits it was proved with: 53 in double precision.
     pub bits: u32,
-    /// Whether the enclosures are as narrow as requested.
+    /// `true` if the enclosures are as narrow as requested.
     pub is_narrow: bool,
     /// The phases and the box in which there is no other orbit.
     pub(super) proved: Proved<Ball>,
@@ -92,7 +92,7 @@ impl PeriodicOrbit {
         is_neutral(&self.trace, &self.determinant)
     }
 
-    /// Whether more precision decides nothing that is open.
+    /// Returns whether more precision decides nothing that is undecided.
     pub(super) fn is_settled(&self) -> bool {
         self.is_decided() || self.is_placed() && self.is_neutral()
     }
@@ -105,7 +105,7 @@ impl PeriodicOrbit {
 /// All that one arithmetic proves of an orbit.
 #[derive(Clone, Debug)]
 pub struct Finding<N> {
-    /// Where the orbit is.
+    /// The enclosures of the phases, and the box in which there is no other orbit.
     pub proved: Proved<N>,
     /// Its flights: flight `i` goes from impact `i` to the next one.
     pub legs: Vec<Leg<N>>,
@@ -115,14 +115,14 @@ pub struct Finding<N> {
     pub trace: N,
     /// See [`determinant`].
     pub determinant: N,
-    /// Lemma T4.
+    /// The stability (Lemma T4).
     pub stability: Stability,
-    /// Lemma T5.
+    /// `Some(true)`: no flight touches a wall before it ends; `Some(false)`: one does (Lemma T5).
     pub physical: Option<bool>,
 }
 
 impl<N: Enclosing> Finding<N> {
-    /// What follows for a proved box; `None` where an impact may be a graze.
+    /// Returns the properties of the orbit in a proved box; `None` where an impact may be a graze.
     pub(super) fn new<S: Shaking<N>>(
         chain: &Chain,
         shaking: &S,

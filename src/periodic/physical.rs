@@ -1,4 +1,4 @@
-//! Whether each flight of a proved chain ends at its first contact, equation (14): Lemma T5.
+//! Proof that each flight of a chain ends at its first contact, equation (14): Lemma T5.
 
 use std::cmp::Ordering;
 

@@ -17,7 +17,7 @@ use crate::shaken::{Parameters, under};
 
 /// Images that may take less than a quarter of a bit off an orbit's enclosure: near a bifurcation the first ones do.
 const MOST_SLOW: u32 = 64;
-/// What an orbit is worth in N bits.
+/// Returns the limits of the proof of an orbit in N bits.
 fn effort(bits: u32) -> Effort {
     // Radii from 2^-5 in steps of 2^-3, down to eight bits above the last one.
     let domains = (bits - 8).min(1000).saturating_sub(5) / 3 + 1; // proposes: which domains are tried
@@ -82,7 +82,7 @@ impl Problem {
     }
 }
 
-/// Whether the widths are those requested.
+/// Returns whether the widths are those requested.
 fn is_narrow<N: Enclosing>(shaken: &impl Chained, finding: &Finding<N>, precision: Precision) -> bool {
     let asked = precision.log2_width();
     let speed = shaken.speed().log2();

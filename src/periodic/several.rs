@@ -14,10 +14,10 @@ use crate::pair::ImpactPair;
 use crate::several::{Doubt, Partial, Phased, Spectrum, Turning};
 use crate::shaken::{SeveralHarmonics, Sum};
 
-/// When the harmonics of a pair repeat.
+/// Returns the common period of the harmonics of a pair, and whether they are odd.
 ///
 /// # Errors
-/// When their frequencies are not proved to be commensurate, or the common period is longer than [`MOST_CYCLES`].
+/// If their frequencies are not proved to be commensurate, or the common period is longer than [`MOST_CYCLES`].
 pub(super) fn repetition(pair: &ImpactPair, spectrum: &Spectrum) -> Result<Repetition, Error> {
     let repetition = || {
         let turns = u32::try_from(spectrum.period?).ok().filter(|turns| *turns <= MOST_CYCLES)?;
@@ -30,7 +30,7 @@ pub(super) fn repetition(pair: &ImpactPair, spectrum: &Spectrum) -> Result<Repet
     })
 }
 
-/// Whether the first contact of a flight is its end. Lemma H12
+/// Returns whether the first contact of a flight is its end; `None` if undecided. Lemma H12
 fn is_first<N: Phased + Enclosing>(
     several: &SeveralHarmonics,
     sum: &Sum<N>,

@@ -5,7 +5,7 @@ use std::cmp::Ordering;
 use crate::exact::{Dyadic, Enclosure};
 use crate::number::{Enclosing, Number};
 
-/// Whether small disturbances of an orbit die out.
+/// The linear stability of an orbit: whether small disturbances die out.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Stability {
     /// Both eigenvalues lie inside the unit circle, proved.

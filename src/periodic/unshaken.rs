@@ -33,7 +33,7 @@ impl Problem {
         }
     }
 
-    /// Whether no wall is hit twice in a row.
+    /// Returns whether no wall is hit twice in a row.
     fn alternates(&self) -> bool {
         (0..self.chain.impacts()).all(|i| self.chain.displacement(i) != 0.0) // T11: -1, 0 or 1, exact
     }

@@ -51,7 +51,7 @@ impl<N: Phased> Instant<N> {
         ((self.turns - earlier.turns) as f64 + rest).next_up() // N1: exact before the horizon, 2^52
     }
 
-    /// As a number.
+    /// Returns the time as one number.
     pub fn time(&self) -> N {
         match self.turns {
             0 => self.rest.clone(),
@@ -76,7 +76,7 @@ pub(crate) struct SumFlight<'h, N: Phased> {
     pub jerk: N,
 }
 
-/// What the formulas give at a time: distances from both walls, `z'` and `z''`.
+/// The values of the formulas at a time: distances from both walls, `z'` and `z''`.
 #[derive(Clone, Debug)]
 pub(crate) struct Kinematics<N> {
     pub left: N,
@@ -99,7 +99,7 @@ impl<'h, N: Phased> SumFlight<'h, N> {
         for (term, (sin, cos)) in harmonics.terms.iter().zip(&waves) {
             sine = term.alpha.clone().mul_add(sin.clone(), sine);
             cosine = term.beta.clone().mul_add(cos.clone(), cosine);
-            // What is exactly nothing adds exactly nothing, so that a start at a release is seen.
+            // A term that is exactly 0 adds exactly 0, so that a start at a release is recognised.
             if !sin.is_zero() {
                 acceleration = term.acceleration.clone().mul_add(sin.clone(), acceleration);
             }
@@ -131,7 +131,7 @@ impl<'h, N: Phased> SumFlight<'h, N> {
         Kinematics { right: N::from_f64(1.0) - left.clone(), left, velocity: self.drift.clone() - cosine, acceleration }
     }
 
-    /// The state so long after the departure from a wall, without cancellation.
+    /// Returns the state `time` turns after the departure from a wall, without cancellation.
     fn departure(&self, wall: Wall, time: &N) -> Option<Kinematics<N>> {
         let added = self.harmonics.departure(&self.waves, time)?;
         let moved = self.launch.velocity.clone().mul_add(time.clone(), added.height);

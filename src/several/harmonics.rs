@@ -20,7 +20,7 @@ pub(crate) struct Harmonics<N: Turning> {
 pub(crate) struct Partial<N: Turning> {
     /// `A_k / d`
     pub alpha: N,
-    /// `2 pi alpha W_k / W`: its greatest speed, in gaps a turn.
+    /// `2 pi alpha W_k / W`: its greatest speed, in gap widths per forcing period.
     pub beta: N,
     /// `2 pi beta W_k / W`: its greatest acceleration.
     pub acceleration: N,
@@ -53,7 +53,7 @@ pub(crate) struct Sums<N> {
     pub acceleration: N,
 }
 
-/// What a departure adds: to `z` on top of `z'(0) h`, to `z'` and to `z''`.
+/// The increments over a short time: to `z` on top of `z'(0) h`, to `z'` and to `z''`.
 #[derive(Clone, Debug)]
 pub(crate) struct Added<N> {
     pub height: N,
@@ -118,7 +118,7 @@ impl<N: Turning> Harmonics<N> {
         Sums::of(self.terms.iter().zip(waves.iter().cloned()))
     }
 
-    /// What a short `time` adds to what the harmonics do from where their sines and cosines are these, without cancellation;
+    /// Returns the increments of the harmonics over a short `time` from a phase at which their sines and cosines are `waves`, without cancellation;
     /// `None` where [`Wave::short`] knows no departure.
     pub fn departure(&self, waves: &[(N, N)], time: &N) -> Option<Added<N>> {
         let zero = N::from_f64(0.0);
@@ -148,7 +148,7 @@ impl Harmonics<Ball> {
     /// Encloses the harmonics of `pair` in doubles.
     ///
     /// # Errors
-    /// When they are too large for the arithmetic of a flight.
+    /// Returns an error if they are too large for the arithmetic of a flight.
     pub fn in_doubles(spectrum: &Spectrum, pair: &ImpactPair) -> Result<Self, Error> {
         let harmonics = Self::new(spectrum, f64::MANTISSA_DIGITS);
         if is_positive(LARGEST_RATE - harmonics.rates.fourth) {
@@ -159,7 +159,7 @@ impl Harmonics<Ball> {
 }
 
 impl Rates {
-    /// Of harmonics that are not asked for theirs.
+    /// Rates of harmonics for which none are computed.
     pub const UNKNOWN: Self =
         Self { shift: f64::INFINITY, second: f64::INFINITY, third: f64::INFINITY, fourth: f64::INFINITY };
 

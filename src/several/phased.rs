@@ -23,12 +23,12 @@ pub(crate) trait Phased: Turning {
     fn enclose(x: &Exact, bits: u32) -> Self;
     /// A lower and an upper bound.
     fn bounds(&self) -> (f64, f64);
-    /// The same as an interval.
+    /// Returns its bounds as an interval.
     fn interval(&self) -> Interval {
         let (inf, sup) = self.bounds();
         Interval::new(inf, sup)
     }
-    /// Whether it is exactly 0.
+    /// Returns whether it is exactly 0.
     fn is_zero(&self) -> bool {
         self.bounds() == (0.0, 0.0)
     }

@@ -64,7 +64,7 @@ fn enclosing(x: &Exact, bits: u32) -> MpBall {
 }
 
 impl Harmonics<MpBall> {
-    /// The same with centres of `bits` bits.
+    /// Returns the harmonics with centres rounded to `bits` bits.
     pub fn rounded(&self, bits: u32) -> Self {
         let term = |term: &Partial<MpBall>| {
             let (ratio, shift) = &term.counter;

@@ -1,4 +1,4 @@
-//! What a flight cannot reach: Lemma H6 of `docs/proofs/harmonics.md#H6`.
+//! Times at which a flight cannot reach a wall: Lemma H6 of `docs/proofs/harmonics.md#H6`.
 
 use std::cmp::Ordering;
 use std::sync::OnceLock;
@@ -12,14 +12,14 @@ use crate::number::interval::Interval;
 /// Bounds of the sum of the harmonics, `E/d`, at all times.
 #[derive(Debug)]
 pub(crate) struct Band {
-    /// By the sum of the amplitudes.
+    /// Bounds by the sum of the amplitudes.
     coarse: Interval,
-    /// Over a common period, to about [`TIGHT`], once it was needed.
+    /// Bounds over a common period, to about [`TIGHT`], computed when first needed.
     tight: OnceLock<Interval>,
     period: Option<u64>,
 }
 
-/// How near to the extrema the bounds come, relative to the sum of the amplitudes.
+/// Tolerance of the bounds of the extrema, relative to the sum of the amplitudes.
 const TIGHT: f64 = 1e-13;
 /// Longer common periods are not searched.
 const LONGEST_PERIOD: u64 = 4096;
@@ -73,7 +73,7 @@ fn greatest(harmonics: &Harmonics<Ball>, period: u64, sign: f64) -> f64 {
     bound
 }
 
-/// From when on a flight cannot come back to the wall it drifts away from, and until when it cannot reach the other.
+/// The window of time in which a flight can no longer come back to the wall it drifts away from, and cannot yet reach the other.
 #[derive(Debug)]
 pub(crate) struct Reach<'b> {
     band: &'b Band,
@@ -90,7 +90,7 @@ impl<'b> Reach<'b> {
         Self { band, harmonics, window: None, asked: 0 }
     }
 
-    /// When to look next, in turns after the start, if until then no wall is near at `now`.
+    /// Returns the end of the window in which no wall can be reached, in turns after the start, if the time `now` lies in it.
     pub fn jump<N: Phased>(&mut self, flight: &SumFlight<'_, N>, now: f64) -> Option<f64> {
         self.asked += 1;
         if self.asked == 1 || self.asked == PATIENCE {

@@ -1,8 +1,8 @@
-//! Chatter that ends in rest, and release, under several harmonics: Lemmas H7 and H8 of `docs/proofs/harmonics.md#H7`.
+//! Complete chatter and release under several harmonics: Lemmas H7 and H8 of `docs/proofs/harmonics.md#H7`.
 //!
-//! Told from the wall, `p = -z''` is the pressure. With bounds of `p'` and `p''` at all times the lemmas Z1 and Z2 need
-//! no closed form: chatter is proved to end where the pressure hardly changes meanwhile, and the ball is released at
-//! the first proved change of the pressure's sign.
+//! Measured from the wall, `p = -z''` is the contact force. With bounds of `p'` and `p''` at all times the lemmas Z1 and Z2 need
+//! no closed form: chatter is proved to end where the contact force hardly changes meanwhile, and the ball is released at
+//! the first proved change of the contact force's sign.
 
 #[cfg_attr(not(feature = "multiprecision"), path = "rest/doubles.rs")]
 mod precise;
@@ -20,8 +20,8 @@ use crate::pair::Wall;
 use crate::rest::duration;
 use crate::turns;
 
-/// How long, in turns, chatter can last that begins with a bounce at `phase` after `turns` whole ones with `velocity`,
-/// that after the impact, both of a whole set; as [`crate::rest::accumulation`] for one harmonic.
+/// Returns an upper bound of the duration, in turns, of chatter that begins with a bounce at `phase` after `turns` whole ones with
+/// `velocity`, that after the impact, both of a whole set; as [`crate::rest::accumulation`] for one harmonic.
 pub(crate) fn accumulation(
     harmonics: &Harmonics<Ball>,
     restitution: Ball,
@@ -39,7 +39,7 @@ pub(crate) fn accumulation(
     if speed == 0.0 {
         return Some(0.0);
     }
-    // Twice what the pressure now would take. Any window will do that the sum fits into.
+    // Twice the time under the present contact force. Any window serves into which the sum fits.
     let window = 4.0 * speed / (pressed.inf() * (1.0 - rebound));
     let (rates, ahead) = (&harmonics.rates, Interval::new(0.0, window));
     let jerk = Interval::within(harmonics.jerk(turns, &phase).interval().mag());
@@ -48,37 +48,37 @@ pub(crate) fn accumulation(
     duration(speed, rebound, pressed + change, window)
 }
 
-/// `-z''`, told from the wall.
+/// The contact force: `-z''`, measured from the wall.
 fn pressure<N: Phased>(harmonics: &Harmonics<N>, wall: Wall, turns: i64, rest: &N) -> N {
     harmonics.sums(turns, rest).acceleration.signed(-wall.sign())
 }
 
-/// A simple zero of the pressure: the ball is released there.
+/// A simple zero of the contact force: the ball is released there.
 #[derive(Clone, Debug)]
 pub(crate) struct Zero {
     spectrum: Arc<Spectrum>,
     pub wall: Wall,
     pub turns: i64,
-    /// Exactly one zero lies within `reach` of this phase, less the whole turns, and the pressure falls at least so fast.
+    /// Exactly one zero lies within `reach` of this phase, less the whole turns, and the contact force falls at the rate `least` or faster there.
     near: f64,
     reach: f64,
     least: f64,
-    /// Holds the change of that slope a turn.
+    /// Encloses the change of that slope per turn.
     bend: Interval,
 }
 
 /// Steps of the search at most.
 const STEPS: u32 = 1 << 16;
-/// Why no change of sign is proved.
+/// The reason why no change of sign is proved.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Unproved {
-    /// In these digits a change of sign and a touch are the same: more of them may tell.
+    /// In these digits a change of sign and a touch are not distinguished: more of them may do so.
     Digits,
-    /// The pressure goes to 0 so slowly that the steps towards it do not end, in any digits: a zero of a higher order.
+    /// The contact force goes to 0 so slowly that the steps towards it do not end, in any digits: a zero of a higher order.
     Steps,
 }
 
-/// The first change of the pressure's sign after a phase at which the wall is pressed, or from which on it is; `None`
+/// Returns the first change of the contact force's sign after a phase at which it acts, or from which on it does; `None`
 /// where none is proved.
 pub(crate) fn release(
     spectrum: &Arc<Spectrum>,
@@ -104,7 +104,7 @@ pub(super) fn first_zero<N: Phased>(
     let slope_at = |at: &Instant<N>| harmonics.jerk(turns + at.turns, &at.rest).signed(-wall.sign()).interval();
     let value_at = |at: &Instant<N>| pressure(harmonics, wall, turns + at.turns, &at.rest);
     let mut at = Instant { turns: 0, rest: phase };
-    // The pressure that begins here is growing for so long.
+    // A contact force that begins here grows for at least this time.
     let low = slope_at(&at).inf();
     if value_at(&at).bounds().0 <= 0.0 && low > 0.0 {
         at = at.later(&at.rest.like(low / fourth));
@@ -144,7 +144,7 @@ pub(super) fn first_zero<N: Phased>(
     Err(Unproved::Steps)
 }
 
-/// A zero near a time: the time, within how much of it the zero lies, and the least slope there; slopes change by `bend` a turn.
+/// Returns a zero near a time: the time, the distance within which the zero lies, and the least slope there; slopes change by `bend` per turn.
 fn bracket<N: Phased>(
     bend: Interval,
     value_at: &impl Fn(&Instant<N>) -> N,
@@ -179,7 +179,7 @@ impl Zero {
         precise::enclosure(self, bits)
     }
 
-    /// The whole turns of `later`, told as those of `self` are, if both are proved to be whole common periods apart (Lemma H9).
+    /// The whole turns of `later`, counted as those of `self` are, if both are proved to be whole common periods apart (Lemma H9).
     pub fn turns_of_same(&self, later: &Self) -> Option<i64> {
         let period = i64::try_from(self.spectrum.period?).ok()?;
         let apart = Interval::point(later.near) - Interval::point(self.near);

@@ -33,7 +33,7 @@ pub(crate) struct Found<N> {
     pub centre_velocity: N,
 }
 
-/// Why there is none.
+/// The reason why no first contact is isolated.
 #[derive(Debug)]
 pub(crate) enum Doubt<N> {
     /// A wall may be touched with no velocity, about then; up to `free` it is proved not to be.
@@ -47,7 +47,7 @@ pub(crate) enum Doubt<N> {
     Budget,
 }
 
-/// What an extremum near a wall turns out to be.
+/// The result for an extremum near a wall.
 #[derive(Debug)]
 enum Valley<N> {
     /// The wall is not touched up to there.
@@ -95,7 +95,7 @@ impl<'f, 'h, N: Phased> Scan<'f, 'h, N> {
         let sign = start.wall?.sign();
         let inward = |x: &N| x.clone().signed(sign).bounds();
         let [rate, bend, jerk] = [&start.velocity, &self.all.acceleration, &self.all.jerk].map(inward);
-        // A few times as long as the bounce lasts, or as the pressure after a release may keep away.
+        // A few times as long as the bounce lasts, or as the contact force after a release may stay away.
         let horizon = match start.is_release {
             true => 8.0 * jerk.0 / self.rates.fourth,
             false => -8.0 * rate.0 / bend.1,
@@ -130,7 +130,7 @@ impl<'f, 'h, N: Phased> Scan<'f, 'h, N> {
                 }
             }
             let step = self.step(&at, &sides);
-            // Where an extremum near a wall ends the piece, it is looked at.
+            // An extremum near a wall that ends the piece is examined.
             let valley = WALLS.into_iter().zip(&sides).find(|(_, side)| {
                 let turning = side.turning();
                 turning.is_some_and(|turning| step < turning && side.least_bend(&self.rates, 1.25 * turning) > 0.0)
@@ -167,7 +167,7 @@ impl<'f, 'h, N: Phased> Scan<'f, 'h, N> {
         if end <= self.horizon { Ok(found) } else { Err(Doubt::Budget) }
     }
 
-    /// How long the ball is proved to be off its wall after the start, at least (Lemma H3).
+    /// Returns a time after the start during which the ball is proved to be off its wall (Lemma H3).
     fn departure(&self) -> Result<f64, Doubt<N>> {
         let start = &self.all.launch;
         let sign = start.wall.map_or(1.0, Wall::sign);
@@ -210,7 +210,7 @@ impl<'f, 'h, N: Phased> Scan<'f, 'h, N> {
         (12.0 / self.rates.third).cbrt().min(self.horizon) // H2: any time up to the horizon
     }
 
-    /// How far both walls are proved not to be touched (Lemma H2).
+    /// Returns a time after `at` during which both walls are proved not to be touched (Lemma H2).
     fn step(&self, at: &Instant<N>, sides: &[Side; 2]) -> f64 {
         let most = self.longest();
         let mut step = sides[0].reach(&self.rates, most);
@@ -239,7 +239,7 @@ impl<'f, 'h, N: Phased> Scan<'f, 'h, N> {
         (at.since(&found.at) < found.reach && side.approaches(&self.rates, time)).then_some(found)
     }
 
-    /// What an extremum near a wall turns out to be (Lemma H4).
+    /// Returns the result for an extremum near a wall (Lemma H4).
     fn valley(&self, wall: Wall, side: &Side, at: &Instant<N>) -> Valley<N> {
         let like = &self.all.launch.phase;
         let Some(ahead) = side.turning() else { return Valley::Unclear };
@@ -271,7 +271,7 @@ impl<'f, 'h, N: Phased> Scan<'f, 'h, N> {
         }
     }
 
-    /// Whether a contact comes after `at`, with a motion that is convex from there on and falls at its end.
+    /// Returns whether a contact comes after `at`, with a motion that is convex from there on and falls at its end.
     fn is_on_the_way_down(&self, wall: Wall, found: &Found<N>, at: &Instant<N>) -> bool {
         let arrival = self.all.state(&found.at).side(wall);
         let span = up(found.at.since(at) + found.reach);
@@ -345,7 +345,7 @@ impl<'f, 'h, N: Phased> Scan<'f, 'h, N> {
     }
 }
 
-/// Whether a number is as near to 0 as its arithmetic can tell.
+/// Returns whether a number is as near to 0 as its arithmetic can distinguish.
 fn is_noise<N: Phased>(x: &N) -> bool {
     let (low, high) = x.bounds();
     low <= 0.0 && high >= 0.0
@@ -356,7 +356,7 @@ fn low<N: Phased>(x: &N) -> f64 {
 }
 
 impl<N: Phased> Doubt<N> {
-    /// The doubt as the orbit tells it.
+    /// Returns the doubt as the orbit reports it.
     pub fn undecided(&self, start: Option<Wall>) -> Undecided {
         match self {
             Self::Graze { wall, .. } => Undecided::graze(Some(*wall)),

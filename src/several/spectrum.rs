@@ -38,7 +38,7 @@ impl Spectrum {
     /// The harmonics of `pair`, phases counted from the turn `origin`; `None` of a single one.
     ///
     /// # Errors
-    /// When a value is beyond what exact expressions hold.
+    /// Returns an error if a value is beyond what exact expressions hold.
     pub fn new(pair: &ImpactPair, origin: &BigInt) -> Result<Option<Self>, Error> {
         let excitation = pair.excitation();
         if excitation.only().is_some() {
@@ -71,7 +71,7 @@ impl Spectrum {
         Ok(Some(Self { terms, restitution: pair.restitution().clone(), period }))
     }
 
-    /// Whether half a common period later each harmonic is its own opposite; `None` where they have no such period, or where an amplitude
+    /// Returns whether each harmonic is its own opposite half a common period later; `None` if they have no such period, or if an amplitude
     /// may be 0, or harmonics of one frequency may cancel, and the others alone may be so. Lemma T6
     pub fn is_odd(&self) -> Option<bool> {
         let period = BigInt::from(self.period?);
@@ -87,10 +87,10 @@ impl Spectrum {
         is_known.then(|| self.terms.iter().all(is_odd))
     }
 
-    /// What bounds the motion without units: the sums of `A_k/d` and of `2 pi A_k W_k / (d W)`.
+    /// Returns the bounds of the motion without units: the sums of `A_k/d` and of `2 pi A_k W_k / (d W)`.
     ///
     /// # Errors
-    /// When a sum is beyond what exact expressions hold.
+    /// Returns an error if a sum is beyond what exact expressions hold.
     pub fn sums(&self) -> Result<Reduced<Exact>, ExactError> {
         let zero = Exact::from(0);
         let sum = |of: &dyn Fn(&Term) -> Result<Exact, ExactError>| {
@@ -107,7 +107,7 @@ impl Spectrum {
 /// The phases of all harmonics of `pair` at a time, in turns, less whole ones: exact where expressions show it.
 ///
 /// # Errors
-/// When one is beyond what exact expressions hold.
+/// Returns an error if a phase is beyond what exact expressions hold.
 pub(crate) fn phases_at(pair: &ImpactPair, time: &Exact) -> Result<Vec<Exact>, Error> {
     let phase = |harmonic: &Harmonic| {
         let phase = Phases::of(harmonic)?.at(time);
@@ -122,7 +122,7 @@ fn whole_bits(phase: &Exact) -> u32 {
     top.and_then(|top| u32::try_from(top).ok()).unwrap_or(0) // X1: any number of bits encloses
 }
 
-/// The same phase near 0: within 2 of it (Lemma H1).
+/// Returns the phase less whole turns: within 2 of 0 (Lemma H1).
 fn whole_turns_off(phase: Exact) -> Result<Exact, ExactError> {
     let near = match phase.as_rational() {
         Some(fraction) => fraction.round().to_integer(), // exact: any whole number is taken off

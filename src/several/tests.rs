@@ -89,7 +89,7 @@ proptest! {
         prop_assert!(is_best, "{held:?} {drift:?}: {from} {until}");
     }
 
-    /// Lemma H8: the pressure is positive up to the bracket and falls through 0 in it, by exact numbers.
+    /// Lemma H8: the contact force is positive up to the bracket and falls through 0 in it, by exact numbers.
     #[test]
     fn a_release_is_where_the_pressure_first_ends(spectrum in sums(), turns in 0..40i64, phase in -0.5..0.5f64, is_left: bool) {
         let wall = if is_left { Wall::Left } else { Wall::Right };
@@ -113,7 +113,7 @@ proptest! {
         }
     }
 
-    /// Lemma H7: against bounces in doubles, of a pressure that is linear over each: that is off by less than a 10^7th.
+    /// Lemma H7: against bounces in doubles, under a contact force that is linear over each: that is off by less than a 10^7th.
     #[test]
     fn chatter_takes_no_longer_than_proved(
         spectrum in sums(), turns in 0..40i64, phase in -0.5..0.5f64, size in (-12.0..-5.0f64).prop_map(|x| 10f64.powf(x)),

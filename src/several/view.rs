@@ -1,4 +1,4 @@
-//! What is seen of a state in double-precision bounds, and how far it is proved to stay off the walls.
+//! Double-precision bounds of a state, and a time for which it is proved to stay off the walls.
 
 use super::flight::Kinematics;
 use super::harmonics::Rates;
@@ -9,7 +9,7 @@ use crate::pair::Wall;
 /// Newton steps to the root of a cubic: a guess of three digits is enough, and four steps give it.
 const STEPS: u32 = 4;
 
-/// Bounds of a state, told from one wall: the distance from it and its two derivatives.
+/// Bounds of a state, measured from one wall: the distance from it and its two derivatives.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Side {
     pub room: (f64, f64),
@@ -67,7 +67,7 @@ impl Cubic {
         self.value(s) - 16.0 * UNIT * size
     }
 
-    /// Where it turns from falling to rising, about.
+    /// Returns the argument of its minimum, about.
     #[inline]
     fn valley(&self) -> Option<f64> {
         if !(self.rate < 0.0 && self.bend > 0.0) {
@@ -77,7 +77,7 @@ impl Cubic {
         (discriminant >= 0.0).then(|| -2.0 * self.rate / (self.bend + discriminant.sqrt()))
     }
 
-    /// Whether it is positive on all of `[0, s]` (Lemma H2).
+    /// Returns whether it is positive on all of `[0, s]` (Lemma H2).
     fn is_positive(&self, s: f64) -> bool {
         if !(self.room > 0.0 && self.least(s) > 0.0) {
             return false;
@@ -98,7 +98,7 @@ impl Cubic {
         self.least(valley) - up(slope * inflection) > 0.0
     }
 
-    /// Whether it falls at `s`, and so at all times before if it is convex there.
+    /// Returns whether it falls at `s`, and so at all times before if it is convex there.
     fn falls_to(&self, s: f64) -> bool {
         self.slope(s) + self.slack(s) < 0.0
     }
@@ -108,7 +108,7 @@ impl Cubic {
         16.0 * UNIT * (self.rate.abs() + s * (self.bend.abs() + s * self.third))
     }
 
-    /// How far it stays positive, about, and at most `most`.
+    /// Returns the time up to which it stays positive, about, and at most `most`.
     fn reach(&self, most: f64) -> f64 {
         if let Some(valley) = self.valley()
             && valley < most
@@ -139,19 +139,19 @@ impl Side {
         Cubic { room: self.room.0, rate: self.rate.0, bend: self.bend.0, third: rates.third }
     }
 
-    /// Whether the wall is not touched for `time` turns (Lemma H2).
+    /// Returns whether the wall is not touched for `time` turns (Lemma H2).
     #[inline]
     pub fn is_free(&self, rates: &Rates, time: f64) -> bool {
         self.cubic(rates).is_positive(time)
     }
 
-    /// For how long that may be provable, at most `most`.
+    /// Returns a time up to which that may be provable, at most `most`.
     #[inline]
     pub fn reach(&self, rates: &Rates, most: f64) -> f64 {
         self.cubic(rates).reach(most)
     }
 
-    /// Whether the ball goes toward the wall for `time` turns: `z'` told inward is at most `v + a s + S s^2/2`.
+    /// Returns whether the ball goes toward the wall for `time` turns: `z'`, measured inward, is at most `v + a s + S s^2/2`.
     #[inline]
     pub fn approaches(&self, rates: &Rates, time: f64) -> bool {
         // Convex in `s`: greatest at an end.
@@ -160,7 +160,7 @@ impl Side {
         self.rate.1 < 0.0 && end + 16.0 * UNIT * size < 0.0
     }
 
-    /// A lower bound of the bend, told inward, less than `time` turns away.
+    /// A lower bound of the bend, measured inward, less than `time` turns away.
     #[inline]
     pub fn least_bend(&self, rates: &Rates, time: f64) -> f64 {
         (self.bend.0 - up(rates.third * time)).next_down()

@@ -1,4 +1,4 @@
-//! Until when a flight is proved to touch no wall: what is known of one whose first contact is undecided.
+//! The time until which a flight whose first contact is undecided is proved to touch no wall.
 //!
 //! Rests on Lemma C7 of `docs/proofs/flights.md#C7`. It runs once, where an orbit ends undecided, in doubles and from the last state
 //! alone, whatever arithmetic came to the doubt, and which question it could not answer.

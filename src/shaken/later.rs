@@ -13,7 +13,7 @@ const BITS: u32 = 64;
 /// Times that are tried, each half as long as the one before.
 const TRIES: u32 = 6;
 
-/// The same motion from where its direction is certain, if it is not at its start inside the gap.
+/// Returns a later state of the motion, at which its direction is certain, if it is not at its start inside the gap.
 ///
 /// First contacts are searched for along pieces that rise or fall. A velocity that is an interval around 0, or 0 in disguise,
 /// says neither; soon after the ball moves as it is shaken.
@@ -29,7 +29,7 @@ pub(super) fn decided(pair: &ImpactPair, start: &Start) -> Option<Start> {
         .find(|start| matches!(start.velocity().sign(), Some(Ordering::Less | Ordering::Greater)))
 }
 
-/// So long no wall is touched, proved: a power of two, or 0.
+/// Returns a time for which no wall is touched, proved: a power of two, or 0.
 fn longest(pair: &ImpactPair, position: &Exact, velocity: &Exact) -> Result<f64, ExactError> {
     let half = pair.gap().checked_div(&Exact::from(2))?;
     let rooms = [half.checked_sub(position)?, half.checked_add(position)?];

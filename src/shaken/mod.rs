@@ -1,6 +1,6 @@
 //! The excitation, as motions see it: one harmonic, equation (9), or several, equation (1).
 //!
-//! How first contacts are proved are two theorems in two places, the closed form of [`crate::contact`] and the scan of
+//! First contacts are proved by two theorems in two places: by the closed form of [`crate::contact`] and by the scan of
 //! [`crate::several`]. Here both answer the same questions, so that what flies from impact to impact is written once.
 //! Times are in turns of the fastest harmonic, expressed as whole forcing periods and the rest, lengths in gaps.
 
@@ -40,7 +40,7 @@ pub(crate) use sum::Sum;
 
 /// The box, and a ball that lies on its walls.
 pub(crate) trait Shaken: Debug + Send + Sync {
-    /// What is left of the pair without units; with several harmonics `alpha` and `beta` are the sums of theirs.
+    /// Returns the pair without units; with several harmonics `alpha` and `beta` are the sums of theirs.
     fn pair(&self) -> &Reduced<Ball>;
 
     /// Forcing periods after which all phases are the same, where that is proved to happen.
@@ -55,25 +55,25 @@ pub(crate) trait Shaken: Debug + Send + Sync {
     /// `y''` in plain doubles.
     fn acceleration(&self, turns: i64, phase: f64) -> f64;
 
-    /// Chatter of how many forcing periods may be reported, if widths of `least` forcing periods are; `None`: any that ends before the contact force does, half
-    /// a forcing period after it began at the latest. It proposes.
+    /// Returns the duration, in forcing periods, up to which chatter may be reported, if widths of `least` forcing periods are; `None`: any chatter
+    /// that ends before the contact force does, half a forcing period after it began at the latest. It proposes.
     fn max_reported_chatter(&self, least: f64) -> Option<f64>;
 
-    /// How long, in forcing periods, chatter can last that begins with a bounce with this velocity, that after the impact; 0 for a ball
-    /// that does not leave, `None` where it is not proved. `phases` are those of an origin that it starts from. Lemmas Z1, H7
+    /// Returns an upper bound of the duration, in forcing periods, of chatter that begins with a bounce with velocity `after`, that after the
+    /// impact; 0 for a ball that does not leave, `None` if it is not proved. `phases` are those of an origin that it starts from. Lemmas Z1, H7
     fn accumulation(&self, wall: Wall, turns: i64, phase: &Enclosure, after: Ball, phases: &[Exact]) -> Option<f64>;
 
-    /// When a ball that rests on a wall since a phase is released, shown in N bits. Lemmas Z2, H8
+    /// Returns the release of a ball that rests on a wall since a phase, shown in N bits. Lemmas Z2, H8
     fn release(&self, wall: Wall, turns: i64, phase: &Enclosure, bits: u32) -> Option<Released>;
 
-    /// Whether the contact force on a wall may be 0 at a phase.
+    /// Returns whether the contact force on a wall may be 0 at a phase.
     fn may_be_loose(&self, wall: Wall, turns: i64, phase: &Enclosure) -> bool;
 
     /// The motion from an origin that is proved never to hit a wall again. Lemma Z4
     fn still(&self, origin: &Origin<Exact>) -> Option<Still>;
 }
 
-/// What flights depend on, in any arithmetic.
+/// The data that flights depend on, in any arithmetic.
 pub(crate) trait Parameters: Shaken + Sized + 'static {
     /// The parameters in an arithmetic.
     type In<N: Turning>: Shaking<N> + Clone + Debug + Send;
@@ -86,7 +86,7 @@ pub(crate) trait Parameters: Shaken + Sized + 'static {
     /// The parameters in doubles.
     fn balls(&self) -> &Self::In<Ball>;
 
-    /// Those at the centre of an origin's phases; `exact` are the phases of the harmonics there, where they are known.
+    /// Returns the sines and cosines at the centre of an origin's phases; `exact` are the phases of the harmonics there, where they are known.
     fn waves<N: Phased>(&self, exact: &[Exact], phase: &N, bits: u32) -> Option<Self::Waves<N>>;
 }
 
@@ -147,7 +147,7 @@ impl Either {
     /// Returns the excitation of `pair`, phases given by the clock.
     ///
     /// # Errors
-    /// When a value is beyond what exact expressions or doubles hold.
+    /// Returns an error if a value is beyond what exact expressions or doubles hold.
     pub fn new(pair: &ImpactPair, clock: &Clock) -> Result<Self, Error> {
         Ok(match SeveralHarmonics::new(pair, clock.origin())? {
             None => Self::One(Arc::new(OneHarmonic::of(pair)?)),

@@ -32,7 +32,7 @@ impl OneHarmonic {
     /// Returns what shakes a pair of one harmonic.
     ///
     /// # Errors
-    /// When a value is beyond what exact expressions or doubles hold, or there are several harmonics.
+    /// Returns an error if a value is beyond what exact expressions or doubles hold, or there are several harmonics.
     pub fn of(pair: &ImpactPair) -> Result<Self, Error> {
         let exact = Reduced::exact(pair)?;
         let reduced = exact.enclosed()?;
@@ -80,7 +80,7 @@ impl Shaken for OneHarmonic {
     }
 
     fn may_be_loose(&self, wall: Wall, _: i64, phase: &Enclosure) -> bool {
-        // Where the pressure begins, exactly, it is 0.
+        // The contact force is 0 exactly at its beginning.
         Pressed::on(wall, phase).is_some_and(|pressed| pressed.is_at_its_begin())
     }
 

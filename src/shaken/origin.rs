@@ -1,4 +1,4 @@
-//! Where a motion starts, without units, in any arithmetic.
+//! The start of a motion, without units, in any arithmetic.
 
 use std::cmp::Ordering;
 
@@ -35,7 +35,7 @@ pub(crate) struct Origin<N> {
     past: Past<N>,
 }
 
-/// What leads to a state that a motion is followed from.
+/// The motion before a state that a motion is followed from.
 #[derive(Clone, Debug)]
 enum Past<N> {
     /// Nothing: it is the requested start, or stands for itself.
@@ -46,7 +46,7 @@ enum Past<N> {
     Rest(Released),
 }
 
-/// Where the ball is.
+/// The position of the ball.
 #[derive(Clone, Debug)]
 pub(crate) enum Location<N> {
     Wall(Wall),
@@ -202,7 +202,7 @@ impl Origin<Ball> {
     }
 }
 
-/// When a ball that rested on a wall leaves it.
+/// The release of a ball that rested on a wall.
 #[derive(Clone, Debug)]
 pub(crate) struct Released {
     pub at: Touch,

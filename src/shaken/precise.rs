@@ -20,10 +20,10 @@ pub(crate) trait Precise: Parameters {
     /// The parameters in N bits.
     fn precise(&self, bits: u32) -> Self::In<MpBall>;
 
-    /// Those of [`Shaken::pair`] in N bits.
+    /// Returns the parameters of [`Shaken::pair`] in N bits.
     fn widened(&self, bits: u32) -> Self::In<MpBall>;
 
-    /// The same parameters in fewer bits.
+    /// Returns the parameters rounded to fewer bits.
     fn rounded(&self, parameters: &Self::In<MpBall>, bits: u32) -> Self::In<MpBall>;
 
     /// Goes past the first extremum that may touch its wall. Lemmas G1, H13
@@ -34,14 +34,14 @@ pub(crate) trait Precise: Parameters {
         waves: Option<&Self::Waves<MpBall>>,
     ) -> Option<Passed>;
 
-    /// The same for flights in doubles.
+    /// Goes past the first extremum that may touch its wall, of flights in doubles.
     fn pass_graze(&self, all: Launch<Ball>) -> Option<Grazed> {
         let all = all.map(|x| MpBall::from_ball(*x).rounded(PASSING_BITS));
         self.pass(&self.widened(PASSING_BITS), all, None)?.in_doubles()
     }
 
-    /// The first contacts of a set of flights from a wall, its velocities before the impact in doubles; that of the centre to so
-    /// many bits. Lemma M3
+    /// Returns the first contacts of a set of flights from a wall, its velocities before the impact in doubles; that of the centre to
+    /// N bits. Lemma M3
     fn arrive(
         &self,
         parameters: &Self::In<MpBall>,
@@ -67,7 +67,7 @@ pub(crate) struct Flights<'w, W> {
     pub wall: Wall,
     pub phase: Ball,
     pub before: Ball,
-    /// At the start of the centre.
+    /// Sines and cosines at the start of the centre.
     pub waves: Option<&'w W>,
 }
 
@@ -83,7 +83,7 @@ pub(crate) struct Arrival<W> {
     /// Its velocity at this phase; at the contact the slope times the distance is added.
     pub velocity: MpBall,
     pub slope: Ball,
-    /// At this phase, where they are known.
+    /// Sines and cosines at this phase, where they are known.
     pub waves: Option<W>,
 }
 

@@ -31,7 +31,7 @@ impl SeveralHarmonics {
     /// Returns the harmonics of `pair`, phases counted from the forcing period `origin`; `None` of a single one.
     ///
     /// # Errors
-    /// When a value is beyond what exact expressions or doubles hold.
+    /// Returns an error if a value is beyond what exact expressions or doubles hold.
     pub fn new(pair: &ImpactPair, origin: &BigInt) -> Result<Option<Self>, Error> {
         let Some(spectrum) = Spectrum::new(pair, origin)? else { return Ok(None) };
         let harmonics = Harmonics::in_doubles(&spectrum, pair)?;
@@ -78,7 +78,7 @@ impl SeveralHarmonics {
         })
     }
 
-    /// Whether a ball that lies on a wall at an origin, where the contact force is exactly 0, is proved to be pressed from then on.
+    /// Returns whether a ball on a wall at an origin, where the contact force is exactly 0, is proved to stick to it from then on.
     fn is_pressed_from(&self, wall: Wall, phases: &[Exact]) -> bool {
         let zero = Ball::exact(0.0);
         let launch = Launch::from_wall(wall, 0, zero, zero, false);
@@ -121,7 +121,7 @@ impl Shaken for SeveralHarmonics {
     }
 
     fn max_reported_chatter(&self, least: f64) -> Option<f64> {
-        // A rest is told once the chatter left is shorter than the digits show.
+        // A rest is reported once the remaining chatter is shorter than the digits show.
         Some(least.max(f64::MIN_POSITIVE)) // proposes: Z1 is proved where it says so
     }
 

@@ -9,7 +9,7 @@ use crate::pair::Reduced;
 
 /// The motion of the box and the restitution, in gaps and forcing periods.
 pub trait Shaking<N: Number> {
-    /// What is known of the box at one time.
+    /// The state of the box at one time.
     type Moment: Clone;
 
     /// `e`
@@ -26,18 +26,18 @@ pub trait Shaking<N: Number> {
     fn hop(&self, time: &N, from: &Self::Moment) -> Option<Hop<N>>;
 }
 
-/// When an excitation is what it was before.
+/// The period after which an excitation repeats.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Repetition {
     /// The common period of all harmonics, in turns of the fastest: 1 of one harmonic.
     pub turns: u32,
-    /// Whether each harmonic is the opposite half of that later: then the mirrored motion is one as well. `None` where it is so of some
+    /// True if each harmonic is its own opposite half that period later: then the mirrored motion is one as well. `None` if this is so for some
     /// parameters at most: where an amplitude may be 0, and the others alone may be odd.
     pub is_odd: Option<bool>,
 }
 
 impl Repetition {
-    /// That of one harmonic.
+    /// The repetition of one harmonic.
     pub const TURN: Self = Self { turns: 1, is_odd: Some(true) };
 }
 

@@ -13,20 +13,20 @@ use crate::several::Spectrum;
 /// A motion without drift that stays between the walls for ever.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Still {
-    /// It touches the left wall, with zero velocity, at phase 1/4 of every forcing period.
+    /// True if it touches the left wall, with zero velocity, at phase 1/4 of every forcing period.
     pub grazes_left: bool,
-    /// It touches the right wall at phase 3/4.
+    /// True if it touches the right wall, likewise, at phase 3/4.
     pub grazes_right: bool,
 }
 
 impl Still {
-    /// It touches none.
+    /// A motion that touches no wall.
     const UNTOUCHED: Self = Self { grazes_left: false, grazes_right: false };
 
     /// Returns whether the motion from an origin is proved to stay between the walls for ever, with one harmonic (Lemma Z4).
     ///
-    /// Where there is a drift a wall is reached in the end, so the drift has to be 0, exactly: that is decided where the
-    /// box stands still, and at quarter periods, where sine and cosine are exact.
+    /// With a drift a wall is reached in the end, so the drift has to be 0, exactly: that is decided if the box stands still,
+    /// and at quarter periods, where sine and cosine are exact.
     pub fn under_one(pair: &Reduced<Exact>, origin: &Origin<Exact>) -> Result<Option<Self>, ExactError> {
         let is_zero = |x: &Exact| x.sign() == Some(Ordering::Equal);
         let (height, on_wall) = match &origin.state.place {

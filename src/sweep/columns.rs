@@ -4,18 +4,18 @@ use impact_pair_document::{ExtendedBounds, SweepHead, SweepImpact, SweepRecord};
 
 use crate::exact::{Exact, ParseError};
 
-/// Which rows a table of a sweep has. Its columns are those that such rows may fill.
+/// The rows of a table of a sweep. Its columns are those that such rows may fill.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Table {
-    /// Impacts and points; the column `record` tells them apart.
+    /// Impacts and points, distinguished by the column `record`.
     Mixed,
-    /// What is said of each point, with the first impact of its attractor.
+    /// The points, with the first impacts of their attractors.
     Points,
     /// The impacts after the transients.
     States,
 }
 
-/// What a column holds.
+/// The type of a column.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
     /// A whole number.
@@ -37,7 +37,7 @@ pub enum Kind {
     Bounds,
 }
 
-/// What a row has in a column.
+/// The content of a row in a column.
 #[derive(Clone, Copy, Debug)]
 pub enum Cell<'r> {
     /// It has none.
@@ -59,7 +59,7 @@ pub enum Cell<'r> {
 /// An impact, of the orbit or the first one of its attractor.
 const IMPACT: [(&str, Kind); 3] = [("wall", Kind::Text), ("phase", Kind::Bounds), ("velocity", Kind::Bounds)];
 
-/// What is said of a point.
+/// Columns on a point, with their types.
 const SAID: [(&str, Kind); 15] = [
     ("outcome", Kind::Text),
     ("reason", Kind::Text),
@@ -189,7 +189,7 @@ pub fn csv_line(row: &[Cell<'_>], kinds: &[Kind]) -> String {
 /// Returns the doubles next to an exact number as written, below and above it.
 ///
 /// # Errors
-/// When it is none.
+/// Returns an error if the text is no exact number.
 pub fn doubles(text: &str) -> Result<[f64; 2], ParseError> {
     Ok(match text {
         "inf" => [f64::INFINITY; 2],

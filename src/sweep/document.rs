@@ -40,10 +40,10 @@ pub(crate) fn written(axis: &Range) -> SweepAxis {
     SweepAxis { key: axis.key.to_string(), from: axis.low.text(), to: axis.high.text(), count: axis.points() }
 }
 
-/// Returns the grid that a head tells of.
+/// Returns the grid of a head.
 ///
 /// # Errors
-/// When it is none, or has another number of points.
+/// Returns an error if the head has no valid grid, or its number of points is not that of the grid.
 pub fn grid(head: &SweepHead) -> Result<Grid, Error> {
     let axis_of = |over: &SweepAxis| axis(&format!("{}={}..{}:{}", over.key, over.from, over.to, over.count));
     let grid = Grid::new(head.over.iter().map(axis_of).collect::<Result<_, _>>()?)?;

@@ -39,7 +39,7 @@ impl Grid {
     /// Returns the grid of these axes.
     ///
     /// # Errors
-    /// When there are none or more than two, both say the same, or there are more than [`MOST_POINTS`] points.
+    /// Returns an error if there are no axes or more than two, if two set the same key, or if there are more than [`MOST_POINTS`] points.
     pub fn new(axes: Vec<Range>) -> Result<Self, Error> {
         if let Some(range) = axes.iter().find(|range| !is_axis(range)) {
             return Err(refused(&range.to_string(), ACCEPTED));
@@ -71,8 +71,8 @@ impl Grid {
 
     /// Returns the points at the ends of all axes.
     ///
-    /// Where they are scenes all points are: what a key accepts is an interval, and what two keys accept together, as `|y| < d/2`,
-    /// convex.
+    /// If these are valid scenes, all points are: the values that a key accepts are an interval, and those that two keys accept together, as
+    /// `|y| < d/2`, a convex set.
     pub fn corners(&self) -> Vec<u64> {
         match &self.axes[..] {
             [slow, fast] => {
@@ -99,7 +99,7 @@ impl Grid {
     /// faster there, or where this one does not move the box.
     ///
     /// # Errors
-    /// When an upper end is not one of the scene.
+    /// Returns an error if an upper end is not a valid value for the scene.
     ///
     /// ```
     /// use impact_pair::{Scene, sweep::Grid};

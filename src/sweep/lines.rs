@@ -10,13 +10,13 @@ use crate::exact::Exact;
 
 /// The first line: everything that the points depend on.
 pub trait Head: Clone + PartialEq + Serialize + DeserializeOwned {
-    /// What each point has.
+    /// The record of a point.
     type Record: Line;
     /// The points.
     type Grid;
     /// The schema of the lines.
     const SCHEMA: &'static str;
-    /// What the lines are, in a word.
+    /// The kind of the lines, in a word.
     const NAME: &'static str;
 
     /// Returns the schema that the line names.
@@ -34,7 +34,7 @@ pub trait Head: Clone + PartialEq + Serialize + DeserializeOwned {
     /// Returns the points.
     ///
     /// # Errors
-    /// When the axes are no grid, or it has another number of points.
+    /// Returns an error if the axes are no valid grid, or it has another number of points.
     fn grid(&self) -> Result<Self::Grid, Error>;
 
     /// Returns the values of a point, one per axis.

@@ -27,7 +27,7 @@ pub struct PointSettings {
     pub transient: u64,
     /// Number of impacts after the transient.
     pub impacts: u64,
-    /// Whether the impacts are not listed, only their summary.
+    /// True if the impacts are not listed, only their summary.
     pub summary: bool,
     /// The number, from 0, of the term whose cycles are the unit, as [`Grid::reference`](super::Grid::reference) says; without it the
     /// fastest that moves the box.
@@ -59,7 +59,7 @@ pub struct Attraction {
     pub word: Word,
     /// The impact; `None` where its phase is another one of the reference in each period, as where that does not move the box.
     pub first: Option<State>,
-    /// From this impact of the orbit on it is in a neighbourhood that the period contracts.
+    /// The impact of the orbit from which on it is in a neighbourhood that the period contracts.
     pub from: u64,
     /// Bounds of what the exponent per impact tends to; `None` after a graze, where there is no derivative. Lemma L4
     pub limit: Option<[f64; 2]>,
@@ -74,17 +74,17 @@ pub struct Point {
     pub impacts: u64,
     /// Impacts per forcing period after the transient, an infinite ball where a chatter has infinitely many; `None` without two of them.
     pub impacts_per_cycle: Option<Ball>,
-    /// How a small disturbance grows after the transient.
+    /// The growth rate of a small disturbance after the transient.
     pub exponent: Exponent,
     /// The orbit that it is proved to converge to, if any.
     pub attraction: Option<Attraction>,
     /// Period of that orbit, or of the exact repetition.
     pub lasting: Option<Lasting>,
-    /// How it ended.
+    /// The outcome of the orbit.
     pub outcome: Outcome,
     /// The outcome in words.
     pub conclusion: Conclusion,
-    /// Where the start is whose orbit it is, if that is not the exact one.
+    /// The start that has the orbit, if that is not the exact one.
     pub shadow: Option<Shadowing>,
     /// The first impact that is wider than requested.
     pub first_wide: Option<u64>,
@@ -93,7 +93,7 @@ pub struct Point {
 }
 
 impl Point {
-    /// Whether all that was asked is certified.
+    /// Returns whether everything requested is certified.
     fn is_complete(&self) -> bool {
         self.first_wide.is_none() && !matches!(self.outcome, Outcome::Undecided { .. })
     }
@@ -105,7 +105,7 @@ impl Point {
 /// left to [`Arithmetic::Auto`].
 ///
 /// # Errors
-/// When a value is beyond the range of double-precision flights.
+/// Returns an error if a value is beyond the range of double-precision flights.
 pub fn follow(scene: &Scene, asked: &PointSettings, watch: &dyn Watch) -> Result<Option<Point>, Error> {
     if asked.settings.arithmetic != Arithmetic::Shadow {
         return follow_in(asked.settings.arithmetic, scene, asked, watch);
@@ -119,7 +119,7 @@ pub fn follow(scene: &Scene, asked: &PointSettings, watch: &dyn Watch) -> Result
     follow_in(Arithmetic::Auto, scene, asked, watch)
 }
 
-/// The same in one arithmetic.
+/// Follows the orbit of a scene in one arithmetic.
 fn follow_in(
     arithmetic: Arithmetic,
     scene: &Scene,
@@ -164,7 +164,7 @@ fn follow_in(
     }))
 }
 
-/// What is kept of an orbit after its transient.
+/// The data kept of an orbit after its transient.
 struct Window<'u> {
     unit: &'u Unit,
     transient: u64,
@@ -291,7 +291,7 @@ mod tests {
         let first = attraction.first.unwrap();
         assert_eq!(first.wall, Wall::Left);
         assert_eq!(point.states.iter().map(|state| state.index).collect::<Vec<_>>(), (101..=110).collect::<Vec<_>>());
-        // What is left of the transient is 0.26^50: the first impact on the left is the attractor's.
+        // The rest of the transient is 0.26^50: the first impact on the left is the attractor's.
         let left = point.states.iter().find(|state| state.wall == Wall::Left).unwrap();
         assert_abs_diff_eq!(left.velocity, first.velocity, epsilon = TRANSIENT);
         let rate = point.impacts_per_cycle.unwrap();

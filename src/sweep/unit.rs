@@ -19,12 +19,12 @@ use crate::units::{self, Phases, in_radians};
 const BITS: u32 = 160;
 const KEY: &str = "excitation.frequency";
 
-/// How long a period lasts.
+/// The length of a period.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Lasting {
-    /// In cycles of the reference, where they are a whole number.
+    /// Length in cycles of the reference, where they are a whole number.
     pub cycles: Option<u64>,
-    /// Else \[time\].
+    /// Length \[time\], where they are not.
     pub time: Option<Enclosure>,
 }
 
@@ -42,7 +42,7 @@ pub(super) struct Unit {
 struct Other {
     /// `r`
     rate: Exact,
-    /// The same, where it is proved to be a fraction.
+    /// `r`, where it is proved to be a fraction.
     fraction: Option<BigRational>,
     ball: Ball,
     /// `tau/(2 pi)` and `tau'/(2 pi)`
@@ -52,7 +52,7 @@ struct Other {
 }
 
 impl Unit {
-    /// That of a pair whose reference is the term of this number, from 0; its own fastest harmonic without one.
+    /// Returns the unit of a pair whose reference is the term of this number, from 0; its own fastest harmonic without one.
     pub fn of(pair: &ImpactPair, reference: Option<usize>) -> Result<Self, Error> {
         let excitation = pair.excitation();
         let own = excitation.reference();

@@ -1,4 +1,4 @@
-//! From a fold in floating point to a chain whose zero is proved in doubles: Lemma J5 of `docs/proofs/tangency.md#J5`.
+//! The chain of a fold in floating point, and its zero, proved in doubles: Lemma J5 of `docs/proofs/tangency.md#J5`.
 
 use nalgebra::DVector;
 
@@ -114,7 +114,7 @@ fn nearest(pair: Pair<f64>, guess: &Guessed) -> Option<Guessed> {
     Guessed::all(pair).into_iter().min_by(|a, b| apart(a).total_cmp(&apart(b))) // proposes
 }
 
-/// The chain in another arithmetic, its series so long that they err by no more than that.
+/// The chain in another arithmetic, with series of an order at which their error is at most `error`.
 pub(super) fn chain_in<N: Enclosing>(
     chain: &Chain<Ball>,
     other: N,

@@ -1,4 +1,4 @@
-//! What lies on either side of a tangency: two common points of the manifolds, and none. Lemma J13 of `docs/proofs/tangency.md#J13`.
+//! The two sides of a tangency: two common points of the manifolds, and none. Lemma J13 of `docs/proofs/tangency.md#J13`.
 
 use super::begin::InDoubles;
 use super::boxes::{self, StateBounds, between, high, low};
@@ -11,7 +11,7 @@ use crate::periodic::entries::Entries;
 use crate::periodic::krawczyk::{Effort, Equations, Proved, is_inside, polish, prove_inflating};
 use crate::periodic::precondition::Preconditioner;
 
-/// How many common points the manifolds have beside a tangency, their `sigma` and states in these boxes.
+/// The numbers of common points of the manifolds on either side of a tangency, their `sigma` and states in these boxes.
 #[derive(Clone, Debug)]
 pub(super) struct Sides {
     /// Values of the parameter with two common points.
@@ -72,7 +72,7 @@ impl Curve<'_> {
         Some((prove_inflating(self, &inverse, &guess, EFFORT)?, inverse))
     }
 
-    /// How the parameter changes along a piece, for a unit of the coordinate.
+    /// Returns the derivative of the parameter by the coordinate along a piece.
     fn slope(&self, x: &[Ball], inverse: &Preconditioner) -> Option<Ball> {
         let mut right = vec![Ball::exact(0.0); x.len()];
         right[x.len() - 1] = Ball::exact(1.0);
@@ -129,13 +129,13 @@ impl<'c> Whole<'c> {
         is_inside(&piece.at, &self.zero.domain).then_some((piece.at, inverse))
     }
 
-    /// Whether a piece is where the tangency is the only one.
+    /// Returns whether a piece is where the tangency is the only one.
     fn is_about_the_tangency(&self, piece: &[Ball]) -> bool {
         let domain = &self.found.zero.domain;
         (0..domain.len()).all(|i| place(i).is_none_or(|own| piece[own].is_interior_to(&domain[i])))
     }
 
-    /// Whether all tangencies between two values of the coordinate are the one that is proved. Lemma J13
+    /// Returns whether all tangencies between two values of the coordinate are proved to be the one that is known. Lemma J13
     fn has_one(&self, [low, high]: [f64; 2]) -> bool {
         let centre = 0.5 * (low + high);
         let at = Ball::new(centre, (centre - low).max(high - centre).next_up()); // J13: the ball holds both ends
@@ -147,7 +147,7 @@ impl<'c> Whole<'c> {
             || (high - low > SHORTEST * self.half && self.has_one([low, centre]) && self.has_one([centre, high]))
     }
 
-    /// Whether the tangency is proved to be on the curve, its coordinate in a ball. Lemma J13
+    /// Returns whether the tangency is proved to be on the curve, its coordinate in a ball. Lemma J13
     fn holds_the_tangency(&self, between: Ball) -> bool {
         let InDoubles { zero, .. } = self.found;
         let is_on = |i: usize, own: usize| {

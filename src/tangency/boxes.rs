@@ -18,18 +18,18 @@ pub(super) fn high(x: Ball) -> f64 {
     (x.mid() + x.rad()).next_up()
 }
 
-/// More than printing adds to a ball: a hundredth of its radius (Lemma P1).
+/// The ball widened by more than printing adds: a hundredth of its radius (Lemma P1).
 fn printed(x: Ball) -> Ball {
     x.widened(x.rad() / 64.0)
 }
 
-/// Whether the ends of a ball are positive and differ by less than a tenth, so that changing its units changes the parts of what is printed by
-/// less than a quarter. Lemma J13
+/// Returns whether the ends of a ball are positive and differ by less than a tenth, so that changing its units changes the parts of what
+/// is printed by less than a quarter. Lemma J13
 pub(super) fn is_narrow(x: Ball) -> bool {
     low(x) > 0.0 && high(x) < 1.1 * low(x)
 }
 
-/// Whether a ball is within a domain when it is printed.
+/// Returns whether a ball is within a domain when it is printed.
 pub(super) fn is_within(x: Ball, domain: Ball) -> bool {
     printed(x).is_interior_to(&domain)
 }

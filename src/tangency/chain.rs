@@ -32,7 +32,7 @@ pub(super) struct Chain<N> {
 /// A state with its tangent.
 pub(super) type Moving<N> = State<Jet<N>>;
 
-/// What changes in a flight with one of the unknowns.
+/// The change of a flight with one of the unknowns.
 struct Direction<N> {
     unknown: usize,
     start: Moving<N>,
@@ -137,7 +137,7 @@ impl<N: Enclosing> Chain<N> {
         pair.map(|x| Jet::constant(x.clone())).miss(&self.rescaled(from, k), to, self.flights[k])
     }
 
-    /// How `g` of a flight, and its derivative along the tangents, change where states, tangents, `D` and `e` do.
+    /// Returns the changes of `g` of a flight, and of its derivative along the tangents, with given changes of states, tangents, `D` and `e`.
     pub fn change(
         &self,
         x: &[N],
@@ -191,7 +191,7 @@ impl<N: Enclosing> Chain<N> {
         Some(values)
     }
 
-    /// What the equations lose where state and tangent after the last flight are displaced.
+    /// Returns the change of the equations, its sign reversed, with a displacement of state and tangent after the last flight.
     pub fn end_moved(&self, x: &[N], by: &Moving<N>) -> Option<Vec<N>> {
         let last = self.flights.len() - 1;
         let ends = self.ends(x, self.over)?;

@@ -10,9 +10,9 @@ use crate::number::{Ball, Number, is_positive};
 /// Lower bounds over a homoclinic orbit.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Least {
-    /// Of speeds, in `A W`.
+    /// A lower bound of speeds, in `A W`.
     pub speed: f64,
-    /// Of times of flight, in radians.
+    /// A lower bound of times of flight, in radians.
     pub time: f64,
 }
 
@@ -21,7 +21,7 @@ fn lesser(bound: f64, x: f64) -> Option<f64> {
     is_positive(x).then_some(if x < bound { x } else { bound })
 }
 
-/// Whether all flights from a box are proved to be first contacts, those of the zeros of `g` whose phases are in that of a second box.
+/// Returns whether all flights from a box are proved to be first contacts, those of the zeros of `g` whose phases are in that of a second box.
 fn is_first(pair: &Pair<Ball>, [theta, w]: State<Ball>, [phi, _]: State<Ball>, side: Side) -> Option<bool> {
     let turn = theta.turn();
     let [start, end] = [theta.checked_div(turn)?, phi.checked_div(turn)?];

@@ -1,4 +1,4 @@
-//! How far the series of a manifold converges, and what they are bounded by there: Lemmas J2 and J3 of `docs/proofs/tangency.md#J3`.
+//! Domains in which the series of a manifold converges, and bounds of them there: Lemmas J2 and J3 of `docs/proofs/tangency.md#J3`.
 
 use std::cmp::Ordering;
 
@@ -251,7 +251,7 @@ impl Local {
         })
     }
 
-    /// Whether all members of a pair are within half the reaches, and the phase and the eigenvalue of a fixed point are those of this one.
+    /// Returns whether all members of a pair are within half the reaches, and the phase and the eigenvalue of a fixed point are those of this one.
     pub fn covers(&self, pair: &Pair<Ball>, phase: Ball, eigenvalue: Ball) -> bool {
         let is_within = |x: Ball, disc: Ball| (x - Ball::exact(disc.mid())).mag() <= disc.rad();
         let is_near =

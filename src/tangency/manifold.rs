@@ -24,7 +24,7 @@ pub(super) struct Manifold {
     pub guess: Guessed,
     /// Terms up to this order are summed.
     pub order: usize,
-    /// Where it is proved to be analytic; without it only the sum is returned, which proves nothing.
+    /// The domain in which it is proved to be analytic; without it only the sum is returned, which proves nothing.
     pub local: Option<Local>,
 }
 

@@ -143,16 +143,16 @@ pub struct Tangency {
     pub least_flight: f64,
     /// No product of powers of the eigenvalues of an order from 2 to this one is one of them.
     pub resonances_excluded_to: u32,
-    /// Where a datum of the scene is an interval: bounds of the states between both points. For each value of that datum there is exactly one
-    /// value of the parameter with a tangency whose `unstable`, `stable`, parameter and states are in their bounds; all other bounds hold
-    /// for each.
+    /// Bounds of the states between both points, where a datum of the scene is an interval. For each value of that datum there is exactly
+    /// one value of the parameter with a tangency whose `unstable`, `stable`, parameter and states are in their bounds; all other bounds
+    /// hold for each.
     pub states: Option<Vec<StateBounds>>,
-    /// What is proved on either side.
+    /// The common points on either side; `None` where they are not proved.
     pub beside: Option<Beside>,
 }
 
-/// How many common points the two manifolds have on either side of a tangency, along its flights, with their `sigma_u`, `sigma_s` and the
-/// states between both in these boxes.
+/// The numbers of common points of the two manifolds on either side of a tangency, along its flights, with their `sigma_u`, `sigma_s` and
+/// the states between both in these boxes.
 #[derive(Clone, Debug)]
 pub struct Beside {
     /// Values of the parameter, in the units of the scene: for each there are exactly two common points.
@@ -185,9 +185,9 @@ pub struct Tangencies {
     pub tangencies: Vec<Tangency>,
     /// Folds of floating point of which nothing is proved.
     pub unproved: Vec<UnprovedTangency>,
-    /// Whether it was interrupted before the search or the proofs were done.
+    /// `true` if it was interrupted before the search or the proofs were done.
     pub interrupted: bool,
-    /// Whether the search ended at the limit of its work before all words and all folds were tried.
+    /// `true` if the search ended at the limit of its work before all words and all folds were tried.
     pub limited: bool,
 }
 
@@ -255,12 +255,12 @@ impl Tangencies {
 }
 
 impl UnprovedTangency {
-    /// Why it is undecided.
+    /// The reason why it is undecided.
     pub const REASON: &str = "the tangency near this fold of floating point, or one of its flights, is not proved";
 }
 
 impl Tangency {
-    /// Whether another one may be at the same value.
+    /// Returns whether another one may be at the same value.
     fn meets(&self, other: &Self) -> bool {
         self.parameter.intersection(&other.parameter).is_some()
     }
@@ -277,10 +277,10 @@ struct Search<'s> {
     range: [f64; 2],
 }
 
-/// What a search in floating point finds.
+/// The result of a search in floating point.
 struct Folds {
     folds: Vec<Fold>,
-    /// Whether there may be more: it ended at the limit of its work.
+    /// `true` if there may be more: it ended at the limit of its work.
     limited: bool,
 }
 
@@ -385,14 +385,14 @@ impl<'s> Search<'s> {
         value.map_or(f64::NAN, |value| value.enclose(64).mid_rad().0) // shown
     }
 
-    /// Whether bounds of the parameter are within the range.
+    /// Returns whether bounds of the parameter are within the range.
     fn is_inside(&self, parameter: &Enclosure) -> Result<bool, Error> {
         let bits = 256;
         let (low, high) = (self.over.low.enclose(bits), self.over.high.enclose(bits));
         Ok(low.sup() <= parameter.inf() && parameter.sup() <= high.inf())
     }
 
-    /// What is proved, in the units of the scene.
+    /// Returns the tangency of a proof, in the units of the scene.
     fn tangency(&self, proof: Proof) -> Result<Tangency, Error> {
         let [unstable, stable] = proof.sigma;
         Ok(Tangency {

@@ -1,4 +1,4 @@
-//! That a tangency is the only one within its bounds: Lemma J6 of `docs/proofs/tangency.md#J6`.
+//! Proof that a tangency is the only one within its bounds: Lemma J6 of `docs/proofs/tangency.md#J6`.
 
 use super::chain::{Chain, FIRST, Moving};
 use super::flight::{Pair, follow};
@@ -31,7 +31,7 @@ fn derivatives(chain: &Chain<Ball>, domain: &[Ball], first: Moving<Ball>, own: f
     Some(all)
 }
 
-/// Returns whether a proved zero is the only one whose `sigma_u`, `sigma_s` and `D` are within so much of its own. Lemma J6
+/// Returns whether a proved zero is the only one whose `sigma_u`, `sigma_s` and `D` are within these distances of its own. Lemma J6
 pub(super) fn is_only(chain: &Chain<Ball>, domain: &[Ball], at: &[Ball], within: [f64; 3]) -> Option<bool> {
     let [unstable, stable, gap] = within;
     let pair = chain.pair(domain);

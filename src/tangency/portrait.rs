@@ -54,7 +54,7 @@ impl Near<'_> {
         Some(Near { tangency, floats: Floats::new(Pair { gap, restitution: e }, guess)?, gap, e })
     }
 
-    /// How many flights before the end the tangency is looked at.
+    /// Returns the number of flights before the end at which the tangency is magnified.
     fn before(&self) -> usize {
         self.tangency.flights.0.iter().rev().take_while(|side| **side == Side::Far).count().min(BEFORE)
     }

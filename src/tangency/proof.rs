@@ -1,4 +1,4 @@
-//! What a zero of a chain says of the tangency: Lemmas J5, J7 and J8 of `docs/proofs/tangency.md#J5`.
+//! The properties of a tangency that follow from a zero of a chain: Lemmas J5, J7 and J8 of `docs/proofs/tangency.md#J5`.
 
 use super::beside::Sides;
 use super::boxes::StateBounds;
@@ -11,7 +11,7 @@ use crate::exact::Enclosure;
 use crate::number::Enclosing;
 use crate::periodic::precondition::Preconditioner;
 
-/// What is proved of a tangency, in the units of `docs/proofs/tangency.md`.
+/// The proved properties of a tangency, in the units of `docs/proofs/tangency.md`.
 #[derive(Clone, Debug)]
 pub(super) struct Proof {
     /// The value of the parameter.
@@ -25,9 +25,9 @@ pub(super) struct Proof {
     pub least: Least,
     pub resonances: u32,
     pub flights: Vec<chaos::Side>,
-    /// Of a family: bounds of the states between, of which there is one tangency only. Lemma J12
+    /// Bounds of the states between, of which there is one tangency only, of a family. Lemma J12
     pub states: Option<Vec<StateBounds>>,
-    /// What is proved on either side. Lemma J13
+    /// The common points on either side; `None` where they are not proved. Lemma J13
     pub beside: Option<Sides>,
 }
 
@@ -41,7 +41,7 @@ fn in_period<N: Enclosing>(phase: N) -> N {
     }
 }
 
-/// What follows of a chain and an enclosure of its zero, its flights proved. Lemmas J7, J8
+/// Returns the properties that follow from a chain and an enclosure of its zero, its flights proved. Lemmas J7, J8
 pub(super) fn conclude<N: Enclosing>(
     chain: &Chain<N>,
     inverse: &Preconditioner,

@@ -22,8 +22,8 @@ pub(super) struct Question {
     pub precision: Precision,
 }
 
-/// How much wider than the radii of the enclosures the bounds are within which there is no other tangency: more than printing adds (Lemma P1),
-/// and the change of units.
+/// Factor from the radii of the enclosures to the bounds within which there is no other tangency: more than printing adds (Lemma P1), and
+/// the change of units.
 const WIDER: f64 = 8.0;
 impl InDoubles {
     /// The zero is the only one within its bounds (Lemma J6), and what follows of it.

@@ -6,7 +6,7 @@ use super::terms::Terms;
 use crate::number::{Ball, Enclosing, Number, logarithm};
 use crate::periodic::bifurcation::Jet;
 
-/// Which manifold of the fixed point.
+/// A manifold of the fixed point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Side {
     Unstable,
@@ -128,8 +128,8 @@ impl<N: Enclosing> Saddle<N> {
     }
 }
 
-/// Whether `|lambda_u| > 1 > |lambda_s|`, and the order up to which no product of powers of both, of order 2 or more, is proved to be
-/// one of them. Lemma J8
+/// Returns the order up to which no product of powers of both eigenvalues, of order 2 or more, is proved to be one of them; `None` where
+/// `|lambda_u| > 1 > |lambda_s|` is not proved. Lemma J8
 pub(super) fn resonances([unstable, stable]: [Ball; 2], most: u32) -> Option<u32> {
     let log = |x: Ball| logarithm(if x.mid() < 0.0 { -x } else { x });
     let [u, s] = [log(unstable)?, log(stable)?];

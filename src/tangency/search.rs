@@ -1,4 +1,4 @@
-//! Where the unstable manifold folds near the stable one, in floating point.
+//! Folds of the unstable manifold near the stable one, in floating point.
 //!
 //! Labels: proposes throughout.
 
@@ -60,7 +60,7 @@ const MOST_STABLE: f64 = 0.15;
 const SAMPLES: u32 = 200;
 const FINE: f64 = 0.02;
 const MOST_SAMPLES: usize = 40_000;
-/// How near two samples are at least, relative.
+/// Least distance of two samples, relative.
 const NEAREST: f64 = 1e-13;
 /// The farthest fold from the stable manifold that is of use.
 const FARTHEST: f64 = 0.2;

@@ -1,4 +1,4 @@
-//! How a tangency bends and unfolds: Lemma J7 of `docs/proofs/tangency.md#J7`.
+//! The quadratic coefficient of a tangency and its speed of unfolding: Lemma J7 of `docs/proofs/tangency.md#J7`.
 
 use super::chain::{Chain, Moving, power};
 use super::saddle::zero;

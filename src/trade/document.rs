@@ -60,7 +60,7 @@ fn rung(measured: &Measured, trade: &Trade<'_>) -> RungDocument {
     }
 }
 
-/// The rung as the command line says it.
+/// The arithmetic as the command line names it.
 fn asked(rung: Rung) -> RungAsked {
     let (arithmetic, digits) = match rung {
         Rung::Float => ("float".to_owned(), None),

@@ -48,9 +48,9 @@ pub struct Judgement {
     pub time: Largest,
     /// The largest error of a velocity.
     pub velocity: Largest,
-    /// Where errors of times exceed the thresholds.
+    /// The impacts at which errors of times exceed the thresholds.
     pub crossings: Vec<Crossing>,
-    /// Where the orbit departs from the true word, if it does.
+    /// The impact at which the orbit departs from the true word, if it does.
     pub departure: Option<Divergence>,
 }
 
@@ -76,7 +76,7 @@ impl Largest {
     }
 }
 
-/// Where the errors of times exceed a threshold.
+/// The impacts at which the errors of times exceed a threshold.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Crossing {
     /// The power of ten of a period.
@@ -87,7 +87,7 @@ pub struct Crossing {
     pub exceeded: Option<u64>,
 }
 
-/// Where the orbit departs from the true word.
+/// The impact at which the orbit departs from the true word.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Divergence {
     /// The first impact that is another one.
@@ -143,7 +143,7 @@ fn distance(one: &Enclosure, other: &Enclosure, unit: &Unit) -> [Size; 2] {
     [unit.below(&least), unit.above(&most)]
 }
 
-/// What the truth is computed with.
+/// Returns the settings with which the true orbit is computed.
 pub(super) fn truth(asked: &Settings) -> Settings {
     if MULTIPRECISION { Rung::Auto(DIGITS).settings(asked) } else { Rung::Interval.settings(asked) }
 }
@@ -156,7 +156,7 @@ pub(super) fn name(truth: &Settings) -> String {
     }
 }
 
-/// What an orbit lists next.
+/// The next entry in the list of an orbit.
 enum Next {
     /// An impact; `None` at its end.
     Reading(Option<Reading>),

@@ -18,7 +18,7 @@ pub enum Rung {
     Interval,
     /// The textbook's method.
     Inari,
-    /// Of one true orbit near the given one.
+    /// Certified bounds of one true orbit near the given one.
     Shadow,
     /// Certified with this number of bits.
     Bits(u32),
@@ -27,7 +27,7 @@ pub enum Rung {
 }
 
 impl Rung {
-    /// The settings of this rung that reach as far as `asked`.
+    /// Returns the settings of an orbit in this arithmetic, as long as `asked` says.
     pub(super) fn settings(self, asked: &Settings) -> Settings {
         let settings = |arithmetic| Settings { arithmetic, ..asked.clone() };
         match self {
@@ -54,12 +54,12 @@ impl fmt::Display for Rung {
     }
 }
 
-/// The rungs one after another; how many of fixed bits there are shows on the way.
+/// The arithmetics to measure, one after another; the number of those of fixed bits depends on the results.
 #[derive(Clone, Debug)]
 pub(super) struct Ladder {
     next: Option<Rung>,
     max_bits: u32,
-    /// Whether the textbook's method is one: it is known of one harmonic only, and in a build with the feature `inari`.
+    /// True if the textbook method is measured: it is known for one harmonic only, and in a build with the feature `inari`.
     textbook: bool,
     /// The greatest number of impacts reached with fixed bits, and the number of steps since without progress.
     reached: u64,
@@ -101,7 +101,7 @@ impl Ladder {
 mod tests {
     use super::*;
 
-    /// The names of the rungs when `bits` bits reach N of 100 impacts.
+    /// Returns the names of the arithmetics measured if `bits` bits reach `reach(bits)` of 100 impacts.
     fn rungs(max_bits: u32, reach: impl Fn(u32) -> u64) -> Vec<String> {
         let mut ladder = Ladder::new(max_bits, true);
         let mut names = Vec::new();

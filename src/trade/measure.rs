@@ -13,19 +13,19 @@ use crate::scales::{Scales, Size, Unit};
 use crate::watch::{Silent, Watch};
 use crate::{Error, Scene};
 
-/// Runs are repeated until those without and with bounds, and what prepares them, have taken so long together, ...
+/// Runs are repeated until those without and with bounds, and their preparations, have taken this time together, ...
 const LONG_ENOUGH: Duration = Duration::from_millis(400);
-/// ... or so often.
+/// ... or until there are this many of them.
 const OFTEN_ENOUGH: usize = 301;
-/// The first run is timed impact by impact. That is all when it takes longer than this, ...
+/// The first run is timed impact by impact. It is not repeated if it takes longer than this, ...
 const LONG: Duration = Duration::from_secs(1);
-/// ... and than this an impact: looking at the clock three times takes less than 1 % of it.
+/// ... and longer than this per impact: reading the clock three times takes less than 1 % of it.
 const SLOW: Duration = Duration::from_micros(20);
 
 /// The measurements of one arithmetic.
 #[derive(Clone, Debug)]
 pub struct Measured {
-    /// What it is.
+    /// The arithmetic as requested.
     pub rung: Rung,
     /// The arithmetic, as in the orbit JSON.
     pub computed: ArithmeticDocument,
@@ -33,13 +33,13 @@ pub struct Measured {
     pub bits: u32,
     /// Impacts reached.
     pub impacts: u64,
-    /// Whether anything is claimed.
+    /// True if anything is certified.
     pub is_certified: bool,
-    /// How it ended.
+    /// The outcome of the orbit.
     pub conclusion: Conclusion,
     /// The guaranteed widths; `None` if non-rigorous.
     pub widths: Option<Widths>,
-    /// How long it takes.
+    /// The computing times.
     pub times: Times,
 }
 
@@ -63,13 +63,13 @@ impl Measured {
 /// Guaranteed widths, in the units of [`Scales`].
 #[derive(Clone, Copy, Debug)]
 pub struct Widths {
-    /// Of times.
+    /// Widths of times.
     pub time: Extent,
-    /// Of velocities.
+    /// Widths of velocities.
     pub velocity: Extent,
 }
 
-/// How wide the enclosures of a quantity are.
+/// Widths of the enclosures of a quantity.
 #[derive(Clone, Copy, Debug)]
 pub struct Extent {
     /// The widest.
@@ -97,7 +97,7 @@ pub struct Times {
     pub repetitions: usize,
 }
 
-/// Measures a rung; `None` if interrupted.
+/// Measures an arithmetic; `None` if interrupted.
 pub(super) fn measure(
     scene: &Scene,
     rung: Rung,
@@ -128,7 +128,7 @@ pub(super) fn measure(
     }))
 }
 
-/// What the first run shows.
+/// The observations of the first run.
 struct Seen {
     last: Option<Event>,
     widths: Option<Widths>,
@@ -161,7 +161,7 @@ fn observe(orbit: &mut Orbit, units: &Scales<Unit>, watch: &dyn Watch) -> Seen {
     }
 }
 
-/// Repeats the run for a while, in forcing periods without and, where they are certified, with bounds; `None` if interrupted.
+/// Repeats the run for a while, alternately without and, if they are certified, with bounds; `None` if interrupted.
 fn repeat(
     begin: impl Fn() -> Result<Orbit, Error>,
     is_certified: bool,
@@ -184,7 +184,7 @@ fn repeat(
     Ok(Some(Times { orbit: median(without), with_bounds, repetitions }))
 }
 
-/// How long the orbit takes from here to its end; `None` if interrupted.
+/// Returns the computing time of the orbit from here to its end; `None` if interrupted.
 fn time(mut orbit: Orbit, watch: &dyn Watch, each: impl Fn(&Orbit, Impact)) -> Option<Duration> {
     let since = Instant::now();
     orbit.follow_impacts(&Silent(watch), |orbit, impact| {

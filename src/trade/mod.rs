@@ -68,7 +68,7 @@ impl<'s> Trade<'s> {
     /// Returns the requested length of the orbits, in words.
     ///
     /// # Panics
-    /// When neither impacts nor a time are requested: no orbit goes on for ever.
+    /// Panics if neither impacts nor a time are requested: no orbit goes on for ever.
     pub fn goal(&self) -> String {
         let impacts = self.asked.impacts.map(|impacts| counted(impacts, "impact"));
         let until = self.asked.until.as_ref().map(|until| format!("t = {until}"));

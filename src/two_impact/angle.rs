@@ -7,7 +7,7 @@ const STEPS: usize = 16;
 
 /// The phase of `(cos, sin)`, between -pi and pi or a little beyond; `None` if the sets are too wide for one.
 ///
-/// For members that are the sine and cosine of one angle. (Lemma W9)
+/// Encloses the angle whose sine and cosine are members of `sin` and `cos`. (Lemma W9)
 pub(super) fn angle(sin: &Real, cos: &Real) -> Option<Real> {
     let guess = Dyadic::from_f64(sin.to_f64().atan2(cos.to_f64()))?;
     let mut at = Real::point(guess, sin.bits());

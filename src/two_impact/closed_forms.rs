@@ -87,7 +87,7 @@ pub fn grazing_angle(e: &Real) -> Option<Real> {
         let slope = (&kappa - 1) * cos - &kappa * sin * (a + b);
         Some(Jet { value, slope })
     };
-    // Where kappa cos b <= 1 and G is smooth.
+    // The interval on which kappa cos b <= 1 and G is smooth.
     let [_, first] = acos(&Real::int(1, e.bits()).over(&kappa)?)?.ends();
     height(&first)?.value.is_positive().then_some(())?;
     let last = Real::pi(e.bits()).half();

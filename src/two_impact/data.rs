@@ -36,7 +36,7 @@ impl Found {
 
 impl Data {
     /// # Errors
-    /// When e is neither 1 nor proved to be below 1, or `d/A` beyond the range of exact expressions.
+    /// Returns an error if e is neither 1 nor proved to be below 1, or `d/A` beyond the range of exact expressions.
     pub fn new(pair: &ImpactPair, cycles: u32) -> Result<Self, Error> {
         let e = pair.restitution();
         let is_elastic = match e.compare(&Exact::from(1)) {
@@ -77,7 +77,7 @@ impl Data {
         self.pair.restitution().checked_add(&Exact::from(1))?.checked_mul(&period)
     }
 
-    /// How `g` compares with 2 and with `K`, exactly.
+    /// Returns the exact order of `g` and 2, and of `g` and `K`.
     fn orders(&self, ratio: &Exact) -> Orders {
         let slope = || {
             let below = Exact::from(1).checked_sub(self.pair.restitution())?;
@@ -145,7 +145,7 @@ impl Data {
         }
     }
 
-    /// Whether `sin th0 = 0` exactly, by (67): `2 d W = (1 + e) N pi |v|`.
+    /// Returns whether `sin th0 = 0` exactly, by (67): `2 d W = (1 + e) N pi |v|`.
     fn is_level(&self, speed: &Exact) -> bool {
         let sides = || {
             let gap = self.pair.gap().checked_mul(self.frequency())?.checked_mul(&Exact::from(2))?;
@@ -207,7 +207,7 @@ impl Data {
         }
     }
 
-    /// How `(1 - e)|v|` compares with `2 A W`: `cos th0` with 1, (66).
+    /// Returns the order of `(1 - e)|v|` and `2 A W`: that of `cos th0` and 1, (66).
     fn speed_order(&self, speed: &Exact) -> Option<Ordering> {
         let sides = || {
             let below = Exact::from(1).checked_sub(self.pair.restitution())?.checked_mul(speed)?;

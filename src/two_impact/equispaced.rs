@@ -6,19 +6,19 @@ use super::closed_forms::{slope, speed};
 use super::motion::{Motion, Parameters};
 use crate::exact::Real;
 
-/// What is known exactly about `g = d/A`: how it compares with 2, and with `K`.
+/// The exact orders of `g = d/A` and 2, and of `g` and `K`.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Orders {
-    /// Of `2 - g`.
+    /// The sign of `2 - g`.
     pub room: Option<Ordering>,
-    /// Of `g - K`.
+    /// The sign of `g - K`.
     pub rise: Option<Ordering>,
 }
 
-/// What is known of the solutions of (67) for `th0`.
+/// The solutions of (67) for `th0`.
 pub(super) struct Solutions {
     pub motions: Vec<Motion>,
-    /// Whether others may exist: near the fold, or at `d = 2 A`.
+    /// True if others may exist: near the fold, or at `d = 2 A`.
     pub is_doubtful: bool,
 }
 

@@ -12,7 +12,7 @@ const BOXES: usize = 4000;
 /// Steps of [`refine`] at most.
 const STEPS: usize = 400;
 
-/// What is known of the zeros in a part of an interval.
+/// The result for the zeros in a part of an interval.
 #[derive(Clone, Debug)]
 pub(super) enum Part {
     /// Exactly one, for each choice of the parameters; `f` is strictly monotone on `x` and has the sign `left` before it.
@@ -23,17 +23,17 @@ pub(super) enum Part {
 
 /// An interval, and the signs of the function at its ends where they are known: `Equal` says that it is 0 there.
 pub(super) struct Interval {
-    /// From one end to the other, or a little beyond.
+    /// The interval from one end to the other, or a little beyond.
     pub x: Real,
     pub signs: [Option<Ordering>; 2],
 }
 
-/// What is known of a box.
+/// The result for a box.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Class {
     /// The function has this sign.
     Sign(Ordering),
-    /// It rises or falls.
+    /// The function rises or falls.
     Slope,
     Neither,
 }
@@ -92,7 +92,8 @@ fn classify(x: &Real, f: impl Fn(&Real) -> Option<Jet>) -> Class {
 }
 
 impl Row {
-    /// What it holds, given the sign where it ends. Slopes of neighbours agree where they meet.
+    /// Returns its zero, or the doubt whether it has any, given the sign at its end; `None` if it has none. Slopes of neighbours agree
+    /// where they meet.
     fn close(self, right: Option<Ordering>) -> Option<Part> {
         match (self.sign, right) {
             (Some(left), Some(right)) if self.is_monotone => {

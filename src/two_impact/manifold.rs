@@ -36,7 +36,7 @@ impl Axis {
     }
 }
 
-/// Where something changes along a curve, in the order of rising `d W/|v|`.
+/// A change along a curve, in the order of rising `d W/|v|`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Mark {
     /// The near wall is grazed: admissible beyond.
@@ -64,9 +64,9 @@ impl Mark {
 /// The properties proved at every point between one listed point of a curve and the next.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Part {
-    /// Whether `sin th0 > 0`: solid in the figures; else it is negative.
+    /// True if `sin th0 > 0`: solid in the figures; else it is negative.
     pub is_solid: bool,
-    /// Whether no wall is touched between the impacts.
+    /// True if no wall is touched between the impacts.
     pub is_physical: bool,
     /// Stability.
     pub stability: Stability,
@@ -92,7 +92,7 @@ pub struct Point {
 pub struct Manifold {
     /// N
     pub cycles: u32,
-    /// In the order of W or v.
+    /// The points in the order of W or v.
     pub points: Vec<Point>,
 }
 
@@ -105,9 +105,9 @@ pub struct Range<'p> {
     pub speed: Exact,
     /// The parameter of the curves.
     pub axis: Axis,
-    /// From here ...
+    /// Lower end of the range of W \[rad/time\] or v \[length/time\].
     pub from: Exact,
-    /// ... to here.
+    /// Upper end of the range.
     pub to: Exact,
     /// Number of equidistant points, endpoints included.
     pub count: usize,
@@ -150,8 +150,8 @@ impl Range<'_> {
     /// Returns the curve of N cycles, N odd; of its points the first ones, those computed before the watch stops it.
     ///
     /// # Errors
-    /// When there are several harmonics, e is not below 1, N is even (65), a number is an interval of values, the range is empty or
-    /// holds 0, or two marks cannot be distinguished.
+    /// Returns an error if there are several harmonics, if e is not below 1, if N is even (65), if a number is an interval of values,
+    /// if the range is empty or holds 0, or if two marks cannot be distinguished.
     pub fn manifold(&self, cycles: u32, digits: u32, watch: &dyn Watch) -> Result<Manifold, Error> {
         self.check(cycles)?;
         let bits = working_bits(digits);
@@ -233,7 +233,7 @@ impl Range<'_> {
         Ok(())
     }
 
-    /// Whether `x` falls along the axis.
+    /// Returns whether `x` falls along the axis.
     fn runs_down(&self) -> bool {
         self.axis == Axis::Velocity(Wall::Right)
     }
@@ -249,7 +249,7 @@ impl Range<'_> {
         let fold = (below.square() * 2).over(&(&period * (&e + 1))).map(|step| &level + step);
         let graze = || grazing_angle(&e).and_then(|b| (&below * b.sin()).over(&b.cos())).map(|step| &level - step);
         let mut all = vec![(Mark::Pitchfork, pitchfork), (Mark::Level, Some(level.clone())), (Mark::Fold, fold)];
-        // A dead ball (e = 0) is pressed to the wall where sin th0 < 0: it has no graze but the level.
+        // With perfectly plastic impacts (e = 0) the ball sticks to the wall where sin th0 < 0: it has no graze but the level.
         if self.pair.restitution().sign() != Some(Ordering::Equal) {
             all.push((Mark::Graze, graze()));
         }
@@ -310,7 +310,7 @@ fn order(a: &Real, b: &Real) -> Option<Ordering> {
     (a - b).sign().filter(|order| order.is_ne())
 }
 
-/// What holds from here to the next place: no mark is between them.
+/// Returns the properties from here to the next place: no mark is between them.
 fn part(left: &Place, marks: &[(Mark, Real)]) -> Part {
     let is_beyond = |mark: Mark| {
         marks.iter().any(|(other, x)| {

@@ -15,7 +15,7 @@ pub(super) struct Parameters {
     pub ratio: Real,
     /// `e`
     pub restitution: Real,
-    /// Whether `e` is exactly 0: the ball leaves at rest.
+    /// True if `e` is exactly 0: the ball leaves at rest.
     pub is_dead: bool,
 }
 
@@ -45,7 +45,7 @@ pub(super) struct Motion {
     pub spacing: Real,
     /// `V`, the speed before each impact (61).
     pub speed: Real,
-    /// Whether it is its own mirror image: then it is equispaced with N odd.
+    /// True if it is its own mirror image: then it is equispaced with N odd.
     pub is_symmetric: bool,
 }
 
@@ -149,10 +149,10 @@ struct Flight<'m> {
 }
 
 impl Flight<'_> {
-    /// Whether it touches no wall before its end (Lemma W3, the extrema): those of height 0 or `g` exactly are undecided.
+    /// Returns whether it touches no wall before its end (Lemma W3, the extrema): those of height 0 or `g` exactly are undecided.
     fn is_first(&self) -> Option<bool> {
         if self.is_dead {
-            // It leaves at rest: where the sine is negative it is pressed to the wall.
+            // It leaves at rest: where the sine is negative it sticks to the wall.
             match self.sin.sign()? {
                 Ordering::Less => return Some(false),
                 Ordering::Equal => return None,

@@ -23,10 +23,10 @@ use crate::periodic::{MeasuredOrbit, Stability};
 pub const CYCLES: RangeInclusive<u32> = 1..=999;
 /// Bits of the bounds that are handed on, beyond the whole bits of the requested digits.
 pub(super) const SHOWN: u32 = 11;
-/// What is not known of several harmonics, and what is.
+/// The closed form, which is not known for several harmonics, with the command that serves these.
 pub(super) const ONE_HARMONIC: &str =
     "the closed form of two impacts (for several, use periodic --word RL --cycles N --all)";
-/// The precision is doubled so often at most.
+/// Greatest number of doublings of the precision.
 const ROUNDS: u32 = 4;
 
 /// The quantity of (66)-(68) to solve for.
@@ -66,16 +66,17 @@ pub struct Answer {
     pub orbits: Vec<Orbit>,
     /// Parts of `th1 - th0` \[rad\] in which there may be others.
     pub undecided: Vec<Enclosure>,
-    /// Whether there are proved to be no others with two impacts in N cycles that never rest (Lemma T12).
+    /// True if there are proved to be no others with two impacts in N cycles that never rest (Lemma T12).
     pub is_exhaustive: bool,
-    /// Whether everything is decided: for each orbit uniqueness, first contacts, stability (with e = 1 a neutral one counts), and the requested digits.
+    /// True if everything is decided: for each orbit uniqueness, first contacts, stability (with e = 1 a neutral one counts), and the
+    /// requested digits.
     pub is_complete: bool,
 }
 
 /// Returns the speed before the impact that a scene starts with \[length/time\].
 ///
 /// # Errors
-/// When it starts inside the gap.
+/// Returns an error if it starts inside the gap.
 pub fn speed(scene: &Scene) -> Result<Exact, Error> {
     let (start, key) = (scene.start(), "start.velocity");
     match start.place() {
@@ -92,8 +93,8 @@ impl Problem {
     /// Returns the search for `pair`.
     ///
     /// # Errors
-    /// When a given number is not greater than 0, e is neither 1 nor proved to be below 1, N is not among [`CYCLES`], there are
-    /// several harmonics, or the amplitude is unknown for e = 1 and N even, where it is arbitrary.
+    /// Returns an error if a given number is not greater than 0, if e is neither 1 nor proved to be below 1, if N is not among [`CYCLES`],
+    /// if there are several harmonics, or if the amplitude is unknown for e = 1 and N even, where it is arbitrary.
     pub fn new(pair: &ImpactPair, cycles: u32, unknown: Unknown) -> Result<Self, Error> {
         if !CYCLES.contains(&cycles) {
             let accepted = format!("must be an integer from {} to {}", CYCLES.start(), CYCLES.end());
@@ -196,7 +197,7 @@ impl Answer {
     }
 }
 
-/// Whether no other motion lies within the bounds of this one as they are printed.
+/// Returns whether no other motion lies within the bounds of this one as they are printed.
 ///
 /// `is_searched` says that the others and the doubts are all there are; bounds are rounded to `shown` bits.
 fn is_unique<'m>(
@@ -244,12 +245,12 @@ impl Bounds {
         may(&self.left, &other.left) && may(&self.right, &other.right) && !self.speed.is_apart_from(&other.speed)
     }
 
-    /// Whether a spacing may be one of these, modulo `2 pi`.
+    /// Returns whether a spacing may be one of these, modulo `2 pi`.
     fn may_have(&self, spacing: &Real) -> bool {
         !self.spacing.sin().is_apart_from(&spacing.sin()) && !self.spacing.cos().is_apart_from(&spacing.cos())
     }
 
-    /// Whether a symmetric motion is the only one in its bounds for its `d/A`; `None` if that is not decided.
+    /// Returns whether a symmetric motion is the only one in its bounds for its `d/A`; `None` if that is not decided.
     fn is_alone(&self, parameters: &Parameters) -> Option<bool> {
         let Parameters { cycles, ratio, restitution, .. } = parameters;
         // No other number of turns on the way: p = (g - sin th0 + sin th1)/c (57).
@@ -268,7 +269,7 @@ impl Bounds {
     }
 }
 
-/// Whether phases and speed have N digits.
+/// Returns whether phases and speed have N digits.
 fn is_narrow(motion: &Motion, digits: u32) -> bool {
     let power = BigRational::new(1.into(), BigInt::from(10).pow(digits));
     let unit = Enclosure::from_rational(&power, 64).inf().clone();

@@ -6,7 +6,7 @@ use super::motion::Motion;
 use crate::exact::Real;
 use crate::periodic::Stability;
 
-/// What is known of `DP` over a period.
+/// The spectrum of `DP` over a period.
 #[derive(Clone, Debug)]
 pub(super) struct Spectrum {
     pub trace: Real,
@@ -39,7 +39,7 @@ impl Spectrum {
     }
 }
 
-/// By the square of a trace, and that of 1 and the determinant.
+/// Returns the stability, from the square of the trace and from `bound`, the square of 1 plus the determinant.
 fn stability(trace: &Real, bound: &Real, e: &Real) -> Stability {
     let is_elastic = (e - 1).sign() == Some(Ordering::Equal);
     match (trace - bound).sign() {

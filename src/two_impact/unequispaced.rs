@@ -17,7 +17,7 @@ pub(super) struct Spacing<'p> {
     room: Option<Ordering>,
 }
 
-/// What W5 is made of, on one piece.
+/// The factors of the equation of Lemma W5, on one piece.
 struct Factors {
     /// `|s|`
     sine: Jet,
@@ -41,7 +41,7 @@ impl Piece {
         self.cycles % 2 == 1
     }
 
-    /// Whether `sigma = sign(s k)` is 1.
+    /// Returns whether `sigma = sign(s k)` is 1.
     fn sigma(self) -> bool {
         (self.cycles + self.quarter).is_multiple_of(2)
     }
@@ -54,14 +54,14 @@ impl Piece {
         matches!(self.quarter % 4, 0 | 3)
     }
 
-    /// Whether `s = sin(N pi/2 + eps)` is positive.
+    /// Returns whether `s = sin(N pi/2 + eps)` is positive.
     fn s_is_positive(self) -> bool {
         let of_eps = if self.is_odd() { self.cosine_is_positive() } else { self.sine_is_positive() };
         // sin(N pi/2) for N odd, cos(N pi/2) for N even.
         of_eps == (self.cycles % 4 < 2)
     }
 
-    /// Whether `k = 0` at the multiple of `pi/2` where it begins, or else where it ends.
+    /// Returns whether `k = 0` at the beginning of the piece (`end` 0) or at its end (`end` 1), a multiple of `pi/2`.
     fn k_vanishes(self, end: u32) -> bool {
         // k is +-sin eps for N odd, +-cos eps for N even.
         (self.quarter + end).is_multiple_of(2) == self.is_odd()

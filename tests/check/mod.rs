@@ -44,7 +44,7 @@ fn split(document: &Value) -> Value {
     split
 }
 
-/// Where the impacts that a document lists come, and how fast, found again: times and velocities.
+/// The impacts that a document lists, found again: times and velocities.
 fn found_again(document: &Value) -> Vec<(Enclosure, Enclosure)> {
     Certificate::parse(&document.to_string()).unwrap().retraced(192).unwrap()
 }

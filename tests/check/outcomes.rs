@@ -1,4 +1,4 @@
-//! What an outcome says, and how much work a check may take.
+//! Claims of outcomes, and the work that a check may take.
 
 use super::*;
 

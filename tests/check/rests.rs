@@ -103,7 +103,7 @@ fn r32_exact_grazes_without_drift_are_confirmed_from_any_phase() {
     ] {
         assert!(!confirmed(&of(start, grazes)), "{start:?}");
     }
-    // Where the box may stand still the ball may lie on its wall.
+    // If the box may stand still, the ball may lie on its wall.
     let mut on_wall = of(["1/4", "0", "0"], [("left", "1.25"), ("left", "2.25"), ("left", "3.25")]);
     on_wall["scene"]["start"] = json!({"time": "1/4", "wall": "left", "velocity": "0"});
     for (amplitude, is_true) in [("[0.1, 0.2]", true), ("[0, 0.1]", false)] {

@@ -1,4 +1,4 @@
-//! How much `check` may take where tests have it judge documents.
+//! The effort that `check` may take where tests compare its verdicts on documents.
 
 use impact_pair_certificate::Effort;
 

@@ -77,7 +77,7 @@ fn misplaced(original: &Original) -> Vec<Forged> {
 fn other_verdict(original: &Original) -> Vec<Forged> {
     let mut all = Vec::new();
     for (k, stretch) in stretches(original).iter().enumerate() {
-        // What is stable may attract the scene's own orbit as well, and the reverse.
+        // A stable orbit may attract the scene's own orbit as well, and the reverse.
         let others = ["horseshoe", "attracted", "stable", "undecided", "chaotic"];
         let is_other = |other: &&&str| {
             let both = ["attracted", "stable"];
@@ -121,7 +121,7 @@ fn other_word(original: &Original) -> Vec<Forged> {
     all
 }
 
-/// Of two letters per impact no more than ln 2 follows per impact.
+/// Claims entropies above ln 2 per impact, which two letters per impact exclude.
 fn more_entropy(original: &Original) -> Vec<Forged> {
     let own = stretches(original);
     let with_entropy = own.iter().enumerate().filter(|(_, stretch)| stretch["entropy"].is_object());

@@ -75,7 +75,7 @@ fn fields(original: &Original) -> Vec<Forged> {
     all
 }
 
-/// What an orbit that starts near converges to need not be what the scene's own does.
+/// Replaces the start by one near it: the limit of an orbit that starts near need not be that of the scene's own.
 fn starts(original: &Original) -> Vec<Forged> {
     if original.kind != "description" || original.document["proof"].is_null() {
         return Vec::new();

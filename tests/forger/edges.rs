@@ -46,7 +46,7 @@ fn places(original: &Original) -> Vec<(String, [BigRational; 2])> {
         .collect()
 }
 
-/// How far beyond the bounds nothing true is: of a shadowed orbit, whose start is one of several, some widths.
+/// A distance beyond the bounds at which no value is true: of a shadowed orbit, whose start is one of several, some widths.
 fn margin(original: &Original, [lower, upper]: &[BigRational; 2]) -> BigRational {
     if original.kind == "shadow" {
         return (upper - lower) * fraction(30, 1) + fraction(1, 1 << 50);

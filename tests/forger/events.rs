@@ -62,7 +62,7 @@ fn cut(original: &Original) -> Vec<Forged> {
         return Vec::new();
     }
     let events = original.events();
-    // What is only nearly a graze may be left out.
+    // An event that is only nearly a graze may be left out.
     (0..events.len())
         .filter(|&k| events[k..].iter().any(|event| event["event"] != "graze"))
         .map(|k| original.forged(format!("from event {k} on"), mended(&original.document, events[..k].to_vec())))

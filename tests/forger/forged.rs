@@ -28,7 +28,7 @@ impl Original {
         }
     }
 
-    /// What it says, without what cannot be.
+    /// Returns whether it is of one of these kinds.
     pub fn is(&self, kinds: &[&str]) -> bool {
         kinds.contains(&self.kind)
     }
@@ -38,7 +38,7 @@ impl Original {
         Forged { what, document, of, is_certain: true, false_claims: None }
     }
 
-    /// With other values at these paths.
+    /// Returns a forgery with other values at these paths.
     pub fn with(&self, what: impl Into<String>, changes: &[(&str, Value)]) -> Forged {
         self.forged(what, with(&self.document, changes))
     }
@@ -66,12 +66,12 @@ impl Original {
 
 /// A document that is false.
 pub struct Forged {
-    /// What is forged.
+    /// The forgery in words.
     pub what: String,
     pub document: Value,
     /// The document that it differs from least.
     pub of: Value,
-    /// Whether it is false by construction; if not, what is confirmed is computed anew.
+    /// True if it is false by construction; if not, what is confirmed is computed anew.
     pub is_certain: bool,
     /// The paths of the claims that are false; without them all that are changed.
     pub false_claims: Option<Vec<String>>,
@@ -93,7 +93,7 @@ impl Forged {
 /// A way to make a document false.
 pub struct Forgery {
     pub name: &'static str,
-    /// Why what it makes is false.
+    /// The reason why the documents that it makes are false.
     pub why: &'static str,
     pub forge: fn(&Original) -> Vec<Forged>,
 }
@@ -176,7 +176,7 @@ fn compare(one: &Value, other: &Value, path: &str, paths: &mut Vec<String>) {
     }
 }
 
-/// Whether each of the paths is one that is not judged, or lies in one; a list may be named without the positions in it.
+/// Returns whether each of the paths is one that is not checked, or lies in one; a list may be named without the positions in it.
 pub fn are_named(paths: &[String], unjudged: &[String]) -> bool {
     let covers = |key: &[String], path: &[String]| {
         let mut path = path.iter();

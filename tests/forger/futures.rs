@@ -1,4 +1,4 @@
-//! What comes after the events that a document lists, and outcomes with the words that fit them.
+//! Events after those that a document lists, and outcomes with the words that fit them.
 
 use impact_pair::document;
 use impact_pair::json::{OutcomeDocument, SceneDocument};
@@ -19,7 +19,7 @@ pub fn motion(scene: &Value, impacts: u64) -> Option<Vec<Value>> {
     json!(document::orbit(&pair, &start, settings).ok()?)["events"].as_array().cloned()
 }
 
-/// Whether something happens after the listed events: to a ball that moves under `A > 0` or with a drift always.
+/// Returns whether an event follows the listed ones: of a ball that moves under `A > 0` or with a drift one always does.
 pub fn goes_on(original: &Original) -> bool {
     !["rests-forever", "never-impacts"].contains(&original.outcome())
 }

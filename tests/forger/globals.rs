@@ -124,7 +124,7 @@ fn kinds(original: &Original) -> Vec<Forged> {
     all
 }
 
-/// That fewer attractors are proved is true; what is false is the kind.
+/// Claims a set of saddle type instead of an attractor: only the kind is false, not that fewer attractors are proved.
 fn saddle_sets(original: &Original) -> Vec<Forged> {
     let periodic = ["reduced_impacts", "word", "cycles", "spectral_radius", "alternates", "orbit"];
     let of = |i: usize| {

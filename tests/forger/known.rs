@@ -1,4 +1,4 @@
-//! Whether the claims that a forgery leaves are true all the same: computed anew by the library.
+//! The truth of the claims that a forgery leaves, computed anew by the library.
 
 use impact_pair::Scene;
 use impact_pair::chaos::{Chaos, Global, GlobalSettings, HorseshoeSettings, Kind};
@@ -13,7 +13,7 @@ use serde_json::{Value, json};
 use super::forged::bounds;
 use crate::spoiled::truth;
 
-/// Whether all that is judged of a document holds; of what is not computed anew it is said not to.
+/// Returns whether all that is checked of a document holds; false for kinds that are not computed anew.
 pub fn is_true(kind: &str, document: &Value) -> bool {
     match kind {
         "list" => document.as_array().unwrap().iter().all(truth::is_true),
@@ -26,7 +26,7 @@ pub fn is_true(kind: &str, document: &Value) -> bool {
     }
 }
 
-/// It is about a cycle with rests alone, which is that of its scene.
+/// Returns whether the document is about a cycle with rests alone, and that is the cycle of its scene.
 fn has_rests(document: &Value) -> Option<bool> {
     let (pair, _) = serde_json::from_value::<SceneDocument>(document["scene"].clone()).ok()?.model().ok()?;
     let [claimed] = &document["components"].as_array()?[..] else { return None };

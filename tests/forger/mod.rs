@@ -87,7 +87,7 @@ fn only() -> Option<String> {
 /// The verdict of `check` on a forgery.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 enum Judgement {
-    /// As it is read or afterwards.
+    /// Refuted as it is read or afterwards.
     Refuted,
     Undecided,
     /// Confirmed but for the claims that are false, which are named.
@@ -143,7 +143,7 @@ fn spread(all: Vec<Forged>, most: usize) -> Vec<Forged> {
     all.into_iter().enumerate().filter(|(i, _)| is_taken(*i)).map(|(_, forged)| forged).collect()
 }
 
-/// How often each judgement was found of each kind of document.
+/// Number of times that each verdict was found, by forgery and kind of document.
 type Counts = BTreeMap<(&'static str, &'static str, Judgement), usize>;
 
 fn table(counts: &Counts, kinds: &[&'static str]) -> String {

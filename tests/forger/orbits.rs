@@ -42,7 +42,7 @@ pub const FORGERIES: &[Forgery] = &[
 
 const ORBITS: [&str; 4] = ["periodic", "two-impact", "bifurcations", "cycles"];
 
-/// Where the orbits stand, each in an entry of a list.
+/// The path of the list that holds the orbits, each in an entry, and its entries.
 fn list(original: &Original) -> Option<(&'static str, &[Value])> {
     let (key, path) = if original.is(&["bifurcations"]) { ("points", "/points") } else { ("orbits", "/orbits") };
     if !original.is(&ORBITS) {
@@ -148,7 +148,7 @@ fn cycles(original: &Original) -> Vec<Forged> {
 fn stability(original: &Original) -> Vec<Forged> {
     let mut all = Vec::new();
     for (path, orbit) in orbits(original) {
-        // Where an eigenvalue is 1 or -1 it is neither.
+        // An orbit with an eigenvalue 1 or -1 is neither.
         for other in ["stable", "unstable"].into_iter().filter(|other| orbit["stability"] != **other) {
             all.push(original.with(format!("{path} {other}"), &[(&format!("{path}/stability"), json!(other))]));
         }

@@ -228,7 +228,7 @@ fn left_open(all: &[Original]) -> Vec<Original> {
         for k in 0..count {
             document = with(&document, &[(&format!("/{list}/{k}{within}/physical"), Value::Null)]);
         }
-        // What may be no motion is not counted.
+        // Orbits that may be no motions are not counted.
         if original.is(&["cycles"]) {
             document = with(
                 &document,

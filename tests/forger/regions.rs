@@ -273,7 +273,7 @@ fn wall_words(original: &Original) -> Vec<Forged> {
     all
 }
 
-/// How many words of N walls the scene's own orbit makes in its first impacts in the region.
+/// Number of different words of `impacts` flights that the scene's own orbit makes in its first impacts in the region.
 fn words_seen(document: &Value, impacts: usize) -> Option<usize> {
     let entered = document["entered_at_impact"].as_u64()?;
     let events = motion(&document["scene"], entered + 120)?;

@@ -24,7 +24,7 @@ pub const FORGERIES: &[Forgery] = &[
     },
 ];
 
-/// Where the scene stands.
+/// The path of the scene in a document.
 fn place(original: &Original) -> &'static str {
     if original.is(&["sweep", "atlas"]) { "/0/scene" } else { "/scene" }
 }
@@ -36,7 +36,7 @@ fn under(original: &Original, what: String, scene: Value) -> Option<Forged> {
     // Of basins no impact is listed, but what becomes of them.
     let is_of_basins = original.is(&["sweep"]) && original.document[0]["summary"] == true;
     let forged = if is_of_basins { forged.at(&["[1].period", "[1].exponent"]) } else { forged };
-    // Where there is no impact a neighbour may have none either.
+    // If there is no impact, a neighbour may have none either.
     Some(forged.probably())
 }
 
@@ -80,8 +80,8 @@ fn neighbours(original: &Original) -> Vec<Forged> {
     all
 }
 
-/// Whether a sweep replaces the value by those of its axes; from a given phase on a motion under one harmonic is the same for every `tau`
-/// (Lemma R1), and so are windows of periodic orbits, whose impacts are listed by phase.
+/// Returns whether the value only names the scene: a sweep replaces it by those of its axes; from a given phase on a motion under one harmonic
+/// is the same for every `tau` (Lemma R1), and so are windows of periodic orbits, whose impacts are listed by phase.
 fn is_named_only(original: &Original, key: &str) -> bool {
     if original.is(&["windows"]) {
         return key == "/excitation/phase/0";

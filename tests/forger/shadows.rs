@@ -116,7 +116,7 @@ fn still_after_an_impact(original: &Original) -> Vec<Forged> {
     let Some([time, velocity]) = near(document).filter(|_| original.kind == "orbit" && is_still) else {
         return Vec::new();
     };
-    // Where the still ball grazes, a slow one hits before it would; elsewhere a fast one does soon.
+    // If the still ball grazes, a slow one hits before it would; else a fast one does soon.
     let by = if original.events().is_empty() { fraction(1, 1) } else { fraction(1, 100) };
     let mut scene = document["scene"].clone();
     scene["start"]["velocity"] = json!(decimal(&(&velocity + &by)));

@@ -26,7 +26,7 @@ pub const FORGERIES: &[Forgery] = &[
     Forgery { name: "tangency: key", why: "the bounds are those of another parameter", forge: keys },
 ];
 
-/// Of boxes of states.
+/// Forgeries of boxes of states.
 pub const IN_BOXES: &[Forgery] = &[
     Forgery { name: "tangency: sides", why: "the common points are on the other side", forge: sides },
     Forgery {
@@ -61,7 +61,7 @@ fn moved(value: &Value) -> Vec<(String, Value)> {
     ]
 }
 
-/// With all that `moved` makes of the bounds at a path.
+/// Forgeries with each result of `moved` for the bounds at a path.
 fn elsewhere(original: &Original, at: &str) -> Vec<Forged> {
     let of = |(path, tangency): (String, &Value)| {
         let path = format!("{path}{at}");

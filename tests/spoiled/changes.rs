@@ -8,17 +8,17 @@ use serde_json::{Value, json};
 
 /// A document with one thing changed.
 pub struct Change {
-    /// Where.
+    /// The path of the change, without the positions in lists.
     pub path: String,
-    /// How.
+    /// The change in words.
     pub what: String,
     pub document: Value,
-    /// Where, with the positions in lists.
+    /// The path with the positions in lists.
     place: String,
 }
 
 impl Change {
-    /// Whether it is at, or in, what stands at a key, which may have positions in lists.
+    /// Returns whether it is at a key, which may have positions in lists, or in the value there.
     pub fn is_at(&self, key: &str) -> bool {
         self.path.starts_with(key) || self.place.starts_with(key)
     }
@@ -95,7 +95,7 @@ fn remove(document: &mut Value, path: &[String]) {
     }
 }
 
-/// What may stand instead of a value; `None` is nothing at all.
+/// Other values for a place, each with its name; `None` leaves the key out.
 fn others(path: &[String], value: &Value) -> Vec<(String, Option<Value>)> {
     let mut others: Vec<(String, Option<Value>)> = vec![("left out".into(), None)];
     let mut put = |what: &str, value: Value| others.push((what.into(), Some(value)));
@@ -212,7 +212,7 @@ pub fn moved(text: &str, units: i64) -> String {
     format!("{}e{}", whole + i128::from(units), power.parse::<i64>().unwrap() - places)
 }
 
-/// About how many units of the last place lie between two decimals.
+/// Approximate number of units of the last place between two decimals.
 fn units(lower: &str, upper: &str) -> i64 {
     let place = lower.split_once('.').map_or(0, |(_, part)| part.split(['e', 'E']).next().unwrap_or("").len() as i32);
     let apart = upper.parse::<f64>().unwrap() - lower.parse::<f64>().unwrap();
@@ -236,7 +236,7 @@ pub fn told(document: &Value) -> Value {
     }
     let Some(outcome) = told.get("outcome") else { return told };
     let Ok(outcome) = serde_json::from_value::<OutcomeDocument>(outcome.clone()) else { return told };
-    // Where only the count was changed it is what is wrong; where impacts were, it follows.
+    // If only the count was changed it is the error; if impacts were, it follows from them.
     let listed = document["events"]
         .as_array()
         .map_or(0, |events| events.iter().filter(|event| event["event"] == "impact").count());

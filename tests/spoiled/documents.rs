@@ -202,7 +202,7 @@ pub fn periodic((pair, start): (&ImpactPair, &Start), word: &Word, cycles: u32, 
     json!(Units::gaps(pair).unwrap().document(&problem, start, &census))
 }
 
-/// That of two-impact motions.
+/// The periodic JSON of two-impact motions.
 pub fn two_impact((pair, start): (&ImpactPair, &Start), cycles: u32, digits: u32, wall: Wall) -> Value {
     let answer = two_impact::Problem::new(pair, cycles, Unknown::Velocity).unwrap().answer(digits);
     json!(document::two_impact(start, &answer, wall))

@@ -64,7 +64,7 @@ pub fn region(name: &str, impacts: u32) -> Value {
     json!(document)
 }
 
-/// What becomes of a motion, without a search for a horseshoe.
+/// A description of a motion, without a search for a horseshoe.
 pub fn description(name: &str) -> Value {
     let (scene, request) = (figure(name), Request { impacts: 60, ..Request::default() });
     let found =
@@ -104,7 +104,7 @@ const ONE_ATTRACTOR: [&str; 2] = ["0.583258", "0.377273"];
 /// The same of one with two attractors, of 2 and of 6 impacts of the reduced map, which few boxes leave in an undecided component.
 const TWO_ATTRACTORS: [&str; 2] = ["0.443933", "0.786364"];
 
-/// Where every motion goes: to a cycle with rests, to a periodic motion beside a saddle, or to what few boxes leave undecided, two attractors in it.
+/// A global analysis: of a cycle with rests, of a periodic motion and a saddle, or of two attractors in a component that few boxes leave undecided.
 pub fn global(name: &str) -> Value {
     // Of pairs with saddles basins take more boxes than a test has time for.
     let ([amplitude, restitution], settings) = match name {
@@ -123,7 +123,7 @@ pub fn global(name: &str) -> Value {
     json!(document::global(&scene, &settings, &found).unwrap())
 }
 
-/// What `global scenes/figure-14.toml --boxes 10 --most 3000 --horseshoes 6 --format json` wrote: a closed component with a horseshoe.
+/// The output of `global scenes/figure-14.toml --boxes 10 --most 3000 --horseshoes 6 --format json`: a closed component with a horseshoe.
 pub fn global_with_horseshoe() -> Value {
     serde_json::from_str(include_str!("global-horseshoe.json")).unwrap()
 }
@@ -159,8 +159,8 @@ fn plane(axes: [&str; 2], has_cells: bool, shard: Option<[u64; 2]>) -> Vec<Value
     std::iter::once(json!(head)).chain(records).collect()
 }
 
-/// What `chaos scenes/figure-14.toml --over amplitude=RANGE --depth 4 --format json` wrote: `attracted` over 2.25..2.252:1, `stable` over
-/// 3.5969..3.5984:5 with `--halvings 1`, and `a horseshoe` over 9.4..9.41:1.
+/// The output of `chaos scenes/figure-14.toml --over amplitude=RANGE --depth 4 --format json`: `attracted` over 2.25..2.252:1, `stable` over
+/// 3.5969..3.5984:5 with `--halvings 1`, and a horseshoe over 9.4..9.41:1.
 pub fn cells(name: &str) -> Value {
     let text = match name {
         "attracted" => include_str!("cells-attracted.json"),
@@ -177,7 +177,7 @@ pub fn tangency() -> Value {
     document
 }
 
-/// What `tangency` writes of a tangency of ten flights: with the common points on either side, and for all values of an interval of
+/// The output of `tangency` for a tangency of ten flights: with the common points on either side, and for all values of an interval of
 /// coefficients of restitution.
 pub fn tangency_in_boxes() -> [Value; 2] {
     let [counted, interval] = [include_str!("tangency-counted.json"), include_str!("tangency-interval.json")];
@@ -215,7 +215,7 @@ fn sweep(scene: &str, over: &[&str]) -> Vec<Value> {
     lines
 }
 
-/// By the verb, a document that is confirmed.
+/// Confirmed documents, by the name of their verb.
 pub fn all() -> Vec<(&'static str, Vec<Value>)> {
     let one = r#"
         excitation = { amplitude = 8, frequency = "pi", phase = 0.1 }

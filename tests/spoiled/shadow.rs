@@ -1,5 +1,5 @@
-//! Whether one start near the scene's has the impacts of a shadowed orbit: such a start is sought, by the time of the last impact in
-//! 320 bits, and its motion compared.
+//! Search for a start near the scene's that has the impacts of a shadowed orbit, by the time of the last impact in 320 bits; its motion is
+//! compared.
 
 use impact_pair::document;
 use impact_pair::exact::{Enclosure, Exact, decimal_bounds};
@@ -14,9 +14,9 @@ use super::truth;
 const BITS: u32 = 320;
 /// Steps of the secant method.
 const STEPS: u32 = 8;
-/// Where the last impact is sought in its bounds, in sixteenths.
+/// Places of the last impact in its bounds at which it is sought, in sixteenths.
 const PLACES: [i64; 5] = [8, 4, 12, 1, 15];
-/// What rounding outward adds to the bounds of a document at most.
+/// Factor by which rounding outward widens the bounds of a document at most.
 const ROUNDED: f64 = 1.05;
 
 pub fn is_true(document: &Value, outcome: &OutcomeDocument) -> bool {

@@ -1,4 +1,4 @@
-//! Whether what a document says is true, by the library: the motion is computed anew from the document's own scene, in 320 bits.
+//! The truth of a document by the library: the motion is computed anew from the document's own scene, in 320 bits.
 
 use impact_pair::document;
 use impact_pair::exact::Exact;
@@ -14,7 +14,7 @@ use super::{documents, shadow};
 /// Impacts that are computed beyond those that are claimed.
 const MORE: u64 = 2;
 
-/// Whether all that it claims holds, for both ends of all its intervals.
+/// Returns whether all that it claims holds, for both ends of all its intervals.
 pub fn is_true(document: &Value) -> bool {
     (0..2).all(|end| {
         let mut scene = document["scene"].clone();
@@ -42,7 +42,7 @@ fn at_ends(value: &mut Value, end: usize) {
     }
 }
 
-/// Whether bounds hold what is found, to about the 60 digits that it is found to.
+/// Returns whether bounds contain those found, to about the 60 digits that these have.
 pub fn holds(claimed: &Value, found: &Value) -> bool {
     let number = |bounds: &Value, end: usize| bounds[end].as_str().and_then(|text| Exact::parse(text).ok());
     let order = |a: Option<Exact>, b: Option<Exact>| a.zip(b).and_then(|(a, b)| a.compare(&b));
@@ -99,7 +99,7 @@ fn is_motion(document: &Value, pair: &ImpactPair, start: &Start) -> bool {
     is_ended && (outcome.until.is_none() || next.is_none())
 }
 
-/// How many of the events found the claimed ones stand for, if these are true: a rest stands for impacts before it as well.
+/// Number of events found that the claimed ones stand for, if these are true: a rest stands for impacts before it as well.
 fn listed(claimed: &[Value], found: &[Value]) -> Option<usize> {
     let (mut at, mut skipped) = (0, 0);
     for event in claimed {

@@ -9,7 +9,7 @@ use impact_pair_certificate::{Certificate, Effort, Verdict};
 
 use super::starts::Case;
 
-/// What becomes of a start.
+/// The verdict on a start.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Judgement {
     /// Every claim is proved by the other route.
@@ -32,7 +32,7 @@ impl Judgement {
     }
 }
 
-/// What a straddling start needs; the long flights among them need more than anybody waits for.
+/// The effort that a start near a boundary of branches needs; the long flights among them need more than anybody waits for.
 const EFFORT: Effort = Effort { bits: 640, parts: 1 << 7, pieces: 4, work: 1 << 16 };
 
 /// The arithmetics in turn, and the most bits of `auto`.

@@ -18,7 +18,7 @@ use starts::{Dice, FAMILIES, case};
 /// The default seed.
 const SEED: u64 = 1995;
 
-/// How often each judgement was found in each family.
+/// Number of times that each verdict was found in each family.
 type Counts = BTreeMap<(&'static str, &'static str), u64>;
 
 fn table(counts: &Counts) -> String {

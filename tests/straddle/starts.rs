@@ -80,7 +80,7 @@ impl Dice {
     }
 }
 
-/// What a scene is made of: expressions.
+/// The parts of a scene, as expressions.
 pub struct Parts {
     amplitude: String,
     frequency: String,
@@ -154,7 +154,7 @@ fn later_touch_from_a_wall(dice: &mut Dice) -> Parts {
     plain("1", &gap, restitution, start)
 }
 
-/// On a wall where the pressure begins or ends, at rest or slow.
+/// A start on a wall where the contact force begins or ends, at rest or slow.
 fn edge_of_pressure(dice: &mut Dice) -> Parts {
     let time = format!("{}{}", dice.quarter(), dice.offset());
     let speed = if dice.below(2) == 0 { "0".into() } else { dice.speed() };
@@ -181,7 +181,7 @@ fn many_turns(dice: &mut Dice) -> Parts {
     plain(amplitude, "1", restitution, start)
 }
 
-/// No drift, or hardly any.
+/// A start with no drift, or hardly any.
 fn no_drift(dice: &mut Dice) -> Parts {
     let phase = if dice.below(2) == 0 { dice.phase() } else { dice.quarter() };
     let amplitude = dice.pick(&["1/10", "1/2", "1/4", "1/1000"]);
@@ -208,7 +208,7 @@ fn drift_of_the_box(dice: &mut Dice) -> Parts {
 fn several(dice: &mut Dice) -> Parts {
     let quiet = dice.pick(&["1/3", "1/10", "1/10^12", "1"]);
     let fast = dice.pick(&["6*pi", "4*pi", "2*pi*sqrt(2)", "3*pi"]);
-    // So much that a wall is reached within a few turns: longer flights are for other judges.
+    // Amplitudes for which a wall is reached within a few forcing periods: longer flights are for other tests.
     let amplitude = dice.pick(&["1", "3/2", "3", "10"]);
     let phase = if dice.below(2) == 0 { dice.phase() } else { dice.quarter() };
     let time = format!("{phase}{}", dice.offset());

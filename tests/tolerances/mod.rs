@@ -1,4 +1,4 @@
-//! How near is near in the tests, all in one place: the least that each comparison needs, and why it needs that much.
+//! Tolerances of the tests, all in one place: the least that each comparison needs, and why it needs that much.
 //!
 //! Two enclosures are compared by all their members, two doubles as they are. No certified result has a tolerance.
 
@@ -16,7 +16,7 @@ pub const SERIES_OF_MANIFOLDS: f64 = 1e-13;
 /// Central differences with steps of 1e-6: of long formulas with large third derivatives, and of short ones.
 pub const DIFFERENCE: f64 = 1e-4;
 pub const DIFFERENCE_OF_JETS: f64 = 1e-7;
-/// What is left of a transient of 100 impacts, and of the count of impacts in a cycle.
+/// The rest of a transient of 100 impacts, and that of the number of impacts per forcing period.
 pub const TRANSIENT: f64 = 1e-5;
 /// Finite-time exponents a cycle and an impact, computed from one logarithm.
 pub const EXPONENT: f64 = 1e-12;
@@ -38,7 +38,7 @@ pub const VIETA: f64 = 1e-9;
 /// Bifurcations: a quotient told to eight digits; the closed form at an enclosure's middle.
 pub const QUOTIENT: f64 = 1e-6;
 pub const CLOSED_FORM: f64 = 1e-12;
-/// What is drawn, in doubles: phases of crossings after up to 40 impacts, places on a curve, ends of an axis.
+/// Drawn numbers in doubles: phases of crossings after up to 40 impacts, places on a curve, ends of an axis.
 pub const DRAWN_PHASE: f64 = 1e-6;
 pub const DRAWN: f64 = 1e-9;
 pub const DRAWN_END: f64 = 1e-12;

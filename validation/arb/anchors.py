@@ -8,7 +8,7 @@ from scene import LEFT, RIGHT
 from simulate import ends
 
 ANCHOR_DIGITS = 30
-# When the ball comes to rest, as far as another simulator's double-precision sums could tell.
+# Times at which the ball comes to rest, to the precision of another simulator's double-precision sums.
 RESTS = {"0.3": "0.2180134007005836", "0.5": "0.3571367598910375"}
 SUMS_ERROR = Fraction(1, 10**15)
 GAP = "9.42497"

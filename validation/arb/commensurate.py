@@ -1,4 +1,4 @@
-"""Whether frequencies are whole multiples of one, and phases of pi, told from how they are written.
+"""Commensurability of frequencies, and of phases with pi, decided from how they are written.
 
 No ball tells a fraction from a number beside it. Here an expression is read as a fraction times powers of pi and of
 square roots of primes; sqrt(8) and 2*sqrt(2) are the same, and what is not of this form is not judged.

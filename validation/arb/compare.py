@@ -26,7 +26,7 @@ NARROW = 1000
 DECIMAL = re.compile(r"-?\d+(\.\d*)?(e[-+]?\d+)?\Z", re.IGNORECASE)
 
 
-# What agrees: `held` of the two enclosures an impact hold the whole ball; the widest time and velocity printed.
+# The counts of a comparison: `held` of the two enclosures per impact hold the whole ball; the widest time and velocity printed.
 Found = namedtuple("Found", "impacts held bits time velocity spoiled")
 
 
@@ -72,7 +72,7 @@ def judge_quantity(name, printed, ball):
 
 
 def judge_row(row, impact):
-    """How many of the two enclosures hold the whole ball; raises if anything contradicts the impact."""
+    """Number of the two enclosures that hold the whole ball; raises if anything contradicts the impact."""
     found = tuple(row[key] for key in HEADER[:4])
     expected = ("impact", str(impact.index), impact.mapping or "", impact.wall)
     if found != expected:
@@ -81,7 +81,7 @@ def judge_row(row, impact):
 
 
 def compare(rows, impacts):
-    """How many enclosures, of two an impact, hold the whole ball; raises Disagreement at the first contradiction."""
+    """Number of enclosures, two per impact, that hold the whole ball; raises Disagreement at the first contradiction."""
     held = 0
     for number, (row, impact) in enumerate(zip_longest(rows, impacts), 1):
         if row is None:

@@ -55,7 +55,7 @@ def place(frame, state, turns):
 
 
 def row(law, frames, word, xi, eta):
-    """Where states of a row of an h-set are in the next one, along it, in doubles: NaN where they fly otherwise."""
+    """Places along the next h-set of the images of states of a row, in doubles: NaN where they fly otherwise."""
     own, to = frames[word.start], frames[word.end]
     states = np.array([[float(x) for x in minus(vector(own, at, eta), (-own.centre[0], -own.centre[1]))] for at in xi])
     alike = np.ones(len(states), dtype=bool)
@@ -67,7 +67,7 @@ def row(law, frames, word, xi, eta):
 
 
 def ends(law, frames, word, eta):
-    """Where the row is mapped to the edges of the next h-set and a little beyond, and the sign it crosses with; None if it is not."""
+    """Places of the row that are mapped to the edges of the next h-set and a little beyond, and the sign of the crossing; None without one."""
     xi = np.linspace(-1, 1, PLACES + 1)
     image = row(law, frames, word, xi, eta)
     inside = np.flatnonzero(abs(image) < 1)
@@ -120,7 +120,7 @@ def image(law, frames, word, cell):
 
 
 def is_good(word, mapped, kappa):
-    """Whether a cell is mapped across the next h-set, and where it meets it, expands its cone and maps it into itself."""
+    """True if a cell is mapped across the next h-set, and where it meets it, expands its cone and maps it into itself."""
     if not abs(spread(mapped, 1)) < 1:
         return False
     for edge in (-1, 1):

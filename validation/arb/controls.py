@@ -42,7 +42,7 @@ def spoiled(rows, impacts):
 
 
 def check_controls(rows, impacts, compare, refusal):
-    """How many spoiled copies were refused; all must be."""
+    """Number of corrupted copies refused; all must be."""
     count = 0
     for name, copy in spoiled(rows, impacts):
         try:

@@ -128,7 +128,7 @@ def exact_text(value):
 
 
 def check_spoiled(corner, rows, kind):
-    """How many spoiled copies were refused; all must be."""
+    """Number of corrupted copies refused; all must be."""
     count = 0
     for name, copy, outcome in spoiled(corner, rows, kind):
         try:

@@ -12,7 +12,7 @@ FUNCTIONS = {"sqrt": arb.sqrt, "sin": arb.sin, "cos": arb.cos}
 
 
 class ExpressionError(ValueError):
-    """What stands in the scene file is not an expression."""
+    """A text of the scene file that is not an expression."""
 
 
 def ball(value):

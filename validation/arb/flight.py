@@ -120,7 +120,7 @@ class Flight:
         raise Undecided("the ball does not leave the wall")
 
     def is_release(self):
-        """Whether u and z''(0) are 0, exactly: seen in the balls, or known of one flight of the set."""
+        """True if u and z''(0) are 0, exactly: by the balls, or known of one flight of the set."""
         return self.released or self.wall is not None and self.u == 0 and self.e2 == 0
 
     def third(self, s):

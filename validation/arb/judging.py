@@ -100,7 +100,7 @@ def judge_mirror(tables, binary, arguments, check, rows, outcome):
 
 
 def spoil(outcome, verdict):
-    """How many wrong periods were refused; all must be."""
+    """Number of wrong periods refused; all must be."""
     refused = 0
     for key, value in outcome.get("period", {}).items():
         try:

@@ -1,4 +1,4 @@
-"""What `impact-pair run` lists of an orbit with rests, and its judgement against the proved legs."""
+"""The listing that `impact-pair run` gives of an orbit with rests, compared with the proved legs."""
 from collections import namedtuple
 from fractions import Fraction
 
@@ -12,16 +12,16 @@ from simulate import exact
 Stretch = namedtuple("Stretch", "impacts rest release grazed", defaults=(False,))
 # A release that was listed: impacts before it, and the `Origin` of the next leg.
 Listed = namedtuple("Listed", "impacts origin")
-# How much more a bound on the remaining time of a chatter may be than that time.
+# Largest ratio of a bound on the remaining time of a chatter to that time.
 GENEROUS = Fraction(11, 10)
-# How many times farther away than a chatter is long.
+# Distance from a chatter that counts as far, in multiples of its length.
 MID_PRESS = 100
-# How much the library's own limits may be off, being doubles.
+# Error allowed in the library's own limits, which are doubles.
 ROUNDING = Fraction(1, 10**9)
 
 
 class Verdict:
-    """What was found to agree."""
+    """The numbers of impacts, rests and enclosures that agree, and the proved end."""
 
     def __init__(self):
         self.impacts = self.rests = self.held = 0

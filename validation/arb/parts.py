@@ -1,4 +1,4 @@
-"""What is to be judged, in ten parts, each a list of jobs; a job is judged in a process of its own."""
+"""The comparisons in ten parts, each a list of jobs; each job runs in a process of its own."""
 import re
 from collections import Counter, namedtuple
 
@@ -24,7 +24,7 @@ IN_DOUBLES = 60
 
 # `judge(*arguments, binary)` gives a Counter and a remark; `scene` is printed if it fails.
 Job = namedtuple("Job", "part name judge arguments scene")
-# How much of everything is judged; 200 impacts of a scene unless it says otherwise.
+# Amounts of everything that is compared; 200 impacts of a scene unless it says otherwise.
 Amount = namedtuple(
     "Amount", "figures long resting resting_impacts extremes extreme_impacts several several_impacts straddling "
     "intervals shadowed depths",
@@ -104,7 +104,7 @@ def judge_straddling(tables, impacts, arithmetic, binary):
 
 
 def in_words(outcome, tally):
-    """What was found."""
+    """The counts in words."""
     found = ", ".join(f"{tally[kind]} {kind}" for kind in ("impacts", "rests", "grazes") if tally[kind])
     return f"{outcome}: {found or 'as it must be'}; {tally['spoiled']} spoiled copies were refused"
 

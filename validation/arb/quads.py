@@ -93,7 +93,7 @@ class Flights:
         return None
 
     def is_clear(self, end):
-        """Whether no wall is touched until this phase, where all are between the walls."""
+        """True if no wall is touched until this phase, where all are between the walls."""
         begin, step = self.depart(), arb(1) / 16
         if begin is None:
             return False
@@ -135,7 +135,7 @@ class Flights:
 
 
 class Image:
-    """Where a quadrilateral lands: linear functions over it, by the mean value theorem in a and b."""
+    """The image of a quadrilateral: linear functions over it, by the mean value theorem in a and b."""
 
     def __init__(self, flights, far, guess, bracket, rate):
         sign = 1 if far else -1

@@ -47,7 +47,7 @@ def half_turns_after(motion, wall, time):
 
 
 def release_time(scene, half_turns):
-    """When the one harmonic has come so far."""
+    """The time at which the one harmonic has turned this number of half periods."""
     motion = scene.motion()
     ((_, frequency, _),) = motion.terms
     return (half_turns - half_turns_at(motion, arb(0))) * arb.pi() / frequency

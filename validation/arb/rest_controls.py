@@ -99,12 +99,12 @@ def check_first_controls(rows, period, judge, refusal):
 
 
 def check_rest_controls(rows, period, limit, judge, refusal):
-    """How many spoiled copies were refused; all must be."""
+    """Number of corrupted copies refused; all must be."""
     return refused(spoiled(rows, period, limit), judge, refusal)
 
 
 def refused(copies, judge, refusal):
-    """How many of the copies were refused; all must be."""
+    """Number of the copies refused; all must be."""
     count = 0
     for name, copy in copies:
         try:

@@ -16,7 +16,7 @@ class SceneError(ValueError):
 class Scene:
     """The texts of a scene file, kept as written; `motion` and `start` turn them into balls."""
 
-    # Whether the start is a release known as a root of E'' only: no velocity and, though no ball shows it, no pressure.
+    # True if the start is a release known as a root of E'' only: no velocity and, though no ball shows it, no contact force.
     at_release = False
 
     def __init__(self, tables):
@@ -44,7 +44,7 @@ class Scene:
         return ball(evaluate(str(self.text(table, key))))
 
     def texts(self, key):
-        """What is written for the terms of the excitation, one or a list."""
+        """The texts of a key for the terms of the excitation, one or a list."""
         value = self.text("excitation", key)
         return [str(entry) for entry in (value if isinstance(value, list) else [value])]
 
@@ -86,7 +86,7 @@ class Scene:
         return period, int((period * fastest / (2 * arb.pi())).unique_fmpz())
 
     def has_roots(self):
-        """Whether there are several harmonics, and a root in one of their frequencies."""
+        """True if there are several harmonics, and a root in one of their frequencies."""
         frequencies = [frequency for _, frequency, _ in self.harmonics()]
         return len(frequencies) > 1 and any("sqrt" in frequency for frequency in frequencies)
 

@@ -34,7 +34,7 @@ def judge_written(motion, binary):
 
 
 def ask(binary, tables):
-    """What the program lists of it."""
+    """The program's listing of the scene."""
     return listing(binary, toml(tables), ["--impacts", str(IMPACTS), "--digits", str(DIGITS)])
 
 

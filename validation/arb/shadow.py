@@ -56,7 +56,7 @@ def middle(row, name):
 
 
 def is_of_times(scene):
-    """Whether it is the time of the start that is moved: no velocity is left after the impact."""
+    """True if it is the time of the start that is moved: no velocity is left after the impact."""
     _, _, _, velocity = scene.start()
     return scene.motion().restitution * velocity == 0
 
@@ -126,7 +126,7 @@ def start_bounds(scene, start):
 
 
 def kept_in(rows, impacts):
-    """How many impacts lie in their boxes before the first that does not: same wall, all of both balls in the bounds."""
+    """Number of impacts in their boxes before the first that is not: same wall, all of both balls in the bounds."""
     for number, (row, impact) in enumerate(zip(rows, impacts)):
         try:
             if judge_row(row, impact) < 2:
@@ -195,7 +195,7 @@ def spoiled(scene, document):
 
 
 def check_spoiled(scene, document):
-    """How many spoiled copies of the first impacts were refused; all must be, and those as they are must not."""
+    """Number of corrupted copies of the first impacts refused; all must be, and those as they are must not."""
     begin = document | {"events": document["events"][:SPOILED]}
     judge_document(scene, begin)
     count = 0
@@ -210,7 +210,7 @@ def check_spoiled(scene, document):
 
 
 def check_own(scene, document, splice):
-    """How many impacts of the given start itself are in the boxes: those before the last of the splice, and not all."""
+    """Number of impacts of the given start itself in the boxes: those before the last of the splice, and not all."""
     rows = [as_row(event) for event in document["events"][: splice + OWN]]
     impacts, _ = orbit(scene, len(rows), DIGITS)
     kept = kept_in(rows, impacts)

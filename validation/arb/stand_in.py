@@ -47,7 +47,7 @@ def listed(scene, digits, impacts):
 
 
 def widths(scene, digits):
-    """How far printed bounds stand away from a ball: a ninth of what is asked for."""
+    """Distance of printed bounds from a ball: a ninth of the requested one."""
     motion = scene.motion()
     return min(motion.period().mid(), motion.speed().mid()) * arb(10) ** -digits / 9
 
@@ -61,7 +61,7 @@ def still(kind, wall, time, width):
 
 
 def outcome(rows, timeline, impacts):
-    """What these rows show."""
+    """The outcome that these rows show."""
     period = judge(rows, timeline).period()
     if period is not None:
         return {"kind": "periodic", "period": dict(zip(("cycles", "impacts"), period))}

@@ -13,7 +13,7 @@ from flint import arb, ctx
 from expression import ExpressionError
 from scene import LEFT, RIGHT, Scene, SceneError
 
-# What the start straddles, the scene, and how many impacts are asked for.
+# The family of branch boundaries that the start is near, the scene, and the number of impacts requested.
 Straddling = namedtuple("Straddling", "family tables impacts")
 IMPACTS = 6
 
@@ -117,7 +117,7 @@ def touch(ratio, begin, end, whole):
 
 
 def is_past(begin, end):
-    """Whether a phase is before another, so that it takes one more turn to get there."""
+    """True if a phase is before another, so that it takes one more forcing period to get there."""
     return Fraction(end) < Fraction(begin)
 
 
@@ -211,7 +211,7 @@ FAMILIES = [
 
 
 def is_start(found):
-    """Whether the program takes it: inside the gap, or on a wall and not away from it."""
+    """True if the program takes it: inside the gap, or on a wall and not away from it."""
     with ctx.workprec(BITS):
         try:
             Scene(found).start()

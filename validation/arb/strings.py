@@ -53,7 +53,7 @@ class Strings:
                     yield y / x
 
     def left(self, n, strip, within):
-        """What of the a of a word may be mapped between these a of the next strip."""
+        """The parts of the a of a word that may be mapped between these a of the next strip."""
         for first in self.before[n]:
             for mapped in self.images[first, n]:
                 along, across = (side[0] - strip.slope * side[1] for side in mapped.sides)
@@ -124,7 +124,7 @@ def direction(word, mapped, slope):
 
 
 def is_bound(edges, ratio, is_lower):
-    """Whether the weights around all closed ways are proved to be at least the ratio times their lengths, or at most: by potentials."""
+    """True if the weights around all cycles are proved to be at least the ratio times their lengths, or at most: by potentials."""
     sign = 1 if is_lower else -1
     weights = [(start, end, sign * (weight - ratio * length)) for start, end, weight, length in edges]
     least = [(start, end, float(weight.lower()) - SLACK) for start, end, weight in weights]
@@ -139,7 +139,7 @@ def is_bound(edges, ratio, is_lower):
 
 
 def is_growth(words, bases, rate, weight, is_upper):
-    """Whether the words grow by at most this rate, or by at least: M v <= v, or M v >= v, for a positive v, M the sums of exp(-rate weight)."""
+    """True if the words grow by at most this rate, or by at least: M v <= v, or M v >= v, for a positive v, M the sums of exp(-rate weight)."""
     matrix = [[sum(((-rate * weight(word)).exp() for word in words if (word.start, word.end) == (a, b)), arb(0)) for b in bases] for a in bases]
     floats, vector = np.array([[float(x.mid()) for x in row] for row in matrix]), np.ones(len(bases))
     for _ in range(2000):

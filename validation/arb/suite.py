@@ -58,7 +58,7 @@ def judge_all(todo, binary, show):
 
 
 def check_shares(totals):
-    """What makes a comparison too thin to mean anything."""
+    """The reasons why a comparison has too few decided cases to mean anything."""
     for part, share in CUT_SHORT.items():
         total = totals.get(part, Counter())
         short = total["undecided"] + total["beyond"]

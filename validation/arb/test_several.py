@@ -29,7 +29,7 @@ FEWER = 3 if "ARB_QUICK" in os.environ else 1
 
 
 def by_stand_in(judge_it, *arguments):
-    """What a judge finds if the program under test is the stand-in."""
+    """The result of a comparison if the program under test is the stand-in."""
     with mock.patch("program.run", stand_in.run):
         return judge_it(*arguments, "no binary")
 

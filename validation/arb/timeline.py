@@ -43,7 +43,7 @@ class Timeline:
         return known[1]
 
     def begin(self):
-        """Where the first leg begins."""
+        """The origin of the first leg."""
         return Origin(self, None, self.scene)
 
 
@@ -71,12 +71,12 @@ class Origin:
         return prove(self.scene, impacts + more, width, settle_within(digits), MOST_BITS)
 
     def began(self, bits):
-        """When it begins in the leg's own time, as a ball."""
+        """The time at which it begins in the leg's own time, as a ball."""
         with ctx.workprec(bits):
             return self.scene.start()[1]
 
     def time(self, bits):
-        """When it begins, as a ball."""
+        """The time at which it begins, as a ball."""
         return self.began(bits)
 
     def shifted(self, time, bits):

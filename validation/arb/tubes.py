@@ -128,7 +128,7 @@ def kept(image, half):
 
 
 def straightness(thick):
-    """How far from a straight line what is proposed may bend, from its thickness."""
+    """Largest deviation of an approximate chain from a straight line, from its thickness."""
     return 0.3 * ((MARGIN - 1) * thick + PAD)
 
 
@@ -144,7 +144,7 @@ def proposals(law, tube):
         numbers = kept(states * RADIANS, halves)
         tangent = np.gradient(states[numbers] * RADIANS, axis=0)
         direction = contracting(law, states[numbers])
-        # Where four impacts turn too much it is the image of the old chord.
+        # The image of the old chord, where four impacts turn too much.
         lean = abs(flat_cross(tangent, direction)) / np.hypot(*tangent.T)
         own = halves[numbers] / np.hypot(*halves[numbers].T)[:, None]
         direction = np.where((lean > 0.2)[:, None], direction, own)
@@ -173,7 +173,7 @@ def turns_left(tube):
 
 
 def is_held(image, tube, place):
-    """Whether an image lies in cells around `place`, away from their tops and bottoms."""
+    """True if an image lies in cells around `place`, away from their tops and bottoms."""
     if place < WINDOW or place + WINDOW + 1 >= len(tube):
         return False
     beyond = [image.beside(chord.bottom, minus(chord.top, chord.bottom)) for chord in tube[place - WINDOW : place + WINDOW + 2]]
@@ -190,7 +190,7 @@ def is_held(image, tube, place):
 
 
 def is_mapped(law, tube, part, chords):
-    """Whether all of a part is proved to land, at first, around its place in the next tube."""
+    """True if all of a part is proved to land, at first, around its place in the next chain of boxes."""
     start, end = tube[part.cell], tube[part.cell + 1]
     pieces = [(0, arb(part.begin), arb(part.end), arb(0), arb(1))]
     while pieces:

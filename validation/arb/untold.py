@@ -1,4 +1,4 @@
-"""What follows a graze that the precision does not distinguish from a miss: the proof tells, and the rows are judged with it.
+"""Continuations of a graze that the precision does not distinguish from a miss: the proof decides, and the rows are compared with it.
 
 Such a graze is listed in place of an impact or of nothing, and what follows encloses both continuations. The proved
 orbit says which: the graze is replaced by the proved impact, or left out, and the rows are those of a plain listing.
@@ -45,7 +45,7 @@ def last_leg(rows, timeline):
 
 
 def is_hit(graze, origin, proved, before):
-    """Whether the next proved impact is the touch that the graze may be."""
+    """True if the next proved impact is the touch that the graze may be."""
     if len(proved.impacts) <= before:
         return False
     impact = proved.impacts[before]

@@ -30,7 +30,7 @@ def bounds(document: dict) -> list[Bounds]:
 
 
 def exceeds(listed: str, certified: tuple[Fraction, Fraction], allowed: Fraction) -> bool:
-    """Whether a number is farther from the bounds than allowed."""
+    """True if a number is farther from the bounds than allowed."""
     value, (low, high) = Fraction(listed), certified
     return value < low - allowed or value > high + allowed
 

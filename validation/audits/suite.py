@@ -39,7 +39,7 @@ def ask(program: str, *arguments: str) -> tuple[int, dict]:
 
 
 def audit(program: str, scene: Path, path: Path, *options: str) -> tuple[int, dict]:
-    """What `audit` says of a list."""
+    """The exit code and the document of `audit` for a list."""
     return ask(program, "audit", str(scene), str(path), "--tolerance", TOLERANCE, *options)
 
 

@@ -11,7 +11,7 @@ def moved(bound, units):
 
 
 def units_to(bound, truth):
-    """How many whole units of the bound's last place lie between it and the truth."""
+    """Number of whole units of the bound's last place that lie between it and the truth."""
     number = Decimal(bound)
     return int(abs(truth - number) // Decimal(1).scaleb(number.as_tuple().exponent))
 

@@ -134,7 +134,7 @@ def jobs(thin):
 
 
 def check_formulas(binary, scenes):
-    """What needs no orbit of its own: the ends of stability, the misprints; (number of ends, claims)."""
+    """The checks that need no orbit of their own: the ends of stability, the misprints; (number of ends, claims)."""
     ends = sum(
         stability.check_ends(evaluate(e), cycles) for e in equispaced.RESTITUTIONS for cycles in equispaced.CYCLES
     )

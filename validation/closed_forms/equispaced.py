@@ -10,7 +10,7 @@ UNITS = [("1", "pi"), ("7/3", "200*pi"), ("0.037", "1"), ("12.5", "0.3"), ("sqrt
 RESTITUTIONS = ["0", "0.05", "0.2", "0.5", "0.8", "0.95", "1/3"]
 CYCLES = [1, 3, 5, 7]
 ANGLES = ["0", "pi/6", "pi/3", "2*pi/5", "1.5", "0.02", "-0.02", "-pi/6", "-pi/4", "-pi/3", "-1.2", "-1.4", "-1.5"]
-# How near to the angle of grazing an orbit is tried, on both sides.
+# Distances from the angle of grazing at which orbits are tried, on both sides.
 NEAR_GRAZE = ["1e-3", "1e-8"]
 
 

@@ -1,4 +1,4 @@
-"""What of the paper's misprints numbers can decide: the printed form fails, the right one holds."""
+"""The paper's misprints that numbers can decide: the printed form fails, the right one holds."""
 from collections import Counter, namedtuple
 
 from mpmath import cos, mpf, norm, pi, sin
@@ -9,7 +9,7 @@ from jacobian import derivative, jacobian, printed_a7, product, states
 from program import Disagreement
 from unequispaced import unequispaced
 
-# What the forms leave over on orbits or mappings they should describe, relative; DECIDED tells a failure.
+# Residuals of the right and the printed form on orbits or mappings they should describe, relative; above DECIDED a form fails.
 Claim = namedtuple("Claim", "name right printed")
 HOLDS, DECIDED = mpf(10) ** -25, mpf("1e-4")
 # Figure 15: impacts after which the motion has settled, and those that are then counted.

@@ -22,7 +22,7 @@ def figure_12():
 
 
 def listed(orbit, count=8, width=mpf("1e-9")):
-    """What a correct program would list."""
+    """The listing of a correct program."""
     events = [
         Event("impact", "P2" if impact.is_far else "P1", "right" if impact.is_far else "left",
               (impact.time - width, impact.time + width), (impact.velocity - width, impact.velocity + width))

@@ -10,7 +10,7 @@ from mpmath import acos, cos, mp, mpf, pi, sin
 
 DIGITS = 50
 mp.dps = DIGITS
-# What 50 digits leave uncertain, relatively.
+# Relative uncertainty of numbers of 50 digits.
 TINY = mpf(10) ** (6 - DIGITS)
 
 # A contact before the impact that the closed form says: on the `near` or `far` wall, or "rest" at once; at the phase s
@@ -41,7 +41,7 @@ class TwoImpact:
         return [(self.theta0, self.first), (self.theta0 + self.first + pi, 2 * self.N * pi - self.first)]
 
     def residuals(self):
-        """What (A.1)-(A.4) leave over on both flights, in units of A W and A: zero for an orbit."""
+        """Residuals of (A.1)-(A.4) on both flights, in units of A W and A: zero for an orbit."""
         for theta, length in self.flights():
             k = self.drift(theta)
             yield k - cos(theta + length) - self.speed / (self.A * self.W)
@@ -81,7 +81,7 @@ class TwoImpact:
         return sorted(s for s in around if TINY < s < length - TINY)
 
     def crossing(self, theta, low, high, level):
-        """Where the height passes a level, by bisection; it is monotone between the two phases."""
+        """The place at which the height passes a level, by bisection; it is monotone between the two phases."""
         is_above = self.height(theta, high) > level
         for _ in range(4 * DIGITS):
             middle = (low + high) / 2
@@ -92,7 +92,7 @@ class TwoImpact:
         return (low + high) / 2
 
     def margin(self):
-        """How far the extrema stay from the walls, in units of the gap; negative if they do not."""
+        """Least distance of the extrema from the walls, in units of the gap; negative if one is beyond."""
         share = self.A / self.d
         heights = [self.height(theta, s) * share for theta, n in self.flights() for s in self.extrema(theta, n)]
         return min([mpf(1), *heights, *(1 - height for height in heights)])

@@ -1,4 +1,4 @@
-"""What `impact-pair two-impact --format json` says of the orbits of the closed forms, against 50 digits.
+"""The JSON of `impact-pair two-impact` on the orbits of the closed forms, against 50 digits.
 
 Each orbit must be listed, alone in its bounds, which hold its phases, velocities, trace, determinant and eigenvalues; physical,
 symmetric and stable as the formulas here say. By --solve-for amplitude and gap the program must find A and d again.
@@ -42,7 +42,7 @@ def holds_phase(bounds, value):
 
 
 def is_listed(entry, orbit, wall):
-    """Whether the bounds of an entry hold the impacts of the orbit, listed from this wall."""
+    """True if the bounds of an entry hold the impacts of the orbit, listed from this wall."""
     expected = {"left": (orbit.theta0, -orbit.speed), "right": (orbit.theta0 + orbit.first, orbit.speed)}
     walls = [impact["wall"] for impact in entry["impacts"]]
     if walls != [wall, OTHER[wall]]:
@@ -59,7 +59,7 @@ def expect(claim, text, entry):
 
 
 def check_entry(entry, orbit):
-    """What is said of an orbit; counts what is decided."""
+    """Compares the claims about an orbit; counts those that are decided."""
     matrix = product(orbit)
     trace, determinant = trace_determinant(matrix)
     roots = eigenvalues(matrix)
@@ -99,7 +99,7 @@ def check_verb(orbit, binary, number):
 
 
 def satisfies(entry, orbit):
-    """Whether the middle of an entry satisfies (57)-(60) as well as its digits let it."""
+    """True if the middle of an entry satisfies (57)-(60) as well as its digits let it."""
     middle = {impact["wall"]: [sum(pair(impact[key])) / 2 for key in ("phase", "velocity")] for impact in entry["impacts"]}
     (theta0, v0), (_, v1), p = middle["left"], middle["right"], sum(pair(entry["spacing"])) / 2
     A, W, e, d = orbit.A, orbit.W, orbit.e, orbit.d

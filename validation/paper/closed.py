@@ -41,11 +41,11 @@ class Equispaced:
         return 2 * self.e + (1 - self.e ** 2) * self.turn / 2 * th0.tan()
 
     def fold_phase(self):
-        """Where the half map has the eigenvalue 1: tan th0 = 2/K."""
+        """The phase at which the half map has the eigenvalue 1: tan th0 = 2/K."""
         return (2 / self.k).atan()
 
     def pitchfork_phase(self):
-        """Where the half map has the eigenvalue -1: tan th0 = -2 kappa/(N pi)."""
+        """The phase at which the half map has the eigenvalue -1: tan th0 = -2 kappa/(N pi)."""
         return -(2 * self.kappa / self.turn).atan()
 
     def fold(self):

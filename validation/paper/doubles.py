@@ -1,4 +1,4 @@
-"""What the pictures of figures 14, 16 and 17 can show: how long a simulation in doubles follows the true orbit."""
+"""The parts of figures 14, 16 and 17 that pictures can show: how long a simulation in doubles follows the true orbit."""
 from finding import SEEN, Finding, expect
 from program import Run, listed_walls
 

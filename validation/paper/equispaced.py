@@ -59,7 +59,7 @@ def least_height(a):
 
 
 def is_physical(family, th0):
-    """Whether its flights are proved to have no earlier contact."""
+    """True if its flights are proved to have no earlier contact."""
     try:
         Orbit(family.pair(th0), family.cycles, family.states(th0)).require_first_contacts()
     except Refused:

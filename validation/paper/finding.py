@@ -1,4 +1,4 @@
-"""What a claim's check returns, and how it fails."""
+"""The result of checking a claim of the paper, and its failure."""
 from dataclasses import dataclass
 
 PROVED, SEEN, FALSE, MISPRINT = "proved", "seen", "false", "misprint"

@@ -33,7 +33,7 @@ class Pair:
         return -self.e * v0 + th0.cos()
 
     def misses(self, this, following):
-        """What (A.1)/(A.3)/(A.5) and (A.2)/(A.4)/(A.6) miss to be equations, for states (wall, th, v): 0 on orbits."""
+        """Residuals of (A.1)/(A.3)/(A.5) and (A.2)/(A.4)/(A.6) for states (wall, th, v): 0 on orbits."""
         (wall0, th0, v0), (wall1, th1, v1) = this, following
         c = self.drift(th0, v0)
         velocity = v1 + th1.cos() - c

@@ -35,7 +35,7 @@ class Orbit:
         return product
 
     def misses(self):
-        """What (A.1)-(A.6) miss to be equations: balls that hold 0 if the states are the orbit's."""
+        """Residuals of (A.1)-(A.6): balls that hold 0 if the states are the orbit's."""
         return [miss for this, following in self.flights() for miss in self.pair.misses(this, following)]
 
     def require_first_contacts(self):

@@ -25,7 +25,7 @@ def bounds(pair):
 
 
 def document(scene, *options):
-    """What `impact-pair run` prints as JSON; `scene` is a path from the root of the repository, or a scene's text."""
+    """The JSON of `impact-pair run`; `scene` is a path from the root of the repository, or a scene's text."""
     command = [BINARY, "run", "-" if "\n" in scene else str(ROOT / scene), "--quiet", "--format", "json", *options]
     done = subprocess.run(command, input=scene, capture_output=True, text=True, check=False)
     if done.returncode:
@@ -58,7 +58,7 @@ class Run:
                         for event in self.events if event["event"] == "impact"]
 
     def count(self, kind):
-        """How many events of a kind are listed."""
+        """Number of listed events of a kind."""
         return sum(event["event"] == kind for event in self.events)
 
 

@@ -26,7 +26,7 @@ def rest():
 
 
 def recurrent():
-    """Where random starts come to rest again and again, and where none does within 500 impacts."""
+    """Random starts that come to rest again and again, at some `A/d` and `e`, and none within 500 impacts at others."""
     chance, shown = random.Random(181), []
     for e, ratio, rests in (("0", "0.2", True), ("0", "0.3", False), ("0", "0.4", True), ("0.3", "1.2", False),
                             ("0.3", "1.42", True), ("0.5", "2.7", False), ("0.5", "3.3", True)):

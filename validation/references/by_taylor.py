@@ -12,7 +12,7 @@ STEPS = 1_000_000  # of the integrator, for one list
 
 
 class Log:
-    """What the events' callbacks read and write."""
+    """The variables that the events' callbacks read and write."""
 
     def __init__(self) -> None:
         self.contacts: list[Contact] = []

@@ -1,4 +1,4 @@
-"""What a reference says of one flight, beside what is certified: its class, and the trial of an earlier contact."""
+"""A reference's claims about one flight, beside the certified ones: its class, and the trial of an earlier contact."""
 from enum import StrEnum
 
 from mpmath import mp, mpf
@@ -20,13 +20,13 @@ class Verdict(StrEnum):
 
 
 def distance(time: float, low: mpf, high: mpf) -> mpf:
-    """How far a time lies outside a bracket; negative before it, 0 in it."""
+    """Distance of a time from a bracket; negative before it, 0 in it."""
     exact = mpf(time)
     return exact - low if exact < low else exact - high if exact > high else mpf(0)
 
 
 def is_it(leg: Leg, contact: Contact, within: mpf) -> bool:
-    """Whether a contact is the certified one: the same wall, off by at most `within` and by less than half the flight.
+    """True if a contact is the certified one: the same wall, off by at most `within` and by less than half the flight.
 
     What is off by more than half the flight is the departure, seen again, or another contact.
     """
@@ -52,7 +52,7 @@ def classify(leg: Leg, listing: Listing) -> Verdict:
 
 
 def is_earlier(leg: Leg, listing: Listing) -> bool:
-    """Whether a list claims a contact before the certified bracket, or one where none is certified."""
+    """True if a list claims a contact before the certified bracket, or one where none is certified."""
     return bool(listing.contacts) and mpf(listing.contacts[0].time) < leg.low
 
 

@@ -16,7 +16,7 @@ from verdicts import tally
 
 
 def refusals(orbits: list[Orbit], flown: list[Flown], impacts: int) -> list[str]:
-    """What the judge finds wrong with certified answers, or missing from them."""
+    """The errors found in certified answers, and the answers that are missing."""
     found = [f"{orbit.name}: {problem}" for orbit in orbits for problem in orbit.judged.problems]
     found += [f"{orbit.name}: {len(orbit.certified.impacts)} impacts listed, {impacts} asked for"
               for orbit in orbits if orbit.name != "chatter" and len(orbit.certified.impacts) != impacts]

@@ -27,13 +27,13 @@ class Leg(NamedTuple):
 
 
 class Judged(NamedTuple):
-    """What is wrong with a listing, and its flights up to the first wrong one."""
+    """The errors of a listing, and its flights up to the first wrong one."""
     problems: list[str]
     legs: list[Leg]
 
 
 def departs(motion: Motion[mpf], start: Start[mpf]) -> bool:
-    """Whether the ball leaves its wall inward: by v+, or by y'' if v+ = 0, or by y''' if that is 0 too."""
+    """True if the ball leaves its wall inward: by v+, or by y'' if v+ = 0, or by y''' if that is 0 too."""
     theta, inward = motion.omega * start.time + motion.tau, -SIGN[start.wall]
     for derivative in (start.after, mp.sin(theta), mp.cos(theta)):
         if abs(derivative) > SLACK:
@@ -61,7 +61,7 @@ def root(leg: Leg) -> mpf:
 
 
 def judge_impact(leg: Leg, velocity: tuple[str, str]) -> tuple[list[str], Start[mpf]]:
-    """What is wrong with an impact, and the departure after it, by (15)."""
+    """The errors of an impact, and the departure after it, by (15)."""
     motion = leg.motion
     flight = fly(motion, leg.start)
     name = f"{leg.wall} wall in [{mp.nstr(leg.low, 25)}, {mp.nstr(leg.high, 25)}]"
@@ -80,7 +80,7 @@ def judge_impact(leg: Leg, velocity: tuple[str, str]) -> tuple[list[str], Start[
 
 
 def judge_rest(motion: Motion[mpf], start: Start[mpf], low: mpf, high: mpf) -> list[str]:
-    """What is wrong with the time of a rest: the chatter is followed until its velocity is below 1e-35."""
+    """The errors of the time of a rest: the chatter is followed until its velocity is below 1e-35."""
     while abs(start.after) > mpf(10) ** -35:
         height, velocity, _ = fly(motion, start)
         since, wall = start.time, SIGN[start.wall] * motion.gap / 2
@@ -93,7 +93,7 @@ def judge_rest(motion: Motion[mpf], start: Start[mpf], low: mpf, high: mpf) -> l
 
 
 def judge_release(motion: Motion[mpf], wall: str, low: mpf, high: mpf) -> tuple[list[str], Start[mpf]]:
-    """What is wrong with a release: W t + tau is a multiple of pi there, and the ball leaves."""
+    """The errors of a release: W t + tau is a multiple of pi there, and the ball leaves."""
     multiple = mp.nint((motion.omega * low + motion.tau) / mp.pi)
     start = Start((multiple * mp.pi - motion.tau) / motion.omega, wall, mpf(0))
     right = low - SLACK <= start.time <= high + SLACK and departs(motion, start)
@@ -118,7 +118,7 @@ def judge(scene: Scene, certified: Certified, digits: int, until: str | None = N
 
 
 def judge_event(motion: Motion[mpf], start: Start[mpf], event: Event, legs: list[Leg]) -> tuple[list[str], Start[mpf]]:
-    """What is wrong with an event, and the departure after it; adds the flight of an impact to `legs`."""
+    """The errors of an event, and the departure after it; adds the flight of an impact to `legs`."""
     low, high = map(mpf, event.time)
     match event.kind:
         case "impact":

@@ -26,7 +26,7 @@ def widths(program: str, orbit: Orbit, digits: int, arithmetic: str) -> list[flo
 
 
 def in_doubles(program: str, orbit: Orbit) -> tuple[int, int]:
-    """How many impacts in a row doubles certify to NEAR periods, and how many at all."""
+    """Number of impacts in a row that doubles certify to NEAR periods, and of all that they certify."""
     found = widths(program, orbit, 6, "interval")
     return next((number for number, width in enumerate(found) if width > NEAR), len(found)), len(found)
 
@@ -67,7 +67,7 @@ def orbit_section(program: str, results: Results) -> str:
 
 
 def cost_section(program: str, results: Results) -> str:
-    """What an impact costs."""
+    """The section on the time per impact."""
     impacts = len(results.orbits[0].legs)
     ours = [costs(program, orbit.scene, impacts) for orbit in results.orbits]
     seconds = [[reply.seconds / max(1, len(reply.listing.contacts)) for reply in parts.orbits]

@@ -17,7 +17,7 @@ class Event(NamedTuple):
 
 @dataclass(frozen=True)
 class Certified:
-    """What `run` lists, and how it ends."""
+    """The events that `run` lists, and the outcome."""
     events: list[Event]
     outcome: str
 

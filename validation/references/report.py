@@ -28,7 +28,7 @@ def by_figure(rows: Iterable[Sequence[object]]) -> str:
 
 
 def counted(disagreements: list[str]) -> str:
-    """How many there are, in words."""
+    """The number of disagreements in words."""
     number = len(disagreements)
     return f"**{number} disagreement{'s' * (number > 1)}**" if number else "Zero disagreements"
 
@@ -53,7 +53,7 @@ def versions() -> str:
 
 
 def orbits(drifts: list[list[Drift]], impacts: int, narrow: list[tuple[int, int]]) -> str:
-    """How long each reference follows a whole orbit; `narrow`: certified in doubles to 1e-6 periods, and at all."""
+    """The table of impacts for which each reference follows an orbit; `narrow`: certified in doubles to 1e-6 periods, and at all."""
     def rows(field: str) -> list[list[object]]:
         values = [[getattr(one, field) for one in line] for line in drifts]
         return [[simulator.name, *("-" if value is None else value for value in line)]

@@ -1,4 +1,4 @@
-"""What every reference simulator is: a name, the tolerance its user asks for, and a way to list contacts."""
+"""The interface of reference simulators: a name, the tolerance its user asks for, and a way to list contacts."""
 from dataclasses import dataclass
 from typing import NamedTuple, Protocol
 

@@ -1,4 +1,4 @@
-"""How each reference does: drift along orbits, classes of single flights, trials of its earlier contacts, chatter."""
+"""The results of each reference: drift along orbits, classes of single flights, trials of its earlier contacts, chatter."""
 from dataclasses import dataclass
 from typing import NamedTuple
 
@@ -31,7 +31,7 @@ def first_off(legs: list[Leg], contacts: list[Contact], within: mpf) -> int | No
 
 
 def drift(legs: list[Leg], contacts: list[Contact], tolerance: float) -> Drift:
-    """How long a list follows the certified one."""
+    """The impact up to which a list follows the certified one, by each tolerance."""
     own, near, other = (first_off(legs, contacts, mpf(within)) for within in (tolerance, NEAR, 0.25))
     return Drift(own, near, other, near - 1 if near else len(legs))
 
@@ -68,7 +68,7 @@ def tally(simulator: Simulator, legs: list[Leg], answers: list[Answer]) -> Tally
 
 
 class Ending(NamedTuple):
-    """What a reference makes of a chatter: impacts listed, how many of the first are right, its last time, why it
+    """A reference's listing of a chatter: impacts listed, how many of the first are right, its last time, why it
     ends, and whether it has the contact after the release."""
     listed: int
     right: int

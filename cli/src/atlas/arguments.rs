@@ -108,7 +108,7 @@ pub enum AtlasFormat {
 }
 
 impl AtlasArguments {
-    /// How each point is analysed.
+    /// Returns the settings of the analysis of each point or cell: those of the command line, else the defaults.
     pub fn settings(&self) -> anyhow::Result<GlobalSettings> {
         let usual = if self.cells { GlobalSettings::of_cell() } else { GlobalSettings::default() };
         let mut settings = GlobalSettings {
@@ -133,7 +133,7 @@ fn drawing(text: &str) -> Result<PathBuf, String> {
     impact_pair_plot::picture::path(text).map_err(|error| error.replacen(".svg", ".html, .svg", 1))
 }
 
-/// Whether a name is one of a page.
+/// Returns whether a file name ends in `.html`: the ending of an atlas page.
 pub fn is_page(path: &std::path::Path) -> bool {
     path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("html"))
 }

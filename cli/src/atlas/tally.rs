@@ -13,13 +13,13 @@ use crate::grid::{Gathered, Tally};
 /// The classes in the order in which they are shown.
 const CLASSES: [&str; 5] = ["one-rest-cycle", "one-attractor", "attractors", "closed", "undecided"];
 
-/// What an atlas says in a line.
+/// Counts of an atlas, printed as one line: points or cells of each class, and the share that is decided.
 pub struct Classes {
     counts: [u64; 5],
-    /// What is proved of how many of the points or smallest cells that are there.
+    /// Numbers of the points, or of the smallest cells, of which each property is proved.
     shares: Shares,
     cells: bool,
-    /// Whether all of the plane is there, and not a shard, or what was computed until Ctrl-C.
+    /// True if every record of the plane is present; false for a shard, and after Ctrl-C.
     is_whole: bool,
 }
 

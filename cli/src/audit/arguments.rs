@@ -105,7 +105,7 @@ pub enum AuditFormat {
 }
 
 impl AuditArguments {
-    /// Where the list has what.
+    /// Returns the columns in which the list has its times, walls and velocities.
     pub fn columns(&self) -> Columns {
         Columns {
             time: Column::time(self.time_column.clone()),

@@ -50,8 +50,8 @@ fn listed(audit: &Audit<'_>) -> String {
     format!("{}, {with}{left_out}", counted(audit.rows.len(), "row"))
 }
 
-/// What the table lists: all, or the first ones that disagree or are undecided and the one where the list leaves the
-/// orbit, each with the event before it. `None` stands for what is left out in between.
+/// Returns the findings that the table lists: all, or the first ones that disagree or are undecided and the one at which the list
+/// diverges from the orbit, each with the event before it. `None` stands for omitted findings.
 fn shown<'a>(audit: &'a Audit<'_>, all: bool) -> Vec<Option<&'a Finding>> {
     let findings = audit.findings();
     if all {

@@ -83,7 +83,7 @@ pub fn left_out(words: &[(usize, LeftOut)]) -> Vec<String> {
     reasons.into_iter().map(line).collect()
 }
 
-/// Whether the scene's own orbit is where the horseshoe is, as far as that is proved.
+/// Returns the lines on the scene's own orbit: its attractor, and its entry into the region of the horseshoe, as far as proved.
 fn asymptotics(document: &ChaosDocument) -> Vec<String> {
     let mut lines = Vec::new();
     let scene_orbit = document.scene_orbit.as_ref();

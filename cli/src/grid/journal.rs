@@ -184,7 +184,7 @@ impl<H: Head> Journal<H> {
         Ok(String::from_utf8(line)?)
     }
 
-    /// Where it stays when the program ends.
+    /// Returns the path at which the journal remains after the program ends; `None` if it has none.
     pub fn path(&self) -> Option<&Path> {
         self.path.as_deref()
     }

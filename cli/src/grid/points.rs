@@ -19,7 +19,7 @@ impl<H: Head> Gathered<H> {
     /// Puts shards together.
     ///
     /// # Errors
-    /// When they are not all shards of one sweep or atlas, each of them finished.
+    /// Returns an error if they are not all shards of one sweep or atlas, each of them finished.
     pub fn merged(paths: &[PathBuf]) -> Result<Self> {
         let journals: Vec<Journal<H>> = paths.iter().map(|path| Journal::read(path)).collect::<Result<_>>()?;
         let name = |i: usize| paths[i].display();

@@ -25,7 +25,7 @@ pub fn read_head<H: Head>(line: &str) -> Result<(H, H::Grid)> {
     Ok((head, grid))
 }
 
-/// Whether the values of a record are those of its point.
+/// Returns whether the parameter values of a record equal those of its point of the grid.
 pub fn is_of_grid<H: Head>(record: &H::Record, grid: &H::Grid) -> bool {
     let is_one = |(text, value): (&String, &Exact)| {
         *text == value.text() || Exact::parse(text).is_ok_and(|own| own.compare(value) == Some(Ordering::Equal))

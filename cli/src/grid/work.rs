@@ -23,7 +23,7 @@ use crate::output::note;
 use crate::progress::{Interruption, catch_interruption};
 use impact_pair::watch::Watch;
 
-/// How points are computed: the record of one, as a line; `None` when Ctrl-C has come before it was done.
+/// The function that computes a point by its number: its record as one line; `None` if Ctrl-C came before it was done.
 pub type Point<'w> = &'w (dyn Fn(u64) -> Result<Option<String>> + Sync);
 
 /// A sweep or an atlas at work.
@@ -36,7 +36,7 @@ pub struct Work<'w, H> {
 
 /// The summary of all points.
 pub trait Tally: Display {
-    /// Whether all that was asked is proved.
+    /// Returns whether everything requested is proved at the points that are present.
     fn is_complete(&self) -> bool;
 }
 
@@ -89,7 +89,7 @@ impl<H: Head + Sync + Send> Work<'_, H> {
     }
 }
 
-/// Whether all that was asked is proved at the points that are there.
+/// Returns the answer of the program: complete if everything requested is proved at the points that are present.
 pub fn answered(tally: &impl Tally) -> Answer {
     if tally.is_complete() { Answer::Complete } else { Answer::Incomplete }
 }
@@ -114,7 +114,7 @@ fn progress(done: u64, left: u64, visible: bool) -> ProgressBar {
     let target = ProgressDrawTarget::stderr_with_hz(5);
     let bar = ProgressBar::with_draw_target(Some(done + left), target);
     let bar = bar.with_style(style.expect("a valid template")).with_position(done);
-    // What was done before does not count for the rate.
+    // Points of an earlier run do not count for the rate.
     bar.reset_eta();
     bar.enable_steady_tick(Duration::from_millis(500));
     bar

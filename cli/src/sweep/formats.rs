@@ -1,4 +1,4 @@
-//! In which formats a sweep is written: as the endings of the files say, where nothing else is asked.
+//! The formats of a sweep's files: the requested ones, or those of their endings.
 
 use std::path::Path;
 
@@ -19,7 +19,7 @@ impl Formats {
     /// The requested ones, those of the endings, or the default ones.
     ///
     /// # Errors
-    /// When an ending is of none of them or contradicts what is asked; when this build does not write one.
+    /// Returns an error if an ending belongs to no format or contradicts the given one, or if this build does not write the format.
     pub fn of(arguments: &SweepArguments) -> Result<Self> {
         let is_shard = arguments.grid.shard.is_some();
         let usual = if is_shard { SweepFormat::Jsonl } else { SweepFormat::Csv };
@@ -41,7 +41,7 @@ impl Formats {
     /// Refuses to write states where there are none, or no table of them.
     ///
     /// # Errors
-    /// When the sweep is a shard, a summary, or written with its states as JSON Lines.
+    /// Returns an error if the sweep is a shard, a summary, or written as JSON Lines, whose lines hold the states.
     pub fn keep_states(self, arguments: &SweepArguments, is_summary: bool) -> Result<()> {
         if arguments.states.is_none() {
             return Ok(());
@@ -59,7 +59,7 @@ impl Formats {
     }
 }
 
-/// What asks for a format: the option of a file, with its name, or `--format`.
+/// Returns the option that requests a format: the option of a file, with the file's name, or `--format`.
 fn asked(option: &str, file: Option<&Path>) -> String {
     file.map_or("--format".to_owned(), |file| format!("{option} {}", file.display()))
 }

@@ -1,4 +1,4 @@
-//! The table for people: a line a rung, then what became of `float`.
+//! The table for people: one line per arithmetic, then the errors of `float`.
 
 use impact_pair::document::counted;
 use impact_pair::trade::{Crossing, Extent, Judgement, Largest, Measured, Trade};

@@ -87,7 +87,7 @@ impl TwoImpactArguments {
     /// Output format: points in columns are those of a parameter manifold.
     ///
     /// # Errors
-    /// When the ending of the output is of no such format, or contradicts the one given.
+    /// Returns an error if the ending of the output belongs to no such format, or contradicts the given format.
     pub fn format(&self) -> Result<TwoImpactFormat> {
         let output = ("--output", self.destination.output.as_deref());
         let all = TwoImpactFormat::value_variants();
@@ -131,7 +131,7 @@ impl Side {
     }
 }
 
-/// What is not given.
+/// The unknown of |v|, A and d, computed from the other two.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
 pub enum SolveFor {
     /// The motion, with its |v|, from A and d

@@ -34,7 +34,7 @@ pub fn motions(scene: &Scene, unknown: &Unknown, answers: &[Answer], wall: Wall)
     lines.join("\n") + "\n"
 }
 
-/// How many there are, and whether these are all but those that rest.
+/// Returns the number of orbits, and whether they are proved to be all orbits without sticking.
 fn said(answer: &Answer) -> String {
     let count = orbits(answer.orbits.len());
     if answer.is_exhaustive { format!("{count}, proved to be all without sticking") } else { count }

@@ -27,7 +27,7 @@ fn r35_columns_that_are_not_read_are_named() {
     assert_eq!(judged(&unknown, &FIGURE_14, 0)["unused_columns"], serde_json::json!(["puck_speed"]));
     let named = [&FIGURE_14[..], &["--velocity-column", "puck_speed"]].concat();
     assert_eq!(judged(&unknown, &named, 1)["unused_columns"], serde_json::json!([]));
-    // What is asked not to be judged is named without advice.
+    // A column that is deliberately not compared is named without advice.
     let without = [&FIGURE_14[..], &["--no-velocity"]].concat();
     let message = judged(LIST, &without, 0)["message"].to_string();
     assert!(message.contains("not read: velocity") && !message.contains("--velocity-column"), "{message}");
@@ -39,7 +39,7 @@ fn r35_usual_names_of_velocities_before_an_impact_are_known() {
         let document = judged(&with_velocities_called(name), &FIGURE_14, 1);
         assert_eq!(document["counts"]["outside"], 8, "{name}");
     }
-    // Where there are several, the one that says before which: the other one is named.
+    // Of several columns of velocities the one named as before the impact is read; the other one is reported as unused.
     let row = |line: &str| format!("{line},0\n");
     let both: String = LIST.lines().skip(1).map(row).collect();
     let document = judged(&format!("t,wall,v_minus,v\n{both}"), &FIGURE_14, 0);

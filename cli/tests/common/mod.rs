@@ -42,7 +42,7 @@ pub fn program(arguments: &[&str]) -> Command {
     command
 }
 
-/// What the program answers to a scene on stdin.
+/// Returns the output of `run` for a scene on stdin.
 pub fn answer_to(scene: &str, arguments: &[&str]) -> Output {
     use std::io::Write;
     let mut command = run(&["-"]);
@@ -83,7 +83,7 @@ pub fn files(folder: &Path) -> Vec<String> {
     names
 }
 
-/// What the program answers when Ctrl-C comes as soon as it `is_ready`.
+/// Returns the output of a command that is interrupted (Ctrl-C) as soon as it `is_ready`.
 #[cfg(unix)]
 pub fn interrupted(command: &mut Command, is_ready: impl Fn() -> bool) -> Output {
     let child = command.stderr(Stdio::piped()).spawn().unwrap();
@@ -94,8 +94,8 @@ pub fn interrupted(command: &mut Command, is_ready: impl Fn() -> bool) -> Output
     child.wait_with_output().unwrap()
 }
 
-/// What the program answers when Ctrl-C comes within its work: longer after it `is_ready` from one try to the next, until
-/// the answer `is_within`. Machines and builds differ by more than any one wait allows for.
+/// Returns the output of a command that is interrupted (Ctrl-C) at work: after it `is_ready`, later from one try to the next,
+/// until the output `is_within`. Machines and builds differ by more than any one wait allows for.
 #[cfg(unix)]
 pub fn interrupted_within(
     command: impl Fn() -> Command,

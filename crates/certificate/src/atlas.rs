@@ -23,13 +23,13 @@ pub struct AtlasCertificate {
 /// A point of it, or a tile.
 #[derive(Clone, Debug)]
 pub(super) struct ClaimedPoint {
-    /// What is claimed of the point, or of all parameters of the tile and of the cells that it is cut into.
+    /// Claims about the point, or about all parameters of the tile and of the cells that it is cut into.
     pub parts: Vec<Part>,
     /// Its place on each axis, from 0.
     places: Vec<Option<u64>>,
-    /// Whether its values are those of the grid; `None` where that is not decided.
+    /// True if its values are those of the grid; `None` where that is undecided.
     pub is_of_grid: Option<bool>,
-    /// Why it contradicts the head of the atlas, or itself.
+    /// Its contradiction to the head of the atlas, or to itself.
     pub contradiction: Option<&'static str>,
 }
 
@@ -43,7 +43,7 @@ pub(super) struct Part {
     pub start: Start,
     /// Stable periodic orbits that there are besides.
     pub stable: Vec<PeriodDocument>,
-    /// Its path in the document, and whether it is cut no more.
+    /// Its path in the document, and whether it is not cut any more.
     path: String,
     is_leaf: bool,
 }
@@ -127,12 +127,12 @@ impl AtlasCertificate {
         self.points.len()
     }
 
-    /// Whether it is one of cells.
+    /// Returns whether it has cells of the parameter plane, not points.
     pub(super) fn has_cells(&self) -> bool {
         self.has_cells
     }
 
-    /// Whether a component is claimed to hold a horseshoe.
+    /// Returns whether a component is claimed to hold a horseshoe.
     pub(super) fn has_horseshoes(&self) -> bool {
         self.points.iter().flat_map(|point| &point.parts).any(|part| part.global.has_horseshoes())
     }
@@ -149,7 +149,7 @@ impl AtlasCertificate {
     }
 }
 
-/// What no lemma is about of points, and of the cells that others are cut into, once, twice and so on. Lemma V38
+/// Keys of points that no lemma covers, and the same keys of the cells that tiles are cut into, down to `most` bisections. Lemma V38
 fn of_cells(most: usize, have_horseshoes: bool) -> impl Iterator<Item = String> {
     let of_points = UNJUDGED.iter().filter_map(|key| key.strip_prefix("points."));
     let all = of_points.chain(DIRECTIONS.into_iter().filter(move |_| have_horseshoes));
@@ -177,7 +177,7 @@ impl Part {
         Ok(parts)
     }
 
-    /// Whether there is anything to prove.
+    /// Returns whether there is anything to prove.
     pub fn claims_something(&self) -> bool {
         self.global.claims_something() || !self.stable.is_empty()
     }
@@ -193,7 +193,7 @@ impl Part {
         let is_other = |key: &&String| !of_points(key);
         let is_own = |key: &&String| key.starts_with("components") || *key == "class";
         let own = self.global.unjudged().iter().filter(is_own).filter(is_other).map(String::as_str);
-        // How many sets of saddle type there are is judged where each is. Lemma V28
+        // The number of sets of saddle type is checked where each of them is. Lemma V28
         let counts_sets = self.global.claimed().iter().any(|claim| claim.is_saddle_set);
         let count = (counts_sets && !self.global.says_there_are_no_others()).then_some("n_saddle");
         own.chain(count).map(|key| format!("{}.{key}", self.path)).collect()
@@ -231,7 +231,7 @@ impl ClaimedPoint {
     }
 }
 
-/// Whether the numbers of components of a record, and of those that it is cut into, are those of their lists.
+/// Returns whether the numbers of components of a record, and of those that it is cut into, are those of their lists.
 fn has_own_counts(record: &AtlasRecord) -> bool {
     let count = |kind: &str| record.components.iter().filter(|component| component.kind == kind).count() as u64; // exact: a length
     let counts = [record.n_attracting, record.n_rest, record.n_saddle, record.n_undecided];
@@ -239,7 +239,7 @@ fn has_own_counts(record: &AtlasRecord) -> bool {
         && record.quarters.iter().all(has_own_counts)
 }
 
-/// What a record of a tile is found to be: its places on the axes, whether all intervals are those of its cells, and what contradicts that.
+/// The result of reading a tile: its places on the axes, whether all its intervals are those of its cells, and what contradicts that.
 type OfTile = (Vec<Option<u64>>, Option<bool>, Option<&'static str>);
 
 /// The tile of a record, whose cells are the quarters, and so on, of those that are cut. Lemma V38

@@ -12,7 +12,7 @@ use impact_pair_model::Word;
 pub(super) struct Attraction {
     pub word: Word,
     pub cycles: u64,
-    /// From this impact on it is in a neighbourhood that the period contracts.
+    /// The impact from which on the motion is in a neighbourhood that the period contracts.
     pub from: u64,
     pub orbit: ClaimedOrbit,
 }
@@ -29,7 +29,7 @@ pub(super) struct ClaimedOrbit {
     pub unique: bool,
     pub physical: Option<bool>,
     pub stability: Stability,
-    /// From the left wall to the right one, of a two-impact motion \[rad\].
+    /// Difference of phase from the left wall to the right one, of a two-impact motion \[rad\].
     pub spacing: Option<Bounds>,
     /// The sign of the sine on the left wall, of a two-impact motion.
     pub sine: Option<String>,

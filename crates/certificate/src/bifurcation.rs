@@ -14,7 +14,7 @@ pub struct BifurcationCertificate {
     start: Start,
     over: Key,
     points: Vec<ClaimedPoint>,
-    /// Why it contradicts itself.
+    /// The contradiction in its own fields.
     contradiction: Option<String>,
     unjudged: Vec<String>,
 }
@@ -65,7 +65,7 @@ pub(super) fn parameter(place: &Place<'_>) -> Result<Key, Error> {
     )
 }
 
-/// Where the parameter's own value stands in the scene; it only names the scene.
+/// The key in the scene that holds the parameter's own value; it only names the scene.
 pub(super) fn own_value(key: Key) -> String {
     let place = match key {
         Key::Amplitude(_) => "excitation.amplitude",

@@ -29,7 +29,7 @@ const UNJUDGED: [&str; 7] = [
     "stretches.bases.expanding",
 ];
 
-/// What the verdict `attracted` alone depends on: whether the scene's own motion converges to an orbit.
+/// Keys on which the verdict `attracted` alone depends: the scene's own motion converges to an orbit.
 const OF_THE_MOTION: [&str; 3] = ["scene.excitation.frequency", "scene.excitation.phase", "scene.start"];
 
 impl CellsCertificate {

@@ -8,7 +8,7 @@ use impact_pair_model::{Error, ImpactPair};
 /// The claims of a chaos JSON.
 #[derive(Clone, Debug)]
 pub struct ChaosCertificate {
-    /// With all values of the parameter.
+    /// The impact pair, with all values of the parameter.
     pair: ImpactPair,
     document: ChaosDocument,
     unjudged: Vec<String>,

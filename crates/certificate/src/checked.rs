@@ -13,7 +13,7 @@ use crate::{
     WindowsCertificate,
 };
 
-/// What is not judged of horseshoes: boxes of components are not in a document. Lemma V37
+/// The statement on horseshoes that is not checked: boxes of components are not in a document. Lemma V37
 const PLACES: &str = "which component holds a horseshoe";
 
 /// A document whose claims are the items of a list, and then what is said of the whole.
@@ -57,7 +57,7 @@ pub(super) trait Checked {
         "certified"
     }
 
-    /// Whether an item that is confirmed is so for all data, whatever becomes of the others.
+    /// Returns whether an item that is confirmed is so for all data, whatever the verdicts on the others are.
     fn is_one_by_one(&self) -> bool {
         true
     }
@@ -76,7 +76,7 @@ pub(super) trait Checked {
     }
 }
 
-/// What all of them have in common.
+/// The methods that all of them have in common.
 macro_rules! checked {
     ($items:literal, $item:literal) => {
         checked!($items);
@@ -104,7 +104,7 @@ macro_rules! checked {
     };
 }
 
-/// What judges item by item itself.
+/// The method of those that check item by item themselves.
 macro_rules! judged {
     () => {
         fn judge(&self, effort: &Effort, watch: &dyn Watch) -> Result<(Verdict, usize), Error> {
@@ -157,7 +157,7 @@ impl Checked for Certificate {
         "outcome"
     }
 
-    /// Of data that are intervals the pieces come one after another, and of a shadowed orbit the links say something only all together.
+    /// False for data that are intervals, whose pieces come one after another, and for a shadowed orbit, whose links prove nothing one by one.
     fn is_one_by_one(&self) -> bool {
         self.claim() == ClaimName::ExactStart && Data::new(self.pair(), self.start()).is_ok_and(|data| data.is_point())
     }

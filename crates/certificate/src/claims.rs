@@ -16,7 +16,7 @@ use impact_pair_document::{
 use impact_pair_model::Error;
 use impact_pair_model::watch::{Latched, Stage, Watch};
 
-/// What a document claims.
+/// The claims of a document.
 #[derive(Clone, Debug)]
 pub enum Claims {
     /// An orbit JSON: all its events and its outcome are checked.
@@ -160,7 +160,7 @@ impl Claims {
     /// the claims confirmed so far.
     ///
     /// # Errors
-    /// When the scene's values are beyond the range of exact expressions.
+    /// Returns an error if the scene's values are beyond the range of exact expressions.
     pub fn check_within(&self, effort: &Effort, watch: &dyn Watch) -> Result<Verdict, Error> {
         Ok(self.judge(effort, watch)?.verdict)
     }
@@ -169,7 +169,7 @@ impl Claims {
     /// [`document`](Self::document) tells of each of them.
     ///
     /// # Errors
-    /// When the scene's values are beyond the range of exact expressions.
+    /// Returns an error if the scene's values are beyond the range of exact expressions.
     ///
     /// # Examples
     /// ```
@@ -208,7 +208,7 @@ impl Claims {
         Ok(Judged { verdict, confirmed })
     }
 
-    /// What is claimed by one document; `None` of several, and of what is not checked.
+    /// Returns the claims of one document; `None` of several, and of one that is not checked.
     pub(super) fn certificate(&self) -> Option<&dyn Checked> {
         Some(match self {
             Self::Orbit(certificate) => &**certificate,

@@ -8,7 +8,7 @@ use crate::periodic::OrbitOf;
 use impact_pair_document::{CYCLES_SCHEMA, CyclesDocument, Place, value};
 use impact_pair_model::Error;
 
-/// What a JSON of all cycles claims.
+/// The claims of a JSON of all cycles.
 #[derive(Clone, Debug)]
 pub struct CyclesCertificate {
     orbits: PeriodicCertificate,
@@ -33,13 +33,13 @@ impl CyclesCertificate {
         &self.orbits
     }
 
-    /// Why it contradicts itself.
+    /// Returns the contradiction in its own fields.
     pub(super) fn contradiction(&self) -> Option<&str> {
         self.contradiction.as_deref()
     }
 }
 
-/// Whether an orbit of N impacts, no shorter one several times, may have this least period under the reduced map.
+/// Returns whether an orbit of N impacts, no shorter one several times, may have this least period under the reduced map.
 ///
 /// Lemma D23: an orbit that is its own mirror image is that after half of its impacts.
 pub(super) fn is_reduced_period(claimed: u32, impacts: usize, symmetric: Option<bool>) -> bool {

@@ -6,7 +6,7 @@ use crate::{Certificate, Claims, Finding, Judged, TrapCertificate, Verdict};
 use impact_pair_document::{ClaimName, DESCRIPTION_SCHEMA, DescriptionDocument, FateName, Place, value};
 use impact_pair_model::{Error, Period, Word};
 
-/// What a description claims.
+/// The claims of a description.
 #[derive(Clone, Debug)]
 pub struct DescriptionCertificate {
     document: DescriptionDocument,
@@ -18,7 +18,7 @@ pub struct DescriptionCertificate {
 /// Keys of the documents in a description.
 const PROOF: &str = "proof";
 const REGION: &str = "region";
-/// What no lemma of `check` is about, or claims nothing.
+/// Keys that no lemma of `check` covers, or that claim nothing.
 const UNJUDGED: [&str; 7] = ["entropy", "exponent", "horseshoe", "interrupted", "not_examined", "program", "undecided"];
 
 impl DescriptionCertificate {
@@ -71,7 +71,7 @@ impl DescriptionCertificate {
         &self.unjudged
     }
 
-    /// Whether a document in it proves the fate.
+    /// Returns whether a document in it proves the fate.
     pub(super) fn is_fate_judged(&self) -> bool {
         match self.document.fate.kind {
             FateName::Undecided => false,

@@ -15,7 +15,7 @@ use num_rational::BigRational;
 use num_traits::ToPrimitive;
 use std::cmp::Ordering;
 
-/// What a JSON of a global analysis claims.
+/// The claims of a JSON of a global analysis.
 #[derive(Clone, Debug)]
 pub struct GlobalCertificate {
     pair: ImpactPair,
@@ -23,13 +23,13 @@ pub struct GlobalCertificate {
     orbits: Option<PeriodicCertificate>,
     claimed: Vec<Claimed>,
     rest_cycle: Option<(u32, bool)>,
-    /// By how many boxes basins are found, about; and of attractors, by their places, the parts of the state space that are theirs at least.
+    /// Approximate number of boxes that basins are found by; lower bounds of the parts of the state space of attractors, by their places.
     basins: Option<(u32, Vec<(usize, BigRational)>)>,
     greatest_speed: f64,
     /// Boxes of the first partition that it was found with, about.
     boxes: u32,
     says_there_are_no_others: bool,
-    /// Whether a motion of the pair is proved to graze one wall for ever.
+    /// True if a motion of the pair is proved to graze one wall for ever.
     has_grazing_motion: bool,
     contradiction: Option<String>,
     unjudged: Vec<String>,
@@ -41,7 +41,7 @@ pub(super) struct Claimed {
     pub kind: String,
     pub attracts: bool,
     pub closed: bool,
-    /// Whether it is a set of saddle type, not one periodic motion.
+    /// True if it is a set of saddle type, not one periodic motion.
     pub is_saddle_set: bool,
     /// The horseshoe that it is claimed to hold. Lemma V37
     pub horseshoe: Option<ProvedHorseshoeDocument>,
@@ -52,7 +52,7 @@ pub(super) struct Claimed {
     orbit: Option<ClaimedOrbit>,
 }
 
-/// Of the h-sets of horseshoes: they follow from the corners, and are not compared with them. Lemma V37
+/// Keys of the h-sets of horseshoes: they follow from the corners, and are not compared with them. Lemma V37
 pub(super) const DIRECTIONS: [&str; 2] =
     ["components.horseshoe.bases.contracting", "components.horseshoe.bases.expanding"];
 /// Kinds of components with a periodic motion, and what its stability is then.
@@ -139,12 +139,12 @@ impl GlobalCertificate {
         self.boxes
     }
 
-    /// Whether every motion is said to be in one of the components of which something is claimed.
+    /// Returns whether every motion is said to be in one of the components of which something is claimed.
     pub(super) fn says_there_are_no_others(&self) -> bool {
         self.says_there_are_no_others
     }
 
-    /// Whether there is anything that a check proves.
+    /// Returns whether there is anything that a check proves.
     pub(super) fn claims_something(&self) -> bool {
         let has_motions = self.orbits.is_some() || self.rest_cycle.is_some();
         has_motions
@@ -154,12 +154,12 @@ impl GlobalCertificate {
             || self.contradiction.is_some()
     }
 
-    /// Whether a component is claimed to hold a horseshoe: which one does is not judged.
+    /// Returns whether a component is claimed to hold a horseshoe: which one does is not checked.
     pub(super) fn has_horseshoes(&self) -> bool {
         self.claimed.iter().any(|claim| claim.horseshoe.is_some())
     }
 
-    /// Whether a component is claimed to graze, of a pair that has such a motion.
+    /// Returns whether a component is claimed to graze, of a pair that has such a motion.
     fn has_grazing_claim(&self) -> bool {
         self.has_grazing_motion && self.claimed.iter().any(|claim| claim.kind == "grazing")
     }
@@ -199,7 +199,7 @@ impl Claimed {
         Ok(Self { kind, attracts, closed, is_saddle_set, horseshoe, place, reduced, orbit })
     }
 
-    /// Of each impact of a period of the reduced map: whether it is on the right wall, its phase \[rad\] and its velocity.
+    /// The impacts of a period of the reduced map: whether each is on the right wall, its phase \[rad\] and its velocity.
     pub(super) fn states(&self, bits: u32) -> impl Iterator<Item = (bool, Real, Real)> {
         let hull = move |[low, high]: &Bounds| Real::rational(low, bits).hull(&Real::rational(high, bits));
         let impacts = self.orbit.iter().flat_map(|orbit| &orbit.impacts).take(self.reduced);
@@ -207,14 +207,14 @@ impl Claimed {
     }
 }
 
-/// Whether a motion of the pair is proved to graze one wall for ever: the far wall is not met before. Lemma A9
+/// Returns whether a motion of the pair is proved to graze one wall for ever: the far wall is not met before. Lemma A9
 fn has_grazing_motion(pair: &ImpactPair) -> bool {
     let harmonic = pair.harmonic("a global analysis").ok();
     let twice = harmonic.and_then(|harmonic| harmonic.amplitude().checked_mul(&Exact::from(2)).ok());
     twice.and_then(|twice| pair.gap().compare(&twice)).is_some_and(Ordering::is_ge)
 }
 
-/// Whether a component is claimed to be a set of saddle type, not one periodic motion.
+/// Returns whether a component is claimed to be a set of saddle type, not one periodic motion.
 fn is_saddle_set(component: &ComponentDocument) -> bool {
     component.kind == "saddle" && component.orbit.is_none()
 }
@@ -244,7 +244,7 @@ fn contradiction(document: &GlobalDocument) -> Option<String> {
     document.components.iter().enumerate().find_map(|(i, own)| Some(format!("components[{i}]: {}", of_component(own)?)))
 }
 
-/// What the basins say that is excluded: each attractor has one, and no motion is in two. Lemma V27
+/// The contradiction in the basins: each attractor has one, and no motion is in two. Lemma V27
 fn of_basins(document: &GlobalDocument) -> Option<&'static str> {
     let is_attractor = |own: &ComponentDocument| own.kind == "attracting" || own.kind == "rest-cycle";
     let places = (0..document.components.len()).filter(|&i| is_attractor(&document.components[i]));

@@ -7,7 +7,7 @@ use impact_pair_exact::{Exact, ExactError};
 use impact_pair_model::Error;
 use impact_pair_model::scene::Key;
 
-/// What varies, and which of its points belong to the document.
+/// The parameters that vary, and the part of their grid that belongs to the document.
 pub(super) struct Axes<'a> {
     pub keys: Vec<Key>,
     over: &'a [SweepAxis],
@@ -23,12 +23,12 @@ pub(super) struct Placed {
     pub values: Vec<(Key, Exact)>,
     /// Its place on each axis, from 0.
     pub places: Vec<Option<u64>>,
-    /// Whether its values are those of the grid; `None` where that is not decided.
+    /// True if its values are those of the grid; `None` where that is undecided.
     pub is_of_grid: Option<bool>,
 }
 
 impl<'a> Axes<'a> {
-    /// Those of a head.
+    /// Reads the axes of a head.
     ///
     /// # Errors
     /// Name the key of an axis, the axes or the shard, and what is accepted.
@@ -56,18 +56,18 @@ impl<'a> Axes<'a> {
         Ok(Self { keys, over, ends, points, shard })
     }
 
-    /// Whether the axes have as many points together as are given.
+    /// Returns whether the axes have as many points together as are given.
     pub fn are_all(&self) -> bool {
         let all = self.over.iter().try_fold(1u64, |all, axis| all.checked_mul(axis.count));
         all == Some(self.points)
     }
 
-    /// How many points, or smallest cells, are along each axis.
+    /// Number of points, or smallest cells, along each axis.
     pub fn counts(&self) -> Vec<u64> {
         self.over.iter().map(|axis| axis.count).collect()
     }
 
-    /// How many points, or tiles, are given.
+    /// Number of points, or tiles, that the document gives for the whole grid.
     pub fn points(&self) -> u64 {
         self.points
     }
@@ -77,12 +77,12 @@ impl<'a> Axes<'a> {
         &self.ends[axis]
     }
 
-    /// Whether a point is one of the grid, or of the shard: every N-th one.
+    /// Returns whether a point is one of the grid, or of the shard: every N-th one.
     pub fn has(&self, point: u64) -> bool {
         point < self.points && self.shard.is_none_or(|[number, of]| point % of == number - 1)
     }
 
-    /// How many points the grid, or the shard, has.
+    /// Number of points of the grid, or of the shard.
     pub fn own_points(&self) -> u64 {
         let [number, of] = self.shard.unwrap_or([1, 1]); // exact: all of them
         self.points / of + u64::from(number <= self.points % of)
@@ -91,7 +91,7 @@ impl<'a> Axes<'a> {
     /// Compares the values of a point with those of the grid.
     ///
     /// # Errors
-    /// When there is not one of each axis, or one is no number.
+    /// Returns an error if there is not one value of each axis, or one is not a number.
     pub fn placed(&self, point: u64, written: &[String], place: &Place<'_>) -> Result<Placed, Error> {
         if written.len() != self.over.len() {
             return Err(place.get("values")?.refused("there must be one of each axis"));
@@ -139,7 +139,7 @@ impl<'a> Axes<'a> {
     }
 }
 
-/// Whether both are so, where that is decided.
+/// Three-valued conjunction; `None` is undecided.
 pub(super) fn and(one: Option<bool>, other: Option<bool>) -> Option<bool> {
     match (one, other) {
         (Some(false), _) | (_, Some(false)) => Some(false),
@@ -148,7 +148,7 @@ pub(super) fn and(one: Option<bool>, other: Option<bool>) -> Option<bool> {
     }
 }
 
-/// Whether a value of the grid is this one; `None` where that is not decided, or there is none.
+/// Returns whether a value of the grid is this one; `None` where that is undecided, or there is none.
 pub(super) fn is_one(grid: Option<Exact>, value: &Exact) -> Option<bool> {
     grid?.compare(value).map(Ordering::is_eq)
 }

@@ -1,4 +1,4 @@
-//! What a check finds, claim by claim: the verdict on each value of a document.
+//! Results of a check, claim by claim: the verdict on each value of a document.
 
 use serde_json::{Deserializer, Value};
 
@@ -7,10 +7,10 @@ use crate::leaves::Leaves;
 use crate::{Claims, Finding, Verdict};
 use impact_pair_document::{CHECK_SCHEMA, CheckDocument, JudgedClaim, VerdictName};
 
-/// What a check finds of a document, and how far it confirmed its claims one after another.
+/// The result of a check of a document, and the number of claims confirmed one after another.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Judged {
-    /// On all of it.
+    /// The verdict on all of it.
     pub verdict: Verdict,
     /// The claims before this one are proved again, each for all data, counted as [`Finding::event`] counts them.
     pub(super) confirmed: usize,
@@ -37,9 +37,9 @@ impl Judged {
 /// A document alone, or one of a list.
 struct Part<'c> {
     claims: &'c Claims,
-    /// What its paths begin with: its position in a list.
+    /// The beginning of its paths: its position in a list.
     prefix: String,
-    /// Its values: JSON Lines are several.
+    /// The values of the document: JSON Lines are several.
     values: Vec<&'c Value>,
     /// The number of its first claim.
     first: usize,
@@ -49,7 +49,7 @@ impl Claims {
     /// Returns each claim of the text that this was read from, with its verdict.
     ///
     /// # Panics
-    /// When it was read from another text.
+    /// Panics if it was read from another text.
     pub fn document(&self, text: &str, judged: &Judged) -> CheckDocument {
         let values: Vec<Value> = Deserializer::from_str(text).into_iter().map_while(Result::ok).collect();
         let (mut claims, mut not_checked) = (Vec::new(), Vec::new());
@@ -150,7 +150,7 @@ impl Part<'_> {
     fn decisive(&self, judged: &Judged) -> Option<(String, String)> {
         let Finding { event, message } = judged.finding()?;
         if let Claims::Description(_) = self.claims {
-            // What contradicts its documents begins with the key.
+            // A contradiction to its documents begins with the key.
             let key = message.split(' ').next().filter(|_| *event == self.first)?;
             return Some((key.to_owned(), message.clone()));
         }
@@ -168,7 +168,7 @@ impl Part<'_> {
         items: Option<&str>,
     ) -> JudgedClaim {
         let reason = decisive.filter(|(decisive, _)| *decisive == path).map(|(_, message)| message.clone());
-        // What is said of the whole comes after its items.
+        // Claims about the whole come after its items.
         let item = items.and_then(|items| position(&path, items)).unwrap_or(self.claims.count()); // exact: a position
         let is_confirmed = matches!(judged.verdict, Verdict::Confirmed { .. }) || self.first + item < judged.confirmed;
         let verdict = match (&reason, is_confirmed) {
@@ -185,12 +185,12 @@ fn add_each(leaves: &mut Leaves<'_>, list: &str, lines: &[&Value]) {
     lines.iter().enumerate().for_each(|(i, line)| leaves.add(&format!("{list}[{i}]"), list, line));
 }
 
-/// Whether a path leads into what stands at another one.
+/// Returns whether a path leads into the value at another one.
 fn is_in(path: &str, outer: &str) -> bool {
     path.strip_prefix(outer).is_some_and(|rest| rest.starts_with(['.', '[']))
 }
 
-/// Whether a path leads to a value of what stands at another one, not deeper.
+/// Returns whether a path leads to a member of the value at another one, not deeper.
 fn is_value_of(path: &str, outer: &str) -> bool {
     is_in(path, outer) && !path[outer.len() + 1..].contains(['.', '['])
 }

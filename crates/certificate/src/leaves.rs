@@ -22,7 +22,7 @@ const FLAGS: [&str; 5] = ["certified", "exhaustive", "no_attractor", "no_rest", 
 /// Keys at which `null` is a claim: that no mapping is named, that no two of the words are free.
 const CLAIM_NONE: [&str; 2] = ["events.mapping", "horseshoe"];
 
-/// Whether anything stands at a path without the positions in lists.
+/// Returns whether a value exists at a path without the positions in lists.
 pub(super) fn is_there(value: &Value, path: &str) -> bool {
     let (key, rest) = path.split_once('.').map_or((path, None), |(key, rest)| (key, Some(rest)));
     match value {
@@ -61,7 +61,7 @@ impl<'n> Leaves<'n> {
         }
     }
 
-    /// Whether a list is of plain values that are judged together, such as bounds.
+    /// Returns whether a list is of plain values that are checked together, such as bounds.
     fn is_one_claim(&self, path: &str, unnumbered: &str, items: &[Value]) -> bool {
         items.iter().enumerate().all(|(i, item)| {
             !item.is_object()
@@ -71,7 +71,7 @@ impl<'n> Leaves<'n> {
         })
     }
 
-    /// Whether a value claims nothing where it stands.
+    /// Returns whether a value at a path claims nothing.
     fn says_nothing(&self, unnumbered: &str, value: &Value) -> bool {
         let key = unnumbered.rsplit('.').next().unwrap_or(unnumbered); // exact: the whole path
         match value {

@@ -1,6 +1,6 @@
 //! Check of certified orbits by a route of its own.
 //!
-//! What an orbit JSON claims is checked, and made a theorem for Coq. What this crate judges it shares nothing with: it rests on
+//! It checks the claims of an orbit JSON, and makes a theorem for Coq of them. It shares nothing with the code that it checks: it rests on
 //! exact numbers and on the model alone.
 //!
 //! ```

@@ -8,7 +8,7 @@ use impact_pair_document::{
 use impact_pair_exact::Exact;
 use impact_pair_model::{Error, ImpactPair, Start, Wall, Word};
 
-/// What a periodic JSON claims of periodic orbits, or that of two-impact motions.
+/// The claims of a periodic JSON, or of that of two-impact motions.
 #[derive(Clone, Debug)]
 pub struct PeriodicCertificate {
     pair: ImpactPair,
@@ -23,7 +23,7 @@ pub struct PeriodicCertificate {
 /// A periodic JSON, or that of two-impact motions as one.
 struct Read {
     document: PeriodicDocument,
-    /// Whether something in it is undecided.
+    /// True if something in it is undecided.
     has_rest: bool,
     is_two_impact: bool,
     unjudged: Vec<String>,
@@ -81,7 +81,7 @@ impl PeriodicCertificate {
             "undecided",
             "solved_for",
         ]));
-        // Where it claims nothing, nothing is left out.
+        // A search that does not claim to be exhaustive has nothing to leave out.
         unjudged.extend(document.exhaustive.then(|| "exhaustive".to_owned()));
         // That all is proved says of a search that there are no others; of two impacts it is always said.
         unjudged.extend((document.certified && (document.exhaustive || is_two_impact)).then(|| "certified".to_owned()));
@@ -89,7 +89,7 @@ impl PeriodicCertificate {
         unjudged.push("scene.start".to_owned());
         let (pair, _) = document.scene.model()?;
         let mut word: Word = document.word.parse()?;
-        // Both words of two impacts are the same motion, told from the one wall or the other.
+        // Both words of two impacts are the same motion, begun on one wall or the other.
         let begins = |orbit: &ClaimedOrbit| orbit.impacts.first().map(|first| first.wall);
         if is_two_impact && orbits.first().and_then(begins).is_some_and(|wall| word.mappings()[0].walls().0 != wall) {
             word = Word::new(word.mappings().iter().rev().copied().collect())?;
@@ -167,17 +167,17 @@ impl PeriodicCertificate {
         self.orbits.len()
     }
 
-    /// Whether it claims that all that was asked is proved.
+    /// Returns whether it claims that all that was requested is proved.
     pub(super) fn says_all_is_proved(&self) -> bool {
         self.says_all_is_proved
     }
 
-    /// Whether no part of the state space is left undecided.
+    /// Returns whether no part of the state space is left undecided.
     pub(super) fn has_no_rest(&self) -> bool {
         self.has_no_rest
     }
 
-    /// Whether an orbit and its mirror image are listed as one.
+    /// Returns whether an orbit and its mirror image are listed as one.
     pub(super) fn mirrors_are_one(&self) -> bool {
         self.mirrors_are_one
     }

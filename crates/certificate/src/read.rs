@@ -10,7 +10,7 @@ use num_rational::BigRational;
 use super::attraction::Attraction;
 use impact_pair_model::{Error, EventKind, ImpactPair, Period, Start, Wall};
 
-/// What an orbit JSON claims of an orbit.
+/// The claims of an orbit JSON.
 #[derive(Clone, Debug)]
 pub struct Certificate {
     pair: ImpactPair,
@@ -84,7 +84,7 @@ impl Certificate {
         }
         unjudged.sort();
         unjudged.dedup();
-        // What every kind says, older documents do not.
+        // The fields that each kind requires; documents of older versions lack some.
         let required: &[&str] = match ended.kind.as_str() {
             "time-reached" => &["impacts", "until"],
             "periodic" => &["impacts", "period"],
@@ -99,7 +99,7 @@ impl Certificate {
         Ok(Self { pair, start, claim: of_start, events: claims, attraction, ended, unjudged })
     }
 
-    /// What claims nothing but a start.
+    /// Returns a certificate that claims nothing but a start.
     pub(super) fn of_start(pair: ImpactPair, start: Start) -> Self {
         let (claim, events, ended) = (ClaimName::default(), Vec::new(), OutcomeDocument::default());
         Self { pair, start, claim, events, ended, attraction: None, unjudged: Vec::new() }
@@ -115,7 +115,7 @@ impl Certificate {
         &self.start
     }
 
-    /// Of which start the orbit is claimed to be.
+    /// Returns the start that the orbit is claimed for: every one that the scene allows, or one within the bounds of the outcome.
     pub fn claim(&self) -> ClaimName {
         self.claim
     }
@@ -130,7 +130,7 @@ impl Certificate {
         &self.ended.kind
     }
 
-    /// All that is claimed of how it ended.
+    /// Returns the claims about its end.
     pub(super) fn ended(&self) -> &OutcomeDocument {
         &self.ended
     }

@@ -10,7 +10,7 @@ use impact_pair_document::{
 use impact_pair_model::scene::Key;
 use impact_pair_model::{Error, Harmonic, ImpactPair, Start, Wall};
 
-/// What a sweep claims of the impacts of its points.
+/// The claims of a sweep about the impacts of its points.
 #[derive(Clone, Debug)]
 pub struct SweepCertificate {
     points: Vec<ClaimedOrbit>,
@@ -26,17 +26,17 @@ pub(super) struct ClaimedOrbit {
     pub start: Start,
     /// The term that phases are relative to, where that is not the fastest one that moves the box.
     pub reference: Option<Harmonic>,
-    /// How many impacts are certified.
+    /// Number of impacts certified.
     pub impacts: u64,
-    /// Those that are listed, after a transient.
+    /// The impacts listed, after a transient.
     pub states: Vec<ClaimedState>,
     /// Its place on each axis, from 0.
     pub places: Vec<Option<u64>>,
-    /// Whether its values are those of the grid; `None` where that is not decided.
+    /// True if its values are those of the grid; `None` where that is undecided.
     pub is_of_grid: Option<bool>,
-    /// It is of an orbit that starts near.
+    /// True if it is an orbit that starts near the scene's start.
     pub is_shadowed: bool,
-    /// Why it contradicts the head of the sweep, or itself.
+    /// Its contradiction to the head of the sweep, or to itself.
     pub contradiction: Option<&'static str>,
 }
 

@@ -9,7 +9,7 @@ use impact_pair_model::scene::Key;
 use impact_pair_model::{Error, ImpactPair};
 use num_rational::BigRational;
 
-/// What a JSON of tangencies claims.
+/// The claims of a JSON of tangencies.
 #[derive(Clone, Debug)]
 pub struct TangencyCertificate {
     pair: ImpactPair,
@@ -23,7 +23,7 @@ pub struct TangencyCertificate {
 pub(super) struct ClaimedTangency {
     pub key: Key,
     pub parameter: Bounds,
-    /// Of each flight: whether it is to the far wall.
+    /// True for each flight to the far wall.
     pub flights: Vec<bool>,
     pub phase: Bounds,
     pub speed: Bounds,
@@ -40,9 +40,9 @@ pub(super) struct ClaimedTangency {
     pub least_speed: BigRational,
     pub least_flight: BigRational,
     pub resonances: u32,
-    /// Where another datum is an interval: bounds of phase and speed of the states between both points.
+    /// Bounds of phase and speed of the states between both points, where another datum is an interval.
     pub states: Option<Vec<[Bounds; 2]>>,
-    /// How many common points there are beside it.
+    /// The numbers of common points on either side of it.
     pub beside: Option<ClaimedSides>,
 }
 
@@ -96,7 +96,7 @@ impl TangencyCertificate {
         &self.tangencies
     }
 
-    /// Whether no two tangencies over one parameter may be at the same value: flights of the invariant manifolds added to the word, the
+    /// Returns whether no two tangencies over one parameter may be at the same value: flights of the invariant manifolds added to the word, the
     /// orbit is the same.
     pub(super) fn are_different(&self) -> bool {
         let meet = |one: &ClaimedTangency, other: &ClaimedTangency| {
@@ -185,7 +185,7 @@ fn contradiction(document: &TangencyDocument) -> Option<String> {
 }
 
 impl ClaimedTangency {
-    /// Why its own bounds exclude it.
+    /// Returns a contradiction in its own bounds.
     pub(super) fn contradiction(&self) -> Option<String> {
         let inverted = self.all_bounds().into_iter().find(|(_, bounds)| bounds[0] > bounds[1]);
         if let Some((name, _)) = inverted {

@@ -56,15 +56,15 @@ impl Axes<'_> {
         <[u64; 2]>::try_from(self.counts()).ok()
     }
 
-    /// Whether there are as many tiles as are given.
+    /// Returns whether there are as many tiles as are given.
     pub fn are_all_tiles(&self) -> bool {
         self.cells().map(tiles).is_some_and(|[one, other]| one * other == self.points())
     }
 
-    /// Whether the values of a record are the intervals of a cell; `None` where that is not decided.
+    /// Returns whether the values of a record are the intervals of a cell; `None` where that is undecided.
     ///
     /// # Errors
-    /// When there is not one of each axis, or one is no number.
+    /// Returns an error if there is not one value of each axis, or one is not a number.
     pub fn are_of_cell(&self, cell: &Tile, record: &AtlasRecord) -> Result<Option<bool>, Error> {
         let wrong = |message: String| Error::certificate(format!("values: {message}"));
         if record.values.len() != 2 {

@@ -3,7 +3,7 @@
 use impact_pair_document::{Place, TRAP_SCHEMA, TrapDocument, value};
 use impact_pair_model::{Error, ImpactPair, Start};
 
-/// What a trap JSON claims.
+/// The claims of a trap JSON.
 #[derive(Clone, Debug)]
 pub struct TrapCertificate {
     pair: ImpactPair,

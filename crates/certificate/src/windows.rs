@@ -10,7 +10,7 @@ use impact_pair_exact::Exact;
 use impact_pair_model::scene::Key;
 use impact_pair_model::{Error, ImpactPair, Start, Wall};
 
-/// What a JSON of windows claims.
+/// The claims of a JSON of windows.
 #[derive(Clone, Debug)]
 pub struct WindowsCertificate {
     pair: ImpactPair,
@@ -30,9 +30,9 @@ pub(super) struct ClaimedWindow {
     pub ends: Vec<ClaimedPoint>,
     /// The value of the parameter.
     pub at: Exact,
-    /// Of each flight of the reduced map: whether it is to the far wall.
+    /// True for each flight of the reduced map to the far wall.
     pub flights: Vec<bool>,
-    /// Whether all orbits between the ends are claimed to be stable.
+    /// True if all orbits between the ends are claimed to be stable.
     pub stable_between: bool,
 }
 
@@ -190,7 +190,7 @@ fn contradiction(document: &WindowsDocument, over: Key) -> Option<String> {
 /// Bits in which the value of a window is compared with its ends.
 const BITS: u32 = 4096;
 
-/// What the flights of a window say that its word and its impacts exclude.
+/// The contradiction of a window's flights to its word and its impacts.
 fn wrong_flights(window: &WindowDocument) -> Option<String> {
     let flights = window.flights.as_bytes();
     if flights.len() != window.reduced_impacts as usize || flights.iter().any(|flight| !b"FN".contains(flight)) {
@@ -214,7 +214,7 @@ fn wrong_flights(window: &WindowDocument) -> Option<String> {
 }
 
 impl ClaimedWindow {
-    /// Whether its orbit is claimed to be a stable one.
+    /// Returns whether its orbit is claimed to be a stable one.
     pub(super) fn is_stable(&self) -> bool {
         self.orbit.orbits().iter().all(|claim| claim.orbit.stability == Stability::Stable)
     }

@@ -1,4 +1,4 @@
-//! What `check` lists as claims: each value is there or named beside, and none is there that is not compared.
+//! Claims as `check` lists them: each value of a document is listed or named beside, and no value is listed that is not compared.
 
 use std::collections::BTreeSet;
 
@@ -17,11 +17,11 @@ pub fn text(lines: &[Value]) -> String {
     lines.iter().map(Value::to_string).collect::<Vec<_>>().join("\n")
 }
 
-/// What `check` finds; `None` where the document is refused as it is read.
+/// The result of `check`; `None` where the document is refused as it is read.
 pub fn checked(lines: &[Value], watch: &dyn Watch) -> Option<CheckDocument> {
     let text = text(lines);
     let claims = Claims::parse(&text).ok()?;
-    // Where nothing is to be decided it is soon given up.
+    // Documents in which nothing is to be decided are soon given up.
     let is_light = lines[0]["claim"].is_string() || lines[0]["schema"] == CHAOS_CELLS_SCHEMA;
     let work = if is_light { 1 << 12 } else { effort().work };
     let effort = Effort { bits: 1 << 12, pieces: 16, work, ..Effort::default() };
@@ -151,7 +151,7 @@ fn r32_every_value_of_every_schema_is_judged_or_named() {
     assert!(told > 8 * refused.len() && told > 300, "{told} {refused:?}");
 }
 
-/// What this version does not know it does not judge, wherever it stands.
+/// Keys that this version does not know are not confirmed at any place.
 #[test]
 fn r48_keys_that_are_not_known_are_named_or_refused() {
     let (mut named, mut refused) = (0, 0);
@@ -248,20 +248,20 @@ fn bounds(value: &Value) -> Option<[f64; 2]> {
     Some([low.as_str()?.parse().ok()?, high.as_str()?.parse().ok()?])
 }
 
-/// Whether a claim holds whatever stands there.
+/// Returns whether a claim holds for every value at a path.
 fn holds_for_all(name: &str, path: &str, head: &Value) -> bool {
     let excitation = &head["scene"]["excitation"];
     let is_one = excitation["phase"].as_array().is_some_and(|all| all.len() == 1);
     let has_phases = ["orbits", "points", "windows"].iter().any(|list| head[list].is_array()) || name == "sweep";
     match path {
-        // Lemma R1: under one harmonic what is told by phases holds for every `tau`, and nothing moves a box that is not shaken.
+        // Lemma R1: under one harmonic a claim about phases holds for every `tau`, and nothing moves a box that is not shaken.
         "scene.excitation.phase" if is_one && (has_phases || excitation["amplitude"] == json!(["0"])) => true,
         "scene.excitation.frequency" if excitation["amplitude"] == json!(["0"]) => true,
         // Without a drift the ball swings alike in every frequency; a region that attracts is entered from other starts as well.
         "scene.excitation.frequency" => name == "never" || name == "cells",
         "scene.excitation.phase" | "scene.start.time" => name == "trap" || name == "cells",
         "scene.start.wall" => name == "cells",
-        // What chatters on one wall does not see the other; a dead impact forgets how fast it was.
+        // A chatter on one wall does not depend on the other; a perfectly plastic impact forgets the speed before it.
         "scene.gap" => name == "chatter in a time",
         "scene.start.velocity" => name == "dead impacts under two" || name == "cells",
         _ => false,
@@ -280,8 +280,8 @@ fn pointer_of(lines: &[Value], path: &str) -> Option<String> {
 fn r32_nothing_is_listed_as_a_claim_that_is_not_compared() {
     let (mut refused, mut missed, mut compared) = (0, Vec::new(), BTreeSet::new());
     let is_all = number("PROPTEST_CASES", 256) >= 100_000;
-    // What is undecided from its start on claims nothing but that it is so. A word that is not there is sought for seconds, and so
-    // are orbits of which shorter ones are asked as well. Boxes between two manifolds take seconds each.
+    // A document that is undecided from its start on claims nothing else. A word that does not exist is sought for seconds, and so
+    // are orbits of which shorter ones are requested as well. Boxes between two invariant manifolds take seconds each.
     let slow = ["chaos", "three turns", "attracted under two", "tangency counted", "tangency interval"];
     // Others of the same schema have the same keys.
     let like_others = ["attracted in a time", "chatter in a time", "dead impacts under two", "sweep over a term"];
@@ -307,7 +307,7 @@ fn r32_nothing_is_listed_as_a_claim_that_is_not_compared() {
             if !seen.insert(unnumbered.clone()) || holds_for_all(&name, &unnumbered, &lines[0]) {
                 continue;
             }
-            // What is compared in a document of this kind is compared by the same code in others.
+            // Claims of a document of this kind are compared by the same code in others.
             let is_new = compared.insert((kind.clone(), unnumbered.clone()));
             if !is_all && (!is_new || seen.len() % share != 0) {
                 continue;
@@ -319,7 +319,7 @@ fn r32_nothing_is_listed_as_a_claim_that_is_not_compared() {
                 let mut copy = whole.clone();
                 *copy.pointer_mut(&pointer).unwrap() = other.clone();
                 let mut lines = copy.as_array().unwrap().clone();
-                // What counts or says in words what is changed is told anew, unless it is what is changed.
+                // Counts and texts about the changed value are made anew, unless they are the change itself.
                 if lines.len() == 1 && !["impacts", "index", "message"].contains(&key.as_str()) {
                     lines[0] = changes::told(&lines[0]);
                 }

@@ -168,7 +168,7 @@ fn r48_sets_of_saddle_type_that_may_be_none_are_not_counted() {
     }
 }
 
-/// What holds for ever "without sticking" is not proved by a region that is not said to be without it.
+/// A fate "without sticking" is not proved by a region that is not said to be without rests.
 #[test]
 fn r48_a_region_that_may_hold_rests_does_not_prove_a_fate_without_sticking() {
     let mut document = recorded("description of a region");

@@ -127,7 +127,7 @@ fn r42_a_reduced_period_is_the_least() {
     around_thrice["reduced_impacts"] = json!(3);
     around_thrice["spectral_radius"] = json!(["0", "4"]);
     assert_eq!(of(&around_thrice), VerdictName::Undecided);
-    // Where it is not said whether it is its mirror image, its period under the reduced map is not judged.
+    // If the document leaves open whether it is its mirror image, its period under the reduced map is not checked.
     doubled["orbit"]["symmetric"] = Value::Null;
     let found = checked(&with(&document, "undecided", &[&doubled, &open(false)]));
     assert!(found.not_checked.contains(&"components[0].reduced_impacts".to_owned()), "{:?}", found.not_checked);
@@ -219,7 +219,7 @@ fn r52_the_window_of_figure_16_is_confirmed() {
     assert_eq!(checked(&document).verdict, VerdictName::Confirmed);
 }
 
-/// Whether components are closed is not judged: nor is a class that follows from that alone.
+/// A claim that components are closed is not checked: nor is a class that follows from that alone.
 #[test]
 fn r42_a_class_of_closed_components_is_not_judged() {
     let document = recorded("global");

@@ -23,7 +23,7 @@ pub fn read(name: &str) -> Value {
     serde_json::from_str(&fs::read_to_string(path).unwrap()).unwrap()
 }
 
-/// What a schema stands for, and those that it is made of.
+/// A schema with its reference resolved, and the schemas that it is made of.
 fn parts<'s>(schema: &'s Value, root: &'s Value) -> Vec<&'s Value> {
     if let Some(reference) = schema["$ref"].as_str() {
         return parts(root.pointer(reference.trim_start_matches('#')).unwrap(), root);
@@ -33,7 +33,7 @@ fn parts<'s>(schema: &'s Value, root: &'s Value) -> Vec<&'s Value> {
     [vec![schema], inner].concat()
 }
 
-/// Whether it is the whole schema again: cells are made of cells.
+/// Returns whether it is the whole schema again: cells are made of cells.
 fn is_itself(schema: &Value) -> bool {
     schema["$ref"] == "#"
 }

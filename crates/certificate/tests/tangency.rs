@@ -50,7 +50,7 @@ fn r42_a_tangency_is_listed_once() {
     assert_eq!(message(verdict), "undecided: two tangencies may be one");
 }
 
-/// What ended at the limit of its work is not everything that was to be searched.
+/// A search that ended at the limit of its work has not found everything.
 #[test]
 fn r48_a_limited_search_is_not_certified() {
     let mut document: Value = serde_json::from_str(DOCUMENT).unwrap();
@@ -183,8 +183,8 @@ fn changed(document: &str, pointer: &str, moved: f64, widened: [f64; 2]) -> (Str
     (pointer.to_owned(), json!(bounds.map(|x| format!("{x:.12}"))))
 }
 
-/// What is false of boxes or ranges is not confirmed: two points for gaps at which they are outside the boxes, or none where there are two; ranges
-/// exchanged; a box moved.
+/// False claims about boxes or ranges are not confirmed: two points for gaps at which they are outside the boxes, or none where there are
+/// two; ranges exchanged; a box moved.
 #[test]
 #[ignore = "deep"]
 fn false_counts_of_common_points_are_not_confirmed() {

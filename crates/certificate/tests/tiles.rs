@@ -61,7 +61,7 @@ fn verdict([head, tile]: &[Value; 2]) -> Verdict {
     atlas.check_within(&Effort::default(), &Unwatched).unwrap()
 }
 
-/// With one value of the record at a path changed.
+/// The verdict on a copy with one value of the record at a path changed.
 fn changed(atlas: &[Value; 2], path: &str, value: Value) -> Verdict {
     let mut atlas = atlas.clone();
     *atlas[1].pointer_mut(path).unwrap_or_else(|| panic!("{path}")) = value;
@@ -96,7 +96,7 @@ fn v38_cells_that_are_others_are_refuted() {
     refuted("/quarters", more);
 }
 
-/// What is not checked of a point is not checked of a cell that another one is cut into, and nothing of one that claims nothing itself.
+/// Keys that are not checked of a point are not checked of a cell that another one is cut into, and no key of one that claims nothing itself.
 #[test]
 fn r48_what_is_not_checked_of_a_cell_that_is_cut_is_named() {
     let [head, mut tile] = cut();

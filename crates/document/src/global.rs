@@ -141,7 +141,7 @@ impl GlobalDocument {
         self.components.iter().enumerate().filter_map(of).collect()
     }
 
-    /// What all motions do, in a sentence.
+    /// Returns the behaviour of all motions, in one sentence.
     fn said(&self) -> String {
         let beside = self.beside();
         let undecided = self.count("undecided");
@@ -172,12 +172,12 @@ impl GlobalDocument {
         self.components.iter().filter(|component| component.kind == kind).count() as u32 // shown
     }
 
-    /// Whether an attractor is proved to be in an undecided component.
+    /// Returns whether an attractor is proved to lie in an undecided component.
     fn has_attractors_within(&self) -> bool {
         self.components.iter().any(|own| own.kind == "attracting" && own.boxes == 0)
     }
 
-    /// What few motions do instead.
+    /// Returns the clause on the exceptional motions: those that tend to saddles, stay in sets of saddle type, or graze a wall for ever.
     fn beside(&self) -> String {
         let saddles = || self.components.iter().filter(|component| component.kind == "saddle");
         let sets = saddles().filter(|saddle| saddle.orbit.is_none()).count();
@@ -204,7 +204,7 @@ impl GlobalDocument {
 }
 
 impl ComponentDocument {
-    /// Whether its motion is known to be its own mirror image, half a period later: else the reduced map holds two motions for one.
+    /// Returns whether its motion is known to be its own mirror image, half a period later: else one motion of the reduced map stands for two.
     fn is_its_mirror_image(&self) -> bool {
         self.alternates == Some(true) || self.orbit.as_ref().is_some_and(|orbit| orbit.symmetric == Some(true))
     }

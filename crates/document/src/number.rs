@@ -55,7 +55,7 @@ fn value(text: &str) -> Option<BigRational> {
     if is_decimal(text) { Exact::parse(text).ok()?.as_rational().cloned() } else { None }
 }
 
-/// Whether a text is a number as JSON writes them, which every reader of decimals takes for the same one.
+/// Returns whether a text is a number in JSON's syntax, which every reader of decimals reads as the same number.
 fn is_decimal(text: &str) -> bool {
     let are_digits = |text: &str| !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_digit());
     let unsigned = text.strip_prefix('-').unwrap_or(text);
@@ -120,7 +120,7 @@ impl schemars::JsonSchema for Written {
 mod tests {
     use super::*;
 
-    /// What is no number of JSON's, such as a sum, is one for some readers and none for others.
+    /// Texts that are not numbers in JSON's syntax, such as sums, are refused: some readers accept them and others do not.
     #[test]
     fn r40_bounds_are_plain_decimals() {
         for text in ["0", "-0", "12.50", "-1.5e-3", "2E+7", "0.1", "10e0"] {

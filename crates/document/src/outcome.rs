@@ -147,7 +147,7 @@ impl OutcomeDocument {
         self.reason.as_deref() == Some(ENDLESS)
     }
 
-    /// What a shadowed orbit adds to the number of its impacts.
+    /// Returns the distances of the impacts of a shadowed orbit from the listed ones, in words that follow their number; else an empty text.
     fn shadowed(&self) -> String {
         let Some(EpsilonDocument { median, maximum }) = &self.epsilon else { return String::new() };
         let (median, maximum) = (median.text(), maximum.text());

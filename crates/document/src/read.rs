@@ -93,7 +93,7 @@ impl<'j> Place<'j> {
         })
     }
 
-    /// What serde found wrong with it, in our words.
+    /// Returns the error of serde in the words of this crate.
     fn wrong(&self, error: serde_json::Error) -> Error {
         let message = error.to_string();
         let quoted = |text: &str| text.replace('`', "\"").replace(" or ", " and ").replace("one of ", "");

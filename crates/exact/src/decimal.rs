@@ -120,12 +120,12 @@ pub(super) fn exact_decimal(x: &Dyadic) -> Option<String> {
     (digits.digits.len() <= LONGEST_EXACT).then(|| digits.to_string())
 }
 
-/// `x` rounded to a multiple of `10^quantum` in the direction asked.
+/// `x` rounded to a multiple of `10^quantum` in the requested direction.
 fn rounded_at(x: &Dyadic, quantum: i64, round: Round) -> String {
     DecimalDigits::new(&multiple(x, quantum, round), quantum).to_string()
 }
 
-/// How often `10^quantum` goes into `x`, rounded to an integer in the direction asked.
+/// Returns `x / 10^quantum`, rounded to an integer in the requested direction.
 pub(super) fn multiple(x: &Dyadic, quantum: i64, round: Round) -> BigInt {
     let (m, e) = (x.mantissa(), x.exponent());
     if quantum <= 0 {

@@ -122,7 +122,7 @@ impl Dyadic {
         }
     }
 
-    /// The double next to `|self|` in the direction asked.
+    /// The double next to `|self|` in the requested direction.
     fn magnitude_to_f64(&self, round: Round) -> f64 {
         let Some(top) = self.top() else { return 0.0 };
         if top > 1023 {
@@ -267,7 +267,7 @@ pub(crate) fn divide(numerator: &BigInt, denominator: &BigInt, bits: u32, round:
     Dyadic::new(divide_to_integer(&numerator, &denominator, round), -shift)
 }
 
-/// `numerator / denominator` rounded to an integer in the direction asked.
+/// `numerator / denominator` rounded to an integer in the requested direction.
 pub(crate) fn divide_to_integer(numerator: &BigInt, denominator: &BigInt, round: Round) -> BigInt {
     use num_integer::Integer;
     match round {
@@ -276,7 +276,7 @@ pub(crate) fn divide_to_integer(numerator: &BigInt, denominator: &BigInt, round:
     }
 }
 
-/// `x * 2^shift` rounded to an integer in the direction asked.
+/// `x * 2^shift` rounded to an integer in the requested direction.
 pub(crate) fn scale_to_integer(x: &BigInt, shift: i64, round: Round) -> BigInt {
     match (shift >= 0, round) {
         (true, _) => x << shift,

@@ -167,7 +167,7 @@ fn is_tiny(x: &Dyadic, bits: u32) -> bool {
     x.top().is_none_or(|top| 2 * (top + 1) < -i64::from(bits))
 }
 
-/// For |x| <= 1, sin x lies between x - x^3 / 6 and x (alternating series with falling terms).
+/// Encloses sin x for |x| <= 1: it lies between x - x^3 / 6 and x (alternating series with falling terms).
 fn sin_of_tiny(x: &Dyadic, bits: u32) -> Enclosure {
     let cube = Enclosure::point(x.times(x).times(x));
     let six = Enclosure::point(Dyadic::new(6.into(), 0));
@@ -176,7 +176,7 @@ fn sin_of_tiny(x: &Dyadic, bits: u32) -> Enclosure {
     x.sub(&sixth, bits).hull(&x.rounded(bits))
 }
 
-/// For |x| <= 1, cos x lies between 1 - x^2 / 2 and 1.
+/// Encloses cos x for |x| <= 1: it lies between 1 - x^2 / 2 and 1.
 fn cos_of_tiny(x: &Dyadic, bits: u32) -> Enclosure {
     let one = Dyadic::power_of_two(0);
     let lo = one.plus(&x.times(x).scaled(-1).negated(), bits, Round::Down);
@@ -238,7 +238,7 @@ impl Reduced {
     }
 }
 
-/// How often the argument is divided by three before the series: a square-root balance of steps against terms.
+/// Number of divisions of the argument by three before the series is summed: the square root balances steps against terms.
 fn tripling_steps(scale: u64) -> u64 {
     scale.isqrt() / 2
 }

@@ -1,8 +1,8 @@
-//! What can be wrong with an expression: it does not read (`ParseError`) or it has no provable value (`ExactError`).
+//! Errors of an expression: it cannot be read (`ParseError`), or it has no provable value (`ExactError`).
 
 use std::fmt;
 
-/// Why an expression was refused: its value is undefined, cannot be proved defined, or is out of all proportion.
+/// The reason why an expression is refused: its value is undefined, cannot be proved defined, or is out of all proportion.
 ///
 /// Texts quoted in messages are shortened.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
@@ -52,12 +52,12 @@ pub enum ExactError {
         /// The double.
         value: String,
     },
-    /// Cancellation eats more than the internal precision allowed.
+    /// Cancellation loses more bits than the internal precision allowed.
     #[error("a value loses too many digits to cancellation: 65536 bits do not suffice to enclose it")]
     TooIllConditioned,
 }
 
-/// Why a text is not an exact real number: the byte column (from 1), what was found there and what is accepted.
+/// The reason why a text is not an exact real number: the byte column (from 1), the text found there and what is accepted.
 ///
 /// ```
 /// use impact_pair_exact::Exact;
@@ -66,7 +66,7 @@ pub enum ExactError {
 /// assert_eq!(error.to_string(), "column 4: found `pie`, accepted are a number, `pi`, `sqrt(`, `sin(`, `cos(`, `(` or a sign");
 /// ```
 ///
-/// Where another text was perhaps meant, it is given:
+/// A similar text that can be read is suggested:
 ///
 /// ```
 /// use impact_pair_exact::Exact;
@@ -83,7 +83,7 @@ pub struct ParseError {
     advice: Advice,
 }
 
-/// What may help who wrote it.
+/// A hint for the author of the text.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(super) enum Advice {
     #[default]

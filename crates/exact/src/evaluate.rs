@@ -1,4 +1,4 @@
-//! Precision control: from `bits` asked to an enclosure that keeps the promise.
+//! Precision control: from the requested `bits` to an enclosure that is as narrow as promised.
 
 use std::cmp::Ordering;
 
@@ -12,7 +12,7 @@ use super::{Exact, ExactError, Form, Operation, SIGN_BITS};
 /// The accuracy that every expression must reach when it is built, and the internal precision allowed for it.
 const CONSTRUCTION_BITS: u32 = 32;
 const CONSTRUCTION_PRECISION: u32 = 1 << 16;
-/// How many recent enclosures a node keeps.
+/// Number of recent enclosures that a node keeps.
 const RECENT: usize = 4;
 /// Bits of the longest fractions that are distinguished.
 const LONGEST_FRACTION: u64 = 1 << 18;

@@ -1,4 +1,4 @@
-//! How an expression is put together, for those who write it in another language.
+//! The structure of an expression, for those who write it in another language.
 
 use num_rational::BigRational;
 

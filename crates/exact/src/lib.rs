@@ -1,4 +1,4 @@
-//! Exact real numbers as expressions, enclosed at any precision asked, never through a rounded double.
+//! Exact real numbers as expressions, enclosed at any requested precision, never through a rounded double.
 //!
 //! An [`Exact`] is read from a text such as `9.42497`, `10*pi` or `sqrt(2)/3`, or built by arithmetic, and encloses its
 //! value in an [`Enclosure`] as narrow as requested. Numbers of the form `r * pi^k` with a rational `r` are kept in normal form, so
@@ -71,7 +71,7 @@ const SIGN_BITS: u32 = 4096;
 #[derive(Clone)]
 pub struct Exact {
     node: Arc<Node>,
-    /// What the user wrote, if this very value was read from a text.
+    /// The user's text, if this very value was read from one.
     written: Option<Arc<str>>,
 }
 
@@ -85,11 +85,11 @@ struct Node {
     base: OnceLock<Enclosure>,
     /// A few recent enclosures by precision, so shared subexpressions are evaluated once.
     recent: Mutex<Vec<(u32, Enclosure)>>,
-    /// As a sum of terms, if it is a short one.
+    /// Normal form as a sum of terms, if it is a short one.
     normal: OnceLock<Option<Normal>>,
 }
 
-/// How an expression is put together.
+/// The outermost operation of an expression, with its operands.
 enum Form {
     /// `r * pi^k`.
     Monomial(Monomial),

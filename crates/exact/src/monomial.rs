@@ -117,12 +117,12 @@ impl Monomial {
         sine_of_sixths(self.sixths_of_pi()?)
     }
 
-    /// The exact cosine, as the sine a quarter period later.
+    /// The exact cosine, as the sine of the number plus pi/2.
     pub(super) fn cosine(&self) -> Option<Monomial> {
         sine_of_sixths(self.sixths_of_pi()? + 3)
     }
 
-    /// How many sixths of pi the number is, modulo a whole forcing period, if that is an integer.
+    /// Returns the multiple of pi/6 that the number is, modulo 2 pi, as an integer from 0 to 11; `None` if it is not one.
     fn sixths_of_pi(&self) -> Option<u8> {
         if self.is_zero() {
             return Some(0);

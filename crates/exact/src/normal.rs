@@ -15,9 +15,9 @@ use super::{Exact, Form};
 
 /// Longer sums are left as they are: an expression may double its terms with each operation.
 const MOST_TERMS: usize = 32;
-/// So are fractions and roots of more bits than this.
+/// Fractions and roots of more bits are left as they are.
 const MOST_BITS: u64 = 512;
-/// And powers beyond this.
+/// Powers with a greater exponent are left as they are.
 const MOST_POWERS: u32 = 16;
 /// Square factors of a radicand are looked for up to here.
 const LARGEST_FACTOR: u32 = 64;
@@ -26,7 +26,7 @@ const LARGEST_FACTOR: u32 = 64;
 #[derive(Clone, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) struct Normal(BTreeMap<Term, BigRational>);
 
-/// What the coefficients multiply.
+/// The factor that a rational coefficient multiplies: `pi^pi_power sqrt(radicand)` times a wave and powers of `factors`.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 struct Term {
     wave: Option<Wave>,
@@ -36,7 +36,7 @@ struct Term {
     radicand: BigInt,
 }
 
-/// What a term holds as it is: the root of a sum, or one over a sum.
+/// A factor of a term that is not expanded: the root of a sum, or the reciprocal of one.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 enum Factor {
     Root(Normal),
@@ -57,7 +57,7 @@ impl Term {
 }
 
 impl Normal {
-    /// That of an expression of one number; `None` where it grows too long.
+    /// Returns the normal form of an expression of one number; `None` where it grows too long.
     pub fn of(x: &Exact) -> Option<Self> {
         x.node.normal.get_or_init(|| Self::of_form(&x.node.form).filter(Self::is_short)).clone()
     }

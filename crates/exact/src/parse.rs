@@ -20,7 +20,7 @@ const OPERATOR: &str = "`+`, `-`, `*`, `/`, `^` or the end";
 const CLOSING: &str = "`+`, `-`, `*`, `/`, `^` or `)`";
 const EXPONENT: &str = "an integer from -10000 to 10000";
 
-/// What a part of an expression may contain without parentheses.
+/// The loosest operations that a part of an expression may contain without parentheses.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Level {
     Sum,
@@ -61,7 +61,7 @@ impl FromStr for Exact {
     }
 }
 
-/// What the text says, an expression or an interval.
+/// Reads the whole text as an expression or an interval.
 fn read(text: &str) -> Result<Exact, ParseError> {
     Reader { text, at: 0, nesting: 0 }.whole()
 }
@@ -326,7 +326,7 @@ impl Reader<'_> {
         self.found_at(self.at, accepted)
     }
 
-    /// What stands at a position: a word, one character, or the end.
+    /// Returns the error for the text at a position: a word, one character, or the end.
     fn found_at(&self, at: usize, accepted: &'static str) -> ParseError {
         // Positions are always at the start of a character, since only ASCII is ever consumed.
         let rest = self.text.get(at..).unwrap_or_default(); // shown

@@ -14,7 +14,7 @@ use super::{Exact, Form};
 /// Fractions with longer decimals are written as `n/d`.
 const LONGEST_DECIMAL: usize = 40;
 
-/// How tightly a spelling binds; a looser one goes into parentheses.
+/// The precedence of an expression as it is written; an operand of lower precedence is put into parentheses.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 enum Binding {
     /// `a + b`, `a - b`, and everything that starts with a minus.

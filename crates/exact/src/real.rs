@@ -23,7 +23,7 @@ pub struct Real {
     bits: u32,
 }
 
-/// What the exact value is computed with beyond the bits requested.
+/// Bits with which an exact value is enclosed, beyond those requested.
 const GUARD: u32 = 8;
 
 impl Real {

@@ -13,14 +13,14 @@ use impact_pair_exact::{Exact, ExactError};
 #[derive(Clone, Debug)]
 pub struct Error {
     kind: ErrorKind,
-    /// Returns the key of the scene file that is at fault, when it is one.
+    /// The key of the scene file that is at fault, if it is one.
     key: Option<String>,
     /// Its value, as written.
     value: Option<String>,
-    /// Where the value stands in a file.
+    /// The place of the value in a file.
     excerpt: Option<Box<Excerpt>>,
     message: String,
-    /// What it comes from, which the message tells.
+    /// The underlying error, whose text is part of the message.
     cause: Option<Arc<dyn error::Error + Send + Sync>>,
 }
 
@@ -48,7 +48,7 @@ impl PartialEq for Error {
 
 impl Eq for Error {}
 
-/// What an [`Error`] is about.
+/// The kind of input that an [`Error`] is about.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum ErrorKind {
@@ -155,7 +155,7 @@ impl Error {
     /// Refuses a value unless it is proved to be greater than 0.
     ///
     /// # Errors
-    /// When it is not.
+    /// Returns an error if this is not proved.
     pub fn require_positive(key: &str, value: &Exact) -> Result<(), Self> {
         if value.sign() == Some(Ordering::Greater) {
             Ok(())
@@ -167,7 +167,7 @@ impl Error {
     /// Refuses a value unless it is proved to be at least 0.
     ///
     /// # Errors
-    /// When it is not.
+    /// Returns an error if this is not proved.
     pub fn require_not_negative(key: &str, value: &Exact) -> Result<(), Self> {
         if is_at_least(value, 0) { Ok(()) } else { Err(Self::range(key, value, "must be at least 0")) }
     }
@@ -175,20 +175,20 @@ impl Error {
     /// Refuses a value unless it is proved to lie in `[low, high]`.
     ///
     /// # Errors
-    /// When it is not.
+    /// Returns an error if this is not proved.
     pub fn require_range(key: &str, value: &Exact, low: i64, high: i64) -> Result<(), Self> {
         let inside = is_at_least(value, low) && is_at_most(value, high);
         if inside { Ok(()) } else { Err(Self::range(key, value, &format!("must lie in [{low}, {high}]"))) }
     }
 }
 
-/// Whether `value`, or every value of an interval, is proved to be at least `low`.
+/// Returns whether `value`, or every value of an interval, is proved to be at least `low`.
 pub(crate) fn is_at_least(value: &Exact, low: i64) -> bool {
     let lowest = value.lower().unwrap_or_else(|| value.clone());
     matches!(lowest.compare(&Exact::from(low)), Some(Ordering::Greater | Ordering::Equal))
 }
 
-/// Whether `value`, or every value of an interval, is proved to be at most `high`.
+/// Returns whether `value`, or every value of an interval, is proved to be at most `high`.
 pub(crate) fn is_at_most(value: &Exact, high: i64) -> bool {
     let highest = value.upper().unwrap_or_else(|| value.clone());
     matches!(highest.compare(&Exact::from(high)), Some(Ordering::Less | Ordering::Equal))

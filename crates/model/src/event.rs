@@ -1,8 +1,8 @@
-//! What happens at an event of an orbit.
+//! The kinds of events of an orbit.
 
 use crate::Mapping;
 
-/// What happens at an event of an orbit, with bounds of type `B` in the units of the scene.
+/// The kind of an event of an orbit, with bounds of type `B` in the units of the scene.
 #[derive(Clone, Debug)]
 pub enum EventKind<B> {
     /// The ball hits the wall.

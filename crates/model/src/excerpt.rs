@@ -16,12 +16,12 @@ use std::ops::Range;
 pub struct Excerpt {
     line: usize,
     text: String,
-    /// In characters of the line.
+    /// The marked part, in characters of the line.
     marked: Range<usize>,
 }
 
 impl Excerpt {
-    /// Of bytes of a text: of the first line that they are on.
+    /// Returns the excerpt of the first line that holds some of these bytes of a text.
     pub(crate) fn new(text: &str, bytes: Range<usize>) -> Self {
         let whole = |at: usize| (0..=at.min(text.len())).rev().find(|&at| text.is_char_boundary(at)).unwrap_or(0);
         let start = whole(bytes.start);

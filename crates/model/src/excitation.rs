@@ -114,7 +114,7 @@ impl From<Harmonic> for Excitation {
     }
 }
 
-/// Whether two harmonics are proved to have one frequency, and phases that differ by whole forcing periods.
+/// Returns whether two harmonics are proved to have one frequency, and phases that differ by a multiple of `2 pi`.
 fn are_in_step(a: &Harmonic, b: &Harmonic) -> bool {
     let turns = || -> Result<Exact, ExactError> {
         let turn = Exact::pi() * Exact::from(2);

@@ -1,4 +1,4 @@
-//! How far an orbit is followed, and in which arithmetic.
+//! The settings of an orbit: its length, accuracy and arithmetic.
 
 use std::fmt;
 use std::ops::RangeInclusive;
@@ -50,7 +50,7 @@ impl Arithmetic {
     }
 }
 
-/// How far an orbit is followed, how accurately, and in which arithmetic.
+/// The settings of an orbit: its length, accuracy and arithmetic.
 #[derive(Clone, Debug)]
 pub struct Settings {
     /// Stop after N impacts.
@@ -63,14 +63,14 @@ pub struct Settings {
     pub arithmetic: Arithmetic,
     /// Maximum precision of [`Arithmetic::Auto`], in bits.
     pub max_bits: u32,
-    /// With [`Arithmetic::Shadow`]: this number of impacts is proved in higher precision first; the start of the orbit
-    /// is then nearer to the given one.
+    /// Number of impacts that [`Arithmetic::Shadow`] first proves in higher precision; the start of the orbit is then nearer to
+    /// the given one.
     pub splice: u64,
-    /// Whether to prove at the end, if possible, that the motion converges to a periodic orbit.
+    /// True if a proof that the motion converges to a periodic orbit is tried at the end.
     pub attractor: bool,
 }
 
-/// Whether this build computes in more than doubles.
+/// True if this build has arithmetic beyond doubles.
 pub const MULTIPRECISION: bool = cfg!(feature = "multiprecision");
 /// Default of [`Settings::max_bits`].
 pub const MAX_BITS: u32 = 1_000_000;

@@ -1,4 +1,4 @@
-//! Where an orbit starts: on a wall just before an impact, or inside the gap.
+//! The start of an orbit: on a wall just before an impact, or inside the gap.
 
 use std::cmp::Ordering;
 

@@ -15,7 +15,7 @@ use crate::picture::{self, Arc, Axis, Canvas, Dots, Drawn, Element, FONT, Look, 
 use crate::picture::{VERMILION, greek, hex, legend, program, said, words};
 use crate::sweep::Cells;
 
-/// Of one panel, and of each of several beside each other.
+/// Size of a single panel, and of each of several beside each other \[pixels\].
 const ALONE: (u32, u32) = (900, 640);
 const EACH: (u32, u32) = (560, 640);
 /// Impacts of a floating-point orbit that are shown, of that in a region after N others.
@@ -34,7 +34,7 @@ const SPEED: &str = "speed before the impact, in $AΩ$";
 /// Returns the boxes of a region, and a floating-point orbit.
 ///
 /// # Errors
-/// When it cannot be drawn.
+/// Returns an error if the picture cannot be drawn.
 pub fn trap(scene: &Scene, region: &Trap, look: &Look) -> Result<String> {
     let (columns, rows) = region.grid();
     let arc = Arc::holding(phases(region));
@@ -63,7 +63,7 @@ pub fn trap(scene: &Scene, region: &Trap, look: &Look) -> Result<String> {
 /// it is seen how images lie across them; and of a hyperbolic set, where one is given, the strips, leaves and cones of one h-set.
 ///
 /// # Errors
-/// When it cannot be drawn.
+/// Returns an error if the picture cannot be drawn.
 pub fn chaos(
     scene: &Scene,
     over: Option<&Range>,
@@ -138,7 +138,7 @@ pub(crate) fn section(
     Ok(())
 }
 
-/// What is proved.
+/// Returns the line on the results proved.
 fn proved(found: &Chaos) -> String {
     let counted = format!(
         "{} of at most {} from {}",
@@ -168,7 +168,7 @@ fn seen(found: &Chaos) -> impl Iterator<Item = &State> {
     found.attractor().iter().take(IMPACTS)
 }
 
-/// What the marks mean.
+/// Returns the entries of the legend.
 fn entries(found: &Chaos, set: Option<&Hyperbolic>) -> Vec<(Mark, String)> {
     let mut entries = Vec::new();
     let impacts = seen(found).count();
@@ -250,7 +250,7 @@ fn round(base: &Base) -> [State; 5] {
     [base.left.bottom, base.right.bottom, base.right.top, base.left.top, base.left.bottom]
 }
 
-/// Where a state is on the axes.
+/// Returns the place of a state on the axes: phase along the arc, and speed.
 fn in_turn(arc: Arc, [phase, speed]: &State) -> State {
     [arc.place(*phase), *speed]
 }

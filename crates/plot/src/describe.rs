@@ -1,4 +1,4 @@
-//! What becomes of a motion, on one page: time series, phase plane, impacts with region and h-sets, and itinerary.
+//! The asymptotic behaviour of a motion, on one page: time series, phase plane, impacts with region and h-sets, and itinerary.
 
 use std::f64::consts::{PI, TAU};
 use std::ops::ControlFlow;
@@ -36,7 +36,7 @@ const RIGHT: i32 = 38 * SCALE;
 const MAPPINGS: [Mapping; 4] = [Mapping::P4, Mapping::P3, Mapping::P2, Mapping::P1];
 const NAMES: [&str; 4] = ["P4 L→L", "P3 R→R", "P2 L→R", "P1 R→L"];
 
-/// What is drawn of the orbit.
+/// The part of the orbit that is drawn.
 struct Followed {
     trace: Trace,
     /// The mapping that ends at each impact.
@@ -46,13 +46,13 @@ struct Followed {
 /// Returns the page of a description, whose document is given as well, as SVG.
 ///
 /// # Errors
-/// When it cannot be drawn.
+/// Returns an error if the picture cannot be drawn.
 pub fn describe(scene: &Scene, found: &Description, document: &DescriptionDocument, look: &Look) -> Result<String> {
     let followed = follow(scene)?;
     let Followed { trace, .. } = &followed;
     let settled = document.fate.from.filter(|_| document.fate.kind == FateName::Attracted);
     let settled = settled.map_or(0, |from| from as usize);
-    // A transient that fills the picture is not told from the rest.
+    // A transient that fills the picture is not distinguished from the rest.
     let transient = if settled < trace.crossings.len() / 2 { settled } else { 0 };
     let style = Style { is_certified: true, transient };
     let planes =
@@ -74,7 +74,7 @@ pub fn describe(scene: &Scene, found: &Description, document: &DescriptionDocume
         })?;
         Ok::<_, anyhow::Error>((svg, top))
     };
-    // How high the text is, the first drawing tells.
+    // The first drawing determines the height of the text.
     let panels = 2 * PANEL.1 as u32;
     let (_, top) = drawn(2 * panels)?;
     let own = (top + MARGIN / 2) as u32 / SCALE as u32 + panels;

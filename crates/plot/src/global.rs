@@ -1,4 +1,4 @@
-//! Where every motion of a pair goes: the state space by the attractors that its motions end in, and the graph of components, as SVG.
+//! The fate of every motion of a pair, as SVG: the state space by the attractors that its motions end in, and the graph of components.
 
 mod morse;
 
@@ -24,7 +24,7 @@ const GRAPH: i32 = 320 * SCALE;
 const RIGHT: i32 = 16 * SCALE;
 /// Colours of attractors, in their order; further ones begin anew.
 const ATTRACTORS: [RGBColor; 5] = [BLUE, GREEN, ORANGE, PURPLE, SKY];
-/// Where nothing is decided.
+/// Colour of states whose attractor is undecided.
 const PALE: RGBColor = RGBColor(0xdd, 0xdd, 0xdd);
 /// The least side of a box of a component that is not an attractor.
 const LEAST: i32 = 3 * SCALE / 2;
@@ -36,7 +36,7 @@ const MOST: usize = 12;
 /// Returns the state space, coloured by where its motions are proved to end, with its components, and the graph of these.
 ///
 /// # Errors
-/// When it cannot be drawn.
+/// Returns an error if the picture cannot be drawn.
 pub fn global(scene: &Scene, found: &Global, document: &GlobalDocument, look: &Look) -> Result<String> {
     picture::svg(look.size(SIZE), SCALE, |root| {
         let title = scene.title().unwrap_or("The impact map");
@@ -62,7 +62,7 @@ fn colour(found: &Global, component: usize) -> RGBColor {
     }
 }
 
-/// What the colours mean.
+/// Returns the entries of the legend.
 fn entries(found: &Global) -> Vec<(Mark, String)> {
     let is_drawn = |goes: fn(&Goes) -> bool| found.patches.iter().any(|patch| goes(&patch.goes));
     let attractors = (0..found.components.len()).filter(|&i| found.components[i].kind.is_attractor()).take(MOST);

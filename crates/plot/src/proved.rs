@@ -15,11 +15,11 @@ const SIZE: (u32, u32) = (960, 680);
 const COLUMNS: u32 = 600;
 const ROWS: i32 = 260;
 const IMPACTS: [usize; 2] = [600, 160];
-/// Height of the bar above the diagram that tells what is proved, and how far above it is.
+/// Height of the bar above the diagram that shows the verdicts, and its distance from the diagram.
 const BAR: i32 = 14 * SCALE;
 const ABOVE: i32 = 4 * SCALE;
 
-/// What is given, and in which colour.
+/// The entries of the legend, by kind of verdict, with their colours.
 const LEGEND: [(&str, RGBColor); 5] = [
     ("proved: a horseshoe, positive entropy", VERMILION),
     ("proved: the scene's orbit converges to a periodic one", BLUE),
@@ -48,7 +48,7 @@ struct Column {
 /// Returns the diagram of floating-point orbits over the parameter, and above it a bar, both in the colours of what is proved.
 ///
 /// # Errors
-/// When it cannot be drawn.
+/// Returns an error if the picture cannot be drawn.
 pub fn cells(scene: &Scene, asked: &RangeSettings, found: &Cells, look: &Look) -> Result<String> {
     let columns: Vec<Column> = (0..COLUMNS).map(|number| column(scene, asked, found, number)).collect::<Result<_>>()?;
     let arc = Arc::holding(columns.iter().flat_map(|column| &column.states).map(|state| [state[0]; 2]));

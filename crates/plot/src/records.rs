@@ -1,4 +1,4 @@
-//! What pictures of grids read: a head, and the records of points.
+//! The input of pictures of grids: a head, and the records of points.
 
 use anyhow::Result;
 use impact_pair::sweep::Head;
@@ -8,12 +8,12 @@ pub trait Records {
     /// The kind of its head.
     type Head: Head;
 
-    /// What it is about.
+    /// Returns the head, which holds everything that the points depend on.
     fn head(&self) -> &Self::Head;
 
     /// Hands on the points that are there, in order.
     ///
     /// # Errors
-    /// Those of `hand`, and when a record cannot be read.
+    /// Returns the errors of `hand`, and an error if a record cannot be read.
     fn each_record(&mut self, hand: impl FnMut(<Self::Head as Head>::Record) -> Result<()>) -> Result<()>;
 }

@@ -20,7 +20,7 @@ const RADIUS: i32 = 4 * SCALE;
 /// The greatest speed of the section, and how much is magnified.
 const SPEED: f64 = 3.0;
 const MAGNIFIED: f64 = 1000.0;
-/// How far beside the tangency the parameter is, in the units of the scene.
+/// Distance of the parameter from the tangency in panels (c) and (d), in the units of the scene.
 const BESIDE: f64 = 1e-4;
 const NAMES: [&str; 2] = ["phase $θ$ of the impact, mirrored to the left wall [rad]", "speed $w = |v|/(AΩ)$"];
 
@@ -28,7 +28,7 @@ const NAMES: [&str; 2] = ["phase $θ$ of the impact, mirrored to the left wall [
 /// `1e-4` to either side.
 ///
 /// # Errors
-/// When there is none, or it cannot be drawn.
+/// Returns an error if there is no tangency, or the picture cannot be drawn.
 pub fn tangency(scene: &Scene, found: &Tangencies, look: &Look) -> Result<String> {
     let first = found.tangencies.first().context("there is no tangency to draw")?;
     let own = first.parameter.mid_rad().0;

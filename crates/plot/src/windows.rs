@@ -31,7 +31,7 @@ struct Marked {
 /// Returns the windows whose ends are both proved: the value of the parameter, and the width.
 ///
 /// # Errors
-/// When it cannot be drawn.
+/// Returns an error if the picture cannot be drawn.
 pub fn windows(scene: &Scene, found: &Windows, look: &Look) -> Result<String> {
     let marked = |FoundWindow { impacts, window, .. }: &FoundWindow| {
         let width = window.width()?.log10();
@@ -59,8 +59,8 @@ pub fn windows(scene: &Scene, found: &Windows, look: &Look) -> Result<String> {
     })
 }
 
-/// Where the labels of marks begin, beside them at half of their height: each on the right, on the left, above or below, or farther above and below,
-/// wherever no mark and no label before it is in the way.
+/// Returns the places of the labels of marks: the left end at half of the height of each. A label is on the right of its mark, on the left, above
+/// or below, or farther above and below: the first of these places at which it meets no mark and no earlier label.
 fn places(marks: &[(i32, i32)], texts: &[String]) -> Vec<(i32, i32)> {
     let size = |text: &str| (text.len() as i32 * FONT * 3 / 5, FONT);
     let meets =

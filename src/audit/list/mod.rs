@@ -37,7 +37,7 @@ impl Default for Columns {
 const VELOCITIES: [&str; 8] =
     ["v_minus", "v-", "v_before", "velocity_minus", "velocity_before", "velocity", "v", "vel"];
 
-/// What a column is called.
+/// The name of a column, given or usual, and the option that gives it.
 #[derive(Clone, Debug)]
 pub struct Column {
     /// The flag that says so.
@@ -84,7 +84,7 @@ pub struct List {
     pub rows: Vec<Listed>,
     /// The names of columns that are not read, `column 4` where one has no name.
     pub unused: Vec<String>,
-    /// Whether velocities are looked for.
+    /// True if velocities are looked for.
     pub velocities: bool,
 }
 
@@ -108,7 +108,7 @@ pub struct Number {
     pub low: BigRational,
     /// The decimal, or the upper bound.
     pub high: BigRational,
-    /// As it is written.
+    /// The text as it is written.
     pub written: String,
 }
 
@@ -132,7 +132,7 @@ impl Number {
     }
 }
 
-/// Whether a text is one decimal, such as `-1.5e+00`, and no expression.
+/// Returns whether a text is one decimal, such as `-1.5e+00`, and no expression.
 fn is_decimal(text: &str) -> bool {
     let unsigned = |text: &str| -> String { text.strip_prefix(['+', '-']).unwrap_or(text).to_owned() }; // exact: a text
     let is_natural = |text: &str| !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_digit());
@@ -151,7 +151,7 @@ struct Walls {
 }
 
 impl Walls {
-    /// Those of a box with this gap \[length\].
+    /// Returns the reader for the walls of a box with this gap \[length\].
     fn new(gap: &Exact) -> Self {
         let gap = gap.enclose(64);
         let two = BigRational::from_integer(2.into());

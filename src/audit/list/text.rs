@@ -41,7 +41,7 @@ pub(super) fn read(text: &str, columns: &Columns, walls: &Walls) -> Result<List,
     Ok(List { rows, unused, velocities: columns.velocity.is_some() })
 }
 
-/// What stands between columns.
+/// The separator of columns.
 enum Separator {
     Byte(u8),
     Blanks,
@@ -69,7 +69,7 @@ impl Separator {
     }
 }
 
-/// What the columns are called.
+/// The names of the columns.
 enum Header {
     Line(Vec<String>),
     /// The last comment before the data, as `numpy.savetxt` writes it: a name for each column.
@@ -92,14 +92,14 @@ impl Header {
     }
 }
 
-/// Where a number stands: in one column, or between two.
+/// The columns of a number: one column, or those of its lower and upper bound.
 #[derive(Clone, Copy)]
 struct Place {
     lower: usize,
     upper: usize,
 }
 
-/// Where the columns stand.
+/// The columns of each quantity.
 struct Places {
     event: Option<usize>,
     time: Place,

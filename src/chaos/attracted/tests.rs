@@ -22,7 +22,7 @@ fn member(set: &Set, law: &Law, part: [f64; 4]) -> (State, Law) {
     (state, Law { gap: within(law.gap, d), restitution: within(law.restitution, c) })
 }
 
-/// How far from the middle of a set, for the parameters of a member, a state is, in its sides; less its own radius.
+/// Distance of a state from the middle of a set, for the parameters of a member, in coordinates by its sides; less the state's own radius.
 fn reach(set: &Set, [phase, speed]: [Ball; 2], [c, d]: [f64; 2]) -> f64 {
     let moved =
         |i: usize| Ball::exact(c) * Ball::exact(set.moved[0][i]) + Ball::exact(d) * Ball::exact(set.moved[1][i]);
@@ -40,7 +40,7 @@ fn vector(size: f64) -> impl Strategy<Value = State> {
 }
 
 proptest! {
-    /// Lemma D15: the next set holds the image of each member, told for its own parameters; and what images differ by from any states
+    /// Lemma D15: the next set holds the image of each member, given its own parameters; and the difference of images from any states
     /// that move with these is in its bounds.
     #[test]
     fn the_next_set_holds_the_images(
@@ -102,7 +102,7 @@ proptest! {
     }
 }
 
-/// What `run` proves of one value of the parameter, by sets without any.
+/// Numbers of impacts and of cycles of the stable orbit that `run` proves for one value of the parameter, by sets without parameters.
 fn impacts_and_cycles(scene: &Scene, asked: &RangeSettings, value: &crate::exact::Exact) -> (usize, u32) {
     let pair = scene.pair().with(asked.over.key, value.clone()).unwrap();
     let settings =

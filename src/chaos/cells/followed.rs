@@ -10,10 +10,10 @@ use super::super::vector::{cross, length, minus, times, unit};
 use super::super::words::Base;
 use crate::number::Ball;
 
-/// Saddles of at most N impacts are looked for, from these places along the h-set, a half length being 1.
+/// The most impacts of saddles that are looked for, and the places along the h-set from which they are, a half length being 1.
 const LONGEST: usize = 16;
 const PLACES: [f64; 7] = [0.0, -0.25, 0.25, -0.5, 0.5, -0.75, 0.75];
-/// What changes `D` or `e` more is followed in steps.
+/// The greatest change of `D` or `e` that is followed in one step.
 const STEP: f64 = 5e-4;
 
 /// A periodic state of saddle type, and the directions that expand and contract there, of unit length.
@@ -51,7 +51,7 @@ impl Saddle {
         Some(Self { directions: [expands, contracts], ..found })
     }
 
-    /// Where a state beside this saddle is beside the moved one.
+    /// Returns the state that has, beside the moved saddle, the coordinates of a state beside this one.
     fn carried(&self, to: &Self, state: State) -> State {
         let [p, q] = self.directions;
         let away = minus(state, self.state);

@@ -13,9 +13,9 @@ use crate::number::Ball;
 use crate::pair::within;
 use crate::threads::each;
 
-/// How often a cell is halved for the parts in which undecided stretches are looked at: first, and where nothing is proved of such a part.
+/// Numbers of halvings of a cell for the parts in which undecided stretches are looked at: first, and where nothing is proved of such a part.
 const PARTS: [u32; 2] = [3, 4];
-/// How many parts in a row of which nothing is proved end a walk.
+/// Number of parts in a row, with nothing proved of any, that ends a walk.
 const MISSES: usize = 4;
 /// Factors by which h-sets are wider than at the value they are from, since an interval of the parameter moves images across; the first
 /// one with which they are apart is taken.
@@ -103,7 +103,7 @@ impl Work<'_> {
         Some([widest.low.clone(), widest.high.clone()])
     }
 
-    /// How wide a cell is that is halved N times.
+    /// Width of a cell after N halvings, in units of the parameter.
     fn wide(&self, halved: u32) -> f64 {
         let over = &self.asked.over;
         (double(&over.high) - double(&over.low)) / f64::from(self.asked.cells) / f64::from(1 << halved)
@@ -120,7 +120,7 @@ impl Work<'_> {
         Ok((!bases.is_empty()).then_some(Seed { value, bases }))
     }
 
-    /// What is undecided between horseshoes, tried by the h-sets below and then by those above.
+    /// Returns the same stretches, those between horseshoes that are undecided tried by the h-sets below and then by those above.
     fn between(&self, stretches: Vec<Stretch>) -> Result<Vec<Stretch>, Error> {
         let mut gaps = vec![Gap::default()];
         for stretch in stretches {
@@ -143,7 +143,7 @@ impl Work<'_> {
         joined(each(&gaps, &filled))
     }
 
-    /// What is undecided on both sides of a value, tried by its h-sets.
+    /// Returns the same stretches, those on both sides of a value that are undecided tried by its h-sets.
     fn beside(&self, seed: &Seed, stretches: Vec<Stretch>) -> Result<Vec<Stretch>, Error> {
         let value = double(&seed.value);
         let mut sides = [(Vec::new(), false), (Vec::new(), true)];

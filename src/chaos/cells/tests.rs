@@ -111,7 +111,7 @@ fn a_stretch_below_is_decided_by_the_h_sets_of_a_neighbour() {
     assert_eq!((last.verdict.name(), last.high.text()), ("horseshoe", "7.38".into()));
 }
 
-/// Lemmas D14, D15: neighbours of which the same is proved are one, also where one tells several rounds of the orbit; others are not.
+/// Lemmas D14, D15: neighbours of which the same is proved are one, also where one gives several rounds of the orbit; others are not.
 #[test]
 fn only_what_is_proved_of_both_is_joined() {
     let attracted = |word: &str, beside: Option<&Horseshoe>| Verdict::Attracted {

@@ -14,15 +14,15 @@ pub(super) struct Chain {
     pub speeds: Vec<Interval>,
     /// The wall that each flight ends on.
     pub sides: Vec<Side>,
-    /// Of a closed chain: the forcing periods until it is closed.
+    /// The forcing periods until a closed chain is closed; `None` of others.
     pub turns: Option<f64>,
 }
 
-/// What holds of all chains.
+/// The relations that hold for all chains.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Laws {
     pub relation: Relation,
-    /// How long flights take, in forcing periods.
+    /// Bounds of the times of flight, in forcing periods.
     pub times: Interval,
 }
 
@@ -198,7 +198,7 @@ impl Chain {
                 rest = rest - along * offset(j);
             }
         }
-        // What overflows says nothing.
+        // Where a sum overflows, nothing is known.
         if !(rest.is_common_interval() && along[i].is_common_interval()) {
             return Some(false);
         }

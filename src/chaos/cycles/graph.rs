@@ -14,7 +14,7 @@ const MOST_BLOCKS: usize = 256;
 /// The boxes of a region, each with those that it flies to.
 pub(super) struct Graph {
     grid: Grid,
-    /// In order.
+    /// The boxes, in order.
     cells: Vec<Cell>,
     next: Links,
     previous: Links,
@@ -58,7 +58,8 @@ impl Graph {
         Some(back.iter().map(|layer| self.layer(layer)).collect())
     }
 
-    /// Which boxes are reached after each number of steps, in this block and those after it, and where `held` is.
+    /// Returns flags of the boxes reached after each number of steps, in this block and those after it, and only where `held`, read
+    /// backward, has them.
     fn walk(
         &self,
         links: &Links,

@@ -1,8 +1,8 @@
 //! All periodic orbits of period n of the reduced map in a trapping region: Lemmas D20-D23 of `docs/proofs/chaos.md#D20`.
 //!
 //! The reduced map takes them for its cycles. In `graph` the boxes of the region say where a cycle may be when; in `search`
-//! chains of boxes grow impact by impact, cut by all that `relation` and `chain` know of neighbouring impacts, which is smooth at grazes as well; what closes
-//! is cut and halved until it is excluded or lies where a proved orbit is the only one.
+//! chains of boxes grow impact by impact, cut by all that `relation` and `chain` know of neighbouring impacts, which is smooth at grazes
+//! as well; what closes is cut and halved until it is excluded or lies where a proved orbit is the only one.
 
 mod chain;
 mod graph;
@@ -38,7 +38,7 @@ use search::{Found, Search, Task};
 pub struct Cycle {
     /// The least number of impacts after which the motion is what it was, or its mirror image.
     pub impacts: usize,
-    /// What it is an orbit of: its word, from the left wall on, and its cycles of the excitation.
+    /// The problem that it is an orbit of: its word, from the left wall on, and its cycles of the excitation.
     pub problem: Problem,
     /// The orbit.
     pub orbit: PeriodicOrbit,
@@ -165,7 +165,7 @@ impl Cycles {
         self.undecided.push((impacts, Region { impacts: orbit.impacts.clone(), reason: Reason::Precision }));
     }
 
-    /// Whether an orbit is a motion in the region.
+    /// Returns whether an orbit is admissible and lies in the region; `None` if undecided.
     fn is_counted(&self, task: &Task, found: &Found) -> Option<bool> {
         if !found.orbit.physical? {
             return Some(false);
@@ -184,7 +184,7 @@ impl Cycles {
         places.find_map(|place| place)
     }
 
-    /// Lists the cycle that an orbit runs through, if it is not listed, and tells its impacts; `None` where it is not proved which it is.
+    /// Lists the cycle that an orbit runs through, if it is not listed, and returns its impacts; `None` where it is not proved which it is.
     fn list(&mut self, task: &Task, problem: &Problem, orbit: &PeriodicOrbit) -> Option<usize> {
         let impacts = problem.reduced_impacts(orbit)?;
         let (problem, phases) = problem.least(impacts, orbit)?;
@@ -215,7 +215,7 @@ impl Cycles {
         &self.asked
     }
 
-    /// By the number of impacts: how many states of the region come again after N, for those numbers where that is proved.
+    /// Returns the number of states of the region that return after N impacts, by N, where it is proved.
     pub fn fixed_points(&self) -> &BTreeMap<usize, usize> {
         &self.fixed_points
     }
@@ -246,7 +246,7 @@ impl Cycles {
     }
 }
 
-/// What the search in a block leaves.
+/// The result of the search in a block.
 struct Block {
     found: Vec<Found>,
     undecided: Vec<Chain>,

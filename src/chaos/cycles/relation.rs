@@ -1,4 +1,4 @@
-//! What an impact and the next one have to do with each other, over boxes of their phases: Lemma D20.
+//! Relation between an impact and the next one, over boxes of their phases: Lemma D20.
 
 use crate::chaos::law::{Law, Side};
 use crate::number::interval::Interval;
@@ -89,7 +89,7 @@ impl Relation {
     }
 }
 
-/// What two enclosures of the same numbers leave.
+/// Returns the intersection of two enclosures of the same numbers, or the first one if there is none.
 fn both(x: Interval, y: Option<Interval>) -> Interval {
     y.and_then(|y| x.intersection(y)).unwrap_or(x) // D20: each holds them
 }

@@ -31,13 +31,13 @@ const WORTH: f64 = 0.2;
 /// Chains left undecided at which a block is given up: there is a continuum of cycles, or nearly one.
 const MOST_UNDECIDED: usize = 64;
 
-/// What is searched for.
+/// The problem of a search: the pair, the relations of its chains, and the precision.
 pub(super) struct Task<'t> {
     pub pair: &'t ImpactPair,
     pub law: Law,
     pub laws: Laws,
     pub precision: Precision,
-    /// Whether the search goes on.
+    /// Asked whether the search goes on.
     pub watch: &'t dyn Watch,
 }
 
@@ -51,10 +51,10 @@ pub(super) struct Found {
 pub(super) struct Search<'t> {
     task: &'t Task<'t>,
     layers: &'t [Layer],
-    /// By walls and cycles.
+    /// The orbits found, by walls and cycles.
     pub found: BTreeMap<(String, u32), Vec<Found>>,
     pub undecided: Vec<Chain>,
-    /// Whether it went through all of it.
+    /// `true` if the search went through the whole block.
     pub is_whole: bool,
 }
 
@@ -63,12 +63,12 @@ impl<'t> Search<'t> {
         Self { task, layers, found: BTreeMap::new(), undecided: Vec::new(), is_whole: true }
     }
 
-    /// How many columns wide boxes are at most.
+    /// Greatest width of a box, in columns.
     fn width(&self) -> i64 {
         (self.layers[0].columns() / PARTS).max(1) // D22: any width
     }
 
-    /// Whether it goes on.
+    /// Returns whether the search goes on: not after a stop, nor with too many undecided chains.
     fn goes_on(&mut self) -> bool {
         self.is_whole &= self.undecided.len() < MOST_UNDECIDED && self.task.watch.goes_on();
         self.is_whole
@@ -130,7 +130,7 @@ impl<'t> Search<'t> {
         all
     }
 
-    /// Where the flights from a rectangle may land: on which wall, and rectangles of reduced phases and speeds. Lemma D4
+    /// Returns the landings that flights from a rectangle may have: the wall, and a rectangle of reduced phases and speeds. Lemma D4
     ///
     /// `None` where they are not followed.
     fn landings(&self, phases: Interval, speeds: Interval) -> Option<Vec<(Side, [Interval; 2])>> {
@@ -207,7 +207,7 @@ impl<'t> Search<'t> {
         }
     }
 
-    /// Whether the chain lies where a known orbit is the only one; if not, and if asked, looks for an orbit.
+    /// Returns whether the chain lies where a known orbit is the only one; if none is known and `looks` is set, an orbit is searched for first.
     fn is_known(&mut self, chain: &Chain, looks: bool) -> bool {
         let Some(told) = Told::new(chain) else { return false };
         let known = self.found.entry((told.walls.clone(), told.cycles)).or_default();

@@ -35,7 +35,7 @@ fn found(scene: &Scene, impacts: RangeInclusive<u32>) -> Cycles {
     Cycles::of(scene, 0, &impacts, Precision::default(), &Unwatched).unwrap().unwrap()
 }
 
-/// Whether a number computed in floating point may be in it.
+/// Returns whether a number computed in floating point, with an error of 1e-8, may be in an interval.
 fn holds(x: Interval, y: f64) -> bool {
     let error = 1e-8 * (1.0 + y.abs());
     x.inf() <= y + error && y - error <= x.sup()
@@ -123,7 +123,7 @@ fn counts_are_those_of_an_independent_search() {
         let cycles = found(&figure(number), 1..=counts.len() as u32);
         assert!(cycles.is_certified() && cycles.has_no_attractor(), "figure {number}: {:?}", cycles.undecided());
         assert!(cycles.fixed_points().values().eq(&counts), "figure {number}: {:?}", cycles.fixed_points());
-        // Each state that comes again is one of a cycle whose impacts divide the number.
+        // Each state that returns is one of a cycle whose impacts divide the number.
         for (&impacts, &count) in cycles.fixed_points() {
             let of = cycles.cycles().iter().filter(|cycle| impacts.is_multiple_of(cycle.impacts));
             assert_eq!(count, of.map(|cycle| cycle.impacts).sum::<usize>(), "figure {number}, {impacts} impacts");

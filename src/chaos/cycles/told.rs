@@ -12,7 +12,7 @@ pub(super) struct Told {
     /// The walls of its impacts, `L` or `R`.
     pub walls: String,
     pub cycles: u32,
-    /// In forcing periods.
+    /// The phases of its impacts, in forcing periods.
     pub phases: Vec<Interval>,
 }
 

@@ -28,17 +28,17 @@ pub(super) struct Question<'a> {
 /// A component, what is proved of it, and what it falls into.
 pub(super) struct Node {
     pub component: Component,
-    /// How often its boxes are halved.
+    /// Number of times that its boxes have been halved.
     halved: u32,
     pub kind: Kind,
     pub split: Option<Split>,
 }
 
-/// What the boxes of a component, once more halved, fall into.
+/// The components that the boxes of a component, once more halved, fall into.
 pub(super) struct Split {
     /// The nodes of its components.
     children: Vec<usize>,
-    /// Which of them leads to which.
+    /// `leads[i][j]`: whether the first of these leads to the second.
     leads: Vec<Vec<bool>>,
 }
 
@@ -49,7 +49,7 @@ pub(super) struct Analysis<'a> {
     /// Boxes whose images are computed so far, and the work of these.
     mapped: usize,
     work: u64,
-    /// Why it has ended where components are left that could be refined.
+    /// The limit or the interruption that ended it while components could still be refined; `None` if neither did.
     stopped: Option<Reason>,
 }
 
@@ -77,7 +77,7 @@ impl<'a> Analysis<'a> {
         analysis
     }
 
-    /// Whether it was stopped.
+    /// Returns whether it was interrupted.
     pub fn is_interrupted(&self) -> bool {
         self.stopped == Some(Reason::Interrupted)
     }
@@ -190,7 +190,7 @@ impl<'a> Analysis<'a> {
         children
     }
 
-    /// Whether a node is to be refined.
+    /// Returns whether a node is to be refined: it is undecided, and its boxes may be halved once more.
     fn is_refined(&self, node: usize) -> bool {
         let Node { component, kind, halved, .. } = &self.nodes[node];
         kind.is_undecided()
@@ -238,7 +238,7 @@ impl From<Stopped> for Reason {
 }
 
 impl Component {
-    /// Whether the places of smaller boxes may exceed 32 bits.
+    /// Returns whether the numbers of columns or rows of smaller boxes may exceed 32 bits.
     pub(super) fn is_finest(&self, fastest: f64) -> bool {
         const MOST: f64 = (1_u32 << 30) as f64; // exact: a power of two
         self.grid.columns as f64 >= MOST || fastest * self.grid.rows >= MOST // exact: a power of two

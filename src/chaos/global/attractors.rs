@@ -13,7 +13,7 @@ use crate::periodic::{PeriodicOrbit, Precision, Stability};
 
 /// Half sides of the rectangles about the states of a cycle, in forcing periods and over `A W`: each is tried.
 const ROOMS: [f64; 2] = [1e-3, 1e-6];
-/// Of wider intervals of `D` and `e` none are looked for.
+/// The widest intervals of `D` and `e` over which cycles are looked for.
 const NARROW: f64 = 1e-6;
 
 /// A rectangle of states: bounds of phases, not farther than a forcing period from those of a period, and of speeds.
@@ -63,7 +63,7 @@ fn among(
     found
 }
 
-/// Whether an orbit is stable, and comes again after N impacts of the reduced map. Lemma A14
+/// Returns whether an orbit is stable, and closes after N impacts of the reduced map. Lemma A14
 fn attracts_after(orbit: &PeriodicOrbit, impacts: usize) -> bool {
     // A14: where it closes after two rounds, they are one under the reduced map
     let is_round = orbit.impacts.len() == impacts || orbit.symmetric == Some(true);
@@ -84,12 +84,12 @@ fn place(components: &[&Component], hulls: &[Hull]) -> Option<usize> {
     met.next().filter(|_| met.next().is_none())
 }
 
-/// Whether some rectangles are apart from one another, and from those that are taken.
+/// Returns whether rectangles have no state in common with one another, nor with those that are taken.
 fn are_apart(taken: &[Hull], own: &[Hull]) -> bool {
     (0..own.len()).all(|i| taken.iter().chain(&own[..i]).all(|other| is_apart(other, &own[i])))
 }
 
-/// Whether two rectangles have no state in common, modulo whole forcing periods. Lemma A14
+/// Returns whether two rectangles have no state in common, modulo whole forcing periods. Lemma A14
 fn is_apart([phases, speeds]: &Hull, [others, their_speeds]: &Hull) -> bool {
     let are_beside = |[low, high]: [f64; 2], other: &[f64; 2]| low > other[1] || high < other[0];
     are_beside(*speeds, their_speeds)

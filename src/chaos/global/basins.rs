@@ -1,4 +1,4 @@
-//! Where motions go from each part of the state space: basins of attraction, proved. Lemma A11 of `docs/proofs/global.md#A11`.
+//! Basins of attraction, proved: the attractor that the motions from each part of the state space end in. Lemma A11 of `docs/proofs/global.md#A11`.
 
 use std::collections::{BTreeSet, HashMap};
 
@@ -7,7 +7,7 @@ use super::analysis::{Analysis, Question};
 use super::graph::{Component, Graph, Recurrent};
 use crate::chaos::trap::{Cell, Grid};
 
-/// Where the motions from a part of the state space go.
+/// The end of the motions from a part of the state space.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Goes {
     /// All of them end in this component, an attractor.
@@ -25,11 +25,11 @@ pub struct Patch {
     pub phases: [f64; 2],
     /// Bounds of speeds before the impact, over `A W`.
     pub speeds: [f64; 2],
-    /// Where its motions go.
+    /// The end of its motions.
     pub goes: Goes,
 }
 
-/// What is proved of the basin of an attractor.
+/// The part of the basin of an attractor that is proved.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Basin {
     /// The attractor, by its place among the components.
@@ -108,8 +108,8 @@ impl Analysis<'_> {
     }
 }
 
-/// Of each component of a graph, which of the components that are left motions may be in that stay in it: those whose boxes meet its own.
-/// Lemma A11
+/// Returns for each component of a graph the components that are left which motions that stay in it may be in: those whose boxes meet its
+/// own. Lemma A11
 fn held(found: &[Component], leaves: &[&Component]) -> Vec<BTreeSet<usize>> {
     let mut held = vec![BTreeSet::new(); found.len()];
     let Some(grid) = found.first().map(|own| own.grid) else { return held };

@@ -20,7 +20,7 @@ pub(super) struct Limit {
     pub sides: Vec<Side>,
     /// Rectangles around them, of phases and of speeds: the hull of the boxes near each.
     pub hulls: Vec<[[f64; 2]; 2]>,
-    /// Whether all motions that begin near it tend to it; else it is a saddle.
+    /// `true` if all motions that begin near it tend to it; else it is a saddle.
     pub attracts: bool,
 }
 
@@ -112,7 +112,7 @@ impl Component {
     }
 }
 
-/// Whether two cycles are one.
+/// Returns whether two cycles are the same in floating point, from whichever state on.
 fn is_one(one: &[State], other: &[State]) -> bool {
     one.len() == other.len() && other.iter().any(|state| apart(*state, one[0]) < CLOSED)
 }
@@ -270,7 +270,7 @@ pub(super) fn within(derivative: Matrix, from: [[f64; 2]; 2], to: [[f64; 2]; 2])
     Some([[over(p)?, over(q)?], [over(r)?, over(s)?]])
 }
 
-/// Whether the product of the greatest stretchings is less than 1. Lemma A8
+/// Returns whether the product of bounds of the spectral norms is less than 1. Lemma A8
 fn is_contraction(steps: &[Matrix]) -> bool {
     let norm = |[[a, b], [c, d]]: &Matrix| {
         let squares = *a * *a + *b * *b + *c * *c + *d * *d;
@@ -282,7 +282,7 @@ fn is_contraction(steps: &[Matrix]) -> bool {
     steps.iter().fold(1.0, |product: f64, step| (product * norm(step)).next_up()) < 1.0
 }
 
-/// Whether cones about the first direction are mapped into themselves and stretched, and the rest shrinks. Lemma A8
+/// Returns whether cones about the first direction are mapped into themselves and stretched, and the rest is contracted. Lemma A8
 fn is_saddle(steps: &[Matrix]) -> bool {
     let (mut stretched, mut shrunk) = (1.0_f64, 1.0_f64);
     for [[a, b], [c, d]] in steps {

@@ -14,10 +14,10 @@ use crate::watch::{Stage, Watch};
 #[derive(Clone, Debug)]
 pub(super) struct Component {
     pub grid: Grid,
-    /// In order.
+    /// The boxes, in order.
     pub cells: Vec<Cell>,
     pub has_release: bool,
-    /// Whether no motion leaves it.
+    /// `true` if no motion leaves it.
     pub is_closed: bool,
 }
 
@@ -30,7 +30,7 @@ impl Component {
     }
 }
 
-/// Where a ball goes on that is released.
+/// The next state, or a bound of it, of a ball that is released.
 #[derive(Clone, Debug)]
 pub(super) enum Release {
     /// It rests again, and is released in the same state.
@@ -46,7 +46,7 @@ pub(super) struct Graph {
     next: Links,
     /// The box that each is put together with, where motions may stay in one column.
     merged: Vec<u32>,
-    /// Whether something that is not among them may follow a box, or the release.
+    /// For each box, and last the release: whether something that is not among them may follow.
     leaves: Vec<bool>,
 }
 
@@ -60,7 +60,7 @@ pub(super) struct Recurrent {
     pub ends: Vec<Vec<u32>>,
 }
 
-/// Why a graph is not there.
+/// The reason why a graph is not computed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Stopped {
     Interrupted,
@@ -82,7 +82,7 @@ impl Allowance {
     }
 }
 
-/// What follows the boxes of a share, and which of them something else follows.
+/// Edges from the boxes of a share, each with whether it stays in one column, and the boxes that something outside may follow.
 type Share = (Vec<(u32, u32, bool)>, Vec<u32>);
 
 impl Graph {
@@ -134,7 +134,7 @@ impl Graph {
         Ok((graph, allowance.done.into_inner()))
     }
 
-    /// Returns the recurrent components: whatever stays among the boxes for ever is in one of them in the end. `is_closed` tells whether
+    /// Returns the recurrent components: whatever stays among the boxes for ever is in one of them in the end. `is_closed` says whether
     /// nothing leaves the boxes of the graph. Lemma A6
     pub fn recurrent(&self, is_closed: bool) -> Recurrent {
         let count = self.cells.len() + 1;
@@ -172,7 +172,7 @@ impl Graph {
         Recurrent { components, leads, passed, ends }
     }
 
-    /// Whether motions that stay among the boxes are released again and again: none stays in boxes alone. Lemma A10
+    /// Returns whether motions that stay among the boxes are released infinitely often: none stays in boxes alone. Lemma A10
     pub fn is_released_always(&self) -> bool {
         let release = self.cells.len();
         let boxes = |node: usize| self.next.of(node as u32).iter().map(|&to| to as usize).filter(|&to| to != release); // exact: indices
@@ -181,7 +181,7 @@ impl Graph {
     }
 }
 
-/// What follows some of the boxes, from the number of the first on.
+/// Returns the edges from some of the boxes, the first of which has the number `first`, and those of them that something outside may follow.
 fn images(
     space: &Space,
     (grid, columns): (Grid, &[i32]),

@@ -14,7 +14,7 @@ use crate::chaos::vector::GENERIC;
 use crate::chaos::words::Base;
 use crate::watch::Watch;
 
-/// Floating-point orbits begin in the middles of N boxes at most, are followed over M impacts at most, and all of them over a number.
+/// The most boxes in whose middles floating-point orbits begin, the most impacts of each, and the number of all at which no more begin.
 const SEEDS: usize = 8192;
 const FOLLOWED: usize = 2000;
 const IMPACTS: usize = 100_000;
@@ -63,7 +63,7 @@ fn staying(guess: &Guess, component: &Component) -> Option<Seen> {
     (!points.is_empty()).then_some(Seen { points, exponent })
 }
 
-/// Whether no box of a component meets an h-set, modulo whole forcing periods. Lemma A13
+/// Returns whether no box of a component meets an h-set, modulo whole forcing periods. Lemma A13
 fn is_apart(component: &Component, bases: &[Base]) -> bool {
     let Grid { columns, rows } = component.grid;
     let meets = |base: &Base, (column, row): Cell| {

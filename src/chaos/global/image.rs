@@ -1,4 +1,4 @@
-//! Where motions go from the states of a box: Lemmas A1-A5 of `docs/proofs/global.md#A1`.
+//! Images of boxes: all that may follow their states. Lemmas A1-A5 of `docs/proofs/global.md#A1`.
 
 use std::f64::consts::TAU;
 
@@ -7,12 +7,12 @@ use crate::chaos::law::{Law, Side};
 use crate::chaos::trap::{Cell, Grid};
 use crate::number::{Ball, UNIT, up};
 
-/// What may follow a state of a box.
+/// An event that may follow a state of a box.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Next {
     /// The ball rests, and is released.
     Release,
-    /// An impact at a phase of a column that was not asked for.
+    /// An impact at a phase of a column that was not requested.
     Elsewhere,
     /// An impact in a box; on the far wall, or on the near one; `stays`: there, in the column of phases of the impact before, in the same
     /// forcing period.
@@ -32,18 +32,18 @@ pub(super) struct Space {
 const STEP: f64 = 1.0 / 64.0;
 /// Restitutions nearer to 1 are refused: boxes would be too many.
 const MOST_RESTITUTION: f64 = 0.99;
-/// Flights of more forcing periods land with any of the phases that slow ones have; of those that may end in several forcing periods few
-/// are followed.
+/// The most forcing periods of flights that are followed, and of those that may end in several; longer ones land with any of the phases
+/// that slow ones have.
 const LONGEST: f64 = 64.0;
 const FEW: f64 = 2.0;
-/// Boxes are cut into parts of at most this phase, in forcing periods, and speed: into N at most along each side.
+/// The greatest phase, in forcing periods, and speed of the parts that boxes are cut into, and the most parts along each side.
 const WIDTH: f64 = 1.0 / 256.0;
 const HEIGHT: f64 = 0.04;
 const MOST_PARTS: u32 = 8;
 /// Times for which flights may be proved not to touch the near wall, in radians.
 const LIFTED: [f64; 12] =
     [3.0, 2.0, 1.0, 0.5, 0.25, 0.125, 0.0625, 0.03125, 0.015625, 0.0078125, 0.00390625, 0.001953125];
-/// Which parts of the time until the contact force vanishes a chatter may take.
+/// Parts of the time until the contact force vanishes in which a chatter may end: each is tried.
 const WINDOWS: [f64; 6] = [0.0625, 0.125, 0.25, 0.5, 0.75, 0.875];
 
 /// Bounds of a ball's members.
@@ -51,7 +51,7 @@ pub(super) fn ends(x: Ball) -> [f64; 2] {
     [(x.mid() - x.rad()).next_down(), (x.mid() + x.rad()).next_up()]
 }
 
-/// What holds of the flights from a part of a box.
+/// Bounds of the flights from a part of a box.
 struct Part {
     /// Bounds of `e w`.
     after: [f64; 2],
@@ -110,8 +110,8 @@ impl Space {
         STEP * ((limit / STEP).floor() + 1.0) // A1: greater than the limit
     }
 
-    /// Notes what may follow the states of a box. Flights that last long, and land in all columns, are noted in those that are asked for, which
-    /// are in order. Returns the work: views of flights, columns of long ones, and what is noted.
+    /// Notes all that may follow the states of a box. Flights that last long, and land in all columns, are noted in those of `asked`,
+    /// which are in order. Returns the work: views of flights, columns of long ones, and what is noted.
     pub fn images(&self, grid: Grid, (column, row): Cell, asked: &[i32], note: &mut dyn FnMut(Next)) -> u64 {
         let [columns, rows] = [grid.columns as f64, grid.rows]; // exact: powers of two
         let phases = [f64::from(column) / columns, f64::from(column + 1) / columns];
@@ -227,7 +227,7 @@ impl Space {
         work + self.slow((grid, asked), self.drifts(flights, longest - 1.0), note)
     }
 
-    /// For how many forcing periods flights are followed: few where they may end in several.
+    /// Returns the number of forcing periods for which flights are followed: few where they may end in several.
     fn patience(&self, flights: &Flights) -> f64 {
         let [low, high] = ends(flights.drifts());
         let [least, most] = [high.abs(), low.abs()].map(|drift| self.gap[1] / drift); // proposes: any number of them
@@ -242,7 +242,7 @@ impl Space {
         [low.max(-up(2.0 / angle)), high.min(up(up(self.gap[1] + 2.0) / angle))] // A4: the heights are between the walls
     }
 
-    /// Notes the contacts of flights that have lasted long, at any phase that these have, in the columns that are asked for. Lemma A4
+    /// Notes the contacts of flights that have lasted long, at any phase that these have, in the columns that are requested. Lemma A4
     fn slow(&self, (grid, asked): (Grid, &[i32]), drifts: [f64; 2], note: &mut dyn FnMut(Next)) -> u64 {
         if drifts[0] > drifts[1] {
             return 0; // A4: there is none
@@ -293,7 +293,7 @@ impl Space {
         (low..=high).count() as u64 // exact: a length
     }
 
-    /// Whether all chatters that begin in a box are complete: Z1 for all of its states. Lemma A5
+    /// Returns whether all chatters that begin at these phases with at most this speed are complete: Z1 for all of these states. Lemma A5
     pub fn chatters(&self, [from, to]: [f64; 2], speed: f64) -> bool {
         if !(from > 0.5 && to < 1.0) {
             return false; // A5: only where the ball is pressed
@@ -322,7 +322,7 @@ fn over([low, high]: [f64; 2]) -> (Ball, Ball) {
     Ball::new(middle, up((middle - low).max(high - middle))).sin_cos() // D1: the farther end
 }
 
-/// Whether a flight of more than a forcing period, with such a drift, may end at such phases. Lemma A4
+/// Returns whether a flight of more than a forcing period, with such a drift, may end at such phases. Lemma A4
 fn may_land_late(side: Side, [low, high]: [f64; 2], phases: [f64; 2]) -> bool {
     let sin = ends(over(phases).0);
     let fall = |drift: f64| up(TAU * drift * (1.0 + 4.0 * UNIT));

@@ -1,4 +1,4 @@
-//! What is proved of components: cycles with their periods, the cycle with rests, and the grazing state. Lemmas A7-A9 of
+//! Proved properties of components: cycles with their periods, the cycle with rests, and the grazing state. Lemmas A7-A9 of
 //! `docs/proofs/global.md#A7`.
 
 use super::cycle::Limit;
@@ -15,7 +15,7 @@ use crate::pair::{ImpactPair, Wall};
 use crate::periodic::{PeriodicOrbit, Precision, Problem};
 use crate::{Error, Harmonic};
 
-/// What the motions do that stay in a component.
+/// The behaviour of the motions that stay in a component.
 #[derive(Clone, Debug)]
 pub enum Kind {
     /// They tend to a periodic motion that attracts all motions near it.
@@ -82,11 +82,11 @@ pub struct LimitCycle {
 pub struct RestCycle {
     /// Forcing periods from a release to the next one on the same wall.
     pub cycles: u32,
-    /// Whether the ball rests on both walls in turn.
+    /// `true` if the ball rests on both walls in turn.
     pub alternates: bool,
 }
 
-/// Where the ball goes that is released.
+/// The motion of a ball after its release.
 #[derive(Clone, Debug)]
 pub(super) struct Released {
     pub next: Release,
@@ -96,11 +96,11 @@ pub(super) struct Released {
 
 /// Impacts of the released ball that are followed.
 const IMPACTS: u64 = 200;
-/// Where it goes on is taken from the last rectangle that is narrower than this, in forcing periods and over `A W`.
+/// Width below which a rectangle of states may stand for the released ball, in forcing periods and over `A W`: the last such one does.
 const NARROW: f64 = 0.01;
 /// Bits of a spectral radius.
 const BITS: u32 = 80;
-/// How far from the state that grazes for ever Lemma A9 is used.
+/// Greatest distance from the state that grazes for ever at which Lemma A9 is used, in radians and over `A W`.
 const GRAZING: f64 = 0.25;
 
 impl Released {
@@ -240,13 +240,13 @@ impl LimitCycle {
     }
 }
 
-/// Whether an orbit is proved to be a motion, without an earlier contact, and in rectangles, one after the other. Lemma A8
+/// Returns whether an orbit is proved to be a motion, without an earlier contact, and in rectangles, one after the other. Lemma A8
 pub(super) fn is_motion_in_turn(orbit: &PeriodicOrbit, law: &Law, hulls: &[[[f64; 2]; 2]]) -> bool {
     orbit.physical == Some(true) && is_in_turn(orbit, law, hulls)
 }
 
-/// Whether the impacts of a period, mirrored to the left wall and less whole forcing periods, are proved to be in rectangles, one after the
-/// other, round after round: those of two rounds in the same ones. Lemma A8
+/// Returns whether the impacts of a period, mirrored to the left wall and less whole forcing periods, are proved to be in rectangles, one
+/// after the other, round after round: those of two rounds in the same ones. Lemma A8
 pub(super) fn is_in_turn(orbit: &PeriodicOrbit, law: &Law, hulls: &[[[f64; 2]; 2]]) -> bool {
     let Some(unit) = law.beta() else { return false };
     orbit.impacts.iter().zip(hulls.iter().cycle()).all(|(impact, hull)| {
@@ -260,7 +260,7 @@ pub(super) fn is_in_turn(orbit: &PeriodicOrbit, law: &Law, hulls: &[[[f64; 2]; 2
     })
 }
 
-/// Whether all members are between two bounds.
+/// Returns whether all members are between two bounds.
 fn is_within(x: Ball, [low, high]: [f64; 2]) -> bool {
     let [least, most] = ends(x);
     low <= least && most <= high
@@ -278,7 +278,7 @@ pub(crate) fn spectral_radius(eigenvalues: [[&Enclosure; 2]; 2], rounds: usize) 
     if rounds == 2 { radius.sqrt(BITS) } else { Some(radius) }
 }
 
-/// Whether the motions that stay in a component are at the state that grazes for ever. Lemma A9
+/// Returns whether the motions that stay in a component are proved to be at the state that grazes for ever. Lemma A9
 pub(super) fn is_grazing(space: &Space, component: &Component) -> bool {
     let (columns, rows) = (component.grid.columns as f64, component.grid.rows); // exact: a power of two
     let angle = std::f64::consts::TAU / columns * (1.0 + 1e-15);

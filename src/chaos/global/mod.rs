@@ -1,4 +1,4 @@
-//! Where every motion of a pair goes: Lemmas A1-A14 of `docs/proofs/global.md#A1`.
+//! Global analysis of a pair: the components that all its motions end in. Lemmas A1-A14 of `docs/proofs/global.md#A1`.
 //!
 //! The speeds that motions have in the end are covered by boxes; `image` encloses what may follow each, `graph` finds the components that
 //! motions may stay in for ever, `analysis` refines each alone, `cycle` proves what they tend to there, `attractors` and `horseshoes` what is in
@@ -36,14 +36,14 @@ pub use known::{Kind, LimitCycle, RestCycle};
 pub struct GlobalSettings {
     /// Boxes of the first partition, about: a power of two from 2^8 to 2^20.
     pub boxes: u32,
-    /// How often the boxes of a component are halved at most.
+    /// Number of times that the boxes of a component are halved at most.
     pub halvings: u32,
     /// Boxes whose images are computed in all, about.
     pub most: usize,
     /// The work of their images in all, about: views of flights, columns that long flights may land in, and boxes that are noted; as much
     /// again is allowed for those of basins.
     pub work: u64,
-    /// Boxes by which basins are proved, about, if they are asked for: a power of two from 2^8 to 2^24.
+    /// Boxes by which basins are proved, about, if they are requested: a power of two from 2^8 to 2^24.
     pub basins: Option<u32>,
     /// The most impacts of words of horseshoes, if these are looked for in components of which nothing else is decided.
     pub horseshoes: Option<usize>,
@@ -80,15 +80,15 @@ impl GlobalSettings {
 /// A set of states that motions may stay in for ever.
 #[derive(Clone, Debug)]
 pub struct Recurrence {
-    /// What is proved of the motions that stay in it.
+    /// The behaviour of the motions that stay in it, as far as it is proved.
     pub kind: Kind,
     /// Number of its boxes; 0 of the motion from the release alone, and of an attractor in an undecided component.
     pub boxes: usize,
     /// The part of the state space that they cover.
     pub area: f64,
-    /// Whether its motions are never in another component later, apart from an attractor inside it: it is an attracting block.
+    /// `true` if its motions are never in another component later, apart from an attractor inside it: it is an attracting block.
     pub is_closed: bool,
-    /// Why it is not refined further, if nothing is proved of it.
+    /// The limit that stopped its refinement, if nothing is proved of it.
     pub reason: Option<Reason>,
     /// The horseshoe that is proved to be in it, of one of which nothing else is.
     pub horseshoe: Option<Horseshoe>,
@@ -126,7 +126,7 @@ impl Reason {
     }
 }
 
-/// Where every motion of a pair goes.
+/// The components that all motions of a pair end in.
 ///
 /// **Enclosure**: for every member of the data the impacts of every motion that touches a wall are in one component in the end, or the
 /// motion rests for ever again and again; of each component holds what its [`Kind`] says. Lemmas A1-A14
@@ -134,15 +134,15 @@ impl Reason {
 pub struct Global {
     /// The components, those first from which motions may go on to others.
     pub components: Vec<Recurrence>,
-    /// `[i, j]`: motions may go from component `i` to component `j`, as far as the boxes tell.
+    /// `[i, j]`: motions may go from component `i` to component `j`, as far as the boxes can distinguish.
     pub order: Vec<[usize; 2]>,
-    /// The boxes of components, and if basins were asked for, the state space in rectangles, each with where its motions go.
+    /// The boxes of components, and if basins were requested, the state space in rectangles, each with where its motions go.
     pub patches: Vec<Patch>,
     /// The greatest speed over `A W` that motions have in the end.
     pub fastest: f64,
-    /// What a speed in gap widths per forcing period is multiplied by to be one over `A W`: about, for pictures.
+    /// Factor from speeds in gap widths per forcing period to those over `A W`: about, for pictures.
     pub speed_unit: f64,
-    /// Whether it was interrupted: components may not be refined.
+    /// `true` if it was interrupted: components may not be refined.
     pub interrupted: bool,
 }
 
@@ -175,7 +175,7 @@ impl Class {
 }
 
 impl Global {
-    /// Returns what is proved of the basin of each attractor, if basins were asked for.
+    /// Returns what is proved of the basin of each attractor, if basins were requested.
     pub fn basins(&self) -> Option<Vec<Basin>> {
         basins::basins(&self.components, &self.patches, self.fastest)
     }

@@ -22,7 +22,7 @@ const STEPS: usize = 60;
 const POWERS: usize = 400;
 /// Widths of the cones that are tried.
 const WIDTHS: [f64; 9] = [0.0078125, 0.03125, 0.0625, 0.125, 0.25, 0.5, 1.0, 2.0, 4.0];
-/// Cones are wider than needed by so much.
+/// Factor by which cones are wider than needed.
 const SLACK: f64 = 1.05;
 
 /// The boxes of a component in groups that do not touch each other.
@@ -148,7 +148,7 @@ impl<'c> Groups<'c> {
         [corner(0, 0), corner(1, 0), corner(0, 1), corner(1, 1)]
     }
 
-    /// Where the middle of a piece is mapped to.
+    /// Returns the image of the middle of a piece; `None` where it is not on the wall of the piece.
     fn image(&self, guess: &Guess, piece: &Piece) -> Option<Image> {
         let middle = self.corners(piece.boxes[piece.boxes.len() / 2]);
         let centre = [0.5 * (middle[0][0] + middle[3][0]), 0.5 * (middle[0][1] + middle[3][1])];
@@ -242,8 +242,8 @@ fn stretching([[a, b], [c, d]]: &Matrix) -> Option<f64> {
     (long > 0.0 && wide <= long).then_some(long)
 }
 
-/// Whether lengths of what stays for N impacts tend to 0: whether a matrix of the inverses of what they are stretched by has a spectral
-/// radius below 1. Lemma A12
+/// Returns whether the lengths of the sets that stay for N impacts tend to 0 as N grows: the matrix of the inverses of what they are
+/// stretched by has a spectral radius below 1. Lemma A12
 fn vanishes(count: usize, stretched: &[(&Piece, f64)]) -> bool {
     let mut lengths = vec![1.0; count];
     let sums = |lengths: &[f64]| {

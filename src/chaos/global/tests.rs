@@ -42,7 +42,7 @@ fn noted(space: &Space, grid: Grid, state: [f64; 2]) -> (Vec<(i32, i32)>, bool) 
     (boxes, is_released)
 }
 
-/// Whether a state is one of a cycle, about.
+/// Returns whether a state is within 1e-6 of one of a cycle.
 fn is_near(limit: &LimitCycle, speed_unit: f64, [phase, speed]: [f64; 2]) -> bool {
     limit.orbit.impacts.iter().any(|impact| {
         let half = if impact.wall == crate::pair::Wall::Right { 0.5 } else { 0.0 };
@@ -129,7 +129,7 @@ fn a14_attractors_in_undecided_components_are_found() {
     }
 }
 
-/// Whether each state of an attractor without boxes of its own is in one of a component.
+/// Returns whether each state of an attractor without boxes of its own is in one of a component.
 fn is_in_boxes(found: &Global, component: usize, point: usize) -> bool {
     let limit = found.components[point].kind.limit().unwrap();
     limit.orbit.impacts.iter().all(|impact| {
@@ -304,7 +304,7 @@ fn a_global_analysis_is_interrupted_and_refuses_what_it_cannot_do() {
     }
 }
 
-/// Where a motion is seen to end, in floating point.
+/// The end of a motion, in floating point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Seen {
     Component(usize),
@@ -425,9 +425,9 @@ fn a_cycle_with_rests_of_an_unknown_period() {
     assert!(matches!(found.components[0].kind, Kind::RestCycle(None)) && found.components[0].is_closed);
 }
 
-/// Figure 14 has the horseshoe of the blocks of `P1 P2` and `P1 P2 P4` (`tests/bases-figure-14.json`) in its one closed component. How much of
-/// its entropy is proved depends on the h-sets that are found: of words of eight impacts more than half, of six less.
-/// What is proved of the component else stays as it is.
+/// Figure 14 has the horseshoe of the blocks of `P1 P2` and `P1 P2 P4` (`tests/bases-figure-14.json`) in its one closed component. The
+/// part of its entropy that is proved depends on the h-sets that are found: more than half with words of eight impacts, less with words
+/// of six. All else that is proved of the component stays as it is.
 #[test]
 #[ignore = "deep"]
 fn a13_the_closed_component_of_figure_14_holds_a_horseshoe() {

@@ -4,7 +4,7 @@ use crate::chaos::boxes::{Links, parts};
 
 /// A graph's strongly connected parts, and where walks from each lead.
 pub(super) struct Walks {
-    /// In an order in which every part comes before those that it leads to.
+    /// The parts, in an order in which every part comes before those that it leads to.
     pub parts: Vec<Vec<usize>>,
     /// The part of each node.
     pub number: Vec<usize>,
@@ -12,7 +12,7 @@ pub(super) struct Walks {
     pub index: Vec<Option<u32>>,
     /// The recurrent parts that each part leads to, itself among them, by their places, in order.
     pub reached: Vec<Vec<u32>>,
-    /// Whether something leaves the boxes on the way from each part.
+    /// For each part: whether something leaves the boxes on a walk from it.
     pub lost: Vec<bool>,
 }
 

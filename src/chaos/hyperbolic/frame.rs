@@ -28,7 +28,7 @@ pub(crate) fn least(x: Ball) -> f64 {
 }
 
 impl Frame {
-    /// That of the half vectors between the middles of opposite edges.
+    /// Returns the parallelogram of the half vectors between the middles of opposite edges.
     pub fn of(Base { left, right }: &Base) -> Self {
         let mean = |f: &dyn Fn(usize) -> f64| [0, 1].map(|i| 0.25 * f(i));
         let (p, q, r, s) = (left.bottom, left.top, right.bottom, right.top);
@@ -39,7 +39,7 @@ impl Frame {
         Self { centre, along, across, determinant }
     }
 
-    /// Whether its directions are proved not to be parallel, the second one to the left.
+    /// Returns whether its directions are proved not to be parallel, the second one to the left.
     pub fn is_proper(&self) -> bool {
         is_positive(self.determinant)
     }
@@ -68,7 +68,7 @@ impl Frame {
         [u + Ball::exact(self.centre[0]), w + Ball::exact(self.centre[1])]
     }
 
-    /// Whether no state of another one, N forcing periods earlier, is proved to be between two of its edges.
+    /// Returns whether it is proved that no state of another one, N forcing periods earlier, is between two of its opposite edges.
     fn parts(&self, other: &Self, turns: f64) -> bool {
         let Some(centre) = self.place(point(other.centre), turns) else { return false };
         let (Some(a), Some(b)) = (self.coordinates(point(other.along)), self.coordinates(point(other.across))) else {

@@ -1,9 +1,9 @@
-//! Why words are left out of a hyperbolic set.
+//! Reasons why words are left out of a hyperbolic set.
 
 /// A strip is cut into no more cells than this.
 pub(super) const MOST_CELLS: usize = 1 << 18;
 
-/// Why a word is not among those of a hyperbolic set.
+/// The reason why a word is not among those of a hyperbolic set.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum LeftOut {
     /// The h-sets overlap as parallelograms.

@@ -167,14 +167,14 @@ fn expanding(
     all
 }
 
-/// Whether the parallelograms hold states of positive speed only, and have none in common, nor whole forcing periods later. Lemma D25
+/// Returns whether the parallelograms hold states of positive speed only, and have none in common, modulo whole forcing periods. Lemma D25
 fn are_apart(frames: &[Frame]) -> bool {
     let apart = |k: usize| frames[..k].iter().all(|other| frames[k].is_apart(other));
     let is_sound = |frame: &Frame| frame.is_proper() && frame.is_near() && frame.is_apart_from_its_translates();
     (0..frames.len()).all(|k| is_sound(&frames[k]) && apart(k))
 }
 
-/// Whether a strip is in its h-set, beside those that are there, and takes some time. Lemma D25
+/// Returns whether a strip is in its h-set, apart from those that are there, and its flights take some time. Lemma D25
 fn fits(branch: &Branch, strips: &[(usize, Branch)]) -> bool {
     let mut others = strips.iter().map(|(_, other)| other).filter(|other| other.from == branch.from);
     branch.half_turns > 0 && branch.strip.is_inside() && others.all(|other| branch.strip.is_apart(&other.strip))
@@ -208,12 +208,12 @@ fn heights(words: &[Proved], bases: usize) -> Vec<Ball> {
     (0..bases).map(of).collect()
 }
 
-/// What is bounded by the strings of words.
+/// The bounds that follow from the strings of words.
 struct Measured {
     entropy: [[f64; 2]; 2],
     exponents: [[f64; 2]; 2],
     dimension: [f64; 2],
-    /// Of the expanding directions where each word leads to.
+    /// Bounds of the slopes of the expanding directions where each word leads to.
     slopes: Vec<[f64; 2]>,
 }
 

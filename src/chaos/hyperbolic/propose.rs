@@ -1,4 +1,4 @@
-//! Where the strips of words are, about: found in doubles. What they do is proved.
+//! Approximate strips of words, found in doubles. Their images are proved elsewhere.
 //!
 //! Labels: proposes throughout.
 
@@ -15,9 +15,9 @@ const APART: f64 = 0.01;
 const NEAREST: f64 = 1e-9;
 /// First parts of an h-set.
 const PARTS: usize = 256;
-/// How far beyond the edges of the h-set that is covered the sides of a strip are mapped.
+/// Places, a half length being 1, to which the sides of a strip are mapped beyond the edges of the h-set that is covered: each is tried.
 const BEYOND: [f64; 3] = [1.006, 1.002, 1.0005];
-/// More than that, as the sides are straight.
+/// Part of a strip's breadth that is added on either side, as the sides are straight.
 const SPARE: f64 = 2e-4;
 const STEPS: usize = 40;
 
@@ -88,7 +88,7 @@ impl Line<'_> {
         Some(inside(&self.frames[word.to], state, word.turns)[0])
     }
 
-    /// Where on a row `xi` of the image has this value, near a guess.
+    /// Returns the place on a row at which `xi` of the image has this value, near a guess.
     fn solve(&self, word: &Seen, value: f64, near: f64, eta: f64) -> Option<f64> {
         let (mut a, mut b) = (near, near + 1e-6);
         let mut at_a = self.image(word, a, eta)? - value;

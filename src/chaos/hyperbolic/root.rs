@@ -1,4 +1,4 @@
-//! Where the pressure of words is 0, and the ratios around their cycles, from both sides: Lemmas D27, D28 of `docs/proofs/hyperbolic.md#D27`.
+//! The root of the pressure of words, and the ratios around their cycles, from both sides: Lemmas D27, D28 of `docs/proofs/hyperbolic.md#D27`.
 
 use std::collections::BTreeMap;
 
@@ -16,12 +16,12 @@ pub(crate) struct Edge {
 /// Halvings, and steps towards an eigenvector.
 const HALVINGS: u32 = 34;
 const STEPS: usize = 2000;
-/// How far from a root the first bound is looked for, and how much farther the next one.
+/// Distance from a root at which the first bound is looked for, and the factor by which the next one is farther.
 const NEAR: f64 = 1e-9;
 const FARTHER: f64 = 8.0;
 const TRIES: u32 = 8;
 
-/// Which end of the weights a bound rests on.
+/// The end of the weights that a bound rests on.
 #[derive(Clone, Copy, PartialEq)]
 enum End {
     Least,
@@ -87,7 +87,7 @@ fn eigenvector(matrix: &[(usize, usize, f64)], nodes: usize) -> (Vec<f64>, f64) 
     (vector, value)
 }
 
-/// Whether the growth at `t` is proved to be at most 0, weights being at their least, or at least 0, weights being at their most. Lemma D27
+/// Returns whether the growth at `t` is proved to be at most 0, weights being at their least, or at least 0, weights being at their most. Lemma D27
 fn is_bound(edges: &[Edge], nodes: usize, end: End, t: f64) -> bool {
     let sign = if end == End::Least { 1.0 } else { -1.0 };
     let mut matrix = Vec::with_capacity(edges.len());
@@ -107,7 +107,7 @@ fn is_bound(edges: &[Edge], nodes: usize, end: End, t: f64) -> bool {
     vector.iter().all(|&x| x > 0.0) && excess.iter().all(|&x| is_not_negative(Ball::exact(sign) * x))
 }
 
-/// Whether no member is negative: not if one is NaN.
+/// Returns whether no member is negative; `false` for a NaN.
 fn is_not_negative(x: Ball) -> bool {
     x.mid() >= x.rad()
 }

@@ -1,4 +1,4 @@
-//! What the derivative makes of the half sides of a cell: Lemma D24 (sides) of `docs/proofs/hyperbolic.md#D24`.
+//! Images of the half sides of a cell under the derivative: Lemma D24 (sides) of `docs/proofs/hyperbolic.md#D24`.
 
 use super::frame::cross;
 use crate::chaos::flights::Landing;
@@ -39,7 +39,8 @@ impl Sides {
         [0, 1].map(|i| self.first[i] * along + self.rest[i] * second)
     }
 
-    /// Those of the images of states, given the coefficient of restitution and the speeds before the flight, and of the middle's image after it.
+    /// Returns the sides of the images of states, given the coefficient of restitution and the speeds before the flight, and of the
+    /// middle's image after it.
     pub fn landed(&self, landing: &Landing<2>, [restitution, before, after]: [Ball; 3]) -> Self {
         let [first, rest] = [self.first, self.rest].map(|side| landing.derivative(side));
         let moved = Self { first, rest, area: cross(first, rest), ..*self };

@@ -1,4 +1,4 @@
-//! How much strings of words expand: bounds of the logarithms over the points that follow them. Lemma D28 of `docs/proofs/hyperbolic.md#D28`.
+//! Expansion of strings of words: bounds of its logarithm over the points that follow them. Lemma D28 of `docs/proofs/hyperbolic.md#D28`.
 
 use std::collections::{BTreeMap, HashMap};
 
@@ -12,8 +12,8 @@ use crate::watch::Watch;
 /// Words by their places among those that are proved.
 type Letters = Vec<usize>;
 
-/// Of a string, a word alone, or with one before it and some behind it: the cells of this word in which its points are, bounds of their `a`,
-/// and of the heights of their images.
+/// The cells of a word in which the points of a string are, bounds of their `a`, and of the heights of their images. The string is the
+/// word alone, or with one before it and some behind it.
 #[derive(Clone, Debug)]
 struct Cylinder {
     images: Vec<Image>,
@@ -27,11 +27,11 @@ pub(crate) type Graph = Vec<(Edge, usize)>;
 /// Cylinders by their strings.
 type Level = BTreeMap<Letters, Cylinder>;
 
-/// Cells are narrowed and looked at again so often.
+/// Number of times that cells are narrowed and looked at again.
 const LOOKS: u32 = 3;
-/// Again only if they are so much narrower.
+/// Part of its size to which a cell has to be narrowed to be looked at again.
 const NARROWER: f64 = 0.7;
-/// More strings, or cells of all of them, are not looked at.
+/// The most strings, cells of all of them, and letters that are looked at.
 const MOST_EDGES: usize = 8000;
 const MOST_CELLS: usize = 3 << 20;
 const MOST_LETTERS: usize = 9;
@@ -94,7 +94,7 @@ pub(crate) struct Strings<'s> {
 }
 
 impl Strings<'_> {
-    /// What of a cell may be mapped to the points of a strip with `a` between bounds: narrowed as far as its own image says.
+    /// Returns a part of a cell that holds all states mapped to the points of a strip with `a` between bounds; `None` if there are none.
     fn narrowed(&self, image: &Image, strip: &Strip, breadth: [f64; 2]) -> Option<Cell> {
         let Image { cell, middle, sides, .. } = image;
         // About the line in the middle between both bounds.
@@ -157,7 +157,7 @@ impl Strings<'_> {
         Some((graph, slopes))
     }
 
-    /// Whether strings with another word before them are few enough; any answer will do.
+    /// Returns whether strings with another word before them are few enough; any answer is sound.
     fn is_worth_it(&self, level: &Level) -> bool {
         let [mut strings, mut cells] = [0, 0];
         for (string, cylinder) in level {

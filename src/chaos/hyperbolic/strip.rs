@@ -47,7 +47,7 @@ pub(crate) struct Image {
     units: Option<[[Ball; 2]; 2]>,
 }
 
-/// Why a cell has no image: what its half sides had become, in forcing periods and speeds.
+/// A cell that has no image: its half sides after the last flight that is enclosed, in forcing periods and over `A W`.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Lost {
     sides: Sides,
@@ -133,10 +133,10 @@ impl Lost {
     }
 }
 
-/// What is asked of the states after N impacts: their middle and half sides.
+/// A condition on the states after N impacts, given their middle and half sides.
 pub(crate) type Passed<'p> = &'p dyn Fn(usize, [Ball; 2], &Sides) -> bool;
 
-/// What the flights of a cell are followed by.
+/// The reduced map that the flights of a cell follow, and the parallelograms of the h-sets.
 pub(crate) struct Map<'m> {
     pub law: &'m Law,
     pub guess: &'m Guess,

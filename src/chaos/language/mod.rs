@@ -56,7 +56,7 @@ impl BoxGraph {
         self.edges.iter().map(|edge| (edge.from as usize, letter(edge.side), edge.to as usize)) // exact: indices
     }
 
-    /// For each letter the boxes that it leads to from each.
+    /// Returns for each letter the boxes that it leads to from each box.
     fn links(&self) -> [Links; 2] {
         LETTERS.map(|(side, _)| {
             let own = self.edges.iter().filter(|edge| edge.side == side);
@@ -105,7 +105,7 @@ impl WallWords {
     /// `watch` receives the number of sets of boxes.
     ///
     /// # Errors
-    /// Where there are too many sets of boxes, or it is stopped, before the words are that long.
+    /// If there are too many sets of boxes, or it is stopped, before the words are that long.
     pub fn of(graph: &BoxGraph, impacts: u32, watch: &dyn Watch) -> Result<Self, Unclosed> {
         let subsets = Subsets::of(&graph.links(), graph.cells.len(), impacts as usize, watch)?; // exact: a small whole number
         let counts = subsets.counts(impacts as usize); // exact: a small whole number
@@ -115,7 +115,7 @@ impl WallWords {
         Ok(Self { impacts, counts, subsets, entropy })
     }
 
-    /// Returns the number of impacts of the words that were asked for.
+    /// Returns the number of impacts of the words that were requested.
     pub fn impacts(&self) -> u32 {
         self.impacts
     }

@@ -14,7 +14,7 @@ use crate::watch::{Stage, Watch};
 const MOST_BYTES: usize = 1 << 29;
 const MOST_LOOKS: usize = 1 << 34;
 
-/// Why words are not counted.
+/// The reason why words are not counted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Unclosed {
     /// There are too many sets of boxes before the words are that long.

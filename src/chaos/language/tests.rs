@@ -62,7 +62,7 @@ fn orbit(scene: &Scene, trap: &Trap, impacts: usize) -> (Vec<Cell>, String) {
     (cells, letters)
 }
 
-/// How many steps of an orbit have no edge.
+/// Number of steps of an orbit that have no edge.
 fn missed(graph: &BoxGraph, (cells, letters): &(Vec<Cell>, String)) -> usize {
     let edges: BTreeSet<(Cell, char, Cell)> =
         graph.edges().map(|(from, letter, to)| (graph.cells[from], letter, graph.cells[to])).collect();
@@ -179,8 +179,8 @@ fn longer_words_bound_the_entropy_more_narrowly() {
     );
 }
 
-/// What `docs/paper.md` says of figures 14 and 17, whose horseshoes have more entropy: 0.4704 and 0.569. Of figure 14 two cycles of
-/// five impacts have one word, and none of fewer. Lemma D32
+/// Bounds that `docs/paper.md` gives for figures 14 and 17, whose horseshoes have more entropy: 0.4704 and 0.569. In figure 14 two cycles
+/// of five impacts have one word, and none of fewer. Lemma D32
 #[test]
 fn walls_do_not_tell_motions_apart() {
     for (number, finer, most) in [(14, 0, 0.4224), (14, 3, 0.3814), (17, 0, 0.4816)] {

@@ -58,7 +58,7 @@ pub struct FoundWindow {
 }
 
 impl FoundWindow {
-    /// Whether another one is the same: at one value, with the same flights from another impact on.
+    /// Returns whether another one is the same: at one value, with the same flights from another impact on.
     fn is_one(&self, flights: &str, window: &Window) -> bool {
         self.window.at.text() == window.at.text()
             && self.flights.len() == flights.len()
@@ -75,7 +75,7 @@ pub struct UnprovedWindow {
     pub flights: String,
     /// The value of the parameter about which it was found, in the units of the scene.
     pub near: f64,
-    /// Why it is not proved.
+    /// The reason why it is not proved.
     pub reason: &'static str,
 }
 
@@ -88,9 +88,9 @@ pub struct Windows {
     pub windows: Vec<FoundWindow>,
     /// Orbits of floating point of which nothing could be proved.
     pub unproved: Vec<UnprovedWindow>,
-    /// How many stable orbits of floating point were found in all.
+    /// Number of stable orbits of floating point that were found in all.
     pub seen: usize,
-    /// Whether it was interrupted before the search or the proofs were done.
+    /// `true` if it was interrupted before the search or the proofs were done.
     pub interrupted: bool,
 }
 
@@ -218,7 +218,7 @@ impl<'p> Search<'p> {
         }
     }
 
-    /// Whether the value at which a window is proved is in the range.
+    /// Returns whether the value at which a window is proved is in the range.
     fn holds(&self, window: &Window) -> bool {
         const BITS: u32 = 256;
         let [low, high] = self.ends.map(|end| end.enclose(BITS));
@@ -278,7 +278,7 @@ impl<'p> Search<'p> {
         found.into_iter().map(|(i, window)| Ok((i, window?))).collect()
     }
 
-    /// What orbit `k` comes near to: every second one is at the scene's own value.
+    /// Returns the stable cycles that orbit `k` comes near to: every second orbit is at the scene's own value.
     fn orbit(&self, k: usize, watch: &dyn Watch) -> Vec<Superstable> {
         let part = |n: usize| (n as f64 * SPREAD).fract(); // proposes
         let [low, high] = self.family.range;
@@ -288,7 +288,7 @@ impl<'p> Search<'p> {
         self.family.search((value, start), impacts, watch)
     }
 
-    /// What is to be proved of a cycle; `None` where its forcing periods do not fit.
+    /// Returns the seed of a cycle's window; `None` where the forcing periods do not fit.
     fn seed(&self, cycle: &Superstable) -> Option<WindowSeed> {
         let (phases, lasting) = self.family.phases(cycle)?;
         let crossings = cycle.flights.iter().filter(|side| **side == Side::Far).count();

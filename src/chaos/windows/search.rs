@@ -14,7 +14,7 @@ use crate::chaos::vector::{apart, in_period, times};
 use crate::number::Ball;
 use crate::watch::Watch;
 
-/// What varies in the reduced map.
+/// The parameter of the reduced map that varies.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Varies {
     /// `D = d/A`
@@ -27,7 +27,7 @@ pub(super) enum Varies {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Family {
     pub varies: Varies,
-    /// What does not vary: `e`, or `D`.
+    /// The parameter that does not vary: `e`, or `D`.
     pub fixed: f64,
     /// The range of `D`, or `e`.
     pub range: [f64; 2],
@@ -42,7 +42,7 @@ pub(super) struct Superstable {
     pub parameter: f64,
     /// Phase and speed of an impact.
     pub state: State,
-    /// Which wall each flight ends on.
+    /// The wall that each flight ends on.
     pub flights: Vec<Side>,
 }
 
@@ -50,13 +50,13 @@ pub(super) struct Superstable {
 pub const LONGEST: usize = 64;
 /// Impacts before an orbit is looked at.
 const TRANSIENT: usize = 500;
-/// How near an orbit comes back, in forcing periods and in `A W`.
+/// Distance, in forcing periods and in `A W`, within which an orbit counts as having come back.
 const NEAR: State = [0.0016, 0.01];
-/// The greatest trace of a product of Jacobians that is tried, and the factor by which it grows with each impact beyond N of them.
+/// The greatest trace of a product of Jacobians that is tried, the factor by which it grows per impact, and the impacts beyond which it does.
 const TRACE: f64 = 10.0;
 const TRACE_GROWTH: f64 = 1.25;
 const TRACE_FROM: i32 = 23;
-/// How often a word is tried along one orbit.
+/// Number of times that a word is tried along one orbit.
 const TRIES: u8 = 3;
 /// Steps of Newton's iteration, the distance at which its differences are taken, and when it has ended.
 const STEPS: usize = 14;
@@ -65,7 +65,7 @@ const ENOUGH: f64 = 1e-9;
 /// The longest step of the parameter, relative, and of the state.
 const FARTHEST: f64 = 2e-4;
 const FARTHEST_STATE: f64 = 0.02;
-/// How near parts of a cycle are where it runs through a shorter one, or has doubled it.
+/// Distance within which two parts of a cycle count as one: it runs through a shorter cycle, or has doubled it.
 const SAME: f64 = 1e-3;
 
 /// A state with the derivative of the map from it and the wall that its flight ends on.
@@ -214,7 +214,7 @@ impl Family {
         Some(all)
     }
 
-    /// Where flights lead, the trace of the product of their Jacobians, and their phases; `None` where they end on other walls.
+    /// Returns the state that flights lead to, the trace of the product of their Jacobians, and their phases; `None` where they end on other walls.
     fn fly(&self, parameter: f64, start: State, flights: &[Side]) -> Option<(State, f64, Vec<f64>)> {
         let map = self.map(parameter);
         let (mut state, mut product, mut phases) = (start, [[1.0, 0.0], [0.0, 1.0]], Vec::new());
@@ -243,7 +243,7 @@ impl Family {
 }
 
 impl Superstable {
-    /// Whether both may be one cycle, read from whichever impact.
+    /// Returns whether both may be one cycle, from whichever impact on.
     pub fn is_near(&self, other: &Self) -> bool {
         let count = self.flights.len();
         count == other.flights.len()

@@ -70,7 +70,7 @@ fn assert_bounds<const WIDE: bool>(case: &Case, time: f64, hop: f64, target: f64
     assert_extrema(case, &bounds, &truth)
 }
 
-/// Lemmas E1, E2 and C4: where the flight forcing periods, and how high.
+/// Lemmas E1, E2 and C4: the times and heights of the flight's extrema.
 fn assert_extrema<const WIDE: bool>(
     case: &Case,
     bounds: &Bounds<'_, WIDE>,

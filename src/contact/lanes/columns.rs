@@ -10,7 +10,7 @@ use crate::number::Ball;
 use crate::number::kernel::SmallAngle;
 use crate::pair::Wall;
 
-/// What a lane holds, as a double: so all are vectors of one width.
+/// A value in a lane, stored as a double, so that all vectors have one width.
 pub(super) trait Held {
     fn held(self) -> f64;
     fn of(held: f64) -> Self;
@@ -99,14 +99,14 @@ impl Balls {
     }
 }
 
-/// How far a flight is solved.
+/// The progress of the solution of a flight.
 #[derive(Clone, Copy)]
 pub(super) struct State {
     /// The number of the extremum that ends the piece.
     pub k: f64,
-    /// For a flight that is near: the time that is looked at.
+    /// The time of the next look, for a flight that is near.
     pub time: f64,
-    /// It may be a hop.
+    /// True if it may be a hop.
     pub is_hop: bool,
     /// The departure root is divided out: a hop, or a short flight.
     pub is_near: bool,

@@ -90,7 +90,7 @@ pub fn image_of(pair: &Reduced<Ball>, margins: &Margins, (wall, [phase, before])
     finish(pair, [phase, before], &flight, first_contacts(&flight, margins, point, all))
 }
 
-/// The same for many sets of states, in their order, with the same bits: half as dear each.
+/// Encloses the images of many sets of states, in their order, bit for bit as [`image_of`] does: at half the cost.
 pub fn images_of(
     pair: &Reduced<Ball>,
     sets: impl IntoIterator<Item = (Wall, [Ball; 2])>,
@@ -136,7 +136,7 @@ fn centre_after(pair: &Reduced<Ball>, wall: Wall, before: Ball) -> Ball {
     wall.inward(rebound_of(pair.restitution, Ball::exact(before.mid())))
 }
 
-/// How far the flights from the centre, and those from all states, may start from the centre's doubles.
+/// Returns the radii of the flight from the centre, and those of the flights from all states, around the doubles of the centre.
 #[inline(always)]
 fn radii(pair: &Reduced<Ball>, phase: Ball, before: Ball) -> [Radii; 2] {
     let after = |before| rebound_of(pair.restitution, before).rad();

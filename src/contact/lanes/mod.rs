@@ -83,7 +83,7 @@ impl Lanes {
         }
     }
 
-    /// On which piece, and where.
+    /// Chooses the piece on which the contact is searched for, and the bracket, of each flight.
     #[inline(never)]
     fn propose(&mut self) {
         for lane in 0..LANES {
@@ -156,7 +156,7 @@ impl Lanes {
         }
     }
 
-    /// Which of the flights are short.
+    /// Determines which flights are short, and the times of these from their starts.
     #[inline(never)]
     fn part(&mut self) {
         for lane in 0..LANES {
@@ -167,7 +167,7 @@ impl Lanes {
             let short = iterate.turns + (iterate.at - flight.phase) - iterate.step;
             let is_told = !is_short | is_near_time(short);
             let time = if is_short & is_told { short } else { state.time };
-            // The time of a short flight is told from its start.
+            // The time of a short flight is measured from its start.
             self.searches.turns[lane] = if is_short { 0.0 } else { iterate.turns };
             let is_near = (state.is_hop | is_short) & is_told;
             self.states.set(lane, State { time, is_near, is_decided: state.is_decided & is_told, ..state });
@@ -237,7 +237,7 @@ impl Lanes {
         }
     }
 
-    /// Whether nothing comes before the contacts that are bracketed (Lemmas C4-C6).
+    /// Decides whether no other contact comes before the contacts that are bracketed (Lemmas C4-C6).
     #[inline(always)]
     fn judge<const WIDE: bool>(&mut self, margins: &Margins, spreads: &Spreads, brackets: &Brackets) {
         for lane in 0..LANES {
@@ -254,21 +254,21 @@ impl Lanes {
         }
     }
 
-    /// For flights at exact phases.
+    /// Certifies the contacts of flights that start at exact phases.
     #[inline(never)]
     fn certify_points(&mut self, margins: &Margins, spreads: &Spreads, brackets: &mut Brackets) {
         self.bracket::<false>(margins, spreads, brackets);
         self.judge::<false>(margins, spreads, brackets);
     }
 
-    /// For all flights of sets.
+    /// Certifies the contacts of all flights of sets.
     #[inline(never)]
     fn certify_sets(&mut self, margins: &Margins, spreads: &Spreads, brackets: &mut Brackets) {
         self.bracket::<true>(margins, spreads, brackets);
         self.judge::<true>(margins, spreads, brackets);
     }
 
-    /// For the flights from the centres of sets, whose contacts are proved to be first with the set's.
+    /// Brackets the contacts of the flights from the centres of sets, which are proved to be first with those of the sets.
     #[inline(never)]
     fn bracket_centres(&mut self, margins: &Margins, spreads: &Spreads, brackets: &mut Brackets) {
         self.bracket::<false>(margins, spreads, brackets);

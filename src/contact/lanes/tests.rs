@@ -21,7 +21,7 @@ fn pair(alpha: f64, restitution: f64, radius: f64) -> Reduced<Ball> {
     }
 }
 
-/// The velocity near `velocity` with which the first maximum, or minimum, passes its wall by `miss`, as far as halving tells.
+/// The velocity near `velocity` with which the first maximum, or minimum, passes its wall by `miss`, as far as halving finds it.
 fn grazing(pair: &Reduced<f64>, (wall, phase, velocity): Start, miss: f64) -> f64 {
     let past = |velocity: f64| {
         let flight = Flight::from_wall(pair, wall, phase, velocity, kernel::sin_cos(phase));
@@ -53,7 +53,7 @@ fn phases() -> impl Strategy<Value = f64> {
     ]
 }
 
-/// What a start is made for: its velocity, the size of a corner and which corner.
+/// Strategy for the data of starts: whether on the left wall, phase, velocity, the size of a perturbation and the kind of start.
 fn starts() -> impl Strategy<Value = Vec<(bool, f64, f64, f64, u8)>> {
     prop::collection::vec((any::<bool>(), phases(), 0.0..8.0f64, sizes(), 0..8u8), 1..40)
 }
@@ -84,7 +84,7 @@ fn scalar(pair: &Reduced<Ball>, (wall, phase, velocity): (Wall, f64, Ball)) -> V
     first_contact(&flight, &Margins::new(pair), Radii { velocity: velocity.rad(), ..Radii::default() })
 }
 
-/// Text that tells doubles that differ apart, zeros of either sign too.
+/// Text that distinguishes doubles that differ, including zeros of either sign.
 fn bits<T: std::fmt::Debug>(values: &[T]) -> Vec<String> {
     values.iter().map(|value| format!("{value:?}")).collect()
 }

@@ -1,6 +1,6 @@
 //! Past a contact that may be a graze: both continuations at once, Lemma G1 of `docs/proofs/chatter.md#G1`.
 //!
-//! Where no precision tells a touch from a miss, the flight may go on as it is or, after an impact too slow to be
+//! If no precision distinguishes a touch from a miss, the flight may go on as it is or, after an impact too slow to be
 //! seen, with a velocity changed by as little. Either way it turns back, and a little later one box holds both.
 
 use std::cmp::Ordering;
@@ -22,7 +22,7 @@ const MOST_STEPS: u32 = 8;
 pub(crate) struct Passed {
     /// The wall that may have been touched.
     pub wall: Wall,
-    /// At which phase, in forcing periods counted on from that of the start.
+    /// Phase of the graze, in forcing periods counted on from that of the start.
     pub at: MpBall,
     /// Whole turns to the phase to go on from, and this phase, exactly.
     pub turns: f64,
@@ -57,7 +57,7 @@ pub(crate) fn pass(flight: &Flight<MpBall>) -> Option<Passed> {
     }
     let turning = Turning::new(flight, rising)?;
     let (target, time, room) = turning.doubtful(flight)?;
-    // How high the extremum may be beyond the wall, and for how long and how fast the flight may be there.
+    // Bounds of the height of the extremum beyond the wall, of the time that the flight may be there, and of its speed.
     let excess = room.mag();
     let double = excess + excess;
     let acceleration = flight.steepest();

@@ -16,10 +16,10 @@ use crate::turns::LONGEST_FLIGHT;
 /// Steps of [`solve`]: halving alone takes one a bit, and as many as the root is near phase 0.
 const MOST_STEPS: u32 = 1 << 22;
 
-/// Where the solver looks: times since the start.
+/// The piece of a flight that the solver searches: times since the start.
 struct Piece {
     target: Target,
-    /// When the extremum comes that ends the piece; `None` for a monotone flight.
+    /// Time of the extremum that ends the piece; `None` for a monotone flight.
     end: Option<MpBall>,
     /// The contact lies in between, and about here.
     between: (Float, Float),
@@ -54,7 +54,7 @@ pub(super) fn isolate(flight: &Flight<MpBall>) -> Result<Isolated, Undecided> {
     Ok(found)
 }
 
-/// Whether the ball rises right after the start.
+/// Returns whether the ball rises right after the start.
 pub(super) fn is_rising(flight: &Flight<MpBall>) -> Result<bool, Undecided> {
     let direction = match flight.velocity.sign() {
         Some(Ordering::Equal) => flight.sin.sign(),
@@ -92,17 +92,17 @@ fn monotone(flight: &Flight<MpBall>) -> Result<Piece, Undecided> {
 #[derive(Clone, Debug)]
 pub(super) struct Kind {
     pub target: Target,
-    /// When number 0 comes, and how far inside the gap it is.
+    /// Time of extremum number 0, and its distance from the wall, inside the gap.
     first: MpBall,
     room: MpBall,
-    /// How long the piece before each lasts.
+    /// Duration of the piece before each.
     pub span: MpBall,
 }
 
-/// Where the flights of a set turn (Lemma E1).
+/// The extrema of the flights of a set (Lemma E1).
 #[derive(Clone, Debug)]
 pub(super) struct Turning {
-    /// At every extremum `|sin th|` is this.
+    /// `|sin th|` at every extremum.
     pub sine: MpBall,
     pub far: Kind,
     pub near: Kind,
@@ -110,7 +110,7 @@ pub(super) struct Turning {
 }
 
 impl Turning {
-    /// For flights with `|c| < beta`.
+    /// Returns the extrema of flights with `|c| < beta`.
     pub fn new(flight: &Flight<MpBall>, rising: bool) -> Option<Self> {
         let one = || MpBall::from_f64(1.0);
         let zero = || MpBall::from_f64(0.0);
@@ -208,7 +208,7 @@ fn first_piece(flight: &Flight<MpBall>, rising: bool) -> Result<Piece, Undecided
     let Kind { target, first, room, span } = kind.clone();
     let k = MpBall::from_f64(k);
     let end = first + k.clone();
-    // How far the extremum lies beyond the wall, as a fraction of the way that the piece makes.
+    // The distance of the extremum beyond the wall, as a fraction of the way that the piece makes.
     let approach = flight.drift.clone().signed(target.direction());
     let beyond = approach.clone().mul_add(k, -room);
     let way = flight.alpha.clone().plus(&flight.alpha).mul_add(turning.sine.clone(), approach * span.clone());
@@ -220,7 +220,7 @@ fn first_piece(flight: &Flight<MpBall>, rising: bool) -> Result<Piece, Undecided
     Ok(Piece { target, between: (begin, end.mid().clone()), guess, end: Some(end) })
 }
 
-/// When a short hop is back on its wall, if it is one: of a fraction of 1e-300 of its piece doubles say nothing.
+/// Returns the time of the end of a short hop, else `guess`: of a fraction of 1e-300 of its piece doubles say nothing.
 fn hop(flight: &Flight<MpBall>, top: &Float, guess: Float) -> Float {
     // 0 = z' + z'' h/2 + z''' h^2/6: the root that is the departure is divided out.
     let bits = guess.prec();

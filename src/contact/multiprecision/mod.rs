@@ -1,4 +1,4 @@
-//! First contacts in multiprecision: isolated as cheaply as can be, refined to as many bits as asked.
+//! First contacts in multiprecision: isolated as cheaply as can be, refined to the requested bits.
 //!
 //! Nearly every contact of a set as narrow as 53 bits is isolated by the double-precision certificate; what that
 //! leaves open (grazes nearer than `10^-13` of the gap, drifts near 0 or `beta`, flights beyond `2^39` forcing periods) is
@@ -33,7 +33,7 @@ pub(crate) struct Isolated {
     /// The contact of each flight of the set lies within `reach` of this phase, less the whole forcing periods.
     pub at: Float,
     pub reach: Magnitude,
-    /// For each of them `|z'|` is at least this within `reach`.
+    /// A lower bound of `|z'|` within `reach`, for each of them.
     pub least: Magnitude,
     /// Time since the start, over the set.
     pub time: Ball,
@@ -43,7 +43,7 @@ pub(crate) struct Isolated {
 }
 
 impl Isolated {
-    /// What the double-precision certificate says, if it leaves the velocity's sign no doubt.
+    /// Returns the result of the double-precision certificate, if it proves the sign of the velocity.
     fn new(Bracket { arrival, velocity, sin, .. }: Bracket, pair: &Margins) -> Option<Self> {
         // The velocity's ball holds `z'` over the bracket of the times of a hop; that of its phases is wider.
         let beyond = (arrival.phase.rad() - arrival.time.rad()).max(0.0); // M3: the phase bracket may be the narrower
@@ -108,7 +108,7 @@ pub(crate) fn isolate_first(
     })
 }
 
-/// What doubles can say of the set.
+/// Returns the contacts of the set as doubles isolate them, if they do.
 fn isolate_in_doubles(pair: &PairBounds, start: &Start) -> Option<Isolated> {
     let Start { wall, height, phase, velocity } = *start;
     let sin_cos = kernel::sin_cos(phase.mid());

@@ -1,10 +1,10 @@
-//! The root in an isolated bracket, to as many bits as asked.
+//! The root in an isolated bracket, to the requested bits.
 //!
 //! **Lemma M3.** Let the contact of a flight lie within `reach` of `a`, and `|z'| >= m > 0` there. Then it lies within
 //! `|z(b)| / m` of any `b` within `reach` of `a`. *Proof.* The mean value theorem between `b` and the contact. []
 //!
 //! So one evaluation in balls proves a root to full precision, wherever `b` comes from: plain Halley-like steps that
-//! quadruple the bits. Each needs one sine and cosine; the last one forcing periods them by its own small step.
+//! quadruple the bits. Each needs one sine and cosine; the last one rotates them by its own small step.
 
 use rug::Float;
 use rug::float::Round;
@@ -28,7 +28,7 @@ pub(crate) struct Refined {
     pub sin_cos: (MpBall, MpBall),
 }
 
-/// What the formulas give at a phase; mirrored.
+/// The values of the formulas at a phase, mirrored: height above the target, `z'`, sine and cosine.
 struct Sight {
     residual: MpBall,
     velocity: MpBall,
@@ -41,7 +41,7 @@ const MOST_TERMS: f64 = 48.0;
 const MOST_STEPS: u32 = 1 << 22;
 
 impl Sight {
-    /// What they give so long afterwards: the addition theorems, each product in as many bits as it is worth.
+    /// Returns the values a time `h` later: by the addition theorems, each product in as many bits as it is worth.
     fn later(self, flight: &Flight<MpBall>, h: &MpBall) -> Option<Self> {
         let Self { residual, velocity, sin_cos: (sin, cos) } = self;
         let SmallAngle { versine, sine, .. } =
@@ -56,14 +56,14 @@ impl Sight {
         })
     }
 
-    /// Whether the height is as near to 0 as the precision can tell.
+    /// Returns whether the height is as near to 0 as the precision can distinguish.
     fn is_noise(&self) -> bool {
         let noise = self.residual.rad();
         magnitude(self.residual.mid()) <= noise + noise
     }
 }
 
-/// What the formulas give so long after the departure from a wall, without cancellation.
+/// Returns the values of the formulas at `time` after the departure from a wall, without cancellation.
 fn see_hop(flight: &Flight<MpBall>, time: &Float) -> Option<Sight> {
     let time = MpBall::exact(time.clone());
     let departure = time.short_departure()?;
@@ -105,7 +105,7 @@ impl Isolated {
         None
     }
 
-    /// Whether the departure root is better divided out: a short flight back to its wall.
+    /// Returns whether the departure root is better divided out: a short flight back to its wall.
     fn is_hop(&self, flight: &Flight<MpBall>, bits: u32) -> bool {
         // A series of N terms costs less than a sine.
         let terms = -f64::from(bits) / self.time.mid().log2();
@@ -113,7 +113,7 @@ impl Isolated {
         is_short && self.target == Target::Near && flight.height.mid().is_zero()
     }
 
-    /// The same for a hop: the unknown is the time, and nothing cancels however short it is.
+    /// Encloses the contact of a hop: the unknown is the time, and nothing cancels however short it is.
     fn refine_hop(&self, flight: &Flight<MpBall>, bits: u32) -> Option<Refined> {
         let mut time = Float::with_val(bits, self.time.mid());
         let mut before = Magnitude::INFINITE;
@@ -175,7 +175,7 @@ impl Isolated {
     }
 }
 
-/// From a phase to the root beside it, with an error of the fourth order.
+/// Returns the step from a phase to the root beside it, with an error of the fourth order.
 ///
 /// With `n = z/z'`, `A = z''/(2 z')` and `B = z'''/(6 z')`: `-n - (A + (2 A^2 - B) n) n^2`, the inverted Taylor series.
 fn step(flight: &Flight<MpBall>, sight: &Sight) -> Option<Float> {

@@ -42,14 +42,14 @@ fn exact(x: f64) -> BigRational {
     BigRational::from_float(x).expect("a finite double")
 }
 
-/// Whether `x` is an interval, and `value` one of its members.
+/// Returns whether `x` is an interval, and `value` one of its members.
 fn holds(x: Interval, value: &BigRational) -> bool {
     let is_interval = x.inf <= x.sup && x.inf < f64::INFINITY && x.sup > f64::NEG_INFINITY;
     let above = x.inf == f64::NEG_INFINITY || exact(x.inf) <= *value;
     is_interval && above && (x.sup == f64::INFINITY || *value <= exact(x.sup))
 }
 
-/// Whether the ends are no farther out than the doubles next to the rounded `least` and `greatest`.
+/// Returns whether the ends are no farther out than the doubles next to the rounded `least` and `greatest`.
 fn is_tight(x: Interval, least: &BigRational, greatest: &BigRational) -> bool {
     let [inf, sup] = [x.inf.next_up().next_up(), x.sup.next_down().next_down()];
     !(inf.is_finite() && sup.is_finite()) || *least <= exact(inf) && exact(sup) <= *greatest
@@ -215,7 +215,7 @@ mod against_inari {
         inari::Interval::try_from((x.inf, x.sup)).unwrap()
     }
 
-    /// Whether it holds the least interval of doubles that holds the results, and little more.
+    /// Returns whether it holds the least interval of doubles that holds the results, and little more.
     fn is_around(ours: Interval, least: inari::Interval, more: f64) -> bool {
         let unit = least.inf().next_down() - more <= ours.inf && ours.sup <= least.sup().next_up() + more;
         least.subset(inari(ours)) && unit

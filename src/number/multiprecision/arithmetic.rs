@@ -43,12 +43,12 @@ impl MpBall {
         self
     }
 
-    /// What the radii add to a sum or difference.
+    /// Returns the part of the radius of a sum or difference that comes from the radii.
     fn sum_spread(&self, b: &Self) -> Magnitude {
         self.rad + b.rad
     }
 
-    /// What the radii add to a product.
+    /// Returns the part of the radius of a product that comes from the radii.
     fn product_spread(&self, b: &Self) -> Magnitude {
         match (self.rad.is_zero(), b.rad.is_zero()) {
             (true, true) => Magnitude::ZERO,

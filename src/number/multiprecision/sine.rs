@@ -12,11 +12,11 @@ use rug::{Assign, Float, Integer};
 use super::arithmetic::LONG;
 use crate::number::Magnitude;
 
-/// Beyond these bits MPFR is the faster.
+/// Number of bits beyond which MPFR is faster.
 const MOST_BITS: u32 = 1 << 15;
 /// Turns that are reduced, as a power of two.
 const LARGEST: i32 = 8;
-/// What both results may be off by, as a power of two, in units of the last bit (Lemma M5).
+/// Bound of the error of both results, as a power of two, in units of the last bit (Lemma M5).
 const ERROR: i64 = 4;
 /// Parts of a turn in the table; it holds those of an eighth.
 const PARTS: i32 = 1 << 10;
@@ -38,7 +38,7 @@ struct Circle {
     series: Series,
 }
 
-/// What a sine is summed in, in units of `2^-bits`.
+/// The workspace of the series of a sine, in units of `2^-bits`.
 #[derive(Default)]
 struct Series {
     x: Integer,

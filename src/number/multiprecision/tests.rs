@@ -89,7 +89,7 @@ proptest! {
         let back = MpBall::enclosing(&x.enclosure().unwrap(), bits);
         let rounding = back.mid.get_exp().map_or(Magnitude::ZERO, |top| Magnitude::power_of_two(i64::from(top) - i64::from(bits)));
         prop_assert!(back.bits() == bits && back.rad <= (x.rad + rounding) * Magnitude::new(1.25, 0), "{x:?}: {back:?}");
-        // What doubles hold, their balls tell the same of.
+        // Numbers that doubles hold have the same enclosure in both arithmetics.
         if d.rad() == 0.0 || d.rad() > 1e-300 {
             let [here, there] = [d.enclosure().unwrap(), MpBall::from_ball(d).enclosure().unwrap()];
             prop_assert!(here.contains_enclosure(&there) , "{d:?}");

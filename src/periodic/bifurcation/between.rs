@@ -26,7 +26,7 @@ use crate::watch::Watch;
 
 /// A window relatively narrower is proved in more bits than doubles have, where there are such.
 const NARROW: f64 = 1e-10;
-/// In doubles: steps to the centre of a slab, and what is added to radii.
+/// Steps to the centre of a slab, and the length that is added to radii, in doubles.
 const STEPS: u32 = 12;
 const PAD: f64 = 1e-14;
 /// Bits of values in which doubles are exceeded.
@@ -34,7 +34,7 @@ pub(super) const BITS: u32 = 128;
 
 /// An end of the branch: the bifurcation there, and the orbits from it to the middle.
 pub(super) struct Reached<'b> {
-    /// From the bifurcation on, each with its eigenvalue.
+    /// The orbits from the bifurcation on, each with its eigenvalue.
     pub stations: &'b [(f64, Vec<f64>)],
     pub point: &'b Point,
     /// `c` of the equations of both.
@@ -49,7 +49,7 @@ pub(super) struct Known<'b> {
     pub orbit: &'b PeriodicOrbit,
 }
 
-/// What is proved: all orbits of the branch between two ends are stable, and the known orbit is one of them.
+/// The statement to prove: all orbits of the branch between two ends are stable, and the known orbit is one of them.
 pub(super) struct Between<'b> {
     pub setting: &'b Setting<'b, OneHarmonic>,
     pub ring: &'b Ring,
@@ -162,7 +162,7 @@ impl Between<'_> {
         slabs.first()?.holds(&zero).then(|| project(&slabs[slabs.len() - 1].end))
     }
 
-    /// Whether the other eigenvalue lies inside the unit circle for each member of a box: `e^(2m) < |mu|`. Lemma Y8
+    /// Returns whether the other eigenvalue is proved to lie inside the unit circle for each member of a box: `e^(2m) < |mu|`. Lemma Y8
     fn is_dominant<N: Enclosing + Turning>(&self, family: &Family<OneHarmonic, N>, x: &[N]) -> bool {
         let (mu, p) = (&x[x.len() - 1], &x[x.len() - 2]);
         let q = determinant(&family.pair(p.clone()).restitution, self.ring.unknowns());
@@ -170,8 +170,8 @@ impl Between<'_> {
         (mu.clone().signed(sign) - q).certain_sign() == Some(Ordering::Greater)
     }
 
-    /// Whether what the lemma takes for granted holds for each member of a box of phases and a parameter: flights that take time, to
-    /// their first contacts, and `0 < e < 1`. Lemma Y8
+    /// Returns whether the assumptions of the lemma are proved for each member of a box of phases and a parameter: flights that take
+    /// time, to their first contacts, and `0 < e < 1`. Lemma Y8
     fn is_admissible<N: Enclosing + Turning>(&self, family: &Family<OneHarmonic, N>, x: &[N]) -> bool {
         let e = x.last().map(|p| family.pair(p.clone()).restitution);
         let is_positive = |x: N| x.certain_sign() == Some(Ordering::Greater);
@@ -180,7 +180,7 @@ impl Between<'_> {
             && self.is_physical(x)
     }
 
-    /// Whether no orbit of a box has the eigenvalue `mu`, 1 or -1: `F'_mu` is regular. Lemma Y8
+    /// Returns whether it is proved that no orbit of a box has the eigenvalue `mu`, 1 or -1: `F'_mu` is regular. Lemma Y8
     fn excludes<N: Enclosing + Turning>(&self, family: &Family<OneHarmonic, N>, x: &[N], mu: f64) -> bool {
         let ring = self.ring;
         let centre: Vec<f64> = x.iter().map(|x| x.as_ball().mid()).collect();
@@ -195,7 +195,7 @@ impl Between<'_> {
         regular().unwrap_or(false) // exact: not proved
     }
 
-    /// Whether each flight of the orbits of a box of phases and a parameter is proved to end at its first contact. Lemma T5
+    /// Returns whether each flight of the orbits of a box of phases and a parameter is proved to end at its first contact. Lemma T5
     fn is_physical<N: Enclosing>(&self, x: &[N]) -> bool {
         let balls: Vec<Ball> = x.iter().map(Enclosing::as_ball).collect();
         let proved = || {

@@ -8,7 +8,7 @@ use super::solve::newton;
 use super::system::{System, Traced};
 use crate::mapping::Word;
 
-/// Where a curve over an eigenvalue has a station, in parts of the way from the inner one to an end.
+/// Places of the stations of a curve over an eigenvalue, in parts of the way from the inner one to an end.
 const STATIONS: [f64; 5] = [1.0, 0.75, 0.5, 0.25, 0.0];
 /// The eigenvalue at which the curve between begins, if that is far from where both are one.
 const LEAST: f64 = 0.2;
@@ -22,7 +22,7 @@ pub struct WindowSeed {
     pub word: Word,
     /// The forcing periods it takes.
     pub cycles: u32,
-    /// Whether it is its own mirror image after half of them.
+    /// `true` if it is its own mirror image after half of them.
     pub is_mirrored: bool,
     /// The phases of its impacts, of one half where it is mirrored, in forcing periods.
     pub phases: Vec<f64>,
@@ -32,9 +32,9 @@ pub struct WindowSeed {
 
 /// Orbits with the phases and the parameter, by their eigenvalue.
 pub(super) struct Branch {
-    /// Of each end: the orbits at [`STATIONS`], towards the middle.
+    /// The orbits at [`STATIONS`], towards the middle, of each end.
     pub ends: [Vec<(f64, Vec<f64>)>; 2],
-    /// From the last station of the one to that of the other.
+    /// The orbits from the last station of the one to that of the other.
     pub between: Vec<Vec<f64>>,
     /// An orbit in the middle of the window.
     pub inner: Vec<f64>,

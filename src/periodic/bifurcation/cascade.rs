@@ -31,11 +31,11 @@ struct Lead {
     /// The first step.
     step: f64,
     doublings: u32,
-    /// Whether it leaves another branch: then it goes one way only.
+    /// The bifurcation at which it leaves another branch, if it does: then it goes one way only.
     leaves: Option<Kind>,
 }
 
-/// How far from a bifurcation the branch that leaves there is entered, in forcing periods; smaller where that fails.
+/// Distance from a bifurcation at which the branch that leaves there is entered, in forcing periods; smaller where that fails.
 const ENTER: f64 = 1e-3;
 
 /// Room and speed that an orbit has at least for a branch to begin with it, in gaps and forcing periods: hops of no time are none.
@@ -60,8 +60,8 @@ struct Survey<'w, S: Varied> {
 /// what was found until then is kept.
 ///
 /// # Errors
-/// When the word is not closed, the cycles are too many, or the range is not one of the parameter's. With several harmonics also when
-/// their frequencies are not proved to be commensurate, the cycles are no multiple of the common period, or a frequency varies.
+/// If the word is not closed, the cycles are too many, or the range is not one of the parameter's. With several harmonics also if their
+/// frequencies are not proved to be commensurate, the cycles are no multiple of the common period, or a frequency varies.
 pub fn survey(
     pair: &ImpactPair,
     start: &Start,
@@ -127,7 +127,7 @@ impl<S: Varied> Survey<'_, S> {
         }
     }
 
-    /// Whether an orbit lies on a path that was followed.
+    /// Returns whether an orbit lies on a path that was followed.
     fn is_followed(&self, ring: &Ring, x: &[f64]) -> bool {
         let p = x[x.len() - 1];
         let mut across = vec![0.0; x.len()];
@@ -271,7 +271,7 @@ impl<S: Varied> Survey<'_, S> {
     }
 }
 
-/// What a change of sign on a ring may be.
+/// Returns the kind of bifurcation that a change of sign on a ring may be.
 fn kind_of(ring: &Ring, change: &Change) -> Kind {
     match change {
         Change::Turn => Kind::Fold,
@@ -294,7 +294,7 @@ fn half_of(ring: &Ring, x: &[f64]) -> Option<(Ring, Vec<f64>)> {
     Some((half, x))
 }
 
-/// Whether two points with one parameter show one orbit, or mirror images, as far as doubles tell; `chain` is of their excitation.
+/// Returns whether two points with one parameter show one orbit, or mirror images, up to the accuracy of doubles; `chain` is of their excitation.
 fn is_same_orbit(chain: &Chain, one: &Point, other: &Point) -> bool {
     let phases = |point: &Point| -> Vec<f64> { point.impacts.iter().map(|impact| impact.phase.mid_rad().0).collect() };
     chain.another(&one.word, one.cycles).is_ok_and(|chain| is_same(&chain, &phases(one), &phases(other)))

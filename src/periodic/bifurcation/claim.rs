@@ -22,7 +22,7 @@ use super::trace::null_vector;
 use crate::number::{Ball, Enclosing};
 use crate::several::Turning;
 
-/// What varies, and the parameters that do not.
+/// The parameter that varies, and those that do not.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Setting<'s, S> {
     pub unknown: Unknown,
@@ -32,12 +32,12 @@ pub(super) struct Setting<'s, S> {
 }
 
 impl<S: Varied> Setting<'_, S> {
-    /// In floating point.
+    /// Returns the family in floating point.
     pub fn floats(&self) -> Family<S, f64> {
         Family { unknown: self.unknown, base: self.base.floats().clone() }
     }
 
-    /// In doubles.
+    /// Returns the family in doubles.
     pub fn doubles(&self) -> Family<S, Ball> {
         Family { unknown: self.unknown, base: self.base.balls().clone() }
     }
@@ -103,7 +103,7 @@ struct Claim<'s, S> {
 }
 
 impl<S: Varied> Claim<'_, S> {
-    /// In doubles first, then in as many bits as the digits take.
+    /// Proves the bifurcation in doubles first, then in as many bits as the digits take.
     fn prove(&self, guess: Vec<f64>) -> Option<Point> {
         let floats = self.setting.floats();
         let guess = newton(&self.system, &floats, guess)?;
@@ -112,7 +112,7 @@ impl<S: Varied> Claim<'_, S> {
         let family = self.setting.doubles();
         let bits = f64::MANTISSA_DIGITS;
         let zero = self.certify(&family, &inverse, doubles, (bits, LARGEST));
-        // What doubles prove is the largest domain; where they prove none, it is smaller than they can tell.
+        // Doubles prove the largest domain; where they prove none, it is smaller than they can distinguish.
         let largest = zero.as_ref().map_or(SMALL, |zero| zero.domain[0].rad());
         let best = zero.and_then(|zero| self.point(&family, &zero, bits, S::is_physical));
         match best {
@@ -139,7 +139,7 @@ impl<S: Varied> Claim<'_, S> {
         krawczyk::prove(&equations, inverse, &guess, effort)
     }
 
-    /// What a proved zero is.
+    /// Returns the bifurcation at a proved zero; `None` where its orbit is not proved.
     fn point<N: Enclosing + Turning>(
         &self,
         family: &Family<S, N>,
@@ -199,7 +199,7 @@ impl<S: Varied> Claim<'_, S> {
         })
     }
 
-    /// Whether the widths are those requested: the parameter's relative to itself.
+    /// Returns whether the widths are those requested: the parameter's relative to itself.
     fn is_narrow<N: Enclosing>(&self, at: &[N], speed: f64, velocities: &[N]) -> bool {
         // A radius is half of a width.
         let asked = self.precision.log2_width() - 1.0;

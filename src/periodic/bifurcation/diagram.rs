@@ -23,7 +23,7 @@ pub struct DiagramSettings {
 /// A change of sign where no bifurcation could be proved.
 #[derive(Clone, Debug)]
 pub struct Unproved {
-    /// What it may be.
+    /// The kind of bifurcation that it may be.
     pub kind: Kind,
     /// Near which value of what [`Point::parameter`] encloses; nothing is certain about it.
     pub near: f64,
@@ -31,7 +31,7 @@ pub struct Unproved {
     pub word: Word,
 }
 
-/// Where a followed branch ends.
+/// The end of a followed branch.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum End {
     /// The range of the parameter ends.
@@ -53,13 +53,13 @@ pub struct Branch {
     pub word: Word,
     /// Their cycles.
     pub cycles: u32,
-    /// Whether they are their own mirror images.
+    /// `true` if they are their own mirror images.
     pub symmetric: bool,
     /// Least and greatest value of what [`Point::parameter`] encloses, about.
     pub range: [f64; 2],
     /// Its ends.
     pub ends: [End; 2],
-    /// Whether it is proved to be one curve all the way, each orbit of it the only one near it (Lemma Y6).
+    /// `true` if it is proved to be one curve all the way, each orbit of it the only one near it (Lemma Y6).
     pub is_proved: bool,
 }
 
@@ -69,11 +69,11 @@ pub struct Diagram {
     pub(super) parameter: Parameter,
     /// The bifurcations proved, in the order of the parameter.
     pub points: Vec<Point>,
-    /// Where something changes sign but nothing could be proved.
+    /// The changes of sign of which nothing could be proved.
     pub unproved: Vec<Unproved>,
     /// The branches followed.
     pub branches: Vec<Branch>,
-    /// Whether it was interrupted before all branches were followed and all points proved.
+    /// `true` if it was interrupted before all branches were followed and all points proved.
     pub interrupted: bool,
 }
 

@@ -12,7 +12,7 @@ use crate::pair::{ImpactPair, Reduced};
 use crate::several::{Harmonics, Partial, Rates, Turning};
 use crate::shaken::{SeveralHarmonics, Sum};
 
-/// What varies along a branch, without units.
+/// The quantity that varies along a branch, without units.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Unknown {
     /// `A_k/d` of one harmonic.
@@ -25,10 +25,10 @@ pub(super) enum Unknown {
 
 /// The excitation, as a parameter of it varies.
 pub(super) trait Varied: Chained {
-    /// What shakes a pair; `None` where it is of another kind, or beyond what exact expressions or doubles hold.
+    /// Returns the excitation of a pair; `None` where it is of another kind, or beyond what exact expressions or doubles hold.
     fn of(pair: &ImpactPair) -> Option<Self>;
 
-    /// Whether none of what does not vary is an interval of values.
+    /// Returns whether none of what does not vary is an interval of values.
     fn is_point(&self, unknown: Unknown) -> bool;
 
     /// The parameters at a value of the unknown. In `base`, where it is [`Unknown::Ratios`], stand the amplitudes over that of the
@@ -92,7 +92,7 @@ impl Varied for OneHarmonic {
         base.map(|x| Jet::constant(x.clone()))
     }
 
-    /// Where `cos th` is the drift over the greatest speed of the box.
+    /// The phases at which `cos th` is the drift over the greatest speed of the box.
     fn summits(pair: &Reduced<f64>, flight: &Leg<f64>, from: &(f64, f64), start: f64) -> Vec<(f64, f64)> {
         let q = flight.drift / pair.beta;
         if q.abs() > 1.0 || flight.time > MOST_TURNS {
@@ -144,7 +144,7 @@ impl Varied for SeveralHarmonics {
         Sum { harmonics: Harmonics { terms, rates: Rates::UNKNOWN }, restitution: constant(&base.restitution) }
     }
 
-    /// Where the velocity changes its sign, seen from piece to piece.
+    /// The phases at which the velocity changes its sign, found piece by piece.
     fn summits(sum: &Sum<f64>, flight: &Leg<f64>, from: &Moment<Self, f64>, start: f64) -> Vec<(f64, f64)> {
         if flight.time > MOST_TURNS {
             return Vec::new();

@@ -1,4 +1,4 @@
-//! Floating point follows a branch through its folds to its end and note where something changes sign. Non-rigorous.
+//! Floating point follows a branch through its folds to its end and notes where something changes sign. Non-rigorous.
 
 // Labels: proposes throughout.
 
@@ -7,7 +7,7 @@ use super::ring::Ring;
 use super::trace::{Nearest, Station, Tests, correct};
 use crate::watch::Watch;
 
-/// What may happen on a branch.
+/// An event on a branch.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Change {
     /// It turns back: an eigenvalue 1.
@@ -22,7 +22,7 @@ pub(super) enum Change {
     Join,
 }
 
-/// Why a branch is followed no further.
+/// The reason why a branch is followed no further.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Stop {
     /// The parameter leaves its range.
@@ -41,7 +41,7 @@ pub(super) enum Stop {
 #[derive(Clone, Debug)]
 pub(super) struct Path {
     pub stations: Vec<Station>,
-    /// What changes, and near where.
+    /// The changes, each with the phases and the parameter near it.
     pub changes: Vec<(Change, Vec<f64>)>,
     pub stop: Stop,
 }
@@ -52,12 +52,12 @@ const MOST_STATIONS: usize = 20_000;
 const LONGEST: f64 = 0.01;
 const SHORTEST: f64 = 1e-10;
 const OF_RANGE: f64 = 0.01;
-/// Cosines of the angle between tangents: at least so much, and so much for a longer step.
+/// The least cosine of the angle between tangents, and the least for a longer step.
 const STRAIGHT: f64 = 0.99;
 const STRAIGHTER: f64 = 0.998;
 /// Parts that the way to a change of sign is cut into, one after the other: a third of them are halves.
 const HALVINGS: u32 = 24;
-/// How near to its half a ring is at a forcing period that is a meeting.
+/// Distance of a ring from its half, in forcing periods, within which a turn of the branch is taken for the meeting with the branch of its half.
 const TOGETHER: f64 = 1e-3;
 
 /// Follows the branch from a station the way of its tangent until the watch stops it.
@@ -152,7 +152,7 @@ fn note<S: Varied>(
     false
 }
 
-/// Where a test changes sign between two stations, by halving and secants.
+/// Returns the station at which a test changes sign between two stations, by halving and secants.
 fn locate<S: Varied>(
     ring: &Ring,
     family: &Family<S, f64>,
@@ -168,7 +168,7 @@ fn locate<S: Varied>(
         let chord: Vec<f64> = a.x.iter().zip(&b.x).map(|(a, b)| b - a).collect();
         let guess: Vec<f64> = a.x.iter().zip(&chord).map(|(a, c)| part.mul_add(*c, *a)).collect();
         let corrected = correct(ring, family, &guess, &chord);
-        // Where branches meet, nothing can be corrected any more.
+        // Where branches meet, corrections fail.
         let Some(middle) = corrected.and_then(|x| Station::new(ring, family, x, &a.tangent)) else { break };
         let (from, to) = if test(&middle.tests) * at_a > 0.0 { (middle, b) } else { (a, middle) };
         (a, b) = (from, to);
@@ -176,7 +176,7 @@ fn locate<S: Varied>(
     if test(&a.tests).abs() < test(&b.tests).abs() { a } else { b }
 }
 
-/// Whether the way from one station to the next passes the first one.
+/// Returns whether the way from one station to the next passes the first one.
 fn is_back(first: &Station, a: &Station, b: &Station) -> bool {
     let chord: Vec<f64> = a.x.iter().zip(&b.x).map(|(a, b)| b - a).collect();
     let square: f64 = chord.iter().map(|c| c * c).sum();

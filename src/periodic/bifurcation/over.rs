@@ -38,9 +38,9 @@ pub fn is_parameter(range: &Range) -> bool {
 pub(super) struct Parameter {
     pub pair: ImpactPair,
     pub over: Range,
-    /// What varies without units; `None` where nothing does.
+    /// The quantity without units that varies; `None` where none does.
     pub unknown: Option<Unknown>,
-    /// What other terms add to an amplitude.
+    /// The total amplitude of the other terms of the harmonic, if there are any.
     others: Option<Exact>,
 }
 
@@ -48,7 +48,7 @@ impl Parameter {
     /// Returns the parameter of a pair.
     ///
     /// # Errors
-    /// When an end of the range is not in that of the parameter, it is none of the pair, or no branch goes on over it.
+    /// If an end of the range is not in that of the parameter, it is none of the pair, or no branch goes on over it.
     pub fn new(pair: &ImpactPair, over: &Range) -> Result<Self, Error> {
         pair.with(over.key, over.low.clone())?;
         let high = pair.with(over.key, over.high.clone())?;
@@ -67,7 +67,7 @@ impl Parameter {
         Ok(Self { pair: pair.clone(), over: over.clone(), unknown, others })
     }
 
-    /// Where the scene file has it, or the list of its terms.
+    /// Returns the key of the scene file that has it, or the list of its terms.
     fn place(&self) -> &'static str {
         match self.over.key {
             Key::Gap => "pair.gap",
@@ -79,15 +79,15 @@ impl Parameter {
     /// Returns the pair at a value of the parameter.
     ///
     /// # Errors
-    /// When the value is not in its range.
+    /// If the value is not in its range.
     pub fn pair_at(&self, value: Exact) -> Result<ImpactPair, Error> {
         self.pair.with(self.over.key, value)
     }
 
-    /// Returns a pair that has all but what varies, expressed as [`Varied::at`](super::family::Varied::at) takes it.
+    /// Returns a pair that has all but the quantity that varies, expressed as [`Varied::at`](super::family::Varied::at) takes it.
     ///
     /// # Errors
-    /// When the amplitude of the largest of several harmonics may be 0.
+    /// If the amplitude of the largest of several harmonics may be 0.
     pub fn base(&self) -> Result<ImpactPair, Error> {
         let is_one = self.pair.excitation().only().is_some();
         let value = if self.over.key == Key::Gap && !is_one { self.largest() } else { &self.over.high };
@@ -101,7 +101,7 @@ impl Parameter {
         amplitudes.max_by(|a, b| size(a).total_cmp(&size(b))).expect("an excitation has a term")
     }
 
-    /// Returns what varies without units at a value of the parameter.
+    /// Returns the quantity without units that varies, at a value of the parameter.
     ///
     /// # Errors
     /// If it exceeds the range of exact expressions.
@@ -115,10 +115,10 @@ impl Parameter {
         within(self.place(), value, ratio())
     }
 
-    /// Returns the parameter from what varies without units, as far as the ends of a ball tell, and the pair with it.
+    /// Returns the parameter from the quantity without units, within the bounds that the ends of a ball give, and the pair with it.
     ///
     /// # Errors
-    /// If it exceeds the range of exact expressions, or not in its range.
+    /// If it exceeds the range of exact expressions, or is not in its range.
     pub fn in_units(&self, ratio: &Enclosure, bits: u32) -> Result<(Enclosure, ImpactPair), Error> {
         let value = |ratio: &Exact| -> Result<Exact, ExactError> {
             match (self.over.key, &self.others) {
@@ -138,10 +138,10 @@ impl Parameter {
         Ok((hull, self.pair_at(all?)?))
     }
 
-    /// Returns what varies without units, in doubles.
+    /// Returns the quantity without units that varies, in doubles.
     ///
     /// # Errors
-    /// When it is beyond doubles.
+    /// If it is beyond doubles.
     pub fn in_doubles(&self, value: &Exact) -> Result<f64, Error> {
         Ok(ball(self.place(), &self.without_units(value)?)?.mid())
     }
@@ -149,7 +149,7 @@ impl Parameter {
     /// Returns the ends of the range without units, in doubles, the smaller one first.
     ///
     /// # Errors
-    /// When one is beyond doubles.
+    /// If one is beyond doubles.
     pub fn ends(&self) -> Result<[f64; 2], Error> {
         let (a, b) = (self.in_doubles(&self.over.low)?, self.in_doubles(&self.over.high)?);
         Ok([a.min(b), a.max(b)]) // proposes

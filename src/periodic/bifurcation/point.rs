@@ -32,7 +32,7 @@ impl Kind {
 /// A bifurcation, proved.
 #[derive(Clone, Debug)]
 pub struct Point {
-    /// Which one.
+    /// The kind of the bifurcation.
     pub kind: Kind,
     /// `A/d` of the harmonic that varies, of the largest where `d` does, or `e`: exactly one such point of the branch lies in here
     /// with this orbit.
@@ -45,7 +45,7 @@ pub struct Point {
     pub period: u32,
     /// The impacts of the orbit.
     pub impacts: Vec<PeriodicImpact>,
-    /// Whether the orbit is its own mirror image.
+    /// `Some(true)`: the orbit is its own mirror image; `Some(false)`: it is not; `None`: undecided.
     pub symmetric: Option<bool>,
     /// The rest about it; `None` where an impact is the graze, whose Jacobian (A.7) has no bound.
     pub orbit: Option<PeriodicOrbit>,
@@ -53,7 +53,7 @@ pub struct Point {
     pub doublings: u32,
     /// The bits it was proved with.
     pub bits: u32,
-    /// Whether the bounds are as narrow as requested.
+    /// `true` if the bounds are as narrow as requested.
     pub is_narrow: bool,
     /// Bounds of the unknowns of its equations.
     pub(super) zero: Vec<Enclosure>,

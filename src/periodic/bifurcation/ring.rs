@@ -21,7 +21,7 @@ impl Ring {
         Self { unknowns: chain.impacts(), chain }
     }
 
-    /// Only its symmetric orbits, where it can have some.
+    /// Returns the symmetric orbits of a chain, where it can have some.
     pub fn mirrored(chain: &Chain) -> Option<Self> {
         let (walls, half) = (chain.walls(), chain.impacts() / 2);
         let folds = chain.impacts() == 2 * half && (0..half).all(|i| walls[i + half] == walls[i].other());
@@ -65,7 +65,7 @@ impl Ring {
         self.unknowns
     }
 
-    /// Returns whether it tells symmetric orbits only.
+    /// Returns whether it holds symmetric orbits only.
     pub fn is_mirrored(&self) -> bool {
         self.unknowns < self.chain.impacts()
     }

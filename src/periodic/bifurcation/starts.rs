@@ -1,4 +1,4 @@
-//! Where branches begin: orbits of the word at values spread over the range. Non-rigorous.
+//! Starts of branches: orbits of the word at values spread over the range. Non-rigorous.
 
 // Labels: proposes throughout.
 
@@ -30,7 +30,7 @@ pub(super) struct Seed {
 /// are found before the watch stops it.
 ///
 /// # Errors
-/// When the range goes beyond what the parameter may be.
+/// If the range goes beyond the values that the parameter may have.
 pub(super) fn seeds<S: Varied>(
     chain: &Chain,
     (parameter, start): (&Parameter, &Start),
@@ -83,7 +83,7 @@ fn fold(ring: Ring, x: Vec<f64>) -> Seed {
     }
 }
 
-/// Whether both are one orbit or mirror images, measured from whichever impact. Its chain may be the half of the other's.
+/// Returns whether both are one orbit or mirror images, from whichever impact on. The chain of `one` may be the half of that of `other`.
 pub(super) fn is_same(chain: &Chain, one: &[f64], other: &[f64]) -> bool {
     let doubled: Vec<f64>;
     let one = if one.len() < other.len() && other.len().is_multiple_of(one.len()) {

@@ -19,7 +19,7 @@ pub(super) struct Station {
     pub tests: Tests,
 }
 
-/// What changes sign at a bifurcation.
+/// The quantities that change sign at a bifurcation.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Tests {
     /// `det F'_{-1}` (39).
@@ -30,7 +30,7 @@ pub(super) struct Tests {
     pub room: Nearest,
     /// The least speed of an arrival, and which.
     pub arrival: (f64, usize),
-    /// How far the ring is from its half: 0 where it runs through it twice.
+    /// Distance of the ring from its half, in forcing periods: 0 where it runs through it twice.
     pub apart: f64,
 }
 
@@ -168,7 +168,7 @@ impl Tests {
     }
 }
 
-/// How far phases are from repeating after half the forcing periods.
+/// Greatest difference of a phase from its repetition after half the forcing periods, in forcing periods.
 fn asymmetry(phases: &[f64], turns: f64) -> f64 {
     let half = phases.len() / 2;
     (0..half).map(|i| (phases[i + half] - phases[i] - turns).abs()).fold(0.0, f64::max)

@@ -23,7 +23,7 @@ pub(super) struct Tube<'t, S: Varied, N: Turning> {
     pub steps: u32,
     /// Added to the radii of the first box that is tried, and a tenth of it to those of the others.
     pub pad: f64,
-    /// What else has to hold on the domain of a slab.
+    /// The condition that also has to hold on the domain of a slab.
     pub holds: &'t dyn Fn(&[N]) -> bool,
     pub watch: &'t dyn Watch,
 }
@@ -46,7 +46,7 @@ const END_IMAGES: u32 = 40;
 const END_GAIN: f64 = 0.25;
 /// Halvings of the way between two stations.
 const MOST_HALVINGS: u32 = 12;
-/// How far a slab reaches beyond its two stations, in parts of the way between them.
+/// Overlap of a slab beyond each of its two stations, in parts of the way between them.
 const OVERLAP: f64 = 0.02;
 
 impl Shape for Slab<'_> {
@@ -88,7 +88,7 @@ pub(super) struct Proof<N> {
 }
 
 impl<N: Enclosing + Turning> Proof<N> {
-    /// Whether points of the curve lie in the proved part of the slab: then they are on its curve.
+    /// Returns whether points of the curve are proved to lie in the proved part of the slab: then they are on its curve.
     pub fn holds(&self, points: &[N]) -> bool {
         let add = |sum: N, ((a, c), x): ((&f64, &f64), &N)| N::from_f64(*a).mul_add(x.clone() - N::from_f64(*c), sum);
         let t = self.along.iter().zip(&self.base).zip(points).fold(N::from_f64(0.0), add);
@@ -194,7 +194,7 @@ impl<S: Varied, N: Enclosing + Turning> Tube<'_, S, N> {
 /// Radii added to boxes of the slabs of a branch in doubles.
 const PAD: f64 = 1e-12;
 
-/// Whether the stations' branch is proved to be one curve of orbits, each the only one near it, unless the watch stops it. Lemma Y6
+/// Returns whether the stations' branch is proved to be one curve of orbits, each the only one near it, unless the watch stops it. Lemma Y6
 pub(super) fn is_one_curve<S: Varied>(
     ring: &Ring,
     (floats, family): (&Family<S, f64>, &Family<S, Ball>),
@@ -216,7 +216,7 @@ pub(super) fn is_one_curve<S: Varied>(
     tube.follow(&stations).is_some()
 }
 
-/// Whether all flights over a box of phases and a parameter take time.
+/// Returns whether all flights over a box of phases and a parameter are proved to take time.
 pub(super) fn take_time<S: Varied, N: Enclosing + Turning>(ring: &Ring, family: &Family<S, N>, x: &[N]) -> bool {
     let flown = || {
         let (p, phases) = x.split_last()?;

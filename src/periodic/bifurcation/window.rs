@@ -25,13 +25,13 @@ use crate::watch::Watch;
 /// An end of a window, proved.
 #[derive(Clone, Debug)]
 pub struct WindowEnd {
-    /// What happens there.
+    /// The bifurcation there.
     pub point: Point,
     /// The value of the parameter, in the units of the scene.
     pub parameter: Enclosure,
 }
 
-/// Why no stable orbit is proved near a seed.
+/// The reason why no stable orbit is proved near a seed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum NoWindow {
     /// The seed is no periodic orbit of a word.
@@ -70,16 +70,16 @@ impl NoWindow {
 pub struct Window {
     /// The value of the parameter, in the units of the scene.
     pub at: Exact,
-    /// What it is an orbit of, at this value.
+    /// The problem that it is an orbit of, at this value.
     pub problem: Problem,
     /// The orbit at this value.
     pub orbit: PeriodicOrbit,
     /// The ends in the order of the parameter; `None` where one is not proved.
     pub ends: [Option<WindowEnd>; 2],
-    /// Whether for each value between the bounds of the ends a stable orbit of the word is proved, each flight to its first contact, all on one
-    /// curve, which leads through `orbit` from one end to the other.
+    /// `true` if for each value between the bounds of the ends a stable orbit of the word is proved, each flight to its first contact,
+    /// all on one curve, which leads through `orbit` from one end to the other.
     pub is_stable_between: bool,
-    /// Why that is not proved, if it is not.
+    /// The reason why that is not proved, if it is not.
     pub reason: Option<&'static str>,
 }
 
@@ -226,7 +226,7 @@ impl Proving<'_> {
         Ok(Ok((problem, orbit)))
     }
 
-    /// The ends in the order of the parameter; where one is not proved, as far as floating point tells, at `about`.
+    /// The ends in the order of the parameter; where one is not proved, in that of the floating-point values `about`.
     fn ends(&self, points: [Option<Point>; 2], about: [f64; 2]) -> Result<[Option<WindowEnd>; 2], Error> {
         let end = |point: Option<Point>| -> Result<Option<WindowEnd>, Error> {
             let Some(point) = point else { return Ok(None) };

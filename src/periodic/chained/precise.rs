@@ -10,9 +10,9 @@ use crate::number::{Ball, Enclosing, MpBall};
 use crate::pair::{Inward, Reduced};
 use crate::shaken::{Flying, OneHarmonic};
 
-/// What proofs of chains need of a pair in balls of any precision.
+/// The operations on a pair in balls of any precision that proofs of its chains need.
 pub(in super::super) trait ChainedPrecisely: Flying {
-    /// Whether each flight is proved to end at its first contact, where doubles leave it open. Lemma T5
+    /// Returns whether each flight is proved to end at its first contact, where doubles leave it open. Lemma T5
     fn is_physical_precisely(
         &self,
         shaking: &Self::In<MpBall>,
@@ -34,7 +34,7 @@ impl ChainedPrecisely for OneHarmonic {
     }
 }
 
-/// Whether the first contact of a flight is its end. Lemma T5
+/// Returns whether the first contact of a flight is its end; `None` if undecided. Lemma T5
 fn is_first_in_balls(bounds_of_pair: &PairBounds, pair: &Reduced<MpBall>, claim: &Claim<MpBall>) -> Option<bool> {
     if !claim.arrives()? {
         return Some(false);

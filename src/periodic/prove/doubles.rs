@@ -17,7 +17,7 @@ impl Problem {
         best
     }
 
-    /// Whether a guess settles on a known orbit in more than doubles: none does.
+    /// Returns whether a guess settles on a known orbit in more than doubles: none does.
     pub(in super::super) fn settles_on_known<S: Chained>(&self, _: &S, _: &[f64], _: &[PeriodicOrbit]) -> bool {
         false
     }

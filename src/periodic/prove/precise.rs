@@ -47,7 +47,7 @@ impl Problem {
             if let Some(finding) = finding {
                 let [phase, _] = finding.widths();
                 narrow = is_narrow(shaken, &finding, precision);
-                // Where more bits do not narrow, still more will not.
+                // If more bits do not narrow, still more will not.
                 if phase >= last {
                     break;
                 }
@@ -66,7 +66,7 @@ impl Problem {
         best
     }
 
-    /// Whether a guess, polished in more than doubles, lies where a known orbit is the only one: asked where an orbit is known
+    /// Returns whether a guess, polished in more than doubles, lies where a known orbit is the only one: asked where an orbit is known
     /// that doubles did not prove, near a bifurcation, to which Newton's iteration in floating point comes no nearer than to many points.
     pub(in super::super) fn settles_on_known<S: Chained>(
         &self,

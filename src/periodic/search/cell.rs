@@ -24,7 +24,7 @@ const MOST_UNDECIDED: usize = 64;
 /// A box is halved at the phase that the equations determine least if that is as wide as that, relative to the widest.
 const WIDE: f64 = 0.5;
 
-/// What is searched for, and how.
+/// The problem of a search, and its settings.
 pub(super) struct Task<'p, S> {
     pub problem: &'p Problem,
     pub shaken: &'p S,
@@ -34,7 +34,7 @@ pub(super) struct Task<'p, S> {
     pub narrowest: f64,
     /// Orbits known before.
     pub known: &'p [PeriodicOrbit],
-    /// What may stop the search.
+    /// Asked whether the search goes on.
     pub watch: &'p dyn Watch,
 }
 
@@ -133,7 +133,7 @@ impl<'t, 'p, S: Chained> Cell<'t, 'p, S> {
         }
     }
 
-    /// Whether the part lies where a known orbit is the only one; if not, and if asked, looks for an orbit.
+    /// Returns whether the part lies where a known orbit is the only one; if none is known and `looks` is set, an orbit is searched for first.
     fn is_known(&mut self, part: &Part, looks: bool) -> bool {
         let balls: Vec<Ball> = part.phases.iter().map(|&x| x.into()).collect();
         let whole = Proved { domain: balls.clone(), at: balls };
@@ -163,7 +163,7 @@ impl<'t, 'p, S: Chained> Cell<'t, 'p, S> {
         self.task.problem.prove_beside(&phases, self.task.precision, known)
     }
 
-    /// What is said of a part that stays open.
+    /// Returns the region of a part that stays undecided.
     fn region(&self, part: &Part, reason: Reason) -> Region {
         let chain = self.terms.chain;
         let enclosure = |x: Interval| Enclosure::from_f64_bounds(x.inf(), x.sup()).expect("finite intervals");

@@ -76,7 +76,7 @@ impl Harmonic {
         self.beta * self.rate(time).sinc() * self.phase(middle).cos()
     }
 
-    /// What it adds to `-w/h` and `-v/h` of a hop. Lemma T9
+    /// Returns its terms in `-w/h` and `-v/h` of a hop. Lemma T9
     fn hop(&self, time: Interval, middle: Interval) -> [Interval; 2] {
         let (time, middle) = (self.rate(time), self.phase(middle));
         let quarter = time.scaled(0.25);
@@ -97,7 +97,7 @@ pub(super) struct Part {
     pub speeds: Vec<Interval>,
 }
 
-/// Anything.
+/// All numbers.
 const ALL: Interval = Interval::new(f64::MIN, f64::MAX);
 /// Fractions of a flight at which the ball has to be in the gap.
 const LOOKS: [f64; 5] = [0.1, 0.3, 0.5, 0.7, 0.9];
@@ -133,7 +133,7 @@ impl<'c> Terms<'c> {
         relative.max(self.restitution.wid()) // proposes
     }
 
-    /// What all harmonics do.
+    /// Returns the sum of a function over all harmonics; `None` if there are none.
     fn sum(harmonics: &[Harmonic], of: impl Fn(&Harmonic) -> Interval) -> Option<Interval> {
         harmonics.iter().map(of).reduce(|a, b| a + b)
     }
@@ -293,7 +293,7 @@ impl<'c> Terms<'c> {
         Some(())
     }
 
-    /// The signs of `w_i/h_i` and `v_{i+1}/h_i`, told away from the walls: a hop of no time has them, too.
+    /// The signs of `w_i/h_i` and `v_{i+1}/h_i`, positive away from the walls: a hop of no time has them, too.
     fn cut_ratios(&self, part: &Part, i: usize) -> Option<()> {
         let [after, before] = self.ratios(&part.phases, i, part.times[i]);
         let [from, to] = [i, self.chain.next(i)].map(|impact| self.chain.walls()[impact].sign());

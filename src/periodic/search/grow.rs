@@ -10,7 +10,7 @@ use crate::periodic::chained::Chained;
 
 /// Flights on from a new end at which it is felt.
 const FELT: usize = 3;
-/// How wide the end of a segment is at most, in forcing periods.
+/// Greatest width of the end of a segment, in forcing periods.
 const END: f64 = 1.0 / 16.0;
 
 /// Segments, each of a cell of the first impact and one of the other end, by the number of the latter.
@@ -20,7 +20,7 @@ type Segments = BTreeMap<i64, Vec<Part>>;
 struct Letter {
     /// Its impact, the new end.
     end: usize,
-    /// What is cut anew.
+    /// The flights and impacts that are cut anew.
     stretch: Stretch,
     /// All impacts of the segment but the first one.
     held: Range<usize>,
@@ -121,7 +121,8 @@ fn united(parts: Vec<Part>, held: &Range<usize>) -> Vec<Part> {
 mod tests {
     use super::*;
 
-    /// What is within a unit in the last place of a line is in the cells on its own side: half way between its ends doubles may be on the line.
+    /// An end within a unit in the last place of a line is in the cells on its own side, although the double half way between its bounds
+    /// may be on the line.
     #[test]
     fn r32_an_end_beside_a_line_is_in_the_cell_of_its_members() {
         for line in [END, 1.0, 7.0 * END, 1000.0] {

@@ -65,7 +65,7 @@ impl Problem {
         under!(&self.shaken, shaken => self.search(&**shaken, found.orbits, precision, budget, watch))
     }
 
-    /// How many cells the first phase is searched in.
+    /// Number of cells that the first phase is searched in.
     fn cells(&self) -> u32 {
         CELLS * self.chain.period().min(MOST_PERIODS) // T10: any number of cells
     }
@@ -89,7 +89,7 @@ impl Problem {
         let line = |n: u32| f64::from(n) * f64::from(self.chain.period()) / f64::from(self.cells());
         let mut cells: Vec<_> =
             (0..self.cells()).map(|n| Cell::new(&task, Interval::new(line(n), line(n + 1)))).collect();
-        // What cells leave of the budget is shared among those that have not done.
+        // The budget that cells leave is shared among those that have not done.
         let mut left = budget.boxes;
         loop {
             let mut busy: Vec<_> = cells.iter_mut().filter(|cell| !cell.is_done()).collect();
@@ -112,7 +112,7 @@ impl Problem {
         census
     }
 
-    /// What all cells found, each orbit once, whatever the order that they were searched in.
+    /// Returns the results of all cells, each orbit once, whatever the order that they were searched in.
     fn gathered<S: Chained>(&self, cells: &[Cell<S>], known: &[PeriodicOrbit], precision: Precision) -> Census {
         let mut undecided: Vec<Region> = cells.iter().flat_map(Cell::undecided).collect();
         let mut orbits = known.to_vec();
@@ -131,7 +131,7 @@ impl Problem {
         Census { orbits, exhaustive: undecided.is_empty(), undecided, is_search: true, ..Census::default() }
     }
 
-    /// The orbit of a cell, proved anew to as many digits as it takes to tell whether it is one of those known; `None` where Newton's iteration
+    /// The orbit of a cell, proved anew to as many digits as decide whether it is one of those known; `None` where Newton's iteration
     /// leads from the middles of its phases to what is not proved to be that orbit. Lemma T6
     fn prove_again(
         &self,
@@ -242,7 +242,7 @@ mod tests {
         assert!(one >= 30 && several >= 8, "{one} {several}");
     }
 
-    /// How many orbits chains are seen to hold.
+    /// Returns the number of admissible orbits that guesses lead to, each of which the chains are asserted to hold.
     fn held_by_chains<S: Chained>(problem: &Problem, shaken: &S) -> usize {
         let start = Start::on_wall("0".parse().unwrap(), Wall::Left, "-1".parse().unwrap()).unwrap();
         let (word, period) = (&problem.word, f64::from(problem.period()));
@@ -351,8 +351,8 @@ mod tests {
         assert!(census.orbits.len() == 1 && census.orbits.iter().all(is_found));
     }
 
-    /// What a search finds does not depend on who searches which cell when, and a search that is ended says so and keeps what is
-    /// proved.
+    /// The result of a search does not depend on the order in which threads search the cells, and a search that is ended says so and
+    /// keeps what is proved.
     #[test]
     fn searches_repeat_and_may_be_ended() {
         let start = Start::on_wall("0".parse().unwrap(), Wall::Left, "-1".parse().unwrap()).unwrap();

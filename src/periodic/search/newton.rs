@@ -25,7 +25,7 @@ pub(super) struct Step {
     pub part: Part,
     /// The phase that the equations determine least, where all of them are unknowns.
     pub weakest: usize,
-    /// Whether the equations determine all their unknowns.
+    /// `true` if the equations determine all their unknowns.
     pub is_regular: bool,
 }
 

@@ -23,7 +23,7 @@ pub(super) struct Isolated {
 }
 
 impl Isolated {
-    /// What was found of flights that start in these phases with this acceleration.
+    /// Returns the contacts `found`, of flights that start in these phases with this acceleration.
     fn new<N: Phased>(found: &Found<N>, rest: Float, time: Ball, phase: Ball, acceleration: Ball) -> Self {
         let near = MpBall::new(rest.clone(), Magnitude::new(found.reach, 0)).to_ball();
         Self {
@@ -52,7 +52,7 @@ impl Isolated {
             let room = state.room(wall);
             let (size, noise) = (room.mag(), room.rad());
             if size <= noise + noise || size >= before {
-                // Half a turn is one time in two ways: tell it as the isolated one is told.
+                // Half a turn can be written in two ways: it is written as the isolated one is.
                 // M3: any instant; it is looked at again
                 let turns = MpBall::from_f64((at.turns - self.turns) as f64);
                 let rest = at.rest.later(&turns);

@@ -21,7 +21,7 @@ pub(super) fn proof(found: &InDoubles, question: &Question, is_narrow: impl Fn(&
 }
 
 impl InDoubles {
-    /// What follows of the zero in more bits.
+    /// Returns the properties that follow from the zero in more bits.
     fn precisely(&self, other: &Exact, bits: u32) -> Option<Proof> {
         let other = MpBall::enclosing(&other.enclose(bits), bits);
         let error = (24.0 - f64::from(bits)).exp2(); // proposes

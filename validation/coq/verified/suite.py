@@ -26,7 +26,7 @@ import texts
 PATIENCE = 120
 SCENES = [Path("scenes"), Path("validation/certificates/scenes")]
 OTHERS = [Path("validation/coq/tests/harmonics.toml")]
-# What is verified in full and in small: scene, options, seconds of processor time accepted.
+# Documents verified in full and in small: scene, options, seconds of processor time accepted.
 SHADOWED = ["--arithmetic", "shadow"]
 SPEED = [("figure-14", ["--impacts", "200"], 1.0), ("figure-14", ["--impacts", "2000"], 15.0), ("figure-14", [*SHADOWED, "--impacts", "1000"], 15.0)]
 # Data that are intervals in the scene of figure 14, and how many impacts.
@@ -115,7 +115,7 @@ class Suite:
 
 
 def is_covered(document):
-    """Whether a theorem covers the outcome and all events; of shadowed orbits those from a wall, with impacts alone."""
+    """True if a theorem covers the outcome and all events; of shadowed orbits those from a wall, with impacts alone."""
     is_shadowed = document["claim"] == "shadowed"
     repeats = not is_shadowed and document["outcome"]["kind"] == "periodic"
     draws = not is_shadowed and document["outcome"]["kind"] == "attracted" and len(document["scene"]["excitation"]["amplitude"]) == 1
@@ -208,7 +208,7 @@ def periodic_orbits(suite, quick):
 
 
 def verified_in_time(suite, document, accepted, kind, scene, data):
-    """What a document is of, the answer and its seconds; it must be verified, in the accepted time."""
+    """The name of a document, the answer and its seconds; it must be verified, in the accepted time."""
     verdict, said, seconds = suite.answer(json.dumps(document).encode())
     if verdict != "verified" or seconds > accepted:
         suite.failures.append(f"{kind} of {scene}: {said}, {seconds:.2f} s, but accepted are {accepted} s")
@@ -281,7 +281,7 @@ def changed(suite, quick):
 
 
 def r43_periods(suite, quick):
-    """How near a shadowed orbit is to the middles of its bounds is given in periods of the fastest harmonic, wherever it stands in the list."""
+    """The distance of a shadowed orbit from the middles of its bounds is in periods of the fastest harmonic, wherever that is listed."""
     least = []
     for order in (1, -1):
         scene = TWO.format(*(json.dumps(values[::order]) for values in (["1/100", "8"], ["3*pi", "pi"])))
@@ -317,7 +317,7 @@ def small_ellipse(suite):
 
 
 def has_another_start(file):
-    """Whether it is a document of `periodic` whose start is what the forger has made false."""
+    """True if it is a document of `periodic` whose start is what the forger has made false."""
     return file.stem.endswith("-periodic-NotJudged") and any(str(value).startswith("(") for value in json.loads(file.read_text())["scene"]["start"].values())
 
 
@@ -371,7 +371,7 @@ def same_as_coq(suite, quick):
 
 
 def asked_by_check(suite):
-    """What `check` confirms `check --verified` answers as the checker does, with its exit code: a graze and a kind that no theorem covers are not verified."""
+    """`check --verified` answers as the checker, with its exit code, on what `check` confirms; a graze, or a kind without theorem, is unverified."""
     describe = [suite.program, "describe", "scenes/figure-12.toml", "--format", "json", "--quiet"]
     described = json.loads(subprocess.run(describe, capture_output=True, text=True, check=True, timeout=PATIENCE).stdout)
     orbit, graze = suite.run("scenes/figure-14.toml", ["--impacts", "3"]), suite.run("scenes/graze.toml", [])
@@ -385,7 +385,7 @@ def asked_by_check(suite):
 
 
 def axioms(suite, quick):
-    """What the theorems rest on; nothing but the axioms of Coq's real numbers is accepted. In small validation/coq/run asks it of one."""
+    """The axioms of the theorems: only those of Coq's real numbers are accepted. In small validation/coq/run asks it of one."""
     if quick:
         return []
     accepted = {"ClassicalDedekindReals.sig_not_dec", "ClassicalDedekindReals.sig_forall_dec",

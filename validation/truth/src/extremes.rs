@@ -4,7 +4,7 @@ use crate::flight::{Flight, Truth, Unresolved};
 use crate::problem::Wall;
 use rug::Float;
 
-/// Where an extreme lies against the wall it points to.
+/// The place of an extreme against the wall it points to.
 enum Reach {
     Inside,
     Outside,
@@ -17,7 +17,7 @@ impl Flight<'_> {
         let alpha = self.critical_phase();
         let rises = direction == Wall::Right;
         // Rising, theta0 is beyond +-alpha and the next maximum is at -alpha mod 2 pi; falling, it is between them and
-        // the next minimum is at alpha. The sign of v+ (not a comparison of phases) has told which.
+        // the next minimum is at alpha. The sign of v+ (not a comparison of phases) has decided which.
         let first_phi = if rises {
             let ahead = if self.theta0 > 0 { self.two_pi.clone() } else { self.float(0) };
             ahead - &alpha - &self.theta0

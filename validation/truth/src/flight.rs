@@ -16,7 +16,7 @@ use crate::root::Piece;
 use rug::float::Constant;
 use rug::{Assign, Float};
 
-/// What becomes of a free flight.
+/// The end of a free flight.
 #[derive(Clone, Debug)]
 pub enum Truth {
     /// The ball meets `wall` at `time` (absolute) with relative velocity `velocity_before`, for the first time.
@@ -28,9 +28,9 @@ pub enum Truth {
         /// y' just before; it points into the wall.
         velocity_before: Float,
     },
-    /// On a wall with v+ = 0 and pressed against it: it stays for a while (how long is not this function's question).
+    /// A rest on a wall with v+ = 0 and a positive contact force: the ball stays for a while (how long is not this function's question).
     Rests,
-    /// No contact, ever: the ball neither drifts (c = 0, or not to be told from 0 with inputs of P bits) nor reaches.
+    /// No contact, ever: the ball neither drifts (c = 0, or not distinguished from 0 with inputs of P bits) nor reaches.
     Never,
     /// Not decidable by this truth: near `time` (absolute) the ball comes within 2^-(3P/4) max(d, A) of touching a
     /// wall tangentially, or meets it too slowly.
@@ -40,13 +40,13 @@ pub enum Truth {
     },
 }
 
-/// How a flight begins.
+/// The beginning of a flight.
 enum Heading {
-    /// It first moves towards this wall.
+    /// The ball first moves towards this wall.
     Towards(Wall),
     /// v+ = 0 with theta0 = 0 or pi, as far as P bits tell: released, y''' moves it monotonely towards this wall.
     Released(Wall),
-    /// Pressed against its wall.
+    /// The ball is held on its wall.
     Rests,
     /// A = 0 and v+ = 0, inside.
     Floats,

@@ -56,7 +56,7 @@ fn moved(decimal: &str, n: &Integer) -> String {
     format!("{}e{power}", mantissa + n)
 }
 
-/// How many units of its last place lie between a bound and the truth.
+/// Number of whole units of its last place that lie between a bound and the truth.
 fn units_to(decimal: &str, truth: &Float) -> Integer {
     let (mantissa, power) = units(decimal);
     let unit = Rational::from(Integer::from(10).pow(power.unsigned_abs()));

@@ -47,7 +47,7 @@ fn equispaced(scene: &Scene, n: u64, impacts: usize) -> Vec<Contact> {
         .collect()
 }
 
-/// How many impacts the library certifies, all of them on the closed form.
+/// Number of impacts that the library certifies, all of them on the closed form.
 fn certified(scene: &Scene, n: u64, impacts: usize) -> usize {
     let mut orbit = scene.orbit(impacts as u64).unwrap_or_else(|error| panic!("{error}: {scene:?}"));
     let found: Vec<Impact> = orbit.by_ref().collect();

@@ -10,7 +10,7 @@ use rug::float::Constant;
 
 const BITS: u32 = 512;
 
-/// With W = 2 pi and drift pi A a ball that starts at `y0` with `y' = -pi A` comes nearest to the right wall at
+/// A scene near a graze: with W = 2 pi and drift pi A a ball that starts at `y0` with `y' = -pi A` comes nearest to the right wall at
 /// `t = 5/6`, where `y = y0 + A (5 pi/6 + sqrt(3)/2)`. This one passes the wall by `depth` (or misses it); with
 /// `mirrored` the left wall.
 fn scene(amplitude: f64, restitution: &str, depth: &str, mirrored: bool) -> Scene {

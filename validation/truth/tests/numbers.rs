@@ -1,4 +1,4 @@
-//! What the scenes of the reference simulator are read from.
+//! Numbers that the scenes of the reference simulator are read from.
 
 use std::panic::catch_unwind;
 

@@ -1,4 +1,4 @@
-//! Where random starts go, by a simulator of its own in bisected doubles, and where a global analysis says that every motion goes.
+//! The ends of motions from random starts, by an independent simulator in bisected doubles, compared with those of a global analysis.
 
 use std::f64::consts::{PI, TAU};
 
@@ -53,7 +53,7 @@ struct Simulator {
     restitution: f64,
 }
 
-/// What comes next.
+/// The next event of a motion.
 enum Next {
     Impact([f64; 2]),
     Rests,
@@ -111,14 +111,14 @@ impl Simulator {
     }
 }
 
-/// Where a motion is in the end.
+/// The end of a motion.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 enum End {
-    /// At an attractor, by its place among the components.
+    /// The motion is at an attractor, by its place among the components.
     At(usize),
-    /// It is near none of them.
+    /// The motion is near none of them.
     Elsewhere,
-    /// It was not followed to the end.
+    /// The motion was not followed to the end.
     Lost,
 }
 

@@ -98,12 +98,12 @@ fn random_corners_are_the_same_in_every_arithmetic() {
         impacts += autos[0].len();
         least += runs[0].len();
         for run in autos {
-            // How much of a chatter is listed depends on the digits asked for.
+            // The number of listed impacts of a chatter depends on the digits requested.
             assert!(run.rests || run.len() >= runs[0].len(), "{:?} {}: {scene:?}", run.kind, run.len());
             let same = (run.len(), run.end()) == (autos[0].len(), autos[0].end());
             assert!(run.rests || autos[0].rests || same, "{:?}: {scene:?}", run.kind);
         }
-        // What auto leaves open the truth does, too: the ball rests, never meets a wall again, or in 2^52 turns.
+        // Motions that auto leaves open the truth does, too: the ball rests, never meets a wall again, or in 2^52 forcing periods.
         if let Outcome::Undecided { reason, .. } = autos[0].outcome() {
             let truth = scene.truth(2048, [0.0; 5], autos[0].len() + 1);
             let goes_on = truth.len() > autos[0].len();
@@ -242,7 +242,7 @@ fn whole_periods_before_the_start_change_nothing() {
     }
 }
 
-/// Whether a start there may have a velocity to the right.
+/// Returns whether a start has its velocity to the right here: on the right wall, and nowhere else.
 fn place_sign(place: &At) -> bool {
     matches!(place, At::Wall(Wall::Right))
 }
@@ -374,8 +374,8 @@ fn releases_are_decided_in_every_arithmetic() {
     }
 }
 
-/// What no precision decides costs little: a ball that grazes its wall once a turn for ever (the paper's model II), and
-/// a drift that takes more than 2^52 turns to cross the gap.
+/// Motions that no precision decides cost little: a ball that grazes its wall once in each forcing period for ever (the paper's model II), and
+/// a drift that takes more than 2^52 forcing periods to cross the gap.
 #[test]
 fn what_no_precision_decides_costs_little() {
     let scene = |tau: &str, time: &str| Scene {

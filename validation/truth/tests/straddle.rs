@@ -23,7 +23,7 @@ const ARITHMETICS: [Arithmetic; 5] =
 /// More than an `auto` of N bits takes: a start that does is shown.
 const SLOW: Duration = Duration::from_secs(2);
 
-/// How often each judgement was found in each family.
+/// Number of times that each verdict was found in each family.
 type Counts = BTreeMap<(&'static str, Judgement), usize>;
 
 fn print(counts: &Counts) {

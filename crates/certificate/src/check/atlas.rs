@@ -1,4 +1,4 @@
-//! Whether the points of an atlas are right: the global analysis of each is proved again (Lemma V25), or of each cell, and its stable orbits
+//! Check of an atlas: the global analysis of each point (Lemma V25), or of each cell, is proved again, and so are its stable orbits
 //! (Lemma V38).
 
 use super::chaos::{are_distinct, has_stable_orbit};
@@ -13,7 +13,7 @@ impl AtlasCertificate {
     /// receives the points checked so far.
     ///
     /// # Errors
-    /// When a scene's values are beyond the range of exact expressions, and with several harmonics.
+    /// Returns an error if a scene's values are beyond the range of exact expressions, or if it has several harmonics.
     pub fn check_within(&self, effort: &Effort, watch: &dyn Watch) -> Result<Verdict, Error> {
         Ok(self.judge_within(effort, watch)?.0)
     }
@@ -39,7 +39,7 @@ impl AtlasCertificate {
 }
 
 impl Part {
-    /// Where every motion goes is as claimed, and the stable orbits are there.
+    /// Proves again that every motion goes where it is claimed to go, and that the stable orbits exist.
     fn judged(&self, effort: &Effort, watch: &dyn Watch) -> Result<Verdict, Error> {
         let mut confirmed = Verdict::Confirmed { bits: f64::MANTISSA_DIGITS, pieces: 1 };
         if self.global.claims_something() {

@@ -73,7 +73,7 @@ pub(super) fn widest_datum(mut round: Round<'_>, guess: [Real; 2]) -> Option<usi
     last.phase.widest().or(last.velocity.widest())
 }
 
-/// Whether a motion converges to an orbit.
+/// The claim that a motion converges to a periodic orbit, with the impacts that it is proved from.
 struct Convergence<'c> {
     claim: &'c Attraction,
     target: Target<'c>,
@@ -81,7 +81,7 @@ struct Convergence<'c> {
 }
 
 impl Convergence<'_> {
-    /// Whether it does so for all data of a piece.
+    /// Proves the convergence for all data of a piece.
     fn answer(&self, piece: &Piece) -> Result<(), Doubt> {
         let frame = Frame::new(self.target.data, piece, BITS);
         let mut answer = Err(Doubt::open("the motion is not proved to follow the word at its end"));

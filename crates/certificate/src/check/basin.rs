@@ -27,7 +27,7 @@ pub(super) struct Contraction {
     pub landings: Vec<Landing>,
     /// Encloses `T^-1 DP T` over the ellipse.
     pub derivative: Matrix,
-    /// What distances are multiplied by at most, where an ellipse's radius is 1.
+    /// Greatest factor by which distances are multiplied, with the ellipse's radius as the unit.
     factor: Real,
     /// Displacement of the centre.
     moved: Real,
@@ -125,7 +125,7 @@ impl Contraction {
         is_inside(&self.factor, &self.moved)
     }
 
-    /// About how many times larger, as a power of 2, an ellipse is that holds the orbit.
+    /// Approximate factor, as a power of 2, by which an ellipse that holds the orbit is larger than this one.
     pub fn larger_by(&self) -> i64 {
         let rest = Real::int(1, self.factor.bits()) - &self.factor;
         let needed = self.moved.over(&rest).and_then(|needed| needed.enclosure().sup().top());
@@ -182,7 +182,7 @@ pub(super) fn basin(round: &Round<'_>, shapes: &[Ellipse], wanted: &[&Landing]) 
     Err(doubt)
 }
 
-/// Whether a map with such a factor maps a disc of radius 1 into itself, whose centre is moved that far, and contracts it. Lemmas V6, V8
+/// Returns whether an affine bound maps a disc of radius 1 into itself: its factor below 1, its centre displaced by `moved`. Lemmas V6, V8
 fn is_inside(factor: &Real, moved: &Real) -> bool {
     let (one, reach) = (Real::int(1, factor.bits()), factor.clone() + moved);
     factor.is_below(&one) && reach.enclosure().sup() <= one.enclosure().inf()

@@ -1,4 +1,4 @@
-//! Whether a bifurcation JSON is right: at each fold, pitchfork and period doubling an orbit as claimed is found again at which an
+//! Check of a bifurcation JSON: at each fold, pitchfork and period doubling an orbit as claimed is found again at which an
 //! eigenvalue passes 1 or -1 (Lemma V9).
 //!
 //! Nothing of the extended systems that made the certificate is used: the orbits near the claimed one are proved to be one curve, over the
@@ -65,7 +65,7 @@ impl BifurcationCertificate {
         })
     }
 
-    /// Whether each point is listed once, the grazes as well. Lemma V13
+    /// Proves that each point is listed once, the grazes as well. Lemma V13
     fn are_distinct(&self) -> Result<(), Doubt> {
         let open = |i: usize, j: usize| Doubt::Open(format!("points[{i}] and points[{j}] are not proved to be two"));
         for (j, other) in self.points().iter().enumerate() {
@@ -84,8 +84,8 @@ impl BifurcationCertificate {
 }
 
 impl ClaimedPoint {
-    /// It is one, proved in N bits, of which `compare` says whether it is as claimed. Another one that is found refutes nothing: there
-    /// may be several.
+    /// Proves that it is one, and returns the bits used; `compare` checks the claims about it. Another one that is found refutes nothing:
+    /// there may be several.
     pub(super) fn judged(
         &self,
         parameter: &Over<'_>,
@@ -146,7 +146,7 @@ impl ClaimedPoint {
         Ok((there, data))
     }
 
-    /// Whether the bounds of its parameter and those of another one have nothing in common.
+    /// Returns whether the bounds of its parameter and those of another one are disjoint.
     fn is_elsewhere(&self, other: &Self) -> bool {
         self.parameter[1] < other.parameter[0] || other.parameter[1] < self.parameter[0]
     }
@@ -223,7 +223,7 @@ impl ClaimedPoint {
         compare("parameter", &curve.spanned(cell, PARAMETER).hull(), &self.parameter)
     }
 
-    /// All orbits of a box are as claimed.
+    /// Proves that all orbits of a box are as claimed.
     fn compare(&self, curve: &Curve<'_>, cell: &Cell) -> Result<(), Doubt> {
         self.compare_parameter(curve, cell)?;
         let value = curve.spanned(cell, PARAMETER);

@@ -9,8 +9,8 @@ use std::thread;
 /// the same on every machine.
 pub(super) const BLOCK: usize = 64;
 
-/// What `answer` says of all numbers of a range, in order, or the first thing that it could not, `size` at a time; `progress` receives
-/// up to where there are answers.
+/// Returns `answer` of all numbers of a range, in order, in parallel blocks of `size`, or the first error in that order; `progress` receives
+/// the end of the answered part.
 pub(super) fn in_blocks<T: Send, E: Send>(
     all: Range<usize>,
     size: usize,

@@ -20,12 +20,12 @@ const PLAIN_BITS: u32 = 512;
 const PLACES: u64 = 256;
 
 impl<'w> Budget<'w> {
-    /// So much work; none is left once the watch stops it.
+    /// Returns a budget of `work`; none is left once the watch stops it.
     pub fn new(work: u64, parts: u32, watch: &'w dyn Watch) -> Self {
         Self { left: Rc::new(Cell::new(work)), parts, watch }
     }
 
-    /// Allows so much more.
+    /// Adds to the work allowed.
     pub fn add(&self, work: u64) {
         self.left.set(self.left.get().saturating_add(work)); // proposes: when to give up
     }

@@ -27,7 +27,7 @@ pub(super) struct Course<'c> {
     pub frame: Frame<'c>,
     /// Walls and bounds of the impacts.
     pub hits: &'c [Hit<'c>],
-    /// Whether the starts differ by their times alone; else by their velocities alone.
+    /// True if the starts differ by their times alone; else by their velocities alone.
     pub is_of_times: bool,
 }
 
@@ -78,7 +78,7 @@ impl Course<'_> {
     }
 }
 
-/// Whether the image of a node, whose two deviations are those of its sides, covers another one.
+/// Returns whether the image of a node, whose two deviations are those of its sides, covers another one.
 ///
 /// A determinant that may be 0 has no lower bound above 0, and passes the second comparison never (Lemma V10).
 fn covers(image: &Landing, next: &Node) -> bool {
@@ -101,7 +101,7 @@ fn covers(image: &Landing, next: &Node) -> bool {
     beyond.is_below(&least(along(&far))) && apart.is_below(&(b * &at_least))
 }
 
-/// What is true of one set need not be of others.
+/// Turns a refutation into an undecided claim: what is false of one set may hold of others.
 pub(super) fn open(doubt: &Doubt) -> Doubt {
     let (Doubt::Open(message) | Doubt::False(message)) = doubt;
     Doubt::Open(message.clone())
@@ -168,7 +168,7 @@ mod tests {
     }
 
     proptest! {
-        /// What it says of the edges of a node and of all of it, in floating point at points of them.
+        /// `covers` is compared with the images of the edges and of inner points of a node, in floating point.
         #[test]
         fn edges_come_to_lie_beyond_edges(
             centre in prop::array::uniform2(-1.0..1.0f64), far in prop::array::uniform2(-5.0..5.0f64), wide in prop::array::uniform2(-1.0..1.0f64),

@@ -5,10 +5,10 @@ use super::step::{Launch, Parameters};
 use impact_pair_exact::Real;
 use impact_pair_model::Wall;
 
-/// Windows are tried from N times what a constant contact force would take, doubled at most so often.
+/// Number of windows tried: 2, 4, 8 and so on times the duration of the chatter under a constant contact force.
 const WINDOWS: u32 = 8;
 
-/// How long after the departure the last of infinitely many impacts on the same wall comes \[rad\]; `None`: not proved.
+/// Time from the departure to the last of infinitely many impacts on the same wall \[rad\]; `None` where it is not proved.
 ///
 /// With the contact force between `lo` and `hi` on a window, `rho = sqrt(hi/lo)`, a bounce that leaves with `u` lasts `2u/hi` to
 /// `2u/lo` and lands with `u/rho` to `u rho`. If `e rho < 1` the sum of all lies between `2u/(hi (1 - e/rho))` and
@@ -46,9 +46,9 @@ pub(super) fn accumulation(departure: &Launch, parameters: &Parameters) -> Optio
     None
 }
 
-/// Whether the ball does not leave its wall: it has no velocity, and the wall is pressed.
+/// Returns whether the ball does not leave its wall: it has no velocity, and the contact force is positive.
 ///
-/// `is_first` tells that a ball without velocity at a phase where the acceleration is 0 is pressed from then on.
+/// With `is_first` a ball without velocity at a phase where the acceleration is 0 is held from then on.
 pub(super) fn is_held(departure: &Launch, parameters: &Parameters, is_first: bool) -> bool {
     let flight = departure.flights(parameters);
     let acceleration = flight.shaking.first_acceleration();
@@ -60,7 +60,7 @@ pub(super) fn is_held(departure: &Launch, parameters: &Parameters, is_first: boo
     flight.velocity.is_zero() && (is_pressed || is_first || flight.shaking.is_still())
 }
 
-/// About how long the next short bounce lasts \[rad\]: twice the velocity over the contact force.
+/// Approximate duration of the next short bounce \[rad\]: twice the velocity over the contact force.
 pub(super) fn bounce(departure: &Launch, parameters: &Parameters) -> Result<Real, Doubt> {
     let flight = departure.flights(parameters);
     let point = |x: &Real| Real::point(x.mid(), x.bits());

@@ -12,7 +12,7 @@ use impact_pair_exact::{Dyadic, Exact, Real, compare_rational};
 /// Times `t = base + s / W` of the phases `s` since an origin.
 #[derive(Clone, Debug)]
 pub(crate) struct Clock {
-    /// With as many more bits as it has forcing periods.
+    /// The time of the origin, with as many more bits as it has forcing periods.
     base: Real,
     slowness: Real,
     frequency: Real,

@@ -10,7 +10,7 @@ use impact_pair_model::Wall;
 pub(crate) enum Doubt {
     /// More bits, or smaller sets of data, may tell.
     Open(String),
-    /// It is proved to be false.
+    /// The claim is proved to be false.
     False(String),
 }
 
@@ -31,13 +31,13 @@ const STEPS: u32 = 64;
 /// The claimed place of a contact: phases since the departure.
 #[derive(Clone, Debug)]
 pub(crate) struct Claimed {
-    /// At the earliest.
+    /// The earliest phase.
     pub from: Real,
-    /// Where to look.
+    /// An approximate place, near which the contact is sought.
     pub guess: Real,
-    /// At the latest, where a claim says so.
+    /// The latest phase, where a claim gives one.
     pub to: Option<Real>,
-    /// Whether it is the first contact; otherwise any that solves the equations, reached from between the walls.
+    /// True if it is the first contact; else any that solves the equations, reached from between the walls.
     pub is_first: bool,
 }
 
@@ -61,7 +61,7 @@ pub(super) fn first_contact(flight: &Flight, from: Start, wall: Wall, claimed: &
 pub(crate) struct Start {
     /// The wall it leaves, if it does.
     pub wall: Option<Wall>,
-    /// From rest at the phase where the acceleration turns inward.
+    /// True if it begins at rest, at the phase where the acceleration turns inward.
     pub is_release: bool,
 }
 
@@ -71,7 +71,7 @@ fn isolate(flight: &Flight, from: Start, wall: Wall, claimed: &Claimed) -> Resul
     let h = newton(flight, wall, &guessed);
     let is_near = |x: &Real| x.is_positive() && !(guessed.clone() + &guessed).is_below(x);
     let Some((before, after)) = Some(&h).filter(|h| is_near(h)).and_then(|h| bracket(flight, wall, h)) else {
-        // Where no contact is found near the guess, one before it, or none at all, may be.
+        // No contact is found near the guess: one before it may be, or none at all.
         if claimed.is_first {
             refute(flight, from, wall, claimed)?;
             clear(flight, from, &guessed, &claimed.from)?;
@@ -84,7 +84,7 @@ fn isolate(flight: &Flight, from: Start, wall: Wall, claimed: &Claimed) -> Resul
     Ok(before.hull(&after))
 }
 
-/// Whether no first contact with `wall` comes within the claimed bounds (Lemma V1).
+/// Refutes a contact with `wall` within the claimed bounds, if none is proved to come there (Lemma V1).
 fn refute(flight: &Flight, from: Start, wall: Wall, claimed: &Claimed) -> Result<(), Doubt> {
     let Some(to) = &claimed.to else { return Ok(()) };
     let [_, to] = to.rounded(flight.bits()).ends();
@@ -153,7 +153,7 @@ pub(super) fn clear(flight: &Flight, from: Start, end: &Real, claimed: &Real) ->
     Err(spent(&flight.budget, &at, end))
 }
 
-/// About where the first part of a flight ends by whose end a wall is hit; `None` if none is found.
+/// Approximate end of the first part of a flight by whose end a wall is hit; `None` if none is found.
 pub(super) fn first_hit(flight: &Flight, from: Start) -> Option<Real> {
     let bits = flight.bits();
     let (mut end, no_claim) = (Real::int(1, bits), Real::zero(bits));
@@ -187,7 +187,7 @@ pub(super) fn clear_throughout(flight: &Flight, from: Start, end: &Real, claimed
     }
 }
 
-/// Why a flight is not followed to its end.
+/// The reason why a flight is not followed to its end.
 fn spent(budget: &Budget, at: &Real, end: &Real) -> Doubt {
     let times = (end.to_f64() / at.to_f64()).ceil(); // shown
     let is_told = budget.is_spent() && times.is_finite();
@@ -195,13 +195,13 @@ fn spent(budget: &Budget, at: &Real, end: &Real) -> Doubt {
     Doubt::Open(format!("the flight is too long for the work allowed{needed}"))
 }
 
-/// Whether a part is too short for the arithmetic.
+/// Returns whether a part is too short for the arithmetic.
 fn is_short(width: &Real, whole: &Real) -> bool {
     let top = |x: &Real| x.enclosure().mag().top();
     top(width).is_none_or(|short| top(whole).is_none_or(|long| long - short > i64::from(whole.bits()) / 2))
 }
 
-/// Where Newton's plain iteration from `guess` ends; it begins with the bits of `guess` and takes as many as its digits are
+/// The limit of Newton's plain iteration from `guess`; it begins with the bits of `guess` and takes as many as its digits are
 /// worth. Nothing is proved of it.
 pub(super) fn newton(flight: &Flight, wall: Wall, guess: &Real) -> Real {
     let most = flight.bits();
@@ -228,7 +228,7 @@ pub(super) fn newton(flight: &Flight, wall: Wall, guess: &Real) -> Real {
     h
 }
 
-/// Whether a step of Newton's iteration, which doubles the digits, is the last one needed.
+/// Returns whether a step of Newton's iteration, which doubles the digits, is the last one needed.
 fn is_last(step: &Real, h: &Real) -> bool {
     let top = |x: &Real| x.enclosure().mag().top();
     top(step).is_none_or(|small| top(h).is_none_or(|large| 2 * (large - small) > i64::from(h.bits())))

@@ -24,22 +24,22 @@ const ENOUGH: i64 = 40;
 const END: i64 = 24;
 /// Room on both sides of the curve, as a power of 2 of how far it strays.
 const ROOM: i64 = 2;
-/// A side of a box is at least so much of the one along the curve, as a power of 2.
+/// Bits by which a side of a box is at most smaller than the one along the curve.
 const THIN: i64 = 8;
 
-/// What a period makes of states over a parameter, or half of it seen in the mirror.
+/// The map of a period over states and a parameter, or of half a period followed by the mirror image.
 pub(super) struct Curve<'t> {
     pub target: &'t Target<'t>,
     pub frame: Frame<'t>,
     pub over: Key,
-    /// Of an amplitude, the number of its harmonic, and what other terms in step add to it.
+    /// The number of the harmonic of an amplitude, and what other terms in step add to it.
     pub harmonic: (usize, Option<Exact>),
     pub is_half: bool,
     /// The eigenvalue sought: 1 or -1.
     pub mu: i64,
-    /// Of the coordinates, as powers of 2.
+    /// Units of the coordinates, as powers of 2.
     pub units: [i64; 3],
-    /// About how long the flights of a whole period last.
+    /// Approximate durations of the flights of a whole period.
     pub times: Vec<Real>,
 }
 

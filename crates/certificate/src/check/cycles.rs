@@ -1,5 +1,5 @@
-//! Whether a JSON of all cycles is right: its orbits, each no shorter one run through several times, no two of them one and the same
-//! (Lemma D23). That there are no others is not judged.
+//! Check of a JSON of all cycles: its orbits exist, each no shorter one run through several times, no two of them one and the same
+//! (Lemma D23). That there are no others is not checked.
 
 use std::collections::BTreeMap;
 
@@ -22,7 +22,7 @@ impl CyclesCertificate {
     /// proved, until the watch stops it, which receives the orbits confirmed so far.
     ///
     /// # Errors
-    /// When the scene's values are beyond the range of exact expressions.
+    /// Returns an error if the scene's values are beyond the range of exact expressions.
     pub fn check_within(&self, effort: &Effort, watch: &dyn Watch) -> Result<Verdict, Error> {
         let whole = self.orbits().count();
         if let Some(message) = self.contradiction() {
@@ -36,8 +36,8 @@ impl CyclesCertificate {
         })
     }
 
-    /// No orbit runs through a shorter one several times, and no two are one and the same, or mirror images: the bounds of some impact
-    /// tell them apart, wherever the one is taken to begin.
+    /// Proves that no orbit runs through a shorter one several times, and that no two are one and the same, or mirror images: the bounds of
+    /// some impact distinguish them, wherever the one is taken to begin.
     fn are_different(&self) -> Result<(), Doubt> {
         let turn = Turn::new();
         let mut known: BTreeMap<Vec<bool>, Vec<(usize, &[Passage])>> = BTreeMap::new();
@@ -66,7 +66,7 @@ fn flights(impacts: &[Passage]) -> Vec<bool> {
 }
 
 impl PeriodicCertificate {
-    /// No orbit runs through a shorter one several times, as the bounds of its impacts tell; else of which this is not known. Lemma D23
+    /// Proves that no orbit runs through a shorter one several times, by the bounds of its impacts, or names one that may. Lemma D23
     pub(super) fn are_no_shorter_ones(&self) -> Result<(), Finding> {
         let turn = Turn::new();
         let shorter = self.orbits().iter().position(|claim| turn.may_be_shorter(&claim.orbit.impacts));
@@ -75,7 +75,7 @@ impl PeriodicCertificate {
     }
 }
 
-/// Whether, as far as the bounds tell, two orbits may be one, or mirror images.
+/// Returns whether, by their bounds, two orbits may be one, or mirror images.
 pub(super) fn may_be_same(one: &ClaimedOrbit, other: &ClaimedOrbit) -> bool {
     Turn::new().may_be_same(&one.impacts, &other.impacts)
 }
@@ -91,18 +91,18 @@ impl Turn {
         Self { half: [pi.inf().to_rational(), pi.sup().to_rational()] }
     }
 
-    /// Whether, as far as the bounds tell, an orbit may run through a shorter one several times.
+    /// Returns whether, by its bounds, an orbit may run through a shorter one several times.
     fn may_be_shorter(&self, impacts: &[Passage]) -> bool {
         (1..impacts.len()).any(|shift| self.may_be_one(impacts, impacts, shift, false))
     }
 
-    /// Whether, as far as the bounds tell, two orbits may be one, or mirror images.
+    /// Returns whether, by their bounds, two orbits may be one, or mirror images.
     fn may_be_same(&self, a: &[Passage], b: &[Passage]) -> bool {
         let all = (0..b.len()).flat_map(|shift| [(shift, false), (shift, true)]);
         all.into_iter().any(|(shift, is_mirrored)| self.may_be_one(a, b, shift, is_mirrored))
     }
 
-    /// Whether, as far as the bounds tell, `b` may be `a` from another impact on, or its mirror image.
+    /// Returns whether, by their bounds, `b` may be `a` from impact `shift` of `b` on, or the mirror image of that.
     fn may_be_one(&self, a: &[Passage], b: &[Passage], shift: usize, is_mirrored: bool) -> bool {
         let on = |wall: Wall| if is_mirrored { wall.other() } else { wall };
         a.len() == b.len()
@@ -116,8 +116,8 @@ impl Turn {
             })
     }
 
-    /// Whether two phases, the second one half a forcing period later if it is mirrored, may be the same but for whole forcing periods; both begin in
-    /// `[0, 2 pi]`.
+    /// Returns whether two phases, the second one half a forcing period later if it is mirrored, may be equal modulo whole forcing periods; both
+    /// begin in `[0, 2 pi]`.
     fn phases_overlap(&self, one: &Bounds, other: &Bounds, is_mirrored: bool) -> bool {
         (-2..=2).any(|turns| {
             let halves = 2 * turns + i32::from(is_mirrored);

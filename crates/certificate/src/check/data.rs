@@ -55,7 +55,7 @@ pub(crate) struct Tone {
 /// The part of each datum that is an interval, by bisection.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Piece {
-    /// By the number of the datum: part `k` of `2^n`; the whole of those that are not listed.
+    /// Parts `k` of `2^n` of the data, by their numbers; the whole of those that are not listed.
     parts: Vec<(BigInt, u32)>,
 }
 
@@ -67,7 +67,7 @@ const HALF_GAP: usize = 0;
 const RESTITUTION: usize = 1;
 const VELOCITY: usize = 2;
 const HEIGHT: usize = 3;
-/// Those of the first harmonic; three more for each further one.
+/// Numbers of the data of the first harmonic; three more for each further one.
 const AMPLITUDE: usize = 4;
 const PHASE: usize = 5;
 const RATE: usize = 6;
@@ -177,7 +177,7 @@ impl Data<'_> {
         (is_odd || !may_vanish).then_some(is_odd)
     }
 
-    /// If the acceleration at a start on a wall is exactly 0: the sign of `-E'''` there, towards the inside of the gap.
+    /// The sign of `-E'''` towards the inside of the gap, if the acceleration at a start on a wall is exactly 0.
     pub fn inward_jerk(&self) -> Option<Ordering> {
         let wall = self.wall?;
         let acceleration = self.sum(|tone| tone.phase.checked_sin(), 2).ok()?;

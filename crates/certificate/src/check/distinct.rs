@@ -1,4 +1,4 @@
-//! Whether orbits that are listed one by one are different motions: Lemma V13.
+//! Proofs that orbits that are listed one by one are different motions: Lemma V13.
 //!
 //! Their bounds decide it, which were confirmed before: two periodic motions are one only where all impacts of both agree, from some impact
 //! of the one on.
@@ -21,7 +21,7 @@ const MOST_PERIODS: i64 = 4;
 pub(super) struct Recurrence {
     /// The turns of the reference in a common period.
     turns: BigInt,
-    /// Whether half a common period later the shaking may be the opposite.
+    /// True if half a common period later the shaking may be the opposite.
     may_have_mirror: bool,
     /// 2 pi
     turn: Real,
@@ -30,13 +30,13 @@ pub(super) struct Recurrence {
 /// The comparison of the impacts of two motions.
 #[derive(Clone, Copy)]
 struct View {
-    /// Impacts later.
+    /// Number of impacts by which the second motion is taken later.
     shift: usize,
     is_mirrored: bool,
 }
 
 impl Recurrence {
-    /// That of the data; `None` where no common period is proved.
+    /// Returns the recurrence of the data; `None` where no common period is proved.
     pub fn of(data: &Data) -> Option<Self> {
         let turn = Real::of(&(Exact::pi() * Exact::from(2)), BITS);
         Some(Self { turns: data.common_turns()?, may_have_mirror: data.has_mirror() != Some(false), turn })
@@ -50,14 +50,14 @@ impl Recurrence {
         views.all(|view| self.are_apart_in(view, &one.impacts, &other.impacts))
     }
 
-    /// Whether some impact is another one, as seen.
+    /// Returns whether some impact of the one differs from that of the other, seen as `view` says.
     fn are_apart_in(&self, view: View, one: &[Passage], other: &[Passage]) -> bool {
         let all = one.len().lcm(&other.len());
         let other = other.iter().cycle().skip(view.shift);
         one.iter().cycle().zip(other).take(all).any(|(one, other)| self.is_another(view.is_mirrored, one, other))
     }
 
-    /// Whether no state within the bounds of the one impact is one within those of the other.
+    /// Returns whether no state within the bounds of the one impact is one within those of the other.
     fn is_another(&self, is_mirrored: bool, one: &Passage, other: &Passage) -> bool {
         let [low, high] = other.velocity.each_ref();
         let (wall, velocity) = match is_mirrored {
@@ -67,7 +67,8 @@ impl Recurrence {
         one.wall != wall || are_disjoint(&one.velocity, &velocity) || self.are_phases_apart(is_mirrored, one, other)
     }
 
-    /// Whether no two phases, which have lower bounds in `[0, 2 pi)` and forcing periods in `[0, q)`, differ by whole common periods of `q` forcing periods.
+    /// Returns whether no two phases differ by whole common periods, each `q` forcing periods long. Phases have lower bounds in `[0, 2 pi)` and
+    /// numbers of forcing periods in `[0, q)`.
     fn are_phases_apart(&self, is_mirrored: bool, one: &Passage, other: &Passage) -> bool {
         let least = &one.phase[0] - &other.phase[1];
         let greatest = &one.phase[1] - &other.phase[0];
@@ -87,7 +88,7 @@ impl Recurrence {
     }
 }
 
-/// Whether the first impact of one orbit is claimed within the bounds of that of the other, turn and wall alike.
+/// Returns whether the first impact of one orbit is claimed within the bounds of that of the other, forcing period and wall alike.
 pub(super) fn begins_within(one: &ClaimedOrbit, other: &ClaimedOrbit) -> bool {
     let (Some(one), Some(other)) = (one.impacts.first(), other.impacts.first()) else { return false };
     let place = |impact: &Passage| -> (Wall, Option<u64>) { (impact.wall, impact.turn) };

@@ -20,13 +20,13 @@ const SPARE_BITS: i64 = 40;
 /// The orbit of a basin, or the orbits of a box.
 pub(super) struct FixedPoint<'r> {
     round: &'r Round<'r>,
-    /// In which there is no other one.
+    /// The ellipse in which there is no other orbit.
     basin: Option<&'r Ellipse>,
     /// Its impacts, the next first one at the end.
     landings: Vec<Landing>,
     /// Has the trace of the derivative of the period.
     derivative: Matrix,
-    /// Whether it is known to be its own mirror image.
+    /// True if it is known to be its own mirror image.
     is_mirrored: bool,
 }
 
@@ -39,7 +39,7 @@ impl<'r> FixedPoint<'r> {
             let ellipse = basin.around(centre.clone(), size).ok_or_else(open)?;
             let contraction = ellipse.contracted(round)?;
             if contraction.is_proved() {
-                // What is in both is the only orbit of either.
+                // An orbit in both sets is the only one of either.
                 let is_it = basin.holds(&contraction.landings[0]);
                 let Contraction { landings, derivative, .. } = contraction;
                 let orbit = Self { round, basin: Some(basin), landings, derivative, is_mirrored: false };
@@ -60,7 +60,7 @@ impl<'r> FixedPoint<'r> {
         &self.landings[..self.round.walls.len()]
     }
 
-    /// Whether its flights are as physical as claimed: where first contacts were proved they are; where it is claimed that they are
+    /// Proves that its flights are admissible as claimed: where first contacts were proved they are; where it is claimed that they are
     /// not, a wall is proved to be touched before one of its impacts.
     pub fn is_physical_as(&self, claimed: Option<bool>) -> Result<(), Doubt> {
         if claimed != Some(false) {
@@ -92,8 +92,8 @@ impl<'r> FixedPoint<'r> {
         a.clone() + d
     }
 
-    /// Whether it is its own mirror image, as claimed. Where the flights of a basin are not proved to be motions, their mirror images need not be
-    /// flights of the basin: that they are the same is not judged then, and named so.
+    /// Proves that it is its own mirror image, or is not, as claimed. Where the flights of a basin are not proved to be motions, their mirror images
+    /// need not be flights of the basin: a claimed symmetry is not checked then, and `unjudged` names it.
     pub fn is_symmetric_as(&self, claimed: bool, has_mirror: Option<bool>) -> Result<(), Doubt> {
         let is_judged = self.round.is_physical || self.basin.is_none();
         match self.is_symmetric(has_mirror).filter(|&found| is_judged || !found) {
@@ -105,7 +105,7 @@ impl<'r> FixedPoint<'r> {
         }
     }
 
-    /// Whether it is its own mirror image half a common period later; `has_mirror`: the shaking then is the opposite one, if that is decided.
+    /// Returns whether it is its own mirror image half a common period later; `has_mirror`: the shaking then is the opposite one, if that is decided.
     fn is_symmetric(&self, has_mirror: Option<bool>) -> Option<bool> {
         if self.is_mirrored {
             return Some(true);
@@ -131,7 +131,7 @@ impl<'r> FixedPoint<'r> {
         (1..impacts.len()).filter(|&i| fits(impacts, i, impacts)).all(|i| self.is_first(&impacts[i]) == Some(false))
     }
 
-    /// Whether a state of a periodic orbit of the same word, whole common periods off, is that of the first impact.
+    /// Returns whether a state of a periodic orbit of the same word, whole common periods off, is that of the first impact.
     fn is_first(&self, state: &Landing) -> Option<bool> {
         let first = &self.impacts()[0];
         let state = Landing { phase: self.round.near(&state.phase, &first.phase.centre)?, ..state.clone() };
@@ -146,7 +146,7 @@ impl<'r> FixedPoint<'r> {
     }
 }
 
-/// Whether the walls of `seen`, from impact `shift` on, are those of `impacts`.
+/// Returns whether the walls of `seen`, from impact `shift` on, are those of `impacts`.
 fn fits(seen: &[Landing], shift: usize, impacts: &[Landing]) -> bool {
     let later = seen.iter().cycle().skip(shift);
     impacts.iter().zip(later).all(|(impact, later)| impact.wall == later.wall)

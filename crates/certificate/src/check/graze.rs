@@ -9,14 +9,14 @@ use crate::Claim;
 use impact_pair_exact::{Dyadic, Real};
 use impact_pair_model::Wall;
 
-/// What is found around an extremum of all flights of a set, measured from the wall it is near.
+/// An extremum of all flights of a set, measured from the wall it is near.
 struct Summit {
     /// Two points around it, `y''` not 0 between them.
     before: Real,
     after: Real,
-    /// When it comes, and the times around it at which the wall may be touched.
+    /// Time of the extremum, and the times around it at which the wall may be touched.
     touch: Real,
-    /// How far it may reach beyond the wall, negative where it does not.
+    /// Distance that it may reach beyond the wall, negative where it does not reach it.
     excess: Real,
     /// The greatest speed at which the wall may be hit.
     speed: Real,
@@ -65,7 +65,7 @@ impl Walk<'_> {
 
     /// The states at the end of the summit, of those that miss the wall and of those that hit it.
     ///
-    /// Who hits it does so at a speed of at most `speed`, which the impact takes away, and at most `e` times as much again; it
+    /// The states that hit it do so at a speed of at most `speed`, which the impact takes away, and at most `e` times as much again; each
     /// bends away from the wall up to the end of the summit.
     fn pass(&self, flight: &Flight, wall: Wall, summit: &Summit) -> Result<Launch, Doubt> {
         let Summit { before, after, speed, .. } = summit;

@@ -19,9 +19,9 @@ pub(super) fn not_nothing(radius: Real) -> Real {
 /// Two rows.
 pub(super) type Rows<const N: usize> = [[Real; N]; 2];
 
-/// What one flight does with a box of states and values of `P` parameters.
+/// The derivatives of one flight over a box of states and values of `P` parameters.
 struct Leg<const P: usize> {
-    /// About the derivative by the state, and by the parameters, at the middle: points.
+    /// Approximate derivatives by the state, and by the parameters, at the middle: points.
     by_state: Rows<2>,
     by_parameters: Rows<P>,
     /// Bounds of what they are off by over the box.
@@ -65,7 +65,7 @@ pub(super) fn plus<const N: usize>(a: &Rows<N>, b: &Rows<N>) -> Rows<N> {
     [0, 1].map(|i| std::array::from_fn(|j| a[i][j].clone() + &b[i][j]))
 }
 
-/// All matrices whose entries are off by no more than that.
+/// Returns all matrices whose entries differ from `x` by at most `error`.
 fn around<const N: usize>(x: &Rows<N>, error: &Rows<N>) -> Rows<N> {
     [0, 1].map(|i| std::array::from_fn(|j| x[i][j].clone() + &Real::within(error[i][j].enclosure().sup(), SHORT_BITS)))
 }
@@ -75,7 +75,7 @@ fn unit() -> Rows<2> {
 }
 
 impl<const P: usize> Leg<P> {
-    /// From a flight of a box whose radii are known.
+    /// Returns the derivatives of a flight of a box whose radii are known.
     fn new(flown: &Flown, radii: &[Real], bits: u32) -> Option<Self> {
         let entries = [&flown.state.phase, &flown.state.speed].map(|jet| [jet.at(X, bits), jet.at(D, bits)]);
         let point = |x: &Real| x.rounded(bits).middle();
@@ -168,7 +168,7 @@ impl<const N: usize, const P: usize> Legs<N, P> {
         plus(&first, &self.added(matrix, |k| self.own_error(k)))
     }
 
-    /// What each flight adds to an error, carried on by those at the middle and then by a matrix.
+    /// The sum of the errors that the flights add, carried on by the derivatives at the middle and then by a matrix.
     fn added<const M: usize>(&self, matrix: &Rows<2>, own: impl Fn(usize) -> Rows<M>) -> Rows<M> {
         let last = self.legs.len();
         let carried = (0..last).map(|k| product(&sizes(&product(matrix, &self.product(k + 1, last))), &own(k)));
@@ -223,7 +223,7 @@ impl<const N: usize, const P: usize> Legs<N, P> {
         a + &d + &Real::within(error.enclosure().sup(), SHORT_BITS)
     }
 
-    /// Of the flights from each on: bounds of what the product is off by.
+    /// Bounds of the errors of the product of the flights from each one on.
     fn later(&self) -> Vec<Rows<2>> {
         let last = self.legs.len();
         let mut later: Vec<Rows<2>> = vec![zeros(); last + 1];

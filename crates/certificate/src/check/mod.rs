@@ -1,4 +1,4 @@
-//! Whether an orbit JSON is right, found out anew from its own decimal numbers.
+//! Check of an orbit JSON, computed anew from its own decimal numbers.
 //!
 //! The route shares nothing with the one that made the certificate but the exact numbers and their interval arithmetic: physical
 //! lengths instead of gaps, radians instead of forcing periods, one arithmetic of integers at a precision that rises until every claim is
@@ -91,7 +91,7 @@ pub enum Verdict {
 pub struct Finding {
     /// The position among the events, from 0; their number for the outcome.
     pub event: usize,
-    /// Why, in words.
+    /// The reason in words.
     pub message: String,
 }
 
@@ -132,7 +132,7 @@ impl Doubt {
     }
 }
 
-/// Judges claims one after another, each with so much work; the bits that it took, or the verdict on the first that is not confirmed.
+/// Checks claims one after another, each with `work`; returns the bits used, or the verdict on the first that is not confirmed.
 fn one_by_one<C>(
     claims: impl Iterator<Item = (usize, C)>,
     (budget, work): (&Budget, u64),
@@ -159,13 +159,13 @@ fn one_by_one<C>(
 
 /// A document whose claims are judged one after another, and what is known of all of them before.
 struct Whole<'c> {
-    /// Why its own fields exclude it.
+    /// The reason why its own fields exclude it.
     contradiction: Option<&'c str>,
-    /// Why two claims may be one.
+    /// The reason why two claims may be one.
     alike: Option<&'static str>,
     /// Number of claims.
     count: usize,
-    /// What is said where there is none to check.
+    /// The message of a document that has no claim to check.
     nothing: &'static str,
 }
 
@@ -205,7 +205,7 @@ impl Certificate {
     /// of a shadowed orbit of any length, by as many threads as there are processors.
     ///
     /// # Errors
-    /// When the scene's values are beyond the range of exact expressions.
+    /// Returns an error if the scene's values are beyond the range of exact expressions.
     pub fn check(&self, watch: &dyn Watch) -> Result<Verdict, Error> {
         self.check_within(&Effort::default(), watch)
     }
@@ -213,7 +213,7 @@ impl Certificate {
     /// Returns the same with no more than this effort.
     ///
     /// # Errors
-    /// When the scene's values are beyond the range of exact expressions.
+    /// Returns an error if the scene's values are beyond the range of exact expressions.
     pub fn check_within(&self, effort: &Effort, watch: &dyn Watch) -> Result<Verdict, Error> {
         let watch = Latched::new(watch);
         let budget = Budget::new(effort.work, effort.parts, &watch);
@@ -242,7 +242,7 @@ impl Certificate {
     /// The verdict on all events and the outcome.
     fn judged(&self, effort: &Effort, data: &Data, progress: &mut impl FnMut(usize)) -> Verdict {
         let (mut bits, mut pieces, mut cut) = (FIRST_BITS, vec![Piece::default()], 1);
-        // Where more bits did not help, and how many there were at first.
+        // The event at which more bits did not help, and the number of bits at first.
         let mut stuck = (0, bits);
         while let Some(piece) = pieces.pop() {
             let mut walk = Walk::new(self, data, &piece, bits);
@@ -283,13 +283,13 @@ impl Certificate {
     /// are sure to be on one wall.
     ///
     /// # Errors
-    /// When the scene's values are beyond the range of exact expressions.
+    /// Returns an error if the scene's values are beyond the range of exact expressions.
     pub fn retraced(&self, bits: u32) -> Result<Vec<(Enclosure, Enclosure)>, Error> {
         let data = Data::new(self.pair(), self.start())?;
         let mut walk = Walk::new(self, &data, &Piece::default(), bits);
         let mut found = Vec::new();
         for claim in self.events() {
-            // Whether the set lies inside the printed bounds does not matter here.
+            // It does not matter here if the set lies inside the printed bounds.
             let before = walk.impacts;
             let _ = walk.confirm(claim);
             if !claim.kind.is_impact() {

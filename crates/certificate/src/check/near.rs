@@ -59,8 +59,8 @@ impl Shadow<'_> {
         Ok(())
     }
 
-    /// How far a start may be from the scene's to be near it: a thousandth of the time between two maxima of the excitation, or of the
-    /// sum of the scene's speeds, that of the start and the greatest one of each harmonic.
+    /// Greatest distance of a start from the scene's that counts as near: a thousandth of the time between two maxima of the excitation, or of
+    /// the sum of the scene's speeds, that of the start and the greatest one of each harmonic.
     fn near(&self) -> Real {
         let (harmonics, of) = (self.certificate.pair().excitation(), |x: &Exact| Real::of(x, FIRST_BITS));
         let whole = if self.is_of_times {
@@ -111,7 +111,7 @@ impl Shadow<'_> {
 }
 
 impl Certificate {
-    /// How near the start is that a shadowed orbit is claimed to have, in words; nothing where it is the scene's own.
+    /// The claimed distance of a shadowed orbit's start from the scene's, in words; empty where it is the scene's own.
     pub(crate) fn nearness(&self) -> String {
         let Some(near) = self.ended().start.as_ref().filter(|_| self.claim() == ClaimName::Shadowed) else {
             return String::new();

@@ -51,7 +51,7 @@ impl Certificate {
     }
 }
 
-/// Whether a motion with a period repeats itself after another time as well, with as many impacts as are claimed. Lemma V3
+/// Returns whether a motion with a period repeats itself after another time as well, with as many impacts as are claimed. Lemma V3
 fn is_multiple(claimed: Period, own: Period) -> bool {
     let times = claimed.cycles.checked_div(own.cycles).filter(|times| *times > 0); // exact: the rest is 0
     claimed.cycles.is_multiple_of(own.cycles)
@@ -59,7 +59,7 @@ fn is_multiple(claimed: Period, own: Period) -> bool {
 }
 
 impl Walk<'_> {
-    /// What is claimed of the future, and of the time up to which nothing else happens.
+    /// Proves the claims about the future, and about the time up to which nothing else happens.
     pub(super) fn outcome(&self) -> Result<(), Doubt> {
         self.certificate.says_one_thing()?;
         let (ended, bits) = (self.certificate.ended(), self.clock.bits());
@@ -95,7 +95,7 @@ impl Walk<'_> {
         if is_true { Ok(()) } else { Err(Doubt::open(message)) }
     }
 
-    /// No event listed comes after this time but a rest, which stands for what may come before (Lemma V7).
+    /// Proves that no listed event comes after this time but a rest, which stands for what may come before (Lemma V7).
     fn lists_none_after(&self, until: &Real) -> Result<(), Doubt> {
         let last = self.certificate.events().iter().rfind(|claim| !matches!(claim.kind, EventKind::Rest { .. }));
         match last.is_some_and(|last| until.is_below(&Real::rational(&last.time[0], until.bits()))) {
@@ -138,7 +138,7 @@ impl Walk<'_> {
         let flight = departure.flights(&self.parameters);
         match clear_throughout(&flight, departure.start, &end, &least) {
             Ok(()) => Ok(()),
-            // Where the flight would be beyond a wall it has hit one.
+            // A flight that would be beyond a wall has hit it.
             Err(Doubt::Open(doubt))
                 if !(least.is_positive() && matches!(flight.place(&flight.height(&least)), Part::Contact)) =>
             {
@@ -148,7 +148,7 @@ impl Walk<'_> {
         }
     }
 
-    /// When the ball that rests is released \[time\].
+    /// The time at which the ball that rests is released \[time\].
     fn release_time(&self, rest: &Rest) -> Result<Real, Doubt> {
         match self.data.only() {
             Some(_) => self.released_of_one(rest).map(|(_, clock)| clock.time(&Real::zero(self.bits))),

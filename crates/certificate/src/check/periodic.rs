@@ -1,4 +1,4 @@
-//! Whether a periodic JSON is right: each orbit found again, alone in its bounds, with all that is said of it.
+//! Check of a periodic JSON: each orbit is found again, alone in its bounds, with all that is said of it.
 //!
 //! The route (Lemma V8): Newton's iteration for a state that comes again after a period of the word begins at the claimed one. Newton's
 //! step is proved to contract an ellipse of states that holds the claimed bounds of the first impact, so there is one orbit and no more,
@@ -25,7 +25,7 @@ impl PeriodicCertificate {
     /// receives the orbits confirmed so far.
     ///
     /// # Errors
-    /// When the scene's values are beyond the range of exact expressions.
+    /// Returns an error if the scene's values are beyond the range of exact expressions.
     pub fn check_within(&self, effort: &Effort, watch: &dyn Watch) -> Result<Verdict, Error> {
         let watch = Latched::new(watch);
         let budget = Budget::new(0, effort.parts, &watch);
@@ -52,7 +52,7 @@ impl PeriodicCertificate {
         self.are_distinct(data)
     }
 
-    /// Whether each orbit is listed once. Lemma V13
+    /// Proves that each orbit is listed once. Lemma V13
     fn are_distinct(&self, data: &Data) -> Result<(), Doubt> {
         let Some(recurrence) = Recurrence::of(data) else {
             return Err(Doubt::open("the harmonics are not proved to have a common period"));
@@ -73,7 +73,7 @@ impl PeriodicCertificate {
 }
 
 impl OrbitOf {
-    /// Whether it is claimed within the bounds of another one of the same word, which is alone in these. Lemmas V8, V13
+    /// Returns whether it is claimed within the bounds of another one of the same word, which is alone in these. Lemmas V8, V13
     fn is_within(&self, other: &Self) -> bool {
         let is_alone = other.orbit.unique && other.orbit.physical == Some(true) && self.orbit.physical == Some(true);
         is_alone && (&self.word, self.cycles) == (&other.word, other.cycles) && begins_within(&self.orbit, &other.orbit)
@@ -81,7 +81,7 @@ impl OrbitOf {
 }
 
 impl Target<'_> {
-    /// It is one, for all data.
+    /// Proves that it is an orbit as claimed, for all data.
     fn is_an_orbit(&self, most: usize) -> Result<(), Doubt> {
         if !self.claim.unique {
             return Err(Doubt::open("only orbits that are alone in their bounds are checked"));
@@ -107,7 +107,7 @@ impl Target<'_> {
         self.encloses(piece, &basin, &claimed, &centre, &round)
     }
 
-    /// Whether its impacts are claimed to be first contacts.
+    /// Returns whether its impacts are claimed to be first contacts.
     pub(super) fn is_physical(&self) -> bool {
         self.claim.physical == Some(true)
     }
@@ -122,7 +122,7 @@ impl Target<'_> {
         Ok(self.round(frame, self.times(frame)?, self.is_physical()))
     }
 
-    /// About how long the flights between the claimed impacts last: as phases are given less whole forcing periods, these follow from the drift.
+    /// Approximate durations of the flights between the claimed impacts: as phases are given modulo forcing periods, these follow from the drift.
     pub(super) fn times(&self, frame: &Frame) -> Result<Vec<Real>, Doubt> {
         let none = || Doubt::open("the claimed impacts do not follow one another in this number of forcing periods");
         let bits = frame.turn.bits();
@@ -140,7 +140,7 @@ impl Target<'_> {
             let drift = float(departure.velocity.centre.clone() + &shaking.first_velocity());
             let shift = float(shaking.shift(&Real::point(turned.mid(), bits)));
             let more = ((level(to.wall) - level(from.wall) + shift) / drift - least) / common;
-            // proposes: a time near a whole number of periods may be told a period off
+            // proposes: a time near a whole number of periods may be a period off
             let time = least + common * if more.is_finite() { more.round().max(-1.0) } else { 0.0 };
             whole += time;
             times.push(impact_pair_exact::Dyadic::from_f64(time).map(|time| Real::point(time, bits)).ok_or_else(none)?);

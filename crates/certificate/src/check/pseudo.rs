@@ -14,7 +14,7 @@ use impact_pair_exact::{Dyadic, Real};
 const GUESS_BITS: u32 = 64;
 /// Jumps are to be N times smaller than the bounds, as a power of 2, and room is made for so large ones.
 const FINE: i32 = -40;
-/// What a node is wider than the least that covers the next one, and how many times the jump it makes room for.
+/// Factor by which a node is wider than the least that covers the next one, and multiple of the jump that it makes room for.
 const MARGIN: f64 = 1.05;
 const NOISES: f64 = 2.0;
 /// Errors of products of floating point, about.
@@ -26,11 +26,11 @@ pub(super) struct Point {
     pub node: Node,
     /// Half widths of the bounds.
     size: Pair,
-    /// By rows, of the flight to the next one.
+    /// The Jacobian of the flight to the next point, by rows.
     jacobian: [Pair; 2],
-    /// How many times that multiplies `u` and `s`.
+    /// Factors by which the flight multiplies `u` and `s`.
     growth: Pair,
-    /// How far the flight from the one before ends from here.
+    /// Difference between the end of the flight from the point before and this point.
     jump: Pair,
 }
 
@@ -38,7 +38,7 @@ pub(super) struct Point {
 pub(super) struct Shot {
     pub lasting: Real,
     jacobian: [Pair; 2],
-    /// How far it ends from the next state.
+    /// Difference between its end and the next state.
     jump: Pair,
 }
 
@@ -125,7 +125,7 @@ pub(super) fn worst(points: &[Point]) -> (usize, f64) {
     ratios.fold((0, 0.0), |most, ratio| if ratio.1 <= most.1 { most } else { ratio })
 }
 
-/// Whether these jumps are small enough.
+/// Returns whether these jumps are small enough.
 pub(super) fn is_fine(ratio: f64) -> bool {
     ratio < 2_f64.powi(FINE)
 }
@@ -198,14 +198,14 @@ impl Point {
         [cross(x, s) / cross(u, s), cross(u, x) / cross(u, s)]
     }
 
-    /// What is to be made room for, along `u` and `s`.
+    /// Bounds of the jump and of a small part of the bounds, along `u` and `s`, that a node makes room for.
     fn noise(&self) -> Pair {
         let [u, s] = self.node.axes;
         let [p, v] = [0, 1].map(|i| self.jump[i].abs() + self.size[i] * 2_f64.powi(FINE));
         [s, u].map(|axis| ((axis[1] * p).abs() + (axis[0] * v).abs()) / cross(u, s).abs())
     }
 
-    /// How much of `s` the flight to the next point may take along its `u`, and the other way round: roundings.
+    /// Bounds of the part of `s` that the flight to the next point takes along its `u`, and of `u` along its `s`: roundings.
     fn mixed(&self, next: &Self) -> Pair {
         let absolute = |rows: [Pair; 2], [x, y]: Pair| rows.map(|[a, b]| (a * x).abs() + (b * y).abs());
         let ([u, s], determinant) = (next.node.axes, cross(next.node.axes[0], next.node.axes[1]).abs());

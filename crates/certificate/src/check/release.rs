@@ -32,7 +32,7 @@ impl Walk<'_> {
     pub(super) fn release_of_several(&mut self, rest: &Rest, claim: &Claim) -> Result<(), Doubt> {
         let root = self.turning(rest).ok_or_else(|| Doubt::open("no release is proved"))?;
         compare("time", &self.clock.time(&root), &claim.time)?;
-        // How the release depends on the data hardly matters: what lands depends on it by p - E''(0) h = 0.
+        // The dependence of the release on the data hardly matters: a landing depends on it by p - E''(0) h = 0.
         let released = Affine::fixed(root.clone()).recentred();
         self.standing = Standing::released(&self.parameters, rest.wall, released);
         if self.period.is_none() {
@@ -59,7 +59,7 @@ impl Walk<'_> {
 
     /// The period, if a release at `root` is proved to be `before` whole common periods of all harmonics later.
     ///
-    /// What is a zero of the acceleration at one of them is one at the other, and where the acceleration has no extremum
+    /// A zero of the acceleration at one of them is one at the other, and where the acceleration has no extremum
     /// between two zeros they are the same.
     fn period_since(&self, before: &Release, root: &Real) -> Option<Period> {
         let common = self.data.common_turns()?;

@@ -27,7 +27,7 @@ pub(crate) struct Rest {
     pub wall: Wall,
     /// Since the origin.
     pub since: Real,
-    /// Whether it is from a phase on at which the contact force is exactly 0 that the wall is pressed.
+    /// True if the contact force is exactly 0 at the phase `since`, and positive from then on.
     pub begins: bool,
 }
 
@@ -95,7 +95,7 @@ impl<'c> Walk<'c> {
         }
     }
 
-    /// With one harmonic that is at an even number of half periods on the left wall, an odd one on the right wall.
+    /// Proves the release with one harmonic: at an even number of half periods on the left wall, an odd one on the right wall.
     fn release_of_one(&mut self, rest: &Rest, claim: &Claim) -> Result<(), Doubt> {
         let (halves, clock) = self.released_of_one(rest)?;
         let (wall, odd) = (rest.wall, i64::from(rest.wall == Wall::Right));

@@ -17,15 +17,15 @@ const ENOUGH: i64 = 32;
 /// A period of a word: from a state just before its first impact to the next one of these.
 pub(super) struct Round<'p> {
     pub parameters: &'p Parameters<'p>,
-    /// Of the impacts, in time order.
+    /// Walls of the impacts, in time order.
     pub walls: &'p [Wall],
-    /// After which the shaking repeats \[rad\].
+    /// Common period, after which the shaking repeats \[rad\].
     pub common: Real,
     /// The cycles of the word \[rad\].
     pub lasting: Real,
-    /// Whether all its contacts have to be the first ones.
+    /// True if all its contacts have to be the first ones.
     pub is_physical: bool,
-    /// About how long the flights last.
+    /// Approximate durations of the flights.
     pub times: Vec<Real>,
 }
 

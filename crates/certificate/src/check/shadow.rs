@@ -33,8 +33,8 @@ const STEPS: u32 = 8;
 /// Bits below the narrowest bounds.
 const SPARE_BITS: i64 = 112;
 
-/// Where a chain up to the next other event is not proved, it may end before: where the motion has first expanded by one of these shares
-/// of the most, one tried after another. Where it hardly expands that is the start, and the scene's own motion is followed.
+/// Shares of the greatest expansion, tried in turn where a chain up to the next other event is not proved: it ends where the motion has first
+/// expanded by such a share. Where it hardly expands that is the start, and the scene's own motion is followed.
 const ENDS: [f64; 2] = [1.0, 1.0 / 16.0];
 
 /// A claim by its position among the events, and what is to be said of it.
@@ -44,7 +44,7 @@ pub(super) type Doubted = (usize, Doubt);
 struct Chained {
     /// The number of its last impact and the node there; `None` where it is empty.
     last: Option<(usize, Node)>,
-    /// How far its nodes are off ([`Course::link`]).
+    /// Distances of its nodes from the middles of their bounds of time \[rad\] ([`Course::link`]).
     offs: Vec<Dyadic>,
 }
 
@@ -124,7 +124,7 @@ impl Shadow<'_> {
         answer(&Course { data: &data, frame, hits: &self.hits, is_of_times: self.is_of_times })
     }
 
-    /// What `answer` says of each of the flights, or the first doubt, by several threads.
+    /// Returns `answer` of each of the flights, or the first doubt, by several threads.
     fn of_each<T: Send>(
         &self,
         flights: Range<usize>,
@@ -244,7 +244,7 @@ impl Shadow<'_> {
                 let standing = Standing::after(&frame.parameters, landing);
                 Walk::at((self.certificate, data), frame, standing, *impacts)
             }
-            // Where there is no chain the start is the scene's.
+            // Without a chain the start is the scene's.
             None => Walk::new(self.certificate, data, &Piece::default(), bits),
         };
         let mut offs = Vec::new();

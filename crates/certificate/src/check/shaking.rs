@@ -31,13 +31,13 @@ pub(crate) struct Wave {
     /// `r_k`; `None` is 1.
     rate: Option<Real>,
     phase: Real,
-    /// Of the phase at the departure.
+    /// Sine and cosine of the phase at the departure.
     pub sin: Real,
     pub cos: Real,
 }
 
 impl Term {
-    /// Of those members of the set that `member` says, from the phase `since` after the origin.
+    /// Returns the wave of those members of the set that `member` says, from the phase `since` after the origin.
     pub fn wave(&self, since: &Real, bits: u32, member: fn(&Affine) -> Real) -> Wave {
         let member = |x: &Affine| member(x).rounded(bits);
         let rate = self.rate.as_ref().map(member);

@@ -29,20 +29,20 @@ pub(crate) struct Standing<'d> {
 enum Going {
     /// The ball flies.
     Flight,
-    /// It lies on a wall.
+    /// The ball lies on a wall.
     Rest(Rest),
-    /// It has no drift, and comes near a wall in the same way in every forcing period.
+    /// The ball has no drift, and comes near a wall in the same way in every forcing period.
     Still(Still),
 }
 
-/// From where the next mapping leads.
+/// The wall that the next mapping leads from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Last {
-    /// From this wall.
+    /// This wall.
     Wall(Wall),
-    /// From a start inside the gap: there is no mapping.
+    /// No wall, from a start inside the gap: there is no mapping.
     Inside,
-    /// From either wall: a graze may have been a touch.
+    /// Either wall: a graze may have been a touch.
     Either,
 }
 
@@ -109,7 +109,7 @@ impl<'d> Standing<'d> {
         self.landing.as_ref()
     }
 
-    /// From where the next mapping leads.
+    /// Returns the wall that the next mapping leads from.
     pub fn last(&self) -> Last {
         self.last
     }
@@ -144,7 +144,7 @@ impl Last {
         }
     }
 
-    /// Whether a claimed mapping is that of a flight that ends on a wall.
+    /// Proves that a claimed mapping is that of a flight that ends on a wall.
     pub fn leads(self, mapping: Option<Mapping>, to: Wall) -> Result<(), Doubt> {
         match mapping {
             _ if mapping == self.mapping(to) => Ok(()),

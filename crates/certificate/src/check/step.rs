@@ -72,7 +72,7 @@ impl Parameters<'_> {
         self.terms.iter().all(|term| term.amplitude.hull().is_zero())
     }
 
-    /// Those at the middle of the data.
+    /// Returns the parameters at the middle of the data.
     pub fn middle(&self) -> Self {
         let middle = |x: &Affine| Affine::fixed(x.centre.clone());
         let of_term = |term: &Term| Term {
@@ -106,7 +106,7 @@ impl Parameters<'_> {
 }
 
 impl Launch {
-    /// From `wall` after Newton's impact law (15), `p = -e v`.
+    /// Returns the departure from `wall` after Newton's impact law (15), `p = -e v`.
     pub fn rebound(parameters: &Parameters, landing: &Landing) -> Self {
         let Landing { wall, phase, velocity } = landing;
         let restitution = &parameters.restitution;
@@ -116,12 +116,12 @@ impl Launch {
         Self::on_wall(parameters, *wall, phase.clone(), after)
     }
 
-    /// From inside the gap.
+    /// Returns the departure from inside the gap.
     pub fn inside(phase: Affine, height: Affine, velocity: Affine) -> Self {
         Self { start: Start { wall: None, is_release: false }, phase, height, velocity }
     }
 
-    /// From `wall` with velocity `velocity` after the impact.
+    /// Returns the departure from `wall` with velocity `velocity` after the impact.
     pub fn on_wall(parameters: &Parameters, wall: Wall, phase: Affine, velocity: Affine) -> Self {
         let half_gap = &parameters.half_gap;
         let side = side(wall, half_gap.centre.bits());
@@ -202,7 +202,7 @@ impl Launch {
     }
 }
 
-/// How a landing depends on a quantity `x`: `v dth1 = along dx`, `dv = y'' dth1 + beside dx`.
+/// The dependence of a landing on a quantity `x`: `v dth1 = along dx`, `dv = y'' dth1 + beside dx`.
 struct Slope<'x> {
     x: &'x Affine,
     along: Real,
@@ -210,7 +210,7 @@ struct Slope<'x> {
 }
 
 impl Term {
-    /// How a landing at `h` after a departure at the phase `since` depends on what of the harmonic is not known exactly.
+    /// The slopes of a landing at `h` after a departure at the phase `since`, by the data of the harmonic that are not known exactly.
     fn slopes(&self, wave: &Wave, since: &Real, h: &Real) -> Vec<Slope<'_>> {
         let Self { amplitude, phase, rate } = self;
         let mut slopes = Vec::new();

@@ -17,7 +17,7 @@ use impact_pair_model::Wall;
 pub(crate) struct Still {
     /// The last quarter period up to the phase last grazed, or that of the start.
     quarters: BigInt,
-    /// Whether the left wall is touched at 1/4 period, and the right wall at 3/4.
+    /// True where the left wall is touched at 1/4 period, and the right wall at 3/4.
     touches: [bool; 2],
 }
 
@@ -30,14 +30,14 @@ impl Still {
         let stands = shaken == Some(Ordering::Equal);
         let (zero, one) = (Exact::from(0), Exact::from(1));
         let after = if is_at_rest { &zero } else { &data.velocity };
-        // Where the box may stand a ball without velocity on a wall may lie there; with velocity it leaves.
+        // If the box may stand still, a ball without velocity on a wall may lie there; with velocity it leaves.
         let leaves = is_at_rest && shaken == Some(Ordering::Greater);
         if data.wall.is_some() && !leaves || !data.has_no_drift(after) {
             return None;
         }
         let quarters = if stands { BigInt::ZERO } else { data.quarter()? };
         let sin = tone.phase.checked_sin().ok()?;
-        // How far the ball is from each wall at the start, and how much farther it swings towards it.
+        // The distances of the ball from both walls at the start, and how much farther it swings towards each.
         let gap = data.half_gap.checked_mul(&Exact::from(2)).ok()?;
         let distances = match data.wall {
             None => {
@@ -50,7 +50,7 @@ impl Still {
         let mut rooms = [Ordering::Less; 2];
         let parts = [one.checked_sub(&sin).ok()?, one.checked_add(&sin).ok()?];
         for ((room, distance), part) in rooms.iter_mut().zip(&distances).zip(parts) {
-            // What is exactly 0 is so however little is known of the amplitude.
+            // A factor of exactly 0 makes the swing exactly 0, for all amplitudes.
             let is_none = part.sign() == Some(Ordering::Equal);
             let swing = if is_none { part } else { tone.amplitude.checked_mul(&part).ok()? };
             *room = distance.checked_sub(&swing).ok()?.sign()?;
@@ -77,7 +77,7 @@ impl Still {
 }
 
 impl Walk<'_> {
-    /// Whether a ball that starts inside the gap without drift, so that `y + E` stays as it is, is proved to touch no wall:
+    /// Returns whether a ball that starts inside the gap without drift, so that `y + E` stays constant, is proved to touch no wall:
     /// nowhere where `E` may get to, or nowhere in a common period of all harmonics.
     pub(super) fn swings_freely(&self) -> Result<bool, Doubt> {
         let Some(data) = self.standing.start() else { return Ok(false) };

@@ -1,4 +1,4 @@
-//! Whether the impacts of a sweep's points are right: each orbit is followed from its exact start, and compared after the transient.
+//! Check of the impacts of a sweep's points: each orbit is followed from its exact start, and compared after the transient.
 
 use super::budget::Budget;
 use super::contact::Doubt;
@@ -19,7 +19,7 @@ impl SweepCertificate {
     /// receives the points checked so far.
     ///
     /// # Errors
-    /// When a scene's values are beyond the range of exact expressions.
+    /// Returns an error if a scene's values are beyond the range of exact expressions.
     pub fn check_within(&self, effort: &Effort, watch: &dyn Watch) -> Result<Verdict, Error> {
         Ok(self.judge_within(effort, watch)?.0)
     }
@@ -47,7 +47,7 @@ impl SweepCertificate {
 }
 
 impl ClaimedOrbit {
-    /// Its impacts are as claimed, proved in N bits, `most` at most.
+    /// Proves that its impacts are as claimed, and returns the bits used, `most` at most.
     fn judged(&self, certificate: &Certificate, data: &Data, most: u32) -> Result<u32, Doubt> {
         is_placed(self.contradiction, self.is_of_grid)?;
         if self.is_shadowed {

@@ -28,12 +28,12 @@ const DOUBLED: u32 = 3;
 pub(super) struct Target<'c> {
     pub data: &'c Data<'c>,
     pub claim: &'c ClaimedOrbit,
-    /// Of the impacts of the word.
+    /// Walls of the impacts of the word.
     pub walls: Vec<Wall>,
     pub cycles: u64,
-    /// Of the reference, after which the shaking repeats.
+    /// Forcing periods of the reference after which the shaking repeats.
     pub turns: BigInt,
-    /// Whether it must not run through a shorter orbit several times.
+    /// True if it must not run through a shorter orbit several times.
     pub is_whole: bool,
 }
 
@@ -135,7 +135,7 @@ impl<'c> Target<'c> {
         unreachable!("the last answer is one")
     }
 
-    /// All that is found of the orbit lies inside the claimed bounds.
+    /// Proves that all numbers found of the orbit lie inside the claimed bounds.
     pub fn compare(&self, frame: &Frame, orbit: &FixedPoint<'_>) -> Result<(), Doubt> {
         let ClaimedOrbit { symmetric, impacts, numbers, physical, .. } = self.claim;
         if let Some(claimed) = symmetric {

@@ -25,7 +25,7 @@ pub(crate) struct Walk<'c> {
     pub clock: Clock,
     /// The whole half periods dropped from the phase that phases are counted from, which is within a turn of 0.
     pub(super) halves: BigInt,
-    /// Where it stands, and what is known there.
+    /// The place that it has reached, and what is known there.
     pub standing: Standing<'c>,
     /// The first release from each wall with one harmonic: half periods, impacts before it.
     pub(super) releases: [Option<(BigInt, u64)>; 2],
@@ -39,14 +39,14 @@ pub(crate) struct Walk<'c> {
 }
 
 impl<'c> Walk<'c> {
-    /// From the scene's own start.
+    /// Returns the orbit from the scene's own start.
     pub fn new(certificate: &'c Certificate, data: &'c Data<'c>, piece: &Piece, bits: u32) -> Self {
         let frame = Frame::new(data, piece, bits);
         let standing = Standing::at_start(data, &frame.parameters, piece);
         Self::at((certificate, data), frame, standing, 0)
     }
 
-    /// From states after N impacts, the first events that are claimed.
+    /// Returns the orbit from states after N impacts, the first events that are claimed.
     pub fn at(
         (certificate, data): (&'c Certificate, &'c Data<'c>),
         frame: Frame<'c>,
@@ -107,7 +107,7 @@ impl<'c> Walk<'c> {
             EventKind::Impact { index, mapping, velocity } => self.impact(claim, *index, *mapping, velocity),
             EventKind::Rest { is_accumulation } => self.come_to_rest(claim, *is_accumulation),
             EventKind::Release => self.release(claim),
-            // A motion that misses its wall by less than can be told is judged as any other (G1).
+            // A motion that misses its wall by less than the bounds distinguish is checked as any other (G1).
             EventKind::Graze => match self.standing.still().filter(|still| still.grazes()).cloned() {
                 Some(still) => self.graze_again(still, claim),
                 None => self.graze(claim),
@@ -142,7 +142,7 @@ impl<'c> Walk<'c> {
         self.impacts += 1;
     }
 
-    /// Where after the departure the claim says to look: in the middle of what of its bounds comes later.
+    /// The claimed place of the next event, after the departure: the guess is the middle of the part of its bounds that comes later.
     pub(super) fn ahead(&self, claim: &Claim) -> Result<Claimed, Doubt> {
         let departed = self.standing.departure().phase.hull();
         let [from, to] = claim.time.each_ref().map(|time| self.clock.phase(time) - &departed);
@@ -189,7 +189,7 @@ pub(super) fn are_bounds([lower, upper]: &[BigRational; 2]) -> Result<(), Doubt>
     }
 }
 
-/// What is found lies inside the claimed bounds.
+/// Compares an enclosure with the claimed bounds that it must lie in.
 pub(super) fn compare(what: &str, found: &Real, claimed: &[BigRational; 2]) -> Result<(), Doubt> {
     let shown = || decimal_digits(&found.enclosure().rounded(160));
     match beside(found, claimed) {

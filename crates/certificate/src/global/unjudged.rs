@@ -1,4 +1,4 @@
-//! What a JSON of a global analysis says that no lemma of `check` is about.
+//! Statements of a JSON of a global analysis that no lemma of `check` covers.
 
 use impact_pair_document::{ComponentDocument, GlobalDocument};
 
@@ -21,7 +21,7 @@ pub(super) fn keys(document: &GlobalDocument, says_there_are_no_others: bool, ha
     keys.push(if has_basins { "basins.boxes" } else { "greatest_speed" }.to_owned());
     keys.extend((!any(&|own| own.orbit.is_some())).then(|| "scene.excitation.frequency".to_owned()));
     keys.extend(document.interrupted.then(|| "interrupted".to_owned()));
-    // Whether components are closed is not judged, nor what follows from it alone.
+    // A claim that components are closed is not checked, nor what follows from it alone.
     keys.extend(["class", "statement"].iter().filter(|_| document.class == "closed").map(|key| (*key).to_owned()));
     // Of a set of which nothing is known it is not known where it is.
     let is_unbound = !says_there_are_no_others && !components.is_empty();
@@ -38,7 +38,7 @@ pub(super) fn keys(document: &GlobalDocument, says_there_are_no_others: bool, ha
     keys
 }
 
-/// Whether it is not said of a periodic motion if it is its own mirror image: its period under the reduced map is not judged.
+/// Returns whether the document leaves open if a periodic motion is its own mirror image: its period under the reduced map is not checked.
 fn lacks_symmetry(own: &ComponentDocument) -> bool {
     own.orbit.as_ref().is_some_and(|orbit| orbit.symmetric.is_none())
 }

@@ -1,4 +1,4 @@
-//! Where a flight is cut for the proof: 3/4 of the way to the first zero of `y'`, and as much before the last one. Nothing
+//! Places where a flight is cut for the proof: 3/4 of the way to the first zero of `y'`, and as much before the last one. Nothing
 //! here is trusted; a cut in a bad place costs time, or the proof.
 
 use crate::check::Flight;
@@ -12,7 +12,7 @@ const ENDS: f64 = 1e-9;
 const NARROW: f64 = 1e-10;
 /// Parts of a flight that are looked at for one cut at most.
 const MOST_PARTS: usize = 1 << 14;
-/// In shorter flights an extremum is as near the wall as the ends.
+/// Length of a flight below which an extremum is as near the wall as the ends.
 const SHORT: f64 = 1e-3;
 /// Forcing periods of the reference harmonic beyond which extrema are not all looked at.
 const MANY_TURNS: f64 = 2.0;
@@ -23,7 +23,7 @@ pub(super) struct Cuts<'w> {
     h: f64,
 }
 
-/// From which end zeros are sought.
+/// The end from which zeros are sought.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Order {
     First,
@@ -75,7 +75,7 @@ impl<'w> Cuts<'w> {
     }
 }
 
-/// At most N zeros of a function with this derivative inside `(0, h)`, in order: parts on which it has no zero are left
+/// Returns at most N zeros of a function with this derivative inside `(0, h)`, in order: parts on which it has no zero are left
 /// out, parts on which it is monotone have at most one, others are halved.
 fn zeros(
     f: impl Fn(&Real) -> Real,
@@ -117,7 +117,7 @@ fn point(h: f64, bits: u32) -> Real {
     Real::point(Dyadic::from_f64(h).unwrap_or_else(Dyadic::zero), bits)
 }
 
-/// Where a sign changes between `a` and `b`.
+/// The place of a change of sign between `a` and `b`.
 fn bisected(sign: impl Fn(f64) -> bool, mut a: f64, mut b: f64, narrow: f64) -> f64 {
     let first = sign(a);
     while b - a > narrow {

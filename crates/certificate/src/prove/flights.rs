@@ -24,7 +24,7 @@ pub(super) struct Flight {
     /// The wall it leaves; `None` for a start inside the gap.
     pub from: Option<Wall>,
     pub wall: Wall,
-    /// At its ends.
+    /// The phases at its ends.
     pub phases: [Real; 2],
     /// Before the impact at its end.
     pub velocity: Real,
@@ -45,11 +45,11 @@ pub(super) struct Flight {
     pub cuts: [f64; 2],
     /// Bits that extrema near a wall take.
     pub nearness: u32,
-    /// No displacement of the box is greater.
+    /// Upper bound of the displacement of the box.
     pub reach: f64,
     /// Half the widths of `e` and of `d/A`.
     pub spread: [f64; 2],
-    /// How far the displacement of the box and its velocity are unknown at a known phase.
+    /// Uncertainties of the box's displacement and velocity at a known phase.
     pub unknown: [f64; 2],
 }
 
@@ -61,8 +61,8 @@ fn half_width(x: &Real) -> f64 {
     x.enclosure().wid().scaled(-1).to_f64_up()
 }
 
-/// How far displacement and velocity of the box are unknown at a known phase of the reference: by what the data of the other
-/// harmonics leave open.
+/// Uncertainties of the box's displacement and velocity at a known phase of the reference: by the data of the other harmonics that are
+/// intervals.
 fn unknown(excitation: &Excitation, phase: &Real) -> [f64; 2] {
     let mut unknown = [0.0; 2];
     if excitation.is_point() {

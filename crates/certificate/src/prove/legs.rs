@@ -37,7 +37,7 @@ const FEW_BITS: f64 = 10.0;
 const SPARE_BITS: u32 = 20;
 /// Covers what is of second order in the radii.
 const MARGIN: f64 = 1.01;
-/// What is of second order in a box is at most `2^-8` of what is of first order, which [`MARGIN`] covers.
+/// Bits by which terms of second order in a box are at least smaller than those of first order: [`MARGIN`] covers a part of `2^-8`.
 const NEARLY_LINEAR: f64 = 8.0;
 
 /// The box of the start, with the finest grid, `2^-scale` or coarser.
@@ -84,7 +84,7 @@ fn radii(flight: &Flight, from: &Box, scale: u32) -> [f64; 2] {
     let by_speed = [(restitution * h / rate).abs(), (restitution * (1.0 - tilt * h)).abs()];
     let shrunk = (-f64::from(from.scale - scale)).exp2();
     let (rt, rv) = ((from.rt + 1.0) * shrunk, (from.rv + 1.0) * shrunk);
-    // What intervals of e, d/A and the other harmonics add; nothing for data that are points, however fine the grid.
+    // The parts of the radii from intervals of e, d/A and the other harmonics; 0 for data that are points, however fine the grid.
     let [e, gap, place, speed] = [spread[0], spread[1], place, speed]
         .map(|spread| if spread > 0.0 { spread * f64::from(scale).exp2() } else { 0.0 });
     let off = gap + 2.0 * place + speed * h;
@@ -118,7 +118,7 @@ fn coarser(scale: u32, radius: f64) -> u32 {
     if radius > WIDE { scale - ((radius.log2() - FEW_BITS) as u32).min(scale) } else { scale }
 }
 
-/// By how many bits a box is too wide, for what is printed of it or for terms of second order; 0 for one that fits.
+/// Bits by which a box is too wide, for the printed bounds or for terms of second order; 0 for one that fits.
 pub(super) fn excess(flight: &Flight, arrival: &Box) -> u32 {
     let room = |middle: &BigInt, [low, high]: &[Real; 2]| {
         let scaled = |end: &Dyadic| Enclosure::point(end.scaled(arrival.scale.into())).floor().unwrap_or_default();
@@ -148,7 +148,7 @@ fn magnitude(x: &Real) -> u32 {
     u32::try_from(x.enclosure().mag().top().unwrap_or(0) + 1).unwrap_or(0)
 }
 
-/// Whether a radius is an integer that can be written.
+/// Returns whether a radius is an integer that can be written.
 pub(super) fn is_sound(leg: &Leg) -> bool {
     let Box { rt, rv, t, v, .. } = &leg.arrival;
     rt.is_finite() && rv.is_finite() && !rt.is_negative() && !rv.is_negative() && t.bits() + v.bits() < 1 << 24

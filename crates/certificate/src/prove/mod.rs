@@ -25,7 +25,7 @@ pub struct Theorem {
     pub text: String,
     /// The impacts it proves.
     pub impacts: usize,
-    /// Why it does not prove all that were requested.
+    /// The reason why it does not prove all that were requested.
     pub stop: Option<Finding>,
 }
 
@@ -44,7 +44,7 @@ impl Certificate {
     /// `watch` receives the impacts computed so far, and may stop it: then fewer are proved.
     ///
     /// # Errors
-    /// When the scene's values are beyond what exact expressions or Coq's hold, the box is not shaken, or the orbit is a shadowed one.
+    /// Returns an error if the scene's values are beyond what exact expressions or Coq's hold, the box is not shaken, or the orbit is a shadowed one.
     ///
     /// # Examples
     /// ```
@@ -66,7 +66,7 @@ impl Certificate {
         let is_point = data.is_point();
         let claims = self.events().iter().take_while(|claim| claim.kind.is_impact());
         let mut claims: Vec<_> = claims.take(most).cloned().collect();
-        // Where the time asked for ended the list, the next impact proves that no other comes before it.
+        // If the time requested ended the list, the next impact proves that no other comes before it.
         let listed = claims.len();
         let until = self.ended().until.as_ref().filter(|_| listed == self.events().len());
         claims.extend(until.and_then(|until| self.next_after(&data, &until.0)));

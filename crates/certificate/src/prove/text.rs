@@ -95,7 +95,7 @@ Print Assumptions orbit_certified.
     Ok(text)
 }
 
-/// What the outcome says: how many impacts are listed, and up to when there is no other.
+/// The theorem of the outcome: the number of impacts listed, and the time up to which there is no other.
 fn outcome(listed: usize, until: Option<&Exact>) -> String {
     let Some(until) = until else {
         return format!(
@@ -127,7 +127,7 @@ fn tone(harmonic: &Harmonic) -> Result<String, Error> {
     Ok(format!("{{| amplitude := {}; frequency := {}; shift := {} |}}", amplitude?, frequency?, shift?))
 }
 
-/// What is printed of an impact.
+/// The printed bounds of an impact, as a term of Coq.
 fn bounds(claim: &Claim) -> Option<String> {
     let EventKind::Impact { velocity, .. } = &claim.kind else { return None };
     let [t0, t1, v0, v1] = [&claim.time[0], &claim.time[1], &velocity[0], &velocity[1]].map(fraction);

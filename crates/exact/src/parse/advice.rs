@@ -1,9 +1,9 @@
-//! What a text that does not read as a number was perhaps meant to be.
+//! Advice for a text that does not read as a number: the text that was perhaps meant.
 
 use super::super::error::Advice;
 use super::read;
 
-/// How some write what is written otherwise here.
+/// Other notations, each with the one that is read here.
 const WRITTEN: [(&str, &str); 10] = [
     ("π", "pi"),
     ("Pi", "pi"),
@@ -16,7 +16,7 @@ const WRITTEN: [(&str, &str); 10] = [
     ("**", "^"),
     ("÷", "/"),
 ];
-/// What may follow a number that multiplies it.
+/// The beginnings of factors that may follow a number without a multiplication sign.
 const FACTORS: [&str; 5] = ["pi", "sqrt", "sin", "cos", "("];
 /// Longer texts get no advice.
 const LONGEST: usize = 100;
@@ -58,7 +58,7 @@ fn with_point(text: &str) -> String {
     }
 }
 
-/// Whether it is a number and a name, or a degree's sign.
+/// Returns whether a text is a number followed by a unit's name or a degree sign.
 fn has_unit(text: &str) -> bool {
     let is_of_a_unit = |letter: char| letter.is_alphabetic() || "/°^2 ".contains(letter);
     let number = text.trim_end_matches(is_of_a_unit);

@@ -54,7 +54,7 @@ pub struct Scene {
     places: Vec<(String, Excerpt)>,
 }
 
-/// How far to follow the orbit: the table `[run]`.
+/// The length and accuracy of the orbit: the table `[run]`.
 #[derive(Clone, Debug, Default)]
 pub struct Run {
     /// Stop after N impacts; 0 requests none.
@@ -131,7 +131,7 @@ impl Scene {
         self.run.settings(Arithmetic::Auto)
     }
 
-    /// Returns how the scene is run: as `asked`, completed by its table `[run]`.
+    /// Returns the settings of the run: those of `asked`, else those of the table `[run]`.
     pub fn settings_asked(&self, asked: Run, arithmetic: Arithmetic) -> Settings {
         let (impacts, until) = (asked.impacts.or(self.run.impacts), asked.until.or_else(|| self.run.until.clone()));
         Run { impacts, until, digits: self.digits_asked(asked.digits, arithmetic) }.settings(arithmetic)
@@ -160,7 +160,7 @@ fn at_its_place(error: Error, places: &[(String, Excerpt)]) -> Error {
     }
 }
 
-/// What is no TOML, with the line it stands on.
+/// Returns the error for a text that is not TOML, with the line at fault.
 fn unreadable(text: &str, error: TomlError) -> Error {
     let at = error.span().unwrap_or(text.len()..text.len());
     let excerpt = Excerpt::new(text, at);

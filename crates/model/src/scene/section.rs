@@ -38,14 +38,14 @@ pub(super) struct Section<'t> {
     text: &'t str,
     /// Empty for the whole file.
     name: &'static str,
-    /// Where its name stands.
+    /// The place of its name in the text.
     span: Range<usize>,
     table: &'t dyn TableLike,
 }
 
 /// A key of a table with its value.
 pub(super) struct Entry<'t> {
-    /// With the table's name: `pair.gap`.
+    /// The key with the table's name: `pair.gap`.
     pub key: String,
     text: &'t str,
     name: Range<usize>,
@@ -136,7 +136,7 @@ impl<'t> Entry<'t> {
         self.text.get(self.value.clone()).unwrap_or_default()
     }
 
-    /// Where the value stands.
+    /// Returns the place of the value in the text.
     fn excerpt(&self) -> Excerpt {
         Excerpt::new(self.text, self.value.clone())
     }
@@ -151,7 +151,7 @@ impl<'t> Entry<'t> {
         self.refused_at(self.value.clone(), but)
     }
 
-    /// The same, for what stands at a place of the text.
+    /// Returns the error that the text at `place` is what it is, `but` something else is accepted.
     fn refused_at(&self, place: Range<usize>, but: &str) -> Error {
         let written = self.written();
         let first_line = written.lines().next().unwrap_or_default();

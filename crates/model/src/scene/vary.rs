@@ -102,7 +102,7 @@ impl Key {
         }
     }
 
-    /// The same of a term.
+    /// Returns the key of the same quantity of a term; `None` if it is not one of a term.
     fn of(self, term: Term) -> Option<Self> {
         match self {
             Self::Amplitude(_) => Some(Self::Amplitude(Some(term))),
@@ -186,8 +186,8 @@ impl Scene {
     /// Returns the scene with these values in place of its own; the settings of its run are kept.
     ///
     /// # Errors
-    /// When a value is not in its range, it is that of a harmonic and there are several or no term has its number, the start then
-    /// is none (a position beyond the gap), or there is a start on a wall and a position for it.
+    /// Returns an error if a value is out of range, if the excitation has several harmonics but the key names no term, or a term that
+    /// does not exist, if the start becomes impossible (a position beyond the gap), or if a position is given for a start on a wall.
     pub fn with(&self, values: &[(Key, Exact)]) -> Result<Self, Error> {
         let mut values: Vec<_> = values.to_vec();
         values.sort_by_key(|(key, _)| *key);
@@ -216,7 +216,7 @@ impl Scene {
         Ok(())
     }
 
-    /// The start, asked again whether it is one.
+    /// Returns the start, checked again against the varied pair.
     fn checked_start(&self) -> Result<Start, Error> {
         let Start { time, velocity, place } = self.start.clone();
         match place {
@@ -230,7 +230,8 @@ impl ImpactPair {
     /// Returns the pair with another value of one of its parameters; the same pair for a key of the start.
     ///
     /// # Errors
-    /// When the value is not in its range, or it is that of a harmonic and there are several or no term has its number.
+    /// Returns an error if the value is out of range, or if the excitation has several harmonics but the key names no term, or a
+    /// term that does not exist.
     pub fn with(&self, key: Key, value: Exact) -> Result<Self, Error> {
         let (mut excitation, mut gap, mut restitution) =
             (self.excitation().clone(), self.gap().clone(), self.restitution().clone());
@@ -245,11 +246,11 @@ impl ImpactPair {
         Self::new(excitation, gap, restitution)
     }
 
-    /// Of a pair with an amplitude that moves the box, the number of its harmonic and what other terms add to it: see
-    /// [`Excitation::harmonic_of`].
+    /// Returns, for a pair with an amplitude that moves the box, the number of the key's harmonic and the amplitude that other terms
+    /// add to it: see [`Excitation::harmonic_of`].
     ///
     /// # Errors
-    /// When intervals leave open which harmonic it is.
+    /// Returns an error if intervals leave undecided which harmonic it is, or if the amplitude exceeds the range of exact expressions.
     pub fn harmonic_of(&self, key: Key) -> Result<(usize, Option<Exact>), Error> {
         let excitation = self.excitation();
         let number = key.term().map_or(0, |number| usize::from(number.get()) - 1);

@@ -28,13 +28,13 @@ const FIGURES: [(u32, f64, f64); 6] = [
 /// A bifurcation of the equispaced motion with two impacts in N forcing periods.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Bifurcation {
-    /// It appears, together with a saddle.
+    /// The fold, at which the orbit appears together with a saddle.
     Fold,
-    /// It loses its symmetry.
+    /// The pitchfork, at which the orbit loses its symmetry.
     Pitchfork,
 }
 
-/// How `A`, `d` and `e` are where two of them vary.
+/// The amplitude, the gap and the restitution coefficient of a plane in which two of them vary.
 pub struct Parameters {
     keys: [Key; 2],
     amplitude: f64,
@@ -43,7 +43,7 @@ pub struct Parameters {
 }
 
 impl Parameters {
-    /// Those of a scene with one harmonic of which these two vary; `None` where another parameter does.
+    /// Returns the parameters of a scene with one harmonic, of which those of the axes vary; `None` where another parameter does.
     pub fn of(scene: &SceneDocument, axes: &[Range; 2]) -> Option<Self> {
         let keys = axes.each_ref().map(|axis| axis.key);
         let is_one = |key: &Key| matches!(key, Key::Amplitude(_) | Key::Gap | Key::Restitution);
@@ -115,7 +115,7 @@ pub fn alpha(kind: Bifurcation, cycles: u32, e: f64) -> Option<f64> {
     (inverse > 0.0 && !is_virtual).then(|| 1.0 / inverse)
 }
 
-/// Whether the motion that starts at a phase below 0 touches the wall that it leaves before the other one. Lemma W3
+/// Returns whether the motion that starts at a phase below 0 touches the wall that it leaves before the other one. Lemma W3
 fn grazes(theta: f64, e: f64) -> Option<bool> {
     let greatest = grazing_angle(&Real::of(&Exact::parse(&e.to_string()).ok()?, BITS))?;
     let (greatest, _) = greatest.enclosure().mid_rad();

@@ -22,7 +22,7 @@ pub const CLASSES: [(&str, RGBColor, &str); 7] = [
     ("undecided", VERMILION, "undecided"),
 ];
 
-/// What is shown of a cell with a stable orbit, and of a point or cell with a horseshoe.
+/// The class drawn for a cell with a stable orbit, and for a point or cell with a horseshoe.
 const STABLE: &str = "stable";
 const HORSESHOE: &str = "horseshoe";
 
@@ -30,9 +30,9 @@ const HORSESHOE: &str = "horseshoe";
 pub struct Leaf {
     /// Ends on both axes.
     pub ends: [[f64; 2]; 2],
-    /// What is shown of it, by position.
+    /// The class drawn for it, as a position in [`CLASSES`].
     pub class: usize,
-    /// What is proved there; without the cells that are cut.
+    /// The results proved there; without the parts of cells that are subdivided.
     pub record: AtlasRecord,
 }
 
@@ -46,7 +46,7 @@ impl Leaves {
     /// Reads those of an atlas.
     ///
     /// # Errors
-    /// When it cannot be read, or a class is none.
+    /// Returns an error if the atlas cannot be read, or has an unknown class.
     pub fn of(atlas: &mut impl Records<Head = AtlasHead>) -> Result<Self> {
         use impact_pair::sweep::Head;
 
@@ -89,7 +89,7 @@ impl Leaves {
     }
 }
 
-/// What is shown of a point or a cell: the class, or what is proved beside a weak one.
+/// Returns the class drawn for a point or a cell: its own, or the stable orbit or horseshoe proved where the class says little.
 fn shown(leaf: &AtlasRecord) -> &str {
     match leaf.class.as_str() {
         "closed" | "undecided" if !leaf.stable.is_empty() => STABLE,

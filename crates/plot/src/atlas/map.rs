@@ -28,7 +28,7 @@ const AROUND: i32 = 4 * SCALE;
 /// Returns the picture as SVG.
 ///
 /// # Errors
-/// When it cannot be drawn, or the atlas cannot be read.
+/// Returns an error if the picture cannot be drawn, or the atlas cannot be read.
 pub fn svg(atlas: &mut impl Records<Head = AtlasHead>, look: &Look) -> Result<String> {
     let leaves = Leaves::of(atlas)?;
     Ok(drawn(atlas.head(), &leaves, look)?.0)
@@ -108,7 +108,7 @@ fn given(head: &AtlasHead) -> String {
     words.join(", ")
 }
 
-/// How it was computed.
+/// Returns the line on the computation: number of points or cells, and program.
 fn said(head: &AtlasHead, leaves: &Leaves) -> String {
     let what = if head.cells {
         format!("{} cells, each for all parameters in it", leaves.all.len())
@@ -137,7 +137,7 @@ fn cells(plane: &Plane, leaves: &Leaves) -> String {
     drawn
 }
 
-/// Whether any point of a curve is in the plane.
+/// Returns whether any point of a curve is in the plane.
 fn is_seen(curve: &[[f64; 2]], leaves: &Leaves) -> bool {
     let range = leaves.range();
     curve.iter().any(|at| at.iter().zip(range).all(|(x, [low, high])| (low..=high).contains(x)))

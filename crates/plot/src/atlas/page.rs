@@ -17,7 +17,7 @@ const PAGE: &str = include_str!("page.html");
 /// Returns the page.
 ///
 /// # Errors
-/// When the picture cannot be drawn, or the atlas cannot be read.
+/// Returns an error if the picture cannot be drawn, or the atlas cannot be read.
 pub fn html(atlas: &mut impl Records<Head = AtlasHead>) -> Result<String> {
     let leaves = Leaves::of(atlas)?;
     let head = atlas.head();
@@ -54,7 +54,7 @@ pub fn html(atlas: &mut impl Records<Head = AtlasHead>) -> Result<String> {
     Ok(page)
 }
 
-/// What the page says of a point or a cell: class, components, order, and the scene.
+/// Returns the data of a point or a cell on the page: class, components, their order, and the scene.
 fn said(head: &AtlasHead, leaf: &Leaf) -> Result<Value> {
     let global = leaf.record.global(head).context("an axis is no parameter of the scene")?;
     Ok(json!({

@@ -13,7 +13,7 @@ use crate::picture::{Axis, BLUE, Canvas, Drawn, Element, ORANGE, Path, Plane, SC
 pub const COLOURS: [RGBColor; 3] = [SKY, BLUE, ORANGE];
 /// Cones along the leaf of a word.
 const CONES: usize = 9;
-/// They reach so far along the h-set, and across it at most.
+/// Greatest extent of a cone along the h-set and across it, in half sides of the h-set.
 const REACH: [f64; 2] = [0.1, 0.2];
 /// Width of leaves.
 pub const LEAF: i32 = SCALE;

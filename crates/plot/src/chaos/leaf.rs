@@ -16,7 +16,7 @@ use super::{OUTLINE, RIGHT, dots, lines, round, seen};
 use crate::picture::{Axis, BLUE, Canvas, Drawn, Element, GREEN, Plane, SCALE, VERMILION};
 use crate::sweep::value;
 
-/// Beyond the h-sets so much is shown, in half sides of an h-set.
+/// Width of the margin shown around the h-sets, in half sides of an h-set.
 pub const BEYOND: f64 = 0.3;
 /// H-sets further off across the leaf are not shown.
 const FAR: f64 = 12.0;
@@ -45,7 +45,7 @@ impl Leaf {
         Self { centre: of([1.0; 4]), along: of([-1.0, 1.0, 1.0, -1.0]), across: of([-1.0, -1.0, 1.0, 1.0]) }
     }
 
-    /// Where a state is, the phase less whole forcing periods.
+    /// Returns a state in the coordinates of the h-set (along the leaf, across it), its phase taken modulo whole forcing periods.
     fn place(&self, state: &State) -> State {
         let (phase, w) = (state[0] - self.centre[0], state[1] - self.centre[1]);
         let u = phase - phase.round();
@@ -123,7 +123,7 @@ pub fn strips(scene: &Scene, found: &Chaos, word: &Word, shown: &Leaf) -> Vec<Ve
     strips
 }
 
-/// Where a state is after impacts on these walls; `None` where they are others, or not certified in doubles.
+/// Returns the state after impacts on these walls; `None` if the walls differ, or if doubles do not certify the orbit.
 fn image(pair: &ImpactPair, [phase, speed]: State, walls: &[Wall]) -> Option<State> {
     let harmonic = pair.excitation().only()?;
     let (gaps, amplitudes) = (Units::gaps(pair).ok()?.map(value), Units::amplitudes(harmonic).ok()?.map(value));

@@ -44,7 +44,8 @@ pub fn draw(found: &Global, area: &Canvas<'_>) -> Drawn {
     Ok(())
 }
 
-/// How many arrows lead to a component at most, one after the other; arrows lead to greater numbers, except for the last one.
+/// Returns for each component the length of the longest path of arrows that leads to it. Arrows lead to components of
+/// greater numbers, except for those of the last component.
 fn depths(count: usize, arrows: &[[usize; 2]]) -> Vec<usize> {
     let mut depths = vec![0; count];
     for _ in 0..count {

@@ -9,7 +9,7 @@ use crate::picture::{Canvas, Drawn, Element, Path, Plane, SCALE, hermite, hex};
 
 /// A segment goes over N points of a stroke: a twenty-fourth of a forcing period.
 pub const POINTS: usize = 4;
-/// From N flights on they are translucent, and at least this opacity is left.
+/// Number of flights from which on they are translucent, and their least opacity.
 const MANY: f64 = 30.0;
 const FAINTEST: f64 = 0.2;
 /// Jumps are fainter than flights, but do not darken each other: they lie on walls.
@@ -32,7 +32,7 @@ pub fn path(points: &[Point], frame: &Frame<'_>, plane: &Plane) -> Path {
     path
 }
 
-/// How a kind of strokes is drawn: their parts, width in pixels as they are shown, and opacity.
+/// The style of one kind of strokes: their parts, width in pixels as they are shown, and opacity.
 type Look = (&'static [Part], f64, f64);
 
 /// Draws all curves of a panel, those of the transient first.

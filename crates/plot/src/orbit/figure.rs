@@ -12,10 +12,10 @@ use impact_pair::watch::Watch;
 use super::{Panel, Recorder, Sheet, Style, end_of};
 use crate::picture::Look;
 
-/// What is drawn where nothing says how many impacts: sections need many points.
+/// Number of impacts followed for sections if none is given: sections need many points.
 const SECTION_IMPACTS: u64 = 4000;
 
-/// What is asked of a picture.
+/// A request for a picture.
 #[derive(Clone, Debug)]
 pub struct Figure {
     /// The panels, in their order on the sheet.
@@ -26,17 +26,17 @@ pub struct Figure {
     pub orbit_cycles: u32,
     /// Impacts of the transient, which is drawn grey.
     pub transient: usize,
-    /// From when to when the time panels are magnified \[time\].
+    /// The range of time that is magnified in the time panels \[time\].
     pub zoom: Option<[f64; 2]>,
-    /// How far the orbit is followed, where that is said, and the digits; the table `[run]` says its digits alone.
+    /// Length of the orbit, where one is given, and digits; of the table `[run]` only the digits are used.
     pub run: Run,
-    /// What computes.
+    /// The arithmetic that computes the orbit.
     pub arithmetic: Arithmetic,
     /// See [`Settings::splice`].
     pub splice: u64,
     /// See [`Settings::max_bits`].
     pub max_bits: u32,
-    /// How the picture looks.
+    /// The look of the picture.
     pub look: Look,
 }
 

@@ -1,4 +1,4 @@
-//! What each panel shows: its name, axes, and what of the trace lies on them.
+//! The content of each panel: its name, axes, and the part of the trace that it shows.
 
 use std::f64::consts::TAU;
 
@@ -68,7 +68,7 @@ pub struct Frame<'t> {
     /// Forcing periods since the start from which and up to which curves are drawn, and the axis of time goes.
     begin: f64,
     end: f64,
-    /// Whether a part of the time is magnified.
+    /// True if a part of the time is magnified.
     pub is_magnified: bool,
 }
 
@@ -115,7 +115,7 @@ impl Panel {
 impl<'t> Frame<'t> {
     /// Returns the panel with curves of N cycles.
     pub fn new(panel: Panel, trace: &'t Trace, cycles: u32) -> Self {
-        // Where nothing more is proved the rest of what was asked is shown as open.
+        // After the last proved event the rest of the requested time is shown as undecided.
         let end = if trace.is_open { f64::from(cycles) } else { f64::from(cycles).min(trace.known) };
         Self { panel, letter: panel.letter(), trace, begin: 0.0, end, is_magnified: false }
     }
@@ -175,7 +175,7 @@ impl<'t> Frame<'t> {
         })
     }
 
-    /// Where the curves shown are.
+    /// Returns the coordinates of the points of the curves shown.
     fn places(&self) -> impl Iterator<Item = [Span; 2]> {
         let shown = self.begin..=self.end;
         let points = self.strokes().flat_map(|(_, points)| points);
@@ -228,7 +228,7 @@ impl<'t> Frame<'t> {
         }
     }
 
-    /// From when to when nothing is proved \[time\].
+    /// Returns the range of time in which nothing is proved \[time\].
     pub fn open(&self) -> Option<(f64, f64)> {
         let (from, to) = (self.trace.known.max(self.begin), self.end);
         (self.panel.is_of_time() && self.trace.is_open && from < to).then(|| (self.time(from), self.time(to)))

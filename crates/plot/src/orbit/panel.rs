@@ -26,7 +26,7 @@ fn corners(plane: &Plane, [x, y]: [Span; 2]) -> [Pixel; 2] {
     [plane.pixel([x.low, y.high]), plane.pixel([x.high, y.low])]
 }
 
-/// Whether a box is wider than a pixel as it is shown.
+/// Returns whether a box is wider than a pixel as it is shown.
 fn is_wide(plane: &Plane, place: [Span; 2]) -> bool {
     let [a, b] = corners(plane, place);
     (b.0 - a.0).max(b.1 - a.1) > SCALE
@@ -173,7 +173,7 @@ fn window(inner: &Frame<'_>, plane: &Plane, root: &Canvas<'_>) -> Drawn {
     Ok(())
 }
 
-/// What the boxes of a curve sweep, where they are wide enough to be seen.
+/// Draws the area that the boxes of a curve sweep, where they are wide enough to be seen. Returns whether any are.
 fn band(
     places: &[[Span; 2]],
     colour: RGBColor,

@@ -14,7 +14,7 @@ const IN_A_HOP: u32 = 32;
 /// A phase: whole forcing periods since the clock's origin and the rest.
 type Phase = (i64, Ball);
 
-/// What the ball does.
+/// The present motion of the ball.
 #[derive(Clone, Copy, Debug)]
 enum Now {
     Flies(Course),
@@ -45,7 +45,7 @@ pub fn end_of(scene: &impact_pair::Scene, cycles: u32) -> Option<Exact> {
 }
 
 impl Recorder {
-    /// For an orbit that has not gone on yet, and the curves of N cycles.
+    /// Returns the recorder of an orbit that has not advanced yet, for the curves of N cycles.
     pub fn new(orbit: &Orbit, cycles: u32) -> Self {
         let (course, turns, phase) = orbit.first_course();
         let wall = Span::from(&orbit.wall_displacement());
@@ -98,7 +98,7 @@ impl Recorder {
                 let phase = rest.at.at();
                 self.now = Now::Rests(rest.at.wall);
                 if rest.is_accumulation {
-                    // The last bounces are too small to be told from the wall.
+                    // The last bounces are too small to be distinguished from the wall.
                     self.after = None;
                     self.sweep(orbit, Part::Chatter, phase, None);
                     self.last = phase;
@@ -135,8 +135,8 @@ impl Recorder {
         (self.last, self.after) = (phase, ends.map(|[_, after]| after));
     }
 
-    /// Where the ball may be in the second half of the time of an impact if it has not come yet, and in the first half
-    /// if it has.
+    /// Returns the possible states of the ball around an uncertain impact: in the second half of the time of the impact without it,
+    /// and in the first half after it. `None` if the time is exact.
     fn either(&self, orbit: &Orbit, impact: &Impact) -> Option<Vec<Point>> {
         let half = 0.5 * impact.phase.rad();
         let over = |course: &Course, from_middle: f64| {
@@ -163,7 +163,7 @@ impl Recorder {
         (self.last, self.after) = (phase, None);
     }
 
-    /// Where the ball is.
+    /// Returns the state of the ball at a phase.
     fn point(&self, orbit: &Orbit, phase: Phase) -> Option<Point> {
         let point = match &self.now {
             Now::Flies(course) => orbit.course_point(course, phase.0, phase.1),
@@ -172,7 +172,7 @@ impl Recorder {
         point.map(|point| Point::new(self.at(phase), &point, self.trace.wall.high))
     }
 
-    /// What the ball does up to an event.
+    /// Records the motion of the ball up to an event.
     fn follow(&mut self, orbit: &Orbit, to: Phase) {
         let part = match self.now {
             Now::Flies(_) => Part::Flight,

@@ -21,9 +21,9 @@ const MARGIN: i32 = 16 * SCALE;
 
 /// A picture of a trace.
 pub struct Sheet<'s> {
-    /// Whose orbit it is.
+    /// The scene of the orbit.
     pub scene: &'s Scene,
-    /// What is drawn.
+    /// The trace that is drawn.
     pub trace: &'s Trace,
     /// The panels, in their order on the sheet.
     pub panels: Vec<Panel>,
@@ -31,13 +31,13 @@ pub struct Sheet<'s> {
     pub cycles: u32,
     /// Cycles that the phase planes show.
     pub orbit_cycles: u32,
-    /// From when to when the time panels are magnified \[time\].
+    /// The range of time that is magnified in the time panels \[time\].
     pub zoom: Option<[f64; 2]>,
-    /// How it is drawn.
+    /// Colours of the trace.
     pub style: Style,
-    /// What is certified, in one line.
+    /// The certified claim, in one line.
     pub verdict: String,
-    /// How it looks.
+    /// The look of the picture.
     pub look: &'s Look,
 }
 
@@ -45,9 +45,9 @@ impl Sheet<'_> {
     /// Returns the picture as SVG.
     ///
     /// # Errors
-    /// When it cannot be drawn.
+    /// Returns an error if the picture cannot be drawn.
     pub fn svg(&self) -> Result<String> {
-        // Whether there are boxes wide enough to be seen, and the legend has to explain them, the drawing tells.
+        // The drawing determines whether boxes are wide enough to be seen and so need an entry in the legend.
         let (svg, has_boxes) = self.drawn(true)?;
         if has_boxes { Ok(svg) } else { Ok(self.drawn(false)?.0) }
     }
@@ -112,7 +112,7 @@ impl Sheet<'_> {
         title.into_iter().chain(others.map(|text| (text, FONT))).flat_map(wrap).collect()
     }
 
-    /// How much of the motion the panels show.
+    /// Returns the part of the motion that the panels show, in words.
     fn shown(&self) -> String {
         let letters = |is_in: &dyn Fn(Panel) -> bool| {
             let of: Vec<Panel> = self.panels.iter().copied().filter(|panel| is_in(*panel)).collect();

@@ -8,10 +8,10 @@ use crate::picture::{BLUE, GREEN, GREY, SCALE, VERMILION};
 /// Heights of letters.
 pub const FONT: i32 = 17 * SCALE;
 
-/// How a trace is drawn.
+/// The colours of a trace.
 #[derive(Clone, Copy, Debug)]
 pub struct Style {
-    /// Whether it is certified: what is not has a colour of its own.
+    /// True if the trace is certified: a non-rigorous one has its own colour.
     pub is_certified: bool,
     /// The first N impacts are the transient, which is grey.
     pub transient: usize,

@@ -1,4 +1,4 @@
-//! What is drawn lies where the certified events are.
+//! Tests that curves and marks are drawn at the certified events.
 
 use std::f64::consts::TAU;
 

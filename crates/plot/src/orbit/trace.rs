@@ -6,7 +6,7 @@ use impact_pair::exact::Enclosure;
 use impact_pair::orbit::{CoursePoint, Orbit};
 use impact_pair::pair::Wall;
 
-/// What a coordinate is proved to lie between, and what it most likely is.
+/// Proved bounds of a coordinate, and its most likely value.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Span {
     pub low: f64,
@@ -94,7 +94,7 @@ pub enum Kind {
     Release,
 }
 
-/// Where such an event is.
+/// An event that is no impact, and its place.
 #[derive(Clone, Copy, Debug)]
 pub struct Mark {
     pub kind: Kind,

@@ -5,11 +5,11 @@ use std::ops::Range;
 
 use plotters::coord::ranged1d::{KeyPointHint, NoDefaultFormatting, Ranged, ValueFormatter};
 
-/// What stays free beyond the data, in parts of the axis.
+/// Free room beyond the data, as a fraction of their range.
 const MARGIN: f64 = 0.05;
 /// Ticks on an axis, about.
 const TICKS: f64 = 6.0;
-/// What doubles may lack of a whole number of steps: 0.9 - 0.3 is more than 0.6.
+/// Tolerance for numbers of steps in doubles: 0.9 - 0.3 is more than 0.6.
 const SLACK: f64 = 1e-9;
 
 /// A linear axis.
@@ -23,14 +23,14 @@ pub struct Axis {
 enum Labels {
     /// Multiples of a step, with N decimals.
     Step(f64, usize),
-    /// A number of eighths of a forcing period, and multiples of them.
+    /// Multiples of this number of eighths of `2 pi`.
     Angle(i32),
     /// Names of 0, 1, 2, ...
     Names(&'static [&'static str]),
 }
 
 impl Axis {
-    /// From `low` to `high`; where these are one number, some room around it.
+    /// Returns the axis from `low` to `high`; if these are one number, with some room around it.
     pub fn over(low: f64, high: f64) -> Self {
         let room = if high > low { 0.0 } else { low.abs().max(1.0) };
         let range = low - room..high + room;
@@ -71,7 +71,7 @@ impl Axis {
         Self::turn(0.0)
     }
 
-    /// Angles from N eighths of a forcing period to M.
+    /// Angles from `from` to `to`, in eighths of `2 pi`.
     pub fn eighths(from: i32, to: i32) -> Self {
         let step = if to - from > 4 { 2 } else { 1 };
         Self { range: f64::from(from) * FRAC_PI_4..f64::from(to) * FRAC_PI_4, labels: Labels::Angle(step) }
@@ -101,7 +101,7 @@ fn step(least: f64) -> (f64, usize) {
     (times * decade, exponent.min(0).unsigned_abs() as usize)
 }
 
-/// N eighths of a forcing period in words.
+/// Returns an angle in words, from its number of eighths of `2 pi`.
 fn angle(eighths: i32) -> String {
     let sign = if eighths < 0 { "−" } else { "" };
     let (times, parts) = match eighths.abs() {

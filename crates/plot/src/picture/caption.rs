@@ -1,4 +1,4 @@
-//! What stands above a picture: its title, and lines that say what it shows.
+//! The header of a picture: its title, and lines that say what it shows.
 
 use impact_pair::json::PROGRAM;
 use plotters::prelude::*;
@@ -9,7 +9,7 @@ use super::{Canvas, LETTER, Look, SCALE, letters, words};
 /// The height of letters.
 pub const FONT: i32 = 15 * SCALE;
 const TITLE: i32 = FONT + 3 * SCALE;
-/// From the left edge, and above the first line.
+/// Distance of the text from the left edge, and from the upper edge.
 const MARGIN: i32 = 16 * SCALE;
 const ABOVE: i32 = 7 * SCALE;
 const LINE: i32 = 22 * SCALE;
@@ -18,7 +18,7 @@ const LINE: i32 = 22 * SCALE;
 /// they take.
 ///
 /// # Errors
-/// When they cannot be drawn.
+/// Returns an error if the text cannot be drawn.
 pub fn caption(
     root: &Canvas<'_>,
     look: &Look,

@@ -12,7 +12,7 @@ use super::{Element, SCALE, hex};
 pub struct Dots {
     /// Their colour.
     pub colour: RGBColor,
-    /// Where they are.
+    /// Their places on the canvas \[pixels\].
     pub places: Vec<(i32, i32)>,
 }
 
@@ -23,11 +23,11 @@ const FEW: usize = 100;
 /// Dots are dealt to N paths, each of this opacity: within a path they cover each other unseen.
 const LAYERS: usize = 6;
 const OPACITY: f64 = 0.55;
-/// From here on their places are distinguished by half a pixel as it is shown only, lest the file be too large.
+/// Number of dots from which on their places are rounded to half a pixel as it is shown, lest the file be too large.
 const VERY_MANY: usize = 20_000;
 
 impl Dots {
-    /// Whether there are enough to show density.
+    /// Returns whether there are enough different places to show density.
     fn are_many(&self) -> bool {
         self.places.iter().collect::<BTreeSet<_>>().len() > FEW
     }

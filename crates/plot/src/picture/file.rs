@@ -17,7 +17,7 @@ const ENDINGS: &str = match (cfg!(feature = "png"), cfg!(feature = "pdf")) {
 /// Reads the name of a picture.
 ///
 /// # Errors
-/// When its ending is none that this build writes.
+/// Returns an error if its ending stands for no format that this build writes.
 pub fn path(text: &str) -> Result<PathBuf, String> {
     let path = PathBuf::from(text);
     match ending(&path).as_str() {
@@ -36,7 +36,7 @@ fn ending(path: &Path) -> String {
 /// The bytes of a picture for a file of this name, in this look.
 ///
 /// # Errors
-/// When it cannot be turned into a PNG or PDF, or the system has no such letters.
+/// Returns an error if the picture cannot be converted to PNG or PDF, or the system lacks the font.
 pub fn encoded(svg: &str, look: &Look, path: &Path) -> Result<Vec<u8>> {
     let svg = look.of(svg);
     match ending(path).as_str() {

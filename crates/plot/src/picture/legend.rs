@@ -8,7 +8,7 @@ use super::{Canvas, FONT, LETTER, SCALE, letters, words};
 /// A line of a legend.
 const LINE: i32 = 22 * SCALE;
 
-/// What an entry of a legend explains.
+/// The symbol of an entry of a legend.
 #[derive(Clone, Copy, Debug)]
 pub enum Mark {
     /// A filled area.
@@ -29,7 +29,7 @@ const HALF: i32 = 5 * SCALE;
 /// Draws the entries of a legend below `top`, in as many lines as they need; the height that they take.
 ///
 /// # Errors
-/// When they cannot be drawn.
+/// Returns an error if the legend cannot be drawn.
 pub fn legend(root: &Canvas<'_>, top: i32, entries: &[(Mark, String)]) -> Result<i32, Box<dyn std::error::Error>> {
     let (left, right) = (24 * SCALE, root.dim_in_pixel().0 as i32 - 16 * SCALE);
     let (mut x, mut line) = (left, 0);

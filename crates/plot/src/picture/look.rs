@@ -1,4 +1,4 @@
-//! What a reader may choose of every picture: its colours, its size, its letters, and whether it has a header.
+//! The options of every picture: its colours, size and font, and whether it has a header.
 
 use std::str::FromStr;
 
@@ -63,7 +63,7 @@ fn family(text: &str) -> Result<String, String> {
 }
 
 impl Look {
-    /// Returns the size of a picture that has a size of its own, where none is asked for.
+    /// Returns the requested size, or else `own`, the picture's usual size \[pixels\].
     pub fn size(&self, own: (u32, u32)) -> (u32, u32) {
         self.size.map_or(own, |size| (size.width, size.height))
     }

@@ -143,7 +143,7 @@ pub fn runs_width(text: &str, size: f64) -> Option<f64> {
     (runs.len() > 1).then(|| size * runs.iter().map(width).sum::<f64>())
 }
 
-/// How wide a letter is, in sizes of its font: between Arial and DejaVu Sans, rounded to classes of letters.
+/// Returns the width of a letter, in sizes of its font: between Arial and DejaVu Sans, rounded to classes of letters.
 fn advance(letter: char) -> f64 {
     match letter {
         'i' | 'j' | 'l' | '\'' | '′' => 0.25,
@@ -189,7 +189,7 @@ fn powers(words: &str) -> String {
     each_power(words, "")
 }
 
-/// The same in other words, with `around` around each number.
+/// Writes powers of ten as such, with `around` around each number.
 fn each_power(words: &str, around: &str) -> String {
     let is_number = |text: &str| text.trim_start_matches('-').starts_with(|c: char| c.is_ascii_digit());
     let word = |word: &str| {

@@ -1,4 +1,4 @@
-//! What all pictures share: the canvas, colours, words, axes, and the file they end in.
+//! Common parts of all pictures: the canvas, colours, words, axes, and the output file.
 
 mod arc;
 mod axis;
@@ -34,9 +34,9 @@ pub use plane::Plane;
 pub use svg::{Element, Svg};
 pub use theme::Theme;
 
-/// What is drawn is N times as large as what is shown: the backend rounds to whole pixels.
+/// Pixels of the canvas for each pixel as it is shown: the backend rounds to whole pixels.
 pub const SCALE: i32 = 4;
-/// How wide a letter is on average, in sizes of its font: what a reader's fonts do is not known here.
+/// Average width of a letter, in sizes of its font; the reader's fonts are unknown.
 pub const LETTER: f64 = 0.44;
 
 // Of the colours that Okabe and Ito (2008) chose for all eyes, and grey; lines, shapes and words say the same again.
@@ -59,13 +59,13 @@ pub const GREY: RGBColor = RGBColor(0x99, 0x99, 0x99);
 
 /// A canvas that becomes SVG.
 pub type Canvas<'a> = DrawingArea<Svg<'a>, plotters::coord::Shift>;
-/// Whether something could be drawn.
+/// The result of drawing.
 pub type Drawn = Result<(), Box<dyn StdError>>;
 
 /// Returns the SVG text of what `draw` draws on a white canvas that is shown in this `size` and has `scale` pixels for one.
 ///
 /// # Errors
-/// Those of `draw`.
+/// Returns the errors of `draw`.
 pub fn svg(size: (u32, u32), scale: i32, draw: impl FnOnce(&Canvas<'_>) -> Drawn) -> Result<String> {
     let mut text = String::new();
     {

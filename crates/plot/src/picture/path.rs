@@ -4,9 +4,9 @@ use std::fmt::Write;
 
 /// A place on the canvas.
 pub type Place = (f64, f64);
-/// What is distinguished, a pixel of the canvas in parts.
+/// Units of a path for each pixel of the canvas.
 const PARTS: f64 = 10.0;
-/// How far a curve may be from its chord to be drawn as that: a twentieth of a pixel as it is shown.
+/// Maximum distance of a control point from the chord for a curve drawn as a straight line: a twentieth of a pixel as it is shown.
 const STRAIGHT: f64 = 0.2;
 
 /// Two cubic Bézier control points and the end of what begins at `from`: the cubic that has these places and, over its
@@ -24,7 +24,7 @@ pub fn hermite((from, start): (Place, Place), (to, end): (Place, Place)) -> [Pla
 #[derive(Clone, Debug, Default)]
 pub struct Path {
     data: String,
-    /// Where it has come to, in tenths: differences of these do not add up rounding errors.
+    /// Its last point, in tenths of a pixel of the canvas: differences of these do not accumulate rounding errors.
     at: (i64, i64),
 }
 
@@ -88,7 +88,7 @@ impl Path {
     }
 }
 
-/// How far a place is from the chord between two others.
+/// Returns the distance of a place from the chord between two others.
 fn off_chord((x, y): Place, (x0, y0): Place, (x1, y1): Place) -> f64 {
     let (u, v) = (x1 - x0, y1 - y0);
     let length = u * u + v * v;

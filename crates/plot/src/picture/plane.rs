@@ -18,7 +18,7 @@ impl Plane {
     /// Draws axes with these names and a thin mesh into an area, with this much room on their right.
     ///
     /// # Errors
-    /// When they cannot be drawn.
+    /// Returns an error if the axes cannot be drawn.
     pub fn draw(
         area: &Canvas<'_>,
         axes: [Axis; 2],

@@ -24,7 +24,7 @@ pub struct Svg<'t> {
 type Done = Result<(), DrawingErrorKind<Infallible>>;
 
 impl<'t> Svg<'t> {
-    /// Of a picture that is shown in this `size`, and has `scale` pixels for one.
+    /// Returns the backend of a picture that is shown in this size, and has `scale` pixels of the canvas for each pixel shown.
     pub fn new(text: &'t mut String, (width, height): (u32, u32), scale: u32) -> Self {
         let size = (width * scale, height * scale);
         *text = format!(

@@ -1,6 +1,6 @@
 //! Light and dark: the same drawing with its lightnesses turned round.
 
-/// What a picture stands on.
+/// The background of a picture.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
 pub enum Theme {

@@ -16,12 +16,12 @@ use impact_pair::scene::Range;
 const CELL: i32 = 3;
 /// The largest one, where points are few.
 const LARGEST: i32 = 2 * SCALE;
-/// What is added around the cells of periodic orbits.
+/// Width added around the cells of periodic orbits, in pixels of the canvas.
 const EDGE: i32 = 2;
 /// Height of the bar over an undecided point.
 const BAR: i32 = 8 * SCALE;
 
-/// What is known of a point, as a diagram shows it; what comes later is drawn on top.
+/// The kind of outcome of a point in a diagram; later ones are drawn on top.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 enum Class {
     NotAttracted,
@@ -62,7 +62,7 @@ impl Class {
 /// The impacts of points of one class: of each column of cells its rows.
 type Columns = BTreeMap<i32, Vec<i32>>;
 
-/// Draws axes and words; the data are handed back.
+/// Draws axes and words, and returns the data as SVG.
 pub fn draw(
     sweep: &mut impl Records<Head = SweepHead>,
     axis: &Range,
@@ -131,7 +131,7 @@ fn survey(sweep: &mut impl Records<Head = SweepHead>) -> Drawn<(Vec<Class>, f64)
     Ok((present, greatest))
 }
 
-/// What is shown of an impact: its bounds.
+/// Returns the bounds of the phase or the velocity of an impact, whichever is shown.
 fn bounds(state: &SweepImpact, show: Show) -> anyhow::Result<[f64; 2]> {
     let bounds = match show {
         Show::Phase => &state.phase,

@@ -15,7 +15,7 @@ use impact_pair::json::{ExtendedBounds, SweepPeriod, SweepRecord};
 const LETTERS: usize = 10;
 /// The attractors with the most points have colours of their own.
 const COLOURS: [RGBColor; 5] = [BLUE, ORANGE, GREEN, PURPLE, SKY];
-/// Of the other attractors.
+/// Colour of the other attractors.
 pub const OTHER: RGBColor = GREY;
 pub const UNDECIDED: RGBColor = VERMILION;
 const SETTLED: RGBColor = YELLOW;
@@ -70,11 +70,11 @@ impl Kind {
     }
 }
 
-/// Whether two pairs of bounds may mean one number, or numbers that are `period` apart; by doubles, as labels are.
+/// Returns whether two pairs of bounds may hold one number, or numbers that are `period` apart; by doubles, as labels are.
 fn overlap(a: &ExtendedBounds, b: &ExtendedBounds, period: f64) -> bool {
     let ends = |bounds: &ExtendedBounds| Some((double(&bounds[0]).ok()?, double(&bounds[1]).ok()?));
     let Some(((a0, a1), (b0, b1))) = ends(a).zip(ends(b)) else { return false };
-    // What reading and shifting may round off.
+    // Bound of the rounding errors of reading and shifting.
     let slack = 4.0 * f64::EPSILON * (a1.abs() + b1.abs() + period);
     [-period, 0.0, period].iter().any(|shift| a0 + shift <= b1 + slack && b0 <= a1 + shift + slack)
 }

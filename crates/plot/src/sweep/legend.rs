@@ -1,4 +1,4 @@
-//! What a picture of a sweep says in words.
+//! The words on a picture of a sweep.
 
 use impact_pair::json::{SceneDocument, SweepHead, Written};
 use impact_pair::scene::{Key, Term};

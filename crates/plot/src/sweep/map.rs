@@ -20,7 +20,7 @@ use crate::records::Records;
 /// Radius of the ring around an attractor.
 const RING: i32 = 6 * SCALE;
 
-/// What is known of all points.
+/// The outcomes of all points.
 struct Outcomes {
     kinds: Vec<Kind>,
     /// The kind of each point; none where it is missing.
@@ -32,7 +32,7 @@ impl Outcomes {
         let mut kinds: Vec<Kind> = Vec::new();
         let mut points = vec![None; usize::try_from(grid.points())?];
         sweep.each_record(|mut record| {
-            // What is exactly periodic through a rest is one kind.
+            // Exact periods through a rest are one kind.
             record.period = record.period.filter(|period| period.word.is_some());
             let found = kinds.iter().position(|kind| kind.is_of(&record, is_one_pair));
             let number = found.unwrap_or_else(|| {
@@ -47,7 +47,7 @@ impl Outcomes {
     }
 }
 
-/// Draws axes and words; the data are handed back.
+/// Draws axes and words, and returns the data as SVG.
 pub fn draw(
     sweep: &mut impl Records<Head = SweepHead>,
     grid: &Grid,
@@ -80,7 +80,7 @@ pub fn draw(
     Ok(cells(&plane, x.points(), y.points(), colour) + &rings)
 }
 
-/// Where attractors hit the left wall first, as far as that is known, and their colours.
+/// Returns the first impacts of attractors on the left wall (phase, velocity), as far as known, and their colours.
 fn attractors(kinds: &[Kind], colours: &[RGBColor]) -> Vec<(f64, f64, RGBColor)> {
     let place = |(kind, colour): (&Kind, &RGBColor)| {
         let period = kind.period.as_ref()?;

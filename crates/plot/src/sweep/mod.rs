@@ -41,7 +41,7 @@ pub enum Show {
 /// Returns the picture as SVG: a diagram over one key, all of it or a range of its vertical axis, a map over two.
 ///
 /// # Errors
-/// When it cannot be drawn, or the sweep cannot be read.
+/// Returns an error if the picture cannot be drawn, or the sweep cannot be read.
 pub fn svg(
     sweep: &mut impl Records<Head = SweepHead>,
     show: Show,
@@ -94,7 +94,7 @@ impl Plane {
         self.pixels.map(|(from, to)| to - from)
     }
 
-    /// Whether any number between these is on the vertical axis.
+    /// Returns whether a part of the range from `low` to `high` is on the vertical axis.
     fn shows(&self, [low, high]: [f64; 2]) -> bool {
         let range = self.axes[1].range();
         low <= range.end && high >= range.start

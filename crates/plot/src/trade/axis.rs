@@ -7,9 +7,9 @@ use plotters::coord::ranged1d::{KeyPointHint, NoDefaultFormatting, Ranged, Value
 /// Digits that the axis names, where it reaches them.
 const TICKS: [f64; 18] =
     [-2.0, -1.0, 0.0, 1.0, 2.0, 3.0, 5.0, 10.0, 20.0, 50.0, 100.0, 200.0, 500.0, 1e3, 2e3, 5e3, 1e4, 1e5];
-/// What stays free beyond the marks, in parts of the axis.
+/// Free room beyond the marks, as a fraction of the axis.
 const MARGIN: f64 = 0.05;
-/// The same on the axis of times, as a factor.
+/// Free room beyond the marks on the axis of times, as a factor.
 const ROOM: f64 = 2.0;
 /// The slowest time shown is at least N times the fastest one.
 const DECADES: f64 = 100.0;
@@ -19,7 +19,7 @@ const DECADES: f64 = 100.0;
 pub struct Digits(Range<f64>);
 
 impl Digits {
-    /// From 0 to 10 at least, and to all these.
+    /// Returns the axis that holds 0, 10 and all of `digits`.
     pub fn around(digits: impl Iterator<Item = f64>) -> Self {
         let (low, high) = digits.fold((0.0f64, 10.0f64), |(low, high), x| (low.min(x), high.max(x)));
         let margin = MARGIN * (scale(high) - scale(low));

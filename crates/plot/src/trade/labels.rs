@@ -1,4 +1,4 @@
-//! Where labels stand beside their markers without covering anything.
+//! Placement of labels beside their markers such that they cover nothing.
 
 /// A rectangle in pixels: left, top, right, bottom.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -33,7 +33,7 @@ impl Area {
         (near.0 - x).hypot(near.1 - y)
     }
 
-    /// Whether the line between both points passes through, looked at in small steps.
+    /// Returns whether the line between two points passes through the rectangle, tested in steps of a pixel.
     fn is_crossed(&self, (x0, y0): (f64, f64), (x1, y1): (f64, f64)) -> bool {
         let steps = (x1 - x0).hypot(y1 - y0).ceil().max(1.0) as u32;
         (0..=steps).any(|step| {
@@ -56,11 +56,11 @@ pub struct Label {
 pub const MARKER: f64 = 7.0;
 /// Distances of a label from its marker, the first that is free.
 const DISTANCES: [f64; 9] = [10.0, 16.0, 24.0, 34.0, 46.0, 60.0, 76.0, 94.0, 114.0];
-/// Directions tried at each distance, in sixteenth of a forcing period from the right: beside first, then above and below.
+/// Directions tried at each distance, in sixteenths of a full angle from the right: beside first, then above and below.
 const DIRECTIONS: [i32; 16] = [0, 8, 1, -1, 2, -2, 4, -4, 3, -3, 5, -5, 6, -6, 7, -7];
 /// Another marker is at least N times as far from a label as its own.
 const NEARER: f64 = 1.3;
-/// From here on a line leads from the marker to the label.
+/// Distance from which on a line leads from the marker to the label.
 pub const LEADER: f64 = 14.0;
 
 /// Places the labels one after another within `frame`: where nothing is covered, no line
@@ -96,7 +96,7 @@ pub fn place(labels: &[Label], frame: &Area) -> Vec<Area> {
 fn candidate(label: &Label, distance: f64, turn: i32) -> Area {
     let (sin, cos) = (f64::from(turn) * std::f64::consts::TAU / 16.0).sin_cos();
     let (x, y) = (label.marker.0 + distance * cos, label.marker.1 - distance * sin);
-    // How much of the label lies beyond the point, to the right and upwards.
+    // The fraction of the label that lies beyond the point, to the right and upwards.
     let side = |towards: f64| if towards.abs() < 0.2 { 0.5 } else { f64::from(towards > 0.0) };
     let (left, bottom) = (x - (1.0 - side(cos)) * label.width, y + (1.0 - side(sin)) * label.height);
     Area { left, top: bottom - label.height, right: left + label.width, bottom }

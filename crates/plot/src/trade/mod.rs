@@ -15,12 +15,12 @@ use labels::{Area, Label};
 
 const SIZE: (u32, u32) = (900, 620);
 const FONT: i32 = 15;
-/// How wide a letter is on average, in those sizes: what a reader's fonts do is not known here.
+/// Average width of a letter, in font sizes; the reader's fonts are unknown.
 const LETTER: f64 = 0.45;
-/// Where a rung with no width at all stands: beyond all others by this factor.
+/// Place of an arithmetic whose enclosures have no width: beyond all others by this factor.
 const BEYOND: f64 = 1.5;
 
-/// What stands behind a rung's digits.
+/// The kind of an arithmetic, which determines colour and symbol.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Kind {
     Float,
@@ -54,7 +54,7 @@ impl Kind {
     }
 }
 
-/// A rung to draw.
+/// A measured arithmetic as a marker of the plot.
 struct Mark {
     kind: Kind,
     digits: f64,
@@ -97,7 +97,7 @@ impl Mark {
 /// Returns the plot of what has been measured.
 ///
 /// # Errors
-/// When it cannot be drawn.
+/// Returns an error if the picture cannot be drawn.
 pub fn svg(trade: &Trade<'_>, look: &Look) -> Result<String> {
     picture::svg(look.size(SIZE), 1, |root| draw(trade, (root, look)))
 }
@@ -192,7 +192,7 @@ fn names(marks: &[Mark], points: &[(i32, i32)], frame: &Area, root: &Canvas<'_>)
 const CAPTION: i32 = 70;
 const LEGEND: i32 = 52;
 
-/// Title, parameters, start, and what was asked.
+/// Title, parameters, start, and request.
 fn caption(trade: &Trade<'_>, root: &Canvas<'_>) -> Drawn {
     let scene = trade.scene;
     let title = format!("What accuracy costs. {}", scene.title().unwrap_or_default());
@@ -204,7 +204,7 @@ fn caption(trade: &Trade<'_>, root: &Canvas<'_>) -> Drawn {
     Ok(())
 }
 
-/// What the symbols say: their kinds, and whether they reach the end.
+/// Draws the legend: the symbols of the kinds, and the hollow ones of orbits that end early.
 fn legend(marks: &[Mark], above: i32, root: &Canvas<'_>) -> Drawn {
     let say = |text: &str, x: i32, y: i32| Text::new(text.to_owned(), (x, y), words(FONT, &BLACK, HPos::Left));
     let width = |text: &str| (LETTER * f64::from(FONT) * text.chars().count() as f64) as i32;

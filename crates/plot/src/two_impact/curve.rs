@@ -10,7 +10,7 @@ use plotters::style::RGBColor;
 use super::middle;
 use crate::picture::{BLUE, GREY, Path, Plane, SCALE, VERMILION, hermite, hex};
 
-/// What is proved of a part, by colour and width.
+/// The properties proved of a part of a curve, shown by colour and width.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum Kind {
     Stable,
@@ -55,7 +55,7 @@ struct Stretch {
     knots: Vec<Knot>,
 }
 
-/// What the slopes of the curves rest on.
+/// Data from which the slopes of the curves are computed.
 pub struct Slope {
     axis: Axis,
     gap: f64,

@@ -22,14 +22,14 @@ const RIGHT: i32 = 52 * SCALE;
 /// Amplitudes beyond N gaps are cut off: near W = 0 they have no bound.
 const HIGHEST: f64 = 0.75;
 
-/// What is magnified: from where to where, on both axes.
+/// The magnified window: its ends on both axes.
 pub type Window = [[f64; 2]; 2];
 
 /// Returns the picture as SVG; over v with both walls, since one is the mirror image of the other (72). A window of it may be
 /// shown again below, magnified.
 ///
 /// # Errors
-/// When it cannot be drawn.
+/// Returns an error if the picture cannot be drawn.
 pub fn svg(scene: &Scene, axis: Axis, curves: &[Manifold], window: Option<Window>, look: &Look) -> Result<String> {
     let picture = Picture { curves, slope: Slope::of(scene, axis), gap: middle(&scene.pair().gap().enclose(64)), axis };
     let height = SIZE.1 + if window.is_some() { BELOW } else { 0 };
@@ -44,7 +44,7 @@ fn middle(x: &Enclosure) -> f64 {
     x.mid_rad().0
 }
 
-/// What is drawn.
+/// The data of a picture.
 struct Picture<'m> {
     curves: &'m [Manifold],
     slope: Slope,
@@ -123,7 +123,7 @@ impl Picture<'_> {
     }
 }
 
-/// Whether a place is on the axes.
+/// Returns whether a place lies within the axes.
 fn is_inside(plane: &Plane, place: [f64; 2]) -> bool {
     (0..2).all(|axis| plane.axes[axis].range().contains(&place[axis]))
 }
@@ -158,7 +158,7 @@ fn names(points: &[(u32, Vec<Marked>)], plane: &Plane, root: &Canvas<'_>) -> Dra
     Ok(())
 }
 
-/// How far apart names at these places are, at least: from 1 on they do not cover each other.
+/// Returns the least distance between names at these places; from 1 on they do not cover each other.
 fn room(places: &[(u32, (i32, i32))]) -> f64 {
     let distance = |a: (i32, i32), b: (i32, i32)| {
         let part = |a: i32, b: i32, size: i32| f64::from((a - b).abs()) / f64::from(size);

@@ -14,7 +14,7 @@ const EXTENDED_BITS: u32 = 16;
 const MOST_PRECISIONS: u32 = 3;
 
 impl<S: Varied> Setting<'_, S> {
-    /// In N bits.
+    /// Returns the family in balls of `bits` bits.
     pub fn balls(&self, bits: u32) -> Family<S, MpBall> {
         Family { unknown: self.unknown, base: self.base.precise(bits) }
     }

@@ -9,7 +9,7 @@ use crate::number::Enclosing;
 use crate::periodic::shaking::Shaking;
 use crate::several::Turning;
 
-/// Whether one of the equations `F = 0`, `F'_mu w = 0` contains one of the unknowns `(u, w, p)`, or `mu` after them.
+/// Returns whether equation `i` of `F = 0`, `F'_mu w = 0` contains unknown `j` of `(u, w, p)`, or `mu` after them.
 fn critical_contains(i: usize, j: usize, m: usize) -> bool {
     match (i < m, j / m) {
         (true, 1) if j < 2 * m => false,
@@ -67,7 +67,7 @@ impl Critical<'_> {
         Some(values)
     }
 
-    /// Whether `e > 0`, for Lemma Y2; velocities that are not 0 are requested with the orbit.
+    /// Returns whether `e > 0` is proved, for Lemma Y2; velocities that are not 0 are requested with the orbit.
     pub fn holds<N: Enclosing, B: Shaking<N>>(&self, pair: &B) -> bool {
         pair.restitution().certain_sign() == Some(Ordering::Greater)
     }

@@ -14,17 +14,17 @@ use crate::several::Turning;
 pub(super) use eigenvalue::{Critical, Multiplied};
 pub(super) use orbits::{Curve, Graze, Traced, Vanishing};
 
-/// Which equations contain which unknowns.
+/// The unknowns that each equation contains.
 pub(super) trait Shape {
-    /// How many unknowns there are.
+    /// Returns the number of unknowns.
     fn unknowns(&self) -> usize;
 
-    /// How many equations there are.
+    /// Returns the number of equations.
     fn equations(&self) -> usize {
         self.unknowns()
     }
 
-    /// Whether an equation contains an unknown: where it does not, the derivative is 0.
+    /// Returns whether an equation contains an unknown: where it does not, the derivative is 0.
     fn contains(&self, _: usize, _: usize) -> bool {
         true
     }
@@ -60,7 +60,7 @@ impl System<'_> {
         }
     }
 
-    /// What the equations miss at `x`; `None` where they may not be defined.
+    /// Returns the residuals of the equations at `x`; `None` where they may not be defined.
     pub fn values<S: Varied, N: Turning>(&self, family: &Family<S, N>, x: &[N]) -> Option<Vec<N>> {
         match self {
             Self::Curve(system) => system.values(family, x),
@@ -73,7 +73,7 @@ impl System<'_> {
         }
     }
 
-    /// Whether what the equations leave open is as it has to be at a zero, proved.
+    /// Returns whether the conditions that the equations do not express are proved at a zero.
     pub fn holds<N: Enclosing, B: Shaking<N>>(&self, pair: &B, x: &[N], phases: &[N]) -> bool {
         match self {
             Self::Critical(system) => system.holds(pair),
@@ -137,7 +137,7 @@ fn groups(rows: usize, columns: usize, contains: &dyn Fn(usize, usize) -> bool) 
     groups.into_iter().map(|(group, _)| group).collect()
 }
 
-/// Whether the equation of an impact of a ring of `m` contains the phase of another one, or what it is varied by.
+/// Returns whether the equation of impact `i` of a ring of `m` contains the phase of impact `j`, or its variation.
 fn are_neighbours(i: usize, j: usize, m: usize) -> bool {
     i == j || (i + 1) % m == j || (j + 1) % m == i
 }
@@ -146,7 +146,7 @@ fn are_neighbours(i: usize, j: usize, m: usize) -> bool {
 pub(super) struct Posed<'s, S: Varied, N: Turning> {
     pub system: &'s System<'s>,
     pub family: &'s Family<S, N>,
-    /// Whether the entries that are 0 are left out.
+    /// `true` if the entries that are 0 are left out.
     pub is_sparse: bool,
 }
 

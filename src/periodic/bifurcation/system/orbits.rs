@@ -97,7 +97,8 @@ impl Graze<'_> {
         Some(values)
     }
 
-    /// Whether the touch lies inside its flight, and the ball comes from inside the gap: it is bent away from the wall. Lemma Y5
+    /// Returns whether the touch is proved to lie inside its flight, and the ball to come from inside the gap: it is bent away from the
+    /// wall. Lemma Y5
     pub fn holds<N: Enclosing, B: Shaking<N>>(&self, pair: &B, x: &[N], phases: &[N]) -> bool {
         let at = &x[x.len() - 2];
         let chain = self.ring.chain();

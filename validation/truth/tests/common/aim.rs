@@ -29,7 +29,7 @@ pub struct Aim {
     bits: u32,
     amplitude: Float,
     omega: Float,
-    /// In [0, 2 pi).
+    /// Phase at the start, in [0, 2 pi).
     theta0: Float,
     /// y_i + A sin(theta0)
     base: Float,
@@ -37,7 +37,7 @@ pub struct Aim {
     time: Float,
 }
 
-/// Where an extremum is.
+/// The place of an extremum.
 pub struct Extremum {
     /// W (t - t_i)
     pub phi: Float,
@@ -101,7 +101,7 @@ impl Aim {
         self.float(self.theta0.cos_ref()) * &self.amplitude + self.float(velocity / &self.omega)
     }
 
-    /// How much b adds to the heights in a turn.
+    /// The increase of the heights by b in a forcing period.
     pub fn drift_per_turn(&self, b: &Float) -> Float {
         self.two_pi() * b
     }
@@ -150,8 +150,8 @@ impl Aim {
         None
     }
 
-    /// Whether every extremum before the target stays off its wall by more than `margin`, and the target is none of the
-    /// start's own: the first of each kind and the last before the target bound an arithmetic progression.
+    /// Returns whether every extremum before the target stays off its wall by more than `margin`: the first of each kind and the last before the
+    /// target bound an arithmetic progression.
     pub fn is_clear(&self, b: &Float, target: Target, margin: &Float) -> bool {
         let other = Target { wall: target.wall.opposite(), turn: 0 };
         let comes_first = self.extremum(b, other).phi < self.extremum(b, Target { turn: 0, ..target }).phi;

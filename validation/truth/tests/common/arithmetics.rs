@@ -36,11 +36,11 @@ pub struct Run {
     pub kind: Kind,
     pub orbit: Orbit,
     pub impacts: Vec<Impact>,
-    /// Of time and velocity.
+    /// Bounds of time and velocity of each impact.
     pub bounds: Vec<(Enclosure, Enclosure)>,
-    /// How often it was asked to advance.
+    /// Number of calls to advance.
     pub steps: u64,
-    /// Whether it grazes or rests after the impacts.
+    /// True if it grazes or rests after the impacts.
     pub rests: bool,
 }
 
@@ -108,7 +108,7 @@ impl Run {
         }
     }
 
-    /// What is wrong with it by the truth, or `None`.
+    /// The first contradiction to the truth in words, or `None`.
     pub fn objection(&self, truth: &[Contact]) -> Option<String> {
         for (index, (impact, (time, velocity))) in self.impacts.iter().zip(&self.bounds).enumerate() {
             let number = index as u64 + 1;

@@ -28,7 +28,7 @@ where
     Float::with_val(BITS, value)
 }
 
-/// What a flight is made of before its velocity is known.
+/// The data of a flight before its velocity is known.
 #[derive(Clone, Debug)]
 pub struct Draft {
     /// A/d
@@ -66,7 +66,7 @@ impl Draft {
     }
 }
 
-/// Which of the extrema after the start.
+/// The order of an extremum after the start.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Order {
     First,
@@ -74,7 +74,7 @@ pub enum Order {
     Later,
 }
 
-/// How a flight comes to its graze: from where, with which first move, at which extremum.
+/// The way of a flight to its graze: from where, with which first move, at which extremum.
 #[derive(Clone, Copy, Debug)]
 pub struct Approach {
     pub from_wall: bool,
@@ -232,7 +232,7 @@ pub fn long_flights(random: &mut Random) -> Vec<Question> {
     questions
 }
 
-/// From the wall behind, just about where the box is outermost: only there a slow drift clears it in the first turn.
+/// A start from the wall behind, just about where the box is outermost: only there a slow drift clears it in the first forcing period.
 fn slow_start(random: &mut Random, heading: Wall, turn: u64) -> Option<Touch> {
     let alpha = random.magnitude(-2.0, -0.4);
     // A (1 - sin theta0) must stay below 2 pi b, and b is about d over 2 pi turns.
@@ -243,7 +243,7 @@ fn slow_start(random: &mut Random, heading: Wall, turn: u64) -> Option<Touch> {
     Touch::search(draft.scene(random), heading, Target { wall: heading, turn })
 }
 
-/// From inside the gap, with either first move and either drift.
+/// A start from inside the gap, with either first move and either drift.
 fn floating(random: &mut Random, turn: u64) -> Option<Touch> {
     let [heading, wall] = [(); 2].map(|()| SIDES[random.below(2) as usize]);
     let alpha = random.magnitude(-2.0, -0.4);
@@ -251,8 +251,8 @@ fn floating(random: &mut Random, turn: u64) -> Option<Touch> {
     Touch::search(draft.scene(random), heading, Target { wall, turn })
 }
 
-/// With e = 0 or any other, the far wall placed by the gap instead of the velocity: the flight is the same for both
-/// twins, and only the gap, a number of 90 digits, tells them apart.
+/// Grazes with e = 0 or any other, the far wall placed by the gap instead of the velocity: the flight is the same for both
+/// twins, and only the gap, a number of 90 digits, distinguishes them.
 pub fn gap_grazes(random: &mut Random) -> Vec<Question> {
     let mut questions = Vec::new();
     for exponent in (-40..=-2).rev() {

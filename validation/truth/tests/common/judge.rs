@@ -13,7 +13,7 @@ use rug::Float;
 /// Bits of the truth.
 pub const BITS: u32 = 320;
 
-/// Where a flight starts.
+/// The place from which a flight starts.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum From {
     Left,
@@ -130,7 +130,7 @@ pub fn same_wall(library: LibraryWall, truth: Wall) -> bool {
     matches!((library, truth), (LibraryWall::Left, Wall::Left) | (LibraryWall::Right, Wall::Right))
 }
 
-/// What is wrong with a certified contact for one true start, or `None`.
+/// The first contradiction of a certified contact to that of one true start, in words, or `None`.
 pub fn objection(found: &Contact<Ball>, start: &Start, truth: &Truth) -> Option<String> {
     let Truth::Contact { time, wall, velocity_before } = truth else {
         return Some(format!("certified, but the truth is {truth:?}"));

@@ -1,4 +1,4 @@
-//! What the tests share: a seeded generator and problems biased to corners.
+//! Shared parts of the tests: a seeded generator and problems biased to corners.
 #![allow(dead_code)] // each test crate uses a part
 
 pub mod aim;
@@ -19,7 +19,7 @@ use rug::Float;
 pub struct Random(u64);
 
 impl Random {
-    /// Of this seed, whatever the environment says.
+    /// Returns the generator of this seed, whatever the environment says.
     pub fn new(seed: u64) -> Random {
         Random(seed)
     }

@@ -54,7 +54,7 @@ impl Value {
     }
 }
 
-/// Where the ball is at first.
+/// The place of the ball at the start.
 #[derive(Clone, Debug)]
 pub enum At {
     Wall(Wall),
@@ -70,7 +70,7 @@ pub struct Scene {
     pub gap: Value,
     pub restitution: Value,
     pub time: Value,
-    /// Before the impact, for a start on a wall.
+    /// Velocity before the impact, for a start on a wall.
     pub velocity: Value,
     pub at: At,
 }
@@ -157,7 +157,7 @@ pub fn holds(bounds: &Enclosure, value: &Float) -> bool {
     float(bounds.inf()) <= *value && *value <= float(bounds.sup())
 }
 
-/// What is wrong with the impacts of the library for one true orbit, or `None`.
+/// The first contradiction of the library's impacts to one true orbit, in words, or `None`.
 pub fn objection(orbit: &Orbit, impacts: &[Impact], truth: &[Contact]) -> Option<String> {
     for (index, impact) in impacts.iter().enumerate() {
         let Some(contact) = truth.get(index) else {
@@ -206,7 +206,7 @@ pub fn impacts_before_rest(orbit: &mut Orbit) -> Vec<Impact> {
     }
 }
 
-/// Whether the true orbit from the first member ends (it rests, or never meets a wall again) after `impacts`.
+/// Returns whether the true orbit from the first member ends (it rests, or never meets a wall again) after `impacts`.
 pub fn truth_ends(scene: &Scene, bits: u32, impacts: usize) -> bool {
     scene.truth(bits, [0.0; 5], impacts + 1).len() == impacts
 }

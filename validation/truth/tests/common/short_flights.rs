@@ -10,18 +10,18 @@ use impact_pair_truth::{Number, Wall, pi_times};
 use rug::Float;
 use std::f64::consts::TAU;
 
-/// How a ball is about to touch a wall.
+/// The motion of a ball that is about to touch a wall.
 #[derive(Clone, Copy, Debug)]
 enum Way {
-    /// It hops: a slow start from the wall, against an acceleration towards it.
+    /// A hop: a slow start from the wall, against an acceleration towards it.
     Hop,
     /// The same, slow because e is tiny.
     DeadHop,
-    /// Thrown at the wall from next to it.
+    /// A throw at the wall from next to it.
     Thrown,
-    /// At rest next to it, pressed towards it.
+    /// A start at rest next to the wall, accelerated towards it.
     Pressed,
-    /// Thrown away from next to it and pressed back.
+    /// A throw away from next to the wall, against an acceleration towards it.
     Back,
 }
 

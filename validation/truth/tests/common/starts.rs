@@ -1,4 +1,4 @@
-//! Where flights start, at random, and flights made to come close to a wall without a contact, or just to cut it.
+//! Starts of flights, at random, and flights made to come close to a wall without a contact, or just to cut it.
 
 use super::Random;
 use super::judge::{Case, From, float};

@@ -13,14 +13,14 @@ use rug::Float;
 /// Bits of the truth: times of 2^60 turns and offsets of 10^-60 leave more than 512.
 pub const BITS: u32 = 768;
 
-/// What the truth says of a first impact.
+/// The verdict of the independent simulator on a first impact.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Judgement {
     /// Wall, time and velocity are right.
     Right,
     /// They are right after a rest and its release.
     Released,
-    /// They are right after a graze that the bits did not tell.
+    /// They are right after a graze that the bits did not decide.
     Grazed,
     /// No wall is ever touched, or nothing ever leaves one.
     Still,
@@ -47,7 +47,7 @@ impl Judgement {
     ];
 }
 
-/// Why judging ends before the impact: a wrong claim, or nothing more to judge.
+/// A result, or the verdict at which the comparison ends before the impact: a wrong claim, or nothing more to compare.
 type Judged<T> = Result<T, (Judgement, String)>;
 
 fn wrong<T>(words: String) -> Judged<T> {
@@ -98,7 +98,7 @@ struct Pair<'a> {
     problem: &'a Problem,
     start: Start,
     orbit: Orbit,
-    /// What was passed before the impact.
+    /// The verdict so far, by the rests and grazes passed before the impact.
     passed: Judgement,
 }
 
@@ -147,7 +147,7 @@ impl Pair<'_> {
         Ok(())
     }
 
-    /// At rest at once, or after bounces on one wall of which the first is before the rest.
+    /// Checks a rest: at once, or after bounces on one wall of which the first is before the rest.
     fn rest(&mut self, rest: &Rest) -> Judged<()> {
         let end = self.orbit.rest_time(rest);
         let is_there = self.start.on == Some(wall(rest.at.wall));
@@ -165,7 +165,7 @@ impl Pair<'_> {
         }
     }
 
-    /// At a whole number of turns on the left, half a turn later on the right; at most half a turn after the rest.
+    /// Checks a release: at whole forcing periods on the left, half a period later on the right; at most half a period after the rest.
     fn release(&mut self, rest: &Rest, release: &Touch) -> Judged<()> {
         let [lower, upper, began] = [
             self.orbit.touch_time(release).inf(),

@@ -17,9 +17,9 @@ use std::time::{Duration, Instant};
 #[derive(Clone, Debug)]
 pub struct Graze {
     pub wall: Wall,
-    /// When the extremum is there, whether or not the wall is in the way.
+    /// The time of the extremum, whether or not the wall is in the way.
     pub time: Float,
-    /// How far beyond the wall; negative: so far short of it.
+    /// Height of the extremum beyond the wall; negative where it falls short of it.
     pub past: Float,
 }
 
@@ -63,7 +63,7 @@ impl Question {
     }
 }
 
-/// What the library made of a flight.
+/// The verdict on the library's answer for a flight.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Answer {
     Right,

@@ -20,11 +20,11 @@ use super::scenes::Case;
 
 /// States that are nearer are one, in radians and speeds of the box: bounds of `10^-9`.
 const NEAR: f64 = 1e-6;
-/// What a spectral radius by differences of true motions may be off, of an orbit with such bounds.
+/// Error allowed in a spectral radius by differences of true motions, of an orbit with such bounds.
 const OFF: f64 = 1e-3;
 
 impl Case {
-    /// By so few boxes that the components of attractors stay undecided.
+    /// Asks for a global analysis by so few boxes that the components of attractors stay undecided.
     pub fn attractors(&mut self) -> Result<Answer, Error> {
         self.keep_one_harmonic();
         let settings = GlobalSettings {
@@ -46,7 +46,7 @@ fn attracting(document: &Value) -> Vec<(usize, &Value)> {
     listed.iter().enumerate().filter(|(_, own)| own["kind"] == "attracting").collect()
 }
 
-/// Whether it is in a component of which nothing else is decided: it has no boxes of its own.
+/// Returns whether it is in a component of which nothing else is decided: it has no boxes of its own.
 fn is_within(own: &Value) -> bool {
     own["boxes"] == 0
 }
@@ -113,7 +113,7 @@ pub fn judge(document: &Value, member: &Member) -> Judged<()> {
     Ok(())
 }
 
-/// Whether an attractor is proved within an undecided component, in words.
+/// The attractors proved within an undecided component, in words; `None` without any.
 pub fn outcome(document: &Value) -> Option<&'static str> {
     let within: Vec<&Value> =
         attracting(document).into_iter().map(|(_, own)| own).filter(|own| is_within(own)).collect();

@@ -14,7 +14,7 @@ use super::scenes::Case;
 
 /// Impacts of a motion that have boxes, and that are looked at.
 const IMPACTS: usize = 6;
-/// What the truth may be off, in forcing periods and in `A W`.
+/// Error allowed in the independent simulator, in forcing periods and in `A W`.
 const OFF: f64 = 1e-60;
 
 /// A box, and where it is said to go.
@@ -55,7 +55,7 @@ fn impacts(member: &Member) -> Vec<Reduced> {
     found
 }
 
-/// Whether a state is in a rectangle, whose phases are modulo 1; at its edge it counts as `at_edge` says.
+/// Returns whether a state is in a rectangle, whose phases are modulo 1; at its edge it counts as `at_edge` says.
 fn holds(rect: &Rectangle, state: &Reduced, at_edge: bool) -> bool {
     let slack = if at_edge { OFF } else { 0.0 };
     let [[low, high], [slow, fast]] = [rect.phase, rect.speed];
@@ -105,7 +105,7 @@ impl Case {
     }
 }
 
-/// No impact of this member that follows one in a box is outside of the image.
+/// Checks that no impact of this member that follows one in a box is outside of the image.
 pub fn judge(images: &[Mapped], member: &Member) -> Judged<()> {
     let states = impacts(member);
     let mut judged = 0;
@@ -123,7 +123,7 @@ pub fn judge(images: &[Mapped], member: &Member) -> Judged<()> {
     if judged > 0 { Ok(()) } else { Err(Halt::Open("no flight from a box with an image")) }
 }
 
-/// Whether any image is bounded, in words.
+/// The outcome in words: whether any image is bounded.
 pub fn outcome(images: &[Mapped]) -> &'static str {
     match images.iter().filter(|mapped| mapped.image.is_ok()).count() {
         0 => "no image",

@@ -15,7 +15,7 @@ use super::questions::{Answer, Patience};
 use super::scenes::Case;
 use super::traits::Restitution;
 
-/// How often a search is asked whether to go on: moving sets over N impacts, and no horseshoes, which take seconds.
+/// Number of calls of the watch after which a search is stopped: enough for sets over some impacts, not for horseshoes, which take seconds.
 const SETS: usize = 400;
 /// Impacts of the true motion, and of the longest word that these decide.
 const IMPACTS: usize = 160;
@@ -47,7 +47,7 @@ fn walls(word: &str) -> Vec<Wall> {
     word.split_whitespace().rev().map(from).collect()
 }
 
-/// Where the scene's own motion is attracted the true one, at the lower end of the interval, makes the word in the end.
+/// Checks that the true motion at the lower end of each interval claimed to be attracted makes the claimed word in the end.
 pub fn judge(document: &Value, case: &Case) -> Judged<()> {
     let stretches = document["stretches"].as_array().map_or(&[][..], Vec::as_slice);
     let attracted: Vec<&Value> = stretches.iter().filter(|own| own["verdict"] == "attracted").collect();
@@ -93,7 +93,7 @@ fn ends_in(member: &Member, word: &[Wall]) -> Judged<()> {
     }
 }
 
-/// What is proved, in a few words.
+/// The proved verdict in a few words.
 pub fn outcome(document: &Value) -> String {
     let is = |verdict: &str| {
         let mut stretches = document["stretches"].as_array().into_iter().flatten();

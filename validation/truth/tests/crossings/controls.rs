@@ -1,4 +1,4 @@
-//! Whether the judges judge: the two simulators agree, and what is claimed of a neighbour is wrong.
+//! Controls of the comparisons: the two simulators agree, and claims about a neighbour are found wrong.
 
 use impact_pair::document;
 use impact_pair::orbit::Settings;

@@ -43,7 +43,7 @@ pub struct Shaken {
     pub restitution: Float,
 }
 
-/// After an impact, inside, or at rest.
+/// The state of the ball after an impact, inside, or at rest.
 #[derive(Clone, Debug)]
 pub struct State {
     pub time: Float,
@@ -54,7 +54,7 @@ pub struct State {
     pub clear: Float,
 }
 
-/// What comes next.
+/// The next event of a motion.
 #[derive(Clone, Debug)]
 pub enum Next {
     Contact(Contact),
@@ -123,7 +123,7 @@ impl Shaken {
         Course::new(self, state).next()
     }
 
-    /// When the pressure against a wall ends, at or after a time; `None` where it is not found.
+    /// The time at which the contact force on a wall ends, at or after a time; `None` where it is not found.
     pub fn release(&self, wall: Wall, time: &Float) -> Option<Float> {
         let [rate, most] = [3, 4].map(|power| self.bound(power));
         let mut now = time.clone();

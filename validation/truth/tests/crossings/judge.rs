@@ -20,7 +20,7 @@ use super::traits::Question;
 use super::{attractors, boxes, cells, orbits, shadow, sweeps};
 use crate::common::Random;
 
-/// What a judge finds.
+/// The verdict of one judge on an answer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Finding {
     /// Right, by this judge.
@@ -33,17 +33,17 @@ pub enum Finding {
     Wrong,
 }
 
-/// What is found of an answer.
+/// The verdicts of both judges on an answer.
 pub struct Judgement {
-    /// Of `check`, and of the truth.
+    /// The verdicts of `check`, and of the truth.
     pub findings: [Finding; 2],
-    /// What it says: an outcome, orbits, a refusal.
+    /// The answer in a word: an outcome, orbits, a refusal.
     pub outcome: String,
-    /// What is wrong, or why it is open, by each judge.
+    /// The error found, or the reason why it is undecided, by each judge.
     pub words: [String; 2],
 }
 
-/// What a crossing needs; long flights and wide data are for other tests.
+/// The effort that a crossing needs; long flights and wide data are for other tests.
 const EFFORT: Effort = Effort { bits: 384, parts: 1 << 6, pieces: 2, work: 1 << 9 };
 
 fn check(document: &str) -> (Finding, String) {
@@ -109,7 +109,7 @@ fn bifurcation(point: &Value, scene: &Scene, key: &str) -> Judged<()> {
     Ok(())
 }
 
-/// When the listed impact of this number comes, at the earliest; infinitely many of a chatter have no numbers.
+/// Earliest time of the listed impact of this number; infinitely many of a chatter have no numbers.
 fn listed_time(scene: &Scene, number: u64) -> Option<Float> {
     let settings = Settings { impacts: Some(number), ..Settings::default() };
     let orbit = serde_json::to_value(document::orbit(scene.pair(), scene.start(), settings).ok()?).ok()?;
@@ -117,7 +117,7 @@ fn listed_time(scene: &Scene, number: u64) -> Option<Float> {
     Some(Bounds::read(&event["time"])?.0)
 }
 
-/// From the listed impact on at which it is told to be in the region, speeds and flights are within the bounds.
+/// Checks that speeds and flights are within the bounds from the listed impact on at which the motion is claimed to be in the region.
 fn trap(document: &Value, scene: &Scene, member: &Member) -> Judged<()> {
     let Some(entered) = document["entered_at_impact"].as_u64() else { return Err(Halt::Open("not entered")) };
     let listed = if entered == 0 { Some(Float::with_val(64, f64::NEG_INFINITY)) } else { listed_time(scene, entered) };
@@ -309,7 +309,7 @@ fn components(document: &Value, member: &Member) -> Judged<()> {
 }
 
 impl Answer {
-    /// What `check` reads; `None` where there is nothing for it.
+    /// The text that `check` reads; `None` where there is nothing for it.
     fn text(&self) -> Option<String> {
         match self {
             Self::Refused(_) | Self::Nothing(_) | Self::Boxes(_) | Self::Audit(_) => None,
@@ -332,7 +332,7 @@ impl Answer {
         }
     }
 
-    /// What it says, in a few words.
+    /// The answer in a few words.
     fn outcome(&self) -> String {
         let orbits = |document: &Value, key: &str| document[key].as_array().map_or(0, Vec::len);
         let none_or = |count: usize, what: &str| if count == 0 { format!("no {what}") } else { format!("{what}s") };

@@ -22,7 +22,7 @@ pub struct Member {
     pub start: State,
     /// All harmonics, those that are 0 among them.
     pub tones: Vec<Tone>,
-    /// Before an impact, for a start on a wall.
+    /// Velocity before an impact, for a start on a wall.
     pub velocity: Float,
 }
 
@@ -119,7 +119,7 @@ pub fn decimal(text: &Value) -> Option<Float> {
 #[derive(Clone, Debug)]
 pub struct Bounds(pub Float, pub Float);
 
-/// What the simulator may be off: `2^-this`, and as much of the value.
+/// Error allowed in the simulator, as a power of 2: `2^-SLACK` and this part of the value.
 const SLACK: u32 = 300;
 
 impl Bounds {
@@ -131,7 +131,7 @@ impl Bounds {
         (float(x.abs_ref()) + 1) >> SLACK
     }
 
-    /// Whether a value lies before the bounds, within or after them.
+    /// The place of a value: before the bounds, within or after them.
     pub fn place(&self, x: &Float) -> std::cmp::Ordering {
         let slack = Self::slack(x);
         if float(x + &slack) < self.0 {

@@ -1,4 +1,4 @@
-//! Where two features meet: traits of a scene times all that can be asked, each answer judged by `check` and by a truth that shares no code.
+//! Crossings of features: traits of a scene times all questions, each answer compared with `check` and with a truth that shares no code.
 //!
 //! All pairs of traits, and all triples of start, excitation and question, by a covering array ([`traits`]): `CROSSINGS_CASES` answers
 //! from `CROSSINGS_SEED`, a number or `fresh` (printed, so that it can be given again), by default those rows of the array that cross a pair
@@ -59,7 +59,7 @@ const OUTCOMES: [&str; 25] = [
     "refused",
 ];
 
-/// As many as ask all pairs and all triples, and some more.
+/// Number of answers that ask all pairs and all triples, and some more.
 const CASES: u64 = 1_700;
 /// The default seed: one whose answers have all the outcomes that must occur.
 const SEED: u64 = 2026;
@@ -77,7 +77,7 @@ struct Counts {
 #[derive(Default)]
 struct Tally {
     questions: BTreeMap<Question, Counts>,
-    /// By the value of each trait.
+    /// Counts by the value of each trait.
     traits: BTreeMap<(usize, &'static str), Counts>,
     outcomes: BTreeMap<String, u64>,
     coverage: Coverage,

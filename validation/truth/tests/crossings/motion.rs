@@ -9,7 +9,7 @@ use std::cmp::Ordering;
 use super::flight::{Next, Shaken, State, float};
 use super::members::{Bounds, Member, decimal, named, value};
 
-/// Why judging ends: a claim is wrong, or the truth does not decide.
+/// The reason why a comparison ends: a claim is wrong, or the truth does not decide.
 #[derive(Clone, Debug)]
 pub enum Halt {
     Wrong(String),
@@ -42,7 +42,7 @@ impl<'a> Motion<'a> {
         Self { shaken, state, touches: 0 }
     }
 
-    /// What comes next; its `Open` ends the judging.
+    /// The next event; where the simulator leaves it open the comparison ends.
     fn next(&self) -> Judged<Next> {
         match self.shaken.next(&self.state) {
             Next::Open => Err(Halt::Open("the flight is too long for the truth")),
@@ -61,7 +61,7 @@ impl<'a> Motion<'a> {
         self.touches += 1;
     }
 
-    /// Whether the last bounce is so slow that the rest has come; without a loss of speed none comes.
+    /// Returns whether the last bounce is so slow that the rest has come; without a loss of speed none comes.
     fn has_ended(&self) -> bool {
         if self.shaken.restitution == 1 {
             return false;
@@ -159,7 +159,7 @@ impl<'a> Motion<'a> {
                     let before = self.state.time.clone();
                     self.rebound(&contact);
                     if self.has_ended() {
-                        // What is left takes less than the time from one bounce to the next but for a few bits.
+                        // The rest of the chatter takes less than the time from one bounce to the next but for a few bits.
                         let left = float(&self.state.time - &before) << 20;
                         let late = float(&self.state.time + &left);
                         self.state.velocity_after = float(0);
@@ -179,7 +179,7 @@ impl<'a> Motion<'a> {
     }
 
     fn release(&mut self, wall: Wall, time: &Bounds, what: &str) -> Judged<()> {
-        // Of a rest whose beginning is told by bounds alone: the pressure ends once in so short a time.
+        // The rest may have begun anywhere in its bounds: the contact force ends once in so short a time.
         let Some(at) = self.shaken.release(wall, &self.state.time) else {
             return Err(Halt::Open("the truth finds no release"));
         };
@@ -210,7 +210,7 @@ impl<'a> Motion<'a> {
         }
     }
 
-    /// No contact comes before a time, in bounds or at once.
+    /// Checks that no contact comes before a time, in bounds or at once.
     fn is_clear(&mut self, until: &Float, what: &str) -> Judged<()> {
         match self.next()? {
             Next::Contact(contact) if contact.time < *until => {
@@ -224,7 +224,7 @@ impl<'a> Motion<'a> {
         }
     }
 
-    /// How it ended.
+    /// Compares the outcome with the motion after the last event.
     pub fn ended(&mut self, outcome: &Value, member: &Member) -> Judged<()> {
         let what = format!("{} after the last event", outcome["kind"]);
         match outcome["kind"].as_str().unwrap_or_default() {
@@ -263,7 +263,7 @@ impl<'a> Motion<'a> {
         }
     }
 
-    /// After N cycles it leaves the same wall as before, where it is released at all.
+    /// Checks that it leaves the same wall as before after N cycles, if it is released at all.
     fn repeats(&mut self, outcome: &Value, member: &Member) -> Judged<()> {
         let cycles = outcome["period"]["cycles"].as_u64().unwrap_or(0);
         let mut releases = Vec::new();
@@ -284,7 +284,8 @@ impl<'a> Motion<'a> {
         Err(Halt::Open("no release comes"))
     }
 
-    /// After many periods it is within the bounds of the orbit, or nearer to it than at first: intervals among the data are as many orbits.
+    /// Checks that it is within the bounds of the orbit after many periods, or nearer to it than at first: intervals among the data are many
+    /// orbits.
     fn converges(&mut self, outcome: &Value, member: &Member) -> Judged<()> {
         let impacts = outcome["orbit"]["impacts"].as_array().map_or(&[][..], Vec::as_slice);
         let speeds: Option<Vec<_>> =

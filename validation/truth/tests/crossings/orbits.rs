@@ -14,17 +14,17 @@ use super::flight::{State, Tone, float};
 use super::members::{Bounds, Member, named};
 use super::motion::{Halt, Judged, Motion, wrong};
 
-/// What impacts of a period may be off, in radians and in speeds of the box: bounds of `10^-9`, and the growth over a period.
+/// Error allowed in the impacts of a period, in radians and in speeds of the box: bounds of `10^-9`, and the growth over a period.
 const OFF: f64 = 1e-3;
 
-/// An impact of an orbit that is told.
+/// A claimed impact of an orbit.
 #[derive(Clone, Debug)]
 pub struct Told {
     pub wall: Wall,
     pub phase: Float,
     pub velocity: Float,
     turn: u64,
-    /// Whole turns since the first one's, as the phases are told; where they are told.
+    /// Whole forcing periods since the first impact's, where the document gives them.
     cycle: Option<i64>,
 }
 
@@ -43,7 +43,7 @@ pub fn impacts(orbit: &Value) -> Option<Vec<Told>> {
     orbit["impacts"].as_array()?.iter().map(told).collect()
 }
 
-/// The harmonic whose phase is told: the fastest.
+/// The harmonic whose phase documents give: the fastest.
 pub fn reference(tones: &[Tone]) -> &Tone {
     tones.iter().reduce(|a, b| if b.frequency > a.frequency { b } else { a }).expect("a harmonic")
 }
@@ -85,7 +85,7 @@ fn period(member: &Member, told: &[Told], varied: [f64; 2]) -> Judged<Vec<Contac
     Ok(found)
 }
 
-/// How far the true impacts are from those told; infinite where they are others.
+/// Distance of the true impacts from the claimed ones, in radians and in speeds of the box; infinite on other walls.
 fn away(member: &Member, told: &[Told], found: &[Contact]) -> f64 {
     let tone = reference(&member.tones);
     let one = |(contact, told): (&Contact, &Told)| {
@@ -99,8 +99,8 @@ fn away(member: &Member, told: &[Told], found: &[Contact]) -> f64 {
     found.iter().zip(told.iter().cycle().skip(1)).map(one).fold(0.0, f64::max)
 }
 
-/// Whether the true impacts come in other turns than are claimed: then the orbit told passes over contacts of its own phases. `None` where
-/// the turn of no later impact is told.
+/// Returns whether the true impacts come in other forcing periods than are claimed: then the claimed orbit passes over contacts of its own
+/// phases. `None` where the forcing period of no later impact is given.
 fn is_in_other_turns(member: &Member, told: &[Told], found: &[Contact]) -> Option<bool> {
     let (tone, turn) = (reference(&member.tones), float(Constant::Pi) * 2);
     let later: Vec<_> = told
@@ -116,7 +116,7 @@ fn is_in_other_turns(member: &Member, told: &[Told], found: &[Contact]) -> Optio
     (!later.is_empty()).then(|| later.iter().any(is_other))
 }
 
-/// One orbit of a list: whether the true motion is as is told where it is physical, and another where it is not.
+/// Checks one orbit of a list: the true motion is the claimed one if it is admissible, and another if it is virtual.
 pub fn judge(orbit: &Value, member: &Member) -> Judged<()> {
     let Some(told) = impacts(orbit).filter(|told| !told.is_empty()) else {
         return wrong("an orbit without impacts".into());
@@ -260,7 +260,7 @@ pub fn judge_all(document: &Value, scene: &Scene, starts: &[orbit::Start]) -> Ju
     Ok(())
 }
 
-/// Where a motion leads.
+/// The orbit JSON of a motion, with the attractor that it converges to.
 fn run(pair: &ImpactPair, start: &orbit::Start) -> Option<Value> {
     let settings =
         Settings { arithmetic: Arithmetic::Interval, impacts: Some(40), attractor: true, ..Settings::default() };

@@ -1,4 +1,4 @@
-//! What is asked of a scene, and the documents that come out: as the command line asks and writes, with less to do.
+//! Questions about a scene, and the documents that answer them: as the command line asks and writes, with less to do.
 
 use std::ops::ControlFlow;
 use std::ops::RangeInclusive;
@@ -45,15 +45,15 @@ const BASES: [[[f64; 2]; 3]; 3] = [
     [[0.779603, 1.224294], [0.028826, 0.081513], [-0.0001488, 0.001298]],
     [[0.780161, 1.219425], [0.028649, 0.083055], [-0.0001116, 0.000974]],
 ];
-/// How often a search for all orbits is asked whether to go on.
+/// Number of calls of the watch after which a search for all orbits is stopped.
 const SEARCHED: usize = 4_000;
-/// How often a search for bases is asked whether to go on, and one for words between given ones.
+/// Numbers of calls of the watch after which a search is stopped: for h-sets, and for words between given ones.
 const CHAOS: [usize; 2] = [3, 1_000];
 
 /// Cells of strips that are enough here.
 const CELLS: u64 = 10_000;
 
-/// What comes out of a question.
+/// The answer to a question.
 pub enum Answer {
     /// The question is refused, in words.
     Refused(String),
@@ -285,7 +285,7 @@ impl Case {
         Ok(Answer::Bifurcations(json!(found)))
     }
 
-    /// Without the horseshoe, which takes a second to find.
+    /// Asks for a description without the horseshoe, which takes a second to find.
     fn describe(&mut self) -> Result<Answer, Error> {
         let impacts = self.random.pick(&[1, 80, 80, 80]);
         let request = Request { impacts, depth: 2, max_bits: MAX_BITS };
@@ -344,7 +344,7 @@ impl Case {
         Ok(Answer::Windows(json!(document::windows(&self.scene, &settings, &found)?)))
     }
 
-    /// Of few boxes.
+    /// Asks for a global analysis by few boxes.
     fn global(&mut self) -> Result<Answer, Error> {
         let settings = GlobalSettings {
             boxes: 1 << 10,
@@ -357,7 +357,7 @@ impl Case {
         Ok(Answer::Global(json!(document::global(&self.scene, &settings, &found)?)))
     }
 
-    /// Of the scene's own parameters and others of which more is proved, by few boxes: a stronger forcing, and less restitution.
+    /// Asks for an atlas of the scene's own parameters and others of which more is proved, by few boxes: a stronger forcing, and less restitution.
     fn atlas(&mut self) -> Result<Answer, Error> {
         let key = self.random.pick(&["gap", "amplitude"]);
         let ((length, own), (_, restitution)) = (self.key(key), self.key("restitution"));
@@ -386,7 +386,7 @@ impl Case {
         Ok(Answer::Atlas { head: json!(atlas::head(&self.scene, &plane, &settings, None)), records, points })
     }
 
-    /// About the scene's own gap or restitution, along few flights.
+    /// Asks for tangencies about the scene's own gap or restitution, along few flights.
     fn tangency(&mut self) -> Result<Answer, Error> {
         let key = self.random.pick(&["gap", "restitution"]);
         let (name, own) = self.key(key);

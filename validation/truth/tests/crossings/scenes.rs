@@ -6,7 +6,7 @@ use impact_pair::exact::Exact;
 use super::traits::{Crossing, Data, Excitation, Question, Restitution, Start};
 use crate::common::Random;
 
-/// Where `LR` in one cycle has its fold near the scene's values, for `e = 1/2`: `A/d = 1/sqrt(4 + 9 pi^2)` (Lemma W2).
+/// Amplitude, frequency and gap near the fold of `LR` in one cycle, for `e = 1/2`: `A/d = 1/sqrt(4 + 9 pi^2)` (Lemma W2).
 pub const NEAR_FOLD: [&str; 3] = ["1", "pi", "9.42497"];
 
 /// A scene with its crossing.
@@ -15,7 +15,7 @@ pub struct Case {
     /// The scene file.
     pub text: String,
     pub scene: Scene,
-    /// What is drawn for the question.
+    /// The random numbers from which the question is drawn.
     pub random: Random,
 }
 
@@ -90,7 +90,7 @@ impl Random {
     }
 }
 
-/// About the value of an expression.
+/// Approximate value of an expression.
 pub fn value(text: &str) -> Option<f64> {
     Some(Exact::parse(text).ok()?.enclose(64).mid_rad().0)
 }
@@ -154,7 +154,7 @@ fn time(random: &mut Random, terms: &[Term]) -> String {
     }
 }
 
-/// On a wall before an impact, slow or fast.
+/// Draws a start on a wall before an impact, slow or fast.
 fn on_wall(random: &mut Random, parts: &mut Parts) {
     parts.time = time(random, &parts.terms);
     let speed = match random.below(4) {
@@ -164,7 +164,7 @@ fn on_wall(random: &mut Random, parts: &mut Parts) {
     push(random, parts, &speed);
 }
 
-/// On one of the walls, towards it.
+/// Draws a start on one of the walls, towards it.
 fn push(random: &mut Random, parts: &mut Parts, speed: &str) {
     let (wall, sign) = random.pick(&[("left", "-"), ("right", "")]);
     (parts.wall, parts.velocity) = (Some(wall), format!("{sign}({speed})"));
@@ -175,7 +175,7 @@ fn scale(terms: &[Term]) -> String {
     if terms[0].most == "0" { "1".into() } else { format!("{}*{}", terms[0].most, terms[0].frequency) }
 }
 
-/// On a wall with no velocity, pressed against it.
+/// Draws a start on a wall with no velocity and a contact force on it.
 fn at_rest(random: &mut Random, parts: &mut Parts) -> Option<()> {
     parts.time = time(random, &parts.terms);
     let pressure = value(&sum(&parts.terms, &parts.time, 2, "sin"))?;
@@ -184,7 +184,7 @@ fn at_rest(random: &mut Random, parts: &mut Parts) -> Option<()> {
     Some(())
 }
 
-/// With no velocity at the very phase at which the pressure ends: all terms at 0 on the left, at pi on the right.
+/// Draws a start with no velocity at the very phase at which the contact force ends: all terms at 0 on the left, at pi on the right.
 fn at_release(random: &mut Random, parts: &mut Parts) {
     let (wall, phase) = random.pick(&[("left", "0"), ("right", "pi")]);
     parts.terms.iter_mut().for_each(|term| term.phase = phase.into());
@@ -205,7 +205,7 @@ fn place(random: &mut Random, parts: &mut Parts) {
     };
 }
 
-/// Inside the gap; now and then with hardly any drift.
+/// Draws a start inside the gap; now and then with hardly any drift.
 fn inside(random: &mut Random, parts: &mut Parts) {
     parts.time = time(random, &parts.terms);
     place(random, parts);
@@ -215,7 +215,7 @@ fn inside(random: &mut Random, parts: &mut Parts) {
     };
 }
 
-/// Without any drift.
+/// Draws a start without any drift.
 fn still(random: &mut Random, parts: &mut Parts) {
     parts.time = time(random, &parts.terms);
     place(random, parts);

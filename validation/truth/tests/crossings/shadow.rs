@@ -1,4 +1,4 @@
-//! A shadowed orbit: whether a start within the bounds told, its time or its velocity that of the scene, has the impacts listed.
+//! Check of a shadowed orbit: a start within the claimed bounds, its time or its velocity that of the scene, has the impacts listed.
 //!
 //! It is sought impact by impact: Newton's steps lead the time of each impact to the middle of its bounds, and where all impacts are
 //! within theirs the start must be within its own.
@@ -13,10 +13,10 @@ use super::motion::{Halt, Judged, Motion, shown, wrong};
 
 /// Newton's steps for an impact.
 const STEPS: u32 = 12;
-/// Where the last impact is led in its bounds.
+/// Parts of its bounds at which the last impact is sought.
 const PLACES: [f64; 5] = [0.5, 0.25, 0.75, 0.1, 0.9];
 
-/// What of the start is varied.
+/// The datum of the start that is varied.
 #[derive(Clone, Copy, PartialEq)]
 enum Varied {
     Time,
@@ -140,7 +140,7 @@ pub fn judge(document: &Value, member: &Member) -> Judged<()> {
     };
     let impacts: Option<Vec<_>> = events.iter().filter(|event| event["event"] == "impact").map(impact).collect();
     let Some(impacts) = impacts else { return wrong("an impact without bounds".into()) };
-    // What comes after an impact that is no node is that of all starts in its bounds.
+    // The motion after an impact that is no node is that of all starts in its bounds.
     let nodes = events.iter().take_while(|event| event["event"] == "impact").count();
     let claim = Claim { member, varied, start, impacts: impacts.into_iter().take(nodes).collect() };
     if claim.impacts.is_empty() {
@@ -149,7 +149,7 @@ pub fn judge(document: &Value, member: &Member) -> Judged<()> {
     if let Some(beside) = claim.is_beside()? {
         return wrong(format!("impact 1 is not that of any start in {near}: {beside}"));
     }
-    // Of few impacts in wide bounds there are many starts: those told may be as good as the one that is sought.
+    // Few impacts in wide bounds have many starts: the claimed ones may be as good as the one that is sought.
     for start in [claim.start.middle(), claim.start.0.clone(), claim.start.1.clone()] {
         if claim.has_impacts(&claim.impacts(&start, claim.impacts.len())?) {
             return Ok(());

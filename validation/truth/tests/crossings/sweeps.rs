@@ -11,10 +11,10 @@ use super::members::{Bounds, Member};
 use super::motion::{self, Halt, Judged, wrong};
 use crate::common::Random;
 
-/// The harmonics in whose phase all states so far may be told.
+/// The harmonics whose phases the states so far may be.
 type Units = BTreeSet<usize>;
 
-/// Which harmonics a phase may be that of, at a time within bounds.
+/// The numbers of the harmonics whose phase it may be, at a time within bounds.
 fn units(tones: &[Tone], time: &Bounds, phase: &Bounds) -> Units {
     let turn = float(Constant::Pi) * 2;
     let fits = |tone: &Tone| {
@@ -27,13 +27,13 @@ fn units(tones: &[Tone], time: &Bounds, phase: &Bounds) -> Units {
     (0..tones.len()).filter(|&number| fits(&tones[number])).collect()
 }
 
-/// Whether two bounds of one thing meet.
+/// Returns whether two bounds of one quantity overlap.
 fn meet(a: &Value, b: &Value) -> bool {
     let (Some(a), Some(b)) = (Bounds::read(a), Bounds::read(b)) else { return false };
     a.0 <= b.1 && b.0 <= a.1
 }
 
-/// The states of a record and the events of a run, impact by impact; the harmonics in whose phase they may be told.
+/// Compares the states of a record with the events of a run, impact by impact; returns the harmonics whose phases they may be.
 fn compared(record: &Value, run: &Value, tones: &[Tone]) -> Judged<Units> {
     let mut fits: Units = (0..tones.len()).collect();
     for state in record["states"].as_array().map_or(&[][..], Vec::as_slice) {
@@ -58,9 +58,9 @@ fn compared(record: &Value, run: &Value, tones: &[Tone]) -> Judged<Units> {
 
 /// The run of a point's own scene; `None` where another orbit may have been listed: one near the start.
 fn own(record: &Value, scene: &Scene, asked: &sweep::PointSettings) -> Judged<Option<Value>> {
-    // What is not shadowed is certified from the exact start, to the digits.
+    // Orbits that are not shadowed are certified from the exact start, to the digits.
     let is_shadow = asked.settings.arithmetic == Arithmetic::Shadow;
-    // In the bits that it took: in more a graze may be told from an impact, which has a number.
+    // In the bits that it took: in more a graze may be distinguished from an impact, which has a number.
     let arithmetic = match record["bits"].as_u64() {
         Some(53) if is_shadow => Arithmetic::Interval,
         _ if is_shadow => Arithmetic::Auto,

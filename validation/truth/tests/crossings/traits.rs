@@ -22,7 +22,7 @@ macro_rules! values {
 }
 
 values! {
-    /// Where the motion begins.
+    /// The start of the motion.
     Start {
         OnWall = "on a wall",
         AtRest = "at rest",
@@ -35,7 +35,7 @@ values! {
 }
 
 values! {
-    /// What shakes the box.
+    /// The excitation of the box.
     Excitation {
         One = "one harmonic",
         Commensurate = "commensurate",
@@ -56,7 +56,7 @@ values! {
 }
 
 values! {
-    /// Which data are intervals, beside those of the traits above.
+    /// The data that are intervals, beside those of the traits above.
     Data {
         Points = "points",
         Gap = "an interval of gaps",
@@ -84,7 +84,7 @@ pub const KEYS: [&str; 12] = [
     "phase.K",
 ];
 
-/// What is asked.
+/// A question about a scene.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Question {
     /// A run in an arithmetic, for some impacts.
@@ -156,7 +156,7 @@ pub struct Crossing {
     pub question: Question,
 }
 
-/// How many pairs of values of two traits, or triples of three, there are, and how many of them are asked.
+/// The pairs of values of two traits, and the triples of three, that are asked.
 #[derive(Default)]
 pub struct Coverage {
     pairs: BTreeSet<[(usize, usize); 2]>,

@@ -9,7 +9,7 @@ use super::guess::MOST_TURNS;
 /// The end of a search.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum End {
-    /// Its user stops it.
+    /// The user stops it.
     Stopped,
     /// The work that is allowed is done.
     Spent,
@@ -17,14 +17,14 @@ pub(super) enum End {
 
 /// The work that is left, shared by all threads and by all chains of boxes that are tried.
 ///
-/// Whether it suffices for all that is done at one depth depends on nothing else; where it does not, nothing of that depth is kept.
+/// Its sufficiency for one depth depends on nothing but that depth; where it does not suffice, nothing of that depth is kept.
 pub(super) struct Allowance<'w> {
     left: AtomicI64,
     watch: &'w dyn Watch,
 }
 
 impl<'w> Allowance<'w> {
-    /// So much work, until the watch stops it.
+    /// Returns an allowance of `work`, until the watch stops it.
     pub fn new(work: u64, watch: &'w dyn Watch) -> Self {
         let left = i64::try_from(work).unwrap_or(i64::MAX); // proposes: when to give up
         Self { left: AtomicI64::new(left), watch }
@@ -48,5 +48,5 @@ impl<'w> Allowance<'w> {
     }
 }
 
-/// No more is taken at once, so that what is left cannot wrap.
+/// The most work taken at once, so that what is left cannot wrap.
 const ALL: i64 = 1 << 40;

@@ -111,7 +111,7 @@ fn side(from: &Exact, to: &Exact, state: &Exact) -> BigRational {
     (&to[0] - &from[0]) * (&state[1] - &from[1]) - (&to[1] - &from[1]) * (&state[0] - &from[0])
 }
 
-/// Whether an edge of the first, which is convex, has all of the second on its outer side.
+/// Returns whether an edge of the first, which is convex, has all of the second on its outer side.
 fn is_parted(one: &[Exact; 4], two: &[Exact; 4]) -> bool {
     (0..4).any(|i| two.iter().all(|state| side(&one[i], &one[(i + 1) % 4], state).is_negative()))
 }

@@ -111,7 +111,7 @@ pub(super) struct Landing {
     pub centre: Spot,
     /// `epsilon sin th1`
     bend: Span,
-    /// By side, by `e` and by `D`: the change of the phase of arrival \[rad\], and of the speed at a fixed one.
+    /// Changes of the phase of arrival \[rad\], and of the speed at a fixed one, by each side, by `e` and by `D`.
     changes: [Spot; 5],
     /// The same changes by a unit of phase, and of speed.
     units: [Spot; 2],
@@ -128,7 +128,7 @@ impl Beam {
         Self::of(law, [hull(0), hull(1)], quad.centre(), quad.sides())
     }
 
-    /// Those of states within bounds, whose differences from a centre are sums of parts of sides.
+    /// Returns the flights from states within bounds, whose differences from a centre are sums of parts of sides.
     pub fn of(law: &Law, bounds: Spot, centre: Spot, sides: [Spot; 3]) -> Self {
         Self::moved(law, bounds, centre, sides, [Span::point(0.0); 2])
     }
@@ -207,7 +207,7 @@ impl Beam {
         self.leaves_at(Span::point(time).turned(), time).0
     }
 
-    /// Whether they are, `angle` being the time in radians, and the mean velocity from the wall until then.
+    /// Returns whether all are away from the wall until `time` \[forcing periods\], `angle` in radians, and the mean velocity until then.
     fn leaves_at(&self, angle: Span, time: f64) -> (bool, Span) {
         let bend = (self.phase + Span::new(0.0, time)).sin_cos().0;
         let mean = self.after + bend * angle.scaled(0.5);
@@ -275,7 +275,7 @@ impl Beam {
         None
     }
 
-    /// What the contacts in a bracket are, with velocities `rate` towards the wall there.
+    /// Encloses the first contacts in a bracket of times \[forcing periods\], with velocities `rate` towards the wall there.
     fn landing(&self, is_far: bool, guess: f64, bracket: Span, rate: Span) -> Option<Landing> {
         let guess = Span::point(guess);
         let (centre_sin, _) = (self.centre[0] + guess).sin_cos();
@@ -292,7 +292,7 @@ impl Beam {
         changes[4][0] = Span::point(around.hi()).over(rate)?;
         let mut times = time + changes[4][0].unturned().around();
         let by = |[u, w]: Spot| {
-            // What the drift changes by counts once, so that a side that is contracted is seen to be.
+            // The change of the drift counts once, so that the bounds show it if a side is contracted.
             let drift = w - self.sin * u;
             Some([(self.after * u - angle * drift).over(rate)?, drift.signed(is_far)])
         };

@@ -10,7 +10,7 @@ use impact_pair_model::{Mapping, Wall};
 use super::words::Word;
 use crate::check::contact::Doubt;
 
-/// From which h-set to which: in order, none twice.
+/// The pairs of h-sets that a block leads from and to: in order, none twice.
 type Ways = Vec<[usize; 2]>;
 /// The impacts of the longer block, and of the shorter one: the longer one counts first.
 type Size = [usize; 2];
@@ -18,7 +18,7 @@ type Size = [usize; 2];
 /// More pairs than these are not looked at: documents that the program writes have some hundred.
 const MOST_PAIRS: usize = 1 << 20;
 
-/// Whether the two blocks that are named are free, and none of fewer impacts are.
+/// Proves that the two blocks that are named are free, and that no two blocks of fewer impacts are.
 pub(super) fn says_the_shortest(named: Option<&str>, words: &[Word], bases: usize) -> Result<(), Doubt> {
     let mut blocks: HashMap<(&[bool], i64), Ways> = HashMap::new();
     for word in words {
@@ -60,12 +60,12 @@ pub(super) fn says_the_shortest(named: Option<&str>, words: &[Word], bases: usiz
     }
 }
 
-/// Of blocks of N impacts.
+/// Returns the size of two blocks with these numbers of impacts.
 fn size(a: usize, b: usize) -> Size {
     [a.max(b), a.min(b)] // exact: lengths
 }
 
-/// What makes words one block.
+/// The key of a block, which words with the same flights and half cycles share.
 fn block(word: &Word) -> (&[bool], i64) {
     (&word.flights, word.half_cycles)
 }
@@ -89,7 +89,7 @@ fn shortest(mut lengths: BTreeMap<&Ways, Vec<usize>>, bases: usize) -> Option<Si
     found
 }
 
-/// Whether from h-sets of which some are left each of two blocks leads to one of these.
+/// Returns whether there is a set of h-sets from each of which each of two blocks leads to one of the set.
 fn is_free(blocks: [&Ways; 2], bases: usize) -> bool {
     let mut alive = vec![true; bases];
     loop {

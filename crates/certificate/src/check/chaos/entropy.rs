@@ -1,4 +1,4 @@
-//! Whether words that may follow one another make a claimed entropy (Lemmas D10, V12).
+//! Check of a claimed entropy from words that may follow one another (Lemmas D10, V12).
 
 use num_rational::BigRational;
 use num_traits::Signed;
@@ -33,7 +33,7 @@ pub(super) fn exponential(x: &Real) -> Real {
     }
 }
 
-/// Whether the entropy `h`, by what a word weighs, is proved: of words by the h-set each comes from, the one it leads to, and its weight.
+/// Returns whether the entropy `h` is proved, for words given by the h-sets that they lead from and to, and their weights.
 pub(super) fn is_reached(words: &[(usize, usize, i64)], bases: usize, h: &BigRational) -> bool {
     let most = BigRational::from_integer(MOST.into());
     if !h.is_positive() {

@@ -18,10 +18,10 @@ pub(super) struct Guess {
     step: (f64, f64),
 }
 
-/// By rows, of phases and speeds.
+/// A matrix by rows, of phases and speeds.
 pub(super) type Matrix = [[f64; 2]; 2];
 
-/// Where a state is mapped to.
+/// The approximate image of a state.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Image {
     /// Mirrored to the left wall; the phase goes on from that of the start.
@@ -30,7 +30,7 @@ pub(super) struct Image {
     /// \[forcing periods\]
     pub time: f64,
     pub jacobian: Matrix,
-    /// How far `D` and `e` move it, each by its radius.
+    /// Displacements of it by `D` and `e`, each changed by its radius.
     pub moved: [State; 2],
 }
 
@@ -122,7 +122,7 @@ impl Guess {
     }
 }
 
-/// Where a function that increases is 0, from it and its derivative: by Newton's method, by halving where that leaves the bracket.
+/// The zero of a function that increases, from it and its derivative: by Newton's method, by halving where that leaves the bracket.
 fn zero(mut low: f64, mut high: f64, f: impl Fn(f64) -> [f64; 2]) -> f64 {
     let mut at = 0.5 * (low + high);
     for _ in 0..60 {

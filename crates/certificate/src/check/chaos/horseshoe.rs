@@ -1,4 +1,4 @@
-//! Whether h-sets make a claimed entropy for all parameters of a law, by words that are searched for anew (Lemmas V12, V35, V37).
+//! Check of a claimed entropy of h-sets for all parameters of a law, by words that are searched for anew (Lemmas V12, V35, V37).
 
 use impact_pair_document::{BaseDocument, CornersDocument, EntropyDocument, ProvedHorseshoeDocument};
 
@@ -28,7 +28,7 @@ impl<'h> Horseshoe<'h> {
         Ok(Self { bases: sound_bases(bases)?, entropy, depth: depth as usize, known: 0 }) // exact: of 32 bits
     }
 
-    /// Whether words of at most the claimed number of impacts make the entropy.
+    /// Returns whether words of at most the claimed number of impacts make the entropy.
     pub fn is_there(&mut self, law: &Law, work: &Allowance) -> Result<bool, End> {
         for making in (self.known..MAKINGS.len()).chain(0..self.known) {
             if self.is_proved(law, making, work)? {
@@ -39,7 +39,7 @@ impl<'h> Horseshoe<'h> {
         Ok(false)
     }
 
-    /// Whether they do along chains of boxes of one kind.
+    /// Returns whether they do so along chains of boxes made in one way, `MAKINGS[making]`.
     fn is_proved(&self, law: &Law, making: usize, work: &Allowance) -> Result<bool, End> {
         let ahead = Ahead::new();
         let mut search = Search::new(law, &self.bases, None, (&MAKINGS[making..=making], &ahead), work);

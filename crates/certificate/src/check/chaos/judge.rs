@@ -1,4 +1,4 @@
-//! Whether the listed words of a chaos JSON are right (Lemma V12).
+//! Check of the listed words of a chaos JSON (Lemma V12).
 
 use impact_pair_model::Error;
 use impact_pair_model::watch::{Latched, Stage, Watch};
@@ -13,7 +13,7 @@ use crate::chaos::ChaosCertificate;
 use crate::check::contact::Doubt;
 use crate::check::{Effort, Verdict};
 
-/// How chains of boxes are made; any way will do: from cells that are fine to those that leave room for intervals of
+/// Ways to make chains of boxes; any way will do: from cells that are fine to those that leave room for intervals of
 /// parameters, and to those that are finest, for slow expansion.
 pub(super) const MAKINGS: [Making; 7] = [
     Making { longest: 0.003, margin: 1.08, pad: 5e-6, shortest: 1e-9, ahead: 4 },
@@ -24,9 +24,9 @@ pub(super) const MAKINGS: [Making; 7] = [
     Making { longest: 0.0006, margin: 1.08, pad: 6e-7, shortest: 1e-9, ahead: 12 },
     Making { longest: 0.0003, margin: 1.08, pad: 3e-7, shortest: 1e-9, ahead: 12 },
 ];
-/// Where each of the coarse ones loses words, those that are lost, if they are at most N, are looked for again along chains of boxes
-/// whose chords are measured from N flights ahead, as long as fewer are lost: another direction, where the one that is contracted most
-/// jumps at a graze further ahead. The fine ones come last, where many words are lost.
+/// Number of the coarse ones, which come first. Where each of them loses words, at most `MOST_LOST`, these are searched for again along chains
+/// of boxes whose chords are measured from each number of flights ahead of `AHEAD`, as long as fewer are lost: another direction, where the
+/// one that is contracted most jumps at a graze further ahead. The fine ones come last, where many words are lost.
 const COARSE: usize = 4;
 const MOST_LOST: usize = 32;
 const AHEAD: [usize; 3] = [2, 3, 6];
@@ -38,7 +38,7 @@ impl ChaosCertificate {
     /// proved, until the watch stops it, which receives the words confirmed so far.
     ///
     /// # Errors
-    /// When the scene's values are beyond the range of exact expressions, and with several harmonics.
+    /// Returns an error if the scene's values are beyond the range of exact expressions, or if it has several harmonics.
     pub fn check_within(&self, effort: &Effort, watch: &dyn Watch) -> Result<Verdict, Error> {
         let watch = Latched::new(watch);
         let law = Law::of(self.pair())?;
@@ -142,11 +142,11 @@ struct Tries<'t, P> {
     listed: Counts,
     work: &'t Allowance<'t>,
     progress: &'t mut P,
-    /// What the best one found.
+    /// The words found by the search that found most.
     best: Option<Counts>,
 }
 
-/// What one search found: how many words, those that it lost as far as it went, and whether these are none and it went to the end.
+/// The result of one search: the number of words found, those lost as far as it went, and whether none is lost and it went to the end.
 struct Found<'t> {
     words: usize,
     lost: Vec<&'t Word>,
@@ -211,7 +211,7 @@ fn follow_all<'w>(
     Ok(lost)
 }
 
-/// What is said on the first word that is not found, with the entropy of those that are: a part of a list proves what follows from that
+/// The verdict at the first word that is not found, with the entropy of those that are: a part of a list proves what follows from that
 /// part.
 fn shortfall((mut found, why): (Counts, &str), words: &[Word], bases: usize) -> Verdict {
     let is_found = |word: &Word| match found.get_mut(word) {

@@ -1,4 +1,4 @@
-//! How many words of walls the motions in a region can make (Lemma V16).
+//! Numbers of words of walls that the motions in a region can make (Lemma V16).
 
 use std::collections::{BTreeMap, HashMap, HashSet};
 use std::ops::Range;
@@ -17,7 +17,7 @@ use super::region::Region;
 use crate::check::blocks::{BLOCK, in_blocks};
 use crate::check::contact::Doubt;
 
-/// Boxes are halved so often for their edges, at first and at last.
+/// Numbers of halvings of boxes for their edges, tried in this order.
 const HALVINGS: [u32; 3] = [2, 4, 6];
 /// Longer words are not counted.
 const LONGEST: u32 = 1000;
@@ -34,7 +34,7 @@ pub(super) struct Sets {
     next: Vec<Vec<usize>>,
 }
 
-/// What is said of the words, proved on a graph of its own: the boxes are cut finer until it is.
+/// Proves the claimed number of words and their entropy on a graph of its own: the boxes are cut finer until they are proved.
 pub(super) fn says_what_holds(
     claimed: &WallWordsDocument,
     (law, guess): (&Law, &Guess),
@@ -67,7 +67,7 @@ pub(super) fn says_what_holds(
     Err(Doubt::open(open))
 }
 
-/// Whether the number of words is proved to grow by a factor of `e^h` at most.
+/// Returns whether the number of words is proved to grow by a factor of `e^h` at most.
 pub(super) fn is_above(sets: &Sets, counts: &[BigInt], h: &BigRational) -> bool {
     if *h >= BigRational::one() {
         return true; // V16: there are two letters
@@ -86,7 +86,7 @@ pub(super) fn is_above(sets: &Sets, counts: &[BigInt], h: &BigRational) -> bool 
 }
 
 impl Sets {
-    /// From the boxes that each leads to, by letters; `None` if there are too many.
+    /// Returns the sets for the boxes that each box leads to, by letters; `None` if there are too many.
     pub fn of(edges: &[[Vec<u32>; 2]]) -> Option<Self> {
         let all: Vec<u32> = (0..edges.len() as u32).collect(); // exact: no more boxes than are judged
         let (mut members, mut looks) = (all.len(), 0);
@@ -133,7 +133,7 @@ impl Sets {
         (0..letters).map(longer).collect()
     }
 
-    /// Whether for a vector without members of 0 none of the sums over the next sets in the same part is more than `q` times its member.
+    /// Returns whether, for a vector without zero members, none of the sums over the next sets in the same part is more than `q` times its member.
     fn grow_by(&self, q: &Real) -> bool {
         let parts = self.parts();
         let inside: Vec<Vec<usize>> = self
@@ -169,7 +169,7 @@ impl Sets {
     }
 }
 
-/// What a node leads to, itself included, through nodes that are open.
+/// The nodes that a node leads to, itself included, through nodes that are open.
 fn reach(root: usize, next: &[Vec<usize>], is_open: impl Fn(usize) -> bool) -> HashSet<usize> {
     let (mut seen, mut open) = (HashSet::from([root]), vec![root]);
     while let Some(at) = open.pop() {

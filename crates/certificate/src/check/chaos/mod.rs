@@ -44,7 +44,7 @@ struct Law {
 }
 
 impl Law {
-    /// That of a pair with one harmonic.
+    /// Returns the law of a pair with one harmonic.
     fn of(pair: &ImpactPair) -> Result<Self, Error> {
         let harmonic = pair.harmonic("the impact map without units")?;
         Error::require_positive("excitation.amplitude", harmonic.amplitude())?;

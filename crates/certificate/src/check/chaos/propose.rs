@@ -9,12 +9,12 @@ use super::beam::State;
 use super::guess::{Guess, Image, MOST_TURNS, applied};
 use super::tube::{Chord, Part, Tube};
 
-/// How chains of boxes are made.
+/// A way to make chains of boxes.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Making {
     /// Cells are about as long at most, phases in radians.
     pub longest: f64,
-    /// What a chord is longer than the image that it holds, as a factor and beyond that.
+    /// Excess of a chord over the image that it holds: a factor, and `pad` beyond that.
     pub margin: f64,
     pub pad: f64,
     /// Parts are not cut below this length.
@@ -44,7 +44,7 @@ type Pair = [Sample; 2];
 
 /// Fewer parts than that are not worth a chain of boxes.
 const FEWEST: usize = 12;
-/// Cells at the ends are so much shorter.
+/// Factor by which cells at the ends are shorter.
 const GRADED: f64 = 0.001;
 
 /// Radians and speeds.
@@ -77,7 +77,7 @@ fn sample(guess: &Guess, tube: &Tube, cell: usize, at: f64) -> Sample {
 }
 
 impl Sample {
-    /// How long its flight is looked at \[forcing periods\].
+    /// Duration of the flight that is followed \[forcing periods\].
     fn turns(&self) -> f64 {
         self.image.map_or(MOST_TURNS, |image| image.time)
     }
@@ -132,12 +132,12 @@ impl Making {
         self.refine((guess, work), tube, [between, to], [false, last], segments)
     }
 
-    /// What a chord may be off: a part of what it is longer.
+    /// Greatest error allowed in the place of a chord: a part of its excess over the image.
     fn room(&self, thick: f64) -> f64 {
         0.3 * ((self.margin - 1.0) * thick + self.pad)
     }
 
-    /// Whether a part is short and straight enough; `None` where the map jumps in it.
+    /// Returns whether a part is short and straight enough; `None` where the map jumps in it.
     fn is_fine(&self, [from, between, to]: [&Sample; 3], is_end: bool) -> Option<bool> {
         let (a, m, b) = (from.image?, between.image?, to.image?);
         if a.is_far != b.is_far || a.is_far != m.is_far {

@@ -1,4 +1,4 @@
-//! Whether a set of boxes is closed under the map, both ways to go on at a graze included (Lemma V11, closed).
+//! Proof that a set of boxes is closed under the map, both ways to go on at a graze included (Lemma V11, closed).
 
 use std::collections::HashMap;
 
@@ -16,10 +16,10 @@ pub(super) struct Region {
     boxes: HashMap<[i64; 2], u32>,
 }
 
-/// What is told of flights: whether they end on the far wall, and with what phases and speeds; it answers whether that is allowed.
+/// A condition on flights, from whether they end on the far wall, and with what phases and speeds; returns whether they are allowed.
 type Note<'n> = &'n mut dyn FnMut(bool, [Span; 2]) -> bool;
 
-/// A box is halved so often, and gone through part by part from the other number on.
+/// Most halvings of a box, and the number from which on its flights are followed part by part.
 const HALVINGS: u32 = 12;
 const COARSE: u32 = 2;
 /// Flights of more forcing periods are not followed.
@@ -27,7 +27,7 @@ const LONGEST: f64 = 64.0;
 /// More boxes than these are not looked for.
 const MOST: f64 = 1e4;
 
-/// Why a box is not proved to be mapped into the set.
+/// The reason why a box is not proved to be mapped into the set.
 pub(super) enum Open {
     /// A ball may come to rest.
     Rest,
@@ -71,8 +71,8 @@ impl Region {
         times.ok_or(Open::Leaves)
     }
 
-    /// Returns to which boxes flights from a box may lead, on the near wall and on the far one, the box halved so often at least; `None`
-    /// where it is not proved to be mapped into the set. Lemma V16
+    /// Returns the boxes that flights from a box may lead to, on the near wall and on the far one, the box halved `halvings` times at least;
+    /// `None` where it is not proved to be mapped into the set. Lemma V16
     pub fn reached(&self, law: &Law, guess: &Guess, cell: [i64; 2], halvings: u32) -> Option<[Vec<u32>; 2]> {
         let mut all = [Vec::new(), Vec::new()];
         let cut = self.cut(cell, halvings, |ends, depth| {
@@ -92,7 +92,7 @@ impl Region {
         cut.ok().map(|()| all)
     }
 
-    /// Goes through the parts of a box, halved so often, and more often where a part is refused.
+    /// Goes through the parts of a box, halved `halvings` times, and more often where a part is refused.
     fn cut(
         &self,
         [column, row]: [i64; 2],

@@ -1,4 +1,4 @@
-//! What a chaos JSON says of its h-sets and words, and whether one follows from the other: disjoint h-sets, entropies, the shortest
+//! Consistency of the h-sets and words of a chaos JSON: disjoint h-sets, entropies that follow from the words, the shortest
 //! horseshoe (Lemmas D8, D10, V12).
 
 use impact_pair_exact::Real;
@@ -68,12 +68,12 @@ pub(super) fn sound_bases(claimed: &[BaseDocument]) -> Result<Vec<Base>, Doubt> 
     Ok(bases)
 }
 
-/// Whether no entropy is claimed.
+/// Returns whether no entropy is claimed.
 pub(super) fn is_none(entropy: &EntropyDocument) -> bool {
     [&entropy.per_impact, &entropy.per_cycle].iter().all(|entropy| !entropy.value().is_positive())
 }
 
-/// Whether words of flights make both of the claimed entropies, or which of them does not follow; half cycles are weighed, two of which make a cycle.
+/// Proves both claimed entropies by words of flights, or names the one that does not follow; weights per period are half cycles, two to a cycle.
 pub(super) fn follows(words: &[Word], bases: usize, claimed: &EntropyDocument) -> Result<(), &'static str> {
     let halved = claimed.per_cycle.value() / BigRational::from_integer(2.into());
     let by_impacts: Vec<_> = words.iter().map(Word::by_impacts).collect();
@@ -102,8 +102,8 @@ impl Word {
     }
 }
 
-/// What is said of the scene's own orbit is proved by no lemma here (`unjudged` names it), but it must not contradict itself: the word of
-/// a periodic orbit closes and has its number of impacts, a period has cycles, and a region that is entered has boxes.
+/// Checks that the claims about the scene's own orbit, which no lemma here proves (`unjudged` names them), do not contradict themselves: the
+/// word of a periodic orbit closes and has its number of impacts, a period has cycles, and a region that is entered has boxes.
 fn says_one_orbit(orbit: Option<&SceneOrbitDocument>) -> Result<(), Doubt> {
     let Some(SceneOrbitDocument { attracted, region }) = orbit else { return Ok(()) };
     let wrong = |message: &str| Err(Doubt::False(format!("scene_orbit: {message}")));
@@ -123,7 +123,7 @@ fn says_one_orbit(orbit: Option<&SceneOrbitDocument>) -> Result<(), Doubt> {
     Ok(())
 }
 
-/// Whether an h-set's middle is given to be in it.
+/// Returns whether the given middle of an h-set is proved to be in it.
 fn is_about(claimed: &BaseDocument, base: &Base) -> bool {
     let phase = Real::rational(&claimed.phase.value(), BITS).over(&(Real::pi(BITS) * 2)).expect("pi is not 0");
     let ends = [&phase, &Real::rational(&claimed.speed.value(), BITS)].map(|x| Span::of(x.enclosure()));

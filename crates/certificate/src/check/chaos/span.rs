@@ -119,12 +119,12 @@ impl Span {
         self * Self::point(factor)
     }
 
-    /// From turns to radians.
+    /// Returns the angle in radians of one in forcing periods.
     pub fn turned(self) -> Self {
         self * TURN
     }
 
-    /// From radians to forcing periods.
+    /// Returns the angle in forcing periods of one in radians.
     pub fn unturned(self) -> Self {
         self * PER_TURN
     }

@@ -57,7 +57,7 @@ fn truth(pair: &ImpactPair, [phase, speed]: State) -> Option<(bool, [Real; 2])> 
     Some((landing.wall == Wall::Right, mirrored(landing.wall, phase, velocity)))
 }
 
-/// Whether an interval of doubles holds what an exact one does.
+/// Returns whether an interval of doubles contains an exact one.
 fn holds(span: Span, x: &Real) -> bool {
     let [low, high] = [span.lo(), span.hi()].map(|end| Dyadic::from_f64(end).expect("a finite end"));
     low <= *x.enclosure().inf() && *x.enclosure().sup() <= high

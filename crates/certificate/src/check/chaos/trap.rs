@@ -1,4 +1,4 @@
-//! Whether the region of a trap JSON is closed, and what is said of it true (Lemma V11).
+//! Check of a trap JSON: the region is closed, and the claims about it are true (Lemma V11).
 
 use std::collections::HashSet;
 use std::ops::Range;
@@ -25,7 +25,7 @@ use crate::trap::TrapCertificate;
 use impact_pair_document::{Decimal, TrapDocument};
 use impact_pair_model::watch::{Latched, Stage, Watch};
 
-/// What stops a check of boxes.
+/// The reason why a check of boxes ends early.
 enum End {
     Open(usize, Open),
     Stopped,
@@ -36,7 +36,7 @@ impl TrapCertificate {
     /// it, which receives the boxes confirmed so far.
     ///
     /// # Errors
-    /// When the scene's values are beyond the range of exact expressions, and with several harmonics.
+    /// Returns an error if the scene's values are beyond the range of exact expressions, or if it has several harmonics.
     pub fn check_within(&self, effort: &Effort, watch: &dyn Watch) -> Result<Verdict, Error> {
         let watch = Latched::new(watch);
         let law = Law::of(self.pair())?;
@@ -160,8 +160,8 @@ impl TrapCertificate {
         Ok(units.map(|unit| Real::of(&unit, BITS)))
     }
 
-    /// Whether an impact of the scene's orbit, or its start as number 0, is in the region, or an earlier one is: then all later ones are,
-    /// as it is closed; the bits that it took. All of it takes no more work than a claim that is left undecided.
+    /// Proves that an impact of the scene's orbit, or its start as number 0, is in the region, or an earlier one is: then all later ones are,
+    /// as it is closed; returns the bits used. All of it takes no more work than a claim that is left undecided.
     fn enters(
         &self,
         region: &Region,
@@ -206,7 +206,7 @@ const ENOUGH_BITS: u32 = 4096;
 /// More boxes than the program looks for are not judged.
 const MOST_BOXES: usize = 1 << 22;
 
-/// Whether one of the impacts from where a walk stands up to the one of this number is proved to be in a set, as long as there is work left.
+/// Returns whether one of the impacts from the walk's place up to this number is proved to be in a set, as long as there is work left.
 fn comes_in(walk: &mut Walk<'_>, impact: u64, is_in: impl Fn(&Walk<'_>, &Landing) -> Option<bool>) -> bool {
     while walk.impacts < impact {
         let Some(landing) = walk.next_landing() else { return false };
@@ -238,7 +238,7 @@ fn starts_at(pair: &ImpactPair, start: &Start) -> Result<Option<[Real; 2]>, Erro
     Ok(Some(mirrored(*wall, Real::of(&phase, BITS), Real::of(&velocity, BITS))))
 }
 
-/// Whether all states within these bounds are in boxes of the region.
+/// Returns whether all states within these bounds are in boxes of the region.
 fn holds(region: &Region, [phase, speed]: &[Real; 2]) -> bool {
     // Whole turns are taken off before it becomes doubles.
     let turns = phase.middle().floor().unwrap_or(0); // exact: any whole number of turns

@@ -19,7 +19,7 @@ pub(super) struct Chord {
 #[derive(Clone, Debug)]
 pub(super) struct Tube {
     chords: Vec<Chord>,
-    /// By cell: whether all windows that hold it are embedded.
+    /// True for each cell if all windows that hold it are embedded.
     embedded: Vec<bool>,
 }
 
@@ -36,7 +36,7 @@ pub(super) struct Part {
 pub(super) const WINDOW: usize = 2;
 /// A set of flights that is enclosed counts as N that are looked at.
 const SET: usize = 4;
-/// A part is halved so often.
+/// Most halvings of a part.
 const HALVINGS: u32 = 12;
 
 /// The stretches of proved parts that follow one another, each of them behind the last part of those before it, which is `used`, and
@@ -80,12 +80,12 @@ impl Part {
         (is_next || is_same) && (self.place == other.place || self.place == other.place + 1)
     }
 
-    /// Whether it has no inner point in common with another part or with what lies before that (D9).
+    /// Returns whether it has no inner point in common with another part or with what lies before that (D9).
     fn lies_behind(&self, other: &Self) -> bool {
         self.cell > other.cell || self.cell == other.cell && self.from >= other.to
     }
 
-    /// Whether it leads forward within its cell (D7).
+    /// Returns whether it leads forward within its cell (D7).
     fn is_forward(&self) -> bool {
         0.0 <= self.from && self.from < self.to && self.to <= 1.0 // D7: from one edge of the cell to the other
     }
@@ -131,7 +131,7 @@ impl Tube {
         Quad { corners: [left.bottom, left.top, right.bottom, right.top].map(spot) }
     }
 
-    /// Whether the images of a set are proved to lie in the cells around `place`, away from tops and bottoms (D6).
+    /// Returns whether the images of a set are proved to lie in the cells around `place`, away from tops and bottoms (D6).
     fn holds(&self, landing: &Landing, place: usize) -> bool {
         let beside = |from: State, to: State| landing.along(normal(from, to), spot(from));
         let is_behind = |chord: &Chord| beside(chord.bottom, chord.top).is_negative();

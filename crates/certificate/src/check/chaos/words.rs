@@ -34,7 +34,7 @@ struct Run {
     tube: Tube,
 }
 
-/// What is proved of a stretch of a chain of boxes: where it may be taken for a word.
+/// A stretch of a chain of boxes, and the places where it is proved to cover h-sets as words.
 struct Stretch {
     run: Run,
     crossings: Vec<Crossing>,
@@ -46,7 +46,7 @@ struct Followed {
 }
 
 impl Followed {
-    /// How often it crosses h-sets as words of a kind.
+    /// Number of its crossings of h-sets as words of a kind.
     fn count(&self, is_such: impl Fn(&Word) -> bool) -> usize {
         let crossings = self.stretches.iter().flat_map(|stretch| &stretch.crossings);
         crossings.filter(|crossing| is_such(&crossing.word)).count()
@@ -62,7 +62,7 @@ struct Crossing {
 /// An h-set, and flights from it.
 type Beginning = (usize, Vec<bool>);
 
-/// How many flights ahead chains of boxes are measured from, where it is not as many as elsewhere.
+/// Number of flights ahead that chains of boxes are measured from, for the beginnings where it differs from `Making::ahead`.
 pub(super) type Ahead = HashMap<Beginning, usize>;
 
 /// Number of times that each word is listed, or found.
@@ -72,7 +72,7 @@ pub(super) type Counts = HashMap<Word, usize>;
 pub(super) struct Search<'s> {
     law: &'s Law,
     bases: &'s [Base],
-    /// How chains of boxes are made: as the first one says, where that loses words as others do.
+    /// Ways to make chains of boxes: the first one, then the others where that one loses words.
     makings: &'s [Making],
     guess: Guess,
     work: &'s Allowance<'s>,
@@ -135,7 +135,7 @@ impl<'s> Search<'s> {
         Ok(())
     }
 
-    /// How chains of boxes of a run are made at first.
+    /// The way in which chains of boxes of a run are made at first.
     fn first(&self, run: &Run) -> Making {
         let ahead = self.ahead.get(&(run.from, run.flights.clone()));
         Making { ahead: ahead.copied().unwrap_or(self.makings[0].ahead), ..self.makings[0] } // proposes: any tubes will do
@@ -201,7 +201,7 @@ impl<'s> Search<'s> {
         Ok(best)
     }
 
-    /// Where a stretch covers an h-set as a listed word, no two of them with cells in common.
+    /// The crossings of h-sets by a stretch as listed words, no two of them with cells in common.
     fn crossings(&self, Run { from, flights, tube }: &Run) -> Vec<Crossing> {
         let far = flights.iter().filter(|&&is_far| is_far).count() as i64; // exact: a length
         let mut found: Vec<Crossing> = Vec::new();
@@ -249,7 +249,7 @@ fn take(stretches: &mut [Stretch], listed: Option<&Counts>) -> Counts {
 }
 
 impl Crossing {
-    /// How far its chain of boxes goes on beyond it, about, on the side where it ends first.
+    /// Approximate length of the chain of boxes beyond the crossing, on the side where the chain ends first.
     fn room(&self, tube: &Tube) -> f64 {
         let [a, b] = self.chords;
         let way = |chords: &[Chord]| -> f64 {

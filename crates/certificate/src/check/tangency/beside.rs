@@ -21,7 +21,7 @@ pub(super) const LONGEST: usize = 200;
 /// Number of bisections of the curve of common points.
 const HALVED: u32 = 8;
 
-/// All numbers of bounds.
+/// Returns the interval of these bounds.
 pub(super) fn all(bounds: &Bounds) -> Real {
     hull(&bounds.each_ref().map(|bound| Real::rational(bound, BITS)))
 }
@@ -32,7 +32,7 @@ pub(super) fn wider(x: &Real) -> Real {
     x.clone() + &(x.clone() - &x.middle()).half() + &least
 }
 
-/// Whether values are proved to be within the bounds of the states.
+/// Returns whether values are proved to be within the bounds of the states.
 pub(super) fn are_inside(found: &[Real], states: &[[Bounds; 2]]) -> bool {
     let is_inside = |(x, bounds): (&Real, &Bounds)| matches!(beside(x, bounds), Beside::Inside);
     found[STATES..].iter().zip(states.iter().flatten()).all(is_inside)
@@ -136,8 +136,8 @@ impl Curve<'_, '_> {
         Ok(found)
     }
 
-    /// All tangencies of a piece of the curve unfold as the claimed one, and where its parameter may be in the range with two points, its states are in
-    /// the boxes.
+    /// Returns whether all tangencies of a piece of the curve unfold as the claimed one, and whether its states are in the boxes where its
+    /// parameter may be in the range with two points.
     fn is_as_claimed(&self, found: &Found) -> bool {
         let claimed = [&self.claim.quadratic, &self.claim.unfolding];
         let is_alike = |(own, [low, _]): (&Real, &Bounds)| {

@@ -35,10 +35,10 @@ pub(super) struct Chain<'b> {
     budget: Budget<'b>,
     /// A phase near that of the saddle.
     near: Real,
-    /// Where the manifolds are proved to be analytic: by the parameter, and by the other datum.
+    /// Intervals of the parameter, and of the other datum, over which the manifolds are proved to be analytic.
     whole: [Real; 2],
     domains: [[Domain; 2]; 2],
-    /// About how long the flights last, and whole forcing periods by which states are earlier than the flights say.
+    /// Approximate durations of flights, and whole forcing periods by which states are earlier than the flights say.
     times: Vec<Real>,
     turns: Vec<i64>,
 }
@@ -177,7 +177,7 @@ impl<'b> Chain<'b> {
         Ok(flown)
     }
 
-    /// How far flight `k` ends from the next state, or the last one from the stable manifold.
+    /// Difference of phase and speed between the end of flight `k` and the next state, or the stable manifold after the last flight.
     fn missed(&mut self, area: &Area, last: &End, jets: [&Jet; 2], k: usize) -> Result<[Real; 2], Doubt> {
         let (place, is_last) = (STATES + 2 * k, k + 1 == self.letters.len());
         let [phase, speed] = jets.map(|jet| jet.value(BITS).centre);
@@ -204,7 +204,7 @@ struct Near {
 }
 
 impl Near {
-    /// Those of flight `k`: the first one begins on the unstable manifold.
+    /// Returns the states of flight `k`: the first one begins on the unstable manifold.
     fn of(area: &Area, first: &End, k: usize) -> Self {
         match k {
             0 => Self {
@@ -221,7 +221,7 @@ impl Near {
         }
     }
 
-    /// They as coordinates.
+    /// Returns them as coordinates.
     fn state(&self) -> State {
         let varied = |i: usize| Some(Affine::varied(self.at[i].clone(), self.radii[i].enclosure().sup().clone(), i));
         let unit = || Some(Affine::fixed(Real::int(1, BITS)));

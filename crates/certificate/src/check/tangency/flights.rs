@@ -21,9 +21,9 @@ const HALVINGS: u32 = 40;
 /// A flight from the near wall.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(in crate::check) enum Letter {
-    /// To the far wall.
+    /// A flight to the far wall.
     Far,
-    /// Back to the near one.
+    /// A flight back to the near wall.
     Near,
 }
 
@@ -44,7 +44,7 @@ pub(super) struct Launch<'b> {
 const FROM_WALL: Start = Start { wall: Some(Wall::Left), is_release: false };
 
 impl<'b> Launch<'b> {
-    /// From impacts with these phases and speeds.
+    /// Returns the flights from impacts with these phases and speeds.
     pub fn new([gap, e]: [&Real; 2], [phase, speed]: [&Real; 2], budget: &Budget<'b>) -> Self {
         let bits = e.bits();
         let term =
@@ -81,7 +81,7 @@ impl<'b> Launch<'b> {
         }
     }
 
-    /// Whether each flight has no other contact up to this time: the ball moves towards the wall of its contact all the while.
+    /// Returns whether each flight has no other contact up to this time: the ball moves towards the wall of its contact all the while.
     pub fn is_only(&self, contact: &Real, other: &Real) -> bool {
         !self.flight.slope(&contact.hull(other)).is_across()
     }

@@ -30,7 +30,7 @@ struct Tangencies<'c, 'b> {
 }
 
 impl ClaimedTangency {
-    /// It is one for each value of the other datum, proved in N bits. Lemma V32
+    /// Proves that it is one for each value of the other datum, and returns the bits used. Lemma V32
     pub(super) fn is_for_each(
         &self,
         states: &[[Bounds; 2]],
@@ -73,7 +73,7 @@ impl Tangencies<'_, '_> {
         self.system.found(&mut self.chain, at, &[(OTHER, radius)])
     }
 
-    /// Whether all of them are within the bounds that are claimed.
+    /// Returns whether all of them are proved to be within the bounds that are claimed.
     fn are_inside(&self, found: &Found) -> Result<bool, Doubt> {
         let parameter = self.setting.parameter(&found.bounds[PARAMETER]);
         let parameter = parameter.ok_or_else(|| Doubt::open("the parameter is not proved to be positive"))?;
@@ -84,7 +84,7 @@ impl Tangencies<'_, '_> {
             && are_inside(&found.bounds, self.states))
     }
 
-    /// All numbers of these tangencies are as claimed.
+    /// Proves that all numbers of these tangencies are as claimed.
     fn compare(&self, found: &Found) -> Result<(), Doubt> {
         let (claim, setting) = (self.claim, self.setting);
         let family = Family { is_restitution: setting.is_restitution(), other: found.bounds[OTHER].clone() };

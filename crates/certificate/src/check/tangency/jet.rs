@@ -156,7 +156,7 @@ pub(in crate::check) fn product(a: &Affine, b: &Affine) -> Affine {
     Affine::of(a.centre.clone() * &b.centre, &[(&of_a, a), (&of_b, b)])
 }
 
-/// Its product with a number.
+/// Returns the product of `x` with a number.
 pub(in crate::check) fn scaled(x: &Affine, factor: &Real) -> Affine {
     Affine::of(x.centre.clone() * factor, &[(factor, x)])
 }

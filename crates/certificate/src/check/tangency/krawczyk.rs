@@ -12,13 +12,13 @@ const SHORT_BITS: u32 = 64;
 const STEPS: u32 = 16;
 const ENOUGH: i64 = -30;
 const SMALLEST: i64 = -60;
-/// How often a box is made larger, and by which part, as a power of 2.
+/// Number of times that a box is made larger, and the part of its radii added each time, as a power of 2.
 const WIDENED: u32 = 8;
 const ROOM: i64 = -4;
 /// Number of improvements of the weights.
 const WEIGHTS: u32 = 8;
 
-/// Which of the equations are solved: their number, for which of the values; the others are given.
+/// The system solved: the number of equations, and the places of the values solved for; the other values are given.
 #[derive(Clone, Debug)]
 pub(super) struct System {
     pub equations: usize,
@@ -123,7 +123,7 @@ impl System {
         newton.rows.iter().map(product).collect()
     }
 
-    /// How far the operator moves unknowns by these radii, the derivatives those of a product.
+    /// Bounds of the operator's displacements of unknowns within these radii, the derivatives those of a product.
     fn strays(&self, product: &[Vec<Real>], radii: &[Real]) -> Vec<Real> {
         let stray = |(i, row): (usize, &Vec<Real>)| {
             let part = |(j, place): (usize, &usize)| size(&(row[*place].clone() - i64::from(i == j))) * &radii[*place];

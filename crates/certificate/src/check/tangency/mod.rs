@@ -1,6 +1,6 @@
-//! Whether a JSON of tangencies is right: each is found again by single shooting in multiprecision, from manifolds that are
-//! power series of a scalar equation with proved remainders (Lemmas V17-V19, V29). What it claims of boxes of states is proved by the equations of
-//! all flights (Lemmas V31, V32).
+//! Check of a JSON of tangencies: each is found again by single shooting in multiprecision, from manifolds that are power series of a
+//! scalar equation with proved remainders (Lemmas V17-V19, V29). What it claims of boxes of states is proved by the equations of all
+//! flights (Lemmas V31, V32).
 //!
 //! In reading order: [`jet`] and [`disc`] (arithmetic), [`saddle`], [`local`] (where the manifolds are analytic), [`series`],
 //! [`flights`], [`shot`] (from one manifold to the other), [`newton`] (zeros); [`chain`] (all flights), [`krawczyk`], [`beside`] (common
@@ -44,7 +44,7 @@ use shot::{Range, Shot, Unknowns, known};
 
 /// Bits of the arithmetic beyond those of the box in which a tangency is found.
 const SPARE_BITS: i64 = 112;
-/// By how many bits that box is narrower than the claimed bounds: one after another.
+/// Bits by which that box is narrower than the claimed bounds, tried in turn.
 const INSIDE: [i64; 3] = [20, 72, 160];
 /// The most bits of the arithmetic.
 const MOST_BITS: i64 = 1 << 11;
@@ -70,7 +70,7 @@ impl TangencyCertificate {
 }
 
 impl ClaimedTangency {
-    /// It is one, proved in N bits.
+    /// Proves that it is one, and returns the bits used.
     fn judged(&self, pair: &ImpactPair, (effort, budget): (&Effort, &Budget<'_>)) -> Result<u32, Doubt> {
         if let Some(message) = self.contradiction() {
             return Err(Doubt::False(message));
@@ -105,7 +105,7 @@ impl ClaimedTangency {
         self.flights.iter().map(|is_far| if *is_far { Letter::Far } else { Letter::Near }).collect()
     }
 
-    /// With a box that is N bits narrower than the claimed one: the bits that it took, the box, and what is found over it.
+    /// Returns the bits used, the box, and what is found over it, for a box that is `inside` bits narrower than the claimed one.
     fn judged_inside(
         &self,
         setting: &Setting,
@@ -216,7 +216,7 @@ impl ClaimedTangency {
         law.pi.clone() * 2 * turns
     }
 
-    /// All numbers of the tangency in a box are as claimed.
+    /// Proves that all numbers of the tangency in a box are as claimed.
     fn compare(&self, setting: &Setting, found: &Unknowns, shot: &Shot) -> Result<(), Doubt> {
         let bits = found[2].bits();
         let law = known(setting.family(bits).law_over(&found[2]))?;
@@ -273,14 +273,14 @@ impl ClaimedTangency {
     }
 }
 
-/// What is found for some values of the bounds only refutes nothing.
+/// Turns a refutation for some values of the bounds only into an undecided claim.
 fn unproved(doubt: Doubt) -> Doubt {
     match doubt {
         Doubt::False(message) | Doubt::Open(message) => Doubt::Open(message),
     }
 }
 
-/// All of these are at least as claimed.
+/// Proves that all of these are at least as claimed.
 fn at_least(what: &str, found: &[Real], claimed: &BigRational) -> Result<(), Doubt> {
     for (k, found) in found.iter().enumerate() {
         if compare_rational(found.enclosure().sup(), claimed).is_lt() {
@@ -293,7 +293,7 @@ fn at_least(what: &str, found: &[Real], claimed: &BigRational) -> Result<(), Dou
     Ok(())
 }
 
-/// No product of powers of the eigenvalues, of an order from 2 to `highest`, is one of them.
+/// Proves that no product of powers of the eigenvalues, of an order from 2 to `highest`, is one of them.
 fn no_resonance(eigenvalues: [&Real; 2], highest: u32) -> Result<(), Doubt> {
     if highest > HIGHEST {
         return Err(Doubt::Open(format!("resonances of orders above {HIGHEST} are not checked")));

@@ -62,7 +62,7 @@ pub(super) fn of_tangents(
 ) -> Result<(Row, [Real; 2]), Doubt> {
     let to_the_end = legs.to_the_end();
     let tangents: Vec<Vector> = (0..=count).map(|k| column(&legs.slopes(k), 0)).collect();
-    // What a change of a coordinate of flight `k` makes of the last tangent.
+    // The change of the last tangent with a coordinate of flight `k`.
     let bent = |k: usize, a: usize| image(&to_the_end[k + 1], &image(&legs.bends(k)[a], &tangents[k]));
     let (end, tangent) = (column(&last.slopes, 0), &tangents[count]);
     let of_first = |j: usize| {

@@ -76,7 +76,7 @@ impl Law {
         Self { gap, e, parameter, pi: Real::pi(bits) }.proved()
     }
 
-    /// These data, where they are proved to be `0 < e < 1` and `D > 0`.
+    /// Returns these data, where they are proved to satisfy `0 < e < 1` and `D > 0`.
     fn proved(self) -> Option<Self> {
         let (gap, e) = (self.gap_hull(), self.e_hull());
         (gap.is_positive() && e.is_positive() && e.is_below(&Real::int(1, self.bits()))).then_some(self)

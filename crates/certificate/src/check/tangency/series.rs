@@ -14,7 +14,7 @@ const SHORT_BITS: u32 = 64;
 /// `theta(sigma)` with `theta' = 1` at the saddle.
 pub(super) struct Series {
     side: Side,
-    /// What `sigma` is multiplied with by the map.
+    /// The factor by which the map multiplies `sigma`.
     ratio: Jet,
     phases: Vec<Jet>,
     domain: Domain,

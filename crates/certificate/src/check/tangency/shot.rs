@@ -13,7 +13,7 @@ use impact_pair_exact::{Dyadic, Real};
 /// `sigma_u`, `sigma_s`, and the parameter, `D` or `e`
 pub(super) type Unknowns = [Real; 3];
 
-/// What does not depend on the box: where the manifolds are analytic, the word, and about when its flights end.
+/// Data that do not depend on the box: the domains of the manifolds, the word, and approximate durations of its flights.
 pub(super) struct Range<'b> {
     pub letters: Vec<Letter>,
     pub budget: Budget<'b>,

@@ -1,4 +1,4 @@
-//! Whether all orbits between the two ends of a window are stable, on one curve through the orbit that is listed (Lemma V30).
+//! Proofs that all orbits between the two ends of a window are stable, on one curve through the orbit that is listed (Lemma V30).
 //!
 //! Points of the curve are found by Newton's iteration, each in a tiny cell in which it is proved. Cells over the way from one to the next are
 //! proved to hold one curve, of stable orbits, or, next to an end, one along which the eigenvalue that passes 1 or -1 does so once.
@@ -26,7 +26,7 @@ use impact_pair_model::Wall;
 const SPARE_BITS: i64 = 160;
 const MOST_SPARE_BITS: i64 = 640;
 const INSIDE: i64 = 24;
-/// By how many bits a tiny cell is narrower across the curve.
+/// Bits by which a tiny cell is narrower across the curve.
 const THIN: i64 = 28;
 /// The largest tiny cell, as a power of 2.
 const LARGEST: i64 = -96;
@@ -145,7 +145,7 @@ impl Start<'_> {
     }
 }
 
-/// What is found of another orbit than that of the document refutes nothing.
+/// Turns a refutation into an undecided claim: it may be about another orbit than that of the document.
 fn unproved(doubt: Doubt) -> Doubt {
     match doubt {
         Doubt::False(message) | Doubt::Open(message) => Doubt::Open(message),
@@ -161,7 +161,7 @@ struct Spot {
 /// The curve of orbits of a window.
 struct Between<'b> {
     map: Map<'b>,
-    /// Of the tiny cells, as a power of 2.
+    /// Size of the tiny cells, as a power of 2.
     size: i64,
 }
 
@@ -303,7 +303,7 @@ impl Between<'_> {
         let half = Real::point(half.enclosure().mag(), self.map.bits());
         let along = half.clone() + &(half * &self.power(-4)); // proposes: a size to try
         let thin = self.around(spot, (main, &along))?;
-        // How far the ends are from the direction of the curve.
+        // The distance of an end from the direction of the curve.
         let strays = |end: &Point, i: usize| {
             let part = (end[main].clone() - &at[main]).over(&along)?;
             Some((end[i].clone() - &at[i] - &(part * &thin.frame[0][i])).enclosure().mag())
@@ -328,7 +328,7 @@ impl Between<'_> {
         Err(Doubt::open("the orbits are not proved to be one curve"))
     }
 
-    /// All orbits of the curve between two tiny cells are stable.
+    /// Proves that all orbits of the curve between two tiny cells are stable.
     fn are_stable(&mut self, from: &Cell, to: &Cell, depth: u32) -> Result<(), Doubt> {
         let joined = self.over(from, to).and_then(|(image, _)| {
             let is_stable = image.criticals.iter().all(|x| x.value.is_positive());
@@ -348,7 +348,7 @@ impl Between<'_> {
         }
     }
 
-    /// From a stable orbit to the end all orbits are.
+    /// Proves that all orbits from a stable one to the end are stable.
     fn is_last(&mut self, from: &Cell, zero: &Cell, which: usize) -> Result<(), Doubt> {
         let (image, along) = self.over(from, zero)?;
         let is_monotone = along.slope(&image.criticals[which]).is_some_and(|slope| !slope.is_across());
@@ -389,7 +389,7 @@ mod tests {
         Budget::new(Effort::default().work, Effort::default().parts, &Unwatched)
     }
 
-    /// What is proved of the orbits between the ends of a window with another value, its orbit and its ends not checked.
+    /// The verdict on the orbits between the ends of a window with another value, its orbit and its ends not checked.
     fn between(key: &str, value: Value) -> Result<u32, Doubt> {
         let mut document: Value = serde_json::from_str(DOCUMENT).unwrap();
         *document["windows"][0].pointer_mut(key).unwrap() = value;

@@ -92,13 +92,13 @@ pub(super) struct Image {
     legs: Legs<3, 1>,
     /// The derivatives of the state itself by the coordinates.
     starts: Rows<3>,
-    /// Where 1, or -1, is an eigenvalue.
+    /// The functions that are 0 where 1, or -1, is an eigenvalue.
     pub criticals: [Critical; 2],
 }
 
 /// `1 + det - trace` or `1 + det + trace` of the derivative by the state, zero where 1, or -1, is an eigenvalue.
 pub(super) struct Critical {
-    /// Over the cell.
+    /// The function over the cell.
     pub value: Real,
     /// Its derivatives by the coordinates `q` over the cell.
     pub slopes: [Real; 3],
@@ -117,7 +117,7 @@ pub(super) struct Map<'b> {
     budget: Budget<'b>,
     /// Sets are not tried that reach farther in phase.
     widest: Real,
-    /// About how long the flights last.
+    /// Approximate durations of the flights.
     times: Vec<Real>,
     /// Forcing periods of the reduced map that a period takes.
     turns: i64,
@@ -230,7 +230,7 @@ impl Image {
         self.slopes.each_ref().map(|row| coordinates.map(|j| row[j].clone()))
     }
 
-    /// About the inverse of these: any matrix is as sound.
+    /// Approximate inverse of these: any matrix is as sound.
     fn newton(&self, coordinates: [usize; 2]) -> Option<Matrix> {
         let middles = self.square(coordinates).map(|row| row.map(|x| x.middle()));
         Some(inverse(&middles)?.map(|row| row.map(|x| x.middle())))
@@ -303,7 +303,7 @@ mod tests {
     use impact_pair_model::watch::Unwatched;
 
     const BITS: u32 = 192;
-    /// How much smaller a set is that is as good as a point, as a power of 2.
+    /// Factor by which a set is smaller that is as good as a point, as a power of 2.
     const POINT: i64 = -80;
     /// Places of members in a set.
     const MEMBERS: [[f64; 3]; 4] = [[0.9, -0.8, 0.7], [-0.9, -0.9, 0.1], [0.3, 0.9, -0.9], [-0.5, 0.8, 0.9]];
@@ -356,7 +356,7 @@ mod tests {
         }
     }
 
-    /// What is said of the derivatives over a set is true of those of its members (Lemma V30, derivatives): the same in a set that is as good as a point.
+    /// Bounds of derivatives over a set hold those of its members (Lemma V30, derivatives), computed alike in a set that is as good as a point.
     #[test]
     fn derivatives_over_a_set_hold_those_of_its_members() {
         let large = Real::point(Dyadic::power_of_two(-POINT), BITS);

@@ -1,6 +1,6 @@
-//! Whether a JSON of windows is right: each orbit at its value found again as that of a periodic JSON (Lemma V8), and both ends of its window
-//! as the points of a bifurcation JSON, from the orbit of the window on (Lemma V9). Then all orbits between are proved to be stable ([`between`],
-//! Lemma V30).
+//! Check of a JSON of windows: each orbit at its value is found again as that of a periodic JSON (Lemma V8), and both ends of its window
+//! as the points of a bifurcation JSON, from the orbit of the window on (Lemma V9). Then all orbits between are proved to be stable
+//! ([`between`], Lemma V30).
 
 mod between;
 mod cell;
@@ -21,7 +21,7 @@ impl WindowsCertificate {
     /// which receives the windows confirmed so far.
     ///
     /// # Errors
-    /// When the scene's values are beyond the range of exact expressions.
+    /// None: what is beyond exact expressions leaves a window undecided.
     pub fn check_within(&self, effort: &Effort, watch: &dyn Watch) -> Result<Verdict, Error> {
         let over = Over { pair: self.pair(), start: self.start(), key: self.over() };
         let whole = Whole {
@@ -36,7 +36,7 @@ impl WindowsCertificate {
 }
 
 impl WindowsCertificate {
-    /// Whether no two windows are those of one orbit at one value.
+    /// Returns whether no two windows are those of one orbit at one value.
     fn are_different(&self) -> bool {
         let orbits: Vec<&ClaimedOrbit> =
             self.windows().iter().flat_map(|window| window.orbit.orbits()).map(|claim| &claim.orbit).collect();
@@ -45,7 +45,7 @@ impl WindowsCertificate {
 }
 
 impl ClaimedWindow {
-    /// Its orbit and its ends are as claimed, proved in N bits.
+    /// Proves that its orbit and its ends are as claimed, and returns the bits used.
     fn judged(&self, over: &Over<'_>, (effort, budget): (&Effort, &Budget), watch: &dyn Watch) -> Result<u32, Doubt> {
         if !self.is_stable() {
             return Err(Doubt::False("only stable orbits have a window".into()));

@@ -1,4 +1,4 @@
-//! Whether the verdicts on the values of a parameter are right: each is proved again for all values of its subinterval, as a whole or
+//! Check of the verdicts on the values of a parameter: each is proved again for all values of its subinterval, as a whole or
 //! part by part (Lemma V35).
 
 mod moving;
@@ -23,7 +23,7 @@ use orbit::{Found, Period};
 const DOUBLE: u32 = f64::MANTISSA_DIGITS;
 /// A subinterval may take one in N parts of what a document of another kind may.
 const PART: u64 = 1 << 2;
-/// A subinterval is halved so often, and a cell of two parameters cut into quarters.
+/// Most halvings of a subinterval, and most cuts of a cell of two parameters into quarters.
 const HALVINGS: u32 = 16;
 const QUARTERED: u32 = 4;
 
@@ -35,7 +35,7 @@ impl CellsCertificate {
     /// receives the subintervals checked so far.
     ///
     /// # Errors
-    /// When the scene's values are beyond the range of exact expressions, and with several harmonics.
+    /// Returns an error if the scene's values are beyond the range of exact expressions, or if it has several harmonics.
     pub fn check_within(&self, effort: &Effort, watch: &dyn Watch) -> Result<Verdict, Error> {
         Ok(self.judge_within(effort, watch)?.0)
     }
@@ -127,7 +127,7 @@ impl CellsCertificate {
     }
 }
 
-/// Whether each pair of intervals has a stable periodic orbit of a claimed word, or its mirror image. Lemmas V36, V38
+/// Proves that each pair of intervals has a stable periodic orbit of a claimed word, or its mirror image. Lemmas V36, V38
 pub(in crate::check) fn has_stable_orbit(
     (pair, start): (&ImpactPair, &Start),
     claimed: &PeriodDocument,
@@ -169,7 +169,7 @@ fn quarters(law: &Law) -> [Law; 4] {
     [0, 1, 2, 3].map(|k| Law { gap: gaps[k / 2], restitution: restitutions[k % 2] })
 }
 
-/// What is said of a periodic orbit that is claimed, of the scene's own orbit or of any.
+/// The verdict on a claimed periodic orbit, of the scene's own orbit (`is_own`) or of any.
 fn said_of_period(found: Result<Found, End>, is_own: bool) -> Result<(), Doubt> {
     match found {
         Ok(Found::Proved) => Ok(()),
@@ -202,7 +202,7 @@ mod tests {
         PeriodDocument { word: word.to_owned(), cycles, impacts: word.split(' ').count() as u32 }
     }
 
-    /// Whether a stable orbit of a word in some cycles is proved for all amplitudes and restitutions of intervals.
+    /// Returns whether a stable orbit of a word in `cycles` forcing periods is proved for all amplitudes and restitutions of intervals.
     fn is_proved(values: [&str; 2], word: &str, cycles: u32) -> bool {
         let asked = (&pair(values), &start(-1));
         has_stable_orbit(asked, &claimed(word, cycles), &Effort::default(), &Unwatched).unwrap().is_ok()
@@ -217,7 +217,7 @@ mod tests {
         }
     }
 
-    /// Of an orbit a word several times is not one of its own.
+    /// The word of an orbit repeated is not that of another orbit.
     #[test]
     fn v36_several_rounds_of_an_orbit_are_not_another_one() {
         for pair in [["0.3", "0.5"], ["0.36", "0.8"], ["1/(3*pi)", "0.5"]] {

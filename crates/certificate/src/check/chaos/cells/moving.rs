@@ -34,7 +34,7 @@ fn spot(state: State) -> Spot {
     state.map(Span::point)
 }
 
-/// In radians and speeds.
+/// Length of a difference of states, phase in radians and speed.
 fn length([u, w]: State) -> f64 {
     (TAU * u).hypot(w)
 }
@@ -101,12 +101,12 @@ impl Set {
         Some(Landed { set, is_far: image.is_far, time: image.time })
     }
 
-    /// How far the middle is from another one's, whole forcing periods aside, about: in radians and speeds.
+    /// Approximate distance of the middles of two sets, phases modulo whole forcing periods: in radians and speeds.
     pub fn away(&self, other: &Self) -> f64 {
         apart(self.middle, other.middle)
     }
 
-    /// With sides that are at least twice as long, and at least of a length.
+    /// Returns the set with sides that are at least twice as long, and at least of a length.
     pub fn with_room(self, least: f64) -> Self {
         let longer = |side: State| {
             let power = (least / length(side)).log2().ceil().clamp(1.0, 64.0); // proposes: longer sides hold as much
@@ -170,7 +170,7 @@ mod tests {
         by.fold(set.middle, |[u, w], (by, part)| [u + part * by[0], w + part * by[1]])
     }
 
-    /// Whether a state is one of a set, whole forcing periods aside, for these parameters.
+    /// Returns whether a state is one of a set, phases modulo whole forcing periods, for these parameters.
     fn is_in(set: &Set, at: State, [_, _, c, d]: [f64; 4]) -> bool {
         let middle = state(set, [0.0, 0.0, c, d]);
         let ahead = at[0] - middle[0];
@@ -216,7 +216,7 @@ mod tests {
         }
     }
 
-    /// What moves a set moves its image by that of the derivative, and makes no side longer, up to squares.
+    /// A move of a set is mapped by the derivative to a move of its image, and makes no side longer, up to squares.
     #[test]
     fn v36_what_moves_a_set_is_no_side_of_its_image() {
         let law = Law { gap: Span::point(2.0), restitution: Span::point(0.5) };

@@ -1,4 +1,4 @@
-//! Whether there is a stable periodic orbit of a claimed word for all parameters of a law, and whether the scene's own orbit converges to it
+//! Check of a stable periodic orbit of a claimed word for all parameters of a law, and of the convergence of the scene's own orbit to it
 //! (Lemma V36).
 
 use impact_pair_document::PeriodDocument;
@@ -23,7 +23,7 @@ use impact_pair_model::Error;
 const IMPACTS: usize = 2000;
 /// The most impacts from a set to a later one that lies in it, and those that are followed on for fewer ones.
 const MORE: usize = 128;
-/// Every N impacts sets begin anew with room for so often the way by which the middle misses an earlier one, if that is near: much of it where
+/// Sets are enlarged every `AGAIN` impacts, by a multiple of `ROOMS` of the distance to an earlier middle, if that is near: much of it where
 /// the orbit comes near its limit slowly, or from both sides in turn.
 const AGAIN: usize = 32;
 const ROOMS: [f64; 3] = [0.0, 8.0, 128.0];
@@ -31,7 +31,7 @@ const NEAR: f64 = 0.02;
 /// Impacts of a floating-point orbit before it is looked at, and how near it has to come again.
 const TRANSIENT: usize = 8_000;
 const CLOSED: f64 = 1e-6;
-/// Where it begins, if not at the scene's own first impact; then at N states that are spread over all.
+/// States at which a floating-point orbit begins, if not at the scene's own first impact; then at `SPREAD` states spread over all.
 const ELSEWHERE: [State; 4] = [[0.1, 0.5], [0.35, 1.5], [0.6, 1.0], [0.85, 2.0]];
 const SPREAD: u32 = 24;
 /// A set that is followed for one impact counts as N flights that are looked at.
@@ -43,7 +43,7 @@ const MOST: usize = 256;
 
 /// A periodic orbit that is claimed.
 pub(super) struct Period {
-    /// Whether each impact is on the right wall, in the order of time.
+    /// True for each impact on the right wall, in the order of time.
     is_right: Vec<bool>,
     cycles: i64,
 }
@@ -57,7 +57,7 @@ struct Round {
 }
 
 impl Round {
-    /// It comes again after N impacts as well: so after the greatest common divisor of both. Lemma V36
+    /// Returns the round after which it repeats, if it does after N impacts as well: the greatest common divisor of both. Lemma V36
     fn divided(self, impacts: usize) -> Self {
         let common = self.impacts.gcd(&impacts);
         let turns = self.turns / (self.impacts / common) as f64; // exact: whole forcing periods after each part
@@ -68,7 +68,7 @@ impl Round {
 /// A finding on a claim.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Found {
-    /// It is true.
+    /// The claim is true.
     Proved,
     /// The orbit repeats after fewer impacts.
     Fewer,
@@ -97,7 +97,7 @@ impl Period {
         Ok(Self { is_right, cycles: claimed.cycles.into() })
     }
 
-    /// Whether the scene's own orbit converges to it, for all parameters of a pair.
+    /// Proves that the scene's own orbit converges to it, for all parameters of a pair.
     pub fn attracts(
         &self,
         (pair, start): (&ImpactPair, &Start),
@@ -108,7 +108,7 @@ impl Period {
         Ok(self.found((wall == Wall::Right, Set::around(state)), law, work))
     }
 
-    /// Whether it or its mirror image is a stable orbit, for all parameters of a pair.
+    /// Proves that it or its mirror image is a stable orbit, for all parameters of a pair.
     pub fn exists(
         &self,
         (pair, start): (&ImpactPair, &Start),
@@ -152,7 +152,7 @@ impl Period {
         Ok(wall.filter(|_| apart(state, first) < CLOSED).map(|is_right| (is_right, first)))
     }
 
-    /// What sets from a first one on lead to.
+    /// The finding on the orbit that sets lead to from a first one on.
     fn found(&self, first: (bool, Set), law: &Law, work: &Allowance) -> Result<Found, End> {
         let mut found = Found::Nothing;
         for room in ROOMS {
@@ -209,7 +209,7 @@ impl Period {
         Ok(if proved_at.is_some() { Found::Proved } else { Found::Nothing })
     }
 
-    /// Whether impacts on these walls, of which the reduced map has the last state in the first one's set, are those that are claimed.
+    /// Compares the claimed impacts with those on these walls, after which the last state of the reduced map lies in the first set.
     fn compared(&self, walls: &[bool], turns: f64) -> Found {
         let flights = walls.len() - 1;
         let far = walls.windows(2).filter(|pair| pair[0] != pair[1]).count();
@@ -229,7 +229,7 @@ impl Period {
         }
     }
 
-    /// Whether both may be of one orbit: the walls of the other one, or of its mirror image, are these again and again, in as many forcing
+    /// Returns whether both may be of one orbit: the walls of the other one, or of its mirror image, are these repeated, in as many forcing
     /// periods per impact. Lemma V38
     pub fn may_be(&self, other: &Self) -> bool {
         let mirrored: Vec<bool> = other.is_right.iter().map(|wall| !wall).collect();
@@ -238,7 +238,7 @@ impl Period {
         is_one_speed && (self.is_made_of(&other.is_right) || self.is_made_of(&mirrored))
     }
 
-    /// Whether impacts on these walls again and again are those that are claimed, from some impact on.
+    /// Returns whether the claimed walls, from some impact on, are these walls repeated.
     fn is_made_of(&self, walls: &[bool]) -> bool {
         let all = self.is_right.len();
         let is_turned =
@@ -246,7 +246,7 @@ impl Period {
         (0..all).any(is_turned)
     }
 
-    /// Whether the word is a shorter one several times, so that the orbit may be.
+    /// Returns whether the word is a shorter one repeated, so that the orbit may be.
     fn may_have_fewer(&self) -> bool {
         let all = self.is_right.len();
         let is_repeated = |part: usize| (0..all).all(|i| self.is_right[i] == self.is_right[(i + part) % all]);
@@ -294,8 +294,8 @@ mod tests {
         period(word, cycles).follow(first, room, &Law { gap, restitution }, &work).unwrap()
     }
 
-    /// Of an orbit of three impacts in one cycle one has phase 0, to 1e-9: others come near it from both sides in turn, so that sets lie in earlier ones that
-    /// are in another forcing period.
+    /// One impact of an orbit of three impacts in one cycle has phase 0, to 1e-9: others come near it from both sides in turn, so that sets lie
+    /// in earlier ones that are in another forcing period.
     #[test]
     fn v36_forcing_periods_are_counted_where_sets_go_from_one_to_another() {
         for phase in [0.83939, 0.83879] {

@@ -1,4 +1,4 @@
-//! Whether what a JSON of cells says of its subintervals fits together: no gap, no overlap, shares that follow (Lemma V35).
+//! Consistency of the subintervals of a JSON of cells: no gap, no overlap, shares that follow (Lemma V35).
 
 use std::cmp::Ordering;
 
@@ -40,7 +40,7 @@ impl CellsCertificate {
         self.shares_follow(&document.shares).map_err(|doubt| (all, doubt))
     }
 
-    /// No share of what is proved is more than that of its subintervals, and that of what is not is no less.
+    /// Proves that no share of proved values is more than that of their subintervals, and the share of undecided ones no less.
     fn shares_follow(&self, shares: &SharesDocument) -> Result<(), Doubt> {
         let horseshoe = |stretch: &StretchDocument| stretch.entropy.is_some();
         let is = |name: &'static str| move |stretch: &StretchDocument| stretch.verdict == name;
@@ -103,7 +103,7 @@ fn meet(one: &Exact, other: &Exact, order: Ordering, message: &str) -> Result<()
     }
 }
 
-/// Why the verdict on a subinterval is not one, or contradicts what is given of it.
+/// The contradiction in a subinterval: an unknown verdict, or one that its other fields exclude.
 fn contradiction(stretch: &StretchDocument) -> Option<&'static str> {
     let has_period = match stretch.verdict.as_str() {
         "attracted" | "stable" => true,

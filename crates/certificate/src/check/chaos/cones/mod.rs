@@ -1,4 +1,4 @@
-//! Whether what a document says of a hyperbolic set is right (Lemma V14): strips are sought anew, and cones, strings and rates proved in
+//! Check of the claims of a document about a hyperbolic set (Lemma V14): strips are sought anew, and cones, strings and rates proved in
 //! intervals of doubles.
 
 mod powers;
@@ -165,7 +165,7 @@ fn unproved(number: usize) -> Doubt {
     open(&format!("words: words[{number}] is not proved to expand cones of slope kappa"))
 }
 
-/// Whether the growth of the words is between the bounds of the entropy.
+/// Refutes or leaves undecided that the growth of the words is between the bounds of the entropy; `None` if it is proved.
 fn entropy(words: &[Proved], claimed: &Claimed) -> Option<Doubt> {
     let graph = |weight: &dyn Fn(&Branch) -> f64| {
         let edge = |Proved { branch, .. }: &Proved| {

@@ -6,7 +6,7 @@ use super::super::span::Span;
 use super::sides::Sides;
 use super::strip::{Branch, Cell, Frame, Image, Map, Passed, is_beyond, is_tall};
 
-/// No strip has more cells, and none is narrower.
+/// Most cells of a strip, and the least width of one.
 const MOST_CELLS: usize = 1 << 19;
 const NARROWEST: f64 = 1.0 / (1 << 20) as f64; // exact: a power of two
 
@@ -80,7 +80,7 @@ impl Map<'_> {
     }
 }
 
-/// Whether a member may be 1 or more, or -1 or less.
+/// Returns whether a member may be 1 or more, or -1 or less.
 fn is_beyond_one(x: Span) -> bool {
     let one = Span::point(1.0);
     !((one - x).is_positive() && (one + x).is_positive())
@@ -108,7 +108,7 @@ fn is_cone(branch: &Branch, image: &Image, kappa: f64) -> bool {
     is_mapped(kappa) && is_mapped(-kappa)
 }
 
-/// Whether the expansion is known up to such a part per impact; any answer will do.
+/// Returns whether the expansion is known up to the fraction `per_impact` for each impact; any answer will do.
 fn is_known(branch: &Branch, image: &Image, per_impact: f64) -> bool {
     let width = |x: Span| x.hi() - x.lo();
     let part = per_impact * branch.flights.len() as f64; // exact: a length
@@ -116,7 +116,7 @@ fn is_known(branch: &Branch, image: &Image, per_impact: f64) -> bool {
     across < FINE || heights < FINE || image.direction(0.0).is_some_and(|[x, _]| width(x) < 2.0 * part * x.mid().abs())
 }
 
-/// How many flights, and turns, a word has before those that are another one to the same h-set.
+/// Flights and forcing periods of a word before its end, if that end is `other`, a shorter word to the same h-set.
 fn end_of<'b>(word: &Branch, other: &'b Branch) -> Option<(usize, f64, &'b Branch)> {
     let passed = word.flights.len().checked_sub(other.flights.len()).filter(|&passed| passed > 0)?;
     let is_end = word.to == other.to && word.flights[passed..] == other.flights;

@@ -24,7 +24,7 @@ const STEPS: usize = 2000;
 const HALVINGS: u32 = 40;
 /// Potentials that are not found in N rounds are not looked for: ways are as long as strings, not as graphs.
 const ROUNDS: usize = 256;
-/// How far beyond a proposed root the first bound is, and the last one at most.
+/// Distance of the first bound beyond an approximate root, and the greatest one of the last bound.
 const NEAR: f64 = 1e-9;
 const FAR: f64 = 1e-2;
 

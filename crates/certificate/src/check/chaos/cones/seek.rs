@@ -11,7 +11,7 @@ use super::strip::{Branch, Frame, Strip};
 const APART: f64 = 0.01;
 const NEAREST: f64 = 1e-9;
 const PARTS: i32 = 256;
-/// How far beyond the edges a strip is mapped, one after another, and how much farther, as its sides are straight.
+/// Places beyond the edges that strips are mapped to, in the order tried, and a part of the width added, as their sides are straight.
 const BEYOND: [f64; 4] = [1.004, 1.0015, 1.008, 1.0004];
 const SPARE: f64 = 1e-4;
 const STEPS: usize = 40;
@@ -90,7 +90,7 @@ fn crossings(line: &[Seen], word: &Word, frame: &Frame) -> Vec<([f64; 2], bool)>
     found
 }
 
-/// Where at a height the image has a place, near a guess.
+/// The place along height `eta`, found near a guess, whose image has the wanted place.
 fn solved(guess: &Guess, frames: &[Frame], word: &Word, eta: f64, (near, wanted): (f64, f64)) -> Option<f64> {
     let miss = |xi: f64| {
         let mut at = state(&frames[word.from], xi, eta);

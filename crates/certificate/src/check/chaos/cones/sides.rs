@@ -32,7 +32,7 @@ impl Sides {
         self.first[i].around() + self.second()[i].around()
     }
 
-    /// Those of the image of states of these speeds, `centre` being that of their middle.
+    /// Returns the sides of the image of states of these speeds, `centre` being that of their middle.
     pub fn landed(&self, landing: &Landing, (restitution, speed): (Span, Span), centre: Spot) -> Self {
         let [first, rest] = [self.first, self.rest].map(|side| landing.derivative(side));
         let moved = Self { first, rest, area: cross(first, rest), ..*self };

@@ -9,7 +9,7 @@ use super::prove::Proved;
 use super::rates::Edge;
 use super::strip::{Branch, Cell, Image, Map, Strip};
 
-/// Cells are cut so often, again if they are so much narrower.
+/// Most cuts of a cell, and the ratio of widths below which it is cut again.
 const LOOKS: u32 = 3;
 const NARROWER: f64 = 0.7;
 /// More strings, cells of all of them, or longer strings are not looked at.
@@ -17,8 +17,8 @@ const MOST_EDGES: usize = 16_000;
 const MOST_CELLS: usize = 3 << 21;
 const LONGEST: usize = 10;
 
-/// Of a string, a word alone, or with one before it and some behind it: the cells of this word in which its points are, the fractions of its strip
-/// between which they are, and the heights of their images.
+/// A string, which is a word alone, or one with a word before it and some behind it: the cells of this word in which its points are, the
+/// fractions of its strip between which they are, and the heights of their images.
 #[derive(Clone, Debug)]
 struct Part {
     images: Vec<Image>,
@@ -31,7 +31,7 @@ type Level = BTreeMap<Vec<usize>, Part>;
 /// An edge of the graph of strings, and its word.
 pub(super) type Step = (Edge, usize);
 
-/// What is looked at of strings of words.
+/// The proved words whose strings are followed, the map, and the slope `kappa` of their cones.
 pub(super) struct Strings<'s> {
     pub map: &'s Map<'s>,
     pub words: &'s [Proved],
@@ -42,7 +42,7 @@ fn bounds(x: Span) -> [f64; 2] {
     [x.lo(), x.hi()]
 }
 
-/// What no cell is cut by.
+/// The interval of all fractions of a strip, and of all heights.
 fn everything() -> Span {
     Span::new(-1.0, 1.0)
 }
@@ -85,7 +85,7 @@ impl Strings<'_> {
         Ok(())
     }
 
-    /// Whether strings with another word before them are few enough; any answer will do.
+    /// Returns whether there are few enough strings with another word before them; any answer will do.
     fn is_worth_it(&self, level: &Level) -> bool {
         let [mut strings, mut cells] = [0, 0];
         for (string, part) in level {
@@ -219,7 +219,7 @@ impl Strings<'_> {
 }
 
 impl Cell {
-    /// Its part at some heights; `None` if there is none.
+    /// The part of a cell at some heights; `None` if there is none.
     fn between(self, heights: Span) -> Option<Self> {
         let [low, high] = self.heights;
         let own = Span::new(low, high).common(heights)?;
@@ -228,7 +228,7 @@ impl Cell {
         Some(Self { heights, ..self })
     }
 
-    /// Whether it is worth being looked at again; any answer will do.
+    /// Returns whether it is enough narrower than `before` to be followed again; any answer will do.
     fn is_narrower(&self, before: &Self) -> bool {
         let is_less = |[a, b]: [f64; 2], [c, d]: [f64; 2]| b - a < NARROWER * (d - c);
         is_less(self.across, before.across) || is_less(self.heights, before.heights)

@@ -32,7 +32,7 @@ pub(super) struct Branch {
     pub half_cycles: i64,
     pub turns: f64,
     pub strip: Strip,
-    /// Whether the image goes from left to right.
+    /// True if the image goes from left to right.
     pub rises: bool,
 }
 
@@ -43,7 +43,7 @@ pub(super) struct Cell {
     pub heights: [f64; 2],
 }
 
-/// Where the middle of a cell is mapped to, in the coordinates there, and what the derivative makes of its half sides.
+/// The image of the middle of a cell, and those of its half sides under the derivative, in the coordinates of the next h-set.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Image {
     pub cell: Cell,
@@ -57,7 +57,7 @@ pub(super) fn spot(x: State) -> Spot {
     x.map(Span::point)
 }
 
-/// Returns whether no member is within so much of 0.
+/// Returns whether all members are farther from 0 than `most`.
 pub(super) fn is_beyond(x: Span, most: Span) -> bool {
     (x - most).is_positive() || (x + most).is_negative()
 }
@@ -80,7 +80,7 @@ impl Frame {
         Some([cross(vector, across).over(area)?, cross(along, vector).over(area)?])
     }
 
-    /// Those of a state, a number of forcing periods earlier.
+    /// Coordinates of a state, a number of forcing periods earlier.
     pub fn place(&self, [u, w]: Spot, turns: f64) -> Option<Spot> {
         let [centre, speed] = spot(self.centre);
         self.coordinates([u - Span::point(turns) - centre, w - speed])
@@ -142,7 +142,7 @@ impl Strip {
     }
 }
 
-/// Whether a member may be as far from 0.
+/// Returns whether a member may be `most` or farther from 0.
 fn is_beyond_or_at(x: Span, most: Span) -> bool {
     !((most - x).is_positive() && (most + x).is_positive())
 }
@@ -169,7 +169,7 @@ impl Cell {
         [middle, Span::point(half.hi())]
     }
 
-    /// Its half breadth and its half height; what the place changes by with both at all its states.
+    /// The half breadth and the half height of a cell, and the changes of its place with both at all its states.
     fn rates(&self, strip: &Strip) -> [Spot; 2] {
         let ([_, across], [_, height]) = (Self::centred(self.across), Self::centred(self.heights));
         let [a, b] = [self.across, self.heights].map(|[low, high]| Span::new(low, high));
@@ -184,7 +184,7 @@ impl Cell {
     }
 }
 
-/// What flights are followed by.
+/// The law, the h-sets and the work allowed, with which flights are followed.
 pub(super) struct Map<'m> {
     pub law: &'m Law,
     pub guess: &'m Guess,
@@ -192,7 +192,7 @@ pub(super) struct Map<'m> {
     pub work: &'m Allowance<'m>,
 }
 
-/// What is asked of states after some flights, and what was known when an image was lost.
+/// A condition on the states after some flights, from their number, centre and half sides; an image that fails it is given up.
 pub(super) type Passed<'p> = &'p dyn Fn(usize, Spot, &Sides) -> bool;
 
 impl Map<'_> {
@@ -247,7 +247,7 @@ impl Image {
     }
 }
 
-/// Whether a cell is better halved in its height: any answer will do.
+/// Returns whether a cell is better halved in its height: any answer will do.
 pub(super) fn is_tall(sides: &Sides) -> bool {
     let [most, width] = [sides.first.map(Span::most), sides.second().map(|x| 0.5 * (x.hi() - x.lo()))];
     4.0 * (width[0] + width[1]) > most[0] + most[1]

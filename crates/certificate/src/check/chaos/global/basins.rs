@@ -1,4 +1,4 @@
-//! Which parts of the state space have motions that end in one attractor (Lemma V27).
+//! Parts of the state space whose motions end in one attractor (Lemma V27).
 
 use std::collections::{BTreeSet, HashMap};
 
@@ -13,7 +13,7 @@ pub(super) type Known = (usize, Set);
 pub(super) struct Areas(HashMap<BTreeSet<usize>, f64>);
 
 impl Areas {
-    /// Those of a set of all states, by what is known of all components. Lemma A11
+    /// Returns the areas of a set of all states, by what is known of all components. Lemma A11
     pub fn of(set: &Set, split: &Split, known: &[Known]) -> Self {
         let held = held(&split.components, known);
         let claims = |places: &[usize]| places.iter().flat_map(|&place| held[place].iter().copied()).collect();
@@ -58,7 +58,7 @@ impl Areas {
     }
 }
 
-/// Of each component, the claims that motions may be in that stay in it: those whose boxes meet its own. Lemma A11
+/// The claims that motions that stay in each component may be in: those whose boxes meet its own. Lemma A11
 fn held(components: &[Component], known: &[Known]) -> Vec<BTreeSet<usize>> {
     let mut held = vec![BTreeSet::new(); components.len()];
     let Some(grid) = components.first().map(|own| own.set.grid) else { return held };

@@ -17,16 +17,16 @@ pub(super) struct Set {
     pub grid: Grid,
     pub cells: Vec<[i64; 2]>,
     pub has_release: bool,
-    /// Whether no motion in it is in another recurrent component later.
+    /// True if no motion in it is in another recurrent component later.
     pub is_closed: bool,
 }
 
 /// The recurrent components of a set, and where the motions of its other boxes go.
 pub(super) struct Split {
     pub components: Vec<Component>,
-    /// How many boxes have each of these ends.
+    /// Number of boxes with each of these ends.
     pub passed: HashMap<Ends, u64>,
-    /// Whether motions that stay in the set are released again and again. Lemma A10
+    /// True if motions that stay in the set are released again and again. Lemma A10
     pub is_released_always: bool,
 }
 
@@ -46,7 +46,7 @@ pub(super) struct Ends {
 /// Phase and speed of the first impact after a release; `None` where the ball rests again, and is released in the same state.
 pub(super) type Released = Option<[Span; 2]>;
 
-/// What may follow each box of a set, by numbers of boxes, and the release, which is the last number; `staying` holds the boxes that a
+/// Successors of each box of a set, by numbers of boxes, and of the release, which is the last number; `staying` holds the boxes that a
 /// motion reaches without leaving its column.
 struct Followers {
     next: Vec<Vec<usize>>,
@@ -97,7 +97,7 @@ impl Set {
         Ok(split)
     }
 
-    /// What may follow the boxes and the release, with steps of the images taken off `work`.
+    /// Returns the successors of the boxes and of the release, with steps of the images taken off `work`.
     fn followers(
         &self,
         space: &Space<'_>,

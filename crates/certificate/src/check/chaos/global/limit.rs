@@ -1,4 +1,4 @@
-//! Whether all motions that stay in a set of boxes tend to a claimed cycle, or graze for ever (Lemma V20, limits).
+//! Proofs that all motions that stay in a set of boxes tend to a claimed cycle, or graze for ever (Lemma V20, limits).
 
 use super::super::beam::{Beam, Quad, State};
 use super::super::guess::{Image, Matrix as Doubles};
@@ -21,7 +21,7 @@ pub(super) type Matrix = [[Span; 2]; 2];
 
 /// Periods that norms and directions are made from.
 const ROUNDS: usize = 200;
-/// Within this of the state that grazes for ever, in both coordinates.
+/// Greatest distance from the state that grazes for ever, in phase \[rad\] and in speed.
 const GRAZING: f64 = 0.25;
 
 impl Cycle {
@@ -51,7 +51,7 @@ impl Cycle {
     }
 }
 
-/// Whether whatever stays goes from each class of boxes to the next one.
+/// Returns whether motions that stay in the set go from each class of boxes to the next one.
 fn leads_on(set: &Set, space: &Space<'_>, classes: &[usize], count: usize) -> bool {
     set.cells.iter().zip(classes).all(|(&cell, &class)| {
         let mut is_next = true;
@@ -182,8 +182,8 @@ pub(super) fn within(derivative: Matrix, from: Doubles, to: Doubles) -> Option<M
     Some([[over(p[0])?, over(p[1])?], [over(q[0])?, over(q[1])?]])
 }
 
-/// Whether the product of the squares of their norms is below 1: the greater eigenvalue of `M'M` is at most its trace less its determinant over
-/// the trace.
+/// Returns whether the product of the squares of their norms is below 1: the greater eigenvalue of `M'M` is at most its trace less its
+/// determinant over the trace.
 fn contracts(steps: &[Matrix]) -> bool {
     let mut all = Span::point(1.0);
     for [[a, b], [c, d]] in steps {
@@ -195,7 +195,7 @@ fn contracts(steps: &[Matrix]) -> bool {
     (Span::point(1.0) - all).is_positive()
 }
 
-/// Whether cones about the first direction are mapped into themselves and stretched, and the rest shrinks.
+/// Returns whether cones about the first direction are mapped into themselves and stretched, and the other direction shrinks.
 fn has_cones(steps: &[Matrix]) -> bool {
     let (mut stretched, mut shrunk) = (Span::point(1.0), Span::point(1.0));
     for step in steps {
@@ -224,7 +224,7 @@ pub(super) fn cone([[a, b], [c, d]]: &Matrix) -> (Span, Span) {
     (size(a).0 - size(b).1, size(c).1 + size(d).1)
 }
 
-/// Whether motions that stay in a set graze for ever. Lemma A9
+/// Returns whether motions that stay in a set graze for ever. Lemma A9
 pub(super) fn grazes(set: &Set, space: &Space<'_>) -> bool {
     let is_near = |&cell: &[i64; 2]| {
         let [low, high] = Space::corners(set.grid, cell);

@@ -1,4 +1,4 @@
-//! Whether a JSON of a global analysis is right: each periodic motion found again (Lemma V8), the cycle with rests followed from the release,
+//! Check of a JSON of a global analysis: each periodic motion found again (Lemma V8), the cycle with rests followed from the release,
 //! and a graph of boxes of its own, each recurrent component of which is proved to be one of those claimed (Lemma V20).
 
 mod basins;
@@ -26,7 +26,7 @@ use impact_pair_exact::Real;
 use limit::Cycle;
 use space::{Grid, Space};
 
-/// Boxes of the first partition are about as many as these by these, or fewer where a document had fewer; components are halved so often at most.
+/// Most columns and rows of the first partition, fewer where a document had fewer, and most halvings of components.
 const COLUMNS: f64 = 128.0;
 const ROWS: f64 = 64.0;
 /// The most columns, where basins are judged.
@@ -42,7 +42,7 @@ impl GlobalCertificate {
     /// Proves every claim again, or says what is not as claimed or not proved, until the watch stops it.
     ///
     /// # Errors
-    /// When the scene's values are beyond the range of exact expressions, and with several harmonics.
+    /// Returns an error if the scene's values are beyond the range of exact expressions, or if it has several harmonics.
     pub fn check_within(&self, effort: &Effort, watch: &dyn Watch) -> Result<Verdict, Error> {
         let watch = Latched::new(watch);
         let end = |message: String| Finding { event: self.count(), message };
@@ -78,7 +78,7 @@ impl GlobalCertificate {
         })
     }
 
-    /// Why the components that are claimed to graze do not, or not each of them: one motion alone does. Lemmas A9, V20
+    /// Place and reason of a claim that a component grazes, if it is false or undecided: only one motion grazes for ever. Lemmas A9, V20
     fn doubts_grazing(&self) -> Result<Option<(usize, Doubt)>, Error> {
         let claims = self.claimed().iter().enumerate().filter(|(_, claim)| claim.kind == "grazing");
         let places: Vec<usize> = claims.map(|(place, _)| place).collect();
@@ -189,7 +189,7 @@ fn first_boxes(boxes: u32) -> [f64; 2] {
     [COLUMNS, ROWS].map(|most| most.min(root(boxes))) // V20: any boxes
 }
 
-/// What the boxes are judged by.
+/// The data that the recurrent components of boxes are compared with.
 struct Judge<'j> {
     space: &'j Space<'j>,
     released: &'j Released,
@@ -201,7 +201,7 @@ struct Judge<'j> {
 }
 
 impl Judge<'_> {
-    /// All states that motions have in the end, in about as many boxes by as many as are said.
+    /// The set of all states that motions have in the end, in about this number of boxes across and along.
     fn whole(&self, [across, along]: [f64; 2]) -> Set {
         let rows = (along / self.space.fastest).log2().ceil().exp2().max(64.0); // V20: any boxes; the greatest speed is a multiple of a row
         let (columns, last) = (across as i64, (self.space.fastest * rows) as i64); // exact: whole numbers
@@ -209,7 +209,7 @@ impl Judge<'_> {
         Set { grid: Grid { columns: across, rows }, cells, has_release: true, is_closed: true }
     }
 
-    /// Whether all that stays in a set is claimed; adds the components that are proved to be those claimed.
+    /// Proves that all motions that stay in a set are claimed; adds the components that are proved to be those claimed.
     fn covers(
         &self,
         set: &Set,

@@ -44,7 +44,7 @@ pub(super) fn parts(next: &[Vec<usize>]) -> Vec<usize> {
     part
 }
 
-/// Whether a graph has no cycle that avoids a node.
+/// Returns whether a graph has no cycle that avoids a node.
 pub(super) fn is_acyclic_but_for(without: usize, next: &[Vec<usize>]) -> bool {
     let others = |to: &Vec<usize>| to.iter().copied().filter(|&to| to != without).collect();
     let mut forth: Vec<Vec<usize>> = next.iter().map(others).collect();

@@ -1,4 +1,4 @@
-//! Whether the states of a set of boxes whose motions stay in it have no area (Lemma V28).
+//! Proofs that the states of a set of boxes whose motions stay in it have no area (Lemma V28).
 
 use std::collections::{BTreeMap, HashMap};
 
@@ -15,7 +15,7 @@ const MOST_PASSAGES: usize = 1 << 15;
 /// Rounds of iterations that propose.
 const ROUNDS: usize = 50;
 const POWERS: usize = 500;
-/// How wide cones are, at the narrowest, and how often they are made twice as wide.
+/// Half width of the narrowest cones, and the number of times that they are doubled.
 const NARROWEST: f64 = 0.01;
 const DOUBLINGS: i32 = 10;
 
@@ -172,7 +172,7 @@ fn unit([u, w]: State) -> State {
     [u / size, w / size]
 }
 
-/// Of each cluster, as columns: the mean direction that flights before it stretch, and that of what later flights shrink.
+/// Columns of two directions for each cluster: the mean one that flights before it stretch, and the mean one that later flights shrink.
 fn bases(count: usize, passages: &[Passage], images: &[Image]) -> Vec<Doubles> {
     let mut all = vec![[[0.2, 1.0], [1.0, 0.2]]; count];
     let joined = |[u, w]: State, [v, x]: State| if u * v + w * x < 0.0 { [u - v, w - x] } else { [u + v, w + x] };
@@ -190,7 +190,7 @@ fn bases(count: usize, passages: &[Passage], images: &[Image]) -> Vec<Doubles> {
     all.into_iter().map(|[along, across]| [[along[0], across[0]], [along[1], across[1]]]).collect()
 }
 
-/// How wide cones have to be where the ones before them are mapped to, if nothing bends.
+/// Approximate half widths that cones need to hold the images of those before them, if nothing bends.
 fn heights(count: usize, passages: &[Passage], images: &[Image], bases: &[Doubles]) -> Vec<f64> {
     let mut heights = vec![1.0_f64; count];
     for _ in 0..ROUNDS {
@@ -204,7 +204,7 @@ fn heights(count: usize, passages: &[Passage], images: &[Image], bases: &[Double
     heights
 }
 
-/// Whether a positive vector is made smaller by the matrix of the inverses of what passages stretch by.
+/// Returns whether the matrix of the inverses of the passages' stretching factors makes a positive vector smaller.
 fn shrinks(count: usize, stretched: &[([usize; 2], Span)]) -> bool {
     let mut sizes = vec![1.0_f64; count];
     for _ in 0..POWERS {

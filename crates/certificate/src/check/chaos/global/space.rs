@@ -1,4 +1,4 @@
-//! What may follow the states of a box: impacts in other boxes, or a rest and its release (Lemma V20, images).
+//! Successors of the states of a box: impacts in other boxes, or a rest and its release (Lemma V20, images).
 
 use std::cell::Cell;
 
@@ -21,7 +21,7 @@ impl Grid {
     }
 }
 
-/// What may follow.
+/// A possible successor of a state.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Next {
     /// A rest, and the release.
@@ -184,7 +184,7 @@ impl<'l> Space<'l> {
         (beam.after() + by).common(Span::new(0.0, f64::MAX)).unwrap_or(Span::new(0.0, f64::MAX)) // V11: who comes from inside
     }
 
-    /// For how many forcing periods flights are followed.
+    /// Number of forcing periods for which flights are followed.
     fn patience(&self, beam: &Beam) -> f64 {
         let drifts = beam.drifts();
         let times = self.law.gap.over(drifts);
@@ -248,7 +248,7 @@ impl<'l> Space<'l> {
         }
     }
 
-    /// Whether all states of a rectangle come to rest on their wall by chatter before it is released. Lemma V20 (chatter)
+    /// Returns whether all states of a rectangle come to rest on their wall by chatter before it is released. Lemma V20 (chatter)
     pub fn chatters(&self, low: State, high: State) -> bool {
         if !(low[0] > 0.5 && high[0] < 1.0) {
             return false; // V20: only where the ball is pressed
@@ -275,7 +275,7 @@ impl<'l> Space<'l> {
     }
 }
 
-/// Whether a flight of more than a forcing period may end at such phases. Lemma V20 (slow)
+/// Returns whether a flight of more than a forcing period may end at such phases. Lemma V20 (slow)
 fn ends_late(is_far: bool, drifts: Span, phase: Span) -> bool {
     let sin = phase.sin_cos().0;
     let fall = drifts.turned();
