@@ -102,6 +102,7 @@ mod shaken;
 pub mod sweep;
 pub mod switch_plane;
 pub mod tangency;
+mod threads;
 #[cfg(test)]
 #[path = "../tests/tolerances/mod.rs"]
 mod tolerances;

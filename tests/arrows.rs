@@ -5,8 +5,9 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// The rooms of `src`, each with those it may import, which stand before it.
-const ROOMS: [(&str, &[&str]); 29] = [
+const ROOMS: [(&str, &[&str]); 30] = [
     ("number", &[]),
+    ("threads", &[]),
     ("units", &[]),
     ("scales", &["units"]),
     ("turns", &[]),
@@ -40,7 +41,19 @@ const ROOMS: [(&str, &[&str]); 29] = [
     ("covering", &["number", "turns", "pair", "clock", "mapping", "impact", "flight", "contact", "shaken"]),
     (
         "periodic",
-        &["number", "pair", "clock", "excitation", "mapping", "impact", "flight", "contact", "several", "shaken"],
+        &[
+            "number",
+            "threads",
+            "pair",
+            "clock",
+            "excitation",
+            "mapping",
+            "impact",
+            "flight",
+            "contact",
+            "several",
+            "shaken",
+        ],
     ),
     ("two_impact", &["units", "pair", "periodic"]),
     (
@@ -65,7 +78,7 @@ const ROOMS: [(&str, &[&str]); 29] = [
     ),
     ("impact_map", &["number", "turns", "pair", "clock", "mapping", "contact", "shaken", "orbit"]),
     ("lyapunov", &["number", "periodic", "orbit"]),
-    ("chaos", &["number", "units", "pair", "flight", "mapping", "contact", "periodic", "orbit"]),
+    ("chaos", &["number", "threads", "units", "pair", "flight", "mapping", "contact", "periodic", "orbit"]),
     ("tangency", &["number", "units", "pair", "periodic", "chaos"]),
     (
         "document",

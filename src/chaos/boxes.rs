@@ -1,12 +1,11 @@
 //! The boxes of a region as a graph, whose edges are flights: Lemma D4.
 
 use std::collections::HashSet;
-use std::sync::Mutex;
-use std::thread;
 
 use super::law::{Law, Side};
 use super::quad::Quad;
 use super::trap::{Cell, Grid};
+use crate::threads;
 
 /// A flight from a box to a box that may exist, by their numbers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -40,27 +39,21 @@ impl Links {
 
 /// Returns all edges between the boxes of a region, in order: the images of each, or of its quarters where `in_quarters`. Lemma D4
 pub(super) fn edges(law: &Law, grid: Grid, cells: &[Cell], in_quarters: bool) -> Vec<Edge> {
-    let edges = Mutex::new(Vec::new());
-    let threads = thread::available_parallelism().map_or(1, usize::from); // exact: threads decide nothing
-    let share = cells.len().div_ceil(threads).max(1); // exact: a length
-    thread::scope(|scope| {
-        for (part, some) in cells.chunks(share).enumerate() {
-            let edges = &edges;
-            scope.spawn(move || {
-                let mut own = Vec::new();
-                for (i, &cell) in some.iter().enumerate() {
-                    let finer = in_quarters.then(|| images(law, grid, &quarters(grid, cell), cells)).flatten();
-                    // D5: the box itself is mapped into the region, whatever is computed of its quarters
-                    let found = finer.or_else(|| images(law, grid, &[grid.quad(cell)], cells));
-                    let from = (part * share + i) as u32; // exact: fewer than 2^32
-                    let found = found.expect("a region holds its images");
-                    own.extend(found.into_iter().map(|(side, to)| Edge { from, side, to }));
-                }
-                edges.lock().expect("no thread has panicked").append(&mut own);
-            });
+    let share = cells.len().div_ceil(threads::available()).max(1); // exact: a length
+    let shares: Vec<_> = cells.chunks(share).enumerate().collect();
+    let of_share = |(part, some): &(usize, &[Cell])| {
+        let mut own = Vec::new();
+        for (i, &cell) in some.iter().enumerate() {
+            let finer = in_quarters.then(|| images(law, grid, &quarters(grid, cell), cells)).flatten();
+            // D5: the box itself is mapped into the region, whatever is computed of its quarters
+            let found = finer.or_else(|| images(law, grid, &[grid.quad(cell)], cells));
+            let from = (part * share + i) as u32; // exact: fewer than 2^32
+            let found = found.expect("a region holds its images");
+            own.extend(found.into_iter().map(|(side, to)| Edge { from, side, to }));
         }
-    });
-    let mut edges = edges.into_inner().expect("no thread has panicked");
+        own
+    };
+    let mut edges = threads::each(&shares, &of_share).concat();
     edges.sort_unstable();
     edges
 }

@@ -4,7 +4,6 @@
 
 use std::cell::OnceCell;
 
-use super::each::each;
 use super::guess::Guess;
 use super::index::Indexed;
 use super::leaves::{BESIDE, GAPS, LENGTHS, Leaves, Window};
@@ -12,6 +11,7 @@ use super::quad::State;
 use super::seen::Seen;
 use super::vector::{apart, length};
 use super::words::Base;
+use crate::threads::each;
 use crate::watch::Watch;
 
 /// Least distance of points of the orbit that are tried, phases in radians, and their greatest number.

@@ -7,9 +7,7 @@ mod spread;
 mod tests;
 
 use std::iter;
-use std::sync::Mutex;
 use std::sync::atomic::{AtomicU32, Ordering};
-use std::thread;
 
 use super::attracted::attracted;
 use super::guess::Guess;
@@ -28,6 +26,7 @@ use crate::mapping::Word;
 use crate::orbit::Start;
 use crate::pair::{ImpactPair, within};
 use crate::scene::Range;
+use crate::threads::each;
 use crate::watch::{Stage, Watch};
 
 /// The most cells that a range is cut into.
@@ -170,27 +169,17 @@ impl Cells {
     pub fn of(pair: &ImpactPair, start: &Start, asked: &RangeSettings, watch: &dyn Watch) -> Result<Self, Error> {
         let Range { key, low, high, .. } = &asked.over;
         Law::of(&pair.with(*key, within(NAME, low, Exact::interval(low, high))?)?)?;
-        let (next, done) = (AtomicU32::new(0), AtomicU32::new(0));
-        let cells = |_: Stage<'_>| watch.proceed(Stage::Parameter(done.load(Ordering::Relaxed)));
-        let work = Work { pair, start, asked, watch: &cells };
-        let found = Mutex::new(Vec::new());
-        let each = || {
-            loop {
-                let cell = next.fetch_add(1, Ordering::Relaxed);
-                if cell >= asked.cells {
-                    break;
-                }
-                let stretches = work.cell(cell);
-                found.lock().expect("no thread has panicked").push((cell, stretches));
-                done.fetch_add(1, Ordering::Relaxed);
-            }
-        };
-        let threads = thread::available_parallelism().map_or(1, usize::from); // exact: threads decide nothing
-        thread::scope(|scope| (0..threads).for_each(|_| _ = scope.spawn(each)));
-        let mut found = found.into_inner().expect("no thread has panicked");
-        found.sort_by_key(|(cell, _)| *cell);
+        let done = AtomicU32::new(0);
+        let at = |_: Stage<'_>| watch.proceed(Stage::Parameter(done.load(Ordering::Relaxed)));
+        let work = Work { pair, start, asked, watch: &at };
+        let cells: Vec<u32> = (0..asked.cells).collect();
+        let found = each(&cells, &|cell| {
+            let stretches = work.cell(*cell);
+            done.fetch_add(1, Ordering::Relaxed);
+            stretches
+        });
         let mut stretches: Vec<Stretch> = Vec::new();
-        for (_, cell) in found {
+        for cell in found {
             cell?.into_iter().for_each(|stretch| join(&mut stretches, stretch));
         }
         let stretches = work.spread(stretches)?;

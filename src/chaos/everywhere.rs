@@ -6,7 +6,6 @@
 use std::f64::consts::TAU;
 
 use super::bases::LENGTHS;
-use super::each::each;
 use super::entropy::entropy;
 use super::guess::Guess;
 use super::law::Side;
@@ -15,6 +14,7 @@ use super::quad::{Chord, State};
 use super::seen::Seen;
 use super::vector::{apart, cross, radians};
 use super::words::{Base, Path};
+use crate::threads::each;
 
 /// Number of points of the orbit whose words are counted.
 const JUDGES: usize = 40_000;

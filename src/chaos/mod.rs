@@ -15,7 +15,6 @@ mod boxes;
 mod bundles;
 mod cells;
 mod cycles;
-mod each;
 mod entropy;
 mod everywhere;
 mod flights;

@@ -1,14 +1,13 @@
 //! A trapping region, made of boxes: Lemmas D4, D5 of `docs/proofs/chaos.md#D4`.
 
 use std::collections::{HashMap, HashSet};
-use std::sync::Mutex;
-use std::thread;
 
 use super::flights::{Flights, View, is_positive};
 use super::law::{Law, Side};
 use super::quad::Quad;
 use super::refusal::{NoTrap, Refusal};
 use crate::number::{Ball, Number};
+use crate::threads;
 use crate::watch::{Stage, Watch};
 
 /// Boxes `[i, i + 1]/M x [j, j + 1]/R` of phase in forcing periods modulo 1 and speed over `A W`.
@@ -174,7 +173,6 @@ impl Region {
         let mut cells: HashMap<Cell, Reach> = HashMap::new();
         let mut known: HashSet<Cell> = HashSet::from([seed]);
         let mut frontier = vec![seed];
-        let threads = thread::available_parallelism().map_or(1, usize::from); // exact: threads decide nothing
         while !frontier.is_empty() {
             if watch.proceed(Stage::Region(known.len())).is_break() {
                 return Err(NoTrap::Interrupted);
@@ -182,24 +180,17 @@ impl Region {
             if known.len() > MOST {
                 return Err(NoTrap::Boxes);
             }
-            let share = frontier.len().div_ceil(threads);
-            let results = Mutex::new(Vec::new());
-            thread::scope(|scope| {
-                for part in frontier.chunks(share) {
-                    let results = &results;
-                    scope.spawn(move || {
-                        let mut found = HashSet::new();
-                        let mut note = |_, cell| _ = found.insert(cell);
-                        let reaches: Result<Vec<_>, NoTrap> = part
-                            .iter()
-                            .map(|&cell| Ok((cell, grid.image(law, &grid.quad(cell), &mut note)?)))
-                            .collect();
-                        results.lock().expect("no thread has panicked").push(reaches.map(|reaches| (reaches, found)));
-                    });
-                }
+            let share = frontier.len().div_ceil(threads::available());
+            let shares: Vec<_> = frontier.chunks(share).collect();
+            let results = threads::each(&shares, &|part| {
+                let mut found = HashSet::new();
+                let mut note = |_, cell| _ = found.insert(cell);
+                let reaches: Result<Vec<_>, NoTrap> =
+                    part.iter().map(|&cell| Ok((cell, grid.image(law, &grid.quad(cell), &mut note)?))).collect();
+                reaches.map(|reaches| (reaches, found))
             });
             frontier.clear();
-            for result in results.into_inner().expect("no thread has panicked") {
+            for result in results {
                 let (reaches, found) = result?;
                 cells.extend(reaches);
                 frontier.extend(found.into_iter().filter(|&cell| known.insert(cell)));

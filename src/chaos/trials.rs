@@ -5,11 +5,11 @@
 use std::ops::ControlFlow;
 
 use super::bundles::Bundle;
-use super::each::each;
 use super::entropy::entropy;
 use super::law::Law;
 use super::propose::Making;
 use super::words::{Base, Search};
+use crate::threads::each;
 use crate::watch::{Stage, Watch};
 
 /// The effort that is spent on finding h-sets.

@@ -1,7 +1,6 @@
 //! Words: returns of an h-set to the h-sets, proved along chains of boxes. Lemmas D8, D9 of `docs/proofs/chaos.md#D8`.
 
 use std::sync::Mutex;
-use std::thread;
 
 use super::flights::is_positive;
 use super::guess::Guess;
@@ -9,6 +8,7 @@ use super::law::{Law, Side};
 use super::propose::{Making, Proposal};
 use super::quad::{Chord, State};
 use super::tube::{Tube, WINDOW, side_of, taken};
+use crate::threads::{answers, available};
 use crate::watch::{Stage, Watch};
 
 /// A quadrilateral of states: the curves from its left to its right edge are what is followed.
@@ -124,35 +124,26 @@ impl<'s> Search<'s> {
         };
         let runs = bases.iter().enumerate().map(run).collect();
         let (words, tally, shown) = (Vec::new(), Tally::default(), Vec::new());
-        let threads = thread::available_parallelism().map_or(1, usize::from); // exact: threads decide nothing
+        let threads = available();
         Self { law, guess: Guess::new(law), making, bases, runs, words, tally, threads, shown, depth: 0 }
     }
 
     /// Follows all that is left over one impact more; false when stopped.
     pub fn deepen(&mut self, watch: &dyn Watch) -> bool {
         let depth = self.depth + 1; // exact: a count
-        let queue = Mutex::new(self.runs.iter().enumerate());
-        let done = Mutex::new(Vec::new());
         let tally = Mutex::new(self.tally);
-        let work = || {
-            loop {
-                let next = queue.lock().expect("no thread has panicked").next();
-                let Some((number, run)) = next else { break };
-                let boxes = || tally.lock().expect("no thread has panicked").boxes;
-                let watch = |_: Stage<'_>| watch.proceed(Stage::Horseshoe { depth, boxes: boxes() });
-                let (next, words, more) = self.follow(run, &watch);
-                let mut tally = tally.lock().expect("no thread has panicked");
-                tally.boxes += more.boxes;
-                tally.failed += more.failed;
-                done.lock().expect("no thread has panicked").push((number, next, words));
-            }
-        };
-        thread::scope(|scope| (0..self.threads).for_each(|_| _ = scope.spawn(work)));
-        let mut done = done.into_inner().expect("no thread has panicked");
-        done.sort_by_key(|(number, ..)| *number);
+        let done = answers(self.threads, self.runs.len(), &|number| {
+            let boxes = || tally.lock().expect("no thread has panicked").boxes;
+            let watch = |_: Stage<'_>| watch.proceed(Stage::Horseshoe { depth, boxes: boxes() });
+            let (next, words, more) = self.follow(&self.runs[number], &watch);
+            let mut tally = tally.lock().expect("no thread has panicked");
+            tally.boxes += more.boxes;
+            tally.failed += more.failed;
+            Some((next, words))
+        });
         self.tally = tally.into_inner().expect("no thread has panicked");
         self.runs.clear();
-        for (_, runs, words) in done {
+        for (runs, words) in done {
             self.runs.extend(runs);
             self.words.extend(words);
         }

@@ -1,7 +1,6 @@
 //! Horseshoes of neighbouring values: their h-sets are followed over the parameter in floating point, and what they lead to is proved
 //! of each part of what is undecided by itself. Lemma D14
 
-use super::super::each::each;
 use super::super::horseshoe::{Horseshoe, bases, problem};
 use super::super::law::Law;
 use super::super::trials::BUNDLED;
@@ -12,6 +11,7 @@ use crate::Error;
 use crate::exact::Exact;
 use crate::number::Ball;
 use crate::pair::within;
+use crate::threads::each;
 
 /// Numbers of halvings of a cell for the parts in which undecided stretches are looked at: first, and where nothing is proved of such a part.
 const PARTS: [u32; 2] = [3, 4];

@@ -14,9 +14,7 @@ mod told;
 
 use std::collections::BTreeMap;
 use std::ops::RangeInclusive;
-use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
-use std::thread;
 
 use super::law::Law;
 use super::refusal::NoTrap;
@@ -27,6 +25,7 @@ use crate::number::interval::Interval;
 use crate::number::{Ball, Number};
 use crate::pair::Wall;
 use crate::periodic::{Identity, PeriodicImpact, PeriodicOrbit, Precision, Problem, Region, Stability};
+use crate::threads::{answers, available};
 use crate::watch::{Stage, Watch};
 use crate::{Error, Scene};
 use chain::{Chain, Laws};
@@ -256,19 +255,12 @@ struct Block {
 
 /// Searches all blocks, side by side; in their order.
 fn searched(task: &Task, graph: &Graph, impacts: usize, done: &AtomicUsize) -> Vec<Block> {
-    let (queue, results) = (Mutex::new(0..graph.blocks.len()), Mutex::new(BTreeMap::new()));
-    let work = || {
-        loop {
-            let Some(at) = queue.lock().expect("no thread has panicked").next() else { break };
-            let block = task.watch.goes_on().then(|| searched_block(task, graph, at, impacts));
-            let stopped = Block { found: Vec::new(), undecided: Vec::new(), is_whole: false };
-            results.lock().expect("no thread has panicked").insert(at, block.unwrap_or(stopped)); // exact: nothing is certified
-            done.fetch_add(1, Ordering::Relaxed);
-        }
-    };
-    let threads = thread::available_parallelism().map_or(1, usize::from); // exact: threads decide nothing
-    thread::scope(|scope| (0..threads).for_each(|_| _ = scope.spawn(work)));
-    results.into_inner().expect("no thread has panicked").into_values().collect()
+    answers(available(), graph.blocks.len(), &|at| {
+        let block = task.watch.goes_on().then(|| searched_block(task, graph, at, impacts));
+        let stopped = Block { found: Vec::new(), undecided: Vec::new(), is_whole: false };
+        done.fetch_add(1, Ordering::Relaxed);
+        Some(block.unwrap_or(stopped)) // exact: nothing is certified
+    })
 }
 
 fn searched_block(task: &Task, graph: &Graph, block: usize, impacts: usize) -> Block {

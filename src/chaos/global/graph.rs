@@ -1,14 +1,13 @@
 //! Boxes as a graph of what may follow: its recurrent components, and which lead to which. Lemmas A3, A6, A10 of `docs/proofs/global.md#A3`.
 
 use std::collections::HashMap;
-use std::sync::Mutex;
 use std::sync::atomic::{AtomicU64, Ordering};
-use std::thread;
 
 use super::image::{Next, Space};
 use super::walks::Walks;
 use crate::chaos::boxes::{Links, parts};
 use crate::chaos::trap::{Cell, Grid};
+use crate::threads;
 use crate::watch::{Stage, Watch};
 
 /// A set of boxes of one grid that motions may stay in for ever, and the release, if it is among them.
@@ -99,21 +98,14 @@ impl Graph {
         let Component { grid, cells, has_release, .. } = component;
         let count = cells.len() as u32; // exact: fewer than 2^32
         let columns = component.columns();
-        let threads = thread::available_parallelism().map_or(1, usize::from); // exact: threads decide nothing
-        let share = cells.len().div_ceil(threads).max(1); // exact: a length
-        let found = Mutex::new(Vec::new());
-        thread::scope(|scope| {
-            for (part, some) in cells.chunks(share).enumerate() {
-                let (found, columns, allowance) = (&found, &columns, &allowance);
-                scope.spawn(move || {
-                    let own = images(space, (*grid, columns), cells, (part * share, some), allowance, watch);
-                    found.lock().expect("no thread has panicked").push(own);
-                });
-            }
+        let share = cells.len().div_ceil(threads::available()).max(1); // exact: a length
+        let shares: Vec<_> = cells.chunks(share).enumerate().collect();
+        let found = threads::each(&shares, &|(part, some)| {
+            images(space, (*grid, &columns), cells, (part * share, some), &allowance, watch)
         });
         let mut leaves = vec![false; cells.len() + 1];
         let (mut edges, mut staying) = (Vec::new(), Vec::new());
-        for own in found.into_inner().expect("no thread has panicked") {
+        for own in found {
             let (own, left): Share = own?;
             left.into_iter().for_each(|from| leaves[from as usize] = true); // exact: an index
             for (from, to, stays) in own {

@@ -19,7 +19,6 @@ use std::collections::BTreeMap;
 use std::sync::atomic::{AtomicU64, Ordering};
 
 use super::blocks::Word;
-use super::each::each;
 use super::guess::Guess;
 use super::horseshoe::Chaos;
 use super::law::Law;
@@ -27,6 +26,7 @@ use super::words::Base;
 use crate::Error;
 use crate::number::{Ball, logarithm};
 use crate::pair::ImpactPair;
+use crate::threads::each;
 use crate::watch::{Stage, Watch};
 use cones::Proved;
 use frame::Frame;

@@ -6,9 +6,7 @@
 
 mod search;
 
-use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
-use std::thread;
 
 use super::law::{Law, Side};
 use super::quad::State;
@@ -20,6 +18,7 @@ use crate::pair::{ImpactPair, Wall};
 use crate::periodic::Precision;
 use crate::periodic::bifurcation::{NoWindow, Window, WindowSeed};
 use crate::scene::{Key, Range};
+use crate::threads::{answers, available};
 use crate::watch::{Latched, Stage, Watch};
 pub use search::LONGEST as MOST_WINDOW_IMPACTS;
 use search::{Family, Superstable, Varies};
@@ -230,26 +229,17 @@ impl<'p> Search<'p> {
     /// The stable cycles that orbits come near to, the nearest to the scene's own value first.
     fn all(&self, watch: &dyn Watch) -> Vec<Superstable> {
         let orbits = usize::try_from(self.impacts.div_ceil(ORBIT)).unwrap_or(usize::MAX); // proposes
-        let (next, done) = (AtomicUsize::new(0), AtomicUsize::new(0));
-        let found = Mutex::new(Vec::new());
-        let work = || {
-            loop {
-                let k = next.fetch_add(1, Ordering::Relaxed);
-                let impacts = self.impacts.min((done.load(Ordering::Relaxed) as u64) * ORBIT); // shown
-                if k >= orbits || watch.proceed(Stage::Searched(impacts)).is_break() {
-                    break;
-                }
+        let done = AtomicUsize::new(0);
+        let found = answers(available(), orbits, &|k| {
+            let impacts = self.impacts.min((done.load(Ordering::Relaxed) as u64) * ORBIT); // shown
+            watch.proceed(Stage::Searched(impacts)).is_continue().then(|| {
                 let own = self.orbit(k, watch);
-                found.lock().expect("no thread has panicked").push((k, own));
                 done.fetch_add(1, Ordering::Relaxed);
-            }
-        };
-        let threads = thread::available_parallelism().map_or(1, usize::from); // proposes
-        thread::scope(|scope| (0..threads).for_each(|_| _ = scope.spawn(work)));
-        let mut found = found.into_inner().expect("no thread has panicked");
-        found.sort_by_key(|(k, _)| *k);
+                own
+            })
+        });
         let mut all: Vec<Superstable> = Vec::new();
-        for cycle in found.into_iter().flat_map(|(_, own)| own) {
+        for cycle in found.into_iter().flatten() {
             if all.iter().all(|other| !cycle.is_near(other)) {
                 all.push(cycle);
             }
@@ -268,32 +258,23 @@ impl<'p> Search<'p> {
         settings: &WindowSettings,
         watch: &Latched<'_>,
     ) -> Result<Vec<Tried>, Error> {
-        let (next, count) = (AtomicUsize::new(0), AtomicUsize::new(0));
-        let found = Mutex::new(Vec::new());
-        let work = || {
-            loop {
-                let proved = count.load(Ordering::Relaxed);
-                let at = Stage::Windows { proved, of: cycles.len() };
-                if proved >= settings.most || watch.proceed(at).is_break() {
-                    break;
-                }
-                let i = next.fetch_add(1, Ordering::Relaxed);
-                let Some(cycle) = cycles.get(i) else { break };
-                let window = match self.seed(cycle) {
-                    Some(seed) => Window::of(self.pair, &settings.over, &seed, settings.precision, watch),
-                    None => Ok(Err(NoWindow::Seed)),
-                };
-                if watch.is_stopped() {
-                    break;
-                }
-                count.fetch_add(usize::from(matches!(window, Ok(Ok(_)))), Ordering::Relaxed);
-                found.lock().expect("no thread has panicked").push((i, window));
+        let count = AtomicUsize::new(0);
+        let found = answers(available(), cycles.len(), &|i| {
+            let proved = count.load(Ordering::Relaxed);
+            let at = Stage::Windows { proved, of: cycles.len() };
+            if proved >= settings.most || watch.proceed(at).is_break() {
+                return None; // exact: no more are asked for
             }
-        };
-        let threads = thread::available_parallelism().map_or(1, usize::from); // proposes
-        thread::scope(|scope| (0..threads).for_each(|_| _ = scope.spawn(work)));
-        let mut found = found.into_inner().expect("no thread has panicked");
-        found.sort_by_key(|(i, _)| *i);
+            let window = match self.seed(&cycles[i]) {
+                Some(seed) => Window::of(self.pair, &settings.over, &seed, settings.precision, watch),
+                None => Ok(Err(NoWindow::Seed)),
+            };
+            if watch.is_stopped() {
+                return None; // exact: what is stopped is not listed
+            }
+            count.fetch_add(usize::from(matches!(window, Ok(Ok(_)))), Ordering::Relaxed);
+            Some((i, window))
+        });
         found.into_iter().map(|(i, window)| Ok((i, window?))).collect()
     }
 

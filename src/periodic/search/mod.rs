@@ -9,7 +9,6 @@ mod waves;
 
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
-use std::thread;
 
 use super::census::{Census, Region};
 use super::chained::Chained;
@@ -19,6 +18,7 @@ use super::{Precision, Problem};
 use crate::contact::Reason;
 use crate::number::interval::Interval;
 use crate::shaken::under;
+use crate::threads;
 use crate::watch::{Stage, Unwatched, Watch};
 use cell::{Cell, Task};
 use cut::Terms;
@@ -97,17 +97,14 @@ impl Problem {
             let Some(share) = share.filter(|share| *share > 0 && watch.goes_on()) else { break };
             left -= share * busy.len() as u64; // exact: small
             busy.iter_mut().for_each(|cell| cell.left = share);
-            let count = busy.len();
-            let queue = Mutex::new(busy.into_iter());
-            let next = || queue.lock().expect("no thread has panicked").next();
-            let work = || {
-                while let Some(cell) = next() {
-                    cell.search();
-                    done.fetch_add(usize::from(cell.is_done()), Ordering::Relaxed);
-                }
-            };
-            let threads = thread::available_parallelism().map_or(1, usize::from).min(count); // exact: threads decide nothing
-            thread::scope(|scope| (0..threads).for_each(|_| _ = scope.spawn(work)));
+            let busy: Vec<_> = busy.into_iter().map(Mutex::new).collect();
+            threads::run(threads::available(), busy.len(), &|number| {
+                let mut cell = busy[number].lock().expect("no thread has panicked");
+                cell.search();
+                done.fetch_add(usize::from(cell.is_done()), Ordering::Relaxed);
+                true
+            });
+            drop(busy);
             left += cells.iter().map(|cell| cell.left).sum::<u64>();
         }
         let mut census = self.gathered(&cells, &known, precision);
