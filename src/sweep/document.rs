@@ -5,9 +5,9 @@ use impact_pair_document::{
     SweepExponent, SweepHead, SweepImpact, SweepPeriod, SweepRecord,
 };
 
-use super::{Grid, Point, PointSettings, State, axis};
+use super::{Grid, Point, PointSettings, axis};
 use crate::document::is_certified;
-use crate::exact::{Exact, decimal_bounds, decimal_bounds_f64};
+use crate::exact::{Enclosure, Exact, decimal_bounds, decimal_bounds_f64};
 use crate::lyapunov::Exponent;
 use crate::number::Ball;
 use crate::orbit::{Arithmetic, Outcome, Period};
@@ -120,9 +120,8 @@ fn message(point: &Point) -> String {
     outcome.words().unwrap_or(own.message)
 }
 
-fn impact(state: &State) -> SweepImpact {
-    let (phase, velocity) = (decimal_bounds(&state.phase), decimal_bounds(&state.velocity));
-    SweepImpact { index: state.index, wall: state.wall, phase, velocity }
+fn impact(state: &SweepImpact<Enclosure>) -> SweepImpact {
+    state.map(decimal_bounds)
 }
 
 fn extended(ball: Ball) -> ExtendedBounds {

@@ -19,5 +19,5 @@ pub(crate) use document::{exponent, limit};
 pub use document::{grid, head, record};
 pub use grid::{Grid, MOST_POINTS, axis};
 pub use lines::{Head, Line};
-pub use point::{Attraction, MOST_IMPACTS, Point, PointSettings, State, follow};
+pub use point::{Attraction, MOST_IMPACTS, Point, PointSettings, follow};
 pub use unit::Lasting;

@@ -2,6 +2,8 @@
 
 use std::ops::ControlFlow;
 
+use impact_pair_document::SweepImpact;
+
 use crate::Error;
 use crate::document::{Conclusion, Event};
 use crate::exact::Enclosure;
@@ -36,19 +38,6 @@ pub struct PointSettings {
     pub settings: Settings,
 }
 
-/// An impact as a point of its switch-plane.
-#[derive(Clone, Debug, PartialEq)]
-pub struct State {
-    /// Counts the impacts from 1.
-    pub index: u64,
-    /// The switch-plane.
-    pub wall: Wall,
-    /// `W t + tau` of the reference \[rad\], its lower bound in `[0, 2 pi)`.
-    pub phase: Enclosure,
-    /// `y'` before the impact \[length/time\].
-    pub velocity: Enclosure,
-}
-
 /// The stable periodic orbit that an orbit is proved to converge to, measured from one of its impacts on.
 ///
 /// That impact makes the word the first one in the alphabet of L and R; of several, the earliest in its cycle. So two
@@ -58,7 +47,7 @@ pub struct Attraction {
     /// The word, from that impact on.
     pub word: Word,
     /// The impact; `None` where its phase is another one of the reference in each period, as where that does not move the box.
-    pub first: Option<State>,
+    pub first: Option<SweepImpact<Enclosure>>,
     /// The impact of the orbit from which on it is in a neighbourhood that the period contracts.
     pub from: u64,
     /// Bounds of what the exponent per impact tends to; `None` after a graze, where there is no derivative. Lemma L4
@@ -69,7 +58,7 @@ pub struct Attraction {
 #[derive(Clone, Debug)]
 pub struct Point {
     /// The impacts after the transient; none in a summary.
-    pub states: Vec<State>,
+    pub states: Vec<SweepImpact<Enclosure>>,
     /// All impacts that are certified, those of the transient among them.
     pub impacts: u64,
     /// Impacts per forcing period after the transient, an infinite ball where a chatter has infinitely many; `None` without two of them.
@@ -170,7 +159,7 @@ struct Window<'u> {
     transient: u64,
     listed: u64,
     summary: bool,
-    states: Vec<State>,
+    states: Vec<SweepImpact<Enclosure>>,
     /// `None` during the transient.
     disturbance: Option<Disturbance>,
     /// The first and the last impact.
@@ -199,7 +188,7 @@ impl<'u> Window<'u> {
             self.disturbance = Some(Disturbance::at(orbit, impact.clone()).in_turns_of(self.unit.rate()));
         } else if !self.summary {
             let (phase, velocity) = (self.unit.phase(orbit, impact), orbit.velocity(impact));
-            self.states.push(State { index: impact.index, wall: impact.wall, phase, velocity });
+            self.states.push(SweepImpact { index: impact.index, wall: impact.wall, phase, velocity });
         }
         match &mut self.ends {
             Some([_, last]) => *last = impact.clone(),
@@ -237,7 +226,12 @@ fn attraction(orbit: &Orbit, attractor: &Attractor, unit: &Unit, passed: Passed)
     let velocity = orbit.clock().velocity(&first.velocity);
     Attraction {
         word: Word::new(mappings).expect("a closed word can be rotated"),
-        first: in_reference(first).map(|phase| State { index: 1 + shift as u64, wall: first.wall, phase, velocity }),
+        first: in_reference(first).map(|phase| SweepImpact {
+            index: 1 + shift as u64,
+            wall: first.wall,
+            phase,
+            velocity,
+        }),
         from: *from,
         limit: limit(periodic, passed),
     }
