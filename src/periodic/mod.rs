@@ -53,7 +53,7 @@ pub(crate) use identity::Identity;
 use identity::{is_one_orbit, is_one_reduced};
 use impact_pair_model::{MAX_BITS, Start};
 pub use krawczyk::Proved;
-pub use measured::{MeasuredImpact, MeasuredOrbit};
+pub use measured::MeasuredOrbit;
 pub use orbit::{Finding, PeriodicImpact, PeriodicOrbit};
 pub use search::Budget;
 use several::repetition;

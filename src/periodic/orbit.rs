@@ -12,7 +12,7 @@ use crate::exact::{Enclosure, Exact};
 use crate::number::{Ball, Enclosing};
 use crate::pair::Wall;
 
-/// An impact of a periodic orbit in forcing periods and gaps; in the units of the scene it is a [`MeasuredImpact`](super::MeasuredImpact).
+/// An impact of a periodic orbit in forcing periods and gaps; in the units of the scene it is a [`MeasuredImpact`](crate::json::MeasuredImpact).
 #[derive(Clone, Debug, PartialEq)]
 pub struct PeriodicImpact {
     /// The wall.
