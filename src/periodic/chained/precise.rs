@@ -1,7 +1,7 @@
 //! Chains in balls of any precision.
 
 use super::super::chain::{Chain, Legs};
-use super::super::physical::{Claim, Found, all_first};
+use super::super::physical::{Claim, all_first};
 use super::Moment;
 use crate::contact::PairBounds;
 use crate::contact::multiprecision::{Start, isolate_first};
@@ -58,5 +58,5 @@ fn is_first_in_balls(bounds_of_pair: &PairBounds, pair: &Reduced<MpBall>, claim:
     let isolated = isolate_first(bounds_of_pair, &start, || all, &centre).ok()?;
     let wall = isolated.target.wall(claim.from);
     let phase = MpBall::new(isolated.at.clone(), isolated.reach).rounded(claim.start.bits());
-    claim.is_at(pair, Found { wall, turns: isolated.turns, phase })
+    claim.is_at(pair, wall, (isolated.turns, phase))
 }
