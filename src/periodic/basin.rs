@@ -8,9 +8,9 @@
 
 use std::cmp::Ordering;
 
-use super::chain::times;
 use super::chained::{Chained, Step};
 use super::identity::reduced_impacts;
+use super::legs::times;
 use super::shaking::Shaking;
 use super::{PeriodicOrbit, Problem};
 use crate::mapping::jacobian_between;

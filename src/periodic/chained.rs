@@ -3,7 +3,8 @@
 #[cfg_attr(not(feature = "multiprecision"), path = "chained/doubles.rs")]
 mod precise;
 
-use super::chain::{Chain, Legs};
+use super::chain::Chain;
+use super::legs::Legs;
 use super::physical;
 use super::shaking::Shaking;
 use crate::flight::Launch;

@@ -3,9 +3,10 @@
 use num_rational::BigRational;
 use num_traits::ToPrimitive;
 
-use super::chain::{Chain, Leg, Legs};
+use super::chain::Chain;
 use super::identity::{is_symmetric, repeats};
 use super::krawczyk::{Proved, widest};
+use super::legs::{Leg, Legs};
 use super::shaking::Shaking;
 use super::stability::{Eigenvalue, Stability, determinant, eigenvalues, is_neutral, trace};
 use crate::exact::{Enclosure, Exact};

@@ -2,7 +2,8 @@
 
 use std::cmp::Ordering;
 
-use super::chain::{Chain, Leg, Legs};
+use super::chain::Chain;
+use super::legs::{Leg, Legs};
 use super::shaking::Shaking;
 use crate::contact::{PairBounds, Radii, Verdict, first_contact};
 use crate::flight::Flight;

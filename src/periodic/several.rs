@@ -3,8 +3,9 @@
 #[cfg(feature = "multiprecision")]
 mod precise;
 
-use super::chain::{Chain, Legs, MOST_CYCLES};
+use super::chain::{Chain, MOST_CYCLES};
 use super::chained::{Chained, Moment, Rate};
+use super::legs::Legs;
 use super::physical::{Claim, all_first};
 use super::shaking::Repetition;
 use crate::Error;

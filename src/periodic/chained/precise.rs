@@ -1,6 +1,7 @@
 //! Chains in balls of any precision.
 
-use super::super::chain::{Chain, Legs};
+use super::super::chain::Chain;
+use super::super::legs::Legs;
 use super::super::physical::{Claim, all_first};
 use super::Moment;
 use crate::contact::PairBounds;
