@@ -142,7 +142,7 @@ pub struct SweepPeriod {
     pub first: Option<SweepImpact>,
 }
 
-/// A state on a switch-plane, with bounds of type `B`.
+/// A state on a switch-plane.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
