@@ -17,11 +17,16 @@ use serde_json::{Value, json};
 
 /// The lines of a sweep: impacts 4 to 8 of each point.
 fn sweep(scene: &str, over: &[&str]) -> Vec<Value> {
+    sweep_of(scene, over, 5)
+}
+
+/// The lines of a sweep: N impacts of each point from the fourth on.
+pub fn sweep_of(scene: &str, over: &[&str], impacts: u64) -> Vec<Value> {
     let scene = Scene::parse(scene).unwrap();
     let grid = Grid::new(over.iter().map(|axis| axis.parse().unwrap()).collect()).unwrap();
     let settings = Settings { digits: 6, ..Settings::default() };
     let reference = grid.reference(&scene).unwrap();
-    let asked = PointSettings { transient: 3, impacts: 5, summary: false, reference, settings };
+    let asked = PointSettings { transient: 3, impacts, summary: false, reference, settings };
     let mut lines = vec![json!(sweep::head(&scene, &grid, &asked, None))];
     for number in 0..grid.points() {
         let values = grid.values(number).unwrap();

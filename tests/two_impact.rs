@@ -3,11 +3,12 @@
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use impact_pair::exact::{Dyadic, Enclosure, Exact, decimal_bounds};
+use impact_pair::json::MeasuredImpact;
 use impact_pair::mapping::{Passage, jacobian};
 use impact_pair::number::Ball;
 use impact_pair::orbit::{Impact, Orbit as Run, Progress, Settings, Start};
 use impact_pair::pair::{Reduced, Wall};
-use impact_pair::periodic::{Eigenvalue, MeasuredImpact};
+use impact_pair::periodic::Eigenvalue;
 use impact_pair::two_impact::{Answer, Axis, Manifold, Mark, Orbit, Problem, Range, Stability, Unknown};
 use impact_pair::watch::{Stage, Unwatched, proceed_if};
 use impact_pair::{Harmonic, ImpactPair, Scene};
@@ -117,7 +118,7 @@ fn product_of_jacobians(pair: &ImpactPair, orbit: &Orbit, cycles: u32) -> Enclos
     let there = orbit.spacing.div(&turn, BITS).unwrap();
     let back = exact(&cycles.to_string()).enclose(BITS).sub(&there, BITS);
     let [left, right] = orbit.measured.impacts.as_slice() else { panic!("two impacts") };
-    let step = |from: &MeasuredImpact, to: &MeasuredImpact, time: &Enclosure| {
+    let step = |from: &MeasuredImpact<Enclosure>, to: &MeasuredImpact<Enclosure>, time: &Enclosure| {
         let passage = Passage {
             time: ball(time),
             sin0: ball(&from.phase.sin(BITS)),

@@ -2,15 +2,13 @@
 
 use std::time::Duration;
 
-use impact_pair_document::{
-    ATLAS_SCHEMA, AtlasHead, AtlasRecord, Decimal, GlobalDocument, PROGRAM, SceneDocument, SweepAxis,
-};
+use impact_pair_document::{ATLAS_SCHEMA, AtlasHead, AtlasRecord, Decimal, GlobalDocument, PROGRAM, SceneDocument};
 
 use super::Plane;
 use crate::chaos::GlobalSettings;
 use crate::exact::Exact;
-use crate::scene::{Key, Range, Scene};
-use crate::sweep::{Head, Line, axis};
+use crate::scene::{Key, Scene};
+use crate::sweep::{Head, Line, axes};
 use crate::{Error, sweep};
 
 /// Returns what an atlas is about; a shard is given by its number and of how many.
@@ -136,9 +134,7 @@ impl Head for AtlasHead {
     }
 
     fn grid(&self) -> Result<Plane, Error> {
-        let axis_of = |over: &SweepAxis| axis(&format!("{}={}..{}:{}", over.key, over.from, over.to, over.count));
-        let axes: Vec<Range> = self.over.iter().map(axis_of).collect::<Result<_, _>>()?;
-        let plane = Plane::new(axes, self.cells)?;
+        let plane = Plane::new(axes(&self.over)?, self.cells)?;
         if plane.points() != self.points {
             let message = format!("points is {}, but the plane has {}", self.points, plane.points());
             return Err(Error::out_of_range(None, message));

@@ -2,7 +2,7 @@
 
 use impact_pair_document::{
     AUDIT_SCHEMA, AuditDocument, AuditEvent, CertifiedContact, Counts, Disagreement, Divergence, DoublePrecision,
-    ImpactNumber, ImpactVerdict, ListedError, ListedRow, PROGRAM, Parting, SceneDocument, Units, bounds,
+    ImpactNumber, ImpactVerdict, ListedError, PROGRAM, Parting, SceneDocument, Units, bounds,
 };
 
 use super::Audit;
@@ -79,12 +79,7 @@ fn event(finding: &Finding, audit: &Audit<'_>) -> AuditEvent {
         Verdict::False(reason) => Some(reason.name().to_owned()),
         _ => None,
     };
-    let listed = audit.row(finding).map(|listed| ListedRow {
-        place: listed.place.clone(),
-        wall: listed.wall,
-        time: listed.time.written.clone(),
-        velocity: listed.velocity.as_ref().map(|velocity| velocity.written.clone()),
-    });
+    let listed = audit.row(finding).map(|listed| listed.map(|number| number.written.clone()));
     let contact = audit.site(finding).map(contact);
     let is_it = finding.errors.is_some() || finding.verdict == Verdict::Missed;
     let (certified, nearest) = if is_it { (contact, None) } else { (None, contact) };

@@ -38,6 +38,7 @@ mod stable;
 mod tests;
 mod trap;
 mod trials;
+mod tried;
 mod tube;
 mod vector;
 mod windows;
@@ -54,7 +55,7 @@ pub use global::{
     Basin, Class, Global, GlobalSettings, Goes, Kind, LimitCycle, MOST, Patch, Reason, Recurrence, RestCycle, WORK,
 };
 pub(crate) use guess::{Guess, Image};
-pub use horseshoe::{Chaos, Horseshoe, HorseshoeSettings, MOST_DEPTH};
+pub use horseshoe::{Chaos, Horseshoe, HorseshoeSettings};
 pub use hyperbolic::{Cone, Hyperbolic, LeftOut};
 pub use language::{BoxGraph, MOST_COUNTED, Unclosed, WallWords};
 pub(crate) use law::{Law, Side};
@@ -63,6 +64,7 @@ pub use quad::{Chord, State};
 pub use refusal::NoTrap;
 pub use region::Trap;
 pub use stable::stable_orbits;
+pub use tried::MOST_DEPTH;
 pub use windows::{
     FoundWindow, MOST_WINDOW_IMPACTS, UnprovedWindow, WINDOW_PARAMETERS, WindowSettings, Windows, is_window_range,
 };

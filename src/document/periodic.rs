@@ -1,15 +1,13 @@
 //! The periodic JSON: proved periodic orbits in the units of the scene.
 
 use impact_pair_document::{
-    EigenvalueDocument, PERIODIC_SCHEMA, PeriodicDocument, PeriodicImpactDocument, PeriodicOrbitDocument, RESTING,
+    EigenvalueDocument, MeasuredImpact, PERIODIC_SCHEMA, PeriodicDocument, PeriodicOrbitDocument, RESTING,
     RegionDocument, SceneDocument, bounds,
 };
 
 use crate::exact::{Enclosure, Exact};
 use crate::orbit::Start;
-use crate::periodic::{
-    Census, Eigenvalue, MeasuredImpact, MeasuredOrbit, PeriodicImpact, PeriodicOrbit, Problem, Region,
-};
+use crate::periodic::{Census, Eigenvalue, MeasuredOrbit, PeriodicImpact, PeriodicOrbit, Problem, Region};
 use crate::turns;
 use crate::units::{Units, in_radians};
 
@@ -23,7 +21,7 @@ impl Units<Exact> {
     /// Returns the document of the orbits of a problem; `start` only names the scene.
     pub fn document(&self, problem: &Problem, start: &Start, census: &Census) -> PeriodicDocument {
         let region = |region: &Region| {
-            let impact = |impact: &PeriodicImpact| PeriodicImpactDocument {
+            let impact = |impact: &PeriodicImpact| MeasuredImpact {
                 cycle: cycle(problem, impact),
                 ..self.impact(impact, (f64::MANTISSA_DIGITS, problem.period()))
             };
@@ -54,8 +52,8 @@ impl Units<Exact> {
     }
 
     /// An impact of a search or of a bifurcation, in N bits and turns of the common period.
-    pub(super) fn impact(&self, impact: &PeriodicImpact, (bits, period): (u32, u32)) -> PeriodicImpactDocument {
-        periodic_impact(&measured_impact(impact, (bits, period), |velocity| self.velocity(velocity, bits)), period)
+    pub(super) fn impact(&self, impact: &PeriodicImpact, (bits, period): (u32, u32)) -> MeasuredImpact {
+        measured_impact(impact, (bits, period), |velocity| self.velocity(velocity, bits)).map(bounds)
     }
 }
 
@@ -85,21 +83,12 @@ fn measured_impact(
     impact: &PeriodicImpact,
     (bits, period): (u32, u32),
     velocity: impl Fn(&Enclosure) -> Enclosure,
-) -> MeasuredImpact {
+) -> MeasuredImpact<Enclosure> {
     MeasuredImpact {
         wall: impact.wall,
         phase: in_radians(&impact.phase, bits),
-        turn: turns::in_period(&impact.phase, period),
         velocity: velocity(&impact.velocity),
-    }
-}
-
-fn periodic_impact(impact: &MeasuredImpact, period: u32) -> PeriodicImpactDocument {
-    PeriodicImpactDocument {
-        wall: impact.wall,
-        phase: bounds(&impact.phase),
-        velocity: bounds(&impact.velocity),
-        turn: (period > 1).then_some(impact.turn),
+        turn: (period > 1).then(|| turns::in_period(&impact.phase, period)),
         cycle: None,
     }
 }
@@ -108,7 +97,7 @@ fn periodic_impact(impact: &MeasuredImpact, period: u32) -> PeriodicImpactDocume
 pub(super) fn periodic_orbit(orbit: &MeasuredOrbit) -> PeriodicOrbitDocument {
     let eigenvalue = |value: &Eigenvalue| EigenvalueDocument { re: bounds(&value.re), im: bounds(&value.im) };
     PeriodicOrbitDocument {
-        impacts: orbit.impacts.iter().map(|impact| periodic_impact(impact, orbit.period)).collect(),
+        impacts: orbit.impacts.iter().map(|impact| impact.map(bounds)).collect(),
         unique: orbit.unique,
         physical: orbit.physical,
         symmetric: orbit.symmetric,

@@ -8,9 +8,9 @@
 
 use std::cmp::Ordering;
 
-use super::chain::times;
-use super::chained::{Chained, Step};
+use super::chained::Chained;
 use super::identity::reduced_impacts;
+use super::legs::times;
 use super::shaking::Shaking;
 use super::{PeriodicOrbit, Problem};
 use crate::mapping::jacobian_between;
@@ -118,12 +118,15 @@ impl Problem {
             if wall.inward(before).certain_sign() != Some(Ordering::Less) {
                 return None;
             }
-            let Step { wall: next, time, velocity, accelerations } = shaken.step(wall, turns, phase, before)?;
-            if next != chain.walls()[chain.next(i)] {
+            let (contact, accelerations) = shaken.step(wall, turns, phase, before)?;
+            if contact.wall != chain.walls()[chain.next(i)] {
                 return None;
             }
             let restitution = *shaken.balls().restitution();
-            product = times(&jacobian_between(restitution, time, accelerations, [before, velocity])?, &product);
+            product = times(
+                &jacobian_between(restitution, contact.time, accelerations, [before, contact.velocity])?,
+                &product,
+            );
         }
         Some(product)
     }

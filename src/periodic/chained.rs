@@ -3,9 +3,11 @@
 #[cfg_attr(not(feature = "multiprecision"), path = "chained/doubles.rs")]
 mod precise;
 
-use super::chain::{Chain, Legs};
+use super::chain::Chain;
+use super::legs::Legs;
 use super::physical;
 use super::shaking::Shaking;
+use crate::contact::Contact;
 use crate::flight::Launch;
 use crate::number::Ball;
 use crate::pair::{Wall, rebound};
@@ -18,16 +20,6 @@ pub(super) type FloatImpact = (Wall, f64, f64);
 
 /// The state of the box at a time, in an arithmetic.
 pub(super) type Moment<S, N> = <<S as Parameters>::In<N> as Shaking<N>>::Moment;
-
-/// The first contact of all flights that start in a box, and what the Jacobian (A.7) over it needs.
-pub(super) struct Step {
-    pub wall: Wall,
-    pub time: Ball,
-    /// `y'` just before it.
-    pub velocity: Ball,
-    /// `y''` at the start and at the contact.
-    pub accelerations: [Ball; 2],
-}
 
 /// A harmonic as searches see it.
 pub(super) struct Rate {
@@ -57,12 +49,11 @@ pub(super) trait Chained: Flying + ChainedPrecisely {
     }
 
     /// The first contact of all flights that start with an impact in a box of phases, N whole forcing periods on, and of
-    /// velocities before; `None` where it is not proved.
-    fn step(&self, wall: Wall, turns: f64, phase: Ball, before: Ball) -> Option<Step> {
+    /// velocities before, and `y''` at the start and there; `None` where it is not proved.
+    fn step(&self, wall: Wall, turns: f64, phase: Ball, before: Ball) -> Option<(Contact<Ball>, [Ball; 2])> {
         // H11: whole, polished phases are below 2^40
         let launch = Launch::from_wall(wall, turns as i64, phase, self.pair().rebound_of(before), false);
-        let (contact, accelerations) = self.first_contact(launch, None).ok()?;
-        Some(Step { wall: contact.wall, time: contact.time, velocity: contact.velocity, accelerations })
+        self.first_contact(launch, None).ok()
     }
 
     /// Returns whether each flight is proved to end at its first contact; `None` if undecided. Lemma T5

@@ -2,9 +2,10 @@
 
 use std::cmp::Ordering;
 
-use super::chain::{Chain, Legs};
+use super::chain::Chain;
 use super::entries::Entries;
 use super::krawczyk::Equations;
+use super::legs::Legs;
 use super::shaking::Shaking;
 use crate::number::Enclosing;
 

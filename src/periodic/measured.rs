@@ -1,21 +1,10 @@
 //! A periodic orbit in the units of the scene: as shown in tables and the periodic JSON, for any word.
 
+use impact_pair_document::MeasuredImpact;
+
 use super::stability::{Eigenvalue, Stability};
 use crate::exact::Enclosure;
 use crate::pair::Wall;
-
-/// An impact of a periodic orbit in the units of the scene.
-#[derive(Clone, Debug)]
-pub struct MeasuredImpact {
-    /// The wall.
-    pub wall: Wall,
-    /// `W t + tau` of the fastest harmonic in `[0, 2 pi)` \[rad\]; bounds that hold 0 reach beyond one end.
-    pub phase: Enclosure,
-    /// The forcing period of the phase within the common period: 0 with one harmonic.
-    pub turn: u32,
-    /// The relative velocity `y'` just before the impact \[length/time\].
-    pub velocity: Enclosure,
-}
 
 /// A periodic orbit in the units of the scene, with all that is proved of it.
 ///
@@ -25,7 +14,7 @@ pub struct MeasuredOrbit {
     /// Forcing periods of the fastest harmonic after which the excitation repeats: 1 with one harmonic.
     pub period: u32,
     /// The impacts, in time order.
-    pub impacts: Vec<MeasuredImpact>,
+    pub impacts: Vec<MeasuredImpact<Enclosure>>,
     /// `true` if no other orbit of its word in as many cycles lies within the bounds.
     pub unique: bool,
     /// `Some(true)`: no wall is touched between the impacts; `Some(false)`: one is; `None`: undecided.

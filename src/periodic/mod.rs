@@ -1,7 +1,7 @@
 //! Periodic orbits of any word, proved: sections 3 and 4 of the paper.
 //!
 //! A [`Problem`] is a pair, a closed word and a number of cycles. Its unknowns are the phases of the impacts, its
-//! equations Newton's impact law at each ([`chain`]); Newton's iteration in floating point approximates ([`newton`]), Krawczyk's
+//! equations Newton's impact law at each ([`legs`]); Newton's iteration in floating point approximates ([`newton`]), Krawczyk's
 //! operator verifies ([`krawczyk`]), first in doubles and then at the requested precision. Then each flight is proved to
 //! end at its first contact, and trace, determinant and eigenvalues of the period's Jacobian are enclosed (38).
 //! [`Problem::find_all`] searches the whole state space, so that its list is complete. With several harmonics
@@ -19,6 +19,7 @@ mod equations;
 mod guess;
 mod identity;
 pub mod krawczyk;
+pub mod legs;
 mod measured;
 pub mod newton;
 mod orbit;
@@ -53,7 +54,7 @@ pub(crate) use identity::Identity;
 use identity::{is_one_orbit, is_one_reduced};
 use impact_pair_model::{MAX_BITS, Start};
 pub use krawczyk::Proved;
-pub use measured::{MeasuredImpact, MeasuredOrbit};
+pub use measured::MeasuredOrbit;
 pub use orbit::{Finding, PeriodicImpact, PeriodicOrbit};
 pub use search::Budget;
 use several::repetition;

@@ -1,6 +1,7 @@
 //! Newton's iteration on a chain's equations in floating point: non-rigorous.
 
-use super::chain::{Chain, Leg, Legs};
+use super::chain::Chain;
+use super::legs::{Leg, Legs};
 use super::precondition::Preconditioner;
 use super::shaking::Shaking;
 use crate::pair::Inward;

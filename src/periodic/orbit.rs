@@ -3,16 +3,17 @@
 use num_rational::BigRational;
 use num_traits::ToPrimitive;
 
-use super::chain::{Chain, Leg, Legs};
+use super::chain::Chain;
 use super::identity::{is_symmetric, repeats};
 use super::krawczyk::{Proved, widest};
+use super::legs::{Leg, Legs};
 use super::shaking::Shaking;
 use super::stability::{Eigenvalue, Stability, determinant, eigenvalues, is_neutral, trace};
 use crate::exact::{Enclosure, Exact};
 use crate::number::{Ball, Enclosing};
 use crate::pair::Wall;
 
-/// An impact of a periodic orbit in forcing periods and gaps; in the units of the scene it is a [`MeasuredImpact`](super::MeasuredImpact).
+/// An impact of a periodic orbit in forcing periods and gaps; in the units of the scene it is a [`MeasuredImpact`](crate::json::MeasuredImpact).
 #[derive(Clone, Debug, PartialEq)]
 pub struct PeriodicImpact {
     /// The wall.

@@ -2,7 +2,8 @@
 
 use std::cmp::Ordering;
 
-use super::chain::{Chain, Leg, Legs};
+use super::chain::Chain;
+use super::legs::{Leg, Legs};
 use super::shaking::Shaking;
 use crate::contact::{PairBounds, Radii, Verdict, first_contact};
 use crate::flight::Flight;
@@ -22,13 +23,6 @@ pub(super) struct Claim<N> {
     /// The phase that it ends at.
     end: N,
     leg: Leg<N>,
-}
-
-/// A first contact: its wall, its whole forcing periods since those of the start, and the rest of its phase.
-pub(super) struct Found<N> {
-    pub wall: Wall,
-    pub turns: f64,
-    pub phase: N,
 }
 
 /// `Some(true)` when every flight is proved to touch no wall before it ends, `Some(false)` when one is proved to.
@@ -81,16 +75,17 @@ impl<N: Enclosing> Claim<N> {
         after.certain_sign() == Some(Ordering::Equal) && sin.certain_sign() == Some(Ordering::Less)
     }
 
-    /// Returns whether a first contact that is proved is the end of the flight. Lemma T5
-    pub fn is_at<S: Shaking<N>>(&self, shaking: &S, found: Found<N>) -> Option<bool> {
-        if found.wall != self.to {
+    /// Returns whether a first contact that is proved is the end of the flight: one on this wall, whole forcing periods after those of the
+    /// start and with this rest of its phase. Lemma T5
+    pub fn is_at<S: Shaking<N>>(&self, shaking: &S, wall: Wall, (turns, phase): (f64, N)) -> Option<bool> {
+        if wall != self.to {
             return Some(false);
         }
-        let end = self.end.clone() - N::from_f64(found.turns);
-        let later = end - found.phase.clone();
+        let end = self.end.clone() - N::from_f64(turns);
+        let later = end - phase.clone();
         // All phases between the contact and the end.
-        let between = N::from_f64(0.5).with_radius(0.5).mul_add(later.clone(), found.phase);
-        let velocity = shaking.relative(&self.leg.drift, &shaking.moment(self.turns + found.turns, &between));
+        let between = N::from_f64(0.5).with_radius(0.5).mul_add(later.clone(), phase);
+        let velocity = shaking.relative(&self.leg.drift, &shaking.moment(self.turns + turns, &between));
         if velocity.certain_sign().is_some_and(|sign| sign != Ordering::Equal) {
             return Some(true);
         }
@@ -110,9 +105,7 @@ fn first_in_doubles(bounds_of_pair: &PairBounds, claim: &Claim<Ball>) -> Option<
     let flight = Flight::from_wall(&bounds_of_pair.centre, claim.from, phase, after.mid(), kernel::sin_cos(phase));
     let radii = Radii { phase: claim.start.rad(), velocity: after.rad(), height: 0.0 };
     match first_contact(&flight, &bounds_of_pair.margins, radii) {
-        Verdict::Certified(contact) => {
-            claim.is_at(&bounds_of_pair.pair, Found { wall: contact.wall, turns: contact.turns, phase: contact.phase })
-        }
+        Verdict::Certified(contact) => claim.is_at(&bounds_of_pair.pair, contact.wall, (contact.turns, contact.phase)),
         Verdict::Undecided(_) => None,
     }
 }

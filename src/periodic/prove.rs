@@ -3,10 +3,10 @@
 #[cfg_attr(not(feature = "multiprecision"), path = "prove/doubles.rs")]
 mod precise;
 
-use super::chain::Legs;
 use super::chained::Chained;
 use super::equations::Orbits;
 use super::krawczyk::{self, Effort, LARGEST};
+use super::legs::Legs;
 use super::newton;
 use super::orbit::{Finding, PeriodicOrbit};
 use super::precondition::Preconditioner;

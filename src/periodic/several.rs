@@ -3,9 +3,10 @@
 #[cfg(feature = "multiprecision")]
 mod precise;
 
-use super::chain::{Chain, Legs, MOST_CYCLES};
+use super::chain::{Chain, MOST_CYCLES};
 use super::chained::{Chained, Moment, Rate};
-use super::physical::{Claim, Found, all_first};
+use super::legs::Legs;
+use super::physical::{Claim, all_first};
 use super::shaking::Repetition;
 use crate::Error;
 use crate::flight::Launch;
@@ -45,7 +46,7 @@ fn is_first<N: Phased + Enclosing>(
     match several.first(&sum.harmonics, launch) {
         Ok(found) => {
             let phase = claim.start.clone() + found.at.rest.with_radius(found.reach);
-            claim.is_at(sum, Found { wall: found.wall, turns: found.at.turns as f64, phase }) // N1: below 2^52
+            claim.is_at(sum, found.wall, (found.at.turns as f64, phase)) // N1: below 2^52
         }
         // It stays on its wall.
         Err(Doubt::Rest) => Some(false),

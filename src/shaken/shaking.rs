@@ -1,6 +1,6 @@
 //! The excitation, as chains of impacts see it: one harmonic, equation (9), or several, equation (1).
 //!
-//! The equations of a chain ([`crate::periodic::chain`]) are the same for both; here stand the terms in which they differ.
+//! The equations of a chain ([`crate::periodic::legs`]) are the same for both; here stand the terms in which they differ.
 
 use crate::flight::velocity_after;
 use crate::number::kernel::SmallAngle;

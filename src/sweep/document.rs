@@ -5,9 +5,9 @@ use impact_pair_document::{
     SweepExponent, SweepHead, SweepImpact, SweepPeriod, SweepRecord,
 };
 
-use super::{Grid, Point, PointSettings, State, axis};
+use super::{Grid, Point, PointSettings, axis};
 use crate::document::is_certified;
-use crate::exact::{Exact, decimal_bounds, decimal_bounds_f64};
+use crate::exact::{Enclosure, Exact, decimal_bounds, decimal_bounds_f64};
 use crate::lyapunov::Exponent;
 use crate::number::Ball;
 use crate::orbit::{Arithmetic, Outcome, Period};
@@ -40,13 +40,21 @@ pub(crate) fn written(axis: &Range) -> SweepAxis {
     SweepAxis { key: axis.key.to_string(), from: axis.low.text(), to: axis.high.text(), count: axis.points() }
 }
 
+/// Returns the axes that a head has.
+///
+/// # Errors
+/// When one does not read as an axis.
+pub(crate) fn axes(written: &[SweepAxis]) -> Result<Vec<Range>, Error> {
+    let axis_of = |over: &SweepAxis| axis(&format!("{}={}..{}:{}", over.key, over.from, over.to, over.count));
+    written.iter().map(axis_of).collect()
+}
+
 /// Returns the grid of a head.
 ///
 /// # Errors
 /// Returns an error if the head has no valid grid, or its number of points is not that of the grid.
 pub fn grid(head: &SweepHead) -> Result<Grid, Error> {
-    let axis_of = |over: &SweepAxis| axis(&format!("{}={}..{}:{}", over.key, over.from, over.to, over.count));
-    let grid = Grid::new(head.over.iter().map(axis_of).collect::<Result<_, _>>()?)?;
+    let grid = Grid::new(axes(&head.over)?)?;
     if grid.points() != head.points {
         let message = format!("points is {}, but the grid has {}", head.points, grid.points());
         return Err(Error::out_of_range(None, message));
@@ -120,9 +128,8 @@ fn message(point: &Point) -> String {
     outcome.words().unwrap_or(own.message)
 }
 
-fn impact(state: &State) -> SweepImpact {
-    let (phase, velocity) = (decimal_bounds(&state.phase), decimal_bounds(&state.velocity));
-    SweepImpact { index: state.index, wall: state.wall, phase, velocity }
+fn impact(state: &SweepImpact<Enclosure>) -> SweepImpact {
+    state.map(decimal_bounds)
 }
 
 fn extended(ball: Ball) -> ExtendedBounds {

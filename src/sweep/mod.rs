@@ -6,18 +6,21 @@
 //! All of them have the same units: phases, cycles and exponents are of one term of the excitation, [`Grid::reference`], also where
 //! another one is the fastest.
 
+mod attraction;
 mod columns;
 mod document;
 mod grid;
 mod lines;
 mod point;
 mod unit;
+mod window;
 
+pub use attraction::Attraction;
 pub use columns::{Cell, Kind, Table, columns, csv_head, csv_line, csv_names, csv_rows, doubles, rows};
 pub(crate) use document::written;
-pub(crate) use document::{exponent, limit};
+pub(crate) use document::{axes, exponent, limit};
 pub use document::{grid, head, record};
 pub use grid::{Grid, MOST_POINTS, axis};
 pub use lines::{Head, Line};
-pub use point::{Attraction, MOST_IMPACTS, Point, PointSettings, State, follow};
+pub use point::{MOST_IMPACTS, Point, PointSettings, follow};
 pub use unit::Lasting;

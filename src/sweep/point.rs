@@ -2,20 +2,20 @@
 
 use std::ops::ControlFlow;
 
+use impact_pair_document::SweepImpact;
+
 use crate::Error;
 use crate::document::{Conclusion, Event};
 use crate::exact::Enclosure;
-use crate::lyapunov::{Disturbance, Exponent, Passed, limit};
-use crate::mapping::Word;
-use crate::number::{Ball, Number};
-use crate::orbit::{Arithmetic, Impact, Orbit, Outcome, Progress, Settings, Shadowing};
-use crate::pair::Wall;
-use crate::periodic::{Attractor, PeriodicImpact};
+use crate::lyapunov::{Disturbance, Exponent, Passed};
+use crate::number::Ball;
+use crate::orbit::{Arithmetic, Orbit, Outcome, Settings, Shadowing};
 use crate::scene::Scene;
-use crate::units::in_radians;
 use crate::watch::Watch;
 
+use super::attraction::{Attraction, attraction};
 use super::unit::{Lasting, Unit};
+use super::window::Window;
 
 /// Impacts that can be requested at a point.
 pub const MOST_IMPACTS: u64 = 1_000_000_000;
@@ -36,40 +36,11 @@ pub struct PointSettings {
     pub settings: Settings,
 }
 
-/// An impact as a point of its switch-plane.
-#[derive(Clone, Debug, PartialEq)]
-pub struct State {
-    /// Counts the impacts from 1.
-    pub index: u64,
-    /// The switch-plane.
-    pub wall: Wall,
-    /// `W t + tau` of the reference \[rad\], its lower bound in `[0, 2 pi)`.
-    pub phase: Enclosure,
-    /// `y'` before the impact \[length/time\].
-    pub velocity: Enclosure,
-}
-
-/// The stable periodic orbit that an orbit is proved to converge to, measured from one of its impacts on.
-///
-/// That impact makes the word the first one in the alphabet of L and R; of several, the earliest in its cycle. So two
-/// orbits that converge to the same one have the same word, and bounds that overlap.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Attraction {
-    /// The word, from that impact on.
-    pub word: Word,
-    /// The impact; `None` where its phase is another one of the reference in each period, as where that does not move the box.
-    pub first: Option<State>,
-    /// The impact of the orbit from which on it is in a neighbourhood that the period contracts.
-    pub from: u64,
-    /// Bounds of what the exponent per impact tends to; `None` after a graze, where there is no derivative. Lemma L4
-    pub limit: Option<[f64; 2]>,
-}
-
 /// The certified results of a point.
 #[derive(Clone, Debug)]
 pub struct Point {
     /// The impacts after the transient; none in a summary.
-    pub states: Vec<State>,
+    pub states: Vec<SweepImpact<Enclosure>>,
     /// All impacts that are certified, those of the transient among them.
     pub impacts: u64,
     /// Impacts per forcing period after the transient, an infinite ball where a chatter has infinitely many; `None` without two of them.
@@ -130,7 +101,7 @@ fn follow_in(
     let settings = Settings { impacts, until: None, arithmetic, attractor: true, ..asked.settings.clone() };
     let mut orbit = Orbit::of(scene, settings)?;
     let unit = Unit::of(scene.pair(), asked.reference)?;
-    let mut window = Window::new(&orbit, asked, &unit);
+    let mut window = Window::new(&orbit, (asked.transient, asked.summary), &unit);
     let mut last = None;
     let _ = orbit.follow(watch, |orbit, event| {
         window.follow(orbit, &event);
@@ -164,88 +135,10 @@ fn follow_in(
     }))
 }
 
-/// The data kept of an orbit after its transient.
-struct Window<'u> {
-    unit: &'u Unit,
-    transient: u64,
-    listed: u64,
-    summary: bool,
-    states: Vec<State>,
-    /// `None` during the transient.
-    disturbance: Option<Disturbance>,
-    /// The first and the last impact.
-    ends: Option<[Impact; 2]>,
-    has_chatter: bool,
-}
-
-impl<'u> Window<'u> {
-    fn new(orbit: &Orbit, &PointSettings { transient, summary, .. }: &PointSettings, unit: &'u Unit) -> Self {
-        let disturbance = (transient == 0).then(|| Disturbance::of(orbit).in_turns_of(unit.rate()));
-        let ends = orbit.start_impact().filter(|_| transient == 0).map(|start| [start.clone(), start]);
-        Self { unit, transient, listed: 0, summary, states: Vec::new(), disturbance, ends, has_chatter: false }
-    }
-
-    fn follow(&mut self, orbit: &Orbit, event: &Progress) {
-        if let Some(disturbance) = &mut self.disturbance {
-            disturbance.follow(orbit, event);
-            self.has_chatter |= matches!(event, Progress::Rest(rest) if rest.is_accumulation);
-        }
-        let Progress::Impact(impact) = event else { return };
-        self.listed = impact.index;
-        if impact.index < self.transient {
-            return;
-        }
-        if impact.index == self.transient {
-            self.disturbance = Some(Disturbance::at(orbit, impact.clone()).in_turns_of(self.unit.rate()));
-        } else if !self.summary {
-            let (phase, velocity) = (self.unit.phase(orbit, impact), orbit.velocity(impact));
-            self.states.push(State { index: impact.index, wall: impact.wall, phase, velocity });
-        }
-        match &mut self.ends {
-            Some([_, last]) => *last = impact.clone(),
-            None => self.ends = Some([impact.clone(), impact.clone()]),
-        }
-    }
-
-    fn impacts_per_cycle(&self, orbit: &Orbit) -> Option<Ball> {
-        let [first, last] = self.ends.as_ref().filter(|[first, last]| first.index < last.index)?;
-        if self.has_chatter {
-            return Some(Ball::exact(f64::INFINITY));
-        }
-        let turns = orbit.turns_between(first, last);
-        let cycles = self.unit.rate().map_or(turns, |rate| turns * rate);
-        Ball::exact((last.index - first.index) as f64).checked_div(cycles)
-    }
-}
-
-/// The attractor measured from the impact that [`Attraction`] names.
-fn attraction(orbit: &Orbit, attractor: &Attractor, unit: &Unit, passed: Passed) -> Attraction {
-    let Attractor { word, orbit: periodic, from, .. } = attractor;
-    let impacts = &periodic.impacts;
-    let rotated = |shift: usize| impacts.iter().cycle().skip(shift).take(impacts.len());
-    let in_reference = |impact: &PeriodicImpact| unit.recurring(&impact.phase, periodic.bits);
-    let own = |impact: &PeriodicImpact| in_radians(&impact.phase, periodic.bits);
-    let is_right = |shift| rotated(shift).map(|impact| impact.wall == Wall::Right).collect::<Vec<_>>();
-    let earlier = |a: &usize, b: &usize| {
-        let phase = |shift: usize| in_reference(&impacts[shift]).unwrap_or_else(|| own(&impacts[shift])).mid_rad().0;
-        is_right(*a).cmp(&is_right(*b)).then_with(|| phase(*a).total_cmp(&phase(*b)))
-    };
-    let shift = (0..impacts.len()).min_by(earlier).expect("a word has impacts");
-    let mut mappings = word.mappings().to_vec();
-    mappings.rotate_left(shift);
-    let first = &impacts[shift];
-    let velocity = orbit.clock().velocity(&first.velocity);
-    Attraction {
-        word: Word::new(mappings).expect("a closed word can be rotated"),
-        first: in_reference(first).map(|phase| State { index: 1 + shift as u64, wall: first.wall, phase, velocity }),
-        from: *from,
-        limit: limit(periodic, passed),
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::pair::Wall;
     use crate::scene::Key;
     use crate::tolerances::TRANSIENT;
     use crate::watch::{Stage, Unwatched};

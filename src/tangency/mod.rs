@@ -20,81 +20,31 @@ mod portrait;
 mod proof;
 mod prove;
 mod saddle;
+mod scene;
 mod search;
 mod series;
 mod terms;
 #[cfg(test)]
 mod tests;
 mod unfolding;
+mod word;
 
-use crate::chaos::{Law, Side};
-use crate::exact::{Enclosure, Exact};
-use crate::pair::{ImpactPair, within};
+use crate::exact::Enclosure;
 use crate::periodic::Precision;
 use crate::scene::{Key, Range};
-use crate::units::ratio;
 use crate::watch::{Latched, Stage, Watch};
 use crate::{Error, Scene};
-use beside::Sides;
 pub use boxes::StateBounds;
-use flight::{Pair, Parameter};
 pub use portrait::Portrait;
-use proof::Proof;
-use prove::Question;
-use saddle::Guessed;
-use search::{Floats, Fold};
+use scene::{Folds, Search};
+pub use word::{FlightWord, MOST_FLIGHTS};
 
 /// The keys over which tangencies are searched, in words.
 pub const TANGENCY_PARAMETERS: &str = "KEY one of gap, amplitude, restitution";
 
-/// The most flights between the two manifolds.
-pub const MOST_FLIGHTS: usize = 200;
-
 /// Returns whether tangencies are searched over such a range.
 pub fn is_tangency_range(range: &Range) -> bool {
     matches!(range.key, Key::Gap | Key::Amplitude(_) | Key::Restitution) && range.count.is_none()
-}
-
-/// Flights between the walls in time order: `F` to the far wall, `N` back to the near one.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct FlightWord(Vec<Side>);
-
-impl std::str::FromStr for FlightWord {
-    type Err = Error;
-
-    /// Reads the letters of flights.
-    fn from_str(text: &str) -> Result<Self, Error> {
-        let side = |letter: char| match letter {
-            'F' => Some(Side::Far),
-            'N' => Some(Side::Near),
-            _ => None,
-        };
-        let sides: Option<Vec<Side>> = text.trim().chars().map(side).collect();
-        sides.filter(|sides| (1..=MOST_FLIGHTS).contains(&sides.len())).map(Self).ok_or_else(|| {
-            Error::out_of_range(
-                None,
-                format!("the word is \"{text}\", but accepted are 1 to {MOST_FLIGHTS} letters F (a flight to the far wall) and N (back to the near one)"),
-            )
-        })
-    }
-}
-
-impl FlightWord {
-    /// The number of flights.
-    pub fn len(&self) -> usize {
-        self.0.len()
-    }
-
-    /// Always false: a word has a letter.
-    pub fn is_empty(&self) -> bool {
-        self.0.is_empty()
-    }
-}
-
-impl std::fmt::Display for FlightWord {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        self.0.iter().try_for_each(|side| f.write_str(if *side == Side::Far { "F" } else { "N" }))
-    }
 }
 
 /// The settings of a search for tangencies.
@@ -191,6 +141,11 @@ pub struct Tangencies {
     pub limited: bool,
 }
 
+impl TangencySettings {
+    /// The work by default: some 20 seconds for each saddle.
+    pub const WORK: usize = 30_000_000;
+}
+
 impl Tangencies {
     /// Searches tangencies of the manifolds of the equispaced motion and proves them, until the watch stops it.
     ///
@@ -263,167 +218,5 @@ impl Tangency {
     /// Returns whether another one may be at the same value.
     fn meets(&self, other: &Self) -> bool {
         self.parameter.intersection(&other.parameter).is_some()
-    }
-}
-
-/// A search over a parameter of a pair.
-struct Search<'s> {
-    over: &'s Range,
-    question: Question,
-    /// The amplitude where the gap varies, the gap where the amplitude does, or 1.
-    unit: Exact,
-    /// The scene's own value of `D` or `e` if the range has it, else that in its middle; and that of the other one.
-    own: Pair<f64>,
-    range: [f64; 2],
-}
-
-/// The result of a search in floating point.
-struct Folds {
-    folds: Vec<Fold>,
-    /// `true` if there may be more: it ended at the limit of its work.
-    limited: bool,
-}
-
-const WHAT: &str = "a homoclinic tangency";
-
-/// The work of following a fold to its tangency, in flights: those nearest to the stable manifold are followed first.
-const FOLD: usize = 10_000;
-
-impl TangencySettings {
-    /// The work by default: some 20 seconds for each saddle.
-    pub const WORK: usize = 30_000_000;
-}
-
-impl<'s> Search<'s> {
-    fn new(pair: &ImpactPair, settings: &'s TangencySettings) -> Result<Self, Error> {
-        let over = &settings.over;
-        if !is_tangency_range(over) {
-            let message = format!("the range is \"{over}\", but accepted is KEY=LO..HI, {TANGENCY_PARAMETERS}");
-            return Err(Error::out_of_range(None, message));
-        }
-        let amplitude = pair.harmonic(WHAT)?.amplitude();
-        if !matches!(over.key, Key::Amplitude(_)) {
-            Error::require_positive("excitation.amplitude", amplitude)?;
-        }
-        let (parameter, place, unit) = match over.key {
-            Key::Gap => (Parameter::Gap, "excitation.amplitude", amplitude.clone()),
-            Key::Restitution => (Parameter::Restitution, "", Exact::from(1)),
-            _ => (Parameter::Gap, "pair.gap", pair.gap().clone()),
-        };
-        if !unit.is_point() {
-            let message =
-                format!("is the interval {unit}, but accepted is a single number: tangencies are those of one pair");
-            return Err(Error::out_of_range(place, message));
-        }
-        let other = match parameter {
-            Parameter::Gap => pair.restitution().clone(),
-            Parameter::Restitution => ratio(pair)?,
-        };
-        let of = |pair: &ImpactPair| -> Result<Pair<f64>, Error> {
-            let law = Law::of(pair)?;
-            Ok(Pair { gap: law.gap.mid(), restitution: law.restitution.mid() })
-        };
-        let at = |value: &Exact| of(&pair.with(over.key, value.clone())?);
-        let [low, high] = [at(&over.low)?, at(&over.high)?];
-        let ends = [&low, &high].map(|end| *end.value(parameter));
-        let range = [ends[0].min(ends[1]), ends[0].max(ends[1])]; // proposes
-        let middle = Pair::of(parameter, 0.5 * (range[0] + range[1]), *low.value(parameter.other()));
-        let own = of(pair).ok().filter(|own| (range[0]..=range[1]).contains(own.value(parameter))); // proposes
-        let question = Question { over: parameter, other, precision: settings.precision };
-        Ok(Self { over, question, unit, own: own.unwrap_or(middle), range }) // proposes: where a search begins
-    }
-
-    /// The value of the parameter.
-    fn own_of(&self, pair: &Pair<f64>) -> f64 {
-        *pair.value(self.question.over)
-    }
-
-    /// The folds that lead to tangencies in the range, in floating point, the nearest to the scene's own value first.
-    fn folds(&self, settings: &TangencySettings, watch: &Latched<'_>) -> Folds {
-        let mut found: Vec<Fold> = Vec::new();
-        let mut limited = false;
-        for guess in Guessed::all(self.own) {
-            let Some(floats) = Floats::new(self.own, guess) else { continue };
-            let (mut folds, is_whole) = match &settings.word {
-                Some(word) => (floats.folds(&word.0), true),
-                None => floats.all_folds(settings.longest, settings.work, watch),
-            };
-            let most = settings.work / FOLD;
-            limited |= (!is_whole && !watch.is_stopped()) || folds.len() > most;
-            if folds.len() > most {
-                folds.sort_by(|a, b| a.distance.abs().total_cmp(&b.distance.abs()));
-                folds.truncate(most);
-            }
-            for fold in &folds {
-                if !watch.goes_on() {
-                    break;
-                }
-                let Some(fold) = begin::settled(fold, self.question.over) else { continue };
-                let value = self.own_of(&fold.pair);
-                let is_new = found.iter().all(|known| (self.own_of(&known.pair) - value).abs() > 1e-12 * value);
-                if is_new && (self.range[0]..=self.range[1]).contains(&value) {
-                    found.push(fold);
-                }
-            }
-        }
-        let away = |fold: &Fold| (self.own_of(&fold.pair) - self.own_of(&self.own)).abs();
-        found.sort_by(|a, b| away(a).total_cmp(&away(b)));
-        Folds { folds: found, limited }
-    }
-
-    /// A value of `D` or `e` in the units of the scene.
-    fn in_units(&self, value: &Exact) -> Result<Exact, Error> {
-        match self.over.key {
-            Key::Gap => within("pair.gap", value, value.checked_mul(&self.unit)),
-            Key::Restitution => Ok(value.clone()),
-            _ => within("excitation.amplitude", value, self.unit.checked_div(value)),
-        }
-    }
-
-    fn in_units_f64(&self, value: f64) -> f64 {
-        let value = Exact::from_f64(value).and_then(|value| self.in_units(&value).ok());
-        value.map_or(f64::NAN, |value| value.enclose(64).mid_rad().0) // shown
-    }
-
-    /// Returns whether bounds of the parameter are within the range.
-    fn is_inside(&self, parameter: &Enclosure) -> Result<bool, Error> {
-        let bits = 256;
-        let (low, high) = (self.over.low.enclose(bits), self.over.high.enclose(bits));
-        Ok(low.sup() <= parameter.inf() && parameter.sup() <= high.inf())
-    }
-
-    /// Returns the tangency of a proof, in the units of the scene.
-    fn tangency(&self, proof: Proof) -> Result<Tangency, Error> {
-        let [unstable, stable] = proof.sigma;
-        Ok(Tangency {
-            parameter: self.bounds_in_units(&proof.parameter)?,
-            flights: FlightWord(proof.flights),
-            phase: proof.phase,
-            speed: proof.speed,
-            eigenvalues: proof.eigenvalues,
-            unstable,
-            stable,
-            quadratic: proof.quadratic,
-            unfolding: proof.unfolding,
-            least_speed: proof.least.speed,
-            least_flight: proof.least.time,
-            resonances_excluded_to: proof.resonances,
-            states: proof.states,
-            beside: proof.beside.map(|sides| self.beside(sides)).transpose()?,
-        })
-    }
-
-    fn beside(&self, Sides { two, none, sigma: [unstable, stable], states }: Sides) -> Result<Beside, Error> {
-        Ok(Beside { two: self.bounds_in_units(&two)?, none: self.bounds_in_units(&none)?, unstable, stable, states })
-    }
-
-    /// Values of `D` or `e` in the units of the scene.
-    fn bounds_in_units(&self, values: &Enclosure) -> Result<Enclosure, Error> {
-        // J6: what the change of units adds is far less than the width, within a few of which there is no other one
-        let narrow = values.wid().top().map_or(0, |top| u32::try_from(128 - top).unwrap_or(0)); // J6: a wide one needs no bits
-        let bits = narrow.max(256 + 4 * self.question.precision.digits); // J6: more bits are as good
-        let ends = [values.inf(), values.sup()].map(|end| Exact::from_rational(end.to_rational()));
-        let [a, b] = [self.in_units(&ends[0])?, self.in_units(&ends[1])?];
-        Ok(a.enclose(bits).hull(&b.enclose(bits)))
     }
 }

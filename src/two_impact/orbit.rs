@@ -2,9 +2,11 @@
 
 use std::cmp::Ordering;
 
+use impact_pair_document::MeasuredImpact;
+
 use crate::exact::{Enclosure, Real};
 use crate::pair::Wall;
-use crate::periodic::{Eigenvalue, MeasuredImpact, MeasuredOrbit};
+use crate::periodic::{Eigenvalue, MeasuredOrbit};
 use crate::units::Units;
 
 use super::motion::Motion;
@@ -38,8 +40,9 @@ impl Orbit {
         let impact = |wall, phase: &Real, velocity: &Real| MeasuredImpact {
             wall,
             phase: of(&reduced(phase)),
-            turn: 0,
             velocity: of(velocity),
+            turn: None,
+            cycle: None,
         };
         let measured = MeasuredOrbit {
             period: 1,

@@ -1,6 +1,6 @@
 //! Atlases: what is proved at one point said of another one, components left out or of another kind, other numbers, and points missing.
 
-use serde_json::{Value, json};
+use serde_json::json;
 
 use super::forged::{Forged, Forgery, Original};
 
@@ -16,19 +16,9 @@ pub const FORGERIES: &[Forgery] = &[
     Forgery { name: "atlas: points", why: "a point has one line, and the grid has all", forge: pointed },
 ];
 
-/// The records of its points.
-fn points(original: &Original) -> Vec<Value> {
-    original.document.as_array().filter(|_| original.kind == "atlas").map_or(Vec::new(), |lines| lines[1..].to_vec())
-}
-
-fn with_points(original: &Original, what: &str, points: Vec<Value>) -> Forged {
-    let lines = std::iter::once(original.document[0].clone()).chain(points).collect();
-    original.forged(what, Value::Array(lines))
-}
-
 /// Answers, or values, or numbers of two points that are not of one class.
 fn exchanged(original: &Original) -> Vec<Forged> {
-    let own = points(original);
+    let own = original.points("atlas");
     let mut all = Vec::new();
     for k in 1..own.len() {
         for keys in [&["values"][..], &["point"], &["class", "components", "n_attracting", "n_rest", "n_saddle"]] {
@@ -39,7 +29,7 @@ fn exchanged(original: &Original) -> Vec<Forged> {
             for key in keys {
                 (points[k - 1][key], points[k][key]) = (own[k][key].clone(), own[k - 1][key].clone());
             }
-            all.push(with_points(original, &format!("{keys:?} of {} and {k}", k - 1), points));
+            all.push(original.with_points(format!("{keys:?} of {} and {k}", k - 1), points));
         }
     }
     all
@@ -47,7 +37,7 @@ fn exchanged(original: &Original) -> Vec<Forged> {
 
 /// A point without one of its components, with numbers that agree.
 fn left_out(original: &Original) -> Vec<Forged> {
-    let own = points(original);
+    let own = original.points("atlas");
     let mut all = Vec::new();
     for k in 0..own.len() {
         let components = own[k]["components"].as_array().cloned().unwrap_or_default();
@@ -62,26 +52,26 @@ fn left_out(original: &Original) -> Vec<Forged> {
             let mut points = own.clone();
             points[k]["components"].as_array_mut().unwrap().remove(i);
             points[k][*key] = json!(own[k][*key].as_u64().unwrap() - 1);
-            all.push(with_points(original, &format!("component {i} of {k}"), points));
+            all.push(original.with_points(format!("component {i} of {k}"), points));
         }
     }
     all
 }
 
 fn numbers(original: &Original) -> Vec<Forged> {
-    let own = points(original);
+    let own = original.points("atlas");
     let mut all = Vec::new();
     for k in 0..own.len() {
         for key in ["n_attracting", "n_rest", "n_saddle", "n_undecided"] {
             let mut points = own.clone();
             points[k][key] = json!(own[k][key].as_u64().unwrap() + 1);
-            all.push(with_points(original, &format!("{key} of {k}"), points));
+            all.push(original.with_points(format!("{key} of {k}"), points));
         }
         for class in ["one-rest-cycle", "one-attractor", "attractors", "closed"] {
             let mut points = own.clone();
             points[k]["class"] = json!(class);
             if own[k]["class"] != class {
-                all.push(with_points(original, &format!("{class} at {k}"), points));
+                all.push(original.with_points(format!("{class} at {k}"), points));
             }
         }
     }
@@ -90,7 +80,7 @@ fn numbers(original: &Original) -> Vec<Forged> {
 
 /// Read from each of its impacts.
 fn stable_twice(original: &Original) -> Vec<Forged> {
-    let own = points(original);
+    let own = original.points("atlas");
     let mut all = Vec::new();
     for (k, point) in own.iter().enumerate() {
         for (i, orbit) in point["stable"].as_array().into_iter().flatten().enumerate() {
@@ -100,7 +90,7 @@ fn stable_twice(original: &Original) -> Vec<Forged> {
                 again["word"] = json!([&word[shift..], &word[..shift]].concat().join(" "));
                 let mut points = own.clone();
                 points[k]["stable"].as_array_mut().unwrap().push(again);
-                all.push(with_points(original, &format!("orbit {i} of {k}, read {shift} mappings later"), points));
+                all.push(original.with_points(format!("orbit {i} of {k}, read {shift} mappings later"), points));
             }
         }
     }
@@ -108,14 +98,14 @@ fn stable_twice(original: &Original) -> Vec<Forged> {
 }
 
 fn pointed(original: &Original) -> Vec<Forged> {
-    let own = points(original);
+    let own = original.points("atlas");
     let mut all = Vec::new();
     for k in 0..own.len() {
         let mut fewer = own.clone();
         fewer.remove(k);
         let twice = own.iter().chain([&own[k]]).cloned().collect();
-        all.push(with_points(original, &format!("without {k}"), fewer));
-        all.push(with_points(original, &format!("{k} twice"), twice));
+        all.push(original.with_points(format!("without {k}"), fewer));
+        all.push(original.with_points(format!("{k} twice"), twice));
     }
     all
 }

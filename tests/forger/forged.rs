@@ -43,6 +43,17 @@ impl Original {
         self.forged(what, with(&self.document, changes))
     }
 
+    /// The records of its points, of a document of this kind.
+    pub fn points(&self, kind: &str) -> Vec<Value> {
+        self.document.as_array().filter(|_| self.kind == kind).map_or(Vec::new(), |lines| lines[1..].to_vec())
+    }
+
+    /// With other records of its points.
+    pub fn with_points(&self, what: impl Into<String>, points: Vec<Value>) -> Forged {
+        let lines = std::iter::once(self.document[0].clone()).chain(points).collect();
+        self.forged(what, Value::Array(lines))
+    }
+
     /// The name that `check` has for a path: the first line of a sweep is its head, the others are its points.
     pub fn name_of(&self, path: &str) -> String {
         let line =

@@ -14,18 +14,8 @@ pub const FORGERIES: &[Forgery] = &[
     Forgery { name: "sweep: what becomes of points", why: "its orbit does not, or not in this rhythm", forge: ended },
 ];
 
-/// The records of its points.
-fn points(original: &Original) -> Vec<Value> {
-    original.document.as_array().filter(|_| original.kind == "sweep").map_or(Vec::new(), |lines| lines[1..].to_vec())
-}
-
-fn with_points(original: &Original, what: &str, points: Vec<Value>) -> Forged {
-    let lines = std::iter::once(original.document[0].clone()).chain(points).collect();
-    original.forged(what, Value::Array(lines))
-}
-
 fn exchanged(original: &Original) -> Vec<Forged> {
-    let own = points(original);
+    let own = original.points("sweep");
     let mut all = Vec::new();
     for k in 1..own.len() {
         for key in ["states", "values", "point"] {
@@ -34,14 +24,14 @@ fn exchanged(original: &Original) -> Vec<Forged> {
             }
             let mut points = own.clone();
             (points[k - 1][key], points[k][key]) = (own[k][key].clone(), own[k - 1][key].clone());
-            all.push(with_points(original, &format!("{key} of {} and {k}", k - 1), points));
+            all.push(original.with_points(format!("{key} of {} and {k}", k - 1), points));
         }
     }
     all
 }
 
 fn dropped(original: &Original) -> Vec<Forged> {
-    let own = points(original);
+    let own = original.points("sweep");
     let mut all = Vec::new();
     for k in 0..own.len() {
         let Some(states) = own[k]["states"].as_array() else { continue };
@@ -54,29 +44,29 @@ fn dropped(original: &Original) -> Vec<Forged> {
             }
             points[k]["states"] = Value::Array(fewer);
             points[k]["impacts"] = json!(own[k]["impacts"].as_u64().unwrap() - 1);
-            all.push(with_points(original, &format!("state {at} of {k}"), points));
+            all.push(original.with_points(format!("state {at} of {k}"), points));
         }
     }
     all
 }
 
 fn twice(original: &Original) -> Vec<Forged> {
-    let own = points(original);
-    let again = |k: usize| with_points(original, &format!("{k} twice"), [&own[..], &own[k..=k]].concat());
+    let own = original.points("sweep");
+    let again = |k: usize| original.with_points(format!("{k} twice"), [&own[..], &own[k..=k]].concat());
     (0..own.len()).map(again).collect()
 }
 
 /// A whole sweep of two points or more is no shard, and one that lists impacts no summary.
 fn headed(original: &Original) -> Vec<Forged> {
-    let own = points(original);
+    let own = original.points("sweep");
     let mut all = Vec::new();
     for shard in [[1, 2], [2, 2], [1, 3]].iter().filter(|_| own.len() > 1 && original.document[0]["shard"].is_null()) {
-        let mut forged = with_points(original, &format!("shard {shard:?}"), own.clone());
+        let mut forged = original.with_points(format!("shard {shard:?}"), own.clone());
         forged.document[0]["shard"] = json!(shard);
         all.push(forged);
     }
     if own.iter().any(|point| point["states"].is_array()) {
-        let mut forged = with_points(original, "a summary", own);
+        let mut forged = original.with_points("a summary", own);
         forged.document[0]["summary"] = json!(true);
         all.push(forged);
     }
@@ -84,13 +74,13 @@ fn headed(original: &Original) -> Vec<Forged> {
 }
 
 fn missing(original: &Original) -> Vec<Forged> {
-    let own = points(original);
-    let without = |k: usize| with_points(original, &format!("without {k}"), [&own[..k], &own[k + 1..]].concat());
+    let own = original.points("sweep");
+    let without = |k: usize| original.with_points(format!("without {k}"), [&own[..k], &own[k + 1..]].concat());
     (0..own.len()).map(without).collect()
 }
 
 fn later(original: &Original) -> Vec<Forged> {
-    let mut points = points(original);
+    let mut points = original.points("sweep");
     if !points.iter().any(|point| point["states"].is_array()) {
         return Vec::new();
     }
@@ -100,14 +90,14 @@ fn later(original: &Original) -> Vec<Forged> {
         }
         point["impacts"] = json!(point["impacts"].as_u64().unwrap() + 1);
     }
-    let mut forged = with_points(original, "each an impact later", points);
+    let mut forged = original.with_points("each an impact later", points);
     let transient = original.document[0]["transient"].as_u64().unwrap();
     forged.document[0]["transient"] = json!(transient + 1);
     vec![forged]
 }
 
 fn ended(original: &Original) -> Vec<Forged> {
-    let own = points(original);
+    let own = original.points("sweep");
     let mut all = Vec::new();
     for (k, point) in own.iter().enumerate() {
         for (key, value) in [
@@ -120,7 +110,7 @@ fn ended(original: &Original) -> Vec<Forged> {
             if point[key] != value {
                 let mut points = own.clone();
                 points[k][key] = value;
-                all.push(with_points(original, &format!("{key} of {k}"), points));
+                all.push(original.with_points(format!("{key} of {k}"), points));
             }
         }
     }

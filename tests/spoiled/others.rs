@@ -2,6 +2,7 @@
 
 use std::fs;
 
+use crate::checked_documents::sweep_of;
 use impact_pair::Scene;
 use impact_pair::atlas::{self, Plane};
 use impact_pair::chaos::{
@@ -11,11 +12,10 @@ use impact_pair::chaos::{
 use impact_pair::describe::{Request, describe};
 use impact_pair::document;
 use impact_pair::json::{AtlasRecord, BaseDocument};
-use impact_pair::orbit::Settings;
 use impact_pair::periodic::Precision;
 use impact_pair::periodic::bifurcation::{DiagramSettings, Window, WindowSeed, survey};
 use impact_pair::scene::Range;
-use impact_pair::sweep::{self, Grid, Head, PointSettings};
+use impact_pair::sweep::Head;
 use impact_pair::watch::{Stage, Unwatched, proceed_if};
 use serde_json::{Value, json};
 
@@ -200,21 +200,6 @@ pub fn tangency_over_restitution() -> Value {
     document
 }
 
-fn sweep(scene: &str, over: &[&str]) -> Vec<Value> {
-    let scene = Scene::parse(scene).unwrap();
-    let grid = Grid::new(over.iter().map(|axis| axis.parse().unwrap()).collect()).unwrap();
-    let reference = grid.reference(&scene).unwrap();
-    let settings = Settings { digits: 6, ..Settings::default() };
-    let asked = PointSettings { transient: 3, impacts: 4, summary: false, reference, settings };
-    let mut lines = vec![json!(sweep::head(&scene, &grid, &asked, None))];
-    for number in 0..grid.points() {
-        let values = grid.values(number).unwrap();
-        let point = sweep::follow(&grid.scene(&scene, &values).unwrap(), &asked, &Unwatched).unwrap().unwrap();
-        lines.push(json!(sweep::record(number, &values, &point)));
-    }
-    lines
-}
-
 /// Confirmed documents, by the name of their verb.
 pub fn all() -> Vec<(&'static str, Vec<Value>)> {
     let one = r#"
@@ -241,7 +226,7 @@ pub fn all() -> Vec<(&'static str, Vec<Value>)> {
         ("cells", vec![cells("attracted")]),
         ("description", vec![description("figure-13")]),
         ("description of a region", vec![description("figure-14")]),
-        ("sweep", sweep(one, &["amplitude=7..9:2", "start.phase=0..1:2"])),
-        ("sweep over a term", sweep(two, &["amplitude.2=0..1:2"])),
+        ("sweep", sweep_of(one, &["amplitude=7..9:2", "start.phase=0..1:2"], 4)),
+        ("sweep over a term", sweep_of(two, &["amplitude.2=0..1:2"], 4)),
     ]
 }

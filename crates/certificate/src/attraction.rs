@@ -1,10 +1,9 @@
 //! Claims of documents about periodic orbits, as exact fractions.
 
-use impact_pair_document::{Decimal, OutcomeDocument, PeriodicImpactDocument, PeriodicOrbitDocument, Place};
+use impact_pair_document::{Decimal, MeasuredImpact, OutcomeDocument, PeriodicOrbitDocument, Place};
 use num_rational::BigRational;
 
 use impact_pair_model::Error;
-use impact_pair_model::Wall;
 use impact_pair_model::Word;
 
 /// A stable periodic orbit that the motion is claimed to converge to.
@@ -43,17 +42,8 @@ pub(super) enum Stability {
     Undecided,
 }
 
-/// An impact of it.
-#[derive(Clone, Debug)]
-pub(super) struct Passage {
-    pub wall: Wall,
-    /// Whole turns of the common period of all harmonics before the phase; given where that is longer than a forcing period.
-    pub turn: Option<u64>,
-    /// The whole forcing periods before the phase since that which the first one is in; given where a period takes several common ones.
-    pub cycle: Option<i64>,
-    pub phase: Bounds,
-    pub velocity: Bounds,
-}
+/// An impact of a periodic orbit, as claimed.
+pub(super) type Passage = MeasuredImpact<Bounds>;
 
 /// A lower and an upper bound.
 pub(super) type Bounds = [BigRational; 2];
@@ -94,13 +84,6 @@ impl ClaimedOrbit {
         if orbit.amplitude.is_some() || orbit.gap.is_some() {
             return Err(place.refused("what is solved for the amplitude or the gap is not checked"));
         }
-        let impact = |impact: &PeriodicImpactDocument| Passage {
-            wall: impact.wall,
-            turn: impact.turn.map(u64::from),
-            cycle: impact.cycle,
-            phase: values(&impact.phase),
-            velocity: values(&impact.velocity),
-        };
         let numbers = match (&orbit.trace, &orbit.determinant, &orbit.eigenvalues) {
             (Some(trace), Some(determinant), Some([one, other])) => {
                 Some([trace, determinant, &one.re, &one.im, &other.re, &other.im].map(values))
@@ -115,7 +98,7 @@ impl ClaimedOrbit {
             _ => return Err(place.get("stability")?.refused("accepted are stable, unstable and undecided")),
         };
         Ok(Self {
-            impacts: orbit.impacts.iter().map(impact).collect(),
+            impacts: orbit.impacts.iter().map(|impact| impact.map(values)).collect(),
             numbers,
             symmetric: orbit.symmetric,
             unique: orbit.unique,

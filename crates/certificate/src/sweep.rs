@@ -8,7 +8,7 @@ use impact_pair_document::{
     ClaimName, Decimal, ExtendedBounds, Place, SWEEP_SCHEMA, SweepHead, SweepImpact, SweepRecord, values,
 };
 use impact_pair_model::scene::Key;
-use impact_pair_model::{Error, Harmonic, ImpactPair, Start, Wall};
+use impact_pair_model::{Error, Harmonic, ImpactPair, Start};
 
 /// The claims of a sweep about the impacts of its points.
 #[derive(Clone, Debug)]
@@ -29,7 +29,7 @@ pub(super) struct ClaimedOrbit {
     /// Number of impacts certified.
     pub impacts: u64,
     /// The impacts listed, after a transient.
-    pub states: Vec<ClaimedState>,
+    pub states: Vec<SweepImpact<Bounds>>,
     /// Its place on each axis, from 0.
     pub places: Vec<Option<u64>>,
     /// True if its values are those of the grid; `None` where that is undecided.
@@ -38,15 +38,6 @@ pub(super) struct ClaimedOrbit {
     pub is_shadowed: bool,
     /// Its contradiction to the head of the sweep, or to itself.
     pub contradiction: Option<&'static str>,
-}
-
-/// An impact of it.
-#[derive(Clone, Debug)]
-pub(super) struct ClaimedState {
-    pub index: u64,
-    pub wall: Wall,
-    pub phase: Bounds,
-    pub velocity: Bounds,
 }
 
 /// Keys that no lemma of `check` covers.
@@ -153,8 +144,8 @@ impl ClaimedOrbit {
                 .ok_or_else(|| place.refused("its axis is not one of the scene"))?;
         }
         let (pair, start) = scene.model()?;
-        let states: Vec<ClaimedState> =
-            record.states.iter().map(|state| ClaimedState::of(state, place)).collect::<Result<_, _>>()?;
+        let states: Vec<SweepImpact<Bounds>> =
+            record.states.iter().map(|state| claimed(state, place)).collect::<Result<_, _>>()?;
         let all = head.transient.checked_add(head.impacts);
         let follow = states.iter().zip(1..).all(|(state, n)| head.transient.checked_add(n) == Some(state.index));
         let listed = states.last().map(|state| state.index);
@@ -185,15 +176,14 @@ impl ClaimedOrbit {
     }
 }
 
-impl ClaimedState {
-    fn of(state: &SweepImpact, place: &Place<'_>) -> Result<Self, Error> {
-        let SweepImpact { index, wall, phase, velocity } = state;
-        let values = |bounds: &ExtendedBounds| -> Result<Bounds, Error> {
-            let [lower, upper] = bounds.clone().map(|bound| Decimal::try_from(bound).map(|bound| bound.value()));
-            let refused =
-                |_| place.get("states").map_or_else(|error| error, |states| states.refused("bounds must be decimals"));
-            Ok([lower.map_err(refused)?, upper.map_err(refused)?])
-        };
-        Ok(Self { index: *index, wall: *wall, phase: values(phase)?, velocity: values(velocity)? })
-    }
+/// Returns a listed impact with its bounds as fractions.
+fn claimed(state: &SweepImpact, place: &Place<'_>) -> Result<SweepImpact<Bounds>, Error> {
+    let values = |bounds: &ExtendedBounds| -> Result<Bounds, Error> {
+        let [lower, upper] = bounds.clone().map(|bound| Decimal::try_from(bound).map(|bound| bound.value()));
+        let refused =
+            |_| place.get("states").map_or_else(|error| error, |states| states.refused("bounds must be decimals"));
+        Ok([lower.map_err(refused)?, upper.map_err(refused)?])
+    };
+    let SweepImpact { index, wall, phase, velocity } = state.map(values);
+    Ok(SweepImpact { index, wall, phase: phase?, velocity: velocity? })
 }

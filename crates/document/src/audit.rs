@@ -184,16 +184,24 @@ pub struct AuditEvent {
 /// A row of the list, as written.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
-pub struct ListedRow {
+pub struct ListedRow<N = String> {
     /// Its position in the list.
     pub place: String,
     /// Its wall.
     pub wall: Wall,
     /// Its time.
-    pub time: String,
+    pub time: N,
     /// Its velocity, if listed.
     #[serde(skip_serializing_if = "Option::is_none", default)]
-    pub velocity: Option<String>,
+    pub velocity: Option<N>,
+}
+
+impl<N> ListedRow<N> {
+    /// Returns the row with other numbers.
+    pub fn map<M>(&self, f: impl Fn(&N) -> M) -> ListedRow<M> {
+        let velocity = self.velocity.as_ref().map(&f);
+        ListedRow { place: self.place.clone(), wall: self.wall, time: f(&self.time), velocity }
+    }
 }
 
 /// A certified contact.

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
 
-use super::periodic::{PeriodicImpactDocument, PeriodicOrbitDocument};
+use super::periodic::{MeasuredImpact, PeriodicOrbitDocument};
 use super::scene::SceneDocument;
 
 /// The schema of cycles.
@@ -64,7 +64,7 @@ pub struct OpenCycleDocument {
     /// Its impacts in the reduced map.
     pub reduced_impacts: u32,
     /// Bounds of its first impacts.
-    pub impacts: Vec<PeriodicImpactDocument>,
+    pub impacts: Vec<MeasuredImpact>,
     /// The reason.
     pub reason: String,
 }

@@ -44,7 +44,7 @@ pub struct PeriodicDocument {
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct RegionDocument {
     /// Bounds of its impacts.
-    pub impacts: Vec<PeriodicImpactDocument>,
+    pub impacts: Vec<MeasuredImpact>,
     /// The reason.
     pub reason: String,
 }
@@ -54,7 +54,7 @@ pub struct RegionDocument {
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct PeriodicOrbitDocument {
     /// Its impacts in time order.
-    pub impacts: Vec<PeriodicImpactDocument>,
+    pub impacts: Vec<MeasuredImpact>,
     /// Whether it is unique within these bounds.
     pub unique: bool,
     /// Whether it is admissible: no wall is touched earlier; null if undecided.
@@ -85,20 +85,28 @@ pub struct PeriodicOrbitDocument {
 
 /// An impact of a periodic orbit.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
-pub struct PeriodicImpactDocument {
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(rename = "PeriodicImpactDocument"))]
+pub struct MeasuredImpact<B = Bounds> {
     /// The wall.
     pub wall: Wall,
     /// `W t + tau` \[rad\], of the fastest harmonic; the lower bound in `[0, 2 pi)`.
-    pub phase: Bounds,
+    pub phase: B,
     /// `y'` before the impact \[length/time\].
-    pub velocity: Bounds,
+    pub velocity: B,
     /// The forcing period, within the common period, that the phase lies in; present if the common period is longer than one.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub turn: Option<u32>,
     /// The forcing period that the phase lies in, counted from that of the first impact; present if the period of the orbit is several common periods.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub cycle: Option<i64>,
+}
+
+impl<B> MeasuredImpact<B> {
+    /// Returns the impact with other bounds.
+    pub fn map<C>(&self, f: impl Fn(&B) -> C) -> MeasuredImpact<C> {
+        let Self { wall, turn, cycle, .. } = *self;
+        MeasuredImpact { wall, phase: f(&self.phase), velocity: f(&self.velocity), turn, cycle }
+    }
 }
 
 /// A real or complex number.

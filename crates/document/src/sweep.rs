@@ -146,13 +146,20 @@ pub struct SweepPeriod {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
-pub struct SweepImpact {
+pub struct SweepImpact<B = ExtendedBounds> {
     /// Number of the impact, from 1.
     pub index: u64,
     /// The switch-plane.
     pub wall: Wall,
     /// `W t + tau` of the reference \[rad\]
-    pub phase: ExtendedBounds,
+    pub phase: B,
     /// `y'` before the impact \[length/time\].
-    pub velocity: ExtendedBounds,
+    pub velocity: B,
+}
+
+impl<B> SweepImpact<B> {
+    /// Returns the state with other bounds.
+    pub fn map<C>(&self, f: impl Fn(&B) -> C) -> SweepImpact<C> {
+        SweepImpact { index: self.index, wall: self.wall, phase: f(&self.phase), velocity: f(&self.velocity) }
+    }
 }

@@ -8,6 +8,7 @@ macro_rules! refuse {
 mod json;
 mod text;
 
+use impact_pair_document::ListedRow;
 use num_rational::BigRational;
 use num_traits::Signed;
 
@@ -89,17 +90,7 @@ pub struct List {
 }
 
 /// An event as listed.
-#[derive(Clone, Debug)]
-pub struct Listed {
-    /// Its place: `line 7`, `events[6]`.
-    pub place: String,
-    /// Its wall.
-    pub wall: Wall,
-    /// Its time \[time\].
-    pub time: Number,
-    /// `y'` just before the impact \[length/time\], if it is listed.
-    pub velocity: Option<Number>,
-}
+pub type Listed = ListedRow<Number>;
 
 /// A number as listed: a decimal, or two bounds.
 #[derive(Clone, Debug)]

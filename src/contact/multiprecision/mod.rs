@@ -18,7 +18,7 @@ use super::certify::Bracket;
 use super::extrema::Target;
 use super::solve::propose;
 use super::{Contact, PairBounds, Reason, Undecided};
-use crate::flight::Flight;
+use crate::flight::{Flight, Launch};
 use crate::number::{ABOVE_TURN, Ball, Kernel, Magnitude, MpBall, UNIT, kernel};
 use crate::pair::{Inward, Wall};
 pub(crate) use graze::{Passed, pass};
@@ -80,22 +80,12 @@ impl Flight<MpBall> {
     }
 }
 
-/// A set of starts in doubles: after the impact, measured from the wall.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Start {
-    /// `None` inside the gap.
-    pub wall: Option<Wall>,
-    pub height: Ball,
-    pub phase: Ball,
-    pub velocity: Ball,
-}
-
 /// Isolates the first contacts of all the flights of a set: `start` in doubles, `all` in balls.
 ///
 /// A doubt that the flight of the `centre` does not share is the set's width's fault.
 pub(crate) fn isolate_first(
     pair: &PairBounds,
-    start: &Start,
+    start: &Launch<Ball>,
     all: impl FnOnce() -> Flight<MpBall>,
     centre: &Flight<MpBall>,
 ) -> Result<Isolated, Undecided> {
@@ -109,18 +99,11 @@ pub(crate) fn isolate_first(
 }
 
 /// Returns the contacts of the set as doubles isolate them, if they do.
-fn isolate_in_doubles(pair: &PairBounds, start: &Start) -> Option<Isolated> {
-    let Start { wall, height, phase, velocity } = *start;
-    let sin_cos = kernel::sin_cos(phase.mid());
-    let (flight, height) = match wall {
-        Some(wall) => (Flight::from_wall(&pair.centre, wall, phase.mid(), velocity.mid(), sin_cos), 0.0),
-        // From inside Lemma C1 wants the rounding of the height.
-        None => {
-            let flight = Flight::from_inside(&pair.centre, height.mid(), phase.mid(), velocity.mid(), sin_cos);
-            (flight, height.rad() + UNIT)
-        }
-    };
-    let radii = Radii { phase: phase.rad(), velocity: velocity.rad(), height };
+fn isolate_in_doubles(pair: &PairBounds, start: &Launch<Ball>) -> Option<Isolated> {
+    let flight = Flight::of(&pair.centre, start.map(|x| x.mid()), kernel::sin_cos(start.phase.mid()));
+    // From inside Lemma C1 wants the rounding of the height.
+    let height = if start.wall.is_some() { 0.0 } else { start.height.rad() + UNIT };
+    let radii = Radii { phase: start.phase.rad(), velocity: start.velocity.rad(), height };
     let bracket = propose::<Kernel, _>(&flight, &Bounds::<true>::new(&flight, &pair.margins, radii)).ok()?;
     Isolated::new(bracket, &pair.margins)
 }

@@ -104,7 +104,10 @@ proptest! {
             Ball::new(case.velocity, case.radii.velocity),
         ];
         let wall = if case.inside.is_some() { None } else { Some(case.wall) };
-        let start = Start { wall, height, phase, velocity };
+        let start = match wall {
+            Some(wall) => Launch::from_wall(wall, 0, phase, wall.inward(velocity), false),
+            None => Launch::from_inside(height, 0, phase, velocity),
+        };
         let set = case.pair.map(|x| MpBall::from_ball(*x));
         let all = || {
             let [height, phase, velocity] = [height, phase, velocity].map(|x| MpBall::from_ball(x).rounded(bits));

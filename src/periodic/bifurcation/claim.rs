@@ -4,11 +4,12 @@
 mod precise;
 
 use super::super::Precision;
-use super::super::chain::{Chain, Legs};
+use super::super::chain::Chain;
 use super::super::chained::Moment;
 use super::super::equations::flights;
 use super::super::identity::is_symmetric;
 use super::super::krawczyk::{self, Effort, LARGEST, Proved, widest};
+use super::super::legs::Legs;
 use super::super::orbit::{Finding, PeriodicImpact, PeriodicOrbit, whole_periods};
 use super::super::precondition::Preconditioner;
 use super::family::{Family, Unknown, Varied};

@@ -4,8 +4,8 @@ use std::f64::consts::TAU;
 
 use num_bigint::BigInt;
 
-use super::super::chain::Leg;
 use super::super::chained::{Chained, Moment, OneHarmonic};
+use super::super::legs::Leg;
 use super::super::shaking::Shaking;
 use super::jet::Jet;
 use crate::pair::{ImpactPair, Reduced};

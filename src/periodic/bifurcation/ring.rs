@@ -1,6 +1,7 @@
 //! Chains that repeat or mirror themselves after half their impacts, given by that half: Lemma Y1.
 
-use super::super::chain::{Chain, Legs, Slopes};
+use super::super::chain::Chain;
+use super::super::legs::{Legs, Slopes};
 use super::super::shaking::Shaking;
 use crate::mapping::{Mapping, Word};
 use crate::number::Number;

@@ -1,12 +1,13 @@
 //! Chains in balls of any precision.
 
-use super::super::chain::{Chain, Legs};
-use super::super::physical::{Claim, Found, all_first};
+use super::super::chain::Chain;
+use super::super::legs::Legs;
+use super::super::physical::{Claim, all_first};
 use super::Moment;
 use crate::contact::PairBounds;
-use crate::contact::multiprecision::{Start, isolate_first};
-use crate::flight::Flight;
-use crate::number::{Ball, Enclosing, MpBall};
+use crate::contact::multiprecision::isolate_first;
+use crate::flight::{Flight, Launch};
+use crate::number::{Enclosing, MpBall};
 use crate::pair::{Inward, Reduced};
 use crate::shaken::{Flying, OneHarmonic};
 
@@ -49,14 +50,10 @@ fn is_first_in_balls(bounds_of_pair: &PairBounds, pair: &Reduced<MpBall>, claim:
     };
     let all = flight(claim.start.clone(), after.clone());
     let centre = flight(claim.start.centre(), after.centre());
-    let start = Start {
-        wall: Some(claim.from),
-        height: Ball::exact(0.0),
-        phase: claim.start.to_ball(),
-        velocity: after.to_ball(),
-    };
+    let velocity = claim.from.inward(after.to_ball());
+    let start = Launch::from_wall(claim.from, 0, claim.start.to_ball(), velocity, false);
     let isolated = isolate_first(bounds_of_pair, &start, || all, &centre).ok()?;
     let wall = isolated.target.wall(claim.from);
     let phase = MpBall::new(isolated.at.clone(), isolated.reach).rounded(claim.start.bits());
-    claim.is_at(pair, Found { wall, turns: isolated.turns, phase })
+    claim.is_at(pair, wall, (isolated.turns, phase))
 }

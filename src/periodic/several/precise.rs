@@ -1,7 +1,8 @@
 //! Chains with several harmonics in balls of any precision.
 
-use super::super::chain::{Chain, Legs};
+use super::super::chain::Chain;
 use super::super::chained::{ChainedPrecisely, Moment};
+use super::super::legs::Legs;
 use super::super::physical::all_first;
 use super::is_first;
 use crate::number::MpBall;

@@ -2,9 +2,9 @@
 
 use super::{Arrival, Flights, Precise, Precisely};
 use crate::contact::Undecided;
-use crate::contact::multiprecision::{Passed, Refined, Start, isolate_first, pass};
+use crate::contact::multiprecision::{Passed, Refined, isolate_first, pass};
 use crate::flight::{Flight, Launch};
-use crate::number::{Ball, Magnitude, MpBall, Number};
+use crate::number::{Magnitude, MpBall, Number};
 use crate::pair::{Inward, Reduced};
 use crate::several::Phased;
 use crate::shaken::OneHarmonic;
@@ -47,12 +47,7 @@ impl Precise for OneHarmonic {
         let own = pair.restitution.bits();
         let rounded = |(sin, cos): &(MpBall, MpBall)| (sin.rounded(own), cos.rounded(own));
         let sin_cos = waves.map_or_else(|| rounded(&centre.phase.sin_cos()), rounded);
-        let start = Start {
-            wall: Some(wall),
-            height: Ball::exact(0.0),
-            phase,
-            velocity: wall.inward(doubles.rebound_of(before)),
-        };
+        let start = Launch::from_wall(wall, 0, phase, doubles.rebound_of(before), false);
         let centre = Flight::of(pair, centre, sin_cos.clone());
         let all = || {
             let all = all();
@@ -85,8 +80,7 @@ impl Precise for OneHarmonic {
         _: Option<&(MpBall, MpBall)>,
         bits: u32,
     ) -> Result<Precisely<(MpBall, MpBall)>, Undecided> {
-        let Launch { height, phase, velocity, .. } = all.map(MpBall::to_ball);
-        let start = Start { wall: None, height, phase, velocity };
+        let start = all.map(MpBall::to_ball);
         let sin_cos = all.phase.sin_cos();
         let all = Flight::of(pair, all, sin_cos);
         let isolated = isolate_first(&self.bounds_of_pair, &start, || all.clone(), &all.map(Phased::centre_of))?;

@@ -91,7 +91,7 @@ impl Recurrence {
 /// Returns whether the first impact of one orbit is claimed within the bounds of that of the other, forcing period and wall alike.
 pub(super) fn begins_within(one: &ClaimedOrbit, other: &ClaimedOrbit) -> bool {
     let (Some(one), Some(other)) = (one.impacts.first(), other.impacts.first()) else { return false };
-    let place = |impact: &Passage| -> (Wall, Option<u64>) { (impact.wall, impact.turn) };
+    let place = |impact: &Passage| -> (Wall, Option<u32>) { (impact.wall, impact.turn) };
     place(one) == place(other) && is_within(&one.phase, &other.phase) && is_within(&one.velocity, &other.velocity)
 }
 

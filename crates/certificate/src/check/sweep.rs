@@ -9,7 +9,9 @@ use super::step::Landing;
 use super::walk::{Walk, compare};
 use super::{Effort, FIRST_BITS, Verdict};
 use crate::Certificate;
-use crate::sweep::{ClaimedOrbit, ClaimedState, SweepCertificate};
+use crate::attraction::Bounds;
+use crate::sweep::{ClaimedOrbit, SweepCertificate};
+use impact_pair_document::SweepImpact;
 use impact_pair_exact::Real;
 use impact_pair_model::Error;
 use impact_pair_model::watch::{Latched, Watch};
@@ -87,7 +89,7 @@ impl ClaimedOrbit {
             may_rest |= walk.standing.last() == Last::Wall(landing.wall);
             if let Some(state) = states.next_if(|state| state.index == next) {
                 let phase = self.phase_of(walk, &landing)?;
-                state.compare(walk, &landing, phase).map_err(|doubt| match doubt {
+                compare_state(state, walk, &landing, phase).map_err(|doubt| match doubt {
                     Doubt::False(message) if may_rest => {
                         Doubt::Open(format!("{message}, or a rest comes before, whose bounces are not counted"))
                     }
@@ -114,32 +116,31 @@ impl ClaimedOrbit {
     }
 }
 
-impl ClaimedState {
-    fn compare(&self, walk: &Walk<'_>, landing: &Landing, found: Real) -> Result<(), Doubt> {
-        let Self { index, wall, phase, velocity } = self;
-        if *wall != landing.wall {
-            return Err(Doubt::False(format!("impact {index} is on the other wall")));
-        }
-        if phase[0] > phase[1] || velocity[0] > velocity[1] {
-            return Err(Doubt::False(format!("a lower bound of impact {index} is above the upper one")));
-        }
-        let bits = walk.bits;
-        let turn = Real::pi(bits) * 2;
-        let [lower, upper] = phase.each_ref().map(|phase| Real::rational(phase, bits));
-        if lower.is_negative() || turn.is_below(&lower) {
-            return Err(Doubt::False(format!("the phase of impact {index} is not in [0, 2 pi)")));
-        }
-        let ahead = (found.clone() - &lower.hull(&upper).middle()).over(&turn);
-        let half = Real::int(1, bits).half();
-        // V6: any whole number of periods
-        let turns = ahead.and_then(|ahead| (ahead.middle() + &half).floor());
-        let turns = turns.ok_or_else(|| Doubt::open("a phase is too large"))?;
-        let wide = Real::pi(found.bits()) * 2;
-        let named = |doubt: Doubt| match doubt {
-            Doubt::Open(message) => Doubt::Open(format!("impact {index}: {message}")),
-            Doubt::False(message) => Doubt::False(format!("impact {index}: {message}")),
-        };
-        compare("phase", &(found - &(wide * turns)), phase).map_err(named)?;
-        compare("velocity", &walk.clock.velocity(&landing.velocity.hull()), velocity).map_err(named)
+/// Compares a claimed impact with the one that is found, whose phase is `found`.
+fn compare_state(claimed: &SweepImpact<Bounds>, walk: &Walk<'_>, landing: &Landing, found: Real) -> Result<(), Doubt> {
+    let SweepImpact { index, wall, phase, velocity } = claimed;
+    if *wall != landing.wall {
+        return Err(Doubt::False(format!("impact {index} is on the other wall")));
     }
+    if phase[0] > phase[1] || velocity[0] > velocity[1] {
+        return Err(Doubt::False(format!("a lower bound of impact {index} is above the upper one")));
+    }
+    let bits = walk.bits;
+    let turn = Real::pi(bits) * 2;
+    let [lower, upper] = phase.each_ref().map(|phase| Real::rational(phase, bits));
+    if lower.is_negative() || turn.is_below(&lower) {
+        return Err(Doubt::False(format!("the phase of impact {index} is not in [0, 2 pi)")));
+    }
+    let ahead = (found.clone() - &lower.hull(&upper).middle()).over(&turn);
+    let half = Real::int(1, bits).half();
+    // V6: any whole number of periods
+    let turns = ahead.and_then(|ahead| (ahead.middle() + &half).floor());
+    let turns = turns.ok_or_else(|| Doubt::open("a phase is too large"))?;
+    let wide = Real::pi(found.bits()) * 2;
+    let named = |doubt: Doubt| match doubt {
+        Doubt::Open(message) => Doubt::Open(format!("impact {index}: {message}")),
+        Doubt::False(message) => Doubt::False(format!("impact {index}: {message}")),
+    };
+    compare("phase", &(found - &(wide * turns)), phase).map_err(named)?;
+    compare("velocity", &walk.clock.velocity(&landing.velocity.hull()), velocity).map_err(named)
 }

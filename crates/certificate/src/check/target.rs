@@ -55,7 +55,7 @@ impl<'c> Target<'c> {
         if cycles == 0 || !BigInt::from(cycles).is_multiple_of(&turns) {
             return Err(open("the cycles are not a multiple of the common period of all harmonics"));
         }
-        let is_valid = |turn: Option<u64>| match turn {
+        let is_valid = |turn: Option<u32>| match turn {
             None => turns.is_one(),
             Some(turn) => !turns.is_one() && BigInt::from(turn) < turns,
         };
@@ -86,7 +86,7 @@ impl<'c> Target<'c> {
     }
 
     /// Returns what is taken off the phase `W t + tau` of a claim for one since the origin, less whole common periods.
-    pub fn origin(&self, frame: &Frame, turn: Option<u64>) -> Real {
+    pub fn origin(&self, frame: &Frame, turn: Option<u32>) -> Real {
         // exact: without a turn, the common period is one
         let turns = (&self.data.turns - BigInt::from(turn.unwrap_or(0))).mod_floor(&self.turns);
         frame.parameters.origin() + &(frame.turn.clone() * &Real::rational(&turns.into(), frame.turn.bits()))
@@ -196,7 +196,7 @@ impl<'c> Target<'c> {
             let passed = found.phase.hull() - &impacts[0].phase.hull();
             let beyond = passed - &(middle(claimed) - &middle(&claims[0]));
             let half = Real::int(1, frame.turn.bits()).half();
-            let first = claims[0].turn.and_then(|turn| i64::try_from(turn).ok()).unwrap_or(0); // exact: no turn, the first one
+            let first = claims[0].turn.map_or(0, i64::from); // exact: no turn, the first one
             let told = cycle.checked_sub(first).ok_or_else(|| Doubt::open("a cycle is too large"))?;
             let off = beyond.over(&frame.turn).map(|turns| turns - told);
             match off {

@@ -8,6 +8,7 @@ mod cuts;
 mod flights;
 mod legs;
 mod next;
+mod number;
 mod text;
 
 use super::Certificate;

@@ -6,6 +6,7 @@
 //! that of all), `[pair]` with `gap` and `restitution`, and `[start]` with `time`, `velocity` and either `wall` or
 //! `position`. `title` and `[run]` are not.
 
+mod key;
 mod range;
 mod section;
 mod vary;
@@ -22,9 +23,9 @@ use crate::pair::{ImpactPair, Wall};
 use crate::settings::{Arithmetic, Settings};
 use crate::start::Start;
 use impact_pair_exact::Exact;
+pub use key::{Key, Term};
 pub use range::Range;
 use section::{Entry, Section, quoted};
-pub use vary::{Key, Term};
 
 /// Digits of a shadow where none are requested: it is as narrow as it is, and a scene's own are meant for what can be narrower.
 const SHADOW_DIGITS: u32 = 6;

@@ -1,35 +1,21 @@
-//! Proofs that all orbits between the two ends of a window are stable, on one curve through the orbit that is listed (Lemma V30).
+//! The curve of orbits of a window, from the one that is listed to the two ends (Lemma V30).
 //!
 //! Points of the curve are found by Newton's iteration, each in a tiny cell in which it is proved. Cells over the way from one to the next are
 //! proved to hold one curve, of stable orbits, or, next to an end, one along which the eigenvalue that passes 1 or -1 does so once.
 
-use num_integer::Integer;
-
-use super::cell::{Along, Cell, Image, Map, Point};
-use crate::attraction::Passage;
+use super::cell::{Cell, Point};
+use super::image::{Along, Image};
+use super::map::Map;
 use crate::bifurcation::{ClaimedPoint, Kind};
-use crate::check::bifurcation::Over;
-use crate::check::budget::Budget;
 use crate::check::contact::Doubt;
-use crate::check::frame::hull;
-use crate::check::tangency::flights::Letter;
 use crate::check::tangency::setting::Setting;
-use crate::check::target::{MOST_BITS, narrowest};
-use crate::check::units::greatest_speed;
 use crate::check::walk::compare;
-use crate::periodic::OrbitOf;
-use crate::windows::ClaimedWindow;
-use impact_pair_exact::{Dyadic, Exact, Real};
-use impact_pair_model::Wall;
+use impact_pair_exact::{Dyadic, Real};
 
-/// Bits of the arithmetic beyond those of the tiny cells, at first and at most, and of these beyond the bounds of the ends.
-const SPARE_BITS: i64 = 160;
-const MOST_SPARE_BITS: i64 = 640;
-const INSIDE: i64 = 24;
+/// Bits of tiny cells beyond those of the bounds of the ends.
+pub(super) const INSIDE: i64 = 24;
 /// Bits by which a tiny cell is narrower across the curve.
 const THIN: i64 = 28;
-/// The largest tiny cell, as a power of 2.
-const LARGEST: i64 = -96;
 /// Steps of Newton's iteration, and how much smaller than a tiny cell the last one is, as a power of 2.
 const ENOUGH: i64 = 8;
 const STEPS: u32 = 24;
@@ -42,111 +28,8 @@ const WIDENED: u32 = 4;
 /// The coordinate that is the parameter.
 const PARAMETER: usize = 2;
 
-impl ClaimedWindow {
-    /// The orbits between its ends are stable, on one curve that leads through its orbit, proved in N bits. Lemma V30
-    pub(super) fn is_stable_between(&self, over: &Over<'_>, budget: &Budget<'_>) -> Result<u32, Doubt> {
-        let [one, other] = &self.ends[..] else { return Err(Doubt::open("an end of the window is not proved")) };
-        let [claim] = self.orbit.orbits() else { return Err(Doubt::open("the window has no orbit")) };
-        if claim.orbit.physical != Some(true) || !claim.orbit.unique {
-            return Err(Doubt::open("the orbit is not proved to be the only one in its bounds"));
-        }
-        let setting = Setting::new(over.pair, over.key)?;
-        let narrow = narrowest([&one.parameter, &other.parameter].into_iter()).unwrap_or(0); // proposes: a size to try
-        let first = &claim.orbit.impacts[0];
-        let own = narrowest([&first.phase, &first.velocity].into_iter()).unwrap_or(0); // proposes: a size to try
-        let size = LARGEST.min(narrow.min(own) - INSIDE); // proposes: a size to try
-        let mut spare = SPARE_BITS;
-        let (bits, mut between, known) = loop {
-            let bits = u32::try_from(spare - size).ok().filter(|bits| *bits <= MOST_BITS);
-            let bits = bits.ok_or_else(|| Doubt::open("the bounds are too narrow"))?;
-            match self.begun((&setting, over), (size, bits), (claim, budget)) {
-                // Rounding in all flights is more than the tiny cell where they are many.
-                Err(Doubt::Open(_)) if spare < MOST_SPARE_BITS && !budget.is_spent() => spare *= 2,
-                begun => {
-                    let (between, known) = begun?;
-                    break (bits, between, known);
-                }
-            }
-        };
-        for end in [one, other] {
-            between.reaches(&known, end, &setting)?;
-        }
-        Ok(bits)
-    }
-
-    /// The curve in N bits, with the orbit that is claimed, proved to be stable.
-    fn begun<'b>(
-        &self,
-        (setting, over): (&Setting, &Over<'_>),
-        (size, bits): (i64, u32),
-        (claim, budget): (&OrbitOf, &Budget<'b>),
-    ) -> Result<(Between<'b>, Cell), Doubt> {
-        let start = Start { setting, over, at: &self.at };
-        let first = &claim.orbit.impacts[0];
-        let guess = start.state(first, bits)?;
-        let letters = self.flights.iter().map(|is_far| if *is_far { Letter::Far } else { Letter::Near }).collect();
-        let far = self.flights.iter().filter(|is_far| **is_far).count() as i64; // exact: a count
-        let map = Map::new(letters, setting.family(bits), budget.clone(), &guess)?;
-        // Twice the period where it is a mirrored one, less half a forcing period for each flight to the far wall.
-        let rounds = if far.is_odd() { 2 } else { 1 };
-        if i128::from(rounds * (2 * map.turns() - far)) != 2 * i128::from(claim.cycles) {
-            return Err(Doubt::open("the flights of the window do not take the forcing periods of its orbit"));
-        }
-        let mut between = Between { map, size };
-        let known = between.known(guess)?;
-        start.holds(first, &known)?;
-        Ok((between, known))
-    }
-}
-
-/// The value at which the orbit of a window is listed.
-struct Start<'c> {
-    setting: &'c Setting,
-    over: &'c Over<'c>,
-    at: &'c Exact,
-}
-
-impl Start<'_> {
-    /// `A W` at the value.
-    fn unit(&self, bits: u32) -> Result<Real, Doubt> {
-        let there =
-            self.over.pair.with(self.over.key, self.at.clone()).map_err(|error| Doubt::Open(error.to_string()))?;
-        let harmonic =
-            there.excitation().only().ok_or_else(|| Doubt::open("with several harmonics, windows are not checked"))?;
-        let speed = greatest_speed(harmonic).map_err(|error| Doubt::Open(error.to_string()))?;
-        Ok(Real::of(&speed, bits))
-    }
-
-    /// The middle of the bounds of an impact, as a state of the reduced map and a value of its parameter.
-    fn state(&self, impact: &Passage, bits: u32) -> Result<Point, Doubt> {
-        let middle = |bounds: &[_; 2]| hull(&bounds.each_ref().map(|x| Real::rational(x, bits))).middle();
-        let phase = middle(&impact.phase);
-        let phase = if impact.wall == Wall::Left { phase } else { phase + &Real::pi(bits) };
-        let speed =
-            middle(&impact.velocity).over(&self.unit(bits)?).ok_or_else(|| Doubt::open("the amplitude may be 0"))?;
-        let speed = if impact.wall == Wall::Left { -speed } else { speed };
-        Ok([phase, speed, self.setting.reduced(&Real::of(self.at, bits))?])
-    }
-
-    /// A cell holds the value, and its states are those of the bounds of an impact.
-    fn holds(&self, impact: &Passage, known: &Cell) -> Result<(), Doubt> {
-        let [phase, speed, parameter] = known.hull();
-        let bits = parameter.bits();
-        let own = self.setting.reduced(&Real::of(self.at, bits))?;
-        if !parameter.enclosure().contains_enclosure(own.enclosure()) {
-            return Err(Doubt::open("the value of the window is not proved to be that of an orbit"));
-        }
-        let is_left = impact.wall == Wall::Left;
-        let phase = if is_left { phase } else { phase - &Real::pi(bits) };
-        let velocity = speed * &self.unit(bits)?;
-        compare("phase of the orbit", &phase, &impact.phase).map_err(unproved)?;
-        compare("velocity of the orbit", &if is_left { -velocity } else { velocity }, &impact.velocity)
-            .map_err(unproved)
-    }
-}
-
 /// Turns a refutation into an undecided claim: it may be about another orbit than that of the document.
-fn unproved(doubt: Doubt) -> Doubt {
+pub(super) fn unproved(doubt: Doubt) -> Doubt {
     match doubt {
         Doubt::False(message) | Doubt::Open(message) => Doubt::Open(message),
     }
@@ -159,10 +42,10 @@ struct Spot {
 }
 
 /// The curve of orbits of a window.
-struct Between<'b> {
-    map: Map<'b>,
+pub(super) struct Between<'b> {
+    pub map: Map<'b>,
     /// Size of the tiny cells, as a power of 2.
-    size: i64,
+    pub size: i64,
 }
 
 impl Between<'_> {
@@ -240,7 +123,7 @@ impl Between<'_> {
     }
 
     /// The orbit at the value of the parameter of a guess, in a tiny cell, proved to be stable.
-    fn known(&mut self, guess: Point) -> Result<Cell, Doubt> {
+    pub fn known(&mut self, guess: Point) -> Result<Cell, Doubt> {
         let spot = self.settled(guess, PARAMETER)?;
         let along = self.power(INSIDE - i64::from(self.map.bits()));
         let (cell, image, _) = self.tiny(spot, (PARAMETER, &along))?;
@@ -252,7 +135,7 @@ impl Between<'_> {
     }
 
     /// The curve leads from an orbit to an end, along stable orbits.
-    fn reaches(&mut self, known: &Cell, end: &ClaimedPoint, setting: &Setting) -> Result<(), Doubt> {
+    pub fn reaches(&mut self, known: &Cell, end: &ClaimedPoint, setting: &Setting) -> Result<(), Doubt> {
         let which = usize::from(end.kind != Kind::Fold);
         let spot = self.critical(known.centre.clone(), which)?;
         let main = farther(&spot.at, &known.centre);
@@ -372,54 +255,4 @@ fn others(kept: usize) -> [usize; 2] {
 
 fn lost() -> Doubt {
     Doubt::open("the curve of the orbits is lost")
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::check::Effort;
-    use crate::windows::WindowsCertificate;
-    use impact_pair_model::watch::Unwatched;
-    use serde_json::{Value, json};
-
-    const DOCUMENT: &str = include_str!("../../../tests/documents/windows.jsonl");
-    const FIGURE_16: &str = include_str!("../../../tests/window-of-figure-16.json");
-
-    fn budget() -> Budget<'static> {
-        Budget::new(Effort::default().work, Effort::default().parts, &Unwatched)
-    }
-
-    /// The verdict on the orbits between the ends of a window with another value, its orbit and its ends not checked.
-    fn between(key: &str, value: Value) -> Result<u32, Doubt> {
-        let mut document: Value = serde_json::from_str(DOCUMENT).unwrap();
-        *document["windows"][0].pointer_mut(key).unwrap() = value;
-        let own = WindowsCertificate::parse(&document.to_string()).unwrap();
-        let over = Over { pair: own.pair(), start: own.start(), key: own.over() };
-        own.windows()[0].is_stable_between(&over, &budget())
-    }
-
-    /// The curve of stable orbits leads to the ends that are claimed, from the orbit that is claimed (Lemma V30, window), whatever V8 and V9 say of them.
-    #[test]
-    fn a_curve_leads_from_the_claimed_orbit_to_the_claimed_ends() {
-        let elsewhere =
-            [("/from", json!(["0.1038", "0.1039"]), "parameter"), ("/at", json!("0.21"), "phase of the orbit")];
-        for (key, value, words) in elsewhere {
-            let found = between(key, value);
-            let is_open = matches!(&found, Err(Doubt::Open(message)) if message.contains(words));
-            assert!(is_open, "{key}: {found:?}");
-        }
-    }
-
-    /// Rounding in 32 flights of figure 16 is more than a tiny cell has room for at first.
-    #[test]
-    fn r52_the_orbit_of_a_window_of_figure_16_is_proved_in_more_bits() {
-        let own = WindowsCertificate::parse(FIGURE_16).unwrap();
-        let (over, window) = (Over { pair: own.pair(), start: own.start(), key: own.over() }, &own.windows()[0]);
-        let (setting, size) = (Setting::new(over.pair, over.key).unwrap(), -141);
-        let begun = |spare: i64| {
-            let bits = u32::try_from(spare - size).unwrap();
-            window.begun((&setting, &over), (size, bits), (&window.orbit.orbits()[0], &budget()))
-        };
-        assert!(begun(SPARE_BITS).is_err() && begun(2 * SPARE_BITS).is_ok());
-    }
 }

@@ -1,9 +1,12 @@
 //! Check of a JSON of windows: each orbit at its value is found again as that of a periodic JSON (Lemma V8), and both ends of its window
 //! as the points of a bifurcation JSON, from the orbit of the window on (Lemma V9). Then all orbits between are proved to be stable
-//! ([`between`], Lemma V30).
+//! ([`stable`], Lemma V30).
 
 mod between;
 mod cell;
+mod image;
+mod map;
+mod stable;
 
 use super::bifurcation::Over;
 use super::budget::Budget;
