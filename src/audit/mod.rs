@@ -25,6 +25,8 @@ mod doubles;
 mod finding;
 mod judge;
 mod list;
+#[cfg(test)]
+mod matching;
 mod tolerance;
 mod truth;
 mod verdict;
