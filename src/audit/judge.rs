@@ -222,8 +222,8 @@ impl<'a> Judge<'a> {
         let is_outside = tolerance.is_outside_in_time(&errors.time)
             || errors.velocity.as_ref().is_some_and(|velocity| tolerance.is_outside_in_velocity(velocity));
         // A row before the enclosure, and before the doubt, is no contact at all.
-        let is_within = self.near(row).contains(&site) || self.is_in_doubt(row);
-        if is_outside && is_within && self.may_hold_another(site) {
+        let may_be_another = self.near(row).contains(&site) && self.may_hold_another(site);
+        if is_outside && (may_be_another || self.is_in_doubt(row)) {
             return Finding { verdict: Verdict::Undecided, row: Some(row), site: None, errors: None };
         }
         let verdict = if is_outside { Verdict::Outside } else { Verdict::Inside };

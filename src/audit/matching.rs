@@ -77,6 +77,19 @@ fn r51_a_start_takes_no_row_from_the_first_impact() {
     }
 }
 
+/// Of an interval of velocities no impact is certified: the first one of a member, soon after the start, was a start of another velocity.
+#[test]
+fn r51_rows_of_members_of_an_interval_are_not_outside() {
+    let of = |velocity: &str| {
+        let start = format!("time = 0.9592, wall = \"left\", velocity = \"{velocity}\"");
+        scene(["0.3", "1", "0.8393", "0.01", "2.652"], &start)
+    };
+    let (member, all) = (of("-0.2198"), of("[-0.27475645421059482, -0.18051287595206105]"));
+    let rows = impacts(&member, 20);
+    assert!(verdicts(&member, &rows.join("\n"), "1e-2", None).iter().all(|verdict| !verdict.disagrees()));
+    assert_eq!(verdicts(&all, &rows.join("\n"), "1e-2", None), vec![Verdict::Undecided; rows.len()]);
+}
+
 /// The velocity of the second row was not read, which its column is not named for; a row may have a name before its columns.
 #[test]
 fn r51_a_row_has_no_more_columns_than_the_first_line() {
