@@ -420,3 +420,25 @@ fn r35_attracted_points_have_the_limit_of_the_exponent() {
     let table = String::from_utf8(sweep(&[&chaos[..], &["--summary"]].concat()).output().unwrap().stdout).unwrap();
     assert!(table.lines().skip(1).all(|line| line.contains("not-attracted") && line.ends_with(",,")), "{table}");
 }
+
+/// Of each of the points that were left an orbit was begun, so that a sweep of millions of them ended minutes after Ctrl-C.
+#[cfg(unix)]
+#[test]
+fn r51_after_ctrl_c_no_other_point_is_begun() {
+    let folder = folder("sweep-interrupted-among-many");
+    let file = folder.join("points.jsonl");
+    let over = ["--over", "gap=9..10:2000", "--over", "amplitude=7..8:2000", "--impacts", "3000", "--output"];
+    let mut command = sweep(&["scenes/figure-14.toml"]);
+    let child = command.args(over).arg(&file).stderr(std::process::Stdio::piped()).spawn().unwrap();
+    // The draft appears after the handler is in place.
+    while files(&folder).is_empty() {
+        std::thread::sleep(std::time::Duration::from_millis(1));
+    }
+    common::interrupt(&child);
+    let since = std::time::Instant::now();
+    let answer = child.wait_with_output().unwrap();
+    assert_eq!(answer.status.code(), Some(1), "{answer:?}");
+    assert!(String::from_utf8(answer.stderr).unwrap().starts_with("interrupted: "));
+    // One point takes about a second, the beginnings of all took several minutes.
+    assert!(since.elapsed().as_secs() < 60, "{:?}", since.elapsed());
+}

@@ -10,6 +10,7 @@ import os
 from collections.abc import Mapping
 from dataclasses import dataclass
 from decimal import Decimal
+from fractions import Fraction
 from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -18,7 +19,9 @@ import numpy as np
 
 from . import _core
 from ._document import Document
+from ._exact import plain
 from .bounds import Bounds, outward, pair
+from .errors import ListError
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -778,14 +781,48 @@ class Picture(Document):
 
 
 def listing(events: str | os.PathLike[str] | Mapping[str, Any] | Any) -> str:
-    """Return another simulator's impacts as text: a file's, or arrays by name as CSV, each double as its exact decimal."""
+    """Return another simulator's impacts as text: a file's, or arrays by name as CSV, each number as its exact decimal.
+
+    Raises
+    ------
+    ListError
+        When some values are masked, or the columns are of several lengths.
+
+    """
     if isinstance(events, (str, os.PathLike)):
         return Path(events).read_text(encoding="utf-8")
-    named = events if isinstance(events, Mapping) else {name: events[name] for name in events.columns}
+    named = dict(events) if isinstance(events, Mapping) else {name: events[name] for name in events.columns}
+    masked = [name for name, column in named.items() if np.ma.is_masked(column)]
+    if masked:
+        raise ListError(f"{masked[0]} has masked values, but must be numbers or names of walls", "events", str(masked[0]))
     columns = [np.asarray(column) for column in named.values()]
+    lengths = [len(column) for column in columns]
+    if len(set(lengths)) > 1:
+        said = f"the columns have {', '.join(map(str, lengths))} values, but must have one number of them"
+        raise ListError(said, "events", repr(lengths))
     out = io.StringIO()
     rows = csv.writer(out)
-    rows.writerow(named)
-    for row in zip(*columns, strict=True):
-        rows.writerow([str(Decimal(float(cell))) if isinstance(cell, (float, np.floating)) else str(cell) for cell in row])
+    rows.writerow([heading(name, place + 1) for place, name in enumerate(named)])
+    rows.writerows([[decimal(cell) for cell in row] for row in zip(*columns, strict=True)])
     return out.getvalue()
+
+
+def heading(name: Any, place: int) -> str:
+    """Return the name of a column: where it is a number, as a DataFrame without names has, one that cannot be taken for a value."""
+    try:
+        float(name)
+    except (TypeError, ValueError):
+        return str(name)
+    return f"column {place}"
+
+
+def decimal(cell: Any) -> str:
+    """Return a value of a list as text: of a double or a long double its exact decimal."""
+    if isinstance(cell, (float, np.floating)):
+        value = plain(cell)
+        if not isinstance(value, Fraction):
+            return str(Decimal(float(value)))
+        # A long double: over a power of two, so that it is a whole number over that power of ten.
+        power = value.denominator.bit_length() - 1
+        return f"{value.numerator * 5**power}e-{power}"
+    return str(cell)

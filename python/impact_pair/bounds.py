@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from decimal import Decimal
 from fractions import Fraction
@@ -10,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from . import _core
+from ._exact import plain
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Sequence
@@ -85,8 +87,11 @@ class Bounds:
 
     def __contains__(self, number: float | Fraction | Decimal) -> bool:
         low, high = (Decimal(end) for end in self.decimals)
-        exact = number if isinstance(number, float) else Fraction(number)
-        return bool(low <= exact <= high)
+        number = plain(number)
+        if isinstance(number, (float, Decimal)):
+            # Compared exactly; what is no number is in no bounds.
+            return not math.isnan(number) and bool(low <= number <= high)
+        return bool(low <= Fraction(number) <= high)
 
     def arb(self) -> Any:
         """Return a ball of python-flint that holds the number; in the precision that is set there."""

@@ -151,10 +151,14 @@ class Scene:
         return found
 
     def varied(self, values: Mapping[str, Value]) -> Scene:
-        """Return the scene with other values of some keys: amplitude, gap, start.velocity, amplitude.2 and so on."""
+        """Return the scene with other values of some keys: amplitude, gap, start.velocity, amplitude.2 and so on.
+
+        The defaults of ``run`` are kept.
+        """
         found = json.loads(self._core.varied([(key, text(key, value)) for key, value in values.items()]))
-        pair = {"gap": found["gap"], "restitution": found["restitution"]}
-        return Scene.from_dict({"title": self.title, "excitation": found["excitation"], "pair": pair, "start": found["start"]})
+        tables = {"excitation": found["excitation"], "pair": {"gap": found["gap"], "restitution": found["restitution"]}}
+        run = dict(zip(TABLES["run"], self._core.run(), strict=True))
+        return Scene.from_dict({"title": self.title, **tables, "start": found["start"], "run": run})
 
     def run(
         self,
@@ -648,8 +652,9 @@ class Scene:
 def both_ends(key: str, counts: int | tuple[int, int]) -> tuple[int, int]:
     """Return the first and the last of a range, or of a single number."""
     if isinstance(counts, tuple):
-        first, last = counts
-        return whole(key, first), whole(key, last)
+        if len(counts) != 2:
+            raise RangeError(f"{key} is {counts!r}, but must be a number, or a tuple of the first and the last", key, repr(counts))
+        return whole(key, counts[0]), whole(key, counts[1])
     count = whole(key, counts)
     return count, count
 

@@ -1,6 +1,8 @@
 //! Scenes, read from their text.
 
+use impact_pair::exact::Exact;
 use impact_pair::json::SceneDocument;
+use impact_pair::scene::Run;
 use pyo3::prelude::*;
 
 use crate::errors::Fault;
@@ -33,6 +35,12 @@ impl Scene {
     /// The parameters and the start in the words of the paper, a line each.
     fn words(&self) -> (String, String) {
         (self.scene.parameters_in_words(), self.scene.start_in_words())
+    }
+
+    /// The table `[run]`: impacts, until, digits.
+    fn run(&self) -> (Option<u64>, Option<String>, Option<u32>) {
+        let Run { impacts, until, digits } = self.scene.run();
+        (*impacts, until.as_ref().map(Exact::text), *digits)
     }
 
     /// The scene with other exact values of some keys, as the document of its parameters and start.

@@ -226,3 +226,52 @@ def test_r41_the_ends_of_a_list_are_exact():
     ends = [Fraction(28, 3), Fraction(59, 6), Fraction(31, 3)]
     found = Scene.named("figure-14").sweep({"gap": ends}, transient=0, impacts=1)
     assert [record["values"] for record in found] == [["28/3"], ["59/6"], ["31/3"]]
+
+
+def test_r51_a_varied_scene_keeps_the_defaults_of_its_run():
+    scene = Scene(amplitude=1, frequency="pi", gap="9.42497", restitution="0.5", velocity=-4, impacts=5, until="7/2", digits=20)
+    varied = scene.varied({"gap": "9.5"})
+    assert varied.run().json() == varied.run(impacts=5, until="7/2", digits=20).json()
+    assert varied.document["gap"] == "9.5"
+    assert scene.varied({}).run().json() == scene.run().json()
+
+
+def test_r51_a_masked_impact_is_not_compared_with_the_number_behind_its_mask():
+    listed = {"time": np.ma.array([1.0, 2.0], mask=[False, True]), "wall": ["right", "left"]}
+    with pytest.raises(impact_pair.ListError, match="masked"):
+        Scene.named("figure-12-exact").audit(listed)
+    assert Scene.named("figure-12-exact").audit(listed | {"time": np.ma.array([1.0, 2.0])}).agreed
+
+
+def test_r51_long_doubles_of_a_list_are_not_rounded_to_doubles():
+    time = np.array([np.longdouble(1) + np.finfo(np.longdouble).eps])
+    found = Scene.named("figure-12-exact").audit({"time": time, "wall": ["right"]})
+    listed = Fraction(Decimal(found.events[0]["listed"]["time"]))
+    assert listed == Fraction(*time[0].as_integer_ratio())
+
+
+def test_r51_columns_without_names_are_no_row():
+    pandas = pytest.importorskip("pandas")
+    listed = pandas.DataFrame([[1.0, "right"], [2.0, "left"]])
+    assert Scene.named("figure-12-exact").audit(listed, columns=(1, 2, None)).counts["listed"] == 2
+    with pytest.raises(impact_pair.ListError, match="in columns="):
+        Scene.named("figure-12-exact").audit(listed)
+
+
+def test_r51_lists_and_ranges_of_another_length_are_refused_by_the_package():
+    with pytest.raises(impact_pair.ListError, match="2, 1 values"):
+        SCENE.audit({"time": [1.0, 2.0], "wall": ["left"]})
+    for asked in (SCENE.cycles, SCENE.two_impact):
+        with pytest.raises(impact_pair.RangeError, match=r"\(1, 2, 3\)"):
+            asked((1, 2, 3))
+
+
+@pytest.mark.parametrize("number", [np.float32(1.5), np.int64(2), np.longdouble(1.25), Decimal("1.5"), np.float16(1)])
+def test_r51_a_number_of_any_type_is_in_bounds_or_not(number):
+    assert number in impact_pair.Bounds("1", "2")
+    assert number not in impact_pair.Bounds("3", "4")
+
+
+@pytest.mark.parametrize("number", [float("nan"), Decimal("NaN"), np.float64("nan")])
+def test_r51_what_is_no_number_is_in_no_bounds(number):
+    assert number not in impact_pair.Bounds("1", "2")

@@ -3,6 +3,7 @@
 use std::ops::Range;
 
 use num_rational::BigRational;
+use num_traits::Signed;
 
 use super::align::{Alignment, align};
 use super::finding::{Errors, Finding};
@@ -38,8 +39,12 @@ impl Judgement {
         let candidates: Vec<Vec<usize>> = (0..rows.len()).map(|row| judge.candidates(row)).collect();
         let alignment = align(&candidates, truth.sites.len(), |a, b, site| judge.is_nearer(a, b, site));
         let last = alignment.row_of.iter().rposition(Option::is_some).filter(|_| is_whole);
+        // The row of an impact that is nearer to the end than the tolerance may be one of those that are left out.
+        let latest = |site: &Site| {
+            if is_whole { site.time.sup().clone() } else { tolerance.around_time(&site.time).sup().clone() }
+        };
         let is_due = |site: &usize| {
-            last.is_some_and(|last| *site < last) || compare_rational(truth.sites[*site].time.sup(), end).is_le()
+            last.is_some_and(|last| *site < last) || compare_rational(&latest(&truth.sites[*site]), end).is_le()
         };
         let missed = |sites: Range<usize>| sites.filter(is_due).filter_map(|site| judge.missed(site, &alignment));
         let mut findings = Vec::new();
@@ -105,9 +110,13 @@ impl<'a> Judge<'a> {
         let nearest = nearest.filter(|&site| !is_start(site) && !self.is_beyond(row, site));
         let (lower, upper) = (nearest.filter(|&site| site < near.start), nearest.filter(|&site| site >= near.end));
         let all = lower.into_iter().chain(near).chain(upper);
-        all.filter(|&site| self.truth.sites[site].wall == self.rows[row].wall)
-            .filter(|&site| self.truth.sites[site].kind == SiteKind::Impact || !self.is_of_chatter_after(row, site))
-            .collect()
+        let all: Vec<usize> = all.filter(|&site| self.truth.sites[site].wall == self.rows[row].wall).collect();
+        let is_impact = |site: usize| self.truth.sites[site].kind == SiteKind::Impact;
+        let to_impact = all.iter().filter(|&&site| is_impact(site)).map(|&site| self.distance(row, site)).min();
+        // What need not be listed takes no row from an impact that is nearer to it.
+        let is_nearest = |site: usize| to_impact.as_ref().is_none_or(|least| &self.distance(row, site) <= least);
+        let may_be = |&site: &usize| is_impact(site) || is_nearest(site) && !self.is_of_chatter_after(row, site);
+        all.iter().copied().filter(may_be).collect()
     }
 
     /// The contacts whose enclosures a row meets, within the tolerance.
@@ -178,13 +187,14 @@ impl<'a> Judge<'a> {
         if is_one_outside != is_other_outside {
             return is_other_outside;
         }
-        let distance = |row: usize| {
-            let time = &self.rows[row].time;
-            let middle = self.middles[site].to_rational();
-            let twice = &time.low + &time.high - &middle - &middle;
-            if twice < BigRational::from_integer(0.into()) { -twice } else { twice }
-        };
-        distance(one) < distance(other)
+        self.distance(one, site) < self.distance(other, site)
+    }
+
+    /// Twice the distance in time from the middle of a row to that of a contact.
+    fn distance(&self, row: usize, site: usize) -> BigRational {
+        let time = &self.rows[row].time;
+        let middle = self.middles[site].to_rational();
+        (&time.low + &time.high - &middle - &middle).abs()
     }
 
     /// The first contact from `next` on that is matched or is not before this time.
@@ -212,8 +222,8 @@ impl<'a> Judge<'a> {
         let is_outside = tolerance.is_outside_in_time(&errors.time)
             || errors.velocity.as_ref().is_some_and(|velocity| tolerance.is_outside_in_velocity(velocity));
         // A row before the enclosure, and before the doubt, is no contact at all.
-        let is_within = self.near(row).contains(&site) || self.is_in_doubt(row);
-        if is_outside && is_within && self.may_hold_another(site) {
+        let may_be_another = self.near(row).contains(&site) && self.may_hold_another(site);
+        if is_outside && (may_be_another || self.is_in_doubt(row)) {
             return Finding { verdict: Verdict::Undecided, row: Some(row), site: None, errors: None };
         }
         let verdict = if is_outside { Verdict::Outside } else { Verdict::Inside };
@@ -262,14 +272,16 @@ impl<'a> Judge<'a> {
         time.inf() > self.truth.sites[site].time.sup() && is_before_its_end
     }
 
-    /// Returns whether a row may belong to the complete chatter before this rest: on its wall, not later than its start by more than the
-    /// tolerance, and with a velocity between that of the impact before the rest and 0.
+    /// Returns whether a row lies in the complete chatter before this rest: on its wall, not later than its start and not earlier than the
+    /// impact before it by more than the tolerance, and with a velocity between that of this impact and 0.
     fn is_in_chatter(&self, row: usize, site: usize, rest: &Rest) -> bool {
         let first = &self.truth.sites[site];
-        let (time, end) = (&self.times[row], self.tolerance.around_time(&rest.from));
+        let time = &self.times[row];
+        let [begin, end] = [&first.time, &rest.from].map(|time| self.tolerance.around_time(time));
         let velocities = self.velocity(row).zip(first.velocity.as_ref());
         let is_fast = velocities.is_some_and(|(listed, before)| is_faster(&listed, before, self.tolerance));
-        rest.is_accumulation && self.rows[row].wall == first.wall && time.inf() <= end.sup() && !is_fast
+        let is_between = begin.inf() <= time.sup() && time.inf() <= end.sup();
+        rest.is_accumulation && self.rows[row].wall == first.wall && is_between && !is_fast
     }
 }
 

@@ -26,6 +26,8 @@ mod finding;
 mod judge;
 mod list;
 #[cfg(test)]
+mod matching;
+#[cfg(test)]
 mod tests;
 mod tolerance;
 mod truth;

@@ -1,9 +1,13 @@
 //! Windows of stable orbits: ends elsewhere, of another kind, exchanged, values outside, flights and stability of others.
 
+use impact_pair::exact::Exact;
+use impact_pair::json::SceneDocument;
+use impact_pair::periodic::{Precision, Problem};
+use impact_pair::units::Units;
 use num_rational::BigRational;
 use serde_json::{Value, json};
 
-use super::forged::{Forged, Forgery, Original, bounds, decimal, fraction, pair};
+use super::forged::{Forged, Forgery, Original, bounds, decimal, fraction, pair, with};
 
 pub const FORGERIES: &[Forgery] = &[
     Forgery { name: "windows: ends", why: "the window ends elsewhere", forge: ends },
@@ -14,6 +18,11 @@ pub const FORGERIES: &[Forgery] = &[
     },
     Forgery { name: "windows: kinds", why: "another eigenvalue passes at this end", forge: kinds },
     Forgery { name: "windows: an end twice", why: "it ends at two values", forge: twice },
+    Forgery {
+        name: "windows: one twice",
+        why: "the window is listed already, with another of its values",
+        forge: again,
+    },
     Forgery { name: "windows: value", why: "at this value the orbit is another one", forge: values },
     Forgery { name: "windows: range", why: "the value is outside the range", forge: ranges },
     Forgery { name: "windows: flights", why: "the impacts of the orbit are on other walls", forge: flights },
@@ -100,6 +109,35 @@ fn twice(original: &Original) -> Vec<Forged> {
     windows(original).into_iter().flat_map(both).collect()
 }
 
+/// Each window once more, with its orbit halfway to its upper end.
+fn again(original: &Original) -> Vec<Forged> {
+    let mut all = Vec::new();
+    for (_, window) in windows(original) {
+        let Some(to) = bounds(&window["to"]) else { continue };
+        let own: Exact = window["at"].as_str().unwrap().parse().unwrap();
+        let at = (own.as_rational().unwrap() + &to[0]) * fraction(1, 2);
+        let Some(orbit) = stable_orbit(original, window, &Exact::from_rational(at.clone())) else { continue };
+        let mut document = original.document.clone();
+        let copy = with(window, &[("/at", json!(format!("{}/{}", at.numer(), at.denom()))), ("/orbit", orbit)]);
+        document["windows"].as_array_mut().unwrap().push(copy);
+        all.push(original.forged("once more", document));
+    }
+    all
+}
+
+/// The stable orbit of a window at another value of its parameter, found anew.
+fn stable_orbit(original: &Original, window: &Value, at: &Exact) -> Option<Value> {
+    let scene: SceneDocument = serde_json::from_value(original.document["scene"].clone()).ok()?;
+    let (pair, start) = scene.model().ok()?;
+    let key = window["key"].as_str()?.trim_start_matches("excitation.").trim_start_matches("pair.").parse().ok()?;
+    let pair = pair.with(key, at.clone()).ok()?;
+    let cycles = u32::try_from(window["cycles"].as_u64()?).ok()?;
+    let problem = Problem::new(&pair, &window["word"].as_str()?.parse().ok()?, cycles).ok()?;
+    let census = problem.find(&start, Precision::default());
+    let found = json!(Units::gaps(&pair).ok()?.document(&problem, &start, &census));
+    found["orbits"].as_array()?.iter().find(|orbit| orbit["stability"] == "stable").cloned()
+}
+
 fn ranges(original: &Original) -> Vec<Forged> {
     let mut all = Vec::new();
     for (_, window) in windows(original) {
@@ -116,7 +154,7 @@ fn values(original: &Original) -> Vec<Forged> {
     let mut all = Vec::new();
     for (path, window) in windows(original) {
         let [Some(from), Some(to)] = ["from", "to"].map(|key| bounds(&window[key])) else { continue };
-        let at: impact_pair::exact::Exact = window["at"].as_str().unwrap().parse().unwrap();
+        let at: Exact = window["at"].as_str().unwrap().parse().unwrap();
         let at = at.as_rational().unwrap();
         let width = &to[0] - &from[1];
         for parts in [1, -1, 2000, -2000] {

@@ -40,6 +40,7 @@ Verdicts on a row, or on a certified impact without a row:
 The start and grazes may be listed or not; of a graze, wall and time are compared.
 
 A row may be an impact if it lies on the same wall, and is nearest to it among all impacts or within the tolerance. \
+The start or a graze takes no row that is nearer to an impact. \
 As many rows as possible are matched, in the order of the list; of several rows for one impact the nearest in time \
 is taken. The list diverges from the orbit at the first missed or false impact from which on, counted to any later \
 one, fewer than half are inside, if both kinds occur after it.
@@ -61,8 +62,8 @@ pub struct AuditArguments {
     /// Accepted difference of a time, in periods 2 pi/W, and of a velocity, in A W; from 0 to 1
     #[arg(long, value_name = "X", default_value = "1e-9", value_parser = tolerance, allow_hyphen_values = true)]
     tolerance: Exact,
-    /// Compare up to this time: later rows are ignored, and every impact certified before it is expected in the list [default:
-    /// the last time listed]
+    /// Compare up to this time: later rows are ignored, and every impact certified before it is expected in the list, but where rows are
+    /// ignored those nearer to it than the tolerance [default: the last time listed]
     #[arg(long, value_name = "T", value_parser = crate::values::point, allow_hyphen_values = true)]
     until: Option<Exact>,
     /// The column of times, by its name or its number from 1 [default: time or t, or the first one]

@@ -177,6 +177,7 @@ fn summary(audit: &Audit<'_>) -> Vec<String> {
 fn parted(Parting { disagrees, leaves }: &Parting, is_open: bool) -> String {
     let leaves = leaves.map_or(String::new(), |impact| format!(", diverges at impact {impact}"));
     match disagrees {
+        Some((0, verdict)) => format!("{} before impact 1{leaves}", verdict.name()),
         Some((impact, verdict)) => format!("impact {impact} is {}{leaves}", verdict.name()),
         None if is_open => "agrees as far as that is certified".into(),
         None => "agrees".into(),

@@ -76,6 +76,10 @@ impl<H: Head + Sync + Send> Work<'_, H> {
         let pool = pool.context("cannot start the threads")?;
         let journal = Mutex::new(journal);
         let each = |&point: &u64| {
+            // After Ctrl-C not even the first impact of another point is looked for.
+            if !Interruption.goes_on() {
+                return Ok(());
+            }
             let Some(line) = (self.point)(point)? else { return Ok(()) };
             let mut journal = journal.lock().expect("no thread has panicked");
             journal.add(point, &line).context("cannot write a finished point")?;

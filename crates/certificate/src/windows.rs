@@ -6,7 +6,7 @@ use crate::PeriodicCertificate;
 use crate::periodic::OrbitOf;
 use crate::read::is_single;
 use impact_pair_document::{Place, WINDOWS_SCHEMA, WindowDocument, WindowsDocument, value};
-use impact_pair_exact::Exact;
+use impact_pair_exact::{Exact, compare_rational};
 use impact_pair_model::scene::Key;
 use impact_pair_model::{Error, ImpactPair, Start, Wall};
 
@@ -217,5 +217,20 @@ impl ClaimedWindow {
     /// Returns whether its orbit is claimed to be a stable one.
     pub(super) fn is_stable(&self) -> bool {
         self.orbit.orbits().iter().all(|claim| claim.orbit.stability == Stability::Stable)
+    }
+
+    /// Whether its flights are those of another one from some impact on.
+    pub(super) fn has_flights_of(&self, other: &Self) -> bool {
+        let (own, others) = (&self.flights, &other.flights);
+        let from = |shift: usize| (0..own.len()).all(|i| own[(i + shift) % own.len()] == others[i]);
+        own.len() == others.len() && (0..own.len()).any(from)
+    }
+
+    /// Whether it ends, as it is claimed with all orbits between its ends, before it comes to a value.
+    pub(super) fn is_without(&self, value: &Exact) -> bool {
+        let (value, [from, to]) = (value.enclose(BITS), &self.ends[..]) else { return false };
+        let is_outside = compare_rational(value.sup(), &from.parameter[0]).is_lt()
+            || compare_rational(value.inf(), &to.parameter[1]).is_gt();
+        self.stable_between && is_outside
     }
 }

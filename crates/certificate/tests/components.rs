@@ -90,6 +90,37 @@ fn r48_a_bifurcation_of_another_branch_is_not_confirmed_as_an_end_of_a_window() 
     assert_ne!(checked(&between).verdict, VerdictName::Confirmed);
 }
 
+/// The orbits of two impacts from the fold at A/d = 0.104 to the pitchfork at 0.385 are one curve: listed with two values of it, they were two
+/// windows. Lemma V30
+#[test]
+fn r51_a_window_is_not_listed_twice_with_two_of_its_values() {
+    let document: Value = serde_json::from_str(include_str!("windows-of-one-curve.json")).unwrap();
+    let of = |changes: &[(&str, Value)]| {
+        let mut copy = document.clone();
+        for (path, value) in changes {
+            *copy.pointer_mut(path).expect(path) = value.clone();
+        }
+        checked(&copy)
+    };
+    for i in 0..2 {
+        let single = of(&[("/windows", json!([document["windows"][i]]))]);
+        assert_eq!(single.verdict, VerdictName::Confirmed, "{}", single.message);
+    }
+    let unproved = [
+        ("/certified", json!(false)),
+        ("/windows/1/from", json!(null)),
+        ("/windows/1/to", json!(null)),
+        ("/windows/1/ends", json!([null, null])),
+        ("/windows/1/stable_between", json!(false)),
+    ];
+    for found in [of(&[]), of(&unproved)] {
+        assert!(found.verdict == VerdictName::Undecided && found.message.contains("may be one"), "{}", found.message);
+    }
+    // Where the one ends before the value of the other they are two, and that end is judged.
+    let apart = of(&[("/windows/0/to", json!(["0.25", "0.25000001"]))]);
+    assert!(apart.verdict != VerdictName::Confirmed && !apart.message.contains("may be one"), "{}", apart.message);
+}
+
 /// An orbit and its claim that is not said to be, or not to be, its own mirror image, of twice the period under the reduced map.
 fn of_twice_the_period() -> (Value, Value) {
     let document = recorded("global");

@@ -8,7 +8,7 @@ use std::fmt;
 use serde::de::{Deserialize, MapAccess, Visitor};
 use serde_json::value::RawValue;
 
-use super::{Column, Columns, List, Listed, Number, Walls, read_wall, shortened};
+use super::{Column, Columns, List, Listed, Number, Walls, is_impact_name, read_wall, shortened};
 use crate::Error;
 
 type Object<'j> = BTreeMap<String, &'j RawValue>;
@@ -63,7 +63,7 @@ pub(super) fn read(text: &str, columns: &Columns, walls: &Walls) -> Result<List,
     // Of an orbit JSON the impacts; in JSON Lines its first and last line are no events.
     let is_ours = rows.first().is_some_and(|(_, row)| row.contains_key("schema"));
     let is_impact = |row: &Object<'_>| match row.get("event") {
-        Some(event) => event.get() == "\"impact\"",
+        Some(event) => is_impact_name(&unquoted(event)),
         None => !is_ours,
     };
     let mut read = BTreeSet::from(["event".to_owned()]);

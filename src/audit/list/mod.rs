@@ -184,6 +184,11 @@ pub fn read(text: &str, columns: &Columns, pair: &ImpactPair) -> Result<List, Er
     }
 }
 
+/// Whether an event in a list is an impact; the others are skipped.
+fn is_impact_name(event: &str) -> bool {
+    event.eq_ignore_ascii_case("impact")
+}
+
 fn read_wall(place: &str, wall: &str, walls: &Walls) -> Result<Wall, Error> {
     walls.read(wall).ok_or_else(|| refused(place, "wall", wall, WALLS))
 }

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use csv::{ReaderBuilder, StringRecord, Trim};
 
-use super::{Column, Columns, List, Listed, Number, Walls, read_wall, refused, shortened};
+use super::{Column, Columns, List, Listed, Number, Walls, is_impact_name, read_wall, refused, shortened};
 use crate::Error;
 
 /// Lines that begin so are no data.
@@ -29,16 +29,30 @@ pub(super) fn read(text: &str, columns: &Columns, walls: &Walls) -> Result<List,
     let places = Places::find(columns, &header, fields.len())?;
     let data = lines.filter(|(_, line)| !line.starts_with(COMMENTS));
     let is_impact =
-        |fields: &[String]| places.event.and_then(|at| fields.get(at)).is_none_or(|event| event == "impact");
+        |fields: &[String]| places.event.and_then(|at| fields.get(at)).is_none_or(|event| is_impact_name(event));
     let data = (!is_header).then_some((number, first)).into_iter().chain(data);
     let rows = data.map(|(number, line)| (number, separator.fields(line))).filter(|(_, fields)| is_impact(fields));
-    let rows: Vec<Listed> =
-        rows.map(|(number, fields)| places.row(number, &fields, walls)).collect::<Result<_, _>>()?;
+    let read = |(at, row): (usize, Vec<String>)| {
+        none_beyond((at, &row), (number, fields.len()))?;
+        places.row(at, &row, walls)
+    };
+    let rows: Vec<Listed> = rows.map(read).collect::<Result<_, _>>()?;
     if rows.is_empty() {
         refuse!("the list has no events below its header: accepted is at least one");
     }
     let unused = places.unused(&header, fields.len());
     Ok(List { rows, unused, velocities: columns.velocity.is_some() })
+}
+
+/// Refuses a row with a value after the last column of the first line: nothing says what it is, nor whether the columns before are shifted.
+fn none_beyond((at, row): (usize, &[String]), (first, width): (usize, usize)) -> Result<(), Error> {
+    match row.iter().rposition(|field| !field.is_empty()) {
+        Some(last) if last >= width => {
+            let written = shortened(&row.join(" "));
+            refuse!("line {at} is `{written}`, with {} columns, but line {first} has {width}", last + 1)
+        }
+        _ => Ok(()),
+    }
 }
 
 /// The separator of columns.

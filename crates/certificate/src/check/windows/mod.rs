@@ -8,12 +8,13 @@ mod image;
 mod map;
 mod stable;
 
+use std::cmp::Ordering;
+
 use super::bifurcation::Over;
 use super::budget::Budget;
 use super::contact::Doubt;
 use super::cycles::may_be_same;
 use super::{Effort, Verdict, Whole};
-use crate::attraction::ClaimedOrbit;
 use crate::bifurcation::ClaimedPoint;
 use crate::windows::{ClaimedWindow, WindowsCertificate};
 use impact_pair_model::Error;
@@ -39,11 +40,22 @@ impl WindowsCertificate {
 }
 
 impl WindowsCertificate {
-    /// Returns whether no two windows are those of one orbit at one value.
+    /// Returns whether no two windows may be one.
     fn are_different(&self) -> bool {
-        let orbits: Vec<&ClaimedOrbit> =
-            self.windows().iter().flat_map(|window| window.orbit.orbits()).map(|claim| &claim.orbit).collect();
-        (0..orbits.len()).all(|i| orbits[..i].iter().all(|other| !may_be_same(orbits[i], other)))
+        let all = self.windows();
+        (0..all.len()).all(|i| all[..i].iter().all(|other| !all[i].may_be(other)))
+    }
+}
+
+impl ClaimedWindow {
+    /// Whether, as far as is claimed, it may be another one. Along the same flights two are different where their orbits at one value are, or
+    /// where the one, proved between its ends, does not have the value of the other. Lemma V30
+    fn may_be(&self, other: &Self) -> bool {
+        if self.at.compare(&other.at) != Some(Ordering::Equal) {
+            return self.has_flights_of(other) && !self.is_without(&other.at) && !other.is_without(&self.at);
+        }
+        let [own, others] = [self, other].map(|window| window.orbit.orbits());
+        own.iter().any(|one| others.iter().any(|other| may_be_same(&one.orbit, &other.orbit)))
     }
 }
 
