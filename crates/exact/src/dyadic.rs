@@ -172,23 +172,29 @@ impl Dyadic {
         Dyadic::new(sum, join(unit, -1))
     }
 
-    /// A dyadic of at most `bits` mantissa bits, on the side of `self` that `round` says.
-    pub(crate) fn rounded(&self, bits: u32, round: Round) -> Dyadic {
-        let Some(top) = self.top() else {
+    /// A dyadic of at most `bits` mantissa bits, on the side of `mantissa * 2^exponent` that `round` says.
+    fn near(mantissa: BigInt, exponent: i64, bits: u32, round: Round) -> Dyadic {
+        if mantissa.is_zero() {
             return Dyadic::zero();
-        };
-        if top < -UNDERFLOW {
-            return match (self.sign(), round) {
-                (Ordering::Greater, Round::Up) => Dyadic::power_of_two(-UNDERFLOW),
-                (Ordering::Less, Round::Down) => Dyadic::power_of_two(-UNDERFLOW).negated(),
+        }
+        let length = mantissa.bits() as i64; // exact: a length in bits
+        if join(exponent, length - 1) < -UNDERFLOW {
+            return match (mantissa.sign(), round) {
+                (Sign::Plus, Round::Up) => Dyadic::power_of_two(-UNDERFLOW),
+                (Sign::Minus, Round::Down) => Dyadic::power_of_two(-UNDERFLOW).negated(),
                 _ => Dyadic::zero(),
             };
         }
-        let excess = self.mantissa.bits() as i64 - i64::from(bits.max(1)); // X1: one bit at least, rounded outward
-        if excess <= 0 {
-            return self.clone();
+        match length - i64::from(bits.max(1)) {
+            // X1: one bit at least, rounded outward
+            excess @ 1.. => Dyadic::new(halved(mantissa, excess.unsigned_abs(), round), join(exponent, excess)),
+            _ => Dyadic::new(mantissa, exponent),
         }
-        Dyadic::new(scale_to_integer(&self.mantissa, -excess, round), join(self.exponent, excess))
+    }
+
+    /// A dyadic of at most `bits` mantissa bits, on the side of `self` that `round` says.
+    pub(crate) fn rounded(self, bits: u32, round: Round) -> Dyadic {
+        Dyadic::near(self.mantissa, self.exponent, bits, round)
     }
 
     /// The sum, rounded to `bits` mantissa bits. **Cost**: bounded by `bits` and the mantissas, not by the exponents.
@@ -198,7 +204,7 @@ impl Dyadic {
             return Dyadic::zero();
         };
         if small.is_zero() {
-            return large.rounded(bits, round);
+            return large.clone().rounded(bits, round);
         }
         let exact = small.exponent.min(large.exponent); // exact: the unit of both
         // Tops that differ by two or more cannot cancel: the sum keeps the top of `large` up to one bit, so bits of
@@ -212,13 +218,13 @@ impl Dyadic {
             0 => small + &large.mantissa,
             shift => small + (&large.mantissa << shift),
         };
-        Dyadic::new(sum, unit).rounded(bits, round)
+        Dyadic::near(sum, unit, bits, round)
     }
 
     /// The quotient, rounded to `bits` mantissa bits; the divisor must not be zero.
     pub(crate) fn over(&self, divisor: &Dyadic, bits: u32, round: Round) -> Dyadic {
-        let quotient = divide(&self.mantissa, &divisor.mantissa, bits, round);
-        quotient.scaled(join(self.exponent, -divisor.exponent)).rounded(bits, round)
+        let Dyadic { mantissa, exponent } = divide(&self.mantissa, &divisor.mantissa, bits, round);
+        Dyadic::near(mantissa, join(exponent, join(self.exponent, -divisor.exponent)), bits, round)
     }
 }
 
@@ -278,11 +284,15 @@ pub(crate) fn divide_to_integer(numerator: &BigInt, denominator: &BigInt, round:
 
 /// `x * 2^shift` rounded to an integer in the requested direction.
 pub(crate) fn scale_to_integer(x: &BigInt, shift: i64, round: Round) -> BigInt {
-    match (shift >= 0, round) {
-        (true, _) => x << shift,
+    if shift >= 0 { x << shift } else { halved(x.clone(), shift.unsigned_abs(), round) }
+}
+
+/// `x / 2^times` rounded to an integer in the requested direction.
+fn halved(x: BigInt, times: u64, round: Round) -> BigInt {
+    match round {
         // NOTE: `>>` of a negative BigInt rounds towards minus infinity (tested below).
-        (false, Round::Down) => x >> shift.unsigned_abs(),
-        (false, Round::Up) => -(-x >> shift.unsigned_abs()),
+        Round::Down => x >> times,
+        Round::Up => -(-x >> times),
     }
 }
 

@@ -148,7 +148,7 @@ impl Enclosure {
 
     /// Returns the superset with ends of at most `bits` mantissa bits.
     pub fn rounded(&self, bits: u32) -> Enclosure {
-        Enclosure { lo: self.lo.rounded(bits, Round::Down), hi: self.hi.rounded(bits, Round::Up) }
+        Enclosure { lo: self.lo.clone().rounded(bits, Round::Down), hi: self.hi.clone().rounded(bits, Round::Up) }
     }
 
     /// Returns the smallest interval that holds both.
