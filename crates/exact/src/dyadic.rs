@@ -185,9 +185,9 @@ impl Dyadic {
                 _ => Dyadic::zero(),
             };
         }
-        match length - i64::from(bits.max(1)) {
-            // X1: one bit at least, rounded outward
-            excess @ 1.. => Dyadic::new(halved(mantissa, excess.unsigned_abs(), round), join(exponent, excess)),
+        let excess = length - i64::from(bits.max(1)); // X1: one bit at least, rounded outward
+        match u64::try_from(excess) {
+            Ok(times @ 1..) => Dyadic::new(halved(mantissa, times, round), join(exponent, excess)),
             _ => Dyadic::new(mantissa, exponent),
         }
     }
