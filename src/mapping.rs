@@ -39,8 +39,8 @@ pub struct Passage<N> {
 #[inline(always)]
 pub fn jacobian<N: Number>(beta: N, restitution: N, passage: &Passage<N>) -> Option<[[N; 2]; 2]> {
     let Passage { time, sin0, sin1, velocity0, velocity1 } = passage.clone();
-    let swing = beta.turn() * beta;
-    jacobian_between(restitution, time, [swing.clone() * sin0, swing * sin1], [velocity0, velocity1])
+    let amplitude = beta.turn() * beta;
+    jacobian_between(restitution, time, [amplitude.clone() * sin0, amplitude * sin1], [velocity0, velocity1])
 }
 
 /// Returns the Jacobian of a mapping, from the accelerations `y''` after the impact it starts with and at the one it ends with.

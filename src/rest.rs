@@ -107,14 +107,14 @@ pub(crate) fn accumulation(pair: &Reduced<Ball>, pressed: &Pressed, velocity: Ba
         return Some(0.0);
     }
     let beta = Interval::from(pair.beta);
-    let swing = Interval::TAU * beta;
+    let amplitude = Interval::TAU * beta;
     // Twice the time under a constant contact force. Any window serves into which the sum fits.
-    let now = swing * pressed.sine(0.0)?;
+    let now = amplitude * pressed.sine(0.0)?;
     let window = 4.0 * speed / (now.mid() * (1.0 - rebound));
     if rebound >= 1.0 || window.partial_cmp(&0.5) != Some(Ordering::Less) {
         return None;
     }
-    duration(speed, rebound, swing * pressed.sine(window)?, window)
+    duration(speed, rebound, amplitude * pressed.sine(window)?, window)
 }
 
 /// Returns an upper bound of the duration, in forcing periods, of chatter that begins with a bounce at `speed`, while the contact force stays within

@@ -43,10 +43,10 @@ impl Judgement {
         let latest = |site: &Site| {
             if is_whole { site.time.sup().clone() } else { tolerance.around_time(&site.time).sup().clone() }
         };
-        let is_due = |site: &usize| {
+        let is_expected = |site: &usize| {
             last.is_some_and(|last| *site < last) || compare_rational(&latest(&truth.sites[*site]), end).is_le()
         };
-        let missed = |sites: Range<usize>| sites.filter(is_due).filter_map(|site| judge.missed(site, &alignment));
+        let missed = |sites: Range<usize>| sites.filter(is_expected).filter_map(|site| judge.missed(site, &alignment));
         let mut findings = Vec::new();
         let mut next = 0;
         for (row, listed) in rows.iter().enumerate() {

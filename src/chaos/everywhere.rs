@@ -55,11 +55,11 @@ impl Seen {
             if TAU * sine.abs() < LEAST_SINE {
                 return scored;
             }
-            let told = |&([u, w], _): &(State, State)| {
+            let coordinates = |&([u, w], _): &(State, State)| {
                 let from = [u - centre[0] - (u - centre[0]).round(), w - centre[1]];
                 [cross(from, across) / sine, cross(along, from) / sine]
             };
-            let all: Vec<[f64; 2]> = points.iter().map(told).collect();
+            let all: Vec<[f64; 2]> = points.iter().map(coordinates).collect();
             let is_near =
                 |&k: &usize| all[k][0].abs() < LENGTHS[0] && all[k][1].abs() < WIDTHS[WIDTHS.len() - 1] * LENGTHS[0];
             let mut near: Vec<usize> = (0..all.len().saturating_sub(depth)).filter(is_near).collect();

@@ -79,21 +79,16 @@ impl Chaos {
     /// # Errors
     /// If the pair has several harmonics, h-sets overlap each other or their own translates or are not convex, or a value is beyond the
     /// range of flights.
-    pub fn of(
-        pair: &ImpactPair,
-        start: &Start,
-        question: &HorseshoeSettings,
-        watch: &dyn Watch,
-    ) -> Result<Self, Error> {
+    pub fn of(pair: &ImpactPair, start: &Start, request: &HorseshoeSettings, watch: &dyn Watch) -> Result<Self, Error> {
         let watch = &Latched::new(watch);
         let law = Law::of(pair)?;
         let guess = Guess::new(&law);
         let orbit = visited(pair, start, IMPACTS)?.last().and_then(|last| seen(&guess, last.middle()));
         let searching = |_: Stage<'_>| watch.proceed(Stage::Horseshoe { depth: 0, boxes: 0 });
-        let depth = question.depth.unwrap_or(MOST_DEPTH as usize); // proposes: how deep h-sets are judged
+        let depth = request.depth.unwrap_or(MOST_DEPTH as usize); // proposes: how deep h-sets are judged
         let found = |seen: &Seen, effort| bases(seen, &law, depth, effort, &searching);
         let bases = match &orbit {
-            _ if !question.bases.is_empty() => question.bases.clone(),
+            _ if !request.bases.is_empty() => request.bases.clone(),
             Some(orbit) if orbit.is_chaotic() => found(orbit, THOROUGH),
             Some(orbit) => found(&orbit.transients(&guess), ANY),
             None => Vec::new(),
@@ -101,7 +96,7 @@ impl Chaos {
         if let Some(problem) = problem(&bases) {
             return Err(Error::out_of_range(None, problem.to_owned()));
         }
-        let proved = Self::proved(&law, bases, question.depth, watch);
+        let proved = Self::proved(&law, bases, request.depth, watch);
         let horseshoe = if proved.entropy() > 0.0 { proved.bases() } else { &[] }; // exact: none is claimed where it is 0
         let asymptotics = Asymptotics::of(pair, start, horseshoe, &Silent(watch))?;
         let exponent = orbit.as_ref().map(|orbit| orbit.exponent);
@@ -124,8 +119,8 @@ impl Chaos {
     ///
     /// # Errors
     /// As [`Chaos::of`].
-    pub fn of_scene(scene: &Scene, question: &HorseshoeSettings, watch: &dyn Watch) -> Result<Self, Error> {
-        Self::of(scene.pair(), scene.start(), question, watch)
+    pub fn of_scene(scene: &Scene, request: &HorseshoeSettings, watch: &dyn Watch) -> Result<Self, Error> {
+        Self::of(scene.pair(), scene.start(), request, watch)
     }
 
     /// Returns the h-sets, each disjoint from the others.

@@ -47,7 +47,11 @@ impl Units<Exact> {
     /// An orbit of a problem.
     pub(super) fn orbit(&self, problem: &Problem, orbit: &PeriodicOrbit) -> PeriodicOrbitDocument {
         let mut document = periodic_orbit(&self.measured(orbit));
-        document.impacts.iter_mut().zip(&orbit.impacts).for_each(|(told, impact)| told.cycle = cycle(problem, impact));
+        document
+            .impacts
+            .iter_mut()
+            .zip(&orbit.impacts)
+            .for_each(|(listed, impact)| listed.cycle = cycle(problem, impact));
         document
     }
 

@@ -187,7 +187,7 @@ impl Tangencies {
                 break;
             }
             let flights = FlightWord(fold.flights.clone());
-            match prove::tangency(fold, &search.question) {
+            match prove::tangency(fold, &search.request) {
                 Some(proof) => {
                     let found = search.tangency(proof)?;
                     if search.is_inside(&found.parameter)? && all.tangencies.iter().all(|known| !known.meets(&found)) {

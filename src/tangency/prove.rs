@@ -16,7 +16,7 @@ use crate::periodic::Precision;
 
 /// The parameter that is looked for, and the other one: a number, or all numbers of an interval.
 #[derive(Clone, Debug)]
-pub(super) struct Question {
+pub(super) struct Request {
     pub over: Parameter,
     pub other: Exact,
     pub precision: Precision,
@@ -40,8 +40,8 @@ impl InDoubles {
 
 /// Proves the tangency near a fold, as narrow as requested if the precision suffices; `None` where nothing is proved. Of an interval of the
 /// other parameter the bounds hold the tangencies of all its members.
-pub(super) fn tangency(fold: &Fold, question: &Question) -> Option<Proof> {
-    let Question { over, other, precision } = question;
+pub(super) fn tangency(fold: &Fold, request: &Request) -> Option<Proof> {
+    let Request { over, other, precision } = request;
     if !other.is_point() {
         return super::family::tangency(fold, *over, Ball::of(other));
     }
@@ -52,6 +52,6 @@ pub(super) fn tangency(fold: &Fold, question: &Question) -> Option<Proof> {
         [&proof.parameter, &proof.sigma[0], &proof.sigma[1]].into_iter().all(|x| width(x) <= requested)
     };
     let in_doubles = || found.conclude(&found.chain, &found.zero.at).filter(is_narrow);
-    let proof = precise::proof(&found, question, is_narrow).or_else(in_doubles)?;
+    let proof = precise::proof(&found, request, is_narrow).or_else(in_doubles)?;
     Some(Proof { beside: sides(&found), ..proof })
 }

@@ -4,7 +4,7 @@ use super::begin;
 use super::beside::Sides;
 use super::flight::{Pair, Parameter};
 use super::proof::Proof;
-use super::prove::Question;
+use super::prove::Request;
 use super::saddle::Guessed;
 use super::search::{Floats, Fold};
 use super::{Beside, FlightWord, TANGENCY_PARAMETERS, Tangency, TangencySettings, is_tangency_range};
@@ -19,7 +19,7 @@ use crate::watch::{Latched, Watch};
 /// A search over a parameter of a pair.
 pub(super) struct Search<'s> {
     over: &'s Range,
-    pub question: Question,
+    pub request: Request,
     /// The amplitude where the gap varies, the gap where the amplitude does, or 1.
     unit: Exact,
     /// The scene's own value of `D` or `e` if the range has it, else that in its middle; and that of the other one.
@@ -74,13 +74,13 @@ impl<'s> Search<'s> {
         let range = [ends[0].min(ends[1]), ends[0].max(ends[1])]; // proposes
         let middle = Pair::of(parameter, 0.5 * (range[0] + range[1]), *low.value(parameter.other()));
         let own = of(pair).ok().filter(|own| (range[0]..=range[1]).contains(own.value(parameter))); // proposes
-        let question = Question { over: parameter, other, precision: settings.precision };
-        Ok(Self { over, question, unit, own: own.unwrap_or(middle), range }) // proposes: where a search begins
+        let request = Request { over: parameter, other, precision: settings.precision };
+        Ok(Self { over, request, unit, own: own.unwrap_or(middle), range }) // proposes: where a search begins
     }
 
     /// The value of the parameter.
     pub fn own_of(&self, pair: &Pair<f64>) -> f64 {
-        *pair.value(self.question.over)
+        *pair.value(self.request.over)
     }
 
     /// The folds that lead to tangencies in the range, in floating point, the nearest to the scene's own value first.
@@ -103,7 +103,7 @@ impl<'s> Search<'s> {
                 if !watch.goes_on() {
                     break;
                 }
-                let Some(fold) = begin::settled(fold, self.question.over) else { continue };
+                let Some(fold) = begin::settled(fold, self.request.over) else { continue };
                 let value = self.own_of(&fold.pair);
                 let is_new = found.iter().all(|known| (self.own_of(&known.pair) - value).abs() > 1e-12 * value);
                 if is_new && (self.range[0]..=self.range[1]).contains(&value) {
@@ -166,7 +166,7 @@ impl<'s> Search<'s> {
     fn bounds_in_units(&self, values: &Enclosure) -> Result<Enclosure, Error> {
         // J6: what the change of units adds is far less than the width, within a few of which there is no other one
         let narrow = values.wid().top().map_or(0, |top| u32::try_from(128 - top).unwrap_or(0)); // J6: a wide one needs no bits
-        let bits = narrow.max(256 + 4 * self.question.precision.digits); // J6: more bits are as good
+        let bits = narrow.max(256 + 4 * self.request.precision.digits); // J6: more bits are as good
         let ends = [values.inf(), values.sup()].map(|end| Exact::from_rational(end.to_rational()));
         let [a, b] = [self.in_units(&ends[0])?, self.in_units(&ends[1])?];
         Ok(a.enclose(bits).hull(&b.enclose(bits)))

@@ -219,14 +219,14 @@ impl ClaimedWindow {
         self.orbit.orbits().iter().all(|claim| claim.orbit.stability == Stability::Stable)
     }
 
-    /// Whether its flights are those of another one from some impact on.
+    /// Returns whether its flights are those of another one from some impact on.
     pub(super) fn has_flights_of(&self, other: &Self) -> bool {
         let (own, others) = (&self.flights, &other.flights);
         let from = |shift: usize| (0..own.len()).all(|i| own[(i + shift) % own.len()] == others[i]);
         own.len() == others.len() && (0..own.len()).any(from)
     }
 
-    /// Whether it ends, as it is claimed with all orbits between its ends, before it comes to a value.
+    /// Returns whether a value lies outside its ends, between which all its orbits are claimed.
     pub(super) fn is_without(&self, value: &Exact) -> bool {
         let (value, [from, to]) = (value.enclose(BITS), &self.ends[..]) else { return false };
         let is_outside = compare_rational(value.sup(), &from.parameter[0]).is_lt()

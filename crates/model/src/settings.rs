@@ -33,8 +33,9 @@ impl Arithmetic {
     /// Returns an arithmetic that this build does not have.
     pub fn unknown(text: &str) -> Error {
         if text == "inari" {
-            let told = "the arithmetic inari is not in this build: build impact-pair with the cargo feature \"inari\"";
-            return Error::out_of_range(None, told.to_owned());
+            let message =
+                "the arithmetic inari is not in this build: build impact-pair with the cargo feature \"inari\"";
+            return Error::out_of_range(None, message.to_owned());
         }
         let inari = if cfg!(feature = "inari") { "inari, " } else { "" };
         let (least, most) = BITS.into_inner();

@@ -53,9 +53,9 @@ pub fn cells(scene: &Scene, asked: &RangeSettings, found: &Cells, look: &Look) -
     let columns: Vec<Column> = (0..COLUMNS).map(|number| column(scene, asked, found, number)).collect::<Result<_>>()?;
     let arc = Arc::holding(columns.iter().flat_map(|column| &column.states).map(|state| [state[0]; 2]));
     let of_kind = |number: usize| found.stretches.iter().filter(move |stretch| kind(&stretch.verdict) == number);
-    let told: Vec<usize> = (0..LEGEND.len()).filter(|&number| of_kind(number).next().is_some()).collect();
+    let named: Vec<usize> = (0..LEGEND.len()).filter(|&number| of_kind(number).next().is_some()).collect();
     picture::svg(look.size(SIZE), SCALE, |root| {
-        let plane = frame(scene, asked, (&told, arc), (root, look))?;
+        let plane = frame(scene, asked, (&named, arc), (root, look))?;
         let mut data = String::new();
         for (number, (_, colour)) in LEGEND.iter().enumerate() {
             let mut all = Rectangles::default();
@@ -85,7 +85,7 @@ fn column(scene: &Scene, asked: &RangeSettings, found: &Cells, number: u32) -> R
 fn frame(
     scene: &Scene,
     asked: &RangeSettings,
-    (told, arc): (&[usize], Arc),
+    (named, arc): (&[usize], Arc),
     (root, look): (&Canvas<'_>, &Look),
 ) -> Result<Plane, Box<dyn std::error::Error>> {
     let over = described(asked.over.key);
@@ -99,7 +99,7 @@ fn frame(
     let lines = [parameters(scene, Some(&asked.over)), format!("{bar}; {}", picture::program())];
     let top = picture::caption(root, look, &title, &lines)?;
     let entries: Vec<(Mark, String)> =
-        told.iter().map(|&number| (Mark::Cell(LEGEND[number].1), LEGEND[number].0.to_owned())).collect();
+        named.iter().map(|&number| (Mark::Cell(LEGEND[number].1), LEGEND[number].0.to_owned())).collect();
     let height = picture::legend(root, top, &entries)?;
     let (_, below) = root.split_vertically(top + height + ABOVE + BAR);
     let axes = [Axis::over(value(&asked.over.low), value(&asked.over.high)), arc.axis()];

@@ -184,7 +184,7 @@ pub fn read(text: &str, columns: &Columns, pair: &ImpactPair) -> Result<List, Er
     }
 }
 
-/// Whether an event in a list is an impact; the others are skipped.
+/// Returns whether an event in a list is an impact; the others are skipped.
 fn is_impact_name(event: &str) -> bool {
     event.eq_ignore_ascii_case("impact")
 }

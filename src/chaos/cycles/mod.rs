@@ -10,7 +10,7 @@ mod relation;
 mod search;
 #[cfg(test)]
 mod tests;
-mod told;
+mod word;
 
 use std::collections::BTreeMap;
 use std::ops::RangeInclusive;

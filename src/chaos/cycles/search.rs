@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use super::chain::{Chain, Laws};
 use super::graph::Layer;
-use super::told::Told;
+use super::word::WallChain;
 use crate::chaos::law::{Law, Side};
 use crate::chaos::quad::Quad;
 use crate::chaos::trap::{Arrivals, Grid};
@@ -209,20 +209,20 @@ impl<'t> Search<'t> {
 
     /// Returns whether the chain lies where a known orbit is the only one; if none is known and `looks` is set, an orbit is searched for first.
     fn is_known(&mut self, chain: &Chain, looks: bool) -> bool {
-        let Some(told) = Told::new(chain) else { return false };
-        let known = self.found.entry((told.walls.clone(), told.cycles)).or_default();
-        if known.iter().any(|found| found.problem.is_all_of(&told.phases, &found.orbit)) {
+        let Some(walled) = WallChain::new(chain) else { return false };
+        let known = self.found.entry((walled.walls.clone(), walled.cycles)).or_default();
+        if known.iter().any(|found| found.problem.is_all_of(&walled.phases, &found.orbit)) {
             return true;
         }
         let found = looks.then(|| {
-            let problem = told.problem(self.task.pair)?;
-            let guess: Vec<f64> = told.phases.iter().map(|x| x.mid()).collect();
+            let problem = walled.problem(self.task.pair)?;
+            let guess: Vec<f64> = walled.phases.iter().map(|x| x.mid()).collect();
             let orbits = known.iter().map(|found| &found.orbit);
             let (orbit, identity) = problem.prove_reduced(&guess, self.task.precision, orbits)?;
             Some((Found { problem, orbit }, identity))
         });
         let Some((found, identity)) = found.flatten() else { return false };
-        let is_known = identity != Identity::Open && found.problem.is_all_of(&told.phases, &found.orbit);
+        let is_known = identity != Identity::Open && found.problem.is_all_of(&walled.phases, &found.orbit);
         if identity == Identity::New {
             known.push(found);
         }

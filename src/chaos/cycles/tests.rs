@@ -5,7 +5,7 @@ use proptest::prelude::*;
 use super::chain::{Chain, Laws};
 use super::graph::Graph;
 use super::relation::Relation;
-use super::told::Told;
+use super::word::WallChain;
 use super::*;
 use crate::chaos::guess::Guess;
 use crate::chaos::law::Side;
@@ -193,9 +193,9 @@ fn chains_are_told_from_the_left_wall() {
         sides: vec![Side::Far, Side::Near],
         turns: Some(1.5 + 0.5),
     };
-    let told = Told::new(&chain).unwrap();
+    let walled = WallChain::new(&chain).unwrap();
     // From the near flight on: it starts at the phase 1, and its arrival at 2.25 is that of the far one.
-    assert_eq!((told.walls.as_str(), told.cycles), ("LLRR", 3));
-    let phases: Vec<f64> = told.phases.iter().map(|x| x.mid()).collect();
+    assert_eq!((walled.walls.as_str(), walled.cycles), ("LLRR", 3));
+    let phases: Vec<f64> = walled.phases.iter().map(|x| x.mid()).collect();
     assert_eq!(phases, [1.0, 2.25, 2.5, 3.75]);
 }

@@ -17,7 +17,7 @@ use crate::watch::Watch;
 const MOST_SEARCHED: usize = 4;
 
 /// The map, and how far it is analysed.
-pub(super) struct Question<'a> {
+pub(super) struct Request<'a> {
     pub pair: &'a ImpactPair,
     pub space: Space,
     pub released: Released,
@@ -44,7 +44,7 @@ pub(super) struct Split {
 
 /// An analysis as far as it is done: a tree, whose first node is the whole state space.
 pub(super) struct Analysis<'a> {
-    pub question: Question<'a>,
+    pub request: Request<'a>,
     pub nodes: Vec<Node>,
     /// Boxes whose images are computed so far, and the work of these.
     mapped: usize,
@@ -56,13 +56,13 @@ pub(super) struct Analysis<'a> {
 impl<'a> Analysis<'a> {
     /// Returns the analysis of all states that motions have in the end. Of the components that are undecided the smallest is refined
     /// first: thin sets that need many boxes wait for those that shrink.
-    pub fn of(question: Question<'a>) -> Self {
-        let mut analysis = Self { question, nodes: Vec::new(), mapped: 0, work: 0, stopped: None };
-        let whole = analysis.whole(analysis.question.settings.boxes);
+    pub fn of(request: Request<'a>) -> Self {
+        let mut analysis = Self { request, nodes: Vec::new(), mapped: 0, work: 0, stopped: None };
+        let whole = analysis.whole(analysis.request.settings.boxes);
         analysis.nodes.push(Node { component: whole, halved: 0, kind: Kind::Undecided, split: None });
         let mut waiting = BinaryHeap::from([Reverse((0, 0))]);
         while let Some(Reverse((boxes, node))) = waiting.pop() {
-            if analysis.mapped + 2 * boxes > analysis.question.settings.most {
+            if analysis.mapped + 2 * boxes > analysis.request.settings.most {
                 analysis.stopped = Some(Reason::Most);
                 break;
             }
@@ -86,7 +86,7 @@ impl<'a> Analysis<'a> {
     pub fn components(&self) -> Vec<Recurrence> {
         let leaves = self.leaves(0);
         let mut found: Vec<Recurrence> = leaves.iter().map(|&leaf| self.recurrence(leaf)).collect();
-        if let Some(depth) = self.question.settings.horseshoes {
+        if let Some(depth) = self.request.settings.horseshoes {
             self.add_horseshoes(depth, &leaves, &mut found);
         }
         found
@@ -97,16 +97,16 @@ impl<'a> Analysis<'a> {
         let mut open: Vec<usize> = (0..found.len()).filter(|&i| found[i].kind.is_undecided()).collect();
         open.sort_by_key(|&i| Reverse(found[i].boxes));
         let component = |i: usize| &self.nodes[leaves[i]].component;
-        for i in open.into_iter().take(MOST_SEARCHED).take_while(|_| self.question.watch.goes_on()) {
+        for i in open.into_iter().take(MOST_SEARCHED).take_while(|_| self.request.watch.goes_on()) {
             let others: Vec<&Component> = (0..leaves.len()).filter(|&j| j != i).map(component).collect();
-            let Question { space, watch, .. } = &self.question;
+            let Request { space, watch, .. } = &self.request;
             found[i].horseshoe = horseshoes::within(space, component(i), &others, depth, *watch);
         }
     }
 
     /// Returns the attracting cycles that are proved in components of which nothing else is, each with the place of its component. Lemma A14
     pub fn attractors_within(&self, found: &[Recurrence]) -> Vec<(usize, Box<LimitCycle>)> {
-        let Question { pair, space, settings, watch, .. } = &self.question;
+        let Request { pair, space, settings, watch, .. } = &self.request;
         let is_open: Vec<bool> = found.iter().map(|own| own.kind.is_undecided()).collect();
         if !is_open.contains(&true) || !watch.goes_on() {
             return Vec::new();
@@ -147,7 +147,7 @@ impl<'a> Analysis<'a> {
 
     /// Returns all states that motions have in the end, in about N boxes. Lemma A1
     pub fn whole(&self, boxes: u32) -> Component {
-        let fastest = self.question.space.fastest();
+        let fastest = self.request.space.fastest();
         // About as many columns as rows.
         let columns = 1_i64 << (boxes.ilog2() / 2); // A6: any boxes
         let rows = (columns as f64 / fastest).log2().round().exp2().max(64.0); // A1: the greatest speed is a multiple of a row
@@ -163,8 +163,8 @@ impl<'a> Analysis<'a> {
         let component = if node == 0 { own.component.clone() } else { own.component.halved() };
         let (halved, first) = (if node == 0 { 0 } else { own.halved + 1 }, self.nodes.len());
         self.mapped += component.cells.len();
-        let Question { space, released, watch, .. } = &self.question;
-        let allowed = self.question.settings.work.saturating_sub(self.work); // exact: what is left
+        let Request { space, released, watch, .. } = &self.request;
+        let allowed = self.request.settings.work.saturating_sub(self.work); // exact: what is left
         let graph = match Graph::of(space, &component, &released.next, allowed, *watch) {
             Ok((graph, work)) => {
                 self.work += work;
@@ -194,13 +194,13 @@ impl<'a> Analysis<'a> {
     fn is_refined(&self, node: usize) -> bool {
         let Node { component, kind, halved, .. } = &self.nodes[node];
         kind.is_undecided()
-            && *halved < self.question.settings.halvings
-            && !component.is_finest(self.question.space.fastest())
+            && *halved < self.request.settings.halvings
+            && !component.is_finest(self.request.space.fastest())
     }
 
     /// Returns the kind of a component, as far as it is proved.
     fn kind(&self, component: &Component) -> Kind {
-        let Question { pair, space, released, settings, .. } = &self.question;
+        let Request { pair, space, released, settings, .. } = &self.request;
         if component.cells.is_empty() {
             return released.cycle.map_or(Kind::Undecided, |cycle| Kind::RestCycle(Some(cycle)));
         }
@@ -221,7 +221,7 @@ impl<'a> Analysis<'a> {
         let Node { component, kind, .. } = &self.nodes[node];
         let Grid { columns, rows } = component.grid;
         let boxes = component.cells.len();
-        let area = boxes as f64 / (columns as f64 * rows * self.question.space.fastest()); // shown
+        let area = boxes as f64 / (columns as f64 * rows * self.request.space.fastest()); // shown
         let limits = || if self.is_refined(node) { self.stopped } else { Some(Reason::Halvings) };
         let reason = if kind.is_undecided() { limits() } else { None };
         Recurrence { kind: kind.clone(), boxes, area, is_closed: component.is_closed, reason, horseshoe: None }

@@ -3,7 +3,7 @@
 use std::collections::{BTreeSet, HashMap};
 
 use super::Recurrence;
-use super::analysis::{Analysis, Question};
+use super::analysis::{Analysis, Request};
 use super::graph::{Component, Graph, Recurrent};
 use crate::chaos::trap::{Cell, Grid};
 
@@ -77,8 +77,8 @@ impl Analysis<'_> {
             return patches;
         };
         let whole = self.whole(boxes);
-        let Question { space, released, watch, .. } = &self.question;
-        let allowed = self.question.settings.work;
+        let Request { space, released, watch, .. } = &self.request;
+        let allowed = self.request.settings.work;
         let Ok((graph, _)) = Graph::of(space, &whole, &released.next, allowed, *watch) else {
             // A11: nothing is proved of any box
             let speeds = [0.0, space.fastest()];

@@ -184,7 +184,7 @@ impl Space {
         let columns = grid.columns as f64; // exact: a power of two
         let from = part.phases[1];
         let first = (from * columns).floor() as i64; // D4: the column that it is in
-        let longest = self.patience(flights);
+        let longest = self.longest_flight(flights);
         let end = first + (longest * columns) as i64; // exact: a power of two
         let (mut column, mut step, mut work) = (first, 1, 0);
         while column < end {
@@ -228,7 +228,7 @@ impl Space {
     }
 
     /// Returns the number of forcing periods for which flights are followed: few where they may end in several.
-    fn patience(&self, flights: &Flights) -> f64 {
+    fn longest_flight(&self, flights: &Flights) -> f64 {
         let [low, high] = ends(flights.drifts());
         let [least, most] = [high.abs(), low.abs()].map(|drift| self.gap[1] / drift); // proposes: any number of them
         let is_spread = low * high <= 0.0 || (most - least).abs() > TAU; // proposes: any number of them

@@ -23,7 +23,7 @@ use crate::Error;
 use crate::pair::ImpactPair;
 use crate::periodic::Precision;
 use crate::watch::Watch;
-use analysis::{Analysis, Question};
+use analysis::{Analysis, Request};
 pub use basins::{Basin, Goes, Patch};
 pub(super) use cycle::closed;
 use image::Space;
@@ -188,7 +188,7 @@ impl Global {
         let space = Self::space(pair)?;
         let speed_unit = 1.0 / space.law().beta().expect("a gap is larger than 0").mid(); // shown
         let released = Released::of(pair, &space)?;
-        let analysis = Analysis::of(Question { pair, space, released, settings, watch });
+        let analysis = Analysis::of(Request { pair, space, released, settings, watch });
         let (mut components, mut order) = (analysis.components(), analysis.order());
         for (place, limit) in analysis.attractors_within(&components) {
             order.push([place, components.len()]);

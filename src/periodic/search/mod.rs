@@ -203,19 +203,19 @@ mod tests {
     }
 
     /// Amplitude, frequency and phase.
-    type Told = (&'static str, &'static str, &'static str);
+    type Written = (&'static str, &'static str, &'static str);
 
     /// Two odd harmonics, two that are not, three, a hop of every length; lengths in gaps, the fastest harmonic has `W = 2 pi`.
     fn under_several() -> Vec<Problem> {
-        let questions: [(&[Told], &str, &str, u32); 4] = [
+        let questions: [(&[Written], &str, &str, u32); 4] = [
             (&[("1/9.42497", "2*pi/3", "0"), ("0.5/9.42497", "2*pi", "0")], "0.5", "LR", 3),
             (&[("0.1", "pi", "0.3"), ("1/10", "2*pi", "0")], "0.5", "LR", 2),
             (&[("1/5", "4*pi/3", "0"), ("1/15", "2*pi/3", "1"), ("1/25", "2*pi", "0")], "0.6", "LR", 3),
             (&[("1/100", "pi", "0"), ("2", "2*pi", "0.7")], "0.8", "RRLLLRRLLL", 2),
         ];
         let value = |text: &str| text.parse::<crate::exact::Exact>().unwrap();
-        let problem = |(terms, restitution, word, cycles): (&[Told], &str, &str, u32)| {
-            let term = |&(a, w, tau): &Told| Harmonic::new(value(a), value(w), value(tau)).unwrap();
+        let problem = |(terms, restitution, word, cycles): (&[Written], &str, &str, u32)| {
+            let term = |&(a, w, tau): &Written| Harmonic::new(value(a), value(w), value(tau)).unwrap();
             let excitation = Excitation::new(terms.iter().map(term).collect()).unwrap();
             let pair = ImpactPair::new(excitation, value("1"), value(restitution)).unwrap();
             Problem::new(&pair, &word.parse().unwrap(), cycles).unwrap()
@@ -248,7 +248,7 @@ mod tests {
         let (word, period) = (&problem.word, f64::from(problem.period()));
         let found = problem.find(&start, Precision::default()).orbits;
         for orbit in found.iter().filter(|orbit| is_physical(orbit)) {
-            // Told from the period of the first impact.
+            // Counted from the period of the first impact.
             let at = |i: usize| {
                 let first = (orbit.phases()[0].mid() / period).floor() * period;
                 orbit.phases()[i].mid() - first

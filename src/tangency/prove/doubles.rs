@@ -2,9 +2,9 @@
 
 use super::super::begin::InDoubles;
 use super::super::proof::Proof;
-use super::Question;
+use super::Request;
 
 /// Returns no proof: none is in more bits.
-pub(super) fn proof(_: &InDoubles, _: &Question, _: impl Fn(&Proof) -> bool) -> Option<Proof> {
+pub(super) fn proof(_: &InDoubles, _: &Request, _: impl Fn(&Proof) -> bool) -> Option<Proof> {
     None
 }

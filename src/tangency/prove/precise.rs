@@ -2,14 +2,14 @@
 
 use super::super::begin::{InDoubles, chain_in};
 use super::super::proof::Proof;
-use super::Question;
+use super::Request;
 use crate::exact::Exact;
 use crate::number::MpBall;
 use crate::periodic::krawczyk::{Effort, polish, prove};
 
 /// Returns a proof that is as narrow as requested, in as few bits as suffice.
-pub(super) fn proof(found: &InDoubles, question: &Question, is_narrow: impl Fn(&Proof) -> bool) -> Option<Proof> {
-    let Question { other, precision, .. } = question;
+pub(super) fn proof(found: &InDoubles, request: &Request, is_narrow: impl Fn(&Proof) -> bool) -> Option<Proof> {
+    let Request { other, precision, .. } = request;
     let mut bits = 128 + (f64::from(precision.digits) * 3.33) as u32; // proposes
     while bits <= precision.max_bits {
         if let Some(proof) = found.precisely(other, bits).filter(&is_narrow) {

@@ -64,10 +64,10 @@ mod tests {
         fn answers_come_in_order_up_to_the_first_that_fails(from in 0..300usize, count in 0..1000usize, fails in 0..2000usize) {
             let all = from..from + count;
             let answer = |block: Range<usize>| block.map(|n| if n >= fails { Err(n) } else { Ok(2 * n) }).collect();
-            let (mut told, mut last) = (Vec::new(), from);
-            let found = in_blocks(all.clone(), BLOCK, answer, |known| told.push(known));
+            let (mut received, mut last) = (Vec::new(), from);
+            let found = in_blocks(all.clone(), BLOCK, answer, |known| received.push(known));
             prop_assert_eq!(&found, &all.clone().map(|n| if n >= fails { Err(n) } else { Ok(2 * n) }).collect());
-            for known in told {
+            for known in received {
                 prop_assert!(known > last && known <= all.end && (found.is_ok() || known <= fails));
                 last = known;
             }

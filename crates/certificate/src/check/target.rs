@@ -197,8 +197,8 @@ impl<'c> Target<'c> {
             let beyond = passed - &(middle(claimed) - &middle(&claims[0]));
             let half = Real::int(1, frame.turn.bits()).half();
             let first = claims[0].turn.map_or(0, i64::from); // exact: no turn, the first one
-            let told = cycle.checked_sub(first).ok_or_else(|| Doubt::open("a cycle is too large"))?;
-            let off = beyond.over(&frame.turn).map(|turns| turns - told);
+            let claimed = cycle.checked_sub(first).ok_or_else(|| Doubt::open("a cycle is too large"))?;
+            let off = beyond.over(&frame.turn).map(|turns| turns - claimed);
             match off {
                 // Both are a whole number.
                 Some(off) if off.is_below(&half) && (-off.clone()).is_below(&half) => {}

@@ -14,7 +14,7 @@ const PLAIN_SCALE: u32 = 100;
 /// Bits of a decimal in the place of a time that is none.
 const UNTIL_BITS: u32 = 128;
 
-/// What each file begins with.
+/// The first lines of each file.
 const PREAMBLE: &str = "\
 (* The first impacts of an orbit, as a theorem: for every scene and every launch that `param` and `first` describe there is
    exactly one sequence of impacts, each the first contact after the one before, on these walls and within these bounds.

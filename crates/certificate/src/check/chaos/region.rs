@@ -188,7 +188,7 @@ impl Beam {
         }
         let rate = view.rate.signed(is_far);
         let speed = match self.rate_at(self.level(is_far), times) {
-            Some(told) => rate.common(told.signed(is_far))?,
+            Some(known) => rate.common(known.signed(is_far))?,
             None => rate,
         };
         speed.common(Span::new(0.0, f64::MAX)) // V11: who comes from inside

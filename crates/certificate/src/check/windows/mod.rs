@@ -48,7 +48,7 @@ impl WindowsCertificate {
 }
 
 impl ClaimedWindow {
-    /// Whether, as far as is claimed, it may be another one. Along the same flights two are different where their orbits at one value are, or
+    /// Returns whether, as far as is claimed, it may be another one. Along the same flights two are different where their orbits at one value are, or
     /// where the one, proved between its ends, does not have the value of the other. Lemma V30
     fn may_be(&self, other: &Self) -> bool {
         if self.at.compare(&other.at) != Some(Ordering::Equal) {

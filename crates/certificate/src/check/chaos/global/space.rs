@@ -121,7 +121,7 @@ impl<'l> Space<'l> {
         }
         let mut land = |is_far: bool, phase: Span, speed: Span| self.land(grid, home, (is_far, [phase, speed]), note);
         let away = AWAY.into_iter().find(|&time| high[0] + time <= 0.5 || beam.leaves(time)).unwrap_or(0.0); // V20: no such time
-        let [least, longest] = [high[0] - low[0], self.patience(&beam)];
+        let [least, longest] = [high[0] - low[0], self.longest_flight(&beam)];
         let (mut from, mut step) = (0.0, least);
         while from < longest {
             step_made();
@@ -185,7 +185,7 @@ impl<'l> Space<'l> {
     }
 
     /// Number of forcing periods for which flights are followed.
-    fn patience(&self, beam: &Beam) -> f64 {
+    fn longest_flight(&self, beam: &Beam) -> f64 {
         let drifts = beam.drifts();
         let times = self.law.gap.over(drifts);
         if times.is_none_or(|times| times.hi() - times.lo() > 6.0) { FEW } else { LONGEST }

@@ -8,7 +8,7 @@ use crate::periodic::Problem;
 
 /// A closed chain from an impact on from which its flights come first in order, so that all views of it have one word: once
 /// around, or twice where the walls are exchanged after one round.
-pub(super) struct Told {
+pub(super) struct WallChain {
     /// The walls of its impacts, `L` or `R`.
     pub walls: String,
     pub cycles: u32,
@@ -16,7 +16,7 @@ pub(super) struct Told {
     pub phases: Vec<Interval>,
 }
 
-impl Told {
+impl WallChain {
     /// `None` where the forcing periods do not fit: no motion has such impacts.
     pub fn new(chain: &Chain) -> Option<Self> {
         let (count, turns) = (chain.len(), chain.turns?);
