@@ -1,12 +1,19 @@
 //! Questions that have nothing to do with each other, answered by several threads: threads decide nothing.
 
-use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::{LazyLock, Mutex};
 use std::thread;
 
-/// Returns the number of threads that the machine runs at a time.
+/// Returns the number of threads that the machine runs at a time; the system is asked once, as that reads files.
 pub(crate) fn available() -> usize {
-    thread::available_parallelism().map_or(1, usize::from) // exact: threads decide nothing
+    static THREADS: LazyLock<usize> = LazyLock::new(|| thread::available_parallelism().map_or(1, usize::from)); // exact: threads decide nothing
+    *THREADS
+}
+
+/// Returns a slice in as many parts as threads, each with the index of its first element.
+pub(crate) fn shares<T>(all: &[T]) -> Vec<(usize, &[T])> {
+    let length = all.len().div_ceil(available()).max(1); // exact: a length
+    all.chunks(length).enumerate().map(|(part, some)| (part * length, some)).collect()
 }
 
 /// Returns the answers to the questions `0..count`, in their order. A thread that gets `None` asks no further.
@@ -59,6 +66,14 @@ mod tests {
     #[test]
     fn one_thread_stops_at_the_first_question_without_an_answer() {
         assert_eq!(answers(1, usize::MAX, &|n| (n < 3).then_some(n)), [0, 1, 2]);
+    }
+
+    #[test]
+    fn shares_are_all_in_order() {
+        let all: Vec<usize> = (0..101).collect();
+        assert!(shares(&all).iter().all(|(first, some)| some[0] == *first));
+        assert_eq!(shares(&all).iter().map(|(_, some)| *some).collect::<Vec<_>>().concat(), all);
+        assert!(shares::<u32>(&[]).is_empty());
     }
 
     #[test]

@@ -39,21 +39,19 @@ impl Links {
 
 /// Returns all edges between the boxes of a region, in order: the images of each, or of its quarters where `in_quarters`. Lemma D4
 pub(super) fn edges(law: &Law, grid: Grid, cells: &[Cell], in_quarters: bool) -> Vec<Edge> {
-    let share = cells.len().div_ceil(threads::available()).max(1); // exact: a length
-    let shares: Vec<_> = cells.chunks(share).enumerate().collect();
-    let of_share = |(part, some): &(usize, &[Cell])| {
+    let of_share = |(first, some): &(usize, &[Cell])| {
         let mut own = Vec::new();
         for (i, &cell) in some.iter().enumerate() {
             let finer = in_quarters.then(|| images(law, grid, &quarters(grid, cell), cells)).flatten();
             // D5: the box itself is mapped into the region, whatever is computed of its quarters
             let found = finer.or_else(|| images(law, grid, &[grid.quad(cell)], cells));
-            let from = (part * share + i) as u32; // exact: fewer than 2^32
+            let from = (first + i) as u32; // exact: fewer than 2^32
             let found = found.expect("a region holds its images");
             own.extend(found.into_iter().map(|(side, to)| Edge { from, side, to }));
         }
         own
     };
-    let mut edges = threads::each(&shares, &of_share).concat();
+    let mut edges = threads::each(&threads::shares(cells), &of_share).concat();
     edges.sort_unstable();
     edges
 }

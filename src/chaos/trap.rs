@@ -180,9 +180,7 @@ impl Region {
             if known.len() > MOST {
                 return Err(NoTrap::Boxes);
             }
-            let share = frontier.len().div_ceil(threads::available());
-            let shares: Vec<_> = frontier.chunks(share).collect();
-            let results = threads::each(&shares, &|part| {
+            let results = threads::each(&threads::shares(&frontier), &|(_, part)| {
                 let mut found = HashSet::new();
                 let mut note = |_, cell| _ = found.insert(cell);
                 let reaches: Result<Vec<_>, NoTrap> =

@@ -38,11 +38,10 @@ struct Run {
     tube: Tube,
 }
 
-/// Counts of the boxes that are tried so far, and of those that are not proved to be mapped.
+/// The number of boxes that are tried so far.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Tally {
     pub boxes: u64,
-    pub failed: u64,
 }
 
 /// The search for words, one impact deeper at each step.
@@ -138,7 +137,6 @@ impl<'s> Search<'s> {
             let (next, words, more) = self.follow(&self.runs[number], &watch);
             let mut tally = tally.lock().expect("no thread has panicked");
             tally.boxes += more.boxes;
-            tally.failed += more.failed;
             Some((next, words))
         });
         self.tally = tally.into_inner().expect("no thread has panicked");
@@ -168,7 +166,6 @@ impl<'s> Search<'s> {
             let proved: Vec<bool> =
                 parts.iter().map(|part| run.tube.is_mapped(self.law, &self.guess, part, *side, next)).collect();
             tally.boxes += proved.len() as u64; // exact: a length
-            tally.failed += proved.iter().filter(|&&is| !is).count() as u64; // exact: a length
             let mut sides = run.sides.clone();
             sides.push(*side);
             for stretch in taken(parts, &proved, &mut used) {

@@ -98,10 +98,8 @@ impl Graph {
         let Component { grid, cells, has_release, .. } = component;
         let count = cells.len() as u32; // exact: fewer than 2^32
         let columns = component.columns();
-        let share = cells.len().div_ceil(threads::available()).max(1); // exact: a length
-        let shares: Vec<_> = cells.chunks(share).enumerate().collect();
-        let found = threads::each(&shares, &|(part, some)| {
-            images(space, (*grid, &columns), cells, (part * share, some), &allowance, watch)
+        let found = threads::each(&threads::shares(cells), &|share| {
+            images(space, (*grid, &columns), cells, *share, &allowance, watch)
         });
         let mut leaves = vec![false; cells.len() + 1];
         let (mut edges, mut staying) = (Vec::new(), Vec::new());
