@@ -109,7 +109,7 @@ fn attractors_are_confirmed_and_nothing_else_in_their_place() {
 }
 
 #[test]
-#[ignore = "deep"]
+#[ignore = "deep: every value of every attractor; by default attractors_are_confirmed_and_nothing_else_in_their_place"]
 fn attractors_with_any_value_changed_are_not_confirmed() {
     judges_attractors([1; 3]);
 }

@@ -73,7 +73,7 @@ fn a_hyperbolic_set_is_proved_again() {
 
 /// All 21 words of up to 8 impacts, slow impacts and folds among them.
 #[test]
-#[ignore = "deep"]
+#[ignore = "deep: all 21 words of up to 8 impacts; by default a_hyperbolic_set_is_proved_again"]
 fn a_hyperbolic_set_of_many_words_is_proved_again() {
     let document = hyperbolic(8);
     assert!(is_confirmed(&document), "{:?}", verdict(&document));
@@ -168,7 +168,7 @@ fn words_are_confirmed() {
 /// The claim of docs/paper.md on figure 14: long words, from the h-sets that `chaos --depth 22` finds. Each of the checker's ways to make
 /// chains loses some of them, of the longest ones a few for good: the others have the entropy that the document states.
 #[test]
-#[ignore = "deep"]
+#[ignore = "deep: words of up to 22 impacts; by default words_are_confirmed"]
 fn the_entropy_of_long_words_is_confirmed() {
     let document = chaos_of("figure-14", "tests/bases-figure-14.json", 22, None);
     let told = |key: &str| document["entropy"][key].as_str().unwrap().parse::<f64>().unwrap();
@@ -181,7 +181,7 @@ fn the_entropy_of_long_words_is_confirmed() {
 
 /// Words of figure 16, whose expansion is slow, from the bases that `chaos` finds: chains of boxes as fine as those of figure 14 are too coarse.
 #[test]
-#[ignore = "deep"]
+#[ignore = "deep: words of up to 20 impacts; by default words_are_confirmed"]
 fn r37_long_words_of_figure_16_are_confirmed() {
     let document = chaos_of("figure-16", "tests/bases-figure-16.json", 20, None);
     assert!(document["words"].as_array().unwrap().len() > 40 && is_confirmed(&document), "{:?}", verdict(&document));
@@ -193,7 +193,7 @@ fn spoiled_words_are_refused() {
 }
 
 #[test]
-#[ignore = "deep"]
+#[ignore = "deep: every word of up to 5 impacts; by default spoiled_words_are_refused"]
 fn spoiled_longer_words_are_refused() {
     refuses_spoiled_words(5, usize::MAX);
 }
@@ -269,14 +269,14 @@ fn another_base_is_refused() {
 
 /// Tubes with room for so little have none for a hundredth.
 #[test]
-#[ignore = "deep"]
+#[ignore = "deep: words over a range of gaps a hundred times as wide; by default another_base_is_refused"]
 fn a_wider_range_is_refused() {
     let over = chaos(3, Some("gap=9.42477..9.42498"));
     refuses(&with(&over, &[("/over/high", json!("9.5192"))]), "over", "not proved again");
 }
 
 #[test]
-#[ignore = "deep"]
+#[ignore = "deep: two more bases, two more shifts, three pairs; by default another_base_is_refused"]
 fn bases_moved_otherwise_and_pairs_on_either_side_are_refused() {
     let pairs = [("gap", "9.42497 * 1.01"), ("gap", "9.42497 * 0.99"), ("restitution", "0.505")];
     refuses_others(&[0, 2], &[[0.0, 0.02], [0.0, -0.02], [0.1, 0.0]], &pairs);

@@ -151,7 +151,7 @@ fn what_is_spoiled_is_never_confirmed() {
 }
 
 #[test]
-#[ignore = "deep"]
+#[ignore = "deep: three events of each of three figures; by default what_is_spoiled_is_never_confirmed"]
 fn what_is_spoiled_anywhere_is_never_confirmed() {
     judges_spoiled(["figure-14", "figure-16", "figure-17"].map(|name| (name, &[0, 20, 45][..])));
 }

@@ -40,7 +40,7 @@ fn r17_a_search_of_a_long_word_is_complete() {
 
 /// Another one at `e = 1`, figure 15 doubled, and the cascade.
 #[test]
-#[ignore = "deep"]
+#[ignore = "deep: words of up to 12 impacts; by default r17_a_search_of_a_long_word_is_complete"]
 fn r17_searches_of_long_words_are_complete() {
     are_complete(&[
         ("RLRLRL", 1, "0.36", "1", 2),
@@ -50,7 +50,7 @@ fn r17_searches_of_long_words_are_complete() {
 }
 
 #[test]
-#[ignore = "deep"]
+#[ignore = "deep: words of 10 impacts at three pairs; by default r17_a_search_of_a_long_word_is_complete"]
 fn r17_searches_of_words_of_ten_impacts_are_complete() {
     are_complete(&[
         ("LRLRLLRLRR", 5, "0.36", "0.8", 0),

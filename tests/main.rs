@@ -11,6 +11,7 @@ mod checked_documents;
 mod checked_lists;
 mod checked_shadows;
 mod complete_searches;
+mod deep;
 mod effort;
 mod environment;
 mod extremes;

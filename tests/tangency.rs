@@ -186,7 +186,7 @@ fn r48_a_search_ends_at_the_limit_of_its_work() {
 
 /// Without a word the search finds the first tangency by itself, in another section: the same value.
 #[test]
-#[ignore = "deep"]
+#[ignore = "deep: all words of up to 18 impacts; by default both_tangencies_of_figure_14_are_proved_to_30_digits"]
 fn the_search_finds_the_first_tangency() {
     let all = TangencySettings { word: None, longest: 18, ..settings("gap=9.4244..9.4254", FIRST, 9) };
     let found = Tangencies::of(&figure_14(), &all, &Unwatched).unwrap();

@@ -139,7 +139,7 @@ fn is_one(a: &str, b: &str) -> bool {
 }
 
 #[test]
-#[ignore = "deep"]
+#[ignore = "deep: 80,000,000 impacts; by default the_window_of_two_impacts_is_that_of_the_closed_forms"]
 fn the_sinks_near_the_printed_gap_are_found_with_their_windows() {
     let scene =
         Scene::parse(&std::fs::read_to_string(format!("{}/scenes/figure-14.toml", impact_pair_tests::ROOT)).unwrap())

@@ -94,7 +94,7 @@ fn every_example_runs() {
 }
 
 #[test]
-#[ignore = "deep"]
+#[ignore = "deep: the examples that take seconds; by default every_example_runs"]
 fn every_example_runs_those_that_take_seconds_too() {
     runs_examples(&[]);
 }

@@ -15,7 +15,7 @@ snapshots! { EXACT;
 
 /// The sink of 35 impacts beside the printed gap of figure 14, found, proved, drawn, and checked again.
 #[test]
-#[ignore = "deep"]
+#[ignore = "deep: 2,000,000 impacts and a window of 35; by default the_window_of_two_impacts_is_that_of_the_closed_forms"]
 fn a_window_of_figure_14_is_checked() {
     let folder = folder("windows");
     let [path, picture] = ["windows.json", "windows.svg"].map(|name| folder.join(name).to_str().unwrap().to_owned());

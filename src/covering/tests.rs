@@ -173,7 +173,7 @@ mod refined {
     }
 
     #[test]
-    #[ignore = "deep"]
+    #[ignore = "deep: 1,000 impacts in 720 bits; by default some_hundred_impacts_of_the_figures"]
     fn a_thousand_impacts_of_the_figures() {
         for (name, bits) in [("figure-14", 720), ("figure-16", 360), ("figure-17", 720)] {
             refine(&scene(name), 1000, bits);

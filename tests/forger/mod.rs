@@ -178,7 +178,7 @@ fn confirmed() -> Vec<Original> {
 
 /// Of some of the boxes by default.
 #[test]
-#[ignore = "deep"]
+#[ignore = "deep: boxes are proved anew for each forgery; by default nothing_that_is_forged_is_confirmed"]
 fn nothing_that_is_forged_of_boxes_is_confirmed() {
     for original in originals::in_boxes() {
         let found = verdict(&original.text(&original.document));

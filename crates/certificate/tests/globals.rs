@@ -213,7 +213,7 @@ fn r52_an_orbit_of_88_impacts_is_confirmed() {
 
 /// That of figure 16 nearest to its printed gap: rounding in its 32 flights takes more bits than at first (Lemma V30).
 #[test]
-#[ignore = "deep"]
+#[ignore = "deep: 32 flights in some hundred bits; by default r38_the_orbits_between_the_ends_of_a_window_are_judged"]
 fn r52_the_window_of_figure_16_is_confirmed() {
     let document: Value = serde_json::from_str(include_str!("window-of-figure-16.json")).unwrap();
     assert_eq!(checked(&document).verdict, VerdictName::Confirmed);

@@ -73,7 +73,7 @@ fn another_saddle_another_word_and_exchanged_eigenvalues_are_refuted() {
 }
 
 #[test]
-#[ignore = "deep"]
+#[ignore = "deep: each of four changes is proved anew; by default another_saddle_another_word_and_exchanged_eigenvalues_are_refuted"]
 fn bounds_that_hold_no_tangency_and_false_numbers_are_refuted() {
     let shifted = [
         ("/parameter", json!(["9.42512637688720494843198", "9.42512637688720494843199"])),
@@ -105,7 +105,7 @@ fn what_is_not_checked_is_undecided() {
 
 /// With the one to the other side of the printed gap, found by the same other program.
 #[test]
-#[ignore = "deep"]
+#[ignore = "deep: a second tangency; by default the_tangency_beside_figure_14_is_confirmed_within_wide_bounds"]
 fn both_tangencies_beside_figure_14_are_confirmed() {
     let text = include_str!("../../../docs/tangency-figure-14.json");
     let claims = Claims::parse(text).unwrap();
@@ -160,7 +160,7 @@ const INTERVAL: &str = include_str!("documents/tangency-interval.jsonl");
 
 /// Two common points for each gap of one range, none for each of the other, all in the boxes that are listed (Lemma V31).
 #[test]
-#[ignore = "deep"]
+#[ignore = "deep: boxes of a range of gaps; by default a_tangency_of_figure_14_is_checked"]
 fn common_points_beside_a_tangency_are_counted() {
     let verdict = in_boxes(COUNTED, &[]);
     assert!(matches!(verdict, Verdict::Confirmed { .. }), "{verdict:?}");
@@ -168,7 +168,7 @@ fn common_points_beside_a_tangency_are_counted() {
 
 /// The interval has exactly one tangency for each coefficient of restitution (Lemma V32).
 #[test]
-#[ignore = "deep"]
+#[ignore = "deep: boxes of an interval of coefficients of restitution; by default a_tangency_over_the_restitution_is_confirmed_and_shifted_ones_are_refuted"]
 fn a_tangency_for_each_coefficient_of_restitution_is_confirmed() {
     let verdict = in_boxes(INTERVAL, &[]);
     assert!(matches!(verdict, Verdict::Confirmed { .. }), "{verdict:?}");
@@ -186,7 +186,7 @@ fn changed(document: &str, pointer: &str, moved: f64, widened: [f64; 2]) -> (Str
 /// False claims about boxes or ranges are not confirmed: two points for gaps at which they are outside the boxes, or none where there are
 /// two; ranges exchanged; a box moved.
 #[test]
-#[ignore = "deep"]
+#[ignore = "deep: boxes are proved anew for each change; by default boxes_of_another_number_of_states_are_refuted"]
 fn false_counts_of_common_points_are_not_confirmed() {
     let at = |key: &str| format!("/tangencies/0/beside/{key}");
     let wide = |key: &str, widened| changed(COUNTED, &at(key), 0.0, widened);
@@ -214,7 +214,7 @@ fn false_counts_of_common_points_are_not_confirmed() {
 
 /// A wider interval of the restitution has tangencies outside the boxes; nor are there any in a box that is moved.
 #[test]
-#[ignore = "deep"]
+#[ignore = "deep: boxes are proved anew for each of eight changes; by default boxes_of_another_number_of_states_are_refuted"]
 fn false_tangencies_for_an_interval_are_not_confirmed() {
     let own = |key: &str| format!("/tangencies/0/{key}");
     let forged = [
@@ -244,7 +244,7 @@ fn boxes_of_another_number_of_states_are_refuted() {
 
 /// Both claims of the 24 flights beside figure 14, as `docs/tangency.md` has them.
 #[test]
-#[ignore = "deep"]
+#[ignore = "deep: boxes of 24 flights; by default the_tangency_beside_figure_14_is_confirmed_within_wide_bounds"]
 fn the_tangency_of_figure_14_is_confirmed_for_all_restitutions_next_to_one_half() {
     let text = include_str!("../../../docs/tangencies/family.json");
     let verdict = in_boxes(text, &[]);

@@ -348,20 +348,4 @@ mod tests {
             }
         }
     }
-
-    /// `cargo test --release -- --ignored --nocapture decimal_cost`
-    #[test]
-    #[ignore = "a timing, not a check"]
-    fn decimal_cost() {
-        let pairs: Vec<Enclosure> = (0..1000i64)
-            .map(|i| {
-                let m: BigInt = (BigInt::from(i * i + 7) << 60u8) / 977 + (BigInt::from(1u8) << 66u8);
-                Enclosure::new(Dyadic::new(m.clone() | BigInt::from(1), -60), Dyadic::new(m | BigInt::from(13), -60))
-                    .unwrap()
-            })
-            .collect();
-        let start = std::time::Instant::now();
-        let length: usize = (0..200).flat_map(|_| &pairs).map(|x| decimal_bounds(x)[0].len()).sum();
-        println!("{:?} a pair, {} digits", start.elapsed() / 200_000, length / 200_000);
-    }
 }

@@ -280,9 +280,7 @@ pub(crate) mod tests {
         assert!(tiny.enclose(10).inf().sign().is_ge());
     }
 
-    /// Two seconds in release, a minute in debug: `cargo test --release -- --ignored`.
     #[test]
-    #[ignore = "slow: 65536 bits"]
     fn hopeless_cancellation_is_refused() {
         let refusal = Exact::parse("sin(1e9000*sin(1e9000*sin(1e9000*sin(1))))").unwrap_err();
         assert_eq!(refusal.undefined(), Some(&ExactError::TooIllConditioned));

@@ -342,7 +342,7 @@ fn seen(law: &Law, found: &Global, start: [f64; 2], impacts: usize) -> Seen {
 /// 1,000 starts at each of 20 points end in what is proved to attract, those of a basin in its attractor, and none elsewhere, unless a
 /// component is undecided: with the impact map in floating point, which is that of `run` but for rounding.
 #[test]
-#[ignore = "deep: 20 analyses, and some 20 million impacts"]
+#[ignore = "deep: 20 analyses, and some 20 million impacts; by default starts_in_a_basin_end_in_its_attractor"]
 fn random_starts_end_in_the_attractors() {
     let points = [
         ("0.9", "0.3"),
@@ -429,7 +429,7 @@ fn a_cycle_with_rests_of_an_unknown_period() {
 /// part of its entropy that is proved depends on the h-sets that are found: more than half with words of eight impacts, less with words
 /// of six. All else that is proved of the component stays as it is.
 #[test]
-#[ignore = "deep"]
+#[ignore = "deep: words of eight impacts; by default r47_which_component_holds_a_horseshoe_is_not_checked"]
 fn a13_the_closed_component_of_figure_14_holds_a_horseshoe() {
     let settings = GlobalSettings { boxes: 1 << 12, most: 20_000, horseshoes: Some(8), ..GlobalSettings::default() };
     let found = Global::of(&pair("8/9.42497", "0.5"), &settings, &Unwatched).unwrap();

@@ -227,7 +227,7 @@ fn random_starts_end_where_they_are_proved_to() {
 }
 
 #[test]
-#[ignore = "deep"]
+#[ignore = "deep: 1,000 starts at 20 points; by default random_starts_end_where_they_are_proved_to"]
 fn a_thousand_random_starts_at_twenty_points_end_where_they_are_proved_to() {
     judged(&POINTS, 1000);
 }
@@ -254,7 +254,7 @@ fn grid() -> impl Iterator<Item = [String; 2]> {
 
 /// `check` of up to twenty points of each class, in a scattered order: none is refuted; of complete answers it says how many are confirmed.
 #[test]
-#[ignore = "deep"]
+#[ignore = "deep: some 100 points of the atlas; by default random_starts_end_where_they_are_proved_to"]
 fn twenty_points_of_each_class_are_checked() {
     let mut counts: BTreeMap<&str, [usize; 3]> = BTreeMap::new();
     for [ratio, restitution] in grid() {
