@@ -57,6 +57,8 @@ TEST = f"cargo test {ALL}"
 # Runs the tests of all executables side by side, where it is there.
 QUICK = f"cargo nextest run --cargo-profile validation --workspace {GMP} --tests --no-fail-fast --status-level fail" if shutil.which("cargo-nextest") else f"{TEST} --tests"
 LINT = f"cargo clippy {' '.join(PROFILE)} {GMP} --workspace"
+# By default clippy's driver compiles the workspace: what is built is linted, and nothing is checked a second time.
+LINTED = {"RUSTC_WORKSPACE_WRAPPER": "clippy-driver", "CLIPPY_ARGS": "-D__CLIPPY_HACKERY__warnings__CLIPPY_HACKERY__"}
 # Lines that ruff refuses half an hour later, in the package.
 FORM = "cargo fmt --all --check && ! awk 'length > 140 { print FILENAME \":\" FNR \": more than 140 characters\" }' $(git ls-files 'python/*.py') | grep ."
 NO_C = "cargo tree --quiet --edges normal,build,dev --prefix none -p impact-pair -p impact-pair-cli --no-default-features"
@@ -81,19 +83,22 @@ PARTS = [
     Part("kernel", "validation/kernel/prove --quick", "validation/kernel/prove", inputs=("src/number/kernel.rs", "validation/kernel", "validation/proving.py")),
     Part("bounds", "validation/bounds/prove --quick", "validation/bounds/prove",
          inputs=("src/number", "src/contact", "src/flight.rs", "validation/bounds", "validation/proving.py")),
-    cargo("tests", f"{QUICK} && {TEST} --doc",
+    cargo("tests", QUICK,
           f"{MANY} {TEST} --features png,pdf,parquet --lib --bins --tests -- --include-ignored && {TEST} --doc"
           f" && cargo test {' '.join(PROFILE)} -p impact-pair -p impact-pair-tests -p impact-pair-cli --no-default-features"
           f" && {TEST} --benches && {FRESH} {TEST} --test library straddle:: -- --nocapture"
           f" && {CROSSED} {TEST} --test truth crossings:: -- --nocapture && PROPTEST_CASES=100000 {TEST} --test library spoiled::"
           f" && PROPTEST_CASES=100000 {TEST} --test recorded claimed::"
           f" && FORGER_FOLDER=$PWD/target/forged FORGER_CASES=all {TEST} --test library forger::", ("program",)),
-    cargo("lints", f"{LINT} --lib --bins --examples --tests -- -D warnings",
+    # After the tests it is the other examples that are left to build.
+    cargo("lints", f"cargo build {ALL} --lib --bins --examples --tests",
           f"{LINT} --all-targets -- -D warnings && {LINT} --all-targets --features png,pdf,parquet -- -D warnings"
           f" && cargo clippy {' '.join(PROFILE)} --all-targets -p impact-pair -p impact-pair-cli --no-default-features -- -D warnings", ("tests",)),
     cargo("no C", NO_C, f"{NO_C} && cargo test {' '.join(PROFILE)} -p impact-pair-tests --no-default-features --test library", after=("lints",)),
     cargo("dependent", "validation/dependent --quick", "validation/dependent", after=("lints",)),
-    cargo("documentation", f"RUSTDOCFLAGS='-D warnings' cargo doc {ALL} --no-deps --quiet", after=("lints",)),
+    # Benches have no examples, and criterion is built for nothing else.
+    cargo("documentation", f"RUSTDOC=$PWD/validation/rustdoc {TEST} --doc --exclude impact-pair-benches",
+          f"RUSTDOCFLAGS='-D warnings' cargo doc {ALL} --no-deps --quiet", ("lints",)),
     cargo("instructions", "validation/instructions --profile validation", "validation/instructions", after=("tests",)),
     Part("scenes", *2 * (f'for scene in scenes/*.toml; do "$IMPACT_PAIR" run "$scene" --quiet --format csv >/dev/null || exit 1; done; {RUN_EXAMPLES}',),
          ("program",), inputs=(*SOURCES, "examples")),
@@ -278,7 +283,7 @@ def main():
     report = (asked.report or ROOT / ("validation/report" if asked.full else "target/report")).resolve()
     report.mkdir(parents=True, exist_ok=True)
     STATE.mkdir(parents=True, exist_ok=True)
-    environment = os.environ | {"IMPACT_PAIR": str(PROGRAM), "REPORT": str(report), "OCAMLRUNPARAM": OCAML}
+    environment = os.environ | {"IMPACT_PAIR": str(PROGRAM), "REPORT": str(report), "OCAMLRUNPARAM": OCAML} | ({} if asked.full else LINTED)
     # The report that goes is part of the version.
     began, made = time.monotonic(), f"Made by `validation/run{' --full' if asked.full else ''}` on {time.strftime('%Y-%m-%d')} of version `{version()}`"
     if asked.full and not asked.only:
