@@ -32,7 +32,7 @@ pub(crate) struct Pressed {
 }
 
 /// A sum of no more bits than this is exact.
-const EXACTLY: u32 = 1 << 30;
+const EXACT_SUM_BITS: u32 = 1 << 30;
 
 impl Pressed {
     /// `None` unless it is certain that the contact force acts at all phases, during the same half of a forcing period.
@@ -45,10 +45,10 @@ impl Pressed {
             Wall::Left => half(),
             Wall::Right => point(Dyadic::zero()),
         };
-        let since = phase.sub(&begin, EXACTLY);
+        let since = phase.sub(&begin, EXACT_SUM_BITS);
         let turns = since.floor()?; // Z1: shared by all
-        let since = since.sub(&point(Dyadic::new(turns.clone(), 0)), EXACTLY);
-        let left = half().sub(&since, EXACTLY);
+        let since = since.sub(&point(Dyadic::new(turns.clone(), 0)), EXACT_SUM_BITS);
+        let left = half().sub(&since, EXACT_SUM_BITS);
         let is_inside = since.sign().is_some_and(Ordering::is_ge) && left.sign() == Some(Ordering::Greater);
         is_inside.then(|| Self { since: Interval::enclosing(&since), left: Interval::enclosing(&left), turns })
     }

@@ -5,7 +5,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// The rooms of `src`, each with those it may import, which stand before it.
-const ROOMS: [(&str, &[&str]); 30] = [
+const MODULES: [(&str, &[&str]); 30] = [
     ("number", &[]),
     ("threads", &[]),
     ("units", &[]),
@@ -136,14 +136,14 @@ fn imports(text: &str) -> BTreeSet<String> {
 
 #[test]
 fn rooms_import_what_stands_before_them() {
-    let known: Vec<&str> = ROOMS.iter().map(|(room, _)| *room).collect();
+    let known: Vec<&str> = MODULES.iter().map(|(room, _)| *room).collect();
     let found: BTreeSet<String> = fs::read_dir(root().join("src"))
         .unwrap()
         .map(|entry| entry.unwrap().path().file_stem().unwrap().to_string_lossy().into_owned())
         .filter(|room| room != "lib")
         .collect();
     assert_eq!(found, known.iter().map(|room| (*room).to_owned()).collect());
-    for (place, (room, allowed)) in ROOMS.iter().enumerate() {
+    for (place, (room, allowed)) in MODULES.iter().enumerate() {
         assert!(allowed.iter().all(|other| known[..place].contains(other)), "{room} stands before what it imports");
         let path = [root().join("src").join(room), root().join("src").join(format!("{room}.rs"))];
         for file in path.iter().filter(|path| path.exists()).flat_map(|path| sources(path)) {
@@ -174,8 +174,8 @@ fn design_lists_the_rooms_in_this_order_and_all_crates() {
     let rooms = names("Rooms");
     let place =
         |name: &str| rooms.iter().position(|room| *room == name).unwrap_or_else(|| panic!("{name} is not listed"));
-    assert_eq!(rooms.len(), ROOMS.len(), "{rooms:?}");
-    for (room, allowed) in ROOMS {
+    assert_eq!(rooms.len(), MODULES.len(), "{rooms:?}");
+    for (room, allowed) in MODULES {
         assert!(allowed.iter().all(|other| place(other) < place(room)), "{room} is listed above what it imports");
     }
     let crates = names("Crates");
@@ -186,7 +186,7 @@ fn design_lists_the_rooms_in_this_order_and_all_crates() {
 fn design_names_files_that_are_there() {
     let design = fs::read_to_string(root().join("DESIGN.md")).unwrap();
     let is_there = |path: &str| {
-        let tops = if ROOMS.iter().any(|(room, _)| path.starts_with(&format!("{room}/"))) {
+        let tops = if MODULES.iter().any(|(room, _)| path.starts_with(&format!("{room}/"))) {
             root().join("src")
         } else {
             root().to_owned()
@@ -217,7 +217,7 @@ fn crates_depend_on_what_stands_before_them() {
 }
 
 /// Files that import one another in a circle, to be parted: no others do.
-const CIRCLES: [&[&str]; 2] = [
+const IMPORT_CYCLES: [&[&str]; 2] = [
     &["given", "motion", "plan", "precise", "shadowed", "splice", "textbook"],
     &["release", "rest", "standing", "still", "walk"],
 ];
@@ -246,7 +246,7 @@ fn in_circles(imports: &BTreeMap<String, BTreeSet<String>>) -> BTreeSet<String> 
 #[test]
 fn files_of_a_room_import_one_another_one_way() {
     let mut folders: Vec<PathBuf> = ["src", "crates", "cli/src", "python/src"].map(|path| root().join(path)).to_vec();
-    let mut left = CIRCLES.to_vec();
+    let mut left = IMPORT_CYCLES.to_vec();
     while let Some(folder) = folders.pop() {
         let entries: Vec<PathBuf> = fs::read_dir(&folder).unwrap().map(|entry| entry.unwrap().path()).collect();
         folders.extend(entries.iter().filter(|path| path.is_dir()).cloned());

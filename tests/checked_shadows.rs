@@ -17,7 +17,7 @@ const TWO: &str = r#"
     excitation = { amplitude = [8, "1/3"], frequency = ["pi", "2*pi"], phase = [0, 0.7] }
     pair = { gap = 9.42497, restitution = 0.5 }
     start = { time = "sqrt(2)", wall = "left", velocity = -12.56636 }"#;
-const INSIDE: &str = r#"
+const RELEASED_INSIDE: &str = r#"
     excitation = { amplitude = 8, frequency = "pi", phase = 0 }
     pair = { gap = 9.42497, restitution = 0.5 }
     start = { time = 0.1, position = 0.25, velocity = -12.56636 }"#;
@@ -60,7 +60,7 @@ fn shadowed_orbits_are_confirmed() {
         of("figure-16", 300),
         of("figure-17", 300),
         scene(TWO, 300),
-        scene(INSIDE, 100),
+        scene(RELEASED_INSIDE, 100),
         scene(RESTING, 80),
     ];
     for (name, document) in documents {
@@ -107,7 +107,7 @@ fn moved(bounds: &Value, widths: [i64; 2], factor: [i64; 2]) -> Value {
     json!([decimal(&middle - &half), decimal(middle + half)])
 }
 
-const WHOLE: [i64; 2] = [1, 1];
+const FULL_RANGE: [i64; 2] = [1, 1];
 
 /// The document with another value at each of the paths, and no words that say something else.
 fn spoiled(document: &Value, changes: &[(String, Value)]) -> Value {
@@ -166,7 +166,9 @@ fn judges_spoiled(figures: [(&str, &[usize]); 3]) {
             for key in ["time", "velocity"] {
                 let path = format!("/events/{k}/{key}");
                 let bounds = &document.pointer(&path).unwrap();
-                for (widths, factor) in [([1, 1], WHOLE), ([-1, 1], WHOLE), ([3, 1], WHOLE), ([1, 2], [1, 10000])] {
+                for (widths, factor) in
+                    [([1, 1], FULL_RANGE), ([-1, 1], FULL_RANGE), ([3, 1], FULL_RANGE), ([1, 2], [1, 10000])]
+                {
                     all.push(spoiled(&document, &[(path.clone(), moved(bounds, widths, factor))]));
                 }
             }
@@ -181,7 +183,7 @@ fn judges_spoiled(figures: [(&str, &[usize]); 3]) {
         let at = |path: &str| document.pointer(path).unwrap();
         let varied = if name == "figure-17" { "/outcome/start/time" } else { "/outcome/start/velocity" };
         for widths in [[3, 1], [-3, 1], [3, 4]] {
-            all.push(spoiled(&document, &[(varied.into(), moved(at(varied), widths, WHOLE))]));
+            all.push(spoiled(&document, &[(varied.into(), moved(at(varied), widths, FULL_RANGE))]));
         }
         // A hundredth of the bounds, from the scene's start on, the orbit's start being on the other side of it in one of both.
         let [below, above] = [-1, 1].map(|sign| moved(at(varied), [sign, 200], [1, 100]));
@@ -221,7 +223,7 @@ fn what_no_start_does_is_refuted() {
     refuted(&spoiled(&document, &[("/scene/gap".into(), json!("9.42498"))]), 0);
     refuted(&spoiled(&document, &[("/events/70/mapping".into(), json!("P3"))]), 70);
     let time = "/events/40/time";
-    let later = moved(document.pointer(time).unwrap(), [1, 1], WHOLE);
+    let later = moved(document.pointer(time).unwrap(), [1, 1], FULL_RANGE);
     let found = verdict(&spoiled(&document, &[(time.into(), later)]));
     assert!(matches!(found, Some(Verdict::Undecided(_) | Verdict::Refuted(_))), "{found:?}");
 }

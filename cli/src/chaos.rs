@@ -84,7 +84,7 @@ pub struct ChaosArguments {
 }
 
 /// Number of impacts of a word in cells, if none is given.
-const DEPTH: usize = 12;
+const DEFAULT_DEPTH: usize = 12;
 
 /// The content of a file of h-sets.
 #[derive(Deserialize)]
@@ -181,7 +181,8 @@ impl Work<'_> {
     /// Writes the verdicts over a range.
     fn cells(self, over: &Range, cells: u32) -> Result<Answer> {
         let scene = self.scene;
-        let (halvings, depth) = (self.arguments.halvings, self.arguments.depth.map_or(DEPTH, |depth| depth as usize));
+        let (halvings, depth) =
+            (self.arguments.halvings, self.arguments.depth.map_or(DEFAULT_DEPTH, |depth| depth as usize));
         let asked = RangeSettings { over: over.clone(), cells, halvings, depth };
         let progress = Progress::cells(cells, !self.files.quiet);
         let found = Cells::of(scene.pair(), scene.start(), &asked, &progress);

@@ -6,7 +6,7 @@ use std::path::PathBuf;
 use anyhow::{Context, Result};
 use clap::{Args, ValueEnum};
 use impact_pair::Scene;
-use impact_pair::chaos::{Global, GlobalSettings, Kind, MOST, MOST_DEPTH, Reason, Recurrence, WORK};
+use impact_pair::chaos::{DEFAULT_BOXES, DEFAULT_WORK, Global, GlobalSettings, Kind, MOST_DEPTH, Reason, Recurrence};
 use impact_pair::document::{self, counted};
 use impact_pair::exact::decimal_digits;
 use impact_pair::json::GlobalDocument;
@@ -56,11 +56,11 @@ pub struct GlobalArguments {
     #[arg(long, value_name = "N", default_value_t = 40, value_parser = clap::value_parser!(u32).range(0..=40))]
     halvings: u32,
     /// Map about N boxes in all, those of the smallest undecided component first
-    #[arg(long, value_name = "N", default_value_t = MOST as u64, value_parser = count(1..=1_000_000_000))]
+    #[arg(long, value_name = "N", default_value_t = DEFAULT_BOXES as u64, value_parser = count(1..=1_000_000_000))]
     most: u64,
     /// Do about N units of work for them: views of flights, columns that long flights may land in, boxes that are noted; as much again
     /// for basins
-    #[arg(long, value_name = "N", default_value_t = WORK, value_parser = count(1..=1_000_000_000_000))]
+    #[arg(long, value_name = "N", default_value_t = DEFAULT_WORK, value_parser = count(1..=1_000_000_000_000))]
     work: u64,
     /// Prove basins of attraction, by about 2^N boxes [default: none; with --plot 16]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(8..=24))]
@@ -80,7 +80,7 @@ pub struct GlobalArguments {
 }
 
 /// Basins of pictures are proved by 2^N boxes.
-const BASINS: u32 = 16;
+const DEFAULT_BASIN_DEPTH: u32 = 16;
 
 /// Output formats of a global analysis.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
@@ -105,7 +105,10 @@ pub fn global(arguments: &GlobalArguments) -> Result<Answer> {
         halvings: arguments.halvings,
         most: usize::try_from(arguments.most)?,
         work: arguments.work,
-        basins: arguments.basins.or(arguments.drawing.plot.is_some().then_some(BASINS)).map(|halvings| 1 << halvings),
+        basins: arguments
+            .basins
+            .or(arguments.drawing.plot.is_some().then_some(DEFAULT_BASIN_DEPTH))
+            .map(|halvings| 1 << halvings),
         horseshoes: arguments.horseshoes.map(|depth| depth as usize),
         ..GlobalSettings::default()
     };

@@ -11,9 +11,9 @@ use impact_pair::watch::{Stage, Watch, proceed_if};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
 /// Impacts between two looks at the clock; in doubles these take less than a blink.
-const STRIDE: u64 = 16;
+const IMPACTS_PER_POLL: u64 = 16;
 /// Exit code of a program that SIGINT ends.
-const KILLED: i32 = 130;
+const SIGINT_EXIT_CODE: i32 = 130;
 
 /// A line on stderr that counts the impacts, or nothing.
 pub struct Progress(Option<ProgressBar>);
@@ -102,7 +102,7 @@ impl Progress {
 
     /// The bar, when it is time to look at it.
     fn due(&self, index: u64) -> Option<&ProgressBar> {
-        let bar = self.0.as_ref().filter(|_| index.is_multiple_of(STRIDE))?;
+        let bar = self.0.as_ref().filter(|_| index.is_multiple_of(IMPACTS_PER_POLL))?;
         (bar.elapsed() > Duration::from_secs(1)).then_some(bar)
     }
 
@@ -166,7 +166,7 @@ pub fn catch_interruption() {
     HANDLER.get_or_init(|| {
         let on_signal = || {
             if INTERRUPTED.swap(true, Ordering::Relaxed) {
-                process::exit(KILLED);
+                process::exit(SIGINT_EXIT_CODE);
             }
         };
         // Without a handler Ctrl-C kills at once: no reason to refuse to run.

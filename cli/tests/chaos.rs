@@ -11,11 +11,11 @@ use crate::common::{answer_to, folder, program, scene, snapshots};
 use serde_json::Value;
 
 /// The exponent is that of a floating orbit.
-const SEEN: [(&str, &str); 1] = [(r"floating-point orbit: -?\d\.\d{3}", "floating-point orbit: ..")];
+const FLOATING_POINT_EXPONENT: [(&str, &str); 1] = [(r"floating-point orbit: -?\d\.\d{3}", "floating-point orbit: ..")];
 
 const BASES: [&str; 2] = ["--bases", "docs/bases-figure-14.json"];
 
-snapshots! { SEEN;
+snapshots! { FLOATING_POINT_EXPONENT;
     region_of_figure_14: program(&["trap", "scenes/figure-14.toml"]);
     region_of_figure_12: program(&["trap", "scenes/figure-12.toml"]);
     words_of_figure_14: program(&["trap", "scenes/figure-14.toml", "--words", "22"]);

@@ -6,13 +6,13 @@ use std::fs;
 
 use crate::common::{EXACT, UNCERTAIN, folder, program, snapshots};
 
-const OVER: [&str; 4] = ["tangency", "scenes/figure-14.toml", "--over", "gap=9.4249..9.4252"];
+const OVER_GAP: [&str; 4] = ["tangency", "scenes/figure-14.toml", "--over", "gap=9.4249..9.4252"];
 const WORD: [&str; 2] = ["--word", "FFFFFFFNFFFFFNFFNFFNFFFF"];
 
 const FAMILY: [&str; 4] = ["tangency", "docs/tangencies/family.toml", "--over", "gap=9.425..9.4253"];
 
 fn asked(more: &[&str]) -> std::process::Command {
-    program(&[&OVER[..], more].concat())
+    program(&[&OVER_GAP[..], more].concat())
 }
 
 snapshots! { EXACT;

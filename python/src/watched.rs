@@ -14,9 +14,9 @@ use pyo3::prelude::*;
 use crate::errors::Fault;
 
 /// Between two looks at signals and progress.
-const BLINK: Duration = Duration::from_millis(50);
+const POLL_INTERVAL: Duration = Duration::from_millis(50);
 /// Bytes of the thread's stack: as a program's own.
-const STACK: usize = 8 << 20;
+const STACK_BYTES: usize = 8 << 20;
 
 /// The progress of a computation, and a flag that stops it.
 #[derive(Debug, Default)]
@@ -96,10 +96,10 @@ fn watch<T: Send>(
                 let _ = send.send(work(&monitor));
                 drop(send);
             };
-            let thread = thread::Builder::new().stack_size(STACK).spawn_scoped(scope, at_work)?;
+            let thread = thread::Builder::new().stack_size(STACK_BYTES).spawn_scoped(scope, at_work)?;
             let mut interruption = None;
             loop {
-                match receive.recv_timeout(BLINK) {
+                match receive.recv_timeout(POLL_INTERVAL) {
                     Ok(found) => return found.map_err(|fault| interruption.unwrap_or_else(|| fault.into())),
                     Err(RecvTimeoutError::Disconnected) => {
                         let Err(panicked) = thread.join() else { unreachable!("it sends what it found") };

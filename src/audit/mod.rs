@@ -57,7 +57,7 @@ use tolerance::Tolerance;
 use truth::Truth;
 
 /// Digits that the truth has beyond those of the tolerance, so that its own width does not matter.
-const BEYOND: u32 = 3;
+const EXTRA_DIGITS: u32 = 3;
 
 /// The settings of an audit.
 #[derive(Clone, Debug)]
@@ -94,7 +94,7 @@ impl AuditSettings {
             let (_, size) = self.tolerance.enclose(64).to_f64_bounds();
             let digits = if size > 0.0 { -size.log10().floor() } else { f64::from(Settings::default().digits) }; // proposes
             // proposes
-            (digits as u32 + BEYOND).clamp(*DIGITS.start(), *DIGITS.end())
+            (digits as u32 + EXTRA_DIGITS).clamp(*DIGITS.start(), *DIGITS.end())
         })
     }
 }
@@ -284,17 +284,18 @@ impl<'s> Audit<'s> {
 
 /// Returns the error that the requested end of the comparison is before the start, or later than an orbit can be followed.
 fn out_of_reach(asked: &AuditSettings, rows: &[Listed], start: &Exact) -> Error {
-    const LATE: &str = "later than an orbit can be followed to";
+    const BEYOND_LATEST_TIME: &str = "later than an orbit can be followed to";
     let latest = rows.iter().max_by(|one, other| one.time.high.cmp(&other.time.high));
     match (&asked.until, latest) {
         (None, Some(Listed { place, time, .. })) => {
             let is_early = Exact::from_rational(time.high.clone()).compare(start) == Some(Ordering::Less);
-            let why = if is_early { format!("before the start at {}", start.text()) } else { LATE.to_owned() };
+            let why =
+                if is_early { format!("before the start at {}", start.text()) } else { BEYOND_LATEST_TIME.to_owned() };
             Error::list(format!("{place}: time is `{}`, {why}", time.written))
         }
         (until, _) => {
             let until = until.as_ref().map_or(String::new(), Exact::text);
-            Error::out_of_range("until", format!("until is `{until}`, {LATE}"))
+            Error::out_of_range("until", format!("until is `{until}`, {BEYOND_LATEST_TIME}"))
         }
     }
 }

@@ -34,13 +34,13 @@ pub struct Entered {
 }
 
 /// Arithmetics, each with the number of impacts after which it is asked whether the orbit converges: in doubles, then in as many bits as it takes.
-const ASKED: [(Arithmetic, u64); 2] = [(Arithmetic::Interval, 20_000), (Arithmetic::Auto, 800)];
+const ATTEMPTS: [(Arithmetic, u64); 2] = [(Arithmetic::Interval, 20_000), (Arithmetic::Auto, 800)];
 
 impl Asymptotics {
     /// Returns the result for an orbit; the region is looked for where there are h-sets.
     pub(super) fn of(pair: &ImpactPair, start: &Start, bases: &[Base], watch: &dyn Watch) -> Result<Self, Error> {
         let mut attractor = None;
-        for asked in ASKED {
+        for asked in ATTEMPTS {
             if attractor.is_none() {
                 attractor = limit(pair, start, asked, watch)?;
             }

@@ -6,7 +6,7 @@ use std::cell::OnceCell;
 
 use super::guess::Guess;
 use super::index::Indexed;
-use super::leaves::{BESIDE, GAPS, LENGTHS, Leaves, Window};
+use super::leaves::{HALF_LENGTHS, LEAF_OFFSETS, Leaves, MAX_GAPS, Window};
 use super::quad::State;
 use super::seen::Seen;
 use super::vector::{apart, length};
@@ -15,20 +15,20 @@ use crate::threads::each;
 use crate::watch::Watch;
 
 /// Least distance of points of the orbit that are tried, phases in radians, and their greatest number.
-const APART: f64 = 0.004;
-const MIDDLES: usize = 80;
+const MIN_DISTANCE: f64 = 0.004;
+const MAX_POINTS: usize = 80;
 /// The widest gap parts, or the widest two, or three, or none.
-const NESTED: [u32; 4] = [0b0, 0b1, 0b11, 0b111];
+const GAP_SELECTIONS: [u32; 4] = [0b0, 0b1, 0b11, 0b111];
 /// The most h-sets of a place.
-const MOST: u32 = 4;
+const MAX_H_SETS: u32 = 4;
 /// Factors by which h-sets are made shorter until they are apart from one another.
-const SHORTER: [f64; 5] = [1.0, 0.93, 0.86, 0.8, 0.7];
+const LENGTH_FACTORS: [f64; 5] = [1.0, 0.93, 0.86, 0.8, 0.7];
 /// Number of places that are moved, their least distance relative to their length, and the number of those that are parted further.
-const STARTS: usize = 16;
-const ELSEWHERE: f64 = 0.25;
-const FURTHER: usize = 5;
+const MOVED_PLACES: usize = 16;
+const MIN_PLACE_DISTANCE: f64 = 0.25;
+const SPLIT_PLACES: usize = 5;
 /// Moves, relative: the first ones, and those that are small enough.
-const MOVES: [f64; 2] = [0.3, 0.01];
+const MOVE_SIZES: [f64; 2] = [0.3, 0.01];
 
 /// A place where clusters of leaves are looked for: about a point of the orbit, up to `long` along its leaf and `beside` across it, in
 /// radians; bit `n` of `cuts` says whether the gap with `n` wider ones parts them.
@@ -63,14 +63,16 @@ impl Seen {
         let mut starts: Vec<Bundle> = Vec::new();
         for one in sorted(each(&self.middles(), &of_one).concat()) {
             let from = |other: &Bundle| apart(one.place.middle.0, other.place.middle.0);
-            if starts.len() < STARTS && starts.iter().all(|other| from(other) > ELSEWHERE * one.place.long) {
+            if starts.len() < MOVED_PLACES
+                && starts.iter().all(|other| from(other) > MIN_PLACE_DISTANCE * one.place.long)
+            {
                 starts.push(one);
             }
         }
         let climbed = sorted(each(&starts, &|start| sight.climbed(start.clone(), (true, watch))));
         // Less is seen of thin bases, but more is proved.
-        let best = climbed.iter().take(FURTHER).map(|bundle| bundle.place);
-        let places = best.flat_map(|place| NESTED.map(|cuts| Place { cuts: cuts | place.cuts, ..place }));
+        let best = climbed.iter().take(SPLIT_PLACES).map(|bundle| bundle.place);
+        let places = best.flat_map(|place| GAP_SELECTIONS.map(|cuts| Place { cuts: cuts | place.cuts, ..place }));
         let parted: Vec<Bundle> = places.filter_map(|place| sight.at(place)).collect();
         let parted = each(&parted, &|start| sight.climbed(start.clone(), (false, watch)));
         distinct(parted.into_iter().chain(climbed))
@@ -86,7 +88,7 @@ impl Seen {
     fn middles(&self) -> Vec<(State, State)> {
         let mut found: Vec<(State, State)> = Vec::new();
         for &point in &self.points {
-            if found.len() < MIDDLES && found.iter().all(|other| apart(point.0, other.0) > APART) {
+            if found.len() < MAX_POINTS && found.iter().all(|other| apart(point.0, other.0) > MIN_DISTANCE) {
                 found.push(point);
             }
         }
@@ -96,8 +98,8 @@ impl Seen {
 
 impl Place {
     fn parted(self) -> Vec<Self> {
-        let other = (0..GAPS).map(|gap| Self { cuts: self.cuts ^ (1 << gap), ..self });
-        other.filter(|place| place.cuts.count_ones() < MOST).collect()
+        let other = (0..MAX_GAPS).map(|gap| Self { cuts: self.cuts ^ (1 << gap), ..self });
+        other.filter(|place| place.cuts.count_ones() < MAX_H_SETS).collect()
     }
 }
 
@@ -117,8 +119,8 @@ impl<'s> Sight<'s> {
     /// The bundles about one point, of all sizes.
     fn about(&self, middle: (State, State)) -> Vec<Bundle> {
         let Some(window) = self.window(middle) else { return Vec::new() };
-        let sizes = LENGTHS.into_iter().flat_map(|long| BESIDE.map(|beside| [long, beside]));
-        let found = sizes.flat_map(|size| self.bundles(&window, (middle, size), &NESTED));
+        let sizes = HALF_LENGTHS.into_iter().flat_map(|long| LEAF_OFFSETS.map(|beside| [long, beside]));
+        let found = sizes.flat_map(|size| self.bundles(&window, (middle, size), &GAP_SELECTIONS));
         distinct(found.flatten().filter(|bundle| bundle.seen > 0.0))
     }
 
@@ -133,8 +135,8 @@ impl<'s> Sight<'s> {
         (middle, [long, beside]): ((State, State), [f64; 2]),
         ways: &[u32],
     ) -> Vec<Option<Bundle>> {
-        let lengths = SHORTER.map(|part| part * long);
-        let leaves: [OnceCell<Option<Leaves>>; SHORTER.len()] = Default::default();
+        let lengths = LENGTH_FACTORS.map(|part| part * long);
+        let leaves: [OnceCell<Option<Leaves>>; LENGTH_FACTORS.len()] = Default::default();
         let of_one = |&cuts: &u32| {
             lengths.into_iter().zip(&leaves).find_map(|(long, leaves)| {
                 let leaves = leaves.get_or_init(|| window.leaves([long, beside])).as_ref()?;
@@ -149,7 +151,7 @@ impl<'s> Sight<'s> {
 
     /// A little to all sides, as long as more entropy is seen.
     fn climbed(&self, mut best: Bundle, (parts, watch): (bool, &dyn Watch)) -> Bundle {
-        let [mut step, least] = MOVES;
+        let [mut step, least] = MOVE_SIZES;
         while step > least && watch.goes_on() {
             let place = best.place;
             let Place { middle, long, beside, cuts } = place;

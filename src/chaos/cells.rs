@@ -148,7 +148,7 @@ pub struct Cells {
 }
 
 /// Number of halvings of a cell up to which a horseshoe is looked for beside a stable orbit.
-const SEARCHED: u32 = 4;
+const SEARCHED_HALVINGS: u32 = 4;
 
 /// A search at work.
 struct Work<'w> {
@@ -219,7 +219,7 @@ impl Work<'_> {
         let edge = |index| within(NAME, &self.asked.over.low, self.edge(index));
         let (mut stretches, mut known) = (Vec::new(), Vec::new());
         self.decide([edge(index)?, edge(index + 1)?], 0, &mut known, &mut stretches)?;
-        let wide = |stretch: &Stretch| stretch.halved <= SEARCHED;
+        let wide = |stretch: &Stretch| stretch.halved <= SEARCHED_HALVINGS;
         for stretch in stretches.iter_mut().filter(|stretch| wide(stretch)) {
             self.look_beside(stretch, &mut known)?;
         }

@@ -5,7 +5,7 @@ use super::blocks::{Word, horseshoe};
 use super::guess::Guess;
 use super::law::Law;
 use super::quad::State;
-use super::scene::{IMPACTS, visited};
+use super::scene::{ORBIT_IMPACTS, visited};
 use super::seen::{Seen, seen};
 use super::trials::{ANY, Effort, THOROUGH};
 use super::tried::{FINE, MAKINGS, MOST_DEPTH, TRIAL, Tried, deepest, entropies};
@@ -68,7 +68,7 @@ pub struct Chaos {
 }
 
 /// The depth at which a quick proof ends, and the number of boxes at which it does.
-const QUICK: (usize, u64) = (12, 12_000);
+const QUICK_LIMITS: (usize, u64) = (12, 12_000);
 
 impl Chaos {
     /// Returns the words of at most N impacts.
@@ -83,7 +83,7 @@ impl Chaos {
         let watch = &Latched::new(watch);
         let law = Law::of(pair)?;
         let guess = Guess::new(&law);
-        let orbit = visited(pair, start, IMPACTS)?.last().and_then(|last| seen(&guess, last.middle()));
+        let orbit = visited(pair, start, ORBIT_IMPACTS)?.last().and_then(|last| seen(&guess, last.middle()));
         let searching = |_: Stage<'_>| watch.proceed(Stage::Horseshoe { depth: 0, boxes: 0 });
         let depth = request.depth.unwrap_or(MOST_DEPTH as usize); // proposes: how deep h-sets are judged
         let found = |seen: &Seen, effort| bases(seen, &law, depth, effort, &searching);
@@ -210,7 +210,7 @@ impl Horseshoe {
         if bases.is_empty() || problem(&bases).is_some() {
             return None; // exact: not proved
         }
-        let most = (depth.min(QUICK.0), QUICK.1); // proposes: how far to look
+        let most = (depth.min(QUICK_LIMITS.0), QUICK_LIMITS.1); // proposes: how far to look
         let tried = |&making: &_| {
             let tried = Tried::new(law, &bases, making).deepened(most, watch);
             let found = entropies(&tried.search);

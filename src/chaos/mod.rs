@@ -52,7 +52,8 @@ pub use cycles::{Cycle, Cycles, MOST_IMPACTS};
 pub(crate) use flights::Flights;
 pub(crate) use global::spectral_radius;
 pub use global::{
-    Basin, Class, Global, GlobalSettings, Goes, Kind, LimitCycle, MOST, Patch, Reason, Recurrence, RestCycle, WORK,
+    Basin, Class, DEFAULT_BOXES, DEFAULT_WORK, Global, GlobalSettings, Goes, Kind, LimitCycle, Patch, Reason,
+    Recurrence, RestCycle,
 };
 pub(crate) use guess::{Guess, Image};
 pub use horseshoe::{Chaos, Horseshoe, HorseshoeSettings};

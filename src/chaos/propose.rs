@@ -38,11 +38,11 @@ struct Sample {
 }
 
 /// Factor by which parts at the ends of a chain of boxes are shorter: some cells are lost there with each impact, and words begin near grazes.
-const GRADED: f64 = 0.001;
+const END_GRADING: f64 = 0.001;
 /// Fewer parts than that are not worth a chain of boxes.
-const FEWEST: usize = 12;
+const MIN_PARTS: usize = 12;
 /// Parts of one image that are looked at: where the map contracts to a line (e = 0), none is short enough to be straight.
-const MOST: usize = 1 << 18;
+const MAX_PARTS: usize = 1 << 18;
 
 /// The parts of an image, cut where the map jumps, and how many were looked at.
 struct Parts {
@@ -58,13 +58,13 @@ impl Making {
             let (from, to) = (sample(guess, tube, cell, -1.0), sample(guess, tube, cell, 1.0));
             self.refine(guess, tube, from, to, (cell == 0, cell + 1 == tube.cells()), &mut parts);
         }
-        if parts.seen > MOST {
+        if parts.seen > MAX_PARTS {
             return Vec::new();
         }
         parts
             .segments
             .iter()
-            .filter(|segment| segment.len() >= FEWEST)
+            .filter(|segment| segment.len() >= MIN_PARTS)
             .filter_map(|segment| self.proposal(guess, segment))
             .collect()
     }
@@ -79,7 +79,7 @@ impl Making {
         parts: &mut Parts,
     ) {
         parts.seen += 1;
-        if parts.seen > MOST {
+        if parts.seen > MAX_PARTS {
             return;
         }
         let chords = &tube.chords()[from.cell..=from.cell + 1];
@@ -113,7 +113,7 @@ impl Making {
         let long = along[0].hypot(along[1]);
         let bulge = (cross(along, radians(minus(m.state, a.state))) / long).abs();
         let thick = (cross(along, radians(applied(m.jacobian, between.half))) / long).abs();
-        let longest = if is_end { GRADED * self.longest } else { self.longest };
+        let longest = if is_end { END_GRADING * self.longest } else { self.longest };
         Some(long <= longest && bulge <= 0.3 * ((self.margin - 1.0) * thick + self.pad))
     }
 

@@ -7,7 +7,7 @@ use super::guess::Guess;
 use super::law::Law;
 use super::quad::State;
 use super::refusal::NoTrap;
-use super::scene::{IMPACTS, Visited, visited};
+use super::scene::{ORBIT_IMPACTS, Visited, visited};
 use super::trap::{Cell, Grid, Region};
 use super::tube::side_of;
 use super::words::Base;
@@ -47,7 +47,7 @@ pub struct Trap {
 }
 
 /// Columns and rows of the coarsest grid, and the number of times that it is doubled at most.
-const COARSEST: (i64, f64) = (256, 32.0);
+const COARSEST_GRID: (i64, f64) = (256, 32.0);
 const DOUBLINGS: u32 = 7;
 /// Floating impacts before the region is grown from where the ball is.
 const TRANSIENT: usize = 2000;
@@ -78,7 +78,7 @@ impl Trap {
         if law.restitution.mag() >= 1.0 {
             return Ok(Err(NoTrap::Elastic));
         }
-        let visited = visited(pair, start, IMPACTS)?;
+        let visited = visited(pair, start, ORBIT_IMPACTS)?;
         let Some(last) = visited.last() else { return Ok(Err(NoTrap::NoImpact)) };
         let guess = Guess::new(&law);
         // proposes: any box may be grown from
@@ -198,7 +198,7 @@ impl Trap {
 
 fn grown(law: &Law, doubled: u32, seed: [f64; 2], watch: &dyn Watch) -> Result<Region, NoTrap> {
     let more = 1_i64 << doubled;
-    let grid = Grid { columns: COARSEST.0 * more, rows: COARSEST.1 * more as f64 }; // exact: a power of two
+    let grid = Grid { columns: COARSEST_GRID.0 * more, rows: COARSEST_GRID.1 * more as f64 }; // exact: a power of two
     let cell = grid.cell(seed[0], seed[1]);
     Region::grow(law, grid, cell, watch)
 }

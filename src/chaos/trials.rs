@@ -47,7 +47,7 @@ pub(super) const DEPTH: usize = 60;
 /// Trials of bundles: their number, and the boxes for each h-set.
 const BUNDLES: [(usize, u64); 2] = [(32, 10_000), (8, 60_000)];
 /// Least factor by which one more h-set has to raise the entropy.
-const WORTH: f64 = 1.01;
+const MIN_ENTROPY_FACTOR: f64 = 1.01;
 
 /// The settings of trials of h-sets.
 #[derive(Clone, Copy)]
@@ -132,7 +132,7 @@ impl Trials<'_> {
         let mut best: (f64, Vec<Base>) = (0.0, Vec::new());
         while best.1.len() < self.effort.most && self.watch.goes_on() {
             let found = self.one_more(&best.1, candidates);
-            let Some((entropy, base)) = found.filter(|found| found.0 > best.0 * WORTH) else { break };
+            let Some((entropy, base)) = found.filter(|found| found.0 > best.0 * MIN_ENTROPY_FACTOR) else { break };
             best.0 = entropy;
             best.1.push(base);
         }

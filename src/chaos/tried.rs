@@ -29,8 +29,8 @@ pub(super) const FINE: [Making; 2] = [
     Making { longest: 0.0003, margin: 1.08, pad: 3e-7, shortest: 1e-9, ahead: 12 },
 ];
 /// The depth up to which all makings are tried, and the part of the best entropy that is enough for the first one that is followed deeper.
-const SHALLOW: usize = 8;
-const NEARLY: f64 = 0.95;
+const SHALLOW_DEPTH: usize = 8;
+const ENOUGH_ENTROPY: f64 = 0.95;
 /// A search, how deep it went, and whether it was stopped before.
 pub(super) struct Tried<'s> {
     pub search: Search<'s>,
@@ -71,7 +71,7 @@ pub(super) fn deepest<'s>(law: &'s Law, bases: &'s [Base], depth: Option<usize>,
     let tried = |makings: &[Making], depth: usize| -> Vec<Tried<'s>> {
         makings.iter().map(|&making| Tried::new(law, bases, making).deepened((depth, most), watch)).collect()
     };
-    let shallow = deepest.min(SHALLOW); // exact: counts
+    let shallow = deepest.min(SHALLOW_DEPTH); // exact: counts
     let first = good(tried(&MAKINGS, shallow), shallow < deepest);
     let is_slow = first.entropy() == 0.0 && !first.is_stopped && shallow < deepest; // proposes: which one to follow deeper
     let first = if is_slow { tried(&[SLOW], deepest).swap_remove(0) } else { first.deepened((deepest, most), watch) };
@@ -85,7 +85,7 @@ pub(super) fn deepest<'s>(law: &'s Law, bases: &'s [Base], depth: Option<usize>,
 /// that leads to nearly as much: the finest cells lead furthest.
 fn good(tried: Vec<Tried<'_>>, deeper: bool) -> Tried<'_> {
     let best = tried.iter().fold(0.0, |best: f64, one| best.max(one.entropy())); // proposes: each is a proof of its own
-    let enough = if deeper { NEARLY * best } else { best };
+    let enough = if deeper { ENOUGH_ENTROPY * best } else { best };
     let mut good = tried.into_iter().filter(|one| one.entropy() >= enough);
     let chosen = if deeper { good.next() } else { good.min_by_key(Tried::shortest) };
     chosen.expect("the best")

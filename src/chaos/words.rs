@@ -7,7 +7,7 @@ use super::guess::Guess;
 use super::law::{Law, Side};
 use super::propose::{Making, Proposal};
 use super::quad::{Chord, State};
-use super::tube::{Tube, WINDOW, side_of, taken};
+use super::tube::{NEIGHBOUR_CELLS, Tube, side_of, taken};
 use crate::threads::{answers, available};
 use crate::watch::{Stage, Watch};
 
@@ -61,7 +61,7 @@ pub(crate) struct Search<'s> {
 }
 
 /// Tubes up to this depth are shown.
-const SHOWN: usize = 3;
+const SHOWN_DEPTH: usize = 3;
 
 impl Base {
     /// Returns the h-set of a centre and the half vectors of its sides.
@@ -146,7 +146,7 @@ impl<'s> Search<'s> {
             self.words.extend(words);
         }
         self.depth = depth;
-        if self.depth <= SHOWN {
+        if self.depth <= SHOWN_DEPTH {
             let middle = |chord: &Chord| [0, 1].map(|i| 0.5 * (chord.bottom[i] + chord.top[i]));
             let middles = self.runs.iter().map(|run| run.tube.chords().iter().map(middle).collect());
             self.shown.extend(middles);
@@ -171,7 +171,7 @@ impl<'s> Search<'s> {
             for stretch in taken(parts, &proved, &mut used) {
                 let (low, high) = (parts[*stretch.start()].place, parts[*stretch.end()].place);
                 // Lemma D7: the ends of the stretch land before the one and behind the other.
-                let (low, high) = (low + WINDOW + 2, high.saturating_sub(WINDOW + 1)); // D7: none if it is shorter
+                let (low, high) = (low + NEIGHBOUR_CELLS + 2, high.saturating_sub(NEIGHBOUR_CELLS + 1)); // D7: none if it is shorter
                 if low < high {
                     self.collect(run.from, &sides, next.stretch(low, high), &mut runs, &mut words);
                 }
@@ -202,7 +202,7 @@ impl<'s> Search<'s> {
         taken.sort_unstable();
         let mut start = 0;
         for (a, b) in taken.into_iter().chain([(tube.cells(), tube.cells())]) {
-            if a > start + 4 * WINDOW {
+            if a > start + 4 * NEIGHBOUR_CELLS {
                 runs.push(Run { from, sides: sides.to_vec(), tube: tube.stretch(start, a) });
             }
             start = b;

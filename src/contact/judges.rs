@@ -7,7 +7,7 @@ use super::solve::{Iterate, Judge, NoProposal, propose};
 use super::{Contact, Reason, Undecided};
 use crate::flight::Flight;
 use crate::number::kernel::{SIN_COS_ERROR, SmallAngle};
-use crate::number::{ABOVE_TURN, Ball, Kernel, Number, UNIT, up};
+use crate::number::{ABOVE_TWO_PI, Ball, Kernel, Number, UNIT, up};
 use crate::pair::{Inward, Reduced, Wall};
 
 impl Bracket {
@@ -110,7 +110,7 @@ pub(super) fn together(flight: &Flight<f64>, margins: &Margins, all: &Bracket, c
 /// `y''` at all starts of a set and at its contacts, from the computed sine of the centre's phase and that over the contacts.
 #[inline(always)]
 pub(crate) fn accelerations(pair: &Reduced<Ball>, phase: Ball, sin0: f64, sin1: Ball) -> [Ball; 2] {
-    let sin0 = Ball::exact(sin0).widened(SIN_COS_ERROR + ABOVE_TURN * phase.rad());
+    let sin0 = Ball::exact(sin0).widened(SIN_COS_ERROR + ABOVE_TWO_PI * phase.rad());
     let acceleration = pair.beta.turn() * pair.beta;
     [acceleration * sin0, acceleration * sin1]
 }

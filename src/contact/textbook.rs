@@ -22,11 +22,11 @@ use crate::number::{Enclosing, Number, Wave};
 use crate::pair::Inward;
 
 /// The first piece, in forcing periods; later ones are at least as long before they are halved.
-const PIECE: f64 = 0.125;
+const FIRST_PIECE: f64 = 0.125;
 /// No piece is shorter: the wall is then called grazed.
-const SHORTEST: f64 = 1.0 / (1_u128 << 100) as f64; // exact: a power of two
+const MIN_PIECE: f64 = 1.0 / (1_u128 << 100) as f64; // exact: a power of two
 /// Pieces that are looked at, halved ones included, before the flight is called too long.
-const PIECES: usize = 10_000;
+const MAX_PIECES: usize = 10_000;
 /// Newton steps: each shortens the bracket by a quarter at least.
 const NEWTON_STEPS: usize = 1_000;
 
@@ -54,14 +54,14 @@ const NEWTON_STEPS: usize = 1_000;
 /// ```
 pub fn first_contact(flight: &Flight<Interval>) -> Verdict<Contact<Interval>> {
     let walk = Walk(flight);
-    let (mut begin, mut length) = (0.0, PIECE);
-    for _ in 0..PIECES {
+    let (mut begin, mut length) = (0.0, FIRST_PIECE);
+    for _ in 0..MAX_PIECES {
         let end = begin + length;
-        if !(length >= SHORTEST && end > begin) {
+        if !(length >= MIN_PIECE && end > begin) {
             return Verdict::Undecided(walk.graze(begin));
         }
         match walk.piece(begin, end) {
-            Piece::Inside => (begin, length) = (end, (2.0 * length).max(PIECE)), // I3: any length
+            Piece::Inside => (begin, length) = (end, (2.0 * length).max(FIRST_PIECE)), // I3: any length
             Piece::Contact(target) => return Verdict::Certified(walk.contact(target, between(begin, end))),
             Piece::Open => length /= 2.0,
         }
@@ -181,8 +181,8 @@ impl Walk<'_> {
 
     /// A wall may be touched with zero velocity, in the shortest piece from here on in which the ball may turn.
     fn graze(&self, begin: f64) -> Undecided {
-        let (mut piece, mut length) = (between(begin, begin), PIECE);
-        while length >= SHORTEST && self.velocity(between(begin, begin + length)).contains(0.0) {
+        let (mut piece, mut length) = (between(begin, begin), FIRST_PIECE);
+        while length >= MIN_PIECE && self.velocity(between(begin, begin + length)).contains(0.0) {
             (piece, length) = (between(begin, begin + length), length / 2.0);
         }
         let (low, high) = self.bounds(piece, self.velocity(piece));

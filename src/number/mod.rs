@@ -23,7 +23,7 @@ use std::ops::{Add, Mul, Neg, Sub};
 use crate::exact::Enclosure;
 
 pub use ball::Ball;
-pub(crate) use ball::{ABOVE_TURN, LARGEST_RATE, TINY, UNIT, binade, is_positive, up};
+pub(crate) use ball::{ABOVE_TWO_PI, LARGEST_RATE, TINY, UNIT, binade, is_positive, up};
 use kernel::SmallAngle;
 pub use logarithm::logarithm;
 pub use magnitude::Magnitude;

@@ -19,7 +19,7 @@ use rug::integer::Order;
 use rug::{Assign, Float, Integer};
 
 use super::kernel::SmallAngle;
-use super::{ABOVE_TURN, Ball, Enclosing, LEAST_BITS, Magnitude, Number, Wave, up};
+use super::{ABOVE_TWO_PI, Ball, Enclosing, LEAST_BITS, Magnitude, Number, Wave, up};
 use crate::exact::{Dyadic, Enclosure};
 
 /// All real numbers within [`MpBall::rad`] of [`MpBall::mid`].
@@ -220,7 +220,7 @@ impl MpBall {
         }
         if let Some(found) = sine::sin_cos(&self.mid, self.bits()) {
             // Their slopes are at most 2 pi.
-            let turned = Magnitude::new(ABOVE_TURN, 0) * self.rad;
+            let turned = Magnitude::new(ABOVE_TWO_PI, 0) * self.rad;
             return found.map(|(mid, error)| Self { mid, rad: turned + error }).into();
         }
         let angle = self.turn().times(self);
@@ -269,7 +269,7 @@ impl MpBall {
     /// the one before, so what is left out of each sum is smaller than the first term that is left out of one.
     pub fn short_departure(&self) -> Option<SmallAngle<Self>> {
         // Relative to the excess, the smallest of them.
-        let size = Magnitude::new(ABOVE_TURN, 0) * self.mag();
+        let size = Magnitude::new(ABOVE_TWO_PI, 0) * self.mag();
         self.departure_within(size * size * size * Magnitude::power_of_two(-i64::from(self.bits()) - 3))
     }
 
@@ -283,7 +283,7 @@ impl MpBall {
             let bits = (size.log2() - error.log2()).max(0.0) + 3.0; // M1: any number of bits
             (bits as u32).clamp(LEAST_BITS, self.bits().max(LEAST_BITS)) // M1: any number of bits
         };
-        let bits = worth(Magnitude::new(ABOVE_TURN, 0) * self.mag());
+        let bits = worth(Magnitude::new(ABOVE_TWO_PI, 0) * self.mag());
         let turn = Self { mid: Float::new(bits), rad: Magnitude::ZERO }.turn();
         let x = turn.product(self, bits);
         let size = x.mag();

@@ -19,7 +19,7 @@ use crate::number::LEAST_BITS;
 use crate::turns;
 
 /// Bits that constant factors eat.
-const GUARD: f64 = 24.0;
+const GUARD_BITS: f64 = 24.0;
 /// Standard deviations of the growth that are allowed for.
 const DEVIATIONS: f64 = 3.0;
 /// Impacts whose growth is one of the weakly dependent numbers.
@@ -63,7 +63,7 @@ impl Plan {
             highest = highest.max(*grown);
             *grown = highest - *grown;
         }
-        let last = asked + GUARD + (growth.len().max(1) as f64).log2();
+        let last = asked + GUARD_BITS + (growth.len().max(1) as f64).log2();
         Self { rest: growth.into(), horizon, last, deviation, most: most.max(LEAST_BITS) }
     }
 

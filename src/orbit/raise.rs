@@ -17,9 +17,9 @@ use crate::pair::ImpactPair;
 /// Impacts that are planned for at once; of longer orbits first a quarter of a quarter, so that impacts appear soon.
 ///
 /// A quarter of the impacts costs a sixteenth to a sixtieth of all.
-const AT_ONCE: u64 = 1 << 14;
+const FIRST_PLAN: u64 = 1 << 14;
 /// Impacts that a plan looks ahead at most: it holds a number for each.
-const FARTHEST: u64 = 1 << 22;
+const MAX_PLAN: u64 = 1 << 22;
 
 /// The exact orbit, and how it was tried before.
 #[derive(Debug)]
@@ -102,9 +102,9 @@ impl Raise {
             })
         };
         // A time to stop at ends the floating run too.
-        let until = || self.turns.is_finite().then(|| run().take(FARTHEST as usize).count() as u64 + 1);
-        let mut horizon = self.impacts.into_iter().chain(until()).min().unwrap_or(FARTHEST).min(FARTHEST);
-        while horizon > AT_ONCE && horizon / 4 > index {
+        let until = || self.turns.is_finite().then(|| run().take(MAX_PLAN as usize).count() as u64 + 1);
+        let mut horizon = self.impacts.into_iter().chain(until()).min().unwrap_or(MAX_PLAN).min(MAX_PLAN);
+        while horizon > FIRST_PLAN && horizon / 4 > index {
             horizon /= 4;
         }
         // An orbit that goes on beyond what the floating run saw.

@@ -11,7 +11,7 @@ use super::splice::Splice;
 use super::{Arithmetic, Impact, Orbit, Outcome, Settings, Start};
 use crate::clock::Clock;
 use crate::contact::{Contact, Grazed, Undecided};
-use crate::covering::chain::{AHEAD, Chain, Covering};
+use crate::covering::chain::{Chain, Covering, LOOKAHEAD};
 use crate::covering::node::Node;
 use crate::covering::start::Beginning;
 use crate::covering::start::{Segment, Starts, Varied};
@@ -108,7 +108,7 @@ impl<S: Flying> ShadowMotion<S, Segment<S::Waves<Ball>>> {
     pub fn from(shaken: Arc<S>, origin: &Origin<Ball>, impacts: Option<u64>) -> Option<(Box<dyn Motion>, Option<u64>)> {
         let mut chain = Chain::from_origin(shaken.clone(), origin.clone(), impacts);
         let nodes = chain.advance();
-        let regular = (!chain.expands()).then_some((nodes.len() + AHEAD) as u64); // proposes: what to claim
+        let regular = (!chain.expands()).then_some((nodes.len() + LOOKAHEAD) as u64); // proposes: what to claim
         Some((Box::new(Self::of(shaken, chain, nodes)?), regular))
     }
 }

@@ -37,12 +37,12 @@ pub struct Effort {
 }
 
 /// `2^-5`, the largest radius that is of use, in forcing periods, and the factor from one domain to the next.
-pub(super) const LARGEST: f64 = 0.031_25;
-const FINER: f64 = 0.125;
+pub(super) const MAX_RADIUS: f64 = 0.031_25;
+const DOMAIN_FACTOR: f64 = 0.125;
 /// The fewest bits that an image takes off an enclosure if it is not slow.
-const FAST: f64 = 0.25;
+const MIN_GAIN_BITS: f64 = 0.25;
 /// Bits that one step with a preconditioner in doubles adds at least, where it adds what it should.
-pub(super) const GAINED: u32 = 32;
+pub(super) const PRECONDITIONED_GAIN_BITS: u32 = 32;
 
 /// `x - Y_i F`: an entry of a step of simplified Newton's iteration.
 fn newton<N: Enclosing>(x: &N, row: &[f64], misses: &[N]) -> N {
@@ -129,7 +129,7 @@ pub fn prove<N: Enclosing>(
         if let Some(at) = image(equations, inverse, &domain).filter(|image| is_inside(image, &domain)) {
             return Some(Proved { at: refine(equations, inverse, at, &domain, effort), domain });
         }
-        radius *= FINER;
+        radius *= DOMAIN_FACTOR;
     }
     None
 }
@@ -179,7 +179,7 @@ fn refine<N: Enclosing>(
             break;
         }
         at = narrower;
-        slow += u32::from(gain < FAST); // proposes: when to stop
+        slow += u32::from(gain < MIN_GAIN_BITS); // proposes: when to stop
         if slow > effort.slow {
             break;
         }
@@ -198,7 +198,7 @@ mod tests {
     use crate::number::Wave;
     use proptest::prelude::*;
 
-    const EFFORT: Effort = Effort { largest: LARGEST, domains: 14, images: 40, slow: 0 };
+    const EFFORT: Effort = Effort { largest: MAX_RADIUS, domains: 14, images: 40, slow: 0 };
 
     /// `x^2 + y^2 = 1`, `x sin a = y cos a`: the zeros are `(cos a, sin a)` and its opposite.
     struct Circle {

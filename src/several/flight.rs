@@ -86,7 +86,7 @@ pub(crate) struct Kinematics<N> {
 }
 
 /// Departures take at most N turns.
-const SHORT: f64 = 0.124;
+const SHORT_FLIGHT: f64 = 0.124;
 
 impl<'h, N: Phased> SumFlight<'h, N> {
     /// The flight that starts so; `waves` are the sines and cosines of the harmonics where they are known better.
@@ -120,7 +120,7 @@ impl<'h, N: Phased> SumFlight<'h, N> {
     pub fn state(&self, at: &Instant<N>) -> Kinematics<N> {
         if let Some(wall) = self.launch.wall
             && at.turns == 0
-            && at.rest.bounds().1 <= SHORT
+            && at.rest.bounds().1 <= SHORT_FLIGHT
             && let Some(state) = self.departure(wall, &at.rest)
         {
             return state;

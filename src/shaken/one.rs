@@ -11,7 +11,7 @@ use crate::exact::{Enclosure, Exact};
 use crate::excitation::displacement_velocity_acceleration;
 use crate::flight::{Flight, Launch};
 use crate::impact::Touch;
-use crate::number::{ABOVE_TURN, Ball, Kernel, Number, UNIT, Wave, kernel, up};
+use crate::number::{ABOVE_TWO_PI, Ball, Kernel, Number, UNIT, Wave, kernel, up};
 use crate::pair::{ImpactPair, Reduced, Wall};
 use crate::rest::{Pressed, accumulation};
 use crate::several::{Phased, Turning};
@@ -57,7 +57,7 @@ impl Shaken for OneHarmonic {
     }
 
     fn steepest(&self) -> f64 {
-        up(ABOVE_TURN * self.bounds_of_pair.pair.beta.mag())
+        up(ABOVE_TWO_PI * self.bounds_of_pair.pair.beta.mag())
     }
 
     fn acceleration(&self, _: i64, phase: f64) -> f64 {

@@ -38,7 +38,7 @@ pub struct Repetition {
 
 impl Repetition {
     /// The repetition of one harmonic.
-    pub const TURN: Self = Self { turns: 1, is_odd: Some(true) };
+    pub const ONE_PERIOD: Self = Self { turns: 1, is_odd: Some(true) };
 }
 
 /// The velocities of a short flight back to its wall.

@@ -7,7 +7,7 @@ use crate::orbit::{Arithmetic, BITS, MULTIPRECISION, Settings};
 /// Digits that `auto` is requested.
 const DIGITS: [u32; 5] = [3, 9, 15, 30, 100];
 /// Rungs of fixed bits that bring no further impact before the ladder gives up: the first may just miss one.
-const PATIENCE: u32 = 2;
+const MAX_FRUITLESS_ROWS: u32 = 2;
 
 /// An arithmetic with its precision.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -88,7 +88,7 @@ impl Ladder {
                 self.idle = if impacts > self.reached { 0 } else { self.idle + 1 };
                 self.reached = self.reached.max(impacts);
                 let double = bits.checked_mul(2).filter(|&double| double <= self.max_bits && !all);
-                double.filter(|_| self.idle < PATIENCE).map(Rung::Bits).or(auto)
+                double.filter(|_| self.idle < MAX_FRUITLESS_ROWS).map(Rung::Bits).or(auto)
             }
             Some(Rung::Shadow) => auto,
             Some(Rung::Auto(digits)) => DIGITS.into_iter().find(|&more| more > digits).map(Rung::Auto),

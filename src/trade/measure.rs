@@ -14,13 +14,13 @@ use crate::watch::{Silent, Watch};
 use crate::{Error, Scene};
 
 /// Runs are repeated until those without and with bounds, and their preparations, have taken this time together, ...
-const LONG_ENOUGH: Duration = Duration::from_millis(400);
+const MIN_TOTAL_TIME: Duration = Duration::from_millis(400);
 /// ... or until there are this many of them.
-const OFTEN_ENOUGH: usize = 301;
+const MAX_REPETITIONS: usize = 301;
 /// The first run is timed impact by impact. It is not repeated if it takes longer than this, ...
-const LONG: Duration = Duration::from_secs(1);
+const LONG_RUN: Duration = Duration::from_secs(1);
 /// ... and longer than this per impact: reading the clock three times takes less than 1 % of it.
-const SLOW: Duration = Duration::from_micros(20);
+const SLOW_IMPACT: Duration = Duration::from_micros(20);
 
 /// The measurements of one arithmetic.
 #[derive(Clone, Debug)]
@@ -114,7 +114,7 @@ pub(super) fn measure(
         return Ok(None);
     }
     let impacts = orbit.listed();
-    let is_long = |time: Duration| time > LONG && time.as_secs_f64() > SLOW.as_secs_f64() * impacts as f64;
+    let is_long = |time: Duration| time > LONG_RUN && time.as_secs_f64() > SLOW_IMPACT.as_secs_f64() * impacts as f64;
     let times = if is_long(times.orbit) { Some(times) } else { repeat(begin, is_certified, watch)? };
     Ok(times.map(|times| Measured {
         rung,
@@ -169,7 +169,7 @@ fn repeat(
 ) -> Result<Option<Times>, Error> {
     let (mut without, mut with) = (Vec::new(), Vec::new());
     let begun = Instant::now();
-    while without.is_empty() || (without.len() < OFTEN_ENOUGH && begun.elapsed() < LONG_ENOUGH) {
+    while without.is_empty() || (without.len() < MAX_REPETITIONS && begun.elapsed() < MIN_TOTAL_TIME) {
         let alone = time(begin()?, watch, |_, impact| _ = black_box(impact));
         let Some(alone) = alone else { return Ok(None) };
         without.push(alone);

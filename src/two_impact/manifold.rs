@@ -13,7 +13,7 @@ use crate::pair::{ImpactPair, Wall, within};
 use crate::watch::{Latched, Watch};
 
 use super::closed_forms::{self, grazing_angle};
-use super::problem::{ONE_HARMONIC, SHOWN};
+use super::problem::{NEEDS_ONE_HARMONIC, SHOWN_BITS};
 use crate::exact::Real;
 use crate::periodic::Stability;
 
@@ -175,7 +175,7 @@ impl Range<'_> {
             parts.reverse();
         }
         parts.push(None);
-        let shown = whole_bits(digits) + SHOWN;
+        let shown = whole_bits(digits) + SHOWN_BITS;
         let point = |(place, after): (Place, Option<Part>)| Point {
             amplitude: self.amplitude(cycles, &place.x).enclosure().rounded(shown),
             at: place.at.enclosure().rounded(shown),
@@ -190,7 +190,7 @@ impl Range<'_> {
     }
 
     fn check(&self, cycles: u32) -> Result<(), Error> {
-        self.pair.harmonic(ONE_HARMONIC)?;
+        self.pair.harmonic(NEEDS_ONE_HARMONIC)?;
         let (gap, e) = (self.pair.gap(), self.pair.restitution());
         if e.compare(&Exact::from(1)) != Some(Ordering::Less) {
             return Err(Error::range(

@@ -19,11 +19,11 @@ use impact_pair_certificate::{Claims, Effort, Verdict};
 use serde_json::Value;
 
 /// Changes of a document that are tried by default, each with the counts and messages as they were and made consistent.
-const TRIED: usize = 2;
+const DEFAULT_CHANGES: usize = 2;
 
 fn tried() -> usize {
     let cases = std::env::var("PROPTEST_CASES").ok().and_then(|cases| cases.parse().ok()).unwrap_or(256);
-    if cases >= 100_000 { usize::MAX } else { (TRIED * cases).div_ceil(256) }
+    if cases >= 100_000 { usize::MAX } else { (DEFAULT_CHANGES * cases).div_ceil(256) }
 }
 
 /// The verdict of `check` and the keys not checked; `None` where the document is refused.

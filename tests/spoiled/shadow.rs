@@ -17,7 +17,7 @@ const STEPS: u32 = 8;
 /// Places of the last impact in its bounds at which it is sought, in sixteenths.
 const PLACES: [i64; 5] = [8, 4, 12, 1, 15];
 /// Factor by which rounding outward widens the bounds of a document at most.
-const ROUNDED: f64 = 1.05;
+const MAX_ROUNDING_FACTOR: f64 = 1.05;
 
 pub fn is_true(document: &Value, outcome: &OutcomeDocument) -> bool {
     let (Some(near), Some(last)) =
@@ -61,7 +61,7 @@ fn is_near(document: &Value, outcome: &OutcomeDocument) -> bool {
     let mut halves: Vec<f64> =
         document["events"].as_array().unwrap().iter().filter_map(width).map(|width| width * turns / 2.0).collect();
     halves.sort_by(f64::total_cmp);
-    let is_told = |half: f64, told: &BigRational| half <= ROUNDED * float(told);
+    let is_told = |half: f64, told: &BigRational| half <= MAX_ROUNDING_FACTOR * float(told);
     is_told(halves[(halves.len() - 1) / 2], &told.median.value())
         && is_told(halves[halves.len() - 1], &told.maximum.value())
 }

@@ -10,7 +10,7 @@ use impact_pair::scales::Unit;
 use crate::heading::heading;
 
 /// Events that disagree and are shown; of a chaotic list thousands may follow.
-const SHOWN: usize = 10;
+const MAX_ROWS: usize = 10;
 
 /// The table with every event, or with the first ones that disagree.
 pub fn table(audit: &Audit<'_>, name: &str, all: bool) -> String {
@@ -60,7 +60,7 @@ fn shown<'a>(audit: &'a Audit<'_>, all: bool) -> Vec<Option<&'a Finding>> {
     let is_of_interest = |finding: &Finding| {
         finding.verdict.disagrees() || matches!(finding.verdict, Verdict::Undecided | Verdict::NotReached)
     };
-    let first = (0..findings.len()).filter(|&at| is_of_interest(&findings[at])).take(SHOWN);
+    let first = (0..findings.len()).filter(|&at| is_of_interest(&findings[at])).take(MAX_ROWS);
     let wanted: BTreeSet<usize> = first.chain(audit.departure().map(|departure| departure.finding)).collect();
     let with_those_before: BTreeSet<usize> = wanted.iter().flat_map(|&at| [at.saturating_sub(1), at]).collect();
     let mut shown = Vec::new();

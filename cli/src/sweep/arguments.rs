@@ -46,7 +46,7 @@ Exit code: 0 everything requested is certified at every point; 1 at some points 
 interrupted; 2 usage, bad input, I/O.";
 
 #[derive(Args, Debug)]
-#[command(mut_arg("merge", |merge| merge.conflicts_with_all(MADE_ANEW)))]
+#[command(mut_arg("merge", |merge| merge.conflicts_with_all(FIXED_BY_SHARDS)))]
 pub struct SweepArguments {
     /// Scene file (TOML), or - for stdin
     #[arg(required_unless_present = "merge")]
@@ -99,7 +99,7 @@ pub struct SweepArguments {
 }
 
 /// The options that shards have fixed already.
-const MADE_ANEW: [&str; 10] =
+const FIXED_BY_SHARDS: [&str; 10] =
     ["scene", "over", "transient", "impacts", "digits", "arithmetic", "max_bits", "summary", "shard", "resume"];
 
 /// Output formats of the points of a sweep.

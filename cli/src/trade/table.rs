@@ -5,12 +5,12 @@ use impact_pair::trade::{Crossing, Extent, Judgement, Largest, Measured, Trade};
 
 use crate::heading::heading;
 
-const TIMES: &str = "us: microseconds, orbit: impacts enclosed, as impacts/s; bounds: with their exact bounds in the units of the scene";
+const COLUMN_NOTES: &str = "us: microseconds, orbit: impacts enclosed, as impacts/s; bounds: with their exact bounds in the units of the scene";
 
 pub fn table(trade: &Trade<'_>) -> String {
     let mut lines = vec![format!("{}requested: {}\n", heading(trade.scene), trade.goal()), names()];
     lines.extend(trade.rungs.iter().map(row));
-    lines.push(format!("\n{TIMES}"));
+    lines.push(format!("\n{COLUMN_NOTES}"));
     let speed = trade.units.speed;
     lines.push(format!("widths: guaranteed, of times in periods 2 pi/W, of velocities in {speed}"));
     if let Some(judgement) = &trade.judgement {

@@ -9,7 +9,7 @@ use impact_pair::two_impact::{Answer, Axis, Manifold, MeasuredOrbit, Orbit, Part
 use crate::periodic::orbits;
 
 /// The bits that eigenvalues are shown to.
-const FEW: u32 = 24;
+const EIGENVALUE_BITS: u32 = 24;
 
 /// The motions of each N.
 pub fn motions(scene: &Scene, unknown: &Unknown, answers: &[Answer], wall: Wall) -> String {
@@ -72,7 +72,7 @@ fn kind(orbit: &MeasuredOrbit) -> String {
 }
 
 fn eigenvalues(orbit: &MeasuredOrbit) -> String {
-    let few = |x: &Enclosure| decimal_digits(&x.rounded(FEW));
+    let few = |x: &Enclosure| decimal_digits(&x.rounded(EIGENVALUE_BITS));
     let is_zero = |x: &Enclosure| x.inf().is_zero() && x.sup().is_zero();
     let [large, small] = &orbit.eigenvalues;
     if is_zero(&large.im) && is_zero(&small.im) {

@@ -20,7 +20,7 @@ pub(super) struct Leaves<'n> {
 const FLAGS: [&str; 5] = ["certified", "exhaustive", "no_attractor", "no_rest", "stable_between"];
 
 /// Keys at which `null` is a claim: that no mapping is named, that no two of the words are free.
-const CLAIM_NONE: [&str; 2] = ["events.mapping", "horseshoe"];
+const NULL_CLAIMS: [&str; 2] = ["events.mapping", "horseshoe"];
 
 /// Returns whether a value exists at a path without the positions in lists.
 pub(super) fn is_there(value: &Value, path: &str) -> bool {
@@ -75,7 +75,7 @@ impl<'n> Leaves<'n> {
     fn says_nothing(&self, unnumbered: &str, value: &Value) -> bool {
         let key = unnumbered.rsplit('.').next().unwrap_or(unnumbered); // exact: the whole path
         match value {
-            Value::Null => !CLAIM_NONE.contains(&unnumbered),
+            Value::Null => !NULL_CLAIMS.contains(&unnumbered),
             Value::Array(items) => items.is_empty() && self.items != Some(unnumbered),
             Value::Object(entries) => entries.is_empty(),
             Value::Bool(is_so) => !is_so && FLAGS.contains(&key),

@@ -121,7 +121,7 @@ pub struct ProvedHorseshoeDocument {
 }
 
 /// Whom a statement is about.
-const EVERY: &str = "every motion that touches a wall";
+const EVERY_MOTION: &str = "every motion that touches a wall";
 
 impl GlobalDocument {
     /// Returns the same with the statement that follows from the class and the components.
@@ -150,9 +150,11 @@ impl GlobalDocument {
             return format!("{} left as they are, of which nothing is decided", counted(undecided, "component"));
         }
         match self.class.as_str() {
-            "one-rest-cycle" => format!("{EVERY} ends in {}", attractors.concat()),
-            "one-attractor" => format!("{EVERY} tends to {}{beside}", attractors.concat()),
-            "attractors" if undecided == 0 => format!("{EVERY} tends to {}{beside}", attractors.join(", or to ")),
+            "one-rest-cycle" => format!("{EVERY_MOTION} ends in {}", attractors.concat()),
+            "one-attractor" => format!("{EVERY_MOTION} tends to {}{beside}", attractors.concat()),
+            "attractors" if undecided == 0 => {
+                format!("{EVERY_MOTION} tends to {}{beside}", attractors.join(", or to "))
+            }
             "attractors" => format!(
                 "{} proved: {}; of what stays in {} nothing{} is decided",
                 counted(attractors.len() as u32, "attractor"), // shown
@@ -162,7 +164,7 @@ impl GlobalDocument {
             ),
             "closed" => {
                 let closed = counted(undecided, "closed component");
-                format!("{EVERY} is in the end in {closed} of which nothing else is decided{beside}")
+                format!("{EVERY_MOTION} is in the end in {closed} of which nothing else is decided{beside}")
             }
             _ => format!("undecided: {} of which nothing is decided", counted(undecided, "component")),
         }

@@ -21,8 +21,8 @@ pub fn whole_bits(digits: u32) -> u32 {
 /// a computation makes its roundings less than `2^64` times as large. A chain of a thousand impacts adds ten bits for its length; a zero
 /// that is all but double, whose derivative is `2^-40`, another 40.
 pub fn working_bits(digits: u32) -> u32 {
-    const SLACK: u32 = 64;
-    whole_bits(digits) + SLACK
+    const SPARE_BITS: u32 = 64;
+    whole_bits(digits) + SPARE_BITS
 }
 
 /// `log2(10^digits)`, to nearest.

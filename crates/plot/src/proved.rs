@@ -6,7 +6,7 @@ use impact_pair::chaos::{Cells, RangeSettings, State, Verdict, seen_impacts};
 use impact_pair::exact::Exact;
 use plotters::prelude::*;
 
-use crate::chaos::{PHASE, parameters};
+use crate::chaos::{PHASE_LABEL, parameters};
 use crate::picture::{self, Arc, Axis, BLUE, Canvas, Element, GREY, Look, Mark, PURPLE, SCALE, SKY, VERMILION};
 use crate::sweep::{Cells as Rectangles, Plane, described, value};
 
@@ -16,8 +16,8 @@ const COLUMNS: u32 = 600;
 const ROWS: i32 = 260;
 const IMPACTS: [usize; 2] = [600, 160];
 /// Height of the bar above the diagram that shows the verdicts, and its distance from the diagram.
-const BAR: i32 = 14 * SCALE;
-const ABOVE: i32 = 4 * SCALE;
+const BAR_HEIGHT: i32 = 14 * SCALE;
+const BAR_DISTANCE: i32 = 4 * SCALE;
 
 /// The entries of the legend, by kind of verdict, with their colours.
 const LEGEND: [(&str, RGBColor); 5] = [
@@ -61,7 +61,7 @@ pub fn cells(scene: &Scene, asked: &RangeSettings, found: &Cells, look: &Look) -
             let mut all = Rectangles::default();
             for stretch in of_kind(number) {
                 let [left, right] = [&stretch.low, &stretch.high].map(|end| plane.column(value(end)));
-                all.add((left, plane.pixels[1].0 - ABOVE - BAR), ((right - left).max(1), BAR));
+                all.add((left, plane.pixels[1].0 - BAR_DISTANCE - BAR_HEIGHT), ((right - left).max(1), BAR_HEIGHT));
             }
             columns.iter().filter(|column| column.kind == number).for_each(|column| column.draw(arc, &plane, &mut all));
             data += &all.element(*colour);
@@ -101,9 +101,9 @@ fn frame(
     let entries: Vec<(Mark, String)> =
         named.iter().map(|&number| (Mark::Cell(LEGEND[number].1), LEGEND[number].0.to_owned())).collect();
     let height = picture::legend(root, top, &entries)?;
-    let (_, below) = root.split_vertically(top + height + ABOVE + BAR);
+    let (_, below) = root.split_vertically(top + height + BAR_DISTANCE + BAR_HEIGHT);
     let axes = [Axis::over(value(&asked.over.low), value(&asked.over.high)), arc.axis()];
-    Plane::draw(&below, axes, [&over, PHASE])
+    Plane::draw(&below, axes, [&over, PHASE_LABEL])
 }
 
 impl Column {

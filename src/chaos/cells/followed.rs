@@ -11,10 +11,10 @@ use super::super::words::Base;
 use crate::number::Ball;
 
 /// The most impacts of saddles that are looked for, and the places along the h-set from which they are, a half length being 1.
-const LONGEST: usize = 16;
-const PLACES: [f64; 7] = [0.0, -0.25, 0.25, -0.5, 0.5, -0.75, 0.75];
+const MAX_SADDLE_IMPACTS: usize = 16;
+const SADDLE_PLACES: [f64; 7] = [0.0, -0.25, 0.25, -0.5, 0.5, -0.75, 0.75];
 /// The greatest change of `D` or `e` that is followed in one step.
-const STEP: f64 = 5e-4;
+const MAX_STEP: f64 = 5e-4;
 
 /// A periodic state of saddle type, and the directions that expand and contract there, of unit length.
 #[derive(Clone, Copy, Debug)]
@@ -106,10 +106,10 @@ impl Base {
             a.abs() < 1.0 && b.abs() < 1.0
         };
         let of = |impacts: usize| {
-            let starts = PLACES.iter().map(|part| [0, 1].map(|i| middle[i] + part * along[i]));
+            let starts = SADDLE_PLACES.iter().map(|part| [0, 1].map(|i| middle[i] + part * along[i]));
             starts.filter_map(|state| Saddle::near(guess, state, impacts)).find(is_inside)
         };
-        (1..=LONGEST).find_map(of)
+        (1..=MAX_SADDLE_IMPACTS).find_map(of)
     }
 
     /// The same h-set, wider by a factor.
@@ -134,7 +134,7 @@ impl Followed {
     pub fn to(&self, law: &Law) -> Option<Self> {
         let end = [law.gap.mid(), law.restitution.mid()];
         let change = minus(end, self.at);
-        let steps = change.iter().fold(1.0, |most: f64, x| most.max((x.abs() / STEP).ceil()));
+        let steps = change.iter().fold(1.0, |most: f64, x| most.max((x.abs() / MAX_STEP).ceil()));
         (1..=steps as u32).try_fold(self.clone(), |followed, step| {
             let part = f64::from(step) / steps;
             followed.at([0, 1].map(|i| self.at[i] + part * change[i]))

@@ -15,13 +15,13 @@ use crate::chaos::words::Base;
 use crate::watch::Watch;
 
 /// The most boxes in whose middles floating-point orbits begin, the most impacts of each, and the number of all at which no more begin.
-const SEEDS: usize = 8192;
-const FOLLOWED: usize = 2000;
-const IMPACTS: usize = 100_000;
+const MAX_SEEDS: usize = 8192;
+const IMPACTS_PER_SEED: usize = 2000;
+const MAX_IMPACTS: usize = 100_000;
 /// Impacts of each after which it has come to where motions stay.
 const TRANSIENT: usize = 4;
 /// H-sets have phases, in forcing periods, from -1 to 2.
-const PERIODS: std::ops::RangeInclusive<i64> = -2..=2;
+const PHASE_RANGE: std::ops::RangeInclusive<i64> = -2..=2;
 
 /// Returns a horseshoe whose motions are in a component in the end, not in another one, by words of at most N impacts; `None` where none is
 /// proved. Lemma A13
@@ -42,10 +42,10 @@ pub(super) fn within(
 fn staying(guess: &Guess, component: &Component) -> Option<Seen> {
     let mut points: Vec<(State, State)> = Vec::new();
     let mut sum = 0.0;
-    let every = component.cells.len().div_ceil(SEEDS).max(1); // proposes: where h-sets are looked for
+    let every = component.cells.len().div_ceil(MAX_SEEDS).max(1); // proposes: where h-sets are looked for
     for &cell in component.cells.iter().step_by(every) {
         let (mut state, mut direction) = (component.grid.quad(cell).centre, GENERIC);
-        for k in 0..FOLLOWED {
+        for k in 0..IMPACTS_PER_SEED {
             let Some(growth) = step(guess, &mut state, &mut direction) else { break };
             if !component.is_near(state) {
                 break;
@@ -55,7 +55,7 @@ fn staying(guess: &Guess, component: &Component) -> Option<Seen> {
                 sum += growth.ln();
             }
         }
-        if points.len() >= IMPACTS {
+        if points.len() >= MAX_IMPACTS {
             break;
         }
     }
@@ -68,7 +68,7 @@ fn is_apart(component: &Component, bases: &[Base]) -> bool {
     let Grid { columns, rows } = component.grid;
     let meets = |base: &Base, (column, row): Cell| {
         let round = [base.left.bottom, base.right.bottom, base.right.top, base.left.top];
-        PERIODS.clone().any(|periods| {
+        PHASE_RANGE.clone().any(|periods| {
             let column = i64::from(column) + periods * columns;
             let at = |i: i64, j: i32| [(column + i) as f64 / columns as f64, f64::from(row + j) / rows]; // exact: powers of two
             let corners = [at(0, 0), at(1, 0), at(1, 1), at(0, 1)];

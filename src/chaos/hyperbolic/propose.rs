@@ -11,14 +11,14 @@ use crate::chaos::quad::State;
 use crate::pair::Wall;
 
 /// Neighbours whose images are farther apart are parted, unless they are nearer than that themselves.
-const APART: f64 = 0.01;
-const NEAREST: f64 = 1e-9;
+const MAX_IMAGE_DISTANCE: f64 = 0.01;
+const MIN_DISTANCE: f64 = 1e-9;
 /// First parts of an h-set.
-const PARTS: usize = 256;
+const FIRST_PARTS: usize = 256;
 /// Places, a half length being 1, to which the sides of a strip are mapped beyond the edges of the h-set that is covered: each is tried.
-const BEYOND: [f64; 3] = [1.006, 1.002, 1.0005];
+const SIDE_IMAGES: [f64; 3] = [1.006, 1.002, 1.0005];
 /// Part of a strip's breadth that is added on either side, as the sides are straight.
-const SPARE: f64 = 2e-4;
+const WIDTH_MARGIN: f64 = 2e-4;
 const STEPS: usize = 40;
 
 /// A state on the middle line of an h-set, and its images.
@@ -60,14 +60,14 @@ impl Line<'_> {
 
     /// Samples whose images lie close together, as long as their flights are alike.
     fn samples(&self) -> Vec<Sample> {
-        let place = |k: usize| 2.0 * k as f64 / PARTS as f64 - 1.0;
+        let place = |k: usize| 2.0 * k as f64 / FIRST_PARTS as f64 - 1.0;
         let mut done = vec![self.sample(-1.0)];
-        let mut open: Vec<Sample> = (1..=PARTS).rev().map(|k| self.sample(place(k))).collect();
+        let mut open: Vec<Sample> = (1..=FIRST_PARTS).rev().map(|k| self.sample(place(k))).collect();
         while let Some(next) = open.pop() {
             let last = &done[done.len() - 1];
             let alike = last.images.iter().zip(&next.images).take_while(|(a, b)| a.1 == b.1);
-            let is_apart = alike.clone().any(|(a, b)| (a.0[0] - b.0[0]).hypot(a.0[1] - b.0[1]) > APART);
-            if is_apart && next.xi - last.xi > NEAREST {
+            let is_apart = alike.clone().any(|(a, b)| (a.0[0] - b.0[0]).hypot(a.0[1] - b.0[1]) > MAX_IMAGE_DISTANCE);
+            if is_apart && next.xi - last.xi > MIN_DISTANCE {
                 let middle = self.sample(0.5 * (last.xi + next.xi));
                 open.push(next);
                 open.push(middle);
@@ -103,14 +103,14 @@ impl Line<'_> {
     }
 
     fn strip(&self, word: &Seen, ends: [f64; 2], sign: f64) -> Option<Strip> {
-        BEYOND.iter().find_map(|beyond| {
+        SIDE_IMAGES.iter().find_map(|beyond| {
             let row = |end: usize, eta: f64| self.solve(word, sign * (2.0 * end as f64 - 1.0) * beyond, ends[end], eta);
             let rows: Vec<[f64; 2]> =
                 [-1.0, 0.0, 1.0].iter().map(|&eta| Some([row(0, eta)?, row(1, eta)?])).collect::<Option<_>>()?;
             let slopes = [0, 1].map(|end| 0.5 * (rows[2][end] - rows[0][end]));
             let straight =
                 |end: usize| [-1.0, 0.0, 1.0].iter().zip(&rows).map(move |(eta, row)| row[end] - slopes[end] * eta);
-            let spare = SPARE * (rows[1][1] - rows[1][0]);
+            let spare = WIDTH_MARGIN * (rows[1][1] - rows[1][0]);
             let low = straight(0).fold(f64::INFINITY, f64::min) - spare;
             let high = straight(1).fold(f64::NEG_INFINITY, f64::max) + spare;
             let half = |[a, b]: [f64; 2]| [0.5 * (a + b), 0.5 * (b - a)];

@@ -20,7 +20,7 @@ use crate::periodic::bifurcation::{NoWindow, Window, WindowSeed};
 use crate::scene::{Key, Range};
 use crate::threads::{answers, available};
 use crate::watch::{Latched, Stage, Watch};
-pub use search::LONGEST as MOST_WINDOW_IMPACTS;
+pub use search::MAX_CYCLE as MOST_WINDOW_IMPACTS;
 use search::{Family, Superstable, Varies};
 
 /// The keys over which windows are searched, in words.
@@ -95,9 +95,9 @@ pub struct Windows {
 }
 
 /// Impacts that an orbit is followed for, at one value of the parameter.
-const ORBIT: u64 = 1 << 19;
+const ORBIT_IMPACTS: u64 = 1 << 19;
 /// The part of the golden section by which values of the parameter are spread.
-const SPREAD: f64 = 0.618_033_988_749_894_9;
+const GOLDEN_FRACTION: f64 = 0.618_033_988_749_894_9;
 
 impl Windows {
     /// Searches stable orbits near a scene and proves them, until the watch stops it; what is proved until then is kept.
@@ -228,10 +228,10 @@ impl<'p> Search<'p> {
 
     /// The stable cycles that orbits come near to, the nearest to the scene's own value first.
     fn all(&self, watch: &dyn Watch) -> Vec<Superstable> {
-        let orbits = usize::try_from(self.impacts.div_ceil(ORBIT)).unwrap_or(usize::MAX); // proposes
+        let orbits = usize::try_from(self.impacts.div_ceil(ORBIT_IMPACTS)).unwrap_or(usize::MAX); // proposes
         let done = AtomicUsize::new(0);
         let found = answers(available(), orbits, &|k| {
-            let impacts = self.impacts.min((done.load(Ordering::Relaxed) as u64) * ORBIT); // shown
+            let impacts = self.impacts.min((done.load(Ordering::Relaxed) as u64) * ORBIT_IMPACTS); // shown
             watch.proceed(Stage::Searched(impacts)).is_continue().then(|| {
                 let own = self.orbit(k, watch);
                 done.fetch_add(1, Ordering::Relaxed);
@@ -280,11 +280,11 @@ impl<'p> Search<'p> {
 
     /// Returns the stable cycles that orbit `k` comes near to: every second orbit is at the scene's own value.
     fn orbit(&self, k: usize, watch: &dyn Watch) -> Vec<Superstable> {
-        let part = |n: usize| (n as f64 * SPREAD).fract(); // proposes
+        let part = |n: usize| (n as f64 * GOLDEN_FRACTION).fract(); // proposes
         let [low, high] = self.family.range;
         let value = if k.is_multiple_of(2) { self.own } else { (high - low).mul_add(part(k), low) };
         let start: State = [part(k + 1), 1.0 + part(3 * k)];
-        let impacts = usize::try_from(self.impacts.min(ORBIT)).unwrap_or(usize::MAX); // proposes
+        let impacts = usize::try_from(self.impacts.min(ORBIT_IMPACTS)).unwrap_or(usize::MAX); // proposes
         self.family.search((value, start), impacts, watch)
     }
 

@@ -11,7 +11,7 @@ use super::isolate::{Turning, is_rising};
 use crate::contact::Grazed;
 use crate::contact::extrema::Target;
 use crate::flight::Flight;
-use crate::number::{ABOVE_TURN, Magnitude, MpBall, Number};
+use crate::number::{ABOVE_TWO_PI, Magnitude, MpBall, Number};
 use crate::pair::{Inward, Wall};
 
 /// Ways on from a touch that are tried, each half as long as the one before: the first is half of the piece.
@@ -63,7 +63,7 @@ pub(crate) fn pass(flight: &Flight<MpBall>) -> Option<Passed> {
     let acceleration = flight.steepest();
     let sine = turning.sine.clone();
     let press = |window: Magnitude| {
-        let turned = Magnitude::new(ABOVE_TURN, 0) * (time.rad() + window);
+        let turned = Magnitude::new(ABOVE_TWO_PI, 0) * (time.rad() + window);
         (flight.beta.turn() * flight.beta.clone() * sine.clone().widened(turned)).mig()
     };
     let window = double.over(press(Magnitude::ZERO)?).sqrt();

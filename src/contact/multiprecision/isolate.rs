@@ -9,7 +9,7 @@ use crate::contact::Undecided;
 use crate::contact::extrema::Target;
 use crate::contact::solve::inverse_smoothstep;
 use crate::flight::Flight;
-use crate::number::{ABOVE_TURN, Magnitude, MpBall, Number};
+use crate::number::{ABOVE_TWO_PI, Magnitude, MpBall, Number};
 use crate::pair::Inward;
 use crate::turns::LONGEST_FLIGHT;
 
@@ -290,7 +290,7 @@ fn prove(
         return Err(doubtful());
     }
     let radius = residual.mag().over(left);
-    let turned = Magnitude::new(ABOVE_TURN, 0) * radius;
+    let turned = Magnitude::new(ABOVE_TWO_PI, 0) * radius;
     Ok(Isolated {
         target,
         turns,

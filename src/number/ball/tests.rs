@@ -117,7 +117,7 @@ fn a_divisor_that_may_vanish_is_refused() {
 #[test]
 fn bounds_are_what_they_are_called() {
     assert_eq!(LARGEST_RATE, 2f64.powi(400));
-    assert!(ABOVE_TURN > std::f64::consts::TAU.next_up());
+    assert!(ABOVE_TWO_PI > std::f64::consts::TAU.next_up());
 }
 
 proptest! {

@@ -25,7 +25,7 @@ use crate::several::Turning;
 use crate::watch::Watch;
 
 /// A window relatively narrower is proved in more bits than doubles have, where there are such.
-const NARROW: f64 = 1e-10;
+const DOUBLES_WIDTH: f64 = 1e-10;
 /// Steps to the centre of a slab, and the length that is added to radii, in doubles.
 const STEPS: u32 = 12;
 const PAD: f64 = 1e-14;
@@ -68,7 +68,7 @@ impl Between<'_> {
             let (mid, rad) = x.mid_rad();
             Ball::new(mid, rad)
         };
-        if width > NARROW && self.prove_in(&doubles, (STEPS, PAD), &of_ball).is_ok() {
+        if width > DOUBLES_WIDTH && self.prove_in(&doubles, (STEPS, PAD), &of_ball).is_ok() {
             return Ok(());
         }
         self.prove_precisely()

@@ -36,10 +36,10 @@ struct Lead {
 }
 
 /// Distance from a bifurcation at which the branch that leaves there is entered, in forcing periods; smaller where that fails.
-const ENTER: f64 = 1e-3;
+const ENTRY_DISTANCE: f64 = 1e-3;
 
 /// Room and speed that an orbit has at least for a branch to begin with it, in gaps and forcing periods: hops of no time are none.
-const REAL: f64 = 1e-6;
+const MIN_ORBIT_SIZE: f64 = 1e-6;
 
 /// The survey as it goes on.
 struct Survey<'w, S: Varied> {
@@ -121,7 +121,7 @@ impl<S: Varied> Survey<'_, S> {
         let mut along = vec![0.0; x.len()];
         along[x.len() - 1] = 1.0;
         let Some(start) = Station::new(ring, &self.floats, x, &along) else { return };
-        let is_motion = start.tests.room.distance > REAL && start.tests.arrival.0 > REAL;
+        let is_motion = start.tests.room.distance > MIN_ORBIT_SIZE && start.tests.arrival.0 > MIN_ORBIT_SIZE;
         if is_motion && !self.is_followed(ring, &start.x) {
             self.leads.push_back(Lead { ring: ring.clone(), start, step: 1e-3, doublings: 0, leaves: None });
         }
@@ -255,12 +255,13 @@ impl<S: Varied> Survey<'_, S> {
             let along: Vec<f64> = w.iter().copied().chain(w.iter().map(|w| -w)).chain([0.0]).collect();
             let at = [phases, &later, &[*p]].concat();
             [1.0, 0.1, 0.01].into_iter().find_map(|part| {
-                let guess: Vec<f64> = at.iter().zip(&along).map(|(x, t)| (part * ENTER).mul_add(*t, *x)).collect();
+                let guess: Vec<f64> =
+                    at.iter().zip(&along).map(|(x, t)| (part * ENTRY_DISTANCE).mul_add(*t, *x)).collect();
                 let there = correct(&doubled, &self.floats, &guess, &along)?;
                 let way: Vec<f64> = there.iter().zip(&at).map(|(a, b)| a - b).collect();
                 let way = tangent(&doubled, &self.floats, &there, &way)?;
                 let start = Station::new(&doubled, &self.floats, there, &way)?;
-                let step = 0.2 * part * ENTER;
+                let step = 0.2 * part * ENTRY_DISTANCE;
                 Some(Lead { ring: doubled.clone(), start, step, doublings, leaves: Some(kind) })
             })
         });

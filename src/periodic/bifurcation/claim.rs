@@ -8,7 +8,7 @@ use super::super::chain::Chain;
 use super::super::chained::Moment;
 use super::super::equations::flights;
 use super::super::identity::is_symmetric;
-use super::super::krawczyk::{self, Effort, LARGEST, Proved, widest};
+use super::super::krawczyk::{self, Effort, MAX_RADIUS, Proved, widest};
 use super::super::legs::Legs;
 use super::super::orbit::{Finding, PeriodicImpact, PeriodicOrbit, whole_periods};
 use super::super::precondition::Preconditioner;
@@ -88,7 +88,7 @@ pub(super) fn prove_critical<S: Varied>(
 }
 
 /// The largest radius that is tried where doubles prove none, `2^-20`.
-const SMALL: f64 = 1.0 / (1 << 20) as f64; // exact: a power of two
+const MAX_RADIUS_BEYOND_DOUBLES: f64 = 1.0 / (1 << 20) as f64; // exact: a power of two
 
 /// Domains that are tried, and images that narrow a zero at most: the first slow one is the last.
 const MOST_DOMAINS: u32 = 14;
@@ -112,9 +112,9 @@ impl<S: Varied> Claim<'_, S> {
         let doubles: Vec<Ball> = guess.iter().map(|&x| Ball::exact(x)).collect();
         let family = self.setting.doubles();
         let bits = f64::MANTISSA_DIGITS;
-        let zero = self.certify(&family, &inverse, doubles, (bits, LARGEST));
+        let zero = self.certify(&family, &inverse, doubles, (bits, MAX_RADIUS));
         // Doubles prove the largest domain; where they prove none, it is smaller than they can distinguish.
-        let largest = zero.as_ref().map_or(SMALL, |zero| zero.domain[0].rad());
+        let largest = zero.as_ref().map_or(MAX_RADIUS_BEYOND_DOUBLES, |zero| zero.domain[0].rad());
         let best = zero.and_then(|zero| self.point(&family, &zero, bits, S::is_physical));
         match best {
             Some(point) if point.is_narrow && point.is_decided() => Some(point),
@@ -135,7 +135,7 @@ impl<S: Varied> Claim<'_, S> {
     ) -> Option<Proved<N>> {
         let is_sparse = bits > f64::MANTISSA_DIGITS;
         let equations = Posed { system: &self.system, family, is_sparse };
-        let guess = krawczyk::polish(&equations, inverse, guess, bits / krawczyk::GAINED);
+        let guess = krawczyk::polish(&equations, inverse, guess, bits / krawczyk::PRECONDITIONED_GAIN_BITS);
         let effort = Effort { largest, domains: MOST_DOMAINS, images: MOST_IMAGES, slow: 0 };
         krawczyk::prove(&equations, inverse, &guess, effort)
     }

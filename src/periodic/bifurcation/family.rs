@@ -63,7 +63,7 @@ impl<S: Varied, N: Turning> Family<S, N> {
 }
 
 /// Forcing periods of a flight in which extrema are looked for.
-const MOST_TURNS: f64 = 64.0; // proposes
+const MAX_PERIODS: f64 = 64.0; // proposes
 /// Pieces of a turn of the fastest of several harmonics, and halvings of one in which the velocity changes its sign.
 const PIECES: f64 = 16.0; // proposes
 const HALVINGS: u32 = 40; // proposes
@@ -95,7 +95,7 @@ impl Varied for OneHarmonic {
     /// The phases at which `cos th` is the drift over the greatest speed of the box.
     fn summits(pair: &Reduced<f64>, flight: &Leg<f64>, from: &(f64, f64), start: f64) -> Vec<(f64, f64)> {
         let q = flight.drift / pair.beta;
-        if q.abs() > 1.0 || flight.time > MOST_TURNS {
+        if q.abs() > 1.0 || flight.time > MAX_PERIODS {
             return Vec::new();
         }
         let a = q.acos() / TAU;
@@ -146,7 +146,7 @@ impl Varied for SeveralHarmonics {
 
     /// The phases at which the velocity changes its sign, found piece by piece.
     fn summits(sum: &Sum<f64>, flight: &Leg<f64>, from: &Moment<Self, f64>, start: f64) -> Vec<(f64, f64)> {
-        if flight.time > MOST_TURNS {
+        if flight.time > MAX_PERIODS {
             return Vec::new();
         }
         let velocity = |s: f64| sum.relative(&flight.drift, &sum.moment(0.0, &s));

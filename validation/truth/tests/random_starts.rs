@@ -42,10 +42,10 @@ const STEP: f64 = 0.02;
 const LONGEST: f64 = 2e4;
 const BISECTIONS: u32 = 60;
 /// A ball that is pressed to the wall and leaves it more slowly than this, over `A W`, rests.
-const REST: f64 = 1e-10;
+const RELEASE_SPEED: f64 = 1e-10;
 /// Impacts of a motion, and how near to an attractor it is in the end.
 const IMPACTS: usize = 20_000;
-const NEAR: f64 = 1e-5;
+const ATTRACTOR_DISTANCE: f64 = 1e-5;
 
 /// The pair: `D = d/A` and `e`. All impacts are mirrored to the left wall: a state is a phase \[rad\] and a speed over `A W`.
 struct Simulator {
@@ -73,7 +73,7 @@ fn bisected([mut low, mut high]: [f64; 2], holds: impl Fn(f64) -> bool) -> f64 {
 impl Simulator {
     fn next(&self, [phase, speed]: [f64; 2]) -> Next {
         let (after, (sin, cos)) = (self.restitution * speed, phase.sin_cos());
-        if after < REST && sin < 0.0 {
+        if after < RELEASE_SPEED && sin < 0.0 {
             return Next::Rests;
         }
         // The height over the time of flight x: after (11), without the root at the start.
@@ -155,7 +155,7 @@ fn end(simulator: &Simulator, attractors: &[(usize, Vec<[f64; 2]>)], mut state: 
                 None => [0.0, 0.0],
             },
         };
-        let at = attractors.iter().find(|(_, states)| states.iter().any(|&own| apart(own, state) < NEAR));
+        let at = attractors.iter().find(|(_, states)| states.iter().any(|&own| apart(own, state) < ATTRACTOR_DISTANCE));
         let at = at.map(|(place, _)| *place);
         near = if at.is_some() && at == near.1 { (near.0 + 1, at) } else { (0, at) };
         if let (8.., Some(place)) = near {

@@ -21,7 +21,7 @@ use std::time::{Duration, Instant};
 const ARITHMETICS: [Arithmetic; 5] =
     [Arithmetic::Interval, Arithmetic::Inari, Arithmetic::Bits(64), Arithmetic::Bits(256), Arithmetic::Auto];
 /// More than an `auto` of N bits takes: a start that does is shown.
-const SLOW: Duration = Duration::from_secs(2);
+const SLOW_START: Duration = Duration::from_secs(2);
 
 /// Number of times that each verdict was found in each family.
 type Counts = BTreeMap<(&'static str, Judgement), usize>;
@@ -50,7 +50,7 @@ fn first_impacts_of_straddling_starts_are_right() {
         let settings = Settings { arithmetic, max_bits: 1024, ..Settings::default() };
         let clock = Instant::now();
         let (judgement, told) = straddling::judge(&case.scene, (&problem, &start), settings);
-        if clock.elapsed() > SLOW {
+        if clock.elapsed() > SLOW_START {
             println!("slow, {:?} in {arithmetic:?}:\n{}", clock.elapsed(), case.text);
         }
         *counts.entry((case.family, judgement)).or_default() += 1;

@@ -17,11 +17,11 @@ use crate::attraction::Attraction;
 use impact_pair_exact::Real;
 
 /// Pieces that intervals among the data are cut into.
-const MOST_PIECES: usize = 256;
+const MAX_PIECES: usize = 256;
 /// Places of flights that a piece allows for the next one.
-const OF_A_PIECE: u64 = 1 << 14;
+const WORK_PER_PIECE: u64 = 1 << 14;
 /// Periods that a motion is followed beyond the claimed impacts.
-const FOLLOWED: u32 = 1 << 10;
+const MAX_PERIODS: u32 = 1 << 10;
 
 impl Certificate {
     /// Proves that the motion converges to the orbit claimed, where that is claimed; the data are cut into `most` pieces at most.
@@ -47,11 +47,11 @@ pub(super) fn for_all_pieces(
     answer: impl Fn(&Piece) -> Result<(), Doubt>,
     widest: impl Fn(&Piece) -> Option<usize>,
 ) -> Result<(), Doubt> {
-    let most = most.min(MOST_PIECES); // proposes: when to give up
+    let most = most.min(MAX_PIECES); // proposes: when to give up
     let (mut pieces, mut cut) = (vec![Piece::default()], 1);
     while let Some(piece) = pieces.pop() {
         let Err(doubt) = answer(&piece) else {
-            data.budget.add(OF_A_PIECE);
+            data.budget.add(WORK_PER_PIECE);
             continue;
         };
         match (&doubt, widest(&piece)) {
@@ -169,7 +169,7 @@ impl Convergence<'_> {
 
 /// The motion comes into a basin, from a set of its states on.
 fn arrives(round: &Round<'_>, basin: &Ellipse, mut state: Landing) -> Result<(), Doubt> {
-    for _ in 0..FOLLOWED {
+    for _ in 0..MAX_PERIODS {
         if basin.holds(&state) {
             return Ok(());
         }

@@ -15,7 +15,7 @@ use super::data::{Data, Piece};
 use super::distinct::Recurrence;
 use super::fixed_point::FixedPoint;
 use super::frame::{Frame, hull};
-use super::target::{MOST_BITS, Target, narrowest};
+use super::target::{MAX_BITS, Target, narrowest};
 use super::walk::compare;
 use super::{Effort, Verdict, Whole};
 use crate::attraction::Bounds;
@@ -26,11 +26,11 @@ use impact_pair_model::watch::Watch;
 use impact_pair_model::{Error, ImpactPair, Start};
 
 /// Bits that the bounds of a bifurcation are wider than the box that it is proved to lie in.
-const INSIDE: i64 = 24;
+const BOX_BITS_INSIDE: i64 = 24;
 /// Bits of the arithmetic beyond those of the box.
 const SPARE_BITS: i64 = 128;
 /// The largest box, as a power of 2.
-const LARGEST: i64 = -40;
+const LARGEST_BOX: i64 = -40;
 
 /// A pair over a parameter.
 pub(super) struct Over<'c> {
@@ -121,11 +121,11 @@ impl ClaimedPoint {
         if is_half && !(is_mirrored && walls.len() % 2 == 0 && (0..half).all(|i| walls[i] != walls[i + half])) {
             return Err(Doubt::False("no orbit of the word is symmetric".into()));
         }
-        let size = LARGEST.min(narrowest(self.bounds()).unwrap_or(0) - INSIDE); // proposes: a size to try
+        let size = LARGEST_BOX.min(narrowest(self.bounds()).unwrap_or(0) - BOX_BITS_INSIDE); // proposes: a size to try
         let bits = SPARE_BITS - size;
         let bits = u32::try_from(bits)
             .ok()
-            .filter(|&bits| bits <= MOST_BITS)
+            .filter(|&bits| bits <= MAX_BITS)
             .ok_or_else(|| open("the bounds are too narrow"))?;
         let found = self.found(&target, (over, harmonic), (bits, size, is_half), compare);
         found.map(|()| bits).map_err(|doubt| match doubt {

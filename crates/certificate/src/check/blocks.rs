@@ -7,7 +7,7 @@ use std::thread;
 
 /// Questions that a thread takes at a time. The work that these may cost is counted for them together, so that the answers are
 /// the same on every machine.
-pub(super) const BLOCK: usize = 64;
+pub(super) const BLOCK_SIZE: usize = 64;
 
 /// Returns `answer` of all numbers of a range, in order, in parallel blocks of `size`, or the first error in that order; `progress` receives
 /// the end of the answered part.
@@ -65,7 +65,7 @@ mod tests {
             let all = from..from + count;
             let answer = |block: Range<usize>| block.map(|n| if n >= fails { Err(n) } else { Ok(2 * n) }).collect();
             let (mut received, mut last) = (Vec::new(), from);
-            let found = in_blocks(all.clone(), BLOCK, answer, |known| received.push(known));
+            let found = in_blocks(all.clone(), BLOCK_SIZE, answer, |known| received.push(known));
             prop_assert_eq!(&found, &all.clone().map(|n| if n >= fails { Err(n) } else { Ok(2 * n) }).collect());
             for known in received {
                 prop_assert!(known > last && known <= all.end && (found.is_ok() || known <= fails));

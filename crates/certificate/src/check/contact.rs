@@ -24,7 +24,7 @@ impl Doubt {
 /// Bits that most parts of most flights are judged with.
 const FIRST_BITS: u32 = 128;
 /// Halvings that find a contact for Newton's iteration.
-const FOUND_BITS: u32 = 20;
+const BISECTION_BITS: u32 = 20;
 /// Steps of Newton's iteration from a guess.
 const STEPS: u32 = 64;
 
@@ -166,7 +166,7 @@ pub(super) fn first_hit(flight: &Flight, from: Start) -> Option<Real> {
         }
     }
     let (mut clear, mut hit) = (Real::zero(bits), end);
-    for _ in 0..FOUND_BITS {
+    for _ in 0..BISECTION_BITS {
         let middle = Real::point(clear.hull(&hit).mid(), bits);
         if is_clear(&middle) { clear = middle } else { hit = middle }
     }

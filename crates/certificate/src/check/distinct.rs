@@ -15,7 +15,7 @@ use impact_pair_model::Wall;
 /// The bits of a forcing period: bounds that it alone keeps apart are not narrower.
 const BITS: u32 = 1 << 10;
 /// Common periods between two claimed phases, at most.
-const MOST_PERIODS: i64 = 4;
+const MAX_PERIODS: i64 = 4;
 
 /// The shaking, as far as states come again under it.
 pub(super) struct Recurrence {
@@ -84,7 +84,7 @@ impl Recurrence {
         };
         // Lemma V13: with widths below a turn no other multiple lies between.
         let is_narrow = |phase: &Bounds| Real::rational(&(&phase[1] - &phase[0]), BITS).is_below(&self.turn);
-        is_narrow(&one.phase) && is_narrow(&other.phase) && (-MOST_PERIODS..=MOST_PERIODS).all(is_missed)
+        is_narrow(&one.phase) && is_narrow(&other.phase) && (-MAX_PERIODS..=MAX_PERIODS).all(is_missed)
     }
 }
 

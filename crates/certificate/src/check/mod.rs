@@ -120,7 +120,7 @@ impl Default for Effort {
 const FIRST_BITS: u32 = 192;
 /// A claim that a fourth as many bits and these did not decide either is given up: its bound is the truth, or there is an exact
 /// graze.
-const ENOUGH_BITS: u32 = 4096;
+const GIVE_UP_BITS: u32 = 4096;
 
 impl Doubt {
     /// The verdict on a claim that it is about.
@@ -262,7 +262,7 @@ impl Certificate {
                     let is_stuck = stuck.0 == event;
                     stuck = if is_stuck { stuck } else { (event, bits) };
                     // proposes: the bits to try
-                    let is_enough = bits >= ENOUGH_BITS.max(4 * stuck.1) || bits >= effort.bits;
+                    let is_enough = bits >= GIVE_UP_BITS.max(4 * stuck.1) || bits >= effort.bits;
                     if widest.is_some() || is_enough {
                         return doubt.on(event);
                     }

@@ -19,7 +19,7 @@ use impact_pair_model::Period;
 use impact_pair_model::Wall;
 
 /// Bounces that are not listed are followed so far at most.
-const MOST_BOUNCES: usize = 1 << 14;
+const MAX_BOUNCES: usize = 1 << 14;
 
 /// The ball lies on a wall from this phase on.
 #[derive(Clone, Debug)]
@@ -62,7 +62,7 @@ impl<'c> Walk<'c> {
         if !(has_velocity && parameters.restitution.hull().is_positive()) {
             return Err(Doubt::open("the ball may stay on its wall without any bounce"));
         }
-        for _ in 0..MOST_BOUNCES {
+        for _ in 0..MAX_BOUNCES {
             let lasting = accumulation(&departure, parameters)
                 .ok_or_else(|| Doubt::open("the chatter is not proved to end in rest"))?;
             let since = departure.phase.hull() + &lasting;

@@ -9,7 +9,7 @@ use std::ops::Range;
 
 use num_rational::BigRational;
 
-use super::blocks::{BLOCK, in_blocks};
+use super::blocks::{BLOCK_SIZE, in_blocks};
 use super::budget::Budget;
 use super::chain::{Course, Node, open};
 use super::clock::{Beside, beside};
@@ -35,7 +35,7 @@ const SPARE_BITS: i64 = 112;
 
 /// Shares of the greatest expansion, tried in turn where a chain up to the next other event is not proved: it ends where the motion has first
 /// expanded by such a share. Where it hardly expands that is the start, and the scene's own motion is followed.
-const ENDS: [f64; 2] = [1.0, 1.0 / 16.0];
+const EXPANSION_SHARES: [f64; 2] = [1.0, 1.0 / 16.0];
 
 /// A claim by its position among the events, and what is to be said of it.
 pub(super) type Doubted = (usize, Doubt);
@@ -146,14 +146,14 @@ impl Shadow<'_> {
                     .collect()
             })
         };
-        in_blocks(flights, BLOCK, of_block, progress)
+        in_blocks(flights, BLOCK_SIZE, of_block, progress)
     }
 
     /// The bits that confirm all events and the outcome, and how far each impact of the orbit that is found is at most from the middle
     /// of the bounds of its time \[rad\].
     fn answer(&self, data: &Data, progress: &mut impl FnMut(usize)) -> Result<(u32, Vec<Dyadic>), Doubted> {
         let mut bits = self.bits();
-        let chained = ENDS.into_iter().fold(self.chained(None, bits, progress), |chained, share| {
+        let chained = EXPANSION_SHARES.into_iter().fold(self.chained(None, bits, progress), |chained, share| {
             chained.or_else(|_| self.chained(Some(share), bits, progress))
         });
         let Chained { last, offs: chained } = match chained {

@@ -7,7 +7,7 @@ use impact_pair::Scene;
 use impact_pair::orbit::{Arithmetic, Orbit, Progress, Settings};
 use impact_pair::pair::Wall;
 
-use super::curves::POINTS;
+use super::curves::POINTS_PER_SEGMENT;
 use super::frame::{Frame, Panel};
 use super::recorder::{Recorder, end_of};
 use super::sheet::Sheet;
@@ -130,7 +130,7 @@ fn distance((x, y): (f64, f64), (x0, y0): (f64, f64), (x1, y1): (f64, f64)) -> f
 }
 
 /// Hermite's bound for a twenty-fourth of a forcing period, in amplitudes.
-const MISSED: f64 = 1.3e-5;
+const HERMITE_BOUND: f64 = 1.3e-5;
 
 #[test]
 fn bezier_segments_stay_within_hermites_bound_of_the_enclosed_flight() {
@@ -155,8 +155,8 @@ fn bezier_segments_stay_within_hermites_bound_of_the_enclosed_flight() {
         let strokes = trace.strokes.iter().filter(|stroke| stroke.part == Part::Flight);
         let mut seed = 0.0f64;
         for (stroke, (course, turns, from)) in strokes.zip(flights) {
-            for pair in stroke.points.windows(POINTS + 1).step_by(POINTS) {
-                let [a, b] = [&pair[0], &pair[POINTS]];
+            for pair in stroke.points.windows(POINTS_PER_SEGMENT + 1).step_by(POINTS_PER_SEGMENT) {
+                let [a, b] = [&pair[0], &pair[POINTS_PER_SEGMENT]];
                 // A low-discrepancy sequence: other places on each segment.
                 seed = (seed + 0.618_033_988_749_894_9).fract();
                 let at = seed.mul_add(b.at - a.at, a.at);
@@ -181,11 +181,11 @@ fn bezier_segments_stay_within_hermites_bound_of_the_enclosed_flight() {
                     assert!(x >= truth.low - room && x <= truth.high + room, "{name}: {x} {truth:?} {bound:e}");
                 };
                 let [y, v] = cubic(&frame(Panel::PhasePlane));
-                near(y, (&truth.displacement).into(), MISSED * sum);
-                near(v, (&truth.velocity).into(), MISSED * sum * omega);
+                near(y, (&truth.displacement).into(), HERMITE_BOUND * sum);
+                near(v, (&truth.velocity).into(), HERMITE_BOUND * sum * omega);
                 let [t, y] = cubic(&frame(Panel::Displacement));
                 near(t, (&truth.time).into(), 0.0);
-                near(y, (&truth.displacement).into(), MISSED * sum);
+                near(y, (&truth.displacement).into(), HERMITE_BOUND * sum);
                 let [x, u] = cubic(&frame(Panel::AbsolutePhasePlane));
                 near(x, (&truth.absolute_displacement).into(), 0.0);
                 near(u, (&truth.absolute_velocity).into(), 0.0);

@@ -3,9 +3,9 @@
 use std::fmt::Write;
 
 /// A subscript's or superscript's size, and how far it is moved, in sizes of its line.
-const SMALL: f64 = 0.72;
-const LOWERED: f64 = 0.25;
-const RAISED: f64 = -0.38;
+const SCRIPT_SIZE: f64 = 0.72;
+const SUBSCRIPT_SHIFT: f64 = 0.25;
+const SUPERSCRIPT_SHIFT: f64 = -0.38;
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Level {
@@ -18,8 +18,8 @@ impl Level {
     fn shift(self) -> f64 {
         match self {
             Self::Line => 0.0,
-            Self::Lower => LOWERED,
-            Self::Upper => RAISED,
+            Self::Lower => SUBSCRIPT_SHIFT,
+            Self::Upper => SUPERSCRIPT_SHIFT,
         }
     }
 }
@@ -112,7 +112,7 @@ pub fn typeset(text: &str, size: f64) -> String {
             let _ = write!(look, " dy=\"{:.1}\"", size * (run.level.shift() - level.shift()));
         }
         if run.level != Level::Line {
-            let _ = write!(look, " font-size=\"{:.1}\"", size * SMALL);
+            let _ = write!(look, " font-size=\"{:.1}\"", size * SCRIPT_SIZE);
         }
         if run.is_italic {
             look.push_str(" font-style=\"italic\"");
@@ -129,7 +129,7 @@ fn escaped(text: &str) -> String {
 
 /// About how wide a text is, in letters.
 pub fn letters(text: &str) -> f64 {
-    let width = |run: &Run| run.text.chars().count() as f64 * if run.level == Level::Line { 1.0 } else { SMALL };
+    let width = |run: &Run| run.text.chars().count() as f64 * if run.level == Level::Line { 1.0 } else { SCRIPT_SIZE };
     all_runs(text).iter().map(width).sum()
 }
 
@@ -137,7 +137,7 @@ pub fn letters(text: &str) -> f64 {
 pub fn runs_width(text: &str, size: f64) -> Option<f64> {
     let runs = all_runs(text);
     let width = |run: &Run| {
-        let small = if run.level == Level::Line { 1.0 } else { SMALL };
+        let small = if run.level == Level::Line { 1.0 } else { SCRIPT_SIZE };
         small * run.text.chars().map(advance).sum::<f64>()
     };
     (runs.len() > 1).then(|| size * runs.iter().map(width).sum::<f64>())
@@ -227,9 +227,9 @@ mod tests {
         for text in ["my_scene costs 5$", "a^b", "", "x_"] {
             assert_eq!(typeset(text, 10.0), text);
         }
-        assert_eq!(letters("$A_N$ = 1"), 5.0 + SMALL);
+        assert_eq!(letters("$A_N$ = 1"), 5.0 + SCRIPT_SIZE);
         assert_eq!(runs_width("amplitude", 10.0), None);
-        assert!((runs_width("$A_N$", 10.0).unwrap() - 6.9 * (1.0 + SMALL)).abs() < 1e-9);
+        assert!((runs_width("$A_N$", 10.0).unwrap() - 6.9 * (1.0 + SCRIPT_SIZE)).abs() < 1e-9);
     }
 
     #[test]

@@ -21,7 +21,7 @@ use super::scenes::Case;
 /// States that are nearer are one, in radians and speeds of the box: bounds of `10^-9`.
 const NEAR: f64 = 1e-6;
 /// Error allowed in a spectral radius by differences of true motions, of an orbit with such bounds.
-const OFF: f64 = 1e-3;
+const RADIUS_TOLERANCE: f64 = 1e-3;
 
 impl Case {
     /// Asks for a global analysis by so few boxes that the components of attractors stay undecided.
@@ -96,7 +96,7 @@ pub fn judge(document: &Value, member: &Member) -> Judged<()> {
         let Some(Bounds(low, high)) = Bounds::read(&own["spectral_radius"]) else {
             return Err(Halt::Open("no spectral radius"));
         };
-        if !(low.to_f64() - OFF..high.to_f64() + OFF).contains(&found) || found >= 1.0 {
+        if !(low.to_f64() - RADIUS_TOLERANCE..high.to_f64() + RADIUS_TOLERANCE).contains(&found) || found >= 1.0 {
             return wrong(format!("the spectral radius is {found}, but {} is claimed", own["spectral_radius"]));
         }
         if known.iter().flatten().any(|state| is_one(state, &states[0])) {

@@ -16,12 +16,12 @@ use super::scenes::Case;
 use super::traits::Restitution;
 
 /// Number of calls of the watch after which a search is stopped: enough for sets over some impacts, not for horseshoes, which take seconds.
-const SETS: usize = 400;
+const MAX_WATCH_CALLS: usize = 400;
 /// Impacts of the true motion, and of the longest word that these decide.
 const IMPACTS: usize = 160;
 const LONGEST: usize = 12;
 /// Two rounds are one orbit when they are so near, in radians.
-const NEAR: f64 = 1e-9;
+const SAME_ORBIT_DISTANCE: f64 = 1e-9;
 
 impl Case {
     /// One cell beside the scene's own amplitude or gap, as narrow as one that is halved a few times.
@@ -36,7 +36,9 @@ impl Case {
         let over = format!("{name}={own}..{own}+{wide}").parse()?;
         let patience = Patience::new();
         let asked = RangeSettings { over, cells: 1, halvings: 0, depth: 2 };
-        let found = Cells::of(self.scene.pair(), self.scene.start(), &asked, &|_: Stage<'_>| patience.goes_on(SETS))?;
+        let found = Cells::of(self.scene.pair(), self.scene.start(), &asked, &|_: Stage<'_>| {
+            patience.goes_on(MAX_WATCH_CALLS)
+        })?;
         Ok(Answer::Cells(json!(document::cells(&self.scene, &asked, &found))))
     }
 }
@@ -81,7 +83,7 @@ fn ends_in(member: &Member, word: &[Wall]) -> Judged<()> {
     let is_again = |impacts: &usize| {
         let before = &contacts[IMPACTS - 1 - impacts];
         let phase = |contact: &Contact| super::flight::float(&contact.time * frequency);
-        before.wall == last.wall && apart(&phase(before), &phase(last)) < NEAR
+        before.wall == last.wall && apart(&phase(before), &phase(last)) < SAME_ORBIT_DISTANCE
     };
     let Some(period) = (1..=IMPACTS / 2).find(is_again) else { return Err(Halt::Open("not yet periodic")) };
     let own: Vec<Wall> = contacts[IMPACTS - period..].iter().map(|contact| contact.wall).collect();

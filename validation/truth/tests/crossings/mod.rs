@@ -64,7 +64,7 @@ const CASES: u64 = 1_700;
 /// The default seed: one whose answers have all the outcomes that must occur.
 const SEED: u64 = 2026;
 /// More than an answer takes: one that does is shown.
-const SLOW: Duration = Duration::from_secs(1);
+const SLOW_ANSWER: Duration = Duration::from_secs(1);
 
 /// Findings of `check` and of the truth, and how long they took.
 #[derive(Default)]
@@ -202,7 +202,7 @@ fn answer(seed: u64, number: u64, crossing: Crossing, is_shown: bool, tally: &Mu
             *tally.open.entry(words.clone()).or_default() += 1;
         }
     }
-    if elapsed > SLOW {
+    if elapsed > SLOW_ANSWER {
         println!("slow, {elapsed:.1?}: {named}\n{text}");
     }
 }

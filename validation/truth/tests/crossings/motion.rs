@@ -24,9 +24,9 @@ pub fn wrong<T>(words: String) -> Judged<T> {
 
 /// Bounces of a chatter that are followed, and touches, rests and releases from one contact to the next.
 const BOUNCES: usize = 1_000;
-const BETWEEN: u32 = 6;
+const MAX_EVENTS_BETWEEN: u32 = 6;
 /// A bounce slower than `2^-this` of the box's speed ends a chatter that a rest is claimed of.
-const ENDS: u32 = 90;
+const CHATTER_END_BITS: u32 = 90;
 
 /// The true motion, as far as it was followed.
 pub struct Motion<'a> {
@@ -46,7 +46,7 @@ impl<'a> Motion<'a> {
     fn next(&self) -> Judged<Next> {
         match self.shaken.next(&self.state) {
             Next::Open => Err(Halt::Open("the flight is too long for the truth")),
-            Next::Touch(..) if self.touches >= BETWEEN => Err(Halt::Open("it touches again and again")),
+            Next::Touch(..) if self.touches >= MAX_EVENTS_BETWEEN => Err(Halt::Open("it touches again and again")),
             next => Ok(next),
         }
     }
@@ -67,12 +67,12 @@ impl<'a> Motion<'a> {
             return false;
         }
         let speed = self.shaken.tones.iter().fold(float(0), |sum, tone| sum + float(&tone.amplitude * &tone.frequency));
-        float(self.state.velocity_after.abs_ref()) < (speed >> ENDS)
+        float(self.state.velocity_after.abs_ref()) < (speed >> CHATTER_END_BITS)
     }
 
     /// The next contact, through touches, rests and releases; the start of each later flight is noted.
     pub fn contact(&mut self, releases: &mut Vec<(Wall, Float)>) -> Judged<Option<Contact>> {
-        for _ in 0..BETWEEN {
+        for _ in 0..MAX_EVENTS_BETWEEN {
             let slow = self.state.on.filter(|_| self.has_ended() && !self.state.velocity_after.is_zero());
             let next = match (slow, self.next()?) {
                 // The end of a chatter: what is left of it takes no time.

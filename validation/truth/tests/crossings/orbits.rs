@@ -15,7 +15,7 @@ use super::members::{Bounds, Member, named};
 use super::motion::{Halt, Judged, Motion, wrong};
 
 /// Error allowed in the impacts of a period, in radians and in speeds of the box: bounds of `10^-9`, and the growth over a period.
-const OFF: f64 = 1e-3;
+const ORBIT_TOLERANCE: f64 = 1e-3;
 
 /// A claimed impact of an orbit.
 #[derive(Clone, Debug)]
@@ -124,10 +124,10 @@ pub fn judge(orbit: &Value, member: &Member) -> Judged<()> {
     let Some(is_physical) = orbit["physical"].as_bool() else { return Err(Halt::Open("undecided whether physical")) };
     let found = period(member, &told, [0.0; 2])?;
     let off = away(member, &told, &found);
-    if is_physical && off > OFF {
+    if is_physical && off > ORBIT_TOLERANCE {
         return wrong(format!("a physical orbit, but the true impacts are {off:e} away: {}", orbit["impacts"]));
     }
-    if !is_physical && off < OFF * OFF {
+    if !is_physical && off < ORBIT_TOLERANCE * ORBIT_TOLERANCE {
         match is_in_other_turns(member, &told, &found) {
             Some(true) => return Ok(()),
             None if told[0].cycle.is_some() => return Err(Halt::Open("one impact in some cycles")),
@@ -169,7 +169,7 @@ fn derivative(member: &Member, told: &[Told]) -> Judged<([Float; 2], [[f64; 2]; 
 
 /// Steps of Newton's iteration for an orbit of another member, and the size of the last one.
 const STEPS: u32 = 12;
-const CLOSED: f64 = 1e-14;
+const LAST_STEP_SIZE: f64 = 1e-14;
 
 /// The same orbit of members one after another, each near the one before: whether all of them are stable, on the same walls. Lost ones are left open.
 pub fn stay_stable(orbit: &Value, members: &[Member]) -> Judged<()> {
@@ -189,7 +189,7 @@ pub fn stay_stable(orbit: &Value, members: &[Member]) -> Judged<()> {
                 [(off[0] * (1.0 - d) + b * off[1]) / determinant, (off[1] * (1.0 - a) + c * off[0]) / determinant];
             told[0].phase += step[0];
             told[0].velocity += step[1];
-            if step[0].abs() + step[1].abs() / speed(&member.tones) < CLOSED {
+            if step[0].abs() + step[1].abs() / speed(&member.tones) < LAST_STEP_SIZE {
                 is_closed = true;
                 break;
             }
@@ -201,7 +201,7 @@ pub fn stay_stable(orbit: &Value, members: &[Member]) -> Judged<()> {
         }
         let (_, [[a, b], [c, d]]) = derivative(member, &told)?;
         let (trace, determinant) = (a + d, a * d - b * c);
-        if trace.abs() > (1.0 + determinant) * (1.0 + OFF) {
+        if trace.abs() > (1.0 + determinant) * (1.0 + ORBIT_TOLERANCE) {
             return wrong(format!("the orbit of a window is unstable between its ends: trace {trace}"));
         }
     }

@@ -33,22 +33,22 @@ use super::traits::{Question, Restitution};
 /// The most bits of `auto`: what straddling starts need.
 const MAX_BITS: u32 = 1024;
 /// Digits of lists that are audited.
-const LISTED: usize = 40;
+const LIST_DIGITS: usize = 40;
 /// Time between impacts that are listed at least, in turns.
-const APART: f64 = 1e-8;
+const MIN_TIME_BETWEEN: f64 = 1e-8;
 /// Boxes of regions, and questions whether to go on, that are enough here.
 const BOXES: usize = 3_000;
 
 /// Bases of figure 14.
-const BASES: [[[f64; 2]; 3]; 3] = [
+const H_SETS: [[[f64; 2]; 3]; 3] = [
     [[0.77843, 1.234518], [0.02877, 0.082], [-0.0002976, 0.002596]],
     [[0.779603, 1.224294], [0.028826, 0.081513], [-0.0001488, 0.001298]],
     [[0.780161, 1.219425], [0.028649, 0.083055], [-0.0001116, 0.000974]],
 ];
 /// Number of calls of the watch after which a search for all orbits is stopped.
-const SEARCHED: usize = 4_000;
+const MAX_SEARCH_CALLS: usize = 4_000;
 /// Numbers of calls of the watch after which a search is stopped: for h-sets, and for words between given ones.
-const CHAOS: [usize; 2] = [3, 1_000];
+const MAX_CHAOS_CALLS: [usize; 2] = [3, 1_000];
 
 /// Cells of strips that are enough here.
 const CELLS: u64 = 10_000;
@@ -252,8 +252,9 @@ impl Case {
         let precision = Precision { digits: 9, max_bits: 256 };
         let (patience, budget) = (Patience::new(), Budget { boxes: 1_500, halvings: 30 });
         let census = match is_all {
-            true => problem
-                .find_all_while(self.scene.start(), precision, budget, &|_: Stage<'_>| patience.goes_on(SEARCHED)),
+            true => problem.find_all_while(self.scene.start(), precision, budget, &|_: Stage<'_>| {
+                patience.goes_on(MAX_SEARCH_CALLS)
+            }),
             false => problem.find(self.scene.start(), precision),
         };
         Ok(Answer::Periodic(json!(units.document(&problem, self.scene.start(), &census))))
@@ -315,12 +316,12 @@ impl Case {
         let is_half = matches!(self.crossing.restitution, Restitution::Half | Restitution::AroundHalf);
         let is_given = amplitude == "8" && is_half;
         let bases =
-            if is_given { BASES.map(|[at, long, short]| Base::new(at, long, short)).to_vec() } else { Vec::new() };
+            if is_given { H_SETS.map(|[at, long, short]| Base::new(at, long, short)).to_vec() } else { Vec::new() };
         let question = chaos::HorseshoeSettings { depth: Some(3), bases };
         let patience = Patience::new();
         let watch = |at: Stage<'_>| match at {
             Stage::Horseshoe { boxes, .. } if boxes >= 4 * BOXES as u64 => proceed_if(false),
-            _ => patience.goes_on(CHAOS[usize::from(is_given)]),
+            _ => patience.goes_on(MAX_CHAOS_CALLS[usize::from(is_given)]),
         };
         let found = Chaos::of_scene(&self.scene, &question, &watch)?;
         let mut document = document::chaos(&self.scene, None, &found);
@@ -421,13 +422,13 @@ impl Case {
             let Ok(Some(contact)) = motion.contact(&mut releases) else { break };
             // Of two impacts nearer to one another than the tolerance the audit may take one for the other.
             let since = float(&contact.time - last.as_ref().unwrap_or(&member.start.time));
-            if last.is_some() && since < float(&shortest * APART) {
+            if last.is_some() && since < float(&shortest * MIN_TIME_BETWEEN) {
                 break;
             }
             last = Some(contact.time.clone());
             let wall = if contact.wall == impact_pair_truth::Wall::Left { "left" } else { "right" };
             let [time, velocity] =
-                [&contact.time, &contact.velocity_before].map(|x| x.to_string_radix(10, Some(LISTED)));
+                [&contact.time, &contact.velocity_before].map(|x| x.to_string_radix(10, Some(LIST_DIGITS)));
             list += &format!("{time},{wall},{velocity}\n");
         }
         let list = audit::read(&list, &Columns::default(), self.scene.pair())?;

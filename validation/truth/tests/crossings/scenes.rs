@@ -57,7 +57,7 @@ const SIZES: [[&str; 3]; 12] = [
 ];
 
 /// A, W and d of pairs of which orbits are attracted for `e = 1/2`, of 1, 2 and 16 impacts of the reduced map: found in floating point.
-const SETTLED: [[&str; 3]; 6] = [
+const ATTRACTED_PAIRS: [[&str; 3]; 6] = [
     ["0.25", "2*pi", "1"],
     ["3/2", "pi", "6"],
     ["0.36", "2*pi", "1"],
@@ -67,7 +67,7 @@ const SETTLED: [[&str; 3]; 6] = [
 ];
 
 /// The first N of these are boxes that move by a gap or so.
-const SHAKEN: usize = 7;
+const STRONGLY_SHAKEN: usize = 7;
 
 impl Random {
     pub fn pick<T: Copy>(&mut self, from: &[T]) -> T {
@@ -291,7 +291,7 @@ fn parts(random: &mut Random, crossing: &Crossing) -> Option<Parts> {
     let size = match crossing.question {
         Question::Chaos => SIZES[0],
         // Of a box that hardly moves flights are too long for images of boxes.
-        Question::BoxMap => random.pick(&SIZES[..SHAKEN]),
+        Question::BoxMap => random.pick(&SIZES[..STRONGLY_SHAKEN]),
         Question::Bifurcations(_) if matches!(crossing.restitution, Restitution::Half | Restitution::AroundHalf) => {
             NEAR_FOLD
         }
@@ -302,7 +302,7 @@ fn parts(random: &mut Random, crossing: &Crossing) -> Option<Parts> {
             NEAR_FOLD
         }
         Question::Attractors if matches!(crossing.restitution, Restitution::Half | Restitution::AroundHalf) => {
-            random.pick(&SETTLED)
+            random.pick(&ATTRACTED_PAIRS)
         }
         Question::Impacts("shadow" | "splice") if random.below(2) == 0 => SIZES[0],
         _ => random.pick(&SIZES),
@@ -350,11 +350,11 @@ impl Parts {
 }
 
 /// Draws that may be no scenes: a position beyond the gap, a velocity away from the wall.
-const DRAWS: u32 = 60;
+const MAX_DRAWS: u32 = 60;
 
 /// A scene of a crossing; `None` where none of the draws is one.
 pub fn case(crossing: Crossing, mut random: Random) -> Option<Case> {
-    for _ in 0..DRAWS {
+    for _ in 0..MAX_DRAWS {
         let Some(parts) = parts(&mut random, &crossing) else { continue };
         let text = parts.text();
         if let Ok(scene) = Scene::parse(&text) {

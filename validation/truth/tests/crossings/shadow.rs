@@ -14,7 +14,7 @@ use super::motion::{Halt, Judged, Motion, shown, wrong};
 /// Newton's steps for an impact.
 const STEPS: u32 = 12;
 /// Parts of its bounds at which the last impact is sought.
-const PLACES: [f64; 5] = [0.5, 0.25, 0.75, 0.1, 0.9];
+const LAST_IMPACT_PLACES: [f64; 5] = [0.5, 0.25, 0.75, 0.1, 0.9];
 
 /// The datum of the start that is varied.
 #[derive(Clone, Copy, PartialEq)]
@@ -92,7 +92,7 @@ impl Claim<'_> {
         }
         let last = self.impacts.len() - 1;
         let Bounds(low, high) = &self.impacts[last].1;
-        for place in PLACES {
+        for place in LAST_IMPACT_PLACES {
             let sought = float(float(high - low) * place) + low;
             let Some(aimed) = self.aimed(&start, last, &sought)? else { continue };
             if self.has_impacts(&self.impacts(&aimed, last + 1)?) {

@@ -17,7 +17,7 @@ pub(super) struct Base {
 type Exact = [BigRational; 2];
 
 /// Phases of h-sets are within N turns of 0, so that any two of them are this much apart at most.
-const FARTHEST: f64 = 4.0;
+const LARGEST_PHASE: f64 = 4.0;
 const SHIFTS: i64 = 8;
 
 impl Base {
@@ -39,7 +39,7 @@ impl Base {
 
     /// Returns whether it is convex, its tops to the left, its speeds positive, and its phases not far.
     pub fn is_sound(&self) -> bool {
-        let is_near = self.corners().iter().all(|[u, w]| u.abs() < FARTHEST && w.is_finite() && *w > 0.0); // V12: these states
+        let is_near = self.corners().iter().all(|[u, w]| u.abs() < LARGEST_PHASE && w.is_finite() && *w > 0.0); // V12: these states
         let turns = |corners: [Exact; 4]| {
             (0..4).all(|i| side(&corners[i], &corners[(i + 1) % 4], &corners[(i + 2) % 4]).is_positive())
         };

@@ -98,7 +98,7 @@ pub(super) struct Beam {
 }
 
 /// A departure is proved for this time at first, and for no shorter one than the other.
-const DEPARTURE: f64 = 0.125;
+const FIRST_DEPARTURE: f64 = 0.125;
 const SHORTEST_DEPARTURE: f64 = 1e-6;
 /// Parts of a flight are this long at most, and no shorter than the other.
 const LONGEST_PART: f64 = 0.125;
@@ -217,7 +217,7 @@ impl Beam {
 
     /// Returns a time up to which all flights are proved to be between the walls once they have left.
     pub fn depart(&self) -> Option<f64> {
-        let mut time = DEPARTURE;
+        let mut time = FIRST_DEPARTURE;
         while time >= SHORTEST_DEPARTURE {
             let angle = Span::point(time).turned();
             let (leaves, mean) = self.leaves_at(angle, time);

@@ -16,7 +16,7 @@ type Ways = Vec<[usize; 2]>;
 type Size = [usize; 2];
 
 /// More pairs than these are not looked at: documents that the program writes have some hundred.
-const MOST_PAIRS: usize = 1 << 20;
+const MAX_PAIRS: usize = 1 << 20;
 
 /// Proves that the two blocks that are named are free, and that no two blocks of fewer impacts are.
 pub(super) fn says_the_shortest(named: Option<&str>, words: &[Word], bases: usize) -> Result<(), Doubt> {
@@ -33,7 +33,7 @@ pub(super) fn says_the_shortest(named: Option<&str>, words: &[Word], bases: usiz
         lengths.entry(ways).or_default().push(flights.len());
     }
     let open = |message: &str| Err(Doubt::open(message));
-    if lengths.len() * lengths.len() > MOST_PAIRS {
+    if lengths.len() * lengths.len() > MAX_PAIRS {
         return open("the horseshoe is not checked: the graph of words has too many chains");
     }
     let shortest = shortest(lengths, bases);

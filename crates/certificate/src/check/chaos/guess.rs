@@ -38,7 +38,7 @@ pub(super) struct Image {
 const STEP: f64 = 1.0 / 64.0;
 const STEPS: u32 = 64 * 64;
 /// \[forcing periods\]
-pub(super) const MOST_TURNS: f64 = 64.0;
+pub(super) const MAX_PERIODS: f64 = 64.0;
 
 impl Guess {
     pub fn new(law: &Law) -> Self {

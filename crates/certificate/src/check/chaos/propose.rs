@@ -6,7 +6,7 @@ use std::f64::consts::TAU;
 
 use super::allowance::{Allowance, End};
 use super::beam::State;
-use super::guess::{Guess, Image, MOST_TURNS, applied};
+use super::guess::{Guess, Image, MAX_PERIODS, applied};
 use super::tube::{Chord, Part, Tube};
 
 /// A way to make chains of boxes.
@@ -43,9 +43,9 @@ struct Sample {
 type Pair = [Sample; 2];
 
 /// Fewer parts than that are not worth a chain of boxes.
-const FEWEST: usize = 12;
+const MIN_PARTS: usize = 12;
 /// Factor by which cells at the ends are shorter.
-const GRADED: f64 = 0.001;
+const END_GRADING: f64 = 0.001;
 
 /// Radians and speeds.
 fn vector(from: State, to: State) -> State {
@@ -79,7 +79,7 @@ fn sample(guess: &Guess, tube: &Tube, cell: usize, at: f64) -> Sample {
 impl Sample {
     /// Duration of the flight that is followed \[forcing periods\].
     fn turns(&self) -> f64 {
-        self.image.map_or(MOST_TURNS, |image| image.time)
+        self.image.map_or(MAX_PERIODS, |image| image.time)
     }
 
     fn image(&self) -> &Image {
@@ -102,7 +102,7 @@ impl Making {
             self.refine((guess, work), tube, ends, [cell == 0, cell == last], &mut segments)?;
         }
         let mut proposals = Vec::new();
-        for segment in segments.iter().filter(|segment| segment.len() >= FEWEST) {
+        for segment in segments.iter().filter(|segment| segment.len() >= MIN_PARTS) {
             proposals.extend(self.proposal((guess, work), segment)?);
         }
         Ok(proposals)
@@ -147,7 +147,7 @@ impl Making {
         let long = length(along);
         let bulge = (cross(along, vector(a.state, m.state)) / long).abs();
         let thick = (cross(along, between.thick()) / long).abs();
-        let longest = if is_end { GRADED * self.longest } else { self.longest };
+        let longest = if is_end { END_GRADING * self.longest } else { self.longest };
         Some(long <= longest && bulge <= self.room(thick))
     }
 

@@ -18,7 +18,7 @@ use crate::check::contact::Doubt;
 use impact_pair_document::{BaseDocument, EntropyDocument, PeriodDocument, SceneOrbitDocument, WordDocument};
 
 /// The entropy of words between more h-sets is not judged.
-const MOST_BASES: usize = 64;
+const MAX_H_SETS: usize = 64;
 
 impl ChaosCertificate {
     /// The h-sets and the words, if what is said of them follows from them.
@@ -50,8 +50,8 @@ pub(super) fn sound_bases(claimed: &[BaseDocument]) -> Result<Vec<Base>, Doubt> 
     let wrong = |message: &str| Err(Doubt::False(message.to_owned()));
     let corners = claimed.iter().filter_map(|base| base.corners.as_ref());
     let bases: Vec<Base> = corners.map(Base::of).collect();
-    if bases.len() > MOST_BASES {
-        return Err(Doubt::Open(format!("more than {MOST_BASES} h-sets are not checked")));
+    if bases.len() > MAX_H_SETS {
+        return Err(Doubt::Open(format!("more than {MAX_H_SETS} h-sets are not checked")));
     }
     if !bases.iter().all(Base::is_sound) {
         return wrong("an h-set is not a convex quadrilateral of states with its tops to the left");

@@ -12,7 +12,7 @@ use super::entropy::{at_least, exponential};
 use super::guess::Guess;
 use super::language::{Sets, is_above};
 use super::region::Region;
-use super::span::{LEAST_STEP, Span, step};
+use super::span::{MIN_STEP, Span, step};
 use super::trap::mirrored;
 use crate::Certificate;
 use crate::check::data::{Data, Piece};
@@ -121,7 +121,7 @@ proptest! {
             let (below, above) = (x - step(x), x + step(x));
             if x.is_finite() {
                 prop_assert!(below <= x.next_down() && x.next_up() <= above, "{x:e}");
-                let close = |x: f64| x.abs() * 4.0 * f64::EPSILON + 2.0 * LEAST_STEP;
+                let close = |x: f64| x.abs() * 4.0 * f64::EPSILON + 2.0 * MIN_STEP;
                 prop_assert!((above - x).max(x - below) <= close(x), "{x:e}");
             }
         }

@@ -7,7 +7,7 @@ use super::allowance::{Allowance, End};
 use super::bases::Base;
 use super::guess::Guess;
 use super::propose::{Making, Proposal};
-use super::tube::{Chord, Tube, WINDOW, taken};
+use super::tube::{Chord, NEIGHBOUR_CELLS, Tube, taken};
 use crate::check::blocks::in_blocks;
 
 /// A covering relation from one h-set to another.
@@ -172,8 +172,8 @@ impl<'s> Search<'s> {
             for stretch in taken(&parts, &proved, &mut used) {
                 // D7: the ends of the stretch land before the one and behind the other, none if it is shorter
                 let [low, high] = [
-                    parts[*stretch.start()].place + WINDOW + 2,
-                    parts[*stretch.end()].place.saturating_sub(WINDOW + 1),
+                    parts[*stretch.start()].place + NEIGHBOUR_CELLS + 2,
+                    parts[*stretch.end()].place.saturating_sub(NEIGHBOUR_CELLS + 1),
                 ]; // D7: none
                 if low < high {
                     let run = Run { from: run.from, flights: flights.clone(), tube: next.stretch(low, high) };
@@ -270,8 +270,11 @@ impl Stretch {
         taken.push([tube.cells(); 2]);
         let mut start = 0;
         taken.into_iter().filter_map(move |[a, b]| {
-            let run =
-                (a > start + 4 * WINDOW).then(|| Run { from, flights: flights.clone(), tube: tube.stretch(start, a) });
+            let run = (a > start + 4 * NEIGHBOUR_CELLS).then(|| Run {
+                from,
+                flights: flights.clone(),
+                tube: tube.stretch(start, a),
+            });
             start = b;
             run
         })

@@ -17,9 +17,9 @@ use crate::tangency::{ClaimedSides, ClaimedTangency};
 use impact_pair_exact::{Dyadic, Real};
 
 /// The longest word.
-pub(super) const LONGEST: usize = 200;
+pub(super) const MAX_WORD_LENGTH: usize = 200;
 /// Number of bisections of the curve of common points.
-const HALVED: u32 = 8;
+const BISECTIONS: u32 = 8;
 
 /// Returns the interval of these bounds.
 pub(super) fn all(bounds: &Bounds) -> Real {
@@ -63,7 +63,7 @@ impl ClaimedTangency {
         budget: &Budget<'_>,
     ) -> Result<(), Doubt> {
         let count = letters.len();
-        if count > LONGEST {
+        if count > MAX_WORD_LENGTH {
             return Err(Doubt::open("common points along more than 200 flights are not counted"));
         }
         let [two, none, own] = [&sides.two, &sides.none, &self.parameter].map(|bounds| setting.reduced(&all(bounds)));
@@ -117,7 +117,7 @@ impl Curve<'_, '_> {
                 return Err(Doubt::open("the boxes may not hold the common points of all of the range with two"));
             }
         }
-        parts(ends).iter().try_for_each(|part| self.pieces(near.clone(), part, HALVED))
+        parts(ends).iter().try_for_each(|part| self.pieces(near.clone(), part, BISECTIONS))
     }
 
     fn is_beyond(&self, parameter: &Real) -> bool {

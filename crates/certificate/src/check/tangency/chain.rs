@@ -1,6 +1,8 @@
 //! The orbit from one manifold to the other as a zero of the equations of all its flights, over boxes of states (Lemma V31).
 
-use super::area::{Area, BITS, BY_OTHER, BY_PARAMETER, OTHER, PARAMETER, STABLE, STATES, UNSTABLE, Vector};
+use super::area::{
+    Area, BITS, OTHER, OTHER_COORDINATE, PARAMETER, PARAMETER_COORDINATE, STABLE, STATES, UNSTABLE, Vector,
+};
 use super::flights::{Flown, Letter, fly, guess};
 use super::jet::{self, Jet};
 use super::local::{Domain, Side};
@@ -118,7 +120,7 @@ impl<'b> Chain<'b> {
 
     /// The law of flights, parameter and other datum their coordinates.
     fn law(&self, area: &Area) -> Result<Law, Doubt> {
-        let [parameter, other] = [area.varied(PARAMETER, BY_PARAMETER), area.varied(OTHER, BY_OTHER)];
+        let [parameter, other] = [area.varied(PARAMETER, PARAMETER_COORDINATE), area.varied(OTHER, OTHER_COORDINATE)];
         known(Law::of_both(self.is_restitution, parameter, other))
     }
 

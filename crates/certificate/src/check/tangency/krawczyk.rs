@@ -10,13 +10,13 @@ use impact_pair_exact::{Dyadic, Enclosure, Real};
 const SHORT_BITS: u32 = 64;
 /// Steps of Newton's iteration, the size of the last one, and that of the smallest box, as powers of 2.
 const STEPS: u32 = 16;
-const ENOUGH: i64 = -30;
-const SMALLEST: i64 = -60;
+const LAST_STEP_EXPONENT: i64 = -30;
+const MIN_BOX_EXPONENT: i64 = -60;
 /// Number of times that a box is made larger, and the part of its radii added each time, as a power of 2.
-const WIDENED: u32 = 8;
-const ROOM: i64 = -4;
+const MAX_WIDENINGS: u32 = 8;
+const WIDENING_EXPONENT: i64 = -4;
 /// Number of improvements of the weights.
-const WEIGHTS: u32 = 8;
+const WEIGHT_ITERATIONS: u32 = 8;
 
 /// The system solved: the number of equations, and the places of the values solved for; the other values are given.
 #[derive(Clone, Debug)]
@@ -95,13 +95,13 @@ impl System {
                 at[*i] = (at[*i].clone() - &step).middle();
             }
             // proposes: when to stop
-            if most.is_none_or(|top| top < ENOUGH) {
+            if most.is_none_or(|top| top < LAST_STEP_EXPONENT) {
                 let product = self.multiplied(&newton, &over, at.len());
                 let mut area = Area::point(at);
                 given.iter().for_each(|(i, radius)| area.radii[*i] = radius.clone());
                 for (row, i) in product.iter().zip(&self.unknowns) {
                     let reach = self.given.iter().map(|j| size(&row[*j]) * &area.radii[*j]);
-                    area.radii[*i] = roomy(reach.fold(power(SMALLEST), |sum, x| sum + &x));
+                    area.radii[*i] = roomy(reach.fold(power(MIN_BOX_EXPONENT), |sum, x| sum + &x));
                 }
                 return Ok(area);
             }
@@ -138,7 +138,7 @@ impl System {
         let newton = self.newton(&over)?;
         let product = self.multiplied(&newton, &over, area.centre.len());
         let mut weights = area.radii.clone();
-        for _ in 0..WEIGHTS {
+        for _ in 0..WEIGHT_ITERATIONS {
             let strays = self.strays(&product, &weights);
             if self.unknowns.iter().zip(&strays).all(|(i, stray)| stray.is_below(&weights[*i])) {
                 return Ok(());
@@ -155,7 +155,7 @@ impl System {
     /// Proves that there is exactly one zero next to a point for each of the given values, which are at most these radii from it. Lemma V31
     pub fn found(&self, chain: &mut Chain<'_>, near: Vec<Real>, given: &[(usize, Real)]) -> Result<Found, Doubt> {
         let mut area = self.polished(chain, near, given)?;
-        for _ in 0..WIDENED {
+        for _ in 0..MAX_WIDENINGS {
             let over = chain.over(&area)?;
             let newton = self.newton(&over)?;
             let product = self.multiplied(&newton, &over, area.centre.len());
@@ -199,7 +199,7 @@ fn power(n: i64) -> Real {
 
 /// A radius somewhat larger.
 fn roomy(radius: Real) -> Real {
-    size(&(radius.clone() + &(radius * &power(ROOM))))
+    size(&(radius.clone() + &(radius * &power(WIDENING_EXPONENT))))
 }
 
 fn within(radius: &Real) -> Real {

@@ -2,7 +2,7 @@
 
 use num_integer::Integer;
 
-use super::between::{Between, INSIDE, unproved};
+use super::between::{Between, TINY_CELL_BITS, unproved};
 use super::cell::{Cell, Point};
 use super::map::Map;
 use crate::attraction::Passage;
@@ -12,7 +12,7 @@ use crate::check::contact::Doubt;
 use crate::check::frame::hull;
 use crate::check::tangency::flights::Letter;
 use crate::check::tangency::setting::Setting;
-use crate::check::target::{MOST_BITS, narrowest};
+use crate::check::target::{MAX_BITS, narrowest};
 use crate::check::units::greatest_speed;
 use crate::check::walk::compare;
 use crate::periodic::OrbitOf;
@@ -22,9 +22,9 @@ use impact_pair_model::Wall;
 
 /// Bits of the arithmetic beyond those of the tiny cells, at first and at most.
 const SPARE_BITS: i64 = 160;
-const MOST_SPARE_BITS: i64 = 640;
+const MAX_SPARE_BITS: i64 = 640;
 /// The largest tiny cell, as a power of 2.
-const LARGEST: i64 = -96;
+const MAX_CELL_EXPONENT: i64 = -96;
 
 impl ClaimedWindow {
     /// The orbits between its ends are stable, on one curve that leads through its orbit, proved in N bits. Lemma V30
@@ -38,14 +38,14 @@ impl ClaimedWindow {
         let narrow = narrowest([&one.parameter, &other.parameter].into_iter()).unwrap_or(0); // proposes: a size to try
         let first = &claim.orbit.impacts[0];
         let own = narrowest([&first.phase, &first.velocity].into_iter()).unwrap_or(0); // proposes: a size to try
-        let size = LARGEST.min(narrow.min(own) - INSIDE); // proposes: a size to try
+        let size = MAX_CELL_EXPONENT.min(narrow.min(own) - TINY_CELL_BITS); // proposes: a size to try
         let mut spare = SPARE_BITS;
         let (bits, mut between, known) = loop {
-            let bits = u32::try_from(spare - size).ok().filter(|bits| *bits <= MOST_BITS);
+            let bits = u32::try_from(spare - size).ok().filter(|bits| *bits <= MAX_BITS);
             let bits = bits.ok_or_else(|| Doubt::open("the bounds are too narrow"))?;
             match self.begun((&setting, over), (size, bits), (claim, budget)) {
                 // Rounding in all flights is more than the tiny cell where they are many.
-                Err(Doubt::Open(_)) if spare < MOST_SPARE_BITS && !budget.is_spent() => spare *= 2,
+                Err(Doubt::Open(_)) if spare < MAX_SPARE_BITS && !budget.is_spent() => spare *= 2,
                 begun => {
                     let (between, known) = begun?;
                     break (bits, between, known);

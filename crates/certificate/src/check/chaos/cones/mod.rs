@@ -108,7 +108,7 @@ pub(super) fn doubt(
     let guess = Guess::new(law);
     let map = Map { law, guess: &guess, frames: &frames, work };
     let mut doubt = None;
-    for known in KNOWN {
+    for known in EXPANSION_ACCURACIES {
         doubt = proved(&map, &listed, &claimed, known)?;
         if !matches!(doubt, Some(Doubt::Open(_))) {
             break;
@@ -118,7 +118,7 @@ pub(super) fn doubt(
 }
 
 /// Expansions are known up to such a part per impact of the word, or to the next where that is too little.
-const KNOWN: [f64; 2] = [0.03, 0.01];
+const EXPANSION_ACCURACIES: [f64; 2] = [0.03, 0.01];
 
 fn proved(map: &Map<'_>, listed: &[(usize, Word)], claimed: &Claimed, known: f64) -> Result<Option<Doubt>, End> {
     let strips = branches(map.guess, map.frames, listed);

@@ -8,12 +8,12 @@ use super::super::words::Word;
 use super::strip::{Branch, Frame, Strip};
 
 /// Neighbours are parted until their images are this near, or they are so near themselves.
-const APART: f64 = 0.01;
-const NEAREST: f64 = 1e-9;
-const PARTS: i32 = 256;
+const MAX_IMAGE_DISTANCE: f64 = 0.01;
+const MIN_DISTANCE: f64 = 1e-9;
+const FIRST_PARTS: i32 = 256;
 /// Places beyond the edges that strips are mapped to, in the order tried, and a part of the width added, as their sides are straight.
-const BEYOND: [f64; 4] = [1.004, 1.0015, 1.008, 1.0004];
-const SPARE: f64 = 1e-4;
+const SIDE_IMAGES: [f64; 4] = [1.004, 1.0015, 1.008, 1.0004];
+const WIDTH_MARGIN: f64 = 1e-4;
 const STEPS: usize = 40;
 const HEIGHTS: [f64; 3] = [-1.0, 0.0, 1.0];
 
@@ -46,12 +46,13 @@ fn seen(guess: &Guess, frame: &Frame, place: f64, flights: usize) -> Seen {
 fn line(guess: &Guess, frame: &Frame, flights: usize) -> Vec<Seen> {
     let see = |place: f64| seen(guess, frame, place, flights);
     let mut done = vec![see(-1.0)];
-    let mut open: Vec<Seen> = (1..=PARTS).rev().map(|k| see(2.0 * f64::from(k) / f64::from(PARTS) - 1.0)).collect();
+    let mut open: Vec<Seen> =
+        (1..=FIRST_PARTS).rev().map(|k| see(2.0 * f64::from(k) / f64::from(FIRST_PARTS) - 1.0)).collect();
     while let Some(next) = open.pop() {
         let last = &done[done.len() - 1];
         let mut alike = last.images.iter().zip(&next.images).take_while(|(a, b)| a.1 == b.1);
-        let is_coarse = alike.any(|(a, b)| (a.0[0] - b.0[0]).abs() + (a.0[1] - b.0[1]).abs() > APART);
-        if is_coarse && next.place - last.place > NEAREST {
+        let is_coarse = alike.any(|(a, b)| (a.0[0] - b.0[0]).abs() + (a.0[1] - b.0[1]).abs() > MAX_IMAGE_DISTANCE);
+        if is_coarse && next.place - last.place > MIN_DISTANCE {
             let between = see(0.5 * (last.place + next.place));
             open.extend([next, between]);
         } else {
@@ -122,10 +123,10 @@ fn strips(guess: &Guess, frames: &[Frame], word: &Word, ends: [f64; 2], rises: b
             Some([sign * outer, lean])
         };
         let ([left, lean], [right, other]) = (side(0, -1.0)?, side(1, 1.0)?);
-        let spare = SPARE * (right - left);
+        let spare = WIDTH_MARGIN * (right - left);
         Some(Strip { left: [left - spare, lean], right: [right + spare, other] }).filter(Strip::is_sound)
     };
-    BEYOND.iter().filter_map(strip).collect()
+    SIDE_IMAGES.iter().filter_map(strip).collect()
 }
 
 /// Strips of words, as far as they are seen, by the number of the word: of each some that differ in how far beyond the edges they are mapped.
