@@ -14,7 +14,7 @@ use impact_pair::periodic::chain::MOST_CYCLES;
 use impact_pair::scene::{Key, Range};
 
 use crate::Answer;
-use crate::destination::{Begun, Destination};
+use crate::destination::{Destination, OpenOutput};
 use crate::heading::heading;
 use crate::periodic::{PeriodicFormat, physical, symmetric};
 use crate::progress::Progress;
@@ -76,7 +76,7 @@ impl BifurcationArguments {
 
 pub fn bifurcations(arguments: &BifurcationArguments) -> Result<Answer> {
     let format = arguments.destination.format(arguments.format)?;
-    let Begun { scene, files, path } = arguments.destination.begin(&arguments.scene, None)?;
+    let OpenOutput { scene, files, path } = arguments.destination.begin(&arguments.scene, None)?;
     let named = || scene::name(path);
     let wanted = arguments.wanted(&scene);
     let (word, cycles) = (&arguments.word, arguments.cycles);

@@ -8,7 +8,7 @@ use anyhow::{Context, Result, bail};
 use clap::Args;
 use impact_pair::Scene;
 use impact_pair::chaos::{
-    Base, Cells, Chaos, HorseshoeSettings, Hyperbolic, MOST_CELLS, MOST_DEPTH, MOST_HALVINGS, RangeSettings,
+    Cells, Chaos, HSet, HorseshoeSettings, Hyperbolic, MOST_CELLS, MOST_DEPTH, MOST_HALVINGS, RangeSettings,
 };
 use impact_pair::document;
 use impact_pair::exact::Exact;
@@ -18,7 +18,7 @@ use impact_pair::scene::Range;
 use serde::Deserialize;
 
 use crate::Answer;
-use crate::destination::{Begun, Drawing, Files};
+use crate::destination::{Drawing, Files, OpenOutput};
 use crate::heading::heading;
 use crate::output::note;
 use crate::periodic::PeriodicFormat;
@@ -88,13 +88,13 @@ const DEFAULT_DEPTH: usize = 12;
 
 /// The content of a file of h-sets.
 #[derive(Deserialize)]
-struct Bases {
+struct HSetFile {
     bases: Vec<BaseDocument>,
 }
 
-fn bases(path: &Path) -> Result<Vec<Base>> {
+fn bases(path: &Path) -> Result<Vec<HSet>> {
     let named = || scene::name(path);
-    let read: Bases = serde_json::from_str(&scene::text(path)?).with_context(named)?;
+    let read: HSetFile = serde_json::from_str(&scene::text(path)?).with_context(named)?;
     if read.bases.is_empty() {
         bail!("{} has no h-sets: its list \"bases\" is empty", named());
     }
@@ -111,7 +111,7 @@ fn range(text: &str) -> Result<Range, impact_pair::Error> {
 
 pub fn chaos(arguments: &ChaosArguments) -> Result<Answer> {
     let format = arguments.drawing.format(arguments.format)?;
-    let Begun { scene, files, .. } = arguments.drawing.begin(&arguments.scene)?;
+    let OpenOutput { scene, files, .. } = arguments.drawing.begin(&arguments.scene)?;
     let bases = arguments.bases.as_deref().map(bases).transpose()?.unwrap_or_default();
     let work = Work { arguments, format, scene: &scene, files };
     match &arguments.over {
@@ -140,7 +140,7 @@ struct Work<'w> {
 
 impl Work<'_> {
     /// One horseshoe, for one pair or for all of a range at once.
-    fn horseshoe(self, over: Option<&Range>, bases: Vec<Base>) -> Result<Answer> {
+    fn horseshoe(self, over: Option<&Range>, bases: Vec<HSet>) -> Result<Answer> {
         let (scene, depth) = (self.scene, self.arguments.depth.map(|depth| depth as usize));
         let question = HorseshoeSettings { depth, bases };
         let ranges: Vec<_> = over.iter().map(|over| (over.key, over.to_string())).collect();

@@ -14,7 +14,7 @@ use impact_pair::pair::Wall;
 use impact_pair::periodic::{Precision, Stability};
 
 use crate::Answer;
-use crate::destination::{Begun, Destination};
+use crate::destination::{Destination, OpenOutput};
 use crate::heading::heading;
 use crate::periodic::PeriodicFormat;
 use crate::progress::Progress;
@@ -59,7 +59,7 @@ pub struct CyclesArguments {
 
 pub fn cycles(arguments: &CyclesArguments) -> Result<Answer> {
     let format = arguments.destination.format(arguments.format)?;
-    let Begun { scene, files, path } = arguments.destination.begin(&arguments.scene, None)?;
+    let OpenOutput { scene, files, path } = arguments.destination.begin(&arguments.scene, None)?;
     let named = || scene::name(path);
     let usual = Precision::default();
     let digits = arguments.digits.or(scene.run().digits).unwrap_or(usual.digits);

@@ -12,7 +12,7 @@ use impact_pair::json::DescriptionDocument;
 use impact_pair::orbit::MAX_BITS;
 
 use crate::Answer;
-use crate::destination::{Begun, Drawing};
+use crate::destination::{Drawing, OpenOutput};
 use crate::heading::heading;
 use crate::progress::Progress;
 use crate::scene;
@@ -75,7 +75,7 @@ enum DescribeFormat {
 
 pub fn describe(arguments: &DescribeArguments) -> Result<Answer> {
     let format = arguments.drawing.format(arguments.format)?;
-    let Begun { scene, files, path } = arguments.drawing.begin(&arguments.scene)?;
+    let OpenOutput { scene, files, path } = arguments.drawing.begin(&arguments.scene)?;
     let named = || scene::name(path);
     let DescribeArguments { impacts, max_bits, .. } = *arguments;
     let request = Request { impacts, depth: arguments.depth as usize, max_bits };

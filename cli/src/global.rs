@@ -12,7 +12,7 @@ use impact_pair::exact::decimal_digits;
 use impact_pair::json::GlobalDocument;
 
 use crate::Answer;
-use crate::destination::{Begun, Drawing};
+use crate::destination::{Drawing, OpenOutput};
 use crate::graph::{Graph, Value};
 use crate::heading::pair_heading;
 use crate::progress::Progress;
@@ -98,7 +98,7 @@ enum GlobalFormat {
 
 pub fn global(arguments: &GlobalArguments) -> Result<Answer> {
     let format = arguments.drawing.format(arguments.format)?;
-    let Begun { scene, files, path } = arguments.drawing.begin(&arguments.scene)?;
+    let OpenOutput { scene, files, path } = arguments.drawing.begin(&arguments.scene)?;
     let named = || scene::name(path);
     let mut settings = GlobalSettings {
         boxes: 1 << arguments.boxes,

@@ -14,7 +14,7 @@ use impact_pair::periodic::{Budget, Census, Eigenvalue, PeriodicOrbit, Problem};
 use impact_pair::units::Units;
 
 use crate::Answer;
-use crate::destination::{Begun, Destination};
+use crate::destination::{Destination, OpenOutput};
 use crate::heading::heading;
 use crate::progress::Progress;
 use crate::scene;
@@ -72,7 +72,7 @@ pub enum PeriodicFormat {
 
 pub fn periodic(arguments: &PeriodicArguments) -> Result<Answer> {
     let format = arguments.destination.format(arguments.format)?;
-    let Begun { scene, files, path } = arguments.destination.begin(&arguments.scene, None)?;
+    let OpenOutput { scene, files, path } = arguments.destination.begin(&arguments.scene, None)?;
     let named = || scene::name(path);
     let problem = Problem::new(scene.pair(), &arguments.word, arguments.cycles).with_context(named)?;
     let units = Units::gaps(problem.pair()).with_context(named)?;

@@ -13,7 +13,7 @@ use impact_pair::orbit::{Arithmetic, MAX_BITS, Orbit, Settings};
 use impact_pair::scene::Run;
 
 use crate::Answer;
-use crate::destination::{Begun, Destination, Files};
+use crate::destination::{Destination, Files, OpenOutput};
 use crate::listing::{Format, Listing};
 use crate::progress::Progress;
 use crate::scene;
@@ -85,7 +85,8 @@ impl RunArguments {
 
 pub fn run(arguments: &RunArguments) -> Result<Answer> {
     let format = arguments.destination.format(arguments.format)?;
-    let Begun { scene, files: Files { out, quiet, .. }, path } = arguments.destination.begin(&arguments.scene, None)?;
+    let OpenOutput { scene, files: Files { out, quiet, .. }, path } =
+        arguments.destination.begin(&arguments.scene, None)?;
     let settings = Settings { attractor: true, ..arguments.settings(&scene) };
     let mut orbit = Orbit::of(&scene, settings.clone()).with_context(|| scene::name(path))?;
     let visible = !quiet && io::stderr().is_terminal() && !out.is_terminal();

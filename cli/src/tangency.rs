@@ -15,7 +15,7 @@ use impact_pair::tangency::{
 };
 
 use crate::Answer;
-use crate::destination::{Begun, Drawing};
+use crate::destination::{Drawing, OpenOutput};
 use crate::heading::heading;
 use crate::periodic::PeriodicFormat;
 use crate::progress::Progress;
@@ -90,7 +90,7 @@ fn over(text: &str) -> Result<Range, impact_pair::Error> {
 
 pub fn tangency(arguments: &TangencyArguments) -> Result<Answer> {
     let format = arguments.drawing.format(arguments.format)?;
-    let Begun { scene, files, path } = arguments.drawing.begin(&arguments.scene)?;
+    let OpenOutput { scene, files, path } = arguments.drawing.begin(&arguments.scene)?;
     let settings = TangencySettings {
         over: arguments.over.clone(),
         word: arguments.word.clone(),

@@ -15,7 +15,7 @@ use impact_pair::periodic::bifurcation::WindowEnd;
 use impact_pair::scene::Range;
 
 use crate::Answer;
-use crate::destination::{Begun, Drawing};
+use crate::destination::{Drawing, OpenOutput};
 use crate::heading::heading;
 use crate::periodic::{PeriodicFormat, physical, symmetric};
 use crate::progress::Progress;
@@ -76,7 +76,7 @@ fn over(text: &str) -> Result<Range, impact_pair::Error> {
 
 pub fn windows(arguments: &WindowsArguments) -> Result<Answer> {
     let format = arguments.drawing.format(arguments.format)?;
-    let Begun { scene, files, path } = arguments.drawing.begin(&arguments.scene)?;
+    let OpenOutput { scene, files, path } = arguments.drawing.begin(&arguments.scene)?;
     let named = || scene::name(path);
     let settings = WindowSettings {
         over: arguments.over.clone(),

@@ -52,7 +52,7 @@ use crate::scales::Scales;
 use crate::scene::{DIGITS, Run};
 use crate::watch::Watch;
 use crate::{Error, Scene};
-use judge::Judgement;
+use judge::Comparison;
 use tolerance::Tolerance;
 use truth::Truth;
 
@@ -119,7 +119,7 @@ pub struct Audit<'s> {
     settings: Settings,
     tolerance: Tolerance,
     truth: Truth,
-    judgement: Judgement,
+    judgement: Comparison,
     /// Orbits in doubles, compared in the same way.
     pub doubles: Doubles,
 }
@@ -157,7 +157,7 @@ impl<'s> Audit<'s> {
             Some("run.until") => out_of_reach(asked, &rows, scene.start().time()),
             _ => error,
         })?;
-        let judgement = Judgement::new(&truth, &rows, (&end, listed == rows.len()), &tolerance);
+        let judgement = Comparison::new(&truth, &rows, (&end, listed == rows.len()), &tolerance);
         let doubles = Doubles::judge(scene, &settings, &truth, &end, &tolerance, watch)?;
         let left_out = listed - rows.len();
         Ok(Self {

@@ -3,7 +3,7 @@
 use std::ops::ControlFlow;
 
 use super::region::Trap;
-use super::words::Base;
+use super::words::HSet;
 use crate::Error;
 use crate::orbit::{Arithmetic, Orbit, Outcome, Settings, Start};
 use crate::pair::ImpactPair;
@@ -38,7 +38,7 @@ const ATTEMPTS: [(Arithmetic, u64); 2] = [(Arithmetic::Interval, 20_000), (Arith
 
 impl Asymptotics {
     /// Returns the result for an orbit; the region is looked for where there are h-sets.
-    pub(super) fn of(pair: &ImpactPair, start: &Start, bases: &[Base], watch: &dyn Watch) -> Result<Self, Error> {
+    pub(super) fn of(pair: &ImpactPair, start: &Start, bases: &[HSet], watch: &dyn Watch) -> Result<Self, Error> {
         let mut attractor = None;
         for asked in ATTEMPTS {
             if attractor.is_none() {

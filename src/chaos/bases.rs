@@ -9,11 +9,11 @@ use super::guess::Guess;
 use super::law::Law;
 use super::propose::Making;
 use super::quad::State;
-use super::seen::{Seen, step};
+use super::seen::{AttractorOrbit, step};
 use super::trials::{DEPTH, Effort, SLOW, Trials};
 use super::tube::side_of;
 use super::vector::{GENERIC, apart, cross};
-use super::words::Base;
+use super::words::HSet;
 use crate::watch::Watch;
 
 /// The most impacts of returns that are looked for, and the number of nearest returns that are kept of each.
@@ -37,7 +37,7 @@ const DEPTH_FRACTIONS: [f64; 3] = [1.0, 0.75, 0.5];
 /// Half lengths, phases in radians, and half widths relative to them.
 pub(super) const LENGTHS: [f64; 7] = [0.3, 0.2, 0.13, 0.08, 0.05, 0.03, 0.015];
 const WIDTHS: [f64; 7] = [0.001, 0.002, 0.005, 0.01, 0.02, 0.04, 0.08];
-impl Seen {
+impl AttractorOrbit {
     /// Returns the transients of a regular orbit: points of orbits from elsewhere before they come near it. A horseshoe may be there as a saddle.
     pub fn transients(&self, guess: &Guess) -> Self {
         let attractor: Vec<State> =
@@ -92,8 +92,8 @@ impl Seen {
     }
 
     /// H-sets along the leaves, those first that the orbit crosses most often.
-    fn candidates(&self, guess: &Guess, making: Making) -> Vec<Base> {
-        let mut scored: Vec<(f64, Base)> = Vec::new();
+    fn candidates(&self, guess: &Guess, making: Making) -> Vec<HSet> {
+        let mut scored: Vec<(f64, HSet)> = Vec::new();
         for (centre, along) in self.centres() {
             let Some(across) = guess.contracting(centre, making.ahead) else { continue };
             let determinant = cross(along, across);
@@ -130,13 +130,13 @@ impl Seen {
                     })
                     .fold((0.0, 0.0), |best, next| if next.0 > best.0 { next } else { best });
                 if best.0 > 0.0 {
-                    let base = Base::new(centre, along.map(|x| x * long), across.map(|x| x * best.1));
+                    let base = HSet::new(centre, along.map(|x| x * long), across.map(|x| x * best.1));
                     scored.push((best.0, base));
                 }
             }
         }
         scored.sort_by(|a, b| b.0.total_cmp(&a.0));
-        scored.into_iter().map(|(_, base)| base).filter(Base::is_convex).collect()
+        scored.into_iter().map(|(_, base)| base).filter(HSet::is_convex).collect()
     }
 
     /// Returns the h-sets that lead to most entropy, of those tried: about bundles of leaves, or else along saddles, or else from everywhere.
@@ -146,7 +146,7 @@ impl Seen {
         ([making, fine], depth): ([Making; 2], usize),
         effort: Effort,
         watch: &dyn Watch,
-    ) -> Vec<Base> {
+    ) -> Vec<HSet> {
         let guess = Guess::new(law);
         let trials = Trials { law, making, depth, effort, watch };
         if effort.bundled {
@@ -179,7 +179,7 @@ impl Seen {
     }
 }
 
-impl Base {
+impl HSet {
     /// Returns whether it has no state in common with another one, whole forcing periods later or earlier either: an edge parts them. Lemma D9
     pub fn is_apart(&self, other: &Self) -> bool {
         (-3..=3).all(|turns| self.is_parted(other, f64::from(turns)) || other.is_parted(self, f64::from(-turns)))

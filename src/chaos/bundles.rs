@@ -8,9 +8,9 @@ use super::guess::Guess;
 use super::index::Indexed;
 use super::leaves::{HALF_LENGTHS, LEAF_OFFSETS, Leaves, MAX_GAPS, Window};
 use super::quad::State;
-use super::seen::Seen;
+use super::seen::AttractorOrbit;
 use super::vector::{apart, length};
-use super::words::Base;
+use super::words::HSet;
 use crate::threads::each;
 use crate::watch::Watch;
 
@@ -43,22 +43,22 @@ pub(super) struct Place {
 /// H-sets of one place, and how much entropy is seen of them.
 #[derive(Clone, Debug)]
 pub(super) struct Bundle {
-    pub bases: Vec<Base>,
+    pub bases: Vec<HSet>,
     seen: f64,
     place: Place,
 }
 
 /// An orbit, and how many impacts of its words are looked at.
-struct Sight<'s> {
+struct WordObservation<'s> {
     orbit: Indexed<'s>,
     guess: &'s Guess,
     impacts: usize,
 }
 
-impl Seen {
+impl AttractorOrbit {
     /// H-sets about clusters of leaves, those first that most entropy is seen of. `watch` says whether to look further.
     pub(super) fn bundles(&self, guess: &Guess, impacts: usize, watch: &dyn Watch) -> Vec<Bundle> {
-        let sight = Sight { orbit: Indexed::new(self), guess, impacts };
+        let sight = WordObservation { orbit: Indexed::new(self), guess, impacts };
         let of_one = |&middle: &(State, State)| if watch.goes_on() { sight.about(middle) } else { Vec::new() };
         let mut starts: Vec<Bundle> = Vec::new();
         for one in sorted(each(&self.middles(), &of_one).concat()) {
@@ -80,7 +80,7 @@ impl Seen {
 
     /// The same place with one gap more that parts it, or one less.
     pub(super) fn parted(&self, guess: &Guess, bundle: &Bundle, impacts: usize) -> Vec<Bundle> {
-        let sight = Sight { orbit: Indexed::new(self), guess, impacts };
+        let sight = WordObservation { orbit: Indexed::new(self), guess, impacts };
         bundle.place.parted().into_iter().filter_map(|place| sight.at(place)).collect()
     }
 
@@ -103,7 +103,7 @@ impl Place {
     }
 }
 
-impl<'s> Sight<'s> {
+impl<'s> WordObservation<'s> {
     fn window(&self, middle: (State, State)) -> Option<Window<'s>> {
         Window::new(&self.orbit, self.guess, middle)
     }
@@ -141,7 +141,7 @@ impl<'s> Sight<'s> {
             lengths.into_iter().zip(&leaves).find_map(|(long, leaves)| {
                 let leaves = leaves.get_or_init(|| window.leaves([long, beside])).as_ref()?;
                 let clusters = window.clusters(leaves, cuts);
-                let bases: Vec<Base> = clusters.iter().map(|cluster| window.base(cluster)).collect();
+                let bases: Vec<HSet> = clusters.iter().map(|cluster| window.base(cluster)).collect();
                 let seen = are_good(&bases).then(|| window.entropy(&clusters, self.impacts))?;
                 Some(Bundle { bases, seen, place: Place { middle, long, beside, cuts } })
             })
@@ -194,7 +194,7 @@ fn distinct(bundles: impl Iterator<Item = Bundle>) -> Vec<Bundle> {
 }
 
 /// Returns whether they may be h-sets: convex, near, and apart from one another.
-fn are_good(bases: &[Base]) -> bool {
-    let is_apart = |(k, base): (usize, &Base)| bases[..k].iter().all(|other| base.is_apart(other));
+fn are_good(bases: &[HSet]) -> bool {
+    let is_apart = |(k, base): (usize, &HSet)| bases[..k].iter().all(|other| base.is_apart(other));
     bases.iter().all(|base| base.is_convex() && base.is_near()) && bases.iter().enumerate().all(is_apart)
 }

@@ -16,10 +16,10 @@ use super::itinerary::{rotated_to_its_least, word_of_both};
 use super::law::Law;
 use super::quad::State;
 use super::scene::{Visited, visited};
-use super::seen::{Seen, seen};
+use super::seen::{AttractorOrbit, seen};
 use super::stable::stable;
 use super::trials::ANY;
-use super::words::Base;
+use super::words::HSet;
 use crate::Error;
 use crate::exact::{Exact, ExactError};
 use crate::mapping::Word;
@@ -227,7 +227,7 @@ impl Work<'_> {
     }
 
     /// Looks for a horseshoe where a stable orbit is proved: one does not exclude the other.
-    fn look_beside(&self, stretch: &mut Stretch, known: &mut Vec<Base>) -> Result<(), Error> {
+    fn look_beside(&self, stretch: &mut Stretch, known: &mut Vec<HSet>) -> Result<(), Error> {
         let Stretch { low, high, verdict, .. } = stretch;
         let (Verdict::Attracted { beside, .. } | Verdict::Stable { beside, .. }) = verdict else { return Ok(()) };
         let middle = middle(low, high)?;
@@ -243,7 +243,7 @@ impl Work<'_> {
         &self,
         [low, high]: [Exact; 2],
         halved: u32,
-        known: &mut Vec<Base>,
+        known: &mut Vec<HSet>,
         found: &mut Vec<Stretch>,
     ) -> Result<(), Error> {
         let all = within(NAME, &low, Exact::interval(&low, &high))?;
@@ -287,7 +287,7 @@ impl Work<'_> {
         &self,
         pair: &ImpactPair,
         values: [&Exact; 3],
-        known: &mut Vec<Base>,
+        known: &mut Vec<HSet>,
         transients: bool,
     ) -> Result<Option<Horseshoe>, Error> {
         if !self.watch.goes_on() {
@@ -308,14 +308,14 @@ impl Work<'_> {
 
     /// The first of some values whose floating-point orbit is chaotic, and that orbit; or, with `transients`, regular, and what is seen before
     /// orbits come near it.
-    fn looked_at(&self, values: [&Exact; 3], transients: bool) -> Result<Option<(Exact, Seen)>, Error> {
+    fn looked_at(&self, values: [&Exact; 3], transients: bool) -> Result<Option<(Exact, AttractorOrbit)>, Error> {
         for value in values {
             let one = self.pair.with(self.asked.over.key, value.clone())?;
             let guess = Guess::new(&Law::of(&one)?);
             let orbit = visited(&one, self.start, 1)?.last().and_then(|last| seen(&guess, last.middle()));
             let looked_at = match orbit {
                 Some(orbit) if transients && !orbit.is_chaotic() => Some(orbit.transients(&guess)),
-                orbit => orbit.filter(Seen::is_chaotic),
+                orbit => orbit.filter(AttractorOrbit::is_chaotic),
             };
             if let Some(orbit) = looked_at {
                 return Ok(Some((value.clone(), orbit)));

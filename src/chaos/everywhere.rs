@@ -11,9 +11,9 @@ use super::guess::Guess;
 use super::law::Side;
 use super::propose::Making;
 use super::quad::{Chord, State};
-use super::seen::Seen;
+use super::seen::AttractorOrbit;
 use super::vector::{apart, cross, radians};
-use super::words::{Base, Path};
+use super::words::{HSet, Path};
 use crate::threads::each;
 
 /// Number of points of the orbit whose words are counted.
@@ -33,7 +33,7 @@ const CROSSING_PLACES: [f64; 2] = [1.1, 0.85];
 const LEAST_SINE: f64 = 0.1;
 const LEAST_COSINE: f64 = 0.95;
 
-impl Seen {
+impl AttractorOrbit {
     /// Points from everywhere on the orbit.
     fn everywhere(&self) -> Vec<(State, State)> {
         let mut found: Vec<(State, State)> = Vec::new();
@@ -46,10 +46,10 @@ impl Seen {
     }
 
     /// H-sets that the orbit comes back across in several ways, those first that most entropy is seen of.
-    pub(super) fn crossed(&self, guess: &Guess, (making, depth): (Making, usize)) -> Vec<Base> {
+    pub(super) fn crossed(&self, guess: &Guess, (making, depth): (Making, usize)) -> Vec<HSet> {
         let points = &self.points[..self.points.len().min(COUNTED_POINTS)];
         let of_one = |&(centre, along): &(State, State)| {
-            let mut scored: Vec<(f64, Base)> = Vec::new();
+            let mut scored: Vec<(f64, HSet)> = Vec::new();
             let Some(across) = guess.contracting(centre, making.ahead) else { return scored };
             let sine = cross(along, across);
             if TAU * sine.abs() < LEAST_SINE {
@@ -94,7 +94,7 @@ fn aligned(
     (centre, along): (State, State),
     across: State,
     [long, width]: [f64; 2],
-) -> Option<Base> {
+) -> Option<HSet> {
     let sine = cross(along, across);
     let end = |sign: f64| {
         let at = [0, 1].map(|i| centre[i] + sign * long * along[i]);
@@ -107,7 +107,7 @@ fn aligned(
         let to = |sign: f64| [0, 1].map(|i| at[i] + sign * half[i]);
         is_good.then(|| Chord { bottom: to(-1.0), top: to(1.0) })
     };
-    Some(Base { left: end(-1.0)?, right: end(1.0)? })
+    Some(HSet { left: end(-1.0)?, right: end(1.0)? })
 }
 
 /// The words that an orbit's points in an h-set are seen to make, in coordinates of the h-set: in a row, across it, at one time.

@@ -8,9 +8,9 @@ use super::guess::Guess;
 use super::index::Indexed;
 use super::law::Side;
 use super::quad::State;
-use super::seen::Seen;
+use super::seen::AttractorOrbit;
 use super::vector::{cross, unit};
-use super::words::{Base, Path};
+use super::words::{HSet, Path};
 
 /// The widest gaps, which may part them.
 pub(super) const MAX_GAPS: usize = 6;
@@ -41,7 +41,7 @@ const MAX_IMAGE_OFFSET: f64 = 8.0;
 
 /// Coordinates along a leaf and across, lengths in radians.
 pub(super) struct Window<'s> {
-    seen: &'s Seen,
+    seen: &'s AttractorOrbit,
     centre: State,
     along: State,
     across: State,
@@ -142,10 +142,10 @@ impl<'s> Window<'s> {
     }
 
     /// Returns the h-set of a cluster.
-    pub fn base(&self, cluster: &Cluster) -> Base {
+    pub fn base(&self, cluster: &Cluster) -> HSet {
         let at = [0, 1].map(|i| self.centre[i] + cluster.middle * self.across[i]);
         let own = [0, 1].map(|i| cluster.long * (self.along[i] + cluster.slope * self.across[i]));
-        Base::new(at, own, self.across.map(|x| x * cluster.width))
+        HSet::new(at, own, self.across.map(|x| x * cluster.width))
     }
 
     /// Returns the entropy of the words that are seen.
@@ -313,8 +313,8 @@ mod tests {
     const MIDDLE: (State, State) = ([0.78, 1.22], [0.18, 0.08]);
 
     /// Points on a leaf beside which two bundles of three parabolas each are seen.
-    fn orbit(guess: &Guess) -> (Seen, [Vec<[f64; 3]>; 2]) {
-        let bare = Seen { points: vec![MIDDLE], exponent: 0.5 };
+    fn orbit(guess: &Guess) -> (AttractorOrbit, [Vec<[f64; 3]>; 2]) {
+        let bare = AttractorOrbit { points: vec![MIDDLE], exponent: 0.5 };
         let Window { centre, along, across, .. } =
             Window::new(&Indexed::new(&bare), guess, MIDDLE).expect("a contracting direction");
         let leaf =
@@ -329,7 +329,7 @@ mod tests {
         let mut points: Vec<(State, State)> = bundles.iter().flatten().copied().map(state).collect();
         // The last ones have no images.
         points.extend([([0.1, 0.1], along); WORD_IMPACTS]);
-        (Seen { points, exponent: 0.5 }, bundles)
+        (AttractorOrbit { points, exponent: 0.5 }, bundles)
     }
 
     #[test]

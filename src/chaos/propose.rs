@@ -5,7 +5,7 @@
 use super::guess::{Guess, Image};
 use super::law::Side;
 use super::quad::{Chord, State};
-use super::tube::{Part, Tube};
+use super::tube::{BoxChain, Part};
 use super::vector::{applied, cross, length, minus, radians};
 
 /// The settings by which chains of boxes are made.
@@ -26,7 +26,7 @@ pub(crate) struct Making {
 pub(crate) struct Proposal {
     pub parts: Vec<Part>,
     pub side: Side,
-    pub next: Tube,
+    pub next: BoxChain,
 }
 
 #[derive(Clone, Copy)]
@@ -52,7 +52,7 @@ struct Parts {
 
 impl Making {
     /// Returns the chains of boxes that hold the images of a chain of boxes, about.
-    pub fn images(&self, guess: &Guess, tube: &Tube) -> Vec<Proposal> {
+    pub fn images(&self, guess: &Guess, tube: &BoxChain) -> Vec<Proposal> {
         let mut parts = Parts { segments: vec![Vec::new()], seen: 0 };
         for cell in 0..tube.cells() {
             let (from, to) = (sample(guess, tube, cell, -1.0), sample(guess, tube, cell, 1.0));
@@ -72,7 +72,7 @@ impl Making {
     fn refine(
         &self,
         guess: &Guess,
-        tube: &Tube,
+        tube: &BoxChain,
         from: Sample,
         to: Sample,
         (first, last): (bool, bool),
@@ -159,7 +159,7 @@ impl Making {
             }
             parts.push(Part { cell: from.cell, from: from.at, to: to.at, place });
         }
-        Some(Proposal { parts, side: images[0].side, next: Tube::new(chords) })
+        Some(Proposal { parts, side: images[0].side, next: BoxChain::new(chords) })
     }
 
     fn is_straight(&self, images: &[Image], halves: &[State], from: usize, to: usize) -> bool {
@@ -197,7 +197,7 @@ fn middle(chord: &Chord) -> State {
     [0.5 * (chord.bottom[0] + chord.top[0]), 0.5 * (chord.bottom[1] + chord.top[1])]
 }
 
-fn sample(guess: &Guess, tube: &Tube, cell: usize, at: f64) -> Sample {
+fn sample(guess: &Guess, tube: &BoxChain, cell: usize, at: f64) -> Sample {
     let (from, to) = (&tube.chords()[cell], &tube.chords()[cell + 1]);
     let mix = |a: State, b: State| [0, 1].map(|i| 0.5 * ((1.0 - at) * a[i] + (1.0 + at) * b[i]));
     let chord = Chord { bottom: mix(from.bottom, to.bottom), top: mix(from.top, to.top) };

@@ -10,7 +10,7 @@ use super::refusal::NoTrap;
 use super::scene::{ORBIT_IMPACTS, Visited, visited};
 use super::trap::{Cell, Grid, Region};
 use super::tube::side_of;
-use super::words::Base;
+use super::words::HSet;
 use crate::Error;
 use crate::Scene;
 use crate::number::Ball;
@@ -150,7 +150,7 @@ impl Trap {
     }
 
     /// Returns whether all states of an h-set are proved to be in it. Lemma D13
-    pub fn holds(&self, base: &Base) -> bool {
+    pub fn holds(&self, base: &HSet) -> bool {
         let Grid { columns, rows } = self.region.grid;
         let round = [base.left.bottom, base.right.bottom, base.right.top, base.left.top];
         let ends = |i: usize| {

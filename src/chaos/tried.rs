@@ -4,7 +4,7 @@ use super::blocks::{Word, horseshoe};
 use super::entropy::entropy;
 use super::law::Law;
 use super::propose::Making;
-use super::words::{Base, Search};
+use super::words::{HSet, Search};
 use crate::watch::Watch;
 
 /// Greatest accepted number of impacts of a word.
@@ -39,7 +39,7 @@ pub(super) struct Tried<'s> {
 }
 
 impl<'s> Tried<'s> {
-    pub fn new(law: &'s Law, bases: &'s [Base], making: Making) -> Self {
+    pub fn new(law: &'s Law, bases: &'s [HSet], making: Making) -> Self {
         Self { search: Search::new(law, bases, making), depth: 0, is_stopped: false }
     }
 
@@ -65,7 +65,7 @@ impl<'s> Tried<'s> {
 }
 
 /// Returns the search between h-sets that leads furthest, to a depth if one is given.
-pub(super) fn deepest<'s>(law: &'s Law, bases: &'s [Base], depth: Option<usize>, watch: &dyn Watch) -> Tried<'s> {
+pub(super) fn deepest<'s>(law: &'s Law, bases: &'s [HSet], depth: Option<usize>, watch: &dyn Watch) -> Tried<'s> {
     let (deepest, most) = depth.map_or((MOST_DEPTH as usize, BOXES), |depth| (depth, u64::MAX)); // proposes: how deep
     let deepest = if bases.is_empty() { 0 } else { deepest }; // exact: counts
     let tried = |makings: &[Making], depth: usize| -> Vec<Tried<'s>> {
@@ -114,9 +114,9 @@ mod tests {
     }
 
     /// Two h-sets that the search finds for figure 16.
-    fn bases() -> [Base; 2] {
+    fn bases() -> [HSet; 2] {
         let base =
-            |[a, b, c, d]: [State; 4]| Base { left: Chord { bottom: a, top: b }, right: Chord { bottom: c, top: d } };
+            |[a, b, c, d]: [State; 4]| HSet { left: Chord { bottom: a, top: b }, right: Chord { bottom: c, top: d } };
         [
             [[0.852141, 0.163451], [0.851903, 0.163962], [0.876103, 0.165998], [0.875865, 0.166509]],
             [[0.850561, 0.166845], [0.849622, 0.168861], [0.874860, 0.168667], [0.873921, 0.170684]],

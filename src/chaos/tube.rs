@@ -10,7 +10,7 @@ use crate::number::Ball;
 
 /// The cells between chords that follow one another; the tops lie to the left.
 #[derive(Clone, Debug)]
-pub(crate) struct Tube {
+pub(crate) struct BoxChain {
     chords: Vec<Chord>,
     normals: Vec<Normals>,
     /// Flags of the cells: all windows that hold the cell are embedded.
@@ -96,7 +96,7 @@ pub(crate) fn side_of(from: State, to: State, state: State, turns: f64) -> Ball 
     dot(left(edge(from, to)), [u - Ball::exact(turns), w])
 }
 
-impl Tube {
+impl BoxChain {
     pub fn new(chords: Vec<Chord>) -> Self {
         let normals: Vec<Normals> = chords
             .windows(2)

@@ -3,7 +3,7 @@
 use super::bounds::{Bounds, Margins, Radii};
 use super::certify::{Arrival, Bracket, Doubt};
 use super::extrema::{Extrema, Target};
-use super::solve::{Iterate, Judge, NoProposal, propose};
+use super::solve::{Iterate, NoProposal, Verifier, propose};
 use super::{Contact, Reason, Undecided};
 use crate::flight::Flight;
 use crate::number::kernel::{SIN_COS_ERROR, SmallAngle};
@@ -29,7 +29,7 @@ impl<const WIDE: bool> Bounds<'_, WIDE> {
 }
 
 /// The enclosure disposes.
-impl<const WIDE: bool> Judge for Bounds<'_, WIDE> {
+impl<const WIDE: bool> Verifier for Bounds<'_, WIDE> {
     type Answer = Result<Bracket, Undecided>;
 
     #[inline(always)]
@@ -84,8 +84,10 @@ pub(crate) fn first_contacts(
     point: Radii,
     all: Radii,
 ) -> Result<(SetContact, Ball), Undecided> {
-    let judges =
-        Both { centre: Bounds::<false>::new(flight, margins, point), all: Bounds::<true>::new(flight, margins, all) };
+    let judges = SetAndCentre {
+        centre: Bounds::<false>::new(flight, margins, point),
+        all: Bounds::<true>::new(flight, margins, all),
+    };
     let (all, centre) = propose::<Kernel, _>(flight, &judges)?;
     Ok(together(flight, margins, &all, &centre))
 }
@@ -116,12 +118,12 @@ pub(crate) fn accelerations(pair: &Reduced<Ball>, phase: Ball, sin0: f64, sin1: 
 }
 
 /// Judges the flights of a set, and the one of its centre.
-struct Both<'a> {
+struct SetAndCentre<'a> {
     centre: Bounds<'a, false>,
     all: Bounds<'a, true>,
 }
 
-impl Both<'_> {
+impl SetAndCentre<'_> {
     /// Returns the undecided result of a set: the reason is its width if the flight from its centre is decided.
     #[cold]
     fn blame(doubt: Undecided, centre: Result<Bracket, Undecided>) -> Undecided {
@@ -132,7 +134,7 @@ impl Both<'_> {
     }
 }
 
-impl Judge for Both<'_> {
+impl Verifier for SetAndCentre<'_> {
     type Answer = Result<(Bracket, Bracket), Undecided>;
 
     #[inline(always)]
@@ -182,7 +184,7 @@ impl Unproved<'_> {
     }
 }
 
-impl Judge for Unproved<'_> {
+impl Verifier for Unproved<'_> {
     type Answer = Option<Contact<f64>>;
 
     #[inline(always)]

@@ -52,7 +52,7 @@ pub(crate) struct Iterate {
 /// The treatment of a proposed first contact; each kind of flight has its own proof.
 ///
 /// A trait and not an enum: each kind is compiled with its judge, and nothing passes through memory.
-pub(crate) trait Judge {
+pub(crate) trait Verifier {
     type Answer;
     /// `|c| >= beta`: `z` is monotone for ever.
     fn monotone(&self, iterate: &Iterate) -> Self::Answer;
@@ -77,7 +77,7 @@ pub(crate) enum NoProposal {
 
 /// The first contact of `flight`, as far as doubles can tell, as `judge` sees it.
 #[inline(always)]
-pub(crate) fn propose<T: Trigonometry, J: Judge>(flight: &Flight<f64>, judge: &J) -> J::Answer {
+pub(crate) fn propose<T: Trigonometry, J: Verifier>(flight: &Flight<f64>, judge: &J) -> J::Answer {
     if flight.is_monotone() {
         if flight.drift == 0.0 {
             return judge.nothing(NoProposal::NoDrift);

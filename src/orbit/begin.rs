@@ -5,8 +5,8 @@ use std::cmp::Ordering;
 use super::given::Given;
 use super::motion::Motion;
 use super::pending::Pending;
-use super::raise::Raise;
-use super::shadowed::Near;
+use super::raise::PrecisionRaise;
+use super::shadowed::NearbyStart;
 use super::splice::Splice;
 use super::width::Width;
 use super::{Arithmetic, Clock, Cursor, Engine, Followed, MULTIPRECISION, Orbit, Requested, Settings, Start};
@@ -43,7 +43,7 @@ impl Orbit {
             Arithmetic::Shadow => shadowed(&given, &origin, (pair, start, &clock), &settings)?,
             arithmetic => given.motion(arithmetic)?,
         };
-        let near = Near::new(&clock, start, &*motion);
+        let near = NearbyStart::new(&clock, start, &*motion);
         let arithmetic = match settings.arithmetic {
             Arithmetic::Shadow if near.is_none() => Arithmetic::Interval,
             arithmetic => arithmetic,
@@ -95,8 +95,12 @@ impl Orbit {
         if self.engine.arithmetic == Arithmetic::Auto && MULTIPRECISION {
             let left = self.asked.settings.impacts.map(|impacts| impacts - self.listed.min(impacts)); // exact: not negative
             let settings = Settings { impacts: left, ..self.asked.settings.clone() };
-            self.engine.raise =
-                Some(Raise::new(self.engine.given.clone(), self.followed.from.turns, self.asked.until, &settings));
+            self.engine.raise = Some(PrecisionRaise::new(
+                self.engine.given.clone(),
+                self.followed.from.turns,
+                self.asked.until,
+                &settings,
+            ));
         }
         self.pending.is_expected |= self.followed.still.is_some();
     }

@@ -49,7 +49,7 @@ use crate::watch::{Latched, Unwatched, Watch};
 use given::Given;
 use motion::Motion;
 use pending::Pending;
-use raise::Raise;
+use raise::PrecisionRaise;
 use width::Width;
 
 /// Bits beyond those of the requested digits that `auto` spends on a decision: what they leave undecided is a graze, or `Undecided`.
@@ -118,7 +118,7 @@ struct Engine {
     /// No interval among the data: more precision makes every enclosure narrower.
     is_point: bool,
     /// The ways to raise the precision if the motion does not suffice.
-    raise: Option<Raise>,
+    raise: Option<PrecisionRaise>,
     /// The most bits of motions before the last release.
     bits: u32,
     /// No chatter is shorter than the velocity before an impact times this, in forcing periods.

@@ -6,7 +6,7 @@ use super::Period;
 use super::attraction::Recent;
 use super::event::{Outcome, Progress, Rest};
 use super::recurrence::Recurrence;
-use super::shadowed::Near;
+use super::shadowed::NearbyStart;
 use super::shortfall::Shortfall;
 use super::{Cursor, Followed, Orbit};
 use crate::contact::{Grazed, Undecided};
@@ -35,7 +35,7 @@ pub(super) struct Pending {
     /// The last impacts handed out.
     pub recent: Recent,
     /// The starts one of which has the orbit, if it is a shadowed one.
-    pub near: Option<Near>,
+    pub near: Option<NearbyStart>,
 }
 
 /// The end of a rest.

@@ -17,7 +17,7 @@ use crate::flight::Launch;
 use crate::mapping::jacobian_between;
 use crate::number::{Ball, LEAST_BITS, Magnitude, MpBall};
 use crate::pair::Wall;
-use crate::several::Phased;
+use crate::several::FlightNumber;
 use crate::shaken::precise::{Arrival, Flights};
 use crate::shaken::shaking::Shaking;
 use crate::shaken::{Flying, Location, Origin};
@@ -130,7 +130,7 @@ type Arrived<W> = (Contact<Ball>, PreciseSet, Option<W>);
 impl<S: Flying> PreciseMotion<S> {
     pub fn new(shaken: Arc<S>, origin: &Origin<Exact>, plan: Plan) -> Self {
         let bits = plan.bits(0);
-        let enclose = |x: &Exact| <MpBall as Phased>::enclose(x, bits);
+        let enclose = |x: &Exact| <MpBall as FlightNumber>::enclose(x, bits);
         let phase = match origin.release().and_then(|release| release.zero.as_ref()) {
             Some(zero) => zero.refined(bits),
             None => enclose(&origin.state.phase),

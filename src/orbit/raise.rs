@@ -23,7 +23,7 @@ const MAX_PLAN: u64 = 1 << 22;
 
 /// The exact orbit, and how it was tried before.
 #[derive(Debug)]
-pub(super) struct Raise {
+pub(super) struct PrecisionRaise {
     given: Given,
     impacts: Option<u64>,
     /// Requested length of the orbit, in forcing periods.
@@ -41,7 +41,7 @@ pub(super) struct Raise {
     before: Option<(u64, bool, f64)>,
 }
 
-impl Raise {
+impl PrecisionRaise {
     pub fn new(given: Given, turns: i64, until: Option<Phase>, settings: &Settings) -> Self {
         let turns = until.map_or(f64::INFINITY, |until| (until.turns - turns) as f64 + 1.0);
         let asked = log2_of_digits(f64::from(settings.digits));

@@ -76,20 +76,20 @@ impl Orbit {
 
     /// Returns what is claimed of the start, where the orbit is one near the given one; `None` where it is that of the given start.
     pub fn shadow(&self) -> Option<Shadowing> {
-        let Near { time, velocity, nearness } = self.pending.near.as_ref()?;
+        let NearbyStart { time, velocity, nearness } = self.pending.near.as_ref()?;
         Some(Shadowing { time: time.clone(), velocity: velocity.clone(), nearness: nearness.median_and_most() })
     }
 }
 
 /// A start near the given one, and how near the impacts of its orbit are.
 #[derive(Debug)]
-pub(super) struct Near {
+pub(super) struct NearbyStart {
     time: Enclosure,
     velocity: Enclosure,
     nearness: Nearness,
 }
 
-impl Near {
+impl NearbyStart {
     /// Returns the starts of a motion near the one from `start`; either their time or their velocity is that of the requested start.
     pub fn new(clock: &Clock, start: &Start, motion: &dyn Motion) -> Option<Self> {
         let Starts { varied, bounds: State { turns, phase, velocity, .. } } = motion.starts()?;

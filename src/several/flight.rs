@@ -11,7 +11,7 @@
 //! `2 pi (W_k/W) h` add up to `z - z0 = z'(0) h + sum alpha_k (cos th_k0 excess_k + sin th_k0 versine_k)`.
 
 use super::harmonics::{Harmonics, Sums};
-use super::phased::Phased;
+use super::phased::FlightNumber;
 use crate::flight::Launch;
 use crate::pair::Wall;
 
@@ -25,7 +25,7 @@ pub(crate) struct Instant<N> {
 /// Turns that one step adds at most: 64 of Newton's stay below `2^60` (Lemma N1).
 const LONGEST_STEP: f64 = (1_u64 << 53) as f64;
 
-impl<N: Phased> Instant<N> {
+impl<N: FlightNumber> Instant<N> {
     /// A number of turns after the start, as fine as `like`.
     pub fn new(turns: f64, like: &N) -> Self {
         let whole = turns.round(); // N1: any whole number; the rest is kept
@@ -62,7 +62,7 @@ impl<N: Phased> Instant<N> {
 
 /// One flight, or all the flights of a set.
 #[derive(Clone, Debug)]
-pub(crate) struct SumFlight<'h, N: Phased> {
+pub(crate) struct SumFlight<'h, N: FlightNumber> {
     pub harmonics: &'h Harmonics<N>,
     pub launch: Launch<N>,
     /// Sines and cosines at the start.
@@ -88,7 +88,7 @@ pub(crate) struct Kinematics<N> {
 /// Departures take at most N turns.
 const SHORT_FLIGHT: f64 = 0.124;
 
-impl<'h, N: Phased> SumFlight<'h, N> {
+impl<'h, N: FlightNumber> SumFlight<'h, N> {
     /// The flight that starts so; `waves` are the sines and cosines of the harmonics where they are known better.
     pub fn new(harmonics: &'h Harmonics<N>, launch: Launch<N>, waves: Option<&Vec<(N, N)>>) -> Self {
         let zero = N::from_f64(0.0);

@@ -4,7 +4,7 @@ use rug::Float;
 
 use super::flight::{Instant, SumFlight};
 use super::harmonics::{Harmonics, Rates};
-use super::phased::Phased;
+use super::phased::FlightNumber;
 use super::reach::{Band, Reach};
 use super::scan::{Doubt, Scan};
 use super::view::Side;
@@ -23,7 +23,7 @@ pub(crate) fn pass(
     launch: Launch<MpBall>,
 ) -> Option<Passed> {
     let all = SumFlight::new(harmonics, launch.clone(), None);
-    let centre = SumFlight::new(harmonics, launch.map(Phased::centre_of), None);
+    let centre = SumFlight::new(harmonics, launch.map(FlightNumber::centre_of), None);
     let scan = Scan::new(&all, &centre);
     let Err(Doubt::Graze { wall, free, at }) = scan.first(&mut Reach::new(band, balls)) else { return None };
     let bottom = scan.bottom(at);

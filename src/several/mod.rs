@@ -21,7 +21,7 @@ mod view;
 
 pub(crate) use flight::SumFlight;
 pub(crate) use harmonics::{Harmonics, Partial, Rates, Sums};
-pub(crate) use phased::{Phased, Turning};
+pub(crate) use phased::{FlightNumber, PhaseNumber};
 pub(crate) use reach::{Band, Reach};
 pub(crate) use rest::{Zero, accumulation, release};
 pub(crate) use scan::{Doubt, Found, Scan};

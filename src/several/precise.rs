@@ -3,14 +3,14 @@
 use rug::Float;
 
 use super::harmonics::{Harmonics, Partial};
-use super::phased::{Phased, Turning, middle};
+use super::phased::{FlightNumber, PhaseNumber, middle};
 use crate::exact::Exact;
 use crate::number::{MpBall, Number};
 
 /// Bits that turns can take: phases are given with N more.
 const PERIOD_COUNT_BITS: u32 = 64;
 
-impl Turning for MpBall {
+impl PhaseNumber for MpBall {
     type Counter = (MpBall, MpBall);
 
     fn phase_at((ratio, shift): &(MpBall, MpBall), turns: i64) -> MpBall {
@@ -25,7 +25,7 @@ impl Turning for MpBall {
     }
 }
 
-impl Phased for MpBall {
+impl FlightNumber for MpBall {
     fn counter(ratio: &Exact, shift: &Exact, bits: u32) -> (MpBall, MpBall) {
         let wide = |x: &Exact| enclosing(x, bits + PERIOD_COUNT_BITS);
         (wide(ratio), wide(shift))

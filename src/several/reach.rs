@@ -5,7 +5,7 @@ use std::sync::OnceLock;
 
 use super::flight::SumFlight;
 use super::harmonics::{Harmonics, Sums};
-use super::phased::Phased;
+use super::phased::FlightNumber;
 use crate::number::Ball;
 use crate::number::interval::Interval;
 
@@ -91,7 +91,7 @@ impl<'b> Reach<'b> {
     }
 
     /// Returns the end of the window in which no wall can be reached, in turns after the start, if the time `now` lies in it.
-    pub fn jump<N: Phased>(&mut self, flight: &SumFlight<'_, N>, now: f64) -> Option<f64> {
+    pub fn jump<N: FlightNumber>(&mut self, flight: &SumFlight<'_, N>, now: f64) -> Option<f64> {
         self.asked += 1;
         if self.asked == 1 || self.asked == MAX_COARSE_PIECES {
             let band = if self.asked == 1 { self.band.coarse } else { self.band.tight(self.harmonics) };

@@ -11,7 +11,7 @@ use std::sync::Arc;
 
 use super::flight::Instant;
 use super::harmonics::Harmonics;
-use super::phased::Phased;
+use super::phased::FlightNumber;
 use super::spectrum::Spectrum;
 use crate::exact::Enclosure;
 use crate::number::interval::Interval;
@@ -49,7 +49,7 @@ pub(crate) fn accumulation(
 }
 
 /// The contact force: `-z''`, measured from the wall.
-fn pressure<N: Phased>(harmonics: &Harmonics<N>, wall: Wall, turns: i64, rest: &N) -> N {
+fn pressure<N: FlightNumber>(harmonics: &Harmonics<N>, wall: Wall, turns: i64, rest: &N) -> N {
     harmonics.sums(turns, rest).acceleration.signed(-wall.sign())
 }
 
@@ -92,7 +92,7 @@ pub(crate) fn release(
 }
 
 /// The same in one arithmetic: steps on which `p + p' s - S s^2/2` stays positive, `S` a bound of `|p''|`.
-pub(super) fn first_zero<N: Phased>(
+pub(super) fn first_zero<N: FlightNumber>(
     spectrum: &Arc<Spectrum>,
     harmonics: &Harmonics<N>,
     wall: Wall,
@@ -145,7 +145,7 @@ pub(super) fn first_zero<N: Phased>(
 }
 
 /// Returns a zero near a time: the time, the distance within which the zero lies, and the least slope there; slopes change by `bend` per turn.
-fn bracket<N: Phased>(
+fn bracket<N: FlightNumber>(
     bend: Interval,
     value_at: &impl Fn(&Instant<N>) -> N,
     slope_at: &impl Fn(&Instant<N>) -> Interval,

@@ -2,7 +2,7 @@
 
 use super::flight::Kinematics;
 use super::harmonics::Rates;
-use super::phased::Phased;
+use super::phased::FlightNumber;
 use crate::number::{UNIT, up};
 use crate::pair::Wall;
 
@@ -17,7 +17,7 @@ pub(crate) struct Side {
     pub bend: (f64, f64),
 }
 
-impl<N: Phased> Kinematics<N> {
+impl<N: FlightNumber> Kinematics<N> {
     /// The distance from a wall, in the arithmetic of the flight.
     pub fn room(&self, wall: Wall) -> &N {
         match wall {

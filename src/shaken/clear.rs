@@ -7,7 +7,7 @@ use super::Shaken;
 use crate::flight::Launch;
 use crate::number::{Ball, Number, is_positive, up};
 use crate::pair::{Inward, Wall};
-use crate::several::Phased;
+use crate::several::FlightNumber;
 use crate::turns::{self, LONGEST_FLIGHT};
 
 /// The longest and the shortest steps, in forcing periods.
@@ -42,7 +42,7 @@ impl Since {
 /// Returns a time, since the start, before which no flight of the set touches a wall after its start. Lemma C7
 pub(crate) fn clear<S: Shaken + ?Sized>(shaken: &S, launch: &Launch<Ball>) -> Since {
     let flights = Flights::new(shaken, launch);
-    let (mut at, mut step, mut seen) = (flights.departed(), MAX_STEP, Seen::default());
+    let (mut at, mut step, mut seen) = (flights.departed(), MAX_STEP, LeastDistances::default());
     for _ in 0..STEPS {
         let next = at.rest + step;
         match flights.distances(at.whole, [at.rest, next]) {
@@ -63,18 +63,18 @@ pub(crate) fn clear<S: Shaken + ?Sized>(shaken: &S, launch: &Launch<Ball>) -> Si
 
 /// The least distances from the left and the right wall over the last times, and how long these are.
 #[derive(Clone, Copy, Debug)]
-struct Seen {
+struct LeastDistances {
     distances: [f64; 2],
     length: f64,
 }
 
-impl Default for Seen {
+impl Default for LeastDistances {
     fn default() -> Self {
         Self { distances: [f64::INFINITY; 2], length: 0.0 }
     }
 }
 
-impl Seen {
+impl LeastDistances {
     fn add(&mut self, distances: [f64; 2], length: f64) {
         for (least, distance) in self.distances.iter_mut().zip(distances) {
             *least = least.min(distance); // C7: the least
@@ -129,7 +129,7 @@ impl<'s, S: Shaken + ?Sized> Flights<'s, S> {
     }
 
     /// Whole forcing periods for which the flights repeat what was seen, moved by the drift, without coming to a wall. Lemma C7 (c), (d)
-    fn repeated(&self, seen: &mut Seen, at: Since) -> f64 {
+    fn repeated(&self, seen: &mut LeastDistances, at: Since) -> f64 {
         let (distances, period) = match self.shaken.period() {
             Some(period) if seen.length >= f64::from(period) => (seen.distances, f64::from(period)),
             Some(_) => return 0.0,
@@ -140,7 +140,7 @@ impl<'s, S: Shaken + ?Sized> Flights<'s, S> {
                 ([low, (1.0 - high).next_down()], 1.0)
             }
         };
-        *seen = Seen::default();
+        *seen = LeastDistances::default();
         let (slowest, fastest) = self.drift.bounds();
         let count = [(distances[0], -slowest), (distances[1], fastest)].map(|(distance, speed)| {
             if speed > 0.0 { distance / up(period * speed) * (1.0 - VARIATION_PART) } else { LONGEST_FLIGHT } // C7: rounded down by far

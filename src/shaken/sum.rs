@@ -1,11 +1,11 @@
 //! The box with several harmonics at one time, as chains of impacts see it: Lemmas H10, H11 of `docs/proofs/periodic.md#H10`.
 
 use super::shaking::{Hop, Shaking};
-use crate::several::{Harmonics, Sums, Turning};
+use crate::several::{Harmonics, PhaseNumber, Sums};
 
 /// The harmonics and the restitution.
 #[derive(Clone, Debug)]
-pub(crate) struct Sum<N: Turning> {
+pub(crate) struct Sum<N: PhaseNumber> {
     pub harmonics: Harmonics<N>,
     pub restitution: N,
 }
@@ -18,7 +18,7 @@ pub(crate) struct Moment<N> {
     sums: Sums<N>,
 }
 
-impl<N: Turning> Shaking<N> for Sum<N> {
+impl<N: PhaseNumber> Shaking<N> for Sum<N> {
     type Moment = Moment<N>;
 
     fn restitution(&self) -> &N {

@@ -149,14 +149,14 @@ pub(super) struct InDoubles {
 }
 
 /// A chain whose manifolds are proved for the other parameter as well, as far as `reach`, and its zero in floating point.
-pub(super) struct Begun {
+pub(super) struct ExtendedChain {
     pub chain: Chain<Ball>,
     pub locals: [Local; 2],
     pub inverse: Preconditioner,
     pub x: Vec<f64>,
 }
 
-impl Begun {
+impl ExtendedChain {
     pub fn new(fold: &Fold, over: Parameter, other: Ball, reach: f64) -> Option<Self> {
         let (fold, locals) = approximate(fold, over, reach)?;
         let (chain, x) = begin(&fold, over)?;
@@ -170,7 +170,8 @@ impl Begun {
 
 pub(super) fn in_doubles(fold: &Fold, over: Parameter, other: Ball) -> Option<InDoubles> {
     const OUTER_FACTOR: f64 = 4.0;
-    let Begun { chain, locals, inverse, x } = Begun::new(fold, over, other, OUTER_FACTOR * other.rad())?;
+    let ExtendedChain { chain, locals, inverse, x } =
+        ExtendedChain::new(fold, over, other, OUTER_FACTOR * other.rad())?;
     let effort = Effort { largest: MAX_DOMAIN, domains: 10, images: 30, slow: 3 };
     let zero = prove(&chain, &inverse, &points(&x), effort)?;
     let least = least(&chain, &zero.domain)?;

@@ -1,6 +1,6 @@
 //! Tangencies for all values of an interval of the other parameter: Lemma J12 of `docs/proofs/tangency.md#J12`.
 
-use super::begin::{Begun, MANIFOLD_RADIUS, points};
+use super::begin::{ExtendedChain, MANIFOLD_RADIUS, points};
 use super::boxes;
 use super::chain::{Chain, FIRST_STATE};
 use super::flight::Parameter;
@@ -44,7 +44,7 @@ impl Equations<Ball> for Family<'_> {
 
 /// Proves a tangency for each value of the other parameter; `None` where that fails.
 pub(super) fn tangency(fold: &Fold, over: Parameter, other: Ball) -> Option<Proof> {
-    let Begun { chain, inverse, x, .. } = Begun::new(fold, over, other, MANIFOLD_RADIUS)?;
+    let ExtendedChain { chain, inverse, x, .. } = ExtendedChain::new(fold, over, other, MANIFOLD_RADIUS)?;
     let family = Family { chain: &chain, other };
     let guess = [&points(&x)[..], &[other.centre()]].concat();
     let bordered = Preconditioner::new(&family.jacobian(&guess)?.map(|x| x.mid()))?;

@@ -38,20 +38,20 @@ const STEP: f64 = 0.02;
 const MAX_FLIGHT: f64 = 40.0;
 
 /// One saddle at one `D`, near a tangency.
-struct Near<'t> {
+struct LocalSaddle<'t> {
     tangency: &'t Tangency,
     floats: Floats,
     gap: f64,
     e: f64,
 }
 
-impl Near<'_> {
-    fn new(tangency: &Tangency, [gap, e]: [f64; 2]) -> Option<Near<'_>> {
+impl LocalSaddle<'_> {
+    fn new(tangency: &Tangency, [gap, e]: [f64; 2]) -> Option<LocalSaddle<'_>> {
         let phase = tangency.phase.mid_rad().0;
         let apart = |guess: &Guessed| ((guess.theta - phase + PI).rem_euclid(TAU) - PI).abs();
         let guess =
             Guessed::all(Pair { gap, restitution: e }).into_iter().min_by(|a, b| apart(a).total_cmp(&apart(b)))?;
-        Some(Near { tangency, floats: Floats::new(Pair { gap, restitution: e }, guess)?, gap, e })
+        Some(LocalSaddle { tangency, floats: Floats::new(Pair { gap, restitution: e }, guess)?, gap, e })
     }
 
     /// Returns the number of flights before the end at which the tangency is magnified.
@@ -109,7 +109,7 @@ fn in_period([theta, w]: State) -> State {
 impl Portrait {
     /// Returns the manifolds at values of `D` and `e`.
     pub fn of(tangency: &Tangency, pair: [f64; 2]) -> Option<Self> {
-        let near = Near::new(tangency, pair)?;
+        let near = LocalSaddle::new(tangency, pair)?;
         let [unstable, stable] = near.floats.guess.lambda;
         let mut images = near.spread(Manifold::Unstable, UNSTABLE_FROM, unstable * unstable);
         let mut all = images.clone();
@@ -136,7 +136,7 @@ impl Portrait {
     /// Returns both manifolds, the unstable one first, near the point of tangency, as curves.
     pub fn magnified(&self, tangency: &Tangency, pair: [f64; 2], within: State) -> Option<[Vec<State>; 2]> {
         let [theta, w] = self.point;
-        let near = Near::new(tangency, pair)?;
+        let near = LocalSaddle::new(tangency, pair)?;
         let place = |[a, b]: State| [theta + (a - theta + PI).rem_euclid(TAU) - PI, b];
         let is_near = |[a, b]: State| (a - theta).abs() < within[0] && (b - w).abs() < within[1];
         let own = tangency.unstable.mid_rad().0;

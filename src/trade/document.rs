@@ -8,7 +8,7 @@ use impact_pair_document::{
     WordLeft,
 };
 
-use super::{Crossing, Divergence, Extent, Judgement, Largest, Measured, Rung, Trade};
+use super::{Crossing, Divergence, ErrorBounds, Extent, Largest, Measured, Trade, TradeArithmetic};
 
 impl Trade<'_> {
     /// Returns the trade JSON.
@@ -35,7 +35,7 @@ fn rung(measured: &Measured, trade: &Trade<'_>) -> RungDocument {
     let time = |whole: Duration| measured.microseconds(whole);
     let widths =
         measured.widths.map(|widths| WidthsDocument { time: extent(&widths.time), velocity: extent(&widths.velocity) });
-    let judgement = trade.judgement.as_ref().filter(|_| *rung == Rung::Float);
+    let judgement = trade.judgement.as_ref().filter(|_| *rung == TradeArithmetic::Float);
     RungDocument {
         name: rung.to_string(),
         asked: asked(*rung),
@@ -61,14 +61,14 @@ fn rung(measured: &Measured, trade: &Trade<'_>) -> RungDocument {
 }
 
 /// The arithmetic as the command line names it.
-fn asked(rung: Rung) -> RungAsked {
+fn asked(rung: TradeArithmetic) -> RungAsked {
     let (arithmetic, digits) = match rung {
-        Rung::Float => ("float".to_owned(), None),
-        Rung::Interval => ("interval".to_owned(), None),
-        Rung::Inari => ("inari".to_owned(), None),
-        Rung::Shadow => ("shadow".to_owned(), None),
-        Rung::Bits(bits) => (bits.to_string(), None),
-        Rung::Auto(digits) => ("auto".to_owned(), Some(digits)),
+        TradeArithmetic::Float => ("float".to_owned(), None),
+        TradeArithmetic::Interval => ("interval".to_owned(), None),
+        TradeArithmetic::Inari => ("inari".to_owned(), None),
+        TradeArithmetic::Shadow => ("shadow".to_owned(), None),
+        TradeArithmetic::Bits(bits) => (bits.to_string(), None),
+        TradeArithmetic::Auto(digits) => ("auto".to_owned(), Some(digits)),
     };
     RungAsked { arithmetic, digits }
 }
@@ -77,7 +77,7 @@ fn extent(extent: &Extent) -> ExtentDocument {
     ExtentDocument { greatest: extent.greatest.decimal_up(), last: extent.last.decimal_up() }
 }
 
-fn truth(judgement: &Judgement, trade: &Trade<'_>) -> TruthDocument {
+fn truth(judgement: &ErrorBounds, trade: &Trade<'_>) -> TruthDocument {
     let largest = |largest: &Largest| {
         (largest.impact > 0).then(|| LargestError {
             bounds: [largest.at_least.decimal_down(), largest.at_most.decimal_up()],

@@ -7,7 +7,7 @@
 
 use std::ops::ControlFlow;
 
-use super::ladder::Rung;
+use super::ladder::TradeArithmetic;
 use crate::exact::{Dyadic, Enclosure};
 use crate::orbit::{Arithmetic, Impact, MULTIPRECISION, Orbit, Progress, Rest, Settings};
 use crate::pair::Wall;
@@ -39,7 +39,7 @@ impl Reading {
 
 /// The true errors of an orbit, as far as it was compared.
 #[derive(Clone, Debug)]
-pub struct Judgement {
+pub struct ErrorBounds {
     /// Units of the errors.
     pub units: Scales<Unit>,
     /// Number of impacts compared, on the true word.
@@ -98,7 +98,7 @@ pub struct Divergence {
     pub judged: Option<Wall>,
 }
 
-impl Judgement {
+impl ErrorBounds {
     fn new(units: Scales<Unit>) -> Self {
         let crossing = |exponent| Crossing { exponent, within: 0, exceeded: None };
         Self {
@@ -145,7 +145,11 @@ fn distance(one: &Enclosure, other: &Enclosure, unit: &Unit) -> [Size; 2] {
 
 /// Returns the settings with which the true orbit is computed.
 pub(super) fn truth(asked: &Settings) -> Settings {
-    if MULTIPRECISION { Rung::Auto(DIGITS).settings(asked) } else { Rung::Interval.settings(asked) }
+    if MULTIPRECISION {
+        TradeArithmetic::Auto(DIGITS).settings(asked)
+    } else {
+        TradeArithmetic::Interval.settings(asked)
+    }
 }
 
 /// The truth in words.
@@ -181,10 +185,10 @@ pub(super) fn judge_float(
     asked: &Settings,
     units: &Scales<Unit>,
     watch: &dyn Watch,
-) -> Result<Judgement, Error> {
+) -> Result<ErrorBounds, Error> {
     let mut truth = Orbit::of(scene, self::truth(asked))?;
-    let mut float = Orbit::of(scene, Rung::Float.settings(asked))?;
-    let mut judgement = Judgement::new(*units);
+    let mut float = Orbit::of(scene, TradeArithmetic::Float.settings(asked))?;
+    let mut judgement = ErrorBounds::new(*units);
     let _ = truth.follow(watch, |truth, event| match event {
         Progress::Impact(impact) => match next(&mut float) {
             Next::Skipped => ControlFlow::Break(()),
@@ -213,11 +217,11 @@ mod tests {
             let impacts: Vec<_> = orbit.by_ref().collect();
             impacts.iter().map(|impact| Reading::new(&orbit, impact)).collect()
         };
-        (Scales::of(&scene).unwrap().units(), read(Rung::Float.settings(&asked)), read(truth(&asked)))
+        (Scales::of(&scene).unwrap().units(), read(TradeArithmetic::Float.settings(&asked)), read(truth(&asked)))
     }
 
-    fn judge(units: Scales<Unit>, floats: &[Reading], truths: &[Reading]) -> Judgement {
-        let mut judgement = Judgement::new(units);
+    fn judge(units: Scales<Unit>, floats: &[Reading], truths: &[Reading]) -> ErrorBounds {
+        let mut judgement = ErrorBounds::new(units);
         let _ = truths.iter().enumerate().try_for_each(|(i, truth)| judgement.compare(truth, floats.get(i)));
         judgement
     }
@@ -259,7 +263,7 @@ mod tests {
     #[test]
     fn bounds_of_the_largest_error_grow_and_hold_it() {
         let (units, floats, truths) = readings(20);
-        let mut judgement = Judgement::new(units);
+        let mut judgement = ErrorBounds::new(units);
         let mut before = Largest::NONE;
         for (float, truth) in floats.iter().zip(&truths) {
             assert!(judgement.compare(truth, Some(float)).is_continue());

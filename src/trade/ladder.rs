@@ -11,7 +11,7 @@ const MAX_FRUITLESS_ROWS: u32 = 2;
 
 /// An arithmetic with its precision.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Rung {
+pub enum TradeArithmetic {
     /// Plain doubles.
     Float,
     /// Certified in doubles.
@@ -26,7 +26,7 @@ pub enum Rung {
     Auto(u32),
 }
 
-impl Rung {
+impl TradeArithmetic {
     /// Returns the settings of an orbit in this arithmetic, as long as `asked` says.
     pub(super) fn settings(self, asked: &Settings) -> Settings {
         let settings = |arithmetic| Settings { arithmetic, ..asked.clone() };
@@ -41,7 +41,7 @@ impl Rung {
     }
 }
 
-impl fmt::Display for Rung {
+impl fmt::Display for TradeArithmetic {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.pad(&match self {
             Self::Float => "float".to_owned(),
@@ -56,8 +56,8 @@ impl fmt::Display for Rung {
 
 /// The arithmetics to measure, one after another; the number of those of fixed bits depends on the results.
 #[derive(Clone, Debug)]
-pub(super) struct Ladder {
-    next: Option<Rung>,
+pub(super) struct TradeSchedule {
+    next: Option<TradeArithmetic>,
     max_bits: u32,
     /// True if the textbook method is measured: it is known for one harmonic only, and in a build with the feature `inari`.
     textbook: bool,
@@ -66,32 +66,34 @@ pub(super) struct Ladder {
     idle: u32,
 }
 
-impl Ladder {
+impl TradeSchedule {
     pub fn new(max_bits: u32, textbook: bool) -> Self {
-        Self { next: Some(Rung::Float), max_bits, textbook, reached: 0, idle: 0 }
+        Self { next: Some(TradeArithmetic::Float), max_bits, textbook, reached: 0, idle: 0 }
     }
 
     /// Returns the arithmetic to measure.
-    pub fn rung(&self) -> Option<Rung> {
+    pub fn rung(&self) -> Option<TradeArithmetic> {
         self.next
     }
 
     /// Advances after an arithmetic has reached this number of impacts, or all of them.
     pub fn climb(&mut self, impacts: u64, all: bool) {
-        let auto = Some(Rung::Auto(DIGITS[0]));
+        let auto = Some(TradeArithmetic::Auto(DIGITS[0]));
         self.next = match self.next {
-            Some(Rung::Float) => Some(Rung::Interval),
-            Some(Rung::Interval) if self.textbook => Some(Rung::Inari),
-            Some(Rung::Interval | Rung::Inari) => Some(Rung::Shadow),
-            Some(Rung::Shadow) if MULTIPRECISION => Some(Rung::Bits(*BITS.start())),
-            Some(Rung::Bits(bits)) => {
+            Some(TradeArithmetic::Float) => Some(TradeArithmetic::Interval),
+            Some(TradeArithmetic::Interval) if self.textbook => Some(TradeArithmetic::Inari),
+            Some(TradeArithmetic::Interval | TradeArithmetic::Inari) => Some(TradeArithmetic::Shadow),
+            Some(TradeArithmetic::Shadow) if MULTIPRECISION => Some(TradeArithmetic::Bits(*BITS.start())),
+            Some(TradeArithmetic::Bits(bits)) => {
                 self.idle = if impacts > self.reached { 0 } else { self.idle + 1 };
                 self.reached = self.reached.max(impacts);
                 let double = bits.checked_mul(2).filter(|&double| double <= self.max_bits && !all);
-                double.filter(|_| self.idle < MAX_FRUITLESS_ROWS).map(Rung::Bits).or(auto)
+                double.filter(|_| self.idle < MAX_FRUITLESS_ROWS).map(TradeArithmetic::Bits).or(auto)
             }
-            Some(Rung::Shadow) => auto,
-            Some(Rung::Auto(digits)) => DIGITS.into_iter().find(|&more| more > digits).map(Rung::Auto),
+            Some(TradeArithmetic::Shadow) => auto,
+            Some(TradeArithmetic::Auto(digits)) => {
+                DIGITS.into_iter().find(|&more| more > digits).map(TradeArithmetic::Auto)
+            }
             None => None,
         };
     }
@@ -103,11 +105,11 @@ mod tests {
 
     /// Returns the names of the arithmetics measured if `bits` bits reach `reach(bits)` of 100 impacts.
     fn rungs(max_bits: u32, reach: impl Fn(u32) -> u64) -> Vec<String> {
-        let mut ladder = Ladder::new(max_bits, true);
+        let mut ladder = TradeSchedule::new(max_bits, true);
         let mut names = Vec::new();
         while let Some(rung) = ladder.rung() {
             names.push(rung.to_string());
-            let impacts = if let Rung::Bits(bits) = rung { reach(bits) } else { 100 };
+            let impacts = if let TradeArithmetic::Bits(bits) = rung { reach(bits) } else { 100 };
             ladder.climb(impacts, impacts == 100);
         }
         names

@@ -6,7 +6,7 @@ use std::time::{Duration, Instant};
 
 use impact_pair_document::ArithmeticDocument;
 
-use super::ladder::Rung;
+use super::ladder::TradeArithmetic;
 use crate::document::{Conclusion, Event, arithmetic, is_certified};
 use crate::orbit::{Impact, Orbit, Settings};
 use crate::scales::{Scales, Size, Unit};
@@ -26,7 +26,7 @@ const SLOW_IMPACT: Duration = Duration::from_micros(20);
 #[derive(Clone, Debug)]
 pub struct Measured {
     /// The arithmetic as requested.
-    pub rung: Rung,
+    pub rung: TradeArithmetic,
     /// The arithmetic, as in the orbit JSON.
     pub computed: ArithmeticDocument,
     /// The most bits that an impact took.
@@ -100,7 +100,7 @@ pub struct Times {
 /// Measures an arithmetic; `None` if interrupted.
 pub(super) fn measure(
     scene: &Scene,
-    rung: Rung,
+    rung: TradeArithmetic,
     asked: &Settings,
     units: &Scales<Unit>,
     watch: &dyn Watch,
@@ -222,10 +222,10 @@ mod tests {
         let scene = Scene::parse(scene).unwrap();
         let (asked, units) = (Settings { impacts: Some(5), ..scene.settings() }, Scales::of(&scene).unwrap().units());
         let of = |rung| measure(&scene, rung, &asked, &units, &Unwatched).unwrap().unwrap();
-        let float = of(Rung::Float);
+        let float = of(TradeArithmetic::Float);
         assert!((float.impacts, float.is_complete(), float.is_certified) == (5, true, false));
         assert!(float.widths.is_none() && float.times.with_bounds.is_none());
-        let interval = of(Rung::Interval);
+        let interval = of(TradeArithmetic::Interval);
         // A period is two units of time, A W is pi: no narrower than doubles, no wider than a few.
         let digits = interval.digits().unwrap();
         assert!((13.0..16.5).contains(&digits), "{digits}");

@@ -5,8 +5,8 @@ mod judge;
 mod ladder;
 mod measure;
 
-pub use judge::{Crossing, Divergence, Judgement, Largest};
-pub use ladder::Rung;
+pub use judge::{Crossing, Divergence, ErrorBounds, Largest};
+pub use ladder::TradeArithmetic;
 pub use measure::{Extent, Measured, Times, Widths};
 
 use crate::document::counted;
@@ -14,7 +14,7 @@ use crate::orbit::Settings;
 use crate::scales::{Scales, Unit};
 use crate::watch::{Stage, Watch};
 use crate::{Error, Scene};
-use ladder::Ladder;
+use ladder::TradeSchedule;
 use measure::measure;
 
 /// The measurements on a scene.
@@ -29,9 +29,9 @@ pub struct Trade<'s> {
     /// The measured arithmetics, in order.
     pub rungs: Vec<Measured>,
     /// The true errors of `float`.
-    pub judgement: Option<Judgement>,
+    pub judgement: Option<ErrorBounds>,
     /// The arithmetic that the watch interrupted.
-    pub interrupted: Option<Rung>,
+    pub interrupted: Option<TradeArithmetic>,
 }
 
 impl<'s> Trade<'s> {
@@ -42,7 +42,7 @@ impl<'s> Trade<'s> {
     pub fn of(scene: &'s Scene, asked: Settings, watch: &dyn Watch) -> Result<Self, Error> {
         let units = Scales::of(scene)?.units();
         let one_harmonic = scene.pair().excitation().only().is_some();
-        let mut ladder = Ladder::new(asked.max_bits, one_harmonic && cfg!(feature = "inari"));
+        let mut ladder = TradeSchedule::new(asked.max_bits, one_harmonic && cfg!(feature = "inari"));
         let mut trade = Self { scene, asked, units, rungs: Vec::new(), judgement: None, interrupted: None };
         while let Some(rung) = ladder.rung() {
             watch.note(Stage::Part(&rung.to_string()));
@@ -52,7 +52,7 @@ impl<'s> Trade<'s> {
             };
             ladder.climb(measured.impacts, measured.is_complete());
             trade.rungs.push(measured);
-            if rung == Rung::Float {
+            if rung == TradeArithmetic::Float {
                 watch.note(Stage::Part("true errors of float"));
                 trade.judgement = Some(judge::judge_float(scene, &trade.asked, &units, watch)?);
             }

@@ -12,7 +12,7 @@ use std::sync::Mutex;
 use std::sync::atomic::{AtomicU64, Ordering};
 
 use crate::environment::number;
-use judge::{Judgement, judge};
+use judge::{StartVerdict, judge};
 use starts::{Dice, FAMILIES, case};
 
 /// The default seed.
@@ -22,7 +22,7 @@ const SEED: u64 = 1995;
 type Counts = BTreeMap<(&'static str, &'static str), u64>;
 
 fn table(counts: &Counts) -> String {
-    let kinds = Judgement::NAMES;
+    let kinds = StartVerdict::NAMES;
     let mut text = format!("| family | {} |\n|---|{}\n", kinds.join(" | "), "---|".repeat(kinds.len()));
     for (family, _) in FAMILIES {
         let row = kinds.map(|kind| counts.get(&(family, kind)).copied().unwrap_or(0).to_string());
@@ -44,7 +44,7 @@ fn no_certificate_of_a_straddling_start_is_refuted() {
         let case = case(&mut Dice(seed ^ number << 20), number);
         let (judgement, told) = judge(&case, number);
         *counts.lock().unwrap().entry((case.family, judgement.name())).or_default() += 1;
-        if judgement == Judgement::Refuted {
+        if judgement == StartVerdict::Refuted {
             wrong.lock().unwrap().push(format!("start {number}, {}: {told}\n{}", case.family, case.text));
         }
     };

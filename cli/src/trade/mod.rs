@@ -9,14 +9,14 @@ use impact_pair::orbit::Orbit;
 use impact_pair::trade::Trade;
 
 use crate::Answer;
-use crate::destination::Begun;
+use crate::destination::OpenOutput;
 use crate::progress::Progress;
 use crate::scene;
 use arguments::{TradeArguments, TradeFormat};
 
 pub fn trade(arguments: &TradeArguments) -> Result<Answer> {
     let format = arguments.drawing.format(arguments.format)?;
-    let Begun { scene, files, path } = arguments.drawing.begin(&arguments.scene)?;
+    let OpenOutput { scene, files, path } = arguments.drawing.begin(&arguments.scene)?;
     let asked = arguments.settings(&scene);
     if asked.impacts == Some(0) {
         bail!("{}: run.impacts is 0: no impacts to measure (try --impacts)", scene::name(path));

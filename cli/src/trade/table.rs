@@ -1,7 +1,7 @@
 //! The table for people: one line per arithmetic, then the errors of `float`.
 
 use impact_pair::document::counted;
-use impact_pair::trade::{Crossing, Extent, Judgement, Largest, Measured, Trade};
+use impact_pair::trade::{Crossing, Extent, ErrorBounds, Largest, Measured, Trade};
 
 use crate::heading::heading;
 
@@ -71,7 +71,7 @@ fn significant(x: f64) -> String {
 }
 
 /// Returns the errors of `float` and the number of its impacts.
-fn verdict(judgement: &Judgement, truth: &str, impacts: u64) -> Vec<String> {
+fn verdict(judgement: &ErrorBounds, truth: &str, impacts: u64) -> Vec<String> {
     let mut lines = vec![format!(
         "\ntrue errors of float, compared with {truth} on {} of {}:",
         judgement.judged,

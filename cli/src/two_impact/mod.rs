@@ -14,7 +14,7 @@ use impact_pair::scene::{Key, Range as ParameterRange};
 use impact_pair::two_impact::{Answer, Axis, Problem, Range, Unknown, speed};
 use impact_pair::watch::Watch;
 
-use crate::destination::{Begun, Files};
+use crate::destination::{Files, OpenOutput};
 use crate::progress::Progress;
 use crate::{Answer as Exit, scene};
 use arguments::{SolveFor, TwoImpactArguments, TwoImpactFormat};
@@ -25,7 +25,7 @@ type Options<'a> = (&'a TwoImpactArguments, TwoImpactFormat);
 pub fn two_impact(arguments: &TwoImpactArguments) -> Result<Exit> {
     let format = arguments.format()?;
     let plot = arguments.plot.as_deref().map(|path| (path, &arguments.look));
-    let Begun { scene, files, path } = arguments.destination.begin(&arguments.scene, plot)?;
+    let OpenOutput { scene, files, path } = arguments.destination.begin(&arguments.scene, plot)?;
     let digits = arguments.digits.or(scene.run().digits).unwrap_or(Settings::default().digits);
     let named = || scene::name(path);
     match &arguments.manifold {

@@ -5,7 +5,7 @@ mod leaf;
 
 use anyhow::Result;
 use impact_pair::Scene;
-use impact_pair::chaos::{Base, Chaos, Hyperbolic, State, Trap, seen_impacts};
+use impact_pair::chaos::{Chaos, HSet, Hyperbolic, State, Trap, seen_impacts};
 use impact_pair::document::counted;
 use impact_pair::scene::Range;
 use plotters::prelude::*;
@@ -249,7 +249,7 @@ fn whole(found: &Chaos, area: &Canvas<'_>, root: &Canvas<'_>) -> Drawn {
 }
 
 /// The corners of an h-set, the first one again at the end.
-fn round(base: &Base) -> [State; 5] {
+fn round(base: &HSet) -> [State; 5] {
     [base.left.bottom, base.right.bottom, base.right.top, base.left.top, base.left.bottom]
 }
 

@@ -6,7 +6,7 @@ use std::f64::consts::TAU;
 
 use anyhow::Result;
 use impact_pair::Scene;
-use impact_pair::chaos::{Global, Goes, Kind, LimitCycle, Patch, State};
+use impact_pair::chaos::{Global, BasinOutcome, Kind, LimitCycle, Patch, State};
 use impact_pair::document::counted;
 use impact_pair::json::GlobalDocument;
 use impact_pair::pair::Wall;
@@ -64,13 +64,13 @@ fn colour(found: &Global, component: usize) -> RGBColor {
 
 /// Returns the entries of the legend.
 fn entries(found: &Global) -> Vec<(Mark, String)> {
-    let is_drawn = |goes: fn(&Goes) -> bool| found.patches.iter().any(|patch| goes(&patch.goes));
+    let is_drawn = |goes: fn(&BasinOutcome) -> bool| found.patches.iter().any(|patch| goes(&patch.goes));
     let attractors =
         (0..found.components.len()).filter(|&i| found.components[i].kind.is_attractor()).take(MAX_COMPONENTS);
     let mut all: Vec<(Mark, String)> = attractors
         .map(|i| (Mark::Cell(colour(found, i)), format!("every motion ends in {}: proved", name(found, i))))
         .collect();
-    if is_drawn(|goes| *goes == Goes::Undecided) {
+    if is_drawn(|goes| *goes == BasinOutcome::Undecided) {
         all.push((Mark::Cell(UNDECIDED_COLOUR), "goes to one of several, or undecided".to_owned()));
     }
     let within = |is: fn(&Kind) -> bool| found.components.iter().any(|own| is(&own.kind) && own.boxes > 0);
@@ -101,19 +101,19 @@ fn space(found: &Global, area: &Canvas<'_>, root: &Canvas<'_>) -> Drawn {
     let plane =
         Plane::draw(area, [Axis::angle(), Axis::over(0.0, found.fastest)], [PHASE_LABEL, SPEED_LABEL], RIGHT_MARGIN)?;
     let mut data = String::new();
-    let mut layer = |colour: RGBColor, least: i32, is_shown: &dyn Fn(&Goes) -> bool| {
+    let mut layer = |colour: RGBColor, least: i32, is_shown: &dyn Fn(&BasinOutcome) -> bool| {
         let mut all = Cells::default();
         for patch in found.patches.iter().filter(|patch| is_shown(&patch.goes)) {
             add(&mut all, &plane, patch, least);
         }
         data += &all.element(colour);
     };
-    layer(UNDECIDED_COLOUR, 1, &|goes| *goes == Goes::Undecided);
+    layer(UNDECIDED_COLOUR, 1, &|goes| *goes == BasinOutcome::Undecided);
     for i in (0..found.components.len()).filter(|&i| found.components[i].kind.is_attractor()) {
-        layer(colour(found, i), 1, &|goes| *goes == Goes::To(i));
+        layer(colour(found, i), 1, &|goes| *goes == BasinOutcome::To(i));
     }
     for i in 0..found.components.len() {
-        layer(colour(found, i), MIN_BOX_SIDE, &|goes| *goes == Goes::Within(i));
+        layer(colour(found, i), MIN_BOX_SIDE, &|goes| *goes == BasinOutcome::Within(i));
     }
     root.draw(&Element(plane.clipped(&data)))?;
     for (i, limit) in found.components.iter().enumerate().filter_map(|(i, own)| Some((i, own.kind.limit()?))) {

@@ -7,7 +7,7 @@ use super::super::guess::Guess;
 use super::super::law::Law;
 use super::super::quad::{Chord, State};
 use super::super::vector::{cross, length, minus, times, unit};
-use super::super::words::Base;
+use super::super::words::HSet;
 use crate::number::Ball;
 
 /// The most impacts of saddles that are looked for, and the places along the h-set from which they are, a half length being 1.
@@ -28,7 +28,7 @@ struct Saddle {
 #[derive(Clone, Debug)]
 pub(super) struct Followed {
     at: [f64; 2],
-    held: Vec<(Base, Saddle)>,
+    held: Vec<(HSet, Saddle)>,
 }
 
 impl Saddle {
@@ -82,7 +82,7 @@ fn directions([[a, b], [c, d]]: [[f64; 2]; 2]) -> Option<[State; 2]> {
     (expands.abs() > 1.0 && contracts.abs() < 1.0).then(|| [of(expands), of(contracts)])
 }
 
-impl Base {
+impl HSet {
     /// The middle, and the half vectors along and across.
     fn axes(&self) -> [State; 3] {
         let [[a, b], [c, d]] = [self.left, self.right].map(|chord| [chord.bottom, chord.top]);
@@ -124,7 +124,7 @@ impl Base {
 
 impl Followed {
     /// H-sets at the middle of a law's parameters; `None` where one of them holds no saddle that is found.
-    pub fn of(law: &Law, bases: &[Base]) -> Option<Self> {
+    pub fn of(law: &Law, bases: &[HSet]) -> Option<Self> {
         let guess = Guess::new(law);
         let held = bases.iter().map(|base| Some((*base, base.saddle(&guess)?))).collect::<Option<_>>()?;
         Some(Self { at: [law.gap.mid(), law.restitution.mid()], held })
@@ -144,7 +144,7 @@ impl Followed {
     fn at(&self, at: [f64; 2]) -> Option<Self> {
         let [gap, restitution] = at.map(Ball::exact);
         let guess = Guess::new(&Law { gap, restitution });
-        let moved = |(base, saddle): &(Base, Saddle)| {
+        let moved = |(base, saddle): &(HSet, Saddle)| {
             let to = saddle.moved(&guess)?;
             Some((base.mapped(|state| saddle.carried(&to, state)), to))
         };
@@ -152,7 +152,7 @@ impl Followed {
     }
 
     /// Returns the h-sets.
-    pub fn bases(&self) -> Vec<Base> {
+    pub fn bases(&self) -> Vec<HSet> {
         self.held.iter().map(|(base, _)| *base).collect()
     }
 }

@@ -4,7 +4,7 @@
 use super::super::horseshoe::{Horseshoe, bases, problem};
 use super::super::law::Law;
 use super::super::trials::BUNDLED;
-use super::super::words::Base;
+use super::super::words::HSet;
 use super::followed::Followed;
 use super::{NAME, Stretch, Verdict, Work, join, middle};
 use crate::Error;
@@ -28,7 +28,7 @@ const MIN_STRETCH: f64 = 0.25;
 #[derive(Clone, Debug)]
 pub(super) struct Seed {
     pub value: Exact,
-    pub bases: Vec<Base>,
+    pub bases: Vec<HSet>,
 }
 
 /// Neighbouring stretches, and the h-sets of the horseshoes below and above them.
@@ -164,7 +164,7 @@ impl Work<'_> {
         if !stretches.iter().any(is_open) {
             return Ok(stretches); // exact: nothing to prove
         }
-        let wider = |factor: f64| seed.bases.iter().map(|base| base.wider(factor)).collect::<Vec<Base>>();
+        let wider = |factor: f64| seed.bases.iter().map(|base| base.wider(factor)).collect::<Vec<HSet>>();
         let bases = WIDTH_FACTORS.map(wider).into_iter().find(|bases| problem(bases).is_none());
         let law = self.law([&seed.value; 2])?;
         let followed = bases.and_then(|bases| Followed::of(&law, &bases));

@@ -24,7 +24,7 @@ use crate::pair::ImpactPair;
 use crate::periodic::Precision;
 use crate::watch::Watch;
 use analysis::{Analysis, Request};
-pub use basins::{Basin, Goes, Patch};
+pub use basins::{Basin, BasinOutcome, Patch};
 pub(super) use cycle::closed;
 use image::Space;
 use known::Released;

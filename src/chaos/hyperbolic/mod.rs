@@ -22,7 +22,7 @@ use super::blocks::Word;
 use super::guess::Guess;
 use super::horseshoe::Chaos;
 use super::law::Law;
-use super::words::Base;
+use super::words::HSet;
 use crate::Error;
 use crate::number::{Ball, logarithm};
 use crate::pair::ImpactPair;
@@ -94,7 +94,7 @@ impl Hyperbolic {
         Ok(Self::proved(&Law::of(pair)?, chaos.bases(), chaos.words(), watch))
     }
 
-    fn proved(law: &Law, bases: &[Base], words: &[Word], watch: &dyn Watch) -> Result<Self, Vec<(usize, LeftOut)>> {
+    fn proved(law: &Law, bases: &[HSet], words: &[Word], watch: &dyn Watch) -> Result<Self, Vec<(usize, LeftOut)>> {
         let frames: Vec<Frame> = bases.iter().map(Frame::of).collect();
         let mut left_out: BTreeMap<usize, LeftOut> =
             (0..words.len()).map(|number| (number, LeftOut::Overlap)).collect();

@@ -79,7 +79,7 @@ impl Line<'_> {
     }
 
     /// `xi` in the h-set that a word leads to, of a state that flies as it says.
-    fn image(&self, word: &Seen, xi: f64, eta: f64) -> Option<f64> {
+    fn image(&self, word: &ListedWord, xi: f64, eta: f64) -> Option<f64> {
         let mut state = self.state(xi, eta);
         for side in &word.sides {
             let image = self.guess.map(state).filter(|image| image.side == *side)?;
@@ -89,7 +89,7 @@ impl Line<'_> {
     }
 
     /// Returns the place on a row at which `xi` of the image has this value, near a guess.
-    fn solve(&self, word: &Seen, value: f64, near: f64, eta: f64) -> Option<f64> {
+    fn solve(&self, word: &ListedWord, value: f64, near: f64, eta: f64) -> Option<f64> {
         let (mut a, mut b) = (near, near + 1e-6);
         let mut at_a = self.image(word, a, eta)? - value;
         for _ in 0..STEPS {
@@ -102,7 +102,7 @@ impl Line<'_> {
         None
     }
 
-    fn strip(&self, word: &Seen, ends: [f64; 2], sign: f64) -> Option<Strip> {
+    fn strip(&self, word: &ListedWord, ends: [f64; 2], sign: f64) -> Option<Strip> {
         SIDE_IMAGES.iter().find_map(|beyond| {
             let row = |end: usize, eta: f64| self.solve(word, sign * (2.0 * end as f64 - 1.0) * beyond, ends[end], eta);
             let rows: Vec<[f64; 2]> =
@@ -122,7 +122,7 @@ impl Line<'_> {
 }
 
 /// A listed word.
-struct Seen {
+struct ListedWord {
     number: usize,
     from: usize,
     to: usize,
@@ -130,20 +130,20 @@ struct Seen {
     turns: f64,
 }
 
-fn seen((number, word): (usize, &Word)) -> Seen {
+fn seen((number, word): (usize, &Word)) -> ListedWord {
     let before = std::iter::once(&Wall::Left).chain(&word.walls);
     let sides: Vec<Side> = before.zip(&word.walls).map(|(a, b)| if a == b { Side::Near } else { Side::Far }).collect();
     let far = sides.iter().filter(|&&side| side == Side::Far).count() as i64;
-    Seen { number, from: word.from, to: word.to, turns: 0.5 * (word.half_cycles + far) as f64, sides }
+    ListedWord { number, from: word.from, to: word.to, turns: 0.5 * (word.half_cycles + far) as f64, sides }
 }
 
 /// Returns the words whose strips are seen, with their numbers among those that are listed.
 pub(super) fn branches(guess: &Guess, frames: &[Frame], words: &[Word]) -> Vec<(usize, Branch)> {
     let mut found = Vec::new();
-    let mut words: Vec<Seen> = words.iter().enumerate().map(seen).collect();
+    let mut words: Vec<ListedWord> = words.iter().enumerate().map(seen).collect();
     words.sort_by_key(|word| word.sides.len());
     for from in 0..frames.len() {
-        let own: Vec<&Seen> = words.iter().filter(|word| word.from == from).collect();
+        let own: Vec<&ListedWord> = words.iter().filter(|word| word.from == from).collect();
         let impacts = own.iter().map(|word| word.sides.len()).max().unwrap_or(0);
         let line = Line { guess, frames, from, impacts };
         let samples = line.samples();
@@ -155,7 +155,7 @@ pub(super) fn branches(guess: &Guess, frames: &[Frame], words: &[Word]) -> Vec<(
                 }
                 let Some(strip) = line.strip(word, [low, high], sign) else { continue };
                 taken.push([low, high]);
-                let Seen { number, from, to, sides, turns } = word;
+                let ListedWord { number, from, to, sides, turns } = word;
                 let half_turns = (2.0 * turns) as i64 - sides.iter().filter(|&&side| side == Side::Far).count() as i64;
                 let (sides, turns) = (sides.clone(), *turns);
                 found.push((
@@ -171,7 +171,7 @@ pub(super) fn branches(guess: &Guess, frames: &[Frame], words: &[Word]) -> Vec<(
 }
 
 /// Stretches along which the image crosses an h-set, and the sign it does so with.
-fn crossings(samples: &[Sample], word: &Seen, frame: &Frame) -> Vec<([f64; 2], f64)> {
+fn crossings(samples: &[Sample], word: &ListedWord, frame: &Frame) -> Vec<([f64; 2], f64)> {
     let mut found = Vec::new();
     let mut last: Option<(bool, f64)> = None;
     for Sample { xi, images } in samples {

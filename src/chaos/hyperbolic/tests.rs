@@ -16,7 +16,7 @@ use crate::chaos::horseshoe::Chaos;
 use crate::chaos::law::{Law, Side};
 use crate::chaos::quad::Chord;
 use crate::chaos::vector::applied;
-use crate::chaos::words::Base;
+use crate::chaos::words::HSet;
 use crate::exact::Enclosure;
 use crate::number::interval::Interval;
 use crate::number::{Ball, Number, logarithm};
@@ -35,7 +35,7 @@ fn law() -> Law {
 }
 
 fn chaos() -> Chaos {
-    let base = |[u, w, a, b, c, d]: [f64; 6]| Base::new([u / TAU, w], [a / TAU, b], [c / TAU, d]);
+    let base = |[u, w, a, b, c, d]: [f64; 6]| HSet::new([u / TAU, w], [a / TAU, b], [c / TAU, d]);
     Chaos::proved(&law(), H_SETS.map(base).to_vec(), Some(3), &Unwatched)
 }
 
@@ -63,7 +63,7 @@ fn r37_no_words_are_no_hyperbolic_set() {
 /// A quadrilateral of positive speeds whose parallelogram has a corner at -0.09: no ball has the motions of its states.
 #[test]
 fn r39_a_parallelogram_has_positive_speeds_only() {
-    let base = |top: f64| Base {
+    let base = |top: f64| HSet {
         left: Chord { bottom: [0.0, 0.01], top: [0.0, top] },
         right: Chord { bottom: [0.1, 0.01], top: [0.1, 0.1] },
     };

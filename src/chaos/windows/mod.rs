@@ -21,7 +21,7 @@ use crate::scene::{Key, Range};
 use crate::threads::{answers, available};
 use crate::watch::{Latched, Stage, Watch};
 pub use search::MAX_CYCLE as MOST_WINDOW_IMPACTS;
-use search::{Family, Superstable, Varies};
+use search::{Family, Superstable, VariedParameter};
 
 /// The keys over which windows are searched, in words.
 pub const WINDOW_PARAMETERS: &str = "KEY one of gap, amplitude, restitution";
@@ -190,13 +190,13 @@ impl<'p> Search<'p> {
         }
         let law = |value: &Exact| Law::of(&pair.with(*key, value.clone())?);
         let laws = [law(low)?, law(high)?];
-        let varies = if *key == Key::Restitution { Varies::Restitution } else { Varies::Gap };
-        let of = |law: &Law| if varies == Varies::Gap { law.gap.mid() } else { law.restitution.mid() };
+        let varies = if *key == Key::Restitution { VariedParameter::Restitution } else { VariedParameter::Gap };
+        let of = |law: &Law| if varies == VariedParameter::Gap { law.gap.mid() } else { law.restitution.mid() };
         let ends = laws.each_ref().map(of);
         // proposes
         let range = [ends[0].min(ends[1]), ends[0].max(ends[1])];
         let own = Law::of(pair).ok().map(|own| of(&own)).filter(|own| (range[0]..=range[1]).contains(own)); // proposes
-        let fixed = if varies == Varies::Gap { laws[0].restitution.mid() } else { laws[0].gap.mid() };
+        let fixed = if varies == VariedParameter::Gap { laws[0].restitution.mid() } else { laws[0].gap.mid() };
         let size = |x: &Exact| Ball::of(x).mid();
         let unit = match key {
             Key::Gap => size(pair.excitation().reference().amplitude()),
@@ -300,7 +300,8 @@ impl<'p> Search<'p> {
             walls.push(if wall == Wall::Left { 'L' } else { 'R' });
             wall = side.lands_on(wall);
         }
-        let parameter = if self.family.varies == Varies::Gap { 1.0 / cycle.parameter } else { cycle.parameter };
+        let parameter =
+            if self.family.varies == VariedParameter::Gap { 1.0 / cycle.parameter } else { cycle.parameter };
         // proposes
         (1.0..1e6).contains(&cycles).then_some(())?;
         Some(WindowSeed { word: walls.parse().ok()?, cycles: cycles as u32, is_mirrored, phases, parameter }) // proposes

@@ -16,7 +16,7 @@ use crate::watch::Watch;
 
 /// The parameter of the reduced map that varies.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Varies {
+pub(super) enum VariedParameter {
     /// `D = d/A`
     Gap,
     /// `e`
@@ -26,7 +26,7 @@ pub(super) enum Varies {
 /// The family of reduced maps, and which part of it is searched.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Family {
-    pub varies: Varies,
+    pub varies: VariedParameter,
     /// The parameter that does not vary: `e`, or `D`.
     pub fixed: f64,
     /// The range of `D`, or `e`.
@@ -80,8 +80,8 @@ impl Family {
     /// The reduced map at a value of the parameter.
     pub fn map(&self, parameter: f64) -> Guess {
         let [gap, restitution] = match self.varies {
-            Varies::Gap => [parameter, self.fixed],
-            Varies::Restitution => [self.fixed, parameter],
+            VariedParameter::Gap => [parameter, self.fixed],
+            VariedParameter::Restitution => [self.fixed, parameter],
         };
         Guess::new(&Law { gap: Ball::exact(gap), restitution: Ball::exact(restitution) })
     }

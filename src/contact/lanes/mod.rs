@@ -21,7 +21,7 @@ use super::solve::{LONGEST_FLIGHT, Search, hop_guess, is_phase, look_near, on_mo
 use crate::flight::Flight;
 use crate::number::{Kernel, Trigonometry, kernel};
 use crate::pair::{Reduced, Wall};
-use columns::{Brackets, Departures, Flights, Held, Iterates, Searches, Spreads, State, States, Turnings};
+use columns::{Brackets, Departures, Flights, Iterates, LaneValue, Searches, Spreads, State, States, Turnings};
 
 /// Flights at a time: a few vectors.
 const LANES: usize = 16;

@@ -2,7 +2,7 @@
 
 use proptest::prelude::*;
 
-use super::columns::{Brackets, Held, Spreads};
+use super::columns::{Brackets, LaneValue, Spreads};
 use super::*;
 use crate::contact::{Contact, Radii, Undecided, Verdict, first_contact};
 use crate::number::Ball;

@@ -7,7 +7,7 @@ use std::cmp::Ordering;
 
 use rug::Float;
 
-use super::isolate::{Turning, is_rising};
+use super::isolate::{PhaseNumber, is_rising};
 use crate::contact::Grazed;
 use crate::contact::extrema::Target;
 use crate::flight::Flight;
@@ -55,7 +55,7 @@ pub(crate) fn pass(flight: &Flight<MpBall>) -> Option<Passed> {
     if turns_back.map(|x| x.sign()) != [Some(Ordering::Less), Some(Ordering::Greater)] {
         return None;
     }
-    let turning = Turning::new(flight, rising)?;
+    let turning = PhaseNumber::new(flight, rising)?;
     let (target, time, room) = turning.doubtful(flight)?;
     // Bounds of the height of the extremum beyond the wall, of the time that the flight may be there, and of its speed.
     let excess = room.mag();

@@ -101,7 +101,7 @@ pub(super) struct Kind {
 
 /// The extrema of the flights of a set (Lemma E1).
 #[derive(Clone, Debug)]
-pub(super) struct Turning {
+pub(super) struct PhaseNumber {
     /// `|sin th|` at every extremum.
     pub sine: MpBall,
     pub far: Kind,
@@ -109,7 +109,7 @@ pub(super) struct Turning {
     rising: bool,
 }
 
-impl Turning {
+impl PhaseNumber {
     /// Returns the extrema of flights with `|c| < beta`.
     pub fn new(flight: &Flight<MpBall>, rising: bool) -> Option<Self> {
         let one = || MpBall::from_f64(1.0);
@@ -183,7 +183,7 @@ impl Kind {
 
 /// The piece of the first contact of a flight that turns.
 fn first_piece(flight: &Flight<MpBall>, rising: bool) -> Result<Piece, Undecided> {
-    let turning = Turning::new(flight, rising).ok_or_else(|| endless(flight))?;
+    let turning = PhaseNumber::new(flight, rising).ok_or_else(|| endless(flight))?;
     let touches = |kind: &Kind| match kind.room.sign() {
         Some(Ordering::Greater) => Ok(false),
         Some(Ordering::Less) => Ok(true),

@@ -21,7 +21,7 @@ use super::solve::newton;
 use super::system::{Critical, Graze, Posed, System, Vanishing};
 use super::trace::null_vector;
 use crate::number::{Ball, Enclosing};
-use crate::several::Turning;
+use crate::several::PhaseNumber;
 
 /// The parameter that varies, and those that do not.
 #[derive(Clone, Copy, Debug)]
@@ -126,7 +126,7 @@ impl<S: Varied> Claim<'_, S> {
     }
 
     /// Proves the zero near a guess in an arithmetic of N bits; the largest domain that is tried has the radius `largest`.
-    fn certify<N: Enclosing + Turning>(
+    fn certify<N: Enclosing + PhaseNumber>(
         &self,
         family: &Family<S, N>,
         inverse: &Preconditioner,
@@ -141,7 +141,7 @@ impl<S: Varied> Claim<'_, S> {
     }
 
     /// Returns the bifurcation at a proved zero; `None` where its orbit is not proved.
-    fn point<N: Enclosing + Turning>(
+    fn point<N: Enclosing + PhaseNumber>(
         &self,
         family: &Family<S, N>,
         zero: &Proved<N>,

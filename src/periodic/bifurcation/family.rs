@@ -9,7 +9,7 @@ use super::super::legs::Leg;
 use super::super::shaking::Shaking;
 use super::jet::Jet;
 use crate::pair::{ImpactPair, Reduced};
-use crate::several::{Harmonics, Partial, Rates, Turning};
+use crate::several::{Harmonics, Partial, PhaseNumber, Rates};
 use crate::shaken::{SeveralHarmonics, Sum};
 
 /// The quantity that varies along a branch, without units.
@@ -33,10 +33,10 @@ pub(super) trait Varied: Chained {
 
     /// The parameters at a value of the unknown. In `base`, where it is [`Unknown::Ratios`], stand the amplitudes over that of the
     /// largest.
-    fn at<N: Turning>(base: &Self::In<N>, unknown: Unknown, value: N) -> Self::In<N>;
+    fn at<N: PhaseNumber>(base: &Self::In<N>, unknown: Unknown, value: N) -> Self::In<N>;
 
     /// The same parameters with constants for jets.
-    fn jets<N: Turning>(base: &Self::In<N>) -> Self::In<Jet<N>>;
+    fn jets<N: PhaseNumber>(base: &Self::In<N>) -> Self::In<Jet<N>>;
 
     /// Phases inside a flight, which starts at one, at which it is as fast as the box, and how far that has moved by then. It
     /// proposes.
@@ -44,13 +44,13 @@ pub(super) trait Varied: Chained {
 }
 
 /// The parameters that do not vary, in one arithmetic.
-pub(super) struct Family<S: Varied, N: Turning> {
+pub(super) struct Family<S: Varied, N: PhaseNumber> {
     pub unknown: Unknown,
     /// See [`Varied::at`].
     pub base: S::In<N>,
 }
 
-impl<S: Varied, N: Turning> Family<S, N> {
+impl<S: Varied, N: PhaseNumber> Family<S, N> {
     /// Returns the pair at a value of the unknown.
     pub fn pair(&self, value: N) -> S::In<N> {
         S::at(&self.base, self.unknown, value)
@@ -80,7 +80,7 @@ impl Varied for OneHarmonic {
         }
     }
 
-    fn at<N: Turning>(base: &Reduced<N>, unknown: Unknown, value: N) -> Reduced<N> {
+    fn at<N: PhaseNumber>(base: &Reduced<N>, unknown: Unknown, value: N) -> Reduced<N> {
         let (alpha, restitution) = match unknown {
             Unknown::Ratio(_) | Unknown::Ratios => (value, base.restitution.clone()),
             Unknown::Restitution => (base.alpha.clone(), value),
@@ -88,7 +88,7 @@ impl Varied for OneHarmonic {
         Reduced::new(alpha, restitution)
     }
 
-    fn jets<N: Turning>(base: &Reduced<N>) -> Reduced<Jet<N>> {
+    fn jets<N: PhaseNumber>(base: &Reduced<N>) -> Reduced<Jet<N>> {
         base.map(|x| Jet::constant(x.clone()))
     }
 
@@ -117,7 +117,7 @@ impl Varied for SeveralHarmonics {
         of_terms.chain([&self.spectrum.restitution]).all(|x| x.is_point())
     }
 
-    fn at<N: Turning>(base: &Sum<N>, unknown: Unknown, value: N) -> Sum<N> {
+    fn at<N: PhaseNumber>(base: &Sum<N>, unknown: Unknown, value: N) -> Sum<N> {
         let Sum { harmonics: Harmonics { terms, .. }, restitution } = base;
         let with = |term: &Partial<N>, alpha: N| Partial::new(alpha, term.ratio.clone(), term.counter.clone());
         let term = |(k, term): (usize, &Partial<N>)| match unknown {
@@ -131,7 +131,7 @@ impl Varied for SeveralHarmonics {
         Sum { harmonics, restitution }
     }
 
-    fn jets<N: Turning>(base: &Sum<N>) -> Sum<Jet<N>> {
+    fn jets<N: PhaseNumber>(base: &Sum<N>) -> Sum<Jet<N>> {
         let constant = |x: &N| Jet::constant(x.clone());
         let term = |term: &Partial<N>| Partial {
             alpha: constant(&term.alpha),

@@ -2,7 +2,7 @@
 
 use std::f64::consts::{PI, TAU};
 
-use impact_pair::chaos::{Global, GlobalSettings, Goes, Kind};
+use impact_pair::chaos::{Global, GlobalSettings, BasinOutcome, Kind};
 use impact_pair::document;
 use impact_pair::pair::Wall;
 use impact_pair::watch::Unwatched;
@@ -186,11 +186,11 @@ fn run(point: [&str; 2], starts: usize, random: &mut Random) -> (BTreeMap<End, u
         let at @ [phase, speed] = [random.uniform(0.0, 1.0), random.uniform(0.0, found.fastest)];
         let is_there = |patch: &&impact_pair::chaos::Patch| {
             let holds = |[low, high]: [f64; 2], x: f64| low <= x && x < high;
-            !matches!(patch.goes, Goes::Within(_)) && holds(patch.phases, phase) && holds(patch.speeds, speed)
+            !matches!(patch.goes, BasinOutcome::Within(_)) && holds(patch.phases, phase) && holds(patch.speeds, speed)
         };
         let goes = found.patches.iter().find(is_there).map(|patch| patch.goes);
         let claimed = match goes {
-            Some(Goes::To(place)) => Some(place),
+            Some(BasinOutcome::To(place)) => Some(place),
             _ if is_whole => None,
             _ => continue,
         };

@@ -9,7 +9,7 @@ mod starts;
 
 use crate::common::judge::{Case, From, Tally};
 use crate::common::straddling;
-use crate::common::straddling::{Judgement, question};
+use crate::common::straddling::{ImpactVerdict, question};
 use crate::common::{Random, cases};
 use impact_pair::orbit::{Arithmetic, Settings};
 use rug::Float;
@@ -24,13 +24,13 @@ const ARITHMETICS: [Arithmetic; 5] =
 const SLOW_START: Duration = Duration::from_secs(2);
 
 /// Number of times that each verdict was found in each family.
-type Counts = BTreeMap<(&'static str, Judgement), usize>;
+type Counts = BTreeMap<(&'static str, ImpactVerdict), usize>;
 
 fn print(counts: &Counts) {
-    println!("| family | {} |", Judgement::ALL.map(|kind| format!("{kind:?}")).join(" | "));
-    println!("|---|{}", "---|".repeat(Judgement::ALL.len()));
+    println!("| family | {} |", ImpactVerdict::ALL.map(|kind| format!("{kind:?}")).join(" | "));
+    println!("|---|{}", "---|".repeat(ImpactVerdict::ALL.len()));
     for (family, _) in starts::FAMILIES {
-        let row = Judgement::ALL.map(|kind| counts.get(&(family, kind)).copied().unwrap_or(0).to_string());
+        let row = ImpactVerdict::ALL.map(|kind| counts.get(&(family, kind)).copied().unwrap_or(0).to_string());
         println!("| {family} | {} |", row.join(" | "));
     }
 }
@@ -54,7 +54,7 @@ fn first_impacts_of_straddling_starts_are_right() {
             println!("slow, {:?} in {arithmetic:?}:\n{}", clock.elapsed(), case.text);
         }
         *counts.entry((case.family, judgement)).or_default() += 1;
-        if judgement == Judgement::Wrong {
+        if judgement == ImpactVerdict::Wrong {
             failures.push(format!("{} in {arithmetic:?}: {told}\n{}", case.family, case.text));
         }
     }
@@ -62,9 +62,9 @@ fn first_impacts_of_straddling_starts_are_right() {
     assert!(failures.is_empty(), "{} are wrong:\n{}", failures.len(), failures[..failures.len().min(8)].join("\n"));
     // A judge that is never asked, or never tells, would pass anything.
     let sum = |kind| counts.iter().filter(|((_, found), _)| *found == kind).map(|(_, count)| count).sum::<usize>();
-    assert!(2 * (sum(Judgement::Right) + sum(Judgement::Released)) > asked, "too few are judged");
-    assert!(10 * sum(Judgement::Open) < asked, "the truth is open too often");
-    assert!(10 * sum(Judgement::NoScene) < asked, "too many are out of range");
+    assert!(2 * (sum(ImpactVerdict::Right) + sum(ImpactVerdict::Released)) > asked, "too few are judged");
+    assert!(10 * sum(ImpactVerdict::Open) < asked, "the truth is open too often");
+    assert!(10 * sum(ImpactVerdict::NoScene) < asked, "too many are out of range");
 }
 
 /// The control: the impact of a start, judged by the truth of a gap that is a little wider.
@@ -76,12 +76,12 @@ fn the_judge_finds_the_impact_of_a_neighbour_wrong() {
         let case = case(&mut Dice(random.bits()), number);
         let Some((mut problem, start)) = question(&case.scene) else { continue };
         let settings = Settings { arithmetic: Arithmetic::Bits(256), ..Settings::default() };
-        if straddling::judge(&case.scene, (&problem, &start), settings.clone()).0 != Judgement::Right {
+        if straddling::judge(&case.scene, (&problem, &start), settings.clone()).0 != ImpactVerdict::Right {
             continue;
         }
         asked += 1;
         problem.gap *= Float::with_val(64, 1.0 + 1e-9);
-        found += usize::from(straddling::judge(&case.scene, (&problem, &start), settings).0 == Judgement::Wrong);
+        found += usize::from(straddling::judge(&case.scene, (&problem, &start), settings).0 == ImpactVerdict::Wrong);
     }
     println!("{found} of {asked} impacts of neighbours are found wrong");
     assert!(2 * found > asked);

@@ -8,7 +8,7 @@
 use super::basin::{Ellipse, basin, contracted};
 use super::contact::Doubt;
 use super::data::{Data, Piece};
-use super::frame::{Frame, Hit};
+use super::frame::{ClaimedImpact, Frame};
 use super::round::Round;
 use super::step::Landing;
 use super::target::{BITS, Target};
@@ -34,7 +34,7 @@ impl Certificate {
             return Err(Doubt::False("only an orbit that is unique, admissible and stable is an attractor".into()));
         }
         let target = Target { is_whole: true, ..Target::new(data, &claim.word, claim.cycles, &claim.orbit)? };
-        let hits = self.events().iter().enumerate().filter_map(Hit::of).collect();
+        let hits = self.events().iter().enumerate().filter_map(ClaimedImpact::of).collect();
         let question = Convergence { claim, target, hits };
         for_all_pieces(data, most, |piece| question.answer(piece), |piece| question.widest_datum(piece))
     }
@@ -77,7 +77,7 @@ pub(super) fn widest_datum(mut round: Round<'_>, guess: [Real; 2]) -> Option<usi
 struct Convergence<'c> {
     claim: &'c Attraction,
     target: Target<'c>,
-    hits: Vec<Hit<'c>>,
+    hits: Vec<ClaimedImpact<'c>>,
 }
 
 impl Convergence<'_> {
@@ -115,7 +115,7 @@ impl Convergence<'_> {
         let mut at = end;
         while let Some(before) = at.checked_sub(self.target.walls.len()) {
             let hits = &self.hits[before..=at];
-            let follows = |pair: &[Hit<'_>]| pair[1].event == pair[0].event + 1;
+            let follows = |pair: &[ClaimedImpact<'_>]| pair[1].event == pair[0].event + 1;
             if !hits.windows(2).all(follows)
                 || hits.iter().zip(self.target.walls.iter().cycle()).any(|(hit, &wall)| hit.wall != wall)
             {

@@ -158,7 +158,7 @@ fn one_by_one<C>(
 }
 
 /// A document whose claims are judged one after another, and what is known of all of them before.
-struct Whole<'c> {
+struct DocumentCheck<'c> {
     /// The reason why its own fields exclude it.
     contradiction: Option<&'c str>,
     /// The reason why two claims may be one.
@@ -169,7 +169,7 @@ struct Whole<'c> {
     nothing: &'static str,
 }
 
-impl Whole<'_> {
+impl DocumentCheck<'_> {
     /// Judges the claims, until one is not confirmed or the watch stops it.
     fn judged<C>(
         self,

@@ -7,7 +7,7 @@ use super::affine::Affine;
 use super::chain::{Course, Node, Pair};
 use super::contact::{Doubt, newton};
 use super::data::Piece;
-use super::frame::Hit;
+use super::frame::ClaimedImpact;
 use impact_pair_exact::{Dyadic, Real};
 
 /// Bits that a flight between middles is found with.
@@ -48,7 +48,7 @@ impl Course<'_> {
         let bits = self.frame.turn.bits();
         let (phase, velocity, _) = self.data.state(&Piece::default(), bits);
         let start = [phase.less_centre().hull(), velocity.hull()];
-        let bounds = |hit: &Hit<'_>| self.frame.hulls([hit.time, hit.velocity]);
+        let bounds = |hit: &ClaimedImpact<'_>| self.frame.hulls([hit.time, hit.velocity]);
         let along = if self.is_of_times { [[1.0, 0.0], [0.0, 1.0]] } else { [[0.0, 1.0], [1.0, 0.0]] };
         let point = |states: [Real; 2]| {
             let size = states.each_ref().map(|x| (x.clone() - &x.middle()).enclosure().mag().to_f64_up());

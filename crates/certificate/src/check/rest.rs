@@ -7,10 +7,10 @@ use num_traits::ToPrimitive;
 
 use super::affine::Affine;
 use super::chatter::{accumulation, bounce, is_held};
-use super::clock::{Beside, Clock, beside};
+use super::clock::{Clock, SetPosition, beside};
 use super::contact::{Claimed, Doubt};
 use super::data::Data;
-use super::standing::Standing;
+use super::standing::WalkState;
 use super::step::Launch;
 use super::walk::{Walk, compare};
 use crate::Claim;
@@ -48,12 +48,12 @@ impl<'c> Walk<'c> {
         }
         let since = departure.phase.hull();
         compare("time", &self.clock.time(&since), &claim.time)?;
-        self.standing = Standing::resting(departure.clone(), Rest { wall, since, begins });
+        self.standing = WalkState::resting(departure.clone(), Rest { wall, since, begins });
         Ok(())
     }
 
     /// The rest after infinitely many impacts, since phases which lie inside the claimed bounds.
-    fn chatter(&self, claim: &Claim) -> Result<Standing<'c>, Doubt> {
+    fn chatter(&self, claim: &Claim) -> Result<WalkState<'c>, Doubt> {
         let (wall, parameters) = (claim.wall, &self.parameters);
         let mut departure = self.standing.departure().clone();
         // V3: each member bounces; after a first contact, which is transversal, all that is needed is e > 0
@@ -67,7 +67,7 @@ impl<'c> Walk<'c> {
                 .ok_or_else(|| Doubt::open("the chatter is not proved to end in rest"))?;
             let since = departure.phase.hull() + &lasting;
             let time = self.clock.time(&since);
-            if let Beside::Across = beside(&time, &claim.time) {
+            if let SetPosition::Across = beside(&time, &claim.time) {
                 // No claim says where.
                 let guess = bounce(&departure, parameters)?;
                 let claimed = Claimed { from: Real::zero(self.bits), guess, to: None, is_first: true };
@@ -76,7 +76,7 @@ impl<'c> Walk<'c> {
                 continue;
             }
             compare("time", &time, &claim.time)?;
-            return Ok(Standing::resting(departure, Rest { wall, since, begins: false }));
+            return Ok(WalkState::resting(departure, Rest { wall, since, begins: false }));
         }
         Err(Doubt::open("the rest is not enclosed as claimed"))
     }
@@ -103,7 +103,7 @@ impl<'c> Walk<'c> {
         let zero = || Real::zero(self.bits);
         compare("time", &self.clock.time(&zero()), &claim.time)?;
         self.parameters.count_from(Real::int(odd, self.bits) * &Real::pi(self.bits));
-        self.standing = Standing::released(&self.parameters, wall, Affine::fixed(zero()));
+        self.standing = WalkState::released(&self.parameters, wall, Affine::fixed(zero()));
         self.halves = &halves - odd;
         let first = &mut self.releases[usize::from(wall == Wall::Right)];
         match first {

@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use std::f64::consts::TAU;
 
 use impact_pair::Scene;
-use impact_pair::chaos::{Base, Chaos, State, Word};
+use impact_pair::chaos::{Chaos, HSet, State, Word};
 use impact_pair::exact::Exact;
 use impact_pair::orbit::{Arithmetic, Impact, Orbit, Settings, Start};
 use impact_pair::pair::{ImpactPair, Wall};
@@ -37,7 +37,7 @@ pub struct Leaf {
 
 impl Leaf {
     /// Returns those of an h-set.
-    pub fn of(base: &Base) -> Self {
+    pub fn of(base: &HSet) -> Self {
         let [a, b, c, d, _] = round(base);
         let of = |signs: [f64; 4]| {
             [0, 1].map(|i| 0.25 * (signs[0] * a[i] + signs[1] * b[i] + signs[2] * c[i] + signs[3] * d[i]))
@@ -145,7 +145,7 @@ mod tests {
 
     #[test]
     fn a_base_is_its_own_square() {
-        let leaf = Leaf::of(&Base::new([0.9, 1.2], [0.03, 0.08], [-0.0002, 0.001]));
+        let leaf = Leaf::of(&HSet::new([0.9, 1.2], [0.03, 0.08], [-0.0002, 0.001]));
         let near = |at: State, place: State| (0..2).all(|i| (leaf.place(&at)[i] - place[i]).abs() < 1e-9);
         assert!(near([0.9, 1.2], [0.0, 0.0]) && near([0.93, 1.28], [1.0, 0.0]) && near([0.8998, 1.201], [0.0, 1.0]));
         // A turn later.

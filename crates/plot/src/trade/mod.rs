@@ -5,7 +5,7 @@ mod labels;
 
 use anyhow::Result;
 use impact_pair::json::PROGRAM;
-use impact_pair::trade::{Judgement, Measured, Rung, Trade};
+use impact_pair::trade::{ErrorBounds, Measured, Trade, TradeArithmetic};
 use plotters::prelude::*;
 use plotters::style::text_anchor::HPos;
 
@@ -31,7 +31,7 @@ enum Kind {
 impl Kind {
     fn of(rung: &Measured) -> Self {
         match (rung.rung, rung.bits) {
-            (Rung::Float, _) => Self::Float,
+            (TradeArithmetic::Float, _) => Self::Float,
             (_, f64::MANTISSA_DIGITS) => Self::Doubles,
             _ => Self::Multiprecision,
         }
@@ -75,12 +75,12 @@ impl Mark {
         }?;
         // Short, for the cluster: the legend says what the numbers are.
         let name = match rung.rung {
-            Rung::Auto(digits) => format!("auto {digits}"),
+            TradeArithmetic::Auto(digits) => format!("auto {digits}"),
             other => other.to_string(),
         };
         let impacts = rung.impacts;
         let label = match trade.judgement.as_ref().filter(|_| kind == Kind::Float) {
-            Some(Judgement { departure: Some(departure), .. }) => {
+            Some(ErrorBounds { departure: Some(departure), .. }) => {
                 format!("{name} (wrong word from impact {})", departure.impact)
             }
             Some(judgement) if judgement.judged < impacts => {

@@ -13,8 +13,8 @@ use serde_json::{Value, json};
 
 use super::flight::float;
 use super::members::{Bounds, Member};
-use super::motion::{Halt, Judged, wrong};
-use super::orbits::{self, Told, apart, speed};
+use super::motion::{Compared, Halt, wrong};
+use super::orbits::{self, ClaimedState, apart, speed};
 use super::questions::Answer;
 use super::scenes::Case;
 
@@ -52,9 +52,9 @@ fn is_within(own: &Value) -> bool {
 }
 
 /// The states of a period of the reduced map: phases and speeds, mirrored to the left wall.
-fn states(member: &Member, told: &[Told]) -> Vec<[Float; 2]> {
+fn states(member: &Member, told: &[ClaimedState]) -> Vec<[Float; 2]> {
     let pi = float(Constant::Pi);
-    let state = |told: &Told| {
+    let state = |told: &ClaimedState| {
         let lead = float(&pi * u32::from(told.wall == Wall::Right));
         [float(&told.phase + &lead), float(told.velocity.abs_ref()) / float(speed(&member.tones))]
     };
@@ -81,7 +81,7 @@ fn radius([trace, determinant]: [f64; 2], rounds: usize) -> f64 {
 
 /// Each attracting motion contracts as is claimed, has the claimed least period, and is listed once; one within an undecided component is reached from
 /// that one alone.
-pub fn judge(document: &Value, member: &Member) -> Judged<()> {
+pub fn judge(document: &Value, member: &Member) -> Compared<()> {
     let mut known: Vec<Vec<[Float; 2]>> = Vec::new();
     for (place, own) in attracting(document) {
         let Some(told) = orbits::impacts(&own["orbit"]) else {

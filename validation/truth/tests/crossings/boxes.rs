@@ -8,7 +8,7 @@ use rug::float::Constant;
 
 use super::flight::float;
 use super::members::Member;
-use super::motion::{Halt, Judged, Motion, shown, wrong};
+use super::motion::{Compared, Halt, Motion, shown, wrong};
 use super::questions::Answer;
 use super::scenes::Case;
 
@@ -106,7 +106,7 @@ impl Case {
 }
 
 /// Checks that no impact of this member that follows one in a box is outside of the image.
-pub fn judge(images: &[Mapped], member: &Member) -> Judged<()> {
+pub fn judge(images: &[Mapped], member: &Member) -> Compared<()> {
     let states = impacts(member);
     let mut judged = 0;
     for pair in states.windows(2).filter(|pair| pair[1].is_flight) {

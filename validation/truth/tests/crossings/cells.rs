@@ -9,7 +9,7 @@ use serde_json::{Value, json};
 
 use super::judge::at;
 use super::members::Member;
-use super::motion::{Halt, Judged, Motion, wrong};
+use super::motion::{Compared, Halt, Motion, wrong};
 use super::orbits::apart;
 use super::questions::{Answer, Patience};
 use super::scenes::Case;
@@ -50,7 +50,7 @@ fn walls(word: &str) -> Vec<Wall> {
 }
 
 /// Checks that the true motion at the lower end of each interval claimed to be attracted makes the claimed word in the end.
-pub fn judge(document: &Value, case: &Case) -> Judged<()> {
+pub fn judge(document: &Value, case: &Case) -> Compared<()> {
     let stretches = document["stretches"].as_array().map_or(&[][..], Vec::as_slice);
     let attracted: Vec<&Value> = stretches.iter().filter(|own| own["verdict"] == "attracted").collect();
     if attracted.is_empty() {
@@ -69,7 +69,7 @@ pub fn judge(document: &Value, case: &Case) -> Judged<()> {
 }
 
 /// The true motion comes to be periodic, and its impacts are on the walls of the word.
-fn ends_in(member: &Member, word: &[Wall]) -> Judged<()> {
+fn ends_in(member: &Member, word: &[Wall]) -> Compared<()> {
     let mut motion = Motion::new(&member.shaken, member.start.clone());
     let mut contacts: Vec<Contact> = Vec::new();
     for _ in 0..IMPACTS {

@@ -27,7 +27,7 @@ use std::time::{Duration, Instant};
 
 use crate::common::Random;
 use crate::environment::number;
-use judge::{Finding, Judgement, judge};
+use judge::{AnswerVerdict, Finding, judge};
 use traits::{Coverage, Crossing, Question, array, crossing};
 
 /// Outcomes that must occur. A run of a few impacts is hardly ever proved to be attracted: what `describe` follows longer is.
@@ -87,7 +87,7 @@ struct Tally {
 }
 
 impl Counts {
-    fn add(&mut self, judgement: &Judgement, time: Duration) {
+    fn add(&mut self, judgement: &AnswerVerdict, time: Duration) {
         for (counts, finding) in self.findings.iter_mut().zip(&judgement.findings) {
             counts[*finding as usize] += 1;
         }
@@ -103,7 +103,7 @@ impl Counts {
 }
 
 impl Tally {
-    fn add(&mut self, crossing: &Crossing, judgement: &Judgement, time: Duration) {
+    fn add(&mut self, crossing: &Crossing, judgement: &AnswerVerdict, time: Duration) {
         self.coverage.add(crossing);
         *self.outcomes.entry(judgement.outcome.clone()).or_default() += 1;
         self.questions.entry(crossing.question).or_default().add(judgement, time);

@@ -12,14 +12,14 @@ use serde_json::Value;
 
 use super::flight::{State, Tone, float};
 use super::members::{Bounds, Member, named};
-use super::motion::{Halt, Judged, Motion, wrong};
+use super::motion::{Compared, Halt, Motion, wrong};
 
 /// Error allowed in the impacts of a period, in radians and in speeds of the box: bounds of `10^-9`, and the growth over a period.
 const ORBIT_TOLERANCE: f64 = 1e-3;
 
 /// A claimed impact of an orbit.
 #[derive(Clone, Debug)]
-pub struct Told {
+pub struct ClaimedState {
     pub wall: Wall,
     pub phase: Float,
     pub velocity: Float,
@@ -28,8 +28,8 @@ pub struct Told {
     cycle: Option<i64>,
 }
 
-fn told(impact: &Value) -> Option<Told> {
-    Some(Told {
+fn told(impact: &Value) -> Option<ClaimedState> {
+    Some(ClaimedState {
         wall: named(&impact["wall"])?,
         phase: Bounds::read(&impact["phase"])?.middle(),
         velocity: Bounds::read(&impact["velocity"])?.middle(),
@@ -39,7 +39,7 @@ fn told(impact: &Value) -> Option<Told> {
 }
 
 /// All impacts of an orbit.
-pub fn impacts(orbit: &Value) -> Option<Vec<Told>> {
+pub fn impacts(orbit: &Value) -> Option<Vec<ClaimedState>> {
     orbit["impacts"].as_array()?.iter().map(told).collect()
 }
 
@@ -62,7 +62,7 @@ pub fn speed(tones: &[Tone]) -> f64 {
 }
 
 /// The state just after an impact, its velocity before it varied, and its phase.
-fn after(member: &Member, impact: &Told, varied: [f64; 2]) -> State {
+fn after(member: &Member, impact: &ClaimedState, varied: [f64; 2]) -> State {
     let tone = reference(&member.tones);
     let turns = float(Constant::Pi) * 2 * impact.turn;
     let time = float(&impact.phase + &turns) + float(varied[0]) - &tone.phase;
@@ -75,7 +75,7 @@ fn after(member: &Member, impact: &Told, varied: [f64; 2]) -> State {
 }
 
 /// The impacts of a period that come after the first one, and the first one again.
-fn period(member: &Member, told: &[Told], varied: [f64; 2]) -> Judged<Vec<Contact>> {
+fn period(member: &Member, told: &[ClaimedState], varied: [f64; 2]) -> Compared<Vec<Contact>> {
     let mut motion = Motion::new(&member.shaken, after(member, &told[0], varied));
     let mut found = Vec::new();
     while found.len() < told.len() {
@@ -86,9 +86,9 @@ fn period(member: &Member, told: &[Told], varied: [f64; 2]) -> Judged<Vec<Contac
 }
 
 /// Distance of the true impacts from the claimed ones, in radians and in speeds of the box; infinite on other walls.
-fn away(member: &Member, told: &[Told], found: &[Contact]) -> f64 {
+fn away(member: &Member, told: &[ClaimedState], found: &[Contact]) -> f64 {
     let tone = reference(&member.tones);
-    let one = |(contact, told): (&Contact, &Told)| {
+    let one = |(contact, told): (&Contact, &ClaimedState)| {
         let phase = float(&contact.time * &tone.frequency) + &tone.phase;
         let off = float(&contact.velocity_before - &told.velocity).to_f64().abs() / speed(&member.tones);
         if contact.wall == told.wall { apart(&phase, &told.phase).max(off) } else { f64::INFINITY }
@@ -101,7 +101,7 @@ fn away(member: &Member, told: &[Told], found: &[Contact]) -> f64 {
 
 /// Returns whether the true impacts come in other forcing periods than are claimed: then the claimed orbit passes over contacts of its own
 /// phases. `None` where the forcing period of no later impact is given.
-fn is_in_other_turns(member: &Member, told: &[Told], found: &[Contact]) -> Option<bool> {
+fn is_in_other_turns(member: &Member, told: &[ClaimedState], found: &[Contact]) -> Option<bool> {
     let (tone, turn) = (reference(&member.tones), float(Constant::Pi) * 2);
     let later: Vec<_> = told
         .iter()
@@ -109,7 +109,7 @@ fn is_in_other_turns(member: &Member, told: &[Told], found: &[Contact]) -> Optio
         .zip(found)
         .map(|(told, contact)| Some((told, contact, told.cycle?)))
         .collect::<Option<_>>()?;
-    let is_other = |(told, contact, cycle): &(&Told, &Contact, i64)| {
+    let is_other = |(told, contact, cycle): &(&ClaimedState, &Contact, i64)| {
         let phase = float(&contact.time * &tone.frequency) + &tone.phase;
         float(phase - &told.phase - float(&turn * *cycle)).to_f64().abs() > 1.0
     };
@@ -117,7 +117,7 @@ fn is_in_other_turns(member: &Member, told: &[Told], found: &[Contact]) -> Optio
 }
 
 /// Checks one orbit of a list: the true motion is the claimed one if it is admissible, and another if it is virtual.
-pub fn judge(orbit: &Value, member: &Member) -> Judged<()> {
+pub fn judge(orbit: &Value, member: &Member) -> Compared<()> {
     let Some(told) = impacts(orbit).filter(|told| !told.is_empty()) else {
         return wrong("an orbit without impacts".into());
     };
@@ -139,7 +139,7 @@ pub fn judge(orbit: &Value, member: &Member) -> Judged<()> {
 }
 
 /// Trace and determinant of the period, by differences of true motions.
-pub fn trace_and_determinant(orbit: &Value, member: &Member) -> Judged<[f64; 2]> {
+pub fn trace_and_determinant(orbit: &Value, member: &Member) -> Compared<[f64; 2]> {
     let Some(told) = impacts(orbit).filter(|told| !told.is_empty()) else {
         return wrong("an orbit without impacts".into());
     };
@@ -148,11 +148,11 @@ pub fn trace_and_determinant(orbit: &Value, member: &Member) -> Judged<[f64; 2]>
 }
 
 /// The state after a period, phase and velocity before its impact, and its derivatives by either, by differences of true motions: by rows.
-fn derivative(member: &Member, told: &[Told]) -> Judged<([Float; 2], [[f64; 2]; 2])> {
+fn derivative(member: &Member, told: &[ClaimedState]) -> Compared<([Float; 2], [[f64; 2]; 2])> {
     let step = 2f64.powi(-120);
     let tone = reference(&member.tones);
     let mut columns = Vec::new();
-    let end = |varied: [f64; 2]| -> Judged<[Float; 2]> {
+    let end = |varied: [f64; 2]| -> Compared<[Float; 2]> {
         let found = period(member, told, varied)?;
         let Some(last) = found.get(told.len() - 1) else { return Err(Halt::Open("the period does not close")) };
         Ok([float(&last.time * &tone.frequency), last.velocity_before.clone()])
@@ -172,7 +172,7 @@ const STEPS: u32 = 12;
 const LAST_STEP_SIZE: f64 = 1e-14;
 
 /// The same orbit of members one after another, each near the one before: whether all of them are stable, on the same walls. Lost ones are left open.
-pub fn stay_stable(orbit: &Value, members: &[Member]) -> Judged<()> {
+pub fn stay_stable(orbit: &Value, members: &[Member]) -> Compared<()> {
     let Some(mut told) = impacts(orbit).filter(|told| !told.is_empty()) else {
         return wrong("an orbit without impacts".into());
     };
@@ -221,7 +221,7 @@ fn is_rotated(a: &[bool], b: &[bool]) -> bool {
 
 /// A list that says there are no others: every periodic motion of the word and of N cycles that a run proves must be on it,
 /// those with rests as well, unless the document says that it leaves them out.
-pub fn judge_all(document: &Value, scene: &Scene, starts: &[orbit::Start]) -> Judged<()> {
+pub fn judge_all(document: &Value, scene: &Scene, starts: &[orbit::Start]) -> Compared<()> {
     let Ok(word) = document["word"].as_str().unwrap_or_default().parse::<Word>() else {
         return wrong("no word".into());
     };
@@ -235,8 +235,9 @@ pub fn judge_all(document: &Value, scene: &Scene, starts: &[orbit::Start]) -> Ju
             Some("attracted") if outcome["cycles"] == document["cycles"] => {
                 let Some(orbit) = impacts(&outcome["orbit"]) else { continue };
                 let sides: Vec<bool> = orbit.iter().map(|impact| impact.wall == Wall::Left).collect();
-                let is_there = |told: &Vec<Told>| {
-                    let near = |a: &Told, b: &Told| a.wall == b.wall && apart(&a.phase, &b.phase) < 1e-4;
+                let is_there = |told: &Vec<ClaimedState>| {
+                    let near =
+                        |a: &ClaimedState, b: &ClaimedState| a.wall == b.wall && apart(&a.phase, &b.phase) < 1e-4;
                     (0..told.len()).any(|shift| told.iter().cycle().skip(shift).zip(&orbit).all(|(a, b)| near(a, b)))
                 };
                 if is_rotated(&sides, &own) && !listed.iter().filter_map(impacts).any(|told| is_there(&told)) {

@@ -7,7 +7,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use impact_pair::atlas::{self, Plane};
 use impact_pair::audit::{self, Audit, Columns};
 use impact_pair::chaos::{
-    self, Base, BoxGraph, Chaos, Cycles, Global, GlobalSettings, Hyperbolic, Trap, WallWords, WindowSettings, Windows,
+    self, BoxGraph, Chaos, Cycles, Global, GlobalSettings, HSet, Hyperbolic, Trap, WallWords, WindowSettings, Windows,
 };
 use impact_pair::describe::{Request, describe};
 use impact_pair::document;
@@ -316,7 +316,7 @@ impl Case {
         let is_half = matches!(self.crossing.restitution, Restitution::Half | Restitution::AroundHalf);
         let is_given = amplitude == "8" && is_half;
         let bases =
-            if is_given { H_SETS.map(|[at, long, short]| Base::new(at, long, short)).to_vec() } else { Vec::new() };
+            if is_given { H_SETS.map(|[at, long, short]| HSet::new(at, long, short)).to_vec() } else { Vec::new() };
         let question = chaos::HorseshoeSettings { depth: Some(3), bases };
         let patience = Patience::new();
         let watch = |at: Stage<'_>| match at {

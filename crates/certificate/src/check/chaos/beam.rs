@@ -78,7 +78,7 @@ pub(super) struct View {
 }
 
 /// All flights from a quadrilateral.
-pub(super) struct Beam {
+pub(super) struct FlightBundle {
     gap: Span,
     /// Bounds of the states.
     pub phase: Span,
@@ -119,7 +119,7 @@ pub(super) struct Landing {
     pub times: Span,
 }
 
-impl Beam {
+impl FlightBundle {
     pub fn new(law: &Law, quad: &Quad) -> Self {
         let hull = |i: usize| {
             let [p, q, r, s] = quad.corners;

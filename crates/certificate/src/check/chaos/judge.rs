@@ -4,7 +4,7 @@ use impact_pair_model::Error;
 use impact_pair_model::watch::{Latched, Stage, Watch};
 
 use super::allowance::{Allowance, End};
-use super::bases::Base;
+use super::bases::HSet;
 use super::entropy::at_least;
 use super::propose::Making;
 use super::words::{Ahead, Counts, Search, Word};
@@ -72,7 +72,7 @@ impl ChaosCertificate {
     fn hyperbolic(
         &self,
         law: &Law,
-        listed: (&[Base], &[Word]),
+        listed: (&[HSet], &[Word]),
         allowed: u64,
         watch: &dyn Watch,
     ) -> Result<Option<Doubt>, End> {
@@ -89,14 +89,14 @@ impl ChaosCertificate {
     fn lost(
         &self,
         law: &Law,
-        bases: &[Base],
+        bases: &[HSet],
         words: &[Word],
         work: &Allowance,
         progress: &mut impl FnMut(usize),
     ) -> Result<Option<Counts>, End> {
         let mut listed = Counts::new();
         words.iter().for_each(|word| *listed.entry(word.clone()).or_default() += 1);
-        let mut tries = Tries { law, bases, words, listed, work, progress, best: None };
+        let mut tries = ChainSearches { law, bases, words, listed, work, progress, best: None };
         let beginning_with =
             |first: usize| -> Vec<Making> { MAKINGS[first..].iter().chain(&MAKINGS[..first]).copied().collect() };
         let (mut best, mut most) = (0, 0);
@@ -135,9 +135,9 @@ impl ChaosCertificate {
 }
 
 /// Searches for the listed words along chains of boxes that are made in several ways.
-struct Tries<'t, P> {
+struct ChainSearches<'t, P> {
     law: &'t Law,
-    bases: &'t [Base],
+    bases: &'t [HSet],
     words: &'t [Word],
     listed: Counts,
     work: &'t Allowance<'t>,
@@ -153,7 +153,7 @@ struct Found<'t> {
     is_all: bool,
 }
 
-impl<'t, P: FnMut(usize)> Tries<'t, P> {
+impl<'t, P: FnMut(usize)> ChainSearches<'t, P> {
     /// One search, until more than `most` words are lost.
     fn once(&mut self, makings: &[Making], ahead: &Ahead, most: usize) -> Result<Found<'t>, End> {
         let mut search = Search::new(self.law, self.bases, Some(&self.listed), (makings, ahead), self.work);

@@ -7,7 +7,7 @@ use std::f64::consts::TAU;
 use super::allowance::{Allowance, End};
 use super::beam::State;
 use super::guess::{Guess, Image, MAX_PERIODS, applied};
-use super::tube::{Chord, Part, Tube};
+use super::tube::{BoxChain, Chord, Part};
 
 /// A way to make chains of boxes.
 #[derive(Clone, Copy, Debug)]
@@ -27,7 +27,7 @@ pub(super) struct Making {
 pub(super) struct Proposal {
     pub parts: Vec<Part>,
     pub is_far: bool,
-    pub next: Tube,
+    pub next: BoxChain,
 }
 
 #[derive(Clone, Copy)]
@@ -67,7 +67,7 @@ fn distance(from: &Sample, to: &Sample) -> f64 {
     }
 }
 
-fn sample(guess: &Guess, tube: &Tube, cell: usize, at: f64) -> Sample {
+fn sample(guess: &Guess, tube: &BoxChain, cell: usize, at: f64) -> Sample {
     let (left, right) = (&tube.chords()[cell], &tube.chords()[cell + 1]);
     let mix = |a: State, b: State| [0, 1].map(|i| (1.0 - at) * a[i] + at * b[i]);
     let (bottom, top) = (mix(left.bottom, right.bottom), mix(left.top, right.top));
@@ -94,7 +94,7 @@ impl Sample {
 
 impl Making {
     /// Returns the chains of boxes that hold the images of a chain of boxes, about.
-    pub fn images(&self, guess: &Guess, tube: &Tube, work: &Allowance) -> Result<Vec<Proposal>, End> {
+    pub fn images(&self, guess: &Guess, tube: &BoxChain, work: &Allowance) -> Result<Vec<Proposal>, End> {
         let mut segments: Vec<Vec<Pair>> = vec![Vec::new()];
         let last = tube.cells() - 1;
         for cell in 0..=last {
@@ -111,7 +111,7 @@ impl Making {
     fn refine(
         &self,
         (guess, work): (&Guess, &Allowance),
-        tube: &Tube,
+        tube: &BoxChain,
         [from, to]: Pair,
         [first, last]: [bool; 2],
         segments: &mut Vec<Vec<Pair>>,
@@ -188,7 +188,7 @@ impl Making {
             Part { cell: from.cell, from: from.at, to: to.at, place }
         };
         let parts = segment.iter().enumerate().map(part).collect();
-        Ok(Some(Proposal { parts, is_far: samples[0].image().is_far, next: Tube::new(chords) }))
+        Ok(Some(Proposal { parts, is_far: samples[0].image().is_far, next: BoxChain::new(chords) }))
     }
 
     fn is_straight(&self, samples: &[&Sample]) -> bool {

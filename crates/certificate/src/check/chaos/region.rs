@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 
 use super::Law;
-use super::beam::{Beam, Quad, State, View};
+use super::beam::{FlightBundle, Quad, State, View};
 use super::guess::Guess;
 use super::span::Span;
 
@@ -119,7 +119,7 @@ impl Region {
 /// Returns bounds of the times of all flights from a rectangle, each of which is noted, and allowed.
 fn piece(law: &Law, guess: &Guess, [low, high]: [State; 2], depth: u32, note: Note<'_>) -> Result<Span, Open> {
     let quad = Quad::rectangle(low, high);
-    let beam = Beam::new(law, &quad);
+    let beam = FlightBundle::new(law, &quad);
     let from = beam.depart().ok_or(Open::Rest)?;
     let [zero, one] = [0.0, 1.0].map(Span::point);
     let image = guess.map(quad.middle());
@@ -137,7 +137,7 @@ fn piece(law: &Law, guess: &Guess, [low, high]: [State; 2], depth: u32, note: No
 }
 
 /// Goes through the flights part by part, each no shorter than `least`, until all are beyond a wall.
-fn march(beam: &Beam, mut from: f64, least: f64, note: Note<'_>) -> Option<Span> {
+fn march(beam: &FlightBundle, mut from: f64, least: f64, note: Note<'_>) -> Option<Span> {
     let mut step = least;
     let mut times: Option<Span> = None;
     while from < MAX_FLIGHT {
@@ -179,7 +179,7 @@ fn halves([low, high]: [State; 2], is_by_phase: bool) -> [[State; 2]; 2] {
     }
 }
 
-impl Beam {
+impl FlightBundle {
     /// The speeds of all arrivals at a wall in a part of the flights; `None` if there are none.
     pub(super) fn arrivals(&self, is_far: bool, times: Span, view: &View) -> Option<Span> {
         let miss = view.height - self.level(is_far);

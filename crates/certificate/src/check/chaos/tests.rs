@@ -7,7 +7,7 @@ use impact_pair_model::{Harmonic, ImpactPair, Start, Wall};
 use proptest::prelude::*;
 
 use super::Law;
-use super::beam::{Beam, Quad, State};
+use super::beam::{FlightBundle, Quad, State};
 use super::entropy::{at_least, exponential};
 use super::guess::Guess;
 use super::language::{Sets, is_above};
@@ -175,7 +175,7 @@ proptest! {
         let mix = |i: usize| (1.0 - a) * ((1.0 - b) * states[0][i] + b * states[1][i]) + a * ((1.0 - b) * states[2][i] + b * states[3][i]);
         let member = [mix(0), mix(1)];
         let landed = Guess::new(&law).map(quad.middle()).and_then(|image| {
-            Some((image.is_far, Beam::new(&law, &quad).land(image.is_far, image.time)?))
+            Some((image.is_far, FlightBundle::new(&law, &quad).land(image.is_far, image.time)?))
         });
         if let (Some((is_far, landing)), Some((is_truly_far, [u, w]))) = (landed, truth(pair, member)) {
             prop_assert_eq!(is_far, is_truly_far);

@@ -4,7 +4,7 @@ use std::ops::RangeInclusive;
 
 use super::Law;
 use super::allowance::{Allowance, End};
-use super::beam::{Beam, Landing, Quad, Spot, State};
+use super::beam::{FlightBundle, Landing, Quad, Spot, State};
 use super::guess::{Guess, MAX_PERIODS};
 use super::span::Span;
 
@@ -17,7 +17,7 @@ pub(super) struct Chord {
 
 /// The cells between chords that follow one another.
 #[derive(Clone, Debug)]
-pub(super) struct Tube {
+pub(super) struct BoxChain {
     chords: Vec<Chord>,
     /// True for each cell if all windows that hold it are embedded.
     embedded: Vec<bool>,
@@ -91,7 +91,7 @@ impl Part {
     }
 }
 
-impl Tube {
+impl BoxChain {
     pub fn new(chords: Vec<Chord>) -> Self {
         let cells = chords.len().saturating_sub(1); // exact: a tube has two chords at least
         // All windows that hold a cell, and the next one with a window more (D6, D7).
@@ -170,7 +170,7 @@ impl Tube {
             work.spend(WORK_PER_SET, image.map_or(MAX_PERIODS, |image| image.time))?;
             let landed = image
                 .filter(|image| image.is_far == is_far)
-                .and_then(|image| Beam::new(law, &quad).land(is_far, image.time));
+                .and_then(|image| FlightBundle::new(law, &quad).land(is_far, image.time));
             if landed.is_some_and(|landing| next.holds(&landing, place)) {
                 continue;
             }

@@ -4,10 +4,10 @@ use std::collections::{HashMap, HashSet};
 
 use super::Law;
 use super::allowance::{Allowance, End};
-use super::bases::Base;
+use super::bases::HSet;
 use super::guess::Guess;
 use super::propose::{Making, Proposal};
-use super::tube::{Chord, NEIGHBOUR_CELLS, Tube, taken};
+use super::tube::{BoxChain, Chord, NEIGHBOUR_CELLS, taken};
 use crate::check::blocks::in_blocks;
 
 /// A covering relation from one h-set to another.
@@ -31,7 +31,7 @@ impl Word {
 struct Run {
     from: usize,
     flights: Vec<bool>,
-    tube: Tube,
+    tube: BoxChain,
 }
 
 /// A stretch of a chain of boxes, and the places where it is proved to cover h-sets as words.
@@ -71,7 +71,7 @@ pub(super) type Counts = HashMap<Word, usize>;
 /// The search for the listed words, or for all words, one impact deeper at each step.
 pub(super) struct Search<'s> {
     law: &'s Law,
-    bases: &'s [Base],
+    bases: &'s [HSet],
     /// Ways to make chains of boxes: the first one, then the others where that one loses words.
     makings: &'s [Making],
     guess: Guess,
@@ -88,15 +88,15 @@ pub(super) struct Search<'s> {
 impl<'s> Search<'s> {
     pub fn new(
         law: &'s Law,
-        bases: &'s [Base],
+        bases: &'s [HSet],
         listed: Option<&'s Counts>,
         (makings, ahead): (&'s [Making], &'s Ahead),
         work: &'s Allowance<'s>,
     ) -> Self {
-        let run = |(from, base): (usize, &Base)| Run {
+        let run = |(from, base): (usize, &HSet)| Run {
             from,
             flights: Vec::new(),
-            tube: Tube::new(vec![base.left, base.right]),
+            tube: BoxChain::new(vec![base.left, base.right]),
         };
         Self {
             law,
@@ -250,7 +250,7 @@ fn take(stretches: &mut [Stretch], listed: Option<&Counts>) -> Counts {
 
 impl Crossing {
     /// Approximate length of the chain of boxes beyond the crossing, on the side where the chain ends first.
-    fn room(&self, tube: &Tube) -> f64 {
+    fn room(&self, tube: &BoxChain) -> f64 {
         let [a, b] = self.chords;
         let way = |chords: &[Chord]| -> f64 {
             let step =

@@ -10,7 +10,7 @@ use super::setting::Setting;
 use super::shot::{Shot, Unknowns};
 use crate::attraction::Bounds;
 use crate::check::budget::Budget;
-use crate::check::clock::{Beside, beside};
+use crate::check::clock::{SetPosition, beside};
 use crate::check::contact::Doubt;
 use crate::check::frame::hull;
 use crate::tangency::{ClaimedSides, ClaimedTangency};
@@ -34,7 +34,7 @@ pub(super) fn wider(x: &Real) -> Real {
 
 /// Returns whether values are proved to be within the bounds of the states.
 pub(super) fn are_inside(found: &[Real], states: &[[Bounds; 2]]) -> bool {
-    let is_inside = |(x, bounds): (&Real, &Bounds)| matches!(beside(x, bounds), Beside::Inside);
+    let is_inside = |(x, bounds): (&Real, &Bounds)| matches!(beside(x, bounds), SetPosition::Inside);
     found[STATES..].iter().zip(states.iter().flatten()).all(is_inside)
 }
 
@@ -143,7 +143,7 @@ impl Curve<'_, '_> {
         let is_alike = |(own, [low, _]): (&Real, &Bounds)| {
             if low.is_positive() { own.is_positive() } else { own.is_negative() }
         };
-        let is_stable_inside = || matches!(beside(&found.bounds[STABLE], &self.sides.stable), Beside::Inside);
+        let is_stable_inside = || matches!(beside(&found.bounds[STABLE], &self.sides.stable), SetPosition::Inside);
         found.over.unfolding.iter().zip(claimed).all(is_alike)
             && (self.is_beyond(&found.bounds[PARAMETER])
                 || is_stable_inside() && are_inside(&found.bounds, &self.sides.states))

@@ -11,7 +11,7 @@ use super::shot::{Range, known};
 use super::{at_least, no_resonance};
 use crate::attraction::Bounds;
 use crate::check::budget::Budget;
-use crate::check::clock::{Beside, beside};
+use crate::check::clock::{SetPosition, beside};
 use crate::check::contact::Doubt;
 use crate::tangency::ClaimedTangency;
 use impact_pair_exact::Real;
@@ -77,7 +77,7 @@ impl Tangencies<'_, '_> {
     fn are_inside(&self, found: &Found) -> Result<bool, Doubt> {
         let parameter = self.setting.parameter(&found.bounds[PARAMETER]);
         let parameter = parameter.ok_or_else(|| Doubt::open("the parameter is not proved to be positive"))?;
-        let is_inside = |x: &Real, bounds: &Bounds| matches!(beside(x, bounds), Beside::Inside);
+        let is_inside = |x: &Real, bounds: &Bounds| matches!(beside(x, bounds), SetPosition::Inside);
         Ok(is_inside(&parameter, &self.claim.parameter)
             && is_inside(&found.bounds[UNSTABLE], &self.claim.unstable)
             && is_inside(&found.bounds[STABLE], &self.claim.stable)

@@ -1,7 +1,7 @@
 //! Krawczyk's operator for the equations of a chain (Lemma V31).
 
 use super::area::Area;
-use super::chain::{Chain, Over};
+use super::chain::{AreaEquations, Chain};
 use crate::check::contact::Doubt;
 use crate::check::legs::size;
 use impact_pair_exact::{Dyadic, Enclosure, Real};
@@ -30,7 +30,7 @@ pub(super) struct System {
 pub(super) struct Found {
     pub area: Area,
     pub bounds: Vec<Real>,
-    pub over: Over,
+    pub over: AreaEquations,
 }
 
 fn lost() -> Doubt {
@@ -67,7 +67,7 @@ fn inverse(mut rows: Vec<Vec<f64>>) -> Option<Vec<Vec<f64>>> {
 }
 
 impl System {
-    fn newton(&self, over: &Over) -> Result<Newton, Doubt> {
+    fn newton(&self, over: &AreaEquations) -> Result<Newton, Doubt> {
         let row = |i: usize| {
             let mut row = vec![0.0; self.unknowns.len()];
             for (place, x) in &over.rows[i] {
@@ -110,7 +110,7 @@ impl System {
     }
 
     /// `C J`, by all values of an orbit.
-    fn multiplied(&self, newton: &Newton, over: &Over, count: usize) -> Vec<Vec<Real>> {
+    fn multiplied(&self, newton: &Newton, over: &AreaEquations, count: usize) -> Vec<Vec<Real>> {
         let product = |row: &Vec<Real>| {
             let mut sums = vec![Real::zero(SHORT_BITS); count];
             for (factor, entries) in row.iter().zip(&over.rows) {

@@ -31,7 +31,7 @@ pub(super) struct Domain {
 }
 
 /// The data, the phases of the saddle and its eigenvalues for all values of the disc.
-struct Around {
+struct DiscData {
     gap: Disc,
     e: Disc,
     pi: Real,
@@ -44,7 +44,7 @@ struct Around {
 /// The derivatives of `E`: by the phase of the largest deviation first.
 type Slopes = [Disc; 3];
 
-impl Around {
+impl DiscData {
     /// Lemma V18: Newton's iteration maps each disc into itself, for each value.
     fn new([gap, e, phase, unstable, stable]: [&Real; 5], is_restitution: bool, side: Side) -> Option<Self> {
         let bits = BITS;
@@ -154,7 +154,7 @@ impl Domain {
     /// Returns the largest disc tried for which it is proved, of the real `D`, `e`, phase and eigenvalues in the middle, unstable and stable.
     pub fn new(real: [&Real; 5], is_restitution: bool, side: Side) -> Option<Self> {
         let real = real.map(|x| x.rounded(BITS));
-        let around = Around::new(real.each_ref(), is_restitution, side)?;
+        let around = DiscData::new(real.each_ref(), is_restitution, side)?;
         RADIUS_EXPONENTS.into_iter().find_map(|size| around.domain(&Real::point(Dyadic::power_of_two(-size), BITS)))
     }
 }

@@ -26,11 +26,11 @@ use num_rational::BigRational;
 use num_traits::Signed;
 
 use super::budget::Budget;
-use super::clock::{Beside, beside};
+use super::clock::{SetPosition, beside};
 use super::contact::Doubt;
 use super::frame::hull;
 use super::walk::compare;
-use super::{Effort, Verdict, Whole};
+use super::{DocumentCheck, Effort, Verdict};
 use crate::attraction::Bounds;
 use crate::tangency::{ClaimedTangency, TangencyCertificate};
 use flights::Letter;
@@ -58,7 +58,7 @@ impl TangencyCertificate {
     /// # Errors
     /// None: what is beyond exact expressions leaves a tangency undecided.
     pub fn check_within(&self, effort: &Effort, watch: &dyn Watch) -> Result<Verdict, Error> {
-        let whole = Whole {
+        let whole = DocumentCheck {
             contradiction: self.contradiction(),
             alike: (!self.are_different()).then_some("two tangencies may be one"),
             count: self.count(),
@@ -202,7 +202,7 @@ impl ClaimedTangency {
             ("stable eigenvalue", &stable, &self.eigenvalues[1]),
         ];
         for (what, found, claimed) in found {
-            if let Beside::Outside = beside(found, claimed) {
+            if let SetPosition::Outside = beside(found, claimed) {
                 compare(what, found, claimed)?;
             }
         }

@@ -4,7 +4,7 @@
 use std::f64::consts::TAU;
 
 use super::super::Law;
-use super::super::beam::{Beam, Spot, State};
+use super::super::beam::{FlightBundle, Spot, State};
 use super::super::guess::{Guess, applied};
 use super::super::span::Span;
 
@@ -68,7 +68,7 @@ impl Set {
         let spread = |i: usize| {
             sides.iter().chain(&moved).fold(Span::point(middle[i]), |all, side| all + Span::point(side[i]).around())
         };
-        let beam = Beam::moved(
+        let beam = FlightBundle::moved(
             law,
             [spread(0), spread(1)],
             spot(middle),

@@ -16,7 +16,7 @@ use num_traits::ToPrimitive;
 
 use super::Law;
 use super::allowance::{Allowance, End};
-use super::bases::Base;
+use super::bases::HSet;
 use super::guess::Guess;
 use super::span::Span;
 use super::words::Word;
@@ -70,7 +70,7 @@ fn open(what: &str) -> Doubt {
 /// Returns the doubt that is left of what is said of a hyperbolic set of listed words, if any is.
 pub(super) fn doubt(
     law: &Law,
-    (bases, words): (&[Base], &[Word]),
+    (bases, words): (&[HSet], &[Word]),
     set: &HyperbolicDocument,
     work: &Allowance,
 ) -> Result<Option<Doubt>, End> {

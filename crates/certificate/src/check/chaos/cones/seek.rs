@@ -18,7 +18,7 @@ const STEPS: usize = 40;
 const HEIGHTS: [f64; 3] = [-1.0, 0.0, 1.0];
 
 /// A place on the middle line, and the images of its state.
-struct Seen {
+struct LineSample {
     place: f64,
     images: Vec<(State, bool)>,
 }
@@ -33,20 +33,20 @@ fn state(frame: &Frame, xi: f64, eta: f64) -> State {
     [0, 1].map(|i| frame.centre[i] + xi * frame.along[i] + eta * frame.across[i])
 }
 
-fn seen(guess: &Guess, frame: &Frame, place: f64, flights: usize) -> Seen {
+fn seen(guess: &Guess, frame: &Frame, place: f64, flights: usize) -> LineSample {
     let (mut at, mut images) = (state(frame, place, 0.0), Vec::new());
     while images.len() < flights {
         let Some(image) = guess.map(at) else { break };
         at = image.state;
         images.push((at, image.is_far));
     }
-    Seen { place, images }
+    LineSample { place, images }
 }
 
-fn line(guess: &Guess, frame: &Frame, flights: usize) -> Vec<Seen> {
+fn line(guess: &Guess, frame: &Frame, flights: usize) -> Vec<LineSample> {
     let see = |place: f64| seen(guess, frame, place, flights);
     let mut done = vec![see(-1.0)];
-    let mut open: Vec<Seen> =
+    let mut open: Vec<LineSample> =
         (1..=FIRST_PARTS).rev().map(|k| see(2.0 * f64::from(k) / f64::from(FIRST_PARTS) - 1.0)).collect();
     while let Some(next) = open.pop() {
         let last = &done[done.len() - 1];
@@ -69,10 +69,10 @@ fn turns(word: &Word) -> f64 {
 }
 
 /// The crossings of images and an h-set, and whether they run from left to right.
-fn crossings(line: &[Seen], word: &Word, frame: &Frame) -> Vec<([f64; 2], bool)> {
+fn crossings(line: &[LineSample], word: &Word, frame: &Frame) -> Vec<([f64; 2], bool)> {
     let (mut found, mut last) = (Vec::new(), None);
     let (turns, flights) = (turns(word), word.flights.len());
-    for Seen { place, images } in line {
+    for LineSample { place, images } in line {
         let flown = images.get(..flights).filter(|images| images.iter().zip(&word.flights).all(|(a, b)| a.1 == *b));
         let at = flown.map(|images| coordinates(frame, images[flights - 1].0, turns)).filter(|at| at[1].abs() < 1.0);
         let Some([xi, _]) = at else {

@@ -70,7 +70,7 @@ mod tests {
     use impact_pair_model::watch::Unwatched;
 
     use super::super::super::allowance::Allowance;
-    use super::super::super::bases::Base;
+    use super::super::super::bases::HSet;
     use super::super::super::guess::Guess;
     use super::super::super::tests::figure_14;
     use super::super::super::tube::Chord;
@@ -83,7 +83,7 @@ mod tests {
         let (law, allowance) = (figure_14(), Allowance::new(1 << 40, &Unwatched));
         let guess = Guess::new(&law);
         let at = |u: f64, w: f64| [u, w];
-        let base = Base {
+        let base = HSet {
             left: Chord { bottom: at(0.70, 1.2), top: at(0.70, 1.3) },
             right: Chord { bottom: at(0.74, 1.2), top: at(0.74, 1.3) },
         };

@@ -1,6 +1,6 @@
 //! Proofs that all motions that stay in a set of boxes tend to a claimed cycle, or graze for ever (Lemma V20, limits).
 
-use super::super::beam::{Beam, Quad, State};
+use super::super::beam::{FlightBundle, Quad, State};
 use super::super::guess::{Image, Matrix as Doubles};
 use super::super::span::Span;
 use super::graph::Set;
@@ -94,7 +94,7 @@ fn hull(set: &Set, classes: &[usize], (class, state): (usize, State)) -> Option<
 /// Holds the derivatives of the map in a quadrilateral whose flights all land on one wall, after about the time of a state's, if one is given, or
 /// that of its middle.
 pub(super) fn derivative(space: &Space<'_>, quad: &Quad, image: &Image, state: Option<State>) -> Option<Matrix> {
-    let beam = Beam::new(space.law, quad);
+    let beam = FlightBundle::new(space.law, quad);
     let guess = image.time + state.map_or(0.0, |state| state[0] - quad.middle()[0]);
     let landing = beam.land(image.is_far, image.time).or_else(|| beam.land(image.is_far, guess))?;
     let [zero, one] = [0.0, 1.0].map(Span::point);

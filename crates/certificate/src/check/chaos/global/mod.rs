@@ -12,7 +12,7 @@ use impact_pair_model::Error;
 use impact_pair_model::watch::{Latched, Silent, Watch};
 
 use super::allowance::Allowance;
-use super::beam::{Beam, Quad};
+use super::beam::{FlightBundle, Quad};
 use super::horseshoe::{are_apart, is_proved};
 use super::span::Span;
 use super::{BITS, Law, STEPS_PER_PLACE};
@@ -135,7 +135,7 @@ impl GlobalCertificate {
         let cycles = self.cycles()?;
         let mut work = MIN_BOXES.saturating_add(effort.work / 2).saturating_mul(WORK_PER_IMAGE); // exact: what is allowed
         let has_rests = rests.is_some();
-        let judge = Judge {
+        let judge = ComponentChecker {
             space: &space,
             released: &released,
             cycles: &cycles,
@@ -190,7 +190,7 @@ fn first_boxes(boxes: u32) -> [f64; 2] {
 }
 
 /// The data that the recurrent components of boxes are compared with.
-struct Judge<'j> {
+struct ComponentChecker<'j> {
     space: &'j Space<'j>,
     released: &'j Released,
     cycles: &'j [(usize, Cycle, bool)],
@@ -200,7 +200,7 @@ struct Judge<'j> {
     has_rests: bool,
 }
 
-impl Judge<'_> {
+impl ComponentChecker<'_> {
     /// The set of all states that motions have in the end, in about this number of boxes across and along.
     fn whole(&self, [across, along]: [f64; 2]) -> Set {
         let rows = (along / self.space.fastest).log2().ceil().exp2().max(64.0); // V20: any boxes; the greatest speed is a multiple of a row
@@ -278,10 +278,9 @@ fn from_release(space: &Space<'_>) -> (Option<(u32, bool)>, Released) {
             return (Some((cycles as u32, alternates)), None); // exact: a whole number of 32 bits
         }
         let quad = Quad::rectangle([within.lo(), speed.lo()], [within.hi(), speed.hi()]);
-        let landing = space
-            .guess
-            .map(quad.middle())
-            .and_then(|image| Some((image.is_far, Beam::new(space.law, &quad).land(image.is_far, image.time)?)));
+        let landing = space.guess.map(quad.middle()).and_then(|image| {
+            Some((image.is_far, FlightBundle::new(space.law, &quad).land(image.is_far, image.time)?))
+        });
         let Some((is_far, landing)) = landing else { break };
         crossings += u32::from(is_far);
         let [zero, one] = [0.0, 1.0].map(Span::point);

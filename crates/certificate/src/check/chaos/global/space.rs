@@ -3,7 +3,7 @@
 use std::cell::Cell;
 
 use super::super::Law;
-use super::super::beam::{Beam, Landing, Quad, State};
+use super::super::beam::{FlightBundle, Landing, Quad, State};
 use super::super::guess::Guess;
 use super::super::span::Span;
 
@@ -111,7 +111,7 @@ impl<'l> Space<'l> {
     fn piece(&self, grid: Grid, [low, high]: [State; 2], (home, step_made): (i64, &dyn Fn()), note: Note<'_>) {
         step_made();
         let quad = Quad::rectangle(low, high);
-        let beam = Beam::new(self.law, &quad);
+        let beam = FlightBundle::new(self.law, &quad);
         let image = self.guess.map(quad.middle());
         if let Some((is_far, landing)) =
             image.and_then(|image| Some((image.is_far, beam.land(image.is_far, image.time)?)))
@@ -178,21 +178,21 @@ impl<'l> Space<'l> {
     }
 
     /// The speeds of contacts with the same wall up to a time: within `x^2/6` of `e w`. Lemma V20
-    fn bounced(&self, beam: &Beam, time: f64) -> Span {
+    fn bounced(&self, beam: &FlightBundle, time: f64) -> Span {
         let angle = Span::point(time).turned();
         let by = (angle * angle).scaled(0.17).around();
         (beam.after() + by).common(Span::new(0.0, f64::MAX)).unwrap_or(Span::new(0.0, f64::MAX)) // V11: who comes from inside
     }
 
     /// Number of forcing periods for which flights are followed.
-    fn longest_flight(&self, beam: &Beam) -> f64 {
+    fn longest_flight(&self, beam: &FlightBundle) -> f64 {
         let drifts = beam.drifts();
         let times = self.law.gap.over(drifts);
         if times.is_none_or(|times| times.hi() - times.lo() > 6.0) { MAX_BRANCHING_FLIGHT } else { MAX_FLIGHT }
     }
 
     /// The drifts of flights that have touched no wall for N forcing periods. Lemma V20
-    fn drifts(&self, beam: &Beam, periods: f64) -> Span {
+    fn drifts(&self, beam: &FlightBundle, periods: f64) -> Span {
         let angle = Span::point(periods).turned();
         let bounds = Span::new(-2.0, (self.law.gap + Span::point(2.0)).hi()).over(angle);
         bounds.and_then(|bounds| beam.drifts().common(bounds)).unwrap_or(Span::point(0.0)) // V20: none has another one
