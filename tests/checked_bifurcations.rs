@@ -24,10 +24,10 @@ fn under(excitation: &str, cycles: u32, over: &str, (doublings, digits): (u32, u
     );
     let scene = Scene::parse(&scene).unwrap();
     let precision = Precision { digits, ..Precision::default() };
-    let wanted = DiagramSettings { over: over.parse().unwrap(), doublings, precision };
-    let asked = (&"RL".parse().unwrap(), cycles);
-    let diagram = survey(scene.pair(), scene.start(), asked, &wanted, &Unwatched).unwrap();
-    json!(document::bifurcations(scene.start(), asked, &diagram).unwrap())
+    let diagram_settings = DiagramSettings { over: over.parse().unwrap(), doublings, precision };
+    let requested = (&"RL".parse().unwrap(), cycles);
+    let diagram = survey(scene.pair(), scene.start(), requested, &diagram_settings, &Unwatched).unwrap();
+    json!(document::bifurcations(scene.start(), requested, &diagram).unwrap())
 }
 
 fn kinds(document: &Value) -> Vec<&str> {

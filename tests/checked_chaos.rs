@@ -171,8 +171,8 @@ fn words_are_confirmed() {
 #[ignore = "deep"]
 fn the_entropy_of_long_words_is_confirmed() {
     let document = chaos_of("figure-14", "tests/bases-figure-14.json", 22, None);
-    let told = |key: &str| document["entropy"][key].as_str().unwrap().parse::<f64>().unwrap();
-    assert!(told("per_impact") >= 0.4704 && told("per_cycle") >= 1.2166, "{}", document["entropy"]);
+    let claimed = |key: &str| document["entropy"][key].as_str().unwrap().parse::<f64>().unwrap();
+    assert!(claimed("per_impact") >= 0.4704 && claimed("per_cycle") >= 1.2166, "{}", document["entropy"]);
     let found = verdict(&document);
     let Some(Verdict::Undecided(Finding { message, .. })) = &found else { panic!("{found:?}") };
     let proved = message.split_once("have an entropy of at least ").and_then(|(_, rest)| rest.split(' ').next());
@@ -244,9 +244,9 @@ fn entropies_follow_from_the_words_that_are_listed() {
         ("per_impact", "0.28119957432296184", "0.28119957432296185"),
         ("per_cycle", "0.693147180559945309417", "0.693147180559945309418"),
     ] {
-        let told = |digits: &str| with(&document, &[(&format!("/entropy/{key}"), json!(digits))]);
-        assert!(is_confirmed(&told(below)), "{key}: {:?}", verdict(&told(below)));
-        refuses(&told(above), key, "does not follow");
+        let claimed = |digits: &str| with(&document, &[(&format!("/entropy/{key}"), json!(digits))]);
+        assert!(is_confirmed(&claimed(below)), "{key}: {:?}", verdict(&claimed(below)));
+        refuses(&claimed(above), key, "does not follow");
     }
     let none = json!({ "per_impact": "0", "per_cycle": "0" });
     refuses(&with(&document, &[("/entropy", none)]), "no entropy", "gives none");
@@ -375,8 +375,8 @@ fn spoiled_regions_are_refused() {
     }
     refuses(&with(&document, &[("/speed/0", json!("0.01"))]), "speed", "not proved");
     let boxes = document["boxes"].as_u64().unwrap();
-    for told in [boxes - 1, boxes + 1] {
-        refuses(&with(&document, &[("/boxes", json!(told))]), "boxes", "number of boxes");
+    for claimed in [boxes - 1, boxes + 1] {
+        refuses(&with(&document, &[("/boxes", json!(claimed))]), "boxes", "number of boxes");
     }
     let first = runs[0].clone();
     let mut twice = with(&document, &[("/boxes", json!(boxes + 2))]);
@@ -415,7 +415,7 @@ fn a_region_in_which_a_ball_rests_is_refused() {
 }
 
 #[test]
-fn who_stops_a_check_is_told_how_far_it_came() {
+fn a_stopped_check_reports_its_progress() {
     let claims = Claims::parse(&chaos(6, None).to_string()).unwrap();
     let stop = |at: Stage<'_>| proceed_if(!matches!(at, Stage::Claims(6..)));
     let found = claims.check_within(&Effort::default(), &stop).unwrap();

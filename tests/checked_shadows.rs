@@ -231,16 +231,16 @@ fn what_no_start_does_is_refuted() {
 #[test]
 fn who_stops_a_check_keeps_the_links_that_are_proved() {
     let certificate = Certificate::parse(&shadowed(&figure("figure-14"), 2000).to_string()).unwrap();
-    let told = Mutex::new(Vec::new());
+    let reported = Mutex::new(Vec::new());
     let stop = |at: Stage<'_>| {
         let Stage::Claims(confirmed) = at else { return proceed_if(true) };
-        told.lock().unwrap().push(confirmed);
+        reported.lock().unwrap().push(confirmed);
         proceed_if(confirmed < 100)
     };
     let found = certificate.check_within(&Effort::default(), &stop).unwrap();
-    let told = told.into_inner().unwrap();
+    let reported = reported.into_inner().unwrap();
     let Verdict::Interrupted { events } = found else { panic!("{found:?}") };
-    assert!((100..2000).contains(&events) && told.is_sorted(), "{events} {told:?}");
+    assert!((100..2000).contains(&events) && reported.is_sorted(), "{events} {reported:?}");
 }
 
 /// One harmonic, A = W = 1, tau = pi/2, d = 6, from inside the gap: `y = y(0) + 1 + v(0) t - cos t`. With no velocity the ball grazes the

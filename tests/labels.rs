@@ -146,10 +146,10 @@ pub(super) fn is_lemma(text: &str) -> bool {
 /// The labels of a comment: what it begins with, up to a colon or its end, and every `Lemma X1` in it.
 fn labels(comment: &str) -> Vec<String> {
     let head = comment.split_once(": ").map_or(comment, |(head, _)| head).trim_end_matches(['.', ':']);
-    let told = comment.contains(": ");
+    let has_reason = comment.contains(": ");
     let is_name = |name: &&str| !["", "and", "Lemma", "Lemmas"].contains(name);
     let names: Vec<&str> = head.split([',', ' ']).filter(is_name).collect();
-    let is_label = |name: &&str| is_lemma(name) || WORDS.contains(name) && (told || *name != "exact");
+    let is_label = |name: &&str| is_lemma(name) || WORDS.contains(name) && (has_reason || *name != "exact");
     let mut labels: Vec<String> = Vec::new();
     if names.iter().all(is_label) {
         labels.extend(names.iter().map(|&name| name.to_owned()));

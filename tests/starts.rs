@@ -159,7 +159,7 @@ fn r32_shadows_of_uncertain_direction_have_a_start_with_their_impacts() {
 
 /// The chain by itself is told from the scene's time, too.
 #[test]
-fn a_chain_of_uncertain_direction_begins_at_the_start_asked_for() {
+fn a_chain_of_uncertain_direction_begins_at_the_given_start() {
     let scene = scene(ONE, "1/3", "1.5", HIDDEN_ZERO);
     let chain = Shadow::of(&scene).unwrap();
     let (turns, phase, velocity) = chain.start();
@@ -171,7 +171,7 @@ fn a_chain_of_uncertain_direction_begins_at_the_start_asked_for() {
 /// `y = y0 + (v0 + E'(t0)) h + E(t0) - E(t)`, (11), is what the dense output says from the scene's time on; between it and the later
 /// state nothing was said of a shadow, and figures began there.
 #[test]
-fn r32_between_the_start_asked_for_and_the_one_followed_the_motion_is_known() {
+fn r32_the_motion_between_the_given_start_and_the_one_followed_is_known() {
     let scene = scene(ONE, "1/3", "1.5", HIDDEN_ZERO);
     let from = 1.0 / 3.0;
     let phase = |t: f64| std::f64::consts::PI * t + 0.3;

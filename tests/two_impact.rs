@@ -56,8 +56,8 @@ fn residuals(pair: &ImpactPair, orbit: &Orbit, cycles: u32) -> [Enclosure; 4] {
         let drift = shaken(&from.phase).sub(&e.mul(&from.velocity, bits), bits);
         found.push(drift.sub(&shaken(&to.phase), bits).sub(&to.velocity, bits));
         let height = |phase: &Enclosure| amplitude.mul(&phase.sin(bits), bits);
-        let way = drift.mul(time, bits).sub(&height(&to.phase), bits).add(&height(&from.phase), bits);
-        found.push(if i == 0 { way.sub(&gap, bits) } else { way.add(&gap, bits) });
+        let travel = drift.mul(time, bits).sub(&height(&to.phase), bits).add(&height(&from.phase), bits);
+        found.push(if i == 0 { travel.sub(&gap, bits) } else { travel.add(&gap, bits) });
     }
     found.try_into().unwrap()
 }
@@ -355,18 +355,18 @@ fn a_manifold_that_is_ended_is_the_beginning_of_the_whole() {
     let pair = pair("1", "20", "0.8");
     for axis in [Axis::Frequency, Axis::Velocity(Wall::Right)] {
         let range = Range { pair: &pair, speed: exact("20"), axis, from: exact("1"), to: exact("30"), count: 40 };
-        let told = |manifold: &Manifold| -> Vec<_> {
+        let summary = |manifold: &Manifold| -> Vec<_> {
             let points = manifold.points.iter();
             points
                 .map(|point| (decimal_bounds(&point.at), decimal_bounds(&point.amplitude), point.mark, point.after))
                 .collect()
         };
-        let whole = told(&range.manifold(3, 12, &Unwatched).unwrap());
-        let asked = AtomicUsize::new(0);
+        let whole = summary(&range.manifold(3, 12, &Unwatched).unwrap());
+        let requested = AtomicUsize::new(0);
         for most in [0_usize, 1, 2, 7, 39, 40, 41, 55, 79] {
-            asked.store(0, Ordering::Relaxed);
-            let watch = |_: Stage<'_>| proceed_if(asked.fetch_add(1, Ordering::Relaxed) < most);
-            let mut found = told(&range.manifold(3, 12, &watch).unwrap());
+            requested.store(0, Ordering::Relaxed);
+            let watch = |_: Stage<'_>| proceed_if(requested.fetch_add(1, Ordering::Relaxed) < most);
+            let mut found = summary(&range.manifold(3, 12, &watch).unwrap());
             assert!(found.len() == most.saturating_sub(40), "{most}: {}", found.len());
             if let Some(last) = found.last_mut() {
                 assert_eq!(last.3, None);

@@ -68,7 +68,7 @@ pub struct BifurcationArguments {
 
 impl BifurcationArguments {
     /// Returns the settings of the diagram.
-    pub fn wanted(&self, scene: &Scene) -> DiagramSettings {
+    pub fn diagram_settings(&self, scene: &Scene) -> DiagramSettings {
         let precision = self.precision.of(scene);
         DiagramSettings { over: self.over.clone(), doublings: self.doublings, precision }
     }
@@ -78,11 +78,11 @@ pub fn bifurcations(arguments: &BifurcationArguments) -> Result<Answer> {
     let format = arguments.destination.format(arguments.format)?;
     let OpenOutput { scene, files, path } = arguments.destination.begin(&arguments.scene, None)?;
     let named = || scene::name(path);
-    let wanted = arguments.wanted(&scene);
+    let diagram_settings = arguments.diagram_settings(&scene);
     let (word, cycles) = (&arguments.word, arguments.cycles);
     let progress = Progress::of("following branches", !files.quiet);
-    let diagram = survey(scene.pair(), scene.start(), (word, cycles), &wanted, &progress);
-    let range = [(wanted.over.key, wanted.over.to_string())];
+    let diagram = survey(scene.pair(), scene.start(), (word, cycles), &diagram_settings, &progress);
+    let range = [(diagram_settings.over.key, diagram_settings.over.to_string())];
     let diagram = diagram.map_err(|error| scene::about(error, &range, path))?;
     progress.clear();
     let text = match format {

@@ -183,13 +183,13 @@ impl Work<'_> {
         let scene = self.scene;
         let (halvings, depth) =
             (self.arguments.halvings, self.arguments.depth.map_or(DEFAULT_DEPTH, |depth| depth as usize));
-        let asked = RangeSettings { over: over.clone(), cells, halvings, depth };
+        let requested = RangeSettings { over: over.clone(), cells, halvings, depth };
         let progress = Progress::cells(cells, !self.files.quiet);
-        let found = Cells::of(scene.pair(), scene.start(), &asked, &progress);
+        let found = Cells::of(scene.pair(), scene.start(), &requested, &progress);
         progress.clear();
         let found =
             found.map_err(|error| scene::about(error, &[(over.key, over.to_string())], &self.arguments.scene))?;
-        let document = document::cells(scene, &asked, &found);
+        let document = document::cells(scene, &requested, &found);
         let text = match self.format {
             PeriodicFormat::Json => one_a_line(&document, &["stretches"]) + "\n",
             PeriodicFormat::Table => heading(scene) + &table::stretches(&document)?,
@@ -197,7 +197,7 @@ impl Work<'_> {
         let open = (!document.certified).then(|| table::shares(&document));
         let is_table = self.format == PeriodicFormat::Table;
         self.files.draw((&text, open, is_table), || {
-            impact_pair_plot::proved::cells(scene, &asked, &found, &self.arguments.drawing.look)
+            impact_pair_plot::proved::cells(scene, &requested, &found, &self.arguments.drawing.look)
         })
     }
 }

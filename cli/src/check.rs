@@ -108,16 +108,16 @@ pub fn check(arguments: &CheckArguments) -> Result<Answer> {
     let progress = Progress::new(Some(claims.count() as u64), !quiet);
     let judged = claims.judge(&arguments.effort(), &progress).with_context(|| scene::name(path))?;
     progress.clear();
-    let said = match format {
+    let verdict_in_words = match format {
         CheckFormat::Json => one_a_line(&claims.document(&text, &judged), &["claims"]),
         CheckFormat::Text => {
             let unjudged = claims.unjudged();
             let named =
                 if unjudged.is_empty() { String::new() } else { format!("\nnot checked: {}", unjudged.join(", ")) };
-            claims.said(&judged.verdict) + &named
+            claims.verdict_in_words(&judged.verdict) + &named
         }
     };
-    writeln!(out, "{said}").context("cannot write the output")?;
+    writeln!(out, "{verdict_in_words}").context("cannot write the output")?;
     out.commit()?;
     Ok(if let Verdict::Confirmed { .. } = judged.verdict { Answer::Complete } else { Answer::Incomplete })
 }

@@ -64,11 +64,11 @@ fn listed(formats: &[impl ValueEnum]) -> String {
 /// Refuses the name of a file of which there is one format only.
 ///
 /// # Errors
-/// Returns an error if the name has another ending than `wanted`.
-pub fn only(wanted: &str, file: Option<&Path>) -> Result<()> {
+/// Returns an error if the name has another ending than `expected`.
+pub fn only(expected: &str, file: Option<&Path>) -> Result<()> {
     match file.and_then(|path| Some((path, of(path)?))) {
-        Some((path, ending)) if ending != wanted => {
-            bail!("--output is {}, but accepted is a name that ends in .{wanted}", path.display())
+        Some((path, ending)) if ending != expected => {
+            bail!("--output is {}, but accepted is a name that ends in .{expected}", path.display())
         }
         _ => Ok(()),
     }

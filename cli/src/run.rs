@@ -79,7 +79,7 @@ impl RunArguments {
     /// Returns the settings of the run: those of the command line, else those of the scene's table `[run]`.
     pub fn settings(&self, scene: &Scene) -> Settings {
         let run = Run { impacts: self.impacts, until: self.until.clone(), digits: self.digits };
-        Settings { max_bits: self.max_bits, splice: self.splice, ..scene.settings_asked(run, self.arithmetic) }
+        Settings { max_bits: self.max_bits, splice: self.splice, ..scene.settings_requested(run, self.arithmetic) }
     }
 }
 

@@ -94,7 +94,7 @@ fn certificates_become_theorems() {
 
 /// Fewer impacts than requested are not all of them.
 #[test]
-fn r42_a_theorem_of_fewer_impacts_is_not_all_that_was_asked() {
+fn r42_a_theorem_of_fewer_impacts_than_requested_says_so() {
     let path = certificate("fewer", &FIGURE_12, |text| text);
     let code = |impacts: &str| {
         let answer = on("prove", &path).args(["--impacts", impacts]).output().unwrap();

@@ -53,9 +53,9 @@ fn a_hyperbolic_set_is_measured() {
         assert!(output.status.success());
         serde_json::from_slice(&output.stdout).unwrap()
     };
-    let (plain, asked) = (chaos(&[]), chaos(&["--hyperbolic"]));
-    assert!(plain.get("hyperbolic").is_none() && asked["words"] == plain["words"]);
-    let set = &asked["hyperbolic"];
+    let (plain, requested) = (chaos(&[]), chaos(&["--hyperbolic"]));
+    assert!(plain.get("hyperbolic").is_none() && requested["words"] == plain["words"]);
+    let set = &requested["hyperbolic"];
     let bounds = |bounds: &Value| [0, 1].map(|end| bounds[end].as_str().unwrap().parse::<f64>().unwrap());
     let [low, high] = bounds(&set["entropy"]["per_cycle"]);
     assert!(low <= LN_2 && LN_2 <= high && set["words"] == serde_json::json!([0, 2, 3, 5]));
@@ -263,8 +263,8 @@ fn r49_a_stable_orbit_is_given_with_its_shortest_period_where_a_word_is_repeated
     for (over, impacts, cycles) in
         [("amplitude=8.47734375..8.477734375:2", 8, 3), ("amplitude=8.4822265625..8.482421875:1", 16, 6)]
     {
-        let asked = ["--over", over, "--halvings", "0", "--depth", "1", "--output", path, "--quiet"];
-        program(&[&["chaos", "scenes/figure-14.toml"][..], &asked].concat()).output().unwrap();
+        let requested = ["--over", over, "--halvings", "0", "--depth", "1", "--output", path, "--quiet"];
+        program(&[&["chaos", "scenes/figure-14.toml"][..], &requested].concat()).output().unwrap();
         let document: Value = serde_json::from_str(&fs::read_to_string(path).unwrap()).unwrap();
         for stretch in document["stretches"].as_array().unwrap() {
             let period = &stretch["period"];

@@ -55,7 +55,7 @@ snapshots_of_two_harmonics! {
 
 /// `--output` writes the document whole, and the JSON says what the table says.
 #[test]
-fn the_document_goes_where_it_is_asked_to() {
+fn the_document_goes_to_the_requested_output() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("orbits.json");
     let target = path.to_str().unwrap();

@@ -35,7 +35,7 @@ def test_each_flight_is_the_first_impact_of_its_own_scene(cli, name):
             assert bounds[1] - bounds[0] < 1e-9
 
 
-def test_what_doubles_do_not_decide_is_not_told():
+def test_what_doubles_do_not_decide_is_undecided():
     # At rest where the wall presses: no impact follows.
     found = Scene.named("figure-14").flights([1.25, 1.25], [0.0, -12.0], -1)
     assert found.sides.tolist()[0] == 0
@@ -43,7 +43,7 @@ def test_what_doubles_do_not_decide_is_not_told():
     assert found.sides[1] != 0
 
 
-def test_what_cannot_be_asked_is_refused():
+def test_invalid_arguments_are_refused():
     scene = Scene.named("figure-14")
     for asked in (([0.0], [1.0], [-1]), ([np.nan], [-1.0], [-1]), ([0.0], [-1.0], [0])):
         with pytest.raises(impact_pair.RangeError):

@@ -99,7 +99,7 @@ NOT_ASKED = {
 
 
 @pytest.mark.parametrize("name", NOT_ASKED)
-def test_r35_what_cannot_be_asked_is_refused_by_the_package_with_key_and_value(name):
+def test_r35_invalid_arguments_are_refused_with_key_and_value(name):
     with pytest.raises(impact_pair.Error) as caught:
         NOT_ASKED[name]()
     assert isinstance(caught.value, ValueError)

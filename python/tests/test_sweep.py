@@ -214,7 +214,7 @@ def test_what_cannot_be_swept_is_refused():
         scene.sweep(OVER, impacts=0)
 
 
-def test_chunks_grow_to_the_seconds_asked_for():
+def test_chunks_grow_to_the_requested_seconds():
     rate = Rate(10.0, 2)
     assert rate.size(10**9) == 1
     rate.tell(1, 0.01)

@@ -72,9 +72,9 @@ def test_trap_and_chaos(cli):
     assert (found.entropy > 0) == found.complete
     assert "scene_orbit" in told
     alone = Scene.named("figure-14").chaos(depth=3, bases=told["bases"], no_orbit=True)
-    told_alone = cli.json("chaos", "scenes/figure-14.toml", "--depth", 3, "--bases", file, "--no-orbit")
-    assert alone.document == told_alone
-    assert "scene_orbit" not in told_alone
+    json_alone = cli.json("chaos", "scenes/figure-14.toml", "--depth", 3, "--bases", file, "--no-orbit")
+    assert alone.document == json_alone
+    assert "scene_orbit" not in json_alone
     again = Scene.named("figure-14").chaos(depth=3, bases=told["bases"], over={"gap": ("9.42496", "9.42498")})
     assert again.document["over"]["key"] == "pair.gap" or again.document["over"]
 

@@ -130,11 +130,11 @@ impl<'s> Audit<'s> {
     /// # Errors
     /// If there is no row, or the time to compare up to is out of range ([`ErrorKind::List`](crate::ErrorKind::List), or the
     /// key `until`), or the scene's values exceed the range of orbits.
-    pub fn of(scene: &'s Scene, list: List, asked: &AuditSettings, watch: &dyn Watch) -> Result<Self, Error> {
+    pub fn of(scene: &'s Scene, list: List, requested: &AuditSettings, watch: &dyn Watch) -> Result<Self, Error> {
         let List { mut rows, unused, velocities } = list;
         let lacks_velocities = velocities && rows.iter().all(|row| row.velocity.is_none());
         let listed = rows.len();
-        let end = match &asked.until {
+        let end = match &requested.until {
             Some(until) if until.compare(scene.start().time()) == Some(Ordering::Less) => {
                 let (until, start) = (until.text(), scene.start().time().text());
                 let message = format!("until is `{until}`, but accepted is a time from the start on, {start}");
@@ -148,13 +148,13 @@ impl<'s> Audit<'s> {
             }
             None => rows.iter().map(|row| row.time.high.clone()).max().ok_or_else(|| Error::list("no row".into()))?,
         };
-        let tolerance = Tolerance::new(scene, &asked.tolerance, asked.digits())?;
+        let tolerance = Tolerance::new(scene, &requested.tolerance, requested.digits())?;
         // A listed impact may be early: the truth is followed for a period more.
         let after = &end + tolerance.scales.period.sup().to_rational();
-        let settings = asked.settings(Exact::from_rational(after));
+        let settings = requested.settings(Exact::from_rational(after));
         let truth = Truth::follow(scene, settings.clone(), &tolerance, rows.len(), watch);
         let truth = truth.map_err(|error| match error.key() {
-            Some("run.until") => out_of_reach(asked, &rows, scene.start().time()),
+            Some("run.until") => out_of_reach(requested, &rows, scene.start().time()),
             _ => error,
         })?;
         let judgement = Comparison::new(&truth, &rows, (&end, listed == rows.len()), &tolerance);
@@ -283,10 +283,10 @@ impl<'s> Audit<'s> {
 }
 
 /// Returns the error that the requested end of the comparison is before the start, or later than an orbit can be followed.
-fn out_of_reach(asked: &AuditSettings, rows: &[Listed], start: &Exact) -> Error {
+fn out_of_reach(requested: &AuditSettings, rows: &[Listed], start: &Exact) -> Error {
     const BEYOND_LATEST_TIME: &str = "later than an orbit can be followed to";
     let latest = rows.iter().max_by(|one, other| one.time.high.cmp(&other.time.high));
-    match (&asked.until, latest) {
+    match (&requested.until, latest) {
         (None, Some(Listed { place, time, .. })) => {
             let is_early = Exact::from_rational(time.high.clone()).compare(start) == Some(Ordering::Less);
             let why =

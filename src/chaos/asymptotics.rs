@@ -40,9 +40,9 @@ impl Asymptotics {
     /// Returns the result for an orbit; the region is looked for where there are h-sets.
     pub(super) fn of(pair: &ImpactPair, start: &Start, bases: &[HSet], watch: &dyn Watch) -> Result<Self, Error> {
         let mut attractor = None;
-        for asked in ATTEMPTS {
+        for requested in ATTEMPTS {
             if attractor.is_none() {
-                attractor = limit(pair, start, asked, watch)?;
+                attractor = limit(pair, start, requested, watch)?;
             }
         }
         let region = match bases {

@@ -154,7 +154,7 @@ impl AttractorOrbit {
             let bundles = self.bundles(&guess, impacts, watch);
             let found = [making, fine].into_iter().find_map(|making| {
                 let trials = Trials { making, ..trials };
-                trials.best_bundle(&bundles, &|bundle| self.parted(&guess, bundle, impacts))
+                trials.best_bundle(&bundles, &|bundle| self.with_gap_toggled(&guess, bundle, impacts))
             });
             if let Some(found) = found {
                 return found;

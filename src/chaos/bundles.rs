@@ -69,19 +69,19 @@ impl AttractorOrbit {
                 starts.push(one);
             }
         }
-        let climbed = sorted(each(&starts, &|start| sight.climbed(start.clone(), (true, watch))));
+        let improved = sorted(each(&starts, &|start| sight.improved(start.clone(), (true, watch))));
         // Less is seen of thin bases, but more is proved.
-        let best = climbed.iter().take(SPLIT_PLACES).map(|bundle| bundle.place);
+        let best = improved.iter().take(SPLIT_PLACES).map(|bundle| bundle.place);
         let places = best.flat_map(|place| GAP_SELECTIONS.map(|cuts| Place { cuts: cuts | place.cuts, ..place }));
-        let parted: Vec<Bundle> = places.filter_map(|place| sight.at(place)).collect();
-        let parted = each(&parted, &|start| sight.climbed(start.clone(), (false, watch)));
-        distinct(parted.into_iter().chain(climbed))
+        let with_gap_toggled: Vec<Bundle> = places.filter_map(|place| sight.at(place)).collect();
+        let with_gap_toggled = each(&with_gap_toggled, &|start| sight.improved(start.clone(), (false, watch)));
+        distinct(with_gap_toggled.into_iter().chain(improved))
     }
 
     /// The same place with one gap more that parts it, or one less.
-    pub(super) fn parted(&self, guess: &Guess, bundle: &Bundle, impacts: usize) -> Vec<Bundle> {
+    pub(super) fn with_gap_toggled(&self, guess: &Guess, bundle: &Bundle, impacts: usize) -> Vec<Bundle> {
         let sight = WordObservation { orbit: Indexed::new(self), guess, impacts };
-        bundle.place.parted().into_iter().filter_map(|place| sight.at(place)).collect()
+        bundle.place.with_gap_toggled().into_iter().filter_map(|place| sight.at(place)).collect()
     }
 
     /// Points of the orbit, all over it.
@@ -97,7 +97,7 @@ impl AttractorOrbit {
 }
 
 impl Place {
-    fn parted(self) -> Vec<Self> {
+    fn with_gap_toggled(self) -> Vec<Self> {
         let other = (0..MAX_GAPS).map(|gap| Self { cuts: self.cuts ^ (1 << gap), ..self });
         other.filter(|place| place.cuts.count_ones() < MAX_H_SETS).collect()
     }
@@ -133,7 +133,7 @@ impl<'s> WordObservation<'s> {
         &self,
         window: &Window,
         (middle, [long, beside]): ((State, State), [f64; 2]),
-        ways: &[u32],
+        neighbours: &[u32],
     ) -> Vec<Option<Bundle>> {
         let lengths = LENGTH_FACTORS.map(|part| part * long);
         let leaves: [OnceCell<Option<Leaves>>; LENGTH_FACTORS.len()] = Default::default();
@@ -146,19 +146,19 @@ impl<'s> WordObservation<'s> {
                 Some(Bundle { bases, seen, place: Place { middle, long, beside, cuts } })
             })
         };
-        ways.iter().map(of_one).collect()
+        neighbours.iter().map(of_one).collect()
     }
 
     /// A little to all sides, as long as more entropy is seen.
-    fn climbed(&self, mut best: Bundle, (parts, watch): (bool, &dyn Watch)) -> Bundle {
+    fn improved(&self, mut best: Bundle, (parts, watch): (bool, &dyn Watch)) -> Bundle {
         let [mut step, least] = MOVE_SIZES;
         while step > least && watch.goes_on() {
             let place = best.place;
             let Place { middle, long, beside, cuts } = place;
             let Some(here) = self.window(middle) else { break };
-            let parted: Vec<u32> =
-                if parts { place.parted().iter().map(|place| place.cuts).collect() } else { Vec::new() };
-            let mut tried = self.bundles(&here, (middle, [long, beside]), &parted);
+            let with_gap_toggled: Vec<u32> =
+                if parts { place.with_gap_toggled().iter().map(|place| place.cuts).collect() } else { Vec::new() };
+            let mut tried = self.bundles(&here, (middle, [long, beside]), &with_gap_toggled);
             for sign in [-1.0, 1.0] {
                 let middle = self.beyond(place, sign * step);
                 if let Some(beyond) = self.window(middle) {

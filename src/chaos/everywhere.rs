@@ -72,7 +72,8 @@ impl AttractorOrbit {
                     let is_inside = |&k: &usize| all[k][0].abs() < long && all[k][1].abs() < width;
                     let inside: Vec<usize> = near.iter().copied().filter(is_inside).collect();
                     let some: Vec<usize> = inside.iter().copied().step_by(inside.len() / SAMPLED_POINTS + 1).collect();
-                    let words = comes_back(&all, &some, [CROSSING_PLACES[0] * long, CROSSING_PLACES[1] * width], depth);
+                    let words =
+                        returning_words(&all, &some, [CROSSING_PLACES[0] * long, CROSSING_PLACES[1] * width], depth);
                     let worth = entropy(&words, 1, |word| word.sides.len() as i64);
                     if worth > 0.0 {
                         scored.push((worth, base));
@@ -111,7 +112,7 @@ fn aligned(
 }
 
 /// The words that an orbit's points in an h-set are seen to make, in coordinates of the h-set: in a row, across it, at one time.
-fn comes_back(all: &[[f64; 2]], inside: &[usize], [long, width]: [f64; 2], depth: usize) -> Vec<Path> {
+fn returning_words(all: &[[f64; 2]], inside: &[usize], [long, width]: [f64; 2], depth: usize) -> Vec<Path> {
     let mut taken = vec![false; inside.len()];
     let mut words = Vec::new();
     for time in 1..=depth {

@@ -12,7 +12,7 @@ use super::propose::{Making, Proposal};
 use super::quad::{Chord, Quad, State};
 use super::refusal::NoTrap;
 use super::trap::{Grid, Region};
-use super::tube::{BoxChain, Part, taken};
+use super::tube::{BoxChain, Part, proved_stretches};
 use super::words::{HSet, Path, Search};
 use super::{Asymptotics, Cells, Chaos, Entered, Horseshoe, HorseshoeSettings, RangeSettings, Trap, Verdict};
 use crate::Scene;
@@ -251,7 +251,7 @@ fn entropies_that_are_known() {
 }
 
 #[test]
-fn bases_that_overlap_are_told() {
+fn overlapping_h_sets_are_reported() {
     let [a, b, c] = bases();
     assert!(a.is_convex() && a.is_apart(&b) && b.is_apart(&c) && !a.is_apart(&a));
     let later = HSet::new([1.778431, 1.234518], [0.02877, 0.082], [-0.0002976, 0.002596]);
@@ -296,7 +296,7 @@ fn the_horseshoe_of_figure_14_is_where_the_orbit_is() {
 
 /// A = 8.4, where the diagram has a gap: the orbit converges to eight impacts in three cycles, and a horseshoe is beside it.
 #[test]
-fn a_saddle_is_told_from_an_attractor() {
+fn a_saddle_is_distinguished_from_an_attractor() {
     let corners = [
         [[0.805_264_494_210_566_3, 1.297_437_476_872_194], [0.808_274_341_166_306_4, 1.271_623_566_663_777_4]],
         [[0.747_691_477_240_234_9, 1.126_724_932_061_096_4], [0.750_701_324_195_974_9, 1.100_911_021_852_679_9]],
@@ -350,11 +350,11 @@ fn r32_distinct_words_rest_on_parts_that_lie_apart() {
     let part = |cell: usize, [from, to]: [f64; 2], place: usize| Part { cell, from, to, place };
     let parts = [part(0, [-1.0, 0.5], 3), part(0, [0.5, 1.0], 4), part(1, [-1.0, 1.0], 5), part(2, [-1.0, 0.0], 5)];
     let mut used = None;
-    assert_eq!(taken(&parts, &[true, true, false, true], &mut used), [0..=1, 3..=3]);
-    assert!(taken(&parts, &[true; 4], &mut used).is_empty(), "the same parts again");
+    assert_eq!(proved_stretches(&parts, &[true, true, false, true], &mut used), [0..=1, 3..=3]);
+    assert!(proved_stretches(&parts, &[true; 4], &mut used).is_empty(), "the same parts again");
     let next = [part(2, [-0.5, 1.0], 7), part(3, [-1.0, 1.0], 7)];
-    assert!(taken(&next, &[true; 2], &mut used).is_empty(), "a stretch that begins within the one before");
-    assert_eq!(taken(&[part(2, [0.0, 1.0], 7)], &[true], &mut used), [0..=0]);
+    assert!(proved_stretches(&next, &[true; 2], &mut used).is_empty(), "a stretch that begins within the one before");
+    assert_eq!(proved_stretches(&[part(2, [0.0, 1.0], 7)], &[true], &mut used), [0..=0]);
     // Backward within a cell, or beyond it: not mapped, though the same states forward are.
     let (law, guess) = (figure_14(), Guess::new(&figure_14()));
     let HSet { left, right } = bases()[0];
@@ -378,8 +378,8 @@ fn a_deeper_search_leads_further() {
 }
 
 fn cells(over: &str, cells: u32, halvings: u32) -> Cells {
-    let asked = RangeSettings { over: over.parse().unwrap(), cells, halvings, depth: 5 };
-    Cells::of(scene("8").pair(), scene("8").start(), &asked, &Unwatched).unwrap()
+    let requested = RangeSettings { over: over.parse().unwrap(), cells, halvings, depth: 5 };
+    Cells::of(scene("8").pair(), scene("8").start(), &requested, &Unwatched).unwrap()
 }
 
 /// Lemma D14: stretches follow one another from end to end, and what is proved of all holds of some: of single values, proved by

@@ -94,7 +94,7 @@ impl Grid {
     ) -> Result<Reach, Refusal> {
         let flights = Flights::new(law, quad);
         match flights.depart() {
-            Some(from) => self.march(law, &flights, from, note),
+            Some(from) => self.scan_columns(law, &flights, from, note),
             None if cuts == 0 => Err(Refusal::Rest),
             None => {
                 let ([u, w], [r, s]) = (quad.centre, [0.5 * quad.sides[0][0], 0.5 * quad.sides[1][1]]);
@@ -111,7 +111,13 @@ impl Grid {
     }
 
     /// Goes along the phases of arrival, column by column where a wall may be touched, until it certainly has been.
-    fn march(&self, law: &Law, flights: &Flights, from: f64, note: &mut dyn FnMut(Arrivals)) -> Result<Reach, Refusal> {
+    fn scan_columns(
+        &self,
+        law: &Law,
+        flights: &Flights,
+        from: f64,
+        note: &mut dyn FnMut(Arrivals),
+    ) -> Result<Reach, Refusal> {
         let columns = self.columns as f64; // exact: a power of two
         let mut reach = Reach { time: [f64::INFINITY, 0.0], sides: [false; 2] };
         let mut column = (from * columns).floor() as i64; // D4: the column that it is in

@@ -61,7 +61,7 @@ pub(super) struct Trials<'t> {
 
 impl Trials<'_> {
     /// The entropy that h-sets lead to with N boxes.
-    fn worth(&self, bases: &[HSet], boxes: u64) -> f64 {
+    fn entropy_of(&self, bases: &[HSet], boxes: u64) -> f64 {
         let mut search = Search::new(self.law, bases, self.making);
         search.threads = 1;
         let within = |at: Stage<'_>| match at {
@@ -81,7 +81,7 @@ impl Trials<'_> {
     pub fn best_bundle(&self, bundles: &[Bundle], parted: &dyn Fn(&Bundle) -> Vec<Bundle>) -> Option<Vec<HSet>> {
         let tried = |bundles: &[Bundle], boxes: u64| {
             let judged =
-                |bundle: &Bundle| (self.worth(&bundle.bases, boxes * bundle.bases.len() as u64), bundle.clone());
+                |bundle: &Bundle| (self.entropy_of(&bundle.bases, boxes * bundle.bases.len() as u64), bundle.clone());
             let mut tried = each(bundles, &judged);
             tried.sort_by(|a, b| b.0.total_cmp(&a.0));
             tried
@@ -111,7 +111,7 @@ impl Trials<'_> {
             tried.truncate(count);
             let judged = |(_, base): &(f64, HSet)| {
                 let bases: Vec<HSet> = found.iter().copied().chain([*base]).collect();
-                (self.worth(&bases, boxes * bases.len() as u64), *base)
+                (self.entropy_of(&bases, boxes * bases.len() as u64), *base)
             };
             tried = each(&tried, &judged);
             tried.sort_by(|a, b| b.0.total_cmp(&a.0));

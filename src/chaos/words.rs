@@ -7,7 +7,7 @@ use super::guess::Guess;
 use super::law::{Law, Side};
 use super::propose::{Making, Proposal};
 use super::quad::{Chord, State};
-use super::tube::{BoxChain, NEIGHBOUR_CELLS, side_of, taken};
+use super::tube::{BoxChain, NEIGHBOUR_CELLS, proved_stretches, side_of};
 use crate::threads::{answers, available};
 use crate::watch::{Stage, Watch};
 
@@ -168,7 +168,7 @@ impl<'s> Search<'s> {
             tally.boxes += proved.len() as u64; // exact: a length
             let mut sides = run.sides.clone();
             sides.push(*side);
-            for stretch in taken(parts, &proved, &mut used) {
+            for stretch in proved_stretches(parts, &proved, &mut used) {
                 let (low, high) = (parts[*stretch.start()].place, parts[*stretch.end()].place);
                 // Lemma D7: the ends of the stretch land before the one and behind the other.
                 let (low, high) = (low + NEIGHBOUR_CELLS + 2, high.saturating_sub(NEIGHBOUR_CELLS + 1)); // D7: none if it is shorter

@@ -126,7 +126,7 @@ struct SetAndCentre<'a> {
 impl SetAndCentre<'_> {
     /// Returns the undecided result of a set: the reason is its width if the flight from its centre is decided.
     #[cold]
-    fn blame(doubt: Undecided, centre: Result<Bracket, Undecided>) -> Undecided {
+    fn undecided_of_set(doubt: Undecided, centre: Result<Bracket, Undecided>) -> Undecided {
         match centre {
             Ok(_) => Undecided { reason: Reason::Width, ..doubt },
             Err(_) => doubt,
@@ -139,7 +139,8 @@ impl Verifier for SetAndCentre<'_> {
 
     #[inline(always)]
     fn monotone(&self, iterate: &Iterate) -> Self::Answer {
-        let all = self.all.monotone(iterate).map_err(|doubt| Self::blame(doubt, self.centre.monotone(iterate)))?;
+        let all =
+            self.all.monotone(iterate).map_err(|doubt| Self::undecided_of_set(doubt, self.centre.monotone(iterate)))?;
         let centre = self.centre.bracket(iterate).ok_or_else(|| self.centre.unbracketed(iterate))?;
         Ok((all, centre))
     }
@@ -147,7 +148,7 @@ impl Verifier for SetAndCentre<'_> {
     #[inline(always)]
     fn hop(&self, iterate: &Iterate, departure: &SmallAngle) -> Self::Answer {
         let all = self.all.hop(iterate, departure);
-        let all = all.map_err(|doubt| Self::blame(doubt, self.centre.hop(iterate, departure)))?;
+        let all = all.map_err(|doubt| Self::undecided_of_set(doubt, self.centre.hop(iterate, departure)))?;
         let centre = self.centre.hop_bracket(iterate, departure);
         Ok((all, centre.ok_or_else(|| self.centre.unbracketed(iterate))?))
     }
@@ -155,7 +156,7 @@ impl Verifier for SetAndCentre<'_> {
     #[inline(always)]
     fn piece(&self, iterate: &Iterate, extrema: &Extrema, k: f64) -> Self::Answer {
         let all = self.all.piece(iterate, extrema, k);
-        let all = all.map_err(|doubt| Self::blame(doubt, self.centre.piece(iterate, extrema, k)))?;
+        let all = all.map_err(|doubt| Self::undecided_of_set(doubt, self.centre.piece(iterate, extrema, k)))?;
         let centre = self.centre.bracket(iterate).ok_or_else(|| self.centre.unbracketed(iterate))?;
         Ok((all, centre))
     }

@@ -274,8 +274,8 @@ mod tests {
             let alpha = 10f64.powf(log_alpha);
             let (turn, beta) = (std::f64::consts::TAU, std::f64::consts::TAU * alpha);
             let (phase, drift) = (at - time, beta * (turn * at).cos());
-            let way = drift * time - alpha * ((turn * at).sin() - (turn * phase).sin());
-            let (height, velocity) = (1.0 - way + miss, drift - beta * (turn * phase).cos());
+            let travel = drift * time - alpha * ((turn * at).sin() - (turn * phase).sin());
+            let (height, velocity) = (1.0 - travel + miss, drift - beta * (turn * phase).cos());
             (0.0 < height && height < 1.0).then_some(Start {
                 alpha,
                 wall: Wall::Left,

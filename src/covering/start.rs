@@ -70,8 +70,8 @@ pub(crate) struct Starts {
 
 impl Starts {
     /// Returns the starts that differ by at most `apart`, in forcing periods or in gap widths per forcing period.
-    pub fn within(apart: f64, varied: Varied, asked: &State<Ball>) -> Self {
-        Self { varied, bounds: varied.widened(asked, apart) }
+    pub fn within(apart: f64, varied: Varied, requested: &State<Ball>) -> Self {
+        Self { varied, bounds: varied.widened(requested, apart) }
     }
 }
 

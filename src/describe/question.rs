@@ -23,12 +23,12 @@ impl Description {
             // No command goes on: the reason is among what is not examined.
             FateName::Undecided if self.is_endless() => {}
             FateName::Undecided => {
-                let (asked, command) = self.orbit_question(&name);
-                all.push(question(&asked, command));
+                let (requested, command) = self.orbit_question(&name);
+                all.push(question(&requested, command));
             }
             FateName::StaysInRegion => {
-                let asked = "does the motion converge to a stable periodic orbit in the region?";
-                all.push(question(asked, format!("impact-pair cycles {name} --impacts {NEXT_CYCLES}")));
+                let requested = "does the motion converge to a stable periodic orbit in the region?";
+                all.push(question(requested, format!("impact-pair cycles {name} --impacts {NEXT_CYCLES}")));
             }
             FateName::Attracted | FateName::Periodic | FateName::RestsForever | FateName::NeverImpacts => {}
         }

@@ -161,18 +161,18 @@ pub(crate) fn period(word: &Word, cycles: u32) -> PeriodDocument {
 }
 
 /// Returns the verdicts over a range of a parameter.
-pub fn cells(scene: &Scene, asked: &RangeSettings, cells: &Cells) -> ChaosCellsDocument {
+pub fn cells(scene: &Scene, requested: &RangeSettings, cells: &Cells) -> ChaosCellsDocument {
     ChaosCellsDocument {
         schema: CHAOS_CELLS_SCHEMA.to_owned(),
         program: PROGRAM.to_owned(),
         certified: cells.stretches.iter().all(|stretch| stretch.verdict != Verdict::Undecided),
         scene: SceneDocument::new(scene.pair(), scene.start()),
-        over: range(&asked.over),
-        cells: asked.cells,
-        halvings: asked.halvings,
-        depth: asked.depth as u32,
+        over: range(&requested.over),
+        cells: requested.cells,
+        halvings: requested.halvings,
+        depth: requested.depth as u32,
         interrupted: cells.interrupted,
-        shares: shares(&asked.over, cells),
+        shares: shares(&requested.over, cells),
         stretches: cells.stretches.iter().map(stretch).collect(),
     }
 }

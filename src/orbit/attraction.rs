@@ -48,14 +48,14 @@ impl Orbit {
     #[cold]
     pub(super) fn attractor(&self, watch: &dyn Watch) -> Option<Attractor> {
         // The grazes of a motion without impacts end here as well; floats prove nothing.
-        if !self.asked.settings.attractor
+        if !self.requested.settings.attractor
             || self.followed.still.is_some()
-            || self.asked.settings.arithmetic == Arithmetic::Float
+            || self.requested.settings.arithmetic == Arithmetic::Float
             || !self.may_attract()
         {
             return None;
         }
-        let (mut impacts, digits) = (self.pending.recent.in_order(), self.asked.settings.digits.min(DIGITS)); // shown
+        let (mut impacts, digits) = (self.pending.recent.in_order(), self.requested.settings.digits.min(DIGITS)); // shown
         // Without a common period nothing is periodic.
         let origin = self.clock.turns_into(self.engine.given.shaken.period()?);
         // Lemma N1: less than a period, of 32 bits.

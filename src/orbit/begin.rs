@@ -68,7 +68,7 @@ impl Orbit {
         };
         let mut orbit = Self {
             clock,
-            asked: Requested { settings, until, widths, shown },
+            requested: Requested { settings, until, widths, shown },
             engine,
             initial,
             followed,
@@ -93,12 +93,12 @@ impl Orbit {
     /// Prepares a new start: the ways to raise the precision, and whether no wall is ever hit.
     pub(super) fn look_ahead(&mut self) {
         if self.engine.arithmetic == Arithmetic::Auto && MULTIPRECISION {
-            let left = self.asked.settings.impacts.map(|impacts| impacts - self.listed.min(impacts)); // exact: not negative
-            let settings = Settings { impacts: left, ..self.asked.settings.clone() };
+            let left = self.requested.settings.impacts.map(|impacts| impacts - self.listed.min(impacts)); // exact: not negative
+            let settings = Settings { impacts: left, ..self.requested.settings.clone() };
             self.engine.raise = Some(PrecisionRaise::new(
                 self.engine.given.clone(),
                 self.followed.from.turns,
-                self.asked.until,
+                self.requested.until,
                 &settings,
             ));
         }

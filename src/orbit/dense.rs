@@ -219,7 +219,7 @@ mod tests {
     }
 
     #[test]
-    fn rests_and_chatter_are_told_apart_from_flights() {
+    fn rests_and_chatter_are_distinguished_from_flights() {
         let (orbit, dense, events) = followed("chatter", "auto");
         let wall = orbit.wall_displacement().to_f64_bounds().1;
         let rest = events.iter().find_map(|event| match event {

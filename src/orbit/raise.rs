@@ -29,7 +29,7 @@ pub(super) struct PrecisionRaise {
     /// Requested length of the orbit, in forcing periods.
     turns: f64,
     /// Bits of the requested width.
-    asked: f64,
+    requested: f64,
     most: u32,
     /// Greatest accuracy of a flight in any precision, in bits: that of the excitation's data.
     finest: f64,
@@ -44,11 +44,11 @@ pub(super) struct PrecisionRaise {
 impl PrecisionRaise {
     pub fn new(given: Given, turns: i64, until: Option<Phase>, settings: &Settings) -> Self {
         let turns = until.map_or(f64::INFINITY, |until| (until.turns - turns) as f64 + 1.0);
-        let asked = log2_of_digits(f64::from(settings.digits));
+        let requested = log2_of_digits(f64::from(settings.digits));
         let (impacts, most) = (settings.impacts, settings.max_bits.max(LEAST_BITS));
         let finest = finest(&given.pair);
         let verdict_bits = f64::from(VERDICT_BITS);
-        Self { given, impacts, turns, asked, most, finest, verdict_bits, plan: None, before: None }
+        Self { given, impacts, turns, requested, most, finest, verdict_bits, plan: None, before: None }
     }
 
     /// Returns the motion from the start in more precision; `None` when that would not help.
@@ -109,7 +109,7 @@ impl PrecisionRaise {
         }
         // An orbit that goes on beyond what the floating run saw.
         let horizon = if horizon > index { horizon } else { index.saturating_mul(2) };
-        Some(Plan::new(run(), horizon, self.asked, self.most))
+        Some(Plan::new(run(), horizon, self.requested, self.most))
     }
 }
 

@@ -57,7 +57,7 @@ impl Orbit {
     /// Returns whether sets from the exact start decide a motion that does not expand: then its orbit is followed, since it gives stronger
     /// claims.
     pub(super) fn is_regular(pair: &ImpactPair, start: &Start, settings: &Settings, impacts: u64) -> bool {
-        let impacts = settings.impacts.map_or(impacts, |asked| asked.min(impacts)); // proposes: what to claim
+        let impacts = settings.impacts.map_or(impacts, |requested| requested.min(impacts)); // proposes: what to claim
         let until = settings.until.clone();
         let interval = Arithmetic::Interval;
         let settings = Settings { impacts: Some(impacts), until, arithmetic: interval, ..Settings::default() };
@@ -154,7 +154,7 @@ impl<S: Flying, B: Beginning<S>> ShadowMotion<S, B> {
 
     /// The set of the last node's box. Lemma F5
     #[cold]
-    fn hand_over(&self) -> Option<IntervalMotion<S>> {
+    fn last_node_set(&self) -> Option<IntervalMotion<S>> {
         let node = self.last?;
         let (place, turns) = (Location::Wall(node.wall), node.turns);
         let state = State { place, turns, phase: node.phases(), velocity: node.velocities() };
@@ -176,7 +176,7 @@ impl<S: Flying, B: Beginning<S>> Motion for ShadowMotion<S, B> {
             self.nodes = self.chain.advance().into_iter();
         }
         let Some(node) = self.nodes.next() else {
-            self.set = self.hand_over();
+            self.set = self.last_node_set();
             return self.set.as_mut().ok_or(Undecided::endless())?.next_contact();
         };
         self.last = Some(node);

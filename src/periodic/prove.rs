@@ -84,8 +84,8 @@ impl Problem {
 
 /// Returns whether the widths are those requested.
 fn is_narrow<N: Enclosing>(shaken: &impl Chained, finding: &Finding<N>, precision: Precision) -> bool {
-    let asked = precision.log2_width();
+    let requested = precision.log2_width();
     let speed = shaken.speed().log2();
     let [phase, velocity] = finding.widths();
-    phase <= asked && velocity <= asked + if speed.is_finite() { speed } else { 0.0 }
+    phase <= requested && velocity <= requested + if speed.is_finite() { speed } else { 0.0 }
 }

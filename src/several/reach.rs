@@ -79,7 +79,7 @@ pub(crate) struct Reach<'b> {
     band: &'b Band,
     harmonics: &'b Harmonics<Ball>,
     window: Option<(f64, f64)>,
-    asked: u32,
+    requested: u32,
 }
 
 /// Pieces after which the band is taken tightly.
@@ -87,14 +87,14 @@ const MAX_COARSE_PIECES: u32 = 48;
 
 impl<'b> Reach<'b> {
     pub fn new(band: &'b Band, harmonics: &'b Harmonics<Ball>) -> Self {
-        Self { band, harmonics, window: None, asked: 0 }
+        Self { band, harmonics, window: None, requested: 0 }
     }
 
     /// Returns the end of the window in which no wall can be reached, in turns after the start, if the time `now` lies in it.
     pub fn jump<N: FlightNumber>(&mut self, flight: &SumFlight<'_, N>, now: f64) -> Option<f64> {
-        self.asked += 1;
-        if self.asked == 1 || self.asked == MAX_COARSE_PIECES {
-            let band = if self.asked == 1 { self.band.coarse } else { self.band.tight(self.harmonics) };
+        self.requested += 1;
+        if self.requested == 1 || self.requested == MAX_COARSE_PIECES {
+            let band = if self.requested == 1 { self.band.coarse } else { self.band.tight(self.harmonics) };
             self.window = window(flight.offset.interval() - band, flight.drift.interval());
         }
         self.window.and_then(|(from, until)| (now >= from && until > now).then_some(until))

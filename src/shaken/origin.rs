@@ -132,9 +132,9 @@ impl Origin<Exact> {
         clock: &Clock,
         phases: impl Fn(&Start) -> Result<Vec<Exact>, Error>,
     ) -> Result<Self, Error> {
-        let asked = Self::at(pair, start, clock, phases(start)?)?;
-        let Some(later) = decided(pair, start) else { return Ok(asked) };
-        Ok(Self { past: Past::Flight(asked.state), ..Self::at(pair, &later, clock, phases(&later)?)? })
+        let requested = Self::at(pair, start, clock, phases(start)?)?;
+        let Some(later) = decided(pair, start) else { return Ok(requested) };
+        Ok(Self { past: Past::Flight(requested.state), ..Self::at(pair, &later, clock, phases(&later)?)? })
     }
 
     /// Returns the state itself, given by the clock.

@@ -33,7 +33,7 @@ impl<N: PhaseNumber> Shaking<N> for Sum<N> {
         Moment { sums: self.harmonics.sums_of(&each), each }
     }
 
-    fn way(&self, from: &Moment<N>, to: &Moment<N>, displacement: f64) -> N {
+    fn travel(&self, from: &Moment<N>, to: &Moment<N>, displacement: f64) -> N {
         N::from_f64(displacement) + (to.sums.sine.clone() - from.sums.sine.clone())
     }
 
@@ -88,7 +88,7 @@ mod tests {
         for (turns, rest) in [(0.0, 0.3), (2.0, 0.3), (-4.0, 0.9), (1.0, 4.25), (0.0, -2.75), (3_000_001.0, 0.5)] {
             let moment = sum.moment(turns, &Ball::exact(rest));
             let [displacement, velocity, acceleration] = shaking((turns % 3.0) + rest);
-            assert!(is_near(sum.way(&zero, &moment, 1.0), 1.0 + displacement - shaking(0.0)[0]), "{turns} {rest}");
+            assert!(is_near(sum.travel(&zero, &moment, 1.0), 1.0 + displacement - shaking(0.0)[0]), "{turns} {rest}");
             assert!(is_near(sum.relative(&Ball::exact(0.5), &moment), 0.5 - velocity), "{turns} {rest}");
             assert!(is_near(sum.acceleration(&moment), acceleration), "{turns} {rest}");
         }
@@ -100,7 +100,7 @@ mod tests {
         for (phase, time) in [(0.2, 0.1), (1.7, 0.01), (2.9, 0.12)] {
             let [from, to] = [phase, phase + time].map(|phase| sum.moment(0.0, &Ball::exact(phase)));
             let hop = sum.hop(&Ball::exact(time), &from).unwrap();
-            let drift = sum.way(&from, &to, 0.0).checked_div(Ball::exact(time)).unwrap();
+            let drift = sum.travel(&from, &to, 0.0).checked_div(Ball::exact(time)).unwrap();
             let is_near = |a: Ball, b: Ball| (a.mid() - b.mid()).abs() < 1e-12;
             assert!(is_near(hop.drift, drift) && is_near(hop.after, sum.relative(&drift, &from)));
             assert!(is_near(hop.before, sum.relative(&drift, &to)));

@@ -117,14 +117,14 @@ fn row<'r>(record: &'r SweepRecord, state: Option<&'r SweepImpact>, table: Table
     cells.push(impact(|impact| Cell::Bounds(&impact.phase)));
     cells.push(impact(|impact| Cell::Bounds(&impact.velocity)));
     if table != Table::States {
-        cells.extend(if state.is_some() { [Cell::Nothing; RESULT_COLUMNS.len()] } else { said(record) });
+        cells.extend(if state.is_some() { [Cell::Nothing; RESULT_COLUMNS.len()] } else { cells_of(record) });
         let claim = if state.is_some() { Cell::Nothing } else { Cell::Text(record.claim.unwrap_or_default().text()) };
         cells.extend(has_claims.then_some(claim));
     }
     cells
 }
 
-fn said(record: &SweepRecord) -> [Cell<'_>; RESULT_COLUMNS.len()] {
+fn cells_of(record: &SweepRecord) -> [Cell<'_>; RESULT_COLUMNS.len()] {
     fn text(text: Option<&String>) -> Cell<'_> {
         text.map_or(Cell::Nothing, |text| Cell::Text(text))
     }

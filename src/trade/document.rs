@@ -13,32 +13,33 @@ use super::{Crossing, Divergence, ErrorBounds, Extent, Largest, Measured, Trade,
 impl Trade<'_> {
     /// Returns the trade JSON.
     pub fn document(&self) -> TradeDocument {
-        let Self { scene, asked, units, interrupted, .. } = self;
+        let Self { scene, requested, units, interrupted, .. } = self;
         TradeDocument {
             schema: TRADE_SCHEMA.to_owned(),
             program: PROGRAM.to_owned(),
             scene: SceneDocument::new(scene.pair(), scene.start()),
-            asked: TradeAsked {
-                impacts: asked.impacts,
-                until: asked.until.as_ref().map(|until| until.text()),
-                max_bits: asked.max_bits,
+            requested: TradeAsked {
+                impacts: requested.impacts,
+                until: requested.until.as_ref().map(|until| until.text()),
+                max_bits: requested.max_bits,
             },
             units: TradeUnits { time: "2 pi/W".to_owned(), velocity: units.speed.to_string() },
-            interrupted: interrupted.map(|rung| rung.to_string()),
-            rungs: self.rungs.iter().map(|measured| rung(measured, self)).collect(),
+            interrupted: interrupted.map(|arithmetic| arithmetic.to_string()),
+            rungs: self.rows.iter().map(|measured| row(measured, self)).collect(),
         }
     }
 }
 
-fn rung(measured: &Measured, trade: &Trade<'_>) -> RungDocument {
-    let Measured { rung, times, .. } = measured;
+/// The row of an arithmetic.
+fn row(measured: &Measured, trade: &Trade<'_>) -> RungDocument {
+    let Measured { arithmetic, times, .. } = measured;
     let time = |whole: Duration| measured.microseconds(whole);
     let widths =
         measured.widths.map(|widths| WidthsDocument { time: extent(&widths.time), velocity: extent(&widths.velocity) });
-    let judgement = trade.judgement.as_ref().filter(|_| *rung == TradeArithmetic::Float);
+    let judgement = trade.judgement.as_ref().filter(|_| *arithmetic == TradeArithmetic::Float);
     RungDocument {
-        name: rung.to_string(),
-        asked: asked(*rung),
+        name: arithmetic.to_string(),
+        requested: options_of(*arithmetic),
         arithmetic: measured.computed.clone(),
         certified: measured.is_certified,
         complete: measured.is_complete(),
@@ -61,8 +62,8 @@ fn rung(measured: &Measured, trade: &Trade<'_>) -> RungDocument {
 }
 
 /// The arithmetic as the command line names it.
-fn asked(rung: TradeArithmetic) -> RungAsked {
-    let (arithmetic, digits) = match rung {
+fn options_of(arithmetic: TradeArithmetic) -> RungAsked {
+    let (arithmetic, digits) = match arithmetic {
         TradeArithmetic::Float => ("float".to_owned(), None),
         TradeArithmetic::Interval => ("interval".to_owned(), None),
         TradeArithmetic::Inari => ("inari".to_owned(), None),

@@ -7,7 +7,7 @@
 
 use std::ops::ControlFlow;
 
-use super::ladder::TradeArithmetic;
+use super::schedule::TradeArithmetic;
 use crate::exact::{Dyadic, Enclosure};
 use crate::orbit::{Arithmetic, Impact, MULTIPRECISION, Orbit, Progress, Rest, Settings};
 use crate::pair::Wall;
@@ -144,11 +144,11 @@ fn distance(one: &Enclosure, other: &Enclosure, unit: &Unit) -> [Size; 2] {
 }
 
 /// Returns the settings with which the true orbit is computed.
-pub(super) fn truth(asked: &Settings) -> Settings {
+pub(super) fn truth(requested: &Settings) -> Settings {
     if MULTIPRECISION {
-        TradeArithmetic::Auto(DIGITS).settings(asked)
+        TradeArithmetic::Auto(DIGITS).settings(requested)
     } else {
-        TradeArithmetic::Interval.settings(asked)
+        TradeArithmetic::Interval.settings(requested)
     }
 }
 
@@ -182,12 +182,12 @@ fn next(orbit: &mut Orbit) -> Next {
 /// Judges `float` on this scene, up to the first complete chatter; when interrupted, as far as it came.
 pub(super) fn judge_float(
     scene: &Scene,
-    asked: &Settings,
+    requested: &Settings,
     units: &Scales<Unit>,
     watch: &dyn Watch,
 ) -> Result<ErrorBounds, Error> {
-    let mut truth = Orbit::of(scene, self::truth(asked))?;
-    let mut float = Orbit::of(scene, TradeArithmetic::Float.settings(asked))?;
+    let mut truth = Orbit::of(scene, self::truth(requested))?;
+    let mut float = Orbit::of(scene, TradeArithmetic::Float.settings(requested))?;
     let mut judgement = ErrorBounds::new(*units);
     let _ = truth.follow(watch, |truth, event| match event {
         Progress::Impact(impact) => match next(&mut float) {
@@ -211,13 +211,17 @@ mod tests {
     /// Floats and truths of the first impacts of figure 14.
     fn readings(impacts: u64) -> (Scales<Unit>, Vec<Reading>, Vec<Reading>) {
         let scene = Scene::parse(SCENE).unwrap();
-        let asked = Settings { impacts: Some(impacts), ..scene.settings() };
+        let requested = Settings { impacts: Some(impacts), ..scene.settings() };
         let read = |settings: Settings| {
             let mut orbit = Orbit::of(&scene, settings).unwrap();
             let impacts: Vec<_> = orbit.by_ref().collect();
             impacts.iter().map(|impact| Reading::new(&orbit, impact)).collect()
         };
-        (Scales::of(&scene).unwrap().units(), read(TradeArithmetic::Float.settings(&asked)), read(truth(&asked)))
+        (
+            Scales::of(&scene).unwrap().units(),
+            read(TradeArithmetic::Float.settings(&requested)),
+            read(truth(&requested)),
+        )
     }
 
     fn judge(units: Scales<Unit>, floats: &[Reading], truths: &[Reading]) -> ErrorBounds {
@@ -243,12 +247,12 @@ mod tests {
 
     /// Of the chatter of scenes/chatter.toml the truth lists more impacts than the orbit in doubles does, which follows the same word.
     #[test]
-    fn r44_after_a_complete_chatter_no_departure_is_told() {
+    fn r44_after_a_complete_chatter_no_departure_is_reported() {
         let path = format!("{}/scenes/chatter.toml", env!("CARGO_MANIFEST_DIR"));
         let scene = Scene::parse(&std::fs::read_to_string(path).unwrap()).unwrap();
-        let asked = Settings { impacts: Some(60), ..scene.settings() };
+        let requested = Settings { impacts: Some(60), ..scene.settings() };
         let judgement =
-            judge_float(&scene, &asked, &Scales::of(&scene).unwrap().units(), &crate::watch::Unwatched).unwrap();
+            judge_float(&scene, &requested, &Scales::of(&scene).unwrap().units(), &crate::watch::Unwatched).unwrap();
         assert!((6..60).contains(&judgement.judged) && judgement.departure.is_none(), "{judgement:?}");
         assert!(judgement.crossings.iter().all(|crossing| crossing.exceeded.is_none()));
     }

@@ -6,8 +6,8 @@ use std::time::{Duration, Instant};
 
 use impact_pair_document::ArithmeticDocument;
 
-use super::ladder::TradeArithmetic;
-use crate::document::{Conclusion, Event, arithmetic, is_certified};
+use super::schedule::TradeArithmetic;
+use crate::document::{self, Conclusion, Event, is_certified};
 use crate::orbit::{Impact, Orbit, Settings};
 use crate::scales::{Scales, Size, Unit};
 use crate::watch::{Silent, Watch};
@@ -26,7 +26,7 @@ const SLOW_IMPACT: Duration = Duration::from_micros(20);
 #[derive(Clone, Debug)]
 pub struct Measured {
     /// The arithmetic as requested.
-    pub rung: TradeArithmetic,
+    pub arithmetic: TradeArithmetic,
     /// The arithmetic, as in the orbit JSON.
     pub computed: ArithmeticDocument,
     /// The most bits that an impact took.
@@ -100,12 +100,12 @@ pub struct Times {
 /// Measures an arithmetic; `None` if interrupted.
 pub(super) fn measure(
     scene: &Scene,
-    rung: TradeArithmetic,
-    asked: &Settings,
+    arithmetic: TradeArithmetic,
+    requested: &Settings,
     units: &Scales<Unit>,
     watch: &dyn Watch,
 ) -> Result<Option<Measured>, Error> {
-    let settings = rung.settings(asked);
+    let settings = arithmetic.settings(requested);
     let is_certified = is_certified(settings.arithmetic);
     let begin = || Orbit::of(scene, settings.clone());
     let mut orbit = begin()?;
@@ -117,8 +117,8 @@ pub(super) fn measure(
     let is_long = |time: Duration| time > LONG_RUN && time.as_secs_f64() > SLOW_IMPACT.as_secs_f64() * impacts as f64;
     let times = if is_long(times.orbit) { Some(times) } else { repeat(begin, is_certified, watch)? };
     Ok(times.map(|times| Measured {
-        rung,
-        computed: arithmetic(&orbit),
+        arithmetic,
+        computed: document::arithmetic(&orbit),
         bits: orbit.bits(),
         impacts,
         is_certified,
@@ -220,8 +220,9 @@ mod tests {
                      pair = { gap = \"3*pi\", restitution = 0.5 }\n\
                      start = { time = 0, wall = \"left\", velocity = \"-4*pi\" }";
         let scene = Scene::parse(scene).unwrap();
-        let (asked, units) = (Settings { impacts: Some(5), ..scene.settings() }, Scales::of(&scene).unwrap().units());
-        let of = |rung| measure(&scene, rung, &asked, &units, &Unwatched).unwrap().unwrap();
+        let (requested, units) =
+            (Settings { impacts: Some(5), ..scene.settings() }, Scales::of(&scene).unwrap().units());
+        let of = |arithmetic| measure(&scene, arithmetic, &requested, &units, &Unwatched).unwrap().unwrap();
         let float = of(TradeArithmetic::Float);
         assert!((float.impacts, float.is_complete(), float.is_certified) == (5, true, false));
         assert!(float.widths.is_none() && float.times.with_bounds.is_none());

@@ -115,7 +115,7 @@ fn r32_exact_grazes_without_drift_are_confirmed_from_any_phase() {
 /// `y = -1/2 + 2^-103 + (1 - sin(2 pi t))/10` comes within `2^-103` of the left wall in every turn: no touch, but a graze as far as the
 /// bounds of a time tell (Lemma G1).
 #[test]
-fn r32_a_miss_that_is_not_told_from_a_touch_is_a_graze() {
+fn r32_a_miss_that_is_not_distinguished_from_a_touch_is_a_graze() {
     let of = |graze: [&str; 2]| {
         json!({
             "schema": "impact-pair/orbit/1", "certified": true,

@@ -74,10 +74,10 @@ fn folder() -> Option<PathBuf> {
 }
 
 /// The forgeries that are asked for.
-fn asked() -> Vec<&'static Forgery> {
+fn selected() -> Vec<&'static Forgery> {
     let words = only().unwrap_or_default();
-    let is_wanted = |forgery: &&Forgery| forgery.name.contains(&words);
-    FORGERIES.into_iter().flatten().filter(is_wanted).collect()
+    let is_selected = |forgery: &&Forgery| forgery.name.contains(&words);
+    FORGERIES.into_iter().flatten().filter(is_selected).collect()
 }
 
 fn only() -> Option<String> {
@@ -149,7 +149,7 @@ type Counts = BTreeMap<(&'static str, &'static str, ForgeryVerdict), usize>;
 fn table(counts: &Counts, kinds: &[&'static str]) -> String {
     let mut text = format!("| forgery: refuted / undecided / not judged | {} |\n", kinds.join(" | "));
     text += &format!("|---{}|\n", "|---".repeat(kinds.len()));
-    for forgery in asked() {
+    for forgery in selected() {
         let cell = |kind: &&'static str| {
             let of = |judgement| counts.get(&(forgery.name, *kind, judgement)).copied().unwrap_or(0);
             let all = [ForgeryVerdict::Refuted, ForgeryVerdict::Undecided, ForgeryVerdict::NotJudged].map(of);
@@ -202,7 +202,7 @@ fn nothing_that_is_forged_is_confirmed() {
     let is_all = most > 1 || only().is_some();
     let (mut counts, mut wrong, folder, mut number) = (Counts::new(), Vec::new(), folder(), 0);
     for original in &originals {
-        for forgery in asked() {
+        for forgery in selected() {
             let is_new = !counts.keys().any(|(name, of, _)| (*name, *of) == (forgery.name, original.kind));
             if !(is_all || is_new) {
                 continue;
@@ -230,14 +230,14 @@ fn nothing_that_is_forged_is_confirmed() {
             }
         }
     }
-    let total = |wanted| counts.iter().filter(|((.., found), _)| *found == wanted).map(|(_, count)| count).sum();
+    let total = |sought| counts.iter().filter(|((.., found), _)| *found == sought).map(|(_, count)| count).sum();
     let [refuted, undecided, named, true_ones]: [usize; 4] =
         [ForgeryVerdict::Refuted, ForgeryVerdict::Undecided, ForgeryVerdict::NotJudged, ForgeryVerdict::True]
             .map(total);
     println!("{}", table(&counts, &kinds));
     println!("{refuted} refuted, {undecided} undecided, {named} not judged; {true_ones} are true after all");
     assert!(wrong.is_empty(), "{} confirmed that are false:\n{}", wrong.len(), wrong.join("\n"));
-    for forgery in asked() {
+    for forgery in selected() {
         let false_ones =
             counts.iter().filter(|((name, _, found), _)| *name == forgery.name && *found != ForgeryVerdict::True);
         assert!(false_ones.count() > 0, "{} forges no document", forgery.name);

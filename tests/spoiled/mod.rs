@@ -80,7 +80,7 @@ fn nothing_that_is_false_is_confirmed() {
 
 /// The independent computation that the exemption rests on confirms the documents as they are, and no false ones.
 #[test]
-fn the_truth_is_told_from_what_is_false() {
+fn the_independent_computation_confirms_true_documents_and_no_false_ones() {
     let documents = documents::all();
     let wrong: Vec<_> = documents.iter().filter(|(_, document)| !truth::is_true(document)).collect();
     assert!(wrong.is_empty(), "{wrong:?}");

@@ -54,16 +54,16 @@ fn is_inside(text: &Value, pair: &Value) -> bool {
 
 /// Half of the bounds are no wider than is told, and none is.
 fn is_near(document: &Value, outcome: &OutcomeDocument) -> bool {
-    let Some(told) = &outcome.epsilon else { return true };
+    let Some(made_consistent) = &outcome.epsilon else { return true };
     let frequency = Exact::parse(document["scene"]["excitation"]["frequency"][0].as_str().unwrap()).unwrap();
     let turns = frequency.enclose(64).mid_rad().0 / std::f64::consts::TAU;
     let width = |event: &Value| bounds(&event["time"]).map(|[lower, upper]| float(&(upper - lower)));
     let mut halves: Vec<f64> =
         document["events"].as_array().unwrap().iter().filter_map(width).map(|width| width * turns / 2.0).collect();
     halves.sort_by(f64::total_cmp);
-    let is_told = |half: f64, told: &BigRational| half <= MAX_ROUNDING_FACTOR * float(told);
-    is_told(halves[(halves.len() - 1) / 2], &told.median.value())
-        && is_told(halves[halves.len() - 1], &told.maximum.value())
+    let is_claimed = |half: f64, made_consistent: &BigRational| half <= MAX_ROUNDING_FACTOR * float(made_consistent);
+    is_claimed(halves[(halves.len() - 1) / 2], &made_consistent.median.value())
+        && is_claimed(halves[halves.len() - 1], &made_consistent.maximum.value())
 }
 
 fn float(x: &BigRational) -> f64 {

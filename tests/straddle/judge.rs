@@ -79,8 +79,8 @@ pub fn judge(case: &Case, number: u64) -> (StartVerdict, String) {
         Verdict::Interrupted { .. } => unreachable!("nobody stops it"),
         Verdict::Undecided(finding) => (StartVerdict::Open, finding.message),
         Verdict::Refuted(finding) => {
-            let told = format!("{} {:?}, event {}", finding.message, settings.arithmetic, finding.event);
-            (StartVerdict::Refuted, told)
+            let report = format!("{} {:?}, event {}", finding.message, settings.arithmetic, finding.event);
+            (StartVerdict::Refuted, report)
         }
     }
 }

@@ -42,10 +42,10 @@ fn no_certificate_of_a_straddling_start_is_refuted() {
             return;
         }
         let case = case(&mut Dice(seed ^ number << 20), number);
-        let (judgement, told) = judge(&case, number);
+        let (judgement, report) = judge(&case, number);
         *counts.lock().unwrap().entry((case.family, judgement.name())).or_default() += 1;
         if judgement == StartVerdict::Refuted {
-            wrong.lock().unwrap().push(format!("start {number}, {}: {told}\n{}", case.family, case.text));
+            wrong.lock().unwrap().push(format!("start {number}, {}: {report}\n{}", case.family, case.text));
         }
     };
     let threads = std::thread::available_parallelism().map_or(1, usize::from);

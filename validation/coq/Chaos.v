@@ -69,7 +69,7 @@ End Sequences.
 Definition every_sequence (x : chaos) : Prop := forall ws, fits S x ws -> forall w, exists J, wall_of (J O O) = w /\ follows_words S x ws J.
 Definition every_two_sided_sequence (x : chaos) : Prop := forall ws, fits Z.succ x ws -> forall w, exists J, wall_of (J 0%Z O) = w /\ follows_words Z.succ x ws J.
 
-(* What a sequence of words weighs up to word n. *)
+(* The total weight of the first n words of a sequence. *)
 Fixpoint total (x : chaos) (weight : word -> Z) (ws : nat -> nat) (n : nat) : Z :=
   match n with O => 0%Z | S n => (total x weight ws n + weight (word_of x (ws n)))%Z end.
 Definition impacts_of (w : word) : Z := Z.of_nat (length (word_flights w)).

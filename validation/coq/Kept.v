@@ -65,7 +65,7 @@ Proof.
   intros th h. set (t := (th - seen (wall_of i) - tau s) / W s). assert (eq : phase_from i t = th) by (unfold phase_from, phase, t; field; lra).
   rewrite <- eq in h |- *. apply inside_seen, inside. rewrite <- from_start in h. destruct h as [h h']. apply from_increasing in h, h'. lra.
 Qed.
-(* What is said of a landing in the units of Step.v is said of the impact. *)
+(* Statements about a landing in the units of Step.v hold of the impact. *)
 Lemma in_region_seen i j : velocity j = free_velocity s (rebound s i) (time j) ->
   in_boxes r (phase_from i (time j) + (if far_from i j then PI else 0)) (towards (far_from i j) * rate_at (phase_seen s i) (launch_seen i) (phase_from i (time j))) ->
   in_region s r j.

@@ -80,7 +80,7 @@ Proof. unfold free_position. ring. Qed.
 Lemma velocity_start l : free_velocity l (since l) = speed l.
 Proof. unfold free_velocity. ring. Qed.
 
-(* How the ball leaves an impact: from the wall, with -e times its velocity (15). *)
+(* The start of the flight after an impact: from the wall, with -e times its velocity (15). *)
 Definition rebound (i : impact) : launch :=
   {| since := time i; place := plane s (wall_of i); speed := - e s * velocity i |}.
 

@@ -30,7 +30,7 @@ Definition agrees (c : chaos) (x : words_document) : bool := let number := lengt
 Definition included (c : chaos) (x : words_document) : Prop := forall n h N, nth_error (h_sets c) n = Some h -> nth_error (sets x) n = Some N ->
   forall y, in_frame (frame_of (grid_bits x) N) y -> in_set h (fst y) (- snd y).
 
-(* What a state stands for after half cycles, from the left wall on: on the right wall after an odd number of them. *)
+(* The impact that a state represents after half cycles, from the left wall on: on the right wall after an odd number of them. *)
 Section Impacts.
 Variable s : scene.
 Hypothesis A_positive : 0 < A s.

@@ -1,4 +1,4 @@
-(* What the document of an orbit from the scene's start claims (`claims`): its data make sense, and from every start that they allow there is
+(* The claims of the document of an orbit from the scene's start (`claims`): its data make sense, and from every start that they allow there is
    exactly one motion with such events: impacts, each the first contact after what comes before; rests, after infinitely many impacts or at once;
    and releases; and its outcome holds. *)
 From Coq Require Import Reals Lra List ZArith QArith Qreals Bool Lia.
@@ -8,7 +8,7 @@ From ImpactPair Require Import Model Motion Certificate Document.
 Open Scope R_scope.
 Import ListNotations.
 
-(* What a document lists. Impacts before a rest need not be listed; these are without a number. *)
+(* The listed events. Impacts before a rest need not be listed; these are without a number. *)
 Inductive occurrence :=
   | Impact_at (x : event)
   | Rest_at (w : wall) (lower upper : Q) (bounces : bool)

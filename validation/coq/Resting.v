@@ -7,10 +7,9 @@ From ImpactPair Require Chatter.
 Open Scope R_scope.
 Import ListNotations.
 
-(* How a rest is checked: the wall presses up to a phase, between two bounds of the ball's acceleration, the root of their ratio at most. *)
+(* The check of a rest: the contact force acts up to a phase, between two bounds of the ball's acceleration, the root of their ratio at most. *)
 Record resting := At_rest { rest_bits : positive; rest_scale : positive; ends : Z; low : Z; high : Z; ratio : Z }.
-(* How a release is checked: the wall presses up to a stretch of phases in which its pressure falls all the time, and ceases in a bracket
-   inside it. *)
+(* The check of a release: the contact force acts up to an interval of phases in which it decreases, and vanishes in a bracket inside it. *)
 Record releasing := At_release { release_bits : positive; release_scale : positive; held_from : Z; ceases : Z; ceases_by : Z; falls_by : Z }.
 Inductive step := Flight (l : leg) | Rest (r : resting) | Release (r : releasing).
 

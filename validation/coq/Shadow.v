@@ -1,4 +1,4 @@
-(* What the document of a shadowed orbit claims, and a program `verify_shadow` that verifies it, proved sound once and for all
+(* The claims of the document of a shadowed orbit, and a program `verify_shadow` that verifies it, proved sound once and for all
    (`shadow_verified`): a start on the scene's wall, within the listed bounds, which hold the scene's own, and with its time or its
    velocity, has an orbit with the listed impacts.
 
@@ -45,7 +45,7 @@ Definition claims_shadow (x : document_of event) (n : nearness) : Prop := all_pr
         ends s (rebound s i) orbit (ended x) /\ as_near s n (events x) orbit
   end.
 
-(* What helps to verify: a parallelogram of starts, of which one half vector is a velocity and the other a phase, the starts
+(* Hints for the check: a parallelogram of starts, of which one half vector is a velocity and the other a phase, the starts
    being a line along the first of them; and one for each impact, with the link that leads to it. For an outcome `time-reached` the
    next impact is the last of these, with bounds of it. Nothing is claimed of it. *)
 Record chain := Chain { chain_bits : positive; chain_scale : positive; first_chart : chart; links : list (link * chart); afterwards : option bounds }.

@@ -45,7 +45,7 @@ Record strip := Strip { begins_at : Z; ends_at : Z; backwards : bool; opens_unti
 Definition no_strip : strip :=
   let nowhere := Final (Chart 0 0 0 0 0 0) (Transit 0 0 0 0 0 0 0 0) in Strip 0 0 false 0 0 nowhere nowhere nowhere.
 
-(* Whether a patch of a chart, from a to b along and from c to d across, is inside another chart: its corners are. *)
+(* Decides whether a patch of a chart, from a to b along and from c to d across, is inside another chart: its corners are. *)
 Definition contained (q : positive) (N C : chart) (a b c d : Z) : bool :=
   let most := (2 ^ Zpos q * chart_area C)%Z in
   let corner i j :=
@@ -53,7 +53,7 @@ Definition contained (q : positive) (N C : chart) (a b c d : Z) : bool :=
     ((Z.abs (wv C * u - wu C * v) <=? most) && (Z.abs (lu C * v - lv C * u) <=? most))%Z in
   corner a c && corner a d && corner b c && corner b d.
 
-(* Where images are: in all of a chart; before its one end, or beyond its other; or anywhere along it. Always between its edges. *)
+(* The place of images: in all of a chart; before its one end, or beyond its other; or anywhere along it. Always between its edges. *)
 Inductive extent := Contained | Short | Past | Anywhere.
 
 Module Strips (F : FloatOps with Definition sensible_format := true).
@@ -127,7 +127,7 @@ Proof.
     apply (closed_comp (across (frame_of q N)) (fun r => grid q c <= r <= grid q d))]; try apply closed_from_to; [apply along_continuous|apply across_continuous].
 Qed.
 
-(* What is linear in two coordinates is at most at a corner what it is elsewhere. *)
+(* A bilinear function attains its maximum over a rectangle at a corner. *)
 Lemma at_corners (k m n a b c d xi eta most : R) : a <= xi <= b -> c <= eta <= d ->
   Rabs (k + m * a + n * c) <= most -> Rabs (k + m * a + n * d) <= most -> Rabs (k + m * b + n * c) <= most -> Rabs (k + m * b + n * d) <= most ->
   Rabs (k + m * xi + n * eta) <= most.

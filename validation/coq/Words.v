@@ -20,7 +20,7 @@ Fixpoint all_apart (words : list word_entry) : bool :=
 Definition check_set (q : positive) (N : chart) : bool :=
   ((0 <? chart_area N) && (2 * (Z.abs (lu N) + Z.abs (wu N)) <=? 3 * 2 ^ Zpos q))%Z.
 
-(* What the document says of a scene. *)
+(* The statement of the document about a scene. *)
 Definition set_number (x : words_document) (n : nat) (N : chart) : Prop := nth_error (sets x) n = Some N.
 Definition is_set (q : positive) (N : chart) : Prop := 0 < area (frame_of q N) /\
   forall y z, in_frame (frame_of q N) y -> in_frame (frame_of q N) z -> Rabs (fst y - fst z) <= 3.

@@ -43,7 +43,7 @@ class Document(unittest.TestCase):
         for told in () if IS_QUICK else ENTROPIES:
             self.assertTrue([entropy for entropy in proved if entropy.startswith(told)], f"{told} of {proved}")
 
-    def test_entropies_are_told(self):
+    def test_entropies_are_given(self):
         self.assertGreaterEqual(len(ENTROPIES), 8, "the words that tell them have changed")
 
     def test_no_other_command_is_quoted(self):

@@ -116,7 +116,7 @@ impl AuditArguments {
     }
 
     /// Returns the settings of the audit.
-    pub fn asked(&self) -> AuditSettings {
+    pub fn audit_settings(&self) -> AuditSettings {
         let (tolerance, until) = (self.tolerance.clone(), self.until.clone());
         AuditSettings { tolerance, until, digits: self.digits, max_bits: self.max_bits }
     }

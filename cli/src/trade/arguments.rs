@@ -56,7 +56,7 @@ impl TradeArguments {
     /// Returns how far each row is followed.
     pub fn settings(&self, scene: &Scene) -> Settings {
         let run = Run { impacts: self.impacts, ..Run::default() };
-        Settings { max_bits: self.max_bits, ..scene.settings_asked(run, Arithmetic::Auto) }
+        Settings { max_bits: self.max_bits, ..scene.settings_requested(run, Arithmetic::Auto) }
     }
 }
 

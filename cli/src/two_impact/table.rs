@@ -23,7 +23,7 @@ pub fn motions(scene: &Scene, unknown: &Unknown, answers: &[Answer], wall: Wall)
         Unknown::Gap(speed) => lines.push(format!("given A and |v| = {speed}: d (67), equispaced")),
     }
     for answer in answers {
-        lines.push(format!("\nN = {}, {}: {}", answer.problem().cycles(), word(wall), said(answer)));
+        lines.push(format!("\nN = {}, {}: {}", answer.problem().cycles(), word(wall), description(answer)));
         for (index, found) in answer.orbits.iter().enumerate() {
             lines.extend(orbit(index + 1, found, unknown, wall));
         }
@@ -35,7 +35,7 @@ pub fn motions(scene: &Scene, unknown: &Unknown, answers: &[Answer], wall: Wall)
 }
 
 /// Returns the number of orbits, and whether they are proved to be all orbits without sticking.
-fn said(answer: &Answer) -> String {
+fn description(answer: &Answer) -> String {
     let count = orbits(answer.orbits.len());
     if answer.is_exhaustive { format!("{count}, proved to be all without sticking") } else { count }
 }

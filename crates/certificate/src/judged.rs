@@ -65,14 +65,14 @@ impl Claims {
         CheckDocument {
             schema: CHECK_SCHEMA.to_owned(),
             verdict: judged.name(),
-            message: self.said(&judged.verdict),
+            message: self.verdict_in_words(&judged.verdict),
             claims,
             not_checked,
         }
     }
 
     /// Returns the verdict in words.
-    pub fn said(&self, verdict: &Verdict) -> String {
+    pub fn verdict_in_words(&self, verdict: &Verdict) -> String {
         match verdict {
             Verdict::Confirmed { bits, pieces } => {
                 let pieces = if *pieces == 1 { String::new() } else { format!(", the data cut into {pieces} sets") };

@@ -126,7 +126,7 @@ const EVERY_MOTION: &str = "every motion that touches a wall";
 impl GlobalDocument {
     /// Returns the same with the statement that follows from the class and the components.
     pub fn with_statement(self) -> Self {
-        Self { statement: self.said() + &self.horseshoes(), ..self }
+        Self { statement: self.statement_of_class() + &self.horseshoes(), ..self }
     }
 
     /// The components that hold a horseshoe, by their numbers from 1.
@@ -142,7 +142,7 @@ impl GlobalDocument {
     }
 
     /// Returns the behaviour of all motions, in one sentence.
-    fn said(&self) -> String {
+    fn statement_of_class(&self) -> String {
         let beside = self.beside();
         let undecided = self.count("undecided");
         let attractors: Vec<String> = self.components.iter().filter_map(ComponentDocument::attractor).collect();
@@ -185,7 +185,7 @@ impl GlobalDocument {
         let sets = saddles().filter(|saddle| saddle.orbit.is_none()).count();
         let are_symmetric =
             saddles().filter(|saddle| saddle.orbit.is_some()).all(ComponentDocument::is_its_mirror_image);
-        let mut said = match (saddles().count() - sets, are_symmetric) {
+        let mut statement_of_class = match (saddles().count() - sets, are_symmetric) {
             (0, _) => String::new(),
             (1, true) => ", or to one saddle".to_owned(),
             (1, false) => ", or to one saddle or its mirror image".to_owned(),
@@ -194,14 +194,14 @@ impl GlobalDocument {
         };
         match sets {
             0 => {}
-            1 => said.push_str(", or stays for ever in one set of saddle type, at states without area"),
-            _ => said
+            1 => statement_of_class.push_str(", or stays for ever in one set of saddle type, at states without area"),
+            _ => statement_of_class
                 .push_str(&format!(", or stays for ever in one of {sets} sets of saddle type, at states without area")),
         }
         if self.count("grazing") > 0 {
-            said.push_str(", or grazes one wall for ever");
+            statement_of_class.push_str(", or grazes one wall for ever");
         }
-        said
+        statement_of_class
     }
 }
 

@@ -24,7 +24,8 @@ pub struct TradeDocument {
     /// The scene.
     pub scene: SceneDocument,
     /// How far each row was followed.
-    pub asked: TradeAsked,
+    #[serde(rename = "asked")]
+    pub requested: TradeAsked,
     /// The units of widths and errors.
     pub units: TradeUnits,
     /// The row that was interrupted.
@@ -62,7 +63,8 @@ pub struct RungDocument {
     /// Its name.
     pub name: String,
     /// Its options on the command line.
-    pub asked: RungAsked,
+    #[serde(rename = "asked")]
+    pub requested: RungAsked,
     /// The arithmetic with its precision.
     pub arithmetic: ArithmeticDocument,
     /// Whether the bounds are certified.

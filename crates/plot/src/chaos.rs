@@ -12,7 +12,7 @@ use plotters::prelude::*;
 use plotters::style::text_anchor::HPos;
 
 use crate::picture::{self, Arc, Axis, Canvas, Dots, Drawn, Element, FONT, Look, Mark, Path, Plane, SCALE, SKY};
-use crate::picture::{VERMILION, greek, hex, legend, program, said, words};
+use crate::picture::{VERMILION, greek, hex, legend, program, typeset_text, words};
 use crate::sweep::Cells;
 
 /// Size of a single panel, and of each of several beside each other \[pixels\].
@@ -45,11 +45,11 @@ pub fn trap(scene: &Scene, region: &Trap, look: &Look) -> Result<String> {
         None => String::new(),
     };
     let proved = format!("certified: a trapping region of {} boxes{entered}; {}", region.boxes(), program());
-    let said = format!("{} impacts of a floating-point orbit after {TRANSIENT} others: non-rigorous", states.len());
+    let floating = format!("{} impacts of a floating-point orbit after {TRANSIENT} others: non-rigorous", states.len());
     picture::svg(look.size(SINGLE_PANEL_SIZE), SCALE, |root| {
         let top = caption(scene, None, proved, (root, look))?;
         let boxes = format!("boxes of 2π/{columns} by 1/{rows}");
-        let height = legend(root, top, &[(Mark::Cell(SKY), boxes), (Mark::Dot(BLACK), said)])?;
+        let height = legend(root, top, &[(Mark::Cell(SKY), boxes), (Mark::Dot(BLACK), floating)])?;
         let (_, below) = root.split_vertically(top + height);
         let axes = [arc.axis(), speeds(region.speed())];
         let plane = Plane::draw(&below, axes, [PHASE_LABEL, SPEED_LABEL], RIGHT_MARGIN)?;
@@ -190,7 +190,7 @@ fn entries(found: &Chaos, set: Option<&Hyperbolic>) -> Vec<(Mark, String)> {
     }
     for (words, colour) in leaf::words(found).iter().zip(leaf::COLOURS) {
         let Some(word) = words.first() else { continue };
-        let name = said(&word.in_mappings());
+        let name = typeset_text(&word.in_mappings());
         entries.push((
             Mark::Line(colour, leaf::STRIP_WIDTH),
             format!("(b) images by {name}, which are proved to cover h-sets"),
@@ -297,7 +297,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn bounds_are_never_told_to_be_more() {
+    fn bounds_are_never_described_as_equalities() {
         assert_eq!(
             [0.28119957, 0.43326711, 0.0, 0.00009999].map(rounded_down),
             ["0.2811", "0.4332", "0.0000", "0.0000"]

@@ -18,7 +18,7 @@ use plotters::prelude::*;
 use crate::chaos::section;
 use crate::orbit::{Frame, Panel, Recorder, Style, Trace, explain, panel, title};
 use crate::picture::{self, Axis, BLUE, Canvas, Drawn, GREEN, GREY, Look, Mark, Plane, SCALE, SKY};
-use crate::picture::{VERMILION, greek, legend, program, said};
+use crate::picture::{VERMILION, greek, legend, program, typeset_text};
 use crate::sweep::value;
 
 /// The size of a panel as it is shown, and the margin of the page.
@@ -106,7 +106,7 @@ fn head(
 ) -> Result<i32, Box<dyn std::error::Error>> {
     let lines = impact_pair::describe::lines(document);
     let shown = lines.iter().filter(|(label, _)| ["fate", "exponent", "entropy"].contains(label));
-    let shown = shown.map(|(label, text)| said(&format!("{label}: {text}")).replace(" -", " −"));
+    let shown = shown.map(|(label, text)| typeset_text(&format!("{label}: {text}")).replace(" -", " −"));
     let data = greek(&format!("{}; {}", scene.parameters_in_words(), scene.start_in_words()));
     let last = format!("shown from the start on: (a) {CYCLES} forcing periods; (b) {ORBIT_CYCLES}; {}", program());
     let lines: Vec<String> = [data].into_iter().chain(shown).chain([last]).collect();

@@ -106,9 +106,9 @@ fn objects<'j>(name: &str, rows: &[&'j RawValue]) -> Result<Vec<(String, Object<
 /// The rows of an object of arrays, with their events if it has such a column.
 fn by_columns<'j>(document: &Object<'j>, columns: &Columns) -> Result<Vec<(String, Object<'j>)>, Error> {
     let named = |column: &Column| column.names().find_map(|name| document.get_key_value(name));
-    let wanted = [Some(&columns.time), Some(&columns.wall), columns.velocity.as_ref()].map(|column| named(column?));
+    let needed = [Some(&columns.time), Some(&columns.wall), columns.velocity.as_ref()].map(|column| named(column?));
     let mut rows: Vec<(String, Object<'j>)> = Vec::new();
-    for (number, column) in wanted.into_iter().chain([document.get_key_value("event")]).enumerate() {
+    for (number, column) in needed.into_iter().chain([document.get_key_value("event")]).enumerate() {
         let Some((name, values)) = column else { continue };
         let values = list(values).map_err(|error| Error::list(format!("{name}: {error}")))?;
         if number == 0 {

@@ -77,7 +77,7 @@ impl Work<'_> {
     /// The same stretches, what is undecided in them tried by h-sets of their neighbours, and by those that are searched for within.
     pub(super) fn spread(&self, stretches: Vec<Stretch>) -> Result<Vec<Stretch>, Error> {
         let mut stretches = self.between(stretches)?;
-        let searches = if self.asked.halvings < PART_HALVINGS[0] { 0 } else { MAX_SEARCHES }; // proposes: worth it only in narrow parts
+        let searches = if self.requested.halvings < PART_HALVINGS[0] { 0 } else { MAX_SEARCHES }; // proposes: worth it only in narrow parts
         let mut looked_at: Vec<f64> = Vec::new();
         while looked_at.len() < searches && self.watch.goes_on() {
             let Some([low, high]) = self.widest(&stretches, &looked_at) else { break };
@@ -105,18 +105,18 @@ impl Work<'_> {
 
     /// Width of a cell after N halvings, in units of the parameter.
     fn wide(&self, halved: u32) -> f64 {
-        let over = &self.asked.over;
-        (double(&over.high) - double(&over.low)) / f64::from(self.asked.cells) / f64::from(1 << halved)
+        let over = &self.requested.over;
+        (double(&over.high) - double(&over.low)) / f64::from(self.requested.cells) / f64::from(1 << halved)
     }
 
     fn law(&self, [low, high]: [&Exact; 2]) -> Result<Law, Error> {
-        Law::of(&self.pair.with(self.asked.over.key, within(NAME, low, Exact::interval(low, high))?)?)
+        Law::of(&self.pair.with(self.requested.over.key, within(NAME, low, Exact::interval(low, high))?)?)
     }
 
     /// H-sets about bundles of leaves at the first of some values whose floating-point orbit is chaotic.
     fn seed(&self, values: [&Exact; 3]) -> Result<Option<Seed>, Error> {
         let Some((value, orbit)) = self.looked_at(values, false)? else { return Ok(None) };
-        let bases = bases(&orbit, &self.law([&value; 2])?, self.asked.depth, BUNDLED, self.watch);
+        let bases = bases(&orbit, &self.law([&value; 2])?, self.requested.depth, BUNDLED, self.watch);
         Ok((!bases.is_empty()).then_some(Seed { value, bases }))
     }
 
@@ -187,7 +187,7 @@ impl Walk<'_> {
     /// Passes a stretch that is undecided: as a whole if it is narrow enough and a horseshoe is proved of it, or else its halves.
     fn pass(&mut self, stretch: Stretch) -> Result<(), Error> {
         let width = double(&stretch.high) - double(&stretch.low);
-        let is_wider = |than: u32| width > 1.001 * self.work.wide(than.min(self.work.asked.halvings)); // proposes: which parts
+        let is_wider = |than: u32| width > 1.001 * self.work.wide(than.min(self.work.requested.halvings)); // proposes: which parts
         let [is_wide, is_halved] = PART_HALVINGS.map(is_wider);
         if self.followed.is_none() || self.missed >= MAX_MISSES || !self.work.watch.goes_on() {
             self.passed.push(stretch);
@@ -219,6 +219,6 @@ impl Walk<'_> {
         let law = self.work.law([&stretch.low, &stretch.high])?;
         self.followed = self.followed.as_ref().and_then(|followed| followed.to(&law));
         let Some(followed) = &self.followed else { return Ok(None) };
-        Ok(Horseshoe::quick(&law, followed.bases(), self.work.asked.depth, self.work.watch))
+        Ok(Horseshoe::quick(&law, followed.bases(), self.work.requested.depth, self.work.watch))
     }
 }

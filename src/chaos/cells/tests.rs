@@ -72,8 +72,8 @@ fn moved_h_sets_lead_to_a_horseshoe() {
 #[test]
 fn a_stretch_is_decided_by_the_h_sets_of_a_neighbour() {
     let scene = Scene::parse(include_str!("../../../scenes/figure-14.toml")).unwrap();
-    let asked = RangeSettings { over: "amplitude=7.38..7.43".parse().unwrap(), cells: 1, halvings: 4, depth: 8 };
-    let work = Work { pair: scene.pair(), start: scene.start(), asked: &asked, watch: &Unwatched };
+    let requested = RangeSettings { over: "amplitude=7.38..7.43".parse().unwrap(), cells: 1, halvings: 4, depth: 8 };
+    let work = Work { pair: scene.pair(), start: scene.start(), requested: &requested, watch: &Unwatched };
     let decided = stable("P1 P2");
     let given = vec![stretch("7.38", "7.4", Verdict::Undecided), stretch("7.4", "7.43", decided.clone())];
     let seed = Seed { value: "7.38".parse().unwrap(), bases: bases() };
@@ -84,7 +84,7 @@ fn a_stretch_is_decided_by_the_h_sets_of_a_neighbour() {
     for part in &found[..found.len() - 1] {
         let horseshoe = part.verdict.horseshoe().expect("one is proved");
         for end in [&part.low, &part.high] {
-            let one = Law::of(&scene.pair().with(asked.over.key, end.clone()).unwrap()).unwrap();
+            let one = Law::of(&scene.pair().with(requested.over.key, end.clone()).unwrap()).unwrap();
             let own = Horseshoe::quick(&one, horseshoe.bases.clone(), 8, &Unwatched).expect("it has one by itself");
             assert!(own.entropy[0] >= 0.9 * horseshoe.entropy[0] && horseshoe.entropy[0] > 0.0);
         }
@@ -98,8 +98,8 @@ fn a_stretch_is_decided_by_the_h_sets_of_a_neighbour() {
 #[test]
 fn a_stretch_below_is_decided_by_the_h_sets_of_a_neighbour() {
     let scene = Scene::parse(include_str!("../../../scenes/figure-14.toml")).unwrap();
-    let asked = RangeSettings { over: "amplitude=7.33..7.38".parse().unwrap(), cells: 1, halvings: 4, depth: 8 };
-    let work = Work { pair: scene.pair(), start: scene.start(), asked: &asked, watch: &Unwatched };
+    let requested = RangeSettings { over: "amplitude=7.33..7.38".parse().unwrap(), cells: 1, halvings: 4, depth: 8 };
+    let work = Work { pair: scene.pair(), start: scene.start(), requested: &requested, watch: &Unwatched };
     let given = vec![stretch("7.33", "7.36", stable("P1 P2")), stretch("7.36", "7.38", Verdict::Undecided)];
     let found = work.walked(&Seed { value: "7.38".parse().unwrap(), bases: bases() }, given, false).unwrap();
     assert_eq!(

@@ -185,7 +185,7 @@ fn layers_hold_the_cycles() {
 
 /// One far flight and one near one, in the whole system: twice around, since the walls are exchanged after one round.
 #[test]
-fn chains_are_told_from_the_left_wall() {
+fn chains_are_given_from_the_left_wall() {
     let point = |x: f64| Interval::point(x);
     let chain = Chain {
         phases: vec![point(0.25), point(1.0)],

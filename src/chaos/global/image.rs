@@ -110,9 +110,9 @@ impl Space {
         SPEED_STEP * ((limit / SPEED_STEP).floor() + 1.0) // A1: greater than the limit
     }
 
-    /// Notes all that may follow the states of a box. Flights that last long, and land in all columns, are noted in those of `asked`,
+    /// Notes all that may follow the states of a box. Flights that last long, and land in all columns, are noted in those of `requested`,
     /// which are in order. Returns the work: views of flights, columns of long ones, and what is noted.
-    pub fn images(&self, grid: Grid, (column, row): Cell, asked: &[i32], note: &mut dyn FnMut(Next)) -> u64 {
+    pub fn images(&self, grid: Grid, (column, row): Cell, requested: &[i32], note: &mut dyn FnMut(Next)) -> u64 {
         let [columns, rows] = [grid.columns as f64, grid.rows]; // exact: powers of two
         let phases = [f64::from(column) / columns, f64::from(column + 1) / columns];
         let speeds = [f64::from(row) / rows, f64::from(row + 1) / rows];
@@ -133,7 +133,7 @@ impl Space {
         for i in 0..across {
             for j in 0..along {
                 let part = (column * across + i, row * along + j);
-                work += self.part((grid, asked), finer, part, i64::from(column), note);
+                work += self.part((grid, requested), finer, part, i64::from(column), note);
             }
         }
         work
@@ -148,7 +148,7 @@ impl Space {
     /// Notes what may follow the states of a part of a box.
     fn part(
         &self,
-        (grid, asked): (Grid, &[i32]),
+        (grid, requested): (Grid, &[i32]),
         finer: Grid,
         (column, row): Cell,
         home: i64,
@@ -166,7 +166,12 @@ impl Space {
         if let Some(speeds) = far {
             work += self.land(grid, Side::Far, home, speeds, false, note);
         }
-        work + self.march((grid, asked), &Flights::new(&self.law, &finer.quad((column, row))), &part, note)
+        work + self.note_later_contacts(
+            (grid, requested),
+            &Flights::new(&self.law, &finer.quad((column, row))),
+            &part,
+            note,
+        )
     }
 
     /// Bounds of the speeds of contacts at the phases of a part, of either wall; `None` where there is none. Lemma A3
@@ -180,7 +185,13 @@ impl Space {
     }
 
     /// Notes the contacts at later phases. Lemmas D4, A4
-    fn march(&self, (grid, asked): (Grid, &[i32]), flights: &Flights, part: &Part, note: &mut dyn FnMut(Next)) -> u64 {
+    fn note_later_contacts(
+        &self,
+        (grid, requested): (Grid, &[i32]),
+        flights: &Flights,
+        part: &Part,
+        note: &mut dyn FnMut(Next),
+    ) -> u64 {
         let columns = grid.columns as f64; // exact: a power of two
         let from = part.phases[1];
         let first = (from * columns).floor() as i64; // D4: the column that it is in
@@ -224,7 +235,7 @@ impl Space {
             }
             column += 1;
         }
-        work + self.slow((grid, asked), self.drifts(flights, longest - 1.0), note)
+        work + self.slow((grid, requested), self.drifts(flights, longest - 1.0), note)
     }
 
     /// Returns the number of forcing periods for which flights are followed: few where they may end in several.
@@ -243,19 +254,19 @@ impl Space {
     }
 
     /// Notes the contacts of flights that have lasted long, at any phase that these have, in the columns that are requested. Lemma A4
-    fn slow(&self, (grid, asked): (Grid, &[i32]), drifts: [f64; 2], note: &mut dyn FnMut(Next)) -> u64 {
+    fn slow(&self, (grid, requested): (Grid, &[i32]), drifts: [f64; 2], note: &mut dyn FnMut(Next)) -> u64 {
         if drifts[0] > drifts[1] {
             return 0; // A4: there is none
         }
-        let is_all = asked.len() as i64 == grid.columns; // exact: a length
+        let is_all = requested.len() as i64 == grid.columns; // exact: a length
         if !is_all {
             note(Next::Elsewhere);
         }
         let columns = grid.columns as f64; // exact: a power of two
-        let mut work = asked.len() as u64; // exact: a length
+        let mut work = requested.len() as u64; // exact: a length
         for side in [Side::Near, Side::Far] {
             let shift = if side == Side::Far { grid.columns / 2 } else { 0 };
-            for &column in asked {
+            for &column in requested {
                 let column = (i64::from(column) + shift).rem_euclid(grid.columns);
                 let phases = [column as f64 / columns, (column + 1) as f64 / columns]; // exact: a power of two
                 let cos = ends(over(phases).1);

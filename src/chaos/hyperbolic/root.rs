@@ -155,18 +155,18 @@ fn least_ratio(edges: &[Edge], nodes: usize) -> f64 {
 
 /// The least ways to all nodes, an edge weighing its least weight less its length times the ratio; `None` where a cycle is negative.
 fn shortest(edges: &[Edge], nodes: usize, ratio: f64) -> Option<Vec<f64>> {
-    let mut ways = vec![0.0; nodes];
+    let mut path_weights = vec![0.0; nodes];
     for _ in 0..=nodes {
         let mut is_done = true;
         for edge in edges {
-            let way = ways[edge.from] + edge.weight[0] - ratio * edge.length;
-            if way < ways[edge.to] - 1e-13 {
-                ways[edge.to] = way;
+            let path_weight = path_weights[edge.from] + edge.weight[0] - ratio * edge.length;
+            if path_weight < path_weights[edge.to] - 1e-13 {
+                path_weights[edge.to] = path_weight;
                 is_done = false;
             }
         }
         if is_done {
-            return Some(ways);
+            return Some(path_weights);
         }
     }
     None

@@ -104,8 +104,8 @@ impl Strings<'_> {
         let [along, across] = sides.both().map(|side| beside(side, slope));
         // The line is off by its rounding: all of the difference is more than half of it.
         let reach = up(0.5 * half.mag() + f64::EPSILON * strip.breadth(image.spread(1)).mag());
-        let wanted = (place - beside(*middle, slope)).widened(up(reach + across.mag()));
-        wanted.checked_div(along).map_or(Some(*cell), |within| cell.part(0, within))
+        let numerator = (place - beside(*middle, slope)).widened(up(reach + across.mag()));
+        numerator.checked_div(along).map_or(Some(*cell), |within| cell.part(0, within))
     }
 
     /// The points of a word's cells, as far as they are left by what `narrowed` says of them.

@@ -152,20 +152,20 @@ fn least(loop_: Vec<usize>) -> Vec<usize> {
 /// All closed sequences of words of N impacts at most, none of them a shorter one several times.
 fn loops(words: &[(usize, &Branch)], most: usize) -> BTreeSet<Vec<usize>> {
     let (mut found, mut open) = (BTreeSet::new(), vec![(Vec::<&(usize, &Branch)>::new(), 0)]);
-    while let Some((way, impacts)) = open.pop() {
-        if let (Some(first), Some(last)) = (way.first(), way.last())
+    while let Some((path, impacts)) = open.pop() {
+        if let (Some(first), Some(last)) = (path.first(), path.last())
             && first.1.from == last.1.to
         {
-            let numbers: Vec<usize> = way.iter().map(|word| word.0).collect();
+            let numbers: Vec<usize> = path.iter().map(|word| word.0).collect();
             if (1..numbers.len()).all(|k| [&numbers[k..], &numbers[..k]].concat() != numbers) {
                 found.insert(least(numbers));
             }
         }
-        let fits = |word: &&(usize, &Branch)| way.last().is_none_or(|last| last.1.to == word.1.from);
+        let fits = |word: &&(usize, &Branch)| path.last().is_none_or(|last| last.1.to == word.1.from);
         for word in words.iter().filter(fits) {
             let impacts = impacts + word.1.sides.len();
             if impacts <= most {
-                open.push(([&way[..], &[word]].concat(), impacts));
+                open.push(([&path[..], &[word]].concat(), impacts));
             }
         }
     }

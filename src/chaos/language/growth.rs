@@ -27,7 +27,7 @@ pub(super) fn rate(count: &BigUint, letters: u32) -> f64 {
 
 /// Returns an upper bound of the growth rate of the number of paths. Lemma D31
 pub(super) fn limit(steps: &[[Option<u32>; 2]]) -> f64 {
-    let radius = parts(&forth(steps)).iter().map(|part| radius(steps, part)).fold(1.0, f64::max); // D31: at least one path goes on
+    let radius = parts(&successors(steps)).iter().map(|part| radius(steps, part)).fold(1.0, f64::max); // D31: at least one path goes on
     if radius == 1.0 { 0.0 } else { logarithm(Ball::exact(radius)).map_or(f64::INFINITY, above) } // exact: the logarithm of 1
 }
 
@@ -66,6 +66,6 @@ fn radius(steps: &[[Option<u32>; 2]], part: &[usize]) -> f64 {
 }
 
 /// The nodes that each one leads to.
-fn forth(steps: &[[Option<u32>; 2]]) -> Vec<Vec<usize>> {
+fn successors(steps: &[[Option<u32>; 2]]) -> Vec<Vec<usize>> {
     steps.iter().map(|steps| steps.iter().flatten().map(|&to| to as usize).collect()).collect() // exact: indices
 }

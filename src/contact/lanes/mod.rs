@@ -64,7 +64,7 @@ impl Lanes {
     fn solve(&mut self, pair: &Reduced<f64>) {
         self.launch(pair);
         self.propose();
-        let any = |lanes: &Self, asked: fn(State) -> bool| (0..LANES).any(|lane| asked(lanes.states.get(lane)));
+        let any = |lanes: &Self, requested: fn(State) -> bool| (0..LANES).any(|lane| requested(lanes.states.get(lane)));
         if any(self, |state| state.is_decided && !state.is_hop) {
             self.refine();
             self.part();
@@ -166,12 +166,12 @@ impl Lanes {
             let is_short =
                 state.is_decided & !state.is_hop & (flight.elapsed(iterate.turns, iterate.at) <= SHORT_FLIGHT);
             let short = iterate.turns + (iterate.at - flight.phase) - iterate.step;
-            let is_told = !is_short | is_near_time(short);
-            let time = if is_short & is_told { short } else { state.time };
+            let is_settled = !is_short | is_near_time(short);
+            let time = if is_short & is_settled { short } else { state.time };
             // The time of a short flight is measured from its start.
             self.searches.turns[lane] = if is_short { 0.0 } else { iterate.turns };
-            let is_near = (state.is_hop | is_short) & is_told;
-            self.states.set(lane, State { time, is_near, is_decided: state.is_decided & is_told, ..state });
+            let is_near = (state.is_hop | is_short) & is_settled;
+            self.states.set(lane, State { time, is_near, is_decided: state.is_decided & is_settled, ..state });
         }
     }
 

@@ -211,8 +211,8 @@ fn first_piece(flight: &Flight<MpBall>, rising: bool) -> Result<Piece, Undecided
     // The distance of the extremum beyond the wall, as a fraction of the way that the piece makes.
     let approach = flight.drift.clone().signed(target.direction());
     let beyond = approach.clone().mul_add(k, -room);
-    let way = flight.alpha.clone().plus(&flight.alpha).mul_add(turning.sine.clone(), approach * span.clone());
-    let fraction = beyond.mid().clone() / way.mid();
+    let travel = flight.alpha.clone().plus(&flight.alpha).mul_add(turning.sine.clone(), approach * span.clone());
+    let fraction = beyond.mid().clone() / travel.mid();
     let from_end = inverse_smoothstep(fraction.to_f64());
     let guess = end.mid() - span.mid().clone() * from_end;
     let begin = end.mid().clone() - span.mid();

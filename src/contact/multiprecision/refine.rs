@@ -82,7 +82,7 @@ impl Isolated {
             return self.refine_hop(flight, bits);
         }
         let mut at = self.at.clone();
-        for level in self.ladder(flight, bits) {
+        for level in self.precisions(flight, bits) {
             let coarse = flight.map(|x| x.rounded(level));
             at.set_prec(level);
             let sight = self.look(&coarse, &at);
@@ -142,7 +142,7 @@ impl Isolated {
     }
 
     /// The precisions of the steps before the last, rising to a quarter of `bits`.
-    fn ladder(&self, flight: &Flight<MpBall>, bits: u32) -> Vec<u32> {
+    fn precisions(&self, flight: &Flight<MpBall>, bits: u32) -> Vec<u32> {
         // Bits that a step loses: an error of the phase counts against |z'| / z''.
         let lost = (8.0 + (flight.steepest().log2() - self.least.log2()).max(0.0)).ceil() as u32; // proposes
         let known = -self.reach.log2();

@@ -130,7 +130,7 @@ proptest! {
 
     /// Lemmas C3 and C4 where doubles tell nothing: 300 bits see on which side of the wall the maximum is.
     #[test]
-    fn a_maximum_near_the_wall_is_told_from_a_touch(Grazing { truth, time, room } in grazing()) {
+    fn a_maximum_near_the_wall_is_distinguished_from_a_touch(Grazing { truth, time, room } in grazing()) {
         for bits in [64, 128, 300] {
             let found = isolate::isolate(&flight_of(&truth, bits, Magnitude::ZERO));
             let Ok(found) = found else {

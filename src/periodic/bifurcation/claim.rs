@@ -203,9 +203,11 @@ impl<S: Varied> Claim<'_, S> {
     /// Returns whether the widths are those requested: the parameter's relative to itself.
     fn is_narrow<N: Enclosing>(&self, at: &[N], speed: f64, velocities: &[N]) -> bool {
         // A radius is half of a width.
-        let asked = self.precision.log2_width() - 1.0;
+        let requested = self.precision.log2_width() - 1.0;
         let size = |x: &N| x.as_ball().mid().abs().log2();
         let (phases, p) = (&at[..self.ring.unknowns()], &at[at.len() - 1]);
-        widest(phases) <= asked && p.log2_radius() <= asked + size(p) && widest(velocities) <= asked + speed.log2()
+        widest(phases) <= requested
+            && p.log2_radius() <= requested + size(p)
+            && widest(velocities) <= requested + speed.log2()
     }
 }

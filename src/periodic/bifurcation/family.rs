@@ -162,6 +162,6 @@ impl Varied for SeveralHarmonics {
             0.5 * (low + high)
         };
         let changes = known.windows(2).filter(|ends| ends[0].1 * ends[1].1 < 0.0).map(halved);
-        changes.map(|s| (s, sum.way(from, &sum.moment(0.0, &s), 0.0))).collect()
+        changes.map(|s| (s, sum.travel(from, &sum.moment(0.0, &s), 0.0))).collect()
     }
 }

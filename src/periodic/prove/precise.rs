@@ -35,9 +35,9 @@ impl Problem {
         mut best: Option<PeriodicOrbit>,
     ) -> Option<PeriodicOrbit> {
         let inverse = newton::precondition(&self.chain, shaken.floats(), guess)?;
-        let wanted = working_bits(precision.digits);
+        let working = working_bits(precision.digits);
         let mut last = f64::INFINITY;
-        let mut bits = if narrow { 128 } else { wanted.max(128) }; // proposes
+        let mut bits = if narrow { 128 } else { working.max(128) }; // proposes
         while bits <= precision.max_bits && (bits <= DECIDING_BITS || (best.is_some() && !narrow)) {
             let shaking = shaken.precise(bits);
             let guess =

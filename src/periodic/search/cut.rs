@@ -222,9 +222,9 @@ impl<'c> Terms<'c> {
             part.drifts[i] = part.drifts[i].intersection(wave)?;
             return Some(());
         }
-        let way = Interval::point(displacement);
-        part.drifts[i] = cut_if(part.drifts[i], way.checked_div(time).map(|straight| straight + wave))?;
-        part.times[i] = cut_if(time, way.checked_div(part.drifts[i] - wave))?;
+        let travel = Interval::point(displacement);
+        part.drifts[i] = cut_if(part.drifts[i], travel.checked_div(time).map(|straight| straight + wave))?;
+        part.times[i] = cut_if(time, travel.checked_div(part.drifts[i] - wave))?;
         Some(())
     }
 
@@ -308,8 +308,8 @@ impl<'c> Terms<'c> {
         for fraction in FLIGHT_FRACTIONS {
             let since = part.times[i].scaled(fraction);
             let at = part.phases[i] + since.scaled(0.5);
-            let way = since * (part.drifts[i] - self.mean(since, at));
-            way.signed(wall.sign()).intersection(Interval::new(0.0, 1.0))?;
+            let travel = since * (part.drifts[i] - self.mean(since, at));
+            travel.signed(wall.sign()).intersection(Interval::new(0.0, 1.0))?;
         }
         Some(())
     }

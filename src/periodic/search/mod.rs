@@ -318,7 +318,7 @@ mod tests {
     /// Two motions of figure 12's word: of a cell that found one of them, while the middles of its bounds are nearest to the other one, neither is
     /// taken for the other.
     #[test]
-    fn r32_an_orbit_proved_anew_is_asked_whether_it_is_the_one_that_a_cell_found() {
+    fn r32_an_orbit_proved_anew_is_compared_with_that_of_its_cell() {
         let start = Start::on_wall("0".parse().unwrap(), Wall::Left, "-1".parse().unwrap()).unwrap();
         let problem = problem("1/9.42497", "0.5", "LR", 1);
         let Either::One(one) = &problem.shaken else { panic!("one harmonic") };

@@ -13,7 +13,7 @@ let steps = 4
 let narrower = 36
 let vector_bits = 44
 let spare_bits = 48
-(* What one parallelogram covers more than the next one needs. *)
+(* The factor by which a parallelogram covers more than the next one needs. *)
 let margin = 1.02
 
 (* By phase and velocity. *)

@@ -9,7 +9,7 @@ type float = Stdlib.Float.t
 (* Bits beyond those of the last box, and of the computation beyond these. *)
 let spare_bits = 16
 let working_spare = 64
-(* What bounds of the pressure are wider than they need be, of themselves; and what a root is. *)
+(* The factor by which bounds of the contact force are wider than they need be, and the tolerance of a root. *)
 let slack = 1e-13
 let wide = 1.0 +. 1e-12
 (* A rest at once is shown to last so long at most, in phase, and the pressure to fall so far from a release on. *)
@@ -163,8 +163,7 @@ let rec steps data from ~first_at ~bounds occurrences until n =
        | _ -> raise (Lost n))
     | _ -> raise (Lost n)
 
-(* How much is listed up to the first release that comes again, and from there up to that: after so many forcing periods, with as many impacts, as
-   are said. *)
+(* The number of events up to the first recurrent release, and from there up to its recurrence: after the claimed numbers of forcing periods and impacts. *)
 let same_phase = 1e-9
 let rounds data cycles each occurrences =
   let s = setting fine data in

@@ -198,8 +198,8 @@ impl<'a> Flight<'a> {
 
     /// A = 0: a straight line to the wall.
     fn straight(&self, direction: Wall) -> Truth {
-        let way = self.float(&self.half_gap * direction.sign()) - &self.base;
-        let elapsed = way / &self.start.velocity_after;
+        let travel = self.float(&self.half_gap * direction.sign()) - &self.base;
+        let elapsed = travel / &self.start.velocity_after;
         let precision = self.problem.precision();
         Truth::Contact {
             time: Float::with_val(precision, elapsed + &self.start.time),
@@ -210,11 +210,11 @@ impl<'a> Flight<'a> {
 
     /// |b| >= A: y runs to the wall on the side of b, within 2 A of the straight line y_i + b phi.
     fn monotone(&self, direction: Wall) -> Result<Truth, Unresolved> {
-        let way = self.float(&self.half_gap * direction.sign()) - self.start.place(self.problem);
+        let travel = self.float(&self.half_gap * direction.sign()) - self.start.place(self.problem);
         let slack = self.float(&self.problem.amplitude * 2);
         let speed = self.float(self.b.abs_ref());
-        let from = self.float((self.float(way.abs_ref()) - &slack) / &speed).max(&Float::new(self.bits));
-        let to = self.float((way.abs() + slack) / speed);
+        let from = self.float((self.float(travel.abs_ref()) - &slack) / &speed).max(&Float::new(self.bits));
+        let to = self.float((travel.abs() + slack) / speed);
         let turns = self.float(&from / &self.two_pi).floor();
         let whole = self.float(&turns * &self.two_pi);
         self.contact(direction, from - &whole, to - &whole, &turns)

@@ -45,9 +45,9 @@ fn adversarial_first_flights_are_right_and_decided() {
     report.print();
     let shown = |list: &[String]| list.iter().take(8).cloned().collect::<Vec<_>>().join("\n");
     let (wrong, undecided) = (report.wrong.len(), report.undecided.len());
-    assert!(report.asked >= 300 * cases(4), "only {} flights", report.asked);
+    assert!(report.requested >= 300 * cases(4), "only {} flights", report.requested);
     assert_eq!(wrong, 0, "wrong:\n{}", shown(&report.wrong));
-    assert_eq!(undecided, 0, "undecided of {}:\n{}", report.asked, shown(&report.undecided));
+    assert_eq!(undecided, 0, "undecided of {}:\n{}", report.requested, shown(&report.undecided));
 }
 
 /// The control: twins differ by twice the depth and by nothing else, so the library's answer to one, judged by the truth

@@ -180,11 +180,11 @@ fn near_grazes_on_either_side() {
     let mut misses = Vec::new();
     for digits in 1..=15 {
         let mut tally = Tally::new(&format!("graze missed or cut by 1e-{digits}"));
-        while tally.asked < cases(500) {
+        while tally.requested < cases(500) {
             let side = if random.below(2) == 0 { 1.0 } else { -1.0 };
             let miss = side * 10f64.powi(-digits) * random.uniform(0.3, 1.0);
             if let Some(case) = near_graze(&mut random, miss) {
-                let points = if tally.asked.is_multiple_of(5) { 1000 } else { 0 };
+                let points = if tally.requested.is_multiple_of(5) { 1000 } else { 0 };
                 tally.flight(&case, points);
             }
         }

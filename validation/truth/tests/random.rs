@@ -112,11 +112,11 @@ fn a_drift_of_one_in_1e12_meets_the_wall_after_1e12_turns() {
             let mut start = Start::inside(&problem, time, position, 0);
             let theta0 = Float::with_val(300, &problem.omega * &start.time) + &problem.tau;
             let scale = Float::with_val(300, &problem.amplitude * &problem.omega);
-            let wanted =
+            let difference =
                 (random.uniform(0.5, 1.0) * 10f64.powi(-exponent)) * if random.below(2) == 0 { 1.0 } else { -1.0 };
-            start.velocity_after = Float::with_val(256, &scale * (wanted - theta0.cos()));
+            start.velocity_after = Float::with_val(256, &scale * (difference - theta0.cos()));
             let (time, wall, _) = contact(&problem, &start);
-            assert_eq!(wall, if wanted > 0.0 { Wall::Right } else { Wall::Left });
+            assert_eq!(wall, if difference > 0.0 { Wall::Right } else { Wall::Left });
             // On the wall at `time`, by eq. (11) with the whole phase.
             let miss = displacement(&problem, &start, &time) - problem.wall_at(wall);
             assert!(miss.to_f64().abs() < TRUTH_ON_THE_WALL, "{miss}");

@@ -2,7 +2,7 @@
 
 use std::f64::consts::{PI, TAU};
 
-use impact_pair::chaos::{Global, GlobalSettings, BasinOutcome, Kind};
+use impact_pair::chaos::{BasinOutcome, Global, GlobalSettings, Kind};
 use impact_pair::document;
 use impact_pair::pair::Wall;
 use impact_pair::watch::Unwatched;
@@ -178,9 +178,9 @@ fn run(point: [&str; 2], starts: usize, random: &mut Random) -> (BTreeMap<End, u
     let simulator = Simulator { gap: 1.0 / ratio, restitution };
     let attractors = attractors(&found);
     let is_whole = found.components.iter().all(|own| !own.kind.is_undecided());
-    let (mut counts, mut wrong, mut asked) = (BTreeMap::new(), Vec::new(), 0);
+    let (mut counts, mut wrong, mut requested) = (BTreeMap::new(), Vec::new(), 0);
     for _ in 0..200 * starts {
-        if asked == starts {
+        if requested == starts {
             break;
         }
         let at @ [phase, speed] = [random.uniform(0.0, 1.0), random.uniform(0.0, found.fastest)];
@@ -194,7 +194,7 @@ fn run(point: [&str; 2], starts: usize, random: &mut Random) -> (BTreeMap<End, u
             _ if is_whole => None,
             _ => continue,
         };
-        asked += 1;
+        requested += 1;
         let end = end(&simulator, &attractors, [TAU * phase, speed]);
         *counts.entry(end).or_default() += 1;
         let is_so = match (end, claimed) {

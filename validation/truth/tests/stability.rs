@@ -297,12 +297,12 @@ fn boxes_of_data_end_by_their_own_width() {
         let kinds =
             [(Arithmetic::Auto, 9), (Arithmetic::Auto, 30), (Arithmetic::Bits(256), 9), (Arithmetic::Bits(64), 9)];
         let runs = kinds.map(|kind| Run::new(&scene, kind, 120));
-        let told = runs.iter().map(|run| format!("{:?} {} {} in {} steps", run.kind, run.len(), run.end(), run.steps));
+        let lines = runs.iter().map(|run| format!("{:?} {} {} in {} steps", run.kind, run.len(), run.end(), run.steps));
         println!(
             "{number} {key} {ends:?}: interval {} {}; {:?}",
             interval.len(),
             interval.end(),
-            told.collect::<Vec<_>>()
+            lines.collect::<Vec<_>>()
         );
         assert_holds_members(&interval, &members);
         for run in &runs {

@@ -38,40 +38,40 @@ fn print(counts: &Counts) {
 #[test]
 fn first_impacts_of_straddling_starts_are_right() {
     let mut random = Random::seeded(1101);
-    let (mut counts, mut failures, mut asked) = (Counts::new(), Vec::new(), 0);
+    let (mut counts, mut failures, mut requested) = (Counts::new(), Vec::new(), 0);
     for number in 0.. {
-        if asked == cases(2000) {
+        if requested == cases(2000) {
             break;
         }
         let case = case(&mut Dice(random.bits()), number);
         let Some((problem, start)) = question(&case.scene) else { continue };
-        asked += 1;
+        requested += 1;
         let arithmetic = ARITHMETICS[number as usize / starts::FAMILIES.len() % ARITHMETICS.len()];
         let settings = Settings { arithmetic, max_bits: 1024, ..Settings::default() };
         let clock = Instant::now();
-        let (judgement, told) = straddling::judge(&case.scene, (&problem, &start), settings);
+        let (judgement, report) = straddling::judge(&case.scene, (&problem, &start), settings);
         if clock.elapsed() > SLOW_START {
             println!("slow, {:?} in {arithmetic:?}:\n{}", clock.elapsed(), case.text);
         }
         *counts.entry((case.family, judgement)).or_default() += 1;
         if judgement == ImpactVerdict::Wrong {
-            failures.push(format!("{} in {arithmetic:?}: {told}\n{}", case.family, case.text));
+            failures.push(format!("{} in {arithmetic:?}: {report}\n{}", case.family, case.text));
         }
     }
     print(&counts);
     assert!(failures.is_empty(), "{} are wrong:\n{}", failures.len(), failures[..failures.len().min(8)].join("\n"));
     // A judge that is never asked, or never tells, would pass anything.
     let sum = |kind| counts.iter().filter(|((_, found), _)| *found == kind).map(|(_, count)| count).sum::<usize>();
-    assert!(2 * (sum(ImpactVerdict::Right) + sum(ImpactVerdict::Released)) > asked, "too few are judged");
-    assert!(10 * sum(ImpactVerdict::Open) < asked, "the truth is open too often");
-    assert!(10 * sum(ImpactVerdict::NoScene) < asked, "too many are out of range");
+    assert!(2 * (sum(ImpactVerdict::Right) + sum(ImpactVerdict::Released)) > requested, "too few are judged");
+    assert!(10 * sum(ImpactVerdict::Open) < requested, "the truth is open too often");
+    assert!(10 * sum(ImpactVerdict::NoScene) < requested, "too many are out of range");
 }
 
 /// The control: the impact of a start, judged by the truth of a gap that is a little wider.
 #[test]
 fn the_judge_finds_the_impact_of_a_neighbour_wrong() {
     let mut random = Random::seeded(1102);
-    let (mut found, mut asked) = (0, 0);
+    let (mut found, mut requested) = (0, 0);
     for number in 0..2000 {
         let case = case(&mut Dice(random.bits()), number);
         let Some((mut problem, start)) = question(&case.scene) else { continue };
@@ -79,12 +79,12 @@ fn the_judge_finds_the_impact_of_a_neighbour_wrong() {
         if straddling::judge(&case.scene, (&problem, &start), settings.clone()).0 != ImpactVerdict::Right {
             continue;
         }
-        asked += 1;
+        requested += 1;
         problem.gap *= Float::with_val(64, 1.0 + 1e-9);
         found += usize::from(straddling::judge(&case.scene, (&problem, &start), settings).0 == ImpactVerdict::Wrong);
     }
-    println!("{found} of {asked} impacts of neighbours are found wrong");
-    assert!(2 * found > asked);
+    println!("{found} of {requested} impacts of neighbours are found wrong");
+    assert!(2 * found > requested);
 }
 
 /// A multiple of a quarter turn up to 2 turns away, and 2^-1 to 2^-70 before, at or after it, as far as doubles go.
@@ -130,7 +130,7 @@ fn doubles_certify_no_wrong_contact_from_a_wall_next_to_quarter_turns() {
         let from = if random.below(2) == 0 { From::Left } else { From::Right };
         tally.flight(&Case { alpha, phase, velocity, from }, 0);
     }
-    assert!(2 * tally.certified > tally.asked);
+    assert!(2 * tally.certified > tally.requested);
     tally.finish();
 }
 
@@ -155,6 +155,6 @@ fn doubles_certify_no_wrong_contact_from_next_to_a_wall() {
         };
         tally.flight(&Case { alpha, phase, velocity, from: From::Inside(height) }, 0);
     }
-    assert!(2 * tally.certified > tally.asked);
+    assert!(2 * tally.certified > tally.requested);
     tally.finish();
 }

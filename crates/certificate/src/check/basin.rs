@@ -163,10 +163,10 @@ pub(super) fn stepped(centre: &[Real; 2], derivative: &Matrix) -> Vec<Ellipse> {
     VELOCITY_UNITS.iter().filter_map(shape).collect()
 }
 
-/// The largest ellipse of these shapes found that is proved to be contracted: at first of the size that holds all `wanted`.
-pub(super) fn basin(round: &Round<'_>, shapes: &[Ellipse], wanted: &[&Landing]) -> Result<Ellipse, Doubt> {
+/// The largest ellipse of these shapes found that is proved to be contracted: at first of the size that holds all `targets`.
+pub(super) fn basin(round: &Round<'_>, shapes: &[Ellipse], targets: &[&Landing]) -> Result<Ellipse, Doubt> {
     let bits = round.parameters.bits();
-    let sizes = shapes.iter().flat_map(|shape| wanted.iter().map(|set| shape.size_for(set)));
+    let sizes = shapes.iter().flat_map(|shape| targets.iter().map(|set| shape.size_for(set)));
     let least = -i64::from(bits / 2);
     let most = sizes.flatten().max().unwrap_or(0).min(0).max(least); // proposes: sizes to try
     let mut doubt = Doubt::open("the orbit is not proved to be stable");

@@ -150,7 +150,7 @@ pub(super) fn clear(flight: &Flight, from: Start, end: &Real, claimed: &Real) ->
             return Err(Doubt::open("an earlier contact is not excluded"));
         }
     }
-    Err(spent(&flight.budget, &at, end))
+    Err(give_up_reason(&flight.budget, &at, end))
 }
 
 /// Approximate end of the first part of a flight by whose end a wall is hit; `None` if none is found.
@@ -188,10 +188,10 @@ pub(super) fn clear_throughout(flight: &Flight, from: Start, end: &Real, claimed
 }
 
 /// The reason why a flight is not followed to its end.
-fn spent(budget: &Budget, at: &Real, end: &Real) -> Doubt {
+fn give_up_reason(budget: &Budget, at: &Real, end: &Real) -> Doubt {
     let times = (end.to_f64() / at.to_f64()).ceil(); // shown
-    let is_told = budget.is_spent() && times.is_finite();
-    let needed = if is_told { format!(": about {times:.0} times as much would do") } else { String::new() };
+    let is_estimated = budget.is_spent() && times.is_finite();
+    let needed = if is_estimated { format!(": about {times:.0} times as much would do") } else { String::new() };
     Doubt::Open(format!("the flight is too long for the work allowed{needed}"))
 }
 

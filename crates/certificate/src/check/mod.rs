@@ -306,7 +306,7 @@ impl Certificate {
     /// The bits to try next when `bits` last up to `event`: what the remaining events need at the same rate.
     fn more_bits(&self, bits: u32, event: usize) -> u32 {
         let rate: f64 = self.events().len() as f64 / (event as f64 + 1.0); // proposes
-        let wanted = f64::from(bits) * (1.1 * rate).clamp(2.0, 16.0); // proposes
-        wanted as u32 // proposes: 16 times the bits at most
+        let raised = f64::from(bits) * (1.1 * rate).clamp(2.0, 16.0); // proposes
+        raised as u32 // proposes: 16 times the bits at most
     }
 }

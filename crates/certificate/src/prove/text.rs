@@ -79,7 +79,7 @@ fn theorem(claims: &[Claim], begin: &Box, legs: &[Leg]) -> String {
     let legs: Vec<_> = legs.iter().map(written).collect();
     format!(
         "\
-(* What the certificate prints: wall, bounds of the time, bounds of the velocity before the impact. *)
+(* The printed impacts: wall, bounds of the time, bounds of the velocity before the impact. *)
 Definition printed : list bounds := [
   {}
 ]%Q.

@@ -61,7 +61,7 @@ fn frame(
     (root, look): (&Canvas<'_>, &Look),
 ) -> Result<Plane, Box<dyn StdError>> {
     let title = format!("{}: where every motion goes", head.title.as_deref().unwrap_or("The impact pair"));
-    let top = picture::caption(root, look, &title, &[given(head), said(head, leaves)])?;
+    let top = picture::caption(root, look, &title, &[given(head), caption_text(head, leaves)])?;
     let what = if head.cells { "cells" } else { "points" };
     let entry = |(class, count): (usize, usize)| {
         let (_, colour, words) = CLASSES[class];
@@ -109,7 +109,7 @@ fn given(head: &AtlasHead) -> String {
 }
 
 /// Returns the line on the computation: number of points or cells, and program.
-fn said(head: &AtlasHead, leaves: &Leaves) -> String {
+fn caption_text(head: &AtlasHead, leaves: &Leaves) -> String {
     let what = if head.cells {
         format!("{} cells, each for all parameters in it", leaves.all.len())
     } else {

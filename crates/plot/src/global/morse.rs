@@ -77,9 +77,9 @@ fn arrow(area: &Canvas<'_>, from: (i32, i32), to: (i32, i32)) -> Drawn {
     let long = dx.hypot(dy).max(1.0);
     let (along, across) = ((dx / long, dy / long), (-dy / long, dx / long));
     let gap = f64::from(RADIUS + 4 * SCALE);
-    let at = |back: f64, aside: f64| {
-        let x = f64::from(to.0) - along.0 * (gap + back) + across.0 * aside;
-        let y = f64::from(to.1) - along.1 * (gap + back) + across.1 * aside;
+    let at = |back: f64, offset: f64| {
+        let x = f64::from(to.0) - along.0 * (gap + back) + across.0 * offset;
+        let y = f64::from(to.1) - along.1 * (gap + back) + across.1 * offset;
         (x as i32, y as i32)
     };
     area.draw(&PathElement::new([from, at(ARROW_HEAD, 0.0)], GREY.stroke_width(SCALE as u32 * 3 / 2)))?;

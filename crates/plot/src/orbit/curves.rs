@@ -25,7 +25,10 @@ pub fn path(points: &[Point], frame: &Frame<'_>, plane: &Plane) -> Path {
     for pair in knots.windows(2) {
         let turns = pair[1].at - pair[0].at;
         let end = |point: &Point| {
-            (plane.place(middle(point)), plane.way(middle(point), frame.rate(point).map(|rate| rate * turns)))
+            (
+                plane.place(middle(point)),
+                plane.pixel_displacement(middle(point), frame.rate(point).map(|rate| rate * turns)),
+            )
         };
         path.curve_to(hermite(end(pair[0]), end(pair[1])));
     }

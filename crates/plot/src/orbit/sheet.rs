@@ -10,7 +10,7 @@ use super::panel;
 use super::style::{FONT, Style};
 use super::symbols;
 use super::trace::Trace;
-use crate::picture::{self, Canvas, Drawn, LETTER_WIDTH, Look, SCALE, greek, said, words, wrapped};
+use crate::picture::{self, Canvas, Drawn, LETTER_WIDTH, Look, SCALE, greek, typeset_text, words, wrapped};
 
 /// The sizes of a panel that stands alone, and of one on a sheet, as they are shown.
 const SINGLE_PANEL_SIZE: (i32, i32) = (900, 560);
@@ -104,7 +104,7 @@ impl Sheet<'_> {
         };
         let data = greek(&format!("{}; {}{of_what}", scene.parameters_in_words(), scene.start_in_words()));
         let title = scene.title().map(|title| (title.to_owned(), FONT + 3 * SCALE));
-        let others = [data, said(&self.verdict), format!("{}; {}", self.shown(), picture::program())];
+        let others = [data, typeset_text(&self.verdict), format!("{}; {}", self.shown(), picture::program())];
         let wrap = |(text, size): (String, i32)| {
             let most = f64::from(width) / (LETTER_WIDTH * f64::from(size));
             wrapped(&text, most).into_iter().map(move |line| (line, size))
@@ -121,9 +121,9 @@ impl Sheet<'_> {
             if is_row { format!("{}–{}", letters[0], letters[of.len() - 1]) } else { letters.join(", ") }
         };
         let trace = self.trace;
-        let cycles = |asked: u32| match f64::from(asked) {
+        let cycles = |requested: u32| match f64::from(requested) {
             whole if trace.is_open || whole <= trace.known => {
-                format!("{asked} cycle{}", if asked == 1 { "" } else { "s" })
+                format!("{requested} cycle{}", if requested == 1 { "" } else { "s" })
             }
             _ => format!("{:.1} cycles", trace.known),
         };

@@ -299,7 +299,7 @@ fn r35_crossings_lie_on_their_walls_at_their_phases() {
 }
 
 #[test]
-fn the_curve_ends_when_it_is_asked_to() {
+fn the_curve_ends_at_the_requested_time() {
     let scene = scene("figure-12-exact");
     let settings = Settings { impacts: None, until: Some("3.5".parse().unwrap()), ..Settings::default() };
     let (cut, _) = trace(&scene, &settings, 100);

@@ -95,7 +95,7 @@ mod tests {
     }
 
     #[test]
-    fn r35_letters_are_of_the_family_asked_for() {
+    fn r35_letters_are_of_the_requested_font_family() {
         let svg = format!("<text {FONT_FAMILY} font-size=\"48\">a</text>");
         assert_eq!(Look::default().of(&svg), svg);
         let look = Look { font: Some("Times New Roman".into()), ..Look::default() };

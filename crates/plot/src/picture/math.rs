@@ -164,7 +164,7 @@ pub fn greek(words: &str) -> String {
 }
 
 /// Returns what the program says, with numbers and the paper's names of mappings as they are set in print.
-pub fn said(words: &str) -> String {
+pub fn typeset_text(words: &str) -> String {
     (1..=4).fold(each_power(words, "$"), |words, k| words.replace(&format!("P{k}"), &format!("$P_{k}$")))
 }
 
@@ -237,6 +237,9 @@ mod tests {
         assert_eq!(greek("W = (pi, sqrt(2)*pi), tau = 10*pi"), "$Ω = (π, √2\u{2009}π), τ = 10π$");
         assert_eq!(greek("v = -1e-9, y' = 2.5e3"), "$v = −1·10^{−9}, y′ = 2.5·10^{3}$");
         assert_eq!(greek("sqrt(1+pi)"), "$√(1+π)$");
-        assert_eq!(said("P2 P1 within 3.5e-14 turns, 1e-9)"), "$P_2$ $P_1$ within $3.5·10^{-14}$ turns, $1·10^{-9}$)");
+        assert_eq!(
+            typeset_text("P2 P1 within 3.5e-14 turns, 1e-9)"),
+            "$P_2$ $P_1$ within $3.5·10^{-14}$ turns, $1·10^{-9}$)"
+        );
     }
 }

@@ -28,7 +28,7 @@ pub use file::{encoded, path};
 pub use hull::hull;
 pub use legend::{Mark, legend};
 pub use look::Look;
-pub use math::{greek, letters, said};
+pub use math::{greek, letters, typeset_text};
 pub use path::{Path, Place, hermite};
 pub use plane::Plane;
 pub use svg::{Element, Svg};

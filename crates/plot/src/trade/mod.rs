@@ -29,8 +29,8 @@ enum Kind {
 }
 
 impl Kind {
-    fn of(rung: &Measured) -> Self {
-        match (rung.rung, rung.bits) {
+    fn of(measured: &Measured) -> Self {
+        match (measured.arithmetic, measured.bits) {
             (TradeArithmetic::Float, _) => Self::Float,
             (_, f64::MANTISSA_DIGITS) => Self::Doubles,
             _ => Self::Multiprecision,
@@ -65,20 +65,20 @@ struct Mark {
 
 impl Mark {
     /// `None` when there is nothing to draw: no impact, or no error known.
-    fn of(rung: &Measured, trade: &Trade<'_>) -> Option<Self> {
-        let kind = Kind::of(rung);
+    fn of(measured: &Measured, trade: &Trade<'_>) -> Option<Self> {
+        let kind = Kind::of(measured);
         let digits = match (kind, &trade.judgement) {
             (Kind::Float, Some(judgement)) => {
                 (judgement.judged > 0).then(|| judgement.time.at_most.max(judgement.velocity.at_most).digits())
             }
-            _ => rung.digits(),
+            _ => measured.digits(),
         }?;
         // Short, for the cluster: the legend says what the numbers are.
-        let name = match rung.rung {
+        let name = match measured.arithmetic {
             TradeArithmetic::Auto(digits) => format!("auto {digits}"),
             other => other.to_string(),
         };
-        let impacts = rung.impacts;
+        let impacts = measured.impacts;
         let label = match trade.judgement.as_ref().filter(|_| kind == Kind::Float) {
             Some(ErrorBounds { departure: Some(departure), .. }) => {
                 format!("{name} (wrong word from impact {})", departure.impact)
@@ -86,11 +86,11 @@ impl Mark {
             Some(judgement) if judgement.judged < impacts => {
                 format!("{name} (compared up to impact {})", judgement.judged)
             }
-            _ if rung.is_complete() => name,
+            _ if measured.is_complete() => name,
             _ => format!("{name} ({impacts})"),
         };
-        let microseconds = rung.microseconds(rung.times.orbit)?;
-        Some(Self { kind, digits, microseconds, is_complete: rung.is_complete(), label })
+        let microseconds = measured.microseconds(measured.times.orbit)?;
+        Some(Self { kind, digits, microseconds, is_complete: measured.is_complete(), label })
     }
 }
 
@@ -154,7 +154,7 @@ fn draw(trade: &Trade<'_>, (root, look): (&Canvas<'_>, &Look)) -> Drawn {
 
 /// The marks of the arithmetics; those without a width stand beyond all others.
 fn marks(trade: &Trade<'_>) -> Vec<Mark> {
-    let mut marks: Vec<Mark> = trade.rungs.iter().filter_map(|rung| Mark::of(rung, trade)).collect();
+    let mut marks: Vec<Mark> = trade.rows.iter().filter_map(|measured| Mark::of(measured, trade)).collect();
     let finite = marks.iter().map(|mark| mark.digits).filter(|digits| digits.is_finite());
     let beyond = ZERO_WIDTH_FACTOR * finite.fold(10.0, f64::max);
     for mark in marks.iter_mut().filter(|mark| mark.digits.is_infinite()) {
@@ -197,8 +197,8 @@ fn caption(trade: &Trade<'_>, root: &Canvas<'_>) -> Drawn {
     let scene = trade.scene;
     let title = format!("What accuracy costs. {}", scene.title().unwrap_or_default());
     let parameters = greek(&format!("{}; {}", scene.parameters_in_words(), scene.start_in_words()));
-    let asked = format!("{} requested; {PROGRAM}; medians on one machine", greek(&trade.goal()));
-    for (line, (text, size)) in [(title, FONT + 3), (parameters, FONT), (asked, FONT)].into_iter().enumerate() {
+    let requested = format!("{} requested; {PROGRAM}; medians on one machine", greek(&trade.goal()));
+    for (line, (text, size)) in [(title, FONT + 3), (parameters, FONT), (requested, FONT)].into_iter().enumerate() {
         root.draw(&Text::new(text, (16, 18 + 22 * line as i32), words(size, &BLACK, HPos::Left)))?;
     }
     Ok(())

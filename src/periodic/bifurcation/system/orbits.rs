@@ -91,8 +91,8 @@ impl Graze<'_> {
         let since = at.clone() - self.ring.lift(phases)[self.leg].clone();
         // In gaps from the wall that the flight leaves to the wall it touches.
         let displacement = (self.ring.chain().walls()[self.leg].sign() - self.wall.sign()) / 2.0;
-        let way = pair.way(&legs.waves[self.leg], &at_wall, displacement);
-        values.push(leg.drift.clone().mul_add(since, -way));
+        let travel = pair.travel(&legs.waves[self.leg], &at_wall, displacement);
+        values.push(leg.drift.clone().mul_add(since, -travel));
         values.push(pair.relative(&leg.drift, &at_wall));
         Some(values)
     }

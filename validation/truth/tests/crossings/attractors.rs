@@ -52,13 +52,13 @@ fn is_within(own: &Value) -> bool {
 }
 
 /// The states of a period of the reduced map: phases and speeds, mirrored to the left wall.
-fn states(member: &Member, told: &[ClaimedState]) -> Vec<[Float; 2]> {
+fn states(member: &Member, expected: &[ClaimedState]) -> Vec<[Float; 2]> {
     let pi = float(Constant::Pi);
-    let state = |told: &ClaimedState| {
-        let lead = float(&pi * u32::from(told.wall == Wall::Right));
-        [float(&told.phase + &lead), float(told.velocity.abs_ref()) / float(speed(&member.tones))]
+    let state = |expected: &ClaimedState| {
+        let lead = float(&pi * u32::from(expected.wall == Wall::Right));
+        [float(&expected.phase + &lead), float(expected.velocity.abs_ref()) / float(speed(&member.tones))]
     };
-    told.iter().map(state).collect()
+    expected.iter().map(state).collect()
 }
 
 fn is_one([phase, speed]: &[Float; 2], [other, its_speed]: &[Float; 2]) -> bool {
@@ -84,10 +84,10 @@ fn radius([trace, determinant]: [f64; 2], rounds: usize) -> f64 {
 pub fn judge(document: &Value, member: &Member) -> Compared<()> {
     let mut known: Vec<Vec<[Float; 2]>> = Vec::new();
     for (place, own) in attracting(document) {
-        let Some(told) = orbits::impacts(&own["orbit"]) else {
+        let Some(expected) = orbits::impacts(&own["orbit"]) else {
             return wrong("an attracting motion without impacts".into());
         };
-        let states = states(member, &told);
+        let states = states(member, &expected);
         let reduced = own["reduced_impacts"].as_u64().unwrap_or(0) as usize;
         if !repeats(&states, reduced) {
             return wrong(format!("{reduced} is not the least period of the reduced map: {}", own["orbit"]["impacts"]));

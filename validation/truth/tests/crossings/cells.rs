@@ -35,11 +35,11 @@ impl Case {
         let wide = self.random.pick(&[1e-2, 1e-4, 1e-6]);
         let over = format!("{name}={own}..{own}+{wide}").parse()?;
         let patience = Patience::new();
-        let asked = RangeSettings { over, cells: 1, halvings: 0, depth: 2 };
-        let found = Cells::of(self.scene.pair(), self.scene.start(), &asked, &|_: Stage<'_>| {
+        let requested = RangeSettings { over, cells: 1, halvings: 0, depth: 2 };
+        let found = Cells::of(self.scene.pair(), self.scene.start(), &requested, &|_: Stage<'_>| {
             patience.goes_on(MAX_WATCH_CALLS)
         })?;
-        Ok(Answer::Cells(json!(document::cells(&self.scene, &asked, &found))))
+        Ok(Answer::Cells(json!(document::cells(&self.scene, &requested, &found))))
     }
 }
 

@@ -249,7 +249,7 @@ fn truth(case: &mut Case, answer: &Answer) -> Compared<()> {
             all(&members, |member| shadow::judge(document, member))
         }
         Answer::Orbit(document) => all(&members, |member| motion::judge(document, member)),
-        Answer::Sweep { records, points, asked, .. } => sweeps::judge(records, points, asked, &mut case.random),
+        Answer::Sweep { records, points, requested, .. } => sweeps::judge(records, points, requested, &mut case.random),
         Answer::Periodic(document) => {
             let listed = all(list(document, "orbits"), |orbit| orbits::judge(orbit, point()?));
             if document["exhaustive"] == true && !matches!(listed, Err(Halt::Wrong(_))) {

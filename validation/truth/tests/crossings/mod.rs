@@ -95,10 +95,10 @@ impl Counts {
     }
 
     fn row(&self, name: &str) -> String {
-        let asked: u64 = self.findings[0].iter().sum();
+        let requested: u64 = self.findings[0].iter().sum();
         let counts: Vec<_> = self.findings.iter().flatten().map(u64::to_string).collect();
-        let each = self.time.as_secs_f64() * 1e3 / asked as f64;
-        format!("| {name} | {asked} | {} | {each:.1} |", counts.join(" | "))
+        let each = self.time.as_secs_f64() * 1e3 / requested as f64;
+        format!("| {name} | {requested} | {} | {each:.1} |", counts.join(" | "))
     }
 }
 
@@ -138,16 +138,16 @@ impl Tally {
     }
 
     /// Nothing is false; a judge that is never asked, or never decides, would pass anything.
-    fn judged(&self, asked: u64, all: usize, seed: u64) {
+    fn judged(&self, requested: u64, all: usize, seed: u64) {
         let first = &self.wrong[..self.wrong.len().min(8)];
         assert!(self.wrong.is_empty(), "{} answers are false (seed {seed}):\n{}", self.wrong.len(), first.join("\n"));
         assert!(all as u64 <= CASES, "a full run has to ask all {all}");
         let [pairs, all_pairs, triples, all_triples] = self.coverage.counts();
         let right = |judge: usize| self.questions.values().map(|counts| counts.findings[judge][0]).sum::<u64>();
         if pairs == all_pairs {
-            assert!(4 * right(0) > asked && 2 * right(1) > asked, "too few are decided");
+            assert!(4 * right(0) > requested && 2 * right(1) > requested, "too few are decided");
         }
-        if asked < all as u64 {
+        if requested < all as u64 {
             return;
         }
         assert_eq!((pairs, triples, self.no_scenes), (all_pairs, all_triples, 0), "not all are asked");

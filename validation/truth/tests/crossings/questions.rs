@@ -64,7 +64,7 @@ pub enum Answer {
         head: Value,
         records: Vec<Value>,
         points: Vec<Scene>,
-        asked: Box<sweep::PointSettings>,
+        requested: Box<sweep::PointSettings>,
     },
     /// A periodic JSON; whether it was asked for all.
     Periodic(Value),
@@ -108,13 +108,13 @@ impl Patience {
 impl Case {
     /// Asks the question of the crossing.
     pub fn ask(&mut self) -> Answer {
-        match self.asked() {
+        match self.requested() {
             Ok(answer) => answer,
             Err(error) => Answer::Refused(error.to_string()),
         }
     }
 
-    fn asked(&mut self) -> Result<Answer, Error> {
+    fn requested(&mut self) -> Result<Answer, Error> {
         match self.crossing.question {
             Question::Impacts(arithmetic) => self.run(arithmetic, false),
             Question::Until(arithmetic) => self.run(arithmetic, true),
@@ -224,17 +224,17 @@ impl Case {
         let settings = Settings { impacts: None, digits, splice: 0, ..self.settings(arithmetic) };
         let impacts = 1 + self.random.below(5);
         let (transient, reference) = (self.random.below(3), grid.reference(&self.scene)?);
-        let asked = sweep::PointSettings { transient, impacts, summary: false, reference, settings };
+        let requested = sweep::PointSettings { transient, impacts, summary: false, reference, settings };
         let (mut records, mut points) = (Vec::new(), Vec::new());
         for point in 0..grid.points() {
             let values = grid.values(point)?;
             let scene = self.scene.with(&values)?;
-            let found = sweep::follow(&scene, &asked, &Unwatched)?.expect("nobody stops it");
+            let found = sweep::follow(&scene, &requested, &Unwatched)?.expect("nobody stops it");
             records.push(json!(sweep::record(point, &values, &found)));
             points.push(scene);
         }
-        let head = json!(sweep::head(&self.scene, &grid, &asked, None));
-        Ok(Answer::Sweep { head, records, points, asked: Box::new(asked) })
+        let head = json!(sweep::head(&self.scene, &grid, &requested, None));
+        Ok(Answer::Sweep { head, records, points, requested: Box::new(requested) })
     }
 
     /// A word and its cycles: whole common periods.
@@ -277,11 +277,11 @@ impl Case {
         };
         let over = format!("{name}={low}..{high}").parse()?;
         let precision = Precision { digits: 9, max_bits: 512 };
-        let wanted = DiagramSettings { over, doublings: 0, precision };
+        let diagram_settings = DiagramSettings { over, doublings: 0, precision };
         let (word, cycles) = if is_near_fold { ("LR".parse()?, 1) } else { self.word() };
         let patience = Patience::new();
         let watch = |_: Stage<'_>| patience.goes_on(if is_near_fold { 3_999 } else { 399 });
-        let diagram = survey(self.scene.pair(), self.scene.start(), (&word, cycles), &wanted, &watch)?;
+        let diagram = survey(self.scene.pair(), self.scene.start(), (&word, cycles), &diagram_settings, &watch)?;
         let found = document::bifurcations(self.scene.start(), (&word, cycles), &diagram)?;
         Ok(Answer::Bifurcations(json!(found)))
     }
@@ -400,15 +400,15 @@ impl Case {
     }
 
     fn cycles(&mut self) -> Result<Answer, Error> {
-        let asked: RangeInclusive<u32> = 1..=2;
+        let requested: RangeInclusive<u32> = 1..=2;
         let patience = Patience::new();
         let watch = |at: Stage<'_>| match at {
             Stage::Cycles { .. } => patience.goes_on(2_000),
             at => proceed_if(!matches!(at, Stage::Region(BOXES..))),
         };
         let precision = Precision { digits: 9, max_bits: 512 };
-        let found = Cycles::of(&self.scene, 0, &asked, precision, &watch)?;
-        Ok(Answer::Cycles(json!(document::cycles(&self.scene, &asked, found.as_ref().map_err(|why| *why))?)))
+        let found = Cycles::of(&self.scene, 0, &requested, precision, &watch)?;
+        Ok(Answer::Cycles(json!(document::cycles(&self.scene, &requested, found.as_ref().map_err(|why| *why))?)))
     }
 
     /// The audit of true impacts, in forty digits.
@@ -432,8 +432,8 @@ impl Case {
             list += &format!("{time},{wall},{velocity}\n");
         }
         let list = audit::read(&list, &Columns::default(), self.scene.pair())?;
-        let asked = audit::AuditSettings { max_bits: 256, ..audit::AuditSettings::default() };
-        let found = Audit::of(&self.scene, list, &asked, &Unwatched)?;
+        let requested = audit::AuditSettings { max_bits: 256, ..audit::AuditSettings::default() };
+        let found = Audit::of(&self.scene, list, &requested, &Unwatched)?;
         Ok(Answer::Audit(json!(found.document())))
     }
 }

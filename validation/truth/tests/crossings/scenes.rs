@@ -245,17 +245,17 @@ fn at_graze(random: &mut Random, parts: &mut Parts) {
     };
     let drift = format!("({})", sum(terms, &later, 1, "cos"));
     let velocity = format!("{drift}-({})", sum(terms, start, 1, "cos"));
-    let way =
+    let travel =
         format!("{drift}*({later}-({start}))-({}-({}))", sum(terms, &later, 0, "sin"), sum(terms, start, 0, "sin"));
     let is_made_for_it = parts.restitution == "1/2" || parts.restitution == "1";
-    let is_from_left = value(&velocity).is_some_and(|v| v > 1e-9) && value(&way).is_some_and(|way| way > 1e-9);
+    let is_from_left = value(&velocity).is_some_and(|v| v > 1e-9) && value(&travel).is_some_and(|travel| travel > 1e-9);
     if is_made_for_it && is_from_left && random.below(2) == 0 {
-        parts.gap = format!("{way}{}", random.offset());
+        parts.gap = format!("{travel}{}", random.offset());
         (parts.wall, parts.velocity) = (Some("left"), format!("-({velocity})/({})", parts.restitution));
         return;
     }
     let wall = random.pick(&["", "-"]);
-    parts.position = format!("{wall}({})/2-({way}){}", parts.gap, random.offset());
+    parts.position = format!("{wall}({})/2-({travel}){}", parts.gap, random.offset());
     (parts.wall, parts.velocity) = (None, velocity);
 }
 

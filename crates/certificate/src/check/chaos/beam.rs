@@ -139,7 +139,7 @@ impl FlightBundle {
         let (sin, cos) = phase.sin_cos();
         let (centre_sin, centre_cos) = centre[0].sin_cos();
         // V12: the centre's `e` is the middle one, and `e` a direction like the others
-        let (middle, around) = e.parted();
+        let (middle, around) = e.centred_parts();
         let drift = middle * centre[1] + centre_cos;
         let [a, b, c, [ahead, faster]] = [sides[0], sides[1], sides[2], by].map(|[u, w]| [u.turned(), e * w]);
         let sides = [a, b, c, [ahead, faster + Span::point(around.hi()) * speed]];
@@ -280,7 +280,7 @@ impl FlightBundle {
         let guess = Span::point(guess);
         let (centre_sin, _) = (self.centre[0] + guess).sin_cos();
         // V12: the centre's wall is the middle one
-        let (level, around) = self.level(is_far).parted();
+        let (level, around) = self.level(is_far).centred_parts();
         let miss = self.drift * guess.turned() - centre_sin + self.centre_sin - level;
         let time = guess - miss.signed(is_far).over(rate.turned())?;
         let phase = self.centre[0] + time;

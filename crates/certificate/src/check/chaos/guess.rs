@@ -42,7 +42,7 @@ pub(super) const MAX_PERIODS: f64 = 64.0;
 
 impl Guess {
     pub fn new(law: &Law) -> Self {
-        let radii = [law.gap, law.restitution].map(|x| x.parted().1.hi());
+        let radii = [law.gap, law.restitution].map(|x| x.centred_parts().1.hi());
         Self { gap: law.gap.mid(), restitution: law.restitution.mid(), radii, step: (TAU * STEP).sin_cos() }
     }
 

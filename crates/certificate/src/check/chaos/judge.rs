@@ -113,7 +113,7 @@ impl ChaosCertificate {
         let mut fewest = usize::MAX;
         for first in if best == 0 { vec![0] } else { vec![0, best] } {
             let coarse: Vec<Making> = (0..COARSE_MAKINGS).map(|k| MAKINGS[(first + k) % COARSE_MAKINGS]).collect();
-            let found = tries.again(&coarse)?;
+            let found = tries.search_lost(&coarse)?;
             if found.is_all {
                 return Ok(None);
             }
@@ -124,7 +124,7 @@ impl ChaosCertificate {
             if fewest <= MAX_LOST_WORDS.min(words.len() / 2) {
                 break;
             }
-            let found = tries.again(&beginning_with(first))?;
+            let found = tries.search_lost(&beginning_with(first))?;
             if found.is_all {
                 return Ok(None);
             }
@@ -171,7 +171,7 @@ impl<'t, P: FnMut(usize)> ChainSearches<'t, P> {
     }
 
     /// A search, and others that look elsewhere for the words that it lost, as long as fewer are.
-    fn again(&mut self, makings: &[Making]) -> Result<Found<'t>, End> {
+    fn search_lost(&mut self, makings: &[Making]) -> Result<Found<'t>, End> {
         let mut ahead = Ahead::new();
         let mut found = self.once(makings, &ahead, MAX_LOST_WORDS)?;
         for other in LOOKAHEADS {

@@ -87,7 +87,7 @@ impl Sample {
     }
 
     /// The image of the half chord, in radians and speeds.
-    fn thick(&self) -> State {
+    fn half_chord_image(&self) -> State {
         in_radians(applied(self.image().jacobian, self.half))
     }
 }
@@ -133,8 +133,8 @@ impl Making {
     }
 
     /// Greatest error allowed in the place of a chord: a part of its excess over the image.
-    fn room(&self, thick: f64) -> f64 {
-        0.3 * ((self.margin - 1.0) * thick + self.pad)
+    fn room(&self, half_chord_image: f64) -> f64 {
+        0.3 * ((self.margin - 1.0) * half_chord_image + self.pad)
     }
 
     /// Returns whether a part is short and straight enough; `None` where the map jumps in it.
@@ -146,9 +146,9 @@ impl Making {
         let along = vector(a.state, b.state);
         let long = length(along);
         let bulge = (cross(along, vector(a.state, m.state)) / long).abs();
-        let thick = (cross(along, between.thick()) / long).abs();
+        let half_chord_image = (cross(along, between.half_chord_image()) / long).abs();
         let longest = if is_end { END_GRADING * self.longest } else { self.longest };
-        Some(long <= longest && bulge <= self.room(thick))
+        Some(long <= longest && bulge <= self.room(half_chord_image))
     }
 
     fn proposal(&self, (guess, work): (&Guess, &Allowance), segment: &[Pair]) -> Result<Option<Proposal>, End> {
@@ -195,9 +195,9 @@ impl Making {
         let from = samples[0].image().state;
         let along = vector(from, samples[samples.len() - 1].image().state);
         let long = length(along);
-        let thick = (cross(along, samples[(samples.len() - 1) / 2].thick()) / long).abs();
+        let half_chord_image = (cross(along, samples[(samples.len() - 1) / 2].half_chord_image()) / long).abs();
         let off = |sample: &&Sample| (cross(along, vector(from, sample.image().state)) / long).abs();
-        samples.iter().all(|sample| off(sample) <= self.room(thick))
+        samples.iter().all(|sample| off(sample) <= self.room(half_chord_image))
     }
 
     /// The chord at an image, along the direction that is contracted most from there on.
@@ -207,11 +207,12 @@ impl Making {
         let lean = |direction: State| cross(tangent, direction) / (long * length(direction));
         let contracted =
             guess.contracting(state, self.ahead).map(in_radians).filter(|&direction| lean(direction).abs() > 0.05);
-        let direction = contracted.unwrap_or_else(|| sample.thick());
+        let direction = contracted.unwrap_or_else(|| sample.half_chord_image());
         let sine = lean(direction);
         let across = |direction: State| (cross(tangent, direction) / (long * sine)).abs();
         let moved = sample.image().moved.map(in_radians).map(across);
-        let reach = (self.margin * (across(sample.thick()) + moved[0] + moved[1]) + self.pad) * sine.signum()
+        let reach = (self.margin * (across(sample.half_chord_image()) + moved[0] + moved[1]) + self.pad)
+            * sine.signum()
             / length(direction);
         let end = |sign: f64| [state[0] + sign * reach * direction[0] / TAU, state[1] + sign * reach * direction[1]];
         (reach.is_finite() && sine != 0.0).then(|| Chord { bottom: end(-1.0), top: end(1.0) })

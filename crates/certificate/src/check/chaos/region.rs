@@ -133,11 +133,11 @@ fn piece(law: &Law, guess: &Guess, [low, high]: [State; 2], depth: u32, note: No
     if depth < COARSE_HALVINGS {
         return Err(Open::Leaves);
     }
-    march(&beam, from, high[0] - low[0], note).ok_or(Open::Leaves)
+    scan_parts(&beam, from, high[0] - low[0], note).ok_or(Open::Leaves)
 }
 
 /// Goes through the flights part by part, each no shorter than `least`, until all are beyond a wall.
-fn march(beam: &FlightBundle, mut from: f64, least: f64, note: Note<'_>) -> Option<Span> {
+fn scan_parts(beam: &FlightBundle, mut from: f64, least: f64, note: Note<'_>) -> Option<Span> {
     let mut step = least;
     let mut times: Option<Span> = None;
     while from < MAX_FLIGHT {

@@ -65,7 +65,7 @@ impl Span {
     }
 
     /// Returns its middle, and `[-r, r]` for the others' distance from it.
-    pub fn parted(self) -> (Self, Self) {
+    pub fn centred_parts(self) -> (Self, Self) {
         let middle = Self::point(self.mid());
         (middle, (self - middle).around())
     }

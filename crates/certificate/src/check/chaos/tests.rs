@@ -101,8 +101,8 @@ fn what_is_left_of_an_entropy() {
 fn the_exponential() {
     let e = exponential(&Real::int(1, 256));
     // 2.718281828459045235360287471352662497757 (NIST DLMF 4.2.11)
-    let told: Exact = "2.718281828459045235360287471352662497757".parse().unwrap();
-    let off = (e - &Real::of(&told, 256)).enclosure().mag();
+    let published: Exact = "2.718281828459045235360287471352662497757".parse().unwrap();
+    let off = (e - &Real::of(&published, 256)).enclosure().mag();
     assert!(off < Dyadic::power_of_two(-127) && off > Dyadic::power_of_two(-133));
     let [two, five] = [2, 5].map(|n| exponential(&Real::int(n, 256)));
     let seven = exponential(&Real::int(7, 256));

@@ -189,7 +189,7 @@ impl TrapCertificate {
                 let velocity = landing.velocity.hull().over(&Real::of(harmonic.amplitude(), bits))?;
                 Some(holds(region, &mirrored(landing.wall, phase, velocity)))
             };
-            if walk.standing.still().is_none() && comes_in(&mut walk, impact, is_in) {
+            if walk.standing.still().is_none() && enters_set(&mut walk, impact, is_in) {
                 return Ok(Ok(bits));
             }
             if bits >= effort.bits || bits >= MAX_BITS || budget.is_spent() {
@@ -207,7 +207,7 @@ const MAX_BITS: u32 = 4096;
 const MAX_BOXES: usize = 1 << 22;
 
 /// Returns whether one of the impacts from the walk's place up to this number is proved to be in a set, as long as there is work left.
-fn comes_in(walk: &mut Walk<'_>, impact: u64, is_in: impl Fn(&Walk<'_>, &Landing) -> Option<bool>) -> bool {
+fn enters_set(walk: &mut Walk<'_>, impact: u64, is_in: impl Fn(&Walk<'_>, &Landing) -> Option<bool>) -> bool {
     while walk.impacts < impact {
         let Some(landing) = walk.next_landing() else { return false };
         if is_in(walk, &landing) == Some(true) {

@@ -41,7 +41,7 @@ const MAX_HALVINGS: u32 = 12;
 
 /// The stretches of proved parts that follow one another, each of them behind the last part of those before it, which is `used`, and
 /// updated: no two of all that are taken have inner points in common, whatever is proposed (D7, D9).
-pub(super) fn taken(parts: &[Part], proved: &[bool], used: &mut Option<Part>) -> Vec<RangeInclusive<usize>> {
+pub(super) fn proved_stretches(parts: &[Part], proved: &[bool], used: &mut Option<Part>) -> Vec<RangeInclusive<usize>> {
     let mut stretches = Vec::new();
     let mut first = 0;
     while first < parts.len() {

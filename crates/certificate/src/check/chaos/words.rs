@@ -7,7 +7,7 @@ use super::allowance::{Allowance, End};
 use super::bases::HSet;
 use super::guess::Guess;
 use super::propose::{Making, Proposal};
-use super::tube::{BoxChain, Chord, NEIGHBOUR_CELLS, taken};
+use super::tube::{BoxChain, Chord, NEIGHBOUR_CELLS, proved_stretches};
 use crate::check::blocks::in_blocks;
 
 /// A covering relation from one h-set to another.
@@ -169,7 +169,7 @@ impl<'s> Search<'s> {
             for part in &parts {
                 proved.push(run.tube.is_mapped((self.law, &self.guess, self.work), part, is_far, &next)?);
             }
-            for stretch in taken(&parts, &proved, &mut used) {
+            for stretch in proved_stretches(&parts, &proved, &mut used) {
                 // D7: the ends of the stretch land before the one and behind the other, none if it is shorter
                 let [low, high] = [
                     parts[*stretch.start()].place + NEIGHBOUR_CELLS + 2,
@@ -189,12 +189,12 @@ impl<'s> Search<'s> {
         if !missing.iter().any(|word| word.from == run.from && word.flights.starts_with(&run.flights)) {
             return Ok(None);
         }
-        let wanted = |followed: &Followed| (followed.count(|word| missing.contains(word)), followed.count(|_| true));
+        let score = |followed: &Followed| (followed.count(|word| missing.contains(word)), followed.count(|_| true));
         let mut best = None;
         for making in &self.makings[usize::from(self.ahead.is_empty())..] {
             let other = self.follow(run, making)?;
-            let (most, all) = wanted(best.as_ref().unwrap_or(before)); // proposes: any tubes will do
-            if wanted(&other).0 > most && wanted(&other).1 >= all {
+            let (most, all) = score(best.as_ref().unwrap_or(before)); // proposes: any tubes will do
+            if score(&other).0 > most && score(&other).1 >= all {
                 best = Some(other);
             }
         }
@@ -252,12 +252,12 @@ impl Crossing {
     /// Approximate length of the chain of boxes beyond the crossing, on the side where the chain ends first.
     fn room(&self, tube: &BoxChain) -> f64 {
         let [a, b] = self.chords;
-        let way = |chords: &[Chord]| -> f64 {
+        let chords_length = |chords: &[Chord]| -> f64 {
             let step =
                 |pair: &[Chord]| [0, 1].map(|i| (pair[1].bottom[i] - pair[0].bottom[i]).abs()).iter().sum::<f64>();
             chords.windows(2).map(step).sum()
         };
-        way(&tube.chords()[..=a]).min(way(&tube.chords()[b..])) // proposes: which of several
+        chords_length(&tube.chords()[..=a]).min(chords_length(&tube.chords()[b..])) // proposes: which of several
     }
 }
 

@@ -101,7 +101,7 @@ impl System {
                 given.iter().for_each(|(i, radius)| area.radii[*i] = radius.clone());
                 for (row, i) in product.iter().zip(&self.unknowns) {
                     let reach = self.given.iter().map(|j| size(&row[*j]) * &area.radii[*j]);
-                    area.radii[*i] = roomy(reach.fold(power(MIN_BOX_EXPONENT), |sum, x| sum + &x));
+                    area.radii[*i] = enlarged(reach.fold(power(MIN_BOX_EXPONENT), |sum, x| sum + &x));
                 }
                 return Ok(area);
             }
@@ -124,7 +124,7 @@ impl System {
     }
 
     /// Bounds of the operator's displacements of unknowns within these radii, the derivatives those of a product.
-    fn strays(&self, product: &[Vec<Real>], radii: &[Real]) -> Vec<Real> {
+    fn displacement_bounds(&self, product: &[Vec<Real>], radii: &[Real]) -> Vec<Real> {
         let stray = |(i, row): (usize, &Vec<Real>)| {
             let part = |(j, place): (usize, &usize)| size(&(row[*place].clone() - i64::from(i == j))) * &radii[*place];
             self.unknowns.iter().enumerate().map(part).fold(Real::zero(SHORT_BITS), |sum, x| sum + &x)
@@ -139,12 +139,12 @@ impl System {
         let product = self.multiplied(&newton, &over, area.centre.len());
         let mut weights = area.radii.clone();
         for _ in 0..WEIGHT_ITERATIONS {
-            let strays = self.strays(&product, &weights);
-            if self.unknowns.iter().zip(&strays).all(|(i, stray)| stray.is_below(&weights[*i])) {
+            let displacement_bounds = self.displacement_bounds(&product, &weights);
+            if self.unknowns.iter().zip(&displacement_bounds).all(|(i, stray)| stray.is_below(&weights[*i])) {
                 return Ok(());
             }
             // V31: any positive weights
-            for (i, stray) in self.unknowns.iter().zip(&strays) {
+            for (i, stray) in self.unknowns.iter().zip(&displacement_bounds) {
                 let least = weights[*i].half();
                 weights[*i] = if least.is_below(stray) { stray.clone() } else { least };
             }
@@ -159,12 +159,13 @@ impl System {
             let over = chain.over(&area)?;
             let newton = self.newton(&over)?;
             let product = self.multiplied(&newton, &over, area.centre.len());
-            let strays = self.strays(&product, &area.radii);
+            let displacement_bounds = self.displacement_bounds(&product, &area.radii);
             let mut bounds = area.hulls();
             for (k, i) in self.unknowns.iter().enumerate() {
                 let moved = along(&newton.rows[k], &over.residual[..self.equations]);
                 let own = self.given.iter().map(|j| product[k][*j].clone() * &within(&area.radii[*j]));
-                bounds[*i] = own.fold(area.centre[*i].clone() - &moved + &within(&strays[k]), |sum, x| sum + &x);
+                bounds[*i] =
+                    own.fold(area.centre[*i].clone() - &moved + &within(&displacement_bounds[k]), |sum, x| sum + &x);
             }
             let is_inside = |i: &usize| {
                 let [low, high] = area.hull(*i).ends();
@@ -175,7 +176,7 @@ impl System {
             }
             for i in &self.unknowns {
                 let reach = size(&(bounds[*i].clone() - &area.centre[*i]));
-                area.radii[*i] = roomy(reach);
+                area.radii[*i] = enlarged(reach);
             }
         }
         Err(Doubt::open("the orbits from one invariant manifold to the other are not proved to exist"))
@@ -198,7 +199,7 @@ fn power(n: i64) -> Real {
 }
 
 /// A radius somewhat larger.
-fn roomy(radius: Real) -> Real {
+fn enlarged(radius: Real) -> Real {
     size(&(radius.clone() + &(radius * &power(WIDENING_EXPONENT))))
 }
 

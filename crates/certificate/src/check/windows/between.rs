@@ -61,7 +61,7 @@ impl Between<'_> {
     fn settled(&mut self, mut at: Point, kept: usize) -> Result<Spot, Doubt> {
         let others = others(kept);
         for _ in 0..STEPS {
-            let (thin, unit) = self.map.thin(&at);
+            let (thin, unit) = self.map.degenerate(&at);
             let image = self.map.image(&thin)?;
             let step = image.step(others).ok_or_else(lost)?;
             let mut most = None;
@@ -82,7 +82,7 @@ impl Between<'_> {
     fn critical(&mut self, mut at: Point, which: usize) -> Result<Spot, Doubt> {
         let none = || Doubt::open("no end of the window is found");
         for _ in 0..STEPS {
-            let (thin, unit) = self.map.thin(&at);
+            let (thin, unit) = self.map.degenerate(&at);
             let image = self.map.image(&thin)?;
             let (direction, critical) = (image.direction(), &image.criticals[which]);
             let slope = (0..3).map(|j| critical.slopes[j].clone() * &direction[j]).reduce(|sum, x| sum + &x);
@@ -144,7 +144,7 @@ impl Between<'_> {
         // Opposite signs at both ends of the curve.
         let slope = along.slope(critical).ok_or_else(lost)?;
         let slope = Real::point(slope.enclosure().mig(), self.map.bits());
-        let (thin, _) = self.map.thin(&zero.centre);
+        let (thin, _) = self.map.degenerate(&zero.centre);
         let middle = Real::point(self.map.image(&thin)?.criticals[which].value.enclosure().mag(), self.map.bits());
         let middle = middle + &critical.across();
         if !middle.is_below(&slope) {

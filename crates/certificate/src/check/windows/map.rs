@@ -33,8 +33,8 @@ impl<'b> Map<'b> {
     pub fn new(letters: Vec<Letter>, family: Family, budget: Budget<'b>, near: &Point) -> Result<Self, Doubt> {
         let widest = Real::point(Dyadic::power_of_two(MAX_WIDTH_EXPONENT), FRAME_BITS);
         let mut map = Self { letters, family, budget, widest, times: Vec::new(), turns: 0 };
-        let (thin, _) = map.thin(near);
-        let ([phase, _], _) = map.flown(&thin)?;
+        let (degenerate, _) = map.degenerate(near);
+        let ([phase, _], _) = map.flown(&degenerate)?;
         let passed = phase - &near[0];
         map.turns = (passed.to_f64() / std::f64::consts::TAU).round() as i64; // V30: any whole number
         Ok(map)
@@ -51,7 +51,7 @@ impl<'b> Map<'b> {
     }
 
     /// Returns next to nothing around a point, and the unit of its coordinates.
-    pub fn thin(&self, at: &Point) -> (Cell, Real) {
+    pub fn degenerate(&self, at: &Point) -> (Cell, Real) {
         let tiny = Real::point(Dyadic::power_of_two(-2 * i64::from(self.bits())), FRAME_BITS);
         let unit = |i: usize, j: usize| if i == j { tiny.clone() } else { Real::zero(FRAME_BITS) };
         (Cell::new(at.clone(), [0, 1, 2].map(|j| [0, 1, 2].map(|i| unit(i, j)))), tiny.clone())

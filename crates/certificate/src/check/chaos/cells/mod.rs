@@ -85,8 +85,8 @@ impl CellsCertificate {
             };
             let is_own = stretch.verdict == "attracted";
             let proved = self.for_all(stretch, &mut |pair, law| {
-                let asked = (pair, self.start());
-                if is_own { period.attracts(asked, law, work) } else { period.exists(asked, law, work) }
+                let requested = (pair, self.start());
+                if is_own { period.attracts(requested, law, work) } else { period.exists(requested, law, work) }
             })?;
             if let Err(doubt) = said_of_period(proved, is_own) {
                 return Ok(Err(doubt));
@@ -204,8 +204,8 @@ mod tests {
 
     /// Returns whether a stable orbit of a word in `cycles` forcing periods is proved for all amplitudes and restitutions of intervals.
     fn is_proved(values: [&str; 2], word: &str, cycles: u32) -> bool {
-        let asked = (&pair(values), &start(-1));
-        has_stable_orbit(asked, &claimed(word, cycles), &Effort::default(), &Unwatched).unwrap().is_ok()
+        let requested = (&pair(values), &start(-1));
+        has_stable_orbit(requested, &claimed(word, cycles), &Effort::default(), &Unwatched).unwrap().is_ok()
     }
 
     /// The equispaced motion of (66)-(69), whose eigenvalues are complex at the first pair: a set lies in one of many impacts before only.

@@ -143,7 +143,7 @@ pub(super) fn apart([u, w]: State, [v, x]: State) -> f64 {
 
 /// The middle of a span, and how far its ends are from it at most.
 fn halved(x: Span) -> [f64; 2] {
-    let (middle, around) = x.parted();
+    let (middle, around) = x.centred_parts();
     [middle.mid(), around.hi()]
 }
 

@@ -137,19 +137,19 @@ impl Graph {
     }
 
     fn shortest(&self, weights: &[f64], ratio: f64) -> Option<Vec<f64>> {
-        let mut ways = vec![0.0; self.nodes];
+        let mut path_weights = vec![0.0; self.nodes];
         // proposes: how long
         for _ in 0..=self.nodes.min(MAX_ROUNDS) {
             let mut is_done = true;
             for (edge, weight) in self.edges.iter().zip(weights) {
-                let way = ways[edge.from] + weight - ratio * edge.length;
-                if way < ways[edge.to] - 1e-13 {
-                    ways[edge.to] = way;
+                let path_weight = path_weights[edge.from] + weight - ratio * edge.length;
+                if path_weight < path_weights[edge.to] - 1e-13 {
+                    path_weights[edge.to] = path_weight;
                     is_done = false;
                 }
             }
             if is_done {
-                return Some(ways);
+                return Some(path_weights);
             }
         }
         None

@@ -92,13 +92,13 @@ fn crossings(line: &[LineSample], word: &Word, frame: &Frame) -> Vec<([f64; 2], 
 }
 
 /// The place along height `eta`, found near a guess, whose image has the wanted place.
-fn solved(guess: &Guess, frames: &[Frame], word: &Word, eta: f64, (near, wanted): (f64, f64)) -> Option<f64> {
+fn solved(guess: &Guess, frames: &[Frame], word: &Word, eta: f64, (near, target): (f64, f64)) -> Option<f64> {
     let miss = |xi: f64| {
         let mut at = state(&frames[word.from], xi, eta);
         for &is_far in &word.flights {
             at = guess.map(at).filter(|image| image.is_far == is_far)?.state;
         }
-        Some(coordinates(&frames[word.to], at, turns(word))[0] - wanted)
+        Some(coordinates(&frames[word.to], at, turns(word))[0] - target)
     };
     let (mut a, mut b) = (near, near + 1e-6);
     let mut before = miss(a)?;
@@ -115,8 +115,8 @@ fn solved(guess: &Guess, frames: &[Frame], word: &Word, eta: f64, (near, wanted)
 fn strips(guess: &Guess, frames: &[Frame], word: &Word, ends: [f64; 2], rises: bool) -> Vec<Strip> {
     let strip = |beyond: &f64| {
         let side = |end: usize, sign: f64| {
-            let wanted = if rises { sign * beyond } else { -sign * beyond };
-            let row = |&eta: &f64| solved(guess, frames, word, eta, (ends[end], wanted));
+            let target = if rises { sign * beyond } else { -sign * beyond };
+            let row = |&eta: &f64| solved(guess, frames, word, eta, (ends[end], target));
             let rows: Vec<f64> = HEIGHTS.iter().map(row).collect::<Option<_>>()?;
             let lean = 0.5 * (rows[2] - rows[0]);
             let outer = HEIGHTS.iter().zip(&rows).map(|(eta, xi)| sign * (xi - lean * eta)).fold(f64::MIN, f64::max);

@@ -38,19 +38,19 @@ impl Sides {
         let moved = Self { first, rest, area: cross(first, rest), ..*self };
         let after = centre[1] + moved.spread(1);
         let area = (restitution * restitution * speed).over(after).map(|by| self.area * by);
-        area.map_or(moved, |area| Self { area, ..moved }.parted())
+        area.map_or(moved, |area| Self { area, ..moved }.split_along_first())
     }
 
     /// The same vectors, with what the rest has along the first one counted to its part.
-    fn parted(self) -> Self {
+    fn split_along_first(self) -> Self {
         let [u, w] = self.first.map(Span::mid);
         // V14: any vector
-        let aside = [-w, u].map(Span::point);
-        let along = cross(self.first, aside);
-        let (Some(part), Some(length)) = (cross(self.rest, aside).over(along), self.area.over(along)) else {
+        let normal = [-w, u].map(Span::point);
+        let along = cross(self.first, normal);
+        let (Some(part), Some(length)) = (cross(self.rest, normal).over(along), self.area.over(along)) else {
             return self;
         };
-        Self { part: self.part + part, rest: aside.map(|x| x * length), ..self }
+        Self { part: self.part + part, rest: normal.map(|x| x * length), ..self }
     }
 
     /// The vectors in other coordinates, `None` where these are not known.

@@ -241,9 +241,9 @@ fn narrowed(image: &Image, strip: &Strip, [low, high]: [f64; 2]) -> Option<Cell>
     let [place, lean] = strip.line(Span::point(line));
     let reach = (Span::point(high) - Span::point(line)).hull(Span::point(line) - Span::point(low)).around();
     let beside = |[xi, eta]: [Span; 2]| xi - lean * eta;
-    let wanted =
+    let numerator =
         place + reach * strip.half(image.all(1)) - beside(image.middle) - beside(image.sides.second()).around();
-    let Some(within) = wanted.over(beside(image.sides.first)) else { return Some(image.cell) };
+    let Some(within) = numerator.over(beside(image.sides.first)) else { return Some(image.cell) };
     let within = within.common(Span::new(-1.0, 1.0))?;
     let [from, to] = image.cell.across;
     let ([middle, half], part) = (Cell::centred([from, to]), within);

@@ -6,7 +6,7 @@ use crate::orbit::{Arithmetic, BITS, MULTIPRECISION, Settings};
 
 /// Digits that `auto` is requested.
 const DIGITS: [u32; 5] = [3, 9, 15, 30, 100];
-/// Rungs of fixed bits that bring no further impact before the ladder gives up: the first may just miss one.
+/// Numbers of fixed bits without a further impact after which no more bits are measured: the first may just miss one.
 const MAX_FRUITLESS_ROWS: u32 = 2;
 
 /// An arithmetic with its precision.
@@ -27,9 +27,9 @@ pub enum TradeArithmetic {
 }
 
 impl TradeArithmetic {
-    /// Returns the settings of an orbit in this arithmetic, as long as `asked` says.
-    pub(super) fn settings(self, asked: &Settings) -> Settings {
-        let settings = |arithmetic| Settings { arithmetic, ..asked.clone() };
+    /// Returns the settings of an orbit in this arithmetic, as long as `requested` says.
+    pub(super) fn settings(self, requested: &Settings) -> Settings {
+        let settings = |arithmetic| Settings { arithmetic, ..requested.clone() };
         match self {
             Self::Float => settings(Arithmetic::Float),
             Self::Interval => settings(Arithmetic::Interval),
@@ -72,12 +72,12 @@ impl TradeSchedule {
     }
 
     /// Returns the arithmetic to measure.
-    pub fn rung(&self) -> Option<TradeArithmetic> {
+    pub fn arithmetic(&self) -> Option<TradeArithmetic> {
         self.next
     }
 
     /// Advances after an arithmetic has reached this number of impacts, or all of them.
-    pub fn climb(&mut self, impacts: u64, all: bool) {
+    pub fn advance(&mut self, impacts: u64, all: bool) {
         let auto = Some(TradeArithmetic::Auto(DIGITS[0]));
         self.next = match self.next {
             Some(TradeArithmetic::Float) => Some(TradeArithmetic::Interval),
@@ -104,13 +104,13 @@ mod tests {
     use super::*;
 
     /// Returns the names of the arithmetics measured if `bits` bits reach `reach(bits)` of 100 impacts.
-    fn rungs(max_bits: u32, reach: impl Fn(u32) -> u64) -> Vec<String> {
-        let mut ladder = TradeSchedule::new(max_bits, true);
+    fn measured_names(max_bits: u32, reach: impl Fn(u32) -> u64) -> Vec<String> {
+        let mut schedule = TradeSchedule::new(max_bits, true);
         let mut names = Vec::new();
-        while let Some(rung) = ladder.rung() {
-            names.push(rung.to_string());
-            let impacts = if let TradeArithmetic::Bits(bits) = rung { reach(bits) } else { 100 };
-            ladder.climb(impacts, impacts == 100);
+        while let Some(arithmetic) = schedule.arithmetic() {
+            names.push(arithmetic.to_string());
+            let impacts = if let TradeArithmetic::Bits(bits) = arithmetic { reach(bits) } else { 100 };
+            schedule.advance(impacts, impacts == 100);
         }
         names
     }
@@ -118,7 +118,7 @@ mod tests {
     #[cfg(feature = "multiprecision")]
     #[test]
     fn bits_double_until_all_impacts_are_reached() {
-        let names = rungs(1_000_000, |bits| u64::from(bits / 4).min(100));
+        let names = measured_names(1_000_000, |bits| u64::from(bits / 4).min(100));
         assert_eq!(names[..4], ["float", "interval", "inari", "shadow"]);
         assert_eq!(names[4..8], ["64 bits", "128 bits", "256 bits", "512 bits"]);
         assert_eq!(names[8..11], ["auto, 3 digits", "auto, 9 digits", "auto, 15 digits"]);
@@ -128,15 +128,15 @@ mod tests {
     #[cfg(feature = "multiprecision")]
     #[test]
     fn bits_that_bring_nothing_twice_are_the_last() {
-        assert_eq!(rungs(1_000_000, |_| 20)[4..8], ["64 bits", "128 bits", "256 bits", "auto, 3 digits"]);
-        assert_eq!(rungs(1_000_000, |_| 0)[4..7], ["64 bits", "128 bits", "auto, 3 digits"]);
-        assert_eq!(rungs(200, |_| 20)[4..7], ["64 bits", "128 bits", "auto, 3 digits"]);
+        assert_eq!(measured_names(1_000_000, |_| 20)[4..8], ["64 bits", "128 bits", "256 bits", "auto, 3 digits"]);
+        assert_eq!(measured_names(1_000_000, |_| 0)[4..7], ["64 bits", "128 bits", "auto, 3 digits"]);
+        assert_eq!(measured_names(200, |_| 20)[4..7], ["64 bits", "128 bits", "auto, 3 digits"]);
     }
 
     #[cfg(not(feature = "multiprecision"))]
     #[test]
-    fn doubles_have_no_rungs_of_bits() {
+    fn a_build_of_doubles_measures_no_bits() {
         let names = ["float", "interval", "inari", "shadow", "auto, 3 digits"];
-        assert_eq!(rungs(1_000_000, |_| 0)[..5], names);
+        assert_eq!(measured_names(1_000_000, |_| 0)[..5], names);
     }
 }
