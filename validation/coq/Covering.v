@@ -45,9 +45,9 @@ Proof.
   apply (Rmult_le_reg_r (IZR (2 ^ Zpos q))); [assumption|]. replace (_ * _ * _) with (IZR m * IZR n) by (field; lra). exact h.
 Qed.
 
-(* The arrival of all flights from a stretch of a parallelogram: brackets of the phases of arrival, middle and radius, a wide one that shows
-   the first contact and a narrow one for the image; where flights are cut, the end of the departure and the begin of the arrival; two
-   tilts, as in Certificate.v, for the image along and across a parallelogram. All on the grid. *)
+(* The arrival of all flights from a stretch of a parallelogram: brackets of the phases of arrival, middle and radius, a wide one that shows the
+   first contact and a narrow one for the image; where flights are cut, the end of the departure and the begin of the arrival; two tilts, as in
+   Certificate.v, for the image along and across a parallelogram. All on the grid. *)
 Record transit := Transit { wide_mid : Z; wide_rad : Z; near_mid : Z; near_rad : Z; go : Z; come : Z; lean_along : Z; lean_across : Z }.
 
 (* One covering relation: a stretch of the first parallelogram; its transit; whether it is turned over. *)

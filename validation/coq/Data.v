@@ -34,8 +34,8 @@ Definition certified (s : scene) (l : launch) (printed : list bounds) : Prop :=
   exists orbit, follows s l orbit /\ Forall2 within printed orbit /\
     forall other, follows s l other -> length other = length orbit -> other = orbit.
 
-(* The data of the check. A leg holds the box of its impact and where the flight that ends there is cut: departure before
-   `depart`, middle up to `approach`, then arrival; `tilt` is about y'' over the velocity of arrival. *)
+(* The data of the check. A leg holds the box of its impact and where the flight that ends there is cut: departure before `depart`, middle up to
+   `approach`, then arrival; `tilt` is about y'' over the velocity of arrival. *)
 Record leg := Leg {
   bits : positive; coarse : positive; scale : positive; hits : wall;
   t : Z; rt : Z; v : Z; rv : Z; depart : Z; approach : Z; tilt : Z }.

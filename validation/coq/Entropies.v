@@ -12,8 +12,8 @@ Import ListNotations.
 Record growth_hint := Growth_hint { growth_by : Q; growth_values : list Z }.
 Definition value_at (g : growth_hint) (b : nat) : Z := nth b (growth_values g) 0%Z.
 Definition heaviest (weight : word -> Z) (words : list word) : Z := fold_right (fun w most => Z.max (weight w) most) 0%Z words.
-(* The contribution of a word to the h-set that it leads from: the value of the one it leads into, over the factor to the power of its weight, all times
-   the numerator of the factor to the power `most`. *)
+(* The contribution of a word to the h-set that it leads from: the value of the one it leads into, over the factor to the power of its weight, all
+   times the numerator of the factor to the power `most`. *)
 Definition brings (weight : word -> Z) (g : growth_hint) (most : Z) (w : word) : nat * Z :=
   (word_from w, (value_at g (word_into w) * Zpos (Qden (growth_by g)) ^ weight w * Qnum (growth_by g) ^ (most - weight w))%Z).
 Definition brought (terms : list (nat * Z)) (b : nat) : Z := fold_right (fun term all => if (fst term =? b)%nat then (snd term + all)%Z else all) 0%Z terms.

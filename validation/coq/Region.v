@@ -15,8 +15,8 @@ Definition run_before (a b : Z * (Z * Z)) : Prop := (fst a < fst b \/ fst a = fs
 Definition in_grid (r : region) (run : Z * (Z * Z)) : Prop := (0 <= fst run < Zpos (columns r) /\ 0 <= fst (snd run) <= snd (snd run))%Z.
 Definition has_boxes (r : region) (n : Z) : Prop := List.Forall (in_grid r) (runs r) /\ Sorted run_before (runs r) /\
   n = fold_right (fun run n => (snd (snd run) - fst (snd run) + 1 + n)%Z) 0%Z (runs r).
-(* The claimed properties: bounds of the flights between impacts, in forcing periods, above once more, and in time; of the speeds before impacts, over A W and in the scene's units;
-   and with which impact the scene's motion comes in, if it does; 0 is its start. *)
+(* The claimed properties: bounds of the flights between impacts, in forcing periods, above once more, and in time; of the speeds before impacts,
+   over A W and in the scene's units; and with which impact the scene's motion comes in, if it does; 0 is its start. *)
 Record properties := Properties { box_count : Z; flight_periods : Q * Q; longest_flight : Q; flight_times : Q * Q; impact_speeds : Q * Q; impact_velocities : Q * Q; entered : option Z }.
 
 (* Phases are taken up to whole turns. Boxes are closed: they contain their edges. *)

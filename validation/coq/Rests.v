@@ -7,8 +7,8 @@ From ImpactPair Require Chatter.
 Open Scope R_scope.
 Import ListNotations.
 
-(* Hints for the check: a box of the start, steps, with a time up to which all is listed what happens next, and of what repeats how much
-   is listed before and how much each time. Nothing is claimed of it. *)
+(* Hints for the check: a box of the start, steps, with a time up to which all is listed what happens next, and of what repeats how much is listed
+   before and how much each time. Nothing is claimed of it. *)
 Record hint := Hint { origin : start; steps : list step; next_one : option occurrence; rounds : nat * nat }.
 
 Module Resters (F : FloatOps with Definition sensible_format := true).

@@ -1,5 +1,5 @@
-(* The number of sequences: where words from h-sets have a vector v with v b <= the sum of v (into) / q ^ weight over the words from b, there are c q^n sequences of which
-   any two part after words of a total weight less than n. *)
+(* The number of sequences: where words from h-sets have a vector v with v b <= the sum of v (into) / q ^ weight over the words from b, there are c
+   q^n sequences of which any two part after words of a total weight less than n. *)
 From Coq Require Import Reals Lra Lia List Arith.
 From Coquelicot Require Import Coquelicot.
 From ImpactPair Require Import Horseshoe Covers Shift.

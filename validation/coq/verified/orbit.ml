@@ -11,7 +11,8 @@ let shadowed = "shadowed"
 let periodic = "periodic"
 let attracted = "attracted"
 
-(* The claim of a document: of the orbit from the scene's start, or of one that starts near; of the first that from an impact on it tends to a periodic orbit. *)
+(* The claim of a document: of the orbit from the scene's start, or of one that starts near; of the first that from an impact on it tends to a
+   periodic orbit. *)
 type claim = Exact of document | Attracted of document * Z.t * cycle | Shadowed of event document_of * nearness
 let scene_of = function
   | Exact { scene_data; begun; _ } | Attracted ({ scene_data; begun; _ }, _, _) -> (scene_data, begun)

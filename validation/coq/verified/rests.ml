@@ -163,7 +163,8 @@ let rec steps data from ~first_at ~bounds occurrences until n =
        | _ -> raise (Lost n))
     | _ -> raise (Lost n)
 
-(* The number of events up to the first recurrent release, and from there up to its recurrence: after the claimed numbers of forcing periods and impacts. *)
+(* The number of events up to the first recurrent release, and from there up to its recurrence: after the claimed numbers of forcing periods and
+   impacts. *)
 let same_phase = 1e-9
 let rounds data cycles each occurrences =
   let s = setting fine data in

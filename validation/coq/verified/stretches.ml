@@ -251,8 +251,8 @@ let samples = 1 lsl 13
 let at k = 2.0 *. float_of_int k /. float_of_int samples -. 1.0
 let courses (pair, _) shape = Array.init (samples + 1) (fun k -> course_of pair (put shape (at k) 0.0))
 
-(* The part of a parallelogram that a word maps across another one: its two bounds, and whether the orientation is reversed. The ends are this far beyond those
-   of the other one, and the parts at the ends five times as long: less where the image leaves the other one's edges there. *)
+(* The part of a parallelogram that a word maps across another one: its two bounds, and whether the orientation is reversed. The ends are this far
+   beyond those of the other one, and the parts at the ends five times as long: less where the image leaves the other one's edges there. *)
 let beyond_ends = [ 0.004; 0.0005; 0.00006 ]
 (* Parts of the way from one state to the next where an image between the ends is near flights to other walls. *)
 let finer = 32
