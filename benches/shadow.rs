@@ -2,7 +2,7 @@
 //!
 //! `cargo bench --bench shadow`. The chaotic figures are shadowed for 100,000 impacts; the float orbit has as many, an orbit in
 //! interval arithmetic as many as doubles certify. Times are nanoseconds an impact, median over the rounds; so are the ratios
-//! taken round by round. `eps` are the radii of the proved phases, in turns.
+//! taken round by round. `eps` are the radii of the proved phases, in forcing periods.
 
 use std::hint::black_box;
 

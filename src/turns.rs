@@ -27,7 +27,7 @@ pub(crate) fn after(turns: i64, whole: f64) -> Option<i64> {
     (whole.abs() < COUNT_LIMIT as f64 && count.unsigned_abs() < COUNT_LIMIT as u64).then_some(count)
 }
 
-/// Returns the turn, less whole common periods of N forcing periods, that a phase is in: 0 with one harmonic.
+/// Returns the forcing period, less whole common periods of N forcing periods, that a phase is in: 0 with one harmonic.
 pub fn in_period(turns: &Enclosure, period: u32) -> u32 {
     let turn = turns.inf().to_rational().floor().to_integer().mod_floor(&BigInt::from(period)); // exact: a whole number
     turn.to_u32().expect("less than the period")
@@ -39,7 +39,7 @@ pub(crate) fn counted(turns: i64, whole: f64) -> i64 {
     turns.wrapping_add(whole as i64) // N1: the other count ends first, and this one with it
 }
 
-/// Shifts a phase into `[-1/2, 1/2]`, exactly (Sterbenz), and moves the turn to the count.
+/// Shifts a phase into `[-1/2, 1/2]`, exactly (Sterbenz), and moves the forcing period to the count.
 #[inline(always)]
 pub(crate) fn carry(turns: f64, phase: f64) -> (f64, f64) {
     if phase > 0.5 {

@@ -23,7 +23,7 @@ fn scene(excitation: &str, pair: &str, velocity: &str, impacts: u32) -> String {
     )
 }
 
-/// Scenes whose motions are attracted: a symmetric orbit, one that is not, flights of more than a turn, and sums with and
+/// Scenes whose motions are attracted: a symmetric orbit, one that is not, flights of more than a forcing period, and sums with and
 /// without a mirror.
 fn attracted() -> Vec<(&'static str, Value)> {
     let one = |amplitude: &str| format!("amplitude = {amplitude}, frequency = \"pi\", phase = 0");

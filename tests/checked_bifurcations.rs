@@ -196,7 +196,7 @@ fn r32_a_harmonic_that_vanishes_at_an_end_of_the_bounds_is_not_left_out() {
     assert_eq!(kinds(&alone), ["fold"]);
     assert_confirmed(&alone);
     let fold = 1.0 / (4.0 + 81.0 * std::f64::consts::PI.powi(2)).sqrt();
-    // No common period, a common one, and one of a turn; bounds from and around 0.
+    // No common period, a common one, and one of a forcing period; bounds from and around 0.
     for frequency in ["sqrt(2)*pi", "2*pi", "pi/2"] {
         for lower in ["0", "-0.01", "-0.010559228503146"] {
             let mut document = alone.clone();

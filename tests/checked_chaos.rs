@@ -79,7 +79,7 @@ fn a_hyperbolic_set_of_many_words_is_proved_again() {
     assert!(is_confirmed(&document), "{:?}", verdict(&document));
 }
 
-/// The document with a base more than a turn wide in the place of base 1, from which and to which no word leads.
+/// The document with a base more than a forcing period wide in the place of base 1, from which and to which no word leads.
 #[test]
 fn r32_a_base_wider_than_a_turn_is_refused() {
     let of_width = |width: f64| {
@@ -322,7 +322,7 @@ fn regions_are_confirmed() {
     }
 }
 
-/// Boxes of 1/256 of a turn and 1/32 of `A W` that the orbit of figure 14 is in from its third impact on.
+/// Boxes of 1/256 of a forcing period and 1/32 of `A W` that the orbit of figure 14 is in from its third impact on.
 fn reached() -> Vec<[i64; 2]> {
     let scene = figure("figure-14");
     let settings = Settings { impacts: Some(30), ..Settings::default() };

@@ -303,7 +303,7 @@ fn r32_epsilon_is_that_of_bounds_of_few_digits() {
         let outcome = json!({"kind": "impacts-reached", "epsilon": {"median": median, "maximum": maximum}});
         beside_stillness("1", [&json!(["3.08", "3.09"]), &json!(VELOCITY)], &[], outcome)
     };
-    // Half of 0.01 is 7.9577e-4 turns; printing may have made it wider by a hundredth.
+    // Half of 0.01 is 7.9577e-4 forcing periods; printing may have made it wider by a hundredth.
     assert!(is_confirmed(&of("8e-4", "8e-4")) && is_confirmed(&of("7.9e-4", "7.9e-4")));
     for [median, maximum] in [["1e-300", "1e-300"], ["7.8e-4", "7.8e-4"], ["1e-300", "8e-4"], ["8e-4", "1e-300"]] {
         let found = verdict(&of(median, maximum));

@@ -16,7 +16,7 @@ fn value(text: &str) -> Exact {
     text.parse().unwrap()
 }
 
-/// A pair of this `A/d` and `e`, in units in which a turn takes 1 and the gap is 1.
+/// A pair of this `A/d` and `e`, in units in which a forcing period takes 1 and the gap is 1.
 pub fn pair(ratio: &str, restitution: &str) -> ImpactPair {
     let harmonic = Harmonic::new(value(ratio), value("2*pi"), value("0")).unwrap();
     ImpactPair::new(harmonic, value("1"), value(restitution)).unwrap()
@@ -176,7 +176,7 @@ fn runs_a_hundred_periods(pair: &ImpactPair, orbit: &PeriodicOrbit, cycles: u32)
         Exact::interval(&end(x.inf()), &end(x.sup())).unwrap()
     };
     let first = &orbit.impacts[0];
-    // A turn takes 1, the gap is 1: phases are times and velocities are as they are.
+    // A forcing period takes 1, the gap is 1: phases are times and velocities are as they are.
     let start = Start::on_wall(interval(&first.phase), first.wall, interval(&first.velocity)).unwrap();
     let count = orbit.impacts.len();
     let settings =

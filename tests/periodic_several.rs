@@ -80,7 +80,7 @@ fn one_harmonic_in_two_terms_has_the_same_orbits() {
         let other = problem(&two, word, cycles);
         assert_eq!(other.period(), 1);
         for orbit in orbits {
-            // Phases are those of the first term, a sixth of a turn ahead.
+            // Phases are those of the first term, a sixth of a forcing period ahead.
             let guess: Vec<f64> = middles(&orbit).iter().map(|phase| phase + 1.0 / 6.0).collect();
             let same = other.prove(&guess, precision).expect("proved");
             assert_eq!((same.stability, same.physical), (orbit.stability, orbit.physical), "{word}");
@@ -130,8 +130,8 @@ fn a_search_counts_the_orbits_of_one_harmonic_in_two_terms() {
     }
 }
 
-/// A harmonic that is hardly there moves no orbit by much, but tells which turn of the common period it begins in. None of the
-/// orbits of one harmonic is at a bifurcation, so each of them goes on as one orbit for each turn after which it differs from itself.
+/// A harmonic that is hardly there moves no orbit by much, but determines which forcing period of the common period it begins in. None of the
+/// orbits of one harmonic is at a bifurcation, so each of them goes on as one orbit for each forcing period after which it differs from itself.
 #[test]
 fn a_search_counts_the_orbits_of_one_harmonic_in_each_turn_under_a_faint_slower_one() {
     for (word, ratio, restitution, slow, turns) in [
@@ -262,7 +262,7 @@ fn mirror_images_are_orbits_where_the_harmonics_are_odd() {
     assert!(even.iter().all(|orbit| orbit.symmetric == Some(false)));
 }
 
-/// Lemma Q3, in whichever turn of the common period the run starts: far away in time as well.
+/// Lemma Q3, in whichever forcing period of the common period the run starts: far away in time as well.
 #[test]
 fn runs_are_proved_to_converge_to_a_stable_orbit() {
     let (pair, word, cycles) = questions().swap_remove(0);

@@ -203,7 +203,7 @@ fn r14_phases_of_any_size_are_those_of_the_harmonics() {
 
 #[test]
 fn r14_flights_of_more_turns_than_doubles_count_are_not_followed() {
-    // 2 10^16 turns of the faster harmonic; the first contact was certified at ...0.79999995 instead of ...0.99999995.
+    // 2 10^16 forcing periods of the faster harmonic; the first contact was certified at ...0.79999995 instead of ...0.99999995.
     for (second, velocity) in [("1e-6", "2.3e-16"), ("0.005", "5e-17")] {
         let text = format!(
             "excitation = {{ amplitude = [0.02, {second}], frequency = [\"pi\", \"20*pi\"], phase = \"pi/2\" }}\n\

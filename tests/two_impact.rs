@@ -104,7 +104,7 @@ fn judge(pair: &ImpactPair, answer: &Answer, cycles: u32) {
     }
 }
 
-/// The trace of the product of (A.7) by the Jacobian of `mapping`, in turns and gaps, on balls.
+/// The trace of the product of (A.7) by the Jacobian of `mapping`, in forcing periods and gaps, on balls.
 fn product_of_jacobians(pair: &ImpactPair, orbit: &Orbit, cycles: u32) -> Enclosure {
     let ball = |x: &Enclosure| {
         let (mid, rad) = x.mid_rad();
@@ -112,7 +112,7 @@ fn product_of_jacobians(pair: &ImpactPair, orbit: &Orbit, cycles: u32) -> Enclos
     };
     let reduced = Reduced::exact(pair).unwrap().enclosed().unwrap();
     let turn = Enclosure::pi(BITS).mul(&exact("2").enclose(BITS), BITS);
-    // v in gaps a turn: 2 pi v/(W d), W = pi.
+    // v in gaps per forcing period: 2 pi v/(W d), W = pi.
     let speed =
         |v: &Enclosure| ball(&v.mul(&exact("2").enclose(BITS), BITS).div(&pair.gap().enclose(BITS), BITS).unwrap());
     let there = orbit.spacing.div(&turn, BITS).unwrap();

@@ -24,7 +24,7 @@ snapshots! { UNCERTAIN;
     arguments_of_periodic: periodic(&["--help"]);
 }
 
-/// Two harmonics with a common period of three turns; the second frequency is to be filled in.
+/// Two harmonics with a common period of three forcing periods; the second frequency is to be filled in.
 fn two_harmonics(frequency: &str) -> String {
     format!(
         "excitation = {{ amplitude = [1, \"1/2\"], frequency = [\"pi\", \"{frequency}\"], phase = 0 }}\n\

@@ -60,7 +60,7 @@ fn coordinates([p, q]: [State; 2]) -> Option<[[Ball; 2]; 2]> {
 
 impl Set {
     fn of(first: &Visited) -> Self {
-        let turns = first.phase.mid().floor(); // exact: whole turns, counted by themselves
+        let turns = first.phase.mid().floor(); // exact: whole forcing periods, counted by themselves
         Self {
             middle: [first.phase.mid() - turns, first.speed.mid()],
             // D15: what the middle is rounded by
@@ -94,7 +94,7 @@ impl Set {
             [own[k][0] + u, own[k][1] + w]
         });
         let directions = directions(self.sides.map(|side| applied(image.jacobian, side)));
-        let turns = image.state[0].floor(); // exact: whole turns, counted by themselves
+        let turns = image.state[0].floor(); // exact: whole forcing periods, counted by themselves
         let middle = [image.state[0] - turns, image.state[1]];
 
         let landing = Flights::moved(law, &quad, self.moved).land(image.side, arrival)?;
@@ -169,7 +169,7 @@ impl Round {
     /// The orbit closes after this number of impacts as well: so after the greatest common divisor of both. Lemma D15
     fn divide(&mut self, impacts: usize) {
         let common = self.sides.len().gcd(&impacts);
-        self.turns /= (self.sides.len() / common) as f64; // exact: whole turns after each part
+        self.turns /= (self.sides.len() / common) as f64; // exact: whole forcing periods after each part
         self.sides.truncate(common);
     }
 
@@ -182,7 +182,7 @@ impl Round {
     /// Its word, in whole forcing periods: twice the flights where they end on the other wall.
     fn word(&self) -> Option<(Word, u32)> {
         let far = self.sides.iter().filter(|&&side| side == Side::Far).count();
-        let half_cycles = 2 * self.turns as i64 - far as i64; // exact: whole numbers, each far impact is half a turn later
+        let half_cycles = 2 * self.turns as i64 - far as i64; // exact: whole numbers, each far impact is half a forcing period later
         let rounds = if far.is_multiple_of(2) { 1 } else { 2 };
         let mut from = self.wall;
         let mut mappings = Vec::new();

@@ -207,7 +207,7 @@ impl<const WIDE: bool> Bounds<'_, WIDE> {
         let extrema = Extrema::new::<Kernel>(self.flight);
         let (first, _) = extrema.before(arrival.target);
         let k = (arrival.time.mid() - first).ceil().max(0.0); // proposes: C4 is proved for this k
-        // The heights were computed `shift` turns at most from the true extrema, where |z'| <= 28 beta shift^2.
+        // The heights were computed `shift` forcing periods at most from the true extrema, where |z'| <= 28 beta shift^2.
         let shift = self.critical_phase();
         self.is_on_first_piece(&extrema, k, &arrival, 60.0 * self.pair.beta * shift * shift * shift)
     }

@@ -44,7 +44,7 @@ const NEWTON_STEPS: usize = 1_000;
 /// use impact_pair::number::{Number, Wave};
 /// use impact_pair::pair::{Reduced, Wall};
 /// use inari::Interval;
-/// // No shaking (A = 0): half a gap a turn crosses the gap in two turns.
+/// // No shaking (A = 0): half a gap per forcing period crosses the gap in two forcing periods.
 /// let [zero, half, one] = [0.0, 0.5, 1.0].map(Interval::from_f64);
 /// let pair = Reduced { alpha: zero, beta: zero, restitution: one };
 /// let flight = Flight::from_wall(&pair, Wall::Left, zero, half, zero.wave());

@@ -231,7 +231,7 @@ fn an_attractor_is_confirmed_and_nothing_else_in_its_place() {
     for (path, value) in [("from", json!(1)), ("word", json!("P2 P1")), ("cycles", json!(2))] {
         assert!(!matches!(spoiled(path, value), Verdict::Confirmed { .. }), "{path}");
     }
-    // Ten turns later.
+    // Ten forcing periods later.
     let later = |copy: &mut Value, impact: usize| {
         let phase = &mut copy["outcome"]["orbit"]["impacts"][impact]["phase"];
         let at: f64 = phase[0].as_str().unwrap().parse().unwrap();

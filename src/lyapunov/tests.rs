@@ -67,7 +67,7 @@ fn bounds_hold_the_norm_of_differences() {
         let impact = orbit.by_ref().last().unwrap();
         impact.precise.map(|precise| *precise).unwrap()
     };
-    // W = pi: a turn is 2 time units; a gap a turn is 9.42497/2.
+    // W = pi: a forcing period is 2 time units; a gap per forcing period is 9.42497/2.
     let column = |less: (_, _), more: (_, _)| {
         let half = |a: &crate::exact::Enclosure, b: &crate::exact::Enclosure| b.sub(a, 300).mid_rad().0 / (2.0 * step);
         [half(&less.0, &more.0), half(&less.1, &more.1)]

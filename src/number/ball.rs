@@ -24,9 +24,9 @@ pub(crate) const TINY: f64 = f64::MIN_POSITIVE;
 /// The smallest positive double: twice what a product that underflows is off (Lemma B1).
 const SMALLEST: f64 = f64::from_bits(1);
 
-/// More than `2 pi`: what the sine and the cosine of a phase in turns change by at most for each turn.
+/// More than `2 pi`: what the sine and the cosine of a phase in periods change by at most for each period.
 pub(crate) const ABOVE_TWO_PI: f64 = 6.3;
-/// `2^400`: what ratios and rates may be at most, in gaps and turns, so that nothing overflows in the course of a flight.
+/// `2^400`: what ratios and rates may be at most, in gaps and forcing periods, so that nothing overflows in the course of a flight.
 pub(crate) const LARGEST_RATE: f64 = 2.582_249_878_086_908_6e120;
 /// Bits that an exact number is enclosed in to become a ball: more than twice those of a double, so only the double rounds.
 const EXACT_BITS: u32 = 120;

@@ -212,7 +212,7 @@ impl MpBall {
         Enclosure::new(low, end(Float::with_val_round(bits, &self.mid + &rad, Round::Up)))
     }
 
-    /// Encloses `(sin 2 pi u, cos 2 pi u)` for all `u` in the ball; at quarter turns they are exact.
+    /// Encloses `(sin 2 pi u, cos 2 pi u)` for all `u` in the ball; at quarter periods they are exact.
     pub fn sin_cos(&self) -> (Self, Self) {
         if let Some(quarter) = self.quarter() {
             let at = |shift: i32| [0.0, 1.0, 0.0, -1.0][(quarter + shift).rem_euclid(4) as usize]; // exact: 0 to 3
@@ -232,7 +232,7 @@ impl MpBall {
         (Self { mid: sin, rad }, Self { mid: cos, rad })
     }
 
-    /// Returns the number of quarter turns, if it is exactly an integer, and small.
+    /// Returns the number of quarter periods, if it is exactly an integer, and small.
     fn quarter(&self) -> Option<i32> {
         if !self.rad.is_zero() {
             return None;

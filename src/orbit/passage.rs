@@ -42,7 +42,7 @@ impl Orbit {
 
     /// Returns the forcing periods from one impact to a later one.
     pub fn turns_between(&self, from: &Impact, to: &Impact) -> Ball {
-        // More than 2^53 turns are rounded, and then the ball of phases is not worth anything: it is widened by that.
+        // More than 2^53 forcing periods are rounded, and then the ball of phases is not worth anything: it is widened by that.
         let whole = to.turns - from.turns;
         // N1: twice what the cast below may round
         let rounding = if whole.unsigned_abs() < 1 << 53 { 0.0 } else { f64::EPSILON * whole as f64 };

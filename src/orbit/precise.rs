@@ -40,7 +40,7 @@ pub(super) struct PreciseMotion<S: Flying> {
     plan: Plan,
     /// Impacts so far.
     index: u64,
-    /// Whole turns of the last contact.
+    /// Whole forcing periods of the last contact.
     turns: i64,
     states: States<PreciseSet, MpBall>,
     /// Its phases and velocities in doubles, where they are known.
@@ -194,7 +194,7 @@ impl<S: Flying> Motion for PreciseMotion<S> {
             States::Inside { height, phase, velocity } => self.first(height, phase, velocity)?,
         };
         // Into [-1/2, 1/2], exactly (Sterbenz).
-        let whole = set.phase.clone().round().to_f64(); // exact: within a few turns
+        let whole = set.phase.clone().round().to_f64(); // exact: within a few forcing periods
         set.phase -= whole;
         let [phase, velocity] = set.doubles();
         self.doubles = Some([phase, velocity]);

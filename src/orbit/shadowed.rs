@@ -146,7 +146,7 @@ impl<S: Flying, B: Beginning<S>> ShadowMotion<S, B> {
     /// Goes on to a state: what leads there from the last one.
     #[inline(always)]
     fn passed(&mut self, wall: Wall, turns: i64, phase: Ball, velocity: Ball) -> Contact<Ball> {
-        let passed = (turns - self.at.0) as f64; // N1: a flight is shorter than 2^53 turns
+        let passed = (turns - self.at.0) as f64; // N1: a flight is shorter than 2^53 forcing periods
         let time = Ball::exact(passed) + (phase - self.at.1);
         self.at = (turns, phase);
         Contact { wall, turns: passed, phase, time, velocity }

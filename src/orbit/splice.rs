@@ -112,7 +112,7 @@ impl Splice {
         let bits = Arithmetic::Bits(self.bits.saturating_add(MORE_BITS)); // proposes: any number of bits encloses
         let settings = Settings { arithmetic: bits, impacts: Some(self.impacts), ..Settings::default() };
         let mut orbit = Orbit::new(&self.pair, start, settings).ok()?;
-        // Turns are counted from one origin.
+        // Forcing periods are counted from one origin.
         (orbit.clock.origin() == self.clock.origin()).then_some(())?;
         fly(&mut orbit, self.impacts, self.varied)
     }

@@ -27,7 +27,7 @@ impl Chain {
         Self::under(Repetition::ONE_PERIOD, word, cycles)
     }
 
-    /// Returns the chain of a word that closes after `cycles` turns of the fastest harmonic.
+    /// Returns the chain of a word that closes after `cycles` periods of the fastest harmonic.
     ///
     /// # Errors
     /// If the word does not end on the wall it starts from, or `cycles` is not in 1 to [`MOST_CYCLES`] or no multiple of the common period.

@@ -40,7 +40,7 @@ pub fn polish<S: Shaking<f64>>(chain: &Chain, shaking: &S, mut phases: Vec<f64>)
         let size = step.iter().map(|x| x.abs()).fold(0.0, f64::max); // proposes
         let taken = keep_order(chain, &legs.legs, &step);
         phases.iter_mut().zip(&step).for_each(|(x, s)| *x += taken * s);
-        // Lost, or a NaN, which `max` above passes over; the kernel takes 2^40 turns.
+        // Lost, or a NaN, which `max` above passes over; the kernel takes 2^40 forcing periods.
         if !phases.iter().all(|x| x.abs() <= MAX_PHASE) {
             return None;
         }

@@ -58,7 +58,7 @@ impl Chained for SeveralHarmonics {
     fn rates(&self) -> Vec<Rate> {
         let own = |term: &Partial<Ball>| [term.ratio, Ball::phase_at(&term.counter, 0)];
         let terms = self.balls.harmonics.terms.iter().enumerate();
-        // H11: the first one is the fastest, whose turns are counted from its own phase 0
+        // H11: the first one is the fastest, whose forcing periods are counted from its own phase 0
         terms.map(|(k, term)| Rate { beta: term.beta, own: (k > 0).then(|| own(term)) }).collect()
     }
 

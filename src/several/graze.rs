@@ -54,7 +54,7 @@ struct Touch {
 }
 
 impl Touch {
-    /// A flight that is convex for `before` turns up to its bottom, which may lie so deep in the wall.
+    /// A flight that is convex for `before` forcing periods up to its bottom, which may lie so deep in the wall.
     fn new(depth: &Magnitude, side: &Side, rates: &Rates, before: f64) -> Option<Self> {
         let bend = side.least_bend(rates, before);
         if !is_positive(bend) {
@@ -101,7 +101,7 @@ impl Touch {
         if !(is_inside && room(&velocity.clone().signed(wall.sign()))) {
             return None;
         }
-        let whole = phase.clone().round().to_f64(); // exact: within a few turns
+        let whole = phase.clone().round().to_f64(); // exact: within a few forcing periods
         let touched = start.clone() + bottom.time().widened(self.window);
         // N1: below 2^52
         Some(Passed { wall, at: touched, turns: at.turns as f64 + whole, phase: phase - whole, height, velocity })

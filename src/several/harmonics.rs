@@ -1,4 +1,4 @@
-//! Several harmonics in any arithmetic: their sums at any turn, and what bounds the motion.
+//! Several harmonics in any arithmetic: their sums in any forcing period, and what bounds the motion.
 
 use super::phased::{FlightNumber, PhaseNumber};
 use super::spectrum::{Spectrum, Term};
@@ -26,11 +26,11 @@ pub(crate) struct Partial<N: PhaseNumber> {
     pub acceleration: N,
     /// `W_k / W`
     pub ratio: N,
-    /// Its phase at whole turns.
+    /// Its phase at whole forcing periods.
     pub counter: N::Counter,
 }
 
-/// Upper bounds, at all times, of what the harmonics do, in gaps and turns.
+/// Upper bounds, at all times, of what the harmonics do, in gaps and forcing periods.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Rates {
     /// of `|E|/d`, `|z''|`, `|z'''|` and `|z''''|`.
@@ -99,7 +99,7 @@ impl<N: PhaseNumber> Partial<N> {
 }
 
 impl<N: PhaseNumber> Harmonics<N> {
-    /// Sine and cosine of each harmonic, `rest` after a number of whole turns.
+    /// Sine and cosine of each harmonic, `rest` after a number of whole forcing periods.
     pub fn waves<'h>(&'h self, turns: i64, rest: &'h N) -> impl Iterator<Item = (&'h Partial<N>, (N, N))> {
         self.terms.iter().map(move |term| {
             let phase = term.ratio.clone().mul_add(rest.clone(), N::phase_at(&term.counter, turns));

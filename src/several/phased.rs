@@ -7,9 +7,9 @@ use crate::number::{Ball, Wave};
 
 /// A number in which the box under several harmonics is computed.
 pub(crate) trait PhaseNumber: Wave + std::fmt::Debug + Send {
-    /// The phase of a harmonic as a function of whole turns of the fastest.
+    /// The phase of a harmonic as a function of whole forcing periods of the fastest.
     type Counter: Clone + std::fmt::Debug + Send + Sync;
-    /// `ratio n + shift`, less whole turns.
+    /// `ratio n + shift`, less whole forcing periods.
     fn phase_at(counter: &Self::Counter, turns: i64) -> Self;
     /// A number near it, to nearest.
     fn middle(&self) -> f64;

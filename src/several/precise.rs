@@ -7,7 +7,7 @@ use super::phased::{FlightNumber, PhaseNumber, middle};
 use crate::exact::Exact;
 use crate::number::{MpBall, Number};
 
-/// Bits that turns can take: phases are given with N more.
+/// Bits that forcing periods can take: phases are given with N more.
 const PERIOD_COUNT_BITS: u32 = 64;
 
 impl PhaseNumber for MpBall {
@@ -16,7 +16,7 @@ impl PhaseNumber for MpBall {
     fn phase_at((ratio, shift): &(MpBall, MpBall), turns: i64) -> MpBall {
         let turns = MpBall::exact(Float::with_val(PERIOD_COUNT_BITS, turns));
         let phase = turns.mul_add(ratio.clone(), shift.clone());
-        let whole = MpBall::exact(phase.mid().clone().round()); // H1: any whole number of turns
+        let whole = MpBall::exact(phase.mid().clone().round()); // H1: any whole number of forcing periods
         let bits = phase.bits() - PERIOD_COUNT_BITS;
         (phase - whole).rounded(bits)
     }

@@ -23,7 +23,7 @@ pub(crate) struct Band {
 const TIGHT_TOLERANCE: f64 = 1e-13;
 /// Longer common periods are not searched.
 const LONGEST_PERIOD: u64 = 4096;
-/// Parts that are looked at for each turn, and at most for each bound.
+/// Parts that are looked at for each forcing period, and at most for each bound.
 const PARTS_PER_PERIOD: u64 = 8;
 const MOST_PARTS: usize = 1 << 18;
 
@@ -90,7 +90,7 @@ impl<'b> Reach<'b> {
         Self { band, harmonics, window: None, requested: 0 }
     }
 
-    /// Returns the end of the window in which no wall can be reached, in turns after the start, if the time `now` lies in it.
+    /// Returns the end of the window in which no wall can be reached, in forcing periods after the start, if the time `now` lies in it.
     pub fn jump<N: FlightNumber>(&mut self, flight: &SumFlight<'_, N>, now: f64) -> Option<f64> {
         self.requested += 1;
         if self.requested == 1 || self.requested == MAX_COARSE_PIECES {

@@ -72,7 +72,7 @@ pub(crate) struct Scan<'f, 'h, N: FlightNumber> {
     all: &'f SumFlight<'h, N>,
     centre: &'f SumFlight<'h, N>,
     rates: Rates,
-    /// The rates hold for N turns after the start.
+    /// The rates hold for N forcing periods after the start.
     horizon: f64,
 }
 

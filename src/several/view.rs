@@ -139,7 +139,7 @@ impl Side {
         Cubic { room: self.room.0, rate: self.rate.0, bend: self.bend.0, third: rates.third }
     }
 
-    /// Returns whether the wall is not touched for `time` turns (Lemma H2).
+    /// Returns whether the wall is not touched for `time` forcing periods (Lemma H2).
     #[inline]
     pub fn is_free(&self, rates: &Rates, time: f64) -> bool {
         self.cubic(rates).is_positive(time)
@@ -151,7 +151,7 @@ impl Side {
         self.cubic(rates).reach(most)
     }
 
-    /// Returns whether the ball goes toward the wall for `time` turns: `z'`, measured inward, is at most `v + a s + S s^2/2`.
+    /// Returns whether the ball goes toward the wall for `time` forcing periods: `z'`, measured inward, is at most `v + a s + S s^2/2`.
     #[inline]
     pub fn approaches(&self, rates: &Rates, time: f64) -> bool {
         // Convex in `s`: greatest at an end.
@@ -160,7 +160,7 @@ impl Side {
         self.rate.1 < 0.0 && end + 16.0 * UNIT * size < 0.0
     }
 
-    /// A lower bound of the bend, measured inward, less than `time` turns away.
+    /// A lower bound of the bend, measured inward, less than `time` forcing periods away.
     #[inline]
     pub fn least_bend(&self, rates: &Rates, time: f64) -> f64 {
         (self.bend.0 - up(rates.third * time)).next_down()

@@ -34,7 +34,7 @@ impl Since {
 
     /// The same time with the rest below 1.
     fn carried(self) -> Self {
-        let over = self.rest.floor(); // exact: whole turns are moved to their count
+        let over = self.rest.floor(); // exact: whole forcing periods are moved to their count
         Self { whole: self.whole + over, rest: self.rest - over } // N1: exact below 2^52
     }
 }

@@ -2,7 +2,7 @@
 //!
 //! First contacts are proved by two theorems in two places: by the closed form of [`crate::contact`] and by the scan of
 //! [`crate::several`]. Here both answer the same questions, so that what flies from impact to impact is written once.
-//! Times are in turns of the fastest harmonic, expressed as whole forcing periods and the rest, lengths in gaps.
+//! Times are in periods of the fastest harmonic, expressed as whole forcing periods and the rest, lengths in gaps.
 
 mod clear;
 mod later;

@@ -29,7 +29,7 @@ pub trait Shaking<N: Number> {
 /// The period after which an excitation repeats.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Repetition {
-    /// The common period of all harmonics, in turns of the fastest: 1 of one harmonic.
+    /// The common period of all harmonics, in periods of the fastest: 1 of one harmonic.
     pub turns: u32,
     /// True if each harmonic is its own opposite half that period later: then the mirrored motion is one as well. `None` if this is so for some
     /// parameters at most: where an amplitude may be 0, and the others alone may be odd.

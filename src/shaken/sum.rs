@@ -26,7 +26,7 @@ impl<N: PhaseNumber> Shaking<N> for Sum<N> {
     }
 
     fn moment(&self, turns: f64, rest: &N) -> Moment<N> {
-        let whole = rest.middle().floor(); // H11: any whole number of turns
+        let whole = rest.middle().floor(); // H11: any whole number of forcing periods
         let rest = rest.clone() - N::from_f64(whole);
         // H11: whole, polished phases are below 2^40
         let each: Vec<_> = self.harmonics.waves((turns + whole) as i64, &rest).map(|(_, wave)| wave).collect();

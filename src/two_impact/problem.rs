@@ -253,7 +253,7 @@ impl Bounds {
     /// Returns whether a symmetric motion is the only one in its bounds for its `d/A`; `None` if that is not decided.
     fn is_alone(&self, parameters: &Parameters) -> Option<bool> {
         let Parameters { cycles, ratio, restitution, .. } = parameters;
-        // No other number of turns on the way: p = (g - sin th0 + sin th1)/c (57).
+        // No other number of forcing periods on the way: p = (g - sin th0 + sin th1)/c (57).
         let drift = drift(restitution, &self.speed, &self.left.1);
         let period = parameters.half_period();
         let turn = Real::pi(parameters.bits()) * 2;

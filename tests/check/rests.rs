@@ -71,7 +71,7 @@ fn releases_depend_on_each_datum_as_their_members() {
     }
 }
 
-/// `y = -sin(2 pi t)/2` touches the left wall at 1/4 and the right one at 3/4 of every turn (Lemma Z4), whenever the ball starts.
+/// `y = -sin(2 pi t)/2` touches the left wall at 1/4 and the right one at 3/4 of every forcing period (Lemma Z4), whenever the ball starts.
 #[test]
 fn r32_exact_grazes_without_drift_are_confirmed_from_any_phase() {
     let of = |[time, position, velocity]: [&str; 3], grazes: [(&str, &str); 3]| {
@@ -112,7 +112,7 @@ fn r32_exact_grazes_without_drift_are_confirmed_from_any_phase() {
     }
 }
 
-/// `y = -1/2 + 2^-103 + (1 - sin(2 pi t))/10` comes within `2^-103` of the left wall in every turn: no touch, but a graze as far as the
+/// `y = -1/2 + 2^-103 + (1 - sin(2 pi t))/10` comes within `2^-103` of the left wall in every forcing period: no touch, but a graze as far as the
 /// bounds of a time tell (Lemma G1).
 #[test]
 fn r32_a_miss_that_is_not_distinguished_from_a_touch_is_a_graze() {

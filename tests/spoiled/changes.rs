@@ -180,7 +180,7 @@ fn bounds(items: &[Value]) -> Option<[String; 2]> {
     (is_number(lower) && is_number(upper)).then(|| [lower.clone(), upper.clone()])
 }
 
-/// Bounds that are wider, narrower, elsewhere, whole turns later, mirrored, exchanged.
+/// Bounds that are wider, narrower, elsewhere, whole forcing periods later, mirrored, exchanged.
 fn moved_bounds(path: &[String], [lower, upper]: &[String; 2]) -> Vec<(&'static str, [String; 2])> {
     let width = units(lower, upper).max(1);
     let both = |by: i64| [moved(lower, by), moved(upper, by)];

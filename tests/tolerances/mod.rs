@@ -8,7 +8,7 @@
 pub const FLOATING_POINT_ZERO: f64 = 1e-8;
 /// Double-precision sums of sines against the standard library's, in parts of one and the value.
 pub const WAVES: f64 = 1e-13;
-/// Short hops against long ones, whose heights cancel: in balls, and in doubles down to a thousandth of a turn.
+/// Short hops against long ones, whose heights cancel: in balls, and in doubles down to a thousandth of a forcing period.
 pub const HOP_OF_BALLS: f64 = 1e-12;
 pub const HOP_OF_DOUBLES: f64 = 1e-11;
 /// A series of an invariant manifold against the map: rounding of both.

@@ -19,12 +19,12 @@ from tubes import followed
 
 BITS = 80
 Base = namedtuple("Base", "left right")
-# Half cycles count what is left of phases told with their turns, half a turn each time the wall changes.
+# Half cycles count what is left of phases with their forcing periods, half a forcing period each time the wall changes.
 Word = namedtuple("Word", "from_base to_base impacts half_cycles flights")
 
 
 def base_of(listed):
-    """A base from its corners, which are doubles, in turns."""
+    """A base from its corners, which are doubles, in forcing periods."""
     left, right = (Chord(*(tuple(arb(x) for x in end) for end in listed["corners"][side])) for side in ("left", "right"))
     return Base(left, right)
 
@@ -34,12 +34,12 @@ def round_of(base):
 
 
 def side(start, end, state, turns=0):
-    """Positive if a state, N turns earlier, is on the left of the line."""
+    """Positive if a state, N forcing periods earlier, is on the left of the line."""
     return cross(minus(end, start), minus((state[0] - turns, state[1]), start))
 
 
 def check_bases(bases):
-    """Refuses bases that are not convex, or not apart from each other and from their own translates, whole turns later."""
+    """Refuses bases that are not convex, or not apart from each other and from their own translates, whole forcing periods later."""
     for number, base in enumerate(bases):
         ends = round_of(base)
         if not all(side(ends[i], ends[i - 3], ends[i - 2]) > 0 for i in range(4)):
@@ -58,7 +58,7 @@ def check_bases(bases):
 
 
 def crossings(base, tube, turns):
-    """(first, last) chords of each stretch of the tube that leads across the base N turns later, between its stable edges."""
+    """(first, last) chords of each stretch of the tube that leads across the base N forcing periods later, between its stable edges."""
     last = None
     for number, chord in enumerate(tube):
         if not all(

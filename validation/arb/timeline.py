@@ -90,7 +90,7 @@ class Origin:
         return AtRoot(self.timeline, rest.release, self.number + 1)
 
     def half_turns_before(self):
-        """The half turns that a count on this leg leaves out."""
+        """The half periods that a count on this leg leaves out."""
         return 0
 
 

@@ -82,7 +82,7 @@ Definition every_periodic_sequence (x : chaos) : Prop := forall ws m, fits S x w
   wall_of (J O O) = w /\ follows_words S x ws J /\
   forall n k, J (m + n)%nat k = later_by (total x half_cycles ws m) (J n k).
 
-(* Two impacts differ by eps in speed over A W, or in phase up to whole turns, as they are seen from the left wall. *)
+(* Two impacts differ by eps in speed over A W, or in phase up to whole forcing periods, as they are seen from the left wall. *)
 Definition apart (eps : R) (i j : impact) : Prop := eps <= Rabs (speed_seen s i - speed_seen s j) \/
   forall k, eps <= Rabs (phase_seen s i - phase_seen s j - IZR k * (2 * PI)).
 (* The number of motions that are apart within n, impacts or half cycles, grows with n by the factor exp h: the topological entropy, by separated sets (Bowen), is at least h. *)

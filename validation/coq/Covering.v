@@ -55,7 +55,7 @@ Record link := Link { stretch_from : Z; stretch_to : Z; wide_at : Z; wide_by : Z
   leave : Z; arrive : Z; tilt_along : Z; tilt_across : Z; turned_over : bool }.
 Definition transit_of (l : link) : transit := Transit (wide_at l) (wide_by l) (near_at l) (near_by l) (leave l) (arrive l) (tilt_along l) (tilt_across l).
 
-(* A step of a word: a flight from wall to wall, and the whole turns that are taken off its phase. *)
+(* A step of a word: a flight from wall to wall, and the whole forcing periods that are taken off its phase. *)
 Record hop_of := Hop { off_wall : wall; on_wall : wall; turns_off : Z }.
 
 Section Maps.

@@ -6,7 +6,8 @@ From ImpactPair Require Import Model Step Horseshoe Return Covering Certificate 
 Open Scope R_scope.
 Import ListNotations.
 
-(* An impact of a periodic orbit: its wall, bounds of phase, from 0 to 2 pi, up to whole turns, and velocity; and if it is said the forcing period in which it is, from
+(* An impact of a periodic orbit: its wall, bounds of phase, from 0 to 2 pi, up to whole forcing periods, and velocity;
+   and, if given, the forcing period in which it is, from
    that of the first impact on. *)
 Record spot := Spot { spot_wall : wall; spot_phase : Q * Q; spot_velocity : Q * Q; spot_period : option Z }.
 (* Real and imaginary part of an eigenvalue. *)

@@ -9,7 +9,7 @@ From ImpactPair Require Import Model Step Horseshoe Return Covering Certificate 
 Open Scope R_scope.
 Import ListNotations.
 
-(* The mirror image of impact n is the first one, 2 k + 1 half periods later; or none is: whole turns below the difference of phases. *)
+(* The mirror image of impact n is the first one, 2 k + 1 half periods later; or none is: whole forcing periods below the difference of phases. *)
 Inductive mirroring := Mirror_of (n : nat) (k : Z) | No_mirror (turns : list Z).
 Record surroundings := Surroundings { wide_disc : disc; narrow_disc : disc; spot_turns : list Z; first_turns : Z; mirroring_of : mirroring }.
 

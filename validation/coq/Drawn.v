@@ -8,7 +8,7 @@ Open Scope R_scope.
 Import ListNotations.
 
 (* The passage of the motion into the ellipse: the number of listed events before the impact from which on it repeats the walls, and up to the one
-   that is followed on; how many rounds until it is there; a box of that impact, the flights after it, and whole turns. *)
+   that is followed on; how many rounds until it is there; a box of that impact, the flights after it, and whole forcing periods. *)
 Record approach_to := Approach { listed_before : nat; listed_until : nat; rounds_until : nat; last_listed : cell; flights_on : list passage; turns_until : Z }.
 
 Fixpoint walls_listed (listed : list occurrence) : option (list wall) :=

@@ -40,7 +40,7 @@ Proof.
 Qed.
 Lemma power_of_exp h n : exp (h * INR n) = exp h ^ n.
 Proof. induction n as [|n IH]; [rewrite Rmult_0_r; apply exp_0|]. rewrite S_INR. cbn [pow]. rewrite <- IH, <- exp_plus. f_equal. ring. Qed.
-(* Phases that differ by at most 3 do not come closer by whole turns. *)
+(* Phases that differ by at most 3 do not come closer by whole forcing periods. *)
 Lemma turned_apart eps u v k : eps <= Rabs (u - v) -> Rabs (u - v) <= 3 -> Rmin eps 3 <= Rabs (u - v - IZR k * (2 * PI)).
 Proof.
   intros far near. assert (p : 3 < PI) by (assert (p := PI2_3_2); unfold PI2 in p; lra).

@@ -145,7 +145,7 @@ Proof.
   - rewrite <- (sin_period x (Z.to_nat (- m))). f_equal. rewrite INR_IZR_INZ, Z2Nat.id, opp_IZR by lia. ring.
 Qed.
 
-(* A motion shifted by a time in which every harmonic makes whole turns is a motion. *)
+(* A motion shifted by a time in which every harmonic completes whole periods is a motion. *)
 Section Later.
 Variable s : scene.
 Variable P : R.

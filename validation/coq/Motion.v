@@ -87,7 +87,7 @@ Proof.
 Qed.
 End Scene.
 
-(* A motion shifted by a time in which every harmonic makes whole turns is a motion. *)
+(* A motion shifted by a time in which every harmonic completes whole periods is a motion. *)
 Section Later.
 Variable s : scene.
 Variable P : R.

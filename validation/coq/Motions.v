@@ -18,7 +18,7 @@ Proof.
   intros [|i] u' v' hi; [exact first|apply each; lia].
 Qed.
 
-(* The half turns that are taken off along a word: the half cycles that it takes, but for the difference of the phases of its ends. *)
+(* The half periods that are taken off along a word: the half cycles that it takes, but for the difference of the phases of its ends. *)
 Definition half_turns (flights : list stride) : Z := fold_right (fun f n => half_turns_off f + n)%Z 0%Z flights.
 (* A word of one document is that of the other. *)
 Definition agrees_word (number : nat) (w : word) (e : word_entry) : bool :=

@@ -19,7 +19,7 @@ Definition has_boxes (r : region) (n : Z) : Prop := List.Forall (in_grid r) (run
    over A W and in the scene's units; and with which impact the scene's motion comes in, if it does; 0 is its start. *)
 Record properties := Properties { box_count : Z; flight_periods : Q * Q; longest_flight : Q; flight_times : Q * Q; impact_speeds : Q * Q; impact_velocities : Q * Q; entered : option Z }.
 
-(* Phases are taken up to whole turns. Boxes are closed: they contain their edges. *)
+(* Phases are taken up to whole forcing periods. Boxes are closed: they contain their edges. *)
 Definition in_boxes (r : region) (th w : R) : Prop := exists column first last k, In (column, (first, last)) (runs r) /\
   IZR column <= (th / (2 * PI) - IZR k) * IZR (Zpos (columns r)) <= IZR column + 1 /\ IZR first <= w * IZR (Zpos (rows r)) <= IZR last + 1.
 
@@ -90,7 +90,7 @@ Proof. apply derivable_continuous_pt. exists (rate_at th0 p th). apply height_de
 Lemma height_start th0 p : height_at th0 p th0 = 0.
 Proof. rewrite height_is. ring. Qed.
 
-(* Whole turns. *)
+(* Whole forcing periods. *)
 Lemma cos_turns x m : cos (x - IZR m * (2 * PI)) = cos x.
 Proof. rewrite !cos_sin, <- (sin_turns (PI / 2 + x) m). f_equal. ring. Qed.
 Lemma height_turned k th0 p th : height_at (th0 - IZR k * (2 * PI)) p (th - IZR k * (2 * PI)) = height_at th0 p th.

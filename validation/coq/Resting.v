@@ -60,7 +60,7 @@ Definition check_rest (b : box) (w : wall) (lower upper : Q) (bounces : bool) (r
     is_not_negative (sub p (phase_of upper) (T b)).
 Definition rest_phase (b : box) (w : wall) (bounces : bool) (r : resting) : I.type := if bounces then hull (T b) (last_phase b w r) else T b.
 
-(* All harmonics are at whole half turns: the box has no acceleration. *)
+(* All harmonics are at whole half periods: the box has no acceleration. *)
 Definition check_still (t : Q) : bool :=
   forallb (fun x => same (least (frequency x)) (most (frequency x)) && same (least (shift x)) (most (shift x)) &&
     half_turns (Plus (Times (least (frequency x)) (Rational t)) (least (shift x)))) (leading param :: further param).

@@ -5,12 +5,12 @@
    through charts that hold their images, and the last images are enclosed: between the edges of the second parallelogram, those of the cells at the
    begin of the slice beyond its one end, and those of the cells at the end of the slice beyond the other.
 
-   All numbers of Z are numbers of the grid 2^-q, but `turns_taken`, which counts whole turns:
+   All numbers of Z are numbers of the grid 2^-q, but `turns_taken`, which counts whole forcing periods:
      chart      cu, lu, wu: phases; cv, lv, wv: velocities before impact on the left wall over A W. Of h-sets, and of the charts between flights,
                 the velocities are not positive. lu * wv - lv * wu > 0.
-     stride     one flight of a word: whether it is to the far wall; and the whole turns that are taken off: its end is seen at
+     stride     one flight of a word: whether it is to the far wall; and the whole forcing periods that are taken off: its end is seen at
                 phase of arrival + (pi if far) - 2 pi turns_taken.
-     transit    one flight of all states of a chart, all in phases of arrival before half a turn is added and turns are taken off:
+     transit    one flight of all states of a chart, all in phases of arrival before half a forcing period is added and turns are taken off:
                 wide_mid, wide_rad: bracket of the phases of arrival that shows the first contact: at its begin all are inside the gap, at its end
                 all are beyond the wall, and on all of it they go towards the wall; phase and velocity of the launch are taken as independent here,
                 so it has to be wider than the arrivals;

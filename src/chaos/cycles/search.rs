@@ -134,7 +134,7 @@ impl<'t> Search<'t> {
     ///
     /// `None` where they are not followed.
     fn landings(&self, phases: Interval, speeds: Interval) -> Option<Vec<(Side, [Interval; 2])>> {
-        let whole = phases.inf().floor(); // D22: any whole turns
+        let whole = phases.inf().floor(); // D22: any whole forcing periods
         let [u, w] = [phases - Interval::point(whole), speeds];
         let radius = |x: Interval| up((x.mid() - x.inf()).max(x.sup() - x.mid())); // D22: the farther end
         let quad = Quad::rectangle([u.mid(), w.mid()], [radius(u), radius(w)], w.inf());
@@ -157,7 +157,7 @@ impl<'t> Search<'t> {
     /// Searches the chains that are closed by a last impact in a rectangle, which is the first one again.
     fn close(&mut self, chain: &Chain, phase: Interval, speed: Interval) {
         let later = phase - chain.phases[0];
-        let [low, high] = [later.inf().ceil(), later.sup().floor()]; // D22: whole turns in between
+        let [low, high] = [later.inf().ceil(), later.sup().floor()]; // D22: whole forcing periods in between
         let mut turns = low;
         while turns <= high {
             let first = chain.phases[0].intersection(phase - Interval::point(turns));

@@ -126,7 +126,7 @@ fn is_known(branch: &Branch, image: &Image) -> bool {
 }
 
 /// A strip that a word's images must not meet on the way, as its flights are the last ones of the word: the flights before it, and the
-/// whole turns after which it is there.
+/// whole forcing periods after which it is there.
 struct Shortcut<'b> {
     passed: usize,
     turns: f64,

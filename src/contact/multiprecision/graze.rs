@@ -24,7 +24,7 @@ pub(crate) struct Passed {
     pub wall: Wall,
     /// Phase of the graze, in forcing periods counted on from that of the start.
     pub at: MpBall,
-    /// Whole turns to the phase to go on from, and this phase, exactly.
+    /// Whole forcing periods to the phase to go on from, and this phase, exactly.
     pub turns: f64,
     pub phase: Float,
     /// Height above the left wall and velocity there, of both continuations.

@@ -4,7 +4,7 @@ use super::*;
 use crate::number::tests::{Truth, balls, member, places, powers};
 use proptest::prelude::*;
 
-/// Phases within and beyond the kernel's domain, often quarter turns.
+/// Phases within and beyond the kernel's domain, often quarter periods.
 fn phases() -> impl Strategy<Value = f64> {
     let far = powers(0.0, 12.6).prop_map(f64::round);
     let near = prop_oneof![Just(0.0), -1.0..1.0f64, powers(-300.0, -1.0), (-8..8i32).prop_map(|k| f64::from(k) / 8.0)];
@@ -100,7 +100,7 @@ fn the_binade_times_the_unit_is_half_an_ulp() {
 
 #[test]
 fn beyond_the_kernels_domain_nothing_is_known_of_sine_and_cosine() {
-    // A quarter turn and half a turn: cosines 0 and -1.
+    // A quarter period and half a period: cosines 0 and -1.
     for (phase, sin, cos) in [(2f64.powi(50) + 0.25, 1.0, 0.0), (2f64.powi(51) + 0.5, 0.0, -1.0), (f64::NAN, 0.0, 0.0)]
     {
         let (s, c) = Ball::exact(phase).sin_cos();

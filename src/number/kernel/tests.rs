@@ -39,7 +39,7 @@ impl Oracle {
         if value < 0.0 { -size } else { size }
     }
 
-    /// `(sin 2 pi u, cos 2 pi u)`, by Taylor's series after taking off whole turns.
+    /// `(sin 2 pi u, cos 2 pi u)`, by Taylor's series after taking off whole periods.
     fn sin_cos(&self, u: &BigInt) -> (BigInt, BigInt) {
         let one = BigInt::from(1) << self.bits;
         let whole: BigInt = (u * 2 + &one) >> (self.bits + 1);

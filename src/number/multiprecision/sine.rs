@@ -14,11 +14,11 @@ use crate::number::Magnitude;
 
 /// Number of bits beyond which MPFR is faster.
 const MOST_BITS: u32 = 1 << 15;
-/// Turns that are reduced, as a power of two.
+/// Periods that are reduced, as a power of two.
 const MAX_PHASE_EXPONENT: i32 = 8;
 /// Bound of the error of both results, as a power of two, in units of the last bit (Lemma M5).
 const ERROR_EXPONENT: i64 = 4;
-/// Parts of a turn in the table; it holds those of an eighth.
+/// Parts of a period in the table; it holds those of an eighth.
 const TABLE_PARTS: i32 = 1 << 10;
 const QUARTER: i32 = TABLE_PARTS / 4;
 const LIMB: u32 = 64;

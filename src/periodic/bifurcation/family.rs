@@ -64,7 +64,7 @@ impl<S: Varied, N: PhaseNumber> Family<S, N> {
 
 /// Forcing periods of a flight in which extrema are looked for.
 const MAX_PERIODS: f64 = 64.0; // proposes
-/// Pieces of a turn of the fastest of several harmonics, and halvings of one in which the velocity changes its sign.
+/// Pieces of a forcing period of the fastest of several harmonics, and halvings of one in which the velocity changes its sign.
 const PIECES: f64 = 16.0; // proposes
 const HALVINGS: u32 = 40; // proposes
 

@@ -39,7 +39,7 @@ struct Harmonic {
     beta: Interval,
     /// `(1 + e) 2 pi r beta`
     acceleration: Interval,
-    /// `r` and `s`: its phase is `r u + s`; none of the one that turns are counted of.
+    /// `r` and `s`: its phase is `r u + s`; none of the one that forcing periods are counted of.
     own: Option<[Interval; 2]>,
 }
 

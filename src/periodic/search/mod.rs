@@ -39,7 +39,7 @@ impl Default for Budget {
     }
 }
 
-/// Cells of the first phase in each turn of the common period, in which searches go on side by side.
+/// Cells of the first phase in each forcing period of the common period, in which searches go on side by side.
 const CELLS: u32 = 16;
 /// Forcing periods that are cut into cells so; those of a longer period are wider.
 const MOST_PERIODS: u32 = 1 << 10;
@@ -305,7 +305,7 @@ mod tests {
         for problem in problems {
             let (count, cycles) = (problem.chain.impacts(), f64::from(problem.chain.cycles()));
             for n in 0..40 {
-                // Flights of all lengths, from hundredths of a turn on.
+                // Flights of all lengths, from hundredths of a forcing period on.
                 let part = |i: usize| (1.0 + (1.7 * i as f64 + 2.3 * f64::from(n)).sin()).powi(1 + n % 4) + 0.02;
                 let whole: f64 = (0..count).map(part).sum();
                 let at = |i: usize| 0.31 * f64::from(n) + (0..i).map(part).sum::<f64>() * cycles / whole;

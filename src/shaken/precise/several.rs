@@ -52,7 +52,7 @@ impl Isolated {
             let room = state.room(wall);
             let (size, noise) = (room.mag(), room.rad());
             if size <= noise + noise || size >= before {
-                // Half a turn can be written in two ways: it is written as the isolated one is.
+                // Half a forcing period can be written in two ways: it is written as the isolated one is.
                 // M3: any instant; it is looked at again
                 let turns = MpBall::from_f64((at.turns - self.turns) as f64);
                 let rest = at.rest.later(&turns);

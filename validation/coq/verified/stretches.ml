@@ -44,7 +44,7 @@ let first_contact { gap; e } (th, v) =
     else look next (steps - 1) in
   if u > 0.0 then look 0.0 most_steps else None
 
-(* A flight to a wall: where it arrives, before half a turn is added; and the state, mirrored where the wall is the far one. *)
+(* A flight to a wall: where it arrives, before half a forcing period is added; and the state, mirrored where the wall is the far one. *)
 let arrival pair ((th, v) as x) far =
   match first_contact pair x with
   | Some (h, to_far) when to_far = far -> Some (th +. h, -.pair.e *. v +. cos th -. cos (th +. h))
@@ -84,7 +84,7 @@ let shape_of { left_bottom; left_top; right_bottom; right_top; _ } =
   let quarter = Chains.times 0.25 and shrunk = Chains.times (0.25 *. inside_by) in
   { at = quarter (plus (plus lb lt) (plus rb rt)); long = shrunk (minus (plus rb rt) (plus lb lt)); wide = shrunk (minus (plus lb rb) (plus lt rt)) }
 
-(* Whole turns that are taken off after each flight of a word from one parallelogram into another: all of them after the last one. *)
+(* Whole forcing periods that are taken off after each flight of a word from one parallelogram into another: all of them after the last one. *)
 let strides_of { word_flights; half_cycles; _ } =
   let far_flights = List.length (List.filter Fun.id word_flights) in
   let all = Z.shift_right (Z.add half_cycles (Z.of_int far_flights)) 1 in

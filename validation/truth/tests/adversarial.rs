@@ -1,7 +1,7 @@
 //! First flights made to be hard, each judged by the independent truth: none may be wrong, none undecided.
 //!
 //! Families: grazes and near misses down to 1e-40 of the gap, by velocity, by gap, in low hops and 1e15 periods from
-//! the start; contacts after 1e-9 periods; flights of 1e11 turns whose last peak barely reaches; starts at rest. Times
+//! the start; contacts after 1e-9 periods; flights of 1e11 forcing periods whose last peak barely reaches; starts at rest. Times
 //! are measured and printed (`--nocapture`), never asserted.
 
 use crate::common::families;

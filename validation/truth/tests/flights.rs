@@ -26,7 +26,7 @@ fn plain_random_flights_from_a_wall_are_certified_in_narrow_brackets() {
     }
     tally.finish();
     assert!(tally.undecided_rate() < 1e-3);
-    // In ulps of turns + phase, tiny ones for phases near 0 included.
+    // In ulps of `turns + phase`, tiny ones for phases near 0 included.
     assert!(tally.quantile(0.5) <= 4.0);
 }
 
@@ -65,7 +65,7 @@ fn releases_and_hops_of_almost_no_speed() {
         let (alpha, from) = (random.magnitude(-3.0, 3.0), wall(&mut random));
         let any = phase_in_frame(from, random.uniform(-0.5, 0.5));
         released.flight(&Case { alpha, phase: any, velocity: 0.0, from }, points);
-        // Pressed (mirrored sine < 0): half a turn.
+        // Pressed (mirrored sine < 0): half a forcing period.
         let pressed = phase_in_frame(from, random.uniform(-0.5, 0.0));
         let receding = phase_in_frame(from, random.uniform(0.0, 0.5));
         for (exponent, tally) in &mut tallies {
@@ -90,7 +90,7 @@ fn flights_of_up_to_a_hundred_thousand_turns_and_of_a_billionth() {
     for index in 0..cases(4_000) {
         let points = if index % 8 == 0 { 1000 } else { 0 };
         let from = wall(&mut random);
-        // A small drift and no room to touch either wall in the first turn.
+        // A small drift and no room to touch either wall in the first forcing period.
         let alpha = random.uniform(0.01, 0.5);
         let phase = phase_in_frame(from, random.uniform(0.05, 0.45));
         let mirrored = if from == From::Right { -1.0 } else { 1.0 };

@@ -120,8 +120,8 @@ fn a_drift_of_one_in_1e12_meets_the_wall_after_1e12_turns() {
             // On the wall at `time`, by eq. (11) with the whole phase.
             let miss = displacement(&problem, &start, &time) - problem.wall_at(wall);
             assert!(miss.to_f64().abs() < TRUTH_ON_THE_WALL, "{miss}");
-            // In no turn before has the extreme of the same kind been there: it was lower by 2 pi c / W a turn, so it
-            // is enough to look at the turn just before, densely.
+            // In no forcing period before has the extreme of the same kind been there: it was lower by 2 pi c / W per forcing period, so it
+            // is enough to look at the forcing period just before, densely.
             let turn = 2.0 * std::f64::consts::PI / problem.omega.to_f64();
             for index in 1..=200 {
                 let earlier = Float::with_val(512, &time - turn * f64::from(index) / 200.0);

@@ -396,7 +396,7 @@ fn what_no_precision_decides_costs_little() {
     }
 }
 
-/// Flights of more than 2^39 turns, which doubles leave to multiprecision: the turn of the contact is a division.
+/// Flights of more than 2^39 forcing periods, which doubles leave to multiprecision: the forcing period of the contact is a division.
 #[test]
 fn flights_of_a_trillion_turns_end_in_the_right_turn() {
     let mut random = Random::seeded(702);

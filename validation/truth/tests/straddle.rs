@@ -87,7 +87,7 @@ fn the_judge_finds_the_impact_of_a_neighbour_wrong() {
     assert!(2 * found > requested);
 }
 
-/// A multiple of a quarter turn up to 2 turns away, and 2^-1 to 2^-70 before, at or after it, as far as doubles go.
+/// A multiple of a quarter period up to 2 forcing periods away, and 2^-1 to 2^-70 before, at or after it, as far as doubles go.
 fn phase(random: &mut Random) -> f64 {
     let quarter = 0.25 * (random.below(17) as f64 - 8.0);
     let off = (-1.0 - random.below(70) as f64).exp2();
@@ -115,7 +115,7 @@ fn alpha(random: &mut Random) -> f64 {
 fn doubles_certify_no_wrong_contact_from_a_wall_next_to_quarter_turns() {
     let mut random = Random::seeded(1103);
     let mut tally = Tally::new("walls, quarter turns");
-    // The truth: a hop of about 1e-19 turns, back to the same wall.
+    // The truth: a hop of about 1e-19 forcing periods, back to the same wall.
     let hop = Case { alpha: 1.0, phase: 0.5 - (-54f64).exp2(), velocity: 1e-33, from: From::Right };
     println!("{hop:?}: {:?}", tally.flight(&hop, 0));
     for _ in 0..cases(20_000) {

@@ -95,7 +95,7 @@ fn a_graze_of_the_far_wall_is_seen_within_the_threshold_and_decided_beyond_it() 
     assert!(matches!(answer(0.0), Truth::Graze { .. }));
     assert!(matches!(answer(1e-60), Truth::Graze { .. }));
     assert!(matches!(answer(1e-50), Truth::Contact { wall: Wall::Right, .. }));
-    // 1e-50 short of the far wall, the ball comes back to graze its own one turn later.
+    // 1e-50 short of the far wall, the ball comes back to graze its own one forcing period later.
     let Truth::Graze { time } = answer(-1e-50) else { panic!("not a graze") };
     assert_near(&time, "6.283185307179586476925286766559", 1e-29);
 }

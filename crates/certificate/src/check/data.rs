@@ -155,7 +155,7 @@ impl Data<'_> {
         }
     }
 
-    /// Returns the turns of the reference after which the shaking is proved to repeat.
+    /// Returns the periods of the reference after which the shaking is proved to repeat.
     pub fn common_turns(&self) -> Option<BigInt> {
         let rates = self.tones.iter().filter_map(|tone| tone.rate.as_ref());
         rates.map(Exact::as_rational).try_fold(BigInt::from(1), |turns, rate| Some(turns.lcm(rate?.denom())))

@@ -125,7 +125,7 @@ impl<'c> Walk<'c> {
         // exact: shared by all members
         let turns = (self.parameters.origin() + since - &half).over(&turn).and_then(|turns| turns.enclosure().floor());
         let turns = turns.ok_or_else(|| Doubt::open("the forcing period of the release is not decided"))?;
-        // Whole turns dropped so far are an even number of half turns, or the odd one of a release before.
+        // Whole forcing periods dropped so far are an even number of half periods, or the odd one of a release before.
         let halves = &self.halves + (turns + 1) * 2 + odd;
         let clock = Clock::at_quarter_turns(self.data, &(&halves * 2), self.bits);
         Ok((halves, clock.ok_or_else(|| Doubt::open("the time of the release is too large"))?))

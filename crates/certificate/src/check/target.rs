@@ -87,7 +87,7 @@ impl<'c> Target<'c> {
 
     /// Returns what is taken off the phase `W t + tau` of a claim for one since the origin, less whole common periods.
     pub fn origin(&self, frame: &Frame, turn: Option<u32>) -> Real {
-        // exact: without a turn, the common period is one
+        // exact: without a forcing period, the common period is one
         let turns = (&self.data.turns - BigInt::from(turn.unwrap_or(0))).mod_floor(&self.turns);
         frame.parameters.origin() + &(frame.turn.clone() * &Real::rational(&turns.into(), frame.turn.bits()))
     }
@@ -198,7 +198,7 @@ impl<'c> Target<'c> {
             let passed = found.phase.hull() - &impacts[0].phase.hull();
             let beyond = passed - &(middle(claimed) - &middle(&claims[0]));
             let half = Real::int(1, frame.turn.bits()).half();
-            let first = claims[0].turn.map_or(0, i64::from); // exact: no turn, the first one
+            let first = claims[0].turn.map_or(0, i64::from); // exact: no forcing period, the first one
             let claimed = cycle.checked_sub(first).ok_or_else(|| Doubt::open("a cycle is too large"))?;
             let off = beyond.over(&frame.turn).map(|turns| turns - claimed);
             match off {

@@ -23,7 +23,7 @@ pub(crate) struct Walk<'c> {
     pub(super) data: &'c Data<'c>,
     pub parameters: Parameters<'c>,
     pub clock: Clock,
-    /// The whole half periods dropped from the phase that phases are counted from, which is within a turn of 0.
+    /// The whole half periods dropped from the phase that phases are counted from, which is within a forcing period of 0.
     pub(super) halves: BigInt,
     /// The place that it has reached, and what is known there.
     pub standing: WalkState<'c>,

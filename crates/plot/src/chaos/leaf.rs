@@ -148,7 +148,7 @@ mod tests {
         let leaf = Leaf::of(&HSet::new([0.9, 1.2], [0.03, 0.08], [-0.0002, 0.001]));
         let near = |at: State, place: State| (0..2).all(|i| (leaf.place(&at)[i] - place[i]).abs() < 1e-9);
         assert!(near([0.9, 1.2], [0.0, 0.0]) && near([0.93, 1.28], [1.0, 0.0]) && near([0.8998, 1.201], [0.0, 1.0]));
-        // A turn later.
+        // A forcing period later.
         assert!(near([1.8702, 1.119], [-1.0, -1.0]));
     }
 

@@ -238,8 +238,8 @@ mod tests {
         assert_eq!(greek("v = -1e-9, y' = 2.5e3"), "$v = −1·10^{−9}, y′ = 2.5·10^{3}$");
         assert_eq!(greek("sqrt(1+pi)"), "$√(1+π)$");
         assert_eq!(
-            typeset_text("P2 P1 within 3.5e-14 turns, 1e-9)"),
-            "$P_2$ $P_1$ within $3.5·10^{-14}$ turns, $1·10^{-9}$)"
+            typeset_text("P2 P1 within 3.5e-14 periods, 1e-9)"),
+            "$P_2$ $P_1$ within $3.5·10^{-14}$ periods, $1·10^{-9}$)"
         );
     }
 }

@@ -1,6 +1,6 @@
 //! Flights asked of the library and of the truth, and the judge between the two answers.
 //!
-//! The library's units: W = 2 pi, d = 1, A = alpha, tau = 0, so that the truth's time is the phase in turns.
+//! The library's units: W = 2 pi, d = 1, A = alpha, tau = 0, so that the truth's time is the phase in forcing periods.
 #![allow(dead_code)] // each test crate uses a part
 
 use impact_pair::contact::{Contact, Margins, Radii, Verdict, first_contact};
@@ -159,7 +159,7 @@ pub struct Tally {
     pub nothing: usize,
     pub skipped: usize,
     pub scanned: usize,
-    /// Widths of the time bracket in ulps of turns + phase.
+    /// Widths of the time bracket in ulps of `turns + phase`.
     pub widths: Vec<f64>,
     pub failures: Vec<String>,
     pub examples: Vec<Case>,

@@ -25,7 +25,7 @@ enum Way {
     Back,
 }
 
-/// A phase at which the acceleration points clearly at `wall`, in turns.
+/// A phase at which the acceleration points clearly at `wall`, in forcing periods.
 fn pressing(random: &mut Random, wall: Wall) -> f64 {
     random.uniform(0.05, 0.45) + if wall == Wall::Left { 0.5 } else { 0.0 }
 }
@@ -88,7 +88,7 @@ fn early_contact(random: &mut Random, exponent: i32, travel: Way, wall: Wall) ->
     scene
 }
 
-/// e = 0: the ball leaves its wall with no velocity, 1e-1 to 1e-30 of a turn after the phase of release; the sign of a
+/// e = 0: the ball leaves its wall with no velocity, 1e-1 to 1e-30 of a forcing period after the phase of release; the sign of a
 /// sine as small decides whether it goes or rests, and the next contact is like that of a start at release.
 pub fn dead_starts(random: &mut Random) -> Vec<Question> {
     let mut questions = Vec::new();

@@ -10,7 +10,7 @@ use impact_pair::pair::Wall as LibraryWall;
 use impact_pair_truth::{Contact, Problem, Start, Truth, Wall, first_contact};
 use rug::Float;
 
-/// Bits of the truth: times of 2^60 turns and offsets of 10^-60 leave more than 512.
+/// Bits of the truth: times of 2^60 forcing periods and offsets of 10^-60 leave more than 512.
 pub const BITS: u32 = 768;
 
 /// The verdict of the independent simulator on a first impact.

@@ -27,7 +27,7 @@ pub struct Graze {
 #[derive(Clone, Debug)]
 pub struct Question {
     pub family: &'static str,
-    /// The hardness is 10 to this power: a depth, a short time, a number of turns.
+    /// The hardness is 10 to this power: a depth, a short time, a number of forcing periods.
     pub exponent: i32,
     pub scene: Scene,
     pub graze: Option<Graze>,

@@ -103,7 +103,7 @@ impl Member {
         ends.into_iter().chain([other]).collect()
     }
 
-    /// A turn of each of the harmonics.
+    /// A period of each of the harmonics.
     pub fn turns(&self) -> Vec<Float> {
         let turn = float(rug::float::Constant::Pi) * 2;
         self.tones.iter().map(|tone| float(&turn / &tone.frequency)).collect()

@@ -48,7 +48,7 @@ pub fn reference(tones: &[Tone]) -> &Tone {
     tones.iter().reduce(|a, b| if b.frequency > a.frequency { b } else { a }).expect("a harmonic")
 }
 
-/// The difference of two phases, at most half a turn.
+/// The difference of two phases, at most half a forcing period.
 pub fn apart(a: &Float, b: &Float) -> f64 {
     let turn = float(Constant::Pi) * 2;
     let difference = float(a - b);

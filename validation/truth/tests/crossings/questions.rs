@@ -34,7 +34,7 @@ use super::traits::{Question, Restitution};
 const MAX_BITS: u32 = 1024;
 /// Digits of lists that are audited.
 const LIST_DIGITS: usize = 40;
-/// Time between impacts that are listed at least, in turns.
+/// Time between impacts that are listed at least, in forcing periods.
 const MIN_TIME_BETWEEN: f64 = 1e-8;
 /// Boxes of regions, and questions whether to go on, that are enough here.
 const BOXES: usize = 3_000;
@@ -153,7 +153,7 @@ impl Case {
         Settings { arithmetic, impacts, splice, digits, max_bits: MAX_BITS, attractor: true, ..Settings::default() }
     }
 
-    /// A time to stop at: some turns later, or within an ulp or so of an impact.
+    /// A time to stop at: some forcing periods later, or within an ulp or so of an impact.
     fn end(&mut self) -> Option<String> {
         let time = self.scene.start().time();
         let member = Member::new(&self.scene, || 0.0);

@@ -143,7 +143,7 @@ fn excitation(random: &mut Random, kind: Excitation, size: [&str; 3]) -> Vec<Ter
     }
 }
 
-/// A time, in turns of the first term now and then.
+/// A time, in periods of the first term now and then.
 fn time(random: &mut Random, terms: &[Term]) -> String {
     match random.below(6) {
         0 | 1 => "0".into(),

@@ -16,7 +16,7 @@ pub(super) struct HSet {
 
 type Exact = [BigRational; 2];
 
-/// Phases of h-sets are within N turns of 0, so that any two of them are this much apart at most.
+/// Phases of h-sets are within N forcing periods of 0, so that any two of them are this much apart at most.
 const LARGEST_PHASE: f64 = 4.0;
 const SHIFTS: i64 = 8;
 

@@ -42,7 +42,7 @@ fn exact(x: f64) -> Exact {
 /// The next impact of one state, mirrored, and whether it is on the far wall.
 fn truth(pair: &ImpactPair, [phase, speed]: State) -> Option<(bool, [Real; 2])> {
     let harmonic = pair.harmonic("a test").unwrap();
-    // One turn takes 2.
+    // One forcing period takes 2.
     let time = exact(phase).checked_mul(&Exact::from(2)).unwrap();
     let fastest = harmonic.amplitude().checked_mul(harmonic.frequency()).unwrap();
     let velocity = exact(-speed).checked_mul(&fastest).unwrap();

@@ -240,8 +240,8 @@ fn starts_at(pair: &ImpactPair, start: &Start) -> Result<Option<[Real; 2]>, Erro
 
 /// Returns whether all states within these bounds are in boxes of the region.
 fn holds(region: &Region, [phase, speed]: &[Real; 2]) -> bool {
-    // Whole turns are taken off before it becomes doubles.
-    let turns = phase.middle().floor().unwrap_or(0); // exact: any whole number of turns
+    // Whole forcing periods are taken off before it becomes doubles.
+    let turns = phase.middle().floor().unwrap_or(0); // exact: any whole number of forcing periods
     let phase = phase.clone() - &Real::int(turns, phase.bits());
     let [phase, speed] = [&phase, speed].map(|x| Span::of(x.enclosure()));
     speed.lo() >= 0.0 && region.holds(phase, speed) // V11: no speed is negative

@@ -209,7 +209,7 @@ impl ClaimedTangency {
         no_resonance([&unstable, &stable], self.resonances)
     }
 
-    /// The whole turns between a phase and the claimed one.
+    /// The whole forcing periods between a phase and the claimed one.
     fn turns(&self, law: &Law, phase: &Real) -> Real {
         let off = Real::rational(&self.phase[0], law.bits()) - phase;
         let turns = (off.to_f64() / std::f64::consts::TAU).round() as i64; // proposes: a whole number

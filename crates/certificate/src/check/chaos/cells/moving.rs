@@ -77,7 +77,7 @@ impl Set {
         );
         // proposes: where the images are, and how they lie there
         let image = guess.map(middle)?;
-        let passed = image.state[0].floor(); // exact: whole turns
+        let passed = image.state[0].floor(); // exact: whole forcing periods
         let to = [image.state[0] - passed, image.state[1]];
         let [by_gap, by_restitution] = image.moved;
         let moves = |by: State, own: State| {

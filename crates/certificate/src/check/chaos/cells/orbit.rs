@@ -271,7 +271,7 @@ fn first_impact(pair: &ImpactPair, start: &Start) -> Result<Option<(Wall, Spot)>
     let velocity = landing.velocity.hull().over(&Real::of(harmonic.amplitude(), BITS));
     let Some((phase, velocity)) = phase.zip(velocity) else { return Ok(None) };
     let [phase, speed] = mirrored(landing.wall, phase, velocity);
-    let turns = phase.middle().floor().unwrap_or(0); // exact: any whole number of turns
+    let turns = phase.middle().floor().unwrap_or(0); // exact: any whole number of forcing periods
     let phase = phase.clone() - &Real::int(turns, phase.bits());
     Ok(Some((landing.wall, [&phase, &speed].map(|x| Span::of(x.enclosure())))))
 }

@@ -62,7 +62,7 @@ fn line(guess: &Guess, frame: &Frame, flights: usize) -> Vec<LineSample> {
     done
 }
 
-/// The whole turns after which a word comes to its h-set.
+/// The whole forcing periods after which a word comes to its h-set.
 fn turns(word: &Word) -> f64 {
     let far = word.flights.iter().filter(|&&is_far| is_far).count() as f64;
     0.5 * (word.half_cycles as f64 + far)
