@@ -59,7 +59,7 @@ pub(crate) struct Zero {
     spectrum: Arc<Spectrum>,
     pub wall: Wall,
     pub turns: i64,
-    /// Exactly one zero lies within `reach` of this phase, less the whole forcing periods; the contact force falls there at the rate `least` at least.
+    /// Exactly one zero lies within `reach` of this phase, less whole forcing periods; the contact force falls there at the rate `least` at least.
     near: f64,
     reach: f64,
     least: f64,
