@@ -30,14 +30,14 @@ Examples:
 Orbits of the word are searched for at values spread over the range. Their branches are followed through folds, and \
 so are the branches that leave at pitchforks and period doublings: the cascade. Each point listed is proved: exactly \
 one such bifurcation lies within its bounds. Other bifurcations are not excluded. Only A/d and e matter: over \
-frequency nothing bifurcates.
+frequency there are no bifurcations.
 
 With several harmonics, --over amplitude.K=... varies the amplitude of term K, counted from 1. The frequencies must \
 be commensurate, and N must be a whole number of common periods, counted in periods of the fastest harmonic. \
 Pitchforks exist only if each harmonic changes sign over half the common period.
 
 Exit code: 0 every change that was found is proved to the requested width; 1 some are not, a branch was lost, or the \
-run was interrupted (the output still holds what is certified); 2 usage, bad input, I/O.";
+run was interrupted (the output still has the certified part); 2 usage, bad input, I/O.";
 
 #[derive(Args, Debug)]
 #[command(mut_arg("digits", |digits| digits.help("Requested width of enclosures, at most 10^-D: of the parameter relative to itself, of phases relative to 2 pi, of velocities relative to A W [default: that of the scene, or 9]")))]
@@ -58,7 +58,7 @@ pub struct BifurcationArguments {
     doublings: u32,
     #[command(flatten)]
     precision: PrecisionArguments,
-    /// Output format; json is schema impact-pair/bifurcations/1 [default: as the ending of --output
+    /// Output format; json is schema impact-pair/bifurcations/1 [default: by the extension of --output
     /// says, else table]
     #[arg(long, value_enum)]
     pub format: Option<PeriodicFormat>,

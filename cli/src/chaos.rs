@@ -47,7 +47,7 @@ KEY=LO..HI:COUNT, each cell of the range is tested for a horseshoe, for converge
 periodic orbit that it may not converge to; each verdict holds for all values in its interval.
 
 Exit code: 0 a positive entropy is proved, or with COUNT a verdict for every value; 1 it is not, or the run was \
-interrupted (what is proved so far is written); 2 usage, bad input, I/O.";
+interrupted (the proved part is written); 2 usage, bad input, I/O.";
 
 #[derive(Args, Debug)]
 #[command(mut_arg("plot", |plot| plot.help("Draw a floating-point orbit, the h-sets and their first images; with :COUNT the bifurcation diagram, coloured by verdict")))]
@@ -58,11 +58,11 @@ pub struct ChaosArguments {
     /// million boxes lead to; with :COUNT 12]
     #[arg(long, value_name = "K", value_parser = clap::value_parser!(u32).range(1..=i64::from(MOST_DEPTH)))]
     depth: Option<u32>,
-    /// Prove besides that the motions of the words are uniformly hyperbolic: bounds of the exponents of all their invariant measures, and of
+    /// Prove as well that the motions of the words are uniformly hyperbolic: bounds of the exponents of all their invariant measures, and of
     /// the Hausdorff dimension
     #[arg(long)]
     hyperbolic: bool,
-    /// Leave out what becomes of the orbit of the scene's own start: the words and the entropy alone, which is what check --verified covers
+    /// Leave out the fate of the orbit of the scene's own start: words and entropy alone, which check --verified covers
     #[arg(long)]
     no_orbit: bool,
     /// Read the h-sets from FILE: JSON with a list "bases" as written by this verb
@@ -76,7 +76,7 @@ pub struct ChaosArguments {
     #[arg(long, value_name = "N", default_value_t = 8, value_parser = clap::value_parser!(u32).range(..=i64::from(MOST_HALVINGS)))]
     halvings: u32,
     /// Output format; json is schema impact-pair/chaos/1, with :COUNT impact-pair/chaos-cells/1
-    /// [default: as the ending of --output says, else table]
+    /// [default: by the extension of --output, else table]
     #[arg(long, value_enum)]
     format: Option<PeriodicFormat>,
     #[command(flatten)]

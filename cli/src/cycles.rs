@@ -34,7 +34,7 @@ Cycles on a single wall, or with an odd number of crossings, are counted as well
 others. One harmonic only.
 
 Exit code: 0 the list is proved complete, with the stability of each cycle; 1 something is undecided, or the run was \
-interrupted (what is proved is written); 2 usage, bad input, I/O.";
+interrupted (the proved part is written); 2 usage, bad input, I/O.";
 
 #[derive(Args, Debug)]
 pub struct CyclesArguments {
@@ -50,7 +50,7 @@ pub struct CyclesArguments {
     #[arg(long, value_name = "N", default_value_t = 0, value_parser = clap::value_parser!(u32).range(0..=6))]
     finer: u32,
     /// Output format; json is schema impact-pair/cycles/1
-    /// [default: as the ending of --output says, else table]
+    /// [default: by the extension of --output, else table]
     #[arg(long, value_enum)]
     format: Option<PeriodicFormat>,
     #[command(flatten)]

@@ -37,7 +37,7 @@ trap and chaos find those. Region and horseshoe need one harmonic.
 
 The exponent in the limit is the logarithm of the spectral radius of the attracting orbit's Jacobian, per impact, \
 only an upper bound where e may be 0; the finite-time exponent is that of the certified impacts. That a motion is \
-chaotic is never claimed. What is undecided is listed with a command that goes on. [run] of the scene is not used.
+chaotic is never claimed. Each undecided question is listed with a command that continues. [run] of the scene is not used.
 
 Exit code: 0 the fate is certified; 1 it is undecided, or the run was interrupted (the output still holds what is \
 certified); 2 usage, bad input, I/O.";
@@ -56,7 +56,7 @@ pub struct DescribeArguments {
     /// Maximum precision of the orbit, in bits
     #[arg(long, value_name = "BITS", default_value_t = MAX_BITS, value_parser = bits())]
     max_bits: u32,
-    /// Output format; json is schema impact-pair/description/1 [default: as the ending of --output says, else text]
+    /// Output format; json is schema impact-pair/description/1 [default: by the extension of --output, else text]
     #[arg(long, value_enum)]
     format: Option<DescribeFormat>,
     #[command(flatten)]

@@ -25,14 +25,14 @@ Examples:
   impact-pair global scenes/figure-14.toml --plot global.svg --format json --output global.json
 
 With every impact mirrored to the left wall, all phases and all speeds that motions have in the end are covered by \
-boxes. Enclosures of what may follow each box, an impact or a rest and its release, make a graph; at a graze both \
+boxes. Enclosures of the successors of each box, an impact or a rest and its release, make a graph; at a graze both \
 continuations are included. Its recurrent components hold all that motions do in the end: each is halved, box by box, \
-until it is proved what its motions tend to (a periodic orbit, a cycle with rests, a graze in every forcing period), \
+until the limit of its motions is proved (a periodic orbit, a cycle with rests, a graze in every forcing period), \
 or until enough boxes are mapped. The start of the scene is not used. One harmonic and a restitution below 0.99 only; \
 parameters may be intervals.
 
-Of a component that is listed as undecided nothing is claimed, not even that a motion stays in it. `closed` says that \
-no motion goes from it to another component. With --basins the basin of an attractor is the boxes all of whose motions \
+An undecided component has no claim, not even that a motion stays in it. `closed` means that \
+no motion leads from it to another component. With --basins the basin of an attractor is the boxes all of whose motions \
 are proved to end in it, as a part of the state space: lower bounds. With --horseshoes the largest few undecided \
 components are searched for horseshoes, as chaos proves them: where one is proved the component holds a compact \
 invariant set of positive topological entropy.
@@ -41,11 +41,11 @@ With --plot the state space is coloured by the attractor that its motions end in
 formats graphml and dot write that graph: an edge where motions may go from one component to another.
 
 Exit code: 0 every motion that touches a wall is proved to end in one cycle with rests, or to tend to one attractor, \
-apart from saddles and grazes; 1 not so, or the run was interrupted (what is proved is written); 2 usage, bad input, \
+apart from saddles and grazes; 1 not so, or the run was interrupted (the proved part is written); 2 usage, bad input, \
 I/O.";
 
 #[derive(Args, Debug)]
-#[command(mut_arg("plot", |plot| plot.help("Draw the state space by where its motions go, and the graph of components")))]
+#[command(mut_arg("plot", |plot| plot.help("Draw the state space by the limits of its motions, and the graph of components")))]
 pub struct GlobalArguments {
     /// Scene file (TOML), or - for stdin
     scene: PathBuf,
@@ -72,7 +72,7 @@ pub struct GlobalArguments {
     /// the scene, or 9]
     #[arg(long, value_name = "D", value_parser = digits())]
     digits: Option<u32>,
-    /// Output format; json is schema impact-pair/global/1 [default: as the ending of --output says, else table]
+    /// Output format; json is schema impact-pair/global/1 [default: by the extension of --output, else table]
     #[arg(long, value_enum)]
     format: Option<GlobalFormat>,
     #[command(flatten)]

@@ -25,7 +25,7 @@ Examples:
 
 The theorem: for every start and all parameters that the scene allows there is exactly one sequence of impacts, each the \
 first contact after the one before, on the listed walls, at times and velocities within the printed bounds. It covers \
-the impacts up to the first graze, rest or release. Coq checks it on top of the library of validation/coq; nothing of \
+the impacts up to the first graze, rest or release. Coq checks it on top of the library of validation/coq; no part of \
 impact-pair is trusted for that.
 
 Exit code: 0 the file proves all the impacts requested (or those up to the first other event); 1 fewer of them; 2 usage, bad \

@@ -55,7 +55,7 @@ pub struct TrapArguments {
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=i64::from(MOST_COUNTED)))]
     words: Option<u32>,
     /// Output format; json is schema impact-pair/trap/1
-    /// [default: as the ending of --output says, else table]
+    /// [default: by the extension of --output, else table]
     #[arg(long, value_enum)]
     format: Option<TrapFormat>,
     #[command(flatten)]

@@ -74,7 +74,7 @@ pub struct AtlasArguments {
     pub digits: u32,
     #[command(flatten)]
     pub grid: GridArguments,
-    /// Output format [default: as the ending of --output says, else csv, for a shard jsonl]
+    /// Output format [default: by the extension of --output, else csv, for a shard jsonl]
     #[arg(long, value_enum)]
     pub format: Option<AtlasFormat>,
     /// Draw the plane in the colours of the classes, or write the page

@@ -63,7 +63,7 @@ fn list_motions((arguments, format): Options<'_>, files: Files, scene: &Scene, d
     let open = match answers.iter().all(|answer| answer.is_complete) {
         true if answers.len() == arguments.cycles.clone().count() => None,
         true => Some("interrupted: the motions written are proved, others are missing"),
-        false => Some("not everything requested is decided: see what is undecided or null in the output"),
+        false => Some("not everything requested is decided: see the undecided and null values in the output"),
     };
     let open = open.map(str::to_owned);
     let is_table = format == TwoImpactFormat::Table;

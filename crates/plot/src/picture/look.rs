@@ -17,7 +17,7 @@ pub struct Look {
     /// Colours of the picture
     #[cfg_attr(feature = "clap", arg(long, value_enum, default_value_t, value_name = "light|dark", requires = "plot"))]
     pub theme: Theme,
-    /// Leave out title, parameters and what is certified above the picture, for a caption of one's own
+    /// Leave out title, parameters and certification above the picture, for a separate caption
     #[cfg_attr(feature = "clap", arg(long, requires = "plot"))]
     pub no_header: bool,
     /// Size of the picture in pixels, where letters are 12 to 14 pixels high [default: as much as it needs]
