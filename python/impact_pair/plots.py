@@ -113,13 +113,13 @@ def _drawn(draw: Callable[..., None]) -> Callable[..., Any]:
             own = _axes(width) if ax is None else ax
             draw(found, own, *given, **how)
             if header or (header is None and ax is None):
-                own.set_title("\n".join(_said(found)), fontsize="small", loc="left")
+                own.set_title("\n".join(_summary(found)), fontsize="small", loc="left")
         return own
 
     return picture
 
 
-def _said(found: Any) -> list[str]:
+def _summary(found: Any) -> list[str]:
     """Return the lines of a header: the parameters that do not vary in exact words, and what is certified."""
     varied: set[str] = set()
     scene = found.head["scene"] if isinstance(found, SweepResult) else found.document["scene"]
@@ -308,7 +308,7 @@ def panels(orbit: Orbit, letters: str = "abcdefgh", *, width: Width = None, head
     for letter, ax in zip(letters, axes.flat, strict=False):
         PANELS[letter](orbit, ax).set_title(f"({letter})  {TITLES[letter]}", loc="left", fontsize="medium")
     if header:
-        figure.suptitle("\n".join(_said(orbit)), fontsize="medium")
+        figure.suptitle("\n".join(_summary(orbit)), fontsize="medium")
     return axes
 
 

@@ -55,7 +55,7 @@ pub fn flights<'py>(
         let mut found = Vec::with_capacity(walls.len());
         for (i, ((wall, time), velocity)) in walls.iter().zip(&times).zip(&velocities).enumerate() {
             if i % FLIGHTS_PER_POLL == 0 {
-                monitor.tell(i as u64);
+                monitor.report(i as u64);
                 if !monitor.goes_on() {
                     break;
                 }

@@ -161,7 +161,7 @@ impl Orbit {
             let all = 4 * times.len();
             let mut found = Vec::with_capacity(all);
             for (i, time) in times.into_iter().enumerate().take_while(|_| monitor.goes_on()) {
-                monitor.tell(i as u64);
+                monitor.report(i as u64);
                 let [y, v] = dense.at(&orbit, time).unwrap_or([[f64::NAN; 2]; 2]);
                 found.extend([y[0], y[1], v[0], v[1]]);
             }

@@ -27,7 +27,7 @@ pub struct Monitor {
 
 impl Monitor {
     /// Notes the number of items done.
-    pub fn tell(&self, done: u64) {
+    pub fn report(&self, done: u64) {
         self.done.store(done, Ordering::Relaxed);
     }
 
@@ -49,13 +49,13 @@ impl Watch for Monitor {
     fn proceed(&self, at: Stage<'_>) -> ControlFlow<()> {
         match at {
             Stage::Impact(done) | Stage::Searched(done) | Stage::Cones(done) | Stage::Horseshoe { boxes: done, .. } => {
-                self.tell(done)
+                self.report(done)
             }
-            Stage::Parameter(done) => self.tell(done.into()),
+            Stage::Parameter(done) => self.report(done.into()),
             Stage::Cells { done, .. } | Stage::Region(done) | Stage::Sets(done) | Stage::Claims(done) => {
-                self.tell(done as u64)
+                self.report(done as u64)
             }
-            Stage::Cycles { impacts, .. } => self.tell(impacts as u64),
+            Stage::Cycles { impacts, .. } => self.report(impacts as u64),
             _ => {}
         }
         proceed_if(!self.is_stopped())

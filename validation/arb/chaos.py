@@ -103,9 +103,9 @@ def words_of(law, bases, depth, dropped):
     return words, parts
 
 
-def check_entropy(words, bases, told, units, weight):
+def check_entropy(words, bases, claimed, units, weight):
     """Refuses an entropy that does not follow: M(q) v >= v must hold for a vector, M the sums of q^weight over the words."""
-    q = (-arb(told) / units).exp()
+    q = (-arb(claimed) / units).exp()
     matrix = [[sum((q ** weight(word) for word in words if word[:2] == (a, b)), arb(0)) for b in range(bases)] for a in range(bases)]
     floats, vector = np.array([[float(x) for x in row] for row in matrix]), np.ones(bases)
     for _ in range(200):
@@ -113,7 +113,7 @@ def check_entropy(words, bases, told, units, weight):
         vector /= vector.max()
     vector = [arb(float(x)) for x in np.where(vector < 1e-9, 0, vector)]
     if not all(x == 0 or sum(m * y for m, y in zip(row, vector)) >= x for row, x in zip(matrix, vector)):
-        raise Disagreement(f"an entropy of {told} does not follow from the listed words")
+        raise Disagreement(f"an entropy of {claimed} does not follow from the listed words")
 
 
 def prove(document, dropped=lambda place: False):
@@ -154,8 +154,8 @@ def spoiled(document, proved, few):
         ("another half cycle", [first | {"half_cycles": first["half_cycles"] + 1}, *others]),
     ):
         yield name, document | {"words": copy}, proved
-    for name, told in entropy.items():
-        more = decimal(Fraction(told) + Fraction("0.000001"))
+    for name, claimed in entropy.items():
+        more = decimal(Fraction(claimed) + Fraction("0.000001"))
         yield f"an entropy {name} that is greater", document | {"entropy": entropy | {name: more}}, proved
 
 
@@ -190,23 +190,23 @@ def refused(judged):
 
 def spoiled_cones(document):
     """(name, copy, cells to drop) of sets whose cones must be refused."""
-    told = document["hyperbolic"]
+    claimed = document["hyperbolic"]
     at = 1 / 3
     yield "a cone not proved in one place", document, lambda cell: abs(cell.a - at) <= cell.reach and abs(cell.eta - at) <= cell.rise
     for name, changes in (("cones so wide that curves may meet a strip twice", {"kappa": "700"}),
-                          ("a word that does not lead back", {"words": [0, 1, *told["words"][1:]]})):  # fmt: skip
-        yield name, document | {"hyperbolic": told | changes}, lambda cell: False
+                          ("a word that does not lead back", {"words": [0, 1, *claimed["words"][1:]]})):  # fmt: skip
+        yield name, document | {"hyperbolic": claimed | changes}, lambda cell: False
 
 
 def spoiled_bounds(document):
     """(name, copy) of sets whose bounds must be refused."""
-    told = document["hyperbolic"]
+    claimed = document["hyperbolic"]
     for name, key, of, end, value in (("a greater exponent that is too small", "exponents", "per_impact", 1, "0.75"),
                                       ("a greater exponent that is too great", "exponents", "per_cycle", 0, "1.6"),
                                       ("an entropy that is too great", "entropy", "per_impact", 0, "0.2812")):  # fmt: skip
-        bounds = list(told[key][of])
+        bounds = list(claimed[key][of])
         bounds[end] = value
-        yield name, document | {"hyperbolic": told | {key: told[key] | {of: bounds}}}
+        yield name, document | {"hyperbolic": claimed | {key: claimed[key] | {of: bounds}}}
 
 
 def decimal(value):
