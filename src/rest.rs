@@ -151,7 +151,7 @@ mod tests {
     }
 
     #[test]
-    fn a_slow_bounce_on_a_pressed_wall_ends_in_rest() {
+    fn a_slow_bounce_under_contact_force_ends_in_rest() {
         let pair = pair(0.1, 0.5);
         let bound = rests(&pair, Wall::Left, "-1/4", 1e-4).unwrap();
         // Constant acceleration a = 2 pi beta would end after 2u/(a (1 - e)).
@@ -165,7 +165,7 @@ mod tests {
 
     /// The contact force is `(2 pi)^3 alpha x` if it began or ends `x` forcing periods away: the time is as long as under a constant one.
     #[test]
-    fn chatter_is_proved_however_near_to_the_begin_or_the_end_of_the_pressure() {
+    fn chatter_is_proved_arbitrarily_near_to_the_ends_of_the_contact_force() {
         let pair = pair(0.1, 0.01);
         for k in (1..145).step_by(11) {
             for (wall, phase) in [
@@ -196,7 +196,7 @@ mod tests {
 
     /// Lemma Z2: exactly at the beginning of the contact force a ball at rest stays, a little earlier it leaves.
     #[test]
-    fn the_pressure_begins_at_its_phase_and_not_before() {
+    fn the_contact_force_begins_at_its_phase_and_not_before() {
         let at_rest = |wall, phase: &str| rests(&pair(0.1, 0.5), wall, phase, 0.0).is_some();
         for (wall, begin) in [(Wall::Left, "1/2"), (Wall::Left, "-1/2"), (Wall::Right, "0")] {
             assert!(at_rest(wall, begin));
@@ -209,7 +209,7 @@ mod tests {
     }
 
     #[test]
-    fn release_is_where_the_pressure_ends() {
+    fn release_is_where_the_contact_force_vanishes() {
         let release = |wall, phase| Pressed::on(wall, &enclosure(phase)).and_then(|pressed| pressed.release(wall));
         assert_eq!(release(Wall::Left, "-1/4"), Some((0, 0.0)));
         assert_eq!(release(Wall::Left, "1/2"), Some((1, 0.0)));

@@ -135,7 +135,7 @@ fn imports(text: &str) -> BTreeSet<String> {
 }
 
 #[test]
-fn rooms_import_what_stands_before_them() {
+fn modules_import_earlier_modules_only() {
     let known: Vec<&str> = MODULES.iter().map(|(module, _)| *module).collect();
     let found: BTreeSet<String> = fs::read_dir(root().join("src"))
         .unwrap()
@@ -172,8 +172,9 @@ fn design_lists_the_modules_in_this_order_and_all_crates() {
             .collect()
     };
     let modules = names("Modules");
-    let place =
-        |name: &str| modules.iter().position(|module| *module == name).unwrap_or_else(|| panic!("{name} is not listed"));
+    let place = |name: &str| {
+        modules.iter().position(|module| *module == name).unwrap_or_else(|| panic!("{name} is not listed"))
+    };
     assert_eq!(modules.len(), MODULES.len(), "{modules:?}");
     for (module, allowed) in MODULES {
         assert!(allowed.iter().all(|other| place(other) < place(module)), "{module} is listed above what it imports");
@@ -244,7 +245,7 @@ fn in_circles(imports: &BTreeMap<String, BTreeSet<String>>) -> BTreeSet<String> 
 }
 
 #[test]
-fn files_of_a_room_import_one_another_one_way() {
+fn imports_within_a_module_are_acyclic() {
     let mut folders: Vec<PathBuf> = ["src", "crates", "cli/src", "python/src"].map(|path| root().join(path)).to_vec();
     let mut left = IMPORT_CYCLES.to_vec();
     while let Some(folder) = folders.pop() {

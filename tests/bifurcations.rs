@@ -235,7 +235,7 @@ fn bifurcations_of_two_tones_are_seen_in_the_orbits_beside_them() {
 }
 
 #[test]
-fn what_has_no_branch_under_several_harmonics_is_refused_in_one_line() {
+fn keys_without_branches_under_several_harmonics_are_refused_in_one_line() {
     let (waves, phases) = ("\"pi\", \"3*pi\"", "0, 0");
     let said = |terms, cycles, over| under(terms, cycles, over, 0).unwrap_err().to_string();
     assert!(said(["1, 1", waves, phases], 3, "frequency.1=3..4").contains("for which no orbit is periodic"));

@@ -213,7 +213,7 @@ fn r32_a_harmonic_that_vanishes_at_an_end_of_the_bounds_is_not_left_out() {
 /// Of a fold on the branch of symmetric orbits, and of a doubling beyond the pitchfork: whatever is said of first contacts, nothing else than the
 /// truth is confirmed of the mirror image.
 #[test]
-fn r32_symmetry_is_judged_whatever_is_known_of_first_contacts() {
+fn r32_symmetry_is_checked_independently_of_first_contacts() {
     let document = bifurcations("amplitude=0.03..0.48", 1, 12);
     for (i, kind) in kinds(&document).into_iter().enumerate() {
         let is_symmetric = document["points"][i]["orbit"]["symmetric"].as_bool().unwrap();

@@ -188,13 +188,13 @@ fn r37_long_words_of_figure_16_are_confirmed() {
 }
 
 #[test]
-fn spoiled_words_are_refused() {
+fn corrupted_words_are_refused() {
     refuses_spoiled_words(3, 1);
 }
 
 #[test]
 #[ignore = "deep"]
-fn spoiled_longer_words_are_refused() {
+fn corrupted_longer_words_are_refused() {
     refuses_spoiled_words(5, usize::MAX);
 }
 
@@ -263,7 +263,7 @@ fn entropies_follow_from_the_words_that_are_listed() {
 }
 
 #[test]
-fn another_base_is_refused() {
+fn another_h_set_is_refused() {
     refuses_others(&[0], &[[0.0, 0.02]], &[]);
 }
 
@@ -277,7 +277,7 @@ fn a_wider_range_is_refused() {
 
 #[test]
 #[ignore = "deep"]
-fn bases_moved_otherwise_and_pairs_on_either_side_are_refused() {
+fn h_sets_moved_otherwise_and_pairs_on_either_side_are_refused() {
     let pairs = [("gap", "9.42497 * 1.01"), ("gap", "9.42497 * 0.99"), ("restitution", "0.505")];
     refuses_others(&[0, 2], &[[0.0, 0.02], [0.0, -0.02], [0.1, 0.0]], &pairs);
 }
@@ -341,7 +341,7 @@ fn reached() -> Vec<[i64; 2]> {
 }
 
 #[test]
-fn spoiled_regions_are_refused() {
+fn corrupted_regions_are_refused() {
     let document = trap("figure-14");
     let runs = document["region"].as_array().unwrap();
     // A box less in which the scene's own orbit is, with the number of boxes told right.

@@ -141,7 +141,7 @@ pub fn two_impact(cycles: u32) -> Value {
 }
 
 #[test]
-fn r17_documents_in_a_list_are_judged_one_by_one() {
+fn r17_documents_in_a_list_are_checked_one_by_one() {
     let both = json!([two_impact(1), two_impact(2)]);
     let claims = |document: &Value| Claims::parse(&document.to_string()).unwrap();
     let judged = |document: &Value| claims(document).check_within(&effort(), &Unwatched).unwrap();
@@ -171,9 +171,9 @@ fn r32_nothing_comes_after_a_list_of_documents() {
     }
 }
 
-/// The cycle that an impact is told to be in is a claim: of even cycles and of several harmonics.
+/// The claimed cycle of an impact is checked: of even cycles and of several harmonics.
 #[test]
-fn r17_cycles_of_impacts_are_judged() {
+fn r17_cycles_of_impacts_are_checked() {
     let scenes = [
         ("excitation = { amplitude = 1, frequency = 1, phase = 0 }\npair = { gap = 10.82, restitution = 0.5 }", 2),
         (
@@ -214,7 +214,7 @@ fn middle(bounds: &Value) -> f64 {
     (number(&bounds[0]) + number(&bounds[1])) / 2.0
 }
 
-/// Over the amplitude of the fastest term from 0 all is continuous where no graze is near, and so is what is told of it: phases, impacts
+/// Over the amplitude of the fastest term from 0 all is continuous where no graze is near, and so are its properties: phases, impacts
 /// a cycle, exponents an impact and a cycle.
 #[test]
 fn r32_points_of_one_sweep_have_one_unit() {

@@ -146,13 +146,13 @@ fn other(wall: &Value) -> Value {
 }
 
 #[test]
-fn what_is_spoiled_is_never_confirmed() {
+fn corrupted_documents_are_never_confirmed() {
     judges_spoiled([("figure-14", &[0]), ("figure-16", &[20]), ("figure-17", &[45])]);
 }
 
 #[test]
 #[ignore = "deep"]
-fn what_is_spoiled_anywhere_is_never_confirmed() {
+fn documents_corrupted_anywhere_are_never_confirmed() {
     judges_spoiled(["figure-14", "figure-16", "figure-17"].map(|name| (name, &[0, 20, 45][..])));
 }
 
@@ -212,7 +212,7 @@ fn judges_spoiled(figures: [(&str, &[usize]); 3]) {
 
 /// A claim that no start within the bounds satisfies is proved to be false; a bound that is only too narrow is not.
 #[test]
-fn what_no_start_does_is_refuted() {
+fn events_that_no_start_has_are_refuted() {
     let document = shadowed(&figure("figure-14"), 100);
     let refuted = |document: &Value, event: usize| match verdict(document) {
         Some(Verdict::Refuted(finding)) => assert_eq!(finding.event, event, "{}", finding.message),
@@ -229,7 +229,7 @@ fn what_no_start_does_is_refuted() {
 }
 
 #[test]
-fn who_stops_a_check_keeps_the_links_that_are_proved() {
+fn a_stopped_check_keeps_the_proved_links() {
     let certificate = Certificate::parse(&shadowed(&figure("figure-14"), 2000).to_string()).unwrap();
     let reported = Mutex::new(Vec::new());
     let stop = |at: Stage<'_>| {

@@ -1,4 +1,4 @@
-//! At the extremes: nothing is asked for in vain, and what can be told is told. The scenes are those of issue 17, and of its kind.
+//! At the extremes: requests are met, and decidable questions are decided. The scenes are those of issue 17, and of its kind.
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 
@@ -14,7 +14,7 @@ fn scene(excitation: &str, pair: &str, start: &str) -> Scene {
     Scene::parse(&format!("excitation = {{ {excitation} }}\npair = {{ {pair} }}\nstart = {{ {start} }}")).unwrap()
 }
 
-/// The impacts asked for, in `auto`, and the orbit at its end.
+/// The requested impacts, in `auto`, and the orbit at its end.
 fn run(scene: &Scene, impacts: u64) -> (Vec<Impact>, Orbit) {
     let mut orbit = Orbit::of(scene, Settings { impacts: Some(impacts), ..Settings::default() }).unwrap();
     let impacts = orbit.by_ref().collect();

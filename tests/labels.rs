@@ -301,7 +301,7 @@ fn every_lemma_that_is_named_is_defined() {
 
 /// The test of the test: what it must find, and what it must let pass.
 #[test]
-fn what_has_no_label_is_found() {
+fn missing_labels_are_found() {
     let lemmas: BTreeSet<String> = defined("**Lemma M0** (a). **Lemma N1** (b). **Lemma (c).**").collect();
     assert_eq!(lemmas.iter().collect::<Vec<_>>(), ["M0", "N1"]);
     let unlabelled = |source: &str| examine("a.rs", source, &lemmas).unlabelled.len();

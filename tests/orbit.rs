@@ -89,7 +89,7 @@ fn the_textbooks_method_is_known_of_one_harmonic() {
     assert!(error.contains("2 harmonics") && error.contains("inari"), "{error}");
 }
 
-/// Whoever asks for it by name or by its variant is told of the feature.
+/// A request by name or by its variant gives an error that names the feature.
 #[cfg(not(feature = "inari"))]
 #[test]
 fn the_textbooks_method_is_a_feature() {

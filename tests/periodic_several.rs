@@ -16,7 +16,7 @@ fn value(text: &str) -> Exact {
     text.parse().unwrap()
 }
 
-/// A pair with a gap of 1 of harmonics told by amplitude, frequency and phase.
+/// A pair with a gap of 1 of harmonics given by amplitude, frequency and phase.
 fn pair(terms: &[(&str, &str, &str)], restitution: &str) -> ImpactPair {
     let term = |&(a, w, tau): &(&str, &str, &str)| Harmonic::new(value(a), value(w), value(tau)).unwrap();
     let excitation = Excitation::new(terms.iter().map(term).collect()).unwrap();
@@ -133,7 +133,7 @@ fn a_search_counts_the_orbits_of_one_harmonic_in_two_terms() {
 /// A harmonic that is hardly there moves no orbit by much, but determines which forcing period of the common period it begins in. None of the
 /// orbits of one harmonic is at a bifurcation, so each of them goes on as one orbit for each forcing period after which it differs from itself.
 #[test]
-fn a_search_counts_the_orbits_of_one_harmonic_in_each_turn_under_a_faint_slower_one() {
+fn a_search_counts_the_orbits_of_one_harmonic_in_each_period_under_a_faint_slower_one() {
     for (word, ratio, restitution, slow, turns) in [
         ("LR", "1/9.42497", "0.5", "2*pi/3", 3),
         ("LLR", "1/9.42497", "0.5", "4*pi/3", 3),
@@ -292,7 +292,7 @@ fn runs_are_proved_to_converge_to_a_stable_orbit() {
 }
 
 #[test]
-fn what_is_not_known_of_several_harmonics_is_an_error() {
+fn cycles_without_a_common_period_are_an_error() {
     let word = &"LR".parse().unwrap();
     let three = pair(&[("1", "pi", "0"), ("1/3", "3*pi", "0")], "0.5");
     let message = Problem::new(&three, word, 4).unwrap_err().to_string();

@@ -245,7 +245,7 @@ fn only_commensurate_motions_are_called_periodic() {
 
 /// Half a forcing period is written as 1/2 or as -1/2 of the next: two releases there are whole periods apart all the same (Lemma H9).
 #[test]
-fn a_period_between_releases_at_half_a_turn_is_counted_in_whole_turns() {
+fn a_period_between_releases_at_half_a_period_is_a_whole_number_of_periods() {
     let text = |phase: &str, wall: &str, velocity: &str| {
         format!(
             "excitation = {{ amplitude = [\"0.0977766639*0.002\", \"1.18576041e-05*0.0977766639*0.002\"], \

@@ -1,4 +1,4 @@
-//! The start asked for and the one that is followed: inside the gap, where the direction is not certain, motions are followed from a
+//! The requested start and the one that is followed: inside the gap, where the direction is not certain, motions are followed from a
 //! later state (Lemma R3), and what is said of the start is said of the one at the scene's time and place.
 #![cfg(feature = "multiprecision")]
 
@@ -157,7 +157,7 @@ fn r32_shadows_of_uncertain_direction_have_a_start_with_their_impacts() {
     assert!(shadows[0] >= 4 && shadows[1] >= 1, "{shadows:?}");
 }
 
-/// The chain by itself is told from the scene's time, too.
+/// The chain alone is measured from the scene's time, too.
 #[test]
 fn a_chain_of_uncertain_direction_begins_at_the_given_start() {
     let scene = scene(ONE, "1/3", "1.5", HIDDEN_ZERO);

@@ -378,7 +378,7 @@ fn a_manifold_that_is_ended_is_the_beginning_of_the_whole() {
 }
 
 #[test]
-fn what_is_known_of_one_harmonic_says_so() {
+fn features_for_one_harmonic_are_refused_for_several() {
     let scene = Scene::parse(include_str!("../scenes/square-wave.toml")).unwrap();
     let (speed, axis) = (exact("20"), Axis::Frequency);
     let range = Range { pair: scene.pair(), speed, axis, from: exact("1"), to: exact("2"), count: 5 };

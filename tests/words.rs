@@ -235,7 +235,7 @@ fn user_facing_text_is_in_the_words_of_the_field() {
 const COMMENTS: [&str; 1] = ["so many"];
 
 #[test]
-fn comments_give_numbers_a_name() {
+fn comments_name_their_quantities() {
     let root = Path::new(impact_pair_tests::ROOT);
     let mut faults = String::new();
     for folder in ["src", "crates", "cli", "python/src", "benches", "examples", "validation/truth"] {

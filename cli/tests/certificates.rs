@@ -66,7 +66,7 @@ fn wrong_certificates_are_refused() {
 }
 
 #[test]
-fn what_is_no_certificate_is_named() {
+fn a_document_that_is_no_certificate_is_named() {
     let edits: [(&str, &str, &str); 5] = [
         ("schema", "impact-pair/orbit/1", "impact-pair/orbit/9"),
         ("float", "\"certified\":true", "\"certified\":false"),

@@ -44,7 +44,7 @@ snapshots! { FLOATING_POINT_EXPONENT;
     arguments_of_chaos: program(&["chaos", "--help"]);
 }
 
-/// Bounds hold what is known, and a key that was not asked for is not there.
+/// Bounds hold what is known, and a key that was not requested is absent.
 #[test]
 fn a_hyperbolic_set_is_measured() {
     let arguments = ["chaos", "scenes/figure-14.toml", BASES[0], BASES[1], "--depth", "3", "--format", "json"];

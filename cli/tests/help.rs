@@ -95,7 +95,7 @@ fn every_example_runs() {
 
 #[test]
 #[ignore = "deep"]
-fn every_example_runs_those_that_take_seconds_too() {
+fn every_example_runs_slow_ones_included() {
     runs_examples(&[]);
 }
 

@@ -112,7 +112,7 @@ fn crc(bytes: &[u8]) -> u32 {
 }
 
 #[test]
-fn a_torn_journal_is_gone_on_with_and_a_damaged_one_is_refused() {
+fn a_truncated_journal_is_resumed_and_a_damaged_one_refused() {
     let folder = folder("sweep-torn");
     let whole = written(&mut sweep(&DIAGRAM), &folder.join("whole.csv"));
     let lines = sweep(&DIAGRAM).args(["--format", "jsonl"]).output().unwrap().stdout;

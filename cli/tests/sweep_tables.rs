@@ -154,7 +154,7 @@ fn shards_put_together_are_the_two_tables_of_the_whole() {
 
 #[cfg(unix)]
 #[test]
-fn a_sweep_gone_on_with_writes_both_tables() {
+fn a_resumed_sweep_writes_both_tables() {
     let folder = folder("tables-resumed");
     let long = ["scenes/figure-14.toml", "--over", "amplitude=3..7:101", "--transient", "20", "--impacts", "5"];
     let [points, states, partial] = ["points.csv", "states.csv", "points.csv.partial"].map(|name| folder.join(name));

@@ -52,7 +52,7 @@ fn a_scene_that_asks_for_no_impact_is_refused() {
 }
 
 #[test]
-fn document_and_picture_appear_whole() {
+fn document_and_picture_are_written_atomically() {
     let folder = folder("trade-whole");
     let (document, picture) = (folder.join("trade.json"), folder.join("trade.svg"));
     let answer = trade(&["scenes/figure-14.toml", "--impacts", "120", "--format", "json"])

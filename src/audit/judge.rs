@@ -349,7 +349,7 @@ mod tests {
     }
 
     #[test]
-    fn a_list_that_goes_on_as_before_has_not_left() {
+    fn a_list_that_continues_inside_has_not_diverged() {
         for verdicts in
             ["", "iiii", "iimii", "iifii", "iifmii", "iiiif", "iiiim", "mmmm", "ooooo", "iimcccc", "iimiifiii"]
         {
@@ -358,7 +358,7 @@ mod tests {
     }
 
     #[test]
-    fn a_list_leaves_where_it_is_inside_no_more() {
+    fn a_list_diverges_where_it_is_no_longer_inside() {
         assert_eq!(departure_of("iiifmoofmof"), Some((3, 4)));
         assert_eq!(departure_of("iiomoofmof"), Some((3, 4)));
         // Before, one impact was left out; after, one is inside by chance.

@@ -96,7 +96,7 @@ fn r45_nothing_is_compared_before_the_start() {
 }
 
 #[test]
-fn a_corrupted_time_does_not_lead_to_the_end_of_the_world() {
+fn a_corrupted_time_does_not_cost_an_endless_run() {
     let scene = exact_orbit_of_figure_12();
     let audit = |list: &str| {
         let rows = read(list, &Columns::default(), scene.pair()).unwrap();

@@ -33,7 +33,7 @@ pub struct Entered {
     pub holds_bases: bool,
 }
 
-/// Arithmetics, each with the number of impacts after which it is asked whether the orbit converges: in doubles, then in as many bits as it takes.
+/// Arithmetics, each with the number of impacts after which convergence of the orbit is tested: in doubles, then in as many bits as it takes.
 const ATTEMPTS: [(Arithmetic, u64); 2] = [(Arithmetic::Interval, 20_000), (Arithmetic::Auto, 800)];
 
 impl Asymptotics {

@@ -181,7 +181,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_rectangle_has_no_image() {
+    fn an_invalid_rectangle_has_no_image() {
         let map = map(1 << 10).unwrap();
         for (phase, speed) in [([0.2, 0.1], [1.0, 2.0]), ([0.0, 0.1], [-0.1, 2.0]), ([0.0, f64::NAN], [1.0, 2.0])] {
             assert!(map.image(&Rectangle { phase, speed }).is_none());

@@ -161,7 +161,7 @@ struct Work<'w> {
 impl Cells {
     /// Returns what is proved of the pairs with each value of the parameter.
     ///
-    /// `watch` receives the number of cells done, and may stop it; results proved so far are kept. First each cell is asked by itself,
+    /// `watch` receives the number of cells done, and may stop it; results proved so far are kept. First each cell is examined separately,
     /// then what is undecided is tried by the h-sets of horseshoes beside it, in a fixed order, so threads decide nothing.
     ///
     /// # Errors

@@ -190,7 +190,7 @@ fn the_shortest_horseshoe_of_figure_14() {
 
 /// An h-set that is moved across the leaves, or turned, is crossed no more.
 #[test]
-fn moved_bases_lead_to_less() {
+fn moved_h_sets_give_less_entropy() {
     let entropy_of = |change: &dyn Fn(HSet) -> HSet| by_impact(&words(&figure_14(), &bases().map(change), 3), 3);
     let moved = |by: f64| {
         move |base: HSet| {
@@ -206,7 +206,7 @@ fn moved_bases_lead_to_less() {
 
 /// Tubes that are right for one pair are wrong for another, and with a cell left out.
 #[test]
-fn spoiled_tubes_are_refused() {
+fn corrupted_chains_of_boxes_are_refused() {
     let law = figure_14();
     let guess = Guess::new(&law);
     let base = bases()[0];
@@ -312,7 +312,7 @@ fn a_saddle_is_distinguished_from_an_attractor() {
 /// A = 0.498 d, where four impacts expand by half only: two words of 16 impacts in an h-set, so entropy (log 2)/16, and none of fewer. No
 /// chain of boxes but the finest leads there, nor does any in an h-set that is moved off the leaves.
 #[test]
-fn slow_expansion_is_proved_by_fine_tubes() {
+fn slow_expansion_is_proved_by_fine_chains_of_boxes() {
     let scene = Scene::parse(include_str!("../../validation/paper/scenes/chaos-0.498.toml")).unwrap();
     let law = Law::of(scene.pair()).unwrap();
     let base = |moved: f64| {
@@ -385,7 +385,7 @@ fn cells(over: &str, cells: u32, halvings: u32) -> Cells {
 /// Lemma D14: stretches follow one another from end to end, and what is proved of all holds of some: of single values, proved by
 /// themselves with the same h-sets, or by the orbit of each.
 #[test]
-fn what_holds_of_a_stretch_holds_of_its_values() {
+fn verdicts_of_a_stretch_hold_for_its_values() {
     for (over, count, name) in [("amplitude=1..1.1", 2, "attracted"), ("amplitude=9.06..9.064", 1, "horseshoe")] {
         let found = cells(over, count, 6);
         let stretches = &found.stretches;

@@ -139,7 +139,7 @@ mod tests {
     }
 
     #[test]
-    fn a_search_ends_at_the_depth_that_so_many_boxes_lead_to() {
+    fn a_search_ends_at_the_depth_that_its_boxes_allow() {
         let (law, bases) = (figure_16(), bases());
         let to = |most: u64| Tried::new(&law, &bases, MAKINGS[0]).deepened((64, most), &Unwatched);
         let tried = to(2000);

@@ -349,7 +349,7 @@ mod tests {
     }
 
     #[test]
-    fn a_ball_that_is_pressed_does_not_leave() {
+    fn a_ball_with_contact_force_does_not_leave() {
         let start = Start { alpha: 0.85, wall: Wall::Left, height: None, phase: -0.25, velocity: 0.0 };
         let Undecided { reason, wall, .. } = undecided(start);
         assert_eq!((reason, wall), (Reason::Graze, Some(Wall::Left)));
@@ -369,7 +369,7 @@ mod tests {
     }
 
     #[test]
-    fn a_motion_without_end_is_given_up() {
+    fn a_flight_without_end_is_undecided() {
         // The drift is 1e-5 gap widths per forcing period.
         let velocity = 1e-5 - 0.3 * std::f64::consts::TAU;
         let start = Start { alpha: 0.3, wall: Wall::Left, height: Some(0.5), phase: 0.0, velocity };

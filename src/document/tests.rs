@@ -129,7 +129,7 @@ fn an_orbit_that_did_not_end_was_interrupted() {
 }
 
 #[test]
-fn floats_claim_nothing() {
+fn floating_point_claims_nothing() {
     let (document, impacts) = document(&scene("1", "wall = \"left\", velocity = -12.56636"), Arithmetic::Float);
     assert_eq!(document["certified"], false);
     assert_eq!(document["arithmetic"], json!({"kind": "float", "bits": 53}));

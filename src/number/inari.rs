@@ -291,7 +291,7 @@ mod tests {
     }
 
     #[test]
-    fn what_has_no_end_is_no_ball() {
+    fn an_unbounded_interval_is_no_ball() {
         for interval in [Interval::EMPTY, Interval::ENTIRE, between(0.0, f64::INFINITY)] {
             assert_eq!(Ball::try_from(interval), Err(Unbounded));
             assert_eq!(enclosure(interval), None);

@@ -138,7 +138,7 @@ fn shadowed(
         return given.motion(Arithmetic::Interval);
     }
     // Of fewer impacts all are proved by precision but the last one.
-    let spliced = settings.impacts.map_or(settings.splice, |impacts| impacts.min(settings.splice)); // exact: as many as are asked for
+    let spliced = settings.impacts.map_or(settings.splice, |impacts| impacts.min(settings.splice)); // exact: as many as are requested
     if spliced == 0 {
         return Ok(motion);
     }

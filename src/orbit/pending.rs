@@ -134,7 +134,7 @@ impl Orbit {
             return None;
         }
         let width = self.requested.widths[0];
-        // Impacts are listed until they shrink below the digits asked for.
+        // Impacts are listed until they shrink below the requested digits.
         if time.log2() > width.log2 - 1.0 {
             return None;
         }

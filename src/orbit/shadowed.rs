@@ -257,7 +257,7 @@ mod tests {
         Orbit::of(scene, Settings { attractor: true, ..settings }).unwrap()
     }
 
-    /// Blocks are handed out without a gap, the last one as far as is asked; what is listed is what the chain proves.
+    /// Blocks are handed out without a gap, the last one as far as requested; what is listed is what the chain proves.
     #[test]
     fn an_orbit_lists_the_nodes_of_its_chain() {
         let scene = scene("figure-14");
@@ -276,7 +276,7 @@ mod tests {
     }
 
     #[test]
-    fn what_does_not_expand_is_the_orbit_of_the_exact_start() {
+    fn a_regular_orbit_is_that_of_the_exact_start() {
         for (name, impacts) in
             [("figure-12", 5), ("figure-12", 500), ("figure-13", 500), ("figure-15", 30), ("figure-15", 5000)]
         {

@@ -266,7 +266,7 @@ mod tests {
     }
 
     #[test]
-    fn what_rests_or_does_not_expand_is_not_spliced() {
+    fn resting_and_regular_orbits_are_not_spliced() {
         let rests = r#"
             excitation = { amplitude = 4.92, frequency = "pi", phase = 0 }
             pair = { gap = 40, restitution = 0.5 }

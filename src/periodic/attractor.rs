@@ -129,7 +129,7 @@ impl<'s> Guess<'s> {
 /// Recognises the attractor of a motion at its end and proves that the motion converges to it. Lemma Q3
 ///
 /// `states` are certified states of the motion, in order of time, all of its impacts between the first and the last;
-/// `problem` makes the problem of a word, for the same pair; the watch is asked before each proof.
+/// `problem` makes the problem of a word, for the same pair; the watch is consulted before each proof.
 pub(crate) fn find(
     states: &[Impact],
     digits: u32,

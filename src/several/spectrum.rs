@@ -145,7 +145,7 @@ mod tests {
     }
 
     #[test]
-    fn commensurate_frequencies_have_a_period_in_turns_of_the_fastest() {
+    fn commensurate_frequencies_have_a_period_in_periods_of_the_fastest() {
         assert_eq!(spectrum(&["pi", "3*pi"]).period, Some(3));
         assert_eq!(spectrum(&["2*sqrt(2)", "3*sqrt(2)", "sqrt(2)/5"]).period, Some(15));
         assert_eq!(spectrum(&["1", "sqrt(2)"]).period, None);

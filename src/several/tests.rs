@@ -91,7 +91,7 @@ proptest! {
 
     /// Lemma H8: the contact force is positive up to the bracket and falls through 0 in it, by exact numbers.
     #[test]
-    fn a_release_is_where_the_pressure_first_ends(spectrum in sums(), turns in 0..40i64, phase in -0.5..0.5f64, is_left: bool) {
+    fn a_release_is_where_the_contact_force_first_vanishes(spectrum in sums(), turns in 0..40i64, phase in -0.5..0.5f64, is_left: bool) {
         let wall = if is_left { Wall::Left } else { Wall::Right };
         let spectrum = Arc::new(spectrum);
         let harmonics = Harmonics::<Ball>::new(&spectrum, 53);

@@ -192,7 +192,7 @@ mod tests {
     proptest! {
         /// Lemma H2, at many points of many cubics, biased to those that come near 0 in between.
         #[test]
-        fn what_is_proved_positive_is_positive(
+        fn a_proved_positive_value_is_positive(
             place in 0.05..1.0f64, depth in -1e-3..1e-2f64, bend in -30.0..60.0f64, third in 1.0..200.0f64, end in 0.01..1.5f64,
         ) {
             // A valley near `place`, so deep, where the bend allows one.

@@ -81,7 +81,7 @@ mod tests {
     }
 
     #[test]
-    fn moments_are_those_of_equation_1_in_whichever_turn() {
+    fn moments_are_those_of_equation_1_in_any_forcing_period() {
         let sum = balls();
         let is_near = |x: Ball, number: f64| (x.mid() - number).abs() < 1e-13 * (1.0 + number.abs()) && x.rad() < 1e-13;
         let zero = sum.moment(0.0, &Ball::exact(0.0));

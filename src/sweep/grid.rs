@@ -173,7 +173,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_grid_is_refused() {
+    fn a_key_without_a_grid_is_refused() {
         let twice = ["gap=1..2:3", "pair.gap=1..2:3"];
         let times = ["start.time=1..2:3", "start.phase=1..2:3"];
         let large = ["gap=1..2:100000", "amplitude=1..2:100000"];

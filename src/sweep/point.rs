@@ -228,7 +228,7 @@ mod tests {
 
     /// Of the diagram's chaotic points one true orbit is listed, and its exponent lies where that of floating point does (0.399 an impact).
     #[test]
-    fn what_is_chaotic_is_shadowed_and_nothing_else() {
+    fn chaotic_points_alone_are_shadowed() {
         let follow = |name: &str, impacts: u64| {
             let settings = Settings { arithmetic: Arithmetic::Shadow, digits: 6, ..Settings::default() };
             follow(
@@ -250,7 +250,7 @@ mod tests {
     }
 
     #[test]
-    fn what_rests_grazes_or_ends_keeps_what_is_certified() {
+    fn rests_grazes_and_ends_keep_the_certified_impacts() {
         let chatter = point(&scene("chatter"), 5, 60);
         assert!(matches!(chatter.outcome, Outcome::Periodic(_)) && chatter.exponent == Exponent::Forgets);
         assert_eq!(chatter.impacts_per_cycle.map(Ball::mid), Some(f64::INFINITY));

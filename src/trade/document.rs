@@ -3,8 +3,8 @@
 use std::time::Duration;
 
 use impact_pair_document::{
-    CrossingDocument, ExtentDocument, LargestError, LargestErrors, Microseconds, PROGRAM, RungAsked, RungDocument,
-    SceneDocument, Seconds, TRADE_SCHEMA, TradeAsked, TradeDocument, TradeUnits, TruthDocument, WidthsDocument,
+    CrossingDocument, ExtentDocument, LargestError, LargestErrors, Microseconds, PROGRAM, RowDocument, RowOptions,
+    SceneDocument, Seconds, TRADE_SCHEMA, TradeDocument, TradeRequest, TradeUnits, TruthDocument, WidthsDocument,
     WordLeft,
 };
 
@@ -18,7 +18,7 @@ impl Trade<'_> {
             schema: TRADE_SCHEMA.to_owned(),
             program: PROGRAM.to_owned(),
             scene: SceneDocument::new(scene.pair(), scene.start()),
-            requested: TradeAsked {
+            requested: TradeRequest {
                 impacts: requested.impacts,
                 until: requested.until.as_ref().map(|until| until.text()),
                 max_bits: requested.max_bits,
@@ -31,13 +31,13 @@ impl Trade<'_> {
 }
 
 /// The row of an arithmetic.
-fn row(measured: &Measured, trade: &Trade<'_>) -> RungDocument {
+fn row(measured: &Measured, trade: &Trade<'_>) -> RowDocument {
     let Measured { arithmetic, times, .. } = measured;
     let time = |whole: Duration| measured.microseconds(whole);
     let widths =
         measured.widths.map(|widths| WidthsDocument { time: extent(&widths.time), velocity: extent(&widths.velocity) });
     let judgement = trade.judgement.as_ref().filter(|_| *arithmetic == TradeArithmetic::Float);
-    RungDocument {
+    RowDocument {
         name: arithmetic.to_string(),
         requested: options_of(*arithmetic),
         arithmetic: measured.computed.clone(),
@@ -62,7 +62,7 @@ fn row(measured: &Measured, trade: &Trade<'_>) -> RungDocument {
 }
 
 /// The arithmetic as the command line names it.
-fn options_of(arithmetic: TradeArithmetic) -> RungAsked {
+fn options_of(arithmetic: TradeArithmetic) -> RowOptions {
     let (arithmetic, digits) = match arithmetic {
         TradeArithmetic::Float => ("float".to_owned(), None),
         TradeArithmetic::Interval => ("interval".to_owned(), None),
@@ -71,7 +71,7 @@ fn options_of(arithmetic: TradeArithmetic) -> RungAsked {
         TradeArithmetic::Bits(bits) => (bits.to_string(), None),
         TradeArithmetic::Auto(digits) => ("auto".to_owned(), Some(digits)),
     };
-    RungAsked { arithmetic, digits }
+    RowOptions { arithmetic, digits }
 }
 
 fn extent(extent: &Extent) -> ExtentDocument {

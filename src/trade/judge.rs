@@ -231,7 +231,7 @@ mod tests {
     }
 
     #[test]
-    fn a_flipped_wall_is_caught_at_its_impact() {
+    fn a_flipped_wall_is_detected_at_its_impact() {
         let (units, mut floats, truths) = readings(20);
         assert_eq!(judge(units, &floats, &truths).departure, None);
         for flipped in [1, 7, 20] {

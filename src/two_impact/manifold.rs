@@ -168,7 +168,7 @@ impl Range<'_> {
                 places.push(Place { x: x.clone(), at: self.at(x), mark: Some(*mark) });
             }
         }
-        places.sort_by(|a, b| order(&a.x, &b.x).unwrap_or(Ordering::Equal)); // W8: what cannot be told apart keeps its order
+        places.sort_by(|a, b| order(&a.x, &b.x).unwrap_or(Ordering::Equal)); // W8: places that cannot be distinguished keep their order
         let mut parts: Vec<Option<Part>> = places.windows(2).map(|ends| Some(part(&ends[0], &marks))).collect();
         if self.runs_down() {
             places.reverse();

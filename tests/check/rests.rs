@@ -135,7 +135,7 @@ fn r32_a_miss_that_is_not_distinguished_from_a_touch_is_a_graze() {
 }
 
 #[test]
-fn what_never_touches_a_wall_is_confirmed_and_nothing_else() {
+fn motions_that_never_touch_a_wall_are_confirmed_and_no_others() {
     let document = |amplitudes: [&str; 2], frequencies: [&str; 2], position: &str, velocity: &str| {
         json!({
             "schema": "impact-pair/orbit/1", "certified": true, "events": [], "outcome": {"kind": "never-impacts", "impacts": 0},

@@ -73,7 +73,7 @@ fn folder() -> Option<PathBuf> {
     Some(folder)
 }
 
-/// The forgeries that are asked for.
+/// The requested forgeries.
 fn selected() -> Vec<&'static Forgery> {
     let words = only().unwrap_or_default();
     let is_selected = |forgery: &&Forgery| forgery.name.contains(&words);
@@ -179,7 +179,7 @@ fn confirmed() -> Vec<Original> {
 /// Of some of the boxes by default.
 #[test]
 #[ignore = "deep"]
-fn nothing_that_is_forged_of_boxes_is_confirmed() {
+fn no_forgery_of_boxes_is_confirmed() {
     for original in originals::in_boxes() {
         let found = verdict(&original.text(&original.document));
         assert!(matches!(found, Some((Verdict::Confirmed { .. }, _))), "{}: {found:?}", original.name);
@@ -194,7 +194,7 @@ fn nothing_that_is_forged_of_boxes_is_confirmed() {
 }
 
 #[test]
-fn nothing_that_is_forged_is_confirmed() {
+fn no_forgery_is_confirmed() {
     let (most, originals) = (cases(), confirmed());
     let mut kinds: Vec<&'static str> = originals.iter().map(|original| original.kind).collect();
     kinds.dedup();

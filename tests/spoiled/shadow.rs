@@ -52,7 +52,7 @@ fn is_inside(text: &Value, pair: &Value) -> bool {
     value(text).zip(bounds(pair)).is_some_and(|(x, [lower, upper])| lower <= x && x <= upper)
 }
 
-/// Half of the bounds are no wider than is told, and none is.
+/// Half of the bounds are no wider than is claimed, and none is.
 fn is_near(document: &Value, outcome: &OutcomeDocument) -> bool {
     let Some(made_consistent) = &outcome.epsilon else { return true };
     let frequency = Exact::parse(document["scene"]["excitation"]["frequency"][0].as_str().unwrap()).unwrap();

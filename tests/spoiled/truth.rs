@@ -121,7 +121,7 @@ fn listed(claimed: &[Value], found: &[Value]) -> Option<usize> {
 
 pub fn is_event(claimed: &Value, found: &Value) -> bool {
     let same = ["event", "mapping", "wall", "skipped"].iter().all(|key| claimed[key] == found[key]);
-    // A graze is told more widely by what has fewer bits, and an exact time by a point.
+    // A graze has wider bounds in fewer bits, and an exact time is a point.
     let is_there = if claimed["event"] == "graze" {
         overlap(&claimed["time"], &found["time"])
     } else {

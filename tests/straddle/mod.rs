@@ -32,7 +32,7 @@ fn table(counts: &Counts) -> String {
 }
 
 #[test]
-fn no_certificate_of_a_straddling_start_is_refuted() {
+fn no_certificate_near_branch_boundaries_is_refuted() {
     let (cases, seed) = (number("STRADDLE_CASES", 250), number("STRADDLE_SEED", SEED));
     println!("{cases} starts from seed {seed}");
     let (next, counts, wrong) = (AtomicU64::new(0), Mutex::new(Counts::new()), Mutex::new(Vec::new()));

@@ -210,7 +210,7 @@ def spoiled_bounds(document):
 
 
 def decimal(value):
-    """With seven places: as many as are asked for here."""
+    """With seven places: as many as are requested here."""
     return f"{float(value):.7f}"
 
 

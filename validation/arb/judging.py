@@ -23,7 +23,7 @@ from untold import merged
 
 # A motion that is said never to touch a wall is followed for N periods.
 NEVER = 100
-# A velocity of 10^-60 in 256 bits is told from its neighbours.
+# A velocity of 10^-60 in 256 bits is distinguished from its neighbours.
 STRADDLING_DIGITS = 140
 
 

@@ -54,7 +54,7 @@ def release_time(scene, half_turns):
 
 
 class Root:
-    """The only root of the pressure in a bracket, on which a' < 0; known to as many bits as are asked for."""
+    """The only root of the contact force in a bracket, on which a' < 0; to any requested number of bits."""
 
     def __init__(self, wall, bracket):
         self.wall, self.bracket = wall, bracket

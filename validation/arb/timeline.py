@@ -21,7 +21,7 @@ CLOSER = 8
 
 
 class Timeline:
-    """The legs of a scene, for comparisons with listings to N digits; computed when they are asked for.
+    """The legs of a scene, for comparisons with listings to N digits; computed on request.
 
     `width`: N digits are proved at least. `is_patient`: a chatter may be listed on when it is too short for that.
     """

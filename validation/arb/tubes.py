@@ -17,7 +17,7 @@ LONGEST, MARGIN, PAD = 0.003, 1.08, 2e-5
 AT_ENDS = 0.02
 # A stretch where the map seems to jump is not cut below this part of a cell.
 FINEST = 2.0**-24
-# Images lie in this many cells on either side of their own at most, and parts are halved so often.
+# Images lie in this many cells on either side of their own at most, and parts are halved that number of times.
 WINDOW, HALVINGS = 2, 9
 STEP, MOST_TURNS = 0.003, 6
 

@@ -1,12 +1,8 @@
-(* Certificates of orbits, what they say, and a program that checks them, proved sound once and for all.
-
-   `orbit_checked` (at the end) turns a run of `check` by Coq's own evaluator into a theorem about the model of Model.v:
-   from the given start there is exactly one sequence of first contacts, it has the listed walls, and its times and
-   velocities lie within the printed bounds.
-
-   A leg of the certificate encloses one impact in phases and unit speeds (Step.v): th in [t - rt, t + rt],
-   v/(A W) in [v - rv, v + rv], all in units of 2^-scale. Bounds in the launch are of mean-value form, with the entries
-   of (A.7). *)
+(* Certificates of orbits, their statements, and a program that checks them, proved sound once and for all. `orbit_checked` (at the end) turns a
+   run of `check` by Coq's own evaluator into a theorem about the model of Model.v: from the given start there is exactly one sequence of first
+   contacts, it has the listed walls, and its times and velocities lie within the printed bounds. A leg of the certificate encloses one impact in
+   phases and unit speeds (Step.v): th in [t - rt, t + rt], v/(A W) in [v - rv, v + rv], all in units of 2^-scale. Bounds in the launch are of
+   mean-value form, with the entries of (A.7). *)
 From Coq Require Import Reals Lra List ZArith QArith Qreals Bool Lia.
 From Coquelicot Require Import Coquelicot.
 From Interval Require Import Real.Xreal Interval.Interval Float.Sig Float.Specific_ops Float.Specific_stdz Float.Specific_bigint.

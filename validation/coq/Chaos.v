@@ -1,7 +1,6 @@
-(* Words of the impact map, and the motions that follow them, as `chaos` lists them: what a document says (`claims_chaos`).
-
-   States are seen from the left wall (Region.v). An h-set is a convex quadrilateral of phases and speeds. A word leads from one h-set to another, by flights to the far wall and
-   back to the near one; it takes half cycles, half forcing periods that is, and the difference of the phases in the two h-sets. *)
+(* Words of the impact map, and the motions that follow them, as `chaos` lists them: the claims of a document (`claims_chaos`). States are seen
+   from the left wall (Region.v). An h-set is a convex quadrilateral of phases and speeds. A word leads from one h-set to another, by flights to
+   the far wall and back to the near one; it takes half cycles, half forcing periods that is, and the difference of the phases in the two h-sets. *)
 From Coq Require Import Reals List ZArith QArith Qreals Bool.
 From ImpactPair Require Import Model Step Certificate Document Cycle Region.
 Open Scope R_scope.
@@ -77,7 +76,7 @@ Definition impacts_of (w : word) : Z := Z.of_nat (length (word_flights w)).
 (* An impact half cycles later, as its mirror image where their number is odd. *)
 Definition later_by (half : Z) (i : impact) : impact := let mirrored := Z.odd half in
   {| wall_of := wall_after mirrored (wall_of i); time := time i + IZR half * (period s / 2); velocity := if mirrored then - velocity i else velocity i |}.
-(* Every periodic sequence has a motion that comes again after the half cycles of its words, if need be as its mirror image. *)
+(* Every periodic sequence has a motion that repeats after the half cycles of its words, if need be as its mirror image. *)
 Definition every_periodic_sequence (x : chaos) : Prop := forall ws m, fits S x ws -> (0 < m)%nat -> (forall n, ws (m + n)%nat = ws n) -> forall w, exists J,
   wall_of (J O O) = w /\ follows_words S x ws J /\
   forall n k, J (m + n)%nat k = later_by (total x half_cycles ws m) (J n k).

@@ -251,7 +251,7 @@ Proof.
   { apply Rmult_le_compat_r; [left; apply Rinv_0_lt_compat; exact k|lra]. } lra.
 Qed.
 
-(* So they accumulate there, and the wall presses the ball from then on. *)
+(* So they accumulate there, and the contact force acts from then on. *)
 Let nth (n : nat) : impact := Nat.iter n (Return.after s) i.
 Lemma nth_after n : forall j, after i n j -> nth n = j.
 Proof.

@@ -1,5 +1,5 @@
-(* Periodic orbits of one harmonic: what a document says of one (`is_cycle`), and of a motion that it attracts (`is_drawn`). With lemmas on the states of a
-   round of flights, and on mirror images. *)
+(* Periodic orbits of one harmonic: the claims of a document about one (`is_cycle`), and about a motion that it attracts (`is_drawn`). With lemmas
+   on the states of a round of flights, and on mirror images. *)
 From Coq Require Import Reals Lra List ZArith QArith Qreals Bool Lia.
 From Coquelicot Require Import Coquelicot.
 From ImpactPair Require Import Model Step Horseshoe Return Covering Certificate Document Jacobian Motion Orbit.

@@ -1,7 +1,6 @@
-(* A program `check_cycle` that verifies what a document says of a periodic orbit (Cycle.v), with the proof that it is right (`cycle_sound`).
-
-   A wide ellipse of states contains all that the bounds of the first impact allow, a narrow one, inside it, gives the bounds: in both exactly one state comes
-   back after the round, so that it is the same. *)
+(* A program `check_cycle` that verifies the claims of a document about a periodic orbit (Cycle.v), with the proof that it is right
+   (`cycle_sound`). A wide ellipse of states contains all that the bounds of the first impact allow, a narrow one, inside it, gives the bounds: in
+   both exactly one state comes back after the round, so that it is the same. *)
 From Coq Require Import Reals Lra List ZArith QArith Qreals Bool Lia.
 From Coquelicot Require Import Coquelicot.
 From Interval Require Import Real.Xreal Interval.Interval Float.Sig.

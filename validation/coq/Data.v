@@ -1,4 +1,5 @@
-(* Certificates of orbits, and what they say; the boxes and cuts of flights by which they are checked (Certificate.v). With lemmas that the proofs need. *)
+(* Certificates of orbits, and their statements; the boxes and cuts of flights by which they are checked (Certificate.v). With lemmas that the
+   proofs need. *)
 From Coq Require Import Reals Lra List ZArith QArith Qreals Bool Lia.
 From Coquelicot Require Import Coquelicot.
 From Interval Require Import Real.Xreal Interval.Interval Float.Sig Float.Specific_ops Float.Specific_stdz Float.Specific_bigint.

@@ -8,8 +8,8 @@ From Coquelicot Require Import Coquelicot.
 Open Scope R_scope.
 Import ListNotations.
 
-(* A, W, tau of the paper; a scene has one harmonic, which is the reference, or also others; and d, e of the paper. A scene
-   stands for its reference where a harmonic is asked for. *)
+(* A, W, tau of the paper; a scene has one harmonic, which is the reference, or also others; and d, e of the paper. A scene stands for its
+   reference where a harmonic is required. *)
 Record harmonic := { A : R; W : R; tau : R }.
 Record scene := { reference :> harmonic; others : list harmonic; d : R; e : R }.
 

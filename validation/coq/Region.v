@@ -1,7 +1,6 @@
-(* Trapping regions of one harmonic: what a document says of one (`claims_region`), and what has to be shown of the flights from its boxes, in the units
-   of Step.v (`kept`; Kept.v).
-
-   States are seen from the left wall: those of the right one half a forcing period later, as mirror images. A region is a union of boxes of phase and speed. *)
+(* Trapping regions of one harmonic: the claims of a document (`claims_region`), and the conditions on the flights from its boxes, in the units of
+   Step.v (`kept`; Kept.v). States are seen from the left wall: those of the right one half a forcing period later, as mirror images. A region is a
+   union of boxes of phase and speed. *)
 From Coq Require Import Reals Lra List Sorted ZArith QArith Qreals Bool Lia.
 From Coquelicot Require Import Coquelicot.
 From ImpactPair Require Import Model Step Certificate Document Motion Orbit Cycle.

@@ -62,7 +62,7 @@ Proof.
 Qed.
 
 Section Scaled.
-(* A common denominator of all corners: their unit is its inverse, and a forcing period has so many. *)
+(* A common denominator of all corners: their unit is its inverse, and it is the number of units in a forcing period. *)
 Variable D : Z.
 Definition in_units (r : Q) : bool := (D mod Zpos (Qden r) =? 0)%Z.
 Definition scaled (r : Q) : Z := (Qnum r * (D / Zpos (Qden r)))%Z.

@@ -41,7 +41,7 @@ Inductive cells :=
 | Final (within : chart) (passes : transit) | Further (within : chart) (passes : transit) (into : chart) (then_ : cells)
 | Cut_along (cut : Z) (before after : cells) | Cut_across (cut : Z) (below above : cells).
 Record strip := Strip { begins_at : Z; ends_at : Z; backwards : bool; opens_until : Z; closes_from : Z; opening : cells; inner : cells; closing : cells }.
-(* For a word of which no strip is said. *)
+(* For a word without a claimed strip. *)
 Definition no_strip : strip :=
   let nowhere := Final (Chart 0 0 0 0 0 0) (Transit 0 0 0 0 0 0 0 0) in Strip 0 0 false 0 0 nowhere nowhere nowhere.
 

@@ -1,4 +1,4 @@
-(* Numbers as they are written, a + b pi or multiples of one number; and the whole periods of harmonics, which are known from that. *)
+(* Numbers as they are written, a + b pi or multiples of one number; and the whole periods of harmonics, which follow from that. *)
 From Coq Require Import Reals Lra List ZArith QArith Qreals Bool Lia.
 From ImpactPair Require Import Model Certificate Document.
 Open Scope R_scope.

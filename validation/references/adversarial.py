@@ -29,7 +29,7 @@ LONG = (  # forcing periods, depths
 
 
 class Hard(NamedTuple):
-    """A flight and the time up to which it is asked for."""
+    """A flight and the requested end."""
     family: str
     scene: Scene
     until: str

@@ -91,7 +91,7 @@ mod tests {
     use serde_json::json;
 
     #[test]
-    fn each_value_is_judged_by_its_own_path_or_its_lists_or_not_at_all() {
+    fn each_value_is_checked_by_its_path_or_its_list_or_is_unchecked() {
         let document = json!({
             "program": "x", "certified": true, "exhaustive": false, "undecided": [],
             "scene": {"excitation": {"amplitude": ["1", "2"]}, "start": {"time": "0", "velocity": "1"}},

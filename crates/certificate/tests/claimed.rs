@@ -111,7 +111,7 @@ const SCHEMAS: [(&str, &str, usize); 22] = [
 ];
 
 #[test]
-fn r32_every_value_of_every_schema_is_judged_or_named() {
+fn r32_every_value_of_every_schema_is_checked_or_listed() {
     let mut all = all();
     let orbit = all.iter().find(|(name, _)| name == "count").unwrap().1[0].clone();
     let mut head = orbit.clone();

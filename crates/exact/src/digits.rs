@@ -162,7 +162,7 @@ mod tests {
 
     proptest! {
         #[test]
-        fn the_text_brackets_within_three_widths(m: i64, n in 0u64..1000, e in -400i64..100, gap in 0u32..60) {
+        fn the_printed_bounds_are_within_three_widths(m: i64, n in 0u64..1000, e in -400i64..100, gap in 0u32..60) {
             let lo = BigInt::from(m) << gap;
             let x = enclosure(lo.clone(), lo + n, e);
             let [lower, upper] = ends(&decimal_digits(&x));

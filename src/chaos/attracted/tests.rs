@@ -76,7 +76,7 @@ proptest! {
 
     /// A set that is held has no member outside, whatever the parameters.
     #[test]
-    fn what_is_held_is_inside(
+    fn members_are_inside(
         (p, q) in (vector(1e-3), vector(1e-3)), (r, s) in (vector(1e-3), vector(1e-3)),
         (away, t, u) in (vector(3e-4), vector(3e-4), vector(3e-4)), size in 0.1..1.2f64,
         part in [-1.0..=1.0f64, -1.0..=1.0, -1.0..=1.0, -1.0..=1.0], turns in -3..3i32,

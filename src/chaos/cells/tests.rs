@@ -113,7 +113,7 @@ fn a_stretch_below_is_decided_by_the_h_sets_of_a_neighbour() {
 
 /// Lemmas D14, D15: neighbours of which the same is proved are one, also where one gives several rounds of the orbit; others are not.
 #[test]
-fn only_what_is_proved_of_both_is_joined() {
+fn only_equal_verdicts_are_joined() {
     let attracted = |word: &str, beside: Option<&Horseshoe>| Verdict::Attracted {
         word: word.parse().unwrap(),
         cycles: word.split(' ').count() as u32 / 2,

@@ -20,9 +20,9 @@ const BOXES_PER_PERIOD: i64 = 32;
 const CUT_FLIGHTS: usize = 6;
 /// Columns in a forcing period that landings are given by.
 const COLUMNS: Grid = Grid { columns: 256, rows: 1.0 };
-/// Chains as narrow as that, in forcing periods, are asked whether a known orbit is there.
+/// Chains as narrow as that, in forcing periods, are tested for a known orbit.
 const KNOWN_ORBIT_WIDTH: f64 = 1.0 / 16.0;
-/// Chains as narrow as that are asked whether one is there that is not known, if Newton's equation determines their phases.
+/// Chains as narrow as that are tested for an unknown orbit, if Newton's equation determines their phases.
 const NEW_ORBIT_WIDTH: f64 = 1e-7;
 /// Chains as narrow as that are not halved.
 const MIN_WIDTH: f64 = 1e-12;

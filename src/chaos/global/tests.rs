@@ -239,7 +239,7 @@ fn an_analysis_stops_where_its_work_is_spent() {
 
 /// Each limit is the reason of what it leaves undecided, and of nothing else: of two of which one ends the analysis first, that one.
 #[test]
-fn what_is_undecided_says_which_limit_left_it() {
+fn undecided_components_name_their_limit() {
     use crate::watch::{Stage, proceed_if};
     let stop = |_: Stage<'_>| proceed_if(false);
     let few = GlobalSettings { boxes: 1 << 8, ..GlobalSettings::default() };

@@ -85,7 +85,7 @@ impl Proved {
     }
 }
 
-/// The words, and all that is asked of their strings.
+/// The words, and the required properties of their strings.
 pub(crate) struct Strings<'s> {
     pub map: &'s Map<'s>,
     pub words: &'s [Proved],

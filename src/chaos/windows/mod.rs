@@ -263,7 +263,7 @@ impl<'p> Search<'p> {
             let proved = count.load(Ordering::Relaxed);
             let at = Stage::Windows { proved, of: cycles.len() };
             if proved >= settings.most || watch.proceed(at).is_break() {
-                return None; // exact: no more are asked for
+                return None; // exact: no more are requested
             }
             let window = match self.seed(&cycles[i]) {
                 Some(seed) => Window::of(self.pair, &settings.over, &seed, settings.precision, watch),

@@ -34,7 +34,7 @@ proptest! {
 
     /// Lemma B1: where products and quotients, of centres or in a radius, leave the normal doubles.
     #[test]
-    fn what_underflows_is_held(
+    fn underflow_is_enclosed(
         [a, b] in [powers(-170.0, -150.0), powers(-170.0, -150.0)], small in powers(-322.0, -250.0), divisor in powers(-250.0, -150.0),
         [r, s] in [prop_oneof![Just(0.0), powers(-323.0, -160.0)], prop_oneof![Just(0.0), powers(-323.0, -250.0)]], [i, j] in [places(), places()],
     ) {

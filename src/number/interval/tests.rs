@@ -156,7 +156,7 @@ fn phases() -> impl Strategy<Value = (Interval, f64)> {
 }
 
 #[test]
-fn what_is_no_interval_is_the_whole_line() {
+fn invalid_ends_give_the_whole_line() {
     let (inf, nan) = (f64::INFINITY, f64::NAN);
     for (a, b) in [(1.0, 0.0), (nan, 0.0), (0.0, nan), (nan, nan), (inf, inf), (-inf, -inf), (inf, -inf)] {
         assert_eq!(Interval::new(a, b), Interval::ENTIRE);

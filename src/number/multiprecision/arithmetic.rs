@@ -13,7 +13,7 @@ use crate::number::{Magnitude, Number};
 /// Bits from which on the upper half of a product costs much less than all of it, which a fused sum needs.
 pub(super) const SHORT_PRODUCT_BITS: u32 = 24 * 64;
 
-/// Results take the place of the left operand, where it has the bits: no memory is asked for.
+/// Results take the place of the left operand, where it has the bits: no memory is allocated.
 impl Add for MpBall {
     type Output = Self;
     fn add(self, b: Self) -> Self {

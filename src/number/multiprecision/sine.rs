@@ -22,7 +22,7 @@ const ERROR_EXPONENT: i64 = 4;
 const TABLE_PARTS: i32 = 1 << 10;
 const QUARTER: i32 = TABLE_PARTS / 4;
 const LIMB: u32 = 64;
-/// Bits beyond those asked for, at least.
+/// Bits beyond the requested ones, at least.
 const GUARD: u32 = 16;
 
 thread_local! {
@@ -280,7 +280,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_far_or_fine_is_left_to_others() {
+    fn far_or_fine_phases_are_left_to_multiprecision() {
         assert!(sin_cos(&(Float::with_val(64, 3) << 200), 64).is_none());
         assert!(sin_cos(&Float::with_val(64, 0.3), MOST_BITS + 1).is_none());
         assert!(sin_cos(&Float::with_val(64, f64::NAN), 64).is_none());

@@ -167,7 +167,7 @@ proptest! {
 }
 
 #[test]
-fn quarter_turns_are_exact() {
+fn quarter_periods_are_exact() {
     for (k, bits) in (-8..=8).flat_map(|k| [53, 64, 65, 521].map(|bits| (k, bits))) {
         let (sin, cos) = MpBall::exact(Float::with_val(bits, k) / 4).sin_cos();
         let at = |shift: i32| [0.0, 1.0, 0.0, -1.0][(k + shift).rem_euclid(4) as usize];

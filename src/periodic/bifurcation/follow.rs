@@ -88,7 +88,7 @@ pub(super) fn follow<S: Varied>(
         let ended = note(ring, family, last, &next, &mut path.changes);
         let left = !(low..=high).contains(&next.parameter());
         let known = path.changes.len();
-        // Beyond the range nothing is asked.
+        // Beyond the range nothing is requested.
         path.changes.retain(|(_, x)| (low..=high).contains(&x[x.len() - 1]));
         let ended = ended && !(left && path.changes.len() < known);
         let looped = path.stations.len() > 3 && is_back(&path.stations[0], last, &next);

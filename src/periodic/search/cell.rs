@@ -15,7 +15,7 @@ use crate::periodic::orbit::{PeriodicImpact, PeriodicOrbit};
 use crate::periodic::{Precision, Problem};
 use crate::watch::Watch;
 
-/// Boxes as narrow as that, in forcing periods, are asked whether an orbit is near.
+/// Boxes as narrow as that, in forcing periods, are tested for a near orbit.
 const KNOWN_ORBIT_WIDTH: f64 = 1.0 / 16.0;
 /// The least part of a box that Newton's equation takes off for the box to be cut again.
 const MIN_GAIN: f64 = 0.3;

@@ -88,7 +88,7 @@ mod tests {
 
     proptest! {
         #[test]
-        fn what_has_this_cosine_is_kept((x, a) in member(), width in 0.0..1.0f64) {
+        fn phases_with_the_given_cosine_are_kept((x, a) in member(), width in 0.0..1.0f64) {
             let cos = kernel::sin_cos(a).1;
             let kept = x.where_cos(Interval::new(cos - width, cos + width)).unwrap();
             prop_assert!(kept.inf() <= a && a <= kept.sup());

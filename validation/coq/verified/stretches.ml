@@ -54,7 +54,7 @@ let leap pair x far = Option.map (seen_from_left far) (arrival pair x far)
 let rec walk pair x = function
   | [] -> Some x
   | far :: flights -> Option.bind (leap pair x far) (fun x -> walk pair x flights)
-(* A state and, once they are asked for, those after it: whether the next flight is to the far wall, and where it ends. *)
+(* A state and, on request, those after it: whether the next flight is to the far wall, and where it ends. *)
 type course = { here : state; next : (bool * course) option Lazy.t }
 let rec course_of pair ((th, v) as x) =
   let next = lazy (Option.map (fun (h, far) -> (far, course_of pair (seen_from_left far (th +. h, -.pair.e *. v +. cos th -. cos (th +. h))))) (first_contact pair x)) in

@@ -9,7 +9,7 @@ use crate::common::short_flights;
 use crate::common::verdicts::{Answer, Question, Report, ask};
 use crate::common::{Random, cases};
 
-/// One of five pairs of questions, spread over all that a family varies; all where more cases than the default are asked for.
+/// One of five pairs of questions, spread over all that a family varies; all where more cases than the default are requested.
 fn some(all: Vec<Question>) -> impl Iterator<Item = Question> {
     let is_all = cases(4) > 1;
     all.into_iter().enumerate().filter(move |(number, _)| is_all || number / 2 % 5 == 0).map(|(_, question)| question)
@@ -53,7 +53,7 @@ fn adversarial_first_flights_are_right_and_decided() {
 /// The control: twins differ by twice the depth and by nothing else, so the library's answer to one, judged by the truth
 /// of the other, has to be found wrong; a judge that passes it would pass anything.
 #[test]
-fn the_judge_finds_the_answer_to_a_twin_wrong() {
+fn the_reference_refutes_the_answer_to_a_changed_scene() {
     let mut random = Random::seeded(502);
     let (mut found, mut undecided) = (0, 0);
     let families = [families::grazes, families::gap_grazes, families::long_flights];

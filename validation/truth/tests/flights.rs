@@ -84,7 +84,7 @@ fn releases_and_hops_of_almost_no_speed() {
 }
 
 #[test]
-fn flights_of_up_to_a_hundred_thousand_turns_and_of_a_billionth() {
+fn flights_of_up_to_a_hundred_thousand_periods_and_of_a_billionth() {
     let mut random = Random::seeded(104);
     let (mut long, mut short) = (Tally::new("long"), Tally::new("short"));
     for index in 0..cases(4_000) {
@@ -151,7 +151,7 @@ fn drifts_within_ulps_of_beta() {
 }
 
 #[test]
-fn phases_at_quarter_turns_and_halves() {
+fn phases_at_quarter_and_half_periods() {
     let mut random = Random::seeded(107);
     let mut tally = Tally::new("quarter turns");
     for index in 0..cases(5_000) {

@@ -100,7 +100,7 @@ fn times_at_256_bits_are_those_at_512_bits_to_216_bits() {
 }
 
 #[test]
-fn a_drift_of_one_in_1e12_meets_the_wall_after_1e12_turns() {
+fn a_drift_of_one_in_1e12_meets_the_wall_after_1e12_periods() {
     let mut random = Random::seeded(3);
     for exponent in [3, 5, 8, 12, 20] {
         for _ in 0..cases(20) {

@@ -36,7 +36,7 @@ fn print(counts: &Counts) {
 }
 
 #[test]
-fn first_impacts_of_straddling_starts_are_right() {
+fn first_impacts_near_branch_boundaries_are_right() {
     let mut random = Random::seeded(1101);
     let (mut counts, mut failures, mut requested) = (Counts::new(), Vec::new(), 0);
     for number in 0.. {
@@ -69,7 +69,7 @@ fn first_impacts_of_straddling_starts_are_right() {
 
 /// The control: the impact of a start, judged by the truth of a gap that is a little wider.
 #[test]
-fn the_judge_finds_the_impact_of_a_neighbour_wrong() {
+fn the_reference_refutes_the_impact_of_a_neighbouring_start() {
     let mut random = Random::seeded(1102);
     let (mut found, mut requested) = (0, 0);
     for number in 0..2000 {
@@ -112,7 +112,7 @@ fn alpha(random: &mut Random) -> f64 {
 }
 
 #[test]
-fn doubles_certify_no_wrong_contact_from_a_wall_next_to_quarter_turns() {
+fn doubles_certify_no_wrong_contact_from_a_wall_next_to_quarter_periods() {
     let mut random = Random::seeded(1103);
     let mut tally = Tally::new("walls, quarter turns");
     // The truth: a hop of about 1e-19 forcing periods, back to the same wall.

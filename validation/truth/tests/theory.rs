@@ -75,7 +75,7 @@ fn figure_12_as_printed_is_attracted_to_the_equispaced_orbit() {
 }
 
 #[test]
-fn a_grazing_orbit_with_c_zero_is_a_graze_after_one_turn() {
+fn a_grazing_orbit_with_c_zero_grazes_after_one_forcing_period() {
     // Model II at theta = -pi/2: v = 0, c = 0 up to the rounding of pi, the ball comes back to touch.
     let problem = Problem::new(256, "1/4", 2, "-pi/2", 1, "1/2");
     let Truth::Graze { time } = first_contact(&problem, &Start::on_wall(&problem, Wall::Right, 0, 0)) else {

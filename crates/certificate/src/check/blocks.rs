@@ -61,7 +61,7 @@ mod tests {
 
     proptest! {
         #[test]
-        fn answers_come_in_order_up_to_the_first_that_fails(from in 0..300usize, count in 0..1000usize, fails in 0..2000usize) {
+        fn results_are_ordered_up_to_the_first_failure(from in 0..300usize, count in 0..1000usize, fails in 0..2000usize) {
             let all = from..from + count;
             let answer = |block: Range<usize>| block.map(|n| if n >= fails { Err(n) } else { Ok(2 * n) }).collect();
             let (mut received, mut last) = (Vec::new(), from);

@@ -170,7 +170,7 @@ mod tests {
     proptest! {
         /// `covers` is compared with the images of the edges and of inner points of a node, in floating point.
         #[test]
-        fn edges_come_to_lie_beyond_edges(
+        fn images_of_edges_lie_beyond_edges(
             centre in prop::array::uniform2(-1.0..1.0f64), far in prop::array::uniform2(-5.0..5.0f64), wide in prop::array::uniform2(-1.0..1.0f64),
             angle in 0.0..6.3f64, between in 0.1..3.0f64, sides in prop::array::uniform2(-1.5..1.5f64), at in -1.0..1.0f64
         ) {

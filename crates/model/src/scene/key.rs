@@ -188,7 +188,7 @@ mod tests {
     }
 
     #[test]
-    fn a_key_of_the_start_is_meant() {
+    fn a_key_of_the_start_is_suggested() {
         assert!("velocity".parse::<Key>().unwrap_err().to_string().contains("start.velocity"));
     }
 }

@@ -212,7 +212,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_out_of_range_is_refused() {
+    fn values_out_of_range_are_refused() {
         let (wall, inside) =
             (scene("time = 0, wall = \"left\", velocity = -1"), scene("time = 0, position = 1.5, velocity = 1"));
         let message = |scene: &Scene, key, value| scene.with(&[(key, exact(value))]).unwrap_err().to_string();

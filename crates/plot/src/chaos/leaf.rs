@@ -144,7 +144,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_base_is_its_own_square() {
+    fn an_h_set_is_the_unit_square_in_its_coordinates() {
         let leaf = Leaf::of(&HSet::new([0.9, 1.2], [0.03, 0.08], [-0.0002, 0.001]));
         let near = |at: State, place: State| (0..2).all(|i| (leaf.place(&at)[i] - place[i]).abs() < 1e-9);
         assert!(near([0.9, 1.2], [0.0, 0.0]) && near([0.93, 1.28], [1.0, 0.0]) && near([0.8998, 1.201], [0.0, 1.0]));

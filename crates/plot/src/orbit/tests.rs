@@ -195,7 +195,7 @@ fn bezier_segments_stay_within_hermites_bound_of_the_enclosed_flight() {
 }
 
 #[test]
-fn what_is_drawn_is_within_a_tenth_of_a_pixel_of_the_motion() {
+fn drawn_curves_are_within_a_tenth_of_a_pixel_of_the_motion() {
     let scene = scene("figure-17");
     let (trace, _) = trace(&scene, &impacts(40), 8);
     let style = Style { is_certified: true, transient: 0 };
@@ -350,7 +350,7 @@ fn a_graze_is_on_the_curve_and_on_the_wall() {
 }
 
 #[test]
-fn what_is_not_proved_is_open() {
+fn unproved_claims_are_undecided() {
     let (trace, impacts) = trace(&scene("figure-14"), &impacts(200), 100);
     assert!(trace.is_open && impacts.len() < 200);
     let last = impacts.last().unwrap().1;
@@ -396,7 +396,7 @@ fn an_impact_at_no_certain_time_is_enclosed_before_and_after() {
 }
 
 #[test]
-fn a_box_beyond_a_turn_goes_on_at_its_beginning() {
+fn a_box_beyond_a_forcing_period_is_reduced_modulo_it() {
     let (trace, _) = trace(&scene("figure-12"), &impacts(2), 0);
     let span = |low: f64, high: f64| Span { low, middle: 0.5 * (low + high), high };
     let place = [span(6.0, 6.5), span(-2.0, -1.0)];

@@ -53,7 +53,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_is_blank_is_left_out() {
+    fn blank_values_are_left_out() {
         let arc = |phases: &[[f64; 2]]| Arc::holding(phases.iter().copied());
         assert_eq!(arc(&[[0.0, 0.1], [0.65, 0.7], [0.9, 1.02]]), Arc { from: -3, to: 1 });
         assert_eq!(arc(&[[0.3, 0.3], [0.7, 0.7]]), Arc { from: 2, to: 6 });

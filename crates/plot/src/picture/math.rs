@@ -210,7 +210,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn quantities_lean_and_indices_stand_lower() {
+    fn quantities_are_italic_and_indices_are_subscripts() {
         let lower = "<tspan dy=\"2.5\" font-size=\"7.2\" font-style=\"italic\">N</tspan>";
         assert_eq!(
             typeset("amplitude $A_N$ [length]", 10.0),

@@ -60,7 +60,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn white_becomes_the_ground_and_hues_stay() {
+    fn white_becomes_the_background_and_hues_stay() {
         let svg = "<rect fill=\"#FFFFFF\"/><path stroke=\"#000000\" d=\"M0 0\"/><text fill=\"#0072B2\">#000000</text>";
         let dark = Theme::Dark.of(svg);
         assert!(dark.starts_with("<rect fill=\"#121212\"/><path stroke=\"#EBEBEB\""), "{dark}");

@@ -73,7 +73,7 @@ pub fn place(labels: &[Label], frame: &Area) -> Vec<Area> {
         let is_free = |area: &&Area| frame.holds(area) && !markers.iter().chain(&placed).any(|taken| taken.meets(area));
         let is_clear = |area: &&Area| {
             let foot = area.nearest(label.marker);
-            // Markers on top of each other cannot be told apart anyway.
+            // Markers on top of each other cannot be distinguished anyway.
             let others = || labels.iter().zip(&markers).filter(|(_, other)| !other.meets(marker));
             let is_nearest = others()
                 .all(|(other, _)| area.distance(other.marker) > MIN_DISTANCE_RATIO * area.distance(label.marker));
@@ -129,7 +129,7 @@ mod tests {
     }
 
     #[test]
-    fn a_lonely_label_stands_to_the_right() {
+    fn a_single_label_is_on_the_right_of_its_marker() {
         let frame = Area { left: 0.0, top: 0.0, right: 200.0, bottom: 100.0 };
         let label = Label { marker: (50.0, 50.0), width: 40.0, height: 14.0 };
         assert_eq!(place(&[label], &frame), [Area { left: 60.0, top: 43.0, right: 100.0, bottom: 57.0 }]);

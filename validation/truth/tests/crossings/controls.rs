@@ -38,7 +38,7 @@ fn steps_that_no_contact_can_come_within_lead_to_the_contact_of_the_pieces() {
 }
 
 #[test]
-fn the_motion_of_a_neighbour_is_found_wrong() {
+fn the_motion_of_a_neighbouring_start_is_refuted() {
     let (mut requested, mut found) = (0, 0);
     for case in cases(60) {
         let settings = Settings { impacts: Some(3), max_bits: 1024, ..Settings::default() };

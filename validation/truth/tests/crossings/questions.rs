@@ -66,7 +66,7 @@ pub enum Answer {
         points: Vec<Scene>,
         requested: Box<sweep::PointSettings>,
     },
-    /// A periodic JSON; whether it was asked for all.
+    /// A periodic JSON; whether all were requested.
     Periodic(Value),
     Bifurcations(Value),
     Description(Value),

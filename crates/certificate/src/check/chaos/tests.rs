@@ -68,7 +68,7 @@ fn real(x: f64) -> Real {
 }
 
 #[test]
-fn what_is_not_known_stays_so() {
+fn failed_operations_stay_failed() {
     let (none, one) = (Span::new(1.0, f64::INFINITY), Span::point(1.0));
     for span in
         [none + one, none * one, none.hull(one), one.hull(none), none.common(one).unwrap(), one.common(none).unwrap()]
@@ -89,7 +89,7 @@ fn turns_and_radians() {
 /// Two words of two impacts: half of log 2. One of one and one of two: the golden mean's logarithm. One word, or two that do not
 /// follow one another: no entropy.
 #[test]
-fn what_is_left_of_an_entropy() {
+fn entropies_of_small_graphs() {
     assert_eq!(at_least(&[(0, 0, 2), (0, 0, 2)], 1).unwrap(), "0.3465");
     assert_eq!(at_least(&[(0, 1, 1), (1, 0, 1), (0, 0, 1)], 2).unwrap(), "0.4812");
     assert_eq!(at_least(&[(0, 0, 1)], 1), None);

@@ -79,7 +79,7 @@ mod tests {
 
     /// Derivatives along orbits in doubles are an independent route: the map's Jacobian by its implicit function.
     #[test]
-    fn they_hold_the_derivatives_at_the_states_of_a_cell() {
+    fn derivatives_of_a_cell_hold_those_at_its_states() {
         let (law, allowance) = (figure_14(), Allowance::new(1 << 40, &Unwatched));
         let guess = Guess::new(&law);
         let at = |u: f64, w: f64| [u, w];
