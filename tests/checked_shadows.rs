@@ -147,17 +147,17 @@ fn other(wall: &Value) -> Value {
 
 #[test]
 fn corrupted_documents_are_never_confirmed() {
-    judges_spoiled([("figure-14", &[0]), ("figure-16", &[20]), ("figure-17", &[45])]);
+    check_corrupted([("figure-14", &[0]), ("figure-16", &[20]), ("figure-17", &[45])]);
 }
 
 #[test]
 #[ignore = "deep"]
 fn documents_corrupted_anywhere_are_never_confirmed() {
-    judges_spoiled(["figure-14", "figure-16", "figure-17"].map(|name| (name, &[0, 20, 45][..])));
+    check_corrupted(["figure-14", "figure-16", "figure-17"].map(|name| (name, &[0, 20, 45][..])));
 }
 
 /// Shadowed orbits with one thing changed, at these events.
-fn judges_spoiled(figures: [(&str, &[usize]); 3]) {
+fn check_corrupted(figures: [(&str, &[usize]); 3]) {
     for (name, events) in figures {
         let document = shadowed(&figure(name), 50);
         assert!(is_confirmed(&spoiled(&document, &[])), "{name}");

@@ -39,8 +39,8 @@ The exponent in the limit is the logarithm of the spectral radius of the attract
 only an upper bound where e may be 0; the finite-time exponent is that of the certified impacts. That a motion is \
 chaotic is never claimed. Each undecided question is listed with a command that continues. [run] of the scene is not used.
 
-Exit code: 0 the fate is certified; 1 it is undecided, or the run was interrupted (the output still holds what is \
-certified); 2 usage, bad input, I/O.";
+Exit code: 0 the fate is certified; 1 it is undecided, or the run was interrupted (the output still has the \
+certified part); 2 usage, bad input, I/O.";
 
 #[derive(Args, Debug)]
 #[command(mut_arg("plot", |plot| plot.help("Draw time series, phase plane, impacts with region and h-sets, and itinerary on one page")))]

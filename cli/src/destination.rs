@@ -31,7 +31,7 @@ impl Destination {
         ending::format(given, ("--output", self.output.as_deref()), F::value_variants(), F::default())
     }
 
-    /// Opens the outputs of a verb that reads these inputs. From here on Ctrl-C keeps what is certified.
+    /// Opens the outputs of a verb that reads these inputs. From here on Ctrl-C keeps the certified part.
     ///
     /// # Errors
     /// If an output is one of the inputs or cannot be written, or both outputs are one file.

@@ -82,13 +82,13 @@ fn has_the_shape_of_a_trade(document: &Value) {
     assert_eq!(document["asked"]["impacts"], 120);
     assert_eq!(document["units"]["velocity"], "A W");
     assert_eq!(document["interrupted"], Value::Null);
-    let rungs = document["rungs"].as_array().unwrap();
-    let names: Vec<_> = rungs.iter().map(|arithmetic| arithmetic["name"].as_str().unwrap()).collect();
+    let rows = document["rungs"].as_array().unwrap();
+    let names: Vec<_> = rows.iter().map(|arithmetic| arithmetic["name"].as_str().unwrap()).collect();
     let auto = ["auto, 3 digits", "auto, 9 digits", "auto, 15 digits", "auto, 30 digits", "auto, 100 digits"];
     let bits: &[&str] = if cfg!(feature = "multiprecision") { &["64 bits", "128 bits"] } else { &[] };
     let textbook: &[&str] = if cfg!(feature = "inari") { &["inari"] } else { &[] };
     assert_eq!(names, [&["float", "interval"], textbook, &["shadow"], bits, &auto].concat());
-    for arithmetic in rungs {
+    for arithmetic in rows {
         let impacts = arithmetic["impacts"].as_u64().unwrap();
         assert_eq!(arithmetic["complete"], Value::Bool(impacts == 120), "{arithmetic}");
         assert_eq!(arithmetic["certified"], Value::Bool(arithmetic["name"] != "float"));
@@ -118,7 +118,7 @@ fn has_the_shape_of_a_trade(document: &Value) {
         }
     }
     // The true errors of the floating-point orbit do not depend on how they were determined, as far as doubles lead.
-    let truth = &rungs[0]["truth"];
+    let truth = &rows[0]["truth"];
     let [nine, ..] = truth["time_errors"].as_array().unwrap().as_slice() else { panic!("no errors: {truth}") };
     assert_eq!(nine["threshold"], "1e-9");
     assert!(nine["within"].as_u64().unwrap() > 20);

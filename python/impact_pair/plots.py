@@ -5,7 +5,7 @@ What is certified is drawn from its bounds: bands between them, and a line or do
     impact_pair.plots.figure(14)
 
 Each function takes ``width``, ``"single"`` or ``"double"`` for a column or a page of a journal, or inches, and ``header``, whether the
-parameters and what is certified are written above it: by default where it makes its ``Axes`` itself.
+parameters and certification are written above it: by default where it makes its ``Axes`` itself.
 
 Panels are those of the paper's figures 12-17: (a) ``displacement``, (b) ``velocity``, (c) ``phase_plane``, (d)
 ``absolute_phase_plane``, (e) ``switch_plane``, (f) ``absolute_switch_plane``, (g) ``section_left``, (h) ``section_right``.
@@ -120,7 +120,7 @@ def _drawn(draw: Callable[..., None]) -> Callable[..., Any]:
 
 
 def _summary(found: Any) -> list[str]:
-    """Return the lines of a header: the parameters that do not vary in exact words, and what is certified."""
+    """Return the lines of a header: the parameters that do not vary in exact words, and the certification."""
     varied: set[str] = set()
     scene = found.head["scene"] if isinstance(found, SweepResult) else found.document["scene"]
     said = repr(found).splitlines()[-1].strip("<>")

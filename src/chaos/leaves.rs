@@ -102,9 +102,9 @@ impl<'s> Window<'s> {
         let (along, across) = (unit(along), unit(guess.contracting(centre, DIRECTION_IMPACTS)?));
         let mut window = Self { seen: orbit.seen, centre, along, across, near: Vec::new() };
         let reach = [0, 1].map(|i| WINDOW_SIZE[0] * along[i].abs() + WINDOW_SIZE[1] * across[i].abs());
-        let judges = orbit.seen.points.len().min(COUNTED_POINTS).saturating_sub(WORD_IMPACTS);
+        let counted = orbit.seen.points.len().min(COUNTED_POINTS).saturating_sub(WORD_IMPACTS);
         let is_near = |&k: &usize| {
-            k < judges && (orbit.seen.points[k].0[1] - centre[1]).abs() < reach[1] && {
+            k < counted && (orbit.seen.points[k].0[1] - centre[1]).abs() < reach[1] && {
                 let [xi, eta] = window.place(k);
                 xi.abs() < WINDOW_SIZE[0] && eta.abs() < WINDOW_SIZE[1]
             }
@@ -136,7 +136,7 @@ impl<'s> Window<'s> {
     }
 
     /// The points in reach that are not as far along the leaf.
-    fn midst(&self, far: f64) -> &[(usize, [f64; 3])] {
+    fn central(&self, far: f64) -> &[(usize, [f64; 3])] {
         let first = self.near.partition_point(|(_, at)| at[0] <= -far);
         &self.near[first..first + self.near[first..].partition_point(|(_, at)| at[0] < far)]
     }
@@ -157,8 +157,8 @@ impl<'s> Window<'s> {
     /// The words that the orbit's points in one of them are seen to make: in a row, across an h-set, at one time.
     fn words(&self, clusters: &[Cluster], from: usize, impacts: usize) -> Vec<Path> {
         let is_inside = |[xi, eta, _]: [f64; 3]| clusters[from].in_coordinates([xi, eta]).iter().all(|x| x.abs() < 1.0);
-        let midst = self.midst(clusters[from].long).iter();
-        let inside: Vec<usize> = midst.filter(|(_, at)| is_inside(*at)).map(|(k, _)| *k).collect();
+        let central = self.central(clusters[from].long).iter();
+        let inside: Vec<usize> = central.filter(|(_, at)| is_inside(*at)).map(|(k, _)| *k).collect();
         let inside: Vec<usize> = inside.iter().copied().step_by(inside.len() / SAMPLED_POINTS + 1).collect();
         let mut taken = vec![false; inside.len()];
         let mut words = Vec::new();
@@ -177,9 +177,9 @@ impl<'s> Window<'s> {
 
     /// Returns the leaves in a place of this half length and half width beside the middle one; `None` if there are too few.
     pub fn leaves(&self, [long, beside]: [f64; 2]) -> Option<Leaves> {
-        let midst =
-            self.midst(CENTRAL_PART * long).iter().map(|(_, at)| at).filter(|[_, _, slope]| slope.abs() < MAX_SLOPE);
-        let mut sorted: Vec<[f64; 2]> = midst
+        let central =
+            self.central(CENTRAL_PART * long).iter().map(|(_, at)| at).filter(|[_, _, slope]| slope.abs() < MAX_SLOPE);
+        let mut sorted: Vec<[f64; 2]> = central
             .map(|[xi, eta, slope]| [eta - slope * xi, *slope])
             .filter(|[height, _]| height.abs() < beside)
             .collect();
@@ -211,7 +211,7 @@ impl<'s> Window<'s> {
                 let height = eta - b * xi - c * xi * xi;
                 (low < height) & (height < high)
             };
-            let members = members(self.midst(part * long), is_member);
+            let members = members(self.central(part * long), is_member);
             let [place, slope] = means(&members, |it| [it[0], it[2]]);
             let [spread, turn] = means(&members, |it| [(it[0] - place).powi(2), (it[0] - place) * (it[2] - slope)]);
             c = 0.5 * turn / spread;

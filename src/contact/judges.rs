@@ -84,11 +84,11 @@ pub(crate) fn first_contacts(
     point: Radii,
     all: Radii,
 ) -> Result<(SetContact, Ball), Undecided> {
-    let judges = SetAndCentre {
+    let verifiers = SetAndCentre {
         centre: Bounds::<false>::new(flight, margins, point),
         all: Bounds::<true>::new(flight, margins, all),
     };
-    let (all, centre) = propose::<Kernel, _>(flight, &judges)?;
+    let (all, centre) = propose::<Kernel, _>(flight, &verifiers)?;
     Ok(together(flight, margins, &all, &centre))
 }
 

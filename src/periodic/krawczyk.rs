@@ -144,7 +144,7 @@ pub fn prove_inflating<N: Enclosing>(
     guess: &[N],
     effort: Effort,
 ) -> Option<Proved<N>> {
-    const MORE: f64 = 1.25;
+    const INFLATION: f64 = 1.25;
     let mut domain: Vec<N> = guess.iter().map(|x| x.with_radius(effort.largest)).collect();
     for _ in 0..effort.domains {
         let at = image(equations, inverse, &domain)?;
@@ -153,7 +153,7 @@ pub fn prove_inflating<N: Enclosing>(
         }
         let grown = |(guess, at): (&N, N)| {
             let needed = (at - guess.clone()).as_ball().mag();
-            guess.with_radius((MORE * needed).max(f64::MIN_POSITIVE)) // proposes
+            guess.with_radius((INFLATION * needed).max(f64::MIN_POSITIVE)) // proposes
         };
         domain = guess.iter().zip(at).map(grown).collect();
     }

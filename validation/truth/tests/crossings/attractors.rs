@@ -19,7 +19,7 @@ use super::questions::Answer;
 use super::scenes::Case;
 
 /// States that are nearer are one, in radians and speeds of the box: bounds of `10^-9`.
-const NEAR: f64 = 1e-6;
+const SAME_STATE_DISTANCE: f64 = 1e-6;
 /// Error allowed in a spectral radius by differences of true motions, of an orbit with such bounds.
 const RADIUS_TOLERANCE: f64 = 1e-3;
 
@@ -62,7 +62,7 @@ fn states(member: &Member, expected: &[ClaimedState]) -> Vec<[Float; 2]> {
 }
 
 fn is_one([phase, speed]: &[Float; 2], [other, its_speed]: &[Float; 2]) -> bool {
-    apart(phase, other) < NEAR && float(speed - its_speed).to_f64().abs() < NEAR
+    apart(phase, other) < SAME_STATE_DISTANCE && float(speed - its_speed).to_f64().abs() < SAME_STATE_DISTANCE
 }
 
 /// The reduced map has the same state again after as many impacts as are claimed, and not after fewer.

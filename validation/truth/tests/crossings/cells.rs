@@ -11,7 +11,7 @@ use super::judge::at;
 use super::members::Member;
 use super::motion::{Compared, Halt, Motion, wrong};
 use super::orbits::apart;
-use super::questions::{Answer, Patience};
+use super::questions::{Answer, CallLimit};
 use super::scenes::Case;
 use super::traits::Restitution;
 
@@ -34,10 +34,10 @@ impl Case {
         let (name, own) = self.key(key);
         let wide = self.random.pick(&[1e-2, 1e-4, 1e-6]);
         let over = format!("{name}={own}..{own}+{wide}").parse()?;
-        let patience = Patience::new();
+        let limit = CallLimit::new();
         let requested = RangeSettings { over, cells: 1, halvings: 0, depth: 2 };
         let found = Cells::of(self.scene.pair(), self.scene.start(), &requested, &|_: Stage<'_>| {
-            patience.goes_on(MAX_WATCH_CALLS)
+            limit.goes_on(MAX_WATCH_CALLS)
         })?;
         Ok(Answer::Cells(json!(document::cells(&self.scene, &requested, &found))))
     }

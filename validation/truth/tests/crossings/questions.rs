@@ -93,9 +93,9 @@ pub enum Answer {
 }
 
 /// Ends what takes too long.
-pub struct Patience(AtomicUsize);
+pub struct CallLimit(AtomicUsize);
 
-impl Patience {
+impl CallLimit {
     pub fn new() -> Self {
         Self(AtomicUsize::new(0))
     }
@@ -250,11 +250,10 @@ impl Case {
         let problem = Problem::new(self.scene.pair(), &word, cycles)?;
         let units = Units::gaps(problem.pair())?;
         let precision = Precision { digits: 9, max_bits: 256 };
-        let (patience, budget) = (Patience::new(), Budget { boxes: 1_500, halvings: 30 });
+        let (limit, budget) = (CallLimit::new(), Budget { boxes: 1_500, halvings: 30 });
         let census = match is_all {
-            true => problem.find_all_while(self.scene.start(), precision, budget, &|_: Stage<'_>| {
-                patience.goes_on(MAX_SEARCH_CALLS)
-            }),
+            true => problem
+                .find_all_while(self.scene.start(), precision, budget, &|_: Stage<'_>| limit.goes_on(MAX_SEARCH_CALLS)),
             false => problem.find(self.scene.start(), precision),
         };
         Ok(Answer::Periodic(json!(units.document(&problem, self.scene.start(), &census))))
@@ -279,8 +278,8 @@ impl Case {
         let precision = Precision { digits: 9, max_bits: 512 };
         let diagram_settings = DiagramSettings { over, doublings: 0, precision };
         let (word, cycles) = if is_near_fold { ("LR".parse()?, 1) } else { self.word() };
-        let patience = Patience::new();
-        let watch = |_: Stage<'_>| patience.goes_on(if is_near_fold { 3_999 } else { 399 });
+        let limit = CallLimit::new();
+        let watch = |_: Stage<'_>| limit.goes_on(if is_near_fold { 3_999 } else { 399 });
         let diagram = survey(self.scene.pair(), self.scene.start(), (&word, cycles), &diagram_settings, &watch)?;
         let found = document::bifurcations(self.scene.start(), (&word, cycles), &diagram)?;
         Ok(Answer::Bifurcations(json!(found)))
@@ -318,10 +317,10 @@ impl Case {
         let bases =
             if is_given { H_SETS.map(|[at, long, short]| HSet::new(at, long, short)).to_vec() } else { Vec::new() };
         let question = chaos::HorseshoeSettings { depth: Some(3), bases };
-        let patience = Patience::new();
+        let limit = CallLimit::new();
         let watch = |at: Stage<'_>| match at {
             Stage::Horseshoe { boxes, .. } if boxes >= 4 * BOXES as u64 => proceed_if(false),
-            _ => patience.goes_on(MAX_CHAOS_CALLS[usize::from(is_given)]),
+            _ => limit.goes_on(MAX_CHAOS_CALLS[usize::from(is_given)]),
         };
         let found = Chaos::of_scene(&self.scene, &question, &watch)?;
         let mut document = document::chaos(&self.scene, None, &found);
@@ -401,9 +400,9 @@ impl Case {
 
     fn cycles(&mut self) -> Result<Answer, Error> {
         let requested: RangeInclusive<u32> = 1..=2;
-        let patience = Patience::new();
+        let limit = CallLimit::new();
         let watch = |at: Stage<'_>| match at {
-            Stage::Cycles { .. } => patience.goes_on(2_000),
+            Stage::Cycles { .. } => limit.goes_on(2_000),
             at => proceed_if(!matches!(at, Stage::Region(BOXES..))),
         };
         let precision = Precision { digits: 9, max_bits: 512 };
