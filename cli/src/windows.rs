@@ -33,7 +33,7 @@ orbit listed is proved at an exact value of the parameter: it exists, it is the 
 stable. Its window extends from a fold to a period doubling or a pitchfork, and both ends are enclosed. Where `stable \
 between` is proved, there is a stable, admissible orbit of the word for every value between the bounds of the ends, \
 and one curve of them leads from end to end through the orbit listed. \
-Other windows are not excluded; floating-point orbits that are not proved have no claim, most of them long. \
+Other windows are not excluded; floating-point orbits that are not proved, most of them long, have no claim. \
 Windows of the doubled orbits, which adjoin, are not listed. One harmonic only.
 
 The nearest windows to the scene's own value come first. Of windows narrower than about 10^-15 of the value, which \

@@ -110,15 +110,14 @@ fn greatest_exponent(magnitudes: &[Magnitude]) -> i64 {
     magnitudes.iter().filter_map(|x| x.exponent()).max().unwrap_or(0) // M4: any unit will do for nothing
 }
 
-/// The bits planned for an impact, but none that the width of the set would drown by [`NEGLIGIBLE_BITS`] bits.
+/// The bits planned for an impact, but none that the width of the set would exceed by [`NEGLIGIBLE_BITS`] bits.
 fn bits_for(plan: &Plan, set: &PreciseSet, index: u64) -> u32 {
     let planned = plan.bits(index);
     let (phase, velocity) = (set.shape.phase_radius(), set.shape.velocity_radius());
     let radius = Magnitude::new(phase.max(velocity / set.shape.scale), set.unit); // proposes: bits to compute with
     match radius.exponent() {
-        // proposes
         Some(exponent) => {
-            planned.min((NEGLIGIBLE_BITS - exponent).clamp(i64::from(LEAST_BITS), i64::from(planned)) as u32)
+            planned.min((NEGLIGIBLE_BITS - exponent).clamp(i64::from(LEAST_BITS), i64::from(planned)) as u32) // proposes
         }
         None => planned,
     }
