@@ -17,12 +17,12 @@ const FLIGHTS: u64 = 1000;
 /// Radii of phases and of velocities.
 const RADIUS: f64 = 1e-12;
 /// Rounds in each thread, for the rate of all together.
-const TOGETHER: usize = 2000;
+const THROUGHPUT_ROUNDS: usize = 2000;
 
 fn main() {
     // `cargo test --benches` only checks that it runs.
     let is_bench = std::env::args().any(|argument| argument == "--bench");
-    let (rounds, together) = if is_bench { (ROUNDS, TOGETHER) } else { (1, 1) };
+    let (rounds, together) = if is_bench { (ROUNDS, THROUGHPUT_ROUNDS) } else { (1, 1) };
     let threads = thread::available_parallelism().map_or(1, usize::from);
     println!("median of {rounds} interleaved rounds, nanoseconds a flight; millions a second of {threads} threads");
     println!(

@@ -130,7 +130,7 @@ impl Iterator for Plain<'_> {
             wall: self.wall,
         };
         let mut at = Float::with_val(53, contact.phase);
-        for level in ladder(next, contact.velocity.abs()) {
+        for level in precisions(next, contact.velocity.abs()) {
             at.set_prec(level);
             at += flight.at(level).step(&sin_cos(&at, level), &at).0;
         }
@@ -193,7 +193,7 @@ impl PlainFlight {
 }
 
 /// The precisions of the steps before the last.
-fn ladder(bits: u32, velocity: f64) -> Vec<u32> {
+fn precisions(bits: u32, velocity: f64) -> Vec<u32> {
     let lost = (8.0 - velocity.log2().min(0.0)).ceil() as u32;
     let mut levels = Vec::new();
     let mut needed = bits / 4 + lost;

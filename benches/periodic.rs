@@ -1,7 +1,7 @@
 //! Times of proofs of periodic orbits by criterion: `cargo bench --bench periodic`.
 //!
 //! `prove/WORD`: existence, uniqueness, first contacts, trace and stability of one orbit in doubles, from phases that
-//! Newton's iteration has found; throughput counts impacts. `polish/WORD`: that iteration, from phases 1e-4 turns off.
+//! Newton's iteration has found; throughput counts impacts. `polish/WORD`: that iteration, from phases 1e-4 forcing periods off.
 //! `all/FIGURE/WORD`: everything that `periodic --all` does.
 
 #![allow(missing_docs)] // the macros below make a public function
@@ -59,7 +59,7 @@ fn proofs(criterion: &mut Criterion) {
     }
 }
 
-/// The stable two-impact orbit of two harmonics, W and 3 W: the phases are those that `periodic` prints, in turns.
+/// The stable two-impact orbit of two harmonics, W and 3 W: the phases are those that `periodic` prints, in forcing periods.
 fn several(criterion: &mut Criterion) {
     let value = |text: &str| text.parse().expect("an exact number");
     let harmonic = |a: &str, w: &str| Harmonic::new(value(a), value(w), value("0")).expect("in range");

@@ -61,9 +61,9 @@ fn row(figure: &Figure, rounds: usize) {
     );
 }
 
-/// The cost of a flight of a hundred thousand turns beside that of one.
+/// The cost of a flight of a hundred thousand forcing periods beside that of one.
 fn long_flights(rounds: usize) {
-    // A slow drift carries the ball across while the box swings 0.4 gaps: contact after 1/c turns.
+    // A slow drift carries the ball across while the box swings 0.4 gaps: contact after 1/c forcing periods.
     let exact = Ball::exact;
     let pair =
         Reduced { alpha: exact(0.4), beta: Ball::new(0.4 * std::f64::consts::TAU, 1e-15), restitution: exact(0.5) };

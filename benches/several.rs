@@ -3,7 +3,7 @@
 //! `cargo bench --bench several`. The amplitude of a figure is shared among `n` terms whose frequencies, a few per cent
 //! apart, have no common period; their sum moves the box about as the figure's harmonic does. One term is the
 //! figure itself, on the path of one harmonic. Each number is the median over the rounds of the time of an orbit over
-//! its impacts, as many as doubles certify; `width` is the median diameter of the enclosed phases, in turns.
+//! its impacts, as many as doubles certify; `width` is the median diameter of the enclosed phases, in forcing periods.
 
 use std::hint::black_box;
 use std::time::Instant;

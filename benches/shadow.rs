@@ -2,7 +2,7 @@
 //!
 //! `cargo bench --bench shadow`. The chaotic figures are shadowed for 100,000 impacts; the float orbit has as many, an orbit in
 //! interval arithmetic as many as doubles certify. Times are nanoseconds an impact, median over the rounds; so are the ratios
-//! taken round by round. `eps` are the radii of the proved phases, in turns.
+//! taken round by round. `eps` are the radii of the proved phases, in forcing periods.
 
 use std::hint::black_box;
 
@@ -13,7 +13,7 @@ use impact_pair_benches::{Figure, figures, median, time};
 const ROUNDS: usize = 21;
 const IMPACTS: usize = 100_000;
 /// Orbits in interval arithmetic that are timed together: each has tens of impacts.
-const TOGETHER: usize = 200;
+const ORBITS_PER_TIMING: usize = 200;
 
 fn main() {
     // `cargo test --benches` only checks that it runs.
@@ -36,8 +36,8 @@ fn row(figure: &Figure, rounds: usize, impacts: usize) {
     for _ in 0..rounds {
         let mut float = figure.orbit(Arithmetic::Float, impacts as u64);
         times[0].push(time(impacts, || float.by_ref().for_each(|impact| _ = black_box(impact))));
-        let mut orbits: Vec<_> = (0..TOGETHER).map(|_| figure.orbit(Arithmetic::Interval, reach)).collect();
-        times[1].push(time(reach as usize * TOGETHER, || {
+        let mut orbits: Vec<_> = (0..ORBITS_PER_TIMING).map(|_| figure.orbit(Arithmetic::Interval, reach)).collect();
+        times[1].push(time(reach as usize * ORBITS_PER_TIMING, || {
             orbits.iter_mut().flatten().for_each(|impact| _ = black_box(impact));
         }));
         // With the first block, which is proved when the chain is made.

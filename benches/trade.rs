@@ -17,7 +17,7 @@ const IMPACTS: u64 = 200;
 const BITS: [u32; 3] = [64, 128, 256];
 const DIGITS: [u32; 5] = [3, 9, 15, 30, 100];
 
-fn rungs() -> impl Iterator<Item = (String, Settings)> {
+fn arithmetics() -> impl Iterator<Item = (String, Settings)> {
     let settings = |arithmetic| Settings { impacts: Some(IMPACTS), arithmetic, ..Settings::default() };
     let fixed = [Arithmetic::Float, Arithmetic::Interval, Arithmetic::Inari].map(|fixed| (fixed.to_string(), fixed));
     let bits = BITS.map(|bits| (format!("{bits}_bits"), Arithmetic::Bits(bits)));
@@ -33,7 +33,7 @@ fn trade(criterion: &mut Criterion) {
     for figure in figures().iter().filter(|figure| ["fig12", "fig14"].contains(&figure.name)) {
         let mut group = criterion.benchmark_group(format!("trade/{}", figure.name));
         group.warm_up_time(Duration::from_millis(500)).measurement_time(Duration::from_secs(3));
-        for (name, settings) in rungs() {
+        for (name, settings) in arithmetics() {
             group.throughput(Throughput::Elements(orbit(figure, &settings).count() as u64));
             group.bench_function(name, |bencher| {
                 bencher.iter_batched(

@@ -41,10 +41,10 @@ fn simulated(step: f64, impacts: usize) -> String {
 
 fn main() -> Result<(), Error> {
     let scene = Scene::parse(SCENE)?;
-    let asked = AuditSettings { tolerance: "1e-3".parse().expect("a number"), ..AuditSettings::default() };
+    let requested = AuditSettings { tolerance: "1e-3".parse().expect("a number"), ..AuditSettings::default() };
     for step in [1e-4, 1e-5, 1e-6] {
         let list = read(&simulated(step, 60), &Columns::default(), scene.pair())?;
-        let audit = Audit::of(&scene, list, &asked, &Unwatched)?;
+        let audit = Audit::of(&scene, list, &requested, &Unwatched)?;
         let right = audit.findings().iter().take_while(|finding| !finding.verdict.disagrees()).count();
         println!(
             "steps of {step:e}: the first {right} of 60 impacts are within a thousandth of a period; {}",

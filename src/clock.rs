@@ -43,7 +43,7 @@ pub struct Clock {
 }
 
 impl Clock {
-    /// The clock of `pair` whose turn 0 is the one nearest to `time`; it shows widths down to about `2^-shown`.
+    /// The clock of `pair` whose forcing period 0 is the one nearest to `time`; it shows widths down to about `2^-shown`.
     pub(crate) fn new(pair: &ImpactPair, time: &Exact, shown: u32) -> Result<Self, Error> {
         let reference = pair.excitation().reference();
         let phases = Phases::of(reference)?;

@@ -3,7 +3,7 @@
 use crate::number::Number;
 pub use impact_pair_model::{Excitation, Harmonic};
 
-/// `E/d`, `E'/d` and `E''/d` at the phase of the given sine and cosine, per forcing period and turn squared.
+/// `E/d`, `E'/d` and `E''/d` at the phase of the given sine and cosine, per forcing period and per forcing period squared.
 ///
 /// **Equation** (9) and its derivatives; `alpha = A/d`.
 pub fn displacement_velocity_acceleration<N: Number + Copy>(alpha: N, (sin, cos): (N, N)) -> (N, N, N) {

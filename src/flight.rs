@@ -202,7 +202,7 @@ impl Flight<f64> {
     /// The time from the start to a phase and whole forcing periods, and what rounding adds.
     #[inline(always)]
     pub(crate) fn elapsed(&self, turns: f64, at: f64) -> f64 {
-        // Whole turns may cancel the rest, so the time's own rounding is not relative to it.
+        // Whole forcing periods may cancel the rest, so the time's own rounding is not relative to it.
         UNIT.mul_add(turns.abs(), (turns + (at - self.phase)).abs())
     }
 

@@ -32,12 +32,12 @@ pub(crate) struct Pressed {
 }
 
 /// A sum of no more bits than this is exact.
-const EXACTLY: u32 = 1 << 30;
+const EXACT_SUM_BITS: u32 = 1 << 30;
 
 impl Pressed {
     /// `None` unless it is certain that the contact force acts at all phases, during the same half of a forcing period.
     ///
-    /// Nothing is rounded before the half turn is taken off: a phase `10^-300` inside is inside (Lemma Z1).
+    /// Nothing is rounded before the half period is taken off: a phase `10^-300` inside is inside (Lemma Z1).
     pub fn on(wall: Wall, phase: &Enclosure) -> Option<Self> {
         let point = |x: Dyadic| Enclosure::point(x);
         let half = || point(Dyadic::power_of_two(-1));
@@ -45,10 +45,10 @@ impl Pressed {
             Wall::Left => half(),
             Wall::Right => point(Dyadic::zero()),
         };
-        let since = phase.sub(&begin, EXACTLY);
+        let since = phase.sub(&begin, EXACT_SUM_BITS);
         let turns = since.floor()?; // Z1: shared by all
-        let since = since.sub(&point(Dyadic::new(turns.clone(), 0)), EXACTLY);
-        let left = half().sub(&since, EXACTLY);
+        let since = since.sub(&point(Dyadic::new(turns.clone(), 0)), EXACT_SUM_BITS);
+        let left = half().sub(&since, EXACT_SUM_BITS);
         let is_inside = since.sign().is_some_and(Ordering::is_ge) && left.sign() == Some(Ordering::Greater);
         is_inside.then(|| Self { since: Interval::enclosing(&since), left: Interval::enclosing(&left), turns })
     }
@@ -60,7 +60,7 @@ impl Pressed {
         self.since == Interval::ZERO // Z2: exactly there
     }
 
-    /// The whole turns from phase 0 to that of the release, and the rest, exactly: 0 on the left wall, -1/2 on the right one,
+    /// The whole forcing periods from phase 0 to that of the release, and the rest, exactly: 0 on the left wall, -1/2 on the right one,
     /// where the mirrored sine turns positive (Lemma Z2).
     pub fn release(&self, wall: Wall) -> Option<(i64, f64)> {
         Some((i64::try_from(&self.turns).ok()?.checked_add(1)?, -wall.mirror_phase())) // Z2: refused beyond
@@ -81,7 +81,7 @@ impl Pressed {
     }
 }
 
-/// The sine at `phase` turns, at most a quarter of one, to a few units in the last place of itself.
+/// The sine at `phase` forcing periods, at most a quarter of one, to a few units in the last place of itself.
 fn sine(phase: f64) -> Interval {
     let phase = Interval::point(phase);
     // Z1: `x (1 - x^2/6) <= sin x <= x`, and `(2 pi)^2/6 < 8`
@@ -93,7 +93,7 @@ fn sine(phase: f64) -> Interval {
 
 /// Returns an upper bound of the duration, in forcing periods, of chatter that begins with a bounce of a set at `velocity`, that after the impact.
 ///
-/// `Some(t)`: within `t` turns infinitely many impacts follow, all on this wall, each slower than the one before, and
+/// `Some(t)`: within `t` forcing periods infinitely many impacts follow, all on this wall, each slower than the one before, and
 /// the ball is at rest from their accumulation on until its release (Lemma Z1). 0 for a ball that does not leave.
 /// `None`: not proved.
 pub(crate) fn accumulation(pair: &Reduced<Ball>, pressed: &Pressed, velocity: Ball) -> Option<f64> {
@@ -151,7 +151,7 @@ mod tests {
     }
 
     #[test]
-    fn a_slow_bounce_on_a_pressed_wall_ends_in_rest() {
+    fn a_slow_bounce_under_contact_force_ends_in_rest() {
         let pair = pair(0.1, 0.5);
         let bound = rests(&pair, Wall::Left, "-1/4", 1e-4).unwrap();
         // Constant acceleration a = 2 pi beta would end after 2u/(a (1 - e)).
@@ -163,9 +163,9 @@ mod tests {
         assert!(rests(&pair, Wall::Left, "[-0.51, 0.01]", 1e-4).is_none());
     }
 
-    /// The contact force is `(2 pi)^3 alpha x` if it began or ends `x` turns away: the time is as long as under a constant one.
+    /// The contact force is `(2 pi)^3 alpha x` if it began or ends `x` forcing periods away: the time is as long as under a constant one.
     #[test]
-    fn chatter_is_proved_however_near_to_the_begin_or_the_end_of_the_pressure() {
+    fn chatter_is_proved_arbitrarily_near_to_the_ends_of_the_contact_force() {
         let pair = pair(0.1, 0.01);
         for k in (1..145).step_by(11) {
             for (wall, phase) in [
@@ -196,7 +196,7 @@ mod tests {
 
     /// Lemma Z2: exactly at the beginning of the contact force a ball at rest stays, a little earlier it leaves.
     #[test]
-    fn the_pressure_begins_at_its_phase_and_not_before() {
+    fn the_contact_force_begins_at_its_phase_and_not_before() {
         let at_rest = |wall, phase: &str| rests(&pair(0.1, 0.5), wall, phase, 0.0).is_some();
         for (wall, begin) in [(Wall::Left, "1/2"), (Wall::Left, "-1/2"), (Wall::Right, "0")] {
             assert!(at_rest(wall, begin));
@@ -209,7 +209,7 @@ mod tests {
     }
 
     #[test]
-    fn release_is_where_the_pressure_ends() {
+    fn release_is_where_the_contact_force_vanishes() {
         let release = |wall, phase| Pressed::on(wall, &enclosure(phase)).and_then(|pressed| pressed.release(wall));
         assert_eq!(release(Wall::Left, "-1/4"), Some((0, 0.0)));
         assert_eq!(release(Wall::Left, "1/2"), Some((1, 0.0)));

@@ -206,7 +206,7 @@ mod tests {
     }
 
     #[test]
-    fn without_an_amplitude_velocities_are_gaps_a_period() {
+    fn without_an_amplitude_velocities_are_gaps_per_period() {
         let scene = |amplitude: &str| {
             let text = format!(
                 "excitation = {{ amplitude = {amplitude}, frequency = \"2*pi\", phase = 0 }}\n\

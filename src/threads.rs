@@ -4,7 +4,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{LazyLock, Mutex};
 use std::thread;
 
-/// Returns the number of threads that the machine runs at a time; the system is asked once, as that reads files.
+/// Returns the number of threads that the machine runs at a time; the system is queried once, as that reads files.
 pub(crate) fn available() -> usize {
     static THREADS: LazyLock<usize> = LazyLock::new(|| thread::available_parallelism().map_or(1, usize::from)); // exact: threads decide nothing
     *THREADS
@@ -64,7 +64,7 @@ mod tests {
     }
 
     #[test]
-    fn one_thread_stops_at_the_first_question_without_an_answer() {
+    fn one_thread_stops_at_the_first_failure() {
         assert_eq!(answers(1, usize::MAX, &|n| (n < 3).then_some(n)), [0, 1, 2]);
     }
 
@@ -77,7 +77,7 @@ mod tests {
     }
 
     #[test]
-    fn no_question_has_no_answer() {
+    fn an_empty_list_has_no_results() {
         assert!(answers(2, 0, &|n| Some(n)).is_empty());
     }
 }

@@ -9,13 +9,13 @@ use num_traits::ToPrimitive;
 use crate::exact::Enclosure;
 
 /// Counts are smaller.
-const MOST: i64 = 1 << 62;
+const COUNT_LIMIT: i64 = 1 << 62;
 /// Flights of more forcing periods are not followed: forcing periods within one are exact as doubles.
 pub(crate) const LONGEST_FLIGHT: f64 = (1_u64 << 52) as f64; // exact: a power of two
 
 /// `turns + more`; `None` where the count ends.
 pub(crate) fn later(turns: i64, more: i64) -> Option<i64> {
-    turns.checked_add(more).filter(|count| (-MOST < *count) && (*count < MOST))
+    turns.checked_add(more).filter(|count| (-COUNT_LIMIT < *count) && (*count < COUNT_LIMIT))
 }
 
 /// `turns + whole` for a whole number `whole` that a flight was given to last; `None` where the count ends.
@@ -24,10 +24,10 @@ pub(crate) fn after(turns: i64, whole: f64) -> Option<i64> {
     // Lemma N1: the cast is exact where the comparison holds, which fails on NaN, and then the sum does not wrap.
     let count = turns.wrapping_add(whole as i64);
     // N1: exact, a power of two
-    (whole.abs() < MOST as f64 && count.unsigned_abs() < MOST as u64).then_some(count)
+    (whole.abs() < COUNT_LIMIT as f64 && count.unsigned_abs() < COUNT_LIMIT as u64).then_some(count)
 }
 
-/// Returns the turn, less whole common periods of N forcing periods, that a phase is in: 0 with one harmonic.
+/// Returns the forcing period, less whole common periods of N forcing periods, that a phase is in: 0 with one harmonic.
 pub fn in_period(turns: &Enclosure, period: u32) -> u32 {
     let turn = turns.inf().to_rational().floor().to_integer().mod_floor(&BigInt::from(period)); // exact: a whole number
     turn.to_u32().expect("less than the period")
@@ -39,7 +39,7 @@ pub(crate) fn counted(turns: i64, whole: f64) -> i64 {
     turns.wrapping_add(whole as i64) // N1: the other count ends first, and this one with it
 }
 
-/// Shifts a phase into `[-1/2, 1/2]`, exactly (Sterbenz), and moves the turn to the count.
+/// Shifts a phase into `[-1/2, 1/2]`, exactly (Sterbenz), and moves the forcing period to the count.
 #[inline(always)]
 pub(crate) fn carry(turns: f64, phase: f64) -> (f64, f64) {
     if phase > 0.5 {
@@ -57,15 +57,15 @@ mod tests {
 
     #[test]
     fn a_count_ends_before_it_could_be_wrong() {
-        let most = MOST - 1;
+        let most = COUNT_LIMIT - 1;
         assert_eq!((later(most, 0), later(most, 1), later(-most, -1)), (Some(most), None, None));
         assert_eq!((later(i64::MAX, 1), later(5, -7)), (None, Some(-2)));
         let double = |n: i64| n as f64;
         assert_eq!(after(3, double(1 << 61)), Some((1 << 61) + 3));
-        for refused in [double(MOST), -double(MOST), f64::INFINITY, f64::NAN] {
+        for refused in [double(COUNT_LIMIT), -double(COUNT_LIMIT), f64::INFINITY, f64::NAN] {
             assert_eq!(after(0, refused), None);
         }
-        assert_eq!(after(-1, double(MOST).next_down()), Some(MOST - 513));
+        assert_eq!(after(-1, double(COUNT_LIMIT).next_down()), Some(COUNT_LIMIT - 513));
         assert_eq!(after(1 << 61, double(1 << 61)), None);
     }
 }

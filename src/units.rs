@@ -107,7 +107,7 @@ pub(crate) fn turn() -> Exact {
 /// Returns a phase \[rad\] that is given in forcing periods, its lower bound in `[0, 2 pi)`.
 pub fn in_radians(turns: &Enclosure, bits: u32) -> Enclosure {
     let bits = bits + 64;
-    let whole = Enclosure::from_rational(&turns.inf().to_rational().floor(), bits); // exact: any whole number of turns
+    let whole = Enclosure::from_rational(&turns.inf().to_rational().floor(), bits); // exact: any whole number of forcing periods
     let two_pi = Enclosure::pi(bits).add(&Enclosure::pi(bits), bits);
     turns.sub(&whole, bits).mul(&two_pi, bits)
 }

@@ -1,11 +1,11 @@
-//! The arrows of DESIGN.md: which room of the library imports which, and which crate which. They run one way.
+//! The dependencies of DESIGN.md between modules of the library and between crates. They are acyclic.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// The rooms of `src`, each with those it may import, which stand before it.
-const ROOMS: [(&str, &[&str]); 30] = [
+/// The modules of `src`, each with those it may import, which stand before it.
+const MODULES: [(&str, &[&str]); 30] = [
     ("number", &[]),
     ("threads", &[]),
     ("units", &[]),
@@ -104,7 +104,7 @@ fn root() -> &'static Path {
     Path::new(impact_pair_tests::ROOT)
 }
 
-/// The sources of a room, without its tests.
+/// The sources of a module, without its tests.
 fn sources(path: &Path) -> Vec<PathBuf> {
     if path.is_file() {
         return vec![path.to_owned()];
@@ -114,7 +114,7 @@ fn sources(path: &Path) -> Vec<PathBuf> {
     entries.filter(|path| !is_test(path)).flat_map(|path| sources(&path)).collect()
 }
 
-/// The rooms that a text imports by `crate::`, in comments and in its tests left aside.
+/// The modules that a text imports by `crate::`, in comments and in its tests left aside.
 fn imports(text: &str) -> BTreeSet<String> {
     let text = text.split("#[cfg(test)]\nmod").next().unwrap();
     let code: String = text.lines().map(|line| line.split("//").next().unwrap()).collect::<Vec<_>>().join("\n");
@@ -124,7 +124,7 @@ fn imports(text: &str) -> BTreeSet<String> {
         let rest = &code[at + what.len()..];
         match rest.strip_prefix('{') {
             None => found.extend([name(rest)]),
-            // `use crate::{a::{b, c}, d};`: all words, for types are none of the rooms.
+            // `use crate::{a::{b, c}, d};`: all words, for types are none of the modules.
             Some(list) => {
                 let list = list.split(';').next().unwrap();
                 found.extend(list.split(|c: char| !c.is_alphanumeric() && c != '_').map(str::to_owned));
@@ -135,21 +135,21 @@ fn imports(text: &str) -> BTreeSet<String> {
 }
 
 #[test]
-fn rooms_import_what_stands_before_them() {
-    let known: Vec<&str> = ROOMS.iter().map(|(room, _)| *room).collect();
+fn modules_import_earlier_modules_only() {
+    let known: Vec<&str> = MODULES.iter().map(|(module, _)| *module).collect();
     let found: BTreeSet<String> = fs::read_dir(root().join("src"))
         .unwrap()
         .map(|entry| entry.unwrap().path().file_stem().unwrap().to_string_lossy().into_owned())
-        .filter(|room| room != "lib")
+        .filter(|module| module != "lib")
         .collect();
-    assert_eq!(found, known.iter().map(|room| (*room).to_owned()).collect());
-    for (place, (room, allowed)) in ROOMS.iter().enumerate() {
-        assert!(allowed.iter().all(|other| known[..place].contains(other)), "{room} stands before what it imports");
-        let path = [root().join("src").join(room), root().join("src").join(format!("{room}.rs"))];
+    assert_eq!(found, known.iter().map(|module| (*module).to_owned()).collect());
+    for (place, (module, allowed)) in MODULES.iter().enumerate() {
+        assert!(allowed.iter().all(|other| known[..place].contains(other)), "{module} stands before what it imports");
+        let path = [root().join("src").join(module), root().join("src").join(format!("{module}.rs"))];
         for file in path.iter().filter(|path| path.exists()).flat_map(|path| sources(path)) {
             for import in imports(&fs::read_to_string(&file).unwrap()) {
                 let is_allowed =
-                    import == *room || !known.contains(&import.as_str()) || allowed.contains(&import.as_str());
+                    import == *module || !known.contains(&import.as_str()) || allowed.contains(&import.as_str());
                 assert!(is_allowed, "{} imports {import}", file.display());
             }
         }
@@ -162,7 +162,7 @@ fn quoted(part: &str) -> Vec<&str> {
 }
 
 #[test]
-fn design_lists_the_rooms_in_this_order_and_all_crates() {
+fn design_lists_the_modules_in_this_order_and_all_crates() {
     let design = fs::read_to_string(root().join("DESIGN.md")).unwrap();
     let names = |heading: &str| -> Vec<&str> {
         let part = design.split("\n## ").find(|part| part.starts_with(heading)).unwrap();
@@ -171,12 +171,13 @@ fn design_lists_the_rooms_in_this_order_and_all_crates() {
             .flat_map(|line| quoted(line.split(" |").next().unwrap()))
             .collect()
     };
-    let rooms = names("Rooms");
-    let place =
-        |name: &str| rooms.iter().position(|room| *room == name).unwrap_or_else(|| panic!("{name} is not listed"));
-    assert_eq!(rooms.len(), ROOMS.len(), "{rooms:?}");
-    for (room, allowed) in ROOMS {
-        assert!(allowed.iter().all(|other| place(other) < place(room)), "{room} is listed above what it imports");
+    let modules = names("Modules");
+    let place = |name: &str| {
+        modules.iter().position(|module| *module == name).unwrap_or_else(|| panic!("{name} is not listed"))
+    };
+    assert_eq!(modules.len(), MODULES.len(), "{modules:?}");
+    for (module, allowed) in MODULES {
+        assert!(allowed.iter().all(|other| place(other) < place(module)), "{module} is listed above what it imports");
     }
     let crates = names("Crates");
     assert!(CRATES.iter().all(|(path, _)| crates.contains(path)), "{crates:?}");
@@ -186,7 +187,7 @@ fn design_lists_the_rooms_in_this_order_and_all_crates() {
 fn design_names_files_that_are_there() {
     let design = fs::read_to_string(root().join("DESIGN.md")).unwrap();
     let is_there = |path: &str| {
-        let tops = if ROOMS.iter().any(|(room, _)| path.starts_with(&format!("{room}/"))) {
+        let tops = if MODULES.iter().any(|(module, _)| path.starts_with(&format!("{module}/"))) {
             root().join("src")
         } else {
             root().to_owned()
@@ -217,7 +218,7 @@ fn crates_depend_on_what_stands_before_them() {
 }
 
 /// Files that import one another in a circle, to be parted: no others do.
-const CIRCLES: [&[&str]; 2] = [
+const IMPORT_CYCLES: [&[&str]; 2] = [
     &["given", "motion", "plan", "precise", "shadowed", "splice", "textbook"],
     &["release", "rest", "standing", "still", "walk"],
 ];
@@ -244,9 +245,9 @@ fn in_circles(imports: &BTreeMap<String, BTreeSet<String>>) -> BTreeSet<String> 
 }
 
 #[test]
-fn files_of_a_room_import_one_another_one_way() {
+fn imports_within_a_module_are_acyclic() {
     let mut folders: Vec<PathBuf> = ["src", "crates", "cli/src", "python/src"].map(|path| root().join(path)).to_vec();
-    let mut left = CIRCLES.to_vec();
+    let mut left = IMPORT_CYCLES.to_vec();
     while let Some(folder) = folders.pop() {
         let entries: Vec<PathBuf> = fs::read_dir(&folder).unwrap().map(|entry| entry.unwrap().path()).collect();
         folders.extend(entries.iter().filter(|path| path.is_dir()).cloned());

@@ -101,7 +101,7 @@ fn r35_stable_orbits_of_44_and_of_35_impacts_beside_figure_14_are_recognised() {
 }
 
 #[test]
-fn floats_and_those_who_do_not_ask_are_told_nothing() {
+fn no_attractor_is_reported_in_floating_point_or_unrequested() {
     let (orbit, _) = run(&figure(12), 60, Arithmetic::Float);
     assert_eq!(orbit.outcome(), Some(&Outcome::ImpactsReached));
     let mut orbit = Orbit::of(&figure(12), Settings { impacts: Some(60), ..figure(12).settings() }).unwrap();

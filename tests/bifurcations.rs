@@ -21,8 +21,8 @@ const SCENE: &str = r#"
 fn diagram(over: &str, doublings: u32) -> Diagram {
     let scene = Scene::parse(SCENE).unwrap();
     let precision = Precision { digits: 20, ..Precision::default() };
-    let wanted = DiagramSettings { over: over.parse().unwrap(), doublings, precision };
-    survey(scene.pair(), scene.start(), (&"RL".parse().unwrap(), 1), &wanted, &Unwatched).unwrap()
+    let diagram_settings = DiagramSettings { over: over.parse().unwrap(), doublings, precision };
+    survey(scene.pair(), scene.start(), (&"RL".parse().unwrap(), 1), &diagram_settings, &Unwatched).unwrap()
 }
 
 fn kinds(diagram: &Diagram) -> Vec<(Kind, u32)> {
@@ -89,9 +89,10 @@ fn the_unstable_symmetric_orbit_ends_in_a_graze_at_half_the_gap() {
 #[test]
 fn r49_a_graze_of_an_orbit_of_three_impacts_is_not_symmetric() {
     let scene = Scene::parse(&SCENE.replace("0.8", "0.5")).unwrap();
-    let wanted =
+    let diagram_settings =
         DiagramSettings { over: "amplitude=0.5..0.6".parse().unwrap(), doublings: 1, precision: Precision::default() };
-    let diagram = survey(scene.pair(), scene.start(), (&"LLR".parse().unwrap(), 1), &wanted, &Unwatched).unwrap();
+    let diagram =
+        survey(scene.pair(), scene.start(), (&"LLR".parse().unwrap(), 1), &diagram_settings, &Unwatched).unwrap();
     let grazes: Vec<&Point> = diagram.points.iter().filter(|point| point.kind == Kind::Graze).collect();
     assert!(!grazes.is_empty() && grazes.iter().all(|point| point.symmetric == Some(false)), "{grazes:?}");
 }
@@ -99,9 +100,10 @@ fn r49_a_graze_of_an_orbit_of_three_impacts_is_not_symmetric() {
 #[test]
 fn over_the_gap_the_same_points_come_in_the_other_order() {
     let scene = Scene::parse(SCENE).unwrap();
-    let wanted =
+    let diagram_settings =
         DiagramSettings { over: "gap=0.77..1.1".parse().unwrap(), doublings: 1, precision: Precision::default() };
-    let diagram = survey(scene.pair(), scene.start(), (&"RL".parse().unwrap(), 1), &wanted, &Unwatched).unwrap();
+    let diagram =
+        survey(scene.pair(), scene.start(), (&"RL".parse().unwrap(), 1), &diagram_settings, &Unwatched).unwrap();
     assert_eq!(kinds(&diagram), [(Kind::PeriodDoubling, 1), (Kind::Pitchfork, 0)]);
     let (gap, _) = diagram.in_units(&diagram.points[1]).unwrap();
     // 0.36/0.3458892783
@@ -114,8 +116,8 @@ fn under(terms: [&str; 3], cycles: u32, over: &str, doublings: u32) -> Result<Di
     let lists = format!("amplitude = [{amplitude}], frequency = [{frequency}], phase = [{phase}]");
     let scene = Scene::parse(&SCENE.replace("amplitude = 0.36, frequency = \"pi\", phase = 0", &lists)).unwrap();
     let precision = Precision { digits: 20, ..Precision::default() };
-    let wanted = DiagramSettings { over: over.parse()?, doublings, precision };
-    survey(scene.pair(), scene.start(), (&"RL".parse().unwrap(), cycles), &wanted, &Unwatched)
+    let diagram_settings = DiagramSettings { over: over.parse()?, doublings, precision };
+    survey(scene.pair(), scene.start(), (&"RL".parse().unwrap(), cycles), &diagram_settings, &Unwatched)
 }
 
 /// Bounds of one number.
@@ -233,7 +235,7 @@ fn bifurcations_of_two_tones_are_seen_in_the_orbits_beside_them() {
 }
 
 #[test]
-fn what_has_no_branch_under_several_harmonics_is_refused_in_one_line() {
+fn keys_without_branches_under_several_harmonics_are_refused_in_one_line() {
     let (waves, phases) = ("\"pi\", \"3*pi\"", "0, 0");
     let said = |terms, cycles, over| under(terms, cycles, over, 0).unwrap_err().to_string();
     assert!(said(["1, 1", waves, phases], 3, "frequency.1=3..4").contains("for which no orbit is periodic"));
@@ -249,16 +251,16 @@ fn what_has_no_branch_under_several_harmonics_is_refused_in_one_line() {
 #[test]
 fn a_survey_that_is_ended_keeps_what_is_proved() {
     let scene = Scene::parse(SCENE).unwrap();
-    let wanted =
+    let diagram_settings =
         DiagramSettings { over: "amplitude=0.3..0.48".parse().unwrap(), doublings: 2, precision: Precision::default() };
-    let asked = AtomicU32::new(0);
+    let requested = AtomicU32::new(0);
     let up_to = |most: u32| {
-        asked.store(0, Ordering::Relaxed);
-        let watch = |_: Stage<'_>| proceed_if(asked.fetch_add(1, Ordering::Relaxed) < most);
-        survey(scene.pair(), scene.start(), (&"RL".parse().unwrap(), 1), &wanted, &watch).unwrap()
+        requested.store(0, Ordering::Relaxed);
+        let watch = |_: Stage<'_>| proceed_if(requested.fetch_add(1, Ordering::Relaxed) < most);
+        survey(scene.pair(), scene.start(), (&"RL".parse().unwrap(), 1), &diagram_settings, &watch).unwrap()
     };
     let whole = up_to(u32::MAX);
-    let all = asked.load(Ordering::Relaxed);
+    let all = requested.load(Ordering::Relaxed);
     assert!(whole.is_certified() && !whole.interrupted && whole.points.len() == 2 && all > 100);
     let mut counts = Vec::new();
     for most in (0..10).map(|part| part * all / 10).chain([all - 1]) {
@@ -297,12 +299,12 @@ fn over_the_restitution_the_pitchfork_solves_the_closed_form() {
 #[test]
 fn r32_a_branch_of_one_station_is_not_proved_to_be_a_curve() {
     let scene = Scene::parse(SCENE).unwrap();
-    let wanted =
+    let diagram_settings =
         DiagramSettings { over: "amplitude=0.1..0.2".parse().unwrap(), doublings: 0, precision: Precision::default() };
-    let ended_after = |asked: u32| {
+    let ended_after = |requested: u32| {
         let done = AtomicU32::new(0);
-        let watch = |_: Stage<'_>| proceed_if(done.fetch_add(1, Ordering::Relaxed) < asked);
-        survey(scene.pair(), scene.start(), (&"RL".parse().unwrap(), 1), &wanted, &watch).unwrap().branches
+        let watch = |_: Stage<'_>| proceed_if(done.fetch_add(1, Ordering::Relaxed) < requested);
+        survey(scene.pair(), scene.start(), (&"RL".parse().unwrap(), 1), &diagram_settings, &watch).unwrap().branches
     };
     // The least number of questions after which a branch is begun.
     let (mut none, mut some) = (0, 1 << 14);

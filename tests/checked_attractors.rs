@@ -23,7 +23,7 @@ fn scene(excitation: &str, pair: &str, velocity: &str, impacts: u32) -> String {
     )
 }
 
-/// Scenes whose motions are attracted: a symmetric orbit, one that is not, flights of more than a turn, and sums with and
+/// Scenes whose motions are attracted: a symmetric orbit, one that is not, flights of more than a forcing period, and sums with and
 /// without a mirror.
 fn attracted() -> Vec<(&'static str, Value)> {
     let one = |amplitude: &str| format!("amplitude = {amplitude}, frequency = \"pi\", phase = 0");
@@ -105,17 +105,17 @@ fn earliest(document: &Value) -> u64 {
 
 #[test]
 fn attractors_are_confirmed_and_nothing_else_in_their_place() {
-    judges_attractors([80, 10, 8]);
+    check_attractors([80, 10, 8]);
 }
 
 #[test]
 #[ignore = "deep: every value of every attractor; by default attractors_are_confirmed_and_nothing_else_in_their_place"]
 fn attractors_with_any_value_changed_are_not_confirmed() {
-    judges_attractors([1; 3]);
+    check_attractors([1; 3]);
 }
 
 /// Every attractor as it is, and with values changed: of its bounds, of its impacts, and of all else one in N, others for the next one.
-fn judges_attractors([bound, impact, other]: [usize; 3]) {
+fn check_attractors([bound, impact, other]: [usize; 3]) {
     for (number, (name, document)) in attracted().into_iter().enumerate() {
         let outcome = &document["outcome"];
         assert_eq!(outcome["kind"], "attracted", "{name}");

@@ -24,10 +24,10 @@ fn under(excitation: &str, cycles: u32, over: &str, (doublings, digits): (u32, u
     );
     let scene = Scene::parse(&scene).unwrap();
     let precision = Precision { digits, ..Precision::default() };
-    let wanted = DiagramSettings { over: over.parse().unwrap(), doublings, precision };
-    let asked = (&"RL".parse().unwrap(), cycles);
-    let diagram = survey(scene.pair(), scene.start(), asked, &wanted, &Unwatched).unwrap();
-    json!(document::bifurcations(scene.start(), asked, &diagram).unwrap())
+    let diagram_settings = DiagramSettings { over: over.parse().unwrap(), doublings, precision };
+    let requested = (&"RL".parse().unwrap(), cycles);
+    let diagram = survey(scene.pair(), scene.start(), requested, &diagram_settings, &Unwatched).unwrap();
+    json!(document::bifurcations(scene.start(), requested, &diagram).unwrap())
 }
 
 fn kinds(document: &Value) -> Vec<&str> {
@@ -196,7 +196,7 @@ fn r32_a_harmonic_that_vanishes_at_an_end_of_the_bounds_is_not_left_out() {
     assert_eq!(kinds(&alone), ["fold"]);
     assert_confirmed(&alone);
     let fold = 1.0 / (4.0 + 81.0 * std::f64::consts::PI.powi(2)).sqrt();
-    // No common period, a common one, and one of a turn; bounds from and around 0.
+    // No common period, a common one, and one of a forcing period; bounds from and around 0.
     for frequency in ["sqrt(2)*pi", "2*pi", "pi/2"] {
         for lower in ["0", "-0.01", "-0.010559228503146"] {
             let mut document = alone.clone();
@@ -213,7 +213,7 @@ fn r32_a_harmonic_that_vanishes_at_an_end_of_the_bounds_is_not_left_out() {
 /// Of a fold on the branch of symmetric orbits, and of a doubling beyond the pitchfork: whatever is said of first contacts, nothing else than the
 /// truth is confirmed of the mirror image.
 #[test]
-fn r32_symmetry_is_judged_whatever_is_known_of_first_contacts() {
+fn r32_symmetry_is_checked_independently_of_first_contacts() {
     let document = bifurcations("amplitude=0.03..0.48", 1, 12);
     for (i, kind) in kinds(&document).into_iter().enumerate() {
         let is_symmetric = document["points"][i]["orbit"]["symmetric"].as_bool().unwrap();

@@ -79,7 +79,7 @@ fn a_hyperbolic_set_of_many_words_is_proved_again() {
     assert!(is_confirmed(&document), "{:?}", verdict(&document));
 }
 
-/// The document with a base more than a turn wide in the place of base 1, from which and to which no word leads.
+/// The document with a base more than a forcing period wide in the place of base 1, from which and to which no word leads.
 #[test]
 fn r32_a_base_wider_than_a_turn_is_refused() {
     let of_width = |width: f64| {
@@ -171,8 +171,8 @@ fn words_are_confirmed() {
 #[ignore = "deep: words of up to 22 impacts; by default words_are_confirmed"]
 fn the_entropy_of_long_words_is_confirmed() {
     let document = chaos_of("figure-14", "tests/bases-figure-14.json", 22, None);
-    let told = |key: &str| document["entropy"][key].as_str().unwrap().parse::<f64>().unwrap();
-    assert!(told("per_impact") >= 0.4704 && told("per_cycle") >= 1.2166, "{}", document["entropy"]);
+    let claimed = |key: &str| document["entropy"][key].as_str().unwrap().parse::<f64>().unwrap();
+    assert!(claimed("per_impact") >= 0.4704 && claimed("per_cycle") >= 1.2166, "{}", document["entropy"]);
     let found = verdict(&document);
     let Some(Verdict::Undecided(Finding { message, .. })) = &found else { panic!("{found:?}") };
     let proved = message.split_once("have an entropy of at least ").and_then(|(_, rest)| rest.split(' ').next());
@@ -188,13 +188,13 @@ fn r37_long_words_of_figure_16_are_confirmed() {
 }
 
 #[test]
-fn spoiled_words_are_refused() {
+fn corrupted_words_are_refused() {
     refuses_spoiled_words(3, 1);
 }
 
 #[test]
-#[ignore = "deep: every word of up to 5 impacts; by default spoiled_words_are_refused"]
-fn spoiled_longer_words_are_refused() {
+#[ignore = "deep: every word of up to 5 impacts; by default corrupted_words_are_refused"]
+fn corrupted_longer_words_are_refused() {
     refuses_spoiled_words(5, usize::MAX);
 }
 
@@ -244,9 +244,9 @@ fn entropies_follow_from_the_words_that_are_listed() {
         ("per_impact", "0.28119957432296184", "0.28119957432296185"),
         ("per_cycle", "0.693147180559945309417", "0.693147180559945309418"),
     ] {
-        let told = |digits: &str| with(&document, &[(&format!("/entropy/{key}"), json!(digits))]);
-        assert!(is_confirmed(&told(below)), "{key}: {:?}", verdict(&told(below)));
-        refuses(&told(above), key, "does not follow");
+        let claimed = |digits: &str| with(&document, &[(&format!("/entropy/{key}"), json!(digits))]);
+        assert!(is_confirmed(&claimed(below)), "{key}: {:?}", verdict(&claimed(below)));
+        refuses(&claimed(above), key, "does not follow");
     }
     let none = json!({ "per_impact": "0", "per_cycle": "0" });
     refuses(&with(&document, &[("/entropy", none)]), "no entropy", "gives none");
@@ -263,21 +263,21 @@ fn entropies_follow_from_the_words_that_are_listed() {
 }
 
 #[test]
-fn another_base_is_refused() {
+fn another_h_set_is_refused() {
     refuses_others(&[0], &[[0.0, 0.02]], &[]);
 }
 
 /// Tubes with room for so little have none for a hundredth.
 #[test]
-#[ignore = "deep: words over a range of gaps a hundred times as wide; by default another_base_is_refused"]
+#[ignore = "deep: words over a range of gaps a hundred times as wide; by default another_h_set_is_refused"]
 fn a_wider_range_is_refused() {
     let over = chaos(3, Some("gap=9.42477..9.42498"));
     refuses(&with(&over, &[("/over/high", json!("9.5192"))]), "over", "not proved again");
 }
 
 #[test]
-#[ignore = "deep: two more bases, two more shifts, three pairs; by default another_base_is_refused"]
-fn bases_moved_otherwise_and_pairs_on_either_side_are_refused() {
+#[ignore = "deep: two more bases, two more shifts, three pairs; by default another_h_set_is_refused"]
+fn h_sets_moved_otherwise_and_pairs_on_either_side_are_refused() {
     let pairs = [("gap", "9.42497 * 1.01"), ("gap", "9.42497 * 0.99"), ("restitution", "0.505")];
     refuses_others(&[0, 2], &[[0.0, 0.02], [0.0, -0.02], [0.1, 0.0]], &pairs);
 }
@@ -322,7 +322,7 @@ fn regions_are_confirmed() {
     }
 }
 
-/// Boxes of 1/256 of a turn and 1/32 of `A W` that the orbit of figure 14 is in from its third impact on.
+/// Boxes of 1/256 of a forcing period and 1/32 of `A W` that the orbit of figure 14 is in from its third impact on.
 fn reached() -> Vec<[i64; 2]> {
     let scene = figure("figure-14");
     let settings = Settings { impacts: Some(30), ..Settings::default() };
@@ -341,7 +341,7 @@ fn reached() -> Vec<[i64; 2]> {
 }
 
 #[test]
-fn spoiled_regions_are_refused() {
+fn corrupted_regions_are_refused() {
     let document = trap("figure-14");
     let runs = document["region"].as_array().unwrap();
     // A box less in which the scene's own orbit is, with the number of boxes told right.
@@ -375,8 +375,8 @@ fn spoiled_regions_are_refused() {
     }
     refuses(&with(&document, &[("/speed/0", json!("0.01"))]), "speed", "not proved");
     let boxes = document["boxes"].as_u64().unwrap();
-    for told in [boxes - 1, boxes + 1] {
-        refuses(&with(&document, &[("/boxes", json!(told))]), "boxes", "number of boxes");
+    for claimed in [boxes - 1, boxes + 1] {
+        refuses(&with(&document, &[("/boxes", json!(claimed))]), "boxes", "number of boxes");
     }
     let first = runs[0].clone();
     let mut twice = with(&document, &[("/boxes", json!(boxes + 2))]);
@@ -415,7 +415,7 @@ fn a_region_in_which_a_ball_rests_is_refused() {
 }
 
 #[test]
-fn who_stops_a_check_is_told_how_far_it_came() {
+fn a_stopped_check_reports_its_progress() {
     let claims = Claims::parse(&chaos(6, None).to_string()).unwrap();
     let stop = |at: Stage<'_>| proceed_if(!matches!(at, Stage::Claims(6..)));
     let found = claims.check_within(&Effort::default(), &stop).unwrap();

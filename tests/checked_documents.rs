@@ -26,11 +26,11 @@ pub fn sweep_of(scene: &str, over: &[&str], impacts: u64) -> Vec<Value> {
     let grid = Grid::new(over.iter().map(|axis| axis.parse().unwrap()).collect()).unwrap();
     let settings = Settings { digits: 6, ..Settings::default() };
     let reference = grid.reference(&scene).unwrap();
-    let asked = PointSettings { transient: 3, impacts, summary: false, reference, settings };
-    let mut lines = vec![json!(sweep::head(&scene, &grid, &asked, None))];
+    let requested = PointSettings { transient: 3, impacts, summary: false, reference, settings };
+    let mut lines = vec![json!(sweep::head(&scene, &grid, &requested, None))];
     for number in 0..grid.points() {
         let values = grid.values(number).unwrap();
-        let point = sweep::follow(&grid.scene(&scene, &values).unwrap(), &asked, &Unwatched).unwrap().unwrap();
+        let point = sweep::follow(&grid.scene(&scene, &values).unwrap(), &requested, &Unwatched).unwrap().unwrap();
         lines.push(json!(sweep::record(number, &values, &point)));
     }
     lines
@@ -141,7 +141,7 @@ pub fn two_impact(cycles: u32) -> Value {
 }
 
 #[test]
-fn r17_documents_in_a_list_are_judged_one_by_one() {
+fn r17_documents_in_a_list_are_checked_one_by_one() {
     let both = json!([two_impact(1), two_impact(2)]);
     let claims = |document: &Value| Claims::parse(&document.to_string()).unwrap();
     let judged = |document: &Value| claims(document).check_within(&effort(), &Unwatched).unwrap();
@@ -171,9 +171,9 @@ fn r32_nothing_comes_after_a_list_of_documents() {
     }
 }
 
-/// The cycle that an impact is told to be in is a claim: of even cycles and of several harmonics.
+/// The claimed cycle of an impact is checked: of even cycles and of several harmonics.
 #[test]
-fn r17_cycles_of_impacts_are_judged() {
+fn r17_cycles_of_impacts_are_checked() {
     let scenes = [
         ("excitation = { amplitude = 1, frequency = 1, phase = 0 }\npair = { gap = 10.82, restitution = 0.5 }", 2),
         (
@@ -194,8 +194,8 @@ fn r17_cycles_of_impacts_are_judged() {
         assert!(matches!(judged(&document), Verdict::Confirmed { .. }), "{:?} {document}", judged(&document));
         for (impact, by) in [(0, 1), (1, 1), (1, -1), (1, i64::from(cycles))] {
             let mut copy = document.clone();
-            let told = &mut copy["orbits"][0]["impacts"][impact]["cycle"];
-            *told = json!(told.as_i64().unwrap() + by);
+            let claimed = &mut copy["orbits"][0]["impacts"][impact]["cycle"];
+            *claimed = json!(claimed.as_i64().unwrap() + by);
             assert!(matches!(judged(&copy), Verdict::Refuted(_)), "{impact} {by}: {:?}", judged(&copy));
         }
     }
@@ -214,10 +214,10 @@ fn middle(bounds: &Value) -> f64 {
     (number(&bounds[0]) + number(&bounds[1])) / 2.0
 }
 
-/// Over the amplitude of the fastest term from 0 all is continuous where no graze is near, and so is what is told of it: phases, impacts
+/// Over the amplitude of the fastest term from 0 all is continuous where no graze is near, and so are its properties: phases, impacts
 /// a cycle, exponents an impact and a cycle.
 #[test]
-fn r32_points_of_one_sweep_are_told_in_one_unit() {
+fn r32_points_of_one_sweep_have_one_unit() {
     let lines = sweep(TWO_TERMS, &["amplitude.2=0..1e-12:2"]);
     assert_eq!(lines[0]["reference"], 2);
     let [without, with] = [&lines[1], &lines[2]];
@@ -254,17 +254,17 @@ fn r32_phases_are_of_the_reference_whatever_is_the_fastest() {
             let scene = grid.scene(&Scene::parse(TWO_TERMS).unwrap(), &values).unwrap();
             let harmonic = &scene.pair().excitation().terms()[term as usize - 1];
             let [frequency, delay] = [harmonic.frequency(), harmonic.phase()].map(|x| x.enclose(64).mid_rad().0);
-            let told = |time: f64| (frequency * time + delay).rem_euclid(turn);
+            let claimed = |time: f64| (frequency * time + delay).rem_euclid(turn);
             let settings = Settings { impacts: Some(8), ..Settings::default() };
             let orbit = json!(document::orbit(scene.pair(), scene.start(), settings).unwrap());
             for (state, event) in
                 line["states"].as_array().unwrap().iter().zip(&orbit["events"].as_array().unwrap()[3..])
             {
-                let apart = (told(middle(&event["time"])) - middle(&state["phase"])).abs();
+                let apart = (claimed(middle(&event["time"])) - middle(&state["phase"])).abs();
                 assert!(apart < 1e-5 || turn - apart < 1e-5, "{over:?} {state} {event}");
             }
             if let Some(axis) = over.iter().position(|axis| axis.starts_with("start.phase")) {
-                let start = told(scene.start().time().enclose(64).mid_rad().0);
+                let start = claimed(scene.start().time().enclose(64).mid_rad().0);
                 assert!((start - number(&line["values"][axis])).abs() < 1e-9, "{line}");
             }
         }
@@ -274,7 +274,7 @@ fn r32_phases_are_of_the_reference_whatever_is_the_fastest() {
 /// The period of an attractor in cycles of the reference where they are a whole number, else in time: without the faster term it is that
 /// of figure 13, 2.
 #[test]
-fn r32_a_period_that_is_no_whole_number_of_cycles_is_told_in_time() {
+fn r32_a_period_that_is_no_whole_number_of_cycles_is_given_as_a_time() {
     let scene = |frequency: &str| {
         format!(
             "excitation = {{ amplitude = [2, 0.01], frequency = [\"pi\", \"{frequency}\"], phase = 0 }}
@@ -287,9 +287,9 @@ fn r32_a_period_that_is_no_whole_number_of_cycles_is_told_in_time() {
         let grid = Grid::new(vec!["amplitude.2=0..0.01:2".parse().unwrap()]).unwrap();
         let reference = grid.reference(&scene).unwrap();
         let settings = Settings { digits: 6, ..Settings::default() };
-        let asked = PointSettings { transient: 60, impacts: 40, summary: true, reference, settings };
+        let requested = PointSettings { transient: 60, impacts: 40, summary: true, reference, settings };
         let values = grid.values(0).unwrap();
-        let point = sweep::follow(&grid.scene(&scene, &values).unwrap(), &asked, &Unwatched).unwrap().unwrap();
+        let point = sweep::follow(&grid.scene(&scene, &values).unwrap(), &requested, &Unwatched).unwrap().unwrap();
         json!(sweep::record(0, &values, &point))["period"].clone()
     };
     let whole = period("2*pi");

@@ -17,7 +17,7 @@ const TWO: &str = r#"
     excitation = { amplitude = [8, "1/3"], frequency = ["pi", "2*pi"], phase = [0, 0.7] }
     pair = { gap = 9.42497, restitution = 0.5 }
     start = { time = "sqrt(2)", wall = "left", velocity = -12.56636 }"#;
-const INSIDE: &str = r#"
+const RELEASED_INSIDE: &str = r#"
     excitation = { amplitude = 8, frequency = "pi", phase = 0 }
     pair = { gap = 9.42497, restitution = 0.5 }
     start = { time = 0.1, position = 0.25, velocity = -12.56636 }"#;
@@ -60,7 +60,7 @@ fn shadowed_orbits_are_confirmed() {
         of("figure-16", 300),
         of("figure-17", 300),
         scene(TWO, 300),
-        scene(INSIDE, 100),
+        scene(RELEASED_INSIDE, 100),
         scene(RESTING, 80),
     ];
     for (name, document) in documents {
@@ -107,7 +107,7 @@ fn moved(bounds: &Value, widths: [i64; 2], factor: [i64; 2]) -> Value {
     json!([decimal(&middle - &half), decimal(middle + half)])
 }
 
-const WHOLE: [i64; 2] = [1, 1];
+const FULL_RANGE: [i64; 2] = [1, 1];
 
 /// The document with another value at each of the paths, and no words that say something else.
 fn spoiled(document: &Value, changes: &[(String, Value)]) -> Value {
@@ -146,18 +146,18 @@ fn other(wall: &Value) -> Value {
 }
 
 #[test]
-fn what_is_spoiled_is_never_confirmed() {
-    judges_spoiled([("figure-14", &[0]), ("figure-16", &[20]), ("figure-17", &[45])]);
+fn corrupted_documents_are_never_confirmed() {
+    check_corrupted([("figure-14", &[0]), ("figure-16", &[20]), ("figure-17", &[45])]);
 }
 
 #[test]
-#[ignore = "deep: three events of each of three figures; by default what_is_spoiled_is_never_confirmed"]
-fn what_is_spoiled_anywhere_is_never_confirmed() {
-    judges_spoiled(["figure-14", "figure-16", "figure-17"].map(|name| (name, &[0, 20, 45][..])));
+#[ignore = "deep: three events of each of three figures; by default corrupted_documents_are_never_confirmed"]
+fn documents_corrupted_anywhere_are_never_confirmed() {
+    check_corrupted(["figure-14", "figure-16", "figure-17"].map(|name| (name, &[0, 20, 45][..])));
 }
 
 /// Shadowed orbits with one thing changed, at these events.
-fn judges_spoiled(figures: [(&str, &[usize]); 3]) {
+fn check_corrupted(figures: [(&str, &[usize]); 3]) {
     for (name, events) in figures {
         let document = shadowed(&figure(name), 50);
         assert!(is_confirmed(&spoiled(&document, &[])), "{name}");
@@ -166,7 +166,9 @@ fn judges_spoiled(figures: [(&str, &[usize]); 3]) {
             for key in ["time", "velocity"] {
                 let path = format!("/events/{k}/{key}");
                 let bounds = &document.pointer(&path).unwrap();
-                for (widths, factor) in [([1, 1], WHOLE), ([-1, 1], WHOLE), ([3, 1], WHOLE), ([1, 2], [1, 10000])] {
+                for (widths, factor) in
+                    [([1, 1], FULL_RANGE), ([-1, 1], FULL_RANGE), ([3, 1], FULL_RANGE), ([1, 2], [1, 10000])]
+                {
                     all.push(spoiled(&document, &[(path.clone(), moved(bounds, widths, factor))]));
                 }
             }
@@ -181,7 +183,7 @@ fn judges_spoiled(figures: [(&str, &[usize]); 3]) {
         let at = |path: &str| document.pointer(path).unwrap();
         let varied = if name == "figure-17" { "/outcome/start/time" } else { "/outcome/start/velocity" };
         for widths in [[3, 1], [-3, 1], [3, 4]] {
-            all.push(spoiled(&document, &[(varied.into(), moved(at(varied), widths, WHOLE))]));
+            all.push(spoiled(&document, &[(varied.into(), moved(at(varied), widths, FULL_RANGE))]));
         }
         // A hundredth of the bounds, from the scene's start on, the orbit's start being on the other side of it in one of both.
         let [below, above] = [-1, 1].map(|sign| moved(at(varied), [sign, 200], [1, 100]));
@@ -210,7 +212,7 @@ fn judges_spoiled(figures: [(&str, &[usize]); 3]) {
 
 /// A claim that no start within the bounds satisfies is proved to be false; a bound that is only too narrow is not.
 #[test]
-fn what_no_start_does_is_refuted() {
+fn events_that_no_start_has_are_refuted() {
     let document = shadowed(&figure("figure-14"), 100);
     let refuted = |document: &Value, event: usize| match verdict(document) {
         Some(Verdict::Refuted(finding)) => assert_eq!(finding.event, event, "{}", finding.message),
@@ -221,24 +223,24 @@ fn what_no_start_does_is_refuted() {
     refuted(&spoiled(&document, &[("/scene/gap".into(), json!("9.42498"))]), 0);
     refuted(&spoiled(&document, &[("/events/70/mapping".into(), json!("P3"))]), 70);
     let time = "/events/40/time";
-    let later = moved(document.pointer(time).unwrap(), [1, 1], WHOLE);
+    let later = moved(document.pointer(time).unwrap(), [1, 1], FULL_RANGE);
     let found = verdict(&spoiled(&document, &[(time.into(), later)]));
     assert!(matches!(found, Some(Verdict::Undecided(_) | Verdict::Refuted(_))), "{found:?}");
 }
 
 #[test]
-fn who_stops_a_check_keeps_the_links_that_are_proved() {
+fn a_stopped_check_keeps_the_proved_links() {
     let certificate = Certificate::parse(&shadowed(&figure("figure-14"), 2000).to_string()).unwrap();
-    let told = Mutex::new(Vec::new());
+    let reported = Mutex::new(Vec::new());
     let stop = |at: Stage<'_>| {
         let Stage::Claims(confirmed) = at else { return proceed_if(true) };
-        told.lock().unwrap().push(confirmed);
+        reported.lock().unwrap().push(confirmed);
         proceed_if(confirmed < 100)
     };
     let found = certificate.check_within(&Effort::default(), &stop).unwrap();
-    let told = told.into_inner().unwrap();
+    let reported = reported.into_inner().unwrap();
     let Verdict::Interrupted { events } = found else { panic!("{found:?}") };
-    assert!((100..2000).contains(&events) && told.is_sorted(), "{events} {told:?}");
+    assert!((100..2000).contains(&events) && reported.is_sorted(), "{events} {reported:?}");
 }
 
 /// One harmonic, A = W = 1, tau = pi/2, d = 6, from inside the gap: `y = y(0) + 1 + v(0) t - cos t`. With no velocity the ball grazes the
@@ -301,7 +303,7 @@ fn r32_epsilon_is_that_of_bounds_of_few_digits() {
         let outcome = json!({"kind": "impacts-reached", "epsilon": {"median": median, "maximum": maximum}});
         beside_stillness("1", [&json!(["3.08", "3.09"]), &json!(VELOCITY)], &[], outcome)
     };
-    // Half of 0.01 is 7.9577e-4 turns; printing may have made it wider by a hundredth.
+    // Half of 0.01 is 7.9577e-4 forcing periods; printing may have made it wider by a hundredth.
     assert!(is_confirmed(&of("8e-4", "8e-4")) && is_confirmed(&of("7.9e-4", "7.9e-4")));
     for [median, maximum] in [["1e-300", "1e-300"], ["7.8e-4", "7.8e-4"], ["1e-300", "8e-4"], ["8e-4", "1e-300"]] {
         let found = verdict(&of(median, maximum));

@@ -6,7 +6,7 @@ use crate::periodic::{all, complete, pair, physical, problem};
 use impact_pair::periodic::newton::{is_plausible, polish};
 use impact_pair::periodic::{Chain, Precision, Stability};
 
-/// Lemma T4: at `e = 1` doubles prove an elliptic orbit neutral, and no more bits are asked.
+/// Lemma T4: at `e = 1` doubles prove an elliptic orbit neutral, and no more bits are requested.
 #[test]
 fn neutral_orbits_take_no_more_bits() {
     let orbits = complete(&pair("0.1", "1"), "RLRLRL", 3).orbits;

@@ -1,4 +1,4 @@
-//! At the extremes: nothing is asked for in vain, and what can be told is told. The scenes are those of issue 17, and of its kind.
+//! At the extremes: requests are met, and decidable questions are decided. The scenes are those of issue 17, and of its kind.
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 
@@ -14,7 +14,7 @@ fn scene(excitation: &str, pair: &str, start: &str) -> Scene {
     Scene::parse(&format!("excitation = {{ {excitation} }}\npair = {{ {pair} }}\nstart = {{ {start} }}")).unwrap()
 }
 
-/// The impacts asked for, in `auto`, and the orbit at its end.
+/// The requested impacts, in `auto`, and the orbit at its end.
 fn run(scene: &Scene, impacts: u64) -> (Vec<Impact>, Orbit) {
     let mut orbit = Orbit::of(scene, Settings { impacts: Some(impacts), ..Settings::default() }).unwrap();
     let impacts = orbit.by_ref().collect();
@@ -106,7 +106,7 @@ fn r17_a_start_in_the_gap_needs_no_direction() {
     }
 }
 
-/// Exactly no velocity, a phase of exactly a quarter of a turn: both in disguise (Lemma X2).
+/// Exactly no velocity, a phase of exactly a quarter of a forcing period: both in disguise (Lemma X2).
 #[test]
 fn r17_zeros_in_disguise_are_zeros() {
     let plain = scene(
@@ -118,14 +118,14 @@ fn r17_zeros_in_disguise_are_zeros() {
     let disguised = scene("amplitude = 1, frequency = 1, phase = 0.3", "gap = 10, restitution = 0.5", disguised);
     assert_eq!(run(&plain, 5).0, run(&disguised, 5).0);
 
-    // At a quarter of a turn with no velocity the drift is 0 and the wall is grazed once a turn, for ever (Lemma Z4).
+    // At a quarter of a forcing period with no velocity the drift is 0 and the wall is grazed once per forcing period, for ever (Lemma Z4).
     let excitation = "amplitude = 1, frequency = \"sqrt(2)\", phase = \"pi/2 - sqrt(2)/3\"";
     let start = "time = \"1/3\", wall = \"left\", velocity = 0";
     let (impacts, orbit) = run(&scene(excitation, "gap = 10, restitution = 0.5", start), 5);
     assert!(impacts.is_empty() && matches!(orbit.outcome(), Some(Outcome::Periodic(period)) if period.impacts == 0));
 }
 
-/// Chatter that begins `1e-16` turns after the pressure does was listed down to the smallest double and then for ever.
+/// Chatter that begins `1e-16` forcing periods after the contact force does was listed down to the smallest double and then for ever.
 #[test]
 #[cfg(feature = "multiprecision")]
 fn r17_chatter_at_the_edge_of_the_pressure_is_a_rest() {
@@ -155,7 +155,7 @@ fn r17_the_extremes_of_data_are_read() {
     assert_eq!(run(&near_one, 4).0.len(), 4);
     let far = scene("amplitude = 1, frequency = 1, phase = \"1e100\"", "gap = 10, restitution = 0.5", start);
     assert_eq!(run(&far, 4).0.len(), 4);
-    // Whole turns change nothing.
+    // Whole forcing periods change nothing.
     let shifted = |turns: &str| {
         scene(
             &format!("amplitude = 1, frequency = 1, phase = \"0.3 + {turns}*pi\""),

@@ -34,7 +34,7 @@ fn certified(alpha: f64, wall: Wall, phase: f64, speed: f64) -> Option<(Flight<f
     first_contact(&flight, &Margins::new(&pair), Radii::default()).certified().map(|contact| (flight, contact))
 }
 
-/// The height above the departure wall `h` turns after the start, with the standard library's sine.
+/// The height above the departure wall `h` forcing periods after the start, with the standard library's sine.
 fn height(flight: &Flight<f64>, h: f64) -> f64 {
     let angle = TAU * flight.phase;
     let wave = ((angle + TAU * h).sin() - angle.sin()) * flight.wall.sign();
@@ -42,7 +42,7 @@ fn height(flight: &Flight<f64>, h: f64) -> f64 {
     drift * h - flight.alpha * wave
 }
 
-/// More than what a double evaluation of z is off `time` turns after the start.
+/// More than what a double evaluation of z is off `time` forcing periods after the start.
 fn noise(alpha: f64, time: f64) -> f64 {
     1e-13 * (1.0 + alpha) * (1.0 + time)
 }
@@ -97,7 +97,7 @@ proptest! {
     /// The mirror (y -> -y, theta -> theta + pi) maps certified flights to certified flights.
     #[test]
     fn mirrored_flights_have_mirrored_contacts((alpha, _, phase, speed) in starts()) {
-        // Multiples of 2^-20, so that half a turn is added exactly.
+        // Multiples of 2^-20, so that half a forcing period is added exactly.
         let phase = (phase * 1_048_576.0).round() / 1_048_576.0;
         let other = if phase > 0.0 { phase - 0.5 } else { phase + 0.5 };
         let answers = [(Wall::Left, phase), (Wall::Right, other)].map(|(wall, phase)| certified(alpha, wall, phase, speed));
@@ -133,7 +133,7 @@ proptest! {
         let noise = noise(alpha, own.time) / own.velocity.abs() + contact.time.rad();
         prop_assert!((own.time - contact.time.mid()).abs() <= noise);
         if let Some(std) = first_contact_f64::<Std>(&flight).filter(|std| std.wall == contact.wall) {
-            // The other trigonometry may fall to the other side of a near graze, turns away.
+            // The other trigonometry may fall to the other side of a near graze, forcing periods away.
             let same_turn = (std.time - own.time).abs() < 0.1;
             prop_assert!(!same_turn || (std.time - contact.time.mid()).abs() <= noise);
         }

@@ -11,7 +11,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Folders and files of the code that makes certified results.
-const ROOMS: [&str; 25] = [
+const CERTIFIED_PATHS: [&str; 25] = [
     "crates/exact",
     "crates/certificate/src/check",
     "src/audit",
@@ -42,7 +42,7 @@ const WORDS: [&str; 3] = ["proposes", "exact", "shown"];
 const NUMBERS: [&str; 14] =
     ["i8", "i16", "i32", "i64", "i128", "isize", "u8", "u16", "u32", "u64", "u128", "usize", "f32", "f64"];
 /// Methods that lose something with an argument: without one they are an iterator's, and lose nothing.
-const BOUNDS: [&str; 3] = [".max(", ".min(", ".clamp("];
+const CLAMPS: [&str; 3] = [".max(", ".min(", ".clamp("];
 const CALLS: [&str; 17] = [
     "f64::max",
     "f64::min",
@@ -111,7 +111,7 @@ impl Line {
         let found = |what: &str| {
             code.match_indices(what).map(|(at, what)| code[at + what.len()..].trim_start()).collect::<Vec<_>>()
         };
-        BOUNDS.iter().any(|bound| found(bound).iter().any(|rest| !rest.starts_with(')')))
+        CLAMPS.iter().any(|bound| found(bound).iter().any(|rest| !rest.starts_with(')')))
             || CALLS.iter().any(|call| !found(call).is_empty())
             || found(" as ").iter().any(|rest| NUMBERS.contains(&word(rest)))
             || [" == ", " != "].iter().any(|sign| {
@@ -146,10 +146,10 @@ pub(super) fn is_lemma(text: &str) -> bool {
 /// The labels of a comment: what it begins with, up to a colon or its end, and every `Lemma X1` in it.
 fn labels(comment: &str) -> Vec<String> {
     let head = comment.split_once(": ").map_or(comment, |(head, _)| head).trim_end_matches(['.', ':']);
-    let told = comment.contains(": ");
+    let has_reason = comment.contains(": ");
     let is_name = |name: &&str| !["", "and", "Lemma", "Lemmas"].contains(name);
     let names: Vec<&str> = head.split([',', ' ']).filter(is_name).collect();
-    let is_label = |name: &&str| is_lemma(name) || WORDS.contains(name) && (told || *name != "exact");
+    let is_label = |name: &&str| is_lemma(name) || WORDS.contains(name) && (has_reason || *name != "exact");
     let mut labels: Vec<String> = Vec::new();
     if names.iter().all(is_label) {
         labels.extend(names.iter().map(|&name| name.to_owned()));
@@ -266,7 +266,7 @@ fn every_clamp_cast_and_comparison_carries_its_lemma() {
     assert!(lemmas.len() > 130, "{lemmas:?}");
     let (mut unlabelled, mut undefined) = (Vec::new(), Vec::new());
     let mut table: BTreeMap<String, BTreeMap<String, usize>> = BTreeMap::new();
-    for path in ROOMS.iter().flat_map(|room| sources(&root.join(room))) {
+    for path in CERTIFIED_PATHS.iter().flat_map(|room| sources(&root.join(room))) {
         let name = path.strip_prefix(root).unwrap().display().to_string();
         let findings = examine(&name, &fs::read_to_string(&path).unwrap(), &lemmas);
         unlabelled.extend(findings.unlabelled);
@@ -301,7 +301,7 @@ fn every_lemma_that_is_named_is_defined() {
 
 /// The test of the test: what it must find, and what it must let pass.
 #[test]
-fn what_has_no_label_is_found() {
+fn missing_labels_are_found() {
     let lemmas: BTreeSet<String> = defined("**Lemma M0** (a). **Lemma N1** (b). **Lemma (c).**").collect();
     assert_eq!(lemmas.iter().collect::<Vec<_>>(), ["M0", "N1"]);
     let unlabelled = |source: &str| examine("a.rs", source, &lemmas).unlabelled.len();

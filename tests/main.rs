@@ -18,6 +18,7 @@ mod extremes;
 mod flight;
 mod forger;
 mod labels;
+mod names;
 mod orbit;
 mod package;
 mod periodic;

@@ -44,7 +44,7 @@ fn the_exact_orbit_of_figure_12_is_enclosed_for_a_thousand_impacts() {
 /// The numbers of impacts that doubles certify at least, from the printed point data.
 #[test]
 fn the_figures_reach_as_far_as_doubles_certify() {
-    for (name, asked, least) in [
+    for (name, requested, least) in [
         ("12", 100_000, 100_000),
         ("13", 100_000, 100_000),
         ("14", 1000, 78),
@@ -52,7 +52,7 @@ fn the_figures_reach_as_far_as_doubles_certify() {
         ("16", 1000, 130),
         ("17", 1000, 60),
     ] {
-        let mut orbit = orbit(&scene(name), Arithmetic::Interval, asked);
+        let mut orbit = orbit(&scene(name), Arithmetic::Interval, requested);
         let widest = orbit.by_ref().map(|impact| impact.phase.rad()).fold((0, 0.0f64), |(n, w), r| (n + 1, w.max(r)));
         assert!(widest.0 >= least, "figure {name}: {} impacts", widest.0);
         if least > 1000 {
@@ -89,7 +89,7 @@ fn the_textbooks_method_is_known_of_one_harmonic() {
     assert!(error.contains("2 harmonics") && error.contains("inari"), "{error}");
 }
 
-/// Whoever asks for it by name or by its variant is told of the feature.
+/// A request by name or by its variant gives an error that names the feature.
 #[cfg(not(feature = "inari"))]
 #[test]
 fn the_textbooks_method_is_a_feature() {
@@ -116,7 +116,7 @@ fn words_of_the_periodic_figures() {
 }
 
 #[test]
-fn auto_lists_nothing_wider_than_the_digits_asked_for() {
+fn auto_lists_nothing_wider_than_requested() {
     for digits in [3, 6, 9, 12] {
         let settings = Settings { impacts: Some(200), digits, ..Settings::default() };
         let scene = scene("14");

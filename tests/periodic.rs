@@ -16,7 +16,7 @@ fn value(text: &str) -> Exact {
     text.parse().unwrap()
 }
 
-/// A pair of this `A/d` and `e`, in units in which a turn takes 1 and the gap is 1.
+/// A pair of this `A/d` and `e`, in units in which a forcing period takes 1 and the gap is 1.
 pub fn pair(ratio: &str, restitution: &str) -> ImpactPair {
     let harmonic = Harmonic::new(value(ratio), value("2*pi"), value("0")).unwrap();
     ImpactPair::new(harmonic, value("1"), value(restitution)).unwrap()
@@ -119,7 +119,7 @@ fn the_exact_orbit_is_enclosed_to_many_digits() {
     assert!(orbit.eigenvalues.iter().all(|value| value.re.contains(&quarter)));
 }
 
-/// Stable orbits: those that `validation/paper` names, and a ladder from R2L3 to R5L5; the word, the cycles, `A/d`, `e`.
+/// Stable orbits: those that `validation/paper` names, and a family from R2L3 to R5L5; the word, the cycles, `A/d`, `e`.
 #[test]
 fn stable_orbits_of_many_words_are_found() {
     for (word, cycles, ratio, restitution) in [
@@ -176,7 +176,7 @@ fn runs_a_hundred_periods(pair: &ImpactPair, orbit: &PeriodicOrbit, cycles: u32)
         Exact::interval(&end(x.inf()), &end(x.sup())).unwrap()
     };
     let first = &orbit.impacts[0];
-    // A turn takes 1, the gap is 1: phases are times and velocities are as they are.
+    // A forcing period takes 1, the gap is 1: phases are times and velocities are as they are.
     let start = Start::on_wall(interval(&first.phase), first.wall, interval(&first.velocity)).unwrap();
     let count = orbit.impacts.len();
     let settings =
@@ -231,8 +231,8 @@ fn after_a_period(chain: &Chain, reduced: &Reduced<MpBall>, guess: &[MpBall], st
         let mut next = guess[j].clone() + rounds;
         for _ in 0..60 {
             let (sin1, cos1) = next.sin_cos();
-            let way = drift.clone() * (next.clone() - phase.clone()) - reduced.alpha.clone() * (sin1 - sin.clone());
-            let miss = way - MpBall::from_f64(chain.displacement(i));
+            let travel = drift.clone() * (next.clone() - phase.clone()) - reduced.alpha.clone() * (sin1 - sin.clone());
+            let miss = travel - MpBall::from_f64(chain.displacement(i));
             let velocity = drift.clone() - reduced.beta.clone() * cos1;
             next = next - miss.checked_div(velocity).unwrap();
             next = MpBall::exact(next.mid().clone());

@@ -16,7 +16,7 @@ fn value(text: &str) -> Exact {
     text.parse().unwrap()
 }
 
-/// A pair with a gap of 1 of harmonics told by amplitude, frequency and phase.
+/// A pair with a gap of 1 of harmonics given by amplitude, frequency and phase.
 fn pair(terms: &[(&str, &str, &str)], restitution: &str) -> ImpactPair {
     let term = |&(a, w, tau): &(&str, &str, &str)| Harmonic::new(value(a), value(w), value(tau)).unwrap();
     let excitation = Excitation::new(terms.iter().map(term).collect()).unwrap();
@@ -80,7 +80,7 @@ fn one_harmonic_in_two_terms_has_the_same_orbits() {
         let other = problem(&two, word, cycles);
         assert_eq!(other.period(), 1);
         for orbit in orbits {
-            // Phases are those of the first term, a sixth of a turn ahead.
+            // Phases are those of the first term, a sixth of a forcing period ahead.
             let guess: Vec<f64> = middles(&orbit).iter().map(|phase| phase + 1.0 / 6.0).collect();
             let same = other.prove(&guess, precision).expect("proved");
             assert_eq!((same.stability, same.physical), (orbit.stability, orbit.physical), "{word}");
@@ -130,10 +130,10 @@ fn a_search_counts_the_orbits_of_one_harmonic_in_two_terms() {
     }
 }
 
-/// A harmonic that is hardly there moves no orbit by much, but tells which turn of the common period it begins in. None of the
-/// orbits of one harmonic is at a bifurcation, so each of them goes on as one orbit for each turn after which it differs from itself.
+/// A harmonic that is hardly there moves no orbit by much, but determines which forcing period of the common period it begins in. None of the
+/// orbits of one harmonic is at a bifurcation, so each of them goes on as one orbit for each forcing period after which it differs from itself.
 #[test]
-fn a_search_counts_the_orbits_of_one_harmonic_in_each_turn_under_a_faint_slower_one() {
+fn a_search_counts_the_orbits_of_one_harmonic_in_each_period_under_a_faint_slower_one() {
     for (word, ratio, restitution, slow, turns) in [
         ("LR", "1/9.42497", "0.5", "2*pi/3", 3),
         ("LLR", "1/9.42497", "0.5", "4*pi/3", 3),
@@ -262,7 +262,7 @@ fn mirror_images_are_orbits_where_the_harmonics_are_odd() {
     assert!(even.iter().all(|orbit| orbit.symmetric == Some(false)));
 }
 
-/// Lemma Q3, in whichever turn of the common period the run starts: far away in time as well.
+/// Lemma Q3, in whichever forcing period of the common period the run starts: far away in time as well.
 #[test]
 fn runs_are_proved_to_converge_to_a_stable_orbit() {
     let (pair, word, cycles) = questions().swap_remove(0);
@@ -292,7 +292,7 @@ fn runs_are_proved_to_converge_to_a_stable_orbit() {
 }
 
 #[test]
-fn what_is_not_known_of_several_harmonics_is_an_error() {
+fn cycles_without_a_common_period_are_an_error() {
     let word = &"LR".parse().unwrap();
     let three = pair(&[("1", "pi", "0"), ("1/3", "3*pi", "0")], "0.5");
     let message = Problem::new(&three, word, 4).unwrap_err().to_string();

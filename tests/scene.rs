@@ -103,7 +103,7 @@ fn values_out_of_range_are_named_with_their_line() {
 }
 
 #[test]
-fn what_is_no_number_is_named_with_its_line_and_text() {
+fn a_text_that_is_no_number_is_named_with_its_line() {
     let number = "but must be a number, or a string with an expression (\"3*pi\") or an interval (\"[9.42, 9.43]\")";
     for value in ["true", "1979-05-27", "[1]", "{ value = 1 }"] {
         let refused = refusal(&with("gap = 9.42497", &format!("gap = {value}")));
@@ -117,7 +117,7 @@ fn what_is_no_number_is_named_with_its_line_and_text() {
 }
 
 #[test]
-fn several_terms_need_as_many_frequencies_and_one_phase_or_as_many() {
+fn several_terms_need_equally_many_frequencies_and_one_phase_or_equally_many() {
     let two = with("amplitude = 8", "amplitude = [8, \"1/3\"]")
         .replace("frequency = \"pi\"", "frequency = [\"pi\", \"3*pi\"]");
     let terms = |text: &str| Scene::parse(text).unwrap().pair().excitation().terms().to_vec();
@@ -186,7 +186,7 @@ fn unknown_missing_and_duplicate_keys_are_named() {
 }
 
 #[test]
-fn what_to_run_is_checked() {
+fn the_run_table_is_checked() {
     let cases = [
         ("impacts = 20", "impacts = -1", "line 14: run.impacts is -1, but must be an integer of at least 0"),
         ("impacts = 20", "impacts = 2.5", "line 14: run.impacts is 2.5, but must be an integer of at least 0"),
@@ -205,7 +205,7 @@ fn what_to_run_is_checked() {
 }
 
 #[test]
-fn what_is_no_toml_is_shown_with_its_line() {
+fn invalid_toml_is_shown_with_its_line() {
     for (line, number) in
         [("gap = = 2", 7), ("gap 2", 7), ("gap = 123456789012345678901234567890", 7), ("gap = 1e400", 7)]
     {

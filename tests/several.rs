@@ -198,7 +198,7 @@ fn terms_that_change_nothing_change_nothing() {
     assert_eq!(one, times(case(&["8", "0"], &["pi", "7*pi"], rest)));
 }
 
-/// A flight whose drift takes it across the gap in a hundred thousand turns costs no more pieces than a short one.
+/// A flight whose drift takes it across the gap in a hundred thousand forcing periods costs no more pieces than a short one.
 #[test]
 fn long_flights_jump() {
     for frequencies in [["2*pi", "6*pi"], ["2*pi", "2*pi*sqrt(2)"]] {
@@ -243,9 +243,9 @@ fn only_commensurate_motions_are_called_periodic() {
     assert_eq!(other.events(Arithmetic::Auto, 120).1, Some(Outcome::ImpactsReached));
 }
 
-/// Half a turn is told as 1/2 or as -1/2 of the next: two releases there are whole periods apart all the same (Lemma H9).
+/// Half a forcing period is written as 1/2 or as -1/2 of the next: two releases there are whole periods apart all the same (Lemma H9).
 #[test]
-fn a_period_between_releases_at_half_a_turn_is_counted_in_whole_turns() {
+fn a_period_between_releases_at_half_a_period_is_a_whole_number_of_periods() {
     let text = |phase: &str, wall: &str, velocity: &str| {
         format!(
             "excitation = {{ amplitude = [\"0.0977766639*0.002\", \"1.18576041e-05*0.0977766639*0.002\"], \

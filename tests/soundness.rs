@@ -98,7 +98,7 @@ fn r14_half_a_turn_is_decided_before_the_half_is_added() {
 }
 
 #[test]
-fn r14_turns_are_counted_or_the_orbit_ends() {
+fn r14_forcing_periods_are_counted_or_the_orbit_ends() {
     // Impact i is at i 2^51, exactly, however late.
     let scene = scene("0", "1", "1", "time = 0, wall = \"left\", velocity = \"-1/2251799813685248\"");
     for arithmetic in arithmetics() {
@@ -202,8 +202,8 @@ fn r14_phases_of_any_size_are_those_of_the_harmonics() {
 }
 
 #[test]
-fn r14_flights_of_more_turns_than_doubles_count_are_not_followed() {
-    // 2 10^16 turns of the faster harmonic; the first contact was certified at ...0.79999995 instead of ...0.99999995.
+fn r14_flights_of_more_periods_than_doubles_count_are_not_followed() {
+    // 2 10^16 forcing periods of the faster harmonic; the first contact was certified at ...0.79999995 instead of ...0.99999995.
     for (second, velocity) in [("1e-6", "2.3e-16"), ("0.005", "5e-17")] {
         let text = format!(
             "excitation = {{ amplitude = [0.02, {second}], frequency = [\"pi\", \"20*pi\"], phase = \"pi/2\" }}\n\
@@ -307,7 +307,7 @@ fn r32_what_is_undecided_may_happen_from_the_time_given_on() {
 #[cfg(feature = "multiprecision")]
 #[test]
 fn r32_no_event_is_listed_after_the_time_to_stop_at() {
-    // The first impact is at 0.551348020218521190909... (mpmath, 50 digits: (A.4) of figure 14): 40 digits tell it from the time asked for.
+    // The first impact is at 0.551348020218521190909... (mpmath, 50 digits: (A.4) of figure 14): 40 digits distinguish it from the requested time.
     let scene = Scene::parse(include_str!("../scenes/figure-14.toml")).unwrap();
     for (until, listed) in [("0.55134802021852118", 0), ("0.5513480202185212", 1)] {
         let settings = Settings { until: Some(until.parse().unwrap()), digits: 40, ..Settings::default() };

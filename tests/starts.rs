@@ -1,4 +1,4 @@
-//! The start asked for and the one that is followed: inside the gap, where the direction is not certain, motions are followed from a
+//! The requested start and the one that is followed: inside the gap, where the direction is not certain, motions are followed from a
 //! later state (Lemma R3), and what is said of the start is said of the one at the scene's time and place.
 #![cfg(feature = "multiprecision")]
 
@@ -15,7 +15,7 @@ use num_rational::BigRational;
 use serde_json::json;
 
 /// Exactly 0, which no enclosure tells.
-const NOTHING: &str = "cos(pi/5) - cos(2*pi/5) - 1/2";
+const HIDDEN_ZERO: &str = "cos(pi/5) - cos(2*pi/5) - 1/2";
 const ONE: &str = "amplitude = 8, frequency = \"pi\", phase = 0.3";
 const TWO: &str = "amplitude = [8, \"1/3\"], frequency = [\"pi\", \"2*pi\"], phase = [0.3, 0.7]";
 const INCOMMENSURATE: &str = "amplitude = [8, \"1/3\"], frequency = [\"pi\", \"sqrt(2)*pi\"], phase = [0.3, 0.7]";
@@ -105,7 +105,7 @@ fn claimed(scene: &Scene, splice: u64, count: usize) -> Option<(Vec<Listed>, Enc
 /// state was printed as that of the start, [1.209218321525933, 1.209218321527108]: with it, impact 1 is at 0.60657134851.
 #[test]
 fn r32_a_shadow_of_uncertain_direction_starts_at_the_time_of_the_scene() {
-    for velocity in [NOTHING, "[-1e-13, 1e-13]"] {
+    for velocity in [HIDDEN_ZERO, "[-1e-13, 1e-13]"] {
         let scene = scene(ONE, "1/3", "1.5", velocity);
         let (impacts, near) = claimed(&scene, 0, 20).expect("a shadow");
         let (_, time, speed) = &impacts[0];
@@ -121,7 +121,7 @@ fn r32_a_shadow_of_uncertain_direction_starts_at_the_time_of_the_scene() {
 /// start was told within 7.9e-13, where the one that has these impacts is farther by a factor of 1,400.
 #[test]
 fn r32_a_splice_after_a_start_of_uncertain_direction_knows_how_far_it_is() {
-    let scene = scene(ONE, "1.3", "1.3591249314245908", NOTHING);
+    let scene = scene(ONE, "1.3", "1.3591249314245908", HIDDEN_ZERO);
     for splice in [2, 8, 12] {
         // An orbit that does not expand along this segment is not shadowed.
         if let Some((impacts, near)) = claimed(&scene, splice, 20) {
@@ -141,7 +141,7 @@ fn r32_shadows_of_uncertain_direction_have_a_start_with_their_impacts() {
     let mut shadows = [0; 2];
     for case in [0, 1, 2, 4, 6, 11] {
         let excitation = [ONE, TWO, INCOMMENSURATE][case % 3];
-        let velocity = [NOTHING, NOTHING, "[-1e-13, 1e-13]", "[-1e-12, 2e-12]"][case / 3];
+        let velocity = [HIDDEN_ZERO, HIDDEN_ZERO, "[-1e-13, 1e-13]", "[-1e-12, 2e-12]"][case / 3];
         let (time, position) = (format!("{}/500", random()), format!("{}/200", i64::from(random()) - 500));
         let scene = scene(excitation, &time, &position, velocity);
         for (kind, splice) in [0, 3].into_iter().enumerate() {
@@ -157,10 +157,10 @@ fn r32_shadows_of_uncertain_direction_have_a_start_with_their_impacts() {
     assert!(shadows[0] >= 4 && shadows[1] >= 1, "{shadows:?}");
 }
 
-/// The chain by itself is told from the scene's time, too.
+/// The chain alone is measured from the scene's time, too.
 #[test]
-fn a_chain_of_uncertain_direction_begins_at_the_start_asked_for() {
-    let scene = scene(ONE, "1/3", "1.5", NOTHING);
+fn a_chain_of_uncertain_direction_begins_at_the_given_start() {
+    let scene = scene(ONE, "1/3", "1.5", HIDDEN_ZERO);
     let chain = Shadow::of(&scene).unwrap();
     let (turns, phase, velocity) = chain.start();
     // (W t + tau) / (2 pi) = 1/6 + 0.3 / (2 pi), whose nearest whole number is 0.
@@ -171,8 +171,8 @@ fn a_chain_of_uncertain_direction_begins_at_the_start_asked_for() {
 /// `y = y0 + (v0 + E'(t0)) h + E(t0) - E(t)`, (11), is what the dense output says from the scene's time on; between it and the later
 /// state nothing was said of a shadow, and figures began there.
 #[test]
-fn r32_between_the_start_asked_for_and_the_one_followed_the_motion_is_known() {
-    let scene = scene(ONE, "1/3", "1.5", NOTHING);
+fn r32_the_motion_between_the_given_start_and_the_one_followed_is_known() {
+    let scene = scene(ONE, "1/3", "1.5", HIDDEN_ZERO);
     let from = 1.0 / 3.0;
     let phase = |t: f64| std::f64::consts::PI * t + 0.3;
     for arithmetic in [Arithmetic::Shadow, Arithmetic::Auto, Arithmetic::Interval] {

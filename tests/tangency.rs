@@ -121,16 +121,16 @@ fn nothing_is_claimed_where_there_is_none() {
 }
 
 #[test]
-fn what_is_accepted_is_said() {
+fn errors_name_the_accepted_values() {
     let scene = |text: &str| Scene::parse(&include_str!("../scenes/figure-14.toml").replace("= 0.5", text)).unwrap();
-    let told = |scene: &Scene, over: &str| {
+    let error_of = |scene: &Scene, over: &str| {
         Tangencies::of(scene, &settings(over, FIRST, 9), &Unwatched).unwrap_err().to_string()
     };
     let wide =
         Scene::parse(&include_str!("../scenes/figure-14.toml").replace("amplitude = 8", "amplitude = \"[7, 8]\""))
             .unwrap();
-    assert!(told(&wide, "gap=9.4..9.5").contains("accepted is a single number"));
-    assert!(told(&figure_14(), "frequency=1..4").contains("KEY one of gap, amplitude, restitution"));
+    assert!(error_of(&wide, "gap=9.4..9.5").contains("accepted is a single number"));
+    assert!(error_of(&figure_14(), "frequency=1..4").contains("KEY one of gap, amplitude, restitution"));
     for e in ["= 0", "= 1"] {
         let found = Tangencies::of(&scene(e), &settings("gap=9.4..9.5", FIRST, 9), &Unwatched).unwrap();
         assert!(found.tangencies.is_empty() && !found.is_certified());
@@ -148,7 +148,7 @@ fn an_interrupted_search_is_not_certified() {
     assert!(found.interrupted && found.tangencies.is_empty() && !found.is_certified());
 }
 
-/// A search over all words is asked at each of its pieces whether to go on, and at each of its folds.
+/// A search over all words consults the watch at each of its pieces and folds.
 #[test]
 fn r48_a_search_over_all_words_can_be_stopped_at_once() {
     let all = TangencySettings { word: None, longest: 10, ..settings("gap=9.4244..9.4254", FIRST, 9) };

@@ -56,8 +56,8 @@ fn residuals(pair: &ImpactPair, orbit: &Orbit, cycles: u32) -> [Enclosure; 4] {
         let drift = shaken(&from.phase).sub(&e.mul(&from.velocity, bits), bits);
         found.push(drift.sub(&shaken(&to.phase), bits).sub(&to.velocity, bits));
         let height = |phase: &Enclosure| amplitude.mul(&phase.sin(bits), bits);
-        let way = drift.mul(time, bits).sub(&height(&to.phase), bits).add(&height(&from.phase), bits);
-        found.push(if i == 0 { way.sub(&gap, bits) } else { way.add(&gap, bits) });
+        let travel = drift.mul(time, bits).sub(&height(&to.phase), bits).add(&height(&from.phase), bits);
+        found.push(if i == 0 { travel.sub(&gap, bits) } else { travel.add(&gap, bits) });
     }
     found.try_into().unwrap()
 }
@@ -104,7 +104,7 @@ fn judge(pair: &ImpactPair, answer: &Answer, cycles: u32) {
     }
 }
 
-/// The trace of the product of (A.7) by the Jacobian of `mapping`, in turns and gaps, on balls.
+/// The trace of the product of (A.7) by the Jacobian of `mapping`, in forcing periods and gaps, on balls.
 fn product_of_jacobians(pair: &ImpactPair, orbit: &Orbit, cycles: u32) -> Enclosure {
     let ball = |x: &Enclosure| {
         let (mid, rad) = x.mid_rad();
@@ -112,7 +112,7 @@ fn product_of_jacobians(pair: &ImpactPair, orbit: &Orbit, cycles: u32) -> Enclos
     };
     let reduced = Reduced::exact(pair).unwrap().enclosed().unwrap();
     let turn = Enclosure::pi(BITS).mul(&exact("2").enclose(BITS), BITS);
-    // v in gaps a turn: 2 pi v/(W d), W = pi.
+    // v in gaps per forcing period: 2 pi v/(W d), W = pi.
     let speed =
         |v: &Enclosure| ball(&v.mul(&exact("2").enclose(BITS), BITS).div(&pair.gap().enclose(BITS), BITS).unwrap());
     let there = orbit.spacing.div(&turn, BITS).unwrap();
@@ -355,18 +355,18 @@ fn a_manifold_that_is_ended_is_the_beginning_of_the_whole() {
     let pair = pair("1", "20", "0.8");
     for axis in [Axis::Frequency, Axis::Velocity(Wall::Right)] {
         let range = Range { pair: &pair, speed: exact("20"), axis, from: exact("1"), to: exact("30"), count: 40 };
-        let told = |manifold: &Manifold| -> Vec<_> {
+        let summary = |manifold: &Manifold| -> Vec<_> {
             let points = manifold.points.iter();
             points
                 .map(|point| (decimal_bounds(&point.at), decimal_bounds(&point.amplitude), point.mark, point.after))
                 .collect()
         };
-        let whole = told(&range.manifold(3, 12, &Unwatched).unwrap());
-        let asked = AtomicUsize::new(0);
+        let whole = summary(&range.manifold(3, 12, &Unwatched).unwrap());
+        let requested = AtomicUsize::new(0);
         for most in [0_usize, 1, 2, 7, 39, 40, 41, 55, 79] {
-            asked.store(0, Ordering::Relaxed);
-            let watch = |_: Stage<'_>| proceed_if(asked.fetch_add(1, Ordering::Relaxed) < most);
-            let mut found = told(&range.manifold(3, 12, &watch).unwrap());
+            requested.store(0, Ordering::Relaxed);
+            let watch = |_: Stage<'_>| proceed_if(requested.fetch_add(1, Ordering::Relaxed) < most);
+            let mut found = summary(&range.manifold(3, 12, &watch).unwrap());
             assert!(found.len() == most.saturating_sub(40), "{most}: {}", found.len());
             if let Some(last) = found.last_mut() {
                 assert_eq!(last.3, None);
@@ -378,7 +378,7 @@ fn a_manifold_that_is_ended_is_the_beginning_of_the_whole() {
 }
 
 #[test]
-fn what_is_known_of_one_harmonic_says_so() {
+fn features_for_one_harmonic_are_refused_for_several() {
     let scene = Scene::parse(include_str!("../scenes/square-wave.toml")).unwrap();
     let (speed, axis) = (exact("20"), Axis::Frequency);
     let range = Range { pair: scene.pair(), speed, axis, from: exact("1"), to: exact("2"), count: 5 };

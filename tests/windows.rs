@@ -58,7 +58,7 @@ fn over_the_gap_the_ends_are_exchanged() {
 
 /// A search that is stopped keeps what it has; a range of another key is refused.
 #[test]
-fn a_search_can_be_stopped_and_wants_a_parameter() {
+fn a_search_can_be_stopped_and_requires_a_parameter() {
     let scene =
         Scene::parse(&std::fs::read_to_string(format!("{}/scenes/figure-14.toml", impact_pair_tests::ROOT)).unwrap())
             .unwrap();

@@ -23,7 +23,7 @@ pub struct Cli {
 }
 
 const EXIT_CODES: &str = "\
-Exit code: 0 everything requested is certified; 1 some of it is not (the output still holds what is certified); 2 \
+Exit code: 0 everything requested is certified; 1 some of it is not (the output still has the certified part); 2 \
 usage, bad input, I/O";
 
 const HELP: &str = "\
@@ -32,7 +32,7 @@ Examples:
   impact-pair run scenes/figure-14.toml --impacts 1000 --digits 30 --format csv --output impacts.csv
   impact-pair help run
 
-Exit code: 0 everything requested is certified; 1 some of it is not (the output still holds what is certified); \
+Exit code: 0 everything requested is certified; 1 some of it is not (the output still has the certified part); \
 2 usage, bad input, I/O";
 
 #[derive(Debug, Subcommand)]
@@ -40,7 +40,7 @@ pub enum Verb {
     /// List the certified impacts of a scene
     #[command(after_help = EXIT_CODES, after_long_help = run::HELP)]
     Run(run::RunArguments),
-    /// Describe a motion: attracted, periodic, at rest or in a trapping region; its exponent, a horseshoe, what is undecided
+    /// Describe a motion: attracted, periodic, at rest or in a trapping region; its exponent, a horseshoe, the undecided questions
     #[command(after_help = describe::EXIT_CODES, after_long_help = describe::HELP)]
     Describe(describe::DescribeArguments),
     /// Prove the periodic orbits of a word of mappings, and their stability
@@ -61,7 +61,7 @@ pub enum Verb {
     /// Find stable periodic orbits near a scene over a parameter, and prove each with its window: both ends, and the orbits between
     #[command(after_help = EXIT_CODES, after_long_help = windows::HELP)]
     Windows(windows::WindowsArguments),
-    /// Prove where every motion goes, whatever its start: cycles with rests, attracting periodic orbits, saddles
+    /// Prove where every motion goes, for every start: cycles with rests, attracting periodic orbits, saddles
     #[command(after_help = EXIT_CODES, after_long_help = global::HELP)]
     Global(global::GlobalArguments),
     /// Prove where every motion goes over two parameters, at the points of a grid or for all parameters of cells

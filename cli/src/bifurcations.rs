@@ -14,7 +14,7 @@ use impact_pair::periodic::chain::MOST_CYCLES;
 use impact_pair::scene::{Key, Range};
 
 use crate::Answer;
-use crate::destination::{Begun, Destination};
+use crate::destination::{Destination, OpenOutput};
 use crate::heading::heading;
 use crate::periodic::{PeriodicFormat, physical, symmetric};
 use crate::progress::Progress;
@@ -30,14 +30,14 @@ Examples:
 Orbits of the word are searched for at values spread over the range. Their branches are followed through folds, and \
 so are the branches that leave at pitchforks and period doublings: the cascade. Each point listed is proved: exactly \
 one such bifurcation lies within its bounds. Other bifurcations are not excluded. Only A/d and e matter: over \
-frequency nothing bifurcates.
+frequency there are no bifurcations.
 
 With several harmonics, --over amplitude.K=... varies the amplitude of term K, counted from 1. The frequencies must \
 be commensurate, and N must be a whole number of common periods, counted in periods of the fastest harmonic. \
 Pitchforks exist only if each harmonic changes sign over half the common period.
 
 Exit code: 0 every change that was found is proved to the requested width; 1 some are not, a branch was lost, or the \
-run was interrupted (the output still holds what is certified); 2 usage, bad input, I/O.";
+run was interrupted (the output still has the certified part); 2 usage, bad input, I/O.";
 
 #[derive(Args, Debug)]
 #[command(mut_arg("digits", |digits| digits.help("Requested width of enclosures, at most 10^-D: of the parameter relative to itself, of phases relative to 2 pi, of velocities relative to A W [default: that of the scene, or 9]")))]
@@ -58,7 +58,7 @@ pub struct BifurcationArguments {
     doublings: u32,
     #[command(flatten)]
     precision: PrecisionArguments,
-    /// Output format; json is schema impact-pair/bifurcations/1 [default: as the ending of --output
+    /// Output format; json is schema impact-pair/bifurcations/1 [default: by the extension of --output
     /// says, else table]
     #[arg(long, value_enum)]
     pub format: Option<PeriodicFormat>,
@@ -68,7 +68,7 @@ pub struct BifurcationArguments {
 
 impl BifurcationArguments {
     /// Returns the settings of the diagram.
-    pub fn wanted(&self, scene: &Scene) -> DiagramSettings {
+    pub fn diagram_settings(&self, scene: &Scene) -> DiagramSettings {
         let precision = self.precision.of(scene);
         DiagramSettings { over: self.over.clone(), doublings: self.doublings, precision }
     }
@@ -76,13 +76,13 @@ impl BifurcationArguments {
 
 pub fn bifurcations(arguments: &BifurcationArguments) -> Result<Answer> {
     let format = arguments.destination.format(arguments.format)?;
-    let Begun { scene, files, path } = arguments.destination.begin(&arguments.scene, None)?;
+    let OpenOutput { scene, files, path } = arguments.destination.begin(&arguments.scene, None)?;
     let named = || scene::name(path);
-    let wanted = arguments.wanted(&scene);
+    let diagram_settings = arguments.diagram_settings(&scene);
     let (word, cycles) = (&arguments.word, arguments.cycles);
     let progress = Progress::of("following branches", !files.quiet);
-    let diagram = survey(scene.pair(), scene.start(), (word, cycles), &wanted, &progress);
-    let range = [(wanted.over.key, wanted.over.to_string())];
+    let diagram = survey(scene.pair(), scene.start(), (word, cycles), &diagram_settings, &progress);
+    let range = [(diagram_settings.over.key, diagram_settings.over.to_string())];
     let diagram = diagram.map_err(|error| scene::about(error, &range, path))?;
     progress.clear();
     let text = match format {

@@ -8,7 +8,7 @@ use anyhow::{Context, Result, bail};
 use clap::Args;
 use impact_pair::Scene;
 use impact_pair::chaos::{
-    Base, Cells, Chaos, HorseshoeSettings, Hyperbolic, MOST_CELLS, MOST_DEPTH, MOST_HALVINGS, RangeSettings,
+    Cells, Chaos, HSet, HorseshoeSettings, Hyperbolic, MOST_CELLS, MOST_DEPTH, MOST_HALVINGS, RangeSettings,
 };
 use impact_pair::document;
 use impact_pair::exact::Exact;
@@ -18,7 +18,7 @@ use impact_pair::scene::Range;
 use serde::Deserialize;
 
 use crate::Answer;
-use crate::destination::{Begun, Drawing, Files};
+use crate::destination::{Drawing, Files, OpenOutput};
 use crate::heading::heading;
 use crate::output::note;
 use crate::periodic::PeriodicFormat;
@@ -47,7 +47,7 @@ KEY=LO..HI:COUNT, each cell of the range is tested for a horseshoe, for converge
 periodic orbit that it may not converge to; each verdict holds for all values in its interval.
 
 Exit code: 0 a positive entropy is proved, or with COUNT a verdict for every value; 1 it is not, or the run was \
-interrupted (what is proved so far is written); 2 usage, bad input, I/O.";
+interrupted (the proved part is written); 2 usage, bad input, I/O.";
 
 #[derive(Args, Debug)]
 #[command(mut_arg("plot", |plot| plot.help("Draw a floating-point orbit, the h-sets and their first images; with :COUNT the bifurcation diagram, coloured by verdict")))]
@@ -58,11 +58,11 @@ pub struct ChaosArguments {
     /// million boxes lead to; with :COUNT 12]
     #[arg(long, value_name = "K", value_parser = clap::value_parser!(u32).range(1..=i64::from(MOST_DEPTH)))]
     depth: Option<u32>,
-    /// Prove besides that the motions of the words are uniformly hyperbolic: bounds of the exponents of all their invariant measures, and of
+    /// Prove as well that the motions of the words are uniformly hyperbolic: bounds of the exponents of all their invariant measures, and of
     /// the Hausdorff dimension
     #[arg(long)]
     hyperbolic: bool,
-    /// Leave out what becomes of the orbit of the scene's own start: the words and the entropy alone, which is what check --verified covers
+    /// Leave out the fate of the orbit of the scene's own start: words and entropy alone, which check --verified covers
     #[arg(long)]
     no_orbit: bool,
     /// Read the h-sets from FILE: JSON with a list "bases" as written by this verb
@@ -76,7 +76,7 @@ pub struct ChaosArguments {
     #[arg(long, value_name = "N", default_value_t = 8, value_parser = clap::value_parser!(u32).range(..=i64::from(MOST_HALVINGS)))]
     halvings: u32,
     /// Output format; json is schema impact-pair/chaos/1, with :COUNT impact-pair/chaos-cells/1
-    /// [default: as the ending of --output says, else table]
+    /// [default: by the extension of --output, else table]
     #[arg(long, value_enum)]
     format: Option<PeriodicFormat>,
     #[command(flatten)]
@@ -84,17 +84,17 @@ pub struct ChaosArguments {
 }
 
 /// Number of impacts of a word in cells, if none is given.
-const DEPTH: usize = 12;
+const DEFAULT_DEPTH: usize = 12;
 
 /// The content of a file of h-sets.
 #[derive(Deserialize)]
-struct Bases {
+struct HSetFile {
     bases: Vec<BaseDocument>,
 }
 
-fn bases(path: &Path) -> Result<Vec<Base>> {
+fn bases(path: &Path) -> Result<Vec<HSet>> {
     let named = || scene::name(path);
-    let read: Bases = serde_json::from_str(&scene::text(path)?).with_context(named)?;
+    let read: HSetFile = serde_json::from_str(&scene::text(path)?).with_context(named)?;
     if read.bases.is_empty() {
         bail!("{} has no h-sets: its list \"bases\" is empty", named());
     }
@@ -111,7 +111,7 @@ fn range(text: &str) -> Result<Range, impact_pair::Error> {
 
 pub fn chaos(arguments: &ChaosArguments) -> Result<Answer> {
     let format = arguments.drawing.format(arguments.format)?;
-    let Begun { scene, files, .. } = arguments.drawing.begin(&arguments.scene)?;
+    let OpenOutput { scene, files, .. } = arguments.drawing.begin(&arguments.scene)?;
     let bases = arguments.bases.as_deref().map(bases).transpose()?.unwrap_or_default();
     let work = Work { arguments, format, scene: &scene, files };
     match &arguments.over {
@@ -140,7 +140,7 @@ struct Work<'w> {
 
 impl Work<'_> {
     /// One horseshoe, for one pair or for all of a range at once.
-    fn horseshoe(self, over: Option<&Range>, bases: Vec<Base>) -> Result<Answer> {
+    fn horseshoe(self, over: Option<&Range>, bases: Vec<HSet>) -> Result<Answer> {
         let (scene, depth) = (self.scene, self.arguments.depth.map(|depth| depth as usize));
         let question = HorseshoeSettings { depth, bases };
         let ranges: Vec<_> = over.iter().map(|over| (over.key, over.to_string())).collect();
@@ -181,14 +181,15 @@ impl Work<'_> {
     /// Writes the verdicts over a range.
     fn cells(self, over: &Range, cells: u32) -> Result<Answer> {
         let scene = self.scene;
-        let (halvings, depth) = (self.arguments.halvings, self.arguments.depth.map_or(DEPTH, |depth| depth as usize));
-        let asked = RangeSettings { over: over.clone(), cells, halvings, depth };
+        let (halvings, depth) =
+            (self.arguments.halvings, self.arguments.depth.map_or(DEFAULT_DEPTH, |depth| depth as usize));
+        let requested = RangeSettings { over: over.clone(), cells, halvings, depth };
         let progress = Progress::cells(cells, !self.files.quiet);
-        let found = Cells::of(scene.pair(), scene.start(), &asked, &progress);
+        let found = Cells::of(scene.pair(), scene.start(), &requested, &progress);
         progress.clear();
         let found =
             found.map_err(|error| scene::about(error, &[(over.key, over.to_string())], &self.arguments.scene))?;
-        let document = document::cells(scene, &asked, &found);
+        let document = document::cells(scene, &requested, &found);
         let text = match self.format {
             PeriodicFormat::Json => one_a_line(&document, &["stretches"]) + "\n",
             PeriodicFormat::Table => heading(scene) + &table::stretches(&document)?,
@@ -196,7 +197,7 @@ impl Work<'_> {
         let open = (!document.certified).then(|| table::shares(&document));
         let is_table = self.format == PeriodicFormat::Table;
         self.files.draw((&text, open, is_table), || {
-            impact_pair_plot::proved::cells(scene, &asked, &found, &self.arguments.drawing.look)
+            impact_pair_plot::proved::cells(scene, &requested, &found, &self.arguments.drawing.look)
         })
     }
 }

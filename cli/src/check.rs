@@ -37,13 +37,13 @@ cycles, the counts are compared with the orbits listed. For bifurcations, each f
 is proved again, the grazes are not. For windows, each orbit, both ends of its window and the orbits between are \
 proved again. For tangency, each tangency is proved again, and how many common points the invariant manifolds have beside it. \
 For sweep, the listed impacts are proved again, the long-term outcome is not. For global, a graph of all states is \
-computed anew, and each attractor, cycle with rests and saddle is proved again in it; for atlas, so is each point or cell. \
+recomputed, and each attractor, cycle with rests and saddle is proved again in it; for atlas, so is each point or cell. \
 For trap, the listed boxes are proved to be forward invariant. For chaos, each listed word is proved along chains of \
-boxes computed anew, and the entropies are proved to follow from the words; for chaos --over, each verdict is proved \
+boxes that are recomputed, and the entropies are proved to follow from the words; for chaos --over, each verdict is proved \
 for its whole subinterval. For describe, the orbit and the region in it are proved again, and the fate is compared \
 with theirs. Parameter manifolds are not checked. A \
 separate line names the values that are not checked; with --format json each value of the document is listed among \
-the claims with its verdict, or among those not checked. Ctrl-C keeps what is proved so far.
+the claims with its verdict, or among those not checked. Ctrl-C keeps the proved part.
 
 With --verified the program impact-pair-verified answers, if it is beside impact-pair or on PATH: its checker is \
 extracted from a proof in Coq. It prints what a JSON of run, periodic, trap or chaos claims, and that it is verified, or why \
@@ -64,7 +64,7 @@ pub struct CheckArguments {
     /// Multiply the work allowed for each claim by TIMES before it is left undecided
     #[arg(long, value_name = "TIMES", default_value_t = 1, value_parser = crate::values::count(1..=u64::MAX))]
     pub effort: u64,
-    /// Output format; json is schema impact-pair/check/1 [default: as the ending of --output says, else text]
+    /// Output format; json is schema impact-pair/check/1 [default: by the extension of --output, else text]
     #[arg(long, value_enum)]
     pub format: Option<CheckFormat>,
     #[command(flatten)]
@@ -74,7 +74,7 @@ pub struct CheckArguments {
 /// Output formats of a verdict.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
 pub enum CheckFormat {
-    /// Human-readable: the verdict in one line, what is not checked in another
+    /// Human-readable: the verdict in one line, the unchecked keys in another
     #[default]
     Text,
     /// Each claim with its verdict, and the path of each value that is not checked
@@ -108,16 +108,16 @@ pub fn check(arguments: &CheckArguments) -> Result<Answer> {
     let progress = Progress::new(Some(claims.count() as u64), !quiet);
     let judged = claims.judge(&arguments.effort(), &progress).with_context(|| scene::name(path))?;
     progress.clear();
-    let said = match format {
+    let verdict_in_words = match format {
         CheckFormat::Json => one_a_line(&claims.document(&text, &judged), &["claims"]),
         CheckFormat::Text => {
             let unjudged = claims.unjudged();
             let named =
                 if unjudged.is_empty() { String::new() } else { format!("\nnot checked: {}", unjudged.join(", ")) };
-            claims.said(&judged.verdict) + &named
+            claims.verdict_in_words(&judged.verdict) + &named
         }
     };
-    writeln!(out, "{said}").context("cannot write the output")?;
+    writeln!(out, "{verdict_in_words}").context("cannot write the output")?;
     out.commit()?;
     Ok(if let Verdict::Confirmed { .. } = judged.verdict { Answer::Complete } else { Answer::Incomplete })
 }

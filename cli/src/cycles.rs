@@ -14,7 +14,7 @@ use impact_pair::pair::Wall;
 use impact_pair::periodic::{Precision, Stability};
 
 use crate::Answer;
-use crate::destination::{Begun, Destination};
+use crate::destination::{Destination, OpenOutput};
 use crate::heading::heading;
 use crate::periodic::PeriodicFormat;
 use crate::progress::Progress;
@@ -34,7 +34,7 @@ Cycles on a single wall, or with an odd number of crossings, are counted as well
 others. One harmonic only.
 
 Exit code: 0 the list is proved complete, with the stability of each cycle; 1 something is undecided, or the run was \
-interrupted (what is proved is written); 2 usage, bad input, I/O.";
+interrupted (the proved part is written); 2 usage, bad input, I/O.";
 
 #[derive(Args, Debug)]
 pub struct CyclesArguments {
@@ -50,7 +50,7 @@ pub struct CyclesArguments {
     #[arg(long, value_name = "N", default_value_t = 0, value_parser = clap::value_parser!(u32).range(0..=6))]
     finer: u32,
     /// Output format; json is schema impact-pair/cycles/1
-    /// [default: as the ending of --output says, else table]
+    /// [default: by the extension of --output, else table]
     #[arg(long, value_enum)]
     format: Option<PeriodicFormat>,
     #[command(flatten)]
@@ -59,7 +59,7 @@ pub struct CyclesArguments {
 
 pub fn cycles(arguments: &CyclesArguments) -> Result<Answer> {
     let format = arguments.destination.format(arguments.format)?;
-    let Begun { scene, files, path } = arguments.destination.begin(&arguments.scene, None)?;
+    let OpenOutput { scene, files, path } = arguments.destination.begin(&arguments.scene, None)?;
     let named = || scene::name(path);
     let usual = Precision::default();
     let digits = arguments.digits.or(scene.run().digits).unwrap_or(usual.digits);
@@ -84,7 +84,7 @@ fn table(scene: &Scene, found: Result<&Cycles, NoTrap>) -> Result<String, fmt::E
     if let Ok(found) = found {
         writeln!(out, "region of {} boxes\n", found.trap().boxes())?;
         writeln!(out, "impacts  fixed points  cycles  stable")?;
-        for impacts in found.asked().clone() {
+        for impacts in found.requested().clone() {
             let count = found.fixed_points().get(&(impacts as usize)).map_or("?".to_owned(), ToString::to_string);
             let own = || found.cycles().iter().filter(|cycle| cycle.impacts == impacts as usize);
             let stable = own().filter(|cycle| cycle.orbit.stability == Stability::Stable).count();
@@ -129,9 +129,9 @@ fn conclusion(found: Result<&Cycles, NoTrap>) -> String {
         Ok(found) => found,
         Err(why) => return format!("undecided: no region is proved; {}", why.words()),
     };
-    let (low, high) = (found.asked().start(), found.asked().end());
-    let asked = if low == high { counted(*low, "impact") } else { format!("{low} to {high} impacts") };
-    let of = |wanted| found.cycles().iter().filter(|cycle| cycle.orbit.stability == wanted).count();
+    let (low, high) = (found.requested().start(), found.requested().end());
+    let requested = if low == high { counted(*low, "impact") } else { format!("{low} to {high} impacts") };
+    let of = |sought| found.cycles().iter().filter(|cycle| cycle.orbit.stability == sought).count();
     let (stable, open) = (of(Stability::Stable), of(Stability::Undecided));
     let attracts = match (stable, open) {
         (0, 0) => "none of them attracts".to_owned(),
@@ -141,17 +141,17 @@ fn conclusion(found: Result<&Cycles, NoTrap>) -> String {
     if found.is_exhaustive() {
         let certified = if found.is_certified() { "certified" } else { "not all certified" };
         let all = match found.cycles().len() {
-            0 => format!("the region has no cycle of {asked}"),
+            0 => format!("the region has no cycle of {requested}"),
             1 => format!(
-                "the region has exactly one cycle of {asked}; {}",
+                "the region has exactly one cycle of {requested}; {}",
                 if stable == 1 { "it attracts" } else { &attracts }
             ),
-            count => format!("the region has exactly {count} cycles of {asked}; {attracts}"),
+            count => format!("the region has exactly {count} cycles of {requested}; {attracts}"),
         };
         return format!("{certified}: {all}");
     }
     let missing: Vec<String> = found
-        .asked()
+        .requested()
         .clone()
         .filter(|n| !found.fixed_points().contains_key(&(*n as usize)))
         .map(|n| n.to_string())

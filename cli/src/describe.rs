@@ -12,7 +12,7 @@ use impact_pair::json::DescriptionDocument;
 use impact_pair::orbit::MAX_BITS;
 
 use crate::Answer;
-use crate::destination::{Begun, Drawing};
+use crate::destination::{Drawing, OpenOutput};
 use crate::heading::heading;
 use crate::progress::Progress;
 use crate::scene;
@@ -37,10 +37,10 @@ trap and chaos find those. Region and horseshoe need one harmonic.
 
 The exponent in the limit is the logarithm of the spectral radius of the attracting orbit's Jacobian, per impact, \
 only an upper bound where e may be 0; the finite-time exponent is that of the certified impacts. That a motion is \
-chaotic is never claimed. What is undecided is listed with a command that goes on. [run] of the scene is not used.
+chaotic is never claimed. Each undecided question is listed with a command that continues. [run] of the scene is not used.
 
-Exit code: 0 the fate is certified; 1 it is undecided, or the run was interrupted (the output still holds what is \
-certified); 2 usage, bad input, I/O.";
+Exit code: 0 the fate is certified; 1 it is undecided, or the run was interrupted (the output still has the \
+certified part); 2 usage, bad input, I/O.";
 
 #[derive(Args, Debug)]
 #[command(mut_arg("plot", |plot| plot.help("Draw time series, phase plane, impacts with region and h-sets, and itinerary on one page")))]
@@ -56,7 +56,7 @@ pub struct DescribeArguments {
     /// Maximum precision of the orbit, in bits
     #[arg(long, value_name = "BITS", default_value_t = MAX_BITS, value_parser = bits())]
     max_bits: u32,
-    /// Output format; json is schema impact-pair/description/1 [default: as the ending of --output says, else text]
+    /// Output format; json is schema impact-pair/description/1 [default: by the extension of --output, else text]
     #[arg(long, value_enum)]
     format: Option<DescribeFormat>,
     #[command(flatten)]
@@ -75,7 +75,7 @@ enum DescribeFormat {
 
 pub fn describe(arguments: &DescribeArguments) -> Result<Answer> {
     let format = arguments.drawing.format(arguments.format)?;
-    let Begun { scene, files, path } = arguments.drawing.begin(&arguments.scene)?;
+    let OpenOutput { scene, files, path } = arguments.drawing.begin(&arguments.scene)?;
     let named = || scene::name(path);
     let DescribeArguments { impacts, max_bits, .. } = *arguments;
     let request = Request { impacts, depth: arguments.depth as usize, max_bits };

@@ -31,7 +31,7 @@ impl Destination {
         ending::format(given, ("--output", self.output.as_deref()), F::value_variants(), F::default())
     }
 
-    /// Opens the outputs of a verb that reads these inputs. From here on Ctrl-C keeps what is certified.
+    /// Opens the outputs of a verb that reads these inputs. From here on Ctrl-C keeps the certified part.
     ///
     /// # Errors
     /// If an output is one of the inputs or cannot be written, or both outputs are one file.
@@ -49,9 +49,9 @@ impl Destination {
     ///
     /// # Errors
     /// If the scene is none, and as [`open`](Self::open).
-    pub fn begin<'a>(&self, path: &'a PathBuf, plot: Option<(&Path, &Look)>) -> Result<Begun<'a>> {
+    pub fn begin<'a>(&self, path: &'a PathBuf, plot: Option<(&Path, &Look)>) -> Result<OpenOutput<'a>> {
         let scene = scene::read(path)?;
-        Ok(Begun { files: self.open(&[path], plot)?, scene, path })
+        Ok(OpenOutput { files: self.open(&[path], plot)?, scene, path })
     }
 }
 
@@ -74,13 +74,13 @@ impl Drawing {
     }
 
     /// As [`Destination::begin`], with the picture if one is requested.
-    pub fn begin<'a>(&self, path: &'a PathBuf) -> Result<Begun<'a>> {
+    pub fn begin<'a>(&self, path: &'a PathBuf) -> Result<OpenOutput<'a>> {
         self.destination.begin(path, self.plot.as_deref().map(|path| (path, &self.look)))
     }
 }
 
 /// A verb that has begun.
-pub struct Begun<'a> {
+pub struct OpenOutput<'a> {
     /// The scene that the verb reads.
     pub scene: Scene,
     /// The path of the scene file.

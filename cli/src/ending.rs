@@ -6,7 +6,7 @@ use anyhow::{Result, bail};
 use clap::ValueEnum;
 
 /// Endings that say what is in a file: another format in it would mislead.
-const TELLING: [&str; 16] = [
+const DATA_EXTENSIONS: [&str; 16] = [
     "json", "jsonl", "ndjson", "csv", "tsv", "parquet", "xlsx", "nc", "svg", "png", "pdf", "html", "toml", "v",
     "graphml", "dot",
 ];
@@ -33,7 +33,7 @@ pub fn format<F: ValueEnum>(
             let or = if option == "--output" { ", or any with --format" } else { "" };
             bail!("{option} is {shown}, but accepted is a name that ends in {endings}{or}")
         }
-        (Some(given), _) if name(&given) == ending || !TELLING.contains(&ending.as_str()) => Ok(given),
+        (Some(given), _) if name(&given) == ending || !DATA_EXTENSIONS.contains(&ending.as_str()) => Ok(given),
         (Some(given), _) => {
             let format = given.to_possible_value().map_or(String::new(), |value| value.get_name().to_owned());
             bail!("{option} is {shown}, but --format is {format}: accepted is a name that ends in .{}", name(&given))
@@ -64,11 +64,11 @@ fn listed(formats: &[impl ValueEnum]) -> String {
 /// Refuses the name of a file of which there is one format only.
 ///
 /// # Errors
-/// Returns an error if the name has another ending than `wanted`.
-pub fn only(wanted: &str, file: Option<&Path>) -> Result<()> {
+/// Returns an error if the name has another ending than `expected`.
+pub fn only(expected: &str, file: Option<&Path>) -> Result<()> {
     match file.and_then(|path| Some((path, of(path)?))) {
-        Some((path, ending)) if ending != wanted => {
-            bail!("--output is {}, but accepted is a name that ends in .{wanted}", path.display())
+        Some((path, ending)) if ending != expected => {
+            bail!("--output is {}, but accepted is a name that ends in .{expected}", path.display())
         }
         _ => Ok(()),
     }

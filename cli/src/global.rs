@@ -6,13 +6,13 @@ use std::path::PathBuf;
 use anyhow::{Context, Result};
 use clap::{Args, ValueEnum};
 use impact_pair::Scene;
-use impact_pair::chaos::{Global, GlobalSettings, Kind, MOST, MOST_DEPTH, Reason, Recurrence, WORK};
+use impact_pair::chaos::{DEFAULT_BOXES, DEFAULT_WORK, Global, GlobalSettings, Kind, MOST_DEPTH, Reason, Recurrence};
 use impact_pair::document::{self, counted};
 use impact_pair::exact::decimal_digits;
 use impact_pair::json::GlobalDocument;
 
 use crate::Answer;
-use crate::destination::{Begun, Drawing};
+use crate::destination::{Drawing, OpenOutput};
 use crate::graph::{Graph, Value};
 use crate::heading::pair_heading;
 use crate::progress::Progress;
@@ -25,14 +25,14 @@ Examples:
   impact-pair global scenes/figure-14.toml --plot global.svg --format json --output global.json
 
 With every impact mirrored to the left wall, all phases and all speeds that motions have in the end are covered by \
-boxes. Enclosures of what may follow each box, an impact or a rest and its release, make a graph; at a graze both \
+boxes. Enclosures of the successors of each box, an impact or a rest and its release, make a graph; at a graze both \
 continuations are included. Its recurrent components hold all that motions do in the end: each is halved, box by box, \
-until it is proved what its motions tend to (a periodic orbit, a cycle with rests, a graze in every forcing period), \
+until the limit of its motions is proved (a periodic orbit, a cycle with rests, a graze in every forcing period), \
 or until enough boxes are mapped. The start of the scene is not used. One harmonic and a restitution below 0.99 only; \
 parameters may be intervals.
 
-Of a component that is listed as undecided nothing is claimed, not even that a motion stays in it. `closed` says that \
-no motion goes from it to another component. With --basins the basin of an attractor is the boxes all of whose motions \
+An undecided component has no claim, not even that a motion stays in it. `closed` means that \
+no motion leads from it to another component. With --basins the basin of an attractor is the boxes all of whose motions \
 are proved to end in it, as a part of the state space: lower bounds. With --horseshoes the largest few undecided \
 components are searched for horseshoes, as chaos proves them: where one is proved the component holds a compact \
 invariant set of positive topological entropy.
@@ -41,11 +41,11 @@ With --plot the state space is coloured by the attractor that its motions end in
 formats graphml and dot write that graph: an edge where motions may go from one component to another.
 
 Exit code: 0 every motion that touches a wall is proved to end in one cycle with rests, or to tend to one attractor, \
-apart from saddles and grazes; 1 not so, or the run was interrupted (what is proved is written); 2 usage, bad input, \
+apart from saddles and grazes; 1 not so, or the run was interrupted (the proved part is written); 2 usage, bad input, \
 I/O.";
 
 #[derive(Args, Debug)]
-#[command(mut_arg("plot", |plot| plot.help("Draw the state space by where its motions go, and the graph of components")))]
+#[command(mut_arg("plot", |plot| plot.help("Draw the state space by the limits of its motions, and the graph of components")))]
 pub struct GlobalArguments {
     /// Scene file (TOML), or - for stdin
     scene: PathBuf,
@@ -56,11 +56,11 @@ pub struct GlobalArguments {
     #[arg(long, value_name = "N", default_value_t = 40, value_parser = clap::value_parser!(u32).range(0..=40))]
     halvings: u32,
     /// Map about N boxes in all, those of the smallest undecided component first
-    #[arg(long, value_name = "N", default_value_t = MOST as u64, value_parser = count(1..=1_000_000_000))]
+    #[arg(long, value_name = "N", default_value_t = DEFAULT_BOXES as u64, value_parser = count(1..=1_000_000_000))]
     most: u64,
     /// Do about N units of work for them: views of flights, columns that long flights may land in, boxes that are noted; as much again
     /// for basins
-    #[arg(long, value_name = "N", default_value_t = WORK, value_parser = count(1..=1_000_000_000_000))]
+    #[arg(long, value_name = "N", default_value_t = DEFAULT_WORK, value_parser = count(1..=1_000_000_000_000))]
     work: u64,
     /// Prove basins of attraction, by about 2^N boxes [default: none; with --plot 16]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(8..=24))]
@@ -72,7 +72,7 @@ pub struct GlobalArguments {
     /// the scene, or 9]
     #[arg(long, value_name = "D", value_parser = digits())]
     digits: Option<u32>,
-    /// Output format; json is schema impact-pair/global/1 [default: as the ending of --output says, else table]
+    /// Output format; json is schema impact-pair/global/1 [default: by the extension of --output, else table]
     #[arg(long, value_enum)]
     format: Option<GlobalFormat>,
     #[command(flatten)]
@@ -80,7 +80,7 @@ pub struct GlobalArguments {
 }
 
 /// Basins of pictures are proved by 2^N boxes.
-const BASINS: u32 = 16;
+const DEFAULT_BASIN_DEPTH: u32 = 16;
 
 /// Output formats of a global analysis.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
@@ -98,14 +98,17 @@ enum GlobalFormat {
 
 pub fn global(arguments: &GlobalArguments) -> Result<Answer> {
     let format = arguments.drawing.format(arguments.format)?;
-    let Begun { scene, files, path } = arguments.drawing.begin(&arguments.scene)?;
+    let OpenOutput { scene, files, path } = arguments.drawing.begin(&arguments.scene)?;
     let named = || scene::name(path);
     let mut settings = GlobalSettings {
         boxes: 1 << arguments.boxes,
         halvings: arguments.halvings,
         most: usize::try_from(arguments.most)?,
         work: arguments.work,
-        basins: arguments.basins.or(arguments.drawing.plot.is_some().then_some(BASINS)).map(|halvings| 1 << halvings),
+        basins: arguments
+            .basins
+            .or(arguments.drawing.plot.is_some().then_some(DEFAULT_BASIN_DEPTH))
+            .map(|halvings| 1 << halvings),
         horseshoes: arguments.horseshoes.map(|depth| depth as usize),
         ..GlobalSettings::default()
     };

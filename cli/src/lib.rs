@@ -90,7 +90,7 @@ pub fn main() -> ExitCode {
         // A reader that closes the pipe has read enough.
         Err(error) if is_broken_pipe(&error) => ExitCode::SUCCESS,
         Err(error) => {
-            complain(&error);
+            report_error(&error);
             ExitCode::from(2)
         }
     }
@@ -123,7 +123,7 @@ fn with_a_verb(mut error: clap::Error) -> clap::Error {
 }
 
 /// Writes the error in the colours of the argument parser, with the line of the scene file that is at fault.
-fn complain(error: &Error) {
+fn report_error(error: &Error) {
     let (word, place) = (style(Styles::get_error), style(Styles::get_literal));
     let excerpt = error.chain().find_map(|cause| cause.downcast_ref::<impact_pair::Error>()?.excerpt());
     let excerpt = excerpt.map(|excerpt| format!("\n{place}{excerpt}{place:#}")).unwrap_or_default();

@@ -56,7 +56,7 @@ impl<'s, W: Write> Listing<'s, W> {
                 // An orbit is known to be shadowed or not before its first impact.
                 let head = self.head(match self.settings.arithmetic {
                     Arithmetic::Shadow => arithmetic(orbit),
-                    _ => ArithmeticDocument::asked(self.settings),
+                    _ => ArithmeticDocument::requested(self.settings),
                 });
                 line(&mut self.out, &head)
             }

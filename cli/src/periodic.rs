@@ -14,7 +14,7 @@ use impact_pair::periodic::{Budget, Census, Eigenvalue, PeriodicOrbit, Problem};
 use impact_pair::units::Units;
 
 use crate::Answer;
-use crate::destination::{Begun, Destination};
+use crate::destination::{Destination, OpenOutput};
 use crate::heading::heading;
 use crate::progress::Progress;
 use crate::scene;
@@ -34,7 +34,7 @@ for e > 0 they have infinitely many impacts per period, or meet a wall with zero
 force sets in; for e = 0 each follows from a release, and run proves it from there.
 
 Exit code: 0 everything requested is certified; 1 some of it is not: no orbit was found, or part of one is undecided \
-or wider than --digits (the output still holds what is certified); 2 usage, bad input, I/O.";
+or wider than --digits (the output still has the certified part); 2 usage, bad input, I/O.";
 
 #[derive(Args, Debug)]
 #[command(mut_arg("digits", |digits| digits.help("Requested width of enclosures, at most 10^-D: of phases relative to 2 pi, of velocities relative to A W [default: that of the scene, or 9]")))]
@@ -52,7 +52,7 @@ pub struct PeriodicArguments {
     pub all: bool,
     #[command(flatten)]
     precision: PrecisionArguments,
-    /// Output format; json is schema impact-pair/periodic/1 [default: as the ending of --output says, else
+    /// Output format; json is schema impact-pair/periodic/1 [default: by the extension of --output, else
     /// table]
     #[arg(long, value_enum)]
     pub format: Option<PeriodicFormat>,
@@ -72,7 +72,7 @@ pub enum PeriodicFormat {
 
 pub fn periodic(arguments: &PeriodicArguments) -> Result<Answer> {
     let format = arguments.destination.format(arguments.format)?;
-    let Begun { scene, files, path } = arguments.destination.begin(&arguments.scene, None)?;
+    let OpenOutput { scene, files, path } = arguments.destination.begin(&arguments.scene, None)?;
     let named = || scene::name(path);
     let problem = Problem::new(scene.pair(), &arguments.word, arguments.cycles).with_context(named)?;
     let units = Units::gaps(problem.pair()).with_context(named)?;

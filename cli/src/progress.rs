@@ -11,17 +11,17 @@ use impact_pair::watch::{Stage, Watch, proceed_if};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
 /// Impacts between two looks at the clock; in doubles these take less than a blink.
-const STRIDE: u64 = 16;
+const IMPACTS_PER_POLL: u64 = 16;
 /// Exit code of a program that SIGINT ends.
-const KILLED: i32 = 130;
+const SIGINT_EXIT_CODE: i32 = 130;
 
 /// A line on stderr that counts the impacts, or nothing.
 pub struct Progress(Option<ProgressBar>);
 
 impl Progress {
-    /// Counts up to `impacts`, if that is known; draws only on a terminal, and only when `wanted`.
-    pub fn new(impacts: Option<u64>, wanted: bool) -> Self {
-        if !wanted {
+    /// Counts up to `impacts`, if that is known; draws only on a terminal, and only when `is_shown`.
+    pub fn new(impacts: Option<u64>, is_shown: bool) -> Self {
+        if !is_shown {
             return Self(None);
         }
         let template = if impacts.is_some() {
@@ -33,13 +33,13 @@ impl Progress {
     }
 
     /// Counts the cells of a search.
-    pub fn search(wanted: bool) -> Self {
-        if wanted { Self::drawn(Some(0), "{bar:30} {pos}/{len} cells of the state space") } else { Self(None) }
+    pub fn search(is_shown: bool) -> Self {
+        if is_shown { Self::drawn(Some(0), "{bar:30} {pos}/{len} cells of the state space") } else { Self(None) }
     }
 
     /// Shows what is done and for how long, where nothing can be counted; not before a second has passed.
-    pub fn of(what: &'static str, wanted: bool) -> Self {
-        let progress = if wanted { Self::drawn(None, "{msg}, {elapsed}") } else { Self(None) };
+    pub fn of(what: &'static str, is_shown: bool) -> Self {
+        let progress = if is_shown { Self::drawn(None, "{msg}, {elapsed}") } else { Self(None) };
         if let Some(bar) = &progress.0 {
             bar.set_message(what);
             bar.enable_steady_tick(Duration::from_secs(1));
@@ -48,8 +48,8 @@ impl Progress {
     }
 
     /// Counts what each stage counts, impacts at first.
-    pub fn stages(wanted: bool) -> Self {
-        let progress = if wanted { Self::drawn(None, "{prefix}{pos}") } else { Self(None) };
+    pub fn stages(is_shown: bool) -> Self {
+        let progress = if is_shown { Self::drawn(None, "{prefix}{pos}") } else { Self(None) };
         if let Some(bar) = &progress.0 {
             bar.set_prefix("orbit, impacts: ");
         }
@@ -57,8 +57,8 @@ impl Progress {
     }
 
     /// Counts the cells of a parameter's range.
-    pub fn cells(cells: u32, wanted: bool) -> Self {
-        if wanted { Self::drawn(Some(cells.into()), "{bar:30} {pos}/{len} cells, {elapsed}") } else { Self(None) }
+    pub fn cells(cells: u32, is_shown: bool) -> Self {
+        if is_shown { Self::drawn(Some(cells.into()), "{bar:30} {pos}/{len} cells, {elapsed}") } else { Self(None) }
     }
 
     fn drawn(length: Option<u64>, template: &str) -> Self {
@@ -102,7 +102,7 @@ impl Progress {
 
     /// The bar, when it is time to look at it.
     fn due(&self, index: u64) -> Option<&ProgressBar> {
-        let bar = self.0.as_ref().filter(|_| index.is_multiple_of(STRIDE))?;
+        let bar = self.0.as_ref().filter(|_| index.is_multiple_of(IMPACTS_PER_POLL))?;
         (bar.elapsed() > Duration::from_secs(1)).then_some(bar)
     }
 
@@ -166,7 +166,7 @@ pub fn catch_interruption() {
     HANDLER.get_or_init(|| {
         let on_signal = || {
             if INTERRUPTED.swap(true, Ordering::Relaxed) {
-                process::exit(KILLED);
+                process::exit(SIGINT_EXIT_CODE);
             }
         };
         // Without a handler Ctrl-C kills at once: no reason to refuse to run.

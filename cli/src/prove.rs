@@ -25,7 +25,7 @@ Examples:
 
 The theorem: for every start and all parameters that the scene allows there is exactly one sequence of impacts, each the \
 first contact after the one before, on the listed walls, at times and velocities within the printed bounds. It covers \
-the impacts up to the first graze, rest or release. Coq checks it on top of the library of validation/coq; nothing of \
+the impacts up to the first graze, rest or release. Coq checks it on top of the library of validation/coq; no part of \
 impact-pair is trusted for that.
 
 Exit code: 0 the file proves all the impacts requested (or those up to the first other event); 1 fewer of them; 2 usage, bad \
@@ -51,13 +51,12 @@ pub fn prove(arguments: &ProveArguments) -> Result<Answer> {
     if listed == 0 {
         bail!("{}: there is no impact to prove before the first other event", scene::name(path));
     }
-    let is_short =
-        listed == certificate.events().len() && arguments.impacts.is_some_and(|wanted| wanted > listed as u64);
-    let wanted = arguments.impacts.map_or(listed, |wanted| usize::try_from(wanted).unwrap_or(usize::MAX));
+    let is_short = listed == certificate.events().len() && arguments.impacts.is_some_and(|count| count > listed as u64);
+    let count = arguments.impacts.map_or(listed, |count| usize::try_from(count).unwrap_or(usize::MAX));
     let mut out = Output::open(arguments.destination.output.as_deref())?;
-    let progress = Progress::new(Some(wanted.min(listed) as u64), !arguments.destination.quiet && !out.is_terminal());
+    let progress = Progress::new(Some(count.min(listed) as u64), !arguments.destination.quiet && !out.is_terminal());
     catch_interruption();
-    let theorem = certificate.prove(wanted, &progress).with_context(|| scene::name(path))?;
+    let theorem = certificate.prove(count, &progress).with_context(|| scene::name(path))?;
     progress.clear();
     let (proved, stop) = (theorem.impacts, theorem.stop.as_ref());
     if proved > 0 {

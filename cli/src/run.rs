@@ -13,7 +13,7 @@ use impact_pair::orbit::{Arithmetic, MAX_BITS, Orbit, Settings};
 use impact_pair::scene::Run;
 
 use crate::Answer;
-use crate::destination::{Begun, Destination, Files};
+use crate::destination::{Destination, Files, OpenOutput};
 use crate::listing::{Format, Listing};
 use crate::progress::Progress;
 use crate::scene;
@@ -38,9 +38,9 @@ parenthesis are certain; the parenthesis holds the remaining digits of the lower
 outward. Where no digits are certain, 2.00000(-1,+3) means [1.99999, 2.00003]. Runs with --arithmetic float are not \
 rigorous and print plain decimals.
 
-Exit code: 0 everything requested is certified (a float run that completes certifies nothing and exits 0 too); 1 \
+Exit code: 0 everything requested is certified (a completed float run is non-rigorous and exits 0 too); 1 \
 some of it is not: the orbit is undecided from some impact on, was interrupted, or is wider than --digits (the \
-output still holds what is certified); 2 usage, bad input, I/O.";
+output still has the certified part); 2 usage, bad input, I/O.";
 
 #[derive(Args, Debug)]
 pub struct RunArguments {
@@ -57,9 +57,9 @@ pub struct RunArguments {
     #[arg(long, value_name = "D", value_parser = digits())]
     digits: Option<u32>,
     /// The arithmetic: auto, the cheapest that certifies the digits; float, plain doubles, not rigorous; interval,
-    /// certified in doubles, whatever the widths; inari, the textbook interval method, for one harmonic; shadow, for
+    /// certified in doubles, without a limit of widths; inari, the textbook interval method, for one harmonic; shadow, for
     /// chaotic motion, a true orbit that starts within about 1e-12 of the given start, for any number of impacts; or BITS,
-    /// certified at that precision, whatever the widths
+    /// certified at that precision, without a limit of widths
     #[arg(long, default_value = "auto", value_name = ARITHMETICS)]
     pub arithmetic: Arithmetic,
     /// With --arithmetic shadow: prove the first M impacts in higher precision, so that the start is nearer to the given one
@@ -68,7 +68,7 @@ pub struct RunArguments {
     /// Maximum precision of auto, in bits
     #[arg(long, value_name = "BITS", default_value_t = MAX_BITS, value_parser = bits())]
     pub max_bits: u32,
-    /// Output format [default: as the ending of --output says, else table]
+    /// Output format [default: by the extension of --output, else table]
     #[arg(long, value_enum)]
     pub format: Option<Format>,
     #[command(flatten)]
@@ -79,13 +79,14 @@ impl RunArguments {
     /// Returns the settings of the run: those of the command line, else those of the scene's table `[run]`.
     pub fn settings(&self, scene: &Scene) -> Settings {
         let run = Run { impacts: self.impacts, until: self.until.clone(), digits: self.digits };
-        Settings { max_bits: self.max_bits, splice: self.splice, ..scene.settings_asked(run, self.arithmetic) }
+        Settings { max_bits: self.max_bits, splice: self.splice, ..scene.settings_requested(run, self.arithmetic) }
     }
 }
 
 pub fn run(arguments: &RunArguments) -> Result<Answer> {
     let format = arguments.destination.format(arguments.format)?;
-    let Begun { scene, files: Files { out, quiet, .. }, path } = arguments.destination.begin(&arguments.scene, None)?;
+    let OpenOutput { scene, files: Files { out, quiet, .. }, path } =
+        arguments.destination.begin(&arguments.scene, None)?;
     let settings = Settings { attractor: true, ..arguments.settings(&scene) };
     let mut orbit = Orbit::of(&scene, settings.clone()).with_context(|| scene::name(path))?;
     let visible = !quiet && io::stderr().is_terminal() && !out.is_terminal();

@@ -15,7 +15,7 @@ use impact_pair::tangency::{
 };
 
 use crate::Answer;
-use crate::destination::{Begun, Drawing};
+use crate::destination::{Drawing, OpenOutput};
 use crate::heading::heading;
 use crate::periodic::PeriodicFormat;
 use crate::progress::Progress;
@@ -30,12 +30,12 @@ Examples:
 The equispaced motion (66), (67) of half a forcing period between impacts is a fixed point of the reduced map, which \
 mirrors every impact to the left wall. Where it is a saddle, floating point searches for folds of its unstable \
 manifold near its stable one, along the flights of --word or along all words of at most --longest flights: F is a \
-flight to the far wall, N one back to the near wall. Of each tangency listed is proved: for exactly one value of the \
+flight to the far wall, N one back to the near wall. Each tangency listed is proved: for exactly one value of the \
 parameter within its bounds the two invariant manifolds have a common point along these flights, with sigma_u and sigma_s \
 within their bounds, at which they are tangent; the tangency is quadratic (q is not 0); it unfolds with a speed other \
 than 0 (m is not 0); each flight of the orbit ends at its first contact. The product of the eigenvalues is e^2: the \
-saddle is dissipative. Other tangencies are not excluded, and nothing is said of the scene's own value of the \
-parameter. One harmonic only.
+saddle is dissipative. Other tangencies are not excluded, and the scene's own value of the parameter is not \
+examined. One harmonic only.
 
 On either side of a tangency two ranges of the parameter are listed where they are proved: for each value of the first, the invariant \
 manifolds have exactly two common points along these flights, for each value of the second none, with sigma_u, sigma_s \
@@ -49,7 +49,7 @@ Where sigma_u or sigma_s is not small, flights of the invariant manifolds are ad
 same.
 
 Exit code: 0 there are tangencies, and all folds that were tried are proved to lead to one; 1 some are not, there is \
-none, the search ended at the limit of its work, or the run was interrupted (what is proved is written); 2 usage, bad input, I/O.";
+none, the search ended at the limit of its work, or the run was interrupted (the proved part is written); 2 usage, bad input, I/O.";
 
 #[derive(Args, Debug)]
 #[command(mut_arg("digits", |digits| digits.help("Requested width of enclosures, at most 10^-D: of d/A or e, and of the parameters of the invariant manifolds [default: that of the scene, or 9]")))]
@@ -76,7 +76,7 @@ pub struct TangencyArguments {
     work: u64,
     #[command(flatten)]
     precision: PrecisionArguments,
-    /// Output format; json is schema impact-pair/tangency/1 [default: as the ending of --output says, else table]
+    /// Output format; json is schema impact-pair/tangency/1 [default: by the extension of --output, else table]
     #[arg(long, value_enum)]
     format: Option<PeriodicFormat>,
     #[command(flatten)]
@@ -90,7 +90,7 @@ fn over(text: &str) -> Result<Range, impact_pair::Error> {
 
 pub fn tangency(arguments: &TangencyArguments) -> Result<Answer> {
     let format = arguments.drawing.format(arguments.format)?;
-    let Begun { scene, files, path } = arguments.drawing.begin(&arguments.scene)?;
+    let OpenOutput { scene, files, path } = arguments.drawing.begin(&arguments.scene)?;
     let settings = TangencySettings {
         over: arguments.over.clone(),
         word: arguments.word.clone(),

@@ -11,7 +11,7 @@ use impact_pair::document;
 use impact_pair::json::TrapDocument;
 
 use crate::Answer;
-use crate::destination::{Begun, Drawing};
+use crate::destination::{Drawing, OpenOutput};
 use crate::graph::{Graph, Value};
 use crate::heading::heading;
 use crate::output::note;
@@ -55,7 +55,7 @@ pub struct TrapArguments {
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=i64::from(MOST_COUNTED)))]
     words: Option<u32>,
     /// Output format; json is schema impact-pair/trap/1
-    /// [default: as the ending of --output says, else table]
+    /// [default: by the extension of --output, else table]
     #[arg(long, value_enum)]
     format: Option<TrapFormat>,
     #[command(flatten)]
@@ -86,7 +86,7 @@ struct Proved<'s> {
 
 pub fn trap(arguments: &TrapArguments) -> Result<Answer> {
     let format = arguments.drawing.format(arguments.format)?;
-    let Begun { scene, files, path } = arguments.drawing.begin(&arguments.scene)?;
+    let OpenOutput { scene, files, path } = arguments.drawing.begin(&arguments.scene)?;
     let named = || scene::name(path);
     let progress = Progress::stages(!files.quiet);
     let found = Trap::of(&scene, arguments.finer, &progress).with_context(named)?;

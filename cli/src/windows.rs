@@ -15,7 +15,7 @@ use impact_pair::periodic::bifurcation::WindowEnd;
 use impact_pair::scene::Range;
 
 use crate::Answer;
-use crate::destination::{Begun, Drawing};
+use crate::destination::{Drawing, OpenOutput};
 use crate::heading::heading;
 use crate::periodic::{PeriodicFormat, physical, symmetric};
 use crate::progress::Progress;
@@ -33,14 +33,14 @@ orbit listed is proved at an exact value of the parameter: it exists, it is the 
 stable. Its window extends from a fold to a period doubling or a pitchfork, and both ends are enclosed. Where `stable \
 between` is proved, there is a stable, admissible orbit of the word for every value between the bounds of the ends, \
 and one curve of them leads from end to end through the orbit listed. \
-Other windows are not excluded, and nothing is claimed of floating-point orbits that are not proved, most of them long. \
+Other windows are not excluded; floating-point orbits that are not proved, most of them long, have no claim. \
 Windows of the doubled orbits, which adjoin, are not listed. One harmonic only.
 
 The nearest windows to the scene's own value come first. Of windows narrower than about 10^-15 of the value, which \
 doubles do not resolve, few are found.
 
 Exit code: 0 there are windows, and of each the orbit, both ends and the orbits between are proved; 1 some of that is \
-not, or the run was interrupted (what is proved is written); 2 usage, bad input, I/O.";
+not, or the run was interrupted (the proved part is written); 2 usage, bad input, I/O.";
 
 #[derive(Args, Debug)]
 #[command(mut_arg("digits", |digits| digits.help("Requested width of enclosures, at most 10^-D: of phases relative to 2 pi, of velocities relative to A W; ends are enclosed to four more digits than the width of the window takes [default: that of the scene, or 9]")))]
@@ -62,7 +62,7 @@ pub struct WindowsArguments {
     most: u64,
     #[command(flatten)]
     precision: PrecisionArguments,
-    /// Output format; json is schema impact-pair/windows/1 [default: as the ending of --output says, else table]
+    /// Output format; json is schema impact-pair/windows/1 [default: by the extension of --output, else table]
     #[arg(long, value_enum)]
     format: Option<PeriodicFormat>,
     #[command(flatten)]
@@ -76,7 +76,7 @@ fn over(text: &str) -> Result<Range, impact_pair::Error> {
 
 pub fn windows(arguments: &WindowsArguments) -> Result<Answer> {
     let format = arguments.drawing.format(arguments.format)?;
-    let Begun { scene, files, path } = arguments.drawing.begin(&arguments.scene)?;
+    let OpenOutput { scene, files, path } = arguments.drawing.begin(&arguments.scene)?;
     let named = || scene::name(path);
     let settings = WindowSettings {
         over: arguments.over.clone(),

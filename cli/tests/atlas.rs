@@ -94,7 +94,7 @@ fn a_4_by_3_atlas_is_that_of_its_points() {
 
 /// Shards, put together, and an atlas that goes on from what is kept are the whole, but for the seconds; the table has a row a point.
 #[test]
-fn shards_and_what_is_kept_are_the_whole() {
+fn shards_and_kept_points_make_the_whole() {
     let folder = folder("atlas-shards");
     let scene = scene(&folder);
     let plane = ["--over", "amplitude=2.2..3:2", "--over", "restitution=0.1..0.2:2", "--boxes", "8"];

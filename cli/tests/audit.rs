@@ -129,7 +129,7 @@ snapshots! {
 
 /// Each corrupted impact is found, and nothing else, wherever it is.
 #[test]
-fn one_spoiled_impact_is_found_exactly() {
+fn one_corrupted_impact_is_located_exactly() {
     let found = |list: &str| disagreements(&judged(list, &FIGURE_14, 1));
     for at in 1..7 {
         let number = at as u64 + 1;
@@ -220,7 +220,7 @@ fn lists_may_be_written_as_people_do() {
 }
 
 #[test]
-fn what_run_writes_is_a_list() {
+fn the_documents_of_run_are_lists() {
     for format in ["json", "jsonl", "csv"] {
         let orbit =
             common::run(&["scenes/chatter.toml", "--impacts", "20", "--format", format, "--quiet"]).output().unwrap();
@@ -243,7 +243,7 @@ const CHATTER: &str = "\
 ";
 
 #[test]
-fn what_a_chatter_skips_is_neither_false_nor_missed() {
+fn skipped_impacts_of_a_chatter_are_neither_false_nor_missed() {
     let scene = ["scenes/chatter.toml", "-", "--tolerance", "1e-4"];
     let found = |tail: &str, code: i32| {
         let document = judged(&format!("{CHATTER}{tail}"), &scene, code);
@@ -257,7 +257,7 @@ fn what_a_chatter_skips_is_neither_false_nor_missed() {
     assert_eq!(found("0.21799 left -0.3\n", 1).0, [("false".into(), 7)]);
     assert_eq!(found("0.21799 right 0.00001\n", 1).0, [("false".into(), 7)]);
     assert_eq!(found("0.5 left 0\n", 1).0, [("false".into(), 7)]);
-    // Before the tolerance makes them one with the end, impacts are asked for.
+    // Before the tolerance makes them one with the end, impacts are requested.
     let short: String = CHATTER.lines().take(3).map(|line| format!("{line}\n")).collect();
     let document = judged(&(short + "4.00003056399284 right 6.2831852926972\n"), &scene, 1);
     assert_eq!(disagreements(&document), [("missed".into(), 4), ("missed".into(), 5)]);
@@ -283,7 +283,7 @@ fn the_start_may_be_listed() {
 }
 
 #[test]
-fn a_list_is_judged_up_to_a_time() {
+fn a_list_is_compared_up_to_a_time() {
     let late = LIST.replace("6.702421955260352", "6.8");
     judged(&late, &FIGURE_14, 1);
     let document = judged(&late, &[&FIGURE_14[..], &["--until", "6"]].concat(), 0);
@@ -322,7 +322,7 @@ fn the_first_impact_of_another_orbit_is_named() {
 }
 
 #[test]
-fn a_judgement_may_go_into_a_file() {
+fn a_verdict_may_be_written_to_a_file() {
     let file = common::folder("audit").join("audit.json");
     let arguments = [&FIGURE_14[..], &["--format", "json", "--output", file.to_str().unwrap()]].concat();
     let answer = answer(&spoiled(|rows| _ = rows.remove(2)), &arguments);
@@ -357,7 +357,7 @@ const LAST: &str = if cfg!(feature = "multiprecision") { "not-reached" } else { 
 /// In doubles it would be too fast.
 #[cfg(all(unix, feature = "multiprecision"))]
 #[test]
-fn ctrl_c_keeps_what_is_judged() {
+fn ctrl_c_keeps_the_verdicts() {
     let folder = common::folder("audit-interrupted");
     let (list, file) = (folder.join("list.csv"), folder.join("audit.json"));
     // The exact orbit, long enough that Ctrl-C comes before its end.

@@ -28,7 +28,7 @@ fn shows_a_line(scene: &str, message: &str, excerpt: &str) -> bool {
 }
 
 #[test]
-fn what_is_meant_is_marked() {
+fn the_faulty_text_is_marked() {
     for (key, by, marked) in [
         ("gap", "gap = \"9,42497\"", "11 | gap = \"9,42497\"\n   |         ^\n"),
         ("wall", "wall = \"Left\"", "16 | wall = \"Left\"\n   |        ^^^^^^\n"),

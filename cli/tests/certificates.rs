@@ -66,7 +66,7 @@ fn wrong_certificates_are_refused() {
 }
 
 #[test]
-fn what_is_no_certificate_is_named() {
+fn a_document_that_is_no_certificate_is_named() {
     let edits: [(&str, &str, &str); 5] = [
         ("schema", "impact-pair/orbit/1", "impact-pair/orbit/9"),
         ("float", "\"certified\":true", "\"certified\":false"),
@@ -94,7 +94,7 @@ fn certificates_become_theorems() {
 
 /// Fewer impacts than requested are not all of them.
 #[test]
-fn r42_a_theorem_of_fewer_impacts_is_not_all_that_was_asked() {
+fn r42_a_theorem_of_fewer_impacts_than_requested_says_so() {
     let path = certificate("fewer", &FIGURE_12, |text| text);
     let code = |impacts: &str| {
         let answer = on("prove", &path).args(["--impacts", impacts]).output().unwrap();

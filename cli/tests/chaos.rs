@@ -11,11 +11,11 @@ use crate::common::{answer_to, folder, program, scene, snapshots};
 use serde_json::Value;
 
 /// The exponent is that of a floating orbit.
-const SEEN: [(&str, &str); 1] = [(r"floating-point orbit: -?\d\.\d{3}", "floating-point orbit: ..")];
+const FLOATING_POINT_EXPONENT: [(&str, &str); 1] = [(r"floating-point orbit: -?\d\.\d{3}", "floating-point orbit: ..")];
 
 const BASES: [&str; 2] = ["--bases", "docs/bases-figure-14.json"];
 
-snapshots! { SEEN;
+snapshots! { FLOATING_POINT_EXPONENT;
     region_of_figure_14: program(&["trap", "scenes/figure-14.toml"]);
     region_of_figure_12: program(&["trap", "scenes/figure-12.toml"]);
     words_of_figure_14: program(&["trap", "scenes/figure-14.toml", "--words", "22"]);
@@ -44,7 +44,7 @@ snapshots! { SEEN;
     arguments_of_chaos: program(&["chaos", "--help"]);
 }
 
-/// Bounds hold what is known, and a key that was not asked for is not there.
+/// Bounds hold what is known, and a key that was not requested is absent.
 #[test]
 fn a_hyperbolic_set_is_measured() {
     let arguments = ["chaos", "scenes/figure-14.toml", BASES[0], BASES[1], "--depth", "3", "--format", "json"];
@@ -53,9 +53,9 @@ fn a_hyperbolic_set_is_measured() {
         assert!(output.status.success());
         serde_json::from_slice(&output.stdout).unwrap()
     };
-    let (plain, asked) = (chaos(&[]), chaos(&["--hyperbolic"]));
-    assert!(plain.get("hyperbolic").is_none() && asked["words"] == plain["words"]);
-    let set = &asked["hyperbolic"];
+    let (plain, requested) = (chaos(&[]), chaos(&["--hyperbolic"]));
+    assert!(plain.get("hyperbolic").is_none() && requested["words"] == plain["words"]);
+    let set = &requested["hyperbolic"];
     let bounds = |bounds: &Value| [0, 1].map(|end| bounds[end].as_str().unwrap().parse::<f64>().unwrap());
     let [low, high] = bounds(&set["entropy"]["per_cycle"]);
     assert!(low <= LN_2 && LN_2 <= high && set["words"] == serde_json::json!([0, 2, 3, 5]));
@@ -121,7 +121,7 @@ fn a_region_is_written_and_drawn() {
     let drawn = fs::read_to_string(plot).unwrap();
     assert!(drawn.starts_with("<svg") && drawn.contains("fill=\"#121212\"") && !drawn.contains("#FFFFFF"));
     assert!(drawn.contains("a trapping region of 431 boxes; the scene's orbit is in it from impact 2"));
-    // The orbit is in half a turn about its beginning.
+    // The orbit is in half a forcing period about its beginning.
     assert!(drawn.contains(">−3π/4<") && !drawn.contains(">π/2<"));
 }
 
@@ -263,8 +263,8 @@ fn r49_a_stable_orbit_is_given_with_its_shortest_period_where_a_word_is_repeated
     for (over, impacts, cycles) in
         [("amplitude=8.47734375..8.477734375:2", 8, 3), ("amplitude=8.4822265625..8.482421875:1", 16, 6)]
     {
-        let asked = ["--over", over, "--halvings", "0", "--depth", "1", "--output", path, "--quiet"];
-        program(&[&["chaos", "scenes/figure-14.toml"][..], &asked].concat()).output().unwrap();
+        let requested = ["--over", over, "--halvings", "0", "--depth", "1", "--output", path, "--quiet"];
+        program(&[&["chaos", "scenes/figure-14.toml"][..], &requested].concat()).output().unwrap();
         let document: Value = serde_json::from_str(&fs::read_to_string(path).unwrap()).unwrap();
         for stretch in document["stretches"].as_array().unwrap() {
             let period = &stretch["period"];

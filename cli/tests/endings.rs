@@ -116,7 +116,7 @@ fn r35_parquet_is_not_written_as_anything_else() {
     assert!(!Path::new("x.parquet").exists());
 }
 
-/// A format that is asked for chooses where the ending says nothing; where both contradict each other neither is taken.
+/// A requested format applies to any extension without a meaning; a contradiction of both is refused.
 #[test]
 fn r35_a_format_and_an_ending_that_contradict_each_other_are_refused() {
     let folder = folder("endings-and-formats");

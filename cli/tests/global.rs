@@ -50,8 +50,8 @@ fn a_basin_is_checked_and_components_are_drawn() {
     let text = "excitation = { amplitude = 0.583258, frequency = \"pi\", phase = 0 }\n\
                 pair = { gap = 1, restitution = 0.377273 }\nstart = { time = 0, wall = \"left\", velocity = -1 }\n";
     fs::write(&scene, text).unwrap();
-    let asked = ["global", &scene, "--basins", "14", "--plot", &svg, "--output", &json, "--quiet"];
-    assert!(program(&asked).status().unwrap().success());
+    let requested = ["global", &scene, "--basins", "14", "--plot", &svg, "--output", &json, "--quiet"];
+    assert!(program(&requested).status().unwrap().success());
     let text = fs::read_to_string(&json).unwrap();
     let document: Value = serde_json::from_str(&text).unwrap();
     let basins = &document["basins"];

@@ -95,7 +95,7 @@ fn every_example_runs() {
 
 #[test]
 #[ignore = "deep: the examples that take seconds; by default every_example_runs"]
-fn every_example_runs_those_that_take_seconds_too() {
+fn every_example_runs_slow_ones_included() {
     runs_examples(&[]);
 }
 
@@ -162,7 +162,7 @@ fn the_version_says_what_it_was_built_with() {
 }
 
 #[test]
-fn nothing_is_coloured_where_it_is_not_wanted() {
+fn nothing_is_coloured_where_colours_are_off() {
     let is_coloured = |command: &mut std::process::Command| {
         let answer = command.env("CLICOLOR_FORCE", "1").output().unwrap();
         answer.stdout.contains(&0x1b) || answer.stderr.contains(&0x1b)

@@ -29,7 +29,7 @@ const VERBS: [&[&str]; 8] = [
 ];
 
 #[test]
-fn r35_pictures_have_the_size_and_the_letters_asked_for_and_no_header() {
+fn r35_pictures_have_the_requested_size_and_font_and_no_header() {
     let folder = folder("looks");
     let drawn = |arguments: &[&str], name: &str, look: &[&str]| {
         let path = folder.join(format!("{}-{name}.svg", arguments[0]));

@@ -7,11 +7,11 @@ use crate::common::{folder, program};
 const SCENE: &str = "scenes/figure-14.toml";
 
 /// Returns the message for a command line that is refused.
-fn said(arguments: &[&str]) -> String {
+fn error_of(arguments: &[&str]) -> String {
     let done = program(arguments).output().unwrap();
-    let said = String::from_utf8(done.stderr).unwrap();
-    assert_eq!(done.status.code(), Some(2), "{arguments:?}: {said}");
-    said
+    let error_of = String::from_utf8(done.stderr).unwrap();
+    assert_eq!(done.status.code(), Some(2), "{arguments:?}: {error_of}");
+    error_of
 }
 
 /// The scene of figure 14 with one text in the place of another one.
@@ -27,23 +27,23 @@ fn changed(name: &str, [from, to]: [&str; 2]) -> String {
 fn r35_symbols_of_the_paper_lead_to_the_keys() {
     for (symbol, key) in [("A", "amplitude"), ("W", "frequency"), ("d", "gap"), ("e", "restitution")] {
         let scene = changed(&format!("symbol-{symbol}.toml"), [&format!("{key} ="), &format!("{symbol} =")]);
-        assert!(said(&["run", &scene]).contains(&format!("did you mean `{key}`?")), "{symbol}");
+        assert!(error_of(&["run", &scene]).contains(&format!("did you mean `{key}`?")), "{symbol}");
         for verb in [&["sweep", SCENE, "--over"][..], &["chaos", SCENE, "--over"]] {
             let range = format!("{symbol}=1..2:2");
-            let said = said(&[verb, &[&range]].concat());
-            assert!(said.contains(&format!("did you mean `{key}`?")), "{said}");
+            let error_of = error_of(&[verb, &[&range]].concat());
+            assert!(error_of.contains(&format!("did you mean `{key}`?")), "{error_of}");
         }
     }
     for (symbol, key) in [("v", "start.velocity"), ("y0", "start.position"), ("tau", "phase")] {
         assert!(
-            said(&["sweep", SCENE, "--over", &format!("{symbol}=-2..-1:2")])
+            error_of(&["sweep", SCENE, "--over", &format!("{symbol}=-2..-1:2")])
                 .contains(&format!("did you mean `{key}`?"))
         );
     }
     // In the wrong table as well.
     for (symbol, key) in [("A", "excitation.amplitude"), ("v0", "start.velocity")] {
         let scene = changed(&format!("table-{symbol}.toml"), ["gap =", &format!("{symbol} =")]);
-        assert!(said(&["run", &scene]).contains(&format!("did you mean `{key}`?")), "{symbol}");
+        assert!(error_of(&["run", &scene]).contains(&format!("did you mean `{key}`?")), "{symbol}");
     }
 }
 
@@ -56,8 +56,8 @@ fn r35_values_of_over_are_the_options_and_not_the_files() {
         (&["chaos", SCENE, "--over", "gap=-1..1:2"], "gap=-1..1:2"),
         (&bifurcations, "gap=-1..1"),
     ] {
-        let said = said(arguments);
-        assert!(said.starts_with(&format!("error: --over {range}: pair.gap is ")), "{said}");
+        let error_of = error_of(arguments);
+        assert!(error_of.starts_with(&format!("error: --over {range}: pair.gap is ")), "{error_of}");
     }
 }
 
@@ -79,20 +79,20 @@ fn r49_where_lengths_are_in_amplitudes_the_amplitude_is_not_0() {
             &["tangency", &scene, "--over", "restitution=0.1..0.2"],
             &cells,
         ] {
-            let said = said(arguments);
+            let error_of = error_of(arguments);
             let expected = format!("{scene}: excitation.amplitude is {value}, but must be greater than 0\n");
-            assert_eq!(said, format!("error: {expected}"), "{arguments:?}");
+            assert_eq!(error_of, format!("error: {expected}"), "{arguments:?}");
         }
     }
     for verb in ["windows", "tangency", "chaos"] {
-        let said = said(&[verb, SCENE, "--over", "amplitude=0..1"]);
-        assert!(said.starts_with("error: --over amplitude=0..1: excitation.amplitude is "), "{said}");
+        let error_of = error_of(&[verb, SCENE, "--over", "amplitude=0..1"]);
+        assert!(error_of.starts_with("error: --over amplitude=0..1: excitation.amplitude is "), "{error_of}");
     }
 }
 
 #[test]
 fn r35_a_word_in_small_letters_leads_to_the_word() {
-    let word = |word: &str| said(&["periodic", SCENE, "--word", word, "--cycles", "1"]);
+    let word = |word: &str| error_of(&["periodic", SCENE, "--word", word, "--cycles", "1"]);
     assert!(word("lr").contains("did you mean `LR`?"));
     assert!(word("p2 p1").contains("did you mean `P2 P1`?"));
     assert!(!word("xy").contains("did you mean"));
@@ -103,33 +103,36 @@ fn r35_files_in_each_others_places_are_named() {
     let folder = folder("mistaken-files");
     let path = |name: &str| folder.join(name).to_str().unwrap().to_owned();
     fs::write(path("events.csv"), "time,wall\n0.5,right\n").unwrap();
-    let swapped = said(&["audit", &path("events.csv"), SCENE]);
+    let swapped = error_of(&["audit", &path("events.csv"), SCENE]);
     assert!(swapped.contains(&format!("did you mean impact-pair audit {SCENE} {}?", path("events.csv"))), "{swapped}");
-    let scene = said(&["check", SCENE]);
+    let scene = error_of(&["check", SCENE]);
     assert!(scene.contains("is a scene, but accepted is a JSON document: impact-pair run"), "{scene}");
     assert!(program(&["run", SCENE, "--impacts", "2", "--output", &path("orbit.json")]).status().unwrap().success());
-    let orbit = said(&["run", &path("orbit.json")]);
+    let orbit = error_of(&["run", &path("orbit.json")]);
     assert!(orbit.contains("is a JSON document, but accepted is a scene (TOML): impact-pair check"), "{orbit}");
 }
 
 #[test]
 fn r35_numbers_that_are_none_say_what_is_accepted() {
-    assert!(said(&["run", SCENE, "--digits", "abc"]).contains("accepted are whole numbers from 1 to 400"));
-    let unit = said(&["run", SCENE, "--until", "2 s"]);
+    assert!(error_of(&["run", SCENE, "--digits", "abc"]).contains("accepted are whole numbers from 1 to 400"));
+    let unit = error_of(&["run", SCENE, "--until", "2 s"]);
     assert!(
         unit.contains("numbers are in the units of the scene and have none of their own: did you mean 2?"),
         "{unit}"
     );
-    assert!(said(&["run", SCENE, "--precision", "30"]).contains("--digits D"));
+    assert!(error_of(&["run", SCENE, "--precision", "30"]).contains("--digits D"));
 }
 
 /// Every option of every verb that takes a value reads a negative number as its own: the message names the option, the value and, where the
 /// value is a number, what is accepted.
 #[test]
 fn r35_negative_numbers_are_values_of_their_options() {
-    let told = |arguments: &[&str], option: &str, accepted: &str| {
-        let said = said(arguments);
-        assert!(said.contains(&format!("invalid value '-5' for '{option}")) && said.contains(accepted), "{said}");
+    let assert_refusal = |arguments: &[&str], option: &str, accepted: &str| {
+        let error_of = error_of(arguments);
+        assert!(
+            error_of.contains(&format!("invalid value '-5' for '{option}")) && error_of.contains(accepted),
+            "{error_of}"
+        );
     };
     for (verb, option, accepted) in [
         ("run", "--impacts", "accepted are whole numbers from 0 on"),
@@ -152,19 +155,19 @@ fn r35_negative_numbers_are_values_of_their_options() {
         ("prove", "--impacts", "accepted are whole numbers from 1 on"),
         ("audit", "--tolerance", "-5"),
     ] {
-        told(&[verb, SCENE, option, "-5"], option, accepted);
+        assert_refusal(&[verb, SCENE, option, "-5"], option, accepted);
     }
-    assert!(said(&["cycles", SCENE, "--impacts", "-1..3"]).contains("accepted is an integer from 1 to 64"));
-    assert!(said(&["run", SCENE, "-5"]).contains("unexpected argument '-5'"), "an option that does not exist");
+    assert!(error_of(&["cycles", SCENE, "--impacts", "-1..3"]).contains("accepted is an integer from 1 to 64"));
+    assert!(error_of(&["run", SCENE, "-5"]).contains("unexpected argument '-5'"), "an option that does not exist");
 }
 
 #[test]
 fn r35_a_missing_table_names_its_line() {
     let scene = changed("missing-table.toml", ["[pair]\ngap = 9.42497\nrestitution = 0.5\n", ""]);
     let last = fs::read_to_string(&scene).unwrap().trim_end().lines().count();
-    let said = said(&["run", &scene]);
+    let error_of = error_of(&["run", &scene]);
     assert!(
-        said.contains(&format!(": line {last}: pair is missing, but must be a table with gap, restitution")),
-        "{said}"
+        error_of.contains(&format!(": line {last}: pair is missing, but must be a table with gap, restitution")),
+        "{error_of}"
     );
 }

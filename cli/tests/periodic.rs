@@ -24,7 +24,7 @@ snapshots! { UNCERTAIN;
     arguments_of_periodic: periodic(&["--help"]);
 }
 
-/// Two harmonics with a common period of three turns; the second frequency is to be filled in.
+/// Two harmonics with a common period of three forcing periods; the second frequency is to be filled in.
 fn two_harmonics(frequency: &str) -> String {
     format!(
         "excitation = {{ amplitude = [1, \"1/2\"], frequency = [\"pi\", \"{frequency}\"], phase = 0 }}\n\
@@ -55,7 +55,7 @@ snapshots_of_two_harmonics! {
 
 /// `--output` writes the document whole, and the JSON says what the table says.
 #[test]
-fn the_document_goes_where_it_is_asked_to() {
+fn the_document_goes_to_the_requested_output() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("orbits.json");
     let target = path.to_str().unwrap();

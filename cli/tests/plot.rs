@@ -84,7 +84,7 @@ fn a_sheet_has_all_panels_and_the_same_bytes_each_time() {
 }
 
 #[test]
-fn what_is_not_proved_is_said_and_drawn() {
+fn unproved_parts_are_stated_and_drawn() {
     let folder = folder("plot-open");
     let picture = folder.join("a.svg");
     let arguments = ["scenes/figure-14.toml", "--panel", "a", "--cycles", "50", "--arithmetic", "interval", "--output"];
@@ -97,7 +97,7 @@ fn what_is_not_proved_is_said_and_drawn() {
 }
 
 #[test]
-fn there_may_be_nothing_to_see() {
+fn motions_without_impacts_are_drawn() {
     let folder = folder("plot-still");
     let still = "excitation = { amplitude = 0, frequency = 1, phase = 0 }\npair = { gap = 1, restitution = 0.5 }\n";
     for start in ["wall = \"left\", velocity = 0", "position = 0, velocity = 0"] {
@@ -110,7 +110,7 @@ fn there_may_be_nothing_to_see() {
 }
 
 #[test]
-fn floats_claim_nothing() {
+fn floating_point_claims_nothing() {
     let folder = folder("plot-float");
     let picture = folder.join("a.svg");
     let arguments = ["scenes/figure-14.toml", "--panel", "time", "--output"];

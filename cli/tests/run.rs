@@ -76,7 +76,7 @@ fn end_of(excitation: &str, pair: &str, start: &str, arguments: &[&str]) -> (ser
 
 /// Lemmas Z2-Z4: ends that no simulation reaches.
 #[test]
-fn what_happens_for_ever_is_said() {
+fn outcomes_for_all_time_are_stated() {
     let shaken = "amplitude = 1, frequency = \"2*pi\", phase = 0";
     let (outcome, events) = end_of(shaken, "gap = 4, restitution = 0.5", "position = 0.5, velocity = \"-2*pi\"", &[]);
     assert_eq!((outcome["kind"].as_str(), events), (Some("never-impacts"), 0));
@@ -172,7 +172,7 @@ fn the_version_names_arithmetics_and_cpu_features() {
     assert!(text.contains("arithmetics: auto, float, interval") && text.contains("fma "));
 }
 
-/// A stable orbit of 20 impacts was recognised or not, by the number of impacts that were asked for.
+/// A stable orbit of 20 impacts was recognised or not, by the requested number of impacts.
 #[test]
 fn r35_an_orbit_that_attracts_is_recognised_wherever_the_list_ends() {
     for impacts in [22, 45, 60, 77, 100] {

@@ -78,7 +78,7 @@ fn assert_is<T: DeserializeOwned + Serialize>(text: &str) {
 }
 
 #[test]
-fn what_is_written_is_read_back_the_same() {
+fn written_documents_are_read_back_unchanged() {
     assert_is::<OrbitDocument>(&written(&["run", "scene.toml", "--format", "json"]));
     assert_is::<CheckDocument>(&written(&["check", "orbit.json", "--format", "json"]));
     let lines = written(&["run", "scene.toml", "--format", "jsonl"]);

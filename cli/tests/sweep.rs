@@ -18,10 +18,10 @@ const DIAGRAM: [&str; 7] =
     ["scenes/figure-14.toml", "--over", "amplitude=4..9:21", "--transient", "60", "--impacts", "12"];
 
 /// Exit code of a sweep of the chaotic scene: 1 without multiprecision, since some points are undecided then.
-const CODE: i32 = if cfg!(feature = "multiprecision") { 0 } else { 1 };
+const EXIT_CODE: i32 = if cfg!(feature = "multiprecision") { 0 } else { 1 };
 
 fn written(command: &mut Command, file: &Path) -> Vec<u8> {
-    written_with(CODE, command, file)
+    written_with(EXIT_CODE, command, file)
 }
 
 fn written_with(code: i32, command: &mut Command, file: &Path) -> Vec<u8> {
@@ -68,7 +68,7 @@ fn shards_put_together_are_the_whole() {
     for format in formats {
         let whole = written(sweep(&DIAGRAM).args(["--format", format]), &folder.join("whole"));
         let merged = sweep(&["--merge", &three, &one, &two, "--format", format]).output().unwrap();
-        assert_eq!((merged.status.code(), merged.stdout == whole), (Some(CODE), true), "{format}");
+        assert_eq!((merged.status.code(), merged.stdout == whole), (Some(EXIT_CODE), true), "{format}");
     }
     let merge = |shards: &[&str]| error(&sweep(&[&["--merge"], shards].concat()).output().unwrap());
     assert!(merge(&[&one, &two]).contains("shard 3/3 is missing"));
@@ -112,7 +112,7 @@ fn crc(bytes: &[u8]) -> u32 {
 }
 
 #[test]
-fn a_torn_journal_is_gone_on_with_and_a_damaged_one_is_refused() {
+fn a_truncated_journal_is_resumed_and_a_damaged_one_refused() {
     let folder = folder("sweep-torn");
     let whole = written(&mut sweep(&DIAGRAM), &folder.join("whole.csv"));
     let lines = sweep(&DIAGRAM).args(["--format", "jsonl"]).output().unwrap().stdout;
@@ -361,11 +361,11 @@ fn a_key_with_a_number_varies_that_term() {
 }
 
 /// Times differ from run to run.
-const RATE: [(&str, &str); 1] = [(r"\(\d+ in [\d.]+ s, [\d.]+ a second\)", "(rate)")];
+const TIMINGS: [(&str, &str); 1] = [(r"\(\d+ in [\d.]+ s, [\d.]+ a second\)", "(rate)")];
 
 #[test]
 fn the_table() {
-    insta::with_settings!({ filters => RATE.to_vec() }, {
+    insta::with_settings!({ filters => TIMINGS.to_vec() }, {
         let short = ["scenes/figure-12.toml", "--over", "gap=9..3*pi:3", "--transient", "100", "--impacts", "2"];
         assert_cmd_snapshot!("gap_as_csv", sweep(&short));
         assert_cmd_snapshot!("gap_as_jsonl", sweep(&short).args(["--format", "jsonl", "--summary"]));

@@ -31,20 +31,20 @@ fn sweep(arguments: &[&str]) -> Command {
 }
 
 /// Undecided points cost an exit code of 1, the rest of the answer is as good.
-fn said(command: &mut Command) -> Output {
+fn run_to_end(command: &mut Command) -> Output {
     let answer = command.output().unwrap();
     assert!(matches!(answer.status.code(), Some(0 | 1)), "{answer:?}");
     answer
 }
 
 /// Returns the text that a command writes to stdout.
-fn told(command: &mut Command) -> String {
-    String::from_utf8(said(command).stdout).unwrap()
+fn stdout_of(command: &mut Command) -> String {
+    String::from_utf8(run_to_end(command).stdout).unwrap()
 }
 
 /// The points and the states that a sweep writes into these files.
 fn tables(command: &mut Command, [points, states]: [&Path; 2]) -> [Vec<u8>; 2] {
-    let answer = said(command.arg("--output").arg(points).arg("--states").arg(states));
+    let answer = run_to_end(command.arg("--output").arg(points).arg("--states").arg(states));
     assert!(answer.stdout.is_empty() && answer.stderr.is_empty(), "{answer:?}");
     [points, states].map(|file| fs::read(file).unwrap())
 }
@@ -88,7 +88,7 @@ fn two_tables_hold_the_lines_of_the_mixed_one() {
         (&shadowed, &["amplitude"]),
     ];
     for (arguments, keys) in cases {
-        let mixed = told(&mut sweep(arguments));
+        let mixed = stdout_of(&mut sweep(arguments));
         let [points, states] = [points_of(&mixed), states_of(&mixed, keys)];
         assert_eq!(mixed.lines().count() + 1, points.lines().count() + states.lines().count());
         assert_eq!(mixed.contains(",claim\n"), points.contains(",claim\n"));
@@ -100,9 +100,9 @@ fn two_tables_hold_the_lines_of_the_mixed_one() {
         }
         // Either of them on stdout.
         let file = folder.join("file.csv");
-        assert_eq!(told(sweep(arguments).arg("--states").arg(&file)), points);
+        assert_eq!(stdout_of(sweep(arguments).arg("--states").arg(&file)), points);
         assert_eq!(fs::read_to_string(&file).unwrap(), states);
-        assert_eq!(told(sweep(arguments).args(["--states", "-", "--output"]).arg(&file)), states);
+        assert_eq!(stdout_of(sweep(arguments).args(["--states", "-", "--output"]).arg(&file)), states);
         assert_eq!(fs::read_to_string(&file).unwrap(), points);
         fs::remove_file(file).unwrap();
     }
@@ -118,7 +118,7 @@ fn points_without_impacts_have_no_states() {
     let (points, states) = (folder.join("points.csv"), folder.join("states.csv"));
     let arguments = [still.to_str().unwrap(), "--over", "gap=1..2:3"];
     let [points, states] = tables(&mut sweep(&arguments), [&points, &states]);
-    assert_eq!(points, points_of(&told(&mut sweep(&arguments))).into_bytes());
+    assert_eq!(points, points_of(&stdout_of(&mut sweep(&arguments))).into_bytes());
     assert_eq!(states, b"point,gap,index,wall,phase_lower,phase_upper,velocity_lower,velocity_upper\n");
 }
 
@@ -127,7 +127,7 @@ fn shards_put_together_are_the_two_tables_of_the_whole() {
     let folder = folder("tables-shards");
     let shard = |number: u32, more: &[&str]| {
         let file = folder.join(format!("{number}{}.jsonl", more.concat()));
-        said(sweep(&DIAGRAM).args(["--shard", &format!("{number}/2")]).args(more).arg("--output").arg(&file));
+        run_to_end(sweep(&DIAGRAM).args(["--shard", &format!("{number}/2")]).args(more).arg("--output").arg(&file));
         file.to_str().unwrap().to_owned()
     };
     let shards = [1, 2].map(|number| shard(number, &[]));
@@ -145,26 +145,26 @@ fn shards_put_together_are_the_two_tables_of_the_whole() {
     let states = folder.join("none.csv");
     let states = states.to_str().unwrap();
     let refused = |arguments: &[&str]| refusal(&mut sweep(&[&["--merge"], arguments].concat()));
-    let said = refused(&[&summaries[0], &summaries[1], "--states", states]);
-    assert_eq!(said, "error: --states writes the impacts, but a sweep with --summary has none\n");
-    let said = refused(&[&shards[0], &shards[1], "--states", &shards[1]]);
-    assert!(said.contains("2.jsonl: it is the input"), "{said}");
+    let run_to_end = refused(&[&summaries[0], &summaries[1], "--states", states]);
+    assert_eq!(run_to_end, "error: --states writes the impacts, but a sweep with --summary has none\n");
+    let run_to_end = refused(&[&shards[0], &shards[1], "--states", &shards[1]]);
+    assert!(run_to_end.contains("2.jsonl: it is the input"), "{run_to_end}");
     assert!(!Path::new(states).exists());
 }
 
 #[cfg(unix)]
 #[test]
-fn a_sweep_gone_on_with_writes_both_tables() {
+fn a_resumed_sweep_writes_both_tables() {
     let folder = folder("tables-resumed");
     let long = ["scenes/figure-14.toml", "--over", "amplitude=3..7:101", "--transient", "20", "--impacts", "5"];
     let [points, states, partial] = ["points.csv", "states.csv", "points.csv.partial"].map(|name| folder.join(name));
     let whole = tables(&mut sweep(&long), [&points, &states]);
     // Begun with states and gone on with; and begun without.
-    for is_asked in [true, false] {
+    for is_requested in [true, false] {
         [&points, &states].into_iter().for_each(|file| fs::remove_file(file).unwrap());
         let mut begun = sweep(&long);
         begun.arg("--output").arg(&points);
-        if is_asked {
+        if is_requested {
             begun.arg("--states").arg(&states);
         }
         let lines = || fs::read_to_string(&partial).map_or(0, |text| text.lines().count());
@@ -191,9 +191,9 @@ fn states_that_are_no_table_of_their_own_are_refused() {
     fs::copy(Path::new(env!("CARGO_MANIFEST_DIR")).join("../scenes/figure-14.toml"), &scene).unwrap();
     let refused = |arguments: &[&str]| {
         let mut command = program(&["sweep", "scene.toml", "--over", "amplitude=4..9:21", "--quiet"]);
-        let said = refusal(command.args(arguments).current_dir(&folder));
+        let run_to_end = refusal(command.args(arguments).current_dir(&folder));
         assert_eq!(files(&folder), ["scene.toml"], "nothing is begun");
-        said
+        run_to_end
     };
     let states = ["--states", "states.csv"];
     let cases: [(&[&str], &str); 13] = [
@@ -213,8 +213,8 @@ fn states_that_are_no_table_of_their_own_are_refused() {
     ];
     for (arguments, expected) in cases {
         let more = if arguments.contains(&"--states") { &[][..] } else { &states };
-        let said = refused(&[arguments, more].concat());
-        assert!(said.starts_with("error: ") && said.contains(expected), "{arguments:?}: {said}");
+        let run_to_end = refused(&[arguments, more].concat());
+        assert!(run_to_end.starts_with("error: ") && run_to_end.contains(expected), "{arguments:?}: {run_to_end}");
     }
     #[cfg(not(feature = "parquet"))]
     assert!(refused(&[&states[..], &["--format", "parquet"]].concat()).contains("build with --features parquet"));
@@ -225,9 +225,9 @@ fn states_that_are_no_table_of_their_own_are_refused() {
 fn parquet_holds_the_bounds_of_each_table() {
     let folder = folder("tables-parquet");
     let file = |name: &str| folder.join(name);
-    said(sweep(&DIAGRAM).args(["--format", "parquet", "--output"]).arg(file("mixed.parquet")));
+    run_to_end(sweep(&DIAGRAM).args(["--format", "parquet", "--output"]).arg(file("mixed.parquet")));
     tables(sweep(&DIAGRAM).args(["--format", "parquet"]), [&file("points.parquet"), &file("states.parquet")]);
-    let mixed = told(&mut sweep(&DIAGRAM));
+    let mixed = stdout_of(&mut sweep(&DIAGRAM));
     assert_holds(&file("mixed.parquet"), &mixed);
     assert_holds(&file("points.parquet"), &points_of(&mixed));
     assert_holds(&file("states.parquet"), &states_of(&mixed, &["amplitude"]));

@@ -6,27 +6,27 @@ use std::fs;
 
 use crate::common::{EXACT, UNCERTAIN, folder, program, snapshots};
 
-const OVER: [&str; 4] = ["tangency", "scenes/figure-14.toml", "--over", "gap=9.4249..9.4252"];
+const OVER_GAP: [&str; 4] = ["tangency", "scenes/figure-14.toml", "--over", "gap=9.4249..9.4252"];
 const WORD: [&str; 2] = ["--word", "FFFFFFFNFFFFFNFFNFFNFFFF"];
 
 const FAMILY: [&str; 4] = ["tangency", "docs/tangencies/family.toml", "--over", "gap=9.425..9.4253"];
 
-fn asked(more: &[&str]) -> std::process::Command {
-    program(&[&OVER[..], more].concat())
+fn run_with(more: &[&str]) -> std::process::Command {
+    program(&[&OVER_GAP[..], more].concat())
 }
 
 snapshots! { EXACT;
     arguments_of_tangency: program(&["tangency", "--help"]);
-    tangency_of_another_word: asked(&["--word", "FFFFFFFNFFFFFNFFNFFNFFFN"]);
-    tangency_of_a_word_that_is_none: asked(&["--word", "FFX"]);
-    tangency_of_little_work: asked(&["--work", "1"]);
-    tangency_of_no_work: asked(&["--work", "0"]);
+    tangency_of_another_word: run_with(&["--word", "FFFFFFFNFFFFFNFFNFFNFFFN"]);
+    tangency_of_a_word_that_is_none: run_with(&["--word", "FFX"]);
+    tangency_of_little_work: run_with(&["--work", "1"]);
+    tangency_of_no_work: run_with(&["--work", "0"]);
     tangency_over_the_frequency: program(&["tangency", "scenes/figure-14.toml", "--over", "frequency=1..4"]);
     tangency_under_two_harmonics: program(&["tangency", "scenes/two-tones.toml", "--over", "gap=1..2", "--longest", "1"]);
 }
 
 snapshots! { UNCERTAIN;
-    the_first_tangency_of_figure_14: asked(&[&WORD[..], &["--digits", "30"]].concat());
+    the_first_tangency_of_figure_14: run_with(&[&WORD[..], &["--digits", "30"]].concat());
     a_family_of_tangencies: program(&[&FAMILY[..], &WORD[..]].concat());
 }
 
@@ -36,7 +36,7 @@ fn a_tangency_of_figure_14_is_checked() {
     let folder = folder("tangency");
     let [path, picture] = ["tangency.json", "tangency.svg"].map(|name| folder.join(name).to_str().unwrap().to_owned());
     let more = ["--digits", "30", "--output", &path, "--plot", &picture, "--quiet"];
-    assert!(asked(&[&WORD[..], &more[..]].concat()).status().unwrap().success());
+    assert!(run_with(&[&WORD[..], &more[..]].concat()).status().unwrap().success());
     let text = fs::read_to_string(&path).unwrap();
     assert!(fs::read_to_string(&picture).unwrap().contains("a homoclinic tangency"));
     let says = |text: &str| {

@@ -52,7 +52,7 @@ fn a_scene_that_asks_for_no_impact_is_refused() {
 }
 
 #[test]
-fn document_and_picture_appear_whole() {
+fn document_and_picture_are_written_atomically() {
     let folder = folder("trade-whole");
     let (document, picture) = (folder.join("trade.json"), folder.join("trade.svg"));
     let answer = trade(&["scenes/figure-14.toml", "--impacts", "120", "--format", "json"])
@@ -82,38 +82,43 @@ fn has_the_shape_of_a_trade(document: &Value) {
     assert_eq!(document["asked"]["impacts"], 120);
     assert_eq!(document["units"]["velocity"], "A W");
     assert_eq!(document["interrupted"], Value::Null);
-    let rungs = document["rungs"].as_array().unwrap();
-    let names: Vec<_> = rungs.iter().map(|rung| rung["name"].as_str().unwrap()).collect();
+    let rows = document["rungs"].as_array().unwrap();
+    let names: Vec<_> = rows.iter().map(|arithmetic| arithmetic["name"].as_str().unwrap()).collect();
     let auto = ["auto, 3 digits", "auto, 9 digits", "auto, 15 digits", "auto, 30 digits", "auto, 100 digits"];
     let bits: &[&str] = if cfg!(feature = "multiprecision") { &["64 bits", "128 bits"] } else { &[] };
     let textbook: &[&str] = if cfg!(feature = "inari") { &["inari"] } else { &[] };
     assert_eq!(names, [&["float", "interval"], textbook, &["shadow"], bits, &auto].concat());
-    for rung in rungs {
-        let impacts = rung["impacts"].as_u64().unwrap();
-        assert_eq!(rung["complete"], Value::Bool(impacts == 120), "{rung}");
-        assert_eq!(rung["certified"], Value::Bool(rung["name"] != "float"));
-        assert!(rung["outcome"]["kind"].is_string());
-        assert!(rung["seconds"]["repetitions"].as_u64().unwrap() > 0);
-        let bits = rung["arithmetic"]["bits"].as_u64();
-        assert_eq!(bits.is_none(), rung["name"] == "shadow");
+    for arithmetic in rows {
+        let impacts = arithmetic["impacts"].as_u64().unwrap();
+        assert_eq!(arithmetic["complete"], Value::Bool(impacts == 120), "{arithmetic}");
+        assert_eq!(arithmetic["certified"], Value::Bool(arithmetic["name"] != "float"));
+        assert!(arithmetic["outcome"]["kind"].is_string());
+        assert!(arithmetic["seconds"]["repetitions"].as_u64().unwrap() > 0);
+        let bits = arithmetic["arithmetic"]["bits"].as_u64();
+        assert_eq!(bits.is_none(), arithmetic["name"] == "shadow");
         assert!(bits.is_none_or(|bits| bits >= 53));
         if impacts == 0 {
-            assert!(rung["impacts_per_second"].is_null() && rung["digits"].is_null() && rung["widths"].is_null());
+            assert!(
+                arithmetic["impacts_per_second"].is_null()
+                    && arithmetic["digits"].is_null()
+                    && arithmetic["widths"].is_null()
+            );
             continue;
         }
-        assert!(rung["impacts_per_second"].as_f64().unwrap() > 0.0);
-        assert!(rung["microseconds_per_impact"]["orbit"].as_f64().unwrap() > 0.0);
-        if rung["certified"] == true {
-            let width = |of: &str, which: &str| rung["widths"][of][which].as_str().unwrap().parse::<f64>().unwrap();
+        assert!(arithmetic["impacts_per_second"].as_f64().unwrap() > 0.0);
+        assert!(arithmetic["microseconds_per_impact"]["orbit"].as_f64().unwrap() > 0.0);
+        if arithmetic["certified"] == true {
+            let width =
+                |of: &str, which: &str| arithmetic["widths"][of][which].as_str().unwrap().parse::<f64>().unwrap();
             let widest = width("time", "greatest").max(width("velocity", "greatest"));
             assert!(width("time", "last") <= width("time", "greatest"));
-            let digits = rung["digits"].as_f64().unwrap();
-            assert!((-widest.log10() - digits).abs() < 0.02, "{rung}");
-            assert!(rung["asked"]["digits"].as_f64().is_none_or(|asked| digits >= asked), "{rung}");
+            let digits = arithmetic["digits"].as_f64().unwrap();
+            assert!((-widest.log10() - digits).abs() < 0.02, "{arithmetic}");
+            assert!(arithmetic["asked"]["digits"].as_f64().is_none_or(|requested| digits >= requested), "{arithmetic}");
         }
     }
     // The true errors of the floating-point orbit do not depend on how they were determined, as far as doubles lead.
-    let truth = &rungs[0]["truth"];
+    let truth = &rows[0]["truth"];
     let [nine, ..] = truth["time_errors"].as_array().unwrap().as_slice() else { panic!("no errors: {truth}") };
     assert_eq!(nine["threshold"], "1e-9");
     assert!(nine["within"].as_u64().unwrap() > 20);

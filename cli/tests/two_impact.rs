@@ -35,7 +35,7 @@ fn motions_as_json() {
 }
 
 #[test]
-fn what_is_left_open_is_said() {
+fn undecided_parts_are_stated() {
     let fold = common::scene("figure-12.toml").replace("9.42497", "\"sqrt(4 + 9*pi^2)\"");
     let path = folder("two-impact-fold").join("fold.toml");
     fs::write(&path, fold).unwrap();

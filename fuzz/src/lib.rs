@@ -57,7 +57,7 @@ const TOKENS: [&str; 40] = [
     ",",
 ];
 
-/// One edit, at a place told as a fraction of the text.
+/// One edit, at a place given as a fraction of the text.
 #[derive(Clone, Debug)]
 enum Edit {
     /// Instead of the word there.
@@ -136,7 +136,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn edits_do_what_they_are_called() {
+    fn edits_have_the_effect_of_their_names() {
         let seeds = ["v = 1.5, w".to_owned(), "0123456789".to_owned()];
         for (edit, expected) in [
             (Edit::Replace(0.45, "pi"), "v = pi, w"),

@@ -37,9 +37,9 @@ proptest! {
         match read(&text, &Columns::default(), scene.pair()) {
             Ok(list) => {
                 let rows = list.rows.len();
-                let asked = AuditSettings { max_bits: 256, ..AuditSettings::default() };
-                if let Ok(audit) = Audit::of(&scene, list, &asked, &Unwatched) {
-                    prop_assert!(audit.findings().len() >= rows || asked.until.is_some());
+                let requested = AuditSettings { max_bits: 256, ..AuditSettings::default() };
+                if let Ok(audit) = Audit::of(&scene, list, &requested, &Unwatched) {
+                    prop_assert!(audit.findings().len() >= rows || requested.until.is_some());
                 }
             }
             Err(error) => prop_assert!(error.kind() == ErrorKind::List && !error.to_string().is_empty(), "{error}"),

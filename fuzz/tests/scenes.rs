@@ -25,7 +25,7 @@ fn seeds() -> Vec<String> {
 }
 
 /// Impacts and other events that are followed.
-const MOST: usize = 60;
+const MAX_EVENTS: usize = 60;
 
 proptest! {
     #![proptest_config(config())]
@@ -43,7 +43,7 @@ proptest! {
         let settings = Settings { arithmetic, impacts: Some(6), max_bits: 1024, ..scene.settings() };
         match Orbit::of(&scene, settings) {
             Ok(mut orbit) => {
-                let end = (0..MOST).map(|_| orbit.advance()).find(|event| matches!(event, Progress::Ended));
+                let end = (0..MAX_EVENTS).map(|_| orbit.advance()).find(|event| matches!(event, Progress::Ended));
                 prop_assert!(end.is_some() || orbit.outcome().is_none());
             }
             Err(error) => prop_assert!(!error.to_string().is_empty()),

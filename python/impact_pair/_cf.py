@@ -98,8 +98,8 @@ def orbit(found: Orbit, names_of_events: Sequence[str]) -> Any:
     named["event_kind"] = flags(all_events, kinds, range(len(names_of_events)), names_of_events, "kind of the event")
     named["event_wall"] = flags(all_events, found.event_sides, *WALLS, "wall of the event")
     about = {"scene": found.scene, "outcome": found.outcome.fields, "arithmetic": found.arithmetic}
-    told = {key: json.dumps(value, ensure_ascii=False) for key, value in about.items()}
-    attributes = {"Conventions": "CF-1.11", "certified": int(found.certified), "claim": found.claim, **told}
+    encoded = {key: json.dumps(value, ensure_ascii=False) for key, value in about.items()}
+    attributes = {"Conventions": "CF-1.11", "certified": int(found.certified), "claim": found.claim, **encoded}
     numbered = {"impact": (dims, np.arange(1, len(found) + 1), {"long_name": "number of the impact", "units": "1"})}
     return xr.Dataset(named, numbered | at, attributes)
 

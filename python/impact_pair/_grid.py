@@ -29,7 +29,7 @@ from .errors import Error, Interrupted, RangeError
 if TYPE_CHECKING:
     from .bounds import Doubles
 
-#: The largest ratio of a chunk to the last ones: the first ones tell the rate.
+#: The largest ratio of a chunk to the last ones: the first ones determine the rate.
 GROWTH = 8
 #: Chunks that wait for each worker, so that none is idle.
 AHEAD = 2
@@ -93,7 +93,7 @@ class Rate:
         self.seconds, self.workers = seconds, workers
         self.spent, self.done, self.largest = 0.0, 0, 0
 
-    def tell(self, points: int, seconds: float) -> None:
+    def report(self, points: int, seconds: float) -> None:
         """Take in what a chunk took."""
         # The last measurement counts most: points differ.
         self.spent, self.done = 0.5 * self.spent + seconds, self.done // 2 + points
@@ -103,8 +103,8 @@ class Rate:
         """Return how many points to compute next, of those that are left."""
         if not self.done:
             return 1
-        wanted = int(self.seconds * self.done / max(self.spent, 1e-9))
-        return max(1, min(wanted, GROWTH * self.largest, -(-left // (TAIL * self.workers))))
+        estimate = int(self.seconds * self.done / max(self.spent, 1e-9))
+        return max(1, min(estimate, GROWTH * self.largest, -(-left // (TAIL * self.workers))))
 
 
 def axes(over: Mapping[str, tuple[Value, Value, int] | Sequence[float] | Doubles]) -> tuple[str, ...]:
@@ -128,8 +128,8 @@ def computed(
     core.check()
     chunks: Chunks = Memory() if resume is None else Files(Path(resume) / question.key(), core.head())
     count = workers or workers_of(executor)
-    with reporting(progress, "points", core.points) as tell:
-        run = Run(question, chunks, core.points, Rate(seconds, count), tell)
+    with reporting(progress, "points", core.points) as report:
+        run = Run(question, chunks, core.points, Rate(seconds, count), report)
         # Finished points are kept.
         with contextlib.suppress(KeyboardInterrupt):
             run.here(core) if executor is None else run.on(executor)
@@ -189,11 +189,11 @@ def stretches(lines: bytes) -> Iterator[tuple[int, int, bytes]]:
 class Run:
     """A sweep at work."""
 
-    def __init__(self, question: Question, chunks: Chunks, points: int, rate: Rate, tell: Any) -> None:
+    def __init__(self, question: Question, chunks: Chunks, points: int, rate: Rate, report: Any) -> None:
         self.question, self.chunks, self.rate = question, chunks, rate
         self.gaps = chunks.missing(points)
         self.left = sum(last - first for first, last in self.gaps)
-        self.done, self._tell = points - self.left, tell
+        self.done, self._report = points - self.left, report
 
     def next(self) -> tuple[int, int]:
         """Take the next points that are left."""
@@ -208,18 +208,18 @@ class Run:
     def keep(self, first: int, last: int, lines: bytes, took: float) -> None:
         """Keep a finished chunk."""
         self.chunks.add(first, last, lines)
-        self.rate.tell(last - first, took)
+        self.rate.report(last - first, took)
         self.done += last - first
-        if self._tell:
-            self._tell(self.done)
+        if self._report:
+            self._report(self.done)
 
     def here(self, core: Core) -> None:
         """Compute by all processors of this process."""
         while self.gaps:
             began, before = time.perf_counter(), self.done
             first, last = self.next()
-            tell = None if self._tell is None else lambda points, before=before: self._tell(before + points)
-            lines = core.compute((first, last), 0, tell)
+            report = None if self._report is None else lambda points, before=before: self._report(before + points)
+            lines = core.compute((first, last), 0, report)
             for start, end, part in stretches(lines):
                 self.keep(start, end, part, time.perf_counter() - began)
             if lines.count(b"\n") < last - first:
@@ -304,7 +304,7 @@ class GridResult:
             for line in lines.splitlines():
                 yield json.loads(line)
 
-    def _said(self, counts: Mapping[str, int]) -> str:
+    def _summary(self, counts: Mapping[str, int]) -> str:
         said = ", ".join(f"{count} {name}" for name, count in counts.items())
         missing = f"; interrupted, {self._missing()} of {self.points} points are missing" if self.interrupted else ""
         return f"<{self.name} over {' and '.join(self._question.over)}: {said}{missing}>"

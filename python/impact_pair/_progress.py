@@ -30,10 +30,10 @@ def reporting(progress: Progress, unit: str, total: int | None = None) -> Iterat
         yield None
         return
 
-    def tell(done: int) -> None:
+    def report(done: int) -> None:
         bar.update(done - bar.n)
 
     try:
-        yield tell
+        yield report
     finally:
         bar.close()

@@ -48,7 +48,7 @@ class Question(_grid.Question):
 def atlas(
     scene: str,
     over: Mapping[str, tuple[Value, Value, int] | Sequence[float] | Doubles],
-    asked: dict[str, Any],
+    requested: dict[str, Any],
     *,
     executor: Executor | None = None,
     workers: int | None = None,
@@ -62,7 +62,7 @@ def atlas(
     counts are those of the smallest cells along each axis. The start of the scene is not used. ``executor``, ``workers``, ``resume`` and
     ``seconds`` are those of :func:`impact_pair.sweep.sweep`.
     """
-    question = Question(scene, axes(over), **asked)
+    question = Question(scene, axes(over), **requested)
     how: dict[str, Any] = {"executor": executor, "workers": workers, "resume": resume, "seconds": seconds, "progress": progress}
     return AtlasResult(question, computed(question, **how))
 
@@ -145,7 +145,7 @@ class AtlasResult(GridResult):
                 yield from self.lines()
 
     def __repr__(self) -> str:
-        return self._said(self.classes)
+        return self._summary(self.classes)
 
     def _repr_svg_(self) -> str:
         return self.svg()

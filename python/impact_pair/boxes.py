@@ -60,7 +60,7 @@ def box_map(scene: _core.Scene, rects: npt.ArrayLike, columns: int, progress: Pr
     if boxes.ndim != 2 or boxes.shape[1] != 4:
         message = f"rects has the shape {boxes.shape}, but must have (n, 4): least phase and speed, greatest phase and speed"
         raise RangeError(message, "rects", str(boxes.shape))
-    with reporting(progress, "boxes", len(boxes)) as tell:
-        near, far, hull, reasons = _core.box_map(scene, boxes.tobytes(), whole("columns", columns), tell)
+    with reporting(progress, "boxes", len(boxes)) as report:
+        near, far, hull, reasons = _core.box_map(scene, boxes.tobytes(), whole("columns", columns), report)
     named = REASONS[np.frombuffer(reasons, dtype=np.uint8)]
     return BoxImages(doubles(hull, -1, 4), doubles(near, -1, 4), doubles(far, -1, 4), named)

@@ -251,8 +251,8 @@ class Orbit(Document):
         event, but where a time to stop at, ``until``, says that there is none before it, and while infinitely many impacts pass.
         """
         times = np.ascontiguousarray(np.atleast_1d(doubles_of("t", t)))
-        with reporting(progress, "times", times.size) as tell:
-            bounds, interrupted = self._core.at(times.tobytes(), tell)
+        with reporting(progress, "times", times.size) as report:
+            bounds, interrupted = self._core.at(times.tobytes(), report)
         found = doubles(bounds, -1, 2, 2)
         return States(times, found[:, 0], found[:, 1], interrupted)
 

@@ -1,11 +1,11 @@
 """Pictures by matplotlib: one function per panel; each takes an ``Axes`` (or makes one) and returns it.
 
-What is certified is drawn from its bounds: bands between them, and a line or dots in their middles. The paper's figures, each in a line::
+Certified quantities are drawn from their bounds: bands between them, and a line or dots in their middles. The paper's figures, each in a line::
 
     impact_pair.plots.figure(14)
 
 Each function takes ``width``, ``"single"`` or ``"double"`` for a column or a page of a journal, or inches, and ``header``, whether the
-parameters and what is certified are written above it: by default where it makes its ``Axes`` itself.
+parameters and certification are written above it: by default where it makes its ``Axes`` itself.
 
 Panels are those of the paper's figures 12-17: (a) ``displacement``, (b) ``velocity``, (c) ``phase_plane``, (d)
 ``absolute_phase_plane``, (e) ``switch_plane``, (f) ``absolute_switch_plane``, (g) ``section_left``, (h) ``section_right``.
@@ -113,14 +113,14 @@ def _drawn(draw: Callable[..., None]) -> Callable[..., Any]:
             own = _axes(width) if ax is None else ax
             draw(found, own, *given, **how)
             if header or (header is None and ax is None):
-                own.set_title("\n".join(_said(found)), fontsize="small", loc="left")
+                own.set_title("\n".join(_summary(found)), fontsize="small", loc="left")
         return own
 
     return picture
 
 
-def _said(found: Any) -> list[str]:
-    """Return the lines of a header: the parameters that do not vary in exact words, and what is certified."""
+def _summary(found: Any) -> list[str]:
+    """Return the lines of a header: the parameters that do not vary in exact words, and the certification."""
     varied: set[str] = set()
     scene = found.head["scene"] if isinstance(found, SweepResult) else found.document["scene"]
     said = repr(found).splitlines()[-1].strip("<>")
@@ -308,7 +308,7 @@ def panels(orbit: Orbit, letters: str = "abcdefgh", *, width: Width = None, head
     for letter, ax in zip(letters, axes.flat, strict=False):
         PANELS[letter](orbit, ax).set_title(f"({letter})  {TITLES[letter]}", loc="left", fontsize="medium")
     if header:
-        figure.suptitle("\n".join(_said(orbit)), fontsize="medium")
+        figure.suptitle("\n".join(_summary(orbit)), fontsize="medium")
     return axes
 
 

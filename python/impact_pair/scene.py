@@ -208,9 +208,9 @@ class Scene:
 
         """
         impacts = optional_whole("impacts", impacts, IMPACTS)
-        asked = asked_of(impacts, until, narrow(digits, max_bits), arithmetic, splice)
-        with reporting(progress, "impacts", impacts) as tell:
-            return Orbit(_core.run(self._core, asked, tell))
+        requested = requested_of(impacts, until, narrow(digits, max_bits), arithmetic, splice)
+        with reporting(progress, "impacts", impacts) as report:
+            return Orbit(_core.run(self._core, requested, report))
 
     def describe(
         self, *, impacts: int = 2000, depth: int = 6, max_bits: int = MAX_BITS, picture: bool = False, progress: Progress = None
@@ -253,8 +253,8 @@ class Scene:
 
         """
         question = (whole("impacts", impacts, IMPACTS), whole("depth", depth), whole("max_bits", max_bits), picture)
-        with reporting(progress, "impacts and boxes") as tell:
-            return answers.Description(*_core.describe(self._core, self._path, question, tell))
+        with reporting(progress, "impacts and boxes") as report:
+            return answers.Description(*_core.describe(self._core, self._path, question, report))
 
     def flights(self, t: npt.ArrayLike, v: npt.ArrayLike, wall: npt.ArrayLike, *, progress: Progress = None) -> Flights:
         """Return the next certified impacts of n states of this pair, each by itself, in doubles.
@@ -271,8 +271,8 @@ class Scene:
         if np.any(np.abs(walls) != 1):
             raise RangeError("wall holds other numbers, but accepted are -1 for left and 1 for right", "wall")
         states = (times.tobytes(), velocities.tobytes(), walls.tobytes())
-        with reporting(progress, "flights", walls.size) as tell:
-            (sides, mappings, found_t, found_v), interrupted = _core.flights(self._core, states, tell)
+        with reporting(progress, "flights", walls.size) as report:
+            (sides, mappings, found_t, found_v), interrupted = _core.flights(self._core, states, report)
         sides_array, mappings_array = np.frombuffer(sides, dtype=np.int8), np.frombuffer(mappings, dtype=np.uint8)
         return Flights(sides_array, doubles(found_t, -1, 2), doubles(found_v, -1, 2), mappings_array, interrupted)
 
@@ -330,11 +330,11 @@ class Scene:
         progress: Progress = None,
     ) -> SweepResult:
         """Certify an orbit at each point of a grid; see :func:`impact_pair.sweep.sweep`."""
-        asked: dict[str, Any] = {"transient": whole("transient", transient, IMPACTS), "impacts": whole("impacts", impacts, IMPACTS)}
-        asked |= {"digits": whole("digits", digits), "max_bits": whole("max_bits", max_bits)}
-        asked |= {"arithmetic": arithmetic_of(arithmetic), "summary": summary}
+        requested: dict[str, Any] = {"transient": whole("transient", transient, IMPACTS), "impacts": whole("impacts", impacts, IMPACTS)}
+        requested |= {"digits": whole("digits", digits), "max_bits": whole("max_bits", max_bits)}
+        requested |= {"arithmetic": arithmetic_of(arithmetic), "summary": summary}
         how = {"executor": executor, "workers": workers, "resume": resume, "seconds": seconds, "progress": progress}
-        return sweep(self._text, over, asked, **how)  # type: ignore[arg-type]
+        return sweep(self._text, over, requested, **how)  # type: ignore[arg-type]
 
     def atlas(
         self,
@@ -361,12 +361,13 @@ class Scene:
         of at most that many impacts.
         """
         usual = _core.CELL_LIMITS if cells else _core.GLOBAL_LIMITS
-        asked: dict[str, Any] = {"cells": cells, "halvings": whole("halvings", halvings), "digits": whole("digits", digits)}
-        asked |= {"boxes": whole("boxes", usual[0] if boxes is None else boxes), "most": whole("most", usual[1] if most is None else most)}
-        asked |= {"work": whole("work", usual[2] if work is None else work)}
-        asked |= {"horseshoes": optional_whole("horseshoes", horseshoes)}
+        requested: dict[str, Any] = {"cells": cells, "halvings": whole("halvings", halvings), "digits": whole("digits", digits)}
+        requested |= {"boxes": whole("boxes", usual[0] if boxes is None else boxes)}
+        requested |= {"most": whole("most", usual[1] if most is None else most)}
+        requested |= {"work": whole("work", usual[2] if work is None else work)}
+        requested |= {"horseshoes": optional_whole("horseshoes", horseshoes)}
         how = {"executor": executor, "workers": workers, "resume": resume, "seconds": seconds, "progress": progress}
-        return atlas(self._text, over, asked, **how)  # type: ignore[arg-type]
+        return atlas(self._text, over, requested, **how)  # type: ignore[arg-type]
 
     def periodic(
         self,
@@ -379,9 +380,9 @@ class Scene:
         progress: Progress = None,
     ) -> answers.Periodic:
         """Prove the periodic orbits of a word (``"P2 P1"`` or ``"RL"``) in ``cycles`` forcing periods; ``all``: search everywhere."""
-        with reporting(progress, "cells") as tell:
+        with reporting(progress, "cells") as report:
             question = (string("word", word), whole("cycles", cycles), all)
-            return answers.Periodic(*_core.periodic(self._core, question, narrow(digits, max_bits), tell))
+            return answers.Periodic(*_core.periodic(self._core, question, narrow(digits, max_bits), report))
 
     def two_impact(
         self,
@@ -396,9 +397,9 @@ class Scene:
 
         ``solve_for`` is ``"velocity"``, ``"amplitude"`` or ``"gap"``: which of the three the other two give.
         """
-        with reporting(progress, "cycles") as tell:
+        with reporting(progress, "cycles") as report:
             documents, complete, interrupted = _core.two_impact(
-                self._core, both_ends("cycles", cycles), (wall, solve_for), optional_whole("digits", digits), tell
+                self._core, both_ends("cycles", cycles), (wall, solve_for), optional_whole("digits", digits), report
             )
         found = [answers.Periodic(document, complete, interrupted) for document in documents]
         return found if isinstance(cycles, tuple) else found[0]
@@ -417,8 +418,8 @@ class Scene:
         key, (low, high, count) = grid(over, '{"frequency": (1, 60, 200)}')
         question = (key, low, high, count)
         how = (wall, optional_whole("digits", digits), picture)
-        with reporting(progress, "points") as tell:
-            return answers.Manifold(*_core.manifold(self._core, both_ends("cycles", cycles), question, how, tell))
+        with reporting(progress, "points") as report:
+            return answers.Manifold(*_core.manifold(self._core, both_ends("cycles", cycles), question, how, report))
 
     def bifurcations(
         self,
@@ -433,14 +434,14 @@ class Scene:
     ) -> answers.Bifurcations:
         """Prove folds, pitchforks, period doublings and grazes of a word's orbits over ``{"amplitude": (low, high)}``."""
         question = (string("word", word), whole("cycles", cycles), ranged(over), whole("doublings", doublings))
-        with reporting(progress, "steps") as tell:
-            return answers.Bifurcations(*_core.bifurcations(self._core, question, narrow(digits, max_bits), tell))
+        with reporting(progress, "steps") as report:
+            return answers.Bifurcations(*_core.bifurcations(self._core, question, narrow(digits, max_bits), report))
 
     def trap(self, *, finer: int = 0, words: int | None = None, picture: bool = False, progress: Progress = None) -> answers.Trap:
         """Prove a trapping region, its boxes bisected ``finer`` times, and bound the number of words of ``words`` walls in it."""
-        with reporting(progress, "boxes") as tell:
+        with reporting(progress, "boxes") as report:
             document, complete, interrupted, said = _core.trap(
-                self._core, (whole("finer", finer), optional_whole("words", words), picture), tell
+                self._core, (whole("finer", finer), optional_whole("words", words), picture), report
             )
         if document is None:
             return answers.Trap(json.dumps({"certified": False, "message": said}), complete, interrupted)
@@ -451,8 +452,8 @@ class Scene:
     ) -> answers.Cycles:
         """Prove all periodic orbits in the region of ``trap`` with a number of impacts, or a range of numbers."""
         ends = both_ends("impacts", impacts)
-        with reporting(progress, "impacts", ends[1]) as tell:
-            return answers.Cycles(*_core.cycles(self._core, ends, (whole("finer", finer), optional_whole("digits", digits)), tell))
+        with reporting(progress, "impacts", ends[1]) as report:
+            return answers.Cycles(*_core.cycles(self._core, ends, (whole("finer", finer), optional_whole("digits", digits)), report))
 
     def windows(
         self,
@@ -471,9 +472,9 @@ class Scene:
         windows that are nearest to the scene's own value are proved.
         """
         question = (whole("impacts", impacts), whole("longest", longest), whole("most", most))
-        asked = (optional_whole("digits", digits), whole("max_bits", max_bits))
-        with reporting(progress, "impacts", impacts) as tell:
-            return answers.Windows(*_core.windows(self._core, ranged(over), question, asked, tell))
+        requested = (optional_whole("digits", digits), whole("max_bits", max_bits))
+        with reporting(progress, "impacts", impacts) as report:
+            return answers.Windows(*_core.windows(self._core, ranged(over), question, requested, report))
 
     def global_analysis(
         self,
@@ -495,8 +496,8 @@ class Scene:
         """
         limits = (whole("boxes", boxes), whole("halvings", halvings), whole("most", most), whole("work", work))
         question = (*limits, optional_whole("basins", basins), optional_whole("horseshoes", horseshoes))
-        with reporting(progress, "boxes") as tell:
-            return answers.GlobalAnalysis(*_core.global_analysis(self._core, question, optional_whole("digits", digits), tell))
+        with reporting(progress, "boxes") as report:
+            return answers.GlobalAnalysis(*_core.global_analysis(self._core, question, optional_whole("digits", digits), report))
 
     def tangency(
         self,
@@ -518,9 +519,9 @@ class Scene:
         follow folds, 10,000 flights each.
         """
         question = (None if word is None else string("word", word), whole("longest", longest), whole("most", most), whole("work", work))
-        asked = (optional_whole("digits", digits), whole("max_bits", max_bits))
-        with reporting(progress, "impacts", None) as tell:
-            return answers.Tangencies(*_core.tangency(self._core, ranged(over), question, asked, tell))
+        requested = (optional_whole("digits", digits), whole("max_bits", max_bits))
+        with reporting(progress, "impacts", None) as report:
+            return answers.Tangencies(*_core.tangency(self._core, ranged(over), question, requested, report))
 
     def chaos(
         self,
@@ -541,8 +542,8 @@ class Scene:
         """
         begun = None if bases is None else json.dumps(bases)
         question = (optional_whole("depth", depth), None if over is None else ranged(over), begun, hyperbolic, no_orbit)
-        with reporting(progress, "boxes") as tell:
-            return answers.Chaos(*_core.chaos(self._core, question, picture, tell))
+        with reporting(progress, "boxes") as report:
+            return answers.Chaos(*_core.chaos(self._core, question, picture, report))
 
     def chaos_cells(
         self,
@@ -560,8 +561,8 @@ class Scene:
         key, (low, high, count) = grid(over, '{"amplitude": (1, 10, 40)}')
         question = (f"{key}={low}..{high}", count)
         how = (whole("halvings", halvings), whole("depth", depth))
-        with reporting(progress, "cells", count) as tell:
-            return answers.ChaosCells(*_core.chaos_cells(self._core, question, how, picture, tell))
+        with reporting(progress, "cells", count) as report:
+            return answers.ChaosCells(*_core.chaos_cells(self._core, question, how, picture, report))
 
     def trade(
         self,
@@ -573,8 +574,8 @@ class Scene:
     ) -> answers.Trade:
         """Measure the cost of accuracy: speed, reach and widths of each arithmetic, and the true errors of floating point."""
         impacts = optional_whole("impacts", impacts, IMPACTS)
-        with reporting(progress, "impacts", impacts) as tell:
-            return answers.Trade(*_core.trade(self._core, (impacts, whole("max_bits", max_bits), picture), tell))
+        with reporting(progress, "impacts", impacts) as report:
+            return answers.Trade(*_core.trade(self._core, (impacts, whole("max_bits", max_bits), picture), report))
 
     def audit(
         self,
@@ -595,10 +596,10 @@ class Scene:
         """
         time, wall, velocity = (None if column is None else str(column) for column in columns)
         listed = (answers.listing(events), (time, wall, velocity, velocities))
-        asked = (text("tolerance", tolerance), optional("until", until))
+        requested = (text("tolerance", tolerance), optional("until", until))
         try:
-            with reporting(progress, "impacts") as tell:
-                return answers.Audit(*_core.audit(self._core, listed, asked, narrow(digits, max_bits), tell))
+            with reporting(progress, "impacts") as report:
+                return answers.Audit(*_core.audit(self._core, listed, requested, narrow(digits, max_bits), report))
         except ListError as error:
             # Not the options of the command line, but the keyword.
             said = re.sub(r"by --\w+-column NAME or --\w+-column NUMBER", "in columns=", str(error))
@@ -620,10 +621,10 @@ class Scene:
     ) -> answers.Picture:
         """Draw panels of the paper's figures 12-17, by their letters, as SVG; for matplotlib see :mod:`impact_pair.plots`."""
         impacts = optional_whole("impacts", impacts, IMPACTS)
-        asked = asked_of(impacts, until, narrow(digits, max_bits), arithmetic, splice)
+        requested = requested_of(impacts, until, narrow(digits, max_bits), arithmetic, splice)
         shown = (whole("cycles", cycles), whole("orbit_cycles", orbit_cycles))
-        with reporting(progress, "impacts", impacts) as tell:
-            return answers.Picture(*_core.plot(self._core, string("panels", panels), shown, asked, tell))
+        with reporting(progress, "impacts", impacts) as report:
+            return answers.Picture(*_core.plot(self._core, string("panels", panels), shown, requested, report))
 
     def __repr__(self) -> str:
         words = ", ".join(f"{key}={value!r}" for key, value in self._keywords().items() if value is not None)
@@ -664,7 +665,7 @@ def narrow(digits: int | None, max_bits: int) -> tuple[int | None, int]:
     return optional_whole("digits", digits), whole("max_bits", max_bits)
 
 
-def asked_of(
+def requested_of(
     impacts: int | None, until: Value | None, narrowness: tuple[int | None, int], arithmetic: str | int, splice: int
 ) -> tuple[int | None, str | None, int | None, str, int, int]:
     """Return the request of an orbit, as the compiled module takes it."""

@@ -46,15 +46,15 @@ class Question(_grid.Question):
 
     def core(self) -> _core.Sweep:
         """Return the sweep for the computation."""
-        asked = (self.digits, self.arithmetic, self.max_bits)
+        requested = (self.digits, self.arithmetic, self.max_bits)
         scene = _core.Scene(self.scene)
-        return _core.Sweep(scene, list(self.over), (self.transient, self.impacts), asked, self.summary)
+        return _core.Sweep(scene, list(self.over), (self.transient, self.impacts), requested, self.summary)
 
 
 def sweep(
     scene: str,
     over: Mapping[str, tuple[Value, Value, int] | Sequence[float] | Doubles],
-    asked: dict[str, Any],
+    requested: dict[str, Any],
     *,
     executor: Executor | None = None,
     workers: int | None = None,
@@ -76,7 +76,7 @@ def sweep(
     after a crash of a worker, the scheduler or this process, the sweep continues from there. Ctrl-C ends it: the answer has the
     finished points, and is ``interrupted``.
     """
-    question = Question(scene, axes(over), **asked)
+    question = Question(scene, axes(over), **requested)
     how: dict[str, Any] = {"executor": executor, "workers": workers, "resume": resume, "seconds": seconds, "progress": progress}
     return SweepResult(question, computed(question, **how))
 
@@ -217,7 +217,7 @@ class SweepResult(GridResult):
                 yield from self.lines()
 
     def __repr__(self) -> str:
-        return self._said(self.outcomes)
+        return self._summary(self.outcomes)
 
     def _repr_svg_(self) -> str:
         return self.svg()

@@ -91,13 +91,13 @@ def check(source: Source, *, effort: int = 1, progress: Progress = None) -> Chec
 
     ``effort`` multiplies the work allowed for each claim before it is left undecided.
     """
-    with reporting(progress, "claims") as tell:
-        verdict, message, unjudged, claims = _core.check(text_of(source), whole("effort", effort), tell)
+    with reporting(progress, "claims") as report:
+        verdict, message, unjudged, claims = _core.check(text_of(source), whole("effort", effort), report)
     return Check(verdict, message, unjudged, [Claim(*claim) for claim in claims])
 
 
 def prove(source: Source, impacts: int | None = None, *, progress: Progress = None) -> Theorem:
     """Return a Coq file whose theorem states the claims of an orbit, for its first ``impacts`` or all."""
     impacts = optional_whole("impacts", impacts)
-    with reporting(progress, "impacts", impacts) as tell:
-        return Theorem(*_core.prove(text_of(source), impacts, tell))
+    with reporting(progress, "impacts", impacts) as report:
+        return Theorem(*_core.prove(text_of(source), impacts, report))

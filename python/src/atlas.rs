@@ -51,14 +51,14 @@ impl Atlas {
         scene: &Bound<'_, Scene>,
         over: Vec<String>,
         cells: bool,
-        asked: (u32, u32, u64, u64, Option<u32>),
+        requested: (u32, u32, u64, u64, Option<u32>),
         digits: u32,
     ) -> PyResult<Self> {
         let scene = scene.get().scene.clone();
         let named = |text: &String| axis(text).map_err(|error| Fault::keyed(error, "over", text));
         let axes: Vec<Range> = over.iter().map(named).collect::<Result<_, _>>()?;
         let plane = Plane::new(axes, cells).map_err(|error| Fault::keyed(error, "over", &over.join(" ")))?;
-        let (boxes, halvings, most, work, horseshoes) = asked;
+        let (boxes, halvings, most, work, horseshoes) = requested;
         let mut settings = GlobalSettings {
             boxes: 1 << accepted("boxes", boxes, 8..=20)?,
             halvings: accepted("halvings", halvings, 0..=40)?,

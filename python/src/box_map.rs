@@ -34,9 +34,9 @@ pub fn box_map<'py>(
                 return Ok(None);
             }
             let [u, w, v, x] = *rect;
-            let wanted = "must have finite ends in order, speeds of at least 0, and none beyond 1024";
+            let accepted = "must have finite ends in order, speeds of at least 0, and none beyond 1024";
             let image = map.image(&Rectangle { phase: [u, v], speed: [w, x] });
-            image.map(Some).ok_or_else(|| Fault::range(&format!("rects[{i}]"), format!("{rect:?}"), wanted))
+            image.map(Some).ok_or_else(|| Fault::range(&format!("rects[{i}]"), format!("{rect:?}"), accepted))
         };
         rects.as_chunks().0.par_iter().enumerate().map(image).collect::<Result<Vec<_>, _>>()
     })?;

@@ -63,12 +63,12 @@ pub fn cycles(
     question: (u32, Option<u32>),
     progress: Option<Py<PyAny>>,
 ) -> PyResult<Answer> {
-    let (finer, asked) = question;
+    let (finer, requested) = question;
     let scene = scene.get().scene.clone();
     watched(py, progress, move |monitor| {
         let least = accepted("impacts", impacts.0, 1..=MOST_IMPACTS)?;
         let impacts = least..=accepted("impacts", impacts.1, least..=MOST_IMPACTS)?;
-        let precision = Precision { digits: digits(asked, &scene)?, ..Precision::default() };
+        let precision = Precision { digits: digits(requested, &scene)?, ..Precision::default() };
         let watch = |at: Stage<'_>| match at {
             Stage::Region(_) => monitor.proceed(Stage::Working),
             at => monitor.proceed(at),
@@ -87,7 +87,7 @@ pub fn windows(
     scene: &Bound<'_, Scene>,
     over: &str,
     question: (u64, u32, u32),
-    asked: (Option<u32>, u32),
+    requested: (Option<u32>, u32),
     progress: Option<Py<PyAny>>,
 ) -> PyResult<Answer> {
     let (impacts, longest, most) = question;
@@ -99,7 +99,7 @@ pub fn windows(
             impacts: accepted("impacts", impacts, 1..=1_000_000_000_000)?,
             longest: accepted("longest", longest, 1..=MOST_WINDOW_IMPACTS as u32)? as usize,
             most: accepted("most", most, 1..=100_000)? as usize,
-            precision: precision(asked, &scene)?,
+            precision: precision(requested, &scene)?,
         };
         let found = Windows::of(&scene, &settings, monitor)?;
         let document = document::windows(&scene, &settings, &found)?;
@@ -151,7 +151,7 @@ pub fn tangency(
     scene: &Bound<'_, Scene>,
     over: &str,
     question: (Option<&str>, u32, u32, u64),
-    asked: (Option<u32>, u32),
+    requested: (Option<u32>, u32),
     progress: Option<Py<PyAny>>,
 ) -> PyResult<Answer> {
     let (word, longest, most, work) = question;
@@ -166,7 +166,7 @@ pub fn tangency(
             longest: accepted("longest", longest, 1..=40)? as usize,
             most: accepted("most", most, 1..=100_000)? as usize,
             work: accepted("work", work, 1..=1_000_000_000_000)? as usize,
-            precision: precision(asked, &scene)?,
+            precision: precision(requested, &scene)?,
         };
         let found = Tangencies::of(&scene, &settings, monitor)?;
         Ok((text(&document::tangency(&scene, &found)), found.is_certified(), monitor.is_stopped()))
@@ -229,7 +229,7 @@ pub fn chaos_cells(
     progress: Option<Py<PyAny>>,
 ) -> PyResult<Drawn> {
     let ((over, cells), (halvings, depth)) = (over, question);
-    let asked = RangeSettings {
+    let requested = RangeSettings {
         over: bifurcation::over(over).map_err(|error| Fault::keyed(error, "over", over))?,
         cells: accepted("cells", cells, 1..=MOST_CELLS)?,
         halvings: accepted("halvings", halvings, 0..=MOST_HALVINGS)?,
@@ -237,10 +237,10 @@ pub fn chaos_cells(
     };
     let scene = scene.get().scene.clone();
     watched(py, progress, move |monitor| {
-        let found = Cells::of(scene.pair(), scene.start(), &asked, monitor)?;
-        let document = document::cells(&scene, &asked, &found);
+        let found = Cells::of(scene.pair(), scene.start(), &requested, monitor)?;
+        let document = document::cells(&scene, &requested, &found);
         let svg = picture
-            .then(|| drawn(impact_pair_plot::proved::cells(&scene, &asked, &found, &Look::default())))
+            .then(|| drawn(impact_pair_plot::proved::cells(&scene, &requested, &found, &Look::default())))
             .transpose()?;
         Ok((one_a_line(&document, &["stretches"]), document.certified, monitor.is_stopped(), svg))
     })

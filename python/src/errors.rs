@@ -27,7 +27,7 @@ impl Fault {
 
     /// The error of a text that this keyword gives, which names no key of its own.
     pub fn keyed(error: Error, key: &str, text: &str) -> Self {
-        match Self::Ours(error).said() {
+        match Self::Ours(error).described() {
             Self::Said { class, message, key: None, value: None } => {
                 Self::Said { class, message, key: Some(key.to_owned()), value: Some(text.to_owned()) }
             }
@@ -36,7 +36,7 @@ impl Fault {
     }
 
     /// The same with its class and its words.
-    fn said(self) -> Self {
+    fn described(self) -> Self {
         let Self::Ours(error) = self else { return self };
         let class = match error.kind() {
             ErrorKind::Word => "WordError",
@@ -70,7 +70,7 @@ pub fn accepted<T: PartialOrd + Display>(key: &str, value: T, range: RangeInclus
 
 impl From<Fault> for PyErr {
     fn from(fault: Fault) -> Self {
-        let Fault::Said { class, message, key, value } = fault.said() else { unreachable!("what is said") };
+        let Fault::Said { class, message, key, value } = fault.described() else { unreachable!("what is said") };
         Python::attach(|py| {
             let raised = || py.import("impact_pair.errors")?.getattr(class)?.call1((message, key, value));
             raised().map_or_else(|error| error, PyErr::from_value)

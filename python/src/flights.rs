@@ -13,7 +13,7 @@ use crate::scene::Scene;
 use crate::watched::watched;
 
 /// Flights between two looks at whether to go on.
-const SLICE: usize = 1024;
+const FLIGHTS_PER_POLL: usize = 1024;
 
 /// The walls by their side: -1 left, 1 right, 0 none.
 pub fn side(wall: Option<Wall>) -> u8 {
@@ -54,8 +54,8 @@ pub fn flights<'py>(
         let arrivals = Arrivals::new(&pair)?;
         let mut found = Vec::with_capacity(walls.len());
         for (i, ((wall, time), velocity)) in walls.iter().zip(&times).zip(&velocities).enumerate() {
-            if i % SLICE == 0 {
-                monitor.tell(i as u64);
+            if i % FLIGHTS_PER_POLL == 0 {
+                monitor.report(i as u64);
                 if !monitor.goes_on() {
                     break;
                 }

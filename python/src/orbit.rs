@@ -161,7 +161,7 @@ impl Orbit {
             let all = 4 * times.len();
             let mut found = Vec::with_capacity(all);
             for (i, time) in times.into_iter().enumerate().take_while(|_| monitor.goes_on()) {
-                monitor.tell(i as u64);
+                monitor.report(i as u64);
                 let [y, v] = dense.at(&orbit, time).unwrap_or([[f64::NAN; 2]; 2]);
                 found.extend([y[0], y[1], v[0], v[1]]);
             }
@@ -177,8 +177,8 @@ impl Orbit {
 pub type RunOptions = (Option<u64>, Option<String>, Option<u32>, String, u64, u32);
 
 /// The part of it that a scene's table `[run]` may say.
-pub fn asked_run(asked: &RunOptions) -> Result<Run, Fault> {
-    let (impacts, until, digits, ..) = asked;
+pub fn requested_run(requested: &RunOptions) -> Result<Run, Fault> {
+    let (impacts, until, digits, ..) = requested;
     let until = until.as_deref().map(|until| point("until", until)).transpose()?;
     let digits = digits.map(|digits| accepted("digits", digits, DIGITS)).transpose()?;
     Ok(Run { impacts: *impacts, until, digits })
@@ -189,15 +189,15 @@ pub fn asked_run(asked: &RunOptions) -> Result<Run, Fault> {
 pub fn run(
     py: Python<'_>,
     scene: &Bound<'_, Scene>,
-    asked: RunOptions,
+    requested: RunOptions,
     progress: Option<Py<PyAny>>,
 ) -> PyResult<Orbit> {
     let scene = scene.get().scene.clone();
     watched(py, progress, move |monitor| {
-        let (_, _, _, arithmetic, splice, max_bits) = &asked;
+        let (_, _, _, arithmetic, splice, max_bits) = &requested;
         let max_bits = accepted("max_bits", *max_bits, orbit::BITS)?;
         let chosen = arithmetic.parse().map_err(|error| Fault::keyed(error, "arithmetic", arithmetic))?;
-        let settings = scene.settings_asked(asked_run(&asked)?, chosen);
+        let settings = scene.settings_requested(requested_run(&requested)?, chosen);
         let settings = Settings { attractor: true, splice: *splice, max_bits, ..settings };
         let mut orbit = orbit::Orbit::of(&scene, settings.clone())?;
         let mut dense = Dense::new(&orbit, scene.start());

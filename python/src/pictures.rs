@@ -7,7 +7,7 @@ use impact_pair_plot::picture::Look;
 use pyo3::prelude::*;
 
 use crate::errors::{Fault, accepted};
-use crate::orbit::{RunOptions, asked_run};
+use crate::orbit::{RunOptions, requested_run};
 use crate::scene::Scene;
 use crate::watched::watched;
 
@@ -18,7 +18,7 @@ pub fn plot(
     scene: &Bound<'_, Scene>,
     panels: &str,
     cycles: (u32, u32),
-    asked: RunOptions,
+    requested: RunOptions,
     progress: Option<Py<PyAny>>,
 ) -> PyResult<(String, bool, bool, String)> {
     let scene = scene.get().scene.clone();
@@ -33,10 +33,10 @@ pub fn plot(
         orbit_cycles: accepted("orbit_cycles", cycles.1, 1..=10_000)?,
         transient: 0,
         zoom: None,
-        run: asked_run(&asked)?,
-        arithmetic: asked.3.parse().map_err(|error| Fault::keyed(error, "arithmetic", &asked.3))?,
-        splice: asked.4,
-        max_bits: accepted("max_bits", asked.5, BITS)?,
+        run: requested_run(&requested)?,
+        arithmetic: requested.3.parse().map_err(|error| Fault::keyed(error, "arithmetic", &requested.3))?,
+        splice: requested.4,
+        max_bits: accepted("max_bits", requested.5, BITS)?,
         look: Look::default(),
     };
     watched(py, progress, move |monitor| {

@@ -63,7 +63,7 @@ pub fn json(document: &impl serde::Serialize) -> PyResult<String> {
 }
 
 /// The scenes of the repository, by name.
-const PAPER: [(&str, &str); 18] = [
+const PAPER_SCENES: [(&str, &str); 18] = [
     ("cascade", include_str!("../../scenes/cascade.toml")),
     ("chatter", include_str!("../../scenes/chatter.toml")),
     ("doublings", include_str!("../../scenes/doublings.toml")),
@@ -86,11 +86,11 @@ const PAPER: [(&str, &str); 18] = [
 
 /// The names of the scenes that the package has.
 pub fn names() -> Vec<&'static str> {
-    PAPER.iter().map(|(name, _)| *name).collect()
+    PAPER_SCENES.iter().map(|(name, _)| *name).collect()
 }
 
 /// The text of a scene of the paper's figures, or of the other examples, by its name.
 #[pyfunction]
 pub fn paper(name: &str) -> Option<&'static str> {
-    PAPER.iter().find(|(known, _)| *known == name).map(|(_, text)| *text)
+    PAPER_SCENES.iter().find(|(known, _)| *known == name).map(|(_, text)| *text)
 }

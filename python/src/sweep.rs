@@ -23,7 +23,7 @@ use crate::watched::{Monitor, watched_whole};
 pub struct Sweep {
     scene: impact_pair::Scene,
     grid: Grid,
-    asked: PointSettings,
+    requested: PointSettings,
     pub head: SweepHead,
 }
 
@@ -32,7 +32,7 @@ impl Sweep {
     fn line(&self, point: u64, monitor: &Monitor) -> Result<Option<String>, Fault> {
         let values = self.grid.values(point)?;
         let scene = self.grid.scene(&self.scene, &values).map_err(|error| named(point, &values, &error))?;
-        let found = follow(&scene, &self.asked, &Silent(monitor)).map_err(|error| named(point, &values, &error))?;
+        let found = follow(&scene, &self.requested, &Silent(monitor)).map_err(|error| named(point, &values, &error))?;
         monitor.add_one();
         let line = |found| serde_json::to_string(&sweep::record(point, &values, &found)).expect("plain data");
         Ok(found.map(line))
@@ -54,7 +54,7 @@ impl Sweep {
         scene: &Bound<'_, Scene>,
         over: Vec<String>,
         impacts: (u64, u64),
-        asked: (u32, String, u32),
+        requested: (u32, String, u32),
         summary: bool,
     ) -> PyResult<Self> {
         let scene = scene.get().scene.clone();
@@ -62,17 +62,17 @@ impl Sweep {
         let axes: Vec<Range> = over.iter().map(named).collect::<Result<_, _>>()?;
         let grid = Grid::new(axes).map_err(|error| Fault::keyed(error, "over", &over.join(" ")))?;
         let settings = Settings {
-            digits: accepted("digits", asked.0, DIGITS)?,
-            arithmetic: asked.1.parse().map_err(|error| Fault::keyed(error, "arithmetic", &asked.1))?,
-            max_bits: accepted("max_bits", asked.2, orbit::BITS)?,
+            digits: accepted("digits", requested.0, DIGITS)?,
+            arithmetic: requested.1.parse().map_err(|error| Fault::keyed(error, "arithmetic", &requested.1))?,
+            max_bits: accepted("max_bits", requested.2, orbit::BITS)?,
             ..Settings::default()
         };
         let transient = accepted("transient", impacts.0, 0..=sweep::MOST_IMPACTS)?;
         let impacts = accepted("impacts", impacts.1, 1..=sweep::MOST_IMPACTS)?;
         let reference = grid.reference(&scene).map_err(Fault::from)?;
-        let asked = PointSettings { transient, impacts, summary, reference, settings };
-        let head = sweep::head(&scene, &grid, &asked, None);
-        Ok(Self { scene, grid, asked, head })
+        let requested = PointSettings { transient, impacts, summary, reference, settings };
+        let head = sweep::head(&scene, &grid, &requested, None);
+        Ok(Self { scene, grid, requested, head })
     }
 
     /// Asks that the corners of the grid are scenes: then all points are.
@@ -80,7 +80,7 @@ impl Sweep {
         for point in self.grid.corners() {
             let values = self.grid.values(point).map_err(Fault::from)?;
             let scene = self.grid.scene(&self.scene, &values).map_err(Fault::from)?;
-            orbit::Orbit::of(&scene, self.asked.settings.clone()).map_err(Fault::from)?;
+            orbit::Orbit::of(&scene, self.requested.settings.clone()).map_err(Fault::from)?;
         }
         Ok(())
     }

@@ -35,13 +35,13 @@ pub fn text(document: &impl serde::Serialize) -> String {
 }
 
 /// The requested digits, or else the scene's, or else the default.
-pub fn digits(asked: Option<u32>, scene: &impact_pair::Scene) -> Result<u32, Fault> {
-    let asked = asked.map(|digits| accepted("digits", digits, DIGITS)).transpose()?;
-    Ok(asked.or(scene.run().digits).unwrap_or(Settings::default().digits))
+pub fn digits(requested: Option<u32>, scene: &impact_pair::Scene) -> Result<u32, Fault> {
+    let requested = requested.map(|digits| accepted("digits", digits, DIGITS)).transpose()?;
+    Ok(requested.or(scene.run().digits).unwrap_or(Settings::default().digits))
 }
 
-pub fn precision((asked, max_bits): (Option<u32>, u32), scene: &impact_pair::Scene) -> Result<Precision, Fault> {
-    Ok(Precision { digits: digits(asked, scene)?, max_bits: accepted("max_bits", max_bits, BITS)? })
+pub fn precision((requested, max_bits): (Option<u32>, u32), scene: &impact_pair::Scene) -> Result<Precision, Fault> {
+    Ok(Precision { digits: digits(requested, scene)?, max_bits: accepted("max_bits", max_bits, BITS)? })
 }
 
 fn side(wall: &str) -> Result<Wall, Fault> {
@@ -55,7 +55,7 @@ pub fn periodic(
     py: Python<'_>,
     scene: &Bound<'_, Scene>,
     question: (String, u32, bool),
-    asked: (Option<u32>, u32),
+    requested: (Option<u32>, u32),
     progress: Option<Py<PyAny>>,
 ) -> PyResult<Answer> {
     let (word, cycles, all) = question;
@@ -64,7 +64,7 @@ pub fn periodic(
         let word: Word = word.parse().map_err(|error| Fault::keyed(error, "word", &word))?;
         let problem = Problem::new(scene.pair(), &word, accepted("cycles", cycles, 1..=MOST_CYCLES)?)?;
         let units = Units::gaps(problem.pair())?;
-        let precision = precision(asked, &scene)?;
+        let precision = precision(requested, &scene)?;
         let census = match all {
             true => problem.find_all_while(scene.start(), precision, Budget::default(), monitor),
             false => problem.find_while(scene.start(), precision, monitor),
@@ -80,7 +80,7 @@ pub fn bifurcations(
     py: Python<'_>,
     scene: &Bound<'_, Scene>,
     question: (String, u32, String, u32),
-    asked: (Option<u32>, u32),
+    requested: (Option<u32>, u32),
     progress: Option<Py<PyAny>>,
 ) -> PyResult<Answer> {
     let (word, cycles, over, doublings) = question;
@@ -90,8 +90,8 @@ pub fn bifurcations(
         let over = bifurcation::over(&over).map_err(|error| Fault::keyed(error, "over", &over))?;
         let cycles = accepted("cycles", cycles, 1..=MOST_CYCLES)?;
         let doublings = accepted("doublings", doublings, 0..=8)?;
-        let wanted = DiagramSettings { over, doublings, precision: precision(asked, &scene)? };
-        let diagram = survey(scene.pair(), scene.start(), (&word, cycles), &wanted, monitor)?;
+        let diagram_settings = DiagramSettings { over, doublings, precision: precision(requested, &scene)? };
+        let diagram = survey(scene.pair(), scene.start(), (&word, cycles), &diagram_settings, monitor)?;
         let document = document::bifurcations(scene.start(), (&word, cycles), &diagram)?;
         Ok((text(&document), diagram.is_certified(), monitor.is_stopped()))
     })
@@ -104,7 +104,7 @@ pub fn two_impact(
     scene: &Bound<'_, Scene>,
     cycles: (u32, u32),
     question: (String, String),
-    asked: Option<u32>,
+    requested: Option<u32>,
     progress: Option<Py<PyAny>>,
 ) -> PyResult<(Vec<String>, bool, bool)> {
     let (wall, solve_for) = question;
@@ -116,7 +116,7 @@ pub fn two_impact(
             "gap" => Unknown::Gap(speed(&scene)?),
             other => return Err(Fault::range("solve_for", other, "must be velocity, amplitude or gap")),
         };
-        let (wall, digits, cycles) = (side(&wall)?, digits(asked, &scene)?, all_cycles(cycles)?);
+        let (wall, digits, cycles) = (side(&wall)?, digits(requested, &scene)?, all_cycles(cycles)?);
         let (mut documents, mut complete) = (Vec::new(), true);
         for cycles in cycles {
             if !monitor.goes_on() && !documents.is_empty() {
@@ -142,11 +142,11 @@ pub fn manifold(
     scene: &Bound<'_, Scene>,
     cycles: (u32, u32),
     question: (String, String, String, usize),
-    asked: (String, Option<u32>, bool),
+    requested: (String, Option<u32>, bool),
     progress: Option<Py<PyAny>>,
 ) -> PyResult<Drawn> {
     let (key, from, to, count) = question;
-    let (wall, asked, picture) = asked;
+    let (wall, requested, picture) = requested;
     let scene = scene.get().scene.clone();
     watched(py, progress, move |monitor| {
         let (axis, speed) = match key.as_str() {
@@ -157,7 +157,7 @@ pub fn manifold(
         };
         let (from, to, count) = (point("from", &from)?, point("to", &to)?, accepted("count", count, COUNTS)?);
         let range = Range { pair: scene.pair(), speed, axis, from, to, count };
-        let (curves, went_on) = range.manifolds(all_cycles(cycles)?, digits(asked, &scene)?, monitor)?;
+        let (curves, went_on) = range.manifolds(all_cycles(cycles)?, digits(requested, &scene)?, monitor)?;
         let document = document::manifolds(&range, scene.start(), &curves, !went_on);
         let svg = || drawn(impact_pair_plot::two_impact::svg(&scene, axis, &curves, None, &Look::default()));
         let svg = (picture && !curves.is_empty()).then(svg).transpose()?;
@@ -177,13 +177,13 @@ pub fn trade(
     let scene = scene.get().scene.clone();
     watched(py, progress, move |monitor| {
         let run = Run { impacts, ..Run::default() };
-        let settings = scene.settings_asked(run, Arithmetic::Auto);
-        let asked = Settings { max_bits: accepted("max_bits", max_bits, BITS)?, ..settings };
-        if asked.impacts == Some(0) {
+        let settings = scene.settings_requested(run, Arithmetic::Auto);
+        let requested = Settings { max_bits: accepted("max_bits", max_bits, BITS)?, ..settings };
+        if requested.impacts == Some(0) {
             return Err(Fault::range("impacts", 0, "there is nothing to measure"));
         }
-        Orbit::of(&scene, asked.clone())?;
-        let trade = Trade::of(&scene, asked, monitor)?;
+        Orbit::of(&scene, requested.clone())?;
+        let trade = Trade::of(&scene, requested, monitor)?;
         let svg = picture.then(|| drawn(impact_pair_plot::trade::svg(&trade, &Look::default()))).transpose()?;
         let is_interrupted = trade.interrupted.is_some();
         Ok((one_a_line(&trade.document(), &["rungs"]), !is_interrupted, is_interrupted, svg))
@@ -199,13 +199,13 @@ pub fn audit(
     py: Python<'_>,
     scene: &Bound<'_, Scene>,
     question: (String, ListColumns),
-    asked: (String, Option<String>),
+    requested: (String, Option<String>),
     given: (Option<u32>, u32),
     progress: Option<Py<PyAny>>,
 ) -> PyResult<Answer> {
     let (list, columns) = question;
-    let (tolerance, until) = asked;
-    let (asked, max_bits) = given;
+    let (tolerance, until) = requested;
+    let (requested, max_bits) = given;
     let scene = scene.get().scene.clone();
     watched(py, progress, move |monitor| {
         let (time, wall, velocity, has_velocity) = columns;
@@ -216,14 +216,14 @@ pub fn audit(
         if !(low >= 0.0 && high <= 1.0) {
             return Err(Fault::range("tolerance", tolerance, "must be a number from 0 to 1"));
         }
-        let asked = AuditSettings {
+        let requested = AuditSettings {
             tolerance: size,
             until: until.map(|until| point("until", &until)).transpose()?,
-            digits: asked.map(|digits| accepted("digits", digits, DIGITS)).transpose()?,
+            digits: requested.map(|digits| accepted("digits", digits, DIGITS)).transpose()?,
             max_bits: accepted("max_bits", max_bits, BITS)?,
         };
         let list = read(&list, &columns, scene.pair())?;
-        let audit = Audit::of(&scene, list, &asked, monitor)?;
+        let audit = Audit::of(&scene, list, &requested, monitor)?;
         Ok((one_a_line(&audit.document(), &["events"]), audit.is_agreed(), monitor.is_stopped()))
     })
 }
@@ -267,8 +267,9 @@ pub fn prove(
         if listed == 0 {
             return Err(Fault::certificate("there is no impact to prove before the first other event"));
         }
-        let wanted = impacts.map_or(listed, |wanted| usize::try_from(wanted).unwrap_or(usize::MAX));
-        let theorem = certificate.prove(wanted, monitor)?;
+        let diagram_settings =
+            impacts.map_or(listed, |diagram_settings| usize::try_from(diagram_settings).unwrap_or(usize::MAX));
+        let theorem = certificate.prove(diagram_settings, monitor)?;
         let stop = theorem.stop.as_ref().map(|finding| certificate.described(finding.event, &finding.message));
         Ok((theorem.text, theorem.impacts, stop, monitor.is_stopped()))
     })

@@ -14,9 +14,9 @@ use pyo3::prelude::*;
 use crate::errors::Fault;
 
 /// Between two looks at signals and progress.
-const BLINK: Duration = Duration::from_millis(50);
+const POLL_INTERVAL: Duration = Duration::from_millis(50);
 /// Bytes of the thread's stack: as a program's own.
-const STACK: usize = 8 << 20;
+const STACK_BYTES: usize = 8 << 20;
 
 /// The progress of a computation, and a flag that stops it.
 #[derive(Debug, Default)]
@@ -27,7 +27,7 @@ pub struct Monitor {
 
 impl Monitor {
     /// Notes the number of items done.
-    pub fn tell(&self, done: u64) {
+    pub fn report(&self, done: u64) {
         self.done.store(done, Ordering::Relaxed);
     }
 
@@ -49,13 +49,13 @@ impl Watch for Monitor {
     fn proceed(&self, at: Stage<'_>) -> ControlFlow<()> {
         match at {
             Stage::Impact(done) | Stage::Searched(done) | Stage::Cones(done) | Stage::Horseshoe { boxes: done, .. } => {
-                self.tell(done)
+                self.report(done)
             }
-            Stage::Parameter(done) => self.tell(done.into()),
+            Stage::Parameter(done) => self.report(done.into()),
             Stage::Cells { done, .. } | Stage::Region(done) | Stage::Sets(done) | Stage::Claims(done) => {
-                self.tell(done as u64)
+                self.report(done as u64)
             }
-            Stage::Cycles { impacts, .. } => self.tell(impacts as u64),
+            Stage::Cycles { impacts, .. } => self.report(impacts as u64),
             _ => {}
         }
         proceed_if(!self.is_stopped())
@@ -96,22 +96,22 @@ fn watch<T: Send>(
                 let _ = send.send(work(&monitor));
                 drop(send);
             };
-            let thread = thread::Builder::new().stack_size(STACK).spawn_scoped(scope, at_work)?;
+            let thread = thread::Builder::new().stack_size(STACK_BYTES).spawn_scoped(scope, at_work)?;
             let mut interruption = None;
             loop {
-                match receive.recv_timeout(BLINK) {
+                match receive.recv_timeout(POLL_INTERVAL) {
                     Ok(found) => return found.map_err(|fault| interruption.unwrap_or_else(|| fault.into())),
                     Err(RecvTimeoutError::Disconnected) => {
                         let Err(panicked) = thread.join() else { unreachable!("it sends what it found") };
                         panic::resume_unwind(panicked)
                     }
                     Err(RecvTimeoutError::Timeout) => {
-                        let asked = Python::attach(|py| {
+                        let requested = Python::attach(|py| {
                             py.check_signals()?;
                             let done = monitor.done.load(Ordering::Relaxed);
                             progress.as_ref().map_or(Ok(()), |progress| progress.call1(py, (done,)).map(drop))
                         });
-                        let Err(error) = asked else { continue };
+                        let Err(error) = requested else { continue };
                         monitor.stopped.store(true, Ordering::Relaxed);
                         if !keeps_parts || interruption.is_some() || !is_interruption(&error) {
                             return Err(error);

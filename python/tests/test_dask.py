@@ -21,8 +21,8 @@ from impact_pair import Scene
 if __name__ == "__main__":
     with Client(sys.argv[1]) as client:
         print("begun", flush=True)
-        told = lambda done: print(done, flush=True)
-        Scene.named("figure-14").sweep({over}, **{asked}, executor=client.get_executor(), seconds=0.05, resume=sys.argv[2], progress=told)
+        reported = lambda done: print(done, flush=True)
+        Scene.named("figure-14").sweep({over}, **{requested}, executor=client.get_executor(), seconds=0.05, resume=sys.argv[2], progress=reported)
 """
 
 
@@ -45,15 +45,15 @@ def test_on_a_cluster_with_a_worker_killed(cluster, cli, tmp_path):
         found = Scene.named("figure-14").sweep(over, **ASKED, executor=client.get_executor(), seconds=0.05, progress=kill_one)
     assert killed
     found.save(tmp_path / "found.csv")
-    asked = ("--over", "amplitude=1..10:60", "--transient", 50, "--impacts", 20, "--output", tmp_path / "told.csv", "--quiet")
-    cli.text("sweep", "scenes/figure-14.toml", *asked)
-    assert (tmp_path / "found.csv").read_bytes() == (tmp_path / "told.csv").read_bytes()
+    requested = ("--over", "amplitude=1..10:60", "--transient", 50, "--impacts", 20, "--output", tmp_path / "reported.csv", "--quiet")
+    cli.text("sweep", "scenes/figure-14.toml", *requested)
+    assert (tmp_path / "found.csv").read_bytes() == (tmp_path / "reported.csv").read_bytes()
 
 
 @pytest.mark.deep
 def test_a_killed_client_is_resumed(cluster, cli, tmp_path):
     over = {"amplitude": ("1", "10", 200)}
-    script = CLIENT.format(over=over, asked=ASKED)
+    script = CLIENT.format(over=over, requested=ASKED)
     command = [sys.executable, "-c", script, cluster.scheduler_address, tmp_path / "kept"]
     client = subprocess.Popen(command, stdout=subprocess.PIPE, text=True)
     assert client.stdout.readline() == "begun\n"
@@ -69,5 +69,5 @@ def test_a_killed_client_is_resumed(cluster, cli, tmp_path):
     # Finished points are not computed again.
     assert first[0] > 20
     found.save(tmp_path / "found.jsonl")
-    asked = ("--over", "amplitude=1..10:200", "--transient", 50, "--impacts", 20, "--format", "jsonl")
-    assert (tmp_path / "found.jsonl").read_text() == cli.text("sweep", "scenes/figure-14.toml", *asked, "--quiet")
+    requested = ("--over", "amplitude=1..10:200", "--transient", 50, "--impacts", 20, "--format", "jsonl")
+    assert (tmp_path / "found.jsonl").read_text() == cli.text("sweep", "scenes/figure-14.toml", *requested, "--quiet")

@@ -23,19 +23,19 @@ def test_each_flight_is_the_first_impact_of_its_own_scene(cli, name):
         tables["pair"] = {key: scene.document[key] for key in ("gap", "restitution")}
         wall = "left" if side < 0 else "right"
         tables["start"] = {"time": start["start.time"], "velocity": start["start.velocity"], "wall": wall}
-        told = json.loads(cli.text("run", "-", "--impacts", 1, "--digits", 20, "--format", "json", stdin=Scene.from_dict(tables).text))[
+        from_cli = json.loads(cli.text("run", "-", "--impacts", 1, "--digits", 20, "--format", "json", stdin=Scene.from_dict(tables).text))[
             "events"
         ][0]
-        assert ("left" if found.sides[i] < 0 else "right") == told["wall"]
-        assert f"P{found.mappings[i]}" == told["mapping"]
+        assert ("left" if found.sides[i] < 0 else "right") == from_cli["wall"]
+        assert f"P{found.mappings[i]}" == from_cli["mapping"]
         for bounds, key in ((found.t_bounds[i], "time"), (found.v_bounds[i], "velocity")):
-            low, high = map(Decimal, told[key])
+            low, high = map(Decimal, from_cli[key])
             assert Decimal(float(bounds[0])) <= low
             assert high <= Decimal(float(bounds[1]))
             assert bounds[1] - bounds[0] < 1e-9
 
 
-def test_what_doubles_do_not_decide_is_not_told():
+def test_what_doubles_do_not_decide_is_undecided():
     # At rest where the wall presses: no impact follows.
     found = Scene.named("figure-14").flights([1.25, 1.25], [0.0, -12.0], -1)
     assert found.sides.tolist()[0] == 0
@@ -43,8 +43,8 @@ def test_what_doubles_do_not_decide_is_not_told():
     assert found.sides[1] != 0
 
 
-def test_what_cannot_be_asked_is_refused():
+def test_invalid_arguments_are_refused():
     scene = Scene.named("figure-14")
-    for asked in (([0.0], [1.0], [-1]), ([np.nan], [-1.0], [-1]), ([0.0], [-1.0], [0])):
+    for requested in (([0.0], [1.0], [-1]), ([np.nan], [-1.0], [-1]), ([0.0], [-1.0], [0])):
         with pytest.raises(impact_pair.RangeError):
-            scene.flights(*asked)
+            scene.flights(*requested)

@@ -99,7 +99,7 @@ NOT_ASKED = {
 
 
 @pytest.mark.parametrize("name", NOT_ASKED)
-def test_r35_what_cannot_be_asked_is_refused_by_the_package_with_key_and_value(name):
+def test_r35_invalid_arguments_are_refused_with_key_and_value(name):
     with pytest.raises(impact_pair.Error) as caught:
         NOT_ASKED[name]()
     assert isinstance(caught.value, ValueError)
@@ -212,14 +212,14 @@ def test_r41_a_time_that_is_no_double_is_refused(t):
 
 def test_r41_states_that_are_doubles_are_taken_in_any_type():
     scene = Scene.named("figure-14")
-    told = scene.flights([0.5], [12.0], 1)
+    from_cli = scene.flights([0.5], [12.0], 1)
     for t, v, wall in [
         (np.float32([0.5]), np.array([12]), np.int64([1])),
         ([Fraction(1, 2)], [Decimal(12)], 1.0),
         ([np.longdouble(0.5)], (12,), [1]),
     ]:
         found = scene.flights(t, v, wall)
-        assert np.array_equal(found.t_bounds, told.t_bounds)
+        assert np.array_equal(found.t_bounds, from_cli.t_bounds)
 
 
 def test_r41_the_ends_of_a_list_are_exact():
@@ -261,9 +261,9 @@ def test_r51_columns_without_names_are_no_row():
 def test_r51_lists_and_ranges_of_another_length_are_refused_by_the_package():
     with pytest.raises(impact_pair.ListError, match="2, 1 values"):
         SCENE.audit({"time": [1.0, 2.0], "wall": ["left"]})
-    for asked in (SCENE.cycles, SCENE.two_impact):
+    for requested in (SCENE.cycles, SCENE.two_impact):
         with pytest.raises(impact_pair.RangeError, match=r"\(1, 2, 3\)"):
-            asked((1, 2, 3))
+            requested((1, 2, 3))
 
 
 @pytest.mark.parametrize("number", [np.float32(1.5), np.int64(2), np.longdouble(1.25), Decimal("1.5"), np.float16(1)])

@@ -117,7 +117,7 @@ def test_r35_grazes_rests_and_releases_are_marked():
     assert "graze" in labels(ax)
 
 
-def test_r35_widths_and_headers_are_those_asked_for():
+def test_r35_widths_and_headers_are_those_requested():
     orbit = Scene.named("figure-14").run(impacts=30)
     ax = plots.section_left(orbit, width="single")
     assert ax.figure.get_figwidth() == pytest.approx(90 / 25.4)

@@ -18,17 +18,17 @@ NAMES = sorted(path.stem for path in SCENES.glob("*.toml"))
 @pytest.mark.parametrize("name", NAMES)
 @pytest.mark.parametrize("arithmetic", ["auto", "interval", "float"])
 def test_an_orbit_is_the_document_of_the_command_line(cli, name, arithmetic):
-    asked = ("run", f"scenes/{name}.toml", "--impacts", 40, "--arithmetic", arithmetic)
+    requested = ("run", f"scenes/{name}.toml", "--impacts", 40, "--arithmetic", arithmetic)
     orbit = Scene.from_file(SCENES / f"{name}.toml").run(impacts=40, arithmetic=arithmetic)
-    assert orbit.json() == cli.text(*asked, "--format", "json")
-    assert orbit.complete == (cli.text(*asked, "--quiet", code=(0, 1)) is not None and is_complete(cli, asked))
+    assert orbit.json() == cli.text(*requested, "--format", "json")
+    assert orbit.complete == (cli.text(*requested, "--quiet", code=(0, 1)) is not None and is_complete(cli, requested))
     assert orbit.certified == (arithmetic != "float")
 
 
-def is_complete(cli, asked):
+def is_complete(cli, requested):
     """By the exit code."""
     try:
-        cli.text(*asked, "--quiet", code=(0,))
+        cli.text(*requested, "--quiet", code=(0,))
     except AssertionError:
         return False
     return True
@@ -79,8 +79,8 @@ def test_arrays_and_events_are_those_of_the_document(cli):
 
 def test_solve_is_the_scene_in_the_letters_of_the_paper(cli):
     sol = impact_pair.solve(A=8, W="pi", d="9.42497", e="0.5", v0="-12.56636", impacts=200)
-    told = cli.json("run", "scenes/figure-14.toml", "--impacts", 200)
-    assert json.loads(sol.json()) == told
+    from_cli = cli.json("run", "scenes/figure-14.toml", "--impacts", 200)
+    assert json.loads(sol.json()) == from_cli
     # Whatever says the same number exactly.
     same = impact_pair.solve(
         A=8.0, W="pi", d=Decimal("9.42497"), e=0.5, v0=Fraction(-1256636, 100000), t0=0, tau=0, wall="left", impacts=200
@@ -102,8 +102,8 @@ def test_intervals_and_several_harmonics(cli):
     found = wide.run(impacts=3)
     lines = (SCENES / "figure-14.toml").read_text().replace("gap = 9.42497", 'gap = "[9.42, 9.43]"')
     assert "[9.42" in lines
-    told = json.loads(cli.text("run", "-", "--impacts", 3, "--format", "json", stdin=lines))
-    assert json.loads(found.json()) == told
+    from_cli = json.loads(cli.text("run", "-", "--impacts", 3, "--format", "json", stdin=lines))
+    assert json.loads(found.json()) == from_cli
     square = Scene.from_dict(
         {
             "excitation": {"amplitude": [1, "1/3", Fraction(1, 5)], "frequency": ["pi", "3*pi", "5*pi"], "phase": 0},
@@ -173,9 +173,9 @@ def test_other_forms_hold_the_same_numbers(tmp_path):
     orbit.savemat(tmp_path / "orbit.mat")
     from scipy.io import loadmat
 
-    told = loadmat(tmp_path / "orbit.mat")
-    assert np.array_equal(told["t_lower"].ravel(), orbit.t_bounds[:, 0])
-    assert np.array_equal(told["wall"].ravel(), orbit.sides)
+    from_cli = loadmat(tmp_path / "orbit.mat")
+    assert np.array_equal(from_cli["t_lower"].ravel(), orbit.t_bounds[:, 0])
+    assert np.array_equal(from_cli["wall"].ravel(), orbit.sides)
     orbit.save(tmp_path / "orbit.json")
     assert (tmp_path / "orbit.json").read_text() == orbit.json()
     assert impact_pair.read_orbit((tmp_path / "orbit.json").read_text()).json() == orbit.json()
@@ -196,8 +196,8 @@ def test_balls_of_other_packages_hold_the_bounds():
 
 def test_repr_shows_the_digits_that_are_certain(cli):
     shown = repr(Scene.named("figure-14").run(impacts=5))
-    told = cli.text("run", "scenes/figure-14.toml", "--impacts", 5)
-    assert shown.splitlines()[1:6] == told.splitlines()[6:11]
+    from_cli = cli.text("run", "scenes/figure-14.toml", "--impacts", 5)
+    assert shown.splitlines()[1:6] == from_cli.splitlines()[6:11]
     html = Scene.named("chatter").run()._repr_html_()
     assert html.startswith("<table>")
     assert "certified: 40 impacts" in html

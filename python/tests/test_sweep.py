@@ -25,7 +25,7 @@ OVER = {"amplitude": ("1", "10", 40)}
 ASKED = {"transient": 50, "impacts": 20}
 
 
-def told(cli, path, *more):
+def from_cli(cli, path, *more):
     cli.text(
         "sweep", "scenes/figure-14.toml", "--over", "amplitude=1..10:40", "--transient", 50, "--impacts", 20,
         "--output", path, "--quiet", *more,
@@ -38,7 +38,7 @@ def files(tmp_path_factory):
     from conftest import Cli
 
     folder = tmp_path_factory.mktemp("told")
-    return {ending: told(Cli(), folder / f"told.{ending}", "--format", ending) for ending in ("jsonl", "csv")}
+    return {ending: from_cli(Cli(), folder / f"told.{ending}", "--format", ending) for ending in ("jsonl", "csv")}
 
 
 def saved(found, tmp_path, ending):
@@ -51,7 +51,7 @@ def test_in_this_process(cli, files, tmp_path):
     for ending in ("jsonl", "csv"):
         assert saved(found, tmp_path, ending) == files[ending]
     picture = tmp_path / "told.svg"
-    told(cli, tmp_path / "again.csv", "--plot", picture, "--arithmetic", "auto")
+    from_cli(cli, tmp_path / "again.csv", "--plot", picture, "--arithmetic", "auto")
     assert found.svg() == picture.read_text()
     assert found.complete
     assert sum(found.outcomes.values()) == found.points == len(found) == 40
@@ -72,7 +72,7 @@ def test_arrays_are_rounded_outward(files):
 def test_points_and_states_are_tables_of_their_own(cli, tmp_path):
     found = Scene.named("figure-14").sweep(OVER, **ASKED)
     found.save(tmp_path / "points.csv", states=tmp_path / "states.csv")
-    points = told(cli, tmp_path / "told.csv", "--states", tmp_path / "told-states.csv")
+    points = from_cli(cli, tmp_path / "told.csv", "--states", tmp_path / "told-states.csv")
     assert (tmp_path / "points.csv").read_bytes() == points
     assert (tmp_path / "states.csv").read_bytes() == (tmp_path / "told-states.csv").read_bytes()
     mixed = found.to_pandas()
@@ -214,14 +214,14 @@ def test_what_cannot_be_swept_is_refused():
         scene.sweep(OVER, impacts=0)
 
 
-def test_chunks_grow_to_the_seconds_asked_for():
+def test_chunks_grow_to_the_requested_seconds():
     rate = Rate(10.0, 2)
     assert rate.size(10**9) == 1
-    rate.tell(1, 0.01)
+    rate.report(1, 0.01)
     assert rate.size(10**9) == 8
     for _ in range(8):
         size = rate.size(10**9)
-        rate.tell(size, 0.01 * size)
+        rate.report(size, 0.01 * size)
     assert rate.size(10**9) == pytest.approx(1000, rel=0.01)
     assert rate.size(80) == 10
 
@@ -275,8 +275,8 @@ def test_r35_an_interrupted_sweep_has_its_finished_points(files, tmp_path):
     assert not found.complete
     assert "interrupted, " in repr(found)
     assert " of 40 points are missing" in repr(found)
-    told = [json.loads(line) for line in files["jsonl"].splitlines()[1:]]
-    assert list(found) == told[: len(list(found))]
+    from_cli = [json.loads(line) for line in files["jsonl"].splitlines()[1:]]
+    assert list(found) == from_cli[: len(list(found))]
     assert list(pickle.loads(pickle.dumps(found))) == list(found)
     assert sum(found.outcomes.values()) == len(found.to_pandas("points")) < len(found) == 40
     found.save(tmp_path / "found.csv")
@@ -287,12 +287,12 @@ def test_r35_an_interrupted_sweep_has_its_finished_points(files, tmp_path):
 
 
 def test_long_work_releases_the_gil_and_tells_how_far_it_is():
-    told, ticks = [], []
-    work = threading.Thread(target=lambda: Scene.named("figure-14").run(impacts=4000, progress=told.append))
+    from_cli, ticks = [], []
+    work = threading.Thread(target=lambda: Scene.named("figure-14").run(impacts=4000, progress=from_cli.append))
     work.start()
     while work.is_alive():
         ticks.append(time.monotonic())
         time.sleep(0.001)
     assert max(np.diff(ticks), default=0) < 0.5
-    assert told == sorted(told)
-    assert len(told) >= 1
+    assert from_cli == sorted(from_cli)
+    assert len(from_cli) >= 1

@@ -14,45 +14,45 @@ from impact_pair.answers import percent
 
 def test_periodic(cli):
     found = Scene.named("figure-13").periodic("RL", 1, all=True)
-    told = cli.json("periodic", "scenes/figure-13.toml", "--word", "RL", "--cycles", 1, "--all")
-    assert found.document == told
+    from_cli = cli.json("periodic", "scenes/figure-13.toml", "--word", "RL", "--cycles", 1, "--all")
+    assert found.document == from_cli
     assert found.complete is found.exhaustive is True
-    for orbit, said in zip(found, told["orbits"], strict=True):
+    for orbit, said in zip(found, from_cli["orbits"], strict=True):
         assert_rounded_outward(orbit.phase_bounds, [impact["phase"] for impact in said["impacts"]])
         assert_rounded_outward(orbit.v_bounds, [impact["velocity"] for impact in said["impacts"]])
         assert orbit.stability == said["stability"]
         assert orbit.trace.decimals == tuple(said["trace"])
         assert len(orbit.eigenvalues) == 2
     assert len(found.to_pandas()) == sum(len(orbit.walls) for orbit in found)
-    assert pickle.loads(pickle.dumps(found)).document == told
+    assert pickle.loads(pickle.dumps(found)).document == from_cli
 
 
 def test_two_impact(cli):
     found = Scene.named("even-cycles").two_impact((1, 3), wall="right")
-    told = cli.json("two-impact", "scenes/even-cycles.toml", "--cycles", "1..3", "--wall", "right")
-    assert [answer.document for answer in found] == told
+    from_cli = cli.json("two-impact", "scenes/even-cycles.toml", "--cycles", "1..3", "--wall", "right")
+    assert [answer.document for answer in found] == from_cli
     one = Scene.named("figure-13").two_impact(solve_for="amplitude")
     assert one.document == cli.json("two-impact", "scenes/figure-13.toml", "--solve-for", "amplitude")
 
 
 def test_manifold(cli, tmp_path):
     picture = tmp_path / "told.svg"
-    asked = ("--manifold", "frequency=5..60:40", "--cycles", "1..3", "--plot", picture)
-    told = cli.json("two-impact", "scenes/figure-10.toml", *asked)
+    requested = ("--manifold", "frequency=5..60:40", "--cycles", "1..3", "--plot", picture)
+    from_cli = cli.json("two-impact", "scenes/figure-10.toml", *requested)
     found = Scene.named("figure-10").manifold({"frequency": (5, 60, 40)}, (1, 3), picture=True)
-    assert found.document == told
+    assert found.document == from_cli
     assert found.svg == picture.read_text()
     assert [curve.cycles for curve in found.curves] == [1, 3]
-    assert_rounded_outward(found.curves[0].amplitude_bounds, [point["amplitude"] for point in told["curves"][0]["points"]])
+    assert_rounded_outward(found.curves[0].amplitude_bounds, [point["amplitude"] for point in from_cli["curves"][0]["points"]])
 
 
 def test_bifurcations(cli):
     found = Scene.named("cascade").bifurcations("RL", 1, {"amplitude": ("0.3", "0.4")}, doublings=1)
-    asked = ("--word", "RL", "--cycles", 1, "--over", "amplitude=0.3..0.4", "--doublings", 1)
-    told = cli.json("bifurcations", "scenes/cascade.toml", *asked)
-    assert found.document == told
-    assert [point.kind for point in found] == [point["kind"] for point in told["points"]]
-    assert_rounded_outward(found.parameter_bounds, [point["parameter"] for point in told["points"]])
+    requested = ("--word", "RL", "--cycles", 1, "--over", "amplitude=0.3..0.4", "--doublings", 1)
+    from_cli = cli.json("bifurcations", "scenes/cascade.toml", *requested)
+    assert found.document == from_cli
+    assert [point.kind for point in found] == [point["kind"] for point in from_cli["points"]]
+    assert_rounded_outward(found.parameter_bounds, [point["parameter"] for point in from_cli["points"]])
 
 
 def test_trap_and_chaos(cli):
@@ -67,15 +67,15 @@ def test_trap_and_chaos(cli):
     assert found.words is None
     file = ROOT / "docs/bases-figure-14.json"
     found = Scene.named("figure-14").chaos(depth=3, bases=json.loads(file.read_text(encoding="utf-8"))["bases"], hyperbolic=True)
-    told = cli.json("chaos", "scenes/figure-14.toml", "--depth", 3, "--bases", file, "--hyperbolic")
-    assert found.document == told
+    from_cli = cli.json("chaos", "scenes/figure-14.toml", "--depth", 3, "--bases", file, "--hyperbolic")
+    assert found.document == from_cli
     assert (found.entropy > 0) == found.complete
-    assert "scene_orbit" in told
-    alone = Scene.named("figure-14").chaos(depth=3, bases=told["bases"], no_orbit=True)
-    told_alone = cli.json("chaos", "scenes/figure-14.toml", "--depth", 3, "--bases", file, "--no-orbit")
-    assert alone.document == told_alone
-    assert "scene_orbit" not in told_alone
-    again = Scene.named("figure-14").chaos(depth=3, bases=told["bases"], over={"gap": ("9.42496", "9.42498")})
+    assert "scene_orbit" in from_cli
+    alone = Scene.named("figure-14").chaos(depth=3, bases=from_cli["bases"], no_orbit=True)
+    json_alone = cli.json("chaos", "scenes/figure-14.toml", "--depth", 3, "--bases", file, "--no-orbit")
+    assert alone.document == json_alone
+    assert "scene_orbit" not in json_alone
+    again = Scene.named("figure-14").chaos(depth=3, bases=from_cli["bases"], over={"gap": ("9.42496", "9.42498")})
     assert again.document["over"]["key"] == "pair.gap" or again.document["over"]
 
 
@@ -91,8 +91,8 @@ def test_graphs_of_a_region(cli, tmp_path, words):
     assert flights == {"F", "N"}
     assert all(graph.out_degree(node) > 0 for node in graph)
     if not words:
-        told = cli.json("trap", "scenes/figure-14.toml")
-        boxes = {(column, row) for column, first, last in told["region"] for row in range(first, last + 1)}
+        from_cli = cli.json("trap", "scenes/figure-14.toml")
+        boxes = {(column, row) for column, first, last in from_cli["region"] for row in range(first, last + 1)}
         assert {(node["column"], node["row"]) for _, node in graph.nodes(data=True)} == boxes
         return
     paths = {"0": 1}
@@ -102,11 +102,11 @@ def test_graphs_of_a_region(cli, tmp_path, words):
             for _, following in graph.out_edges(node):
                 longer[following] = longer.get(following, 0) + count
         paths = longer
-    told = cli.json("trap", "scenes/figure-14.toml", *words)["words"]
-    assert sum(paths.values()) == int(told["count"])
+    from_cli = cli.json("trap", "scenes/figure-14.toml", *words)["words"]
+    assert sum(paths.values()) == int(from_cli["count"])
     matrix = networkx.to_numpy_array(graph)
     growth = np.log(np.abs(np.linalg.eigvals(matrix)).max())
-    assert 0 <= float(told["entropy_at_most"]) - growth < 1e-6
+    assert 0 <= float(from_cli["entropy_at_most"]) - growth < 1e-6
 
 
 def test_describe(cli, tmp_path):
@@ -122,8 +122,8 @@ def test_describe(cli, tmp_path):
     assert found.svg == (tmp_path / "told.svg").read_text()
     assert (found.period, found.word, found.orbit.stability) == ((2, 1), "P1 P2", "stable")
     assert found.check().verdict == "confirmed"
-    told = found.document["exponent"]["limit"]
-    assert found.exponent_limit.decimals == tuple(told)
+    from_cli = found.document["exponent"]["limit"]
+    assert found.exponent_limit.decimals == tuple(from_cli)
     assert found.exponent_limit.float64[0] <= np.log(0.5) <= found.exponent_limit.float64[1]
     assert found.message in repr(found)
     assert found._repr_html_().startswith("<table>")
@@ -147,10 +147,10 @@ def test_a_motion_in_a_region_is_described():
 
 
 def test_chaos_cells(cli):
-    told = cli.json("chaos", "scenes/figure-14.toml", "--depth", 4, "--over", "amplitude=3.4..4:3", "--halvings", 3)
+    from_cli = cli.json("chaos", "scenes/figure-14.toml", "--depth", 4, "--over", "amplitude=3.4..4:3", "--halvings", 3)
     found = Scene.named("figure-14").chaos_cells({"amplitude": ("3.4", "4", 3)}, depth=4, halvings=3, picture=True)
-    assert found.document == told
-    assert found.shares == told["shares"]
+    assert found.document == from_cli
+    assert found.shares == from_cli["shares"]
     assert {stretch["verdict"] for stretch in found.stretches} == {"stable", "undecided"}
     assert not found.complete
     assert found.svg.startswith("<svg")
@@ -160,8 +160,8 @@ def test_chaos_cells(cli):
 
 def test_global_analysis(cli):
     found = Scene.named("figure-12-exact").global_analysis(boxes=10, most=20000, basins=12)
-    asked = ("--boxes", 10, "--most", 20000, "--basins", 12)
-    assert found.document == cli.json("global", "scenes/figure-12-exact.toml", *asked)
+    requested = ("--boxes", 10, "--most", 20000, "--basins", 12)
+    assert found.document == cli.json("global", "scenes/figure-12-exact.toml", *requested)
     attractors = [i for i, component in enumerate(found.components) if component.kind in {"attracting", "rest-cycle"}]
     assert [basin.component for basin in found.basins] == attractors
     assert sum(basin.area for basin in found.basins) + float(found.document["basins"]["undecided"]) == pytest.approx(1)
@@ -174,18 +174,18 @@ def test_global_analysis(cli):
 
 
 def test_windows(cli):
-    asked = ("--over", "gap=9.4247..9.4253", "--impacts", 1000, "--most", 1)
+    requested = ("--over", "gap=9.4247..9.4253", "--impacts", 1000, "--most", 1)
     found = Scene.named("figure-14").windows({"gap": ("9.4247", "9.4253")}, impacts=1000, most=1)
-    assert found.document == cli.json("windows", "scenes/figure-14.toml", *asked)
+    assert found.document == cli.json("windows", "scenes/figure-14.toml", *requested)
     assert len(found) == len(found.document["windows"])
     assert "others are not excluded" in repr(found)
 
 
 def test_tangency(cli):
     word = "FFFFFFFNFFFFFNFFNFFNFFFF"
-    asked = ("--over", "gap=9.4249..9.4252", "--word", word)
+    requested = ("--over", "gap=9.4249..9.4252", "--word", word)
     found = Scene.named("figure-14").tangency({"gap": ("9.4249", "9.4252")}, word=word)
-    assert found.document == cli.json("tangency", "scenes/figure-14.toml", *asked)
+    assert found.document == cli.json("tangency", "scenes/figure-14.toml", *requested)
     assert [tangency.flights for tangency in found] == [word]
     # The constant of an independent computation in balls.
     assert found.tangencies[0].parameter.lower[:25] == "9.42512637688720494843198"
@@ -195,7 +195,7 @@ def test_tangency(cli):
     assert beside is not None
     assert len(beside.states) == len(word) - 1
     few = Scene.named("figure-14").tangency({"gap": ("9.4249", "9.4252")}, work=1)
-    assert few.document == cli.json("tangency", "scenes/figure-14.toml", *asked[:2], "--work", 1)
+    assert few.document == cli.json("tangency", "scenes/figure-14.toml", *requested[:2], "--work", 1)
     assert few.document["limited"]
     assert not few.complete
     assert float(beside.two.upper) < float(own.parameter.lower) < float(beside.none.lower)
@@ -216,11 +216,11 @@ def test_audit(cli, tmp_path):
     listed = tmp_path / "events.csv"
     rows = zip(orbit.t, orbit.walls, orbit.v, strict=True)
     listed.write_text("time,wall,velocity\n" + "".join(f"{t!r},{wall},{v!r}\n" for t, wall, v in map(plain, rows)))
-    told = cli.json("audit", "scenes/figure-14.toml", listed)
-    assert scene.audit(listed).document == told
+    from_cli = cli.json("audit", "scenes/figure-14.toml", listed)
+    assert scene.audit(listed).document == from_cli
     found = scene.audit({"time": orbit.t, "wall": orbit.walls, "velocity": orbit.v})
-    assert found.counts == told["counts"]
-    assert found.first_disagreement == told["first_disagreement"]
+    assert found.counts == from_cli["counts"]
+    assert found.first_disagreement == from_cli["first_disagreement"]
     assert scene.audit(orbit.to_pandas().rename(columns={"t_lower": "time"})[["time", "wall"]]).agreed in (True, False)
     loose = scene.audit(listed, tolerance="1e-6", until=5, velocities=False)
     assert loose.document == cli.json("audit", "scenes/figure-14.toml", listed, "--tolerance", "1e-6", "--until", 5, "--no-velocity")
@@ -269,9 +269,9 @@ def test_check_and_prove(cli, tmp_path):
 def test_trade(cli):
     """Times differ from run to run; what is certified does not."""
     found = Scene.named("figure-12").trade(impacts=50, max_bits=128)
-    told = cli.json("trade", "scenes/figure-12.toml", "--impacts", 50, "--max-bits", 128)
+    from_cli = cli.json("trade", "scenes/figure-12.toml", "--impacts", 50, "--max-bits", 128)
     keys = ("arithmetic", "impacts", "widths", "digits", "bits")
-    known = [{key: rung.get(key) for key in keys} for rung in told["rungs"]]
+    known = [{key: rung.get(key) for key in keys} for rung in from_cli["rungs"]]
     assert [{key: rung.get(key) for key in keys} for rung in found.rungs] == known
 
 

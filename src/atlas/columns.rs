@@ -5,7 +5,7 @@ use impact_pair_document::{AtlasHead, AtlasRecord};
 use crate::sweep::{Cell, Kind, csv_line, csv_names};
 
 /// Columns on a point or a cell, with their types.
-const SAID: [(&str, Kind); 7] = [
+const RESULT_COLUMNS: [(&str, Kind); 7] = [
     ("class", Kind::Text),
     ("n_attracting", Kind::Whole),
     ("n_rest", Kind::Whole),
@@ -16,9 +16,9 @@ const SAID: [(&str, Kind); 7] = [
 ];
 
 /// Further columns of an atlas of cells, or of one that looks for horseshoes.
-const BESIDES: [(&str, Kind); 2] = [("n_stable", Kind::Whole), ("entropy", Kind::Number)];
+const FURTHER_COLUMNS: [(&str, Kind); 2] = [("n_stable", Kind::Whole), ("entropy", Kind::Number)];
 
-/// Returns whether an atlas has the columns [`BESIDES`].
+/// Returns whether an atlas has the columns [`FURTHER_COLUMNS`].
 fn has_more(head: &AtlasHead) -> bool {
     head.cells || head.horseshoes.is_some()
 }
@@ -35,8 +35,8 @@ pub fn columns(head: &AtlasHead) -> Vec<(String, Kind)> {
             columns.push((key, Kind::Exact));
         }
     }
-    let besides = if has_more(head) { &BESIDES[..] } else { &[] };
-    columns.extend(SAID.iter().chain(besides).map(|&(name, kind)| (name.to_owned(), kind)));
+    let besides = if has_more(head) { &FURTHER_COLUMNS[..] } else { &[] };
+    columns.extend(RESULT_COLUMNS.iter().chain(besides).map(|&(name, kind)| (name.to_owned(), kind)));
     columns
 }
 

@@ -6,7 +6,7 @@ use crate::scene::{Key, Range, Scene};
 use crate::sweep::Grid;
 
 /// Tiles along an axis: what cells are cut from, each by itself.
-const TILES: u64 = 8;
+const MAX_TILES: u64 = 8;
 
 /// Two axes of parameters.
 #[derive(Clone, Debug)]
@@ -72,7 +72,7 @@ impl Plane {
 
     /// Tiles along each axis.
     fn tiles(&self) -> [u64; 2] {
-        self.counts().map(|count| count.min(TILES)) // A20: any tiles
+        self.counts().map(|count| count.min(MAX_TILES)) // A20: any tiles
     }
 
     /// Returns the tile of this number, from 0.

@@ -44,7 +44,7 @@ fn the_ends_of_cells_are_exact_and_meet() {
 }
 
 #[test]
-fn what_is_no_plane_of_parameters_is_refused() {
+fn axes_that_span_no_plane_are_refused() {
     let refused = |axes: &[&str]| {
         let axes = axes.iter().map(|axis| axis.parse().unwrap()).collect();
         Plane::new(axes, false).unwrap_err().to_string()

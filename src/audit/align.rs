@@ -75,7 +75,7 @@ mod tests {
     }
 
     #[test]
-    fn one_row_out_of_place_costs_itself_only() {
+    fn one_misplaced_row_is_the_only_disagreement() {
         let some = |sites: [usize; 4]| sites.map(Some).to_vec();
         assert_eq!(sites_of(&[&[0], &[1], &[2], &[3]], 4), some([0, 1, 2, 3]));
         // Left out, doubled, far ahead, swapped.
@@ -86,13 +86,13 @@ mod tests {
     }
 
     #[test]
-    fn rows_that_may_be_several_contacts_find_room() {
+    fn ambiguous_rows_are_all_matched() {
         assert_eq!(sites_of(&[&[0, 1, 2], &[0, 1, 2], &[0, 1, 2]], 3), [Some(0), Some(1), Some(2)]);
         assert_eq!(sites_of(&[&[1], &[0, 1, 2], &[]], 3), [Some(1), Some(2), None]);
     }
 
     #[test]
-    fn of_several_rows_the_nearest_is_taken() {
+    fn the_nearest_of_several_rows_is_matched() {
         let candidates = [vec![0], vec![1], vec![1], vec![1], vec![2]];
         let distance = [0, 5, 1, 3, 0];
         let alignment = align(&candidates, 3, |a, b, _| distance[a] < distance[b]);

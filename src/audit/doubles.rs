@@ -9,7 +9,7 @@ use std::ops::ControlFlow;
 use impact_pair_document::{ExcitationDocument, SceneDocument, StartDocument, Written};
 use num_rational::BigRational;
 
-use super::judge::Judgement;
+use super::judge::Comparison;
 use super::list::{Listed, Number};
 use super::tolerance::Tolerance;
 use super::truth::{Site, SiteKind, Truth};
@@ -55,7 +55,7 @@ impl Doubles {
         // One more than the truth has: a chatter in doubles need not end.
         let settings = Settings { impacts: Some(last + 1), ..settings.clone() };
         let part = |rows: Vec<Listed>| {
-            let judgement = Judgement::new(truth, &rows, (end, true), tolerance);
+            let judgement = Comparison::new(truth, &rows, (end, true), tolerance);
             let first = judgement.first_disagreement();
             let disagrees = first.map(|finding| (truth.impact(finding), finding.verdict));
             let leaves = judgement.departure.map(|departure| departure.impact);

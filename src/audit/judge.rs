@@ -25,17 +25,17 @@ pub struct Divergence {
 }
 
 /// The result of the comparison of a list.
-pub(super) struct Judgement {
+pub(super) struct Comparison {
     /// The findings in the order of the list, with missed impacts in between.
     pub findings: Vec<Finding>,
     pub departure: Option<Divergence>,
 }
 
-impl Judgement {
+impl Comparison {
     /// Compares the rows with the orbit certified up to the time `end`; where the rows are a whole list, up to the last contact that is one
     /// of them as well.
     pub fn new(truth: &Truth, rows: &[Listed], (end, is_whole): (&BigRational, bool), tolerance: &Tolerance) -> Self {
-        let judge = Judge::new(truth, rows, tolerance);
+        let judge = Comparer::new(truth, rows, tolerance);
         let candidates: Vec<Vec<usize>> = (0..rows.len()).map(|row| judge.candidates(row)).collect();
         let alignment = align(&candidates, truth.sites.len(), |a, b, site| judge.is_nearer(a, b, site));
         let last = alignment.row_of.iter().rposition(Option::is_some).filter(|_| is_whole);
@@ -77,7 +77,7 @@ impl Judgement {
 }
 
 /// The rows and the truth, with what is looked up often.
-struct Judge<'a> {
+struct Comparer<'a> {
     truth: &'a Truth,
     rows: &'a [Listed],
     tolerance: &'a Tolerance,
@@ -87,7 +87,7 @@ struct Judge<'a> {
     boundaries: Vec<Dyadic>,
 }
 
-impl<'a> Judge<'a> {
+impl<'a> Comparer<'a> {
     fn new(truth: &'a Truth, rows: &'a [Listed], tolerance: &'a Tolerance) -> Self {
         let times = rows.iter().map(|row| row.time.enclose(tolerance.bits)).collect();
         let middles = truth.sites.iter().map(Site::middle).collect();
@@ -349,7 +349,7 @@ mod tests {
     }
 
     #[test]
-    fn a_list_that_goes_on_as_before_has_not_left() {
+    fn a_list_that_continues_inside_has_not_diverged() {
         for verdicts in
             ["", "iiii", "iimii", "iifii", "iifmii", "iiiif", "iiiim", "mmmm", "ooooo", "iimcccc", "iimiifiii"]
         {
@@ -358,7 +358,7 @@ mod tests {
     }
 
     #[test]
-    fn a_list_leaves_where_it_is_inside_no_more() {
+    fn a_list_diverges_where_it_is_no_longer_inside() {
         assert_eq!(departure_of("iiifmoofmof"), Some((3, 4)));
         assert_eq!(departure_of("iiomoofmof"), Some((3, 4)));
         // Before, one impact was left out; after, one is inside by chance.

@@ -23,8 +23,8 @@ fn exact_orbit_of_figure_12() -> Scene {
 fn verdicts(scene: &Scene, list: &str, tolerance: &str, until: Option<&str>) -> Vec<Verdict> {
     let list = read(list, &Columns::default(), scene.pair()).unwrap();
     let until = until.map(|until| until.parse().unwrap());
-    let asked = AuditSettings { tolerance: tolerance.parse().unwrap(), until, ..AuditSettings::default() };
-    let audit = Audit::of(scene, list, &asked, &Unwatched).unwrap();
+    let requested = AuditSettings { tolerance: tolerance.parse().unwrap(), until, ..AuditSettings::default() };
+    let audit = Audit::of(scene, list, &requested, &Unwatched).unwrap();
     audit.findings().iter().map(|finding| finding.verdict).collect()
 }
 

@@ -52,12 +52,12 @@ use crate::scales::Scales;
 use crate::scene::{DIGITS, Run};
 use crate::watch::Watch;
 use crate::{Error, Scene};
-use judge::Judgement;
+use judge::Comparison;
 use tolerance::Tolerance;
 use truth::Truth;
 
 /// Digits that the truth has beyond those of the tolerance, so that its own width does not matter.
-const BEYOND: u32 = 3;
+const EXTRA_DIGITS: u32 = 3;
 
 /// The settings of an audit.
 #[derive(Clone, Debug)]
@@ -94,7 +94,7 @@ impl AuditSettings {
             let (_, size) = self.tolerance.enclose(64).to_f64_bounds();
             let digits = if size > 0.0 { -size.log10().floor() } else { f64::from(Settings::default().digits) }; // proposes
             // proposes
-            (digits as u32 + BEYOND).clamp(*DIGITS.start(), *DIGITS.end())
+            (digits as u32 + EXTRA_DIGITS).clamp(*DIGITS.start(), *DIGITS.end())
         })
     }
 }
@@ -119,7 +119,7 @@ pub struct Audit<'s> {
     settings: Settings,
     tolerance: Tolerance,
     truth: Truth,
-    judgement: Judgement,
+    judgement: Comparison,
     /// Orbits in doubles, compared in the same way.
     pub doubles: Doubles,
 }
@@ -130,11 +130,11 @@ impl<'s> Audit<'s> {
     /// # Errors
     /// If there is no row, or the time to compare up to is out of range ([`ErrorKind::List`](crate::ErrorKind::List), or the
     /// key `until`), or the scene's values exceed the range of orbits.
-    pub fn of(scene: &'s Scene, list: List, asked: &AuditSettings, watch: &dyn Watch) -> Result<Self, Error> {
+    pub fn of(scene: &'s Scene, list: List, requested: &AuditSettings, watch: &dyn Watch) -> Result<Self, Error> {
         let List { mut rows, unused, velocities } = list;
         let lacks_velocities = velocities && rows.iter().all(|row| row.velocity.is_none());
         let listed = rows.len();
-        let end = match &asked.until {
+        let end = match &requested.until {
             Some(until) if until.compare(scene.start().time()) == Some(Ordering::Less) => {
                 let (until, start) = (until.text(), scene.start().time().text());
                 let message = format!("until is `{until}`, but accepted is a time from the start on, {start}");
@@ -148,16 +148,16 @@ impl<'s> Audit<'s> {
             }
             None => rows.iter().map(|row| row.time.high.clone()).max().ok_or_else(|| Error::list("no row".into()))?,
         };
-        let tolerance = Tolerance::new(scene, &asked.tolerance, asked.digits())?;
+        let tolerance = Tolerance::new(scene, &requested.tolerance, requested.digits())?;
         // A listed impact may be early: the truth is followed for a period more.
         let after = &end + tolerance.scales.period.sup().to_rational();
-        let settings = asked.settings(Exact::from_rational(after));
+        let settings = requested.settings(Exact::from_rational(after));
         let truth = Truth::follow(scene, settings.clone(), &tolerance, rows.len(), watch);
         let truth = truth.map_err(|error| match error.key() {
-            Some("run.until") => out_of_reach(asked, &rows, scene.start().time()),
+            Some("run.until") => out_of_reach(requested, &rows, scene.start().time()),
             _ => error,
         })?;
-        let judgement = Judgement::new(&truth, &rows, (&end, listed == rows.len()), &tolerance);
+        let judgement = Comparison::new(&truth, &rows, (&end, listed == rows.len()), &tolerance);
         let doubles = Doubles::judge(scene, &settings, &truth, &end, &tolerance, watch)?;
         let left_out = listed - rows.len();
         Ok(Self {
@@ -283,18 +283,19 @@ impl<'s> Audit<'s> {
 }
 
 /// Returns the error that the requested end of the comparison is before the start, or later than an orbit can be followed.
-fn out_of_reach(asked: &AuditSettings, rows: &[Listed], start: &Exact) -> Error {
-    const LATE: &str = "later than an orbit can be followed to";
+fn out_of_reach(requested: &AuditSettings, rows: &[Listed], start: &Exact) -> Error {
+    const BEYOND_LATEST_TIME: &str = "later than an orbit can be followed to";
     let latest = rows.iter().max_by(|one, other| one.time.high.cmp(&other.time.high));
-    match (&asked.until, latest) {
+    match (&requested.until, latest) {
         (None, Some(Listed { place, time, .. })) => {
             let is_early = Exact::from_rational(time.high.clone()).compare(start) == Some(Ordering::Less);
-            let why = if is_early { format!("before the start at {}", start.text()) } else { LATE.to_owned() };
+            let why =
+                if is_early { format!("before the start at {}", start.text()) } else { BEYOND_LATEST_TIME.to_owned() };
             Error::list(format!("{place}: time is `{}`, {why}", time.written))
         }
         (until, _) => {
             let until = until.as_ref().map_or(String::new(), Exact::text);
-            Error::out_of_range("until", format!("until is `{until}`, {LATE}"))
+            Error::out_of_range("until", format!("until is `{until}`, {BEYOND_LATEST_TIME}"))
         }
     }
 }

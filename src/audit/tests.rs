@@ -31,8 +31,8 @@ fn r40_an_impact_before_a_listed_one_is_missed_whatever_the_time_of_the_last_row
     let verdicts = |list: &str, until: Option<&str>| -> Vec<Verdict> {
         let list = read(list, &Columns::default(), scene.pair()).unwrap();
         let until = until.map(|until| until.parse().unwrap());
-        let asked = AuditSettings { tolerance: "1".parse().unwrap(), until, ..AuditSettings::default() };
-        let audit = Audit::of(&scene, list, &asked, &Unwatched).unwrap();
+        let requested = AuditSettings { tolerance: "1".parse().unwrap(), until, ..AuditSettings::default() };
+        let audit = Audit::of(&scene, list, &requested, &Unwatched).unwrap();
         audit.findings().iter().map(|finding| finding.verdict).collect()
     };
     let list = "time,wall\n1,right\n2,left\n2.5,left";
@@ -56,9 +56,9 @@ fn r44_of_columns_in_json_those_that_are_no_impacts_are_skipped() {
 
 fn refused(list: &str, until: Option<&str>) -> String {
     let scene = exact_orbit_of_figure_12();
-    let asked = AuditSettings { until: until.map(|until| until.parse().unwrap()), ..AuditSettings::default() };
+    let requested = AuditSettings { until: until.map(|until| until.parse().unwrap()), ..AuditSettings::default() };
     let list = read(list, &Columns::default(), scene.pair());
-    list.and_then(|list| Audit::of(&scene, list, &asked, &Unwatched).map(drop)).unwrap_err().to_string()
+    list.and_then(|list| Audit::of(&scene, list, &requested, &Unwatched).map(drop)).unwrap_err().to_string()
 }
 
 /// Of two times of one row the last one was compared.
@@ -96,7 +96,7 @@ fn r45_nothing_is_compared_before_the_start() {
 }
 
 #[test]
-fn a_corrupted_time_does_not_lead_to_the_end_of_the_world() {
+fn a_corrupted_time_does_not_cost_an_endless_run() {
     let scene = exact_orbit_of_figure_12();
     let audit = |list: &str| {
         let rows = read(list, &Columns::default(), scene.pair()).unwrap();

@@ -14,11 +14,11 @@ use crate::watch::Watch;
 use crate::{Error, Scene};
 
 /// Impacts that are followed for each row of the list, ...
-const PER_ROW: usize = 2;
+const IMPACTS_PER_ROW: usize = 2;
 /// ... and beyond those.
-const SPARE: usize = 1000;
+const EXTRA_IMPACTS: usize = 1000;
 /// Impacts in a row on one wall that are not counted: they may be a chatter's.
-const PER_RUN: usize = 1 << 16;
+const IMPACTS_PER_RUN: usize = 1 << 16;
 
 /// A certified contact that a list may have, in time order.
 #[derive(Clone, Debug)]
@@ -98,7 +98,7 @@ impl Truth {
         let mut sites: Vec<Site> = start(scene, tolerance.bits).into_iter().collect();
         let mut last: Option<Event> = None;
         let (mut impacts, mut counted) = (0, 0);
-        let most = rows.saturating_mul(PER_ROW).saturating_add(SPARE); // exact: of what fits into memory
+        let most = rows.saturating_mul(IMPACTS_PER_ROW).saturating_add(EXTRA_IMPACTS); // exact: of what fits into memory
         let ended = orbit.follow(watch, |orbit, step| {
             if let Some(event) = Event::of(orbit, &step) {
                 let is_other = sites.last().is_some_and(|last| last.wall != event.wall || last.rest.is_some());
@@ -110,7 +110,7 @@ impl Truth {
                     counted = sites.len();
                 }
                 let in_run = sites.len().saturating_sub(counted); // exact: a rest may leave out some of those counted
-                let most_in_run = most.saturating_add(PER_RUN); // exact: of what fits into memory
+                let most_in_run = most.saturating_add(IMPACTS_PER_RUN); // exact: of what fits into memory
                 if impacts > most || in_run > most_in_run {
                     return ControlFlow::Break(());
                 }

@@ -3,7 +3,7 @@
 use std::ops::ControlFlow;
 
 use super::region::Trap;
-use super::words::Base;
+use super::words::HSet;
 use crate::Error;
 use crate::orbit::{Arithmetic, Orbit, Outcome, Settings, Start};
 use crate::pair::ImpactPair;
@@ -33,16 +33,16 @@ pub struct Entered {
     pub holds_bases: bool,
 }
 
-/// Arithmetics, each with the number of impacts after which it is asked whether the orbit converges: in doubles, then in as many bits as it takes.
-const ASKED: [(Arithmetic, u64); 2] = [(Arithmetic::Interval, 20_000), (Arithmetic::Auto, 800)];
+/// Arithmetics, each with the number of impacts after which convergence of the orbit is tested: in doubles, then in as many bits as it takes.
+const ATTEMPTS: [(Arithmetic, u64); 2] = [(Arithmetic::Interval, 20_000), (Arithmetic::Auto, 800)];
 
 impl Asymptotics {
     /// Returns the result for an orbit; the region is looked for where there are h-sets.
-    pub(super) fn of(pair: &ImpactPair, start: &Start, bases: &[Base], watch: &dyn Watch) -> Result<Self, Error> {
+    pub(super) fn of(pair: &ImpactPair, start: &Start, bases: &[HSet], watch: &dyn Watch) -> Result<Self, Error> {
         let mut attractor = None;
-        for asked in ASKED {
+        for requested in ATTEMPTS {
             if attractor.is_none() {
-                attractor = limit(pair, start, asked, watch)?;
+                attractor = limit(pair, start, requested, watch)?;
             }
         }
         let region = match bases {

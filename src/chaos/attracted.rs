@@ -24,20 +24,20 @@ use crate::watch::Watch;
 mod tests;
 
 /// Impacts that are followed.
-const IMPACTS: usize = 2000;
+const MAX_IMPACTS: usize = 2000;
 /// The most impacts from a set to a later one that lies in it; this many more are followed to find the shortest period.
-const LONGEST: usize = 128;
+const MAX_RETURN_IMPACTS: usize = 128;
 /// Number of impacts after which sets may begin anew, with sides as long as a multiple of the distance by which the orbit misses an
 /// earlier impact, if that is near: each multiple is tried.
-const AGAIN: usize = 32;
-const ROOMS: [f64; 2] = [0.0, 8.0];
+const ENLARGING_INTERVAL: usize = 32;
+const ENLARGING_FACTORS: [f64; 2] = [0.0, 8.0];
 /// Lengths of the sides of sets by which a shorter round is looked for at one value: each of these is tried.
-const LENGTHS: [f64; 3] = [1e-6, 1e-5, 1e-4];
-const NEAR: f64 = 0.02;
+const SIDE_LENGTHS: [f64; 3] = [1e-6, 1e-5, 1e-4];
+const NEAR_DISTANCE: f64 = 0.02;
 /// Factor by which sides are longer than they have to be, so that it can be proved that they are long enough.
-const LONGER: f64 = 1.0 + 1e-9;
+const SIDE_FACTOR: f64 = 1.0 + 1e-9;
 /// Wider sets are not followed.
-const WIDEST: f64 = 0.25;
+const MAX_WIDTH: f64 = 0.25;
 
 /// States `middle + a sides[0] + b sides[1] + c moved[0] + d moved[1]`, `|a|, |b| <= 1`; `c` and `d` in `[-1, 1]` give `e` and `D`.
 #[derive(Clone, Copy, Debug)]
@@ -60,7 +60,7 @@ fn coordinates([p, q]: [State; 2]) -> Option<[[Ball; 2]; 2]> {
 
 impl Set {
     fn of(first: &Visited) -> Self {
-        let turns = first.phase.mid().floor(); // exact: whole turns, counted by themselves
+        let turns = first.phase.mid().floor(); // exact: whole forcing periods, counted by themselves
         Self {
             middle: [first.phase.mid() - turns, first.speed.mid()],
             // D15: what the middle is rounded by
@@ -81,7 +81,7 @@ impl Set {
     /// The set of the images, and on which wall they are; `None` where it is not proved that all land on one, without a graze.
     fn next(&self, law: &Law, guess: &Guess) -> Option<(Self, Side)> {
         let quad = self.quad();
-        if !(quad.floor > 0.0 && self.sides.iter().all(|side| length(*side) < WIDEST)) {
+        if !(quad.floor > 0.0 && self.sides.iter().all(|side| length(*side) < MAX_WIDTH)) {
             return None; // exact: given up, nothing is certified
         }
         // proposes: where the images are, and how they lie there
@@ -94,7 +94,7 @@ impl Set {
             [own[k][0] + u, own[k][1] + w]
         });
         let directions = directions(self.sides.map(|side| applied(image.jacobian, side)));
-        let turns = image.state[0].floor(); // exact: whole turns, counted by themselves
+        let turns = image.state[0].floor(); // exact: whole forcing periods, counted by themselves
         let middle = [image.state[0] - turns, image.state[1]];
 
         let landing = Flights::moved(law, &quad, self.moved).land(image.side, arrival)?;
@@ -102,7 +102,7 @@ impl Set {
         let reach =
             |sides: [State; 2]| Some(coordinates(sides)?.map(|normal| landing.beside(normal, point, moved).mag()));
         let long = reach(directions)?;
-        let sides = [0, 1].map(|i| directions[i].map(|x| x * long[i] * LONGER));
+        let sides = [0, 1].map(|i| directions[i].map(|x| x * long[i] * SIDE_FACTOR));
         // D15: the sides reach as far as the images
         if !reach(sides)?.iter().all(|reach| *reach <= 1.0) {
             return None;
@@ -127,7 +127,7 @@ impl Set {
     fn room(&self, times: f64, before: &[Self]) -> f64 {
         let away = |other: &Self| apart(other.middle, self.middle);
         let room = times * before.iter().map(away).fold(f64::INFINITY, f64::min); // proposes: how large sets become
-        if room < NEAR { room } else { 0.0 } // proposes: how large sets become
+        if room < NEAR_DISTANCE { room } else { 0.0 } // proposes: how large sets become
     }
 
     /// Returns the number of whole forcing periods by which another one has to be shifted to lie in this one, for each value of the
@@ -169,7 +169,7 @@ impl Round {
     /// The orbit closes after this number of impacts as well: so after the greatest common divisor of both. Lemma D15
     fn divide(&mut self, impacts: usize) {
         let common = self.sides.len().gcd(&impacts);
-        self.turns /= (self.sides.len() / common) as f64; // exact: whole turns after each part
+        self.turns /= (self.sides.len() / common) as f64; // exact: whole forcing periods after each part
         self.sides.truncate(common);
     }
 
@@ -182,7 +182,7 @@ impl Round {
     /// Its word, in whole forcing periods: twice the flights where they end on the other wall.
     fn word(&self) -> Option<(Word, u32)> {
         let far = self.sides.iter().filter(|&&side| side == Side::Far).count();
-        let half_cycles = 2 * self.turns as i64 - far as i64; // exact: whole numbers, each far impact is half a turn later
+        let half_cycles = 2 * self.turns as i64 - far as i64; // exact: whole numbers, each far impact is half a forcing period later
         let rounds = if far.is_multiple_of(2) { 1 } else { 2 };
         let mut from = self.wall;
         let mut mappings = Vec::new();
@@ -199,11 +199,11 @@ impl Round {
 /// The word of the periodic orbit that the orbit from a state converges to, for all `D` and `e` of the law, from some impact on, and how
 /// many cycles it takes; `None` where that is not proved. Lemma D15
 pub(super) fn attracted(law: &Law, first: &Visited, watch: &dyn Watch) -> Option<(Word, u32)> {
-    let mut found = ROOMS.into_iter().find_map(|room| converges(law, first, Enlarged::By(room), watch))?;
+    let mut found = ENLARGING_FACTORS.into_iter().find_map(|room| converges(law, first, Enlarged::By(room), watch))?;
     // D15: one pair, which repeats after as many impacts as all others; its sets are small, so that fewer impacts are enough
     let one = Law { gap: Ball::exact(law.gap.mid()), restitution: Ball::exact(law.restitution.mid()) };
     let first = Visited { phase: Ball::exact(first.phase.mid()), speed: Ball::exact(first.speed.mid()), ..*first };
-    for length in LENGTHS {
+    for length in SIDE_LENGTHS {
         if !found.is_repeated() {
             break;
         }
@@ -214,7 +214,7 @@ pub(super) fn attracted(law: &Law, first: &Visited, watch: &dyn Watch) -> Option
     found.word()
 }
 
-/// The rule by which sets are enlarged every [`AGAIN`] impacts: to find a round soon, by a multiple of the distance by which the orbit
+/// The rule by which sets are enlarged every [`ENLARGING_INTERVAL`] impacts: to find a round soon, by a multiple of the distance by which the orbit
 /// misses an earlier impact; to find the shortest round, to sides of at least a given length, phases in radians.
 #[derive(Clone, Copy)]
 enum Enlarged {
@@ -227,11 +227,11 @@ fn converges(law: &Law, first: &Visited, enlarged: Enlarged, watch: &dyn Watch) 
     let guess = Guess::new(law);
     let (mut sets, mut sides) = (vec![Set::of(first)], Vec::new());
     let mut found: Option<(Round, usize)> = None;
-    while sets.len() <= IMPACTS && watch.goes_on() {
+    while sets.len() <= MAX_IMPACTS && watch.goes_on() {
         let last = sets.len();
         let Some((set, side)) = sets[last - 1].next(law, &guess) else { break };
         sides.push(side);
-        let recent = last.saturating_sub(LONGEST)..last; // exact: all there are
+        let recent = last.saturating_sub(MAX_RETURN_IMPACTS)..last; // exact: all there are
         for from in recent.rev() {
             let impacts = last - from;
             if found.as_ref().is_some_and(|(round, _)| impacts.is_multiple_of(round.sides.len())) {
@@ -247,17 +247,17 @@ fn converges(law: &Law, first: &Visited, enlarged: Enlarged, watch: &dyn Watch) 
                 Some((round, _)) => round.divide(impacts),
             }
         }
-        let begins_anew = last.is_multiple_of(AGAIN);
+        let begins_anew = last.is_multiple_of(ENLARGING_INTERVAL);
         // proposes: larger sets hold as much
         sets.push(match enlarged {
             Enlarged::By(times) if begins_anew && (found.is_some() || times > 0.0) => {
-                set.enlarged(set.room(times, &sets[last - AGAIN..last - AGAIN / 2]))
+                set.enlarged(set.room(times, &sets[last - ENLARGING_INTERVAL..last - ENLARGING_INTERVAL / 2]))
             }
             Enlarged::To(length) if begins_anew => set.enlarged(length),
             _ => set,
         });
         let Some((round, since)) = &found else { continue };
-        if round.sides.len() == 1 || matches!(enlarged, Enlarged::By(_)) && last == since + LONGEST {
+        if round.sides.len() == 1 || matches!(enlarged, Enlarged::By(_)) && last == since + MAX_RETURN_IMPACTS {
             break;
         }
     }

@@ -9,55 +9,59 @@ use super::guess::Guess;
 use super::law::Law;
 use super::propose::Making;
 use super::quad::State;
-use super::seen::{Seen, step};
+use super::seen::{AttractorOrbit, step};
 use super::trials::{DEPTH, Effort, SLOW, Trials};
 use super::tube::side_of;
 use super::vector::{GENERIC, apart, cross};
-use super::words::Base;
+use super::words::HSet;
 use crate::watch::Watch;
 
 /// The most impacts of returns that are looked for, and the number of nearest returns that are kept of each.
-const RETURNS: usize = 12;
-const NEAREST: usize = 8;
+const MAX_RETURN_IMPACTS: usize = 12;
+const KEPT_RETURNS: usize = 8;
 /// Distance within which a state counts as a return, and beyond which two returns count as different; phases in radians.
-const APART: f64 = 0.02;
+const RETURN_DISTANCE: f64 = 0.02;
 /// Numbers of phases and of speeds at which transients begin, and the factor of the greatest speed over the greatest one seen.
-const STARTS: [usize; 2] = [48, 24];
-const FASTER: f64 = 1.5;
+const TRANSIENT_STARTS: [usize; 2] = [48, 24];
+const SPEED_FACTOR: f64 = 1.5;
 /// The impacts from which on transients are looked at, and up to which, and the distance from the orbit within which they end.
-const LOOKED_FOR: [usize; 2] = [6, 80];
-const NEAR: f64 = 0.01;
+const TRANSIENT_IMPACTS: [usize; 2] = [6, 80];
+const ORBIT_DISTANCE: f64 = 0.01;
 /// The least number of impacts, and the least growth per impact, of transients that see a saddle.
-const LONG: usize = 16;
-const GROWTH: f64 = 0.1;
+const MIN_TRANSIENT: usize = 16;
+const MIN_GROWTH: f64 = 0.1;
 /// The most impacts of words by which bundles of leaves are compared.
-const JUDGED_TO: usize = 20;
+const COMPARED_DEPTH: usize = 20;
 /// Parts of the depth up to which words are seen, by which h-sets from everywhere are compared: long ones are often seen where none are proved.
-const SHALLOWER: [f64; 3] = [1.0, 0.75, 0.5];
+const DEPTH_FRACTIONS: [f64; 3] = [1.0, 0.75, 0.5];
 /// Half lengths, phases in radians, and half widths relative to them.
 pub(super) const LENGTHS: [f64; 7] = [0.3, 0.2, 0.13, 0.08, 0.05, 0.03, 0.015];
 const WIDTHS: [f64; 7] = [0.001, 0.002, 0.005, 0.01, 0.02, 0.04, 0.08];
-impl Seen {
+impl AttractorOrbit {
     /// Returns the transients of a regular orbit: points of orbits from elsewhere before they come near it. A horseshoe may be there as a saddle.
     pub fn transients(&self, guess: &Guess) -> Self {
-        let attractor: Vec<State> = self.points.iter().rev().take(RETURNS * RETURNS).map(|(state, _)| *state).collect();
-        let fastest = FASTER * attractor.iter().fold(0.0, |most: f64, state| most.max(state[1]));
+        let attractor: Vec<State> =
+            self.points.iter().rev().take(MAX_RETURN_IMPACTS * MAX_RETURN_IMPACTS).map(|(state, _)| *state).collect();
+        let fastest = SPEED_FACTOR * attractor.iter().fold(0.0, |most: f64, state| most.max(state[1]));
         let mut points = Vec::new();
-        for start in 0..STARTS[0] * STARTS[1] {
-            let (i, j) = (start / STARTS[1], start % STARTS[1]);
-            let mut state = [(i as f64 + 0.5) / STARTS[0] as f64, fastest * (j as f64 + 0.5) / STARTS[1] as f64];
+        for start in 0..TRANSIENT_STARTS[0] * TRANSIENT_STARTS[1] {
+            let (i, j) = (start / TRANSIENT_STARTS[1], start % TRANSIENT_STARTS[1]);
+            let mut state = [
+                (i as f64 + 0.5) / TRANSIENT_STARTS[0] as f64,
+                fastest * (j as f64 + 0.5) / TRANSIENT_STARTS[1] as f64,
+            ];
             let (mut direction, mut passed, mut sum) = (GENERIC, Vec::new(), 0.0);
-            for k in 0..LOOKED_FOR[1] {
+            for k in 0..TRANSIENT_IMPACTS[1] {
                 let Some(growth) = step(guess, &mut state, &mut direction) else { break };
-                if attractor.iter().any(|&other| apart(state, other) < NEAR) {
+                if attractor.iter().any(|&other| apart(state, other) < ORBIT_DISTANCE) {
                     break;
                 }
-                if k >= LOOKED_FOR[0] {
+                if k >= TRANSIENT_IMPACTS[0] {
                     passed.push((state, direction));
                     sum += growth.ln();
                 }
             }
-            if passed.len() >= LONG && sum > GROWTH * passed.len() as f64 {
+            if passed.len() >= MIN_TRANSIENT && sum > MIN_GROWTH * passed.len() as f64 {
                 points.append(&mut passed);
             }
         }
@@ -67,19 +71,19 @@ impl Seen {
     /// Points that the orbit comes back to very closely: saddles are near.
     fn centres(&self) -> Vec<(State, State)> {
         let mut found: Vec<(State, State)> = Vec::new();
-        for period in 1..=RETURNS {
+        for period in 1..=MAX_RETURN_IMPACTS {
             let mut returns: Vec<(f64, usize)> = (0..self.points.len().saturating_sub(period))
                 .map(|k| (apart(self.points[k].0, self.points[k + period].0), k))
-                .filter(|(distance, _)| *distance < APART)
+                .filter(|(distance, _)| *distance < RETURN_DISTANCE)
                 .collect();
             returns.sort_by(|a, b| a.0.total_cmp(&b.0));
             let before = found.len();
             for (_, k) in returns {
                 let point = self.points[k];
-                if found.iter().all(|other| apart(point.0, other.0) > APART) {
+                if found.iter().all(|other| apart(point.0, other.0) > RETURN_DISTANCE) {
                     found.push(point);
                 }
-                if found.len() == before + NEAREST {
+                if found.len() == before + KEPT_RETURNS {
                     break;
                 }
             }
@@ -88,8 +92,8 @@ impl Seen {
     }
 
     /// H-sets along the leaves, those first that the orbit crosses most often.
-    fn candidates(&self, guess: &Guess, making: Making) -> Vec<Base> {
-        let mut scored: Vec<(f64, Base)> = Vec::new();
+    fn candidates(&self, guess: &Guess, making: Making) -> Vec<HSet> {
+        let mut scored: Vec<(f64, HSet)> = Vec::new();
         for (centre, along) in self.centres() {
             let Some(across) = guess.contracting(centre, making.ahead) else { continue };
             let determinant = cross(along, across);
@@ -126,13 +130,13 @@ impl Seen {
                     })
                     .fold((0.0, 0.0), |best, next| if next.0 > best.0 { next } else { best });
                 if best.0 > 0.0 {
-                    let base = Base::new(centre, along.map(|x| x * long), across.map(|x| x * best.1));
+                    let base = HSet::new(centre, along.map(|x| x * long), across.map(|x| x * best.1));
                     scored.push((best.0, base));
                 }
             }
         }
         scored.sort_by(|a, b| b.0.total_cmp(&a.0));
-        scored.into_iter().map(|(_, base)| base).filter(Base::is_convex).collect()
+        scored.into_iter().map(|(_, base)| base).filter(HSet::is_convex).collect()
     }
 
     /// Returns the h-sets that lead to most entropy, of those tried: about bundles of leaves, or else along saddles, or else from everywhere.
@@ -142,15 +146,15 @@ impl Seen {
         ([making, fine], depth): ([Making; 2], usize),
         effort: Effort,
         watch: &dyn Watch,
-    ) -> Vec<Base> {
+    ) -> Vec<HSet> {
         let guess = Guess::new(law);
         let trials = Trials { law, making, depth, effort, watch };
         if effort.bundled {
-            let impacts = depth.min(JUDGED_TO);
+            let impacts = depth.min(COMPARED_DEPTH);
             let bundles = self.bundles(&guess, impacts, watch);
             let found = [making, fine].into_iter().find_map(|making| {
                 let trials = Trials { making, ..trials };
-                trials.best_bundle(&bundles, &|bundle| self.parted(&guess, bundle, impacts))
+                trials.best_bundle(&bundles, &|bundle| self.with_gap_toggled(&guess, bundle, impacts))
             });
             if let Some(found) = found {
                 return found;
@@ -164,7 +168,7 @@ impl Seen {
             let trials = Trials { making: fine, depth, effort: SLOW, ..trials };
             trials.best(&self.crossed(&guess, (fine, depth)))
         };
-        let mut depths = SHALLOWER.map(|part| (part * depth.min(DEPTH) as f64) as usize).to_vec();
+        let mut depths = DEPTH_FRACTIONS.map(|part| (part * depth.min(DEPTH) as f64) as usize).to_vec();
         depths.dedup();
         depths
             .into_iter()
@@ -175,7 +179,7 @@ impl Seen {
     }
 }
 
-impl Base {
+impl HSet {
     /// Returns whether it has no state in common with another one, whole forcing periods later or earlier either: an edge parts them. Lemma D9
     pub fn is_apart(&self, other: &Self) -> bool {
         (-3..=3).all(|turns| self.is_parted(other, f64::from(turns)) || other.is_parted(self, f64::from(-turns)))

@@ -54,17 +54,17 @@ impl Word {
 /// Words that are one block, and from which h-set to which each of them leads.
 struct Block<'w> {
     word: &'w Word,
-    ways: Vec<[usize; 2]>,
+    passages: Vec<[usize; 2]>,
 }
 
 /// The shortest two blocks that may follow one another in any order in the reduced map.
 pub(super) fn horseshoe(words: &[Word], bases: usize) -> Option<[&Word; 2]> {
     let mut blocks: Vec<Block<'_>> = Vec::new();
     for word in words {
-        let way = [word.from, word.to];
+        let passage = [word.from, word.to];
         match blocks.iter_mut().find(|block| block.word.is_same_block(word)) {
-            Some(block) => block.ways.push(way),
-            None => blocks.push(Block { word, ways: vec![way] }),
+            Some(block) => block.passages.push(passage),
+            None => blocks.push(Block { word, passages: vec![passage] }),
         }
     }
     let length = |block: &Block<'_>| block.word.walls.len();
@@ -88,7 +88,9 @@ pub(super) fn horseshoe(words: &[Word], bases: usize) -> Option<[&Word; 2]> {
 fn is_free(blocks: [&Block<'_>; 2], bases: usize) -> bool {
     let mut alive = vec![true; bases];
     loop {
-        let leads = |from: usize, block: &Block<'_>| block.ways.iter().any(|way| way[0] == from && alive[way[1]]);
+        let leads = |from: usize, block: &Block<'_>| {
+            block.passages.iter().any(|passage| passage[0] == from && alive[passage[1]])
+        };
         let next: Vec<bool> =
             (0..bases).map(|base| alive[base] && blocks.iter().all(|block| leads(base, block))).collect();
         if next == alive {

@@ -70,7 +70,7 @@ pub enum Unmapped {
 /// Rectangles are rounded outward to multiples of `1/MESH`.
 const MESH: f64 = 4_294_967_296.0;
 /// The greatest phase and the greatest speed.
-const MOST: f64 = 1024.0;
+const MAX_COORDINATE: f64 = 1024.0;
 
 impl BoxMap {
     /// Columns in a forcing period, a power of two.
@@ -95,7 +95,8 @@ impl BoxMap {
     /// in order, below 0 in speed, or beyond 1024.
     pub fn image(&self, states: &Rectangle) -> Option<Result<BoxImage, Unmapped>> {
         let Rectangle { phase, speed } = states;
-        let in_order = |[low, high]: &[f64; 2]| low <= high && low.abs() <= MOST && high.abs() <= MOST; // D33: what is accepted
+        let in_order =
+            |[low, high]: &[f64; 2]| low <= high && low.abs() <= MAX_COORDINATE && high.abs() <= MAX_COORDINATE; // D33: what is accepted
         if !in_order(phase) || !in_order(speed) || speed[0] < 0.0 {
             return None;
         }
@@ -180,7 +181,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_rectangle_has_no_image() {
+    fn an_invalid_rectangle_has_no_image() {
         let map = map(1 << 10).unwrap();
         for (phase, speed) in [([0.2, 0.1], [1.0, 2.0]), ([0.0, 0.1], [-0.1, 2.0]), ([0.0, f64::NAN], [1.0, 2.0])] {
             assert!(map.image(&Rectangle { phase, speed }).is_none());

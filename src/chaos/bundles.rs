@@ -6,29 +6,29 @@ use std::cell::OnceCell;
 
 use super::guess::Guess;
 use super::index::Indexed;
-use super::leaves::{BESIDE, GAPS, LENGTHS, Leaves, Window};
+use super::leaves::{HALF_LENGTHS, LEAF_OFFSETS, Leaves, MAX_GAPS, Window};
 use super::quad::State;
-use super::seen::Seen;
+use super::seen::AttractorOrbit;
 use super::vector::{apart, length};
-use super::words::Base;
+use super::words::HSet;
 use crate::threads::each;
 use crate::watch::Watch;
 
 /// Least distance of points of the orbit that are tried, phases in radians, and their greatest number.
-const APART: f64 = 0.004;
-const MIDDLES: usize = 80;
+const MIN_DISTANCE: f64 = 0.004;
+const MAX_POINTS: usize = 80;
 /// The widest gap parts, or the widest two, or three, or none.
-const NESTED: [u32; 4] = [0b0, 0b1, 0b11, 0b111];
+const GAP_SELECTIONS: [u32; 4] = [0b0, 0b1, 0b11, 0b111];
 /// The most h-sets of a place.
-const MOST: u32 = 4;
+const MAX_H_SETS: u32 = 4;
 /// Factors by which h-sets are made shorter until they are apart from one another.
-const SHORTER: [f64; 5] = [1.0, 0.93, 0.86, 0.8, 0.7];
+const LENGTH_FACTORS: [f64; 5] = [1.0, 0.93, 0.86, 0.8, 0.7];
 /// Number of places that are moved, their least distance relative to their length, and the number of those that are parted further.
-const STARTS: usize = 16;
-const ELSEWHERE: f64 = 0.25;
-const FURTHER: usize = 5;
+const MOVED_PLACES: usize = 16;
+const MIN_PLACE_DISTANCE: f64 = 0.25;
+const SPLIT_PLACES: usize = 5;
 /// Moves, relative: the first ones, and those that are small enough.
-const MOVES: [f64; 2] = [0.3, 0.01];
+const MOVE_SIZES: [f64; 2] = [0.3, 0.01];
 
 /// A place where clusters of leaves are looked for: about a point of the orbit, up to `long` along its leaf and `beside` across it, in
 /// radians; bit `n` of `cuts` says whether the gap with `n` wider ones parts them.
@@ -43,50 +43,52 @@ pub(super) struct Place {
 /// H-sets of one place, and how much entropy is seen of them.
 #[derive(Clone, Debug)]
 pub(super) struct Bundle {
-    pub bases: Vec<Base>,
+    pub bases: Vec<HSet>,
     seen: f64,
     place: Place,
 }
 
 /// An orbit, and how many impacts of its words are looked at.
-struct Sight<'s> {
+struct WordObservation<'s> {
     orbit: Indexed<'s>,
     guess: &'s Guess,
     impacts: usize,
 }
 
-impl Seen {
+impl AttractorOrbit {
     /// H-sets about clusters of leaves, those first that most entropy is seen of. `watch` says whether to look further.
     pub(super) fn bundles(&self, guess: &Guess, impacts: usize, watch: &dyn Watch) -> Vec<Bundle> {
-        let sight = Sight { orbit: Indexed::new(self), guess, impacts };
+        let sight = WordObservation { orbit: Indexed::new(self), guess, impacts };
         let of_one = |&middle: &(State, State)| if watch.goes_on() { sight.about(middle) } else { Vec::new() };
         let mut starts: Vec<Bundle> = Vec::new();
         for one in sorted(each(&self.middles(), &of_one).concat()) {
             let from = |other: &Bundle| apart(one.place.middle.0, other.place.middle.0);
-            if starts.len() < STARTS && starts.iter().all(|other| from(other) > ELSEWHERE * one.place.long) {
+            if starts.len() < MOVED_PLACES
+                && starts.iter().all(|other| from(other) > MIN_PLACE_DISTANCE * one.place.long)
+            {
                 starts.push(one);
             }
         }
-        let climbed = sorted(each(&starts, &|start| sight.climbed(start.clone(), (true, watch))));
+        let improved = sorted(each(&starts, &|start| sight.improved(start.clone(), (true, watch))));
         // Less is seen of thin bases, but more is proved.
-        let best = climbed.iter().take(FURTHER).map(|bundle| bundle.place);
-        let places = best.flat_map(|place| NESTED.map(|cuts| Place { cuts: cuts | place.cuts, ..place }));
-        let parted: Vec<Bundle> = places.filter_map(|place| sight.at(place)).collect();
-        let parted = each(&parted, &|start| sight.climbed(start.clone(), (false, watch)));
-        distinct(parted.into_iter().chain(climbed))
+        let best = improved.iter().take(SPLIT_PLACES).map(|bundle| bundle.place);
+        let places = best.flat_map(|place| GAP_SELECTIONS.map(|cuts| Place { cuts: cuts | place.cuts, ..place }));
+        let with_gap_toggled: Vec<Bundle> = places.filter_map(|place| sight.at(place)).collect();
+        let with_gap_toggled = each(&with_gap_toggled, &|start| sight.improved(start.clone(), (false, watch)));
+        distinct(with_gap_toggled.into_iter().chain(improved))
     }
 
     /// The same place with one gap more that parts it, or one less.
-    pub(super) fn parted(&self, guess: &Guess, bundle: &Bundle, impacts: usize) -> Vec<Bundle> {
-        let sight = Sight { orbit: Indexed::new(self), guess, impacts };
-        bundle.place.parted().into_iter().filter_map(|place| sight.at(place)).collect()
+    pub(super) fn with_gap_toggled(&self, guess: &Guess, bundle: &Bundle, impacts: usize) -> Vec<Bundle> {
+        let sight = WordObservation { orbit: Indexed::new(self), guess, impacts };
+        bundle.place.with_gap_toggled().into_iter().filter_map(|place| sight.at(place)).collect()
     }
 
     /// Points of the orbit, all over it.
     fn middles(&self) -> Vec<(State, State)> {
         let mut found: Vec<(State, State)> = Vec::new();
         for &point in &self.points {
-            if found.len() < MIDDLES && found.iter().all(|other| apart(point.0, other.0) > APART) {
+            if found.len() < MAX_POINTS && found.iter().all(|other| apart(point.0, other.0) > MIN_DISTANCE) {
                 found.push(point);
             }
         }
@@ -95,13 +97,13 @@ impl Seen {
 }
 
 impl Place {
-    fn parted(self) -> Vec<Self> {
-        let other = (0..GAPS).map(|gap| Self { cuts: self.cuts ^ (1 << gap), ..self });
-        other.filter(|place| place.cuts.count_ones() < MOST).collect()
+    fn with_gap_toggled(self) -> Vec<Self> {
+        let other = (0..MAX_GAPS).map(|gap| Self { cuts: self.cuts ^ (1 << gap), ..self });
+        other.filter(|place| place.cuts.count_ones() < MAX_H_SETS).collect()
     }
 }
 
-impl<'s> Sight<'s> {
+impl<'s> WordObservation<'s> {
     fn window(&self, middle: (State, State)) -> Option<Window<'s>> {
         Window::new(&self.orbit, self.guess, middle)
     }
@@ -117,8 +119,8 @@ impl<'s> Sight<'s> {
     /// The bundles about one point, of all sizes.
     fn about(&self, middle: (State, State)) -> Vec<Bundle> {
         let Some(window) = self.window(middle) else { return Vec::new() };
-        let sizes = LENGTHS.into_iter().flat_map(|long| BESIDE.map(|beside| [long, beside]));
-        let found = sizes.flat_map(|size| self.bundles(&window, (middle, size), &NESTED));
+        let sizes = HALF_LENGTHS.into_iter().flat_map(|long| LEAF_OFFSETS.map(|beside| [long, beside]));
+        let found = sizes.flat_map(|size| self.bundles(&window, (middle, size), &GAP_SELECTIONS));
         distinct(found.flatten().filter(|bundle| bundle.seen > 0.0))
     }
 
@@ -131,32 +133,32 @@ impl<'s> Sight<'s> {
         &self,
         window: &Window,
         (middle, [long, beside]): ((State, State), [f64; 2]),
-        ways: &[u32],
+        neighbours: &[u32],
     ) -> Vec<Option<Bundle>> {
-        let lengths = SHORTER.map(|part| part * long);
-        let leaves: [OnceCell<Option<Leaves>>; SHORTER.len()] = Default::default();
+        let lengths = LENGTH_FACTORS.map(|part| part * long);
+        let leaves: [OnceCell<Option<Leaves>>; LENGTH_FACTORS.len()] = Default::default();
         let of_one = |&cuts: &u32| {
             lengths.into_iter().zip(&leaves).find_map(|(long, leaves)| {
                 let leaves = leaves.get_or_init(|| window.leaves([long, beside])).as_ref()?;
                 let clusters = window.clusters(leaves, cuts);
-                let bases: Vec<Base> = clusters.iter().map(|cluster| window.base(cluster)).collect();
+                let bases: Vec<HSet> = clusters.iter().map(|cluster| window.base(cluster)).collect();
                 let seen = are_good(&bases).then(|| window.entropy(&clusters, self.impacts))?;
                 Some(Bundle { bases, seen, place: Place { middle, long, beside, cuts } })
             })
         };
-        ways.iter().map(of_one).collect()
+        neighbours.iter().map(of_one).collect()
     }
 
     /// A little to all sides, as long as more entropy is seen.
-    fn climbed(&self, mut best: Bundle, (parts, watch): (bool, &dyn Watch)) -> Bundle {
-        let [mut step, least] = MOVES;
+    fn improved(&self, mut best: Bundle, (parts, watch): (bool, &dyn Watch)) -> Bundle {
+        let [mut step, least] = MOVE_SIZES;
         while step > least && watch.goes_on() {
             let place = best.place;
             let Place { middle, long, beside, cuts } = place;
             let Some(here) = self.window(middle) else { break };
-            let parted: Vec<u32> =
-                if parts { place.parted().iter().map(|place| place.cuts).collect() } else { Vec::new() };
-            let mut tried = self.bundles(&here, (middle, [long, beside]), &parted);
+            let with_gap_toggled: Vec<u32> =
+                if parts { place.with_gap_toggled().iter().map(|place| place.cuts).collect() } else { Vec::new() };
+            let mut tried = self.bundles(&here, (middle, [long, beside]), &with_gap_toggled);
             for sign in [-1.0, 1.0] {
                 let middle = self.beyond(place, sign * step);
                 if let Some(beyond) = self.window(middle) {
@@ -192,7 +194,7 @@ fn distinct(bundles: impl Iterator<Item = Bundle>) -> Vec<Bundle> {
 }
 
 /// Returns whether they may be h-sets: convex, near, and apart from one another.
-fn are_good(bases: &[Base]) -> bool {
-    let is_apart = |(k, base): (usize, &Base)| bases[..k].iter().all(|other| base.is_apart(other));
+fn are_good(bases: &[HSet]) -> bool {
+    let is_apart = |(k, base): (usize, &HSet)| bases[..k].iter().all(|other| base.is_apart(other));
     bases.iter().all(|base| base.is_convex() && base.is_near()) && bases.iter().enumerate().all(is_apart)
 }

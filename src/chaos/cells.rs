@@ -16,10 +16,10 @@ use super::itinerary::{rotated_to_its_least, word_of_both};
 use super::law::Law;
 use super::quad::State;
 use super::scene::{Visited, visited};
-use super::seen::{Seen, seen};
+use super::seen::{AttractorOrbit, seen};
 use super::stable::stable;
 use super::trials::ANY;
-use super::words::Base;
+use super::words::HSet;
 use crate::Error;
 use crate::exact::{Exact, ExactError};
 use crate::mapping::Word;
@@ -148,31 +148,31 @@ pub struct Cells {
 }
 
 /// Number of halvings of a cell up to which a horseshoe is looked for beside a stable orbit.
-const SEARCHED: u32 = 4;
+const SEARCHED_HALVINGS: u32 = 4;
 
 /// A search at work.
 struct Work<'w> {
     pair: &'w ImpactPair,
     start: &'w Start,
-    asked: &'w RangeSettings,
+    requested: &'w RangeSettings,
     watch: &'w dyn Watch,
 }
 
 impl Cells {
     /// Returns what is proved of the pairs with each value of the parameter.
     ///
-    /// `watch` receives the number of cells done, and may stop it; results proved so far are kept. First each cell is asked by itself,
+    /// `watch` receives the number of cells done, and may stop it; results proved so far are kept. First each cell is examined separately,
     /// then what is undecided is tried by the h-sets of horseshoes beside it, in a fixed order, so threads decide nothing.
     ///
     /// # Errors
     /// With several harmonics, where an end is no value of the parameter, and when a value is beyond the range of flights.
-    pub fn of(pair: &ImpactPair, start: &Start, asked: &RangeSettings, watch: &dyn Watch) -> Result<Self, Error> {
-        let Range { key, low, high, .. } = &asked.over;
+    pub fn of(pair: &ImpactPair, start: &Start, requested: &RangeSettings, watch: &dyn Watch) -> Result<Self, Error> {
+        let Range { key, low, high, .. } = &requested.over;
         Law::of(&pair.with(*key, within(NAME, low, Exact::interval(low, high))?)?)?;
         let done = AtomicU32::new(0);
         let at = |_: Stage<'_>| watch.proceed(Stage::Parameter(done.load(Ordering::Relaxed)));
-        let work = Work { pair, start, asked, watch: &at };
-        let cells: Vec<u32> = (0..asked.cells).collect();
+        let work = Work { pair, start, requested, watch: &at };
+        let cells: Vec<u32> = (0..requested.cells).collect();
         let found = each(&cells, &|cell| {
             let stretches = work.cell(*cell);
             done.fetch_add(1, Ordering::Relaxed);
@@ -183,7 +183,7 @@ impl Cells {
             cell?.into_iter().for_each(|stretch| join(&mut stretches, stretch));
         }
         let stretches = work.spread(stretches)?;
-        Ok(Self { stretches, interrupted: watch.proceed(Stage::Parameter(asked.cells)).is_break() })
+        Ok(Self { stretches, interrupted: watch.proceed(Stage::Parameter(requested.cells)).is_break() })
     }
 }
 
@@ -212,14 +212,14 @@ fn join(stretches: &mut Vec<Stretch>, stretch: Stretch) {
 impl Work<'_> {
     /// An edge between cells.
     fn edge(&self, index: u32) -> Result<Exact, ExactError> {
-        self.asked.over.value(index.into(), self.asked.cells.into())
+        self.requested.over.value(index.into(), self.requested.cells.into())
     }
 
     fn cell(&self, index: u32) -> Result<Vec<Stretch>, Error> {
-        let edge = |index| within(NAME, &self.asked.over.low, self.edge(index));
+        let edge = |index| within(NAME, &self.requested.over.low, self.edge(index));
         let (mut stretches, mut known) = (Vec::new(), Vec::new());
         self.decide([edge(index)?, edge(index + 1)?], 0, &mut known, &mut stretches)?;
-        let wide = |stretch: &Stretch| stretch.halved <= SEARCHED;
+        let wide = |stretch: &Stretch| stretch.halved <= SEARCHED_HALVINGS;
         for stretch in stretches.iter_mut().filter(|stretch| wide(stretch)) {
             self.look_beside(stretch, &mut known)?;
         }
@@ -227,11 +227,11 @@ impl Work<'_> {
     }
 
     /// Looks for a horseshoe where a stable orbit is proved: one does not exclude the other.
-    fn look_beside(&self, stretch: &mut Stretch, known: &mut Vec<Base>) -> Result<(), Error> {
+    fn look_beside(&self, stretch: &mut Stretch, known: &mut Vec<HSet>) -> Result<(), Error> {
         let Stretch { low, high, verdict, .. } = stretch;
         let (Verdict::Attracted { beside, .. } | Verdict::Stable { beside, .. }) = verdict else { return Ok(()) };
         let middle = middle(low, high)?;
-        let pair = self.pair.with(self.asked.over.key, within(NAME, low, Exact::interval(low, high))?)?;
+        let pair = self.pair.with(self.requested.over.key, within(NAME, low, Exact::interval(low, high))?)?;
         if self.watch.goes_on() {
             *beside = self.horseshoe(&pair, [&middle, low, high], known, true)?;
         }
@@ -243,20 +243,20 @@ impl Work<'_> {
         &self,
         [low, high]: [Exact; 2],
         halved: u32,
-        known: &mut Vec<Base>,
+        known: &mut Vec<HSet>,
         found: &mut Vec<Stretch>,
     ) -> Result<(), Error> {
         let all = within(NAME, &low, Exact::interval(&low, &high))?;
-        let pair = self.pair.with(self.asked.over.key, all)?;
+        let pair = self.pair.with(self.requested.over.key, all)?;
         let middle = middle(&low, &high)?;
         let mut verdict = Verdict::Undecided;
         if self.watch.goes_on() {
-            verdict = self.periodic(&pair, halved >= self.asked.halvings)?;
+            verdict = self.periodic(&pair, halved >= self.requested.halvings)?;
             if verdict == Verdict::Undecided && halved == 0 {
                 let found = self.horseshoe(&pair, [&middle, &low, &high], known, false)?;
                 verdict = found.map_or(Verdict::Undecided, Verdict::Horseshoe); // exact: none is proved
             }
-            if verdict == Verdict::Undecided && halved < self.asked.halvings {
+            if verdict == Verdict::Undecided && halved < self.requested.halvings {
                 self.decide([low, middle.clone()], halved + 1, known, found)?;
                 return self.decide([middle, high], halved + 1, known, found);
             }
@@ -287,7 +287,7 @@ impl Work<'_> {
         &self,
         pair: &ImpactPair,
         values: [&Exact; 3],
-        known: &mut Vec<Base>,
+        known: &mut Vec<HSet>,
         transients: bool,
     ) -> Result<Option<Horseshoe>, Error> {
         if !self.watch.goes_on() {
@@ -295,10 +295,10 @@ impl Work<'_> {
         }
         let law = Law::of(pair)?;
         let Some((_, orbit)) = self.looked_at(values, transients)? else { return Ok(None) };
-        let found = || bases(&orbit, &law, self.asked.depth, ANY, self.watch);
+        let found = || bases(&orbit, &law, self.requested.depth, ANY, self.watch);
         for again in [true, false] {
             let bases = if again { known.clone() } else { found() };
-            if let Some(horseshoe) = Horseshoe::of(&law, bases, self.asked.depth, self.watch) {
+            if let Some(horseshoe) = Horseshoe::of(&law, bases, self.requested.depth, self.watch) {
                 known.clone_from(&horseshoe.bases);
                 return Ok(Some(horseshoe));
             }
@@ -308,14 +308,14 @@ impl Work<'_> {
 
     /// The first of some values whose floating-point orbit is chaotic, and that orbit; or, with `transients`, regular, and what is seen before
     /// orbits come near it.
-    fn looked_at(&self, values: [&Exact; 3], transients: bool) -> Result<Option<(Exact, Seen)>, Error> {
+    fn looked_at(&self, values: [&Exact; 3], transients: bool) -> Result<Option<(Exact, AttractorOrbit)>, Error> {
         for value in values {
-            let one = self.pair.with(self.asked.over.key, value.clone())?;
+            let one = self.pair.with(self.requested.over.key, value.clone())?;
             let guess = Guess::new(&Law::of(&one)?);
             let orbit = visited(&one, self.start, 1)?.last().and_then(|last| seen(&guess, last.middle()));
             let looked_at = match orbit {
                 Some(orbit) if transients && !orbit.is_chaotic() => Some(orbit.transients(&guess)),
-                orbit => orbit.filter(Seen::is_chaotic),
+                orbit => orbit.filter(AttractorOrbit::is_chaotic),
             };
             if let Some(orbit) = looked_at {
                 return Ok(Some((value.clone(), orbit)));

@@ -5,11 +5,11 @@ use super::blocks::{Word, horseshoe};
 use super::guess::Guess;
 use super::law::Law;
 use super::quad::State;
-use super::scene::{IMPACTS, visited};
-use super::seen::{Seen, seen};
+use super::scene::{ORBIT_IMPACTS, visited};
+use super::seen::{AttractorOrbit, seen};
 use super::trials::{ANY, Effort, THOROUGH};
 use super::tried::{FINE, MAKINGS, MOST_DEPTH, TRIAL, Tried, deepest, entropies};
-use super::words::Base;
+use super::words::HSet;
 use crate::Error;
 use crate::Scene;
 use crate::orbit::Start;
@@ -22,7 +22,7 @@ pub struct HorseshoeSettings {
     /// Maximum number of impacts of a word; `None`: as many as about a million boxes lead to.
     pub depth: Option<usize>,
     /// The h-sets; searched for if empty.
-    pub bases: Vec<Base>,
+    pub bases: Vec<HSet>,
 }
 
 /// Proved covering relations of a scene's impact map, as words: each sequence of words that fits together is that of a true motion.
@@ -55,7 +55,7 @@ pub struct HorseshoeSettings {
 /// ```
 #[derive(Debug)]
 pub struct Chaos {
-    bases: Vec<Base>,
+    bases: Vec<HSet>,
     words: Vec<Word>,
     depth: usize,
     boxes: u64,
@@ -68,7 +68,7 @@ pub struct Chaos {
 }
 
 /// The depth at which a quick proof ends, and the number of boxes at which it does.
-const QUICK: (usize, u64) = (12, 12_000);
+const QUICK_LIMITS: (usize, u64) = (12, 12_000);
 
 impl Chaos {
     /// Returns the words of at most N impacts.
@@ -83,10 +83,10 @@ impl Chaos {
         let watch = &Latched::new(watch);
         let law = Law::of(pair)?;
         let guess = Guess::new(&law);
-        let orbit = visited(pair, start, IMPACTS)?.last().and_then(|last| seen(&guess, last.middle()));
+        let orbit = visited(pair, start, ORBIT_IMPACTS)?.last().and_then(|last| seen(&guess, last.middle()));
         let searching = |_: Stage<'_>| watch.proceed(Stage::Horseshoe { depth: 0, boxes: 0 });
         let depth = request.depth.unwrap_or(MOST_DEPTH as usize); // proposes: how deep h-sets are judged
-        let found = |seen: &Seen, effort| bases(seen, &law, depth, effort, &searching);
+        let found = |seen: &AttractorOrbit, effort| bases(seen, &law, depth, effort, &searching);
         let bases = match &orbit {
             _ if !request.bases.is_empty() => request.bases.clone(),
             Some(orbit) if orbit.is_chaotic() => found(orbit, THOROUGH),
@@ -100,13 +100,13 @@ impl Chaos {
         let horseshoe = if proved.entropy() > 0.0 { proved.bases() } else { &[] }; // exact: none is claimed where it is 0
         let asymptotics = Asymptotics::of(pair, start, horseshoe, &Silent(watch))?;
         let exponent = orbit.as_ref().map(|orbit| orbit.exponent);
-        let attractor = orbit.map_or_else(Vec::new, Seen::states);
+        let attractor = orbit.map_or_else(Vec::new, AttractorOrbit::states);
         // The search for h-sets and what becomes of the scene's own orbit may be stopped as well.
         Ok(Self { exponent, attractor, asymptotics, is_interrupted: watch.is_stopped(), ..proved })
     }
 
     /// Returns the words and bounds of the entropy that these h-sets lead to.
-    pub(super) fn proved(law: &Law, bases: Vec<Base>, depth: Option<usize>, watch: &dyn Watch) -> Self {
+    pub(super) fn proved(law: &Law, bases: Vec<HSet>, depth: Option<usize>, watch: &dyn Watch) -> Self {
         let Tried { search, depth, is_stopped: is_interrupted } = deepest(law, &bases, depth, watch);
         let entropy = entropies(&search);
         let (tubes, boxes) = (search.shown.clone(), search.tally.boxes);
@@ -124,7 +124,7 @@ impl Chaos {
     }
 
     /// Returns the h-sets, each disjoint from the others.
-    pub fn bases(&self) -> &[Base] {
+    pub fn bases(&self) -> &[HSet] {
         &self.bases
     }
 
@@ -191,12 +191,12 @@ pub struct Horseshoe {
     /// Lower bounds of the topological entropy per impact, and per forcing period.
     pub entropy: [f64; 2],
     /// The h-sets that it was proved with.
-    pub bases: Vec<Base>,
+    pub bases: Vec<HSet>,
 }
 
 impl Horseshoe {
     /// Returns the horseshoe of words of at most N impacts between h-sets; `None` where none is proved. Lemmas D9-D11
-    pub(super) fn of(law: &Law, bases: Vec<Base>, depth: usize, watch: &dyn Watch) -> Option<Self> {
+    pub(super) fn of(law: &Law, bases: Vec<HSet>, depth: usize, watch: &dyn Watch) -> Option<Self> {
         if bases.is_empty() || problem(&bases).is_some() {
             return None; // exact: not proved
         }
@@ -206,11 +206,11 @@ impl Horseshoe {
     }
 
     /// Returns the same if few boxes lead to one. Lemmas D9-D11
-    pub(super) fn quick(law: &Law, bases: Vec<Base>, depth: usize, watch: &dyn Watch) -> Option<Self> {
+    pub(super) fn quick(law: &Law, bases: Vec<HSet>, depth: usize, watch: &dyn Watch) -> Option<Self> {
         if bases.is_empty() || problem(&bases).is_some() {
             return None; // exact: not proved
         }
-        let most = (depth.min(QUICK.0), QUICK.1); // proposes: how far to look
+        let most = (depth.min(QUICK_LIMITS.0), QUICK_LIMITS.1); // proposes: how far to look
         let tried = |&making: &_| {
             let tried = Tried::new(law, &bases, making).deepened(most, watch);
             let found = entropies(&tried.search);
@@ -222,22 +222,22 @@ impl Horseshoe {
 }
 
 /// H-sets for the most entropy that is found with this effort.
-pub(super) fn bases(seen: &Seen, law: &Law, depth: usize, effort: Effort, watch: &dyn Watch) -> Vec<Base> {
+pub(super) fn bases(seen: &AttractorOrbit, law: &Law, depth: usize, effort: Effort, watch: &dyn Watch) -> Vec<HSet> {
     seen.bases(law, ([TRIAL, FINE[1]], depth), effort, watch)
 }
 
 /// Returns the fault of h-sets, in words, or `None` if they are sound. Lemma D9
-pub(super) fn problem(bases: &[Base]) -> Option<&'static str> {
-    if !bases.iter().all(Base::is_convex) {
+pub(super) fn problem(bases: &[HSet]) -> Option<&'static str> {
+    if !bases.iter().all(HSet::is_convex) {
         return Some("the h-sets are not all convex quadrilaterals with their tops on the left from left to right");
     }
     let apart = bases.iter().enumerate().all(|(k, base)| bases[..k].iter().all(|other| base.is_apart(other)));
-    if !bases.iter().all(Base::is_apart_from_its_translates) {
+    if !bases.iter().all(HSet::is_apart_from_its_translates) {
         return Some(
             "an h-set overlaps its own translate by a forcing period: phases modulo 2 pi are not unique in it",
         );
     }
-    let near = bases.iter().all(Base::is_near);
+    let near = bases.iter().all(HSet::is_near);
     (!(apart && near))
         .then_some("the h-sets overlap, or lie beyond phases from -1 to 2, or have speeds that are not positive")
 }

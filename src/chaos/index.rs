@@ -5,18 +5,18 @@
 use std::f64::consts::TAU;
 
 use super::quad::State;
-use super::seen::Seen;
+use super::seen::AttractorOrbit;
 use super::vector::apart;
 
 /// An orbit with its points by phase.
 pub(super) struct Indexed<'s> {
-    pub seen: &'s Seen,
+    pub seen: &'s AttractorOrbit,
     /// Phase and number of each point, by phase.
     order: Vec<(f64, usize)>,
 }
 
 impl<'s> Indexed<'s> {
-    pub fn new(seen: &'s Seen) -> Self {
+    pub fn new(seen: &'s AttractorOrbit) -> Self {
         let mut order: Vec<(f64, usize)> = seen.points.iter().enumerate().map(|(k, (at, _))| (at[0], k)).collect();
         order.sort_by(|a, b| a.0.total_cmp(&b.0));
         Self { seen, order }
@@ -53,12 +53,12 @@ mod tests {
     use super::*;
 
     /// Points all over the circle, from a generator of small numbers.
-    fn seen() -> Seen {
+    fn seen() -> AttractorOrbit {
         let point = |k: u64| {
             let [a, b] = [7919, 104_729].map(|prime| (k * prime % 1000) as f64 / 1000.0);
             ([a, 2.0 * b], [1.0, 0.0])
         };
-        Seen { points: (0..500).map(point).collect(), exponent: 0.5 }
+        AttractorOrbit { points: (0..500).map(point).collect(), exponent: 0.5 }
     }
 
     #[test]
@@ -70,7 +70,7 @@ mod tests {
             let least = seen.points.iter().map(|point| apart(point.0, at)).fold(f64::INFINITY, f64::min);
             assert_eq!(apart(indexed.nearest(at).expect("points").0, at), least, "{at:?}");
         }
-        assert!(Indexed::new(&Seen { points: Vec::new(), exponent: 0.0 }).nearest([0.0, 0.0]).is_none());
+        assert!(Indexed::new(&AttractorOrbit { points: Vec::new(), exponent: 0.0 }).nearest([0.0, 0.0]).is_none());
     }
 
     #[test]

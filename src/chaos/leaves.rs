@@ -8,40 +8,40 @@ use super::guess::Guess;
 use super::index::Indexed;
 use super::law::Side;
 use super::quad::State;
-use super::seen::Seen;
+use super::seen::AttractorOrbit;
 use super::vector::{cross, unit};
-use super::words::{Base, Path};
+use super::words::{HSet, Path};
 
 /// The widest gaps, which may part them.
-pub(super) const GAPS: usize = 6;
+pub(super) const MAX_GAPS: usize = 6;
 /// Half lengths, and how far beside the middle leaf others are looked at, in radians.
-pub(super) const LENGTHS: [f64; 5] = [0.3, 0.2, 0.13, 0.08, 0.05];
-pub(super) const BESIDE: [f64; 3] = [0.06, 0.02, 0.006];
+pub(super) const HALF_LENGTHS: [f64; 5] = [0.3, 0.2, 0.13, 0.08, 0.05];
+pub(super) const LEAF_OFFSETS: [f64; 3] = [0.06, 0.02, 0.006];
 /// The greatest of these that a window sees.
-const SIGHT: [f64; 2] = [1.2 * LENGTHS[0], 2.0 * BESIDE[0]];
+const WINDOW_SIZE: [f64; 2] = [1.2 * HALF_LENGTHS[0], 2.0 * LEAF_OFFSETS[0]];
 /// Impacts ahead that the contracting direction is determined from.
-const AHEAD: usize = 12;
+const DIRECTION_IMPACTS: usize = 12;
 /// Number of points of the orbit whose leaves and words are counted, of impacts after each, and the fewest leaves that are enough.
-const JUDGES: usize = 60_000;
-const AFTER: usize = 64;
-const FEWEST: usize = 100;
+const COUNTED_POINTS: usize = 60_000;
+const WORD_IMPACTS: usize = 64;
+const MIN_LEAVES: usize = 100;
 /// Leaves are distinguished in this part of an h-set, where they lean no more than that; then they are followed to its ends.
-const MIDST: f64 = 0.3;
-const LEAN: f64 = 0.3;
-const FOLLOWED: [f64; 3] = [0.3, 0.6, 1.05];
+const CENTRAL_PART: f64 = 0.3;
+const MAX_SLOPE: f64 = 0.3;
+const FOLLOWED_PARTS: [f64; 3] = [0.3, 0.6, 1.05];
 /// Parts of the gaps beside a bundle in which leaves are followed with it, and into which its h-set reaches.
-const BAND: f64 = 0.2;
-const INTO: f64 = 0.1;
+const GAP_PART: f64 = 0.2;
+const H_SET_GAP_PART: f64 = 0.1;
 /// Number of points that are looked at in each h-set; the number in a row above which they make a crossing, if images of neighbours are
-/// nearer than `NEAR`; images farther than `FAR` make none. A half length is 1.
-const POINTS: usize = 1200;
-const IN_A_ROW: usize = 4;
-const NEAR: f64 = 0.6;
-const FAR: f64 = 8.0;
+/// nearer than `MAX_IMAGE_DISTANCE`; images farther than `MAX_IMAGE_OFFSET` make none. A half length is 1.
+const SAMPLED_POINTS: usize = 1200;
+const MIN_CROSSING_POINTS: usize = 4;
+const MAX_IMAGE_DISTANCE: f64 = 0.6;
+const MAX_IMAGE_OFFSET: f64 = 8.0;
 
 /// Coordinates along a leaf and across, lengths in radians.
 pub(super) struct Window<'s> {
-    seen: &'s Seen,
+    seen: &'s AttractorOrbit,
     centre: State,
     along: State,
     across: State,
@@ -99,14 +99,14 @@ impl Cluster {
 
 impl<'s> Window<'s> {
     pub fn new(orbit: &Indexed<'s>, guess: &Guess, (centre, along): (State, State)) -> Option<Self> {
-        let (along, across) = (unit(along), unit(guess.contracting(centre, AHEAD)?));
+        let (along, across) = (unit(along), unit(guess.contracting(centre, DIRECTION_IMPACTS)?));
         let mut window = Self { seen: orbit.seen, centre, along, across, near: Vec::new() };
-        let reach = [0, 1].map(|i| SIGHT[0] * along[i].abs() + SIGHT[1] * across[i].abs());
-        let judges = orbit.seen.points.len().min(JUDGES).saturating_sub(AFTER);
+        let reach = [0, 1].map(|i| WINDOW_SIZE[0] * along[i].abs() + WINDOW_SIZE[1] * across[i].abs());
+        let counted = orbit.seen.points.len().min(COUNTED_POINTS).saturating_sub(WORD_IMPACTS);
         let is_near = |&k: &usize| {
-            k < judges && (orbit.seen.points[k].0[1] - centre[1]).abs() < reach[1] && {
+            k < counted && (orbit.seen.points[k].0[1] - centre[1]).abs() < reach[1] && {
                 let [xi, eta] = window.place(k);
-                xi.abs() < SIGHT[0] && eta.abs() < SIGHT[1]
+                xi.abs() < WINDOW_SIZE[0] && eta.abs() < WINDOW_SIZE[1]
             }
         };
         let seen = orbit.within(centre[0], reach[0]).filter(is_near);
@@ -136,16 +136,16 @@ impl<'s> Window<'s> {
     }
 
     /// The points in reach that are not as far along the leaf.
-    fn midst(&self, far: f64) -> &[(usize, [f64; 3])] {
+    fn central(&self, far: f64) -> &[(usize, [f64; 3])] {
         let first = self.near.partition_point(|(_, at)| at[0] <= -far);
         &self.near[first..first + self.near[first..].partition_point(|(_, at)| at[0] < far)]
     }
 
     /// Returns the h-set of a cluster.
-    pub fn base(&self, cluster: &Cluster) -> Base {
+    pub fn base(&self, cluster: &Cluster) -> HSet {
         let at = [0, 1].map(|i| self.centre[i] + cluster.middle * self.across[i]);
         let own = [0, 1].map(|i| cluster.long * (self.along[i] + cluster.slope * self.across[i]));
-        Base::new(at, own, self.across.map(|x| x * cluster.width))
+        HSet::new(at, own, self.across.map(|x| x * cluster.width))
     }
 
     /// Returns the entropy of the words that are seen.
@@ -157,12 +157,12 @@ impl<'s> Window<'s> {
     /// The words that the orbit's points in one of them are seen to make: in a row, across an h-set, at one time.
     fn words(&self, clusters: &[Cluster], from: usize, impacts: usize) -> Vec<Path> {
         let is_inside = |[xi, eta, _]: [f64; 3]| clusters[from].in_coordinates([xi, eta]).iter().all(|x| x.abs() < 1.0);
-        let midst = self.midst(clusters[from].long).iter();
-        let inside: Vec<usize> = midst.filter(|(_, at)| is_inside(*at)).map(|(k, _)| *k).collect();
-        let inside: Vec<usize> = inside.iter().copied().step_by(inside.len() / POINTS + 1).collect();
+        let central = self.central(clusters[from].long).iter();
+        let inside: Vec<usize> = central.filter(|(_, at)| is_inside(*at)).map(|(k, _)| *k).collect();
+        let inside: Vec<usize> = inside.iter().copied().step_by(inside.len() / SAMPLED_POINTS + 1).collect();
         let mut taken = vec![false; inside.len()];
         let mut words = Vec::new();
-        for time in 1..=impacts.min(AFTER) {
+        for time in 1..=impacts.min(WORD_IMPACTS) {
             let places: Vec<[f64; 2]> = inside.iter().map(|&k| self.place(k + time)).collect();
             for (to, cluster) in clusters.iter().enumerate() {
                 let images: Vec<[f64; 2]> = places.iter().map(|&at| cluster.in_coordinates(at)).collect();
@@ -177,20 +177,21 @@ impl<'s> Window<'s> {
 
     /// Returns the leaves in a place of this half length and half width beside the middle one; `None` if there are too few.
     pub fn leaves(&self, [long, beside]: [f64; 2]) -> Option<Leaves> {
-        let midst = self.midst(MIDST * long).iter().map(|(_, at)| at).filter(|[_, _, slope]| slope.abs() < LEAN);
-        let mut sorted: Vec<[f64; 2]> = midst
+        let central =
+            self.central(CENTRAL_PART * long).iter().map(|(_, at)| at).filter(|[_, _, slope]| slope.abs() < MAX_SLOPE);
+        let mut sorted: Vec<[f64; 2]> = central
             .map(|[xi, eta, slope]| [eta - slope * xi, *slope])
             .filter(|[height, _]| height.abs() < beside)
             .collect();
-        if sorted.len() < FEWEST {
+        if sorted.len() < MIN_LEAVES {
             return None;
         }
         sorted.sort_by(|a, b| a[0].total_cmp(&b[0]));
         let gap = |k: usize| sorted[k][0] - sorted[k - 1][0];
         let wider = |a: &usize, b: &usize| gap(*b).total_cmp(&gap(*a)).then(a.cmp(b));
         let mut widest: Vec<usize> = (1..sorted.len()).collect();
-        widest.select_nth_unstable_by(GAPS, wider);
-        widest.truncate(GAPS);
+        widest.select_nth_unstable_by(MAX_GAPS, wider);
+        widest.truncate(MAX_GAPS);
         widest.sort_by(wider);
         Some(Leaves { long, beside, sorted, widest })
     }
@@ -202,15 +203,15 @@ impl<'s> Window<'s> {
 
     /// The leaves rise by `b xi + c xi^2`: followed further and further from the midst.
     fn cluster(&self, long: f64, Bunch { heights: [low, high], slope, free }: &Bunch) -> Cluster {
-        let (low, high) = (low - BAND * free[0], high + BAND * free[1]);
+        let (low, high) = (low - GAP_PART * free[0], high + GAP_PART * free[1]);
         let [mut b, mut c] = [*slope, 0.0];
         let mut heights = [f64::INFINITY, f64::NEG_INFINITY];
-        for part in FOLLOWED {
+        for part in FOLLOWED_PARTS {
             let is_member = |[xi, eta, _]: &[f64; 3]| {
                 let height = eta - b * xi - c * xi * xi;
                 (low < height) & (height < high)
             };
-            let members = members(self.midst(part * long), is_member);
+            let members = members(self.central(part * long), is_member);
             let [place, slope] = means(&members, |it| [it[0], it[2]]);
             let [spread, turn] = means(&members, |it| [(it[0] - place).powi(2), (it[0] - place) * (it[2] - slope)]);
             c = 0.5 * turn / spread;
@@ -220,7 +221,7 @@ impl<'s> Window<'s> {
         }
         let [least, most] = heights;
         let width = 0.5 * (most - least);
-        let width = width + INTO * width.min(free[0]).min(free[1]);
+        let width = width + H_SET_GAP_PART * width.min(free[0]).min(free[1]);
         Cluster { long, slope: b, middle: 0.5 * (least + most), width }
     }
 }
@@ -230,7 +231,7 @@ impl Leaves {
     fn bunches(&self, cuts: u32) -> Vec<Bunch> {
         let Self { beside, sorted, widest, .. } = self;
         let gap = |k: usize| sorted[k][0] - sorted[k - 1][0];
-        let mut ends: Vec<usize> = (0..GAPS).filter(|gap| cuts >> gap & 1 == 1).map(|gap| widest[gap]).collect();
+        let mut ends: Vec<usize> = (0..MAX_GAPS).filter(|gap| cuts >> gap & 1 == 1).map(|gap| widest[gap]).collect();
         ends.extend([0, sorted.len()]);
         ends.sort_unstable();
         let bunch = |ends: &[usize]| {
@@ -253,17 +254,17 @@ fn crossings(images: &[[f64; 2]], taken: &[bool]) -> Vec<[usize; 2]> {
     let mut last: Option<(bool, usize)> = None;
     let mut before = 0.0;
     for (n, &[xi, eta]) in images.iter().enumerate() {
-        if taken[n] || eta.abs() > 1.0 || xi.abs() > FAR {
+        if taken[n] || eta.abs() > 1.0 || xi.abs() > MAX_IMAGE_OFFSET {
             last = None;
             continue;
         }
         let within = xi.clamp(-1.0, 1.0);
-        last = last.filter(|_| (within - before).abs() < NEAR);
+        last = last.filter(|_| (within - before).abs() < MAX_IMAGE_DISTANCE);
         before = within;
         if xi.abs() > 1.0 {
             if let Some((was_before, first)) = last
                 && was_before != (xi < 0.0)
-                && n > first + IN_A_ROW
+                && n > first + MIN_CROSSING_POINTS
             {
                 found.push([first, n]);
             }
@@ -312,8 +313,8 @@ mod tests {
     const MIDDLE: (State, State) = ([0.78, 1.22], [0.18, 0.08]);
 
     /// Points on a leaf beside which two bundles of three parabolas each are seen.
-    fn orbit(guess: &Guess) -> (Seen, [Vec<[f64; 3]>; 2]) {
-        let bare = Seen { points: vec![MIDDLE], exponent: 0.5 };
+    fn orbit(guess: &Guess) -> (AttractorOrbit, [Vec<[f64; 3]>; 2]) {
+        let bare = AttractorOrbit { points: vec![MIDDLE], exponent: 0.5 };
         let Window { centre, along, across, .. } =
             Window::new(&Indexed::new(&bare), guess, MIDDLE).expect("a contracting direction");
         let leaf =
@@ -327,8 +328,8 @@ mod tests {
         };
         let mut points: Vec<(State, State)> = bundles.iter().flatten().copied().map(state).collect();
         // The last ones have no images.
-        points.extend([([0.1, 0.1], along); AFTER]);
-        (Seen { points, exponent: 0.5 }, bundles)
+        points.extend([([0.1, 0.1], along); WORD_IMPACTS]);
+        (AttractorOrbit { points, exponent: 0.5 }, bundles)
     }
 
     #[test]

@@ -52,7 +52,8 @@ pub use cycles::{Cycle, Cycles, MOST_IMPACTS};
 pub(crate) use flights::Flights;
 pub(crate) use global::spectral_radius;
 pub use global::{
-    Basin, Class, Global, GlobalSettings, Goes, Kind, LimitCycle, MOST, Patch, Reason, Recurrence, RestCycle, WORK,
+    Basin, BasinOutcome, Class, DEFAULT_BOXES, DEFAULT_WORK, Global, GlobalSettings, Kind, LimitCycle, Patch, Reason,
+    Recurrence, RestCycle,
 };
 pub(crate) use guess::{Guess, Image};
 pub use horseshoe::{Chaos, Horseshoe, HorseshoeSettings};
@@ -68,4 +69,4 @@ pub use tried::MOST_DEPTH;
 pub use windows::{
     FoundWindow, MOST_WINDOW_IMPACTS, UnprovedWindow, WINDOW_PARAMETERS, WindowSettings, Windows, is_window_range,
 };
-pub use words::Base;
+pub use words::HSet;

@@ -5,7 +5,7 @@
 use super::guess::{Guess, Image};
 use super::law::Side;
 use super::quad::{Chord, State};
-use super::tube::{Part, Tube};
+use super::tube::{BoxChain, Part};
 use super::vector::{applied, cross, length, minus, radians};
 
 /// The settings by which chains of boxes are made.
@@ -26,7 +26,7 @@ pub(crate) struct Making {
 pub(crate) struct Proposal {
     pub parts: Vec<Part>,
     pub side: Side,
-    pub next: Tube,
+    pub next: BoxChain,
 }
 
 #[derive(Clone, Copy)]
@@ -38,11 +38,11 @@ struct Sample {
 }
 
 /// Factor by which parts at the ends of a chain of boxes are shorter: some cells are lost there with each impact, and words begin near grazes.
-const GRADED: f64 = 0.001;
+const END_GRADING: f64 = 0.001;
 /// Fewer parts than that are not worth a chain of boxes.
-const FEWEST: usize = 12;
+const MIN_PARTS: usize = 12;
 /// Parts of one image that are looked at: where the map contracts to a line (e = 0), none is short enough to be straight.
-const MOST: usize = 1 << 18;
+const MAX_PARTS: usize = 1 << 18;
 
 /// The parts of an image, cut where the map jumps, and how many were looked at.
 struct Parts {
@@ -52,19 +52,19 @@ struct Parts {
 
 impl Making {
     /// Returns the chains of boxes that hold the images of a chain of boxes, about.
-    pub fn images(&self, guess: &Guess, tube: &Tube) -> Vec<Proposal> {
+    pub fn images(&self, guess: &Guess, tube: &BoxChain) -> Vec<Proposal> {
         let mut parts = Parts { segments: vec![Vec::new()], seen: 0 };
         for cell in 0..tube.cells() {
             let (from, to) = (sample(guess, tube, cell, -1.0), sample(guess, tube, cell, 1.0));
             self.refine(guess, tube, from, to, (cell == 0, cell + 1 == tube.cells()), &mut parts);
         }
-        if parts.seen > MOST {
+        if parts.seen > MAX_PARTS {
             return Vec::new();
         }
         parts
             .segments
             .iter()
-            .filter(|segment| segment.len() >= FEWEST)
+            .filter(|segment| segment.len() >= MIN_PARTS)
             .filter_map(|segment| self.proposal(guess, segment))
             .collect()
     }
@@ -72,14 +72,14 @@ impl Making {
     fn refine(
         &self,
         guess: &Guess,
-        tube: &Tube,
+        tube: &BoxChain,
         from: Sample,
         to: Sample,
         (first, last): (bool, bool),
         parts: &mut Parts,
     ) {
         parts.seen += 1;
-        if parts.seen > MOST {
+        if parts.seen > MAX_PARTS {
             return;
         }
         let chords = &tube.chords()[from.cell..=from.cell + 1];
@@ -113,7 +113,7 @@ impl Making {
         let long = along[0].hypot(along[1]);
         let bulge = (cross(along, radians(minus(m.state, a.state))) / long).abs();
         let thick = (cross(along, radians(applied(m.jacobian, between.half))) / long).abs();
-        let longest = if is_end { GRADED * self.longest } else { self.longest };
+        let longest = if is_end { END_GRADING * self.longest } else { self.longest };
         Some(long <= longest && bulge <= 0.3 * ((self.margin - 1.0) * thick + self.pad))
     }
 
@@ -159,7 +159,7 @@ impl Making {
             }
             parts.push(Part { cell: from.cell, from: from.at, to: to.at, place });
         }
-        Some(Proposal { parts, side: images[0].side, next: Tube::new(chords) })
+        Some(Proposal { parts, side: images[0].side, next: BoxChain::new(chords) })
     }
 
     fn is_straight(&self, images: &[Image], halves: &[State], from: usize, to: usize) -> bool {
@@ -197,7 +197,7 @@ fn middle(chord: &Chord) -> State {
     [0.5 * (chord.bottom[0] + chord.top[0]), 0.5 * (chord.bottom[1] + chord.top[1])]
 }
 
-fn sample(guess: &Guess, tube: &Tube, cell: usize, at: f64) -> Sample {
+fn sample(guess: &Guess, tube: &BoxChain, cell: usize, at: f64) -> Sample {
     let (from, to) = (&tube.chords()[cell], &tube.chords()[cell + 1]);
     let mix = |a: State, b: State| [0, 1].map(|i| 0.5 * ((1.0 - at) * a[i] + (1.0 + at) * b[i]));
     let chord = Chord { bottom: mix(from.bottom, to.bottom), top: mix(from.top, to.top) };

@@ -7,10 +7,10 @@ use super::guess::Guess;
 use super::law::Law;
 use super::quad::State;
 use super::refusal::NoTrap;
-use super::scene::{IMPACTS, Visited, visited};
+use super::scene::{ORBIT_IMPACTS, Visited, visited};
 use super::trap::{Cell, Grid, Region};
 use super::tube::side_of;
-use super::words::Base;
+use super::words::HSet;
 use crate::Error;
 use crate::Scene;
 use crate::number::Ball;
@@ -47,7 +47,7 @@ pub struct Trap {
 }
 
 /// Columns and rows of the coarsest grid, and the number of times that it is doubled at most.
-const COARSEST: (i64, f64) = (256, 32.0);
+const COARSEST_GRID: (i64, f64) = (256, 32.0);
 const DOUBLINGS: u32 = 7;
 /// Floating impacts before the region is grown from where the ball is.
 const TRANSIENT: usize = 2000;
@@ -78,7 +78,7 @@ impl Trap {
         if law.restitution.mag() >= 1.0 {
             return Ok(Err(NoTrap::Elastic));
         }
-        let visited = visited(pair, start, IMPACTS)?;
+        let visited = visited(pair, start, ORBIT_IMPACTS)?;
         let Some(last) = visited.last() else { return Ok(Err(NoTrap::NoImpact)) };
         let guess = Guess::new(&law);
         // proposes: any box may be grown from
@@ -150,7 +150,7 @@ impl Trap {
     }
 
     /// Returns whether all states of an h-set are proved to be in it. Lemma D13
-    pub fn holds(&self, base: &Base) -> bool {
+    pub fn holds(&self, base: &HSet) -> bool {
         let Grid { columns, rows } = self.region.grid;
         let round = [base.left.bottom, base.right.bottom, base.right.top, base.left.top];
         let ends = |i: usize| {
@@ -198,7 +198,7 @@ impl Trap {
 
 fn grown(law: &Law, doubled: u32, seed: [f64; 2], watch: &dyn Watch) -> Result<Region, NoTrap> {
     let more = 1_i64 << doubled;
-    let grid = Grid { columns: COARSEST.0 * more, rows: COARSEST.1 * more as f64 }; // exact: a power of two
+    let grid = Grid { columns: COARSEST_GRID.0 * more, rows: COARSEST_GRID.1 * more as f64 }; // exact: a power of two
     let cell = grid.cell(seed[0], seed[1]);
     Region::grow(law, grid, cell, watch)
 }

@@ -9,9 +9,9 @@ use crate::pair::{ImpactPair, Reduced, Wall, within};
 use crate::units::{self, Phases, Units};
 
 /// The name of the map in messages.
-const WHAT: &str = "the reduced impact map";
+const MAP_NAME: &str = "the reduced impact map";
 /// Impacts of the scene's own orbit that are looked at.
-pub(super) const IMPACTS: u64 = 100;
+pub(super) const ORBIT_IMPACTS: u64 = 100;
 
 impl Law {
     /// Returns the law of a pair with one harmonic.
@@ -19,7 +19,7 @@ impl Law {
     /// # Errors
     /// With several harmonics, and where the amplitude may be 0: lengths are in amplitudes.
     pub fn of(pair: &ImpactPair) -> Result<Self, Error> {
-        let harmonic = pair.harmonic(WHAT)?;
+        let harmonic = pair.harmonic(MAP_NAME)?;
         Error::require_positive("excitation.amplitude", harmonic.amplitude())?;
         Ok(Self { gap: Ball::of(&units::ratio(pair)?), restitution: Ball::of(pair.restitution()) })
     }
@@ -43,7 +43,7 @@ impl Visited {
 
 /// The start of an orbit and its first `impacts` impacts, each mirrored to the left wall: certified.
 pub(super) fn visited(pair: &ImpactPair, start: &Start, impacts: u64) -> Result<Vec<Visited>, Error> {
-    let harmonic = pair.harmonic(WHAT)?;
+    let harmonic = pair.harmonic(MAP_NAME)?;
     let mut found = Vec::new();
     if let Place::Wall(wall) = start.place() {
         let phase = within("start.time", start.time(), Phases::of(harmonic)?.at(start.time()))?;

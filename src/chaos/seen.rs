@@ -8,30 +8,30 @@ use super::vector::{GENERIC, applied, length};
 
 /// Impacts before the orbit is looked at, and how many are.
 const TRANSIENT: usize = 2000;
-const LOOKED_AT: usize = 100_000;
+const OBSERVED_IMPACTS: usize = 100_000;
 /// An orbit that expands less, an impact, is regular.
-const LEAST_EXPONENT: f64 = 1e-3;
+const MIN_EXPONENT: f64 = 1e-3;
 
 /// A floating-point orbit on what attracts it, phases modulo 1, with its expanding directions.
 #[derive(Debug)]
-pub(crate) struct Seen {
+pub(crate) struct AttractorOrbit {
     pub points: Vec<(State, State)>,
     /// The Lyapunov exponent per impact.
     pub exponent: f64,
 }
 
 /// The floating-point orbit from a state; `None` where it ends.
-pub(crate) fn seen(guess: &Guess, start: State) -> Option<Seen> {
+pub(crate) fn seen(guess: &Guess, start: State) -> Option<AttractorOrbit> {
     let (mut state, mut direction, mut sum) = (start, GENERIC, 0.0);
-    let mut points = Vec::with_capacity(LOOKED_AT);
-    for k in 0..TRANSIENT + LOOKED_AT {
+    let mut points = Vec::with_capacity(OBSERVED_IMPACTS);
+    for k in 0..TRANSIENT + OBSERVED_IMPACTS {
         let growth = step(guess, &mut state, &mut direction)?;
         if k >= TRANSIENT {
             sum += growth.ln();
             points.push((state, direction));
         }
     }
-    Some(Seen { points, exponent: sum / LOOKED_AT as f64 })
+    Some(AttractorOrbit { points, exponent: sum / OBSERVED_IMPACTS as f64 })
 }
 
 /// One impact further, with the direction that expands; by how much it does.
@@ -44,7 +44,7 @@ pub(super) fn step(guess: &Guess, state: &mut State, direction: &mut State) -> O
     Some(growth)
 }
 
-impl Seen {
+impl AttractorOrbit {
     /// Returns the orbit's states.
     pub fn states(self) -> Vec<State> {
         self.points.into_iter().map(|(state, _)| state).collect()
@@ -52,6 +52,6 @@ impl Seen {
 
     /// Returns whether neighbours part.
     pub fn is_chaotic(&self) -> bool {
-        self.exponent > LEAST_EXPONENT
+        self.exponent > MIN_EXPONENT
     }
 }

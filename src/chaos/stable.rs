@@ -16,13 +16,13 @@ use crate::watch::Watch;
 
 /// Impacts after which a floating-point orbit is looked at, the most after which it closes, and the distance within which it does.
 const TRANSIENT: usize = 20_000;
-const LONGEST: usize = 128;
-const CLOSED: f64 = 1e-7;
+const MAX_PERIOD: usize = 128;
+const RETURN_DISTANCE: f64 = 1e-7;
 /// Distance below which two orbits are taken for one.
-const NEAR: f64 = 1e-4;
+const SAME_ORBIT_DISTANCE: f64 = 1e-4;
 
 /// Numbers of phases and of speeds, up to half of the greatest one that motions have in the end, at which orbits of a pair begin.
-const STARTS: [usize; 2] = [4, 3];
+const START_GRID: [usize; 2] = [4, 3];
 
 /// Returns the word of a stable periodic orbit that each pair of a law has, and how many cycles it takes, near the one that the orbit of a state
 /// settles on in floating point; `None` where none is proved. Lemma D15
@@ -57,11 +57,11 @@ pub(super) fn settled_orbits(law: &Law) -> Vec<Vec<State>> {
     let guess = Guess::new(law);
     let fastest = 1.0 / (1.0 - law.restitution.mid()); // proposes: where orbits begin
     let mut found: Vec<Vec<State>> = Vec::new();
-    for start in 0..STARTS[0] * STARTS[1] {
+    for start in 0..START_GRID[0] * START_GRID[1] {
         let at = |place: usize, of: usize| (place as f64 + 0.5) / of as f64; // proposes: where orbits begin
-        let [phase, speed] = [at(start % STARTS[0], STARTS[0]), at(start / STARTS[0], STARTS[1])];
+        let [phase, speed] = [at(start % START_GRID[0], START_GRID[0]), at(start / START_GRID[0], START_GRID[1])];
         let Some(cycle) = settled(&guess, [phase, fastest * speed]) else { continue };
-        let is_new = !found.iter().flatten().any(|&state| apart(state, cycle[0]) < NEAR);
+        let is_new = !found.iter().flatten().any(|&state| apart(state, cycle[0]) < SAME_ORBIT_DISTANCE);
         found.extend(is_new.then_some(cycle));
     }
     found
@@ -79,9 +79,9 @@ fn settled(guess: &Guess, start: State) -> Option<Vec<State>> {
     let next = |state: State| Some(guess.map(state)?.state).map(|[phase, speed]| [phase.rem_euclid(1.0), speed]);
     let first = (0..TRANSIENT).try_fold(start, |state, _| next(state))?;
     let mut states = vec![first];
-    for k in 0..LONGEST {
+    for k in 0..MAX_PERIOD {
         let state = next(states[k])?;
-        if apart(state, first) < CLOSED {
+        if apart(state, first) < RETURN_DISTANCE {
             return Some(states);
         }
         states.push(state);

@@ -12,8 +12,8 @@ use super::propose::{Making, Proposal};
 use super::quad::{Chord, Quad, State};
 use super::refusal::NoTrap;
 use super::trap::{Grid, Region};
-use super::tube::{Part, Tube, taken};
-use super::words::{Base, Path, Search};
+use super::tube::{BoxChain, Part, proved_stretches};
+use super::words::{HSet, Path, Search};
 use super::{Asymptotics, Cells, Chaos, Entered, Horseshoe, HorseshoeSettings, RangeSettings, Trap, Verdict};
 use crate::Scene;
 use crate::contact::{self, Margins, Radii, first_contact};
@@ -35,11 +35,11 @@ fn figure_14() -> Law {
     Law { gap: Ball::new(9.42497 / 8.0, 1e-15), restitution: Ball::exact(0.5) }
 }
 
-fn bases() -> [Base; 3] {
+fn bases() -> [HSet; 3] {
     [
-        Base::new([0.778431, 1.234518], [0.02877, 0.082], [-0.0002976, 0.002596]),
-        Base::new([0.779603, 1.224294], [0.028826, 0.081513], [-0.0001488, 0.001298]),
-        Base::new([0.780161, 1.219425], [0.028649, 0.083055], [-0.0001116, 0.000974]),
+        HSet::new([0.778431, 1.234518], [0.02877, 0.082], [-0.0002976, 0.002596]),
+        HSet::new([0.779603, 1.224294], [0.028826, 0.081513], [-0.0001488, 0.001298]),
+        HSet::new([0.780161, 1.219425], [0.028649, 0.083055], [-0.0001116, 0.000974]),
     ]
 }
 
@@ -166,7 +166,7 @@ fn boxes_beyond_the_last_row_are_refused() {
     assert_eq!((before > 0, noted), (true, 0));
 }
 
-fn words(law: &Law, bases: &[Base], depth: usize) -> Vec<Path> {
+fn words(law: &Law, bases: &[HSet], depth: usize) -> Vec<Path> {
     let mut search = Search::new(law, bases, MAKING);
     (0..depth).for_each(|_| assert!(search.deepen(&Unwatched)));
     search.words
@@ -190,13 +190,13 @@ fn the_shortest_horseshoe_of_figure_14() {
 
 /// An h-set that is moved across the leaves, or turned, is crossed no more.
 #[test]
-fn moved_bases_lead_to_less() {
-    let entropy_of = |change: &dyn Fn(Base) -> Base| by_impact(&words(&figure_14(), &bases().map(change), 3), 3);
+fn moved_h_sets_give_less_entropy() {
+    let entropy_of = |change: &dyn Fn(HSet) -> HSet| by_impact(&words(&figure_14(), &bases().map(change), 3), 3);
     let moved = |by: f64| {
-        move |base: Base| {
+        move |base: HSet| {
             let moved = |[u, w]: State| [u, w + by];
             let chord = |chord: Chord| Chord { bottom: moved(chord.bottom), top: moved(chord.top) };
-            Base { left: chord(base.left), right: chord(base.right) }
+            HSet { left: chord(base.left), right: chord(base.right) }
         }
     };
     assert!(entropy_of(&moved(0.0)) > 0.28);
@@ -206,15 +206,15 @@ fn moved_bases_lead_to_less() {
 
 /// Tubes that are right for one pair are wrong for another, and with a cell left out.
 #[test]
-fn spoiled_tubes_are_refused() {
+fn corrupted_chains_of_boxes_are_refused() {
     let law = figure_14();
     let guess = Guess::new(&law);
     let base = bases()[0];
-    let tube = Tube::new(vec![base.left, base.right]);
+    let tube = BoxChain::new(vec![base.left, base.right]);
     let other = Law { gap: law.gap * Ball::exact(1.01), ..law };
     let proposals = MAKING.images(&guess, &tube);
     let Proposal { parts, side, next } = proposals.iter().find(|proposal| proposal.side == Side::Far).unwrap();
-    let proved = |law: &Law, next: &Tube| {
+    let proved = |law: &Law, next: &BoxChain| {
         parts.iter().filter(|part| tube.is_mapped(law, &Guess::new(law), part, *side, next)).count()
     };
     let all = proved(&law, next);
@@ -223,11 +223,11 @@ fn spoiled_tubes_are_refused() {
     // Without a stretch in the middle parts behind it are not where they are said to be.
     let (half, chords) = (next.chords().len() / 2, next.chords());
     let gap: Vec<Chord> = chords[..half].iter().chain(&chords[half + 8..]).copied().collect();
-    assert!(proved(&law, &Tube::new(gap)) < all * 6 / 10);
+    assert!(proved(&law, &BoxChain::new(gap)) < all * 6 / 10);
     // As thick as a leaf away.
     let moved = |[u, w]: State| [u, w + 0.004];
     let away = chords.iter().map(|chord| Chord { bottom: moved(chord.bottom), top: moved(chord.top) }).collect();
-    assert!(proved(&law, &Tube::new(away)) < all / 10);
+    assert!(proved(&law, &BoxChain::new(away)) < all / 10);
 }
 
 /// Renewal equations with known roots.
@@ -251,12 +251,12 @@ fn entropies_that_are_known() {
 }
 
 #[test]
-fn bases_that_overlap_are_told() {
+fn overlapping_h_sets_are_reported() {
     let [a, b, c] = bases();
     assert!(a.is_convex() && a.is_apart(&b) && b.is_apart(&c) && !a.is_apart(&a));
-    let later = Base::new([1.778431, 1.234518], [0.02877, 0.082], [-0.0002976, 0.002596]);
+    let later = HSet::new([1.778431, 1.234518], [0.02877, 0.082], [-0.0002976, 0.002596]);
     assert!(!a.is_apart(&later) && b.is_apart(&later));
-    assert!(!Base { left: a.right, right: a.left }.is_convex());
+    assert!(!HSet { left: a.right, right: a.left }.is_convex());
 }
 
 fn scene(amplitude: &str) -> Scene {
@@ -289,20 +289,20 @@ fn the_horseshoe_of_figure_14_is_where_the_orbit_is() {
     assert!(attractor.is_none());
     assert_eq!(*region, Some(Entered { boxes: trap.boxes(), at_impact: 2, holds_bases: true }));
     assert!(bases().iter().all(|base| trap.holds(base)));
-    assert!(!trap.holds(&Base::new([0.5, 1.23], [0.03, 0.08], [-0.0003, 0.0026])));
+    assert!(!trap.holds(&HSet::new([0.5, 1.23], [0.03, 0.08], [-0.0003, 0.0026])));
     // One that is too long by far sticks out.
-    assert!(!trap.holds(&Base::new([0.778431, 1.234518], [0.3, 0.8], [-0.0003, 0.0026])));
+    assert!(!trap.holds(&HSet::new([0.778431, 1.234518], [0.3, 0.8], [-0.0003, 0.0026])));
 }
 
 /// A = 8.4, where the diagram has a gap: the orbit converges to eight impacts in three cycles, and a horseshoe is beside it.
 #[test]
-fn a_saddle_is_told_from_an_attractor() {
+fn a_saddle_is_distinguished_from_an_attractor() {
     let corners = [
         [[0.805_264_494_210_566_3, 1.297_437_476_872_194], [0.808_274_341_166_306_4, 1.271_623_566_663_777_4]],
         [[0.747_691_477_240_234_9, 1.126_724_932_061_096_4], [0.750_701_324_195_974_9, 1.100_911_021_852_679_9]],
     ];
     let [left, right] = corners.map(|[bottom, top]| Chord { bottom, top });
-    let question = HorseshoeSettings { depth: Some(5), bases: vec![Base { left, right }] };
+    let question = HorseshoeSettings { depth: Some(5), bases: vec![HSet { left, right }] };
     let chaos = Chaos::of_scene(&scene("8.4"), &question, &Unwatched).unwrap();
     let attractor = chaos.asymptotics().attractor.as_ref().unwrap();
     assert_eq!((attractor.word.mappings().len(), attractor.cycles), (8, 3));
@@ -312,7 +312,7 @@ fn a_saddle_is_told_from_an_attractor() {
 /// A = 0.498 d, where four impacts expand by half only: two words of 16 impacts in an h-set, so entropy (log 2)/16, and none of fewer. No
 /// chain of boxes but the finest leads there, nor does any in an h-set that is moved off the leaves.
 #[test]
-fn slow_expansion_is_proved_by_fine_tubes() {
+fn slow_expansion_is_proved_by_fine_chains_of_boxes() {
     let scene = Scene::parse(include_str!("../../validation/paper/scenes/chaos-0.498.toml")).unwrap();
     let law = Law::of(scene.pair()).unwrap();
     let base = |moved: f64| {
@@ -322,7 +322,7 @@ fn slow_expansion_is_proved_by_fine_tubes() {
         ];
         let [left, right] = corners.map(|chord| chord.map(|[u, w]| [u, w + moved]));
         let chord = |[bottom, top]: [State; 2]| Chord { bottom, top };
-        Base { left: chord(left), right: chord(right) }
+        HSet { left: chord(left), right: chord(right) }
     };
     let proved = |depth: usize, moved: f64| Chaos::proved(&law, vec![base(moved)], Some(depth), &Unwatched).entropy();
     let expected = std::f64::consts::LN_2 / 16.0;
@@ -335,7 +335,7 @@ fn slow_expansion_is_proved_by_fine_tubes() {
 fn r32_a_base_wider_than_a_turn() {
     let chaos = |right: f64| {
         let edge = |phase: f64| Chord { bottom: [phase, 5.0], top: [phase, 5.1] };
-        let question = HorseshoeSettings { depth: Some(1), bases: vec![Base { left: edge(0.1), right: edge(right) }] };
+        let question = HorseshoeSettings { depth: Some(1), bases: vec![HSet { left: edge(0.1), right: edge(right) }] };
         Chaos::of_scene(&scene("8"), &question, &|_: Stage<'_>| ControlFlow::Break(()))
             .map(|_| ())
             .map_err(|error| error.to_string())
@@ -350,15 +350,15 @@ fn r32_distinct_words_rest_on_parts_that_lie_apart() {
     let part = |cell: usize, [from, to]: [f64; 2], place: usize| Part { cell, from, to, place };
     let parts = [part(0, [-1.0, 0.5], 3), part(0, [0.5, 1.0], 4), part(1, [-1.0, 1.0], 5), part(2, [-1.0, 0.0], 5)];
     let mut used = None;
-    assert_eq!(taken(&parts, &[true, true, false, true], &mut used), [0..=1, 3..=3]);
-    assert!(taken(&parts, &[true; 4], &mut used).is_empty(), "the same parts again");
+    assert_eq!(proved_stretches(&parts, &[true, true, false, true], &mut used), [0..=1, 3..=3]);
+    assert!(proved_stretches(&parts, &[true; 4], &mut used).is_empty(), "the same parts again");
     let next = [part(2, [-0.5, 1.0], 7), part(3, [-1.0, 1.0], 7)];
-    assert!(taken(&next, &[true; 2], &mut used).is_empty(), "a stretch that begins within the one before");
-    assert_eq!(taken(&[part(2, [0.0, 1.0], 7)], &[true], &mut used), [0..=0]);
+    assert!(proved_stretches(&next, &[true; 2], &mut used).is_empty(), "a stretch that begins within the one before");
+    assert_eq!(proved_stretches(&[part(2, [0.0, 1.0], 7)], &[true], &mut used), [0..=0]);
     // Backward within a cell, or beyond it: not mapped, though the same states forward are.
     let (law, guess) = (figure_14(), Guess::new(&figure_14()));
-    let Base { left, right } = bases()[0];
-    let tube = Tube::new(vec![left, right]);
+    let HSet { left, right } = bases()[0];
+    let tube = BoxChain::new(vec![left, right]);
     let Proposal { parts, side, next } = MAKING.images(&guess, &tube).swap_remove(0);
     let good = parts[parts.len() / 2];
     let is_mapped = |part: Part| tube.is_mapped(&law, &guess, &part, side, &next);
@@ -378,14 +378,14 @@ fn a_deeper_search_leads_further() {
 }
 
 fn cells(over: &str, cells: u32, halvings: u32) -> Cells {
-    let asked = RangeSettings { over: over.parse().unwrap(), cells, halvings, depth: 5 };
-    Cells::of(scene("8").pair(), scene("8").start(), &asked, &Unwatched).unwrap()
+    let requested = RangeSettings { over: over.parse().unwrap(), cells, halvings, depth: 5 };
+    Cells::of(scene("8").pair(), scene("8").start(), &requested, &Unwatched).unwrap()
 }
 
 /// Lemma D14: stretches follow one another from end to end, and what is proved of all holds of some: of single values, proved by
 /// themselves with the same h-sets, or by the orbit of each.
 #[test]
-fn what_holds_of_a_stretch_holds_of_its_values() {
+fn verdicts_of_a_stretch_hold_for_its_values() {
     for (over, count, name) in [("amplitude=1..1.1", 2, "attracted"), ("amplitude=9.06..9.064", 1, "horseshoe")] {
         let found = cells(over, count, 6);
         let stretches = &found.stretches;

@@ -41,11 +41,11 @@ pub(crate) struct Arrivals {
 }
 
 /// Flights of more forcing periods are not followed.
-const LONGEST: f64 = 64.0;
+const MAX_FLIGHT: f64 = 64.0;
 /// The most rows that are counted.
-const MOST_ROWS: f64 = 2_147_483_647.0;
+const MAX_ROWS: f64 = 2_147_483_647.0;
 /// Number of times that a box is cut at most, to distinguish its balls from those at rest.
-const CUTS: u32 = 6;
+const MAX_CUTS: u32 = 6;
 
 impl Grid {
     /// Returns the boxes that hold a state.
@@ -71,7 +71,7 @@ impl Grid {
             let column = (column + shift).rem_euclid(self.columns) as i32; // exact: fewer than 2^31
             let [low, high] = speeds.map(|speed| (speed * self.rows).floor()); // D4: of both ends
             // D4: else a box is not counted, and no comparison with NaN holds
-            if high < MOST_ROWS {
+            if high < MAX_ROWS {
                 (low as i32..=high as i32).for_each(|row| note(side, (column, row))); // exact: fewer than 2^31
             } else {
                 has_rows = false;
@@ -82,7 +82,7 @@ impl Grid {
 
     /// Notes where all flights from a rectangle may land, column by column. Lemma D4
     pub fn landings(&self, law: &Law, quad: &Quad, note: &mut dyn FnMut(Arrivals)) -> Result<Reach, Refusal> {
-        self.cut_landings(law, quad, CUTS, note)
+        self.cut_landings(law, quad, MAX_CUTS, note)
     }
 
     fn cut_landings(
@@ -94,7 +94,7 @@ impl Grid {
     ) -> Result<Reach, Refusal> {
         let flights = Flights::new(law, quad);
         match flights.depart() {
-            Some(from) => self.march(law, &flights, from, note),
+            Some(from) => self.scan_columns(law, &flights, from, note),
             None if cuts == 0 => Err(Refusal::Rest),
             None => {
                 let ([u, w], [r, s]) = (quad.centre, [0.5 * quad.sides[0][0], 0.5 * quad.sides[1][1]]);
@@ -111,12 +111,18 @@ impl Grid {
     }
 
     /// Goes along the phases of arrival, column by column where a wall may be touched, until it certainly has been.
-    fn march(&self, law: &Law, flights: &Flights, from: f64, note: &mut dyn FnMut(Arrivals)) -> Result<Reach, Refusal> {
+    fn scan_columns(
+        &self,
+        law: &Law,
+        flights: &Flights,
+        from: f64,
+        note: &mut dyn FnMut(Arrivals),
+    ) -> Result<Reach, Refusal> {
         let columns = self.columns as f64; // exact: a power of two
         let mut reach = Reach { time: [f64::INFINITY, 0.0], sides: [false; 2] };
         let mut column = (from * columns).floor() as i64; // D4: the column that it is in
         let mut step: i64 = 1;
-        let end = column + (LONGEST * columns) as i64; // exact: a power of two
+        let end = column + (MAX_FLIGHT * columns) as i64; // exact: a power of two
         while column < end {
             let low = from.max(column as f64 / columns); // D4: nothing is touched before
             let high = (column + step) as f64 / columns; // exact: a power of two
@@ -163,7 +169,7 @@ pub(crate) struct Region {
 }
 
 /// Number of boxes beyond which a region is given up.
-const MOST: usize = 4_000_000;
+const DEFAULT_BOXES: usize = 4_000_000;
 
 impl Region {
     /// Returns the least region of boxes of this grid that holds a box and is closed, as far as it is seen.
@@ -177,7 +183,7 @@ impl Region {
             if watch.proceed(Stage::Region(known.len())).is_break() {
                 return Err(NoTrap::Interrupted);
             }
-            if known.len() > MOST {
+            if known.len() > DEFAULT_BOXES {
                 return Err(NoTrap::Boxes);
             }
             let results = threads::each(&threads::shares(&frontier), &|(_, part)| {

@@ -8,7 +8,7 @@ use super::bundles::Bundle;
 use super::entropy::entropy;
 use super::law::Law;
 use super::propose::Making;
-use super::words::{Base, Search};
+use super::words::{HSet, Search};
 use crate::threads::each;
 use crate::watch::{Stage, Watch};
 
@@ -47,7 +47,7 @@ pub(super) const DEPTH: usize = 60;
 /// Trials of bundles: their number, and the boxes for each h-set.
 const BUNDLES: [(usize, u64); 2] = [(32, 10_000), (8, 60_000)];
 /// Least factor by which one more h-set has to raise the entropy.
-const WORTH: f64 = 1.01;
+const MIN_ENTROPY_FACTOR: f64 = 1.01;
 
 /// The settings of trials of h-sets.
 #[derive(Clone, Copy)]
@@ -61,7 +61,7 @@ pub(super) struct Trials<'t> {
 
 impl Trials<'_> {
     /// The entropy that h-sets lead to with N boxes.
-    fn worth(&self, bases: &[Base], boxes: u64) -> f64 {
+    fn entropy_of(&self, bases: &[HSet], boxes: u64) -> f64 {
         let mut search = Search::new(self.law, bases, self.making);
         search.threads = 1;
         let within = |at: Stage<'_>| match at {
@@ -78,10 +78,10 @@ impl Trials<'_> {
 
     /// Returns the h-sets among these bundles that lead to most entropy, and among those that are parted otherwise, as long as they are better;
     /// `None` if none lead to any.
-    pub fn best_bundle(&self, bundles: &[Bundle], parted: &dyn Fn(&Bundle) -> Vec<Bundle>) -> Option<Vec<Base>> {
+    pub fn best_bundle(&self, bundles: &[Bundle], parted: &dyn Fn(&Bundle) -> Vec<Bundle>) -> Option<Vec<HSet>> {
         let tried = |bundles: &[Bundle], boxes: u64| {
             let judged =
-                |bundle: &Bundle| (self.worth(&bundle.bases, boxes * bundle.bases.len() as u64), bundle.clone());
+                |bundle: &Bundle| (self.entropy_of(&bundle.bases, boxes * bundle.bases.len() as u64), bundle.clone());
             let mut tried = each(bundles, &judged);
             tried.sort_by(|a, b| b.0.total_cmp(&a.0));
             tried
@@ -104,14 +104,14 @@ impl Trials<'_> {
     }
 
     /// The h-set that leads with these ones to most entropy.
-    fn one_more(&self, found: &[Base], candidates: &[Base]) -> Option<(f64, Base)> {
+    fn one_more(&self, found: &[HSet], candidates: &[HSet]) -> Option<(f64, HSet)> {
         let free = candidates.iter().filter(|base| found.iter().all(|other| base.is_apart(other)));
-        let mut tried: Vec<(f64, Base)> = free.map(|&base| (0.0, base)).collect();
+        let mut tried: Vec<(f64, HSet)> = free.map(|&base| (0.0, base)).collect();
         let mut trial = |(count, boxes): (usize, u64)| {
             tried.truncate(count);
-            let judged = |(_, base): &(f64, Base)| {
-                let bases: Vec<Base> = found.iter().copied().chain([*base]).collect();
-                (self.worth(&bases, boxes * bases.len() as u64), *base)
+            let judged = |(_, base): &(f64, HSet)| {
+                let bases: Vec<HSet> = found.iter().copied().chain([*base]).collect();
+                (self.entropy_of(&bases, boxes * bases.len() as u64), *base)
             };
             tried = each(&tried, &judged);
             tried.sort_by(|a, b| b.0.total_cmp(&a.0));
@@ -128,11 +128,11 @@ impl Trials<'_> {
     }
 
     /// Returns the h-sets among these that lead to most entropy.
-    pub fn best(&self, candidates: &[Base]) -> Vec<Base> {
-        let mut best: (f64, Vec<Base>) = (0.0, Vec::new());
+    pub fn best(&self, candidates: &[HSet]) -> Vec<HSet> {
+        let mut best: (f64, Vec<HSet>) = (0.0, Vec::new());
         while best.1.len() < self.effort.most && self.watch.goes_on() {
             let found = self.one_more(&best.1, candidates);
-            let Some((entropy, base)) = found.filter(|found| found.0 > best.0 * WORTH) else { break };
+            let Some((entropy, base)) = found.filter(|found| found.0 > best.0 * MIN_ENTROPY_FACTOR) else { break };
             best.0 = entropy;
             best.1.push(base);
         }

@@ -4,7 +4,7 @@ use super::blocks::{Word, horseshoe};
 use super::entropy::entropy;
 use super::law::Law;
 use super::propose::Making;
-use super::words::{Base, Search};
+use super::words::{HSet, Search};
 use crate::watch::Watch;
 
 /// Greatest accepted number of impacts of a word.
@@ -29,8 +29,8 @@ pub(super) const FINE: [Making; 2] = [
     Making { longest: 0.0003, margin: 1.08, pad: 3e-7, shortest: 1e-9, ahead: 12 },
 ];
 /// The depth up to which all makings are tried, and the part of the best entropy that is enough for the first one that is followed deeper.
-const SHALLOW: usize = 8;
-const NEARLY: f64 = 0.95;
+const SHALLOW_DEPTH: usize = 8;
+const ENOUGH_ENTROPY: f64 = 0.95;
 /// A search, how deep it went, and whether it was stopped before.
 pub(super) struct Tried<'s> {
     pub search: Search<'s>,
@@ -39,7 +39,7 @@ pub(super) struct Tried<'s> {
 }
 
 impl<'s> Tried<'s> {
-    pub fn new(law: &'s Law, bases: &'s [Base], making: Making) -> Self {
+    pub fn new(law: &'s Law, bases: &'s [HSet], making: Making) -> Self {
         Self { search: Search::new(law, bases, making), depth: 0, is_stopped: false }
     }
 
@@ -65,13 +65,13 @@ impl<'s> Tried<'s> {
 }
 
 /// Returns the search between h-sets that leads furthest, to a depth if one is given.
-pub(super) fn deepest<'s>(law: &'s Law, bases: &'s [Base], depth: Option<usize>, watch: &dyn Watch) -> Tried<'s> {
+pub(super) fn deepest<'s>(law: &'s Law, bases: &'s [HSet], depth: Option<usize>, watch: &dyn Watch) -> Tried<'s> {
     let (deepest, most) = depth.map_or((MOST_DEPTH as usize, BOXES), |depth| (depth, u64::MAX)); // proposes: how deep
     let deepest = if bases.is_empty() { 0 } else { deepest }; // exact: counts
     let tried = |makings: &[Making], depth: usize| -> Vec<Tried<'s>> {
         makings.iter().map(|&making| Tried::new(law, bases, making).deepened((depth, most), watch)).collect()
     };
-    let shallow = deepest.min(SHALLOW); // exact: counts
+    let shallow = deepest.min(SHALLOW_DEPTH); // exact: counts
     let first = good(tried(&MAKINGS, shallow), shallow < deepest);
     let is_slow = first.entropy() == 0.0 && !first.is_stopped && shallow < deepest; // proposes: which one to follow deeper
     let first = if is_slow { tried(&[SLOW], deepest).swap_remove(0) } else { first.deepened((deepest, most), watch) };
@@ -85,7 +85,7 @@ pub(super) fn deepest<'s>(law: &'s Law, bases: &'s [Base], depth: Option<usize>,
 /// that leads to nearly as much: the finest cells lead furthest.
 fn good(tried: Vec<Tried<'_>>, deeper: bool) -> Tried<'_> {
     let best = tried.iter().fold(0.0, |best: f64, one| best.max(one.entropy())); // proposes: each is a proof of its own
-    let enough = if deeper { NEARLY * best } else { best };
+    let enough = if deeper { ENOUGH_ENTROPY * best } else { best };
     let mut good = tried.into_iter().filter(|one| one.entropy() >= enough);
     let chosen = if deeper { good.next() } else { good.min_by_key(Tried::shortest) };
     chosen.expect("the best")
@@ -114,9 +114,9 @@ mod tests {
     }
 
     /// Two h-sets that the search finds for figure 16.
-    fn bases() -> [Base; 2] {
+    fn bases() -> [HSet; 2] {
         let base =
-            |[a, b, c, d]: [State; 4]| Base { left: Chord { bottom: a, top: b }, right: Chord { bottom: c, top: d } };
+            |[a, b, c, d]: [State; 4]| HSet { left: Chord { bottom: a, top: b }, right: Chord { bottom: c, top: d } };
         [
             [[0.852141, 0.163451], [0.851903, 0.163962], [0.876103, 0.165998], [0.875865, 0.166509]],
             [[0.850561, 0.166845], [0.849622, 0.168861], [0.874860, 0.168667], [0.873921, 0.170684]],
@@ -139,7 +139,7 @@ mod tests {
     }
 
     #[test]
-    fn a_search_ends_at_the_depth_that_so_many_boxes_lead_to() {
+    fn a_search_ends_at_the_depth_that_its_boxes_allow() {
         let (law, bases) = (figure_16(), bases());
         let to = |most: u64| Tried::new(&law, &bases, MAKINGS[0]).deepened((64, most), &Unwatched);
         let tried = to(2000);

@@ -10,7 +10,7 @@ use crate::number::Ball;
 
 /// The cells between chords that follow one another; the tops lie to the left.
 #[derive(Clone, Debug)]
-pub(crate) struct Tube {
+pub(crate) struct BoxChain {
     chords: Vec<Chord>,
     normals: Vec<Normals>,
     /// Flags of the cells: all windows that hold the cell are embedded.
@@ -55,13 +55,13 @@ impl Part {
 }
 
 /// Number of cells before and after their place in which images lie.
-pub(crate) const WINDOW: usize = 2;
+pub(crate) const NEIGHBOUR_CELLS: usize = 2;
 /// Number of times that a part is halved at most.
 const HALVINGS: u32 = 9;
 
 /// The stretches of proved parts that follow one another, each of them behind the last part of those before it, which is `used`, and
 /// updated: no two of all that are taken have inner points in common, whatever is proposed. Lemmas D7, D9
-pub(crate) fn taken(parts: &[Part], proved: &[bool], used: &mut Option<Part>) -> Vec<RangeInclusive<usize>> {
+pub(crate) fn proved_stretches(parts: &[Part], proved: &[bool], used: &mut Option<Part>) -> Vec<RangeInclusive<usize>> {
     let mut stretches = Vec::new();
     let mut first = 0;
     while first < parts.len() {
@@ -96,7 +96,7 @@ pub(crate) fn side_of(from: State, to: State, state: State, turns: f64) -> Ball 
     dot(left(edge(from, to)), [u - Ball::exact(turns), w])
 }
 
-impl Tube {
+impl BoxChain {
     pub fn new(chords: Vec<Chord>) -> Self {
         let normals: Vec<Normals> = chords
             .windows(2)
@@ -110,7 +110,8 @@ impl Tube {
         let embedded = (0..cells)
             .map(|cell| {
                 // Lemma D6: all windows that hold the cell
-                let (first, last) = (cell.saturating_sub(2 * WINDOW + 1), (cell + 2 * WINDOW + 2).min(cells)); // D6: the tube's ends
+                let (first, last) =
+                    (cell.saturating_sub(2 * NEIGHBOUR_CELLS + 1), (cell + 2 * NEIGHBOUR_CELLS + 2).min(cells)); // D6: the tube's ends
                 let crosses =
                     |edge: &[Ball; 2], chord: &Chord| is_positive(dot(*edge, self::edge(chord.bottom, chord.top)));
                 let Normals { bottom, top, .. } = &normals[cell];
@@ -136,14 +137,14 @@ impl Tube {
     /// Returns whether an image is proved to lie in the cells around `place`, away from tops and bottoms. Lemma D6
     fn holds(&self, landing: &Landing, place: usize) -> bool {
         let cells = self.cells();
-        if place < WINDOW || place + WINDOW >= cells {
+        if place < NEIGHBOUR_CELLS || place + NEIGHBOUR_CELLS >= cells {
             return false;
         }
         let point = |state: State| state.map(Ball::exact);
         let before = |chord: usize, normal: [Ball; 2]| landing.along(normal, point(self.chords[chord].bottom));
         let (mut low, mut high) = (place, place);
         while !is_positive(-before(low, self.normals[low].chord)) {
-            if low + WINDOW == place {
+            if low + NEIGHBOUR_CELLS == place {
                 return false;
             }
             low -= 1;
@@ -153,7 +154,7 @@ impl Tube {
             if is_positive(before(high + 1, left(edge(chord.bottom, chord.top)))) {
                 break;
             }
-            if high == place + WINDOW {
+            if high == place + NEIGHBOUR_CELLS {
                 return false;
             }
             high += 1;
@@ -167,8 +168,8 @@ impl Tube {
 
     /// Returns whether the windows of the images of a part and of its neighbours are embedded.
     fn is_embedded(&self, place: usize) -> bool {
-        let low = place.saturating_sub(WINDOW); // D6: the tube's ends
-        let high = (place + WINDOW + 1).min(self.cells() - 1); // D6: the tube's ends
+        let low = place.saturating_sub(NEIGHBOUR_CELLS); // D6: the tube's ends
+        let high = (place + NEIGHBOUR_CELLS + 1).min(self.cells() - 1); // D6: the tube's ends
         self.embedded.get(low..=high).is_some_and(|window| window.iter().all(|&is| is))
     }
 

@@ -7,13 +7,13 @@ use super::guess::Guess;
 use super::law::{Law, Side};
 use super::propose::{Making, Proposal};
 use super::quad::{Chord, State};
-use super::tube::{Tube, WINDOW, side_of, taken};
+use super::tube::{BoxChain, NEIGHBOUR_CELLS, proved_stretches, side_of};
 use crate::threads::{answers, available};
 use crate::watch::{Stage, Watch};
 
 /// A quadrilateral of states: the curves from its left to its right edge are what is followed.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Base {
+pub struct HSet {
     /// Its left edge.
     pub left: Chord,
     /// Its right edge.
@@ -35,7 +35,7 @@ pub(crate) struct Path {
 struct Run {
     from: usize,
     sides: Vec<Side>,
-    tube: Tube,
+    tube: BoxChain,
 }
 
 /// The number of boxes that are tried so far.
@@ -49,7 +49,7 @@ pub(crate) struct Search<'s> {
     pub law: &'s Law,
     pub guess: Guess,
     pub making: Making,
-    pub bases: &'s [Base],
+    pub bases: &'s [HSet],
     runs: Vec<Run>,
     pub words: Vec<Path>,
     pub tally: Tally,
@@ -61,9 +61,9 @@ pub(crate) struct Search<'s> {
 }
 
 /// Tubes up to this depth are shown.
-const SHOWN: usize = 3;
+const SHOWN_DEPTH: usize = 3;
 
-impl Base {
+impl HSet {
     /// Returns the h-set of a centre and the half vectors of its sides.
     pub fn new(centre: State, along: State, across: State) -> Self {
         let corner = |a: f64, b: f64| [0, 1].map(|i| centre[i] + a * along[i] + b * across[i]);
@@ -80,7 +80,7 @@ impl Base {
     }
 
     /// The stretches of a chain of boxes that cross the h-set N forcing periods later, each as two chords. Lemma D8
-    fn crossings(&self, tube: &Tube, turns: f64) -> Vec<(usize, usize)> {
+    fn crossings(&self, tube: &BoxChain, turns: f64) -> Vec<(usize, usize)> {
         let Self { left, right } = self;
         let mut found = Vec::new();
         let mut last: Option<(bool, usize)> = None;
@@ -115,11 +115,11 @@ impl Base {
 }
 
 impl<'s> Search<'s> {
-    pub fn new(law: &'s Law, bases: &'s [Base], making: Making) -> Self {
-        let run = |(from, base): (usize, &Base)| Run {
+    pub fn new(law: &'s Law, bases: &'s [HSet], making: Making) -> Self {
+        let run = |(from, base): (usize, &HSet)| Run {
             from,
             sides: Vec::new(),
-            tube: Tube::new(vec![base.left, base.right]),
+            tube: BoxChain::new(vec![base.left, base.right]),
         };
         let runs = bases.iter().enumerate().map(run).collect();
         let (words, tally, shown) = (Vec::new(), Tally::default(), Vec::new());
@@ -146,7 +146,7 @@ impl<'s> Search<'s> {
             self.words.extend(words);
         }
         self.depth = depth;
-        if self.depth <= SHOWN {
+        if self.depth <= SHOWN_DEPTH {
             let middle = |chord: &Chord| [0, 1].map(|i| 0.5 * (chord.bottom[i] + chord.top[i]));
             let middles = self.runs.iter().map(|run| run.tube.chords().iter().map(middle).collect());
             self.shown.extend(middles);
@@ -168,10 +168,10 @@ impl<'s> Search<'s> {
             tally.boxes += proved.len() as u64; // exact: a length
             let mut sides = run.sides.clone();
             sides.push(*side);
-            for stretch in taken(parts, &proved, &mut used) {
+            for stretch in proved_stretches(parts, &proved, &mut used) {
                 let (low, high) = (parts[*stretch.start()].place, parts[*stretch.end()].place);
                 // Lemma D7: the ends of the stretch land before the one and behind the other.
-                let (low, high) = (low + WINDOW + 2, high.saturating_sub(WINDOW + 1)); // D7: none if it is shorter
+                let (low, high) = (low + NEIGHBOUR_CELLS + 2, high.saturating_sub(NEIGHBOUR_CELLS + 1)); // D7: none if it is shorter
                 if low < high {
                     self.collect(run.from, &sides, next.stretch(low, high), &mut runs, &mut words);
                 }
@@ -180,7 +180,7 @@ impl<'s> Search<'s> {
         (runs, words, tally)
     }
 
-    fn collect(&self, from: usize, sides: &[Side], tube: Tube, runs: &mut Vec<Run>, words: &mut Vec<Path>) {
+    fn collect(&self, from: usize, sides: &[Side], tube: BoxChain, runs: &mut Vec<Run>, words: &mut Vec<Path>) {
         let phases = tube.chords().iter().map(|chord| chord.bottom[0]);
         let [low, high] = phases.fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], x| [a.min(x), b.max(x)]); // proposes: where to look
         let mut taken: Vec<(usize, usize)> = Vec::new();
@@ -202,7 +202,7 @@ impl<'s> Search<'s> {
         taken.sort_unstable();
         let mut start = 0;
         for (a, b) in taken.into_iter().chain([(tube.cells(), tube.cells())]) {
-            if a > start + 4 * WINDOW {
+            if a > start + 4 * NEIGHBOUR_CELLS {
                 runs.push(Run { from, sides: sides.to_vec(), tube: tube.stretch(start, a) });
             }
             start = b;

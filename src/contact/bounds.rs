@@ -119,7 +119,7 @@ impl<'a, const WIDE: bool> Bounds<'a, WIDE> {
         self.flight.velocity.abs() + self.radii.velocity
     }
 
-    /// Returns the part of the error of `z` that comes from the spread of starts, within `time` turns of the start.
+    /// Returns the part of the error of `z` that comes from the spread of starts, within `time` forcing periods of the start.
     #[inline(always)]
     fn spread(&self, time: f64) -> f64 {
         let Radii { phase, velocity, height } = self.radii;
@@ -141,7 +141,7 @@ impl<'a, const WIDE: bool> Bounds<'a, WIDE> {
         UNIT.mul_add(rounding, self.drift.mul_add(span, pair.waves) + self.spread(time))
     }
 
-    /// Lemma C1: bounds `|z - computed z|` at an extremum within `time` turns of the start.
+    /// Lemma C1: bounds `|z - computed z|` at an extremum within `time` forcing periods of the start.
     #[inline(always)]
     pub fn extremum(&self, time: f64) -> f64 {
         let (flight, pair) = (self.flight, self.pair);
@@ -191,7 +191,7 @@ impl<'a, const WIDE: bool> Bounds<'a, WIDE> {
     pub fn critical_phase(&self) -> f64 {
         // |q - computed q| with q = c/beta, |q| <= 1.
         let ratio = (self.slope() + self.beta_radius()) / self.pair.least_beta + UNIT;
-        // acos is Hoelder continuous: |acos x - acos y| <= pi sqrt(|x - y|/2), in turns sqrt(|x - y|/8).
+        // acos is Hoelder continuous: |acos x - acos y| <= pi sqrt(|x - y|/2), in forcing periods sqrt(|x - y|/8).
         if ratio >= 0.0 { SLACK * (ACOS_ERROR + 0.354 * ratio.sqrt() + 16.0 * UNIT) } else { f64::INFINITY }
     }
 

@@ -47,7 +47,7 @@ pub(crate) enum Doubt {
 }
 
 /// Flights from a wall up to this many forcing periods are bracketed with the departure root divided out; it works to 1/8.
-pub(super) const SHORT: f64 = 0.124;
+pub(super) const SHORT_FLIGHT: f64 = 0.124;
 
 /// Returns whether the kernel accepts a time, of a flight that ends near its start (Lemma K2).
 #[inline(always)]
@@ -73,7 +73,7 @@ impl<const WIDE: bool> Bounds<'_, WIDE> {
     pub fn bracket(&self, iterate: &Iterate) -> Option<Bracket> {
         let (flight, turns) = (self.flight, iterate.turns);
         let elapsed = flight.elapsed(turns, iterate.at);
-        if elapsed <= SHORT && self.is_on_wall() {
+        if elapsed <= SHORT_FLIGHT && self.is_on_wall() {
             return self.short_bracket(iterate.target, turns + (iterate.at - flight.phase) - iterate.step);
         }
         let (bracket, is_proved) = self.long_bracket(iterate, elapsed);
@@ -207,7 +207,7 @@ impl<const WIDE: bool> Bounds<'_, WIDE> {
         let extrema = Extrema::new::<Kernel>(self.flight);
         let (first, _) = extrema.before(arrival.target);
         let k = (arrival.time.mid() - first).ceil().max(0.0); // proposes: C4 is proved for this k
-        // The heights were computed `shift` turns at most from the true extrema, where |z'| <= 28 beta shift^2.
+        // The heights were computed `shift` forcing periods at most from the true extrema, where |z'| <= 28 beta shift^2.
         let shift = self.critical_phase();
         self.is_on_first_piece(&extrema, k, &arrival, 60.0 * self.pair.beta * shift * shift * shift)
     }

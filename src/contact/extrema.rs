@@ -81,7 +81,7 @@ impl Extrema {
         let rising = flight.velocity > 0.0 || (flight.velocity == 0.0 && flight.sin > 0.0); // C4: exactly no velocity
         // The phase of the start in the mirrored frame, in [0, 1): rising on (p, 1 - p).
         let mirrored = flight.phase + flight.wall.mirror_phase();
-        let start = mirrored - mirrored.floor(); // C4: whole turns; its rounding is refused near 0
+        let start = mirrored - mirrored.floor(); // C4: whole forcing periods; its rounding is refused near 0
         let (first_max, first_min) = if rising {
             let first_max = 1.0 - p - start;
             (first_max, first_max + 2.0 * p)

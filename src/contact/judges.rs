@@ -3,11 +3,11 @@
 use super::bounds::{Bounds, Margins, Radii};
 use super::certify::{Arrival, Bracket, Doubt};
 use super::extrema::{Extrema, Target};
-use super::solve::{Iterate, Judge, NoProposal, propose};
+use super::solve::{Iterate, NoProposal, Verifier, propose};
 use super::{Contact, Reason, Undecided};
 use crate::flight::Flight;
 use crate::number::kernel::{SIN_COS_ERROR, SmallAngle};
-use crate::number::{ABOVE_TURN, Ball, Kernel, Number, UNIT, up};
+use crate::number::{ABOVE_TWO_PI, Ball, Kernel, Number, UNIT, up};
 use crate::pair::{Inward, Reduced, Wall};
 
 impl Bracket {
@@ -29,7 +29,7 @@ impl<const WIDE: bool> Bounds<'_, WIDE> {
 }
 
 /// The enclosure disposes.
-impl<const WIDE: bool> Judge for Bounds<'_, WIDE> {
+impl<const WIDE: bool> Verifier for Bounds<'_, WIDE> {
     type Answer = Result<Bracket, Undecided>;
 
     #[inline(always)]
@@ -84,9 +84,11 @@ pub(crate) fn first_contacts(
     point: Radii,
     all: Radii,
 ) -> Result<(SetContact, Ball), Undecided> {
-    let judges =
-        Both { centre: Bounds::<false>::new(flight, margins, point), all: Bounds::<true>::new(flight, margins, all) };
-    let (all, centre) = propose::<Kernel, _>(flight, &judges)?;
+    let verifiers = SetAndCentre {
+        centre: Bounds::<false>::new(flight, margins, point),
+        all: Bounds::<true>::new(flight, margins, all),
+    };
+    let (all, centre) = propose::<Kernel, _>(flight, &verifiers)?;
     Ok(together(flight, margins, &all, &centre))
 }
 
@@ -110,21 +112,21 @@ pub(super) fn together(flight: &Flight<f64>, margins: &Margins, all: &Bracket, c
 /// `y''` at all starts of a set and at its contacts, from the computed sine of the centre's phase and that over the contacts.
 #[inline(always)]
 pub(crate) fn accelerations(pair: &Reduced<Ball>, phase: Ball, sin0: f64, sin1: Ball) -> [Ball; 2] {
-    let sin0 = Ball::exact(sin0).widened(SIN_COS_ERROR + ABOVE_TURN * phase.rad());
+    let sin0 = Ball::exact(sin0).widened(SIN_COS_ERROR + ABOVE_TWO_PI * phase.rad());
     let acceleration = pair.beta.turn() * pair.beta;
     [acceleration * sin0, acceleration * sin1]
 }
 
 /// Judges the flights of a set, and the one of its centre.
-struct Both<'a> {
+struct SetAndCentre<'a> {
     centre: Bounds<'a, false>,
     all: Bounds<'a, true>,
 }
 
-impl Both<'_> {
+impl SetAndCentre<'_> {
     /// Returns the undecided result of a set: the reason is its width if the flight from its centre is decided.
     #[cold]
-    fn blame(doubt: Undecided, centre: Result<Bracket, Undecided>) -> Undecided {
+    fn undecided_of_set(doubt: Undecided, centre: Result<Bracket, Undecided>) -> Undecided {
         match centre {
             Ok(_) => Undecided { reason: Reason::Width, ..doubt },
             Err(_) => doubt,
@@ -132,12 +134,13 @@ impl Both<'_> {
     }
 }
 
-impl Judge for Both<'_> {
+impl Verifier for SetAndCentre<'_> {
     type Answer = Result<(Bracket, Bracket), Undecided>;
 
     #[inline(always)]
     fn monotone(&self, iterate: &Iterate) -> Self::Answer {
-        let all = self.all.monotone(iterate).map_err(|doubt| Self::blame(doubt, self.centre.monotone(iterate)))?;
+        let all =
+            self.all.monotone(iterate).map_err(|doubt| Self::undecided_of_set(doubt, self.centre.monotone(iterate)))?;
         let centre = self.centre.bracket(iterate).ok_or_else(|| self.centre.unbracketed(iterate))?;
         Ok((all, centre))
     }
@@ -145,7 +148,7 @@ impl Judge for Both<'_> {
     #[inline(always)]
     fn hop(&self, iterate: &Iterate, departure: &SmallAngle) -> Self::Answer {
         let all = self.all.hop(iterate, departure);
-        let all = all.map_err(|doubt| Self::blame(doubt, self.centre.hop(iterate, departure)))?;
+        let all = all.map_err(|doubt| Self::undecided_of_set(doubt, self.centre.hop(iterate, departure)))?;
         let centre = self.centre.hop_bracket(iterate, departure);
         Ok((all, centre.ok_or_else(|| self.centre.unbracketed(iterate))?))
     }
@@ -153,7 +156,7 @@ impl Judge for Both<'_> {
     #[inline(always)]
     fn piece(&self, iterate: &Iterate, extrema: &Extrema, k: f64) -> Self::Answer {
         let all = self.all.piece(iterate, extrema, k);
-        let all = all.map_err(|doubt| Self::blame(doubt, self.centre.piece(iterate, extrema, k)))?;
+        let all = all.map_err(|doubt| Self::undecided_of_set(doubt, self.centre.piece(iterate, extrema, k)))?;
         let centre = self.centre.bracket(iterate).ok_or_else(|| self.centre.unbracketed(iterate))?;
         Ok((all, centre))
     }
@@ -182,7 +185,7 @@ impl Unproved<'_> {
     }
 }
 
-impl Judge for Unproved<'_> {
+impl Verifier for Unproved<'_> {
     type Answer = Option<Contact<f64>>;
 
     #[inline(always)]

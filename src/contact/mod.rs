@@ -170,7 +170,7 @@ impl PairBounds {
 /// was made for, the first contact is on the wall and inside the balls returned, it exists, and no wall is touched
 /// between start and contact. The flight's parameters must be the centres of the pair's.
 /// **Undecided when** the contact or an earlier extremum may be a graze, the departure's direction is not
-/// certain, the drift may be 0, the phase is not within 2 turns of 0, or the radii are too wide to decide.
+/// certain, the drift may be 0, the phase is not within 2 forcing periods of 0, or the radii are too wide to decide.
 /// **Cost**: one floating solve and about a hundred operations; no allocation.
 ///
 /// ```
@@ -178,7 +178,7 @@ impl PairBounds {
 /// use impact_pair::flight::Flight;
 /// use impact_pair::number::{Ball, kernel::sin_cos};
 /// use impact_pair::pair::{Reduced, Wall};
-/// // No shaking (A = 0): half a gap a turn crosses the gap in two turns.
+/// // No shaking (A = 0): half a gap per forcing period crosses the gap in two forcing periods.
 /// let (zero, one) = (Ball::exact(0.0), Ball::exact(1.0));
 /// let pair = Reduced { alpha: zero, beta: zero, restitution: one };
 /// let flight = Flight::from_wall(&pair.centre(), Wall::Left, 0.0, 0.5, sin_cos(0.0));

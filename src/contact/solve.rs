@@ -22,7 +22,7 @@ const MOST_HOP_STEPS: u32 = 8;
 /// Flights longer than this many forcing periods are not followed: the phase kernel ends there.
 pub(crate) const LONGEST_FLIGHT: f64 = (1_u64 << 39) as f64;
 
-/// Returns whether a phase is within 2 turns of 0.
+/// Returns whether a phase is within 2 forcing periods of 0.
 ///
 /// Lemma C4: mirroring it rounds by at most 2 UNIT then; orbits count whole forcing periods apart.
 #[inline(always)]
@@ -52,7 +52,7 @@ pub(crate) struct Iterate {
 /// The treatment of a proposed first contact; each kind of flight has its own proof.
 ///
 /// A trait and not an enum: each kind is compiled with its judge, and nothing passes through memory.
-pub(crate) trait Judge {
+pub(crate) trait Verifier {
     type Answer;
     /// `|c| >= beta`: `z` is monotone for ever.
     fn monotone(&self, iterate: &Iterate) -> Self::Answer;
@@ -77,7 +77,7 @@ pub(crate) enum NoProposal {
 
 /// The first contact of `flight`, as far as doubles can tell, as `judge` sees it.
 #[inline(always)]
-pub(crate) fn propose<T: Trigonometry, J: Judge>(flight: &Flight<f64>, judge: &J) -> J::Answer {
+pub(crate) fn propose<T: Trigonometry, J: Verifier>(flight: &Flight<f64>, judge: &J) -> J::Answer {
     if flight.is_monotone() {
         if flight.drift == 0.0 {
             return judge.nothing(NoProposal::NoDrift);
@@ -143,7 +143,7 @@ pub(super) fn on_piece(flight: &Flight<f64>, extrema: &Extrema, piece: Piece) ->
 #[inline(always)]
 pub(super) fn on_monotone(flight: &Flight<f64>) -> (Search, f64) {
     let target = if flight.drift > 0.0 { Target::Far } else { Target::Near };
-    // The time if sin th1 were 0; the true one is at most alpha/|c| turns away, and not before the start.
+    // The time if sin th1 were 0; the true one is at most alpha/|c| forcing periods away, and not before the start.
     let base = flight.alpha.mul_add(flight.sin, flight.height - target.height());
     let mean = -base / flight.drift;
     let spread = flight.alpha / flight.drift.abs();
@@ -169,7 +169,7 @@ impl Search {
         let step = residual * velocity / bend.mul_add(-residual, square);
         // More than a quarter of the third derivative, 4 pi^2 beta at most.
         let jerk = 10.0 * flight.beta;
-        // The next error is about (bend^2/velocity^2 + jerk/velocity) step^3 at most: is that below 2^-57 turns?
+        // The next error is about (bend^2/velocity^2 + jerk/velocity) step^3 at most: is that below 2^-57 forcing periods?
         let cube = (step * step * step).abs();
         let error = cube * bend.mul_add(bend, jerk * velocity.abs());
         (Iterate { target, turns, at, residual, velocity, sin, cos, step }, error <= 2f64.powi(-57) * square)
@@ -268,7 +268,7 @@ pub(super) fn reaches_far(flight: &Flight<f64>, time: f64) -> bool {
     flight.velocity * time >= 1.0
 }
 
-/// The turns to take off a phase: none up to one forcing period, where the phase itself is as fine.
+/// The forcing periods to take off a phase: none up to one forcing period, where the phase itself is as fine.
 #[inline(always)]
 fn whole_turns(phase: f64) -> f64 {
     if phase.abs() <= 1.0 { 0.0 } else { phase.round() }

@@ -248,7 +248,7 @@ proptest! {
 
 /// Half the cases are meant to graze; enough of both are decided, and some of the grazes are not.
 #[test]
-fn the_cases_are_worth_their_time() {
+fn the_cases_have_every_verdict() {
     let mut runner = TestRunner::deterministic();
     let mut count = [0, 0, 0];
     for _ in 0..400 {

@@ -22,11 +22,11 @@ use crate::number::{Enclosing, Number, Wave};
 use crate::pair::Inward;
 
 /// The first piece, in forcing periods; later ones are at least as long before they are halved.
-const PIECE: f64 = 0.125;
+const FIRST_PIECE: f64 = 0.125;
 /// No piece is shorter: the wall is then called grazed.
-const SHORTEST: f64 = 1.0 / (1_u128 << 100) as f64; // exact: a power of two
+const MIN_PIECE: f64 = 1.0 / (1_u128 << 100) as f64; // exact: a power of two
 /// Pieces that are looked at, halved ones included, before the flight is called too long.
-const PIECES: usize = 10_000;
+const MAX_PIECES: usize = 10_000;
 /// Newton steps: each shortens the bracket by a quarter at least.
 const NEWTON_STEPS: usize = 1_000;
 
@@ -44,7 +44,7 @@ const NEWTON_STEPS: usize = 1_000;
 /// use impact_pair::number::{Number, Wave};
 /// use impact_pair::pair::{Reduced, Wall};
 /// use inari::Interval;
-/// // No shaking (A = 0): half a gap a turn crosses the gap in two turns.
+/// // No shaking (A = 0): half a gap per forcing period crosses the gap in two forcing periods.
 /// let [zero, half, one] = [0.0, 0.5, 1.0].map(Interval::from_f64);
 /// let pair = Reduced { alpha: zero, beta: zero, restitution: one };
 /// let flight = Flight::from_wall(&pair, Wall::Left, zero, half, zero.wave());
@@ -54,14 +54,14 @@ const NEWTON_STEPS: usize = 1_000;
 /// ```
 pub fn first_contact(flight: &Flight<Interval>) -> Verdict<Contact<Interval>> {
     let walk = Walk(flight);
-    let (mut begin, mut length) = (0.0, PIECE);
-    for _ in 0..PIECES {
+    let (mut begin, mut length) = (0.0, FIRST_PIECE);
+    for _ in 0..MAX_PIECES {
         let end = begin + length;
-        if !(length >= SHORTEST && end > begin) {
+        if !(length >= MIN_PIECE && end > begin) {
             return Verdict::Undecided(walk.graze(begin));
         }
         match walk.piece(begin, end) {
-            Piece::Inside => (begin, length) = (end, (2.0 * length).max(PIECE)), // I3: any length
+            Piece::Inside => (begin, length) = (end, (2.0 * length).max(FIRST_PIECE)), // I3: any length
             Piece::Contact(target) => return Verdict::Certified(walk.contact(target, between(begin, end))),
             Piece::Open => length /= 2.0,
         }
@@ -181,8 +181,8 @@ impl Walk<'_> {
 
     /// A wall may be touched with zero velocity, in the shortest piece from here on in which the ball may turn.
     fn graze(&self, begin: f64) -> Undecided {
-        let (mut piece, mut length) = (between(begin, begin), PIECE);
-        while length >= SHORTEST && self.velocity(between(begin, begin + length)).contains(0.0) {
+        let (mut piece, mut length) = (between(begin, begin), FIRST_PIECE);
+        while length >= MIN_PIECE && self.velocity(between(begin, begin + length)).contains(0.0) {
             (piece, length) = (between(begin, begin + length), length / 2.0);
         }
         let (low, high) = self.bounds(piece, self.velocity(piece));
@@ -274,8 +274,8 @@ mod tests {
             let alpha = 10f64.powf(log_alpha);
             let (turn, beta) = (std::f64::consts::TAU, std::f64::consts::TAU * alpha);
             let (phase, drift) = (at - time, beta * (turn * at).cos());
-            let way = drift * time - alpha * ((turn * at).sin() - (turn * phase).sin());
-            let (height, velocity) = (1.0 - way + miss, drift - beta * (turn * phase).cos());
+            let travel = drift * time - alpha * ((turn * at).sin() - (turn * phase).sin());
+            let (height, velocity) = (1.0 - travel + miss, drift - beta * (turn * phase).cos());
             (0.0 < height && height < 1.0).then_some(Start {
                 alpha,
                 wall: Wall::Left,
@@ -349,7 +349,7 @@ mod tests {
     }
 
     #[test]
-    fn a_ball_that_is_pressed_does_not_leave() {
+    fn a_ball_with_contact_force_does_not_leave() {
         let start = Start { alpha: 0.85, wall: Wall::Left, height: None, phase: -0.25, velocity: 0.0 };
         let Undecided { reason, wall, .. } = undecided(start);
         assert_eq!((reason, wall), (Reason::Graze, Some(Wall::Left)));
@@ -369,7 +369,7 @@ mod tests {
     }
 
     #[test]
-    fn a_motion_without_end_is_given_up() {
+    fn a_flight_without_end_is_undecided() {
         // The drift is 1e-5 gap widths per forcing period.
         let velocity = 1e-5 - 0.3 * std::f64::consts::TAU;
         let start = Start { alpha: 0.3, wall: Wall::Left, height: Some(0.5), phase: 0.0, velocity };

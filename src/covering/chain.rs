@@ -13,13 +13,13 @@ use crate::pair::Inward;
 use crate::shaken::{Flying, Origin};
 
 /// Nodes that are handed out at a time.
-const BLOCK: usize = 4096;
+const BLOCK_SIZE: usize = 4096;
 /// Impacts that are proposed anew where a link is not proved: another orbit is then far enough from the one that fails there.
-const BACK: usize = 60;
+const REPROPOSED_IMPACTS: usize = 60;
 /// Impacts that are looked ahead: contracting directions and sides have forgotten by then where they began.
-pub(crate) const AHEAD: usize = 512;
+pub(crate) const LOOKAHEAD: usize = 512;
 /// Number of times in a block that a link is avoided by moving the orbit before it.
-const TRIES: u32 = 2;
+const MAX_TRIES: u32 = 2;
 
 /// A chain under any excitation.
 pub(crate) trait Covering: std::fmt::Debug + Send {
@@ -114,12 +114,12 @@ impl<S: Flying, B: Beginning<S>> Chain<S, B> {
     fn goals(&self) -> (usize, usize) {
         // The first point has been handed out, but for a chain that has not begun.
         let last = self.left.saturating_sub(usize::from(!self.is_begun)); // proposes: how far
-        if last <= BLOCK { (last, last) } else { (BLOCK, BLOCK + BACK) }
+        if last <= BLOCK_SIZE { (last, last) } else { (BLOCK_SIZE, BLOCK_SIZE + REPROPOSED_IMPACTS) }
     }
 
     /// Proposes points up to the horizon; what stops them.
     fn propose(&mut self, goal: usize) -> Option<Undecided> {
-        while self.points.len() <= goal + AHEAD {
+        while self.points.len() <= goal + LOOKAHEAD {
             let last = self.points.last_mut()?;
             match last.next(&*self.shaken) {
                 Ok(point) => self.points.push(point),
@@ -163,7 +163,7 @@ impl<S: Flying, B: Beginning<S>> Chain<S, B> {
             let stopped = self.propose(goal);
             let points = self.points.len().min(horizon.saturating_add(1)); // proposes: how far
             let far = farthest(&self.points[..points]);
-            self.expands = far > goal + AHEAD / 2; // proposes: what to claim
+            self.expands = far > goal + LOOKAHEAD / 2; // proposes: what to claim
             plan(&mut self.points[..=far], usize::from(self.is_begun));
             let end = far.min(goal); // proposes: how far
             match self.prove(end) {
@@ -180,8 +180,8 @@ impl<S: Flying, B: Beginning<S>> Chain<S, B> {
                     return end;
                 }
                 // The move has to come after what is handed out, and before the link.
-                Err((at, _)) if tries < TRIES && at > 1 => {
-                    let from = at.saturating_sub(BACK).max(1); // proposes: any point
+                Err((at, _)) if tries < MAX_TRIES && at > 1 => {
+                    let from = at.saturating_sub(REPROPOSED_IMPACTS).max(1); // proposes: any point
                     self.points.truncate(from + 1);
                     self.points[from] = self.points[from].moved();
                     tries += 1;

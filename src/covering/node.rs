@@ -29,7 +29,7 @@ impl Axes {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Node {
     pub wall: Wall,
-    /// Whole turns of the centre and the rest, in `[-1/2, 1/2]`.
+    /// Whole forcing periods of the centre and the rest, in `[-1/2, 1/2]`.
     pub turns: i64,
     pub phase: f64,
     /// Before the impact, in gap widths per forcing period.

@@ -12,7 +12,7 @@ use crate::turns;
 
 /// Factor by which a node is wider than the least that covers the next one, and multiple of the noise that it makes room for.
 const MARGIN: f64 = 1.05;
-const NOISES: f64 = 2.0;
+const NOISE_MARGIN: f64 = 2.0;
 
 /// A state near an orbit, with what leads to it and away from it.
 #[derive(Clone, Copy, Debug)]
@@ -81,7 +81,7 @@ impl Point {
 
     /// Half the unstable side of what covers this node and is stretched so.
     pub fn covering_side(&self, growth: f64) -> f64 {
-        MARGIN * (self.node.sides[0] + NOISES * self.unstable_noise()) / growth
+        MARGIN * (self.node.sides[0] + NOISE_MARGIN * self.unstable_noise()) / growth
     }
 }
 

@@ -70,8 +70,8 @@ pub(crate) struct Starts {
 
 impl Starts {
     /// Returns the starts that differ by at most `apart`, in forcing periods or in gap widths per forcing period.
-    pub fn within(apart: f64, varied: Varied, asked: &State<Ball>) -> Self {
-        Self { varied, bounds: varied.widened(asked, apart) }
+    pub fn within(apart: f64, varied: Varied, requested: &State<Ball>) -> Self {
+        Self { varied, bounds: varied.widened(requested, apart) }
     }
 }
 
@@ -185,7 +185,7 @@ mod tests {
     }
 
     /// By (11), `dt1/dv0 = -(t1 - t0)/v1` of the flight from `t0 = 1/3`, which mpmath has end at 0.62232607566923914 with
-    /// 21.460093619252802; by (12), `dv1/dv0 = 1` at a fixed time. A turn takes 2, so that a gap a forcing period is a velocity of `d/2`.
+    /// 21.460093619252802; by (12), `dv1/dv0 = 1` at a fixed time. A forcing period takes 2, so that a gap per forcing period is a velocity of `d/2`.
     #[test]
     fn r32_the_derivative_by_the_start_is_that_of_the_flight_from_the_time_of_the_scene() {
         let (one, origin) = followed();

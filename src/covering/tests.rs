@@ -49,7 +49,7 @@ fn chaotic_figures_are_shadowed() {
 }
 
 #[test]
-fn what_does_not_expand_is_not_shadowed() {
+fn regular_orbits_are_not_shadowed() {
     for name in ["figure-12", "figure-13", "figure-15", "two-tones", "cascade"] {
         let mut shadow = Shadow::of(&scene(name)).unwrap();
         assert!(shadow.by_ref().take(1000).count() < 50, "{name}");
@@ -191,7 +191,7 @@ mod refined {
 
 /// The links of a proved chain, and the same spoiled.
 #[test]
-fn a_spoiled_chain_is_refused() {
+fn a_corrupted_chain_is_refused() {
     let scene = scene("figure-14");
     let clock = Clock::new(scene.pair(), scene.start().time(), 0).unwrap();
     let Either::One(one) = Either::new(scene.pair(), &clock).unwrap() else { panic!("one harmonic") };
@@ -272,7 +272,7 @@ proptest! {
 
     /// Lemma F1, in exact arithmetic, for members of the balls: with the narrowest node that is covered.
     #[test]
-    fn what_is_covered_is_stretched_across(
+    fn covered_h_sets_are_crossed(
         jacobian in prop::array::uniform5(-30.0..30.0f64), radius in -40..-3i32,
         axes in prop::array::uniform8(-1.0..1.0f64), sides in prop::array::uniform3(-45..-20i32),
         noise in prop::array::uniform3(-50..-25i32), off in prop::array::uniform2(-1.0..1.0f64),

@@ -115,12 +115,12 @@ impl Description {
     }
 }
 
-const DECIDED: &str = "the outcome of the orbit decides the fate";
+const DECIDED_BY_OUTCOME: &str = "the outcome of the orbit decides the fate";
 const STOPPED: &str = "interrupted";
 
 /// The trapping region around what attracts the motion, where the orbit's outcome leaves the fate undecided.
 fn region(scene: &Scene, orbit: &Followed, watch: &Latched<'_>) -> Region {
-    let skipped = [(orbit.decides().is_some(), DECIDED), (watch.is_stopped(), STOPPED)];
+    let skipped = [(orbit.decides().is_some(), DECIDED_BY_OUTCOME), (watch.is_stopped(), STOPPED)];
     if let Some((_, why)) = skipped.iter().find(|(is_so, _)| *is_so) {
         return Region::NotExamined((*why).to_owned());
     }

@@ -10,10 +10,10 @@ use crate::watch::Latched;
 use crate::{Error, Scene};
 
 /// Impacts that are followed first, and the factor from one attempt to the next.
-const FIRST: u64 = 32;
-const FACTOR: u64 = 4;
+const FIRST_IMPACTS: u64 = 32;
+const GROWTH_FACTOR: u64 = 4;
 /// Factor by which more impacts are followed in double precision: a motion that converges slowly costs little there.
-const IN_DOUBLES: u64 = 10;
+const DOUBLES_FACTOR: u64 = 10;
 
 /// An orbit, followed as far as its fate requires.
 #[derive(Debug)]
@@ -61,18 +61,18 @@ pub(super) fn followed(scene: &Scene, request: &Request, watch: &Latched<'_>) ->
         attractor: true,
         ..Settings::default()
     };
-    let mut impacts = FIRST.min(most);
+    let mut impacts = FIRST_IMPACTS.min(most);
     let found = loop {
         let found = Followed::of(scene, settings(Arithmetic::Auto, impacts), watch)?;
         let is_open = found.document.outcome.kind == "impacts-reached";
         if !is_open || impacts >= most || watch.is_stopped() {
             break found;
         }
-        impacts = impacts.saturating_mul(FACTOR).min(most);
+        impacts = impacts.saturating_mul(GROWTH_FACTOR).min(most);
     };
     if found.decides().is_some() || watch.is_stopped() {
         return Ok(found);
     }
-    let longer = Followed::of(scene, settings(Arithmetic::Interval, most.saturating_mul(IN_DOUBLES)), watch)?;
+    let longer = Followed::of(scene, settings(Arithmetic::Interval, most.saturating_mul(DOUBLES_FACTOR)), watch)?;
     Ok(if longer.decides().is_some() { longer } else { found })
 }

@@ -7,11 +7,11 @@ use crate::chaos::MOST_DEPTH;
 use crate::orbit::MULTIPRECISION;
 
 /// Numbers of impacts of the cycles that are looked for next.
-const CYCLES: &str = "1..6";
+const NEXT_CYCLES: &str = "1..6";
 /// Bits that are tried next where a wall may be touched with zero velocity.
 const BITS: u32 = 65_536;
 /// The factor of the impacts of a next attempt.
-const MORE: u64 = 10;
+const NEXT_FACTOR: u64 = 10;
 
 impl Description {
     /// Returns the questions that are undecided, each with a command on the scene of this name.
@@ -23,12 +23,12 @@ impl Description {
             // No command goes on: the reason is among what is not examined.
             FateName::Undecided if self.is_endless() => {}
             FateName::Undecided => {
-                let (asked, command) = self.orbit_question(&name);
-                all.push(question(&asked, command));
+                let (requested, command) = self.orbit_question(&name);
+                all.push(question(&requested, command));
             }
             FateName::StaysInRegion => {
-                let asked = "does the motion converge to a stable periodic orbit in the region?";
-                all.push(question(asked, format!("impact-pair cycles {name} --impacts {CYCLES}")));
+                let requested = "does the motion converge to a stable periodic orbit in the region?";
+                all.push(question(requested, format!("impact-pair cycles {name} --impacts {NEXT_CYCLES}")));
             }
             FateName::Attracted | FateName::Periodic | FateName::RestsForever | FateName::NeverImpacts => {}
         }
@@ -51,7 +51,7 @@ impl Description {
 
     /// Returns the undecided question about the orbit, and a command that continues.
     fn orbit_question(&self, name: &str) -> (String, String) {
-        let (impacts, more) = (self.orbit.impacts(), self.request.impacts.saturating_mul(MORE));
+        let (impacts, more) = (self.orbit.impacts(), self.request.impacts.saturating_mul(NEXT_FACTOR));
         if self.is_interrupted {
             return ("what becomes of the motion?".to_owned(), format!("impact-pair describe {name}"));
         }

@@ -151,7 +151,7 @@ fn a_motion_in_a_region_carries_what_trap_proves() {
 }
 
 #[test]
-fn what_is_stopped_at_once_is_undecided_and_says_so() {
+fn a_check_stopped_at_once_is_undecided_and_says_so() {
     let scene = figure("1", "9.42497", "0.5");
     let found = describe(&scene, &Request::default(), &|_: Stage<'_>| proceed_if(false)).unwrap();
     let document = found.document(&scene, "it's a scene.toml").unwrap();

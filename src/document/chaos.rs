@@ -14,7 +14,7 @@ use impact_pair_document::{
 
 use super::shares::shares;
 use crate::chaos::{
-    Asymptotics, Base, Cells, Chaos, Chord, Horseshoe, Hyperbolic, LeftOut, RangeSettings, Stretch, Trap, Verdict,
+    Asymptotics, Cells, Chaos, Chord, HSet, Horseshoe, Hyperbolic, LeftOut, RangeSettings, Stretch, Trap, Verdict,
     WallWords,
 };
 use crate::exact::{Enclosure, decimal_bounds_f64, decimal_f64};
@@ -161,18 +161,18 @@ pub(crate) fn period(word: &Word, cycles: u32) -> PeriodDocument {
 }
 
 /// Returns the verdicts over a range of a parameter.
-pub fn cells(scene: &Scene, asked: &RangeSettings, cells: &Cells) -> ChaosCellsDocument {
+pub fn cells(scene: &Scene, requested: &RangeSettings, cells: &Cells) -> ChaosCellsDocument {
     ChaosCellsDocument {
         schema: CHAOS_CELLS_SCHEMA.to_owned(),
         program: PROGRAM.to_owned(),
         certified: cells.stretches.iter().all(|stretch| stretch.verdict != Verdict::Undecided),
         scene: SceneDocument::new(scene.pair(), scene.start()),
-        over: range(&asked.over),
-        cells: asked.cells,
-        halvings: asked.halvings,
-        depth: asked.depth as u32,
+        over: range(&requested.over),
+        cells: requested.cells,
+        halvings: requested.halvings,
+        depth: requested.depth as u32,
         interrupted: cells.interrupted,
-        shares: shares(&asked.over, cells),
+        shares: shares(&requested.over, cells),
         stretches: cells.stretches.iter().map(stretch).collect(),
     }
 }
@@ -219,8 +219,8 @@ fn flights(walls: &[Wall]) -> String {
     before.zip(walls).map(|(from, to)| if from == to { 'N' } else { 'F' }).collect()
 }
 
-pub(super) fn base(base: &Base) -> BaseDocument {
-    let Base { left, right } = base;
+pub(super) fn base(base: &HSet) -> BaseDocument {
+    let HSet { left, right } = base;
     let middle = |[a, b]: [f64; 2], [c, d]: [f64; 2]| [0.5 * (a + c), 0.5 * (b + d)];
     let (low, high) = (middle(left.bottom, right.bottom), middle(left.top, right.top));
     let centre = middle(low, high);
@@ -237,19 +237,19 @@ pub(super) fn base(base: &Base) -> BaseDocument {
 }
 
 /// Returns the h-sets of a document.
-pub fn bases(document: &[BaseDocument]) -> Vec<Base> {
+pub fn bases(document: &[BaseDocument]) -> Vec<HSet> {
     document.iter().map(of_document).collect()
 }
 
-fn of_document(base: &BaseDocument) -> Base {
+fn of_document(base: &BaseDocument) -> HSet {
     let chord = |[bottom, top]: [[f64; 2]; 2]| Chord { bottom, top };
     if let Some(CornersDocument { left, right }) = base.corners {
-        return Base { left: chord(left), right: chord(right) };
+        return HSet { left: chord(left), right: chord(right) };
     }
     let double = |x: &Decimal| x.value().to_f64().unwrap_or(f64::NAN);
     let read = |[phase, speed]: [&Decimal; 2]| [double(phase) / TAU, double(speed)];
     let centre = read([&base.phase, &base.speed]);
     let [u, s] = [&base.expanding, &base.contracting].map(|[phase, speed]| read([phase, speed]));
     let corner = |a: f64, b: f64| [centre[0] + a * u[0] + b * s[0], centre[1] + a * u[1] + b * s[1]];
-    Base { left: chord([corner(-1.0, -1.0), corner(-1.0, 1.0)]), right: chord([corner(1.0, -1.0), corner(1.0, 1.0)]) }
+    HSet { left: chord([corner(-1.0, -1.0), corner(-1.0, 1.0)]), right: chord([corner(1.0, -1.0), corner(1.0, 1.0)]) }
 }

@@ -15,7 +15,7 @@ use crate::{Error, Scene};
 /// If a value exceeds the range of exact expressions.
 pub fn cycles(
     scene: &Scene,
-    asked: &RangeInclusive<u32>,
+    requested: &RangeInclusive<u32>,
     found: Result<&Cycles, NoTrap>,
 ) -> Result<CyclesDocument, Error> {
     let units = Units::gaps(scene.pair())?;
@@ -41,7 +41,7 @@ pub fn cycles(
         scene: SceneDocument::new(scene.pair(), scene.start()),
         reason: found.err().map(|why| why.words().to_owned()),
         boxes: all.map_or(0, |all| all.trap().boxes() as u64),
-        impacts: [*asked.start(), *asked.end()],
+        impacts: [*requested.start(), *requested.end()],
         fixed_points: counts.map(|(&impacts, &count)| (impacts as u32, count as u64)).collect(),
         no_attractor: all.is_some_and(Cycles::has_no_attractor),
         orbits: cycles.iter().map(cycle).collect(),

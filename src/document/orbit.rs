@@ -58,7 +58,7 @@ pub fn follow(
 
 /// Returns the head of the orbit JSON: scene, program and arithmetic.
 ///
-/// `computed` is the result of [`arithmetic`] when the orbit has ended, or of [`ArithmeticDocument::asked`] before.
+/// `computed` is the result of [`arithmetic`] when the orbit has ended, or of [`ArithmeticDocument::requested`] before.
 pub fn head(pair: &ImpactPair, start: &Start, arithmetic: Arithmetic, computed: ArithmeticDocument) -> OrbitHead {
     OrbitHead {
         schema: ORBIT_SCHEMA.to_owned(),

@@ -55,13 +55,13 @@ impl Units<Exact> {
         document
     }
 
-    /// An impact of a search or of a bifurcation, in N bits and turns of the common period.
+    /// An impact of a search or of a bifurcation, in N bits and forcing periods of the common period.
     pub(super) fn impact(&self, impact: &PeriodicImpact, (bits, period): (u32, u32)) -> MeasuredImpact {
         measured_impact(impact, (bits, period), |velocity| self.velocity(velocity, bits)).map(bounds)
     }
 }
 
-/// The turn that an impact is in, where it is given: flights that differ by whole common periods differ in nothing else.
+/// The forcing period that an impact is in, where it is given: flights that differ by whole common periods differ in nothing else.
 fn cycle(problem: &Problem, impact: &PeriodicImpact) -> Option<i64> {
     (problem.chain().cycles() > problem.period()).then(|| impact.cycle())
 }

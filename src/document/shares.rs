@@ -74,7 +74,7 @@ fn end_of_fraction([low, high]: [&Exact; 2], all: [&Exact; 2], rounded: Rounded)
 mod tests {
     use super::*;
 
-    fn said(parts: &[[&str; 2]], all: [&str; 2]) -> [f64; 2] {
+    fn rounded_shares(parts: &[[&str; 2]], all: [&str; 2]) -> [f64; 2] {
         let number = |text: &str| Exact::parse(text).unwrap();
         let parts: Vec<[Exact; 2]> = parts.iter().map(|part| part.map(number)).collect();
         let all = all.map(number);
@@ -85,14 +85,14 @@ mod tests {
     /// A range with a gap of less than half a millionth was said to be proved as a whole, and nothing of it to be undecided.
     #[test]
     fn r41_shares_are_rounded_outward() {
-        assert_eq!(said(&[["0", "0.9999999"]], ["0", "1"]), [0.999_999, 1.0]);
-        assert_eq!(said(&[["0.9999999", "1"]], ["0", "1"]), [0.0, 0.000_001]);
-        assert_eq!(said(&[["2", "7/3"]], ["2", "3"]), [0.333_333, 0.333_334]);
+        assert_eq!(rounded_shares(&[["0", "0.9999999"]], ["0", "1"]), [0.999_999, 1.0]);
+        assert_eq!(rounded_shares(&[["0.9999999", "1"]], ["0", "1"]), [0.0, 0.000_001]);
+        assert_eq!(rounded_shares(&[["2", "7/3"]], ["2", "3"]), [0.333_333, 0.333_334]);
         // Exact fractions are not rounded, in any unit.
-        assert_eq!(said(&[["1", "1.25"], ["1.5", "1.75"]], ["1", "2"]), [0.5, 0.5]);
-        assert_eq!(said(&[["pi", "1.5*pi"]], ["pi", "2*pi"]), [0.5, 0.5]);
-        assert_eq!(said(&[["sqrt(2)", "sqrt(2)+1e-9"]], ["sqrt(2)", "sqrt(2)+1e-3"]), [0.000_001, 0.000_001]);
-        assert_eq!(said(&[["0", "1/2"]], ["0", "sqrt(2)"]), [0.353_553, 0.353_554]);
-        assert_eq!(said(&[], ["0", "1"]), [0.0, 0.0]);
+        assert_eq!(rounded_shares(&[["1", "1.25"], ["1.5", "1.75"]], ["1", "2"]), [0.5, 0.5]);
+        assert_eq!(rounded_shares(&[["pi", "1.5*pi"]], ["pi", "2*pi"]), [0.5, 0.5]);
+        assert_eq!(rounded_shares(&[["sqrt(2)", "sqrt(2)+1e-9"]], ["sqrt(2)", "sqrt(2)+1e-3"]), [0.000_001, 0.000_001]);
+        assert_eq!(rounded_shares(&[["0", "1/2"]], ["0", "sqrt(2)"]), [0.353_553, 0.353_554]);
+        assert_eq!(rounded_shares(&[], ["0", "1"]), [0.0, 0.0]);
     }
 }

@@ -129,7 +129,7 @@ fn an_orbit_that_did_not_end_was_interrupted() {
 }
 
 #[test]
-fn floats_claim_nothing() {
+fn floating_point_claims_nothing() {
     let (document, impacts) = document(&scene("1", "wall = \"left\", velocity = -12.56636"), Arithmetic::Float);
     assert_eq!(document["certified"], false);
     assert_eq!(document["arithmetic"], json!({"kind": "float", "bits": 53}));
@@ -231,7 +231,7 @@ fn an_attractor_is_confirmed_and_nothing_else_in_its_place() {
     for (path, value) in [("from", json!(1)), ("word", json!("P2 P1")), ("cycles", json!(2))] {
         assert!(!matches!(spoiled(path, value), Verdict::Confirmed { .. }), "{path}");
     }
-    // Ten turns later.
+    // Ten forcing periods later.
     let later = |copy: &mut Value, impact: usize| {
         let phase = &mut copy["outcome"]["orbit"]["impacts"][impact]["phase"];
         let at: f64 = phase[0].as_str().unwrap().parse().unwrap();

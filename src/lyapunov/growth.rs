@@ -139,7 +139,7 @@ impl Growth {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::tolerances::{NORM_OF_PRODUCT, NORM_OF_THOUSAND};
+    use crate::tolerances::{NORM_OF_PRODUCT, NORM_OF_THOUSAND_FACTORS};
 
     /// `ln` of the norm by floating point.
     fn norm([[a, b], [c, d]]: [[f64; 2]; 2]) -> f64 {
@@ -184,7 +184,7 @@ mod tests {
         let found = growth.logarithm_of_norm().unwrap();
         let exact = -15_000.0 * std::f64::consts::LN_10;
         assert!(
-            (found.mid() - exact).abs() <= found.rad() + NORM_OF_THOUSAND && found.rad() < 1e-6,
+            (found.mid() - exact).abs() <= found.rad() + NORM_OF_THOUSAND_FACTORS && found.rad() < 1e-6,
             "{found:?} {exact}"
         );
     }

@@ -76,7 +76,7 @@ mod tests {
 
     /// Of a complex pair both moduli are `e^n`, after `n` impacts: the limit is `ln e`, whatever the orbit.
     #[test]
-    fn of_a_complex_pair_it_is_the_logarithm_of_the_restitution() {
+    fn the_limit_for_a_complex_pair_is_the_logarithm_of_the_restitution() {
         let complex = |orbit: &&PeriodicOrbit| orbit.eigenvalues[0].im.sign() == Some(std::cmp::Ordering::Greater);
         let mut seen = 0;
         for restitution in ["0.5", "0.6", "0.7", "0.8", "0.9"] {
@@ -92,7 +92,7 @@ mod tests {
 
     /// Of a real pair the trace is the sum of both: `rho + e^(2n)/rho`.
     #[test]
-    fn of_a_real_pair_it_gives_back_the_trace() {
+    fn the_limit_for_a_real_pair_reproduces_the_trace() {
         let real = |orbit: &&PeriodicOrbit| orbit.eigenvalues[0].im.is_point() && orbit.stability == Stability::Stable;
         let mut seen = 0;
         for gap in ["9.42497", "9.425", "9.43"] {

@@ -85,7 +85,7 @@ pub struct Disturbance {
     /// The last impact; the start when it is on a wall.
     last: Option<Impact>,
     turns: Ball,
-    /// The turns of another harmonic in one of the fastest, and its square, where the former are the unit of times.
+    /// The periods of another harmonic in one of the fastest, and its square, where the former are the unit of times.
     rate: Option<[Ball; 2]>,
     /// The growth is not known any more: it will not matter if a rest follows.
     is_lost: bool,

@@ -10,9 +10,9 @@ pub(super) struct Scaled {
 }
 
 /// A mantissa beyond `2^(+-LARGEST)` is brought back.
-const LARGEST: i32 = 200;
-/// The smaller term of a sum is bounded, not computed, when it is less than `2^-FAR` of the larger one.
-const FAR: i32 = 300;
+const MAX_EXPONENT: i32 = 200;
+/// The smaller term of a sum is bounded, not computed, when it is less than `2^-NEGLIGIBLE_EXPONENT` of the larger one.
+const NEGLIGIBLE_EXPONENT: i32 = 300;
 
 impl Scaled {
     pub fn one() -> Self {
@@ -24,7 +24,7 @@ impl Scaled {
         let product = self.mantissa * factor;
         let mantissa = if product.mid() < 0.0 { -product } else { product };
         let binary = mantissa.mid().log2();
-        if binary.abs() <= f64::from(LARGEST) || !binary.is_finite() {
+        if binary.abs() <= f64::from(MAX_EXPONENT) || !binary.is_finite() {
             return Self { mantissa, ..self };
         }
         // A power of two that keeps the centre exact; the radius may lose what is below the normal range.
@@ -42,9 +42,9 @@ impl Scaled {
     /// Returns the mantissa in units of `2^exponent`, for an exponent that is not much smaller than its own.
     pub fn in_units_of(self, exponent: i64) -> Ball {
         let shift = self.exponent - exponent;
-        if shift < -i64::from(FAR + 2 * LARGEST) {
-            // 2^shift is far less than 2^-FAR; what is no number stays none.
-            return Ball::new(0.0, 2f64.powi(-FAR) * (self.mantissa.mag() + 1.0));
+        if shift < -i64::from(NEGLIGIBLE_EXPONENT + 2 * MAX_EXPONENT) {
+            // 2^shift is far less than 2^-NEGLIGIBLE_EXPONENT; what is no number stays none.
+            return Ball::new(0.0, 2f64.powi(-NEGLIGIBLE_EXPONENT) * (self.mantissa.mag() + 1.0));
         }
         self.mantissa * Ball::exact(2f64.powi(shift as i32)) // exact: at most 800 in size
     }
@@ -62,7 +62,7 @@ impl Scaled {
 
     /// `self / sum` for a `sum` that is at least twice as large, up to rounding.
     pub fn in_units_of_sum(self, sum: Self) -> Option<Ball> {
-        if self.exponent > sum.exponent + 4 * i64::from(LARGEST) {
+        if self.exponent > sum.exponent + 4 * i64::from(MAX_EXPONENT) {
             return None;
         }
         self.in_units_of(sum.exponent).checked_div(sum.mantissa)

@@ -67,7 +67,7 @@ fn bounds_hold_the_norm_of_differences() {
         let impact = orbit.by_ref().last().unwrap();
         impact.precise.map(|precise| *precise).unwrap()
     };
-    // W = pi: a turn is 2 time units; a gap a turn is 9.42497/2.
+    // W = pi: a forcing period is 2 time units; a gap per forcing period is 9.42497/2.
     let column = |less: (_, _), more: (_, _)| {
         let half = |a: &crate::exact::Enclosure, b: &crate::exact::Enclosure| b.sub(a, 300).mid_rad().0 / (2.0 * step);
         [half(&less.0, &more.0), half(&less.1, &more.1)]
@@ -84,7 +84,7 @@ fn bounds_hold_the_norm_of_differences() {
 
 #[cfg(feature = "multiprecision")]
 #[test]
-fn figure_14_grows_by_a_factor_of_e_to_the_two_fifths_an_impact() {
+fn figure_14_grows_by_a_factor_of_e_to_the_two_fifths_per_impact() {
     let Exponent::Finite { per_impact, .. } = after(&scene("figure-14"), 1500, 6).exponent() else {
         panic!("an exponent")
     };
@@ -105,7 +105,7 @@ fn a_rest_forgets_a_graze_has_no_derivative() {
 }
 
 #[test]
-fn a_ball_that_nothing_presses_forgets_nothing() {
+fn a_rest_without_contact_force_has_no_exponent() {
     let still = |phase: &str, amplitude: &str| {
         let text = format!(
             "excitation = {{ amplitude = {amplitude}, frequency = 1, phase = \"{phase}\" }}\n\
@@ -119,7 +119,7 @@ fn a_ball_that_nothing_presses_forgets_nothing() {
 }
 
 #[test]
-fn without_rebound_one_direction_is_left() {
+fn without_rebound_one_direction_remains() {
     // e = 0: each impact forgets the velocity before it.
     let text = "excitation = { amplitude = 8, frequency = 1, phase = 0 }\npair = { gap = 1, restitution = 0 }\n\
                 start = { time = 0.3, wall = \"left\", velocity = -1 }";

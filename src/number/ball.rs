@@ -24,9 +24,9 @@ pub(crate) const TINY: f64 = f64::MIN_POSITIVE;
 /// The smallest positive double: twice what a product that underflows is off (Lemma B1).
 const SMALLEST: f64 = f64::from_bits(1);
 
-/// More than `2 pi`: what the sine and the cosine of a phase in turns change by at most for each turn.
-pub(crate) const ABOVE_TURN: f64 = 6.3;
-/// `2^400`: what ratios and rates may be at most, in gaps and turns, so that nothing overflows in the course of a flight.
+/// More than `2 pi`: what the sine and the cosine of a phase in periods change by at most for each period.
+pub(crate) const ABOVE_TWO_PI: f64 = 6.3;
+/// `2^400`: what ratios and rates may be at most, in gaps and forcing periods, so that nothing overflows in the course of a flight.
 pub(crate) const LARGEST_RATE: f64 = 2.582_249_878_086_908_6e120;
 /// Bits that an exact number is enclosed in to become a ball: more than twice those of a double, so only the double rounds.
 const EXACT_BITS: u32 = 120;
@@ -129,7 +129,7 @@ impl Ball {
         }
         let (s, c) = kernel::sin_cos(self.mid);
         // Lemma K1, and the slope of both is at most 2 pi.
-        let rad = up(kernel::SIN_COS_ERROR + ABOVE_TURN * self.rad);
+        let rad = up(kernel::SIN_COS_ERROR + ABOVE_TWO_PI * self.rad);
         (Self::new(s, rad), Self::new(c, rad))
     }
 }
@@ -217,9 +217,9 @@ impl Wave for Ball {
         }
         let SmallAngle { versine, excess, sine } = kernel::departure(self.mid);
         // sin x <= x, 1 - cos x <= x^2/2; the spread is 0 for a point.
-        let angle = ABOVE_TURN * longest;
+        let angle = ABOVE_TWO_PI * longest;
         let ball =
-            |x: f64, slope: f64| Self::new(x, up(x * kernel::DEPARTURE_ERROR * 2.0 + ABOVE_TURN * slope * self.rad));
+            |x: f64, slope: f64| Self::new(x, up(x * kernel::DEPARTURE_ERROR * 2.0 + ABOVE_TWO_PI * slope * self.rad));
         Some(SmallAngle { versine: ball(versine, angle), excess: ball(excess, angle * angle), sine: ball(sine, 1.0) })
     }
 }

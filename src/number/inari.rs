@@ -175,7 +175,7 @@ mod tests {
         enclosure(interval).unwrap().intersection(truth).is_some()
     }
 
-    /// An interval and a member: ends at quarter turns and next to them, widths from nothing to turns.
+    /// An interval and a member: ends at quarter periods and next to them, widths from nothing to periods.
     fn members() -> impl Strategy<Value = (Interval, f64)> {
         let near = prop_oneof![Just(0.0), Just(1e-300), Just(f64::EPSILON), -1e-9..1e-9f64, -0.3..0.3f64];
         let quarter = prop_oneof![3 => -9..9i64, 1 => -(1i64 << 41)..1i64 << 41];
@@ -291,7 +291,7 @@ mod tests {
     }
 
     #[test]
-    fn what_has_no_end_is_no_ball() {
+    fn an_unbounded_interval_is_no_ball() {
         for interval in [Interval::EMPTY, Interval::ENTIRE, between(0.0, f64::INFINITY)] {
             assert_eq!(Ball::try_from(interval), Err(Unbounded));
             assert_eq!(enclosure(interval), None);

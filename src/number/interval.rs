@@ -204,7 +204,7 @@ impl Interval {
         self.wave(0.0, |u| kernel::sin_cos(u).1)
     }
 
-    /// The values of the sine or the cosine, which is greatest whole turns from `peak` and least half a turn later (Lemma I1).
+    /// The values of the sine or the cosine, which is greatest whole periods from `peak` and least half a period later (Lemma I1).
     #[inline(always)]
     fn wave(self, peak: f64, at: impl Fn(f64) -> f64) -> Self {
         // Lemma K1: nothing is known beyond

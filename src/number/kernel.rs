@@ -1,6 +1,6 @@
-//! Sine and cosine of an angle in turns, with error bounds that Gappa and Coq have checked.
+//! Sine and cosine of an angle in periods, with error bounds that Gappa and Coq have checked.
 //!
-//! The phase is counted in turns (`theta = 2 pi u`), so that taking off quarter turns is exact. What is
+//! The phase is counted in periods (`theta = 2 pi u`), so that taking off quarter periods is exact. What is
 //! left is `|r| <= 1/8`, and with `x = r^2`
 //!
 //! ```text
@@ -13,13 +13,13 @@
 //!
 //! **Lemma K1** ([`sin_cos`]). Let `|u| <= 2^40`. (a) `k = round(4u)` and `r = u - k/4` are computed without
 //! error, and `|r| <= 1/8`. (b) Both results are within [`SIN_COS_ERROR`] of the truth and in `[-1, 1]`.
-//! (c) Quarter turns give exactly -1, 0, 1; `sin_cos(-u)` is exactly `(-sin, cos)` of `sin_cos(u)`.
+//! (c) Quarter periods give exactly -1, 0, 1; `sin_cos(-u)` is exactly `(-sin, cos)` of `sin_cos(u)`.
 //!
 //! *Proof.* (a) `u + MAGIC` lies in `[2^50, 2^51]`, where the doubles are the multiples of 1/4: its rounding is
 //! `MAGIC + k/4` with `|u - k/4| <= 1/8`, and subtracting `MAGIC` is exact. For `k = 0`, `r = u`. Otherwise
 //! `1/8 <= |u| <= 2^40`, hence ulp(u) <= 2^-12; u and k/4 are multiples of ulp(u), so is r; as
 //! `|r| <= 1/8 <= |u|`, r is a double and the subtraction returns it. (b) For `|r| <= 1/8`: `prove`, K1.
-//! By (a), u is k quarter turns beyond r; turning by them multiplies by -1, 0 and 1 and adds zeros: exact.
+//! By (a), u is k quarter periods beyond r; turning by them multiplies by -1, 0 and 1 and adds zeros: exact.
 //! (c) r = 0 gives (0, 1). `MAGIC` is an even number of quarters, so ties go to even k and k is odd in u; so is
 //! r; the sine at r is made of products and sums odd in r, the cosine sees only `r * r`. []
 //!
@@ -41,10 +41,10 @@ pub const SIN_COS_ERROR: f64 = 3.0 / (1_u64 << 55) as f64;
 /// Relative error of every field of [`SmallAngle`]: `0x1p-51` (Lemma K2).
 pub const DEPARTURE_ERROR: f64 = 1.0 / (1_u64 << 51) as f64;
 
-/// Absolute error of [`acos_coarse`], in turns: `0x1p-31` (Lemma K3).
+/// Absolute error of [`acos_coarse`], in periods: `0x1p-31` (Lemma K3).
 pub const ACOS_ERROR: f64 = 1.0 / (1_u64 << 31) as f64;
 
-/// The domain of [`sin_cos`], in turns (Lemma K1).
+/// The domain of [`sin_cos`], in periods (Lemma K1).
 pub const LARGEST_PHASE: f64 = (1_u64 << 40) as f64;
 
 /// `2 pi` to nearest, `0x1.921fb54442d18p+2`; the bits keep clippy from taking it for a rough constant.
@@ -90,7 +90,7 @@ const A: [f64; 9] = [
 /// `1.5 * 2^50`: next to it the doubles are the multiples of 1/4.
 const MAGIC: f64 = (3_u64 << 49) as f64; // K1: exact
 
-/// Versine, excess and sine at a small angle of `h` turns: the differences of cosine and sine from their values and slopes at 0.
+/// Versine, excess and sine at a small angle of `h` periods: the differences of cosine and sine from their values and slopes at 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SmallAngle<N = f64> {
     /// `1 - cos 2 pi h`
@@ -121,7 +121,7 @@ fn sine(r: f64, x: f64, x2: f64) -> f64 {
 
 /// `(sin 2 pi u, cos 2 pi u)` for `|u| <= 2^40`, each within [`SIN_COS_ERROR`] (Lemma K1).
 ///
-/// Quarter turns are exact; sine is odd and cosine even in `u`, exactly (as numbers: a zero may have either
+/// Quarter periods are exact; sine is odd and cosine even in `u`, exactly (as numbers: a zero may have either
 /// sign). Outside the domain the result means nothing.
 #[inline(always)]
 pub fn sin_cos(u: f64) -> (f64, f64) {
@@ -149,7 +149,7 @@ pub fn sin_cos(u: f64) -> (f64, f64) {
     (sine.mul_add(along, cosine * across), cosine.mul_add(along, -(sine * across)))
 }
 
-/// Versine, excess and sine of `h` turns, `0 <= h <= 1/8`, without cancellation (Lemma K2).
+/// Versine, excess and sine of `h` periods, `0 <= h <= 1/8`, without cancellation (Lemma K2).
 ///
 /// For `h = 0` or `h >= 2^-300` each is within the *relative* error [`DEPARTURE_ERROR`]; below that `h^3`
 /// underflows and nothing is claimed.
@@ -164,7 +164,7 @@ pub fn departure(h: f64) -> SmallAngle {
     SmallAngle { versine, excess, sine }
 }
 
-/// `acos(q) / (2 pi)` in turns, in `[0, 1/2]`, for `-1 <= q <= 1`, within [`ACOS_ERROR`] (Lemma K3).
+/// `acos(q) / (2 pi)` in periods, in `[0, 1/2]`, for `-1 <= q <= 1`, within [`ACOS_ERROR`] (Lemma K3).
 #[inline(always)]
 pub fn acos_coarse(q: f64) -> f64 {
     debug_assert!(q.abs() <= 1.0, "{q} is not in [-1, 1]");

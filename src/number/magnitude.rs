@@ -168,7 +168,7 @@ mod tests {
 
     proptest! {
         #[test]
-        fn operations_are_bounds_from_their_side(a in magnitude(), b in magnitude()) {
+        fn operations_round_to_their_side(a in magnitude(), b in magnitude()) {
             let (x, y) = (exact(a), exact(b));
             prop_assert!(exact(a + b) >= &x + &y && exact(a * b) >= &x * &y);
             prop_assert_eq!(a.partial_cmp(&b), Some(x.cmp(&y)));

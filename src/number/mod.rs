@@ -2,7 +2,7 @@
 //!
 //! `f64` proposes, [`Ball`] disposes, and `MpBall` where doubles do not suffice: the float twin, the enclosures and
 //! the Jacobian run through the same lines of [`crate::flight`] and [`crate::mapping`] and cannot drift apart, and so do the
-//! intervals of the package inari in a build with the feature `inari`. Phases are in turns everywhere (see [`kernel`]).
+//! intervals of the package inari in a build with the feature `inari`. Phases are in periods everywhere (see [`kernel`]).
 
 mod approx;
 mod ball;
@@ -23,7 +23,7 @@ use std::ops::{Add, Mul, Neg, Sub};
 use crate::exact::Enclosure;
 
 pub use ball::Ball;
-pub(crate) use ball::{ABOVE_TURN, LARGEST_RATE, TINY, UNIT, binade, is_positive, up};
+pub(crate) use ball::{ABOVE_TWO_PI, LARGEST_RATE, TINY, UNIT, binade, is_positive, up};
 use kernel::SmallAngle;
 pub use logarithm::logarithm;
 pub use magnitude::Magnitude;
@@ -41,7 +41,7 @@ pub trait Number: Clone + Add<Output = Self> + Sub<Output = Self> + Mul<Output =
     fn mul_add(self, b: Self, c: Self) -> Self;
     /// `self / b`; for balls and intervals `None` when the divisor may be 0.
     fn checked_div(self, b: Self) -> Option<Self>;
-    /// `2 pi`, one turn in radians, as precisely as `self` is.
+    /// `2 pi`, one period in radians, as precisely as `self` is.
     fn turn(&self) -> Self;
     /// `sign * self` for a sign of 1 or -1, exactly.
     fn signed(self, sign: f64) -> Self;
@@ -95,7 +95,7 @@ impl Number for f64 {
     }
 }
 
-/// A number that phases can be: sine and cosine of an angle in turns.
+/// A number that phases can be: sine and cosine of an angle in periods.
 pub trait Wave: Number {
     /// `(sin 2 pi u, cos 2 pi u)`; for balls, of every member.
     fn wave(&self) -> (Self, Self);
@@ -140,16 +140,16 @@ pub trait Enclosing: Wave + nalgebra::Scalar {
     fn as_enclosure(&self) -> Option<Enclosure>;
 }
 
-/// The trigonometry of a floating-point solver, in turns.
+/// The trigonometry of a floating-point solver, in periods.
 ///
 /// [`Kernel`] is ours and certified; [`Std`] is the standard library's, which promises no bound: it serves
 /// as the plain baseline that the benches compare with.
 pub trait Trigonometry {
-    /// Bound of the error of [`Trigonometry::acos`], in turns (for [`Std`] the usual one, not proved).
+    /// Bound of the error of [`Trigonometry::acos`], in periods (for [`Std`] the usual one, not proved).
     const ACOS_ERROR: f64;
     /// `(sin 2 pi u, cos 2 pi u)`
     fn sin_cos(u: f64) -> (f64, f64);
-    /// Versine, excess and sine of a short flight of `h` turns, `0 <= h <= 1/8`.
+    /// Versine, excess and sine of a short flight of `h` periods, `0 <= h <= 1/8`.
     fn departure(h: f64) -> SmallAngle;
     /// `acos(q) / (2 pi)` for `-1 <= q <= 1`.
     fn acos(q: f64) -> f64;

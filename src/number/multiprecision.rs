@@ -19,7 +19,7 @@ use rug::integer::Order;
 use rug::{Assign, Float, Integer};
 
 use super::kernel::SmallAngle;
-use super::{ABOVE_TURN, Ball, Enclosing, LEAST_BITS, Magnitude, Number, Wave, up};
+use super::{ABOVE_TWO_PI, Ball, Enclosing, LEAST_BITS, Magnitude, Number, Wave, up};
 use crate::exact::{Dyadic, Enclosure};
 
 /// All real numbers within [`MpBall::rad`] of [`MpBall::mid`].
@@ -212,7 +212,7 @@ impl MpBall {
         Enclosure::new(low, end(Float::with_val_round(bits, &self.mid + &rad, Round::Up)))
     }
 
-    /// Encloses `(sin 2 pi u, cos 2 pi u)` for all `u` in the ball; at quarter turns they are exact.
+    /// Encloses `(sin 2 pi u, cos 2 pi u)` for all `u` in the ball; at quarter periods they are exact.
     pub fn sin_cos(&self) -> (Self, Self) {
         if let Some(quarter) = self.quarter() {
             let at = |shift: i32| [0.0, 1.0, 0.0, -1.0][(quarter + shift).rem_euclid(4) as usize]; // exact: 0 to 3
@@ -220,7 +220,7 @@ impl MpBall {
         }
         if let Some(found) = sine::sin_cos(&self.mid, self.bits()) {
             // Their slopes are at most 2 pi.
-            let turned = Magnitude::new(ABOVE_TURN, 0) * self.rad;
+            let turned = Magnitude::new(ABOVE_TWO_PI, 0) * self.rad;
             return found.map(|(mid, error)| Self { mid, rad: turned + error }).into();
         }
         let angle = self.turn().times(self);
@@ -232,7 +232,7 @@ impl MpBall {
         (Self { mid: sin, rad }, Self { mid: cos, rad })
     }
 
-    /// Returns the number of quarter turns, if it is exactly an integer, and small.
+    /// Returns the number of quarter periods, if it is exactly an integer, and small.
     fn quarter(&self) -> Option<i32> {
         if !self.rad.is_zero() {
             return None;
@@ -269,7 +269,7 @@ impl MpBall {
     /// the one before, so what is left out of each sum is smaller than the first term that is left out of one.
     pub fn short_departure(&self) -> Option<SmallAngle<Self>> {
         // Relative to the excess, the smallest of them.
-        let size = Magnitude::new(ABOVE_TURN, 0) * self.mag();
+        let size = Magnitude::new(ABOVE_TWO_PI, 0) * self.mag();
         self.departure_within(size * size * size * Magnitude::power_of_two(-i64::from(self.bits()) - 3))
     }
 
@@ -283,7 +283,7 @@ impl MpBall {
             let bits = (size.log2() - error.log2()).max(0.0) + 3.0; // M1: any number of bits
             (bits as u32).clamp(LEAST_BITS, self.bits().max(LEAST_BITS)) // M1: any number of bits
         };
-        let bits = worth(Magnitude::new(ABOVE_TURN, 0) * self.mag());
+        let bits = worth(Magnitude::new(ABOVE_TWO_PI, 0) * self.mag());
         let turn = Self { mid: Float::new(bits), rad: Magnitude::ZERO }.turn();
         let x = turn.product(self, bits);
         let size = x.mag();

@@ -56,7 +56,7 @@ impl Neg for Truth {
 }
 
 impl Truth {
-    /// One turn in radians.
+    /// One period in radians.
     pub fn turn() -> Self {
         Self(Enclosure::pi(BITS)) * 2.0
     }

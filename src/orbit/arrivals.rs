@@ -1,6 +1,6 @@
 //! The next impacts of many states, each by itself, with states and bounds as doubles.
 
-use super::dense::Dial;
+use super::dense::PhaseConverter;
 use super::given::Given;
 use super::{Clock, Start};
 use crate::Error;
@@ -28,7 +28,7 @@ use crate::turns;
 pub struct Arrivals {
     clock: Clock,
     given: Given,
-    dial: Dial,
+    dial: PhaseConverter,
 }
 
 /// The impact that follows a state.
@@ -53,7 +53,7 @@ impl Arrivals {
         let zero = Exact::from(0);
         let clock = Clock::new(pair, &zero, f64::MANTISSA_DIGITS)?;
         let given = Given::new(pair, &Start::on_wall(zero.clone(), Wall::Left, zero)?, &clock)?;
-        let dial = Dial::new(&clock);
+        let dial = PhaseConverter::new(&clock);
         Ok(Self { clock, given, dial })
     }
 

@@ -5,32 +5,32 @@ use std::cmp::Ordering;
 use super::{Arithmetic, Orbit};
 use crate::exact::Exact;
 use crate::impact::Impact;
-use crate::periodic::{Attractor, LONGEST, Problem, find_attractor};
+use crate::periodic::{Attractor, MAX_PERIOD, Problem, find_attractor};
 use crate::watch::Watch;
 
 /// Number of the last impacts that are kept.
-const KEPT: usize = 4096;
+const KEPT_IMPACTS: usize = 4096;
 /// An attractor's orbit is enclosed to N digits at most.
 const DIGITS: u32 = 100;
-const _: () = assert!(KEPT > LONGEST, "a period and the state after it");
+const _: () = assert!(KEPT_IMPACTS > MAX_PERIOD, "a period and the state after it");
 
 /// The last impacts of an orbit.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Recent {
     impacts: Vec<Impact>,
-    /// Position of the next one, once [`KEPT`] are kept.
+    /// Position of the next one, once [`KEPT_IMPACTS`] are kept.
     next: usize,
 }
 
 impl Recent {
-    /// Keeps an impact, in the place of the one [`KEPT`] impacts before.
+    /// Keeps an impact, in the place of the one [`KEPT_IMPACTS`] impacts before.
     #[inline(always)]
     pub fn keep(&mut self, impact: Impact) {
         match self.impacts.get_mut(self.next) {
             Some(oldest) => *oldest = impact,
             None => self.impacts.push(impact),
         }
-        self.next = (self.next + 1) % KEPT;
+        self.next = (self.next + 1) % KEPT_IMPACTS;
     }
 
     /// Returns the impacts that are kept, in order of time.
@@ -48,14 +48,14 @@ impl Orbit {
     #[cold]
     pub(super) fn attractor(&self, watch: &dyn Watch) -> Option<Attractor> {
         // The grazes of a motion without impacts end here as well; floats prove nothing.
-        if !self.asked.settings.attractor
+        if !self.requested.settings.attractor
             || self.followed.still.is_some()
-            || self.asked.settings.arithmetic == Arithmetic::Float
+            || self.requested.settings.arithmetic == Arithmetic::Float
             || !self.may_attract()
         {
             return None;
         }
-        let (mut impacts, digits) = (self.pending.recent.in_order(), self.asked.settings.digits.min(DIGITS)); // shown
+        let (mut impacts, digits) = (self.pending.recent.in_order(), self.requested.settings.digits.min(DIGITS)); // shown
         // Without a common period nothing is periodic.
         let origin = self.clock.turns_into(self.engine.given.shaken.period()?);
         // Lemma N1: less than a period, of 32 bits.
@@ -81,7 +81,7 @@ mod tests {
 
     #[test]
     fn the_last_impacts_are_kept_in_order() {
-        for count in [0, 1, 5, KEPT - 1, KEPT, KEPT + 1, 3 * KEPT + 7] {
+        for count in [0, 1, 5, KEPT_IMPACTS - 1, KEPT_IMPACTS, KEPT_IMPACTS + 1, 3 * KEPT_IMPACTS + 7] {
             let mut recent = Recent::default();
             for index in 1..=count as u64 {
                 let ball = Ball::exact(index as f64);
@@ -89,7 +89,7 @@ mod tests {
                 recent.keep(Impact { index, mapping, wall, turns: 0, phase: ball, velocity: ball, precise });
             }
             let kept: Vec<u64> = recent.in_order().iter().map(|impact| impact.index).collect();
-            let first = count.saturating_sub(KEPT) as u64 + 1;
+            let first = count.saturating_sub(KEPT_IMPACTS) as u64 + 1;
             assert!(kept.iter().copied().eq(first..=count as u64), "{count}: {kept:?}");
         }
     }

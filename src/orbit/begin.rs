@@ -5,8 +5,8 @@ use std::cmp::Ordering;
 use super::given::Given;
 use super::motion::Motion;
 use super::pending::Pending;
-use super::raise::Raise;
-use super::shadowed::Near;
+use super::raise::PrecisionRaise;
+use super::shadowed::NearbyStart;
 use super::splice::Splice;
 use super::width::Width;
 use super::{Arithmetic, Clock, Cursor, Engine, Followed, MULTIPRECISION, Orbit, Requested, Settings, Start};
@@ -43,7 +43,7 @@ impl Orbit {
             Arithmetic::Shadow => shadowed(&given, &origin, (pair, start, &clock), &settings)?,
             arithmetic => given.motion(arithmetic)?,
         };
-        let near = Near::new(&clock, start, &*motion);
+        let near = NearbyStart::new(&clock, start, &*motion);
         let arithmetic = match settings.arithmetic {
             Arithmetic::Shadow if near.is_none() => Arithmetic::Interval,
             arithmetic => arithmetic,
@@ -68,7 +68,7 @@ impl Orbit {
         };
         let mut orbit = Self {
             clock,
-            asked: Requested { settings, until, widths, shown },
+            requested: Requested { settings, until, widths, shown },
             engine,
             initial,
             followed,
@@ -93,10 +93,14 @@ impl Orbit {
     /// Prepares a new start: the ways to raise the precision, and whether no wall is ever hit.
     pub(super) fn look_ahead(&mut self) {
         if self.engine.arithmetic == Arithmetic::Auto && MULTIPRECISION {
-            let left = self.asked.settings.impacts.map(|impacts| impacts - self.listed.min(impacts)); // exact: not negative
-            let settings = Settings { impacts: left, ..self.asked.settings.clone() };
-            self.engine.raise =
-                Some(Raise::new(self.engine.given.clone(), self.followed.from.turns, self.asked.until, &settings));
+            let left = self.requested.settings.impacts.map(|impacts| impacts - self.listed.min(impacts)); // exact: not negative
+            let settings = Settings { impacts: left, ..self.requested.settings.clone() };
+            self.engine.raise = Some(PrecisionRaise::new(
+                self.engine.given.clone(),
+                self.followed.from.turns,
+                self.requested.until,
+                &settings,
+            ));
         }
         self.pending.is_expected |= self.followed.still.is_some();
     }
@@ -134,7 +138,7 @@ fn shadowed(
         return given.motion(Arithmetic::Interval);
     }
     // Of fewer impacts all are proved by precision but the last one.
-    let spliced = settings.impacts.map_or(settings.splice, |impacts| impacts.min(settings.splice)); // exact: as many as are asked for
+    let spliced = settings.impacts.map_or(settings.splice, |impacts| impacts.min(settings.splice)); // exact: as many as are requested
     if spliced == 0 {
         return Ok(motion);
     }

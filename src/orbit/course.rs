@@ -144,7 +144,7 @@ impl Orbit {
     fn along(&self, course: &Course, turns: i64, phase: Ball) -> (Ball, Ball) {
         let Course { turns: from, phase: start, offset, drift } = *course;
         let (shift, speed) = self.shaking(turns, phase);
-        // Lemma N1; exact below 2^53, and flights are at most 2^52 turns long.
+        // Lemma N1; exact below 2^53, and flights are at most 2^52 forcing periods long.
         let time = Ball::exact((turns - from) as f64) + (phase - start);
         (offset + drift * time - shift, drift - speed)
     }

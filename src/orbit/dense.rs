@@ -33,7 +33,7 @@ pub struct Dense {
     has_grazed: bool,
     /// The exact start, unless it is another one that is followed.
     start: Option<Exact>,
-    dial: Dial,
+    dial: PhaseConverter,
 }
 
 /// Bounds of `y` \[length\] and of `y'` \[length/time\], as doubles.
@@ -45,7 +45,7 @@ impl Dense {
         let (course, turns, phase) = orbit.first_course();
         let start = orbit.shadow().is_none().then(|| start.time().clone());
         let parts = vec![((turns, phase), Part::Flight(course))];
-        Self { parts, has_grazed: false, start, dial: Dial::new(orbit.clock()) }
+        Self { parts, has_grazed: false, start, dial: PhaseConverter::new(orbit.clock()) }
     }
 
     /// Records the next event.
@@ -149,13 +149,13 @@ fn is_certain(ball: Ball) -> bool {
 
 /// Converts times into phases, and back.
 #[derive(Debug)]
-pub(super) struct Dial {
+pub(super) struct PhaseConverter {
     rate: Enclosure,
     shift: Enclosure,
     slowness: Enclosure,
 }
 
-impl Dial {
+impl PhaseConverter {
     pub fn new(clock: &Clock) -> Self {
         let [rate, shift, slowness] = clock.factors(BITS);
         Self { rate, shift, slowness }
@@ -219,7 +219,7 @@ mod tests {
     }
 
     #[test]
-    fn rests_and_chatter_are_told_apart_from_flights() {
+    fn rests_and_chatter_are_distinguished_from_flights() {
         let (orbit, dense, events) = followed("chatter", "auto");
         let wall = orbit.wall_displacement().to_f64_bounds().1;
         let rest = events.iter().find_map(|event| match event {

@@ -49,7 +49,7 @@ use crate::watch::{Latched, Unwatched, Watch};
 use given::Given;
 use motion::Motion;
 use pending::Pending;
-use raise::Raise;
+use raise::PrecisionRaise;
 use width::Width;
 
 /// Bits beyond those of the requested digits that `auto` spends on a decision: what they leave undecided is a graze, or `Undecided`.
@@ -81,7 +81,7 @@ pub const VERDICT_BITS: u32 = 8192;
 #[derive(Debug)]
 pub struct Orbit {
     clock: Clock,
-    asked: Requested,
+    requested: Requested,
     engine: Engine,
     /// The requested start; those near by, one of which has the orbit, of a shadowed one.
     initial: State<Ball>,
@@ -118,7 +118,7 @@ struct Engine {
     /// No interval among the data: more precision makes every enclosure narrower.
     is_point: bool,
     /// The ways to raise the precision if the motion does not suffice.
-    raise: Option<Raise>,
+    raise: Option<PrecisionRaise>,
     /// The most bits of motions before the last release.
     bits: u32,
     /// No chatter is shorter than the velocity before an impact times this, in forcing periods.
@@ -159,7 +159,7 @@ impl Orbit {
 
     /// Returns the arithmetic.
     pub fn arithmetic(&self) -> Arithmetic {
-        self.asked.settings.arithmetic
+        self.requested.settings.arithmetic
     }
 
     /// Returns the maximum precision of an impact so far, in bits: 53 in double precision.
@@ -206,7 +206,7 @@ impl Orbit {
     /// The next impact, or else what has happened instead: impacts, of which there are many, are not moved about.
     #[inline(always)]
     fn fly(&mut self) -> Result<Impact, Progress> {
-        if self.outcome.is_none() && self.asked.settings.impacts.is_some_and(|impacts| self.listed >= impacts) {
+        if self.outcome.is_none() && self.requested.settings.impacts.is_some_and(|impacts| self.listed >= impacts) {
             return Err(self.finish(Outcome::ImpactsReached));
         }
         if self.outcome.is_some() {
@@ -250,7 +250,7 @@ impl Orbit {
         self.listed = next.index;
         self.note_nearness(phase);
         let mut impact = Impact { index: next.index, mapping, wall, turns, phase, velocity, precise: None };
-        if self.asked.settings.attractor {
+        if self.requested.settings.attractor {
             self.pending.recent.keep(impact.clone());
         }
         impact.precise = self.precise(&contact).map(Box::new);
@@ -262,7 +262,7 @@ impl Orbit {
 
     /// Keeps what may have to be repeated.
     #[inline]
-    fn hand_out(&mut self, event: Progress) -> Progress {
+    fn record_event(&mut self, event: Progress) -> Progress {
         if self.pending.is_expected {
             self.pending.recurrence.keep(&event);
         }
@@ -306,13 +306,13 @@ impl Orbit {
 
     /// Returns the requested time \[time\], if all events up to it are listed because it ended the list.
     pub fn listed_until(&self) -> Option<&Exact> {
-        self.asked.settings.until.as_ref().filter(|_| self.pending.is_late)
+        self.requested.settings.until.as_ref().filter(|_| self.pending.is_late)
     }
 
     /// Returns whether an event certainly comes after the time to stop at: by its listed bounds, `enclosed` being its phase
     /// without the whole forcing periods.
     fn is_past(&self, turns: i64, phase: Ball, enclosed: impl FnOnce() -> Enclosure) -> bool {
-        self.asked.until.is_some_and(|until| {
+        self.requested.until.is_some_and(|until| {
             // Lemma N1: exact below 2^53; beyond, rounding keeps the sign, and the rest is at most 2.
             let ahead = Ball::from_f64((turns - until.turns) as f64) + (phase - until.rest);
             // V7: what doubles do not decide the bounds do
@@ -323,17 +323,17 @@ impl Orbit {
     /// Returns whether the listed bounds are past the exact time to stop at: to twice their bits, if that is irrational.
     #[cold]
     fn is_listed_past(&self, turns: i64, phase: &Enclosure) -> bool {
-        let until = self.asked.settings.until.as_ref();
+        let until = self.requested.settings.until.as_ref();
         let listed = self.exact_time(turns, phase);
         until.is_some_and(|until| match until.as_rational() {
             Some(until) => compare_rational(listed.inf(), until).is_gt(),
-            None => until.enclose(self.asked.shown.saturating_mul(2)).sup() < listed.inf(), // X1: any number of bits encloses
+            None => until.enclose(self.requested.shown.saturating_mul(2)).sup() < listed.inf(), // X1: any number of bits encloses
         })
     }
 
     /// The phase of the contact in hand as it is listed, without the whole forcing periods.
     fn enclosed(&self, phase: Ball) -> Enclosure {
-        self.engine.motion.enclosures(self.asked.shown).map_or_else(|| finite(phase), |(phase, _)| phase)
+        self.engine.motion.enclosures(self.requested.shown).map_or_else(|| finite(phase), |(phase, _)| phase)
     }
 }
 

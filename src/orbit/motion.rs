@@ -101,7 +101,7 @@ impl<S: Flying> Motion for FloatMotion<S> {
 #[derive(Debug)]
 pub(super) struct IntervalMotion<S: Flying> {
     shaken: Arc<S>,
-    /// Whole turns of the last contact.
+    /// Whole forcing periods of the last contact.
     turns: i64,
     states: States<StateSet, Ball>,
     /// Sines and cosines at the start of the next flight, where they are known better than by the phase.

@@ -15,7 +15,7 @@ const SPARE_BITS: u32 = 64;
 impl Orbit {
     /// Returns the phase `W t + tau` of an impact \[rad\]: its lower bound in `[0, 2 pi)`, the upper one beyond if it may be 0.
     pub fn phase(&self, impact: &Impact) -> Enclosure {
-        in_radians(&impact.enclosures().0, self.asked.shown)
+        in_radians(&impact.enclosures().0, self.requested.shown)
     }
 
     /// The phase `(W t + tau)/(2 pi)` of an impact, whole forcing periods included.
@@ -23,7 +23,7 @@ impl Orbit {
         let whole = self.clock.origin() + impact.turns;
         // X1: any number of bits encloses
         let bits = self
-            .asked
+            .requested
             .shown
             .saturating_add(u32::try_from(whole.bits()).unwrap_or(u32::MAX / 2))
             .saturating_add(SPARE_BITS);
@@ -32,7 +32,7 @@ impl Orbit {
 
     /// Bits of what is shown beyond the digits.
     pub(crate) fn shown_bits(&self) -> u32 {
-        self.asked.shown
+        self.requested.shown
     }
 
     /// Returns the bounds of an impact's velocity \[length/time\], before it.
@@ -42,7 +42,7 @@ impl Orbit {
 
     /// Returns the forcing periods from one impact to a later one.
     pub fn turns_between(&self, from: &Impact, to: &Impact) -> Ball {
-        // More than 2^53 turns are rounded, and then the ball of phases is not worth anything: it is widened by that.
+        // More than 2^53 forcing periods are rounded, and then the ball of phases is not worth anything: it is widened by that.
         let whole = to.turns - from.turns;
         // N1: twice what the cast below may round
         let rounding = if whole.unsigned_abs() < 1 << 53 { 0.0 } else { f64::EPSILON * whole as f64 };

@@ -6,7 +6,7 @@ use super::Period;
 use super::attraction::Recent;
 use super::event::{Outcome, Progress, Rest};
 use super::recurrence::Recurrence;
-use super::shadowed::Near;
+use super::shadowed::NearbyStart;
 use super::shortfall::Shortfall;
 use super::{Cursor, Followed, Orbit};
 use crate::contact::{Grazed, Undecided};
@@ -35,7 +35,7 @@ pub(super) struct Pending {
     /// The last impacts handed out.
     pub recent: Recent,
     /// The starts one of which has the orbit, if it is a shadowed one.
-    pub near: Option<Near>,
+    pub near: Option<NearbyStart>,
 }
 
 /// The end of a rest.
@@ -76,7 +76,7 @@ impl Orbit {
         };
         self.pending.grazes += 1;
         let is_late = self.is_past(turns, Ball::exact(at), || finite(Ball::exact(at)));
-        if is_late || self.asked.settings.impacts.is_some_and(|impacts| self.pending.grazes > impacts) {
+        if is_late || self.requested.settings.impacts.is_some_and(|impacts| self.pending.grazes > impacts) {
             self.outcome = Some(Outcome::Periodic(Period { cycles: 1, impacts: 0 }));
             self.pending.is_late = is_late;
             return Progress::Ended;
@@ -133,8 +133,8 @@ impl Orbit {
         if time > 0.0 && !self.bounces() {
             return None;
         }
-        let width = self.asked.widths[0];
-        // Impacts are listed until they shrink below the digits asked for.
+        let width = self.requested.widths[0];
+        // Impacts are listed until they shrink below the requested digits.
         if time.log2() > width.log2 - 1.0 {
             return None;
         }
@@ -144,15 +144,15 @@ impl Orbit {
         if is_wide && self.engine.arithmetic == Arithmetic::Auto && self.restart(Shortfall::Width(1.0)) {
             return Some(Progress::Retraced(0));
         }
-        let exactly = self.exactly().map(|origin| origin.state.phase.enclose(self.asked.shown));
+        let exactly = self.exactly().map(|origin| origin.state.phase.enclose(self.requested.shown));
         let enclosed = exactly.as_ref().unwrap_or(now); // exact: another enclosure of the same phase
         let span = Enclosure::from_f64_bounds(0.0, time)?;
-        let enclosed = enclosed.add(&span, self.asked.shown.saturating_add(64)); // X1: any number of bits encloses
-        let released = || self.engine.given.shaken.release(wall, turns, now, self.asked.shown);
+        let enclosed = enclosed.add(&span, self.requested.shown.saturating_add(64)); // X1: any number of bits encloses
+        let released = || self.engine.given.shaken.release(wall, turns, now, self.requested.shown);
         let resting = if for_ever { Resting::ForEver } else { released().map_or(Resting::Undecided, Resting::Until) };
         (self.pending.resting, self.pending.is_expected) = (Some(resting), true);
         let at = Touch { wall, turns, phase: enclosed };
-        Some(self.hand_out(Progress::Rest(Rest { at, is_accumulation: time > 0.0 })))
+        Some(self.record_event(Progress::Rest(Rest { at, is_accumulation: time > 0.0 })))
     }
 
     /// Returns whether infinitely many impacts follow for each member: none stays on its wall at once, by `e = 0` or a start without
@@ -162,7 +162,8 @@ impl Orbit {
         let moves = |velocity: Ball| velocity.certain_sign().is_some_and(Ordering::is_ne);
         let rebounds = self.engine.pair.restitution.certain_sign() == Some(Ordering::Greater);
         // C3: certified contacts are transversal, so an impact has a velocity, whatever its ball holds. Floats prove nothing.
-        rebounds && (is_impact || moves(self.cursor.velocity)) || self.asked.settings.arithmetic == Arithmetic::Float
+        rebounds && (is_impact || moves(self.cursor.velocity))
+            || self.requested.settings.arithmetic == Arithmetic::Float
     }
 
     /// The ball leaves the wall it rests on; all that was not known of its state is forgotten.
@@ -180,16 +181,19 @@ impl Orbit {
         if self.is_past(turns, phase, || release.at.phase.clone()) {
             return self.finish(Outcome::TimeReached);
         }
-        let event = self.hand_out(Progress::Release(release.at.clone()));
+        let event = self.record_event(Progress::Release(release.at.clone()));
         self.pending.recurrence.release(&release, self.listed);
         self.engine.given.leave(release);
         let velocity = Ball::exact(0.0);
         let from = Cursor { index: self.listed, wall: Some(wall), height: None, turns, phase, velocity };
-        (self.cursor, self.followed) = (from, Followed::new(from, true, &self.engine.given, &self.asked.settings));
+        (self.cursor, self.followed) = (from, Followed::new(from, true, &self.engine.given, &self.requested.settings));
         self.engine.bits = self.bits();
-        self.engine.motion =
-            self.engine.given.motion(self.asked.settings.arithmetic).expect("the arithmetic was there at the start");
-        if self.asked.settings.arithmetic == Arithmetic::Shadow {
+        self.engine.motion = self
+            .engine
+            .given
+            .motion(self.requested.settings.arithmetic)
+            .expect("the arithmetic was there at the start");
+        if self.requested.settings.arithmetic == Arithmetic::Shadow {
             self.engine.arithmetic = Arithmetic::Auto;
         }
         self.look_ahead();
@@ -201,7 +205,7 @@ impl Orbit {
         let Grazed { wall, touch: (whole, at, enclosure), turns, phase, height, velocity } =
             self.engine.motion.pass_graze()?;
         let touched = turns::after(self.cursor.turns, whole)?;
-        let enclosed = enclosure.rounded(self.asked.shown);
+        let enclosed = enclosure.rounded(self.requested.shown);
         if self.is_past(touched, at, || enclosed.clone()) {
             return Some(self.finish(Outcome::TimeReached));
         }
@@ -214,8 +218,8 @@ impl Orbit {
             ..self.cursor
         };
         // From here on the data are a box: no precision makes it narrower.
-        self.followed = Followed::new(self.cursor, false, &self.engine.given, &self.asked.settings);
+        self.followed = Followed::new(self.cursor, false, &self.engine.given, &self.requested.settings);
         (self.engine.raise, self.engine.is_point) = (None, false);
-        Some(self.hand_out(Progress::Graze(Touch { wall, turns: touched, phase: enclosed })))
+        Some(self.record_event(Progress::Graze(Touch { wall, turns: touched, phase: enclosed })))
     }
 }

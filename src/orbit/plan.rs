@@ -19,7 +19,7 @@ use crate::number::LEAST_BITS;
 use crate::turns;
 
 /// Bits that constant factors eat.
-const GUARD: f64 = 24.0;
+const GUARD_BITS: f64 = 24.0;
 /// Standard deviations of the growth that are allowed for.
 const DEVIATIONS: f64 = 3.0;
 /// Impacts whose growth is one of the weakly dependent numbers.
@@ -46,10 +46,10 @@ impl Plan {
         Self { rest: Arc::default(), horizon: u64::MAX, last: f64::from(bits), deviation: 0.0, most: bits }
     }
 
-    /// Returns the bits that the first `horizon` impacts of `run` need for relative widths of `2^-asked`; at most `most` bits.
+    /// Returns the bits that the first `horizon` impacts of `run` need for relative widths of `2^-requested`; at most `most` bits.
     ///
     /// The run yields the bits that each impact loses.
-    pub(super) fn new(run: impl Iterator<Item = f64>, horizon: u64, asked: f64, most: u32) -> Self {
+    pub(super) fn new(run: impl Iterator<Item = f64>, horizon: u64, requested: f64, most: u32) -> Self {
         let mut sum = 0.0;
         let total = |grown| {
             sum += grown;
@@ -63,7 +63,7 @@ impl Plan {
             highest = highest.max(*grown);
             *grown = highest - *grown;
         }
-        let last = asked + GUARD + (growth.len().max(1) as f64).log2();
+        let last = requested + GUARD_BITS + (growth.len().max(1) as f64).log2();
         Self { rest: growth.into(), horizon, last, deviation, most: most.max(LEAST_BITS) }
     }
 

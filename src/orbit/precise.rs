@@ -17,14 +17,14 @@ use crate::flight::Launch;
 use crate::mapping::jacobian_between;
 use crate::number::{Ball, LEAST_BITS, Magnitude, MpBall};
 use crate::pair::Wall;
-use crate::several::Phased;
+use crate::several::FlightNumber;
 use crate::shaken::precise::{Arrival, Flights};
 use crate::shaken::shaking::Shaking;
 use crate::shaken::{Flying, Location, Origin};
 use crate::turns;
 
 /// Bits below the radius of a set that its centre is not worth.
-const DROWNED: i64 = 64;
+const NEGLIGIBLE_BITS: i64 = 64;
 
 /// Returns the motion from an origin in as many bits as planned.
 pub(super) fn motion<S: Flying>(shaken: Arc<S>, origin: &Origin<Exact>, plan: Plan) -> Option<Box<dyn Motion>> {
@@ -40,7 +40,7 @@ pub(super) struct PreciseMotion<S: Flying> {
     plan: Plan,
     /// Impacts so far.
     index: u64,
-    /// Whole turns of the last contact.
+    /// Whole forcing periods of the last contact.
     turns: i64,
     states: States<PreciseSet, MpBall>,
     /// Its phases and velocities in doubles, where they are known.
@@ -110,14 +110,15 @@ fn greatest_exponent(magnitudes: &[Magnitude]) -> i64 {
     magnitudes.iter().filter_map(|x| x.exponent()).max().unwrap_or(0) // M4: any unit will do for nothing
 }
 
-/// The bits planned for an impact, but none that the width of the set would drown by [`DROWNED`] bits.
+/// The bits planned for an impact, but none that the width of the set would exceed by [`NEGLIGIBLE_BITS`] bits.
 fn bits_for(plan: &Plan, set: &PreciseSet, index: u64) -> u32 {
     let planned = plan.bits(index);
     let (phase, velocity) = (set.shape.phase_radius(), set.shape.velocity_radius());
     let radius = Magnitude::new(phase.max(velocity / set.shape.scale), set.unit); // proposes: bits to compute with
     match radius.exponent() {
-        // proposes
-        Some(exponent) => planned.min((DROWNED - exponent).clamp(i64::from(LEAST_BITS), i64::from(planned)) as u32),
+        Some(exponent) => {
+            planned.min((NEGLIGIBLE_BITS - exponent).clamp(i64::from(LEAST_BITS), i64::from(planned)) as u32) // proposes
+        }
         None => planned,
     }
 }
@@ -128,7 +129,7 @@ type Arrived<W> = (Contact<Ball>, PreciseSet, Option<W>);
 impl<S: Flying> PreciseMotion<S> {
     pub fn new(shaken: Arc<S>, origin: &Origin<Exact>, plan: Plan) -> Self {
         let bits = plan.bits(0);
-        let enclose = |x: &Exact| <MpBall as Phased>::enclose(x, bits);
+        let enclose = |x: &Exact| <MpBall as FlightNumber>::enclose(x, bits);
         let phase = match origin.release().and_then(|release| release.zero.as_ref()) {
             Some(zero) => zero.refined(bits),
             None => enclose(&origin.state.phase),
@@ -192,7 +193,7 @@ impl<S: Flying> Motion for PreciseMotion<S> {
             States::Inside { height, phase, velocity } => self.first(height, phase, velocity)?,
         };
         // Into [-1/2, 1/2], exactly (Sterbenz).
-        let whole = set.phase.clone().round().to_f64(); // exact: within a few turns
+        let whole = set.phase.clone().round().to_f64(); // exact: within a few forcing periods
         set.phase -= whole;
         let [phase, velocity] = set.doubles();
         self.doubles = Some([phase, velocity]);

@@ -17,19 +17,19 @@ use crate::pair::ImpactPair;
 /// Impacts that are planned for at once; of longer orbits first a quarter of a quarter, so that impacts appear soon.
 ///
 /// A quarter of the impacts costs a sixteenth to a sixtieth of all.
-const AT_ONCE: u64 = 1 << 14;
+const FIRST_PLAN: u64 = 1 << 14;
 /// Impacts that a plan looks ahead at most: it holds a number for each.
-const FARTHEST: u64 = 1 << 22;
+const MAX_PLAN: u64 = 1 << 22;
 
 /// The exact orbit, and how it was tried before.
 #[derive(Debug)]
-pub(super) struct Raise {
+pub(super) struct PrecisionRaise {
     given: Given,
     impacts: Option<u64>,
     /// Requested length of the orbit, in forcing periods.
     turns: f64,
     /// Bits of the requested width.
-    asked: f64,
+    requested: f64,
     most: u32,
     /// Greatest accuracy of a flight in any precision, in bits: that of the excitation's data.
     finest: f64,
@@ -41,14 +41,14 @@ pub(super) struct Raise {
     before: Option<(u64, bool, f64)>,
 }
 
-impl Raise {
+impl PrecisionRaise {
     pub fn new(given: Given, turns: i64, until: Option<Phase>, settings: &Settings) -> Self {
         let turns = until.map_or(f64::INFINITY, |until| (until.turns - turns) as f64 + 1.0);
-        let asked = log2_of_digits(f64::from(settings.digits));
+        let requested = log2_of_digits(f64::from(settings.digits));
         let (impacts, most) = (settings.impacts, settings.max_bits.max(LEAST_BITS));
         let finest = finest(&given.pair);
         let verdict_bits = f64::from(VERDICT_BITS);
-        Self { given, impacts, turns, asked, most, finest, verdict_bits, plan: None, before: None }
+        Self { given, impacts, turns, requested, most, finest, verdict_bits, plan: None, before: None }
     }
 
     /// Returns the motion from the start in more precision; `None` when that would not help.
@@ -102,14 +102,14 @@ impl Raise {
             })
         };
         // A time to stop at ends the floating run too.
-        let until = || self.turns.is_finite().then(|| run().take(FARTHEST as usize).count() as u64 + 1);
-        let mut horizon = self.impacts.into_iter().chain(until()).min().unwrap_or(FARTHEST).min(FARTHEST);
-        while horizon > AT_ONCE && horizon / 4 > index {
+        let until = || self.turns.is_finite().then(|| run().take(MAX_PLAN as usize).count() as u64 + 1);
+        let mut horizon = self.impacts.into_iter().chain(until()).min().unwrap_or(MAX_PLAN).min(MAX_PLAN);
+        while horizon > FIRST_PLAN && horizon / 4 > index {
             horizon /= 4;
         }
         // An orbit that goes on beyond what the floating run saw.
         let horizon = if horizon > index { horizon } else { index.saturating_mul(2) };
-        Some(Plan::new(run(), horizon, self.asked, self.most))
+        Some(Plan::new(run(), horizon, self.requested, self.most))
     }
 }
 

@@ -6,7 +6,7 @@ use crate::contact::Undecided;
 use crate::shaken::Released;
 
 /// Events that are kept to be repeated; longer periods are computed anew each time.
-const KEPT: usize = 1 << 16;
+const KEPT_EVENTS: usize = 1 << 16;
 
 /// The events since the first release from a wall.
 #[derive(Clone, Debug, Default)]
@@ -29,7 +29,7 @@ impl Recurrence {
 
     /// Keeps an event that was computed.
     pub fn keep(&mut self, event: &Progress) {
-        if !self.first.is_empty() && self.period.is_none() && self.events.len() <= KEPT {
+        if !self.first.is_empty() && self.period.is_none() && self.events.len() <= KEPT_EVENTS {
             self.events.push(event.clone());
         }
     }
@@ -45,7 +45,7 @@ impl Recurrence {
                 self.period = Some(Period { cycles, impacts });
                 self.rounds = 1;
                 // Lemma Z3: what was not kept cannot be repeated.
-                match self.events.len() <= KEPT {
+                match self.events.len() <= KEPT_EVENTS {
                     true => drop(self.events.drain(..kept)),
                     false => self.events.clear(),
                 }
@@ -92,7 +92,7 @@ mod tests {
 
     #[test]
     fn a_period_is_repeated_only_if_all_of_it_was_kept() {
-        let kept = KEPT as u64;
+        let kept = KEPT_EVENTS as u64;
         assert_eq!(repeated(5, 7), Some(Ok(Progress::Retraced(0))));
         assert_eq!(repeated(4, kept - 4), Some(Ok(Progress::Retraced(0))));
         for (before, between) in [(4, kept - 3), (5, kept), (kept, 9), (0, kept + 1)] {

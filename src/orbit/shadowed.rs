@@ -11,7 +11,7 @@ use super::splice::Splice;
 use super::{Arithmetic, Impact, Orbit, Outcome, Settings, Start};
 use crate::clock::Clock;
 use crate::contact::{Contact, Grazed, Undecided};
-use crate::covering::chain::{AHEAD, Chain, Covering};
+use crate::covering::chain::{Chain, Covering, LOOKAHEAD};
 use crate::covering::node::Node;
 use crate::covering::start::Beginning;
 use crate::covering::start::{Segment, Starts, Varied};
@@ -57,7 +57,7 @@ impl Orbit {
     /// Returns whether sets from the exact start decide a motion that does not expand: then its orbit is followed, since it gives stronger
     /// claims.
     pub(super) fn is_regular(pair: &ImpactPair, start: &Start, settings: &Settings, impacts: u64) -> bool {
-        let impacts = settings.impacts.map_or(impacts, |asked| asked.min(impacts)); // proposes: what to claim
+        let impacts = settings.impacts.map_or(impacts, |requested| requested.min(impacts)); // proposes: what to claim
         let until = settings.until.clone();
         let interval = Arithmetic::Interval;
         let settings = Settings { impacts: Some(impacts), until, arithmetic: interval, ..Settings::default() };
@@ -76,20 +76,20 @@ impl Orbit {
 
     /// Returns what is claimed of the start, where the orbit is one near the given one; `None` where it is that of the given start.
     pub fn shadow(&self) -> Option<Shadowing> {
-        let Near { time, velocity, nearness } = self.pending.near.as_ref()?;
+        let NearbyStart { time, velocity, nearness } = self.pending.near.as_ref()?;
         Some(Shadowing { time: time.clone(), velocity: velocity.clone(), nearness: nearness.median_and_most() })
     }
 }
 
 /// A start near the given one, and how near the impacts of its orbit are.
 #[derive(Debug)]
-pub(super) struct Near {
+pub(super) struct NearbyStart {
     time: Enclosure,
     velocity: Enclosure,
     nearness: Nearness,
 }
 
-impl Near {
+impl NearbyStart {
     /// Returns the starts of a motion near the one from `start`; either their time or their velocity is that of the requested start.
     pub fn new(clock: &Clock, start: &Start, motion: &dyn Motion) -> Option<Self> {
         let Starts { varied, bounds: State { turns, phase, velocity, .. } } = motion.starts()?;
@@ -108,7 +108,7 @@ impl<S: Flying> ShadowMotion<S, Segment<S::Waves<Ball>>> {
     pub fn from(shaken: Arc<S>, origin: &Origin<Ball>, impacts: Option<u64>) -> Option<(Box<dyn Motion>, Option<u64>)> {
         let mut chain = Chain::from_origin(shaken.clone(), origin.clone(), impacts);
         let nodes = chain.advance();
-        let regular = (!chain.expands()).then_some((nodes.len() + AHEAD) as u64); // proposes: what to claim
+        let regular = (!chain.expands()).then_some((nodes.len() + LOOKAHEAD) as u64); // proposes: what to claim
         Some((Box::new(Self::of(shaken, chain, nodes)?), regular))
     }
 }
@@ -146,7 +146,7 @@ impl<S: Flying, B: Beginning<S>> ShadowMotion<S, B> {
     /// Goes on to a state: what leads there from the last one.
     #[inline(always)]
     fn passed(&mut self, wall: Wall, turns: i64, phase: Ball, velocity: Ball) -> Contact<Ball> {
-        let passed = (turns - self.at.0) as f64; // N1: a flight is shorter than 2^53 turns
+        let passed = (turns - self.at.0) as f64; // N1: a flight is shorter than 2^53 forcing periods
         let time = Ball::exact(passed) + (phase - self.at.1);
         self.at = (turns, phase);
         Contact { wall, turns: passed, phase, time, velocity }
@@ -154,7 +154,7 @@ impl<S: Flying, B: Beginning<S>> ShadowMotion<S, B> {
 
     /// The set of the last node's box. Lemma F5
     #[cold]
-    fn hand_over(&self) -> Option<IntervalMotion<S>> {
+    fn last_node_set(&self) -> Option<IntervalMotion<S>> {
         let node = self.last?;
         let (place, turns) = (Location::Wall(node.wall), node.turns);
         let state = State { place, turns, phase: node.phases(), velocity: node.velocities() };
@@ -176,7 +176,7 @@ impl<S: Flying, B: Beginning<S>> Motion for ShadowMotion<S, B> {
             self.nodes = self.chain.advance().into_iter();
         }
         let Some(node) = self.nodes.next() else {
-            self.set = self.hand_over();
+            self.set = self.last_node_set();
             return self.set.as_mut().ok_or(Undecided::endless())?.next_contact();
         };
         self.last = Some(node);
@@ -257,7 +257,7 @@ mod tests {
         Orbit::of(scene, Settings { attractor: true, ..settings }).unwrap()
     }
 
-    /// Blocks are handed out without a gap, the last one as far as is asked; what is listed is what the chain proves.
+    /// Blocks are handed out without a gap, the last one as far as requested; what is listed is what the chain proves.
     #[test]
     fn an_orbit_lists_the_nodes_of_its_chain() {
         let scene = scene("figure-14");
@@ -276,7 +276,7 @@ mod tests {
     }
 
     #[test]
-    fn what_does_not_expand_is_the_orbit_of_the_exact_start() {
+    fn a_regular_orbit_is_that_of_the_exact_start() {
         for (name, impacts) in
             [("figure-12", 5), ("figure-12", 500), ("figure-13", 500), ("figure-15", 30), ("figure-15", 5000)]
         {

@@ -26,7 +26,7 @@ impl Orbit {
     /// Returns the number of bits by which a contact is wider than requested; not positive if it is not wider.
     #[inline]
     pub(super) fn excess(&self, turns: i64, contact: &Contact<Ball>) -> f64 {
-        let [time, velocity] = self.asked.widths;
+        let [time, velocity] = self.requested.widths;
         let (of_time, of_velocity) = self.clock.widths(turns, contact.phase, contact.velocity);
         if of_time <= time.linear && of_velocity <= velocity.linear {
             return 0.0;
@@ -37,7 +37,7 @@ impl Orbit {
     /// Returns the number of bits by which a contact is wider than requested, where doubles are too coarse to decide.
     #[cold]
     fn excess_below_doubles(&self, turns: i64, contact: &Contact<Ball>) -> f64 {
-        let [time, velocity] = self.asked.widths;
+        let [time, velocity] = self.requested.widths;
         let radii = self.engine.motion.radii();
         let radii = radii.unwrap_or((contact.phase.rad().log2(), contact.velocity.rad().log2())); // shown
         let (of_time, of_velocity) = self.clock.log2_widths(turns, radii, contact.velocity);
@@ -49,12 +49,12 @@ impl Orbit {
     /// Phase and velocity as intervals where doubles are too coarse to show them.
     pub(super) fn precise(&self, contact: &Contact<Ball>) -> Option<(Enclosure, Enclosure)> {
         let in_full = matches!(self.engine.arithmetic, Arithmetic::Bits(_));
-        let [time, velocity] = self.asked.widths;
+        let [time, velocity] = self.requested.widths;
         let fine = 4.0 * contact.phase.rad() <= time.linear && 4.0 * contact.velocity.rad() <= velocity.linear;
         if fine && !in_full {
             return None;
         }
-        self.engine.motion.enclosures(self.asked.shown)
+        self.engine.motion.enclosures(self.requested.shown)
     }
 
     /// The motion cannot go on: in more precision, or not at all.

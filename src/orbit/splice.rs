@@ -112,7 +112,7 @@ impl Splice {
         let bits = Arithmetic::Bits(self.bits.saturating_add(MORE_BITS)); // proposes: any number of bits encloses
         let settings = Settings { arithmetic: bits, impacts: Some(self.impacts), ..Settings::default() };
         let mut orbit = Orbit::new(&self.pair, start, settings).ok()?;
-        // Turns are counted from one origin.
+        // Forcing periods are counted from one origin.
         (orbit.clock.origin() == self.clock.origin()).then_some(())?;
         fly(&mut orbit, self.impacts, self.varied)
     }
@@ -266,7 +266,7 @@ mod tests {
     }
 
     #[test]
-    fn what_rests_or_does_not_expand_is_not_spliced() {
+    fn resting_and_regular_orbits_are_not_spliced() {
         let rests = r#"
             excitation = { amplitude = 4.92, frequency = "pi", phase = 0 }
             pair = { gap = 40, restitution = 0.5 }

@@ -23,17 +23,17 @@ pub struct Attractor {
 }
 
 /// The longest period that is looked for, in impacts.
-pub(crate) const LONGEST: usize = 128;
+pub(crate) const MAX_PERIOD: usize = 128;
 /// Relative distances of states within which they make a guess, at the end and before it, and the number of guesses that are tried:
 /// nothing rests on them.
-const NEAR: f64 = 0.02;
-const NEAR_BEFORE: f64 = 0.2;
-const TRIED: usize = 8;
+const GUESS_DISTANCE: f64 = 0.02;
+const EARLIER_GUESS_DISTANCE: f64 = 0.2;
+const MAX_GUESSES: usize = 8;
 /// Number of its impacts from which a period is tried: in doubles the contraction is seen from some and not from others.
-const ENDS: usize = 32;
+const LAST_IMPACTS: usize = 32;
 /// Distance of repeating states below which the orbit itself may be found from some of them only: in doubles the orbit of a narrow window
 /// can hardly be distinguished from the unstable one beside it.
-const SETTLED: f64 = 1e-9;
+const REPEATING_DISTANCE: f64 = 1e-9;
 /// Bits that its orbit is enclosed in at most, and digits that its basin is looked for with.
 const BITS: u32 = 1024;
 const FEW_DIGITS: u32 = 9;
@@ -61,12 +61,13 @@ enum Open {
 fn guesses(states: &[Impact]) -> impl Iterator<Item = Guess<'_>> {
     let count = states.len();
     // proposes
-    (1..count.min(LONGEST + 1)).filter_map(move |period| {
+    (1..count.min(MAX_PERIOD + 1)).filter_map(move |period| {
         let (last, before) = (&states[count - 1], &states[count - 1 - period]);
-        let is_near = last.apart(before).is_some_and(|apart| apart < NEAR);
+        let is_near = last.apart(before).is_some_and(|apart| apart < GUESS_DISTANCE);
         // So does the period before it, as far as there is one: chaos that has only come near a state once does not.
         let earlier = states[..count - 1].iter().rev().zip(states[..count - 1 - period].iter().rev()).take(period);
-        let repeats = |(now, then): (&Impact, &Impact)| now.apart(then).is_some_and(|apart| apart < NEAR_BEFORE);
+        let repeats =
+            |(now, then): (&Impact, &Impact)| now.apart(then).is_some_and(|apart| apart < EARLIER_GUESS_DISTANCE);
         let cycles = last.since(before).round(); // proposes
         (is_near && (1.0..=1e6).contains(&cycles) && earlier.clone().all(repeats))
             // proposes: at most 10^6
@@ -94,14 +95,14 @@ impl<'s> Guess<'s> {
     fn ends(&self) -> impl Iterator<Item = Guess<'s>> {
         let Self { all, impacts, cycles } = *self;
         let earliest = impacts.min(all.len() - impacts); // proposes: a period before each
-        let ends = (0..earliest).step_by(impacts.div_ceil(ENDS));
+        let ends = (0..earliest).step_by(impacts.div_ceil(LAST_IMPACTS));
         ends.map(move |earlier| Guess { all: &all[..all.len() - earlier], impacts, cycles })
     }
 
     /// Returns whether the motion repeats as nearly as one that is settled.
     fn is_settled(&self) -> bool {
         let last = self.all.len() - 1;
-        self.all[last].apart(&self.all[last - self.impacts]).is_some_and(|apart| apart < SETTLED)
+        self.all[last].apart(&self.all[last - self.impacts]).is_some_and(|apart| apart < REPEATING_DISTANCE)
     }
 
     /// The impacts of the period.
@@ -128,7 +129,7 @@ impl<'s> Guess<'s> {
 /// Recognises the attractor of a motion at its end and proves that the motion converges to it. Lemma Q3
 ///
 /// `states` are certified states of the motion, in order of time, all of its impacts between the first and the last;
-/// `problem` makes the problem of a word, for the same pair; the watch is asked before each proof.
+/// `problem` makes the problem of a word, for the same pair; the watch is consulted before each proof.
 pub(crate) fn find(
     states: &[Impact],
     digits: u32,
@@ -138,7 +139,7 @@ pub(crate) fn find(
     // Under several harmonics not all cycles make a problem.
     let problems =
         guesses(states).filter(|guess| guess.word().is_some_and(|word| problem(&word, guess.cycles).is_some()));
-    let tried: Vec<Guess<'_>> = problems.take(TRIED).collect();
+    let tried: Vec<Guess<'_>> = problems.take(MAX_GUESSES).collect();
     tried.iter().find_map(|guess| {
         for end in guess.ends() {
             if !watch.goes_on() {

@@ -48,10 +48,10 @@ struct Round {
 type Basis = [[f64; 2]; 2];
 
 /// The largest radius tried, in forcing periods, the number of its halvings, and the parts of it that the second axis is long.
-const LARGEST: f64 = 0.125;
+const MAX_RADIUS: f64 = 0.125;
 const HALVINGS: usize = 44;
-const SHORTER: [f64; 3] = [1.0, 0.125, 0.015_625];
-const ONE: Axes = [[1.0, 0.0], [0.0, 1.0]];
+const SECOND_AXIS_FACTORS: [f64; 3] = [1.0, 0.125, 0.015_625];
+const UNIT_AXES: Axes = [[1.0, 0.0], [0.0, 1.0]];
 
 impl Problem {
     /// Neighbourhoods that a proved orbit attracts, the largest first. Lemma Q1
@@ -62,7 +62,8 @@ impl Problem {
         let round = self.round(orbit);
         let bases = (orbit.physical == Some(true)).then(|| self.bases(orbit, round)).flatten();
         // exact: a few halvings
-        let sizes = (0..HALVINGS).flat_map(|n| SHORTER.map(|shorter| (LARGEST * 0.5f64.powi(n as i32), shorter)));
+        let sizes = (0..HALVINGS)
+            .flat_map(|n| SECOND_AXIS_FACTORS.map(|shorter| (MAX_RADIUS * 0.5f64.powi(n as i32), shorter)));
         bases.into_iter().flat_map(move |bases| {
             let ellipses = sizes.clone().flat_map(move |size| bases.map(|basis| (basis, size)));
             ellipses.filter_map(move |([first, second], (radius, shorter))| {
@@ -137,7 +138,7 @@ impl Problem {
         // proposes
         let speed = (0..self.chain().impacts()).map(|i| orbit.velocity(i).mag()).fold(0.0, f64::max);
         // Velocities in units of the orbit's greatest, so that both coordinates are of one order.
-        let [[a, b], [c, d]] = self.product_over(orbit, round, ONE, 0.0)?.map(|row| row.map(Ball::mid));
+        let [[a, b], [c, d]] = self.product_over(orbit, round, UNIT_AXES, 0.0)?.map(|row| row.map(Ball::mid));
         let (b, c) = (b * speed, c / speed);
         let half = (a + d) / 2.0;
         let under = half * half - (a * d - b * c);

@@ -24,10 +24,10 @@ impl Chain {
     /// # Errors
     /// If the word does not end on the wall it starts from, or `cycles` is not in 1 to [`MOST_CYCLES`].
     pub fn new(word: &Word, cycles: u32) -> Result<Self, Error> {
-        Self::under(Repetition::TURN, word, cycles)
+        Self::under(Repetition::ONE_PERIOD, word, cycles)
     }
 
-    /// Returns the chain of a word that closes after `cycles` turns of the fastest harmonic.
+    /// Returns the chain of a word that closes after `cycles` periods of the fastest harmonic.
     ///
     /// # Errors
     /// If the word does not end on the wall it starts from, or `cycles` is not in 1 to [`MOST_CYCLES`] or no multiple of the common period.

@@ -25,7 +25,7 @@ pub(super) type Moment<S, N> = <<S as Parameters>::In<N> as Shaking<N>>::Moment;
 pub(super) struct Rate {
     /// Its greatest speed, in gap widths per forcing period.
     pub beta: Ball,
-    /// `W_k/W` and its phase at turn 0, but for the one that turns are counted of.
+    /// `W_k/W` and its phase at forcing period 0, but for the one that forcing periods are counted of.
     pub own: Option<[Ball; 2]>,
 }
 
@@ -42,7 +42,7 @@ pub(super) trait Chained: Flying + ChainedPrecisely {
     /// The impact after one of a floating-point motion.
     fn next(&self, (wall, phase, velocity): FloatImpact) -> Option<FloatImpact> {
         let after = rebound(&self.pair().restitution.mid(), velocity);
-        // The whole turns are kept apart.
+        // The whole forcing periods are kept apart.
         let (whole, rest) = (phase.floor(), phase - phase.floor()); // proposes
         let contact = self.propose(&Launch::from_wall(wall, whole as i64, rest, after, false)).ok()?; // proposes
         Some((contact.wall, whole + contact.turns + contact.phase, contact.velocity))

@@ -15,8 +15,8 @@ use crate::shaken::Origin;
 const OWN_IMPACTS: usize = 20_000;
 const OTHER_IMPACTS: usize = 1_500;
 /// Motions from elsewhere, and spread phases.
-const MOTIONS: usize = 48;
-const SPREAD: usize = 600;
+const OTHER_MOTIONS: usize = 48;
+const SPREAD_PHASES: usize = 600;
 /// Steps to the root that a sequence is made of: each gains a bit at least.
 const ROOT_STEPS: u32 = 40;
 /// Number of successive windows of a motion of which the best is a guess.
@@ -30,9 +30,9 @@ pub(super) fn guesses<S: Chained>(
     start: &Start,
 ) -> impl Iterator<Item = Vec<f64>> {
     let own = windows(chain, &motion_of(chain, shaken, pair, start));
-    let others = (0..MOTIONS)
+    let others = (0..OTHER_MOTIONS)
         .flat_map(move |n| windows(chain, &motion_from(shaken, spread_state(chain, shaken, n), OTHER_IMPACTS)));
-    let spread = (0..SPREAD).map(move |n| spread_phases(chain, n));
+    let spread = (0..SPREAD_PHASES).map(move |n| spread_phases(chain, n));
     let settled = move |guess| polish(chain, shaken.floats(), guess);
     own.into_iter()
         .chain(others)

@@ -37,12 +37,12 @@ pub struct Effort {
 }
 
 /// `2^-5`, the largest radius that is of use, in forcing periods, and the factor from one domain to the next.
-pub(super) const LARGEST: f64 = 0.031_25;
-const FINER: f64 = 0.125;
+pub(super) const MAX_RADIUS: f64 = 0.031_25;
+const DOMAIN_FACTOR: f64 = 0.125;
 /// The fewest bits that an image takes off an enclosure if it is not slow.
-const FAST: f64 = 0.25;
+const MIN_GAIN_BITS: f64 = 0.25;
 /// Bits that one step with a preconditioner in doubles adds at least, where it adds what it should.
-pub(super) const GAINED: u32 = 32;
+pub(super) const PRECONDITIONED_GAIN_BITS: u32 = 32;
 
 /// `x - Y_i F`: an entry of a step of simplified Newton's iteration.
 fn newton<N: Enclosing>(x: &N, row: &[f64], misses: &[N]) -> N {
@@ -129,7 +129,7 @@ pub fn prove<N: Enclosing>(
         if let Some(at) = image(equations, inverse, &domain).filter(|image| is_inside(image, &domain)) {
             return Some(Proved { at: refine(equations, inverse, at, &domain, effort), domain });
         }
-        radius *= FINER;
+        radius *= DOMAIN_FACTOR;
     }
     None
 }
@@ -144,7 +144,7 @@ pub fn prove_inflating<N: Enclosing>(
     guess: &[N],
     effort: Effort,
 ) -> Option<Proved<N>> {
-    const MORE: f64 = 1.25;
+    const INFLATION: f64 = 1.25;
     let mut domain: Vec<N> = guess.iter().map(|x| x.with_radius(effort.largest)).collect();
     for _ in 0..effort.domains {
         let at = image(equations, inverse, &domain)?;
@@ -153,7 +153,7 @@ pub fn prove_inflating<N: Enclosing>(
         }
         let grown = |(guess, at): (&N, N)| {
             let needed = (at - guess.clone()).as_ball().mag();
-            guess.with_radius((MORE * needed).max(f64::MIN_POSITIVE)) // proposes
+            guess.with_radius((INFLATION * needed).max(f64::MIN_POSITIVE)) // proposes
         };
         domain = guess.iter().zip(at).map(grown).collect();
     }
@@ -179,7 +179,7 @@ fn refine<N: Enclosing>(
             break;
         }
         at = narrower;
-        slow += u32::from(gain < FAST); // proposes: when to stop
+        slow += u32::from(gain < MIN_GAIN_BITS); // proposes: when to stop
         if slow > effort.slow {
             break;
         }
@@ -198,7 +198,7 @@ mod tests {
     use crate::number::Wave;
     use proptest::prelude::*;
 
-    const EFFORT: Effort = Effort { largest: LARGEST, domains: 14, images: 40, slow: 0 };
+    const EFFORT: Effort = Effort { largest: MAX_RADIUS, domains: 14, images: 40, slow: 0 };
 
     /// `x^2 + y^2 = 1`, `x sin a = y cos a`: the zeros are `(cos a, sin a)` and its opposite.
     struct Circle {

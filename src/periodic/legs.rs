@@ -153,7 +153,7 @@ fn flight<N: Number, S: Shaking<N>>(
     [from, to]: [&S::Moment; 2],
     displacement: f64,
 ) -> Option<Leg<N>> {
-    let drift = shaking.way(from, to, displacement).checked_div(time.clone())?;
+    let drift = shaking.travel(from, to, displacement).checked_div(time.clone())?;
     let (after, before) = (shaking.relative(&drift, from), shaking.relative(&drift, to));
     Some(Leg { time, drift, after, before })
 }

@@ -45,7 +45,7 @@ pub use crate::shaken::shaking;
 use crate::shaken::{Either, OneHarmonic, SeveralHarmonics, under};
 use crate::watch::{Unwatched, Watch};
 pub use attractor::Attractor;
-pub(crate) use attractor::{LONGEST, find as find_attractor};
+pub(crate) use attractor::{MAX_PERIOD, find as find_attractor};
 pub use basin::Basin;
 pub use census::{Census, Region};
 pub use chain::Chain;

@@ -9,12 +9,12 @@ use crate::pair::Inward;
 /// Steps before a start is given up.
 const MOST_STEPS: usize = 60;
 /// The greatest phase, in forcing periods, at which an orbit is not lost.
-const FARTHEST: f64 = 1e9;
+const MAX_PHASE: f64 = 1e9;
 /// The least part of a flight's time that one step leaves.
-const KEPT: f64 = 0.2;
+const MIN_FLIGHT_PART: f64 = 0.2;
 
 /// Steps below this are tiny.
-const TINY: f64 = 1e-9;
+const TINY_STEP: f64 = 1e-9;
 
 /// Takes at most `most` steps, each of which returns its size, until they are tiny and no longer shrink: as far as doubles go.
 ///
@@ -23,12 +23,12 @@ pub(super) fn settle(most: usize, mut step: impl FnMut() -> Option<f64>) -> Opti
     let mut last = f64::INFINITY;
     for _ in 0..most {
         let size = step()?;
-        if size < TINY && size >= 0.5 * last {
+        if size < TINY_STEP && size >= 0.5 * last {
             return Some(());
         }
         last = size;
     }
-    (last < TINY).then_some(())
+    (last < TINY_STEP).then_some(())
 }
 
 /// Phases near an orbit's from phases that may be far from them; `None` where Newton's iteration does not settle.
@@ -40,8 +40,8 @@ pub fn polish<S: Shaking<f64>>(chain: &Chain, shaking: &S, mut phases: Vec<f64>)
         let size = step.iter().map(|x| x.abs()).fold(0.0, f64::max); // proposes
         let taken = keep_order(chain, &legs.legs, &step);
         phases.iter_mut().zip(&step).for_each(|(x, s)| *x += taken * s);
-        // Lost, or a NaN, which `max` above passes over; the kernel takes 2^40 turns.
-        if !phases.iter().all(|x| x.abs() <= FARTHEST) {
+        // Lost, or a NaN, which `max` above passes over; the kernel takes 2^40 forcing periods.
+        if !phases.iter().all(|x| x.abs() <= MAX_PHASE) {
             return None;
         }
         legs = chain.legs(shaking, &phases)?;
@@ -66,7 +66,7 @@ fn keep_order(chain: &Chain, legs: &[Leg<f64>], step: &[f64]) -> f64 {
     let room = |i: usize| {
         let change = step[chain.next(i)] - step[i];
         let time = legs[i].time;
-        if change < -(1.0 - KEPT) * time { (1.0 - KEPT) * time / -change } else { 1.0 }
+        if change < -(1.0 - MIN_FLIGHT_PART) * time { (1.0 - MIN_FLIGHT_PART) * time / -change } else { 1.0 }
     };
     (0..step.len()).map(room).fold(1.0, f64::min) // proposes
 }

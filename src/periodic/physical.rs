@@ -11,7 +11,7 @@ use crate::number::{Ball, Enclosing, kernel};
 use crate::pair::Inward;
 use crate::pair::Wall;
 
-/// A flight of a proved chain over its box, with its start moved into the first turn.
+/// A flight of a proved chain over its box, with its start moved into the first forcing period.
 #[derive(Clone, Debug)]
 pub(super) struct Claim<N> {
     pub from: Wall,
@@ -45,7 +45,7 @@ pub(super) fn all_first<N: Enclosing>(
     let walls = chain.walls();
     let mut all = Some(true);
     for (i, leg) in legs.iter().enumerate() {
-        let turns = phases[i].as_ball().mid().floor(); // T5: any whole number of turns
+        let turns = phases[i].as_ball().mid().floor(); // T5: any whole number of forcing periods
         let start = phases[i].clone() - N::from_f64(turns);
         let end = start.clone() + leg.time.clone();
         let before = chain.before(legs, i).clone();

@@ -5,7 +5,7 @@ mod precise;
 
 use super::chained::Chained;
 use super::equations::Orbits;
-use super::krawczyk::{self, Effort, LARGEST};
+use super::krawczyk::{self, Effort, MAX_RADIUS};
 use super::legs::Legs;
 use super::newton;
 use super::orbit::{Finding, PeriodicOrbit};
@@ -16,13 +16,13 @@ use crate::number::{Ball, Enclosing};
 use crate::shaken::{Parameters, under};
 
 /// Images that may take less than a quarter of a bit off an orbit's enclosure: near a bifurcation the first ones do.
-const MOST_SLOW: u32 = 64;
+const MAX_SLOW_IMAGES: u32 = 64;
 /// Returns the limits of the proof of an orbit in N bits.
 fn effort(bits: u32) -> Effort {
     // Radii from 2^-5 in steps of 2^-3, down to eight bits above the last one.
     let domains = (bits - 8).min(1000).saturating_sub(5) / 3 + 1; // proposes: which domains are tried
     // Four images that are not slow take a bit.
-    Effort { largest: LARGEST, domains, images: MOST_SLOW + 4 * bits, slow: MOST_SLOW }
+    Effort { largest: MAX_RADIUS, domains, images: MAX_SLOW_IMAGES + 4 * bits, slow: MAX_SLOW_IMAGES }
 }
 
 impl Problem {
@@ -84,8 +84,8 @@ impl Problem {
 
 /// Returns whether the widths are those requested.
 fn is_narrow<N: Enclosing>(shaken: &impl Chained, finding: &Finding<N>, precision: Precision) -> bool {
-    let asked = precision.log2_width();
+    let requested = precision.log2_width();
     let speed = shaken.speed().log2();
     let [phase, velocity] = finding.widths();
-    phase <= asked && velocity <= asked + if speed.is_finite() { speed } else { 0.0 }
+    phase <= requested && velocity <= requested + if speed.is_finite() { speed } else { 0.0 }
 }

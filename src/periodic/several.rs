@@ -12,7 +12,7 @@ use crate::Error;
 use crate::flight::Launch;
 use crate::number::{Ball, Enclosing};
 use crate::pair::ImpactPair;
-use crate::several::{Doubt, Partial, Phased, Spectrum, Turning};
+use crate::several::{Doubt, FlightNumber, Partial, PhaseNumber, Spectrum};
 use crate::shaken::{SeveralHarmonics, Sum};
 
 /// Returns the common period of the harmonics of a pair, and whether they are odd.
@@ -32,7 +32,7 @@ pub(super) fn repetition(pair: &ImpactPair, spectrum: &Spectrum) -> Result<Repet
 }
 
 /// Returns whether the first contact of a flight is its end; `None` if undecided. Lemma H12
-fn is_first<N: Phased + Enclosing>(
+fn is_first<N: FlightNumber + Enclosing>(
     several: &SeveralHarmonics,
     sum: &Sum<N>,
     claim: &Claim<N>,
@@ -58,7 +58,7 @@ impl Chained for SeveralHarmonics {
     fn rates(&self) -> Vec<Rate> {
         let own = |term: &Partial<Ball>| [term.ratio, Ball::phase_at(&term.counter, 0)];
         let terms = self.balls.harmonics.terms.iter().enumerate();
-        // H11: the first one is the fastest, whose turns are counted from its own phase 0
+        // H11: the first one is the fastest, whose forcing periods are counted from its own phase 0
         terms.map(|(k, term)| Rate { beta: term.beta, own: (k > 0).then(|| own(term)) }).collect()
     }
 

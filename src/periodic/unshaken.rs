@@ -75,7 +75,7 @@ mod tests {
 
     /// A box at rest that takes nothing from the ball: it goes to and fro at one speed, from any time on.
     #[test]
-    fn a_box_at_rest_has_families_only() {
+    fn a_box_at_rest_has_only_families_of_orbits() {
         for (word, cycles) in [("LR", 1), ("RL", 3), ("LRLRLR", 2)] {
             let census = census("1", word, cycles);
             assert!(census.is_family && census.orbits.is_empty() && !census.exhaustive && !census.is_certified());

@@ -1,32 +1,32 @@
 //! A flight under several harmonics: equations (10)-(13) with the sum (1).
 //!
 //! As in [`crate::flight`], but not mirrored: `z` is the height above the left wall, in gaps, and a flight may start on
-//! either. `h` turns after the start, `c = z'(0) + sum beta_k cos th_k0`:
+//! either. `h` forcing periods after the start, `c = z'(0) + sum beta_k cos th_k0`:
 //!
 //! ```text
 //! z = z0 + c h - sum alpha_k (sin th_k1 - sin th_k0),  z' = c - sum beta_k cos th_k1,  z'' = sum swing_k sin th_k1
 //! ```
 //!
-//! Near a departure from a wall the same without cancellation: each harmonic's versine, excess and sine of its own turn
+//! Near a departure from a wall the same without cancellation: each harmonic's versine, excess and sine of its own phase
 //! `2 pi (W_k/W) h` add up to `z - z0 = z'(0) h + sum alpha_k (cos th_k0 excess_k + sin th_k0 versine_k)`.
 
 use super::harmonics::{Harmonics, Sums};
-use super::phased::Phased;
+use super::phased::FlightNumber;
 use crate::flight::Launch;
 use crate::pair::Wall;
 
-/// A time since the start of a flight: whole turns and the rest, an exact number.
+/// A time since the start of a flight: whole forcing periods and the rest, an exact number.
 #[derive(Clone, Debug)]
 pub(crate) struct Instant<N> {
     pub turns: i64,
     pub rest: N,
 }
 
-/// Turns that one step adds at most: 64 of Newton's stay below `2^60` (Lemma N1).
+/// Forcing periods that one step adds at most: 64 of Newton's stay below `2^60` (Lemma N1).
 const LONGEST_STEP: f64 = (1_u64 << 53) as f64;
 
-impl<N: Phased> Instant<N> {
-    /// A number of turns after the start, as fine as `like`.
+impl<N: FlightNumber> Instant<N> {
+    /// A number of forcing periods after the start, as fine as `like`.
     pub fn new(turns: f64, like: &N) -> Self {
         let whole = turns.round(); // N1: any whole number; the rest is kept
         Self { turns: whole as i64, rest: like.like(turns - whole) } // N1: below 2^52
@@ -35,7 +35,7 @@ impl<N: Phased> Instant<N> {
     /// About so much later: an exact time.
     pub fn later(&self, step: &N) -> Self {
         let rest = self.rest.later(step);
-        // Lemma N1: a time of any length is one; what is not taken for whole turns stays with the rest.
+        // Lemma N1: a time of any length is one; what is not taken for whole forcing periods stays with the rest.
         let whole = rest.bounds().0.round().clamp(-LONGEST_STEP, LONGEST_STEP);
         // N1: nothing to take off
         if whole == 0.0 {
@@ -62,7 +62,7 @@ impl<N: Phased> Instant<N> {
 
 /// One flight, or all the flights of a set.
 #[derive(Clone, Debug)]
-pub(crate) struct SumFlight<'h, N: Phased> {
+pub(crate) struct SumFlight<'h, N: FlightNumber> {
     pub harmonics: &'h Harmonics<N>,
     pub launch: Launch<N>,
     /// Sines and cosines at the start.
@@ -85,10 +85,10 @@ pub(crate) struct Kinematics<N> {
     pub acceleration: N,
 }
 
-/// Departures take at most N turns.
-const SHORT: f64 = 0.124;
+/// Departures take at most N forcing periods.
+const SHORT_FLIGHT: f64 = 0.124;
 
-impl<'h, N: Phased> SumFlight<'h, N> {
+impl<'h, N: FlightNumber> SumFlight<'h, N> {
     /// The flight that starts so; `waves` are the sines and cosines of the harmonics where they are known better.
     pub fn new(harmonics: &'h Harmonics<N>, launch: Launch<N>, waves: Option<&Vec<(N, N)>>) -> Self {
         let zero = N::from_f64(0.0);
@@ -120,7 +120,7 @@ impl<'h, N: Phased> SumFlight<'h, N> {
     pub fn state(&self, at: &Instant<N>) -> Kinematics<N> {
         if let Some(wall) = self.launch.wall
             && at.turns == 0
-            && at.rest.bounds().1 <= SHORT
+            && at.rest.bounds().1 <= SHORT_FLIGHT
             && let Some(state) = self.departure(wall, &at.rest)
         {
             return state;
@@ -131,7 +131,7 @@ impl<'h, N: Phased> SumFlight<'h, N> {
         Kinematics { right: N::from_f64(1.0) - left.clone(), left, velocity: self.drift.clone() - cosine, acceleration }
     }
 
-    /// Returns the state `time` turns after the departure from a wall, without cancellation.
+    /// Returns the state `time` forcing periods after the departure from a wall, without cancellation.
     fn departure(&self, wall: Wall, time: &N) -> Option<Kinematics<N>> {
         let added = self.harmonics.departure(&self.waves, time)?;
         let moved = self.launch.velocity.clone().mul_add(time.clone(), added.height);

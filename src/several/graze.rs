@@ -4,7 +4,7 @@ use rug::Float;
 
 use super::flight::{Instant, SumFlight};
 use super::harmonics::{Harmonics, Rates};
-use super::phased::Phased;
+use super::phased::FlightNumber;
 use super::reach::{Band, Reach};
 use super::scan::{Doubt, Scan};
 use super::view::Side;
@@ -23,7 +23,7 @@ pub(crate) fn pass(
     launch: Launch<MpBall>,
 ) -> Option<Passed> {
     let all = SumFlight::new(harmonics, launch.clone(), None);
-    let centre = SumFlight::new(harmonics, launch.map(Phased::centre_of), None);
+    let centre = SumFlight::new(harmonics, launch.map(FlightNumber::centre_of), None);
     let scan = Scan::new(&all, &centre);
     let Err(Doubt::Graze { wall, free, at }) = scan.first(&mut Reach::new(band, balls)) else { return None };
     let bottom = scan.bottom(at);
@@ -54,7 +54,7 @@ struct Touch {
 }
 
 impl Touch {
-    /// A flight that is convex for `before` turns up to its bottom, which may lie so deep in the wall.
+    /// A flight that is convex for `before` forcing periods up to its bottom, which may lie so deep in the wall.
     fn new(depth: &Magnitude, side: &Side, rates: &Rates, before: f64) -> Option<Self> {
         let bend = side.least_bend(rates, before);
         if !is_positive(bend) {
@@ -101,7 +101,7 @@ impl Touch {
         if !(is_inside && room(&velocity.clone().signed(wall.sign()))) {
             return None;
         }
-        let whole = phase.clone().round().to_f64(); // exact: within a few turns
+        let whole = phase.clone().round().to_f64(); // exact: within a few forcing periods
         let touched = start.clone() + bottom.time().widened(self.window);
         // N1: below 2^52
         Some(Passed { wall, at: touched, turns: at.turns as f64 + whole, phase: phase - whole, height, velocity })

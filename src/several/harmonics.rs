@@ -1,6 +1,6 @@
-//! Several harmonics in any arithmetic: their sums at any turn, and what bounds the motion.
+//! Several harmonics in any arithmetic: their sums in any forcing period, and what bounds the motion.
 
-use super::phased::{Phased, Turning};
+use super::phased::{FlightNumber, PhaseNumber};
 use super::spectrum::{Spectrum, Term};
 use crate::Error;
 use crate::exact::Enclosure;
@@ -10,14 +10,14 @@ use crate::pair::{ImpactPair, too_large};
 
 /// The harmonics in an arithmetic.
 #[derive(Clone, Debug)]
-pub(crate) struct Harmonics<N: Turning> {
+pub(crate) struct Harmonics<N: PhaseNumber> {
     pub terms: Vec<Partial<N>>,
     pub rates: Rates,
 }
 
 /// One of them.
 #[derive(Clone, Debug)]
-pub(crate) struct Partial<N: Turning> {
+pub(crate) struct Partial<N: PhaseNumber> {
     /// `A_k / d`
     pub alpha: N,
     /// `2 pi alpha W_k / W`: its greatest speed, in gap widths per forcing period.
@@ -26,11 +26,11 @@ pub(crate) struct Partial<N: Turning> {
     pub acceleration: N,
     /// `W_k / W`
     pub ratio: N,
-    /// Its phase at whole turns.
+    /// Its phase at whole forcing periods.
     pub counter: N::Counter,
 }
 
-/// Upper bounds, at all times, of what the harmonics do, in gaps and turns.
+/// Upper bounds, at all times, of what the harmonics do, in gaps and forcing periods.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Rates {
     /// of `|E|/d`, `|z''|`, `|z'''|` and `|z''''|`.
@@ -61,7 +61,7 @@ pub(crate) struct Added<N> {
     pub acceleration: N,
 }
 
-impl<N: Turning> Sums<N> {
+impl<N: PhaseNumber> Sums<N> {
     #[inline]
     fn of<'h>(waves: impl Iterator<Item = (&'h Partial<N>, (N, N))>) -> Self
     where
@@ -78,7 +78,7 @@ impl<N: Turning> Sums<N> {
     }
 }
 
-impl<N: Phased> Harmonics<N> {
+impl<N: FlightNumber> Harmonics<N> {
     /// Encloses the harmonics in `bits` bits, where the arithmetic has a choice.
     pub fn new(spectrum: &Spectrum, bits: u32) -> Self {
         let partial = |term: &Term| {
@@ -89,7 +89,7 @@ impl<N: Phased> Harmonics<N> {
     }
 }
 
-impl<N: Turning> Partial<N> {
+impl<N: PhaseNumber> Partial<N> {
     /// The harmonic of this size and these phases.
     pub fn new(alpha: N, ratio: N, counter: N::Counter) -> Self {
         let beta = alpha.clone() * ratio.clone() * alpha.turn();
@@ -98,8 +98,8 @@ impl<N: Turning> Partial<N> {
     }
 }
 
-impl<N: Turning> Harmonics<N> {
-    /// Sine and cosine of each harmonic, `rest` after a number of whole turns.
+impl<N: PhaseNumber> Harmonics<N> {
+    /// Sine and cosine of each harmonic, `rest` after a number of whole forcing periods.
     pub fn waves<'h>(&'h self, turns: i64, rest: &'h N) -> impl Iterator<Item = (&'h Partial<N>, (N, N))> {
         self.terms.iter().map(move |term| {
             let phase = term.ratio.clone().mul_add(rest.clone(), N::phase_at(&term.counter, turns));

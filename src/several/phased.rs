@@ -6,17 +6,17 @@ use crate::number::interval::Interval;
 use crate::number::{Ball, Wave};
 
 /// A number in which the box under several harmonics is computed.
-pub(crate) trait Turning: Wave + std::fmt::Debug + Send {
-    /// The phase of a harmonic as a function of whole turns of the fastest.
+pub(crate) trait PhaseNumber: Wave + std::fmt::Debug + Send {
+    /// The phase of a harmonic as a function of whole forcing periods of the fastest.
     type Counter: Clone + std::fmt::Debug + Send + Sync;
-    /// `ratio n + shift`, less whole turns.
+    /// `ratio n + shift`, less whole forcing periods.
     fn phase_at(counter: &Self::Counter, turns: i64) -> Self;
     /// A number near it, to nearest.
     fn middle(&self) -> f64;
 }
 
 /// A number in which flights under several harmonics are computed.
-pub(crate) trait Phased: Turning {
+pub(crate) trait FlightNumber: PhaseNumber {
     /// The counter of phases `ratio n + shift`.
     fn counter(ratio: &Exact, shift: &Exact, bits: u32) -> Self::Counter;
     /// Encloses an exact number; a double takes the nearest.
@@ -48,7 +48,7 @@ pub(crate) trait Phased: Turning {
     }
 }
 
-impl Turning for f64 {
+impl PhaseNumber for f64 {
     type Counter = Ticks;
 
     #[inline]
@@ -61,7 +61,7 @@ impl Turning for f64 {
     }
 }
 
-impl Phased for f64 {
+impl FlightNumber for f64 {
     fn counter(ratio: &Exact, shift: &Exact, _: u32) -> Ticks {
         Ticks::new(ratio, shift)
     }
@@ -95,7 +95,7 @@ impl Phased for f64 {
     }
 }
 
-impl Turning for Ball {
+impl PhaseNumber for Ball {
     type Counter = Ticks;
 
     #[inline]
@@ -108,7 +108,7 @@ impl Turning for Ball {
     }
 }
 
-impl Phased for Ball {
+impl FlightNumber for Ball {
     fn counter(ratio: &Exact, shift: &Exact, _: u32) -> Ticks {
         Ticks::new(ratio, shift)
     }
@@ -146,13 +146,13 @@ impl Phased for Ball {
 }
 
 /// Half way between the bounds, to nearest.
-pub(super) fn middle<N: Phased>(x: &N) -> f64 {
+pub(super) fn middle<N: FlightNumber>(x: &N) -> f64 {
     let (low, high) = x.bounds();
     0.5 * (low + high)
 }
 
 /// An upper bound of the absolute values.
-pub(super) fn magnitude<N: Phased>(x: &N) -> f64 {
+pub(super) fn magnitude<N: FlightNumber>(x: &N) -> f64 {
     let (low, high) = x.bounds();
     low.abs().max(high.abs()) // B2: the farther end; next to a NaN is infinity
 }

@@ -3,21 +3,21 @@
 use rug::Float;
 
 use super::harmonics::{Harmonics, Partial};
-use super::phased::{Phased, Turning, middle};
+use super::phased::{FlightNumber, PhaseNumber, middle};
 use crate::exact::Exact;
 use crate::number::{MpBall, Number};
 
-/// Bits that turns can take: phases are given with N more.
-const TURN_BITS: u32 = 64;
+/// Bits that forcing periods can take: phases are given with N more.
+const PERIOD_COUNT_BITS: u32 = 64;
 
-impl Turning for MpBall {
+impl PhaseNumber for MpBall {
     type Counter = (MpBall, MpBall);
 
     fn phase_at((ratio, shift): &(MpBall, MpBall), turns: i64) -> MpBall {
-        let turns = MpBall::exact(Float::with_val(TURN_BITS, turns));
+        let turns = MpBall::exact(Float::with_val(PERIOD_COUNT_BITS, turns));
         let phase = turns.mul_add(ratio.clone(), shift.clone());
-        let whole = MpBall::exact(phase.mid().clone().round()); // H1: any whole number of turns
-        let bits = phase.bits() - TURN_BITS;
+        let whole = MpBall::exact(phase.mid().clone().round()); // H1: any whole number of forcing periods
+        let bits = phase.bits() - PERIOD_COUNT_BITS;
         (phase - whole).rounded(bits)
     }
     fn middle(&self) -> f64 {
@@ -25,9 +25,9 @@ impl Turning for MpBall {
     }
 }
 
-impl Phased for MpBall {
+impl FlightNumber for MpBall {
     fn counter(ratio: &Exact, shift: &Exact, bits: u32) -> (MpBall, MpBall) {
-        let wide = |x: &Exact| enclosing(x, bits + TURN_BITS);
+        let wide = |x: &Exact| enclosing(x, bits + PERIOD_COUNT_BITS);
         (wide(ratio), wide(shift))
     }
     fn enclose(x: &Exact, bits: u32) -> MpBall {
@@ -73,7 +73,7 @@ impl Harmonics<MpBall> {
                 beta: term.beta.rounded(bits),
                 acceleration: term.acceleration.rounded(bits),
                 ratio: term.ratio.rounded(bits),
-                counter: (ratio.rounded(bits + TURN_BITS), shift.rounded(bits + TURN_BITS)),
+                counter: (ratio.rounded(bits + PERIOD_COUNT_BITS), shift.rounded(bits + PERIOD_COUNT_BITS)),
             }
         };
         Self { terms: self.terms.iter().map(term).collect(), rates: self.rates }

@@ -5,7 +5,7 @@ use std::sync::OnceLock;
 
 use super::flight::SumFlight;
 use super::harmonics::{Harmonics, Sums};
-use super::phased::Phased;
+use super::phased::FlightNumber;
 use crate::number::Ball;
 use crate::number::interval::Interval;
 
@@ -14,17 +14,17 @@ use crate::number::interval::Interval;
 pub(crate) struct Band {
     /// Bounds by the sum of the amplitudes.
     coarse: Interval,
-    /// Bounds over a common period, to about [`TIGHT`], computed when first needed.
+    /// Bounds over a common period, to about [`TIGHT_TOLERANCE`], computed when first needed.
     tight: OnceLock<Interval>,
     period: Option<u64>,
 }
 
 /// Tolerance of the bounds of the extrema, relative to the sum of the amplitudes.
-const TIGHT: f64 = 1e-13;
+const TIGHT_TOLERANCE: f64 = 1e-13;
 /// Longer common periods are not searched.
 const LONGEST_PERIOD: u64 = 4096;
-/// Parts that are looked at for each turn, and at most for each bound.
-const PARTS: u64 = 8;
+/// Parts that are looked at for each forcing period, and at most for each bound.
+const PARTS_PER_PERIOD: u64 = 8;
 const MOST_PARTS: usize = 1 << 18;
 
 impl Band {
@@ -52,11 +52,11 @@ fn greatest(harmonics: &Harmonics<Ball>, period: u64, sign: f64) -> f64 {
         let (here, step) = (Interval::from(sine).signed(sign), Interval::within(0.5 * width));
         (here.inf(), (here + step * (Interval::from(cosine) + bend * step)).sup())
     };
-    let width = 1.0 / PARTS as f64; // exact: a power of two
+    let width = 1.0 / PARTS_PER_PERIOD as f64; // exact: a power of two
     // exact: below 2^15
-    let mut parts: Vec<(f64, f64)> = (0..period * PARTS).map(|i| (i as f64 * width, width)).collect();
+    let mut parts: Vec<(f64, f64)> = (0..period * PARTS_PER_PERIOD).map(|i| (i as f64 * width, width)).collect();
     let (mut best, mut bound) = (-harmonics.rates.shift, harmonics.rates.shift);
-    while bound - best > TIGHT * harmonics.rates.shift && parts.len() <= MOST_PARTS {
+    while bound - best > TIGHT_TOLERANCE * harmonics.rates.shift && parts.len() <= MOST_PARTS {
         let seen: Vec<_> = parts.iter().map(|&(from, width)| (from, width, see(from, width))).collect();
         // H6: any value bounds the greatest from below
         best = seen.iter().map(|(.., (low, _))| *low).fold(best, f64::max);
@@ -79,22 +79,22 @@ pub(crate) struct Reach<'b> {
     band: &'b Band,
     harmonics: &'b Harmonics<Ball>,
     window: Option<(f64, f64)>,
-    asked: u32,
+    requested: u32,
 }
 
 /// Pieces after which the band is taken tightly.
-const PATIENCE: u32 = 48;
+const MAX_COARSE_PIECES: u32 = 48;
 
 impl<'b> Reach<'b> {
     pub fn new(band: &'b Band, harmonics: &'b Harmonics<Ball>) -> Self {
-        Self { band, harmonics, window: None, asked: 0 }
+        Self { band, harmonics, window: None, requested: 0 }
     }
 
-    /// Returns the end of the window in which no wall can be reached, in turns after the start, if the time `now` lies in it.
-    pub fn jump<N: Phased>(&mut self, flight: &SumFlight<'_, N>, now: f64) -> Option<f64> {
-        self.asked += 1;
-        if self.asked == 1 || self.asked == PATIENCE {
-            let band = if self.asked == 1 { self.band.coarse } else { self.band.tight(self.harmonics) };
+    /// Returns the end of the window in which no wall can be reached, in forcing periods after the start, if the time `now` lies in it.
+    pub fn jump<N: FlightNumber>(&mut self, flight: &SumFlight<'_, N>, now: f64) -> Option<f64> {
+        self.requested += 1;
+        if self.requested == 1 || self.requested == MAX_COARSE_PIECES {
+            let band = if self.requested == 1 { self.band.coarse } else { self.band.tight(self.harmonics) };
             self.window = window(flight.offset.interval() - band, flight.drift.interval());
         }
         self.window.and_then(|(from, until)| (now >= from && until > now).then_some(until))

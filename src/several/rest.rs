@@ -11,7 +11,7 @@ use std::sync::Arc;
 
 use super::flight::Instant;
 use super::harmonics::Harmonics;
-use super::phased::Phased;
+use super::phased::FlightNumber;
 use super::spectrum::Spectrum;
 use crate::exact::Enclosure;
 use crate::number::interval::Interval;
@@ -20,7 +20,7 @@ use crate::pair::Wall;
 use crate::rest::duration;
 use crate::turns;
 
-/// Returns an upper bound of the duration, in turns, of chatter that begins with a bounce at `phase` after `turns` whole ones with
+/// Returns an upper bound of the duration, in forcing periods, of chatter that begins with a bounce at `phase` after `turns` whole ones with
 /// `velocity`, that after the impact, both of a whole set; as [`crate::rest::accumulation`] for one harmonic.
 pub(crate) fn accumulation(
     harmonics: &Harmonics<Ball>,
@@ -49,7 +49,7 @@ pub(crate) fn accumulation(
 }
 
 /// The contact force: `-z''`, measured from the wall.
-fn pressure<N: Phased>(harmonics: &Harmonics<N>, wall: Wall, turns: i64, rest: &N) -> N {
+fn pressure<N: FlightNumber>(harmonics: &Harmonics<N>, wall: Wall, turns: i64, rest: &N) -> N {
     harmonics.sums(turns, rest).acceleration.signed(-wall.sign())
 }
 
@@ -59,11 +59,11 @@ pub(crate) struct Zero {
     spectrum: Arc<Spectrum>,
     pub wall: Wall,
     pub turns: i64,
-    /// Exactly one zero lies within `reach` of this phase, less the whole turns, and the contact force falls at the rate `least` or faster there.
+    /// Exactly one zero lies within `reach` of this phase, less whole forcing periods; the contact force falls there at the rate `least` at least.
     near: f64,
     reach: f64,
     least: f64,
-    /// Encloses the change of that slope per turn.
+    /// Encloses the change of that slope per forcing period.
     bend: Interval,
 }
 
@@ -92,7 +92,7 @@ pub(crate) fn release(
 }
 
 /// The same in one arithmetic: steps on which `p + p' s - S s^2/2` stays positive, `S` a bound of `|p''|`.
-pub(super) fn first_zero<N: Phased>(
+pub(super) fn first_zero<N: FlightNumber>(
     spectrum: &Arc<Spectrum>,
     harmonics: &Harmonics<N>,
     wall: Wall,
@@ -144,8 +144,8 @@ pub(super) fn first_zero<N: Phased>(
     Err(Unproved::Steps)
 }
 
-/// Returns a zero near a time: the time, the distance within which the zero lies, and the least slope there; slopes change by `bend` per turn.
-fn bracket<N: Phased>(
+/// Returns a zero near a time: the time, its distance from the zero at most, and the least slope there; slopes change by `bend` per forcing period.
+fn bracket<N: FlightNumber>(
     bend: Interval,
     value_at: &impl Fn(&Instant<N>) -> N,
     slope_at: &impl Fn(&Instant<N>) -> Interval,
@@ -169,7 +169,7 @@ fn bracket<N: Phased>(
 }
 
 impl Zero {
-    /// Encloses the phase of the release, less the whole turns, in doubles.
+    /// Encloses the phase of the release, less the whole forcing periods, in doubles.
     pub fn phase(&self) -> Ball {
         Ball::new(self.near, self.reach)
     }
@@ -179,13 +179,13 @@ impl Zero {
         precise::enclosure(self, bits)
     }
 
-    /// The whole turns of `later`, counted as those of `self` are, if both are proved to be whole common periods apart (Lemma H9).
+    /// The whole forcing periods of `later`, counted as those of `self` are, if both are proved to be whole common periods apart (Lemma H9).
     pub fn turns_of_same(&self, later: &Self) -> Option<i64> {
         let period = i64::try_from(self.spectrum.period?).ok()?;
         let apart = Interval::point(later.near) - Interval::point(self.near);
-        // exact: -1, 0 or 1, as half a turn is told in two ways
+        // exact: -1, 0 or 1, half a period is written in two ways
         let whole = apart.mid().round();
-        let turns = later.turns + whole as i64; // N1: one turn more
+        let turns = later.turns + whole as i64; // N1: one forcing period more
         let (apart, reaches) =
             ((apart - Interval::point(whole)).abs(), Interval::point(self.reach) + Interval::point(later.reach));
         let is_one = (Interval::point(self.least) + self.bend * (apart + reaches)).inf() > 0.0;

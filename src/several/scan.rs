@@ -6,7 +6,7 @@
 
 use super::flight::{Instant, Kinematics, SumFlight};
 use super::harmonics::Rates;
-use super::phased::{Phased, magnitude};
+use super::phased::{FlightNumber, magnitude};
 use super::reach::Reach;
 use super::view::Side;
 use crate::contact::Undecided;
@@ -68,15 +68,15 @@ const STEPS: u32 = 64;
 const WALLS: [Wall; 2] = [Wall::Left, Wall::Right];
 
 /// The search for the first contact of all the flights of a set.
-pub(crate) struct Scan<'f, 'h, N: Phased> {
+pub(crate) struct Scan<'f, 'h, N: FlightNumber> {
     all: &'f SumFlight<'h, N>,
     centre: &'f SumFlight<'h, N>,
     rates: Rates,
-    /// The rates hold for N turns after the start.
+    /// The rates hold for N forcing periods after the start.
     horizon: f64,
 }
 
-impl<'f, 'h, N: Phased> Scan<'f, 'h, N> {
+impl<'f, 'h, N: FlightNumber> Scan<'f, 'h, N> {
     /// The flights `all`, and the one that starts at their centre.
     pub fn new(all: &'f SumFlight<'h, N>, centre: &'f SumFlight<'h, N>) -> Self {
         Self { all, centre, rates: all.harmonics.rates, horizon: LONGEST_FLIGHT }
@@ -346,16 +346,16 @@ impl<'f, 'h, N: Phased> Scan<'f, 'h, N> {
 }
 
 /// Returns whether a number is as near to 0 as its arithmetic can distinguish.
-fn is_noise<N: Phased>(x: &N) -> bool {
+fn is_noise<N: FlightNumber>(x: &N) -> bool {
     let (low, high) = x.bounds();
     low <= 0.0 && high >= 0.0
 }
 
-fn low<N: Phased>(x: &N) -> f64 {
+fn low<N: FlightNumber>(x: &N) -> f64 {
     x.bounds().0
 }
 
-impl<N: Phased> Doubt<N> {
+impl<N: FlightNumber> Doubt<N> {
     /// Returns the doubt as the orbit reports it.
     pub fn undecided(&self, start: Option<Wall>) -> Undecided {
         match self {
@@ -368,7 +368,7 @@ impl<N: Phased> Doubt<N> {
 }
 
 /// A ball in doubles that holds all of it.
-fn ball<N: Phased>(x: &N) -> Ball {
+fn ball<N: FlightNumber>(x: &N) -> Ball {
     let (low, high) = x.bounds();
     let middle = 0.5 * (low + high);
     Ball::new(middle, up((high - middle).max(middle - low))) // B2: the farther end; a NaN is in both

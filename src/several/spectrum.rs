@@ -12,14 +12,14 @@ use crate::excitation::Harmonic;
 use crate::pair::{ImpactPair, Reduced, within};
 use crate::units::{Phases, in_gaps, turn};
 
-/// The harmonics of a pair, time in turns of the fastest and length in gaps.
+/// The harmonics of a pair, time in periods of the fastest and length in gaps.
 ///
-/// At the phase `u` of the fastest (`W t + tau = 2 pi u`) that of harmonic `k` is `ratio u + shift` turns.
+/// At the phase `u` of the fastest (`W t + tau = 2 pi u`) that of harmonic `k` is `ratio u + shift`, in periods of its own.
 #[derive(Clone, Debug)]
 pub(crate) struct Spectrum {
     pub terms: Vec<Term>,
     pub restitution: Exact,
-    /// Turns after which all phases are the same, when the frequencies are proved to be commensurate.
+    /// Forcing periods after which all phases are the same, when the frequencies are proved to be commensurate.
     pub period: Option<u64>,
 }
 
@@ -30,12 +30,12 @@ pub(crate) struct Term {
     pub alpha: Exact,
     /// `W_k / W`
     pub ratio: Exact,
-    /// The phase at `u = 0`, in turns.
+    /// The phase at `u = 0`, in periods.
     pub shift: Exact,
 }
 
 impl Spectrum {
-    /// The harmonics of `pair`, phases counted from the turn `origin`; `None` of a single one.
+    /// The harmonics of `pair`, phases counted from the forcing period `origin`; `None` of a single one.
     ///
     /// # Errors
     /// Returns an error if a value is beyond what exact expressions hold.
@@ -104,7 +104,7 @@ impl Spectrum {
     }
 }
 
-/// The phases of all harmonics of `pair` at a time, in turns, less whole ones: exact where expressions show it.
+/// The phases of all harmonics of `pair` at a time, in periods, less whole ones: exact where expressions show it.
 ///
 /// # Errors
 /// Returns an error if a phase is beyond what exact expressions hold.
@@ -116,13 +116,13 @@ pub(crate) fn phases_at(pair: &ImpactPair, time: &Exact) -> Result<Vec<Exact>, E
     pair.excitation().harmonics().iter().map(phase).collect()
 }
 
-/// Bits of the whole turns of a phase: N more enclose it as finely as one of less than a turn.
+/// Bits of the whole forcing periods of a phase: N more enclose it as finely as one of less than a forcing period.
 fn whole_bits(phase: &Exact) -> u32 {
     let top = phase.enclose(64).mag().top();
     top.and_then(|top| u32::try_from(top).ok()).unwrap_or(0) // X1: any number of bits encloses
 }
 
-/// Returns the phase less whole turns: within 2 of 0 (Lemma H1).
+/// Returns the phase less whole forcing periods: within 2 of 0 (Lemma H1).
 fn whole_turns_off(phase: Exact) -> Result<Exact, ExactError> {
     let near = match phase.as_rational() {
         Some(fraction) => fraction.round().to_integer(), // exact: any whole number is taken off
@@ -145,7 +145,7 @@ mod tests {
     }
 
     #[test]
-    fn commensurate_frequencies_have_a_period_in_turns_of_the_fastest() {
+    fn commensurate_frequencies_have_a_period_in_periods_of_the_fastest() {
         assert_eq!(spectrum(&["pi", "3*pi"]).period, Some(3));
         assert_eq!(spectrum(&["2*sqrt(2)", "3*sqrt(2)", "sqrt(2)/5"]).period, Some(15));
         assert_eq!(spectrum(&["1", "sqrt(2)"]).period, None);
@@ -176,7 +176,7 @@ mod tests {
         let excitation = Excitation::new(vec![term("pi"), term("3*pi")]).unwrap();
         let pair = ImpactPair::new(excitation, value("4"), value("0.5")).unwrap();
         let spectrum = Spectrum::new(&pair, &BigInt::from(7)).unwrap().unwrap();
-        // At turn 7 of 3 pi with tau = pi/3 the time is (7 - 1/6) 2/3, and pi t + pi/3 is 2 pi (7/3 + 1/9).
+        // In forcing period 7 of 3 pi with tau = pi/3 the time is (7 - 1/6) 2/3, and pi t + pi/3 is 2 pi (7/3 + 1/9).
         let phases = phases_at(&pair, &value("(7 - 1/6)*2/3")).unwrap();
         let texts = |x: &[Exact]| x.iter().map(|x| x.as_rational().unwrap().to_string()).collect::<Vec<_>>();
         assert_eq!(texts(&phases), ["0", "4/9"]);

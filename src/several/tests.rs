@@ -31,7 +31,7 @@ fn sums() -> impl Strategy<Value = Spectrum> {
         .prop_map(|(w, [a, b], tau, other)| spectrum(&[[a, "pi", tau], [b, w, other]]))
 }
 
-/// `z''` after N turns of the fastest, by exact numbers.
+/// `z''` after N periods of the fastest, by exact numbers.
 fn acceleration(spectrum: &Spectrum, turns: i64, rest: f64) -> Real {
     let bits = 200;
     let time = Exact::from_f64(rest).unwrap().checked_add(&Exact::from(turns)).unwrap();
@@ -91,7 +91,7 @@ proptest! {
 
     /// Lemma H8: the contact force is positive up to the bracket and falls through 0 in it, by exact numbers.
     #[test]
-    fn a_release_is_where_the_pressure_first_ends(spectrum in sums(), turns in 0..40i64, phase in -0.5..0.5f64, is_left: bool) {
+    fn a_release_is_where_the_contact_force_first_vanishes(spectrum in sums(), turns in 0..40i64, phase in -0.5..0.5f64, is_left: bool) {
         let wall = if is_left { Wall::Left } else { Wall::Right };
         let spectrum = Arc::new(spectrum);
         let harmonics = Harmonics::<Ball>::new(&spectrum, 53);
@@ -147,7 +147,7 @@ fn the_band_holds_the_sum_and_is_tight() {
         let sum = |i: u64| harmonics.sums((i / 4000) as i64, &Ball::exact((i % 4000) as f64 / 4000.0)).sine.mid();
         let (least, most) = (0..points).map(sum).fold((1.0f64, -1.0f64), |(a, b), x| (a.min(x), b.max(x)));
         assert!(band.contains(least) && band.contains(most), "{second}");
-        // Between points a 4000th of a turn apart the sum rises by (2 pi/8000)^2/2 of its amplitudes at most.
+        // Between points a 4000th of a forcing period apart the sum rises by (2 pi/8000)^2/2 of its amplitudes at most.
         assert!(least - band.inf() < 4e-7 && band.sup() - most < 4e-7, "{second}: {band:?} {least} {most}");
     }
 }

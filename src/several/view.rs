@@ -2,7 +2,7 @@
 
 use super::flight::Kinematics;
 use super::harmonics::Rates;
-use super::phased::Phased;
+use super::phased::FlightNumber;
 use crate::number::{UNIT, up};
 use crate::pair::Wall;
 
@@ -17,7 +17,7 @@ pub(crate) struct Side {
     pub bend: (f64, f64),
 }
 
-impl<N: Phased> Kinematics<N> {
+impl<N: FlightNumber> Kinematics<N> {
     /// The distance from a wall, in the arithmetic of the flight.
     pub fn room(&self, wall: Wall) -> &N {
         match wall {
@@ -139,7 +139,7 @@ impl Side {
         Cubic { room: self.room.0, rate: self.rate.0, bend: self.bend.0, third: rates.third }
     }
 
-    /// Returns whether the wall is not touched for `time` turns (Lemma H2).
+    /// Returns whether the wall is not touched for `time` forcing periods (Lemma H2).
     #[inline]
     pub fn is_free(&self, rates: &Rates, time: f64) -> bool {
         self.cubic(rates).is_positive(time)
@@ -151,7 +151,7 @@ impl Side {
         self.cubic(rates).reach(most)
     }
 
-    /// Returns whether the ball goes toward the wall for `time` turns: `z'`, measured inward, is at most `v + a s + S s^2/2`.
+    /// Returns whether the ball goes toward the wall for `time` forcing periods: `z'`, measured inward, is at most `v + a s + S s^2/2`.
     #[inline]
     pub fn approaches(&self, rates: &Rates, time: f64) -> bool {
         // Convex in `s`: greatest at an end.
@@ -160,7 +160,7 @@ impl Side {
         self.rate.1 < 0.0 && end + 16.0 * UNIT * size < 0.0
     }
 
-    /// A lower bound of the bend, measured inward, less than `time` turns away.
+    /// A lower bound of the bend, measured inward, less than `time` forcing periods away.
     #[inline]
     pub fn least_bend(&self, rates: &Rates, time: f64) -> f64 {
         (self.bend.0 - up(rates.third * time)).next_down()
@@ -192,7 +192,7 @@ mod tests {
     proptest! {
         /// Lemma H2, at many points of many cubics, biased to those that come near 0 in between.
         #[test]
-        fn what_is_proved_positive_is_positive(
+        fn a_proved_positive_value_is_positive(
             place in 0.05..1.0f64, depth in -1e-3..1e-2f64, bend in -30.0..60.0f64, third in 1.0..200.0f64, end in 0.01..1.5f64,
         ) {
             // A valley near `place`, so deep, where the bend allows one.

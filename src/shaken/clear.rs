@@ -7,18 +7,18 @@ use super::Shaken;
 use crate::flight::Launch;
 use crate::number::{Ball, Number, is_positive, up};
 use crate::pair::{Inward, Wall};
-use crate::several::Phased;
+use crate::several::FlightNumber;
 use crate::turns::{self, LONGEST_FLIGHT};
 
 /// The longest and the shortest steps, in forcing periods.
-const LONGEST: f64 = 0.0625;
-const SHORTEST: f64 = 1.0 / (1_u64 << 50) as f64; // exact: a power of two
+const MAX_STEP: f64 = 0.0625;
+const MIN_STEP: f64 = 1.0 / (1_u64 << 50) as f64; // exact: a power of two
 /// Steps that are taken at most.
 const STEPS: u32 = 1 << 14;
 /// A step is halved until the height varies by less than this part of the distance from the walls: so that jumps are long.
-const PART: f64 = 0.25;
+const VARIATION_PART: f64 = 0.25;
 /// Far more than the rounding of the lengths of all steps.
-const CERTAIN: f64 = 1.0 / (1_u64 << 30) as f64; // exact: a power of two
+const LENGTH_MARGIN: f64 = 1.0 / (1_u64 << 30) as f64; // exact: a power of two
 
 /// A time since the start of a flight, in forcing periods.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -34,7 +34,7 @@ impl Since {
 
     /// The same time with the rest below 1.
     fn carried(self) -> Self {
-        let over = self.rest.floor(); // exact: whole turns are moved to their count
+        let over = self.rest.floor(); // exact: whole forcing periods are moved to their count
         Self { whole: self.whole + over, rest: self.rest - over } // N1: exact below 2^52
     }
 }
@@ -42,16 +42,16 @@ impl Since {
 /// Returns a time, since the start, before which no flight of the set touches a wall after its start. Lemma C7
 pub(crate) fn clear<S: Shaken + ?Sized>(shaken: &S, launch: &Launch<Ball>) -> Since {
     let flights = Flights::new(shaken, launch);
-    let (mut at, mut step, mut seen) = (flights.departed(), LONGEST, Seen::default());
+    let (mut at, mut step, mut seen) = (flights.departed(), MAX_STEP, LeastDistances::default());
     for _ in 0..STEPS {
         let next = at.rest + step;
         match flights.distances(at.whole, [at.rest, next]) {
             Some(distances) => {
                 seen.add(distances, next - at.rest);
-                (at, step) = (Since { rest: next, ..at }.carried(), LONGEST.min(2.0 * step)); // C7: any step
+                (at, step) = (Since { rest: next, ..at }.carried(), MAX_STEP.min(2.0 * step)); // C7: any step
                 at.whole += flights.repeated(&mut seen, at);
             }
-            None if step > SHORTEST => step *= 0.5,
+            None if step > MIN_STEP => step *= 0.5,
             None => break,
         }
         if at.whole >= LONGEST_FLIGHT {
@@ -63,23 +63,23 @@ pub(crate) fn clear<S: Shaken + ?Sized>(shaken: &S, launch: &Launch<Ball>) -> Si
 
 /// The least distances from the left and the right wall over the last times, and how long these are.
 #[derive(Clone, Copy, Debug)]
-struct Seen {
+struct LeastDistances {
     distances: [f64; 2],
     length: f64,
 }
 
-impl Default for Seen {
+impl Default for LeastDistances {
     fn default() -> Self {
         Self { distances: [f64::INFINITY; 2], length: 0.0 }
     }
 }
 
-impl Seen {
+impl LeastDistances {
     fn add(&mut self, distances: [f64; 2], length: f64) {
         for (least, distance) in self.distances.iter_mut().zip(distances) {
             *least = least.min(distance); // C7: the least
         }
-        self.length += length * (1.0 - CERTAIN); // C7: less than it is
+        self.length += length * (1.0 - LENGTH_MARGIN); // C7: less than it is
     }
 }
 
@@ -109,7 +109,7 @@ impl<'s, S: Shaken + ?Sized> Flights<'s, S> {
         let Some(wall) = self.launch.wall else { return Since::START };
         let (least, most) = wall.inward(self.launch.velocity).bounds();
         let rest = (least / self.bend).min(0.25 / most).min(0.5 / self.bend.sqrt()); // C7: about the least of three, ...
-        let rest = (rest * (1.0 - PART)).min(LONGEST_FLIGHT); // C7: ... and less
+        let rest = (rest * (1.0 - VARIATION_PART)).min(LONGEST_FLIGHT); // C7: ... and less
         if is_positive(least) && is_positive(rest) { Since { whole: 0.0, rest }.carried() } else { Since::START }
     }
 
@@ -124,12 +124,12 @@ impl<'s, S: Shaken + ?Sized> Flights<'s, S> {
         let spread = up(reach * up((self.drift - speed).mag() + up(0.5 * self.bend * reach)));
         let heights = [low, (1.0 - high).next_down()];
         // A NaN is not below.
-        let is_fine = heights.iter().all(|distance| spread < PART * distance);
+        let is_fine = heights.iter().all(|distance| spread < VARIATION_PART * distance);
         is_fine.then(|| heights.map(|distance| (distance - spread).next_down())) // C7: rounded down
     }
 
     /// Whole forcing periods for which the flights repeat what was seen, moved by the drift, without coming to a wall. Lemma C7 (c), (d)
-    fn repeated(&self, seen: &mut Seen, at: Since) -> f64 {
+    fn repeated(&self, seen: &mut LeastDistances, at: Since) -> f64 {
         let (distances, period) = match self.shaken.period() {
             Some(period) if seen.length >= f64::from(period) => (seen.distances, f64::from(period)),
             Some(_) => return 0.0,
@@ -140,10 +140,10 @@ impl<'s, S: Shaken + ?Sized> Flights<'s, S> {
                 ([low, (1.0 - high).next_down()], 1.0)
             }
         };
-        *seen = Seen::default();
+        *seen = LeastDistances::default();
         let (slowest, fastest) = self.drift.bounds();
         let count = [(distances[0], -slowest), (distances[1], fastest)].map(|(distance, speed)| {
-            if speed > 0.0 { distance / up(period * speed) * (1.0 - PART) } else { LONGEST_FLIGHT } // C7: rounded down by far
+            if speed > 0.0 { distance / up(period * speed) * (1.0 - VARIATION_PART) } else { LONGEST_FLIGHT } // C7: rounded down by far
         });
         let count = count[0].min(count[1]).min(LONGEST_FLIGHT / period).floor(); // C7: any number up to both
         if is_positive(distances[0]) && is_positive(distances[1]) && is_positive(count) { count * period } else { 0.0 }

@@ -51,8 +51,8 @@ fn later(pair: &ImpactPair, start: &Start, position: &Exact, time: &Exact) -> Op
     let (shift1, speed1) = shaking(pair, &end).ok()?;
     let drift = start.velocity().checked_add(&speed0).ok()?;
     let shift = shift0.checked_sub(&shift1).ok()?;
-    let way = drift.checked_mul(time).and_then(|way| way.checked_add(&shift)).ok()?;
-    Start::inside(pair, end, position.checked_add(&way).ok()?, drift.checked_sub(&speed1).ok()?).ok()
+    let travel = drift.checked_mul(time).and_then(|travel| travel.checked_add(&shift)).ok()?;
+    Start::inside(pair, end, position.checked_add(&travel).ok()?, drift.checked_sub(&speed1).ok()?).ok()
 }
 
 /// `E` and `E'`. **Equation** (1)

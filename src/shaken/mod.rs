@@ -2,7 +2,7 @@
 //!
 //! First contacts are proved by two theorems in two places: by the closed form of [`crate::contact`] and by the scan of
 //! [`crate::several`]. Here both answer the same questions, so that what flies from impact to impact is written once.
-//! Times are in turns of the fastest harmonic, expressed as whole forcing periods and the rest, lengths in gaps.
+//! Times are in periods of the fastest harmonic, expressed as whole forcing periods and the rest, lengths in gaps.
 
 mod clear;
 mod later;
@@ -28,7 +28,7 @@ use crate::flight::Launch;
 use crate::mapping::Sheared;
 use crate::number::Ball;
 use crate::pair::{ImpactPair, Reduced, Wall, rebound_of};
-use crate::several::{Phased, Turning, phases_at};
+use crate::several::{FlightNumber, PhaseNumber, phases_at};
 pub(crate) use clear::{Since, clear};
 pub(crate) use one::OneHarmonic;
 pub(crate) use origin::{Location, Origin, Released, State};
@@ -76,9 +76,9 @@ pub(crate) trait Shaken: Debug + Send + Sync {
 /// The data that flights depend on, in any arithmetic.
 pub(crate) trait Parameters: Shaken + Sized + 'static {
     /// The parameters in an arithmetic.
-    type In<N: Turning>: Shaking<N> + Clone + Debug + Send;
+    type In<N: PhaseNumber>: Shaking<N> + Clone + Debug + Send;
     /// Sines and cosines at the start of a flight.
-    type Waves<N: Phased>: Debug + Send;
+    type Waves<N: FlightNumber>: Debug + Send;
 
     /// The centres of the parameters.
     fn floats(&self) -> &Self::In<f64>;
@@ -87,7 +87,7 @@ pub(crate) trait Parameters: Shaken + Sized + 'static {
     fn balls(&self) -> &Self::In<Ball>;
 
     /// Returns the sines and cosines at the centre of an origin's phases; `exact` are the phases of the harmonics there, where they are known.
-    fn waves<N: Phased>(&self, exact: &[Exact], phase: &N, bits: u32) -> Option<Self::Waves<N>>;
+    fn waves<N: FlightNumber>(&self, exact: &[Exact], phase: &N, bits: u32) -> Option<Self::Waves<N>>;
 }
 
 /// First contacts.

@@ -11,10 +11,10 @@ use crate::exact::{Enclosure, Exact};
 use crate::excitation::displacement_velocity_acceleration;
 use crate::flight::{Flight, Launch};
 use crate::impact::Touch;
-use crate::number::{ABOVE_TURN, Ball, Kernel, Number, UNIT, Wave, kernel, up};
+use crate::number::{ABOVE_TWO_PI, Ball, Kernel, Number, UNIT, Wave, kernel, up};
 use crate::pair::{ImpactPair, Reduced, Wall};
 use crate::rest::{Pressed, accumulation};
-use crate::several::{Phased, Turning};
+use crate::several::{FlightNumber, PhaseNumber};
 use crate::turns;
 
 /// A pair that is shaken by one harmonic, equation (9).
@@ -57,7 +57,7 @@ impl Shaken for OneHarmonic {
     }
 
     fn steepest(&self) -> f64 {
-        up(ABOVE_TURN * self.bounds_of_pair.pair.beta.mag())
+        up(ABOVE_TWO_PI * self.bounds_of_pair.pair.beta.mag())
     }
 
     fn acceleration(&self, _: i64, phase: f64) -> f64 {
@@ -90,8 +90,8 @@ impl Shaken for OneHarmonic {
 }
 
 impl Parameters for OneHarmonic {
-    type In<N: Turning> = Reduced<N>;
-    type Waves<N: Phased> = (N, N);
+    type In<N: PhaseNumber> = Reduced<N>;
+    type Waves<N: FlightNumber> = (N, N);
 
     fn floats(&self) -> &Reduced<f64> {
         &self.bounds_of_pair.centre
@@ -101,7 +101,7 @@ impl Parameters for OneHarmonic {
         &self.bounds_of_pair.pair
     }
 
-    fn waves<N: Phased>(&self, _: &[Exact], phase: &N, _: u32) -> Option<(N, N)> {
+    fn waves<N: FlightNumber>(&self, _: &[Exact], phase: &N, _: u32) -> Option<(N, N)> {
         Some(phase.centre_of().wave())
     }
 }

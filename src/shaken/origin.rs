@@ -132,9 +132,9 @@ impl Origin<Exact> {
         clock: &Clock,
         phases: impl Fn(&Start) -> Result<Vec<Exact>, Error>,
     ) -> Result<Self, Error> {
-        let asked = Self::at(pair, start, clock, phases(start)?)?;
-        let Some(later) = decided(pair, start) else { return Ok(asked) };
-        Ok(Self { past: Past::Flight(asked.state), ..Self::at(pair, &later, clock, phases(&later)?)? })
+        let requested = Self::at(pair, start, clock, phases(start)?)?;
+        let Some(later) = decided(pair, start) else { return Ok(requested) };
+        Ok(Self { past: Past::Flight(requested.state), ..Self::at(pair, &later, clock, phases(&later)?)? })
     }
 
     /// Returns the state itself, given by the clock.
@@ -183,7 +183,7 @@ impl Origin<Ball> {
     /// Returns the forcing periods since the requested start: exactly 0 where it is that start.
     pub fn delay(&self) -> Ball {
         let (now, Past::Flight(start)) = (&self.state, &self.past) else { return Ball::exact(0.0) };
-        // Lemma N1: the two are less than a turn apart (R3).
+        // Lemma N1: the two are less than a forcing period apart (R3).
         Ball::exact((now.turns - start.turns) as f64) + (now.phase - start.phase)
     }
 
@@ -211,7 +211,7 @@ pub(crate) struct Released {
 }
 
 impl Released {
-    /// Returns the turns of `later`, expressed as those of `self` are, if the motion is the same from both on (Lemmas Z3, H9).
+    /// Returns the forcing periods of `later`, expressed as those of `self` are, if the motion is the same from both on (Lemmas Z3, H9).
     pub fn turns_of_same(&self, later: &Self) -> Option<i64> {
         match (&self.zero, &later.zero) {
             (Some(zero), Some(other)) => zero.turns_of_same(other),

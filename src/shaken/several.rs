@@ -14,7 +14,7 @@ use crate::impact::Touch;
 use crate::number::{Ball, UNIT, up};
 use crate::pair::{ImpactPair, Inward, Reduced, Wall, ball, within};
 use crate::several::{
-    Band, Doubt, Found, Harmonics, Phased, Reach, Scan, Spectrum, SumFlight, Turning, accumulation, release,
+    Band, Doubt, FlightNumber, Found, Harmonics, PhaseNumber, Reach, Scan, Spectrum, SumFlight, accumulation, release,
 };
 
 /// A pair that is shaken by several harmonics, equation (1).
@@ -55,13 +55,13 @@ impl SeveralHarmonics {
     }
 
     /// Returns the first contact of all the flights that start so. Lemmas H2-H6
-    pub fn first<N: Phased>(&self, harmonics: &Harmonics<N>, all: Launch<N>) -> Result<Found<N>, Doubt<N>> {
-        let centre = SumFlight::new(harmonics, all.map(Phased::centre_of), None);
+    pub fn first<N: FlightNumber>(&self, harmonics: &Harmonics<N>, all: Launch<N>) -> Result<Found<N>, Doubt<N>> {
+        let centre = SumFlight::new(harmonics, all.map(FlightNumber::centre_of), None);
         Scan::new(&SumFlight::new(harmonics, all, None), &centre).first(&mut self.reach())
     }
 
     /// The first contacts of all flights; a doubt that the centre does not share is the set's width's fault.
-    pub(super) fn scan<N: Phased>(
+    pub(super) fn scan<N: FlightNumber>(
         &self,
         all: &SumFlight<'_, N>,
         centre: &SumFlight<'_, N>,
@@ -90,7 +90,7 @@ impl SeveralHarmonics {
 }
 
 /// Sines and cosines of phases, exact at quarter periods; `None` of none.
-fn waves<N: Phased>(phases: &[Exact], bits: u32) -> Option<Vec<(N, N)>> {
+fn waves<N: FlightNumber>(phases: &[Exact], bits: u32) -> Option<Vec<(N, N)>> {
     let wave = |phase: &Exact| match quarter_turn(phase) {
         Some((sin, cos)) => (N::enclose(&sin, bits), N::enclose(&cos, bits)),
         None => N::enclose(phase, bits).wave(),
@@ -151,8 +151,8 @@ impl Shaken for SeveralHarmonics {
 }
 
 impl Parameters for SeveralHarmonics {
-    type In<N: Turning> = Sum<N>;
-    type Waves<N: Phased> = Vec<(N, N)>;
+    type In<N: PhaseNumber> = Sum<N>;
+    type Waves<N: FlightNumber> = Vec<(N, N)>;
 
     fn floats(&self) -> &Sum<f64> {
         &self.floats
@@ -162,7 +162,7 @@ impl Parameters for SeveralHarmonics {
         &self.balls
     }
 
-    fn waves<N: Phased>(&self, exact: &[Exact], phase: &N, bits: u32) -> Option<Vec<(N, N)>> {
+    fn waves<N: FlightNumber>(&self, exact: &[Exact], phase: &N, bits: u32) -> Option<Vec<(N, N)>> {
         // Of a phase that is rounded the centre is another.
         let is_point = (phase.clone() - phase.centre_of()).is_zero();
         if is_point { waves(exact, bits) } else { None }
@@ -185,7 +185,7 @@ impl Flying for SeveralHarmonics {
         all: Launch<Ball>,
         waves: Option<&Vec<(Ball, Ball)>>,
     ) -> Result<(Contact<Ball>, [Ball; 2]), Undecided> {
-        let centre = all.map(Phased::centre_of);
+        let centre = all.map(FlightNumber::centre_of);
         let (contact, accelerations) = self.first_contacts(all, centre, waves)?;
         Ok((contact.all, accelerations))
     }

@@ -17,7 +17,7 @@ pub trait Shaking<N: Number> {
     /// The box a phase `rest` after N whole forcing periods.
     fn moment(&self, turns: f64, rest: &N) -> Self::Moment;
     /// `D + E_1 - E_0`: how far the ball goes in space, if it goes `displacement` in the box. **Equation** (11)
-    fn way(&self, from: &Self::Moment, to: &Self::Moment, displacement: f64) -> N;
+    fn travel(&self, from: &Self::Moment, to: &Self::Moment, displacement: f64) -> N;
     /// `y' = c - E'` of a ball with this drift. **Equation** (12)
     fn relative(&self, drift: &N, at: &Self::Moment) -> N;
     /// `y'' = -E''` **Equation** (10)
@@ -29,7 +29,7 @@ pub trait Shaking<N: Number> {
 /// The period after which an excitation repeats.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Repetition {
-    /// The common period of all harmonics, in turns of the fastest: 1 of one harmonic.
+    /// The common period of all harmonics, in periods of the fastest: 1 of one harmonic.
     pub turns: u32,
     /// True if each harmonic is its own opposite half that period later: then the mirrored motion is one as well. `None` if this is so for some
     /// parameters at most: where an amplitude may be 0, and the others alone may be odd.
@@ -38,7 +38,7 @@ pub struct Repetition {
 
 impl Repetition {
     /// The repetition of one harmonic.
-    pub const TURN: Self = Self { turns: 1, is_odd: Some(true) };
+    pub const ONE_PERIOD: Self = Self { turns: 1, is_odd: Some(true) };
 }
 
 /// The velocities of a short flight back to its wall.
@@ -65,7 +65,7 @@ impl<N: Wave> Shaking<N> for Reduced<N> {
         rest.wave()
     }
     #[inline(always)]
-    fn way(&self, (sin0, _): &(N, N), (sin1, _): &(N, N), displacement: f64) -> N {
+    fn travel(&self, (sin0, _): &(N, N), (sin1, _): &(N, N), displacement: f64) -> N {
         self.alpha.clone().mul_add(sin1.clone() - sin0.clone(), N::from_f64(displacement))
     }
     #[inline(always)]

@@ -84,7 +84,7 @@ impl Still {
     pub fn graze_after(self, turns: i64, phase: f64) -> Option<(Wall, i64, f64)> {
         let candidates = [(Wall::Left, 0.25, self.grazes_left), (Wall::Right, -0.25, self.grazes_right)];
         let next = candidates.into_iter().filter(|(.., grazes)| *grazes).map(|(wall, at, _)| {
-            // Lemma N1: one turn at a time comes nowhere near the end of the count.
+            // Lemma N1: one forcing period at a time comes nowhere near the end of the count.
             (wall, if at > phase { turns } else { turns + 1 }, at)
         });
         next.min_by(|a, b| (a.1, a.2).partial_cmp(&(b.1, b.2)).expect("phases are numbers"))

@@ -57,10 +57,10 @@ pub enum Cell<'r> {
 }
 
 /// An impact, of the orbit or the first one of its attractor.
-const IMPACT: [(&str, Kind); 3] = [("wall", Kind::Text), ("phase", Kind::Bounds), ("velocity", Kind::Bounds)];
+const IMPACT_COLUMNS: [(&str, Kind); 3] = [("wall", Kind::Text), ("phase", Kind::Bounds), ("velocity", Kind::Bounds)];
 
 /// Columns on a point, with their types.
-const SAID: [(&str, Kind); 15] = [
+const RESULT_COLUMNS: [(&str, Kind); 15] = [
     ("outcome", Kind::Text),
     ("reason", Kind::Text),
     ("complete", Kind::Truth),
@@ -86,9 +86,9 @@ pub fn columns(head: &SweepHead, table: Table) -> Vec<(String, Kind)> {
     columns.extend(head.over.iter().map(|over| (over.key.replace('.', "_"), Kind::Exact)));
     columns.extend((table == Table::Mixed).then(|| ("record".to_owned(), Kind::Text)));
     columns.extend((table != Table::Points).then(|| ("index".to_owned(), Kind::Whole)));
-    columns.extend(IMPACT.iter().map(named));
+    columns.extend(IMPACT_COLUMNS.iter().map(named));
     if table != Table::States {
-        columns.extend(SAID.iter().map(named));
+        columns.extend(RESULT_COLUMNS.iter().map(named));
         columns.extend(head.claim.map(|_| ("claim".to_owned(), Kind::Text)));
     }
     columns
@@ -117,14 +117,14 @@ fn row<'r>(record: &'r SweepRecord, state: Option<&'r SweepImpact>, table: Table
     cells.push(impact(|impact| Cell::Bounds(&impact.phase)));
     cells.push(impact(|impact| Cell::Bounds(&impact.velocity)));
     if table != Table::States {
-        cells.extend(if state.is_some() { [Cell::Nothing; SAID.len()] } else { said(record) });
+        cells.extend(if state.is_some() { [Cell::Nothing; RESULT_COLUMNS.len()] } else { cells_of(record) });
         let claim = if state.is_some() { Cell::Nothing } else { Cell::Text(record.claim.unwrap_or_default().text()) };
         cells.extend(has_claims.then_some(claim));
     }
     cells
 }
 
-fn said(record: &SweepRecord) -> [Cell<'_>; SAID.len()] {
+fn cells_of(record: &SweepRecord) -> [Cell<'_>; RESULT_COLUMNS.len()] {
     fn text(text: Option<&String>) -> Cell<'_> {
         text.map_or(Cell::Nothing, |text| Cell::Text(text))
     }

@@ -15,7 +15,7 @@ use crate::scene::{Key, Range};
 use crate::{Error, Scene};
 
 /// Returns what a sweep is about; a shard is given by its number and of how many.
-pub fn head(scene: &Scene, grid: &Grid, asked: &PointSettings, shard: Option<[u64; 2]>) -> SweepHead {
+pub fn head(scene: &Scene, grid: &Grid, requested: &PointSettings, shard: Option<[u64; 2]>) -> SweepHead {
     SweepHead {
         schema: SWEEP_SCHEMA.to_owned(),
         program: PROGRAM.to_owned(),
@@ -23,14 +23,14 @@ pub fn head(scene: &Scene, grid: &Grid, asked: &PointSettings, shard: Option<[u6
         scene: SceneDocument::new(scene.pair(), scene.start()),
         over: grid.axes().iter().map(written).collect(),
         points: grid.points(),
-        transient: asked.transient,
-        impacts: asked.impacts,
-        digits: asked.settings.digits,
-        certified: is_certified(asked.settings.arithmetic),
-        claim: (asked.settings.arithmetic == Arithmetic::Shadow).then_some(ClaimName::Shadowed),
-        arithmetic: ArithmeticDocument::asked(&asked.settings),
-        reference: asked.reference.map(|term| term as u64 + 1), // exact: a number of terms
-        summary: asked.summary,
+        transient: requested.transient,
+        impacts: requested.impacts,
+        digits: requested.settings.digits,
+        certified: is_certified(requested.settings.arithmetic),
+        claim: (requested.settings.arithmetic == Arithmetic::Shadow).then_some(ClaimName::Shadowed),
+        arithmetic: ArithmeticDocument::requested(&requested.settings),
+        reference: requested.reference.map(|term| term as u64 + 1), // exact: a number of terms
+        summary: requested.summary,
         shard,
     }
 }

@@ -20,10 +20,10 @@ pub const MOST_POINTS: u64 = 100_000_000;
 /// # Ok::<(), impact_pair::Error>(())
 /// ```
 pub fn axis(text: &str) -> Result<Range, Error> {
-    Range::parse(text, ACCEPTED, is_axis)
+    Range::parse(text, ACCEPTED_FORM, is_axis)
 }
 
-const ACCEPTED: &str = "KEY=LO..HI:COUNT with single numbers LO < HI and COUNT from 2 on";
+const ACCEPTED_FORM: &str = "KEY=LO..HI:COUNT with single numbers LO < HI and COUNT from 2 on";
 
 fn is_axis(range: &Range) -> bool {
     range.count.is_some_and(|count| (2..=MOST_POINTS).contains(&count))
@@ -42,7 +42,7 @@ impl Grid {
     /// Returns an error if there are no axes or more than two, if two set the same key, or if there are more than [`MOST_POINTS`] points.
     pub fn new(axes: Vec<Range>) -> Result<Self, Error> {
         if let Some(range) = axes.iter().find(|range| !is_axis(range)) {
-            return Err(refused(&range.to_string(), ACCEPTED));
+            return Err(refused(&range.to_string(), ACCEPTED_FORM));
         }
         let text = || axes.iter().map(Range::to_string).collect::<Vec<_>>().join(" ");
         let points = axes.iter().try_fold(1u64, |product, axis| product.checked_mul(axis.points()));
@@ -173,7 +173,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_grid_is_refused() {
+    fn a_key_without_a_grid_is_refused() {
         let twice = ["gap=1..2:3", "pair.gap=1..2:3"];
         let times = ["start.time=1..2:3", "start.phase=1..2:3"];
         let large = ["gap=1..2:100000", "amplitude=1..2:100000"];

@@ -77,31 +77,31 @@ impl Point {
 ///
 /// # Errors
 /// Returns an error if a value is beyond the range of double-precision flights.
-pub fn follow(scene: &Scene, asked: &PointSettings, watch: &dyn Watch) -> Result<Option<Point>, Error> {
-    if asked.settings.arithmetic != Arithmetic::Shadow {
-        return follow_in(asked.settings.arithmetic, scene, asked, watch);
+pub fn follow(scene: &Scene, requested: &PointSettings, watch: &dyn Watch) -> Result<Option<Point>, Error> {
+    if requested.settings.arithmetic != Arithmetic::Shadow {
+        return follow_in(requested.settings.arithmetic, scene, requested, watch);
     }
     for arithmetic in [Arithmetic::Interval, Arithmetic::Shadow] {
-        match follow_in(arithmetic, scene, asked, watch)? {
+        match follow_in(arithmetic, scene, requested, watch)? {
             Some(point) if !point.is_complete() => {}
             done => return Ok(done),
         }
     }
-    follow_in(Arithmetic::Auto, scene, asked, watch)
+    follow_in(Arithmetic::Auto, scene, requested, watch)
 }
 
 /// Follows the orbit of a scene in one arithmetic.
 fn follow_in(
     arithmetic: Arithmetic,
     scene: &Scene,
-    asked: &PointSettings,
+    requested: &PointSettings,
     watch: &dyn Watch,
 ) -> Result<Option<Point>, Error> {
-    let impacts = Some(asked.transient.saturating_add(asked.impacts));
-    let settings = Settings { impacts, until: None, arithmetic, attractor: true, ..asked.settings.clone() };
+    let impacts = Some(requested.transient.saturating_add(requested.impacts));
+    let settings = Settings { impacts, until: None, arithmetic, attractor: true, ..requested.settings.clone() };
     let mut orbit = Orbit::of(scene, settings)?;
-    let unit = Unit::of(scene.pair(), asked.reference)?;
-    let mut window = Window::new(&orbit, (asked.transient, asked.summary), &unit);
+    let unit = Unit::of(scene.pair(), requested.reference)?;
+    let mut window = Window::new(&orbit, (requested.transient, requested.summary), &unit);
     let mut last = None;
     let _ = orbit.follow(watch, |orbit, event| {
         window.follow(orbit, &event);
@@ -150,14 +150,14 @@ mod tests {
     }
 
     fn point(scene: &Scene, transient: u64, impacts: u64) -> Point {
-        let asked = PointSettings {
+        let requested = PointSettings {
             transient,
             impacts,
             summary: false,
             reference: None,
             settings: Settings { digits: 6, ..Settings::default() },
         };
-        follow(scene, &asked, &Unwatched).unwrap().unwrap()
+        follow(scene, &requested, &Unwatched).unwrap().unwrap()
     }
 
     #[test]
@@ -166,8 +166,8 @@ mod tests {
             let (scene, values) = (scene(name), [(Key::StartPhase, "0".parse().unwrap())]);
             let line = |summary| {
                 let settings = Settings { digits: 6, ..Settings::default() };
-                let asked = PointSettings { transient: 5, impacts: 40, summary, reference: None, settings };
-                crate::sweep::record(0, &values, &follow(&scene, &asked, &Unwatched).unwrap().unwrap())
+                let requested = PointSettings { transient: 5, impacts: 40, summary, reference: None, settings };
+                crate::sweep::record(0, &values, &follow(&scene, &requested, &Unwatched).unwrap().unwrap())
             };
             let (short, mut full) = (line(true), line(false));
             assert_eq!((short.states.len(), full.states.len()), (0, 40));
@@ -177,7 +177,7 @@ mod tests {
     }
 
     #[test]
-    fn an_attracted_orbit_is_told_from_the_left_wall() {
+    fn an_attracting_orbit_is_given_from_the_left_wall() {
         let point = point(&scene("figure-12"), 100, 10);
         let attraction = point.attraction.unwrap();
         assert_eq!((attraction.word.to_string().as_str(), point.lasting.unwrap().cycles), ("P1 P2", Some(1)));
@@ -228,7 +228,7 @@ mod tests {
 
     /// Of the diagram's chaotic points one true orbit is listed, and its exponent lies where that of floating point does (0.399 an impact).
     #[test]
-    fn what_is_chaotic_is_shadowed_and_nothing_else() {
+    fn chaotic_points_alone_are_shadowed() {
         let follow = |name: &str, impacts: u64| {
             let settings = Settings { arithmetic: Arithmetic::Shadow, digits: 6, ..Settings::default() };
             follow(
@@ -250,16 +250,16 @@ mod tests {
     }
 
     #[test]
-    fn what_rests_grazes_or_ends_keeps_what_is_certified() {
+    fn rests_grazes_and_ends_keep_the_certified_impacts() {
         let chatter = point(&scene("chatter"), 5, 60);
         assert!(matches!(chatter.outcome, Outcome::Periodic(_)) && chatter.exponent == Exponent::Forgets);
         assert_eq!(chatter.impacts_per_cycle.map(Ball::mid), Some(f64::INFINITY));
         assert_eq!(chatter.states.len(), 60);
         let settings = Settings { arithmetic: Arithmetic::Interval, ..Settings::default() };
-        let asked = PointSettings { transient: 20, impacts: 500, summary: false, reference: None, settings };
-        let chaos = follow(&scene("figure-14"), &asked, &Unwatched).unwrap().unwrap();
+        let requested = PointSettings { transient: 20, impacts: 500, summary: false, reference: None, settings };
+        let chaos = follow(&scene("figure-14"), &requested, &Unwatched).unwrap().unwrap();
         assert!(matches!(chaos.outcome, Outcome::Undecided { .. }) && chaos.states.len() > 20);
         assert_eq!(chaos.states.len() as u64 + 20, chaos.impacts);
-        assert!(follow(&scene("figure-14"), &asked, &|_: Stage<'_>| ControlFlow::Break(())).unwrap().is_none());
+        assert!(follow(&scene("figure-14"), &requested, &|_: Stage<'_>| ControlFlow::Break(())).unwrap().is_none());
     }
 }

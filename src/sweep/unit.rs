@@ -109,7 +109,7 @@ impl Unit {
 impl Other {
     /// `u'` of `u`.
     fn turns(&self, turns: &Enclosure, shown: u32) -> Enclosure {
-        // Bits beyond those of the whole turns.
+        // Bits beyond those of the whole forcing periods.
         let whole = turns.mag().top().and_then(|top| u32::try_from(top).ok()).unwrap_or(0); // X1: any number of bits encloses
         let bits = shown.saturating_add(BITS).saturating_add(whole); // X1
         let [own, reference] = self.delays.each_ref().map(|delay| delay.enclose(bits));

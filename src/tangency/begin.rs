@@ -17,14 +17,14 @@ use crate::periodic::precondition::Preconditioner;
 /// Steps of Newton's iteration, the largest one, and when it has ended.
 const STEPS: u32 = 40;
 const LARGEST_STEP: f64 = 0.05;
-const ENOUGH: f64 = 1e-12;
+const STEP_TOLERANCE: f64 = 1e-12;
 /// A parameter of a manifold is at most that part of the radius for which it is proved.
-const PART: f64 = 0.125;
+const PARAMETER_PART: f64 = 0.125;
 /// The radii of `D` for which the manifolds are proved, and of the largest domain.
-pub(super) const REACH: f64 = 1.0 / 8192.0;
-const DOMAIN: f64 = 1.0 / 65_536.0;
+pub(super) const MANIFOLD_RADIUS: f64 = 1.0 / 8192.0;
+const MAX_DOMAIN: f64 = 1.0 / 65_536.0;
 /// The error of a series in doubles.
-const ERROR: f64 = 1e-17;
+const SERIES_ERROR: f64 = 1e-17;
 
 /// The manifolds, for floating point.
 fn manifolds(guess: Guessed) -> [Manifold; 2] {
@@ -74,7 +74,7 @@ pub(super) fn settle(chain: &Chain<Ball>, mut x: Vec<f64>) -> Option<Vec<f64>> {
             step *= LARGEST_STEP / size;
         }
         x.iter_mut().zip(step.iter()).for_each(|(x, step)| *x += step);
-        if size < ENOUGH {
+        if size < STEP_TOLERANCE {
             return Some(x);
         }
     }
@@ -94,14 +94,14 @@ pub(super) fn settled(fold: &Fold, over: Parameter) -> Option<Fold> {
 fn approximate(fold: &Fold, over: Parameter, reach: f64) -> Option<(Fold, [Local; 2])> {
     let mut found = settled(fold, over)?;
     let Fold { pair, guess, .. } = found;
-    let reaches = Pair::of(over, REACH, reach);
+    let reaches = Pair::of(over, MANIFOLD_RADIUS, reach);
     let locals = [Side::Unstable, Side::Stable].map(|side| Local::prove(pair, reaches, &guess, side));
     let [Some(unstable), Some(stable)] = locals else { return None };
-    while found.sigma[0].abs() > PART * unstable.radius {
+    while found.sigma[0].abs() > PARAMETER_PART * unstable.radius {
         found.sigma[0] /= guess.lambda[0];
         found.flights.insert(0, chaos::Side::Far);
     }
-    while found.sigma[1].abs() > PART * stable.radius {
+    while found.sigma[1].abs() > PARAMETER_PART * stable.radius {
         found.sigma[1] *= guess.lambda[1];
         found.flights.push(chaos::Side::Far);
     }
@@ -149,19 +149,19 @@ pub(super) struct InDoubles {
 }
 
 /// A chain whose manifolds are proved for the other parameter as well, as far as `reach`, and its zero in floating point.
-pub(super) struct Begun {
+pub(super) struct ExtendedChain {
     pub chain: Chain<Ball>,
     pub locals: [Local; 2],
     pub inverse: Preconditioner,
     pub x: Vec<f64>,
 }
 
-impl Begun {
+impl ExtendedChain {
     pub fn new(fold: &Fold, over: Parameter, other: Ball, reach: f64) -> Option<Self> {
         let (fold, locals) = approximate(fold, over, reach)?;
         let (chain, x) = begin(&fold, over)?;
         let x = settle(&chain, x)?;
-        let chain = chain_in(&chain, other, (&locals, &x), ERROR);
+        let chain = chain_in(&chain, other, (&locals, &x), SERIES_ERROR);
         let middle = Chain { other: other.centre(), ..chain.clone() };
         let inverse = inverse(&middle, &x)?;
         Some(Self { chain, locals, inverse, x })
@@ -169,9 +169,10 @@ impl Begun {
 }
 
 pub(super) fn in_doubles(fold: &Fold, over: Parameter, other: Ball) -> Option<InDoubles> {
-    const FARTHER: f64 = 4.0;
-    let Begun { chain, locals, inverse, x } = Begun::new(fold, over, other, FARTHER * other.rad())?;
-    let effort = Effort { largest: DOMAIN, domains: 10, images: 30, slow: 3 };
+    const OUTER_FACTOR: f64 = 4.0;
+    let ExtendedChain { chain, locals, inverse, x } =
+        ExtendedChain::new(fold, over, other, OUTER_FACTOR * other.rad())?;
+    let effort = Effort { largest: MAX_DOMAIN, domains: 10, images: 30, slow: 3 };
     let zero = prove(&chain, &inverse, &points(&x), effort)?;
     let least = least(&chain, &zero.domain)?;
     Some(InDoubles { chain, locals, inverse, x, zero, least })

@@ -2,7 +2,7 @@
 
 use super::begin::InDoubles;
 use super::boxes::{self, StateBounds, between, high, low};
-use super::chain::{Chain, FIRST};
+use super::chain::{Chain, FIRST_STATE};
 use super::flights::least;
 use super::unfolding::{Linear, solved};
 use crate::exact::Enclosure;
@@ -23,18 +23,18 @@ pub(super) struct Sides {
 }
 
 /// The unknowns before the states: `sigma_u`, `sigma_s`, the parameter.
-const OWN: usize = 3;
+const OWN_UNKNOWNS: usize = 3;
 const PARAMETER: usize = 2;
 const EFFORT: Effort = Effort { largest: 0.0, domains: 12, images: 30, slow: 3 };
 /// The largest half-length of the curve that is tried, in its coordinate, and how often it is halved.
-const LONGEST: f64 = 1.0 / 64.0;
-const HALVED: i32 = 16;
+const MAX_HALF_LENGTH: f64 = 1.0 / 64.0;
+const MAX_HALVINGS: i32 = 16;
 /// Parts of it: where the tangency is the only one, what is shown of it, and where its two points are at the least.
-const ONE: f64 = 0.875;
-const BOX: f64 = 0.75;
-const TWO: f64 = 0.625;
+const ONLY_TANGENCY_PART: f64 = 0.875;
+const SHOWN_PART: f64 = 0.75;
+const TWO_POINTS_PART: f64 = 0.625;
 /// The shortest piece on which the parameter's derivative is looked at, in parts of the curve.
-const SHORTEST: f64 = 1e-9;
+const MIN_PIECE: f64 = 1e-9;
 
 /// The common points of both manifolds as a curve: the equations of a chain without its tangents, and one coordinate of a state in a ball.
 struct Curve<'c> {
@@ -45,9 +45,9 @@ struct Curve<'c> {
 
 /// The place of an unknown of a chain; `None` for tangents.
 fn place(unknown: usize) -> Option<usize> {
-    match unknown.checked_sub(FIRST) {
-        Some(i) => (i % 4 < 2).then_some(OWN + i / 4 * 2 + i % 4),
-        None => (unknown < OWN).then_some(unknown),
+    match unknown.checked_sub(FIRST_STATE) {
+        Some(i) => (i % 4 < 2).then_some(OWN_UNKNOWNS + i / 4 * 2 + i % 4),
+        None => (unknown < OWN_UNKNOWNS).then_some(unknown),
     }
 }
 
@@ -144,7 +144,7 @@ impl<'c> Whole<'c> {
                 || self.curve(at).slope(&piece, &inverse).is_some_and(|slope| slope.mid().abs() > slope.rad())
         };
         self.piece(at).is_some_and(is_proved)
-            || (high - low > SHORTEST * self.half && self.has_one([low, centre]) && self.has_one([centre, high]))
+            || (high - low > MIN_PIECE * self.half && self.has_one([low, centre]) && self.has_one([centre, high]))
     }
 
     /// Returns whether the tangency is proved to be on the curve, its coordinate in a ball. Lemma J13
@@ -160,14 +160,14 @@ impl<'c> Whole<'c> {
     /// Counts the common points. Lemma J13
     fn sides(&self) -> Option<Sides> {
         let middle = self.middle();
-        if !self.holds_the_tangency(Ball::new(middle, TWO * self.half)) {
+        if !self.holds_the_tangency(Ball::new(middle, TWO_POINTS_PART * self.half)) {
             return None;
         }
-        let within = Ball::new(middle, ONE * self.half);
+        let within = Ball::new(middle, ONLY_TANGENCY_PART * self.half);
         if !self.has_one([low(within), high(within)]) {
             return None;
         }
-        let end = |sign: f64| Some(self.piece(Ball::exact(middle + sign * TWO * self.half))?.0[PARAMETER]);
+        let end = |sign: f64| Some(self.piece(Ball::exact(middle + sign * TWO_POINTS_PART * self.half))?.0[PARAMETER]);
         let [first, last] = [end(-1.0)?, end(1.0)?];
         let (own, all) = (self.found.zero.at[PARAMETER], self.zero.domain[PARAMETER]);
         // J13: whichever way the fold opens; the domain's ends rounded inward
@@ -180,12 +180,12 @@ impl<'c> Whole<'c> {
         } else {
             return None;
         };
-        let shown = Ball::new(middle, BOX * self.half);
+        let shown = Ball::new(middle, SHOWN_PART * self.half);
         let value = |i: usize| {
             let is_along = i == self.coordinate;
             if is_along { (shown, within) } else { (self.zero.at[i], self.zero.domain[i]) }
         };
-        let states = boxes::states((OWN..self.start.len()).step_by(2).map(|i| [value(i), value(i + 1)]))?;
+        let states = boxes::states((OWN_UNKNOWNS..self.start.len()).step_by(2).map(|i| [value(i), value(i + 1)]))?;
         if !(0..PARAMETER).all(|i| boxes::is_within(self.zero.at[i], self.zero.domain[i])) {
             return None;
         }
@@ -197,14 +197,14 @@ impl<'c> Whole<'c> {
 /// The coordinate in which the curve of common points runs fastest at the tangency.
 fn fastest(found: &InDoubles) -> Option<usize> {
     let InDoubles { chain, x, .. } = found;
-    let size = |i: usize| x[i + 2].abs() * f64::from(-chain.scales[(i - FIRST) / 4 + 1]).exp2(); // proposes
-    let states = (FIRST..x.len()).filter(|i| (i - FIRST) % 4 < 2);
+    let size = |i: usize| x[i + 2].abs() * f64::from(-chain.scales[(i - FIRST_STATE) / 4 + 1]).exp2(); // proposes
+    let states = (FIRST_STATE..x.len()).filter(|i| (i - FIRST_STATE) % 4 < 2);
     states.max_by(|a, b| size(*a).total_cmp(&size(*b))).and_then(place) // proposes
 }
 
 /// Counts the common points on either side of a tangency; `None` where that is not proved. Lemma J13
 pub(super) fn sides(found: &InDoubles) -> Option<Sides> {
     let coordinate = fastest(found)?;
-    let halves = (0..HALVED).map(|k| LONGEST * f64::from(-k).exp2()); // proposes
+    let halves = (0..MAX_HALVINGS).map(|k| MAX_HALF_LENGTH * f64::from(-k).exp2()); // proposes
     halves.into_iter().find_map(|half| Whole::new(found, coordinate, half)?.sides())
 }

@@ -11,11 +11,11 @@ use crate::periodic::entries::Entries;
 use crate::periodic::krawczyk::Equations;
 
 /// The unknowns before the states: `sigma_u`, `sigma_s`, the parameter, `t`.
-pub(super) const FIRST: usize = 4;
+pub(super) const FIRST_STATE: usize = 4;
 /// The place of the parameter.
 const PARAMETER: usize = 2;
 
-/// The flights from the unstable manifold to the stable one, whose unknowns are [`FIRST`], then phase, speed and tangent of each state between.
+/// The flights from the unstable manifold to the stable one, whose unknowns are [`FIRST_STATE`], then phase, speed and tangent of each state between.
 #[derive(Clone, Debug)]
 pub(super) struct Chain<N> {
     /// The parameter that is unknown, and the value of the other one.
@@ -64,7 +64,7 @@ impl<N: Enclosing> Chain<N> {
 
     /// The number of unknowns.
     pub fn unknowns(&self) -> usize {
-        FIRST + 4 * (self.flights.len() - 1)
+        FIRST_STATE + 4 * (self.flights.len() - 1)
     }
 
     /// The ends, with their derivatives by one parameter.
@@ -91,7 +91,7 @@ impl<N: Enclosing> Chain<N> {
                 Jet { value, slope: ends.stretch.times_ref(&ends.stable.along[i].value) }
             });
         }
-        let own = &x[FIRST + 4 * (k - 1)..];
+        let own = &x[FIRST_STATE + 4 * (k - 1)..];
         [0, 1].map(|i| Jet { value: own[i].clone(), slope: own[2 + i].clone() })
     }
 
@@ -121,7 +121,7 @@ impl<N: Enclosing> Chain<N> {
             ];
         }
         let unit = |i: usize, j: usize| if i == j { N::from_f64(1.0) } else { zero() };
-        let first = FIRST + 4 * (k - 1);
+        let first = FIRST_STATE + 4 * (k - 1);
         (0..4).map(|j| (first + j, [0, 1].map(|i| jet(&unit(i, j), &unit(i + 2, j))))).collect()
     }
 

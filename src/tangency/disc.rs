@@ -3,7 +3,7 @@
 use std::cmp::Ordering;
 use std::ops::{Add, Mul, Neg, Sub};
 
-use crate::number::{ABOVE_TURN, Ball, Number, Wave, up};
+use crate::number::{ABOVE_TWO_PI, Ball, Number, Wave, up};
 
 /// All complex numbers within the radius of a ball's centre.
 ///
@@ -82,7 +82,7 @@ impl Wave for Disc {
     /// Lemma J1; no bound where the radius is greater than 1 in radians.
     fn wave(&self) -> (Self, Self) {
         let (sin, cos) = Ball::exact(self.0.mid()).sin_cos();
-        let radius = up(ABOVE_TURN * self.0.rad());
+        let radius = up(ABOVE_TWO_PI * self.0.rad());
         // A NaN is refused as well.
         if radius.partial_cmp(&1.0).is_none_or(Ordering::is_gt) {
             let unbounded = Self(Ball::new(0.0, f64::INFINITY));

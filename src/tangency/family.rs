@@ -1,8 +1,8 @@
 //! Tangencies for all values of an interval of the other parameter: Lemma J12 of `docs/proofs/tangency.md#J12`.
 
-use super::begin::{Begun, REACH, points};
+use super::begin::{ExtendedChain, MANIFOLD_RADIUS, points};
 use super::boxes;
-use super::chain::{Chain, FIRST};
+use super::chain::{Chain, FIRST_STATE};
 use super::flight::Parameter;
 use super::flights::least;
 use super::proof::{Proof, conclude};
@@ -44,7 +44,7 @@ impl Equations<Ball> for Family<'_> {
 
 /// Proves a tangency for each value of the other parameter; `None` where that fails.
 pub(super) fn tangency(fold: &Fold, over: Parameter, other: Ball) -> Option<Proof> {
-    let Begun { chain, inverse, x, .. } = Begun::new(fold, over, other, REACH)?;
+    let ExtendedChain { chain, inverse, x, .. } = ExtendedChain::new(fold, over, other, MANIFOLD_RADIUS)?;
     let family = Family { chain: &chain, other };
     let guess = [&points(&x)[..], &[other.centre()]].concat();
     let bordered = Preconditioner::new(&family.jacobian(&guess)?.map(|x| x.mid()))?;
@@ -54,7 +54,8 @@ pub(super) fn tangency(fold: &Fold, over: Parameter, other: Ball) -> Option<Proo
     if !(boxes::is_narrow(domain[2]) && (0..3).all(|i| boxes::is_within(at[i], domain[i]))) {
         return None;
     }
-    let states = boxes::states((FIRST..x.len()).step_by(4).map(|i| [(at[i], domain[i]), (at[i + 1], domain[i + 1])]))?;
+    let states =
+        boxes::states((FIRST_STATE..x.len()).step_by(4).map(|i| [(at[i], domain[i]), (at[i + 1], domain[i + 1])]))?;
     let least = least(&chain, domain)?;
     Some(Proof { states: Some(states), ..conclude(&chain, &inverse, at, least)? })
 }

@@ -238,13 +238,13 @@ impl Frame {
 impl Local {
     /// Proves that a manifold is analytic, as far as it finds; `None` where it finds nothing. Lemma J3
     pub fn prove(pair: Pair<f64>, reach: Pair<f64>, guess: &Guessed, side: Side) -> Option<Self> {
-        const LARGEST: f64 = 0.5;
+        const MAX_RADIUS: f64 = 0.5;
         const TRIES: i32 = 16;
         let disc = |centre: f64, radius: f64| Disc::new(Ball::new(centre, radius));
         let discs = Pair { gap: disc(pair.gap, reach.gap), restitution: disc(pair.restitution, reach.restitution) };
         let frame = Frame::new(discs, guess, side)?;
         (0..TRIES).find_map(|k| {
-            let radius = LARGEST * 0.75f64.powi(k); // proposes
+            let radius = MAX_RADIUS * 0.75f64.powi(k); // proposes
             let size = frame.size(radius)?;
             let (fixed, eigenvalue) = (frame.phase.ball(), frame.eigenvalue.ball());
             Some(Self { radius, pair, reach, size, fixed, eigenvalue })

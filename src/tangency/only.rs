@@ -1,6 +1,6 @@
 //! Proof that a tangency is the only one within its bounds: Lemma J6 of `docs/proofs/tangency.md#J6`.
 
-use super::chain::{Chain, FIRST, Moving};
+use super::chain::{Chain, FIRST_STATE, Moving};
 use super::flight::{Pair, follow};
 use crate::number::{Ball, Enclosing, Number, up};
 use crate::periodic::bifurcation::Jet;
@@ -44,7 +44,7 @@ pub(super) fn is_only(chain: &Chain<Ball>, domain: &[Ball], at: &[Ball], within:
     let is_inside = |i: usize, by: f64| at[i].widened(by).is_interior_to(&domain[i]);
     let ends = [(0, unstable), (1, stable), (2, gap)].into_iter().all(|(i, by)| is_inside(i, by));
     let between = (1..chain.flights.len()).all(|k| {
-        let first = FIRST + 4 * (k - 1);
+        let first = FIRST_STATE + 4 * (k - 1);
         let (a, b) = (&by_sigma[k], &by_gap[k]);
         (0..2).all(|i| {
             is_inside(first + i, moves(a[i].value, b[i].value))

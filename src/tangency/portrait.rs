@@ -24,39 +24,39 @@ pub struct Portrait {
 }
 
 /// The flights before the end at which the tangency is magnified, if the word ends with that number to the far wall.
-const BEFORE: usize = 3;
+const MAGNIFIED_FLIGHTS: usize = 3;
 /// Points of a fundamental domain, and how often it is mapped.
 const POINTS: u32 = 6_000;
-const MAPPED: u32 = 9;
-const MAPPED_BACK: u32 = 5;
+const ITERATES: u32 = 9;
+const INVERSE_ITERATES: u32 = 5;
 /// The parameter of the unstable manifold from which on it is drawn, and of the stable one.
-const FROM: f64 = 0.003;
-const FROM_STABLE: f64 = 0.008;
+const UNSTABLE_FROM: f64 = 0.003;
+const STABLE_FROM: f64 = 0.008;
 /// A step back in time, in radians, in which a contact is looked for.
 const STEP: f64 = 0.02;
 /// The longest flight, in radians.
-const LONGEST: f64 = 40.0;
+const MAX_FLIGHT: f64 = 40.0;
 
 /// One saddle at one `D`, near a tangency.
-struct Near<'t> {
+struct LocalSaddle<'t> {
     tangency: &'t Tangency,
     floats: Floats,
     gap: f64,
     e: f64,
 }
 
-impl Near<'_> {
-    fn new(tangency: &Tangency, [gap, e]: [f64; 2]) -> Option<Near<'_>> {
+impl LocalSaddle<'_> {
+    fn new(tangency: &Tangency, [gap, e]: [f64; 2]) -> Option<LocalSaddle<'_>> {
         let phase = tangency.phase.mid_rad().0;
         let apart = |guess: &Guessed| ((guess.theta - phase + PI).rem_euclid(TAU) - PI).abs();
         let guess =
             Guessed::all(Pair { gap, restitution: e }).into_iter().min_by(|a, b| apart(a).total_cmp(&apart(b)))?;
-        Some(Near { tangency, floats: Floats::new(Pair { gap, restitution: e }, guess)?, gap, e })
+        Some(LocalSaddle { tangency, floats: Floats::new(Pair { gap, restitution: e }, guess)?, gap, e })
     }
 
     /// Returns the number of flights before the end at which the tangency is magnified.
     fn before(&self) -> usize {
-        self.tangency.flights.0.iter().rev().take_while(|side| **side == Side::Far).count().min(BEFORE)
+        self.tangency.flights.0.iter().rev().take_while(|side| **side == Side::Far).count().min(MAGNIFIED_FLIGHTS)
     }
 
     /// The image of a parameter of the unstable manifold at the point of tangency.
@@ -77,7 +77,7 @@ impl Near<'_> {
             let mut late = arrival - 1e-6;
             loop {
                 let early = late - STEP;
-                if early < arrival - LONGEST || height(early) > self.gap {
+                if early < arrival - MAX_FLIGHT || height(early) > self.gap {
                     return None;
                 }
                 if height(early) < 0.0 {
@@ -109,17 +109,17 @@ fn in_period([theta, w]: State) -> State {
 impl Portrait {
     /// Returns the manifolds at values of `D` and `e`.
     pub fn of(tangency: &Tangency, pair: [f64; 2]) -> Option<Self> {
-        let near = Near::new(tangency, pair)?;
+        let near = LocalSaddle::new(tangency, pair)?;
         let [unstable, stable] = near.floats.guess.lambda;
-        let mut images = near.spread(Manifold::Unstable, FROM, unstable * unstable);
+        let mut images = near.spread(Manifold::Unstable, UNSTABLE_FROM, unstable * unstable);
         let mut all = images.clone();
-        for _ in 0..MAPPED {
+        for _ in 0..ITERATES {
             images = images.into_iter().filter_map(|state| near.floats.next(state)).collect();
             all.extend(&images);
         }
-        let mut back = near.spread(Manifold::Stable, FROM_STABLE, stable.powi(-2));
+        let mut back = near.spread(Manifold::Stable, STABLE_FROM, stable.powi(-2));
         let mut others = back.clone();
-        for _ in 0..MAPPED_BACK {
+        for _ in 0..INVERSE_ITERATES {
             back = back.into_iter().flat_map(|state| near.preimages(state)).filter(|[_, w]| *w < 4.0).collect();
             others.extend(&back);
             back.truncate(8 * POINTS as usize);
@@ -136,7 +136,7 @@ impl Portrait {
     /// Returns both manifolds, the unstable one first, near the point of tangency, as curves.
     pub fn magnified(&self, tangency: &Tangency, pair: [f64; 2], within: State) -> Option<[Vec<State>; 2]> {
         let [theta, w] = self.point;
-        let near = Near::new(tangency, pair)?;
+        let near = LocalSaddle::new(tangency, pair)?;
         let place = |[a, b]: State| [theta + (a - theta + PI).rem_euclid(TAU) - PI, b];
         let is_near = |[a, b]: State| (a - theta).abs() < within[0] && (b - w).abs() < within[1];
         let own = tangency.unstable.mid_rad().0;

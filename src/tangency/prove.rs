@@ -24,13 +24,13 @@ pub(super) struct Request {
 
 /// Factor from the radii of the enclosures to the bounds within which there is no other tangency: more than printing adds (Lemma P1), and
 /// the change of units.
-const WIDER: f64 = 8.0;
+const UNIQUENESS_FACTOR: f64 = 8.0;
 impl InDoubles {
     /// The zero is the only one within its bounds (Lemma J6), and what follows of it.
     fn conclude<N: Enclosing>(&self, chain: &Chain<N>, at: &[N]) -> Option<Proof> {
         let own: Vec<Ball> = at.iter().map(Enclosing::as_ball).collect();
         let is_theirs = own.iter().zip(&self.zero.domain).all(|(x, domain)| x.is_interior_to(domain));
-        let within = [0, 1, 2].map(|i| WIDER * at[i].spread().as_ball().mag());
+        let within = [0, 1, 2].map(|i| UNIQUENESS_FACTOR * at[i].spread().as_ball().mag());
         if !is_theirs || !is_only(&self.chain, &self.zero.domain, &own, within)? {
             return None;
         }

@@ -34,10 +34,10 @@ pub(super) struct Folds {
     pub limited: bool,
 }
 
-const WHAT: &str = "a homoclinic tangency";
+const SUBJECT: &str = "a homoclinic tangency";
 
 /// The work of following a fold to its tangency, in flights: those nearest to the stable manifold are followed first.
-const FOLD: usize = 10_000;
+const WORK_PER_FOLD: usize = 10_000;
 
 impl<'s> Search<'s> {
     pub fn new(pair: &ImpactPair, settings: &'s TangencySettings) -> Result<Self, Error> {
@@ -46,7 +46,7 @@ impl<'s> Search<'s> {
             let message = format!("the range is \"{over}\", but accepted is KEY=LO..HI, {TANGENCY_PARAMETERS}");
             return Err(Error::out_of_range(None, message));
         }
-        let amplitude = pair.harmonic(WHAT)?.amplitude();
+        let amplitude = pair.harmonic(SUBJECT)?.amplitude();
         if !matches!(over.key, Key::Amplitude(_)) {
             Error::require_positive("excitation.amplitude", amplitude)?;
         }
@@ -93,7 +93,7 @@ impl<'s> Search<'s> {
                 Some(word) => (floats.folds(&word.0), true),
                 None => floats.all_folds(settings.longest, settings.work, watch),
             };
-            let most = settings.work / FOLD;
+            let most = settings.work / WORK_PER_FOLD;
             limited |= (!is_whole && !watch.is_stopped()) || folds.len() > most;
             if folds.len() > most {
                 folds.sort_by(|a, b| a.distance.abs().total_cmp(&b.distance.abs()));

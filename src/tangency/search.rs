@@ -51,19 +51,19 @@ struct Sample {
 }
 
 /// Order of the series.
-const ORDER: usize = 16;
+const SERIES_ORDER: usize = 16;
 /// The range of parameters of the unstable manifold that is searched, and of the stable one.
-const LEAST: f64 = 1e-6;
-const MOST: f64 = 0.02;
-const MOST_STABLE: f64 = 0.15;
+const MIN_UNSTABLE: f64 = 1e-6;
+const MAX_UNSTABLE: f64 = 0.02;
+const MAX_STABLE: f64 = 0.15;
 /// Samples on either side at first, the distance of images up to which none is put between, and the most there are.
-const SAMPLES: u32 = 200;
-const FINE: f64 = 0.02;
+const FIRST_SAMPLES: u32 = 200;
+const FINE_DISTANCE: f64 = 0.02;
 const MOST_SAMPLES: usize = 40_000;
 /// Least distance of two samples, relative.
-const NEAREST: f64 = 1e-13;
+const MIN_SAMPLE_DISTANCE: f64 = 1e-13;
 /// The farthest fold from the stable manifold that is of use.
-const FARTHEST: f64 = 0.2;
+const MAX_FOLD_DISTANCE: f64 = 0.2;
 
 impl Floats {
     /// The manifolds of a saddle.
@@ -73,7 +73,7 @@ impl Floats {
         let (sin, cos) = guess.theta.sin_cos();
         let series = |lambda: f64| {
             let base = Base { theta: guess.theta, speed: guess.speed, sin, cos, lambda, restitution: e, pi: PI };
-            Series::new(&base, ORDER)
+            Series::new(&base, SERIES_ORDER)
         };
         let [unstable, stable] = [series(guess.lambda[0])?, series(guess.lambda[1])?];
         Some(Self { pair, map: Guess::new(&law), guess, unstable, stable, computed: Cell::new(0) })
@@ -139,7 +139,7 @@ impl Floats {
             let determinant = dp * direction - dq;
             let step = [(miss[0] * direction - miss[1]) / determinant, (dp * miss[1] - dq * miss[0]) / determinant];
             at = [at[0] + step[0], at[1] + step[1]];
-            if !(at[0].abs() < MOST_STABLE && at[1].abs() < FARTHEST) {
+            if !(at[0].abs() < MAX_STABLE && at[1].abs() < MAX_FOLD_DISTANCE) {
                 return None;
             }
         }
@@ -162,11 +162,11 @@ impl Floats {
             let Some(b) = stack.last() else { break };
             let there = image(b).filter(|(side, _)| *side == next);
             let far = match (&here, &there) {
-                (Some((_, x)), Some((_, y))) => (TAU * (x[0] - y[0])).abs().max((x[1] - y[1]).abs()) > FINE,
+                (Some((_, x)), Some((_, y))) => (TAU * (x[0] - y[0])).abs().max((x[1] - y[1]).abs()) > FINE_DISTANCE,
                 (None, None) => false,
                 _ => (a.sigma - b.sigma).abs() > 1e-3 * (samples[0].sigma - samples[samples.len() - 1].sigma).abs(),
             };
-            let near = (a.sigma - b.sigma).abs() < NEAREST * a.sigma.abs();
+            let near = (a.sigma - b.sigma).abs() < MIN_SAMPLE_DISTANCE * a.sigma.abs();
             if far
                 && !near
                 && count < MOST_SAMPLES
@@ -188,15 +188,16 @@ impl Floats {
 
     /// The unstable manifold on both sides of the fixed point, from a parameter on.
     fn begin(&self, least: f64) -> Vec<Vec<Sample>> {
-        let ratio = (MOST / least).powf(1.0 / f64::from(SAMPLES));
-        let side =
-            |sign: f64| (0..=SAMPLES).filter_map(|i| self.after(sign * least * ratio.powi(i as i32), &[])).collect();
+        let ratio = (MAX_UNSTABLE / least).powf(1.0 / f64::from(FIRST_SAMPLES));
+        let side = |sign: f64| {
+            (0..=FIRST_SAMPLES).filter_map(|i| self.after(sign * least * ratio.powi(i as i32), &[])).collect()
+        };
         vec![side(1.0), side(-1.0)]
     }
 
     /// The folds of the unstable manifold along a word, the nearest to the stable one first.
     pub fn folds(&self, flights: &[Side]) -> Vec<Fold> {
-        let mut pieces = self.begin(LEAST);
+        let mut pieces = self.begin(MIN_UNSTABLE);
         for n in 1..=flights.len() {
             pieces = pieces.iter().flat_map(|piece| self.refined(piece, &flights[..n])).collect();
         }
@@ -208,7 +209,7 @@ impl Floats {
     /// The folds along all words of at most N flights, and whether all words are searched, which takes no more flights than `work`.
     pub fn all_folds(&self, longest: usize, work: usize, watch: &dyn Watch) -> (Vec<Fold>, bool) {
         // A fundamental domain: what lies nearer comes to it.
-        let begun = self.begin(MOST / (self.guess.lambda[0] * self.guess.lambda[0]));
+        let begun = self.begin(MAX_UNSTABLE / (self.guess.lambda[0] * self.guess.lambda[0]));
         let mut stack: Vec<(Vec<Side>, Vec<Sample>)> = begun.into_iter().map(|piece| (Vec::new(), piece)).collect();
         let (mut found, mut searched) = (Vec::new(), 0);
         while let Some((flights, piece)) = stack.pop() {

@@ -3,42 +3,43 @@
 use std::time::Duration;
 
 use impact_pair_document::{
-    CrossingDocument, ExtentDocument, LargestError, LargestErrors, Microseconds, PROGRAM, RungAsked, RungDocument,
-    SceneDocument, Seconds, TRADE_SCHEMA, TradeAsked, TradeDocument, TradeUnits, TruthDocument, WidthsDocument,
+    CrossingDocument, ExtentDocument, LargestError, LargestErrors, Microseconds, PROGRAM, RowDocument, RowOptions,
+    SceneDocument, Seconds, TRADE_SCHEMA, TradeDocument, TradeRequest, TradeUnits, TruthDocument, WidthsDocument,
     WordLeft,
 };
 
-use super::{Crossing, Divergence, Extent, Judgement, Largest, Measured, Rung, Trade};
+use super::{Crossing, Divergence, ErrorBounds, Extent, Largest, Measured, Trade, TradeArithmetic};
 
 impl Trade<'_> {
     /// Returns the trade JSON.
     pub fn document(&self) -> TradeDocument {
-        let Self { scene, asked, units, interrupted, .. } = self;
+        let Self { scene, requested, units, interrupted, .. } = self;
         TradeDocument {
             schema: TRADE_SCHEMA.to_owned(),
             program: PROGRAM.to_owned(),
             scene: SceneDocument::new(scene.pair(), scene.start()),
-            asked: TradeAsked {
-                impacts: asked.impacts,
-                until: asked.until.as_ref().map(|until| until.text()),
-                max_bits: asked.max_bits,
+            requested: TradeRequest {
+                impacts: requested.impacts,
+                until: requested.until.as_ref().map(|until| until.text()),
+                max_bits: requested.max_bits,
             },
             units: TradeUnits { time: "2 pi/W".to_owned(), velocity: units.speed.to_string() },
-            interrupted: interrupted.map(|rung| rung.to_string()),
-            rungs: self.rungs.iter().map(|measured| rung(measured, self)).collect(),
+            interrupted: interrupted.map(|arithmetic| arithmetic.to_string()),
+            rungs: self.rows.iter().map(|measured| row(measured, self)).collect(),
         }
     }
 }
 
-fn rung(measured: &Measured, trade: &Trade<'_>) -> RungDocument {
-    let Measured { rung, times, .. } = measured;
+/// The row of an arithmetic.
+fn row(measured: &Measured, trade: &Trade<'_>) -> RowDocument {
+    let Measured { arithmetic, times, .. } = measured;
     let time = |whole: Duration| measured.microseconds(whole);
     let widths =
         measured.widths.map(|widths| WidthsDocument { time: extent(&widths.time), velocity: extent(&widths.velocity) });
-    let judgement = trade.judgement.as_ref().filter(|_| *rung == Rung::Float);
-    RungDocument {
-        name: rung.to_string(),
-        asked: asked(*rung),
+    let judgement = trade.judgement.as_ref().filter(|_| *arithmetic == TradeArithmetic::Float);
+    RowDocument {
+        name: arithmetic.to_string(),
+        requested: options_of(*arithmetic),
         arithmetic: measured.computed.clone(),
         certified: measured.is_certified,
         complete: measured.is_complete(),
@@ -61,23 +62,23 @@ fn rung(measured: &Measured, trade: &Trade<'_>) -> RungDocument {
 }
 
 /// The arithmetic as the command line names it.
-fn asked(rung: Rung) -> RungAsked {
-    let (arithmetic, digits) = match rung {
-        Rung::Float => ("float".to_owned(), None),
-        Rung::Interval => ("interval".to_owned(), None),
-        Rung::Inari => ("inari".to_owned(), None),
-        Rung::Shadow => ("shadow".to_owned(), None),
-        Rung::Bits(bits) => (bits.to_string(), None),
-        Rung::Auto(digits) => ("auto".to_owned(), Some(digits)),
+fn options_of(arithmetic: TradeArithmetic) -> RowOptions {
+    let (arithmetic, digits) = match arithmetic {
+        TradeArithmetic::Float => ("float".to_owned(), None),
+        TradeArithmetic::Interval => ("interval".to_owned(), None),
+        TradeArithmetic::Inari => ("inari".to_owned(), None),
+        TradeArithmetic::Shadow => ("shadow".to_owned(), None),
+        TradeArithmetic::Bits(bits) => (bits.to_string(), None),
+        TradeArithmetic::Auto(digits) => ("auto".to_owned(), Some(digits)),
     };
-    RungAsked { arithmetic, digits }
+    RowOptions { arithmetic, digits }
 }
 
 fn extent(extent: &Extent) -> ExtentDocument {
     ExtentDocument { greatest: extent.greatest.decimal_up(), last: extent.last.decimal_up() }
 }
 
-fn truth(judgement: &Judgement, trade: &Trade<'_>) -> TruthDocument {
+fn truth(judgement: &ErrorBounds, trade: &Trade<'_>) -> TruthDocument {
     let largest = |largest: &Largest| {
         (largest.impact > 0).then(|| LargestError {
             bounds: [largest.at_least.decimal_down(), largest.at_most.decimal_up()],

@@ -7,7 +7,7 @@
 
 use std::ops::ControlFlow;
 
-use super::ladder::Rung;
+use super::schedule::TradeArithmetic;
 use crate::exact::{Dyadic, Enclosure};
 use crate::orbit::{Arithmetic, Impact, MULTIPRECISION, Orbit, Progress, Rest, Settings};
 use crate::pair::Wall;
@@ -39,7 +39,7 @@ impl Reading {
 
 /// The true errors of an orbit, as far as it was compared.
 #[derive(Clone, Debug)]
-pub struct Judgement {
+pub struct ErrorBounds {
     /// Units of the errors.
     pub units: Scales<Unit>,
     /// Number of impacts compared, on the true word.
@@ -98,7 +98,7 @@ pub struct Divergence {
     pub judged: Option<Wall>,
 }
 
-impl Judgement {
+impl ErrorBounds {
     fn new(units: Scales<Unit>) -> Self {
         let crossing = |exponent| Crossing { exponent, within: 0, exceeded: None };
         Self {
@@ -144,8 +144,12 @@ fn distance(one: &Enclosure, other: &Enclosure, unit: &Unit) -> [Size; 2] {
 }
 
 /// Returns the settings with which the true orbit is computed.
-pub(super) fn truth(asked: &Settings) -> Settings {
-    if MULTIPRECISION { Rung::Auto(DIGITS).settings(asked) } else { Rung::Interval.settings(asked) }
+pub(super) fn truth(requested: &Settings) -> Settings {
+    if MULTIPRECISION {
+        TradeArithmetic::Auto(DIGITS).settings(requested)
+    } else {
+        TradeArithmetic::Interval.settings(requested)
+    }
 }
 
 /// The truth in words.
@@ -178,13 +182,13 @@ fn next(orbit: &mut Orbit) -> Next {
 /// Judges `float` on this scene, up to the first complete chatter; when interrupted, as far as it came.
 pub(super) fn judge_float(
     scene: &Scene,
-    asked: &Settings,
+    requested: &Settings,
     units: &Scales<Unit>,
     watch: &dyn Watch,
-) -> Result<Judgement, Error> {
-    let mut truth = Orbit::of(scene, self::truth(asked))?;
-    let mut float = Orbit::of(scene, Rung::Float.settings(asked))?;
-    let mut judgement = Judgement::new(*units);
+) -> Result<ErrorBounds, Error> {
+    let mut truth = Orbit::of(scene, self::truth(requested))?;
+    let mut float = Orbit::of(scene, TradeArithmetic::Float.settings(requested))?;
+    let mut judgement = ErrorBounds::new(*units);
     let _ = truth.follow(watch, |truth, event| match event {
         Progress::Impact(impact) => match next(&mut float) {
             Next::Skipped => ControlFlow::Break(()),
@@ -207,23 +211,27 @@ mod tests {
     /// Floats and truths of the first impacts of figure 14.
     fn readings(impacts: u64) -> (Scales<Unit>, Vec<Reading>, Vec<Reading>) {
         let scene = Scene::parse(SCENE).unwrap();
-        let asked = Settings { impacts: Some(impacts), ..scene.settings() };
+        let requested = Settings { impacts: Some(impacts), ..scene.settings() };
         let read = |settings: Settings| {
             let mut orbit = Orbit::of(&scene, settings).unwrap();
             let impacts: Vec<_> = orbit.by_ref().collect();
             impacts.iter().map(|impact| Reading::new(&orbit, impact)).collect()
         };
-        (Scales::of(&scene).unwrap().units(), read(Rung::Float.settings(&asked)), read(truth(&asked)))
+        (
+            Scales::of(&scene).unwrap().units(),
+            read(TradeArithmetic::Float.settings(&requested)),
+            read(truth(&requested)),
+        )
     }
 
-    fn judge(units: Scales<Unit>, floats: &[Reading], truths: &[Reading]) -> Judgement {
-        let mut judgement = Judgement::new(units);
+    fn judge(units: Scales<Unit>, floats: &[Reading], truths: &[Reading]) -> ErrorBounds {
+        let mut judgement = ErrorBounds::new(units);
         let _ = truths.iter().enumerate().try_for_each(|(i, truth)| judgement.compare(truth, floats.get(i)));
         judgement
     }
 
     #[test]
-    fn a_flipped_wall_is_caught_at_its_impact() {
+    fn a_flipped_wall_is_detected_at_its_impact() {
         let (units, mut floats, truths) = readings(20);
         assert_eq!(judge(units, &floats, &truths).departure, None);
         for flipped in [1, 7, 20] {
@@ -239,12 +247,12 @@ mod tests {
 
     /// Of the chatter of scenes/chatter.toml the truth lists more impacts than the orbit in doubles does, which follows the same word.
     #[test]
-    fn r44_after_a_complete_chatter_no_departure_is_told() {
+    fn r44_after_a_complete_chatter_no_departure_is_reported() {
         let path = format!("{}/scenes/chatter.toml", env!("CARGO_MANIFEST_DIR"));
         let scene = Scene::parse(&std::fs::read_to_string(path).unwrap()).unwrap();
-        let asked = Settings { impacts: Some(60), ..scene.settings() };
+        let requested = Settings { impacts: Some(60), ..scene.settings() };
         let judgement =
-            judge_float(&scene, &asked, &Scales::of(&scene).unwrap().units(), &crate::watch::Unwatched).unwrap();
+            judge_float(&scene, &requested, &Scales::of(&scene).unwrap().units(), &crate::watch::Unwatched).unwrap();
         assert!((6..60).contains(&judgement.judged) && judgement.departure.is_none(), "{judgement:?}");
         assert!(judgement.crossings.iter().all(|crossing| crossing.exceeded.is_none()));
     }
@@ -259,7 +267,7 @@ mod tests {
     #[test]
     fn bounds_of_the_largest_error_grow_and_hold_it() {
         let (units, floats, truths) = readings(20);
-        let mut judgement = Judgement::new(units);
+        let mut judgement = ErrorBounds::new(units);
         let mut before = Largest::NONE;
         for (float, truth) in floats.iter().zip(&truths) {
             assert!(judgement.compare(truth, Some(float)).is_continue());

@@ -6,27 +6,27 @@ use std::time::{Duration, Instant};
 
 use impact_pair_document::ArithmeticDocument;
 
-use super::ladder::Rung;
-use crate::document::{Conclusion, Event, arithmetic, is_certified};
+use super::schedule::TradeArithmetic;
+use crate::document::{self, Conclusion, Event, is_certified};
 use crate::orbit::{Impact, Orbit, Settings};
 use crate::scales::{Scales, Size, Unit};
 use crate::watch::{Silent, Watch};
 use crate::{Error, Scene};
 
 /// Runs are repeated until those without and with bounds, and their preparations, have taken this time together, ...
-const LONG_ENOUGH: Duration = Duration::from_millis(400);
+const MIN_TOTAL_TIME: Duration = Duration::from_millis(400);
 /// ... or until there are this many of them.
-const OFTEN_ENOUGH: usize = 301;
+const MAX_REPETITIONS: usize = 301;
 /// The first run is timed impact by impact. It is not repeated if it takes longer than this, ...
-const LONG: Duration = Duration::from_secs(1);
+const LONG_RUN: Duration = Duration::from_secs(1);
 /// ... and longer than this per impact: reading the clock three times takes less than 1 % of it.
-const SLOW: Duration = Duration::from_micros(20);
+const SLOW_IMPACT: Duration = Duration::from_micros(20);
 
 /// The measurements of one arithmetic.
 #[derive(Clone, Debug)]
 pub struct Measured {
     /// The arithmetic as requested.
-    pub rung: Rung,
+    pub arithmetic: TradeArithmetic,
     /// The arithmetic, as in the orbit JSON.
     pub computed: ArithmeticDocument,
     /// The most bits that an impact took.
@@ -100,12 +100,12 @@ pub struct Times {
 /// Measures an arithmetic; `None` if interrupted.
 pub(super) fn measure(
     scene: &Scene,
-    rung: Rung,
-    asked: &Settings,
+    arithmetic: TradeArithmetic,
+    requested: &Settings,
     units: &Scales<Unit>,
     watch: &dyn Watch,
 ) -> Result<Option<Measured>, Error> {
-    let settings = rung.settings(asked);
+    let settings = arithmetic.settings(requested);
     let is_certified = is_certified(settings.arithmetic);
     let begin = || Orbit::of(scene, settings.clone());
     let mut orbit = begin()?;
@@ -114,11 +114,11 @@ pub(super) fn measure(
         return Ok(None);
     }
     let impacts = orbit.listed();
-    let is_long = |time: Duration| time > LONG && time.as_secs_f64() > SLOW.as_secs_f64() * impacts as f64;
+    let is_long = |time: Duration| time > LONG_RUN && time.as_secs_f64() > SLOW_IMPACT.as_secs_f64() * impacts as f64;
     let times = if is_long(times.orbit) { Some(times) } else { repeat(begin, is_certified, watch)? };
     Ok(times.map(|times| Measured {
-        rung,
-        computed: arithmetic(&orbit),
+        arithmetic,
+        computed: document::arithmetic(&orbit),
         bits: orbit.bits(),
         impacts,
         is_certified,
@@ -169,7 +169,7 @@ fn repeat(
 ) -> Result<Option<Times>, Error> {
     let (mut without, mut with) = (Vec::new(), Vec::new());
     let begun = Instant::now();
-    while without.is_empty() || (without.len() < OFTEN_ENOUGH && begun.elapsed() < LONG_ENOUGH) {
+    while without.is_empty() || (without.len() < MAX_REPETITIONS && begun.elapsed() < MIN_TOTAL_TIME) {
         let alone = time(begin()?, watch, |_, impact| _ = black_box(impact));
         let Some(alone) = alone else { return Ok(None) };
         without.push(alone);
@@ -220,12 +220,13 @@ mod tests {
                      pair = { gap = \"3*pi\", restitution = 0.5 }\n\
                      start = { time = 0, wall = \"left\", velocity = \"-4*pi\" }";
         let scene = Scene::parse(scene).unwrap();
-        let (asked, units) = (Settings { impacts: Some(5), ..scene.settings() }, Scales::of(&scene).unwrap().units());
-        let of = |rung| measure(&scene, rung, &asked, &units, &Unwatched).unwrap().unwrap();
-        let float = of(Rung::Float);
+        let (requested, units) =
+            (Settings { impacts: Some(5), ..scene.settings() }, Scales::of(&scene).unwrap().units());
+        let of = |arithmetic| measure(&scene, arithmetic, &requested, &units, &Unwatched).unwrap().unwrap();
+        let float = of(TradeArithmetic::Float);
         assert!((float.impacts, float.is_complete(), float.is_certified) == (5, true, false));
         assert!(float.widths.is_none() && float.times.with_bounds.is_none());
-        let interval = of(Rung::Interval);
+        let interval = of(TradeArithmetic::Interval);
         // A period is two units of time, A W is pi: no narrower than doubles, no wider than a few.
         let digits = interval.digits().unwrap();
         assert!((13.0..16.5).contains(&digits), "{digits}");

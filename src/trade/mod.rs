@@ -2,20 +2,20 @@
 
 mod document;
 mod judge;
-mod ladder;
 mod measure;
+mod schedule;
 
-pub use judge::{Crossing, Divergence, Judgement, Largest};
-pub use ladder::Rung;
+pub use judge::{Crossing, Divergence, ErrorBounds, Largest};
 pub use measure::{Extent, Measured, Times, Widths};
+pub use schedule::TradeArithmetic;
 
 use crate::document::counted;
 use crate::orbit::Settings;
 use crate::scales::{Scales, Unit};
 use crate::watch::{Stage, Watch};
 use crate::{Error, Scene};
-use ladder::Ladder;
 use measure::measure;
+use schedule::TradeSchedule;
 
 /// The measurements on a scene.
 #[derive(Clone, Debug)]
@@ -23,15 +23,15 @@ pub struct Trade<'s> {
     /// The scene.
     pub scene: &'s Scene,
     /// The requested length of the orbit for each arithmetic.
-    pub asked: Settings,
+    pub requested: Settings,
     /// Units of widths and errors.
     pub units: Scales<Unit>,
     /// The measured arithmetics, in order.
-    pub rungs: Vec<Measured>,
+    pub rows: Vec<Measured>,
     /// The true errors of `float`.
-    pub judgement: Option<Judgement>,
+    pub judgement: Option<ErrorBounds>,
     /// The arithmetic that the watch interrupted.
-    pub interrupted: Option<Rung>,
+    pub interrupted: Option<TradeArithmetic>,
 }
 
 impl<'s> Trade<'s> {
@@ -39,22 +39,22 @@ impl<'s> Trade<'s> {
     ///
     /// # Errors
     /// If the scene's values exceed the range of orbits.
-    pub fn of(scene: &'s Scene, asked: Settings, watch: &dyn Watch) -> Result<Self, Error> {
+    pub fn of(scene: &'s Scene, requested: Settings, watch: &dyn Watch) -> Result<Self, Error> {
         let units = Scales::of(scene)?.units();
         let one_harmonic = scene.pair().excitation().only().is_some();
-        let mut ladder = Ladder::new(asked.max_bits, one_harmonic && cfg!(feature = "inari"));
-        let mut trade = Self { scene, asked, units, rungs: Vec::new(), judgement: None, interrupted: None };
-        while let Some(rung) = ladder.rung() {
-            watch.note(Stage::Part(&rung.to_string()));
-            let Some(measured) = measure(scene, rung, &trade.asked, &units, watch)? else {
-                trade.interrupted = Some(rung);
+        let mut schedule = TradeSchedule::new(requested.max_bits, one_harmonic && cfg!(feature = "inari"));
+        let mut trade = Self { scene, requested, units, rows: Vec::new(), judgement: None, interrupted: None };
+        while let Some(arithmetic) = schedule.arithmetic() {
+            watch.note(Stage::Part(&arithmetic.to_string()));
+            let Some(measured) = measure(scene, arithmetic, &trade.requested, &units, watch)? else {
+                trade.interrupted = Some(arithmetic);
                 break;
             };
-            ladder.climb(measured.impacts, measured.is_complete());
-            trade.rungs.push(measured);
-            if rung == Rung::Float {
+            schedule.advance(measured.impacts, measured.is_complete());
+            trade.rows.push(measured);
+            if arithmetic == TradeArithmetic::Float {
                 watch.note(Stage::Part("true errors of float"));
-                trade.judgement = Some(judge::judge_float(scene, &trade.asked, &units, watch)?);
+                trade.judgement = Some(judge::judge_float(scene, &trade.requested, &units, watch)?);
             }
         }
         Ok(trade)
@@ -62,7 +62,7 @@ impl<'s> Trade<'s> {
 
     /// Returns the reference for `float`, in words.
     pub fn judge(&self) -> String {
-        judge::name(&judge::truth(&self.asked))
+        judge::name(&judge::truth(&self.requested))
     }
 
     /// Returns the requested length of the orbits, in words.
@@ -70,8 +70,8 @@ impl<'s> Trade<'s> {
     /// # Panics
     /// Panics if neither impacts nor a time are requested: no orbit goes on for ever.
     pub fn goal(&self) -> String {
-        let impacts = self.asked.impacts.map(|impacts| counted(impacts, "impact"));
-        let until = self.asked.until.as_ref().map(|until| format!("t = {until}"));
+        let impacts = self.requested.impacts.map(|impacts| counted(impacts, "impact"));
+        let until = self.requested.until.as_ref().map(|until| format!("t = {until}"));
         match (impacts, until) {
             (Some(impacts), Some(until)) => format!("{impacts}, or up to {until}"),
             (Some(goal), None) | (None, Some(goal)) => goal,

@@ -8,9 +8,9 @@ use super::jet::Jet;
 use crate::exact::Real;
 
 /// Boxes that one interval is cut into at most.
-const BOXES: usize = 4000;
+const MAX_BOXES: usize = 4000;
 /// Steps of [`refine`] at most.
-const STEPS: usize = 400;
+const MAX_STEPS: usize = 400;
 
 /// The result for the zeros in a part of an interval.
 #[derive(Clone, Debug)]
@@ -58,7 +58,7 @@ pub(super) fn zeros(interval: &Interval, f: impl Fn(&Real) -> Option<Jet>) -> Ve
     while let Some(x) = stack.pop() {
         boxes += 1;
         let class = classify(&x, &f);
-        if class == Class::Neither && boxes < BOXES && x.wid() > least {
+        if class == Class::Neither && boxes < MAX_BOXES && x.wid() > least {
             let [low, high] = x.ends();
             let middle = x.middle();
             stack.push(middle.hull(&high));
@@ -110,7 +110,7 @@ impl Row {
 /// **Enclosure**: for every choice of the parameters the zero stays inside.
 pub(super) fn refine(x: Real, left: Ordering, f: impl Fn(&Real) -> Option<Jet>) -> Real {
     let mut x = x;
-    for _ in 0..STEPS {
+    for _ in 0..MAX_STEPS {
         let middle = x.middle();
         let Some(there) = f(&middle) else { break };
         let newton =

@@ -13,7 +13,7 @@ use crate::pair::{ImpactPair, Wall, within};
 use crate::watch::{Latched, Watch};
 
 use super::closed_forms::{self, grazing_angle};
-use super::problem::{ONE_HARMONIC, SHOWN};
+use super::problem::{NEEDS_ONE_HARMONIC, SHOWN_BITS};
 use crate::exact::Real;
 use crate::periodic::Stability;
 
@@ -168,14 +168,14 @@ impl Range<'_> {
                 places.push(Place { x: x.clone(), at: self.at(x), mark: Some(*mark) });
             }
         }
-        places.sort_by(|a, b| order(&a.x, &b.x).unwrap_or(Ordering::Equal)); // W8: what cannot be told apart keeps its order
+        places.sort_by(|a, b| order(&a.x, &b.x).unwrap_or(Ordering::Equal)); // W8: places that cannot be distinguished keep their order
         let mut parts: Vec<Option<Part>> = places.windows(2).map(|ends| Some(part(&ends[0], &marks))).collect();
         if self.runs_down() {
             places.reverse();
             parts.reverse();
         }
         parts.push(None);
-        let shown = whole_bits(digits) + SHOWN;
+        let shown = whole_bits(digits) + SHOWN_BITS;
         let point = |(place, after): (Place, Option<Part>)| Point {
             amplitude: self.amplitude(cycles, &place.x).enclosure().rounded(shown),
             at: place.at.enclosure().rounded(shown),
@@ -190,7 +190,7 @@ impl Range<'_> {
     }
 
     fn check(&self, cycles: u32) -> Result<(), Error> {
-        self.pair.harmonic(ONE_HARMONIC)?;
+        self.pair.harmonic(NEEDS_ONE_HARMONIC)?;
         let (gap, e) = (self.pair.gap(), self.pair.restitution());
         if e.compare(&Exact::from(1)) != Some(Ordering::Less) {
             return Err(Error::range(

@@ -39,7 +39,7 @@ pub(super) struct Motion {
     pub left: (Real, Real),
     /// Sine and cosine of `th1`.
     pub right: (Real, Real),
-    /// `th0`, some turns off.
+    /// `th0`, some forcing periods off.
     pub theta0: Real,
     /// `p = th1 - th0`
     pub spacing: Real,
@@ -64,7 +64,7 @@ impl Motion {
         Self { parameters, left, right, theta0, spacing, speed, is_symmetric: false }
     }
 
-    /// `th1`, some turns off.
+    /// `th1`, some forcing periods off.
     pub fn theta1(&self) -> Real {
         &self.theta0 + &self.spacing
     }
@@ -165,7 +165,7 @@ impl Flight<'_> {
         }
         let (a, sine, cosine) = critical(&self.drift)?;
         let turn = Real::pi(self.theta.bits()) * 2;
-        // Both ends lie on rising pieces, around half a turn.
+        // Both ends lie on rising pieces, around half a forcing period.
         // exact: shared by all members
         let [first, last] = [self.theta.clone(), self.theta + self.length].map(|end| end.over(&turn)?.floor());
         let (first, last) = (first?, last?);

@@ -72,6 +72,6 @@ impl Orbit {
 fn reduced(phase: &Real) -> Real {
     let turn = Real::pi(phase.bits()) * 2;
     // exact: any whole number is taken off
-    let turns = phase.over(&turn).and_then(|turns| turns.ends()[1].floor()).expect("a phase of a few turns");
+    let turns = phase.over(&turn).and_then(|turns| turns.ends()[1].floor()).expect("a phase of a few forcing periods");
     phase - turn * turns
 }

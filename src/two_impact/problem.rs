@@ -22,12 +22,12 @@ use crate::periodic::{MeasuredOrbit, Stability};
 /// The cycles that can be requested: each has an equation of its own to solve.
 pub const CYCLES: RangeInclusive<u32> = 1..=999;
 /// Bits of the bounds that are handed on, beyond the whole bits of the requested digits.
-pub(super) const SHOWN: u32 = 11;
+pub(super) const SHOWN_BITS: u32 = 11;
 /// The closed form, which is not known for several harmonics, with the command that serves these.
-pub(super) const ONE_HARMONIC: &str =
+pub(super) const NEEDS_ONE_HARMONIC: &str =
     "the closed form of two impacts (for several, use periodic --word RL --cycles N --all)";
 /// Greatest number of doublings of the precision.
-const ROUNDS: u32 = 4;
+const MAX_DOUBLINGS: u32 = 4;
 
 /// The quantity of (66)-(68) to solve for.
 #[derive(Clone, Debug)]
@@ -100,7 +100,7 @@ impl Problem {
             let accepted = format!("must be an integer from {} to {}", CYCLES.start(), CYCLES.end());
             return Err(Error::range("cycles", &Exact::from(i64::from(cycles)), &accepted));
         }
-        let harmonic = pair.harmonic(ONE_HARMONIC)?;
+        let harmonic = pair.harmonic(NEEDS_ONE_HARMONIC)?;
         match &unknown {
             Unknown::Velocity => {}
             Unknown::Amplitude(speed) | Unknown::Gap(speed) => Error::require_positive("|start.velocity|", speed)?,
@@ -125,7 +125,7 @@ impl Problem {
     pub fn answer(&self, digits: u32) -> Answer {
         let first = working_bits(digits);
         let mut answer = self.answer_in(first, digits);
-        for round in 1..ROUNDS {
+        for round in 1..MAX_DOUBLINGS {
             if answer.is_complete || (round > 1 && !self.is_point()) {
                 break;
             }
@@ -158,7 +158,7 @@ impl Problem {
     }
 
     fn answer_in(&self, bits: u32, digits: u32) -> Answer {
-        let shown = whole_bits(digits) + SHOWN;
+        let shown = whole_bits(digits) + SHOWN_BITS;
         let Found { motions, mut doubts } = match &self.unknown {
             Unknown::Velocity => self.data.motions(bits),
             Unknown::Amplitude(speed) => self.data.with_amplitude(speed, bits),
@@ -253,7 +253,7 @@ impl Bounds {
     /// Returns whether a symmetric motion is the only one in its bounds for its `d/A`; `None` if that is not decided.
     fn is_alone(&self, parameters: &Parameters) -> Option<bool> {
         let Parameters { cycles, ratio, restitution, .. } = parameters;
-        // No other number of turns on the way: p = (g - sin th0 + sin th1)/c (57).
+        // No other number of forcing periods on the way: p = (g - sin th0 + sin th1)/c (57).
         let drift = drift(restitution, &self.speed, &self.left.1);
         let period = parameters.half_period();
         let turn = Real::pi(parameters.bits()) * 2;

@@ -71,7 +71,7 @@ fn releases_depend_on_each_datum_as_their_members() {
     }
 }
 
-/// `y = -sin(2 pi t)/2` touches the left wall at 1/4 and the right one at 3/4 of every turn (Lemma Z4), whenever the ball starts.
+/// `y = -sin(2 pi t)/2` touches the left wall at 1/4 and the right one at 3/4 of every forcing period (Lemma Z4), whenever the ball starts.
 #[test]
 fn r32_exact_grazes_without_drift_are_confirmed_from_any_phase() {
     let of = |[time, position, velocity]: [&str; 3], grazes: [(&str, &str); 3]| {
@@ -112,10 +112,10 @@ fn r32_exact_grazes_without_drift_are_confirmed_from_any_phase() {
     }
 }
 
-/// `y = -1/2 + 2^-103 + (1 - sin(2 pi t))/10` comes within `2^-103` of the left wall in every turn: no touch, but a graze as far as the
+/// `y = -1/2 + 2^-103 + (1 - sin(2 pi t))/10` comes within `2^-103` of the left wall in every forcing period: no touch, but a graze as far as the
 /// bounds of a time tell (Lemma G1).
 #[test]
-fn r32_a_miss_that_is_not_told_from_a_touch_is_a_graze() {
+fn r32_a_miss_that_is_not_distinguished_from_a_touch_is_a_graze() {
     let of = |graze: [&str; 2]| {
         json!({
             "schema": "impact-pair/orbit/1", "certified": true,
@@ -135,7 +135,7 @@ fn r32_a_miss_that_is_not_told_from_a_touch_is_a_graze() {
 }
 
 #[test]
-fn what_never_touches_a_wall_is_confirmed_and_nothing_else() {
+fn motions_that_never_touch_a_wall_are_confirmed_and_no_others() {
     let document = |amplitudes: [&str; 2], frequencies: [&str; 2], position: &str, velocity: &str| {
         json!({
             "schema": "impact-pair/orbit/1", "certified": true, "events": [], "outcome": {"kind": "never-impacts", "impacts": 0},

@@ -2,7 +2,7 @@
 
 use serde_json::{Value, json};
 
-use super::forged::{Forged, Forgery, Original, WHOLE, fraction, pair, rational};
+use super::forged::{DOCUMENT_ROOT, Forged, Forgery, Original, fraction, pair, rational};
 
 pub const FORGERIES: &[Forgery] = &[
     Forgery {
@@ -52,7 +52,7 @@ fn kinds(original: &Original) -> Vec<Forged> {
     }
     let other = |(name, mut fate): (&str, Value)| {
         fate["impacts"] = json!(7);
-        original.with(name, &[("/fate", fate)]).at(&[WHOLE])
+        original.with(name, &[("/fate", fate)]).at(&[DOCUMENT_ROOT])
     };
     fates().into_iter().map(other).collect()
 }

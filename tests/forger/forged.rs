@@ -89,7 +89,7 @@ pub struct Forged {
 }
 
 /// The path of the document itself, which no name of what is not judged covers.
-pub const WHOLE: &str = "";
+pub const DOCUMENT_ROOT: &str = "";
 
 impl Forged {
     pub fn probably(self) -> Self {

@@ -9,7 +9,7 @@ use serde_json::{Value, json};
 use super::forged::{Original, bounds};
 
 /// Events computed beyond those that are listed.
-const MORE: u64 = 3;
+const EXTRA_EVENTS: u64 = 3;
 
 /// The events of a document's own scene, from its exact start.
 pub fn motion(scene: &Value, impacts: u64) -> Option<Vec<Value>> {
@@ -30,7 +30,7 @@ pub fn next_event(original: &Original) -> Option<[BigRational; 2]> {
     let last = events
         .last()
         .map_or_else(|| Some(super::forged::fraction(-1, 1)), |last| bounds(&last["time"]).map(|[_, to]| to))?;
-    let found = motion(&original.document["scene"], events.len() as u64 + MORE)?;
+    let found = motion(&original.document["scene"], events.len() as u64 + EXTRA_EVENTS)?;
     found.iter().filter_map(|event| bounds(&event["time"])).find(|[from, _]| *from > last)
 }
 

@@ -54,10 +54,10 @@ fn has_bifurcations(document: &Value) -> Option<bool> {
     let over = &document["over"];
     let over = format!("{}={}..{}", over["key"].as_str()?, over["low"].as_str()?, over["high"].as_str()?);
     let precision = Precision { digits: 20, ..Precision::default() };
-    let wanted = DiagramSettings { over: over.parse().ok()?, doublings: 3, precision };
-    let asked = (&word, document["cycles"].as_u64()? as u32);
-    let diagram = survey(&pair, &start, asked, &wanted, &Unwatched).ok()?;
-    let found = json!(document::bifurcations(&start, asked, &diagram).ok()?);
+    let diagram_settings = DiagramSettings { over: over.parse().ok()?, doublings: 3, precision };
+    let requested = (&word, document["cycles"].as_u64()? as u32);
+    let diagram = survey(&pair, &start, requested, &diagram_settings, &Unwatched).ok()?;
+    let found = json!(document::bifurcations(&start, requested, &diagram).ok()?);
     let is_found = |claim: &Value| {
         found["points"].as_array().unwrap().iter().any(|point| {
             let parameters = bounds(&claim["parameter"]).zip(bounds(&point["parameter"]));

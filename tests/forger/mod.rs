@@ -73,11 +73,11 @@ fn folder() -> Option<PathBuf> {
     Some(folder)
 }
 
-/// The forgeries that are asked for.
-fn asked() -> Vec<&'static Forgery> {
+/// The requested forgeries.
+fn selected() -> Vec<&'static Forgery> {
     let words = only().unwrap_or_default();
-    let is_wanted = |forgery: &&Forgery| forgery.name.contains(&words);
-    FORGERIES.into_iter().flatten().filter(is_wanted).collect()
+    let is_selected = |forgery: &&Forgery| forgery.name.contains(&words);
+    FORGERIES.into_iter().flatten().filter(is_selected).collect()
 }
 
 fn only() -> Option<String> {
@@ -86,7 +86,7 @@ fn only() -> Option<String> {
 
 /// The verdict of `check` on a forgery.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-enum Judgement {
+enum ForgeryVerdict {
     /// Refuted as it is read or afterwards.
     Refuted,
     Undecided,
@@ -118,19 +118,19 @@ fn verdict(text: &str) -> Option<(Verdict, Vec<String>)> {
     Some((verdict, claims.unjudged()))
 }
 
-fn judged(original: &Original, forged: &Forged) -> Judgement {
+fn judged(original: &Original, forged: &Forged) -> ForgeryVerdict {
     match verdict(&original.text(&forged.document)) {
-        None | Some((Verdict::Refuted(_), _)) => Judgement::Refuted,
-        Some((Verdict::Undecided(_) | Verdict::Interrupted { .. }, _)) => Judgement::Undecided,
+        None | Some((Verdict::Refuted(_), _)) => ForgeryVerdict::Refuted,
+        Some((Verdict::Undecided(_) | Verdict::Interrupted { .. }, _)) => ForgeryVerdict::Undecided,
         Some((Verdict::Confirmed { .. }, unjudged)) => {
             let false_claims = forged.false_claims.clone().unwrap_or_else(|| changed(&forged.of, &forged.document));
             let false_claims: Vec<_> = false_claims.iter().map(|path| original.name_of(path)).collect();
             if are_named(&false_claims, &unjudged) {
-                Judgement::NotJudged
+                ForgeryVerdict::NotJudged
             } else if !forged.is_certain && known::is_true(original.kind, &forged.document) {
-                Judgement::True
+                ForgeryVerdict::True
             } else {
-                Judgement::Confirmed
+                ForgeryVerdict::Confirmed
             }
         }
     }
@@ -144,15 +144,15 @@ fn spread(all: Vec<Forged>, most: usize) -> Vec<Forged> {
 }
 
 /// Number of times that each verdict was found, by forgery and kind of document.
-type Counts = BTreeMap<(&'static str, &'static str, Judgement), usize>;
+type Counts = BTreeMap<(&'static str, &'static str, ForgeryVerdict), usize>;
 
 fn table(counts: &Counts, kinds: &[&'static str]) -> String {
     let mut text = format!("| forgery: refuted / undecided / not judged | {} |\n", kinds.join(" | "));
     text += &format!("|---{}|\n", "|---".repeat(kinds.len()));
-    for forgery in asked() {
+    for forgery in selected() {
         let cell = |kind: &&'static str| {
             let of = |judgement| counts.get(&(forgery.name, *kind, judgement)).copied().unwrap_or(0);
-            let all = [Judgement::Refuted, Judgement::Undecided, Judgement::NotJudged].map(of);
+            let all = [ForgeryVerdict::Refuted, ForgeryVerdict::Undecided, ForgeryVerdict::NotJudged].map(of);
             if all == [0; 3] { String::new() } else { all.map(|count| count.to_string()).join(" / ") }
         };
         text += &format!("| {} | {} |\n", forgery.name, kinds.iter().map(cell).collect::<Vec<_>>().join(" | "));
@@ -178,8 +178,8 @@ fn confirmed() -> Vec<Original> {
 
 /// Of some of the boxes by default.
 #[test]
-#[ignore = "deep: boxes are proved anew for each forgery; by default nothing_that_is_forged_is_confirmed"]
-fn nothing_that_is_forged_of_boxes_is_confirmed() {
+#[ignore = "deep: boxes are proved anew for each forgery; by default no_forgery_is_confirmed"]
+fn no_forgery_of_boxes_is_confirmed() {
     for original in originals::in_boxes() {
         let found = verdict(&original.text(&original.document));
         assert!(matches!(found, Some((Verdict::Confirmed { .. }, _))), "{}: {found:?}", original.name);
@@ -187,14 +187,14 @@ fn nothing_that_is_forged_of_boxes_is_confirmed() {
             for forged in spread(forgery.of(&original), 4 * cases()) {
                 let judgement = judged(&original, &forged);
                 println!("{}, {}, {}: {judgement:?}", forgery.name, original.name, forged.what);
-                assert_ne!(judgement, Judgement::Confirmed, "{}, {}: {}", forgery.name, forged.what, forgery.why);
+                assert_ne!(judgement, ForgeryVerdict::Confirmed, "{}, {}: {}", forgery.name, forged.what, forgery.why);
             }
         }
     }
 }
 
 #[test]
-fn nothing_that_is_forged_is_confirmed() {
+fn no_forgery_is_confirmed() {
     let (most, originals) = (cases(), confirmed());
     let mut kinds: Vec<&'static str> = originals.iter().map(|original| original.kind).collect();
     kinds.dedup();
@@ -202,7 +202,7 @@ fn nothing_that_is_forged_is_confirmed() {
     let is_all = most > 1 || only().is_some();
     let (mut counts, mut wrong, folder, mut number) = (Counts::new(), Vec::new(), folder(), 0);
     for original in &originals {
-        for forgery in asked() {
+        for forgery in selected() {
             let is_new = !counts.keys().any(|(name, of, _)| (*name, *of) == (forgery.name, original.kind));
             if !(is_all || is_new) {
                 continue;
@@ -221,7 +221,7 @@ fn nothing_that_is_forged_is_confirmed() {
                     let name = format!("{number}-{}-{judgement:?}.json", original.kind);
                     fs::write(folder.join(name), original.text(&forged.document)).expect("a file of FORGER_FOLDER");
                 }
-                if judgement == Judgement::Confirmed {
+                if judgement == ForgeryVerdict::Confirmed {
                     let Forgery { name, why, .. } = forgery;
                     let Original { kind, name: of, .. } = original;
                     let text = original.text(&forged.document);
@@ -230,15 +230,16 @@ fn nothing_that_is_forged_is_confirmed() {
             }
         }
     }
-    let total = |wanted| counts.iter().filter(|((.., found), _)| *found == wanted).map(|(_, count)| count).sum();
+    let total = |sought| counts.iter().filter(|((.., found), _)| *found == sought).map(|(_, count)| count).sum();
     let [refuted, undecided, named, true_ones]: [usize; 4] =
-        [Judgement::Refuted, Judgement::Undecided, Judgement::NotJudged, Judgement::True].map(total);
+        [ForgeryVerdict::Refuted, ForgeryVerdict::Undecided, ForgeryVerdict::NotJudged, ForgeryVerdict::True]
+            .map(total);
     println!("{}", table(&counts, &kinds));
     println!("{refuted} refuted, {undecided} undecided, {named} not judged; {true_ones} are true after all");
     assert!(wrong.is_empty(), "{} confirmed that are false:\n{}", wrong.len(), wrong.join("\n"));
-    for forgery in asked() {
+    for forgery in selected() {
         let false_ones =
-            counts.iter().filter(|((name, _, found), _)| *name == forgery.name && *found != Judgement::True);
+            counts.iter().filter(|((name, _, found), _)| *name == forgery.name && *found != ForgeryVerdict::True);
         assert!(false_ones.count() > 0, "{} forges no document", forgery.name);
     }
 }

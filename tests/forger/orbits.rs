@@ -211,7 +211,7 @@ fn kinds(original: &Original) -> Vec<Forged> {
         for kind in ["fold", "pitchfork", "period-doubling"].into_iter().filter(|kind| point["kind"] != **kind) {
             let path = format!("/points/{k}/kind");
             all.push(original.with(format!("{path} {kind}"), &[(&path, json!(kind))]));
-            // Doublings are counted before their kind is asked for.
+            // Doublings are counted before their kind is examined.
             let doublings = point["doublings"].as_u64().unwrap();
             let fits = if kind == "period-doubling" { doublings + 1 } else { doublings.saturating_sub(1) };
             let mended = [(path.as_str(), json!(kind)), (&format!("/points/{k}/doublings"), json!(fits))];

@@ -142,9 +142,9 @@ fn bifurcations() -> Vec<Original> {
     let of = |name: &str, (excitation, word, cycles): (&str, &str, u32), over: &str, (doublings, digits)| {
         let scene = scene(excitation, "1", "0.8");
         let precision = Precision { digits, ..Precision::default() };
-        let wanted = DiagramSettings { over: over.parse().unwrap(), doublings, precision };
+        let diagram_settings = DiagramSettings { over: over.parse().unwrap(), doublings, precision };
         let word = word.parse().unwrap();
-        let diagram = survey(scene.pair(), scene.start(), (&word, cycles), &wanted, &Unwatched).unwrap();
+        let diagram = survey(scene.pair(), scene.start(), (&word, cycles), &diagram_settings, &Unwatched).unwrap();
         let document = json!(document::bifurcations(scene.start(), (&word, cycles), &diagram).unwrap());
         Original::new("bifurcations", name, document)
     };
@@ -160,12 +160,12 @@ fn bifurcations() -> Vec<Original> {
 }
 
 fn cycles() -> Original {
-    let (scene, asked) = (figure("figure-14"), 1..=3);
-    let found = Cycles::of(&scene, 0, &asked, Precision::default(), &Unwatched).unwrap();
+    let (scene, requested) = (figure("figure-14"), 1..=3);
+    let found = Cycles::of(&scene, 0, &requested, Precision::default(), &Unwatched).unwrap();
     Original::new(
         "cycles",
         "of three impacts",
-        json!(document::cycles(&scene, &asked, found.as_ref().map_err(|why| *why)).unwrap()),
+        json!(document::cycles(&scene, &requested, found.as_ref().map_err(|why| *why)).unwrap()),
     )
 }
 
@@ -198,13 +198,13 @@ fn hyperbolic() -> Original {
 
 /// Impacts of points, over parameters and initial data; and basins, without impacts.
 fn sweeps() -> Vec<Original> {
-    let of = |name: &str, scene: &Scene, over: &[&str], asked: PointSettings| {
+    let of = |name: &str, scene: &Scene, over: &[&str], requested: PointSettings| {
         let grid = Grid::new(over.iter().map(|axis| axis.parse().unwrap()).collect()).unwrap();
-        let asked = PointSettings { reference: grid.reference(scene).unwrap(), ..asked };
-        let mut lines = vec![json!(sweep::head(scene, &grid, &asked, None))];
+        let requested = PointSettings { reference: grid.reference(scene).unwrap(), ..requested };
+        let mut lines = vec![json!(sweep::head(scene, &grid, &requested, None))];
         for number in 0..grid.points() {
             let values = grid.values(number).unwrap();
-            let point = sweep::follow(&grid.scene(scene, &values).unwrap(), &asked, &Unwatched).unwrap().unwrap();
+            let point = sweep::follow(&grid.scene(scene, &values).unwrap(), &requested, &Unwatched).unwrap().unwrap();
             lines.push(json!(sweep::record(number, &values, &point)));
         }
         Original::new("sweep", name, Value::Array(lines))

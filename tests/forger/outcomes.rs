@@ -86,7 +86,7 @@ fn periodic(original: &Original) -> Vec<Forged> {
 fn attractors() -> [Value; 2] {
     let all = documents::all();
     let document =
-        |wanted: &str| all.iter().find(|(name, _)| name == wanted).map(|(_, document)| document.clone()).unwrap();
+        |sought: &str| all.iter().find(|(name, _)| name == sought).map(|(_, document)| document.clone()).unwrap();
     let (attracted, orbits) = (document("attracted"), document("stable and unstable"));
     let mut outcome = attracted["outcome"].clone();
     let outcome = outcome.as_object_mut().unwrap();

@@ -134,7 +134,7 @@ fn words(original: &Original) -> Vec<Forged> {
     all.into_iter().map(Forged::probably).collect()
 }
 
-/// A base moved by a part of a turn and a speed.
+/// A base moved by a part of a forcing period and a speed.
 fn moved(base: &Value, by: [f64; 2]) -> Value {
     let mut base = base.clone();
     for edge in ["left", "right"] {
@@ -174,7 +174,7 @@ fn wide_bases(original: &Original) -> Vec<Forged> {
     }
     let own = original.document["bases"].as_array().unwrap();
     let mut all = Vec::new();
-    // Far above all others, so that it meets none but itself, a turn later.
+    // Far above all others, so that it meets none but itself, a forcing period later.
     let wide = json!({
         "phase": "3.2", "speed": "50", "expanding": ["3.8", "0"], "contracting": ["-0.01", "0.1"],
         "corners": { "left": [[-0.1, 49.9], [-0.102, 50.1]], "right": [[1.102, 49.9], [1.1, 50.1]] },
@@ -188,7 +188,7 @@ fn wide_bases(original: &Original) -> Vec<Forged> {
     all
 }
 
-/// A base whose right edge is more than a turn further along it.
+/// A base whose right edge is more than a forcing period further along it.
 fn widened(base: &Value) -> Value {
     let mut wide = base.clone();
     for i in 0..2 {

@@ -55,7 +55,7 @@ impl Plan {
         let name: String =
             path.iter().filter(|key| key.parse::<usize>().is_err()).map(|key| format!(".{key}")).collect();
         let path = name.trim_start_matches('.').to_owned();
-        let anew = told(&copy);
+        let anew = made_consistent(&copy);
         let change =
             |what: String, document: Value| Change { path: path.clone(), what, document, place: place.clone() };
         let consistent = (anew != copy).then(|| change(format!("{what}, told anew"), anew));
@@ -180,7 +180,7 @@ fn bounds(items: &[Value]) -> Option<[String; 2]> {
     (is_number(lower) && is_number(upper)).then(|| [lower.clone(), upper.clone()])
 }
 
-/// Bounds that are wider, narrower, elsewhere, whole turns later, mirrored, exchanged.
+/// Bounds that are wider, narrower, elsewhere, whole forcing periods later, mirrored, exchanged.
 fn moved_bounds(path: &[String], [lower, upper]: &[String; 2]) -> Vec<(&'static str, [String; 2])> {
     let width = units(lower, upper).max(1);
     let both = |by: i64| [moved(lower, by), moved(upper, by)];
@@ -226,16 +226,16 @@ fn decimal(expression: &str) -> String {
 }
 
 /// The document with all that follows from the rest told anew: numbers and mappings of impacts, their count, the message.
-pub fn told(document: &Value) -> Value {
-    let mut told = document.clone();
-    let Some(events) = told.get_mut("events").and_then(Value::as_array_mut) else { return told };
+pub fn made_consistent(document: &Value) -> Value {
+    let mut made_consistent = document.clone();
+    let Some(events) = made_consistent.get_mut("events").and_then(Value::as_array_mut) else { return made_consistent };
     for (i, event) in events.iter_mut().filter(|event| event["event"] == "impact").enumerate() {
         if let Some(entries) = event.as_object_mut() {
             entries.entry("index").and_modify(|number| *number = json!(i + 1));
         }
     }
-    let Some(outcome) = told.get("outcome") else { return told };
-    let Ok(outcome) = serde_json::from_value::<OutcomeDocument>(outcome.clone()) else { return told };
+    let Some(outcome) = made_consistent.get("outcome") else { return made_consistent };
+    let Ok(outcome) = serde_json::from_value::<OutcomeDocument>(outcome.clone()) else { return made_consistent };
     // If only the count was changed it is the error; if impacts were, it follows from them.
     let listed = document["events"]
         .as_array()
@@ -244,8 +244,8 @@ pub fn told(document: &Value) -> Value {
     let impacts = if is_listed { Some(listed as u64) } else { outcome.impacts };
     let outcome = OutcomeDocument { impacts, ..outcome };
     let message = outcome.words().unwrap_or(outcome.message.clone());
-    told["outcome"] = json!(OutcomeDocument { message, ..outcome });
-    told
+    made_consistent["outcome"] = json!(OutcomeDocument { message, ..outcome });
+    made_consistent
 }
 
 /// A key without the positions in lists.

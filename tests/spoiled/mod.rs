@@ -19,11 +19,11 @@ use impact_pair_certificate::{Claims, Effort, Verdict};
 use serde_json::Value;
 
 /// Changes of a document that are tried by default, each with the counts and messages as they were and made consistent.
-const TRIED: usize = 2;
+const DEFAULT_CHANGES: usize = 2;
 
 fn tried() -> usize {
     let cases = std::env::var("PROPTEST_CASES").ok().and_then(|cases| cases.parse().ok()).unwrap_or(256);
-    if cases >= 100_000 { usize::MAX } else { (TRIED * cases).div_ceil(256) }
+    if cases >= 100_000 { usize::MAX } else { (DEFAULT_CHANGES * cases).div_ceil(256) }
 }
 
 /// The verdict of `check` and the keys not checked; `None` where the document is refused.
@@ -80,7 +80,7 @@ fn nothing_that_is_false_is_confirmed() {
 
 /// The independent computation that the exemption rests on confirms the documents as they are, and no false ones.
 #[test]
-fn the_truth_is_told_from_what_is_false() {
+fn the_independent_computation_confirms_true_documents_and_no_false_ones() {
     let documents = documents::all();
     let wrong: Vec<_> = documents.iter().filter(|(_, document)| !truth::is_true(document)).collect();
     assert!(wrong.is_empty(), "{wrong:?}");

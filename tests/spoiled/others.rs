@@ -36,10 +36,10 @@ fn bifurcations() -> Value {
     )
     .unwrap();
     let precision = Precision { digits: 9, ..Precision::default() };
-    let wanted = DiagramSettings { over: "amplitude=0.3..0.4".parse().unwrap(), doublings: 1, precision };
-    let asked = (&"RL".parse().unwrap(), 1);
-    let diagram = survey(scene.pair(), scene.start(), asked, &wanted, &Unwatched).unwrap();
-    json!(document::bifurcations(scene.start(), asked, &diagram).unwrap())
+    let diagram_settings = DiagramSettings { over: "amplitude=0.3..0.4".parse().unwrap(), doublings: 1, precision };
+    let requested = (&"RL".parse().unwrap(), 1);
+    let diagram = survey(scene.pair(), scene.start(), requested, &diagram_settings, &Unwatched).unwrap();
+    json!(document::bifurcations(scene.start(), requested, &diagram).unwrap())
 }
 
 fn chaos() -> Value {
@@ -74,9 +74,9 @@ pub fn description(name: &str) -> Value {
 
 /// All cycles of figure 14 with one to N impacts.
 pub fn cycles(most: u32) -> Value {
-    let (scene, asked) = (figure("figure-14"), 1..=most);
-    let found = Cycles::of(&scene, 0, &asked, Precision::default(), &Unwatched).unwrap();
-    json!(document::cycles(&scene, &asked, found.as_ref().map_err(|why| *why)).unwrap())
+    let (scene, requested) = (figure("figure-14"), 1..=most);
+    let found = Cycles::of(&scene, 0, &requested, Precision::default(), &Unwatched).unwrap();
+    json!(document::cycles(&scene, &requested, found.as_ref().map_err(|why| *why)).unwrap())
 }
 
 /// The window of the equispaced orbit of two impacts, as a search finds windows.

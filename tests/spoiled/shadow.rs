@@ -17,7 +17,7 @@ const STEPS: u32 = 8;
 /// Places of the last impact in its bounds at which it is sought, in sixteenths.
 const PLACES: [i64; 5] = [8, 4, 12, 1, 15];
 /// Factor by which rounding outward widens the bounds of a document at most.
-const ROUNDED: f64 = 1.05;
+const MAX_ROUNDING_FACTOR: f64 = 1.05;
 
 pub fn is_true(document: &Value, outcome: &OutcomeDocument) -> bool {
     let (Some(near), Some(last)) =
@@ -52,18 +52,18 @@ fn is_inside(text: &Value, pair: &Value) -> bool {
     value(text).zip(bounds(pair)).is_some_and(|(x, [lower, upper])| lower <= x && x <= upper)
 }
 
-/// Half of the bounds are no wider than is told, and none is.
+/// Half of the bounds are no wider than is claimed, and none is.
 fn is_near(document: &Value, outcome: &OutcomeDocument) -> bool {
-    let Some(told) = &outcome.epsilon else { return true };
+    let Some(made_consistent) = &outcome.epsilon else { return true };
     let frequency = Exact::parse(document["scene"]["excitation"]["frequency"][0].as_str().unwrap()).unwrap();
     let turns = frequency.enclose(64).mid_rad().0 / std::f64::consts::TAU;
     let width = |event: &Value| bounds(&event["time"]).map(|[lower, upper]| float(&(upper - lower)));
     let mut halves: Vec<f64> =
         document["events"].as_array().unwrap().iter().filter_map(width).map(|width| width * turns / 2.0).collect();
     halves.sort_by(f64::total_cmp);
-    let is_told = |half: f64, told: &BigRational| half <= ROUNDED * float(told);
-    is_told(halves[(halves.len() - 1) / 2], &told.median.value())
-        && is_told(halves[halves.len() - 1], &told.maximum.value())
+    let is_claimed = |half: f64, made_consistent: &BigRational| half <= MAX_ROUNDING_FACTOR * float(made_consistent);
+    is_claimed(halves[(halves.len() - 1) / 2], &made_consistent.median.value())
+        && is_claimed(halves[halves.len() - 1], &made_consistent.maximum.value())
 }
 
 fn float(x: &BigRational) -> f64 {

@@ -12,7 +12,7 @@ use serde_json::Value;
 use super::{documents, shadow};
 
 /// Impacts that are computed beyond those that are claimed.
-const MORE: u64 = 2;
+const EXTRA_IMPACTS: u64 = 2;
 
 /// Returns whether all that it claims holds, for both ends of all its intervals.
 pub fn is_true(document: &Value) -> bool {
@@ -65,7 +65,11 @@ fn is_motion(document: &Value, pair: &ImpactPair, start: &Start) -> bool {
         return false;
     }
     let until = outcome.until.as_ref().map(|until| until.0.clone());
-    let most = if events.iter().any(|event| event["event"] != "impact") { events.len() as u64 } else { impacts + MORE };
+    let most = if events.iter().any(|event| event["event"] != "impact") {
+        events.len() as u64
+    } else {
+        impacts + EXTRA_IMPACTS
+    };
     let settings = Settings {
         impacts: Some(if until.is_some() { impacts + 40 } else { most }),
         until,
@@ -117,7 +121,7 @@ fn listed(claimed: &[Value], found: &[Value]) -> Option<usize> {
 
 pub fn is_event(claimed: &Value, found: &Value) -> bool {
     let same = ["event", "mapping", "wall", "skipped"].iter().all(|key| claimed[key] == found[key]);
-    // A graze is told more widely by what has fewer bits, and an exact time by a point.
+    // A graze has wider bounds in fewer bits, and an exact time is a point.
     let is_there = if claimed["event"] == "graze" {
         overlap(&claimed["time"], &found["time"])
     } else {

@@ -11,7 +11,7 @@ use super::starts::Case;
 
 /// The verdict on a start.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Judgement {
+pub enum StartVerdict {
     /// Every claim is proved by the other route.
     Confirmed,
     /// The other route does not decide.
@@ -24,7 +24,7 @@ pub enum Judgement {
     Refuted,
 }
 
-impl Judgement {
+impl StartVerdict {
     pub const NAMES: [&'static str; 5] = ["confirmed", "open", "nothing claimed", "out of range", "refuted"];
 
     pub fn name(self) -> &'static str {
@@ -66,21 +66,21 @@ fn document(scene: &Scene, settings: &Settings, mut orbit: Orbit) -> (String, us
 }
 
 /// Runs and checks; with words on what is refuted.
-pub fn judge(case: &Case, number: u64) -> (Judgement, String) {
+pub fn judge(case: &Case, number: u64) -> (StartVerdict, String) {
     let settings = settings(case, number);
-    let Ok(orbit) = Orbit::of(&case.scene, settings.clone()) else { return (Judgement::NoScene, String::new()) };
+    let Ok(orbit) = Orbit::of(&case.scene, settings.clone()) else { return (StartVerdict::NoScene, String::new()) };
     let (text, events) = document(&case.scene, &settings, orbit);
     if events == 0 {
-        return (Judgement::Nothing, String::new());
+        return (StartVerdict::Nothing, String::new());
     }
     let certificate = Certificate::parse(&text).expect("what is written can be read");
     match certificate.check_within(&EFFORT, &Unwatched).expect("a scene that was run") {
-        Verdict::Confirmed { .. } => (Judgement::Confirmed, String::new()),
+        Verdict::Confirmed { .. } => (StartVerdict::Confirmed, String::new()),
         Verdict::Interrupted { .. } => unreachable!("nobody stops it"),
-        Verdict::Undecided(finding) => (Judgement::Open, finding.message),
+        Verdict::Undecided(finding) => (StartVerdict::Open, finding.message),
         Verdict::Refuted(finding) => {
-            let told = format!("{} {:?}, event {}", finding.message, settings.arithmetic, finding.event);
-            (Judgement::Refuted, told)
+            let report = format!("{} {:?}, event {}", finding.message, settings.arithmetic, finding.event);
+            (StartVerdict::Refuted, report)
         }
     }
 }

@@ -12,7 +12,7 @@ use std::sync::Mutex;
 use std::sync::atomic::{AtomicU64, Ordering};
 
 use crate::environment::number;
-use judge::{Judgement, judge};
+use judge::{StartVerdict, judge};
 use starts::{Dice, FAMILIES, case};
 
 /// The default seed.
@@ -22,7 +22,7 @@ const SEED: u64 = 1995;
 type Counts = BTreeMap<(&'static str, &'static str), u64>;
 
 fn table(counts: &Counts) -> String {
-    let kinds = Judgement::NAMES;
+    let kinds = StartVerdict::NAMES;
     let mut text = format!("| family | {} |\n|---|{}\n", kinds.join(" | "), "---|".repeat(kinds.len()));
     for (family, _) in FAMILIES {
         let row = kinds.map(|kind| counts.get(&(family, kind)).copied().unwrap_or(0).to_string());
@@ -32,7 +32,7 @@ fn table(counts: &Counts) -> String {
 }
 
 #[test]
-fn no_certificate_of_a_straddling_start_is_refuted() {
+fn no_certificate_near_branch_boundaries_is_refuted() {
     let (cases, seed) = (number("STRADDLE_CASES", 250), number("STRADDLE_SEED", SEED));
     println!("{cases} starts from seed {seed}");
     let (next, counts, wrong) = (AtomicU64::new(0), Mutex::new(Counts::new()), Mutex::new(Vec::new()));
@@ -42,10 +42,10 @@ fn no_certificate_of_a_straddling_start_is_refuted() {
             return;
         }
         let case = case(&mut Dice(seed ^ number << 20), number);
-        let (judgement, told) = judge(&case, number);
+        let (judgement, report) = judge(&case, number);
         *counts.lock().unwrap().entry((case.family, judgement.name())).or_default() += 1;
-        if judgement == Judgement::Refuted {
-            wrong.lock().unwrap().push(format!("start {number}, {}: {told}\n{}", case.family, case.text));
+        if judgement == StartVerdict::Refuted {
+            wrong.lock().unwrap().push(format!("start {number}, {}: {report}\n{}", case.family, case.text));
         }
     };
     let threads = std::thread::available_parallelism().map_or(1, usize::from);

@@ -2,7 +2,7 @@
 //!
 //! Random starts do not find what a reader finds: a wrong branch is as thin as the clamp, rounding or comparison that makes it.
 //! Each family here puts one quantity at `0` or `+-10^-6 ... 10^-60` (or a power of two) from where the code decides. All data
-//! are exact expressions of the scene file, so a touch can be aimed at exactly. `W = 2 pi` and `tau = 0`: times are in turns.
+//! are exact expressions of the scene file, so a touch can be aimed at exactly. `W = 2 pi` and `tau = 0`: times are in forcing periods.
 
 use impact_pair::Scene;
 
@@ -69,12 +69,12 @@ impl Dice {
         self.pick(&["0", "1/10^30", "1/2", "0.8", "1-1/10^16", "1"])
     }
 
-    /// A phase in turns that nothing is special about.
+    /// A phase in forcing periods that nothing is special about.
     fn phase(&mut self) -> String {
         format!("{}/{}", self.below(37), 37)
     }
 
-    /// A quarter turn, N whole turns away.
+    /// A quarter period, N whole forcing periods away.
     fn quarter(&mut self) -> String {
         format!("{}/4", self.below(9) as i64 - 4)
     }
@@ -170,7 +170,7 @@ fn slow_bounce(dice: &mut Dice) -> Parts {
     plain(dice.amplitude(), "1", dice.restitution(), start)
 }
 
-/// Flights of many turns, at any time.
+/// Flights of many forcing periods, at any time.
 fn many_turns(dice: &mut Dice) -> Parts {
     let power = |dice: &mut Dice, most| format!("2^{}", dice.below(most));
     let time = format!("{}{}+{}", dice.sign(), power(dice, 60), dice.quarter());
@@ -259,7 +259,7 @@ pub const FAMILIES: [Family; 11] = [
     ("a mirrored phase", mirrored_phase),
 ];
 
-/// A phase that its mirror would round to a quarter turn, in doubles.
+/// A phase that its mirror would round to a quarter period, in doubles.
 fn mirrored_phase(dice: &mut Dice) -> Parts {
     let power = 50 + dice.below(30);
     let time = format!("{}{}1/2^{power}", dice.quarter(), dice.sign());

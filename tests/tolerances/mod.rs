@@ -5,10 +5,10 @@
 #![allow(dead_code, reason = "each test takes its own")]
 
 /// Zeros that floats find for a proof to start from.
-pub const ZERO_OF_FLOATS: f64 = 1e-8;
+pub const FLOATING_POINT_ZERO: f64 = 1e-8;
 /// Double-precision sums of sines against the standard library's, in parts of one and the value.
 pub const WAVES: f64 = 1e-13;
-/// Short hops against long ones, whose heights cancel: in balls, and in doubles down to a thousandth of a turn.
+/// Short hops against long ones, whose heights cancel: in balls, and in doubles down to a thousandth of a forcing period.
 pub const HOP_OF_BALLS: f64 = 1e-12;
 pub const HOP_OF_DOUBLES: f64 = 1e-11;
 /// A series of an invariant manifold against the map: rounding of both.
@@ -24,7 +24,7 @@ pub const EXPONENT: f64 = 1e-12;
 pub const NORM: f64 = 1e-14;
 pub const NORM_OF_PRODUCT: f64 = 1e-12;
 pub const NORM_OF_DIFFERENCES: f64 = 1e-11;
-pub const NORM_OF_THOUSAND: f64 = 1e-9;
+pub const NORM_OF_THOUSAND_FACTORS: f64 = 1e-9;
 /// Traces of proved orbits, from the middles of enclosures that differ in width; relative to those above 1.
 pub const TRACE: f64 = 1e-6;
 /// Eigenvalues that were printed to five, and to seven digits.

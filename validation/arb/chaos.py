@@ -19,12 +19,12 @@ from tubes import followed
 
 BITS = 80
 Base = namedtuple("Base", "left right")
-# Half cycles count what is left of phases told with their turns, half a turn each time the wall changes.
+# Half cycles count what is left of phases with their forcing periods, half a forcing period each time the wall changes.
 Word = namedtuple("Word", "from_base to_base impacts half_cycles flights")
 
 
 def base_of(listed):
-    """A base from its corners, which are doubles, in turns."""
+    """A base from its corners, which are doubles, in forcing periods."""
     left, right = (Chord(*(tuple(arb(x) for x in end) for end in listed["corners"][side])) for side in ("left", "right"))
     return Base(left, right)
 
@@ -34,12 +34,12 @@ def round_of(base):
 
 
 def side(start, end, state, turns=0):
-    """Positive if a state, N turns earlier, is on the left of the line."""
+    """Positive if a state, N forcing periods earlier, is on the left of the line."""
     return cross(minus(end, start), minus((state[0] - turns, state[1]), start))
 
 
 def check_bases(bases):
-    """Refuses bases that are not convex, or not apart from each other and from their own translates, whole turns later."""
+    """Refuses bases that are not convex, or not apart from each other and from their own translates, whole forcing periods later."""
     for number, base in enumerate(bases):
         ends = round_of(base)
         if not all(side(ends[i], ends[i - 3], ends[i - 2]) > 0 for i in range(4)):
@@ -58,7 +58,7 @@ def check_bases(bases):
 
 
 def crossings(base, tube, turns):
-    """(first, last) chords of each stretch of the tube that leads across the base N turns later, between its stable edges."""
+    """(first, last) chords of each stretch of the tube that leads across the base N forcing periods later, between its stable edges."""
     last = None
     for number, chord in enumerate(tube):
         if not all(
@@ -103,9 +103,9 @@ def words_of(law, bases, depth, dropped):
     return words, parts
 
 
-def check_entropy(words, bases, told, units, weight):
+def check_entropy(words, bases, claimed, units, weight):
     """Refuses an entropy that does not follow: M(q) v >= v must hold for a vector, M the sums of q^weight over the words."""
-    q = (-arb(told) / units).exp()
+    q = (-arb(claimed) / units).exp()
     matrix = [[sum((q ** weight(word) for word in words if word[:2] == (a, b)), arb(0)) for b in range(bases)] for a in range(bases)]
     floats, vector = np.array([[float(x) for x in row] for row in matrix]), np.ones(bases)
     for _ in range(200):
@@ -113,7 +113,7 @@ def check_entropy(words, bases, told, units, weight):
         vector /= vector.max()
     vector = [arb(float(x)) for x in np.where(vector < 1e-9, 0, vector)]
     if not all(x == 0 or sum(m * y for m, y in zip(row, vector)) >= x for row, x in zip(matrix, vector)):
-        raise Disagreement(f"an entropy of {told} does not follow from the listed words")
+        raise Disagreement(f"an entropy of {claimed} does not follow from the listed words")
 
 
 def prove(document, dropped=lambda place: False):
@@ -154,8 +154,8 @@ def spoiled(document, proved, few):
         ("another half cycle", [first | {"half_cycles": first["half_cycles"] + 1}, *others]),
     ):
         yield name, document | {"words": copy}, proved
-    for name, told in entropy.items():
-        more = decimal(Fraction(told) + Fraction("0.000001"))
+    for name, claimed in entropy.items():
+        more = decimal(Fraction(claimed) + Fraction("0.000001"))
         yield f"an entropy {name} that is greater", document | {"entropy": entropy | {name: more}}, proved
 
 
@@ -190,27 +190,27 @@ def refused(judged):
 
 def spoiled_cones(document):
     """(name, copy, cells to drop) of sets whose cones must be refused."""
-    told = document["hyperbolic"]
+    claimed = document["hyperbolic"]
     at = 1 / 3
     yield "a cone not proved in one place", document, lambda cell: abs(cell.a - at) <= cell.reach and abs(cell.eta - at) <= cell.rise
     for name, changes in (("cones so wide that curves may meet a strip twice", {"kappa": "700"}),
-                          ("a word that does not lead back", {"words": [0, 1, *told["words"][1:]]})):  # fmt: skip
-        yield name, document | {"hyperbolic": told | changes}, lambda cell: False
+                          ("a word that does not lead back", {"words": [0, 1, *claimed["words"][1:]]})):  # fmt: skip
+        yield name, document | {"hyperbolic": claimed | changes}, lambda cell: False
 
 
 def spoiled_bounds(document):
     """(name, copy) of sets whose bounds must be refused."""
-    told = document["hyperbolic"]
+    claimed = document["hyperbolic"]
     for name, key, of, end, value in (("a greater exponent that is too small", "exponents", "per_impact", 1, "0.75"),
                                       ("a greater exponent that is too great", "exponents", "per_cycle", 0, "1.6"),
                                       ("an entropy that is too great", "entropy", "per_impact", 0, "0.2812")):  # fmt: skip
-        bounds = list(told[key][of])
+        bounds = list(claimed[key][of])
         bounds[end] = value
-        yield name, document | {"hyperbolic": told | {key: told[key] | {of: bounds}}}
+        yield name, document | {"hyperbolic": claimed | {key: claimed[key] | {of: bounds}}}
 
 
 def decimal(value):
-    """With seven places: as many as are asked for here."""
+    """With seven places: as many as are requested here."""
     return f"{float(value):.7f}"
 
 

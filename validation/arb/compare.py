@@ -31,7 +31,7 @@ Found = namedtuple("Found", "impacts held bits time velocity spoiled")
 
 
 class Disagreement(Exception):
-    """The rows contradict the proved orbit, or are not what was asked for."""
+    """The rows contradict the proved orbit, or are not the requested ones."""
 
 
 def read_rows(lines):

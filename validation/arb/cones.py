@@ -202,6 +202,6 @@ def prove_cones(document, bases, law, dropped=lambda cell: False):
 
 def check_hyperbolic(document, bases, law, words, images):
     """Refuses bounds of entropy or exponents that do not follow from the words and their cells."""
-    frames, told = [frame_of(base) for base in bases], document["hyperbolic"]
+    frames, claimed = [frame_of(base) for base in bases], document["hyperbolic"]
     with ctx.workprec(BITS):
-        check_ratios(told, law, words, images, arb(told["kappa"]), lambda word, cell: image(law, frames, word, cell))
+        check_ratios(claimed, law, words, images, arb(claimed["kappa"]), lambda word, cell: image(law, frames, word, cell))

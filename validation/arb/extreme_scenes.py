@@ -43,7 +43,7 @@ def place(draw):
 
 
 def speed(draw, frequency, gap):
-    """A speed, as an expression, that crosses the gap in 10^-9 to 10^4 turns; or none."""
+    """A speed, as an expression, that crosses the gap in 10^-9 to 10^4 forcing periods; or none."""
     if draw.random() < 0.2:
         return "0"
     turns = 10 ** draw.choice([draw.uniform(-9, 0), draw.uniform(-1, 1), draw.uniform(1, 4)])

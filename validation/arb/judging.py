@@ -19,11 +19,11 @@ from rest_controls import check_first_controls, check_rest_controls
 from scene import Scene
 from simulate import exact
 from timeline import Timeline
-from untold import told
+from untold import merged
 
 # A motion that is said never to touch a wall is followed for N periods.
 NEVER = 100
-# A velocity of 10^-60 in 256 bits is told from its neighbours.
+# A velocity of 10^-60 in 256 bits is distinguished from its neighbours.
 STRADDLING_DIGITS = 140
 
 
@@ -63,7 +63,7 @@ def judge_scene(tables, binary, impacts, digits, arithmetic, max_bits=None):
 
     def check(rows):
         check_order(rows)
-        return judge(told(rows, timeline) if max_bits else rows, timeline, is_auto and not max_bits)
+        return judge(merged(rows, timeline) if max_bits else rows, timeline, is_auto and not max_bits)
 
     rows, outcome = listing(binary, toml(tables), arguments)
     verdict = check(rows)

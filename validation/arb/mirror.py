@@ -14,7 +14,7 @@ def opposite(text):
 
 
 def half_turned(phase):
-    """The phase half a turn on."""
+    """The phase half a forcing period on."""
     return f"({phase}) + pi"
 
 

@@ -181,7 +181,7 @@ def prove(scene, impacts, digits=30, settle=None, most_bits=MOST_BITS):
 
 
 def orbit(scene, impacts, digits=30):
-    """(impacts, bits): as many impacts as asked for; raises Undecided when no precision is enough."""
+    """(impacts, bits): as many impacts as requested; raises Undecided when no precision is enough."""
     proved = prove(scene, impacts, digits)
     if proved.reason is not None:
         raise proved.reason

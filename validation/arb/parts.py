@@ -33,7 +33,7 @@ FULL = Amount(200, 2000, 60, 200, 200, 60, 200, 60, 200, 40, 1000, None)
 # Eight scenes are judged in all ways, ten straddle all branches; near grazes of the least, a middle and the greatest depth.
 QUICK = Amount(20, 0, 8, 60, 8, 20, 8, 20, 10, 4, 60, (3, 12, 30))
 INTERVAL_IMPACTS = 20
-# Bits that tell 10^-60 from nothing, and end soon where nothing can be told.
+# Bits that distinguish 10^-60 from 0, and end soon where it is undecided.
 STRADDLING_BITS = 1024
 STRADDLING_WAYS = ["auto", "interval", "64", "128", "256"]
 SEVERAL, STRADDLING, SHADOWED = "several harmonics", "straddling scenes", "shadowed orbits"
@@ -171,7 +171,7 @@ def tangency_jobs(few):
 
 
 def jobs(amount, seed, parts):
-    """All jobs of the parts asked for."""
+    """All jobs of the requested parts."""
     found = list(figure_jobs(amount))
     found += scene_jobs("resting scenes", scenes(amount.resting, seed), amount.resting_impacts)
     found += scene_jobs("extreme scenes", extreme_scenes(amount.extremes, seed), amount.extreme_impacts)

@@ -6,16 +6,16 @@ from compare import Disagreement, read_rows
 from simulate import HEADER
 
 # Seconds after which the program under test is stopped.
-PATIENCE = 120
+TIMEOUT = 120
 
 
 def run(binary, text, arguments, form, verb="run"):
     """The lines that the program under test prints."""
     command = [binary, verb, "-", "--quiet", *arguments, "--format", form]
     try:
-        done = subprocess.run(command, input=text, capture_output=True, text=True, check=False, timeout=PATIENCE)
+        done = subprocess.run(command, input=text, capture_output=True, text=True, check=False, timeout=TIMEOUT)
     except subprocess.TimeoutExpired:
-        raise Disagreement(f"{' '.join(command[1:])}: no end after {PATIENCE} seconds") from None
+        raise Disagreement(f"{' '.join(command[1:])}: no end after {TIMEOUT} seconds") from None
     if done.returncode not in (0, 1):
         raise Disagreement(f"{' '.join(command[1:])}: exit code {done.returncode}: {done.stderr.strip()}")
     return done.stdout.splitlines()

@@ -12,7 +12,7 @@ Law = namedtuple("Law", "gap restitution")
 # The two ends of a segment across a tube, each a state in balls that are exact.
 Chord = namedtuple("Chord", "bottom top")
 TURN = 2 * arb.pi()
-# A piece is given up when parts of its flights' way are this short, in turns.
+# A piece is given up when parts of its flights' way are this short, in forcing periods.
 SHORTEST = arb(2) ** -20
 
 

@@ -25,12 +25,12 @@ def pressure_slope(motion, wall, time):
 
 
 def release_after(motion, wall, time):
-    """The release of a ball that rests at a time: the half turns of one harmonic, or a `Root`."""
+    """The release of a ball that rests at a time: the half periods of one harmonic, or a `Root`."""
     return half_turns_after(motion, wall, time) if len(motion.terms) == 1 else root_after(motion, wall, time)
 
 
 def half_turns_at(motion, time):
-    """th/pi at a time, for the one harmonic there is; a negative amplitude is half a turn."""
+    """th/pi at a time, for the one harmonic there is; a negative amplitude is half a forcing period."""
     ((amplitude, frequency, phase),) = motion.terms
     turned = 1 if amplitude < 0 else 0
     return (frequency * time + phase) / arb.pi() + turned
@@ -54,7 +54,7 @@ def release_time(scene, half_turns):
 
 
 class Root:
-    """The only root of the pressure in a bracket, on which a' < 0; known to as many bits as are asked for."""
+    """The only root of the contact force in a bracket, on which a' < 0; to any requested number of bits."""
 
     def __init__(self, wall, bracket):
         self.wall, self.bracket = wall, bracket

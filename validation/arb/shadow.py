@@ -137,7 +137,7 @@ def kept_in(rows, impacts):
 
 
 def check_epsilon(scene, epsilon, rows, impacts):
-    """Refuses a greatest or median distance, in turns, that the times do not keep to, measured from the boxes' middles."""
+    """Refuses a greatest or median distance, in forcing periods, that the times do not keep to, measured from the boxes' middles."""
     period = exact(scene.motion().period().mid())
     far = [abs(sum(bounds(row, "time")) / 2 - exact(impact.time.mid())) / period for row, impact in zip(rows, impacts)]
     if max(far) > Fraction(epsilon["maximum"]) or median(far) > Fraction(epsilon["median"]):

@@ -50,12 +50,12 @@ def pace(draw):
 
 
 def turns(draw):
-    """A phase that nothing is special about, in turns."""
+    """A phase that nothing is special about, in forcing periods."""
     return f"{draw.randint(1, 58)}/59"
 
 
 def quarter(draw):
-    """A multiple of a quarter turn, more and less than 0."""
+    """A multiple of a quarter period, more and less than 0."""
     return f"{draw.randint(-9, 9)}/4"
 
 
@@ -72,7 +72,7 @@ def cosine(phase):
 
 
 def tau(phase):
-    """A phase in radians; of a whole number of half turns, k*pi: then it is exact in balls, too."""
+    """A phase in radians; of a whole number of half periods, k*pi: then it is exact in balls, too."""
     top, _, bottom = phase.partition("/")
     if bottom == "4" and int(top) % 2 == 0:
         return f"{int(top) // 2}*pi"
@@ -122,7 +122,7 @@ def is_past(begin, end):
 
 
 def later_touch(draw):
-    """From inside, an extremum touches a wall up to three turns later, or nearly."""
+    """From inside, an extremum touches a wall up to three forcing periods later, or nearly."""
     ratio, begin, end = draw.choice(SWINGS), turns(draw), draw.choice((turns(draw), f"{draw.randint(0, 3)}/4"))
     velocity, way = touch(ratio, begin, end, draw.randint(0, 3) + is_past(begin, end))
     place = f"{sign(draw)}(1/2) - {way} + ({offset(draw)})"
@@ -144,7 +144,7 @@ def far_touch(draw):
 
 
 def aimed_hop(lowest):
-    """The phase in turns, as a decimal, from which a hop of the left wall touches it again at `lowest` radians.
+    """The phase in forcing periods, as a decimal, from which a hop of the left wall touches it again at `lowest` radians.
 
     Before it the ball was at sin(lowest) - sin(lowest - s) - s cos(lowest) amplitudes: at its highest for s = 2 lowest,
     and below the wall for s = 2 pi.
@@ -227,7 +227,7 @@ def straddling_scenes(count, seed):
         make = FAMILIES[len(found) % len(FAMILIES)]
         drawn = make(draw)
         if is_start(drawn):
-            # Without drift the second impact is as many turns away as the drift is small.
+            # Without drift the second impact is as many forcing periods away as the drift is small.
             impacts = 1 if make is no_drift else IMPACTS
             found.append(Straddling(make.__name__.replace("_", " "), drawn, impacts))
     return found

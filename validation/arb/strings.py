@@ -16,7 +16,7 @@ from quads import around
 Cell = namedtuple("Cell", "a reach eta rise")
 Mapped = namedtuple("Mapped", "cell middle sides")
 # Words of a string behind its first two; rounds of potentials, and of slopes; what a ratio may be missed by in doubles.
-BEHIND, ROUNDS, LOOKS, SLACK = 4, 400, 3, 1e-12
+BEHIND, ROUNDS, MAX_CUTS, SLACK = 4, 400, 3, 1e-12
 # Cells here are coarser than those of the program: its bounds of exponents are proved moved outward by this part of them.
 SHARE = arb(1) / 16
 
@@ -31,12 +31,12 @@ class Strings:
         self.words, self.image = words, image
         self.before = [[n for n, other in enumerate(words) if other.end == word.start] for word in words]
         self.heights = [heights(of) for of in images]
-        for _ in range(LOOKS):
+        for _ in range(MAX_CUTS):
             # The cells of a word at the heights of another one's images.
             self.images = {(first, n): self.cut(images[n], first) for n in range(len(words)) for first in self.before[n]}
             self.heights = [heights(mapped for first in self.before[n] for mapped in self.images[first, n]) for n in range(len(words))]
         self.slopes = [around(arb(0), kappa) for _ in words]
-        for _ in range(LOOKS):
+        for _ in range(MAX_CUTS):
             self.slopes = [hull(self.slopes_after(n)) for n in range(len(words))]
 
     def cut(self, images, first):
@@ -57,8 +57,8 @@ class Strings:
         for first in self.before[n]:
             for mapped in self.images[first, n]:
                 along, across = (side[0] - strip.slope * side[1] for side in mapped.sides)
-                wanted = strip.middle + within * strip.half - (mapped.middle[0] - strip.slope * mapped.middle[1])
-                share = around(wanted, across) / along
+                target = strip.middle + within * strip.half - (mapped.middle[0] - strip.slope * mapped.middle[1])
+                share = around(target, across) / along
                 if share.overlaps(around(arb(0), arb(1))):
                     yield mapped.cell.a + common(share, around(arb(0), arb(1))) * mapped.cell.reach
 

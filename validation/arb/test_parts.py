@@ -43,7 +43,7 @@ class Corners(unittest.TestCase):
 
 class Long(unittest.TestCase):
     def test_parts_of_many_periods(self):
-        # Without excitation worth the name the ball crosses 10^6 gaps' worth of turns at the speed u.
+        # Without excitation worth the name the ball crosses 10^6 gaps' worth of forcing periods at the speed u.
         with ctx.workprec(128):
             motion = Motion([(arb("1e-9"), arb.pi(), arb(0))], arb(1), arb(1))
             wall, bracket = Flight(motion, LEFT, arb(0), arb(0), arb("1e-6")).first_contact()

@@ -18,7 +18,7 @@ from scene import LEFT, RIGHT, Motion, Scene
 from straddling_scenes import FAMILIES, aimed_hop, straddling_scenes
 from suite import check_shares
 from timeline import Timeline
-from untold import told
+from untold import merged
 
 COUNT = 10 * len(FAMILIES)
 
@@ -70,7 +70,7 @@ class Untold(unittest.TestCase):
     def test_what_follows_an_untold_graze_is_judged(self):
         for depth, hits in (("1e-20", True), ("-1e-20", False)):
             rows, timeline = self.listing(depth, hits)
-            plain = told(rows, timeline)
+            plain = merged(rows, timeline)
             self.assertEqual([row["event"] for row in plain], ["impact"] * 5)
             self.assertEqual(judge(plain, timeline, False).impacts, 5)
             spoiled = [
@@ -80,17 +80,17 @@ class Untold(unittest.TestCase):
             ]
             for copy in spoiled:
                 with self.assertRaises(Disagreement):
-                    judge(told(copy, timeline), timeline, False)
+                    judge(merged(copy, timeline), timeline, False)
 
     def test_a_graze_that_is_none_hides_no_impact(self):
         rows, timeline = self.listing("1e-20", True)
         with self.assertRaises(Disagreement):
-            judge(told([moved(rows[0], -1), *rows[1:]], timeline), timeline, False)
+            judge(merged([moved(rows[0], -1), *rows[1:]], timeline), timeline, False)
 
     def test_an_exact_graze_ends_the_proof(self):
         rows, timeline = self.listing("1e-20", True)
         exact = Timeline(Scene(inside_graze("0")), 9, 60, True)
-        plain = told(rows, exact)
+        plain = merged(rows, exact)
         self.assertEqual(plain, rows[:1])
         self.assertIsNotNone(judge(plain, exact, False).proved_end)
 

@@ -21,7 +21,7 @@ CLOSER = 8
 
 
 class Timeline:
-    """The legs of a scene, for comparisons with listings to N digits; computed when they are asked for.
+    """The legs of a scene, for comparisons with listings to N digits; computed on request.
 
     `width`: N digits are proved at least. `is_patient`: a chatter may be listed on when it is too short for that.
     """
@@ -90,7 +90,7 @@ class Origin:
         return AtRoot(self.timeline, rest.release, self.number + 1)
 
     def half_turns_before(self):
-        """The half turns that a count on this leg leaves out."""
+        """The half periods that a count on this leg leaves out."""
         return 0
 
 

@@ -11,13 +11,13 @@ from compare import Disagreement
 from quads import Chord, Flights, corners, cross, minus
 
 TURN = 2 * np.pi
-# Cells are at most so long, in turns and speeds, and chords longer than the image they hold by a factor and an amount.
+# Cells are at most so long, in forcing periods and speeds, and chords longer than the image they hold by a factor and an amount.
 LONGEST, MARGIN, PAD = 0.003, 1.08, 2e-5
 # Shorter at the ends of a tube, of which some cells are lost.
 AT_ENDS = 0.02
 # A stretch where the map seems to jump is not cut below this part of a cell.
 FINEST = 2.0**-24
-# Images lie in this many cells on either side of their own at most, and parts are halved so often.
+# Images lie in this many cells on either side of their own at most, and parts are halved that number of times.
 WINDOW, HALVINGS = 2, 9
 STEP, MOST_TURNS = 0.003, 6
 
@@ -27,7 +27,7 @@ RADIANS = np.array([TURN, 1.0])
 
 
 def floating_map(law, states):
-    """(images, far, Jacobians) of states, an array (n, 2), in doubles: phases in turns, NaN where nothing is hit."""
+    """(images, far, Jacobians) of states, an array (n, 2), in doubles: phases in forcing periods, NaN where nothing is hit."""
     gap, e = float(law.gap), float(law.restitution)
     images, far, jacobians = [], [], []
     ahead = TURN * np.arange(STEP, MOST_TURNS, STEP)

@@ -14,7 +14,7 @@ from simulate import ends
 PLACES = 100
 
 
-def told(rows, timeline):
+def merged(rows, timeline):
     """The rows without grazes, as far as the proof goes: from a graze on that it does not tell they are cut off."""
     while True:
         at = next((at for at, row in enumerate(rows) if row["event"] == "graze"), None)

@@ -20,7 +20,7 @@ TOLERANCE = "1e-9"
 DIGITS = 20            # of the truth that this judge compares with
 LIST_DIGITS = 15       # of the right list that is spoiled
 POSITIONS, FEW = 20, 4  # impacts that are spoiled, one by one, in all ways; with --quick
-PATIENCE = 120         # seconds that no answer may take
+TIMEOUT = 120         # seconds that no answer may take
 SCENE = Path("scenes/figure-14.toml")
 CHATTER = Path("scenes/chatter.toml")
 
@@ -32,7 +32,7 @@ class Failed(Exception):
 def ask(program: str, *arguments: str) -> tuple[int, dict]:
     """The exit code, 0 or 1, and the JSON that the program prints."""
     command = [program, *arguments, "--quiet", "--format", "json"]
-    done = subprocess.run(command, capture_output=True, text=True, check=False, timeout=PATIENCE)
+    done = subprocess.run(command, capture_output=True, text=True, check=False, timeout=TIMEOUT)
     if done.returncode not in (0, 1):
         raise Failed(f"{' '.join(arguments)}: exit code {done.returncode}: {done.stderr.strip()}")
     return done.returncode, json.loads(done.stdout)

@@ -103,7 +103,7 @@ Proof.
   assert (F' : Rabs (turned - TURN * s) <= u * (y + 2.5e-16 * d)) by (unfold u in *; lra).
   apply split_abs in Z, F'. apply Rabs_le. unfold u in *. lra.
 Qed.
-(* The wave: half a turn's parabola. *)
+(* The wave: half a period's parabola. *)
 Lemma wave_near : Rabs (turned * mean - 2 * PI * s * (S - PI * s * C)) <= Y * (e * (1 + 0.502 * Y) + u * (3.7 + 2.3 * Y)) /\ Rabs (turned *
   mean) <= Y * (1.51 + 0.77 * Y).
 Proof.

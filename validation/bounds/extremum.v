@@ -8,7 +8,7 @@ Open Scope R_scope.
 (* The rounding of `Extrema::evaluate`, and of the turn in `are_inside`: against the flight of the computed parameters. *)
 Section Extremum.
 Variables a c s0 z0 t peak n at_ St T e_t e_s alpha_m : R.
-(* `t` is the computed time of the first extremum, `at_` the true one of its phase, `peak` the sine, `n` the turns. *)
+(* `t` is the computed time of the first extremum, `at_` the true one of its phase, `peak` the sine, `n` the periods. *)
 Hypotheses (Ha : Rabs a <= alpha_m) (Hs0 : Rabs s0 <= 1) (Hz0 : 0 <= z0 <= 1) (Hpeak : Rabs peak <= 1).
 Hypotheses (Ht : Rabs (t - at_) <= 4 * u + e_t) (Hs : Rabs (peak - St) <= e_s) (Hspan : Rabs t <= (1 + 2 * u) * T) (T0 : 0 <= T).
 @EXTREMUM@
@@ -23,7 +23,7 @@ Theorem extremum_is : extremum_bound_wide = extremum_rounding + (drift_error * (
 Proof. unfold extremum_bound_wide, extremum_rounding, u. field. Qed.
 Theorem extremum_narrow : r_u = 0 -> extremum_bound_narrow = extremum_bound_wide.
 Proof. intros e. unfold extremum_bound_narrow, extremum_bound_wide. rewrite e. ring. Qed.
-(* `mx`, the height of the first extremum, and the number `top` of it after `n` turns. *)
+(* `mx`, the height of the first extremum, and the number `top` of it after `n` periods. *)
 Lemma evaluated sign' arc mx top : sign' = 1 \/ sign' = -1 -> fused (c * t + base) arc -> fused (sign' * a * peak + arc) mx -> fused (n * c
   + mx) top ->
   Rabs top <= 1 ->

@@ -136,7 +136,7 @@ End Velocity.
 (* Sine and cosine on arrival, by the addition theorems; one u is left for the rounding of `arrive` (root.v). *)
 Section Turned.
 @TURNED@
-(* An eighth of a turn at most. *)
+(* An eighth of a period at most. *)
 Hypotheses (V1 : V <= 0.2929) (S1' : Sn <= 0.7072).
 Lemma turned_error p q P Q base out : Rabs (p - P) <= k -> Rabs (q - Q) <= k -> Rabs P <= 1 -> Rabs Q <= 1 ->
   fused ((- p) * versine + p) base -> fused (q * sin_h + base) out -> Rabs (out - (P * (1 - V) + Q * Sn)) <= @HOP_SINE_ERROR@ - u.

@@ -40,7 +40,7 @@ Proof.
   - rewrite Rabs_minus_sym. apply Rle_trans with (2 := Rle_abs _). replace (((b - a) / PI) ^ 2) with (((a - b) / PI) ^ 2) by (field;
     generalize PI_above; lra). apply hoelder_ordered; lra.
 Qed.
-(* In turns. *)
+(* In periods. *)
 Lemma hoelder_turns p q ratio : 0 <= p <= 1 / 2 -> 0 <= q <= 1 / 2 -> Rabs (cos (2 * PI * p) - cos (2 * PI * q)) <= ratio -> 8 * (q - p) ^
   2 <= ratio.
 Proof.

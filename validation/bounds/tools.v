@@ -33,7 +33,7 @@ Ltac weak H := first [apply fused_weak in H | apply added_weak in H]; apply spli
 (* Products of variables that are not negative, for lra. *)
 Ltac positive a b := assert (0 <= a * b) by (apply Rmult_le_pos; auto using Rabs_pos, Rlt_le, eta_positive).
 
-(* Sine and cosine of a phase in turns, with the sign of the wall. *)
+(* Sine and cosine of a phase in periods, with the sign of the wall. *)
 Definition sine sigma x := sigma * sin (2 * PI * x).
 Definition cosine sigma x := sigma * cos (2 * PI * x).
 Definition sign sigma := sigma = 1 \/ sigma = -1.

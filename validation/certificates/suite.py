@@ -16,7 +16,7 @@ import edits
 
 getcontext().prec = 200
 # Seconds that no answer may take.
-PATIENCE = 60
+TIMEOUT = 60
 # The last have several harmonics.
 FOLDERS = [Path("scenes"), Path("validation/certificates/scenes")]
 # Of these all events are spoiled, one by one; digits for the truth beside them.
@@ -31,9 +31,9 @@ def run(program, scene, impacts, digits=None):
     if digits:
         options += ["--digits", str(digits)]
     try:
-        done = subprocess.run([program, "run", scene, *options], capture_output=True, text=True, check=False, timeout=PATIENCE)
+        done = subprocess.run([program, "run", scene, *options], capture_output=True, text=True, check=False, timeout=TIMEOUT)
     except subprocess.TimeoutExpired:
-        raise SystemExit(f"error: {scene}: no orbit in {PATIENCE} s") from None
+        raise SystemExit(f"error: {scene}: no orbit in {TIMEOUT} s") from None
     if done.returncode == 2 or not done.stdout:
         raise SystemExit(f"error: {scene}: {done.stderr.strip()}")
     return json.loads(done.stdout)
@@ -44,9 +44,9 @@ def check(program, document):
     start = time.perf_counter()
     command = [program, "check", "-", "--quiet"]
     try:
-        done = subprocess.run(command, input=json.dumps(document), capture_output=True, text=True, check=False, timeout=PATIENCE)
+        done = subprocess.run(command, input=json.dumps(document), capture_output=True, text=True, check=False, timeout=TIMEOUT)
     except subprocess.TimeoutExpired:
-        return 2, f"no verdict in {PATIENCE} s", PATIENCE
+        return 2, f"no verdict in {TIMEOUT} s", TIMEOUT
     return done.returncode, (done.stdout or done.stderr).strip(), time.perf_counter() - start
 
 
@@ -55,8 +55,8 @@ def right(arguments, failures):
     rows = []
     for scene in [scene for folder in FOLDERS for scene in sorted(folder.glob("*.toml"))]:
         impacts = 50 if arguments.quick else 200
-        wanted = [impacts] + ([2000] if scene.stem == "figure-14" and not arguments.quick else [])
-        for count in wanted:
+        counts = [impacts] + ([2000] if scene.stem == "figure-14" and not arguments.quick else [])
+        for count in counts:
             document = run(arguments.program, scene, count)
             code, said, seconds = check(arguments.checker, document)
             found = CONFIRMED.match(said)

@@ -16,7 +16,7 @@ from two_impact import TINY, evaluate
 from unequispaced import unequispaced_orbits
 
 Job = namedtuple("Job", "part check orbit number")
-# Digits that the program is asked for, starting walls and times, by turns.
+# Digits requested of the program, starting walls and times, by turns.
 DIGITS, WALLS, TIMES = (9, 35), ("left", "right"), ("0", "1/3", "-7")
 SLIP = "1 + 1e-9"
 EQUISPACED, UNEQUISPACED = "equispaced, e < 1, N odd (66)-(69), (72)", "not equispaced, e < 1 (62), (63)"

@@ -6,7 +6,7 @@ from jacobian import derivative, eigenvalues, product, radius, states, steps, tr
 from program import Disagreement, run, scene
 from two_impact import TINY
 
-# The change of v that is followed, relative; how much it must shrink or grow, and how much is asked for in theory.
+# The change of v that is followed, relative; how much it must shrink or grow, and how much the theory requires.
 CHANGE = "1e-6"
 SHRUNK, GROWN = mpf("1e-2"), mpf(10)
 SHRINKS, GROWS = mpf("1e-4"), mpf("1e3")

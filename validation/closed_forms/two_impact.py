@@ -37,7 +37,7 @@ class TwoImpact:
                 yield Impact(False, (index // 2) * period, -self.speed)
 
     def flights(self):
-        """(phase at the departure, length in phase) of both flights, each told as one from the left wall."""
+        """(phase at the departure, length in phase) of both flights, each given as one from the left wall."""
         return [(self.theta0, self.first), (self.theta0 + self.first + pi, 2 * self.N * pi - self.first)]
 
     def residuals(self):

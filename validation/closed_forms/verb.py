@@ -19,7 +19,7 @@ from unequispaced import unequispaced_orbits
 
 DIGITS = 30
 WORDS = {"left": "P2 P1", "right": "P1 P2"}
-# An eigenvalue that a double root or nearly so leaves uncertain, and how near to 1 its size is too near to be told.
+# An eigenvalue that a double root or nearly so leaves uncertain, and how near to 1 its size is too near to be decided.
 NEAR = mpf(10) ** -18
 
 

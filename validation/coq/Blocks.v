@@ -4,7 +4,7 @@ From Coq Require Import Reals Lia List ZArith QArith Bool.
 From ImpactPair Require Import Model Step Certificate Document Cycle Region Chaos Motions.
 Import ListNotations.
 
-(* Whether words are one block. *)
+(* Decides whether two words are the same block. *)
 Definition one_block (a b : word) : bool := pairwise Bool.eqb (word_flights a) (word_flights b) && (half_cycles a =? half_cycles b)%Z.
 Lemma pairwise_same a : forall b, pairwise Bool.eqb a b = true <-> a = b.
 Proof.

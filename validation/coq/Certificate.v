@@ -1,12 +1,8 @@
-(* Certificates of orbits, what they say, and a program that checks them, proved sound once and for all.
-
-   `orbit_checked` (at the end) turns a run of `check` by Coq's own evaluator into a theorem about the model of Model.v:
-   from the given start there is exactly one sequence of first contacts, it has the listed walls, and its times and
-   velocities lie within the printed bounds.
-
-   A leg of the certificate encloses one impact in phases and unit speeds (Step.v): th in [t - rt, t + rt],
-   v/(A W) in [v - rv, v + rv], all in units of 2^-scale. Bounds in the launch are of mean-value form, with the entries
-   of (A.7). *)
+(* Certificates of orbits, their statements, and a program that checks them, proved sound once and for all. `orbit_checked` (at the end) turns a
+   run of `check` by Coq's own evaluator into a theorem about the model of Model.v: from the given start there is exactly one sequence of first
+   contacts, it has the listed walls, and its times and velocities lie within the printed bounds. A leg of the certificate encloses one impact in
+   phases and unit speeds (Step.v): th in [t - rt, t + rt], v/(A W) in [v - rv, v + rv], all in units of 2^-scale. Bounds in the launch are of
+   mean-value form, with the entries of (A.7). *)
 From Coq Require Import Reals Lra List ZArith QArith Qreals Bool Lia.
 From Coquelicot Require Import Coquelicot.
 From Interval Require Import Real.Xreal Interval.Interval Float.Sig Float.Specific_ops Float.Specific_stdz Float.Specific_bigint.
@@ -63,7 +59,7 @@ Definition phase_over (p : positive) (time : I.type) : I.type :=
 Definition velocity_over (p : positive) (speed : I.type) : I.type :=
   mul p (mul p (enclose_range p (amplitude param)) (enclose_range p (frequency param))) speed.
 
-(* What is printed holds all phases and unit speeds between grid points. *)
+(* Decides whether the printed bounds hold all phases and unit speeds between grid points. *)
 Definition check_shown (p : positive) (step : I.type) (lo hi slow fast : Z) (printed : bounds) : bool :=
   let TH := stretch p step lo hi in let V := velocity_over p (stretch p step slow fast) in
   bounded p (phase_over p (known_number p (time_lower printed))) TH (phase_over p (known_number p (time_upper printed))) &?
@@ -133,7 +129,7 @@ Proof.
     assert (0 <= grid q (approach l) - th0) by (apply (is_not_negative_sound _ _ check); enclose). lra.
 Qed.
 
-(* What a departure has to show. *)
+(* The condition on a departure. *)
 Definition departs (leg : leg) (y th0 u : R) : Prop := exists ta, (ta = th0 \/ exists w0, y = side w0 * (d s / A s / 2) /\ leaves (companions s) w0 th0 u ta) /\
   th0 <= ta /\ grid (scale leg) (depart leg) <= ta /\ (ta <= grid (scale leg) (approach leg) \/ ta = grid (scale leg) (depart leg)).
 

@@ -1,7 +1,6 @@
-(* Words of the impact map, and the motions that follow them, as `chaos` lists them: what a document says (`claims_chaos`).
-
-   States are seen from the left wall (Region.v). An h-set is a convex quadrilateral of phases and speeds. A word leads from one h-set to another, by flights to the far wall and
-   back to the near one; it takes half cycles, half forcing periods that is, and the difference of the phases in the two h-sets. *)
+(* Words of the impact map, and the motions that follow them, as `chaos` lists them: the claims of a document (`claims_chaos`). States are seen
+   from the left wall (Region.v). An h-set is a convex quadrilateral of phases and speeds. A word leads from one h-set to another, by flights to
+   the far wall and back to the near one; it takes half cycles, half forcing periods that is, and the difference of the phases in the two h-sets. *)
 From Coq Require Import Reals List ZArith QArith Qreals Bool.
 From ImpactPair Require Import Model Step Certificate Document Cycle Region.
 Open Scope R_scope.
@@ -69,7 +68,7 @@ End Sequences.
 Definition every_sequence (x : chaos) : Prop := forall ws, fits S x ws -> forall w, exists J, wall_of (J O O) = w /\ follows_words S x ws J.
 Definition every_two_sided_sequence (x : chaos) : Prop := forall ws, fits Z.succ x ws -> forall w, exists J, wall_of (J 0%Z O) = w /\ follows_words Z.succ x ws J.
 
-(* What a sequence of words weighs up to word n. *)
+(* The total weight of the first n words of a sequence. *)
 Fixpoint total (x : chaos) (weight : word -> Z) (ws : nat -> nat) (n : nat) : Z :=
   match n with O => 0%Z | S n => (total x weight ws n + weight (word_of x (ws n)))%Z end.
 Definition impacts_of (w : word) : Z := Z.of_nat (length (word_flights w)).
@@ -77,12 +76,12 @@ Definition impacts_of (w : word) : Z := Z.of_nat (length (word_flights w)).
 (* An impact half cycles later, as its mirror image where their number is odd. *)
 Definition later_by (half : Z) (i : impact) : impact := let mirrored := Z.odd half in
   {| wall_of := wall_after mirrored (wall_of i); time := time i + IZR half * (period s / 2); velocity := if mirrored then - velocity i else velocity i |}.
-(* Every periodic sequence has a motion that comes again after the half cycles of its words, if need be as its mirror image. *)
+(* Every periodic sequence has a motion that repeats after the half cycles of its words, if need be as its mirror image. *)
 Definition every_periodic_sequence (x : chaos) : Prop := forall ws m, fits S x ws -> (0 < m)%nat -> (forall n, ws (m + n)%nat = ws n) -> forall w, exists J,
   wall_of (J O O) = w /\ follows_words S x ws J /\
   forall n k, J (m + n)%nat k = later_by (total x half_cycles ws m) (J n k).
 
-(* Two impacts differ by eps in speed over A W, or in phase up to whole turns, as they are seen from the left wall. *)
+(* Two impacts differ by eps in speed over A W, or in phase up to whole forcing periods, as they are seen from the left wall. *)
 Definition apart (eps : R) (i j : impact) : Prop := eps <= Rabs (speed_seen s i - speed_seen s j) \/
   forall k, eps <= Rabs (phase_seen s i - phase_seen s j - IZR k * (2 * PI)).
 (* The number of motions that are apart within n, impacts or half cycles, grows with n by the factor exp h: the topological entropy, by separated sets (Bowen), is at least h. *)

@@ -169,7 +169,7 @@ Let r := e s * sqrt (high / low).
 Hypothesis shrinking : r < 1.
 (* All return times that may still come. *)
 Definition remaining (i : impact) : R := 2 * rebound_speed i / (low * (1 - r)).
-(* What every impact of the chatter keeps. *)
+(* The invariant of the impacts of a chatter. *)
 Definition chatters (i : impact) : Prop := wall_of i = w /\ 0 < rebound_speed i /\ opens <= time i /\
   time i + remaining i <= ends /\ rebound_speed i ^ 2 / (2 * low) < d s.
 
@@ -251,7 +251,7 @@ Proof.
   { apply Rmult_le_compat_r; [left; apply Rinv_0_lt_compat; exact k|lra]. } lra.
 Qed.
 
-(* So they accumulate there, and the wall presses the ball from then on. *)
+(* So they accumulate there, and the contact force acts from then on. *)
 Let nth (n : nat) : impact := Nat.iter n (Return.after s) i.
 Lemma nth_after n : forall j, after i n j -> nth n = j.
 Proof.

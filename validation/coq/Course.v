@@ -20,7 +20,7 @@ Record box := Box {
 Record known := { Share : I.type; Ratio : I.type; Lag : I.type }.
 Definition knows (O : known) (o : companion) : Prop := holds (Share O) (share o) /\ holds (Ratio O) (ratio o) /\ holds (Lag O) (lag o).
 
-(* E, E' and -E'' of the box near m quarter turns of the reference; the others turn as their phases say. *)
+(* E, E' and -E'' of the box near m quarter periods of the reference; the others turn as their phases say. *)
 Section Excitation.
 Variable p : positive.
 Variables (OS : list known) (os : list companion).

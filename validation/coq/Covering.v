@@ -45,9 +45,9 @@ Proof.
   apply (Rmult_le_reg_r (IZR (2 ^ Zpos q))); [assumption|]. replace (_ * _ * _) with (IZR m * IZR n) by (field; lra). exact h.
 Qed.
 
-(* How all flights from a stretch of a parallelogram arrive: brackets of the phases of arrival, middle and radius, a wide one that shows
-   the first contact and a narrow one for the image; where flights are cut, the end of the departure and the begin of the arrival; two
-   tilts, as in Certificate.v, for the image along and across a parallelogram. All on the grid. *)
+(* The arrival of all flights from a stretch of a parallelogram: brackets of the phases of arrival, middle and radius, a wide one that shows the
+   first contact and a narrow one for the image; where flights are cut, the end of the departure and the begin of the arrival; two tilts, as in
+   Certificate.v, for the image along and across a parallelogram. All on the grid. *)
 Record transit := Transit { wide_mid : Z; wide_rad : Z; near_mid : Z; near_rad : Z; go : Z; come : Z; lean_along : Z; lean_across : Z }.
 
 (* One covering relation: a stretch of the first parallelogram; its transit; whether it is turned over. *)
@@ -55,7 +55,7 @@ Record link := Link { stretch_from : Z; stretch_to : Z; wide_at : Z; wide_by : Z
   leave : Z; arrive : Z; tilt_along : Z; tilt_across : Z; turned_over : bool }.
 Definition transit_of (l : link) : transit := Transit (wide_at l) (wide_by l) (near_at l) (near_by l) (leave l) (arrive l) (tilt_along l) (tilt_across l).
 
-(* A step of a word: a flight from wall to wall, and the whole turns that are taken off its phase. *)
+(* A step of a word: a flight from wall to wall, and the whole forcing periods that are taken off its phase. *)
 Record hop_of := Hop { off_wall : wall; on_wall : wall; turns_off : Z }.
 
 Section Maps.
@@ -416,7 +416,7 @@ Proof.
 Qed.
 End Coordinates.
 
-(* Whether a number, times an area, is in [-1, 1], or beyond an end. *)
+(* A number, over an area, is in [-1, 1], or beyond an end. *)
 Lemma between_edges EDGE X M z : (0 < chart_area M)%Z -> holds EDGE (area (frame_of q M)) -> holds X (area (frame_of q M) * z) ->
   is_not_negative (sub p EDGE X) = true -> is_not_negative (add p EDGE X) = true -> -1 <= z <= 1.
 Proof.

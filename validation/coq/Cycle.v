@@ -1,12 +1,13 @@
-(* Periodic orbits of one harmonic: what a document says of one (`is_cycle`), and of a motion that it attracts (`is_drawn`). With lemmas on the states of a
-   round of flights, and on mirror images. *)
+(* Periodic orbits of one harmonic: the claims of a document about one (`is_cycle`), and about a motion that it attracts (`is_drawn`). With lemmas
+   on the states of a round of flights, and on mirror images. *)
 From Coq Require Import Reals Lra List ZArith QArith Qreals Bool Lia.
 From Coquelicot Require Import Coquelicot.
 From ImpactPair Require Import Model Step Horseshoe Return Covering Certificate Document Jacobian Motion Orbit.
 Open Scope R_scope.
 Import ListNotations.
 
-(* An impact of a periodic orbit: its wall, bounds of phase, from 0 to 2 pi, up to whole turns, and velocity; and if it is said the forcing period in which it is, from
+(* An impact of a periodic orbit: its wall, bounds of phase, from 0 to 2 pi, up to whole forcing periods, and velocity;
+   and, if given, the forcing period in which it is, from
    that of the first impact on. *)
 Record spot := Spot { spot_wall : wall; spot_phase : Q * Q; spot_velocity : Q * Q; spot_period : option Z }.
 (* Real and imaginary part of an eigenvalue. *)

@@ -1,7 +1,6 @@
-(* A program `check_cycle` that verifies what a document says of a periodic orbit (Cycle.v), with the proof that it is right (`cycle_sound`).
-
-   A wide ellipse of states contains all that the bounds of the first impact allow, a narrow one, inside it, gives the bounds: in both exactly one state comes
-   back after the round, so that it is the same. *)
+(* A program `check_cycle` that verifies the claims of a document about a periodic orbit (Cycle.v), with the proof that it is right
+   (`cycle_sound`). A wide ellipse of states contains all that the bounds of the first impact allow, a narrow one, inside it, gives the bounds: in
+   both exactly one state comes back after the round, so that it is the same. *)
 From Coq Require Import Reals Lra List ZArith QArith Qreals Bool Lia.
 From Coquelicot Require Import Coquelicot.
 From Interval Require Import Real.Xreal Interval.Interval Float.Sig.
@@ -9,7 +8,7 @@ From ImpactPair Require Import Model Step Horseshoe Return Covering Certificate 
 Open Scope R_scope.
 Import ListNotations.
 
-(* The mirror image of impact n is the first one, 2 k + 1 half periods later; or none is: whole turns below the difference of phases. *)
+(* The mirror image of impact n is the first one, 2 k + 1 half periods later; or none is: whole forcing periods below the difference of phases. *)
 Inductive mirroring := Mirror_of (n : nat) (k : Z) | No_mirror (turns : list Z).
 Record surroundings := Surroundings { wide_disc : disc; narrow_disc : disc; spot_turns : list Z; first_turns : Z; mirroring_of : mirroring }.
 

@@ -1,4 +1,5 @@
-(* Certificates of orbits, and what they say; the boxes and cuts of flights by which they are checked (Certificate.v). With lemmas that the proofs need. *)
+(* Certificates of orbits, and their statements; the boxes and cuts of flights by which they are checked (Certificate.v). With lemmas that the
+   proofs need. *)
 From Coq Require Import Reals Lra List ZArith QArith Qreals Bool Lia.
 From Coquelicot Require Import Coquelicot.
 From Interval Require Import Real.Xreal Interval.Interval Float.Sig Float.Specific_ops Float.Specific_stdz Float.Specific_bigint.
@@ -23,19 +24,19 @@ Definition begins (b : beginning) (s : scene) (l : launch) : Prop :=
   | Inside t y v => among t (since l) /\ among y (place l) /\ among v (speed l)
   end.
 
-(* What a certificate prints of an impact. *)
+(* The printed bounds of an impact. *)
 Record bounds := Impact { on : wall; time_lower : Q; time_upper : Q; velocity_lower : Q; velocity_upper : Q }.
 Definition within (b : bounds) (i : impact) : Prop :=
   wall_of i = on b /\ Q2R (time_lower b) <= time i <= Q2R (time_upper b) /\
   Q2R (velocity_lower b) <= velocity i <= Q2R (velocity_upper b).
 
-(* What a theorem about an orbit says. *)
+(* The statement of a theorem about an orbit. *)
 Definition certified (s : scene) (l : launch) (printed : list bounds) : Prop :=
   exists orbit, follows s l orbit /\ Forall2 within printed orbit /\
     forall other, follows s l other -> length other = length orbit -> other = orbit.
 
-(* How it is checked. A leg holds the box of its impact and where the flight that ends there is cut: departure before
-   `depart`, middle up to `approach`, then arrival; `tilt` is about y'' over the velocity of arrival. *)
+(* The data of the check. A leg holds the box of its impact and where the flight that ends there is cut: departure before `depart`, middle up to
+   `approach`, then arrival; `tilt` is about y'' over the velocity of arrival. *)
 Record leg := Leg {
   bits : positive; coarse : positive; scale : positive; hits : wall;
   t : Z; rt : Z; v : Z; rv : Z; depart : Z; approach : Z; tilt : Z }.

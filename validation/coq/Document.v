@@ -1,5 +1,5 @@
-(* Documents: that their data make sense, what is said of impacts, and of the outcome; and programs that check it, with the proofs that
-   they are right. Orbit.v has the documents of orbits from the scene's start, Shadow.v those of orbits that start near it. *)
+(* Documents: the conditions on their data, the claims about impacts and the outcome; and programs that check it, with the proofs that they are
+   right. Orbit.v has the documents of orbits from the scene's start, Shadow.v those of orbits that start near it. *)
 From Coq Require Import Reals Lra List ZArith QArith Qreals Bool Lia.
 From Interval Require Import Real.Xreal Float.Sig.
 From ImpactPair Require Import Model Certificate.
@@ -53,7 +53,7 @@ Definition starts (b : beginning) (s : scene) : Prop :=
   | Inside _ r _ => forall y, among r y -> - (d s / 2) < y < d s / 2
   end.
 
-(* The events tell the impacts of an orbit, numbered from n. *)
+(* The events list the impacts of an orbit, numbered from n. *)
 Fixpoint tells (previous : option wall) (n : Z) (events : list event) (orbit : list impact) : Prop :=
   match events, orbit with
   | [], [] => True
@@ -235,7 +235,7 @@ Definition check_until (T : number) (events : list event) (next : bounds) : bool
   is_positive (sub p (known_number p (time_lower next)) X).
 End At.
 
-(* Bits for what is asked of all data. *)
+(* Bits of the conditions on all data. *)
 Definition few : positive := 256.
 (* Data of one harmonic that shakes the box, and what is known of their scenes. *)
 Definition check_single (param : data) (b : beginning) : bool :=

@@ -7,8 +7,8 @@ From ImpactPair Require Import Model Step Horseshoe Return Covering Certificate 
 Open Scope R_scope.
 Import ListNotations.
 
-(* How the motion comes into the ellipse: how many listed events are before the impact from which on it repeats the walls, and up to the one that is
-   followed on; how many rounds until it is there; a box of that impact, the flights after it, and whole turns. *)
+(* The passage of the motion into the ellipse: the number of listed events before the impact from which on it repeats the walls, and up to the one
+   that is followed on; how many rounds until it is there; a box of that impact, the flights after it, and whole forcing periods. *)
 Record approach_to := Approach { listed_before : nat; listed_until : nat; rounds_until : nat; last_listed : cell; flights_on : list passage; turns_until : Z }.
 
 Fixpoint walls_listed (listed : list occurrence) : option (list wall) :=
@@ -323,7 +323,7 @@ Proof.
 Qed.
 End Program.
 
-(* What is claimed of the listed motion is verified elsewhere (Pieces.v). *)
+(* The claims about the listed motion are verified in Pieces.v. *)
 Definition verify_drawn (x : document) (from : Z) (c : cycle) (h : surroundings) (a : approach_to) : bool :=
   check_cycle (scene_data x) c h && is_stable c && check_single (scene_data x) (begun x) &&
   match spots c with b :: _ => check_approach (scene_data x) (first_events (listed_until a) x) from (spot_wall b) (wide_disc h) a | [] => false end.

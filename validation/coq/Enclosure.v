@@ -1,5 +1,5 @@
 (* Enclosures of numbers: exact data, numbers of the grid n 2^-scale, and the arithmetic of Coq Interval on floats F of
-   any size, with sine and cosine after quarter turns. `holds X x`: the interval X contains x. *)
+   any size, with sine and cosine after quarter periods. `holds X x`: the interval X contains x. *)
 From Coq Require Import Reals Lra ZArith QArith Qreals Bool Lia.
 From Interval Require Import Real.Xreal Interval.Interval Interval.Float_full Float.Basic Float.Sig.
 From Flocq Require Zaux.
@@ -28,7 +28,7 @@ Proof. apply Rinv_0_lt_compat, IZR_lt. apply Z.pow_pos_nonneg; lia. Qed.
 Lemma grid_le q a b : (a <= b)%Z -> grid q a <= grid q b.
 Proof. intros h. apply IZR_le in h. apply Rmult_le_compat_l; [left; apply grid_step|exact h]. Qed.
 
-(* Some whole number of quarter turns near n units of the grid; any would do. *)
+(* Some whole number of quarter periods near n units of the grid; any would do. *)
 Definition turns (q : positive) (n : Z) : Z := ((n * 452 + 355 * 2 ^ Zpos q) / (710 * 2 ^ Zpos q))%Z.
 
 Module Enclosure (F : FloatOps with Definition sensible_format := true).
@@ -75,7 +75,7 @@ Proof.
   - rewrite Rmin_right, Rmax_left in r by lra. exact (contains_connected (I.convert X) b a hb ha c r).
 Qed.
 
-(* Sine and cosine after k quarter turns are taken off: near 0, Interval's own lose no digits. *)
+(* Sine and cosine after k quarter periods are taken off: near 0, Interval's own lose no digits. *)
 Definition half_pi := quotient (I.pi prec) (whole 2).
 Definition reduced (k : Z) (X : I.type) := sub X (mul (whole k) half_pi).
 Definition quarters (k : Z) (X : I.type) : I.type :=

@@ -12,8 +12,8 @@ Import ListNotations.
 Record growth_hint := Growth_hint { growth_by : Q; growth_values : list Z }.
 Definition value_at (g : growth_hint) (b : nat) : Z := nth b (growth_values g) 0%Z.
 Definition heaviest (weight : word -> Z) (words : list word) : Z := fold_right (fun w most => Z.max (weight w) most) 0%Z words.
-(* What a word brings to the h-set that it leads from: the value of the one it leads into, over the factor to the power of its weight, all times
-   the numerator of the factor to the power `most`. *)
+(* The contribution of a word to the h-set that it leads from: the value of the one it leads into, over the factor to the power of its weight, all
+   times the numerator of the factor to the power `most`. *)
 Definition brings (weight : word -> Z) (g : growth_hint) (most : Z) (w : word) : nat * Z :=
   (word_from w, (value_at g (word_into w) * Zpos (Qden (growth_by g)) ^ weight w * Qnum (growth_by g) ^ (most - weight w))%Z).
 Definition brought (terms : list (nat * Z)) (b : nat) : Z := fold_right (fun term all => if (fst term =? b)%nat then (snd term + all)%Z else all) 0%Z terms.
@@ -40,7 +40,7 @@ Proof.
 Qed.
 Lemma power_of_exp h n : exp (h * INR n) = exp h ^ n.
 Proof. induction n as [|n IH]; [rewrite Rmult_0_r; apply exp_0|]. rewrite S_INR. cbn [pow]. rewrite <- IH, <- exp_plus. f_equal. ring. Qed.
-(* Phases that differ by at most 3 do not come closer by whole turns. *)
+(* Phases that differ by at most 3 do not come closer by whole forcing periods. *)
 Lemma turned_apart eps u v k : eps <= Rabs (u - v) -> Rabs (u - v) <= 3 -> Rmin eps 3 <= Rabs (u - v - IZR k * (2 * PI)).
 Proof.
   intros far near. assert (p : 3 < PI) by (assert (p := PI2_3_2); unfold PI2 in p; lra).

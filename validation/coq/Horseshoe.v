@@ -309,9 +309,9 @@ Qed.
 Lemma iter_next {X : Type} (f : X -> X) n x : Nat.iter n f (f x) = Nat.iter (S n) f x.
 Proof. induction n as [|n IH]; [reflexivity|]. exact (f_equal f IH). Qed.
 
-(* What it means that the map R on a set L has the full shift on two symbols as a factor: L is closed and bounded, R is
-   continuous there and does not leave it; each point of L has a sequence of letters, of which the first n are the same for all
-   points of L near enough; R shifts the sequence; and every sequence is that of a point. *)
+(* The map R on a set L has the full shift on two symbols as a factor: L is closed and bounded, R is continuous there and does not leave it; each
+   point of L has a sequence of letters, of which the first n are the same for all points of L near enough; R shifts the sequence; and every
+   sequence is that of a point. *)
 Definition itinerary (letter : state -> bool) (R : state -> state) (x : state) (n : nat) : bool := letter (Nat.iter n R x).
 Record full_shift_factor (L : state -> Prop) (letter : state -> bool) (R : state -> state) : Prop := {
   factor_closed : closed L;

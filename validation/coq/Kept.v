@@ -1,4 +1,5 @@
-(* A region that all flights from its boxes come back to, in the units of Step.v, holds what a document says of it, in the scene's (`region_kept`). *)
+(* A region that all flights from its boxes come back to, in the units of Step.v, satisfies the claims of a document, in the scene's
+   (`region_kept`). *)
 From Coq Require Import Reals Lra List Sorted ZArith QArith Qreals Bool Lia.
 From Coquelicot Require Import Coquelicot.
 From ImpactPair Require Import Model Step Certificate Document Motion Orbit Cycle Region.
@@ -65,7 +66,7 @@ Proof.
   intros th h. set (t := (th - seen (wall_of i) - tau s) / W s). assert (eq : phase_from i t = th) by (unfold phase_from, phase, t; field; lra).
   rewrite <- eq in h |- *. apply inside_seen, inside. rewrite <- from_start in h. destruct h as [h h']. apply from_increasing in h, h'. lra.
 Qed.
-(* What is said of a landing in the units of Step.v is said of the impact. *)
+(* Statements about a landing in the units of Step.v hold of the impact. *)
 Lemma in_region_seen i j : velocity j = free_velocity s (rebound s i) (time j) ->
   in_boxes r (phase_from i (time j) + (if far_from i j then PI else 0)) (towards (far_from i j) * rate_at (phase_seen s i) (launch_seen i) (phase_from i (time j))) ->
   in_region s r j.
@@ -95,7 +96,7 @@ Proof.
   - intros x [h h']. cbn in h, h'. apply strictly_inside_seen, inside. apply (from_increasing i) in h, h'. rewrite eq in h'. rewrite from_start in h. lra.
 Qed.
 
-(* No rest at once: the wall would press the ball into itself. *)
+(* No rest at once: the contact force would have the wrong sign. *)
 Lemma no_rest_at_once i w t : in_region s r i -> ~ happens s (Flying (rebound s i)) (Rests w t false).
 Proof.
   intros inr (on & still & -> & (later & l & press)). destruct (kept_reaches i inr) as (j & ((o & _ & inside) & _)). cbn [rebound since place] in *.

@@ -14,7 +14,7 @@ Definition point := nat -> nat.
 Definition place (p : point) (a t : nat) : point := fun i => if i =? a then t else p i.
 Definition next (p : point) (a : nat) : point := place p a (S (p a)).
 
-(* What has a value for each cell, given by its axes and its lowest point. *)
+(* A cochain: a value for each cell, given by its axes and its lowest point. *)
 Definition form := list nat -> point -> bool.
 (* Its coboundary: the sum over the sides of a cell. *)
 Fixpoint d (w : form) (A : list nat) (p : point) : bool :=

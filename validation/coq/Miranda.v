@@ -11,7 +11,7 @@ Definition close (n : nat) (del : R) (x y : nat -> R) : Prop := forall j, (j < n
 Definition continuous_at_cube n (f : (nat -> R) -> R) : Prop := forall x, cube n x -> forall eps, 0 < eps -> exists del, 0 < del /\
   forall y, cube n y -> (forall j, (j < n)%nat -> Rabs (y j - x j) < del) -> Rabs (f y - f x) < eps.
 
-(* What is true near each point of the cube, for some del > 0, and for all smaller ones, is so for one del on the whole cube. *)
+(* Compactness: a property that holds near each point of the cube, for some del > 0 and all smaller ones, holds for one del on the whole cube. *)
 Section Compact.
 Variables (n : nat) (good : R -> (nat -> R) -> Prop).
 Hypothesis smaller : forall del del' x, del' <= del -> good del x -> good del' x.
@@ -25,7 +25,7 @@ Lemma tube_next j x : (j < n)%nat -> cube n x ->
   tube j x 1.
 Proof.
   intros jn hx all. set (at_ := fun t i => if Nat.eqb i j then t else x i).
-  (* What is reached below t - something near t is reached a little above t. *)
+  (* From values below t, a value a little above t is reached. *)
   assert (near : forall t, -1 <= t <= 1 -> exists e, 0 < e /\ forall u, t - e < u -> tube j x u \/ u < -1 -> tube j x (t + e)).
   { intros t ht. destruct (all (at_ t)) as (del & pos & h).
     { intros i hi. unfold at_. destruct (Nat.eqb_spec i j); [lra|apply hx, hi]. }

@@ -8,8 +8,8 @@ From Coquelicot Require Import Coquelicot.
 Open Scope R_scope.
 Import ListNotations.
 
-(* A, W, tau of the paper; a scene has one harmonic, which is the reference, or also others; and d, e of the paper. A scene
-   stands for its reference where a harmonic is asked for. *)
+(* A, W, tau of the paper; a scene has one harmonic, which is the reference, or also others; and d, e of the paper. A scene stands for its
+   reference where a harmonic is required. *)
 Record harmonic := { A : R; W : R; tau : R }.
 Record scene := { reference :> harmonic; others : list harmonic; d : R; e : R }.
 
@@ -80,7 +80,7 @@ Proof. unfold free_position. ring. Qed.
 Lemma velocity_start l : free_velocity l (since l) = speed l.
 Proof. unfold free_velocity. ring. Qed.
 
-(* How the ball leaves an impact: from the wall, with -e times its velocity (15). *)
+(* The start of the flight after an impact: from the wall, with -e times its velocity (15). *)
 Definition rebound (i : impact) : launch :=
   {| since := time i; place := plane s (wall_of i); speed := - e s * velocity i |}.
 
@@ -145,7 +145,7 @@ Proof.
   - rewrite <- (sin_period x (Z.to_nat (- m))). f_equal. rewrite INR_IZR_INZ, Z2Nat.id, opp_IZR by lia. ring.
 Qed.
 
-(* A motion shifted by a time in which every harmonic makes whole turns is a motion. *)
+(* A motion shifted by a time in which every harmonic completes whole periods is a motion. *)
 Section Later.
 Variable s : scene.
 Variable P : R.

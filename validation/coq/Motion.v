@@ -1,7 +1,6 @@
-(* Motions with rests. A ball flies, or rests on a wall that presses it; a flight ends with an impact, or with infinitely many of them
-   that accumulate at a time, or not at all where the ball has no velocity and is pressed; a rest ends where the wall no longer presses.
-
-   `goes_unique`: which of these happens next is the ball's only choice of words; when and where it does is a function of the beginning. *)
+(* Motions with rests. A ball flies, or sticks to a wall under contact force; a flight ends with an impact, or with infinitely many of them that
+   accumulate at a time, or not at all where the ball has no velocity and is pressed; a rest ends where the wall no longer presses. `goes_unique`:
+   which of these happens next is the ball's only choice of words; when and where it does is a function of the beginning. *)
 From Coq Require Import Reals Lra Lia List.
 From Coquelicot Require Import Coquelicot.
 From ImpactPair Require Import Model.
@@ -17,7 +16,7 @@ Definition kind (h : happening) : nat := match h with Hits _ => 0 | Rests _ _ tr
 Section Scene.
 Variable s : scene.
 
-(* The wall presses the ball between two times, and for some time after one; and it does not press it for some time. *)
+(* The contact force acts between two times, and for some time after one; and it does not act for some time. *)
 Definition pressed (w : wall) (t0 t1 : R) : Prop := forall t, t0 < t < t1 -> 0 < side w * box_push s t.
 Definition pressed_from (w : wall) (t : R) : Prop := exists later, t < later /\ pressed w t later.
 Definition free_from (w : wall) (t : R) : Prop := exists later, t < later /\ forall x, t < x < later -> side w * box_push s x < 0.
@@ -87,7 +86,7 @@ Proof.
 Qed.
 End Scene.
 
-(* A motion shifted by a time in which every harmonic makes whole turns is a motion. *)
+(* A motion shifted by a time in which every harmonic completes whole periods is a motion. *)
 Section Later.
 Variable s : scene.
 Variable P : R.

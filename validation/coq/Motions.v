@@ -18,7 +18,7 @@ Proof.
   intros [|i] u' v' hi; [exact first|apply each; lia].
 Qed.
 
-(* The half turns that are taken off along a word: the half cycles that it takes, but for the difference of the phases of its ends. *)
+(* The half periods that are taken off along a word: the half cycles that it takes, but for the difference of the phases of its ends. *)
 Definition half_turns (flights : list stride) : Z := fold_right (fun f n => half_turns_off f + n)%Z 0%Z flights.
 (* A word of one document is that of the other. *)
 Definition agrees_word (number : nat) (w : word) (e : word_entry) : bool :=
@@ -30,7 +30,7 @@ Definition agrees (c : chaos) (x : words_document) : bool := let number := lengt
 Definition included (c : chaos) (x : words_document) : Prop := forall n h N, nth_error (h_sets c) n = Some h -> nth_error (sets x) n = Some N ->
   forall y, in_frame (frame_of (grid_bits x) N) y -> in_set h (fst y) (- snd y).
 
-(* What a state stands for after half cycles, from the left wall on: on the right wall after an odd number of them. *)
+(* The impact that a state represents after half cycles, from the left wall on: on the right wall after an odd number of them. *)
 Section Impacts.
 Variable s : scene.
 Hypothesis A_positive : 0 < A s.

@@ -1,4 +1,4 @@
-(* What the document of an orbit from the scene's start claims (`claims`): its data make sense, and from every start that they allow there is
+(* The claims of the document of an orbit from the scene's start (`claims`): its data make sense, and from every start that they allow there is
    exactly one motion with such events: impacts, each the first contact after what comes before; rests, after infinitely many impacts or at once;
    and releases; and its outcome holds. *)
 From Coq Require Import Reals Lra List ZArith QArith Qreals Bool Lia.
@@ -8,7 +8,7 @@ From ImpactPair Require Import Model Motion Certificate Document.
 Open Scope R_scope.
 Import ListNotations.
 
-(* What a document lists. Impacts before a rest need not be listed; these are without a number. *)
+(* The listed events. Impacts before a rest need not be listed; these are without a number. *)
 Inductive occurrence :=
   | Impact_at (x : event)
   | Rest_at (w : wall) (lower upper : Q) (bounces : bool)
@@ -36,8 +36,8 @@ Definition impacts (listed : list occurrence) : Z := Z.of_nat (length (filter is
 (* All up to a time is listed: what happens next comes later. That is no rest after infinitely many impacts, which come before it. *)
 Definition up_to (s : scene) (a : standing) (motion : list happening) (T : number) : Prop :=
   defined T /\ List.Forall (fun h => moment h <= value T) motion /\ exists h, happens s (after_all s a motion) h /\ kind h <> 1%nat /\ value T < moment h.
-(* A part of the list, with as many impacts as are said, begins after a release and ends with one from the same wall. It happens again and again,
-   each time so many forcing periods later, for ever. *)
+(* A part of the list, with the claimed number of impacts, begins after a release and ends with one from the same wall. It happens again and again,
+   each time the same number of forcing periods later, for ever. *)
 Definition repeats (s : scene) (a : standing) (listed : list occurrence) (motion : list happening) (cycles each : Z) : Prop :=
   is_fastest s /\ (0 < cycles)%Z /\ exists before round later m1 m2 m3 w t, listed = before ++ round ++ later /\ motion = m1 ++ m2 ++ m3 /\
     Forall2 shows before m1 /\ Forall2 shows round m2 /\ impacts round = each /\ after_all s a m1 = Flying (released s w t) /\

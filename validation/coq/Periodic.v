@@ -55,7 +55,7 @@ Let xi (i : nat) (x : nat -> R) : R := height (a i) (b i) (x i).
 Let at_ (i : nat) (x : nat -> R) : state := point_of (N i) (a i) (b i) (x i, x (m + i)%nat).
 Let after (i : nat) : nat := if Nat.eqb (S i) m then O else S i.
 Let before (i : nat) : nat := match i with O => Nat.pred m | S i => i end.
-(* What is to be 0. *)
+(* The residuals of the equations. *)
 Let miss (i : nat) (x : nat -> R) : R :=
   if Nat.ltb i m then sign i * along (N (S i)) (g i (at_ i x)) + - sign i * xi (after i) x
   else let j := before (i - m) in x i - across (N (S j)) (g j (at_ j x)).

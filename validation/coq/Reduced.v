@@ -9,11 +9,12 @@ From ImpactPair Require Import Model Step Horseshoe Return Covering Cycle Region
 Open Scope R_scope.
 Import ListNotations.
 
-(* A flight, and the whole turns that are taken off the phase of its end as it is seen: half a turn is added before, if it is to the far wall. *)
+(* A flight, and the whole forcing periods that are taken off the phase of its end as it is seen: half a forcing period is added
+   before, if it is to the far wall. *)
 Record stride := Stride { far : bool; turns_taken : Z }.
 (* The wall on which a flight from the left wall ends. *)
 Definition reaching (f : stride) : wall := if far f then right else left.
-(* The half turns that are taken off the phase on that wall. *)
+(* The half periods that are taken off the phase on that wall. *)
 Definition half_turns_off (f : stride) : Z := if far f then 2 * turns_taken f - 1 else 2 * turns_taken f.
 
 Section Scene.
@@ -31,10 +32,11 @@ Proof.
   unfold tread, leap, turned, shifted, half_turns_off. destruct (far f); cbn [fst snd]; f_equal; rewrite ?minus_IZR, mult_IZR; ring.
 Qed.
 
-(* The impact that a state stands for on a wall; on the left wall T whole turns are put back, on the right one half a turn less. *)
+(* The impact that a state stands for on a wall; on the left wall T whole forcing periods are put back, on the right one half
+   a forcing period less. *)
 Definition stands_for (w : wall) (T : Z) (x : state) : impact := match w with
   | left => impact_at s left (fst x + IZR T * (2 * PI), snd x) | right => impact_at s right (fst x + IZR T * (2 * PI) - PI, - snd x) end.
-(* The wall and the turns after a flight. *)
+(* The wall and the forcing periods after a flight. *)
 Definition wall_then (w : wall) (f : stride) : wall := if far f then opposite w else w.
 Definition turns_then (w : wall) (T : Z) (f : stride) : Z := match w with
   | left => T + turns_taken f | right => if far f then T + turns_taken f - 1 else T + turns_taken f end.
@@ -43,7 +45,7 @@ Hypothesis A_positive : 0 < A s.
 Hypothesis W_positive : 0 < W s.
 Hypothesis one : one_harmonic s.
 
-(* A state is the phase and the speed of its impact as they are seen from the left wall, with turns taken off. *)
+(* A state is the phase and the speed of its impact as they are seen from the left wall, with forcing periods taken off. *)
 Lemma stands_for_wall w T x : wall_of (stands_for w T x) = w.
 Proof. destruct w; reflexivity. Qed.
 Lemma stands_for_phase w T x : phase_seen s (stands_for w T x) = fst x + IZR T * (2 * PI).

@@ -1,7 +1,6 @@
-(* Trapping regions of one harmonic: what a document says of one (`claims_region`), and what has to be shown of the flights from its boxes, in the units
-   of Step.v (`kept`; Kept.v).
-
-   States are seen from the left wall: those of the right one half a forcing period later, as mirror images. A region is a union of boxes of phase and speed. *)
+(* Trapping regions of one harmonic: the claims of a document (`claims_region`), and the conditions on the flights from its boxes, in the units of
+   Step.v (`kept`; Kept.v). States are seen from the left wall: those of the right one half a forcing period later, as mirror images. A region is a
+   union of boxes of phase and speed. *)
 From Coq Require Import Reals Lra List Sorted ZArith QArith Qreals Bool Lia.
 From Coquelicot Require Import Coquelicot.
 From ImpactPair Require Import Model Step Certificate Document Motion Orbit Cycle.
@@ -15,11 +14,11 @@ Definition run_before (a b : Z * (Z * Z)) : Prop := (fst a < fst b \/ fst a = fs
 Definition in_grid (r : region) (run : Z * (Z * Z)) : Prop := (0 <= fst run < Zpos (columns r) /\ 0 <= fst (snd run) <= snd (snd run))%Z.
 Definition has_boxes (r : region) (n : Z) : Prop := List.Forall (in_grid r) (runs r) /\ Sorted run_before (runs r) /\
   n = fold_right (fun run n => (snd (snd run) - fst (snd run) + 1 + n)%Z) 0%Z (runs r).
-(* What is said of it: bounds of the flights between impacts, in forcing periods, above once more, and in time; of the speeds before impacts, over A W and in the scene's units;
-   and with which impact the scene's motion comes in, if it does; 0 is its start. *)
+(* The claimed properties: bounds of the flights between impacts, in forcing periods, above once more, and in time; of the speeds before impacts,
+   over A W and in the scene's units; and with which impact the scene's motion comes in, if it does; 0 is its start. *)
 Record properties := Properties { box_count : Z; flight_periods : Q * Q; longest_flight : Q; flight_times : Q * Q; impact_speeds : Q * Q; impact_velocities : Q * Q; entered : option Z }.
 
-(* Phases are taken up to whole turns. Boxes are closed: they contain their edges. *)
+(* Phases are taken up to whole forcing periods. Boxes are closed: they contain their edges. *)
 Definition in_boxes (r : region) (th w : R) : Prop := exists column first last k, In (column, (first, last)) (runs r) /\
   IZR column <= (th / (2 * PI) - IZR k) * IZR (Zpos (columns r)) <= IZR column + 1 /\ IZR first <= w * IZR (Zpos (rows r)) <= IZR last + 1.
 
@@ -90,7 +89,7 @@ Proof. apply derivable_continuous_pt. exists (rate_at th0 p th). apply height_de
 Lemma height_start th0 p : height_at th0 p th0 = 0.
 Proof. rewrite height_is. ring. Qed.
 
-(* Whole turns. *)
+(* Whole forcing periods. *)
 Lemma cos_turns x m : cos (x - IZR m * (2 * PI)) = cos x.
 Proof. rewrite !cos_sin, <- (sin_turns (PI / 2 + x) m). f_equal. ring. Qed.
 Lemma height_turned k th0 p th : height_at (th0 - IZR k * (2 * PI)) p (th - IZR k * (2 * PI)) = height_at th0 p th.
@@ -161,7 +160,7 @@ Proof.
     destruct on as (far & on). exists m, far. split; [lra|]. split; [|exact on]. intros th h.
     destruct (Rle_lt_dec th a) as [l|g]; [apply inside; lra|]. apply sign, before. lra.
 Qed.
-(* Who comes to a wall from inside moves towards it. *)
+(* A ball that arrives at a wall from inside moves towards it. *)
 Lemma comes_towards th0 p th1 far : comes th0 p th1 far -> 0 <= towards far * rate_at th0 p th1.
 Proof.
   intros (o & inside & on). apply Rnot_lt_le. intros neg. set (l := rate_at th0 p th1) in *.

@@ -7,10 +7,9 @@ From ImpactPair Require Chatter.
 Open Scope R_scope.
 Import ListNotations.
 
-(* How a rest is checked: the wall presses up to a phase, between two bounds of the ball's acceleration, the root of their ratio at most. *)
+(* The check of a rest: the contact force acts up to a phase, between two bounds of the ball's acceleration, the root of their ratio at most. *)
 Record resting := At_rest { rest_bits : positive; rest_scale : positive; ends : Z; low : Z; high : Z; ratio : Z }.
-(* How a release is checked: the wall presses up to a stretch of phases in which its pressure falls all the time, and ceases in a bracket
-   inside it. *)
+(* The check of a release: the contact force acts up to an interval of phases in which it decreases, and vanishes in a bracket inside it. *)
 Record releasing := At_release { release_bits : positive; release_scale : positive; held_from : Z; ceases : Z; ceases_by : Z; falls_by : Z }.
 Inductive step := Flight (l : leg) | Rest (r : resting) | Release (r : releasing).
 
@@ -61,7 +60,7 @@ Definition check_rest (b : box) (w : wall) (lower upper : Q) (bounces : bool) (r
     is_not_negative (sub p (phase_of upper) (T b)).
 Definition rest_phase (b : box) (w : wall) (bounces : bool) (r : resting) : I.type := if bounces then hull (T b) (last_phase b w r) else T b.
 
-(* All harmonics are at whole half turns: the box has no acceleration. *)
+(* All harmonics are at whole half periods: the box has no acceleration. *)
 Definition check_still (t : Q) : bool :=
   forallb (fun x => same (least (frequency x)) (most (frequency x)) && same (least (shift x)) (most (shift x)) &&
     half_turns (Plus (Times (least (frequency x)) (Rational t)) (least (shift x)))) (leading param :: further param).

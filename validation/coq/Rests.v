@@ -7,8 +7,8 @@ From ImpactPair Require Chatter.
 Open Scope R_scope.
 Import ListNotations.
 
-(* What helps to verify: a box of the start, steps, with a time up to which all is listed what happens next, and of what repeats how much
-   is listed before and how much each time. Nothing is claimed of it. *)
+(* Hints for the check: a box of the start, steps, with a time up to which all is listed what happens next, and of what repeats how much is listed
+   before and how much each time. Nothing is claimed of it. *)
 Record hint := Hint { origin : start; steps : list step; next_one : option occurrence; rounds : nat * nat }.
 
 Module Resters (F : FloatOps with Definition sensible_format := true).
@@ -28,7 +28,7 @@ Definition check_until (p : positive) (until : option number) (listed : list occ
       is_positive (sub p (known_number p (earliest next)) (enclose p T))
   | _, _ => false
   end.
-(* Two rests on one wall, the first seen so many forcing periods later, have a time in common: so do their releases. *)
+(* Two rests on one wall, the first seen a number of forcing periods later, have a time in common: so do their releases. *)
 Definition check_repeats (p : positive) (param : data) (listed : list occurrence) (cycles each : Z) (rounds : nat * nat) : bool :=
   let before := firstn (fst rounds) listed in let round := firstn (snd rounds) (skipn (fst rounds) listed) in
   match last_rest before, last_rest round with

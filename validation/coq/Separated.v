@@ -1,5 +1,5 @@
-(* How many sequences there are: where words from h-sets have a vector v with v b <= the sum of v (into) / q ^ weight over the words from b, there are c q^n sequences of which
-   any two part after words of a total weight less than n. *)
+(* The number of sequences: where words from h-sets have a vector v with v b <= the sum of v (into) / q ^ weight over the words from b, there are c
+   q^n sequences of which any two part after words of a total weight less than n. *)
 From Coq Require Import Reals Lra Lia List Arith.
 From Coquelicot Require Import Coquelicot.
 From ImpactPair Require Import Horseshoe Covers Shift.
@@ -32,7 +32,7 @@ Definition exits (b : nat) : list nat := filter (fun i => live (into i)) (words_
 Fixpoint strings (fuel n b : nat) : list (list nat) := match fuel with
   | O => [[]]
   | S fuel => if (n =? 0)%nat then [[]] else flat_map (fun i => List.map (cons i) (strings fuel (n - weight i) (into i))) (exits b) end.
-(* How the sequence goes on for ever. *)
+(* An infinite continuation of the sequence. *)
 Definition next (b : nat) : nat := hd 0%nat (exits b).
 Fixpoint onward (l : list nat) (b n : nat) : nat := match n, l with
   | O, [] => next b | O, i :: _ => i

@@ -10,7 +10,7 @@ From ImpactPair Require Import Model Enclosure Horseshoe Certificate Covering Ch
 Open Scope R_scope.
 Import ListNotations.
 
-(* What the program shows of all h-sets: `disjoint_sets` of their list. *)
+(* The property of all h-sets that the program proves: `disjoint_sets` of their list. *)
 Definition disjoint_list (hs : list h_set) : Prop := forall i j th w (k : Z), (i < length hs)%nat -> (j < length hs)%nat ->
   in_set (nth i hs no_set) th w -> in_set (nth j hs no_set) (th + IZR k * (2 * PI)) w -> i = j /\ k = 0%Z.
 
@@ -40,7 +40,7 @@ Definition contains_point (A : quadrilateral) (x : R * R) : Prop :=
 Definition turns_left (a b c : corner) : bool := (0 <? (fst b - fst a) * (snd c - snd a) - (snd b - snd a) * (fst c - fst a))%Z.
 Definition is_convex (A : quadrilateral) : bool := let '(Quadrilateral a b c d) := A in
   turns_left a b c && turns_left b c d && turns_left c d a && turns_left d a b.
-(* How far it reaches in a direction. *)
+(* Its coordinate in a direction. *)
 Definition in_direction (n c : Z * Z) : Z := (fst n * fst c + snd n * snd c)%Z.
 Definition reaches_to (n : Z * Z) (A : quadrilateral) : Z := let '(Quadrilateral a b c d) := A in
   Z.max (Z.max (in_direction n a) (in_direction n b)) (Z.max (in_direction n c) (in_direction n d)).
@@ -62,7 +62,7 @@ Proof.
 Qed.
 
 Section Scaled.
-(* A common denominator of all corners: their unit is its inverse, and a forcing period has so many. *)
+(* A common denominator of all corners: their unit is its inverse, and it is the number of units in a forcing period. *)
 Variable D : Z.
 Definition in_units (r : Q) : bool := (D mod Zpos (Qden r) =? 0)%Z.
 Definition scaled (r : Q) : Z := (Qnum r * (D / Zpos (Qden r)))%Z.
@@ -186,7 +186,7 @@ Proof.
   - exfalso. apply (less j i (th + IZR k * (2 * PI)) w (- k)%Z o hj hi h2). rewrite opp_IZR. replace (th + _ + _) with th by ring. exact h1.
 Qed.
 
-(* What is listed, as exact data. *)
+(* The listed values, as exact data. *)
 Definition mean_number (f : Q * Q -> number) (a b : Q * Q) : number := Over (Plus (f a) (f b)) (Rational 2).
 Definition half_number (a : number) : number := Over a (Rational 2).
 Definition phase_number (c : Q * Q) : number := Times (Times (Rational 2) Pi) (Rational (fst c)).

@@ -1,9 +1,7 @@
-(* What the document of a shadowed orbit claims, and a program `verify_shadow` that verifies it, proved sound once and for all
-   (`shadow_verified`): a start on the scene's wall, within the listed bounds, which hold the scene's own, and with its time or its
-   velocity, has an orbit with the listed impacts.
-
-   Parallelograms around the impacts are carried across one another, as Covering.v has it. The starts are a path across the
-   first one; so a part of it keeps to all of them. *)
+(* The claims of the document of a shadowed orbit, and a program `verify_shadow` that verifies it, proved sound once and for all
+   (`shadow_verified`): a start on the scene's wall, within the listed bounds, which hold the scene's own, and with its time or its velocity, has
+   an orbit with the listed impacts. Parallelograms around the impacts are carried across one another, as Covering.v has it. The starts are a path
+   across the first one; so a part of it keeps to all of them. *)
 From Coq Require Import Reals Lra List ZArith QArith Qreals Bool Lia.
 From Coquelicot Require Import Coquelicot.
 From Interval Require Import Real.Xreal Float.Sig.
@@ -45,9 +43,9 @@ Definition claims_shadow (x : document_of event) (n : nearness) : Prop := all_pr
         ends s (rebound s i) orbit (ended x) /\ as_near s n (events x) orbit
   end.
 
-(* What helps to verify: a parallelogram of starts, of which one half vector is a velocity and the other a phase, the starts
-   being a line along the first of them; and one for each impact, with the link that leads to it. For an outcome `time-reached` the
-   next impact is the last of these, with bounds of it. Nothing is claimed of it. *)
+(* Hints for the check: a parallelogram of starts, of which one half vector is a velocity and the other a phase, the starts being a line along the
+   first of them; and one for each impact, with the link that leads to it. For an outcome `time-reached` the next impact is the last of these, with
+   bounds of it. Nothing is claimed of it. *)
 Record chain := Chain { chain_bits : positive; chain_scale : positive; first_chart : chart; links : list (link * chart); afterwards : option bounds }.
 Definition with_next (events : list event) (next : option bounds) : list event :=
   events ++ match next with None => [] | Some b => [Event 0 None b] end.

@@ -22,7 +22,7 @@ Definition after (s : nat -> nat) (n : nat) (x : state) : state := visit (fun k 
 Definition obeys (s : nat -> nat) (x : state) : Prop :=
   forall n, in_slice (s n) (after s n x) /\ in_frame (base (into_set (word_of (s n)))) (after s (S n) x).
 
-(* What has to be known of the words; and that different words from an h-set have disjoint slices. *)
+(* The conditions on the words; and that different words from an h-set have disjoint slices. *)
 Record words_cover : Prop := {
   words_area : forall w, In w words -> area (base (from_set w)) <> 0;
   words_covers : forall w, In w words -> covers (base (from_set w)) (base (into_set w)) (lower w) (upper w) (over w) (move w) }.

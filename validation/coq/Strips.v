@@ -5,12 +5,12 @@
    through charts that hold their images, and the last images are enclosed: between the edges of the second parallelogram, those of the cells at the
    begin of the slice beyond its one end, and those of the cells at the end of the slice beyond the other.
 
-   All numbers of Z are numbers of the grid 2^-q, but `turns_taken`, which counts whole turns:
+   All numbers of Z are numbers of the grid 2^-q, but `turns_taken`, which counts whole forcing periods:
      chart      cu, lu, wu: phases; cv, lv, wv: velocities before impact on the left wall over A W. Of h-sets, and of the charts between flights,
                 the velocities are not positive. lu * wv - lv * wu > 0.
-     stride     one flight of a word: whether it is to the far wall; and the whole turns that are taken off: its end is seen at
+     stride     one flight of a word: whether it is to the far wall; and the whole forcing periods that are taken off: its end is seen at
                 phase of arrival + (pi if far) - 2 pi turns_taken.
-     transit    one flight of all states of a chart, all in phases of arrival before half a turn is added and turns are taken off:
+     transit    one flight of all states of a chart, all in phases of arrival before half a forcing period is added and turns are taken off:
                 wide_mid, wide_rad: bracket of the phases of arrival that shows the first contact: at its begin all are inside the gap, at its end
                 all are beyond the wall, and on all of it they go towards the wall; phase and velocity of the launch are taken as independent here,
                 so it has to be wider than the arrivals;
@@ -41,11 +41,11 @@ Inductive cells :=
 | Final (within : chart) (passes : transit) | Further (within : chart) (passes : transit) (into : chart) (then_ : cells)
 | Cut_along (cut : Z) (before after : cells) | Cut_across (cut : Z) (below above : cells).
 Record strip := Strip { begins_at : Z; ends_at : Z; backwards : bool; opens_until : Z; closes_from : Z; opening : cells; inner : cells; closing : cells }.
-(* For a word of which no strip is said. *)
+(* For a word without a claimed strip. *)
 Definition no_strip : strip :=
   let nowhere := Final (Chart 0 0 0 0 0 0) (Transit 0 0 0 0 0 0 0 0) in Strip 0 0 false 0 0 nowhere nowhere nowhere.
 
-(* Whether a patch of a chart, from a to b along and from c to d across, is inside another chart: its corners are. *)
+(* Decides whether a patch of a chart, from a to b along and from c to d across, is inside another chart: its corners are. *)
 Definition contained (q : positive) (N C : chart) (a b c d : Z) : bool :=
   let most := (2 ^ Zpos q * chart_area C)%Z in
   let corner i j :=
@@ -53,7 +53,7 @@ Definition contained (q : positive) (N C : chart) (a b c d : Z) : bool :=
     ((Z.abs (wv C * u - wu C * v) <=? most) && (Z.abs (lu C * v - lv C * u) <=? most))%Z in
   corner a c && corner a d && corner b c && corner b d.
 
-(* Where images are: in all of a chart; before its one end, or beyond its other; or anywhere along it. Always between its edges. *)
+(* The place of images: in all of a chart; before its one end, or beyond its other; or anywhere along it. Always between its edges. *)
 Inductive extent := Contained | Short | Past | Anywhere.
 
 Module Strips (F : FloatOps with Definition sensible_format := true).
@@ -127,7 +127,7 @@ Proof.
     apply (closed_comp (across (frame_of q N)) (fun r => grid q c <= r <= grid q d))]; try apply closed_from_to; [apply along_continuous|apply across_continuous].
 Qed.
 
-(* What is linear in two coordinates is at most at a corner what it is elsewhere. *)
+(* A bilinear function attains its maximum over a rectangle at a corner. *)
 Lemma at_corners (k m n a b c d xi eta most : R) : a <= xi <= b -> c <= eta <= d ->
   Rabs (k + m * a + n * c) <= most -> Rabs (k + m * a + n * d) <= most -> Rabs (k + m * b + n * c) <= most -> Rabs (k + m * b + n * d) <= most ->
   Rabs (k + m * xi + n * eta) <= most.

@@ -66,7 +66,7 @@ Definition units_in : units :=
 
 Definition not_less (a b : I.type) : bool := is_not_negative (sub few a b).
 Definition in_periods (n : Z) : Q := Qmake n (2 * (columns r * fine h)).
-(* A time of so many points of the grid. *)
+(* A time of a number of points of the grid. *)
 Definition in_time_units (n : Z) : I.type := quotient few (mul few (quotient few (I.pi (F.PtoP few)) (whole few half_columns)) (whole few n)) (enclose_range few (frequency param)).
 Definition check_flights : bool :=
   Qle_bool (fst (flight_periods f)) (in_periods (shortest h)) &? Qle_bool (in_periods (longest h)) (snd (flight_periods f)) &?

@@ -1,4 +1,4 @@
-(* Numbers as they are written, a + b pi or multiples of one number; and the whole turns of harmonics, which are known from that. *)
+(* Numbers as they are written, a + b pi or multiples of one number; and the whole periods of harmonics, which follow from that. *)
 From Coq Require Import Reals Lra List ZArith QArith Qreals Bool Lia.
 From ImpactPair Require Import Model Certificate Document.
 Open Scope R_scope.
@@ -62,7 +62,7 @@ Proof.
   - cbn [multiple]. destruct b; try apply once. destruct (Qeq_bool q 0) eqn:z; [apply once|]. destruct (multiple a) as [r1 x1]. cbn [fst snd value] in *.
     assert (n0 : ~ (q == 0)%Q) by (intros eq; apply Qeq_bool_iff in eq; congruence). rewrite Q2R_div by exact n0. rewrite IHa. unfold Rdiv. ring.
 Qed.
-(* Whole half turns. *)
+(* Whole half periods. *)
 Definition half_turns (n : number) : bool :=
   match linear n with Some (x, y) => Qeq_bool x 0 && (Qnum y mod Zpos (Qden y) =? 0)%Z | None => false end.
 Lemma half_turns_sound n : half_turns n = true -> exists k, value n = IZR k * PI.
@@ -73,7 +73,8 @@ Proof.
   assert (q0 : Q2R 0 = 0) by (unfold Q2R; cbn; lra). rewrite q0. unfold Q2R. rewrite m at 1. rewrite mult_IZR. field. apply IZR_neq. lia.
 Qed.
 
-(* A harmonic makes a whole number of turns in so many periods of the reference: both frequencies are a + b pi, or multiples of one number. *)
+(* A harmonic completes a whole number of periods in a number of periods of the reference: both frequencies are a + b pi, or
+   multiples of one number. *)
 Definition turns_of (cycles : Z) (a b : Q) : Z := let q := (a * inject_Z cycles / b)%Q in (Qnum q / Zpos (Qden q))%Z.
 Definition are_turns (cycles m : Z) (a b : Q) : bool := Qeq_bool (a * inject_Z cycles) (inject_Z m * b).
 Definition whole_turns (cycles : Z) (w0 w1 : number) : option Z :=

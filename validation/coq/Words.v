@@ -16,11 +16,11 @@ Definition strips_apart (v w : word_entry) : bool :=
   if (from_set v =? from_set w)%nat then ((ends_at (strip_of v) <? begins_at (strip_of w)) || (ends_at (strip_of w) <? begins_at (strip_of v)))%Z else true.
 Fixpoint all_apart (words : list word_entry) : bool :=
   match words with [] => true | v :: words => forallb (strips_apart v) words && all_apart words end.
-(* An h-set is a parallelogram, turned so that its area is positive, and its phases differ by less than half a turn. *)
+(* An h-set is a parallelogram, turned so that its area is positive, and its phases differ by less than half a forcing period. *)
 Definition check_set (q : positive) (N : chart) : bool :=
   ((0 <? chart_area N) && (2 * (Z.abs (lu N) + Z.abs (wu N)) <=? 3 * 2 ^ Zpos q))%Z.
 
-(* What the document says of a scene. *)
+(* The statement of the document about a scene. *)
 Definition set_number (x : words_document) (n : nat) (N : chart) : Prop := nth_error (sets x) n = Some N.
 Definition is_set (q : positive) (N : chart) : Prop := 0 < area (frame_of q N) /\
   forall y z, in_frame (frame_of q N) y -> in_frame (frame_of q N) z -> Rabs (fst y - fst z) <= 3.

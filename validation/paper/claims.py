@@ -59,7 +59,7 @@ def write(directory, rows, failures):
 
 
 def main():
-    """Runs what is asked for."""
+    """Runs the requested claims."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--quick", action="store_true", help="fewer impacts")
     parser.add_argument("--report", type=Path, metavar="DIR", help="write DIR/paper.md")

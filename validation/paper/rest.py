@@ -16,7 +16,7 @@ def rest():
     expect(len(skipped) == run.count("rest") > 1, "every rest ends infinitely many impacts")
     for event in run.events:
         if event["event"] == "release":
-            # th is a whole number of turns (left) or half a turn more (right): the acceleration turns inward.
+            # th is a whole number of forcing periods (left) or half a forcing period more (right): the acceleration turns inward.
             th = run.frequency * bounds(event["time"]) + arb.pi()
             turns = (th - arb.pi() * (event["wall"] == "right")) / (2 * arb.pi())
             expect(turns.unique_fmpz() is not None and event["time"][0] == event["time"][1], "an exact phase")

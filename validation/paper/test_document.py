@@ -12,7 +12,7 @@ TEXT = (ROOT / "docs/paper.md").read_text(encoding="utf-8")
 COMMANDS = sorted(set(re.findall(r"`((?:impact-pair|validation/paper/run|cargo)\b[^`]*)`", TEXT)))
 # Without these words of the environment all commands are run, those that search for bases for a minute as well.
 IS_QUICK = "PAPER_QUICK" in os.environ
-# Lower bounds of the entropy, an impact, and where it is told a cycle.
+# Lower bounds of the entropy per impact, and where given per forcing period.
 BOUNDS = re.findall(r"entropy (?:at least )?\$(\d\.\d+)\$(?: an impact and \$(\d\.\d+)\$ a cycle)?", TEXT)
 ENTROPIES = {told for bound in BOUNDS for told in bound if told}
 
@@ -43,7 +43,7 @@ class Document(unittest.TestCase):
         for told in () if IS_QUICK else ENTROPIES:
             self.assertTrue([entropy for entropy in proved if entropy.startswith(told)], f"{told} of {proved}")
 
-    def test_entropies_are_told(self):
+    def test_entropies_are_given(self):
         self.assertGreaterEqual(len(ENTROPIES), 8, "the words that tell them have changed")
 
     def test_no_other_command_is_quoted(self):

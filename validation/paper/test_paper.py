@@ -58,7 +58,7 @@ class FirstContact(Case):
     def test_a_graze_is_undecided(self):
         self.assertRaises(Undecided, first_contact, Pair(1 / arb("0.4"), "0.5"), RIGHT, -arb.pi() / 2, arb(0))
 
-    def test_a_graze_cut_or_missed_by_1e_9_is_told(self):
+    def test_a_graze_cut_or_missed_by_1e_9_is_detected(self):
         # z' = c - cos th vanishes first at th = 2 pi - acos c, a maximum; the gap is its height -+ 1e-9.
         th0, v = arb.pi() / 2 + arb("0.5"), -arb("0.4")
         c = -v + th0.cos()

@@ -22,14 +22,14 @@ FAR = (  # time, tau, e, v, number of the peak that is aimed at, periods to go o
 )
 OWN = ("1.8", "2.0", "2.6")  # tau
 HOPS = ("-1.2", "-0.4")      # tau, where the wall presses
-LONG = (  # turns, depths
+LONG = (  # forcing periods, depths
     (10, ("1e-3", "1e-6", "1e-9")), (30, ("1e-3", "1e-6", "1e-9")), (100, ("1e-3", "1e-6", "1e-9")),
     (300, ("1e-6",)), (1000, ("1e-6",)), (2000, ("1e-6",)),
 )
 
 
 class Hard(NamedTuple):
-    """A flight and the time up to which it is asked for."""
+    """A flight and the requested end."""
     family: str
     scene: Scene
     until: str
@@ -107,7 +107,7 @@ def hops(count: int) -> Iterator[Hard]:
 
 
 def long_flights(most: int) -> Iterator[Hard]:
-    """Drifts of A/10 over n turns, from th = pi/2; the n-th peak barely reaches the wall or falls short of it."""
+    """Drifts of A/10 over n forcing periods, from th = pi/2; the n-th peak barely reaches the wall or falls short of it."""
     for turns, depths in LONG:
         for depth in depths if turns <= most else ():
             for sign, family in ((1, "long flight, reaches"), (-1, "long flight, falls short")):
@@ -123,7 +123,7 @@ def mirrored(hard: Hard) -> Hard:
 
 
 def flights(quick: bool) -> list[Hard]:
-    """The whole set, or a part of it; of flights of 300 turns and more only one side."""
+    """The whole set, or a part of it; of flights of 300 forcing periods and more only one side."""
     with mp.workdps(FLIGHT_DIGITS):
         # The shallowest and the deepest.
         depths = DEPTHS[::5] if quick else DEPTHS

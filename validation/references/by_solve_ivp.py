@@ -10,7 +10,7 @@ EVALUATIONS = 2_000_000  # of the right-hand side, for one list; no run on good 
 
 
 class OutOfBudget(Exception):
-    """The right-hand side was asked for too often."""
+    """The right-hand side was evaluated too often."""
 
 
 class BySolveIvp:

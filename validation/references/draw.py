@@ -11,7 +11,7 @@ from claims import Verdict
 from report import OURS
 from runs import SIMULATORS
 
-COLOURS = ("#D55E00", "#CC79A7", "#56B4E9", "#E69F00", "#009E73")  # Okabe and Ito: told apart by all eyes
+COLOURS = ("#D55E00", "#CC79A7", "#56B4E9", "#E69F00", "#009E73")  # Okabe and Ito: distinguishable by all eyes
 MARKS = ("o", "s", "^", "D", "v")
 CLASS_COLOURS = {Verdict.RIGHT: "#009E73", Verdict.INEXACT: "#F0E442", Verdict.MISSED: "#D55E00",
                  Verdict.INVENTED: "#CC79A7", Verdict.UNKNOWN: "#BBBBBB", "undecided": "#FFFFFF"}

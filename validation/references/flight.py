@@ -34,7 +34,7 @@ def fly(motion: Motion[Real], start: Start[Real]) -> Flight:
 
 
 def extrema(motion: Motion[mpf], start: Start[mpf], until: mpf) -> Iterator[mpf]:
-    """The times in (t_i, until) with y' = 0, in order: cos(W t + tau) = c/(A W), at most two a turn."""
+    """The times in (t_i, until) with y' = 0, in order: cos(W t + tau) = c/(A W), at most two per forcing period."""
     ratio = fly(motion, start).drift / (motion.amplitude * motion.omega)
     if abs(ratio) > 1:
         return

@@ -21,11 +21,11 @@ SLOWEST_FIRST = (2, 1, 0, 3, 4)
 PROCESSES = 2
 CHUNK = 20          # questions a task
 REPEATED_FOR = 0.1  # seconds; a quick run is timed more often than once ...
-REPEATED = 25       # ... at most so often
+REPEATED = 25       # ... at most N times
 
 
 class Question(NamedTuple):
-    """Contacts after `start` are asked for, up to `until` and at most `limit`; `timed`: with care for the CPU time."""
+    """Contacts after `start` are requested, up to `until` and at most `limit`; `timed`: with care for the CPU time."""
     motion: Motion[float]
     start: Start[float]
     until: float

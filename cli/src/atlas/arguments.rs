@@ -42,7 +42,7 @@ Exit code: 0 at every point, or for every cell, every motion is proved to end in
 attractor; 1 at some points it is not, or the atlas was interrupted; 2 usage, bad input, I/O.";
 
 #[derive(Args, Debug)]
-#[command(mut_arg("merge", |merge| merge.conflicts_with_all(MADE_ANEW)))]
+#[command(mut_arg("merge", |merge| merge.conflicts_with_all(FIXED_BY_SHARDS)))]
 pub struct AtlasArguments {
     /// Scene file (TOML), or - for stdin
     #[arg(required_unless_present = "merge")]
@@ -74,7 +74,7 @@ pub struct AtlasArguments {
     pub digits: u32,
     #[command(flatten)]
     pub grid: GridArguments,
-    /// Output format [default: as the ending of --output says, else csv, for a shard jsonl]
+    /// Output format [default: by the extension of --output, else csv, for a shard jsonl]
     #[arg(long, value_enum)]
     pub format: Option<AtlasFormat>,
     /// Draw the plane in the colours of the classes, or write the page
@@ -87,7 +87,7 @@ pub struct AtlasArguments {
 }
 
 /// The options that shards have fixed already.
-const MADE_ANEW: [&str; 11] =
+const FIXED_BY_SHARDS: [&str; 11] =
     ["scene", "over", "cells", "boxes", "halvings", "most", "work", "horseshoes", "digits", "shard", "resume"];
 
 /// Output formats of an atlas.

@@ -42,21 +42,21 @@ fn format(arguments: &AtlasArguments) -> Result<AtlasFormat> {
     let usual = if is_shard { AtlasFormat::Jsonl } else { AtlasFormat::Csv };
     let file = arguments.destination.output.as_deref();
     let format = ending::format(arguments.format, ("--output", file), AtlasFormat::value_variants(), usual)?;
-    let asked = || match file.filter(|_| arguments.format.is_none()) {
+    let requested = || match file.filter(|_| arguments.format.is_none()) {
         Some(file) => format!("--output {}", file.display()),
         None => "--format".to_owned(),
     };
     if is_shard && format != AtlasFormat::Jsonl {
-        bail!("{} is not jsonl, but shards are written as jsonl, to be merged by --merge", asked());
+        bail!("{} is not jsonl, but shards are written as jsonl, to be merged by --merge", requested());
     }
     if format == AtlasFormat::Parquet && cfg!(not(feature = "parquet")) {
         bail!(
             "{} is parquet, but this build lacks Parquet: use csv or jsonl, or build with --features parquet",
-            asked()
+            requested()
         );
     }
     if format == AtlasFormat::Png && cfg!(not(feature = "png")) {
-        bail!("{} is png, but this build lacks PNG: use svg, or build with --features png", asked());
+        bail!("{} is png, but this build lacks PNG: use svg, or build with --features png", requested());
     }
     Ok(format)
 }

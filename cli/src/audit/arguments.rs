@@ -23,8 +23,8 @@ The list: text with commas, semicolons, tabs or blanks between columns, with a h
 or %) that has a word for each column, or without one: then time, wall and velocity are columns 1, 2 and 3. Or JSON: an array of objects, an object \
 of arrays, JSON Lines, or the orbit JSON. Walls are left and right, L and R, -1 and +1, or positions near -d/2 and \
 +d/2. Velocities are y' just before the impact, with their sign. Numbers are read exactly. Columns that are not read \
-are named in the last line and in the JSON (unused_columns). The certified orbit goes as far as the list, whatever \
-[run] says.
+are named in the last line and in the JSON (unused_columns). The certified orbit goes as far as the list; [run] \
+is not used.
 
 Verdicts on a row, or on a certified impact without a row:
   inside          certified; time and velocity are within the tolerance of the bounds
@@ -47,8 +47,8 @@ one, fewer than half are inside, if both kinds occur after it.
 
 Double precision is compared in the same way. Exact from rounded data: the certified orbit of the scene with each \
 number rounded to the nearest double; once it is outside, any simulator that reads the scene in doubles is right \
-only by chance, however accurate. --arithmetic float: impact-pair's own orbit in plain doubles; it proves nothing \
-about other programs.
+only by chance, however accurate. --arithmetic float: impact-pair's own orbit in plain doubles; it has no \
+consequence for other programs.
 
 Exit code: 0 all agree (all rows are inside or in the chatter, none is missed); 1 something disagrees or is \
 undecided; 2 usage, bad input, I/O.";
@@ -85,7 +85,7 @@ pub struct AuditArguments {
     /// Maximum precision of the certified orbit, in bits
     #[arg(long, default_value_t = MAX_BITS, value_name = "BITS", value_parser = crate::values::bits())]
     max_bits: u32,
-    /// Output format [default: as the ending of --output says, else table]
+    /// Output format [default: by the extension of --output, else table]
     #[arg(long, value_enum)]
     pub format: Option<AuditFormat>,
     /// List every event in the table, not only the first ones that disagree
@@ -116,7 +116,7 @@ impl AuditArguments {
     }
 
     /// Returns the settings of the audit.
-    pub fn asked(&self) -> AuditSettings {
+    pub fn audit_settings(&self) -> AuditSettings {
         let (tolerance, until) = (self.tolerance.clone(), self.until.clone());
         AuditSettings { tolerance, until, digits: self.digits, max_bits: self.max_bits }
     }

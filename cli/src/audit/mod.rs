@@ -33,7 +33,7 @@ pub fn audit(arguments: &AuditArguments) -> Result<Answer> {
     let list = read(&text, &arguments.columns(), scene.pair()).with_context(named)?;
     let files = arguments.destination.open(&[&arguments.scene, &arguments.events], None)?;
     let progress = Progress::new(Some(list.rows.len() as u64), !files.quiet);
-    let audit = Audit::of(&scene, list, &arguments.asked(), &progress).map_err(|error| match error.key() {
+    let audit = Audit::of(&scene, list, &arguments.audit_settings(), &progress).map_err(|error| match error.key() {
         Some("until") => anyhow!("--{error}"),
         _ if error.kind() == ErrorKind::List => Error::from(error).context(named()),
         _ => Error::from(error).context(scene::name(&arguments.scene)),

@@ -10,7 +10,7 @@ use impact_pair::scales::Unit;
 use crate::heading::heading;
 
 /// Events that disagree and are shown; of a chaotic list thousands may follow.
-const SHOWN: usize = 10;
+const MAX_ROWS: usize = 10;
 
 /// The table with every event, or with the first ones that disagree.
 pub fn table(audit: &Audit<'_>, name: &str, all: bool) -> String {
@@ -60,9 +60,9 @@ fn shown<'a>(audit: &'a Audit<'_>, all: bool) -> Vec<Option<&'a Finding>> {
     let is_of_interest = |finding: &Finding| {
         finding.verdict.disagrees() || matches!(finding.verdict, Verdict::Undecided | Verdict::NotReached)
     };
-    let first = (0..findings.len()).filter(|&at| is_of_interest(&findings[at])).take(SHOWN);
-    let wanted: BTreeSet<usize> = first.chain(audit.departure().map(|departure| departure.finding)).collect();
-    let with_those_before: BTreeSet<usize> = wanted.iter().flat_map(|&at| [at.saturating_sub(1), at]).collect();
+    let first = (0..findings.len()).filter(|&at| is_of_interest(&findings[at])).take(MAX_ROWS);
+    let shown_findings: BTreeSet<usize> = first.chain(audit.departure().map(|departure| departure.finding)).collect();
+    let with_those_before: BTreeSet<usize> = shown_findings.iter().flat_map(|&at| [at.saturating_sub(1), at]).collect();
     let mut shown = Vec::new();
     let mut next = with_those_before.first().copied().unwrap_or(0);
     for at in with_those_before {
@@ -86,8 +86,8 @@ fn line(finding: &Finding, audit: &Audit<'_>) -> String {
     let errors = finding.errors.as_ref();
     let off = errors.map_or("-".into(), |errors| about(&errors.time));
     let velocity = errors.and_then(|errors| errors.velocity.as_ref()).map_or("-".into(), about);
-    let said = said(finding.verdict, site);
-    format!("{place:>10}  {impact:>6}  {wall:5}  {time:22}  {off:8}  {velocity:12}  {said}")
+    let verdict_text = verdict_text(finding.verdict, site);
+    format!("{place:>10}  {impact:>6}  {wall:5}  {time:22}  {off:8}  {velocity:12}  {verdict_text}")
 }
 
 /// A distance to two digits.
@@ -103,7 +103,7 @@ fn label(site: &Site) -> String {
     }
 }
 
-fn said(verdict: Verdict, site: Option<&Site>) -> String {
+fn verdict_text(verdict: Verdict, site: Option<&Site>) -> String {
     let named = || match site {
         Some(site) if site.kind == SiteKind::Impact => format!("impact {}", site.index),
         Some(site) => format!("the {}", label(site)),
@@ -160,7 +160,7 @@ fn summary(audit: &Audit<'_>) -> Vec<String> {
         [("exact from rounded data", &audit.doubles.data), ("--arithmetic float", &audit.doubles.float)]
     {
         if let Some(parting) = parting {
-            lines.push(format!("double precision, {name}: {}", parted(parting, audit.is_open())));
+            lines.push(format!("double precision, {name}: {}", divergence_of(parting, audit.is_open())));
         }
     }
     if let Some(index) = audit.first_wide() {
@@ -174,7 +174,7 @@ fn summary(audit: &Audit<'_>) -> Vec<String> {
 }
 
 /// Returns where an orbit in doubles differs from the truth.
-fn parted(Parting { disagrees, leaves }: &Parting, is_open: bool) -> String {
+fn divergence_of(Parting { disagrees, leaves }: &Parting, is_open: bool) -> String {
     let leaves = leaves.map_or(String::new(), |impact| format!(", diverges at impact {impact}"));
     match disagrees {
         Some((0, verdict)) => format!("{} before impact 1{leaves}", verdict.name()),

@@ -15,15 +15,15 @@ use impact_pair::sweep::{Head, Line};
 use super::record::{is_of_grid, line, own, read_head};
 
 /// Bytes before the text of a line: its CRC-32 in hexadecimal digits, and a blank.
-const SEAL: usize = 9;
+const CHECKSUM_BYTES: usize = 9;
 
 /// The text of a line, if it is what was written.
 fn unsealed(line: &[u8]) -> Result<&[u8]> {
     if line.starts_with(b"{") {
         bail!("it has no checksum: an earlier version started this sweep; remove the file to start again");
     }
-    let text = line.get(SEAL..).unwrap_or_default();
-    if line.get(..SEAL) != Some(format!("{:08x} ", crc32fast::hash(text)).as_bytes()) {
+    let text = line.get(CHECKSUM_BYTES..).unwrap_or_default();
+    if line.get(..CHECKSUM_BYTES) != Some(format!("{:08x} ", crc32fast::hash(text)).as_bytes()) {
         bail!("it is corrupted: its checksum does not match its content");
     }
     Ok(text)
@@ -161,7 +161,7 @@ impl<H: Head> Journal<H> {
 
     /// Adds the record of a point; from now on a crash does not lose it.
     pub fn add(&mut self, point: u64, line: &str) -> io::Result<()> {
-        let place = Place { offset: self.end + SEAL as u64, bytes: line.len() };
+        let place = Place { offset: self.end + CHECKSUM_BYTES as u64, bytes: line.len() };
         self.write(line)?;
         self.places.insert(point, place);
         Ok(())

@@ -17,7 +17,7 @@ use super::record;
 use crate::output::Output;
 
 /// Rows that are kept in memory and written as one group.
-const GROUP: usize = 1 << 16;
+const ROW_GROUP_SIZE: usize = 1 << 16;
 
 /// A column of a group: for each row its value, if it has one.
 enum Column {
@@ -49,7 +49,7 @@ pub fn write<H: Head>(
     points.each_record(|record| {
         for row in rows(&record) {
             group.push(&row, &empty)?;
-            if group.rows == GROUP {
+            if group.rows == ROW_GROUP_SIZE {
                 std::mem::replace(&mut group, Group::new(&empty)).write(writer.next_row_group()?)?;
             }
         }

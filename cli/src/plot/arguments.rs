@@ -21,11 +21,11 @@ Examples:
 The panels are those of the paper's figures 12-17; their letters a to h are accepted as names, too. Between impacts \
 the motion is drawn from its closed form, (11) and (12), as cubic Bézier segments of a twenty-fourth of a forcing \
 period, which deviate from it by less than A/80,000. All of it is enclosed; an enclosure wider than a pixel is drawn \
-as a band or a box around its middle. Where nothing is proved, time panels are hatched. A float run is drawn in \
-another colour, with a note that nothing is certified.
+as a band or a box around its middle. Without proved bounds time panels are hatched. A float run is drawn in \
+another colour, with the note that it is not certified.
 
-Exit code: 0 everything drawn is certified (or float, which certifies nothing); 1 the orbit is undecided from some \
-impact on, was interrupted, or is wider than --digits (the picture holds what is certified, and says so); 2 usage, \
+Exit code: 0 everything drawn is certified (or float, which is non-rigorous); 1 the orbit is undecided from some \
+impact on, was interrupted, or is wider than --digits (the picture shows the certified part, with a note); 2 usage, \
 bad input, I/O.";
 
 #[derive(Args, Debug)]

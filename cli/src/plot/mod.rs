@@ -8,14 +8,14 @@ use anyhow::{Context, Result};
 use impact_pair::orbit::Orbit;
 
 use crate::Answer;
-use crate::destination::{Begun, Files};
+use crate::destination::{Files, OpenOutput};
 use crate::output::note;
 use crate::progress::Progress;
 use crate::scene;
 use arguments::PlotArguments;
 
 pub fn plot(arguments: &PlotArguments) -> Result<Answer> {
-    let Begun { scene, files: Files { out, quiet, .. }, path } =
+    let OpenOutput { scene, files: Files { out, quiet, .. }, path } =
         arguments.destination().begin(&arguments.scene, None)?;
     let figure = arguments.figure();
     let settings = figure.settings(&scene);

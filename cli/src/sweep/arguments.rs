@@ -27,12 +27,12 @@ Shards become one by sweep --merge one.jsonl two.jsonl three.jsonl --output diag
 KEY is amplitude, frequency, phase, gap, restitution, start.time, start.phase (W t + tau), start.position or \
 start.velocity. With several terms, amplitude.K, frequency.K or phase.K is that of term K of the scene's lists, \
 counted from 1. Phases and forcing periods refer to the same term at all points, the head's reference: the fastest \
-of those that move the box where all that varies is greatest. Points are exact and evenly spaced, endpoints \
+of those that move the box where all varied keys are greatest. Points are exact and evenly spaced, endpoints \
 included; of two axes the second one varies faster.
 
 Outcome of a point: attracted, proved to converge to a stable periodic orbit; periodic, proved to repeat exactly \
-from a release on; rests-forever; never-impacts; not-attracted, all impacts are certified but nothing is proved \
-about the future (it may be chaotic or slow); undecided, with the reason and everything certified before. Exponent: \
+from a release on; rests-forever; never-impacts; not-attracted, all impacts are certified but the future \
+is undecided (it may be chaotic or slow); undecided, with the reason and everything certified before. Exponent: \
 the logarithm of the spectral norm of the derivative over the impacts after the transient, in forcing periods and \
 gap widths per period, per impact and per forcing period; -inf after sticking. It is a finite-time exponent, and may be \
 positive for an orbit that is attracted; exponent_limit, of points that are attracted, is its limit: the logarithm \
@@ -46,12 +46,12 @@ Exit code: 0 everything requested is certified at every point; 1 at some points 
 interrupted; 2 usage, bad input, I/O.";
 
 #[derive(Args, Debug)]
-#[command(mut_arg("merge", |merge| merge.conflicts_with_all(MADE_ANEW)))]
+#[command(mut_arg("merge", |merge| merge.conflicts_with_all(FIXED_BY_SHARDS)))]
 pub struct SweepArguments {
     /// Scene file (TOML), or - for stdin
     #[arg(required_unless_present = "merge")]
     pub scene: Option<PathBuf>,
-    /// What varies, one key or two
+    /// The varied key, or two of them
     #[arg(long, value_name = "KEY=LO..HI:COUNT", value_parser = axis, required_unless_present = "merge", allow_hyphen_values = true)]
     pub over: Vec<Range>,
     /// Number of impacts in the transient, which are certified but not written
@@ -74,13 +74,13 @@ pub struct SweepArguments {
     /// Write no impacts, only the result of each point
     #[arg(long)]
     pub summary: bool,
-    /// Write the impacts into a separate table, csv or parquet as the ending of FILE says; the output then has one row
+    /// Write the impacts into a separate table, csv or parquet by the extension of FILE; the output then has one row
     /// per point, and the column point joins the two
     #[arg(long, value_name = "FILE")]
     pub states: Option<PathBuf>,
     #[command(flatten)]
     pub grid: GridArguments,
-    /// Output format [default: as the ending of --output says, else csv, for a shard jsonl]
+    /// Output format [default: by the extension of --output, else csv, for a shard jsonl]
     #[arg(long, value_enum)]
     pub format: Option<SweepFormat>,
     /// Draw the bifurcation diagram, or for two keys the map of outcomes
@@ -99,7 +99,7 @@ pub struct SweepArguments {
 }
 
 /// The options that shards have fixed already.
-const MADE_ANEW: [&str; 10] =
+const FIXED_BY_SHARDS: [&str; 10] =
     ["scene", "over", "transient", "impacts", "digits", "arithmetic", "max_bits", "summary", "shard", "resume"];
 
 /// Output formats of the points of a sweep.

@@ -26,15 +26,15 @@ impl Formats {
         let file = arguments.destination.output.as_deref();
         let output = ending::format(arguments.format, ("--output", file), SweepFormat::value_variants(), usual)?;
         if is_shard && output != SweepFormat::Jsonl {
-            let asked = asked("--output", file.filter(|_| arguments.format.is_none()));
-            bail!("{asked} is not jsonl, but shards are written as jsonl, to be merged by --merge");
+            let option_text = option_text("--output", file.filter(|_| arguments.format.is_none()));
+            bail!("{option_text} is not jsonl, but shards are written as jsonl, to be merged by --merge");
         }
-        keep_parquet(output, asked("--output", file.filter(|_| arguments.format.is_none())))?;
+        keep_parquet(output, option_text("--output", file.filter(|_| arguments.format.is_none())))?;
         let tables = [SweepFormat::Csv, SweepFormat::Parquet];
         let usual = if output == SweepFormat::Parquet { output } else { SweepFormat::Csv };
         let file = arguments.states.as_deref();
         let states = ending::format(None, ("--states", file), &tables, usual)?;
-        keep_parquet(states, asked("--states", file))?;
+        keep_parquet(states, option_text("--states", file))?;
         Ok(Self { output, states })
     }
 
@@ -60,14 +60,16 @@ impl Formats {
 }
 
 /// Returns the option that requests a format: the option of a file, with the file's name, or `--format`.
-fn asked(option: &str, file: Option<&Path>) -> String {
+fn option_text(option: &str, file: Option<&Path>) -> String {
     file.map_or("--format".to_owned(), |file| format!("{option} {}", file.display()))
 }
 
 /// Refuses Parquet in a build that has none.
-fn keep_parquet(format: SweepFormat, asked: String) -> Result<()> {
+fn keep_parquet(format: SweepFormat, option_text: String) -> Result<()> {
     if format == SweepFormat::Parquet && cfg!(not(feature = "parquet")) {
-        bail!("{asked} is parquet, but this build lacks Parquet: use csv or jsonl, or build with --features parquet");
+        bail!(
+            "{option_text} is parquet, but this build lacks Parquet: use csv or jsonl, or build with --features parquet"
+        );
     }
     Ok(())
 }

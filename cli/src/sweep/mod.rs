@@ -63,10 +63,11 @@ fn compute(arguments: &SweepArguments, path: &Path) -> Result<Answer> {
     let SweepArguments { transient, impacts, summary, .. } = *arguments;
     let ranges: Vec<_> = arguments.over.iter().map(|axis| (axis.key, axis.to_string())).collect();
     let reference = grid.reference(&scene).map_err(|error| scene::about(error, &ranges, path))?;
-    let asked = PointSettings { transient, impacts, summary, reference, settings };
-    let head = sweep::head(&scene, &grid, &asked, arguments.grid.shard());
+    let requested = PointSettings { transient, impacts, summary, reference, settings };
+    let head = sweep::head(&scene, &grid, &requested, arguments.grid.shard());
     // All corners of the grid are scenes, before anything is computed.
-    let is_scene = |point: u64| Orbit::of(&grid.scene(&scene, &grid.values(point)?)?, asked.settings.clone()).map(drop);
+    let is_scene =
+        |point: u64| Orbit::of(&grid.scene(&scene, &grid.values(point)?)?, requested.settings.clone()).map(drop);
     grid.corners().into_iter().try_for_each(is_scene).map_err(|error| scene::about(error, &ranges, path))?;
     let outputs = [&arguments.destination.output, &arguments.states, &arguments.plot].map(Option::as_deref);
     open_once(&outputs)?;
@@ -74,7 +75,7 @@ fn compute(arguments: &SweepArguments, path: &Path) -> Result<Answer> {
         let values = grid.values(point)?;
         let at = || named(point, &values);
         let scene = grid.scene(&scene, &values).with_context(at)?;
-        let found = follow(&scene, &asked, &Interruption).with_context(at)?;
+        let found = follow(&scene, &requested, &Interruption).with_context(at)?;
         Ok(found.map(|found| line(&sweep::record(point, &values, &found))))
     };
     let (grid, destination) = (&arguments.grid, &arguments.destination);

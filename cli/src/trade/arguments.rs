@@ -45,7 +45,7 @@ pub struct TradeArguments {
     /// Maximum precision of a row, in bits
     #[arg(long, value_name = "BITS", default_value_t = MAX_BITS, value_parser = crate::values::bits())]
     pub max_bits: u32,
-    /// Output format [default: as the ending of --output says, else table]
+    /// Output format [default: by the extension of --output, else table]
     #[arg(long, value_enum)]
     pub format: Option<TradeFormat>,
     #[command(flatten)]
@@ -56,7 +56,7 @@ impl TradeArguments {
     /// Returns how far each row is followed.
     pub fn settings(&self, scene: &Scene) -> Settings {
         let run = Run { impacts: self.impacts, ..Run::default() };
-        Settings { max_bits: self.max_bits, ..scene.settings_asked(run, Arithmetic::Auto) }
+        Settings { max_bits: self.max_bits, ..scene.settings_requested(run, Arithmetic::Auto) }
     }
 }
 

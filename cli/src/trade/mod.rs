@@ -9,27 +9,27 @@ use impact_pair::orbit::Orbit;
 use impact_pair::trade::Trade;
 
 use crate::Answer;
-use crate::destination::Begun;
+use crate::destination::OpenOutput;
 use crate::progress::Progress;
 use crate::scene;
 use arguments::{TradeArguments, TradeFormat};
 
 pub fn trade(arguments: &TradeArguments) -> Result<Answer> {
     let format = arguments.drawing.format(arguments.format)?;
-    let Begun { scene, files, path } = arguments.drawing.begin(&arguments.scene)?;
-    let asked = arguments.settings(&scene);
-    if asked.impacts == Some(0) {
+    let OpenOutput { scene, files, path } = arguments.drawing.begin(&arguments.scene)?;
+    let requested = arguments.settings(&scene);
+    if requested.impacts == Some(0) {
         bail!("{}: run.impacts is 0: no impacts to measure (try --impacts)", scene::name(path));
     }
-    Orbit::of(&scene, asked.clone()).with_context(|| scene::name(path))?;
-    let progress = Progress::new(asked.impacts, !files.quiet);
-    let trade = Trade::of(&scene, asked, &progress).with_context(|| scene::name(path))?;
+    Orbit::of(&scene, requested.clone()).with_context(|| scene::name(path))?;
+    let progress = Progress::new(requested.impacts, !files.quiet);
+    let trade = Trade::of(&scene, requested, &progress).with_context(|| scene::name(path))?;
     progress.clear();
 
     let text = match format {
         TradeFormat::Table => table::table(&trade),
         TradeFormat::Json => format!("{}\n", one_a_line(&trade.document(), &["rungs"])),
     };
-    let open = trade.interrupted.as_ref().map(|rung| format!("interrupted in row {rung}"));
+    let open = trade.interrupted.as_ref().map(|arithmetic| format!("interrupted in row {arithmetic}"));
     files.draw((&text, open, false), || impact_pair_plot::trade::svg(&trade, &arguments.drawing.look))
 }

@@ -1,24 +1,24 @@
 //! The table for people: one line per arithmetic, then the errors of `float`.
 
 use impact_pair::document::counted;
-use impact_pair::trade::{Crossing, Extent, Judgement, Largest, Measured, Trade};
+use impact_pair::trade::{Crossing, ErrorBounds, Extent, Largest, Measured, Trade};
 
 use crate::heading::heading;
 
-const TIMES: &str = "us: microseconds, orbit: impacts enclosed, as impacts/s; bounds: with their exact bounds in the units of the scene";
+const COLUMN_NOTES: &str = "us: microseconds, orbit: impacts enclosed, as impacts/s; bounds: with their exact bounds in the units of the scene";
 
 pub fn table(trade: &Trade<'_>) -> String {
     let mut lines = vec![format!("{}requested: {}\n", heading(trade.scene), trade.goal()), names()];
-    lines.extend(trade.rungs.iter().map(row));
-    lines.push(format!("\n{TIMES}"));
+    lines.extend(trade.rows.iter().map(row));
+    lines.push(format!("\n{COLUMN_NOTES}"));
     let speed = trade.units.speed;
     lines.push(format!("widths: guaranteed, of times in periods 2 pi/W, of velocities in {speed}"));
     if let Some(judgement) = &trade.judgement {
-        let impacts = trade.rungs.first().map_or(0, |float| float.impacts);
+        let impacts = trade.rows.first().map_or(0, |float| float.impacts);
         lines.extend(verdict(judgement, &trade.judge(), impacts));
     }
-    if let Some(rung) = trade.interrupted {
-        lines.push(format!("\ninterrupted in row {rung}"));
+    if let Some(arithmetic) = trade.interrupted {
+        lines.push(format!("\ninterrupted in row {arithmetic}"));
     }
     lines.join("\n") + "\n"
 }
@@ -37,31 +37,31 @@ fn line(name: &str, columns: [String; 7], end: &str) -> String {
     format!("{name:16}{bits:>7}{impacts:>9}{orbit:>8}{bounds:>8}{rate:>10}{time:>10}{velocity:>9}  {end}")
 }
 
-fn row(rung: &Measured) -> String {
+fn row(arithmetic: &Measured) -> String {
     let none = || "-".to_owned();
-    let microseconds = |time| rung.microseconds(time).map(significant);
-    let rate = rung.microseconds(rung.times.orbit).map(|time| format!("{:.1e}", 1e6 / time));
+    let microseconds = |time| arithmetic.microseconds(time).map(significant);
+    let rate = arithmetic.microseconds(arithmetic.times.orbit).map(|time| format!("{:.1e}", 1e6 / time));
     let width = |extent: Option<Extent>| match extent {
         Some(Extent { greatest, .. }) => greatest.short(),
         None => none(),
     };
-    let time = width(rung.widths.map(|widths| widths.time));
-    let velocity = width(rung.widths.map(|widths| widths.velocity));
+    let time = width(arithmetic.widths.map(|widths| widths.time));
+    let velocity = width(arithmetic.widths.map(|widths| widths.velocity));
     let columns = [
-        rung.bits.to_string(),
-        rung.impacts.to_string(),
-        microseconds(rung.times.orbit).unwrap_or_else(none),
-        rung.times.with_bounds.and_then(microseconds).unwrap_or_else(none),
+        arithmetic.bits.to_string(),
+        arithmetic.impacts.to_string(),
+        microseconds(arithmetic.times.orbit).unwrap_or_else(none),
+        arithmetic.times.with_bounds.and_then(microseconds).unwrap_or_else(none),
         rate.unwrap_or_else(none),
         time,
         velocity,
     ];
-    let end = match rung.conclusion.reason() {
-        None if rung.is_certified => "all certified".into(),
+    let end = match arithmetic.conclusion.reason() {
+        None if arithmetic.is_certified => "all certified".into(),
         None => "not certified".into(),
         Some(reason) => format!("undecided: {}", reason.name()),
     };
-    line(&rung.rung.to_string(), columns, &end)
+    line(&arithmetic.arithmetic.to_string(), columns, &end)
 }
 
 /// Three significant digits, no exponent.
@@ -71,7 +71,7 @@ fn significant(x: f64) -> String {
 }
 
 /// Returns the errors of `float` and the number of its impacts.
-fn verdict(judgement: &Judgement, truth: &str, impacts: u64) -> Vec<String> {
+fn verdict(judgement: &ErrorBounds, truth: &str, impacts: u64) -> Vec<String> {
     let mut lines = vec![format!(
         "\ntrue errors of float, compared with {truth} on {} of {}:",
         judgement.judged,

@@ -16,7 +16,7 @@ use crate::ending;
 
 pub const EXIT_CODES: &str = "\
 Exit code: 0 everything is decided; 1 something is undecided (the output lists it, and all that is proved), or \
-Ctrl-C ended a parameter manifold (the output holds what is proved so far); 2 usage, bad input, I/O";
+Ctrl-C ended a parameter manifold (the output has the proved part); 2 usage, bad input, I/O";
 
 pub const HELP: &str = "\
 Examples:
@@ -39,7 +39,7 @@ The output has the points of the grid, the points where first contact, stability
 what is proved between each point and the next.
 
 Exit code: 0 everything is decided; 1 something is undecided (the output lists it, and all that is proved), or \
-Ctrl-C ended a parameter manifold (the output holds what is proved so far); 2 usage, bad input, I/O.";
+Ctrl-C ended a parameter manifold (the output has the proved part); 2 usage, bad input, I/O.";
 
 /// Reads two ranges, one for each axis.
 fn window(text: &str) -> Result<Window, String> {
@@ -68,7 +68,7 @@ pub struct TwoImpactArguments {
     /// scene, or 9]
     #[arg(long, value_name = "D", value_parser = crate::values::digits())]
     pub digits: Option<u32>,
-    /// Output format [default: as the ending of --output says, else table]
+    /// Output format [default: by the extension of --output, else table]
     #[arg(long, value_enum)]
     pub format: Option<TwoImpactFormat>,
     /// Draw the parameter manifold

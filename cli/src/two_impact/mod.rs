@@ -14,7 +14,7 @@ use impact_pair::scene::{Key, Range as ParameterRange};
 use impact_pair::two_impact::{Answer, Axis, Problem, Range, Unknown, speed};
 use impact_pair::watch::Watch;
 
-use crate::destination::{Begun, Files};
+use crate::destination::{Files, OpenOutput};
 use crate::progress::Progress;
 use crate::{Answer as Exit, scene};
 use arguments::{SolveFor, TwoImpactArguments, TwoImpactFormat};
@@ -25,7 +25,7 @@ type Options<'a> = (&'a TwoImpactArguments, TwoImpactFormat);
 pub fn two_impact(arguments: &TwoImpactArguments) -> Result<Exit> {
     let format = arguments.format()?;
     let plot = arguments.plot.as_deref().map(|path| (path, &arguments.look));
-    let Begun { scene, files, path } = arguments.destination.begin(&arguments.scene, plot)?;
+    let OpenOutput { scene, files, path } = arguments.destination.begin(&arguments.scene, plot)?;
     let digits = arguments.digits.or(scene.run().digits).unwrap_or(Settings::default().digits);
     let named = || scene::name(path);
     match &arguments.manifold {
@@ -63,7 +63,7 @@ fn list_motions((arguments, format): Options<'_>, files: Files, scene: &Scene, d
     let open = match answers.iter().all(|answer| answer.is_complete) {
         true if answers.len() == arguments.cycles.clone().count() => None,
         true => Some("interrupted: the motions written are proved, others are missing"),
-        false => Some("not everything requested is decided: see what is undecided or null in the output"),
+        false => Some("not everything requested is decided: see the undecided and null values in the output"),
     };
     let open = open.map(str::to_owned);
     let is_table = format == TwoImpactFormat::Table;

@@ -9,7 +9,7 @@ use impact_pair::two_impact::{Answer, Axis, Manifold, MeasuredOrbit, Orbit, Part
 use crate::periodic::orbits;
 
 /// The bits that eigenvalues are shown to.
-const FEW: u32 = 24;
+const EIGENVALUE_BITS: u32 = 24;
 
 /// The motions of each N.
 pub fn motions(scene: &Scene, unknown: &Unknown, answers: &[Answer], wall: Wall) -> String {
@@ -23,7 +23,7 @@ pub fn motions(scene: &Scene, unknown: &Unknown, answers: &[Answer], wall: Wall)
         Unknown::Gap(speed) => lines.push(format!("given A and |v| = {speed}: d (67), equispaced")),
     }
     for answer in answers {
-        lines.push(format!("\nN = {}, {}: {}", answer.problem().cycles(), word(wall), said(answer)));
+        lines.push(format!("\nN = {}, {}: {}", answer.problem().cycles(), word(wall), description(answer)));
         for (index, found) in answer.orbits.iter().enumerate() {
             lines.extend(orbit(index + 1, found, unknown, wall));
         }
@@ -35,7 +35,7 @@ pub fn motions(scene: &Scene, unknown: &Unknown, answers: &[Answer], wall: Wall)
 }
 
 /// Returns the number of orbits, and whether they are proved to be all orbits without sticking.
-fn said(answer: &Answer) -> String {
+fn description(answer: &Answer) -> String {
     let count = orbits(answer.orbits.len());
     if answer.is_exhaustive { format!("{count}, proved to be all without sticking") } else { count }
 }
@@ -72,7 +72,7 @@ fn kind(orbit: &MeasuredOrbit) -> String {
 }
 
 fn eigenvalues(orbit: &MeasuredOrbit) -> String {
-    let few = |x: &Enclosure| decimal_digits(&x.rounded(FEW));
+    let few = |x: &Enclosure| decimal_digits(&x.rounded(EIGENVALUE_BITS));
     let is_zero = |x: &Enclosure| x.inf().is_zero() && x.sup().is_zero();
     let [large, small] = &orbit.eigenvalues;
     if is_zero(&large.im) && is_zero(&small.im) {

@@ -6,7 +6,7 @@ use impact_pair_document::{ATLAS_SCHEMA, AtlasHead, AtlasRecord, PeriodDocument,
 use impact_pair_model::{Error, ImpactPair, Start};
 
 use super::GlobalCertificate;
-use super::global::DIRECTIONS;
+use super::global::DIRECTION_KEYS;
 use super::grid::{Axes, Placed, and};
 use super::tiles::Tile;
 
@@ -70,7 +70,7 @@ const UNJUDGED: [&str; 17] = [
 ];
 
 /// Keys of the results of a cell: where it claims nothing, none of them is judged; those of the cells that it is cut into may be.
-const FINDINGS: [&str; 6] = ["class", "components", "n_attracting", "n_rest", "n_saddle", "n_undecided"];
+const RESULT_KEYS: [&str; 6] = ["class", "components", "n_attracting", "n_rest", "n_saddle", "n_undecided"];
 
 impl AtlasCertificate {
     /// Reads an atlas, its head first, then a point or a tile a line.
@@ -152,7 +152,7 @@ impl AtlasCertificate {
 /// Keys of points that no lemma covers, and the same keys of the cells that tiles are cut into, down to `most` bisections. Lemma V38
 fn of_cells(most: usize, have_horseshoes: bool) -> impl Iterator<Item = String> {
     let of_points = UNJUDGED.iter().filter_map(|key| key.strip_prefix("points."));
-    let all = of_points.chain(DIRECTIONS.into_iter().filter(move |_| have_horseshoes));
+    let all = of_points.chain(DIRECTION_KEYS.into_iter().filter(move |_| have_horseshoes));
     all.flat_map(move |key| (0..=most).map(move |times| format!("points.{}{key}", "quarters.".repeat(times))))
 }
 
@@ -186,10 +186,11 @@ impl Part {
     fn unjudged(&self) -> Vec<String> {
         if !self.claims_something() {
             let of = |key: &&str| format!("{}.{key}", self.path);
-            return if self.is_leaf { vec![self.path.clone()] } else { FINDINGS.iter().map(of).collect() };
+            return if self.is_leaf { vec![self.path.clone()] } else { RESULT_KEYS.iter().map(of).collect() };
         }
         // Keys that it does not know, and not those of every component; and a class that is not judged.
-        let of_points = |key: &str| UNJUDGED.contains(&format!("points.{key}").as_str()) || DIRECTIONS.contains(&key);
+        let of_points =
+            |key: &str| UNJUDGED.contains(&format!("points.{key}").as_str()) || DIRECTION_KEYS.contains(&key);
         let is_other = |key: &&String| !of_points(key);
         let is_own = |key: &&String| key.starts_with("components") || *key == "class";
         let own = self.global.unjudged().iter().filter(is_own).filter(is_other).map(String::as_str);

@@ -109,7 +109,7 @@ impl ClaimedOrbit {
         })
     }
 
-    /// Returns whether nothing that is asked of it is left open.
+    /// Returns whether no requested property is undecided.
     pub fn is_decided(&self) -> bool {
         self.physical.is_some() && self.symmetric.is_some() && self.stability != Stability::Undecided
     }

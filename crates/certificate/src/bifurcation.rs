@@ -176,7 +176,7 @@ impl BifurcationCertificate {
 /// Returns a statement of the document that its own fields exclude.
 fn contradiction(document: &BifurcationDocument, points: &[ClaimedPoint]) -> Result<Option<String>, Error> {
     let BifurcationDocument { word, cycles, certified, branches, undecided, .. } = document;
-    let asked: Word = word.parse()?;
+    let requested: Word = word.parse()?;
     let is_lost = branches.iter().any(|branch| branch.ends.iter().any(|end| end == "lost"));
     let is_open = |point: &ClaimedPoint| point.kind != Kind::Graze && point.orbit.physical.is_none();
     if *certified && (!undecided.is_empty() || is_lost || points.iter().any(is_open)) {
@@ -186,8 +186,8 @@ fn contradiction(document: &BifurcationDocument, points: &[ClaimedPoint]) -> Res
         // The orbit at which a doubling comes is the one before it.
         let doublings = claimed.doublings.checked_sub((point.kind == Kind::PeriodDoubling).into());
         let times = |count: u64| count.checked_mul(1u64.checked_shl(doublings?)?);
-        let repeated = asked.mappings().iter().cycle().take(point.word.mappings().len());
-        let fits = times(asked.mappings().len() as u64) == Some(point.word.mappings().len() as u64)
+        let repeated = requested.mappings().iter().cycle().take(point.word.mappings().len());
+        let fits = times(requested.mappings().len() as u64) == Some(point.word.mappings().len() as u64)
             && times((*cycles).into()) == Some(point.cycles);
         if !fits || !repeated.eq(point.word.mappings()) {
             return Ok(Some(format!("points[{i}]: its word is not the requested one, doubled that number of times")));

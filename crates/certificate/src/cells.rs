@@ -30,7 +30,7 @@ const UNJUDGED: [&str; 7] = [
 ];
 
 /// Keys on which the verdict `attracted` alone depends: the scene's own motion converges to an orbit.
-const OF_THE_MOTION: [&str; 3] = ["scene.excitation.frequency", "scene.excitation.phase", "scene.start"];
+const SCENE_MOTION_KEYS: [&str; 3] = ["scene.excitation.frequency", "scene.excitation.phase", "scene.start"];
 
 impl CellsCertificate {
     /// Reads a JSON of cells.
@@ -55,7 +55,7 @@ impl CellsCertificate {
         let mut unjudged = whole.unread::<ChaosCellsDocument>()?;
         unjudged.extend(UNJUDGED.iter().filter(|key| is_there(&value, key)).map(|key| (*key).to_owned()));
         let is_attracted = document.stretches.iter().any(|stretch| stretch.verdict == "attracted");
-        unjudged.extend(OF_THE_MOTION.iter().filter(|_| !is_attracted).map(|key| (*key).to_owned()));
+        unjudged.extend(SCENE_MOTION_KEYS.iter().filter(|_| !is_attracted).map(|key| (*key).to_owned()));
         unjudged.push(own_value(key));
         unjudged.sort();
         unjudged.dedup();

@@ -14,7 +14,7 @@ use crate::{
 };
 
 /// The statement on horseshoes that is not checked: boxes of components are not in a document. Lemma V37
-const PLACES: &str = "which component holds a horseshoe";
+const UNCHECKED_COMPONENT: &str = "which component holds a horseshoe";
 
 /// A document whose claims are the items of a list, and then what is said of the whole.
 pub(super) trait Checked {
@@ -238,7 +238,7 @@ impl Checked for GlobalCertificate {
         match (self.says_there_are_no_others(), self.has_horseshoes()) {
             (true, _) => format!("{components}, and that every motion is in one of them in the end"),
             (false, false) => format!("what is proved of {components}"),
-            (false, true) => format!("what is proved of {components}, not {PLACES}"),
+            (false, true) => format!("what is proved of {components}, not {UNCHECKED_COMPONENT}"),
         }
     }
 
@@ -282,7 +282,7 @@ impl Checked for AtlasCertificate {
             true => format!("what is proved of every motion for all parameters of {}", counted(claimed, "cell")),
             false => format!("what is proved of every motion at {}", counted(claimed, "point")),
         };
-        if self.has_horseshoes() { format!("{said}, not {PLACES}") } else { said }
+        if self.has_horseshoes() { format!("{said}, not {UNCHECKED_COMPONENT}") } else { said }
     }
 }
 

@@ -4,9 +4,9 @@ use serde_json::{Deserializer, Value};
 
 use crate::checked::Checked;
 use crate::{
-    AtlasCertificate, BifurcationCertificate, CellsCertificate, Certificate, ChaosCertificate, CyclesCertificate,
-    DescriptionCertificate, Effort, Finding, GlobalCertificate, Judged, PeriodicCertificate, SweepCertificate,
-    TangencyCertificate, TrapCertificate, Verdict, WindowsCertificate,
+    AtlasCertificate, BifurcationCertificate, CellsCertificate, Certificate, ChaosCertificate, CheckResult,
+    CyclesCertificate, DescriptionCertificate, Effort, Finding, GlobalCertificate, PeriodicCertificate,
+    SweepCertificate, TangencyCertificate, TrapCertificate, Verdict, WindowsCertificate,
 };
 use impact_pair_document::{
     ATLAS_SCHEMA, AUDIT_SCHEMA, BIFURCATION_SCHEMA, CHAOS_CELLS_SCHEMA, CHAOS_SCHEMA, CYCLES_SCHEMA,
@@ -127,14 +127,14 @@ impl Claims {
     }
 
     /// Judges one document after another; the first that is not confirmed says why.
-    fn judge_each(documents: &[(String, &Self)], effort: &Effort, watch: &dyn Watch) -> Result<Judged, Error> {
+    fn judge_each(documents: &[(String, &Self)], effort: &Effort, watch: &dyn Watch) -> Result<CheckResult, Error> {
         let (mut before, mut most) = (0, (0, 0));
         for (_, document) in documents {
             let after = |at: Stage<'_>| match at {
                 Stage::Claims(claims) => watch.proceed(Stage::Claims(before + claims)),
                 at => watch.proceed(at),
             };
-            let Judged { verdict, confirmed } = document.judge(effort, &after)?;
+            let CheckResult { verdict, confirmed } = document.judge(effort, &after)?;
             let at = |finding: Finding| Finding { event: before + finding.event, ..finding };
             let verdict = match verdict {
                 Verdict::Confirmed { bits, pieces } => {
@@ -147,13 +147,13 @@ impl Claims {
                 Verdict::Undecided(finding) => Verdict::Undecided(at(finding)),
                 Verdict::Interrupted { events } => Verdict::Interrupted { events: before + events },
             };
-            return Ok(Judged { verdict, confirmed: before + confirmed });
+            return Ok(CheckResult { verdict, confirmed: before + confirmed });
         }
         let verdict = match most {
             (0, _) => Verdict::Undecided(Finding { event: 0, message: "there is nothing to check".to_owned() }),
             (bits, pieces) => Verdict::Confirmed { bits, pieces },
         };
-        Ok(Judged { verdict, confirmed: before })
+        Ok(CheckResult { verdict, confirmed: before })
     }
 
     /// Proves every claim again, or returns the first one refuted or undecided, until the watch stops it, which receives
@@ -186,11 +186,11 @@ impl Claims {
     /// assert!(document.not_checked.contains(&"program".to_owned()));
     /// # Ok::<(), impact_pair_model::Error>(())
     /// ```
-    pub fn judge(&self, effort: &Effort, watch: &dyn Watch) -> Result<Judged, Error> {
+    pub fn judge(&self, effort: &Effort, watch: &dyn Watch) -> Result<CheckResult, Error> {
         if let Self::Description(certificate) = self
             && let Some(finding) = certificate.contradiction()
         {
-            return Ok(Judged { verdict: Verdict::Refuted(finding), confirmed: 0 });
+            return Ok(CheckResult { verdict: Verdict::Refuted(finding), confirmed: 0 });
         }
         if let Some(documents) = self.documents() {
             let judged = Self::judge_each(&documents, effort, &Latched::new(watch))?;
@@ -201,11 +201,11 @@ impl Claims {
         }
         let Some(certificate) = self.certificate() else {
             let nothing = Finding { event: 0, message: "nothing of it is checked".to_owned() };
-            return Ok(Judged { verdict: Verdict::Undecided(nothing), confirmed: 0 });
+            return Ok(CheckResult { verdict: Verdict::Undecided(nothing), confirmed: 0 });
         };
         let (verdict, certain) = certificate.judge(effort, watch)?;
         let confirmed = if let Verdict::Confirmed { .. } = verdict { self.count() + 1 } else { certain };
-        Ok(Judged { verdict, confirmed })
+        Ok(CheckResult { verdict, confirmed })
     }
 
     /// Returns the claims of one document; `None` of several, and of one that is not checked.

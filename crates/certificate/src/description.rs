@@ -2,7 +2,7 @@
 
 use serde_json::Value;
 
-use crate::{Certificate, Claims, Finding, Judged, TrapCertificate, Verdict};
+use crate::{Certificate, CheckResult, Claims, Finding, TrapCertificate, Verdict};
 use impact_pair_document::{ClaimName, DESCRIPTION_SCHEMA, DescriptionDocument, FateName, Place, value};
 use impact_pair_model::{Error, Period, Word};
 
@@ -84,12 +84,12 @@ impl DescriptionCertificate {
 
     /// Returns what is found of a description whose documents are confirmed: a fate that none of them proves is left undecided, one that claims
     /// nothing is not judged.
-    pub(super) fn with_fate(&self, documents: Judged) -> Judged {
+    pub(super) fn with_fate(&self, documents: CheckResult) -> CheckResult {
         if self.is_fate_judged() || self.document.fate.kind == FateName::Undecided {
             return documents;
         }
         let message = format!("fate is {}, but no document in it proves that", self.document.fate.kind.text());
-        Judged { verdict: Verdict::Undecided(Finding { event: self.after_all(), message }), ..documents }
+        CheckResult { verdict: Verdict::Undecided(Finding { event: self.after_all(), message }), ..documents }
     }
 
     /// The number of what is said of the whole, after the claims of the documents in it.

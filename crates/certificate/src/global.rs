@@ -53,10 +53,10 @@ pub(super) struct Claimed {
 }
 
 /// Keys of the h-sets of horseshoes: they follow from the corners, and are not compared with them. Lemma V37
-pub(super) const DIRECTIONS: [&str; 2] =
+pub(super) const DIRECTION_KEYS: [&str; 2] =
     ["components.horseshoe.bases.contracting", "components.horseshoe.bases.expanding"];
 /// Kinds of components with a periodic motion, and what its stability is then.
-const PERIODIC: [(&str, Stability); 2] = [("attracting", Stability::Stable), ("saddle", Stability::Unstable)];
+const PERIODIC_KINDS: [(&str, Stability); 2] = [("attracting", Stability::Stable), ("saddle", Stability::Unstable)];
 
 impl GlobalCertificate {
     /// Reads a JSON of a global analysis.
@@ -188,7 +188,7 @@ impl GlobalCertificate {
 
 impl Claimed {
     fn of(place: usize, component: &ComponentDocument, at: &Place<'_>) -> Result<Self, Error> {
-        let attracts = component.kind == PERIODIC[0].0;
+        let attracts = component.kind == PERIODIC_KINDS[0].0;
         let orbit = match &component.orbit {
             Some(orbit) => Some(ClaimedOrbit::of(orbit, &at.get("orbit")?)?),
             None => None,
@@ -275,7 +275,7 @@ fn of_component(own: &ComponentDocument) -> Option<&'static str> {
     if own.horseshoe.is_some() && own.kind != "undecided" {
         return Some("horseshoes are looked for where nothing else is proved");
     }
-    let periodic = PERIODIC.iter().find(|(kind, _)| *kind == own.kind).filter(|_| !is_saddle_set(own));
+    let periodic = PERIODIC_KINDS.iter().find(|(kind, _)| *kind == own.kind).filter(|_| !is_saddle_set(own));
     let Some((_, stability)) = periodic else {
         let has_orbit =
             own.orbit.is_some() || own.word.is_some() || own.reduced_impacts.is_some() || own.spectral_radius.is_some();

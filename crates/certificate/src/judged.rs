@@ -9,14 +9,14 @@ use impact_pair_document::{CHECK_SCHEMA, CheckDocument, JudgedClaim, VerdictName
 
 /// The result of a check of a document, and the number of claims confirmed one after another.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Judged {
+pub struct CheckResult {
     /// The verdict on all of it.
     pub verdict: Verdict,
     /// The claims before this one are proved again, each for all data, counted as [`Finding::event`] counts them.
     pub(super) confirmed: usize,
 }
 
-impl Judged {
+impl CheckResult {
     /// Returns the verdict on all claims together.
     pub fn name(&self) -> VerdictName {
         match self.verdict {
@@ -50,7 +50,7 @@ impl Claims {
     ///
     /// # Panics
     /// Panics if it was read from another text.
-    pub fn document(&self, text: &str, judged: &Judged) -> CheckDocument {
+    pub fn document(&self, text: &str, judged: &CheckResult) -> CheckDocument {
         let values: Vec<Value> = Deserializer::from_str(text).into_iter().map_while(Result::ok).collect();
         let (mut claims, mut not_checked) = (Vec::new(), Vec::new());
         for part in self.parts(&values) {
@@ -65,14 +65,14 @@ impl Claims {
         CheckDocument {
             schema: CHECK_SCHEMA.to_owned(),
             verdict: judged.name(),
-            message: self.said(&judged.verdict),
+            message: self.verdict_in_words(&judged.verdict),
             claims,
             not_checked,
         }
     }
 
     /// Returns the verdict in words.
-    pub fn said(&self, verdict: &Verdict) -> String {
+    pub fn verdict_in_words(&self, verdict: &Verdict) -> String {
         match verdict {
             Verdict::Confirmed { bits, pieces } => {
                 let pieces = if *pieces == 1 { String::new() } else { format!(", the data cut into {pieces} sets") };
@@ -106,7 +106,7 @@ impl Claims {
 
 impl Part<'_> {
     /// The verdicts on its values, and the paths of those that are not judged.
-    fn judge(&self, judged: &Judged, claims: &mut Vec<JudgedClaim>, not_checked: &mut Vec<String>) {
+    fn judge(&self, judged: &CheckResult, claims: &mut Vec<JudgedClaim>, not_checked: &mut Vec<String>) {
         let (names, items) = (self.claims.unjudged(), self.claims.certificate().map(Checked::items));
         let mut leaves = Leaves::new(&names, items);
         match (self.claims, &self.values[..]) {
@@ -147,7 +147,7 @@ impl Part<'_> {
     }
 
     /// The claim that decides, and why, where it is one of this document.
-    fn decisive(&self, judged: &Judged) -> Option<(String, String)> {
+    fn decisive(&self, judged: &CheckResult) -> Option<(String, String)> {
         let Finding { event, message } = judged.finding()?;
         if let Claims::Description(_) = self.claims {
             // A contradiction to its documents begins with the key.
@@ -163,7 +163,7 @@ impl Part<'_> {
     fn verdict(
         &self,
         path: String,
-        judged: &Judged,
+        judged: &CheckResult,
         decisive: Option<&(String, String)>,
         items: Option<&str>,
     ) -> JudgedClaim {

@@ -20,7 +20,7 @@ pub(super) struct Leaves<'n> {
 const FLAGS: [&str; 5] = ["certified", "exhaustive", "no_attractor", "no_rest", "stable_between"];
 
 /// Keys at which `null` is a claim: that no mapping is named, that no two of the words are free.
-const CLAIM_NONE: [&str; 2] = ["events.mapping", "horseshoe"];
+const NULL_CLAIMS: [&str; 2] = ["events.mapping", "horseshoe"];
 
 /// Returns whether a value exists at a path without the positions in lists.
 pub(super) fn is_there(value: &Value, path: &str) -> bool {
@@ -75,7 +75,7 @@ impl<'n> Leaves<'n> {
     fn says_nothing(&self, unnumbered: &str, value: &Value) -> bool {
         let key = unnumbered.rsplit('.').next().unwrap_or(unnumbered); // exact: the whole path
         match value {
-            Value::Null => !CLAIM_NONE.contains(&unnumbered),
+            Value::Null => !NULL_CLAIMS.contains(&unnumbered),
             Value::Array(items) => items.is_empty() && self.items != Some(unnumbered),
             Value::Object(entries) => entries.is_empty(),
             Value::Bool(is_so) => !is_so && FLAGS.contains(&key),
@@ -91,7 +91,7 @@ mod tests {
     use serde_json::json;
 
     #[test]
-    fn each_value_is_judged_by_its_own_path_or_its_lists_or_not_at_all() {
+    fn each_value_is_checked_by_its_path_or_its_list_or_is_unchecked() {
         let document = json!({
             "program": "x", "certified": true, "exhaustive": false, "undecided": [],
             "scene": {"excitation": {"amplitude": ["1", "2"]}, "start": {"time": "0", "velocity": "1"}},

@@ -57,7 +57,7 @@ pub use description::DescriptionCertificate;
 pub use global::GlobalCertificate;
 #[doc(inline)]
 pub use impact_pair_document as document;
-pub use judged::Judged;
+pub use judged::CheckResult;
 pub use periodic::PeriodicCertificate;
 pub use prove::Theorem;
 pub use read::{Certificate, Claim};

@@ -7,7 +7,7 @@ use impact_pair_model::Error;
 use super::grid::{Axes, and, is_one, on_axis};
 
 /// Tiles along an axis, at most.
-const TILES: u64 = 8;
+const MAX_TILES: u64 = 8;
 
 /// A cell: the places of its ends on each axis, of which the smallest ones have one after the other.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -86,7 +86,7 @@ impl Axes<'_> {
 
 /// The tiles along each axis that these numbers of smallest cells are in.
 fn tiles(counts: [u64; 2]) -> [u64; 2] {
-    counts.map(|count| count.min(TILES)) // V38: no more tiles than cells
+    counts.map(|count| count.min(MAX_TILES)) // V38: no more tiles than cells
 }
 
 #[cfg(test)]
@@ -97,7 +97,7 @@ mod tests {
     #[test]
     fn v38_tiles_and_quarters_cover_the_rectangle_once() {
         for counts in [[2, 2], [3, 5], [8, 8], [13, 20], [2, 40]] {
-            let tiles: u64 = counts.map(|count| count.min(TILES)).iter().product();
+            let tiles: u64 = counts.map(|count| count.min(MAX_TILES)).iter().product();
             let mut cells: Vec<Tile> = (0..tiles).map(|point| Tile::of(point, counts).unwrap()).collect();
             let mut seen = std::collections::HashSet::new();
             while let Some(cell) = cells.pop() {

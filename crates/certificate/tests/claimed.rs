@@ -72,7 +72,7 @@ fn parent(path: &str) -> &str {
 }
 
 /// Fails where a value is neither a claim, by its own path or its parent's, nor named, or is both.
-fn assert_all_are_told(name: &str, lines: &[Value], found: &CheckDocument) {
+fn assert_all_are_listed(name: &str, lines: &[Value], found: &CheckDocument) {
     let claims: BTreeSet<&str> = found.claims.iter().map(|claim| claim.path.as_str()).collect();
     let named: BTreeSet<&str> = found.not_checked.iter().map(String::as_str).collect();
     for (path, _) in leaves(lines) {
@@ -111,7 +111,7 @@ const SCHEMAS: [(&str, &str, usize); 22] = [
 ];
 
 #[test]
-fn r32_every_value_of_every_schema_is_judged_or_named() {
+fn r32_every_value_of_every_schema_is_checked_or_listed() {
     let mut all = all();
     let orbit = all.iter().find(|(name, _)| name == "count").unwrap().1[0].clone();
     let mut head = orbit.clone();
@@ -122,7 +122,7 @@ fn r32_every_value_of_every_schema_is_judged_or_named() {
     // The one left is what a check itself writes.
     let others = schemas::names().into_iter().filter(|name| SCHEMAS.iter().all(|(known, ..)| known != name));
     assert_eq!(others.collect::<Vec<_>>(), ["check"]);
-    let (mut told, mut refused) = (0, Vec::new());
+    let (mut listed, mut refused) = (0, Vec::new());
     for (name, base, line) in SCHEMAS {
         let schema = schemas::read(name);
         let mut lines = match all.iter().find(|(document, _)| document == base) {
@@ -134,21 +134,21 @@ fn r32_every_value_of_every_schema_is_judged_or_named() {
         }
         // The last of the lines ends an orbit.
         let line = if name == "orbit-lines-end" { lines.len() - 1 } else { line };
-        assert_all_are_told(name, &lines, &checked(&lines, &|_: Stage<'_>| proceed_if(false)).expect(name));
+        assert_all_are_listed(name, &lines, &checked(&lines, &|_: Stage<'_>| proceed_if(false)).expect(name));
         for property in schemas::properties(&schema) {
             let mut copy = lines.clone();
             schemas::ensure(&mut copy[line], &property, &schema);
             match checked(&copy, &|_: Stage<'_>| proceed_if(false)) {
                 Some(found) => {
-                    assert_all_are_told(&format!("{name} with {property:?}"), &copy, &found);
-                    told += 1;
+                    assert_all_are_listed(&format!("{name} with {property:?}"), &copy, &found);
+                    listed += 1;
                 }
                 None => refused.push(format!("{name} {property:?}")),
             }
         }
     }
-    println!("{told} properties told, {} refused where they are:\n{}", refused.len(), refused.join("\n"));
-    assert!(told > 8 * refused.len() && told > 300, "{told} {refused:?}");
+    println!("{listed} properties listed, {} refused where they are:\n{}", refused.len(), refused.join("\n"));
+    assert!(listed > 8 * refused.len() && listed > 300, "{listed} {refused:?}");
 }
 
 /// Keys that this version does not know are not confirmed at any place.
@@ -291,7 +291,7 @@ fn r32_nothing_is_listed_as_a_claim_that_is_not_compared() {
         let found = checked(&lines, &Unwatched).expect(&name);
         assert_eq!(found.verdict, VerdictName::Confirmed, "{name}: {}", found.message);
         assert!(found.claims.iter().all(|claim| claim.verdict == VerdictName::Confirmed && claim.reason.is_none()));
-        assert_all_are_told(&name, &lines, &found);
+        assert_all_are_listed(&name, &lines, &found);
         let whole = json!(lines);
         let last = &lines[lines.len() - 1];
         let kind = [&lines[0]["schema"], &lines[0]["claim"], &last["outcome"]["kind"]].map(Value::to_string);
@@ -321,7 +321,7 @@ fn r32_nothing_is_listed_as_a_claim_that_is_not_compared() {
                 let mut lines = copy.as_array().unwrap().clone();
                 // Counts and texts about the changed value are made anew, unless they are the change itself.
                 if lines.len() == 1 && !["impacts", "index", "message"].contains(&key.as_str()) {
-                    lines[0] = changes::told(&lines[0]);
+                    lines[0] = changes::made_consistent(&lines[0]);
                 }
                 // A value that says nothing is not listed any more.
                 checked(&lines, &Unwatched).is_some_and(|found| {

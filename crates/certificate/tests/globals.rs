@@ -183,7 +183,7 @@ fn r42_a_window_is_that_of_a_whole_orbit() {
 
 /// The orbits between the ends of a window are judged (Lemma V30), and so it is judged whether all is proved.
 #[test]
-fn r38_the_orbits_between_the_ends_of_a_window_are_judged() {
+fn r38_the_orbits_between_the_ends_of_a_window_are_checked() {
     let mut document = recorded("windows");
     let is_named = |found: &CheckDocument, key: &str| found.not_checked.iter().any(|own| own.ends_with(key));
     let found = checked(&document);
@@ -213,7 +213,7 @@ fn r52_an_orbit_of_88_impacts_is_confirmed() {
 
 /// That of figure 16 nearest to its printed gap: rounding in its 32 flights takes more bits than at first (Lemma V30).
 #[test]
-#[ignore = "deep: 32 flights in some hundred bits; by default r38_the_orbits_between_the_ends_of_a_window_are_judged"]
+#[ignore = "deep: 32 flights in some hundred bits; by default r38_the_orbits_between_the_ends_of_a_window_are_checked"]
 fn r52_the_window_of_figure_16_is_confirmed() {
     let document: Value = serde_json::from_str(include_str!("window-of-figure-16.json")).unwrap();
     assert_eq!(checked(&document).verdict, VerdictName::Confirmed);
@@ -221,7 +221,7 @@ fn r52_the_window_of_figure_16_is_confirmed() {
 
 /// A claim that components are closed is not checked: nor is a class that follows from that alone.
 #[test]
-fn r42_a_class_of_closed_components_is_not_judged() {
+fn r42_a_class_of_closed_components_is_not_checked() {
     let document = recorded("global");
     let saddle = document["components"].as_array().unwrap().iter().find(|own| own["kind"] == "saddle").unwrap();
     let found = checked(&with(&document, "closed", &[saddle, &open(true)]));
@@ -276,7 +276,7 @@ pub fn atlas_of(document: &Value, over: &Value, values: &Value) -> String {
 
 /// A class that is not judged in a JSON of a global analysis is not judged in an atlas.
 #[test]
-fn r43_a_class_of_closed_components_is_not_judged_in_an_atlas() {
+fn r43_a_class_of_closed_components_is_not_checked_in_an_atlas() {
     let document = recorded("global");
     let saddle = document["components"].as_array().unwrap().iter().find(|own| own["kind"] == "saddle").unwrap();
     let document = with(&document, "closed", &[saddle, &open(true)]);

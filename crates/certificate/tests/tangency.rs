@@ -93,7 +93,7 @@ fn bounds_that_hold_no_tangency_and_false_numbers_are_refuted() {
 
 /// Of these nothing is proved, and so nothing is refuted.
 #[test]
-fn what_is_not_checked_is_undecided() {
+fn unchecked_documents_are_undecided() {
     let found = message(judged(&[("/key", json!("excitation.frequency"))]));
     assert_eq!(found, "undecided: only reduced maps over gap, amplitude and restitution are checked");
     let found = message(judged(&[("/resonances_excluded_to", json!(2000))]));

@@ -104,7 +104,7 @@ pub struct ChaosDocument {
     /// The Lyapunov exponent per impact of the floating-point orbit: non-rigorous.
     pub exponent_seen: Option<f64>,
     /// A uniformly hyperbolic set of motions that words make, if it was requested; `null` where none is proved.
-    #[serde(skip_serializing_if = "Option::is_none", default, deserialize_with = "asked")]
+    #[serde(skip_serializing_if = "Option::is_none", default, deserialize_with = "present_or_null")]
     pub hyperbolic: Option<Option<HyperbolicDocument>>,
     /// The words that are not among those of that set, and why, if it was requested.
     #[serde(skip_serializing_if = "Vec::is_empty", default)]
@@ -125,7 +125,7 @@ pub struct LeftOutDocument {
 }
 
 /// A key that is there, whether it is `null` or not.
-fn asked<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Option<Option<HyperbolicDocument>>, D::Error> {
+fn present_or_null<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Option<Option<HyperbolicDocument>>, D::Error> {
     Option::deserialize(deserializer).map(Some)
 }
 

@@ -41,7 +41,7 @@ pub struct DescriptionDocument {
     /// Questions that were not examined, each with the reason.
     #[serde(skip_serializing_if = "Vec::is_empty", default)]
     pub not_examined: Vec<NotExaminedDocument>,
-    /// Whether it was stopped: what is proved so far is kept.
+    /// Whether it was stopped: the proved part is kept.
     #[serde(skip_serializing_if = "std::ops::Not::not", default)]
     pub interrupted: bool,
     /// The orbit whose outcome is the fate, as `run` writes it; absent where it has thousands of impacts, and where the region is the proof.

@@ -121,12 +121,12 @@ pub struct ProvedHorseshoeDocument {
 }
 
 /// Whom a statement is about.
-const EVERY: &str = "every motion that touches a wall";
+const EVERY_MOTION: &str = "every motion that touches a wall";
 
 impl GlobalDocument {
     /// Returns the same with the statement that follows from the class and the components.
     pub fn with_statement(self) -> Self {
-        Self { statement: self.said() + &self.horseshoes(), ..self }
+        Self { statement: self.statement_of_class() + &self.horseshoes(), ..self }
     }
 
     /// The components that hold a horseshoe, by their numbers from 1.
@@ -142,7 +142,7 @@ impl GlobalDocument {
     }
 
     /// Returns the behaviour of all motions, in one sentence.
-    fn said(&self) -> String {
+    fn statement_of_class(&self) -> String {
         let beside = self.beside();
         let undecided = self.count("undecided");
         let attractors: Vec<String> = self.components.iter().filter_map(ComponentDocument::attractor).collect();
@@ -150,9 +150,11 @@ impl GlobalDocument {
             return format!("{} left as they are, of which nothing is decided", counted(undecided, "component"));
         }
         match self.class.as_str() {
-            "one-rest-cycle" => format!("{EVERY} ends in {}", attractors.concat()),
-            "one-attractor" => format!("{EVERY} tends to {}{beside}", attractors.concat()),
-            "attractors" if undecided == 0 => format!("{EVERY} tends to {}{beside}", attractors.join(", or to ")),
+            "one-rest-cycle" => format!("{EVERY_MOTION} ends in {}", attractors.concat()),
+            "one-attractor" => format!("{EVERY_MOTION} tends to {}{beside}", attractors.concat()),
+            "attractors" if undecided == 0 => {
+                format!("{EVERY_MOTION} tends to {}{beside}", attractors.join(", or to "))
+            }
             "attractors" => format!(
                 "{} proved: {}; of what stays in {} nothing{} is decided",
                 counted(attractors.len() as u32, "attractor"), // shown
@@ -162,7 +164,7 @@ impl GlobalDocument {
             ),
             "closed" => {
                 let closed = counted(undecided, "closed component");
-                format!("{EVERY} is in the end in {closed} of which nothing else is decided{beside}")
+                format!("{EVERY_MOTION} is in the end in {closed} of which nothing else is decided{beside}")
             }
             _ => format!("undecided: {} of which nothing is decided", counted(undecided, "component")),
         }
@@ -183,7 +185,7 @@ impl GlobalDocument {
         let sets = saddles().filter(|saddle| saddle.orbit.is_none()).count();
         let are_symmetric =
             saddles().filter(|saddle| saddle.orbit.is_some()).all(ComponentDocument::is_its_mirror_image);
-        let mut said = match (saddles().count() - sets, are_symmetric) {
+        let mut statement_of_class = match (saddles().count() - sets, are_symmetric) {
             (0, _) => String::new(),
             (1, true) => ", or to one saddle".to_owned(),
             (1, false) => ", or to one saddle or its mirror image".to_owned(),
@@ -192,14 +194,14 @@ impl GlobalDocument {
         };
         match sets {
             0 => {}
-            1 => said.push_str(", or stays for ever in one set of saddle type, at states without area"),
-            _ => said
+            1 => statement_of_class.push_str(", or stays for ever in one set of saddle type, at states without area"),
+            _ => statement_of_class
                 .push_str(&format!(", or stays for ever in one of {sets} sets of saddle type, at states without area")),
         }
         if self.count("grazing") > 0 {
-            said.push_str(", or grazes one wall for ever");
+            statement_of_class.push_str(", or grazes one wall for ever");
         }
-        said
+        statement_of_class
     }
 }
 

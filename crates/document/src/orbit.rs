@@ -92,7 +92,7 @@ pub struct ArithmeticDocument {
 
 impl ArithmeticDocument {
     /// Returns the requested arithmetic: `auto` does not know its precision yet.
-    pub fn asked(settings: &Settings) -> Self {
+    pub fn requested(settings: &Settings) -> Self {
         match settings.arithmetic {
             Arithmetic::Auto => Self { kind: "auto".to_owned(), bits: None, max_bits: Some(settings.max_bits) },
             Arithmetic::Float => Self::computed("float", f64::MANTISSA_DIGITS),
@@ -160,7 +160,7 @@ pub struct EventDocument {
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub index: Option<u64>,
     /// The mapping that ends here; null if there is none, or more than one is possible.
-    #[serde(skip_serializing_if = "Option::is_none", default, deserialize_with = "there")]
+    #[serde(skip_serializing_if = "Option::is_none", default, deserialize_with = "present_or_null")]
     pub mapping: Option<Option<Mapping>>,
     /// The wall.
     pub wall: Wall,
@@ -175,6 +175,6 @@ pub struct EventDocument {
 }
 
 /// Tells null from nothing.
-fn there<'de, D: Deserializer<'de>, T: Deserialize<'de>>(deserializer: D) -> Result<Option<T>, D::Error> {
+fn present_or_null<'de, D: Deserializer<'de>, T: Deserialize<'de>>(deserializer: D) -> Result<Option<T>, D::Error> {
     T::deserialize(deserializer).map(Some)
 }

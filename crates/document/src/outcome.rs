@@ -10,7 +10,7 @@ use super::number::{Bounds, Decimal, Written};
 use super::periodic::PeriodicOrbitDocument;
 
 /// The reason of an orbit whose next flight has no end that is found.
-const ENDLESS: &str = "budget";
+const BUDGET_REASON: &str = "budget";
 
 /// Outcome of an orbit.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -137,14 +137,14 @@ impl OutcomeDocument {
             "graze" => "a wall may be touched with zero velocity",
             "width" => "the set of states has become too wide to decide",
             "precision" => "the next impact cannot be enclosed to the requested digits",
-            ENDLESS => "the flight is too long to follow, or has no provable end",
+            BUDGET_REASON => "the flight is too long to follow, or has no provable end",
             _ => return None,
         })
     }
 
     /// Returns whether it is undecided because the next flight has no end that is found: neither more impacts nor more bits help.
     pub fn is_endless(&self) -> bool {
-        self.reason.as_deref() == Some(ENDLESS)
+        self.reason.as_deref() == Some(BUDGET_REASON)
     }
 
     /// Returns the distances of the impacts of a shadowed orbit from the listed ones, in words that follow their number; else an empty text.

@@ -6,7 +6,7 @@ use serde::de::DeserializeOwned;
 use serde_json::{Deserializer, Map, Value};
 use serde_path_to_error::{Path, Segment};
 
-use super::once::Once;
+use super::once::UniqueKeys;
 
 /// A value of a document with its path.
 #[derive(Clone, Debug)]
@@ -17,12 +17,12 @@ pub struct Place<'j> {
 
 /// Returns the value of a text, in which no object has a key twice.
 pub fn value(text: &str) -> Result<Value, Error> {
-    serde_json::from_str(text).map(|Once(value)| value).map_err(no_json)
+    serde_json::from_str(text).map(|UniqueKeys(value)| value).map_err(no_json)
 }
 
 /// Returns the values of a text, at least one; JSON Lines have several. No object has a key twice.
 pub fn values(text: &str) -> Result<Vec<Value>, Error> {
-    let values = Deserializer::from_str(text).into_iter().map(|value| value.map(|Once(value)| value));
+    let values = Deserializer::from_str(text).into_iter().map(|value| value.map(|UniqueKeys(value)| value));
     let values: Vec<Value> = values.collect::<Result<_, _>>().map_err(no_json)?;
     if values.is_empty() { Err(Error::certificate("not JSON: the text is empty".into())) } else { Ok(values) }
 }

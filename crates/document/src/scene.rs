@@ -98,11 +98,11 @@ impl SceneDocument {
         let excitation = &mut self.excitation;
         // Without a number it is that of the only term.
         let number = key.term().map_or(0, |term| usize::from(term.get()) - 1); // exact: from 1 on
-        let is_told = key.term().is_some() || excitation.amplitude.len() == 1;
+        let is_unambiguous = key.term().is_some() || excitation.amplitude.len() == 1;
         let place = match key {
-            Key::Amplitude(_) => excitation.amplitude.get_mut(number).filter(|_| is_told)?,
-            Key::Frequency(_) => excitation.frequency.get_mut(number).filter(|_| is_told)?,
-            Key::Phase(_) => excitation.phase.get_mut(number).filter(|_| is_told)?,
+            Key::Amplitude(_) => excitation.amplitude.get_mut(number).filter(|_| is_unambiguous)?,
+            Key::Frequency(_) => excitation.frequency.get_mut(number).filter(|_| is_unambiguous)?,
+            Key::Phase(_) => excitation.phase.get_mut(number).filter(|_| is_unambiguous)?,
             Key::Gap => &mut self.gap,
             Key::Restitution => &mut self.restitution,
             Key::StartTime => &mut self.start.time,

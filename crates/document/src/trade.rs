@@ -24,19 +24,21 @@ pub struct TradeDocument {
     /// The scene.
     pub scene: SceneDocument,
     /// How far each row was followed.
-    pub asked: TradeAsked,
+    #[serde(rename = "asked")]
+    pub requested: TradeRequest,
     /// The units of widths and errors.
     pub units: TradeUnits,
     /// The row that was interrupted.
     pub interrupted: Option<String>,
     /// One row per arithmetic.
-    pub rungs: Vec<RungDocument>,
+    pub rungs: Vec<RowDocument>,
 }
 
 /// How far each row was followed.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
-pub struct TradeAsked {
+#[cfg_attr(feature = "schemas", schemars(rename = "TradeAsked"))]
+pub struct TradeRequest {
     /// Number of impacts.
     pub impacts: Option<u64>,
     /// The time, as written.
@@ -58,11 +60,13 @@ pub struct TradeUnits {
 /// An arithmetic, measured.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
-pub struct RungDocument {
+#[cfg_attr(feature = "schemas", schemars(rename = "RungDocument"))]
+pub struct RowDocument {
     /// Its name.
     pub name: String,
     /// Its options on the command line.
-    pub asked: RungAsked,
+    #[serde(rename = "asked")]
+    pub requested: RowOptions,
     /// The arithmetic with its precision.
     pub arithmetic: ArithmeticDocument,
     /// Whether the bounds are certified.
@@ -91,7 +95,8 @@ pub struct RungDocument {
 /// Options of the command line for an arithmetic.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
-pub struct RungAsked {
+#[cfg_attr(feature = "schemas", schemars(rename = "RungAsked"))]
+pub struct RowOptions {
     /// `--arithmetic`
     pub arithmetic: String,
     /// `--digits`

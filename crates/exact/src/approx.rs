@@ -48,7 +48,7 @@ mod tests {
     proptest! {
         /// Exactly as the ends say, which are the members that are farthest apart.
         #[test]
-        fn what_is_near_is_near_in_all_members(
+        fn sets_are_near_if_all_members_are(
             [a, b] in [-1e3..1e3f64, -1e3..1e3f64], [r, s] in [0.0..1e-3f64, 0.0..1e-3f64], near: bool, slack in 0.9..1.1f64,
         ) {
             let b = if near { a * (1.0 + 1e-3 * s) } else { b };

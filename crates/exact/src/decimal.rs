@@ -15,8 +15,8 @@ use super::enclosure::Enclosure;
 const LONGEST_EXACT: usize = 60;
 /// The digits such a point is rounded to.
 pub(super) const POINT_DIGITS: i64 = 40;
-/// Ends beyond `2^COARSE` or below `2^-COARSE` are printed as the nearest power of ten outward.
-const COARSE: i64 = 1 << 18;
+/// Ends beyond `2^MAX_PRINTED_EXPONENT` or below `2^-COARSE` are printed as the nearest power of ten outward.
+const MAX_PRINTED_EXPONENT: i64 = 1 << 18;
 /// Powers of ten kept in a table.
 const CACHED_POWERS: usize = 512;
 
@@ -153,7 +153,7 @@ pub(super) fn power_of_ten_below(top: i64, divisor: u8) -> i64 {
 
 /// True for a number, not zero, too large or too small to be written out digit by digit.
 pub(super) fn is_coarse(x: &Dyadic) -> bool {
-    x.top().is_some_and(|top| top.abs() > COARSE || x.exponent() < -8 * COARSE)
+    x.top().is_some_and(|top| top.abs() > MAX_PRINTED_EXPONENT || x.exponent() < -8 * MAX_PRINTED_EXPONENT)
 }
 
 /// The bound of an end whose partner is extreme.

@@ -21,8 +21,8 @@ pub fn whole_bits(digits: u32) -> u32 {
 /// a computation makes its roundings less than `2^64` times as large. A chain of a thousand impacts adds ten bits for its length; a zero
 /// that is all but double, whose derivative is `2^-40`, another 40.
 pub fn working_bits(digits: u32) -> u32 {
-    const SLACK: u32 = 64;
-    whole_bits(digits) + SLACK
+    const SPARE_BITS: u32 = 64;
+    whole_bits(digits) + SPARE_BITS
 }
 
 /// `log2(10^digits)`, to nearest.
@@ -59,7 +59,7 @@ pub fn decimal_digits(x: &Enclosure) -> String {
     };
     let (low, high) = (multiple(lo, quantum, Round::Down), multiple(hi, quantum, Round::Up));
     common_digits(&low, &high, quantum).unwrap_or_else(|| {
-        let centre = roundest(&low, &high);
+        let centre = most_trailing_zeros(&low, &high);
         let [number, power] = spelled(&centre, quantum);
         format!("{number}({:+},{:+}){power}", low - &centre, high - &centre)
     })
@@ -81,12 +81,12 @@ fn common_digits(low: &BigInt, high: &BigInt, quantum: i64) -> Option<String> {
     let common = lower.bytes().zip(upper.bytes()).take_while(|(a, b)| a == b).count();
     let (certain, low_end) = lower.split_at(common);
     let high_end = &upper[common..];
-    let is_told = certain.bytes().any(|digit| matches!(digit, b'1'..=b'9'));
-    (is_told && !low_end.contains('.')).then(|| format!("{certain}({low_end},{high_end}){power}"))
+    let has_digits = certain.bytes().any(|digit| matches!(digit, b'1'..=b'9'));
+    (has_digits && !low_end.contains('.')).then(|| format!("{certain}({low_end},{high_end}){power}"))
 }
 
 /// The integer of `low..=high` that ends on the most zeros; the middle if there is none.
-fn roundest(low: &BigInt, high: &BigInt) -> BigInt {
+fn most_trailing_zeros(low: &BigInt, high: &BigInt) -> BigInt {
     let tens = std::iter::successors(Some(BigInt::from(10u8)), |power| Some(power * 10u8));
     tens.map(|ten| high.div_floor(&ten) * ten)
         .take_while(|candidate| candidate >= low)
@@ -149,7 +149,7 @@ mod tests {
     }
 
     #[test]
-    fn the_forms_are_told_apart() {
+    fn the_forms_are_distinguished() {
         let shown = |lo: i64, hi: i64, e| decimal_digits(&enclosure(lo.into(), hi.into(), e));
         assert_eq!(shown(20010, 20019, 0), "2001(0,9)");
         assert_eq!(shown(1999, 2001, 0), "2000(-1,+1)");
@@ -162,7 +162,7 @@ mod tests {
 
     proptest! {
         #[test]
-        fn the_text_brackets_within_three_widths(m: i64, n in 0u64..1000, e in -400i64..100, gap in 0u32..60) {
+        fn the_printed_bounds_are_within_three_widths(m: i64, n in 0u64..1000, e in -400i64..100, gap in 0u32..60) {
             let lo = BigInt::from(m) << gap;
             let x = enclosure(lo.clone(), lo + n, e);
             let [lower, upper] = ends(&decimal_digits(&x));

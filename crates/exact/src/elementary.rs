@@ -196,10 +196,10 @@ impl Reduced {
     fn new(x: &Dyadic, bits: u32) -> Reduced {
         let top = x.top().unwrap_or(0); // exact: 0 has no top bit
         let (small, large) = ((-top).max(0) as u64, (top + 1).max(0) as u64); // exact: not negative
-        let wanted = u64::from(bits) + small;
+        let needed = u64::from(bits) + small;
         // Guard: tripling loses log2(3) bits a step (`halvings` steps), summing a few times log2(number of terms).
         // X1: any guard is sound
-        let scale = wanted + 2 * tripling_steps(wanted) + 2 * u64::from(wanted.max(2).ilog2()) + 16;
+        let scale = needed + 2 * tripling_steps(needed) + 2 * u64::from(needed.max(2).ilog2()) + 16;
 
         let shift = x.exponent() + scale as i64; // exact: a length in bits
         let fixed = scale_to_integer(x.mantissa(), shift, Round::Down);

@@ -13,7 +13,7 @@ use super::{Exact, ExactError, Form, Operation, SIGN_BITS};
 const CONSTRUCTION_BITS: u32 = 32;
 const CONSTRUCTION_PRECISION: u32 = 1 << 16;
 /// Number of recent enclosures that a node keeps.
-const RECENT: usize = 4;
+const CACHED_ENCLOSURES: usize = 4;
 /// Bits of the longest fractions that are distinguished.
 const LONGEST_FRACTION: u64 = 1 << 18;
 
@@ -107,7 +107,7 @@ impl Exact {
             None => fresh,
         };
         let mut recent = recent();
-        if recent.len() == RECENT {
+        if recent.len() == CACHED_ENCLOSURES {
             recent.remove(0);
         }
         recent.push((bits, enclosure.clone()));

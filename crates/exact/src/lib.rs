@@ -53,9 +53,9 @@ use normal::Normal;
 pub use real::Real;
 
 /// Expressions of more nested operations are refused, so recursion over a tree cannot exhaust the stack.
-const DEEPEST: u32 = 256;
-/// Expressions beyond `2^LARGEST_TOP` in size are refused, so no argument reduction can exhaust the memory.
-const LARGEST_TOP: i64 = 40_000;
+const MAX_DEPTH: u32 = 256;
+/// Expressions beyond `2^MAX_SIZE_EXPONENT` in size are refused, so no argument reduction can exhaust the memory.
+const MAX_SIZE_EXPONENT: i64 = 40_000;
 /// The largest accepted exponent of `^`, in size.
 const LARGEST_POWER: i64 = 10_000;
 /// Precision up to which signs are decided.
@@ -204,14 +204,14 @@ impl Exact {
     /// An expression, once it is proved to have a value of reasonable size that can be enclosed.
     fn from_form(form: Form) -> Result<Exact, ExactError> {
         let exact = Exact::from_node(Node::new(form));
-        if exact.node.depth > DEEPEST {
+        if exact.node.depth > MAX_DEPTH {
             return Err(ExactError::TooDeep);
         }
         if let Some(monomial) = Normal::of(&exact).and_then(|normal| normal.monomial()) {
             return Ok(Exact::from_monomial(monomial));
         }
         let base = exact.settle_at_construction()?;
-        if base.mag().top().is_some_and(|top| top > LARGEST_TOP) {
+        if base.mag().top().is_some_and(|top| top > MAX_SIZE_EXPONENT) {
             return Err(ExactError::TooLarge);
         }
         // A fresh node: nobody else can have set it.

@@ -17,7 +17,7 @@ const DEEPEST_NESTING: usize = 256;
 
 const OPERAND: &str = "a number, `pi`, `sqrt(`, `sin(`, `cos(`, `(` or a sign";
 const OPERATOR: &str = "`+`, `-`, `*`, `/`, `^` or the end";
-const CLOSING: &str = "`+`, `-`, `*`, `/`, `^` or `)`";
+const CLOSING_OPERATOR: &str = "`+`, `-`, `*`, `/`, `^` or `)`";
 const EXPONENT: &str = "an integer from -10000 to 10000";
 
 /// The loosest operations that a part of an expression may contain without parentheses.
@@ -287,7 +287,7 @@ impl Reader<'_> {
 
     fn close(&mut self) -> Result<(), ParseError> {
         self.nesting -= 1;
-        self.expect(b')', CLOSING)
+        self.expect(b')', CLOSING_OPERATOR)
     }
 
     /// One level deeper.

@@ -66,7 +66,7 @@ mod tests {
     use super::Excerpt;
 
     #[test]
-    fn excerpts_point_at_what_is_meant() {
+    fn excerpts_point_at_the_faulty_text() {
         let text = "a = 1\nπ = \"8 mm\"\n";
         let at = text.find("mm").unwrap();
         let excerpt = Excerpt::new(text, at..at + 2);

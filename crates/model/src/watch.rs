@@ -93,7 +93,7 @@ pub trait Watch: Sync {
         self.proceed(Stage::Working).is_continue()
     }
 
-    /// Reports progress; whether to continue is asked later.
+    /// Reports progress; the decision whether to continue comes later.
     fn note(&self, at: Stage<'_>) {
         let _ = self.proceed(at);
     }
@@ -163,7 +163,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_has_stopped_stays_stopped() {
+    fn a_stopped_watch_stays_stopped() {
         let watch = |at: Stage<'_>| proceed_if(at != Stage::Claims(3));
         let latched = Latched::new(&watch);
         assert!(latched.goes_on() && !latched.is_stopped());

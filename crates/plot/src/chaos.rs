@@ -5,31 +5,31 @@ mod leaf;
 
 use anyhow::Result;
 use impact_pair::Scene;
-use impact_pair::chaos::{Base, Chaos, Hyperbolic, State, Trap, seen_impacts};
+use impact_pair::chaos::{Chaos, HSet, Hyperbolic, State, Trap, seen_impacts};
 use impact_pair::document::counted;
 use impact_pair::scene::Range;
 use plotters::prelude::*;
 use plotters::style::text_anchor::HPos;
 
 use crate::picture::{self, Arc, Axis, Canvas, Dots, Drawn, Element, FONT, Look, Mark, Path, Plane, SCALE, SKY};
-use crate::picture::{VERMILION, greek, hex, legend, program, said, words};
+use crate::picture::{VERMILION, greek, hex, legend, program, typeset_text, words};
 use crate::sweep::Cells;
 
 /// Size of a single panel, and of each of several beside each other \[pixels\].
-const ALONE: (u32, u32) = (900, 640);
-const EACH: (u32, u32) = (560, 640);
+const SINGLE_PANEL_SIZE: (u32, u32) = (900, 640);
+const PANEL_SIZE: (u32, u32) = (560, 640);
 /// Impacts of a floating-point orbit that are shown, of that in a region after N others.
 const IMPACTS: usize = 20_000;
 const TRANSIENT: usize = 2000;
 /// Images up to this many impacts later are shown.
-const IMAGES: usize = 3;
+const MAX_IMAGES: usize = 3;
 /// Widths of lines.
-const IMAGE: i32 = 6 * SCALE;
-const OUTLINE: i32 = 3 * SCALE / 2;
+const IMAGE_WIDTH: i32 = 6 * SCALE;
+const OUTLINE_WIDTH: i32 = 3 * SCALE / 2;
 /// Room on the right of axes.
-const RIGHT: i32 = 30 * SCALE;
-pub(crate) const PHASE: &str = "phase $θ$ of the impact, mirrored to the left wall [rad]";
-const SPEED: &str = "speed before the impact, in $AΩ$";
+const RIGHT_MARGIN: i32 = 30 * SCALE;
+pub(crate) const PHASE_LABEL: &str = "phase $θ$ of the impact, mirrored to the left wall [rad]";
+const SPEED_LABEL: &str = "speed before the impact, in $AΩ$";
 
 /// Returns the boxes of a region, and a floating-point orbit.
 ///
@@ -45,14 +45,14 @@ pub fn trap(scene: &Scene, region: &Trap, look: &Look) -> Result<String> {
         None => String::new(),
     };
     let proved = format!("certified: a trapping region of {} boxes{entered}; {}", region.boxes(), program());
-    let said = format!("{} impacts of a floating-point orbit after {TRANSIENT} others: non-rigorous", states.len());
-    picture::svg(look.size(ALONE), SCALE, |root| {
+    let floating = format!("{} impacts of a floating-point orbit after {TRANSIENT} others: non-rigorous", states.len());
+    picture::svg(look.size(SINGLE_PANEL_SIZE), SCALE, |root| {
         let top = caption(scene, None, proved, (root, look))?;
         let boxes = format!("boxes of 2π/{columns} by 1/{rows}");
-        let height = legend(root, top, &[(Mark::Cell(SKY), boxes), (Mark::Dot(BLACK), said)])?;
+        let height = legend(root, top, &[(Mark::Cell(SKY), boxes), (Mark::Dot(BLACK), floating)])?;
         let (_, below) = root.split_vertically(top + height);
         let axes = [arc.axis(), speeds(region.speed())];
-        let plane = Plane::draw(&below, axes, [PHASE, SPEED], RIGHT)?;
+        let plane = Plane::draw(&below, axes, [PHASE_LABEL, SPEED_LABEL], RIGHT_MARGIN)?;
         root.draw(&cells(region, arc, &plane))?;
         root.draw(&dots(states.iter().map(|state| in_turn(arc, state)).collect(), &plane))?;
         Ok(())
@@ -74,7 +74,8 @@ pub fn chaos(
         vec!["(a)  the attractor, the h-sets and their images", "(b)  the h-sets along their leaf and across it"];
     titles.extend(set.map(|_| "(c)  an h-set: strips, leaves and cones"));
     let has_bases = !found.bases().is_empty();
-    let size = look.size(if has_bases { (EACH.0 * titles.len() as u32, EACH.1) } else { ALONE });
+    let size =
+        look.size(if has_bases { (PANEL_SIZE.0 * titles.len() as u32, PANEL_SIZE.1) } else { SINGLE_PANEL_SIZE });
     picture::svg(size, SCALE, |root| {
         let top = caption(scene, over, proved(found), (root, look))?;
         let height = legend(root, top, &entries(found, set))?;
@@ -129,12 +130,12 @@ pub(crate) fn section(
     let arc = Arc::holding(phases(region).chain(states.iter().map(|[phase, _]| [*phase; 2])));
     let fastest = states.iter().map(|[_, speed]| *speed).fold(region.speed()[1], f64::max);
     let axes = [arc.axis(), speeds([region.speed()[0], fastest])];
-    let plane = Plane::draw(area, axes, [PHASE, SPEED], RIGHT)?;
+    let plane = Plane::draw(area, axes, [PHASE_LABEL, SPEED_LABEL], RIGHT_MARGIN)?;
     root.draw(&cells(region, arc, &plane))?;
     root.draw(&dots(states.iter().map(|state| in_turn(arc, state)).collect(), &plane))?;
     let bases = horseshoe.map_or(&[][..], Chaos::bases).iter();
     let bases: Vec<Vec<State>> = bases.flat_map(|base| pieces(arc, &round(base))).collect();
-    root.draw(&Element(plane.clipped(&lines(&bases, &plane, (VERMILION, OUTLINE)))))?;
+    root.draw(&Element(plane.clipped(&lines(&bases, &plane, (VERMILION, OUTLINE_WIDTH)))))?;
     Ok(())
 }
 
@@ -179,25 +180,27 @@ fn entries(found: &Chaos, set: Option<&Hyperbolic>) -> Vec<(Mark, String)> {
         ));
     }
     if !found.bases().is_empty() {
-        let depth = found.depth().min(IMAGES);
+        let depth = found.depth().min(MAX_IMAGES);
         let later = if depth == 1 { "1 impact".to_owned() } else { format!("1 to {depth} impacts") };
         entries.push((Mark::Outline(VERMILION), "h-sets".to_owned()));
         entries.push((
-            Mark::Line(SKY, IMAGE),
+            Mark::Line(SKY, IMAGE_WIDTH),
             format!("(a) their images {later} later, up to where they cover an h-set: proved"),
         ));
     }
     for (words, colour) in leaf::words(found).iter().zip(leaf::COLOURS) {
         let Some(word) = words.first() else { continue };
-        let name = said(&word.in_mappings());
-        entries
-            .push((Mark::Line(colour, leaf::STRIP), format!("(b) images by {name}, which are proved to cover h-sets")));
+        let name = typeset_text(&word.in_mappings());
+        entries.push((
+            Mark::Line(colour, leaf::STRIP_WIDTH),
+            format!("(b) images by {name}, which are proved to cover h-sets"),
+        ));
     }
     if let Some(set) = set {
         let [strips, leaves, cones] = cones::COLOURS;
         let words = counted(set.words.len() as u32, "word");
         entries.push((Mark::Cell(strips), format!("(c) strips of the {words} of a uniformly hyperbolic set")));
-        entries.push((Mark::Line(leaves, cones::LEAF), "(c) images that lie across the h-set".to_owned()));
+        entries.push((Mark::Line(leaves, cones::LEAF_WIDTH), "(c) images that lie across the h-set".to_owned()));
         entries.push((Mark::Cell(cones), "(c) cones that hold the expanding directions: proved".to_owned()));
     }
     entries
@@ -236,17 +239,17 @@ fn whole(found: &Chaos, area: &Canvas<'_>, root: &Canvas<'_>) -> Drawn {
     let all = || dots_shown().copied().chain(found.tubes().iter().flatten().copied()).chain(corners());
     let arc = Arc::holding(all().map(|[phase, _]| [phase; 2]));
     let ends = all().fold([f64::MAX, 0.0], |[low, high]: State, [_, speed]| [low.min(speed), high.max(speed)]);
-    let plane = Plane::draw(area, [arc.axis(), speeds(ends)], [PHASE, SPEED], RIGHT)?;
+    let plane = Plane::draw(area, [arc.axis(), speeds(ends)], [PHASE_LABEL, SPEED_LABEL], RIGHT_MARGIN)?;
     let images: Vec<Vec<State>> = found.tubes().iter().flat_map(|tube| pieces(arc, tube)).collect();
     let bases: Vec<Vec<State>> = found.bases().iter().flat_map(|base| pieces(arc, &round(base))).collect();
-    root.draw(&Element(plane.clipped(&lines(&images, &plane, (SKY, IMAGE)))))?;
+    root.draw(&Element(plane.clipped(&lines(&images, &plane, (SKY, IMAGE_WIDTH)))))?;
     root.draw(&dots(dots_shown().map(|state| in_turn(arc, state)).collect(), &plane))?;
-    root.draw(&Element(plane.clipped(&lines(&bases, &plane, (VERMILION, OUTLINE)))))?;
+    root.draw(&Element(plane.clipped(&lines(&bases, &plane, (VERMILION, OUTLINE_WIDTH)))))?;
     Ok(())
 }
 
 /// The corners of an h-set, the first one again at the end.
-fn round(base: &Base) -> [State; 5] {
+fn round(base: &HSet) -> [State; 5] {
     [base.left.bottom, base.right.bottom, base.right.top, base.left.top, base.left.bottom]
 }
 
@@ -294,7 +297,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn bounds_are_never_told_to_be_more() {
+    fn bounds_are_never_described_as_equalities() {
         assert_eq!(
             [0.28119957, 0.43326711, 0.0, 0.00009999].map(rounded_down),
             ["0.2811", "0.4332", "0.0000", "0.0000"]

@@ -18,11 +18,11 @@ use plotters::prelude::*;
 use crate::chaos::section;
 use crate::orbit::{Frame, Panel, Recorder, Style, Trace, explain, panel, title};
 use crate::picture::{self, Axis, BLUE, Canvas, Drawn, GREEN, GREY, Look, Mark, Plane, SCALE, SKY};
-use crate::picture::{VERMILION, greek, legend, program, said};
+use crate::picture::{VERMILION, greek, legend, program, typeset_text};
 use crate::sweep::value;
 
 /// The size of a panel as it is shown, and the margin of the page.
-const PANEL: (i32, i32) = (600, 420);
+const PANEL_SIZE: (i32, i32) = (600, 420);
 const MARGIN: i32 = 16 * SCALE;
 /// Forcing periods of the time series, and of the phase plane.
 const CYCLES: u32 = 8;
@@ -31,7 +31,7 @@ const ORBIT_CYCLES: u32 = 40;
 const IMPACTS: u64 = 2000;
 const LETTERS: usize = 60;
 /// The room on the right of axes.
-const RIGHT: i32 = 38 * SCALE;
+const RIGHT_MARGIN: i32 = 38 * SCALE;
 /// The mappings, from the lowest row on.
 const MAPPINGS: [Mapping; 4] = [Mapping::P4, Mapping::P3, Mapping::P2, Mapping::P1];
 const NAMES: [&str; 4] = ["P4 L→L", "P3 R→R", "P2 L→R", "P1 R→L"];
@@ -57,7 +57,7 @@ pub fn describe(scene: &Scene, found: &Description, document: &DescriptionDocume
     let style = Style { is_certified: true, transient };
     let planes =
         if found.region().is_some() { &[Panel::PhasePlane][..] } else { &[Panel::PhasePlane, Panel::SwitchPlane] };
-    let width = look.size((2 * PANEL.0 as u32, 0)).0;
+    let width = look.size((2 * PANEL_SIZE.0 as u32, 0)).0;
     let drawn = |height: u32| {
         let mut top = 0;
         let svg = picture::svg((width, height), SCALE, |root| {
@@ -75,7 +75,7 @@ pub fn describe(scene: &Scene, found: &Description, document: &DescriptionDocume
         Ok::<_, anyhow::Error>((svg, top))
     };
     // The first drawing determines the height of the text.
-    let panels = 2 * PANEL.1 as u32;
+    let panels = 2 * PANEL_SIZE.1 as u32;
     let (_, top) = drawn(2 * panels)?;
     let own = (top + MARGIN / 2) as u32 / SCALE as u32 + panels;
     Ok(drawn(look.size((width, own)).1)?.0)
@@ -106,7 +106,7 @@ fn head(
 ) -> Result<i32, Box<dyn std::error::Error>> {
     let lines = impact_pair::describe::lines(document);
     let shown = lines.iter().filter(|(label, _)| ["fate", "exponent", "entropy"].contains(label));
-    let shown = shown.map(|(label, text)| said(&format!("{label}: {text}")).replace(" -", " −"));
+    let shown = shown.map(|(label, text)| typeset_text(&format!("{label}: {text}")).replace(" -", " −"));
     let data = greek(&format!("{}; {}", scene.parameters_in_words(), scene.start_in_words()));
     let last = format!("shown from the start on: (a) {CYCLES} forcing periods; (b) {ORBIT_CYCLES}; {}", program());
     let lines: Vec<String> = [data].into_iter().chain(shown).chain([last]).collect();
@@ -151,7 +151,7 @@ fn itinerary(mappings: &[Option<Mapping>], style: Style, (area, root): (&Canvas<
     let below = title(area, "(d)  itinerary")?;
     let shown = mappings.len().min(LETTERS);
     let axes = [Axis::over(0.0, shown.max(1) as f64 + 1.0), Axis::named(&NAMES)];
-    let plane = Plane::draw(&below, axes, ["number of the impact", ""], RIGHT)?;
+    let plane = Plane::draw(&below, axes, ["number of the impact", ""], RIGHT_MARGIN)?;
     let row = |mapping: &Mapping| MAPPINGS.iter().position(|other| other == mapping);
     let places = mappings[..shown].iter().enumerate().filter_map(|(i, mapping)| {
         let mapping = mapping.as_ref()?;

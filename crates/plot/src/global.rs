@@ -6,32 +6,32 @@ use std::f64::consts::TAU;
 
 use anyhow::Result;
 use impact_pair::Scene;
-use impact_pair::chaos::{Global, Goes, Kind, LimitCycle, Patch, State};
+use impact_pair::chaos::{BasinOutcome, Global, Kind, LimitCycle, Patch, State};
 use impact_pair::document::counted;
 use impact_pair::json::GlobalDocument;
 use impact_pair::pair::Wall;
 use plotters::prelude::*;
 
-use crate::chaos::PHASE;
+use crate::chaos::PHASE_LABEL;
 use crate::picture::{self, Axis, BLUE, Canvas, Drawn, Element, GREEN, Look, Mark, ORANGE, PURPLE, Plane, SCALE, SKY};
 use crate::picture::{VERMILION, greek, program};
 use crate::sweep::Cells;
 
 /// The picture, and the part of its width that the graph takes.
 const SIZE: (u32, u32) = (1160, 680);
-const GRAPH: i32 = 320 * SCALE;
+const GRAPH_WIDTH: i32 = 320 * SCALE;
 /// Room on the right of axes.
-const RIGHT: i32 = 16 * SCALE;
+const RIGHT_MARGIN: i32 = 16 * SCALE;
 /// Colours of attractors, in their order; further ones begin anew.
-const ATTRACTORS: [RGBColor; 5] = [BLUE, GREEN, ORANGE, PURPLE, SKY];
+const ATTRACTOR_COLOURS: [RGBColor; 5] = [BLUE, GREEN, ORANGE, PURPLE, SKY];
 /// Colour of states whose attractor is undecided.
-const PALE: RGBColor = RGBColor(0xdd, 0xdd, 0xdd);
+const UNDECIDED_COLOUR: RGBColor = RGBColor(0xdd, 0xdd, 0xdd);
 /// The least side of a box of a component that is not an attractor.
-const LEAST: i32 = 3 * SCALE / 2;
+const MIN_BOX_SIDE: i32 = 3 * SCALE / 2;
 const RADIUS: i32 = 5 * SCALE;
-const SPEED: &str = "speed before the impact, in $AΩ$";
+const SPEED_LABEL: &str = "speed before the impact, in $AΩ$";
 /// Components that the legend and the graph show at most.
-const MOST: usize = 12;
+const MAX_COMPONENTS: usize = 12;
 
 /// Returns the state space, coloured by where its motions are proved to end, with its components, and the graph of these.
 ///
@@ -44,7 +44,7 @@ pub fn global(scene: &Scene, found: &Global, document: &GlobalDocument, look: &L
         let top = picture::caption(root, look, title, &[greek(&scene.parameters_in_words()), said])?;
         let height = picture::legend(root, top, &entries(found))?;
         let (_, below) = root.split_vertically(top + height);
-        let (left, right) = below.split_horizontally(below.dim_in_pixel().0 as i32 - GRAPH);
+        let (left, right) = below.split_horizontally(below.dim_in_pixel().0 as i32 - GRAPH_WIDTH);
         space(found, &left, root)?;
         morse::draw(found, &right)
     })
@@ -56,7 +56,7 @@ fn colour(found: &Global, component: usize) -> RGBColor {
     match found.components[component].kind {
         Kind::Undecided => BLACK,
         _ if is_attractor(component) => {
-            ATTRACTORS[(0..component).filter(|&i| is_attractor(i)).count() % ATTRACTORS.len()]
+            ATTRACTOR_COLOURS[(0..component).filter(|&i| is_attractor(i)).count() % ATTRACTOR_COLOURS.len()]
         }
         _ => VERMILION,
     }
@@ -64,13 +64,14 @@ fn colour(found: &Global, component: usize) -> RGBColor {
 
 /// Returns the entries of the legend.
 fn entries(found: &Global) -> Vec<(Mark, String)> {
-    let is_drawn = |goes: fn(&Goes) -> bool| found.patches.iter().any(|patch| goes(&patch.goes));
-    let attractors = (0..found.components.len()).filter(|&i| found.components[i].kind.is_attractor()).take(MOST);
+    let is_drawn = |goes: fn(&BasinOutcome) -> bool| found.patches.iter().any(|patch| goes(&patch.goes));
+    let attractors =
+        (0..found.components.len()).filter(|&i| found.components[i].kind.is_attractor()).take(MAX_COMPONENTS);
     let mut all: Vec<(Mark, String)> = attractors
         .map(|i| (Mark::Cell(colour(found, i)), format!("every motion ends in {}: proved", name(found, i))))
         .collect();
-    if is_drawn(|goes| *goes == Goes::Undecided) {
-        all.push((Mark::Cell(PALE), "goes to one of several, or undecided".to_owned()));
+    if is_drawn(|goes| *goes == BasinOutcome::Undecided) {
+        all.push((Mark::Cell(UNDECIDED_COLOUR), "goes to one of several, or undecided".to_owned()));
     }
     let within = |is: fn(&Kind) -> bool| found.components.iter().any(|own| is(&own.kind) && own.boxes > 0);
     if within(|kind| matches!(kind, Kind::Saddle(_) | Kind::Grazing)) {
@@ -97,21 +98,22 @@ fn name(found: &Global, component: usize) -> String {
 
 /// The state space.
 fn space(found: &Global, area: &Canvas<'_>, root: &Canvas<'_>) -> Drawn {
-    let plane = Plane::draw(area, [Axis::angle(), Axis::over(0.0, found.fastest)], [PHASE, SPEED], RIGHT)?;
+    let plane =
+        Plane::draw(area, [Axis::angle(), Axis::over(0.0, found.fastest)], [PHASE_LABEL, SPEED_LABEL], RIGHT_MARGIN)?;
     let mut data = String::new();
-    let mut layer = |colour: RGBColor, least: i32, is_shown: &dyn Fn(&Goes) -> bool| {
+    let mut layer = |colour: RGBColor, least: i32, is_shown: &dyn Fn(&BasinOutcome) -> bool| {
         let mut all = Cells::default();
         for patch in found.patches.iter().filter(|patch| is_shown(&patch.goes)) {
             add(&mut all, &plane, patch, least);
         }
         data += &all.element(colour);
     };
-    layer(PALE, 1, &|goes| *goes == Goes::Undecided);
+    layer(UNDECIDED_COLOUR, 1, &|goes| *goes == BasinOutcome::Undecided);
     for i in (0..found.components.len()).filter(|&i| found.components[i].kind.is_attractor()) {
-        layer(colour(found, i), 1, &|goes| *goes == Goes::To(i));
+        layer(colour(found, i), 1, &|goes| *goes == BasinOutcome::To(i));
     }
     for i in 0..found.components.len() {
-        layer(colour(found, i), LEAST, &|goes| *goes == Goes::Within(i));
+        layer(colour(found, i), MIN_BOX_SIDE, &|goes| *goes == BasinOutcome::Within(i));
     }
     root.draw(&Element(plane.clipped(&data)))?;
     for (i, limit) in found.components.iter().enumerate().filter_map(|(i, own)| Some((i, own.kind.limit()?))) {

@@ -15,13 +15,13 @@ use crate::sweep::value;
 
 const SIZE: (u32, u32) = (1200, 940);
 /// Room on the right of the axes, and the radius of a mark.
-const RIGHT: i32 = 38 * SCALE;
+const RIGHT_MARGIN: i32 = 38 * SCALE;
 const RADIUS: i32 = 4 * SCALE;
 /// The greatest speed of the section, and how much is magnified.
-const SPEED: f64 = 3.0;
-const MAGNIFIED: f64 = 1000.0;
+const MAX_SPEED: f64 = 3.0;
+const MAGNIFICATION: f64 = 1000.0;
 /// Distance of the parameter from the tangency in panels (c) and (d), in the units of the scene.
-const BESIDE: f64 = 1e-4;
+const PARAMETER_OFFSET: f64 = 1e-4;
 const NAMES: [&str; 2] = ["phase $θ$ of the impact, mirrored to the left wall [rad]", "speed $w = |v|/(AΩ)$"];
 
 /// Returns the picture of the first tangency: the section, and the part about a point of the orbit 1,000 times as large, at the tangency and
@@ -47,11 +47,15 @@ pub fn tangency(scene: &Scene, found: &Tangencies, look: &Look) -> Result<String
         let areas = below.split_evenly((2, 2));
         section(&portrait, (&areas[0], root))?;
         let key = found.over.key;
-        let values = [("(b)", 0.0, "at the tangency"), ("(c)", -BESIDE, "1e-4 below"), ("(d)", BESIDE, "1e-4 above")];
+        let values = [
+            ("(b)", 0.0, "at the tangency"),
+            ("(c)", -PARAMETER_OFFSET, "1e-4 below"),
+            ("(d)", PARAMETER_OFFSET, "1e-4 above"),
+        ];
         for ((letter, apart, words), area) in values.into_iter().zip(&areas[1..]) {
             let at = own + apart;
             let heading = format!(
-                "{letter}  {words}: {key} = {}, magnified {MAGNIFIED:.0} times",
+                "{letter}  {words}: {key} = {}, magnified {MAGNIFICATION:.0} times",
                 decimal_f64((at * 1e7).round() / 1e7)
             );
             let below = title(area, &heading)?;
@@ -85,9 +89,9 @@ fn head(
 /// The invariant manifolds, the saddle and the point of tangency.
 fn section(portrait: &Portrait, (area, root): (&Canvas<'_>, &Canvas<'_>)) -> Drawn {
     let below = title(area, "(a)  both invariant manifolds in the section")?;
-    let plane = Plane::draw(&below, [Axis::angle(), Axis::over(0.0, SPEED)], NAMES, RIGHT)?;
+    let plane = Plane::draw(&below, [Axis::angle(), Axis::over(0.0, MAX_SPEED)], NAMES, RIGHT_MARGIN)?;
     for (colour, states) in [(BLUE, &portrait.stable), (VERMILION, &portrait.unstable)] {
-        let shown = states.iter().filter(|[_, w]| *w < SPEED);
+        let shown = states.iter().filter(|[_, w]| *w < MAX_SPEED);
         root.draw(&Dots { colour, places: shown.map(|state| plane.pixel(*state)).collect() }.element())?;
     }
     root.draw(&Circle::new(plane.pixel(portrait.saddle), RADIUS, BLACK.filled()))?;
@@ -101,12 +105,12 @@ fn magnified(
     pair: [f64; 2],
     (area, root): (&Canvas<'_>, &Canvas<'_>),
 ) -> Drawn {
-    let within = [std::f64::consts::PI / MAGNIFIED, 0.5 * SPEED / MAGNIFIED];
+    let within = [std::f64::consts::PI / MAGNIFICATION, 0.5 * MAX_SPEED / MAGNIFICATION];
     // In thousandths, from the point on.
     let axes = within.map(|within| Axis::over(-1e3 * within, 1e3 * within));
     let [theta, w] = portrait.point;
     let names = [format!("$θ$ less {theta:.7} [0.001 rad]"), format!("$w$ less {w:.7} [0.001]")];
-    let plane = Plane::draw(area, axes, [&names[0], &names[1]], RIGHT)?;
+    let plane = Plane::draw(area, axes, [&names[0], &names[1]], RIGHT_MARGIN)?;
     let Some([unstable, stable]) = portrait.magnified(tangency, pair, within) else { return Ok(()) };
     let curve = |points: &[State], colour: RGBColor| {
         let mut path = Path::default();

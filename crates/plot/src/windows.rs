@@ -15,7 +15,7 @@ use crate::sweep::{described, value};
 
 const SIZE: (u32, u32) = (900, 600);
 /// Room on the right of the axes, and the radius of a mark.
-const RIGHT: i32 = 30 * SCALE;
+const RIGHT_MARGIN: i32 = 30 * SCALE;
 const RADIUS: i32 = 4 * SCALE;
 /// Rows above and below a mark in which its label may stand.
 const ROWS: i32 = 6;
@@ -127,7 +127,7 @@ fn frame(
         |end: fn(f64, f64) -> f64, other: f64| all.iter().map(|window| window.width).reduce(end).unwrap_or(other);
     let (narrow, wide) = (ends(f64::min, -1.0).floor() - 1.0, ends(f64::max, 0.0).ceil() + 1.0);
     let axes = [Axis::over(value(&found.over.low), value(&found.over.high)), Axis::over(narrow, wide)];
-    Plane::draw(&below, axes, [&described(key), "decimal logarithm of the width of the window"], RIGHT)
+    Plane::draw(&below, axes, [&described(key), "decimal logarithm of the width of the window"], RIGHT_MARGIN)
 }
 
 #[cfg(test)]

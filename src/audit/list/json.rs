@@ -14,12 +14,12 @@ use crate::Error;
 type Object<'j> = BTreeMap<String, &'j RawValue>;
 
 /// An object, and a key that it has twice: of two values one reader takes the first, another the last.
-struct Once<'j> {
+struct UniqueKeys<'j> {
     object: Object<'j>,
     twice: Option<String>,
 }
 
-impl<'j> Deserialize<'j> for Once<'j> {
+impl<'j> Deserialize<'j> for UniqueKeys<'j> {
     fn deserialize<D: serde::Deserializer<'j>>(deserializer: D) -> Result<Self, D::Error> {
         deserializer.deserialize_map(Members)
     }
@@ -28,14 +28,14 @@ impl<'j> Deserialize<'j> for Once<'j> {
 struct Members;
 
 impl<'j> Visitor<'j> for Members {
-    type Value = Once<'j>;
+    type Value = UniqueKeys<'j>;
 
     fn expecting(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
         out.write_str("an object")
     }
 
-    fn visit_map<A: MapAccess<'j>>(self, mut members: A) -> Result<Once<'j>, A::Error> {
-        let mut found = Once { object: Object::new(), twice: None };
+    fn visit_map<A: MapAccess<'j>>(self, mut members: A) -> Result<UniqueKeys<'j>, A::Error> {
+        let mut found = UniqueKeys { object: Object::new(), twice: None };
         while let Some((key, value)) = members.next_entry::<String, &RawValue>()? {
             if found.object.insert(key.clone(), value).is_some() {
                 found.twice.get_or_insert(key);
@@ -87,7 +87,7 @@ fn list(value: &RawValue) -> Result<Vec<&RawValue>, Error> {
 }
 
 fn object<'j>(place: &str, value: &'j RawValue) -> Result<Object<'j>, Error> {
-    let Once { object, twice } = serde_json::from_str(value.get())
+    let UniqueKeys { object, twice } = serde_json::from_str(value.get())
         .map_err(|_| Error::list(format!("{place} is `{}`, but accepted is an object", shortened(value.get()))))?;
     match twice {
         Some(key) => refuse!("{place} has the key `{}` twice", shortened(&key)),
@@ -106,9 +106,9 @@ fn objects<'j>(name: &str, rows: &[&'j RawValue]) -> Result<Vec<(String, Object<
 /// The rows of an object of arrays, with their events if it has such a column.
 fn by_columns<'j>(document: &Object<'j>, columns: &Columns) -> Result<Vec<(String, Object<'j>)>, Error> {
     let named = |column: &Column| column.names().find_map(|name| document.get_key_value(name));
-    let wanted = [Some(&columns.time), Some(&columns.wall), columns.velocity.as_ref()].map(|column| named(column?));
+    let needed = [Some(&columns.time), Some(&columns.wall), columns.velocity.as_ref()].map(|column| named(column?));
     let mut rows: Vec<(String, Object<'j>)> = Vec::new();
-    for (number, column) in wanted.into_iter().chain([document.get_key_value("event")]).enumerate() {
+    for (number, column) in needed.into_iter().chain([document.get_key_value("event")]).enumerate() {
         let Some((name, values)) = column else { continue };
         let values = list(values).map_err(|error| Error::list(format!("{name}: {error}")))?;
         if number == 0 {

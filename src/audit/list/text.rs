@@ -8,13 +8,13 @@ use super::{Column, Columns, List, Listed, Number, Walls, is_impact_name, read_w
 use crate::Error;
 
 /// Lines that begin so are no data.
-const COMMENTS: [char; 2] = ['#', '%'];
+const COMMENT_SIGNS: [char; 2] = ['#', '%'];
 
 pub(super) fn read(text: &str, columns: &Columns, walls: &Walls) -> Result<List, Error> {
     let mut comment = None;
     let mut lines = text.lines().enumerate().map(|(i, line)| (i + 1, line.trim())).filter(|(_, line)| !line.is_empty());
     let first = lines.by_ref().find(|(_, line)| {
-        let said = line.strip_prefix(COMMENTS);
+        let said = line.strip_prefix(COMMENT_SIGNS);
         comment = said.or(comment);
         said.is_none()
     });
@@ -27,7 +27,7 @@ pub(super) fn read(text: &str, columns: &Columns, walls: &Walls) -> Result<List,
         false => Header::of_comment(comment, &separator, fields.len()),
     };
     let places = Places::find(columns, &header, fields.len())?;
-    let data = lines.filter(|(_, line)| !line.starts_with(COMMENTS));
+    let data = lines.filter(|(_, line)| !line.starts_with(COMMENT_SIGNS));
     let is_impact =
         |fields: &[String]| places.event.and_then(|at| fields.get(at)).is_none_or(|event| is_impact_name(event));
     let data = (!is_header).then_some((number, first)).into_iter().chain(data);
@@ -94,7 +94,7 @@ enum Header {
 impl Header {
     /// A comment of another number of words says something else.
     fn of_comment(comment: Option<&str>, separator: &Separator, width: usize) -> Self {
-        let names = comment.map(|comment| separator.fields(comment.trim_start_matches(COMMENTS).trim()));
+        let names = comment.map(|comment| separator.fields(comment.trim_start_matches(COMMENT_SIGNS).trim()));
         names.filter(|names| names.len() == width).map_or(Self::None, Self::Comment)
     }
 

@@ -76,7 +76,7 @@ proptest! {
 
     /// A set that is held has no member outside, whatever the parameters.
     #[test]
-    fn what_is_held_is_inside(
+    fn members_are_inside(
         (p, q) in (vector(1e-3), vector(1e-3)), (r, s) in (vector(1e-3), vector(1e-3)),
         (away, t, u) in (vector(3e-4), vector(3e-4), vector(3e-4)), size in 0.1..1.2f64,
         part in [-1.0..=1.0f64, -1.0..=1.0, -1.0..=1.0, -1.0..=1.0], turns in -3..3i32,
@@ -103,8 +103,8 @@ proptest! {
 }
 
 /// Numbers of impacts and of cycles of the stable orbit that `run` proves for one value of the parameter, by sets without parameters.
-fn impacts_and_cycles(scene: &Scene, asked: &RangeSettings, value: &crate::exact::Exact) -> (usize, u32) {
-    let pair = scene.pair().with(asked.over.key, value.clone()).unwrap();
+fn impacts_and_cycles(scene: &Scene, requested: &RangeSettings, value: &crate::exact::Exact) -> (usize, u32) {
+    let pair = scene.pair().with(requested.over.key, value.clone()).unwrap();
     let settings =
         Settings { impacts: Some(2000), attractor: true, arithmetic: Arithmetic::Auto, ..Settings::default() };
     let mut orbit = Orbit::new(&pair, scene.start(), settings).unwrap();
@@ -125,15 +125,15 @@ fn orbits_of_values_in_a_cell_converge_as_it_says() {
         ("5", "amplitude=5..5.00625", 2, (3, 1)),
     ] {
         let scene = Scene::parse(&text.replace("amplitude = 8", &format!("amplitude = {amplitude}"))).unwrap();
-        let asked = RangeSettings { over: over.parse().unwrap(), cells, halvings: 3, depth: 3 };
-        let found = Cells::of(scene.pair(), scene.start(), &asked, &Unwatched).unwrap();
+        let requested = RangeSettings { over: over.parse().unwrap(), cells, halvings: 3, depth: 3 };
+        let found = Cells::of(scene.pair(), scene.start(), &requested, &Unwatched).unwrap();
         let [Stretch { low, high, verdict: Verdict::Attracted { word, cycles, .. }, .. }] = &found.stretches[..] else {
             panic!("{over}: {:?}", found.stretches)
         };
         assert_eq!((word.mappings().len(), *cycles), expected, "{over}");
         let middle = low.checked_add(high).unwrap().checked_div(&2.into()).unwrap();
         for value in [low, &middle, high] {
-            assert_eq!(impacts_and_cycles(&scene, &asked, value), expected, "{over} {value:?}");
+            assert_eq!(impacts_and_cycles(&scene, &requested, value), expected, "{over} {value:?}");
         }
     }
 }

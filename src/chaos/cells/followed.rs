@@ -7,14 +7,14 @@ use super::super::guess::Guess;
 use super::super::law::Law;
 use super::super::quad::{Chord, State};
 use super::super::vector::{cross, length, minus, times, unit};
-use super::super::words::Base;
+use super::super::words::HSet;
 use crate::number::Ball;
 
 /// The most impacts of saddles that are looked for, and the places along the h-set from which they are, a half length being 1.
-const LONGEST: usize = 16;
-const PLACES: [f64; 7] = [0.0, -0.25, 0.25, -0.5, 0.5, -0.75, 0.75];
+const MAX_SADDLE_IMPACTS: usize = 16;
+const SADDLE_PLACES: [f64; 7] = [0.0, -0.25, 0.25, -0.5, 0.5, -0.75, 0.75];
 /// The greatest change of `D` or `e` that is followed in one step.
-const STEP: f64 = 5e-4;
+const MAX_STEP: f64 = 5e-4;
 
 /// A periodic state of saddle type, and the directions that expand and contract there, of unit length.
 #[derive(Clone, Copy, Debug)]
@@ -28,7 +28,7 @@ struct Saddle {
 #[derive(Clone, Debug)]
 pub(super) struct Followed {
     at: [f64; 2],
-    held: Vec<(Base, Saddle)>,
+    held: Vec<(HSet, Saddle)>,
 }
 
 impl Saddle {
@@ -82,7 +82,7 @@ fn directions([[a, b], [c, d]]: [[f64; 2]; 2]) -> Option<[State; 2]> {
     (expands.abs() > 1.0 && contracts.abs() < 1.0).then(|| [of(expands), of(contracts)])
 }
 
-impl Base {
+impl HSet {
     /// The middle, and the half vectors along and across.
     fn axes(&self) -> [State; 3] {
         let [[a, b], [c, d]] = [self.left, self.right].map(|chord| [chord.bottom, chord.top]);
@@ -106,10 +106,10 @@ impl Base {
             a.abs() < 1.0 && b.abs() < 1.0
         };
         let of = |impacts: usize| {
-            let starts = PLACES.iter().map(|part| [0, 1].map(|i| middle[i] + part * along[i]));
+            let starts = SADDLE_PLACES.iter().map(|part| [0, 1].map(|i| middle[i] + part * along[i]));
             starts.filter_map(|state| Saddle::near(guess, state, impacts)).find(is_inside)
         };
-        (1..=LONGEST).find_map(of)
+        (1..=MAX_SADDLE_IMPACTS).find_map(of)
     }
 
     /// The same h-set, wider by a factor.
@@ -124,7 +124,7 @@ impl Base {
 
 impl Followed {
     /// H-sets at the middle of a law's parameters; `None` where one of them holds no saddle that is found.
-    pub fn of(law: &Law, bases: &[Base]) -> Option<Self> {
+    pub fn of(law: &Law, bases: &[HSet]) -> Option<Self> {
         let guess = Guess::new(law);
         let held = bases.iter().map(|base| Some((*base, base.saddle(&guess)?))).collect::<Option<_>>()?;
         Some(Self { at: [law.gap.mid(), law.restitution.mid()], held })
@@ -134,7 +134,7 @@ impl Followed {
     pub fn to(&self, law: &Law) -> Option<Self> {
         let end = [law.gap.mid(), law.restitution.mid()];
         let change = minus(end, self.at);
-        let steps = change.iter().fold(1.0, |most: f64, x| most.max((x.abs() / STEP).ceil()));
+        let steps = change.iter().fold(1.0, |most: f64, x| most.max((x.abs() / MAX_STEP).ceil()));
         (1..=steps as u32).try_fold(self.clone(), |followed, step| {
             let part = f64::from(step) / steps;
             followed.at([0, 1].map(|i| self.at[i] + part * change[i]))
@@ -144,7 +144,7 @@ impl Followed {
     fn at(&self, at: [f64; 2]) -> Option<Self> {
         let [gap, restitution] = at.map(Ball::exact);
         let guess = Guess::new(&Law { gap, restitution });
-        let moved = |(base, saddle): &(Base, Saddle)| {
+        let moved = |(base, saddle): &(HSet, Saddle)| {
             let to = saddle.moved(&guess)?;
             Some((base.mapped(|state| saddle.carried(&to, state)), to))
         };
@@ -152,7 +152,7 @@ impl Followed {
     }
 
     /// Returns the h-sets.
-    pub fn bases(&self) -> Vec<Base> {
+    pub fn bases(&self) -> Vec<HSet> {
         self.held.iter().map(|(base, _)| *base).collect()
     }
 }

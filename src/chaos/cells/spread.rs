@@ -4,7 +4,7 @@
 use super::super::horseshoe::{Horseshoe, bases, problem};
 use super::super::law::Law;
 use super::super::trials::BUNDLED;
-use super::super::words::Base;
+use super::super::words::HSet;
 use super::followed::Followed;
 use super::{NAME, Stretch, Verdict, Work, join, middle};
 use crate::Error;
@@ -14,21 +14,21 @@ use crate::pair::within;
 use crate::threads::each;
 
 /// Numbers of halvings of a cell for the parts in which undecided stretches are looked at: first, and where nothing is proved of such a part.
-const PARTS: [u32; 2] = [3, 4];
+const PART_HALVINGS: [u32; 2] = [3, 4];
 /// Number of parts in a row, with nothing proved of any, that ends a walk.
-const MISSES: usize = 4;
+const MAX_MISSES: usize = 4;
 /// Factors by which h-sets are wider than at the value they are from, since an interval of the parameter moves images across; the first
 /// one with which they are apart is taken.
-const WIDER: [f64; 3] = [2.0, 1.4, 1.0];
+const WIDTH_FACTORS: [f64; 3] = [2.0, 1.4, 1.0];
 /// The most stretches in which h-sets are searched for, and the narrowest one, a cell being 1.
-const SEARCHES: usize = 8;
-const NARROWEST: f64 = 0.25;
+const MAX_SEARCHES: usize = 8;
+const MIN_STRETCH: f64 = 0.25;
 
 /// H-sets of a value.
 #[derive(Clone, Debug)]
 pub(super) struct Seed {
     pub value: Exact,
-    pub bases: Vec<Base>,
+    pub bases: Vec<HSet>,
 }
 
 /// Neighbouring stretches, and the h-sets of the horseshoes below and above them.
@@ -77,7 +77,7 @@ impl Work<'_> {
     /// The same stretches, what is undecided in them tried by h-sets of their neighbours, and by those that are searched for within.
     pub(super) fn spread(&self, stretches: Vec<Stretch>) -> Result<Vec<Stretch>, Error> {
         let mut stretches = self.between(stretches)?;
-        let searches = if self.asked.halvings < PARTS[0] { 0 } else { SEARCHES }; // proposes: worth it only in narrow parts
+        let searches = if self.requested.halvings < PART_HALVINGS[0] { 0 } else { MAX_SEARCHES }; // proposes: worth it only in narrow parts
         let mut looked_at: Vec<f64> = Vec::new();
         while looked_at.len() < searches && self.watch.goes_on() {
             let Some([low, high]) = self.widest(&stretches, &looked_at) else { break };
@@ -98,25 +98,25 @@ impl Work<'_> {
             let [low, high] = [&stretch.low, &stretch.high].map(double);
             !looked_at.iter().any(|&value| low < value && value < high)
         };
-        let open = stretches.iter().filter(|stretch| is_open(stretch) && width(stretch) >= NARROWEST * self.wide(0));
+        let open = stretches.iter().filter(|stretch| is_open(stretch) && width(stretch) >= MIN_STRETCH * self.wide(0));
         let widest = open.filter(is_new).max_by(|a, b| width(a).total_cmp(&width(b)))?;
         Some([widest.low.clone(), widest.high.clone()])
     }
 
     /// Width of a cell after N halvings, in units of the parameter.
     fn wide(&self, halved: u32) -> f64 {
-        let over = &self.asked.over;
-        (double(&over.high) - double(&over.low)) / f64::from(self.asked.cells) / f64::from(1 << halved)
+        let over = &self.requested.over;
+        (double(&over.high) - double(&over.low)) / f64::from(self.requested.cells) / f64::from(1 << halved)
     }
 
     fn law(&self, [low, high]: [&Exact; 2]) -> Result<Law, Error> {
-        Law::of(&self.pair.with(self.asked.over.key, within(NAME, low, Exact::interval(low, high))?)?)
+        Law::of(&self.pair.with(self.requested.over.key, within(NAME, low, Exact::interval(low, high))?)?)
     }
 
     /// H-sets about bundles of leaves at the first of some values whose floating-point orbit is chaotic.
     fn seed(&self, values: [&Exact; 3]) -> Result<Option<Seed>, Error> {
         let Some((value, orbit)) = self.looked_at(values, false)? else { return Ok(None) };
-        let bases = bases(&orbit, &self.law([&value; 2])?, self.asked.depth, BUNDLED, self.watch);
+        let bases = bases(&orbit, &self.law([&value; 2])?, self.requested.depth, BUNDLED, self.watch);
         Ok((!bases.is_empty()).then_some(Seed { value, bases }))
     }
 
@@ -164,8 +164,8 @@ impl Work<'_> {
         if !stretches.iter().any(is_open) {
             return Ok(stretches); // exact: nothing to prove
         }
-        let wider = |factor: f64| seed.bases.iter().map(|base| base.wider(factor)).collect::<Vec<Base>>();
-        let bases = WIDER.map(wider).into_iter().find(|bases| problem(bases).is_none());
+        let wider = |factor: f64| seed.bases.iter().map(|base| base.wider(factor)).collect::<Vec<HSet>>();
+        let bases = WIDTH_FACTORS.map(wider).into_iter().find(|bases| problem(bases).is_none());
         let law = self.law([&seed.value; 2])?;
         let followed = bases.and_then(|bases| Followed::of(&law, &bases));
         let mut walk = Walk { work: self, followed, is_upward, missed: 0, passed: Vec::new() };
@@ -187,9 +187,9 @@ impl Walk<'_> {
     /// Passes a stretch that is undecided: as a whole if it is narrow enough and a horseshoe is proved of it, or else its halves.
     fn pass(&mut self, stretch: Stretch) -> Result<(), Error> {
         let width = double(&stretch.high) - double(&stretch.low);
-        let is_wider = |than: u32| width > 1.001 * self.work.wide(than.min(self.work.asked.halvings)); // proposes: which parts
-        let [is_wide, is_halved] = PARTS.map(is_wider);
-        if self.followed.is_none() || self.missed >= MISSES || !self.work.watch.goes_on() {
+        let is_wider = |than: u32| width > 1.001 * self.work.wide(than.min(self.work.requested.halvings)); // proposes: which parts
+        let [is_wide, is_halved] = PART_HALVINGS.map(is_wider);
+        if self.followed.is_none() || self.missed >= MAX_MISSES || !self.work.watch.goes_on() {
             self.passed.push(stretch);
             return Ok(());
         }
@@ -219,6 +219,6 @@ impl Walk<'_> {
         let law = self.work.law([&stretch.low, &stretch.high])?;
         self.followed = self.followed.as_ref().and_then(|followed| followed.to(&law));
         let Some(followed) = &self.followed else { return Ok(None) };
-        Ok(Horseshoe::quick(&law, followed.bases(), self.work.asked.depth, self.work.watch))
+        Ok(Horseshoe::quick(&law, followed.bases(), self.work.requested.depth, self.work.watch))
     }
 }

@@ -11,9 +11,9 @@ use crate::number::{Ball, Number};
 use crate::watch::Unwatched;
 
 /// H-sets that the search finds for figure 14 with an amplitude of 7.38: one is left after 3 impacts along the saddle of P1 P3 P2.
-fn bases() -> Vec<Base> {
+fn bases() -> Vec<HSet> {
     let base =
-        |[a, b, c, d]: [State; 4]| Base { left: Chord { bottom: a, top: b }, right: Chord { bottom: c, top: d } };
+        |[a, b, c, d]: [State; 4]| HSet { left: Chord { bottom: a, top: b }, right: Chord { bottom: c, top: d } };
     let one = [[0.809132, 1.459969], [0.808817, 1.462298], [0.830951, 1.489599], [0.830635, 1.491928]];
     let other = [[0.804133, 1.496848], [0.803496, 1.501544], [0.825808, 1.527534], [0.825171, 1.53223]];
     vec![base(one), base(other)]
@@ -26,8 +26,8 @@ fn law(amplitude: f64) -> Law {
 }
 
 /// The greatest distance of a corner from that of other h-sets.
-fn apart(some: &[Base], others: &[Base]) -> f64 {
-    let corners = |base: &Base| [base.left.bottom, base.left.top, base.right.bottom, base.right.top];
+fn apart(some: &[HSet], others: &[HSet]) -> f64 {
+    let corners = |base: &HSet| [base.left.bottom, base.left.top, base.right.bottom, base.right.top];
     let pairs = some.iter().flat_map(corners).zip(others.iter().flat_map(corners));
     pairs.map(|(a, b)| length([a[0] - b[0], a[1] - b[1]])).fold(0.0, f64::max) // shown: a distance
 }
@@ -52,7 +52,7 @@ fn h_sets_that_are_followed_there_and_back_are_the_same() {
 /// There is none where no periodic orbit of few impacts is in an h-set, and it is lost on the way to an amplitude at which that orbit is no saddle.
 #[test]
 fn a_saddle_that_is_not_there_is_not_followed() {
-    let nowhere = Base::new([0.3, 9.0], [0.001, 0.001], [-0.001, 0.001]);
+    let nowhere = HSet::new([0.3, 9.0], [0.001, 0.001], [-0.001, 0.001]);
     assert!(Followed::of(&law(7.38), &[nowhere]).is_none());
     assert!(Followed::of(&law(7.38), &bases()).unwrap().to(&law(0.5)).is_none());
 }
@@ -62,7 +62,7 @@ fn a_saddle_that_is_not_there_is_not_followed() {
 fn moved_h_sets_lead_to_a_horseshoe() {
     let (here, there) = (law(7.38), law(7.55));
     let moved = Followed::of(&here, &bases()).unwrap().to(&there).unwrap().bases();
-    let proved = |law: &Law, bases: Vec<Base>| Horseshoe::quick(law, bases, 8, &Unwatched);
+    let proved = |law: &Law, bases: Vec<HSet>| Horseshoe::quick(law, bases, 8, &Unwatched);
     assert!(proved(&here, bases()).is_some() && proved(&there, moved).is_some());
     assert_eq!(proved(&there, bases()), None);
 }
@@ -72,8 +72,8 @@ fn moved_h_sets_lead_to_a_horseshoe() {
 #[test]
 fn a_stretch_is_decided_by_the_h_sets_of_a_neighbour() {
     let scene = Scene::parse(include_str!("../../../scenes/figure-14.toml")).unwrap();
-    let asked = RangeSettings { over: "amplitude=7.38..7.43".parse().unwrap(), cells: 1, halvings: 4, depth: 8 };
-    let work = Work { pair: scene.pair(), start: scene.start(), asked: &asked, watch: &Unwatched };
+    let requested = RangeSettings { over: "amplitude=7.38..7.43".parse().unwrap(), cells: 1, halvings: 4, depth: 8 };
+    let work = Work { pair: scene.pair(), start: scene.start(), requested: &requested, watch: &Unwatched };
     let decided = stable("P1 P2");
     let given = vec![stretch("7.38", "7.4", Verdict::Undecided), stretch("7.4", "7.43", decided.clone())];
     let seed = Seed { value: "7.38".parse().unwrap(), bases: bases() };
@@ -84,12 +84,12 @@ fn a_stretch_is_decided_by_the_h_sets_of_a_neighbour() {
     for part in &found[..found.len() - 1] {
         let horseshoe = part.verdict.horseshoe().expect("one is proved");
         for end in [&part.low, &part.high] {
-            let one = Law::of(&scene.pair().with(asked.over.key, end.clone()).unwrap()).unwrap();
+            let one = Law::of(&scene.pair().with(requested.over.key, end.clone()).unwrap()).unwrap();
             let own = Horseshoe::quick(&one, horseshoe.bases.clone(), 8, &Unwatched).expect("it has one by itself");
             assert!(own.entropy[0] >= 0.9 * horseshoe.entropy[0] && horseshoe.entropy[0] > 0.0);
         }
     }
-    let nothing = Seed { bases: vec![Base::new([0.3, 9.0], [0.001, 0.001], [-0.001, 0.001])], ..seed };
+    let nothing = Seed { bases: vec![HSet::new([0.3, 9.0], [0.001, 0.001], [-0.001, 0.001])], ..seed };
     let left = work.walked(&nothing, given, true).unwrap();
     assert_eq!(left.iter().map(|stretch| stretch.verdict.name()).collect::<Vec<_>>(), ["undecided", "stable"]);
 }
@@ -98,8 +98,8 @@ fn a_stretch_is_decided_by_the_h_sets_of_a_neighbour() {
 #[test]
 fn a_stretch_below_is_decided_by_the_h_sets_of_a_neighbour() {
     let scene = Scene::parse(include_str!("../../../scenes/figure-14.toml")).unwrap();
-    let asked = RangeSettings { over: "amplitude=7.33..7.38".parse().unwrap(), cells: 1, halvings: 4, depth: 8 };
-    let work = Work { pair: scene.pair(), start: scene.start(), asked: &asked, watch: &Unwatched };
+    let requested = RangeSettings { over: "amplitude=7.33..7.38".parse().unwrap(), cells: 1, halvings: 4, depth: 8 };
+    let work = Work { pair: scene.pair(), start: scene.start(), requested: &requested, watch: &Unwatched };
     let given = vec![stretch("7.33", "7.36", stable("P1 P2")), stretch("7.36", "7.38", Verdict::Undecided)];
     let found = work.walked(&Seed { value: "7.38".parse().unwrap(), bases: bases() }, given, false).unwrap();
     assert_eq!(
@@ -113,7 +113,7 @@ fn a_stretch_below_is_decided_by_the_h_sets_of_a_neighbour() {
 
 /// Lemmas D14, D15: neighbours of which the same is proved are one, also where one gives several rounds of the orbit; others are not.
 #[test]
-fn only_what_is_proved_of_both_is_joined() {
+fn only_equal_verdicts_are_joined() {
     let attracted = |word: &str, beside: Option<&Horseshoe>| Verdict::Attracted {
         word: word.parse().unwrap(),
         cycles: word.split(' ').count() as u32 / 2,

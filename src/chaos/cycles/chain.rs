@@ -27,7 +27,7 @@ pub(super) struct Laws {
 }
 
 /// The least part of a chain that a pass takes off for another one to be made.
-const WORTH: f64 = 0.2;
+const MIN_GAIN: f64 = 0.2;
 
 /// The equation of an impact: the phases in it, its derivatives by them, and its value at the middles.
 struct Row {
@@ -82,7 +82,7 @@ impl Chain {
         loop {
             let before = self.size(first);
             let is_regular = self.narrow_once(laws, first)?;
-            if self.size(first) > (1.0 - WORTH) * before {
+            if self.size(first) > (1.0 - MIN_GAIN) * before {
                 return Some(is_regular);
             }
         }

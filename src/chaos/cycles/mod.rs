@@ -70,7 +70,7 @@ pub const MOST_IMPACTS: u32 = 64;
 #[derive(Debug)]
 pub struct Cycles {
     trap: Trap,
-    asked: RangeInclusive<u32>,
+    requested: RangeInclusive<u32>,
     fixed_points: BTreeMap<usize, usize>,
     cycles: Vec<Cycle>,
     undecided: Vec<(usize, Region)>,
@@ -86,7 +86,7 @@ impl Cycles {
     pub fn of(
         scene: &Scene,
         finer: u32,
-        asked: &RangeInclusive<u32>,
+        requested: &RangeInclusive<u32>,
         precision: Precision,
         watch: &dyn Watch,
     ) -> Result<Result<Self, NoTrap>, Error> {
@@ -99,15 +99,15 @@ impl Cycles {
         let [shortest, longest] = trap.flight();
         let laws = Laws { relation: Relation::new(&law), times: Interval::new(shortest, longest) };
         let (cycles, undecided) = (Vec::new(), Vec::new());
-        let mut all = Self { trap, asked: asked.clone(), fixed_points: BTreeMap::new(), cycles, undecided };
-        let numbers = asked.clone().map(|impacts| impacts as usize); // exact: a small whole number
+        let mut all = Self { trap, requested: requested.clone(), fixed_points: BTreeMap::new(), cycles, undecided };
+        let numbers = requested.clone().map(|impacts| impacts as usize); // exact: a small whole number
         for impacts in numbers {
             let done = AtomicUsize::new(0);
             let of = graph.blocks.len();
             let blocks = || done.load(Ordering::Relaxed);
             let watch = |_: Stage<'_>| watch.proceed(Stage::Cycles { impacts, blocks: blocks(), of });
             let task = Task { pair: scene.pair(), law, laws, precision, watch: &watch };
-            all.gather(&task, impacts, searched(&task, &graph, impacts, &done));
+            all.collect_blocks(&task, impacts, searched(&task, &graph, impacts, &done));
             if !watch.goes_on() {
                 break;
             }
@@ -121,7 +121,7 @@ impl Cycles {
     }
 
     /// Takes up what the blocks found of N impacts, block by block. Lemma D23
-    fn gather(&mut self, task: &Task, impacts: usize, blocks: Vec<Block>) {
+    fn collect_blocks(&mut self, task: &Task, impacts: usize, blocks: Vec<Block>) {
         let before = self.undecided.len();
         let is_whole = blocks.iter().all(|block| block.is_whole);
         let mut distinct: BTreeMap<String, Vec<PeriodicOrbit>> = BTreeMap::new();
@@ -211,8 +211,8 @@ impl Cycles {
     }
 
     /// Returns how many impacts were requested.
-    pub fn asked(&self) -> &RangeInclusive<u32> {
-        &self.asked
+    pub fn requested(&self) -> &RangeInclusive<u32> {
+        &self.requested
     }
 
     /// Returns the number of states of the region that return after N impacts, by N, where it is proved.
@@ -232,7 +232,7 @@ impl Cycles {
 
     /// Returns whether there are no others of all the numbers of impacts that were requested.
     pub fn is_exhaustive(&self) -> bool {
-        self.asked.clone().all(|impacts| self.fixed_points.contains_key(&(impacts as usize))) // exact: a small whole number
+        self.requested.clone().all(|impacts| self.fixed_points.contains_key(&(impacts as usize))) // exact: a small whole number
     }
 
     /// Returns whether all that was asked is proved: that there are no others, and whether each of them is stable, to the requested width.

@@ -15,19 +15,19 @@ use crate::periodic::{Identity, PeriodicOrbit, Precision, Problem};
 use crate::watch::Watch;
 
 /// Parts of a forcing period that boxes are at most as wide as, when a chain grows by them.
-const PARTS: i64 = 32;
+const BOXES_PER_PERIOD: i64 = 32;
 /// Flights that are cut anew when a chain grows.
-const FELT: usize = 6;
+const CUT_FLIGHTS: usize = 6;
 /// Columns in a forcing period that landings are given by.
 const COLUMNS: Grid = Grid { columns: 256, rows: 1.0 };
-/// Chains as narrow as that, in forcing periods, are asked whether a known orbit is there.
-const NEAR: f64 = 1.0 / 16.0;
-/// Chains as narrow as that are asked whether one is there that is not known, if Newton's equation determines their phases.
-const CERTAIN: f64 = 1e-7;
+/// Chains as narrow as that, in forcing periods, are tested for a known orbit.
+const KNOWN_ORBIT_WIDTH: f64 = 1.0 / 16.0;
+/// Chains as narrow as that are tested for an unknown orbit, if Newton's equation determines their phases.
+const NEW_ORBIT_WIDTH: f64 = 1e-7;
 /// Chains as narrow as that are not halved.
-const NARROWEST: f64 = 1e-12;
+const MIN_WIDTH: f64 = 1e-12;
 /// The least part of a closed chain that a round takes off for another one to be made.
-const WORTH: f64 = 0.2;
+const MIN_GAIN: f64 = 0.2;
 /// Chains left undecided at which a block is given up: there is a continuum of cycles, or nearly one.
 const MOST_UNDECIDED: usize = 64;
 
@@ -65,7 +65,7 @@ impl<'t> Search<'t> {
 
     /// Greatest width of a box, in columns.
     fn width(&self) -> i64 {
-        (self.layers[0].columns() / PARTS).max(1) // D22: any width
+        (self.layers[0].columns() / BOXES_PER_PERIOD).max(1) // D22: any width
     }
 
     /// Returns whether the search goes on: not after a stop, nor with too many undecided chains.
@@ -92,13 +92,13 @@ impl<'t> Search<'t> {
     /// A chain whose flights on are not followed is halved.
     fn cut_off(&mut self, chain: Chain, open: &mut Vec<Chain>) {
         let last = chain.sides.len();
-        if chain.phases[last].wid() <= NARROWEST {
+        if chain.phases[last].wid() <= MIN_WIDTH {
             self.undecided.push(chain);
             return;
         }
         for mut half in chain.halves(last) {
             let [u, w] = [half.phases[last], half.speeds[last]];
-            let first = last.saturating_sub(FELT); // D22: any flights
+            let first = last.saturating_sub(CUT_FLIGHTS); // D22: any flights
             let Some([u, w]) = self.layers[last].hull(u, w) else { continue };
             (half.phases[last], half.speeds[last]) = (u, w);
             if half.narrow(&self.task.laws, first).is_some() {
@@ -121,7 +121,7 @@ impl<'t> Search<'t> {
                 }
                 longer.phases.push(phase);
                 longer.speeds.push(speed);
-                let first = next.saturating_sub(FELT); // D22: any flights
+                let first = next.saturating_sub(CUT_FLIGHTS); // D22: any flights
                 if longer.narrow(&self.task.laws, first).is_some() {
                     all.push(longer);
                 }
@@ -134,7 +134,7 @@ impl<'t> Search<'t> {
     ///
     /// `None` where they are not followed.
     fn landings(&self, phases: Interval, speeds: Interval) -> Option<Vec<(Side, [Interval; 2])>> {
-        let whole = phases.inf().floor(); // D22: any whole turns
+        let whole = phases.inf().floor(); // D22: any whole forcing periods
         let [u, w] = [phases - Interval::point(whole), speeds];
         let radius = |x: Interval| up((x.mid() - x.inf()).max(x.sup() - x.mid())); // D22: the farther end
         let quad = Quad::rectangle([u.mid(), w.mid()], [radius(u), radius(w)], w.inf());
@@ -157,7 +157,7 @@ impl<'t> Search<'t> {
     /// Searches the chains that are closed by a last impact in a rectangle, which is the first one again.
     fn close(&mut self, chain: &Chain, phase: Interval, speed: Interval) {
         let later = phase - chain.phases[0];
-        let [low, high] = [later.inf().ceil(), later.sup().floor()]; // D22: whole turns in between
+        let [low, high] = [later.inf().ceil(), later.sup().floor()]; // D22: whole forcing periods in between
         let mut turns = low;
         while turns <= high {
             let first = chain.phases[0].intersection(phase - Interval::point(turns));
@@ -180,8 +180,8 @@ impl<'t> Search<'t> {
             }
             let Some(is_regular) = self.cut(&mut chain) else { continue };
             let (widest, wid) = chain.widest();
-            let is_last = wid <= NARROWEST;
-            if wid <= NEAR && self.is_known(&chain, is_last || is_regular && wid <= CERTAIN) {
+            let is_last = wid <= MIN_WIDTH;
+            if wid <= KNOWN_ORBIT_WIDTH && self.is_known(&chain, is_last || is_regular && wid <= NEW_ORBIT_WIDTH) {
                 continue;
             }
             if is_last {
@@ -201,7 +201,7 @@ impl<'t> Search<'t> {
                 let [u, w] = layer.hull(chain.phases[i], chain.speeds[i])?;
                 (chain.phases[i], chain.speeds[i]) = (u, w);
             }
-            if chain.size(0) > (1.0 - WORTH) * before {
+            if chain.size(0) > (1.0 - MIN_GAIN) * before {
                 return Some(is_regular);
             }
         }

@@ -133,7 +133,7 @@ fn counts_are_those_of_an_independent_search() {
 
 /// Figures 12 and 13: the equispaced motion, (66)-(69), is one impact of the mirrored map, and all that there is.
 #[test]
-fn where_a_motion_attracts_it_is_found_and_said() {
+fn attracting_motions_are_found_and_stated() {
     for amplitude in ["1", "2"] {
         let excitation = format!("amplitude = {amplitude}, frequency = \"pi\", phase = 0");
         let cycles = found(&scene(&excitation, "gap = 9.42497, restitution = 0.5"), 1..=3);
@@ -147,7 +147,7 @@ fn where_a_motion_attracts_it_is_found_and_said() {
 
 /// A stop leaves what is proved, and no count that is not.
 #[test]
-fn what_is_stopped_claims_no_count() {
+fn an_interrupted_search_claims_no_count() {
     let until = |at: Stage<'_>| proceed_if(!matches!(at, Stage::Cycles { impacts: 3, blocks: 20.., .. }));
     let cycles = Cycles::of(&figure(14), 0, &(1..=7), Precision::default(), &until).unwrap().unwrap();
     assert!(cycles.fixed_points().keys().eq(&[1, 2]) && !cycles.is_exhaustive() && !cycles.has_no_attractor());
@@ -185,7 +185,7 @@ fn layers_hold_the_cycles() {
 
 /// One far flight and one near one, in the whole system: twice around, since the walls are exchanged after one round.
 #[test]
-fn chains_are_told_from_the_left_wall() {
+fn chains_are_given_from_the_left_wall() {
     let point = |x: f64| Interval::point(x);
     let chain = Chain {
         phases: vec![point(0.25), point(1.0)],

@@ -240,8 +240,8 @@ impl From<Stopped> for Reason {
 impl Component {
     /// Returns whether the numbers of columns or rows of smaller boxes may exceed 32 bits.
     pub(super) fn is_finest(&self, fastest: f64) -> bool {
-        const MOST: f64 = (1_u32 << 30) as f64; // exact: a power of two
-        self.grid.columns as f64 >= MOST || fastest * self.grid.rows >= MOST // exact: a power of two
+        const MAX_COUNT: f64 = (1_u32 << 30) as f64; // exact: a power of two
+        self.grid.columns as f64 >= MAX_COUNT || fastest * self.grid.rows >= MAX_COUNT // exact: a power of two
     }
 
     /// The same with each box cut into two, across its longer side.

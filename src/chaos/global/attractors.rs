@@ -12,9 +12,9 @@ use crate::pair::ImpactPair;
 use crate::periodic::{PeriodicOrbit, Precision, Stability};
 
 /// Half sides of the rectangles about the states of a cycle, in forcing periods and over `A W`: each is tried.
-const ROOMS: [f64; 2] = [1e-3, 1e-6];
+const HALF_SIDES: [f64; 2] = [1e-3, 1e-6];
 /// The widest intervals of `D` and `e` over which cycles are looked for.
-const NARROW: f64 = 1e-6;
+const MAX_DATA_WIDTH: f64 = 1e-6;
 
 /// A rectangle of states: bounds of phases, not farther than a forcing period from those of a period, and of speeds.
 type Hull = [[f64; 2]; 2];
@@ -29,7 +29,7 @@ pub(super) fn within(
 ) -> Vec<(usize, Box<LimitCycle>)> {
     let law = space.law();
     let wide = law.gap.rad().max(law.restitution.rad()); // proposes: where cycles are looked for
-    if wide > NARROW {
+    if wide > MAX_DATA_WIDTH {
         return Vec::new(); // exact: given up, nothing is certified
     }
     among(&settled_orbits(law), (pair, law), components, is_open, precision)
@@ -47,7 +47,7 @@ fn among(
     let (mut found, mut taken): (Vec<_>, Vec<Hull>) = (Vec::new(), Vec::new());
     for cycle in cycles {
         let Some(states) = closed(&guess, cycle[0], cycle.len()) else { continue };
-        let proved = ROOMS.into_iter().find_map(|room| {
+        let proved = HALF_SIDES.into_iter().find_map(|room| {
             let hulls: Vec<Hull> = states.iter().map(|state| state.map(|x| [x - room, x + room])).collect(); // A14: any rectangles
             let place = place(components, &hulls).filter(|&place| is_open[place] && are_apart(&taken, &hulls))?;
             let sides = states.iter().map(|&state| Some(guess.map(state)?.side)).collect::<Option<_>>()?;

@@ -9,7 +9,7 @@ use crate::chaos::trap::{Cell, Grid};
 
 /// The end of the motions from a part of the state space.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Goes {
+pub enum BasinOutcome {
     /// All of them end in this component, an attractor.
     To(usize),
     /// It is a part of this component, drawn over the others.
@@ -26,7 +26,7 @@ pub struct Patch {
     /// Bounds of speeds before the impact, over `A W`.
     pub speeds: [f64; 2],
     /// The end of its motions.
-    pub goes: Goes,
+    pub goes: BasinOutcome,
 }
 
 /// The part of the basin of an attractor that is proved.
@@ -40,11 +40,11 @@ pub struct Basin {
 
 /// Returns the basins of all attractors, as far as they are proved; `None` where the state space is not among the patches. Lemma A11
 pub(super) fn basins(components: &[Recurrence], patches: &[Patch], fastest: f64) -> Option<Vec<Basin>> {
-    let all = || patches.iter().filter(|patch| !matches!(patch.goes, Goes::Within(_)));
+    let all = || patches.iter().filter(|patch| !matches!(patch.goes, BasinOutcome::Within(_)));
     all().next()?;
     let attractors = (0..components.len()).filter(|&i| components[i].kind.is_attractor());
     let basin = |component: usize| {
-        let is_own = |patch: &&Patch| patch.goes == Goes::To(component);
+        let is_own = |patch: &&Patch| patch.goes == BasinOutcome::To(component);
         if all().all(|patch| is_own(&patch)) {
             return Basin { component, area: 1.0 };
         }
@@ -71,7 +71,7 @@ impl Analysis<'_> {
         let mut patches = Vec::new();
         let leaves: Vec<&Component> = self.leaves(0).into_iter().map(|leaf| &self.nodes[leaf].component).collect();
         for (place, leaf) in leaves.iter().enumerate() {
-            leaf.cells.iter().for_each(|&cell| add(&mut patches, leaf.grid, cell, Goes::Within(place)));
+            leaf.cells.iter().for_each(|&cell| add(&mut patches, leaf.grid, cell, BasinOutcome::Within(place)));
         }
         let Some(boxes) = boxes.filter(|_| components.iter().any(|own| own.kind.is_attractor())) else {
             return patches;
@@ -82,7 +82,7 @@ impl Analysis<'_> {
         let Ok((graph, _)) = Graph::of(space, &whole, &released.next, allowed, *watch) else {
             // A11: nothing is proved of any box
             let speeds = [0.0, space.fastest()];
-            patches.push(Patch { phases: [0.0, 1.0], speeds, goes: Goes::Undecided });
+            patches.push(Patch { phases: [0.0, 1.0], speeds, goes: BasinOutcome::Undecided });
             return patches;
         };
         let Recurrent { components: found, leads, passed, ends } = graph.recurrent(true);
@@ -92,12 +92,13 @@ impl Analysis<'_> {
             all.sort_unstable();
             all.dedup();
             match all[..] {
-                [one] if components[one].kind.is_attractor() => Goes::To(one),
-                _ => Goes::Undecided,
+                [one] if components[one].kind.is_attractor() => BasinOutcome::To(one),
+                _ => BasinOutcome::Undecided,
             }
         };
-        let of_ends: Vec<Goes> = ends.iter().map(|ends| goes(&mut ends.iter().map(|&place| place as usize))).collect(); // exact: an index
-        let mut boxes: Vec<(Cell, Goes)> = passed.iter().map(|&(cell, ends)| (cell, of_ends[ends])).collect();
+        let of_ends: Vec<BasinOutcome> =
+            ends.iter().map(|ends| goes(&mut ends.iter().map(|&place| place as usize))).collect(); // exact: an index
+        let mut boxes: Vec<(Cell, BasinOutcome)> = passed.iter().map(|&(cell, ends)| (cell, of_ends[ends])).collect();
         for (own, leads) in found.iter().zip(&leads) {
             let goes = goes(&mut (0..leads.len()).filter(|&place| leads[place]));
             boxes.extend(own.cells.iter().map(|&cell| (cell, goes)));
@@ -140,7 +141,7 @@ fn held(found: &[Component], leaves: &[&Component]) -> Vec<BTreeSet<usize>> {
 }
 
 /// Adds a box, to the patch below it if both go to the same.
-fn add(patches: &mut Vec<Patch>, grid: Grid, (column, row): Cell, goes: Goes) {
+fn add(patches: &mut Vec<Patch>, grid: Grid, (column, row): Cell, goes: BasinOutcome) {
     let columns = grid.columns as f64; // exact: a power of two
     let phases = [f64::from(column) / columns, f64::from(column + 1) / columns];
     let speeds = [f64::from(row) / grid.rows, f64::from(row + 1) / grid.rows];

@@ -25,17 +25,17 @@ pub(super) struct Limit {
 }
 
 /// The longest cycle that is looked for, in impacts of the reduced map.
-pub(super) const LONGEST: usize = 24;
+pub(super) const MAX_CYCLE: usize = 24;
 /// Boxes from whose centres cycles are looked for.
 const SEEDS: usize = 6;
 /// Impacts before an orbit is looked at.
 const TRANSIENT: usize = 500;
 /// Steps of Newton's iteration, when it has ended, and how near a cycle that closes is.
 const STEPS: usize = 12;
-const ENOUGH: f64 = 1e-11;
-const CLOSED: f64 = 1e-6;
+const STEP_TOLERANCE: f64 = 1e-11;
+const RETURN_DISTANCE: f64 = 1e-6;
 /// The image of a hull, no wider than a quarter of a forcing period, may be no wider than three quarters: half of that. Lemma A8
-const WIDEST: f64 = 0.374;
+const MAX_HALF_WIDTH: f64 = 0.374;
 /// Larger components are not tried.
 const MOST_BOXES: usize = 20_000;
 
@@ -68,7 +68,7 @@ pub(super) fn limit(space: &Space, component: &Component) -> Option<Limit> {
 /// The cycles that floating point finds from a state: that of its orbit, and those of Newton's iteration, each of no more impacts than there are
 /// boxes.
 fn proposals(guess: &Guess, seed: State, boxes: usize) -> Vec<Vec<State>> {
-    let longest = boxes.min(LONGEST); // proposes
+    let longest = boxes.min(MAX_CYCLE); // proposes
     let settled = (0..TRANSIENT).try_fold(seed, |state, _| Some(in_period(guess.map(state)?.state)));
     let own = settled.and_then(|state| (1..=longest).find_map(|n| closed(guess, state, n)));
     own.into_iter().chain((1..=longest).filter_map(|n| closed(guess, seed, n))).collect()
@@ -88,8 +88,9 @@ pub(in crate::chaos) fn closed(guess: &Guess, seed: State, impacts: usize) -> Op
         }
         let miss = [at[0] - state[0] - (at[0] - state[0]).round(), at[1] - state[1]]; // proposes
         let size = length(miss);
-        if size < ENOUGH {
-            let shortest = (1..impacts).all(|n| apart(states[n], states[0]) > CLOSED || !impacts.is_multiple_of(n));
+        if size < STEP_TOLERANCE {
+            let shortest =
+                (1..impacts).all(|n| apart(states[n], states[0]) > RETURN_DISTANCE || !impacts.is_multiple_of(n));
             return shortest.then_some(states);
         }
         let [[a, b], [c, d]] = [[product[0][0] - 1.0, product[0][1]], [product[1][0], product[1][1] - 1.0]];
@@ -114,7 +115,7 @@ impl Component {
 
 /// Returns whether two cycles are the same in floating point, from whichever state on.
 fn is_one(one: &[State], other: &[State]) -> bool {
-    one.len() == other.len() && other.iter().any(|state| apart(*state, one[0]) < CLOSED)
+    one.len() == other.len() && other.iter().any(|state| apart(*state, one[0]) < RETURN_DISTANCE)
 }
 
 /// Proves that all motions that stay in a component tend to a cycle. Lemma A8
@@ -197,7 +198,7 @@ fn derivative(space: &Space, [phases, speeds]: &[[f64; 2]; 2], state: State, ima
 pub(super) fn landing(space: &Space, quad: &Quad, side: Side, about: f64) -> Option<Matrix> {
     let landing = Flights::new(space.law(), quad).land(side, about)?;
     let [zero, one] = [0.0, 1.0].map(Ball::exact);
-    if landing.along([one, zero], [zero, zero]).rad() > WIDEST {
+    if landing.along([one, zero], [zero, zero]).rad() > MAX_HALF_WIDTH {
         return None; // exact: not proved
     }
     let [[a, c], [b, d]] = [landing.derivative([one, zero]), landing.derivative([zero, one])];

@@ -29,22 +29,22 @@ pub(super) struct Space {
 }
 
 /// Speeds are followed up to a multiple of this that is greater than `2/(1 - e)`.
-const STEP: f64 = 1.0 / 64.0;
+const SPEED_STEP: f64 = 1.0 / 64.0;
 /// Restitutions nearer to 1 are refused: boxes would be too many.
 const MOST_RESTITUTION: f64 = 0.99;
 /// The most forcing periods of flights that are followed, and of those that may end in several; longer ones land with any of the phases
 /// that slow ones have.
-const LONGEST: f64 = 64.0;
-const FEW: f64 = 2.0;
+const MAX_FLIGHT: f64 = 64.0;
+const MAX_BRANCHING_FLIGHT: f64 = 2.0;
 /// The greatest phase, in forcing periods, and speed of the parts that boxes are cut into, and the most parts along each side.
-const WIDTH: f64 = 1.0 / 256.0;
-const HEIGHT: f64 = 0.04;
+const PART_WIDTH: f64 = 1.0 / 256.0;
+const PART_HEIGHT: f64 = 0.04;
 const MOST_PARTS: u32 = 8;
 /// Times for which flights may be proved not to touch the near wall, in radians.
-const LIFTED: [f64; 12] =
+const DEPARTURE_TIMES: [f64; 12] =
     [3.0, 2.0, 1.0, 0.5, 0.25, 0.125, 0.0625, 0.03125, 0.015625, 0.0078125, 0.00390625, 0.001953125];
 /// Parts of the time until the contact force vanishes in which a chatter may end: each is tried.
-const WINDOWS: [f64; 6] = [0.0625, 0.125, 0.25, 0.5, 0.75, 0.875];
+const CHATTER_WINDOWS: [f64; 6] = [0.0625, 0.125, 0.25, 0.5, 0.75, 0.875];
 
 /// Bounds of a ball's members.
 pub(super) fn ends(x: Ball) -> [f64; 2] {
@@ -89,7 +89,7 @@ fn lifted(least: f64, phases: [f64; 2]) -> f64 {
             || phases[1] <= 0.5
                 && ends(sin)[0] * (0.5 - up(long * long / 24.0)) > up(up(cos.mag() * long / 6.0) * (1.0 + 4.0 * UNIT))
     };
-    LIFTED.into_iter().find(|&long| is_lifted(long)).unwrap_or(0.0) // A3: no such time
+    DEPARTURE_TIMES.into_iter().find(|&long| is_lifted(long)).unwrap_or(0.0) // A3: no such time
 }
 
 impl Space {
@@ -107,12 +107,12 @@ impl Space {
     /// Returns the speed that none exceeds in the end: a multiple of 1/64. Lemma A1
     pub fn fastest(&self) -> f64 {
         let limit = 2.0 / (1.0 - self.restitution[1]) * (1.0 + 8.0 * UNIT);
-        STEP * ((limit / STEP).floor() + 1.0) // A1: greater than the limit
+        SPEED_STEP * ((limit / SPEED_STEP).floor() + 1.0) // A1: greater than the limit
     }
 
-    /// Notes all that may follow the states of a box. Flights that last long, and land in all columns, are noted in those of `asked`,
+    /// Notes all that may follow the states of a box. Flights that last long, and land in all columns, are noted in those of `requested`,
     /// which are in order. Returns the work: views of flights, columns of long ones, and what is noted.
-    pub fn images(&self, grid: Grid, (column, row): Cell, asked: &[i32], note: &mut dyn FnMut(Next)) -> u64 {
+    pub fn images(&self, grid: Grid, (column, row): Cell, requested: &[i32], note: &mut dyn FnMut(Next)) -> u64 {
         let [columns, rows] = [grid.columns as f64, grid.rows]; // exact: powers of two
         let phases = [f64::from(column) / columns, f64::from(column + 1) / columns];
         let speeds = [f64::from(row) / rows, f64::from(row + 1) / rows];
@@ -127,13 +127,13 @@ impl Space {
             let halvings = (length / most).log2().ceil().clamp(0.0, f64::from(MOST_PARTS.ilog2())); // A2: any parts
             2_i32.pow(halvings as u32) // A2: any parts
         };
-        let [across, along] = [parts(1.0 / columns, WIDTH), parts(1.0 / rows, HEIGHT)];
+        let [across, along] = [parts(1.0 / columns, PART_WIDTH), parts(1.0 / rows, PART_HEIGHT)];
         let finer = Grid { columns: grid.columns * i64::from(across), rows: rows * f64::from(along) };
         let mut work = 1;
         for i in 0..across {
             for j in 0..along {
                 let part = (column * across + i, row * along + j);
-                work += self.part((grid, asked), finer, part, i64::from(column), note);
+                work += self.part((grid, requested), finer, part, i64::from(column), note);
             }
         }
         work
@@ -148,7 +148,7 @@ impl Space {
     /// Notes what may follow the states of a part of a box.
     fn part(
         &self,
-        (grid, asked): (Grid, &[i32]),
+        (grid, requested): (Grid, &[i32]),
         finer: Grid,
         (column, row): Cell,
         home: i64,
@@ -166,7 +166,12 @@ impl Space {
         if let Some(speeds) = far {
             work += self.land(grid, Side::Far, home, speeds, false, note);
         }
-        work + self.march((grid, asked), &Flights::new(&self.law, &finer.quad((column, row))), &part, note)
+        work + self.note_later_contacts(
+            (grid, requested),
+            &Flights::new(&self.law, &finer.quad((column, row))),
+            &part,
+            note,
+        )
     }
 
     /// Bounds of the speeds of contacts at the phases of a part, of either wall; `None` where there is none. Lemma A3
@@ -180,7 +185,13 @@ impl Space {
     }
 
     /// Notes the contacts at later phases. Lemmas D4, A4
-    fn march(&self, (grid, asked): (Grid, &[i32]), flights: &Flights, part: &Part, note: &mut dyn FnMut(Next)) -> u64 {
+    fn note_later_contacts(
+        &self,
+        (grid, requested): (Grid, &[i32]),
+        flights: &Flights,
+        part: &Part,
+        note: &mut dyn FnMut(Next),
+    ) -> u64 {
         let columns = grid.columns as f64; // exact: a power of two
         let from = part.phases[1];
         let first = (from * columns).floor() as i64; // D4: the column that it is in
@@ -224,7 +235,7 @@ impl Space {
             }
             column += 1;
         }
-        work + self.slow((grid, asked), self.drifts(flights, longest - 1.0), note)
+        work + self.slow((grid, requested), self.drifts(flights, longest - 1.0), note)
     }
 
     /// Returns the number of forcing periods for which flights are followed: few where they may end in several.
@@ -232,7 +243,7 @@ impl Space {
         let [low, high] = ends(flights.drifts());
         let [least, most] = [high.abs(), low.abs()].map(|drift| self.gap[1] / drift); // proposes: any number of them
         let is_spread = low * high <= 0.0 || (most - least).abs() > TAU; // proposes: any number of them
-        if is_spread { FEW } else { LONGEST }
+        if is_spread { MAX_BRANCHING_FLIGHT } else { MAX_FLIGHT }
     }
 
     /// Bounds of the drifts of those that have touched no wall for N forcing periods. Lemma A4
@@ -243,19 +254,19 @@ impl Space {
     }
 
     /// Notes the contacts of flights that have lasted long, at any phase that these have, in the columns that are requested. Lemma A4
-    fn slow(&self, (grid, asked): (Grid, &[i32]), drifts: [f64; 2], note: &mut dyn FnMut(Next)) -> u64 {
+    fn slow(&self, (grid, requested): (Grid, &[i32]), drifts: [f64; 2], note: &mut dyn FnMut(Next)) -> u64 {
         if drifts[0] > drifts[1] {
             return 0; // A4: there is none
         }
-        let is_all = asked.len() as i64 == grid.columns; // exact: a length
+        let is_all = requested.len() as i64 == grid.columns; // exact: a length
         if !is_all {
             note(Next::Elsewhere);
         }
         let columns = grid.columns as f64; // exact: a power of two
-        let mut work = asked.len() as u64; // exact: a length
+        let mut work = requested.len() as u64; // exact: a length
         for side in [Side::Near, Side::Far] {
             let shift = if side == Side::Far { grid.columns / 2 } else { 0 };
-            for &column in asked {
+            for &column in requested {
                 let column = (i64::from(column) + shift).rem_euclid(grid.columns);
                 let phases = [column as f64 / columns, (column + 1) as f64 / columns]; // exact: a power of two
                 let cos = ends(over(phases).1);
@@ -299,7 +310,7 @@ impl Space {
             return false; // A5: only where the ball is pressed
         }
         let fast = up(self.restitution[1] * speed);
-        WINDOWS.iter().any(|part| {
+        CHATTER_WINDOWS.iter().any(|part| {
             let end = to + part * (1.0 - to);
             let force = [from, end].map(|phase| ends(-Ball::exact(phase).sin_cos().0));
             let least = force[0][0].min(force[1][0]); // A5: the sine has one minimum there

@@ -97,11 +97,11 @@ pub(super) struct Released {
 /// Impacts of the released ball that are followed.
 const IMPACTS: u64 = 200;
 /// Width below which a rectangle of states may stand for the released ball, in forcing periods and over `A W`: the last such one does.
-const NARROW: f64 = 0.01;
+const MAX_STATE_WIDTH: f64 = 0.01;
 /// Bits of a spectral radius.
 const BITS: u32 = 80;
 /// Greatest distance from the state that grazes for ever at which Lemma A9 is used, in radians and over `A W`.
-const GRAZING: f64 = 0.25;
+const MAX_GRAZING_DISTANCE: f64 = 0.25;
 
 impl Released {
     /// Follows the ball from the release: as an orbit, and where that is not proved to rest, by rectangles. Lemma A7
@@ -160,7 +160,7 @@ impl Released {
             let Some((side, landed)) = landed(space, &guess, [phases, speeds]) else { break };
             crossings += u32::from(side == Side::Far);
             [phases, speeds] = landed;
-            if landed.iter().all(|[low, high]| high - low < NARROW) {
+            if landed.iter().all(|[low, high]| high - low < MAX_STATE_WIDTH) {
                 next = Release::Lands(phases, speeds); // A7: any impact of the released ball
             }
         }
@@ -284,7 +284,7 @@ pub(super) fn is_grazing(space: &Space, component: &Component) -> bool {
     let angle = std::f64::consts::TAU / columns * (1.0 + 1e-15);
     let is_near = |&(column, row): &(i32, i32)| {
         let away = (f64::from(column) - 0.25 * columns).abs().max((f64::from(column + 1) - 0.25 * columns).abs()); // A9: the farther edge
-        away * angle <= GRAZING && f64::from(row + 1) / rows <= GRAZING
+        away * angle <= MAX_GRAZING_DISTANCE && f64::from(row + 1) / rows <= MAX_GRAZING_DISTANCE
     };
     if component.has_release || component.cells.is_empty() || !component.cells.iter().all(is_near) {
         return false; // exact: not proved

@@ -24,7 +24,7 @@ use crate::pair::ImpactPair;
 use crate::periodic::Precision;
 use crate::watch::Watch;
 use analysis::{Analysis, Request};
-pub use basins::{Basin, Goes, Patch};
+pub use basins::{Basin, BasinOutcome, Patch};
 pub(super) use cycle::closed;
 use image::Space;
 use known::Released;
@@ -52,17 +52,17 @@ pub struct GlobalSettings {
 }
 
 /// The boxes whose images are computed by default.
-pub const MOST: usize = 300_000;
+pub const DEFAULT_BOXES: usize = 300_000;
 /// The work of an analysis by default.
-pub const WORK: u64 = 100_000_000;
+pub const DEFAULT_WORK: u64 = 100_000_000;
 
 impl Default for GlobalSettings {
     fn default() -> Self {
         Self {
             boxes: 1 << 14,
             halvings: 40,
-            most: MOST,
-            work: WORK,
+            most: DEFAULT_BOXES,
+            work: DEFAULT_WORK,
             basins: None,
             horseshoes: None,
             precision: Precision::default(),
@@ -73,7 +73,7 @@ impl Default for GlobalSettings {
 impl GlobalSettings {
     /// Returns the limits by default for one of many cells of two parameters: fewer boxes, less work.
     pub fn of_cell() -> Self {
-        Self { boxes: 1 << 12, most: 20_000, work: WORK / 20, ..Self::default() }
+        Self { boxes: 1 << 12, most: 20_000, work: DEFAULT_WORK / 20, ..Self::default() }
     }
 }
 

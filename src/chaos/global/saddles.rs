@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 
-use super::cycle::{LONGEST, Matrix, landing, within};
+use super::cycle::{MAX_CYCLE, Matrix, landing, within};
 use super::graph::Component;
 use super::image::{Next, Space};
 use crate::chaos::guess::{Guess, Image};
@@ -19,11 +19,11 @@ const MOST_PIECES: usize = 20_000;
 const MOST_WORK: u64 = 2_000_000;
 /// Steps by which directions, and lengths, are iterated.
 const STEPS: usize = 60;
-const POWERS: usize = 400;
+const POWER_ITERATIONS: usize = 400;
 /// Widths of the cones that are tried.
-const WIDTHS: [f64; 9] = [0.0078125, 0.03125, 0.0625, 0.125, 0.25, 0.5, 1.0, 2.0, 4.0];
+const CONE_WIDTHS: [f64; 9] = [0.0078125, 0.03125, 0.0625, 0.125, 0.25, 0.5, 1.0, 2.0, 4.0];
 /// Factor by which cones are wider than needed.
-const SLACK: f64 = 1.05;
+const CONE_MARGIN: f64 = 1.05;
 
 /// The boxes of a component in groups that do not touch each other.
 struct Groups<'c> {
@@ -52,7 +52,7 @@ pub(super) fn is_of_saddle_type(space: &Space, component: &Component) -> bool {
     }
     let Some(groups) = Groups::of(component) else { return false };
     let Some(pieces) = groups.pieces(space) else { return false };
-    if pieces.len() == groups.count && groups.count <= LONGEST {
+    if pieces.len() == groups.count && groups.count <= MAX_CYCLE {
         return false; // exact: given up, one periodic motion is proved as such from smaller boxes
     }
     let guess = Guess::new(space.law());
@@ -73,18 +73,18 @@ pub(super) fn is_of_saddle_type(space: &Space, component: &Component) -> bool {
         });
         stretched.collect::<Option<Vec<_>>>().is_some_and(|stretched| vanishes(groups.count, &stretched))
     };
-    WIDTHS.iter().any(is_proved)
+    CONE_WIDTHS.iter().any(is_proved)
 }
 
 impl<'c> Groups<'c> {
     /// `None` where one extends over a quarter of a forcing period.
     fn of(component: &'c Component) -> Option<Self> {
-        const OPEN: usize = usize::MAX;
+        const UNASSIGNED: usize = usize::MAX;
         let columns = component.grid.columns;
-        let (mut group, mut lifted) = (vec![OPEN; component.cells.len()], vec![0; component.cells.len()]);
+        let (mut group, mut lifted) = (vec![UNASSIGNED; component.cells.len()], vec![0; component.cells.len()]);
         let mut count = 0;
         for first in 0..component.cells.len() {
-            if group[first] != OPEN {
+            if group[first] != UNASSIGNED {
                 continue;
             }
             let root = i64::from(component.cells[first].0);
@@ -96,7 +96,7 @@ impl<'c> Groups<'c> {
                     let at = lifted[k] + i;
                     let cell = (at.rem_euclid(columns) as i32, row + j); // exact: fewer than 2^31
                     if let Ok(beside) = component.cells.binary_search(&cell)
-                        && group[beside] == OPEN
+                        && group[beside] == UNASSIGNED
                     {
                         (group[beside], lifted[beside]) = (count, at);
                         ends = [ends[0].min(at), ends[1].max(at)]; // exact: whole numbers
@@ -223,7 +223,7 @@ fn widths(count: usize, pieces: &[Piece], images: &[Image], frames: &[Frame]) ->
         let [[a, b], [c, d]] = frames[*to];
         let area = a * d - b * c;
         let [along, across] = [0, 1].map(|i| applied(image.jacobian, [frames[*from][0][i], frames[*from][1][i]]));
-        SLACK * ((a * across[1] - c * across[0]) / area).abs() / ((d * along[0] - b * along[1]) / area).abs()
+        CONE_MARGIN * ((a * across[1] - c * across[0]) / area).abs() / ((d * along[0] - b * along[1]) / area).abs()
     };
     let rates: Vec<f64> = pieces.iter().zip(images).map(rate).collect();
     let mut widths = vec![1.0_f64; count];
@@ -253,7 +253,7 @@ fn vanishes(count: usize, stretched: &[(&Piece, f64)]) -> bool {
         }
         sums
     };
-    for _ in 0..POWERS {
+    for _ in 0..POWER_ITERATIONS {
         let next = sums(&lengths);
         let most = lengths.iter().zip(&next).fold(0.0, |most: f64, (x, y)| most.max(x + y)); // proposes
         lengths = lengths.iter().zip(&next).map(|(x, y)| (x + y) / most).collect();

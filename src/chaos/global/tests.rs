@@ -125,7 +125,7 @@ fn a14_attractors_in_undecided_components_are_found() {
         assert!(is_in_boxes(&found, within[0], point), "{ratio}");
         let law = Law::of(&pair(ratio, restitution)).unwrap();
         let ends = |k: u32| seen(&law, &found, [f64::from(k) / 16.0, found.fastest / 4.0], 20_000);
-        assert!((0..16).any(|k| ends(k) == Seen::Component(point)), "{ratio}");
+        assert!((0..16).any(|k| ends(k) == AttractorOrbit::Component(point)), "{ratio}");
     }
 }
 
@@ -138,7 +138,7 @@ fn is_in_boxes(found: &Global, component: usize, point: usize) -> bool {
             [(impact.phase.mid_rad().0 + half).rem_euclid(1.0), impact.velocity.mid_rad().0.abs() * found.speed_unit];
         let is_in = |[low, high]: [f64; 2], x: f64| low <= x && x <= high;
         let holds = |patch: &Patch| is_in(patch.phases, state[0]) && is_in(patch.speeds, state[1]);
-        found.patches.iter().any(|patch| patch.goes == Goes::Within(component) && holds(patch))
+        found.patches.iter().any(|patch| patch.goes == BasinOutcome::Within(component) && holds(patch))
     })
 }
 
@@ -207,14 +207,14 @@ fn a12_motions_leave_a_set_of_saddle_type() {
     let (ratio, restitution) = ("0.766309", "0.213636");
     let found = Global::of(&pair(ratio, restitution), &GlobalSettings::default(), &Unwatched).unwrap();
     assert_eq!(found.class(), Class::OneAttractor);
-    let is_set = |goes: Goes| matches!(goes, Goes::Within(i) if matches!(found.components[i].kind, Kind::SaddleSet));
+    let is_set = |goes: BasinOutcome| matches!(goes, BasinOutcome::Within(i) if matches!(found.components[i].kind, Kind::SaddleSet));
     let boxes: Vec<&Patch> = found.patches.iter().filter(|patch| is_set(patch.goes)).collect();
     let attractor = found.components.iter().position(|own| own.kind.is_attractor()).unwrap();
     let law = Law::of(&pair(ratio, restitution)).unwrap();
     assert!(boxes.len() > 1_000);
     for patch in boxes.iter().step_by(boxes.len() / 200) {
         let start = [patch.phases, patch.speeds].map(|[low, high]| low + 0.382 * (high - low));
-        assert_eq!(seen(&law, &found, start, 1_000), Seen::Component(attractor), "{start:?}");
+        assert_eq!(seen(&law, &found, start, 1_000), AttractorOrbit::Component(attractor), "{start:?}");
     }
 }
 
@@ -239,7 +239,7 @@ fn an_analysis_stops_where_its_work_is_spent() {
 
 /// Each limit is the reason of what it leaves undecided, and of nothing else: of two of which one ends the analysis first, that one.
 #[test]
-fn what_is_undecided_says_which_limit_left_it() {
+fn undecided_components_name_their_limit() {
     use crate::watch::{Stage, proceed_if};
     let stop = |_: Stage<'_>| proceed_if(false);
     let few = GlobalSettings { boxes: 1 << 8, ..GlobalSettings::default() };
@@ -306,7 +306,7 @@ fn a_global_analysis_is_interrupted_and_refuses_what_it_cannot_do() {
 
 /// The end of a motion, in floating point.
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum Seen {
+enum AttractorOrbit {
     Component(usize),
     /// It is released again and again.
     Rests,
@@ -314,7 +314,7 @@ enum Seen {
 }
 
 /// The floating-point map with complete chatter: a slow ball that is pressed on the wall is released, and has its next impact.
-fn seen(law: &Law, found: &Global, start: [f64; 2], impacts: usize) -> Seen {
+fn seen(law: &Law, found: &Global, start: [f64; 2], impacts: usize) -> AttractorOrbit {
     let guess = Guess::new(law);
     // x - sin x grows.
     let (mut low, mut high) = (0.0, law.gap.mid() + 2.0);
@@ -331,12 +331,15 @@ fn seen(law: &Law, found: &Global, start: [f64; 2], impacts: usize) -> Seen {
             None => (at, releases) = (landing, releases + 1),
         }
         if releases > 20 {
-            return Seen::Rests;
+            return AttractorOrbit::Rests;
         }
     }
     let limits = found.components.iter().enumerate().filter_map(|(i, own)| Some((i, own.kind.limit()?)));
     let own = |limit: &LimitCycle| is_near(limit, found.speed_unit, at);
-    limits.into_iter().find(|(_, limit)| own(limit)).map_or(Seen::Elsewhere(at), |(i, _)| Seen::Component(i))
+    limits
+        .into_iter()
+        .find(|(_, limit)| own(limit))
+        .map_or(AttractorOrbit::Elsewhere(at), |(i, _)| AttractorOrbit::Component(i))
 }
 
 /// 1,000 starts at each of 20 points end in what is proved to attract, those of a basin in its attractor, and none elsewhere, unless a
@@ -380,10 +383,15 @@ fn random_starts_end_in_the_attractors() {
                 let is_in = |[low, high]: [f64; 2], x: f64| low <= x && x < high;
                 is_in(patch.phases, start[0]) && is_in(patch.speeds, start[1])
             };
-            let goes =
-                found.patches.iter().filter(|patch| !matches!(patch.goes, Goes::Within(_))).find(holds).unwrap().goes;
-            let is_there = |i: usize| end == Seen::Component(i) || end == Seen::Rests && is_rest(i);
-            if let Goes::To(attractor) = goes {
+            let goes = found
+                .patches
+                .iter()
+                .filter(|patch| !matches!(patch.goes, BasinOutcome::Within(_)))
+                .find(holds)
+                .unwrap()
+                .goes;
+            let is_there = |i: usize| end == AttractorOrbit::Component(i) || end == AttractorOrbit::Rests && is_rest(i);
+            if let BasinOutcome::To(attractor) = goes {
                 assert!(is_there(attractor), "{ratio} {restitution} {start:?}: {end:?} instead of {attractor}");
             }
             if !(0..found.components.len()).any(is_there) {
@@ -404,16 +412,18 @@ fn starts_in_a_basin_end_in_its_attractor() {
     let found = Global::of(&pair(ratio, restitution), &settings, &Unwatched).unwrap();
     assert_eq!(found.class(), Class::OneAttractor);
     let size = |patch: &Patch| patch.size();
-    let whole: f64 = found.patches.iter().filter(|patch| !matches!(patch.goes, Goes::Within(_))).map(size).sum();
+    let whole: f64 =
+        found.patches.iter().filter(|patch| !matches!(patch.goes, BasinOutcome::Within(_))).map(size).sum();
     assert!((whole / found.fastest - 1.0).abs() < 1e-12, "{whole}");
     let basins = found.basins().unwrap();
     let [basin] = basins[..] else { panic!("one attractor") };
     assert!(basin.area > 0.5 && basin.area < 1.0, "{basin:?}");
     let law = Law::of(&pair(ratio, restitution)).unwrap();
-    let own: Vec<&Patch> = found.patches.iter().filter(|patch| patch.goes == Goes::To(basin.component)).collect();
+    let own: Vec<&Patch> =
+        found.patches.iter().filter(|patch| patch.goes == BasinOutcome::To(basin.component)).collect();
     for patch in own.iter().step_by(own.len() / 100) {
         let start = [patch.phases, patch.speeds].map(|[low, high]| low + 0.382 * (high - low));
-        assert_eq!(seen(&law, &found, start, 1000), Seen::Component(basin.component), "{start:?}");
+        assert_eq!(seen(&law, &found, start, 1000), AttractorOrbit::Component(basin.component), "{start:?}");
     }
 }
 

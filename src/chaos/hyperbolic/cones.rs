@@ -9,10 +9,10 @@ use crate::number::{Ball, Number, up};
 use crate::watch::Watch;
 
 /// A cell is no smaller than this beside its strip.
-const SMALLEST: f64 = 1.0 / (1 << 20) as f64; // exact: a power of two
+const MIN_CELL: f64 = 1.0 / (1 << 20) as f64; // exact: a power of two
 
 /// Expansions are known up to such a part per impact of the word.
-const KNOWN: f64 = 0.04;
+const EXPANSION_ACCURACY: f64 = 0.04;
 
 /// A word with the images of the cells of its strip.
 #[derive(Clone, Debug)]
@@ -73,7 +73,7 @@ impl Map<'_> {
                 return Err(LeftOut::Interrupted);
             } else if open.len() + done.len() > MOST_CELLS {
                 return Err(LeftOut::Cells);
-            } else if cell.radii.iter().any(|&radius| radius < SMALLEST) {
+            } else if cell.radii.iter().any(|&radius| radius < MIN_CELL) {
                 return Err(LeftOut::Cone);
             }
             open.extend(cell.halves(axis));
@@ -121,12 +121,12 @@ fn is_cone(branch: &Branch, image: &Image, kappa: f64) -> bool {
 
 /// Returns whether the expansion is known well enough to be worth bounding; any answer is sound.
 fn is_known(branch: &Branch, image: &Image) -> bool {
-    let part = KNOWN * branch.sides.len() as f64; // exact: a length
+    let part = EXPANSION_ACCURACY * branch.sides.len() as f64; // exact: a length
     image.direction(0.0).is_some_and(|[x, _]| x.rad() < part * x.mid().abs()) // proposes
 }
 
 /// A strip that a word's images must not meet on the way, as its flights are the last ones of the word: the flights before it, and the
-/// whole turns after which it is there.
+/// whole forcing periods after which it is there.
 struct Shortcut<'b> {
     passed: usize,
     turns: f64,

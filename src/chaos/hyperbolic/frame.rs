@@ -2,7 +2,7 @@
 
 use crate::chaos::flights::is_positive;
 use crate::chaos::quad::State;
-use crate::chaos::words::Base;
+use crate::chaos::words::HSet;
 use crate::number::{Ball, Number, UNIT};
 
 /// The states `centre + xi along + eta across` with `|xi|, |eta| <= 1`, all numbers exact.
@@ -29,7 +29,7 @@ pub(crate) fn least(x: Ball) -> f64 {
 
 impl Frame {
     /// Returns the parallelogram of the half vectors between the middles of opposite edges.
-    pub fn of(Base { left, right }: &Base) -> Self {
+    pub fn of(HSet { left, right }: &HSet) -> Self {
         let mean = |f: &dyn Fn(usize) -> f64| [0, 1].map(|i| 0.25 * f(i));
         let (p, q, r, s) = (left.bottom, left.top, right.bottom, right.top);
         let centre = mean(&|i| (p[i] + q[i]) + (r[i] + s[i]));

@@ -22,7 +22,7 @@ use super::blocks::Word;
 use super::guess::Guess;
 use super::horseshoe::Chaos;
 use super::law::Law;
-use super::words::Base;
+use super::words::HSet;
 use crate::Error;
 use crate::number::{Ball, logarithm};
 use crate::pair::ImpactPair;
@@ -32,7 +32,7 @@ use cones::Proved;
 use frame::Frame;
 pub use left_out::LeftOut;
 use root::{Edge, ratios, root};
-use strings::{NOTHING, Strings, ends, hull, spanned};
+use strings::{EMPTY_BOUNDS, Strings, ends, hull, spanned};
 use strip::{Branch, Map};
 
 /// The greatest slope of the cones, in the coordinates of an h-set.
@@ -94,7 +94,7 @@ impl Hyperbolic {
         Ok(Self::proved(&Law::of(pair)?, chaos.bases(), chaos.words(), watch))
     }
 
-    fn proved(law: &Law, bases: &[Base], words: &[Word], watch: &dyn Watch) -> Result<Self, Vec<(usize, LeftOut)>> {
+    fn proved(law: &Law, bases: &[HSet], words: &[Word], watch: &dyn Watch) -> Result<Self, Vec<(usize, LeftOut)>> {
         let frames: Vec<Frame> = bases.iter().map(Frame::of).collect();
         let mut left_out: BTreeMap<usize, LeftOut> =
             (0..words.len()).map(|number| (number, LeftOut::Overlap)).collect();
@@ -203,7 +203,7 @@ fn heights(words: &[Proved], bases: usize) -> Vec<Ball> {
     let images = |at: usize| words.iter().filter(move |word| word.branch.to == at).flat_map(|word| &word.images);
     let of = |at: usize| {
         let inside = images(at).filter(|image| !image.is_outside()).map(|image| ends(image.spread(1)));
-        spanned(inside.fold(NOTHING, hull))
+        spanned(inside.fold(EMPTY_BOUNDS, hull))
     };
     (0..bases).map(of).collect()
 }
@@ -221,7 +221,7 @@ impl Measured {
     /// Bounds of the slopes of the expanding directions in an h-set. Lemma D26
     fn slopes_at(&self, base: usize, words: &[Proved]) -> [f64; 2] {
         let into = words.iter().zip(&self.slopes).filter(|(word, _)| word.branch.to == base);
-        into.map(|(_, slopes)| *slopes).fold(NOTHING, hull)
+        into.map(|(_, slopes)| *slopes).fold(EMPTY_BOUNDS, hull)
     }
 
     /// `None` where there are no words, or their strings expand too little to be bounded.

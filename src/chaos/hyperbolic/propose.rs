@@ -11,14 +11,14 @@ use crate::chaos::quad::State;
 use crate::pair::Wall;
 
 /// Neighbours whose images are farther apart are parted, unless they are nearer than that themselves.
-const APART: f64 = 0.01;
-const NEAREST: f64 = 1e-9;
+const MAX_IMAGE_DISTANCE: f64 = 0.01;
+const MIN_DISTANCE: f64 = 1e-9;
 /// First parts of an h-set.
-const PARTS: usize = 256;
+const FIRST_PARTS: usize = 256;
 /// Places, a half length being 1, to which the sides of a strip are mapped beyond the edges of the h-set that is covered: each is tried.
-const BEYOND: [f64; 3] = [1.006, 1.002, 1.0005];
+const SIDE_IMAGES: [f64; 3] = [1.006, 1.002, 1.0005];
 /// Part of a strip's breadth that is added on either side, as the sides are straight.
-const SPARE: f64 = 2e-4;
+const WIDTH_MARGIN: f64 = 2e-4;
 const STEPS: usize = 40;
 
 /// A state on the middle line of an h-set, and its images.
@@ -60,14 +60,14 @@ impl Line<'_> {
 
     /// Samples whose images lie close together, as long as their flights are alike.
     fn samples(&self) -> Vec<Sample> {
-        let place = |k: usize| 2.0 * k as f64 / PARTS as f64 - 1.0;
+        let place = |k: usize| 2.0 * k as f64 / FIRST_PARTS as f64 - 1.0;
         let mut done = vec![self.sample(-1.0)];
-        let mut open: Vec<Sample> = (1..=PARTS).rev().map(|k| self.sample(place(k))).collect();
+        let mut open: Vec<Sample> = (1..=FIRST_PARTS).rev().map(|k| self.sample(place(k))).collect();
         while let Some(next) = open.pop() {
             let last = &done[done.len() - 1];
             let alike = last.images.iter().zip(&next.images).take_while(|(a, b)| a.1 == b.1);
-            let is_apart = alike.clone().any(|(a, b)| (a.0[0] - b.0[0]).hypot(a.0[1] - b.0[1]) > APART);
-            if is_apart && next.xi - last.xi > NEAREST {
+            let is_apart = alike.clone().any(|(a, b)| (a.0[0] - b.0[0]).hypot(a.0[1] - b.0[1]) > MAX_IMAGE_DISTANCE);
+            if is_apart && next.xi - last.xi > MIN_DISTANCE {
                 let middle = self.sample(0.5 * (last.xi + next.xi));
                 open.push(next);
                 open.push(middle);
@@ -79,7 +79,7 @@ impl Line<'_> {
     }
 
     /// `xi` in the h-set that a word leads to, of a state that flies as it says.
-    fn image(&self, word: &Seen, xi: f64, eta: f64) -> Option<f64> {
+    fn image(&self, word: &ListedWord, xi: f64, eta: f64) -> Option<f64> {
         let mut state = self.state(xi, eta);
         for side in &word.sides {
             let image = self.guess.map(state).filter(|image| image.side == *side)?;
@@ -89,7 +89,7 @@ impl Line<'_> {
     }
 
     /// Returns the place on a row at which `xi` of the image has this value, near a guess.
-    fn solve(&self, word: &Seen, value: f64, near: f64, eta: f64) -> Option<f64> {
+    fn solve(&self, word: &ListedWord, value: f64, near: f64, eta: f64) -> Option<f64> {
         let (mut a, mut b) = (near, near + 1e-6);
         let mut at_a = self.image(word, a, eta)? - value;
         for _ in 0..STEPS {
@@ -102,15 +102,15 @@ impl Line<'_> {
         None
     }
 
-    fn strip(&self, word: &Seen, ends: [f64; 2], sign: f64) -> Option<Strip> {
-        BEYOND.iter().find_map(|beyond| {
+    fn strip(&self, word: &ListedWord, ends: [f64; 2], sign: f64) -> Option<Strip> {
+        SIDE_IMAGES.iter().find_map(|beyond| {
             let row = |end: usize, eta: f64| self.solve(word, sign * (2.0 * end as f64 - 1.0) * beyond, ends[end], eta);
             let rows: Vec<[f64; 2]> =
                 [-1.0, 0.0, 1.0].iter().map(|&eta| Some([row(0, eta)?, row(1, eta)?])).collect::<Option<_>>()?;
             let slopes = [0, 1].map(|end| 0.5 * (rows[2][end] - rows[0][end]));
             let straight =
                 |end: usize| [-1.0, 0.0, 1.0].iter().zip(&rows).map(move |(eta, row)| row[end] - slopes[end] * eta);
-            let spare = SPARE * (rows[1][1] - rows[1][0]);
+            let spare = WIDTH_MARGIN * (rows[1][1] - rows[1][0]);
             let low = straight(0).fold(f64::INFINITY, f64::min) - spare;
             let high = straight(1).fold(f64::NEG_INFINITY, f64::max) + spare;
             let half = |[a, b]: [f64; 2]| [0.5 * (a + b), 0.5 * (b - a)];
@@ -122,7 +122,7 @@ impl Line<'_> {
 }
 
 /// A listed word.
-struct Seen {
+struct ListedWord {
     number: usize,
     from: usize,
     to: usize,
@@ -130,20 +130,20 @@ struct Seen {
     turns: f64,
 }
 
-fn seen((number, word): (usize, &Word)) -> Seen {
+fn seen((number, word): (usize, &Word)) -> ListedWord {
     let before = std::iter::once(&Wall::Left).chain(&word.walls);
     let sides: Vec<Side> = before.zip(&word.walls).map(|(a, b)| if a == b { Side::Near } else { Side::Far }).collect();
     let far = sides.iter().filter(|&&side| side == Side::Far).count() as i64;
-    Seen { number, from: word.from, to: word.to, turns: 0.5 * (word.half_cycles + far) as f64, sides }
+    ListedWord { number, from: word.from, to: word.to, turns: 0.5 * (word.half_cycles + far) as f64, sides }
 }
 
 /// Returns the words whose strips are seen, with their numbers among those that are listed.
 pub(super) fn branches(guess: &Guess, frames: &[Frame], words: &[Word]) -> Vec<(usize, Branch)> {
     let mut found = Vec::new();
-    let mut words: Vec<Seen> = words.iter().enumerate().map(seen).collect();
+    let mut words: Vec<ListedWord> = words.iter().enumerate().map(seen).collect();
     words.sort_by_key(|word| word.sides.len());
     for from in 0..frames.len() {
-        let own: Vec<&Seen> = words.iter().filter(|word| word.from == from).collect();
+        let own: Vec<&ListedWord> = words.iter().filter(|word| word.from == from).collect();
         let impacts = own.iter().map(|word| word.sides.len()).max().unwrap_or(0);
         let line = Line { guess, frames, from, impacts };
         let samples = line.samples();
@@ -155,7 +155,7 @@ pub(super) fn branches(guess: &Guess, frames: &[Frame], words: &[Word]) -> Vec<(
                 }
                 let Some(strip) = line.strip(word, [low, high], sign) else { continue };
                 taken.push([low, high]);
-                let Seen { number, from, to, sides, turns } = word;
+                let ListedWord { number, from, to, sides, turns } = word;
                 let half_turns = (2.0 * turns) as i64 - sides.iter().filter(|&&side| side == Side::Far).count() as i64;
                 let (sides, turns) = (sides.clone(), *turns);
                 found.push((
@@ -171,7 +171,7 @@ pub(super) fn branches(guess: &Guess, frames: &[Frame], words: &[Word]) -> Vec<(
 }
 
 /// Stretches along which the image crosses an h-set, and the sign it does so with.
-fn crossings(samples: &[Sample], word: &Seen, frame: &Frame) -> Vec<([f64; 2], f64)> {
+fn crossings(samples: &[Sample], word: &ListedWord, frame: &Frame) -> Vec<([f64; 2], f64)> {
     let mut found = Vec::new();
     let mut last: Option<(bool, f64)> = None;
     for Sample { xi, images } in samples {

@@ -15,10 +15,10 @@ pub(crate) struct Edge {
 
 /// Halvings, and steps towards an eigenvector.
 const HALVINGS: u32 = 34;
-const STEPS: usize = 2000;
+const POWER_ITERATIONS: usize = 2000;
 /// Distance from a root at which the first bound is looked for, and the factor by which the next one is farther.
-const NEAR: f64 = 1e-9;
-const FARTHER: f64 = 8.0;
+const FIRST_BOUND_DISTANCE: f64 = 1e-9;
+const DISTANCE_FACTOR: f64 = 8.0;
 const TRIES: u32 = 8;
 
 /// The end of the weights that a bound rests on.
@@ -39,10 +39,10 @@ pub(crate) fn root(edges: &[Edge]) -> Option<[f64; 2]> {
     let bound = |end: End| {
         let middle = proposed(&edges, nodes, end);
         let sign = if end == End::Least { 1.0 } else { -1.0 };
-        let mut apart = NEAR;
+        let mut apart = FIRST_BOUND_DISTANCE;
         (0..TRIES).find_map(|_| {
             let at = (middle + sign * apart).max(0.0); // proposes: proved below
-            apart *= FARTHER;
+            apart *= DISTANCE_FACTOR;
             is_bound(&edges, nodes, end, at).then_some(at)
         })
     };
@@ -70,7 +70,7 @@ fn proposed(edges: &[Edge], nodes: usize, end: End) -> f64 {
 /// A positive vector about that of the greatest eigenvalue of the matrix, and about this one.
 fn eigenvector(matrix: &[(usize, usize, f64)], nodes: usize) -> (Vec<f64>, f64) {
     let (mut vector, mut value) = (vec![1.0; nodes], 0.0);
-    for _ in 0..STEPS {
+    for _ in 0..POWER_ITERATIONS {
         // The identity is added, so that all parts of a period are mixed.
         let mut image = vector.clone();
         matrix.iter().for_each(|&(from, to, q)| image[from] += q * vector[to]);
@@ -155,18 +155,18 @@ fn least_ratio(edges: &[Edge], nodes: usize) -> f64 {
 
 /// The least ways to all nodes, an edge weighing its least weight less its length times the ratio; `None` where a cycle is negative.
 fn shortest(edges: &[Edge], nodes: usize, ratio: f64) -> Option<Vec<f64>> {
-    let mut ways = vec![0.0; nodes];
+    let mut path_weights = vec![0.0; nodes];
     for _ in 0..=nodes {
         let mut is_done = true;
         for edge in edges {
-            let way = ways[edge.from] + edge.weight[0] - ratio * edge.length;
-            if way < ways[edge.to] - 1e-13 {
-                ways[edge.to] = way;
+            let path_weight = path_weights[edge.from] + edge.weight[0] - ratio * edge.length;
+            if path_weight < path_weights[edge.to] - 1e-13 {
+                path_weights[edge.to] = path_weight;
                 is_done = false;
             }
         }
         if is_done {
-            return Some(ways);
+            return Some(path_weights);
         }
     }
     None

@@ -46,20 +46,20 @@ impl Sides {
         let moved = Self { first, rest, area: cross(first, rest), ..*self };
         let after = after.widened(moved.reach(1));
         let by = (restitution * restitution * before).checked_div(after);
-        by.map_or(moved, |by| Self { area: self.area * by, ..moved }.parted())
+        by.map_or(moved, |by| Self { area: self.area * by, ..moved }.split_along_first())
     }
 
     /// The same vectors, with what the rest has along the first one counted to its part.
-    fn parted(self) -> Self {
+    fn split_along_first(self) -> Self {
         let [u, w] = self.first.map(Ball::mid);
         // D24: any vector
-        let aside = [-w, u].map(Ball::exact);
-        let along = cross(self.first, aside);
-        let (Some(part), Some(length)) = (cross(self.rest, aside).checked_div(along), self.area.checked_div(along))
+        let normal = [-w, u].map(Ball::exact);
+        let along = cross(self.first, normal);
+        let (Some(part), Some(length)) = (cross(self.rest, normal).checked_div(along), self.area.checked_div(along))
         else {
             return self;
         };
-        Self { part: self.part + part, rest: aside.map(|x| x * length), ..self }
+        Self { part: self.part + part, rest: normal.map(|x| x * length), ..self }
     }
 
     /// The vectors in other coordinates, `None` where these are not known.

@@ -28,16 +28,16 @@ pub(crate) type Graph = Vec<(Edge, usize)>;
 type Level = BTreeMap<Letters, Cylinder>;
 
 /// Number of times that cells are narrowed and looked at again.
-const LOOKS: u32 = 3;
+const MAX_CUTS: u32 = 3;
 /// Part of its size to which a cell has to be narrowed to be looked at again.
-const NARROWER: f64 = 0.7;
+const RECUT_RATIO: f64 = 0.7;
 /// The most strings, cells of all of them, and letters that are looked at.
 const MOST_EDGES: usize = 8000;
 const MOST_CELLS: usize = 3 << 20;
 const MOST_LETTERS: usize = 9;
 
 /// Bounds of no numbers.
-pub(crate) const NOTHING: [f64; 2] = [f64::INFINITY, f64::NEG_INFINITY];
+pub(crate) const EMPTY_BOUNDS: [f64; 2] = [f64::INFINITY, f64::NEG_INFINITY];
 
 // D28: the outer ends
 pub(crate) fn hull([a, b]: [f64; 2], [c, d]: [f64; 2]) -> [f64; 2] {
@@ -57,7 +57,7 @@ pub(crate) fn spanned([low, high]: [f64; 2]) -> Ball {
 
 /// Bounds of the slopes of the images of the vectors `(1, slope)` at the states of cells. Lemma D26
 fn image_slopes(images: &[Image], slopes: [f64; 2]) -> Option<[f64; 2]> {
-    let mut all = NOTHING;
+    let mut all = EMPTY_BOUNDS;
     for image in images {
         for slope in slopes {
             let [x, y] = image.direction(slope)?;
@@ -85,7 +85,7 @@ impl Proved {
     }
 }
 
-/// The words, and all that is asked of their strings.
+/// The words, and the required properties of their strings.
 pub(crate) struct Strings<'s> {
     pub map: &'s Map<'s>,
     pub words: &'s [Proved],
@@ -104,8 +104,8 @@ impl Strings<'_> {
         let [along, across] = sides.both().map(|side| beside(side, slope));
         // The line is off by its rounding: all of the difference is more than half of it.
         let reach = up(0.5 * half.mag() + f64::EPSILON * strip.breadth(image.spread(1)).mag());
-        let wanted = (place - beside(*middle, slope)).widened(up(reach + across.mag()));
-        wanted.checked_div(along).map_or(Some(*cell), |within| cell.part(0, within))
+        let numerator = (place - beside(*middle, slope)).widened(up(reach + across.mag()));
+        numerator.checked_div(along).map_or(Some(*cell), |within| cell.part(0, within))
     }
 
     /// The points of a word's cells, as far as they are left by what `narrowed` says of them.
@@ -113,9 +113,9 @@ impl Strings<'_> {
         let mut kept = Vec::new();
         for image in images {
             let mut image = *image;
-            let is_left = (0..LOOKS).all(|_| {
+            let is_left = (0..MAX_CUTS).all(|_| {
                 let Some(cell) = narrowed(&image) else { return false };
-                if (0..2).any(|axis| cell.radii[axis] < NARROWER * image.cell.radii[axis])
+                if (0..2).any(|axis| cell.radii[axis] < RECUT_RATIO * image.cell.radii[axis])
                     && let Ok(better) = self.map.image(&self.words[word].branch, cell, &|_, _, _| true)
                 {
                     image = better;
@@ -135,7 +135,7 @@ impl Strings<'_> {
         if images.is_empty() {
             return None; // exact: nothing is certified
         }
-        images.iter().try_fold(NOTHING, |all, image| Some(hull(all, expansion(image, slopes, rises)?)))
+        images.iter().try_fold(EMPTY_BOUNDS, |all, image| Some(hull(all, expansion(image, slopes, rises)?)))
     }
 
     /// Returns the graph of strings: an edge for each word alone, or with a word before it and some after it, weighing the logarithm of what
@@ -176,7 +176,7 @@ impl Strings<'_> {
     /// Bounds of the slopes with which a string's word is begun: those that the one before it leads to, or any. Lemma D26
     fn arriving(&self, string: &[usize], slopes: &[[f64; 2]]) -> [f64; 2] {
         match string {
-            &[word] => self.before(word).map(|before| slopes[before]).fold(NOTHING, hull),
+            &[word] => self.before(word).map(|before| slopes[before]).fold(EMPTY_BOUNDS, hull),
             _ => slopes[string[0]],
         }
     }
@@ -206,7 +206,7 @@ impl Strings<'_> {
                 let behind = |before: usize| -> Letters {
                     std::iter::once(before).chain(own[..own.len() - 1].iter().copied()).collect()
                 };
-                let heights = self.before(first).map(|before| level[&behind(before)].heights).fold(NOTHING, hull);
+                let heights = self.before(first).map(|before| level[&behind(before)].heights).fold(EMPTY_BOUNDS, hull);
                 let narrowed = |image: &Image| self.narrowed(image, strip, *breadth)?.between(heights);
                 let cylinder = self.cut(string[0], &level[own].images, &narrowed);
                 next.insert(longer, cylinder);
@@ -218,8 +218,8 @@ impl Strings<'_> {
     /// The slopes of the images, narrowed by those that words arrive with. Lemma D26
     fn slopes(&self, level: &Level, known: &[[f64; 2]]) -> Option<Vec<[f64; 2]>> {
         let mut slopes = known.to_vec();
-        for _ in 0..LOOKS {
-            let mut all = vec![NOTHING; self.words.len()];
+        for _ in 0..MAX_CUTS {
+            let mut all = vec![EMPTY_BOUNDS; self.words.len()];
             for (string, cylinder) in level {
                 let word = Self::word(string);
                 all[word] = hull(all[word], image_slopes(&cylinder.images, self.arriving(string, &slopes))?);
@@ -264,8 +264,8 @@ impl Cylinder {
             hull(ends(a - r), ends(a + r))
         };
         Self {
-            breadth: images.iter().map(breadth).fold(NOTHING, hull),
-            heights: images.iter().map(|image| ends(image.spread(1))).fold(NOTHING, hull),
+            breadth: images.iter().map(breadth).fold(EMPTY_BOUNDS, hull),
+            heights: images.iter().map(|image| ends(image.spread(1))).fold(EMPTY_BOUNDS, hull),
             images,
         }
     }

@@ -17,7 +17,7 @@ pub(crate) struct Strip {
     pub taper: f64,
 }
 
-/// A word with its strip: where it comes from and leads to, its flights, its whole turns, and whether `xi` grows along it.
+/// A word with its strip: where it comes from and leads to, its flights, its whole forcing periods, and whether `xi` grows along it.
 #[derive(Clone, Debug)]
 pub(crate) struct Branch {
     pub from: usize,

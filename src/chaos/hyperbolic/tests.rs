@@ -6,7 +6,7 @@ use std::f64::consts::{LN_2, TAU};
 use super::cones::is_flat;
 use super::frame::Frame;
 use super::root::{Edge, ratios, root};
-use super::strings::{NOTHING, ends, hull};
+use super::strings::{EMPTY_BOUNDS, ends, hull};
 use super::strip::{Branch, Cell, Map, Strip};
 use super::{Hyperbolic, KAPPA, LeftOut, are_apart, propose};
 use crate::Scene;
@@ -16,7 +16,7 @@ use crate::chaos::horseshoe::Chaos;
 use crate::chaos::law::{Law, Side};
 use crate::chaos::quad::Chord;
 use crate::chaos::vector::applied;
-use crate::chaos::words::Base;
+use crate::chaos::words::HSet;
 use crate::exact::Enclosure;
 use crate::number::interval::Interval;
 use crate::number::{Ball, Number, logarithm};
@@ -24,7 +24,7 @@ use crate::pair::Wall;
 use crate::periodic::Precision;
 use crate::watch::Unwatched;
 
-const BASES: [[f64; 6]; 3] = [
+const H_SETS: [[f64; 6]; 3] = [
     [4.891025, 1.234518, 0.180768, 0.082, -0.00187, 0.002596],
     [4.89839, 1.224294, 0.181119, 0.081513, -0.000935, 0.001298],
     [4.901897, 1.219425, 0.180009, 0.083055, -0.000701, 0.000974],
@@ -35,8 +35,8 @@ fn law() -> Law {
 }
 
 fn chaos() -> Chaos {
-    let base = |[u, w, a, b, c, d]: [f64; 6]| Base::new([u / TAU, w], [a / TAU, b], [c / TAU, d]);
-    Chaos::proved(&law(), BASES.map(base).to_vec(), Some(3), &Unwatched)
+    let base = |[u, w, a, b, c, d]: [f64; 6]| HSet::new([u / TAU, w], [a / TAU, b], [c / TAU, d]);
+    Chaos::proved(&law(), H_SETS.map(base).to_vec(), Some(3), &Unwatched)
 }
 
 fn of(law: &Law, chaos: &Chaos) -> Hyperbolic {
@@ -63,7 +63,7 @@ fn r37_no_words_are_no_hyperbolic_set() {
 /// A quadrilateral of positive speeds whose parallelogram has a corner at -0.09: no ball has the motions of its states.
 #[test]
 fn r39_a_parallelogram_has_positive_speeds_only() {
-    let base = |top: f64| Base {
+    let base = |top: f64| HSet {
         left: Chord { bottom: [0.0, 0.01], top: [0.0, top] },
         right: Chord { bottom: [0.1, 0.01], top: [0.1, 0.1] },
     };
@@ -152,20 +152,20 @@ fn least(loop_: Vec<usize>) -> Vec<usize> {
 /// All closed sequences of words of N impacts at most, none of them a shorter one several times.
 fn loops(words: &[(usize, &Branch)], most: usize) -> BTreeSet<Vec<usize>> {
     let (mut found, mut open) = (BTreeSet::new(), vec![(Vec::<&(usize, &Branch)>::new(), 0)]);
-    while let Some((way, impacts)) = open.pop() {
-        if let (Some(first), Some(last)) = (way.first(), way.last())
+    while let Some((path, impacts)) = open.pop() {
+        if let (Some(first), Some(last)) = (path.first(), path.last())
             && first.1.from == last.1.to
         {
-            let numbers: Vec<usize> = way.iter().map(|word| word.0).collect();
+            let numbers: Vec<usize> = path.iter().map(|word| word.0).collect();
             if (1..numbers.len()).all(|k| [&numbers[k..], &numbers[..k]].concat() != numbers) {
                 found.insert(least(numbers));
             }
         }
-        let fits = |word: &&(usize, &Branch)| way.last().is_none_or(|last| last.1.to == word.1.from);
+        let fits = |word: &&(usize, &Branch)| path.last().is_none_or(|last| last.1.to == word.1.from);
         for word in words.iter().filter(fits) {
             let impacts = impacts + word.1.sides.len();
             if impacts <= most {
-                open.push(([&way[..], &[word]].concat(), impacts));
+                open.push(([&path[..], &[word]].concat(), impacts));
             }
         }
     }
@@ -176,7 +176,7 @@ fn loops(words: &[(usize, &Branch)], most: usize) -> BTreeSet<Vec<usize>> {
 /// less, and their eigenvalues say what they expand by.
 #[test]
 fn cycles_in_the_set_are_those_of_its_words_and_their_exponents_within_the_bounds() {
-    const MOST: u32 = 9;
+    const MAX_LENGTH: u32 = 9;
     let (law, chaos) = (law(), chaos());
     let set = of(&law, &chaos);
     let (_, frames, strips) = strips(&law, &chaos);
@@ -187,9 +187,9 @@ fn cycles_in_the_set_are_those_of_its_words_and_their_exponents_within_the_bound
         .collect();
     let scene = Scene::parse(include_str!("../../../scenes/figure-14.toml")).expect("a scene");
     let cycles =
-        Cycles::of(&scene, 0, &(1..=MOST), Precision::default(), &Unwatched).expect("a law").expect("a region");
+        Cycles::of(&scene, 0, &(1..=MAX_LENGTH), Precision::default(), &Unwatched).expect("a law").expect("a region");
     assert!(cycles.is_certified());
-    let (mut found, mut all) = (BTreeSet::new(), NOTHING);
+    let (mut found, mut all) = (BTreeSet::new(), EMPTY_BOUNDS);
     for cycle in cycles.cycles() {
         let Some(numbers) = followed(&impacts(&law, cycle), &frames, &words) else { continue };
         let eigenvalue = ball(&cycle.orbit.eigenvalues[0].re);
@@ -201,7 +201,7 @@ fn cycles_in_the_set_are_those_of_its_words_and_their_exponents_within_the_bound
         all = hull(all, sum.map(|sum| sum / lengths[0]));
         assert!(found.insert(numbers), "two cycles of one sequence");
     }
-    assert_eq!(found, loops(&words, MOST as usize));
+    assert_eq!(found, loops(&words, MAX_LENGTH as usize));
     // The bounds are near what they bound.
     assert!(all[0] - set.exponents[0][0] < 0.005 && set.exponents[0][1] - all[1] < 0.005, "{all:?}");
 }

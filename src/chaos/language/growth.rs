@@ -7,17 +7,17 @@ use crate::chaos::boxes::parts;
 use crate::number::{Ball, Number, logarithm, up};
 
 /// Bits of a count that are looked at.
-const BITS: u64 = 52;
+const COUNT_BITS: u64 = 52;
 /// Steps towards a vector, and those without progress after which there are no more.
-const STEPS: usize = 20_000;
-const PATIENCE: usize = 200;
+const POWER_ITERATIONS: usize = 20_000;
+const STALLED_ITERATIONS: usize = 200;
 
 /// Returns an upper bound of the logarithm of a count over the length of the words. Lemma D30
 pub(super) fn rate(count: &BigUint, letters: u32) -> f64 {
     if count.is_one() {
         return 0.0; // exact: its logarithm
     }
-    let shift = count.bits().saturating_sub(BITS); // D30: of a short one no bits are left out
+    let shift = count.bits().saturating_sub(COUNT_BITS); // D30: of a short one no bits are left out
     let leading = (count >> shift).to_f64().unwrap_or(f64::INFINITY) + 1.0; // exact: below 2^53
     let two = logarithm(Ball::exact(2.0)).expect("a positive number");
     let sum = logarithm(Ball::exact(leading)).map(|log| log + two * Ball::exact(shift as f64)); // exact: a small whole number
@@ -27,7 +27,7 @@ pub(super) fn rate(count: &BigUint, letters: u32) -> f64 {
 
 /// Returns an upper bound of the growth rate of the number of paths. Lemma D31
 pub(super) fn limit(steps: &[[Option<u32>; 2]]) -> f64 {
-    let radius = parts(&forth(steps)).iter().map(|part| radius(steps, part)).fold(1.0, f64::max); // D31: at least one path goes on
+    let radius = parts(&successors(steps)).iter().map(|part| radius(steps, part)).fold(1.0, f64::max); // D31: at least one path goes on
     if radius == 1.0 { 0.0 } else { logarithm(Ball::exact(radius)).map_or(f64::INFINITY, above) } // exact: the logarithm of 1
 }
 
@@ -42,7 +42,7 @@ fn radius(steps: &[[Option<u32>; 2]], part: &[usize]) -> f64 {
         part.iter().map(|&node| steps[node].iter().flatten().filter_map(|&to| place(to)).collect()).collect();
     let mut vector = vec![1.0f64; part.len()];
     let (mut least, mut since) = (f64::INFINITY, 0);
-    for _ in 0..STEPS {
+    for _ in 0..POWER_ITERATIONS {
         let image: Vec<f64> = inside
             .iter()
             .map(|to| match to[..] {
@@ -55,7 +55,7 @@ fn radius(steps: &[[Option<u32>; 2]], part: &[usize]) -> f64 {
         let ratio = image.iter().zip(&vector).map(|(image, x)| quotient(*image, *x)).fold(0.0, f64::max); // D31: of all members
         since = if ratio < least { 0 } else { since + 1 };
         least = least.min(ratio); // D31: each vector proves its own
-        if since > PATIENCE {
+        if since > STALLED_ITERATIONS {
             break;
         }
         // proposes: any positive vector
@@ -66,6 +66,6 @@ fn radius(steps: &[[Option<u32>; 2]], part: &[usize]) -> f64 {
 }
 
 /// The nodes that each one leads to.
-fn forth(steps: &[[Option<u32>; 2]]) -> Vec<Vec<usize>> {
+fn successors(steps: &[[Option<u32>; 2]]) -> Vec<Vec<usize>> {
     steps.iter().map(|steps| steps.iter().flatten().map(|&to| to as usize).collect()).collect() // exact: indices
 }

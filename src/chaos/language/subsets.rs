@@ -12,7 +12,7 @@ use crate::watch::{Stage, Watch};
 
 /// Memory \[bytes\] that all sets together may take, and boxes that may be looked at.
 const MOST_BYTES: usize = 1 << 29;
-const MOST_LOOKS: usize = 1 << 34;
+const MAX_BOX_VISITS: usize = 1 << 34;
 
 /// The reason why words are not counted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -55,7 +55,7 @@ impl Subsets {
             let stopped = if watch.proceed(Stage::Sets(numbers.len())).is_break() {
                 Some(Unclosed::Interrupted)
             } else {
-                (numbers.len() * size * mem::size_of::<u64>() > MOST_BYTES || looks > MOST_LOOKS)
+                (numbers.len() * size * mem::size_of::<u64>() > MOST_BYTES || looks > MAX_BOX_VISITS)
                     .then_some(Unclosed::Sets)
             };
             if let Some(why) = stopped {

@@ -182,7 +182,7 @@ fn longer_words_bound_the_entropy_more_narrowly() {
 /// Bounds that `docs/paper.md` gives for figures 14 and 17, whose horseshoes have more entropy: 0.4704 and 0.569. In figure 14 two cycles
 /// of five impacts have one word, and none of fewer. Lemma D32
 #[test]
-fn walls_do_not_tell_motions_apart() {
+fn walls_do_not_distinguish_motions() {
     for (number, finer, most) in [(14, 0, 0.4224), (14, 3, 0.3814), (17, 0, 0.4816)] {
         let scene = figure(number);
         let trap = Trap::of(&scene, finer, &Unwatched).unwrap().unwrap();

@@ -20,8 +20,8 @@ use crate::periodic::bifurcation::{NoWindow, Window, WindowSeed};
 use crate::scene::{Key, Range};
 use crate::threads::{answers, available};
 use crate::watch::{Latched, Stage, Watch};
-pub use search::LONGEST as MOST_WINDOW_IMPACTS;
-use search::{Family, Superstable, Varies};
+pub use search::MAX_CYCLE as MOST_WINDOW_IMPACTS;
+use search::{Family, Superstable, VariedParameter};
 
 /// The keys over which windows are searched, in words.
 pub const WINDOW_PARAMETERS: &str = "KEY one of gap, amplitude, restitution";
@@ -95,9 +95,9 @@ pub struct Windows {
 }
 
 /// Impacts that an orbit is followed for, at one value of the parameter.
-const ORBIT: u64 = 1 << 19;
+const ORBIT_IMPACTS: u64 = 1 << 19;
 /// The part of the golden section by which values of the parameter are spread.
-const SPREAD: f64 = 0.618_033_988_749_894_9;
+const GOLDEN_FRACTION: f64 = 0.618_033_988_749_894_9;
 
 impl Windows {
     /// Searches stable orbits near a scene and proves them, until the watch stops it; what is proved until then is kept.
@@ -190,13 +190,13 @@ impl<'p> Search<'p> {
         }
         let law = |value: &Exact| Law::of(&pair.with(*key, value.clone())?);
         let laws = [law(low)?, law(high)?];
-        let varies = if *key == Key::Restitution { Varies::Restitution } else { Varies::Gap };
-        let of = |law: &Law| if varies == Varies::Gap { law.gap.mid() } else { law.restitution.mid() };
+        let varies = if *key == Key::Restitution { VariedParameter::Restitution } else { VariedParameter::Gap };
+        let of = |law: &Law| if varies == VariedParameter::Gap { law.gap.mid() } else { law.restitution.mid() };
         let ends = laws.each_ref().map(of);
         // proposes
         let range = [ends[0].min(ends[1]), ends[0].max(ends[1])];
         let own = Law::of(pair).ok().map(|own| of(&own)).filter(|own| (range[0]..=range[1]).contains(own)); // proposes
-        let fixed = if varies == Varies::Gap { laws[0].restitution.mid() } else { laws[0].gap.mid() };
+        let fixed = if varies == VariedParameter::Gap { laws[0].restitution.mid() } else { laws[0].gap.mid() };
         let size = |x: &Exact| Ball::of(x).mid();
         let unit = match key {
             Key::Gap => size(pair.excitation().reference().amplitude()),
@@ -228,10 +228,10 @@ impl<'p> Search<'p> {
 
     /// The stable cycles that orbits come near to, the nearest to the scene's own value first.
     fn all(&self, watch: &dyn Watch) -> Vec<Superstable> {
-        let orbits = usize::try_from(self.impacts.div_ceil(ORBIT)).unwrap_or(usize::MAX); // proposes
+        let orbits = usize::try_from(self.impacts.div_ceil(ORBIT_IMPACTS)).unwrap_or(usize::MAX); // proposes
         let done = AtomicUsize::new(0);
         let found = answers(available(), orbits, &|k| {
-            let impacts = self.impacts.min((done.load(Ordering::Relaxed) as u64) * ORBIT); // shown
+            let impacts = self.impacts.min((done.load(Ordering::Relaxed) as u64) * ORBIT_IMPACTS); // shown
             watch.proceed(Stage::Searched(impacts)).is_continue().then(|| {
                 let own = self.orbit(k, watch);
                 done.fetch_add(1, Ordering::Relaxed);
@@ -263,7 +263,7 @@ impl<'p> Search<'p> {
             let proved = count.load(Ordering::Relaxed);
             let at = Stage::Windows { proved, of: cycles.len() };
             if proved >= settings.most || watch.proceed(at).is_break() {
-                return None; // exact: no more are asked for
+                return None; // exact: no more are requested
             }
             let window = match self.seed(&cycles[i]) {
                 Some(seed) => Window::of(self.pair, &settings.over, &seed, settings.precision, watch),
@@ -280,11 +280,11 @@ impl<'p> Search<'p> {
 
     /// Returns the stable cycles that orbit `k` comes near to: every second orbit is at the scene's own value.
     fn orbit(&self, k: usize, watch: &dyn Watch) -> Vec<Superstable> {
-        let part = |n: usize| (n as f64 * SPREAD).fract(); // proposes
+        let part = |n: usize| (n as f64 * GOLDEN_FRACTION).fract(); // proposes
         let [low, high] = self.family.range;
         let value = if k.is_multiple_of(2) { self.own } else { (high - low).mul_add(part(k), low) };
         let start: State = [part(k + 1), 1.0 + part(3 * k)];
-        let impacts = usize::try_from(self.impacts.min(ORBIT)).unwrap_or(usize::MAX); // proposes
+        let impacts = usize::try_from(self.impacts.min(ORBIT_IMPACTS)).unwrap_or(usize::MAX); // proposes
         self.family.search((value, start), impacts, watch)
     }
 
@@ -300,7 +300,8 @@ impl<'p> Search<'p> {
             walls.push(if wall == Wall::Left { 'L' } else { 'R' });
             wall = side.lands_on(wall);
         }
-        let parameter = if self.family.varies == Varies::Gap { 1.0 / cycle.parameter } else { cycle.parameter };
+        let parameter =
+            if self.family.varies == VariedParameter::Gap { 1.0 / cycle.parameter } else { cycle.parameter };
         // proposes
         (1.0..1e6).contains(&cycles).then_some(())?;
         Some(WindowSeed { word: walls.parse().ok()?, cycles: cycles as u32, is_mirrored, phases, parameter }) // proposes

@@ -16,7 +16,7 @@ use crate::watch::Watch;
 
 /// The parameter of the reduced map that varies.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Varies {
+pub(super) enum VariedParameter {
     /// `D = d/A`
     Gap,
     /// `e`
@@ -26,12 +26,12 @@ pub(super) enum Varies {
 /// The family of reduced maps, and which part of it is searched.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Family {
-    pub varies: Varies,
+    pub varies: VariedParameter,
     /// The parameter that does not vary: `e`, or `D`.
     pub fixed: f64,
     /// The range of `D`, or `e`.
     pub range: [f64; 2],
-    /// The longest cycle that is looked for, at most [`LONGEST`].
+    /// The longest cycle that is looked for, at most [`MAX_CYCLE`].
     pub longest: usize,
 }
 
@@ -47,26 +47,26 @@ pub(super) struct Superstable {
 }
 
 /// The longest cycle that can be looked for, in impacts of the reduced map.
-pub const LONGEST: usize = 64;
+pub const MAX_CYCLE: usize = 64;
 /// Impacts before an orbit is looked at.
 const TRANSIENT: usize = 500;
 /// Distance, in forcing periods and in `A W`, within which an orbit counts as having come back.
-const NEAR: State = [0.0016, 0.01];
+const RETURN_DISTANCE: State = [0.0016, 0.01];
 /// The greatest trace of a product of Jacobians that is tried, the factor by which it grows per impact, and the impacts beyond which it does.
-const TRACE: f64 = 10.0;
+const MAX_TRACE: f64 = 10.0;
 const TRACE_GROWTH: f64 = 1.25;
 const TRACE_FROM: i32 = 23;
 /// Number of times that a word is tried along one orbit.
-const TRIES: u8 = 3;
+const MAX_TRIES: u8 = 3;
 /// Steps of Newton's iteration, the distance at which its differences are taken, and when it has ended.
 const STEPS: usize = 14;
-const DIFFERENCE: f64 = 1e-8;
-const ENOUGH: f64 = 1e-9;
+const DIFFERENCE_STEP: f64 = 1e-8;
+const STEP_TOLERANCE: f64 = 1e-9;
 /// The longest step of the parameter, relative, and of the state.
-const FARTHEST: f64 = 2e-4;
-const FARTHEST_STATE: f64 = 0.02;
+const MAX_PARAMETER_STEP: f64 = 2e-4;
+const MAX_STATE_STEP: f64 = 0.02;
 /// Distance within which two parts of a cycle count as one: it runs through a shorter cycle, or has doubled it.
-const SAME: f64 = 1e-3;
+const SHORTER_CYCLE_DISTANCE: f64 = 1e-3;
 
 /// A state with the derivative of the map from it and the wall that its flight ends on.
 #[derive(Clone, Copy)]
@@ -80,8 +80,8 @@ impl Family {
     /// The reduced map at a value of the parameter.
     pub fn map(&self, parameter: f64) -> Guess {
         let [gap, restitution] = match self.varies {
-            Varies::Gap => [parameter, self.fixed],
-            Varies::Restitution => [self.fixed, parameter],
+            VariedParameter::Gap => [parameter, self.fixed],
+            VariedParameter::Restitution => [self.fixed, parameter],
         };
         Guess::new(&Law { gap: Ball::exact(gap), restitution: Ball::exact(restitution) })
     }
@@ -92,7 +92,7 @@ impl Family {
         let mut found: Vec<Superstable> = Vec::new();
         let mut tried = HashMap::new();
         let mut state = start;
-        let mut past: Vec<Step> = Vec::with_capacity(impacts.min(1 << 16) + LONGEST);
+        let mut past: Vec<Step> = Vec::with_capacity(impacts.min(1 << 16) + MAX_CYCLE);
         for i in 0..TRANSIENT + impacts {
             let Some(image) = map.map(state) else { break };
             let next = in_period(image.state);
@@ -102,7 +102,7 @@ impl Family {
             }
             state = next;
             if past.len() == past.capacity() {
-                past.drain(..past.len() - LONGEST);
+                past.drain(..past.len() - MAX_CYCLE);
                 if !watch.goes_on() {
                     break;
                 }
@@ -124,7 +124,9 @@ impl Family {
         for n in 1..=self.longest.min(past.len()) {
             let step = &past[past.len() - n];
             let apart = step.state[0] - next[0];
-            if !((apart - apart.round()).abs() < NEAR[0] && (step.state[1] - next[1]).abs() < NEAR[1]) {
+            if !((apart - apart.round()).abs() < RETURN_DISTANCE[0]
+                && (step.state[1] - next[1]).abs() < RETURN_DISTANCE[1])
+            {
                 continue;
             }
             for step in past[past.len() - n..past.len() - multiplied].iter().rev() {
@@ -132,12 +134,12 @@ impl Family {
                 word = word << 1 | u64::from(step.side == Side::Far);
             }
             multiplied = n;
-            let most = TRACE * TRACE_GROWTH.powi((n as i32 - TRACE_FROM).max(0));
+            let most = MAX_TRACE * TRACE_GROWTH.powi((n as i32 - TRACE_FROM).max(0));
             if (product[0][0] + product[1][1]).abs() > most {
                 continue;
             }
             let count = tried.entry((n, word)).or_insert(0);
-            if *count >= TRIES {
+            if *count >= MAX_TRIES {
                 continue;
             }
             *count += 1;
@@ -161,13 +163,14 @@ impl Family {
             let mut jacobian = Matrix3::zeros();
             for j in 0..3 {
                 let mut there = x;
-                there[j] += DIFFERENCE;
+                there[j] += DIFFERENCE_STEP;
                 let mut back = x;
-                back[j] -= DIFFERENCE;
-                jacobian.set_column(j, &((misses(&there)? - misses(&back)?) / (2.0 * DIFFERENCE)));
+                back[j] -= DIFFERENCE_STEP;
+                jacobian.set_column(j, &((misses(&there)? - misses(&back)?) / (2.0 * DIFFERENCE_STEP)));
             }
             let mut step = -jacobian.lu().solve(&here)?;
-            let size = (step[2].abs() / (FARTHEST * parameter)).max(step[0].abs().max(step[1].abs()) / FARTHEST_STATE);
+            let size = (step[2].abs() / (MAX_PARAMETER_STEP * parameter))
+                .max(step[0].abs().max(step[1].abs()) / MAX_STATE_STEP);
             if !size.is_finite() {
                 return None;
             }
@@ -178,7 +181,7 @@ impl Family {
             if !(x[1] > 0.0 && x[2] >= low && x[2] <= high) {
                 return None;
             }
-            if step[0].abs() + step[1].abs() + step[2].abs() < ENOUGH {
+            if step[0].abs() + step[1].abs() + step[2].abs() < STEP_TOLERANCE {
                 return self.least(Superstable { parameter: x[2], state: [x[0], x[1]], flights });
             }
         }
@@ -193,7 +196,7 @@ impl Family {
             count.is_multiple_of(*n)
                 && (0..count).all(|i| {
                     let j = (i + n) % count;
-                    cycle.flights[i] == cycle.flights[j] && apart(states[i], states[j]) < SAME
+                    cycle.flights[i] == cycle.flights[j] && apart(states[i], states[j]) < SHORTER_CYCLE_DISTANCE
                 })
         };
         match (1..count).find(is_period) {

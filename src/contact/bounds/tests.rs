@@ -28,7 +28,7 @@ fn assert_bounds<const WIDE: bool>(case: &Case, time: f64, hop: f64, target: f64
     let (flight, margins) = (case.flight(), case.margins());
     let truth = case.truth();
     let bounds = Bounds::<WIDE>::new(&flight, &margins, case.radii);
-    // At any phase, counted from the turn next to it.
+    // At any phase, counted from the forcing period next to it.
     let turns = (case.phase + time).round();
     let at = (case.phase + time) - turns;
     let (sin, cos) = flight.wall.mirror(kernel::sin_cos(at));

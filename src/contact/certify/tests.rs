@@ -1,7 +1,7 @@
 //! Lemma C3: what a bracket holds. That it is the first contact: `contact/tests.rs`.
 
 use super::*;
-use crate::contact::solve::{Judge, NoProposal, propose};
+use crate::contact::solve::{NoProposal, Verifier, propose};
 use crate::contact::tests::cases;
 use crate::number::tests::Truth;
 use proptest::prelude::*;
@@ -11,7 +11,7 @@ struct Keeper<'a, const WIDE: bool>(Bounds<'a, WIDE>);
 
 type Kept = Option<Bracket>;
 
-impl<const WIDE: bool> Judge for Keeper<'_, WIDE> {
+impl<const WIDE: bool> Verifier for Keeper<'_, WIDE> {
     type Answer = Kept;
     fn monotone(&self, iterate: &Iterate) -> Kept {
         self.0.bracket(iterate)

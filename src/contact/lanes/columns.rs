@@ -11,12 +11,12 @@ use crate::number::kernel::SmallAngle;
 use crate::pair::Wall;
 
 /// A value in a lane, stored as a double, so that all vectors have one width.
-pub(super) trait Held {
+pub(super) trait LaneValue {
     fn held(self) -> f64;
     fn of(held: f64) -> Self;
 }
 
-impl Held for f64 {
+impl LaneValue for f64 {
     #[inline(always)]
     fn held(self) -> f64 {
         self
@@ -30,7 +30,7 @@ impl Held for f64 {
 /// One of two.
 macro_rules! held {
     ($type:ty: $one:expr, $zero:expr) => {
-        impl Held for $type {
+        impl LaneValue for $type {
             #[inline(always)]
             fn held(self) -> f64 {
                 if self == $one { 1.0 } else { 0.0 }
@@ -59,7 +59,7 @@ macro_rules! lanes {
 
             #[inline(always)]
             pub fn get(&self, lane: usize) -> $type {
-                $constructor { $($field: Held::of(self.$field[lane])),* }
+                $constructor { $($field: LaneValue::of(self.$field[lane])),* }
             }
 
             #[inline(always)]

@@ -1,6 +1,6 @@
 //! Many flights, and many sets of flights, from a wall: lanes that are decided, and the others one by one.
 
-use super::columns::{Brackets, Held, Spreads};
+use super::columns::{Brackets, LaneValue, Spreads};
 use super::{LANES, Lanes};
 use crate::contact::bounds::{Margins, Radii};
 use crate::contact::judges::{SetContact, accelerations, first_contacts, together};

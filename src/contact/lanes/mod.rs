@@ -15,20 +15,20 @@ mod tests;
 pub use many::{Image, first_contacts_of, image_of, images_of};
 
 use super::bounds::{Bounds, Margins};
-use super::certify::{SHORT, is_near_time};
+use super::certify::{SHORT_FLIGHT, is_near_time};
 use super::extrema::{Extrema, Piece, Target};
 use super::solve::{LONGEST_FLIGHT, Search, hop_guess, is_phase, look_near, on_monotone, on_piece, reaches_far};
 use crate::flight::Flight;
 use crate::number::{Kernel, Trigonometry, kernel};
 use crate::pair::{Reduced, Wall};
-use columns::{Brackets, Departures, Flights, Held, Iterates, Searches, Spreads, State, States, Turnings};
+use columns::{Brackets, Departures, Flights, Iterates, LaneValue, Searches, Spreads, State, States, Turnings};
 
 /// Flights at a time: a few vectors.
 const LANES: usize = 16;
 /// Steps to a contact: two or three are usual.
 const STEPS: usize = 6;
 /// The time at which a lane is looked at that does not ask for it.
-const ANY_TIME: f64 = 0.0625;
+const FIRST_TIME: f64 = 0.0625;
 
 /// Flights of one pair that are solved together.
 struct Lanes {
@@ -64,7 +64,7 @@ impl Lanes {
     fn solve(&mut self, pair: &Reduced<f64>) {
         self.launch(pair);
         self.propose();
-        let any = |lanes: &Self, asked: fn(State) -> bool| (0..LANES).any(|lane| asked(lanes.states.get(lane)));
+        let any = |lanes: &Self, requested: fn(State) -> bool| (0..LANES).any(|lane| requested(lanes.states.get(lane)));
         if any(self, |state| state.is_decided && !state.is_hop) {
             self.refine();
             self.part();
@@ -126,7 +126,7 @@ impl Lanes {
             );
             self.turnings.set(lane, extrema);
             let is_hop = is_hop & is_decided;
-            let time = if is_hop { hop.unwrap_or(ANY_TIME) } else { ANY_TIME }; // proposes
+            let time = if is_hop { hop.unwrap_or(FIRST_TIME) } else { FIRST_TIME }; // proposes
             self.states.set(lane, State { k: piece.k, time, is_hop, is_near: is_hop, is_decided });
         }
     }
@@ -163,14 +163,15 @@ impl Lanes {
             let flight = &self.flights.get(lane);
             let iterate = &self.iterates.get(lane);
             let state = self.states.get(lane);
-            let is_short = state.is_decided & !state.is_hop & (flight.elapsed(iterate.turns, iterate.at) <= SHORT);
+            let is_short =
+                state.is_decided & !state.is_hop & (flight.elapsed(iterate.turns, iterate.at) <= SHORT_FLIGHT);
             let short = iterate.turns + (iterate.at - flight.phase) - iterate.step;
-            let is_told = !is_short | is_near_time(short);
-            let time = if is_short & is_told { short } else { state.time };
+            let is_settled = !is_short | is_near_time(short);
+            let time = if is_short & is_settled { short } else { state.time };
             // The time of a short flight is measured from its start.
             self.searches.turns[lane] = if is_short { 0.0 } else { iterate.turns };
-            let is_near = (state.is_hop | is_short) & is_told;
-            self.states.set(lane, State { time, is_near, is_decided: state.is_decided & is_told, ..state });
+            let is_near = (state.is_hop | is_short) & is_settled;
+            self.states.set(lane, State { time, is_near, is_decided: state.is_decided & is_settled, ..state });
         }
     }
 

@@ -2,7 +2,7 @@
 
 use proptest::prelude::*;
 
-use super::columns::{Brackets, Held, Spreads};
+use super::columns::{Brackets, LaneValue, Spreads};
 use super::*;
 use crate::contact::{Contact, Radii, Undecided, Verdict, first_contact};
 use crate::number::Ball;
@@ -63,7 +63,7 @@ fn made(pair: &Reduced<f64>, (is_left, phase, velocity, size, kind): (bool, f64,
     let start = (wall, phase, velocity);
     let velocity = match kind {
         0 => 0.0,
-        // A slow drift: many turns.
+        // A slow drift: many forcing periods.
         1 if phase.abs() < 2.0 => (size.min(0.1) - pair.beta * wall.inward(kernel::sin_cos(phase).1)).abs(),
         2 | 3 if phase.abs() < 2.0 => grazing(pair, start, size.min(0.1)),
         4 => size,

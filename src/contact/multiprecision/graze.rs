@@ -7,11 +7,11 @@ use std::cmp::Ordering;
 
 use rug::Float;
 
-use super::isolate::{Turning, is_rising};
+use super::isolate::{PhaseNumber, is_rising};
 use crate::contact::Grazed;
 use crate::contact::extrema::Target;
 use crate::flight::Flight;
-use crate::number::{ABOVE_TURN, Magnitude, MpBall, Number};
+use crate::number::{ABOVE_TWO_PI, Magnitude, MpBall, Number};
 use crate::pair::{Inward, Wall};
 
 /// Ways on from a touch that are tried, each half as long as the one before: the first is half of the piece.
@@ -24,7 +24,7 @@ pub(crate) struct Passed {
     pub wall: Wall,
     /// Phase of the graze, in forcing periods counted on from that of the start.
     pub at: MpBall,
-    /// Whole turns to the phase to go on from, and this phase, exactly.
+    /// Whole forcing periods to the phase to go on from, and this phase, exactly.
     pub turns: f64,
     pub phase: Float,
     /// Height above the left wall and velocity there, of both continuations.
@@ -55,7 +55,7 @@ pub(crate) fn pass(flight: &Flight<MpBall>) -> Option<Passed> {
     if turns_back.map(|x| x.sign()) != [Some(Ordering::Less), Some(Ordering::Greater)] {
         return None;
     }
-    let turning = Turning::new(flight, rising)?;
+    let turning = PhaseNumber::new(flight, rising)?;
     let (target, time, room) = turning.doubtful(flight)?;
     // Bounds of the height of the extremum beyond the wall, of the time that the flight may be there, and of its speed.
     let excess = room.mag();
@@ -63,7 +63,7 @@ pub(crate) fn pass(flight: &Flight<MpBall>) -> Option<Passed> {
     let acceleration = flight.steepest();
     let sine = turning.sine.clone();
     let press = |window: Magnitude| {
-        let turned = Magnitude::new(ABOVE_TURN, 0) * (time.rad() + window);
+        let turned = Magnitude::new(ABOVE_TWO_PI, 0) * (time.rad() + window);
         (flight.beta.turn() * flight.beta.clone() * sine.clone().widened(turned)).mig()
     };
     let window = double.over(press(Magnitude::ZERO)?).sqrt();

@@ -9,7 +9,7 @@ use crate::contact::Undecided;
 use crate::contact::extrema::Target;
 use crate::contact::solve::inverse_smoothstep;
 use crate::flight::Flight;
-use crate::number::{ABOVE_TURN, Magnitude, MpBall, Number};
+use crate::number::{ABOVE_TWO_PI, Magnitude, MpBall, Number};
 use crate::pair::Inward;
 use crate::turns::LONGEST_FLIGHT;
 
@@ -101,7 +101,7 @@ pub(super) struct Kind {
 
 /// The extrema of the flights of a set (Lemma E1).
 #[derive(Clone, Debug)]
-pub(super) struct Turning {
+pub(super) struct PhaseNumber {
     /// `|sin th|` at every extremum.
     pub sine: MpBall,
     pub far: Kind,
@@ -109,7 +109,7 @@ pub(super) struct Turning {
     rising: bool,
 }
 
-impl Turning {
+impl PhaseNumber {
     /// Returns the extrema of flights with `|c| < beta`.
     pub fn new(flight: &Flight<MpBall>, rising: bool) -> Option<Self> {
         let one = || MpBall::from_f64(1.0);
@@ -183,7 +183,7 @@ impl Kind {
 
 /// The piece of the first contact of a flight that turns.
 fn first_piece(flight: &Flight<MpBall>, rising: bool) -> Result<Piece, Undecided> {
-    let turning = Turning::new(flight, rising).ok_or_else(|| endless(flight))?;
+    let turning = PhaseNumber::new(flight, rising).ok_or_else(|| endless(flight))?;
     let touches = |kind: &Kind| match kind.room.sign() {
         Some(Ordering::Greater) => Ok(false),
         Some(Ordering::Less) => Ok(true),
@@ -211,8 +211,8 @@ fn first_piece(flight: &Flight<MpBall>, rising: bool) -> Result<Piece, Undecided
     // The distance of the extremum beyond the wall, as a fraction of the way that the piece makes.
     let approach = flight.drift.clone().signed(target.direction());
     let beyond = approach.clone().mul_add(k, -room);
-    let way = flight.alpha.clone().plus(&flight.alpha).mul_add(turning.sine.clone(), approach * span.clone());
-    let fraction = beyond.mid().clone() / way.mid();
+    let travel = flight.alpha.clone().plus(&flight.alpha).mul_add(turning.sine.clone(), approach * span.clone());
+    let fraction = beyond.mid().clone() / travel.mid();
     let from_end = inverse_smoothstep(fraction.to_f64());
     let guess = end.mid() - span.mid().clone() * from_end;
     let begin = end.mid().clone() - span.mid();
@@ -290,7 +290,7 @@ fn prove(
         return Err(doubtful());
     }
     let radius = residual.mag().over(left);
-    let turned = Magnitude::new(ABOVE_TURN, 0) * radius;
+    let turned = Magnitude::new(ABOVE_TWO_PI, 0) * radius;
     Ok(Isolated {
         target,
         turns,

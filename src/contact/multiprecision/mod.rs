@@ -19,7 +19,7 @@ use super::extrema::Target;
 use super::solve::propose;
 use super::{Contact, PairBounds, Reason, Undecided};
 use crate::flight::{Flight, Launch};
-use crate::number::{ABOVE_TURN, Ball, Kernel, Magnitude, MpBall, UNIT, kernel};
+use crate::number::{ABOVE_TWO_PI, Ball, Kernel, Magnitude, MpBall, UNIT, kernel};
 use crate::pair::{Inward, Wall};
 pub(crate) use graze::{Passed, pass};
 pub(crate) use refine::Refined;
@@ -76,7 +76,7 @@ impl Isolated {
 impl Flight<MpBall> {
     /// An upper bound of `2 pi beta`: `|z''|` is nowhere larger.
     pub(crate) fn steepest(&self) -> Magnitude {
-        Magnitude::new(ABOVE_TURN, 0) * self.beta.mag()
+        Magnitude::new(ABOVE_TWO_PI, 0) * self.beta.mag()
     }
 }
 

@@ -29,7 +29,7 @@ pub(crate) struct Refined {
 }
 
 /// The values of the formulas at a phase, mirrored: height above the target, `z'`, sine and cosine.
-struct Sight {
+struct PhaseValues {
     residual: MpBall,
     velocity: MpBall,
     sin_cos: (MpBall, MpBall),
@@ -40,7 +40,7 @@ const MOST_TERMS: f64 = 48.0;
 /// Steps at full precision: Newton's takes more than a bit off even near a double root, and none that takes nothing is followed.
 const MOST_STEPS: u32 = 1 << 22;
 
-impl Sight {
+impl PhaseValues {
     /// Returns the values a time `h` later: by the addition theorems, each product in as many bits as it is worth.
     fn later(self, flight: &Flight<MpBall>, h: &MpBall) -> Option<Self> {
         let Self { residual, velocity, sin_cos: (sin, cos) } = self;
@@ -64,13 +64,13 @@ impl Sight {
 }
 
 /// Returns the values of the formulas at `time` after the departure from a wall, without cancellation.
-fn see_hop(flight: &Flight<MpBall>, time: &Float) -> Option<Sight> {
+fn see_hop(flight: &Flight<MpBall>, time: &Float) -> Option<PhaseValues> {
     let time = MpBall::exact(time.clone());
     let departure = time.short_departure()?;
     let sin_cos = turned((&flight.sin, &flight.cos), &departure);
     let SmallAngle { versine, excess, sine } = departure;
     let residual = flight.hop_height(time, versine.clone(), excess);
-    Some(Sight { residual, velocity: flight.hop_velocity(versine, sine), sin_cos })
+    Some(PhaseValues { residual, velocity: flight.hop_velocity(versine, sine), sin_cos })
 }
 
 impl Isolated {
@@ -82,7 +82,7 @@ impl Isolated {
             return self.refine_hop(flight, bits);
         }
         let mut at = self.at.clone();
-        for level in self.ladder(flight, bits) {
+        for level in self.precisions(flight, bits) {
             let coarse = flight.map(|x| x.rounded(level));
             at.set_prec(level);
             let sight = self.look(&coarse, &at);
@@ -142,7 +142,7 @@ impl Isolated {
     }
 
     /// The precisions of the steps before the last, rising to a quarter of `bits`.
-    fn ladder(&self, flight: &Flight<MpBall>, bits: u32) -> Vec<u32> {
+    fn precisions(&self, flight: &Flight<MpBall>, bits: u32) -> Vec<u32> {
         // Bits that a step loses: an error of the phase counts against |z'| / z''.
         let lost = (8.0 + (flight.steepest().log2() - self.least.log2()).max(0.0)).ceil() as u32; // proposes
         let known = -self.reach.log2();
@@ -159,17 +159,17 @@ impl Isolated {
         levels
     }
 
-    fn look(&self, flight: &Flight<MpBall>, at: &Float) -> Sight {
+    fn look(&self, flight: &Flight<MpBall>, at: &Float) -> PhaseValues {
         let at = MpBall::exact(at.clone());
         let sin_cos = flight.wall.mirror(at.sin_cos());
         let (height, none) = (MpBall::from_f64(self.target.height()), MpBall::from_f64(0.0));
         let phase = at.plus(&MpBall::from_f64(self.turns));
         let residual = flight.height_above(height, none, phase, sin_cos.0.clone());
-        Sight { residual, velocity: flight.velocity_at(sin_cos.1.clone()), sin_cos }
+        PhaseValues { residual, velocity: flight.velocity_at(sin_cos.1.clone()), sin_cos }
     }
 
     /// Lemma M3, for a phase within `spread` of `at`.
-    fn error(&self, at: &Float, spread: Magnitude, sight: &Sight) -> Option<Magnitude> {
+    fn error(&self, at: &Float, spread: Magnitude, sight: &PhaseValues) -> Option<Magnitude> {
         let moved = Float::with_val_round(LEAST_BITS, &self.at - at, Round::AwayZero).0;
         (magnitude(&moved) + spread <= self.reach).then(|| sight.residual.mag().over(self.least))
     }
@@ -178,7 +178,7 @@ impl Isolated {
 /// Returns the step from a phase to the root beside it, with an error of the fourth order.
 ///
 /// With `n = z/z'`, `A = z''/(2 z')` and `B = z'''/(6 z')`: `-n - (A + (2 A^2 - B) n) n^2`, the inverted Taylor series.
-fn step(flight: &Flight<MpBall>, sight: &Sight) -> Option<Float> {
+fn step(flight: &Flight<MpBall>, sight: &PhaseValues) -> Option<Float> {
     let (residual, slope, bits) = (sight.residual.mid(), sight.velocity.mid(), flight.drift.bits());
     let Some(size) = residual.get_exp() else { return Some(residual.clone()) };
     let size = f64::from(size) - f64::from(slope.get_exp()?);

@@ -36,7 +36,7 @@ struct Grazing {
 /// All is proportional to `A/d` when the graze is to be at `cos th = cos 2 pi p`, a maximum.
 fn grazing() -> impl Strategy<Value = Grazing> {
     let wall = prop_oneof![Just(Wall::Left), Just(Wall::Right)];
-    // Multiples of 2^-20 below and above a quarter turn; the start is on the rising piece.
+    // Multiples of 2^-20 below and above a quarter period; the start is on the rising piece.
     let room = (powers(-40.0, -1.0), any::<bool>()).prop_map(|(x, beyond)| if beyond { -x } else { x });
     (wall, 40_000..480_000u32, 0.02..0.98f64, room).prop_map(|(wall, p, part, room)| {
         let unit = 0.5f64.powi(20);
@@ -130,7 +130,7 @@ proptest! {
 
     /// Lemmas C3 and C4 where doubles tell nothing: 300 bits see on which side of the wall the maximum is.
     #[test]
-    fn a_maximum_near_the_wall_is_told_from_a_touch(Grazing { truth, time, room } in grazing()) {
+    fn a_maximum_near_the_wall_is_distinguished_from_a_touch(Grazing { truth, time, room } in grazing()) {
         for bits in [64, 128, 300] {
             let found = isolate::isolate(&flight_of(&truth, bits, Magnitude::ZERO));
             let Ok(found) = found else {

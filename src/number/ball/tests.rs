@@ -4,7 +4,7 @@ use super::*;
 use crate::number::tests::{Truth, balls, member, places, powers};
 use proptest::prelude::*;
 
-/// Phases within and beyond the kernel's domain, often quarter turns.
+/// Phases within and beyond the kernel's domain, often quarter periods.
 fn phases() -> impl Strategy<Value = f64> {
     let far = powers(0.0, 12.6).prop_map(f64::round);
     let near = prop_oneof![Just(0.0), -1.0..1.0f64, powers(-300.0, -1.0), (-8..8i32).prop_map(|k| f64::from(k) / 8.0)];
@@ -34,7 +34,7 @@ proptest! {
 
     /// Lemma B1: where products and quotients, of centres or in a radius, leave the normal doubles.
     #[test]
-    fn what_underflows_is_held(
+    fn underflow_is_enclosed(
         [a, b] in [powers(-170.0, -150.0), powers(-170.0, -150.0)], small in powers(-322.0, -250.0), divisor in powers(-250.0, -150.0),
         [r, s] in [prop_oneof![Just(0.0), powers(-323.0, -160.0)], prop_oneof![Just(0.0), powers(-323.0, -250.0)]], [i, j] in [places(), places()],
     ) {
@@ -100,7 +100,7 @@ fn the_binade_times_the_unit_is_half_an_ulp() {
 
 #[test]
 fn beyond_the_kernels_domain_nothing_is_known_of_sine_and_cosine() {
-    // A quarter turn and half a turn: cosines 0 and -1.
+    // A quarter period and half a period: cosines 0 and -1.
     for (phase, sin, cos) in [(2f64.powi(50) + 0.25, 1.0, 0.0), (2f64.powi(51) + 0.5, 0.0, -1.0), (f64::NAN, 0.0, 0.0)]
     {
         let (s, c) = Ball::exact(phase).sin_cos();
@@ -117,7 +117,7 @@ fn a_divisor_that_may_vanish_is_refused() {
 #[test]
 fn bounds_are_what_they_are_called() {
     assert_eq!(LARGEST_RATE, 2f64.powi(400));
-    assert!(ABOVE_TURN > std::f64::consts::TAU.next_up());
+    assert!(ABOVE_TWO_PI > std::f64::consts::TAU.next_up());
 }
 
 proptest! {

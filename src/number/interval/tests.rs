@@ -143,7 +143,7 @@ proptest! {
     }
 }
 
-/// Phases and members: ends at quarter turns and next to them, small or some 2^39 turns away, widths from nothing to turns.
+/// Phases and members: ends at quarter periods and next to them, small or some 2^39 periods away, widths from nothing to periods.
 fn phases() -> impl Strategy<Value = (Interval, f64)> {
     let near = prop_oneof![Just(0.0), Just(1e-300), Just(f64::EPSILON), -1e-9..1e-9f64, -0.3..0.3f64];
     let quarter = prop_oneof![3 => -9..9i64, 1 => -(1i64 << 41)..1i64 << 41];
@@ -156,7 +156,7 @@ fn phases() -> impl Strategy<Value = (Interval, f64)> {
 }
 
 #[test]
-fn what_is_no_interval_is_the_whole_line() {
+fn invalid_ends_give_the_whole_line() {
     let (inf, nan) = (f64::INFINITY, f64::NAN);
     for (a, b) in [(1.0, 0.0), (nan, 0.0), (0.0, nan), (nan, nan), (inf, inf), (-inf, -inf), (inf, -inf)] {
         assert_eq!(Interval::new(a, b), Interval::ENTIRE);

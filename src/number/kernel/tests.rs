@@ -39,7 +39,7 @@ impl Oracle {
         if value < 0.0 { -size } else { size }
     }
 
-    /// `(sin 2 pi u, cos 2 pi u)`, by Taylor's series after taking off whole turns.
+    /// `(sin 2 pi u, cos 2 pi u)`, by Taylor's series after taking off whole periods.
     fn sin_cos(&self, u: &BigInt) -> (BigInt, BigInt) {
         let one = BigInt::from(1) << self.bits;
         let whole: BigInt = (u * 2 + &one) >> (self.bits + 1);
@@ -79,7 +79,7 @@ fn assert_honest(name: &str, worst: f64, bound: f64) {
 }
 
 #[test]
-fn quarter_turns_are_exact_and_the_symmetries_too() {
+fn quarter_periods_and_symmetries_are_exact() {
     let far = (1_u64 << 40) as f64;
     for whole in [0.0, 1.0, -1.0, 12345.0, far - 1.0, 1.0 - far] {
         let corners = [0.0, 0.25, 0.5, 0.75].map(|quarter| sin_cos(whole + quarter));

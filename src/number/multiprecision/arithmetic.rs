@@ -11,9 +11,9 @@ use super::{MpBall, above, error_of, magnitude, rounding};
 use crate::number::{Magnitude, Number};
 
 /// Bits from which on the upper half of a product costs much less than all of it, which a fused sum needs.
-pub(super) const LONG: u32 = 24 * 64;
+pub(super) const SHORT_PRODUCT_BITS: u32 = 24 * 64;
 
-/// Results take the place of the left operand, where it has the bits: no memory is asked for.
+/// Results take the place of the left operand, where it has the bits: no memory is allocated.
 impl Add for MpBall {
     type Output = Self;
     fn add(self, b: Self) -> Self {
@@ -158,7 +158,7 @@ impl Number for MpBall {
 
     fn mul_add_ref(&self, b: &Self, mut c: Self) -> Self {
         [self, b].into_iter().for_each(|x| c.grow(x));
-        if c.bits() >= LONG {
+        if c.bits() >= SHORT_PRODUCT_BITS {
             let product = self.product(b, c.bits());
             return c.plus(&product);
         }
@@ -169,7 +169,7 @@ impl Number for MpBall {
 
     fn mul_sub_ref(&self, b: &Self, mut c: Self) -> Self {
         [self, b].into_iter().for_each(|x| c.grow(x));
-        if c.bits() >= LONG {
+        if c.bits() >= SHORT_PRODUCT_BITS {
             let product = self.product(b, c.bits());
             return c.minus(&product);
         }

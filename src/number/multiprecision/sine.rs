@@ -9,20 +9,20 @@ use std::mem::swap;
 use rug::float::{Constant, Round};
 use rug::{Assign, Float, Integer};
 
-use super::arithmetic::LONG;
+use super::arithmetic::SHORT_PRODUCT_BITS;
 use crate::number::Magnitude;
 
 /// Number of bits beyond which MPFR is faster.
 const MOST_BITS: u32 = 1 << 15;
-/// Turns that are reduced, as a power of two.
-const LARGEST: i32 = 8;
+/// Periods that are reduced, as a power of two.
+const MAX_PHASE_EXPONENT: i32 = 8;
 /// Bound of the error of both results, as a power of two, in units of the last bit (Lemma M5).
-const ERROR: i64 = 4;
-/// Parts of a turn in the table; it holds those of an eighth.
-const PARTS: i32 = 1 << 10;
-const QUARTER: i32 = PARTS / 4;
+const ERROR_EXPONENT: i64 = 4;
+/// Parts of a period in the table; it holds those of an eighth.
+const TABLE_PARTS: i32 = 1 << 10;
+const QUARTER: i32 = TABLE_PARTS / 4;
 const LIMB: u32 = 64;
-/// Bits beyond those asked for, at least.
+/// Bits beyond the requested ones, at least.
 const GUARD: u32 = 16;
 
 thread_local! {
@@ -53,14 +53,14 @@ struct Series {
 ///
 /// **Enclosure** (Lemma M5): each lies within its magnitude of the number found.
 pub(super) fn sin_cos(u: &Float, bits: u32) -> Option<[(Float, Magnitude); 2]> {
-    let is_near = u.is_zero() || u.get_exp().is_some_and(|exponent| exponent <= LARGEST);
+    let is_near = u.is_zero() || u.get_exp().is_some_and(|exponent| exponent <= MAX_PHASE_EXPONENT);
     if bits > MOST_BITS || !is_near {
         return None;
     }
     let fine = (bits + GUARD).next_multiple_of(LIMB);
     CIRCLE.with_borrow_mut(|circle| {
         circle.reach(fine);
-        let error = Magnitude::power_of_two(ERROR - i64::from(fine));
+        let error = Magnitude::power_of_two(ERROR_EXPONENT - i64::from(fine));
         Some(circle.turned(u, fine).map(|wave| {
             let (mid, rounding) = super::rounding(Float::with_val_round(bits, wave, Round::Nearest));
             let rounding = rounding * Magnitude::power_of_two(-i64::from(fine));
@@ -79,7 +79,7 @@ impl Circle {
         let bits = self.bits + LIMB;
         let whole = |x: Float| (x << bits).to_integer_round(Round::Down).expect("a finite number").0;
         let turn: Float = Float::with_val_round(bits + LIMB, Constant::Pi, Round::Down).0 << 1;
-        let angle = turn.clone() / PARTS;
+        let angle = turn.clone() / TABLE_PARTS;
         self.turn = whole(turn) >> LIMB;
         let (sin, cos) = angle.sin_cos(Float::new(bits + LIMB));
         let step = [sin, cos].map(whole);
@@ -95,9 +95,9 @@ impl Circle {
     fn turned(&mut self, u: &Float, fine: u32) -> [Integer; 2] {
         let Self { bits, turn, parts, series } = self;
         let coarser = *bits - fine;
-        let part = (u.to_f64() * f64::from(PARTS)).round(); // M5: any whole number near
+        let part = (u.to_f64() * f64::from(TABLE_PARTS)).round(); // M5: any whole number near
         // Exact: no bit of it is below the last one of `u`, and none above a part.
-        let rest = Float::with_val(fine, u - part / f64::from(PARTS));
+        let rest = Float::with_val(fine, u - part / f64::from(TABLE_PARTS));
         let Series { x, sum, spare, .. } = series;
         let (whole, exponent) = rest.to_integer_exp().expect("a finite number");
         *spare = whole;
@@ -186,7 +186,7 @@ impl Series {
 /// The product in units of `2^shift`, within two of them.
 fn product(out: &mut Integer, a: &Integer, b: &Integer, shift: u32) {
     let sizes = [a, b].map(Integer::significant_bits);
-    if sizes.iter().any(|&bits| bits < LONG) {
+    if sizes.iter().any(|&bits| bits < SHORT_PRODUCT_BITS) {
         out.assign(a * b);
         *out >>= shift;
         return;
@@ -273,14 +273,14 @@ mod tests {
             for ((mid, error), (raw, truth)) in found.iter().zip(raw.into_iter().zip([sin, cos])) {
                 prop_assert!(mid.prec() == bits && !in_doubt(mid, &truth, *error), "{u}: {mid} {error:?}");
                 let raw = Float::with_val(own, raw) >> fine;
-                prop_assert!(!in_doubt(&raw, &truth, Magnitude::power_of_two(ERROR - i64::from(fine))), "{u}: {raw}");
+                prop_assert!(!in_doubt(&raw, &truth, Magnitude::power_of_two(ERROR_EXPONENT - i64::from(fine))), "{u}: {raw}");
                 prop_assert!(*error <= Magnitude::new(1.01, -i64::from(bits)), "{error:?}");
             }
         }
     }
 
     #[test]
-    fn what_is_far_or_fine_is_left_to_others() {
+    fn far_or_fine_phases_are_left_to_multiprecision() {
         assert!(sin_cos(&(Float::with_val(64, 3) << 200), 64).is_none());
         assert!(sin_cos(&Float::with_val(64, 0.3), MOST_BITS + 1).is_none());
         assert!(sin_cos(&Float::with_val(64, f64::NAN), 64).is_none());

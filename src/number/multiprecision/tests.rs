@@ -38,7 +38,7 @@ fn far_balls() -> impl Strategy<Value = MpBall> {
     )
 }
 
-/// The same within a few turns, or near quarter turns.
+/// The same within a few periods, or near quarter periods.
 fn angles() -> impl Strategy<Value = MpBall> {
     let near = (-9..9i32, prop_oneof![Just(0.0), powers(-60.0, -1.0)]);
     prop_oneof![
@@ -132,7 +132,7 @@ proptest! {
         prop_assert!(sin.is_in(&s) && cos.is_in(&c), "{x:?}: {s:?} {c:?}");
     }
 
-    /// By the cosine of what is found, as the cosine falls on half a turn.
+    /// By the cosine of what is found, as the cosine falls on half a period.
     #[test]
     fn the_arc_cosine_holds_those_of_every_member(x in mp_balls(), edge in prop_oneof![Just(0.0), powers(-60.0, 0.0)], i in places()) {
         // As it is, and next to 1 and -1.
@@ -167,7 +167,7 @@ proptest! {
 }
 
 #[test]
-fn quarter_turns_are_exact() {
+fn quarter_periods_are_exact() {
     for (k, bits) in (-8..=8).flat_map(|k| [53, 64, 65, 521].map(|bits| (k, bits))) {
         let (sin, cos) = MpBall::exact(Float::with_val(bits, k) / 4).sin_cos();
         let at = |shift: i32| [0.0, 1.0, 0.0, -1.0][(k + shift).rem_euclid(4) as usize];

@@ -18,14 +18,14 @@ use super::point::Point;
 use super::ring::Ring;
 use super::system::{Curve, Multiplied, System};
 use super::trace::{null_vector, twisted_matrix};
-use super::tube::{Proof, Tube, take_time};
+use super::tube::{Proof, SlabChain, take_time};
 use crate::exact::{Enclosure, Exact};
 use crate::number::{Ball, Enclosing};
-use crate::several::Turning;
+use crate::several::PhaseNumber;
 use crate::watch::Watch;
 
 /// A window relatively narrower is proved in more bits than doubles have, where there are such.
-const NARROW: f64 = 1e-10;
+const DOUBLES_WIDTH: f64 = 1e-10;
 /// Steps to the centre of a slab, and the length that is added to radii, in doubles.
 const STEPS: u32 = 12;
 const PAD: f64 = 1e-14;
@@ -68,14 +68,14 @@ impl Between<'_> {
             let (mid, rad) = x.mid_rad();
             Ball::new(mid, rad)
         };
-        if width > NARROW && self.prove_in(&doubles, (STEPS, PAD), &of_ball).is_ok() {
+        if width > DOUBLES_WIDTH && self.prove_in(&doubles, (STEPS, PAD), &of_ball).is_ok() {
             return Ok(());
         }
         self.prove_precisely()
     }
 
     /// Proves it in one arithmetic.
-    pub fn prove_in<N: Enclosing + Turning>(
+    pub fn prove_in<N: Enclosing + PhaseNumber>(
         &self,
         family: &Family<OneHarmonic, N>,
         (steps, pad): (u32, f64),
@@ -87,7 +87,7 @@ impl Between<'_> {
         let floats = self.setting.floats();
         let holds =
             |x: &[N]| self.is_admissible(family, x) && [1.0, -1.0].iter().all(|mu| self.excludes(family, x, *mu));
-        let tube = Tube {
+        let tube = SlabChain {
             curve: &System::Curve(Curve(self.ring)),
             over: None,
             floats: &floats,
@@ -133,7 +133,7 @@ impl Between<'_> {
 
     /// Proves the orbits over an eigenvalue, from the bifurcation at the end of a window to the middle; the phases and the parameter at
     /// the inner end. Lemma Y8
-    fn outer<N: Enclosing + Turning>(
+    fn outer<N: Enclosing + PhaseNumber>(
         &self,
         family: &Family<OneHarmonic, N>,
         (steps, pad): (u32, f64),
@@ -155,7 +155,8 @@ impl Between<'_> {
         let holds = |x: &[N]| self.is_admissible(family, &project(x)) && self.is_dominant(family, x);
         // Over mu, the last unknown.
         let over = Some(2 * ring.unknowns() + 1);
-        let tube = Tube { curve: &curve, over, floats: &floats, family, steps, pad, holds: &holds, watch: self.watch };
+        let tube =
+            SlabChain { curve: &curve, over, floats: &floats, family, steps, pad, holds: &holds, watch: self.watch };
         let slabs: Vec<Proof<N>> = tube.follow(&lifted)?;
         let mut zero: Vec<N> = end.point.zero.iter().map(of).collect();
         zero.push(N::from_f64(end.mu));
@@ -163,7 +164,7 @@ impl Between<'_> {
     }
 
     /// Returns whether the other eigenvalue is proved to lie inside the unit circle for each member of a box: `e^(2m) < |mu|`. Lemma Y8
-    fn is_dominant<N: Enclosing + Turning>(&self, family: &Family<OneHarmonic, N>, x: &[N]) -> bool {
+    fn is_dominant<N: Enclosing + PhaseNumber>(&self, family: &Family<OneHarmonic, N>, x: &[N]) -> bool {
         let (mu, p) = (&x[x.len() - 1], &x[x.len() - 2]);
         let q = determinant(&family.pair(p.clone()).restitution, self.ring.unknowns());
         let sign = if mu.as_ball().mid() < 0.0 { -1.0 } else { 1.0 }; // Y8: of the wrong sign it is not larger
@@ -172,7 +173,7 @@ impl Between<'_> {
 
     /// Returns whether the assumptions of the lemma are proved for each member of a box of phases and a parameter: flights that take
     /// time, to their first contacts, and `0 < e < 1`. Lemma Y8
-    fn is_admissible<N: Enclosing + Turning>(&self, family: &Family<OneHarmonic, N>, x: &[N]) -> bool {
+    fn is_admissible<N: Enclosing + PhaseNumber>(&self, family: &Family<OneHarmonic, N>, x: &[N]) -> bool {
         let e = x.last().map(|p| family.pair(p.clone()).restitution);
         let is_positive = |x: N| x.certain_sign() == Some(Ordering::Greater);
         e.is_some_and(|e| is_positive(e.clone()) && is_positive(N::from_f64(1.0) - e))
@@ -181,7 +182,7 @@ impl Between<'_> {
     }
 
     /// Returns whether it is proved that no orbit of a box has the eigenvalue `mu`, 1 or -1: `F'_mu` is regular. Lemma Y8
-    fn excludes<N: Enclosing + Turning>(&self, family: &Family<OneHarmonic, N>, x: &[N], mu: f64) -> bool {
+    fn excludes<N: Enclosing + PhaseNumber>(&self, family: &Family<OneHarmonic, N>, x: &[N], mu: f64) -> bool {
         let ring = self.ring;
         let centre: Vec<f64> = x.iter().map(|x| x.as_ball().mid()).collect();
         let regular = || {

@@ -11,9 +11,9 @@ use crate::mapping::Word;
 /// Places of the stations of a curve over an eigenvalue, in parts of the way from the inner one to an end.
 const STATIONS: [f64; 5] = [1.0, 0.75, 0.5, 0.25, 0.0];
 /// The eigenvalue at which the curve between begins, if that is far from where both are one.
-const LEAST: f64 = 0.2;
+const FIRST_EIGENVALUE: f64 = 0.2;
 /// The trace at the orbit itself, which lies about the middle of a window.
-const INNER: f64 = -0.4;
+const INNER_TRACE: f64 = -0.4;
 
 /// An orbit near which a window may be, in floating point.
 #[derive(Clone, Debug)]
@@ -45,7 +45,7 @@ impl Branch {
     pub fn through(seed: &WindowSeed, ring: &Ring, floats: &Family<OneHarmonic, f64>) -> Option<Self> {
         let q = determinant(&floats.pair(seed.parameter).restitution, ring.unknowns());
         // proposes: far from where both eigenvalues are one, sqrt(q)
-        let inner = if q.sqrt() < 0.25 { LEAST.max(2.0 * q.sqrt()) } else { 0.5 * (1.0 + q.sqrt()) };
+        let inner = if q.sqrt() < 0.25 { FIRST_EIGENVALUE.max(2.0 * q.sqrt()) } else { 0.5 * (1.0 + q.sqrt()) };
         let solved = |trace: f64, x: Vec<f64>| newton(&System::Traced(Traced { ring, trace }), floats, x);
         let start = solved(0.0, [&seed.phases[..], &[seed.parameter]].concat())?;
         let towards = |sign: f64| -> Option<Vec<(f64, Vec<f64>)>> {
@@ -61,7 +61,7 @@ impl Branch {
             Some(all)
         };
         let ends = [towards(1.0)?, towards(-1.0)?];
-        let inner = solved(INNER, start.clone()).unwrap_or_else(|| start.clone()); // proposes
+        let inner = solved(INNER_TRACE, start.clone()).unwrap_or_else(|| start.clone()); // proposes
         let between = vec![ends[0].last()?.1.clone(), start, ends[1].last()?.1.clone()];
         Some(Self { ends, between, inner })
     }

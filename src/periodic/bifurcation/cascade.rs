@@ -36,14 +36,14 @@ struct Lead {
 }
 
 /// Distance from a bifurcation at which the branch that leaves there is entered, in forcing periods; smaller where that fails.
-const ENTER: f64 = 1e-3;
+const ENTRY_DISTANCE: f64 = 1e-3;
 
 /// Room and speed that an orbit has at least for a branch to begin with it, in gaps and forcing periods: hops of no time are none.
-const REAL: f64 = 1e-6;
+const MIN_ORBIT_SIZE: f64 = 1e-6;
 
 /// The survey as it goes on.
 struct Survey<'w, S: Varied> {
-    wanted: &'w DiagramSettings,
+    diagram_settings: &'w DiagramSettings,
     chain: &'w Chain,
     setting: Setting<'w, S>,
     floats: Family<S, f64>,
@@ -66,20 +66,20 @@ pub fn survey(
     pair: &ImpactPair,
     start: &Start,
     (word, cycles): (&Word, u32),
-    wanted: &DiagramSettings,
+    diagram_settings: &DiagramSettings,
     watch: &dyn Watch,
 ) -> Result<Diagram, Error> {
-    let parameter = Parameter::new(pair, &wanted.over)?;
+    let parameter = Parameter::new(pair, &diagram_settings.over)?;
     let base = parameter.base()?;
     let (shaken, chain) = of_word(&base, word, cycles)?;
-    under!(&shaken, shaken => survey_under(&**shaken, (&chain, &parameter), start, wanted, watch))
+    under!(&shaken, shaken => survey_under(&**shaken, (&chain, &parameter), start, diagram_settings, watch))
 }
 
 fn survey_under<S: Varied>(
     base: &S,
     (chain, parameter): (&Chain, &Parameter),
     start: &Start,
-    wanted: &DiagramSettings,
+    diagram_settings: &DiagramSettings,
     watch: &dyn Watch,
 ) -> Result<Diagram, Error> {
     let diagram = Diagram::new(parameter.clone());
@@ -89,7 +89,7 @@ fn survey_under<S: Varied>(
     let setting = Setting { unknown, base, parameter };
     let watch = Latched::new(watch);
     let mut survey = Survey {
-        wanted,
+        diagram_settings,
         chain,
         floats: setting.floats(),
         setting,
@@ -100,11 +100,11 @@ fn survey_under<S: Varied>(
         watch: &watch,
     };
     for seed in seeds::<S>(chain, (parameter, start), &watch)? {
-        survey.sow(&seed.ring, seed.x);
+        survey.enqueue_branch(&seed.ring, seed.x);
         survey.follow_leads();
     }
     let mut diagram = survey.diagram;
-    diagram.points.sort_by(|a, b| compare(a, b, wanted.over.key));
+    diagram.points.sort_by(|a, b| compare(a, b, diagram_settings.over.key));
     diagram.interrupted = watch.is_stopped();
     Ok(diagram)
 }
@@ -117,11 +117,11 @@ fn compare(a: &Point, b: &Point, key: Key) -> Ordering {
 
 impl<S: Varied> Survey<'_, S> {
     /// Takes up the branch through an orbit, unless it is followed already or the orbit is none of a motion.
-    fn sow(&mut self, ring: &Ring, x: Vec<f64>) {
+    fn enqueue_branch(&mut self, ring: &Ring, x: Vec<f64>) {
         let mut along = vec![0.0; x.len()];
         along[x.len() - 1] = 1.0;
         let Some(start) = Station::new(ring, &self.floats, x, &along) else { return };
-        let is_motion = start.tests.room.distance > REAL && start.tests.arrival.0 > REAL;
+        let is_motion = start.tests.room.distance > MIN_ORBIT_SIZE && start.tests.arrival.0 > MIN_ORBIT_SIZE;
         if is_motion && !self.is_followed(ring, &start.x) {
             self.leads.push_back(Lead { ring: ring.clone(), start, step: 1e-3, doublings: 0, leaves: None });
         }
@@ -157,21 +157,21 @@ impl<S: Varied> Survey<'_, S> {
             let back = lead.start.reversed();
             let mut ends = [End::Lost; 2];
             let mut range = [f64::INFINITY, f64::NEG_INFINITY];
-            let mut ways = vec![lead.start.clone()];
+            let mut both_starts = vec![lead.start.clone()];
             match lead.leaves {
                 Some(kind) => ends[1] = End::At(kind),
-                None => ways.push(back),
+                None => both_starts.push(back),
             }
             // All the way from one end to the other.
-            let mut way: Vec<Station> = Vec::new();
-            for (end, from) in ends.iter_mut().zip(ways) {
+            let mut whole: Vec<Station> = Vec::new();
+            for (end, from) in ends.iter_mut().zip(both_starts) {
                 let path = follow(&lead.ring, &self.floats, (from, lead.step), self.range, self.watch);
                 for station in &path.stations {
                     range = [range[0].min(station.parameter()), range[1].max(station.parameter())]; // shown
                 }
-                way.reverse();
-                way.extend(path.stations.iter().skip(usize::from(!way.is_empty())).cloned());
-                *end = self.harvest(&lead, &path);
+                whole.reverse();
+                whole.extend(path.stations.iter().skip(usize::from(!whole.is_empty())).cloned());
+                *end = self.prove_changes(&lead, &path);
                 self.followed.push((lead.ring.clone(), path));
                 if *end == End::Closed {
                     break;
@@ -180,7 +180,7 @@ impl<S: Varied> Survey<'_, S> {
             if ends[0] == End::Closed {
                 ends[1] = End::Closed;
             }
-            let is_proved = is_one_curve(&lead.ring, (&self.floats, &self.setting.doubles()), &way, self.watch);
+            let is_proved = is_one_curve(&lead.ring, (&self.floats, &self.setting.doubles()), &whole, self.watch);
             let range = [range[0].max(self.range[0]), range[1].min(self.range[1])]; // shown
             let (word, cycles, symmetric) = (lead.ring.word(), lead.ring.chain().cycles(), lead.ring.is_mirrored());
             self.diagram.branches.push(Branch { word, cycles, symmetric, range, ends, is_proved });
@@ -188,7 +188,7 @@ impl<S: Varied> Survey<'_, S> {
     }
 
     /// Proves what a path met, takes up what leaves it; how it ends.
-    fn harvest(&mut self, lead: &Lead, path: &Path) -> End {
+    fn prove_changes(&mut self, lead: &Lead, path: &Path) -> End {
         let mut last = None;
         for (change, x) in &path.changes {
             let joined = match change {
@@ -207,7 +207,10 @@ impl<S: Varied> Survey<'_, S> {
                 (Kind::PeriodDoubling, false) => lead.doublings + 1,
                 _ => lead.doublings,
             };
-            let proved = self.watch.goes_on().then(|| prove(&self.setting, &ring, (change, &x), self.wanted.precision));
+            let proved = self
+                .watch
+                .goes_on()
+                .then(|| prove(&self.setting, &ring, (change, &x), self.diagram_settings.precision));
             match proved.flatten() {
                 Some(point) => self.enter(Point { doublings, ..point }),
                 None => {
@@ -216,7 +219,7 @@ impl<S: Varied> Survey<'_, S> {
                 }
             }
             let is_flip = matches!(change, Change::Flip) && !joins;
-            if is_flip && (kind == Kind::Pitchfork || doublings < self.wanted.doublings) {
+            if is_flip && (kind == Kind::Pitchfork || doublings < self.diagram_settings.doublings) {
                 self.take_up(&ring, &x, kind, doublings);
             }
         }
@@ -255,12 +258,13 @@ impl<S: Varied> Survey<'_, S> {
             let along: Vec<f64> = w.iter().copied().chain(w.iter().map(|w| -w)).chain([0.0]).collect();
             let at = [phases, &later, &[*p]].concat();
             [1.0, 0.1, 0.01].into_iter().find_map(|part| {
-                let guess: Vec<f64> = at.iter().zip(&along).map(|(x, t)| (part * ENTER).mul_add(*t, *x)).collect();
+                let guess: Vec<f64> =
+                    at.iter().zip(&along).map(|(x, t)| (part * ENTRY_DISTANCE).mul_add(*t, *x)).collect();
                 let there = correct(&doubled, &self.floats, &guess, &along)?;
-                let way: Vec<f64> = there.iter().zip(&at).map(|(a, b)| a - b).collect();
-                let way = tangent(&doubled, &self.floats, &there, &way)?;
-                let start = Station::new(&doubled, &self.floats, there, &way)?;
-                let step = 0.2 * part * ENTER;
+                let towards: Vec<f64> = there.iter().zip(&at).map(|(a, b)| a - b).collect();
+                let towards = tangent(&doubled, &self.floats, &there, &towards)?;
+                let start = Station::new(&doubled, &self.floats, there, &towards)?;
+                let step = 0.2 * part * ENTRY_DISTANCE;
                 Some(Lead { ring: doubled.clone(), start, step, doublings, leaves: Some(kind) })
             })
         });

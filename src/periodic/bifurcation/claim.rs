@@ -8,7 +8,7 @@ use super::super::chain::Chain;
 use super::super::chained::Moment;
 use super::super::equations::flights;
 use super::super::identity::is_symmetric;
-use super::super::krawczyk::{self, Effort, LARGEST, Proved, widest};
+use super::super::krawczyk::{self, Effort, MAX_RADIUS, Proved, widest};
 use super::super::legs::Legs;
 use super::super::orbit::{Finding, PeriodicImpact, PeriodicOrbit, whole_periods};
 use super::super::precondition::Preconditioner;
@@ -21,7 +21,7 @@ use super::solve::newton;
 use super::system::{Critical, Graze, Posed, System, Vanishing};
 use super::trace::null_vector;
 use crate::number::{Ball, Enclosing};
-use crate::several::Turning;
+use crate::several::PhaseNumber;
 
 /// The parameter that varies, and those that do not.
 #[derive(Clone, Copy, Debug)]
@@ -88,7 +88,7 @@ pub(super) fn prove_critical<S: Varied>(
 }
 
 /// The largest radius that is tried where doubles prove none, `2^-20`.
-const SMALL: f64 = 1.0 / (1 << 20) as f64; // exact: a power of two
+const MAX_RADIUS_BEYOND_DOUBLES: f64 = 1.0 / (1 << 20) as f64; // exact: a power of two
 
 /// Domains that are tried, and images that narrow a zero at most: the first slow one is the last.
 const MOST_DOMAINS: u32 = 14;
@@ -112,9 +112,9 @@ impl<S: Varied> Claim<'_, S> {
         let doubles: Vec<Ball> = guess.iter().map(|&x| Ball::exact(x)).collect();
         let family = self.setting.doubles();
         let bits = f64::MANTISSA_DIGITS;
-        let zero = self.certify(&family, &inverse, doubles, (bits, LARGEST));
+        let zero = self.certify(&family, &inverse, doubles, (bits, MAX_RADIUS));
         // Doubles prove the largest domain; where they prove none, it is smaller than they can distinguish.
-        let largest = zero.as_ref().map_or(SMALL, |zero| zero.domain[0].rad());
+        let largest = zero.as_ref().map_or(MAX_RADIUS_BEYOND_DOUBLES, |zero| zero.domain[0].rad());
         let best = zero.and_then(|zero| self.point(&family, &zero, bits, S::is_physical));
         match best {
             Some(point) if point.is_narrow && point.is_decided() => Some(point),
@@ -126,7 +126,7 @@ impl<S: Varied> Claim<'_, S> {
     }
 
     /// Proves the zero near a guess in an arithmetic of N bits; the largest domain that is tried has the radius `largest`.
-    fn certify<N: Enclosing + Turning>(
+    fn certify<N: Enclosing + PhaseNumber>(
         &self,
         family: &Family<S, N>,
         inverse: &Preconditioner,
@@ -135,13 +135,13 @@ impl<S: Varied> Claim<'_, S> {
     ) -> Option<Proved<N>> {
         let is_sparse = bits > f64::MANTISSA_DIGITS;
         let equations = Posed { system: &self.system, family, is_sparse };
-        let guess = krawczyk::polish(&equations, inverse, guess, bits / krawczyk::GAINED);
+        let guess = krawczyk::polish(&equations, inverse, guess, bits / krawczyk::PRECONDITIONED_GAIN_BITS);
         let effort = Effort { largest, domains: MOST_DOMAINS, images: MOST_IMAGES, slow: 0 };
         krawczyk::prove(&equations, inverse, &guess, effort)
     }
 
     /// Returns the bifurcation at a proved zero; `None` where its orbit is not proved.
-    fn point<N: Enclosing + Turning>(
+    fn point<N: Enclosing + PhaseNumber>(
         &self,
         family: &Family<S, N>,
         zero: &Proved<N>,
@@ -203,9 +203,11 @@ impl<S: Varied> Claim<'_, S> {
     /// Returns whether the widths are those requested: the parameter's relative to itself.
     fn is_narrow<N: Enclosing>(&self, at: &[N], speed: f64, velocities: &[N]) -> bool {
         // A radius is half of a width.
-        let asked = self.precision.log2_width() - 1.0;
+        let requested = self.precision.log2_width() - 1.0;
         let size = |x: &N| x.as_ball().mid().abs().log2();
         let (phases, p) = (&at[..self.ring.unknowns()], &at[at.len() - 1]);
-        widest(phases) <= asked && p.log2_radius() <= asked + size(p) && widest(velocities) <= asked + speed.log2()
+        widest(phases) <= requested
+            && p.log2_radius() <= requested + size(p)
+            && widest(velocities) <= requested + speed.log2()
     }
 }

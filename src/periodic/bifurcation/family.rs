@@ -9,7 +9,7 @@ use super::super::legs::Leg;
 use super::super::shaking::Shaking;
 use super::jet::Jet;
 use crate::pair::{ImpactPair, Reduced};
-use crate::several::{Harmonics, Partial, Rates, Turning};
+use crate::several::{Harmonics, Partial, PhaseNumber, Rates};
 use crate::shaken::{SeveralHarmonics, Sum};
 
 /// The quantity that varies along a branch, without units.
@@ -33,10 +33,10 @@ pub(super) trait Varied: Chained {
 
     /// The parameters at a value of the unknown. In `base`, where it is [`Unknown::Ratios`], stand the amplitudes over that of the
     /// largest.
-    fn at<N: Turning>(base: &Self::In<N>, unknown: Unknown, value: N) -> Self::In<N>;
+    fn at<N: PhaseNumber>(base: &Self::In<N>, unknown: Unknown, value: N) -> Self::In<N>;
 
     /// The same parameters with constants for jets.
-    fn jets<N: Turning>(base: &Self::In<N>) -> Self::In<Jet<N>>;
+    fn jets<N: PhaseNumber>(base: &Self::In<N>) -> Self::In<Jet<N>>;
 
     /// Phases inside a flight, which starts at one, at which it is as fast as the box, and how far that has moved by then. It
     /// proposes.
@@ -44,13 +44,13 @@ pub(super) trait Varied: Chained {
 }
 
 /// The parameters that do not vary, in one arithmetic.
-pub(super) struct Family<S: Varied, N: Turning> {
+pub(super) struct Family<S: Varied, N: PhaseNumber> {
     pub unknown: Unknown,
     /// See [`Varied::at`].
     pub base: S::In<N>,
 }
 
-impl<S: Varied, N: Turning> Family<S, N> {
+impl<S: Varied, N: PhaseNumber> Family<S, N> {
     /// Returns the pair at a value of the unknown.
     pub fn pair(&self, value: N) -> S::In<N> {
         S::at(&self.base, self.unknown, value)
@@ -63,8 +63,8 @@ impl<S: Varied, N: Turning> Family<S, N> {
 }
 
 /// Forcing periods of a flight in which extrema are looked for.
-const MOST_TURNS: f64 = 64.0; // proposes
-/// Pieces of a turn of the fastest of several harmonics, and halvings of one in which the velocity changes its sign.
+const MAX_PERIODS: f64 = 64.0; // proposes
+/// Pieces of a forcing period of the fastest of several harmonics, and halvings of one in which the velocity changes its sign.
 const PIECES: f64 = 16.0; // proposes
 const HALVINGS: u32 = 40; // proposes
 
@@ -80,7 +80,7 @@ impl Varied for OneHarmonic {
         }
     }
 
-    fn at<N: Turning>(base: &Reduced<N>, unknown: Unknown, value: N) -> Reduced<N> {
+    fn at<N: PhaseNumber>(base: &Reduced<N>, unknown: Unknown, value: N) -> Reduced<N> {
         let (alpha, restitution) = match unknown {
             Unknown::Ratio(_) | Unknown::Ratios => (value, base.restitution.clone()),
             Unknown::Restitution => (base.alpha.clone(), value),
@@ -88,14 +88,14 @@ impl Varied for OneHarmonic {
         Reduced::new(alpha, restitution)
     }
 
-    fn jets<N: Turning>(base: &Reduced<N>) -> Reduced<Jet<N>> {
+    fn jets<N: PhaseNumber>(base: &Reduced<N>) -> Reduced<Jet<N>> {
         base.map(|x| Jet::constant(x.clone()))
     }
 
     /// The phases at which `cos th` is the drift over the greatest speed of the box.
     fn summits(pair: &Reduced<f64>, flight: &Leg<f64>, from: &(f64, f64), start: f64) -> Vec<(f64, f64)> {
         let q = flight.drift / pair.beta;
-        if q.abs() > 1.0 || flight.time > MOST_TURNS {
+        if q.abs() > 1.0 || flight.time > MAX_PERIODS {
             return Vec::new();
         }
         let a = q.acos() / TAU;
@@ -117,7 +117,7 @@ impl Varied for SeveralHarmonics {
         of_terms.chain([&self.spectrum.restitution]).all(|x| x.is_point())
     }
 
-    fn at<N: Turning>(base: &Sum<N>, unknown: Unknown, value: N) -> Sum<N> {
+    fn at<N: PhaseNumber>(base: &Sum<N>, unknown: Unknown, value: N) -> Sum<N> {
         let Sum { harmonics: Harmonics { terms, .. }, restitution } = base;
         let with = |term: &Partial<N>, alpha: N| Partial::new(alpha, term.ratio.clone(), term.counter.clone());
         let term = |(k, term): (usize, &Partial<N>)| match unknown {
@@ -131,7 +131,7 @@ impl Varied for SeveralHarmonics {
         Sum { harmonics, restitution }
     }
 
-    fn jets<N: Turning>(base: &Sum<N>) -> Sum<Jet<N>> {
+    fn jets<N: PhaseNumber>(base: &Sum<N>) -> Sum<Jet<N>> {
         let constant = |x: &N| Jet::constant(x.clone());
         let term = |term: &Partial<N>| Partial {
             alpha: constant(&term.alpha),
@@ -146,7 +146,7 @@ impl Varied for SeveralHarmonics {
 
     /// The phases at which the velocity changes its sign, found piece by piece.
     fn summits(sum: &Sum<f64>, flight: &Leg<f64>, from: &Moment<Self, f64>, start: f64) -> Vec<(f64, f64)> {
-        if flight.time > MOST_TURNS {
+        if flight.time > MAX_PERIODS {
             return Vec::new();
         }
         let velocity = |s: f64| sum.relative(&flight.drift, &sum.moment(0.0, &s));
@@ -162,6 +162,6 @@ impl Varied for SeveralHarmonics {
             0.5 * (low + high)
         };
         let changes = known.windows(2).filter(|ends| ends[0].1 * ends[1].1 < 0.0).map(halved);
-        changes.map(|s| (s, sum.way(from, &sum.moment(0.0, &s), 0.0))).collect()
+        changes.map(|s| (s, sum.travel(from, &sum.moment(0.0, &s), 0.0))).collect()
     }
 }

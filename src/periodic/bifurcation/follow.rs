@@ -49,16 +49,16 @@ pub(super) struct Path {
 /// Stations of a path at most.
 const MOST_STATIONS: usize = 20_000;
 /// The longest step, the shortest one, and the longest in parts of the range.
-const LONGEST: f64 = 0.01;
-const SHORTEST: f64 = 1e-10;
-const OF_RANGE: f64 = 0.01;
+const MAX_STEP: f64 = 0.01;
+const MIN_STEP: f64 = 1e-10;
+const MAX_RANGE_STEP: f64 = 0.01;
 /// The least cosine of the angle between tangents, and the least for a longer step.
-const STRAIGHT: f64 = 0.99;
-const STRAIGHTER: f64 = 0.998;
+const MIN_COSINE: f64 = 0.99;
+const LONGER_STEP_COSINE: f64 = 0.998;
 /// Parts that the way to a change of sign is cut into, one after the other: a third of them are halves.
 const HALVINGS: u32 = 24;
 /// Distance of a ring from its half, in forcing periods, within which a turn of the branch is taken for the meeting with the branch of its half.
-const TOGETHER: f64 = 1e-3;
+const MEETING_DISTANCE: f64 = 1e-3;
 
 /// Follows the branch from a station the way of its tangent until the watch stops it.
 pub(super) fn follow<S: Varied>(
@@ -68,10 +68,10 @@ pub(super) fn follow<S: Varied>(
     [low, high]: [f64; 2],
     watch: &dyn Watch,
 ) -> Path {
-    let longest = LONGEST.min(OF_RANGE * (high - low) + 1e-6);
+    let longest = MAX_STEP.min(MAX_RANGE_STEP * (high - low) + 1e-6);
     let mut size = first.min(longest);
     let mut path = Path { stations: vec![start], changes: Vec::new(), stop: Stop::Lost };
-    while path.stations.len() < MOST_STATIONS && size > SHORTEST {
+    while path.stations.len() < MOST_STATIONS && size > MIN_STEP {
         if !watch.goes_on() {
             path.stop = Stop::Interrupted;
             break;
@@ -81,14 +81,14 @@ pub(super) fn follow<S: Varied>(
             size *= 0.5;
             continue;
         };
-        if cosine < STRAIGHT {
+        if cosine < MIN_COSINE {
             size *= 0.5;
             continue;
         }
         let ended = note(ring, family, last, &next, &mut path.changes);
         let left = !(low..=high).contains(&next.parameter());
         let known = path.changes.len();
-        // Beyond the range nothing is asked.
+        // Beyond the range nothing is requested.
         path.changes.retain(|(_, x)| (low..=high).contains(&x[x.len() - 1]));
         let ended = ended && !(left && path.changes.len() < known);
         let looped = path.stations.len() > 3 && is_back(&path.stations[0], last, &next);
@@ -101,7 +101,7 @@ pub(super) fn follow<S: Varied>(
             };
             break;
         }
-        size = if cosine > STRAIGHTER { (1.3 * size).min(longest) } else { size };
+        size = if cosine > LONGER_STEP_COSINE { (1.3 * size).min(longest) } else { size };
     }
     path
 }
@@ -139,7 +139,7 @@ fn note<S: Varied>(
     let flip = |tests: &Tests| tests.flip;
     if turn(&a.tests) * turn(&b.tests) < 0.0 {
         let at = locate(ring, family, a, b, turn);
-        if at.tests.apart < TOGETHER {
+        if at.tests.apart < MEETING_DISTANCE {
             changes.push((Change::Join, at.x));
             return true;
         }

@@ -4,7 +4,7 @@ use std::ops::{Add, Mul, Neg, Sub};
 
 use crate::number::kernel::SmallAngle;
 use crate::number::{Number, Wave};
-use crate::several::Turning;
+use crate::several::PhaseNumber;
 
 /// `x` and `dx`; over balls, of every member, by the rules of differentiation.
 #[derive(Clone, Copy, Debug)]
@@ -108,7 +108,7 @@ impl<N: Wave> Wave for Jet<N> {
     }
 }
 
-impl<N: Turning> Turning for Jet<N> {
+impl<N: PhaseNumber> PhaseNumber for Jet<N> {
     type Counter = N::Counter;
 
     fn phase_at(counter: &N::Counter, turns: i64) -> Self {

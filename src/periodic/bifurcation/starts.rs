@@ -15,9 +15,9 @@ use crate::watch::Watch;
 use impact_pair_model::Start;
 
 /// Values of the parameter at which orbits are looked for, less one.
-const PARTS: u32 = 6;
+const INTERVALS: u32 = 6;
 /// Phases that differ less are taken for the same, in forcing periods.
-const SAME: f64 = 1e-7;
+const SAME_PHASE: f64 = 1e-7;
 
 /// An orbit in floating point: its ring, its phases and its parameter.
 pub(super) struct Seed {
@@ -59,10 +59,11 @@ pub(super) fn seeds<S: Varied>(
 fn values(over: &Range) -> Vec<Exact> {
     let part = |i: u32| {
         let weight = |n: u32| Exact::from(i64::from(n));
-        let sum = over.low.checked_mul(&weight(PARTS - i)).ok()?.checked_add(&over.high.checked_mul(&weight(i)).ok()?);
-        sum.ok()?.checked_div(&weight(PARTS)).ok()
+        let sum =
+            over.low.checked_mul(&weight(INTERVALS - i)).ok()?.checked_add(&over.high.checked_mul(&weight(i)).ok()?);
+        sum.ok()?.checked_div(&weight(INTERVALS)).ok()
     };
-    (0..=PARTS).filter_map(part).collect()
+    (0..=INTERVALS).filter_map(part).collect()
 }
 
 /// The orbit on the smallest ring that holds it.
@@ -72,7 +73,7 @@ fn fold(ring: Ring, x: Vec<f64>) -> Seed {
         // The chain of a half that repeats is another one; it lifts to this one by being run through again.
         let unknowns = half.unknowns();
         let lifted = (unknowns..phases.len()).map(|i| phases[i - unknowns] + half.turns());
-        phases[unknowns..].iter().zip(lifted).all(|(a, b)| (a - b).abs() < SAME)
+        phases[unknowns..].iter().zip(lifted).all(|(a, b)| (a - b).abs() < SAME_PHASE)
     });
     match halved {
         Some(half) => {
@@ -103,6 +104,6 @@ pub(super) fn is_same(chain: &Chain, one: &[f64], other: &[f64]) -> bool {
         };
         let period = f64::from(chain.period());
         let turns = ((moved(0) - other[0]) / period).round() * period;
-        (0..count).all(|i| (moved(i) - turns - other[i]).abs() < SAME)
+        (0..count).all(|i| (moved(i) - turns - other[i]).abs() < SAME_PHASE)
     })
 }

@@ -9,7 +9,7 @@ use super::family::{Family, Varied};
 use super::ring::Ring;
 use super::system::{Curve, System};
 use crate::pair::{Inward, Wall};
-use crate::several::Turning;
+use crate::several::PhaseNumber;
 
 /// A point of a branch: phases, then the parameter; and the unit tangent there.
 #[derive(Clone, Debug)]
@@ -101,7 +101,7 @@ pub(super) fn null_vector<S: Varied>(ring: &Ring, family: &Family<S, f64>, x: &[
 }
 
 /// `F'_mu`
-pub(super) fn twisted_matrix<S: Varied, N: Turning>(
+pub(super) fn twisted_matrix<S: Varied, N: PhaseNumber>(
     ring: &Ring,
     family: &Family<S, N>,
     x: &[N],

@@ -8,11 +8,11 @@ use super::ring::Ring;
 use super::system::{Curve, Posed, Shape, System};
 use super::trace::{Station, correct_onto};
 use crate::number::{Ball, Enclosing};
-use crate::several::Turning;
+use crate::several::PhaseNumber;
 use crate::watch::Watch;
 
 /// A curve whose slabs are proved, and what its proofs take.
-pub(super) struct Tube<'t, S: Varied, N: Turning> {
+pub(super) struct SlabChain<'t, S: Varied, N: PhaseNumber> {
     /// One equation fewer than unknowns.
     pub curve: &'t System<'t>,
     /// The coordinate over which it is followed; across the way from station to station where there is none.
@@ -65,14 +65,14 @@ impl Shape for Slab<'_> {
 
 impl Slab<'_> {
     /// See [`System::values`], with `t = 0`.
-    pub fn values<S: Varied, N: Turning>(&self, family: &Family<S, N>, x: &[N]) -> Option<Vec<N>> {
+    pub fn values<S: Varied, N: PhaseNumber>(&self, family: &Family<S, N>, x: &[N]) -> Option<Vec<N>> {
         let mut values = self.curve.values(family, x)?;
         values.push(self.distance(x));
         Some(values)
     }
 
     /// `a (x - x0)`
-    fn distance<N: Turning>(&self, x: &[N]) -> N {
+    fn distance<N: PhaseNumber>(&self, x: &[N]) -> N {
         let add = |sum: N, ((a, c), x): ((&f64, &f64), &N)| N::from_f64(*a).mul_add(x.clone() - N::from_f64(*c), sum);
         self.along.iter().zip(&self.base).zip(x).fold(N::from_f64(0.0), add)
     }
@@ -87,7 +87,7 @@ pub(super) struct Proof<N> {
     pub end: Vec<N>,
 }
 
-impl<N: Enclosing + Turning> Proof<N> {
+impl<N: Enclosing + PhaseNumber> Proof<N> {
     /// Returns whether points of the curve are proved to lie in the proved part of the slab: then they are on its curve.
     pub fn holds(&self, points: &[N]) -> bool {
         let add = |sum: N, ((a, c), x): ((&f64, &f64), &N)| N::from_f64(*a).mul_add(x.clone() - N::from_f64(*c), sum);
@@ -96,7 +96,7 @@ impl<N: Enclosing + Turning> Proof<N> {
     }
 }
 
-impl<S: Varied, N: Enclosing + Turning> Tube<'_, S, N> {
+impl<S: Varied, N: Enclosing + PhaseNumber> SlabChain<'_, S, N> {
     /// Proves the curve from the first station to the last one: its slabs in order; `None` where it is not proved, or the watch stops it.
     pub fn follow(&self, stations: &[Vec<f64>]) -> Option<Vec<Proof<N>>> {
         let mut slabs = Vec::new();
@@ -202,7 +202,7 @@ pub(super) fn is_one_curve<S: Varied>(
     watch: &dyn Watch,
 ) -> bool {
     let holds = |domain: &[Ball]| take_time(ring, family, domain);
-    let tube = Tube {
+    let tube = SlabChain {
         curve: &System::Curve(Curve(ring)),
         over: None,
         floats,
@@ -217,7 +217,7 @@ pub(super) fn is_one_curve<S: Varied>(
 }
 
 /// Returns whether all flights over a box of phases and a parameter are proved to take time.
-pub(super) fn take_time<S: Varied, N: Enclosing + Turning>(ring: &Ring, family: &Family<S, N>, x: &[N]) -> bool {
+pub(super) fn take_time<S: Varied, N: Enclosing + PhaseNumber>(ring: &Ring, family: &Family<S, N>, x: &[N]) -> bool {
     let flown = || {
         let (p, phases) = x.split_last()?;
         flights(ring.chain(), &family.pair(p.clone()), &ring.lift(phases))

@@ -141,7 +141,7 @@ impl Window {
 /// Digits of the ends beyond those of the width.
 const END_DIGITS: f64 = 4.0;
 /// A value lies no farther from the middle of its window than that part of it.
-const MIDDLE: i64 = 4;
+const MIDDLE_PART: i64 = 4;
 /// Digits of a value at most.
 const MOST_DIGITS: u32 = 400;
 
@@ -260,7 +260,7 @@ impl Proving<'_> {
             }
         };
         let Some([low, high]) = known.filter(|[low, high]| low < high) else { return Ok(None) };
-        let part = (&high - &low) / BigRational::from_integer(MIDDLE.into());
+        let part = (&high - &low) / BigRational::from_integer(MIDDLE_PART.into());
         let middle = (&low + &high) / BigRational::from_integer(2.into());
         let ten = BigRational::from_integer(10.into());
         let mut scale = BigRational::from_integer(1.into());

@@ -35,12 +35,13 @@ impl Problem {
         mut best: Option<PeriodicOrbit>,
     ) -> Option<PeriodicOrbit> {
         let inverse = newton::precondition(&self.chain, shaken.floats(), guess)?;
-        let wanted = working_bits(precision.digits);
+        let working = working_bits(precision.digits);
         let mut last = f64::INFINITY;
-        let mut bits = if narrow { 128 } else { wanted.max(128) }; // proposes
+        let mut bits = if narrow { 128 } else { working.max(128) }; // proposes
         while bits <= precision.max_bits && (bits <= DECIDING_BITS || (best.is_some() && !narrow)) {
             let shaking = shaken.precise(bits);
-            let guess = self.polish_precisely(&shaking, &inverse, guess, bits, bits / krawczyk::GAINED);
+            let guess =
+                self.polish_precisely(&shaking, &inverse, guess, bits, bits / krawczyk::PRECONDITIONED_GAIN_BITS);
             let finding = self.attempt(&shaking, &inverse, &guess, bits, |phases, legs| {
                 shaken.is_physical_precisely(&shaking, &self.chain, phases, legs)
             });

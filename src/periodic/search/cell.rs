@@ -15,14 +15,14 @@ use crate::periodic::orbit::{PeriodicImpact, PeriodicOrbit};
 use crate::periodic::{Precision, Problem};
 use crate::watch::Watch;
 
-/// Boxes as narrow as that, in forcing periods, are asked whether an orbit is near.
-const NEAR: f64 = 1.0 / 16.0;
+/// Boxes as narrow as that, in forcing periods, are tested for a near orbit.
+const KNOWN_ORBIT_WIDTH: f64 = 1.0 / 16.0;
 /// The least part of a box that Newton's equation takes off for the box to be cut again.
-const WORTH: f64 = 0.3;
+const MIN_GAIN: f64 = 0.3;
 /// Parts left undecided at which a cell is given up: there is a continuum of orbits, or nearly one.
 const MOST_UNDECIDED: usize = 64;
 /// A box is halved at the phase that the equations determine least if that is as wide as that, relative to the widest.
-const WIDE: f64 = 0.5;
+const RELATIVE_WIDTH: f64 = 0.5;
 
 /// The problem of a search, and its settings.
 pub(super) struct Task<'p, S> {
@@ -92,7 +92,7 @@ impl<'t, 'p, S: Chained> Cell<'t, 'p, S> {
         while self.undecided.len() < MOST_UNDECIDED && !open.is_empty() && self.look() {
             let Some(narrow) = open.pop().and_then(|part| self.narrow(part, &self.terms.whole())) else { continue };
             let is_last = narrow.part.wid() <= self.task.narrowest;
-            if narrow.part.wid() <= NEAR && self.is_known(&narrow.part, narrow.is_regular || is_last) {
+            if narrow.part.wid() <= KNOWN_ORBIT_WIDTH && self.is_known(&narrow.part, narrow.is_regular || is_last) {
                 continue;
             }
             if is_last {
@@ -126,7 +126,7 @@ impl<'t, 'p, S: Chained> Cell<'t, 'p, S> {
             if stretch.impacts.len() == all {
                 part = terms.newton(shaking, part.clone(), &terms.rows(&part, weakest + 1..weakest + all))?.part;
             }
-            if part.size() > (1.0 - WORTH) * before {
+            if part.size() > (1.0 - MIN_GAIN) * before {
                 return Some(Narrow { part, rows, weakest, is_regular });
             }
             part = terms.cut(part, stretch)?;
@@ -181,7 +181,7 @@ fn halves(Narrow { part, rows, weakest, .. }: Narrow) -> [Part; 2] {
     let weights = rows.weights(part.phases.len());
     let weight = |j: &usize| weights[*j] * part.phases[*j].wid();
     let heaviest = (0..weights.len()).max_by(|a, b| weight(a).total_cmp(&weight(b))).unwrap_or(0); // proposes
-    let across = if part.phases[weakest].wid() >= WIDE * part.wid() { weakest } else { heaviest };
+    let across = if part.phases[weakest].wid() >= RELATIVE_WIDTH * part.wid() { weakest } else { heaviest };
     let (lo, hi) = (part.phases[across].inf(), part.phases[across].sup());
     let middle = part.phases[across].mid();
     let mut other = part.clone();

@@ -39,7 +39,7 @@ struct Harmonic {
     beta: Interval,
     /// `(1 + e) 2 pi r beta`
     acceleration: Interval,
-    /// `r` and `s`: its phase is `r u + s`; none of the one that turns are counted of.
+    /// `r` and `s`: its phase is `r u + s`; none of the one that forcing periods are counted of.
     own: Option<[Interval; 2]>,
 }
 
@@ -100,9 +100,9 @@ pub(super) struct Part {
 /// All numbers.
 const ALL: Interval = Interval::new(f64::MIN, f64::MAX);
 /// Fractions of a flight at which the ball has to be in the gap.
-const LOOKS: [f64; 5] = [0.1, 0.3, 0.5, 0.7, 0.9];
+const FLIGHT_FRACTIONS: [f64; 5] = [0.1, 0.3, 0.5, 0.7, 0.9];
 /// The least part of a box that a pass takes off for another one to be made.
-const WORTH: f64 = 0.1;
+const MIN_GAIN: f64 = 0.1;
 
 impl<'c> Terms<'c> {
     pub fn new(chain: &'c Chain, pair: &Reduced<Ball>, rates: Vec<Rate>) -> Self {
@@ -179,7 +179,7 @@ impl<'c> Terms<'c> {
             let before = part.size();
             self.cut_once(&mut part, stretch)?;
             let after = part.size();
-            if after > (1.0 - WORTH) * before {
+            if after > (1.0 - MIN_GAIN) * before {
                 return Some(part);
             }
         }
@@ -222,9 +222,9 @@ impl<'c> Terms<'c> {
             part.drifts[i] = part.drifts[i].intersection(wave)?;
             return Some(());
         }
-        let way = Interval::point(displacement);
-        part.drifts[i] = cut_if(part.drifts[i], way.checked_div(time).map(|straight| straight + wave))?;
-        part.times[i] = cut_if(time, way.checked_div(part.drifts[i] - wave))?;
+        let travel = Interval::point(displacement);
+        part.drifts[i] = cut_if(part.drifts[i], travel.checked_div(time).map(|straight| straight + wave))?;
+        part.times[i] = cut_if(time, travel.checked_div(part.drifts[i] - wave))?;
         Some(())
     }
 
@@ -305,11 +305,11 @@ impl<'c> Terms<'c> {
     /// The ball is in the gap on its way: `D` so far is `g (c - beta S(g) cos 2 pi(u + g/2))` after a time `g`.
     fn look(&self, part: &Part, i: usize) -> Option<()> {
         let wall = self.chain.walls()[i];
-        for fraction in LOOKS {
+        for fraction in FLIGHT_FRACTIONS {
             let since = part.times[i].scaled(fraction);
             let at = part.phases[i] + since.scaled(0.5);
-            let way = since * (part.drifts[i] - self.mean(since, at));
-            way.signed(wall.sign()).intersection(Interval::new(0.0, 1.0))?;
+            let travel = since * (part.drifts[i] - self.mean(since, at));
+            travel.signed(wall.sign()).intersection(Interval::new(0.0, 1.0))?;
         }
         Some(())
     }

@@ -9,9 +9,9 @@ use crate::number::interval::Interval;
 use crate::periodic::chained::Chained;
 
 /// Flights on from a new end at which it is felt.
-const FELT: usize = 3;
+const AFFECTED_FLIGHTS: usize = 3;
 /// Greatest width of the end of a segment, in forcing periods.
-const END: f64 = 1.0 / 16.0;
+const MAX_END_WIDTH: f64 = 1.0 / 16.0;
 
 /// Segments, each of a cell of the first impact and one of the other end, by the number of the latter.
 type Segments = BTreeMap<i64, Vec<Part>>;
@@ -34,12 +34,12 @@ impl<S: Chained> Cell<'_, '_, S> {
         let count = self.terms.chain.impacts();
         let middle = count / 2;
         let forth = (1..=middle).map(|end| {
-            let first = end.saturating_sub(FELT); // T10: any stretch
+            let first = end.saturating_sub(AFFECTED_FLIGHTS); // T10: any stretch
             let stretch = Stretch { flights: first..end, impacts: first.max(1)..end }; // T10: any stretch
             Letter { end, stretch, held: 1..end + 1 }
         });
         let back = (middle..count).rev().map(|end| {
-            let last = count.min(end + FELT); // T10: any stretch
+            let last = count.min(end + AFFECTED_FLIGHTS); // T10: any stretch
             Letter { end, stretch: Stretch { flights: end..last, impacts: end + 1..last }, held: end..count }
         });
         let forth = self.grow(forth)?;
@@ -80,7 +80,7 @@ impl<S: Chained> Cell<'_, '_, S> {
             }
             let Some(mut part) = self.terms.cut(part, &letter.stretch) else { continue };
             let end = part.phases[letter.end];
-            let line = (end.mid() / END).round() * END; // T10: any line
+            let line = (end.mid() / MAX_END_WIDTH).round() * MAX_END_WIDTH; // T10: any line
             if end.inf() < line && line < end.sup() {
                 let mut later = part.clone();
                 later.phases[letter.end] = Interval::new(line, end.sup());
@@ -100,8 +100,8 @@ impl<S: Chained> Cell<'_, '_, S> {
 
 /// The numbers of the cells of the grid that an end lies in, but for their lines. Lemma T10
 fn cells(end: Interval) -> RangeInclusive<i64> {
-    let first = (end.inf() / END).floor() as i64; // T10: exact
-    let last = (end.sup() / END).ceil() as i64 - 1; // T10: exact
+    let first = (end.inf() / MAX_END_WIDTH).floor() as i64; // T10: exact
+    let last = (end.sup() / MAX_END_WIDTH).ceil() as i64 - 1; // T10: exact
     first..=last.max(first) // T10: a point on a line
 }
 
@@ -125,16 +125,16 @@ mod tests {
     /// may be on the line.
     #[test]
     fn r32_an_end_beside_a_line_is_in_the_cell_of_its_members() {
-        for line in [END, 1.0, 7.0 * END, 1000.0] {
-            let n = (line / END) as i64;
+        for line in [MAX_END_WIDTH, 1.0, 7.0 * MAX_END_WIDTH, 1000.0] {
+            let n = (line / MAX_END_WIDTH) as i64;
             let (below, above) = (line.next_down(), line.next_up());
             for (lo, hi, expected) in [
                 (below, line, n - 1..=n - 1),
-                (line - END, line, n - 1..=n - 1),
+                (line - MAX_END_WIDTH, line, n - 1..=n - 1),
                 (below, below, n - 1..=n - 1),
                 (line, above, n..=n),
                 (line, line, n..=n),
-                (below, line + END, n - 1..=n),
+                (below, line + MAX_END_WIDTH, n - 1..=n),
                 (below, above, n - 1..=n),
             ] {
                 assert_eq!(cells(Interval::new(lo, hi)), expected, "[{lo:e}, {hi:e}]");

@@ -39,7 +39,7 @@ impl Default for Budget {
     }
 }
 
-/// Cells of the first phase in each turn of the common period, in which searches go on side by side.
+/// Cells of the first phase in each forcing period of the common period, in which searches go on side by side.
 const CELLS: u32 = 16;
 /// Forcing periods that are cut into cells so; those of a longer period are wider.
 const MOST_PERIODS: u32 = 1 << 10;
@@ -305,7 +305,7 @@ mod tests {
         for problem in problems {
             let (count, cycles) = (problem.chain.impacts(), f64::from(problem.chain.cycles()));
             for n in 0..40 {
-                // Flights of all lengths, from hundredths of a turn on.
+                // Flights of all lengths, from hundredths of a forcing period on.
                 let part = |i: usize| (1.0 + (1.7 * i as f64 + 2.3 * f64::from(n)).sin()).powi(1 + n % 4) + 0.02;
                 let whole: f64 = (0..count).map(part).sum();
                 let at = |i: usize| 0.31 * f64::from(n) + (0..i).map(part).sum::<f64>() * cycles / whole;
@@ -318,7 +318,7 @@ mod tests {
     /// Two motions of figure 12's word: of a cell that found one of them, while the middles of its bounds are nearest to the other one, neither is
     /// taken for the other.
     #[test]
-    fn r32_an_orbit_proved_anew_is_asked_whether_it_is_the_one_that_a_cell_found() {
+    fn r32_an_orbit_proved_anew_is_compared_with_that_of_its_cell() {
         let start = Start::on_wall("0".parse().unwrap(), Wall::Left, "-1".parse().unwrap()).unwrap();
         let problem = problem("1/9.42497", "0.5", "LR", 1);
         let Either::One(one) = &problem.shaken else { panic!("one harmonic") };

@@ -4,13 +4,13 @@ use crate::number::interval::Interval;
 use crate::number::kernel::{self, ACOS_ERROR};
 
 impl Interval {
-    /// The part where `cos 2 pi u` is in `range`, if the interval lies in one half turn; all of it otherwise.
+    /// The part where `cos 2 pi u` is in `range`, if the interval lies in one half period; all of it otherwise.
     pub fn where_cos(self, range: Self) -> Option<Self> {
-        let half = (2.0 * self.mid()).floor(); // T9: any half turn; the ends are compared
+        let half = (2.0 * self.mid()).floor(); // T9: any half period; the ends are compared
         if self.inf() < 0.5 * half || self.sup() > 0.5 * (half + 1.0) {
             return Some(self);
         }
-        // Lemma K3; from an even half turn on the cosine falls.
+        // Lemma K3; from an even half period on the cosine falls.
         let angle = |x: f64, error: f64| kernel::acos_coarse(x.clamp(-1.0, 1.0)) + error * 2.0 * ACOS_ERROR;
         let (near, far) = (angle(range.sup(), -1.0), angle(range.inf(), 1.0));
         let is_even = half.rem_euclid(2.0) == 0.0; // exact: a whole number
@@ -88,7 +88,7 @@ mod tests {
 
     proptest! {
         #[test]
-        fn what_has_this_cosine_is_kept((x, a) in member(), width in 0.0..1.0f64) {
+        fn phases_with_the_given_cosine_are_kept((x, a) in member(), width in 0.0..1.0f64) {
             let cos = kernel::sin_cos(a).1;
             let kept = x.where_cos(Interval::new(cos - width, cos + width)).unwrap();
             prop_assert!(kept.inf() <= a && a <= kept.sup());

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use super::super::harmonics::Harmonics;
-use super::super::phased::Phased;
+use super::super::phased::FlightNumber;
 use super::super::spectrum::Spectrum;
 use super::{STEPS, Unproved, Zero, first_zero, pressure};
 use crate::exact::Enclosure;

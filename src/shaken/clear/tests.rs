@@ -97,7 +97,7 @@ proptest! {
 }
 
 #[test]
-fn what_never_comes_to_a_wall_is_clear_for_the_longest_flight() {
+fn flights_without_contact_are_clear_for_the_longest_time() {
     let still = launch(None, Ball::exact(0.3), Ball::exact(0.25), Ball::exact(0.0));
     let Either::One(one) = shaken(&[0.25], 0.5) else { panic!("one harmonic") };
     let drifts = 1e-10 * one.pair().beta.mid();

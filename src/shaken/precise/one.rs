@@ -6,7 +6,7 @@ use crate::contact::multiprecision::{Passed, Refined, isolate_first, pass};
 use crate::flight::{Flight, Launch};
 use crate::number::{Magnitude, MpBall, Number};
 use crate::pair::{Inward, Reduced};
-use crate::several::Phased;
+use crate::several::FlightNumber;
 use crate::shaken::OneHarmonic;
 
 impl OneHarmonic {
@@ -18,7 +18,7 @@ impl OneHarmonic {
 
 impl Precise for OneHarmonic {
     fn precise(&self, bits: u32) -> Reduced<MpBall> {
-        self.exact.map(|x| <MpBall as Phased>::enclose(x, bits))
+        self.exact.map(|x| <MpBall as FlightNumber>::enclose(x, bits))
     }
 
     fn widened(&self, bits: u32) -> Reduced<MpBall> {
@@ -83,7 +83,7 @@ impl Precise for OneHarmonic {
         let start = all.map(MpBall::to_ball);
         let sin_cos = all.phase.sin_cos();
         let all = Flight::of(pair, all, sin_cos);
-        let isolated = isolate_first(&self.bounds_of_pair, &start, || all.clone(), &all.map(Phased::centre_of))?;
+        let isolated = isolate_first(&self.bounds_of_pair, &start, || all.clone(), &all.map(FlightNumber::centre_of))?;
         let contact = isolated.contact(all.wall);
         let narrow = Undecided::precision(&contact);
         let Refined { at, error, velocity, sin_cos } = isolated.refine(&all, bits).ok_or(narrow)?;

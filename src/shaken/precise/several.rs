@@ -7,7 +7,7 @@ use crate::contact::multiprecision::Passed;
 use crate::contact::{Contact, Undecided};
 use crate::flight::Launch;
 use crate::number::{Ball, LEAST_BITS, Magnitude, MpBall, Number};
-use crate::several::{Found, Harmonics, Instant, Phased, Scan, SumFlight, pass};
+use crate::several::{FlightNumber, Found, Harmonics, Instant, Scan, SumFlight, pass};
 use crate::shaken::{SeveralHarmonics, Sum};
 
 /// The first contacts of a set: one for each flight, near a time.
@@ -24,7 +24,7 @@ pub(super) struct Isolated {
 
 impl Isolated {
     /// Returns the contacts `found`, of flights that start in these phases with this acceleration.
-    fn new<N: Phased>(found: &Found<N>, rest: Float, time: Ball, phase: Ball, acceleration: Ball) -> Self {
+    fn new<N: FlightNumber>(found: &Found<N>, rest: Float, time: Ball, phase: Ball, acceleration: Ball) -> Self {
         let near = MpBall::new(rest.clone(), Magnitude::new(found.reach, 0)).to_ball();
         Self {
             contact: Contact {
@@ -52,7 +52,7 @@ impl Isolated {
             let room = state.room(wall);
             let (size, noise) = (room.mag(), room.rad());
             if size <= noise + noise || size >= before {
-                // Half a turn can be written in two ways: it is written as the isolated one is.
+                // Half a forcing period can be written in two ways: it is written as the isolated one is.
                 // M3: any instant; it is looked at again
                 let turns = MpBall::from_f64((at.turns - self.turns) as f64);
                 let rest = at.rest.later(&turns);
@@ -96,7 +96,7 @@ impl SeveralHarmonics {
     ) -> Result<(Isolated, Instant<MpBall>), Undecided> {
         let start = all.phase.to_ball();
         let launch = all.map(MpBall::to_ball);
-        let middle = launch.map(Phased::centre_of);
+        let middle = launch.map(FlightNumber::centre_of);
         let doubles = [launch, middle].map(|launch| SumFlight::new(&self.balls.harmonics, launch, None));
         let isolated = match Scan::new(&doubles[0], &doubles[1]).first(&mut self.reach()) {
             Ok(found) => {
@@ -118,7 +118,7 @@ impl SeveralHarmonics {
 
 impl Precise for SeveralHarmonics {
     fn precise(&self, bits: u32) -> Sum<MpBall> {
-        let restitution = <MpBall as Phased>::enclose(&self.spectrum.restitution, bits);
+        let restitution = <MpBall as FlightNumber>::enclose(&self.spectrum.restitution, bits);
         Sum { harmonics: Harmonics::new(&self.spectrum, bits.max(LEAST_BITS)), restitution } // M1: any number of bits
     }
 
@@ -154,7 +154,7 @@ impl Precise for SeveralHarmonics {
         waves: Option<&Vec<(MpBall, MpBall)>>,
         bits: u32,
     ) -> Result<Precisely<Vec<(MpBall, MpBall)>>, Undecided> {
-        let centre = SumFlight::new(&sum.harmonics, all.map(Phased::centre_of), waves);
+        let centre = SumFlight::new(&sum.harmonics, all.map(FlightNumber::centre_of), waves);
         let (isolated, at) = self.isolated(sum, &all, &centre, waves, bits)?;
         let all = SumFlight::new(&sum.harmonics, all, waves);
         let (phase, error, velocity) = isolated.evaluated_near(&all, &at, bits);

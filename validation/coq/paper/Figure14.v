@@ -149,7 +149,7 @@ Proof.
   intros h. destruct (start_in a b c d x h) as [_ flight]. unfold letter.
   destruct a; destruct flight as [first _]; cbn [off_wall on_wall] in first; rewrite (next_after s gap_positive _ _ first); reflexivity.
 Qed.
-(* Where the starts are. *)
+(* Bounds of the starts. *)
 Lemma start_bounds a b c d x : starts a b c d x -> 4.7 <= fst x <= 5.1 /\ -1.4 <= snd x <= -1.1.
 Proof.
   intros h. destruct (start_in a b c d x h) as [inside _].

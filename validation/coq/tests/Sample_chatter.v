@@ -6,7 +6,7 @@ Import ListNotations.
 Definition the_scene : scene := {| reference := {| A := 1; W := PI; tau := PI |}; others := []; d := 9.42497; e := 0.3 |}%R.
 Definition the_start : impact := {| wall_of := left; time := 0; velocity := -0.5 |}%R.
 
-(* What the certificate prints: wall, bounds of the time, bounds of the velocity before the impact. *)
+(* The printed impacts: wall, bounds of the time, bounds of the velocity before the impact. *)
 Definition printed : list bounds := [
   Impact left 0.171614305606541047 0.171614305606542521 (-0.29563689657522219) (-0.29563689657521047);
   Impact left 0.204732316774634243 0.204732316774637518 (-0.09339586155210576) (-0.09339586155209544);

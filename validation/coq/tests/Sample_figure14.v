@@ -6,7 +6,7 @@ Import ListNotations.
 Definition the_scene : scene := {| reference := {| A := 8; W := PI; tau := 0 |}; others := []; d := 9.42497; e := 0.5 |}%R.
 Definition the_start : impact := {| wall_of := left; time := 0; velocity := -12.56636 |}%R.
 
-(* What the certificate prints: wall, bounds of the time, bounds of the velocity before the impact. *)
+(* The printed impacts: wall, bounds of the time, bounds of the velocity before the impact. *)
 Definition printed : list bounds := [
   Impact right 0.551348020218520847 0.551348020218521655 (35.4526376012345435) (35.4526376012346412);
   Impact left 1.66598428796560517 1.66598428796561104 (-34.28271683030372) (-34.28271683030331);

@@ -8,7 +8,7 @@ Definition the_scene : scene := {|
   others := [{| A := 6; W := sqrt 2; tau := 0.3 |}; {| A := 4; W := 1; tau := 0 |}]; d := 9.42497; e := 0.8 |}%R.
 Definition the_start : impact := {| wall_of := left; time := 0; velocity := -12.56636 |}%R.
 
-(* What the certificate prints: wall, bounds of the time, bounds of the velocity before the impact. *)
+(* The printed impacts: wall, bounds of the time, bounds of the velocity before the impact. *)
 Definition printed : list bounds := [
   Impact right 0.553947598221 0.553947600221 23.962478105779 23.962478125779;
   Impact left 1.140295495202 1.140295497202 (-15.588435799593) (-15.588435779593);

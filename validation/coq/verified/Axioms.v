@@ -1,4 +1,4 @@
-(* What the theorems of the extracted checker rest on. *)
+(* The axioms of the theorems of the extracted checker. *)
 From ImpactPair Require Import Carrier.
 Print Assumptions Carrier.Shifting.pieces_verified.
 Print Assumptions Carrier.Shadowing.shadow_verified.

@@ -9,11 +9,11 @@ type float = Stdlib.Float.t
 
 (* Steps of Newton's method. *)
 let steps = 4
-(* Parallelograms are so many bits narrower than the narrowest bounds, and given to so many bits; bits of the check beyond those. *)
+(* Bits by which parallelograms are narrower than the narrowest bounds, bits that they are given to, and bits of the check beyond those. *)
 let narrower = 36
 let vector_bits = 44
 let spare_bits = 48
-(* What one parallelogram covers more than the next one needs. *)
+(* The factor by which a parallelogram covers more than the next one needs. *)
 let margin = 1.02
 
 (* By phase and velocity. *)

@@ -229,7 +229,7 @@ let around_all data begun orbits =
       | around -> all (n + 1) (around :: found) rest in
   all 0 [] orbits
 
-(* How a motion comes into the ellipse: the last listed impact after whole rounds that is in it; or flights on from there. *)
+(* The passage of a motion into the ellipse: the last listed impact after whole rounds that is in it; or flights on from there. *)
 let most_rounds = 200
 
 let coordinates { disc_scale; disc_chart = { cu; cv; lu; lv; wu; wv }; _ } (th, v) =
@@ -285,7 +285,7 @@ let flights_on data begun disc walls on box ~done_ =
       | _ -> None in
   fly done_ (on, exact box.at_t, exact box.at_v) box []
 
-(* How many listed events there are up to impact n of the list. *)
+(* The number of listed events up to impact n of the list. *)
 let events_up_to n events =
   let rec look k n = function
     | _ when n = 0 -> Some k

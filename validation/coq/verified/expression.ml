@@ -32,7 +32,7 @@ let spell { qnum; qden } =
 
 let zero = Rational { qnum = Z.zero; qden = Z.one }
 
-(* Whether an expression has at most n parts. *)
+(* Decides whether an expression has at most n parts. *)
 let is_small most value =
   let rec left most = function
     | Rational _ | Pi -> most - 1
@@ -143,7 +143,7 @@ let bound place source =
   | Rational q -> q
   | _ -> unreadable "%s: %S, but accepted is a decimal" place source
 
-(* How tightly a spelling binds. *)
+(* The precedence of a spelling. *)
 type binding = Sum | Product | Power | Atom
 
 (* x^n is the product x (x (x ...)). *)

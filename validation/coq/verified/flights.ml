@@ -42,7 +42,7 @@ let offset s place w = match place with
   | On from -> Z.shift_right (Z.mul (Z.of_int (side from - side w)) s.gamma) 1
   | At y -> Z.sub y (Z.shift_right (Z.mul (Z.of_int (side w)) s.gamma) 1)
 
-(* What a flight begins with: the start of a document, or a release near a phase, given to `fine` bits. *)
+(* The origin of a flight: the start of a document, or a release near a phase, given to `fine` bits. *)
 type origin = Begun of beginning | Released of wall * Z.t
 
 (* Bits for phases and velocities of which doubles are made. *)

@@ -1,5 +1,4 @@
-(* impact-pair-verified DOCUMENT: prints what a document claims, and `verified` where the checker that is extracted from
-   Coq says so. *)
+(* impact-pair-verified DOCUMENT: prints the claims of a document, and `verified` where the checker extracted from Coq accepts it. *)
 
 open Checker
 module Z = Integers.Z

@@ -11,7 +11,8 @@ let shadowed = "shadowed"
 let periodic = "periodic"
 let attracted = "attracted"
 
-(* What a document claims: of the orbit from the scene's start, or of one that starts near; of the first that from an impact on it tends to a periodic orbit. *)
+(* The claim of a document: of the orbit from the scene's start, or of one that starts near; of the first that from an impact on it tends to a
+   periodic orbit. *)
 type claim = Exact of document | Attracted of document * Z.t * cycle | Shadowed of event document_of * nearness
 let scene_of = function
   | Exact { scene_data; begun; _ } | Attracted ({ scene_data; begun; _ }, _, _) -> (scene_data, begun)
@@ -225,7 +226,7 @@ let canonical claim head =
   let head = default "claim" (Json.String exact_start) (members "the document" head) in
   spelled "" (Object (List.map (fun (key, value) -> (key, if key = "outcome" then outcome value else value)) head))
 
-(* What a document claims. *)
+(* The claims of a document. *)
 let read value = claimed ~canonical ~no_claims ~document ~json (with_fastest_first value)
 
 (* The claim in one line, in the words of the theorem. *)

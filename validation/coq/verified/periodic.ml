@@ -85,7 +85,7 @@ let json { data; start; named; periods; orbits } =
     ("schema", String schema); ("certified", Bool true); ("exhaustive", Bool false); ("scene", json_of_scene data start);
     ("word", String (word_text named)); ("cycles", Number (Z.to_string periods)); ("orbits", List (List.map json_of_orbit orbits)) ]
 
-(* What a document claims. *)
+(* The claims of a document. *)
 let read value = claimed ~no_claims ~document ~json value
 
 (* The claim in one line, in the words of the theorem. *)

@@ -1,5 +1,5 @@
-(* How fast the number of words grows: hints for the lower bounds of the entropy (Entropies.v), a factor that is at least exp h, and values of the h-sets, of which the words
-   from each make at least as much. Nothing here is proved, nor need be. *)
+(* The growth rate of the number of words: hints for the lower bounds of the entropy (Entropies.v), a factor that is at least exp h, and values of
+   the h-sets, of which the words from each make at least as much. Nothing here is proved, nor need be. *)
 
 open Checker
 module Z = Integers.Z

@@ -132,8 +132,8 @@ let rec spelled key = function
   | Object members -> Object (List.map (fun (key, value) -> (key, spelled key value)) members)
   | value -> value
 
-(* What a document claims. What `document` reads of it `json` writes again, and this is compared, byte for byte, with the canonical form of the document, without the
-   keys that claim nothing. *)
+(* The claims of a document. `json` writes again what `document` reads of it, and this is compared, byte for byte, with the canonical form of the
+   document, without the keys that claim nothing. *)
 let claimed ?(canonical = fun _ head -> spelled "" head) ~no_claims ~document ~json value =
   let claim = document value in
   let head = List.filter (fun (key, _) -> not (List.mem key no_claims)) (members "the document" value) in

@@ -1,4 +1,4 @@
-(* Why a document is not verified: the first part that the checker refuses. It only words the answer. *)
+(* The reason why a document is not verified: the first part that the checker refuses. It determines the message alone. *)
 
 open Checker
 module Z = Integers.Z
@@ -29,7 +29,7 @@ let first_wrong_step { scene_data = data; begun; events; _ } { origin; steps; ne
     | _ -> None in
   look (In_flight (Check.start_box data begun origin, None)) 0 steps (events @ Option.to_list next_one)
 
-(* What is asked of every document. *)
+(* The conditions on every document. *)
 let wrong_data bits data begun events =
   if not (Each.check_data bits data) then
     Some "scene: not proved to be an impact pair (no amplitude negative, frequencies and gap positive, 0 <= restitution <= 1)"
@@ -122,7 +122,7 @@ let why_no_region ({ data; start; region; properties; _ } : Trap.claim) plan ent
         "entered_at_impact: this impact, counted along the motion without rests, is not proved to be in the region"
       | None -> "the impacts up to `entered_at_impact` are not proved, or the scene not to have a positive amplitude"
 
-(* What is wrong with a horseshoe but for its strips. *)
+(* The fault of a horseshoe, its strips aside. *)
 let why_no_chaos ({ chaos; _ } : Words.claim) { found_words = { word_bits; grid_bits; sets; _ } as found; by_impacts; by_half_cycles } =
   let entropy key weight h growth () = if Growing.check_entropy word_bits chaos weight h growth then None else Some (key ^ ": it does not follow from the words") in
   List.find_map (fun reason -> reason ()) [

@@ -9,10 +9,10 @@ type float = Stdlib.Float.t
 (* Bits beyond those of the last box, and of the computation beyond these. *)
 let spare_bits = 16
 let working_spare = 64
-(* What bounds of the pressure are wider than they need be, of themselves; and what a root is. *)
+(* The factor by which bounds of the contact force are wider than they need be, and the tolerance of a root. *)
 let slack = 1e-13
 let wide = 1.0 +. 1e-12
-(* A rest at once is shown to last so long at most, in phase, and the pressure to fall so far from a release on. *)
+(* A rest at once is shown to last so long at most, in phase, and the contact force to decrease by this from a release on. *)
 let longest = 1e-3
 let falls_for = 0.5
 (* Bits to begin with after a release. *)
@@ -25,7 +25,7 @@ let waves_at s th =
     let sine, cosine = Fixed.sin_cos s.bits (Z.add (Fixed.mul s.bits ratio th) lag) in
     (float share, float ratio, Float.atan2 (float sine) (float cosine))) s.waves
 
-(* Bounds of what the wall presses with, from a phase on for some length, harmonic by harmonic as the checker has them. *)
+(* Bounds of the contact force, from a phase on for some length, harmonic by harmonic as the checker has them. *)
 let press s th length w =
   let pi = Float.pi in
   let turns_between a b x = Float.floor ((b -. x) /. (2.0 *. pi)) > Float.floor ((a -. x) /. (2.0 *. pi)) in
@@ -107,7 +107,7 @@ let rec impacts_of found = function
   | Impact_at event :: rest -> impacts_of (event.shown :: found) rest
   | rest -> (List.rev found, rest)
 
-(* The next release, for an outcome `time-reached` that finds the ball at rest: where the pressure ceases after a phase, by steps. *)
+(* The next release, for an outcome `time-reached` that finds the ball at rest: where the contact force vanishes after a phase, by steps. *)
 let step = 1e-3
 let most_steps = 1_000_000
 let next_release s w held =
@@ -163,8 +163,8 @@ let rec steps data from ~first_at ~bounds occurrences until n =
        | _ -> raise (Lost n))
     | _ -> raise (Lost n)
 
-(* How much is listed up to the first release that comes again, and from there up to that: after so many forcing periods, with as many impacts, as
-   are said. *)
+(* The number of events up to the first recurrent release, and from there up to its recurrence: after the claimed numbers of forcing periods and
+   impacts. *)
 let same_phase = 1e-9
 let rounds data cycles each occurrences =
   let s = setting fine data in

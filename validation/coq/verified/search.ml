@@ -35,7 +35,7 @@ let middle range =
   let bits = 32 + max 0 (int_of_float (Float.ceil (-.Float.log2 width))) in
   { qnum = Z.shift_right (Fixed.middle (bits + 64) range) 64; qden = Z.shift_left Z.one bits }
 
-(* Where it is cut: the interval that matters most. *)
+(* The interval that is bisected: the one with the largest effect. *)
 let widest document =
   List.fold_left (fun found (datum, range, effect) -> match found with
     | Some (_, _, most) when most >= effect -> found

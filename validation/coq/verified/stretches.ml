@@ -44,7 +44,7 @@ let first_contact { gap; e } (th, v) =
     else look next (steps - 1) in
   if u > 0.0 then look 0.0 most_steps else None
 
-(* A flight to a wall: where it arrives, before half a turn is added; and the state, mirrored where the wall is the far one. *)
+(* A flight to a wall: where it arrives, before half a forcing period is added; and the state, mirrored where the wall is the far one. *)
 let arrival pair ((th, v) as x) far =
   match first_contact pair x with
   | Some (h, to_far) when to_far = far -> Some (th +. h, -.pair.e *. v +. cos th -. cos (th +. h))
@@ -54,7 +54,7 @@ let leap pair x far = Option.map (seen_from_left far) (arrival pair x far)
 let rec walk pair x = function
   | [] -> Some x
   | far :: flights -> Option.bind (leap pair x far) (fun x -> walk pair x flights)
-(* A state and, once they are asked for, those after it: whether the next flight is to the far wall, and where it ends. *)
+(* A state and, on request, those after it: whether the next flight is to the far wall, and where it ends. *)
 type course = { here : state; next : (bool * course) option Lazy.t }
 let rec course_of pair ((th, v) as x) =
   let next = lazy (Option.map (fun (h, far) -> (far, course_of pair (seen_from_left far (th +. h, -.pair.e *. v +. cos th -. cos (th +. h))))) (first_contact pair x)) in
@@ -84,7 +84,7 @@ let shape_of { left_bottom; left_top; right_bottom; right_top; _ } =
   let quarter = Chains.times 0.25 and shrunk = Chains.times (0.25 *. inside_by) in
   { at = quarter (plus (plus lb lt) (plus rb rt)); long = shrunk (minus (plus rb rt) (plus lb lt)); wide = shrunk (minus (plus lb rb) (plus lt rt)) }
 
-(* Whole turns that are taken off after each flight of a word from one parallelogram into another: all of them after the last one. *)
+(* Whole forcing periods that are taken off after each flight of a word from one parallelogram into another: all of them after the last one. *)
 let strides_of { word_flights; half_cycles; _ } =
   let far_flights = List.length (List.filter Fun.id word_flights) in
   let all = Z.shift_right (Z.add half_cycles (Z.of_int far_flights)) 1 in
@@ -106,7 +106,7 @@ let cuts { e; _ } far (th, v) h =
   let at k = h *. float_of_int k /. float_of_int parts in
   (at depart, at approach)
 
-(* What brackets and parallelograms are wider by; the corners of a shape, and the middles of its sides. *)
+(* The margin of brackets and parallelograms; the corners of a shape, and the middles of its sides. *)
 let spare = 1e-11
 let offsets = [ (-1.0, -1.0); (-1.0, 0.0); (-1.0, 1.0); (0.0, -1.0); (0.0, 1.0); (1.0, -1.0); (1.0, 0.0); (1.0, 1.0) ]
 exception Lost
@@ -178,7 +178,7 @@ let rec orbit pair x = function
     | None -> raise Lost
     | Some there -> let seen = seen_from_left far there in (seen, derivative pair far x there) :: orbit pair seen rest
 
-(* Whether states of a shape are carried by the flights between the edges of another one, and to where they should be along it. *)
+(* Decides whether the flights carry the states of a shape between the edges of another one, and to the claimed place along it. *)
 let fits (pair, _) shape into strides extent =
   let taken = List.fold_left (fun sum { turns_taken; _ } -> sum +. turn *. Z.to_float turns_taken) 0.0 strides in
   let flights = List.map (fun { far; _ } -> far) strides in
@@ -187,7 +187,7 @@ let fits (pair, _) shape into strides extent =
     | Some (th, v) -> let x, y = coordinates_in into (th -. taken, v) in abs_float y <= 1.0 && inside x
     | None -> false) offsets
 
-(* Whether a patch makes phases of arrival of the next flight differ more along than across, as phase and velocity do each by itself. *)
+(* Decides whether a patch makes phases of arrival of the next flight differ more along than across, as phase and velocity do each by itself. *)
 let lands_longer_along (pair, _) { at; long; wide } { far; _ } =
   match arrival pair at far with
   | None -> Chains.size long >= Chains.size wide
@@ -195,7 +195,7 @@ let lands_longer_along (pair, _) { at; long; wide } { far; _ } =
     let (by_phase, _), (by_velocity, _) = derivative pair false at there in
     let differ (phase, velocity) = abs_float (by_phase *. phase) +. abs_float (by_velocity *. velocity) in
     differ long >= differ wide
-(* Whether a patch is longer along than across, where it is longest on its way. *)
+(* Decides whether a patch is longer along than across, at its longest image. *)
 let is_longer_along (pair, _) { at; long; wide } strides =
   let rec longest x = function
     | [] -> Chains.size x
@@ -251,8 +251,8 @@ let samples = 1 lsl 13
 let at k = 2.0 *. float_of_int k /. float_of_int samples -. 1.0
 let courses (pair, _) shape = Array.init (samples + 1) (fun k -> course_of pair (put shape (at k) 0.0))
 
-(* Where along a parallelogram a word leads across another one: from one bound to another, and whether it is turned over. The ends are this far beyond those
-   of the other one, and the parts at the ends five times as long: less where the image leaves the other one's edges there. *)
+(* The part of a parallelogram that a word maps across another one: its two bounds, and whether the orientation is reversed. The ends are this far
+   beyond those of the other one, and the parts at the ends five times as long: less where the image leaves the other one's edges there. *)
 let beyond_ends = [ 0.004; 0.0005; 0.00006 ]
 (* Parts of the way from one state to the next where an image between the ends is near flights to other walls. *)
 let finer = 32
@@ -276,7 +276,7 @@ let stretches (pair, _) courses shape into word more =
   let last = Array.length points - 1 in
   let at k = fst points.(k) in
   let along x across = match image x across with Some (x, _) -> x | None -> raise Lost in
-  (* How far images are beyond an end, of the states across: the least. *)
+  (* The least distance of images beyond an end, over the states across. *)
   let beyond sign x = List.fold_left (fun least across -> Float.min least (sign *. along x across)) infinity looks_across in
   (* From point k on, in steps of one or of minus one, the first place at which images are so far beyond. *)
   let rec place step sign bound k =
@@ -284,7 +284,7 @@ let stretches (pair, _) courses shape into word more =
     else if beyond sign (at k) >= bound then Flights.bisected (fun x -> sign *. (beyond sign x -. bound)) (at k) (at (k - step))
     else place step sign bound (k + step) in
   let end_at step k sign = (place step sign (1.0 +. more) k, place step sign (1.0 +. 6.0 *. more) k) in
-  (* Whether images of the stretch are between the edges, and those of its ends beyond the ends. *)
+  (* Decides whether images of the stretch are between the edges, and those of its ends beyond the ends. *)
   let is_one { ends = (a, b); middle = (from, until); is_backwards } =
     let sign = if is_backwards then -1.0 else 1.0 in
     let place k = a +. (b -. a) *. float_of_int k /. float_of_int looks_along in

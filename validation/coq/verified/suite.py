@@ -23,7 +23,7 @@ import scenes
 import texts
 
 # Seconds that no program may take; of the checker they are seconds of processor time.
-PATIENCE = 120
+TIMEOUT = 120
 SCENES = [Path("scenes"), Path("validation/certificates/scenes")]
 OTHERS = [Path("validation/coq/tests/harmonics.toml")]
 # Documents verified in full and in small: scene, options, seconds of processor time accepted.
@@ -74,33 +74,33 @@ class Suite:
     def run(self, scene, options, text=None):
         """The orbit document of a scene, a file or - for a text; None where it is no scene with these options."""
         command = [self.program, "run", scene, *options, "--format", "json", "--quiet"]
-        done = subprocess.run(command, input=text, capture_output=True, text=True, check=False, timeout=PATIENCE)
+        done = subprocess.run(command, input=text, capture_output=True, text=True, check=False, timeout=TIMEOUT)
         return json.loads(done.stdout) if done.returncode != 2 else None
 
     def periodic(self, scene, word, cycles):
         """The document of the periodic orbits of a word."""
         command = [self.program, "periodic", f"scenes/{scene}.toml", "--word", word, "--cycles", str(cycles), "--format", "json", "--quiet"]
-        return json.loads(subprocess.run(command, capture_output=True, text=True, check=False, timeout=PATIENCE).stdout)
+        return json.loads(subprocess.run(command, capture_output=True, text=True, check=False, timeout=TIMEOUT).stdout)
 
     def trap(self, scene, data=None):
         """The document of a trapping region; with other data of the scene."""
         command = [self.program, "trap", "-", "--format", "json", "--quiet"]
         text = with_intervals(Path(f"scenes/{scene}.toml").read_text(encoding="utf-8"), data or {})
-        return json.loads(subprocess.run(command, input=text, capture_output=True, text=True, check=False, timeout=PATIENCE).stdout)
+        return json.loads(subprocess.run(command, input=text, capture_output=True, text=True, check=False, timeout=TIMEOUT).stdout)
 
     def chaos(self, scene, options, data=None):
         """The document of a horseshoe, without what becomes of the scene's own orbit; with other data of the scene."""
         command = [self.program, "chaos", "-", *options, "--no-orbit", "--format", "json", "--quiet"]
         text = with_intervals(Path(f"scenes/{scene}.toml").read_text(encoding="utf-8"), data or {})
-        return json.loads(subprocess.run(command, input=text, capture_output=True, text=True, check=False, timeout=PATIENCE).stdout)
+        return json.loads(subprocess.run(command, input=text, capture_output=True, text=True, check=False, timeout=TIMEOUT).stdout)
 
     def answer(self, text):
         """(verdict, its last line, seconds of processor time) of a text."""
         began = spent()
-        done = subprocess.run(["bash", "-c", f'ulimit -t {PATIENCE}; exec "$0" -', self.verified], input=text, capture_output=True, check=False)
+        done = subprocess.run(["bash", "-c", f'ulimit -t {TIMEOUT}; exec "$0" -', self.verified], input=text, capture_output=True, check=False)
         if done.returncode < 0:
-            self.failures.append(f"no answer in {PATIENCE} s of processor time, or stopped by signal {-done.returncode}: {text[:200]!r}")
-            return "none", "", PATIENCE
+            self.failures.append(f"no answer in {TIMEOUT} s of processor time, or stopped by signal {-done.returncode}: {text[:200]!r}")
+            return "none", "", TIMEOUT
         lines = done.stdout.decode(errors="replace").splitlines() or [done.stderr.decode(errors="replace")]
         verdict = CODES.get(done.returncode, f"exit code {done.returncode}")
         if not lines[-1].startswith(verdict):
@@ -110,7 +110,7 @@ class Suite:
     def check(self, document):
         """The verdict of `impact-pair check`."""
         command = [self.program, "check", "-", "--quiet", "--format", "json"]
-        done = subprocess.run(command, input=json.dumps(document).encode(), capture_output=True, check=False, timeout=PATIENCE)
+        done = subprocess.run(command, input=json.dumps(document).encode(), capture_output=True, check=False, timeout=TIMEOUT)
         return json.loads(done.stdout)["verdict"] if done.returncode in (0, 1) else "unreadable"
 
 
@@ -352,10 +352,10 @@ def same_as_coq(suite, quick):
     document = suite.run("scenes/figure-14.toml", ["--impacts", "4"])
     shadowed, resting = suite.run("scenes/figure-14.toml", [*SHADOWED, "--impacts", "3"]), suite.run("scenes/chatter.toml", ["--until", "3", "--digits", "3"])
     repeated = suite.run("scenes/chatter.toml", ["--until", "20", "--digits", "3"])
-    wanted = [document, resting, shadowed, suite.run("scenes/two-tones.toml", ["--until", "1"]), repeated, suite.run("scenes/figure-12.toml", ["--impacts", "3"]), suite.periodic(*PERIODIC[0]), suite.trap("figure-12"), suite.chaos(*HORSESHOES[0][:2]), *(copy for _, copy in corrupted.copies(document))]
+    samples = [document, resting, shadowed, suite.run("scenes/two-tones.toml", ["--until", "1"]), repeated, suite.run("scenes/figure-12.toml", ["--impacts", "3"]), suite.periodic(*PERIODIC[0]), suite.trap("figure-12"), suite.chaos(*HORSESHOES[0][:2]), *(copy for _, copy in corrupted.copies(document))]
     # One file of a module for each: Coq loads its libraries once.
     modules = []
-    for number, copy in enumerate([*wanted[:4], wanted[5]] if quick else wanted):
+    for number, copy in enumerate([*samples[:4], samples[5]] if quick else samples):
         source = folder / f"Answer_{number}.json"
         source.write_text(json.dumps(copy), encoding="utf-8")
         done = subprocess.run([suite.verified, "--coq", source], capture_output=True, text=True, check=False)
@@ -370,15 +370,15 @@ def same_as_coq(suite, quick):
     return len(modules)
 
 
-def asked_by_check(suite):
+def compared_with_check(suite):
     """`check --verified` answers as the checker, with its exit code, on what `check` confirms; a graze, or a kind without theorem, is unverified."""
     describe = [suite.program, "describe", "scenes/figure-12.toml", "--format", "json", "--quiet"]
-    described = json.loads(subprocess.run(describe, capture_output=True, text=True, check=True, timeout=PATIENCE).stdout)
+    described = json.loads(subprocess.run(describe, capture_output=True, text=True, check=True, timeout=TIMEOUT).stdout)
     orbit, graze = suite.run("scenes/figure-14.toml", ["--impacts", "3"]), suite.run("scenes/graze.toml", [])
     path = os.pathsep.join([str(Path(suite.verified).parent), os.environ["PATH"]])
     for document, code, reason in [(orbit, 0, "verified"), (graze, 1, "is a graze: covered are impacts"), (described, 1, f'schema is "{described["schema"]}": covered are'), ({}, 2, "schema is missing")]:
         text = json.dumps(document).encode()
-        done = subprocess.run([suite.program, "check", "--verified", "-"], input=text, capture_output=True, check=False, timeout=PATIENCE, env=os.environ | {"PATH": path})
+        done = subprocess.run([suite.program, "check", "--verified", "-"], input=text, capture_output=True, check=False, timeout=TIMEOUT, env=os.environ | {"PATH": path})
         said, verdict = (done.stdout + done.stderr).decode(), suite.check(document)
         if done.returncode != code or reason not in said or suite.answer(text)[1] not in said or verdict != ("confirmed" if document else "unreadable"):
             suite.failures.append(f"check --verified, exit code {done.returncode}, {reason!r} wanted: {said}; check says {verdict}")
@@ -408,7 +408,7 @@ def main():
     suite, quick = Suite(arguments.program, arguments.verified), arguments.quick
     r43_periods(suite, quick)
     common_periods(suite)
-    asked_by_check(suite)
+    compared_with_check(suite)
     if not quick:
         small_ellipse(suite)
     rows, times, spoiled, orbits = right(suite, quick), fast(suite, quick), wrong(suite, quick), periodic_orbits(suite, quick)

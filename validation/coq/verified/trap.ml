@@ -50,7 +50,7 @@ let json { data; start; region = { columns; rows; runs }; properties = f } =
     ("flight", both f.flight_periods); ("flight_time", both f.flight_times); ("speed_before", both f.impact_velocities);
     ("region", List (List.map (fun (column, (first, last)) -> Json.List [ number column; number first; number last ]) runs)) ]
 
-(* What a document claims. *)
+(* The claims of a document. *)
 let read value = claimed ~no_claims ~document ~json value
 
 (* The claim in one line, in the words of the theorem. *)

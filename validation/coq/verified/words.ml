@@ -127,7 +127,7 @@ let json { data; start; chaos = { h_sets; words; per_impact; per_cycle; blocks }
     ("horseshoe", Option.fold ~none:Json.Null ~some:sentence blocks);
     ("bases", List (List.map json_of_set h_sets)); ("words", List (List.map json_of_word words)) ]
 
-(* What a document claims; numbers of corners in one spelling. *)
+(* The claims of a document; numbers of corners in one spelling. *)
 let rec with_corners key = function
   | Json.Number n when key = "corners" -> Json.Number (Expression.canonical n)
   | List items -> List (List.map (with_corners key) items)

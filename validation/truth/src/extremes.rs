@@ -56,8 +56,8 @@ impl Flight<'_> {
             (second, &second_phi, first_phi.clone())
         };
         let per_turn = self.float(&self.two_pi * &self.b);
-        let way = self.float(&self.half_gap * drift.sign()) - &extreme;
-        let turns = self.float(&way / &per_turn).ceil();
+        let travel = self.float(&self.half_gap * drift.sign()) - &extreme;
+        let turns = self.float(&travel / &per_turn).ceil();
         let turn_bits = turns.get_exp().unwrap_or(0) as u32;
         if self.bits < self.problem.precision() + 64 + turn_bits {
             return Err(Unresolved { time: self.time(extreme_phi, &turns), turn_bits });

@@ -8,8 +8,8 @@
 //! ```
 //!
 //! |b| >= A: y is monotone. |b| < A, alpha = arccos(b / A): y falls for theta in (-alpha, alpha) and rises for theta in
-//! (alpha, 2 pi - alpha), mod 2 pi; a turn adds 2 pi b to every extreme. So after the first two extremes the walls
-//! are met, if ever, by an extreme of the kind the drift b carries outward, and a division tells in which turn.
+//! (alpha, 2 pi - alpha), mod 2 pi; a forcing period adds 2 pi b to every extreme. So after the first two extremes the walls
+//! are met, if ever, by an extreme of the kind the drift b carries outward, and a division gives the forcing period.
 
 use crate::problem::{Problem, Start, Wall};
 use crate::root::Piece;
@@ -55,7 +55,7 @@ enum Heading {
 /// A root or extreme that `bits` did not decide.
 pub(crate) struct Unresolved {
     pub time: Float,
-    /// log2 of the number of turns flown: as many bits are lost.
+    /// log2 of the number of forcing periods flown: as many bits are lost.
     pub turn_bits: u32,
 }
 
@@ -66,7 +66,7 @@ pub(crate) struct Unresolved {
 ///
 /// **Equation** (11), (12), (14). **Units** those of the problem. **Accuracy** see the crate's page.
 /// **Panics**: parameters or state outside the domains of [`Problem`] and [`Start`], such as v+ pointing into the wall.
-/// **Cost**: 40 microseconds or so at 256 bits, whatever the number of turns.
+/// **Cost**: 40 microseconds or so at 256 bits, whatever the number of forcing periods.
 pub fn first_contact(problem: &Problem, start: &Start) -> Truth {
     problem.check();
     start.check(problem);
@@ -111,7 +111,7 @@ pub(crate) struct Flight<'a> {
     pub half_gap: Float,
     /// max(d, A).
     pub scale: Float,
-    /// log2 |W t_i + tau|, at least 0: this many of P bits of the phase are whole turns.
+    /// log2 |W t_i + tau|, at least 0: this many of P bits of the phase are whole forcing periods.
     pub phase_bits: u32,
 }
 
@@ -146,7 +146,7 @@ impl<'a> Flight<'a> {
     }
 
     /// A sine, cosine or c / (A W) below this is taken for 0: the caller meant a release phase or c = 0, and P bits of
-    /// tau, W (with its pi) and t could not say so. Whole turns take bits of P; counted up to P/4, for past that nobody
+    /// tau, W (with its pi) and t could not say so. Whole forcing periods take bits of P; counted up to P/4, for past that nobody
     /// gets there by rounding and a huge t is meant exactly.
     pub(crate) fn input_rounding(&self) -> Float {
         let precision = self.problem.precision() as i32;
@@ -198,8 +198,8 @@ impl<'a> Flight<'a> {
 
     /// A = 0: a straight line to the wall.
     fn straight(&self, direction: Wall) -> Truth {
-        let way = self.float(&self.half_gap * direction.sign()) - &self.base;
-        let elapsed = way / &self.start.velocity_after;
+        let travel = self.float(&self.half_gap * direction.sign()) - &self.base;
+        let elapsed = travel / &self.start.velocity_after;
         let precision = self.problem.precision();
         Truth::Contact {
             time: Float::with_val(precision, elapsed + &self.start.time),
@@ -210,11 +210,11 @@ impl<'a> Flight<'a> {
 
     /// |b| >= A: y runs to the wall on the side of b, within 2 A of the straight line y_i + b phi.
     fn monotone(&self, direction: Wall) -> Result<Truth, Unresolved> {
-        let way = self.float(&self.half_gap * direction.sign()) - self.start.place(self.problem);
+        let travel = self.float(&self.half_gap * direction.sign()) - self.start.place(self.problem);
         let slack = self.float(&self.problem.amplitude * 2);
         let speed = self.float(self.b.abs_ref());
-        let from = self.float((self.float(way.abs_ref()) - &slack) / &speed).max(&Float::new(self.bits));
-        let to = self.float((way.abs() + slack) / speed);
+        let from = self.float((self.float(travel.abs_ref()) - &slack) / &speed).max(&Float::new(self.bits));
+        let to = self.float((travel.abs() + slack) / speed);
         let turns = self.float(&from / &self.two_pi).floor();
         let whole = self.float(&turns * &self.two_pi);
         self.contact(direction, from - &whole, to - &whole, &turns)
@@ -235,7 +235,7 @@ impl<'a> Flight<'a> {
         let turn_bits = turns.get_exp().unwrap_or(0).max(0) as u32;
         let carried = self.float(&self.two_pi * turns) * &self.b + &self.base;
         // Every term of D is below `largest`, and the error of b (some 2^-bits of it or of A) is carried on for
-        // `turns` turns; 2^10 is 2 pi, a dozen roundings and slack.
+        // `turns` forcing periods; 2^10 is 2 pi, a dozen roundings and slack.
         let largest = self.float(self.scale.max_ref(&self.float(self.b.abs_ref())));
         let noise = largest >> (self.bits - 10 - turn_bits.min(self.bits - 10));
         let piece = Piece {
@@ -263,7 +263,7 @@ impl<'a> Flight<'a> {
     }
 }
 
-/// W t_i + tau less whole turns, in [-pi, pi] up to rounding, and log2 of its size before (at least 0).
+/// W t_i + tau less whole forcing periods, in [-pi, pi] up to rounding, and log2 of its size before (at least 0).
 fn reduced_phase(problem: &Problem, start: &Start, bits: u32) -> (Float, u32) {
     let whole = Float::with_val(bits, &problem.omega * &start.time) + &problem.tau;
     let phase_bits = whole.get_exp().unwrap_or(0).max(0) as u32;

@@ -7,7 +7,7 @@
 //! - [`number`]: exact numbers ([`Number`]).
 //! - [`problem`]: the box ([`Problem`]), walls ([`Wall`]) and states ([`Start`]).
 //! - [`flight`]: [`first_contact`], by monotone pieces of y(t), and the answer [`Truth`].
-//! - `extremes`: the extremes of a flight that goes up and down, and the jump over turns.
+//! - `extremes`: the extremes of a flight that goes up and down, and the jump over forcing periods.
 //! - `root`: the contact on one monotone piece: double-precision guess, bracketed Newton, sign check.
 //! - [`mod@orbit`]: [`orbit()`], many impacts in a row, v+ = -e v-.
 //! - [`mod@scan`]: [`scan()`], a dense double-precision scan that knows nothing of pieces; it judges the judge.

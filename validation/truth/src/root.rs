@@ -4,7 +4,7 @@ use rug::Float;
 use std::cmp::Ordering;
 
 /// D(phi) = base + drift phi - A sin(theta0 + phi), the distance past a wall (towards the outside is positive), on a
-/// piece [from, to] on which it rises from inside (< 0) to outside (> 0). phi = W (t - t_i) less whole turns, radians;
+/// piece [from, to] on which it rises from inside (< 0) to outside (> 0). phi = W (t - t_i) less whole forcing periods, radians;
 /// lengths in the problem's unit.
 pub(crate) struct Piece {
     /// D less its drift and sine.

@@ -48,7 +48,7 @@ pub fn displacement_f64(problem: &Problem, start: &Start, elapsed: f64) -> f64 {
 /// d/2; `None` if there is none.
 ///
 /// **Units**: `until` and the answer are times *elapsed since the start*. "Clearly" is 1e-9 d/2 plus 1e-13 A, above the
-/// rounding of [`displacement_f64`] for flights up to some 1e3 turns.
+/// rounding of [`displacement_f64`] for flights up to some 1e3 forcing periods.
 pub fn scan(problem: &Problem, start: &Start, until: f64, points: usize) -> Option<f64> {
     let flight = Sampled::new(problem, start);
     let limit = problem.gap.to_f64() / 2.0 * (1.0 + 1e-9) + 1e-13 * flight.amplitude;

@@ -163,7 +163,7 @@ fn chatter() -> Scene {
 }
 
 #[test]
-fn rests_and_releases_are_judged() {
+fn rests_and_releases_are_compared() {
     let whole = document(&chatter(), 40, 9);
     assert_confirmed(&whole);
     let events = whole["events"].as_array().unwrap();

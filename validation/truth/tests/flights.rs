@@ -26,7 +26,7 @@ fn plain_random_flights_from_a_wall_are_certified_in_narrow_brackets() {
     }
     tally.finish();
     assert!(tally.undecided_rate() < 1e-3);
-    // In ulps of turns + phase, tiny ones for phases near 0 included.
+    // In ulps of `turns + phase`, tiny ones for phases near 0 included.
     assert!(tally.quantile(0.5) <= 4.0);
 }
 
@@ -65,7 +65,7 @@ fn releases_and_hops_of_almost_no_speed() {
         let (alpha, from) = (random.magnitude(-3.0, 3.0), wall(&mut random));
         let any = phase_in_frame(from, random.uniform(-0.5, 0.5));
         released.flight(&Case { alpha, phase: any, velocity: 0.0, from }, points);
-        // Pressed (mirrored sine < 0): half a turn.
+        // Pressed (mirrored sine < 0): half a forcing period.
         let pressed = phase_in_frame(from, random.uniform(-0.5, 0.0));
         let receding = phase_in_frame(from, random.uniform(0.0, 0.5));
         for (exponent, tally) in &mut tallies {
@@ -84,13 +84,13 @@ fn releases_and_hops_of_almost_no_speed() {
 }
 
 #[test]
-fn flights_of_up_to_a_hundred_thousand_turns_and_of_a_billionth() {
+fn flights_of_up_to_a_hundred_thousand_periods_and_of_a_billionth() {
     let mut random = Random::seeded(104);
     let (mut long, mut short) = (Tally::new("long"), Tally::new("short"));
     for index in 0..cases(4_000) {
         let points = if index % 8 == 0 { 1000 } else { 0 };
         let from = wall(&mut random);
-        // A small drift and no room to touch either wall in the first turn.
+        // A small drift and no room to touch either wall in the first forcing period.
         let alpha = random.uniform(0.01, 0.5);
         let phase = phase_in_frame(from, random.uniform(0.05, 0.45));
         let mirrored = if from == From::Right { -1.0 } else { 1.0 };
@@ -151,7 +151,7 @@ fn drifts_within_ulps_of_beta() {
 }
 
 #[test]
-fn phases_at_quarter_turns_and_halves() {
+fn phases_at_quarter_and_half_periods() {
     let mut random = Random::seeded(107);
     let mut tally = Tally::new("quarter turns");
     for index in 0..cases(5_000) {
@@ -180,11 +180,11 @@ fn near_grazes_on_either_side() {
     let mut misses = Vec::new();
     for digits in 1..=15 {
         let mut tally = Tally::new(&format!("graze missed or cut by 1e-{digits}"));
-        while tally.asked < cases(500) {
+        while tally.requested < cases(500) {
             let side = if random.below(2) == 0 { 1.0 } else { -1.0 };
             let miss = side * 10f64.powi(-digits) * random.uniform(0.3, 1.0);
             if let Some(case) = near_graze(&mut random, miss) {
-                let points = if tally.asked.is_multiple_of(5) { 1000 } else { 0 };
+                let points = if tally.requested.is_multiple_of(5) { 1000 } else { 0 };
                 tally.flight(&case, points);
             }
         }

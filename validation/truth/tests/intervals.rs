@@ -11,7 +11,7 @@ fn between(inf: f64, sup: f64) -> Interval {
     Interval::try_from((inf, sup)).unwrap()
 }
 
-/// Phases below half a turn, where `2 pi u` loses nothing that counts: at quarter turns and next to them, and anywhere.
+/// Phases below half a forcing period, where `2 pi u` loses nothing that counts: at quarter periods and next to them, and anywhere.
 fn phase(random: &mut Random) -> f64 {
     let quarter = random.below(5) as f64 / 4.0 - 0.5;
     match random.below(4) {

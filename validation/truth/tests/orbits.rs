@@ -150,8 +150,8 @@ fn figures_12_to_17_hold_the_truth_as_far_as_double_precision_reaches() {
         (16, Scene::figure(16), 400, 143),
         (17, Scene::figure(17), 200, 64),
     ];
-    for (number, scene, asked, least) in figures {
-        let (found, outcome) = judge(&scene, 1024, asked, &[[0.0; 5]]);
+    for (number, scene, requested, least) in figures {
+        let (found, outcome) = judge(&scene, 1024, requested, &[[0.0; 5]]);
         println!("figure {number}: {found} impacts, then {}", outcome.expect("an end").kind());
         assert!(found >= least, "figure {number}: {found} impacts");
     }

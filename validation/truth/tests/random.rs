@@ -100,7 +100,7 @@ fn times_at_256_bits_are_those_at_512_bits_to_216_bits() {
 }
 
 #[test]
-fn a_drift_of_one_in_1e12_meets_the_wall_after_1e12_turns() {
+fn a_drift_of_one_in_1e12_meets_the_wall_after_1e12_periods() {
     let mut random = Random::seeded(3);
     for exponent in [3, 5, 8, 12, 20] {
         for _ in 0..cases(20) {
@@ -112,16 +112,16 @@ fn a_drift_of_one_in_1e12_meets_the_wall_after_1e12_turns() {
             let mut start = Start::inside(&problem, time, position, 0);
             let theta0 = Float::with_val(300, &problem.omega * &start.time) + &problem.tau;
             let scale = Float::with_val(300, &problem.amplitude * &problem.omega);
-            let wanted =
+            let difference =
                 (random.uniform(0.5, 1.0) * 10f64.powi(-exponent)) * if random.below(2) == 0 { 1.0 } else { -1.0 };
-            start.velocity_after = Float::with_val(256, &scale * (wanted - theta0.cos()));
+            start.velocity_after = Float::with_val(256, &scale * (difference - theta0.cos()));
             let (time, wall, _) = contact(&problem, &start);
-            assert_eq!(wall, if wanted > 0.0 { Wall::Right } else { Wall::Left });
+            assert_eq!(wall, if difference > 0.0 { Wall::Right } else { Wall::Left });
             // On the wall at `time`, by eq. (11) with the whole phase.
             let miss = displacement(&problem, &start, &time) - problem.wall_at(wall);
             assert!(miss.to_f64().abs() < TRUTH_ON_THE_WALL, "{miss}");
-            // In no turn before has the extreme of the same kind been there: it was lower by 2 pi c / W a turn, so it
-            // is enough to look at the turn just before, densely.
+            // In no forcing period before has the extreme of the same kind been there: it was lower by 2 pi c / W per forcing period, so it
+            // is enough to look at the forcing period just before, densely.
             let turn = 2.0 * std::f64::consts::PI / problem.omega.to_f64();
             for index in 1..=200 {
                 let earlier = Float::with_val(512, &time - turn * f64::from(index) / 200.0);

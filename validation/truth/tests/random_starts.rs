@@ -2,7 +2,7 @@
 
 use std::f64::consts::{PI, TAU};
 
-use impact_pair::chaos::{Global, GlobalSettings, Goes, Kind};
+use impact_pair::chaos::{BasinOutcome, Global, GlobalSettings, Kind};
 use impact_pair::document;
 use impact_pair::pair::Wall;
 use impact_pair::watch::Unwatched;
@@ -42,10 +42,10 @@ const STEP: f64 = 0.02;
 const LONGEST: f64 = 2e4;
 const BISECTIONS: u32 = 60;
 /// A ball that is pressed to the wall and leaves it more slowly than this, over `A W`, rests.
-const REST: f64 = 1e-10;
+const RELEASE_SPEED: f64 = 1e-10;
 /// Impacts of a motion, and how near to an attractor it is in the end.
 const IMPACTS: usize = 20_000;
-const NEAR: f64 = 1e-5;
+const ATTRACTOR_DISTANCE: f64 = 1e-5;
 
 /// The pair: `D = d/A` and `e`. All impacts are mirrored to the left wall: a state is a phase \[rad\] and a speed over `A W`.
 struct Simulator {
@@ -73,7 +73,7 @@ fn bisected([mut low, mut high]: [f64; 2], holds: impl Fn(f64) -> bool) -> f64 {
 impl Simulator {
     fn next(&self, [phase, speed]: [f64; 2]) -> Next {
         let (after, (sin, cos)) = (self.restitution * speed, phase.sin_cos());
-        if after < REST && sin < 0.0 {
+        if after < RELEASE_SPEED && sin < 0.0 {
             return Next::Rests;
         }
         // The height over the time of flight x: after (11), without the root at the start.
@@ -155,7 +155,7 @@ fn end(simulator: &Simulator, attractors: &[(usize, Vec<[f64; 2]>)], mut state: 
                 None => [0.0, 0.0],
             },
         };
-        let at = attractors.iter().find(|(_, states)| states.iter().any(|&own| apart(own, state) < NEAR));
+        let at = attractors.iter().find(|(_, states)| states.iter().any(|&own| apart(own, state) < ATTRACTOR_DISTANCE));
         let at = at.map(|(place, _)| *place);
         near = if at.is_some() && at == near.1 { (near.0 + 1, at) } else { (0, at) };
         if let (8.., Some(place)) = near {
@@ -178,23 +178,23 @@ fn run(point: [&str; 2], starts: usize, random: &mut Random) -> (BTreeMap<End, u
     let simulator = Simulator { gap: 1.0 / ratio, restitution };
     let attractors = attractors(&found);
     let is_whole = found.components.iter().all(|own| !own.kind.is_undecided());
-    let (mut counts, mut wrong, mut asked) = (BTreeMap::new(), Vec::new(), 0);
+    let (mut counts, mut wrong, mut requested) = (BTreeMap::new(), Vec::new(), 0);
     for _ in 0..200 * starts {
-        if asked == starts {
+        if requested == starts {
             break;
         }
         let at @ [phase, speed] = [random.uniform(0.0, 1.0), random.uniform(0.0, found.fastest)];
         let is_there = |patch: &&impact_pair::chaos::Patch| {
             let holds = |[low, high]: [f64; 2], x: f64| low <= x && x < high;
-            !matches!(patch.goes, Goes::Within(_)) && holds(patch.phases, phase) && holds(patch.speeds, speed)
+            !matches!(patch.goes, BasinOutcome::Within(_)) && holds(patch.phases, phase) && holds(patch.speeds, speed)
         };
         let goes = found.patches.iter().find(is_there).map(|patch| patch.goes);
         let claimed = match goes {
-            Some(Goes::To(place)) => Some(place),
+            Some(BasinOutcome::To(place)) => Some(place),
             _ if is_whole => None,
             _ => continue,
         };
-        asked += 1;
+        requested += 1;
         let end = end(&simulator, &attractors, [TAU * phase, speed]);
         *counts.entry(end).or_default() += 1;
         let is_so = match (end, claimed) {

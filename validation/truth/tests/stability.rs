@@ -297,12 +297,12 @@ fn boxes_of_data_end_by_their_own_width() {
         let kinds =
             [(Arithmetic::Auto, 9), (Arithmetic::Auto, 30), (Arithmetic::Bits(256), 9), (Arithmetic::Bits(64), 9)];
         let runs = kinds.map(|kind| Run::new(&scene, kind, 120));
-        let told = runs.iter().map(|run| format!("{:?} {} {} in {} steps", run.kind, run.len(), run.end(), run.steps));
+        let lines = runs.iter().map(|run| format!("{:?} {} {} in {} steps", run.kind, run.len(), run.end(), run.steps));
         println!(
             "{number} {key} {ends:?}: interval {} {}; {:?}",
             interval.len(),
             interval.end(),
-            told.collect::<Vec<_>>()
+            lines.collect::<Vec<_>>()
         );
         assert_holds_members(&interval, &members);
         for run in &runs {
@@ -316,7 +316,7 @@ fn boxes_of_data_end_by_their_own_width() {
 }
 
 #[test]
-fn the_tiniest_boxes_go_where_no_double_goes() {
+fn intervals_narrower_than_doubles_are_followed_farther() {
     let low = "-12.5663600000000000000000000000000000000000";
     let high = "-12.5663599999999999999999999999999999999999";
     let (scene, members) = members(&Scene::figure(14), "velocity", [low, high]);
@@ -377,7 +377,7 @@ fn releases_are_decided_in_every_arithmetic() {
 /// Motions that no precision decides cost little: a ball that grazes its wall once in each forcing period for ever (the paper's model II), and
 /// a drift that takes more than 2^52 forcing periods to cross the gap.
 #[test]
-fn what_no_precision_decides_costs_little() {
+fn exact_grazes_cost_little() {
     let scene = |tau: &str, time: &str| Scene {
         amplitude: "0.01".into(),
         omega: "2*pi".into(),
@@ -396,9 +396,9 @@ fn what_no_precision_decides_costs_little() {
     }
 }
 
-/// Flights of more than 2^39 turns, which doubles leave to multiprecision: the turn of the contact is a division.
+/// Flights of more than 2^39 forcing periods, which doubles leave to multiprecision: the forcing period of the contact is a division.
 #[test]
-fn flights_of_a_trillion_turns_end_in_the_right_turn() {
+fn flights_of_a_trillion_periods_end_in_the_right_period() {
     let mut random = Random::seeded(702);
     for _ in 0..cases(60) {
         let wall = pick(&mut random, &[Wall::Left, Wall::Right]);

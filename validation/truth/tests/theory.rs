@@ -75,7 +75,7 @@ fn figure_12_as_printed_is_attracted_to_the_equispaced_orbit() {
 }
 
 #[test]
-fn a_grazing_orbit_with_c_zero_is_a_graze_after_one_turn() {
+fn a_grazing_orbit_with_c_zero_grazes_after_one_forcing_period() {
     // Model II at theta = -pi/2: v = 0, c = 0 up to the rounding of pi, the ball comes back to touch.
     let problem = Problem::new(256, "1/4", 2, "-pi/2", 1, "1/2");
     let Truth::Graze { time } = first_contact(&problem, &Start::on_wall(&problem, Wall::Right, 0, 0)) else {
@@ -95,7 +95,7 @@ fn a_graze_of_the_far_wall_is_seen_within_the_threshold_and_decided_beyond_it() 
     assert!(matches!(answer(0.0), Truth::Graze { .. }));
     assert!(matches!(answer(1e-60), Truth::Graze { .. }));
     assert!(matches!(answer(1e-50), Truth::Contact { wall: Wall::Right, .. }));
-    // 1e-50 short of the far wall, the ball comes back to graze its own one turn later.
+    // 1e-50 short of the far wall, the ball comes back to graze its own one forcing period later.
     let Truth::Graze { time } = answer(-1e-50) else { panic!("not a graze") };
     assert_near(&time, "6.283185307179586476925286766559", 1e-29);
 }

@@ -8,7 +8,7 @@
 use super::basin::{Ellipse, basin, contracted};
 use super::contact::Doubt;
 use super::data::{Data, Piece};
-use super::frame::{Frame, Hit};
+use super::frame::{ClaimedImpact, Frame};
 use super::round::Round;
 use super::step::Landing;
 use super::target::{BITS, Target};
@@ -17,11 +17,11 @@ use crate::attraction::Attraction;
 use impact_pair_exact::Real;
 
 /// Pieces that intervals among the data are cut into.
-const MOST_PIECES: usize = 256;
+const MAX_PIECES: usize = 256;
 /// Places of flights that a piece allows for the next one.
-const OF_A_PIECE: u64 = 1 << 14;
+const WORK_PER_PIECE: u64 = 1 << 14;
 /// Periods that a motion is followed beyond the claimed impacts.
-const FOLLOWED: u32 = 1 << 10;
+const MAX_PERIODS: u32 = 1 << 10;
 
 impl Certificate {
     /// Proves that the motion converges to the orbit claimed, where that is claimed; the data are cut into `most` pieces at most.
@@ -34,7 +34,7 @@ impl Certificate {
             return Err(Doubt::False("only an orbit that is unique, admissible and stable is an attractor".into()));
         }
         let target = Target { is_whole: true, ..Target::new(data, &claim.word, claim.cycles, &claim.orbit)? };
-        let hits = self.events().iter().enumerate().filter_map(Hit::of).collect();
+        let hits = self.events().iter().enumerate().filter_map(ClaimedImpact::of).collect();
         let question = Convergence { claim, target, hits };
         for_all_pieces(data, most, |piece| question.answer(piece), |piece| question.widest_datum(piece))
     }
@@ -47,11 +47,11 @@ pub(super) fn for_all_pieces(
     answer: impl Fn(&Piece) -> Result<(), Doubt>,
     widest: impl Fn(&Piece) -> Option<usize>,
 ) -> Result<(), Doubt> {
-    let most = most.min(MOST_PIECES); // proposes: when to give up
+    let most = most.min(MAX_PIECES); // proposes: when to give up
     let (mut pieces, mut cut) = (vec![Piece::default()], 1);
     while let Some(piece) = pieces.pop() {
         let Err(doubt) = answer(&piece) else {
-            data.budget.add(OF_A_PIECE);
+            data.budget.add(WORK_PER_PIECE);
             continue;
         };
         match (&doubt, widest(&piece)) {
@@ -77,7 +77,7 @@ pub(super) fn widest_datum(mut round: Round<'_>, guess: [Real; 2]) -> Option<usi
 struct Convergence<'c> {
     claim: &'c Attraction,
     target: Target<'c>,
-    hits: Vec<Hit<'c>>,
+    hits: Vec<ClaimedImpact<'c>>,
 }
 
 impl Convergence<'_> {
@@ -115,7 +115,7 @@ impl Convergence<'_> {
         let mut at = end;
         while let Some(before) = at.checked_sub(self.target.walls.len()) {
             let hits = &self.hits[before..=at];
-            let follows = |pair: &[Hit<'_>]| pair[1].event == pair[0].event + 1;
+            let follows = |pair: &[ClaimedImpact<'_>]| pair[1].event == pair[0].event + 1;
             if !hits.windows(2).all(follows)
                 || hits.iter().zip(self.target.walls.iter().cycle()).any(|(hit, &wall)| hit.wall != wall)
             {
@@ -169,7 +169,7 @@ impl Convergence<'_> {
 
 /// The motion comes into a basin, from a set of its states on.
 fn arrives(round: &Round<'_>, basin: &Ellipse, mut state: Landing) -> Result<(), Doubt> {
-    for _ in 0..FOLLOWED {
+    for _ in 0..MAX_PERIODS {
         if basin.holds(&state) {
             return Ok(());
         }

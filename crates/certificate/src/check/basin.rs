@@ -34,9 +34,9 @@ pub(super) struct Contraction {
 }
 
 /// Units of velocity that axes are sought in, in those of the first impact.
-const UNITS: [f64; 3] = [1.0, 0.125, 8.0];
+const VELOCITY_UNITS: [f64; 3] = [1.0, 0.125, 8.0];
 /// Each ellipse tried is N times smaller than the one before, as a power of 2.
-const SMALLER: usize = 2;
+const SHRINK_EXPONENT: usize = 2;
 impl Ellipse {
     /// `None` where `T` may have no inverse.
     pub fn new(centre: [Real; 2], axes: Matrix, newton: Option<Matrix>, size: i64) -> Option<Self> {
@@ -141,7 +141,7 @@ pub(super) fn contracted(centre: &[Real; 2], derivative: &Matrix) -> Vec<Ellipse
             .map(|row| row.map(|x| Dyadic::from_f64(x).map(|x| Real::point(x, bits))));
         Ellipse::new(centre.clone(), [[a?, b?], [c?, d?]], None, 0)
     };
-    UNITS.iter().filter_map(shape).collect()
+    VELOCITY_UNITS.iter().filter_map(shape).collect()
 }
 
 /// The same that Newton's step may contract.
@@ -160,17 +160,17 @@ pub(super) fn stepped(centre: &[Real; 2], derivative: &Matrix) -> Vec<Ellipse> {
             0,
         )
     };
-    UNITS.iter().filter_map(shape).collect()
+    VELOCITY_UNITS.iter().filter_map(shape).collect()
 }
 
-/// The largest ellipse of these shapes found that is proved to be contracted: at first of the size that holds all `wanted`.
-pub(super) fn basin(round: &Round<'_>, shapes: &[Ellipse], wanted: &[&Landing]) -> Result<Ellipse, Doubt> {
+/// The largest ellipse of these shapes found that is proved to be contracted: at first of the size that holds all `targets`.
+pub(super) fn basin(round: &Round<'_>, shapes: &[Ellipse], targets: &[&Landing]) -> Result<Ellipse, Doubt> {
     let bits = round.parameters.bits();
-    let sizes = shapes.iter().flat_map(|shape| wanted.iter().map(|set| shape.size_for(set)));
+    let sizes = shapes.iter().flat_map(|shape| targets.iter().map(|set| shape.size_for(set)));
     let least = -i64::from(bits / 2);
     let most = sizes.flatten().max().unwrap_or(0).min(0).max(least); // proposes: sizes to try
     let mut doubt = Doubt::open("the orbit is not proved to be stable");
-    for size in (least..=most).rev().step_by(SMALLER) {
+    for size in (least..=most).rev().step_by(SHRINK_EXPONENT) {
         for shape in shapes {
             match shape.sized(size).contracted(round) {
                 Ok(contraction) if contraction.is_proved() => return Ok(contraction.ellipse),

@@ -15,9 +15,9 @@ use super::data::{Data, Piece};
 use super::distinct::Recurrence;
 use super::fixed_point::FixedPoint;
 use super::frame::{Frame, hull};
-use super::target::{MOST_BITS, Target, narrowest};
+use super::target::{MAX_BITS, Target, narrowest};
 use super::walk::compare;
-use super::{Effort, Verdict, Whole};
+use super::{DocumentCheck, Effort, Verdict};
 use crate::attraction::Bounds;
 use crate::bifurcation::{BifurcationCertificate, ClaimedPoint, Kind};
 use impact_pair_exact::{Exact, Real};
@@ -26,14 +26,14 @@ use impact_pair_model::watch::Watch;
 use impact_pair_model::{Error, ImpactPair, Start};
 
 /// Bits that the bounds of a bifurcation are wider than the box that it is proved to lie in.
-const INSIDE: i64 = 24;
+const BOX_BITS_INSIDE: i64 = 24;
 /// Bits of the arithmetic beyond those of the box.
 const SPARE_BITS: i64 = 128;
 /// The largest box, as a power of 2.
-const LARGEST: i64 = -40;
+const LARGEST_BOX: i64 = -40;
 
 /// A pair over a parameter.
-pub(super) struct Over<'c> {
+pub(super) struct ParameterFamily<'c> {
     pub pair: &'c ImpactPair,
     pub start: &'c Start,
     pub key: Key,
@@ -46,8 +46,8 @@ impl BifurcationCertificate {
     /// # Errors
     /// None: what is beyond exact expressions leaves a point undecided.
     pub fn check_within(&self, effort: &Effort, watch: &dyn Watch) -> Result<Verdict, Error> {
-        let over = Over { pair: self.pair(), start: self.start(), key: self.over() };
-        let whole = Whole {
+        let over = ParameterFamily { pair: self.pair(), start: self.start(), key: self.over() };
+        let whole = DocumentCheck {
             contradiction: self.contradiction(),
             alike: None,
             count: self.count(),
@@ -71,7 +71,7 @@ impl BifurcationCertificate {
         for (j, other) in self.points().iter().enumerate() {
             let alike = |(_, one): &(usize, &ClaimedPoint)| one.kind == other.kind && !one.is_elsewhere(other);
             for (i, one) in self.points()[..j].iter().enumerate().filter(alike) {
-                let over = Over { pair: self.pair(), start: self.start(), key: self.over() };
+                let over = ParameterFamily { pair: self.pair(), start: self.start(), key: self.over() };
                 let (_, data) = one.data(&over)?;
                 let recurrence = Recurrence::of(&data).ok_or_else(|| open(i, j))?;
                 if !recurrence.are_apart(&one.orbit, &other.orbit, false) {
@@ -88,7 +88,7 @@ impl ClaimedPoint {
     /// there may be several.
     pub(super) fn judged(
         &self,
-        parameter: &Over<'_>,
+        parameter: &ParameterFamily<'_>,
         budget: &Budget,
         compare: impl Fn(&Self, &Curve<'_>, &Cell) -> Result<(), Doubt>,
     ) -> Result<u32, Doubt> {
@@ -121,11 +121,11 @@ impl ClaimedPoint {
         if is_half && !(is_mirrored && walls.len() % 2 == 0 && (0..half).all(|i| walls[i] != walls[i + half])) {
             return Err(Doubt::False("no orbit of the word is symmetric".into()));
         }
-        let size = LARGEST.min(narrowest(self.bounds()).unwrap_or(0) - INSIDE); // proposes: a size to try
+        let size = LARGEST_BOX.min(narrowest(self.bounds()).unwrap_or(0) - BOX_BITS_INSIDE); // proposes: a size to try
         let bits = SPARE_BITS - size;
         let bits = u32::try_from(bits)
             .ok()
-            .filter(|&bits| bits <= MOST_BITS)
+            .filter(|&bits| bits <= MAX_BITS)
             .ok_or_else(|| open("the bounds are too narrow"))?;
         let found = self.found(&target, (over, harmonic), (bits, size, is_half), compare);
         found.map(|()| bits).map_err(|doubt| match doubt {
@@ -135,7 +135,7 @@ impl ClaimedPoint {
 
     /// A pair beside it, which has the harmonics of all that have a positive value of the parameter, and its data: the value in the scene, and
     /// an end of the bounds, may leave out a harmonic. Lemma V9
-    fn data<'o>(&self, over: &Over<'o>) -> Result<(ImpactPair, Data<'o>), Doubt> {
+    fn data<'o>(&self, over: &ParameterFamily<'o>) -> Result<(ImpactPair, Data<'o>), Doubt> {
         let reason = |error: Error| Doubt::Open(error.to_string());
         let middle = (&self.parameter[0] + &self.parameter[1]) / BigInt::from(2);
         if !middle.is_positive() {

@@ -7,7 +7,7 @@ use std::thread;
 
 /// Questions that a thread takes at a time. The work that these may cost is counted for them together, so that the answers are
 /// the same on every machine.
-pub(super) const BLOCK: usize = 64;
+pub(super) const BLOCK_SIZE: usize = 64;
 
 /// Returns `answer` of all numbers of a range, in order, in parallel blocks of `size`, or the first error in that order; `progress` receives
 /// the end of the answered part.
@@ -61,11 +61,11 @@ mod tests {
 
     proptest! {
         #[test]
-        fn answers_come_in_order_up_to_the_first_that_fails(from in 0..300usize, count in 0..1000usize, fails in 0..2000usize) {
+        fn results_are_ordered_up_to_the_first_failure(from in 0..300usize, count in 0..1000usize, fails in 0..2000usize) {
             let all = from..from + count;
             let answer = |block: Range<usize>| block.map(|n| if n >= fails { Err(n) } else { Ok(2 * n) }).collect();
             let (mut received, mut last) = (Vec::new(), from);
-            let found = in_blocks(all.clone(), BLOCK, answer, |known| received.push(known));
+            let found = in_blocks(all.clone(), BLOCK_SIZE, answer, |known| received.push(known));
             prop_assert_eq!(&found, &all.clone().map(|n| if n >= fails { Err(n) } else { Ok(2 * n) }).collect());
             for known in received {
                 prop_assert!(known > last && known <= all.end && (found.is_ok() || known <= fails));

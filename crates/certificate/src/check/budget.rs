@@ -15,9 +15,9 @@ pub(crate) struct Budget<'w> {
 }
 
 /// Beyond these a sine takes about as long as the square of its bits.
-const PLAIN_BITS: u32 = 512;
+const LINEAR_COST_BITS: u32 = 512;
 /// Places that a claim may need.
-const PLACES: u64 = 256;
+const DEFAULT_PLACES: u64 = 256;
 
 impl<'w> Budget<'w> {
     /// Returns a budget of `work`; none is left once the watch stops it.
@@ -37,7 +37,7 @@ impl<'w> Budget<'w> {
 
     /// Allows what a claim may cost at N bits, as one has been confirmed.
     pub fn allow(&self, bits: u32, harmonics: usize) {
-        self.add(PLACES * cost(bits, harmonics));
+        self.add(DEFAULT_PLACES * cost(bits, harmonics));
     }
 
     /// Returns whether no more is to be done.
@@ -53,6 +53,6 @@ impl<'w> Budget<'w> {
 
 /// The cost of a place, in places of one harmonic in few bits.
 fn cost(bits: u32, harmonics: usize) -> u64 {
-    let size = u64::from(bits / PLAIN_BITS) + 1;
+    let size = u64::from(bits / LINEAR_COST_BITS) + 1;
     size * size * harmonics as u64 // exact: a length
 }

@@ -1,10 +1,10 @@
 //! Nodes around the impacts of a shadowed orbit, each of which covers the next (Lemma V10).
 
 use super::affine::{Affine, COLUMN_BITS};
-use super::clock::{Beside, beside};
+use super::clock::{SetPosition, beside};
 use super::contact::{Claimed, Doubt};
 use super::data::{Data, Piece};
-use super::frame::{Frame, Hit};
+use super::frame::{ClaimedImpact, Frame};
 use super::step::{Landing, Launch};
 use impact_pair_exact::{Dyadic, Real};
 
@@ -26,7 +26,7 @@ pub(super) struct Course<'c> {
     pub data: &'c Data<'c>,
     pub frame: Frame<'c>,
     /// Walls and bounds of the impacts.
-    pub hits: &'c [Hit<'c>],
+    pub hits: &'c [ClaimedImpact<'c>],
     /// True if the starts differ by their times alone; else by their velocities alone.
     pub is_of_times: bool,
 }
@@ -70,7 +70,7 @@ impl Course<'_> {
         let [phase, velocity] = self.states(k + 1, next).map(|x| x.hull());
         let [time, velocity] = [self.frame.clock.time(&phase), self.frame.clock.velocity(&velocity)];
         for (what, found, claimed) in [("time", &time, hit.time), ("velocity", &velocity, hit.velocity)] {
-            if !matches!(beside(found, claimed), Beside::Inside) {
+            if !matches!(beside(found, claimed), SetPosition::Inside) {
                 return Err(Doubt::Open(format!("the {what} is not proved to be inside for any start")));
             }
         }
@@ -170,7 +170,7 @@ mod tests {
     proptest! {
         /// `covers` is compared with the images of the edges and of inner points of a node, in floating point.
         #[test]
-        fn edges_come_to_lie_beyond_edges(
+        fn images_of_edges_lie_beyond_edges(
             centre in prop::array::uniform2(-1.0..1.0f64), far in prop::array::uniform2(-5.0..5.0f64), wide in prop::array::uniform2(-1.0..1.0f64),
             angle in 0.0..6.3f64, between in 0.1..3.0f64, sides in prop::array::uniform2(-1.5..1.5f64), at in -1.0..1.0f64
         ) {

@@ -19,7 +19,7 @@ pub(crate) struct Clock {
 }
 
 /// The position of a set relative to the bounds claimed for it.
-pub(super) enum Beside {
+pub(super) enum SetPosition {
     Inside,
     Outside,
     Across,
@@ -105,13 +105,13 @@ fn with_turns(data: &Data, bits: u32) -> u32 {
 }
 
 /// Returns the position of `found`.
-pub(super) fn beside(found: &Real, [lower, upper]: &[BigRational; 2]) -> Beside {
+pub(super) fn beside(found: &Real, [lower, upper]: &[BigRational; 2]) -> SetPosition {
     let (lo, hi) = (found.enclosure().inf(), found.enclosure().sup());
     if compare_rational(lo, lower).is_ge() && compare_rational(hi, upper).is_le() {
-        Beside::Inside
+        SetPosition::Inside
     } else if compare_rational(hi, lower) == Ordering::Less || compare_rational(lo, upper) == Ordering::Greater {
-        Beside::Outside
+        SetPosition::Outside
     } else {
-        Beside::Across
+        SetPosition::Across
     }
 }

@@ -24,7 +24,7 @@ impl Doubt {
 /// Bits that most parts of most flights are judged with.
 const FIRST_BITS: u32 = 128;
 /// Halvings that find a contact for Newton's iteration.
-const FOUND_BITS: u32 = 20;
+const BISECTION_BITS: u32 = 20;
 /// Steps of Newton's iteration from a guess.
 const STEPS: u32 = 64;
 
@@ -150,7 +150,7 @@ pub(super) fn clear(flight: &Flight, from: Start, end: &Real, claimed: &Real) ->
             return Err(Doubt::open("an earlier contact is not excluded"));
         }
     }
-    Err(spent(&flight.budget, &at, end))
+    Err(give_up_reason(&flight.budget, &at, end))
 }
 
 /// Approximate end of the first part of a flight by whose end a wall is hit; `None` if none is found.
@@ -166,7 +166,7 @@ pub(super) fn first_hit(flight: &Flight, from: Start) -> Option<Real> {
         }
     }
     let (mut clear, mut hit) = (Real::zero(bits), end);
-    for _ in 0..FOUND_BITS {
+    for _ in 0..BISECTION_BITS {
         let middle = Real::point(clear.hull(&hit).mid(), bits);
         if is_clear(&middle) { clear = middle } else { hit = middle }
     }
@@ -188,10 +188,10 @@ pub(super) fn clear_throughout(flight: &Flight, from: Start, end: &Real, claimed
 }
 
 /// The reason why a flight is not followed to its end.
-fn spent(budget: &Budget, at: &Real, end: &Real) -> Doubt {
+fn give_up_reason(budget: &Budget, at: &Real, end: &Real) -> Doubt {
     let times = (end.to_f64() / at.to_f64()).ceil(); // shown
-    let is_told = budget.is_spent() && times.is_finite();
-    let needed = if is_told { format!(": about {times:.0} times as much would do") } else { String::new() };
+    let is_estimated = budget.is_spent() && times.is_finite();
+    let needed = if is_estimated { format!(": about {times:.0} times as much would do") } else { String::new() };
     Doubt::Open(format!("the flight is too long for the work allowed{needed}"))
 }
 

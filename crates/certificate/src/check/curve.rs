@@ -17,15 +17,15 @@ pub(super) const PARAMETER: usize = 2;
 /// Steps of Newton's iteration.
 const STEPS: u32 = 16;
 /// Steps along the curve, each half of what is left of the way.
-const WAYS: u32 = 8;
+const CURVE_STEPS: u32 = 8;
 /// The last one needed is below N bits of the arithmetic.
-const ENOUGH: i64 = 40;
+const LAST_STEP_BITS: i64 = 40;
 /// A box that holds the curve at an end is N times smaller than the one that holds all of it, as a power of 2.
-const END: i64 = 24;
+const END_BOX_BITS: i64 = 24;
 /// Room on both sides of the curve, as a power of 2 of how far it strays.
-const ROOM: i64 = 2;
+const ROOM_EXPONENT: i64 = 2;
 /// Bits by which a side of a box is at most smaller than the one along the curve.
-const THIN: i64 = 8;
+const MAX_THINNESS_BITS: i64 = 8;
 
 /// The map of a period over states and a parameter, or of half a period followed by the mirror image.
 pub(super) struct Curve<'t> {
@@ -183,7 +183,7 @@ impl<'t> Curve<'t> {
             }
             at = [0, 1, 2].map(|i| self.point(&(at[i].clone() - &(step[i].clone() * &self.power(self.units[i])))));
             // proposes: when to stop
-            if size.top().is_none_or(|top| top < ENOUGH - i64::from(self.bits())) {
+            if size.top().is_none_or(|top| top < LAST_STEP_BITS - i64::from(self.bits())) {
                 return Ok(at);
             }
             before = Some(size);
@@ -195,7 +195,7 @@ impl<'t> Curve<'t> {
     /// near a fold. Non-rigorous.
     pub fn walked(&mut self, from: Point, to: &Real) -> Result<Point, Doubt> {
         let mut at = from.map(|x| self.point(&x));
-        for _ in 0..WAYS {
+        for _ in 0..CURVE_STEPS {
             self.retime(&at)?;
             at[PARAMETER] = self.point(&(at[PARAMETER].clone() + to).half());
             at = self.on_curve(at, PARAMETER)?;
@@ -226,8 +226,8 @@ impl<'t> Curve<'t> {
         let slopes = newton(&here, others(j)).ok_or_else(lost)?.map(|row| -along(&row, &here.off(j)));
         let mut sizes = [size; 3];
         for (&i, slope) in others(j).iter().zip(&slopes) {
-            let top = slope.enclosure().mag().top().unwrap_or(-THIN); // proposes: a size to try
-            sizes[i] = size + ROOM + top.max(-THIN); // proposes: a size to try
+            let top = slope.enclosure().mag().top().unwrap_or(-MAX_THINNESS_BITS); // proposes: a size to try
+            sizes[i] = size + ROOM_EXPONENT + top.max(-MAX_THINNESS_BITS); // proposes: a size to try
         }
         let cell = Cell { centre: at.clone(), sizes };
         is_curve(&self.image(&cell, self.is_half)?, &cell, j)?;
@@ -246,7 +246,7 @@ impl<'t> Curve<'t> {
         for (&i, slope) in others(j).iter().zip(slopes) {
             guess[i] = self.point(&(guess[i].clone() + &(slope.clone() * &by * &self.power(self.units[i]))));
         }
-        let end = Cell { centre: self.on_curve(guess, j)?, sizes: cell.sizes.map(|size| size - END) };
+        let end = Cell { centre: self.on_curve(guess, j)?, sizes: cell.sizes.map(|size| size - END_BOX_BITS) };
         let image = self.image(&end, self.is_half)?;
         is_curve(&image, &end, j)?;
         let is_inside = (0..3).all(|i| {

@@ -21,7 +21,7 @@ use impact_pair_model::{Place, Start};
 #[derive(Clone)]
 pub(crate) struct Data<'w> {
     /// The harmonics, the reference first.
-    pub tones: Vec<Tone>,
+    pub tones: Vec<HarmonicData>,
     pub half_gap: Exact,
     pub restitution: Exact,
     /// `W` of the reference.
@@ -43,7 +43,7 @@ pub(crate) struct Data<'w> {
 
 /// One harmonic.
 #[derive(Clone, Debug)]
-pub(crate) struct Tone {
+pub(crate) struct HarmonicData {
     /// `A_k`
     pub amplitude: Exact,
     /// `W_k t0 + tau_k` less whole forcing periods.
@@ -89,7 +89,7 @@ impl Data<'_> {
             if k == 0 {
                 whole = turns;
             }
-            tones.push(Tone { amplitude: harmonic.amplitude().clone(), phase, rate });
+            tones.push(HarmonicData { amplitude: harmonic.amplitude().clone(), phase, rate });
         }
         let (wall, height) = match start.place() {
             Place::Wall(wall) => (Some(*wall), None),
@@ -113,7 +113,7 @@ impl Data<'_> {
     /// `d/2`, `e` and the harmonics over a piece of the data.
     pub fn parameters(&self, piece: &Piece, bits: u32) -> Parameters<'_> {
         let (start, ..) = self.state(piece, bits);
-        let term = |(k, tone): (usize, &Tone)| {
+        let term = |(k, tone): (usize, &HarmonicData)| {
             let amplitude = piece.part(&tone.amplitude, AMPLITUDE + 3 * k, bits);
             // The origin is the middle of the reference's phases at the start.
             let Some(rate) = &tone.rate else {
@@ -148,14 +148,14 @@ impl Data<'_> {
     }
 
     /// Returns the only harmonic, if there is one only.
-    pub fn only(&self) -> Option<&Tone> {
+    pub fn only(&self) -> Option<&HarmonicData> {
         match self.tones.as_slice() {
             [only] => Some(only),
             _ => None,
         }
     }
 
-    /// Returns the turns of the reference after which the shaking is proved to repeat.
+    /// Returns the periods of the reference after which the shaking is proved to repeat.
     pub fn common_turns(&self) -> Option<BigInt> {
         let rates = self.tones.iter().filter_map(|tone| tone.rate.as_ref());
         rates.map(Exact::as_rational).try_fold(BigInt::from(1), |turns, rate| Some(turns.lcm(rate?.denom())))
@@ -168,11 +168,11 @@ impl Data<'_> {
         let rates = self.tones.iter().filter_map(|tone| tone.rate.as_ref()?.as_rational());
         let passed = rates.map(|rate| rate * &turns).chain([turns.clone().into()]);
         let is_odd = passed.into_iter().all(|turns| turns.to_integer().is_odd());
-        let rate = |tone: &Tone| {
+        let rate = |tone: &HarmonicData| {
             tone.rate.as_ref().map_or_else(|| Some(BigInt::from(1).into()), |rate| rate.as_rational().cloned())
         };
-        let is_alone = |tone: &Tone| self.tones.iter().filter(|other| rate(other) == rate(tone)).count() == 1;
-        let is_sure = |tone: &Tone| tone.amplitude.sign() == Some(Ordering::Greater) && is_alone(tone);
+        let is_alone = |tone: &HarmonicData| self.tones.iter().filter(|other| rate(other) == rate(tone)).count() == 1;
+        let is_sure = |tone: &HarmonicData| tone.amplitude.sign() == Some(Ordering::Greater) && is_alone(tone);
         let may_vanish = !self.tones.iter().all(is_sure);
         (is_odd || !may_vanish).then_some(is_odd)
     }
@@ -193,7 +193,7 @@ impl Data<'_> {
     }
 
     /// `sum A_k r_k^n f(phase of the start)`; what is exactly 0 is so however little is known of its factors.
-    fn sum(&self, f: impl Fn(&Tone) -> Result<Exact, ExactError>, n: u32) -> Result<Exact, ExactError> {
+    fn sum(&self, f: impl Fn(&HarmonicData) -> Result<Exact, ExactError>, n: u32) -> Result<Exact, ExactError> {
         let mut sum = Exact::from(0);
         for tone in &self.tones {
             let mut part = f(tone)?;

@@ -15,11 +15,11 @@ use impact_pair_model::Wall;
 /// The bits of a forcing period: bounds that it alone keeps apart are not narrower.
 const BITS: u32 = 1 << 10;
 /// Common periods between two claimed phases, at most.
-const MOST_PERIODS: i64 = 4;
+const MAX_PERIODS: i64 = 4;
 
 /// The shaking, as far as states come again under it.
 pub(super) struct Recurrence {
-    /// The turns of the reference in a common period.
+    /// The periods of the reference in a common period.
     turns: BigInt,
     /// True if half a common period later the shaking may be the opposite.
     may_have_mirror: bool,
@@ -72,7 +72,7 @@ impl Recurrence {
     fn are_phases_apart(&self, is_mirrored: bool, one: &Passage, other: &Passage) -> bool {
         let least = &one.phase[0] - &other.phase[1];
         let greatest = &one.phase[1] - &other.phase[0];
-        let turn = |impact: &Passage| BigInt::from(impact.turn.unwrap_or(0)); // exact: without a turn, the common period is one
+        let turn = |impact: &Passage| BigInt::from(impact.turn.unwrap_or(0)); // exact: without a forcing period, the common period is one
         let half = BigRational::new(self.turns.clone(), 2.into());
         let later = BigRational::from(turn(one) - turn(other));
         let later = if is_mirrored { later - half } else { later };
@@ -82,9 +82,9 @@ impl Recurrence {
             let [least, greatest] = [&least, &greatest].map(|x| Real::rational(x, BITS));
             at.is_below(&least) || greatest.is_below(&at)
         };
-        // Lemma V13: with widths below a turn no other multiple lies between.
+        // Lemma V13: with widths below a forcing period no other multiple lies between.
         let is_narrow = |phase: &Bounds| Real::rational(&(&phase[1] - &phase[0]), BITS).is_below(&self.turn);
-        is_narrow(&one.phase) && is_narrow(&other.phase) && (-MOST_PERIODS..=MOST_PERIODS).all(is_missed)
+        is_narrow(&one.phase) && is_narrow(&other.phase) && (-MAX_PERIODS..=MAX_PERIODS).all(is_missed)
     }
 }
 

@@ -13,7 +13,7 @@ use impact_pair_exact::Real;
 pub(super) type Eigenvalue = [Real; 2];
 
 /// Ellipses that are tried.
-const TRIED: u32 = 12;
+const MAX_ELLIPSES: u32 = 12;
 /// Bits that rounding may take of the first one's size.
 const SPARE_BITS: i64 = 40;
 
@@ -35,7 +35,7 @@ impl<'r> FixedPoint<'r> {
     pub fn enclosed(round: &'r Round<'r>, basin: &'r Ellipse, centre: &[Real; 2]) -> Result<Self, Doubt> {
         let open = || Doubt::open("the orbit is not enclosed");
         let mut size = SPARE_BITS - i64::from(centre[0].bits());
-        for _ in 0..TRIED {
+        for _ in 0..MAX_ELLIPSES {
             let ellipse = basin.around(centre.clone(), size).ok_or_else(open)?;
             let contraction = ellipse.contracted(round)?;
             if contraction.is_proved() {

@@ -10,7 +10,7 @@ use impact_pair_exact::Real;
 use impact_pair_model::{EventKind, Wall};
 
 /// The claims about an impact.
-pub(crate) struct Hit<'c> {
+pub(crate) struct ClaimedImpact<'c> {
     /// Its place among the events.
     pub event: usize,
     /// Its number, from 1.
@@ -20,7 +20,7 @@ pub(crate) struct Hit<'c> {
     pub velocity: &'c Bounds,
 }
 
-impl<'c> Hit<'c> {
+impl<'c> ClaimedImpact<'c> {
     /// Returns the claim of an impact.
     pub fn of((event, claim): (usize, &'c Claim)) -> Option<Self> {
         let EventKind::Impact { index, velocity, .. } = &claim.kind else { return None };
@@ -49,7 +49,7 @@ impl<'w> Frame<'w> {
     }
 
     /// Returns all states before a claimed impact.
-    pub fn states(&self, hit: &Hit<'_>) -> Landing {
+    pub fn states(&self, hit: &ClaimedImpact<'_>) -> Landing {
         self.spanned(hit.wall, self.hulls([hit.time, hit.velocity]))
     }
 

@@ -6,13 +6,13 @@ use super::tangency::jet::{D, X};
 use impact_pair_exact::{Dyadic, Real};
 
 /// The least radius of a box, as a power of 2.
-const LEAST: i64 = -4096;
+const MIN_RADIUS_EXPONENT: i64 = -4096;
 /// Bits of bounds.
 const SHORT_BITS: u32 = 64;
 
 /// A radius that is not 0: a larger box is as sound.
 pub(super) fn not_nothing(radius: Real) -> Real {
-    let tiny = Real::point(Dyadic::power_of_two(LEAST), SHORT_BITS); // V30: a larger box is as sound
+    let tiny = Real::point(Dyadic::power_of_two(MIN_RADIUS_EXPONENT), SHORT_BITS); // V30: a larger box is as sound
     Real::point((radius + &tiny).enclosure().mag(), SHORT_BITS)
 }
 

@@ -120,7 +120,7 @@ impl Default for Effort {
 const FIRST_BITS: u32 = 192;
 /// A claim that a fourth as many bits and these did not decide either is given up: its bound is the truth, or there is an exact
 /// graze.
-const ENOUGH_BITS: u32 = 4096;
+const GIVE_UP_BITS: u32 = 4096;
 
 impl Doubt {
     /// The verdict on a claim that it is about.
@@ -158,7 +158,7 @@ fn one_by_one<C>(
 }
 
 /// A document whose claims are judged one after another, and what is known of all of them before.
-struct Whole<'c> {
+struct DocumentCheck<'c> {
     /// The reason why its own fields exclude it.
     contradiction: Option<&'c str>,
     /// The reason why two claims may be one.
@@ -169,7 +169,7 @@ struct Whole<'c> {
     nothing: &'static str,
 }
 
-impl Whole<'_> {
+impl DocumentCheck<'_> {
     /// Judges the claims, until one is not confirmed or the watch stops it.
     fn judged<C>(
         self,
@@ -262,7 +262,7 @@ impl Certificate {
                     let is_stuck = stuck.0 == event;
                     stuck = if is_stuck { stuck } else { (event, bits) };
                     // proposes: the bits to try
-                    let is_enough = bits >= ENOUGH_BITS.max(4 * stuck.1) || bits >= effort.bits;
+                    let is_enough = bits >= GIVE_UP_BITS.max(4 * stuck.1) || bits >= effort.bits;
                     if widest.is_some() || is_enough {
                         return doubt.on(event);
                     }
@@ -306,7 +306,7 @@ impl Certificate {
     /// The bits to try next when `bits` last up to `event`: what the remaining events need at the same rate.
     fn more_bits(&self, bits: u32, event: usize) -> u32 {
         let rate: f64 = self.events().len() as f64 / (event as f64 + 1.0); // proposes
-        let wanted = f64::from(bits) * (1.1 * rate).clamp(2.0, 16.0); // proposes
-        wanted as u32 // proposes: 16 times the bits at most
+        let raised = f64::from(bits) * (1.1 * rate).clamp(2.0, 16.0); // proposes
+        raised as u32 // proposes: 16 times the bits at most
     }
 }

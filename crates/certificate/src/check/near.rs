@@ -6,7 +6,7 @@ use num_bigint::BigInt;
 use num_rational::BigRational;
 
 use super::FIRST_BITS;
-use super::clock::{Beside, beside};
+use super::clock::{SetPosition, beside};
 use super::contact::Doubt;
 use super::shadow::{Doubted, Shadow};
 use super::standing::Last;
@@ -44,8 +44,8 @@ impl Shadow<'_> {
             ("velocity", start.velocity(), velocity, !self.is_of_times),
         ] {
             match place(exact, &bounds) {
-                Beside::Inside => {}
-                Beside::Outside if !is_varied => {
+                SetPosition::Inside => {}
+                SetPosition::Outside if !is_varied => {
                     return Err(Doubt::False(format!("the start has not the scene's {what}")));
                 }
                 _ => return Err(Doubt::Open(format!("the bounds of the start's {what} do not hold the scene's"))),
@@ -137,10 +137,10 @@ fn reach(exact: &Exact, bounds: &[BigRational; 2]) -> Real {
 }
 
 /// The position of an exact number relative to bounds.
-fn place(exact: &Exact, bounds: &[BigRational; 2]) -> Beside {
+fn place(exact: &Exact, bounds: &[BigRational; 2]) -> SetPosition {
     match exact.as_rational() {
-        Some(x) if bounds[0] <= *x && *x <= bounds[1] => Beside::Inside,
-        Some(_) => Beside::Outside,
+        Some(x) if bounds[0] <= *x && *x <= bounds[1] => SetPosition::Inside,
+        Some(_) => SetPosition::Outside,
         None => beside(&Real::of(exact, FIRST_BITS), bounds),
     }
 }

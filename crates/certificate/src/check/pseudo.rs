@@ -7,16 +7,16 @@ use super::affine::Affine;
 use super::chain::{Course, Node, Pair};
 use super::contact::{Doubt, newton};
 use super::data::Piece;
-use super::frame::Hit;
+use super::frame::ClaimedImpact;
 use impact_pair_exact::{Dyadic, Real};
 
 /// Bits that a flight between middles is found with.
 const GUESS_BITS: u32 = 64;
 /// Jumps are to be N times smaller than the bounds, as a power of 2, and room is made for so large ones.
-const FINE: i32 = -40;
+const JUMP_EXPONENT: i32 = -40;
 /// Factor by which a node is wider than the least that covers the next one, and multiple of the jump that it makes room for.
 const MARGIN: f64 = 1.05;
-const NOISES: f64 = 2.0;
+const JUMP_MARGIN: f64 = 2.0;
 /// Errors of products of floating point, about.
 const ROUNDING: f64 = 1.0 / (1_u64 << 44) as f64;
 
@@ -48,7 +48,7 @@ impl Course<'_> {
         let bits = self.frame.turn.bits();
         let (phase, velocity, _) = self.data.state(&Piece::default(), bits);
         let start = [phase.less_centre().hull(), velocity.hull()];
-        let bounds = |hit: &Hit<'_>| self.frame.hulls([hit.time, hit.velocity]);
+        let bounds = |hit: &ClaimedImpact<'_>| self.frame.hulls([hit.time, hit.velocity]);
         let along = if self.is_of_times { [[1.0, 0.0], [0.0, 1.0]] } else { [[0.0, 1.0], [1.0, 0.0]] };
         let point = |states: [Real; 2]| {
             let size = states.each_ref().map(|x| (x.clone() - &x.middle()).enclosure().mag().to_f64_up());
@@ -127,7 +127,7 @@ pub(super) fn worst(points: &[Point]) -> (usize, f64) {
 
 /// Returns whether these jumps are small enough.
 pub(super) fn is_fine(ratio: f64) -> bool {
-    ratio < 2_f64.powi(FINE)
+    ratio < 2_f64.powi(JUMP_EXPONENT)
 }
 
 /// A step of Newton's iteration: the jumps go, but for what is of second order. `None` where it has no numbers.
@@ -180,12 +180,12 @@ pub(super) fn plan(points: &mut [Point]) {
         points[last].node.sides[0] = noises[last][0];
         for k in (0..last).rev() {
             let needed =
-                points[k + 1].node.sides[0] + NOISES * noises[k + 1][0] + links[k][0] * points[k].node.sides[1];
+                points[k + 1].node.sides[0] + JUMP_MARGIN * noises[k + 1][0] + links[k][0] * points[k].node.sides[1];
             points[k].node.sides[0] = MARGIN * needed / points[k].growth[0];
         }
         for k in 0..last {
             let [a, b] = points[k].node.sides;
-            let needed = b * points[k].growth[1].abs() + links[k][1] * a + NOISES * noises[k + 1][1];
+            let needed = b * points[k].growth[1].abs() + links[k][1] * a + JUMP_MARGIN * noises[k + 1][1];
             points[k + 1].node.sides[1] = MARGIN * needed;
         }
     }
@@ -201,7 +201,7 @@ impl Point {
     /// Bounds of the jump and of a small part of the bounds, along `u` and `s`, that a node makes room for.
     fn noise(&self) -> Pair {
         let [u, s] = self.node.axes;
-        let [p, v] = [0, 1].map(|i| self.jump[i].abs() + self.size[i] * 2_f64.powi(FINE));
+        let [p, v] = [0, 1].map(|i| self.jump[i].abs() + self.size[i] * 2_f64.powi(JUMP_EXPONENT));
         [s, u].map(|axis| ((axis[1] * p).abs() + (axis[0] * v).abs()) / cross(u, s).abs())
     }
 

@@ -8,7 +8,7 @@ use super::budget::Budget;
 use super::contact::{Doubt, zero};
 use super::rest::Rest;
 use super::shaking::Shaking;
-use super::standing::Standing;
+use super::standing::WalkState;
 use super::walk::{Walk, compare};
 use crate::Claim;
 use impact_pair_exact::Real;
@@ -34,7 +34,7 @@ impl Walk<'_> {
         compare("time", &self.clock.time(&root), &claim.time)?;
         // The dependence of the release on the data hardly matters: a landing depends on it by p - E''(0) h = 0.
         let released = Affine::fixed(root.clone()).recentred();
-        self.standing = Standing::released(&self.parameters, rest.wall, released);
+        self.standing = WalkState::released(&self.parameters, rest.wall, released);
         if self.period.is_none() {
             let same = self.released.iter().filter(|before| before.wall == rest.wall);
             self.period = same.rev().find_map(|before| self.period_since(before, &root));

@@ -7,10 +7,10 @@ use num_traits::ToPrimitive;
 
 use super::affine::Affine;
 use super::chatter::{accumulation, bounce, is_held};
-use super::clock::{Beside, Clock, beside};
+use super::clock::{Clock, SetPosition, beside};
 use super::contact::{Claimed, Doubt};
 use super::data::Data;
-use super::standing::Standing;
+use super::standing::WalkState;
 use super::step::Launch;
 use super::walk::{Walk, compare};
 use crate::Claim;
@@ -19,7 +19,7 @@ use impact_pair_model::Period;
 use impact_pair_model::Wall;
 
 /// Bounces that are not listed are followed so far at most.
-const MOST_BOUNCES: usize = 1 << 14;
+const MAX_BOUNCES: usize = 1 << 14;
 
 /// The ball lies on a wall from this phase on.
 #[derive(Clone, Debug)]
@@ -48,12 +48,12 @@ impl<'c> Walk<'c> {
         }
         let since = departure.phase.hull();
         compare("time", &self.clock.time(&since), &claim.time)?;
-        self.standing = Standing::resting(departure.clone(), Rest { wall, since, begins });
+        self.standing = WalkState::resting(departure.clone(), Rest { wall, since, begins });
         Ok(())
     }
 
     /// The rest after infinitely many impacts, since phases which lie inside the claimed bounds.
-    fn chatter(&self, claim: &Claim) -> Result<Standing<'c>, Doubt> {
+    fn chatter(&self, claim: &Claim) -> Result<WalkState<'c>, Doubt> {
         let (wall, parameters) = (claim.wall, &self.parameters);
         let mut departure = self.standing.departure().clone();
         // V3: each member bounces; after a first contact, which is transversal, all that is needed is e > 0
@@ -62,12 +62,12 @@ impl<'c> Walk<'c> {
         if !(has_velocity && parameters.restitution.hull().is_positive()) {
             return Err(Doubt::open("the ball may stay on its wall without any bounce"));
         }
-        for _ in 0..MOST_BOUNCES {
+        for _ in 0..MAX_BOUNCES {
             let lasting = accumulation(&departure, parameters)
                 .ok_or_else(|| Doubt::open("the chatter is not proved to end in rest"))?;
             let since = departure.phase.hull() + &lasting;
             let time = self.clock.time(&since);
-            if let Beside::Across = beside(&time, &claim.time) {
+            if let SetPosition::Across = beside(&time, &claim.time) {
                 // No claim says where.
                 let guess = bounce(&departure, parameters)?;
                 let claimed = Claimed { from: Real::zero(self.bits), guess, to: None, is_first: true };
@@ -76,7 +76,7 @@ impl<'c> Walk<'c> {
                 continue;
             }
             compare("time", &time, &claim.time)?;
-            return Ok(Standing::resting(departure, Rest { wall, since, begins: false }));
+            return Ok(WalkState::resting(departure, Rest { wall, since, begins: false }));
         }
         Err(Doubt::open("the rest is not enclosed as claimed"))
     }
@@ -103,7 +103,7 @@ impl<'c> Walk<'c> {
         let zero = || Real::zero(self.bits);
         compare("time", &self.clock.time(&zero()), &claim.time)?;
         self.parameters.count_from(Real::int(odd, self.bits) * &Real::pi(self.bits));
-        self.standing = Standing::released(&self.parameters, wall, Affine::fixed(zero()));
+        self.standing = WalkState::released(&self.parameters, wall, Affine::fixed(zero()));
         self.halves = &halves - odd;
         let first = &mut self.releases[usize::from(wall == Wall::Right)];
         match first {
@@ -125,7 +125,7 @@ impl<'c> Walk<'c> {
         // exact: shared by all members
         let turns = (self.parameters.origin() + since - &half).over(&turn).and_then(|turns| turns.enclosure().floor());
         let turns = turns.ok_or_else(|| Doubt::open("the forcing period of the release is not decided"))?;
-        // Whole turns dropped so far are an even number of half turns, or the odd one of a release before.
+        // Whole forcing periods dropped so far are an even number of half periods, or the odd one of a release before.
         let halves = &self.halves + (turns + 1) * 2 + odd;
         let clock = Clock::at_quarter_turns(self.data, &(&halves * 2), self.bits);
         Ok((halves, clock.ok_or_else(|| Doubt::open("the time of the release is too large"))?))

@@ -12,7 +12,7 @@ pub(super) type Matrix = [[Real; 2]; 2];
 /// Steps of Newton's iteration.
 const STEPS: u32 = 40;
 /// The last one needed is below N bits of the arithmetic.
-const ENOUGH: i64 = 32;
+const LAST_STEP_BITS: i64 = 32;
 
 /// A period of a word: from a state just before its first impact to the next one of these.
 pub(super) struct Round<'p> {
@@ -102,7 +102,7 @@ impl Round<'_> {
                 return Ok((state, derivative));
             }
             state = [0, 1].map(|i| point(&(state[i].clone() + &step[i])));
-            if size.top().is_none_or(|top| top < ENOUGH - i64::from(bits)) {
+            if size.top().is_none_or(|top| top < LAST_STEP_BITS - i64::from(bits)) {
                 return Ok((state, derivative));
             }
             before = Some(size);

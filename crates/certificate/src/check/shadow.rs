@@ -9,15 +9,15 @@ use std::ops::Range;
 
 use num_rational::BigRational;
 
-use super::blocks::{BLOCK, in_blocks};
+use super::blocks::{BLOCK_SIZE, in_blocks};
 use super::budget::Budget;
 use super::chain::{Course, Node, open};
-use super::clock::{Beside, beside};
+use super::clock::{SetPosition, beside};
 use super::contact::Doubt;
 use super::data::{Data, Piece};
-use super::frame::{Frame, Hit};
+use super::frame::{ClaimedImpact, Frame};
 use super::pseudo::{Point, Shot, improve, is_fine, plan, take, worst};
-use super::standing::Standing;
+use super::standing::WalkState;
 use super::step::Landing;
 use super::target::narrowest;
 use super::walk::Walk;
@@ -35,7 +35,7 @@ const SPARE_BITS: i64 = 112;
 
 /// Shares of the greatest expansion, tried in turn where a chain up to the next other event is not proved: it ends where the motion has first
 /// expanded by such a share. Where it hardly expands that is the start, and the scene's own motion is followed.
-const ENDS: [f64; 2] = [1.0, 1.0 / 16.0];
+const EXPANSION_SHARES: [f64; 2] = [1.0, 1.0 / 16.0];
 
 /// A claim by its position among the events, and what is to be said of it.
 pub(super) type Doubted = (usize, Doubt);
@@ -53,7 +53,7 @@ pub(super) struct Shadow<'c> {
     pub certificate: &'c Certificate,
     pub near: &'c NearDocument,
     /// The impacts before any other event.
-    pub hits: Vec<Hit<'c>>,
+    pub hits: Vec<ClaimedImpact<'c>>,
     pub is_of_times: bool,
     effort: &'c Effort,
     watch: &'c dyn Watch,
@@ -76,9 +76,9 @@ impl Certificate {
                 .start
                 .as_ref()
                 .ok_or_else(|| (end, Doubt::False("a shadowed orbit tells its start".into())))?;
-            let start = Standing::at_start(data, &data.parameters(&Piece::default(), FIRST_BITS), &Piece::default());
+            let start = WalkState::at_start(data, &data.parameters(&Piece::default(), FIRST_BITS), &Piece::default());
             let is_of_times = data.wall.is_some() && start.departure().velocity.hull().is_zero();
-            let hits = self.events().iter().enumerate().map_while(Hit::of).collect();
+            let hits = self.events().iter().enumerate().map_while(ClaimedImpact::of).collect();
             let shadow = Shadow { certificate: self, near, hits, is_of_times, effort, watch };
             shadow.fits(start.last())?;
             if !data.is_point() {
@@ -146,14 +146,14 @@ impl Shadow<'_> {
                     .collect()
             })
         };
-        in_blocks(flights, BLOCK, of_block, progress)
+        in_blocks(flights, BLOCK_SIZE, of_block, progress)
     }
 
     /// The bits that confirm all events and the outcome, and how far each impact of the orbit that is found is at most from the middle
     /// of the bounds of its time \[rad\].
     fn answer(&self, data: &Data, progress: &mut impl FnMut(usize)) -> Result<(u32, Vec<Dyadic>), Doubted> {
         let mut bits = self.bits();
-        let chained = ENDS.into_iter().fold(self.chained(None, bits, progress), |chained, share| {
+        let chained = EXPANSION_SHARES.into_iter().fold(self.chained(None, bits, progress), |chained, share| {
             chained.or_else(|_| self.chained(Some(share), bits, progress))
         });
         let Chained { last, offs: chained } = match chained {
@@ -222,7 +222,7 @@ impl Shadow<'_> {
                 false => (course.frame.clock.velocity(&velocity), &bounds[1]),
             };
             match beside(&found, bounds) {
-                Beside::Inside => Ok(()),
+                SetPosition::Inside => Ok(()),
                 _ => Err(Doubt::open("no start in its bounds is proved to have this orbit")),
             }
         })
@@ -241,7 +241,7 @@ impl Shadow<'_> {
                 let [phase, velocity] = self.under(bits, |course| course.states(*impacts, node));
                 let landing = Landing { wall: self.hits[impacts - 1].wall, phase, velocity };
                 let frame = Frame::new(data, &Piece::default(), bits);
-                let standing = Standing::after(&frame.parameters, landing);
+                let standing = WalkState::after(&frame.parameters, landing);
                 Walk::at((self.certificate, data), frame, standing, *impacts)
             }
             // Without a chain the start is the scene's.
@@ -268,12 +268,12 @@ impl Shadow<'_> {
             |course, k| {
                 let Course { data, frame, .. } = course;
                 let standing = match k.checked_sub(1).map(|hit| &self.hits[hit]) {
-                    Some(hit) => Standing::after(&frame.parameters, frame.states(hit)),
+                    Some(hit) => WalkState::after(&frame.parameters, frame.states(hit)),
                     None => {
                         // The wall does not matter inside the gap.
                         let starts = frame.hulls([&time, &velocity]);
                         let Landing { phase, velocity, .. } = frame.spanned(Wall::Left, starts);
-                        Standing::of_starts(course.departure(0, [phase, velocity]))
+                        WalkState::of_starts(course.departure(0, [phase, velocity]))
                     }
                 };
                 let frame = Frame::new(data, &Piece::default(), FIRST_BITS);

@@ -15,18 +15,18 @@ use impact_pair_model::{Mapping, Wall};
 ///
 /// A walk that goes on replaces it as a whole: what was known of the states before, or of the scene's own start, does not outlive
 /// them. So each of the constructors tells all that is known.
-pub(crate) struct Standing<'d> {
+pub(crate) struct WalkState<'d> {
     departure: Launch,
     landing: Option<Landing>,
     last: Last,
-    going: Going,
+    going: Motion,
     /// The exact data of the scene's own start, if it is that one.
     start: Option<&'d Data<'d>>,
 }
 
 /// The motion from here on.
 #[derive(Debug)]
-enum Going {
+enum Motion {
     /// The ball flies.
     Flight,
     /// The ball lies on a wall.
@@ -46,7 +46,7 @@ pub(crate) enum Last {
     Either,
 }
 
-impl<'d> Standing<'d> {
+impl<'d> WalkState<'d> {
     /// Returns the scene's own start.
     pub fn at_start(data: &'d Data<'d>, parameters: &Parameters, piece: &Piece) -> Self {
         let (phase, velocity, height) = data.state(piece, parameters.bits());
@@ -58,7 +58,7 @@ impl<'d> Standing<'d> {
         };
         let is_at_rest = departure.velocity.hull().is_zero();
         departure.start.is_release = is_at_rest && data.inward_jerk() == Some(Ordering::Greater);
-        let going = Still::of(data, is_at_rest).map_or(Going::Flight, Going::Still);
+        let going = Still::of(data, is_at_rest).map_or(Motion::Flight, Motion::Still);
         Self { going, start: Some(data), ..Self::flying(departure, data.wall.map_or(Last::Inside, Last::Wall)) }
     }
 
@@ -86,7 +86,7 @@ impl<'d> Standing<'d> {
     /// Lying on a wall that the ball has come to as `departure` says.
     pub fn resting(departure: Launch, rest: Rest) -> Self {
         let last = Last::Wall(rest.wall);
-        Self { going: Going::Rest(rest), ..Self::flying(departure, last) }
+        Self { going: Motion::Rest(rest), ..Self::flying(departure, last) }
     }
 
     /// Past a graze of `wall`, which may have been a touch.
@@ -96,7 +96,7 @@ impl<'d> Standing<'d> {
     }
 
     fn flying(departure: Launch, last: Last) -> Self {
-        Self { departure, landing: None, last, going: Going::Flight, start: None }
+        Self { departure, landing: None, last, going: Motion::Flight, start: None }
     }
 
     /// Returns the flights from there.
@@ -116,17 +116,17 @@ impl<'d> Standing<'d> {
 
     /// Returns the rest, if the ball lies on a wall.
     pub fn rest(&self) -> Option<&Rest> {
-        if let Going::Rest(rest) = &self.going { Some(rest) } else { None }
+        if let Motion::Rest(rest) = &self.going { Some(rest) } else { None }
     }
 
     /// Returns the motion without drift, if it is one.
     pub fn still(&self) -> Option<&Still> {
-        if let Going::Still(still) = &self.going { Some(still) } else { None }
+        if let Motion::Still(still) = &self.going { Some(still) } else { None }
     }
 
     /// Past a touch of a motion without drift, which is the same one from there on.
     pub fn touch(&mut self, still: Still) {
-        self.going = Going::Still(still);
+        self.going = Motion::Still(still);
     }
 
     /// Returns the exact data, if it is the scene's own start.

@@ -20,9 +20,9 @@ use impact_pair_model::{Wall, Word};
 pub(super) const BITS: u32 = 192;
 /// Bits beyond those that the claimed bounds are worth.
 const SPARE_BITS: u32 = 96;
-pub(super) const MOST_BITS: u32 = 1 << 12;
+pub(super) const MAX_BITS: u32 = 1 << 12;
 /// Number of doublings.
-const DOUBLED: u32 = 3;
+const MAX_DOUBLINGS: u32 = 3;
 
 /// A claimed orbit of a word.
 pub(super) struct Target<'c> {
@@ -87,7 +87,7 @@ impl<'c> Target<'c> {
 
     /// Returns what is taken off the phase `W t + tau` of a claim for one since the origin, less whole common periods.
     pub fn origin(&self, frame: &Frame, turn: Option<u32>) -> Real {
-        // exact: without a turn, the common period is one
+        // exact: without a forcing period, the common period is one
         let turns = (&self.data.turns - BigInt::from(turn.unwrap_or(0))).mod_floor(&self.turns);
         frame.parameters.origin() + &(frame.turn.clone() * &Real::rational(&turns.into(), frame.turn.bits()))
     }
@@ -118,13 +118,15 @@ impl<'c> Target<'c> {
         near: &Round<'_>,
     ) -> Result<(), Doubt> {
         let mut bits = self.bits();
-        for n in 0..=DOUBLED {
+        for n in 0..=MAX_DOUBLINGS {
             let frame = Frame::new(self.data, piece, bits);
             let times = near.times.iter().map(|time| time.at(bits)).collect();
             let mut round = self.round(&frame, times, near.is_physical);
             let (centre, _) = round.polish(centre.clone())?;
             match FixedPoint::enclosed(&round, basin, &centre).and_then(|orbit| self.compare(&frame, &orbit)) {
-                Err(Doubt::Open(_)) if n < DOUBLED && round.first() == 0 && !self.data.budget.is_spent() => bits *= 2,
+                Err(Doubt::Open(_)) if n < MAX_DOUBLINGS && round.first() == 0 && !self.data.budget.is_spent() => {
+                    bits *= 2
+                }
                 // Of solutions with earlier contacts there may be others in longer flights.
                 Ok(()) if near.is_physical && !basin.holds(claimed) => {
                     return Err(Doubt::open("the orbit is not proved to be the only one in its bounds"));
@@ -196,7 +198,7 @@ impl<'c> Target<'c> {
             let passed = found.phase.hull() - &impacts[0].phase.hull();
             let beyond = passed - &(middle(claimed) - &middle(&claims[0]));
             let half = Real::int(1, frame.turn.bits()).half();
-            let first = claims[0].turn.map_or(0, i64::from); // exact: no turn, the first one
+            let first = claims[0].turn.map_or(0, i64::from); // exact: no forcing period, the first one
             let claimed = cycle.checked_sub(first).ok_or_else(|| Doubt::open("a cycle is too large"))?;
             let off = beyond.over(&frame.turn).map(|turns| turns - claimed);
             match off {
@@ -271,7 +273,7 @@ impl<'c> Target<'c> {
         // proposes: bits to enclose the orbit with
         let narrowest = narrowest(bounds).unwrap_or(0);
         // proposes
-        SPARE_BITS.saturating_add(u32::try_from(-narrowest).unwrap_or(0)).clamp(BITS, MOST_BITS)
+        SPARE_BITS.saturating_add(u32::try_from(-narrowest).unwrap_or(0)).clamp(BITS, MAX_BITS)
     }
 }
 

@@ -4,12 +4,12 @@ use num_bigint::BigInt;
 use num_rational::BigRational;
 
 use super::affine::Affine;
-use super::clock::{Beside, Clock, beside};
+use super::clock::{Clock, SetPosition, beside};
 use super::contact::{Claimed, Doubt, first_hit};
 use super::data::{Data, Piece};
 use super::frame::Frame;
 use super::release::Release;
-use super::standing::Standing;
+use super::standing::WalkState;
 use super::step::{Landing, Launch, Parameters};
 use crate::{Certificate, Claim};
 use impact_pair_exact::{Real, decimal_digits};
@@ -23,10 +23,10 @@ pub(crate) struct Walk<'c> {
     pub(super) data: &'c Data<'c>,
     pub parameters: Parameters<'c>,
     pub clock: Clock,
-    /// The whole half periods dropped from the phase that phases are counted from, which is within a turn of 0.
+    /// The whole half periods dropped from the phase that phases are counted from, which is within a forcing period of 0.
     pub(super) halves: BigInt,
     /// The place that it has reached, and what is known there.
-    pub standing: Standing<'c>,
+    pub standing: WalkState<'c>,
     /// The first release from each wall with one harmonic: half periods, impacts before it.
     pub(super) releases: [Option<(BigInt, u64)>; 2],
     /// All releases with several harmonics.
@@ -42,7 +42,7 @@ impl<'c> Walk<'c> {
     /// Returns the orbit from the scene's own start.
     pub fn new(certificate: &'c Certificate, data: &'c Data<'c>, piece: &Piece, bits: u32) -> Self {
         let frame = Frame::new(data, piece, bits);
-        let standing = Standing::at_start(data, &frame.parameters, piece);
+        let standing = WalkState::at_start(data, &frame.parameters, piece);
         Self::at((certificate, data), frame, standing, 0)
     }
 
@@ -50,7 +50,7 @@ impl<'c> Walk<'c> {
     pub fn at(
         (certificate, data): (&'c Certificate, &'c Data<'c>),
         frame: Frame<'c>,
-        standing: Standing<'c>,
+        standing: WalkState<'c>,
         impacts: usize,
     ) -> Self {
         let Frame { parameters, clock, turn } = frame;
@@ -138,7 +138,7 @@ impl<'c> Walk<'c> {
 
     /// Goes on from an impact.
     pub fn go_on(&mut self, landing: Landing) {
-        self.standing = Standing::after(&self.parameters, landing);
+        self.standing = WalkState::after(&self.parameters, landing);
         self.impacts += 1;
     }
 
@@ -193,8 +193,8 @@ pub(super) fn are_bounds([lower, upper]: &[BigRational; 2]) -> Result<(), Doubt>
 pub(super) fn compare(what: &str, found: &Real, claimed: &[BigRational; 2]) -> Result<(), Doubt> {
     let shown = || decimal_digits(&found.enclosure().rounded(160));
     match beside(found, claimed) {
-        Beside::Inside => Ok(()),
-        Beside::Outside => Err(Doubt::False(format!("the true {what} is {}", shown()))),
-        Beside::Across => Err(Doubt::Open(format!("the true {what}, {}, is not proved to be inside", shown()))),
+        SetPosition::Inside => Ok(()),
+        SetPosition::Outside => Err(Doubt::False(format!("the true {what} is {}", shown()))),
+        SetPosition::Across => Err(Doubt::Open(format!("the true {what}, {}, is not proved to be inside", shown()))),
     }
 }

@@ -7,15 +7,15 @@ use impact_pair_exact::{Dyadic, Real};
 /// Bits that suffice to tell signs, beyond those a short flight loses.
 const BITS: u32 = 96;
 /// Zeros as near the ends of a flight as this are those of a departure or an arrival without velocity.
-const ENDS: f64 = 1e-9;
+const END_DISTANCE: f64 = 1e-9;
 /// The accuracy of a zero, as a part of the flight.
-const NARROW: f64 = 1e-10;
+const ZERO_ACCURACY: f64 = 1e-10;
 /// Parts of a flight that are looked at for one cut at most.
-const MOST_PARTS: usize = 1 << 14;
+const MAX_PARTS: usize = 1 << 14;
 /// Length of a flight below which an extremum is as near the wall as the ends.
-const SHORT: f64 = 1e-3;
+const SHORT_FLIGHT: f64 = 1e-3;
 /// Forcing periods of the reference harmonic beyond which extrema are not all looked at.
-const MANY_TURNS: f64 = 2.0;
+const LONG_FLIGHT_PERIODS: f64 = 2.0;
 
 /// A flight of length `h`, to be cut.
 pub(super) struct Cuts<'w> {
@@ -51,11 +51,11 @@ impl<'w> Cuts<'w> {
 
     /// Bits that extrema near a wall take beyond those of ordinary flights.
     pub fn nearness(&self) -> u32 {
-        if self.h < SHORT {
+        if self.h < SHORT_FLIGHT {
             return 0;
         }
         // Beyond what is looked at.
-        if self.h > MANY_TURNS * std::f64::consts::TAU {
+        if self.h > LONG_FLIGHT_PERIODS * std::f64::consts::TAU {
             return u32::MAX / 4;
         }
         let (half_gap, amplitude) = (self.flight.half_gap.to_f64(), self.flight.shaking.waves[0].amplitude.to_f64());
@@ -84,10 +84,10 @@ fn zeros(
     order: Order,
     most: usize,
 ) -> Vec<f64> {
-    let narrow = NARROW * h;
+    let narrow = ZERO_ACCURACY * h;
     let mut zeros = Vec::new();
-    let mut parts = vec![(ENDS * h, (1.0 - ENDS) * h)];
-    for _ in 0..MOST_PARTS {
+    let mut parts = vec![(END_DISTANCE * h, (1.0 - END_DISTANCE) * h)];
+    for _ in 0..MAX_PARTS {
         let Some((a, b)) = parts.pop().filter(|_| zeros.len() < most) else { break };
         let part = point(a, bits).hull(&point(b, bits));
         if !f(&part).is_across() {
@@ -130,7 +130,7 @@ fn bisected(sign: impl Fn(f64) -> bool, mut a: f64, mut b: f64, narrow: f64) -> 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::tolerances::ZERO_OF_FLOATS;
+    use crate::tolerances::FLOATING_POINT_ZERO;
     use approx::{abs_diff_eq, assert_abs_diff_eq};
 
     #[test]
@@ -139,7 +139,7 @@ mod tests {
         let found = |h, order, most| zeros(Real::sin, Real::cos, (h, BITS), order, most);
         let near = |found: &[f64], places: &[f64]| {
             found.len() == places.len()
-                && found.iter().zip(places).all(|(x, place)| abs_diff_eq!(x, place, epsilon = ZERO_OF_FLOATS))
+                && found.iter().zip(places).all(|(x, place)| abs_diff_eq!(x, place, epsilon = FLOATING_POINT_ZERO))
         };
         assert!(near(&found(10.0, Order::First, usize::MAX), &[PI, 2.0 * PI, 3.0 * PI]));
         assert!(near(&found(10.0, Order::First, 1), &[PI]));
@@ -152,6 +152,6 @@ mod tests {
     fn double_zeros_are_found() {
         let off = |x: &Real| x.clone() - &point(1.0, BITS);
         let found = zeros(|x| off(x).square(), |x| off(x) + &off(x), (3.0, BITS), Order::First, 1);
-        assert_abs_diff_eq!(found[0], 1.0, epsilon = ZERO_OF_FLOATS);
+        assert_abs_diff_eq!(found[0], 1.0, epsilon = FLOATING_POINT_ZERO);
     }
 }

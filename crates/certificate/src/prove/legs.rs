@@ -31,8 +31,8 @@ pub(super) struct Leg {
 }
 
 /// Radii, in units of the grid, above which the grid becomes coarser, and what is left of them then.
-const WIDE: f64 = 4096.0;
-const FEW_BITS: f64 = 10.0;
+const COARSENING_RADIUS: f64 = 4096.0;
+const COARSENED_BITS: f64 = 10.0;
 /// Bits of the proof's arithmetic below the grid, and of the slack of a radius.
 const SPARE_BITS: u32 = 20;
 /// Covers what is of second order in the radii.
@@ -115,7 +115,7 @@ fn radius_at(from: &Box, scale: u32) -> BigInt {
 
 /// The scale that leaves a few bits of a radius that has become wide.
 fn coarser(scale: u32, radius: f64) -> u32 {
-    if radius > WIDE { scale - ((radius.log2() - FEW_BITS) as u32).min(scale) } else { scale }
+    if radius > COARSENING_RADIUS { scale - ((radius.log2() - COARSENED_BITS) as u32).min(scale) } else { scale }
 }
 
 /// Bits by which a box is too wide, for the printed bounds or for terms of second order; 0 for one that fits.

@@ -33,7 +33,7 @@ pub struct Theorem {
 /// The scale of the first grid, and the bits of the first computation.
 const FIRST_SCALE: u32 = 64;
 const FIRST_BITS: u32 = 256;
-const MOST_BITS: u32 = 1 << 16;
+const MAX_BITS: u32 = 1 << 16;
 /// Bits of the computation below the grid.
 const SPARE_BITS: u32 = 64;
 
@@ -78,7 +78,7 @@ impl Certificate {
         loop {
             let (origin, flights, doubt) = flights(self, &data, &claims, bits, &watch);
             let missing = match doubt {
-                Some(Doubt::Open(_)) if is_point && bits < MOST_BITS && !watch.is_stopped() => {
+                Some(Doubt::Open(_)) if is_point && bits < MAX_BITS && !watch.is_stopped() => {
                     bits *= 2;
                     continue;
                 }
@@ -95,7 +95,7 @@ impl Certificate {
                     None => break (begin, legs),
                 }
             };
-            if bits < scale + SPARE_BITS && is_point && bits < MOST_BITS {
+            if bits < scale + SPARE_BITS && is_point && bits < MAX_BITS {
                 bits = (scale + 2 * SPARE_BITS).max(2 * bits);
                 continue;
             }

@@ -8,14 +8,14 @@ use num_rational::BigRational;
 
 /// Bits that it is first sought with, and how often these are doubled.
 const BITS: u32 = 256;
-const DOUBLED: u32 = 6;
+const MAX_DOUBLINGS: u32 = 6;
 /// Bits that its bounds are printed with.
 const PRINTED_BITS: u32 = 96;
 
 impl Certificate {
     /// The first impact after all that are listed, if it is proved to come after `until`.
     pub(super) fn next_after(&self, data: &Data, until: &Exact) -> Option<Claim> {
-        (0..DOUBLED).find_map(|n| self.next_in(BITS << n, data, until))
+        (0..MAX_DOUBLINGS).find_map(|n| self.next_in(BITS << n, data, until))
     }
 
     fn next_in(&self, bits: u32, data: &Data, until: &Exact) -> Option<Claim> {

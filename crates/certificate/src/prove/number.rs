@@ -8,7 +8,7 @@ use impact_pair_exact::{Exact, Operation};
 use impact_pair_model::Error;
 
 /// Larger powers are not written out.
-const LARGEST_POWER: u32 = 64;
+const MAX_POWER: u32 = 64;
 
 /// A value or an interval of values.
 pub(super) fn range(x: &Exact) -> Result<String, Error> {
@@ -47,7 +47,7 @@ fn number(x: &Exact) -> Result<String, Error> {
 
 /// `x^n` written out; `None` for a large one.
 fn power(x: &str, n: u32) -> Option<String> {
-    let mut product = (1..=LARGEST_POWER).contains(&n).then(|| x.to_owned())?;
+    let mut product = (1..=MAX_POWER).contains(&n).then(|| x.to_owned())?;
     for _ in 1..n {
         product = format!("Times {x} ({product})");
     }

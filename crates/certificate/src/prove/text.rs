@@ -12,7 +12,7 @@ use impact_pair_model::{Error, EventKind};
 const PLAIN_IMPACTS: usize = 20;
 const PLAIN_SCALE: u32 = 100;
 /// Bits of a decimal in the place of a time that is none.
-const UNTIL_BITS: u32 = 128;
+const PLACEHOLDER_BITS: u32 = 128;
 
 /// The first lines of each file.
 const PREAMBLE: &str = "\
@@ -79,7 +79,7 @@ fn theorem(claims: &[Claim], begin: &Box, legs: &[Leg]) -> String {
     let legs: Vec<_> = legs.iter().map(written).collect();
     format!(
         "\
-(* What the certificate prints: wall, bounds of the time, bounds of the velocity before the impact. *)
+(* The printed impacts: wall, bounds of the time, bounds of the velocity before the impact. *)
 Definition printed : list bounds := [
   {}
 ]%Q.
@@ -114,7 +114,7 @@ Proof. reflexivity. Qed.
     };
     // A decimal is itself; another number is below the decimal.
     let decimal = until.as_rational().cloned().unwrap_or_else(|| {
-        let [_, upper] = decimal_bounds(&until.enclose(UNTIL_BITS));
+        let [_, upper] = decimal_bounds(&until.enclose(PLACEHOLDER_BITS));
         Exact::parse(&upper).ok().and_then(|upper| upper.as_rational().cloned()).expect("a decimal")
     });
     format!(

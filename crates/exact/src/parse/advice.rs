@@ -4,7 +4,7 @@ use super::super::error::Advice;
 use super::read;
 
 /// Other notations, each with the one that is read here.
-const WRITTEN: [(&str, &str); 10] = [
+const NOTATIONS: [(&str, &str); 10] = [
     ("π", "pi"),
     ("Pi", "pi"),
     ("PI", "pi"),
@@ -17,16 +17,16 @@ const WRITTEN: [(&str, &str); 10] = [
     ("÷", "/"),
 ];
 /// The beginnings of factors that may follow a number without a multiplication sign.
-const FACTORS: [&str; 5] = ["pi", "sqrt", "sin", "cos", "("];
+const FACTOR_STARTS: [&str; 5] = ["pi", "sqrt", "sin", "cos", "("];
 /// Longer texts get no advice.
-const LONGEST: usize = 100;
+const MAX_LENGTH: usize = 100;
 
 /// The advice for a text that does not read as a number.
 pub(super) fn advice(text: &str) -> Advice {
-    if text.len() > LONGEST {
+    if text.len() > MAX_LENGTH {
         return Advice::Nothing;
     }
-    let written = WRITTEN.iter().fold(text.to_owned(), |text, (other, ours)| text.replace(other, ours));
+    let written = NOTATIONS.iter().fold(text.to_owned(), |text, (other, ours)| text.replace(other, ours));
     let tried = [with_products(&written), with_point(&written)];
     match tried.into_iter().find(|tried| tried != text && read(tried).is_ok()) {
         Some(meant) => Advice::Meant(meant),
@@ -40,7 +40,7 @@ fn with_products(text: &str) -> String {
     let mut all = String::with_capacity(text.len());
     for (at, letter) in text.char_indices() {
         let multiplies = text[..at].ends_with(|before: char| before.is_ascii_digit() || before == ')');
-        if multiplies && FACTORS.iter().any(|factor| text[at..].starts_with(factor)) {
+        if multiplies && FACTOR_STARTS.iter().any(|factor| text[at..].starts_with(factor)) {
             all.push('*');
         }
         all.push(letter);

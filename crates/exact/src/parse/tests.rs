@@ -45,7 +45,7 @@ fn numbers_mean_what_they_say() {
 }
 
 #[test]
-fn errors_say_what_where_and_what_else() {
+fn errors_name_the_fault_its_place_and_the_accepted_values() {
     let cases = [
         ("", "column 1: found the end, accepted are a number"),
         ("nan", "column 1: found `nan`, accepted are finite"),
@@ -122,7 +122,7 @@ proptest! {
 }
 
 #[test]
-fn advice_tells_what_was_perhaps_meant() {
+fn advice_suggests_the_likely_expression() {
     for (text, meant) in [
         ("2pi", "2*pi"),
         ("3 + 2sqrt(2)", "3 + 2*sqrt(2)"),

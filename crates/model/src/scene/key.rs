@@ -180,7 +180,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn keys_that_set_one_datum_are_told() {
+    fn keys_that_set_one_datum_are_named_in_the_error() {
         let is_one = |a: &str, b: &str| a.parse::<Key>().unwrap().is_one_with(b.parse().unwrap());
         assert!(is_one("gap", "pair.gap") && is_one("start.time", "start.phase"));
         assert!(is_one("phase.2", "phase.2") && is_one("phase", "phase.1") && is_one("phase.1", "phase"));
@@ -188,7 +188,7 @@ mod tests {
     }
 
     #[test]
-    fn a_key_of_the_start_is_meant() {
+    fn a_key_of_the_start_is_suggested() {
         assert!("velocity".parse::<Key>().unwrap_err().to_string().contains("start.velocity"));
     }
 }

@@ -132,14 +132,15 @@ impl Scene {
         self.run.settings(Arithmetic::Auto)
     }
 
-    /// Returns the settings of the run: those of `asked`, else those of the table `[run]`.
-    pub fn settings_asked(&self, asked: Run, arithmetic: Arithmetic) -> Settings {
-        let (impacts, until) = (asked.impacts.or(self.run.impacts), asked.until.or_else(|| self.run.until.clone()));
-        Run { impacts, until, digits: self.digits_asked(asked.digits, arithmetic) }.settings(arithmetic)
+    /// Returns the settings of the run: those of `requested`, else those of the table `[run]`.
+    pub fn settings_requested(&self, requested: Run, arithmetic: Arithmetic) -> Settings {
+        let (impacts, until) =
+            (requested.impacts.or(self.run.impacts), requested.until.or_else(|| self.run.until.clone()));
+        Run { impacts, until, digits: self.digits_requested(requested.digits, arithmetic) }.settings(arithmetic)
     }
 
     /// Returns the digits of an orbit: those requested, or else those of `[run]`; six for a shadow.
-    pub fn digits_asked(&self, digits: Option<u32>, arithmetic: Arithmetic) -> Option<u32> {
+    pub fn digits_requested(&self, digits: Option<u32>, arithmetic: Arithmetic) -> Option<u32> {
         digits.or(if arithmetic == Arithmetic::Shadow { Some(SHADOW_DIGITS) } else { self.run.digits })
     }
 

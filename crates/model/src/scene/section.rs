@@ -8,7 +8,8 @@ use crate::error::Error;
 use crate::excerpt::Excerpt;
 use impact_pair_exact::Exact;
 
-const NUMBER: &str = "must be a number, or a string with an expression (\"3*pi\") or an interval (\"[9.42, 9.43]\")";
+const NUMBER_EXPECTED: &str =
+    "must be a number, or a string with an expression (\"3*pi\") or an interval (\"[9.42, 9.43]\")";
 
 /// The symbols of the paper, and of programs, for keys of a scene, with their tables.
 const SYMBOLS: [(&str, &str, &str); 19] = [
@@ -88,7 +89,7 @@ impl<'t> Section<'t> {
 
     /// Returns the entry of `key`, which must be there.
     pub fn require(&self, key: &str) -> Result<Entry<'t>, Error> {
-        self.entry(key).ok_or_else(|| self.missing(key, NUMBER))
+        self.entry(key).ok_or_else(|| self.missing(key, NUMBER_EXPECTED))
     }
 
     pub fn missing(&self, key: &str, accepted: &str) -> Error {
@@ -169,7 +170,9 @@ impl<'t> Entry<'t> {
 
     /// Returns an exact number or interval.
     pub fn number(&self) -> Result<Exact, Error> {
-        self.item.as_value().map_or_else(|| Err(self.refused(NUMBER)), |value| self.exact(value, self.value.clone()))
+        self.item
+            .as_value()
+            .map_or_else(|| Err(self.refused(NUMBER_EXPECTED)), |value| self.exact(value, self.value.clone()))
     }
 
     /// Returns an exact number that is no interval.
@@ -211,7 +214,7 @@ impl<'t> Entry<'t> {
             Value::String(string) => (string.value().as_str(), 1),
             Value::Integer(_) | Value::Float(_) => (self.text.get(place.clone()).unwrap_or_default(), 0),
             Value::Boolean(_) | Value::Datetime(_) | Value::Array(_) | Value::InlineTable(_) => {
-                return Err(self.refused_at(place, NUMBER));
+                return Err(self.refused_at(place, NUMBER_EXPECTED));
             }
         };
         Exact::parse(expression).map_err(|error| {

@@ -8,7 +8,7 @@ use crate::pair::ImpactPair;
 use crate::start::{Place, Start};
 use impact_pair_exact::Exact;
 
-const ON_A_WALL: &str = "the scene starts on a wall (give it a start.position instead)";
+const STARTS_ON_WALL: &str = "the scene starts on a wall (give it a start.position instead)";
 
 impl Scene {
     /// Returns the scene with these values in place of its own; the settings of its run are kept.
@@ -37,7 +37,7 @@ impl Scene {
             Key::StartVelocity => self.start.velocity = value,
             Key::StartPosition => match &mut self.start.place {
                 Place::Inside(position) => *position = value,
-                Place::Wall(_) => return Err(Error::range("start.position", &value, ON_A_WALL)),
+                Place::Wall(_) => return Err(Error::range("start.position", &value, STARTS_ON_WALL)),
             },
             _ => self.pair = self.pair.with(key, value)?,
         }
@@ -212,7 +212,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_out_of_range_is_refused() {
+    fn values_out_of_range_are_refused() {
         let (wall, inside) =
             (scene("time = 0, wall = \"left\", velocity = -1"), scene("time = 0, position = 1.5, velocity = 1"));
         let message = |scene: &Scene, key, value| scene.with(&[(key, exact(value))]).unwrap_err().to_string();

@@ -19,11 +19,11 @@ use crate::sweep::{Cells, described};
 /// The picture as it is shown.
 pub const SIZE: (u32, u32) = (960, 720);
 /// Room on the right of the axes, and the radius of the ring of a figure.
-const RIGHT: i32 = 28 * SCALE;
-const RING: i32 = 5 * SCALE;
+const RIGHT_MARGIN: i32 = 28 * SCALE;
+const RING_RADIUS: i32 = 5 * SCALE;
 /// The width of a curve, and of the white on both sides of it.
-const WIDTH: i32 = 2 * SCALE;
-const AROUND: i32 = 4 * SCALE;
+const CURVE_WIDTH: i32 = 2 * SCALE;
+const HALO_WIDTH: i32 = 4 * SCALE;
 
 /// Returns the picture as SVG.
 ///
@@ -61,7 +61,7 @@ fn frame(
     (root, look): (&Canvas<'_>, &Look),
 ) -> Result<Plane, Box<dyn StdError>> {
     let title = format!("{}: where every motion goes", head.title.as_deref().unwrap_or("The impact pair"));
-    let top = picture::caption(root, look, &title, &[given(head), said(head, leaves)])?;
+    let top = picture::caption(root, look, &title, &[given(head), caption_text(head, leaves)])?;
     let what = if head.cells { "cells" } else { "points" };
     let entry = |(class, count): (usize, usize)| {
         let (_, colour, words) = CLASSES[class];
@@ -77,7 +77,7 @@ fn frame(
         let names: Vec<&str> = kinds.into_iter().filter(|(kind, _)| is_there(*kind)).map(|(_, name)| name).collect();
         if !names.is_empty() {
             let of = "of equispaced motions (66)-(69), N = 1, 3, 5";
-            entries.push((Mark::Line(BLACK, WIDTH), format!("{} {of}", names.join(" and "))));
+            entries.push((Mark::Line(BLACK, CURVE_WIDTH), format!("{} {of}", names.join(" and "))));
         }
         if !parameters.figures(leaves.range()).is_empty() {
             entries.push((Mark::Ring, "the paper's figures".to_owned()));
@@ -87,7 +87,7 @@ fn frame(
     let (_, below) = root.split_vertically(top + height + 6 * SCALE);
     let axes = leaves.range().map(|[low, high]| Axis::over(low, high));
     let names = leaves.axes.each_ref().map(|axis| described(axis.key));
-    Plane::draw(&below, axes, [&names[0], &names[1]], RIGHT)
+    Plane::draw(&below, axes, [&names[0], &names[1]], RIGHT_MARGIN)
 }
 
 /// The parameters that do not vary and matter.
@@ -109,7 +109,7 @@ fn given(head: &AtlasHead) -> String {
 }
 
 /// Returns the line on the computation: number of points or cells, and program.
-fn said(head: &AtlasHead, leaves: &Leaves) -> String {
+fn caption_text(head: &AtlasHead, leaves: &Leaves) -> String {
     let what = if head.cells {
         format!("{} cells, each for all parameters in it", leaves.all.len())
     } else {
@@ -155,11 +155,11 @@ fn over(plane: &Plane, parameters: &Parameters, leaves: &Leaves, root: &Canvas<'
             let _ = write!(data, "{}{x:.1} {y:.1}", if i == 0 { "M" } else { "L" });
         }
         let dashes = if kind == Bifurcation::Pitchfork {
-            format!(" stroke-dasharray=\"{0} {0}\"", 3 * WIDTH)
+            format!(" stroke-dasharray=\"{0} {0}\"", 3 * CURVE_WIDTH)
         } else {
             String::new()
         };
-        for (colour, width, dashes) in [(WHITE, AROUND, ""), (BLACK, WIDTH, dashes.as_str())] {
+        for (colour, width, dashes) in [(WHITE, HALO_WIDTH, ""), (BLACK, CURVE_WIDTH, dashes.as_str())] {
             let _ = writeln!(drawn, "<path stroke=\"{}\" stroke-width=\"{width}\"{dashes} d=\"{data}\"/>", hex(colour));
         }
     }
@@ -167,8 +167,8 @@ fn over(plane: &Plane, parameters: &Parameters, leaves: &Leaves, root: &Canvas<'
     let rings: Vec<(u32, (i32, i32))> =
         parameters.figures(range).into_iter().map(|(number, at)| (number, plane.pixel(at))).collect();
     for (_, at) in &rings {
-        root.draw(&Circle::new(*at, RING + SCALE, WHITE.filled()))?;
-        root.draw(&Circle::new(*at, RING, BLACK.stroke_width(SCALE as u32)))?;
+        root.draw(&Circle::new(*at, RING_RADIUS + SCALE, WHITE.filled()))?;
+        root.draw(&Circle::new(*at, RING_RADIUS, BLACK.stroke_width(SCALE as u32)))?;
     }
     let mut taken: Vec<Label> = rings.iter().map(|(_, at)| Label::ring(*at)).collect();
     for (number, at) in rings {
@@ -190,7 +190,7 @@ struct Label {
 
 impl Label {
     fn ring((x, y): (i32, i32)) -> Self {
-        let by = RING + SCALE;
+        let by = RING_RADIUS + SCALE;
         Self { ends: [x - by, y - by, x + by, y + by] }
     }
 
@@ -198,9 +198,9 @@ impl Label {
     /// ring on or up to it; right if there is none.
     fn beside((x, y): (i32, i32), text: &str, pixels: [(i32, i32); 2], taken: &[Self]) -> Self {
         let (width, half) = (text.len() as i32 * FONT * 2 / 5 + 2 * SCALE, FONT * 3 / 5);
-        let (away, far) = (RING + 3 * SCALE, RING + 2 * SCALE + half);
+        let (away, far) = (RING_RADIUS + 3 * SCALE, RING_RADIUS + 2 * SCALE + half);
         let of = |left: i32, middle: i32| Self { ends: [left, middle - half, left + width, middle + half] };
-        let along = [x - width / 2, x - RING, x + RING - width];
+        let along = [x - width / 2, x - RING_RADIUS, x + RING_RADIUS - width];
         let places = [of(x + away, y), of(x - away - width, y)].into_iter();
         let mut places =
             places.chain([y - far, y + far].into_iter().flat_map(|middle| along.map(|left| of(left, middle))));

@@ -30,7 +30,7 @@ pub fn html(atlas: &mut impl Records<Head = AtlasHead>) -> Result<String> {
         "range": leaves.range(),
         "place": place,
         "classes": CLASSES.map(|(name, colour, words)| json!({ "name": name, "colour": hex(colour), "words": words })),
-        "leaves": leaves.all.iter().map(|leaf| said(head, leaf)).collect::<Result<Vec<_>>>()?,
+        "leaves": leaves.all.iter().map(|leaf| leaf_text(head, leaf)).collect::<Result<Vec<_>>>()?,
         "command": format!("impact-pair global - {} <<'END'", settings(head)),
     });
     // No tag can end within it.
@@ -55,7 +55,7 @@ pub fn html(atlas: &mut impl Records<Head = AtlasHead>) -> Result<String> {
 }
 
 /// Returns the data of a point or a cell on the page: class, components, their order, and the scene.
-fn said(head: &AtlasHead, leaf: &Leaf) -> Result<Value> {
+fn leaf_text(head: &AtlasHead, leaf: &Leaf) -> Result<Value> {
     let global = leaf.record.global(head).context("an axis is no parameter of the scene")?;
     Ok(json!({
         "ends": leaf.ends,

@@ -5,8 +5,8 @@ use impact_pair::Scene;
 use impact_pair::chaos::{Chaos, Cone, Hyperbolic, State};
 use plotters::style::RGBColor;
 
-use super::leaf::{self, BEYOND, Leaf};
-use super::{OUTLINE, RIGHT, lines};
+use super::leaf::{self, Leaf, VIEW_MARGIN};
+use super::{OUTLINE_WIDTH, RIGHT_MARGIN, lines};
 use crate::picture::{Axis, BLUE, Canvas, Drawn, Element, ORANGE, Path, Plane, SCALE, SKY, VERMILION, hex};
 
 /// Colours of the strips, of the leaves and of the cones.
@@ -14,9 +14,9 @@ pub const COLOURS: [RGBColor; 3] = [SKY, BLUE, ORANGE];
 /// Cones along the leaf of a word.
 const CONES: usize = 9;
 /// Greatest extent of a cone along the h-set and across it, in half sides of the h-set.
-const REACH: [f64; 2] = [0.1, 0.2];
+const CONE_SIZE: [f64; 2] = [0.1, 0.2];
 /// Width of leaves.
-pub const LEAF: i32 = SCALE;
+pub const LEAF_WIDTH: i32 = SCALE;
 
 /// Returns the h-set that most cones are in, by its place among all.
 fn shown(found: &Chaos, set: &Hyperbolic) -> usize {
@@ -28,8 +28,8 @@ fn shown(found: &Chaos, set: &Hyperbolic) -> usize {
 pub fn draw(scene: &Scene, (found, set): (&Chaos, &Hyperbolic), area: &Canvas<'_>, root: &Canvas<'_>) -> Drawn {
     let base = shown(found, set);
     let names = ["along the h-set, in half lengths", "across it, in half widths"];
-    let window = [-1.0 - BEYOND, 1.0 + BEYOND];
-    let plane = Plane::draw(area, [0, 1].map(|_| Axis::over(window[0], window[1])), names, RIGHT)?;
+    let window = [-1.0 - VIEW_MARGIN, 1.0 + VIEW_MARGIN];
+    let plane = Plane::draw(area, [0, 1].map(|_| Axis::over(window[0], window[1])), names, RIGHT_MARGIN)?;
     let own = Leaf::of(&found.bases()[base]);
     let word = |number: &usize| &found.words()[*number];
     let into: Vec<&usize> = set.words.iter().filter(|number| word(number).to == base).collect();
@@ -37,10 +37,10 @@ pub fn draw(scene: &Scene, (found, set): (&Chaos, &Hyperbolic), area: &Canvas<'_
     let from = set.words.iter().zip(&set.strips).filter(|(number, _)| word(number).from == base);
     let mut elements = filled(from.map(|(_, sides)| strip(*sides)), &plane, strips);
     let images = |number: &&usize| leaf::strips(scene, found, word(number), &own);
-    elements += &lines(&into.iter().flat_map(images).collect::<Vec<_>>(), &plane, (leaves, LEAF));
+    elements += &lines(&into.iter().flat_map(images).collect::<Vec<_>>(), &plane, (leaves, LEAF_WIDTH));
     elements += &filled(into.iter().flat_map(|number| wedges(set, **number)), &plane, cones);
     let square = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0], [-1.0, -1.0]];
-    elements += &lines(&[square.to_vec()], &plane, (VERMILION, OUTLINE));
+    elements += &lines(&[square.to_vec()], &plane, (VERMILION, OUTLINE_WIDTH));
     root.draw(&Element(plane.clipped(&elements)))?;
     Ok(())
 }
@@ -62,7 +62,7 @@ fn wedges(set: &Hyperbolic, number: usize) -> Vec<Vec<State>> {
 /// The two triangles of a cone: the states in the directions between its slopes.
 fn wedge(Cone { place: [xi, eta], slopes, .. }: &Cone) -> [Vec<State>; 2] {
     let steep = slopes.iter().fold(0.0, |most: f64, slope| most.max(slope.abs()));
-    let reach = REACH[0].min(REACH[1] / steep);
+    let reach = CONE_SIZE[0].min(CONE_SIZE[1] / steep);
     [-reach, reach].map(|run| vec![[*xi, *eta], [xi + run, eta + run * slopes[0]], [xi + run, eta + run * slopes[1]]])
 }
 

@@ -5,28 +5,28 @@ use std::collections::BTreeSet;
 use std::f64::consts::TAU;
 
 use impact_pair::Scene;
-use impact_pair::chaos::{Base, Chaos, State, Word};
+use impact_pair::chaos::{Chaos, HSet, State, Word};
 use impact_pair::exact::Exact;
 use impact_pair::orbit::{Arithmetic, Impact, Orbit, Settings, Start};
 use impact_pair::pair::{ImpactPair, Wall};
 use impact_pair::units::Units;
 use plotters::style::RGBColor;
 
-use super::{OUTLINE, RIGHT, dots, lines, round, seen};
+use super::{OUTLINE_WIDTH, RIGHT_MARGIN, dots, lines, round, seen};
 use crate::picture::{Axis, BLUE, Canvas, Drawn, Element, GREEN, Plane, SCALE, VERMILION};
 use crate::sweep::value;
 
 /// Width of the margin shown around the h-sets, in half sides of an h-set.
-pub const BEYOND: f64 = 0.3;
+pub const VIEW_MARGIN: f64 = 0.3;
 /// H-sets further off across the leaf are not shown.
-const FAR: f64 = 12.0;
+const MAX_OFFSET: f64 = 12.0;
 /// States of an h-set's middle line that are followed.
-const FOLLOWED: usize = 2000;
+const SAMPLES: usize = 2000;
 /// Neighbours among them whose images are further apart have a graze between them.
-const APART: f64 = 0.3;
+const GRAZE_DISTANCE: f64 = 0.3;
 /// Colours of the images by both words, and their width.
 pub const COLOURS: [RGBColor; 2] = [BLUE, GREEN];
-pub const STRIP: i32 = 3 * SCALE;
+pub const STRIP_WIDTH: i32 = 3 * SCALE;
 
 /// The coordinates of an h-set, exact for a parallelogram.
 pub struct Leaf {
@@ -37,7 +37,7 @@ pub struct Leaf {
 
 impl Leaf {
     /// Returns those of an h-set.
-    pub fn of(base: &Base) -> Self {
+    pub fn of(base: &HSet) -> Self {
         let [a, b, c, d, _] = round(base);
         let of = |signs: [f64; 4]| {
             [0, 1].map(|i| 0.25 * (signs[0] * a[i] + signs[1] * b[i] + signs[2] * c[i] + signs[3] * d[i]))
@@ -56,8 +56,8 @@ impl Leaf {
 
     /// States of its middle line, from its left to its right edge.
     fn middle(&self) -> impl Iterator<Item = State> + '_ {
-        (0..FOLLOWED).map(|k| {
-            let part = 2.0 * (k as f64 + 0.5) / FOLLOWED as f64 - 1.0;
+        (0..SAMPLES).map(|k| {
+            let part = 2.0 * (k as f64 + 0.5) / SAMPLES as f64 - 1.0;
             [0, 1].map(|i| self.centre[i] + part * self.along[i])
         })
     }
@@ -80,23 +80,23 @@ pub fn draw(scene: &Scene, found: &Chaos, area: &Canvas<'_>, root: &Canvas<'_>) 
     let leaf = Leaf::of(&found.bases()[first]);
     let outlines: Vec<Vec<State>> =
         found.bases().iter().map(|base| round(base).iter().map(|corner| leaf.place(corner)).collect()).collect();
-    let near = |outline: &&Vec<State>| outline.iter().all(|at| at[0].abs() < FAR && at[1].abs() < FAR);
+    let near = |outline: &&Vec<State>| outline.iter().all(|at| at[0].abs() < MAX_OFFSET && at[1].abs() < MAX_OFFSET);
     let ends = |axis: usize| {
         let shown = outlines.iter().filter(near).flatten().map(|at| at[axis]);
         shown.fold([-1.0, 1.0], |[low, high]: [f64; 2], at| [low.min(at), high.max(at)])
     };
-    let window = [0, 1].map(ends).map(|[low, high]| [low - BEYOND, high + BEYOND]);
+    let window = [0, 1].map(ends).map(|[low, high]| [low - VIEW_MARGIN, high + VIEW_MARGIN]);
     let names = ["along the leaf, in half lengths of the h-set", "across the leaf, in half widths of the h-set"];
-    let plane = Plane::draw(area, window.map(|[low, high]| Axis::over(low, high)), names, RIGHT)?;
+    let plane = Plane::draw(area, window.map(|[low, high]| Axis::over(low, high)), names, RIGHT_MARGIN)?;
     let is_shown = |at: &State| (0..2).all(|i| (window[i][0]..=window[i][1]).contains(&at[i]));
     let states = seen(found).map(|state| leaf.place(state)).filter(is_shown).collect();
     root.draw(&dots(states, &plane))?;
     let mut elements = String::new();
     for (words, colour) in both.iter().zip(COLOURS) {
         let strips: Vec<Vec<State>> = words.iter().flat_map(|word| strips(scene, found, word, &leaf)).collect();
-        elements += &lines(&strips, &plane, (colour, STRIP));
+        elements += &lines(&strips, &plane, (colour, STRIP_WIDTH));
     }
-    elements += &lines(&outlines, &plane, (VERMILION, OUTLINE));
+    elements += &lines(&outlines, &plane, (VERMILION, OUTLINE_WIDTH));
     root.draw(&Element(plane.clipped(&elements)))?;
     Ok(())
 }
@@ -107,12 +107,12 @@ pub fn strips(scene: &Scene, found: &Chaos, word: &Word, shown: &Leaf) -> Vec<Ve
     let images = from.middle().map(|state| image(scene.pair(), state, &word.walls));
     let is_across = |image: &State| {
         let [along, across] = to.place(image);
-        along.abs() <= 1.0 + BEYOND && across.abs() <= 1.0
+        along.abs() <= 1.0 + VIEW_MARGIN && across.abs() <= 1.0
     };
     let mut strips: Vec<Vec<State>> = vec![Vec::new()];
     for image in images {
         let place = image.filter(is_across).map(|image| shown.place(&image));
-        let is_next = |last: &State| place.is_some_and(|place| (place[0] - last[0]).abs() < APART);
+        let is_next = |last: &State| place.is_some_and(|place| (place[0] - last[0]).abs() < GRAZE_DISTANCE);
         if strips.last().and_then(|strip| strip.last()).is_some_and(|last| !is_next(last)) {
             strips.push(Vec::new());
         }
@@ -144,11 +144,11 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_base_is_its_own_square() {
-        let leaf = Leaf::of(&Base::new([0.9, 1.2], [0.03, 0.08], [-0.0002, 0.001]));
+    fn an_h_set_is_the_unit_square_in_its_coordinates() {
+        let leaf = Leaf::of(&HSet::new([0.9, 1.2], [0.03, 0.08], [-0.0002, 0.001]));
         let near = |at: State, place: State| (0..2).all(|i| (leaf.place(&at)[i] - place[i]).abs() < 1e-9);
         assert!(near([0.9, 1.2], [0.0, 0.0]) && near([0.93, 1.28], [1.0, 0.0]) && near([0.8998, 1.201], [0.0, 1.0]));
-        // A turn later.
+        // A forcing period later.
         assert!(near([1.8702, 1.119], [-1.0, -1.0]));
     }
 

@@ -4,18 +4,18 @@ use impact_pair::chaos::Global;
 use plotters::prelude::*;
 use plotters::style::text_anchor::HPos;
 
-use super::{MOST, colour, name};
+use super::{MAX_COMPONENTS, colour, name};
 use crate::picture::{Canvas, Drawn, FONT, GREY, SCALE, words};
 
 /// Radius of a node, and the room around the graph.
 const RADIUS: i32 = 9 * SCALE;
 const MARGIN: i32 = 30 * SCALE;
 /// Length of the head of an arrow.
-const HEAD: f64 = 9.0 * SCALE as f64;
+const ARROW_HEAD: f64 = 9.0 * SCALE as f64;
 
 /// Draws the components, as many as there is room for, and arrows between those that no third one is between.
 pub fn draw(found: &Global, area: &Canvas<'_>) -> Drawn {
-    let count = found.components.len().min(MOST);
+    let count = found.components.len().min(MAX_COMPONENTS);
     let leads = |from: usize, to: usize| found.order.contains(&[from, to]);
     let arrows: Vec<[usize; 2]> = found
         .order
@@ -77,12 +77,15 @@ fn arrow(area: &Canvas<'_>, from: (i32, i32), to: (i32, i32)) -> Drawn {
     let long = dx.hypot(dy).max(1.0);
     let (along, across) = ((dx / long, dy / long), (-dy / long, dx / long));
     let gap = f64::from(RADIUS + 4 * SCALE);
-    let at = |back: f64, aside: f64| {
-        let x = f64::from(to.0) - along.0 * (gap + back) + across.0 * aside;
-        let y = f64::from(to.1) - along.1 * (gap + back) + across.1 * aside;
+    let at = |back: f64, offset: f64| {
+        let x = f64::from(to.0) - along.0 * (gap + back) + across.0 * offset;
+        let y = f64::from(to.1) - along.1 * (gap + back) + across.1 * offset;
         (x as i32, y as i32)
     };
-    area.draw(&PathElement::new([from, at(HEAD, 0.0)], GREY.stroke_width(SCALE as u32 * 3 / 2)))?;
-    area.draw(&Polygon::new([at(0.0, 0.0), at(HEAD, 0.4 * HEAD), at(HEAD, -0.4 * HEAD)], GREY.filled()))?;
+    area.draw(&PathElement::new([from, at(ARROW_HEAD, 0.0)], GREY.stroke_width(SCALE as u32 * 3 / 2)))?;
+    area.draw(&Polygon::new(
+        [at(0.0, 0.0), at(ARROW_HEAD, 0.4 * ARROW_HEAD), at(ARROW_HEAD, -0.4 * ARROW_HEAD)],
+        GREY.filled(),
+    ))?;
     Ok(())
 }

@@ -8,24 +8,27 @@ use super::trace::{Part, Point};
 use crate::picture::{Canvas, Drawn, Element, Path, Plane, SCALE, hermite, hex};
 
 /// A segment goes over N points of a stroke: a twenty-fourth of a forcing period.
-pub const POINTS: usize = 4;
+pub const POINTS_PER_SEGMENT: usize = 4;
 /// Number of flights from which on they are translucent, and their least opacity.
-const MANY: f64 = 30.0;
-const FAINTEST: f64 = 0.2;
+const TRANSLUCENT_FROM: f64 = 30.0;
+const MIN_OPACITY: f64 = 0.2;
 /// Jumps are fainter than flights, but do not darken each other: they lie on walls.
-const JUMP: f64 = 0.45;
+const JUMP_OPACITY: f64 = 0.45;
 
 /// Returns a stroke's curve on a panel.
 pub fn path(points: &[Point], frame: &Frame<'_>, plane: &Plane) -> Path {
     let middle = |point: &Point| frame.place(point).map(|span| span.middle);
     let mut path = Path::default();
     let last = points.len() - 1;
-    let knots: Vec<&Point> = (0..last).step_by(POINTS).chain([last]).map(|at| &points[at]).collect();
+    let knots: Vec<&Point> = (0..last).step_by(POINTS_PER_SEGMENT).chain([last]).map(|at| &points[at]).collect();
     path.move_to(plane.place(middle(knots[0])));
     for pair in knots.windows(2) {
         let turns = pair[1].at - pair[0].at;
         let end = |point: &Point| {
-            (plane.place(middle(point)), plane.way(middle(point), frame.rate(point).map(|rate| rate * turns)))
+            (
+                plane.place(middle(point)),
+                plane.pixel_displacement(middle(point), frame.rate(point).map(|rate| rate * turns)),
+            )
         };
         path.curve_to(hermite(end(pair[0]), end(pair[1])));
     }
@@ -45,10 +48,14 @@ pub fn draw(frame: &Frame<'_>, style: Style, plane: &Plane, root: &Canvas<'_>) -
             strokes.filter(|(stroke, _)| (stroke.impacts < style.transient) == is_transient)
         };
         let flights = of(&[Part::Flight]).count() as f64;
-        let is_dense = !frame.panel.is_of_time() && flights > MANY;
-        let (width, opacity) = if is_dense { (1.0, (MANY / flights).sqrt().max(FAINTEST)) } else { (1.5, 1.0) };
-        let looks: [Look; 3] =
-            [(&[Part::Jump], 1.0, JUMP), (&[Part::Flight], width, opacity), (&[Part::Chatter, Part::Rest], 5.0, 1.0)];
+        let is_dense = !frame.panel.is_of_time() && flights > TRANSLUCENT_FROM;
+        let (width, opacity) =
+            if is_dense { (1.0, (TRANSLUCENT_FROM / flights).sqrt().max(MIN_OPACITY)) } else { (1.5, 1.0) };
+        let looks: [Look; 3] = [
+            (&[Part::Jump], 1.0, JUMP_OPACITY),
+            (&[Part::Flight], width, opacity),
+            (&[Part::Chatter, Part::Rest], 5.0, 1.0),
+        ];
         for (parts, width, opacity) in looks {
             let paths: Vec<Path> = of(parts).map(|(_, points)| path(points, frame, plane)).collect();
             if !paths.is_empty() {

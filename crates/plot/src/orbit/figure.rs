@@ -53,9 +53,9 @@ impl Figure {
 
     /// Returns how far the orbit of a scene is followed: where nothing is said, as far as the panels need.
     pub fn settings(&self, scene: &Scene) -> Settings {
-        let asked = self.run.impacts.is_some() || self.run.until.is_some();
+        let requested = self.run.impacts.is_some() || self.run.until.is_some();
         let many = self.panels.iter().any(|panel| panel.is_section());
-        let (impacts, until) = match (asked, many) {
+        let (impacts, until) = match (requested, many) {
             (true, _) => (self.run.impacts, self.run.until.clone()),
             (false, true) => (Some(SECTION_IMPACTS), None),
             (false, false) => match end_of(scene, self.curve_cycles()) {
@@ -63,7 +63,7 @@ impl Figure {
                 None => (Some(SECTION_IMPACTS), None),
             },
         };
-        let digits = scene.digits_asked(self.run.digits, self.arithmetic);
+        let digits = scene.digits_requested(self.run.digits, self.arithmetic);
         let run = Run { impacts, until: until.clone(), digits };
         let settings = run.settings(self.arithmetic);
         Settings { impacts, until, max_bits: self.max_bits, splice: self.splice, attractor: true, ..settings }

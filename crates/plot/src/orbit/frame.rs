@@ -8,7 +8,7 @@ use super::trace::{Crossing, Part, Point, Span, Stroke, Trace};
 use crate::picture::Axis;
 
 /// Free room beyond the walls, in parts of the gap.
-const BEYOND_THE_WALLS: f64 = 0.08;
+const WALL_MARGIN: f64 = 0.08;
 
 /// A panel of the paper's figures 12-17.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -257,7 +257,7 @@ impl<'t> Frame<'t> {
         };
         let time = || Axis::over(self.time(self.begin), self.time(self.end));
         let gap = || {
-            let half = (1.0 + 2.0 * BEYOND_THE_WALLS) * self.trace.wall.high;
+            let half = (1.0 + 2.0 * WALL_MARGIN) * self.trace.wall.high;
             Axis::over(-half, half)
         };
         match self.panel {

@@ -14,7 +14,7 @@ use crate::picture::{Canvas, Dots, Drawn, Plane, SCALE, hull, words};
 
 const TICK_FONT: i32 = 15 * SCALE;
 /// The least height and width of the frame around what is magnified elsewhere.
-const LEAST: i32 = 20 * SCALE;
+const MIN_FRAME: i32 = 20 * SCALE;
 
 type Pixel = (i32, i32);
 
@@ -165,7 +165,7 @@ fn window(inner: &Frame<'_>, plane: &Plane, root: &Canvas<'_>) -> Drawn {
     let [x, y] = inner.axes().map(|axis| axis.range());
     let ((left, bottom), (right, top)) = (plane.pixel([x.start, y.start]), plane.pixel([x.end, y.end]));
     let wider = |low: i32, high: i32| {
-        let lacking = (LEAST - (high - low)).max(0) / 2;
+        let lacking = (MIN_FRAME - (high - low)).max(0) / 2;
         (low - lacking, high + lacking)
     };
     let ((left, right), (top, bottom)) = (wider(left, right), wider(top, bottom));

@@ -8,8 +8,8 @@ use impact_pair::pair::Wall;
 use super::trace::{Crossing, Kind, Mark, Part, Point, Span, Stroke, Trace};
 
 /// Points of a flight: in a forcing period, and at least.
-const IN_A_TURN: f64 = 96.0;
-const IN_A_HOP: u32 = 32;
+const POINTS_PER_PERIOD: f64 = 96.0;
+const POINTS_PER_HOP: u32 = 32;
 
 /// A phase: whole forcing periods since the clock's origin and the rest.
 type Phase = (i64, Ball);
@@ -219,10 +219,10 @@ impl Recorder {
 
 /// Times between two others: of the grid that the time panels end on, or of a finer one for a hop.
 fn inner(first: f64, last: f64) -> Vec<f64> {
-    if (last - first) * IN_A_TURN < f64::from(IN_A_HOP) {
-        let step = (last - first) / f64::from(IN_A_HOP);
-        return (1..IN_A_HOP).map(|k| f64::from(k).mul_add(step, first)).collect();
+    if (last - first) * POINTS_PER_PERIOD < f64::from(POINTS_PER_HOP) {
+        let step = (last - first) / f64::from(POINTS_PER_HOP);
+        return (1..POINTS_PER_HOP).map(|k| f64::from(k).mul_add(step, first)).collect();
     }
-    let from = (first * IN_A_TURN).floor() as i64 + 1;
-    (from..).map(|k| k as f64 / IN_A_TURN).take_while(|at| *at < last).collect()
+    let from = (first * POINTS_PER_PERIOD).floor() as i64 + 1;
+    (from..).map(|k| k as f64 / POINTS_PER_PERIOD).take_while(|at| *at < last).collect()
 }

@@ -10,13 +10,13 @@ use super::panel;
 use super::style::{FONT, Style};
 use super::symbols;
 use super::trace::Trace;
-use crate::picture::{self, Canvas, Drawn, LETTER, Look, SCALE, greek, said, words, wrapped};
+use crate::picture::{self, Canvas, Drawn, LETTER_WIDTH, Look, SCALE, greek, typeset_text, words, wrapped};
 
 /// The sizes of a panel that stands alone, and of one on a sheet, as they are shown.
-const ALONE: (i32, i32) = (900, 560);
-const TOGETHER: (i32, i32) = (560, 400);
+const SINGLE_PANEL_SIZE: (i32, i32) = (900, 560);
+const SHEET_PANEL_SIZE: (i32, i32) = (560, 400);
 /// The distance of the lines of the caption, and the margin around it.
-const LINE: i32 = 23 * SCALE;
+const LINE_HEIGHT: i32 = 23 * SCALE;
 const MARGIN: i32 = 16 * SCALE;
 
 /// A picture of a trace.
@@ -56,14 +56,14 @@ impl Sheet<'_> {
     fn drawn(&self, explains_boxes: bool) -> Result<(String, bool)> {
         let frames = self.frames();
         let columns = if frames.len() == 1 { 1 } else { 2 };
-        let (width, height) = if columns == 1 { ALONE } else { TOGETHER };
+        let (width, height) = if columns == 1 { SINGLE_PANEL_SIZE } else { SHEET_PANEL_SIZE };
         let rows = frames.len().div_ceil(columns);
         let whole = SCALE * self.look.size(((width * columns as i32) as u32, 0)).0 as i32;
         let caption = if self.look.no_header { Vec::new() } else { self.caption(whole - 2 * MARGIN) };
-        let head = MARGIN + LINE * caption.len() as i32;
+        let head = MARGIN + LINE_HEIGHT * caption.len() as i32;
         let entries = symbols::entries(self.trace, &self.panels, self.style, explains_boxes);
         let (legend, lines) = symbols::lay_out(&entries, self.style, whole - 2 * MARGIN);
-        let top = head + lines * symbols::LINE + MARGIN / 2;
+        let top = head + lines * symbols::LINE_HEIGHT + MARGIN / 2;
         let own = ((whole / SCALE) as u32, (top / SCALE + height * rows as i32) as u32);
         let mut has_boxes = false;
         let svg = picture::svg(self.look.size(own), SCALE, |root| {
@@ -104,9 +104,9 @@ impl Sheet<'_> {
         };
         let data = greek(&format!("{}; {}{of_what}", scene.parameters_in_words(), scene.start_in_words()));
         let title = scene.title().map(|title| (title.to_owned(), FONT + 3 * SCALE));
-        let others = [data, said(&self.verdict), format!("{}; {}", self.shown(), picture::program())];
+        let others = [data, typeset_text(&self.verdict), format!("{}; {}", self.shown(), picture::program())];
         let wrap = |(text, size): (String, i32)| {
-            let most = f64::from(width) / (LETTER * f64::from(size));
+            let most = f64::from(width) / (LETTER_WIDTH * f64::from(size));
             wrapped(&text, most).into_iter().map(move |line| (line, size))
         };
         title.into_iter().chain(others.map(|text| (text, FONT))).flat_map(wrap).collect()
@@ -121,9 +121,9 @@ impl Sheet<'_> {
             if is_row { format!("{}–{}", letters[0], letters[of.len() - 1]) } else { letters.join(", ") }
         };
         let trace = self.trace;
-        let cycles = |asked: u32| match f64::from(asked) {
+        let cycles = |requested: u32| match f64::from(requested) {
             whole if trace.is_open || whole <= trace.known => {
-                format!("{asked} cycle{}", if asked == 1 { "" } else { "s" })
+                format!("{requested} cycle{}", if requested == 1 { "" } else { "s" })
             }
             _ => format!("{:.1} cycles", trace.known),
         };
@@ -142,7 +142,7 @@ impl Sheet<'_> {
 
 fn write(caption: &[(String, i32)], root: &Canvas<'_>) -> Drawn {
     for (line, (text, size)) in caption.iter().enumerate() {
-        let place = (MARGIN, MARGIN + LINE / 2 + LINE * line as i32);
+        let place = (MARGIN, MARGIN + LINE_HEIGHT / 2 + LINE_HEIGHT * line as i32);
         root.draw(&Text::new(text.clone(), place, words(*size, &BLACK, HPos::Left)))?;
     }
     Ok(())

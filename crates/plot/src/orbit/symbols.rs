@@ -7,12 +7,12 @@ use plotters::style::text_anchor::HPos;
 use super::frame::Panel;
 use super::style::{FONT, Style};
 use super::trace::{Kind, Part, Trace};
-use crate::picture::{Canvas, Drawn, GREY, LETTER, SCALE, VERMILION, letters, words};
+use crate::picture::{Canvas, Drawn, GREY, LETTER_WIDTH, SCALE, VERMILION, letters, words};
 
 /// The distance of hatching lines.
-const HATCH: i32 = 12 * SCALE;
+const HATCH_SPACING: i32 = 12 * SCALE;
 /// The height of a line of the legend.
-pub const LINE: i32 = 26 * SCALE;
+pub const LINE_HEIGHT: i32 = 26 * SCALE;
 
 /// Returns the symbol of a graze, a rest or a release.
 pub fn symbol(root: &Canvas<'_>, kind: Kind, (x, y): (i32, i32)) -> Drawn {
@@ -39,7 +39,7 @@ pub fn open(root: &Canvas<'_>, place: (i32, i32)) -> Drawn {
 pub fn hatch(root: &Canvas<'_>, (left, top): (i32, i32), (right, bottom): (i32, i32)) -> Drawn {
     let line = VERMILION.mix(0.6).stroke_width(SCALE as u32);
     // Lines x + y = c.
-    for c in ((left + top)..=(right + bottom)).step_by(HATCH as usize) {
+    for c in ((left + top)..=(right + bottom)).step_by(HATCH_SPACING as usize) {
         let (from, to) = ((c - top).min(right), (c - bottom).max(left));
         if from > to {
             root.draw(&PathElement::new([(from, c - from), (to, c - to)], line))?;
@@ -148,19 +148,19 @@ pub fn lay_out(entries: &[Entry], style: Style, width: i32) -> (Vec<Placed>, i32
     let (mut x, mut y) = (0, 0);
     let mut places = Vec::new();
     for &entry in entries {
-        let needed = 40 * SCALE + (LETTER * f64::from(FONT) * letters(&entry.words(style))) as i32;
+        let needed = 40 * SCALE + (LETTER_WIDTH * f64::from(FONT) * letters(&entry.words(style))) as i32;
         if x > 0 && x + needed > width {
-            (x, y) = (0, y + LINE);
+            (x, y) = (0, y + LINE_HEIGHT);
         }
         places.push((entry, (x, y)));
         x += needed + 16 * SCALE;
     }
-    (places, if entries.is_empty() { 0 } else { y / LINE + 1 })
+    (places, if entries.is_empty() { 0 } else { y / LINE_HEIGHT + 1 })
 }
 
 /// Draws an entry at its place below and right of a corner.
 pub fn draw(entry: Entry, style: Style, root: &Canvas<'_>, (x, y): (i32, i32)) -> Drawn {
-    let middle = y + LINE / 2;
+    let middle = y + LINE_HEIGHT / 2;
     entry.sample(style, root, (x + 14 * SCALE, middle))?;
     root.draw(&Text::new(entry.words(style), (x + 34 * SCALE, middle), words(FONT, &BLACK, HPos::Left)))?;
     Ok(())
@@ -176,5 +176,5 @@ pub fn explain(
     for (entry, (x, y)) in places {
         draw(entry, style, root, (margin + x, top + y))?;
     }
-    Ok(lines * LINE)
+    Ok(lines * LINE_HEIGHT)
 }

@@ -7,7 +7,7 @@ use impact_pair::Scene;
 use impact_pair::orbit::{Arithmetic, Orbit, Progress, Settings};
 use impact_pair::pair::Wall;
 
-use super::curves::POINTS;
+use super::curves::POINTS_PER_SEGMENT;
 use super::frame::{Frame, Panel};
 use super::recorder::{Recorder, end_of};
 use super::sheet::Sheet;
@@ -130,7 +130,7 @@ fn distance((x, y): (f64, f64), (x0, y0): (f64, f64), (x1, y1): (f64, f64)) -> f
 }
 
 /// Hermite's bound for a twenty-fourth of a forcing period, in amplitudes.
-const MISSED: f64 = 1.3e-5;
+const HERMITE_BOUND: f64 = 1.3e-5;
 
 #[test]
 fn bezier_segments_stay_within_hermites_bound_of_the_enclosed_flight() {
@@ -155,8 +155,8 @@ fn bezier_segments_stay_within_hermites_bound_of_the_enclosed_flight() {
         let strokes = trace.strokes.iter().filter(|stroke| stroke.part == Part::Flight);
         let mut seed = 0.0f64;
         for (stroke, (course, turns, from)) in strokes.zip(flights) {
-            for pair in stroke.points.windows(POINTS + 1).step_by(POINTS) {
-                let [a, b] = [&pair[0], &pair[POINTS]];
+            for pair in stroke.points.windows(POINTS_PER_SEGMENT + 1).step_by(POINTS_PER_SEGMENT) {
+                let [a, b] = [&pair[0], &pair[POINTS_PER_SEGMENT]];
                 // A low-discrepancy sequence: other places on each segment.
                 seed = (seed + 0.618_033_988_749_894_9).fract();
                 let at = seed.mul_add(b.at - a.at, a.at);
@@ -181,11 +181,11 @@ fn bezier_segments_stay_within_hermites_bound_of_the_enclosed_flight() {
                     assert!(x >= truth.low - room && x <= truth.high + room, "{name}: {x} {truth:?} {bound:e}");
                 };
                 let [y, v] = cubic(&frame(Panel::PhasePlane));
-                near(y, (&truth.displacement).into(), MISSED * sum);
-                near(v, (&truth.velocity).into(), MISSED * sum * omega);
+                near(y, (&truth.displacement).into(), HERMITE_BOUND * sum);
+                near(v, (&truth.velocity).into(), HERMITE_BOUND * sum * omega);
                 let [t, y] = cubic(&frame(Panel::Displacement));
                 near(t, (&truth.time).into(), 0.0);
-                near(y, (&truth.displacement).into(), MISSED * sum);
+                near(y, (&truth.displacement).into(), HERMITE_BOUND * sum);
                 let [x, u] = cubic(&frame(Panel::AbsolutePhasePlane));
                 near(x, (&truth.absolute_displacement).into(), 0.0);
                 near(u, (&truth.absolute_velocity).into(), 0.0);
@@ -195,7 +195,7 @@ fn bezier_segments_stay_within_hermites_bound_of_the_enclosed_flight() {
 }
 
 #[test]
-fn what_is_drawn_is_within_a_tenth_of_a_pixel_of_the_motion() {
+fn drawn_curves_are_within_a_tenth_of_a_pixel_of_the_motion() {
     let scene = scene("figure-17");
     let (trace, _) = trace(&scene, &impacts(40), 8);
     let style = Style { is_certified: true, transient: 0 };
@@ -299,7 +299,7 @@ fn r35_crossings_lie_on_their_walls_at_their_phases() {
 }
 
 #[test]
-fn the_curve_ends_when_it_is_asked_to() {
+fn the_curve_ends_at_the_requested_time() {
     let scene = scene("figure-12-exact");
     let settings = Settings { impacts: None, until: Some("3.5".parse().unwrap()), ..Settings::default() };
     let (cut, _) = trace(&scene, &settings, 100);
@@ -350,7 +350,7 @@ fn a_graze_is_on_the_curve_and_on_the_wall() {
 }
 
 #[test]
-fn what_is_not_proved_is_open() {
+fn unproved_claims_are_undecided() {
     let (trace, impacts) = trace(&scene("figure-14"), &impacts(200), 100);
     assert!(trace.is_open && impacts.len() < 200);
     let last = impacts.last().unwrap().1;
@@ -396,7 +396,7 @@ fn an_impact_at_no_certain_time_is_enclosed_before_and_after() {
 }
 
 #[test]
-fn a_box_beyond_a_turn_goes_on_at_its_beginning() {
+fn a_box_beyond_a_forcing_period_is_reduced_modulo_it() {
     let (trace, _) = trace(&scene("figure-12"), &impacts(2), 0);
     let span = |low: f64, high: f64| Span { low, middle: 0.5 * (low + high), high };
     let place = [span(6.0, 6.5), span(-2.0, -1.0)];

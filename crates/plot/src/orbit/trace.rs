@@ -118,7 +118,7 @@ impl Crossing {
     pub fn new(orbit: &Orbit, impact: &impact_pair::orbit::Impact) -> Self {
         let point = orbit.switch_point(impact);
         let phase = Span::from(&orbit.phase(impact));
-        // The double above the lower end may be a whole turn.
+        // The double above the lower end may be a whole forcing period.
         let phase = if phase.low < TAU { phase } else { phase.map(|phase| (phase - TAU).max(0.0)) };
         let absolute = ((&point.displacement).into(), (&point.absolute_velocity).into());
         Self { wall: point.wall, phase, velocity: (&point.relative_velocity).into(), absolute }

@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use super::Axis;
 
 /// Phases of N eighths of a forcing period are distinguished where it is looked at which are there.
-const EIGHTHS: usize = 8;
+const PARTS_PER_PERIOD: usize = 8;
 
 /// An arc of whole eighths of a forcing period.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -18,17 +18,18 @@ impl Arc {
     /// Returns the least one that holds these phases, from one to another, in forcing periods: half a forcing period at least, and all of it where
     /// less than a quarter would be left out.
     pub fn holding(phases: impl Iterator<Item = [f64; 2]>) -> Self {
-        let mut is_met = [false; EIGHTHS];
+        let mut is_met = [false; PARTS_PER_PERIOD];
         for [low, high] in phases {
             let (first, last) = ((low * 8.0).floor() as i64, (high * 8.0).ceil() as i64);
             (first..last.max(first + 1)).for_each(|eighth| is_met[eighth.rem_euclid(8) as usize] = true);
         }
-        let blank = |from: usize| (0..EIGHTHS).take_while(|k| !is_met[(from + k) % EIGHTHS]).count();
-        let (from, blank) = (0..EIGHTHS).map(|from| (from, blank(from))).max_by_key(|found| found.1).unwrap_or((0, 0));
-        if blank < 2 || blank == EIGHTHS {
+        let blank = |from: usize| (0..PARTS_PER_PERIOD).take_while(|k| !is_met[(from + k) % PARTS_PER_PERIOD]).count();
+        let (from, blank) =
+            (0..PARTS_PER_PERIOD).map(|from| (from, blank(from))).max_by_key(|found| found.1).unwrap_or((0, 0));
+        if blank < 2 || blank == PARTS_PER_PERIOD {
             return Self { from: 0, to: 8 };
         }
-        let (from, length) = (((from + blank) % EIGHTHS) as i32, (EIGHTHS - blank) as i32);
+        let (from, length) = (((from + blank) % PARTS_PER_PERIOD) as i32, (PARTS_PER_PERIOD - blank) as i32);
         let more = (4 - length).max(0);
         let (from, length) = (from - (more + 1) / 2, length + more);
         let from = if from + length > 8 { from - 8 } else { from };
@@ -52,7 +53,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_is_blank_is_left_out() {
+    fn blank_values_are_left_out() {
         let arc = |phases: &[[f64; 2]]| Arc::holding(phases.iter().copied());
         assert_eq!(arc(&[[0.0, 0.1], [0.65, 0.7], [0.9, 1.02]]), Arc { from: -3, to: 1 });
         assert_eq!(arc(&[[0.3, 0.3], [0.7, 0.7]]), Arc { from: 2, to: 6 });

@@ -8,9 +8,9 @@ use plotters::coord::ranged1d::{KeyPointHint, NoDefaultFormatting, Ranged, Value
 /// Free room beyond the data, as a fraction of their range.
 const MARGIN: f64 = 0.05;
 /// Ticks on an axis, about.
-const TICKS: f64 = 6.0;
+const TARGET_TICKS: f64 = 6.0;
 /// Tolerance for numbers of steps in doubles: 0.9 - 0.3 is more than 0.6.
-const SLACK: f64 = 1e-9;
+const TOLERANCE: f64 = 1e-9;
 
 /// A linear axis.
 #[derive(Clone, Debug, PartialEq)]
@@ -34,7 +34,7 @@ impl Axis {
     pub fn over(low: f64, high: f64) -> Self {
         let room = if high > low { 0.0 } else { low.abs().max(1.0) };
         let range = low - room..high + room;
-        let (step, decimals) = step((range.end - range.start) / TICKS);
+        let (step, decimals) = step((range.end - range.start) / TARGET_TICKS);
         Self { range, labels: Labels::Step(step, decimals) }
     }
 
@@ -93,9 +93,9 @@ fn step(least: f64) -> (f64, usize) {
     let exponent = least.log10().floor() as i32;
     let decade = 10f64.powi(exponent);
     let (times, exponent) = match least / decade {
-        part if part <= 1.0 + SLACK => (1.0, exponent),
-        part if part <= 2.0 + SLACK => (2.0, exponent),
-        part if part <= 5.0 + SLACK => (5.0, exponent),
+        part if part <= 1.0 + TOLERANCE => (1.0, exponent),
+        part if part <= 2.0 + TOLERANCE => (2.0, exponent),
+        part if part <= 5.0 + TOLERANCE => (5.0, exponent),
         _ => (10.0, exponent.saturating_add(1)),
     };
     (times * decade, exponent.min(0).unsigned_abs() as usize)
@@ -126,15 +126,15 @@ impl Ranged for Axis {
     fn key_points<Hint: KeyPointHint>(&self, _: Hint) -> Vec<f64> {
         match self.labels {
             Labels::Step(step, _) => {
-                let first = (self.range.start / step - SLACK).ceil() as i64;
-                let last = (self.range.end / step + SLACK).floor() as i64;
+                let first = (self.range.start / step - TOLERANCE).ceil() as i64;
+                let last = (self.range.end / step + TOLERANCE).floor() as i64;
                 (first..=last).map(|k| k as f64 * step).collect()
             }
             Labels::Names(names) => (0..names.len()).map(|k| k as f64).collect(),
             Labels::Angle(step) => {
                 let step = f64::from(step) * FRAC_PI_4;
-                let first = (self.range.start / step - SLACK).ceil() as i32;
-                let last = (self.range.end / step + SLACK).floor() as i32;
+                let first = (self.range.start / step - TOLERANCE).ceil() as i32;
+                let last = (self.range.end / step + TOLERANCE).floor() as i32;
                 (first..=last).map(|k| f64::from(k) * step).collect()
             }
         }

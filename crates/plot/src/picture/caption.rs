@@ -4,15 +4,15 @@ use impact_pair::json::PROGRAM;
 use plotters::prelude::*;
 use plotters::style::text_anchor::HPos;
 
-use super::{Canvas, LETTER, Look, SCALE, letters, words};
+use super::{Canvas, LETTER_WIDTH, Look, SCALE, letters, words};
 
 /// The height of letters.
 pub const FONT: i32 = 15 * SCALE;
-const TITLE: i32 = FONT + 3 * SCALE;
+const TITLE_HEIGHT: i32 = FONT + 3 * SCALE;
 /// Distance of the text from the left edge, and from the upper edge.
 const MARGIN: i32 = 16 * SCALE;
-const ABOVE: i32 = 7 * SCALE;
-const LINE: i32 = 22 * SCALE;
+const TOP_MARGIN: i32 = 7 * SCALE;
+const LINE_HEIGHT: i32 = 22 * SCALE;
 
 /// Draws a title and lines below it, in as many lines as there is room for, unless the picture has no header; the height that
 /// they take.
@@ -26,17 +26,17 @@ pub fn caption(
     lines: &[String],
 ) -> Result<i32, Box<dyn std::error::Error>> {
     if look.no_header {
-        return Ok(ABOVE);
+        return Ok(TOP_MARGIN);
     }
     let width = f64::from(root.dim_in_pixel().0 as i32 - 2 * MARGIN);
-    let sized = [(title, TITLE)].into_iter().chain(lines.iter().map(|line| (line.as_str(), FONT)));
+    let sized = [(title, TITLE_HEIGHT)].into_iter().chain(lines.iter().map(|line| (line.as_str(), FONT)));
     let wrap = |(text, size): (&str, i32)| {
-        wrapped(text, width / (LETTER * f64::from(size))).into_iter().map(move |line| (line, size))
+        wrapped(text, width / (LETTER_WIDTH * f64::from(size))).into_iter().map(move |line| (line, size))
     };
-    let mut top = ABOVE;
+    let mut top = TOP_MARGIN;
     for (text, size) in sized.flat_map(wrap) {
-        root.draw(&Text::new(text, (MARGIN, top + LINE / 2), words(size, &BLACK, HPos::Left)))?;
-        top += LINE;
+        root.draw(&Text::new(text, (MARGIN, top + LINE_HEIGHT / 2), words(size, &BLACK, HPos::Left)))?;
+        top += LINE_HEIGHT;
     }
     Ok(top)
 }

@@ -17,26 +17,27 @@ pub struct Dots {
 }
 
 /// Diameter of a dot where dots are many and where they are few.
-const DOT: i32 = 2 * SCALE;
-const LARGE: i32 = 9 * SCALE / 2;
-const FEW: usize = 100;
+const DOT_DIAMETER: i32 = 2 * SCALE;
+const LARGE_DOT_DIAMETER: i32 = 9 * SCALE / 2;
+const LARGE_DOTS_UP_TO: usize = 100;
 /// Dots are dealt to N paths, each of this opacity: within a path they cover each other unseen.
 const LAYERS: usize = 6;
 const OPACITY: f64 = 0.55;
 /// Number of dots from which on their places are rounded to half a pixel as it is shown, lest the file be too large.
-const VERY_MANY: usize = 20_000;
+const ROUNDED_FROM: usize = 20_000;
 
 impl Dots {
     /// Returns whether there are enough different places to show density.
     fn are_many(&self) -> bool {
-        self.places.iter().collect::<BTreeSet<_>>().len() > FEW
+        self.places.iter().collect::<BTreeSet<_>>().len() > LARGE_DOTS_UP_TO
     }
 
     /// Returns the dots as an element.
     pub fn element(&self) -> Element {
         let many = self.are_many();
-        let (layers, width, opacity) = if many { (LAYERS, DOT, OPACITY) } else { (1, LARGE, 1.0) };
-        let grain = if self.places.len() > VERY_MANY { SCALE / 2 } else { 1 };
+        let (layers, width, opacity) =
+            if many { (LAYERS, DOT_DIAMETER, OPACITY) } else { (1, LARGE_DOT_DIAMETER, 1.0) };
+        let grain = if self.places.len() > ROUNDED_FROM { SCALE / 2 } else { 1 };
         let mut group = format!(
             "<g fill=\"none\" stroke=\"{}\" stroke-width=\"{width}\" stroke-linecap=\"round\" stroke-opacity=\"{opacity}\">",
             hex(self.colour)

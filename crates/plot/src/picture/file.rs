@@ -48,7 +48,7 @@ pub fn encoded(svg: &str, look: &Look, path: &Path) -> Result<Vec<u8>> {
     }
 }
 
-/// The SVG with its words in the fonts that this program carries, or in those of the system that are asked for.
+/// The SVG with its words in the fonts that this program carries, or in those of the requested family of the system.
 #[cfg(any(feature = "png", feature = "pdf"))]
 fn tree(svg: &str, look: &Look) -> Result<usvg::Tree> {
     let mut options = usvg::Options::default();

@@ -5,10 +5,10 @@ use std::str::FromStr;
 use super::Theme;
 
 /// The family of letters that pictures are drawn with.
-const FAMILY: &str = "font-family=\"sans-serif\"";
+const FONT_FAMILY: &str = "font-family=\"sans-serif\"";
 /// The smallest size that has room for axes, and the largest one \[pixels\].
-const LEAST: (u32, u32) = (400, 300);
-const MOST: u32 = 10_000;
+const MIN_SIZE: (u32, u32) = (400, 300);
+const MAX_SIZE: u32 = 10_000;
 
 /// How a picture looks, whatever it shows.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -17,7 +17,7 @@ pub struct Look {
     /// Colours of the picture
     #[cfg_attr(feature = "clap", arg(long, value_enum, default_value_t, value_name = "light|dark", requires = "plot"))]
     pub theme: Theme,
-    /// Leave out title, parameters and what is certified above the picture, for a caption of one's own
+    /// Leave out title, parameters and certification above the picture, for a separate caption
     #[cfg_attr(feature = "clap", arg(long, requires = "plot"))]
     pub no_header: bool,
     /// Size of the picture in pixels, where letters are 12 to 14 pixels high [default: as much as it needs]
@@ -44,12 +44,16 @@ impl FromStr for Size {
         let ends = text.split_once(['x', 'X', '×']);
         let read = ends.and_then(|(width, height)| Some((width.trim().parse().ok()?, height.trim().parse().ok()?)));
         match read {
-            Some((width, height)) if (LEAST.0..=MOST).contains(&width) && (LEAST.1..=MOST).contains(&height) => {
+            Some((width, height))
+                if (MIN_SIZE.0..=MAX_SIZE).contains(&width) && (MIN_SIZE.1..=MAX_SIZE).contains(&height) =>
+            {
                 Ok(Self { width, height })
             }
             _ => {
-                let (width, height) = LEAST;
-                Err(format!("accepted are sizes in pixels from {width}x{height} to {MOST}x{MOST}, such as 600x450"))
+                let (width, height) = MIN_SIZE;
+                Err(format!(
+                    "accepted are sizes in pixels from {width}x{height} to {MAX_SIZE}x{MAX_SIZE}, such as 600x450"
+                ))
             }
         }
     }
@@ -72,7 +76,7 @@ impl Look {
     pub fn of(&self, svg: &str) -> String {
         let svg = self.theme.of(svg);
         match &self.font {
-            Some(font) => svg.replace(FAMILY, &format!("font-family=\"{font}, sans-serif\"")),
+            Some(font) => svg.replace(FONT_FAMILY, &format!("font-family=\"{font}, sans-serif\"")),
             None => svg,
         }
     }
@@ -91,8 +95,8 @@ mod tests {
     }
 
     #[test]
-    fn r35_letters_are_of_the_family_asked_for() {
-        let svg = format!("<text {FAMILY} font-size=\"48\">a</text>");
+    fn r35_letters_are_of_the_requested_font_family() {
+        let svg = format!("<text {FONT_FAMILY} font-size=\"48\">a</text>");
         assert_eq!(Look::default().of(&svg), svg);
         let look = Look { font: Some("Times New Roman".into()), ..Look::default() };
         assert_eq!(look.of(&svg), "<text font-family=\"Times New Roman, sans-serif\" font-size=\"48\">a</text>");

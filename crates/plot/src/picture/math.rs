@@ -3,9 +3,9 @@
 use std::fmt::Write;
 
 /// A subscript's or superscript's size, and how far it is moved, in sizes of its line.
-const SMALL: f64 = 0.72;
-const LOWERED: f64 = 0.25;
-const RAISED: f64 = -0.38;
+const SCRIPT_SIZE: f64 = 0.72;
+const SUBSCRIPT_SHIFT: f64 = 0.25;
+const SUPERSCRIPT_SHIFT: f64 = -0.38;
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Level {
@@ -18,8 +18,8 @@ impl Level {
     fn shift(self) -> f64 {
         match self {
             Self::Line => 0.0,
-            Self::Lower => LOWERED,
-            Self::Upper => RAISED,
+            Self::Lower => SUBSCRIPT_SHIFT,
+            Self::Upper => SUPERSCRIPT_SHIFT,
         }
     }
 }
@@ -112,7 +112,7 @@ pub fn typeset(text: &str, size: f64) -> String {
             let _ = write!(look, " dy=\"{:.1}\"", size * (run.level.shift() - level.shift()));
         }
         if run.level != Level::Line {
-            let _ = write!(look, " font-size=\"{:.1}\"", size * SMALL);
+            let _ = write!(look, " font-size=\"{:.1}\"", size * SCRIPT_SIZE);
         }
         if run.is_italic {
             look.push_str(" font-style=\"italic\"");
@@ -129,7 +129,7 @@ fn escaped(text: &str) -> String {
 
 /// About how wide a text is, in letters.
 pub fn letters(text: &str) -> f64 {
-    let width = |run: &Run| run.text.chars().count() as f64 * if run.level == Level::Line { 1.0 } else { SMALL };
+    let width = |run: &Run| run.text.chars().count() as f64 * if run.level == Level::Line { 1.0 } else { SCRIPT_SIZE };
     all_runs(text).iter().map(width).sum()
 }
 
@@ -137,7 +137,7 @@ pub fn letters(text: &str) -> f64 {
 pub fn runs_width(text: &str, size: f64) -> Option<f64> {
     let runs = all_runs(text);
     let width = |run: &Run| {
-        let small = if run.level == Level::Line { 1.0 } else { SMALL };
+        let small = if run.level == Level::Line { 1.0 } else { SCRIPT_SIZE };
         small * run.text.chars().map(advance).sum::<f64>()
     };
     (runs.len() > 1).then(|| size * runs.iter().map(width).sum::<f64>())
@@ -164,7 +164,7 @@ pub fn greek(words: &str) -> String {
 }
 
 /// Returns what the program says, with numbers and the paper's names of mappings as they are set in print.
-pub fn said(words: &str) -> String {
+pub fn typeset_text(words: &str) -> String {
     (1..=4).fold(each_power(words, "$"), |words, k| words.replace(&format!("P{k}"), &format!("$P_{k}$")))
 }
 
@@ -210,7 +210,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn quantities_lean_and_indices_stand_lower() {
+    fn quantities_are_italic_and_indices_are_subscripts() {
         let lower = "<tspan dy=\"2.5\" font-size=\"7.2\" font-style=\"italic\">N</tspan>";
         assert_eq!(
             typeset("amplitude $A_N$ [length]", 10.0),
@@ -227,9 +227,9 @@ mod tests {
         for text in ["my_scene costs 5$", "a^b", "", "x_"] {
             assert_eq!(typeset(text, 10.0), text);
         }
-        assert_eq!(letters("$A_N$ = 1"), 5.0 + SMALL);
+        assert_eq!(letters("$A_N$ = 1"), 5.0 + SCRIPT_SIZE);
         assert_eq!(runs_width("amplitude", 10.0), None);
-        assert!((runs_width("$A_N$", 10.0).unwrap() - 6.9 * (1.0 + SMALL)).abs() < 1e-9);
+        assert!((runs_width("$A_N$", 10.0).unwrap() - 6.9 * (1.0 + SCRIPT_SIZE)).abs() < 1e-9);
     }
 
     #[test]
@@ -237,6 +237,9 @@ mod tests {
         assert_eq!(greek("W = (pi, sqrt(2)*pi), tau = 10*pi"), "$Ω = (π, √2\u{2009}π), τ = 10π$");
         assert_eq!(greek("v = -1e-9, y' = 2.5e3"), "$v = −1·10^{−9}, y′ = 2.5·10^{3}$");
         assert_eq!(greek("sqrt(1+pi)"), "$√(1+π)$");
-        assert_eq!(said("P2 P1 within 3.5e-14 turns, 1e-9)"), "$P_2$ $P_1$ within $3.5·10^{-14}$ turns, $1·10^{-9}$)");
+        assert_eq!(
+            typeset_text("P2 P1 within 3.5e-14 periods, 1e-9)"),
+            "$P_2$ $P_1$ within $3.5·10^{-14}$ periods, $1·10^{-9}$)"
+        );
     }
 }

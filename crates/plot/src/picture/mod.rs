@@ -28,7 +28,7 @@ pub use file::{encoded, path};
 pub use hull::hull;
 pub use legend::{Mark, legend};
 pub use look::Look;
-pub use math::{greek, letters, said};
+pub use math::{greek, letters, typeset_text};
 pub use path::{Path, Place, hermite};
 pub use plane::Plane;
 pub use svg::{Element, Svg};
@@ -37,7 +37,7 @@ pub use theme::Theme;
 /// Pixels of the canvas for each pixel as it is shown: the backend rounds to whole pixels.
 pub const SCALE: i32 = 4;
 /// Average width of a letter, in sizes of its font; the reader's fonts are unknown.
-pub const LETTER: f64 = 0.44;
+pub const LETTER_WIDTH: f64 = 0.44;
 
 // Of the colours that Okabe and Ito (2008) chose for all eyes, and grey; lines, shapes and words say the same again.
 /// Blue.

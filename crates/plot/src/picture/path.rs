@@ -5,9 +5,9 @@ use std::fmt::Write;
 /// A place on the canvas.
 pub type Place = (f64, f64);
 /// Units of a path for each pixel of the canvas.
-const PARTS: f64 = 10.0;
+const UNITS_PER_PIXEL: f64 = 10.0;
 /// Maximum distance of a control point from the chord for a curve drawn as a straight line: a twentieth of a pixel as it is shown.
-const STRAIGHT: f64 = 0.2;
+const STRAIGHTNESS: f64 = 0.2;
 
 /// Two cubic Bézier control points and the end of what begins at `from`: the cubic that has these places and, over its
 /// whole length, these rates at its ends (Hermite).
@@ -29,7 +29,7 @@ pub struct Path {
 }
 
 fn tenths((x, y): Place) -> (i64, i64) {
-    ((x * PARTS).round() as i64, (y * PARTS).round() as i64)
+    ((x * UNITS_PER_PIXEL).round() as i64, (y * UNITS_PER_PIXEL).round() as i64)
 }
 
 impl Path {
@@ -51,8 +51,8 @@ impl Path {
 
     /// A Bézier segment, or a line where nobody sees that it is none.
     pub fn curve_to(&mut self, [first, second, end]: [Place; 3]) {
-        let from = (self.at.0 as f64 / PARTS, self.at.1 as f64 / PARTS);
-        let is_straight = [first, second].iter().all(|control| off_chord(*control, from, end) < STRAIGHT);
+        let from = (self.at.0 as f64 / UNITS_PER_PIXEL, self.at.1 as f64 / UNITS_PER_PIXEL);
+        let is_straight = [first, second].iter().all(|control| off_chord(*control, from, end) < STRAIGHTNESS);
         if is_straight {
             return self.line_to(end);
         }

@@ -67,7 +67,7 @@ impl Plane {
     }
 
     /// Returns how far it is from `place` to where these rates lead from it.
-    pub fn way(&self, place: [f64; 2], rate: [f64; 2]) -> Place {
+    pub fn pixel_displacement(&self, place: [f64; 2], rate: [f64; 2]) -> Place {
         let (a, b) = (self.place(place), self.place([place[0] + rate[0], place[1] + rate[1]]));
         (b.0 - a.0, b.1 - a.1)
     }

@@ -12,8 +12,8 @@ pub enum Theme {
 }
 
 /// The lightness of the dark ground, and of what is black in the light.
-const GROUND: f64 = 0.07;
-const INK: f64 = 0.92;
+const GROUND_LIGHTNESS: f64 = 0.07;
+const INK_LIGHTNESS: f64 = 0.92;
 
 impl Theme {
     /// Returns a picture that was drawn in the light.
@@ -48,7 +48,7 @@ fn turned(rgb: [u8; 3]) -> [u8; 3] {
     let parts = rgb.map(|part| f64::from(part) / 255.0);
     let (low, high) = parts.iter().fold((1.0f64, 0.0f64), |(low, high), &part| (low.min(part), high.max(part)));
     let lightness = 0.5 * (low + high);
-    let dark = INK - lightness * (INK - GROUND);
+    let dark = INK_LIGHTNESS - lightness * (INK_LIGHTNESS - GROUND_LIGHTNESS);
     let room = |lightness: f64| 1.0 - (2.0 * lightness - 1.0).abs();
     let saturation = if high > low { (high - low) / room(lightness) } else { 0.0 };
     let scale = if high > low { saturation * room(dark) / (high - low) } else { 0.0 };
@@ -60,7 +60,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn white_becomes_the_ground_and_hues_stay() {
+    fn white_becomes_the_background_and_hues_stay() {
         let svg = "<rect fill=\"#FFFFFF\"/><path stroke=\"#000000\" d=\"M0 0\"/><text fill=\"#0072B2\">#000000</text>";
         let dark = Theme::Dark.of(svg);
         assert!(dark.starts_with("<rect fill=\"#121212\"/><path stroke=\"#EBEBEB\""), "{dark}");

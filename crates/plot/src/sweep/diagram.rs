@@ -13,13 +13,13 @@ use impact_pair::json::{SweepHead, SweepImpact, SweepRecord};
 use impact_pair::scene::Range;
 
 /// The smallest cell: less than a pixel of most screens.
-const CELL: i32 = 3;
+const MIN_CELL: i32 = 3;
 /// The largest one, where points are few.
-const LARGEST: i32 = 2 * SCALE;
+const MAX_CELL: i32 = 2 * SCALE;
 /// Width added around the cells of periodic orbits, in pixels of the canvas.
-const EDGE: i32 = 2;
+const EDGE_WIDTH: i32 = 2;
 /// Height of the bar over an undecided point.
-const BAR: i32 = 8 * SCALE;
+const BAR_HEIGHT: i32 = 8 * SCALE;
 
 /// The kind of outcome of a point in a diagram; later ones are drawn on top.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -87,7 +87,7 @@ pub fn draw(
     let (left, right) = plane.pixels[0];
     let spacing = (right - left) / i32::try_from(axis.points() - 1).unwrap_or(i32::MAX);
     // Each point has a column of its own, next to its neighbours', or one of those that can be seen.
-    let (grain, width) = if spacing < CELL { (CELL, CELL) } else { (1, (spacing + 1).min(LARGEST)) };
+    let (grain, width) = if spacing < MIN_CELL { (MIN_CELL, MIN_CELL) } else { (1, (spacing + 1).min(MAX_CELL)) };
     let mut columns: BTreeMap<Class, Columns> = BTreeMap::new();
     let mut bars = Cells::default();
     sweep.each_record(|record| {
@@ -99,7 +99,7 @@ pub fn draw(
             if !plane.shows(bounds) {
                 continue;
             }
-            let [bottom, top] = bounds.map(|y| plane.row(y) / CELL);
+            let [bottom, top] = bounds.map(|y| plane.row(y) / MIN_CELL);
             let rows = columns.entry(class).or_default().entry(column / grain).or_default();
             rows.extend(top..=bottom);
             if rows.len() > 1 << 14 {
@@ -108,7 +108,7 @@ pub fn draw(
             }
         }
         if class == Class::Undecided {
-            bars.add((column - width / 2, plane.pixels[1].0 - BAR), (width.max(SCALE), BAR));
+            bars.add((column - width / 2, plane.pixels[1].0 - BAR_HEIGHT), (width.max(SCALE), BAR_HEIGHT));
         }
         Ok(())
     })?;
@@ -143,14 +143,14 @@ fn bounds(state: &SweepImpact, show: Show) -> anyhow::Result<[f64; 2]> {
 /// The cells of a class, those below each other in one.
 fn path(class: Class, columns: Columns, (grain, width): (i32, i32)) -> String {
     // Lines are made thick enough to be seen, dense clouds are not.
-    let edge = if class == Class::NotAttracted && width < LARGEST { 0 } else { EDGE };
+    let edge = if class == Class::NotAttracted && width < MAX_CELL { 0 } else { EDGE_WIDTH };
     let mut cells = Cells::default();
     for (column, mut rows) in columns {
         rows.sort_unstable();
         rows.dedup();
         for run in rows.chunk_by(|a, b| a + 1 == *b) {
-            let corner = (column * grain - width / 2 - edge, run[0] * CELL - CELL / 2 - edge);
-            cells.add(corner, (width + 2 * edge, CELL * run.len() as i32 + 2 * edge));
+            let corner = (column * grain - width / 2 - edge, run[0] * MIN_CELL - MIN_CELL / 2 - edge);
+            cells.add(corner, (width + 2 * edge, MIN_CELL * run.len() as i32 + 2 * edge));
         }
     }
     cells.element(class.colour())

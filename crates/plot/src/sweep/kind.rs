@@ -12,13 +12,13 @@ use crate::picture::{BLUE, GREEN, GREY, ORANGE, PURPLE, SKY, VERMILION, YELLOW};
 use impact_pair::json::{ExtendedBounds, SweepPeriod, SweepRecord};
 
 /// Letters of a word that a legend shows.
-const LETTERS: usize = 10;
+const MAX_LETTERS: usize = 10;
 /// The attractors with the most points have colours of their own.
 const COLOURS: [RGBColor; 5] = [BLUE, ORANGE, GREEN, PURPLE, SKY];
 /// Colour of the other attractors.
-pub const OTHER: RGBColor = GREY;
-pub const UNDECIDED: RGBColor = VERMILION;
-const SETTLED: RGBColor = YELLOW;
+pub const OTHER_COLOUR: RGBColor = GREY;
+pub const UNDECIDED_COLOUR: RGBColor = VERMILION;
+const SETTLED_COLOUR: RGBColor = YELLOW;
 
 /// An outcome of a map: an attractor, or another one.
 pub struct Kind {
@@ -60,8 +60,9 @@ impl Kind {
             None => "no whole cycles".to_owned(),
         };
         let letter = |wall| if wall == Wall::Left { 'L' } else { 'R' };
-        let mut walls: String = word.mappings().iter().take(LETTERS).map(|mapping| letter(mapping.walls().0)).collect();
-        if word.mappings().len() > LETTERS {
+        let mut walls: String =
+            word.mappings().iter().take(MAX_LETTERS).map(|mapping| letter(mapping.walls().0)).collect();
+        if word.mappings().len() > MAX_LETTERS {
             let _ = write!(walls, "… ({} impacts)", word.mappings().len());
         }
         let place = period.first.as_ref().filter(|_| is_one_pair).and_then(|first| middle(&first.phase).ok());
@@ -84,10 +85,10 @@ pub fn colours(kinds: &[Kind]) -> Vec<RGBColor> {
     let mut attractors: Vec<usize> = (0..kinds.len()).filter(|&i| kinds[i].period.is_some()).collect();
     attractors.sort_by_key(|&i| std::cmp::Reverse(kinds[i].points));
     let colour = |i: usize| match (kinds[i].outcome.as_str(), attractors.iter().position(|&j| j == i)) {
-        (_, Some(rank)) => COLOURS.get(rank).copied().unwrap_or(OTHER),
-        ("undecided", _) => UNDECIDED,
+        (_, Some(rank)) => COLOURS.get(rank).copied().unwrap_or(OTHER_COLOUR),
+        ("undecided", _) => UNDECIDED_COLOUR,
         ("not-attracted", _) => BLACK,
-        _ => SETTLED,
+        _ => SETTLED_COLOUR,
     };
     (0..kinds.len()).map(colour).collect()
 }

@@ -11,14 +11,14 @@ use impact_pair::scene::{Key, Range};
 use impact_pair::sweep::Grid;
 use plotters::prelude::*;
 
-use super::kind::{Kind, OTHER, UNDECIDED, colours};
+use super::kind::{Kind, OTHER_COLOUR, UNDECIDED_COLOUR, colours};
 use super::legend::{self, described};
 use super::{Cells, Drawn, Plane, middle, value};
 use crate::picture::{self, Axis, Canvas, Look, Mark, SCALE, hex};
 use crate::records::Records;
 
 /// Radius of the ring around an attractor.
-const RING: i32 = 6 * SCALE;
+const RING_RADIUS: i32 = 6 * SCALE;
 
 /// The outcomes of all points.
 struct Outcomes {
@@ -93,9 +93,9 @@ fn attractors(kinds: &[Kind], colours: &[RGBColor]) -> Vec<(f64, f64, RGBColor)>
 
 /// A ring that is seen on every colour, with that of its basin inside.
 fn ring((x, y): (i32, i32), colour: RGBColor) -> String {
-    let (white, black) = (RING + SCALE, SCALE);
+    let (white, black) = (RING_RADIUS + SCALE, SCALE);
     format!(
-        "<circle cx=\"{x}\" cy=\"{y}\" r=\"{white}\" fill=\"#FFFFFF\"/><circle cx=\"{x}\" cy=\"{y}\" r=\"{RING}\" fill=\"{}\" stroke=\"#000000\" stroke-width=\"{black}\"/>\n",
+        "<circle cx=\"{x}\" cy=\"{y}\" r=\"{white}\" fill=\"#FFFFFF\"/><circle cx=\"{x}\" cy=\"{y}\" r=\"{RING_RADIUS}\" fill=\"{}\" stroke=\"#000000\" stroke-width=\"{black}\"/>\n",
         hex(colour)
     )
 }
@@ -124,7 +124,7 @@ fn cells(plane: &Plane, columns: u64, rows: u64, colour: impl Fn(u64) -> Option<
             let north = bottom - part(bottom - top, run[run.len() - 1].0 + 1, rows);
             let (_, cells) = paths.entry(hex(colour)).or_insert_with(|| (colour, Cells::default()));
             cells.add((west, north), (east - west, south - north));
-            if colour == UNDECIDED {
+            if colour == UNDECIDED_COLOUR {
                 // Writing to a String cannot fail.
                 let _ = write!(strokes, "M{west} {south}L{east} {north}");
             }
@@ -138,13 +138,13 @@ fn cells(plane: &Plane, columns: u64, rows: u64, colour: impl Fn(u64) -> Option<
 
 /// The legend, the most frequent outcome first.
 fn entries(kinds: &[Kind], colours: &[RGBColor], is_one_pair: bool) -> Vec<(Mark, String)> {
-    let mut order: Vec<usize> = (0..kinds.len()).filter(|&i| colours[i] != OTHER).collect();
+    let mut order: Vec<usize> = (0..kinds.len()).filter(|&i| colours[i] != OTHER_COLOUR).collect();
     order.sort_by_key(|&i| std::cmp::Reverse(kinds[i].points));
     let mut entries: Vec<(Mark, String)> =
         order.into_iter().map(|i| (Mark::Cell(colours[i]), kinds[i].name(is_one_pair))).collect();
-    let others = colours.iter().filter(|colour| **colour == OTHER).count();
+    let others = colours.iter().filter(|colour| **colour == OTHER_COLOUR).count();
     if others > 0 {
-        entries.push((Mark::Cell(OTHER), format!("{others} other periodic orbits")));
+        entries.push((Mark::Cell(OTHER_COLOUR), format!("{others} other periodic orbits")));
     }
     entries
 }

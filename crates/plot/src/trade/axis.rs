@@ -10,9 +10,9 @@ const TICKS: [f64; 18] =
 /// Free room beyond the marks, as a fraction of the axis.
 const MARGIN: f64 = 0.05;
 /// Free room beyond the marks on the axis of times, as a factor.
-const ROOM: f64 = 2.0;
+const TIME_MARGIN: f64 = 2.0;
 /// The slowest time shown is at least N times the fastest one.
-const DECADES: f64 = 100.0;
+const MIN_TIME_RATIO: f64 = 100.0;
 
 /// An axis of digits `n`, on the scale `log(1 + n)`; mirrored below zero.
 #[derive(Clone, Debug)]
@@ -64,7 +64,7 @@ impl ValueFormatter<f64> for Digits {
 pub fn times(times: impl Iterator<Item = f64> + Clone) -> Range<f64> {
     let fast = times.clone().reduce(f64::min).unwrap_or(0.1);
     let slow = times.reduce(f64::max).unwrap_or(10.0);
-    fast / ROOM..slow.max(DECADES * fast) * ROOM
+    fast / TIME_MARGIN..slow.max(MIN_TIME_RATIO * fast) * TIME_MARGIN
 }
 
 #[cfg(test)]

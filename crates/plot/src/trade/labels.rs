@@ -53,30 +53,30 @@ pub struct Label {
 }
 
 /// Half of what a marker takes.
-pub const MARKER: f64 = 7.0;
+pub const HALF_MARKER: f64 = 7.0;
 /// Distances of a label from its marker, the first that is free.
 const DISTANCES: [f64; 9] = [10.0, 16.0, 24.0, 34.0, 46.0, 60.0, 76.0, 94.0, 114.0];
 /// Directions tried at each distance, in sixteenths of a full angle from the right: beside first, then above and below.
 const DIRECTIONS: [i32; 16] = [0, 8, 1, -1, 2, -2, 4, -4, 3, -3, 5, -5, 6, -6, 7, -7];
 /// Another marker is at least N times as far from a label as its own.
-const NEARER: f64 = 1.3;
+const MIN_DISTANCE_RATIO: f64 = 1.3;
 /// Distance from which on a line leads from the marker to the label.
-pub const LEADER: f64 = 14.0;
+pub const LEADER_DISTANCE: f64 = 14.0;
 
 /// Places the labels one after another within `frame`: where nothing is covered, no line
 /// crosses anything and no other marker is nearer, else where
 /// nothing is covered, else to the right of the marker.
 pub fn place(labels: &[Label], frame: &Area) -> Vec<Area> {
-    let markers: Vec<Area> = labels.iter().map(|label| Area::around(label.marker, MARKER)).collect();
+    let markers: Vec<Area> = labels.iter().map(|label| Area::around(label.marker, HALF_MARKER)).collect();
     let mut placed: Vec<Area> = Vec::new();
     for (label, marker) in labels.iter().zip(&markers) {
         let is_free = |area: &&Area| frame.holds(area) && !markers.iter().chain(&placed).any(|taken| taken.meets(area));
         let is_clear = |area: &&Area| {
             let foot = area.nearest(label.marker);
-            // Markers on top of each other cannot be told apart anyway.
+            // Markers on top of each other cannot be distinguished anyway.
             let others = || labels.iter().zip(&markers).filter(|(_, other)| !other.meets(marker));
-            let is_nearest =
-                others().all(|(other, _)| area.distance(other.marker) > NEARER * area.distance(label.marker));
+            let is_nearest = others()
+                .all(|(other, _)| area.distance(other.marker) > MIN_DISTANCE_RATIO * area.distance(label.marker));
             let mut leaders = placed.iter().zip(labels).map(|(area, label)| (label.marker, area.nearest(label.marker)));
             let others = others().map(|(_, other)| other);
             is_nearest
@@ -124,12 +124,12 @@ mod tests {
         for (i, area) in placed.iter().enumerate() {
             assert!(frame.holds(area), "{area:?}");
             assert!(placed[..i].iter().all(|other| !other.meets(area)), "{i} {placed:?}");
-            assert!(!markers.iter().any(|&marker| Area::around(marker, MARKER).meets(area)), "{i} {placed:?}");
+            assert!(!markers.iter().any(|&marker| Area::around(marker, HALF_MARKER).meets(area)), "{i} {placed:?}");
         }
     }
 
     #[test]
-    fn a_lonely_label_stands_to_the_right() {
+    fn a_single_label_is_on_the_right_of_its_marker() {
         let frame = Area { left: 0.0, top: 0.0, right: 200.0, bottom: 100.0 };
         let label = Label { marker: (50.0, 50.0), width: 40.0, height: 14.0 };
         assert_eq!(place(&[label], &frame), [Area { left: 60.0, top: 43.0, right: 100.0, bottom: 57.0 }]);

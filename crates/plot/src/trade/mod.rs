@@ -5,7 +5,7 @@ mod labels;
 
 use anyhow::Result;
 use impact_pair::json::PROGRAM;
-use impact_pair::trade::{Judgement, Measured, Rung, Trade};
+use impact_pair::trade::{ErrorBounds, Measured, Trade, TradeArithmetic};
 use plotters::prelude::*;
 use plotters::style::text_anchor::HPos;
 
@@ -16,9 +16,9 @@ use labels::{Area, Label};
 const SIZE: (u32, u32) = (900, 620);
 const FONT: i32 = 15;
 /// Average width of a letter, in font sizes; the reader's fonts are unknown.
-const LETTER: f64 = 0.45;
+const LETTER_WIDTH: f64 = 0.45;
 /// Place of an arithmetic whose enclosures have no width: beyond all others by this factor.
-const BEYOND: f64 = 1.5;
+const ZERO_WIDTH_FACTOR: f64 = 1.5;
 
 /// The kind of an arithmetic, which determines colour and symbol.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -29,9 +29,9 @@ enum Kind {
 }
 
 impl Kind {
-    fn of(rung: &Measured) -> Self {
-        match (rung.rung, rung.bits) {
-            (Rung::Float, _) => Self::Float,
+    fn of(measured: &Measured) -> Self {
+        match (measured.arithmetic, measured.bits) {
+            (TradeArithmetic::Float, _) => Self::Float,
             (_, f64::MANTISSA_DIGITS) => Self::Doubles,
             _ => Self::Multiprecision,
         }
@@ -65,32 +65,32 @@ struct Mark {
 
 impl Mark {
     /// `None` when there is nothing to draw: no impact, or no error known.
-    fn of(rung: &Measured, trade: &Trade<'_>) -> Option<Self> {
-        let kind = Kind::of(rung);
+    fn of(measured: &Measured, trade: &Trade<'_>) -> Option<Self> {
+        let kind = Kind::of(measured);
         let digits = match (kind, &trade.judgement) {
             (Kind::Float, Some(judgement)) => {
                 (judgement.judged > 0).then(|| judgement.time.at_most.max(judgement.velocity.at_most).digits())
             }
-            _ => rung.digits(),
+            _ => measured.digits(),
         }?;
         // Short, for the cluster: the legend says what the numbers are.
-        let name = match rung.rung {
-            Rung::Auto(digits) => format!("auto {digits}"),
+        let name = match measured.arithmetic {
+            TradeArithmetic::Auto(digits) => format!("auto {digits}"),
             other => other.to_string(),
         };
-        let impacts = rung.impacts;
+        let impacts = measured.impacts;
         let label = match trade.judgement.as_ref().filter(|_| kind == Kind::Float) {
-            Some(Judgement { departure: Some(departure), .. }) => {
+            Some(ErrorBounds { departure: Some(departure), .. }) => {
                 format!("{name} (wrong word from impact {})", departure.impact)
             }
             Some(judgement) if judgement.judged < impacts => {
                 format!("{name} (compared up to impact {})", judgement.judged)
             }
-            _ if rung.is_complete() => name,
+            _ if measured.is_complete() => name,
             _ => format!("{name} ({impacts})"),
         };
-        let microseconds = rung.microseconds(rung.times.orbit)?;
-        Some(Self { kind, digits, microseconds, is_complete: rung.is_complete(), label })
+        let microseconds = measured.microseconds(measured.times.orbit)?;
+        Some(Self { kind, digits, microseconds, is_complete: measured.is_complete(), label })
     }
 }
 
@@ -104,12 +104,12 @@ pub fn svg(trade: &Trade<'_>, look: &Look) -> Result<String> {
 
 fn draw(trade: &Trade<'_>, (root, look): (&Canvas<'_>, &Look)) -> Drawn {
     let marks = marks(trade);
-    let above = if look.no_header { 0 } else { CAPTION };
+    let above = if look.no_header { 0 } else { CAPTION_HEIGHT };
     if !look.no_header {
         caption(trade, root)?;
     }
     legend(&marks, above, root)?;
-    let (_, below) = root.split_vertically(above + LEGEND);
+    let (_, below) = root.split_vertically(above + LEGEND_HEIGHT);
 
     let digits = Digits::around(marks.iter().map(|mark| mark.digits));
     let times = axis::times(marks.iter().map(|mark| mark.microseconds));
@@ -154,9 +154,9 @@ fn draw(trade: &Trade<'_>, (root, look): (&Canvas<'_>, &Look)) -> Drawn {
 
 /// The marks of the arithmetics; those without a width stand beyond all others.
 fn marks(trade: &Trade<'_>) -> Vec<Mark> {
-    let mut marks: Vec<Mark> = trade.rungs.iter().filter_map(|rung| Mark::of(rung, trade)).collect();
+    let mut marks: Vec<Mark> = trade.rows.iter().filter_map(|measured| Mark::of(measured, trade)).collect();
     let finite = marks.iter().map(|mark| mark.digits).filter(|digits| digits.is_finite());
-    let beyond = BEYOND * finite.fold(10.0, f64::max);
+    let beyond = ZERO_WIDTH_FACTOR * finite.fold(10.0, f64::max);
     for mark in marks.iter_mut().filter(|mark| mark.digits.is_infinite()) {
         (mark.digits, mark.label) = (beyond, format!("{}, exact", mark.label));
     }
@@ -170,7 +170,7 @@ fn names(marks: &[Mark], points: &[(i32, i32)], frame: &Area, root: &Canvas<'_>)
         .zip(points)
         .map(|(mark, &(x, y))| Label {
             marker: (f64::from(x), f64::from(y)),
-            width: LETTER * f64::from(FONT) * mark.label.chars().count() as f64,
+            width: LETTER_WIDTH * f64::from(FONT) * mark.label.chars().count() as f64,
             height: f64::from(FONT) + 1.0,
         })
         .collect();
@@ -189,16 +189,16 @@ fn names(marks: &[Mark], points: &[(i32, i32)], frame: &Area, root: &Canvas<'_>)
 }
 
 /// Heights of the lines above the plot.
-const CAPTION: i32 = 70;
-const LEGEND: i32 = 52;
+const CAPTION_HEIGHT: i32 = 70;
+const LEGEND_HEIGHT: i32 = 52;
 
 /// Title, parameters, start, and request.
 fn caption(trade: &Trade<'_>, root: &Canvas<'_>) -> Drawn {
     let scene = trade.scene;
     let title = format!("What accuracy costs. {}", scene.title().unwrap_or_default());
     let parameters = greek(&format!("{}; {}", scene.parameters_in_words(), scene.start_in_words()));
-    let asked = format!("{} requested; {PROGRAM}; medians on one machine", greek(&trade.goal()));
-    for (line, (text, size)) in [(title, FONT + 3), (parameters, FONT), (asked, FONT)].into_iter().enumerate() {
+    let requested = format!("{} requested; {PROGRAM}; medians on one machine", greek(&trade.goal()));
+    for (line, (text, size)) in [(title, FONT + 3), (parameters, FONT), (requested, FONT)].into_iter().enumerate() {
         root.draw(&Text::new(text, (16, 18 + 22 * line as i32), words(size, &BLACK, HPos::Left)))?;
     }
     Ok(())
@@ -207,7 +207,7 @@ fn caption(trade: &Trade<'_>, root: &Canvas<'_>) -> Drawn {
 /// Draws the legend: the symbols of the kinds, and the hollow ones of orbits that end early.
 fn legend(marks: &[Mark], above: i32, root: &Canvas<'_>) -> Drawn {
     let say = |text: &str, x: i32, y: i32| Text::new(text.to_owned(), (x, y), words(FONT, &BLACK, HPos::Left));
-    let width = |text: &str| (LETTER * f64::from(FONT) * text.chars().count() as f64) as i32;
+    let width = |text: &str| (LETTER_WIDTH * f64::from(FONT) * text.chars().count() as f64) as i32;
     let (mut x, y) = (24, above + 14);
     for kind in [Kind::Float, Kind::Doubles, Kind::Multiprecision] {
         if marks.iter().any(|mark| mark.kind == kind) {
@@ -250,7 +250,7 @@ fn symbol(root: &Canvas<'_>, kind: Kind, is_complete: bool, (x, y): (i32, i32)) 
 /// The line from a marker to a label that stands apart.
 fn lead(root: &Canvas<'_>, kind: Kind, marker: (f64, f64), label: &Area) -> Drawn {
     let foot = label.nearest(marker);
-    if (foot.0 - marker.0).hypot(foot.1 - marker.1) > labels::LEADER {
+    if (foot.0 - marker.0).hypot(foot.1 - marker.1) > labels::LEADER_DISTANCE {
         let pixel = |(x, y): (f64, f64)| (x.round() as i32, y.round() as i32);
         root.draw(&PathElement::new([pixel(marker), pixel(foot)], kind.colour().mix(0.5)))?;
     }

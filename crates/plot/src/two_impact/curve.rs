@@ -128,7 +128,7 @@ pub fn elements(curve: &Manifold, slope: &Slope, plane: &Plane, is_mirrored: boo
         for pair in knots.windows(2) {
             let [a, b] = [pair[0], pair[1]].map(mirrored);
             let run = b.0[0] - a.0[0];
-            let end = |(place, slope): Knot| (plane.place(place), plane.way(place, [run, slope * run]));
+            let end = |(place, slope): Knot| (plane.place(place), plane.pixel_displacement(place, [run, slope * run]));
             path.curve_to(hermite(end(a), end(b)));
         }
         let (colour, width) = kind.look();

@@ -10,17 +10,17 @@ use plotters::coord::ranged1d::Ranged;
 use plotters::prelude::*;
 use plotters::style::text_anchor::HPos;
 
-use crate::picture::{self, Canvas, Drawn, Element, FONT, LETTER, Look, Plane, SCALE, hex, letters};
+use crate::picture::{self, Canvas, Drawn, Element, FONT, LETTER_WIDTH, Look, Plane, SCALE, hex, letters};
 use curve::{Kind, Slope};
 
 /// The picture as it is shown, and how much taller it is with a window of it magnified below.
 const SIZE: (u32, u32) = (900, 640);
-const BELOW: u32 = 300;
+const MAGNIFIED_HEIGHT: u32 = 300;
 /// The height of a line of the legend, and the room for names on the right of the plot.
-const LINE: i32 = 26 * SCALE;
-const RIGHT: i32 = 52 * SCALE;
+const LINE_HEIGHT: i32 = 26 * SCALE;
+const RIGHT_MARGIN: i32 = 52 * SCALE;
 /// Amplitudes beyond N gaps are cut off: near W = 0 they have no bound.
-const HIGHEST: f64 = 0.75;
+const MAX_AMPLITUDE: f64 = 0.75;
 
 /// The magnified window: its ends on both axes.
 pub type Window = [[f64; 2]; 2];
@@ -32,7 +32,7 @@ pub type Window = [[f64; 2]; 2];
 /// Returns an error if the picture cannot be drawn.
 pub fn svg(scene: &Scene, axis: Axis, curves: &[Manifold], window: Option<Window>, look: &Look) -> Result<String> {
     let picture = Picture { curves, slope: Slope::of(scene, axis), gap: middle(&scene.pair().gap().enclose(64)), axis };
-    let height = SIZE.1 + if window.is_some() { BELOW } else { 0 };
+    let height = SIZE.1 + if window.is_some() { MAGNIFIED_HEIGHT } else { 0 };
     picture::svg(look.size((SIZE.0, height)), SCALE, |root| {
         let top = caption(scene, axis, (root, look))?;
         let (_, below) = root.split_vertically(top + legend(root, top)?);
@@ -73,12 +73,13 @@ impl Picture<'_> {
             self.curves.iter().map(|curve| (curve.cycles, self.points(curve))).collect();
         let all = || points.iter().flat_map(|(_, points)| points).map(|(_, place)| *place);
         let ends = all().fold((f64::MAX, f64::MIN), |(low, high), [at, _]| (low.min(at), high.max(at)));
-        let highest = all().map(|[_, amplitude]| amplitude).fold(0.0, f64::max).min(HIGHEST * self.gap);
+        let highest = all().map(|[_, amplitude]| amplitude).fold(0.0, f64::max).min(MAX_AMPLITUDE * self.gap);
         let axes = [picture::Axis::over(ends.0, ends.1), picture::Axis::over(0.0, 1.05 * highest)];
         let height = below.dim_in_pixel().1 as i32;
-        let part = if window.is_some() { height * BELOW as i32 / (SIZE.1 + BELOW) as i32 } else { 0 };
+        let part =
+            if window.is_some() { height * MAGNIFIED_HEIGHT as i32 / (SIZE.1 + MAGNIFIED_HEIGHT) as i32 } else { 0 };
         let (upper, lower) = below.split_vertically(height - part);
-        let plane = Plane::draw(&upper, axes, axis_names(self.axis), RIGHT)?;
+        let plane = Plane::draw(&upper, axes, axis_names(self.axis), RIGHT_MARGIN)?;
         self.asymptote(&plane, root)?;
         self.content(&plane, root)?;
         names(&points, &plane, root)?;
@@ -88,7 +89,7 @@ impl Picture<'_> {
         let (title, lower) = lower.split_vertically(24 * SCALE);
         title.draw(&Text::new("in the frame, magnified:", (16 * SCALE, 14 * SCALE), words(FONT, HPos::Left)))?;
         let axes = [across, up].map(|[low, high]| picture::Axis::over(low, high));
-        let plane = Plane::draw(&lower, axes, axis_names(self.axis), RIGHT)?;
+        let plane = Plane::draw(&lower, axes, axis_names(self.axis), RIGHT_MARGIN)?;
         self.content(&plane, root)
     }
 
@@ -234,14 +235,14 @@ fn legend(root: &Canvas<'_>, top: i32) -> Result<i32, Box<dyn std::error::Error>
     let (mut x, mut line) = (left, 0);
     for entry in ENTRIES {
         let (name, indent) = entry.words();
-        let width = indent + (LETTER * f64::from(FONT) * letters(name)) as i32;
+        let width = indent + (LETTER_WIDTH * f64::from(FONT) * letters(name)) as i32;
         if x > left && x + width > right {
             (x, line) = (left, line + 1);
         }
-        entry.draw(root, (x, top + LINE * line + LINE / 2))?;
+        entry.draw(root, (x, top + LINE_HEIGHT * line + LINE_HEIGHT / 2))?;
         x += width + 30 * SCALE;
     }
-    Ok(LINE * (line + 1))
+    Ok(LINE_HEIGHT * (line + 1))
 }
 
 /// The symbol of a mark; where `sin th0 = 0` the line itself changes.

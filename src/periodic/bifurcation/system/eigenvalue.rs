@@ -7,7 +7,7 @@ use super::super::ring::Ring;
 use super::{Shape, are_neighbours};
 use crate::number::Enclosing;
 use crate::periodic::shaking::Shaking;
-use crate::several::Turning;
+use crate::several::PhaseNumber;
 
 /// Returns whether equation `i` of `F = 0`, `F'_mu w = 0` contains unknown `j` of `(u, w, p)`, or `mu` after them.
 fn critical_contains(i: usize, j: usize, m: usize) -> bool {
@@ -26,7 +26,7 @@ fn normed(direction: &[f64], unknowns: usize) -> Vec<f64> {
 }
 
 /// `c w - 1`
-fn off_norm<N: Turning>(direction: &[f64], w: &[N]) -> N {
+fn off_norm<N: PhaseNumber>(direction: &[f64], w: &[N]) -> N {
     let along = |sum: N, (c, w): (&f64, &N)| N::from_f64(*c).mul_add(w.clone(), sum);
     direction.iter().zip(w).fold(N::from_f64(-1.0), along)
 }
@@ -56,7 +56,7 @@ impl Shape for Critical<'_> {
 
 impl Critical<'_> {
     /// See [`System::values`](super::System::values).
-    pub fn values<S: Varied, N: Turning>(&self, family: &Family<S, N>, x: &[N]) -> Option<Vec<N>> {
+    pub fn values<S: Varied, N: PhaseNumber>(&self, family: &Family<S, N>, x: &[N]) -> Option<Vec<N>> {
         let (p, rest) = x.split_last()?;
         let (phases, w) = rest.split_at(self.ring.unknowns());
         let pair = family.pair(p.clone());
@@ -101,7 +101,7 @@ impl Shape for Multiplied<'_> {
 
 impl Multiplied<'_> {
     /// See [`System::values`](super::System::values).
-    pub fn values<S: Varied, N: Turning>(&self, family: &Family<S, N>, x: &[N]) -> Option<Vec<N>> {
+    pub fn values<S: Varied, N: PhaseNumber>(&self, family: &Family<S, N>, x: &[N]) -> Option<Vec<N>> {
         let (mu, rest) = x.split_last()?;
         let (p, rest) = rest.split_last()?;
         let (phases, w) = rest.split_at(self.ring.unknowns());

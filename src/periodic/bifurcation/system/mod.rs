@@ -10,7 +10,7 @@ use super::family::{Family, Varied};
 use super::jet::Jet;
 use super::tube::Slab;
 use crate::number::Enclosing;
-use crate::several::Turning;
+use crate::several::PhaseNumber;
 pub(super) use eigenvalue::{Critical, Multiplied};
 pub(super) use orbits::{Curve, Graze, Traced, Vanishing};
 
@@ -61,7 +61,7 @@ impl System<'_> {
     }
 
     /// Returns the residuals of the equations at `x`; `None` where they may not be defined.
-    pub fn values<S: Varied, N: Turning>(&self, family: &Family<S, N>, x: &[N]) -> Option<Vec<N>> {
+    pub fn values<S: Varied, N: PhaseNumber>(&self, family: &Family<S, N>, x: &[N]) -> Option<Vec<N>> {
         match self {
             Self::Curve(system) => system.values(family, x),
             Self::Critical(system) => system.values(family, x),
@@ -86,7 +86,7 @@ impl System<'_> {
     /// last row without entries.
     ///
     /// Unknowns that no equation contains together are varied at once: an impact knows its neighbours only (Lemma T2).
-    pub fn jacobian<S: Varied, N: Turning>(
+    pub fn jacobian<S: Varied, N: PhaseNumber>(
         &self,
         family: &Family<S, N>,
         x: &[N],
@@ -143,14 +143,14 @@ fn are_neighbours(i: usize, j: usize, m: usize) -> bool {
 }
 
 /// A system over a family in one arithmetic.
-pub(super) struct Posed<'s, S: Varied, N: Turning> {
+pub(super) struct Posed<'s, S: Varied, N: PhaseNumber> {
     pub system: &'s System<'s>,
     pub family: &'s Family<S, N>,
     /// `true` if the entries that are 0 are left out.
     pub is_sparse: bool,
 }
 
-impl<S: Varied, N: Turning> Equations<N> for Posed<'_, S, N> {
+impl<S: Varied, N: PhaseNumber> Equations<N> for Posed<'_, S, N> {
     fn values(&self, x: &[N]) -> Option<Vec<N>> {
         self.system.values(self.family, x)
     }

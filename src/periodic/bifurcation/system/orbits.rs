@@ -8,7 +8,7 @@ use super::{Shape, are_neighbours};
 use crate::number::Enclosing;
 use crate::pair::{Inward, Wall};
 use crate::periodic::shaking::Shaking;
-use crate::several::Turning;
+use crate::several::PhaseNumber;
 
 /// The orbits of a ring over the parameter: `m` equations in `(u, p)`, a curve.
 #[derive(Clone, Copy, Debug)]
@@ -30,7 +30,7 @@ impl Shape for Curve<'_> {
 
 impl Curve<'_> {
     /// See [`System::values`](super::System::values).
-    pub fn values<S: Varied, N: Turning>(&self, family: &Family<S, N>, x: &[N]) -> Option<Vec<N>> {
+    pub fn values<S: Varied, N: PhaseNumber>(&self, family: &Family<S, N>, x: &[N]) -> Option<Vec<N>> {
         let (p, phases) = x.split_last()?;
         let pair = family.pair(p.clone());
         let legs = self.0.legs(&pair, phases)?;
@@ -53,7 +53,7 @@ impl Shape for Traced<'_> {
 
 impl Traced<'_> {
     /// See [`System::values`](super::System::values).
-    pub fn values<S: Varied, N: Turning>(&self, family: &Family<S, N>, x: &[N]) -> Option<Vec<N>> {
+    pub fn values<S: Varied, N: PhaseNumber>(&self, family: &Family<S, N>, x: &[N]) -> Option<Vec<N>> {
         let (p, phases) = x.split_last()?;
         let pair = family.pair(p.clone());
         let legs = self.ring.legs(&pair, phases)?;
@@ -81,7 +81,7 @@ impl Shape for Graze<'_> {
 
 impl Graze<'_> {
     /// See [`System::values`](super::System::values).
-    pub fn values<S: Varied, N: Turning>(&self, family: &Family<S, N>, x: &[N]) -> Option<Vec<N>> {
+    pub fn values<S: Varied, N: PhaseNumber>(&self, family: &Family<S, N>, x: &[N]) -> Option<Vec<N>> {
         let (p, rest) = x.split_last()?;
         let (at, phases) = rest.split_last()?;
         let pair = family.pair(p.clone());
@@ -91,8 +91,8 @@ impl Graze<'_> {
         let since = at.clone() - self.ring.lift(phases)[self.leg].clone();
         // In gaps from the wall that the flight leaves to the wall it touches.
         let displacement = (self.ring.chain().walls()[self.leg].sign() - self.wall.sign()) / 2.0;
-        let way = pair.way(&legs.waves[self.leg], &at_wall, displacement);
-        values.push(leg.drift.clone().mul_add(since, -way));
+        let travel = pair.travel(&legs.waves[self.leg], &at_wall, displacement);
+        values.push(leg.drift.clone().mul_add(since, -travel));
         values.push(pair.relative(&leg.drift, &at_wall));
         Some(values)
     }
@@ -127,7 +127,7 @@ impl Shape for Vanishing<'_> {
 
 impl Vanishing<'_> {
     /// See [`System::values`](super::System::values).
-    pub fn values<S: Varied, N: Turning>(&self, family: &Family<S, N>, x: &[N]) -> Option<Vec<N>> {
+    pub fn values<S: Varied, N: PhaseNumber>(&self, family: &Family<S, N>, x: &[N]) -> Option<Vec<N>> {
         let (p, phases) = x.split_last()?;
         let pair = family.pair(p.clone());
         let legs = self.ring.legs(&pair, phases)?;

@@ -10,7 +10,7 @@ use impact_pair_truth::Wall;
 use rug::float::Constant;
 use rug::{Assign, Float};
 
-/// Bits of a construction's last steps: depths of 1e-40 after flights of 1e11 turns leave 250 digits to spare.
+/// Bits of a construction's last steps: depths of 1e-40 after flights of 1e11 forcing periods leave 250 digits to spare.
 pub const BITS: u32 = 1024;
 /// Bits of the search before.
 const SEARCH: u32 = 192;
@@ -19,7 +19,7 @@ const SEARCH: u32 = 192;
 #[derive(Clone, Copy, Debug)]
 pub struct Target {
     pub wall: Wall,
-    /// The extremum of this kind N turns after the first one.
+    /// The extremum of this kind N forcing periods after the first one.
     pub turn: u64,
 }
 
@@ -47,7 +47,7 @@ pub struct Extremum {
 
 impl Aim {
     pub fn new(scene: &Scene, bits: u32) -> Aim {
-        // Whole turns of the start time take their bits here and nowhere else.
+        // Whole forcing periods of the start time take their bits here and nowhere else.
         let wide = bits + 128;
         let (problem, start) = scene.question(wide, [0.0; 5]);
         let two_pi = Float::with_val(wide, Constant::Pi) * 2;

@@ -98,7 +98,7 @@ impl Run {
         [float(&time.wid()) / period, float(&velocity.wid()) / (amplitude * omega)]
     }
 
-    /// Asserts that no width is beyond the digits asked for.
+    /// Asserts that no width is beyond the requested digits.
     pub fn assert_narrow(&self, scene: &Scene) {
         let most = Float::with_val(128, 10).pow(-(self.kind.1 as i32));
         for index in 0..self.len() {
@@ -158,7 +158,7 @@ pub fn first_wrong(scene: &Scene, run: &Run, truth: &[Contact]) -> Option<usize>
 
 /// Runs every certified arithmetic and asserts all of the above; the runs in the order of [`CERTIFIED`].
 ///
-/// The truth at `bits` is asked again at thrice the bits before anything is called wrong.
+/// The truth at `bits` is computed again at thrice the bits before anything is called wrong.
 pub fn assert_stable(scene: &Scene, impacts: u64, bits: u32) -> Vec<Run> {
     let runs: Vec<Run> = CERTIFIED.into_iter().map(|kind| Run::new(scene, kind, impacts)).collect();
     let most = runs.iter().map(Run::len).max().expect("runs");

@@ -33,9 +33,9 @@ where
 pub struct Draft {
     /// A/d
     pub alpha: f64,
-    /// W t + tau less whole turns, in turns.
+    /// W t + tau less whole forcing periods, in forcing periods.
     pub phase: Float,
-    /// The whole turns.
+    /// The whole forcing periods.
     pub periods: f64,
     pub restitution: &'static str,
     /// The wall left, or the height above the middle in gaps.
@@ -94,7 +94,7 @@ impl Approach {
             .collect()
     }
 
-    /// A start of this kind that can be made to touch; weak shaking needs `1/(2 pi alpha)` turns to cross the gap.
+    /// A start of this kind that can be made to touch; weak shaking needs `1/(2 pi alpha)` forcing periods to cross the gap.
     fn touch(self, random: &mut Random, draft: impl Fn(&mut Random) -> Draft) -> Option<Touch> {
         let mut draft = draft(random);
         draft.from = if self.from_wall {
@@ -212,8 +212,8 @@ pub fn small_hops(random: &mut Random) -> Vec<Question> {
     questions
 }
 
-/// A slow drift for 10 to 1e11 turns, until an extremum is beyond the wall, or short of it so that the next one is the
-/// first to touch, by 1e-2 to 1e-20 of the drift in a turn: heights to 1e-31 of the gap tell in which turn.
+/// A slow drift for 10 to 1e11 forcing periods, until an extremum is beyond the wall, or short of it so that the next one is the
+/// first to touch, by 1e-2 to 1e-20 of the drift in a forcing period: heights to 1e-31 of the gap determine the forcing period.
 pub fn long_flights(random: &mut Random) -> Vec<Question> {
     let mut questions = Vec::new();
     for decade in 1..=11 {
@@ -235,7 +235,7 @@ pub fn long_flights(random: &mut Random) -> Vec<Question> {
 /// A start from the wall behind, just about where the box is outermost: only there a slow drift clears it in the first forcing period.
 fn slow_start(random: &mut Random, heading: Wall, turn: u64) -> Option<Touch> {
     let alpha = random.magnitude(-2.0, -0.4);
-    // A (1 - sin theta0) must stay below 2 pi b, and b is about d over 2 pi turns.
+    // A (1 - sin theta0) must stay below 2 pi b, and b is about d over 2 pi forcing periods.
     let window = (2.0 / (alpha * turn as f64)).sqrt() / TAU;
     let outermost = if heading == Wall::Right { 0.25 } else { 0.75 };
     let phase = float(outermost + random.uniform(-1.0, 1.0) * window.min(0.2));

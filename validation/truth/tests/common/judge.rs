@@ -1,6 +1,6 @@
 //! Flights asked of the library and of the truth, and the judge between the two answers.
 //!
-//! The library's units: W = 2 pi, d = 1, A = alpha, tau = 0, so that the truth's time is the phase in turns.
+//! The library's units: W = 2 pi, d = 1, A = alpha, tau = 0, so that the truth's time is the phase in forcing periods.
 #![allow(dead_code)] // each test crate uses a part
 
 use impact_pair::contact::{Contact, Margins, Radii, Verdict, first_contact};
@@ -152,14 +152,14 @@ pub fn objection(found: &Contact<Ball>, start: &Start, truth: &Truth) -> Option<
 #[derive(Default)]
 pub struct Tally {
     name: String,
-    pub asked: usize,
+    pub requested: usize,
     pub certified: usize,
     pub undecided: usize,
     /// Rests, never a contact, or a graze of the truth's own: nothing to certify.
     pub nothing: usize,
     pub skipped: usize,
     pub scanned: usize,
-    /// Widths of the time bracket in ulps of turns + phase.
+    /// Widths of the time bracket in ulps of `turns + phase`.
     pub widths: Vec<f64>,
     pub failures: Vec<String>,
     pub examples: Vec<Case>,
@@ -172,7 +172,7 @@ impl Tally {
 
     /// Puts the point flight to both; `points` > 0 also scans for earlier contacts.
     pub fn flight(&mut self, case: &Case, points: usize) -> Option<Contact<Ball>> {
-        self.asked += 1;
+        self.requested += 1;
         let verdict = case.verdict(&case.point());
         let (problem, start) = case.centre();
         let truth = impact_pair_truth::first_contact(&problem, &start);
@@ -206,7 +206,7 @@ impl Tally {
 
     /// Asks for a box of flights and puts its corners and members at `offsets` to the truth.
     pub fn members(&mut self, case: &Case, spread: Spread, offsets: &[[f64; 4]]) {
-        self.asked += 1;
+        self.requested += 1;
         let Verdict::Certified(found) = case.verdict(&spread) else {
             self.undecided += 1;
             return;
@@ -244,7 +244,7 @@ impl Tally {
             "{}: {} asked, {} certified, {} undecided ({:.4} %), {} without contact, {} skipped, {} scanned, \
              {} failures; time bracket in ulps {}",
             self.name,
-            self.asked,
+            self.requested,
             self.certified,
             self.undecided,
             100.0 * self.undecided_rate(),

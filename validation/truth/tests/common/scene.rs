@@ -176,7 +176,7 @@ pub fn objection(orbit: &Orbit, impacts: &[Impact], truth: &[Contact]) -> Option
     None
 }
 
-/// Runs the library's orbit and judges it by the truth of each member; a failure is asked again at thrice the bits.
+/// Runs the library's orbit and compares it with the truth of each member; a failure is repeated at thrice the bits.
 pub fn judge(scene: &Scene, bits: u32, impacts: usize, members: &[[f64; 5]]) -> (usize, Option<Outcome>) {
     let mut orbit = scene.orbit(impacts as u64).unwrap_or_else(|error| panic!("{error}: {scene:?}"));
     let found = impacts_before_rest(&mut orbit);

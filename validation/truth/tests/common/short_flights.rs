@@ -25,7 +25,7 @@ enum Way {
     Back,
 }
 
-/// A phase at which the acceleration points clearly at `wall`, in turns.
+/// A phase at which the acceleration points clearly at `wall`, in forcing periods.
 fn pressing(random: &mut Random, wall: Wall) -> f64 {
     random.uniform(0.05, 0.45) + if wall == Wall::Left { 0.5 } else { 0.0 }
 }
@@ -38,10 +38,10 @@ fn float(value: f64) -> Float {
 pub fn early_contacts(random: &mut Random) -> Vec<Question> {
     let mut questions = Vec::new();
     for exponent in (-9..=-3).rev() {
-        for way in [Way::Hop, Way::DeadHop, Way::Thrown, Way::Pressed, Way::Back] {
+        for travel in [Way::Hop, Way::DeadHop, Way::Thrown, Way::Pressed, Way::Back] {
             for wall in [Wall::Left, Wall::Right] {
                 for _ in 0..2 {
-                    let scene = early_contact(random, exponent, way, wall);
+                    let scene = early_contact(random, exponent, travel, wall);
                     questions.push(Question { family: "early contact", exponent, scene, graze: None });
                 }
             }
@@ -50,8 +50,8 @@ pub fn early_contacts(random: &mut Random) -> Vec<Question> {
     questions
 }
 
-fn early_contact(random: &mut Random, exponent: i32, way: Way, wall: Wall) -> Scene {
-    let on_wall = matches!(way, Way::Hop | Way::DeadHop);
+fn early_contact(random: &mut Random, exponent: i32, travel: Way, wall: Wall) -> Scene {
+    let on_wall = matches!(travel, Way::Hop | Way::DeadHop);
     let draft = Draft {
         alpha: random.magnitude(-3.0, 3.0),
         phase: float(pressing(random, wall)),
@@ -69,7 +69,7 @@ fn early_contact(random: &mut Random, exponent: i32, way: Way, wall: Wall) -> Sc
     let outward = f64::from(wall.sign());
     let hop = press * phi / 2.0;
     let throw = gap + press * phi;
-    let (velocity, height) = match way {
+    let (velocity, height) = match travel {
         Way::Hop => (outward * 2.0 * hop, 0.0),
         Way::DeadHop => {
             let ratio = 10f64.powi(exponent);
@@ -88,7 +88,7 @@ fn early_contact(random: &mut Random, exponent: i32, way: Way, wall: Wall) -> Sc
     scene
 }
 
-/// e = 0: the ball leaves its wall with no velocity, 1e-1 to 1e-30 of a turn after the phase of release; the sign of a
+/// e = 0: the ball leaves its wall with no velocity, 1e-1 to 1e-30 of a forcing period after the phase of release; the sign of a
 /// sine as small decides whether it goes or rests, and the next contact is like that of a start at release.
 pub fn dead_starts(random: &mut Random) -> Vec<Question> {
     let mut questions = Vec::new();

@@ -10,12 +10,12 @@ use impact_pair::pair::Wall as LibraryWall;
 use impact_pair_truth::{Contact, Problem, Start, Truth, Wall, first_contact};
 use rug::Float;
 
-/// Bits of the truth: times of 2^60 turns and offsets of 10^-60 leave more than 512.
+/// Bits of the truth: times of 2^60 forcing periods and offsets of 10^-60 leave more than 512.
 pub const BITS: u32 = 768;
 
 /// The verdict of the independent simulator on a first impact.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Judgement {
+pub enum ImpactVerdict {
     /// Wall, time and velocity are right.
     Right,
     /// They are right after a rest and its release.
@@ -34,24 +34,24 @@ pub enum Judgement {
     Wrong,
 }
 
-impl Judgement {
-    pub const ALL: [Judgement; 8] = [
-        Judgement::Right,
-        Judgement::Released,
-        Judgement::Grazed,
-        Judgement::Still,
-        Judgement::Undecided,
-        Judgement::Open,
-        Judgement::NoScene,
-        Judgement::Wrong,
+impl ImpactVerdict {
+    pub const ALL: [ImpactVerdict; 8] = [
+        ImpactVerdict::Right,
+        ImpactVerdict::Released,
+        ImpactVerdict::Grazed,
+        ImpactVerdict::Still,
+        ImpactVerdict::Undecided,
+        ImpactVerdict::Open,
+        ImpactVerdict::NoScene,
+        ImpactVerdict::Wrong,
     ];
 }
 
 /// A result, or the verdict at which the comparison ends before the impact: a wrong claim, or nothing more to compare.
-type Judged<T> = Result<T, (Judgement, String)>;
+type Compared<T> = Result<T, (ImpactVerdict, String)>;
 
-fn wrong<T>(words: String) -> Judged<T> {
-    Err((Judgement::Wrong, words))
+fn wrong<T>(words: String) -> Compared<T> {
+    Err((ImpactVerdict::Wrong, words))
 }
 
 /// The value, rounded; exactly 0 where that many bits do not tell it from 0.
@@ -99,26 +99,26 @@ struct Pair<'a> {
     start: Start,
     orbit: Orbit,
     /// The verdict so far, by the rests and grazes passed before the impact.
-    passed: Judgement,
+    passed: ImpactVerdict,
 }
 
 impl Pair<'_> {
-    fn truth(&self) -> Judged<Truth> {
+    fn truth(&self) -> Compared<Truth> {
         match first_contact(self.problem, &self.start) {
-            Truth::Graze { time } => Err((Judgement::Open, format!("the truth may graze at {time:.30}"))),
+            Truth::Graze { time } => Err((ImpactVerdict::Open, format!("the truth may graze at {time:.30}"))),
             truth => Ok(truth),
         }
     }
 
     /// The true contact, where the library claims one.
-    fn contact(&self, claim: &str) -> Judged<Contact> {
+    fn contact(&self, claim: &str) -> Compared<Contact> {
         match self.truth()? {
             Truth::Contact { time, wall, velocity_before } => Ok(Contact { time, wall, velocity_before }),
             other => wrong(format!("{claim}, but the truth is {other:?}")),
         }
     }
 
-    fn impact(&self, impact: &Impact) -> Judged<()> {
+    fn impact(&self, impact: &Impact) -> Compared<()> {
         let claim = format!("{impact:?}");
         let contact = self.contact(&claim)?;
         let (time, velocity) = self.orbit.bounds(impact);
@@ -133,7 +133,7 @@ impl Pair<'_> {
     }
 
     /// A graze that is an impact is passed; before it there is none.
-    fn graze(&mut self, graze: &Touch) -> Judged<()> {
+    fn graze(&mut self, graze: &Touch) -> Compared<()> {
         let bounds = self.orbit.touch_time(graze);
         let truth = self.truth()?;
         let Truth::Contact { time, wall: hit, velocity_before } = truth else { return Ok(()) };
@@ -143,12 +143,12 @@ impl Pair<'_> {
         if hit == wall(graze.wall) && holds(&bounds, &time) {
             self.start = Contact { time, wall: hit, velocity_before }.after(self.problem);
         }
-        self.passed = Judgement::Grazed;
+        self.passed = ImpactVerdict::Grazed;
         Ok(())
     }
 
     /// Checks a rest: at once, or after bounces on one wall of which the first is before the rest.
-    fn rest(&mut self, rest: &Rest) -> Judged<()> {
+    fn rest(&mut self, rest: &Rest) -> Compared<()> {
         let end = self.orbit.rest_time(rest);
         let is_there = self.start.on == Some(wall(rest.at.wall));
         match self.truth()? {
@@ -166,7 +166,7 @@ impl Pair<'_> {
     }
 
     /// Checks a release: at whole forcing periods on the left, half a period later on the right; at most half a period after the rest.
-    fn release(&mut self, rest: &Rest, release: &Touch) -> Judged<()> {
+    fn release(&mut self, rest: &Rest, release: &Touch) -> Compared<()> {
         let [lower, upper, began] = [
             self.orbit.touch_time(release).inf(),
             self.orbit.touch_time(release).sup(),
@@ -181,24 +181,24 @@ impl Pair<'_> {
             return wrong(format!("{release:?} at {time}, after {rest:?}"));
         }
         self.start = Start::on_wall(self.problem, wall(release.wall), &time, 0);
-        self.passed = Judgement::Released;
+        self.passed = ImpactVerdict::Released;
         Ok(())
     }
 
-    fn ended(&self) -> Judged<()> {
+    fn ended(&self) -> Compared<()> {
         let outcome = self.orbit.outcome().expect("it has ended");
         let truth = self.truth()?;
         match (outcome, &truth) {
-            (Outcome::Undecided { reason, .. }, _) => Err((Judgement::Undecided, reason.name().into())),
+            (Outcome::Undecided { reason, .. }, _) => Err((ImpactVerdict::Undecided, reason.name().into())),
             (Outcome::NeverImpacts, Truth::Never) | (Outcome::RestsForever(_), Truth::Rests) => {
-                Err((Judgement::Still, String::new()))
+                Err((ImpactVerdict::Still, String::new()))
             }
             _ => wrong(format!("{outcome:?}, but the truth is {truth:?}")),
         }
     }
 
     /// Follows both up to the first impact.
-    fn first_impact(&mut self) -> Judged<()> {
+    fn first_impact(&mut self) -> Compared<()> {
         let mut rest = None;
         loop {
             match self.orbit.advance() {
@@ -217,11 +217,11 @@ impl Pair<'_> {
 }
 
 /// Runs a scene of `W = 2 pi` and `tau = 0` and judges its first impact; with words on what is not right.
-pub fn judge(scene: &Scene, (problem, start): (&Problem, &Start), settings: Settings) -> (Judgement, String) {
+pub fn judge(scene: &Scene, (problem, start): (&Problem, &Start), settings: Settings) -> (ImpactVerdict, String) {
     let Ok(orbit) = Orbit::of(scene, Settings { impacts: Some(1), ..settings }) else {
-        return (Judgement::NoScene, String::new());
+        return (ImpactVerdict::NoScene, String::new());
     };
-    let mut pair = Pair { problem, start: start.clone(), orbit, passed: Judgement::Right };
+    let mut pair = Pair { problem, start: start.clone(), orbit, passed: ImpactVerdict::Right };
     match pair.first_impact() {
         Ok(()) => (pair.passed, String::new()),
         Err(judged) => judged,

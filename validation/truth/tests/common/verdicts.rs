@@ -27,7 +27,7 @@ pub struct Graze {
 #[derive(Clone, Debug)]
 pub struct Question {
     pub family: &'static str,
-    /// The hardness is 10 to this power: a depth, a short time, a number of turns.
+    /// The hardness is 10 to this power: a depth, a short time, a number of forcing periods.
     pub exponent: i32,
     pub scene: Scene,
     pub graze: Option<Graze>,
@@ -114,7 +114,7 @@ pub struct Report {
     slowest: Vec<(Duration, String)>,
     pub wrong: Vec<String>,
     pub undecided: Vec<String>,
-    pub asked: usize,
+    pub requested: usize,
 }
 
 impl Report {
@@ -125,7 +125,7 @@ impl Report {
             question.assert_graze(graze, &truth);
         }
         let (answer, elapsed) = ask(question, &truth);
-        self.asked += 1;
+        self.requested += 1;
         let place = self.families.iter().position(|(name, _)| *name == question.family).unwrap_or_else(|| {
             self.families.push((question.family, Family::default()));
             self.families.len() - 1
@@ -134,17 +134,17 @@ impl Report {
         family.times.push(elapsed);
         let level = family.levels.entry(question.exponent).or_default();
         level.0 += 1;
-        let told = |what: &str| format!("{what}: {} 1e{}: {:?}", question.family, question.exponent, question.scene);
-        self.slowest.push((elapsed, told(&format!("{elapsed:?}"))));
+        let line = |what: &str| format!("{what}: {} 1e{}: {:?}", question.family, question.exponent, question.scene);
+        self.slowest.push((elapsed, line(&format!("{elapsed:?}"))));
         match answer {
             Answer::Right => family.right += 1,
             Answer::Undecided(why) => {
                 level.1 += 1;
-                self.undecided.push(told(&why));
+                self.undecided.push(line(&why));
             }
             Answer::Wrong(why) => {
                 family.wrong += 1;
-                self.wrong.push(told(&why));
+                self.wrong.push(line(&why));
             }
         }
     }
@@ -169,7 +169,7 @@ impl Report {
         for (name, family) in &self.families {
             let levels = family.levels.iter().rev();
             let counts: Vec<_> =
-                levels.map(|(exponent, (asked, open))| format!("1e{exponent} {open}/{asked}")).collect();
+                levels.map(|(exponent, (requested, open))| format!("1e{exponent} {open}/{requested}")).collect();
             println!("undecided, {name}: {}", counts.join(", "));
         }
         self.slowest.sort_by_key(|flight| Reverse(flight.0));

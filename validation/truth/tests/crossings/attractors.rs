@@ -13,15 +13,15 @@ use serde_json::{Value, json};
 
 use super::flight::float;
 use super::members::{Bounds, Member};
-use super::motion::{Halt, Judged, wrong};
-use super::orbits::{self, Told, apart, speed};
+use super::motion::{Compared, Halt, wrong};
+use super::orbits::{self, ClaimedState, apart, speed};
 use super::questions::Answer;
 use super::scenes::Case;
 
 /// States that are nearer are one, in radians and speeds of the box: bounds of `10^-9`.
-const NEAR: f64 = 1e-6;
+const SAME_STATE_DISTANCE: f64 = 1e-6;
 /// Error allowed in a spectral radius by differences of true motions, of an orbit with such bounds.
-const OFF: f64 = 1e-3;
+const RADIUS_TOLERANCE: f64 = 1e-3;
 
 impl Case {
     /// Asks for a global analysis by so few boxes that the components of attractors stay undecided.
@@ -52,17 +52,17 @@ fn is_within(own: &Value) -> bool {
 }
 
 /// The states of a period of the reduced map: phases and speeds, mirrored to the left wall.
-fn states(member: &Member, told: &[Told]) -> Vec<[Float; 2]> {
+fn states(member: &Member, expected: &[ClaimedState]) -> Vec<[Float; 2]> {
     let pi = float(Constant::Pi);
-    let state = |told: &Told| {
-        let lead = float(&pi * u32::from(told.wall == Wall::Right));
-        [float(&told.phase + &lead), float(told.velocity.abs_ref()) / float(speed(&member.tones))]
+    let state = |expected: &ClaimedState| {
+        let lead = float(&pi * u32::from(expected.wall == Wall::Right));
+        [float(&expected.phase + &lead), float(expected.velocity.abs_ref()) / float(speed(&member.tones))]
     };
-    told.iter().map(state).collect()
+    expected.iter().map(state).collect()
 }
 
 fn is_one([phase, speed]: &[Float; 2], [other, its_speed]: &[Float; 2]) -> bool {
-    apart(phase, other) < NEAR && float(speed - its_speed).to_f64().abs() < NEAR
+    apart(phase, other) < SAME_STATE_DISTANCE && float(speed - its_speed).to_f64().abs() < SAME_STATE_DISTANCE
 }
 
 /// The reduced map has the same state again after as many impacts as are claimed, and not after fewer.
@@ -81,13 +81,13 @@ fn radius([trace, determinant]: [f64; 2], rounds: usize) -> f64 {
 
 /// Each attracting motion contracts as is claimed, has the claimed least period, and is listed once; one within an undecided component is reached from
 /// that one alone.
-pub fn judge(document: &Value, member: &Member) -> Judged<()> {
+pub fn judge(document: &Value, member: &Member) -> Compared<()> {
     let mut known: Vec<Vec<[Float; 2]>> = Vec::new();
     for (place, own) in attracting(document) {
-        let Some(told) = orbits::impacts(&own["orbit"]) else {
+        let Some(expected) = orbits::impacts(&own["orbit"]) else {
             return wrong("an attracting motion without impacts".into());
         };
-        let states = states(member, &told);
+        let states = states(member, &expected);
         let reduced = own["reduced_impacts"].as_u64().unwrap_or(0) as usize;
         if !repeats(&states, reduced) {
             return wrong(format!("{reduced} is not the least period of the reduced map: {}", own["orbit"]["impacts"]));
@@ -96,7 +96,7 @@ pub fn judge(document: &Value, member: &Member) -> Judged<()> {
         let Some(Bounds(low, high)) = Bounds::read(&own["spectral_radius"]) else {
             return Err(Halt::Open("no spectral radius"));
         };
-        if !(low.to_f64() - OFF..high.to_f64() + OFF).contains(&found) || found >= 1.0 {
+        if !(low.to_f64() - RADIUS_TOLERANCE..high.to_f64() + RADIUS_TOLERANCE).contains(&found) || found >= 1.0 {
             return wrong(format!("the spectral radius is {found}, but {} is claimed", own["spectral_radius"]));
         }
         if known.iter().flatten().any(|state| is_one(state, &states[0])) {

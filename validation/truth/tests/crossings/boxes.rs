@@ -8,14 +8,14 @@ use rug::float::Constant;
 
 use super::flight::float;
 use super::members::Member;
-use super::motion::{Halt, Judged, Motion, shown, wrong};
+use super::motion::{Compared, Halt, Motion, shown, wrong};
 use super::questions::Answer;
 use super::scenes::Case;
 
 /// Impacts of a motion that have boxes, and that are looked at.
 const IMPACTS: usize = 6;
 /// Error allowed in the independent simulator, in forcing periods and in `A W`.
-const OFF: f64 = 1e-60;
+const SIMULATOR_TOLERANCE: f64 = 1e-60;
 
 /// A box, and where it is said to go.
 pub struct Mapped {
@@ -57,7 +57,7 @@ fn impacts(member: &Member) -> Vec<Reduced> {
 
 /// Returns whether a state is in a rectangle, whose phases are modulo 1; at its edge it counts as `at_edge` says.
 fn holds(rect: &Rectangle, state: &Reduced, at_edge: bool) -> bool {
-    let slack = if at_edge { OFF } else { 0.0 };
+    let slack = if at_edge { SIMULATOR_TOLERANCE } else { 0.0 };
     let [[low, high], [slow, fast]] = [rect.phase, rect.speed];
     let beyond = float(&state.phase - float(low)) + slack;
     modulo_1(beyond) <= float(high) - float(low) + 2.0 * slack
@@ -106,7 +106,7 @@ impl Case {
 }
 
 /// Checks that no impact of this member that follows one in a box is outside of the image.
-pub fn judge(images: &[Mapped], member: &Member) -> Judged<()> {
+pub fn judge(images: &[Mapped], member: &Member) -> Compared<()> {
     let states = impacts(member);
     let mut judged = 0;
     for pair in states.windows(2).filter(|pair| pair[1].is_flight) {

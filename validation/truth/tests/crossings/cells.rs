@@ -9,19 +9,19 @@ use serde_json::{Value, json};
 
 use super::judge::at;
 use super::members::Member;
-use super::motion::{Halt, Judged, Motion, wrong};
+use super::motion::{Compared, Halt, Motion, wrong};
 use super::orbits::apart;
-use super::questions::{Answer, Patience};
+use super::questions::{Answer, CallLimit};
 use super::scenes::Case;
 use super::traits::Restitution;
 
 /// Number of calls of the watch after which a search is stopped: enough for sets over some impacts, not for horseshoes, which take seconds.
-const SETS: usize = 400;
+const MAX_WATCH_CALLS: usize = 400;
 /// Impacts of the true motion, and of the longest word that these decide.
 const IMPACTS: usize = 160;
 const LONGEST: usize = 12;
 /// Two rounds are one orbit when they are so near, in radians.
-const NEAR: f64 = 1e-9;
+const SAME_ORBIT_DISTANCE: f64 = 1e-9;
 
 impl Case {
     /// One cell beside the scene's own amplitude or gap, as narrow as one that is halved a few times.
@@ -34,10 +34,12 @@ impl Case {
         let (name, own) = self.key(key);
         let wide = self.random.pick(&[1e-2, 1e-4, 1e-6]);
         let over = format!("{name}={own}..{own}+{wide}").parse()?;
-        let patience = Patience::new();
-        let asked = RangeSettings { over, cells: 1, halvings: 0, depth: 2 };
-        let found = Cells::of(self.scene.pair(), self.scene.start(), &asked, &|_: Stage<'_>| patience.goes_on(SETS))?;
-        Ok(Answer::Cells(json!(document::cells(&self.scene, &asked, &found))))
+        let limit = CallLimit::new();
+        let requested = RangeSettings { over, cells: 1, halvings: 0, depth: 2 };
+        let found = Cells::of(self.scene.pair(), self.scene.start(), &requested, &|_: Stage<'_>| {
+            limit.goes_on(MAX_WATCH_CALLS)
+        })?;
+        Ok(Answer::Cells(json!(document::cells(&self.scene, &requested, &found))))
     }
 }
 
@@ -48,7 +50,7 @@ fn walls(word: &str) -> Vec<Wall> {
 }
 
 /// Checks that the true motion at the lower end of each interval claimed to be attracted makes the claimed word in the end.
-pub fn judge(document: &Value, case: &Case) -> Judged<()> {
+pub fn judge(document: &Value, case: &Case) -> Compared<()> {
     let stretches = document["stretches"].as_array().map_or(&[][..], Vec::as_slice);
     let attracted: Vec<&Value> = stretches.iter().filter(|own| own["verdict"] == "attracted").collect();
     if attracted.is_empty() {
@@ -67,7 +69,7 @@ pub fn judge(document: &Value, case: &Case) -> Judged<()> {
 }
 
 /// The true motion comes to be periodic, and its impacts are on the walls of the word.
-fn ends_in(member: &Member, word: &[Wall]) -> Judged<()> {
+fn ends_in(member: &Member, word: &[Wall]) -> Compared<()> {
     let mut motion = Motion::new(&member.shaken, member.start.clone());
     let mut contacts: Vec<Contact> = Vec::new();
     for _ in 0..IMPACTS {
@@ -81,7 +83,7 @@ fn ends_in(member: &Member, word: &[Wall]) -> Judged<()> {
     let is_again = |impacts: &usize| {
         let before = &contacts[IMPACTS - 1 - impacts];
         let phase = |contact: &Contact| super::flight::float(&contact.time * frequency);
-        before.wall == last.wall && apart(&phase(before), &phase(last)) < NEAR
+        before.wall == last.wall && apart(&phase(before), &phase(last)) < SAME_ORBIT_DISTANCE
     };
     let Some(period) = (1..=IMPACTS / 2).find(is_again) else { return Err(Halt::Open("not yet periodic")) };
     let own: Vec<Wall> = contacts[IMPACTS - period..].iter().map(|contact| contact.wall).collect();

@@ -38,8 +38,8 @@ fn steps_that_no_contact_can_come_within_lead_to_the_contact_of_the_pieces() {
 }
 
 #[test]
-fn the_motion_of_a_neighbour_is_found_wrong() {
-    let (mut asked, mut found) = (0, 0);
+fn the_motion_of_a_neighbouring_start_is_refuted() {
+    let (mut requested, mut found) = (0, 0);
     for case in cases(60) {
         let settings = Settings { impacts: Some(3), max_bits: 1024, ..Settings::default() };
         let Ok(orbit) = document::orbit(case.scene.pair(), case.scene.start(), settings) else { continue };
@@ -48,10 +48,10 @@ fn the_motion_of_a_neighbour_is_found_wrong() {
         if document["events"][0]["event"] != "impact" || motion::judge(&document, &member).is_err() {
             continue;
         }
-        asked += 1;
+        requested += 1;
         member.shaken.gap *= float(1.0 + 1e-7);
         found += usize::from(matches!(motion::judge(&document, &member), Err(Halt::Wrong(_))));
     }
-    println!("{found} of {asked} motions of neighbours are found wrong");
-    assert!(asked > 10 && 10 * found > 9 * asked);
+    println!("{found} of {requested} motions of neighbours are found wrong");
+    assert!(requested > 10 && 10 * found > 9 * requested);
 }

@@ -12,11 +12,11 @@ use rug::float::Constant;
 /// Bits of all data and states.
 pub const BITS: u32 = 640;
 /// A height that is taken for none: `2^-this` of the gap.
-const TOUCH: u32 = 480;
+const TOUCH_BITS: u32 = 480;
 /// A speed that is taken for none, before a height that is: `2^-this` of the box's.
-const SLOW: u32 = 220;
+const ZERO_SPEED_BITS: u32 = 220;
 /// A pressure that is taken for none: `2^-this` of what it may change in a unit of time.
-const ENDED: u32 = BITS / 2;
+const ZERO_FORCE_BITS: u32 = BITS / 2;
 /// Steps in MPFR, and in doubles, after which a flight is given up.
 const STEPS: [u32; 2] = [3_000, 60_000];
 
@@ -130,7 +130,7 @@ impl Shaken {
         for _ in 0..STEPS[0] {
             let pressure = self.sum(&now, 2, true) * wall.sign();
             let slope = self.sum(&now, 3, false) * wall.sign();
-            if pressure < float(&rate >> ENDED) && slope < 0 {
+            if pressure < float(&rate >> ZERO_FORCE_BITS) && slope < 0 {
                 // A last step, of Newton's.
                 return Some(now - pressure / slope);
             }
@@ -254,7 +254,7 @@ impl<'a> Course<'a> {
                 }
             }
         }
-        let (scale, speed) = (float(&self.shaken.gap >> TOUCH), self.shaken.bound(1) >> SLOW);
+        let (scale, speed) = (float(&self.shaken.gap >> TOUCH_BITS), self.shaken.bound(1) >> ZERO_SPEED_BITS);
         let is_still = float(self.drift.abs_ref()) < float(self.shaken.bound(1) >> 420u32);
         let is_inside = float(self.base.abs_ref()) + self.shaken.bound(0) < self.half;
         if is_still && is_inside {

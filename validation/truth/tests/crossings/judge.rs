@@ -13,7 +13,7 @@ use serde_json::Value;
 
 use super::flight::float;
 use super::members::{Bounds, Member};
-use super::motion::{self, Halt, Judged, Motion, wrong};
+use super::motion::{self, Compared, Halt, Motion, wrong};
 use super::questions::Answer;
 use super::scenes::Case;
 use super::traits::Question;
@@ -34,7 +34,7 @@ pub enum Finding {
 }
 
 /// The verdicts of both judges on an answer.
-pub struct Judgement {
+pub struct AnswerVerdict {
     /// The verdicts of `check`, and of the truth.
     pub findings: [Finding; 2],
     /// The answer in a word: an outcome, orbits, a refusal.
@@ -61,7 +61,7 @@ fn check(document: &str) -> (Finding, String) {
 }
 
 /// The judge's word on all members, or orbits; a wrong one ends it, an open one is remembered.
-fn all<T>(items: impl IntoIterator<Item = T>, mut one: impl FnMut(T) -> Judged<()>) -> Judged<()> {
+fn all<T>(items: impl IntoIterator<Item = T>, mut one: impl FnMut(T) -> Compared<()>) -> Compared<()> {
     let mut open = None;
     for item in items {
         match one(item) {
@@ -92,7 +92,7 @@ pub fn at(scene: &Scene, key: &str, parameter: &Value) -> Option<Scene> {
 }
 
 /// A multiplier of a bifurcation is 1, or -1 at a doubling, to what bounds of `10^-9` leave of it.
-fn bifurcation(point: &Value, scene: &Scene, key: &str) -> Judged<()> {
+fn bifurcation(point: &Value, scene: &Scene, key: &str) -> Compared<()> {
     let kind = point["kind"].as_str().unwrap_or_default();
     if kind == "graze" || point["orbit"]["physical"] != true {
         return Err(Halt::Open("no orbit that the truth follows"));
@@ -118,7 +118,7 @@ fn listed_time(scene: &Scene, number: u64) -> Option<Float> {
 }
 
 /// Checks that speeds and flights are within the bounds from the listed impact on at which the motion is claimed to be in the region.
-fn trap(document: &Value, scene: &Scene, member: &Member) -> Judged<()> {
+fn trap(document: &Value, scene: &Scene, member: &Member) -> Compared<()> {
     let Some(entered) = document["entered_at_impact"].as_u64() else { return Err(Halt::Open("not entered")) };
     let listed = if entered == 0 { Some(Float::with_val(64, f64::NEG_INFINITY)) } else { listed_time(scene, entered) };
     let Some(from) = listed else { return Err(Halt::Open("the impact is not listed")) };
@@ -152,7 +152,7 @@ fn trap(document: &Value, scene: &Scene, member: &Member) -> Judged<()> {
 }
 
 /// An orbit in a region does not make more words of N flights, to the far wall or back to the near one, than are claimed.
-fn wall_words(document: &Value, walls: &[Wall]) -> Judged<()> {
+fn wall_words(document: &Value, walls: &[Wall]) -> Compared<()> {
     let words = &document["words"];
     let (Some(impacts), Some(count)) = (words["impacts"].as_u64(), words["count"].as_str()) else { return Ok(()) };
     let is_far: Vec<bool> = walls.windows(2).map(|pair| pair[0] != pair[1]).collect();
@@ -164,7 +164,7 @@ fn wall_words(document: &Value, walls: &[Wall]) -> Judged<()> {
 }
 
 /// The orbits of a window from its value to both ends, where they are said to be stable.
-fn between(window: &Value, scene: &Scene) -> Judged<()> {
+fn between(window: &Value, scene: &Scene) -> Compared<()> {
     let key = window["key"].as_str().unwrap_or_default();
     let number = |value: &Value| value.as_str().and_then(|text| text.parse::<f64>().ok());
     let Some(own) = number(&window["at"]).filter(|_| window["stable_between"] == true) else { return Ok(()) };
@@ -182,7 +182,7 @@ fn between(window: &Value, scene: &Scene) -> Judged<()> {
 }
 
 /// The saddle of each tangency is the equispaced motion (66), (67), with eigenvalues whose product is `e^2`.
-fn tangency(document: &Value) -> Judged<()> {
+fn tangency(document: &Value) -> Compared<()> {
     let end = |bounds: &Value, i: usize| -> f64 {
         bounds[i].as_str().and_then(|text| text.parse::<f64>().ok()).unwrap_or(f64::NAN)
     };
@@ -205,7 +205,7 @@ fn tangency(document: &Value) -> Judged<()> {
 }
 
 /// The orbit and the region that a description has are true, and its fate is theirs.
-fn description(document: &Value, scene: &Scene, member: &Member) -> Judged<()> {
+fn description(document: &Value, scene: &Scene, member: &Member) -> Compared<()> {
     let kind = document["fate"]["kind"].as_str().unwrap_or_default();
     if document["certified"] != (kind != "undecided") {
         return wrong(format!("certified is {}, but the fate is {kind}", document["certified"]));
@@ -220,7 +220,7 @@ fn description(document: &Value, scene: &Scene, member: &Member) -> Judged<()> {
 }
 
 /// True impacts are neither missed nor false nor outside.
-fn audit(document: &Value) -> Judged<()> {
+fn audit(document: &Value) -> Compared<()> {
     let counts = &document["counts"];
     let bad = ["outside", "missed", "false"].map(|key| counts[key].as_u64().unwrap_or(0));
     if bad != [0; 3] {
@@ -230,12 +230,12 @@ fn audit(document: &Value) -> Judged<()> {
 }
 
 /// Nothing of a float run is certified, and the document says so.
-fn floats(document: &Value) -> Judged<()> {
+fn floats(document: &Value) -> Compared<()> {
     let is_said = document["certified"] == false;
     if is_said { Ok(()) } else { wrong("certified in floats".into()) }
 }
 
-fn truth(case: &mut Case, answer: &Answer) -> Judged<()> {
+fn truth(case: &mut Case, answer: &Answer) -> Compared<()> {
     let members = Member::all(&case.scene, &mut case.random);
     let is_point = members.len() == 1;
     let point = || if is_point { Ok(&members[0]) } else { Err(Halt::Open("a box of data")) };
@@ -249,7 +249,7 @@ fn truth(case: &mut Case, answer: &Answer) -> Judged<()> {
             all(&members, |member| shadow::judge(document, member))
         }
         Answer::Orbit(document) => all(&members, |member| motion::judge(document, member)),
-        Answer::Sweep { records, points, asked, .. } => sweeps::judge(records, points, asked, &mut case.random),
+        Answer::Sweep { records, points, requested, .. } => sweeps::judge(records, points, requested, &mut case.random),
         Answer::Periodic(document) => {
             let listed = all(list(document, "orbits"), |orbit| orbits::judge(orbit, point()?));
             if document["exhaustive"] == true && !matches!(listed, Err(Halt::Wrong(_))) {
@@ -294,7 +294,7 @@ fn list<'d>(document: &'d Value, key: &str) -> &'d [Value] {
 }
 
 /// The orbit of a window, at its value, and those between its ends.
-fn window(window: &Value, scene: &Scene) -> Judged<()> {
+fn window(window: &Value, scene: &Scene) -> Compared<()> {
     let value = Value::Array(vec![window["at"].clone(); 2]);
     let there = at(scene, "pair.gap", &value).ok_or(Halt::Open("no scene at the value"))?;
     orbits::judge(&window["orbit"], &Member::new(&there, || 0.0))?;
@@ -302,7 +302,7 @@ fn window(window: &Value, scene: &Scene) -> Judged<()> {
 }
 
 /// The periodic motions among the components of a global analysis.
-fn components(document: &Value, member: &Member) -> Judged<()> {
+fn components(document: &Value, member: &Member) -> Compared<()> {
     let orbits = list(document, "components").iter().filter(|own| own["orbit"].is_object());
     orbits.map(|own| &own["orbit"]).try_for_each(|orbit| orbits::judge(orbit, member))?;
     attractors::judge(document, member)
@@ -397,7 +397,7 @@ impl Answer {
 }
 
 /// Both judges' findings on an answer.
-pub fn judge(case: &mut Case, answer: &Answer) -> Judgement {
+pub fn judge(case: &mut Case, answer: &Answer) -> AnswerVerdict {
     let (check, said) = answer.text().map_or((Finding::Nothing, String::new()), |text| check(&text));
     let (truth, found) = match answer {
         Answer::Refused(_) | Answer::Nothing(_) | Answer::Chaos(_) => (Finding::Nothing, String::new()),
@@ -407,5 +407,5 @@ pub fn judge(case: &mut Case, answer: &Answer) -> Judgement {
             Err(Halt::Wrong(words)) => (Finding::Wrong, words),
         },
     };
-    Judgement { findings: [check, truth], outcome: answer.outcome(), words: [said, found] }
+    AnswerVerdict { findings: [check, truth], outcome: answer.outcome(), words: [said, found] }
 }

@@ -33,7 +33,7 @@ fn dyadic(x: &Dyadic) -> Float {
 
 thread_local! {
     /// Values by their expressions: a 0 in disguise takes a second, and all points of a sweep have it.
-    static KNOWN: RefCell<HashMap<String, Float>> = RefCell::default();
+    static CACHED_VALUES: RefCell<HashMap<String, Float>> = RefCell::default();
 }
 
 /// The value, rounded; exactly 0 where the precision does not distinguish it from 0.
@@ -42,7 +42,7 @@ pub fn value(exact: &Exact) -> Float {
         let enclosure = exact.enclose(BITS);
         if enclosure.sign().is_none() { float(0) } else { dyadic(enclosure.inf()) }
     };
-    KNOWN.with_borrow_mut(|known| known.entry(exact.to_string()).or_insert_with(computed).clone())
+    CACHED_VALUES.with_borrow_mut(|known| known.entry(exact.to_string()).or_insert_with(computed).clone())
 }
 
 /// The value that is so far on the way from the lower to the upper end.
@@ -103,7 +103,7 @@ impl Member {
         ends.into_iter().chain([other]).collect()
     }
 
-    /// A turn of each of the harmonics.
+    /// A period of each of the harmonics.
     pub fn turns(&self) -> Vec<Float> {
         let turn = float(rug::float::Constant::Pi) * 2;
         self.tones.iter().map(|tone| float(&turn / &tone.frequency)).collect()
@@ -120,7 +120,7 @@ pub fn decimal(text: &Value) -> Option<Float> {
 pub struct Bounds(pub Float, pub Float);
 
 /// Error allowed in the simulator, as a power of 2: `2^-SLACK` and this part of the value.
-const SLACK: u32 = 300;
+const TOLERANCE_BITS: u32 = 300;
 
 impl Bounds {
     pub fn read(pair: &Value) -> Option<Self> {
@@ -128,7 +128,7 @@ impl Bounds {
     }
 
     fn slack(x: &Float) -> Float {
-        (float(x.abs_ref()) + 1) >> SLACK
+        (float(x.abs_ref()) + 1) >> TOLERANCE_BITS
     }
 
     /// The place of a value: before the bounds, within or after them.

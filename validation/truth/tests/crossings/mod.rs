@@ -27,7 +27,7 @@ use std::time::{Duration, Instant};
 
 use crate::common::Random;
 use crate::environment::number;
-use judge::{Finding, Judgement, judge};
+use judge::{AnswerVerdict, Finding, judge};
 use traits::{Coverage, Crossing, Question, array, crossing};
 
 /// Outcomes that must occur. A run of a few impacts is hardly ever proved to be attracted: what `describe` follows longer is.
@@ -64,7 +64,7 @@ const CASES: u64 = 1_700;
 /// The default seed: one whose answers have all the outcomes that must occur.
 const SEED: u64 = 2026;
 /// More than an answer takes: one that does is shown.
-const SLOW: Duration = Duration::from_secs(1);
+const SLOW_ANSWER: Duration = Duration::from_secs(1);
 
 /// Findings of `check` and of the truth, and how long they took.
 #[derive(Default)]
@@ -87,7 +87,7 @@ struct Tally {
 }
 
 impl Counts {
-    fn add(&mut self, judgement: &Judgement, time: Duration) {
+    fn add(&mut self, judgement: &AnswerVerdict, time: Duration) {
         for (counts, finding) in self.findings.iter_mut().zip(&judgement.findings) {
             counts[*finding as usize] += 1;
         }
@@ -95,15 +95,15 @@ impl Counts {
     }
 
     fn row(&self, name: &str) -> String {
-        let asked: u64 = self.findings[0].iter().sum();
+        let requested: u64 = self.findings[0].iter().sum();
         let counts: Vec<_> = self.findings.iter().flatten().map(u64::to_string).collect();
-        let each = self.time.as_secs_f64() * 1e3 / asked as f64;
-        format!("| {name} | {asked} | {} | {each:.1} |", counts.join(" | "))
+        let each = self.time.as_secs_f64() * 1e3 / requested as f64;
+        format!("| {name} | {requested} | {} | {each:.1} |", counts.join(" | "))
     }
 }
 
 impl Tally {
-    fn add(&mut self, crossing: &Crossing, judgement: &Judgement, time: Duration) {
+    fn add(&mut self, crossing: &Crossing, judgement: &AnswerVerdict, time: Duration) {
         self.coverage.add(crossing);
         *self.outcomes.entry(judgement.outcome.clone()).or_default() += 1;
         self.questions.entry(crossing.question).or_default().add(judgement, time);
@@ -138,16 +138,16 @@ impl Tally {
     }
 
     /// Nothing is false; a judge that is never asked, or never decides, would pass anything.
-    fn judged(&self, asked: u64, all: usize, seed: u64) {
+    fn judged(&self, requested: u64, all: usize, seed: u64) {
         let first = &self.wrong[..self.wrong.len().min(8)];
         assert!(self.wrong.is_empty(), "{} answers are false (seed {seed}):\n{}", self.wrong.len(), first.join("\n"));
         assert!(all as u64 <= CASES, "a full run has to ask all {all}");
         let [pairs, all_pairs, triples, all_triples] = self.coverage.counts();
         let right = |judge: usize| self.questions.values().map(|counts| counts.findings[judge][0]).sum::<u64>();
         if pairs == all_pairs {
-            assert!(4 * right(0) > asked && 2 * right(1) > asked, "too few are decided");
+            assert!(4 * right(0) > requested && 2 * right(1) > requested, "too few are decided");
         }
-        if asked < all as u64 {
+        if requested < all as u64 {
             return;
         }
         assert_eq!((pairs, triples, self.no_scenes), (all_pairs, all_triples, 0), "not all are asked");
@@ -202,7 +202,7 @@ fn answer(seed: u64, number: u64, crossing: Crossing, is_shown: bool, tally: &Mu
             *tally.open.entry(words.clone()).or_default() += 1;
         }
     }
-    if elapsed > SLOW {
+    if elapsed > SLOW_ANSWER {
         println!("slow, {elapsed:.1?}: {named}\n{text}");
     }
 }

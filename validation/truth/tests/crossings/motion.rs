@@ -16,17 +16,17 @@ pub enum Halt {
     Open(&'static str),
 }
 
-pub type Judged<T> = Result<T, Halt>;
+pub type Compared<T> = Result<T, Halt>;
 
-pub fn wrong<T>(words: String) -> Judged<T> {
+pub fn wrong<T>(words: String) -> Compared<T> {
     Err(Halt::Wrong(words))
 }
 
 /// Bounces of a chatter that are followed, and touches, rests and releases from one contact to the next.
 const BOUNCES: usize = 1_000;
-const BETWEEN: u32 = 6;
+const MAX_EVENTS_BETWEEN: u32 = 6;
 /// A bounce slower than `2^-this` of the box's speed ends a chatter that a rest is claimed of.
-const ENDS: u32 = 90;
+const CHATTER_END_BITS: u32 = 90;
 
 /// The true motion, as far as it was followed.
 pub struct Motion<'a> {
@@ -43,10 +43,10 @@ impl<'a> Motion<'a> {
     }
 
     /// The next event; where the simulator leaves it open the comparison ends.
-    fn next(&self) -> Judged<Next> {
+    fn next(&self) -> Compared<Next> {
         match self.shaken.next(&self.state) {
             Next::Open => Err(Halt::Open("the flight is too long for the truth")),
-            Next::Touch(..) if self.touches >= BETWEEN => Err(Halt::Open("it touches again and again")),
+            Next::Touch(..) if self.touches >= MAX_EVENTS_BETWEEN => Err(Halt::Open("it touches again and again")),
             next => Ok(next),
         }
     }
@@ -67,12 +67,12 @@ impl<'a> Motion<'a> {
             return false;
         }
         let speed = self.shaken.tones.iter().fold(float(0), |sum, tone| sum + float(&tone.amplitude * &tone.frequency));
-        float(self.state.velocity_after.abs_ref()) < (speed >> ENDS)
+        float(self.state.velocity_after.abs_ref()) < (speed >> CHATTER_END_BITS)
     }
 
     /// The next contact, through touches, rests and releases; the start of each later flight is noted.
-    pub fn contact(&mut self, releases: &mut Vec<(Wall, Float)>) -> Judged<Option<Contact>> {
-        for _ in 0..BETWEEN {
+    pub fn contact(&mut self, releases: &mut Vec<(Wall, Float)>) -> Compared<Option<Contact>> {
+        for _ in 0..MAX_EVENTS_BETWEEN {
             let slow = self.state.on.filter(|_| self.has_ended() && !self.state.velocity_after.is_zero());
             let next = match (slow, self.next()?) {
                 // The end of a chatter: what is left of it takes no time.
@@ -101,7 +101,7 @@ impl<'a> Motion<'a> {
         Err(Halt::Open("the truth takes too many steps"))
     }
 
-    fn impact(&mut self, wall: Wall, time: &Bounds, velocity: &Bounds, what: &str) -> Judged<()> {
+    fn impact(&mut self, wall: Wall, time: &Bounds, velocity: &Bounds, what: &str) -> Compared<()> {
         match self.next()? {
             Next::Contact(contact) => {
                 if contact.wall != wall || !time.holds(&contact.time) {
@@ -123,7 +123,7 @@ impl<'a> Motion<'a> {
     }
 
     /// A graze that is an impact is passed; before it there is none.
-    fn graze(&mut self, wall: Wall, time: &Bounds, what: &str) -> Judged<()> {
+    fn graze(&mut self, wall: Wall, time: &Bounds, what: &str) -> Compared<()> {
         match self.next()? {
             Next::Contact(contact) => match time.place(&contact.time) {
                 Ordering::Less => wrong(format!("{what}, but before it comes {}", shown(&contact))),
@@ -145,7 +145,7 @@ impl<'a> Motion<'a> {
         }
     }
 
-    fn rest(&mut self, wall: Wall, time: &Bounds, is_end: bool, what: &str) -> Judged<()> {
+    fn rest(&mut self, wall: Wall, time: &Bounds, is_end: bool, what: &str) -> Compared<()> {
         if self.state.on != Some(wall) {
             return wrong(format!("{what}, but the ball was not there"));
         }
@@ -178,7 +178,7 @@ impl<'a> Motion<'a> {
         Err(Halt::Open("the chatter is too long for the truth"))
     }
 
-    fn release(&mut self, wall: Wall, time: &Bounds, what: &str) -> Judged<()> {
+    fn release(&mut self, wall: Wall, time: &Bounds, what: &str) -> Compared<()> {
         // The rest may have begun anywhere in its bounds: the contact force ends once in so short a time.
         let Some(at) = self.shaken.release(wall, &self.state.time) else {
             return Err(Halt::Open("the truth finds no release"));
@@ -191,7 +191,7 @@ impl<'a> Motion<'a> {
     }
 
     /// One event of the document.
-    pub fn follow(&mut self, event: &Value) -> Judged<()> {
+    pub fn follow(&mut self, event: &Value) -> Compared<()> {
         let what = format!("{} {} on {} in {}", event["event"], event["index"], event["wall"], event["time"]);
         let (Some(wall), Some(time)) = (named(&event["wall"]), Bounds::read(&event["time"])) else {
             return wrong(format!("{what}: no bounds"));
@@ -211,7 +211,7 @@ impl<'a> Motion<'a> {
     }
 
     /// Checks that no contact comes before a time, in bounds or at once.
-    fn is_clear(&mut self, until: &Float, what: &str) -> Judged<()> {
+    fn is_clear(&mut self, until: &Float, what: &str) -> Compared<()> {
         match self.next()? {
             Next::Contact(contact) if contact.time < *until => {
                 wrong(format!("{what}, but the truth is {}", shown(&contact)))
@@ -225,7 +225,7 @@ impl<'a> Motion<'a> {
     }
 
     /// Compares the outcome with the motion after the last event.
-    pub fn ended(&mut self, outcome: &Value, member: &Member) -> Judged<()> {
+    pub fn ended(&mut self, outcome: &Value, member: &Member) -> Compared<()> {
         let what = format!("{} after the last event", outcome["kind"]);
         match outcome["kind"].as_str().unwrap_or_default() {
             "time-reached" => {
@@ -264,7 +264,7 @@ impl<'a> Motion<'a> {
     }
 
     /// Checks that it leaves the same wall as before after N cycles, if it is released at all.
-    fn repeats(&mut self, outcome: &Value, member: &Member) -> Judged<()> {
+    fn repeats(&mut self, outcome: &Value, member: &Member) -> Compared<()> {
         let cycles = outcome["period"]["cycles"].as_u64().unwrap_or(0);
         let mut releases = Vec::new();
         for _ in 0..400 {
@@ -286,7 +286,7 @@ impl<'a> Motion<'a> {
 
     /// Checks that it is within the bounds of the orbit after many periods, or nearer to it than at first: intervals among the data are many
     /// orbits.
-    fn converges(&mut self, outcome: &Value, member: &Member) -> Judged<()> {
+    fn converges(&mut self, outcome: &Value, member: &Member) -> Compared<()> {
         let impacts = outcome["orbit"]["impacts"].as_array().map_or(&[][..], Vec::as_slice);
         let speeds: Option<Vec<_>> =
             impacts.iter().map(|impact| Some((named(&impact["wall"])?, Bounds::read(&impact["velocity"])?))).collect();
@@ -338,7 +338,7 @@ fn described(next: &Next) -> String {
 }
 
 /// All events and the outcome, from the start of a member.
-pub fn judge(document: &Value, member: &Member) -> Judged<()> {
+pub fn judge(document: &Value, member: &Member) -> Compared<()> {
     let mut motion = Motion::new(&member.shaken, member.start.clone());
     let events = document["events"].as_array().map_or(&[][..], Vec::as_slice);
     let impacts = events.iter().filter(|event| event["event"] == "impact").count() as u64;

@@ -12,14 +12,14 @@ use serde_json::Value;
 
 use super::flight::{State, Tone, float};
 use super::members::{Bounds, Member, named};
-use super::motion::{Halt, Judged, Motion, wrong};
+use super::motion::{Compared, Halt, Motion, wrong};
 
 /// Error allowed in the impacts of a period, in radians and in speeds of the box: bounds of `10^-9`, and the growth over a period.
-const OFF: f64 = 1e-3;
+const ORBIT_TOLERANCE: f64 = 1e-3;
 
 /// A claimed impact of an orbit.
 #[derive(Clone, Debug)]
-pub struct Told {
+pub struct ClaimedState {
     pub wall: Wall,
     pub phase: Float,
     pub velocity: Float,
@@ -28,8 +28,8 @@ pub struct Told {
     cycle: Option<i64>,
 }
 
-fn told(impact: &Value) -> Option<Told> {
-    Some(Told {
+fn claimed_state(impact: &Value) -> Option<ClaimedState> {
+    Some(ClaimedState {
         wall: named(&impact["wall"])?,
         phase: Bounds::read(&impact["phase"])?.middle(),
         velocity: Bounds::read(&impact["velocity"])?.middle(),
@@ -39,8 +39,8 @@ fn told(impact: &Value) -> Option<Told> {
 }
 
 /// All impacts of an orbit.
-pub fn impacts(orbit: &Value) -> Option<Vec<Told>> {
-    orbit["impacts"].as_array()?.iter().map(told).collect()
+pub fn impacts(orbit: &Value) -> Option<Vec<ClaimedState>> {
+    orbit["impacts"].as_array()?.iter().map(claimed_state).collect()
 }
 
 /// The harmonic whose phase documents give: the fastest.
@@ -48,7 +48,7 @@ pub fn reference(tones: &[Tone]) -> &Tone {
     tones.iter().reduce(|a, b| if b.frequency > a.frequency { b } else { a }).expect("a harmonic")
 }
 
-/// The difference of two phases, at most half a turn.
+/// The difference of two phases, at most half a forcing period.
 pub fn apart(a: &Float, b: &Float) -> f64 {
     let turn = float(Constant::Pi) * 2;
     let difference = float(a - b);
@@ -62,7 +62,7 @@ pub fn speed(tones: &[Tone]) -> f64 {
 }
 
 /// The state just after an impact, its velocity before it varied, and its phase.
-fn after(member: &Member, impact: &Told, varied: [f64; 2]) -> State {
+fn after(member: &Member, impact: &ClaimedState, varied: [f64; 2]) -> State {
     let tone = reference(&member.tones);
     let turns = float(Constant::Pi) * 2 * impact.turn;
     let time = float(&impact.phase + &turns) + float(varied[0]) - &tone.phase;
@@ -75,10 +75,10 @@ fn after(member: &Member, impact: &Told, varied: [f64; 2]) -> State {
 }
 
 /// The impacts of a period that come after the first one, and the first one again.
-fn period(member: &Member, told: &[Told], varied: [f64; 2]) -> Judged<Vec<Contact>> {
-    let mut motion = Motion::new(&member.shaken, after(member, &told[0], varied));
+fn period(member: &Member, claimed_state: &[ClaimedState], varied: [f64; 2]) -> Compared<Vec<Contact>> {
+    let mut motion = Motion::new(&member.shaken, after(member, &claimed_state[0], varied));
     let mut found = Vec::new();
-    while found.len() < told.len() {
+    while found.len() < claimed_state.len() {
         let Some(contact) = motion.contact(&mut Vec::new())? else { break };
         found.push(contact);
     }
@@ -86,51 +86,51 @@ fn period(member: &Member, told: &[Told], varied: [f64; 2]) -> Judged<Vec<Contac
 }
 
 /// Distance of the true impacts from the claimed ones, in radians and in speeds of the box; infinite on other walls.
-fn away(member: &Member, told: &[Told], found: &[Contact]) -> f64 {
+fn away(member: &Member, claimed_state: &[ClaimedState], found: &[Contact]) -> f64 {
     let tone = reference(&member.tones);
-    let one = |(contact, told): (&Contact, &Told)| {
+    let one = |(contact, claimed_state): (&Contact, &ClaimedState)| {
         let phase = float(&contact.time * &tone.frequency) + &tone.phase;
-        let off = float(&contact.velocity_before - &told.velocity).to_f64().abs() / speed(&member.tones);
-        if contact.wall == told.wall { apart(&phase, &told.phase).max(off) } else { f64::INFINITY }
+        let off = float(&contact.velocity_before - &claimed_state.velocity).to_f64().abs() / speed(&member.tones);
+        if contact.wall == claimed_state.wall { apart(&phase, &claimed_state.phase).max(off) } else { f64::INFINITY }
     };
-    if found.len() < told.len() {
+    if found.len() < claimed_state.len() {
         return f64::INFINITY;
     }
-    found.iter().zip(told.iter().cycle().skip(1)).map(one).fold(0.0, f64::max)
+    found.iter().zip(claimed_state.iter().cycle().skip(1)).map(one).fold(0.0, f64::max)
 }
 
 /// Returns whether the true impacts come in other forcing periods than are claimed: then the claimed orbit passes over contacts of its own
 /// phases. `None` where the forcing period of no later impact is given.
-fn is_in_other_turns(member: &Member, told: &[Told], found: &[Contact]) -> Option<bool> {
+fn is_in_other_turns(member: &Member, claimed_state: &[ClaimedState], found: &[Contact]) -> Option<bool> {
     let (tone, turn) = (reference(&member.tones), float(Constant::Pi) * 2);
-    let later: Vec<_> = told
+    let later: Vec<_> = claimed_state
         .iter()
         .skip(1)
         .zip(found)
-        .map(|(told, contact)| Some((told, contact, told.cycle?)))
+        .map(|(claimed_state, contact)| Some((claimed_state, contact, claimed_state.cycle?)))
         .collect::<Option<_>>()?;
-    let is_other = |(told, contact, cycle): &(&Told, &Contact, i64)| {
+    let is_other = |(claimed_state, contact, cycle): &(&ClaimedState, &Contact, i64)| {
         let phase = float(&contact.time * &tone.frequency) + &tone.phase;
-        float(phase - &told.phase - float(&turn * *cycle)).to_f64().abs() > 1.0
+        float(phase - &claimed_state.phase - float(&turn * *cycle)).to_f64().abs() > 1.0
     };
     (!later.is_empty()).then(|| later.iter().any(is_other))
 }
 
 /// Checks one orbit of a list: the true motion is the claimed one if it is admissible, and another if it is virtual.
-pub fn judge(orbit: &Value, member: &Member) -> Judged<()> {
-    let Some(told) = impacts(orbit).filter(|told| !told.is_empty()) else {
+pub fn judge(orbit: &Value, member: &Member) -> Compared<()> {
+    let Some(claimed_state) = impacts(orbit).filter(|claimed_state| !claimed_state.is_empty()) else {
         return wrong("an orbit without impacts".into());
     };
     let Some(is_physical) = orbit["physical"].as_bool() else { return Err(Halt::Open("undecided whether physical")) };
-    let found = period(member, &told, [0.0; 2])?;
-    let off = away(member, &told, &found);
-    if is_physical && off > OFF {
+    let found = period(member, &claimed_state, [0.0; 2])?;
+    let off = away(member, &claimed_state, &found);
+    if is_physical && off > ORBIT_TOLERANCE {
         return wrong(format!("a physical orbit, but the true impacts are {off:e} away: {}", orbit["impacts"]));
     }
-    if !is_physical && off < OFF * OFF {
-        match is_in_other_turns(member, &told, &found) {
+    if !is_physical && off < ORBIT_TOLERANCE * ORBIT_TOLERANCE {
+        match is_in_other_turns(member, &claimed_state, &found) {
             Some(true) => return Ok(()),
-            None if told[0].cycle.is_some() => return Err(Halt::Open("one impact in some cycles")),
+            None if claimed_state[0].cycle.is_some() => return Err(Halt::Open("one impact in some cycles")),
             _ => {}
         }
         return wrong(format!("an orbit that is not physical, but it is one: {}", orbit["impacts"]));
@@ -139,22 +139,24 @@ pub fn judge(orbit: &Value, member: &Member) -> Judged<()> {
 }
 
 /// Trace and determinant of the period, by differences of true motions.
-pub fn trace_and_determinant(orbit: &Value, member: &Member) -> Judged<[f64; 2]> {
-    let Some(told) = impacts(orbit).filter(|told| !told.is_empty()) else {
+pub fn trace_and_determinant(orbit: &Value, member: &Member) -> Compared<[f64; 2]> {
+    let Some(claimed_state) = impacts(orbit).filter(|claimed_state| !claimed_state.is_empty()) else {
         return wrong("an orbit without impacts".into());
     };
-    let (_, [[a, b], [c, d]]) = derivative(member, &told)?;
+    let (_, [[a, b], [c, d]]) = derivative(member, &claimed_state)?;
     Ok([a + d, a * d - b * c])
 }
 
 /// The state after a period, phase and velocity before its impact, and its derivatives by either, by differences of true motions: by rows.
-fn derivative(member: &Member, told: &[Told]) -> Judged<([Float; 2], [[f64; 2]; 2])> {
+fn derivative(member: &Member, claimed_state: &[ClaimedState]) -> Compared<([Float; 2], [[f64; 2]; 2])> {
     let step = 2f64.powi(-120);
     let tone = reference(&member.tones);
     let mut columns = Vec::new();
-    let end = |varied: [f64; 2]| -> Judged<[Float; 2]> {
-        let found = period(member, told, varied)?;
-        let Some(last) = found.get(told.len() - 1) else { return Err(Halt::Open("the period does not close")) };
+    let end = |varied: [f64; 2]| -> Compared<[Float; 2]> {
+        let found = period(member, claimed_state, varied)?;
+        let Some(last) = found.get(claimed_state.len() - 1) else {
+            return Err(Halt::Open("the period does not close"));
+        };
         Ok([float(&last.time * &tone.frequency), last.velocity_before.clone()])
     };
     let here = end([0.0; 2])?;
@@ -169,39 +171,42 @@ fn derivative(member: &Member, told: &[Told]) -> Judged<([Float; 2], [[f64; 2]; 
 
 /// Steps of Newton's iteration for an orbit of another member, and the size of the last one.
 const STEPS: u32 = 12;
-const CLOSED: f64 = 1e-14;
+const LAST_STEP_SIZE: f64 = 1e-14;
 
 /// The same orbit of members one after another, each near the one before: whether all of them are stable, on the same walls. Lost ones are left open.
-pub fn stay_stable(orbit: &Value, members: &[Member]) -> Judged<()> {
-    let Some(mut told) = impacts(orbit).filter(|told| !told.is_empty()) else {
+pub fn stay_stable(orbit: &Value, members: &[Member]) -> Compared<()> {
+    let Some(mut claimed_state) = impacts(orbit).filter(|claimed_state| !claimed_state.is_empty()) else {
         return wrong("an orbit without impacts".into());
     };
     for member in members {
         let mut is_closed = false;
         for _ in 0..STEPS {
-            let ([phase, velocity], [[a, b], [c, d]]) = derivative(member, &told)?;
+            let ([phase, velocity], [[a, b], [c, d]]) = derivative(member, &claimed_state)?;
             let turn = float(Constant::Pi) * 2;
-            let off = float(phase - &told[0].phase);
+            let off = float(phase - &claimed_state[0].phase);
             let turns = float(&off / &turn).round();
-            let off = [float(off - turns * turn).to_f64(), float(velocity - &told[0].velocity).to_f64()];
+            let off = [float(off - turns * turn).to_f64(), float(velocity - &claimed_state[0].velocity).to_f64()];
             let determinant = (1.0 - a) * (1.0 - d) - b * c;
             let step =
                 [(off[0] * (1.0 - d) + b * off[1]) / determinant, (off[1] * (1.0 - a) + c * off[0]) / determinant];
-            told[0].phase += step[0];
-            told[0].velocity += step[1];
-            if step[0].abs() + step[1].abs() / speed(&member.tones) < CLOSED {
+            claimed_state[0].phase += step[0];
+            claimed_state[0].velocity += step[1];
+            if step[0].abs() + step[1].abs() / speed(&member.tones) < LAST_STEP_SIZE {
                 is_closed = true;
                 break;
             }
         }
-        let walls = period(member, &told, [0.0; 2])?;
-        let are_same = walls.iter().zip(told.iter().cycle().skip(1)).all(|(contact, told)| contact.wall == told.wall);
+        let walls = period(member, &claimed_state, [0.0; 2])?;
+        let are_same = walls
+            .iter()
+            .zip(claimed_state.iter().cycle().skip(1))
+            .all(|(contact, claimed_state)| contact.wall == claimed_state.wall);
         if !(is_closed && are_same) {
             return Err(Halt::Open("the orbit of a window is lost at another value"));
         }
-        let (_, [[a, b], [c, d]]) = derivative(member, &told)?;
+        let (_, [[a, b], [c, d]]) = derivative(member, &claimed_state)?;
         let (trace, determinant) = (a + d, a * d - b * c);
-        if trace.abs() > (1.0 + determinant) * (1.0 + OFF) {
+        if trace.abs() > (1.0 + determinant) * (1.0 + ORBIT_TOLERANCE) {
             return wrong(format!("the orbit of a window is unstable between its ends: trace {trace}"));
         }
     }
@@ -221,7 +226,7 @@ fn is_rotated(a: &[bool], b: &[bool]) -> bool {
 
 /// A list that says there are no others: every periodic motion of the word and of N cycles that a run proves must be on it,
 /// those with rests as well, unless the document says that it leaves them out.
-pub fn judge_all(document: &Value, scene: &Scene, starts: &[orbit::Start]) -> Judged<()> {
+pub fn judge_all(document: &Value, scene: &Scene, starts: &[orbit::Start]) -> Compared<()> {
     let Ok(word) = document["word"].as_str().unwrap_or_default().parse::<Word>() else {
         return wrong("no word".into());
     };
@@ -235,11 +240,15 @@ pub fn judge_all(document: &Value, scene: &Scene, starts: &[orbit::Start]) -> Ju
             Some("attracted") if outcome["cycles"] == document["cycles"] => {
                 let Some(orbit) = impacts(&outcome["orbit"]) else { continue };
                 let sides: Vec<bool> = orbit.iter().map(|impact| impact.wall == Wall::Left).collect();
-                let is_there = |told: &Vec<Told>| {
-                    let near = |a: &Told, b: &Told| a.wall == b.wall && apart(&a.phase, &b.phase) < 1e-4;
-                    (0..told.len()).any(|shift| told.iter().cycle().skip(shift).zip(&orbit).all(|(a, b)| near(a, b)))
+                let is_there = |claimed_state: &Vec<ClaimedState>| {
+                    let near =
+                        |a: &ClaimedState, b: &ClaimedState| a.wall == b.wall && apart(&a.phase, &b.phase) < 1e-4;
+                    (0..claimed_state.len())
+                        .any(|shift| claimed_state.iter().cycle().skip(shift).zip(&orbit).all(|(a, b)| near(a, b)))
                 };
-                if is_rotated(&sides, &own) && !listed.iter().filter_map(impacts).any(|told| is_there(&told)) {
+                if is_rotated(&sides, &own)
+                    && !listed.iter().filter_map(impacts).any(|claimed_state| is_there(&claimed_state))
+                {
                     return wrong(format!("there is another: {}", outcome["orbit"]["impacts"]));
                 }
             }

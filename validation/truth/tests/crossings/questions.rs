@@ -7,7 +7,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use impact_pair::atlas::{self, Plane};
 use impact_pair::audit::{self, Audit, Columns};
 use impact_pair::chaos::{
-    self, Base, BoxGraph, Chaos, Cycles, Global, GlobalSettings, Hyperbolic, Trap, WallWords, WindowSettings, Windows,
+    self, BoxGraph, Chaos, Cycles, Global, GlobalSettings, HSet, Hyperbolic, Trap, WallWords, WindowSettings, Windows,
 };
 use impact_pair::describe::{Request, describe};
 use impact_pair::document;
@@ -33,22 +33,22 @@ use super::traits::{Question, Restitution};
 /// The most bits of `auto`: what straddling starts need.
 const MAX_BITS: u32 = 1024;
 /// Digits of lists that are audited.
-const LISTED: usize = 40;
-/// Time between impacts that are listed at least, in turns.
-const APART: f64 = 1e-8;
+const LIST_DIGITS: usize = 40;
+/// Time between impacts that are listed at least, in forcing periods.
+const MIN_TIME_BETWEEN: f64 = 1e-8;
 /// Boxes of regions, and questions whether to go on, that are enough here.
 const BOXES: usize = 3_000;
 
 /// Bases of figure 14.
-const BASES: [[[f64; 2]; 3]; 3] = [
+const H_SETS: [[[f64; 2]; 3]; 3] = [
     [[0.77843, 1.234518], [0.02877, 0.082], [-0.0002976, 0.002596]],
     [[0.779603, 1.224294], [0.028826, 0.081513], [-0.0001488, 0.001298]],
     [[0.780161, 1.219425], [0.028649, 0.083055], [-0.0001116, 0.000974]],
 ];
 /// Number of calls of the watch after which a search for all orbits is stopped.
-const SEARCHED: usize = 4_000;
+const MAX_SEARCH_CALLS: usize = 4_000;
 /// Numbers of calls of the watch after which a search is stopped: for h-sets, and for words between given ones.
-const CHAOS: [usize; 2] = [3, 1_000];
+const MAX_CHAOS_CALLS: [usize; 2] = [3, 1_000];
 
 /// Cells of strips that are enough here.
 const CELLS: u64 = 10_000;
@@ -64,9 +64,9 @@ pub enum Answer {
         head: Value,
         records: Vec<Value>,
         points: Vec<Scene>,
-        asked: Box<sweep::PointSettings>,
+        requested: Box<sweep::PointSettings>,
     },
-    /// A periodic JSON; whether it was asked for all.
+    /// A periodic JSON; whether all were requested.
     Periodic(Value),
     Bifurcations(Value),
     Description(Value),
@@ -93,9 +93,9 @@ pub enum Answer {
 }
 
 /// Ends what takes too long.
-pub struct Patience(AtomicUsize);
+pub struct CallLimit(AtomicUsize);
 
-impl Patience {
+impl CallLimit {
     pub fn new() -> Self {
         Self(AtomicUsize::new(0))
     }
@@ -108,13 +108,13 @@ impl Patience {
 impl Case {
     /// Asks the question of the crossing.
     pub fn ask(&mut self) -> Answer {
-        match self.asked() {
+        match self.requested() {
             Ok(answer) => answer,
             Err(error) => Answer::Refused(error.to_string()),
         }
     }
 
-    fn asked(&mut self) -> Result<Answer, Error> {
+    fn requested(&mut self) -> Result<Answer, Error> {
         match self.crossing.question {
             Question::Impacts(arithmetic) => self.run(arithmetic, false),
             Question::Until(arithmetic) => self.run(arithmetic, true),
@@ -153,7 +153,7 @@ impl Case {
         Settings { arithmetic, impacts, splice, digits, max_bits: MAX_BITS, attractor: true, ..Settings::default() }
     }
 
-    /// A time to stop at: some turns later, or within an ulp or so of an impact.
+    /// A time to stop at: some forcing periods later, or within an ulp or so of an impact.
     fn end(&mut self) -> Option<String> {
         let time = self.scene.start().time();
         let member = Member::new(&self.scene, || 0.0);
@@ -224,17 +224,17 @@ impl Case {
         let settings = Settings { impacts: None, digits, splice: 0, ..self.settings(arithmetic) };
         let impacts = 1 + self.random.below(5);
         let (transient, reference) = (self.random.below(3), grid.reference(&self.scene)?);
-        let asked = sweep::PointSettings { transient, impacts, summary: false, reference, settings };
+        let requested = sweep::PointSettings { transient, impacts, summary: false, reference, settings };
         let (mut records, mut points) = (Vec::new(), Vec::new());
         for point in 0..grid.points() {
             let values = grid.values(point)?;
             let scene = self.scene.with(&values)?;
-            let found = sweep::follow(&scene, &asked, &Unwatched)?.expect("nobody stops it");
+            let found = sweep::follow(&scene, &requested, &Unwatched)?.expect("nobody stops it");
             records.push(json!(sweep::record(point, &values, &found)));
             points.push(scene);
         }
-        let head = json!(sweep::head(&self.scene, &grid, &asked, None));
-        Ok(Answer::Sweep { head, records, points, asked: Box::new(asked) })
+        let head = json!(sweep::head(&self.scene, &grid, &requested, None));
+        Ok(Answer::Sweep { head, records, points, requested: Box::new(requested) })
     }
 
     /// A word and its cycles: whole common periods.
@@ -250,10 +250,10 @@ impl Case {
         let problem = Problem::new(self.scene.pair(), &word, cycles)?;
         let units = Units::gaps(problem.pair())?;
         let precision = Precision { digits: 9, max_bits: 256 };
-        let (patience, budget) = (Patience::new(), Budget { boxes: 1_500, halvings: 30 });
+        let (limit, budget) = (CallLimit::new(), Budget { boxes: 1_500, halvings: 30 });
         let census = match is_all {
             true => problem
-                .find_all_while(self.scene.start(), precision, budget, &|_: Stage<'_>| patience.goes_on(SEARCHED)),
+                .find_all_while(self.scene.start(), precision, budget, &|_: Stage<'_>| limit.goes_on(MAX_SEARCH_CALLS)),
             false => problem.find(self.scene.start(), precision),
         };
         Ok(Answer::Periodic(json!(units.document(&problem, self.scene.start(), &census))))
@@ -276,11 +276,11 @@ impl Case {
         };
         let over = format!("{name}={low}..{high}").parse()?;
         let precision = Precision { digits: 9, max_bits: 512 };
-        let wanted = DiagramSettings { over, doublings: 0, precision };
+        let diagram_settings = DiagramSettings { over, doublings: 0, precision };
         let (word, cycles) = if is_near_fold { ("LR".parse()?, 1) } else { self.word() };
-        let patience = Patience::new();
-        let watch = |_: Stage<'_>| patience.goes_on(if is_near_fold { 3_999 } else { 399 });
-        let diagram = survey(self.scene.pair(), self.scene.start(), (&word, cycles), &wanted, &watch)?;
+        let limit = CallLimit::new();
+        let watch = |_: Stage<'_>| limit.goes_on(if is_near_fold { 3_999 } else { 399 });
+        let diagram = survey(self.scene.pair(), self.scene.start(), (&word, cycles), &diagram_settings, &watch)?;
         let found = document::bifurcations(self.scene.start(), (&word, cycles), &diagram)?;
         Ok(Answer::Bifurcations(json!(found)))
     }
@@ -315,12 +315,12 @@ impl Case {
         let is_half = matches!(self.crossing.restitution, Restitution::Half | Restitution::AroundHalf);
         let is_given = amplitude == "8" && is_half;
         let bases =
-            if is_given { BASES.map(|[at, long, short]| Base::new(at, long, short)).to_vec() } else { Vec::new() };
+            if is_given { H_SETS.map(|[at, long, short]| HSet::new(at, long, short)).to_vec() } else { Vec::new() };
         let question = chaos::HorseshoeSettings { depth: Some(3), bases };
-        let patience = Patience::new();
+        let limit = CallLimit::new();
         let watch = |at: Stage<'_>| match at {
             Stage::Horseshoe { boxes, .. } if boxes >= 4 * BOXES as u64 => proceed_if(false),
-            _ => patience.goes_on(CHAOS[usize::from(is_given)]),
+            _ => limit.goes_on(MAX_CHAOS_CALLS[usize::from(is_given)]),
         };
         let found = Chaos::of_scene(&self.scene, &question, &watch)?;
         let mut document = document::chaos(&self.scene, None, &found);
@@ -399,15 +399,15 @@ impl Case {
     }
 
     fn cycles(&mut self) -> Result<Answer, Error> {
-        let asked: RangeInclusive<u32> = 1..=2;
-        let patience = Patience::new();
+        let requested: RangeInclusive<u32> = 1..=2;
+        let limit = CallLimit::new();
         let watch = |at: Stage<'_>| match at {
-            Stage::Cycles { .. } => patience.goes_on(2_000),
+            Stage::Cycles { .. } => limit.goes_on(2_000),
             at => proceed_if(!matches!(at, Stage::Region(BOXES..))),
         };
         let precision = Precision { digits: 9, max_bits: 512 };
-        let found = Cycles::of(&self.scene, 0, &asked, precision, &watch)?;
-        Ok(Answer::Cycles(json!(document::cycles(&self.scene, &asked, found.as_ref().map_err(|why| *why))?)))
+        let found = Cycles::of(&self.scene, 0, &requested, precision, &watch)?;
+        Ok(Answer::Cycles(json!(document::cycles(&self.scene, &requested, found.as_ref().map_err(|why| *why))?)))
     }
 
     /// The audit of true impacts, in forty digits.
@@ -421,18 +421,18 @@ impl Case {
             let Ok(Some(contact)) = motion.contact(&mut releases) else { break };
             // Of two impacts nearer to one another than the tolerance the audit may take one for the other.
             let since = float(&contact.time - last.as_ref().unwrap_or(&member.start.time));
-            if last.is_some() && since < float(&shortest * APART) {
+            if last.is_some() && since < float(&shortest * MIN_TIME_BETWEEN) {
                 break;
             }
             last = Some(contact.time.clone());
             let wall = if contact.wall == impact_pair_truth::Wall::Left { "left" } else { "right" };
             let [time, velocity] =
-                [&contact.time, &contact.velocity_before].map(|x| x.to_string_radix(10, Some(LISTED)));
+                [&contact.time, &contact.velocity_before].map(|x| x.to_string_radix(10, Some(LIST_DIGITS)));
             list += &format!("{time},{wall},{velocity}\n");
         }
         let list = audit::read(&list, &Columns::default(), self.scene.pair())?;
-        let asked = audit::AuditSettings { max_bits: 256, ..audit::AuditSettings::default() };
-        let found = Audit::of(&self.scene, list, &asked, &Unwatched)?;
+        let requested = audit::AuditSettings { max_bits: 256, ..audit::AuditSettings::default() };
+        let found = Audit::of(&self.scene, list, &requested, &Unwatched)?;
         Ok(Answer::Audit(json!(found.document())))
     }
 }

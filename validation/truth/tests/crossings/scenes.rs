@@ -57,7 +57,7 @@ const SIZES: [[&str; 3]; 12] = [
 ];
 
 /// A, W and d of pairs of which orbits are attracted for `e = 1/2`, of 1, 2 and 16 impacts of the reduced map: found in floating point.
-const SETTLED: [[&str; 3]; 6] = [
+const ATTRACTED_PAIRS: [[&str; 3]; 6] = [
     ["0.25", "2*pi", "1"],
     ["3/2", "pi", "6"],
     ["0.36", "2*pi", "1"],
@@ -67,7 +67,7 @@ const SETTLED: [[&str; 3]; 6] = [
 ];
 
 /// The first N of these are boxes that move by a gap or so.
-const SHAKEN: usize = 7;
+const STRONGLY_SHAKEN: usize = 7;
 
 impl Random {
     pub fn pick<T: Copy>(&mut self, from: &[T]) -> T {
@@ -143,7 +143,7 @@ fn excitation(random: &mut Random, kind: Excitation, size: [&str; 3]) -> Vec<Ter
     }
 }
 
-/// A time, in turns of the first term now and then.
+/// A time, in periods of the first term now and then.
 fn time(random: &mut Random, terms: &[Term]) -> String {
     match random.below(6) {
         0 | 1 => "0".into(),
@@ -245,17 +245,17 @@ fn at_graze(random: &mut Random, parts: &mut Parts) {
     };
     let drift = format!("({})", sum(terms, &later, 1, "cos"));
     let velocity = format!("{drift}-({})", sum(terms, start, 1, "cos"));
-    let way =
+    let travel =
         format!("{drift}*({later}-({start}))-({}-({}))", sum(terms, &later, 0, "sin"), sum(terms, start, 0, "sin"));
     let is_made_for_it = parts.restitution == "1/2" || parts.restitution == "1";
-    let is_from_left = value(&velocity).is_some_and(|v| v > 1e-9) && value(&way).is_some_and(|way| way > 1e-9);
+    let is_from_left = value(&velocity).is_some_and(|v| v > 1e-9) && value(&travel).is_some_and(|travel| travel > 1e-9);
     if is_made_for_it && is_from_left && random.below(2) == 0 {
-        parts.gap = format!("{way}{}", random.offset());
+        parts.gap = format!("{travel}{}", random.offset());
         (parts.wall, parts.velocity) = (Some("left"), format!("-({velocity})/({})", parts.restitution));
         return;
     }
     let wall = random.pick(&["", "-"]);
-    parts.position = format!("{wall}({})/2-({way}){}", parts.gap, random.offset());
+    parts.position = format!("{wall}({})/2-({travel}){}", parts.gap, random.offset());
     (parts.wall, parts.velocity) = (None, velocity);
 }
 
@@ -291,7 +291,7 @@ fn parts(random: &mut Random, crossing: &Crossing) -> Option<Parts> {
     let size = match crossing.question {
         Question::Chaos => SIZES[0],
         // Of a box that hardly moves flights are too long for images of boxes.
-        Question::BoxMap => random.pick(&SIZES[..SHAKEN]),
+        Question::BoxMap => random.pick(&SIZES[..STRONGLY_SHAKEN]),
         Question::Bifurcations(_) if matches!(crossing.restitution, Restitution::Half | Restitution::AroundHalf) => {
             NEAR_FOLD
         }
@@ -302,7 +302,7 @@ fn parts(random: &mut Random, crossing: &Crossing) -> Option<Parts> {
             NEAR_FOLD
         }
         Question::Attractors if matches!(crossing.restitution, Restitution::Half | Restitution::AroundHalf) => {
-            random.pick(&SETTLED)
+            random.pick(&ATTRACTED_PAIRS)
         }
         Question::Impacts("shadow" | "splice") if random.below(2) == 0 => SIZES[0],
         _ => random.pick(&SIZES),
@@ -350,11 +350,11 @@ impl Parts {
 }
 
 /// Draws that may be no scenes: a position beyond the gap, a velocity away from the wall.
-const DRAWS: u32 = 60;
+const MAX_DRAWS: u32 = 60;
 
 /// A scene of a crossing; `None` where none of the draws is one.
 pub fn case(crossing: Crossing, mut random: Random) -> Option<Case> {
-    for _ in 0..DRAWS {
+    for _ in 0..MAX_DRAWS {
         let Some(parts) = parts(&mut random, &crossing) else { continue };
         let text = parts.text();
         if let Ok(scene) = Scene::parse(&text) {

@@ -9,12 +9,12 @@ use serde_json::Value;
 
 use super::flight::{State, float};
 use super::members::{Bounds, Member, named};
-use super::motion::{Halt, Judged, Motion, shown, wrong};
+use super::motion::{Compared, Halt, Motion, shown, wrong};
 
 /// Newton's steps for an impact.
 const STEPS: u32 = 12;
 /// Parts of its bounds at which the last impact is sought.
-const PLACES: [f64; 5] = [0.5, 0.25, 0.75, 0.1, 0.9];
+const LAST_IMPACT_PLACES: [f64; 5] = [0.5, 0.25, 0.75, 0.1, 0.9];
 
 /// The datum of the start that is varied.
 #[derive(Clone, Copy, PartialEq)]
@@ -42,7 +42,7 @@ impl Claim<'_> {
     }
 
     /// The first impacts from a start, through rests.
-    fn impacts(&self, start: &Float, count: usize) -> Judged<Vec<Contact>> {
+    fn impacts(&self, start: &Float, count: usize) -> Compared<Vec<Contact>> {
         let mut motion = Motion::new(&self.member.shaken, self.state(start));
         let mut found = Vec::new();
         while found.len() < count {
@@ -60,7 +60,7 @@ impl Claim<'_> {
     }
 
     /// A start from which impact `index`, from 0, comes at a time; from a start whose impacts before are about right.
-    fn aimed(&self, from: &Float, index: usize, sought: &Float) -> Judged<Option<Float>> {
+    fn aimed(&self, from: &Float, index: usize, sought: &Float) -> Compared<Option<Float>> {
         let mut start = from.clone();
         for _ in 0..STEPS {
             let little = float((float(start.abs_ref()) + 1u32) >> 300u32);
@@ -84,7 +84,7 @@ impl Claim<'_> {
     }
 
     /// The start that has all these impacts.
-    fn found(&self) -> Judged<Option<Float>> {
+    fn found(&self) -> Compared<Option<Float>> {
         let mut start = self.start.middle();
         for (index, (_, time, _)) in self.impacts.iter().enumerate() {
             let Some(next) = self.aimed(&start, index, &time.middle())? else { return Ok(None) };
@@ -92,7 +92,7 @@ impl Claim<'_> {
         }
         let last = self.impacts.len() - 1;
         let Bounds(low, high) = &self.impacts[last].1;
-        for place in PLACES {
+        for place in LAST_IMPACT_PLACES {
             let sought = float(float(high - low) * place) + low;
             let Some(aimed) = self.aimed(&start, last, &sought)? else { continue };
             if self.has_impacts(&self.impacts(&aimed, last + 1)?) {
@@ -103,7 +103,7 @@ impl Claim<'_> {
     }
 
     /// Both ends of the bounds of the start and its middle have the first impact on the same side of its bounds.
-    fn is_beside(&self) -> Judged<Option<String>> {
+    fn is_beside(&self) -> Compared<Option<String>> {
         let (wall, time, _) = &self.impacts[0];
         let Bounds(low, high) = &self.start;
         let mut places = Vec::new();
@@ -118,7 +118,7 @@ impl Claim<'_> {
 }
 
 /// The claims of a shadowed orbit for a member of the data.
-pub fn judge(document: &Value, member: &Member) -> Judged<()> {
+pub fn judge(document: &Value, member: &Member) -> Compared<()> {
     let (near, events) = (&document["outcome"]["start"], document["events"].as_array().map_or(&[][..], Vec::as_slice));
     let (Some(time), Some(velocity)) = (Bounds::read(&near["time"]), Bounds::read(&near["velocity"])) else {
         return wrong("shadowed, but no start is told".into());

@@ -8,7 +8,7 @@ use std::collections::BTreeSet;
 
 use super::flight::{Tone, float};
 use super::members::{Bounds, Member};
-use super::motion::{self, Halt, Judged, wrong};
+use super::motion::{self, Compared, Halt, wrong};
 use crate::common::Random;
 
 /// The harmonics whose phases the states so far may be.
@@ -34,7 +34,7 @@ fn meet(a: &Value, b: &Value) -> bool {
 }
 
 /// Compares the states of a record with the events of a run, impact by impact; returns the harmonics whose phases they may be.
-fn compared(record: &Value, run: &Value, tones: &[Tone]) -> Judged<Units> {
+fn compared(record: &Value, run: &Value, tones: &[Tone]) -> Compared<Units> {
     let mut fits: Units = (0..tones.len()).collect();
     for state in record["states"].as_array().map_or(&[][..], Vec::as_slice) {
         let same = |event: &&Value| event["event"] == "impact" && event["index"] == state["index"];
@@ -57,17 +57,17 @@ fn compared(record: &Value, run: &Value, tones: &[Tone]) -> Judged<Units> {
 }
 
 /// The run of a point's own scene; `None` where another orbit may have been listed: one near the start.
-fn own(record: &Value, scene: &Scene, asked: &sweep::PointSettings) -> Judged<Option<Value>> {
+fn own(record: &Value, scene: &Scene, requested: &sweep::PointSettings) -> Compared<Option<Value>> {
     // Orbits that are not shadowed are certified from the exact start, to the digits.
-    let is_shadow = asked.settings.arithmetic == Arithmetic::Shadow;
+    let is_shadow = requested.settings.arithmetic == Arithmetic::Shadow;
     // In the bits that it took: in more a graze may be distinguished from an impact, which has a number.
     let arithmetic = match record["bits"].as_u64() {
         Some(53) if is_shadow => Arithmetic::Interval,
         _ if is_shadow => Arithmetic::Auto,
-        _ => asked.settings.arithmetic,
+        _ => requested.settings.arithmetic,
     };
-    let impacts = Some(asked.transient + asked.impacts);
-    let settings = Settings { impacts, arithmetic, attractor: true, ..asked.settings.clone() };
+    let impacts = Some(requested.transient + requested.impacts);
+    let settings = Settings { impacts, arithmetic, attractor: true, ..requested.settings.clone() };
     let Ok(found) = document::orbit(scene.pair(), scene.start(), settings) else {
         return wrong("the point is computed, its own scene is refused".into());
     };
@@ -89,7 +89,12 @@ fn own(record: &Value, scene: &Scene, asked: &sweep::PointSettings) -> Judged<Op
 }
 
 /// All points of a sweep; their phases must be those of one harmonic.
-pub fn judge(records: &[Value], points: &[Scene], asked: &sweep::PointSettings, random: &mut Random) -> Judged<()> {
+pub fn judge(
+    records: &[Value],
+    points: &[Scene],
+    requested: &sweep::PointSettings,
+    random: &mut Random,
+) -> Compared<()> {
     let (mut common, mut open): (Option<Units>, _) = (None, None);
     for (record, scene) in records.iter().zip(points) {
         if record["outcome"] == "undecided" && record["impacts"] == 0 {
@@ -97,7 +102,7 @@ pub fn judge(records: &[Value], points: &[Scene], asked: &sweep::PointSettings, 
             open = Some("undecided before the first impact");
             continue;
         }
-        let Some(run) = own(record, scene, asked)? else { continue };
+        let Some(run) = own(record, scene, requested)? else { continue };
         for member in Member::all(scene, random) {
             match motion::judge(&run, &member) {
                 Err(Halt::Open(why)) => open = Some(why),

@@ -156,7 +156,7 @@ pub struct Crossing {
     pub question: Question,
 }
 
-/// The pairs of values of two traits, and the triples of three, that are asked.
+/// The pairs of values of two traits, and the triples of three, that are tested.
 #[derive(Default)]
 pub struct Coverage {
     pairs: BTreeSet<[(usize, usize); 2]>,

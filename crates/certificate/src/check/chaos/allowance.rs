@@ -4,7 +4,7 @@ use std::sync::atomic::{AtomicI64, Ordering};
 
 use impact_pair_model::watch::Watch;
 
-use super::guess::MOST_TURNS;
+use super::guess::MAX_PERIODS;
 
 /// The end of a search.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -36,9 +36,9 @@ impl<'w> Allowance<'w> {
             return Err(End::Stopped);
         }
         // proposes: when to give up
-        let each = 1 + turns.clamp(0.0, MOST_TURNS).ceil() as i64; // proposes: when to give up
+        let each = 1 + turns.clamp(0.0, MAX_PERIODS).ceil() as i64; // proposes: when to give up
         let cost = each.saturating_mul(i64::try_from(looks).unwrap_or(i64::MAX)); // proposes: when to give up
-        let left = self.left.fetch_sub(cost.min(ALL), Ordering::Relaxed); // proposes: when to give up
+        let left = self.left.fetch_sub(cost.min(MAX_WORK), Ordering::Relaxed); // proposes: when to give up
         if left >= cost { Ok(()) } else { Err(End::Spent) }
     }
 
@@ -49,4 +49,4 @@ impl<'w> Allowance<'w> {
 }
 
 /// The most work taken at once, so that what is left cannot wrap.
-const ALL: i64 = 1 << 40;
+const MAX_WORK: i64 = 1 << 40;

@@ -4,23 +4,23 @@ use num_rational::BigRational;
 use num_traits::{Signed, ToPrimitive};
 
 use super::beam::State;
-use super::tube::{Chord, Tube, side_of};
+use super::tube::{BoxChain, Chord, side_of};
 use impact_pair_document::CornersDocument;
 
 /// A quadrilateral of states by its left and its right edge.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Base {
+pub(super) struct HSet {
     pub left: Chord,
     pub right: Chord,
 }
 
 type Exact = [BigRational; 2];
 
-/// Phases of h-sets are within N turns of 0, so that any two of them are this much apart at most.
-const FARTHEST: f64 = 4.0;
+/// Phases of h-sets are within N forcing periods of 0, so that any two of them are this much apart at most.
+const LARGEST_PHASE: f64 = 4.0;
 const SHIFTS: i64 = 8;
 
-impl Base {
+impl HSet {
     pub fn of(CornersDocument { left, right }: &CornersDocument) -> Self {
         let chord = |[bottom, top]: [State; 2]| Chord { bottom, top };
         Self { left: chord(*left), right: chord(*right) }
@@ -39,7 +39,7 @@ impl Base {
 
     /// Returns whether it is convex, its tops to the left, its speeds positive, and its phases not far.
     pub fn is_sound(&self) -> bool {
-        let is_near = self.corners().iter().all(|[u, w]| u.abs() < FARTHEST && w.is_finite() && *w > 0.0); // V12: these states
+        let is_near = self.corners().iter().all(|[u, w]| u.abs() < LARGEST_PHASE && w.is_finite() && *w > 0.0); // V12: these states
         let turns = |corners: [Exact; 4]| {
             (0..4).all(|i| side(&corners[i], &corners[(i + 1) % 4], &corners[(i + 2) % 4]).is_positive())
         };
@@ -64,7 +64,7 @@ impl Base {
     }
 
     /// Returns the forcing periods after which a chain of boxes may cross it.
-    pub fn turns(&self, tube: &Tube) -> Vec<f64> {
+    pub fn turns(&self, tube: &BoxChain) -> Vec<f64> {
         let ends = |phases: &mut dyn Iterator<Item = f64>| {
             phases.fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], x| [a.min(x), b.max(x)]) // proposes: where to look
         };
@@ -75,7 +75,7 @@ impl Base {
     }
 
     /// Returns the stretches of a chain of boxes that cross it N forcing periods later, each by two chords (D8).
-    pub fn crossings(&self, tube: &Tube, turns: f64) -> Vec<[usize; 2]> {
+    pub fn crossings(&self, tube: &BoxChain, turns: f64) -> Vec<[usize; 2]> {
         let Self { left, right } = self;
         let side = |from: State, to: State, state: &State| side_of(from, to, *state, turns);
         let mut found = Vec::new();

@@ -78,7 +78,7 @@ pub(super) struct View {
 }
 
 /// All flights from a quadrilateral.
-pub(super) struct Beam {
+pub(super) struct FlightBundle {
     gap: Span,
     /// Bounds of the states.
     pub phase: Span,
@@ -98,7 +98,7 @@ pub(super) struct Beam {
 }
 
 /// A departure is proved for this time at first, and for no shorter one than the other.
-const DEPARTURE: f64 = 0.125;
+const FIRST_DEPARTURE: f64 = 0.125;
 const SHORTEST_DEPARTURE: f64 = 1e-6;
 /// Parts of a flight are this long at most, and no shorter than the other.
 const LONGEST_PART: f64 = 0.125;
@@ -119,7 +119,7 @@ pub(super) struct Landing {
     pub times: Span,
 }
 
-impl Beam {
+impl FlightBundle {
     pub fn new(law: &Law, quad: &Quad) -> Self {
         let hull = |i: usize| {
             let [p, q, r, s] = quad.corners;
@@ -139,7 +139,7 @@ impl Beam {
         let (sin, cos) = phase.sin_cos();
         let (centre_sin, centre_cos) = centre[0].sin_cos();
         // V12: the centre's `e` is the middle one, and `e` a direction like the others
-        let (middle, around) = e.parted();
+        let (middle, around) = e.centred_parts();
         let drift = middle * centre[1] + centre_cos;
         let [a, b, c, [ahead, faster]] = [sides[0], sides[1], sides[2], by].map(|[u, w]| [u.turned(), e * w]);
         let sides = [a, b, c, [ahead, faster + Span::point(around.hi()) * speed]];
@@ -217,7 +217,7 @@ impl Beam {
 
     /// Returns a time up to which all flights are proved to be between the walls once they have left.
     pub fn depart(&self) -> Option<f64> {
-        let mut time = DEPARTURE;
+        let mut time = FIRST_DEPARTURE;
         while time >= SHORTEST_DEPARTURE {
             let angle = Span::point(time).turned();
             let (leaves, mean) = self.leaves_at(angle, time);
@@ -280,7 +280,7 @@ impl Beam {
         let guess = Span::point(guess);
         let (centre_sin, _) = (self.centre[0] + guess).sin_cos();
         // V12: the centre's wall is the middle one
-        let (level, around) = self.level(is_far).parted();
+        let (level, around) = self.level(is_far).centred_parts();
         let miss = self.drift * guess.turned() - centre_sin + self.centre_sin - level;
         let time = guess - miss.signed(is_far).over(rate.turned())?;
         let phase = self.centre[0] + time;

@@ -11,29 +11,29 @@ use super::words::Word;
 use crate::check::contact::Doubt;
 
 /// The pairs of h-sets that a block leads from and to: in order, none twice.
-type Ways = Vec<[usize; 2]>;
+type Passages = Vec<[usize; 2]>;
 /// The impacts of the longer block, and of the shorter one: the longer one counts first.
 type Size = [usize; 2];
 
 /// More pairs than these are not looked at: documents that the program writes have some hundred.
-const MOST_PAIRS: usize = 1 << 20;
+const MAX_PAIRS: usize = 1 << 20;
 
 /// Proves that the two blocks that are named are free, and that no two blocks of fewer impacts are.
 pub(super) fn says_the_shortest(named: Option<&str>, words: &[Word], bases: usize) -> Result<(), Doubt> {
-    let mut blocks: HashMap<(&[bool], i64), Ways> = HashMap::new();
+    let mut blocks: HashMap<(&[bool], i64), Passages> = HashMap::new();
     for word in words {
         blocks.entry(block(word)).or_default().push([word.from, word.to]);
     }
-    for ways in blocks.values_mut() {
-        ways.sort_unstable();
-        ways.dedup();
+    for passages in blocks.values_mut() {
+        passages.sort_unstable();
+        passages.dedup();
     }
-    let mut lengths: BTreeMap<&Ways, Vec<usize>> = BTreeMap::new();
-    for ((flights, _), ways) in &blocks {
-        lengths.entry(ways).or_default().push(flights.len());
+    let mut lengths: BTreeMap<&Passages, Vec<usize>> = BTreeMap::new();
+    for ((flights, _), passages) in &blocks {
+        lengths.entry(passages).or_default().push(flights.len());
     }
     let open = |message: &str| Err(Doubt::open(message));
-    if lengths.len() * lengths.len() > MOST_PAIRS {
+    if lengths.len() * lengths.len() > MAX_PAIRS {
         return open("the horseshoe is not checked: the graph of words has too many chains");
     }
     let shortest = shortest(lengths, bases);
@@ -45,7 +45,7 @@ pub(super) fn says_the_shortest(named: Option<&str>, words: &[Word], bases: usiz
         };
     };
     let names: HashMap<String, &Word> = words.iter().map(|word| (name(word), word)).collect();
-    let Some([a, b]) = parted(named).map(|pair| pair.map(|name| names.get(name))) else {
+    let Some([a, b]) = block_names(named).map(|pair| pair.map(|name| names.get(name))) else {
         return open("the horseshoe is not a statement that is checked");
     };
     let (Some(a), Some(b)) = (a, b) else {
@@ -71,13 +71,13 @@ fn block(word: &Word) -> (&[bool], i64) {
 }
 
 /// The size of the shortest two blocks that are free, of the impacts of all blocks that lead in these ways.
-fn shortest(mut lengths: BTreeMap<&Ways, Vec<usize>>, bases: usize) -> Option<Size> {
+fn shortest(mut lengths: BTreeMap<&Passages, Vec<usize>>, bases: usize) -> Option<Size> {
     for of_ways in lengths.values_mut() {
         of_ways.sort_unstable();
     }
     let mut found: Option<Size> = None;
     for (one, these) in &lengths {
-        for (other, those) in lengths.range::<&Ways, _>(one..) {
+        for (other, those) in lengths.range::<&Passages, _>(one..) {
             let pair = if one == other { [these.first(), these.get(1)] } else { [these.first(), those.first()] };
             let [Some(&a), Some(&b)] = pair else { continue };
             let size = size(a, b);
@@ -90,12 +90,13 @@ fn shortest(mut lengths: BTreeMap<&Ways, Vec<usize>>, bases: usize) -> Option<Si
 }
 
 /// Returns whether there is a set of h-sets from each of which each of two blocks leads to one of the set.
-fn is_free(blocks: [&Ways; 2], bases: usize) -> bool {
+fn is_free(blocks: [&Passages; 2], bases: usize) -> bool {
     let mut alive = vec![true; bases];
     loop {
-        let leads = |from: usize, ways: &Ways| ways.iter().any(|way| way[0] == from && alive[way[1]]);
+        let leads =
+            |from: usize, passages: &Passages| passages.iter().any(|passage| passage[0] == from && alive[passage[1]]);
         let next: Vec<bool> =
-            (0..bases).map(|base| alive[base] && blocks.iter().all(|ways| leads(base, ways))).collect();
+            (0..bases).map(|base| alive[base] && blocks.iter().all(|passages| leads(base, passages))).collect();
         if next == alive {
             return alive.contains(&true);
         }
@@ -104,7 +105,7 @@ fn is_free(blocks: [&Ways; 2], bases: usize) -> bool {
 }
 
 /// The names of the two blocks in the statement.
-fn parted(statement: &str) -> Option<[&str; 2]> {
+fn block_names(statement: &str) -> Option<[&str; 2]> {
     let blocks = statement.strip_prefix("each block is ")?.strip_suffix(
         ", in any order in the map mirrored to one wall: \
          each is written as it starts on the left wall, and mirrored where it starts on the right one",

@@ -38,11 +38,11 @@ pub(super) struct Image {
 const STEP: f64 = 1.0 / 64.0;
 const STEPS: u32 = 64 * 64;
 /// \[forcing periods\]
-pub(super) const MOST_TURNS: f64 = 64.0;
+pub(super) const MAX_PERIODS: f64 = 64.0;
 
 impl Guess {
     pub fn new(law: &Law) -> Self {
-        let radii = [law.gap, law.restitution].map(|x| x.parted().1.hi());
+        let radii = [law.gap, law.restitution].map(|x| x.centred_parts().1.hi());
         Self { gap: law.gap.mid(), restitution: law.restitution.mid(), radii, step: (TAU * STEP).sin_cos() }
     }
 

@@ -4,7 +4,7 @@ use impact_pair_document::{BaseDocument, CornersDocument, EntropyDocument, Prove
 
 use super::Law;
 use super::allowance::{Allowance, End};
-use super::bases::Base;
+use super::bases::HSet;
 use super::judge::MAKINGS;
 use super::said::{follows, is_none, sound_bases};
 use super::words::{Ahead, Search, Word};
@@ -12,7 +12,7 @@ use crate::check::contact::Doubt;
 
 /// A horseshoe that is claimed.
 pub(super) struct Horseshoe<'h> {
-    bases: Vec<Base>,
+    bases: Vec<HSet>,
     entropy: &'h EntropyDocument,
     depth: usize,
     /// The way to make chains of boxes that sufficed last.
@@ -79,7 +79,7 @@ pub(super) fn are_apart(
     if are_of(&own, &held) || are_of(&held, &own) {
         return Err(Doubt::False(format!("its horseshoe has the h-sets of that of components[{other}]")));
     }
-    let is_apart = |corners: &CornersDocument| held.iter().all(|held| Base::of(corners).is_apart(&Base::of(held)));
+    let is_apart = |corners: &CornersDocument| held.iter().all(|held| HSet::of(corners).is_apart(&HSet::of(held)));
     let open = || Doubt::Open(format!("its h-sets are not proved to be apart from those of components[{other}]"));
     own.iter().all(is_apart).then_some(()).ok_or_else(open)
 }

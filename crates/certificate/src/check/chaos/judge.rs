@@ -4,11 +4,11 @@ use impact_pair_model::Error;
 use impact_pair_model::watch::{Latched, Stage, Watch};
 
 use super::allowance::{Allowance, End};
-use super::bases::Base;
+use super::bases::HSet;
 use super::entropy::at_least;
 use super::propose::Making;
 use super::words::{Ahead, Counts, Search, Word};
-use super::{LOOKS, Law, cones};
+use super::{Law, STEPS_PER_PLACE, cones};
 use crate::chaos::ChaosCertificate;
 use crate::check::contact::Doubt;
 use crate::check::{Effort, Verdict};
@@ -24,14 +24,14 @@ pub(super) const MAKINGS: [Making; 7] = [
     Making { longest: 0.0006, margin: 1.08, pad: 6e-7, shortest: 1e-9, ahead: 12 },
     Making { longest: 0.0003, margin: 1.08, pad: 3e-7, shortest: 1e-9, ahead: 12 },
 ];
-/// Number of the coarse ones, which come first. Where each of them loses words, at most `MOST_LOST`, these are searched for again along chains
-/// of boxes whose chords are measured from each number of flights ahead of `AHEAD`, as long as fewer are lost: another direction, where the
+/// Number of the coarse ones, which come first. Where each of them loses words, at most `MAX_LOST_WORDS`, these are searched for again along chains
+/// of boxes whose chords are measured from each number of flights ahead of `LOOKAHEADS`, as long as fewer are lost: another direction, where the
 /// one that is contracted most jumps at a graze further ahead. The fine ones come last, where many words are lost.
-const COARSE: usize = 4;
-const MOST_LOST: usize = 32;
-const AHEAD: [usize; 3] = [2, 3, 6];
+const COARSE_MAKINGS: usize = 4;
+const MAX_LOST_WORDS: usize = 32;
+const LOOKAHEADS: [usize; 3] = [2, 3, 6];
 /// Bits of the arithmetic.
-const DOUBLE: u32 = f64::MANTISSA_DIGITS;
+const DOUBLE_BITS: u32 = f64::MANTISSA_DIGITS;
 
 impl ChaosCertificate {
     /// Proves every listed word again, and that the entropies and the horseshoe follow from the list, or says what is not true or not
@@ -51,12 +51,12 @@ impl ChaosCertificate {
             Ok(said) => said,
             Err(doubt) => return Ok(doubt.on(self.count())),
         };
-        let allowed = effort.work.saturating_mul(LOOKS); // proposes: when to give up
-        let each = (allowed / MANY).saturating_mul(words.len() as u64); // proposes: when to give up
+        let allowed = effort.work.saturating_mul(STEPS_PER_PLACE); // proposes: when to give up
+        let each = (allowed / WORDS_PER_WORK).saturating_mul(words.len() as u64); // proposes: when to give up
         let work = Allowance::new(allowed.saturating_add(each), &watch); // proposes: when to give up
         Ok(match self.lost(&law, &bases, &words, &work, &mut progress) {
             Ok(None) => match self.hyperbolic(&law, (&bases, &words), allowed, &watch) {
-                Ok(None) => Verdict::Confirmed { bits: DOUBLE, pieces: 1 },
+                Ok(None) => Verdict::Confirmed { bits: DOUBLE_BITS, pieces: 1 },
                 Ok(Some(doubt)) => doubt.on(self.count()),
                 Err(_) => Verdict::Interrupted { events: confirmed },
             },
@@ -72,12 +72,12 @@ impl ChaosCertificate {
     fn hyperbolic(
         &self,
         law: &Law,
-        listed: (&[Base], &[Word]),
+        listed: (&[HSet], &[Word]),
         allowed: u64,
         watch: &dyn Watch,
     ) -> Result<Option<Doubt>, End> {
         let Some(Some(set)) = &self.document().hyperbolic else { return Ok(None) };
-        let work = Allowance::new(allowed.saturating_mul(CONES), watch); // proposes: when to give up
+        let work = Allowance::new(allowed.saturating_mul(CONE_WORK_FACTOR), watch); // proposes: when to give up
         match cones::doubt(law, listed, set, &work) {
             Err(End::Spent) => Ok(Some(Doubt::open("hyperbolic: the work allowed is spent"))),
             found => found,
@@ -89,18 +89,18 @@ impl ChaosCertificate {
     fn lost(
         &self,
         law: &Law,
-        bases: &[Base],
+        bases: &[HSet],
         words: &[Word],
         work: &Allowance,
         progress: &mut impl FnMut(usize),
     ) -> Result<Option<Counts>, End> {
         let mut listed = Counts::new();
         words.iter().for_each(|word| *listed.entry(word.clone()).or_default() += 1);
-        let mut tries = Tries { law, bases, words, listed, work, progress, best: None };
+        let mut tries = ChainSearches { law, bases, words, listed, work, progress, best: None };
         let beginning_with =
             |first: usize| -> Vec<Making> { MAKINGS[first..].iter().chain(&MAKINGS[..first]).copied().collect() };
         let (mut best, mut most) = (0, 0);
-        for first in 0..COARSE {
+        for first in 0..COARSE_MAKINGS {
             let found = tries.once(&beginning_with(first), &Ahead::new(), 0)?;
             if found.is_all {
                 return Ok(None);
@@ -112,19 +112,19 @@ impl ChaosCertificate {
         // The coarse ones from the first one on, and from the one along which most words are found; the fine ones where many are lost.
         let mut fewest = usize::MAX;
         for first in if best == 0 { vec![0] } else { vec![0, best] } {
-            let coarse: Vec<Making> = (0..COARSE).map(|k| MAKINGS[(first + k) % COARSE]).collect();
-            let found = tries.again(&coarse)?;
+            let coarse: Vec<Making> = (0..COARSE_MAKINGS).map(|k| MAKINGS[(first + k) % COARSE_MAKINGS]).collect();
+            let found = tries.search_lost(&coarse)?;
             if found.is_all {
                 return Ok(None);
             }
             fewest = fewest.min(found.lost.len()); // proposes: any tubes will do
         }
-        for first in COARSE..MAKINGS.len() {
+        for first in COARSE_MAKINGS..MAKINGS.len() {
             // proposes: any tubes will do
-            if fewest <= MOST_LOST.min(words.len() / 2) {
+            if fewest <= MAX_LOST_WORDS.min(words.len() / 2) {
                 break;
             }
-            let found = tries.again(&beginning_with(first))?;
+            let found = tries.search_lost(&beginning_with(first))?;
             if found.is_all {
                 return Ok(None);
             }
@@ -135,9 +135,9 @@ impl ChaosCertificate {
 }
 
 /// Searches for the listed words along chains of boxes that are made in several ways.
-struct Tries<'t, P> {
+struct ChainSearches<'t, P> {
     law: &'t Law,
-    bases: &'t [Base],
+    bases: &'t [HSet],
     words: &'t [Word],
     listed: Counts,
     work: &'t Allowance<'t>,
@@ -153,7 +153,7 @@ struct Found<'t> {
     is_all: bool,
 }
 
-impl<'t, P: FnMut(usize)> Tries<'t, P> {
+impl<'t, P: FnMut(usize)> ChainSearches<'t, P> {
     /// One search, until more than `most` words are lost.
     fn once(&mut self, makings: &[Making], ahead: &Ahead, most: usize) -> Result<Found<'t>, End> {
         let mut search = Search::new(self.law, self.bases, Some(&self.listed), (makings, ahead), self.work);
@@ -171,15 +171,15 @@ impl<'t, P: FnMut(usize)> Tries<'t, P> {
     }
 
     /// A search, and others that look elsewhere for the words that it lost, as long as fewer are.
-    fn again(&mut self, makings: &[Making]) -> Result<Found<'t>, End> {
+    fn search_lost(&mut self, makings: &[Making]) -> Result<Found<'t>, End> {
         let mut ahead = Ahead::new();
-        let mut found = self.once(makings, &ahead, MOST_LOST)?;
-        for other in AHEAD {
-            if found.lost.is_empty() || found.lost.len() > MOST_LOST {
+        let mut found = self.once(makings, &ahead, MAX_LOST_WORDS)?;
+        for other in LOOKAHEADS {
+            if found.lost.is_empty() || found.lost.len() > MAX_LOST_WORDS {
                 break;
             }
             ahead.extend(found.lost.iter().flat_map(|word| word.beginnings()).map(|beginning| (beginning, other)));
-            let next = self.once(makings, &ahead, MOST_LOST)?;
+            let next = self.once(makings, &ahead, MAX_LOST_WORDS)?;
             if !next.is_all && next.lost.len() >= found.lost.len() {
                 break;
             }
@@ -237,6 +237,6 @@ fn shortfall((mut found, why): (Counts, &str), words: &[Word], bases: usize) -> 
 }
 
 /// N words allow as much work again as there is for any number of them.
-const MANY: u64 = 1 << 6;
+const WORDS_PER_WORK: u64 = 1 << 6;
 /// Cones are N times as much work.
-const CONES: u64 = 1 << 4;
+const CONE_WORK_FACTOR: u64 = 1 << 4;

@@ -14,20 +14,20 @@ use super::Law;
 use super::entropy::exponential;
 use super::guess::Guess;
 use super::region::Region;
-use crate::check::blocks::{BLOCK, in_blocks};
+use crate::check::blocks::{BLOCK_SIZE, in_blocks};
 use crate::check::contact::Doubt;
 
 /// Numbers of halvings of boxes for their edges, tried in this order.
 const HALVINGS: [u32; 3] = [2, 4, 6];
 /// Longer words are not counted.
-const LONGEST: u32 = 1000;
+const MAX_LENGTH: u32 = 1000;
 /// Members of all sets together, and boxes that are looked at, of which there are no more.
-const MOST_MEMBERS: usize = 1 << 26;
-const MOST_LOOKS: usize = 1 << 33;
+const MAX_MEMBERS: usize = 1 << 26;
+const MAX_BOX_VISITS: usize = 1 << 33;
 /// Bits of powers.
 const BITS: u32 = 256;
 /// Steps towards a vector.
-const STEPS: u32 = 4000;
+const POWER_ITERATIONS: u32 = 4000;
 
 /// The sets of boxes that words lead to, numbered from that of all boxes on, and to which ones they lead by each letter.
 pub(super) struct Sets {
@@ -43,8 +43,8 @@ pub(super) fn says_what_holds(
     watch: &dyn Watch,
 ) -> Result<(), Doubt> {
     let WallWordsDocument { impacts, count, entropy_at_most } = claimed;
-    if !(1..=LONGEST).contains(impacts) {
-        return Err(Doubt::Open(format!("words.impacts: only words of 1 to {LONGEST} impacts are counted")));
+    if !(1..=MAX_LENGTH).contains(impacts) {
+        return Err(Doubt::Open(format!("words.impacts: only words of 1 to {MAX_LENGTH} impacts are counted")));
     }
     let mut open = "words: it is not proved where the flights lead";
     for halvings in HALVINGS {
@@ -53,7 +53,7 @@ pub(super) fn says_what_holds(
                 .map(|k| if watch.goes_on() { region.reached(law, guess, boxes[k], halvings) } else { None }.ok_or(()))
                 .collect()
         };
-        let Ok(edges) = in_blocks(0..boxes.len(), BLOCK, of_block, |_| ()) else { break };
+        let Ok(edges) = in_blocks(0..boxes.len(), BLOCK_SIZE, of_block, |_| ()) else { break };
         let Some(sets) = Sets::of(&edges) else { continue };
         let counts = sets.counts(*impacts);
         open = if counts.last().is_none_or(|own| BigRational::from_integer(own.clone()) > count.value()) {
@@ -115,7 +115,7 @@ impl Sets {
                 own.push(number);
             }
             next.push(own);
-            if members > MOST_MEMBERS || looks > MOST_LOOKS {
+            if members > MAX_MEMBERS || looks > MAX_BOX_VISITS {
                 return None;
             }
         }
@@ -181,7 +181,7 @@ fn reach(root: usize, next: &[Vec<usize>], is_open: impl Fn(usize) -> bool) -> H
 /// A vector of positive doubles, about that of the greatest eigenvalue of each part: any will do.
 fn eigenvector(inside: &[Vec<usize>], parts: &[usize]) -> Vec<f64> {
     let mut vector = vec![1.0f64; inside.len()];
-    for _ in 0..STEPS {
+    for _ in 0..POWER_ITERATIONS {
         let image: Vec<f64> =
             inside.iter().zip(&vector).map(|(next, x)| x + next.iter().map(|&to| vector[to]).sum::<f64>()).collect();
         let mut most: BTreeMap<usize, f64> = BTreeMap::new();

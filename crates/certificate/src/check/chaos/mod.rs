@@ -56,4 +56,4 @@ impl Law {
 /// Bits that exact numbers are enclosed with before they become doubles.
 const BITS: u32 = 128;
 /// Looks at flights of less than a forcing period, in doubles, that are as much work as one place of a flight in many bits.
-const LOOKS: u64 = 1 << 7;
+const STEPS_PER_PLACE: u64 = 1 << 7;

@@ -6,8 +6,8 @@ use std::f64::consts::TAU;
 
 use super::allowance::{Allowance, End};
 use super::beam::State;
-use super::guess::{Guess, Image, MOST_TURNS, applied};
-use super::tube::{Chord, Part, Tube};
+use super::guess::{Guess, Image, MAX_PERIODS, applied};
+use super::tube::{BoxChain, Chord, Part};
 
 /// A way to make chains of boxes.
 #[derive(Clone, Copy, Debug)]
@@ -27,7 +27,7 @@ pub(super) struct Making {
 pub(super) struct Proposal {
     pub parts: Vec<Part>,
     pub is_far: bool,
-    pub next: Tube,
+    pub next: BoxChain,
 }
 
 #[derive(Clone, Copy)]
@@ -43,9 +43,9 @@ struct Sample {
 type Pair = [Sample; 2];
 
 /// Fewer parts than that are not worth a chain of boxes.
-const FEWEST: usize = 12;
+const MIN_PARTS: usize = 12;
 /// Factor by which cells at the ends are shorter.
-const GRADED: f64 = 0.001;
+const END_GRADING: f64 = 0.001;
 
 /// Radians and speeds.
 fn vector(from: State, to: State) -> State {
@@ -67,7 +67,7 @@ fn distance(from: &Sample, to: &Sample) -> f64 {
     }
 }
 
-fn sample(guess: &Guess, tube: &Tube, cell: usize, at: f64) -> Sample {
+fn sample(guess: &Guess, tube: &BoxChain, cell: usize, at: f64) -> Sample {
     let (left, right) = (&tube.chords()[cell], &tube.chords()[cell + 1]);
     let mix = |a: State, b: State| [0, 1].map(|i| (1.0 - at) * a[i] + at * b[i]);
     let (bottom, top) = (mix(left.bottom, right.bottom), mix(left.top, right.top));
@@ -79,7 +79,7 @@ fn sample(guess: &Guess, tube: &Tube, cell: usize, at: f64) -> Sample {
 impl Sample {
     /// Duration of the flight that is followed \[forcing periods\].
     fn turns(&self) -> f64 {
-        self.image.map_or(MOST_TURNS, |image| image.time)
+        self.image.map_or(MAX_PERIODS, |image| image.time)
     }
 
     fn image(&self) -> &Image {
@@ -87,14 +87,14 @@ impl Sample {
     }
 
     /// The image of the half chord, in radians and speeds.
-    fn thick(&self) -> State {
+    fn half_chord_image(&self) -> State {
         in_radians(applied(self.image().jacobian, self.half))
     }
 }
 
 impl Making {
     /// Returns the chains of boxes that hold the images of a chain of boxes, about.
-    pub fn images(&self, guess: &Guess, tube: &Tube, work: &Allowance) -> Result<Vec<Proposal>, End> {
+    pub fn images(&self, guess: &Guess, tube: &BoxChain, work: &Allowance) -> Result<Vec<Proposal>, End> {
         let mut segments: Vec<Vec<Pair>> = vec![Vec::new()];
         let last = tube.cells() - 1;
         for cell in 0..=last {
@@ -102,7 +102,7 @@ impl Making {
             self.refine((guess, work), tube, ends, [cell == 0, cell == last], &mut segments)?;
         }
         let mut proposals = Vec::new();
-        for segment in segments.iter().filter(|segment| segment.len() >= FEWEST) {
+        for segment in segments.iter().filter(|segment| segment.len() >= MIN_PARTS) {
             proposals.extend(self.proposal((guess, work), segment)?);
         }
         Ok(proposals)
@@ -111,7 +111,7 @@ impl Making {
     fn refine(
         &self,
         (guess, work): (&Guess, &Allowance),
-        tube: &Tube,
+        tube: &BoxChain,
         [from, to]: Pair,
         [first, last]: [bool; 2],
         segments: &mut Vec<Vec<Pair>>,
@@ -133,8 +133,8 @@ impl Making {
     }
 
     /// Greatest error allowed in the place of a chord: a part of its excess over the image.
-    fn room(&self, thick: f64) -> f64 {
-        0.3 * ((self.margin - 1.0) * thick + self.pad)
+    fn room(&self, half_chord_image: f64) -> f64 {
+        0.3 * ((self.margin - 1.0) * half_chord_image + self.pad)
     }
 
     /// Returns whether a part is short and straight enough; `None` where the map jumps in it.
@@ -146,9 +146,9 @@ impl Making {
         let along = vector(a.state, b.state);
         let long = length(along);
         let bulge = (cross(along, vector(a.state, m.state)) / long).abs();
-        let thick = (cross(along, between.thick()) / long).abs();
-        let longest = if is_end { GRADED * self.longest } else { self.longest };
-        Some(long <= longest && bulge <= self.room(thick))
+        let half_chord_image = (cross(along, between.half_chord_image()) / long).abs();
+        let longest = if is_end { END_GRADING * self.longest } else { self.longest };
+        Some(long <= longest && bulge <= self.room(half_chord_image))
     }
 
     fn proposal(&self, (guess, work): (&Guess, &Allowance), segment: &[Pair]) -> Result<Option<Proposal>, End> {
@@ -188,16 +188,16 @@ impl Making {
             Part { cell: from.cell, from: from.at, to: to.at, place }
         };
         let parts = segment.iter().enumerate().map(part).collect();
-        Ok(Some(Proposal { parts, is_far: samples[0].image().is_far, next: Tube::new(chords) }))
+        Ok(Some(Proposal { parts, is_far: samples[0].image().is_far, next: BoxChain::new(chords) }))
     }
 
     fn is_straight(&self, samples: &[&Sample]) -> bool {
         let from = samples[0].image().state;
         let along = vector(from, samples[samples.len() - 1].image().state);
         let long = length(along);
-        let thick = (cross(along, samples[(samples.len() - 1) / 2].thick()) / long).abs();
+        let half_chord_image = (cross(along, samples[(samples.len() - 1) / 2].half_chord_image()) / long).abs();
         let off = |sample: &&Sample| (cross(along, vector(from, sample.image().state)) / long).abs();
-        samples.iter().all(|sample| off(sample) <= self.room(thick))
+        samples.iter().all(|sample| off(sample) <= self.room(half_chord_image))
     }
 
     /// The chord at an image, along the direction that is contracted most from there on.
@@ -207,11 +207,12 @@ impl Making {
         let lean = |direction: State| cross(tangent, direction) / (long * length(direction));
         let contracted =
             guess.contracting(state, self.ahead).map(in_radians).filter(|&direction| lean(direction).abs() > 0.05);
-        let direction = contracted.unwrap_or_else(|| sample.thick());
+        let direction = contracted.unwrap_or_else(|| sample.half_chord_image());
         let sine = lean(direction);
         let across = |direction: State| (cross(tangent, direction) / (long * sine)).abs();
         let moved = sample.image().moved.map(in_radians).map(across);
-        let reach = (self.margin * (across(sample.thick()) + moved[0] + moved[1]) + self.pad) * sine.signum()
+        let reach = (self.margin * (across(sample.half_chord_image()) + moved[0] + moved[1]) + self.pad)
+            * sine.signum()
             / length(direction);
         let end = |sign: f64| [state[0] + sign * reach * direction[0] / TAU, state[1] + sign * reach * direction[1]];
         (reach.is_finite() && sine != 0.0).then(|| Chord { bottom: end(-1.0), top: end(1.0) })

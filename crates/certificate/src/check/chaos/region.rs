@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 
 use super::Law;
-use super::beam::{Beam, Quad, State, View};
+use super::beam::{FlightBundle, Quad, State, View};
 use super::guess::Guess;
 use super::span::Span;
 
@@ -20,12 +20,12 @@ pub(super) struct Region {
 type Note<'n> = &'n mut dyn FnMut(bool, [Span; 2]) -> bool;
 
 /// Most halvings of a box, and the number from which on its flights are followed part by part.
-const HALVINGS: u32 = 12;
-const COARSE: u32 = 2;
+const MAX_HALVINGS: u32 = 12;
+const COARSE_HALVINGS: u32 = 2;
 /// Flights of more forcing periods are not followed.
-const LONGEST: f64 = 64.0;
+const MAX_FLIGHT: f64 = 64.0;
 /// More boxes than these are not looked for.
-const MOST: f64 = 1e4;
+const MAX_BOXES: f64 = 1e4;
 
 /// The reason why a box is not proved to be mapped into the set.
 pub(super) enum Open {
@@ -50,7 +50,7 @@ impl Region {
     fn met(&self, phase: Span, speed: Span) -> Option<Vec<u32>> {
         let ends = |x: Span, size: f64| {
             let [low, high] = [x.lo() * size, x.hi() * size].map(f64::floor); // V11: the boxes of both ends, `size` a power of two
-            (high - low < MOST && high.abs() < f64::from(i32::MAX)).then_some(low as i64..=high as i64) // exact: whole numbers, small
+            (high - low < MAX_BOXES && high.abs() < f64::from(i32::MAX)).then_some(low as i64..=high as i64) // exact: whole numbers, small
         };
         let (columns, rows) = (ends(phase, self.columns)?, ends(speed, self.rows)?);
         let all = self.columns as i64; // exact: a power of two
@@ -105,7 +105,7 @@ impl Region {
             let is_cut = depth < halvings
                 || match look(ends, depth) {
                     Ok(()) => false,
-                    Err(why) if depth >= HALVINGS => return Err(why),
+                    Err(why) if depth >= MAX_HALVINGS => return Err(why),
                     Err(_) => true,
                 };
             if is_cut {
@@ -119,7 +119,7 @@ impl Region {
 /// Returns bounds of the times of all flights from a rectangle, each of which is noted, and allowed.
 fn piece(law: &Law, guess: &Guess, [low, high]: [State; 2], depth: u32, note: Note<'_>) -> Result<Span, Open> {
     let quad = Quad::rectangle(low, high);
-    let beam = Beam::new(law, &quad);
+    let beam = FlightBundle::new(law, &quad);
     let from = beam.depart().ok_or(Open::Rest)?;
     let [zero, one] = [0.0, 1.0].map(Span::point);
     let image = guess.map(quad.middle());
@@ -130,17 +130,17 @@ fn piece(law: &Law, guess: &Guess, [low, high]: [State; 2], depth: u32, note: No
             return Ok(landing.times);
         }
     }
-    if depth < COARSE {
+    if depth < COARSE_HALVINGS {
         return Err(Open::Leaves);
     }
-    march(&beam, from, high[0] - low[0], note).ok_or(Open::Leaves)
+    scan_parts(&beam, from, high[0] - low[0], note).ok_or(Open::Leaves)
 }
 
 /// Goes through the flights part by part, each no shorter than `least`, until all are beyond a wall.
-fn march(beam: &Beam, mut from: f64, least: f64, note: Note<'_>) -> Option<Span> {
+fn scan_parts(beam: &FlightBundle, mut from: f64, least: f64, note: Note<'_>) -> Option<Span> {
     let mut step = least;
     let mut times: Option<Span> = None;
-    while from < LONGEST {
+    while from < MAX_FLIGHT {
         let to = from + step;
         let view = beam.over(from, to);
         if beam.is_inside(view.height) {
@@ -179,7 +179,7 @@ fn halves([low, high]: [State; 2], is_by_phase: bool) -> [[State; 2]; 2] {
     }
 }
 
-impl Beam {
+impl FlightBundle {
     /// The speeds of all arrivals at a wall in a part of the flights; `None` if there are none.
     pub(super) fn arrivals(&self, is_far: bool, times: Span, view: &View) -> Option<Span> {
         let miss = view.height - self.level(is_far);

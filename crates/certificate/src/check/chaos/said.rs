@@ -7,7 +7,7 @@ use num_rational::BigRational;
 use num_traits::Signed;
 
 use super::BITS;
-use super::bases::Base;
+use super::bases::HSet;
 use super::blocks::says_the_shortest;
 use super::entropy::is_reached;
 use super::span::Span;
@@ -18,11 +18,11 @@ use crate::check::contact::Doubt;
 use impact_pair_document::{BaseDocument, EntropyDocument, PeriodDocument, SceneOrbitDocument, WordDocument};
 
 /// The entropy of words between more h-sets is not judged.
-const MOST_BASES: usize = 64;
+const MAX_H_SETS: usize = 64;
 
 impl ChaosCertificate {
     /// The h-sets and the words, if what is said of them follows from them.
-    pub(super) fn says_one_thing(&self) -> Result<(Vec<Base>, Vec<Word>), Doubt> {
+    pub(super) fn says_one_thing(&self) -> Result<(Vec<HSet>, Vec<Word>), Doubt> {
         let document = self.document();
         let wrong = |message: &str| Err(Doubt::False(message.to_owned()));
         let bases = sound_bases(self.bases())?;
@@ -46,20 +46,20 @@ impl ChaosCertificate {
 }
 
 /// The h-sets that are claimed, if they are disjoint and as they are described.
-pub(super) fn sound_bases(claimed: &[BaseDocument]) -> Result<Vec<Base>, Doubt> {
+pub(super) fn sound_bases(claimed: &[BaseDocument]) -> Result<Vec<HSet>, Doubt> {
     let wrong = |message: &str| Err(Doubt::False(message.to_owned()));
     let corners = claimed.iter().filter_map(|base| base.corners.as_ref());
-    let bases: Vec<Base> = corners.map(Base::of).collect();
-    if bases.len() > MOST_BASES {
-        return Err(Doubt::Open(format!("more than {MOST_BASES} h-sets are not checked")));
+    let bases: Vec<HSet> = corners.map(HSet::of).collect();
+    if bases.len() > MAX_H_SETS {
+        return Err(Doubt::Open(format!("more than {MAX_H_SETS} h-sets are not checked")));
     }
-    if !bases.iter().all(Base::is_sound) {
+    if !bases.iter().all(HSet::is_sound) {
         return wrong("an h-set is not a convex quadrilateral of states with its tops to the left");
     }
     if (0..bases.len()).any(|k| bases[..k].iter().any(|other| !bases[k].is_apart(other))) {
         return wrong("the h-sets are not proved to be disjoint");
     }
-    if !bases.iter().all(Base::is_apart_from_its_translates) {
+    if !bases.iter().all(HSet::is_apart_from_its_translates) {
         return wrong("an h-set is not proved to be disjoint from its own translate by a forcing period");
     }
     if !claimed.iter().zip(&bases).all(|(claimed, base)| is_about(claimed, base)) {
@@ -124,7 +124,7 @@ fn says_one_orbit(orbit: Option<&SceneOrbitDocument>) -> Result<(), Doubt> {
 }
 
 /// Returns whether the given middle of an h-set is proved to be in it.
-fn is_about(claimed: &BaseDocument, base: &Base) -> bool {
+fn is_about(claimed: &BaseDocument, base: &HSet) -> bool {
     let phase = Real::rational(&claimed.phase.value(), BITS).over(&(Real::pi(BITS) * 2)).expect("pi is not 0");
     let ends = [&phase, &Real::rational(&claimed.speed.value(), BITS)].map(|x| Span::of(x.enclosure()));
     let [left, right] = [base.left, base.right];

@@ -15,24 +15,24 @@ pub(super) struct Span {
 }
 
 /// `2 pi` lies between these: `PI` is the double below pi.
-const TURN: Span = Span { lo: std::f64::consts::TAU, hi: std::f64::consts::TAU.next_up() };
+const TWO_PI: Span = Span { lo: std::f64::consts::TAU, hi: std::f64::consts::TAU.next_up() };
 /// `1/(2 pi)` lies between these.
-const PER_TURN: Span = Span { lo: 0.159_154_943_091_895_35_f64.next_down(), hi: 0.159_154_943_091_895_35 };
+const INVERSE_TWO_PI: Span = Span { lo: 0.159_154_943_091_895_35_f64.next_down(), hi: 0.159_154_943_091_895_35 };
 /// Bounds the errors of sine and cosine at a double.
 const WAVE_ERROR: f64 = 1.0 / (1_u64 << 51) as f64; // exact: a power of two
 /// Phases beyond these are not measured from their neighbours' quarters.
-const FARTHEST: f64 = (1_u64 << 40) as f64; // exact: a power of two
+const LARGEST_PHASE: f64 = (1_u64 << 40) as f64; // exact: a power of two
 /// Parts of a forcing period in the table of sines and cosines.
-const PARTS: usize = 256;
+const TABLE_SIZE: usize = 256;
 
 /// The least by which an end is moved, `2^-500`: products of two such are normal numbers, which processors are fast with.
-pub(super) const LEAST_STEP: f64 = f64::from_bits((1023 - 500) << 52); // exact: a power of two
+pub(super) const MIN_STEP: f64 = f64::from_bits((1023 - 500) << 52); // exact: a power of two
 
 /// More than half of the way from a double to the next one. Lemma V11 (doubles)
 #[inline(always)]
 pub(super) fn step(end: f64) -> f64 {
     const HALF_UNIT: f64 = f64::EPSILON / 2.0 * (1.0 + f64::EPSILON);
-    end.abs() * HALF_UNIT + LEAST_STEP
+    end.abs() * HALF_UNIT + MIN_STEP
 }
 
 impl Span {
@@ -65,7 +65,7 @@ impl Span {
     }
 
     /// Returns its middle, and `[-r, r]` for the others' distance from it.
-    pub fn parted(self) -> (Self, Self) {
+    pub fn centred_parts(self) -> (Self, Self) {
         let middle = Self::point(self.mid());
         (middle, (self - middle).around())
     }
@@ -121,12 +121,12 @@ impl Span {
 
     /// Returns the angle in radians of one in forcing periods.
     pub fn turned(self) -> Self {
-        self * TURN
+        self * TWO_PI
     }
 
     /// Returns the angle in forcing periods of one in radians.
     pub fn unturned(self) -> Self {
-        self * PER_TURN
+        self * INVERSE_TWO_PI
     }
 
     /// `None` if the divisor may be 0.
@@ -152,7 +152,7 @@ impl Span {
     pub fn sin_cos(self) -> (Self, Self) {
         let middle = self.mid();
         let whole = Self { lo: -1.0, hi: 1.0 };
-        if middle.abs() > FARTHEST || self.lo.is_nan() {
+        if middle.abs() > LARGEST_PHASE || self.lo.is_nan() {
             return (whole, whole);
         }
         let (sin, cos) = waves(middle);
@@ -201,8 +201,8 @@ impl Mul for Span {
 }
 
 /// Sine and cosine of `k/256` of a forcing period.
-fn table() -> &'static [[f64; 2]; PARTS] {
-    static TABLE: OnceLock<[[f64; 2]; PARTS]> = OnceLock::new();
+fn table() -> &'static [[f64; 2]; TABLE_SIZE] {
+    static TABLE: OnceLock<[[f64; 2]; TABLE_SIZE]> = OnceLock::new();
     TABLE.get_or_init(|| {
         std::array::from_fn(|k| {
             let part = Real::pi(BITS) * k as i64 * &Real::point(impact_pair_exact::Dyadic::power_of_two(-7), BITS); // exact: an index
@@ -213,10 +213,10 @@ fn table() -> &'static [[f64; 2]; PARTS] {
 
 /// Sine and cosine of `2 pi u`, `|u| <= 2^40`, each with an error below `WAVE_ERROR`.
 fn waves(u: f64) -> (f64, f64) {
-    let parts = PARTS as f64; // exact: a power of two
+    let parts = TABLE_SIZE as f64; // exact: a power of two
     let nearest = (u * parts).round_ties_even(); // V11: the nearest of the table
     let rest = u - nearest / parts;
-    let [sin, cos] = table()[(nearest as i64).rem_euclid(PARTS as i64) as usize]; // exact: below 2^48, an index
+    let [sin, cos] = table()[(nearest as i64).rem_euclid(TABLE_SIZE as i64) as usize]; // exact: below 2^48, an index
     let y = std::f64::consts::TAU * rest;
     let square = y * y;
     let sine = y * (1.0 - square / 6.0 * (1.0 - square / 20.0));

@@ -7,12 +7,12 @@ use impact_pair_model::{Harmonic, ImpactPair, Start, Wall};
 use proptest::prelude::*;
 
 use super::Law;
-use super::beam::{Beam, Quad, State};
+use super::beam::{FlightBundle, Quad, State};
 use super::entropy::{at_least, exponential};
 use super::guess::Guess;
 use super::language::{Sets, is_above};
 use super::region::Region;
-use super::span::{LEAST_STEP, Span, step};
+use super::span::{MIN_STEP, Span, step};
 use super::trap::mirrored;
 use crate::Certificate;
 use crate::check::data::{Data, Piece};
@@ -42,7 +42,7 @@ fn exact(x: f64) -> Exact {
 /// The next impact of one state, mirrored, and whether it is on the far wall.
 fn truth(pair: &ImpactPair, [phase, speed]: State) -> Option<(bool, [Real; 2])> {
     let harmonic = pair.harmonic("a test").unwrap();
-    // One turn takes 2.
+    // One forcing period takes 2.
     let time = exact(phase).checked_mul(&Exact::from(2)).unwrap();
     let fastest = harmonic.amplitude().checked_mul(harmonic.frequency()).unwrap();
     let velocity = exact(-speed).checked_mul(&fastest).unwrap();
@@ -68,7 +68,7 @@ fn real(x: f64) -> Real {
 }
 
 #[test]
-fn what_is_not_known_stays_so() {
+fn failed_operations_stay_failed() {
     let (none, one) = (Span::new(1.0, f64::INFINITY), Span::point(1.0));
     for span in
         [none + one, none * one, none.hull(one), one.hull(none), none.common(one).unwrap(), one.common(none).unwrap()]
@@ -89,7 +89,7 @@ fn turns_and_radians() {
 /// Two words of two impacts: half of log 2. One of one and one of two: the golden mean's logarithm. One word, or two that do not
 /// follow one another: no entropy.
 #[test]
-fn what_is_left_of_an_entropy() {
+fn entropies_of_small_graphs() {
     assert_eq!(at_least(&[(0, 0, 2), (0, 0, 2)], 1).unwrap(), "0.3465");
     assert_eq!(at_least(&[(0, 1, 1), (1, 0, 1), (0, 0, 1)], 2).unwrap(), "0.4812");
     assert_eq!(at_least(&[(0, 0, 1)], 1), None);
@@ -101,8 +101,8 @@ fn what_is_left_of_an_entropy() {
 fn the_exponential() {
     let e = exponential(&Real::int(1, 256));
     // 2.718281828459045235360287471352662497757 (NIST DLMF 4.2.11)
-    let told: Exact = "2.718281828459045235360287471352662497757".parse().unwrap();
-    let off = (e - &Real::of(&told, 256)).enclosure().mag();
+    let published: Exact = "2.718281828459045235360287471352662497757".parse().unwrap();
+    let off = (e - &Real::of(&published, 256)).enclosure().mag();
     assert!(off < Dyadic::power_of_two(-127) && off > Dyadic::power_of_two(-133));
     let [two, five] = [2, 5].map(|n| exponential(&Real::int(n, 256)));
     let seven = exponential(&Real::int(7, 256));
@@ -121,7 +121,7 @@ proptest! {
             let (below, above) = (x - step(x), x + step(x));
             if x.is_finite() {
                 prop_assert!(below <= x.next_down() && x.next_up() <= above, "{x:e}");
-                let close = |x: f64| x.abs() * 4.0 * f64::EPSILON + 2.0 * LEAST_STEP;
+                let close = |x: f64| x.abs() * 4.0 * f64::EPSILON + 2.0 * MIN_STEP;
                 prop_assert!((above - x).max(x - below) <= close(x), "{x:e}");
             }
         }
@@ -175,7 +175,7 @@ proptest! {
         let mix = |i: usize| (1.0 - a) * ((1.0 - b) * states[0][i] + b * states[1][i]) + a * ((1.0 - b) * states[2][i] + b * states[3][i]);
         let member = [mix(0), mix(1)];
         let landed = Guess::new(&law).map(quad.middle()).and_then(|image| {
-            Some((image.is_far, Beam::new(&law, &quad).land(image.is_far, image.time)?))
+            Some((image.is_far, FlightBundle::new(&law, &quad).land(image.is_far, image.time)?))
         });
         if let (Some((is_far, landing)), Some((is_truly_far, [u, w]))) = (landed, truth(pair, member)) {
             prop_assert_eq!(is_far, is_truly_far);

@@ -13,7 +13,7 @@ use super::region::{Open, Region};
 use super::span::Span;
 use super::{BITS, Law};
 use crate::Certificate;
-use crate::check::blocks::{BLOCK, in_blocks};
+use crate::check::blocks::{BLOCK_SIZE, in_blocks};
 use crate::check::budget::Budget;
 use crate::check::contact::Doubt;
 use crate::check::data::{Data, Piece};
@@ -62,7 +62,7 @@ impl TrapCertificate {
             confirmed = known;
             watch.note(Stage::Claims(known));
         };
-        let times = match in_blocks(0..boxes.len(), BLOCK, of_block, progress) {
+        let times = match in_blocks(0..boxes.len(), BLOCK_SIZE, of_block, progress) {
             Ok(times) => times.into_iter().reduce(Span::hull),
             Err(End::Stopped) => return Ok(Verdict::Interrupted { events: confirmed }),
             Err(End::Open(event, why)) => {
@@ -103,8 +103,8 @@ impl TrapCertificate {
         if !region.iter().all(is_run) {
             return wrong("a run of boxes is beyond the grid");
         }
-        if self.count() > MOST_BOXES {
-            return Err(Doubt::Open(format!("more than {MOST_BOXES} boxes are not checked")));
+        if self.count() > MAX_BOXES {
+            return Err(Doubt::Open(format!("more than {MAX_BOXES} boxes are not checked")));
         }
         // exact: a length
         if self.count() as u64 != *boxes {
@@ -189,10 +189,10 @@ impl TrapCertificate {
                 let velocity = landing.velocity.hull().over(&Real::of(harmonic.amplitude(), bits))?;
                 Some(holds(region, &mirrored(landing.wall, phase, velocity)))
             };
-            if walk.standing.still().is_none() && comes_in(&mut walk, impact, is_in) {
+            if walk.standing.still().is_none() && enters_set(&mut walk, impact, is_in) {
                 return Ok(Ok(bits));
             }
-            if bits >= effort.bits || bits >= ENOUGH_BITS || budget.is_spent() {
+            if bits >= effort.bits || bits >= MAX_BITS || budget.is_spent() {
                 return Ok(Err(open()));
             }
             bits = (2 * bits).min(effort.bits); // proposes: the bits to try
@@ -201,13 +201,13 @@ impl TrapCertificate {
 }
 
 /// More bits than these are not worth their time for an impact that is not far from the start.
-const ENOUGH_BITS: u32 = 4096;
+const MAX_BITS: u32 = 4096;
 
 /// More boxes than the program looks for are not judged.
-const MOST_BOXES: usize = 1 << 22;
+const MAX_BOXES: usize = 1 << 22;
 
 /// Returns whether one of the impacts from the walk's place up to this number is proved to be in a set, as long as there is work left.
-fn comes_in(walk: &mut Walk<'_>, impact: u64, is_in: impl Fn(&Walk<'_>, &Landing) -> Option<bool>) -> bool {
+fn enters_set(walk: &mut Walk<'_>, impact: u64, is_in: impl Fn(&Walk<'_>, &Landing) -> Option<bool>) -> bool {
     while walk.impacts < impact {
         let Some(landing) = walk.next_landing() else { return false };
         if is_in(walk, &landing) == Some(true) {
@@ -240,8 +240,8 @@ fn starts_at(pair: &ImpactPair, start: &Start) -> Result<Option<[Real; 2]>, Erro
 
 /// Returns whether all states within these bounds are in boxes of the region.
 fn holds(region: &Region, [phase, speed]: &[Real; 2]) -> bool {
-    // Whole turns are taken off before it becomes doubles.
-    let turns = phase.middle().floor().unwrap_or(0); // exact: any whole number of turns
+    // Whole forcing periods are taken off before it becomes doubles.
+    let turns = phase.middle().floor().unwrap_or(0); // exact: any whole number of forcing periods
     let phase = phase.clone() - &Real::int(turns, phase.bits());
     let [phase, speed] = [&phase, speed].map(|x| Span::of(x.enclosure()));
     speed.lo() >= 0.0 && region.holds(phase, speed) // V11: no speed is negative

@@ -4,8 +4,8 @@ use std::ops::RangeInclusive;
 
 use super::Law;
 use super::allowance::{Allowance, End};
-use super::beam::{Beam, Landing, Quad, Spot, State};
-use super::guess::{Guess, MOST_TURNS};
+use super::beam::{FlightBundle, Landing, Quad, Spot, State};
+use super::guess::{Guess, MAX_PERIODS};
 use super::span::Span;
 
 /// The segment across a chain of boxes, from its right end to its left one, seen along it.
@@ -17,7 +17,7 @@ pub(super) struct Chord {
 
 /// The cells between chords that follow one another.
 #[derive(Clone, Debug)]
-pub(super) struct Tube {
+pub(super) struct BoxChain {
     chords: Vec<Chord>,
     /// True for each cell if all windows that hold it are embedded.
     embedded: Vec<bool>,
@@ -33,15 +33,15 @@ pub(super) struct Part {
 }
 
 /// Images lie in the cells up to N before and after their place.
-pub(super) const WINDOW: usize = 2;
+pub(super) const NEIGHBOUR_CELLS: usize = 2;
 /// A set of flights that is enclosed counts as N that are looked at.
-const SET: usize = 4;
+const WORK_PER_SET: usize = 4;
 /// Most halvings of a part.
-const HALVINGS: u32 = 12;
+const MAX_HALVINGS: u32 = 12;
 
 /// The stretches of proved parts that follow one another, each of them behind the last part of those before it, which is `used`, and
 /// updated: no two of all that are taken have inner points in common, whatever is proposed (D7, D9).
-pub(super) fn taken(parts: &[Part], proved: &[bool], used: &mut Option<Part>) -> Vec<RangeInclusive<usize>> {
+pub(super) fn proved_stretches(parts: &[Part], proved: &[bool], used: &mut Option<Part>) -> Vec<RangeInclusive<usize>> {
     let mut stretches = Vec::new();
     let mut first = 0;
     while first < parts.len() {
@@ -91,11 +91,11 @@ impl Part {
     }
 }
 
-impl Tube {
+impl BoxChain {
     pub fn new(chords: Vec<Chord>) -> Self {
         let cells = chords.len().saturating_sub(1); // exact: a tube has two chords at least
         // All windows that hold a cell, and the next one with a window more (D6, D7).
-        let reach = 2 * WINDOW + 1;
+        let reach = 2 * NEIGHBOUR_CELLS + 1;
         let embedded = (0..cells)
             .map(|cell| {
                 let (bottom, top) = (
@@ -136,8 +136,12 @@ impl Tube {
         let beside = |from: State, to: State| landing.along(normal(from, to), spot(from));
         let is_behind = |chord: &Chord| beside(chord.bottom, chord.top).is_negative();
         let is_before = |chord: &Chord| beside(chord.bottom, chord.top).is_positive();
-        let Some(low) = (place - WINDOW..=place).rev().find(|&low| is_behind(&self.chords[low])) else { return false };
-        let Some(high) = (place..=place + WINDOW).find(|&high| is_before(&self.chords[high + 1])) else { return false };
+        let Some(low) = (place - NEIGHBOUR_CELLS..=place).rev().find(|&low| is_behind(&self.chords[low])) else {
+            return false;
+        };
+        let Some(high) = (place..=place + NEIGHBOUR_CELLS).find(|&high| is_before(&self.chords[high + 1])) else {
+            return false;
+        };
         (low..=high).all(|cell| {
             let (left, right) = (&self.chords[cell], &self.chords[cell + 1]);
             beside(left.bottom, right.bottom).is_positive() && beside(left.top, right.top).is_negative()
@@ -153,24 +157,24 @@ impl Tube {
         next: &Self,
     ) -> Result<bool, End> {
         let place = part.place;
-        if !part.is_forward() || place < WINDOW || place + WINDOW >= next.cells() {
+        if !part.is_forward() || place < NEIGHBOUR_CELLS || place + NEIGHBOUR_CELLS >= next.cells() {
             return Ok(false);
         }
-        let last = (place + WINDOW + 1).min(next.cells() - 1); // D7: the tube's end
-        if !next.embedded[place - WINDOW..=last].iter().all(|&is| is) {
+        let last = (place + NEIGHBOUR_CELLS + 1).min(next.cells() - 1); // D7: the tube's end
+        if !next.embedded[place - NEIGHBOUR_CELLS..=last].iter().all(|&is| is) {
             return Ok(false);
         }
         let mut open = vec![(self.cell(part.cell).part(part.from, part.to), 0)];
         while let Some((quad, depth)) = open.pop() {
             let image = guess.map(quad.middle());
-            work.spend(SET, image.map_or(MOST_TURNS, |image| image.time))?;
+            work.spend(WORK_PER_SET, image.map_or(MAX_PERIODS, |image| image.time))?;
             let landed = image
                 .filter(|image| image.is_far == is_far)
-                .and_then(|image| Beam::new(law, &quad).land(is_far, image.time));
+                .and_then(|image| FlightBundle::new(law, &quad).land(is_far, image.time));
             if landed.is_some_and(|landing| next.holds(&landing, place)) {
                 continue;
             }
-            if depth == HALVINGS {
+            if depth == MAX_HALVINGS {
                 return Ok(false);
             }
             open.extend(quad.halves(depth % 3 != 2).map(|half| (half, depth + 1)));

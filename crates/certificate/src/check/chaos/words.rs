@@ -4,10 +4,10 @@ use std::collections::{HashMap, HashSet};
 
 use super::Law;
 use super::allowance::{Allowance, End};
-use super::bases::Base;
+use super::bases::HSet;
 use super::guess::Guess;
 use super::propose::{Making, Proposal};
-use super::tube::{Chord, Tube, WINDOW, taken};
+use super::tube::{BoxChain, Chord, NEIGHBOUR_CELLS, proved_stretches};
 use crate::check::blocks::in_blocks;
 
 /// A covering relation from one h-set to another.
@@ -31,7 +31,7 @@ impl Word {
 struct Run {
     from: usize,
     flights: Vec<bool>,
-    tube: Tube,
+    tube: BoxChain,
 }
 
 /// A stretch of a chain of boxes, and the places where it is proved to cover h-sets as words.
@@ -71,7 +71,7 @@ pub(super) type Counts = HashMap<Word, usize>;
 /// The search for the listed words, or for all words, one impact deeper at each step.
 pub(super) struct Search<'s> {
     law: &'s Law,
-    bases: &'s [Base],
+    bases: &'s [HSet],
     /// Ways to make chains of boxes: the first one, then the others where that one loses words.
     makings: &'s [Making],
     guess: Guess,
@@ -88,15 +88,15 @@ pub(super) struct Search<'s> {
 impl<'s> Search<'s> {
     pub fn new(
         law: &'s Law,
-        bases: &'s [Base],
+        bases: &'s [HSet],
         listed: Option<&'s Counts>,
         (makings, ahead): (&'s [Making], &'s Ahead),
         work: &'s Allowance<'s>,
     ) -> Self {
-        let run = |(from, base): (usize, &Base)| Run {
+        let run = |(from, base): (usize, &HSet)| Run {
             from,
             flights: Vec::new(),
-            tube: Tube::new(vec![base.left, base.right]),
+            tube: BoxChain::new(vec![base.left, base.right]),
         };
         Self {
             law,
@@ -169,11 +169,11 @@ impl<'s> Search<'s> {
             for part in &parts {
                 proved.push(run.tube.is_mapped((self.law, &self.guess, self.work), part, is_far, &next)?);
             }
-            for stretch in taken(&parts, &proved, &mut used) {
+            for stretch in proved_stretches(&parts, &proved, &mut used) {
                 // D7: the ends of the stretch land before the one and behind the other, none if it is shorter
                 let [low, high] = [
-                    parts[*stretch.start()].place + WINDOW + 2,
-                    parts[*stretch.end()].place.saturating_sub(WINDOW + 1),
+                    parts[*stretch.start()].place + NEIGHBOUR_CELLS + 2,
+                    parts[*stretch.end()].place.saturating_sub(NEIGHBOUR_CELLS + 1),
                 ]; // D7: none
                 if low < high {
                     let run = Run { from: run.from, flights: flights.clone(), tube: next.stretch(low, high) };
@@ -189,12 +189,12 @@ impl<'s> Search<'s> {
         if !missing.iter().any(|word| word.from == run.from && word.flights.starts_with(&run.flights)) {
             return Ok(None);
         }
-        let wanted = |followed: &Followed| (followed.count(|word| missing.contains(word)), followed.count(|_| true));
+        let score = |followed: &Followed| (followed.count(|word| missing.contains(word)), followed.count(|_| true));
         let mut best = None;
         for making in &self.makings[usize::from(self.ahead.is_empty())..] {
             let other = self.follow(run, making)?;
-            let (most, all) = wanted(best.as_ref().unwrap_or(before)); // proposes: any tubes will do
-            if wanted(&other).0 > most && wanted(&other).1 >= all {
+            let (most, all) = score(best.as_ref().unwrap_or(before)); // proposes: any tubes will do
+            if score(&other).0 > most && score(&other).1 >= all {
                 best = Some(other);
             }
         }
@@ -250,14 +250,14 @@ fn take(stretches: &mut [Stretch], listed: Option<&Counts>) -> Counts {
 
 impl Crossing {
     /// Approximate length of the chain of boxes beyond the crossing, on the side where the chain ends first.
-    fn room(&self, tube: &Tube) -> f64 {
+    fn room(&self, tube: &BoxChain) -> f64 {
         let [a, b] = self.chords;
-        let way = |chords: &[Chord]| -> f64 {
+        let chords_length = |chords: &[Chord]| -> f64 {
             let step =
                 |pair: &[Chord]| [0, 1].map(|i| (pair[1].bottom[i] - pair[0].bottom[i]).abs()).iter().sum::<f64>();
             chords.windows(2).map(step).sum()
         };
-        way(&tube.chords()[..=a]).min(way(&tube.chords()[b..])) // proposes: which of several
+        chords_length(&tube.chords()[..=a]).min(chords_length(&tube.chords()[b..])) // proposes: which of several
     }
 }
 
@@ -270,8 +270,11 @@ impl Stretch {
         taken.push([tube.cells(); 2]);
         let mut start = 0;
         taken.into_iter().filter_map(move |[a, b]| {
-            let run =
-                (a > start + 4 * WINDOW).then(|| Run { from, flights: flights.clone(), tube: tube.stretch(start, a) });
+            let run = (a > start + 4 * NEIGHBOUR_CELLS).then(|| Run {
+                from,
+                flights: flights.clone(),
+                tube: tube.stretch(start, a),
+            });
             start = b;
             run
         })

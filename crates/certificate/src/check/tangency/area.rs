@@ -13,8 +13,8 @@ pub(super) const PARAMETER: usize = 2;
 pub(super) const OTHER: usize = 3;
 pub(super) const STATES: usize = 4;
 /// The parameters as coordinates of a flight: after phase and speed.
-pub(super) const BY_PARAMETER: usize = 2;
-pub(super) const BY_OTHER: usize = 3;
+pub(super) const PARAMETER_COORDINATE: usize = 2;
+pub(super) const OTHER_COORDINATE: usize = 3;
 
 /// Phase and speed.
 pub(super) type Vector = [Real; 2];

@@ -10,16 +10,16 @@ use super::setting::Setting;
 use super::shot::{Shot, Unknowns};
 use crate::attraction::Bounds;
 use crate::check::budget::Budget;
-use crate::check::clock::{Beside, beside};
+use crate::check::clock::{SetPosition, beside};
 use crate::check::contact::Doubt;
 use crate::check::frame::hull;
 use crate::tangency::{ClaimedSides, ClaimedTangency};
 use impact_pair_exact::{Dyadic, Real};
 
 /// The longest word.
-pub(super) const LONGEST: usize = 200;
+pub(super) const MAX_WORD_LENGTH: usize = 200;
 /// Number of bisections of the curve of common points.
-const HALVED: u32 = 8;
+const BISECTIONS: u32 = 8;
 
 /// Returns the interval of these bounds.
 pub(super) fn all(bounds: &Bounds) -> Real {
@@ -34,7 +34,7 @@ pub(super) fn wider(x: &Real) -> Real {
 
 /// Returns whether values are proved to be within the bounds of the states.
 pub(super) fn are_inside(found: &[Real], states: &[[Bounds; 2]]) -> bool {
-    let is_inside = |(x, bounds): (&Real, &Bounds)| matches!(beside(x, bounds), Beside::Inside);
+    let is_inside = |(x, bounds): (&Real, &Bounds)| matches!(beside(x, bounds), SetPosition::Inside);
     found[STATES..].iter().zip(states.iter().flatten()).all(is_inside)
 }
 
@@ -63,7 +63,7 @@ impl ClaimedTangency {
         budget: &Budget<'_>,
     ) -> Result<(), Doubt> {
         let count = letters.len();
-        if count > LONGEST {
+        if count > MAX_WORD_LENGTH {
             return Err(Doubt::open("common points along more than 200 flights are not counted"));
         }
         let [two, none, own] = [&sides.two, &sides.none, &self.parameter].map(|bounds| setting.reduced(&all(bounds)));
@@ -117,7 +117,7 @@ impl Curve<'_, '_> {
                 return Err(Doubt::open("the boxes may not hold the common points of all of the range with two"));
             }
         }
-        parts(ends).iter().try_for_each(|part| self.pieces(near.clone(), part, HALVED))
+        parts(ends).iter().try_for_each(|part| self.pieces(near.clone(), part, BISECTIONS))
     }
 
     fn is_beyond(&self, parameter: &Real) -> bool {
@@ -143,7 +143,7 @@ impl Curve<'_, '_> {
         let is_alike = |(own, [low, _]): (&Real, &Bounds)| {
             if low.is_positive() { own.is_positive() } else { own.is_negative() }
         };
-        let is_stable_inside = || matches!(beside(&found.bounds[STABLE], &self.sides.stable), Beside::Inside);
+        let is_stable_inside = || matches!(beside(&found.bounds[STABLE], &self.sides.stable), SetPosition::Inside);
         found.over.unfolding.iter().zip(claimed).all(is_alike)
             && (self.is_beyond(&found.bounds[PARAMETER])
                 || is_stable_inside() && are_inside(&found.bounds, &self.sides.states))

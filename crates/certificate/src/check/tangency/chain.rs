@@ -1,6 +1,8 @@
 //! The orbit from one manifold to the other as a zero of the equations of all its flights, over boxes of states (Lemma V31).
 
-use super::area::{Area, BITS, BY_OTHER, BY_PARAMETER, OTHER, PARAMETER, STABLE, STATES, UNSTABLE, Vector};
+use super::area::{
+    Area, BITS, OTHER, OTHER_COORDINATE, PARAMETER, PARAMETER_COORDINATE, STABLE, STATES, UNSTABLE, Vector,
+};
 use super::flights::{Flown, Letter, fly, guess};
 use super::jet::{self, Jet};
 use super::local::{Domain, Side};
@@ -15,7 +17,7 @@ use crate::check::legs::{Legs, Rows, not_nothing, size};
 use impact_pair_exact::Real;
 
 /// The equations over an area.
-pub(super) struct Over {
+pub(super) struct AreaEquations {
     /// Their values at the centre: two of each flight, and the determinant of both tangents.
     pub residual: Vec<Real>,
     /// The derivatives of each by the values that it depends on.
@@ -118,12 +120,12 @@ impl<'b> Chain<'b> {
 
     /// The law of flights, parameter and other datum their coordinates.
     fn law(&self, area: &Area) -> Result<Law, Doubt> {
-        let [parameter, other] = [area.varied(PARAMETER, BY_PARAMETER), area.varied(OTHER, BY_OTHER)];
+        let [parameter, other] = [area.varied(PARAMETER, PARAMETER_COORDINATE), area.varied(OTHER, OTHER_COORDINATE)];
         known(Law::of_both(self.is_restitution, parameter, other))
     }
 
     /// Returns the equations over an area, all flights from its states proved to be first contacts.
-    pub fn over(&mut self, area: &Area) -> Result<Over, Doubt> {
+    pub fn over(&mut self, area: &Area) -> Result<AreaEquations, Doubt> {
         let law = self.law(area)?;
         let ends = [self.end(Side::Unstable, area)?, self.end(Side::Stable, area)?];
         let [first, last] = &ends;
@@ -136,7 +138,7 @@ impl<'b> Chain<'b> {
         let (mut residual, mut speeds, mut times) = (Vec::new(), vec![first.states[1].clone()], Vec::new());
         let mut tangent = first.tangent.clone();
         for k in 0..count {
-            let state = Near::of(area, first, k);
+            let state = StateBox::of(area, first, k);
             let flown = self.flown(&law, &state, k)?;
             let jets = [&flown.state.phase, &flown.state.speed];
             let [a, b] = jets.map(|jet| [jet.at(jet::X, BITS).centre, jet.at(jet::D, BITS).centre]);
@@ -156,11 +158,11 @@ impl<'b> Chain<'b> {
         let mut rows = of_flights(&legs, (first, last), count);
         let (row, unfolding) = of_tangents(&legs, (first, last), count)?;
         rows.push(row);
-        Ok(Over { residual, rows, unfolding, speeds, times })
+        Ok(AreaEquations { residual, rows, unfolding, speeds, times })
     }
 
     /// Flight `k` from all states near one, proved to end at its first contact.
-    fn flown(&mut self, law: &Law, near: &Near, k: usize) -> Result<Flown, Doubt> {
+    fn flown(&mut self, law: &Law, near: &StateBox, k: usize) -> Result<Flown, Doubt> {
         if self.budget.is_spent() {
             return Err(Doubt::open("the work that is allowed is spent"));
         }
@@ -198,12 +200,12 @@ impl<'b> Chain<'b> {
 }
 
 /// The states in which a flight begins: a centre and radii of phase and speed.
-struct Near {
+struct StateBox {
     at: Vector,
     radii: [Real; 2],
 }
 
-impl Near {
+impl StateBox {
     /// Returns the states of flight `k`: the first one begins on the unstable manifold.
     fn of(area: &Area, first: &End, k: usize) -> Self {
         match k {

@@ -14,8 +14,8 @@ use impact_pair_model::Wall;
 /// Bits that guesses are refined with.
 const GUESS_BITS: u32 = 128;
 /// Steps of a guess, and how many there are at most.
-const STEPS_A_RADIAN: f64 = 64.0;
-const MOST_STEPS: u32 = 1 << 14;
+const STEPS_PER_RADIAN: f64 = 64.0;
+const MAX_STEPS: u32 = 1 << 14;
 const HALVINGS: u32 = 40;
 
 /// A flight from the near wall.
@@ -97,9 +97,9 @@ pub(in crate::check) fn guess([gap, e]: [f64; 2], [phase, speed]: [f64; 2]) -> R
     let drift = e * speed + phase.cos(); // proposes
     let height = |h: f64| drift * h - (phase + h).sin() + phase.sin(); // proposes
     let is_inside = |h: f64| height(h) > 0.0 && height(h) < gap; // proposes
-    let ends = (1..MOST_STEPS).map(|k| f64::from(k) / STEPS_A_RADIAN); // proposes
+    let ends = (1..MAX_STEPS).map(|k| f64::from(k) / STEPS_PER_RADIAN); // proposes
     let [mut inside, mut beyond] =
-        ends.into_iter().find(|h| !is_inside(*h)).map_or([0.0, 1.0], |h| [h - 1.0 / STEPS_A_RADIAN, h]); // proposes
+        ends.into_iter().find(|h| !is_inside(*h)).map_or([0.0, 1.0], |h| [h - 1.0 / STEPS_PER_RADIAN, h]); // proposes
     for _ in 0..HALVINGS {
         let middle = (inside + beyond) / 2.0; // proposes
         if is_inside(middle) { inside = middle } else { beyond = middle }

@@ -1,7 +1,7 @@
 //! Tangencies for all values of an interval of the other datum (Lemma V32).
 
 use super::area::{Area, BITS, OTHER, PARAMETER, STABLE, STATES, UNSTABLE};
-use super::beside::{LONGEST, all, are_inside, wider};
+use super::beside::{MAX_WORD_LENGTH, all, are_inside, wider};
 use super::chain::Chain;
 use super::flights::Letter;
 use super::krawczyk::{Found, System, parts};
@@ -11,13 +11,13 @@ use super::shot::{Range, known};
 use super::{at_least, no_resonance};
 use crate::attraction::Bounds;
 use crate::check::budget::Budget;
-use crate::check::clock::{Beside, beside};
+use crate::check::clock::{SetPosition, beside};
 use crate::check::contact::Doubt;
 use crate::tangency::ClaimedTangency;
 use impact_pair_exact::Real;
 
 /// Number of bisections of the interval.
-const HALVED: u32 = 8;
+const BISECTIONS: u32 = 8;
 
 /// The tangencies of a family.
 struct Tangencies<'c, 'b> {
@@ -38,7 +38,7 @@ impl ClaimedTangency {
         budget: &Budget<'_>,
     ) -> Result<u32, Doubt> {
         let count = letters.len();
-        if count > LONGEST {
+        if count > MAX_WORD_LENGTH {
             return Err(Doubt::open("tangencies along more than 200 flights are not checked for an interval"));
         }
         let other = Real::of(&setting.other, BITS);
@@ -57,7 +57,7 @@ impl ClaimedTangency {
         let system = System { equations: 2 * count + 1, unknowns, given: vec![OTHER] };
         let mut family = Tangencies { claim: self, states, setting, chain, system, range };
         let parts = parts(&bounds[OTHER].ends());
-        parts.iter().try_for_each(|part| family.pieces(area.centre.clone(), part, HALVED))?;
+        parts.iter().try_for_each(|part| family.pieces(area.centre.clone(), part, BISECTIONS))?;
         family.system.is_only(&mut family.chain, &area)?;
         Ok(BITS)
     }
@@ -77,7 +77,7 @@ impl Tangencies<'_, '_> {
     fn are_inside(&self, found: &Found) -> Result<bool, Doubt> {
         let parameter = self.setting.parameter(&found.bounds[PARAMETER]);
         let parameter = parameter.ok_or_else(|| Doubt::open("the parameter is not proved to be positive"))?;
-        let is_inside = |x: &Real, bounds: &Bounds| matches!(beside(x, bounds), Beside::Inside);
+        let is_inside = |x: &Real, bounds: &Bounds| matches!(beside(x, bounds), SetPosition::Inside);
         Ok(is_inside(&parameter, &self.claim.parameter)
             && is_inside(&found.bounds[UNSTABLE], &self.claim.unstable)
             && is_inside(&found.bounds[STABLE], &self.claim.stable)

@@ -1,7 +1,7 @@
 //! Krawczyk's operator for the equations of a chain (Lemma V31).
 
 use super::area::Area;
-use super::chain::{Chain, Over};
+use super::chain::{AreaEquations, Chain};
 use crate::check::contact::Doubt;
 use crate::check::legs::size;
 use impact_pair_exact::{Dyadic, Enclosure, Real};
@@ -10,13 +10,13 @@ use impact_pair_exact::{Dyadic, Enclosure, Real};
 const SHORT_BITS: u32 = 64;
 /// Steps of Newton's iteration, the size of the last one, and that of the smallest box, as powers of 2.
 const STEPS: u32 = 16;
-const ENOUGH: i64 = -30;
-const SMALLEST: i64 = -60;
+const LAST_STEP_EXPONENT: i64 = -30;
+const MIN_BOX_EXPONENT: i64 = -60;
 /// Number of times that a box is made larger, and the part of its radii added each time, as a power of 2.
-const WIDENED: u32 = 8;
-const ROOM: i64 = -4;
+const MAX_WIDENINGS: u32 = 8;
+const WIDENING_EXPONENT: i64 = -4;
 /// Number of improvements of the weights.
-const WEIGHTS: u32 = 8;
+const WEIGHT_ITERATIONS: u32 = 8;
 
 /// The system solved: the number of equations, and the places of the values solved for; the other values are given.
 #[derive(Clone, Debug)]
@@ -30,7 +30,7 @@ pub(super) struct System {
 pub(super) struct Found {
     pub area: Area,
     pub bounds: Vec<Real>,
-    pub over: Over,
+    pub over: AreaEquations,
 }
 
 fn lost() -> Doubt {
@@ -67,7 +67,7 @@ fn inverse(mut rows: Vec<Vec<f64>>) -> Option<Vec<Vec<f64>>> {
 }
 
 impl System {
-    fn newton(&self, over: &Over) -> Result<Newton, Doubt> {
+    fn newton(&self, over: &AreaEquations) -> Result<Newton, Doubt> {
         let row = |i: usize| {
             let mut row = vec![0.0; self.unknowns.len()];
             for (place, x) in &over.rows[i] {
@@ -95,13 +95,13 @@ impl System {
                 at[*i] = (at[*i].clone() - &step).middle();
             }
             // proposes: when to stop
-            if most.is_none_or(|top| top < ENOUGH) {
+            if most.is_none_or(|top| top < LAST_STEP_EXPONENT) {
                 let product = self.multiplied(&newton, &over, at.len());
                 let mut area = Area::point(at);
                 given.iter().for_each(|(i, radius)| area.radii[*i] = radius.clone());
                 for (row, i) in product.iter().zip(&self.unknowns) {
                     let reach = self.given.iter().map(|j| size(&row[*j]) * &area.radii[*j]);
-                    area.radii[*i] = roomy(reach.fold(power(SMALLEST), |sum, x| sum + &x));
+                    area.radii[*i] = enlarged(reach.fold(power(MIN_BOX_EXPONENT), |sum, x| sum + &x));
                 }
                 return Ok(area);
             }
@@ -110,7 +110,7 @@ impl System {
     }
 
     /// `C J`, by all values of an orbit.
-    fn multiplied(&self, newton: &Newton, over: &Over, count: usize) -> Vec<Vec<Real>> {
+    fn multiplied(&self, newton: &Newton, over: &AreaEquations, count: usize) -> Vec<Vec<Real>> {
         let product = |row: &Vec<Real>| {
             let mut sums = vec![Real::zero(SHORT_BITS); count];
             for (factor, entries) in row.iter().zip(&over.rows) {
@@ -124,7 +124,7 @@ impl System {
     }
 
     /// Bounds of the operator's displacements of unknowns within these radii, the derivatives those of a product.
-    fn strays(&self, product: &[Vec<Real>], radii: &[Real]) -> Vec<Real> {
+    fn displacement_bounds(&self, product: &[Vec<Real>], radii: &[Real]) -> Vec<Real> {
         let stray = |(i, row): (usize, &Vec<Real>)| {
             let part = |(j, place): (usize, &usize)| size(&(row[*place].clone() - i64::from(i == j))) * &radii[*place];
             self.unknowns.iter().enumerate().map(part).fold(Real::zero(SHORT_BITS), |sum, x| sum + &x)
@@ -138,13 +138,13 @@ impl System {
         let newton = self.newton(&over)?;
         let product = self.multiplied(&newton, &over, area.centre.len());
         let mut weights = area.radii.clone();
-        for _ in 0..WEIGHTS {
-            let strays = self.strays(&product, &weights);
-            if self.unknowns.iter().zip(&strays).all(|(i, stray)| stray.is_below(&weights[*i])) {
+        for _ in 0..WEIGHT_ITERATIONS {
+            let displacement_bounds = self.displacement_bounds(&product, &weights);
+            if self.unknowns.iter().zip(&displacement_bounds).all(|(i, stray)| stray.is_below(&weights[*i])) {
                 return Ok(());
             }
             // V31: any positive weights
-            for (i, stray) in self.unknowns.iter().zip(&strays) {
+            for (i, stray) in self.unknowns.iter().zip(&displacement_bounds) {
                 let least = weights[*i].half();
                 weights[*i] = if least.is_below(stray) { stray.clone() } else { least };
             }
@@ -155,16 +155,17 @@ impl System {
     /// Proves that there is exactly one zero next to a point for each of the given values, which are at most these radii from it. Lemma V31
     pub fn found(&self, chain: &mut Chain<'_>, near: Vec<Real>, given: &[(usize, Real)]) -> Result<Found, Doubt> {
         let mut area = self.polished(chain, near, given)?;
-        for _ in 0..WIDENED {
+        for _ in 0..MAX_WIDENINGS {
             let over = chain.over(&area)?;
             let newton = self.newton(&over)?;
             let product = self.multiplied(&newton, &over, area.centre.len());
-            let strays = self.strays(&product, &area.radii);
+            let displacement_bounds = self.displacement_bounds(&product, &area.radii);
             let mut bounds = area.hulls();
             for (k, i) in self.unknowns.iter().enumerate() {
                 let moved = along(&newton.rows[k], &over.residual[..self.equations]);
                 let own = self.given.iter().map(|j| product[k][*j].clone() * &within(&area.radii[*j]));
-                bounds[*i] = own.fold(area.centre[*i].clone() - &moved + &within(&strays[k]), |sum, x| sum + &x);
+                bounds[*i] =
+                    own.fold(area.centre[*i].clone() - &moved + &within(&displacement_bounds[k]), |sum, x| sum + &x);
             }
             let is_inside = |i: &usize| {
                 let [low, high] = area.hull(*i).ends();
@@ -175,7 +176,7 @@ impl System {
             }
             for i in &self.unknowns {
                 let reach = size(&(bounds[*i].clone() - &area.centre[*i]));
-                area.radii[*i] = roomy(reach);
+                area.radii[*i] = enlarged(reach);
             }
         }
         Err(Doubt::open("the orbits from one invariant manifold to the other are not proved to exist"))
@@ -198,8 +199,8 @@ fn power(n: i64) -> Real {
 }
 
 /// A radius somewhat larger.
-fn roomy(radius: Real) -> Real {
-    size(&(radius.clone() + &(radius * &power(ROOM))))
+fn enlarged(radius: Real) -> Real {
+    size(&(radius.clone() + &(radius * &power(WIDENING_EXPONENT))))
 }
 
 fn within(radius: &Real) -> Real {

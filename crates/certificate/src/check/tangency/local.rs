@@ -9,11 +9,11 @@ use impact_pair_exact::{Dyadic, Real};
 /// Bits of the arithmetic of the suprema.
 const BITS: u32 = 128;
 /// Radii of the disc of the manifold's parameter that are tried, as powers of 2.
-const RADII: std::ops::RangeInclusive<i64> = 3..=12;
+const RADIUS_EXPONENTS: std::ops::RangeInclusive<i64> = 3..=12;
 /// Number of doublings of the bound of the remainder.
-const DOUBLED: u32 = 4;
+const REMAINDER_DOUBLINGS: u32 = 4;
 /// The radius of the disc of the parameter of the tangency, `D` or `e`, as a power of 2.
-pub(super) const RADIUS: i64 = -16;
+pub(super) const PARAMETER_RADIUS_EXPONENT: i64 = -16;
 
 /// A manifold.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -23,7 +23,7 @@ pub(super) enum Side {
 }
 
 /// `theta(sigma) = theta_p + sigma + h(sigma)` is analytic for `abs(sigma) <= radius` and all complex `D`, or `e`, at
-/// most `2^RADIUS` from a real one, with `abs(h) <= bound (abs(sigma)/radius)^2`.
+/// most `2^PARAMETER_RADIUS_EXPONENT` from a real one, with `abs(h) <= bound (abs(sigma)/radius)^2`.
 #[derive(Clone, Debug)]
 pub(super) struct Domain {
     pub radius: Real,
@@ -31,7 +31,7 @@ pub(super) struct Domain {
 }
 
 /// The data, the phases of the saddle and its eigenvalues for all values of the disc.
-struct Around {
+struct DiscData {
     gap: Disc,
     e: Disc,
     pi: Real,
@@ -44,13 +44,13 @@ struct Around {
 /// The derivatives of `E`: by the phase of the largest deviation first.
 type Slopes = [Disc; 3];
 
-impl Around {
+impl DiscData {
     /// Lemma V18: Newton's iteration maps each disc into itself, for each value.
     fn new([gap, e, phase, unstable, stable]: [&Real; 5], is_restitution: bool, side: Side) -> Option<Self> {
         let bits = BITS;
         let (one, two, pi) = (Real::int(1, bits), Real::int(2, bits), Real::pi(bits));
         let real = |x: Real| Disc::new(x, Real::zero(bits));
-        let radius = Real::point(Dyadic::power_of_two(RADIUS), bits);
+        let radius = Real::point(Dyadic::power_of_two(PARAMETER_RADIUS_EXPONENT), bits);
         let around = Disc::new(if is_restitution { e } else { gap }.clone(), radius);
         let [gap_disc, e_disc] = if is_restitution { [real(gap.clone()), around] } else { [around, real(e.clone())] };
         let kappa = |e: &Disc| Some(real(one.clone()).plus(e).times(&real(one.clone()).minus(e).inverse()?));
@@ -136,7 +136,7 @@ impl Around {
         let defect = change(&linear, 0) + &(change(&linear, 1) * ratio) + &(change(&linear, 2) * &square);
         let defect = (defect * radius).over(&least)?;
         let mut bound = most(&(defect.clone() * 2));
-        for _ in 0..DOUBLED {
+        for _ in 0..REMAINDER_DOUBLINGS {
             let slopes = self.slopes(self.deviations(radius, &bound))?;
             let contraction = change(&slopes, 0) + &(slopes[1].mag() * &square) + &(slopes[2].mag() * &square.square());
             let contraction = contraction.over(&least)?;
@@ -154,7 +154,7 @@ impl Domain {
     /// Returns the largest disc tried for which it is proved, of the real `D`, `e`, phase and eigenvalues in the middle, unstable and stable.
     pub fn new(real: [&Real; 5], is_restitution: bool, side: Side) -> Option<Self> {
         let real = real.map(|x| x.rounded(BITS));
-        let around = Around::new(real.each_ref(), is_restitution, side)?;
-        RADII.into_iter().find_map(|size| around.domain(&Real::point(Dyadic::power_of_two(-size), BITS)))
+        let around = DiscData::new(real.each_ref(), is_restitution, side)?;
+        RADIUS_EXPONENTS.into_iter().find_map(|size| around.domain(&Real::point(Dyadic::power_of_two(-size), BITS)))
     }
 }

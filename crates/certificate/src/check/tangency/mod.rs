@@ -26,11 +26,11 @@ use num_rational::BigRational;
 use num_traits::Signed;
 
 use super::budget::Budget;
-use super::clock::{Beside, beside};
+use super::clock::{SetPosition, beside};
 use super::contact::Doubt;
 use super::frame::hull;
 use super::walk::compare;
-use super::{Effort, Verdict, Whole};
+use super::{DocumentCheck, Effort, Verdict};
 use crate::attraction::Bounds;
 use crate::tangency::{ClaimedTangency, TangencyCertificate};
 use flights::Letter;
@@ -45,11 +45,11 @@ use shot::{Range, Shot, Unknowns, known};
 /// Bits of the arithmetic beyond those of the box in which a tangency is found.
 const SPARE_BITS: i64 = 112;
 /// Bits by which that box is narrower than the claimed bounds, tried in turn.
-const INSIDE: [i64; 3] = [20, 72, 160];
+const BOX_BITS_INSIDE: [i64; 3] = [20, 72, 160];
 /// The most bits of the arithmetic.
-const MOST_BITS: i64 = 1 << 11;
+const MAX_BITS: i64 = 1 << 11;
 /// The highest order of resonances that is looked at.
-const HIGHEST: u32 = 1024;
+const MAX_RESONANCE_ORDER: u32 = 1024;
 
 impl TangencyCertificate {
     /// Proves every tangency again, or says which one is not as claimed or not proved, until the watch stops it, which receives the
@@ -58,7 +58,7 @@ impl TangencyCertificate {
     /// # Errors
     /// None: what is beyond exact expressions leaves a tangency undecided.
     pub fn check_within(&self, effort: &Effort, watch: &dyn Watch) -> Result<Verdict, Error> {
-        let whole = Whole {
+        let whole = DocumentCheck {
             contradiction: self.contradiction(),
             alike: (!self.are_different()).then_some("two tangencies may be one"),
             count: self.count(),
@@ -85,7 +85,7 @@ impl ClaimedTangency {
         let near = Real::rational(&self.phase[0], 128);
         let mut range = Range::new(self.letters(), near, budget.clone());
         let mut answer = Err(Doubt::open("nothing is tried"));
-        for inside in INSIDE {
+        for inside in BOX_BITS_INSIDE {
             answer = self.judged_inside(&setting, &mut range, inside);
             match &answer {
                 Err(Doubt::Open(_)) if !budget.is_spent() => {}
@@ -117,7 +117,7 @@ impl ClaimedTangency {
         let narrowest = widths.into_iter().map(|top| top.ok_or_else(|| Doubt::open("the bounds have no width")));
         let narrowest = narrowest.collect::<Result<Vec<_>, _>>()?.into_iter().fold(0, i64::min); // proposes: a size
         let bits = SPARE_BITS + inside - narrowest;
-        let bits = u32::try_from(bits.min(MOST_BITS + 1)).ok().filter(|bits| i64::from(*bits) <= MOST_BITS); // proposes
+        let bits = u32::try_from(bits.min(MAX_BITS + 1)).ok().filter(|bits| i64::from(*bits) <= MAX_BITS); // proposes
         let bits = bits.ok_or_else(|| Doubt::open("the bounds are too narrow"))?;
         let family = setting.family(bits);
         let claimed = self.claimed(setting, bits)?;
@@ -202,14 +202,14 @@ impl ClaimedTangency {
             ("stable eigenvalue", &stable, &self.eigenvalues[1]),
         ];
         for (what, found, claimed) in found {
-            if let Beside::Outside = beside(found, claimed) {
+            if let SetPosition::Outside = beside(found, claimed) {
                 compare(what, found, claimed)?;
             }
         }
         no_resonance([&unstable, &stable], self.resonances)
     }
 
-    /// The whole turns between a phase and the claimed one.
+    /// The whole forcing periods between a phase and the claimed one.
     fn turns(&self, law: &Law, phase: &Real) -> Real {
         let off = Real::rational(&self.phase[0], law.bits()) - phase;
         let turns = (off.to_f64() / std::f64::consts::TAU).round() as i64; // proposes: a whole number
@@ -295,8 +295,8 @@ fn at_least(what: &str, found: &[Real], claimed: &BigRational) -> Result<(), Dou
 
 /// Proves that no product of powers of the eigenvalues, of an order from 2 to `highest`, is one of them.
 fn no_resonance(eigenvalues: [&Real; 2], highest: u32) -> Result<(), Doubt> {
-    if highest > HIGHEST {
-        return Err(Doubt::Open(format!("resonances of orders above {HIGHEST} are not checked")));
+    if highest > MAX_RESONANCE_ORDER {
+        return Err(Doubt::Open(format!("resonances of orders above {MAX_RESONANCE_ORDER} are not checked")));
     }
     let powers = eigenvalues.map(|x| {
         let one = Real::int(1, x.bits());

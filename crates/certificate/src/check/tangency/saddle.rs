@@ -7,7 +7,7 @@ use impact_pair_exact::Real;
 /// Steps of Newton's iteration from a claimed phase.
 const STEPS: u32 = 64;
 /// The widest neighbourhood of a fixed point that is tried, as a power of 2.
-const WIDEST: i64 = -3;
+const MAX_WIDTH_EXPONENT: i64 = -3;
 
 /// A family of reduced maps: which of `D = d/A` and `e` is the parameter, and the other one.
 #[derive(Clone, Debug)]
@@ -136,7 +136,7 @@ impl Law {
         let mut reach = Real::int(1, self.bits());
         (0..self.bits()).for_each(|_| reach = reach.half());
         // Interval Newton: it maps a neighbourhood into itself.
-        while reach.enclosure().mag().top().is_none_or(|top| top < WIDEST) {
+        while reach.enclosure().mag().top().is_none_or(|top| top < MAX_WIDTH_EXPONENT) {
             let around = at.clone() + &Real::within(reach.enclosure().sup(), self.bits());
             let found = at.clone() - &miss(&at).over(&slope(&around))?;
             if (at.clone() - &reach).is_below(&found) && found.is_below(&(at.clone() + &reach)) {

@@ -1,13 +1,13 @@
 //! A manifold of the saddle as a power series with a proved remainder (Lemmas V17, V18).
 
 use super::jet::{self, Jet};
-use super::local::{Domain, RADIUS, Side};
+use super::local::{Domain, PARAMETER_RADIUS_EXPONENT, Side};
 use super::saddle::{Law, Saddle};
 use crate::check::affine::Affine;
 use impact_pair_exact::{Dyadic, Real};
 
 /// The most coefficients.
-const LONGEST: usize = 256;
+const MAX_COEFFICIENTS: usize = 256;
 /// Bits that the remainder is bounded with.
 const SHORT_BITS: u32 = 64;
 
@@ -128,7 +128,7 @@ impl Domain {
             return None;
         }
         let mut power = ratio.clone();
-        for n in 2..LONGEST {
+        for n in 2..MAX_COEFFICIENTS {
             power = power * &ratio;
             // proposes: the remainder is bounded, whatever the order
             if power.enclosure().mag().top().is_none_or(|top| top < -i64::from(bits)) {
@@ -153,7 +153,7 @@ impl Domain {
         let first = (below.clone() * &x * order).over(&(self.radius.clone() * &room.square()))?;
         let second = (below * (order * (order - 1))).half().over(&(self.radius.square() * &room.square() * &room))?;
         // Cauchy's estimate on half of the disc of the parameter.
-        let by_parameter = Real::point(Dyadic::power_of_two(1 - RADIUS), bits);
+        let by_parameter = Real::point(Dyadic::power_of_two(1 - PARAMETER_RADIUS_EXPONENT), bits);
         let ball = |x: Real| Some(Affine::fixed(Real::within(&x.enclosure().mag(), bits)).recentred());
         let [of_parameter, of_both] = [&value, &first].map(|x| ball(x.clone() * &by_parameter));
         let mut terms = [ball(value), ball(first), None, None, None];

@@ -2,7 +2,7 @@
 
 use super::flights::{Launch, Letter, across, fly, guess};
 use super::jet::{self, scaled};
-use super::local::{Domain, RADIUS, Side};
+use super::local::{Domain, PARAMETER_RADIUS_EXPONENT, Side};
 use super::saddle::{Family, Law, Saddle};
 use super::series::{Series, State};
 use crate::check::affine::Affine;
@@ -63,7 +63,7 @@ impl<'b> Range<'b> {
         }
         let (middle, domains) = self.around.as_ref().expect("it is proved above");
         let off = Real::point((parameter.clone() - middle).enclosure().mag(), bits);
-        let half = Real::point(Dyadic::power_of_two(RADIUS - 1), bits);
+        let half = Real::point(Dyadic::power_of_two(PARAMETER_RADIUS_EXPONENT - 1), bits);
         if off.is_below(&half) {
             Ok(domains.clone())
         } else {

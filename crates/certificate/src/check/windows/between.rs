@@ -13,18 +13,18 @@ use crate::check::walk::compare;
 use impact_pair_exact::{Dyadic, Real};
 
 /// Bits of tiny cells beyond those of the bounds of the ends.
-pub(super) const INSIDE: i64 = 24;
+pub(super) const TINY_CELL_BITS: i64 = 24;
 /// Bits by which a tiny cell is narrower across the curve.
-const THIN: i64 = 28;
+const THINNESS_BITS: i64 = 28;
 /// Steps of Newton's iteration, and how much smaller than a tiny cell the last one is, as a power of 2.
-const ENOUGH: i64 = 8;
+const LAST_STEP_BITS: i64 = 8;
 const STEPS: u32 = 24;
 /// Number of bisections of the path between two points, or to an end.
-const HALVED: u32 = 12;
+const BISECTIONS: u32 = 12;
 /// The sides of a cell across the curve at first, as a power of 2, in units of how far the curve strays from its direction.
-const ROOM: i64 = 3;
+const WIDTH_EXPONENT: i64 = 3;
 /// Number of times that a cell is widened.
-const WIDENED: u32 = 4;
+const MAX_WIDENINGS: u32 = 4;
 /// The coordinate that is the parameter.
 const PARAMETER: usize = 2;
 
@@ -61,7 +61,7 @@ impl Between<'_> {
     fn settled(&mut self, mut at: Point, kept: usize) -> Result<Spot, Doubt> {
         let others = others(kept);
         for _ in 0..STEPS {
-            let (thin, unit) = self.map.thin(&at);
+            let (thin, unit) = self.map.degenerate(&at);
             let image = self.map.image(&thin)?;
             let step = image.step(others).ok_or_else(lost)?;
             let mut most = None;
@@ -71,7 +71,7 @@ impl Between<'_> {
                 most = most.max(step.enclosure().mag().top()); // proposes: when to stop
             }
             // proposes: when to stop
-            if most.is_none_or(|top| top < self.size - INSIDE) {
+            if most.is_none_or(|top| top < self.size - TINY_CELL_BITS) {
                 return Ok(Spot { at, direction: image.direction() });
             }
         }
@@ -82,7 +82,7 @@ impl Between<'_> {
     fn critical(&mut self, mut at: Point, which: usize) -> Result<Spot, Doubt> {
         let none = || Doubt::open("no end of the window is found");
         for _ in 0..STEPS {
-            let (thin, unit) = self.map.thin(&at);
+            let (thin, unit) = self.map.degenerate(&at);
             let image = self.map.image(&thin)?;
             let (direction, critical) = (image.direction(), &image.criticals[which]);
             let slope = (0..3).map(|j| critical.slopes[j].clone() * &direction[j]).reduce(|sum, x| sum + &x);
@@ -90,10 +90,10 @@ impl Between<'_> {
             let mut step = direction.each_ref().map(|x| -self.point(&(x.clone() * &part * &unit)));
             let most = step.iter().filter_map(|x| x.enclosure().mag().top()).max();
             // proposes: when to stop
-            if most.is_none_or(|top| top < self.size - ENOUGH) {
+            if most.is_none_or(|top| top < self.size - LAST_STEP_BITS) {
                 return Ok(Spot { at, direction });
             }
-            let next = (0..HALVED).find_map(|_| {
+            let next = (0..BISECTIONS).find_map(|_| {
                 let there = [0, 1, 2].map(|i| self.point(&(at[i].clone() + &step[i])));
                 step = step.each_ref().map(Real::half);
                 let main = farther(&there, &at);
@@ -115,7 +115,7 @@ impl Between<'_> {
 
     /// A tiny cell around a point, in which there is an orbit, and what is made of it.
     fn tiny(&mut self, spot: Spot, (main, along): (usize, &Real)) -> Result<(Cell, Image, Along), Doubt> {
-        let across = self.power(self.size - THIN);
+        let across = self.power(self.size - THINNESS_BITS);
         let cell = self.around(spot, (main, along))?.with_sides(main, [across.clone(), across]);
         let image = self.map.image(&cell)?;
         let along = image.curve()?;
@@ -125,7 +125,7 @@ impl Between<'_> {
     /// The orbit at the value of the parameter of a guess, in a tiny cell, proved to be stable.
     pub fn known(&mut self, guess: Point) -> Result<Cell, Doubt> {
         let spot = self.settled(guess, PARAMETER)?;
-        let along = self.power(INSIDE - i64::from(self.map.bits()));
+        let along = self.power(TINY_CELL_BITS - i64::from(self.map.bits()));
         let (cell, image, _) = self.tiny(spot, (PARAMETER, &along))?;
         if image.criticals.iter().all(|x| x.value.is_positive()) {
             Ok(cell)
@@ -144,7 +144,7 @@ impl Between<'_> {
         // Opposite signs at both ends of the curve.
         let slope = along.slope(critical).ok_or_else(lost)?;
         let slope = Real::point(slope.enclosure().mig(), self.map.bits());
-        let (thin, _) = self.map.thin(&zero.centre);
+        let (thin, _) = self.map.degenerate(&zero.centre);
         let middle = Real::point(self.map.image(&thin)?.criticals[which].value.enclosure().mag(), self.map.bits());
         let middle = middle + &critical.across();
         if !middle.is_below(&slope) {
@@ -155,13 +155,13 @@ impl Between<'_> {
         compare("parameter", &parameter, &end.parameter).map_err(unproved)?;
         let mut from = known.clone();
         let mut answer = Err(Doubt::open("nothing is tried"));
-        for _ in 0..HALVED {
+        for _ in 0..BISECTIONS {
             answer = self.is_last(&from, &zero, which);
             if answer.is_ok() {
                 break;
             }
             let middle = self.between(&from, &zero)?;
-            self.are_stable(&from, &middle, HALVED)?;
+            self.are_stable(&from, &middle, BISECTIONS)?;
             from = middle;
         }
         answer
@@ -193,11 +193,11 @@ impl Between<'_> {
         };
         let across = others(main).map(|i| {
             let most = strays(&from.centre, i).max(strays(&to.centre, i))?; // proposes: a size to try
-            Some(Real::point(most.scaled(ROOM), self.map.bits()) + &self.power(self.size + ROOM))
+            Some(Real::point(most.scaled(WIDTH_EXPONENT), self.map.bits()) + &self.power(self.size + WIDTH_EXPONENT))
         });
         let [Some(a), Some(b)] = across else { return Err(lost()) };
         let mut cell = thin.with_sides(main, [a, b]);
-        for _ in 0..WIDENED {
+        for _ in 0..MAX_WIDENINGS {
             if !(cell.holds(&from.hull()) && cell.holds(&to.hull())) {
                 return Err(Doubt::open("a cell does not hold the orbits that it is to join"));
             }
@@ -206,7 +206,7 @@ impl Between<'_> {
                 return Ok((image, along));
             }
             let stretch = image.stretch().ok_or_else(lost)?;
-            cell = cell.widened(stretch.map(|x| x * 2 + &self.power(1 - ROOM)));
+            cell = cell.widened(stretch.map(|x| x * 2 + &self.power(1 - WIDTH_EXPONENT)));
         }
         Err(Doubt::open("the orbits are not proved to be one curve"))
     }

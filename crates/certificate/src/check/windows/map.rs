@@ -13,7 +13,7 @@ use crate::check::tangency::series::State;
 use impact_pair_exact::{Dyadic, Real};
 
 /// The widest phases that are tried, as a power of 2.
-const WIDEST: i64 = -4;
+const MAX_WIDTH_EXPONENT: i64 = -4;
 
 /// The reduced map along the flights of a period.
 pub(super) struct Map<'b> {
@@ -31,10 +31,10 @@ pub(super) struct Map<'b> {
 impl<'b> Map<'b> {
     /// Returns the map along these flights from near a point.
     pub fn new(letters: Vec<Letter>, family: Family, budget: Budget<'b>, near: &Point) -> Result<Self, Doubt> {
-        let widest = Real::point(Dyadic::power_of_two(WIDEST), FRAME_BITS);
+        let widest = Real::point(Dyadic::power_of_two(MAX_WIDTH_EXPONENT), FRAME_BITS);
         let mut map = Self { letters, family, budget, widest, times: Vec::new(), turns: 0 };
-        let (thin, _) = map.thin(near);
-        let ([phase, _], _) = map.flown(&thin)?;
+        let (degenerate, _) = map.degenerate(near);
+        let ([phase, _], _) = map.flown(&degenerate)?;
         let passed = phase - &near[0];
         map.turns = (passed.to_f64() / std::f64::consts::TAU).round() as i64; // V30: any whole number
         Ok(map)
@@ -51,7 +51,7 @@ impl<'b> Map<'b> {
     }
 
     /// Returns next to nothing around a point, and the unit of its coordinates.
-    pub fn thin(&self, at: &Point) -> (Cell, Real) {
+    pub fn degenerate(&self, at: &Point) -> (Cell, Real) {
         let tiny = Real::point(Dyadic::power_of_two(-2 * i64::from(self.bits())), FRAME_BITS);
         let unit = |i: usize, j: usize| if i == j { tiny.clone() } else { Real::zero(FRAME_BITS) };
         (Cell::new(at.clone(), [0, 1, 2].map(|j| [0, 1, 2].map(|i| unit(i, j)))), tiny.clone())
@@ -138,7 +138,7 @@ mod tests {
 
     const BITS: u32 = 192;
     /// Factor by which a set is smaller that is as good as a point, as a power of 2.
-    const POINT: i64 = -80;
+    const POINT_EXPONENT: i64 = -80;
     /// Places of members in a set.
     const MEMBERS: [[f64; 3]; 4] = [[0.9, -0.8, 0.7], [-0.9, -0.9, 0.1], [0.3, 0.9, -0.9], [-0.5, 0.8, 0.9]];
 
@@ -184,7 +184,7 @@ mod tests {
         fn member(&mut self, q: [f64; 3]) -> ([Real; 2], Legs<3, 1>) {
             let Cell { centre, frame } = self.cell.clone();
             let at = [0, 1, 2].map(|i| centre[i].clone() + &linear(&[0, 1, 2].map(|j| frame[j][i].clone()), q));
-            let small = Real::point(Dyadic::power_of_two(POINT), BITS);
+            let small = Real::point(Dyadic::power_of_two(POINT_EXPONENT), BITS);
             let frame = frame.map(|direction| direction.map(|x| x * &small));
             self.map.flown(&Cell { centre: at, frame }).unwrap()
         }
@@ -193,7 +193,7 @@ mod tests {
     /// Bounds of derivatives over a set hold those of its members (Lemma V30, derivatives), computed alike in a set that is as good as a point.
     #[test]
     fn derivatives_over_a_set_hold_those_of_its_members() {
-        let large = Real::point(Dyadic::power_of_two(-POINT), BITS);
+        let large = Real::point(Dyadic::power_of_two(-POINT_EXPONENT), BITS);
         let scaled = |x: &Real| x.clone() * &large;
         let newton = [[real(3.0), real(-1.0)], [real(2.0), real(5.0)]];
         for is_restitution in [false, true] {

@@ -10,11 +10,11 @@ mod stable;
 
 use std::cmp::Ordering;
 
-use super::bifurcation::Over;
+use super::bifurcation::ParameterFamily;
 use super::budget::Budget;
 use super::contact::Doubt;
 use super::cycles::may_be_same;
-use super::{Effort, Verdict, Whole};
+use super::{DocumentCheck, Effort, Verdict};
 use crate::bifurcation::ClaimedPoint;
 use crate::windows::{ClaimedWindow, WindowsCertificate};
 use impact_pair_model::Error;
@@ -27,8 +27,8 @@ impl WindowsCertificate {
     /// # Errors
     /// None: what is beyond exact expressions leaves a window undecided.
     pub fn check_within(&self, effort: &Effort, watch: &dyn Watch) -> Result<Verdict, Error> {
-        let over = Over { pair: self.pair(), start: self.start(), key: self.over() };
-        let whole = Whole {
+        let over = ParameterFamily { pair: self.pair(), start: self.start(), key: self.over() };
+        let whole = DocumentCheck {
             contradiction: self.contradiction(),
             alike: (!self.are_different()).then_some("two windows may be one"),
             count: self.count(),
@@ -61,7 +61,12 @@ impl ClaimedWindow {
 
 impl ClaimedWindow {
     /// Proves that its orbit and its ends are as claimed, and returns the bits used.
-    fn judged(&self, over: &Over<'_>, (effort, budget): (&Effort, &Budget), watch: &dyn Watch) -> Result<u32, Doubt> {
+    fn judged(
+        &self,
+        over: &ParameterFamily<'_>,
+        (effort, budget): (&Effort, &Budget),
+        watch: &dyn Watch,
+    ) -> Result<u32, Doubt> {
         if !self.is_stable() {
             return Err(Doubt::False("only stable orbits have a window".into()));
         }

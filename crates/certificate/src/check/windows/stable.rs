@@ -2,17 +2,17 @@
 
 use num_integer::Integer;
 
-use super::between::{Between, INSIDE, unproved};
+use super::between::{Between, TINY_CELL_BITS, unproved};
 use super::cell::{Cell, Point};
 use super::map::Map;
 use crate::attraction::Passage;
-use crate::check::bifurcation::Over;
+use crate::check::bifurcation::ParameterFamily;
 use crate::check::budget::Budget;
 use crate::check::contact::Doubt;
 use crate::check::frame::hull;
 use crate::check::tangency::flights::Letter;
 use crate::check::tangency::setting::Setting;
-use crate::check::target::{MOST_BITS, narrowest};
+use crate::check::target::{MAX_BITS, narrowest};
 use crate::check::units::greatest_speed;
 use crate::check::walk::compare;
 use crate::periodic::OrbitOf;
@@ -22,13 +22,13 @@ use impact_pair_model::Wall;
 
 /// Bits of the arithmetic beyond those of the tiny cells, at first and at most.
 const SPARE_BITS: i64 = 160;
-const MOST_SPARE_BITS: i64 = 640;
+const MAX_SPARE_BITS: i64 = 640;
 /// The largest tiny cell, as a power of 2.
-const LARGEST: i64 = -96;
+const MAX_CELL_EXPONENT: i64 = -96;
 
 impl ClaimedWindow {
     /// The orbits between its ends are stable, on one curve that leads through its orbit, proved in N bits. Lemma V30
-    pub(super) fn is_stable_between(&self, over: &Over<'_>, budget: &Budget<'_>) -> Result<u32, Doubt> {
+    pub(super) fn is_stable_between(&self, over: &ParameterFamily<'_>, budget: &Budget<'_>) -> Result<u32, Doubt> {
         let [one, other] = &self.ends[..] else { return Err(Doubt::open("an end of the window is not proved")) };
         let [claim] = self.orbit.orbits() else { return Err(Doubt::open("the window has no orbit")) };
         if claim.orbit.physical != Some(true) || !claim.orbit.unique {
@@ -38,14 +38,14 @@ impl ClaimedWindow {
         let narrow = narrowest([&one.parameter, &other.parameter].into_iter()).unwrap_or(0); // proposes: a size to try
         let first = &claim.orbit.impacts[0];
         let own = narrowest([&first.phase, &first.velocity].into_iter()).unwrap_or(0); // proposes: a size to try
-        let size = LARGEST.min(narrow.min(own) - INSIDE); // proposes: a size to try
+        let size = MAX_CELL_EXPONENT.min(narrow.min(own) - TINY_CELL_BITS); // proposes: a size to try
         let mut spare = SPARE_BITS;
         let (bits, mut between, known) = loop {
-            let bits = u32::try_from(spare - size).ok().filter(|bits| *bits <= MOST_BITS);
+            let bits = u32::try_from(spare - size).ok().filter(|bits| *bits <= MAX_BITS);
             let bits = bits.ok_or_else(|| Doubt::open("the bounds are too narrow"))?;
             match self.begun((&setting, over), (size, bits), (claim, budget)) {
                 // Rounding in all flights is more than the tiny cell where they are many.
-                Err(Doubt::Open(_)) if spare < MOST_SPARE_BITS && !budget.is_spent() => spare *= 2,
+                Err(Doubt::Open(_)) if spare < MAX_SPARE_BITS && !budget.is_spent() => spare *= 2,
                 begun => {
                     let (between, known) = begun?;
                     break (bits, between, known);
@@ -61,7 +61,7 @@ impl ClaimedWindow {
     /// The curve in N bits, with the orbit that is claimed, proved to be stable.
     fn begun<'b>(
         &self,
-        (setting, over): (&Setting, &Over<'_>),
+        (setting, over): (&Setting, &ParameterFamily<'_>),
         (size, bits): (i64, u32),
         (claim, budget): (&OrbitOf, &Budget<'b>),
     ) -> Result<(Between<'b>, Cell), Doubt> {
@@ -86,7 +86,7 @@ impl ClaimedWindow {
 /// The value at which the orbit of a window is listed.
 struct Start<'c> {
     setting: &'c Setting,
-    over: &'c Over<'c>,
+    over: &'c ParameterFamily<'c>,
     at: &'c Exact,
 }
 
@@ -149,7 +149,7 @@ mod tests {
         let mut document: Value = serde_json::from_str(DOCUMENT).unwrap();
         *document["windows"][0].pointer_mut(key).unwrap() = value;
         let own = WindowsCertificate::parse(&document.to_string()).unwrap();
-        let over = Over { pair: own.pair(), start: own.start(), key: own.over() };
+        let over = ParameterFamily { pair: own.pair(), start: own.start(), key: own.over() };
         own.windows()[0].is_stable_between(&over, &budget())
     }
 
@@ -169,7 +169,8 @@ mod tests {
     #[test]
     fn r52_the_orbit_of_a_window_of_figure_16_is_proved_in_more_bits() {
         let own = WindowsCertificate::parse(FIGURE_16).unwrap();
-        let (over, window) = (Over { pair: own.pair(), start: own.start(), key: own.over() }, &own.windows()[0]);
+        let (over, window) =
+            (ParameterFamily { pair: own.pair(), start: own.start(), key: own.over() }, &own.windows()[0]);
         let (setting, size) = (Setting::new(over.pair, over.key).unwrap(), -141);
         let begun = |spare: i64| {
             let bits = u32::try_from(spare - size).unwrap();

@@ -12,7 +12,7 @@ use impact_pair_model::{Error, ImpactPair, Start};
 use super::allowance::{Allowance, End};
 use super::horseshoe::Horseshoe;
 use super::span::Span;
-use super::{LOOKS, Law};
+use super::{Law, STEPS_PER_PLACE};
 use crate::cells::CellsCertificate;
 use crate::check::contact::Doubt;
 use crate::check::{Effort, Finding, Verdict};
@@ -20,12 +20,12 @@ use impact_pair_document::{PeriodDocument, StretchDocument};
 use orbit::{Found, Period};
 
 /// Bits of the arithmetic.
-const DOUBLE: u32 = f64::MANTISSA_DIGITS;
+const DOUBLE_BITS: u32 = f64::MANTISSA_DIGITS;
 /// A subinterval may take one in N parts of what a document of another kind may.
-const PART: u64 = 1 << 2;
+const WORK_DIVISOR: u64 = 1 << 2;
 /// Most halvings of a subinterval, and most cuts of a cell of two parameters into quarters.
-const HALVINGS: u32 = 16;
-const QUARTERED: u32 = 4;
+const MAX_HALVINGS: u32 = 16;
+const MAX_QUARTERINGS: u32 = 4;
 
 /// The finding for some values of the parameter, or why there is none; an error where they are beyond exact expressions.
 type Answer = Result<Result<Found, End>, Error>;
@@ -49,7 +49,7 @@ impl CellsCertificate {
         let (mut open, mut confirmed, mut certain) = (None, 0, 0);
         for (event, stretch) in self.document().stretches.iter().enumerate() {
             if stretch.verdict != "undecided" {
-                let work = Allowance::new(effort.work.saturating_mul(LOOKS) / PART, &watch); // proposes: when to give up
+                let work = Allowance::new(effort.work.saturating_mul(STEPS_PER_PLACE) / WORK_DIVISOR, &watch); // proposes: when to give up
                 match self.judged(stretch, &work)? {
                     Err(Doubt::Open(_)) if watch.is_stopped() => {
                         return Ok((Verdict::Interrupted { events: confirmed }, certain));
@@ -71,7 +71,7 @@ impl CellsCertificate {
                 let message = "nothing is claimed of any value of the parameter".to_owned();
                 Verdict::Undecided(Finding { event: self.count(), message })
             }
-            None => Verdict::Confirmed { bits: DOUBLE, pieces: 1 },
+            None => Verdict::Confirmed { bits: DOUBLE_BITS, pieces: 1 },
         };
         Ok((verdict, certain))
     }
@@ -85,8 +85,8 @@ impl CellsCertificate {
             };
             let is_own = stretch.verdict == "attracted";
             let proved = self.for_all(stretch, &mut |pair, law| {
-                let asked = (pair, self.start());
-                if is_own { period.attracts(asked, law, work) } else { period.exists(asked, law, work) }
+                let requested = (pair, self.start());
+                if is_own { period.attracts(requested, law, work) } else { period.exists(requested, law, work) }
             })?;
             if let Err(doubt) = said_of_period(proved, is_own) {
                 return Ok(Err(doubt));
@@ -113,7 +113,7 @@ impl CellsCertificate {
             let pair = self.pair([&low, &high])?;
             match look(&pair, &Law::of(&pair)?)? {
                 Ok(Found::Proved) => {}
-                Ok(Found::Nothing) if halvings < HALVINGS => {
+                Ok(Found::Nothing) if halvings < MAX_HALVINGS => {
                     let Ok(middle) = low.checked_add(&high).and_then(|sum| sum.checked_div(&Exact::from(2))) else {
                         return Ok(Ok(Found::Nothing));
                     };
@@ -138,12 +138,12 @@ pub(in crate::check) fn has_stable_orbit(
         Ok(period) => period,
         Err(doubt) => return Ok(Err(doubt)),
     };
-    let work = Allowance::new(effort.work.saturating_mul(LOOKS) / PART, watch); // proposes: when to give up
+    let work = Allowance::new(effort.work.saturating_mul(STEPS_PER_PLACE) / WORK_DIVISOR, watch); // proposes: when to give up
     let mut open = vec![(Law::of(pair)?, 0)];
     while let Some((law, quartered)) = open.pop() {
         match period.exists((pair, start), &law, &work)? {
             Ok(Found::Proved) => {}
-            Ok(Found::Nothing) if quartered < QUARTERED => {
+            Ok(Found::Nothing) if quartered < MAX_QUARTERINGS => {
                 open.extend(quarters(&law).map(|part| (part, quartered + 1)));
             }
             found => return Ok(said_of_period(found, false)),
@@ -204,8 +204,8 @@ mod tests {
 
     /// Returns whether a stable orbit of a word in `cycles` forcing periods is proved for all amplitudes and restitutions of intervals.
     fn is_proved(values: [&str; 2], word: &str, cycles: u32) -> bool {
-        let asked = (&pair(values), &start(-1));
-        has_stable_orbit(asked, &claimed(word, cycles), &Effort::default(), &Unwatched).unwrap().is_ok()
+        let requested = (&pair(values), &start(-1));
+        has_stable_orbit(requested, &claimed(word, cycles), &Effort::default(), &Unwatched).unwrap().is_ok()
     }
 
     /// The equispaced motion of (66)-(69), whose eigenvalues are complex at the first pair: a set lies in one of many impacts before only.
@@ -242,7 +242,7 @@ mod tests {
     fn v36_an_orbit_that_converges_to_a_doubled_one_does_not_converge_to_half_of_it() {
         let (pair, start) = (pair(["0.475", "0.8"]), start(-5));
         let found = |word: &str, cycles: u32| {
-            let work = Allowance::new(LOOKS * Effort::default().work, &Unwatched);
+            let work = Allowance::new(STEPS_PER_PLACE * Effort::default().work, &Unwatched);
             let period = Period::of(&claimed(word, cycles)).unwrap();
             period.attracts((&pair, &start), &Law::of(&pair).unwrap(), &work).unwrap().unwrap()
         };

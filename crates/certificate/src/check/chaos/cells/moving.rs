@@ -4,7 +4,7 @@
 use std::f64::consts::TAU;
 
 use super::super::Law;
-use super::super::beam::{Beam, Spot, State};
+use super::super::beam::{FlightBundle, Spot, State};
 use super::super::guess::{Guess, applied};
 use super::super::span::Span;
 
@@ -26,9 +26,9 @@ pub(super) struct Landed {
 }
 
 /// Sides are that much longer than they have to be, so that it can be proved that they are long enough.
-const LONGER: f64 = 1.0 + 1.0 / (1 << 20) as f64; // exact: a power of two
+const SIDE_FACTOR: f64 = 1.0 + 1.0 / (1 << 20) as f64; // exact: a power of two
 /// Wider sets are not followed.
-const WIDEST: f64 = 0.2;
+const MAX_WIDTH: f64 = 0.2;
 
 fn spot(state: State) -> Spot {
     state.map(Span::point)
@@ -62,13 +62,13 @@ impl Set {
     /// Returns the set of the images; `None` where it is not proved that all of them are on one wall, without a graze.
     pub fn next(&self, law: &Law, guess: &Guess) -> Option<Landed> {
         let Self { middle, sides, moved, turns } = *self;
-        if sides.iter().any(|side| length(*side) > WIDEST) {
+        if sides.iter().any(|side| length(*side) > MAX_WIDTH) {
             return None; // exact: given up, nothing is certified
         }
         let spread = |i: usize| {
             sides.iter().chain(&moved).fold(Span::point(middle[i]), |all, side| all + Span::point(side[i]).around())
         };
-        let beam = Beam::moved(
+        let beam = FlightBundle::moved(
             law,
             [spread(0), spread(1)],
             spot(middle),
@@ -77,7 +77,7 @@ impl Set {
         );
         // proposes: where the images are, and how they lie there
         let image = guess.map(middle)?;
-        let passed = image.state[0].floor(); // exact: whole turns
+        let passed = image.state[0].floor(); // exact: whole forcing periods
         let to = [image.state[0] - passed, image.state[1]];
         let [by_gap, by_restitution] = image.moved;
         let moves = |by: State, own: State| {
@@ -92,7 +92,7 @@ impl Set {
             Some(coordinates(sides)?.map(|n| landing.beside(n, there, moved.map(spot)).most()))
         };
         let long = reach(directions)?;
-        let sides = [0, 1].map(|i| directions[i].map(|x| x * long[i] * LONGER));
+        let sides = [0, 1].map(|i| directions[i].map(|x| x * long[i] * SIDE_FACTOR));
         // V36: the sides reach as far as the images; no comparison with NaN holds
         if !reach(sides)?.iter().all(|reach| *reach <= 1.0) {
             return None;
@@ -143,7 +143,7 @@ pub(super) fn apart([u, w]: State, [v, x]: State) -> f64 {
 
 /// The middle of a span, and how far its ends are from it at most.
 fn halved(x: Span) -> [f64; 2] {
-    let (middle, around) = x.parted();
+    let (middle, around) = x.centred_parts();
     [middle.mid(), around.hi()]
 }
 
@@ -158,11 +158,11 @@ fn square([p, q]: [State; 2]) -> [State; 2] {
 mod tests {
     use super::*;
 
-    const PARTS: [f64; 5] = [-1.0, -0.5, 0.0, 0.5, 1.0];
+    const FRACTIONS: [f64; 5] = [-1.0, -0.5, 0.0, 0.5, 1.0];
 
     /// All parts of both sides, and of what `e` and `D` move.
     fn parts() -> impl Iterator<Item = [f64; 4]> {
-        (0..PARTS.len().pow(4)).map(|k| [1, 5, 25, 125].map(|step| PARTS[k / step % 5]))
+        (0..FRACTIONS.len().pow(4)).map(|k| [1, 5, 25, 125].map(|step| FRACTIONS[k / step % 5]))
     }
 
     fn state(set: &Set, parts: [f64; 4]) -> State {

@@ -7,7 +7,7 @@ use num_integer::Integer;
 
 use super::super::allowance::{Allowance, End};
 use super::super::beam::{Spot, State};
-use super::super::guess::{Guess, MOST_TURNS};
+use super::super::guess::{Guess, MAX_PERIODS};
 use super::super::span::Span;
 use super::super::trap::mirrored;
 use super::super::{BITS, Law};
@@ -20,26 +20,26 @@ use impact_pair_exact::Real;
 use impact_pair_model::Error;
 
 /// Impacts that sets are followed for.
-const IMPACTS: usize = 2000;
+const MAX_IMPACTS: usize = 2000;
 /// The most impacts from a set to a later one that lies in it, and those that are followed on for fewer ones.
-const MORE: usize = 128;
-/// Sets are enlarged every `AGAIN` impacts, by a multiple of `ROOMS` of the distance to an earlier middle, if that is near: much of it where
+const MAX_RETURN_IMPACTS: usize = 128;
+/// Sets are enlarged every `ENLARGING_INTERVAL` impacts, by a multiple of `ENLARGING_FACTORS` of the distance to an earlier middle, if that is near: much of it where
 /// the orbit comes near its limit slowly, or from both sides in turn.
-const AGAIN: usize = 32;
-const ROOMS: [f64; 3] = [0.0, 8.0, 128.0];
-const NEAR: f64 = 0.02;
+const ENLARGING_INTERVAL: usize = 32;
+const ENLARGING_FACTORS: [f64; 3] = [0.0, 8.0, 128.0];
+const NEAR_DISTANCE: f64 = 0.02;
 /// Impacts of a floating-point orbit before it is looked at, and how near it has to come again.
 const TRANSIENT: usize = 8_000;
-const CLOSED: f64 = 1e-6;
-/// States at which a floating-point orbit begins, if not at the scene's own first impact; then at `SPREAD` states spread over all.
-const ELSEWHERE: [State; 4] = [[0.1, 0.5], [0.35, 1.5], [0.6, 1.0], [0.85, 2.0]];
-const SPREAD: u32 = 24;
+const RETURN_DISTANCE: f64 = 1e-6;
+/// States at which a floating-point orbit begins, if not at the scene's own first impact; then at `SPREAD_STARTS` states spread over all.
+const OTHER_STARTS: [State; 4] = [[0.1, 0.5], [0.35, 1.5], [0.6, 1.0], [0.85, 2.0]];
+const SPREAD_STARTS: u32 = 24;
 /// A set that is followed for one impact counts as N flights that are looked at.
-const SET: usize = 8;
+const WORK_PER_SET: usize = 8;
 /// One impact of a floating-point orbit counts as N as well.
-const MAP: usize = 4;
+const WORK_PER_IMPACT: usize = 4;
 /// Orbits of more impacts are not checked.
-const MOST: usize = 256;
+const MAX_ORBIT_IMPACTS: usize = 256;
 
 /// A periodic orbit that is claimed.
 pub(super) struct Period {
@@ -91,8 +91,10 @@ impl Period {
         if is_right.len() != claimed.impacts as usize || claimed.cycles == 0 {
             return wrong("its word has another number of impacts, or it takes no forcing period");
         }
-        if is_right.len() > MOST {
-            return Err(Doubt::Open(format!("period: orbits of more than {MOST} impacts are not checked")));
+        if is_right.len() > MAX_ORBIT_IMPACTS {
+            return Err(Doubt::Open(format!(
+                "period: orbits of more than {MAX_ORBIT_IMPACTS} impacts are not checked"
+            )));
         }
         Ok(Self { is_right, cycles: claimed.cycles.into() })
     }
@@ -118,9 +120,9 @@ impl Period {
         let own = first_impact(pair, start)?.map(|(_, state)| state.map(Span::mid));
         let guess = Guess::new(law);
         let fastest = 2.0 / (1.0 - law.restitution.mid()).max(0.05); // proposes: where sets begin
-        let spread = (1..=SPREAD).map(|k| [0.618_034, 0.414_214].map(|step| (f64::from(k) * step).fract())); // proposes: where sets begin
+        let spread = (1..=SPREAD_STARTS).map(|k| [0.618_034, 0.414_214].map(|step| (f64::from(k) * step).fract())); // proposes: where sets begin
         let spread = spread.map(|[phase, part]| [phase, part * fastest]);
-        for from in own.into_iter().chain(ELSEWHERE).chain(spread) {
+        for from in own.into_iter().chain(OTHER_STARTS).chain(spread) {
             match self.settled(&guess, from, work) {
                 Ok(Some((is_right, state))) => {
                     return Ok(self.found((is_right, Set::around(state.map(Span::point))), law, work));
@@ -139,7 +141,7 @@ impl Period {
             let image = guess.map(state)?;
             Some(([image.state[0].rem_euclid(1.0), image.state[1]], image.is_far))
         };
-        work.spend(MAP * TRANSIENT, 1.0)?;
+        work.spend(WORK_PER_IMPACT * TRANSIENT, 1.0)?;
         let Some(first) = (0..TRANSIENT).try_fold(from, |state, _| Some(next(state)?.0)) else { return Ok(None) };
         let (mut state, mut walls) = (first, vec![false]);
         for _ in 0..self.is_right.len() {
@@ -149,13 +151,13 @@ impl Period {
         }
         let on = |is_right: bool| walls.iter().skip(1).map(move |wall| *wall != is_right).collect::<Vec<_>>();
         let wall = [false, true].into_iter().find(|is_right| self.is_made_of(&on(*is_right)));
-        Ok(wall.filter(|_| apart(state, first) < CLOSED).map(|is_right| (is_right, first)))
+        Ok(wall.filter(|_| apart(state, first) < RETURN_DISTANCE).map(|is_right| (is_right, first)))
     }
 
     /// The finding on the orbit that sets lead to from a first one on.
     fn found(&self, first: (bool, Set), law: &Law, work: &Allowance) -> Result<Found, End> {
         let mut found = Found::Nothing;
-        for room in ROOMS {
+        for room in ENLARGING_FACTORS {
             found = self.follow(first, room, law, work)?;
             if found != Found::Nothing {
                 break;
@@ -169,16 +171,16 @@ impl Period {
         let all = self.is_right.len();
         let (mut sets, mut walls) = (vec![first], vec![is_right]);
         let (mut round, mut proved_at): (Option<Round>, _) = (None, None);
-        while sets.len() <= IMPACTS {
+        while sets.len() <= MAX_IMPACTS {
             let last = sets.len();
             let Some(Landed { set, is_far, time }) = sets[last - 1].next(law, &guess) else {
-                work.spend(SET, MOST_TURNS)?;
+                work.spend(WORK_PER_SET, MAX_PERIODS)?;
                 break;
             };
-            work.spend(SET, time)?;
+            work.spend(WORK_PER_SET, time)?;
             walls.push(walls[last - 1] != is_far);
             // V36: any of the sets before
-            for impacts in (1..=last).take(MORE.max(all)) {
+            for impacts in (1..=last).take(MAX_RETURN_IMPACTS.max(all)) {
                 if round.as_ref().is_some_and(|round| impacts.is_multiple_of(round.impacts)) {
                     continue;
                 }
@@ -194,14 +196,14 @@ impl Period {
                     found => return Ok(found),
                 }
             }
-            if proved_at.is_some_and(|since| last >= since + MORE) {
+            if proved_at.is_some_and(|since| last >= since + MAX_RETURN_IMPACTS) {
                 break;
             }
-            let before = sets.get(last.wrapping_sub(all * (AGAIN / all).max(1))); // proposes: whole rounds before
+            let before = sets.get(last.wrapping_sub(all * (ENLARGING_INTERVAL / all).max(1))); // proposes: whole rounds before
             let away = before.map_or(0.0, |before| room * before.away(&set));
             // proposes: larger sets hold as much
-            sets.push(if last.is_multiple_of(AGAIN) {
-                set.with_room(if away < NEAR { away } else { 0.0 })
+            sets.push(if last.is_multiple_of(ENLARGING_INTERVAL) {
+                set.with_room(if away < NEAR_DISTANCE { away } else { 0.0 })
             } else {
                 set
             });
@@ -269,7 +271,7 @@ fn first_impact(pair: &ImpactPair, start: &Start) -> Result<Option<(Wall, Spot)>
     let velocity = landing.velocity.hull().over(&Real::of(harmonic.amplitude(), BITS));
     let Some((phase, velocity)) = phase.zip(velocity) else { return Ok(None) };
     let [phase, speed] = mirrored(landing.wall, phase, velocity);
-    let turns = phase.middle().floor().unwrap_or(0); // exact: any whole number of turns
+    let turns = phase.middle().floor().unwrap_or(0); // exact: any whole number of forcing periods
     let phase = phase.clone() - &Real::int(turns, phase.bits());
     Ok(Some((landing.wall, [&phase, &speed].map(|x| Span::of(x.enclosure())))))
 }
@@ -278,7 +280,7 @@ fn first_impact(pair: &ImpactPair, start: &Start) -> Result<Option<(Wall, Spot)>
 mod tests {
     use super::*;
     use crate::check::Effort;
-    use crate::check::chaos::LOOKS;
+    use crate::check::chaos::STEPS_PER_PLACE;
     use impact_pair_model::watch::Unwatched;
     use std::f64::consts::TAU;
 
@@ -290,7 +292,7 @@ mod tests {
     fn followed(word: &str, cycles: u32, [alpha, restitution]: [f64; 2], first: (bool, State), room: f64) -> Found {
         let [gap, restitution] = [1.0 / alpha, restitution].map(Span::point);
         let first = (first.0, Set::around(first.1.map(Span::point)));
-        let work = Allowance::new(LOOKS * Effort::default().work, &Unwatched);
+        let work = Allowance::new(STEPS_PER_PLACE * Effort::default().work, &Unwatched);
         period(word, cycles).follow(first, room, &Law { gap, restitution }, &work).unwrap()
     }
 
@@ -300,7 +302,8 @@ mod tests {
     fn v36_forcing_periods_are_counted_where_sets_go_from_one_to_another() {
         for phase in [0.83939, 0.83879] {
             let first = (true, [phase, 1.859]);
-            let found = [1, 2, 3].map(|cycles| followed("P2 P4 P1", cycles, [0.5045322695, 0.63], first, ROOMS[1]));
+            let found =
+                [1, 2, 3].map(|cycles| followed("P2 P4 P1", cycles, [0.5045322695, 0.63], first, ENLARGING_FACTORS[1]));
             assert_eq!(found, [Found::Proved, Found::Other, Found::Other], "{phase}");
         }
     }
@@ -316,7 +319,7 @@ mod tests {
             .map(state)
             .unwrap();
         assert!(missed.is_far && apart(missed.state, state) < 1e-9);
-        for room in ROOMS {
+        for room in ENLARGING_FACTORS {
             assert_eq!(followed("P1 P2", 1, [alpha, restitution], (false, state), room), Found::Nothing, "{room}");
         }
     }

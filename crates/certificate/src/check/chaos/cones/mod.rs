@@ -16,7 +16,7 @@ use num_traits::ToPrimitive;
 
 use super::Law;
 use super::allowance::{Allowance, End};
-use super::bases::Base;
+use super::bases::HSet;
 use super::guess::Guess;
 use super::span::Span;
 use super::words::Word;
@@ -70,7 +70,7 @@ fn open(what: &str) -> Doubt {
 /// Returns the doubt that is left of what is said of a hyperbolic set of listed words, if any is.
 pub(super) fn doubt(
     law: &Law,
-    (bases, words): (&[Base], &[Word]),
+    (bases, words): (&[HSet], &[Word]),
     set: &HyperbolicDocument,
     work: &Allowance,
 ) -> Result<Option<Doubt>, End> {
@@ -108,7 +108,7 @@ pub(super) fn doubt(
     let guess = Guess::new(law);
     let map = Map { law, guess: &guess, frames: &frames, work };
     let mut doubt = None;
-    for known in KNOWN {
+    for known in EXPANSION_ACCURACIES {
         doubt = proved(&map, &listed, &claimed, known)?;
         if !matches!(doubt, Some(Doubt::Open(_))) {
             break;
@@ -118,7 +118,7 @@ pub(super) fn doubt(
 }
 
 /// Expansions are known up to such a part per impact of the word, or to the next where that is too little.
-const KNOWN: [f64; 2] = [0.03, 0.01];
+const EXPANSION_ACCURACIES: [f64; 2] = [0.03, 0.01];
 
 fn proved(map: &Map<'_>, listed: &[(usize, Word)], claimed: &Claimed, known: f64) -> Result<Option<Doubt>, End> {
     let strips = branches(map.guess, map.frames, listed);

@@ -5,13 +5,13 @@ use std::f64::consts::LN_2;
 use super::super::span::Span;
 
 /// Greater exponents are not looked at.
-pub(super) const MOST: f64 = 60.0;
+pub(super) const MAX_EXPONENT: f64 = 60.0;
 /// Terms of the series.
 const TERMS: i32 = 18;
 
-/// Encloses `e^x`; `None` where `|x| > MOST`.
+/// Encloses `e^x`; `None` where `|x| > MAX_EXPONENT`.
 pub(super) fn exponential(x: f64) -> Option<Span> {
-    let is_small = x.abs() <= MOST;
+    let is_small = x.abs() <= MAX_EXPONENT;
     if !is_small {
         return None; // exact: nothing is confirmed; so it is at NaN
     }

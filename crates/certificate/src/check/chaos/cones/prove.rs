@@ -7,11 +7,11 @@ use super::sides::Sides;
 use super::strip::{Branch, Cell, Frame, Image, Map, Passed, is_beyond, is_tall};
 
 /// Most cells of a strip, and the least width of one.
-const MOST_CELLS: usize = 1 << 19;
-const NARROWEST: f64 = 1.0 / (1 << 20) as f64; // exact: a power of two
+const MAX_CELLS: usize = 1 << 19;
+const MIN_CELL_WIDTH: f64 = 1.0 / (1 << 20) as f64; // exact: a power of two
 
 /// Cells are cut no finer for an expansion that is known better.
-const FINE: f64 = 1.0 / (1 << 10) as f64; // exact: a power of two
+const MIN_REFINED_WIDTH: f64 = 1.0 / (1 << 10) as f64; // exact: a power of two
 
 /// A word with the images of its cells.
 #[derive(Clone, Debug)]
@@ -71,7 +71,7 @@ impl Map<'_> {
             };
             let [breadth, height] = [cell.across, cell.heights].map(|[a, b]| b - a);
             // proposes: when to give up, nothing is confirmed
-            if breadth < NARROWEST || height < NARROWEST || open.len() + done.len() > MOST_CELLS {
+            if breadth < MIN_CELL_WIDTH || height < MIN_CELL_WIDTH || open.len() + done.len() > MAX_CELLS {
                 return Ok(None);
             }
             open.extend(cell.halves(is_tall));
@@ -113,7 +113,9 @@ fn is_known(branch: &Branch, image: &Image, per_impact: f64) -> bool {
     let width = |x: Span| x.hi() - x.lo();
     let part = per_impact * branch.flights.len() as f64; // exact: a length
     let [across, heights] = [image.cell.across, image.cell.heights].map(|[a, b]| b - a);
-    across < FINE || heights < FINE || image.direction(0.0).is_some_and(|[x, _]| width(x) < 2.0 * part * x.mid().abs())
+    across < MIN_REFINED_WIDTH
+        || heights < MIN_REFINED_WIDTH
+        || image.direction(0.0).is_some_and(|[x, _]| width(x) < 2.0 * part * x.mid().abs())
 }
 
 /// Flights and forcing periods of a word before its end, if that end is `other`, a shorter word to the same h-set.

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::super::span::Span;
-use super::powers::{MOST, exponential};
+use super::powers::{MAX_EXPONENT, exponential};
 
 /// A step between nodes: what it weighs, and its length.
 #[derive(Clone, Copy, Debug)]
@@ -23,10 +23,10 @@ pub(super) struct Graph {
 const STEPS: usize = 2000;
 const HALVINGS: u32 = 40;
 /// Potentials that are not found in N rounds are not looked for: ways are as long as strings, not as graphs.
-const ROUNDS: usize = 256;
+const MAX_ROUNDS: usize = 256;
 /// Distance of the first bound beyond an approximate root, and the greatest one of the last bound.
-const NEAR: f64 = 1e-9;
-const FAR: f64 = 1e-2;
+const FIRST_BOUND_DISTANCE: f64 = 1e-9;
+const LAST_BOUND_DISTANCE: f64 = 1e-2;
 
 type Matrix = Vec<(usize, usize, f64)>;
 
@@ -91,15 +91,15 @@ impl Graph {
     pub fn root(&self) -> Option<[f64; 2]> {
         let bound = |is_at_most: bool| {
             let weight = |edge: &Edge| if is_at_most { edge.weight.lo() } else { edge.weight.hi() };
-            let (mut low, mut high) = (0.0, MOST);
+            let (mut low, mut high) = (0.0, MAX_EXPONENT);
             for _ in 0..HALVINGS {
                 let middle = 0.5 * (low + high);
                 let matrix =
                     self.edges.iter().map(|edge| (edge.from, edge.to, (-middle * weight(edge)).exp())).collect();
                 *if self.vector(&matrix).1 > 1.0 { &mut low } else { &mut high } = middle;
             }
-            let mut apart = NEAR;
-            while apart < FAR {
+            let mut apart = FIRST_BOUND_DISTANCE;
+            while apart < LAST_BOUND_DISTANCE {
                 let t = if is_at_most { high + apart } else { (low - apart).max(0.0) }; // proposes: proved here
                 if self.is_root(t, is_at_most) {
                     return Some(t);
@@ -137,19 +137,19 @@ impl Graph {
     }
 
     fn shortest(&self, weights: &[f64], ratio: f64) -> Option<Vec<f64>> {
-        let mut ways = vec![0.0; self.nodes];
+        let mut path_weights = vec![0.0; self.nodes];
         // proposes: how long
-        for _ in 0..=self.nodes.min(ROUNDS) {
+        for _ in 0..=self.nodes.min(MAX_ROUNDS) {
             let mut is_done = true;
             for (edge, weight) in self.edges.iter().zip(weights) {
-                let way = ways[edge.from] + weight - ratio * edge.length;
-                if way < ways[edge.to] - 1e-13 {
-                    ways[edge.to] = way;
+                let path_weight = path_weights[edge.from] + weight - ratio * edge.length;
+                if path_weight < path_weights[edge.to] - 1e-13 {
+                    path_weights[edge.to] = path_weight;
                     is_done = false;
                 }
             }
             if is_done {
-                return Some(ways);
+                return Some(path_weights);
             }
         }
         None

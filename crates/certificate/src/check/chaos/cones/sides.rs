@@ -38,19 +38,19 @@ impl Sides {
         let moved = Self { first, rest, area: cross(first, rest), ..*self };
         let after = centre[1] + moved.spread(1);
         let area = (restitution * restitution * speed).over(after).map(|by| self.area * by);
-        area.map_or(moved, |area| Self { area, ..moved }.parted())
+        area.map_or(moved, |area| Self { area, ..moved }.split_along_first())
     }
 
     /// The same vectors, with what the rest has along the first one counted to its part.
-    fn parted(self) -> Self {
+    fn split_along_first(self) -> Self {
         let [u, w] = self.first.map(Span::mid);
         // V14: any vector
-        let aside = [-w, u].map(Span::point);
-        let along = cross(self.first, aside);
-        let (Some(part), Some(length)) = (cross(self.rest, aside).over(along), self.area.over(along)) else {
+        let normal = [-w, u].map(Span::point);
+        let along = cross(self.first, normal);
+        let (Some(part), Some(length)) = (cross(self.rest, normal).over(along), self.area.over(along)) else {
             return self;
         };
-        Self { part: self.part + part, rest: aside.map(|x| x * length), ..self }
+        Self { part: self.part + part, rest: normal.map(|x| x * length), ..self }
     }
 
     /// The vectors in other coordinates, `None` where these are not known.
@@ -70,7 +70,7 @@ mod tests {
     use impact_pair_model::watch::Unwatched;
 
     use super::super::super::allowance::Allowance;
-    use super::super::super::bases::Base;
+    use super::super::super::bases::HSet;
     use super::super::super::guess::Guess;
     use super::super::super::tests::figure_14;
     use super::super::super::tube::Chord;
@@ -79,11 +79,11 @@ mod tests {
 
     /// Derivatives along orbits in doubles are an independent route: the map's Jacobian by its implicit function.
     #[test]
-    fn they_hold_the_derivatives_at_the_states_of_a_cell() {
+    fn derivatives_of_a_cell_hold_those_at_its_states() {
         let (law, allowance) = (figure_14(), Allowance::new(1 << 40, &Unwatched));
         let guess = Guess::new(&law);
         let at = |u: f64, w: f64| [u, w];
-        let base = Base {
+        let base = HSet {
             left: Chord { bottom: at(0.70, 1.2), top: at(0.70, 1.3) },
             right: Chord { bottom: at(0.74, 1.2), top: at(0.74, 1.3) },
         };

@@ -10,12 +10,12 @@ use super::rates::Edge;
 use super::strip::{Branch, Cell, Image, Map, Strip};
 
 /// Most cuts of a cell, and the ratio of widths below which it is cut again.
-const LOOKS: u32 = 3;
-const NARROWER: f64 = 0.7;
+const MAX_CUTS: u32 = 3;
+const RECUT_RATIO: f64 = 0.7;
 /// More strings, cells of all of them, or longer strings are not looked at.
-const MOST_EDGES: usize = 16_000;
-const MOST_CELLS: usize = 3 << 21;
-const LONGEST: usize = 10;
+const MAX_STRINGS: usize = 16_000;
+const MAX_CELLS: usize = 3 << 21;
+const MAX_LENGTH: usize = 10;
 
 /// A string, which is a word alone, or one with a word before it and some behind it: the cells of this word in which its points are, the
 /// fractions of its strip between which they are, and the heights of their images.
@@ -73,7 +73,7 @@ impl Strings<'_> {
         let alone = self.words.iter().enumerate().map(|(word, proved)| (vec![word], Part::of(inside(proved))));
         let mut level: Level = alone.collect();
         let mut slopes = vec![[-self.kappa, self.kappa]; self.words.len()];
-        for letters in 1..=LONGEST {
+        for letters in 1..=MAX_LENGTH {
             let Some(narrower) = self.slopes(&level, &slopes) else { return Ok(()) };
             slopes = narrower;
             let Some(graph) = self.graph(&level, &slopes) else { return Ok(()) };
@@ -93,7 +93,7 @@ impl Strings<'_> {
             strings += more;
             cells += more * part.images.len();
         }
-        strings <= MOST_EDGES && cells <= MOST_CELLS
+        strings <= MAX_STRINGS && cells <= MAX_CELLS
     }
 
     /// The word of a string that its cells are of.
@@ -151,7 +151,7 @@ impl Strings<'_> {
         let mut kept = Vec::new();
         'images: for image in &part.images {
             let mut image = *image;
-            for _ in 0..LOOKS {
+            for _ in 0..MAX_CUTS {
                 let Some(cell) = narrowed(&image) else { continue 'images };
                 if !cell.is_narrower(&image.cell) {
                     break;
@@ -169,7 +169,7 @@ impl Strings<'_> {
     /// The slopes of the expanding directions that each word leads to.
     fn slopes(&self, level: &Level, known: &[[f64; 2]]) -> Option<Vec<[f64; 2]>> {
         let mut slopes = known.to_vec();
-        for _ in 0..LOOKS {
+        for _ in 0..MAX_CUTS {
             let mut all: Vec<Option<Span>> = vec![None; self.words.len()];
             for (string, part) in level {
                 let (word, given) = (Self::word(string), self.arriving(string, &slopes)?);
@@ -230,7 +230,7 @@ impl Cell {
 
     /// Returns whether it is enough narrower than `before` to be followed again; any answer will do.
     fn is_narrower(&self, before: &Self) -> bool {
-        let is_less = |[a, b]: [f64; 2], [c, d]: [f64; 2]| b - a < NARROWER * (d - c);
+        let is_less = |[a, b]: [f64; 2], [c, d]: [f64; 2]| b - a < RECUT_RATIO * (d - c);
         is_less(self.across, before.across) || is_less(self.heights, before.heights)
     }
 }
@@ -241,9 +241,9 @@ fn narrowed(image: &Image, strip: &Strip, [low, high]: [f64; 2]) -> Option<Cell>
     let [place, lean] = strip.line(Span::point(line));
     let reach = (Span::point(high) - Span::point(line)).hull(Span::point(line) - Span::point(low)).around();
     let beside = |[xi, eta]: [Span; 2]| xi - lean * eta;
-    let wanted =
+    let numerator =
         place + reach * strip.half(image.all(1)) - beside(image.middle) - beside(image.sides.second()).around();
-    let Some(within) = wanted.over(beside(image.sides.first)) else { return Some(image.cell) };
+    let Some(within) = numerator.over(beside(image.sides.first)) else { return Some(image.cell) };
     let within = within.common(Span::new(-1.0, 1.0))?;
     let [from, to] = image.cell.across;
     let ([middle, half], part) = (Cell::centred([from, to]), within);

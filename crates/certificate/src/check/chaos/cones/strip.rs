@@ -2,8 +2,8 @@
 
 use super::super::Law;
 use super::super::allowance::{Allowance, End};
-use super::super::bases::Base;
-use super::super::beam::{Beam, Spot, State};
+use super::super::bases::HSet;
+use super::super::beam::{FlightBundle, Spot, State};
 use super::super::guess::Guess;
 use super::super::span::Span;
 use super::sides::{Sides, cross};
@@ -63,7 +63,7 @@ pub(super) fn is_beyond(x: Span, most: Span) -> bool {
 }
 
 impl Frame {
-    pub fn of(Base { left, right }: &Base) -> Self {
+    pub fn of(HSet { left, right }: &HSet) -> Self {
         let quarter = |f: &dyn Fn(usize) -> f64| [0, 1].map(|i| 0.25 * f(i));
         let (p, q, r, s) = (left.bottom, left.top, right.bottom, right.top);
         Self {
@@ -215,7 +215,7 @@ impl Map<'_> {
             let [phase, speed] = [0, 1].map(|i| Span::point(middle[i]) + around[i] + sides.spread(i));
             // V14: they have landed, so no speed is negative
             let speed = if speed.lo() < 0.0 { Span::new(0.0, speed.hi()) } else { speed };
-            let beam = Beam::of(self.law, [phase, speed], spot(middle), [sides.first, sides.second(), around]);
+            let beam = FlightBundle::of(self.law, [phase, speed], spot(middle), [sides.first, sides.second(), around]);
             let Some(landing) = beam.land(is_far, image.time) else { return Ok(Err(sides)) };
             let (moved, by) = (landing.image(), landing.derivative(around));
             centre = [0, 1].map(|i| moved[i] + by[i]);
@@ -261,7 +261,7 @@ mod tests {
     /// Speeds from 0.01 on, but the parallelogram has a corner at -0.09.
     #[test]
     fn r39_a_parallelogram_has_positive_speeds_only() {
-        let base = |top: f64| Base {
+        let base = |top: f64| HSet {
             left: Chord { bottom: [0.0, 0.01], top: [0.0, top] },
             right: Chord { bottom: [0.1, 0.01], top: [0.1, 0.1] },
         };

@@ -7,7 +7,7 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use super::super::span::Span;
 use super::parts::{is_acyclic_but_for, parts};
 use super::space::{Grid, Next, Space};
-use crate::check::blocks::{BLOCK, in_blocks};
+use crate::check::blocks::{BLOCK_SIZE, in_blocks};
 use crate::check::contact::Doubt;
 use impact_pair_model::watch::{Stage, Watch};
 
@@ -153,7 +153,7 @@ impl Set {
             block.map(image).collect()
         };
         let progress = |known: usize| watch.note(Stage::Region(known));
-        let images = in_blocks(0..self.cells.len(), BLOCK, images, progress)?;
+        let images = in_blocks(0..self.cells.len(), BLOCK_SIZE, images, progress)?;
         *work -= spent.into_inner();
         Ok(images)
     }

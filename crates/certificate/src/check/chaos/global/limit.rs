@@ -1,6 +1,6 @@
 //! Proofs that all motions that stay in a set of boxes tend to a claimed cycle, or graze for ever (Lemma V20, limits).
 
-use super::super::beam::{Beam, Quad, State};
+use super::super::beam::{FlightBundle, Quad, State};
 use super::super::guess::{Image, Matrix as Doubles};
 use super::super::span::Span;
 use super::graph::Set;
@@ -14,15 +14,15 @@ pub(super) struct Cycle {
 }
 
 /// The image of a hull, no wider than a quarter of a forcing period, may be no wider than this. Lemma A8
-const WIDEST: f64 = 0.749;
+const MAX_IMAGE_WIDTH: f64 = 0.749;
 
 /// A matrix that holds derivatives.
 pub(super) type Matrix = [[Span; 2]; 2];
 
 /// Periods that norms and directions are made from.
-const ROUNDS: usize = 200;
+const ITERATED_PERIODS: usize = 200;
 /// Greatest distance from the state that grazes for ever, in phase \[rad\] and in speed.
-const GRAZING: f64 = 0.25;
+const MAX_GRAZING_DISTANCE: f64 = 0.25;
 
 impl Cycle {
     /// Returns whether all motions that stay in a set tend to it, and whether it attracts.
@@ -94,12 +94,12 @@ fn hull(set: &Set, classes: &[usize], (class, state): (usize, State)) -> Option<
 /// Holds the derivatives of the map in a quadrilateral whose flights all land on one wall, after about the time of a state's, if one is given, or
 /// that of its middle.
 pub(super) fn derivative(space: &Space<'_>, quad: &Quad, image: &Image, state: Option<State>) -> Option<Matrix> {
-    let beam = Beam::new(space.law, quad);
+    let beam = FlightBundle::new(space.law, quad);
     let guess = image.time + state.map_or(0.0, |state| state[0] - quad.middle()[0]);
     let landing = beam.land(image.is_far, image.time).or_else(|| beam.land(image.is_far, guess))?;
     let [zero, one] = [0.0, 1.0].map(Span::point);
     let image = landing.along([one, zero], [zero, zero]);
-    if image.hi() - image.lo() > WIDEST {
+    if image.hi() - image.lo() > MAX_IMAGE_WIDTH {
         return None; // V20: not proved
     }
     let [[a, c], [b, d]] = [landing.derivative([one, zero]), landing.derivative([zero, one])];
@@ -128,11 +128,11 @@ fn radius(images: &[Image]) -> f64 {
 fn norms(images: &[Image]) -> Vec<Doubles> {
     let weight = (0.5 * (1.0 + radius(images).min(1.0))).powf(-2.0 / images.len() as f64); // proposes
     let (mut square, mut frames) = ([[1.0, 0.0], [0.0, 1.0]], Vec::new());
-    for round in 0..ROUNDS {
+    for round in 0..ITERATED_PERIODS {
         for image in images.iter().rev() {
             let inner = times(transposed(image.jacobian), times(square, image.jacobian));
             square = [0, 1].map(|i| [0, 1].map(|j| if i == j { 1.0 } else { 0.0 } + weight * inner[i][j]));
-            if round + 1 == ROUNDS {
+            if round + 1 == ITERATED_PERIODS {
                 // Cholesky's root, upper triangular.
                 let a = square[0][0].sqrt();
                 let b = square[0][1] / a;
@@ -149,7 +149,7 @@ fn directions(images: &[Image]) -> Vec<Doubles> {
     let apply = |m: &Doubles, [u, w]: State| [m[0][0] * u + m[0][1] * w, m[1][0] * u + m[1][1] * w];
     let unit = |[u, w]: State| [u / u.hypot(w), w / u.hypot(w)];
     let (mut forth, mut back) = ([0.3, 1.0], [1.0, 0.2]);
-    for _ in 0..ROUNDS {
+    for _ in 0..ITERATED_PERIODS {
         forth = images.iter().fold(forth, |vector, image| unit(apply(&image.jacobian, vector)));
         back = images.iter().rev().fold(back, |vector, image| {
             let [[a, b], [c, d]] = image.jacobian;
@@ -229,7 +229,7 @@ pub(super) fn grazes(set: &Set, space: &Space<'_>) -> bool {
     let is_near = |&cell: &[i64; 2]| {
         let [low, high] = Space::corners(set.grid, cell);
         let away = (Span::new(low[0], high[0]) - Span::point(0.25)).turned().most();
-        away <= GRAZING && high[1] <= GRAZING
+        away <= MAX_GRAZING_DISTANCE && high[1] <= MAX_GRAZING_DISTANCE
     };
     let crosses = |&cell: &[i64; 2]| {
         let mut crosses = false;

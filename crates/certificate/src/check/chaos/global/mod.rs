@@ -12,10 +12,10 @@ use impact_pair_model::Error;
 use impact_pair_model::watch::{Latched, Silent, Watch};
 
 use super::allowance::Allowance;
-use super::beam::{Beam, Quad};
+use super::beam::{FlightBundle, Quad};
 use super::horseshoe::{are_apart, is_proved};
 use super::span::Span;
-use super::{BITS, LOOKS, Law};
+use super::{BITS, Law, STEPS_PER_PLACE};
 use crate::check::contact::Doubt;
 use crate::check::units::greatest_speed;
 use crate::check::{Effort, Finding, Verdict};
@@ -27,14 +27,14 @@ use limit::Cycle;
 use space::{Grid, Space};
 
 /// Most columns and rows of the first partition, fewer where a document had fewer, and most halvings of components.
-const COLUMNS: f64 = 128.0;
-const ROWS: f64 = 64.0;
+const FIRST_COLUMNS: f64 = 128.0;
+const FIRST_ROWS: f64 = 64.0;
 /// The most columns, where basins are judged.
-const MOST_COLUMNS: f64 = 1024.0;
+const MAX_COLUMNS: f64 = 1024.0;
 const HALVINGS: u32 = 20;
 /// Boxes that are mapped at least before a document is left undecided, and the steps that the image of one takes, about.
-const BOXES: u64 = 1 << 15;
-const STEPS: u64 = 64;
+const MIN_BOXES: u64 = 1 << 15;
+const WORK_PER_IMAGE: u64 = 64;
 /// Impacts of the released ball that are followed.
 const IMPACTS: usize = 200;
 
@@ -96,7 +96,7 @@ impl GlobalCertificate {
         let law = Law::of(self.pair())?;
         for (place, claim) in self.claimed().iter().enumerate() {
             let Some(horseshoe) = &claim.horseshoe else { continue };
-            let work = Allowance::new(effort.work.saturating_mul(LOOKS), watch); // proposes: when to give up
+            let work = Allowance::new(effort.work.saturating_mul(STEPS_PER_PLACE), watch); // proposes: when to give up
             if let Err(doubt) = is_proved(horseshoe, &law, &work) {
                 return Ok(Err((place, doubt)));
             }
@@ -133,9 +133,9 @@ impl GlobalCertificate {
             return Ok(if is_open { Err(open()) } else { Ok(()) });
         }
         let cycles = self.cycles()?;
-        let mut work = BOXES.saturating_add(effort.work / 2).saturating_mul(STEPS); // exact: what is allowed
+        let mut work = MIN_BOXES.saturating_add(effort.work / 2).saturating_mul(WORK_PER_IMAGE); // exact: what is allowed
         let has_rests = rests.is_some();
-        let judge = Judge {
+        let judge = ComponentChecker {
             space: &space,
             released: &released,
             cycles: &cycles,
@@ -151,7 +151,7 @@ impl GlobalCertificate {
             return Ok(Err(Doubt::Open(format!("component {place} is not proved to hold any motion"))));
         }
         let Some((boxes, basins)) = self.basins() else { return Ok(Ok(())) };
-        let all = judge.whole([root(boxes).clamp(COLUMNS, MOST_COLUMNS); 2]); // V27: any boxes
+        let all = judge.whole([root(boxes).clamp(FIRST_COLUMNS, MAX_COLUMNS); 2]); // V27: any boxes
         let split = match all.split(&space, &released, &mut work, watch) {
             Ok(split) => split,
             Err(doubt) => return Ok(Err(doubt)),
@@ -186,11 +186,11 @@ fn root(boxes: u32) -> f64 {
 
 /// Boxes of the first partition: no more than the document had, about.
 fn first_boxes(boxes: u32) -> [f64; 2] {
-    [COLUMNS, ROWS].map(|most| most.min(root(boxes))) // V20: any boxes
+    [FIRST_COLUMNS, FIRST_ROWS].map(|most| most.min(root(boxes))) // V20: any boxes
 }
 
 /// The data that the recurrent components of boxes are compared with.
-struct Judge<'j> {
+struct ComponentChecker<'j> {
     space: &'j Space<'j>,
     released: &'j Released,
     cycles: &'j [(usize, Cycle, bool)],
@@ -200,7 +200,7 @@ struct Judge<'j> {
     has_rests: bool,
 }
 
-impl Judge<'_> {
+impl ComponentChecker<'_> {
     /// The set of all states that motions have in the end, in about this number of boxes across and along.
     fn whole(&self, [across, along]: [f64; 2]) -> Set {
         let rows = (along / self.space.fastest).log2().ceil().exp2().max(64.0); // V20: any boxes; the greatest speed is a multiple of a row
@@ -278,10 +278,9 @@ fn from_release(space: &Space<'_>) -> (Option<(u32, bool)>, Released) {
             return (Some((cycles as u32, alternates)), None); // exact: a whole number of 32 bits
         }
         let quad = Quad::rectangle([within.lo(), speed.lo()], [within.hi(), speed.hi()]);
-        let landing = space
-            .guess
-            .map(quad.middle())
-            .and_then(|image| Some((image.is_far, Beam::new(space.law, &quad).land(image.is_far, image.time)?)));
+        let landing = space.guess.map(quad.middle()).and_then(|image| {
+            Some((image.is_far, FlightBundle::new(space.law, &quad).land(image.is_far, image.time)?))
+        });
         let Some((is_far, landing)) = landing else { break };
         crossings += u32::from(is_far);
         let [zero, one] = [0.0, 1.0].map(Span::point);

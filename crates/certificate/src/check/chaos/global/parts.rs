@@ -2,12 +2,12 @@
 
 /// The strongly connected part of each node, numbered from 0 on (Tarjan's algorithm, without recursion).
 pub(super) fn parts(next: &[Vec<usize>]) -> Vec<usize> {
-    const OPEN: usize = usize::MAX;
-    let (mut index, mut low) = (vec![OPEN; next.len()], vec![0; next.len()]);
-    let (mut part, mut count) = (vec![OPEN; next.len()], 0);
+    const UNASSIGNED: usize = usize::MAX;
+    let (mut index, mut low) = (vec![UNASSIGNED; next.len()], vec![0; next.len()]);
+    let (mut part, mut count) = (vec![UNASSIGNED; next.len()], 0);
     let (mut stack, mut seen) = (Vec::new(), 0);
     for root in 0..next.len() {
-        if index[root] != OPEN {
+        if index[root] != UNASSIGNED {
             continue;
         }
         let mut path = vec![(root, 0)];
@@ -19,9 +19,9 @@ pub(super) fn parts(next: &[Vec<usize>]) -> Vec<usize> {
             }
             if let Some(&to) = next[node].get(*tried) {
                 *tried += 1;
-                if index[to] == OPEN {
+                if index[to] == UNASSIGNED {
                     path.push((to, 0));
-                } else if part[to] == OPEN {
+                } else if part[to] == UNASSIGNED {
                     low[node] = low[node].min(index[to]); // exact: numbers of nodes
                 }
                 continue;

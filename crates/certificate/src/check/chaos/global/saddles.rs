@@ -10,13 +10,13 @@ use super::limit::{Matrix, cone, derivative, within};
 use super::space::{Next, Space};
 
 /// Sets of more boxes, and of more passages, are not tried.
-const MOST_BOXES: usize = 1 << 16;
-const MOST_PASSAGES: usize = 1 << 15;
+const MAX_BOXES: usize = 1 << 16;
+const MAX_PASSAGES: usize = 1 << 15;
 /// Rounds of iterations that propose.
 const ROUNDS: usize = 50;
-const POWERS: usize = 500;
+const POWER_ITERATIONS: usize = 500;
 /// Half width of the narrowest cones, and the number of times that they are doubled.
-const NARROWEST: f64 = 0.01;
+const MIN_HALF_WIDTH: f64 = 0.01;
 const DOUBLINGS: i32 = 10;
 
 /// The boxes of a set, in clusters that do not touch, with phases lifted so that those of a cluster are near one another.
@@ -36,7 +36,7 @@ struct Passage {
 
 /// Returns whether the states whose motions stay in a set have no area, and are stretched apart.
 pub(super) fn have_no_area(set: &Set, space: &Space<'_>) -> bool {
-    if set.has_release || set.cells.is_empty() || set.cells.len() > MOST_BOXES {
+    if set.has_release || set.cells.is_empty() || set.cells.len() > MAX_BOXES {
         return false; // V28: not proved
     }
     let Some((clusters, passages)) = Clusters::of(set).and_then(|own| own.passages(space).map(|all| (own, all))) else {
@@ -53,7 +53,7 @@ pub(super) fn have_no_area(set: &Set, space: &Space<'_>) -> bool {
     let heights = heights(clusters.count, &passages, &images, &bases);
     (0..DOUBLINGS).any(|k| {
         let frame = |own: usize| {
-            let height = NARROWEST * 2.0_f64.powi(k) * heights[own];
+            let height = MIN_HALF_WIDTH * 2.0_f64.powi(k) * heights[own];
             inverse(bases[own].map(|[along, across]| [along, across * height]))
         };
         let mut stretched = Vec::new();
@@ -120,7 +120,7 @@ impl<'s> Clusters<'s> {
                     }
                 }
             });
-            if found.len() > MOST_PASSAGES {
+            if found.len() > MAX_PASSAGES {
                 return None; // V28: not proved
             }
         }
@@ -207,7 +207,7 @@ fn heights(count: usize, passages: &[Passage], images: &[Image], bases: &[Double
 /// Returns whether the matrix of the inverses of the passages' stretching factors makes a positive vector smaller.
 fn shrinks(count: usize, stretched: &[([usize; 2], Span)]) -> bool {
     let mut sizes = vec![1.0_f64; count];
-    for _ in 0..POWERS {
+    for _ in 0..POWER_ITERATIONS {
         let mut next = sizes.clone();
         for ([from, to], long) in stretched {
             next[*from] += sizes[*to] / long.mid();

@@ -3,7 +3,7 @@
 use std::cell::Cell;
 
 use super::super::Law;
-use super::super::beam::{Beam, Landing, Quad, State};
+use super::super::beam::{FlightBundle, Landing, Quad, State};
 use super::super::guess::Guess;
 use super::super::span::Span;
 
@@ -42,17 +42,17 @@ pub(super) struct Space<'l> {
 }
 
 /// Sides of parts where the data are narrow; no smaller parts than intervals of `D` and `e` are wide tell more. Cuts of a box.
-const PART: State = [1.0 / 256.0, 0.04];
-const CUTS: u32 = 6;
+const PART_SIZE: State = [1.0 / 256.0, 0.04];
+const MAX_CUTS: u32 = 6;
 /// Flights are followed for N forcing periods; where they may land in several, for fewer.
-const LONGEST: f64 = 64.0;
-const FEW: f64 = 2.0;
+const MAX_FLIGHT: f64 = 64.0;
+const MAX_BRANCHING_FLIGHT: f64 = 2.0;
 /// Times in forcing periods for which balls may be proved not to come back to the wall, the longest first.
-const AWAY: [f64; 9] = [0.5, 0.25, 0.125, 0.0625, 0.03125, 0.015625, 0.0078125, 0.00390625, 0.001953125];
+const DEPARTURE_TIMES: [f64; 9] = [0.5, 0.25, 0.125, 0.0625, 0.03125, 0.015625, 0.0078125, 0.00390625, 0.001953125];
 /// The steepest slope of an image that is used, in speeds over phases.
-const STEEPEST: f64 = 1e6;
+const MAX_SLOPE: f64 = 1e6;
 /// Parts of the time until the release that a chatter may take.
-const PARTS: u32 = 16;
+const CHATTER_WINDOWS: u32 = 16;
 
 impl<'l> Space<'l> {
     /// Up to a greatest speed that is given, or one that is found; `None` where `e` is not proved to be below 1, or the speed given is
@@ -66,7 +66,7 @@ impl<'l> Space<'l> {
         let is_greater = fastest > limit.hi() && (fastest * 64.0).fract() == 0.0; // V20: a multiple of a row
         let width = |x: Span| x.hi() - x.lo();
         let wide = (width(law.gap) / law.gap.mid()).max(width(law.restitution)).min(1.0); // V20: any parts
-        let part = [PART[0].max(0.25 * wide), PART[1].max(wide)]; // V20: any parts
+        let part = [PART_SIZE[0].max(0.25 * wide), PART_SIZE[1].max(wide)]; // V20: any parts
         (is_greater && fastest < 1e3).then(|| Self { law, guess: Guess::new(law), fastest, part })
     }
 
@@ -96,7 +96,7 @@ impl<'l> Space<'l> {
         while let Some(([low, high], cuts)) = open.pop() {
             let too_large = [0, 1].map(|i| (high[i] - low[i]) / self.part[i]);
             let widest = usize::from(too_large[1] > too_large[0]);
-            if cuts >= CUTS || too_large[widest] <= 1.0 {
+            if cuts >= MAX_CUTS || too_large[widest] <= 1.0 {
                 self.piece(grid, [low, high], (cell[0], &step), note);
                 continue;
             }
@@ -111,7 +111,7 @@ impl<'l> Space<'l> {
     fn piece(&self, grid: Grid, [low, high]: [State; 2], (home, step_made): (i64, &dyn Fn()), note: Note<'_>) {
         step_made();
         let quad = Quad::rectangle(low, high);
-        let beam = Beam::new(self.law, &quad);
+        let beam = FlightBundle::new(self.law, &quad);
         let image = self.guess.map(quad.middle());
         if let Some((is_far, landing)) =
             image.and_then(|image| Some((image.is_far, beam.land(image.is_far, image.time)?)))
@@ -120,7 +120,7 @@ impl<'l> Space<'l> {
             return;
         }
         let mut land = |is_far: bool, phase: Span, speed: Span| self.land(grid, home, (is_far, [phase, speed]), note);
-        let away = AWAY.into_iter().find(|&time| high[0] + time <= 0.5 || beam.leaves(time)).unwrap_or(0.0); // V20: no such time
+        let away = DEPARTURE_TIMES.into_iter().find(|&time| high[0] + time <= 0.5 || beam.leaves(time)).unwrap_or(0.0); // V20: no such time
         let [least, longest] = [high[0] - low[0], self.longest_flight(&beam)];
         let (mut from, mut step) = (0.0, least);
         while from < longest {
@@ -164,7 +164,7 @@ impl<'l> Space<'l> {
         let images =
             [[sides[0], 0.0], [0.0, sides[1]]].map(|side| landing.derivative(side.map(Span::point)).map(Span::mid));
         let long = if images[0][0].abs() > images[1][0].abs() { images[0] } else { images[1] };
-        let slope = if long[0] == 0.0 { 0.0 } else { (long[1] / long[0]).clamp(-STEEPEST, STEEPEST) }; // V20: any slope
+        let slope = if long[0] == 0.0 { 0.0 } else { (long[1] / long[0]).clamp(-MAX_SLOPE, MAX_SLOPE) }; // V20: any slope
         let beside = along([Span::point(-slope), one]);
         let places = [phase.lo(), phase.hi()].map(|x| (x * grid.columns).floor() as i64); // V11: the columns of both ends
         for column in places[0]..=places[1] {
@@ -178,21 +178,21 @@ impl<'l> Space<'l> {
     }
 
     /// The speeds of contacts with the same wall up to a time: within `x^2/6` of `e w`. Lemma V20
-    fn bounced(&self, beam: &Beam, time: f64) -> Span {
+    fn bounced(&self, beam: &FlightBundle, time: f64) -> Span {
         let angle = Span::point(time).turned();
         let by = (angle * angle).scaled(0.17).around();
         (beam.after() + by).common(Span::new(0.0, f64::MAX)).unwrap_or(Span::new(0.0, f64::MAX)) // V11: who comes from inside
     }
 
     /// Number of forcing periods for which flights are followed.
-    fn longest_flight(&self, beam: &Beam) -> f64 {
+    fn longest_flight(&self, beam: &FlightBundle) -> f64 {
         let drifts = beam.drifts();
         let times = self.law.gap.over(drifts);
-        if times.is_none_or(|times| times.hi() - times.lo() > 6.0) { FEW } else { LONGEST }
+        if times.is_none_or(|times| times.hi() - times.lo() > 6.0) { MAX_BRANCHING_FLIGHT } else { MAX_FLIGHT }
     }
 
     /// The drifts of flights that have touched no wall for N forcing periods. Lemma V20
-    fn drifts(&self, beam: &Beam, periods: f64) -> Span {
+    fn drifts(&self, beam: &FlightBundle, periods: f64) -> Span {
         let angle = Span::point(periods).turned();
         let bounds = Span::new(-2.0, (self.law.gap + Span::point(2.0)).hi()).over(angle);
         bounds.and_then(|bounds| beam.drifts().common(bounds)).unwrap_or(Span::point(0.0)) // V20: none has another one
@@ -255,8 +255,8 @@ impl<'l> Space<'l> {
         }
         let fast = self.law.restitution * Span::point(high[1]);
         let force = |phase: f64| -Span::point(phase).sin_cos().0;
-        (1..PARTS).any(|k| {
-            let end = high[0] + (1.0 - high[0]) * f64::from(k) / f64::from(PARTS);
+        (1..CHATTER_WINDOWS).any(|k| {
+            let end = high[0] + (1.0 - high[0]) * f64::from(k) / f64::from(CHATTER_WINDOWS);
             let (first, last) = (force(low[0]), force(end));
             let least = first.lo().min(last.lo()); // V20: the force has one maximum there
             let most = if low[0] <= 0.75 && end >= 0.75 { 1.0 } else { first.hi().max(last.hi()) }; // V20: it is monotone else

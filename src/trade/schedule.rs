@@ -6,12 +6,12 @@ use crate::orbit::{Arithmetic, BITS, MULTIPRECISION, Settings};
 
 /// Digits that `auto` is requested.
 const DIGITS: [u32; 5] = [3, 9, 15, 30, 100];
-/// Rungs of fixed bits that bring no further impact before the ladder gives up: the first may just miss one.
-const PATIENCE: u32 = 2;
+/// Numbers of fixed bits without a further impact after which no more bits are measured: the first may just miss one.
+const MAX_FRUITLESS_ROWS: u32 = 2;
 
 /// An arithmetic with its precision.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Rung {
+pub enum TradeArithmetic {
     /// Plain doubles.
     Float,
     /// Certified in doubles.
@@ -26,10 +26,10 @@ pub enum Rung {
     Auto(u32),
 }
 
-impl Rung {
-    /// Returns the settings of an orbit in this arithmetic, as long as `asked` says.
-    pub(super) fn settings(self, asked: &Settings) -> Settings {
-        let settings = |arithmetic| Settings { arithmetic, ..asked.clone() };
+impl TradeArithmetic {
+    /// Returns the settings of an orbit in this arithmetic, as long as `requested` says.
+    pub(super) fn settings(self, requested: &Settings) -> Settings {
+        let settings = |arithmetic| Settings { arithmetic, ..requested.clone() };
         match self {
             Self::Float => settings(Arithmetic::Float),
             Self::Interval => settings(Arithmetic::Interval),
@@ -41,7 +41,7 @@ impl Rung {
     }
 }
 
-impl fmt::Display for Rung {
+impl fmt::Display for TradeArithmetic {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.pad(&match self {
             Self::Float => "float".to_owned(),
@@ -56,8 +56,8 @@ impl fmt::Display for Rung {
 
 /// The arithmetics to measure, one after another; the number of those of fixed bits depends on the results.
 #[derive(Clone, Debug)]
-pub(super) struct Ladder {
-    next: Option<Rung>,
+pub(super) struct TradeSchedule {
+    next: Option<TradeArithmetic>,
     max_bits: u32,
     /// True if the textbook method is measured: it is known for one harmonic only, and in a build with the feature `inari`.
     textbook: bool,
@@ -66,32 +66,34 @@ pub(super) struct Ladder {
     idle: u32,
 }
 
-impl Ladder {
+impl TradeSchedule {
     pub fn new(max_bits: u32, textbook: bool) -> Self {
-        Self { next: Some(Rung::Float), max_bits, textbook, reached: 0, idle: 0 }
+        Self { next: Some(TradeArithmetic::Float), max_bits, textbook, reached: 0, idle: 0 }
     }
 
     /// Returns the arithmetic to measure.
-    pub fn rung(&self) -> Option<Rung> {
+    pub fn arithmetic(&self) -> Option<TradeArithmetic> {
         self.next
     }
 
     /// Advances after an arithmetic has reached this number of impacts, or all of them.
-    pub fn climb(&mut self, impacts: u64, all: bool) {
-        let auto = Some(Rung::Auto(DIGITS[0]));
+    pub fn advance(&mut self, impacts: u64, all: bool) {
+        let auto = Some(TradeArithmetic::Auto(DIGITS[0]));
         self.next = match self.next {
-            Some(Rung::Float) => Some(Rung::Interval),
-            Some(Rung::Interval) if self.textbook => Some(Rung::Inari),
-            Some(Rung::Interval | Rung::Inari) => Some(Rung::Shadow),
-            Some(Rung::Shadow) if MULTIPRECISION => Some(Rung::Bits(*BITS.start())),
-            Some(Rung::Bits(bits)) => {
+            Some(TradeArithmetic::Float) => Some(TradeArithmetic::Interval),
+            Some(TradeArithmetic::Interval) if self.textbook => Some(TradeArithmetic::Inari),
+            Some(TradeArithmetic::Interval | TradeArithmetic::Inari) => Some(TradeArithmetic::Shadow),
+            Some(TradeArithmetic::Shadow) if MULTIPRECISION => Some(TradeArithmetic::Bits(*BITS.start())),
+            Some(TradeArithmetic::Bits(bits)) => {
                 self.idle = if impacts > self.reached { 0 } else { self.idle + 1 };
                 self.reached = self.reached.max(impacts);
                 let double = bits.checked_mul(2).filter(|&double| double <= self.max_bits && !all);
-                double.filter(|_| self.idle < PATIENCE).map(Rung::Bits).or(auto)
+                double.filter(|_| self.idle < MAX_FRUITLESS_ROWS).map(TradeArithmetic::Bits).or(auto)
             }
-            Some(Rung::Shadow) => auto,
-            Some(Rung::Auto(digits)) => DIGITS.into_iter().find(|&more| more > digits).map(Rung::Auto),
+            Some(TradeArithmetic::Shadow) => auto,
+            Some(TradeArithmetic::Auto(digits)) => {
+                DIGITS.into_iter().find(|&more| more > digits).map(TradeArithmetic::Auto)
+            }
             None => None,
         };
     }
@@ -102,13 +104,13 @@ mod tests {
     use super::*;
 
     /// Returns the names of the arithmetics measured if `bits` bits reach `reach(bits)` of 100 impacts.
-    fn rungs(max_bits: u32, reach: impl Fn(u32) -> u64) -> Vec<String> {
-        let mut ladder = Ladder::new(max_bits, true);
+    fn measured_names(max_bits: u32, reach: impl Fn(u32) -> u64) -> Vec<String> {
+        let mut schedule = TradeSchedule::new(max_bits, true);
         let mut names = Vec::new();
-        while let Some(rung) = ladder.rung() {
-            names.push(rung.to_string());
-            let impacts = if let Rung::Bits(bits) = rung { reach(bits) } else { 100 };
-            ladder.climb(impacts, impacts == 100);
+        while let Some(arithmetic) = schedule.arithmetic() {
+            names.push(arithmetic.to_string());
+            let impacts = if let TradeArithmetic::Bits(bits) = arithmetic { reach(bits) } else { 100 };
+            schedule.advance(impacts, impacts == 100);
         }
         names
     }
@@ -116,7 +118,7 @@ mod tests {
     #[cfg(feature = "multiprecision")]
     #[test]
     fn bits_double_until_all_impacts_are_reached() {
-        let names = rungs(1_000_000, |bits| u64::from(bits / 4).min(100));
+        let names = measured_names(1_000_000, |bits| u64::from(bits / 4).min(100));
         assert_eq!(names[..4], ["float", "interval", "inari", "shadow"]);
         assert_eq!(names[4..8], ["64 bits", "128 bits", "256 bits", "512 bits"]);
         assert_eq!(names[8..11], ["auto, 3 digits", "auto, 9 digits", "auto, 15 digits"]);
@@ -126,15 +128,15 @@ mod tests {
     #[cfg(feature = "multiprecision")]
     #[test]
     fn bits_that_bring_nothing_twice_are_the_last() {
-        assert_eq!(rungs(1_000_000, |_| 20)[4..8], ["64 bits", "128 bits", "256 bits", "auto, 3 digits"]);
-        assert_eq!(rungs(1_000_000, |_| 0)[4..7], ["64 bits", "128 bits", "auto, 3 digits"]);
-        assert_eq!(rungs(200, |_| 20)[4..7], ["64 bits", "128 bits", "auto, 3 digits"]);
+        assert_eq!(measured_names(1_000_000, |_| 20)[4..8], ["64 bits", "128 bits", "256 bits", "auto, 3 digits"]);
+        assert_eq!(measured_names(1_000_000, |_| 0)[4..7], ["64 bits", "128 bits", "auto, 3 digits"]);
+        assert_eq!(measured_names(200, |_| 20)[4..7], ["64 bits", "128 bits", "auto, 3 digits"]);
     }
 
     #[cfg(not(feature = "multiprecision"))]
     #[test]
-    fn doubles_have_no_rungs_of_bits() {
+    fn a_build_of_doubles_measures_no_bits() {
         let names = ["float", "interval", "inari", "shadow", "auto, 3 digits"];
-        assert_eq!(rungs(1_000_000, |_| 0)[..5], names);
+        assert_eq!(measured_names(1_000_000, |_| 0)[..5], names);
     }
 }
