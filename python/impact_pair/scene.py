@@ -7,13 +7,13 @@ import json
 import os
 import re
 from collections.abc import Mapping, Sequence
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from . import _core, answers
 from ._exact import IMPACTS, Value, arithmetic_of, doubles_of, optional, optional_whole, single, string, text, texts, whole
+from ._file import read
 from ._grid import spaced
 from ._progress import Progress, reporting
 from .atlas import AtlasResult, atlas
@@ -111,7 +111,7 @@ class Scene:
     @classmethod
     def from_file(cls, path: str | os.PathLike[str]) -> Scene:
         """Read a scene file (TOML)."""
-        scene = cls.from_text(Path(path).read_text(encoding="utf-8"))
+        scene = cls.from_text(read(path, SceneError))
         scene._path = os.fspath(path)
         return scene
 
@@ -689,6 +689,8 @@ def grid(over: Mapping[str, Any], example: str) -> tuple[str, tuple[str, str, in
 
 def toml(tables: Mapping[str, Any]) -> str:
     """Return tables as a scene file, all numbers as exact texts."""
+    if not isinstance(tables, Mapping):
+        raise SceneError(f"the tables are {tables!r}, but must be a dict with {', '.join(TABLES)}", "tables", repr(tables))
     lines = []
     title = tables.get("title")
     if title is not None:
