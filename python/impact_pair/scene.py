@@ -593,6 +593,8 @@ class Scene:
         ``events`` is the path of a list (CSV, other text, JSON), arrays by name (``time``, ``wall``, ``velocity``) or a DataFrame
         with such columns; doubles are compared with their exact values. ``columns`` names time, wall and velocity, or numbers them from 1.
         """
+        if not isinstance(columns, (tuple, list)) or len(columns) != 3:
+            raise RangeError(f"columns is {columns!r}, but must be three: of time, wall and velocity", "columns", repr(columns))
         time, wall, velocity = (None if column is None else str(column) for column in columns)
         listed = (answers.listing(events), (time, wall, velocity, velocities))
         asked = (text("tolerance", tolerance), optional("until", until))
@@ -712,5 +714,6 @@ def toml(tables: Mapping[str, Any]) -> str:
                 is_word = f"{name}.{key}" in WORDS
                 is_number = is_word and not isinstance(value, str)
                 value = whole(f"{name}.{key}", value, IMPACTS) if is_number else value
-                lines.append(f"{key} = {json.dumps(value if is_word else texts(f'{name}.{key}', value))}")
+                named = key if re.fullmatch(r"[\w-]+", str(key), re.ASCII) else json.dumps(str(key))
+                lines.append(f"{named} = {json.dumps(value if is_word else texts(f'{name}.{key}', value))}")
     return "\n".join(lines) + "\n"

@@ -290,6 +290,23 @@ def test_i58_a_list_of_impacts_that_is_none_is_refused(events):
         Scene.named("figure-12").audit(events)
 
 
+@pytest.mark.parametrize("columns", [None, (1, 2), "twv"])
+def test_i58_columns_of_a_list_are_three(columns):
+    with pytest.raises(impact_pair.RangeError, match=r"columns is .*, but must be three"):
+        Scene.named("figure-12").audit({"time": [0.5], "wall": ["right"]}, columns=columns)
+
+
+@pytest.mark.parametrize("key", ["a b", "amplitude = 1\nphase", "é", ""])
+def test_i58_a_key_of_any_text_is_unknown(key):
+    tables = {
+        "excitation": {key: 0, "frequency": 1},
+        "pair": {"gap": 2, "restitution": 0.5},
+        "start": {"time": 0, "wall": "left", "velocity": -1},
+    }
+    with pytest.raises(impact_pair.SceneError, match=r"is not a key of \[excitation\]"):
+        Scene.from_dict(tables)
+
+
 def test_i58_files_that_are_no_text_raise_the_errors_of_the_package(tmp_path):
     path = tmp_path / "binary"
     path.write_bytes(b"title = \xff")
