@@ -168,3 +168,13 @@ fn r35_a_missing_table_names_its_line() {
         "{said}"
     );
 }
+
+/// The message of a long value, or of one of several lines, is one line with its beginning.
+#[test]
+fn i58_messages_show_the_beginning_of_a_value() {
+    let long = changed("long-value.toml", ["amplitude = 8", "amplitude = \"1e400\""]);
+    let message = said(&["run", &long]);
+    assert!(message.lines().next().unwrap().len() < 300, "{message}");
+    let lines = changed("value-of-lines.toml", ["gap = 9.42497", "gap = \"\"\"\n1\n- 2\"\"\""]);
+    assert!(said(&["run", &lines]).contains("pair.gap is 1 - 2, but must be greater than 0\n"));
+}
