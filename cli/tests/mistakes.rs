@@ -178,3 +178,14 @@ fn i58_messages_show_the_beginning_of_a_value() {
     let lines = changed("value-of-lines.toml", ["gap = 9.42497", "gap = \"\"\"\n1\n- 2\"\"\""]);
     assert!(said(&["run", &lines]).contains("pair.gap is 1 - 2, but must be greater than 0\n"));
 }
+
+/// A time to stop at that the command line gives is not looked for in the scene.
+#[test]
+fn i58_a_time_to_stop_at_is_that_of_until() {
+    let plot = ["plot", SCENE, "--panel", "a", "--output", "never.svg", "--until", "-1"];
+    for arguments in [&["run", SCENE, "--until", "-1"][..], &plot] {
+        assert!(said(arguments).starts_with("error: --until -1: run.until is -1, but must be at least start.time, 0"));
+    }
+    let own = changed("own-until.toml", ["impacts = 200", "until = -1"]);
+    assert!(said(&["run", &own]).starts_with(&format!("error: {own}: line ")));
+}
