@@ -135,19 +135,19 @@ fn r35_negative_numbers_are_values_of_their_options() {
         ("run", "--impacts", "accepted are whole numbers from 0 on"),
         ("run", "--digits", "accepted are whole numbers from 1 to 400"),
         ("run", "--splice", "accepted are whole numbers from 0 on"),
-        ("run", "--max-bits", "is not in 64..="),
+        ("run", "--max-bits", "accepted are whole numbers from 64 to 1000000000"),
         ("describe", "--impacts", "accepted are whole numbers from 1 to 100000000"),
-        ("describe", "--depth", "is not in 1..="),
-        ("periodic", "--cycles", "is not in 1..="),
-        ("bifurcations", "--doublings", "is not in 0..=8"),
-        ("trap", "--finer", "is not in 0..=6"),
-        ("chaos", "--depth", "is not in 1..="),
-        ("chaos", "--halvings", "is not in "),
+        ("describe", "--depth", "accepted are whole numbers from 1 to 64"),
+        ("periodic", "--cycles", "accepted are whole numbers from 1 to 1000000"),
+        ("bifurcations", "--doublings", "accepted are whole numbers from 0 to 8"),
+        ("trap", "--finer", "accepted are whole numbers from 0 to 6"),
+        ("chaos", "--depth", "accepted are whole numbers from 1 to 64"),
+        ("chaos", "--halvings", "accepted are whole numbers from 0 to 24"),
         ("cycles", "--impacts", "accepted is an integer from 1 to 64"),
         ("sweep", "--transient", "accepted are whole numbers from 0 to "),
         ("trade", "--impacts", "accepted are whole numbers from 1 on"),
         ("two-impact", "--cycles", "accepted is an integer from 1 to "),
-        ("plot", "--cycles", "is not in 1..=10000"),
+        ("plot", "--cycles", "accepted are whole numbers from 1 to 10000"),
         ("check", "--effort", "accepted are whole numbers from 1 on"),
         ("prove", "--impacts", "accepted are whole numbers from 1 on"),
         ("audit", "--tolerance", "-5"),
@@ -167,6 +167,31 @@ fn r35_a_missing_table_names_its_line() {
         said.contains(&format!(": line {last}: pair is missing, but must be a table with gap, restitution")),
         "{said}"
     );
+}
+
+/// Every number says what is accepted, whatever stands in its place.
+#[test]
+fn i58_numbers_say_what_is_accepted() {
+    for (verb, option, accepted) in [
+        ("run", "--max-bits", "from 64 to 1000000000"),
+        ("periodic", "--cycles", "from 1 to 1000000"),
+        ("bifurcations", "--doublings", "from 0 to 8"),
+        ("plot", "--orbit-cycles", "from 1 to 10000"),
+        ("trap", "--words", "from 1 to 1000"),
+        ("chaos", "--halvings", "from 0 to 24"),
+        ("global", "--boxes", "from 8 to 20"),
+        ("atlas", "--halvings", "from 0 to 40"),
+        ("sweep", "--threads", "from 1 to 4096"),
+    ] {
+        for value in ["", "x", "1.5", "99999999999999999999999"] {
+            let said = said(&[verb, SCENE, option, value]);
+            let asked = format!("invalid value '{value}' for '{option}");
+            let is_missing = value.is_empty() && said.contains(&format!("a value is required for '{option}"));
+            assert!(said.contains(&asked) || is_missing, "{said}");
+            assert!(is_missing || said.contains(&format!("accepted are whole numbers {accepted}")), "{said}");
+        }
+    }
+    assert!(said(&["run", SCENE, "--max-bits", "1e5"]).contains("did you mean 100000?"));
 }
 
 /// The message of a long value, or of one of several lines, is one line with its beginning.
