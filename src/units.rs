@@ -14,7 +14,7 @@ use crate::Error;
 use crate::exact::{Enclosure, Exact, ExactError};
 
 /// The quotient that errors name.
-const RATIO: &str = "pair.gap / excitation.amplitude";
+pub(crate) const RATIO: &str = "pair.gap / excitation.amplitude";
 const FREQUENCY: &str = "excitation.frequency";
 
 /// The units of lengths \[length\] and of velocities \[length/time\] that dimensionless ones are multiplied by.

@@ -19,7 +19,7 @@ use crate::heading::heading;
 use crate::periodic::{PeriodicFormat, physical, symmetric};
 use crate::progress::Progress;
 use crate::scene;
-use crate::values::PrecisionArguments;
+use crate::values::{PrecisionArguments, whole};
 
 pub const HELP: &str = "\
 Examples:
@@ -48,13 +48,13 @@ pub struct BifurcationArguments {
     #[arg(long, value_name = "WORD")]
     pub word: Word,
     /// The number of forcing periods 2 pi/W that the orbit takes
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=i64::from(MOST_CYCLES)))]
+    #[arg(long, value_name = "N", value_parser = whole(1..=MOST_CYCLES))]
     pub cycles: u32,
     /// The parameter and its range: amplitude (with several terms amplitude.K), gap, restitution or frequency
     #[arg(long, value_name = "KEY=LO..HI", value_parser = over, allow_hyphen_values = true)]
     over: Range,
     /// Number of period doublings after which new branches are not followed further
-    #[arg(long, value_name = "K", default_value_t = 4, value_parser = clap::value_parser!(u32).range(0..=8))]
+    #[arg(long, value_name = "K", default_value_t = 4, value_parser = whole(0..=8))]
     doublings: u32,
     #[command(flatten)]
     precision: PrecisionArguments,

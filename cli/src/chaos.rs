@@ -24,6 +24,7 @@ use crate::output::note;
 use crate::periodic::PeriodicFormat;
 use crate::progress::Progress;
 use crate::scene;
+use crate::values::whole;
 
 pub const HELP: &str = "\
 Examples:
@@ -56,7 +57,7 @@ pub struct ChaosArguments {
     scene: PathBuf,
     /// Maximum number of impacts of a word: each further impact takes about 1.3 times as long [default: as many as about a
     /// million boxes lead to; with :COUNT 12]
-    #[arg(long, value_name = "K", value_parser = clap::value_parser!(u32).range(1..=i64::from(MOST_DEPTH)))]
+    #[arg(long, value_name = "K", value_parser = whole(1..=MOST_DEPTH))]
     depth: Option<u32>,
     /// Prove as well that the motions of the words are uniformly hyperbolic: bounds of the exponents of all their invariant measures, and of
     /// the Hausdorff dimension
@@ -73,7 +74,7 @@ pub struct ChaosArguments {
     #[arg(long, value_name = "KEY=LO..HI[:COUNT]", value_parser = range, allow_hyphen_values = true)]
     over: Option<Range>,
     /// With :COUNT: bisect an undecided cell up to N times
-    #[arg(long, value_name = "N", default_value_t = 8, value_parser = clap::value_parser!(u32).range(..=i64::from(MOST_HALVINGS)))]
+    #[arg(long, value_name = "N", default_value_t = 8, value_parser = whole(0..=MOST_HALVINGS))]
     halvings: u32,
     /// Output format; json is schema impact-pair/chaos/1, with :COUNT impact-pair/chaos-cells/1
     /// [default: by the extension of --output, else table]
@@ -94,7 +95,9 @@ struct HSetFile {
 
 fn bases(path: &Path) -> Result<Vec<HSet>> {
     let named = || scene::name(path);
-    let read: HSetFile = serde_json::from_str(&scene::text(path)?).with_context(named)?;
+    let read: Result<HSetFile, _> = serde_json::from_str(&scene::text(path)?);
+    let accepted = || format!("--bases is {}, but accepted is JSON with a list \"bases\"", named());
+    let read = read.with_context(accepted)?;
     if read.bases.is_empty() {
         bail!("{} has no h-sets: its list \"bases\" is empty", named());
     }

@@ -19,7 +19,7 @@ use crate::heading::heading;
 use crate::periodic::PeriodicFormat;
 use crate::progress::Progress;
 use crate::scene;
-use crate::values::{digits, numbers};
+use crate::values::{digits, numbers, whole};
 
 pub const HELP: &str = "\
 Examples:
@@ -47,7 +47,7 @@ pub struct CyclesArguments {
     #[arg(long, value_name = "D", value_parser = digits())]
     digits: Option<u32>,
     /// Bisect the boxes of the coarsest region N times, to decide more
-    #[arg(long, value_name = "N", default_value_t = 0, value_parser = clap::value_parser!(u32).range(0..=6))]
+    #[arg(long, value_name = "N", default_value_t = 0, value_parser = whole(0..=6))]
     finer: u32,
     /// Output format; json is schema impact-pair/cycles/1
     /// [default: by the extension of --output, else table]

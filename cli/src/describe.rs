@@ -16,7 +16,7 @@ use crate::destination::{Drawing, OpenOutput};
 use crate::heading::heading;
 use crate::progress::Progress;
 use crate::scene;
-use crate::values::{bits, count};
+use crate::values::{bits, count, whole};
 
 pub const EXIT_CODES: &str = "\
 Exit code: 0 the fate of the motion is certified; 1 it is undecided, or the run was interrupted; 2 usage, bad input, I/O";
@@ -51,7 +51,7 @@ pub struct DescribeArguments {
     #[arg(long, value_name = "N", default_value_t = Request::default().impacts, value_parser = count(1..=100_000_000))]
     impacts: u64,
     /// Maximum number of impacts of a word of the horseshoe
-    #[arg(long, value_name = "K", default_value_t = Request::default().depth as u32, value_parser = clap::value_parser!(u32).range(1..=i64::from(MOST_DEPTH)))]
+    #[arg(long, value_name = "K", default_value_t = Request::default().depth as u32, value_parser = whole(1..=MOST_DEPTH))]
     depth: u32,
     /// Maximum precision of the orbit, in bits
     #[arg(long, value_name = "BITS", default_value_t = MAX_BITS, value_parser = bits())]

@@ -61,8 +61,11 @@ enum Answer {
 /// Runs the program with the arguments of the process; returns its exit code.
 pub fn main() -> ExitCode {
     let given = command().try_get_matches().and_then(|matches| Cli::from_arg_matches(&matches));
-    let cli = given.unwrap_or_else(|error| with_a_verb(error).exit());
-    let answer = match cli.verb {
+    let verb = match given {
+        Ok(cli) => cli.verb,
+        Err(error) => return said(&with_a_verb(error)),
+    };
+    let answer = match verb {
         Verb::Run(arguments) => run::run(&arguments),
         Verb::Describe(arguments) => describe::describe(&arguments),
         Verb::Periodic(arguments) => periodic::periodic(&arguments),
@@ -84,6 +87,11 @@ pub fn main() -> ExitCode {
         Verb::Man(arguments) => man::man(Cli::command(), &arguments),
         Verb::Completions { shell } => completions(shell),
     };
+    finished(answer)
+}
+
+/// The exit code of an answer, whose error is said.
+fn finished(answer: Result<Answer>) -> ExitCode {
     match answer {
         Ok(Answer::Complete) => ExitCode::SUCCESS,
         Ok(Answer::Incomplete) => ExitCode::from(1),
@@ -93,6 +101,16 @@ pub fn main() -> ExitCode {
             report_error(&error);
             ExitCode::from(2)
         }
+    }
+}
+
+/// Writes what the parser has to say, and returns its exit code: help and the version are data, which must not be lost.
+fn said(parser: &clap::Error) -> ExitCode {
+    match parser.print() {
+        Err(failed) if !parser.use_stderr() => finished(Err(failed).context("cannot write to stdout")),
+        // Nobody may be listening.
+        _ if parser.use_stderr() => ExitCode::from(2),
+        _ => ExitCode::SUCCESS,
     }
 }
 

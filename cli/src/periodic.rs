@@ -18,7 +18,7 @@ use crate::destination::{Destination, OpenOutput};
 use crate::heading::heading;
 use crate::progress::Progress;
 use crate::scene;
-use crate::values::PrecisionArguments;
+use crate::values::{PrecisionArguments, whole};
 
 pub const HELP: &str = "\
 Examples:
@@ -45,7 +45,7 @@ pub struct PeriodicArguments {
     #[arg(long, value_name = "WORD")]
     pub word: Word,
     /// The number of forcing periods 2 pi/W that the orbit takes; W is that of the fastest harmonic
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=i64::from(MOST_CYCLES)))]
+    #[arg(long, value_name = "N", value_parser = whole(1..=MOST_CYCLES))]
     pub cycles: u32,
     /// Search the whole state space, so that the list is complete up to orbits with sticking
     #[arg(long)]

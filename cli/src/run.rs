@@ -88,7 +88,7 @@ pub fn run(arguments: &RunArguments) -> Result<Answer> {
     let OpenOutput { scene, files: Files { out, quiet, .. }, path } =
         arguments.destination.begin(&arguments.scene, None)?;
     let settings = Settings { attractor: true, ..arguments.settings(&scene) };
-    let mut orbit = Orbit::of(&scene, settings.clone()).with_context(|| scene::name(path))?;
+    let mut orbit = Orbit::of(&scene, settings.clone()).map_err(|error| scene::of_orbit(error, &settings, path))?;
     let visible = !quiet && io::stderr().is_terminal() && !out.is_terminal();
     let said_already = format == Format::Table && out.is_stdout();
     let progress = Progress::new(settings.impacts, visible);

@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Error, Result, anyhow, bail};
 use impact_pair::Scene;
+use impact_pair::orbit::Settings;
 use impact_pair::scene::Key;
 
 /// Reads the scene of a file, or of stdin when it is `-`.
@@ -27,6 +28,14 @@ pub fn about(error: impl Into<Error>, ranges: &[(Key, String)], scene: &Path) ->
     let own = ranges.iter().find(|(key, _)| at.is_some_and(|at| at.starts_with(&key.place())));
     let place = own.map_or_else(|| name(scene), |(_, range)| format!("--over {range}"));
     error.context(place)
+}
+
+/// An error of an orbit with what it is about: `--until`, where the time to stop at is not that of a line of the scene, or else the scene.
+pub fn of_orbit(error: impact_pair::Error, settings: &Settings, scene: &Path) -> Error {
+    let is_given = error.key() == Some("run.until") && error.excerpt().is_none();
+    let until = settings.until.as_ref().filter(|_| is_given);
+    let place = until.map_or_else(|| name(scene), |until| format!("--until {until}"));
+    Error::from(error).context(place)
 }
 
 /// Reads a file, or stdin when it is `-`.

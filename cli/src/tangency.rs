@@ -1,9 +1,9 @@
-//! `impact-pair tangency SCENE --over KEY=LO..HI`: homoclinic tangencies of the equispaced motion over a parameter, proved.
+//! `impact-pair tangency SCENE`: homoclinic tangencies of the equispaced motion over a parameter, proved.
 
 use std::fmt::{self, Write};
 use std::path::PathBuf;
 
-use anyhow::Result;
+use anyhow::{Error, Result, bail};
 use clap::Args;
 use impact_pair::Scene;
 use impact_pair::document::{self, counted};
@@ -57,9 +57,10 @@ none, the search ended at the limit of its work, or the run was interrupted (the
 pub struct TangencyArguments {
     /// Scene file (TOML), or - for stdin
     scene: PathBuf,
-    /// The parameter and its range: gap, amplitude or restitution
+    /// The parameter and its range: gap, amplitude or restitution [default: the gap, from 0.9999 to 1.0001 times that of
+    /// the scene]
     #[arg(long, value_name = "KEY=LO..HI", value_parser = over)]
-    over: Range,
+    over: Option<Range>,
     /// The flights from the unstable manifold to the stable one in time order: F to the far wall, N back to the near one
     /// [default: all words are searched]
     #[arg(long, value_name = "FLIGHTS")]
@@ -88,11 +89,21 @@ fn over(text: &str) -> Result<Range, impact_pair::Error> {
     Range::parse(text, &format!("KEY=LO..HI with LO < HI, {TANGENCY_PARAMETERS}"), is_tangency_range)
 }
 
+/// Returns the range of gaps next to that of a scene.
+fn beside(scene: &Scene) -> Result<Range> {
+    let gap = scene.pair().gap();
+    if !gap.is_point() {
+        bail!("--over is missing, but pair.gap is the interval {gap}: accepted is the range of one parameter");
+    }
+    let [low, high] = ["0.9999", "1.0001"].map(|part| Ok::<_, Error>(gap.checked_mul(&part.parse()?)?));
+    Ok(Range { key: Key::Gap, low: low?, high: high?, count: None })
+}
+
 pub fn tangency(arguments: &TangencyArguments) -> Result<Answer> {
     let format = arguments.drawing.format(arguments.format)?;
     let OpenOutput { scene, files, path } = arguments.drawing.begin(&arguments.scene)?;
     let settings = TangencySettings {
-        over: arguments.over.clone(),
+        over: arguments.over.clone().map_or_else(|| beside(&scene), Ok)?,
         word: arguments.word.clone(),
         longest: usize::try_from(arguments.longest)?,
         most: usize::try_from(arguments.most)?,

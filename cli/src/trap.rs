@@ -17,6 +17,7 @@ use crate::heading::heading;
 use crate::output::note;
 use crate::progress::Progress;
 use crate::scene;
+use crate::values::whole;
 
 pub const HELP: &str = "\
 Examples:
@@ -49,10 +50,10 @@ pub struct TrapArguments {
     /// Scene file (TOML), or - for stdin
     pub scene: PathBuf,
     /// Bisect the boxes of the coarsest forward-invariant grid N times, for narrower bounds
-    #[arg(long, value_name = "N", default_value_t = 0, value_parser = clap::value_parser!(u32).range(0..=6))]
+    #[arg(long, value_name = "N", default_value_t = 0, value_parser = whole(0..=6))]
     finer: u32,
     /// Count the words of N walls that the motions in the region can make, and bound their entropy from above
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=i64::from(MOST_COUNTED)))]
+    #[arg(long, value_name = "N", value_parser = whole(1..=MOST_COUNTED))]
     words: Option<u32>,
     /// Output format; json is schema impact-pair/trap/1
     /// [default: by the extension of --output, else table]

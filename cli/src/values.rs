@@ -3,7 +3,6 @@
 use std::ops::RangeInclusive;
 
 use clap::Args;
-use clap::builder::RangedI64ValueParser;
 use impact_pair::Scene;
 use impact_pair::exact::Exact;
 use impact_pair::orbit::{BITS, MAX_BITS};
@@ -34,14 +33,19 @@ impl PrecisionArguments {
 
 /// Reads a number of digits.
 pub fn digits() -> impl Fn(&str) -> Result<u32, String> + Clone {
-    let whole = count(u64::from(*DIGITS.start())..=u64::from(*DIGITS.end()));
-    // exact: in the range of digits
-    move |text| whole(text).map(|digits| digits as u32)
+    whole(DIGITS)
 }
 
 /// Reads a number of bits.
-pub fn bits() -> RangedI64ValueParser<u32> {
-    clap::value_parser!(u32).range(i64::from(*BITS.start())..=i64::from(*BITS.end()))
+pub fn bits() -> impl Fn(&str) -> Result<u32, String> + Clone {
+    whole(BITS)
+}
+
+/// Reads a whole number of this range.
+pub fn whole(range: RangeInclusive<u32>) -> impl Fn(&str) -> Result<u32, String> + Clone {
+    let number = count(u64::from(*range.start())..=u64::from(*range.end()));
+    // exact: in the range
+    move |text| number(text).map(|number| number as u32)
 }
 
 /// Reads how many: a whole number of this range.

@@ -6,7 +6,7 @@ use std::fs;
 
 use serde_json::Value;
 
-use crate::common::{EXACT, folder, program, snapshots};
+use crate::common::{self, EXACT, folder, program, snapshots};
 
 snapshots! { EXACT;
     arguments_of_global: program(&["global", "--help"]);
@@ -77,4 +77,34 @@ fn a_basin_is_checked_and_components_are_drawn() {
     assert!(dot.contains("  0 -> 2;") && !dot.contains("  2 -> "), "{dot}");
     assert_eq!(graphml.matches("<edge ").count(), dot.matches(" -> ").count());
     assert!(graphml.contains("<data key=\"kind\">saddle</data>"), "{graphml}");
+}
+
+/// Parameters of the reduced map beyond double precision are refused, not computed with.
+#[test]
+fn i58_amplitudes_beyond_double_precision_are_refused() {
+    let folder = folder("global-beyond");
+    let figure_14 = common::scene("figure-14.toml");
+    let plane = ["--over", "gap=1..2:2", "--over", "restitution=0.1..0.2:2"];
+    for amplitude in ["1e309", "1e-309"] {
+        let path = folder.join(format!("{amplitude}.toml"));
+        fs::write(&path, figure_14.replace("amplitude = 8", &format!("amplitude = \"{amplitude}\""))).unwrap();
+        let scene = path.to_str().unwrap();
+        let mut refused = vec![
+            vec!["global", scene],
+            [&["atlas", scene], &plane[..]].concat(),
+            [&["atlas", scene, "--cells"], &plane[..]].concat(),
+        ];
+        // Of a small amplitude windows and tangencies find nothing, which is an answer.
+        if amplitude == "1e309" {
+            for verb in ["windows", "tangency"] {
+                refused.extend(["gap=9..10", "restitution=0.4..0.5"].map(|over| vec![verb, scene, "--over", over]));
+            }
+        }
+        for arguments in refused {
+            let answer = program(&arguments).output().unwrap();
+            let said = String::from_utf8(answer.stderr).unwrap();
+            assert_eq!(answer.status.code(), Some(2), "{arguments:?}: {said}");
+            assert!(said.contains("double-precision flights accept at most 2^400"), "{arguments:?}: {said}");
+        }
+    }
 }

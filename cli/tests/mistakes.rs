@@ -138,19 +138,19 @@ fn r35_negative_numbers_are_values_of_their_options() {
         ("run", "--impacts", "accepted are whole numbers from 0 on"),
         ("run", "--digits", "accepted are whole numbers from 1 to 400"),
         ("run", "--splice", "accepted are whole numbers from 0 on"),
-        ("run", "--max-bits", "is not in 64..="),
+        ("run", "--max-bits", "accepted are whole numbers from 64 to 1000000000"),
         ("describe", "--impacts", "accepted are whole numbers from 1 to 100000000"),
-        ("describe", "--depth", "is not in 1..="),
-        ("periodic", "--cycles", "is not in 1..="),
-        ("bifurcations", "--doublings", "is not in 0..=8"),
-        ("trap", "--finer", "is not in 0..=6"),
-        ("chaos", "--depth", "is not in 1..="),
-        ("chaos", "--halvings", "is not in "),
+        ("describe", "--depth", "accepted are whole numbers from 1 to 64"),
+        ("periodic", "--cycles", "accepted are whole numbers from 1 to 1000000"),
+        ("bifurcations", "--doublings", "accepted are whole numbers from 0 to 8"),
+        ("trap", "--finer", "accepted are whole numbers from 0 to 6"),
+        ("chaos", "--depth", "accepted are whole numbers from 1 to 64"),
+        ("chaos", "--halvings", "accepted are whole numbers from 0 to 24"),
         ("cycles", "--impacts", "accepted is an integer from 1 to 64"),
         ("sweep", "--transient", "accepted are whole numbers from 0 to "),
         ("trade", "--impacts", "accepted are whole numbers from 1 on"),
         ("two-impact", "--cycles", "accepted is an integer from 1 to "),
-        ("plot", "--cycles", "is not in 1..=10000"),
+        ("plot", "--cycles", "accepted are whole numbers from 1 to 10000"),
         ("check", "--effort", "accepted are whole numbers from 1 on"),
         ("prove", "--impacts", "accepted are whole numbers from 1 on"),
         ("audit", "--tolerance", "-5"),
@@ -170,4 +170,50 @@ fn r35_a_missing_table_names_its_line() {
         error_of.contains(&format!(": line {last}: pair is missing, but must be a table with gap, restitution")),
         "{error_of}"
     );
+}
+
+/// Every number says what is accepted, whatever stands in its place.
+#[test]
+fn i58_numbers_say_what_is_accepted() {
+    for (verb, option, accepted) in [
+        ("run", "--max-bits", "from 64 to 1000000000"),
+        ("periodic", "--cycles", "from 1 to 1000000"),
+        ("bifurcations", "--doublings", "from 0 to 8"),
+        ("plot", "--orbit-cycles", "from 1 to 10000"),
+        ("trap", "--words", "from 1 to 1000"),
+        ("chaos", "--halvings", "from 0 to 24"),
+        ("global", "--boxes", "from 8 to 20"),
+        ("atlas", "--halvings", "from 0 to 40"),
+        ("sweep", "--threads", "from 1 to 4096"),
+    ] {
+        for value in ["", "x", "1.5", "99999999999999999999999"] {
+            let said = said(&[verb, SCENE, option, value]);
+            let asked = format!("invalid value '{value}' for '{option}");
+            let is_missing = value.is_empty() && said.contains(&format!("a value is required for '{option}"));
+            assert!(said.contains(&asked) || is_missing, "{said}");
+            assert!(is_missing || said.contains(&format!("accepted are whole numbers {accepted}")), "{said}");
+        }
+    }
+    assert!(said(&["run", SCENE, "--max-bits", "1e5"]).contains("did you mean 100000?"));
+}
+
+/// The message of a long value, or of one of several lines, is one line with its beginning.
+#[test]
+fn i58_messages_show_the_beginning_of_a_value() {
+    let long = changed("long-value.toml", ["amplitude = 8", "amplitude = \"1e400\""]);
+    let message = said(&["run", &long]);
+    assert!(message.lines().next().unwrap().len() < 300, "{message}");
+    let lines = changed("value-of-lines.toml", ["gap = 9.42497", "gap = \"\"\"\n1\n- 2\"\"\""]);
+    assert!(said(&["run", &lines]).contains("pair.gap is 1 - 2, but must be greater than 0\n"));
+}
+
+/// A time to stop at that the command line gives is not looked for in the scene.
+#[test]
+fn i58_a_time_to_stop_at_is_that_of_until() {
+    let plot = ["plot", SCENE, "--panel", "a", "--output", "never.svg", "--until", "-1"];
+    for arguments in [&["run", SCENE, "--until", "-1"][..], &plot] {
+        assert!(said(arguments).starts_with("error: --until -1: run.until is -1, but must be at least start.time, 0"));
+    }
+    let own = changed("own-until.toml", ["impacts = 200", "until = -1"]);
+    assert!(said(&["run", &own]).starts_with(&format!("error: {own}: line ")));
 }

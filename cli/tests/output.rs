@@ -34,6 +34,24 @@ fn an_undecided_orbit_still_leaves_its_file() {
     assert!(fs::read_to_string(&file).unwrap().lines().count() > 20);
 }
 
+/// Help and the version are data as well.
+#[cfg(target_os = "linux")]
+#[test]
+fn i58_a_full_disk_is_an_error_of_every_text() {
+    for arguments in
+        [&["--help"][..], &["--version"], &["run", "--help"], &["help", "run"], &["man"], &["completions", "bash"]]
+    {
+        let full = fs::OpenOptions::new().write(true).open("/dev/full").unwrap();
+        let answer = common::program(arguments).stdout(full).output().unwrap();
+        let said = String::from_utf8(answer.stderr).unwrap();
+        assert_eq!(answer.status.code(), Some(2), "{arguments:?}: {said}");
+        assert!(said.starts_with("error: cannot write ") && said.contains("No space left"), "{arguments:?}: {said}");
+    }
+    let full = fs::OpenOptions::new().write(true).open("/dev/full").unwrap();
+    let answer = common::verb("two-impact", &["scenes/figure-12.toml"]).stdout(full).output().unwrap();
+    assert!(answer.stderr.starts_with(b"error: cannot write the output: "), "the scene is not at fault");
+}
+
 #[test]
 fn bad_input_leaves_the_file_as_it_was() {
     let folder = folder("output-kept");

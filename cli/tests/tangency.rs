@@ -4,7 +4,7 @@
 
 use std::fs;
 
-use crate::common::{EXACT, UNCERTAIN, folder, program, snapshots};
+use crate::common::{self, EXACT, UNCERTAIN, folder, program, snapshots};
 
 const OVER_GAP: [&str; 4] = ["tangency", "scenes/figure-14.toml", "--over", "gap=9.4249..9.4252"];
 const WORD: [&str; 2] = ["--word", "FFFFFFFNFFFFFNFFNFFNFFFF"];
@@ -46,4 +46,19 @@ fn a_tangency_of_figure_14_is_checked() {
     assert!(says(&text).starts_with("confirmed: 1 homoclinic tangency"));
     let perturbed = text.replace("9.42512637688720494843198", "9.42512637688720494843199");
     assert!(perturbed != text && !says(&perturbed).starts_with("confirmed"));
+}
+
+/// Without --over the gaps next to that of the scene are searched.
+#[test]
+fn i58_a_range_need_not_be_given() {
+    let near = program(&["tangency", "scenes/figure-14.toml", WORD[0], WORD[1]]).output().unwrap();
+    let said = String::from_utf8(near.stdout).unwrap();
+    assert!(said.contains("over pair.gap from 9.424027503 to 9.425912497\n"), "{said}");
+    assert!(near.status.success() && said.contains("pair.gap = 9.42512637688720"), "{said}");
+    let interval = common::scene("figure-14.toml").replace("gap = 9.42497", "gap = \"[9.4249, 9.425]\"");
+    let path = folder("tangency-interval").join("scene.toml");
+    fs::write(&path, interval).unwrap();
+    let refused = program(&["tangency", path.to_str().unwrap()]).output().unwrap();
+    assert_eq!(refused.status.code(), Some(2));
+    assert!(refused.stderr.starts_with(b"error: --over is missing, but pair.gap is the interval [9.4249, 9.425]"));
 }

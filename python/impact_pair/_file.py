@@ -1,4 +1,4 @@
-"""Files that are written: the ending of the name chooses the format, and the file is written atomically."""
+"""Files: texts that are read; of a file that is written the ending of the name chooses the format, and it is written atomically."""
 
 from __future__ import annotations
 
@@ -8,7 +8,16 @@ from io import BytesIO
 from pathlib import Path
 from typing import Any
 
-from .errors import RangeError
+from .errors import Error, RangeError
+
+
+def read(path: str | os.PathLike[str], refusal: type[Error]) -> str:
+    """Return the text of a file; the refusal is raised where it is not UTF-8."""
+    try:
+        return Path(path).read_text(encoding="utf-8")
+    except UnicodeDecodeError as fault:
+        name = os.fspath(path)
+        raise refusal(f"{name} is no text in UTF-8, from byte {fault.start} on", "path", str(name)) from fault
 
 
 def ending(path: Path, accepted: Sequence[str], key: str = "path") -> str:

@@ -12,7 +12,6 @@ from dataclasses import dataclass
 from decimal import Decimal
 from fractions import Fraction
 from functools import cached_property
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -20,6 +19,7 @@ import numpy as np
 from . import _core
 from ._document import Document
 from ._exact import plain
+from ._file import read
 from .bounds import Bounds, outward, pair
 from .errors import ListError
 
@@ -786,11 +786,13 @@ def listing(events: str | os.PathLike[str] | Mapping[str, Any] | Any) -> str:
     Raises
     ------
     ListError
-        When some values are masked, or the columns are of several lengths.
+        When it is none of these, some values are masked, or the columns are of several lengths.
 
     """
     if isinstance(events, (str, os.PathLike)):
-        return Path(events).read_text(encoding="utf-8")
+        return read(events, ListError)
+    if not isinstance(events, Mapping) and not hasattr(events, "columns"):
+        raise ListError(f"events is {events!r}, but must be a path, arrays by name or a DataFrame", "events", repr(events))
     named = dict(events) if isinstance(events, Mapping) else {name: events[name] for name in events.columns}
     masked = [name for name, column in named.items() if np.ma.is_masked(column)]
     if masked:

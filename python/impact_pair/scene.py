@@ -7,13 +7,13 @@ import json
 import os
 import re
 from collections.abc import Mapping, Sequence
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from . import _core, answers
 from ._exact import IMPACTS, Value, arithmetic_of, doubles_of, optional, optional_whole, single, string, text, texts, whole
+from ._file import read
 from ._grid import spaced
 from ._progress import Progress, reporting
 from .atlas import AtlasResult, atlas
@@ -111,7 +111,7 @@ class Scene:
     @classmethod
     def from_file(cls, path: str | os.PathLike[str]) -> Scene:
         """Read a scene file (TOML)."""
-        scene = cls.from_text(Path(path).read_text(encoding="utf-8"))
+        scene = cls.from_text(read(path, SceneError))
         scene._path = os.fspath(path)
         return scene
 
@@ -594,6 +594,8 @@ class Scene:
         ``events`` is the path of a list (CSV, other text, JSON), arrays by name (``time``, ``wall``, ``velocity``) or a DataFrame
         with such columns; doubles are compared with their exact values. ``columns`` names time, wall and velocity, or numbers them from 1.
         """
+        if not isinstance(columns, (tuple, list)) or len(columns) != 3:
+            raise RangeError(f"columns is {columns!r}, but must be three: of time, wall and velocity", "columns", repr(columns))
         time, wall, velocity = (None if column is None else str(column) for column in columns)
         listed = (answers.listing(events), (time, wall, velocity, velocities))
         requested = (text("tolerance", tolerance), optional("until", until))
@@ -690,6 +692,8 @@ def grid(over: Mapping[str, Any], example: str) -> tuple[str, tuple[str, str, in
 
 def toml(tables: Mapping[str, Any]) -> str:
     """Return tables as a scene file, all numbers as exact texts."""
+    if not isinstance(tables, Mapping):
+        raise SceneError(f"the tables are {tables!r}, but must be a dict with {', '.join(TABLES)}", "tables", repr(tables))
     lines = []
     title = tables.get("title")
     if title is not None:
@@ -711,5 +715,6 @@ def toml(tables: Mapping[str, Any]) -> str:
                 is_word = f"{name}.{key}" in WORDS
                 is_number = is_word and not isinstance(value, str)
                 value = whole(f"{name}.{key}", value, IMPACTS) if is_number else value
-                lines.append(f"{key} = {json.dumps(value if is_word else texts(f'{name}.{key}', value))}")
+                named = key if re.fullmatch(r"[\w-]+", str(key), re.ASCII) else json.dumps(str(key))
+                lines.append(f"{named} = {json.dumps(value if is_word else texts(f'{name}.{key}', value))}")
     return "\n".join(lines) + "\n"

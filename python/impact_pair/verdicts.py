@@ -12,8 +12,9 @@ from typing import TYPE_CHECKING, Any
 from . import _core
 from ._document import Document
 from ._exact import optional_whole, whole
-from ._file import ending, write
+from ._file import ending, read, write
 from ._progress import Progress, reporting
+from .errors import CertificateError
 
 if TYPE_CHECKING:
     from typing import TypeAlias
@@ -83,7 +84,7 @@ def text_of(source: Source) -> str:
         return json.dumps(source, ensure_ascii=False)
     if isinstance(source, str) and source.lstrip()[:1] in ("{", "["):
         return source
-    return Path(source).read_text(encoding="utf-8")
+    return read(source, CertificateError)
 
 
 def check(source: Source, *, effort: int = 1, progress: Progress = None) -> Check:

@@ -275,3 +275,47 @@ def test_r51_a_number_of_any_type_is_in_bounds_or_not(number):
 @pytest.mark.parametrize("number", [float("nan"), Decimal("NaN"), np.float64("nan")])
 def test_r51_what_is_no_number_is_in_no_bounds(number):
     assert number not in impact_pair.Bounds("1", "2")
+
+
+@pytest.mark.parametrize("tables", [None, 3, "excitation", [1]])
+def test_i58_tables_that_are_no_dict_are_refused(tables):
+    with pytest.raises(impact_pair.SceneError, match=r"the tables are .*, but must be a dict with excitation, pair, start") as caught:
+        Scene.from_dict(tables)
+    assert caught.value.value == repr(tables)
+
+
+@pytest.mark.parametrize("events", [None, 3, [0.5, 1.0]])
+def test_i58_a_list_of_impacts_that_is_none_is_refused(events):
+    with pytest.raises(impact_pair.ListError, match="but must be a path, arrays by name or a DataFrame"):
+        Scene.named("figure-12").audit(events)
+
+
+@pytest.mark.parametrize("columns", [None, (1, 2), "twv"])
+def test_i58_columns_of_a_list_are_three(columns):
+    with pytest.raises(impact_pair.RangeError, match=r"columns is .*, but must be three"):
+        Scene.named("figure-12").audit({"time": [0.5], "wall": ["right"]}, columns=columns)
+
+
+@pytest.mark.parametrize("key", ["a b", "amplitude = 1\nphase", "é", ""])
+def test_i58_a_key_of_any_text_is_unknown(key):
+    tables = {
+        "excitation": {key: 0, "frequency": 1},
+        "pair": {"gap": 2, "restitution": 0.5},
+        "start": {"time": 0, "wall": "left", "velocity": -1},
+    }
+    with pytest.raises(impact_pair.SceneError, match=r"is not a key of \[excitation\]"):
+        Scene.from_dict(tables)
+
+
+def test_i58_files_that_are_no_text_raise_the_errors_of_the_package(tmp_path):
+    path = tmp_path / "binary"
+    path.write_bytes(b"title = \xff")
+    scene = Scene.named("figure-12")
+    for read, refusal in [
+        (Scene.from_file, impact_pair.SceneError),
+        (scene.audit, impact_pair.ListError),
+        (impact_pair.check, impact_pair.CertificateError),
+    ]:
+        with pytest.raises(refusal, match="is no text in UTF-8, from byte 8 on") as caught:
+            read(path)
+        assert caught.value.value == str(path)

@@ -17,10 +17,11 @@ impl Law {
     /// Returns the law of a pair with one harmonic.
     ///
     /// # Errors
-    /// With several harmonics, and where the amplitude may be 0: lengths are in amplitudes.
+    /// With several harmonics, where the amplitude may be 0: lengths are in amplitudes, and if `A/d` is beyond `2^400`.
     pub fn of(pair: &ImpactPair) -> Result<Self, Error> {
         let harmonic = pair.harmonic(MAP_NAME)?;
         Error::require_positive("excitation.amplitude", harmonic.amplitude())?;
+        Reduced::exact(pair)?.enclosed()?;
         Ok(Self { gap: Ball::of(&units::ratio(pair)?), restitution: Ball::of(pair.restitution()) })
     }
 }

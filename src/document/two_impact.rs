@@ -31,13 +31,13 @@ pub fn two_impact(start: &Start, answer: &Answer, wall: Wall) -> TwoImpactDocume
     }
 }
 
-/// Returns the word of the orbit whose listed impacts begin on this wall: its first mapping, the right-most, leads to it.
+/// Returns the word of the orbit whose listed impacts begin on this wall: its first mapping, the right-most, starts there.
 ///
 /// Both words are the same motion.
 pub fn word(wall: Wall) -> &'static str {
     match wall {
-        Wall::Left => "P2 P1",
-        Wall::Right => "P1 P2",
+        Wall::Left => "P1 P2",
+        Wall::Right => "P2 P1",
     }
 }
 

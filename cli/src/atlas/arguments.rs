@@ -10,7 +10,7 @@ use impact_pair_plot::picture::Look;
 
 use crate::destination::Destination;
 use crate::grid::GridArguments;
-use crate::values::{count, digits};
+use crate::values::{count, digits, whole};
 
 pub const EXIT_CODES: &str = "\
 Exit code: 0 at every point, or for every cell, every motion is proved to end in one cycle with rests, or to tend to one \
@@ -54,10 +54,10 @@ pub struct AtlasArguments {
     #[arg(long)]
     pub cells: bool,
     /// Boxes of the first partition, about: 2^N [default: 14, with --cells 12]
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(8..=20))]
+    #[arg(long, value_name = "N", value_parser = whole(8..=20))]
     pub boxes: Option<u32>,
     /// Halve the boxes of a component up to N times
-    #[arg(long, value_name = "N", default_value_t = 18, value_parser = clap::value_parser!(u32).range(0..=40))]
+    #[arg(long, value_name = "N", default_value_t = 18, value_parser = whole(0..=40))]
     pub halvings: u32,
     /// Map about N boxes in all for each point or cell [default: 300000, with --cells 20000]
     #[arg(long, value_name = "N", value_parser = count(1..=1_000_000_000))]
@@ -67,7 +67,7 @@ pub struct AtlasArguments {
     #[arg(long, value_name = "N", value_parser = count(1..=1_000_000_000_000))]
     pub work: Option<u64>,
     /// Look for horseshoes in undecided components of a point, and of a smallest cell, by words of at most K impacts: some seconds each
-    #[arg(long, value_name = "K", value_parser = clap::value_parser!(u32).range(1..=i64::from(MOST_DEPTH)))]
+    #[arg(long, value_name = "K", value_parser = whole(1..=MOST_DEPTH))]
     pub horseshoes: Option<u32>,
     /// Requested width of periodic orbits, at most 10^-D: of phases relative to 2 pi, of velocities relative to A W
     #[arg(long, value_name = "D", default_value_t = 9, value_parser = digits())]

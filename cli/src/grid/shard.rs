@@ -5,12 +5,14 @@ use std::str::FromStr;
 
 use clap::Args;
 
+use crate::values::whole;
+
 /// The points to compute, and the number of threads.
 #[derive(Args, Debug)]
 pub struct GridArguments {
     /// Number of threads [default: the number of processors]
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=4096))]
-    pub threads: Option<u16>,
+    #[arg(long, value_name = "N", value_parser = whole(1..=4096))]
+    pub threads: Option<u32>,
     /// Compute only the points of shard I of N; written as jsonl
     #[arg(long, value_name = "I/N", conflicts_with = "plot")]
     pub shard: Option<Shard>,

@@ -70,8 +70,10 @@ impl<H: Head + Sync + Send> Work<'_, H> {
     fn complete(&self, journal: &mut Journal<H>, visible: bool) -> Result<()> {
         let left = journal.missing();
         let bar = progress(journal.points(), left.len() as u64, visible);
-        let threads =
-            self.grid.threads.map_or_else(|| thread::available_parallelism().map_or(1, usize::from), usize::from);
+        let threads = match self.grid.threads {
+            Some(threads) => usize::try_from(threads)?,
+            None => thread::available_parallelism().map_or(1, usize::from),
+        };
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
         let pool = pool.context("cannot start the threads")?;
         let journal = Mutex::new(journal);

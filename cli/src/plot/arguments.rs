@@ -10,7 +10,7 @@ use impact_pair_plot::orbit::{Figure, Panel};
 use impact_pair_plot::picture::Look;
 
 use crate::destination::Destination;
-use crate::values::{ARITHMETICS, bits, digits, point, window};
+use crate::values::{ARITHMETICS, bits, digits, point, whole, window};
 
 pub const HELP: &str = "\
 Examples:
@@ -40,10 +40,10 @@ pub struct PlotArguments {
     #[arg(long)]
     all: bool,
     /// Number of forcing periods shown in the time panels
-    #[arg(long, value_name = "N", default_value_t = 8, value_parser = clap::value_parser!(u32).range(1..=10_000))]
+    #[arg(long, value_name = "N", default_value_t = 8, value_parser = whole(1..=10_000))]
     cycles: u32,
     /// Number of forcing periods shown in the phase planes
-    #[arg(long, value_name = "N", default_value_t = 40, value_parser = clap::value_parser!(u32).range(1..=10_000))]
+    #[arg(long, value_name = "N", default_value_t = 40, value_parser = whole(1..=10_000))]
     orbit_cycles: u32,
     /// Number of impacts in the transient, drawn grey together with the motion up to them
     #[arg(long, value_name = "N", default_value_t = 0)]

@@ -4,7 +4,7 @@ pub mod arguments;
 
 use std::io::{self, IsTerminal};
 
-use anyhow::{Context, Result};
+use anyhow::Result;
 use impact_pair::orbit::Orbit;
 
 use crate::Answer;
@@ -19,7 +19,7 @@ pub fn plot(arguments: &PlotArguments) -> Result<Answer> {
         arguments.destination().begin(&arguments.scene, None)?;
     let figure = arguments.figure();
     let settings = figure.settings(&scene);
-    let orbit = Orbit::of(&scene, settings.clone()).with_context(|| scene::name(path))?;
+    let orbit = Orbit::of(&scene, settings.clone()).map_err(|error| scene::of_orbit(error, &settings, path))?;
     let visible = !quiet && io::stderr().is_terminal();
     let progress = Progress::new(settings.impacts, visible);
     let (svg, ending) = figure.draw(&scene, (orbit, &settings), &progress);

@@ -4,7 +4,7 @@ pub mod arguments;
 mod csv;
 mod table;
 
-use anyhow::{Context, Error, Result};
+use anyhow::{Error, Result};
 use impact_pair::Scene;
 use impact_pair::document;
 use impact_pair::exact::Exact;
@@ -28,10 +28,12 @@ pub fn two_impact(arguments: &TwoImpactArguments) -> Result<Exit> {
     let OpenOutput { scene, files, path } = arguments.destination.begin(&arguments.scene, plot)?;
     let digits = arguments.digits.or(scene.run().digits).unwrap_or(Settings::default().digits);
     let named = || scene::name(path);
-    match &arguments.manifold {
-        Some(range) => draw_manifold((arguments, format), files, &scene, range, digits).with_context(named),
-        None => list_motions((arguments, format), files, &scene, digits).with_context(named),
-    }
+    let answer = match &arguments.manifold {
+        Some(range) => draw_manifold((arguments, format), files, &scene, range, digits),
+        None => list_motions((arguments, format), files, &scene, digits),
+    };
+    // An output that cannot be written is not the scene's fault.
+    answer.map_err(|error| if error.is::<impact_pair::Error>() { error.context(named()) } else { error })
 }
 
 fn list_motions((arguments, format): Options<'_>, files: Files, scene: &Scene, digits: u32) -> Result<Exit> {

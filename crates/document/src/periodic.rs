@@ -129,7 +129,7 @@ pub struct TwoImpactDocument {
     pub program: String,
     /// The scene.
     pub scene: SceneDocument,
-    /// `P2 P1` or `P1 P2`: both are the same motion.
+    /// `P1 P2` or `P2 P1`, the right-most mapping starts at the impact listed first: both are the same motion.
     pub word: String,
     /// `N`
     pub cycles: u32,

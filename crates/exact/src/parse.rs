@@ -49,7 +49,9 @@ impl Exact {
             return Err(ParseError::new(0, Problem::TooLong { length: text.len(), limit: LONGEST_TEXT }));
         }
         let mut value = read(text).map_err(|error| error.advised(advice(text)))?;
-        value.written = Some(Arc::from(text));
+        // On one line: blanks and line ends between the parts of an expression mean nothing.
+        let words: Vec<&str> = text.split_ascii_whitespace().collect();
+        value.written = Some(Arc::from(words.join(" ")));
         Ok(value)
     }
 }

@@ -132,8 +132,9 @@ impl Error {
 
     /// Returns the error of a value that is not accepted at its key.
     pub fn range(key: &str, value: &Exact, accepted: &str) -> Self {
-        let message = format!("{key} is {value}, but {accepted}");
-        Self { key: Some(key.to_owned()), value: Some(value.to_string()), ..Self::new(ErrorKind::OutOfRange, message) }
+        let value = value.to_string();
+        let message = format!("{key} is {}, but {accepted}", shown(&value));
+        Self { key: Some(key.to_owned()), value: Some(value), ..Self::new(ErrorKind::OutOfRange, message) }
     }
 
     /// Returns the error of a request that is not supported; `key` is the key of the scene file at fault, if any.
@@ -180,6 +181,13 @@ impl Error {
         let inside = is_at_least(value, low) && is_at_most(value, high);
         if inside { Ok(()) } else { Err(Self::range(key, value, &format!("must lie in [{low}, {high}]"))) }
     }
+}
+
+/// Returns what messages show of a value: the beginning of its first line.
+pub(crate) fn shown(written: &str) -> String {
+    const LONGEST: usize = 60;
+    let shown: String = written.lines().next().unwrap_or_default().chars().take(LONGEST).collect();
+    if shown.len() < written.trim_end().len() { shown + "..." } else { shown }
 }
 
 /// Returns whether `value`, or every value of an interval, is proved to be at least `low`.

@@ -20,8 +20,9 @@ mod walks;
 use super::horseshoe::Horseshoe;
 use super::law::Law;
 use crate::Error;
-use crate::pair::ImpactPair;
+use crate::pair::{ImpactPair, too_large};
 use crate::periodic::Precision;
+use crate::units;
 use crate::watch::Watch;
 use analysis::{Analysis, Request};
 pub use basins::{Basin, BasinOutcome, Patch};
@@ -216,7 +217,11 @@ impl Global {
     }
 
     fn space(pair: &ImpactPair) -> Result<Space, Error> {
-        Space::new(Law::of(pair)?).ok_or_else(|| {
+        let law = Law::of(pair)?;
+        if law.beta().is_none() {
+            return Err(too_large(units::RATIO, &units::ratio(pair)?));
+        }
+        Space::new(law).ok_or_else(|| {
             let said =
                 format!("pair.restitution is {}, but must be below 0.99 for a global analysis", pair.restitution());
             Error::out_of_range("pair.restitution", said)

@@ -4,7 +4,7 @@ use std::ops::{Range, RangeInclusive};
 
 use toml_edit::{Item, Key, TableLike, Value};
 
-use crate::error::Error;
+use crate::error::{Error, shown};
 use crate::excerpt::Excerpt;
 use impact_pair_exact::Exact;
 
@@ -154,13 +154,7 @@ impl<'t> Entry<'t> {
 
     /// Returns the error that the text at `place` is what it is, `but` something else is accepted.
     fn refused_at(&self, place: Range<usize>, but: &str) -> Error {
-        let written = self.written();
-        let first_line = written.lines().next().unwrap_or_default();
-        let mut shown: String = first_line.chars().take(60).collect();
-        if shown.len() < written.trim_end().len() {
-            shown.push_str("...");
-        }
-        Error::entry(&self.key, &shown, but).at(Excerpt::new(self.text, place))
+        Error::entry(&self.key, &shown(self.written()), but).at(Excerpt::new(self.text, place))
     }
 
     /// Returns a string.
