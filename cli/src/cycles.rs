@@ -16,9 +16,11 @@ use impact_pair::periodic::{Precision, Stability};
 use crate::Answer;
 use crate::destination::{Begun, Destination};
 use crate::heading::heading;
+use crate::output::note;
 use crate::periodic::PeriodicFormat;
 use crate::progress::Progress;
 use crate::scene;
+use crate::trap;
 use crate::values::{digits, numbers};
 
 pub const HELP: &str = "\
@@ -68,6 +70,9 @@ pub fn cycles(arguments: &CyclesArguments) -> Result<Answer> {
     let found = Cycles::of(&scene, arguments.finer, &arguments.impacts, precision, &progress).with_context(named)?;
     progress.clear();
     let found = found.as_ref().map_err(|why| *why);
+    if let Some(why) = found.ok().and_then(|found| found.trap().coarser()) {
+        note(files.quiet, &trap::not_finer(why));
+    }
     let text = match format {
         PeriodicFormat::Table => table(&scene, found)?,
         PeriodicFormat::Json => {
@@ -131,6 +136,13 @@ fn conclusion(found: Result<&Cycles, NoTrap>) -> String {
     };
     let (low, high) = (found.asked().start(), found.asked().end());
     let asked = if low == high { counted(*low, "impact") } else { format!("{low} to {high} impacts") };
+    // Those of fewer impacts are listed where they are fixed points of the same iterate.
+    let own = found.cycles().iter().filter(|cycle| cycle.impacts >= *low as usize).count();
+    let shorter = match found.cycles().len() - own {
+        0 => String::new(),
+        1 => ", and one of fewer impacts that returns after as many".to_owned(),
+        count => format!(", and {count} of fewer impacts that return after as many"),
+    };
     let of = |wanted| found.cycles().iter().filter(|cycle| cycle.orbit.stability == wanted).count();
     let (stable, open) = (of(Stability::Stable), of(Stability::Undecided));
     let attracts = match (stable, open) {
@@ -140,15 +152,17 @@ fn conclusion(found: Result<&Cycles, NoTrap>) -> String {
     };
     if found.is_exhaustive() {
         let certified = if found.is_certified() { "certified" } else { "not all certified" };
-        let all = match found.cycles().len() {
+        let all = match own {
             0 => format!("the region has no cycle of {asked}"),
-            1 => format!(
-                "the region has exactly one cycle of {asked}; {}",
-                if stable == 1 { "it attracts" } else { &attracts }
-            ),
-            count => format!("the region has exactly {count} cycles of {asked}; {attracts}"),
+            1 => format!("the region has exactly one cycle of {asked}"),
+            count => format!("the region has exactly {count} cycles of {asked}"),
         };
-        return format!("{certified}: {all}");
+        let attracts = match (found.cycles().len(), stable) {
+            (0, _) => String::new(),
+            (1, 1) => "; it attracts".to_owned(),
+            _ => format!("; {attracts}"),
+        };
+        return format!("{certified}: {all}{shorter}{attracts}");
     }
     let missing: Vec<String> = found
         .asked()
