@@ -122,11 +122,11 @@ pub fn two_impact(
             if !monitor.goes_on() && !documents.is_empty() {
                 return Ok((documents, false, true));
             }
-            let answer = TwoImpactProblem::new(scene.pair(), cycles, unknown.clone())?.answer(digits);
+            let answer = TwoImpactProblem::new(scene.pair(), cycles, unknown.clone())?.answer_within(digits, monitor);
             documents.push(text(&document::two_impact(scene.start(), &answer, wall)));
             complete &= answer.is_complete;
         }
-        Ok((documents, complete, false))
+        Ok((documents, complete, !complete && monitor.is_stopped()))
     })
 }
 
