@@ -253,14 +253,15 @@ pub fn check(py: Python<'_>, text: String, effort: u64, progress: Option<Py<PyAn
     })
 }
 
-/// An orbit JSON as a theorem for Coq: the file, the impacts it proves, and the reason why not all, if so; whether Ctrl-C ended it.
+/// An orbit JSON as a theorem for Coq: the file, the impacts it proves, and the reason why not all, if so; whether Ctrl-C ended it; what the
+/// document claims besides.
 #[pyfunction]
 pub fn prove(
     py: Python<'_>,
     text: String,
     impacts: Option<u64>,
     progress: Option<Py<PyAny>>,
-) -> PyResult<(String, usize, Option<String>, bool)> {
+) -> PyResult<(String, usize, Option<String>, bool, Option<String>)> {
     watched(py, progress, move |monitor| {
         let certificate = Certificate::parse(&text)?;
         let listed = certificate.events().iter().take_while(|claim| claim.kind.is_impact()).count();
@@ -270,6 +271,6 @@ pub fn prove(
         let wanted = impacts.map_or(listed, |wanted| usize::try_from(wanted).unwrap_or(usize::MAX));
         let theorem = certificate.prove(wanted, monitor)?;
         let stop = theorem.stop.as_ref().map(|finding| certificate.described(finding.event, &finding.message));
-        Ok((theorem.text, theorem.impacts, stop, monitor.is_stopped()))
+        Ok((theorem.text, theorem.impacts, stop, monitor.is_stopped(), theorem.left_out))
     })
 }
