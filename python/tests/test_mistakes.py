@@ -277,6 +277,7 @@ def test_r51_a_number_of_any_type_is_in_bounds_or_not(number):
 def test_r51_what_is_no_number_is_in_no_bounds(number):
     assert number not in impact_pair.Bounds("1", "2")
 
+
 @pytest.mark.parametrize("bounds", [("1.7e308", "1.75e308"), ("-1.75e308", "-1.7e308"), ("-1.7e308", "1.7e308")])
 def test_r52_bounds_near_the_greatest_doubles_have_a_middle_among_them(bounds):
     found = impact_pair.Bounds(*bounds)
