@@ -12,6 +12,7 @@ use impact_pair::document::{self, counted};
 use impact_pair::exact::decimal_digits;
 use impact_pair::pair::Wall;
 use impact_pair::periodic::{Precision, Stability};
+use impact_pair::watch::Watch;
 
 use crate::Answer;
 use crate::destination::{Begun, Destination};
@@ -74,17 +75,17 @@ pub fn cycles(arguments: &CyclesArguments) -> Result<Answer> {
         note(files.quiet, &trap::not_finer(why));
     }
     let text = match format {
-        PeriodicFormat::Table => table(&scene, found)?,
+        PeriodicFormat::Table => table(&scene, found, &progress)?,
         PeriodicFormat::Json => {
             serde_json::to_string(&document::cycles(&scene, &arguments.impacts, found).with_context(named)?)? + "\n"
         }
     };
     let is_certified = found.is_ok_and(Cycles::is_certified);
-    let open = (!is_certified).then(|| conclusion(found));
+    let open = (!is_certified).then(|| conclusion(found, &progress));
     files.answer(&text, open, format == PeriodicFormat::Table)
 }
 
-fn table(scene: &Scene, found: Result<&Cycles, NoTrap>) -> Result<String, fmt::Error> {
+fn table(scene: &Scene, found: Result<&Cycles, NoTrap>, progress: &Progress) -> Result<String, fmt::Error> {
     let mut out = heading(scene);
     if let Ok(found) = found {
         writeln!(out, "region of {} boxes\n", found.trap().boxes())?;
@@ -102,7 +103,7 @@ fn table(scene: &Scene, found: Result<&Cycles, NoTrap>) -> Result<String, fmt::E
             writeln!(out, "{}", row(cycle))?;
         }
     }
-    writeln!(out, "\n{}", conclusion(found))?;
+    writeln!(out, "\n{}", conclusion(found, progress))?;
     Ok(out)
 }
 
@@ -129,7 +130,7 @@ fn row(cycle: &Cycle) -> String {
 }
 
 /// Returns the last line of the table: whether everything requested is proved.
-fn conclusion(found: Result<&Cycles, NoTrap>) -> String {
+fn conclusion(found: Result<&Cycles, NoTrap>, progress: &Progress) -> String {
     let found = match found {
         Ok(found) => found,
         Err(why) => return format!("undecided: no region is proved; {}", why.words()),
@@ -171,7 +172,8 @@ fn conclusion(found: Result<&Cycles, NoTrap>) -> String {
         .map(|n| n.to_string())
         .collect();
     format!(
-        "not all certified: {} proved, {attracts}; there may be others of {} impacts ({} left)",
+        "{}: {} proved, {attracts}; there may be others of {} impacts ({} left)",
+        if progress.goes_on() { "not all certified" } else { "interrupted" },
         counted(found.cycles().len() as u32, "cycle"),
         missing.join(", "),
         counted(found.undecided().len() as u32, "part"),

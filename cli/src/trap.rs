@@ -7,7 +7,7 @@ use anyhow::{Context, Result};
 use clap::{Args, ValueEnum};
 use impact_pair::Scene;
 use impact_pair::chaos::{BoxGraph, MOST_COUNTED, NoTrap, Trap, WallWords};
-use impact_pair::document;
+use impact_pair::document::{self, counted};
 use impact_pair::json::TrapDocument;
 
 use crate::Answer;
@@ -148,12 +148,13 @@ impl Proved<'_> {
             document::bounds_text(&document.speed_before),
         )?;
         if let (Some(own), Some(words)) = (&document.words, &self.words) {
-            let sets = words.sets();
+            let walls = counted(own.impacts, "wall");
+            let sets = counted(words.sets() as u64, "set");
             let closed = if words.is_closed() { "closed" } else { "not closed" };
             writeln!(
                 out,
-                "words of {} walls   at most {}: {sets} sets of boxes, {closed}\nentropy of words    at most {} per impact",
-                own.impacts,
+                "{:20}at most {}: {sets} of boxes, {closed}\nentropy of words    at most {} per impact",
+                format!("words of {walls} "),
                 own.count.text(),
                 own.entropy_at_most.text()
             )?;

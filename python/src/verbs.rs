@@ -253,15 +253,13 @@ pub fn check(py: Python<'_>, text: String, effort: u64, progress: Option<Py<PyAn
     })
 }
 
+/// The file, the impacts it proves, why not all that were requested, whether Ctrl-C ended it, and what it leaves out.
+type Proved = (String, usize, Option<String>, bool, Option<String>);
+
 /// An orbit JSON as a theorem for Coq: the file, the impacts it proves, and the reason why not all, if so; whether Ctrl-C ended it; what the
 /// document claims besides.
 #[pyfunction]
-pub fn prove(
-    py: Python<'_>,
-    text: String,
-    impacts: Option<u64>,
-    progress: Option<Py<PyAny>>,
-) -> PyResult<(String, usize, Option<String>, bool, Option<String>)> {
+pub fn prove(py: Python<'_>, text: String, impacts: Option<u64>, progress: Option<Py<PyAny>>) -> PyResult<Proved> {
     watched(py, progress, move |monitor| {
         let certificate = Certificate::parse(&text)?;
         let listed = certificate.events().iter().take_while(|claim| claim.kind.is_impact()).count();
