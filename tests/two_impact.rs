@@ -432,3 +432,29 @@ fn r32_elastic_equispaced_motions_of_an_even_number_of_cycles_are_found() {
         assert_eq!(refused.key(), Some("cycles"));
     }
 }
+
+/// A number of cycles takes long enough to be stopped: what is searched and measured until then stays, the rest is undecided.
+#[test]
+fn r52_a_search_that_is_stopped_leaves_the_rest_undecided() {
+    for restitution in ["0.5", "1"] {
+        let problem = Problem::new(&pair("1", "3", restitution), 40, Unknown::Velocity).unwrap();
+        let whole = problem.answer(9);
+        assert!(whole.is_exhaustive && whole.undecided.is_empty());
+        let mut lists = Vec::new();
+        for questions in [0, 20, 50] {
+            let asked = AtomicUsize::new(0);
+            let watch = |_: Stage<'_>| proceed_if(asked.fetch_add(1, Ordering::Relaxed) < questions);
+            let part = problem.answer_within(9, &watch);
+            assert!(!part.is_exhaustive && !part.is_complete && !part.undecided.is_empty(), "{questions}");
+            let spacing = |orbit: &Orbit| orbit.spacing.clone();
+            let is_known = |orbit: &Orbit| whole.orbits.iter().any(|other| meets(&spacing(other), &spacing(orbit)));
+            assert!(part.orbits.iter().all(is_known));
+            // Each motion is listed, or undecided.
+            let is_left = |orbit: &Orbit| part.undecided.iter().any(|doubt| meets(doubt, &spacing(orbit)));
+            let is_listed = |orbit: &Orbit| part.orbits.iter().any(|other| meets(&spacing(other), &spacing(orbit)));
+            assert!(whole.orbits.iter().all(|orbit| is_left(orbit) || is_listed(orbit)), "{questions}");
+            lists.push(part.orbits.len());
+        }
+        assert!(lists[0] == 0 && lists[2] > 0 && lists[2] < whole.orbits.len(), "{lists:?} of {}", whole.orbits.len());
+    }
+}

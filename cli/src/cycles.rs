@@ -12,13 +12,16 @@ use impact_pair::document::{self, counted};
 use impact_pair::exact::decimal_digits;
 use impact_pair::pair::Wall;
 use impact_pair::periodic::{Precision, Stability};
+use impact_pair::watch::Watch;
 
 use crate::Answer;
 use crate::destination::{Destination, OpenOutput};
 use crate::heading::heading;
+use crate::output::note;
 use crate::periodic::PeriodicFormat;
 use crate::progress::Progress;
 use crate::scene;
+use crate::trap;
 use crate::values::{digits, numbers, whole};
 
 pub const HELP: &str = "\
@@ -68,18 +71,21 @@ pub fn cycles(arguments: &CyclesArguments) -> Result<Answer> {
     let found = Cycles::of(&scene, arguments.finer, &arguments.impacts, precision, &progress).with_context(named)?;
     progress.clear();
     let found = found.as_ref().map_err(|why| *why);
+    if let Some(why) = found.ok().and_then(|found| found.trap().coarser()) {
+        note(files.quiet, &trap::not_finer(why));
+    }
     let text = match format {
-        PeriodicFormat::Table => table(&scene, found)?,
+        PeriodicFormat::Table => table(&scene, found, &progress)?,
         PeriodicFormat::Json => {
             serde_json::to_string(&document::cycles(&scene, &arguments.impacts, found).with_context(named)?)? + "\n"
         }
     };
     let is_certified = found.is_ok_and(Cycles::is_certified);
-    let open = (!is_certified).then(|| conclusion(found));
+    let open = (!is_certified).then(|| conclusion(found, &progress));
     files.answer(&text, open, format == PeriodicFormat::Table)
 }
 
-fn table(scene: &Scene, found: Result<&Cycles, NoTrap>) -> Result<String, fmt::Error> {
+fn table(scene: &Scene, found: Result<&Cycles, NoTrap>, progress: &Progress) -> Result<String, fmt::Error> {
     let mut out = heading(scene);
     if let Ok(found) = found {
         writeln!(out, "region of {} boxes\n", found.trap().boxes())?;
@@ -97,7 +103,7 @@ fn table(scene: &Scene, found: Result<&Cycles, NoTrap>) -> Result<String, fmt::E
             writeln!(out, "{}", row(cycle))?;
         }
     }
-    writeln!(out, "\n{}", conclusion(found))?;
+    writeln!(out, "\n{}", conclusion(found, progress))?;
     Ok(out)
 }
 
@@ -124,13 +130,20 @@ fn row(cycle: &Cycle) -> String {
 }
 
 /// Returns the last line of the table: whether everything requested is proved.
-fn conclusion(found: Result<&Cycles, NoTrap>) -> String {
+fn conclusion(found: Result<&Cycles, NoTrap>, progress: &Progress) -> String {
     let found = match found {
         Ok(found) => found,
         Err(why) => return format!("undecided: no region is proved; {}", why.words()),
     };
     let (low, high) = (found.requested().start(), found.requested().end());
     let requested = if low == high { counted(*low, "impact") } else { format!("{low} to {high} impacts") };
+    // Those of fewer impacts are listed where they are fixed points of the same iterate.
+    let own = found.cycles().iter().filter(|cycle| cycle.impacts >= *low as usize).count();
+    let shorter = match found.cycles().len() - own {
+        0 => String::new(),
+        1 => ", and one of fewer impacts that returns after as many".to_owned(),
+        count => format!(", and {count} of fewer impacts that return after as many"),
+    };
     let of = |sought| found.cycles().iter().filter(|cycle| cycle.orbit.stability == sought).count();
     let (stable, open) = (of(Stability::Stable), of(Stability::Undecided));
     let attracts = match (stable, open) {
@@ -140,15 +153,17 @@ fn conclusion(found: Result<&Cycles, NoTrap>) -> String {
     };
     if found.is_exhaustive() {
         let certified = if found.is_certified() { "certified" } else { "not all certified" };
-        let all = match found.cycles().len() {
+        let all = match own {
             0 => format!("the region has no cycle of {requested}"),
-            1 => format!(
-                "the region has exactly one cycle of {requested}; {}",
-                if stable == 1 { "it attracts" } else { &attracts }
-            ),
-            count => format!("the region has exactly {count} cycles of {requested}; {attracts}"),
+            1 => format!("the region has exactly one cycle of {requested}"),
+            count => format!("the region has exactly {count} cycles of {requested}"),
         };
-        return format!("{certified}: {all}");
+        let attracts = match (found.cycles().len(), stable) {
+            (0, _) => String::new(),
+            (1, 1) => "; it attracts".to_owned(),
+            _ => format!("; {attracts}"),
+        };
+        return format!("{certified}: {all}{shorter}{attracts}");
     }
     let missing: Vec<String> = found
         .requested()
@@ -157,7 +172,8 @@ fn conclusion(found: Result<&Cycles, NoTrap>) -> String {
         .map(|n| n.to_string())
         .collect();
     format!(
-        "not all certified: {} proved, {attracts}; there may be others of {} impacts ({} left)",
+        "{}: {} proved, {attracts}; there may be others of {} impacts ({} left)",
+        if progress.goes_on() { "not all certified" } else { "interrupted" },
         counted(found.cycles().len() as u32, "cycle"),
         missing.join(", "),
         counted(found.undecided().len() as u32, "part"),

@@ -25,7 +25,8 @@ Examples:
 
 The theorem: for every start and all parameters that the scene allows there is exactly one sequence of impacts, each the \
 first contact after the one before, on the listed walls, at times and velocities within the printed bounds. It covers \
-the impacts up to the first graze, rest or release. Coq checks it on top of the library of validation/coq; no part of \
+the impacts up to the first graze, rest or release, their number, and that no other comes up to the time `until`, not \
+the rest of the outcome: what is not stated is named. Coq checks it on top of the library of validation/coq; no part of \
 impact-pair is trusted for that.
 
 Exit code: 0 the file proves all the impacts requested (or those up to the first other event); 1 fewer of them; 2 usage, bad \
@@ -66,6 +67,7 @@ pub fn prove(arguments: &ProveArguments) -> Result<Answer> {
     let said = if proved > 0 { format!("written: a theorem of {proved} impacts") } else { "nothing is proved".into() };
     let why = stop.map(|finding| format!("; {}", certificate.described(finding.event, &finding.message)));
     let why = why.or_else(|| is_short.then(|| format!("; the list has {listed}")));
-    note(arguments.destination.quiet, &(said + &why.unwrap_or_default()));
+    let besides = theorem.left_out.as_ref().filter(|_| proved > 0).map(|what| format!("; not stated: {what}"));
+    note(arguments.destination.quiet, &(said + &why.unwrap_or_default() + &besides.unwrap_or_default()));
     Ok(if stop.is_none() && !is_short { Answer::Complete } else { Answer::Incomplete })
 }

@@ -6,8 +6,8 @@ use std::path::PathBuf;
 use anyhow::{Context, Result};
 use clap::{Args, ValueEnum};
 use impact_pair::Scene;
-use impact_pair::chaos::{BoxGraph, MOST_COUNTED, Trap, WallWords};
-use impact_pair::document;
+use impact_pair::chaos::{BoxGraph, MOST_COUNTED, NoTrap, Trap, WallWords};
+use impact_pair::document::{self, counted};
 use impact_pair::json::TrapDocument;
 
 use crate::Answer;
@@ -41,8 +41,8 @@ entropy of the motions themselves may be greater: two may have one word.
 The formats graphml and dot write the graph of boxes, with --words the graph of words, whose paths from node 0 on \
 are the words. At a graze both walls are allowed.
 
-Exit code: 0 a region is proved, the scene's own orbit is in it from some impact on, and the words are counted if \
---words is given; 1 one of these is undecided; 2 usage, bad input, I/O.";
+Exit code: 0 a region is proved, as fine as --finer requests, the scene's own orbit is in it from some impact on, and the \
+words are counted if --words is given; 1 one of these is undecided; 2 usage, bad input, I/O.";
 
 #[derive(Args, Debug)]
 #[command(mut_arg("plot", |plot| plot.help("Draw the region, and a floating-point orbit in it")))]
@@ -119,23 +119,24 @@ pub fn trap(arguments: &TrapArguments) -> Result<Answer> {
         note(files.quiet, why);
         return Ok(Answer::Incomplete);
     }
+    let missing: Vec<String> = region.coarser().map(not_finer).into_iter().chain(uncounted).collect();
     document.words = words.as_ref().map(document::wall_words);
     let proved = Proved { scene: &scene, graph, words, document };
     let text = match format {
         TrapFormat::Json => serde_json::to_string(&proved.document)? + "\n",
-        TrapFormat::Table => proved.table(uncounted.as_deref())?,
+        TrapFormat::Table => proved.table(&missing)?,
         TrapFormat::Graphml => proved.graph().graphml()?,
         TrapFormat::Dot => proved.graph().dot()?,
     };
     let entered = proved.document.entered_at_impact.is_none().then(|| entered(&proved.document));
-    let open: Vec<String> = uncounted.into_iter().chain(entered).collect();
+    let open: Vec<String> = missing.into_iter().chain(entered).collect();
     let open = (!open.is_empty()).then(|| open.join("; "));
     files.draw((&text, open, is_table), || impact_pair_plot::chaos::trap(&scene, &region, &arguments.drawing.look))
 }
 
 impl Proved<'_> {
-    /// The region, and why its words are not counted if they were requested and are not.
-    fn table(&self, uncounted: Option<&str>) -> Result<String, fmt::Error> {
+    /// The region, and what was requested of it and is missing.
+    fn table(&self, missing: &[String]) -> Result<String, fmt::Error> {
         let mut out = heading(self.scene);
         let document = &self.document;
         writeln!(
@@ -148,18 +149,19 @@ impl Proved<'_> {
             document::bounds_text(&document.speed_before),
         )?;
         if let (Some(own), Some(words)) = (&document.words, &self.words) {
-            let sets = words.sets();
+            let walls = counted(own.impacts, "wall");
+            let sets = counted(words.sets() as u64, "set");
             let closed = if words.is_closed() { "closed" } else { "not closed" };
             writeln!(
                 out,
-                "words of {} walls   at most {}: {sets} sets of boxes, {closed}\nentropy of words    at most {} per impact",
-                own.impacts,
+                "{:20}at most {}: {sets} of boxes, {closed}\nentropy of words    at most {} per impact",
+                format!("words of {walls} "),
                 own.count.text(),
                 own.entropy_at_most.text()
             )?;
         }
         writeln!(out, "\ncertified: a trapping region, without sticking and without complete chatter;")?;
-        if let Some(why) = uncounted {
+        for why in missing {
             writeln!(out, "{why};")?;
         }
         writeln!(out, "{}", entered(document))?;
@@ -187,6 +189,11 @@ impl Proved<'_> {
             (None, None) => unreachable!("a graph is found before it is written"),
         }
     }
+}
+
+/// Returns the sentence that says that the region is not as fine as requested.
+pub fn not_finer(why: NoTrap) -> String {
+    format!("undecided: no finer region is proved, this one is of the coarsest grid; {}", why.words())
 }
 
 /// Returns the sentence that says from which impact on the scene's own orbit lies in the region, if that is proved.

@@ -105,6 +105,33 @@ fn r42_a_theorem_of_fewer_impacts_than_requested_says_so() {
     assert!(status == Some(1) && said.contains("a theorem of 4 impacts; the list has 4"), "{said}");
 }
 
+/// What a document claims and the theorem does not state is named; an outcome that the list contradicts is not stated.
+#[test]
+fn r52_a_theorem_names_what_it_leaves_out() {
+    let answer = |path: &PathBuf, arguments: &[&str]| {
+        let answer = on("prove", path).args(arguments).output().unwrap();
+        let [file, said] = [answer.stdout, answer.stderr].map(|text| String::from_utf8(text).unwrap());
+        (answer.status.code(), file, said)
+    };
+    let attracted = certificate("attracted", &["scenes/figure-12.toml", "--impacts", "20"], |text| text);
+    let (code, file, said) = answer(&attracted, &[]);
+    assert!(code == Some(0) && said.contains("20 impacts; not stated: the outcome `attracted`"), "{said}");
+    assert!(file.contains("length printed = 20%nat") && file.contains("What `attracted` says besides"), "{file}");
+    assert!(!answer(&attracted, &["--impacts", "3"]).2.contains("not stated"));
+    let chatter = certificate("rests", &["scenes/chatter.toml", "--impacts", "20"], |text| text);
+    let (code, _, said) = answer(&chatter, &[]);
+    assert!(code == Some(0) && said.contains("16 impacts; not stated: events[16] and what comes after it"), "{said}");
+
+    let five = |text: String| text.replace("\"impacts\":4", "\"impacts\":5").replace("\"4 impacts\"", "\"5 impacts\"");
+    let (code, file, said) = answer(&certificate("five", &FIGURE_12, five), &[]);
+    assert!(code == Some(1) && said.contains("4 impacts are listed") && !file.contains("all_listed"), "{said}");
+    let early = |text: String| text.replace("\"until\":\"4.5\"", "\"until\":\"2.5\"");
+    let until = ["scenes/figure-12.toml", "--until", "4.5"];
+    assert_eq!(answer(&certificate("until", &until, |text| text), &[]).0, Some(0));
+    let (code, file, said) = answer(&certificate("early", &until, early), &[]);
+    assert!(code == Some(1) && said.contains("after the time `until`") && !file.contains("all_listed"), "{said}");
+}
+
 /// Of each claim its verdict, of what decides also why, and what is not checked.
 #[test]
 fn r32_each_claim_has_its_verdict() {

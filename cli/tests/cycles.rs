@@ -45,3 +45,16 @@ fn a_document_is_checked_orbit_by_orbit() {
     says(&stable, "refuted: no_attractor");
     says(&stable.replace("\"no_attractor\":true", "\"no_attractor\":false"), "refuted: orbits[0]");
 }
+
+/// The one fixed point of the fourth iterate is a cycle of one impact, which was counted as one of four.
+#[test]
+fn r52_cycles_of_fewer_impacts_are_not_counted_as_cycles_of_more() {
+    let last = |impacts: &str| {
+        let answer = program(&["cycles", "scenes/figure-14.toml", "--impacts", impacts]).output().unwrap();
+        String::from_utf8(answer.stdout).unwrap().lines().next_back().unwrap().to_owned()
+    };
+    let fewer = "and one of fewer impacts that returns after as many; none of them attracts";
+    assert_eq!(last("4"), format!("certified: the region has no cycle of 4 impacts, {fewer}"));
+    assert_eq!(last("3..4"), format!("certified: the region has exactly one cycle of 3 to 4 impacts, {fewer}"));
+    assert_eq!(last("1..4"), "certified: the region has exactly 2 cycles of 1 to 4 impacts; none of them attracts");
+}

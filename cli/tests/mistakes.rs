@@ -187,24 +187,24 @@ fn i58_numbers_say_what_is_accepted() {
         ("sweep", "--threads", "from 1 to 4096"),
     ] {
         for value in ["", "x", "1.5", "99999999999999999999999"] {
-            let said = said(&[verb, SCENE, option, value]);
-            let asked = format!("invalid value '{value}' for '{option}");
-            let is_missing = value.is_empty() && said.contains(&format!("a value is required for '{option}"));
-            assert!(said.contains(&asked) || is_missing, "{said}");
-            assert!(is_missing || said.contains(&format!("accepted are whole numbers {accepted}")), "{said}");
+            let message = error_of(&[verb, SCENE, option, value]);
+            let refused = format!("invalid value '{value}' for '{option}");
+            let is_missing = value.is_empty() && message.contains(&format!("a value is required for '{option}"));
+            assert!(message.contains(&refused) || is_missing, "{message}");
+            assert!(is_missing || message.contains(&format!("accepted are whole numbers {accepted}")), "{message}");
         }
     }
-    assert!(said(&["run", SCENE, "--max-bits", "1e5"]).contains("did you mean 100000?"));
+    assert!(error_of(&["run", SCENE, "--max-bits", "1e5"]).contains("did you mean 100000?"));
 }
 
 /// The message of a long value, or of one of several lines, is one line with its beginning.
 #[test]
 fn i58_messages_show_the_beginning_of_a_value() {
     let long = changed("long-value.toml", ["amplitude = 8", "amplitude = \"1e400\""]);
-    let message = said(&["run", &long]);
+    let message = error_of(&["run", &long]);
     assert!(message.lines().next().unwrap().len() < 300, "{message}");
     let lines = changed("value-of-lines.toml", ["gap = 9.42497", "gap = \"\"\"\n1\n- 2\"\"\""]);
-    assert!(said(&["run", &lines]).contains("pair.gap is 1 - 2, but must be greater than 0\n"));
+    assert!(error_of(&["run", &lines]).contains("pair.gap is 1 - 2, but must be greater than 0\n"));
 }
 
 /// A time to stop at that the command line gives is not looked for in the scene.
@@ -212,8 +212,10 @@ fn i58_messages_show_the_beginning_of_a_value() {
 fn i58_a_time_to_stop_at_is_that_of_until() {
     let plot = ["plot", SCENE, "--panel", "a", "--output", "never.svg", "--until", "-1"];
     for arguments in [&["run", SCENE, "--until", "-1"][..], &plot] {
-        assert!(said(arguments).starts_with("error: --until -1: run.until is -1, but must be at least start.time, 0"));
+        assert!(
+            error_of(arguments).starts_with("error: --until -1: run.until is -1, but must be at least start.time, 0")
+        );
     }
     let own = changed("own-until.toml", ["impacts = 200", "until = -1"]);
-    assert!(said(&["run", &own]).starts_with(&format!("error: {own}: line ")));
+    assert!(error_of(&["run", &own]).starts_with(&format!("error: {own}: line ")));
 }

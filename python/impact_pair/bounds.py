@@ -34,8 +34,11 @@ def outward(bounds: Iterable[Sequence[str]]) -> Doubles:
 def middles(bounds: Doubles) -> Doubles:
     """Return the doubles (n,) near the middles of bounds (n, 2): infinite where both are the same infinity, NaN where one is infinite."""
     low, high = bounds[:, 0], bounds[:, 1]
-    with np.errstate(invalid="ignore"):
-        return np.where(low == high, low, low + 0.5 * (high - low))
+    with np.errstate(invalid="ignore", over="ignore"):
+        width = high - low
+        # Of bounds near the greatest doubles the width is none.
+        middle = np.where(np.isinf(width), 0.5 * low + 0.5 * high, low + 0.5 * width)
+        return np.where(low == high, low, np.where(np.isinf(low) | np.isinf(high), np.nan, middle))
 
 
 def radii(bounds: Doubles) -> Doubles:

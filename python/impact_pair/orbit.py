@@ -299,10 +299,9 @@ class Orbit(Document):
 
     def _lines(self) -> Iterator[str]:
         """Yield JSON Lines: the head, an event a line, and the end."""
-        head, outcome = self._core.about()
-        yield head
+        yield self._core.first_line()
         yield from (str(self._core.event(i)) for i in range(len(self._names)))
-        end = {"outcome": json.loads(outcome), "arithmetic": json.loads(head)["arithmetic"]}
+        end = {"outcome": self.outcome.fields, "arithmetic": self.arithmetic}
         yield json.dumps(end, separators=(",", ":"), ensure_ascii=False)
 
     def prove(self, impacts: int | None = None) -> Theorem:

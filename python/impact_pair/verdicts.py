@@ -68,6 +68,8 @@ class Theorem:
     stop: str | None
     #: True if Ctrl-C ended it.
     interrupted: bool
+    #: What the document claims besides, in words, if it does: events from the first other one on, an outcome of another kind.
+    left_out: str | None
 
     def save(self, path: str | os.PathLike[str]) -> None:
         """Write the file, whose name ends in ``.v``."""

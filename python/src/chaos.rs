@@ -47,7 +47,7 @@ pub fn trap(
                 let svg = picture
                     .then(|| drawn(impact_pair_plot::chaos::trap(&scene, &region, &Look::default())))
                     .transpose()?;
-                let is_complete = is_counted && document.entered_at_impact.is_some();
+                let is_complete = is_counted && document.entered_at_impact.is_some() && region.coarser().is_none();
                 Ok((Some(text(&document)), is_complete, monitor.is_stopped(), svg))
             }
         }

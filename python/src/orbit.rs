@@ -4,8 +4,10 @@ use std::ops::ControlFlow;
 use std::sync::Mutex;
 
 use impact_pair::document::{Bounds, Conclusion, Ending, Event, EventKind, arithmetic as computed_by, head};
-use impact_pair::json::{Decimal, EventDocument, EventName, OrbitDocument, OrbitHead, OutcomeDocument, write_orbit};
-use impact_pair::orbit::{self, Dense, Settings};
+use impact_pair::json::{
+    ArithmeticDocument, Decimal, EventDocument, EventName, OrbitDocument, OrbitHead, OutcomeDocument, write_orbit,
+};
+use impact_pair::orbit::{self, Arithmetic, Dense, Settings};
 use impact_pair::scene::{DIGITS, Run};
 use impact_pair::sweep::doubles;
 use impact_pair::watch::Watch;
@@ -28,6 +30,8 @@ enum Events {
 #[pyclass(frozen, module = "impact_pair._core")]
 pub struct Orbit {
     head: OrbitHead,
+    /// The head as JSON Lines begin with it: with the arithmetic requested; of an orbit that was read the same.
+    begun: OrbitHead,
     outcome: OutcomeDocument,
     events: Events,
     /// Everything requested is certified; unknown for a document.
@@ -111,6 +115,11 @@ impl Orbit {
     /// The head and the outcome of it.
     fn about(&self) -> PyResult<(String, String)> {
         Ok((json(&self.head)?, json(&self.outcome)?))
+    }
+
+    /// The first one of its JSON Lines, as the command line writes it.
+    fn first_line(&self) -> PyResult<String> {
+        json(&self.begun)
     }
 
     /// True if everything requested is certified (`None` of an orbit that was read), the last line of the table, and the maximum precision in bits.
@@ -200,6 +209,12 @@ pub fn run(
         let settings = scene.settings_requested(requested_run(&requested)?, chosen);
         let settings = Settings { attractor: true, splice: *splice, max_bits, ..settings };
         let mut orbit = orbit::Orbit::of(&scene, settings.clone())?;
+        let head_with = |arithmetic| head(scene.pair(), scene.start(), settings.arithmetic, arithmetic);
+        // It is known to be shadowed or not before its first impact.
+        let begun = head_with(match settings.arithmetic {
+            Arithmetic::Shadow => computed_by(&orbit),
+            _ => ArithmeticDocument::requested(&settings),
+        });
         let mut dense = Dense::new(&orbit, scene.start());
         let mut events: Vec<Event> = Vec::new();
         let _ = orbit.follow(monitor, |orbit, step| {
@@ -210,7 +225,8 @@ pub fn run(
         let conclusion = Conclusion::of(&orbit, scene.start(), events.last());
         let ending = Ending::of(&orbit, conclusion, &settings);
         Ok(Orbit {
-            head: head(scene.pair(), scene.start(), settings.arithmetic, computed_by(&orbit)),
+            head: head_with(computed_by(&orbit)),
+            begun,
             outcome: ending.conclusion.document(),
             complete: Some(ending.is_complete()),
             said: ending.to_string(),
@@ -226,5 +242,6 @@ pub fn run(
 pub fn read_orbit(text: &str) -> PyResult<Orbit> {
     let OrbitDocument { head, outcome, events } = serde_json::from_str(text).map_err(Fault::certificate)?;
     let said = outcome.message.clone();
-    Ok(Orbit { head, outcome, events: Events::Read(events), complete: None, said, bits: None, motion: None })
+    let begun = head.clone();
+    Ok(Orbit { head, begun, outcome, events: Events::Read(events), complete: None, said, bits: None, motion: None })
 }

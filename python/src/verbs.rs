@@ -122,11 +122,11 @@ pub fn two_impact(
             if !monitor.goes_on() && !documents.is_empty() {
                 return Ok((documents, false, true));
             }
-            let answer = TwoImpactProblem::new(scene.pair(), cycles, unknown.clone())?.answer(digits);
+            let answer = TwoImpactProblem::new(scene.pair(), cycles, unknown.clone())?.answer_within(digits, monitor);
             documents.push(text(&document::two_impact(scene.start(), &answer, wall)));
             complete &= answer.is_complete;
         }
-        Ok((documents, complete, false))
+        Ok((documents, complete, !complete && monitor.is_stopped()))
     })
 }
 
@@ -253,14 +253,13 @@ pub fn check(py: Python<'_>, text: String, effort: u64, progress: Option<Py<PyAn
     })
 }
 
-/// An orbit JSON as a theorem for Coq: the file, the impacts it proves, and the reason why not all, if so; whether Ctrl-C ended it.
+/// The file, the impacts it proves, why not all that were requested, whether Ctrl-C ended it, and what it leaves out.
+type Proved = (String, usize, Option<String>, bool, Option<String>);
+
+/// An orbit JSON as a theorem for Coq: the file, the impacts it proves, and the reason why not all, if so; whether Ctrl-C ended it; what the
+/// document claims besides.
 #[pyfunction]
-pub fn prove(
-    py: Python<'_>,
-    text: String,
-    impacts: Option<u64>,
-    progress: Option<Py<PyAny>>,
-) -> PyResult<(String, usize, Option<String>, bool)> {
+pub fn prove(py: Python<'_>, text: String, impacts: Option<u64>, progress: Option<Py<PyAny>>) -> PyResult<Proved> {
     watched(py, progress, move |monitor| {
         let certificate = Certificate::parse(&text)?;
         let listed = certificate.events().iter().take_while(|claim| claim.kind.is_impact()).count();
@@ -271,6 +270,6 @@ pub fn prove(
             impacts.map_or(listed, |diagram_settings| usize::try_from(diagram_settings).unwrap_or(usize::MAX));
         let theorem = certificate.prove(diagram_settings, monitor)?;
         let stop = theorem.stop.as_ref().map(|finding| certificate.described(finding.event, &finding.message));
-        Ok((theorem.text, theorem.impacts, stop, monitor.is_stopped()))
+        Ok((theorem.text, theorem.impacts, stop, monitor.is_stopped(), theorem.left_out))
     })
 }

@@ -1,5 +1,6 @@
 """Arguments passed by mistake, or of another type: numbers are taken, and the rest is refused by the package's own errors."""
 
+import json
 from decimal import Decimal
 from fractions import Fraction
 
@@ -319,3 +320,34 @@ def test_i58_files_that_are_no_text_raise_the_errors_of_the_package(tmp_path):
         with pytest.raises(refusal, match="is no text in UTF-8, from byte 8 on") as caught:
             read(path)
         assert caught.value.value == str(path)
+
+
+@pytest.mark.parametrize("bounds", [("1.7e308", "1.75e308"), ("-1.75e308", "-1.7e308"), ("-1.7e308", "1.7e308")])
+def test_r52_bounds_near_the_greatest_doubles_have_a_middle_among_them(bounds):
+    found = impact_pair.Bounds(*bounds)
+    low, high = found.float64
+    assert low <= found.mid <= high
+    assert 0 < found.rad < float("inf")
+    assert Fraction(found.mid) - Fraction(found.rad) <= Fraction(low) <= Fraction(high) <= Fraction(found.mid) + Fraction(found.rad)
+
+
+def test_r52_json_lines_begin_with_the_requested_arithmetic(tmp_path):
+    for arithmetic, requested in (("auto", {"kind": "auto", "max_bits": 1000000}), ("interval", {"kind": "interval", "bits": 53})):
+        orbit = Scene.named("figure-14").run(impacts=5, digits=30 if arithmetic == "auto" else 9, arithmetic=arithmetic)
+        orbit.save(tmp_path / "orbit.jsonl")
+        lines = [json.loads(line) for line in (tmp_path / "orbit.jsonl").read_text().splitlines()]
+        assert lines[0]["arithmetic"] == requested
+        assert lines[-1]["arithmetic"] == orbit.arithmetic
+
+
+def test_r52_a_message_names_no_option_of_the_command_line():
+    listed = {"time": [1.0], "wall": ["right"], "puck_speed": [3.0]}
+    found = Scene.named("figure-12-exact").audit(listed, until=1)
+    assert "not read: puck_speed" in found.message
+    assert "--" not in found.message
+
+
+def test_r52_a_theorem_names_what_it_leaves_out():
+    theorem = Scene.named("figure-12").run(impacts=20).prove()
+    assert (theorem.stop, theorem.left_out) == (None, "the outcome `attracted`")
+    assert Scene.named("figure-14").run(impacts=3).prove().left_out is None

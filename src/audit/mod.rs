@@ -240,8 +240,17 @@ impl<'s> Audit<'s> {
         !self.is_open() && self.count(|verdict| verdict.disagrees() || verdict == Verdict::Undecided) == 0
     }
 
-    /// Returns the result in one line, with a hint for the command line.
+    /// Returns the result in one line.
     pub fn conclusion(&self) -> String {
+        self.concluded(false)
+    }
+
+    /// Returns the result in one line, with the options of the command line that may help.
+    pub fn advice(&self) -> String {
+        self.concluded(true)
+    }
+
+    fn concluded(&self, names_options: bool) -> String {
         let open = self.is_open().then(|| self.truth.message());
         let mut said = match (self.count(Verdict::disagrees), open) {
             (0, None) if self.is_agreed() => format!("agreed: all {} listed", self.rows.len()),
@@ -256,29 +265,31 @@ impl<'s> Audit<'s> {
                 format!("disagreed: {n} {impacts}{}", open.map_or(String::new(), |open| format!("; {open}")))
             }
         };
-        if let Some(hint) = self.hint() {
+        if let Some(hint) = self.hint(names_options) {
             said += &format!("; {hint}");
         }
         if !self.unused.is_empty() {
             said += &format!("; not read: {}", self.unused.join(", "));
-            if self.lacks_velocities {
+            if self.lacks_velocities && names_options {
                 said += " (velocities are read from the column that --velocity-column names)";
             }
         }
         said
     }
 
-    fn hint(&self) -> Option<&'static str> {
+    fn hint(&self, names_options: bool) -> Option<&'static str> {
         let is_short = |conclusion: &Conclusion| conclusion.reason() == Some(Doubt::Precision);
         if self.is_open() && is_short(&self.truth.conclusion) {
-            return Some("try more --max-bits or fewer --digits");
+            return names_options.then_some("try more --max-bits or fewer --digits");
         }
         // Wrong in velocity alone from the first impact on: it may be another velocity.
         let first = self.first_disagreement()?;
         let errors = first.errors.as_ref()?;
         let is_velocity = !self.tolerance.is_outside_in_time(&errors.time) && self.impact(first) <= 1;
-        is_velocity
-            .then_some("velocities are expected just before the impact; --no-velocity compares times and walls only")
+        is_velocity.then_some(match names_options {
+            true => "velocities are expected just before the impact; --no-velocity compares times and walls only",
+            false => "velocities are expected just before the impact",
+        })
     }
 }
 

@@ -44,6 +44,7 @@ pub struct Trap {
     region: Region,
     flight: [f64; 2],
     entered: Option<u64>,
+    coarser: Option<NoTrap>,
 }
 
 /// Columns and rows of the coarsest grid, and the number of times that it is doubled at most.
@@ -87,9 +88,13 @@ impl Trap {
         let mut why = NoTrap::Boxes;
         for doubled in 0..=DOUBLINGS {
             let region = grown(&law, doubled, seed, watch);
-            let region = match region {
-                Ok(region) if finer == 0 => region,
-                Ok(region) => grown(&law, doubled + finer, seed, watch).unwrap_or(region), // D5: either is closed
+            let (region, coarser) = match region {
+                Ok(region) if finer == 0 => (region, None),
+                // D5: either is closed
+                Ok(region) => match grown(&law, doubled + finer, seed, watch) {
+                    Ok(finer) => (finer, None),
+                    Err(why) => (region, Some(why)),
+                },
                 Err(reason) => {
                     why = reason;
                     if matches!(why, NoTrap::Interrupted | NoTrap::Boxes) {
@@ -98,7 +103,7 @@ impl Trap {
                     continue;
                 }
             };
-            let trap = Self::around(region, &visited);
+            let trap = Self { coarser, ..Self::around(region, &visited) };
             // Lemma D5: flights that last prove that nothing rests
             if trap.flight[0] > 0.0 {
                 return Ok(Ok(trap));
@@ -113,12 +118,17 @@ impl Trap {
         let flight = times.fold([f64::INFINITY, 0.0], |[a, b], [c, d]| [a.min(c), b.max(d)]); // D5: the outer ends
         let entered =
             visited.iter().find(|state| region.holds(state.phase, state.speed) == Some(true)).map(|state| state.index);
-        Self { region, flight, entered }
+        Self { region, flight, entered, coarser: None }
     }
 
     /// Its boxes.
     pub(super) fn region(&self) -> &Region {
         &self.region
+    }
+
+    /// Returns why no region of the finer grid that was requested is proved; `None` where this one is of that grid.
+    pub fn coarser(&self) -> Option<NoTrap> {
+        self.coarser
     }
 
     /// Returns how many boxes it has.

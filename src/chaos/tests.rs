@@ -21,7 +21,7 @@ use crate::flight::Flight;
 use crate::number::{Ball, Number, kernel::sin_cos};
 use crate::orbit::{Orbit, Outcome, Progress, Settings};
 use crate::pair::{Reduced, Wall};
-use crate::watch::{Stage, Unwatched};
+use crate::watch::{Stage, Unwatched, proceed_if};
 
 const MAKING: Making = Making { longest: 0.01, margin: 1.08, pad: 2e-5, shortest: 1e-6, ahead: 4 };
 
@@ -292,6 +292,18 @@ fn the_horseshoe_of_figure_14_is_where_the_orbit_is() {
     assert!(!trap.holds(&HSet::new([0.5, 1.23], [0.03, 0.08], [-0.0003, 0.0026])));
     // One that is too long by far sticks out.
     assert!(!trap.holds(&HSet::new([0.778431, 1.234518], [0.3, 0.8], [-0.0003, 0.0026])));
+}
+
+/// A finer region that is not found, or not waited for, was passed over without a word.
+#[test]
+fn r52_a_region_that_is_coarser_than_requested_says_why() {
+    let watch = |at: Stage<'_>| proceed_if(!matches!(at, Stage::Region(2_000..)));
+    let region = |finer: u32| Trap::of(&scene("8"), finer, &watch).unwrap().unwrap();
+    let [coarsest, stopped] = [0, 4].map(region);
+    assert_eq!((coarsest.coarser(), stopped.coarser()), (None, Some(NoTrap::Interrupted)));
+    assert_eq!(coarsest.grid(), stopped.grid());
+    let finer = Trap::of(&scene("8"), 1, &Unwatched).unwrap().unwrap();
+    assert!(finer.coarser().is_none() && finer.grid().0 == 2 * coarsest.grid().0);
 }
 
 /// A = 8.4, where the diagram has a gap: the orbit converges to eight impacts in three cycles, and a horseshoe is beside it.

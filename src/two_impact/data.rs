@@ -13,6 +13,7 @@ use super::motion::{Motion, Parameters};
 use super::unequispaced::Spacing;
 use crate::exact::Real;
 use crate::units::ratio;
+use crate::watch::Watch;
 
 /// A pair and a number of cycles.
 #[derive(Clone, Debug)]
@@ -93,8 +94,8 @@ impl Data {
         Parameters { cycles: self.cycles, restitution: Real::of(e, ratio.bits()), ratio, is_dead }
     }
 
-    /// Returns all motions for `A` and `d`.
-    pub fn motions(&self, bits: u32) -> Found {
+    /// Returns all motions for `A` and `d`, until the watch stops it.
+    pub fn motions(&self, bits: u32, watch: &dyn Watch) -> Found {
         let exact = ratio(&self.pair).expect("proved to exist by `new`");
         let parameters = self.parameters(Real::of(&exact, bits));
         let orders = self.orders(&exact);
@@ -108,7 +109,7 @@ impl Data {
             // (65)
             (false, false) => (Vec::new(), Vec::new()),
         };
-        let (others, open) = Spacing::new(&parameters, orders.room).solve();
+        let (others, open) = Spacing::new(&parameters, orders.room).solve(watch);
         motions.extend(others);
         doubts.extend(open);
         let amplitude = Real::of(self.pair.excitation().reference().amplitude(), bits);

@@ -18,6 +18,7 @@ use super::orbit::Orbit;
 use super::unequispaced::Spacing;
 use crate::exact::Real;
 use crate::periodic::{MeasuredOrbit, Stability};
+use crate::watch::{Unwatched, Watch};
 
 /// The cycles that can be requested: each has an equation of its own to solve.
 pub const CYCLES: RangeInclusive<u32> = 1..=999;
@@ -123,13 +124,23 @@ impl Problem {
     /// **Undecided when** the parameters are so near to a fold, a pitchfork, a graze or an end of stability that eight times the
     /// bits of the digits do not tell, or when intervals of them hold one.
     pub fn answer(&self, digits: u32) -> Answer {
+        self.answer_within(digits, &Unwatched)
+    }
+
+    /// Answers it as [`answer`](Self::answer) does, until the watch stops it: what is not searched or not measured then is undecided.
+    pub fn answer_within(&self, digits: u32, watch: &dyn Watch) -> Answer {
         let first = working_bits(digits);
-        let mut answer = self.answer_in(first, digits);
+        let mut answer = self.answer_in(first, digits, watch);
         for round in 1..MAX_DOUBLINGS {
-            if answer.is_complete || (round > 1 && !self.is_point()) {
+            if answer.is_complete || (round > 1 && !self.is_point()) || !watch.goes_on() {
                 break;
             }
-            answer = self.answer_in(first << round, digits);
+            let more = self.answer_in(first << round, digits, watch);
+            // One that is stopped has less than the one before.
+            if !watch.goes_on() {
+                break;
+            }
+            answer = more;
         }
         answer
     }
@@ -157,10 +168,10 @@ impl Problem {
         self.data.pair().is_point() && speed_is_point
     }
 
-    fn answer_in(&self, bits: u32, digits: u32) -> Answer {
+    fn answer_in(&self, bits: u32, digits: u32, watch: &dyn Watch) -> Answer {
         let shown = whole_bits(digits) + SHOWN_BITS;
         let Found { motions, mut doubts } = match &self.unknown {
-            Unknown::Velocity => self.data.motions(bits),
+            Unknown::Velocity => self.data.motions(bits, watch),
             Unknown::Amplitude(speed) => self.data.with_amplitude(speed, bits),
             Unknown::Gap(speed) => self.data.with_gaps(speed, bits),
         };
@@ -168,6 +179,10 @@ impl Problem {
         let frequency = Real::of(self.data.frequency(), bits);
         let mut orbits = Vec::new();
         for (motion, amplitude) in &motions {
+            if !watch.goes_on() {
+                doubts.push(motion.spacing.clone());
+                continue;
+            }
             let is_unique = is_unique(motion, motions.iter().map(|(motion, _)| motion), &doubts, (is_searched, shown));
             let units = Units { length: amplitude.clone(), velocity: amplitude * &frequency };
             match Orbit::of(motion, &units, shown, is_unique) {

@@ -10,6 +10,7 @@ use super::motion::Parameters;
 use super::unequispaced::Spacing;
 use crate::exact::Real;
 use crate::exact::{Dyadic, Enclosure, Exact};
+use crate::watch::Unwatched;
 
 fn real(text: &str, bits: u32) -> Real {
     Real::of(&Exact::parse(text).unwrap(), bits)
@@ -98,7 +99,7 @@ fn a_plain_scan_finds_no_motion_that_was_missed() {
         let exact = |x: f64| Real::of(&Exact::parse(&x.to_string()).unwrap(), bits);
         let parameters = Parameters { cycles, ratio: exact(ratio), restitution: exact(e), is_dead: e == 0.0 };
         let room = Some(2.0f64.total_cmp(&ratio));
-        let (motions, doubts) = Spacing::new(&parameters, room).solve();
+        let (motions, doubts) = Spacing::new(&parameters, room).solve(&Unwatched);
         assert!(doubts.is_empty());
         let step = f64::from(cycles) * PI / 2.0 / f64::from(STEPS);
         let at = |index: u32| gap_at((f64::from(index) + 0.5) * step, e, cycles) - ratio;

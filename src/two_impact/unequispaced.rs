@@ -7,6 +7,7 @@ use super::isolate::{Interval, Part, refine, zeros};
 use super::jet::Jet;
 use super::motion::{Motion, Parameters};
 use crate::exact::Real;
+use crate::watch::Watch;
 
 /// The equation of Lemma W5, whose zeros `eps` in `(0, N pi/2)` are the motions with `th1 - th0 = N pi + 2 eps`.
 pub(super) struct Spacing<'p> {
@@ -78,11 +79,18 @@ impl<'p> Spacing<'p> {
         Self { parameters, lambda, room }
     }
 
-    /// Returns all motions that are not equispaced, mirror images included, and the parts of `th1 - th0` that are not decided.
-    pub fn solve(&self) -> (Vec<Motion>, Vec<Real>) {
+    /// Returns all motions that are not equispaced, mirror images included, and the parts of `th1 - th0` that are not decided: all
+    /// that is left when the watch stops it.
+    pub fn solve(&self, watch: &dyn Watch) -> (Vec<Motion>, Vec<Real>) {
         let (mut motions, mut doubts) = (Vec::new(), Vec::new());
-        for quarter in 0..self.parameters.cycles {
-            let piece = Piece { cycles: self.parameters.cycles, quarter };
+        let cycles = self.parameters.cycles;
+        for quarter in 0..cycles {
+            let piece = Piece { cycles, quarter };
+            if !watch.goes_on() {
+                let last = self.interval(Piece { cycles, quarter: cycles - 1 });
+                doubts.extend(self.doubt(Part::Doubt(self.interval(piece).x.hull(&last.x))));
+                break;
+            }
             for part in zeros(&self.interval(piece), |eps| self.equation(eps, piece)) {
                 match self.motion(&part, piece) {
                     Some(motion) => motions.extend([motion.mirrored(), motion]),

@@ -44,6 +44,6 @@ pub fn audit(arguments: &AuditArguments) -> Result<Answer> {
         AuditFormat::Table => table::table(&audit, &named(), arguments.all),
         AuditFormat::Json => format!("{}\n", one_a_line(&audit.document(), &["events"])),
     };
-    let open = (!audit.is_agreed()).then(|| audit.conclusion().to_string());
+    let open = (!audit.is_agreed()).then(|| audit.advice());
     files.answer(&text, open, format == AuditFormat::Table)
 }

@@ -169,7 +169,7 @@ fn summary(audit: &Audit<'_>) -> Vec<String> {
             audit.digits()
         ));
     }
-    lines.push(format!("\n{}", audit.conclusion()));
+    lines.push(format!("\n{}", audit.advice()));
     lines
 }
 

@@ -47,7 +47,7 @@ fn list_motions((arguments, format): Options<'_>, files: Files, scene: &Scene, d
         .cycles
         .clone()
         .take_while(|_| progress.goes_on())
-        .map(|cycles| Ok(Problem::new(scene.pair(), cycles, unknown.clone())?.answer(digits)))
+        .map(|cycles| Ok(Problem::new(scene.pair(), cycles, unknown.clone())?.answer_within(digits, &progress)))
         .collect::<Result<_, Error>>()?;
     progress.clear();
     let wall = arguments.wall.wall();
@@ -62,10 +62,11 @@ fn list_motions((arguments, format): Options<'_>, files: Files, scene: &Scene, d
         }
         TwoImpactFormat::Table | TwoImpactFormat::Csv => table::motions(scene, &unknown, &answers, wall),
     };
-    let open = match answers.iter().all(|answer| answer.is_complete) {
-        true if answers.len() == arguments.cycles.clone().count() => None,
-        true => Some("interrupted: the motions written are proved, others are missing"),
-        false => Some("not everything requested is decided: see the undecided and null values in the output"),
+    let is_whole = answers.len() == arguments.cycles.clone().count();
+    let open = match (is_whole && answers.iter().all(|answer| answer.is_complete), progress.goes_on()) {
+        (true, _) => None,
+        (false, false) => Some("interrupted: the motions written are proved, others are missing"),
+        (false, true) => Some("not everything requested is decided: see what is undecided or null in the output"),
     };
     let open = open.map(str::to_owned);
     let is_table = format == TwoImpactFormat::Table;

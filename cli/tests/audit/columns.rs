@@ -27,6 +27,9 @@ fn r35_columns_that_are_not_read_are_named() {
     assert_eq!(judged(&unknown, &FIGURE_14, 0)["unused_columns"], serde_json::json!(["puck_speed"]));
     let named = [&FIGURE_14[..], &["--velocity-column", "puck_speed"]].concat();
     assert_eq!(judged(&unknown, &named, 1)["unused_columns"], serde_json::json!([]));
+    // Options of the command line are no part of the document, which Python has as well.
+    let r52_message = judged(&unknown, &FIGURE_14, 0)["message"].to_string();
+    assert!(r52_message.contains("not read: puck_speed") && !r52_message.contains("--"), "{r52_message}");
     // A column that is deliberately not compared is named without advice.
     let without = [&FIGURE_14[..], &["--no-velocity"]].concat();
     let message = judged(LIST, &without, 0)["message"].to_string();

@@ -12,7 +12,7 @@ use impact_pair_model::{EventKind, Period};
 
 impl Certificate {
     /// The outcome says as much in words as in fields, has no field that another kind has, and counts the impacts that are listed.
-    pub(super) fn says_one_thing(&self) -> Result<(), Doubt> {
+    pub(crate) fn says_one_thing(&self) -> Result<(), Doubt> {
         let ended = self.ended();
         let others = [
             ("reason", ended.reason.is_some(), &["undecided"][..]),

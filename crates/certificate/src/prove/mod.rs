@@ -15,6 +15,7 @@ use super::Certificate;
 use super::check::{Data, Doubt, Finding};
 use flights::{Flight, Origin, flights};
 use impact_pair_document::ClaimName;
+use impact_pair_exact::Exact;
 use impact_pair_model::Error;
 use impact_pair_model::watch::{Latched, Watch};
 use legs::{Box, Leg, excess, leg, start};
@@ -28,6 +29,8 @@ pub struct Theorem {
     pub impacts: usize,
     /// The reason why it does not prove all that were requested.
     pub stop: Option<Finding>,
+    /// What the document claims besides, in words: events from the first other one on, an outcome of another kind.
+    pub left_out: Option<String>,
 }
 
 /// The scale of the first grid, and the bits of the first computation.
@@ -73,6 +76,7 @@ impl Certificate {
         claims.extend(until.and_then(|until| self.next_after(&data, &until.0)));
         let is_last_missing = until.is_some() && claims.len() == listed;
         let until = until.filter(|_| claims.len() > listed);
+        let contradiction = (listed == self.events().len()).then(|| self.contradicts_its_list()).flatten();
         let (mut bits, mut scale) = (FIRST_BITS, FIRST_SCALE);
         let watch = Latched::new(watch);
         loop {
@@ -107,12 +111,37 @@ impl Certificate {
                     Some("the next impact, after the time `until`, is not found".to_owned())
                 }
                 _ if proved < flights.len() => Some("boxes do not fit into the printed bounds".to_owned()),
-                _ => None,
+                _ => contradiction.clone(),
             };
-            let stop = stop.map(|message| Finding { event: proved, message });
+            let stop = stop.map(|message| Finding { event: proved.min(self.events().len()), message });
             let until = until.filter(|_| proved == claims.len());
-            let text = text::file(self, &claims[..proved], &begin, &legs[..proved], until.map(|until| &until.0))?;
-            return Ok(Theorem { text, impacts: proved.min(listed), stop });
+            let ending = (contradiction.is_none(), until.map(|until| &until.0));
+            let text = text::file(self, &claims[..proved], &begin, &legs[..proved], ending)?;
+            let left_out = self.left_out(proved.min(listed));
+            return Ok(Theorem { text, impacts: proved.min(listed), stop, left_out });
+        }
+    }
+
+    /// What is wrong with the outcome of a list of impacts, if anything is.
+    fn contradicts_its_list(&self) -> Option<String> {
+        if let Err(Doubt::False(message) | Doubt::Open(message)) = self.says_one_thing() {
+            return Some(message);
+        }
+        let (until, last) = (&self.ended().until.as_ref()?.0, self.events().last()?);
+        let is_later = Exact::from_rational(last.time[0].clone()).compare(until)?.is_gt();
+        is_later.then(|| "a listed event comes after the time `until`".to_owned())
+    }
+
+    /// What the document claims besides its first impacts: nothing where the theorem is about the first of a longer list.
+    fn left_out(&self, impacts: usize) -> Option<String> {
+        let others = self.events().len() - impacts;
+        let is_cut = self.events().get(impacts).is_some_and(|next| next.kind.is_impact());
+        let is_stated = matches!(self.outcome(), "impacts-reached" | "time-reached");
+        match others {
+            _ if is_cut => None,
+            0 if is_stated => None,
+            0 => Some(format!("the outcome `{}`", self.outcome())),
+            _ => Some(format!("events[{impacts}] and what comes after it, and the outcome")),
         }
     }
 }

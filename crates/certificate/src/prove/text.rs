@@ -26,19 +26,19 @@ Import ListNotations.
 
 /// Returns the file that proves these impacts.
 ///
-/// The last of them comes after `until`, if there is one: it is not listed.
+/// The last of them comes after `until`, if there is one: it is not listed. The outcome is left out where the list contradicts it.
 pub(super) fn file(
     certificate: &Certificate,
     claims: &[Claim],
     begin: &Box,
     legs: &[Leg],
-    until: Option<&Exact>,
+    (is_stated, until): (bool, Option<&Exact>),
 ) -> Result<String, Error> {
     let mut text = format!("{PREAMBLE}\n{}\n{}", scene(certificate)?, theorem(claims, begin, legs));
     let listed = claims.len() - usize::from(until.is_some());
-    if listed == certificate.events().len() {
+    if is_stated && listed == certificate.events().len() {
         text.push('\n');
-        text.push_str(&outcome(listed, until));
+        text.push_str(&outcome(certificate.outcome(), listed, until));
     }
     Ok(text)
 }
@@ -101,12 +101,17 @@ Print Assumptions orbit_certified.
     )
 }
 
-/// The theorem of the outcome: the number of impacts listed, and the time up to which there is no other.
-fn outcome(listed: usize, until: Option<&Exact>) -> String {
+/// The theorem of the outcome: the number of impacts listed, and the time up to which there is no other. Of a kind that claims more it
+/// says that this is not stated.
+fn outcome(kind: &str, listed: usize, until: Option<&Exact>) -> String {
+    let besides = match kind {
+        "impacts-reached" | "time-reached" => String::new(),
+        _ => format!(" What `{kind}` says besides is not stated here."),
+    };
     let Some(until) = until else {
         return format!(
             "\
-(* The outcome: the number of impacts listed. *)
+(* The outcome: the number of impacts listed.{besides} *)
 Theorem all_listed : length printed = {listed}%nat.
 Proof. reflexivity. Qed.
 "
@@ -119,7 +124,7 @@ Proof. reflexivity. Qed.
     });
     format!(
         "\
-(* The outcome: the number of impacts listed, and up to this time, {until}, there is no other; the last of `printed` is the next one. *)
+(* The outcome: the number of impacts listed, and up to this time, {until}, there is no other; the last of `printed` is the next one.{besides} *)
 Definition until : Q := {}%Q.
 Theorem all_listed : length printed = S {listed} /\\ (until < time_lower (last printed (Impact left 0 0 0 0)))%Q.
 Proof. split; reflexivity. Qed.
