@@ -1,6 +1,7 @@
 """Pictures by matplotlib: one function per panel; each takes an ``Axes`` (or makes one) and returns it.
 
-Certified quantities are drawn from their bounds: bands between them, and a line or dots in their middles. The paper's figures, each in a line::
+Certified quantities are drawn from their bounds: bands between them, and a line or dots in their middles.
+The paper's figures, each in a line::
 
     impact_pair.plots.figure(14)
 

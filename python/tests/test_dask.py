@@ -22,7 +22,8 @@ if __name__ == "__main__":
     with Client(sys.argv[1]) as client:
         print("begun", flush=True)
         reported = lambda done: print(done, flush=True)
-        Scene.named("figure-14").sweep({over}, **{requested}, executor=client.get_executor(), seconds=0.05, resume=sys.argv[2], progress=reported)
+        how = {{"executor": client.get_executor(), "seconds": 0.05, "resume": sys.argv[2], "progress": reported}}
+        Scene.named("figure-14").sweep({over}, **{requested}, **how)
 """
 
 
