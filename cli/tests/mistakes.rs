@@ -180,6 +180,8 @@ fn i58_numbers_say_what_is_accepted() {
         ("periodic", "--cycles", "from 1 to 1000000"),
         ("bifurcations", "--doublings", "from 0 to 8"),
         ("plot", "--orbit-cycles", "from 1 to 10000"),
+        ("plot", "--transient", "from 0 to 4294967295"),
+        ("plot", "--splice", "from 0 on"),
         ("trap", "--words", "from 1 to 1000"),
         ("chaos", "--halvings", "from 0 to 24"),
         ("global", "--boxes", "from 8 to 20"),

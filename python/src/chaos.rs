@@ -1,6 +1,7 @@
 //! Regions, all periodic motions in them, stable ones near a scene, homoclinic tangencies, where all motions go, and chaos: the
 //! verbs `trap`, `cycles`, `windows`, `tangency`, `global` and `chaos`.
 
+use impact_pair::Error;
 use impact_pair::chaos::{
     BoxGraph, Cells, Chaos, Cycles, Global, GlobalSettings, HorseshoeSettings, Hyperbolic, MOST_CELLS, MOST_COUNTED,
     MOST_DEPTH, MOST_HALVINGS, MOST_IMPACTS, MOST_WINDOW_IMPACTS, RangeSettings, Trap, WallWords, WindowSettings,
@@ -12,6 +13,7 @@ use impact_pair::json::{BaseDocument, one_a_line};
 use impact_pair::orbit::MAX_BITS;
 use impact_pair::periodic::Precision;
 use impact_pair::periodic::bifurcation;
+use impact_pair::scene::Range;
 use impact_pair::tangency::{FlightWord, Tangencies, TangencySettings};
 use impact_pair::watch::{Stage, Watch};
 use impact_pair_plot::picture::Look;
@@ -91,7 +93,7 @@ pub fn windows(
     progress: Option<Py<PyAny>>,
 ) -> PyResult<Answer> {
     let (impacts, longest, most) = question;
-    let range = bifurcation::over(over).map_err(|error| Fault::keyed(error, "over", over))?;
+    let range = over.parse::<Range>().map_err(|error| Fault::keyed(error, "over", over))?;
     let scene = scene.get().scene.clone();
     watched(py, progress, move |monitor| {
         let settings = WindowSettings {
@@ -101,10 +103,15 @@ pub fn windows(
             most: accepted("most", most, 1..=100_000)? as usize,
             precision: precision(requested, &scene)?,
         };
-        let found = Windows::of(&scene, &settings, monitor)?;
+        let found = Windows::of(&scene, &settings, monitor).map_err(|error| asked_over(error, &settings.over))?;
         let document = document::windows(&scene, &settings, &found)?;
         Ok((text(&document), found.is_certified(), monitor.is_stopped()))
     })
+}
+
+/// The error of a search over a range, which is at fault where no key of the scene is.
+fn asked_over(error: Error, over: &Range) -> Fault {
+    Fault::keyed(error, "over", &over.to_string())
 }
 
 /// The limits by default: boxes of the first partition as a power of two, boxes that are mapped, and the work.
@@ -155,7 +162,7 @@ pub fn tangency(
     progress: Option<Py<PyAny>>,
 ) -> PyResult<Answer> {
     let (word, longest, most, work) = question;
-    let range = bifurcation::over(over).map_err(|error| Fault::keyed(error, "over", over))?;
+    let range = over.parse::<Range>().map_err(|error| Fault::keyed(error, "over", over))?;
     let word = word.map(|word| word.parse::<FlightWord>().map_err(|error| Fault::keyed(error, "word", word)));
     let word = word.transpose()?;
     let scene = scene.get().scene.clone();
@@ -168,7 +175,7 @@ pub fn tangency(
             work: accepted("work", work, 1..=1_000_000_000_000)? as usize,
             precision: precision(requested, &scene)?,
         };
-        let found = Tangencies::of(&scene, &settings, monitor)?;
+        let found = Tangencies::of(&scene, &settings, monitor).map_err(|error| asked_over(error, &settings.over))?;
         Ok((text(&document::tangency(&scene, &found)), found.is_certified(), monitor.is_stopped()))
     })
 }

@@ -291,6 +291,14 @@ def test_i58_a_list_of_impacts_that_is_none_is_refused(events):
         Scene.named("figure-12").audit(events)
 
 
+@pytest.mark.parametrize("verb", ["windows", "tangency"])
+@pytest.mark.parametrize("key", ["frequency", "phase", "start.velocity"])
+def test_i58_a_search_names_the_keys_that_it_accepts(verb, key):
+    with pytest.raises(impact_pair.RangeError, match=r"KEY one of gap, amplitude, restitution$") as caught:
+        getattr(Scene.named("figure-12"), verb)({key: (1, 2)})
+    assert (caught.value.key, caught.value.value) == ("over", f"{key}=1..2")
+
+
 @pytest.mark.parametrize("columns", [None, (1, 2), "twv"])
 def test_i58_columns_of_a_list_are_three(columns):
     with pytest.raises(impact_pair.RangeError, match=r"columns is .*, but must be three"):

@@ -10,7 +10,7 @@ use impact_pair_plot::orbit::{Figure, Panel};
 use impact_pair_plot::picture::Look;
 
 use crate::destination::Destination;
-use crate::values::{ARITHMETICS, bits, digits, point, whole, window};
+use crate::values::{ARITHMETICS, bits, count, digits, point, whole, window};
 
 pub const HELP: &str = "\
 Examples:
@@ -46,13 +46,13 @@ pub struct PlotArguments {
     #[arg(long, value_name = "N", default_value_t = 40, value_parser = whole(1..=10_000))]
     orbit_cycles: u32,
     /// Number of impacts in the transient, drawn grey together with the motion up to them
-    #[arg(long, value_name = "N", default_value_t = 0)]
-    transient: usize,
+    #[arg(long, value_name = "N", default_value_t = 0, value_parser = whole(0..=u32::MAX))]
+    transient: u32,
     /// Show the time panels again between these two times
     #[arg(long, value_name = "T0..T1", value_parser = window, allow_hyphen_values = true)]
     zoom: Option<[f64; 2]>,
     /// Stop after N impacts [default: 4000 for switch-planes and sections, else as many as the forcing periods need]
-    #[arg(long, value_name = "N", value_parser = crate::values::count(0..=u64::MAX))]
+    #[arg(long, value_name = "N", value_parser = count(0..=u64::MAX))]
     impacts: Option<u64>,
     /// Stop at this time, a number or an expression such as 100*pi
     #[arg(long, value_name = "T", value_parser = point, allow_hyphen_values = true)]
@@ -65,7 +65,7 @@ pub struct PlotArguments {
     #[arg(long, default_value = "auto", value_name = ARITHMETICS)]
     arithmetic: Arithmetic,
     /// With --arithmetic shadow: prove the first M impacts in higher precision, so that the start is nearer to the given one
-    #[arg(long, value_name = "M", default_value_t = 0)]
+    #[arg(long, value_name = "M", default_value_t = 0, value_parser = count(0..=u64::MAX))]
     splice: u64,
     /// Maximum precision of auto, in bits
     #[arg(long, value_name = "BITS", default_value_t = MAX_BITS, value_parser = bits())]
@@ -98,7 +98,7 @@ impl PlotArguments {
             panels,
             cycles: self.cycles,
             orbit_cycles: self.orbit_cycles,
-            transient: self.transient,
+            transient: self.transient as usize, // exact: 32 bits
             zoom: self.zoom,
             run: Run { impacts: self.impacts, until: self.until.clone(), digits: self.digits },
             arithmetic: self.arithmetic,
