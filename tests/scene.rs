@@ -174,6 +174,10 @@ fn unknown_missing_and_duplicate_keys_are_named() {
         (with("gap = 9.42497", "gap = 9\ngap = 10"), "line 8: duplicate key in `gap = 10`"),
         (with("title = \"Figure 14\"", "title = 14"), "line 1: title is 14, but must be a string"),
         (
+            with("title = \"Figure 14\"", r#"title = "a\u001b[31m""#),
+            r#"line 1: title is "a\u001b[31m", but must be one line without control characters"#,
+        ),
+        (
             with("title = \"Figure 14\"", "pair = 3").replace("[pair]", "[run.pair]"),
             "line 1: pair is 3, but must be one table with gap, restitution",
         ),

@@ -162,6 +162,17 @@ impl<'t> Entry<'t> {
         self.item.as_str().ok_or_else(|| self.refused(&format!("must be {accepted}")))
     }
 
+    /// Returns a string that a line of a table and a picture can show: XML has no control characters and neither of the two noncharacters.
+    pub fn line(&self) -> Result<&'t str, Error> {
+        let text = self.text("a string")?;
+        let is_hidden = |c: char| c.is_control() || matches!(c, '\u{fffe}' | '\u{ffff}');
+        if text.contains(is_hidden) {
+            Err(self.refused("must be one line without control characters"))
+        } else {
+            Ok(text)
+        }
+    }
+
     /// Returns an exact number or interval.
     pub fn number(&self) -> Result<Exact, Error> {
         self.item
