@@ -441,18 +441,18 @@ fn r52_a_search_that_is_stopped_leaves_the_rest_undecided() {
         let whole = problem.answer(9);
         assert!(whole.is_exhaustive && whole.undecided.is_empty());
         let mut lists = Vec::new();
-        for questions in [0, 20, 50] {
-            let asked = AtomicUsize::new(0);
-            let watch = |_: Stage<'_>| proceed_if(asked.fetch_add(1, Ordering::Relaxed) < questions);
+        for most in [0, 20, 50] {
+            let calls = AtomicUsize::new(0);
+            let watch = |_: Stage<'_>| proceed_if(calls.fetch_add(1, Ordering::Relaxed) < most);
             let part = problem.answer_within(9, &watch);
-            assert!(!part.is_exhaustive && !part.is_complete && !part.undecided.is_empty(), "{questions}");
+            assert!(!part.is_exhaustive && !part.is_complete && !part.undecided.is_empty(), "{most}");
             let spacing = |orbit: &Orbit| orbit.spacing.clone();
             let is_known = |orbit: &Orbit| whole.orbits.iter().any(|other| meets(&spacing(other), &spacing(orbit)));
             assert!(part.orbits.iter().all(is_known));
             // Each motion is listed, or undecided.
             let is_left = |orbit: &Orbit| part.undecided.iter().any(|doubt| meets(doubt, &spacing(orbit)));
             let is_listed = |orbit: &Orbit| part.orbits.iter().any(|other| meets(&spacing(other), &spacing(orbit)));
-            assert!(whole.orbits.iter().all(|orbit| is_left(orbit) || is_listed(orbit)), "{questions}");
+            assert!(whole.orbits.iter().all(|orbit| is_left(orbit) || is_listed(orbit)), "{most}");
             lists.push(part.orbits.len());
         }
         assert!(lists[0] == 0 && lists[2] > 0 && lists[2] < whole.orbits.len(), "{lists:?} of {}", whole.orbits.len());

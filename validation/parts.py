@@ -194,24 +194,24 @@ def run(part, full, environment):
     return code, (time.monotonic() - began, usage.ru_utime + usage.ru_stime), log, False
 
 
-def told(part, code, seconds, log, before):
+def report_line(part, code, seconds, log, before):
     """A line of the part; on failure its end as well."""
     took, worked = seconds
-    said = "unchanged since it passed" if before else f"{'passed' if code == 0 else 'FAILED'} {took:5.0f} s, {worked:5.0f} s of processor time"
-    print(f"{time.strftime('%H:%M:%S')}  {part.name:14} {said}", flush=True)
+    state = "unchanged since it passed" if before else f"{'passed' if code == 0 else 'FAILED'} {took:5.0f} s, {worked:5.0f} s of processor time"
+    print(f"{time.strftime('%H:%M:%S')}  {part.name:14} {state}", flush=True)
     if code != 0:
         lines = log.read_text(encoding="utf-8", errors="replace").splitlines()
         print("\n".join(["", *lines[-TAIL:], "", f"all of it: {log.relative_to(ROOT)}; this part alone: validation/run --only '{part.name}'"]))
-    elif log and (found := said_by_tests(log)):
+    elif log and (found := test_counts(log)):
         print(f"{'':10}{found}", flush=True)
 
 
-def said_by_tests(log):
+def test_counts(log):
     """Test runners' own last words in one line, if there are any."""
     text = log.read_text(encoding="utf-8", errors="replace")
     passed = [int(count) for count in re.findall(r"^test result: ok. (\d+) passed", text, re.M)]
     passed += [int(count) for count in re.findall(r"^ *Summary .* tests run: (\d+) passed", text, re.M)]
-    starts = [f"; {told}" for told in re.findall(r"^\d+ starts from seed \d+", text, re.M)]
+    starts = [f"; {count}" for count in re.findall(r"^\d+ starts from seed \d+", text, re.M)]
     return f"{sum(passed)} passed, 0 failed{''.join(starts)}" if passed else ""
 
 
@@ -237,7 +237,7 @@ def run_all(parts, full, environment):
             for done in wait(running, return_when=FIRST_COMPLETED).done:
                 part = running.pop(done)
                 code, took, log, before = done.result()
-                told(part, code, took, log, before)
+                report_line(part, code, took, log, before)
                 if code != 0:
                     stop()
                     return None
@@ -263,7 +263,7 @@ def write_report(folder, made, seconds, began):
             page.write_text(f"{text.rstrip()}\n\n{made}.\n", encoding="utf-8")
     for picture in folder.glob("*.svg"):
         picture.write_text(f"{picture.read_text(encoding='utf-8').rstrip()}\n<!-- {made.replace('--', '- -')} -->\n", encoding="utf-8")
-    lines.append(f"| The library's own tests | {said_by_tests(STATE / 'tests.log')} |")
+    lines.append(f"| The library's own tests | {test_counts(STATE / 'tests.log')} |")
     lines += ["", "| part | seconds | of processor time |", "|---|---|---|", *(f"| {name} | {took:.0f} | {worked:.0f} |" for name, (took, worked) in seconds.items())]
     (folder / "README.md").write_text("\n".join(lines) + "\n", encoding="utf-8")
 
@@ -275,28 +275,28 @@ def main():
     parser.add_argument("--only", action="append", metavar="PART", choices=[part.name for part in PARTS], help="this part; may be repeated")
     parser.add_argument("--list", action="store_true", help="the parts and what they run")
     parser.add_argument("--report", type=Path, help="folder of the report: validation/report with --full, else target/report")
-    asked = parser.parse_args()
-    if asked.list:
+    options = parser.parse_args()
+    if options.list:
         for part in PARTS:
             print(f"{part.name:14} {part.small}" + (f"\n{'':14} --full: {part.full}" if part.full != part.small else ""))
         return 0
-    report = (asked.report or ROOT / ("validation/report" if asked.full else "target/report")).resolve()
+    report = (options.report or ROOT / ("validation/report" if options.full else "target/report")).resolve()
     report.mkdir(parents=True, exist_ok=True)
     STATE.mkdir(parents=True, exist_ok=True)
-    environment = os.environ | {"IMPACT_PAIR": str(PROGRAM), "REPORT": str(report), "OCAMLRUNPARAM": OCAML} | ({} if asked.full else LINTED)
+    environment = os.environ | {"IMPACT_PAIR": str(PROGRAM), "REPORT": str(report), "OCAMLRUNPARAM": OCAML} | ({} if options.full else LINTED)
     # The report that goes is part of the version.
-    began, made = time.monotonic(), f"Made by `validation/run{' --full' if asked.full else ''}` on {time.strftime('%Y-%m-%d')} of version `{version()}`"
-    if asked.full and not asked.only:
+    began, made = time.monotonic(), f"Made by `validation/run{' --full' if options.full else ''}` on {time.strftime('%Y-%m-%d')} of version `{version()}`"
+    if options.full and not options.only:
         for file in [*report.glob("*.md"), *report.glob("*.svg")]:
             file.unlink()
     signal.signal(signal.SIGINT, lambda *_: (stop(), os._exit(130)))
-    parts = fast_parts() if asked.fast else [part for part in PARTS if not asked.only or part.name in asked.only]
-    seconds = run_all(parts, asked.full, environment)
+    parts = fast_parts() if options.fast else [part for part in PARTS if not options.only or part.name in options.only]
+    seconds = run_all(parts, options.full, environment)
     if seconds is None:
         return 1
-    if asked.fast:
+    if options.fast:
         print(f"passed in {time.monotonic() - began:.0f} s; validation/run passes all")
-    elif not asked.only:
+    elif not options.only:
         write_report(report, made, seconds, began)
         print(f"all passed in {time.monotonic() - began:.0f} s; {report / 'README.md'}")
     return 0

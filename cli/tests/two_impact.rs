@@ -38,15 +38,15 @@ fn motions_as_json() {
 #[test]
 fn i58_a_word_starts_at_the_impact_listed_first() {
     for (wall, word) in [("left", "P1 P2"), ("right", "P2 P1")] {
-        let asked = ["scenes/figure-13.toml", "--cycles", "1..2", "--wall", wall];
-        let answer = two_impact(&[&asked[..], &["--format", "json"]].concat()).output().unwrap();
+        let arguments = ["scenes/figure-13.toml", "--cycles", "1..2", "--wall", wall];
+        let answer = two_impact(&[&arguments[..], &["--format", "json"]].concat()).output().unwrap();
         let documents: Value = serde_json::from_slice(&answer.stdout).unwrap();
         for document in documents.as_array().unwrap() {
             assert_eq!(document["word"], word);
             let orbits = document["orbits"].as_array().unwrap();
             assert!(!orbits.is_empty() && orbits.iter().all(|orbit| orbit["impacts"][0]["wall"] == wall));
         }
-        let table = two_impact(&asked).output().unwrap().stdout;
+        let table = two_impact(&arguments).output().unwrap().stdout;
         assert!(String::from_utf8(table).unwrap().contains(&format!("N = 1, {word}: ")));
     }
 }
