@@ -86,7 +86,7 @@ impl Scene {
         let document = Document::parse(text).map_err(|error| unreadable(text, error))?;
         let file = Section::file(text, document.as_table());
         file.refuse_unknown(&["title", "excitation", "pair", "start", "run"])?;
-        let title = file.entry("title").map(|title| title.line().map(str::to_owned)).transpose()?;
+        let title = file.entry("title").map(|title| title.one_line().map(str::to_owned)).transpose()?;
         let excitation = file.section("excitation", &["amplitude", "frequency", "phase"])?;
         let pair = file.section("pair", &["gap", "restitution"])?;
         let start = file.section("start", &["time", "wall", "position", "velocity"])?;

@@ -163,7 +163,7 @@ impl<'t> Entry<'t> {
     }
 
     /// Returns a string that a line of a table and a picture can show: XML has no control characters and neither of the two noncharacters.
-    pub fn line(&self) -> Result<&'t str, Error> {
+    pub fn one_line(&self) -> Result<&'t str, Error> {
         let text = self.text("a string")?;
         let is_hidden = |c: char| c.is_control() || matches!(c, '\u{fffe}' | '\u{ffff}');
         if text.contains(is_hidden) {
