@@ -13,8 +13,8 @@ COMMANDS = sorted(set(re.findall(r"`((?:impact-pair|validation/paper/run|cargo)\
 # Without these words of the environment all commands are run, those that search for bases for a minute as well.
 IS_QUICK = "PAPER_QUICK" in os.environ
 # Lower bounds of the entropy per impact, and where given per forcing period.
-BOUNDS = re.findall(r"entropy (?:at least )?\$(\d\.\d+)\$(?: an impact and \$(\d\.\d+)\$ a cycle)?", TEXT)
-ENTROPIES = {told for bound in BOUNDS for told in bound if told}
+BOUNDS = re.findall(r"entropy (?:at least )?\$(\d\.\d+)\$(?: per impact and \$(\d\.\d+)\$ per forcing period)?", TEXT)
+ENTROPIES = {value for bound in BOUNDS for value in bound if value}
 
 
 class Document(unittest.TestCase):
@@ -40,11 +40,11 @@ class Document(unittest.TestCase):
                 for certified in re.findall(r"topological entropy is at least (.*)", done.stdout):
                     proved += re.findall(r"\d\.\d+", certified)
         self.assertTrue(proved)
-        for told in () if IS_QUICK else ENTROPIES:
-            self.assertTrue([entropy for entropy in proved if entropy.startswith(told)], f"{told} of {proved}")
+        for value in () if IS_QUICK else ENTROPIES:
+            self.assertTrue([entropy for entropy in proved if entropy.startswith(value)], f"{value} of {proved}")
 
     def test_entropies_are_given(self):
-        self.assertGreaterEqual(len(ENTROPIES), 8, "the words that tell them have changed")
+        self.assertGreaterEqual(len(ENTROPIES), 8, "the words around them have changed")
 
     def test_no_other_command_is_quoted(self):
         self.assertFalse([command for command in COMMANDS if command.startswith("cargo")

@@ -1,4 +1,4 @@
-"""Lists of impacts of other programs, and the judgement on them."""
+"""Lists of impacts of other programs, compared with the certified orbit."""
 
 from __future__ import annotations
 
