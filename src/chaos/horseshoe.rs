@@ -35,7 +35,7 @@ pub struct HorseshoeSettings {
 ///
 /// ```
 /// use impact_pair::Scene;
-/// use impact_pair::chaos::{Base, Chaos, HorseshoeSettings};
+/// use impact_pair::chaos::{HSet, Chaos, HorseshoeSettings};
 /// use impact_pair::watch::Unwatched;
 /// let scene = Scene::parse(r#"
 ///     excitation = { amplitude = 8, frequency = "pi", phase = 0 }
@@ -43,9 +43,9 @@ pub struct HorseshoeSettings {
 ///     start = { time = 0, wall = "left", velocity = -12.56636 }
 /// "#)?;
 /// let bases = vec![
-///     Base::new([0.77843, 1.234518], [0.02877, 0.082], [-0.0002976, 0.002596]),
-///     Base::new([0.779603, 1.224294], [0.028826, 0.081513], [-0.0001488, 0.001298]),
-///     Base::new([0.780161, 1.219425], [0.028649, 0.083055], [-0.0001116, 0.000974]),
+///     HSet::new([0.77843, 1.234518], [0.02877, 0.082], [-0.0002976, 0.002596]),
+///     HSet::new([0.779603, 1.224294], [0.028826, 0.081513], [-0.0001488, 0.001298]),
+///     HSet::new([0.780161, 1.219425], [0.028649, 0.083055], [-0.0001116, 0.000974]),
 /// ];
 /// let chaos = Chaos::of(scene.pair(), scene.start(), &HorseshoeSettings { depth: Some(3), bases }, &Unwatched)?;
 /// // As many motions over n cycles as sequences of two letters.
