@@ -57,8 +57,9 @@ TEST = f"cargo test {ALL}"
 # Runs the tests of all executables side by side, where it is there.
 QUICK = f"cargo nextest run --cargo-profile validation --workspace {GMP} --tests --no-fail-fast --status-level fail" if shutil.which("cargo-nextest") else f"{TEST} --tests"
 LINT = f"cargo clippy {' '.join(PROFILE)} {GMP} --workspace"
-# By default clippy's driver compiles the workspace: what is built is linted, and nothing is checked a second time.
-LINTED = {"RUSTC_WORKSPACE_WRAPPER": "clippy-driver", "CLIPPY_ARGS": "-D__CLIPPY_HACKERY__warnings__CLIPPY_HACKERY__"}
+# By default clippy's driver, where it is on the path, compiles the workspace: what is built is linted, and nothing is checked a second time.
+LINTED = {"RUSTC_WORKSPACE_WRAPPER": "clippy-driver", "CLIPPY_ARGS": "-D__CLIPPY_HACKERY__warnings__CLIPPY_HACKERY__"} if shutil.which("clippy-driver") else {}
+TARGETS = "--lib --bins --examples --tests"
 # Lines that ruff refuses half an hour later, in the package.
 FORM = "cargo fmt --all --check && ! awk 'length > 140 { print FILENAME \":\" FNR \": more than 140 characters\" }' $(git ls-files 'python/*.py') | grep ."
 NO_C = "cargo tree --quiet --edges normal,build,dev --prefix none -p impact-pair -p impact-pair-cli --no-default-features"
@@ -91,7 +92,7 @@ PARTS = [
           f" && PROPTEST_CASES=100000 {TEST} --test recorded claimed::"
           f" && FORGER_FOLDER=$PWD/target/forged FORGER_CASES=all {TEST} --test library forger::", ("program",)),
     # After the tests it is the other examples that are left to build.
-    cargo("lints", f"cargo build {ALL} --lib --bins --examples --tests",
+    cargo("lints", f"cargo build {ALL} {TARGETS}" if LINTED else f"{LINT} {TARGETS} -- -D warnings",
           f"{LINT} --all-targets -- -D warnings && {LINT} --all-targets --features png,pdf,parquet -- -D warnings"
           f" && cargo clippy {' '.join(PROFILE)} --all-targets -p impact-pair -p impact-pair-cli --no-default-features -- -D warnings", ("tests",)),
     cargo("no C", NO_C, f"{NO_C} && cargo test {' '.join(PROFILE)} -p impact-pair-tests --no-default-features --test library", after=("lints",)),
