@@ -43,8 +43,6 @@ pub trait Tally: Display {
 impl<H: Head + Sync + Send> Work<'_, H> {
     /// Computes the points, until all are done or Ctrl-C comes, writes them by `finish`, and says what there is.
     pub fn answer<T: Tally>(self, scene: &str, finish: impl FnOnce(&mut Gathered<H>) -> Result<T>) -> Result<Answer> {
-        // From here on Ctrl-C keeps what is finished.
-        catch_interruption();
         let Destination { output, quiet } = self.destination;
         let mut journal = Journal::open(self.head.clone(), output.as_deref(), self.grid.resume)?;
         let (begun, before) = (Instant::now(), journal.points());
@@ -107,7 +105,10 @@ pub fn named(point: u64, values: &[(Key, Exact)]) -> String {
 }
 
 /// Refuses outputs that cannot be written now and not after hours.
+///
+/// From the first file on Ctrl-C keeps what is finished, and leaves no draft behind.
 pub fn open_once(outputs: &[Option<&Path>]) -> Result<()> {
+    catch_interruption();
     outputs.iter().flatten().try_for_each(|path| crate::output::Output::open(Some(path)).map(drop))
 }
 
