@@ -63,7 +63,7 @@ pub fn main() -> ExitCode {
     let given = command().try_get_matches().and_then(|matches| Cli::from_arg_matches(&matches));
     let verb = match given {
         Ok(cli) => cli.verb,
-        Err(error) => return said(&with_a_verb(error)),
+        Err(error) => return parser_output(&with_a_verb(error)),
     };
     let answer = match verb {
         Verb::Run(arguments) => run::run(&arguments),
@@ -90,7 +90,7 @@ pub fn main() -> ExitCode {
     finished(answer)
 }
 
-/// The exit code of an answer, whose error is said.
+/// Reports the error of an answer, if it is one, and returns the exit code.
 fn finished(answer: Result<Answer>) -> ExitCode {
     match answer {
         Ok(Answer::Complete) => ExitCode::SUCCESS,
@@ -104,8 +104,8 @@ fn finished(answer: Result<Answer>) -> ExitCode {
     }
 }
 
-/// Writes what the parser has to say, and returns its exit code: help and the version are data, which must not be lost.
-fn said(parser: &clap::Error) -> ExitCode {
+/// Writes the help, the version or the error of the parser, and returns the exit code: help and version are data, which must not be lost.
+fn parser_output(parser: &clap::Error) -> ExitCode {
     match parser.print() {
         Err(failed) if !parser.use_stderr() => finished(Err(failed).context("cannot write to stdout")),
         // Nobody may be listening.

@@ -4,10 +4,10 @@ use std::io::{self, BufWriter, Write};
 
 use clap::ValueEnum;
 use impact_pair::Scene;
-use impact_pair::document::{Ending, Event, EventKind, arithmetic, head};
+use impact_pair::document::{Ending, Event, EventKind, arithmetic_at_first, head};
 use impact_pair::json::{ArithmeticDocument, EventDocument, OrbitEnd, OrbitHead, write_orbit};
 use impact_pair::mapping::Mapping;
-use impact_pair::orbit::{Arithmetic, Orbit, Settings};
+use impact_pair::orbit::{Orbit, Settings};
 use serde::Serialize;
 
 use crate::table;
@@ -53,11 +53,7 @@ impl<'s, W: Write> Listing<'s, W> {
             Format::Table => table::begin(&mut self.out, self.scene, self.settings),
             Format::Json => Ok(()),
             Format::Jsonl => {
-                // An orbit is known to be shadowed or not before its first impact.
-                let head = self.head(match self.settings.arithmetic {
-                    Arithmetic::Shadow => arithmetic(orbit),
-                    _ => ArithmeticDocument::requested(self.settings),
-                });
+                let head = self.head(arithmetic_at_first(orbit, self.settings));
                 line(&mut self.out, &head)
             }
             Format::Csv => writeln!(self.out, "{CSV_HEADER}"),

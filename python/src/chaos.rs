@@ -103,14 +103,14 @@ pub fn windows(
             most: accepted("most", most, 1..=100_000)? as usize,
             precision: precision(requested, &scene)?,
         };
-        let found = Windows::of(&scene, &settings, monitor).map_err(|error| requested_range(error, &settings.over))?;
+        let found = Windows::of(&scene, &settings, monitor).map_err(|error| range_fault(error, &settings.over))?;
         let document = document::windows(&scene, &settings, &found)?;
         Ok((text(&document), found.is_certified(), monitor.is_stopped()))
     })
 }
 
 /// The error of a search over a range, which is at fault where no key of the scene is.
-fn requested_range(error: Error, over: &Range) -> Fault {
+fn range_fault(error: Error, over: &Range) -> Fault {
     Fault::keyed(error, "over", &over.to_string())
 }
 
@@ -175,8 +175,7 @@ pub fn tangency(
             work: accepted("work", work, 1..=1_000_000_000_000)? as usize,
             precision: precision(requested, &scene)?,
         };
-        let found =
-            Tangencies::of(&scene, &settings, monitor).map_err(|error| requested_range(error, &settings.over))?;
+        let found = Tangencies::of(&scene, &settings, monitor).map_err(|error| range_fault(error, &settings.over))?;
         Ok((text(&document::tangency(&scene, &found)), found.is_certified(), monitor.is_stopped()))
     })
 }

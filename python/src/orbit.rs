@@ -3,11 +3,13 @@
 use std::ops::ControlFlow;
 use std::sync::Mutex;
 
-use impact_pair::document::{Bounds, Conclusion, Ending, Event, EventKind, arithmetic as computed_by, head};
+use impact_pair::document::{
+    Bounds, Conclusion, Ending, Event, EventKind, arithmetic as computed_by, arithmetic_at_first, head,
+};
 use impact_pair::json::{
     ArithmeticDocument, Decimal, EventDocument, EventName, OrbitDocument, OrbitHead, OutcomeDocument, write_orbit,
 };
-use impact_pair::orbit::{self, Arithmetic, Dense, Settings};
+use impact_pair::orbit::{self, Dense, Settings};
 use impact_pair::scene::{DIGITS, Run};
 use impact_pair::sweep::doubles;
 use impact_pair::watch::Watch;
@@ -30,8 +32,8 @@ enum Events {
 #[pyclass(frozen, module = "impact_pair._core")]
 pub struct Orbit {
     head: OrbitHead,
-    /// The head as JSON Lines begin with it: with the arithmetic requested; of an orbit that was read the same.
-    begun: OrbitHead,
+    /// The arithmetic with which its JSON Lines begin; of an orbit that was read that of its head.
+    at_first: ArithmeticDocument,
     outcome: OutcomeDocument,
     events: Events,
     /// Everything requested is certified; unknown for a document.
@@ -119,7 +121,7 @@ impl Orbit {
 
     /// The first one of its JSON Lines, as the command line writes it.
     fn first_line(&self) -> PyResult<String> {
-        json(&self.begun)
+        json(&OrbitHead { arithmetic: self.at_first.clone(), ..self.head.clone() })
     }
 
     /// True if everything requested is certified (`None` of an orbit that was read), the last line of the table, and the maximum precision in bits.
@@ -209,12 +211,7 @@ pub fn run(
         let settings = scene.settings_requested(requested_run(&requested)?, chosen);
         let settings = Settings { attractor: true, splice: *splice, max_bits, ..settings };
         let mut orbit = orbit::Orbit::of(&scene, settings.clone())?;
-        let head_with = |arithmetic| head(scene.pair(), scene.start(), settings.arithmetic, arithmetic);
-        // It is known to be shadowed or not before its first impact.
-        let begun = head_with(match settings.arithmetic {
-            Arithmetic::Shadow => computed_by(&orbit),
-            _ => ArithmeticDocument::requested(&settings),
-        });
+        let at_first = arithmetic_at_first(&orbit, &settings);
         let mut dense = Dense::new(&orbit, scene.start());
         let mut events: Vec<Event> = Vec::new();
         let _ = orbit.follow(monitor, |orbit, step| {
@@ -225,8 +222,8 @@ pub fn run(
         let conclusion = Conclusion::of(&orbit, scene.start(), events.last());
         let ending = Ending::of(&orbit, conclusion, &settings);
         Ok(Orbit {
-            head: head_with(computed_by(&orbit)),
-            begun,
+            head: head(scene.pair(), scene.start(), settings.arithmetic, computed_by(&orbit)),
+            at_first,
             outcome: ending.conclusion.document(),
             complete: Some(ending.is_complete()),
             said: ending.to_string(),
@@ -242,6 +239,6 @@ pub fn run(
 pub fn read_orbit(text: &str) -> PyResult<Orbit> {
     let OrbitDocument { head, outcome, events } = serde_json::from_str(text).map_err(Fault::certificate)?;
     let said = outcome.message.clone();
-    let begun = head.clone();
-    Ok(Orbit { head, begun, outcome, events: Events::Read(events), complete: None, said, bits: None, motion: None })
+    let at_first = head.arithmetic.clone();
+    Ok(Orbit { head, at_first, outcome, events: Events::Read(events), complete: None, said, bits: None, motion: None })
 }

@@ -266,9 +266,8 @@ pub fn prove(py: Python<'_>, text: String, impacts: Option<u64>, progress: Optio
         if listed == 0 {
             return Err(Fault::certificate("there is no impact to prove before the first other event"));
         }
-        let diagram_settings =
-            impacts.map_or(listed, |diagram_settings| usize::try_from(diagram_settings).unwrap_or(usize::MAX));
-        let theorem = certificate.prove(diagram_settings, monitor)?;
+        let requested = impacts.map_or(listed, |impacts| usize::try_from(impacts).unwrap_or(usize::MAX));
+        let theorem = certificate.prove(requested, monitor)?;
         let stop = theorem.stop.as_ref().map(|finding| certificate.described(finding.event, &finding.message));
         Ok((theorem.text, theorem.impacts, stop, monitor.is_stopped(), theorem.left_out))
     })

@@ -106,12 +106,12 @@ fn watch<T: Send>(
                         panic::resume_unwind(panicked)
                     }
                     Err(RecvTimeoutError::Timeout) => {
-                        let requested = Python::attach(|py| {
+                        let outcome = Python::attach(|py| {
                             py.check_signals()?;
                             let done = monitor.done.load(Ordering::Relaxed);
                             progress.as_ref().map_or(Ok(()), |progress| progress.call1(py, (done,)).map(drop))
                         });
-                        let Err(error) = requested else { continue };
+                        let Err(error) = outcome else { continue };
                         monitor.stopped.store(true, Ordering::Relaxed);
                         if !keeps_parts || interruption.is_some() || !is_interruption(&error) {
                             return Err(error);

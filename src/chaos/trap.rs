@@ -169,7 +169,7 @@ pub(crate) struct Region {
 }
 
 /// Number of boxes beyond which a region is given up.
-const DEFAULT_BOXES: usize = 4_000_000;
+const MAX_BOXES: usize = 4_000_000;
 
 impl Region {
     /// Returns the least region of boxes of this grid that holds a box and is closed, as far as it is seen.
@@ -183,7 +183,7 @@ impl Region {
             if watch.proceed(Stage::Region(known.len())).is_break() {
                 return Err(NoTrap::Interrupted);
             }
-            if known.len() > DEFAULT_BOXES {
+            if known.len() > MAX_BOXES {
                 return Err(NoTrap::Boxes);
             }
             let results = threads::each(&threads::shares(&frontier), &|(_, part)| {

@@ -23,7 +23,7 @@ pub use ending::Ending;
 pub use event::{Bounds, Event, Events};
 pub use global::global;
 pub use impact_pair_model::EventKind;
-pub use orbit::{arithmetic, follow, head, is_certified, orbit};
+pub use orbit::{arithmetic, arithmetic_at_first, follow, head, is_certified, orbit};
 pub use tangency::{at_least, tangency};
 pub use two_impact::{manifolds, two_impact, word};
 pub use windows::windows;

@@ -58,7 +58,7 @@ pub fn follow(
 
 /// Returns the head of the orbit JSON: scene, program and arithmetic.
 ///
-/// `computed` is the result of [`arithmetic`] when the orbit has ended, or of [`ArithmeticDocument::requested`] before.
+/// `computed` is the result of [`arithmetic`] when the orbit has ended, or of [`arithmetic_at_first`] before.
 pub fn head(pair: &ImpactPair, start: &Start, arithmetic: Arithmetic, computed: ArithmeticDocument) -> OrbitHead {
     OrbitHead {
         schema: ORBIT_SCHEMA.to_owned(),
@@ -80,6 +80,14 @@ pub fn arithmetic(orbit: &Orbit) -> ArithmeticDocument {
         _ => "multiprecision",
     };
     ArithmeticDocument::computed(kind, orbit.bits())
+}
+
+/// Returns the arithmetic of an orbit before its first impact: the requested one, but that it is shadowed or not is known already.
+pub fn arithmetic_at_first(orbit: &Orbit, settings: &Settings) -> ArithmeticDocument {
+    match settings.arithmetic {
+        Arithmetic::Shadow => arithmetic(orbit),
+        _ => ArithmeticDocument::requested(settings),
+    }
 }
 
 /// Returns whether the arithmetic is rigorous.

@@ -27,8 +27,8 @@ pub(super) const SHOWN_BITS: u32 = 11;
 /// The closed form, which is not known for several harmonics, with the command that serves these.
 pub(super) const NEEDS_ONE_HARMONIC: &str =
     "the closed form of two impacts (for several, use periodic --word RL --cycles N --all)";
-/// Greatest number of doublings of the precision.
-const MAX_DOUBLINGS: u32 = 4;
+/// Number of precisions that are tried, each of twice the bits of the one before.
+const PRECISIONS: u32 = 4;
 
 /// The quantity of (66)-(68) to solve for.
 #[derive(Clone, Debug)]
@@ -131,7 +131,7 @@ impl Problem {
     pub fn answer_within(&self, digits: u32, watch: &dyn Watch) -> Answer {
         let first = working_bits(digits);
         let mut answer = self.answer_in(first, digits, watch);
-        for round in 1..MAX_DOUBLINGS {
+        for round in 1..PRECISIONS {
             if answer.is_complete || (round > 1 && !self.is_point()) || !watch.goes_on() {
                 break;
             }

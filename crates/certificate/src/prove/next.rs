@@ -6,16 +6,16 @@ use impact_pair_exact::{Exact, Real, decimal_bounds};
 use impact_pair_model::EventKind;
 use num_rational::BigRational;
 
-/// Bits that it is first sought with, and how often these are doubled.
+/// Bits of the first precision that it is sought in, and the number of precisions, each of twice the bits of the one before.
 const BITS: u32 = 256;
-const MAX_DOUBLINGS: u32 = 6;
+const PRECISIONS: u32 = 6;
 /// Bits that its bounds are printed with.
 const PRINTED_BITS: u32 = 96;
 
 impl Certificate {
     /// The first impact after all that are listed, if it is proved to come after `until`.
     pub(super) fn next_after(&self, data: &Data, until: &Exact) -> Option<Claim> {
-        (0..MAX_DOUBLINGS).find_map(|n| self.next_in(BITS << n, data, until))
+        (0..PRECISIONS).find_map(|n| self.next_in(BITS << n, data, until))
     }
 
     fn next_in(&self, bits: u32, data: &Data, until: &Exact) -> Option<Claim> {
