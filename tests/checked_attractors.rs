@@ -1,4 +1,4 @@
-//! `check` on certificates of motions that are attracted, under one harmonic and several: right ones are confirmed, spoiled ones
+//! `check` on certificates of motions that are attracted, under one harmonic and several: right ones are confirmed, corrupted ones
 //! are not. Lemma V6
 
 use impact_pair::Scene;
@@ -216,7 +216,7 @@ proptest! {
     #[test]
     fn attractors_of_random_scenes_are_confirmed(
         amplitude in 0.5..9.0f64, second in 0.0..0.3f64, frequency in 2u32..4, e in 0.1..0.8f64, velocity in -30.0..-5.0f64,
-        spoiled in any::<prop::sample::Index>(),
+        corrupted in any::<prop::sample::Index>(),
     ) {
         let excitation = format!(
             "amplitude = [{amplitude}, {}], frequency = [\"pi\", \"{frequency}*pi\"], phase = 0", second * amplitude,
@@ -228,7 +228,7 @@ proptest! {
         prop_assume!(is_confirmed(&events));
         prop_assert!(is_confirmed(&document), "{:?}", verdict(&document));
         let bounds = bounds(&document);
-        let path = spoiled.get(&bounds);
+        let path = corrupted.get(&bounds);
         let moved = moved(document["outcome"].pointer(path).unwrap(), 1);
         prop_assert!(!is_confirmed_with(&document, path, moved), "{path}");
     }

@@ -77,7 +77,7 @@ fn r17_folds_pitchforks_and_doublings_are_confirmed() {
 fn r17_no_bifurcation_that_is_changed_is_confirmed() {
     let document = bifurcations("amplitude=0.03..0.48", 1, 12);
     assert_eq!(kinds(&document), ["fold", "pitchfork", "period-doubling"]);
-    assert_eq!(spoiled(&document, ("/scene/excitation/frequency/0", "3.1416")), 3 * (2 * 9 + 2 + 7 + 6));
+    assert_eq!(corrupted(&document, ("/scene/excitation/frequency/0", "3.1416")), 3 * (2 * 9 + 2 + 7 + 6));
 }
 
 /// Those of two tones, with and without a mirror, over each parameter; and those of terms in step, of which one is varied.
@@ -98,11 +98,11 @@ fn bifurcations_of_several_harmonics_are_confirmed_and_none_that_is_changed() {
     assert!(claims(&document).unjudged().contains(&"scene.excitation.amplitude[1]".to_owned()));
     let document = under(&odd, 3, "amplitude.1=0.03..0.05", (0, 12));
     assert_eq!(kinds(&document), ["fold"]);
-    assert_eq!(spoiled(&document, ("/scene/excitation/amplitude/1", "0.020001")), 2 * 9 + 2 + 7 + 6);
+    assert_eq!(corrupted(&document, ("/scene/excitation/amplitude/1", "0.020001")), 2 * 9 + 2 + 7 + 6);
 }
 
 /// Judges documents in which one thing is changed, point by point; how many.
-fn spoiled(document: &Value, (path, value): (&str, &str)) -> u32 {
+fn corrupted(document: &Value, (path, value): (&str, &str)) -> u32 {
     let mut tried = 0;
     for (i, kind) in kinds(document).into_iter().enumerate() {
         // Each point alone, so that what is wrong stands alone.

@@ -1,4 +1,4 @@
-//! `check` of regions and of words of horseshoes: right ones are confirmed, spoiled ones never.
+//! `check` of regions and of words of horseshoes: right ones are confirmed, corrupted ones never.
 
 use std::collections::BTreeSet;
 use std::f64::consts::{PI, TAU};
@@ -189,17 +189,17 @@ fn r37_long_words_of_figure_16_are_confirmed() {
 
 #[test]
 fn corrupted_words_are_refused() {
-    refuses_spoiled_words(3, 1);
+    refuses_corrupted_words(3, 1);
 }
 
 #[test]
 #[ignore = "deep: every word of up to 5 impacts; by default corrupted_words_are_refused"]
 fn corrupted_longer_words_are_refused() {
-    refuses_spoiled_words(5, usize::MAX);
+    refuses_corrupted_words(5, usize::MAX);
 }
 
 /// The first words of the horseshoe to this depth, each changed in each way.
-fn refuses_spoiled_words(depth: usize, most: usize) {
+fn refuses_corrupted_words(depth: usize, most: usize) {
     let document = chaos(depth, None);
     assert!(is_confirmed(&document));
     let words = document["words"].as_array().unwrap();

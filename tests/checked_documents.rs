@@ -148,12 +148,12 @@ fn r17_documents_in_a_list_are_checked_one_by_one() {
     assert!(matches!(judged(&both), Verdict::Confirmed { .. }), "{:?}", judged(&both));
     assert!(claims(&both).all().starts_with("2 documents: "), "{}", claims(&both).all());
     assert!(claims(&both).unjudged().iter().any(|key| key == "[1].exhaustive"));
-    let mut spoiled = both.clone();
-    spoiled[1]["orbits"][0]["impacts"][0]["velocity"] = json!(["-1", "-0.9"]);
-    match judged(&spoiled) {
+    let mut corrupted = both.clone();
+    corrupted[1]["orbits"][0]["impacts"][0]["velocity"] = json!(["-1", "-0.9"]);
+    match judged(&corrupted) {
         Verdict::Confirmed { .. } | Verdict::Interrupted { .. } => panic!("confirmed"),
         Verdict::Refuted(finding) | Verdict::Undecided(finding) => {
-            let said = claims(&spoiled).described(&finding);
+            let said = claims(&corrupted).described(&finding);
             assert!(said.starts_with("[1]: orbits[0]: "), "{said}");
         }
     }

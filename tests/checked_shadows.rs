@@ -1,4 +1,4 @@
-//! `check` of shadowed orbits: right ones are confirmed, spoiled ones never.
+//! `check` of shadowed orbits: right ones are confirmed, corrupted ones never.
 
 use std::sync::Mutex;
 
@@ -110,7 +110,7 @@ fn moved(bounds: &Value, widths: [i64; 2], factor: [i64; 2]) -> Value {
 const FULL_RANGE: [i64; 2] = [1, 1];
 
 /// The document with another value at each of the paths, and no words that say something else.
-fn spoiled(document: &Value, changes: &[(String, Value)]) -> Value {
+fn corrupted(document: &Value, changes: &[(String, Value)]) -> Value {
     let mut copy = document.clone();
     for (path, value) in changes {
         *copy.pointer_mut(path).expect(path) = value.clone();
@@ -121,7 +121,7 @@ fn spoiled(document: &Value, changes: &[(String, Value)]) -> Value {
 
 /// The walls that an edit leaves, with their numbers and mappings.
 fn walls(document: &Value, edit: impl Fn(&mut Vec<Value>)) -> Value {
-    let mut copy = spoiled(document, &[]);
+    let mut copy = corrupted(document, &[]);
     let start = copy["scene"]["start"]["wall"].as_str().unwrap().to_owned();
     let events = copy["events"].as_array_mut().unwrap();
     edit(events);
@@ -160,7 +160,7 @@ fn documents_corrupted_anywhere_are_never_confirmed() {
 fn check_corrupted(figures: [(&str, &[usize]); 3]) {
     for (name, events) in figures {
         let document = shadowed(&figure(name), 50);
-        assert!(is_confirmed(&spoiled(&document, &[])), "{name}");
+        assert!(is_confirmed(&corrupted(&document, &[])), "{name}");
         let mut all = Vec::new();
         for &k in events {
             for key in ["time", "velocity"] {
@@ -169,39 +169,39 @@ fn check_corrupted(figures: [(&str, &[usize]); 3]) {
                 for (widths, factor) in
                     [([1, 1], FULL_RANGE), ([-1, 1], FULL_RANGE), ([3, 1], FULL_RANGE), ([1, 2], [1, 10000])]
                 {
-                    all.push(spoiled(&document, &[(path.clone(), moved(bounds, widths, factor))]));
+                    all.push(corrupted(&document, &[(path.clone(), moved(bounds, widths, factor))]));
                 }
             }
             let path = format!("/events/{k}/wall");
             let wall = other(document.pointer(&path).unwrap());
-            all.push(spoiled(&document, &[(path, wall)]));
+            all.push(corrupted(&document, &[(path, wall)]));
             all.push(walls(&document, |events| events[k]["wall"] = other(&events[k]["wall"])));
             all.push(walls(&document, |events| drop(events.remove(k))));
             all.push(walls(&document, |events| events.insert(k, events[k].clone())));
-            all.push(spoiled(&document, &[(format!("/events/{k}/index"), json!(k + 2))]));
+            all.push(corrupted(&document, &[(format!("/events/{k}/index"), json!(k + 2))]));
         }
         let at = |path: &str| document.pointer(path).unwrap();
         let varied = if name == "figure-17" { "/outcome/start/time" } else { "/outcome/start/velocity" };
         for widths in [[3, 1], [-3, 1], [3, 4]] {
-            all.push(spoiled(&document, &[(varied.into(), moved(at(varied), widths, FULL_RANGE))]));
+            all.push(corrupted(&document, &[(varied.into(), moved(at(varied), widths, FULL_RANGE))]));
         }
         // A hundredth of the bounds, from the scene's start on, the orbit's start being on the other side of it in one of both.
         let [below, above] = [-1, 1].map(|sign| moved(at(varied), [sign, 200], [1, 100]));
-        let are_both = [below, above].map(|bounds| is_confirmed(&spoiled(&document, &[(varied.into(), bounds)])));
+        let are_both = [below, above].map(|bounds| is_confirmed(&corrupted(&document, &[(varied.into(), bounds)])));
         assert_ne!(are_both, [true, true], "{name}");
         for key in ["median", "maximum"] {
             let path = format!("/outcome/epsilon/{key}");
             let half: f64 = at(&path).as_str().unwrap().parse::<f64>().unwrap() / 2.0;
-            all.push(spoiled(&document, &[(path, json!(format!("{half:e}")))]));
+            all.push(corrupted(&document, &[(path, json!(format!("{half:e}")))]));
         }
-        all.push(spoiled(&document, &[("/claim".into(), json!("exact start"))]));
-        let mut exact = spoiled(&document, &[("/claim".into(), json!("exact start"))]);
+        all.push(corrupted(&document, &[("/claim".into(), json!("exact start"))]));
+        let mut exact = corrupted(&document, &[("/claim".into(), json!("exact start"))]);
         let outcome = exact["outcome"].as_object_mut().unwrap();
         let _ = (outcome.remove("start"), outcome.remove("epsilon"));
         all.push(exact);
         for path in ["/scene/gap", "/scene/restitution", "/scene/excitation/amplitude/0", "/scene/excitation/phase/0"] {
             let near = format!("{} + 1e-6", at(path).as_str().unwrap());
-            all.push(spoiled(&document, &[(path.into(), json!(near))]));
+            all.push(corrupted(&document, &[(path.into(), json!(near))]));
         }
         for document in all {
             let found = verdict(&document);
@@ -220,11 +220,11 @@ fn events_that_no_start_has_are_refuted() {
     };
     refuted(&walls(&document, |events| drop(events.remove(40))), 40);
     refuted(&walls(&document, |events| events.insert(40, events[40].clone())), 41);
-    refuted(&spoiled(&document, &[("/scene/gap".into(), json!("9.42498"))]), 0);
-    refuted(&spoiled(&document, &[("/events/70/mapping".into(), json!("P3"))]), 70);
+    refuted(&corrupted(&document, &[("/scene/gap".into(), json!("9.42498"))]), 0);
+    refuted(&corrupted(&document, &[("/events/70/mapping".into(), json!("P3"))]), 70);
     let time = "/events/40/time";
     let later = moved(document.pointer(time).unwrap(), [1, 1], FULL_RANGE);
-    let found = verdict(&spoiled(&document, &[(time.into(), later)]));
+    let found = verdict(&corrupted(&document, &[(time.into(), later)]));
     assert!(matches!(found, Some(Verdict::Undecided(_) | Verdict::Refuted(_))), "{found:?}");
 }
 

@@ -4,16 +4,14 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
 
+use crate::names::RUST;
 use crate::words::files;
 use impact_pair_tests::ROOT;
-
-/// The folders with tests in Rust.
-const FOLDERS: [&str; 6] = ["benches", "cli", "crates", "src", "tests", "validation/truth"];
 
 /// The test functions of all sources, and the reasons of those that are ignored.
 fn tests() -> (BTreeSet<String>, Vec<(String, String)>) {
     let (mut by_default, mut ignored) = (BTreeSet::new(), Vec::new());
-    for path in FOLDERS.iter().flat_map(|folder| files(&Path::new(ROOT).join(folder), "rs")) {
+    for path in RUST.iter().flat_map(|folder| files(&Path::new(ROOT).join(folder), "rs")) {
         let mut attributes: Vec<String> = Vec::new();
         for line in fs::read_to_string(&path).unwrap().lines().map(str::trim) {
             if line.starts_with("#[") {

@@ -6,6 +6,10 @@ use std::path::Path;
 
 use crate::words::files;
 
+/// The folders with sources in Rust.
+pub const RUST: [&str; 9] =
+    ["src", "crates", "cli", "python/src", "benches", "examples", "fuzz", "tests", "validation/truth"];
+
 /// Refused in every comment, outside code: private words, and other words for the forcing period.
 const COMMENTS: [&str; 14] = [
     "so many",
@@ -39,10 +43,9 @@ fn comment(line: &str, is_rust: bool, depth: &mut usize) -> Option<String> {
 #[test]
 fn comments_name_their_quantities() {
     let root = Path::new(impact_pair_tests::ROOT);
-    let rust = ["src", "crates", "cli", "python/src", "benches", "examples", "fuzz", "tests", "validation/truth"];
     let coq = ["v", "ml"].map(|ending| ("validation/coq", ending));
     let mut faults = String::new();
-    for (folder, ending) in rust.map(|folder| (folder, "rs")).into_iter().chain(coq) {
+    for (folder, ending) in RUST.map(|folder| (folder, "rs")).into_iter().chain(coq) {
         for source in files(&root.join(folder), ending) {
             let (text, mut depth) = (fs::read_to_string(&source).unwrap(), 0);
             let is_exempt = ["words.rs", "names.rs"].iter().any(|name| source == root.join("tests").join(name));
@@ -111,8 +114,7 @@ fn words_of(name: &str) -> Vec<String> {
 fn names_say_what_they_are() {
     let root = Path::new(impact_pair_tests::ROOT);
     let mut faults = String::new();
-    let folders = ["src", "crates", "cli", "python/src", "benches", "examples", "fuzz", "tests", "validation/truth"];
-    let sources = folders.iter().flat_map(|folder| files(&root.join(folder), "rs"));
+    let sources = RUST.iter().flat_map(|folder| files(&root.join(folder), "rs"));
     for source in sources.filter(|source| *source != root.join("tests/names.rs")) {
         let text = fs::read_to_string(&source).unwrap();
         for (number, line) in text.lines().enumerate() {

@@ -88,7 +88,7 @@ PARTS = [
           f"{MANY} {TEST} --features png,pdf,parquet --lib --bins --tests -- --include-ignored && {TEST} --doc"
           f" && cargo test {' '.join(PROFILE)} -p impact-pair -p impact-pair-tests -p impact-pair-cli --no-default-features"
           f" && {TEST} --benches && {FRESH} {TEST} --test library straddle:: -- --nocapture"
-          f" && {CROSSED} {TEST} --test truth crossings:: -- --nocapture && PROPTEST_CASES=100000 {TEST} --test library spoiled::"
+          f" && {CROSSED} {TEST} --test truth crossings:: -- --nocapture && PROPTEST_CASES=100000 {TEST} --test library corrupted::"
           f" && PROPTEST_CASES=100000 {TEST} --test recorded claimed::"
           f" && FORGER_FOLDER=$PWD/target/forged FORGER_CASES=all {TEST} --test library forger::", ("program",)),
     # After the tests it is the other examples that are left to build.

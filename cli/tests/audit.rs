@@ -1,4 +1,4 @@
-//! Lists of figure 14 and of a chatter, right and spoiled: what `audit` finds, in which words and with which exit code.
+//! Lists of figure 14 and of a chatter, right and corrupted: what `audit` finds, in which words and with which exit code.
 
 mod columns;
 mod crossed;
@@ -73,7 +73,7 @@ fn disagreements(document: &Value) -> Vec<(String, u64)> {
 }
 
 /// The list with its lines, from 1 without the header, changed.
-fn spoiled(change: impl FnOnce(&mut Vec<String>)) -> String {
+fn corrupted(change: impl FnOnce(&mut Vec<String>)) -> String {
     let (header, rows) = LIST.split_once('\n').unwrap();
     let mut rows: Vec<String> = rows.lines().map(str::to_owned).collect();
     change(&mut rows);
@@ -95,8 +95,8 @@ macro_rules! snapshots {
 snapshots! {
     a_right_list: LIST, FIGURE_14;
     a_right_list_in_full: LIST, [FIGURE_14[0], FIGURE_14[1], "--all"];
-    a_list_without_an_impact: spoiled(|rows| { rows.remove(4); }), FIGURE_14;
-    a_list_with_an_impact_twice: spoiled(|rows| rows.insert(4, rows[4].clone())), FIGURE_14;
+    a_list_without_an_impact: corrupted(|rows| { rows.remove(4); }), FIGURE_14;
+    a_list_with_an_impact_twice: corrupted(|rows| rows.insert(4, rows[4].clone())), FIGURE_14;
     a_list_with_a_late_impact: LIST.replace("3.5755051", "3.5755061"), FIGURE_14;
     a_list_with_a_wrong_wall: LIST.replace("3.5755051910415827,left", "3.5755051910415827,right"), FIGURE_14;
     velocities_after_the_impact: "t,wall,v\n0.5513480202185213,R,-17.7\n1.665984287965608,L,17.1\n", FIGURE_14;
@@ -133,11 +133,11 @@ fn one_corrupted_impact_is_located_exactly() {
     let found = |list: &str| disagreements(&judged(list, &FIGURE_14, 1));
     for at in 1..7 {
         let number = at as u64 + 1;
-        let removed = spoiled(|rows| _ = rows.remove(at));
+        let removed = corrupted(|rows| _ = rows.remove(at));
         assert_eq!(found(&removed), [("missed".into(), number)]);
-        let doubled = spoiled(|rows| rows.insert(at, rows[at].clone()));
+        let doubled = corrupted(|rows| rows.insert(at, rows[at].clone()));
         assert_eq!(found(&doubled), [("false".into(), number + 1)]);
-        let shifted = spoiled(|rows| {
+        let shifted = corrupted(|rows| {
             let (time, rest) = rows[at].split_once(',').unwrap();
             rows[at] = format!("{},{rest}", time.parse::<f64>().unwrap() + 1e-6);
         });
@@ -147,7 +147,7 @@ fn one_corrupted_impact_is_located_exactly() {
         let bound = |i: usize| error[i].as_str().unwrap().parse::<f64>().unwrap();
         assert!(bound(0) <= bound(1) && abs_diff_eq!(bound(0), 1e-6, epsilon = AUDITED), "{error}");
         assert_eq!(document["another_orbit"], Value::Null);
-        let swapped = spoiled(|rows| rows.swap(at - 1, at));
+        let swapped = corrupted(|rows| rows.swap(at - 1, at));
         let mut kinds: Vec<String> = found(&swapped).into_iter().map(|(kind, _)| kind).collect();
         kinds.sort();
         assert_eq!(kinds, ["false", "missed"]);
@@ -325,7 +325,7 @@ fn the_first_impact_of_another_orbit_is_named() {
 fn a_verdict_may_be_written_to_a_file() {
     let file = common::folder("audit").join("audit.json");
     let arguments = [&FIGURE_14[..], &["--format", "json", "--output", file.to_str().unwrap()]].concat();
-    let answer = answer(&spoiled(|rows| _ = rows.remove(2)), &arguments);
+    let answer = answer(&corrupted(|rows| _ = rows.remove(2)), &arguments);
     assert_eq!(answer.status.code(), Some(1));
     assert!(answer.stdout.is_empty());
     assert_eq!(String::from_utf8(answer.stderr).unwrap(), "disagreed: 1 impact\n");

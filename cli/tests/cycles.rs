@@ -17,7 +17,7 @@ snapshots! { EXACT;
     arguments_of_cycles: program(&["cycles", "--help"]);
 }
 
-/// The orbits of a document are proved again, and a spoiled one is refused.
+/// The orbits of a document are proved again, and a corrupted one is refused.
 #[test]
 fn a_document_is_checked_orbit_by_orbit() {
     let folder = folder("cycles");

@@ -123,9 +123,9 @@ impl AttractorOrbit {
                             let at = |end: f64| (eta + slope * (end * 1.1 * long - xi)).abs() < 0.9 * width;
                             xi.abs() < long && eta.abs() < 0.9 * width && at(1.0) && at(-1.0)
                         };
-                        let spoiled = |&&[xi, eta, _]: &&[f64; 3]| xi.abs() < long && eta.abs() < 1.2 * width;
+                        let is_in_strip = |&&[xi, eta, _]: &&[f64; 3]| xi.abs() < long && eta.abs() < 1.2 * width;
                         let good = near.iter().filter(crosses).count() as f64;
-                        let all = near.iter().filter(spoiled).count() as f64;
+                        let all = near.iter().filter(is_in_strip).count() as f64;
                         (good * (good / (all + 1.0)), width)
                     })
                     .fold((0.0, 0.0), |best, next| if next.0 > best.0 { next } else { best });

@@ -1,4 +1,4 @@
-//! Images against certified first contacts of single flights, spoiled proofs, and entropies that are known.
+//! Images against certified first contacts of single flights, corrupted proofs, and entropies that are known.
 
 use std::ops::ControlFlow;
 

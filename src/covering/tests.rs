@@ -1,4 +1,4 @@
-//! Chains against the figures, against orbits in hundreds of bits, and spoiled; the relation against its lemma.
+//! Chains against the figures, against orbits in hundreds of bits, and corrupted; the relation against its lemma.
 
 use num_rational::BigRational;
 use proptest::prelude::*;
@@ -189,7 +189,7 @@ mod refined {
     }
 }
 
-/// The links of a proved chain, and the same spoiled.
+/// The links of a proved chain, and the same corrupted.
 #[test]
 fn a_corrupted_chain_is_refused() {
     let scene = scene("figure-14");

@@ -208,7 +208,7 @@ fn an_attractor_is_confirmed_and_nothing_else_in_its_place() {
         "20 impacts; proved to converge to a stable orbit of 2 impacts every cycle (P1 P2), from impact "
     ));
     assert!(matches!(verdict(&document), Verdict::Confirmed { .. }), "{:?}", verdict(&document));
-    let spoiled = |path: &str, value: Value| {
+    let corrupted = |path: &str, value: Value| {
         let mut copy = document.clone();
         *copy.pointer_mut(&format!("/outcome/{path}")).expect(path) = value;
         copy["outcome"]["message"] = json!("");
@@ -226,10 +226,10 @@ fn an_attractor_is_confirmed_and_nothing_else_in_its_place() {
         ("orbit/determinant", json!(["0.0626", "0.0627"])),
         ("orbit/eigenvalues/1/im", json!(["0.1", "0.2"])),
     ] {
-        assert!(matches!(spoiled(path, value), Verdict::Refuted(_)), "{path}");
+        assert!(matches!(corrupted(path, value), Verdict::Refuted(_)), "{path}");
     }
     for (path, value) in [("from", json!(1)), ("word", json!("P2 P1")), ("cycles", json!(2))] {
-        assert!(!matches!(spoiled(path, value), Verdict::Confirmed { .. }), "{path}");
+        assert!(!matches!(corrupted(path, value), Verdict::Confirmed { .. }), "{path}");
     }
     // Ten forcing periods later.
     let later = |copy: &mut Value, impact: usize| {
@@ -248,5 +248,5 @@ fn an_attractor_is_confirmed_and_nothing_else_in_its_place() {
     (0..2).for_each(|impact| later(&mut copy, impact));
     assert!(matches!(verdict(&copy), Verdict::Refuted(_)));
     // Wider bounds are true as well.
-    assert!(matches!(spoiled("orbit/trace", json!(["-0.4", "-0.3"])), Verdict::Confirmed { .. }));
+    assert!(matches!(corrupted("orbit/trace", json!(["-0.4", "-0.3"])), Verdict::Confirmed { .. }));
 }

@@ -54,7 +54,7 @@ fn verdict(document: &Value) -> Verdict {
 }
 
 /// The verdict of a copy with another value at a path.
-fn spoiled(document: &Value, path: &str, value: Value) -> Verdict {
+fn corrupted(document: &Value, path: &str, value: Value) -> Verdict {
     let mut copy = document.clone();
     *copy.pointer_mut(path).expect(path) = value;
     // Words that say something else would be refused whatever the fields are.

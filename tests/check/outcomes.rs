@@ -8,7 +8,7 @@ fn r46_a_multiple_of_a_period_is_a_period() {
     let document = certificate("1", "wall = \"left\", velocity = 0", "0.5", 80);
     assert_eq!(document["outcome"]["period"], json!({ "cycles": 7, "impacts": 70 }));
     let with = |cycles: u64, impacts: u64| {
-        spoiled(&document, "/outcome/period", json!({ "cycles": cycles, "impacts": impacts }))
+        corrupted(&document, "/outcome/period", json!({ "cycles": cycles, "impacts": impacts }))
     };
     for times in 1..4 {
         assert!(matches!(with(7 * times, 70 * times), Verdict::Confirmed { .. }), "{times}");

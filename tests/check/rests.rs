@@ -14,11 +14,11 @@ fn r16_after_a_graze_no_mapping_is_confirmed_that_is_not_proved() {
     assert_eq!((event(&document, "graze"), &document["events"][1]["mapping"]), (0, &Value::Null));
     assert!(matches!(verdict(&document), Verdict::Confirmed { .. }), "{:?}", verdict(&document));
     for mapping in ["P2", "P3"] {
-        let verdict = spoiled(&document, &entry(1, "mapping"), json!(mapping));
+        let verdict = corrupted(&document, &entry(1, "mapping"), json!(mapping));
         assert!(matches!(verdict, Verdict::Undecided(_)), "{mapping}: {verdict:?}");
     }
-    assert!(matches!(spoiled(&document, &entry(1, "mapping"), json!("P1")), Verdict::Refuted(_)));
-    assert!(matches!(spoiled(&document, &entry(2, "mapping"), Value::Null), Verdict::Refuted(_)));
+    assert!(matches!(corrupted(&document, &entry(1, "mapping"), json!("P1")), Verdict::Refuted(_)));
+    assert!(matches!(corrupted(&document, &entry(2, "mapping"), Value::Null), Verdict::Refuted(_)));
 }
 
 #[test]
@@ -28,13 +28,13 @@ fn rests_and_releases_of_a_sum_are_confirmed_and_nothing_else() {
     assert_eq!((&document["outcome"]["kind"], release), (&json!("periodic"), rest + 1));
     assert!(matches!(verdict(&document), Verdict::Confirmed { .. }), "{:?}", verdict(&document));
     let late = json!(["2.999999999999", "3.000000000001"]);
-    assert!(matches!(spoiled(&document, &entry(release, "time"), late), Verdict::Refuted(_)));
-    assert!(matches!(spoiled(&document, &entry(rest, "wall"), json!("right")), Verdict::Refuted(_)));
-    assert!(matches!(spoiled(&document, &entry(rest, "time"), json!(["0.9", "0.91"])), Verdict::Refuted(_)));
-    assert!(matches!(spoiled(&document, &entry(release, "event"), json!("rest")), Verdict::Refuted(_)));
+    assert!(matches!(corrupted(&document, &entry(release, "time"), late), Verdict::Refuted(_)));
+    assert!(matches!(corrupted(&document, &entry(rest, "wall"), json!("right")), Verdict::Refuted(_)));
+    assert!(matches!(corrupted(&document, &entry(rest, "time"), json!(["0.9", "0.91"])), Verdict::Refuted(_)));
+    assert!(matches!(corrupted(&document, &entry(release, "event"), json!("rest")), Verdict::Refuted(_)));
     for key in ["cycles", "impacts"] {
         let path = format!("/outcome/period/{key}");
-        assert!(matches!(spoiled(&document, &path, json!(1)), Verdict::Refuted(_)), "{key}");
+        assert!(matches!(corrupted(&document, &path, json!(1)), Verdict::Refuted(_)), "{key}");
     }
 }
 

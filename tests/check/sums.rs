@@ -65,7 +65,7 @@ fn the_orbit_of_a_sum_is_confirmed_and_nothing_else() {
         ("/scene/gap", json!("9.42")),
         ("/events/5/wall", json!(if document["events"][5]["wall"] == "left" { "right" } else { "left" })),
     ] {
-        assert!(matches!(spoiled(&document, path, value), Verdict::Refuted(_)), "{path}");
+        assert!(matches!(corrupted(&document, path, value), Verdict::Refuted(_)), "{path}");
     }
     // A bound past the truth, by a unit of its last place or two.
     for (path, end) in [("time", 0), ("time", 1), ("velocity", 0), ("velocity", 1)] {
@@ -74,7 +74,7 @@ fn the_orbit_of_a_sum_is_confirmed_and_nothing_else() {
         let other = &bounds[1 - end];
         let mut claimed = bounds.clone();
         claimed[end] = other.clone();
-        assert!(!matches!(spoiled(&document, &path, json!(claimed)), Verdict::Confirmed { .. }), "{path}");
+        assert!(!matches!(corrupted(&document, &path, json!(claimed)), Verdict::Confirmed { .. }), "{path}");
     }
 }
 
@@ -84,7 +84,7 @@ fn the_orbit_that_another_program_proved_is_confirmed_for_these_data_only() {
     assert!(matches!(verdict(&document), Verdict::Confirmed { .. }), "{:?}", verdict(&document));
     for (path, value) in DATA {
         let other = json!(format!("{value} + 1e-17"));
-        assert!(matches!(spoiled(&document, path, other), Verdict::Refuted(_)), "{path}");
+        assert!(matches!(corrupted(&document, path, other), Verdict::Refuted(_)), "{path}");
     }
 }
 

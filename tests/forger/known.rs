@@ -11,7 +11,7 @@ use impact_pair::watch::Unwatched;
 use serde_json::{Value, json};
 
 use super::forged::bounds;
-use crate::spoiled::truth;
+use crate::corrupted::truth;
 
 /// Returns whether all that is checked of a document holds; false for kinds that are not computed anew.
 pub fn is_true(kind: &str, document: &Value) -> bool {

@@ -1,6 +1,6 @@
 //! True documents made false by construction: no false claim is confirmed, unless `check` names it as not judged.
 //!
-//! Beside `tests/spoiled`, which changes one leaf after another without knowing what it changes, each forgery here is a function from
+//! Beside `tests/corrupted`, which changes one leaf after another without knowing what it changes, each forgery here is a function from
 //! a true document to false ones, with the sentence why they are false ([`FORGERIES`]): the claims of a neighbouring scene under this
 //! scene's name, each outcome in the place of each other, events dropped, inserted and exchanged, an orbit twice or left out, bounds at
 //! the edge 0. The true ones are of every schema that `check` reads, in several states of their flags ([`originals`]). Where a

@@ -16,7 +16,7 @@ use impact_pair::watch::Unwatched;
 use serde_json::{Value, json};
 
 use super::forged::{Original, with};
-use crate::spoiled::{documents, others};
+use crate::corrupted::{documents, others};
 use impact_pair::scene::Range;
 
 /// Kinds of documents, in the order of the table.

@@ -5,7 +5,7 @@ use serde_json::{Value, json};
 
 use super::forged::{Forged, Forgery, Original, bounds, decimal, fraction};
 use super::futures::{ended, goes_on, next_event};
-use crate::spoiled::documents;
+use crate::corrupted::documents;
 
 pub const FORGERIES: &[Forgery] = &[
     Forgery {

@@ -1,7 +1,7 @@
 //! The checker's tests on recorded documents, which need no producer.
 
 mod altered;
-#[path = "../../../tests/spoiled/changes.rs"]
+#[path = "../../../tests/corrupted/changes.rs"]
 mod changes;
 mod claimed;
 mod components;

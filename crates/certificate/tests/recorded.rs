@@ -1,4 +1,4 @@
-//! Documents of every verb that `check` reads, in `documents/`: one a file, a value a line. `tests/spoiled` of the library writes them.
+//! Documents of every verb that `check` reads, in `documents/`: one a file, a value a line. `tests/corrupted` of the library writes them.
 
 use std::fs;
 use std::path::Path;
