@@ -9,6 +9,7 @@ mod components;
 mod effort;
 #[path = "../../../tests/environment/mod.rs"]
 mod environment;
+mod forged;
 mod globals;
 mod recorded;
 mod schemas;
