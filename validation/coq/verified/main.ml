@@ -5,8 +5,10 @@ module Z = Integers.Z
 
 let usage = "usage: impact-pair-verified DOCUMENT\n\n\
   Verifies a document of `impact-pair run`, `periodic`, `trap` or `chaos`, in JSON, (- for standard input) by a checker extracted from its proof in Coq.\n\
-  Prints the claim, and `verified` (exit 0), `not verified: REASON` (1) or `unreadable: REASON` (2).\n\n\
-  impact-pair-verified --coq DOCUMENT prints a file in which Coq itself runs the checker on the same input.\n"
+  Prints the claim, the scene and the SHA-256 of the document, and `verified` (exit 0), `not verified: REASON` (1) or `unreadable: REASON` (2).\n\n\
+  impact-pair-verified --part KEY DOCUMENT verifies the document at a key of a description: proof or region.\n\
+  impact-pair-verified --coq DOCUMENT prints a file in which Coq itself runs the checker on the same input, and concludes the claims.\n\
+  impact-pair-verified --version\n"
 
 type verdict = Verified | Not_verified of string | Unreadable of string
 
@@ -73,23 +75,39 @@ let judged_chaos (claim : Words.claim) = match Reason.wrong_data (Z.of_int 256) 
       | Ok _ -> Not_verified "words: the stretches of two of them touch, or one is not proved"
 
 type claim = Orbit of Orbit.claim | Cycles of Periodic.claim | Region of Trap.claim | Words of Words.claim
-let read source =
-  let value = Json.read source in
+let description = "impact-pair/description/1"
+
+let read ?part source =
+  let whole = Json.read source in
+  let value = match part with None -> whole | Some key -> Reading.get "" (Reading.members "the document" whole) key in
   match Reading.schema_of value with
   | is when is = Orbit.schema -> Orbit (Orbit.read value)
   | is when is = Periodic.schema -> Cycles (Periodic.read value)
   | is when is = Trap.schema -> Region (Trap.read value)
   | is when is = Words.schema -> Words (Words.read value)
+  | is when is = description ->
+    let parts = List.filter (fun key -> List.mem_assoc key (Reading.members "the document" value)) [ "proof"; "region" ] in
+    let parts = List.filter (fun key -> Reading.get "" (Reading.members "the document" value) key <> Json.Null) parts in
+    if parts = [] then Reading.not_covered "the description has neither a proof nor a region"
+    else Reading.not_covered "covered of a description are the documents in it: --part %s" (String.concat ", or --part " parts)
   | is -> Reading.not_covered "schema is %S: covered are %S, %S, %S and %S" (Reading.shortened is) Orbit.schema Periodic.schema Trap.schema Words.schema
+let scene_of = function
+  | Orbit claim -> Orbit.scene_of claim
+  | Cycles { data; start; _ } -> (data, start)
+  | Region { data; start; _ } -> (data, start)
+  | Words { data; start; _ } -> (data, start)
 let said = function Orbit claim -> Orbit.claim claim | Cycles claim -> Periodic.claim claim | Region claim -> Trap.claim claim | Words claim -> Words.claim claim
 let judged = function Orbit claim -> judged_orbit claim | Cycles claim -> judged_cycles claim | Region claim -> judged_region claim | Words claim -> judged_chaos claim
 
-let verdict source =
-  match read source with
+let verdict ?part source =
+  match read ?part source with
   | exception Json.Unreadable reason -> Unreadable reason
   | exception Reading.Not_covered reason -> Not_verified reason
   | claim ->
+    let data, start = scene_of claim in
     print_endline ("claim: " ^ said claim);
+    print_endline ("scene: " ^ Reading.scene_in_words data start);
+    print_endline ("document: SHA-256 " ^ Sha256.of_text source);
     (* Numbers so large or so close that no check is computed. *)
     try judged claim with Z.Overflow | Invalid_argument _ | Failure _ | Stack_overflow | Out_of_memory | Not_found | Division_by_zero ->
       Not_verified "the numbers are beyond what the checker computes with"
@@ -126,13 +144,18 @@ let coq path =
      | Ok hint -> print_string (Term.file_of_chaos data start chaos hint (verify_chaos data start chaos hint))
      | Error n -> no_input (Printf.sprintf "no strip of words[%d] is found" n))
 
+let judge ?part path =
+  match (try verdict ?part (contents path) with Sys_error reason -> Unreadable reason) with
+  | Verified -> print_endline "verified"
+  | Not_verified reason -> print_endline ("not verified: " ^ reason); exit 1
+  | Unreadable reason -> print_endline ("unreadable: " ^ reason); exit 2
+let is_file path = path = "-" || path = "" || path.[0] <> '-'
+
 let () =
   match Array.to_list Sys.argv with
   | [ _; ("-h" | "--help") ] -> print_string usage
+  | [ _; ("-V" | "--version") ] -> print_endline ("impact-pair-verified " ^ Version.version)
   | [ _; "--coq"; path ] -> coq path
-  | [ _; path ] when path = "-" || path = "" || path.[0] <> '-' ->
-    (match (try verdict (contents path) with Sys_error reason -> Unreadable reason) with
-     | Verified -> print_endline "verified"
-     | Not_verified reason -> print_endline ("not verified: " ^ reason); exit 1
-     | Unreadable reason -> print_endline ("unreadable: " ^ reason); exit 2)
+  | [ _; "--part"; (("proof" | "region") as part); path ] when is_file path -> judge ~part path
+  | [ _; path ] when is_file path -> judge path
   | _ -> prerr_string usage; exit 2

@@ -56,7 +56,7 @@ let read_orbit ~word ~cycles place value =
 let document value =
   let head = members "the document" value in
   if not (bool "certified" (get "" head "certified")) then not_covered "certified is false: the document leaves something undecided";
-  if bool "exhaustive" (get "" head "exhaustive") then not_covered "exhaustive is true: that there are no other orbits is not covered by the theorem";
+  if bool "exhaustive" (get "" head "exhaustive") then not_covered "exhaustive is true: that there are no other orbits is not covered by the theorem; without `periodic --all` a document does not claim it";
   let named = read_word "word" (get "" head "word") and periods = integer "cycles" (get "" head "cycles") in
   let orbits = List.map (fun (place, value) -> read_orbit ~word:named ~cycles:periods place value) (items "orbits" (get "" head "orbits")) in
   if orbits = [] then not_covered "orbits is empty: covered is one orbit or more";

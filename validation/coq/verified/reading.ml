@@ -113,6 +113,17 @@ let json_of_scene data beginning =
                             ("phase", list (fun x -> x.shift)) ]);
     ("gap", text data.gap); ("restitution", text data.restitution); ("start", Object start) ]
 
+(* The scene in words, as `impact-pair check` prints it. *)
+let scene_in_words data start =
+  let listed field = match List.map (fun tone -> Expression.text (field tone)) (data.leading :: data.further) with
+    | [ one ] -> one
+    | several -> "(" ^ String.concat ", " several ^ ")" in
+  let begun = match start with
+    | Struck (w, t, v) -> Printf.sprintf "t = %s, %s wall, v = %s" (Expression.text t) (wall_name w) (Expression.text v)
+    | Inside (t, y, v) -> Printf.sprintf "t = %s, y = %s, y' = %s" (Expression.text t) (Expression.text y) (Expression.text v) in
+  Printf.sprintf "A = %s, W = %s, tau = %s, d = %s, e = %s; start: %s" (listed (fun x -> x.amplitude)) (listed (fun x -> x.frequency))
+    (listed (fun x -> x.shift)) (Expression.text data.gap) (Expression.text data.restitution) begun
+
 let pair lower upper = Json.List [ String (Expression.spell lower); String (Expression.spell upper) ]
 
 (* The first place where two texts differ. *)

@@ -80,8 +80,8 @@ let chain { chain_bits; chain_scale; first_chart; links; afterwards } =
   let step (l, into) = Printf.sprintf "(%s, %s)" (link l) (chart into) in
   Printf.sprintf "(Chain %s %s %s %s)" (integers [ chain_bits; chain_scale ]) (chart first_chart) (list step links) (option bounds afterwards)
 
-let document listed { scene_data; begun; events; ended } =
-  Printf.sprintf "(Document %s %s %s %s)" (data scene_data) (beginning begun) (list listed events) (outcome ended)
+let document (kind, listed) { scene_data; begun; events; ended } =
+  Printf.sprintf "(Document %s %s %s %s : document_of %s)" (data scene_data) (beginning begun) (list listed events) (outcome ended) kind
 
 (* Periodic orbits, and ellipses around them. *)
 let spot { spot_wall; spot_phase; spot_velocity; spot_period } =
@@ -141,24 +141,38 @@ let chaos_hint { found_words = { word_bits; grid_bits; sets; entries }; by_impac
   Printf.sprintf "(Carrier.Chaos_hint (Words.Words %s %s %s) %s %s)" (integers [ word_bits; grid_bits ]) (list chart sets) (list entry_of_word entries)
     (growth by_impacts) (growth by_half_cycles)
 
-(* The answer of the extracted program is Coq's: a file of definitions, and of the checker on them. *)
-let answered definitions checker answer =
-  let defined = List.map (fun (name, term) -> Printf.sprintf "Definition %s := %s.\n" name term) definitions in
-  Printf.sprintf "From Coq Require Import ZArith QArith List.\nFrom ImpactPair Require Import Model Data Certificate Covering Document Orbit Resting Rests Shadow Cycle.\n\
+(* A file of definitions, of Coq's evaluator on them, which must answer as the extracted program does, and where it accepts of the theorem: the claims of
+   the document, with the axioms that they rest on. *)
+let axioms = "(* Expected are the axioms of Coq's real numbers, and no other: ClassicalDedekindReals.sig_not_dec, ClassicalDedekindReals.sig_forall_dec,\n   \
+  FunctionalExtensionality.functional_extensionality_dep, Classical_Prop.classic. *)\n"
+let answered definitions (checker, claims, by) answer =
+  let names = List.map fst definitions in
+  let given = List.map (fun (name, term) -> Printf.sprintf "Definition %s := %s.\n" name term) definitions in
+  let theorem = if not answer then "" else
+    Printf.sprintf "\nTheorem document_claims : %s.\nProof. exact (Carrier.%s %s answer). Qed.\n%sPrint Assumptions document_claims.\n"
+      claims by (String.concat " " (List.map (fun _ -> "_") names)) axioms in
+  Printf.sprintf "(* Compile it with: coqc -q -R target/coq ImpactPair FILE, after validation/coq/library has compiled target/coq. *)\n\
+    From Coq Require Import ZArith QArith List.\nFrom ImpactPair Require Import Model Data Certificate Covering Document Orbit Resting Rests Shadow Cycle.\n\
     From ImpactPair Require Pieces Jacobian Rounds Discs Cycles Drawn Region Columns March Trap Chaos Reduced Strips Words Entropies Carrier.\nImport ListNotations.\nOpen Scope Z_scope.\n\
-    %sLemma answer : Carrier.%s %s = %b.\nProof. vm_cast_no_check (eq_refl %b). Qed.\n"
-    (String.concat "" defined) checker (String.concat " " (List.map fst definitions)) answer answer
+    %sLemma answer : Carrier.%s %s = %b.\nProof. vm_cast_no_check (eq_refl %b). Qed.\n%s"
+    (String.concat "" given) checker (String.concat " " names) answer answer theorem
 
-let file x found = answered [ ("document", document occurrence x); ("pieces", pieces found) ] "Shifting.verify_document"
+let file x found =
+  answered [ ("document", document ("occurrence", occurrence) x); ("pieces", pieces found) ]
+    ("Shifting.verify_document", "Orbit.claims document", "Shifting.pieces_verified")
 let file_of_shadow x near found =
-  answered [ ("document", document event x); ("near", nearness near); ("chain", chain found) ] "Shadowing.verify_shadow"
+  answered [ ("document", document ("event", event) x); ("near", nearness near); ("chain", chain found) ]
+    ("Shadowing.verify_shadow", "Shadow.claims_shadow document near", "Shadowing.shadow_verified")
 let file_of_cycles param start orbits around =
-  answered [ ("param", data param); ("start", beginning start); ("orbits", list cycle orbits); ("around", list surroundings around) ] "Drawing.verify_cycles"
+  answered [ ("param", data param); ("start", beginning start); ("orbits", list cycle orbits); ("around", list surroundings around) ]
+    ("Drawing.verify_cycles", "Cycle.claims_cycles param start orbits", "Drawing.cycles_verified")
 let file_of_attracted x found from c around way =
-  answered [ ("document", document occurrence x); ("pieces", pieces found); ("from", integer from); ("orbit", cycle c); ("around", surroundings around);
-             ("approach", approach way) ] "verify_attracted"
-let file_of_region param start r f h x found answer =
+  answered [ ("document", document ("occurrence", occurrence) x); ("pieces", pieces found); ("from", integer from); ("orbit", cycle c); ("around", surroundings around);
+             ("approach", approach way) ]
+    ("verify_attracted", "Cycle.claims_attracted document from orbit", "attracted_verified")
+let file_of_region param start r f h x found =
   answered [ ("param", data param); ("start", beginning start); ("region", region r); ("said", properties f); ("plan", plan h); ("entry", entry x); ("pieces", pieces found) ]
-    "verify_region" answer
-let file_of_chaos param start c h answer =
-  answered [ ("param", data param); ("start", beginning start); ("horseshoe", chaos c); ("hint", chaos_hint h) ] "verify_chaos" answer
+    ("verify_region", "Region.claims_region param start region said", "region_verified")
+let file_of_chaos param start c h =
+  answered [ ("param", data param); ("start", beginning start); ("horseshoe", chaos c); ("hint", chaos_hint h) ]
+    ("verify_chaos", "Chaos.claims_chaos param start horseshoe", "chaos_verified")
