@@ -61,6 +61,9 @@ pub struct CheckArguments {
     /// trap or chaos instead
     #[arg(long, conflicts_with_all = ["effort", "format"])]
     pub verified: bool,
+    /// Accept no claim that is not checked: exit 1 where the first line names one
+    #[arg(long, conflicts_with = "verified")]
+    pub strict: bool,
     /// Multiply the work allowed for each claim by TIMES before it is left undecided
     #[arg(long, value_name = "TIMES", default_value_t = 1, value_parser = crate::values::count(1..=u64::MAX))]
     pub effort: u64,
@@ -108,16 +111,21 @@ pub fn check(arguments: &CheckArguments) -> Result<Answer> {
     let progress = Progress::new(Some(claims.count() as u64), !quiet);
     let judged = claims.judge(&arguments.effort(), &progress).with_context(|| scene::name(path))?;
     progress.clear();
-    let verdict_in_words = match format {
-        CheckFormat::Json => one_a_line(&claims.document(&text, &judged), &["claims"]),
+    let document = claims.document(&text, &judged);
+    let written = match format {
+        CheckFormat::Json => one_a_line(&document, &["claims"]),
         CheckFormat::Text => {
             let unjudged = claims.unjudged();
             let named =
                 if unjudged.is_empty() { String::new() } else { format!("\nnot checked: {}", unjudged.join(", ")) };
-            claims.verdict_in_words(&judged.verdict) + &named
+            format!("{}{named}", document.message)
         }
     };
-    writeln!(out, "{verdict_in_words}").context("cannot write the output")?;
+    writeln!(out, "{written}").context("cannot write the output")?;
     out.commit()?;
-    Ok(if let Verdict::Confirmed { .. } = judged.verdict { Answer::Complete } else { Answer::Incomplete })
+    let is_checked = document.unchecked_claims.is_empty() || !arguments.strict;
+    Ok(match judged.verdict {
+        Verdict::Confirmed { .. } if is_checked => Answer::Complete,
+        _ => Answer::Incomplete,
+    })
 }

@@ -143,6 +143,13 @@ impl AtlasCertificate {
         parts.filter(|part| part.claims_something()).count()
     }
 
+    /// Returns whether a path leads to a point or a cell without a proved result, or to one of its own values.
+    pub(super) fn is_silent(&self, path: &str) -> bool {
+        let is_own = |rest: &str| rest.is_empty() || rest.starts_with('.') && !rest.starts_with(".quarters");
+        let mut parts = self.points.iter().flat_map(|point| &point.parts);
+        parts.any(|part| !part.claims_something() && path.strip_prefix(&part.path).is_some_and(is_own))
+    }
+
     /// Returns the keys of the document that claim nothing which [`check_within`](Self::check_within) judges.
     pub fn unjudged(&self) -> &[String] {
         &self.unjudged

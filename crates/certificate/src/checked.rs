@@ -62,6 +62,11 @@ pub(super) trait Checked {
         true
     }
 
+    /// Returns whether the value at a path is of an item of which nothing is claimed.
+    fn is_silent(&self, _: &str) -> bool {
+        false
+    }
+
     /// The verdict, and how many items are confirmed for all data.
     fn judge(&self, effort: &Effort, watch: &dyn Watch) -> Result<(Verdict, usize), Error> {
         let reached = AtomicUsize::new(0);
@@ -271,6 +276,10 @@ impl Checked for SweepCertificate {
 impl Checked for AtlasCertificate {
     checked!("points");
     judged!();
+
+    fn is_silent(&self, path: &str) -> bool {
+        self.is_silent(path)
+    }
 
     fn first(&self, count: usize) -> String {
         counted(count, if self.has_cells() { "tile" } else { "point" })

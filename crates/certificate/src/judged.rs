@@ -52,10 +52,12 @@ impl Claims {
     /// Panics if it was read from another text.
     pub fn document(&self, text: &str, judged: &CheckResult) -> CheckDocument {
         let values: Vec<Value> = Deserializer::from_str(text).into_iter().map_while(Result::ok).collect();
-        let (mut claims, mut not_checked) = (Vec::new(), Vec::new());
+        let (mut claims, mut not_checked, mut unchecked_claims) = (Vec::new(), Vec::new(), Vec::new());
         for part in self.parts(&values) {
-            part.judge(judged, &mut claims, &mut not_checked);
+            unchecked_claims.append(&mut part.judge(judged, &mut claims, &mut not_checked));
         }
+        unchecked_claims.sort();
+        unchecked_claims.dedup();
         if let Verdict::Interrupted { .. } = judged.verdict {
             let open = claims.iter_mut().find(|claim: &&mut JudgedClaim| claim.verdict == VerdictName::Undecided);
             if let Some(open) = open {
@@ -65,18 +67,23 @@ impl Claims {
         CheckDocument {
             schema: CHECK_SCHEMA.to_owned(),
             verdict: judged.name(),
-            message: self.verdict_in_words(&judged.verdict),
+            message: self.verdict_in_words(&judged.verdict, &unchecked_claims),
             claims,
             not_checked,
+            unchecked_claims,
         }
     }
 
-    /// Returns the verdict in words.
-    pub fn verdict_in_words(&self, verdict: &Verdict) -> String {
+    /// Returns the verdict in words, which name the claims that are not checked.
+    pub fn verdict_in_words(&self, verdict: &Verdict, unchecked_claims: &[String]) -> String {
         match verdict {
             Verdict::Confirmed { bits, pieces } => {
+                let confirmed = match unchecked_claims {
+                    [] => "confirmed:".to_owned(),
+                    claims => format!("confirmed, but not: {}; confirmed are", claims.join(", ")),
+                };
                 let pieces = if *pieces == 1 { String::new() } else { format!(", the data cut into {pieces} sets") };
-                format!("confirmed: {}, in {bits} bits{pieces}", self.all())
+                format!("{confirmed} {}, in {bits} bits{pieces}", self.all())
             }
             Verdict::Refuted(finding) => format!("refuted: {}", self.described(finding)),
             Verdict::Undecided(finding) => format!("undecided: {}", self.described(finding)),
@@ -105,8 +112,9 @@ impl Claims {
 }
 
 impl Part<'_> {
-    /// The verdicts on its values, and the paths of those that are not judged.
-    fn judge(&self, judged: &CheckResult, claims: &mut Vec<JudgedClaim>, not_checked: &mut Vec<String>) {
+    /// Adds the verdicts on the values of the document, and the paths of the values that are not judged; returns the keys among these that
+    /// claim something.
+    fn judge(&self, judged: &CheckResult, claims: &mut Vec<JudgedClaim>, not_checked: &mut Vec<String>) -> Vec<String> {
         let (names, items) = (self.claims.unjudged(), self.claims.certificate().map(Checked::items));
         let mut leaves = Leaves::new(&names, items);
         match (self.claims, &self.values[..]) {
@@ -130,7 +138,9 @@ impl Part<'_> {
             }
             (_, []) => unreachable!("a document is read from a value"),
         }
-        let Leaves { judged: mut paths, mut others, .. } = leaves;
+        let Leaves { judged: mut paths, mut others, mut unchecked, .. } = leaves;
+        // An atlas has points without a proved result: they claim nothing.
+        unchecked.retain(|[path, _]| !self.claims.certificate().is_some_and(|certificate| certificate.is_silent(path)));
         let decisive = self.decisive(judged);
         if let Some((path, _)) = &decisive {
             // Of an item that decides its own values are in doubt as well.
@@ -144,6 +154,8 @@ impl Part<'_> {
         others.dedup();
         claims.extend(paths.into_iter().map(|path| self.verdict(path, judged, decisive.as_ref(), items)));
         not_checked.extend(others.into_iter().map(|path| format!("{}{path}", self.prefix)));
+        let prefix = self.prefix.rsplit_once("].").map_or(self.prefix.as_str(), |(_, key)| key);
+        unchecked.into_iter().map(|[_, path]| format!("{prefix}{path}")).collect()
     }
 
     /// The claim that decides, and why, where it is one of this document.

@@ -4,6 +4,8 @@ use std::collections::HashSet;
 
 use serde_json::Value;
 
+use crate::settings::is_setting;
+
 /// Sorts the values of a document into those that a check judges and those that it does not.
 pub(super) struct Leaves<'n> {
     /// Paths that are not judged, with the positions in lists, or without them for all items.
@@ -14,6 +16,8 @@ pub(super) struct Leaves<'n> {
     pub judged: Vec<String>,
     /// Paths that are not, each with all that it holds.
     pub others: Vec<String>,
+    /// Those at which something is claimed: the path, and the same without positions in lists.
+    pub unchecked: Vec<[String; 2]>,
 }
 
 /// Keys of flags that claim nothing where they are false.
@@ -35,13 +39,16 @@ pub(super) fn is_there(value: &Value, path: &str) -> bool {
 impl<'n> Leaves<'n> {
     pub fn new(unjudged: &'n [String], items: Option<&'n str>) -> Self {
         let unjudged = unjudged.iter().map(String::as_str).collect();
-        Self { unjudged, items, judged: Vec::new(), others: Vec::new() }
+        Self { unjudged, items, judged: Vec::new(), others: Vec::new(), unchecked: Vec::new() }
     }
 
     /// Sorts what stands at a path; `unnumbered` is the same without the positions in lists.
     pub fn add(&mut self, path: &str, unnumbered: &str, value: &Value) {
         let is_unjudged = self.unjudged.contains(path) || self.unjudged.contains(unnumbered);
         if is_unjudged || self.says_nothing(unnumbered, value) {
+            if !is_setting(path) && self.claims(unnumbered, value) {
+                self.unchecked.push([path, unnumbered].map(str::to_owned));
+            }
             return self.others.push(path.to_owned());
         }
         match value {
@@ -69,6 +76,19 @@ impl<'n> Leaves<'n> {
                 && !self.says_nothing(unnumbered, item)
                 && !self.unjudged.contains(format!("{path}[{i}]").as_str())
         })
+    }
+
+    /// Returns whether a value, or one below it, claims something.
+    fn claims(&self, unnumbered: &str, value: &Value) -> bool {
+        !is_setting(unnumbered)
+            && !self.says_nothing(unnumbered, value)
+            && match value {
+                Value::Object(entries) => {
+                    entries.iter().any(|(key, value)| self.claims(&format!("{unnumbered}.{key}"), value))
+                }
+                Value::Array(items) => items.iter().any(|item| self.claims(unnumbered, item)),
+                _ => true,
+            }
     }
 
     /// Returns whether a value at a path claims nothing.

@@ -37,6 +37,7 @@ mod leaves;
 mod periodic;
 mod prove;
 mod read;
+mod settings;
 mod sweep;
 mod tangency;
 mod tiles;

@@ -35,7 +35,7 @@ fn verdict(file: &Value) -> (&'static str, String) {
                 Verdict::Refuted(_) => "refuted",
                 Verdict::Undecided(_) | Verdict::Interrupted { .. } => "undecided",
             };
-            (name, claims.verdict_in_words(&verdict))
+            (name, claims.verdict_in_words(&verdict, &[]))
         }
         Err(error) => ("unreadable", error.to_string()),
     }

@@ -23,6 +23,9 @@ pub struct CheckDocument {
     pub claims: Vec<JudgedClaim>,
     /// The values that are not compared: they claim nothing, or no lemma of the check covers them.
     pub not_checked: Vec<String>,
+    /// The keys among these that claim something, without positions in lists: `check --strict` accepts none.
+    #[serde(skip_serializing_if = "Vec::is_empty", default)]
+    pub unchecked_claims: Vec<String>,
 }
 
 /// A claim and its verdict.

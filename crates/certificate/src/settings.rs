@@ -1,0 +1,84 @@
+//! Keys of documents that claim nothing: the question, how it was answered, words about what is not proved.
+//!
+//! Whatever stands at another key and is not checked is a claim that a reader may take for proved: the first line of `check` names it.
+
+/// Paths without positions in lists, each with all that stands below it.
+const SETTINGS: [&str; 47] = [
+    // The question. Of the scene: data on which no claim of the document depends.
+    "scene",
+    "title",
+    "over",
+    "digits",
+    "impacts",
+    "transient",
+    "summary",
+    "shard",
+    "depth",
+    "horseshoes",
+    "work",
+    "most",
+    "halvings",
+    "cells",
+    "boxes",
+    "schema",
+    // How it was answered, how finely, and whether all that was asked is there. `excludes` narrows `exhaustive`.
+    "program",
+    "arithmetic",
+    "certified",
+    "excludes",
+    "interrupted",
+    "limited",
+    "searched_impacts",
+    "hyperbolic.cells",
+    "basins.boxes",
+    "components.boxes",
+    "points.components.boxes",
+    "points.bits",
+    "points.complete",
+    "points.wide_from",
+    "points.seconds",
+    // The start that all points are about stands at each point as well.
+    "claim",
+    // What is not proved, and why.
+    "undecided",
+    "not_examined",
+    "left_out",
+    "exponent_seen",
+    "outcome.reason",
+    "outcome.wall",
+    "outcome.time[1]",
+    "components.reason",
+    "windows.reason",
+    "points.reason",
+    "points.message",
+    "points.components.reason",
+    // Half vectors of h-sets, whose corners are given.
+    "bases",
+    "stretches.bases",
+    "components.horseshoe.bases",
+];
+
+/// Returns whether a path, or one without positions in lists, leads to what claims nothing.
+pub(super) fn is_setting(path: &str) -> bool {
+    // The cells that a tile is cut into have the keys of the tile.
+    let of_tile = path.replace("quarters.", "").replace("points.components.horseshoe", "components.horseshoe");
+    SETTINGS.iter().any(|setting| {
+        of_tile.strip_prefix(setting).is_some_and(|rest| rest.is_empty() || rest.starts_with(['.', '[']))
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_lies_below_a_setting_is_one() {
+        for path in ["scene.start.time", "over[0]", "points.quarters.quarters.seconds", "outcome.time[1]", "boxes"] {
+            assert!(is_setting(path), "{path}");
+        }
+        for path in ["exhaustive", "points.exponent", "outcome.time", "components.area", "boxes_seen", "orbits.unique"]
+        {
+            assert!(!is_setting(path), "{path}");
+        }
+    }
+}
