@@ -27,7 +27,7 @@ const SCENE: &str = r#"
 
 fn main() -> Result<(), Error> {
     let scene = Scene::parse(SCENE)?;
-    println!("{}", scene.parameters_in_words());
+    println!("{}", scene.pair().in_words());
     let mut orbit = Orbit::new(scene.pair(), scene.start(), scene.settings())?;
     for event in orbit.events() {
         println!("{event}");

@@ -6,8 +6,10 @@ use std::path::PathBuf;
 use anyhow::{Context, Error, Result, anyhow};
 use clap::{Args, ValueEnum};
 use impact_pair::Scene;
-use impact_pair::json::one_a_line;
+use impact_pair::json::{CheckDocument, SceneDocument, one_a_line};
 use impact_pair_certificate::{Claims, Effort, Verdict};
+use serde_json::{Deserializer, Value};
+use sha2::{Digest, Sha256};
 
 use crate::Answer;
 use crate::destination::{Destination, Files};
@@ -45,6 +47,8 @@ with theirs. Parameter manifolds are not checked. A \
 separate line names the values that are not checked; with --format json each value of the document is listed among \
 the claims with its verdict, or among those not checked. Ctrl-C keeps the proved part.
 
+With --strict a claim that is not checked is not accepted: the exit code is 1 where the first line names one.
+
 With --verified the program impact-pair-verified answers, if it is beside impact-pair or on PATH: its checker is \
 extracted from a proof in Coq. It prints what a JSON of run, periodic, trap or chaos claims, and that it is verified, or why \
 not: a document that claims more than the theorems cover, such as a graze, is not verified.
@@ -59,7 +63,7 @@ pub struct CheckArguments {
     pub certificate: PathBuf,
     /// Have the program impact-pair-verified, whose checker is extracted from its proof in Coq, check a JSON of run, periodic,
     /// trap or chaos instead
-    #[arg(long, conflicts_with_all = ["effort", "format"])]
+    #[arg(long, conflicts_with = "effort")]
     pub verified: bool,
     /// Accept no claim that is not checked: exit 1 where the first line names one
     #[arg(long, conflicts_with = "verified")]
@@ -67,7 +71,7 @@ pub struct CheckArguments {
     /// Multiply the work allowed for each claim by TIMES before it is left undecided
     #[arg(long, value_name = "TIMES", default_value_t = 1, value_parser = crate::values::count(1..=u64::MAX))]
     pub effort: u64,
-    /// Output format; json is schema impact-pair/check/1 [default: by the extension of --output, else text]
+    /// Output format; json is schema impact-pair/check/1, with --verified impact-pair/verified/1 [default: by the extension of --output, else text]
     #[arg(long, value_enum)]
     pub format: Option<CheckFormat>,
     #[command(flatten)]
@@ -95,10 +99,10 @@ impl CheckArguments {
 
 pub fn check(arguments: &CheckArguments) -> Result<Answer> {
     let path = &arguments.certificate;
-    if arguments.verified {
-        return verified::verify(path, arguments.destination.output.as_deref());
-    }
     let format = arguments.destination.format(arguments.format)?;
+    if arguments.verified {
+        return verified::verify(path, format, arguments.destination.output.as_deref());
+    }
     let text = scene::text(path)?;
     let claims = Claims::parse(&text).map_err(|error| match Scene::parse(&text) {
         Ok(_) => anyhow!(
@@ -111,15 +115,11 @@ pub fn check(arguments: &CheckArguments) -> Result<Answer> {
     let progress = Progress::new(Some(claims.count() as u64), !quiet);
     let judged = claims.judge(&arguments.effort(), &progress).with_context(|| scene::name(path))?;
     progress.clear();
-    let document = claims.document(&text, &judged);
+    let sha256 = Some(sha256(&text));
+    let document = CheckDocument { sha256, ..claims.document(&text, &judged) };
     let written = match format {
         CheckFormat::Json => one_a_line(&document, &["claims"]),
-        CheckFormat::Text => {
-            let unjudged = claims.unjudged();
-            let named =
-                if unjudged.is_empty() { String::new() } else { format!("\nnot checked: {}", unjudged.join(", ")) };
-            format!("{}{named}", document.message)
-        }
+        CheckFormat::Text => in_words(&claims, &text, &document),
     };
     writeln!(out, "{written}").context("cannot write the output")?;
     out.commit()?;
@@ -128,4 +128,30 @@ pub fn check(arguments: &CheckArguments) -> Result<Answer> {
         Verdict::Confirmed { .. } if is_checked => Answer::Complete,
         _ => Answer::Incomplete,
     })
+}
+
+/// The name of a document: SHA-256 in hexadecimal.
+pub fn sha256(text: &str) -> String {
+    format!("{:x}", Sha256::digest(text.as_bytes()))
+}
+
+/// The verdict, the theorem, the scene that it is about, the name of the document, and what is not checked, a line each.
+fn in_words(claims: &Claims, text: &str, document: &CheckDocument) -> String {
+    let unjudged = claims.unjudged();
+    let lines = [
+        Some(document.message.clone()),
+        document.theorem.as_ref().map(|theorem| format!("theorem: {theorem}")),
+        scene_in_words(text).map(|scene| format!("scene: {scene}")),
+        document.sha256.as_ref().map(|hash| format!("document: SHA-256 {hash}")),
+        (!unjudged.is_empty()).then(|| format!("not checked: {}", unjudged.join(", "))),
+    ];
+    lines.into_iter().flatten().collect::<Vec<_>>().join("\n")
+}
+
+/// The scene of a document; `None` of a list of documents.
+fn scene_in_words(text: &str) -> Option<String> {
+    let head = Deserializer::from_str(text).into_iter::<Value>().next()?.ok()?;
+    let scene: SceneDocument = serde_json::from_value(head.get("scene")?.clone()).ok()?;
+    let (pair, start) = scene.model().ok()?;
+    Some(format!("{}; {}", pair.in_words(), start.in_words()))
 }

@@ -135,7 +135,7 @@ fn graph<'f>(scene: &Scene, found: &'f Global) -> Graph<'f> {
         vec![Value::Word(own.kind.name()), Value::Number(own.boxes as i64), Value::of(own.is_closed)]
     };
     Graph {
-        title: format!("components that motions may stay in; {}", scene.parameters_in_words()),
+        title: format!("components that motions may stay in; {}", scene.pair().in_words()),
         keys: &[("kind", "string"), ("boxes", "long"), ("closed", "long")],
         nodes: found.components.iter().map(node).collect(),
         edges: Box::new(found.order.iter().map(|&[from, to]| (from, None, to))),

@@ -4,11 +4,11 @@ use impact_pair::Scene;
 
 /// The title, the parameters and the start, a line each.
 pub fn heading(scene: &Scene) -> String {
-    format!("{}{}\n", pair_heading(scene), scene.start_in_words())
+    format!("{}{}\n", pair_heading(scene), scene.start().in_words())
 }
 
 /// The title and the parameters, a line each.
 pub fn pair_heading(scene: &Scene) -> String {
     let title = scene.title().map(|title| format!("{title}\n")).unwrap_or_default();
-    format!("{title}{}\n", scene.parameters_in_words())
+    format!("{title}{}\n", scene.pair().in_words())
 }

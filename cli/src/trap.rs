@@ -170,7 +170,7 @@ impl Proved<'_> {
 
     /// The graph that is written: of words if they are counted, else of boxes.
     fn graph(&self) -> Graph<'_> {
-        let (scene, TrapDocument { columns, rows, .. }) = (self.scene.parameters_in_words(), &self.document);
+        let (scene, TrapDocument { columns, rows, .. }) = (self.scene.pair().in_words(), &self.document);
         let keys = &[("column", "long"), ("row", "long")];
         let lettered = |(from, letter, to): (usize, char, usize)| (from, Some(letter), to);
         match (&self.words, &self.graph) {

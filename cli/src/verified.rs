@@ -6,30 +6,53 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Output as Answered, Stdio};
 
 use anyhow::{Context, Result, anyhow, bail};
+use impact_pair::json::{VERIFIED_SCHEMA, VerifiedDocument, one_a_line};
 
 use crate::Answer;
+use crate::check::{CheckFormat, sha256};
 use crate::output::Output;
 use crate::scene;
 
 /// The program, which `validation/coq/verified/build` builds.
 const PROGRAM: &str = "impact-pair-verified";
+/// The beginning of its last line where it does not verify a document; the reason follows.
+const NOT_VERIFIED: &str = "not verified: ";
 
 /// Writes the claim of a document and the verdict of the verified checker.
-pub fn verify(path: &Path, output: Option<&Path>) -> Result<Answer> {
+pub fn verify(path: &Path, format: CheckFormat, output: Option<&Path>) -> Result<Answer> {
     let text = scene::text(path)?;
     scene::keep(path, output)?;
     let answered = answer(&program()?, &text)?;
     let said = String::from_utf8_lossy(&answered.stdout);
+    let written = |reason: Option<&str>| match format {
+        CheckFormat::Text => said.clone().into_owned(),
+        CheckFormat::Json => one_a_line(&document(&text, &said, reason), &[]) + "\n",
+    };
     // Its exit code and its last line have to say the same.
     match (answered.status.code(), said.lines().last()) {
-        (Some(0), Some("verified")) => write(&said, output, Answer::Complete),
-        (Some(1), Some(last)) if last.starts_with("not verified: ") => write(&said, output, Answer::Incomplete),
+        (Some(0), Some("verified")) => write(&written(None), output, Answer::Complete),
+        (Some(1), Some(last)) if last.starts_with(NOT_VERIFIED) => {
+            write(&written(last.strip_prefix(NOT_VERIFIED)), output, Answer::Incomplete)
+        }
         (Some(2), Some(last)) if last.starts_with("unreadable: ") => Err(anyhow!("{last}").context(scene::name(path))),
         _ => {
             let complaint = String::from_utf8_lossy(&answered.stderr);
             let stopped = format!("{PROGRAM} stopped without a verdict, {}\n{complaint}", answered.status);
             Err(anyhow!("{}", stopped.trim()).context(scene::name(path)))
         }
+    }
+}
+
+/// The answer of the program as a document.
+fn document(text: &str, said: &str, reason: Option<&str>) -> VerifiedDocument {
+    let line = |key: &str| said.lines().find_map(|line| line.strip_prefix(key)).map(str::to_owned);
+    VerifiedDocument {
+        schema: VERIFIED_SCHEMA.to_owned(),
+        verified: reason.is_none(),
+        claim: line("claim: "),
+        scene: line("scene: "),
+        sha256: sha256(text),
+        reason: reason.map(str::to_owned),
     }
 }
 

@@ -31,7 +31,7 @@ fn on(verb: &str, path: &PathBuf) -> Command {
 macro_rules! snapshot {
     ($name:expr, $command:expr) => {
         insta::with_settings!({ filters => vec![
-            (r"\(-?\d+,-?\d+\)", "(..)"), (r"(\d\.\d{5})\d+", "$1.."), (r"\(-?0x[0-9a-f]+\) \d+", "(..) .."),
+            (r"SHA-256 [0-9a-f]{64}", "SHA-256 .."), (r"\(-?\d+,-?\d+\)", "(..)"), (r"(\d\.\d{5})\d+", "$1.."), (r"\(-?0x[0-9a-f]+\) \d+", "(..) .."),
             (r"\(-?0x[0-9a-f]+\)", "(..)"), (r"Leg \d+ \d+ \d+", "Leg .."), (r"Start \d+ \d+", "Start .."),
         ] }, {
             assert_cmd_snapshot!($name, $command);
@@ -184,4 +184,17 @@ fn r32_each_claim_has_its_verdict() {
 fn both_explain_themselves() {
     snapshot!("arguments_of_check", program(&["check", "--help"]));
     snapshot!("arguments_of_prove", program(&["prove", "--help"]));
+}
+
+/// `--strict` accepts no claim that is not checked.
+#[test]
+fn r61_an_unchecked_claim_is_not_accepted_strictly() {
+    let two_impact = ["two-impact", "scenes/figure-12.toml", "--format", "json", "--quiet"];
+    let exhaustive = program(&two_impact).output().unwrap().stdout;
+    fs::write(folder().join("exhaustive.json"), exhaustive).unwrap();
+    let complete = certificate("strict", &FIGURE_12, |text| text);
+    let code = |path: &PathBuf, strict: &[&str]| on("check", path).args(strict).output().unwrap().status.code();
+    let exhaustive = PathBuf::from("exhaustive.json");
+    assert_eq!([code(&exhaustive, &[]), code(&exhaustive, &["--strict"])], [Some(0), Some(1)]);
+    assert_eq!(code(&complete, &["--strict"]), Some(0));
 }

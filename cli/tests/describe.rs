@@ -53,7 +53,7 @@ fn a_description_is_checked_by_its_own_orbit() {
         assert!(said.starts_with(words), "{said}");
     };
     let text = document.to_string();
-    says(&text, "confirmed: the fate: 32 events and the outcome");
+    says(&text, "confirmed, but not: exponent; confirmed are the fate: 32 events and the outcome");
     says(&text.replace("\"from\":6", "\"from\":1"), "refuted: fate.");
     says(&text.replacen("\"certified\":true", "\"certified\":false", 1), "refuted: certified");
     let (undecided, _) = described(&["scenes/two-tones.toml", "--impacts", "20"]);

@@ -8,7 +8,7 @@ use impact_pair_certificate::document::{
     AtlasHead, AtlasRecord, AuditDocument, BifurcationDocument, ChaosCellsDocument, ChaosDocument, CheckDocument,
     CyclesDocument, DescriptionDocument, EventDocument, GlobalDocument, ManifoldDocument, OrbitDocument, OrbitEnd,
     OrbitHead, PeriodicDocument, SweepHead, SweepRecord, TangencyDocument, TradeDocument, TrapDocument,
-    TwoImpactDocument, WindowsDocument,
+    TwoImpactDocument, VerifiedDocument, WindowsDocument,
 };
 use schemars::{JsonSchema, schema_for};
 use serde::Serialize;
@@ -47,6 +47,7 @@ fn the_schemas_are_those_of_the_documents() {
     assert_is_kept::<TangencyDocument>("tangency");
     assert_is_kept::<DescriptionDocument>("description");
     assert_is_kept::<CheckDocument>("check");
+    assert_is_kept::<VerifiedDocument>("verified");
     assert_is_kept::<AuditDocument>("audit");
     assert_is_kept::<SweepHead>("sweep-head");
     assert_is_kept::<SweepRecord>("sweep-point");

@@ -61,6 +61,21 @@ fn the_answer_is_written_to_a_file() {
 }
 
 #[test]
+fn the_answer_is_a_document_as_well() {
+    let lines = "claim: an orbit\\nscene: A = 1\\ndocument: SHA-256 0\\n";
+    for (answer, code, reason) in [("verified", 0, "null"), ("not verified: a graze", 1, "\"a graze\"")] {
+        let mut command = answering(&format!("json-{code}"), &format!("{lines}{answer}"), code);
+        let done = command.args(["--format", "json"]).output().unwrap();
+        let text = String::from_utf8(done.stdout).unwrap();
+        // The SHA-256 of `{}`.
+        let hash = "44136fa355b3678a1146ad16f7e8649e94fb4fc21fe77e8310c060f61caaff8a";
+        let own = ["\"claim\":\"an orbit\"", "\"scene\":\"A = 1\"", hash, &format!("\"reason\":{reason}")];
+        assert!(own.iter().all(|part| text.contains(part)), "{text}");
+        assert_eq!(done.status.code(), Some(i32::from(code)));
+    }
+}
+
+#[test]
 fn a_missing_program_is_named() {
     assert_cmd_snapshot!("no_program", verified(&folder("no-program"), &[]));
     assert_cmd_snapshot!("verified_with_effort", verified(&folder("with-effort"), &["--effort", "2"]));

@@ -43,8 +43,12 @@ class Check:
     verdict: str
     #: The claims checked, and the fault, if any.
     message: str
+    #: The theorem in words, if the document is confirmed; the claims of ``unchecked_claims`` are no part of it.
+    theorem: str | None
     #: Paths of the values that are not checked: they claim nothing, or no lemma of ``check`` covers them.
     unjudged: list[str]
+    #: The keys among these that claim something.
+    unchecked_claims: list[str]
     #: All claims checked, in the order of the document.
     claims: list[Claim]
 
@@ -95,8 +99,8 @@ def check(source: Source, *, effort: int = 1, progress: Progress = None) -> Chec
     ``effort`` multiplies the work allowed for each claim before it is left undecided.
     """
     with reporting(progress, "claims") as report:
-        verdict, message, unjudged, claims = _core.check(text_of(source), whole("effort", effort), report)
-    return Check(verdict, message, unjudged, [Claim(*claim) for claim in claims])
+        *answer, claims = _core.check(text_of(source), whole("effort", effort), report)
+    return Check(*answer, [Claim(*claim) for claim in claims])
 
 
 def prove(source: Source, impacts: int | None = None, *, progress: Progress = None) -> Theorem:

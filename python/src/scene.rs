@@ -34,7 +34,7 @@ impl Scene {
 
     /// The parameters and the start in the words of the paper, a line each.
     fn words(&self) -> (String, String) {
-        (self.scene.parameters_in_words(), self.scene.start_in_words())
+        (self.scene.pair().in_words(), self.scene.start().in_words())
     }
 
     /// The table `[run]`: impacts, until, digits.

@@ -228,8 +228,11 @@ pub fn audit(
     })
 }
 
-/// The verdict, its message, the values not checked, and each claim with its verdict and, at the deciding one, the reason.
-type Checked = (&'static str, String, Vec<String>, Vec<(String, &'static str, Option<String>)>);
+/// A claim, its verdict, and at the deciding claim the reason.
+type JudgedClaim = (String, &'static str, Option<String>);
+
+/// The verdict, its message, the theorem in words, the values not checked, the claims among them, and each claim that is checked.
+type Checked = (&'static str, String, Option<String>, Vec<String>, Vec<String>, Vec<JudgedClaim>);
 
 /// Every claim of a document, proved again.
 #[pyfunction]
@@ -249,7 +252,7 @@ pub fn check(py: Python<'_>, text: String, effort: u64, progress: Option<Py<PyAn
         };
         let document = claims.document(&text, &judged);
         let each = document.claims.into_iter().map(|claim| (claim.path, claim.verdict.text(), claim.reason));
-        Ok((kind, said, document.not_checked, each.collect()))
+        Ok((kind, said, document.theorem, document.not_checked, document.unchecked_claims, each.collect()))
     })
 }
 

@@ -14,7 +14,7 @@ const EIGENVALUE_BITS: u32 = 24;
 /// The motions of each N.
 pub fn motions(scene: &Scene, unknown: &Unknown, answers: &[Answer], wall: Wall) -> String {
     let mut lines: Vec<String> = scene.title().map(str::to_owned).into_iter().collect();
-    lines.push(scene.parameters_in_words());
+    lines.push(scene.pair().in_words());
     match unknown {
         Unknown::Velocity => {
             lines.push("given A and d: all motions with two impacts in N cycles, without sticking".into())
@@ -89,7 +89,7 @@ pub fn manifolds(scene: &Scene, axis: Axis, curves: &[Manifold]) -> String {
         Axis::Frequency => "W",
         Axis::Velocity(_) => "v",
     };
-    lines.push(format!("{}\nA_N (68) over {name}: where something changes\n", scene.parameters_in_words()));
+    lines.push(format!("{}\nA_N (68) over {name}: where something changes\n", scene.pair().in_words()));
     lines.push(format!("{:>4}  {:9}  {name:26}{:26}from there on", "N", "mark", "A_N"));
     for curve in curves {
         let last = curve.points.len() - 1;

@@ -68,6 +68,8 @@ impl Claims {
             schema: CHECK_SCHEMA.to_owned(),
             verdict: judged.name(),
             message: self.verdict_in_words(&judged.verdict, &unchecked_claims),
+            theorem: matches!(judged.verdict, Verdict::Confirmed { .. }).then(|| self.theorem()),
+            sha256: None,
             claims,
             not_checked,
             unchecked_claims,

@@ -40,6 +40,7 @@ mod read;
 mod settings;
 mod sweep;
 mod tangency;
+mod theorem;
 mod tiles;
 #[cfg(test)]
 #[path = "../../../tests/tolerances/mod.rs"]

@@ -15,3 +15,4 @@ mod recorded;
 mod schemas;
 mod tangency;
 mod tiles;
+mod unchecked;

@@ -19,6 +19,12 @@ pub struct CheckDocument {
     pub verdict: VerdictName,
     /// The verdict in one line.
     pub message: String,
+    /// The theorem in words, where all claims that are checked are confirmed; a line for each document of a list.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub theorem: Option<String>,
+    /// SHA-256 of the text that was checked, in hexadecimal: what `sha256sum` says of its file.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub sha256: Option<String>,
     /// The values that the check compares with its own.
     pub claims: Vec<JudgedClaim>,
     /// The values that are not compared: they claim nothing, or no lemma of the check covers them.
@@ -26,6 +32,27 @@ pub struct CheckDocument {
     /// The keys among these that claim something, without positions in lists: `check --strict` accepts none.
     #[serde(skip_serializing_if = "Vec::is_empty", default)]
     pub unchecked_claims: Vec<String>,
+}
+
+/// The schema of an answer of the verified checker.
+pub const VERIFIED_SCHEMA: &str = "impact-pair/verified/1";
+
+/// The answer of the program `impact-pair-verified`, whose checker is extracted from its proof in Coq.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
+pub struct VerifiedDocument {
+    /// [`VERIFIED_SCHEMA`]
+    pub schema: String,
+    /// Whether the theorem holds of the document.
+    pub verified: bool,
+    /// The theorem in words, if one covers what the document claims.
+    pub claim: Option<String>,
+    /// The scene that it is about, likewise.
+    pub scene: Option<String>,
+    /// SHA-256 of the text that was verified, in hexadecimal: what `sha256sum` says of its file.
+    pub sha256: String,
+    /// Why the document is not verified.
+    pub reason: Option<String>,
 }
 
 /// A claim and its verdict.

@@ -218,13 +218,13 @@ fn caption(
 
 /// The parameters of a scene, of one that varies its range.
 pub(crate) fn parameters(scene: &Scene, over: Option<&Range>) -> String {
-    let words = scene.parameters_in_words();
-    let Some(over) = over else { return greek(&format!("{words}; {}", scene.start_in_words())) };
+    let words = scene.pair().in_words();
+    let Some(over) = over else { return greek(&format!("{words}; {}", scene.start().in_words())) };
     let symbol = over.key.symbol().0;
     let fixed: Vec<&str> =
         words.split(", ").filter(|word| !greek(word).starts_with(&format!("${symbol} = "))).collect();
     let range = greek(&format!("{} ≤ {symbol} ≤ {}", over.low, over.high));
-    format!("{}; all {range}", greek(&format!("{}; {}", fixed.join(", "), scene.start_in_words())))
+    format!("{}; all {range}", greek(&format!("{}; {}", fixed.join(", "), scene.start().in_words())))
 }
 
 /// The axis of speeds from one to another, from no speed on where they begin near it.

@@ -107,7 +107,7 @@ fn head(
     let lines = impact_pair::describe::lines(document);
     let shown = lines.iter().filter(|(label, _)| ["fate", "exponent", "entropy"].contains(label));
     let shown = shown.map(|(label, text)| typeset_text(&format!("{label}: {text}")).replace(" -", " −"));
-    let data = greek(&format!("{}; {}", scene.parameters_in_words(), scene.start_in_words()));
+    let data = greek(&format!("{}; {}", scene.pair().in_words(), scene.start().in_words()));
     let last = format!("shown from the start on: (a) {CYCLES} forcing periods; (b) {ORBIT_CYCLES}; {}", program());
     let lines: Vec<String> = [data].into_iter().chain(shown).chain([last]).collect();
     let top = picture::caption(root, look, scene.title().unwrap_or("The motion"), &lines)?;

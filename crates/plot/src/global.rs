@@ -41,7 +41,7 @@ pub fn global(scene: &Scene, found: &Global, document: &GlobalDocument, look: &L
     picture::svg(look.size(SIZE), SCALE, |root| {
         let title = scene.title().unwrap_or("The impact map");
         let said = format!("{}; {}", document.statement, program());
-        let top = picture::caption(root, look, title, &[greek(&scene.parameters_in_words()), said])?;
+        let top = picture::caption(root, look, title, &[greek(&scene.pair().in_words()), said])?;
         let height = picture::legend(root, top, &entries(found))?;
         let (_, below) = root.split_vertically(top + height);
         let (left, right) = below.split_horizontally(below.dim_in_pixel().0 as i32 - GRAPH_WIDTH);

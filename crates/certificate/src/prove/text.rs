@@ -55,7 +55,8 @@ fn scene(certificate: &Certificate) -> Result<String, Error> {
     };
     Ok(format!(
         "\
-(* A, W, tau of the reference harmonic and of all others, d, e, each one value or an interval of values. *)
+(* A, W, tau of the reference harmonic and of all others, d, e, each one value or an interval of values. Values stand in their simplest exact form
+   (sin(pi/6) as 0.5), and a term whose amplitude is 0, which moves nothing, is left out. *)
 Definition param : data := {{|
   leading := {};
   further := [{}];

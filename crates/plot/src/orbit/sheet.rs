@@ -102,7 +102,7 @@ impl Sheet<'_> {
             Some(_) => String::new(),
             None => format!("; forcing periods and phases of W = {}", excitation.reference().frequency()),
         };
-        let data = greek(&format!("{}; {}{of_what}", scene.parameters_in_words(), scene.start_in_words()));
+        let data = greek(&format!("{}; {}{of_what}", scene.pair().in_words(), scene.start().in_words()));
         let title = scene.title().map(|title| (title.to_owned(), FONT + 3 * SCALE));
         let others = [data, typeset_text(&self.verdict), format!("{}; {}", self.shown(), picture::program())];
         let wrap = |(text, size): (String, i32)| {

@@ -196,7 +196,7 @@ const LEGEND_HEIGHT: i32 = 52;
 fn caption(trade: &Trade<'_>, root: &Canvas<'_>) -> Drawn {
     let scene = trade.scene;
     let title = format!("What accuracy costs. {}", scene.title().unwrap_or_default());
-    let parameters = greek(&format!("{}; {}", scene.parameters_in_words(), scene.start_in_words()));
+    let parameters = greek(&format!("{}; {}", scene.pair().in_words(), scene.start().in_words()));
     let requested = format!("{} requested; {PROGRAM}; medians on one machine", greek(&trade.goal()));
     for (line, (text, size)) in [(title, FONT + 3), (parameters, FONT), (requested, FONT)].into_iter().enumerate() {
         root.draw(&Text::new(text, (16, 18 + 22 * line as i32), words(size, &BLACK, HPos::Left)))?;
