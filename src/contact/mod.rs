@@ -149,8 +149,8 @@ pub(crate) struct Grazed {
     pub velocity: Ball,
     /// Distance by which the wall is missed at the extremum; 0 is one of the values.
     pub distance: Enclosure,
-    /// Speeds of a touch, from 0 on.
-    pub speed: Enclosure,
+    /// Upper bound of the acceleration.
+    pub acceleration: f64,
 }
 
 /// A pair as the certificates of first contacts want it.

@@ -12,11 +12,15 @@ use super::{Cursor, Followed, Orbit};
 use crate::contact::{Grazed, Undecided};
 use crate::exact::{Enclosure, Exact};
 use crate::impact::{Graze, Impact, Touch, finite};
-use crate::number::{Ball, Enclosing};
+use crate::number::{Ball, Enclosing, Magnitude};
 use crate::orbit::Arithmetic;
 use crate::pair::{Inward, Wall};
 use crate::shaken::{Origin, Released, Still};
 use crate::turns;
+
+/// Half the width, in gaps, that the bounds of the distance of a graze are shown with at most where they are narrower: a fourth of what
+/// `check` allows.
+const MOST_SHOWN: f64 = 1e-6 / 8.0;
 
 /// State of an orbit apart from flights: rests, releases, repetitions, and the end of the list.
 #[derive(Debug, Default)]
@@ -170,7 +174,8 @@ impl Orbit {
 
     /// Returns whether the time to stop at may come between the impacts of a chatter that is repeated: these have to be listed. Lemma V7
     fn cuts_a_repeated_rest(&self) -> bool {
-        let (Some(until), Some(Period { cycles, .. })) = (self.requested.until, self.pending.recurrence.period()) else {
+        let (Some(until), Some(Period { cycles, .. })) = (self.requested.until, self.pending.recurrence.period())
+        else {
             return false;
         };
         let is_cut = |at: &Touch, rounds: u64| {
@@ -241,7 +246,7 @@ impl Orbit {
 
     /// Lists a contact that may be a graze and goes on past it.
     pub(super) fn pass_graze(&mut self) -> Option<Progress> {
-        let Grazed { wall, touch: (whole, at, enclosure), turns, phase, height, velocity, distance, speed } =
+        let Grazed { wall, touch: (whole, at, enclosure), turns, phase, height, velocity, distance, acceleration } =
             self.engine.motion.pass_graze()?;
         let touched = turns::after(self.cursor.turns, whole)?;
         let enclosed = enclosure.rounded(self.requested.shown);
@@ -260,7 +265,15 @@ impl Orbit {
         self.followed = Followed::new(self.cursor, false, &self.engine.given, &self.requested.settings);
         (self.engine.raise, self.engine.is_point) = (None, false);
         let at = Touch { wall, turns: touched, phase: enclosed };
-        let [distance, speed] = [distance, speed].map(|x| x.rounded(self.requested.shown));
+        // G1: any wider bounds hold; narrower ones than the digits requested help nobody
+        let digits = i32::try_from(self.requested.settings.digits).unwrap_or(i32::MAX);
+        let least = 10.0f64.powi(-digits).min(MOST_SHOWN);
+        let (farthest, _) = distance.to_f64_bounds();
+        let farthest = farthest.min(-least); // G1: wider bounds
+        let distance = distance.rounded(self.requested.shown).hull(&finite(Ball::new(0.0, least)));
+        // G1: v^2 <= 2 K epsilon, in wide exponents
+        let speed = (Magnitude::new(acceleration, 1) * Magnitude::new(-farthest, 0)).sqrt().to_f64();
+        let speed = Enclosure::from_f64_bounds(0.0, speed).expect("the product of both bounds is finite");
         Some(self.record_event(Progress::Graze(Graze { at, distance, speed })))
     }
 }

@@ -49,8 +49,6 @@ pub(crate) fn pass(
 /// A touch that may be: how long it may last, and what its impact may change.
 struct Touch {
     window: Magnitude,
-    /// Upper bound of the speed.
-    speed: Magnitude,
     /// of the velocity
     change: Magnitude,
     /// Distance by which the wall is missed at the extremum.
@@ -73,7 +71,7 @@ impl Touch {
         let window = double.over(bound(bend)).sqrt() + rate.over(bound(bend));
         let speed = (double * bound(rates.second)).sqrt();
         // The impact takes away the speed and adds at most as much.
-        Some(Self { window: window + window, speed, change: speed + speed, distance: room.widened(lower) })
+        Some(Self { window: window + window, change: speed + speed, distance: room.widened(lower) })
     }
 
     /// The box of both continuations `step` after the bottom, if both are on their way across the gap there.
@@ -110,7 +108,7 @@ impl Touch {
         let touched = start.clone() + bottom.time().widened(self.window);
         // N1: below 2^52
         let turns = at.turns as f64 + whole;
-        let (distance, speed) = (self.distance.clone(), self.speed);
-        Some(Passed { wall, at: touched, turns, phase: phase - whole, height, velocity, distance, speed })
+        let (distance, acceleration) = (self.distance.clone(), second);
+        Some(Passed { wall, at: touched, turns, phase: phase - whole, height, velocity, distance, acceleration })
     }
 }

@@ -207,7 +207,9 @@ fn miss(
     };
     let zero = BigRational::zero();
     if distance[0] > zero || distance[1] < zero {
-        return Err(place.get("distance")?.refused("accepted is a lower bound of at most 0 and an upper one of at least 0"));
+        return Err(place
+            .get("distance")?
+            .refused("accepted is a lower bound of at most 0 and an upper one of at least 0"));
     }
     if speed < zero {
         return Err(place.get("speed")?.refused("accepted is a number that is not negative"));

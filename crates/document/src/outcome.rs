@@ -138,7 +138,8 @@ impl OutcomeDocument {
     /// Returns the number of these upper bounds of times that reach past `until`, which [`may_be_later`](Self::may_be_later) holds; `None`
     /// for none.
     pub fn later_than<'b>(until: &Exact, times: impl IntoIterator<Item = &'b BigRational>) -> Option<u64> {
-        let may_be = |time: &&BigRational| Exact::from_rational((*time).clone()).compare(until).is_none_or(Ordering::is_gt);
+        let may_be =
+            |time: &&BigRational| Exact::from_rational((*time).clone()).compare(until).is_none_or(Ordering::is_gt);
         Some(times.into_iter().filter(may_be).count() as u64).filter(|later| *later > 0) // exact: a length
     }
 

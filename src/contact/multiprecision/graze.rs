@@ -33,8 +33,8 @@ pub(crate) struct Passed {
     pub velocity: MpBall,
     /// Distance by which the wall is missed at the extremum.
     pub distance: MpBall,
-    /// Upper bound of the speed of a touch.
-    pub speed: Magnitude,
+    /// Upper bound of the acceleration.
+    pub acceleration: Magnitude,
 }
 
 impl Passed {
@@ -42,8 +42,13 @@ impl Passed {
     pub fn in_doubles(&self) -> Option<Grazed> {
         let whole = self.at.mid().to_f64().round(); // exact: any whole number is taken off
         let at = self.at.clone() - MpBall::from_f64(whole);
-        let zero = || Enclosure::point(Dyadic::zero());
-        let speed = MpBall::new(Float::new(53), self.speed).enclosure()?;
+        // G1: the wall may be touched, so that 0 is a distance to allow for
+        let distance = self.distance.enclosure()?.hull(&Enclosure::point(Dyadic::zero()));
+        let acceleration = self.acceleration.to_f64();
+        let (farthest, _) = distance.to_f64_bounds();
+        if !(farthest * acceleration).is_finite() {
+            return None;
+        }
         Some(Grazed {
             wall: self.wall,
             touch: (whole, at.to_ball(), at.enclosure()?),
@@ -51,9 +56,8 @@ impl Passed {
             phase: MpBall::exact(self.phase.clone()).to_ball(),
             height: self.height.to_ball(),
             velocity: self.velocity.to_ball(),
-            // G1: the wall may be touched, so that 0 is a distance to allow for
-            distance: self.distance.enclosure()?.hull(&zero()),
-            speed: Enclosure::new(Dyadic::zero(), speed.sup().clone())?,
+            distance,
+            acceleration,
         })
     }
 }
@@ -98,7 +102,7 @@ pub(crate) fn pass(flight: &Flight<MpBall>) -> Option<Passed> {
             };
             let (height, velocity) = (left(height), flight.wall.inward(velocity));
             let wall = target.wall(flight.wall);
-            return Some(Passed { wall, at, turns, phase, height, velocity, distance: room, speed });
+            return Some(Passed { wall, at, turns, phase, height, velocity, distance: room, acceleration });
         }
         step /= 2u32;
     }

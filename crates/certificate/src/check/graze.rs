@@ -105,7 +105,8 @@ impl Walk<'_> {
             (mean.cut(&-summit.excess.clone()), is_wide) // exact: both hold all distances
         });
         // V4: no other extremum is in the bounds of the time
-        let is_only = summit.before.is_below(&claimed.from) && claimed.to.as_ref().is_some_and(|to| to.is_below(&summit.after));
+        let is_only =
+            summit.before.is_below(&claimed.from) && claimed.to.as_ref().is_some_and(|to| to.is_below(&summit.after));
         let only = |doubt: Doubt| match doubt {
             Doubt::False(message) if !is_only => Doubt::Open(message),
             doubt => doubt,

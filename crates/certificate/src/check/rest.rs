@@ -95,7 +95,8 @@ impl<'c> Walk<'c> {
         let mut departure = self.standing.departure().clone();
         // The first impact that is not listed comes before that time: proved, or not excluded.
         let (mut is_hidden, mut may_be_hidden) = (false, false);
-        let hidden = || Doubt::False("an impact before the rest, which is not listed, comes before the time `until`".into());
+        let hidden =
+            || Doubt::False("an impact before the rest, which is not listed, comes before the time `until`".into());
         for _ in 0..MAX_BOUNCES {
             let since = accumulation(&departure, &self.parameters);
             let rest = since.map(|lasting| self.clock.time(&(departure.phase.hull() + &lasting)));

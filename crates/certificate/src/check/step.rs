@@ -190,12 +190,7 @@ impl Launch {
     }
 
     /// The dependence of a landing on `wall` at `h` on all that it depends on; `set` holds all flights.
-    fn slopes<'x>(
-        &'x self,
-        parameters: &'x Parameters,
-        (set, wall): (&Flight, Wall),
-        h: &Real,
-    ) -> Vec<Slope<'x>> {
+    fn slopes<'x>(&'x self, parameters: &'x Parameters, (set, wall): (&Flight, Wall), h: &Real) -> Vec<Slope<'x>> {
         let bits = set.bits();
         let acceleration = set.shaking.first_acceleration();
         let one = Real::int(1, bits);
