@@ -46,6 +46,18 @@ pub struct Touch {
     pub phase: Enclosure,
 }
 
+/// An extremum of a flight at which the ball may touch a wall, or pass it by.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Graze {
+    /// The wall, and the times at which it may be touched.
+    pub at: Touch,
+    /// Encloses the distance by which the wall is missed at the extremum, in gaps: negative where the extremum lies beyond the wall. 0 is
+    /// one of the values.
+    pub distance: Enclosure,
+    /// Speeds at which the wall may be touched, in gap widths per forcing period: from 0 on.
+    pub speed: Enclosure,
+}
+
 impl Touch {
     /// Returns the whole forcing periods and a ball that holds the rest of the phase.
     pub fn at(&self) -> (i64, Ball) {

@@ -43,7 +43,7 @@ impl Case {
                     Event { kind: "release", wall: release.wall, time: orbit.touch_time(&release), velocity: None }
                 }
                 Progress::Graze(graze) => {
-                    Event { kind: "graze", wall: graze.wall, time: orbit.touch_time(&graze), velocity: None }
+                    Event { kind: "graze", wall: graze.at.wall, time: orbit.touch_time(&graze.at), velocity: None }
                 }
                 Progress::Retraced(_) => continue,
                 Progress::Ended => return (events, orbit.outcome().cloned()),

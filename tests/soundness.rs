@@ -7,7 +7,7 @@ use impact_pair::contact::{Margins, Radii, Reason, Verdict, first_contact};
 use impact_pair::flight::Flight;
 use impact_pair::mapping::Mapping;
 use impact_pair::number::{Ball, Number, kernel};
-use impact_pair::orbit::{Arithmetic, Impact, Orbit, Outcome, Progress, Settings, Touch};
+use impact_pair::orbit::{Arithmetic, Impact, Orbit, Outcome, Progress, Settings};
 use impact_pair::pair::{Reduced, Wall};
 use num_rational::BigRational;
 
@@ -57,7 +57,7 @@ fn touches_first(events: &[Progress], orbit: &Orbit, wall: Wall, low: &str, high
         Some(Progress::Impact(impact)) => {
             assert!(impact.wall == wall && is_between(orbit, impact, low, high), "{impact:?}");
         }
-        Some(Progress::Graze(Touch { wall: grazed, .. })) => assert_eq!(*grazed, wall),
+        Some(Progress::Graze(graze)) => assert_eq!(graze.at.wall, wall),
         Some(event) => panic!("{event:?}"),
         None => assert!(matches!(orbit.outcome(), Some(Outcome::Undecided { .. }))),
     }
@@ -247,7 +247,7 @@ fn r16_a_graze_of_the_wall_that_was_left_leaves_no_doubt_of_the_mapping() {
                 start = { time = 0, wall = \"left\", velocity = -1.7266462555940501513267306027574550013289669 }";
     let (found, _) = events(&Scene::parse(text).unwrap(), Arithmetic::Interval, 1);
     let [Progress::Graze(graze), Progress::Impact(next)] = &found[..] else { panic!("{found:?}") };
-    assert_eq!((graze.wall, next.wall, next.mapping), (Wall::Left, Wall::Right, Some(Mapping::P2)));
+    assert_eq!((graze.at.wall, next.wall, next.mapping), (Wall::Left, Wall::Right, Some(Mapping::P2)));
 }
 
 /// A start inside the gap, `10^-52` from the left wall and still: no piece of time is proved free of contacts, and the scan says

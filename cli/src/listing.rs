@@ -76,7 +76,7 @@ impl<'s, W: Write> Listing<'s, W> {
                         let [v0, v1] = velocity.decimals();
                         writeln!(self.out, "{name},{index},{mapping},{wall},{t0},{t1},{v0},{v1}")
                     }
-                    EventKind::Graze | EventKind::Rest { .. } | EventKind::Release => {
+                    EventKind::Graze { .. } | EventKind::Rest { .. } | EventKind::Release => {
                         writeln!(self.out, "{name},,,{wall},{t0},{t1},,")
                     }
                 }

@@ -32,7 +32,7 @@ pub fn event(out: &mut impl Write, event: &Event) -> io::Result<()> {
             let note = if *is_accumulation { "after infinitely many impacts" } else { "at once" };
             writeln!(out, "{:>7}  {:7}  {wall:5}  {:31}  {note}", "", "rest", event.time)
         }
-        EventKind::Graze => {
+        EventKind::Graze { .. } => {
             writeln!(
                 out,
                 "{:>7}  {:7}  {wall:5}  {:31}  velocity zero, or too small to decide",

@@ -51,7 +51,14 @@ class Impact(Event):
 
 @dataclass(frozen=True)
 class Graze(Event):
-    """The wall is touched with zero velocity, or not touched: undecided at any precision."""
+    """The wall is touched with zero velocity, or not touched: undecided at any precision.
+
+    ``distance`` bounds by how much the wall is missed at the extremum [length], negative where the extremum lies beyond the wall;
+    ``speed`` bounds the speed of a touch [length/time]. Both are None in older documents.
+    """
+
+    distance: Bounds | None = None
+    speed: Bounds | None = None
 
 
 @dataclass(frozen=True)
@@ -218,7 +225,9 @@ class Orbit(Document):
             case "impact":
                 return Impact(wall, time, said["index"], said["mapping"], Bounds(*said["velocity"]))
             case "graze":
-                return Graze(wall, time)
+                if "distance" not in said:
+                    return Graze(wall, time)
+                return Graze(wall, time, Bounds(*said["distance"]), Bounds("0", said["speed"]))
             case "rest":
                 return Rest(wall, time, "skipped" in said)
             case _:

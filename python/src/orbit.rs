@@ -98,7 +98,7 @@ fn row(event: &Event) -> Row {
     };
     let (mapping, velocity) = match &event.kind {
         EventKind::Impact { mapping, velocity, .. } => (*mapping, Some(ends(velocity))),
-        EventKind::Graze | EventKind::Rest { .. } | EventKind::Release => (None, None),
+        EventKind::Graze { .. } | EventKind::Rest { .. } | EventKind::Release => (None, None),
     };
     let (name, wall) = (event.name(), side(Some(event.wall)));
     Row { name, wall, mapping: number(mapping), time: ends(&event.time), velocity }

@@ -181,7 +181,9 @@ fn note(sites: &mut Vec<Site>, (event, index): (&Event, u64), tolerance: &Tolera
             let velocity = Some(velocity.enclosure().clone());
             sites.push(Site { kind: SiteKind::Impact, index, wall, time, velocity, rest: None });
         }
-        EventKind::Graze => sites.push(Site { kind: SiteKind::Graze, index, wall, time, velocity: None, rest: None }),
+        EventKind::Graze { .. } => {
+            sites.push(Site { kind: SiteKind::Graze, index, wall, time, velocity: None, rest: None })
+        }
         EventKind::Rest { is_accumulation } => {
             if *is_accumulation {
                 leave_out_tail(sites, &time, tolerance);

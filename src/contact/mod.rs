@@ -147,6 +147,10 @@ pub(crate) struct Grazed {
     pub height: Ball,
     /// See `height`.
     pub velocity: Ball,
+    /// Distance by which the wall is missed at the extremum; 0 is one of the values.
+    pub distance: Enclosure,
+    /// Upper bound of the acceleration.
+    pub acceleration: f64,
 }
 
 /// A pair as the certificates of first contacts want it.

@@ -24,6 +24,7 @@ impl Conclusion {
             kind: orbit.outcome().map_or("undecided", Outcome::kind).to_owned(),
             impacts: Some(orbit.listed()),
             until: orbit.listed_until().map(Written::from),
+            may_be_later: orbit.listed_until().and_then(|until| later(orbit, until)),
             start: orbit.shadow().map(|shadow| near(&shadow)),
             epsilon: orbit.shadow().and_then(|shadow| shadow.nearness).map(epsilon),
             ..OutcomeDocument::default()
@@ -71,6 +72,16 @@ impl Conclusion {
     pub fn document(&self) -> OutcomeDocument {
         self.document.clone()
     }
+}
+
+/// Returns the number of impacts listed whose bounds reach past the time to stop at.
+fn later(orbit: &Orbit, until: &Exact) -> Option<u64> {
+    let latest = |impact| {
+        let [_, latest] = Event::new(orbit, impact).time.decimals();
+        Decimal::printed(latest).value()
+    };
+    let times: Vec<_> = orbit.late().iter().map(latest).collect();
+    OutcomeDocument::later_than(until, &times)
 }
 
 /// Returns the start of a shadowed orbit.

@@ -5,7 +5,7 @@ use std::fmt;
 use serde::{Serialize, Serializer};
 
 use impact_pair_document::{Decimal, EventDocument, EventName, Skipped};
-use impact_pair_model::EventKind;
+use impact_pair_model::{EventKind, Miss};
 
 use super::orbit::is_certified;
 use crate::exact::{Enclosure, decimal_bounds, decimal_digits, decimal_f64};
@@ -39,7 +39,11 @@ impl Event {
             Progress::Rest(rest) => {
                 (rest.at.wall, orbit.rest_time(rest), EventKind::Rest { is_accumulation: rest.is_accumulation })
             }
-            Progress::Graze(graze) => (graze.wall, orbit.touch_time(graze), EventKind::Graze),
+            Progress::Graze(graze) => {
+                let (distance, speed) = orbit.graze_bounds(graze);
+                let [distance, speed] = [distance, speed].map(|x| Bounds::of(orbit, x));
+                (graze.at.wall, orbit.touch_time(&graze.at), EventKind::Graze { miss: Some(Miss { distance, speed }) })
+            }
             Progress::Release(release) => (release.wall, orbit.touch_time(release), EventKind::Release),
             Progress::Retraced(_) | Progress::Ended => return None,
         };
@@ -50,7 +54,7 @@ impl Event {
     pub fn velocity(&self) -> Option<&Bounds> {
         match &self.kind {
             EventKind::Impact { velocity, .. } => Some(velocity),
-            EventKind::Graze | EventKind::Rest { .. } | EventKind::Release => None,
+            EventKind::Graze { .. } | EventKind::Rest { .. } | EventKind::Release => None,
         }
     }
 
@@ -58,7 +62,7 @@ impl Event {
     pub fn name(&self) -> EventName {
         match self.kind {
             EventKind::Impact { .. } => EventName::Impact,
-            EventKind::Graze => EventName::Graze,
+            EventKind::Graze { .. } => EventName::Graze,
             EventKind::Rest { .. } => EventName::Rest,
             EventKind::Release => EventName::Release,
         }
@@ -143,6 +147,8 @@ impl From<&Event> for EventDocument {
             time: event.time.document(),
             velocity: None,
             skipped: None,
+            distance: None,
+            speed: None,
         };
         match &event.kind {
             EventKind::Impact { index, mapping, velocity } => {
@@ -150,7 +156,11 @@ impl From<&Event> for EventDocument {
                 Self { index: Some(*index), mapping: Some(*mapping), velocity, ..plain }
             }
             EventKind::Rest { is_accumulation: true } => Self { skipped: Some(Skipped::Infinite), ..plain },
-            EventKind::Rest { is_accumulation: false } | EventKind::Graze | EventKind::Release => plain,
+            EventKind::Graze { miss: Some(Miss { distance, speed }) } => {
+                let [_, speed] = speed.document();
+                Self { distance: Some(distance.document()), speed: Some(speed), ..plain }
+            }
+            EventKind::Rest { is_accumulation: false } | EventKind::Graze { miss: None } | EventKind::Release => plain,
         }
     }
 }

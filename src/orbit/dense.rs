@@ -55,7 +55,7 @@ impl Dense {
             Progress::Graze(graze) => {
                 // The flight that follows is determined backwards from the next impact.
                 self.has_grazed = true;
-                self.parts.push((graze.at(), Part::Unknown));
+                self.parts.push((graze.at.at(), Part::Unknown));
             }
             Progress::Rest(Rest { at, is_accumulation }) => {
                 if *is_accumulation && let Some((_, part)) = self.parts.last_mut() {

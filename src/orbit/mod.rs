@@ -39,7 +39,7 @@ use crate::clock::Phase;
 use crate::contact::{Contact, Undecided};
 use crate::exact::{Enclosure, Exact, compare_rational};
 use crate::impact::finite;
-pub use crate::impact::{Impact, Touch};
+pub use crate::impact::{Graze, Impact, Touch};
 use crate::mapping::Mapping;
 use crate::number::{Ball, Number};
 use crate::pair::{Reduced, Wall};
@@ -254,6 +254,7 @@ impl Orbit {
             self.pending.recent.keep(impact.clone());
         }
         impact.precise = self.precise(&contact).map(Box::new);
+        self.note_lateness(&impact);
         if self.pending.is_expected {
             self.pending.recurrence.keep(&Progress::Impact(impact.clone()));
         }
@@ -318,6 +319,35 @@ impl Orbit {
             // V7: what doubles do not decide the bounds do
             ahead.mid() > ahead.rad() || ahead.mid() >= -ahead.rad() && self.is_listed_past(turns, &enclosed())
         })
+    }
+
+    /// Returns whether an event certainly comes before the time to stop at, or there is none: by its bounds, the phase without the whole
+    /// forcing periods.
+    fn is_in_time(&self, turns: i64, phase: &Enclosure) -> bool {
+        let Some(until) = &self.requested.settings.until else { return true };
+        let latest = self.exact_time(turns, phase);
+        match until.as_rational() {
+            Some(until) => compare_rational(latest.sup(), until).is_lt(),
+            None => latest.sup() < until.enclose(self.requested.shown.saturating_mul(2)).inf(), // X1: any number of bits encloses
+        }
+    }
+
+    /// Keeps an impact that may come after the time to stop at by its bounds, printed as they are rounded outward.
+    #[inline]
+    fn note_lateness(&mut self, impact: &Impact) {
+        if let Some(until) = self.requested.until {
+            // Lemma N1: exact below 2^53; beyond, rounding keeps the sign, and the rest is at most 2.
+            let ahead = Ball::from_f64((impact.turns - until.turns) as f64) + (impact.phase - until.rest);
+            // P1: printing widens bounds by less than their width
+            if ahead.mid() >= -2.0 * ahead.rad() {
+                self.pending.late.push(impact.clone());
+            }
+        }
+    }
+
+    /// Returns the impacts listed that may come after the time to stop at by their bounds, and perhaps a few before.
+    pub(crate) fn late(&self) -> &[Impact] {
+        &self.pending.late
     }
 
     /// Returns whether the listed bounds are past the exact time to stop at: to twice their bits, if that is irrational.

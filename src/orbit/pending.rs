@@ -11,12 +11,16 @@ use super::shortfall::Shortfall;
 use super::{Cursor, Followed, Orbit};
 use crate::contact::{Grazed, Undecided};
 use crate::exact::{Enclosure, Exact};
-use crate::impact::{Touch, finite};
-use crate::number::{Ball, Enclosing};
+use crate::impact::{Graze, Impact, Touch, finite};
+use crate::number::{Ball, Enclosing, Magnitude};
 use crate::orbit::Arithmetic;
 use crate::pair::{Inward, Wall};
 use crate::shaken::{Origin, Released, Still};
 use crate::turns;
+
+/// Half the width, in gaps, that the bounds of the distance of a graze are shown with at most where they are narrower: a fourth of what
+/// `check` allows.
+const MOST_SHOWN: f64 = 1e-6 / 8.0;
 
 /// State of an orbit apart from flights: rests, releases, repetitions, and the end of the list.
 #[derive(Debug, Default)]
@@ -32,6 +36,8 @@ pub(super) struct Pending {
     pub reached: Option<Outcome>,
     /// The requested time has ended the list.
     pub is_late: bool,
+    /// The impacts listed whose bounds may reach past the requested time.
+    pub late: Vec<Impact>,
     /// The last impacts handed out.
     pub recent: Recent,
     /// The starts one of which has the orbit, if it is a shadowed one.
@@ -82,15 +88,17 @@ impl Orbit {
             return Progress::Ended;
         }
         (self.cursor.turns, self.cursor.phase) = (turns, Ball::exact(at));
-        Progress::Graze(Touch { wall, turns, phase: finite(Ball::exact(at)) })
+        let zero = || finite(Ball::exact(0.0));
+        let at = Touch { wall, turns, phase: finite(Ball::exact(at)) };
+        Progress::Graze(Graze { at, distance: zero(), speed: zero() })
     }
 
     /// An event of a motion that is proved to be periodic.
     fn repeat(&mut self, event: Progress) -> Progress {
         let (turns, enclosed) = match &event {
             Progress::Impact(impact) => (impact.turns, impact.enclosures().0),
-            Progress::Graze(touch) | Progress::Release(touch) => (touch.turns, touch.phase.clone()),
-            // Infinitely many impacts come before a rest, some of them perhaps in time.
+            Progress::Graze(Graze { at: touch, .. }) | Progress::Release(touch) => (touch.turns, touch.phase.clone()),
+            // V7: a rest with impacts that may come in time is not repeated
             Progress::Rest(_) | Progress::Retraced(_) | Progress::Ended => return event,
         };
         let (mid, rad) = enclosed.mid_rad();
@@ -101,6 +109,7 @@ impl Orbit {
         if let Progress::Impact(impact) = &event {
             self.listed = impact.index;
             self.note_nearness(impact.phase);
+            self.note_lateness(impact);
         }
         event
     }
@@ -139,6 +148,9 @@ impl Orbit {
             return None;
         }
         let Cursor { turns, phase, .. } = self.cursor;
+        if time > 0.0 && !self.is_in_time(turns, &self.until_rest(now, time)?) {
+            return None;
+        }
         let radius = self.engine.motion.radii().map_or(phase.rad().log2(), |radii| radii.0);
         let is_wide = radius > width.log2 - 2.0;
         if is_wide && self.engine.arithmetic == Arithmetic::Auto && self.restart(Shortfall::Width(1.0)) {
@@ -146,13 +158,42 @@ impl Orbit {
         }
         let exactly = self.exactly().map(|origin| origin.state.phase.enclose(self.requested.shown));
         let enclosed = exactly.as_ref().unwrap_or(now); // exact: another enclosure of the same phase
-        let span = Enclosure::from_f64_bounds(0.0, time)?;
-        let enclosed = enclosed.add(&span, self.requested.shown.saturating_add(64)); // X1: any number of bits encloses
+        let enclosed = self.until_rest(enclosed, time)?;
         let released = || self.engine.given.shaken.release(wall, turns, now, self.requested.shown);
         let resting = if for_ever { Resting::ForEver } else { released().map_or(Resting::Undecided, Resting::Until) };
         (self.pending.resting, self.pending.is_expected) = (Some(resting), true);
         let at = Touch { wall, turns, phase: enclosed };
         Some(self.record_event(Progress::Rest(Rest { at, is_accumulation: time > 0.0 })))
+    }
+
+    /// The phases of a rest that comes `time` forcing periods after the last contact at the latest.
+    fn until_rest(&self, contact: &Enclosure, time: f64) -> Option<Enclosure> {
+        let span = Enclosure::from_f64_bounds(0.0, time)?;
+        Some(contact.add(&span, self.requested.shown.saturating_add(64))) // X1: any number of bits encloses
+    }
+
+    /// Returns whether the time to stop at may come between the impacts of a chatter that is repeated: these have to be listed. Lemma V7
+    fn cuts_a_repeated_rest(&self) -> bool {
+        let (Some(until), Some(Period { cycles, .. })) = (self.requested.until, self.pending.recurrence.period())
+        else {
+            return false;
+        };
+        let is_cut = |at: &Touch, rounds: u64| {
+            let cycles = i64::try_from(cycles.checked_mul(rounds)?).ok()?;
+            let turns = turns::later(at.turns, cycles)?;
+            let (_, phase) = at.at();
+            let is_past = self.is_past(turns, phase, || at.phase.clone());
+            Some(!is_past && !self.is_in_time(turns, &at.phase))
+        };
+        let rests = self.pending.recurrence.kept().iter().filter_map(|event| match event {
+            Progress::Rest(Rest { at, is_accumulation: true }) => Some(at),
+            _ => None,
+        });
+        rests.into_iter().any(|at| {
+            // N1: below 2^63; any round near that time
+            let rounds = until.turns.saturating_sub(at.turns).max(0).unsigned_abs() / cycles.max(1);
+            (rounds.saturating_sub(1)..=rounds.saturating_add(1)).any(|rounds| is_cut(at, rounds).unwrap_or(true)) // V7: flown anew
+        })
     }
 
     /// Returns whether infinitely many impacts follow for each member: none stays on its wall at once, by `e = 0` or a start without
@@ -183,6 +224,9 @@ impl Orbit {
         }
         let event = self.record_event(Progress::Release(release.at.clone()));
         self.pending.recurrence.release(&release, self.listed);
+        if self.cuts_a_repeated_rest() {
+            self.pending.recurrence.forget();
+        }
         self.engine.given.leave(release);
         let velocity = Ball::exact(0.0);
         let from = Cursor { index: self.listed, wall: Some(wall), height: None, turns, phase, velocity };
@@ -202,7 +246,7 @@ impl Orbit {
 
     /// Lists a contact that may be a graze and goes on past it.
     pub(super) fn pass_graze(&mut self) -> Option<Progress> {
-        let Grazed { wall, touch: (whole, at, enclosure), turns, phase, height, velocity } =
+        let Grazed { wall, touch: (whole, at, enclosure), turns, phase, height, velocity, distance, acceleration } =
             self.engine.motion.pass_graze()?;
         let touched = turns::after(self.cursor.turns, whole)?;
         let enclosed = enclosure.rounded(self.requested.shown);
@@ -220,6 +264,16 @@ impl Orbit {
         // From here on the data are a box: no precision makes it narrower.
         self.followed = Followed::new(self.cursor, false, &self.engine.given, &self.requested.settings);
         (self.engine.raise, self.engine.is_point) = (None, false);
-        Some(self.record_event(Progress::Graze(Touch { wall, turns: touched, phase: enclosed })))
+        let at = Touch { wall, turns: touched, phase: enclosed };
+        // G1: any wider bounds hold; narrower ones than the digits requested help nobody
+        let digits = i32::try_from(self.requested.settings.digits).unwrap_or(i32::MAX);
+        let least = 10.0f64.powi(-digits).min(MOST_SHOWN);
+        let (farthest, _) = distance.to_f64_bounds();
+        let farthest = farthest.min(-least); // G1: wider bounds
+        let distance = distance.rounded(self.requested.shown).hull(&finite(Ball::new(0.0, least)));
+        // G1: v^2 <= 2 K epsilon, in wide exponents
+        let speed = (Magnitude::new(acceleration, 1) * Magnitude::new(-farthest, 0)).sqrt().to_f64();
+        let speed = Enclosure::from_f64_bounds(0.0, speed).expect("the product of both bounds is finite");
+        Some(self.record_event(Progress::Graze(Graze { at, distance, speed })))
     }
 }

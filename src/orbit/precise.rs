@@ -210,11 +210,12 @@ impl<S: Flying> Motion for PreciseMotion<S> {
 
     fn pass_graze(&mut self) -> Option<Grazed> {
         let passed = self.shaken.pass(&self.parameters, self.launch(), self.waves.as_ref())?;
+        let in_doubles = passed.in_doubles()?;
         let (height, velocity) = (passed.height.clone(), passed.velocity.clone());
         self.turns = turns::after(self.turns, passed.turns)?;
         self.states = States::Inside { height, phase: MpBall::exact(passed.phase.clone()), velocity };
         self.waves = None;
-        passed.in_doubles()
+        Some(in_doubles)
     }
 
     fn plan(&self) -> Option<&Plan> {

@@ -27,6 +27,16 @@ impl Recurrence {
         self.period
     }
 
+    /// Returns the events that are repeated.
+    pub fn kept(&self) -> &[Progress] {
+        &self.events
+    }
+
+    /// Repeats nothing: the motion is computed anew, with the same period.
+    pub fn forget(&mut self) {
+        self.events.clear();
+    }
+
     /// Keeps an event that was computed.
     pub fn keep(&mut self, event: &Progress) {
         if !self.first.is_empty() && self.period.is_none() && self.events.len() <= KEPT_EVENTS {

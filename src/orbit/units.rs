@@ -1,6 +1,6 @@
 //! Events of an orbit in the units of the scene.
 
-use super::{Impact, Orbit, Rest, Touch};
+use super::{Graze, Impact, Orbit, Rest, Touch};
 use crate::exact::Enclosure;
 use crate::impact::finite;
 use crate::number::Ball;
@@ -67,6 +67,11 @@ impl Orbit {
     /// Returns bounds of the beginning of a rest \[time\].
     pub fn rest_time(&self, rest: &Rest) -> Enclosure {
         self.clock.time(rest.at.turns, &rest.at.phase)
+    }
+
+    /// Returns bounds of the distance by which a graze misses its wall \[length\] and of the speed of a touch \[length/time\].
+    pub fn graze_bounds(&self, graze: &Graze) -> (Enclosure, Enclosure) {
+        (self.clock.length(&graze.distance), self.clock.velocity(&graze.speed))
     }
 
     /// Returns bounds of the time of a graze or a release \[time\], exact if possible.

@@ -35,7 +35,7 @@ pub(crate) fn pass(
     if free.since(&bottom) > 0.0 {
         return None;
     }
-    let touch = Touch::new(&state.room(wall).mag(), &side, rates, before)?;
+    let touch = Touch::new(state.room(wall).clone(), &side, rates, before)?;
     let mut step = 0.25 * side.bend.0 / rates.third;
     for _ in 0..MOST_STEPS {
         if let Some(passed) = touch.go_on(&all, wall, &bottom, &side, step) {
@@ -51,11 +51,13 @@ struct Touch {
     window: Magnitude,
     /// of the velocity
     change: Magnitude,
+    /// Distance by which the wall is missed at the extremum.
+    distance: MpBall,
 }
 
 impl Touch {
-    /// A flight that is convex for `before` forcing periods up to its bottom, which may lie so deep in the wall.
-    fn new(depth: &Magnitude, side: &Side, rates: &Rates, before: f64) -> Option<Self> {
+    /// A flight that is convex for `before` forcing periods up to its bottom, which is so far from the wall.
+    fn new(room: MpBall, side: &Side, rates: &Rates, before: f64) -> Option<Self> {
         let bend = side.least_bend(rates, before);
         if !is_positive(bend) {
             return None;
@@ -63,12 +65,13 @@ impl Touch {
         let bound = |x: f64| Magnitude::new(x, 0);
         let rate = bound(side.rate.0.abs().max(side.rate.1.abs())); // B2: the farther end
         // The lowest height, and when: the bottom is not exactly where the velocity vanishes.
-        let excess = *depth + (rate * rate).over(bound(bend));
+        let lower = (rate * rate).over(bound(bend));
+        let excess = room.mag() + lower;
         let double = excess + excess;
         let window = double.over(bound(bend)).sqrt() + rate.over(bound(bend));
         let speed = (double * bound(rates.second)).sqrt();
         // The impact takes away the speed and adds at most as much.
-        Some(Self { window: window + window, change: speed + speed })
+        Some(Self { window: window + window, change: speed + speed, distance: room.widened(lower) })
     }
 
     /// The box of both continuations `step` after the bottom, if both are on their way across the gap there.
@@ -104,6 +107,8 @@ impl Touch {
         let whole = phase.clone().round().to_f64(); // exact: within a few forcing periods
         let touched = start.clone() + bottom.time().widened(self.window);
         // N1: below 2^52
-        Some(Passed { wall, at: touched, turns: at.turns as f64 + whole, phase: phase - whole, height, velocity })
+        let turns = at.turns as f64 + whole;
+        let (distance, acceleration) = (self.distance.clone(), second);
+        Some(Passed { wall, at: touched, turns, phase: phase - whole, height, velocity, distance, acceleration })
     }
 }

@@ -148,7 +148,7 @@ impl Checked for Certificate {
     fn place(&self, item: usize) -> String {
         match &self.events()[item].kind {
             EventKind::Impact { index, .. } => format!("events[{item}], impact {index}"),
-            EventKind::Graze => format!("events[{item}], a graze"),
+            EventKind::Graze { .. } => format!("events[{item}], a graze"),
             EventKind::Rest { .. } => format!("events[{item}], a rest"),
             EventKind::Release => format!("events[{item}], a release"),
         }

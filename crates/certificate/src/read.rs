@@ -3,12 +3,14 @@
 //! A document is one object, or JSON Lines: the head, an event a line, and at last the outcome.
 
 use impact_pair_document::{
-    ClaimName, EventDocument, EventName, ORBIT_SCHEMA, OutcomeDocument, Place, SceneDocument, Written, values,
+    Bounds, ClaimName, Decimal, EventDocument, EventName, ORBIT_SCHEMA, OutcomeDocument, Place, SceneDocument, Written,
+    values,
 };
 use num_rational::BigRational;
+use num_traits::Zero;
 
 use super::attraction::Attraction;
-use impact_pair_model::{Error, EventKind, ImpactPair, Period, Start, Wall};
+use impact_pair_model::{Error, EventKind, ImpactPair, Miss, Period, Start, Wall};
 
 /// The claims of an orbit JSON.
 #[derive(Clone, Debug)]
@@ -159,7 +161,7 @@ pub(super) fn is_single(place: &Place<'_>, key: &str, value: &Written) -> Result
 }
 
 fn claim(place: &Place<'_>) -> Result<Claim, Error> {
-    let EventDocument { event, index, mapping, wall, time, velocity, skipped } = place.read()?;
+    let EventDocument { event, index, mapping, wall, time, velocity, skipped, distance, speed } = place.read()?;
     let has_none = |keys: &[&str]| {
         keys.iter().try_for_each(|key| match place.get(key) {
             Ok(value) => Err(value.refused(&format!("a {} has none", event.text()))),
@@ -168,7 +170,7 @@ fn claim(place: &Place<'_>) -> Result<Claim, Error> {
     };
     let kind = match event {
         EventName::Impact => {
-            has_none(&["skipped"])?;
+            has_none(&["skipped", "distance", "speed"])?;
             EventKind::Impact {
                 index: index.ok_or_else(|| place.missing("index"))?,
                 mapping: mapping.ok_or_else(|| place.missing("mapping"))?,
@@ -176,13 +178,41 @@ fn claim(place: &Place<'_>) -> Result<Claim, Error> {
             }
         }
         EventName::Rest => {
-            has_none(&["index", "mapping", "velocity"])?;
+            has_none(&["index", "mapping", "velocity", "distance", "speed"])?;
             EventKind::Rest { is_accumulation: skipped.is_some() }
         }
-        EventName::Graze | EventName::Release => {
+        EventName::Graze => {
             has_none(&["index", "mapping", "velocity", "skipped"])?;
-            if event == EventName::Graze { EventKind::Graze } else { EventKind::Release }
+            EventKind::Graze { miss: miss(place, distance, speed)? }
+        }
+        EventName::Release => {
+            has_none(&["index", "mapping", "velocity", "skipped", "distance", "speed"])?;
+            EventKind::Release
         }
     };
     Ok(Claim { wall, time: time.map(|bound| bound.value()), kind })
+}
+
+/// Reads the size of a graze: a distance that may be 0, and a speed.
+fn miss(
+    place: &Place<'_>,
+    distance: Option<Bounds>,
+    speed: Option<Decimal>,
+) -> Result<Option<Miss<[BigRational; 2]>>, Error> {
+    let (distance, speed) = match (distance, speed) {
+        (Some(distance), Some(speed)) => (distance.map(|bound| bound.value()), speed.value()),
+        (None, None) => return Ok(None),
+        (None, _) => return Err(place.missing("distance")),
+        (_, None) => return Err(place.missing("speed")),
+    };
+    let zero = BigRational::zero();
+    if distance[0] > zero || distance[1] < zero {
+        return Err(place
+            .get("distance")?
+            .refused("accepted is a lower bound of at most 0 and an upper one of at least 0"));
+    }
+    if speed < zero {
+        return Err(place.get("speed")?.refused("accepted is a number that is not negative"));
+    }
+    Ok(Some(Miss { distance, speed: [zero, speed] }))
 }

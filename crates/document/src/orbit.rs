@@ -3,7 +3,7 @@
 use impact_pair_model::{Arithmetic, Mapping, Settings, Wall};
 use serde::{Deserialize, Deserializer, Serialize};
 
-use super::number::Bounds;
+use super::number::{Bounds, Decimal};
 use super::outcome::OutcomeDocument;
 use super::scene::SceneDocument;
 
@@ -150,7 +150,8 @@ pub enum Skipped {
     Infinite,
 }
 
-/// An event of an orbit. An impact has an index, a mapping or null, and a velocity; other events have none of these.
+/// An event of an orbit. An impact has an index, a mapping or null, and a velocity; a graze has a distance and a speed; other events have
+/// none of these.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct EventDocument {
@@ -172,6 +173,13 @@ pub struct EventDocument {
     /// The impacts before a rest that are omitted.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub skipped: Option<Skipped>,
+    /// Distance by which a graze misses the wall at the extremum of the flight \[length\], negative where the extremum lies beyond the
+    /// wall; 0 is one of the values. Absent in older documents.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub distance: Option<Bounds>,
+    /// Upper bound of the speed at which a graze touches the wall, if it does \[length/time\]; present beside `distance`.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub speed: Option<Decimal>,
 }
 
 /// Tells null from nothing.

@@ -1,9 +1,11 @@
 //! Outcome of an orbit: the claims beyond the events, as fields, and in words that follow from the fields.
 
+use std::cmp::Ordering;
 use std::fmt::Display;
 
 use impact_pair_exact::{Enclosure, Exact, decimal_digits};
 use impact_pair_model::{Period, Wall, Word};
+use num_rational::BigRational;
 use serde::{Deserialize, Serialize};
 
 use super::number::{Bounds, Decimal, Written};
@@ -30,6 +32,9 @@ pub struct OutcomeDocument {
     /// All events up to this time are listed \[time\]; present if the requested time ended the list.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub until: Option<Written>,
+    /// Number of the listed impacts whose bounds reach past `until`: they may come after that time. Absent where there are none.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub may_be_later: Option<u64>,
     /// Bounds of the start of a shadowed orbit.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub start: Option<NearDocument>,
@@ -93,17 +98,16 @@ impl OutcomeDocument {
     /// Returns the message; `None` if the kind is unknown, or a field is missing.
     pub fn words(&self) -> Option<String> {
         let impacts = self.impacts?;
-        let (so_far, after) = (format!("{}{}", counted(impacts, "impact"), self.shadowed()), after(impacts));
+        // An impact whose bounds contain the requested time is listed as well.
+        let later = self.may_be_later.map_or(String::new(), |later| format!(", of which {later} may come later"));
+        let (shadowed, after) = (self.shadowed(), after(impacts));
+        let so_far = format!("{}{shadowed}{later}", counted(impacts, "impact"));
         Some(match self.kind.as_str() {
             "impacts-reached" => so_far,
             "time-reached" => {
                 self.until.as_ref()?;
-                // An event whose bounds contain that time is listed as well, and may come after it.
-                format!(
-                    "{} listed{}; no other event up to the requested time",
-                    counted(impacts, "impact"),
-                    self.shadowed()
-                )
+                let listed = counted(impacts, "impact");
+                format!("{listed} listed{shadowed}{later}; no other event up to the requested time")
             }
             "periodic" => {
                 let Period { cycles, impacts } = self.period?;
@@ -129,6 +133,14 @@ impl OutcomeDocument {
             }
             _ => return None,
         })
+    }
+
+    /// Returns the number of these upper bounds of times that reach past `until`, which [`may_be_later`](Self::may_be_later) holds; `None`
+    /// for none.
+    pub fn later_than<'b>(until: &Exact, times: impl IntoIterator<Item = &'b BigRational>) -> Option<u64> {
+        let may_be =
+            |time: &&BigRational| Exact::from_rational((*time).clone()).compare(until).is_none_or(Ordering::is_gt);
+        Some(times.into_iter().filter(may_be).count() as u64).filter(|later| *later > 0) // exact: a length
     }
 
     /// Returns what its reason means, if it is undecided.

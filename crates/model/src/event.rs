@@ -16,7 +16,10 @@ pub enum EventKind<B> {
         velocity: B,
     },
     /// The wall is touched with zero velocity, or nearly so, or nearly touched.
-    Graze,
+    Graze {
+        /// Size of the graze; `None` in older documents.
+        miss: Option<Miss<B>>,
+    },
     /// The ball comes to rest on the wall.
     Rest {
         /// After infinitely many impacts that are not listed.
@@ -24,6 +27,15 @@ pub enum EventKind<B> {
     },
     /// The ball leaves the wall that it rested on.
     Release,
+}
+
+/// Size of a graze, with bounds of type `B` in the units of the scene.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Miss<B> {
+    /// Distance by which the wall is missed at the extremum of the flight \[length\], negative where the extremum lies beyond the wall.
+    pub distance: B,
+    /// Speed at which the wall is touched, if it is \[length/time\]: from 0 to an upper bound.
+    pub speed: B,
 }
 
 impl<B> EventKind<B> {

@@ -17,7 +17,7 @@ mod start;
 pub mod watch;
 
 pub use error::{Error, ErrorKind, within};
-pub use event::EventKind;
+pub use event::{EventKind, Miss};
 pub use excerpt::Excerpt;
 pub use excitation::{Excitation, Harmonic};
 pub use mapping::{Mapping, Word};

@@ -10,6 +10,7 @@ use rug::Float;
 use super::isolate::{PhaseNumber, is_rising};
 use crate::contact::Grazed;
 use crate::contact::extrema::Target;
+use crate::exact::{Dyadic, Enclosure};
 use crate::flight::Flight;
 use crate::number::{ABOVE_TWO_PI, Magnitude, MpBall, Number};
 use crate::pair::{Inward, Wall};
@@ -30,6 +31,10 @@ pub(crate) struct Passed {
     /// Height above the left wall and velocity there, of both continuations.
     pub height: MpBall,
     pub velocity: MpBall,
+    /// Distance by which the wall is missed at the extremum.
+    pub distance: MpBall,
+    /// Upper bound of the acceleration.
+    pub acceleration: Magnitude,
 }
 
 impl Passed {
@@ -37,6 +42,13 @@ impl Passed {
     pub fn in_doubles(&self) -> Option<Grazed> {
         let whole = self.at.mid().to_f64().round(); // exact: any whole number is taken off
         let at = self.at.clone() - MpBall::from_f64(whole);
+        // G1: the wall may be touched, so that 0 is a distance to allow for
+        let distance = self.distance.enclosure()?.hull(&Enclosure::point(Dyadic::zero()));
+        let acceleration = self.acceleration.to_f64();
+        let (farthest, _) = distance.to_f64_bounds();
+        if !(farthest * acceleration).is_finite() {
+            return None;
+        }
         Some(Grazed {
             wall: self.wall,
             touch: (whole, at.to_ball(), at.enclosure()?),
@@ -44,6 +56,8 @@ impl Passed {
             phase: MpBall::exact(self.phase.clone()).to_ball(),
             height: self.height.to_ball(),
             velocity: self.velocity.to_ball(),
+            distance,
+            acceleration,
         })
     }
 }
@@ -87,7 +101,8 @@ pub(crate) fn pass(flight: &Flight<MpBall>) -> Option<Passed> {
                 Wall::Right => MpBall::from_f64(1.0) - z,
             };
             let (height, velocity) = (left(height), flight.wall.inward(velocity));
-            return Some(Passed { wall: target.wall(flight.wall), at, turns, phase, height, velocity });
+            let wall = target.wall(flight.wall);
+            return Some(Passed { wall, at, turns, phase, height, velocity, distance: room, acceleration });
         }
         step /= 2u32;
     }

@@ -43,7 +43,7 @@ fn after_graze(scene: &Scene, impacts: u64) -> (impact_pair::orbit::Orbit, Vec<I
             Progress::Impact(impact) if grazed => found.push(impact),
             Progress::Impact(_) => return (orbit, found, false),
             Progress::Graze(graze) => {
-                let (low, high) = orbit.touch_time(&graze).to_f64_bounds();
+                let (low, high) = orbit.touch_time(&graze.at).to_f64_bounds();
                 assert!(low <= 5.0 / 6.0 && 5.0 / 6.0 <= high && high - low < 1e-4, "[{low}, {high}]");
                 grazed = true;
             }

@@ -4,6 +4,7 @@ use std::cmp::Ordering;
 
 use num_bigint::BigInt;
 use num_integer::Integer;
+use num_rational::BigRational;
 
 use super::Effort;
 use super::affine::Affine;
@@ -145,6 +146,12 @@ impl Data<'_> {
         let of_tones = tones.iter().flat_map(|tone| [&tone.amplitude, &tone.phase].into_iter().chain(&tone.rate));
         let others = [half_gap, restitution, frequency, delay, time, velocity];
         others.into_iter().chain(height).chain(of_tones).all(Exact::is_point)
+    }
+
+    /// A lower bound of the gap \[length\].
+    pub fn least_gap(&self) -> BigRational {
+        let half = Real::of(&self.half_gap, QUARTER_BITS);
+        half.enclosure().inf().to_rational() * BigInt::from(2)
     }
 
     /// Returns the only harmonic, if there is one only.

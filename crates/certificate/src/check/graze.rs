@@ -1,75 +1,175 @@
 //! Grazes: past a wall that is touched, or nearly touched, with zero velocity or nearly none (Lemma V4).
 
+use std::collections::BTreeMap;
+
+use num_bigint::BigInt;
+use num_rational::BigRational;
+
 use super::affine::Affine;
+use super::clock::{SetPosition, beside};
 use super::contact::{Claimed, Doubt, clear_throughout};
+use super::data::Data;
 use super::flight::{Flight, Part};
 use super::step::Launch;
 use super::walk::{Walk, compare};
-use crate::Claim;
+use crate::{Certificate, Claim};
 use impact_pair_exact::{Dyadic, Real};
-use impact_pair_model::Wall;
+use impact_pair_model::{EventKind, Miss, Wall};
+
+/// A graze misses its wall by at most one of so many parts of the gap, and its claim is no wider.
+const PARTS_OF_GAP: i32 = 1_000_000;
+/// Over data that are intervals a claim is at most so many times as wide as the enclosure of the distance.
+const MAX_WIDENING: i32 = 4;
+/// The message about a claim that is wider.
+pub(super) const WIDE: &str = "the bounds of its distance are too wide: an impact may be in them";
 
 /// An extremum of all flights of a set, measured from the wall it is near.
 struct Summit {
     /// Two points around it, `y''` not 0 between them.
     before: Real,
     after: Real,
-    /// Time of the extremum, and the times around it at which the wall may be touched.
-    touch: Real,
+    /// The times of the extrema.
+    top: Real,
     /// Distance that it may reach beyond the wall, negative where it does not reach it.
     excess: Real,
-    /// The greatest speed at which the wall may be hit.
+    /// Bounds of `|y''|`.
+    least: Real,
+    most: Real,
+}
+
+/// The touch of a wall by those flights of a set that reach it.
+struct Touch {
+    /// Times, counted from the extremum, at which the wall may be touched.
+    spread: Real,
+    /// Speeds at which it may be touched.
     speed: Real,
-    /// The greatest `|y''|`.
-    curvature: Real,
+}
+
+/// Returns whether claimed bounds of a distance are wider than this.
+pub(super) fn is_wider([lower, upper]: &[BigRational; 2], than: &BigRational) -> bool {
+    upper - lower > *than
+}
+
+/// The distance by which a graze may miss its wall \[length\]. Lemma V4
+fn near(data: &Data) -> BigRational {
+    data.least_gap() / BigInt::from(PARTS_OF_GAP)
+}
+
+impl Certificate {
+    /// Proves that grazes whose claims are wide are so by their data, from the distances found over each piece of these (Lemma V4).
+    pub(super) fn are_grazes(&self, data: &Data, found: &BTreeMap<usize, Real>) -> Result<(), (usize, Doubt)> {
+        let near = near(data);
+        for (&event, distance) in found {
+            let EventKind::Graze { miss: Some(miss) } = &self.events()[event].kind else { continue };
+            let around = [-near.clone(), near.clone()];
+            if let SetPosition::Outside = beside(distance, &around) {
+                return Err((event, Doubt::False("the wall is missed, or crossed, by more than a graze does".into())));
+            }
+            let own = distance.enclosure().wid().to_rational();
+            let may_be_0 = distance.is_across() || matches!(beside(distance, &around), SetPosition::Inside);
+            if !may_be_0 || is_wider(&miss.distance, &(own * BigInt::from(MAX_WIDENING))) {
+                return Err((event, Doubt::open(WIDE)));
+            }
+        }
+        Ok(())
+    }
 }
 
 impl Walk<'_> {
+    /// The distance by which a graze may miss its wall \[length\].
+    pub(super) fn near(&self) -> BigRational {
+        near(self.data)
+    }
+
     /// A graze that does not repeat: the orbit goes on from a little after it, with both continuations in one set.
-    pub(super) fn graze(&mut self, claim: &Claim) -> Result<(), Doubt> {
+    pub(super) fn graze(&mut self, claim: &Claim, miss: Option<&Miss<[BigRational; 2]>>) -> Result<(), Doubt> {
         let claimed = self.ahead(claim)?;
         let departure = self.standing.departure();
         let flight = departure.flights(&self.parameters);
-        self.is_near(&flight, claim, &claimed)?;
+        let near = self.near();
+        let around = [-near.clone(), near.clone()];
+        let distance = miss.map_or(&around, |miss| &miss.distance);
+        self.has_extremum(&flight, claim, &claimed, distance)?;
         let summit = summit(&flight, claim.wall, &claimed.guess);
         let summit = summit.ok_or_else(|| Doubt::open("no extremum is found there"))?;
+        // The distance in mean value form, around that of the middle.
+        let own = departure.middle_flight(&self.parameters);
+        let own = summit_of_middle(&own, claim.wall, &summit);
+        let missed = own.map(|excess| {
+            let inward = |x: Real| if claim.wall == Wall::Right { -x } else { x };
+            let centre = if claim.wall == Wall::Right { excess } else { -excess };
+            let beyond = departure.beyond(&self.parameters, claim.wall, &summit.top, centre);
+            (inward(beyond.hull()), beyond.is_wide_by_data())
+        });
+        let (missed, is_wide_by_data) = missed.map_or((-summit.excess.clone(), false), |(mean, is_wide)| {
+            (mean.cut(&-summit.excess.clone()), is_wide) // exact: both hold all distances
+        });
+        // V4: no other extremum is in the bounds of the time
+        let is_only =
+            summit.before.is_below(&claimed.from) && claimed.to.as_ref().is_some_and(|to| to.is_below(&summit.after));
+        let only = |doubt: Doubt| match doubt {
+            Doubt::False(message) if !is_only => Doubt::Open(message),
+            doubt => doubt,
+        };
+        if let SetPosition::Outside = beside(&missed, distance) {
+            compare("distance", &missed, distance).map_err(only)?;
+        }
+        if self.data.is_point() && matches!(beside(&missed, &around), SetPosition::Outside) {
+            let message = "the wall is missed, or crossed, by more than a graze does";
+            return Err(only(Doubt::False(message.into())));
+        }
         clear_throughout(&flight, departure.start, &summit.before, &claimed.from)?;
+        let excess = -missed.clone();
+        let touch = summit.touch(&excess).ok_or_else(|| Doubt::open("the curvature may be 0 there"))?;
         let time = |h: &Real| self.clock.time(&(departure.phase.hull() + h));
-        compare("time", &time(&summit.touch), &claim.time)?;
-        let missed = -summit.excess.clone();
-        self.is_within_reach(claim, &summit.curvature, &missed)?;
-        let past = self.pass(&flight, claim.wall, &summit)?;
+        compare("time", &time(&(summit.top.clone() + &touch.spread)), &claim.time)?;
+        compare("distance", &missed, distance)?;
+        if let Some(miss) = miss {
+            compare("speed", &self.clock.velocity(&touch.speed), &miss.speed)?;
+            if is_wider(&miss.distance, &near) {
+                if self.data.is_point() || !(is_wide_by_data || self.is_spread) {
+                    return Err(Doubt::open(WIDE));
+                }
+                self.grazes.push((self.event, missed));
+            }
+        }
+        let past = self.pass(&flight, claim.wall, &summit, &touch)?;
         self.standing = self.standing.past_graze(past, claim.wall);
+        self.is_spread |= is_wide_by_data;
         Ok(())
     }
 
-    /// The ball is near the wall at some time claimed: where it is not, no extremum need be sought.
-    fn is_near(&self, flight: &Flight, claim: &Claim, claimed: &Claimed) -> Result<(), Doubt> {
+    /// An extremum in the claimed bounds of time and distance is not excluded: the velocity may vanish then, and the wall is near. Lemma V4
+    fn has_extremum(
+        &self,
+        flight: &Flight,
+        claim: &Claim,
+        claimed: &Claimed,
+        distance: &[BigRational; 2],
+    ) -> Result<(), Doubt> {
         let Some(to) = &claimed.to else { return Ok(()) };
         let [_, to] = to.rounded(flight.bits()).ends();
         let part = claimed.from.hull(&to);
+        let slope = flight.slope(&part);
+        if slope.is_positive() || slope.is_negative() {
+            return Err(Doubt::False("the ball does not turn back then".into()));
+        }
         let inward = flight.level(claim.wall) - &flight.height(&part);
         let missed = if claim.wall == Wall::Right { inward } else { -inward };
-        self.is_within_reach(claim, &Real::point(flight.curvature(&part).enclosure().mag(), self.bits), &missed)
-    }
-
-    /// The wall is missed by no more than a parabola gets in the time claimed.
-    fn is_within_reach(&self, claim: &Claim, curvature: &Real, missed: &Real) -> Result<(), Doubt> {
-        let span = Real::rational(&(&claim.time[1] - &claim.time[0]), self.bits);
-        let span = self.clock.radians(&span);
-        if (curvature.clone() * &span.square()).is_below(missed) {
-            return Err(Doubt::False("the wall is missed by more than the bounds of the time allow".into()));
+        match beside(&missed, distance) {
+            SetPosition::Outside => Err(Doubt::False("the ball is not so near to the wall then".into())),
+            SetPosition::Inside | SetPosition::Across => Ok(()),
         }
-        Ok(())
     }
 
     /// The states at the end of the summit, of those that miss the wall and of those that hit it.
     ///
     /// The states that hit it do so at a speed of at most `speed`, which the impact takes away, and at most `e` times as much again; each
     /// bends away from the wall up to the end of the summit.
-    fn pass(&self, flight: &Flight, wall: Wall, summit: &Summit) -> Result<Launch, Doubt> {
-        let Summit { before, after, speed, .. } = summit;
-        let lost = (Real::int(1, self.bits) + &self.parameters.restitution.hull()) * speed;
+    fn pass(&self, flight: &Flight, wall: Wall, summit: &Summit, touch: &Touch) -> Result<Launch, Doubt> {
+        let Summit { before, after, .. } = summit;
+        let speed = Real::point(touch.speed.enclosure().sup().clone(), self.bits);
+        let lost = (Real::int(1, self.bits) + &self.parameters.restitution.hull()) * &speed;
         let lost = if wall == Wall::Right { -lost } else { lost };
         let lost = lost.hull(&Real::zero(self.bits));
         let height = flight.height(after) + &(lost.clone() * &(after.clone() - before));
@@ -103,27 +203,53 @@ fn summit(flight: &Flight, wall: Wall, guess: &Real) -> Option<Summit> {
             if !(clear(&before) && clear(&after)) {
                 return None;
             }
-            let mut top = whole;
-            for _ in 0..bits.ilog2() {
-                // h + y'/|y''|, by interval Newton.
-                let middle = Real::point(top.mid(), bits);
-                let bend = -outward(flight.curvature(&top));
-                top = top.cut(&(middle.clone() + &slope(&middle).over(&bend)?));
-            }
-            let middle = Real::point(top.mid(), bits);
-            let off = top.clone() - &middle;
-            let rise = slope(&middle) * &off - &(bend.clone() * &(off.clone() * &off)).half();
-            let excess = outward(flight.height(&middle) - &flight.level(wall)) + &rise;
+            let (top, excess) = highest(flight, wall, whole)?;
             let end = |x: &Dyadic| Real::point(x.clone(), bits);
             let (least, most) = (end(bend.enclosure().inf()), end(bend.enclosure().sup()));
-            let high = if excess.is_negative() { Real::zero(bits) } else { end(excess.enclosure().sup()) };
-            let twice = high.clone() + &high;
-            let spread = twice.over(&least)?.sqrt()?;
-            let speed = (twice * &most).sqrt()?;
-            let touch = top + &spread.hull(&-spread.clone());
-            return Some(Summit { before, after, touch, excess, speed, curvature: most });
+            return Some(Summit { before, after, top, excess, least, most });
         }
         reach = reach.half();
     }
     None
+}
+
+/// The distance that the middle's own extremum reaches beyond the wall, in the summit of its set.
+fn summit_of_middle(flight: &Flight, wall: Wall, summit: &Summit) -> Option<Real> {
+    highest(flight, wall, summit.before.hull(&summit.after)).map(|(_, excess)| excess)
+}
+
+/// The times of the extrema in a part on which `y''` bends away from the wall, and the distances that they reach beyond it.
+fn highest(flight: &Flight, wall: Wall, part: Real) -> Option<(Real, Real)> {
+    let bits = part.bits();
+    let outward = |x: Real| if wall == Wall::Right { x } else { -x };
+    let slope = |h: &Real| outward(flight.slope(h));
+    let mut top = part;
+    for _ in 0..bits.ilog2() {
+        // h + y'/|y''|, by interval Newton.
+        let middle = Real::point(top.mid(), bits);
+        let bend = -outward(flight.curvature(&top));
+        top = top.cut(&(middle.clone() + &slope(&middle).over(&bend)?));
+    }
+    let middle = Real::point(top.mid(), bits);
+    let bend = -outward(flight.curvature(&top));
+    let off = top.clone() - &middle;
+    let rise = slope(&middle) * &off - &(bend * &off.square()).half();
+    let excess = outward(flight.height(&middle) - &flight.level(wall)) + &rise;
+    Some((top, excess))
+}
+
+impl Summit {
+    /// The touch of those flights that reach so far beyond the wall. Lemma V4
+    fn touch(&self, excess: &Real) -> Option<Touch> {
+        let bits = excess.bits();
+        let positive = |x: &Dyadic| {
+            let x = Real::point(x.clone(), bits);
+            if x.is_positive() { x } else { Real::zero(bits) } // exact: less reaches no wall
+        };
+        let [low, high] = [excess.enclosure().inf(), excess.enclosure().sup()].map(positive);
+        let root = |x: Real| (x.clone() + &x).sqrt();
+        let spread = (high.clone() + &high).over(&self.least)?.sqrt()?;
+        let (slow, fast) = (root(low * &self.least)?, root(high * &self.most)?);
+        Some(Touch { spread: spread.hull(&-spread.clone()), speed: slow.hull(&fast) })
+    }
 }

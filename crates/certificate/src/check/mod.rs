@@ -53,13 +53,15 @@ mod units;
 mod walk;
 mod windows;
 
+use std::collections::BTreeMap;
+
 use super::Certificate;
 use budget::Budget;
 pub(super) use contact::Doubt;
 pub(super) use data::{Data, Piece};
 pub(super) use flight::Flight;
 use impact_pair_document::ClaimName;
-use impact_pair_exact::Enclosure;
+use impact_pair_exact::{Enclosure, Real};
 use impact_pair_model::Error;
 use impact_pair_model::watch::{Latched, Stage, Watch};
 pub(super) use step::{Launch, Parameters};
@@ -244,13 +246,20 @@ impl Certificate {
         let (mut bits, mut pieces, mut cut) = (FIRST_BITS, vec![Piece::default()], 1);
         // The event at which more bits did not help, and the number of bits at first.
         let mut stuck = (0, bits);
+        let mut grazes: BTreeMap<usize, Real> = BTreeMap::new();
         while let Some(piece) = pieces.pop() {
             let mut walk = Walk::new(self, data, &piece, bits);
             let mut confirmed = |walk: &Walk<'_>| {
                 data.budget.allow(bits, data.tones.len());
                 progress(walk.event);
             };
-            let Err(doubt) = walk.all(&mut confirmed) else { continue };
+            let Err(doubt) = walk.all(&mut confirmed) else {
+                for (event, distance) in walk.grazes {
+                    let hull = grazes.get(&event).map_or_else(|| distance.clone(), |found| distance.hull(found));
+                    grazes.insert(event, hull);
+                }
+                continue;
+            };
             let event = walk.event;
             match walk.widest_datum() {
                 _ if matches!(doubt, Doubt::False(_)) || data.budget.is_spent() => return doubt.on(event),
@@ -271,6 +280,9 @@ impl Certificate {
                     pieces.push(piece);
                 }
             }
+        }
+        if let Err((event, doubt)) = self.are_grazes(data, &grazes) {
+            return doubt.on(event);
         }
         data.budget.add(effort.work);
         match self.attracts(data, effort.pieces) {

@@ -5,10 +5,10 @@ use super::contact::{Doubt, clear_throughout};
 use super::flight::Part;
 use super::rest::Rest;
 use super::walk::Walk;
-use crate::Certificate;
-use impact_pair_document::ClaimName;
+use crate::{Certificate, Claim};
+use impact_pair_document::{ClaimName, OutcomeDocument};
 use impact_pair_exact::Real;
-use impact_pair_model::{EventKind, Period};
+use impact_pair_model::Period;
 
 impl Certificate {
     /// The outcome says as much in words as in fields, has no field that another kind has, and counts the impacts that are listed.
@@ -17,6 +17,7 @@ impl Certificate {
         let others = [
             ("reason", ended.reason.is_some(), &["undecided"][..]),
             ("until", ended.until.is_some(), &["time-reached", "periodic", "attracted"]),
+            ("may_be_later", ended.may_be_later.is_some(), &["time-reached", "periodic", "attracted"]),
             ("wall", ended.wall.is_some(), &["undecided", "rests-forever"]),
             ("time", ended.time.is_some(), &["undecided"]),
             ("period", ended.period.is_some(), &["periodic"]),
@@ -36,6 +37,12 @@ impl Certificate {
         let listed = self.events().iter().filter(|claim| claim.kind.is_impact()).count() as u64; // exact: a length
         if ended.impacts != Some(listed) {
             return Err(Doubt::False(format!("{listed} impacts are listed")));
+        }
+        let impacts = self.events().iter().filter(|claim| claim.kind.is_impact()).map(|claim| &claim.time[1]);
+        let later = ended.until.as_ref().and_then(|until| OutcomeDocument::later_than(&until.0, impacts));
+        if ended.may_be_later != later {
+            let later = later.unwrap_or(0); // shown
+            return Err(Doubt::False(format!("{later} of the listed impacts may come after the time `until`")));
         }
         let words = ended.words().ok_or_else(|| Doubt::False("this version does not check the outcome".into()))?;
         if !ended.message.is_empty() && ended.message != words && Some(&ended.message) != ended.interruption().as_ref()
@@ -95,10 +102,10 @@ impl Walk<'_> {
         if is_true { Ok(()) } else { Err(Doubt::open(message)) }
     }
 
-    /// Proves that no listed event comes after this time but a rest, which stands for what may come before (Lemma V7).
+    /// Proves that no listed event comes after this time (Lemma V7).
     fn lists_none_after(&self, until: &Real) -> Result<(), Doubt> {
-        let last = self.certificate.events().iter().rfind(|claim| !matches!(claim.kind, EventKind::Rest { .. }));
-        match last.is_some_and(|last| until.is_below(&Real::rational(&last.time[0], until.bits()))) {
+        let is_later = |claim: &Claim| until.is_below(&Real::rational(&claim.time[0], until.bits()));
+        match self.certificate.events().iter().any(is_later) {
             true => Err(Doubt::False("a listed event comes after the time `until`".into())),
             false => Ok(()),
         }
@@ -115,10 +122,11 @@ impl Walk<'_> {
             _ => Err(open()),
         };
         if let Some(rest) = self.standing.rest() {
-            // Up to its accumulation a rest stands for all that happens.
+            // V7: the impacts of a chatter are judged at its rest
             let [_, since] = self.clock.time(&rest.since).ends();
-            let has_not_ended = self.parameters.is_still() || until.is_below(&since);
-            return if has_not_ended { Ok(()) } else { judged(&self.release_time(rest)?, "a release") };
+            let has_not_begun = until.is_below(&since);
+            let stays = self.parameters.is_still() || has_not_begun;
+            return if stays { Ok(()) } else { judged(&self.release_time(rest)?, "a release") };
         }
         if let Some(still) = self.standing.still() {
             return match still.next() {

@@ -39,7 +39,9 @@ impl<'c> Walk<'c> {
             return Err(Doubt::False(format!("the ball is not on the {} wall", claim.wall.name())));
         };
         if is_accumulation {
-            self.standing = self.chatter(claim)?;
+            let resting = self.chatter(claim)?;
+            self.hides_no_impact(claim.wall)?;
+            self.standing = resting;
             return Ok(());
         }
         let begins = self.standing.start().and_then(Data::inward_jerk) == Some(Ordering::Less);
@@ -68,17 +70,55 @@ impl<'c> Walk<'c> {
             let since = departure.phase.hull() + &lasting;
             let time = self.clock.time(&since);
             if let SetPosition::Across = beside(&time, &claim.time) {
-                // No claim says where.
-                let guess = bounce(&departure, parameters)?;
-                let claimed = Claimed { from: Real::zero(self.bits), guess, to: None, is_first: true };
-                let landing = departure.land(parameters, wall, &claimed)?;
-                departure = Launch::rebound(parameters, &landing);
+                departure = self.bounced(&departure, wall)?;
                 continue;
             }
             compare("time", &time, &claim.time)?;
             return Ok(WalkState::resting(departure, Rest { wall, since, begins: false }));
         }
         Err(Doubt::open("the rest is not enclosed as claimed"))
+    }
+
+    /// The departure after the next bounce of a chatter, which no claim tells of.
+    fn bounced(&self, departure: &Launch, wall: Wall) -> Result<Launch, Doubt> {
+        let guess = bounce(departure, &self.parameters)?;
+        let claimed = Claimed { from: Real::zero(self.bits), guess, to: None, is_first: true };
+        let landing = departure.land(&self.parameters, wall, &claimed)?;
+        Ok(Launch::rebound(&self.parameters, &landing))
+    }
+
+    /// Proves that a chatter has no impact which is not listed before the time `until`, unless all of them come before that time, as the
+    /// rest does (Lemma V7).
+    fn hides_no_impact(&self, wall: Wall) -> Result<(), Doubt> {
+        let Some(until) = &self.certificate.ended().until else { return Ok(()) };
+        let until = Real::of(&until.0, self.clock.bits());
+        let mut departure = self.standing.departure().clone();
+        // The first impact that is not listed comes before that time: proved, or not excluded.
+        let (mut is_hidden, mut may_be_hidden) = (false, false);
+        let hidden =
+            || Doubt::False("an impact before the rest, which is not listed, comes before the time `until`".into());
+        for _ in 0..MAX_BOUNCES {
+            let since = accumulation(&departure, &self.parameters);
+            let rest = since.map(|lasting| self.clock.time(&(departure.phase.hull() + &lasting)));
+            if let Some(rest) = rest {
+                if rest.is_below(&until) {
+                    return Ok(());
+                }
+                if is_hidden && until.is_below(&rest) {
+                    return Err(hidden());
+                }
+            }
+            departure = self.bounced(&departure, wall)?;
+            let impact = self.clock.time(&departure.phase.hull());
+            match (until.is_below(&impact), impact.is_below(&until)) {
+                (true, _) if is_hidden => return Err(hidden()),
+                (true, _) if may_be_hidden => break,
+                (true, _) => return Ok(()),
+                (_, true) => is_hidden = true,
+                _ => may_be_hidden = true,
+            }
+        }
+        Err(Doubt::open("an impact before the rest, which is not listed, may come before the time `until`"))
     }
 
     /// The ball leaves where the acceleration turns inward.
@@ -90,9 +130,11 @@ impl<'c> Walk<'c> {
             return Err(Doubt::False("the ball lies on its wall for ever".into()));
         }
         match self.data.only() {
-            Some(_) => self.release_of_one(&rest, claim),
-            None => self.release_of_several(&rest, claim),
+            Some(_) => self.release_of_one(&rest, claim)?,
+            None => self.release_of_several(&rest, claim)?,
         }
+        self.is_spread = false;
+        Ok(())
     }
 
     /// Proves the release with one harmonic: at an even number of half periods on the left wall, an odd one on the right wall.

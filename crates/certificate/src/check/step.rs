@@ -159,7 +159,7 @@ impl Launch {
     /// Returns the landings, if all flights are proved to touch `wall` first, near where it is claimed.
     pub fn land(&self, parameters: &Parameters, wall: Wall, claimed: &Claimed) -> Result<Landing, Doubt> {
         let set = self.flights(parameters);
-        let centre = self.flight(parameters, |x| x.centre.clone());
+        let centre = self.middle_flight(parameters);
         let contact = first_contact(&set, self.start, wall, claimed)?;
         let bits = set.bits();
         // The middle, where Newton's iteration ends; it need not be the root.
@@ -176,20 +176,8 @@ impl Launch {
         let miss = over(centre.height(&h) - &centre.level(wall))?;
 
         // d(th1, v1) by implicit differentiation of (A.2/4/6) and of (A.1/3/5).
-        let acceleration0 = set.shaking.first_acceleration();
         let acceleration1 = set.curvature(&contact);
-        let one = Real::int(1, bits);
-        let by = |x, along, beside| Slope { x, along, beside };
-        let mut slopes = vec![
-            by(&self.phase, acceleration0.clone() * &contact + &set.velocity, -acceleration0),
-            by(&self.height, -one.clone(), Real::zero(bits)),
-            by(&self.velocity, -contact.clone(), one),
-            by(&parameters.half_gap, side(wall, bits), Real::zero(bits)),
-        ];
-        let since = self.phase.hull().rounded(bits);
-        for (wave, term) in set.shaking.waves.iter().zip(&parameters.terms) {
-            slopes.extend(term.slopes(wave, &since, &contact));
-        }
+        let slopes = self.slopes(parameters, (&set, wall), &contact);
         let dt = slopes.iter().map(|slope| Ok((over(slope.along.clone())?, slope.x))).collect::<Result<Vec<_>, _>>()?;
         let dv: Vec<_> =
             dt.iter().zip(&slopes).map(|((dt, x), slope)| (acceleration1.clone() * dt + &slope.beside, *x)).collect();
@@ -199,6 +187,40 @@ impl Launch {
         };
         let velocity = centre.slope(&h) - &(acceleration1 * &miss);
         Ok(Landing { wall, phase: by_value(&dt, landed - &miss), velocity: by_value(&dv, velocity) })
+    }
+
+    /// The dependence of a landing on `wall` at `h` on all that it depends on; `set` holds all flights.
+    fn slopes<'x>(&'x self, parameters: &'x Parameters, (set, wall): (&Flight, Wall), h: &Real) -> Vec<Slope<'x>> {
+        let bits = set.bits();
+        let acceleration = set.shaking.first_acceleration();
+        let one = Real::int(1, bits);
+        let by = |x, along, beside| Slope { x, along, beside };
+        let mut slopes = vec![
+            by(&self.phase, acceleration.clone() * h + &set.velocity, -acceleration),
+            by(&self.height, -one.clone(), Real::zero(bits)),
+            by(&self.velocity, -h.clone(), one),
+            by(&parameters.half_gap, side(wall, bits), Real::zero(bits)),
+        ];
+        let since = self.phase.hull().rounded(bits);
+        for (wave, term) in set.shaking.waves.iter().zip(&parameters.terms) {
+            slopes.extend(term.slopes(wave, &since, h));
+        }
+        slopes
+    }
+
+    /// Encloses `y` less the level of `wall` at the extrema of all flights, which `h` holds, as `centre` does of the middle's own (Lemma V4).
+    pub fn beyond(&self, parameters: &Parameters, wall: Wall, h: &Real, centre: Real) -> Affine {
+        let set = self.flights(parameters);
+        // V4: y' vanishes, so that the height does not depend on the place of the extremum
+        let slopes = self.slopes(parameters, (&set, wall), &h.at(set.bits()));
+        let by: Vec<_> = slopes.into_iter().map(|Slope { x, along, .. }| (-along, x)).collect();
+        let terms: Vec<_> = by.iter().map(|(slope, x)| (slope, *x)).collect();
+        Affine::of(centre, &terms).recentred()
+    }
+
+    /// Returns the flight of the middle of the set.
+    pub fn middle_flight<'w>(&self, parameters: &Parameters<'w>) -> Flight<'w> {
+        self.flight(parameters, |x| x.centre.clone())
     }
 }
 

@@ -3,14 +3,16 @@
 use std::cmp::Ordering;
 
 use num_bigint::BigInt;
+use num_rational::BigRational;
 
 use super::clock::Clock;
 use super::contact::{Doubt, clear_throughout};
 use super::data::Data;
+use super::graze::{WIDE, is_wider};
 use super::walk::{Walk, compare};
 use crate::Claim;
 use impact_pair_exact::{Exact, Real};
-use impact_pair_model::Wall;
+use impact_pair_model::{Miss, Wall};
 
 /// `y = m - A sin th` for ever, between the walls.
 #[derive(Clone, Debug)]
@@ -98,13 +100,22 @@ impl Walk<'_> {
     }
 
     /// A graze of a motion that grazes in every forcing period.
-    pub(super) fn graze_again(&mut self, still: Still, claim: &Claim) -> Result<(), Doubt> {
+    pub(super) fn graze_again(
+        &mut self,
+        still: Still,
+        claim: &Claim,
+        miss: Option<&Miss<[BigRational; 2]>>,
+    ) -> Result<(), Doubt> {
         let bits = self.bits;
         let next = still.next().filter(|(wall, _)| *wall == claim.wall);
         let (_, quarters) = next.ok_or_else(|| Doubt::False("the wall is not touched next".into()))?;
         let clock = Clock::at_quarter_turns(self.data, &quarters, bits);
         let clock = clock.ok_or_else(|| Doubt::open("the time of the graze is too large"))?;
         compare("time", &clock.time(&Real::zero(bits)), &claim.time)?;
+        // V5: the wall is touched exactly, without velocity, and all bounds that were read hold 0
+        if miss.is_some_and(|miss| is_wider(&miss.distance, &self.near())) {
+            return Err(Doubt::open(WIDE));
+        }
         self.standing.touch(Still { quarters, ..still });
         Ok(())
     }

@@ -33,6 +33,10 @@ pub(crate) struct Walk<'c> {
     pub(super) released: Vec<Release>,
     pub(super) period: Option<Period>,
     pub(super) impacts: u64,
+    /// Grazes whose claimed distance is wider than points allow: their positions, and the distances found.
+    pub grazes: Vec<(usize, Real)>,
+    /// True past a graze of states that differ by the data: they do so from then on, until a release.
+    pub(super) is_spread: bool,
     pub(super) bits: u32,
     /// The position of the claim in hand.
     pub event: usize,
@@ -65,6 +69,8 @@ impl<'c> Walk<'c> {
             released: Vec::new(),
             period: None,
             impacts: impacts as u64, // exact: a length
+            grazes: Vec::new(),
+            is_spread: false,
             bits: turn.bits(),
             event: impacts,
         }
@@ -108,9 +114,9 @@ impl<'c> Walk<'c> {
             EventKind::Rest { is_accumulation } => self.come_to_rest(claim, *is_accumulation),
             EventKind::Release => self.release(claim),
             // A motion that misses its wall by less than the bounds distinguish is checked as any other (G1).
-            EventKind::Graze => match self.standing.still().filter(|still| still.grazes()).cloned() {
-                Some(still) => self.graze_again(still, claim),
-                None => self.graze(claim),
+            EventKind::Graze { miss } => match self.standing.still().filter(|still| still.grazes()).cloned() {
+                Some(still) => self.graze_again(still, claim, miss.as_ref()),
+                None => self.graze(claim, miss.as_ref()),
             },
         }
     }

@@ -38,7 +38,8 @@ pub(super) fn file(
     let listed = claims.len() - usize::from(until.is_some());
     if is_stated && listed == certificate.events().len() {
         text.push('\n');
-        text.push_str(&outcome(certificate.outcome(), listed, until));
+        let later = certificate.ended().may_be_later.unwrap_or(0); // exact: absent where there are none
+        text.push_str(&outcome(certificate.outcome(), (listed, later), until));
     }
     Ok(text)
 }
@@ -103,8 +104,8 @@ Print Assumptions orbit_certified.
 }
 
 /// The theorem of the outcome: the number of impacts listed, and the time up to which there is no other. Of a kind that claims more it
-/// says that this is not stated.
-fn outcome(kind: &str, listed: usize, until: Option<&Exact>) -> String {
+/// says that this is not stated. Impacts that may come later than that time are counted apart.
+fn outcome(kind: &str, (listed, later): (usize, u64), until: Option<&Exact>) -> String {
     let besides = match kind {
         "impacts-reached" | "time-reached" => String::new(),
         _ => format!(" What `{kind}` says besides is not stated here."),
@@ -123,14 +124,27 @@ Proof. reflexivity. Qed.
         let [_, upper] = decimal_bounds(&until.enclose(PLACEHOLDER_BITS));
         Exact::parse(&upper).ok().and_then(|upper| upper.as_rational().cloned()).expect("a decimal")
     });
+    let time = fraction(&decimal);
+    let next = format!("length printed = S {listed} /\\ (until < time_lower (last printed (Impact left 0 0 0 0)))%Q");
+    let (counted, statement, proof) = match later {
+        0 => (String::new(), next, "split; reflexivity."),
+        later => {
+            let certain = (listed as u64).saturating_sub(later); // exact: a length, and a part of it
+            let in_time = "length (filter (fun x => Qle_bool (time_upper x) until) printed)";
+            (
+                format!(", of which {later} may come later than `until`"),
+                format!("{next} /\\\n  Nat.leb {certain} ({in_time}) = true"),
+                "split; [reflexivity | split; reflexivity].",
+            )
+        }
+    };
     format!(
         "\
-(* The outcome: the number of impacts listed, and up to this time, {until}, there is no other; the last of `printed` is the next one.{besides} *)
-Definition until : Q := {}%Q.
-Theorem all_listed : length printed = S {listed} /\\ (until < time_lower (last printed (Impact left 0 0 0 0)))%Q.
-Proof. split; reflexivity. Qed.
-",
-        fraction(&decimal),
+(* The outcome: the number of impacts listed{counted}, and up to this time, {until}, there is no other; the last of `printed` is the next one.{besides} *)
+Definition until : Q := {time}%Q.
+Theorem all_listed : {statement}.
+Proof. {proof} Qed.
+"
     )
 }
 

@@ -91,7 +91,7 @@ impl Recorder {
         match event {
             Progress::Impact(impact) => self.impact(orbit, impact),
             Progress::Graze(graze) => {
-                self.touch(orbit, Kind::Graze, graze.at());
+                self.touch(orbit, Kind::Graze, graze.at.at());
                 self.has_grazed = true;
             }
             Progress::Rest(rest) => {

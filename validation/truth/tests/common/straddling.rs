@@ -203,7 +203,7 @@ impl Pair<'_> {
         loop {
             match self.orbit.advance() {
                 Progress::Impact(impact) => return self.impact(&impact),
-                Progress::Graze(graze) => self.graze(&graze)?,
+                Progress::Graze(graze) => self.graze(&graze.at)?,
                 Progress::Rest(at) => {
                     self.rest(&at)?;
                     rest = Some(at);
