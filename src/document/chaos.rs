@@ -7,9 +7,9 @@ use num_traits::ToPrimitive;
 
 use impact_pair_document::{
     BaseDocument, CHAOS_CELLS_SCHEMA, CHAOS_SCHEMA, ChaosCellsDocument, ChaosDocument, CornersDocument, Decimal,
-    EnteredDocument, EntropyDocument, HyperbolicDocument, LeftOutDocument, PROGRAM, ParameterRange, PeriodDocument,
-    RatesDocument, SceneDocument, SceneOrbitDocument, StretchDocument, TRAP_SCHEMA, TrapDocument, WallWordsDocument,
-    WordDocument, bounds,
+    EnteredDocument, EntropyDocument, GivenBase, HyperbolicDocument, LeftOutDocument, PROGRAM, ParameterRange,
+    PeriodDocument, RatesDocument, SceneDocument, SceneOrbitDocument, StretchDocument, TRAP_SCHEMA, TrapDocument,
+    WallWordsDocument, WordDocument, bounds,
 };
 
 use super::shares::shares;
@@ -232,16 +232,16 @@ pub(super) fn base(base: &HSet) -> BaseDocument {
         speed,
         expanding: written(from_centre(middle(right.bottom, right.top))),
         contracting: written(from_centre(high)),
-        corners: Some(CornersDocument { left: [left.bottom, left.top], right: [right.bottom, right.top] }),
+        corners: CornersDocument { left: [left.bottom, left.top], right: [right.bottom, right.top] },
     }
 }
 
-/// Returns the h-sets of a document.
-pub fn bases(document: &[BaseDocument]) -> Vec<HSet> {
+/// The h-sets that a user gives.
+pub fn bases(document: &[GivenBase]) -> Vec<HSet> {
     document.iter().map(of_document).collect()
 }
 
-fn of_document(base: &BaseDocument) -> HSet {
+fn of_document(base: &GivenBase) -> HSet {
     let chord = |[bottom, top]: [[f64; 2]; 2]| Chord { bottom, top };
     if let Some(CornersDocument { left, right }) = base.corners {
         return HSet { left: chord(left), right: chord(right) };

@@ -4,7 +4,7 @@ use std::fmt;
 
 use serde::{Serialize, Serializer};
 
-use impact_pair_document::{Decimal, EventDocument, EventName, Skipped};
+use impact_pair_document::{Between, Decimal, EventDocument, EventName, Skipped};
 use impact_pair_model::EventKind;
 
 use super::orbit::is_certified;
@@ -187,8 +187,8 @@ impl Bounds {
         }
     }
 
-    fn document(&self) -> [Decimal; 2] {
-        self.decimals().map(Decimal::printed)
+    fn document(&self) -> Between<Decimal> {
+        Between::computed(self.decimals().map(Decimal::printed))
     }
 }
 

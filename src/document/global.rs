@@ -85,8 +85,8 @@ pub(crate) fn horseshoe(found: &Horseshoe, depth: usize) -> ProvedHorseshoeDocum
 
 /// Bounds of the spectral radius, by the bounds of the eigenvalues as they are printed: these hold it, whoever computes it from them.
 fn radius(orbit: &PeriodicOrbitDocument, reduced: usize) -> Option<Bounds> {
-    let read = |[low, high]: &Bounds| {
-        let [low, high] = [low, high].map(|bound| Enclosure::from_rational(&bound.value(), BITS));
+    let read = |bounds: &Bounds| {
+        let [low, high] = bounds.values().map(|bound| Enclosure::from_rational(&bound, BITS));
         low.hull(&high)
     };
     let eigenvalues = orbit.eigenvalues.as_ref()?.each_ref().map(|value| [read(&value.re), read(&value.im)]);

@@ -3,9 +3,10 @@
 //! A document is one object, or JSON Lines: the head, an event a line, and at last the outcome.
 
 use impact_pair_document::{
-    ClaimName, EventDocument, EventName, ORBIT_SCHEMA, OutcomeDocument, Place, SceneDocument, Written, values,
+    ClaimName, EventDocument, EventName, ORBIT_SCHEMA, OrbitEnd, OrbitHead, OutcomeDocument, Place, Written, values,
 };
 use num_rational::BigRational;
+use serde_json::{Value, json};
 
 use super::attraction::Attraction;
 use impact_pair_model::{Error, EventKind, ImpactPair, Period, Start, Wall};
@@ -50,40 +51,44 @@ impl Certificate {
     /// # Ok::<(), impact_pair_model::Error>(())
     /// ```
     pub fn parse(text: &str) -> Result<Self, Error> {
-        let values = values(text)?;
-        let (head, rest) = (Place::of_schema(&values[0], ORBIT_SCHEMA)?, &values[1..]);
-        let certified = head.get("certified")?;
-        if !certified.read::<bool>()? {
-            return Err(certified.refused("only a certified orbit claims anything: accepted is true"));
-        }
-        let (pair, start) = head.get("scene")?.read::<SceneDocument>()?.model()?;
-        let of_start = head.get("claim").map_or(Ok(ClaimName::default()), |claim| claim.read())?;
-        let (events, end, lists) = match rest {
-            [] => (head.get("events")?.list()?, head.clone(), &["outcome", "events"][..]),
-            [events @ .., last] => {
-                let event = |(i, value)| Place::at(format!("events[{i}]"), value);
-                (events.iter().enumerate().map(event).collect(), Place::whole(last), &[][..])
+        let mut lines = values(text)?;
+        let mut head = lines.remove(0);
+        Place::of_schema(&head, ORBIT_SCHEMA)?;
+        let last = match lines.pop() {
+            Some(last) => last,
+            None => {
+                // One object has the events and the outcome in it.
+                let whole = Place::whole(&head);
+                let outcome = whole.get("outcome")?.read::<Value>()?;
+                whole.get("events")?.list()?;
+                let last = json!({ "outcome": outcome, "arithmetic": whole.get("arithmetic")?.read::<Value>()? });
+                if let Value::Object(entries) = &mut head {
+                    entries.remove("outcome");
+                    if let Some(Value::Array(events)) = entries.remove("events") {
+                        lines = events;
+                    }
+                }
+                last
             }
         };
-        let claims = events.iter().map(claim).collect::<Result<_, _>>()?;
+        let place = Place::whole(&head);
+        let OrbitHead { certified, scene, claim: of_start, .. } = place.read()?;
+        if !certified {
+            return Err(place.get("certified")?.refused("only a certified orbit claims anything: accepted is true"));
+        }
+        let (pair, start) = scene.model()?;
+        let event = |(i, value): (usize, &Value)| claim(&Place::at(format!("events[{i}]"), value));
+        let claims = lines.iter().enumerate().map(event).collect::<Result<_, _>>()?;
+        let end = Place::whole(&last);
+        let OrbitEnd { outcome: ended, .. } = end.read()?;
         let outcome = end.get("outcome")?;
-        let mut unjudged = head.keys_but(&[&["schema", "certified", "scene", "claim"], lists].concat());
-        if !rest.is_empty() {
-            unjudged.extend(end.keys_but(&["outcome"]));
-        }
-        unjudged.extend(head.get("scene")?.unread::<SceneDocument>()?);
-        for event in &events {
-            unjudged.extend(event.unread::<EventDocument>()?);
-        }
-        unjudged.extend(outcome.unread::<OutcomeDocument>()?);
-        let ended: OutcomeDocument = outcome.read()?;
+        let mut unjudged = ["arithmetic", "program"].map(str::to_owned).to_vec();
         ended.until.as_ref().map_or(Ok(()), |until| is_single(&outcome, "until", until))?;
         if ended.kind == "undecided" {
             // That something cannot be decided claims nothing; that all is listed up to a time does.
             unjudged.extend(["outcome.reason", "outcome.time[1]", "outcome.wall"].map(str::to_owned));
         }
         unjudged.sort();
-        unjudged.dedup();
         // The fields that each kind requires; documents of older versions lack some.
         let required: &[&str] = match ended.kind.as_str() {
             "time-reached" => &["impacts", "until"],
@@ -135,8 +140,7 @@ impl Certificate {
         &self.ended
     }
 
-    /// Returns the keys of the document that claim nothing which [`check`](Self::check) judges: what computed it, and all that this
-    /// version does not know.
+    /// Returns the keys of the document that claim nothing which [`check`](Self::check) judges: what computed it.
     pub fn unjudged(&self) -> &[String] {
         &self.unjudged
     }
@@ -160,11 +164,15 @@ pub(super) fn is_single(place: &Place<'_>, key: &str, value: &Written) -> Result
 
 fn claim(place: &Place<'_>) -> Result<Claim, Error> {
     let EventDocument { event, index, mapping, wall, time, velocity, skipped } = place.read()?;
-    let has_none = |keys: &[&str]| {
-        keys.iter().try_for_each(|key| match place.get(key) {
-            Ok(value) => Err(value.refused(&format!("a {} has none", event.text()))),
-            Err(_) => Ok(()),
-        })
+    let is_there = [
+        ("index", index.is_some()),
+        ("mapping", mapping.is_some()),
+        ("velocity", velocity.is_some()),
+        ("skipped", skipped.is_some()),
+    ];
+    let has_none = |keys: &[&str]| match is_there.iter().find(|(key, is_there)| *is_there && keys.contains(key)) {
+        Some((key, _)) => Err(place.get(key)?.refused(&format!("a {} has none", event.text()))),
+        None => Ok(()),
     };
     let kind = match event {
         EventName::Impact => {
@@ -172,7 +180,7 @@ fn claim(place: &Place<'_>) -> Result<Claim, Error> {
             EventKind::Impact {
                 index: index.ok_or_else(|| place.missing("index"))?,
                 mapping: mapping.ok_or_else(|| place.missing("mapping"))?,
-                velocity: velocity.ok_or_else(|| place.missing("velocity"))?.map(|bound| bound.value()),
+                velocity: velocity.ok_or_else(|| place.missing("velocity"))?.values(),
             }
         }
         EventName::Rest => {
@@ -184,5 +192,5 @@ fn claim(place: &Place<'_>) -> Result<Claim, Error> {
             if event == EventName::Graze { EventKind::Graze } else { EventKind::Release }
         }
     };
-    Ok(Claim { wall, time: time.map(|bound| bound.value()), kind })
+    Ok(Claim { wall, time: time.values(), kind })
 }

@@ -91,7 +91,6 @@ impl SweepCertificate {
         };
         let points: Vec<ClaimedOrbit> = records.iter().enumerate().map(point).collect::<Result<_, Error>>()?;
         let mut unjudged = UNJUDGED.map(str::to_owned).to_vec();
-        unjudged.extend(place.unread::<SweepHead>()?);
         unjudged.extend(axes.own_values());
         let places: Vec<&[Option<u64>]> = points.iter().map(|point| &point.places[..]).collect();
         unjudged.extend(axes.unpinned(&places));
@@ -179,7 +178,7 @@ impl ClaimedOrbit {
 /// Returns a listed impact with its bounds as fractions.
 fn claimed(state: &SweepImpact, place: &Place<'_>) -> Result<SweepImpact<Bounds>, Error> {
     let values = |bounds: &ExtendedBounds| -> Result<Bounds, Error> {
-        let [lower, upper] = bounds.clone().map(|bound| Decimal::try_from(bound).map(|bound| bound.value()));
+        let [lower, upper] = (**bounds).clone().map(|bound| Decimal::try_from(bound).map(|bound| bound.value()));
         let refused =
             |_| place.get("states").map_or_else(|error| error, |states| states.refused("bounds must be decimals"));
         Ok([lower.map_err(refused)?, upper.map_err(refused)?])

@@ -277,7 +277,8 @@ pub struct EntropyDocument {
 /// An h-set: a quadrilateral of states, nearly a parallelogram.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
-pub struct BaseDocument {
+#[cfg_attr(feature = "schemas", schemars(rename = "BaseDocument"))]
+pub struct BaseDocument<C = CornersDocument> {
     /// Approximate phase `W t + tau` of its middle \[rad\].
     pub phase: Decimal,
     /// Approximate speed of its middle over `A W`.
@@ -286,10 +287,12 @@ pub struct BaseDocument {
     pub expanding: [Decimal; 2],
     /// From the middle to that of the upper edge.
     pub contracting: [Decimal; 2],
-    /// Its exact corners; without them it is the parallelogram.
-    #[serde(skip_serializing_if = "Option::is_none", default)]
-    pub corners: Option<CornersDocument>,
+    /// Its exact corners.
+    pub corners: C,
 }
+
+/// An h-set that a user gives: without corners it is the parallelogram.
+pub type GivenBase = BaseDocument<Option<CornersDocument>>;
 
 /// The corners of an h-set: each a phase in forcing periods and a speed over `A W`, exactly these doubles.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]

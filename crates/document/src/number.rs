@@ -3,9 +3,13 @@
 use impact_pair_exact::{Enclosure, Exact, decimal_bounds};
 use num_rational::BigRational;
 use serde::{Deserialize, Serialize, Serializer};
+use std::cmp::Ordering;
+use std::ops::Deref;
 
 /// A number written as a decimal, such as `-1.5e-3`.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+///
+/// Decimals of one value are equal, however they are written.
+#[derive(Clone, Debug, Eq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(extend("pattern" = PATTERN)))]
 #[serde(try_from = "String")]
 pub struct Decimal(String);
@@ -14,8 +18,84 @@ pub struct Decimal(String);
 #[cfg(feature = "schemas")]
 const PATTERN: &str = r"^-?(0|[1-9][0-9]*)(\.[0-9]+)?([eE][+-]?[0-9]+)?$";
 
-/// A lower and an upper bound, rounded outward.
-pub type Bounds = [Decimal; 2];
+/// A lower bound and an upper one: where the lower bound is above the upper one, they are not read.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(try_from = "[B; 2]", bound(deserialize = "B: Bound + Deserialize<'de>"))]
+pub struct Between<B>([B; 2]);
+
+/// Bounds of a number, rounded outward.
+pub type Bounds = Between<Decimal>;
+
+/// An end of what lies between two bounds.
+pub trait Bound {
+    /// Returns whether this bound is at most another one; `None` where one of them is no number.
+    fn is_at_most(&self, other: &Self) -> Option<bool>;
+}
+
+impl Bound for Decimal {
+    fn is_at_most(&self, other: &Self) -> Option<bool> {
+        Some(self.value() <= other.value())
+    }
+}
+
+/// Nothing bounds from one side.
+impl Bound for Option<Decimal> {
+    fn is_at_most(&self, other: &Self) -> Option<bool> {
+        Some(self.as_ref().zip(other.as_ref()).is_none_or(|(low, high)| low.value() <= high.value()))
+    }
+}
+
+/// A decimal, or an infinity.
+impl Bound for String {
+    fn is_at_most(&self, other: &Self) -> Option<bool> {
+        let read = |text: &str| match text {
+            "-inf" => Some((-1, None)),
+            "inf" => Some((1, None)),
+            text => Some((0, Some(value(text)?))),
+        };
+        Some(read(self)? <= read(other)?)
+    }
+}
+
+impl Bound for u32 {
+    fn is_at_most(&self, other: &Self) -> Option<bool> {
+        Some(self <= other)
+    }
+}
+
+impl<B: Bound> TryFrom<[B; 2]> for Between<B> {
+    type Error = &'static str;
+
+    fn try_from(bounds: [B; 2]) -> Result<Self, Self::Error> {
+        match bounds[0].is_at_most(&bounds[1]) {
+            Some(true) => Ok(Self(bounds)),
+            Some(false) => Err("the lower bound is above the upper one"),
+            None => Err("bounds are decimals, \"-inf\" and \"inf\""),
+        }
+    }
+}
+
+impl<B> Between<B> {
+    /// Bounds that this project has computed, in order.
+    pub fn computed(bounds: [B; 2]) -> Self {
+        Self(bounds)
+    }
+}
+
+impl Bounds {
+    /// The values of both.
+    pub fn values(&self) -> [BigRational; 2] {
+        self.0.each_ref().map(Decimal::value)
+    }
+}
+
+impl<B> Deref for Between<B> {
+    type Target = [B; 2];
+
+    fn deref(&self) -> &[B; 2] {
+        &self.0
+    }
+}
 
 /// Returns the bounds of an enclosure.
 ///
@@ -23,12 +103,12 @@ pub type Bounds = [Decimal; 2];
 /// use impact_pair_document::bounds;
 /// use impact_pair_exact::Exact;
 ///
-/// let [low, high] = bounds(&Exact::parse("pi").expect("a number").enclose(53));
+/// let [low, high] = &*bounds(&Exact::parse("pi").expect("a number").enclose(53));
 /// assert!(low.text().starts_with("3.14159265358979") && high.text().starts_with("3.14159265358979"));
 /// assert!(low.value() < high.value());
 /// ```
 pub fn bounds(x: &Enclosure) -> Bounds {
-    decimal_bounds(x).map(Decimal)
+    Between(decimal_bounds(x).map(Decimal))
 }
 
 impl Decimal {
@@ -48,6 +128,12 @@ impl Decimal {
     /// Never for a decimal that was read or printed.
     pub fn value(&self) -> BigRational {
         value(&self.0).expect("a decimal")
+    }
+}
+
+impl PartialEq for Decimal {
+    fn eq(&self, other: &Self) -> bool {
+        self.0 == other.0 || self.value() == other.value()
     }
 }
 
@@ -75,6 +161,8 @@ impl TryFrom<String> for Decimal {
 }
 
 /// An exact number as the user wrote it.
+///
+/// Two of them are equal where that is proved: however they are written, and both ends of intervals.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(try_from = "String")]
 pub struct Written(pub Exact);
@@ -101,7 +189,27 @@ impl Serialize for Written {
 
 impl PartialEq for Written {
     fn eq(&self, other: &Self) -> bool {
-        self.0.text() == other.0.text()
+        let is_one = |a: &Exact, b: &Exact| a.compare(b) == Some(Ordering::Equal);
+        let are_ends = || match (self.0.ends(), other.0.ends()) {
+            (Some((a, b)), Some((c, d))) => is_one(&a, &c) && is_one(&b, &d),
+            _ => false,
+        };
+        self.0.text() == other.0.text() || are_ends()
+    }
+}
+
+#[cfg(feature = "schemas")]
+impl<B: schemars::JsonSchema> schemars::JsonSchema for Between<B> {
+    fn inline_schema() -> bool {
+        true
+    }
+
+    fn schema_name() -> std::borrow::Cow<'static, str> {
+        <[B; 2]>::schema_name()
+    }
+
+    fn json_schema(generator: &mut schemars::SchemaGenerator) -> schemars::Schema {
+        <[B; 2]>::json_schema(generator)
     }
 }
 

@@ -6,12 +6,13 @@ use serde::{Deserialize, Deserializer, Serialize};
 use super::number::Bounds;
 use super::outcome::OutcomeDocument;
 use super::scene::SceneDocument;
+use super::strict::flattened;
 
 /// The schema of the orbit JSON.
 pub const ORBIT_SCHEMA: &str = "impact-pair/orbit/1";
 
 /// An orbit.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct OrbitDocument {
     /// Scene, program and arithmetic.
@@ -21,6 +22,20 @@ pub struct OrbitDocument {
     pub outcome: OutcomeDocument,
     /// Events in time order.
     pub events: Vec<EventDocument>,
+}
+
+impl<'de> Deserialize<'de> for OrbitDocument {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let (OrbitBody { outcome, events }, head) = flattened(deserializer, &["outcome", "events"])?;
+        Ok(Self { head, outcome, events })
+    }
+}
+
+/// The keys of an orbit that are not those of its head.
+#[derive(Deserialize)]
+struct OrbitBody {
+    outcome: OutcomeDocument,
+    events: Vec<EventDocument>,
 }
 
 /// An orbit without its outcome and its events: the first of the JSON Lines.

@@ -6,7 +6,7 @@ use impact_pair_exact::{Enclosure, Exact, decimal_digits};
 use impact_pair_model::{Period, Wall, Word};
 use serde::{Deserialize, Serialize};
 
-use super::number::{Bounds, Decimal, Written};
+use super::number::{Between, Bounds, Decimal, Written};
 use super::periodic::PeriodicOrbitDocument;
 
 /// The reason of an orbit whose next flight has no end that is found.
@@ -42,7 +42,7 @@ pub struct OutcomeDocument {
     /// No wall is touched after the last event listed and before the first of these \[time\]. The second is `null` unless the next
     /// contact is proved, but wider than requested: then the contact lies between the two.
     #[serde(skip_serializing_if = "Option::is_none", default)]
-    pub time: Option<[Option<Decimal>; 2]>,
+    pub time: Option<Between<Option<Decimal>>>,
     /// The motion repeats itself exactly.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub period: Option<Period>,
@@ -120,7 +120,7 @@ impl OutcomeDocument {
             "undecided" => {
                 let why = self.explanation()?;
                 let wall = self.wall.map_or(String::new(), |wall| format!("{} wall, ", wall.name()));
-                let time = match self.time.as_ref()? {
+                let time = match &**self.time.as_ref()? {
                     [Some(from), Some(to)] => format!("t = {}", shown(from, to)),
                     [Some(from), None] => format!("t from {}", from.text()),
                     [None, _] => return None,

@@ -72,7 +72,7 @@ pub(super) fn are_apart(
     other: usize,
 ) -> Result<(), Doubt> {
     let corners = |horseshoe: &ProvedHorseshoeDocument| -> Vec<CornersDocument> {
-        horseshoe.bases.iter().filter_map(|base| base.corners).collect()
+        horseshoe.bases.iter().map(|base| base.corners).collect()
     };
     let (own, held) = (corners(own), corners(held));
     let are_of = |some: &[CornersDocument], all: &[CornersDocument]| some.iter().all(|corners| all.contains(corners));

@@ -48,8 +48,7 @@ impl ChaosCertificate {
 /// The h-sets that are claimed, if they are disjoint and as they are described.
 pub(super) fn sound_bases(claimed: &[BaseDocument]) -> Result<Vec<HSet>, Doubt> {
     let wrong = |message: &str| Err(Doubt::False(message.to_owned()));
-    let corners = claimed.iter().filter_map(|base| base.corners.as_ref());
-    let bases: Vec<HSet> = corners.map(HSet::of).collect();
+    let bases: Vec<HSet> = claimed.iter().map(|base| HSet::of(&base.corners)).collect();
     if bases.len() > MAX_H_SETS {
         return Err(Doubt::Open(format!("more than {MAX_H_SETS} h-sets are not checked")));
     }
