@@ -61,7 +61,7 @@ impl Certificate {
                 let whole = Place::whole(&head);
                 let outcome = whole.get("outcome")?.read::<Value>()?;
                 whole.get("events")?.list()?;
-                let last = json!({ "outcome": outcome, "arithmetic": whole.get("arithmetic")?.read::<Value>()? });
+                let last = json!({ "outcome": outcome });
                 if let Value::Object(entries) = &mut head {
                     entries.remove("outcome");
                     if let Some(Value::Array(events)) = entries.remove("events") {

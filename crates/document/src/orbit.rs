@@ -45,6 +45,7 @@ pub struct OrbitHead {
     /// [`ORBIT_SCHEMA`]
     pub schema: String,
     /// The program that computed it.
+    #[serde(default)]
     pub program: String,
     /// The scene.
     pub scene: SceneDocument,
@@ -54,6 +55,7 @@ pub struct OrbitHead {
     #[serde(default)]
     pub claim: ClaimName,
     /// The arithmetic.
+    #[serde(default)]
     pub arithmetic: ArithmeticDocument,
 }
 
@@ -87,12 +89,13 @@ pub struct OrbitEnd {
     /// Outcome of the orbit.
     pub outcome: OutcomeDocument,
     /// The arithmetic.
+    #[serde(default)]
     pub arithmetic: ArithmeticDocument,
 }
 
 /// The arithmetic: `float`, `interval` or `inari` in 53 bits, `multiprecision` with the bits of the first impact, `auto` with its maximum number
 /// of bits, `shadow` without bits.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct ArithmeticDocument {
     /// Its name.
