@@ -7,7 +7,7 @@ use impact_pair::document::{
     Bounds, Conclusion, Ending, Event, EventKind, arithmetic as computed_by, arithmetic_at_first, head,
 };
 use impact_pair::json::{
-    self, ArithmeticDocument, Decimal, EventDocument, EventName, OrbitDocument, OrbitHead, OutcomeDocument, write_orbit,
+    self, ArithmeticDocument, EventDocument, EventName, OrbitDocument, OrbitHead, OutcomeDocument, write_orbit,
 };
 use impact_pair::orbit::{self, Dense, Settings};
 use impact_pair::scene::{DIGITS, Run};

@@ -2,7 +2,7 @@
 
 use impact_pair_document::{
     BasinDocument, BasinsDocument, Bounds, ComponentDocument, Decimal, GLOBAL_SCHEMA, GlobalDocument, PROGRAM,
-    PeriodicOrbitDocument, ProvedHorseshoeDocument, SceneDocument, bounds,
+    PeriodicOrbitDocument, ProvedHorseshoeDocument, SceneDocument, UpTo, bounds,
 };
 
 use super::chaos::{base, entropy};
@@ -80,7 +80,7 @@ fn component(found: &Recurrence, settings: &GlobalSettings) -> Result<ComponentD
 /// Returns the document of a horseshoe of words of at most N impacts.
 pub(crate) fn horseshoe(found: &Horseshoe, depth: usize) -> ProvedHorseshoeDocument {
     let bases = found.bases.iter().map(base).collect();
-    ProvedHorseshoeDocument { depth: depth as u32, entropy: entropy(found.entropy), bases }
+    ProvedHorseshoeDocument { depth: UpTo::counted(depth), entropy: entropy(found.entropy), bases }
 }
 
 /// Bounds of the spectral radius, by the bounds of the eigenvalues as they are printed: these hold it, whoever computes it from them.

@@ -31,6 +31,9 @@ const UNJUDGED: [&str; 13] = [
     "scene_orbit",
 ];
 
+/// Words of a document at most: that the horseshoe is the shortest one takes a comparison of any two of them.
+const MOST_WORDS: usize = 4096;
+
 impl ChaosCertificate {
     /// Reads a chaos JSON.
     ///
@@ -42,6 +45,9 @@ impl ChaosCertificate {
         let document: ChaosDocument = whole.read()?;
         if !document.certified {
             return Err(whole.get("certified")?.refused("only a certified entropy claims anything: accepted is true"));
+        }
+        if document.words.len() > MOST_WORDS {
+            return Err(whole.get("words")?.refused(&format!("accepted are at most {MOST_WORDS} words")));
         }
         let mut unjudged = UNJUDGED.map(str::to_owned).to_vec();
         let (mut pair, _) = document.scene.clone().model()?;

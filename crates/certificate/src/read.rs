@@ -5,8 +5,10 @@
 use impact_pair_document::{
     ClaimName, EventDocument, EventName, ORBIT_SCHEMA, OrbitEnd, OrbitHead, OutcomeDocument, Place, Written, values,
 };
+use impact_pair_exact::Exact;
 use num_rational::BigRational;
 use serde_json::{Value, json};
+use std::cmp::Ordering;
 
 use super::attraction::Attraction;
 use impact_pair_model::{Error, EventKind, ImpactPair, Period, Start, Wall};
@@ -143,6 +145,21 @@ impl Certificate {
     /// Returns the keys of the document that claim nothing which [`check`](Self::check) judges: what computed it.
     pub fn unjudged(&self) -> &[String] {
         &self.unjudged
+    }
+
+    /// Returns whether it claims nothing: it has no event, and no time up to which there is none.
+    pub(super) fn claims_nothing(&self) -> bool {
+        let is_later = |time: &Exact| time.compare(self.start.time()) == Some(Ordering::Greater);
+        self.events.is_empty()
+            && match self.ended.kind.as_str() {
+                "impacts-reached" => true,
+                "time-reached" => !self.ended.until.as_ref().is_some_and(|until| is_later(&until.0)),
+                "undecided" => {
+                    let from = self.ended.time.as_ref().and_then(|time| time[0].as_ref());
+                    !from.is_some_and(|from| is_later(&Exact::from_rational(from.value())))
+                }
+                _ => false,
+            }
     }
 
     /// The orbit that the motion is claimed to converge to.

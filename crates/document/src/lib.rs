@@ -51,7 +51,7 @@ pub use cycles::*;
 pub use description::*;
 pub use global::*;
 pub use layout::{one_a_line, write_orbit};
-pub use number::{Between, Bounds, Decimal, Written, bounds};
+pub use number::{Between, Bounds, Decimal, NotNegative, UpTo, Written, bounds};
 pub use orbit::*;
 pub use outcome::*;
 pub use periodic::*;

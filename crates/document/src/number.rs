@@ -2,6 +2,7 @@
 
 use impact_pair_exact::{Enclosure, Exact, decimal_bounds};
 use num_rational::BigRational;
+use num_traits::Signed;
 use serde::{Deserialize, Serialize, Serializer};
 use std::cmp::Ordering;
 use std::ops::Deref;
@@ -75,6 +76,59 @@ impl<B: Bound> TryFrom<[B; 2]> for Between<B> {
     }
 }
 
+/// A whole number up to a limit.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(try_from = "u32")]
+pub struct UpTo<const MOST: u32>(u32);
+
+impl<const MOST: u32> UpTo<MOST> {
+    /// A number that this project has counted within the limit.
+    pub fn counted(number: usize) -> Self {
+        Self(number as u32) // exact: at most the limit
+    }
+
+    /// Returns the number.
+    pub fn get(self) -> u32 {
+        self.0
+    }
+}
+
+impl<const MOST: u32> TryFrom<u32> for UpTo<MOST> {
+    type Error = String;
+
+    fn try_from(number: u32) -> Result<Self, String> {
+        if number <= MOST { Ok(Self(number)) } else { Err(format!("accepted is at most {MOST}")) }
+    }
+}
+
+/// A decimal that is not negative.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(try_from = "Decimal")]
+pub struct NotNegative(Decimal);
+
+impl TryFrom<Decimal> for NotNegative {
+    type Error = &'static str;
+
+    fn try_from(number: Decimal) -> Result<Self, Self::Error> {
+        if number.value().is_negative() { Err("accepted is a decimal that is not negative") } else { Ok(Self(number)) }
+    }
+}
+
+impl NotNegative {
+    /// A decimal that this project has printed.
+    pub fn printed(text: String) -> Self {
+        Self(Decimal::printed(text))
+    }
+}
+
+impl Deref for NotNegative {
+    type Target = Decimal;
+
+    fn deref(&self) -> &Decimal {
+        &self.0
+    }
+}
+
 impl<B> Between<B> {
     /// Bounds that this project has computed, in order.
     pub fn computed(bounds: [B; 2]) -> Self {
@@ -120,6 +174,11 @@ impl Decimal {
     /// Returns its text.
     pub fn text(&self) -> &str {
         &self.0
+    }
+
+    /// Returns the text in which this project prints the value, however it is written.
+    pub fn canonical(&self) -> String {
+        Exact::from_rational(self.value()).text()
     }
 
     /// Returns its value.
@@ -210,6 +269,34 @@ impl<B: schemars::JsonSchema> schemars::JsonSchema for Between<B> {
 
     fn json_schema(generator: &mut schemars::SchemaGenerator) -> schemars::Schema {
         <[B; 2]>::json_schema(generator)
+    }
+}
+
+#[cfg(feature = "schemas")]
+impl<const MOST: u32> schemars::JsonSchema for UpTo<MOST> {
+    fn inline_schema() -> bool {
+        true
+    }
+
+    fn schema_name() -> std::borrow::Cow<'static, str> {
+        u32::schema_name()
+    }
+
+    fn json_schema(generator: &mut schemars::SchemaGenerator) -> schemars::Schema {
+        let mut schema = u32::json_schema(generator);
+        schema.insert("maximum".to_owned(), MOST.into());
+        schema
+    }
+}
+
+#[cfg(feature = "schemas")]
+impl schemars::JsonSchema for NotNegative {
+    fn schema_name() -> std::borrow::Cow<'static, str> {
+        "NotNegative".into()
+    }
+
+    fn json_schema(_: &mut schemars::SchemaGenerator) -> schemars::Schema {
+        schemars::json_schema!({ "type": "string", "pattern": PATTERN.replace("^-?", "^") })
     }
 }
 

@@ -122,7 +122,7 @@ impl OutcomeDocument {
                 let wall = self.wall.map_or(String::new(), |wall| format!("{} wall, ", wall.name()));
                 let time = match &**self.time.as_ref()? {
                     [Some(from), Some(to)] => format!("t = {}", shown(from, to)),
-                    [Some(from), None] => format!("t from {}", from.text()),
+                    [Some(from), None] => format!("t from {}", from.canonical()),
                     [None, _] => return None,
                 };
                 format!("undecided {after}: {why} ({wall}{time})")
@@ -150,7 +150,7 @@ impl OutcomeDocument {
     /// Returns the distances of the impacts of a shadowed orbit from the listed ones, in words that follow their number; else an empty text.
     fn shadowed(&self) -> String {
         let Some(EpsilonDocument { median, maximum }) = &self.epsilon else { return String::new() };
-        let (median, maximum) = (median.text(), maximum.text());
+        let (median, maximum) = (median.canonical(), maximum.canonical());
         format!(
             " of one true orbit that starts near (shadowed), half of them within {median} forcing periods, all within {maximum}"
         )
