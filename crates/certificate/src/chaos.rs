@@ -1,7 +1,7 @@
 //! The JSON of words and entropy, read back.
 
 use super::bifurcation::{own_value, parameter};
-use impact_pair_document::{BaseDocument, CHAOS_SCHEMA, ChaosDocument, Place, value};
+use impact_pair_document::{BaseDocument, CHAOS_SCHEMA, ChaosDocument, MOST_WORDS, Place, value};
 use impact_pair_exact::Exact;
 use impact_pair_model::{Error, ImpactPair};
 
@@ -30,9 +30,6 @@ const UNJUDGED: [&str; 13] = [
     "scene.start",
     "scene_orbit",
 ];
-
-/// Words of a document at most: that the horseshoe is the shortest one takes a comparison of any two of them.
-const MOST_WORDS: usize = 4096;
 
 impl ChaosCertificate {
     /// Reads a chaos JSON.

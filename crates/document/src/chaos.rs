@@ -20,6 +20,9 @@ pub type Depth = UpTo<MOST_DEPTH>;
 /// The greatest depth.
 pub const MOST_DEPTH: u32 = 64;
 
+/// Words of a document at most: that a horseshoe is the shortest one takes a comparison of any two of them.
+pub const MOST_WORDS: usize = 4096;
+
 /// A trapping region: forward invariant under the impact map, with every impact mirrored to the left wall.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
@@ -107,6 +110,7 @@ pub struct ChaosDocument {
     /// The h-sets, disjoint from each other and from their own translates by whole forcing periods.
     pub bases: Vec<BaseDocument>,
     /// The words.
+    #[cfg_attr(feature = "schemas", schemars(length(max = MOST_WORDS)))]
     pub words: Vec<WordDocument>,
     /// The Lyapunov exponent per impact of the floating-point orbit: non-rigorous.
     pub exponent_seen: Option<f64>,
@@ -301,7 +305,8 @@ pub struct BaseDocument<C = CornersDocument> {
 /// An h-set that a user gives: without corners it is the parallelogram.
 pub type GivenBase = BaseDocument<Option<CornersDocument>>;
 
-/// The corners of an h-set: each a phase in forcing periods and a speed over `A W`, exactly these doubles.
+/// The corners of an h-set: each a phase in forcing periods, within 4 of them of 0, and a speed over `A W`, above 0 and at most 1,048,576; exactly
+/// these doubles.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct CornersDocument {

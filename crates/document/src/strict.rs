@@ -27,11 +27,14 @@ where
     Ok((part(own)?, part(others)?))
 }
 
-/// Reads a struct from a part of an object; the message of an error begins with the path in it, which the caller does not know.
+/// The beginning of the message of an error in a part of an object, before the path in it.
+pub(super) const IN_PART: &str = "in its ";
+
+/// Reads a struct from a part of an object; the message of an error names the path in it, which the caller does not know.
 fn part<T: DeserializeOwned, E: Error>(entries: Map<String, Value>) -> Result<T, E> {
     serde_path_to_error::deserialize(Strict(&Value::Object(entries))).map_err(|error| {
         let is_inner = error.path().iter().next().is_some();
-        if is_inner { E::custom(error) } else { E::custom(error.into_inner()) }
+        if is_inner { E::custom(format_args!("{IN_PART}{error}")) } else { E::custom(error.into_inner()) }
     })
 }
 

@@ -10,7 +10,7 @@ use super::clock::{SetPosition, beside};
 use super::contact::Doubt;
 use super::shadow::{Doubted, Shadow};
 use super::standing::Last;
-use super::walk::{are_bounds, is_next};
+use super::walk::is_next;
 use crate::Certificate;
 use impact_pair_document::ClaimName;
 use impact_pair_exact::{Dyadic, Exact, Real, decimal_bounds_f64};
@@ -20,13 +20,10 @@ impl Shadow<'_> {
     /// The impacts have their numbers and mappings.
     pub(super) fn fits(&self, mut last: Last) -> Result<(), Doubted> {
         for (k, claim) in self.certificate.events()[..self.hits.len()].iter().enumerate() {
-            let EventKind::Impact { index, mapping, velocity } = &claim.kind else { break };
+            let EventKind::Impact { index, mapping, .. } = &claim.kind else { break };
             // exact: a length
             let is_numbered = is_next(k as u64, *index);
-            is_numbered
-                .and_then(|()| last.leads(*mapping, claim.wall))
-                .and_then(|()| are_bounds(velocity))
-                .map_err(|doubt| (k, doubt))?;
+            is_numbered.and_then(|()| last.leads(*mapping, claim.wall)).map_err(|doubt| (k, doubt))?;
             last = Last::Wall(claim.wall);
         }
         Ok(())
