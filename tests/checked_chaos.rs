@@ -8,7 +8,7 @@ use impact_pair::Scene;
 use impact_pair::chaos::{Chaos, HorseshoeSettings, Hyperbolic, Trap};
 use impact_pair::document;
 use impact_pair::exact::Exact;
-use impact_pair::json::BaseDocument;
+use impact_pair::json::GivenBase;
 use impact_pair::orbit::Settings;
 use impact_pair::scene::Range;
 use impact_pair::watch::{Stage, Unwatched, proceed_if};
@@ -31,7 +31,7 @@ fn chaos(depth: usize, over: Option<&str>) -> Value {
 fn chaos_of(name: &str, bases: &str, depth: usize, over: Option<&str>) -> Value {
     let scene = figure(name);
     let read: Value = serde_json::from_str(&file(bases)).unwrap();
-    let bases: Vec<BaseDocument> = serde_json::from_value(read["bases"].clone()).unwrap();
+    let bases: Vec<GivenBase> = serde_json::from_value(read["bases"].clone()).unwrap();
     let question = HorseshoeSettings { depth: Some(depth), bases: document::bases(&bases) };
     let over: Option<Range> = over.map(|over| over.parse().unwrap());
     let pair = match &over {
@@ -46,7 +46,7 @@ fn chaos_of(name: &str, bases: &str, depth: usize, over: Option<&str>) -> Value 
 pub fn hyperbolic(depth: usize) -> Value {
     let scene = figure("figure-14");
     let read: Value = serde_json::from_str(&file("docs/bases-figure-14.json")).unwrap();
-    let bases: Vec<BaseDocument> = serde_json::from_value(read["bases"].clone()).unwrap();
+    let bases: Vec<GivenBase> = serde_json::from_value(read["bases"].clone()).unwrap();
     let question = HorseshoeSettings { depth: Some(depth), bases: document::bases(&bases) };
     let found = Chaos::of(scene.pair(), scene.start(), &question, &Unwatched).unwrap();
     let set = Hyperbolic::of(scene.pair(), &found, &Unwatched).unwrap();

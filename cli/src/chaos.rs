@@ -12,7 +12,7 @@ use impact_pair::chaos::{
 };
 use impact_pair::document;
 use impact_pair::exact::Exact;
-use impact_pair::json::{BaseDocument, one_a_line};
+use impact_pair::json::{GivenBase, one_a_line};
 use impact_pair::periodic::bifurcation::{PARAMETERS, is_parameter};
 use impact_pair::scene::Range;
 use serde::Deserialize;
@@ -90,7 +90,7 @@ const DEFAULT_DEPTH: usize = 12;
 /// The content of a file of h-sets.
 #[derive(Deserialize)]
 struct HSetFile {
-    bases: Vec<BaseDocument>,
+    bases: Vec<GivenBase>,
 }
 
 fn bases(path: &Path) -> Result<Vec<HSet>> {

@@ -9,7 +9,7 @@ use impact_pair::chaos::{
 };
 use impact_pair::document;
 use impact_pair::exact::Exact;
-use impact_pair::json::{BaseDocument, one_a_line};
+use impact_pair::json::{GivenBase, one_a_line};
 use impact_pair::orbit::MAX_BITS;
 use impact_pair::periodic::Precision;
 use impact_pair::periodic::bifurcation;
@@ -192,7 +192,7 @@ pub fn chaos(
     let (depth, over, bases, hyperbolic, no_orbit) = question;
     let scene = scene.get().scene.clone();
     watched(py, progress, move |monitor| {
-        let bases: Option<Vec<BaseDocument>> =
+        let bases: Option<Vec<GivenBase>> =
             bases.map(|text| serde_json::from_str(&text)).transpose().map_err(Fault::certificate)?;
         let bases = bases.map(|bases| document::bases(&bases)).unwrap_or_default();
         let depth = depth.map(|depth| accepted("depth", depth, 1..=MOST_DEPTH)).transpose()?;

@@ -2,7 +2,7 @@
 
 use impact_pair::chaos::MOST_DEPTH;
 use impact_pair::describe::{Request, describe as described, lines};
-use impact_pair::json::DescriptionDocument;
+use impact_pair::json::{self, DescriptionDocument};
 use impact_pair::orbit::BITS;
 use impact_pair_plot::picture::Look;
 use pyo3::prelude::*;
@@ -39,6 +39,6 @@ pub fn describe(
 /// The lines of a description in words, each with its label.
 #[pyfunction]
 pub fn description_lines(document: &str) -> PyResult<Vec<(&'static str, String)>> {
-    let document: DescriptionDocument = serde_json::from_str(document).map_err(Fault::certificate)?;
+    let document: DescriptionDocument = json::read(document).map_err(Fault::from)?;
     Ok(lines(&document))
 }

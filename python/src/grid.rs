@@ -45,7 +45,7 @@ pub fn dictionary<'py>(
     for (column, (name, kind)) in columns.iter().enumerate() {
         if matches!(kind, Kind::Bounds | Kind::Exact) {
             let ends = rows.iter().map(|row| match row[column] {
-                Cell::Bounds([low, high]) => Some([end(low)?[0], end(high)?[1]]),
+                Cell::Bounds(bounds) => Some([end(&bounds[0])?[0], end(&bounds[1])?[1]]),
                 Cell::Exact(text) => end(text),
                 _ => Some([f64::NAN; 2]),
             });

@@ -7,7 +7,7 @@ use impact_pair::document::{
     Bounds, Conclusion, Ending, Event, EventKind, arithmetic as computed_by, arithmetic_at_first, head,
 };
 use impact_pair::json::{
-    ArithmeticDocument, Decimal, EventDocument, EventName, OrbitDocument, OrbitHead, OutcomeDocument, write_orbit,
+    self, ArithmeticDocument, EventDocument, EventName, OrbitDocument, OrbitHead, OutcomeDocument, write_orbit,
 };
 use impact_pair::orbit::{self, Dense, Settings};
 use impact_pair::scene::{DIGITS, Run};
@@ -54,7 +54,7 @@ struct Row {
 
 impl Orbit {
     fn rows(&self) -> PyResult<Vec<Row>> {
-        let of_double = |ends: &[Decimal; 2]| -> PyResult<[f64; 2]> {
+        let of_double = |ends: &json::Bounds| -> PyResult<[f64; 2]> {
             let end = |i: usize| doubles(ends[i].text()).map_err(Fault::certificate);
             Ok([end(0)?[0], end(1)?[1]])
         };
@@ -237,7 +237,7 @@ pub fn run(
 /// Reads an orbit JSON.
 #[pyfunction]
 pub fn read_orbit(text: &str) -> PyResult<Orbit> {
-    let OrbitDocument { head, outcome, events } = serde_json::from_str(text).map_err(Fault::certificate)?;
+    let OrbitDocument { head, outcome, events } = json::read::<OrbitDocument>(text).map_err(Fault::from)?;
     let said = outcome.message.clone();
     let at_first = head.arithmetic.clone();
     Ok(Orbit { head, at_first, outcome, events: Events::Read(events), complete: None, said, bits: None, motion: None })

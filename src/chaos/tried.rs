@@ -7,8 +7,8 @@ use super::propose::Making;
 use super::words::{HSet, Search};
 use crate::watch::Watch;
 
-/// Greatest accepted number of impacts of a word.
-pub const MOST_DEPTH: u32 = 64;
+pub use impact_pair_document::MOST_DEPTH;
+
 /// Number of boxes at which a search without a given depth goes no deeper.
 const BOXES: u64 = 1_000_000;
 

@@ -32,7 +32,8 @@ fn exponent(exponent: &DescribedExponent, impacts: u64) -> Option<String> {
 }
 
 /// Bounds with the digits that they have in common; infinite ones in words.
-fn shown([low, high]: &ExtendedBounds) -> String {
+fn shown(bounds: &ExtendedBounds) -> String {
+    let [low, high] = &**bounds;
     match [low, high].map(|end| Exact::parse(end)) {
         [Ok(low), Ok(high)] => {
             Exact::interval(&low, &high).map_or_else(|_| low.text(), |both| decimal_digits(&both.enclose(BITS)))

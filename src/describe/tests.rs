@@ -24,7 +24,7 @@ fn described(scene: &Scene) -> DescriptionDocument {
 fn an_attracted_motion_has_its_exponent_in_the_limit_and_no_region() {
     let document = described(&figure("1", "\"3*pi\"", "0.5"));
     assert_eq!((document.fate.kind, document.fate.from.is_some()), (FateName::Attracted, true));
-    let [low, high] = document.exponent.limit.unwrap().map(|end| end.parse::<f64>().unwrap());
+    let [low, high] = document.exponent.limit.unwrap().each_ref().map(|end| end.parse::<f64>().unwrap());
     assert!(low <= 0.5_f64.ln() && 0.5_f64.ln() <= high && high - low < 1e-3, "{low} {high}");
     assert!(document.region.is_none() && document.entropy.is_none() && document.undecided.is_empty());
     assert_eq!(document.not_examined.len(), 1);
@@ -37,7 +37,8 @@ fn an_attracted_motion_has_its_exponent_in_the_limit_and_no_region() {
 fn r39_without_restitution_the_exponent_in_the_limit_is_bounded_from_above_only() {
     let document = described(&figure("1", "3.2", "0"));
     assert_eq!(document.fate.kind, FateName::Attracted);
-    let [low, high] = document.exponent.limit.unwrap();
+    let limit = document.exponent.limit.unwrap();
+    let [low, high] = &*limit;
     // Of (66), (67) with e = 0: 2 sin th0 + pi cos th0 = 3.2, and the eigenvalue is ((pi/2) tan th0)^2 in two impacts.
     let phase = 2.0_f64.atan2(std::f64::consts::PI) - (3.2 / 2.0_f64.hypot(std::f64::consts::PI)).acos();
     let truth = (std::f64::consts::FRAC_PI_2 * phase.tan()).ln();
@@ -52,8 +53,9 @@ fn r44_after_a_rest_the_exponent_in_the_limit_is_bounded_from_above_only() {
     let document =
         described(&scene("amplitude = 1, frequency = \"pi\", phase = 0", "gap = 3, restitution = 0.5", start));
     assert_eq!(document.fate.kind, FateName::Attracted);
-    assert_eq!(document.exponent.finite_time.unwrap(), ["-inf", "-inf"]);
-    let [low, high] = document.exponent.limit.unwrap();
+    assert_eq!(*document.exponent.finite_time.unwrap(), ["-inf", "-inf"]);
+    let limit = document.exponent.limit.unwrap();
+    let [low, high] = &*limit;
     assert!(low == "-inf" && high.parse::<f64>().unwrap() < 0.0, "{low} {high}");
 }
 

@@ -6,10 +6,10 @@ use std::iter;
 use num_traits::ToPrimitive;
 
 use impact_pair_document::{
-    BaseDocument, CHAOS_CELLS_SCHEMA, CHAOS_SCHEMA, ChaosCellsDocument, ChaosDocument, CornersDocument, Decimal,
-    EnteredDocument, EntropyDocument, HyperbolicDocument, LeftOutDocument, PROGRAM, ParameterRange, PeriodDocument,
-    RatesDocument, SceneDocument, SceneOrbitDocument, StretchDocument, TRAP_SCHEMA, TrapDocument, WallWordsDocument,
-    WordDocument, bounds,
+    BaseDocument, CHAOS_CELLS_SCHEMA, CHAOS_SCHEMA, ChaosCellsDocument, ChaosDocument, Corner, CornersDocument,
+    Decimal, EnteredDocument, EntropyDocument, GivenBase, HyperbolicDocument, LeftOutDocument, NotNegative, PROGRAM,
+    ParameterRange, PeriodDocument, RatesDocument, SceneDocument, SceneOrbitDocument, StretchDocument, TRAP_SCHEMA,
+    TrapDocument, UpTo, WallWordsDocument, WordDocument, bounds,
 };
 
 use super::shares::shares;
@@ -83,7 +83,7 @@ pub fn chaos(scene: &Scene, over: Option<&Range>, chaos: &Chaos) -> ChaosDocumen
         certified: chaos.entropy() > 0.0, // exact: none is proved where it is 0
         scene: SceneDocument::new(scene.pair(), scene.start()),
         over: over.map(range),
-        depth: chaos.depth() as u32,
+        depth: UpTo::counted(chaos.depth()),
         boxes: chaos.boxes(),
         entropy: entropy([chaos.entropy(), chaos.entropy_a_cycle()]),
         horseshoe: chaos.horseshoe().map(|pair| {
@@ -170,7 +170,7 @@ pub fn cells(scene: &Scene, requested: &RangeSettings, cells: &Cells) -> ChaosCe
         over: range(&requested.over),
         cells: requested.cells,
         halvings: requested.halvings,
-        depth: requested.depth as u32,
+        depth: UpTo::counted(requested.depth),
         interrupted: cells.interrupted,
         shares: shares(&requested.over, cells),
         stretches: cells.stretches.iter().map(stretch).collect(),
@@ -197,9 +197,9 @@ fn stretch(stretch: &Stretch) -> StretchDocument {
 }
 
 /// A bound in three digits rounded down, or up: bounds are rounded outward by a two-hundredth of what is between them at most.
-fn lower(x: f64) -> Decimal {
+fn lower(x: f64) -> NotNegative {
     let [lower, _] = decimal_bounds_f64(x, x + 1e-5);
-    Decimal::printed(if x > 0.0 { lower } else { "0".to_owned() })
+    NotNegative::printed(if x > 0.0 { lower } else { "0".to_owned() })
 }
 
 /// An upper bound of an entropy, as [`lower`] rounds lower ones.
@@ -232,19 +232,23 @@ pub(super) fn base(base: &HSet) -> BaseDocument {
         speed,
         expanding: written(from_centre(middle(right.bottom, right.top))),
         contracting: written(from_centre(high)),
-        corners: Some(CornersDocument { left: [left.bottom, left.top], right: [right.bottom, right.top] }),
+        corners: CornersDocument {
+            left: [left.bottom, left.top].map(Corner),
+            right: [right.bottom, right.top].map(Corner),
+        },
     }
 }
 
-/// Returns the h-sets of a document.
-pub fn bases(document: &[BaseDocument]) -> Vec<HSet> {
+/// The h-sets that a user gives.
+pub fn bases(document: &[GivenBase]) -> Vec<HSet> {
     document.iter().map(of_document).collect()
 }
 
-fn of_document(base: &BaseDocument) -> HSet {
+fn of_document(base: &GivenBase) -> HSet {
     let chord = |[bottom, top]: [[f64; 2]; 2]| Chord { bottom, top };
     if let Some(CornersDocument { left, right }) = base.corners {
-        return HSet { left: chord(left), right: chord(right) };
+        let [left, right] = [left, right].map(|edge| chord(edge.map(|corner| corner.0)));
+        return HSet { left, right };
     }
     let double = |x: &Decimal| x.value().to_f64().unwrap_or(f64::NAN);
     let read = |[phase, speed]: [&Decimal; 2]| [double(phase) / TAU, double(speed)];

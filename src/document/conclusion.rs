@@ -1,7 +1,7 @@
 //! Outcome of an orbit as a document, whose message follows from its fields.
 
 pub use impact_pair_document::counted;
-use impact_pair_document::{Decimal, EpsilonDocument, NearDocument, OutcomeDocument, Written, bounds};
+use impact_pair_document::{Between, Decimal, EpsilonDocument, NearDocument, OutcomeDocument, Written, bounds};
 
 use super::event::Event;
 use super::periodic::{measured, periodic_orbit};
@@ -106,13 +106,11 @@ fn undecided(
     reason: Reason,
     (from, contact): &(Enclosure, Option<Enclosure>),
 ) -> OutcomeDocument {
-    let time: [Option<Decimal>; 2] = match contact {
-        Some(contact) => bounds(contact).map(Some),
-        None => {
-            let [earliest, _] = bounds(from);
-            [Some(earliest), None]
-        }
+    let time = match contact {
+        Some(contact) => bounds(contact).each_ref().map(|bound| Some(bound.clone())),
+        None => [Some(bounds(from)[0].clone()), None],
     };
+    let time = Between::computed(time);
     OutcomeDocument { reason: Some(reason.name().to_owned()), time: Some(time), ..plain }
 }
 

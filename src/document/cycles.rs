@@ -2,7 +2,9 @@
 
 use std::ops::RangeInclusive;
 
-use impact_pair_document::{CYCLES_SCHEMA, CycleDocument, CyclesDocument, OpenCycleDocument, PROGRAM, SceneDocument};
+use impact_pair_document::{
+    Between, CYCLES_SCHEMA, CycleDocument, CyclesDocument, OpenCycleDocument, PROGRAM, SceneDocument,
+};
 
 use crate::chaos::{Cycle, Cycles, NoTrap};
 use crate::periodic::Region;
@@ -41,7 +43,7 @@ pub fn cycles(
         scene: SceneDocument::new(scene.pair(), scene.start()),
         reason: found.err().map(|why| why.words().to_owned()),
         boxes: all.map_or(0, |all| all.trap().boxes() as u64),
-        impacts: [*requested.start(), *requested.end()],
+        impacts: Between::computed([*requested.start(), *requested.end()]),
         fixed_points: counts.map(|(&impacts, &count)| (impacts as u32, count as u64)).collect(),
         no_attractor: all.is_some_and(Cycles::has_no_attractor),
         orbits: cycles.iter().map(cycle).collect(),

@@ -4,7 +4,7 @@ use std::fmt;
 
 use serde::{Serialize, Serializer};
 
-use impact_pair_document::{Decimal, EventDocument, EventName, Skipped};
+use impact_pair_document::{Between, Decimal, EventDocument, EventName, NotNegative, Skipped};
 use impact_pair_model::{EventKind, Miss};
 
 use super::orbit::is_certified;
@@ -157,8 +157,9 @@ impl From<&Event> for EventDocument {
             }
             EventKind::Rest { is_accumulation: true } => Self { skipped: Some(Skipped::Infinite), ..plain },
             EventKind::Graze { miss: Some(Miss { distance, speed }) } => {
-                let [_, speed] = speed.document();
-                Self { distance: Some(distance.document()), speed: Some(speed), ..plain }
+                let [_, speed] = &*speed.document();
+                let speed = Some(NotNegative::printed(speed.text().to_owned()));
+                Self { distance: Some(distance.document()), speed, ..plain }
             }
             EventKind::Rest { is_accumulation: false } | EventKind::Graze { miss: None } | EventKind::Release => plain,
         }
@@ -197,8 +198,8 @@ impl Bounds {
         }
     }
 
-    fn document(&self) -> [Decimal; 2] {
-        self.decimals().map(Decimal::printed)
+    fn document(&self) -> Between<Decimal> {
+        Between::computed(self.decimals().map(Decimal::printed))
     }
 }
 

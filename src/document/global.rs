@@ -2,7 +2,7 @@
 
 use impact_pair_document::{
     BasinDocument, BasinsDocument, Bounds, ComponentDocument, Decimal, GLOBAL_SCHEMA, GlobalDocument, PROGRAM,
-    PeriodicOrbitDocument, ProvedHorseshoeDocument, SceneDocument, bounds,
+    PeriodicOrbitDocument, ProvedHorseshoeDocument, SceneDocument, UpTo, bounds,
 };
 
 use super::chaos::{base, entropy};
@@ -80,13 +80,13 @@ fn component(found: &Recurrence, settings: &GlobalSettings) -> Result<ComponentD
 /// Returns the document of a horseshoe of words of at most N impacts.
 pub(crate) fn horseshoe(found: &Horseshoe, depth: usize) -> ProvedHorseshoeDocument {
     let bases = found.bases.iter().map(base).collect();
-    ProvedHorseshoeDocument { depth: depth as u32, entropy: entropy(found.entropy), bases }
+    ProvedHorseshoeDocument { depth: UpTo::counted(depth), entropy: entropy(found.entropy), bases }
 }
 
 /// Bounds of the spectral radius, by the bounds of the eigenvalues as they are printed: these hold it, whoever computes it from them.
 fn radius(orbit: &PeriodicOrbitDocument, reduced: usize) -> Option<Bounds> {
-    let read = |[low, high]: &Bounds| {
-        let [low, high] = [low, high].map(|bound| Enclosure::from_rational(&bound.value(), BITS));
+    let read = |bounds: &Bounds| {
+        let [low, high] = bounds.values().map(|bound| Enclosure::from_rational(&bound, BITS));
         low.hull(&high)
     };
     let eigenvalues = orbit.eigenvalues.as_ref()?.each_ref().map(|value| [read(&value.re), read(&value.im)]);

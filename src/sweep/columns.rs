@@ -181,7 +181,7 @@ pub fn csv_line(row: &[Cell<'_>], kinds: &[Kind]) -> String {
         Cell::Text(text) | Cell::Exact(text) => (*text).to_owned(),
         Cell::Number(number) => number.to_string(),
         Cell::Truth(truth) => truth.to_string(),
-        Cell::Bounds([low, high]) => format!("{low},{high}"),
+        Cell::Bounds(bounds) => bounds.join(","),
     });
     cells.collect::<Vec<_>>().join(",") + "\n"
 }

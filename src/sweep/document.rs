@@ -1,8 +1,8 @@
 //! The sweep JSON Lines: what is certified at a point.
 
 use impact_pair_document::{
-    ArithmeticDocument, ClaimName, ExtendedBounds, OutcomeDocument, PROGRAM, SWEEP_SCHEMA, SceneDocument, SweepAxis,
-    SweepExponent, SweepHead, SweepImpact, SweepPeriod, SweepRecord,
+    ArithmeticDocument, Between, ClaimName, ExtendedBounds, OutcomeDocument, PROGRAM, SWEEP_SCHEMA, SceneDocument,
+    SweepAxis, SweepExponent, SweepHead, SweepImpact, SweepPeriod, SweepRecord,
 };
 
 use super::{Grid, Point, PointSettings, axis};
@@ -70,7 +70,7 @@ pub fn record(number: u64, values: &[(Key, Exact)], point: &Point) -> SweepRecor
         other => other.kind(),
     };
     let lasting = point.lasting.clone().unwrap_or_default();
-    let duration = lasting.time.as_ref().map(decimal_bounds);
+    let duration = lasting.time.as_ref().map(extended);
     let period = match (&point.outcome, &point.attraction) {
         (Outcome::Periodic(Period { impacts, .. }), _) => Some(SweepPeriod {
             word: None,
@@ -103,7 +103,7 @@ pub fn record(number: u64, values: &[(Key, Exact)], point: &Point) -> SweepRecor
         bits: point.bits,
         impacts: point.impacts,
         wide_from: point.first_wide,
-        impacts_per_cycle: point.impacts_per_cycle.map(extended),
+        impacts_per_cycle: point.impacts_per_cycle.map(of_ball),
         exponent: exponent(point.exponent),
         exponent_limit: point.attraction.as_ref().and_then(|attraction| attraction.limit).map(limit),
         period,
@@ -129,32 +129,36 @@ fn message(point: &Point) -> String {
 }
 
 fn impact(state: &SweepImpact<Enclosure>) -> SweepImpact {
-    state.map(decimal_bounds)
+    state.map(extended)
 }
 
-fn extended(ball: Ball) -> ExtendedBounds {
+fn extended(x: &Enclosure) -> ExtendedBounds {
+    Between::computed(decimal_bounds(x))
+}
+
+fn of_ball(ball: Ball) -> ExtendedBounds {
     match ball.enclosure() {
-        Some(enclosure) => decimal_bounds(&enclosure),
-        None => decimal_bounds_f64(ball.mid() - ball.rad(), ball.mid() + ball.rad()),
+        Some(enclosure) => extended(&enclosure),
+        None => Between::computed(decimal_bounds_f64(ball.mid() - ball.rad(), ball.mid() + ball.rad())),
     }
 }
 
 /// Returns bounds of an exponent in the limit; an upper bound alone has some ten digits.
 pub(crate) fn limit([low, high]: [f64; 2]) -> ExtendedBounds {
     if low.is_finite() || !high.is_finite() {
-        return decimal_bounds_f64(low, high);
+        return Between::computed(decimal_bounds_f64(low, high));
     }
     // Bounds are rounded outward by less than what is between them.
     let [_, high] = decimal_bounds_f64(high - 1e-9 * high.abs(), high);
-    ["-inf".to_owned(), high]
+    Between::computed(["-inf".to_owned(), high])
 }
 
 /// Returns bounds of an exponent per impact and per forcing period, or the reason why there are none.
 pub(crate) fn exponent(exponent: Exponent) -> SweepExponent {
-    let rest = || Some(["-inf".to_owned(), "-inf".to_owned()]);
+    let rest = || Some(Between::computed(["-inf".to_owned(), "-inf".to_owned()]));
     match exponent {
         Exponent::Finite { per_impact, per_cycle } => {
-            SweepExponent { per_impact: Some(extended(per_impact)), per_cycle: Some(extended(per_cycle)), reason: None }
+            SweepExponent { per_impact: Some(of_ball(per_impact)), per_cycle: Some(of_ball(per_cycle)), reason: None }
         }
         Exponent::Forgets => SweepExponent { per_impact: rest(), per_cycle: rest(), reason: None },
         Exponent::Unknown(unknown) => {

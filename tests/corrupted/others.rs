@@ -11,7 +11,7 @@ use impact_pair::chaos::{
 };
 use impact_pair::describe::{Request, describe};
 use impact_pair::document;
-use impact_pair::json::{AtlasRecord, BaseDocument};
+use impact_pair::json::{AtlasRecord, GivenBase};
 use impact_pair::periodic::Precision;
 use impact_pair::periodic::bifurcation::{DiagramSettings, Window, WindowSeed, survey};
 use impact_pair::scene::Range;
@@ -44,7 +44,7 @@ fn bifurcations() -> Value {
 
 fn chaos() -> Value {
     let read: Value = serde_json::from_str(&file("docs/bases-figure-14.json")).unwrap();
-    let bases: Vec<BaseDocument> = serde_json::from_value(read["bases"].clone()).unwrap();
+    let bases: Vec<GivenBase> = serde_json::from_value(read["bases"].clone()).unwrap();
     let (scene, question) = (figure("figure-14"), HorseshoeSettings { depth: Some(6), bases: document::bases(&bases) });
     let found = Chaos::of(scene.pair(), scene.start(), &question, &Unwatched).unwrap();
     json!(document::chaos(&scene, None, &found))

@@ -3,7 +3,7 @@
 use impact_pair::Scene;
 use impact_pair::chaos::{Chaos, Global, GlobalSettings, HorseshoeSettings, Kind};
 use impact_pair::document;
-use impact_pair::json::{BaseDocument, SceneDocument};
+use impact_pair::json::{GivenBase, SceneDocument};
 use impact_pair::mapping::Word;
 use impact_pair::periodic::Precision;
 use impact_pair::periodic::bifurcation::{DiagramSettings, survey};
@@ -80,7 +80,7 @@ fn has_orbit(document: &Value, orbit: &Value) -> bool {
 /// Each of its words is found from its bases.
 fn has_words(document: &Value) -> Option<bool> {
     let (pair, start) = serde_json::from_value::<SceneDocument>(document["scene"].clone()).ok()?.model().ok()?;
-    let bases: Vec<BaseDocument> = serde_json::from_value(document["bases"].clone()).ok()?;
+    let bases: Vec<GivenBase> = serde_json::from_value(document["bases"].clone()).ok()?;
     let question =
         HorseshoeSettings { depth: Some(document["depth"].as_u64()? as usize), bases: document::bases(&bases) };
     // It only names what is found.

@@ -6,7 +6,7 @@ use impact_pair::Scene;
 use impact_pair::chaos::{Chaos, Cycles, HorseshoeSettings};
 use impact_pair::document;
 use impact_pair::exact::Exact;
-use impact_pair::json::BaseDocument;
+use impact_pair::json::GivenBase;
 use impact_pair::orbit::{Arithmetic, Settings};
 use impact_pair::periodic::bifurcation::{DiagramSettings, survey};
 use impact_pair::periodic::{Budget, Precision, Problem};
@@ -176,7 +176,7 @@ fn trap(name: &str) -> Original {
 fn chaos(over: Option<&str>) -> Original {
     let scene = figure("figure-14");
     let read = fs::read_to_string(format!("{}/docs/bases-figure-14.json", impact_pair_tests::ROOT)).unwrap();
-    let bases: Vec<BaseDocument> =
+    let bases: Vec<GivenBase> =
         serde_json::from_value(serde_json::from_str::<Value>(&read).unwrap()["bases"].clone()).unwrap();
     let question = HorseshoeSettings { depth: Some(3), bases: document::bases(&bases) };
     let over: Option<Range> = over.map(|over| over.parse().unwrap());

@@ -5,9 +5,7 @@ use std::fmt::{self, Write};
 
 use impact_pair::chaos::{Chaos, LeftOut};
 use impact_pair::document::{bounds_text, counted};
-use impact_pair::json::{
-    ChaosCellsDocument, ChaosDocument, Decimal, HyperbolicDocument, RatesDocument, SharesDocument,
-};
+use impact_pair::json::{ChaosCellsDocument, ChaosDocument, HyperbolicDocument, RatesDocument, SharesDocument};
 use impact_pair::pair::Wall;
 
 /// One horseshoe, for one pair or all of a range.
@@ -22,7 +20,7 @@ pub fn horseshoe(document: &ChaosDocument, found: &Chaos) -> Result<String, fmt:
         "\n{}, {} of at most {}, {} boxes",
         counted(document.bases.len() as u32, "h-set"),
         counted(words as u32, "word"),
-        counted(document.depth, "impact"),
+        counted(document.depth.get(), "impact"),
         document.boxes
     )?;
     if let Some([a, b]) = found.horseshoe() {
@@ -121,7 +119,7 @@ fn asymptotics(document: &ChaosDocument) -> Vec<String> {
 pub fn conclusion(document: &ChaosDocument, found: &Chaos) -> String {
     let stopped = if document.interrupted { "interrupted: " } else { "" };
     if document.certified {
-        let [impact, cycle] = [&document.entropy.per_impact, &document.entropy.per_cycle].map(Decimal::text);
+        let [impact, cycle] = [&document.entropy.per_impact, &document.entropy.per_cycle].map(|entropy| entropy.text());
         return format!(
             "{stopped}certified: the impact map holds a horseshoe; its topological entropy is at least {impact} per impact, {cycle} per forcing period"
         );
@@ -148,7 +146,7 @@ pub fn stretches(document: &ChaosCellsDocument) -> Result<String, fmt::Error> {
     for stretch in &document.stretches {
         let [low, high] = [&stretch.low, &stretch.high].map(|end| end.0.text());
         let entropy = stretch.entropy.as_ref().map(|entropy| {
-            let [impact, cycle] = [&entropy.per_impact, &entropy.per_cycle].map(Decimal::text);
+            let [impact, cycle] = [&entropy.per_impact, &entropy.per_cycle].map(|entropy| entropy.text());
             format!("entropy at least {impact} per impact, {cycle} per forcing period")
         });
         let period = stretch

@@ -1,6 +1,6 @@
 //! Claims of documents about periodic orbits, as exact fractions.
 
-use impact_pair_document::{Decimal, MeasuredImpact, OutcomeDocument, PeriodicOrbitDocument, Place};
+use impact_pair_document::{MeasuredImpact, OutcomeDocument, PeriodicOrbitDocument, Place};
 use num_rational::BigRational;
 
 use impact_pair_model::Error;
@@ -84,6 +84,7 @@ impl ClaimedOrbit {
         if orbit.amplitude.is_some() || orbit.gap.is_some() {
             return Err(place.refused("what is solved for the amplitude or the gap is not checked"));
         }
+        let values = impact_pair_document::Bounds::values;
         let numbers = match (&orbit.trace, &orbit.determinant, &orbit.eigenvalues) {
             (Some(trace), Some(determinant), Some([one, other])) => {
                 Some([trace, determinant, &one.re, &one.im, &other.re, &other.im].map(values))
@@ -113,8 +114,4 @@ impl ClaimedOrbit {
     pub fn is_decided(&self) -> bool {
         self.physical.is_some() && self.symmetric.is_some() && self.stability != Stability::Undecided
     }
-}
-
-fn values(bounds: &[Decimal; 2]) -> Bounds {
-    bounds.each_ref().map(Decimal::value)
 }

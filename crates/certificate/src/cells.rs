@@ -42,18 +42,9 @@ impl CellsCertificate {
         let whole = Place::of_schema(&value, CHAOS_CELLS_SCHEMA)?;
         let document: ChaosCellsDocument = whole.read()?;
         let key = parameter(&whole.get("over")?.get("key")?)?;
-        for (stretch, place) in document.stretches.iter().zip(whole.get("stretches")?.list()?) {
-            for (base, place) in
-                stretch.bases.iter().zip(place.get("bases").and_then(|bases| bases.list()).into_iter().flatten())
-            {
-                if base.corners.is_none() {
-                    return Err(place.missing("corners"));
-                }
-            }
-        }
         let (pair, start) = document.scene.clone().model()?;
-        let mut unjudged = whole.unread::<ChaosCellsDocument>()?;
-        unjudged.extend(UNJUDGED.iter().filter(|key| is_there(&value, key)).map(|key| (*key).to_owned()));
+        let there = UNJUDGED.iter().filter(|key| is_there(&value, key));
+        let mut unjudged: Vec<String> = there.map(|key| (*key).to_owned()).collect();
         let is_attracted = document.stretches.iter().any(|stretch| stretch.verdict == "attracted");
         unjudged.extend(SCENE_MOTION_KEYS.iter().filter(|_| !is_attracted).map(|key| (*key).to_owned()));
         unjudged.push(own_value(key));

@@ -1,7 +1,7 @@
 //! The JSON of words and entropy, read back.
 
 use super::bifurcation::{own_value, parameter};
-use impact_pair_document::{BaseDocument, CHAOS_SCHEMA, ChaosDocument, Place, value};
+use impact_pair_document::{BaseDocument, CHAOS_SCHEMA, ChaosDocument, MOST_WORDS, Place, value};
 use impact_pair_exact::Exact;
 use impact_pair_model::{Error, ImpactPair};
 
@@ -43,13 +43,10 @@ impl ChaosCertificate {
         if !document.certified {
             return Err(whole.get("certified")?.refused("only a certified entropy claims anything: accepted is true"));
         }
-        for (base, place) in document.bases.iter().zip(whole.get("bases")?.list()?) {
-            if base.corners.is_none() {
-                return Err(place.missing("corners"));
-            }
+        if document.words.len() > MOST_WORDS {
+            return Err(whole.get("words")?.refused(&format!("accepted are at most {MOST_WORDS} words")));
         }
-        let mut unjudged = whole.unread::<ChaosDocument>()?;
-        unjudged.extend(UNJUDGED.map(str::to_owned));
+        let mut unjudged = UNJUDGED.map(str::to_owned).to_vec();
         let (mut pair, _) = document.scene.clone().model()?;
         if let Some(over) = &document.over {
             let key = parameter(&whole.get("over")?.get("key")?)?;

@@ -67,6 +67,11 @@ pub(super) trait Checked {
         false
     }
 
+    /// Returns whether nothing that it claims is judged: then nothing of it is confirmed.
+    fn claims_nothing(&self) -> bool {
+        self.count() == 0
+    }
+
     /// The verdict, and how many items are confirmed for all data.
     fn judge(&self, effort: &Effort, watch: &dyn Watch) -> Result<(Verdict, usize), Error> {
         let reached = AtomicUsize::new(0);
@@ -162,6 +167,10 @@ impl Checked for Certificate {
         "outcome"
     }
 
+    fn claims_nothing(&self) -> bool {
+        self.claims_nothing()
+    }
+
     /// False for data that are intervals, whose pieces come one after another, and for a shadowed orbit, whose links prove nothing one by one.
     fn is_one_by_one(&self) -> bool {
         self.claim() == ClaimName::ExactStart && Data::new(self.pair(), self.start()).is_ok_and(|data| data.is_point())
@@ -247,6 +256,10 @@ impl Checked for GlobalCertificate {
         }
     }
 
+    fn claims_nothing(&self) -> bool {
+        !self.claims_something()
+    }
+
     fn is_one_by_one(&self) -> bool {
         false
     }
@@ -269,7 +282,11 @@ impl Checked for SweepCertificate {
     judged!();
 
     fn all(&self) -> String {
-        format!("the impacts of {}", counted(self.count(), "point"))
+        format!("the impacts of {}", counted(self.claimed(), "point"))
+    }
+
+    fn claims_nothing(&self) -> bool {
+        self.claimed() == 0
     }
 }
 
@@ -285,6 +302,10 @@ impl Checked for AtlasCertificate {
         counted(count, if self.has_cells() { "tile" } else { "point" })
     }
 
+    fn claims_nothing(&self) -> bool {
+        self.claimed() == 0
+    }
+
     fn all(&self) -> String {
         let claimed = self.claimed();
         let said = match self.has_cells() {
@@ -298,6 +319,10 @@ impl Checked for AtlasCertificate {
 impl Checked for CellsCertificate {
     checked!("stretches", "subinterval");
     judged!();
+
+    fn claims_nothing(&self) -> bool {
+        self.claimed() == 0
+    }
 
     fn all(&self) -> String {
         format!("the verdicts on {} and the shares", counted(self.claimed(), "subinterval"))

@@ -1,5 +1,6 @@
 //! Documents of every verb, and what `check` proves of them.
 
+use serde::de::DeserializeOwned;
 use serde_json::{Deserializer, Value};
 
 use crate::checked::Checked;
@@ -9,9 +10,9 @@ use crate::{
     SweepCertificate, TangencyCertificate, TrapCertificate, Verdict, WindowsCertificate,
 };
 use impact_pair_document::{
-    ATLAS_SCHEMA, AUDIT_SCHEMA, BIFURCATION_SCHEMA, CHAOS_CELLS_SCHEMA, CHAOS_SCHEMA, CYCLES_SCHEMA,
-    DESCRIPTION_SCHEMA, GLOBAL_SCHEMA, MANIFOLD_SCHEMA, PERIODIC_SCHEMA, SWEEP_SCHEMA, TANGENCY_SCHEMA, TRADE_SCHEMA,
-    TRAP_SCHEMA, WINDOWS_SCHEMA, counted, value,
+    ATLAS_SCHEMA, AUDIT_SCHEMA, AuditDocument, BIFURCATION_SCHEMA, CHAOS_CELLS_SCHEMA, CHAOS_SCHEMA, CYCLES_SCHEMA,
+    DESCRIPTION_SCHEMA, GLOBAL_SCHEMA, MANIFOLD_SCHEMA, ManifoldDocument, PERIODIC_SCHEMA, SWEEP_SCHEMA,
+    TANGENCY_SCHEMA, TRADE_SCHEMA, TRAP_SCHEMA, TradeDocument, TwoImpactDocument, WINDOWS_SCHEMA, counted, read, value,
 };
 use impact_pair_model::Error;
 use impact_pair_model::watch::{Latched, Stage, Watch};
@@ -81,27 +82,36 @@ impl Claims {
                     .as_ref()
                     .is_some_and(|head| !matches!(head["solved_for"].as_str(), None | Some("velocity"))) =>
             {
-                Self::Unchecked("motions solved for the amplitude or the gap: their scene has another one")
+                let why = "motions solved for the amplitude or the gap: their scene has another one";
+                Self::unchecked::<TwoImpactDocument>(text, why)?
             }
             Some(PERIODIC_SCHEMA) => Self::Periodic(Box::new(PeriodicCertificate::parse(text)?)),
             Some(CYCLES_SCHEMA) => Self::Cycles(Box::new(CyclesCertificate::parse(text)?)),
             Some(BIFURCATION_SCHEMA) => Self::Bifurcations(Box::new(BifurcationCertificate::parse(text)?)),
             Some(WINDOWS_SCHEMA) => Self::Windows(Box::new(WindowsCertificate::parse(text)?)),
             Some(TANGENCY_SCHEMA) => Self::Tangencies(Box::new(TangencyCertificate::parse(text)?)),
-            Some(MANIFOLD_SCHEMA) => Self::Unchecked("parameter manifolds: that their points solve (66)-(69)"),
-            Some(CHAOS_CELLS_SCHEMA) => Self::Cells(Box::new(CellsCertificate::parse(text)?)),
-            Some(AUDIT_SCHEMA) => {
-                Self::Unchecked("comparisons with another program's list: what is inside, missed or false")
+            Some(MANIFOLD_SCHEMA) => {
+                Self::unchecked::<ManifoldDocument>(text, "parameter manifolds: that their points solve (66)-(69)")?
             }
+            Some(CHAOS_CELLS_SCHEMA) => Self::Cells(Box::new(CellsCertificate::parse(text)?)),
+            Some(AUDIT_SCHEMA) => Self::unchecked::<AuditDocument>(
+                text,
+                "comparisons with another program's list: what is inside, missed or false",
+            )?,
             Some(GLOBAL_SCHEMA) => Self::Global(Box::new(GlobalCertificate::parse(text)?)),
             Some(ATLAS_SCHEMA) => Self::Atlas(Box::new(AtlasCertificate::parse(text)?)),
-            Some(TRADE_SCHEMA) => Self::Unchecked("measurements of the cost of accuracy"),
+            Some(TRADE_SCHEMA) => Self::unchecked::<TradeDocument>(text, "measurements of the cost of accuracy")?,
             Some(SWEEP_SCHEMA) => Self::Sweep(Box::new(SweepCertificate::parse(text)?)),
             Some(CHAOS_SCHEMA) => Self::Chaos(Box::new(ChaosCertificate::parse(text)?)),
             Some(TRAP_SCHEMA) => Self::Trap(Box::new(TrapCertificate::parse(text)?)),
             Some(DESCRIPTION_SCHEMA) => Self::Description(Box::new(DescriptionCertificate::parse(text)?)),
             _ => Self::Orbit(Box::new(Certificate::parse(text)?)),
         })
+    }
+
+    /// A document that is read, and not checked.
+    fn unchecked<T: DeserializeOwned>(text: &str, why: &'static str) -> Result<Self, Error> {
+        read::<T>(text).map(|_| Self::Unchecked(why))
     }
 
     fn list(documents: &Value) -> Result<Self, Error> {
@@ -203,7 +213,13 @@ impl Claims {
             let nothing = Finding { event: 0, message: "nothing of it is checked".to_owned() };
             return Ok(CheckResult { verdict: Verdict::Undecided(nothing), confirmed: 0 });
         };
-        let (verdict, certain) = certificate.judge(effort, watch)?;
+        let (mut verdict, certain) = certificate.judge(effort, watch)?;
+        if let Verdict::Confirmed { .. } = verdict
+            && certificate.claims_nothing()
+        {
+            let message = "it claims nothing that is judged".to_owned();
+            verdict = Verdict::Undecided(Finding { event: self.count(), message });
+        }
         let confirmed = if let Verdict::Confirmed { .. } = verdict { self.count() + 1 } else { certain };
         Ok(CheckResult { verdict, confirmed })
     }

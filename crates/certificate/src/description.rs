@@ -43,8 +43,7 @@ impl DescriptionCertificate {
         if let Some(region) = text(REGION) {
             parts.push((REGION, Claims::Trap(Box::new(TrapCertificate::parse(&region)?))));
         }
-        let mut unjudged = whole.unread::<DescriptionDocument>()?;
-        unjudged.extend(UNJUDGED.map(str::to_owned));
+        let mut unjudged = UNJUDGED.map(str::to_owned).to_vec();
         if document.proof.is_none() {
             unjudged.push("fate.impacts".to_owned());
         }

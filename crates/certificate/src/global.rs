@@ -81,9 +81,8 @@ impl GlobalCertificate {
         let is_open = document.components.iter().any(|component| component.kind == "undecided");
         let says_there_are_no_others = !is_open && !document.interrupted;
         let basins = document.basins.as_ref().filter(|_| says_there_are_no_others);
-        let mut unjudged = whole.unread::<GlobalDocument>()?;
         let has_grazing_motion = has_grazing_motion(&pair);
-        unjudged.extend(unjudged::keys(&document, says_there_are_no_others, has_grazing_motion));
+        let mut unjudged = unjudged::keys(&document, says_there_are_no_others, has_grazing_motion);
         unjudged.sort();
         unjudged.dedup();
         let rests = document.components.iter().find(|component| component.kind == "rest-cycle");
@@ -305,13 +304,12 @@ fn of_component(own: &ComponentDocument) -> Option<&'static str> {
         return Some("reduced_impacts is not the period of the reduced map");
     }
     let Some(eigenvalues) = &orbit.eigenvalues else { return Some("it has no eigenvalues") };
-    let bounds = |bounds: &impact_pair_document::Bounds| bounds.each_ref().map(|bound| bound.value());
     let squares = eigenvalues.each_ref().map(|own| {
-        let [re, im] = [&own.re, &own.im].map(|part| square(&bounds(part)));
+        let [re, im] = [&own.re, &own.im].map(|part| square(&part.values()));
         [&re[0] + &im[0], &re[1] + &im[1]]
     });
     let most = [0, 1].map(|i| squares[0][i].clone().max(squares[1][i].clone())); // V20: the greater of both is between the greater ends
-    let [low, high] = bounds(radius);
+    let [low, high] = radius.values();
     let power = |x: &BigRational| if rounds == Some(2) { x * x * x * x } else { x * x };
     let zero = BigRational::from_integer(0.into());
     let is_wide = low >= zero && power(&low) <= most[0] && most[1] <= power(&high);

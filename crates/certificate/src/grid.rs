@@ -62,6 +62,22 @@ impl<'a> Axes<'a> {
         all == Some(self.points)
     }
 
+    /// The number, from 0, of the term that phases are relative to, where there are several: the fastest one that moves the box where all axes are
+    /// at their upper ends.
+    ///
+    /// # Errors
+    /// Returns an error if an upper end is no value of the scene.
+    pub fn reference(&self, scene: &SceneDocument) -> Result<Option<usize>, Error> {
+        let mut scene = scene.clone();
+        for (key, [_, upper]) in self.keys.iter().zip(&self.ends).filter(|(key, _)| **key != Key::StartPhase) {
+            let refused = || Error::certificate(format!("over: {} is no value of the scene", key.place()));
+            scene.set(*key, upper.clone()).ok_or_else(refused)?;
+        }
+        let (pair, _) = scene.model()?;
+        let excitation = pair.excitation();
+        Ok((excitation.terms().len() > 1).then(|| excitation.reference_term()))
+    }
+
     /// Number of points, or smallest cells, along each axis.
     pub fn counts(&self) -> Vec<u64> {
         self.over.iter().map(|axis| axis.count).collect()

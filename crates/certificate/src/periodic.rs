@@ -26,7 +26,6 @@ struct Read {
     /// True if something in it is undecided.
     has_rest: bool,
     is_two_impact: bool,
-    unjudged: Vec<String>,
 }
 
 impl Read {
@@ -34,8 +33,7 @@ impl Read {
         let Ok(solved_for) = whole.get("solved_for") else {
             let document: PeriodicDocument = whole.read()?;
             let has_rest = document.undecided.as_ref().is_some_and(|rest| !rest.is_empty());
-            let unjudged = whole.unread::<PeriodicDocument>()?;
-            return Ok(Self { document, has_rest, is_two_impact: false, unjudged });
+            return Ok(Self { document, has_rest, is_two_impact: false });
         };
         let document: TwoImpactDocument = whole.read()?;
         if document.solved_for != "velocity" {
@@ -46,9 +44,23 @@ impl Read {
         let undecided = None;
         let document =
             PeriodicDocument { schema, scene, word, cycles, exhaustive, excludes, certified, orbits, undecided };
-        Ok(Self { document, has_rest, is_two_impact: true, unjudged: whole.unread::<TwoImpactDocument>()? })
+        Ok(Self { document, has_rest, is_two_impact: true })
     }
 }
+
+/// Keys of the JSON of all cycles that no lemma of `check` covers.
+const UNJUDGED_OF_CYCLES: [&str; 10] = [
+    "boxes",
+    "certified",
+    "exhaustive",
+    "fixed_points",
+    "impacts",
+    "no_attractor",
+    "program",
+    "reason",
+    "scene.start",
+    "undecided",
+];
 
 /// An orbit, its word and the cycles of that.
 #[derive(Clone, Debug)]
@@ -66,21 +78,13 @@ impl PeriodicCertificate {
     pub fn parse(text: &str) -> Result<Self, Error> {
         let value = value(text)?;
         let whole = Place::of_schema(&value, PERIODIC_SCHEMA)?;
-        let Read { document, has_rest, is_two_impact, mut unjudged } = Read::of(&whole)?;
+        let Read { document, has_rest, is_two_impact } = Read::of(&whole)?;
         let places = whole.get("orbits")?.list()?;
         let orbits = document.orbits.iter().zip(&places).map(|(orbit, place)| ClaimedOrbit::of(orbit, place));
         let orbits: Vec<ClaimedOrbit> = orbits.collect::<Result<_, _>>()?;
-        unjudged.extend(whole.keys_but(&[
-            "schema",
-            "scene",
-            "word",
-            "cycles",
-            "exhaustive",
-            "certified",
-            "orbits",
-            "undecided",
-            "solved_for",
-        ]));
+        let mut unjudged = Vec::new();
+        unjudged.extend(document.excludes.as_ref().map(|_| "excludes".to_owned()));
+        unjudged.extend(is_two_impact.then(|| "program".to_owned()));
         // A search that does not claim to be exhaustive has nothing to leave out.
         unjudged.extend(document.exhaustive.then(|| "exhaustive".to_owned()));
         // That all is proved says of a search that there are no others; of two impacts it is always said.
@@ -106,10 +110,8 @@ impl PeriodicCertificate {
         let value = value(text)?;
         let whole = Place::of_schema(&value, CYCLES_SCHEMA)?;
         let document: CyclesDocument = whole.read()?;
-        let mut unjudged = whole.unread::<CyclesDocument>()?;
         // That there are no others is not judged, nor what follows from it, but that there are N of these.
-        unjudged.extend(whole.keys_but(&["schema", "scene", "orbits"]));
-        unjudged.push("scene.start".to_owned());
+        let mut unjudged = UNJUDGED_OF_CYCLES.map(str::to_owned).to_vec();
         let is_open = |orbit: &PeriodicOrbitDocument| orbit.physical != Some(true) || orbit.symmetric.is_none();
         let open = document.orbits.iter().enumerate().filter(|(_, cycle)| is_open(&cycle.orbit));
         unjudged.extend(open.map(|(i, _)| format!("orbits[{i}].reduced_impacts")));

@@ -3,11 +3,14 @@
 //! A document is one object, or JSON Lines: the head, an event a line, and at last the outcome.
 
 use impact_pair_document::{
-    Bounds, ClaimName, Decimal, EventDocument, EventName, ORBIT_SCHEMA, OutcomeDocument, Place, SceneDocument, Written,
-    values,
+    Bounds, ClaimName, EventDocument, EventName, NotNegative, ORBIT_SCHEMA, OrbitEnd, OrbitHead, OutcomeDocument,
+    Place, Written, values,
 };
+use impact_pair_exact::Exact;
 use num_rational::BigRational;
 use num_traits::Zero;
+use serde_json::{Value, json};
+use std::cmp::Ordering;
 
 use super::attraction::Attraction;
 use impact_pair_model::{Error, EventKind, ImpactPair, Miss, Period, Start, Wall};
@@ -52,40 +55,44 @@ impl Certificate {
     /// # Ok::<(), impact_pair_model::Error>(())
     /// ```
     pub fn parse(text: &str) -> Result<Self, Error> {
-        let values = values(text)?;
-        let (head, rest) = (Place::of_schema(&values[0], ORBIT_SCHEMA)?, &values[1..]);
-        let certified = head.get("certified")?;
-        if !certified.read::<bool>()? {
-            return Err(certified.refused("only a certified orbit claims anything: accepted is true"));
-        }
-        let (pair, start) = head.get("scene")?.read::<SceneDocument>()?.model()?;
-        let of_start = head.get("claim").map_or(Ok(ClaimName::default()), |claim| claim.read())?;
-        let (events, end, lists) = match rest {
-            [] => (head.get("events")?.list()?, head.clone(), &["outcome", "events"][..]),
-            [events @ .., last] => {
-                let event = |(i, value)| Place::at(format!("events[{i}]"), value);
-                (events.iter().enumerate().map(event).collect(), Place::whole(last), &[][..])
+        let mut lines = values(text)?;
+        let mut head = lines.remove(0);
+        Place::of_schema(&head, ORBIT_SCHEMA)?;
+        let last = match lines.pop() {
+            Some(last) => last,
+            None => {
+                // One object has the events and the outcome in it.
+                let whole = Place::whole(&head);
+                let outcome = whole.get("outcome")?.read::<Value>()?;
+                whole.get("events")?.list()?;
+                let last = json!({ "outcome": outcome });
+                if let Value::Object(entries) = &mut head {
+                    entries.remove("outcome");
+                    if let Some(Value::Array(events)) = entries.remove("events") {
+                        lines = events;
+                    }
+                }
+                last
             }
         };
-        let claims = events.iter().map(claim).collect::<Result<_, _>>()?;
+        let place = Place::whole(&head);
+        let OrbitHead { certified, scene, claim: of_start, .. } = place.read()?;
+        if !certified {
+            return Err(place.get("certified")?.refused("only a certified orbit claims anything: accepted is true"));
+        }
+        let (pair, start) = scene.model()?;
+        let event = |(i, value): (usize, &Value)| claim(&Place::at(format!("events[{i}]"), value));
+        let claims = lines.iter().enumerate().map(event).collect::<Result<_, _>>()?;
+        let end = Place::whole(&last);
+        let OrbitEnd { outcome: ended, .. } = end.read()?;
         let outcome = end.get("outcome")?;
-        let mut unjudged = head.keys_but(&[&["schema", "certified", "scene", "claim"], lists].concat());
-        if !rest.is_empty() {
-            unjudged.extend(end.keys_but(&["outcome"]));
-        }
-        unjudged.extend(head.get("scene")?.unread::<SceneDocument>()?);
-        for event in &events {
-            unjudged.extend(event.unread::<EventDocument>()?);
-        }
-        unjudged.extend(outcome.unread::<OutcomeDocument>()?);
-        let ended: OutcomeDocument = outcome.read()?;
+        let mut unjudged = ["arithmetic", "program"].map(str::to_owned).to_vec();
         ended.until.as_ref().map_or(Ok(()), |until| is_single(&outcome, "until", until))?;
         if ended.kind == "undecided" {
             // That something cannot be decided claims nothing; that all is listed up to a time does.
             unjudged.extend(["outcome.reason", "outcome.time[1]", "outcome.wall"].map(str::to_owned));
         }
         unjudged.sort();
-        unjudged.dedup();
         // The fields that each kind requires; documents of older versions lack some.
         let required: &[&str] = match ended.kind.as_str() {
             "time-reached" => &["impacts", "until"],
@@ -137,10 +144,24 @@ impl Certificate {
         &self.ended
     }
 
-    /// Returns the keys of the document that claim nothing which [`check`](Self::check) judges: what computed it, and all that this
-    /// version does not know.
+    /// Returns the keys of the document that claim nothing which [`check`](Self::check) judges: what computed it.
     pub fn unjudged(&self) -> &[String] {
         &self.unjudged
+    }
+
+    /// Returns whether it claims nothing: it has no event, and no time up to which there is none.
+    pub(super) fn claims_nothing(&self) -> bool {
+        let is_later = |time: &Exact| time.compare(self.start.time()) == Some(Ordering::Greater);
+        self.events.is_empty()
+            && match self.ended.kind.as_str() {
+                "impacts-reached" => true,
+                "time-reached" => !self.ended.until.as_ref().is_some_and(|until| is_later(&until.0)),
+                "undecided" => {
+                    let from = self.ended.time.as_ref().and_then(|time| time[0].as_ref());
+                    !from.is_some_and(|from| is_later(&Exact::from_rational(from.value())))
+                }
+                _ => false,
+            }
     }
 
     /// The orbit that the motion is claimed to converge to.
@@ -162,11 +183,17 @@ pub(super) fn is_single(place: &Place<'_>, key: &str, value: &Written) -> Result
 
 fn claim(place: &Place<'_>) -> Result<Claim, Error> {
     let EventDocument { event, index, mapping, wall, time, velocity, skipped, distance, speed } = place.read()?;
-    let has_none = |keys: &[&str]| {
-        keys.iter().try_for_each(|key| match place.get(key) {
-            Ok(value) => Err(value.refused(&format!("a {} has none", event.text()))),
-            Err(_) => Ok(()),
-        })
+    let is_there = [
+        ("index", index.is_some()),
+        ("mapping", mapping.is_some()),
+        ("velocity", velocity.is_some()),
+        ("skipped", skipped.is_some()),
+        ("distance", distance.is_some()),
+        ("speed", speed.is_some()),
+    ];
+    let has_none = |keys: &[&str]| match is_there.iter().find(|(key, is_there)| *is_there && keys.contains(key)) {
+        Some((key, _)) => Err(place.get(key)?.refused(&format!("a {} has none", event.text()))),
+        None => Ok(()),
     };
     let kind = match event {
         EventName::Impact => {
@@ -174,7 +201,7 @@ fn claim(place: &Place<'_>) -> Result<Claim, Error> {
             EventKind::Impact {
                 index: index.ok_or_else(|| place.missing("index"))?,
                 mapping: mapping.ok_or_else(|| place.missing("mapping"))?,
-                velocity: velocity.ok_or_else(|| place.missing("velocity"))?.map(|bound| bound.value()),
+                velocity: velocity.ok_or_else(|| place.missing("velocity"))?.values(),
             }
         }
         EventName::Rest => {
@@ -190,17 +217,17 @@ fn claim(place: &Place<'_>) -> Result<Claim, Error> {
             EventKind::Release
         }
     };
-    Ok(Claim { wall, time: time.map(|bound| bound.value()), kind })
+    Ok(Claim { wall, time: time.values(), kind })
 }
 
 /// Reads the size of a graze: a distance that may be 0, and a speed.
 fn miss(
     place: &Place<'_>,
     distance: Option<Bounds>,
-    speed: Option<Decimal>,
+    speed: Option<NotNegative>,
 ) -> Result<Option<Miss<[BigRational; 2]>>, Error> {
     let (distance, speed) = match (distance, speed) {
-        (Some(distance), Some(speed)) => (distance.map(|bound| bound.value()), speed.value()),
+        (Some(distance), Some(speed)) => (distance.values(), speed.value()),
         (None, None) => return Ok(None),
         (None, _) => return Err(place.missing("distance")),
         (_, None) => return Err(place.missing("speed")),
@@ -210,9 +237,6 @@ fn miss(
         return Err(place
             .get("distance")?
             .refused("accepted is a lower bound of at most 0 and an upper one of at least 0"));
-    }
-    if speed < zero {
-        return Err(place.get("speed")?.refused("accepted is a number that is not negative"));
     }
     Ok(Some(Miss { distance, speed: [zero, speed] }))
 }

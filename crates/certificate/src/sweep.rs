@@ -73,12 +73,13 @@ impl SweepCertificate {
             return Err(place.get("certified")?.refused("only a certified sweep claims anything: accepted is true"));
         }
         let axes = Axes::of(&place, &head.over, head.points, head.shard)?;
-        let terms = head.scene.excitation.amplitude.len();
-        let reference = match head.reference.map(usize::try_from) {
-            None => None,
-            Some(Ok(number)) if (1..=terms).contains(&number) => Some(number - 1),
-            Some(_) => return Err(place.get("reference")?.refused("it must be the number of a term")),
-        };
+        let reference = axes.reference(&head.scene)?;
+        let listed = reference.map(|term| term as u64 + 1); // exact: a number of terms
+        if head.reference != listed {
+            let accepted = listed.map_or("nothing, of a single term".to_owned(), |term| term.to_string());
+            let accepted = format!("accepted is the fastest term where all axes are at their upper ends: {accepted}");
+            return Err(place.get("reference").map_or_else(|missing| missing, |given| given.refused(&accepted)));
+        }
         let mut seen = HashSet::new();
         let point = |(i, value)| {
             let place = Place::at(format!("points[{i}]"), value);
@@ -91,7 +92,6 @@ impl SweepCertificate {
         };
         let points: Vec<ClaimedOrbit> = records.iter().enumerate().map(point).collect::<Result<_, Error>>()?;
         let mut unjudged = UNJUDGED.map(str::to_owned).to_vec();
-        unjudged.extend(place.unread::<SweepHead>()?);
         unjudged.extend(axes.own_values());
         let places: Vec<&[Option<u64>]> = points.iter().map(|point| &point.places[..]).collect();
         unjudged.extend(axes.unpinned(&places));
@@ -122,6 +122,11 @@ impl SweepCertificate {
     /// Returns how many points it has.
     pub fn count(&self) -> usize {
         self.points.len()
+    }
+
+    /// Number of points of which impacts are claimed.
+    pub(super) fn claimed(&self) -> usize {
+        self.points.iter().filter(|point| point.impacts > 0).count()
     }
 
     /// Returns the keys of the document that claim nothing which [`check_within`](Self::check_within) judges.
@@ -179,7 +184,7 @@ impl ClaimedOrbit {
 /// Returns a listed impact with its bounds as fractions.
 fn claimed(state: &SweepImpact, place: &Place<'_>) -> Result<SweepImpact<Bounds>, Error> {
     let values = |bounds: &ExtendedBounds| -> Result<Bounds, Error> {
-        let [lower, upper] = bounds.clone().map(|bound| Decimal::try_from(bound).map(|bound| bound.value()));
+        let [lower, upper] = (**bounds).clone().map(|bound| Decimal::try_from(bound).map(|bound| bound.value()));
         let refused =
             |_| place.get("states").map_or_else(|error| error, |states| states.refused("bounds must be decimals"));
         Ok([lower.map_err(refused)?, upper.map_err(refused)?])

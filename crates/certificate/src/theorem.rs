@@ -102,7 +102,7 @@ impl Certificate {
             "rests-forever" => ended.wall.map(|wall| format!("; then the ball rests on the {} wall for ever", wall.name())),
             "never-impacts" => Some("; after them no wall is ever touched".to_owned()),
             "undecided" => {
-                let from = ended.time.as_ref().and_then(|[from, _]| from.as_ref());
+                let from = ended.time.as_ref().and_then(|time| time[0].as_ref());
                 from.map(|from| format!("; after them no wall is touched before t = {}", from.text()))
             }
             _ => None,

@@ -24,8 +24,7 @@ impl TrapCertificate {
         if !document.certified {
             return Err(whole.get("certified")?.refused("only a certified region claims anything: accepted is true"));
         }
-        let mut unjudged = whole.unread::<TrapDocument>()?;
-        unjudged.push("program".to_owned());
+        let mut unjudged = vec!["program".to_owned()];
         if document.entered_at_impact.is_none() {
             // The region is that of every start.
             unjudged.extend(["scene.excitation.phase", "scene.start"].map(str::to_owned));

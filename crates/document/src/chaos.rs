@@ -3,7 +3,7 @@
 use serde::{Deserialize, Deserializer, Serialize};
 
 use super::bifurcation::ParameterRange;
-use super::number::{Bounds, Decimal, Written};
+use super::number::{Bounds, Decimal, NotNegative, UpTo, Written};
 use super::scene::SceneDocument;
 
 /// The schema of a trapping region.
@@ -12,6 +12,16 @@ pub const TRAP_SCHEMA: &str = "impact-pair/trap/1";
 pub const CHAOS_SCHEMA: &str = "impact-pair/chaos/1";
 /// The schema of verdicts over a range of a parameter.
 pub const CHAOS_CELLS_SCHEMA: &str = "impact-pair/chaos-cells/1";
+
+/// Impacts of a word at most. Beyond [`MOST_DEPTH`] the images of h-sets are narrower than doubles resolve: an impact stretches them by
+/// about 1.5.
+pub type Depth = UpTo<MOST_DEPTH>;
+
+/// The greatest depth.
+pub const MOST_DEPTH: u32 = 64;
+
+/// Words of a document at most: that a horseshoe is the shortest one takes a comparison of any two of them.
+pub const MOST_WORDS: usize = 4096;
 
 /// A trapping region: forward invariant under the impact map, with every impact mirrored to the left wall.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -82,7 +92,7 @@ pub struct ChaosDocument {
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub over: Option<ParameterRange>,
     /// The greatest number of impacts up to which all words were searched for.
-    pub depth: u32,
+    pub depth: Depth,
     /// Number of boxes mapped.
     pub boxes: u64,
     /// Lower bounds of the topological entropy; 0 where none is proved.
@@ -100,6 +110,7 @@ pub struct ChaosDocument {
     /// The h-sets, disjoint from each other and from their own translates by whole forcing periods.
     pub bases: Vec<BaseDocument>,
     /// The words.
+    #[cfg_attr(feature = "schemas", schemars(length(max = MOST_WORDS)))]
     pub words: Vec<WordDocument>,
     /// The Lyapunov exponent per impact of the floating-point orbit: non-rigorous.
     pub exponent_seen: Option<f64>,
@@ -213,7 +224,7 @@ pub struct ChaosCellsDocument {
     /// Maximum number of bisections of a cell.
     pub halvings: u32,
     /// Maximum number of impacts of a word.
-    pub depth: u32,
+    pub depth: Depth,
     /// Whether it was stopped: the remaining cells are undecided.
     #[serde(skip_serializing_if = "std::ops::Not::not", default)]
     pub interrupted: bool,
@@ -269,15 +280,16 @@ pub struct StretchDocument {
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct EntropyDocument {
     /// Entropy per impact.
-    pub per_impact: Decimal,
+    pub per_impact: NotNegative,
     /// Entropy per forcing period.
-    pub per_cycle: Decimal,
+    pub per_cycle: NotNegative,
 }
 
 /// An h-set: a quadrilateral of states, nearly a parallelogram.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
-pub struct BaseDocument {
+#[cfg_attr(feature = "schemas", schemars(rename = "BaseDocument"))]
+pub struct BaseDocument<C = CornersDocument> {
     /// Approximate phase `W t + tau` of its middle \[rad\].
     pub phase: Decimal,
     /// Approximate speed of its middle over `A W`.
@@ -286,19 +298,60 @@ pub struct BaseDocument {
     pub expanding: [Decimal; 2],
     /// From the middle to that of the upper edge.
     pub contracting: [Decimal; 2],
-    /// Its exact corners; without them it is the parallelogram.
-    #[serde(skip_serializing_if = "Option::is_none", default)]
-    pub corners: Option<CornersDocument>,
+    /// Its exact corners.
+    pub corners: C,
 }
 
-/// The corners of an h-set: each a phase in forcing periods and a speed over `A W`, exactly these doubles.
+/// An h-set that a user gives: without corners it is the parallelogram.
+pub type GivenBase = BaseDocument<Option<CornersDocument>>;
+
+/// The corners of an h-set: each a phase in forcing periods, within 4 of them of 0, and a speed over `A W`, above 0 and at most 1,048,576; exactly
+/// these doubles.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct CornersDocument {
     /// The left edge, from bottom to top.
-    pub left: [[f64; 2]; 2],
+    pub left: [Corner; 2],
     /// The right edge, likewise.
-    pub right: [[f64; 2]; 2],
+    pub right: [Corner; 2],
+}
+
+/// A corner of an h-set: a phase in forcing periods and a speed over `A W`.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(try_from = "[f64; 2]")]
+pub struct Corner(pub [f64; 2]);
+
+/// Forcing periods of a corner at most, before and after 0: `check` compares h-sets up to 8 forcing periods apart.
+const MOST_PHASE: f64 = 4.0;
+/// Speed of a corner over `A W` at most: above it doubles resolve 2^-32 at best, and the narrowest h-sets are 1e-5 wide.
+const MOST_SPEED: f64 = 1_048_576.0;
+
+impl TryFrom<[f64; 2]> for Corner {
+    type Error = String;
+
+    fn try_from([phase, speed]: [f64; 2]) -> Result<Self, String> {
+        if phase.abs() < MOST_PHASE && speed > 0.0 && speed <= MOST_SPEED {
+            return Ok(Self([phase, speed]));
+        }
+        Err(format!(
+            "accepted is a phase within {MOST_PHASE} forcing periods of 0 and a speed above 0, at most {MOST_SPEED}"
+        ))
+    }
+}
+
+#[cfg(feature = "schemas")]
+impl schemars::JsonSchema for Corner {
+    fn inline_schema() -> bool {
+        true
+    }
+
+    fn schema_name() -> std::borrow::Cow<'static, str> {
+        <[f64; 2]>::schema_name()
+    }
+
+    fn json_schema(generator: &mut schemars::SchemaGenerator) -> schemars::Schema {
+        <[f64; 2]>::json_schema(generator)
+    }
 }
 
 /// A word.

@@ -2,10 +2,12 @@
 
 use std::collections::BTreeMap;
 
-use serde::{Deserialize, Serialize};
+use serde::{Deserialize, Deserializer, Serialize};
 
+use super::number::Between;
 use super::periodic::{MeasuredImpact, PeriodicOrbitDocument};
 use super::scene::SceneDocument;
+use super::strict::flattened;
 
 /// The schema of cycles.
 pub const CYCLES_SCHEMA: &str = "impact-pair/cycles/1";
@@ -30,7 +32,7 @@ pub struct CyclesDocument {
     /// Number of boxes of the region.
     pub boxes: u64,
     /// The least and the greatest requested number of impacts.
-    pub impacts: [u32; 2],
+    pub impacts: Between<u32>,
     /// By the number n of impacts: the number of fixed points of the n-th iterate in the region; only where that is proved.
     pub fixed_points: BTreeMap<u32, u64>,
     /// Whether it is proved that none of the requested cycles attracts.
@@ -43,7 +45,7 @@ pub struct CyclesDocument {
 }
 
 /// A cycle of the reduced map: a periodic orbit, and its mirror image.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct CycleDocument {
     /// Its least period under the reduced map.
@@ -55,6 +57,22 @@ pub struct CycleDocument {
     /// The periodic orbit.
     #[serde(flatten)]
     pub orbit: PeriodicOrbitDocument,
+}
+
+impl<'de> Deserialize<'de> for CycleDocument {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let (Period { reduced_impacts, word, cycles }, orbit) =
+            flattened(deserializer, &["reduced_impacts", "word", "cycles"])?;
+        Ok(Self { reduced_impacts, word, cycles, orbit })
+    }
+}
+
+/// The keys of a cycle that are not those of its orbit.
+#[derive(Deserialize)]
+struct Period {
+    reduced_impacts: u32,
+    word: String,
+    cycles: u32,
 }
 
 /// Boxes that may contain a cycle.

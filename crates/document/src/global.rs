@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::chaos::{BaseDocument, EntropyDocument};
+use super::chaos::{BaseDocument, Depth, EntropyDocument};
 use super::number::{Bounds, Decimal};
 use super::outcome::counted;
 use super::periodic::PeriodicOrbitDocument;
@@ -113,7 +113,7 @@ pub struct ComponentDocument {
 #[serde(deny_unknown_fields)]
 pub struct ProvedHorseshoeDocument {
     /// Maximum number of impacts of a word.
-    pub depth: u32,
+    pub depth: Depth,
     /// Lower bounds of the topological entropy.
     pub entropy: EntropyDocument,
     /// The h-sets of its words, as `chaos --bases` reads them.
@@ -132,7 +132,7 @@ impl GlobalDocument {
     /// The components that hold a horseshoe, by their numbers from 1.
     fn horseshoes(&self) -> String {
         let of = |(i, own): (usize, &ComponentDocument)| {
-            let entropy = own.horseshoe.as_ref()?.entropy.per_impact.text();
+            let entropy = own.horseshoe.as_ref()?.entropy.per_impact.canonical();
             Some(format!(
                 "; component {} holds a horseshoe, of topological entropy at least {entropy} per impact",
                 i + 1

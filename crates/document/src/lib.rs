@@ -12,7 +12,7 @@
 //!   "impacts": 1}, "events": [{"event": "impact", "index": 1, "mapping": "P2", "wall": "right", "time": ["1.99", "2.01"],
 //!   "velocity": ["0.99", "1.01"]}]}"#;
 //! let orbit: OrbitDocument = serde_json::from_str(text)?;
-//! let [low, high] = &orbit.events[0].time;
+//! let [low, high] = &*orbit.events[0].time;
 //! assert_eq!((low.text(), high.text()), ("1.99", "2.01"));
 //!
 //! // A key that is there twice is refused: readers differ in which of its values they take.
@@ -36,6 +36,7 @@ mod outcome;
 mod periodic;
 mod read;
 mod scene;
+mod strict;
 mod sweep;
 mod tangency;
 mod trade;
@@ -50,12 +51,12 @@ pub use cycles::*;
 pub use description::*;
 pub use global::*;
 pub use layout::{one_a_line, write_orbit};
-pub use number::{Bounds, Decimal, Written, bounds};
+pub use number::{Between, Bounds, Decimal, NotNegative, UpTo, Written, bounds};
 pub use orbit::*;
 pub use outcome::*;
 pub use periodic::*;
 pub use read::Place;
-pub use read::{value, values};
+pub use read::{read, value, values};
 pub use scene::{ExcitationDocument, SceneDocument, StartDocument};
 pub use sweep::*;
 pub use tangency::*;

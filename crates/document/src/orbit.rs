@@ -3,15 +3,16 @@
 use impact_pair_model::{Arithmetic, Mapping, Settings, Wall};
 use serde::{Deserialize, Deserializer, Serialize};
 
-use super::number::{Bounds, Decimal};
+use super::number::{Bounds, NotNegative};
 use super::outcome::OutcomeDocument;
 use super::scene::SceneDocument;
+use super::strict::flattened;
 
 /// The schema of the orbit JSON.
 pub const ORBIT_SCHEMA: &str = "impact-pair/orbit/1";
 
 /// An orbit.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct OrbitDocument {
     /// Scene, program and arithmetic.
@@ -23,6 +24,20 @@ pub struct OrbitDocument {
     pub events: Vec<EventDocument>,
 }
 
+impl<'de> Deserialize<'de> for OrbitDocument {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let (OrbitBody { outcome, events }, head) = flattened(deserializer, &["outcome", "events"])?;
+        Ok(Self { head, outcome, events })
+    }
+}
+
+/// The keys of an orbit that are not those of its head.
+#[derive(Deserialize)]
+struct OrbitBody {
+    outcome: OutcomeDocument,
+    events: Vec<EventDocument>,
+}
+
 /// An orbit without its outcome and its events: the first of the JSON Lines.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
@@ -30,6 +45,7 @@ pub struct OrbitHead {
     /// [`ORBIT_SCHEMA`]
     pub schema: String,
     /// The program that computed it.
+    #[serde(default)]
     pub program: String,
     /// The scene.
     pub scene: SceneDocument,
@@ -39,6 +55,7 @@ pub struct OrbitHead {
     #[serde(default)]
     pub claim: ClaimName,
     /// The arithmetic.
+    #[serde(default)]
     pub arithmetic: ArithmeticDocument,
 }
 
@@ -72,12 +89,13 @@ pub struct OrbitEnd {
     /// Outcome of the orbit.
     pub outcome: OutcomeDocument,
     /// The arithmetic.
+    #[serde(default)]
     pub arithmetic: ArithmeticDocument,
 }
 
 /// The arithmetic: `float`, `interval` or `inari` in 53 bits, `multiprecision` with the bits of the first impact, `auto` with its maximum number
 /// of bits, `shadow` without bits.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct ArithmeticDocument {
     /// Its name.
@@ -179,7 +197,7 @@ pub struct EventDocument {
     pub distance: Option<Bounds>,
     /// Upper bound of the speed at which a graze touches the wall, if it does \[length/time\]; present beside `distance`.
     #[serde(skip_serializing_if = "Option::is_none", default)]
-    pub speed: Option<Decimal>,
+    pub speed: Option<NotNegative>,
 }
 
 /// Tells null from nothing.

@@ -8,7 +8,7 @@ use impact_pair_model::{Period, Wall, Word};
 use num_rational::BigRational;
 use serde::{Deserialize, Serialize};
 
-use super::number::{Bounds, Decimal, Written};
+use super::number::{Between, Bounds, Decimal, Written};
 use super::periodic::PeriodicOrbitDocument;
 
 /// The reason of an orbit whose next flight has no end that is found.
@@ -47,7 +47,7 @@ pub struct OutcomeDocument {
     /// No wall is touched after the last event listed and before the first of these \[time\]. The second is `null` unless the next
     /// contact is proved, but wider than requested: then the contact lies between the two.
     #[serde(skip_serializing_if = "Option::is_none", default)]
-    pub time: Option<[Option<Decimal>; 2]>,
+    pub time: Option<Between<Option<Decimal>>>,
     /// The motion repeats itself exactly.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub period: Option<Period>,
@@ -124,9 +124,9 @@ impl OutcomeDocument {
             "undecided" => {
                 let why = self.explanation()?;
                 let wall = self.wall.map_or(String::new(), |wall| format!("{} wall, ", wall.name()));
-                let time = match self.time.as_ref()? {
+                let time = match &**self.time.as_ref()? {
                     [Some(from), Some(to)] => format!("t = {}", shown(from, to)),
-                    [Some(from), None] => format!("t from {}", from.text()),
+                    [Some(from), None] => format!("t from {}", from.canonical()),
                     [None, _] => return None,
                 };
                 format!("undecided {after}: {why} ({wall}{time})")
@@ -162,7 +162,7 @@ impl OutcomeDocument {
     /// Returns the distances of the impacts of a shadowed orbit from the listed ones, in words that follow their number; else an empty text.
     fn shadowed(&self) -> String {
         let Some(EpsilonDocument { median, maximum }) = &self.epsilon else { return String::new() };
-        let (median, maximum) = (median.text(), maximum.text());
+        let (median, maximum) = (median.canonical(), maximum.canonical());
         format!(
             " of one true orbit that starts near (shadowed), half of them within {median} forcing periods, all within {maximum}"
         )

@@ -1,12 +1,12 @@
 //! Reading of documents; errors name the path of the fault, such as `events[3].time`.
 
 use impact_pair_model::Error;
-use serde::Serialize;
 use serde::de::DeserializeOwned;
 use serde_json::{Deserializer, Map, Value};
 use serde_path_to_error::{Path, Segment};
 
 use super::once::UniqueKeys;
+use super::strict::{IN_PART, Strict};
 
 /// A value of a document with its path.
 #[derive(Clone, Debug)]
@@ -18,6 +18,14 @@ pub struct Place<'j> {
 /// Returns the value of a text, in which no object has a key twice.
 pub fn value(text: &str) -> Result<Value, Error> {
     serde_json::from_str(text).map(|UniqueKeys(value)| value).map_err(no_json)
+}
+
+/// Reads a document.
+///
+/// # Errors
+/// Name the path of the fault.
+pub fn read<T: DeserializeOwned>(text: &str) -> Result<T, Error> {
+    Place::whole(&value(text)?).read()
 }
 
 /// Returns the values of a text, at least one; JSON Lines have several. No object has a key twice.
@@ -65,23 +73,10 @@ impl<'j> Place<'j> {
         Ok(list.iter().enumerate().map(|(i, value)| Self { key: format!("{}[{i}]", self.key), value }).collect())
     }
 
-    /// Returns its content.
+    /// Returns its content: an object for a struct, with no other keys than the struct's.
     pub fn read<T: DeserializeOwned>(&self) -> Result<T, Error> {
-        serde_path_to_error::deserialize(self.value).map_err(|error| self.inner(error.path()).wrong(error.into_inner()))
-    }
-
-    /// Returns the full paths of its keys, except those with these names.
-    pub fn keys_but(&self, known: &[&str]) -> Vec<String> {
-        let keys = self.value.as_object().into_iter().flat_map(Map::keys);
-        keys.filter(|key| !known.contains(&key.as_str())).map(|key| self.full(key)).collect()
-    }
-
-    /// Returns the full paths of the keys that a `T` does not have, without positions in lists.
-    pub fn unread<T: DeserializeOwned + Serialize>(&self) -> Result<Vec<String>, Error> {
-        let read = serde_json::to_value(self.read::<T>()?).expect("a document has no other keys than strings");
-        let mut keys = Vec::new();
-        unread(self.value, &read, &unnumbered(&self.key), &mut keys);
-        Ok(keys)
+        serde_path_to_error::deserialize(Strict(self.value))
+            .map_err(|error| self.inner(error.path()).wrong(error.into_inner()))
     }
 
     /// The value at a path in it.
@@ -96,9 +91,18 @@ impl<'j> Place<'j> {
     /// Returns the error of serde in the words of this crate.
     fn wrong(&self, error: serde_json::Error) -> Error {
         let message = error.to_string();
+        if message.starts_with(IN_PART) {
+            return self.refused(&message).because(error);
+        }
         let quoted = |text: &str| text.replace('`', "\"").replace(" or ", " and ").replace("one of ", "");
         if let Some(field) = message.strip_prefix("missing field `").and_then(|rest| rest.split('`').next()) {
             return self.missing(field).because(error);
+        }
+        if let Some(field) = message.strip_prefix("unknown field `").and_then(|rest| rest.split('`').next()) {
+            return self
+                .get(field)
+                .map_or_else(|error| error, |place| place.refused("there is no such key"))
+                .because(error);
         }
         let refused = match message.rsplit_once(", expected ") {
             Some((variant, accepted)) if variant.starts_with("unknown") => {
@@ -128,33 +132,4 @@ impl<'j> Place<'j> {
     fn full(&self, key: &str) -> String {
         if self.key.is_empty() { key.to_owned() } else { format!("{}.{key}", self.key) }
     }
-}
-
-/// Notes the keys of `value` that `read`, which was made of it, does not have.
-fn unread(value: &Value, read: &Value, key: &str, keys: &mut Vec<String>) {
-    match (value, read) {
-        (Value::Object(entries), Value::Object(read)) => {
-            for (name, value) in entries {
-                let full = if key.is_empty() { name.clone() } else { format!("{key}.{name}") };
-                match read.get(name) {
-                    Some(read) => unread(value, read, &full, keys),
-                    // No value says nothing.
-                    None if value.is_null() => {}
-                    None => keys.push(full),
-                }
-            }
-        }
-        (Value::Array(items), Value::Array(read)) => {
-            items.iter().zip(read).for_each(|(item, read)| unread(item, read, key, keys));
-        }
-        _ => {}
-    }
-}
-
-/// A key without the positions in lists.
-fn unnumbered(key: &str) -> String {
-    key.split('[')
-        .enumerate()
-        .map(|(i, part)| if i == 0 { part } else { part.split_once(']').map_or("", |(_, rest)| rest) })
-        .collect()
 }

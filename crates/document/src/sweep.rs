@@ -3,6 +3,7 @@
 use impact_pair_model::Wall;
 use serde::{Deserialize, Serialize};
 
+use super::number::Between;
 use super::orbit::{ArithmeticDocument, ClaimName};
 use super::scene::SceneDocument;
 
@@ -10,7 +11,7 @@ use super::scene::SceneDocument;
 pub const SWEEP_SCHEMA: &str = "impact-pair/sweep/1";
 
 /// Bounds as decimals, rounded outward; either may be infinite.
-pub type ExtendedBounds = [String; 2];
+pub type ExtendedBounds = Between<String>;
 
 /// The head of a sweep: everything that its points depend on.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]

@@ -131,6 +131,17 @@ let read_attractor outcome =
     | Some until -> Time_reached (impacts, Expression.number "outcome.until" (string "outcome.until" until)) in
   (Periodic.read_orbit ~word ~cycles "outcome.orbit" (value "orbit"), integer "outcome.from" (value "from"), ended)
 
+(* A document without events claims something where it says that none comes before a time after the start, or what becomes of the motion. *)
+let claims_something begun events ended ~draws =
+  let start = match begun with Struck (_, time, _) | Inside (time, _, _) -> time in
+  let is_later until = Z.sign (Z.sub (Fixed.middle 256 { least = until; most = until }) (Fixed.middle 256 start)) > 0 in
+  let is_something = match ended with
+    | Impacts_reached _ -> false
+    | Time_reached (_, until) -> is_later until
+    | Repeats _ -> true in
+  if events = [] && not draws && not is_something then
+    not_covered "events is empty: the document claims nothing"
+
 let document value =
   let head = members "the document" value in
   if not (bool "certified" (get "" head "certified")) then not_covered "certified is false: the document claims nothing";
@@ -146,6 +157,7 @@ let document value =
   let events = List.map read_event (items "events" (get "" head "events")) in
   let scene_data, begun = read_scene (get "" head "scene") in
   only "" ([ "schema"; "certified"; "claim"; "scene"; "outcome"; "events" ] @ no_claims) head;
+  claims_something begun events ended ~draws:(attractor <> None);
   match attractor with
   | Some (cycle, from, _) -> one_harmonic "periodic orbits" scene_data; Attracted ({ scene_data; begun; events; ended }, from, cycle)
   | None ->

@@ -52,7 +52,11 @@ let mapping place = function
   | String "P4" -> Some P4
   | value -> wrong place value "\"P1\", \"P2\", \"P3\", \"P4\" or null"
 let bounds place value = match items place value with
-  | [ (p, lower); (q, upper) ] -> (Expression.bound p (string p lower), Expression.bound q (string q upper))
+  | [ (p, lower); (q, upper) ] ->
+    let lower = Expression.bound p (string p lower) and upper = Expression.bound q (string q upper) in
+    if Z.sign (Z.sub (Z.mul lower.qnum upper.qden) (Z.mul upper.qnum lower.qden)) > 0 then
+      unreadable "%s: the lower bound is above the upper one" place;
+    (lower, upper)
   | _ -> wrong place value "a list of two bounds"
 
 (* No other keys than these. *)

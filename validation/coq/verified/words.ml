@@ -100,6 +100,7 @@ let document value =
   let entropy = members "entropy" (get "" head "entropy") in
   only "entropy" [ "per_impact"; "per_cycle" ] entropy;
   let rate key = written (inside "entropy" key) (get "entropy" entropy key) in
+  List.iter (fun key -> if Z.sign (rate key).qnum < 0 then unreadable "entropy.%s: accepted is a decimal that is not negative" key) [ "per_impact"; "per_cycle" ];
   if Z.sign (rate "per_impact").qnum <= 0 && Z.sign (rate "per_cycle").qnum <= 0 then not_covered "entropy: covered is a positive lower bound, which `certified` says that there is";
   let h_sets = List.map read_set (items "bases" (get "" head "bases")) in
   let words = List.map (read_word (List.length h_sets)) (items "words" (get "" head "words")) in

@@ -10,7 +10,7 @@ use super::clock::{SetPosition, beside};
 use super::contact::Doubt;
 use super::shadow::{Doubted, Shadow};
 use super::standing::Last;
-use super::walk::{are_bounds, is_next};
+use super::walk::is_next;
 use crate::Certificate;
 use impact_pair_document::ClaimName;
 use impact_pair_exact::{Dyadic, Exact, Real, decimal_bounds_f64};
@@ -20,24 +20,18 @@ impl Shadow<'_> {
     /// The impacts have their numbers and mappings.
     pub(super) fn fits(&self, mut last: Last) -> Result<(), Doubted> {
         for (k, claim) in self.certificate.events()[..self.hits.len()].iter().enumerate() {
-            let EventKind::Impact { index, mapping, velocity } = &claim.kind else { break };
+            let EventKind::Impact { index, mapping, .. } = &claim.kind else { break };
             // exact: a length
             let is_numbered = is_next(k as u64, *index);
-            is_numbered
-                .and_then(|()| last.leads(*mapping, claim.wall))
-                .and_then(|()| are_bounds(velocity))
-                .map_err(|doubt| (k, doubt))?;
+            is_numbered.and_then(|()| last.leads(*mapping, claim.wall)).map_err(|doubt| (k, doubt))?;
             last = Last::Wall(claim.wall);
         }
         Ok(())
     }
 
-    /// The bounds of the start are bounds, hold the scene's start, and reach nowhere that is not near it.
+    /// The bounds of the start hold the scene's start, and reach nowhere that is not near it.
     pub(super) fn starts_around_the_scenes(&self) -> Result<(), Doubt> {
         let [time, velocity] = self.bounds();
-        if [&time, &velocity].iter().any(|[lower, upper]| lower > upper) {
-            return Err(Doubt::False("a lower bound of the start is above the upper one".into()));
-        }
         let start = self.certificate.start();
         for (what, exact, bounds, is_varied) in [
             ("time", start.time(), time, self.is_of_times),
@@ -76,7 +70,7 @@ impl Shadow<'_> {
 
     /// Bounds of the start's time and velocity.
     pub(super) fn bounds(&self) -> [[BigRational; 2]; 2] {
-        [&self.near.time, &self.near.velocity].map(|bounds| bounds.each_ref().map(|bound| bound.value()))
+        [&self.near.time, &self.near.velocity].map(impact_pair_document::Bounds::values)
     }
 
     /// The impacts of the orbit that is found are as near to the middles of their bounds as is claimed, `offs` \[rad\] at most; and so
@@ -123,7 +117,7 @@ impl Certificate {
             true => ("time", self.start().time(), &near.time),
             false => ("velocity", self.start().velocity(), &near.velocity),
         };
-        let reach = reach(exact, &bounds.each_ref().map(|bound| bound.value())).enclosure().sup().to_f64_up();
+        let reach = reach(exact, &bounds.values()).enclosure().sup().to_f64_up();
         let [_, reach] = decimal_bounds_f64(0.5 * reach, reach);
         format!(", of a start whose {what} is within {reach} of the scene's")
     }

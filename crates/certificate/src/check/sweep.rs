@@ -122,9 +122,6 @@ fn compare_state(claimed: &SweepImpact<Bounds>, walk: &Walk<'_>, landing: &Landi
     if *wall != landing.wall {
         return Err(Doubt::False(format!("impact {index} is on the other wall")));
     }
-    if phase[0] > phase[1] || velocity[0] > velocity[1] {
-        return Err(Doubt::False(format!("a lower bound of impact {index} is above the upper one")));
-    }
     let bits = walk.bits;
     let turn = Real::pi(bits) * 2;
     let [lower, upper] = phase.each_ref().map(|phase| Real::rational(phase, bits));

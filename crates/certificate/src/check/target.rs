@@ -62,13 +62,6 @@ impl<'c> Target<'c> {
         if !claim.impacts.iter().all(|impact| is_valid(impact.turn)) {
             return Err(Doubt::False("the `turn` of an impact of the orbit is not in the common period".into()));
         }
-        if claim
-            .impacts
-            .iter()
-            .any(|impact| impact.phase[0] > impact.phase[1] || impact.velocity[0] > impact.velocity[1])
-        {
-            return Err(Doubt::False("a lower bound of the orbit is above the upper one".into()));
-        }
         Ok(Self { data, claim, walls, cycles, turns, is_whole: false })
     }
 

@@ -105,10 +105,6 @@ impl<'c> Walk<'c> {
 
     /// Confirms the next claim.
     pub fn confirm(&mut self, claim: &Claim) -> Result<(), Doubt> {
-        let [lower, upper] = &claim.time;
-        if lower > upper {
-            return Err(Doubt::False("the lower bound of the time is above the upper one".into()));
-        }
         match &claim.kind {
             EventKind::Impact { index, mapping, velocity } => self.impact(claim, *index, *mapping, velocity),
             EventKind::Rest { is_accumulation } => self.come_to_rest(claim, *is_accumulation),
@@ -133,7 +129,6 @@ impl<'c> Walk<'c> {
         }
         is_next(self.impacts, index)?;
         self.standing.last().leads(mapping, claim.wall)?;
-        are_bounds(velocity)?;
         let landing = self.land(claim.wall, &self.ahead(claim)?)?;
         let time = self.clock.time(&landing.phase.hull());
         let found = self.clock.velocity(&landing.velocity.hull());
@@ -185,14 +180,6 @@ impl<'c> Walk<'c> {
 pub(super) fn is_next(impacts: u64, index: u64) -> Result<(), Doubt> {
     let next = impacts + 1;
     if index == next { Ok(()) } else { Err(Doubt::False(format!("the impact is number {next}, not {index}"))) }
-}
-
-/// The bounds of a velocity are in order.
-pub(super) fn are_bounds([lower, upper]: &[BigRational; 2]) -> Result<(), Doubt> {
-    match lower > upper {
-        true => Err(Doubt::False("the lower bound of the velocity is above the upper one".into())),
-        false => Ok(()),
-    }
 }
 
 /// Compares an enclosure with the claimed bounds that it must lie in.

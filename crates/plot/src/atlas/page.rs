@@ -88,7 +88,7 @@ fn component(own: &ComponentDocument) -> String {
     if let Some(cycles) = own.cycles {
         let _ = write!(words, ", {}", counted(cycles, "forcing period"));
     }
-    if let Some([low, high]) = &own.spectral_radius {
+    if let Some([low, high]) = own.spectral_radius.as_deref() {
         let _ = write!(words, ", spectral radius in [{}, {}]", low.text(), high.text());
     }
     if own.boxes > 0 {

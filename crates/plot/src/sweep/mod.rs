@@ -113,7 +113,8 @@ impl Plane {
 }
 
 /// The middle of a pair of bounds.
-fn middle([low, high]: &ExtendedBounds) -> Result<f64> {
+fn middle(bounds: &ExtendedBounds) -> Result<f64> {
+    let [low, high] = &**bounds;
     Ok(0.5 * (double(low)? + double(high)?))
 }
 

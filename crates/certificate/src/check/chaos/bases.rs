@@ -5,7 +5,7 @@ use num_traits::{Signed, ToPrimitive};
 
 use super::beam::State;
 use super::tube::{BoxChain, Chord, side_of};
-use impact_pair_document::CornersDocument;
+use impact_pair_document::{Corner, CornersDocument};
 
 /// A quadrilateral of states by its left and its right edge.
 #[derive(Clone, Copy, Debug)]
@@ -22,7 +22,7 @@ const SHIFTS: i64 = 8;
 
 impl HSet {
     pub fn of(CornersDocument { left, right }: &CornersDocument) -> Self {
-        let chord = |[bottom, top]: [State; 2]| Chord { bottom, top };
+        let chord = |[bottom, top]: [Corner; 2]| Chord { bottom: bottom.0, top: top.0 };
         Self { left: chord(*left), right: chord(*right) }
     }
 
@@ -31,7 +31,8 @@ impl HSet {
         [self.left.bottom, self.right.bottom, self.right.top, self.left.top]
     }
 
-    fn exact(&self) -> Option<[Exact; 4]> {
+    /// The corners as fractions; `None` where one is no finite number.
+    pub fn exact(&self) -> Option<[Exact; 4]> {
         let corner = |[u, w]: State| Some([BigRational::from_float(u)?, BigRational::from_float(w)?]);
         let [a, b, c, d] = self.corners().map(corner);
         Some([a?, b?, c?, d?])

@@ -1,6 +1,6 @@
 //! Check of a claimed entropy of h-sets for all parameters of a law, by words that are searched for anew (Lemmas V12, V35, V37).
 
-use impact_pair_document::{BaseDocument, CornersDocument, EntropyDocument, ProvedHorseshoeDocument};
+use impact_pair_document::{BaseDocument, CornersDocument, Depth, EntropyDocument, ProvedHorseshoeDocument};
 
 use super::Law;
 use super::allowance::{Allowance, End};
@@ -14,18 +14,18 @@ use crate::check::contact::Doubt;
 pub(super) struct Horseshoe<'h> {
     bases: Vec<HSet>,
     entropy: &'h EntropyDocument,
-    depth: usize,
+    depth: u32,
     /// The way to make chains of boxes that sufficed last.
     known: usize,
 }
 
 impl<'h> Horseshoe<'h> {
     /// Words of at most `depth` impacts between h-sets that are disjoint, of a positive entropy.
-    pub fn claimed(bases: &[BaseDocument], entropy: &'h EntropyDocument, depth: u32) -> Result<Self, Doubt> {
+    pub fn claimed(bases: &[BaseDocument], entropy: &'h EntropyDocument, depth: Depth) -> Result<Self, Doubt> {
         if is_none(entropy) {
             return Err(Doubt::False("a horseshoe is claimed, but no entropy".into()));
         }
-        Ok(Self { bases: sound_bases(bases)?, entropy, depth: depth as usize, known: 0 }) // exact: of 32 bits
+        Ok(Self { bases: sound_bases(bases)?, entropy, depth: depth.get(), known: 0 })
     }
 
     /// Returns whether words of at most the claimed number of impacts make the entropy.
@@ -72,7 +72,7 @@ pub(super) fn are_apart(
     other: usize,
 ) -> Result<(), Doubt> {
     let corners = |horseshoe: &ProvedHorseshoeDocument| -> Vec<CornersDocument> {
-        horseshoe.bases.iter().filter_map(|base| base.corners).collect()
+        horseshoe.bases.iter().map(|base| base.corners).collect()
     };
     let (own, held) = (corners(own), corners(held));
     let are_of = |some: &[CornersDocument], all: &[CornersDocument]| some.iter().all(|corners| all.contains(corners));

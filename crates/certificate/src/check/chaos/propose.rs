@@ -119,7 +119,8 @@ impl Making {
         let between = sample(guess, tube, from.cell, 0.5 * (from.at + to.at));
         work.spend(1, between.turns())?;
         let is_fine = self.is_fine([&from, &between, &to], first || last);
-        if is_fine == Some(true) || length(vector(from.middle, to.middle)) < self.shortest {
+        let is_halved = from.at < between.at && between.at < to.at;
+        if is_fine == Some(true) || length(vector(from.middle, to.middle)) < self.shortest || !is_halved {
             match is_fine {
                 Some(_) if distance(&from, &to) <= self.longest => {
                     segments.last_mut().expect("one at least").push([from, to]);

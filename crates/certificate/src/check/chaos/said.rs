@@ -1,7 +1,7 @@
 //! Consistency of the h-sets and words of a chaos JSON: disjoint h-sets, entropies that follow from the words, the shortest
 //! horseshoe (Lemmas D8, D10, V12).
 
-use impact_pair_exact::Real;
+use impact_pair_exact::{Dyadic, Enclosure};
 use impact_pair_model::Word as Itinerary;
 use num_rational::BigRational;
 use num_traits::Signed;
@@ -10,12 +10,10 @@ use super::BITS;
 use super::bases::HSet;
 use super::blocks::says_the_shortest;
 use super::entropy::is_reached;
-use super::span::Span;
-use super::tube::side_of;
 use super::words::Word;
 use crate::chaos::ChaosCertificate;
 use crate::check::contact::Doubt;
-use impact_pair_document::{BaseDocument, EntropyDocument, PeriodDocument, SceneOrbitDocument, WordDocument};
+use impact_pair_document::{BaseDocument, Decimal, EntropyDocument, PeriodDocument, SceneOrbitDocument, WordDocument};
 
 /// The entropy of words between more h-sets is not judged.
 const MAX_H_SETS: usize = 64;
@@ -28,7 +26,7 @@ impl ChaosCertificate {
         let bases = sound_bases(self.bases())?;
         let mut words = Vec::new();
         for (k, claimed) in document.words.iter().enumerate() {
-            let word = Word::of(claimed, bases.len()).filter(|_| claimed.impacts <= document.depth);
+            let word = Word::of(claimed, bases.len()).filter(|_| claimed.impacts <= document.depth.get());
             words.push(word.ok_or_else(|| {
                 Doubt::False(format!("words[{k}] contradicts its own flights, the depth or the number of h-sets"))
             })?);
@@ -48,8 +46,7 @@ impl ChaosCertificate {
 /// The h-sets that are claimed, if they are disjoint and as they are described.
 pub(super) fn sound_bases(claimed: &[BaseDocument]) -> Result<Vec<HSet>, Doubt> {
     let wrong = |message: &str| Err(Doubt::False(message.to_owned()));
-    let corners = claimed.iter().filter_map(|base| base.corners.as_ref());
-    let bases: Vec<HSet> = corners.map(HSet::of).collect();
+    let bases: Vec<HSet> = claimed.iter().map(|base| HSet::of(&base.corners)).collect();
     if bases.len() > MAX_H_SETS {
         return Err(Doubt::Open(format!("more than {MAX_H_SETS} h-sets are not checked")));
     }
@@ -63,7 +60,7 @@ pub(super) fn sound_bases(claimed: &[BaseDocument]) -> Result<Vec<HSet>, Doubt> 
         return wrong("an h-set is not proved to be disjoint from its own translate by a forcing period");
     }
     if !claimed.iter().zip(&bases).all(|(claimed, base)| is_about(claimed, base)) {
-        return wrong("the given middle of an h-set is not its middle");
+        return wrong("the given middle of an h-set is not that of its corners");
     }
     Ok(bases)
 }
@@ -123,12 +120,16 @@ fn says_one_orbit(orbit: Option<&SceneOrbitDocument>) -> Result<(), Doubt> {
     Ok(())
 }
 
-/// Returns whether the given middle of an h-set is proved to be in it.
+/// Returns whether the given middle of an h-set is that of its corners, to nine digits. Lemma V12
 fn is_about(claimed: &BaseDocument, base: &HSet) -> bool {
-    let phase = Real::rational(&claimed.phase.value(), BITS).over(&(Real::pi(BITS) * 2)).expect("pi is not 0");
-    let ends = [&phase, &Real::rational(&claimed.speed.value(), BITS)].map(|x| Span::of(x.enclosure()));
-    let [left, right] = [base.left, base.right];
-    let round = [left.bottom, right.bottom, right.top, left.top];
-    let corners = [ends.map(Span::lo), ends.map(Span::hi)];
-    (0..4).all(|i| corners.iter().all(|&state| side_of(round[i], round[(i + 1) % 4], state, 0.0).is_positive()))
+    let Some(corners) = base.exact() else { return false };
+    let whole = |n: i64| BigRational::from_integer(n.into());
+    let mean = |i: usize| corners.iter().map(|corner| &corner[i]).sum::<BigRational>() / whole(4);
+    let is_near = |claimed: &Decimal, middle: &BigRational| {
+        (claimed.value() - middle).abs() <= BigRational::new(1.into(), 1_000_000_000.into())
+    };
+    let pi = Enclosure::pi(BITS);
+    // What is near both bounds is near all numbers between.
+    let is_phase = |pi: &Dyadic| is_near(&claimed.phase, &(mean(0) * whole(2) * pi.to_rational()));
+    is_phase(pi.inf()) && is_phase(pi.sup()) && is_near(&claimed.speed, &mean(1))
 }

@@ -9,7 +9,7 @@ mod sides;
 mod strings;
 mod strip;
 
-use impact_pair_document::{Bounds, HyperbolicDocument, RatesDocument};
+use impact_pair_document::{Decimal, HyperbolicDocument, RatesDocument};
 use impact_pair_exact::Dyadic;
 use num_rational::BigRational;
 use num_traits::ToPrimitive;
@@ -38,7 +38,7 @@ struct Claimed {
 }
 
 /// Doubles that are no wider than given bounds.
-fn inner([low, high]: &Bounds) -> [f64; 2] {
+fn inner([low, high]: &[Decimal; 2]) -> [f64; 2] {
     let double = |x: BigRational, is_low: bool| {
         let Some(near) = x.to_f64().filter(|near| near.is_finite()) else { return f64::NAN };
         let exact = |x: f64| Dyadic::from_f64(x).and_then(|_| BigRational::from_float(x));
