@@ -154,7 +154,11 @@ fn check_attractors([bound, impact, other]: [usize; 3]) {
                 assert!(!is_confirmed_with(&document, &path, other), "{name}: {path}");
             }
         }
-        assert!(is_confirmed_with(&document, "/from", json!(outcome["from"].as_u64().unwrap() + 1)), "{name}: later");
+        let (from, each) =
+            (outcome["from"].as_u64().unwrap(), outcome["orbit"]["impacts"].as_array().unwrap().len() as u64);
+        assert!(is_confirmed_with(&document, "/from", json!(from + each)), "{name}: a round later");
+        assert!(each == 1 || !is_confirmed_with(&document, "/from", json!(from + 1)), "{name}: later");
+        assert!(!is_confirmed_with(&document, "/from", json!(from + 1000 * each)), "{name}: beyond the list");
     }
 }
 
@@ -182,7 +186,7 @@ fn an_orbit_twice_over_is_not_confirmed() {
         *outcome["orbit"].pointer_mut(&format!("/{path}")).unwrap() = json!(["-1", "1"]);
     }
     match verdict(&document) {
-        Verdict::Undecided(finding) => assert_eq!(finding.message, "the orbit is not proved to be no shorter one"),
+        Verdict::Refuted(finding) => assert_eq!(finding.message, "the orbit is a shorter one 2 times"),
         other => panic!("{other:?}"),
     }
 }

@@ -187,6 +187,9 @@ fn r17_cycles_of_impacts_are_checked() {
         let problem = Problem::new(scene.pair(), &"P1 P2".parse().unwrap(), cycles).unwrap();
         let census = problem.find(scene.start(), Precision { digits: 9, ..Precision::default() });
         let document = json!(Units::gaps(scene.pair()).unwrap().document(&problem, scene.start(), &census));
+        for orbit in document["orbits"].as_array().unwrap() {
+            assert_eq!(orbit["impacts"][0]["cycle"], 0, "counted from the first impact: {document}");
+        }
         assert!(document["orbits"][0]["impacts"][1]["cycle"].is_i64(), "{document}");
         let judged = |document: &Value| {
             Claims::parse(&document.to_string()).unwrap().check_within(&effort(), &Unwatched).unwrap()
@@ -198,6 +201,25 @@ fn r17_cycles_of_impacts_are_checked() {
             *claimed = json!(claimed.as_i64().unwrap() + by);
             assert!(matches!(judged(&copy), Verdict::Refuted(_)), "{impact} {by}: {:?}", judged(&copy));
         }
+    }
+}
+
+/// An orbit that runs through a shorter one several times says so: figure 12's two orbits of two impacts, once, twice and three times.
+#[test]
+fn r61_orbits_say_how_often_they_run_through_a_shorter_one() {
+    let text = std::fs::read_to_string(format!("{}/scenes/figure-12.toml", impact_pair_tests::ROOT)).unwrap();
+    let scene = Scene::parse(&text).unwrap();
+    for times in 1..4 {
+        let word = vec!["P2 P1"; times].join(" ").parse().unwrap();
+        let problem = Problem::new(scene.pair(), &word, times as u32).unwrap();
+        let census = problem.find(scene.start(), Precision { digits: 9, ..Precision::default() });
+        let document = json!(Units::gaps(scene.pair()).unwrap().document(&problem, scene.start(), &census));
+        assert_eq!(document["orbits"].as_array().unwrap().len(), 2, "{document}");
+        for orbit in document["orbits"].as_array().unwrap() {
+            assert_eq!(orbit.get("times").cloned(), (times > 1).then(|| json!(times)), "{document}");
+        }
+        let verdict = Claims::parse(&document.to_string()).unwrap().check_within(&effort(), &Unwatched).unwrap();
+        assert!(matches!(verdict, Verdict::Confirmed { .. }), "{verdict:?} {document}");
     }
 }
 

@@ -112,7 +112,10 @@ fn table(scene: &Scene, problem: &Problem, units: &Units<Exact>, census: &Census
         let turn = |said: &str| if found.period > 1 { format!("{said:>4}  ") } else { String::new() };
         writeln!(out, "  {:5}  {}{}{:31}  velocity before", "wall", cycle("cycle"), turn("turn"), "phase W t + tau")?;
         for (impact, turns) in units.measured(found).impacts.iter().zip(&found.impacts) {
-            let (cycle, turn) = (cycle(&turns.cycle().to_string()), turn(&impact.turn.unwrap_or_default().to_string()));
+            let (cycle, turn) = (
+                cycle(&(turns.cycle() - found.impacts[0].cycle()).to_string()),
+                turn(&impact.turn.unwrap_or_default().to_string()),
+            );
             let [phase, velocity] = [&impact.phase, &impact.velocity].map(decimal_digits);
             writeln!(out, "  {:5}  {cycle}{turn}{phase:31}  {velocity}", impact.wall.name())?;
         }

@@ -49,6 +49,7 @@ fn point(point: &Point, diagram: &Diagram) -> Result<BifurcationPointDocument, E
             impacts: point.impacts.iter().map(|impact| units.impact(impact, (point.bits, point.period))).collect(),
             unique: true,
             symmetric: point.symmetric,
+            times: Some(1),
             stability: "undecided".to_owned(),
             ..PeriodicOrbitDocument::default()
         },

@@ -21,12 +21,9 @@ impl Units<Exact> {
     /// Returns the document of the orbits of a problem; `start` only names the scene.
     pub fn document(&self, problem: &Problem, start: &Start, census: &Census) -> PeriodicDocument {
         let region = |region: &Region| {
-            let impact = |impact: &PeriodicImpact| MeasuredImpact {
-                cycle: cycle(problem, impact),
-                ..self.impact(impact, (f64::MANTISSA_DIGITS, problem.period()))
-            };
+            let impact = |impact: &PeriodicImpact| self.impact(impact, (f64::MANTISSA_DIGITS, problem.period()));
             RegionDocument {
-                impacts: region.impacts.iter().map(impact).collect(),
+                impacts: counted(problem, &region.impacts, region.impacts.iter().map(impact).collect()),
                 reason: region.reason.name().to_owned(),
             }
         };
@@ -46,13 +43,8 @@ impl Units<Exact> {
 
     /// An orbit of a problem.
     pub(super) fn orbit(&self, problem: &Problem, orbit: &PeriodicOrbit) -> PeriodicOrbitDocument {
-        let mut document = periodic_orbit(&self.measured(orbit));
-        document
-            .impacts
-            .iter_mut()
-            .zip(&orbit.impacts)
-            .for_each(|(listed, impact)| listed.cycle = cycle(problem, impact));
-        document
+        let document = periodic_orbit(&self.measured(orbit));
+        PeriodicOrbitDocument { impacts: counted(problem, &orbit.impacts, document.impacts), ..document }
     }
 
     /// An impact of a search or of a bifurcation, in N bits and forcing periods of the common period.
@@ -61,9 +53,14 @@ impl Units<Exact> {
     }
 }
 
-/// The forcing period that an impact is in, where it is given: flights that differ by whole common periods differ in nothing else.
-fn cycle(problem: &Problem, impact: &PeriodicImpact) -> Option<i64> {
-    (problem.chain().cycles() > problem.period()).then(|| impact.cycle())
+/// Impacts with their forcing periods, counted from that of the first one, where the period of the orbit is several common periods: flights that
+/// differ by whole common periods differ in nothing else. Lemma T13
+fn counted(problem: &Problem, impacts: &[PeriodicImpact], mut listed: Vec<MeasuredImpact>) -> Vec<MeasuredImpact> {
+    if problem.chain().cycles() > problem.period() {
+        let cycles = impacts.iter().map(|impact| impact.cycle() - impacts[0].cycle());
+        listed.iter_mut().zip(cycles).for_each(|(impact, cycle)| impact.cycle = Some(cycle));
+    }
+    listed
 }
 
 /// An orbit in the units that `velocity` forcing periods gap widths per forcing period into.
@@ -76,6 +73,7 @@ pub(super) fn measured(orbit: &PeriodicOrbit, velocity: impl Fn(&Enclosure) -> E
         unique: true,
         physical: orbit.physical,
         symmetric: orbit.symmetric,
+        times: orbit.repeats.map(|times| times as u32), // exact: at most as many as impacts
         trace: orbit.trace.clone(),
         determinant: orbit.determinant.clone(),
         eigenvalues: orbit.eigenvalues.clone(),
@@ -105,6 +103,7 @@ pub(super) fn periodic_orbit(orbit: &MeasuredOrbit) -> PeriodicOrbitDocument {
         unique: orbit.unique,
         physical: orbit.physical,
         symmetric: orbit.symmetric,
+        times: orbit.times,
         trace: Some(bounds(&orbit.trace)),
         determinant: Some(bounds(&orbit.determinant)),
         eigenvalues: Some(orbit.eigenvalues.each_ref().map(eigenvalue)),

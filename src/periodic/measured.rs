@@ -21,6 +21,8 @@ pub struct MeasuredOrbit {
     pub physical: Option<bool>,
     /// `Some(true)`: it is its own mirror image; `Some(false)`: it is not; `None`: undecided.
     pub symmetric: Option<bool>,
+    /// Number of times that it runs through a shorter orbit: 1 when it does not; `None`: undecided (Lemma T6).
+    pub times: Option<u32>,
     /// The trace of the Jacobian (A.7) over a period.
     pub trace: Enclosure,
     /// Its determinant, `e^(2k)` after `k` impacts.

@@ -99,7 +99,7 @@ impl PeriodicOrbit {
     }
 
     fn is_placed(&self) -> bool {
-        self.physical.is_some() && self.symmetric.is_some()
+        self.physical.is_some() && self.symmetric.is_some() && self.repeats.is_some()
     }
 }
 

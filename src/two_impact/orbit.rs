@@ -53,6 +53,8 @@ impl Orbit {
             unique,
             physical: motion.is_physical(),
             symmetric: Some(motion.is_symmetric),
+            // T13: the walls differ
+            times: Some(1),
             trace: of(&trace),
             determinant: of(&determinant),
             eigenvalues: eigenvalues.map(|[re, im]| Eigenvalue { re: of(&re), im: of(&im) }),

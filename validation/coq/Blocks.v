@@ -1,5 +1,5 @@
 (* Blocks in any order: a program `any_order` that finds h-sets from each of which a word of either of two blocks leads to one of them, the most of them, and the
-   proof that words of the two blocks then follow one another in every order (`order_sound`). *)
+   proof that words of the two blocks then follow one another in every order (`order_sound`); and that no two blocks of fewer impacts do so (`fewest_sound`). *)
 From Coq Require Import Reals Lia List ZArith QArith Bool.
 From ImpactPair Require Import Model Step Certificate Document Cycle Region Chaos Motions.
 Import ListNotations.
@@ -88,7 +88,62 @@ Proof.
   apply (ordered c a b live) with (start := start); [|exact begins]. intros set letter h. destruct (shrink_stays _ _ _ _ same h) as [from from'].
   destruct letter; [apply sources_in in from as (w & hw & e)|apply sources_in in from' as (w & hw & e)]; apply filter_In in hw as [hw block]; exists w; auto.
 Qed.
+(* No h-sets in which two blocks stay are taken away. *)
+Lemma shrink_keeps ws ws' live (sets : nat -> Prop) : (forall b, sets b -> marked live b = true) ->
+  (forall b, sets b -> exists w, In w ws /\ word_from w = b /\ sets (word_into w)) -> (forall b, sets b -> exists w, In w ws' /\ word_from w = b /\ sets (word_into w)) ->
+  forall b, sets b -> marked (shrink ws ws' live) b = true.
+Proof.
+  intros all both both' b h. assert (live_b := all b h).
+  assert (source : forall ws0, (forall b, sets b -> exists w, In w ws0 /\ word_from w = b /\ sets (word_into w)) -> existsb (Nat.eqb b) (sources ws0 live) = true).
+  { intros ws0 leads. destruct (leads b h) as (w & hw & from & into). apply existsb_exists. exists b. split; [|apply Nat.eqb_refl].
+    apply in_map_iff. exists w. split; [exact from|]. apply filter_In. split; [exact hw|exact (all _ into)]. }
+  assert (hb : (b < length live)%nat) by (apply not_ge; intros o; unfold marked in live_b; rewrite nth_overflow in live_b by lia; discriminate).
+  unfold marked, shrink. cbv zeta. set (f := fun b => if marked live b then _ else false).
+  rewrite (nth_indep _ false (f 0%nat)), map_nth, seq_nth by (rewrite ?map_length, ?seq_length; exact hb).
+  change (0 + b)%nat with b. unfold f. rewrite live_b, (source ws both), (source ws' both'). reflexivity.
+Qed.
+Lemma shrunk_keeps fuel ws ws' (sets : nat -> Prop) : (forall b, sets b -> exists w, In w ws /\ word_from w = b /\ sets (word_into w)) ->
+  (forall b, sets b -> exists w, In w ws' /\ word_from w = b /\ sets (word_into w)) ->
+  forall live, (forall b, sets b -> marked live b = true) -> forall b, sets b -> marked (shrunk fuel ws ws' live) b = true.
+Proof.
+  intros both both'. induction fuel as [|fuel IH]; intros live all b h; cbn [shrunk]; [exact (all b h)|]. cbv zeta.
+  destruct (pairwise _ _ _); [exact (all b h)|]. apply IH; [|exact h]. apply shrink_keeps; assumption.
+Qed.
+Lemma all_marked {X : Type} (xs : list X) : forall b, (b < length xs)%nat -> marked (map (fun _ => true) xs) b = true.
+Proof. induction xs as [|x xs IH]; intros [|b] h; cbn [length] in h; try lia; [reflexivity|]. apply IH. lia. Qed.
+(* No two blocks of fewer impacts stay in any h-sets. *)
+Definition is_fewer (a b a' b' : word) : bool := let size := fun w => length (word_flights w) in
+  let longer := Nat.max (size a) (size b) in let longer' := Nat.max (size a') (size b') in
+  if (longer <? longer')%nat then true else if (longer =? longer')%nat then (Nat.min (size a) (size b) <? Nat.min (size a') (size b'))%nat else false.
+Definition check_fewest (c : chaos) (a b : nat) : bool := let numbers := seq 0 (length (words c)) in
+  forallb (fun i => forallb (fun j =>
+    if (if is_fewer (word_of c i) (word_of c j) (word_of c a) (word_of c b) then negb (one_block (word_of c i) (word_of c j)) else false) then
+      negb (existsb (fun l => l) (shrunk (length (h_sets c)) (filter (one_block (word_of c i)) (words c)) (filter (one_block (word_of c j)) (words c)) (map (fun _ => true) (h_sets c))))
+    else true) numbers) numbers.
+Theorem fewest_sound c a b : check_fewest c a b = true -> are_fewest c a b.
+Proof.
+  intros check i j (hi & hj & differ & sets & (n & some) & range & stays_i & stays_j) less. unfold check_fewest in check. cbv zeta in check.
+  rewrite forallb_forall in check. assert (check' := check i ltac:(apply in_seq; lia)). cbv beta in check'. rewrite forallb_forall in check'.
+  assert (h := check' j ltac:(apply in_seq; lia)). cbv beta in h. clear check check'.
+  assert (small : is_fewer (word_of c i) (word_of c j) (word_of c a) (word_of c b) = true).
+  { unfold is_fewer. cbv zeta. unfold fewer in less. cbv zeta in less. destruct less as [less|[same less]].
+    - apply Nat.ltb_lt in less. rewrite less. reflexivity.
+    - destruct (_ <? _)%nat; [reflexivity|]. apply Nat.eqb_eq in same. rewrite same. apply Nat.ltb_lt. exact less. }
+  rewrite small in h. destruct (one_block (word_of c i) (word_of c j)) eqn:one; [destruct differ; apply one_block_is, one|]. cbn [negb] in h.
+  apply negb_true_iff in h.
+  assert (filtered : forall k, stays c sets k -> forall b, sets b -> exists w, In w (filter (one_block (word_of c k)) (words c)) /\ word_from w = b /\ sets (word_into w)).
+  { intros k hk b' hb. destruct (hk b' hb) as (w & hw & block & from & into). exists w. split; [|auto]. apply filter_In. split; [exact hw|apply one_block_is, block]. }
+  assert (kept := shrunk_keeps (length (h_sets c)) _ _ sets (filtered i stays_i) (filtered j stays_j) (map (fun _ => true) (h_sets c))
+    (fun b' hb => all_marked _ _ (range b' hb)) n some).
+  revert h kept. generalize (shrunk (length (h_sets c)) (filter (one_block (word_of c i)) (words c)) (filter (one_block (word_of c j)) (words c)) (map (fun _ => true) (h_sets c))).
+  intros live none kept. assert (yes : existsb (fun l => l) live = true).
+  { apply existsb_exists. exists true. split; [|reflexivity]. unfold marked in kept. rewrite <- kept. apply nth_In. apply not_ge. intros o. rewrite nth_overflow in kept by lia. discriminate. }
+  congruence.
+Qed.
 (* The two blocks that a document lists, if it does. *)
-Definition check_blocks (c : chaos) : bool := match blocks c with None => true | Some (a, b) => any_order c a b end.
-Theorem blocks_sound c : check_blocks c = true -> match blocks c with None => True | Some (a, b) => in_any_order c a b end.
-Proof. unfold check_blocks. destruct (blocks c) as [[a b]|]; [apply order_sound|trivial]. Qed.
+Definition check_blocks (c : chaos) : bool := match blocks c with None => true | Some (a, b) => if any_order c a b then check_fewest c a b else false end.
+Theorem blocks_sound c : check_blocks c = true -> match blocks c with None => True | Some (a, b) => in_any_order c a b /\ are_fewest c a b end.
+Proof.
+  unfold check_blocks. destruct (blocks c) as [[a b]|]; [|trivial]. destruct (any_order c a b) eqn:order; [|discriminate].
+  intros fewest. split; [exact (order_sound _ _ _ order)|exact (fewest_sound _ _ _ fewest)].
+Qed.

@@ -10,7 +10,7 @@ Import ListNotations.
 Record h_set := H_set { left_bottom : Q * Q; left_top : Q * Q; right_bottom : Q * Q; right_top : Q * Q; set_middle : Q * Q; set_expanding : Q * Q; set_contracting : Q * Q }.
 (* Flights in the order of time: true to the far wall, false back to the near one. *)
 Record word := Word { word_from : nat; word_into : nat; word_flights : list bool; half_cycles : Z }.
-(* Entropies in nats; two words that are blocks which may follow one another in any order. *)
+(* Entropies in nats; two words that are blocks which may follow one another in any order, those with the fewest impacts. *)
 Record chaos := Chaos { h_sets : list h_set; words : list word; per_impact : Q; per_cycle : Q; blocks : option (nat * nat) }.
 
 (* On the left of the edge from a to b, or on it. *)
@@ -97,8 +97,20 @@ Definition in_any_order (x : chaos) (a b : nat) : Prop := (a < length (words x))
   forall letters : nat -> bool, exists ws, fits S x ws /\ forall n, same_block (word_of x (ws n)) (word_of x (if letters n then a else b)).
 End Scene.
 
+(* H-sets from each of which a block leads to one of them. *)
+Definition stays (x : chaos) (sets : nat -> Prop) (a : nat) : Prop :=
+  forall b, sets b -> exists w, In w (words x) /\ same_block (word_of x a) w /\ word_from w = b /\ sets (word_into w).
+(* Two blocks that both stay in some h-sets: they may follow one another in any order. *)
+Definition are_free (x : chaos) (a b : nat) : Prop := (a < length (words x))%nat /\ (b < length (words x))%nat /\ ~ same_block (word_of x a) (word_of x b) /\
+  exists sets : nat -> Prop, (exists n, sets n) /\ (forall n, sets n -> (n < length (h_sets x))%nat) /\ stays x sets a /\ stays x sets b.
+(* Two words of fewer impacts than two others: the longer ones are compared first. *)
+Definition fewer (a b a' b' : word) : Prop := let size := fun w => length (word_flights w) in
+  let longer := Nat.max (size a) (size b) in let longer' := Nat.max (size a') (size b') in
+  (longer < longer')%nat \/ longer = longer' /\ (Nat.min (size a) (size b) < Nat.min (size a') (size b'))%nat.
+Definition are_fewest (x : chaos) (a b : nat) : Prop := forall i j, are_free x i j -> ~ fewer (word_of x i) (word_of x j) (word_of x a) (word_of x b).
+
 Definition claims_chaos (p : data) (b : beginning) (x : chaos) : Prop := all_proper p b /\ disjoint_sets x /\ List.Forall as_listed (h_sets x) /\
-  match blocks x with None => True | Some (m, n) => in_any_order x m n end /\
+  match blocks x with None => True | Some (m, n) => in_any_order x m n /\ are_fewest x m n end /\
   forall s, describes p s -> sensible s /\ one_harmonic s /\
     every_sequence s x /\ every_two_sided_sequence s x /\ every_periodic_sequence s x /\
     entropy_at_least s x impacts_of (Q2R (per_impact x)) /\ entropy_at_least s x half_cycles (Q2R (per_cycle x) / 2).

@@ -6,9 +6,9 @@ From ImpactPair Require Import Model Step Horseshoe Return Covering Certificate 
 Open Scope R_scope.
 Import ListNotations.
 
-(* An impact of a periodic orbit: its wall, bounds of phase, from 0 to 2 pi, up to whole forcing periods, and velocity;
-   and, if given, the forcing period in which it is, from
-   that of the first impact on. *)
+(* An impact of a periodic orbit: its wall, bounds of phase, the lower one from 0 to 2 pi, and velocity; and, if given, its forcing period, counted from
+   that of the first impact. The phase of the impact is its bounds' plus 2 pi for each forcing period: where the bounds straddle 2 pi, the forcing
+   period is that of the lower bound. *)
 Record spot := Spot { spot_wall : wall; spot_phase : Q * Q; spot_velocity : Q * Q; spot_period : option Z }.
 (* Real and imaginary part of an eigenvalue. *)
 Definition complex_bounds : Set := ((Q * Q) * (Q * Q))%type.
@@ -24,7 +24,9 @@ Variable s : scene.
 
 Definition periods_later (k : Z) (i : impact) : impact := later (IZR k * period s) i.
 Definition shows_spot (first : Z) (b : spot) (i : impact) : Prop := wall_of i = spot_wall b /\ in_bounds (spot_velocity b) (velocity i) /\
-  0 <= Q2R (fst (spot_phase b)) < 2 * PI /\ exists k, in_bounds (spot_phase b) (phase s (time i) - IZR k * (2 * PI)) /\ match spot_period b with None => True | Some n => k = (first + n)%Z end.
+  (0 <= Q2R (fst (spot_phase b)) < 2 * PI /\ Q2R (snd (spot_phase b)) - Q2R (fst (spot_phase b)) < 2 * PI) /\ exists k, in_bounds (spot_phase b) (phase s (time i) - IZR k * (2 * PI)) /\ match spot_period b with None => True | Some n => k = (first + n)%Z end.
+(* The first impact, from whose forcing period the others' are counted. *)
+Definition as_first (b : spot) : spot := Spot (spot_wall b) (spot_phase b) (spot_velocity b) (Some 0%Z).
 (* The same on the other wall, an odd number of half periods later. *)
 Definition mirrored (k : Z) (i : impact) : impact :=
   {| wall_of := opposite (wall_of i); time := time i + IZR (2 * k + 1) * (period s / 2); velocity := - velocity i |}.
@@ -40,23 +42,25 @@ Definition are_eigenvalues (M : matrix R) (x1 y1 x2 y2 : R) : Prop :=
 Definition in_complex (b : complex_bounds) (x y : R) : Prop := in_bounds (fst b) x /\ in_bounds (snd b) y.
 
 (* Impact i and those of the orbit, the first contacts one after another, again and again, each time `cycles` forcing periods later: within the bounds of
-   the document; the only such orbit whose first impact is; its own mirror image or not; and the product of the matrices (A.7) at its impacts. *)
+   the document; no shorter orbit several times; the only such orbit whose first impact is; its own mirror image or not; and the product of the matrices (A.7) at its impacts. *)
 Definition is_cycle (c : cycle) (i : impact) (orbit : list impact) : Prop :=
   let walls := map wall_of orbit in let P := IZR (cycles c) * period s in let M := monodromy s (wall_of i) walls (point_of s i) in
   (0 < cycles c)%Z /\ orbit <> [] /\ last walls (wall_of i) = wall_of i /\ word c = rev (mappings (wall_of i) walls) /\
   (forall n, let shift := IZR n * P in leads (rebound s (later shift i)) walls (map (later shift) orbit) (later (shift + P) i)) /\
-  (exists first, Forall2 (shows_spot first) (spots c) (firstn (length orbit) (i :: orbit))) /\
+  (exists first, Forall2 (shows_spot first) (spots c) (firstn (length orbit) (i :: orbit)) /\
+    forall b, hd_error (spots c) = Some b -> shows_spot first (as_first b) i) /\
+  (forall n k, (0 < n < length orbit)%nat -> nth n (i :: orbit) i <> periods_later k i) /\
   (forall z again b first, hd_error (spots c) = Some b -> shows_spot first b z -> leads (rebound s z) walls again (later P z) -> exists k, z = periods_later k i) /\
   (is_symmetric c = true <-> exists n k, (n < length orbit)%nat /\ nth n (i :: orbit) i = mirrored k i) /\
   in_bounds (trace_bounds c) (trace M) /\ in_bounds (determinant_bounds c) (det M) /\
   exists x1 y1 x2 y2, are_eigenvalues M x1 y1 x2 y2 /\ in_complex (first_eigenvalue c) x1 y1 /\ in_complex (second_eigenvalue c) x2 y2 /\
     if is_stable c then inside_circle x1 y1 /\ inside_circle x2 y2 else outside_circle x1 y1 \/ outside_circle x2 y2.
 
-(* After N listed impacts the motion repeats the walls of the orbit for ever; the first impacts of its rounds tend to impact i, whole periods taken off. *)
-Definition is_drawn (a : standing) (listed : list occurrence) (motion : list happening) (from : Z) (c : cycle) (i : impact) (orbit : list impact) : Prop :=
-  exists before l, (exists rest, motion = before ++ rest) /\ impacts (firstn (length before) listed) = from /\
-    after_all s a before = Flying l /\ place l = plane s (wall_of i) /\
-    exists rounds first (y : nat -> impact) turn, (0 < rounds)%nat /\ leads l (concat (repeat (map wall_of orbit) rounds)) first (y O) /\
+(* Of the listed impacts number `from`, j, is on the wall of impact i, and from there on the motion repeats the walls of the orbit for ever; the first impacts of
+   its rounds tend to impact i, whole periods taken off. *)
+Definition is_drawn (listed : list occurrence) (motion : list happening) (from : Z) (c : cycle) (i : impact) (orbit : list impact) : Prop :=
+  exists before j, (exists rest, motion = before ++ Hits j :: rest) /\ impacts (firstn (S (length before)) listed) = from /\ wall_of j = wall_of i /\
+    exists rounds first (y : nat -> impact) turn, (0 < rounds)%nat /\ leads (rebound s j) (concat (repeat (map wall_of orbit) rounds)) first (y O) /\
       (forall n, exists again, leads (rebound s (y n)) (map wall_of orbit) again (y (S n))) /\
       is_lim_seq (fun n => time (y n) - IZR (turn + Z.of_nat n * cycles c) * period s) (time i) /\
       is_lim_seq (fun n => velocity (y n)) (velocity i).
@@ -72,7 +76,7 @@ Definition claims_cycles (p : data) (b : beginning) (orbits : list cycle) : Prop
 Definition claims_attracted (x : document) (from : Z) (c : cycle) : Prop := claims x /\
   forall s l, describes (scene_data x) s -> begins (begun x) s l -> one_harmonic s /\
     exists motion i orbit, goes s (Flying l) motion /\ Forall2 shows (events x) motion /\
-      is_cycle s c i orbit /\ is_drawn s (Flying l) (events x) motion from c i orbit.
+      is_cycle s c i orbit /\ is_drawn s (events x) motion from c i orbit.
 
 Section States.
 Variable s : scene.

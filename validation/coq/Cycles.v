@@ -45,11 +45,44 @@ Import Disc.Round.Each.
 Import Disc.Round.Each.Check.
 Local Opaque add sub mul quotient whole hull sine cosine.
 
+Definition half_turns_in (p : positive) (k : Z) : I.type := mul p (whole p k) (I.pi (F.PtoP p)).
+Lemma holds_half_turns p k : holds (half_turns_in p k) (IZR k * PI).
+Proof. apply holds_mul; [apply holds_whole|apply I.pi_correct]. Qed.
+(* Bounds of two impacts that are not one, whatever the periods between them. *)
+Definition is_less (a b : Q) : bool := negb (Qle_bool b a).
+Definition within_turn (a b : Q) : bool := is_positive (sub few (half_turns_in few 2) (sub few (known_number few b) (known_number few a))).
+Definition apart_spots (a b : spot) : bool := let (p, p') := spot_phase a in let (r, r') := spot_phase b in
+  negb (same_wall (spot_wall a) (spot_wall b)) || is_less (snd (spot_velocity a)) (fst (spot_velocity b)) || is_less (snd (spot_velocity b)) (fst (spot_velocity a)) ||
+  (is_less p' r && within_turn p r') || (is_less r' p && within_turn r p').
+Lemma is_less_sound a b : is_less a b = true -> Q2R a < Q2R b.
+Proof.
+  unfold is_less. intros h. apply negb_true_iff in h. apply Qlt_Rlt. apply Qnot_le_lt. intros le. apply Qle_bool_iff in le. congruence.
+Qed.
+Lemma within_turn_sound a b : within_turn a b = true -> Q2R b - Q2R a < 2 * PI.
+Proof.
+  intros h. assert (h1 := holds_number few a). assert (h2 := holds_number few b). assert (t := holds_half_turns few 2).
+  assert (0 < IZR 2 * PI - (Q2R b - Q2R a)) by (apply (is_positive_sound _ _ h); enclose). lra.
+Qed.
+Lemma apart_spots_sound (s : scene) a b first first' i j : 0 < W s -> apart_spots a b = true -> shows_spot s first a i -> shows_spot s first' b j -> forall k, j <> periods_later s k i.
+Proof.
+  intros W_positive check (w1 & v1 & _ & k1 & p1 & _) (w2 & v2 & _ & k2 & p2 & _) k eq. subst j. unfold periods_later, later in *. cbn [wall_of velocity time] in *.
+  replace (phase s (time i + IZR k * period s)) with (phase s (time i) + IZR k * (2 * PI)) in p2 by (unfold phase, period; field; lra).
+  unfold apart_spots in check. destruct (spot_phase a) as [p p'], (spot_phase b) as [r r']. unfold in_bounds in *. cbn [fst snd] in *.
+  assert (pi := PI_RGT_0). set (x := phase s (time i)) in *. set (m := (k2 - k1 - k)%Z).
+  assert (differ : (x - IZR k1 * (2 * PI)) - (x + IZR k * (2 * PI) - IZR k2 * (2 * PI)) = IZR m * (2 * PI)) by (unfold m; rewrite !minus_IZR; ring).
+  assert (no_turn : forall n, 0 < IZR n * (2 * PI) < 2 * PI -> False).
+  { intros n [h1 h2]. assert (0 < IZR n) by nra. assert (IZR n < 1) by nra. apply lt_IZR in H, H0. lia. }
+  repeat (apply orb_prop in check as [check|check]).
+  - rewrite <- w1, <- w2 in check. destruct (wall_of i); discriminate check.
+  - apply is_less_sound in check. lra.
+  - apply is_less_sound in check. lra.
+  - apply andb_prop in check as [c1 c2]. apply is_less_sound in c1. apply within_turn_sound in c2. apply (no_turn (- m)%Z). rewrite opp_IZR. lra.
+  - apply andb_prop in check as [c1 c2]. apply is_less_sound in c1. apply within_turn_sound in c2. apply (no_turn m). lra.
+Qed.
 Section Program.
 Variable param : data.
 
 Definition unit_of (p : positive) (b : Q * Q) : I.type := quotient p (spanned p b) (velocity_over param p (whole p 1)).
-Definition half_turns_in (p : positive) (k : Z) : I.type := mul p (whole p k) (I.pi (F.PtoP p)).
 
 Fixpoint check_spots (p q : positive) (first : Z) (spots : list spot) (cells : list cell) (turns : list Z) : bool :=
   match spots, cells, turns with
@@ -58,7 +91,8 @@ Fixpoint check_spots (p q : positive) (first : Z) (spots : list spot) (cells : l
     is_within p (spot_phase b) (sub p (phases_of p q C) (half_turns_in p (2 * k))) &?
     is_within p (spot_velocity b) (velocity_over param p (speeds_of p q C)) &?
     match spot_period b with None => true | Some n => (k =? first + n)%Z end &?
-    Qle_bool 0 (fst (spot_phase b)) &? is_positive (sub p (half_turns_in p 2) (known_number p (fst (spot_phase b)))) &? check_spots p q first spots cells turns
+    Qle_bool 0 (fst (spot_phase b)) &? is_positive (sub p (half_turns_in p 2) (known_number p (fst (spot_phase b)))) &?
+    within_turn (fst (spot_phase b)) (snd (spot_phase b)) &? check_spots p q first spots cells turns
   | _, _, _ => false
   end.
 (* No impact is a mirror image of the first one. *)
@@ -115,7 +149,7 @@ Definition check_eigenvalues (p : positive) (c : cycle) (T D : I.type) : bool :=
 
 Definition check_cycle (c : cycle) (h : surroundings) : bool :=
   match spots c, further param with
-  | b :: _, [] =>
+  | b :: others, [] =>
     let wide := wide_disc h in let narrow := narrow_disc h in let w := spot_wall b in let walls := map onto (way narrow) in
     let p := disc_bits wide in let pn := disc_bits narrow in let q := disc_scale narrow in let start := all_starts narrow in
     let cells := start :: map image_of_all (way narrow) in let n := (2 * length walls)%nat in
@@ -124,7 +158,8 @@ Definition check_cycle (c : cycle) (h : surroundings) : bool :=
     check_disc param w (cycles c) wide &? check_disc param w (cycles c) narrow &?
     has_box wide (phases_of p q start) (speeds_of p q start) &?
     has_box wide (add p (spanned p (spot_phase b)) (half_turns_in p (2 * first_turns h))) (unit_of p (spot_velocity b)) &?
-    check_spots pn q (hd 0%Z (spot_turns h)) (spots c) cells (spot_turns h) &? check_mirroring w c wide narrow (mirroring_of h) &?
+    check_spots pn q (hd 0%Z (spot_turns h)) (spots c) cells (spot_turns h) &?
+    check_spots pn q (hd 0%Z (spot_turns h)) [as_first b] cells (spot_turns h) &? forallb (apart_spots b) others &? check_mirroring w c wide narrow (mirroring_of h) &?
     is_within pn (trace_bounds c) (trace_in param w narrow) &? check_determinant pn (determinant_bounds c) n &?
     check_eigenvalues pn c (trace_in param w narrow) (power_in pn (enclose_range pn (restitution param)) n)
   | _, _ => false
@@ -142,8 +177,6 @@ Proof.
   - apply holds_quotient; [exact (holds_spanned p b _ r)|exact u].
   - unfold point_of, unit_speed. cbn [snd]. f_equal. ring.
 Qed.
-Lemma holds_half_turns p k : holds (half_turns_in p k) (IZR k * PI).
-Proof. apply holds_mul; [apply holds_whole|apply I.pi_correct]. Qed.
 Lemma holds_speed p V i : holds V (snd (point_of s i)) -> holds (velocity_over param p V) (velocity i).
 Proof.
   intros hV. replace (velocity i) with (A s * W s * snd (point_of s i)) by (unfold point_of, unit_speed; cbn [snd]; field; lra).
@@ -163,7 +196,8 @@ Proof.
   constructor; [|exact (IH _ _ _ check rest more)]. destruct (holds_cell p q _ _ here) as [hX hV].
   split; [symmetry; exact same|]. split; [exact (is_within_sound _ _ _ _ k1 (holds_speed _ _ _ hV))|].
   split.
-  { assert (n0 := holds_number p (fst (spot_phase b))). assert (t2 := holds_half_turns p 2). split.
+  { split; [|match goal with narrow : within_turn _ _ = true |- _ => exact (within_turn_sound _ _ narrow) end].
+    assert (n0 := holds_number p (fst (spot_phase b))). assert (t2 := holds_half_turns p 2). split.
     - match goal with low : Qle_bool 0 _ = true |- _ => apply Qle_bool_imp_le, Qle_Rle in low; assert (q0 : Q2R 0 = 0) by (unfold Q2R; cbn; lra); lra end.
     - match goal with high : is_positive _ = true |- _ => assert (0 < IZR 2 * PI - Q2R (fst (spot_phase b))) by (apply (is_positive_sound _ _ high); enclose) end. lra. }
   exists k. split.
@@ -327,9 +361,28 @@ Proof.
   { intros n. replace (later (IZR n * (IZR (cycles c) * period s) + IZR (cycles c) * period s) i) with (later (IZR n * (IZR (cycles c) * period s)) (later (IZR (cycles c) * period s) i)).
     - apply leads_later; [|exact round]. replace (IZR n * (IZR (cycles c) * period s)) with (IZR (n * cycles c) * period s) by (rewrite mult_IZR; ring). apply turns_recur; assumption.
     - rewrite later_later. reflexivity. }
-  split.
-  { eexists. rewrite len, <- k3. apply (spots_sound (disc_bits narrow) (disc_scale narrow) _ _ _ _ (i :: orbit) k8 lie). rewrite k2, k3.
+  set (first_turn := hd 0%Z (spot_turns h)) in *.
+  assert (shown : Forall2 (shows_spot s first_turn) (b :: more) (firstn (length orbit) (i :: orbit))).
+  { rewrite len, <- k3. apply (spots_sound (disc_bits narrow) (disc_scale narrow) _ _ _ _ (i :: orbit) k8 lie). rewrite k2, k3.
     rewrite <- firstn_map. cbn [map]. rewrite orbit_walls. reflexivity. }
+  assert (first_shown : forall j f, (0 < length orbit)%nat -> Forall2 (shows_spot s f) (b :: more) (firstn (length orbit) (j :: orbit)) -> shows_spot s f b j).
+  { intros j f positive all. destruct (length orbit) as [|m]; [lia|]. cbn [firstn] in all. inversion all; assumption. }
+  assert (orbit_some : (0 < length orbit)%nat) by (rewrite len; destruct walls; [destruct (walls_some eq_refl)|cbn; lia]).
+  split.
+  { exists first_turn. split; [exact shown|]. intros b' first_is. injection first_is as <-.
+    assert (one_shown : Forall2 (shows_spot s first_turn) [as_first b] (firstn 1 (i :: orbit))).
+    { apply (spots_sound (disc_bits narrow) (disc_scale narrow) _ _ _ _ (i :: orbit) k9 lie). cbn [firstn map as_first spot_wall]. reflexivity. }
+    inversion one_shown; assumption. }
+  split.
+  { intros n k' [n_low n_high]. assert (in_list : (n < length (firstn (length orbit) (i :: orbit)))%nat) by (rewrite firstn_length; cbn [length]; lia).
+    assert (there := forall2_nth _ b i _ _ shown n in_list). assert (count := as_many _ _ _ shown).
+    replace (nth n (firstn (length orbit) (i :: orbit)) i) with (nth n (i :: orbit) i) in there.
+    - rewrite forallb_forall in k10. destruct n as [|n]; [lia|]. cbn [nth] in there.
+      apply (apart_spots_sound s b (nth n more b) first_turn first_turn i _ W_positive).
+      + apply k10, nth_In. cbn [length] in count. lia.
+      + exact (first_shown _ _ orbit_some shown).
+      + exact there.
+    - rewrite <- (firstn_skipn (length orbit) (i :: orbit)) at 1. apply app_nth1. exact in_list. }
   split.
   { intros z again b' from first_is shown_so leading. injection first_is as <-. destruct shown_so as (on & speed_in & _ & turns & phase_in & _).
     set (back := (first_turns h - turns)%Z). set (z' := periods_later s back z).
@@ -347,16 +400,16 @@ Proof.
     replace w with (wall_of z') by exact on. rewrite impact_of_point by assumption. unfold z', periods_later. rewrite later_later, opp_IZR.
     replace (- IZR back * period s + IZR back * period s) with 0 by ring. symmetry. apply later_nothing. }
   split.
-  { unfold check_mirroring in k9. cbv zeta in k9. fold narrow walls in k9. destruct (mirroring_of h) as [n m|turns].
-    - split_checks. split; [intros _|intros _; reflexivity]. apply Nat.ltb_lt in k13. apply same_walls_sound in k14. apply same_wall_sound in k15.
-      set (j := nth n (i :: orbit) i). exists n, (- m - 1)%Z. split; [rewrite len; exact k13|]. fold j.
+  { unfold check_mirroring in k11. cbv zeta in k11. fold narrow walls in k11. destruct (mirroring_of h) as [n m|turns].
+    - split_checks. split; [intros _|intros _; reflexivity]. apply Nat.ltb_lt in k15. apply same_walls_sound in k16. apply same_wall_sound in k17.
+      set (j := nth n (i :: orbit) i). exists n, (- m - 1)%Z. split; [rewrite len; exact k15|]. fold j.
       assert (len' : (n < length (i :: orbit))%nat) by (cbn [length]; lia).
       assert (j_lies := forall2_nth _ no_cell i _ _ lie n len'). fold j in j_lies.
       assert (j_wall : wall_of j = nth n (w :: walls) w).
       { unfold j. rewrite <- (map_nth wall_of). cbn [map]. rewrite orbit_walls. reflexivity. }
-      set (z := mirrored s m j). assert (z_wall : wall_of z = w) by (cbn [z mirrored wall_of]; rewrite j_wall; exact k15).
+      set (z := mirrored s m j). assert (z_wall : wall_of z = w) by (cbn [z mirrored wall_of]; rewrite j_wall; exact k17).
       assert (inside : in_ellipse (frame_of (disc_scale wide) (disc_chart wide)) (point_of s z)).
-      { destruct (holds_cell (disc_bits wide) (disc_scale narrow) _ _ j_lies) as [jX jV]. apply (has_box_sound param w (cycles c) wide k4 _ _ _ k9).
+      { destruct (holds_cell (disc_bits wide) (disc_scale narrow) _ _ j_lies) as [jX jV]. apply (has_box_sound param w (cycles c) wide k4 _ _ _ k11).
         - replace (fst (point_of s z)) with (fst (point_of s j) + IZR (2 * m + 1) * PI) by (unfold z, point_of; cbn [fst mirrored time]; rewrite phase_mirrored by assumption; reflexivity).
           assert (t := holds_half_turns (disc_bits wide) (2 * m + 1)). enclose.
         - replace (snd (point_of s z)) with (- snd (point_of s j)) by (unfold z, point_of, unit_speed; cbn [snd mirrored velocity]; field; lra). enclose. }
@@ -377,7 +430,7 @@ Proof.
       destruct from_j as [f_j last_j].
       assert (mirrored_round : leads s (rebound s z) walls (map (mirrored s m) (skipn n orbit ++ map (later P) (firstn n orbit))) (later P z)).
       { split; [exact (follows_mirrored s W_positive one m _ j f_j)|]. split.
-        - etransitivity; [|exact k14]. rewrite map_map. change (fun x0 => wall_of (mirrored s m x0)) with (fun x0 => opposite (wall_of x0)). rewrite <- (map_map wall_of opposite). f_equal. rewrite map_app. f_equal; [rewrite <- skipn_map, orbit_walls; reflexivity|].
+        - etransitivity; [|exact k16]. rewrite map_map. change (fun x0 => wall_of (mirrored s m x0)) with (fun x0 => opposite (wall_of x0)). rewrite <- (map_map wall_of opposite). f_equal. rewrite map_app. f_equal; [rewrite <- skipn_map, orbit_walls; reflexivity|].
           rewrite map_map. change (fun x0 => wall_of (later P x0)) with wall_of. rewrite <- firstn_map, orbit_walls. reflexivity.
         - assert (z_later : later P z = mirrored s m (later P j)) by (symmetry; apply mirrored_later). rewrite z_later, last_map. f_equal.
           etransitivity; [|exact last_j]. apply last_default. intros none. apply app_eq_nil in none as [none _]. assert (l0 := skipn_length n orbit). rewrite none in l0. cbn in l0. lia. }
@@ -385,11 +438,11 @@ Proof.
       assert (same := unique _ inside fixed).
       assert (i_is : i = z) by (unfold i; rewrite <- same, <- z_wall; apply impact_of_point; assumption).
       rewrite i_is. unfold z. symmetry. apply mirrored_back.
-    - split_checks. apply negb_true_iff in k12. rewrite k12. split; [discriminate|]. intros (n & m & lt & eq). exfalso. apply Nat.eqb_eq in k13.
-      assert (apart := apart_sound (disc_bits narrow) (disc_scale narrow) i (all_starts narrow) (w :: walls) ltac:(rewrite point_i; exact x'_in) _ _ (i :: orbit) k9 lie ltac:(cbn [map]; rewrite orbit_walls; reflexivity)).
-      refine (forall_nth _ i _ n _ apart _ _ m eq); [rewrite k13, <- len; exact lt|cbn [length]; lia]. }
-  split; [exact (is_within_sound _ _ _ _ k10 hT)|].
-  split; [rewrite det_is; exact (determinant_sound _ _ _ k11)|].
+    - split_checks. apply negb_true_iff in k14. rewrite k14. split; [discriminate|]. intros (n & m & lt & eq). exfalso. apply Nat.eqb_eq in k15.
+      assert (apart := apart_sound (disc_bits narrow) (disc_scale narrow) i (all_starts narrow) (w :: walls) ltac:(rewrite point_i; exact x'_in) _ _ (i :: orbit) k11 lie ltac:(cbn [map]; rewrite orbit_walls; reflexivity)).
+      refine (forall_nth _ i _ n _ apart _ _ m eq); [rewrite k15, <- len; exact lt|cbn [length]; lia]. }
+  split; [exact (is_within_sound _ _ _ _ k12 hT)|].
+  split; [rewrite det_is; exact (determinant_sound _ _ _ k13)|].
   apply (check_eigenvalues_sound (disc_bits narrow) c _ _ _ hT) with (2 := check). rewrite det_is. apply holds_power, holds_range, described.
 Qed.
 End Program.

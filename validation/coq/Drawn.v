@@ -24,13 +24,13 @@ Definition last_impact (listed : list occurrence) : option bounds :=
 Definition visit (s : scene) (w : wall) (cycles_of : Z) (walls : list wall) (y : state) (turn : Z) (n : nat) : impact :=
   periods_later s (turn + Z.of_nat n * cycles_of) (impact_at s w (Nat.iter n (fun x => turned cycles_of (fly_on s w walls x)) y)).
 Definition first_events (n : nat) (x : document) : document := Document (scene_data x) (begun x) (firstn n (events x)) (ended x).
-Lemma drawn_longer s a listed more motion motion' from c i orbit : Forall2 shows listed motion ->
-  is_drawn s a listed motion from c i orbit -> is_drawn s a (listed ++ more) (motion ++ motion') from c i orbit.
+Lemma drawn_longer s listed more motion motion' from c i orbit : Forall2 shows listed motion ->
+  is_drawn s listed motion from c i orbit -> is_drawn s (listed ++ more) (motion ++ motion') from c i orbit.
 Proof.
-  intros all (before & l & (rest & motion_is) & number & there & on_place & draws). exists before, l. split; [exists (rest ++ motion'); rewrite motion_is, app_assoc; reflexivity|].
-  split; [|split; [exact there|split; [exact on_place|exact draws]]]. rewrite firstn_app.
-  replace (length before - length listed)%nat with 0%nat; [cbn [firstn]; rewrite app_nil_r; exact number|].
-  assert (len := as_many _ _ _ all). rewrite motion_is, app_length in len. lia.
+  intros all (before & j & (rest & motion_is) & number & draws). exists before, j. split; [exists (rest ++ motion'); rewrite motion_is, <- app_assoc; reflexivity|].
+  split; [|exact draws]. rewrite firstn_app.
+  replace (S (length before) - length listed)%nat with 0%nat; [rewrite firstn_O, app_nil_r; exact number|].
+  assert (len := as_many _ _ _ all). rewrite motion_is, app_length in len. cbn [length] in len. lia.
 Qed.
 
 Module Drawings (F : FloatOps with Definition sensible_format := true).
@@ -47,45 +47,15 @@ Fixpoint check_all (param : data) (orbits : list cycle) (hints : list surroundin
   | c :: orbits, h :: hints => check_cycle param c h && check_all param orbits hints
   | _, _ => false
   end.
-(* Bounds of two impacts that are not one, whatever the periods between them; and orbits of which none is listed twice. *)
-Definition is_less (a b : Q) : bool := negb (Qle_bool b a).
-Definition within_turn (a b : Q) : bool := is_positive (sub few (half_turns_in few 2) (sub few (known_number few b) (known_number few a))).
-Definition apart_spots (a b : spot) : bool := let (p, p') := spot_phase a in let (r, r') := spot_phase b in
-  negb (same_wall (spot_wall a) (spot_wall b)) || is_less (snd (spot_velocity a)) (fst (spot_velocity b)) || is_less (snd (spot_velocity b)) (fst (spot_velocity a)) ||
-  (is_less p' r && within_turn p r') || (is_less r' p && within_turn r p').
+(* Orbits of which none is listed twice. *)
 Definition apart_cycles (a b : cycle) : bool := match spots a with [] => false | first :: _ => forallb (apart_spots first) (spots b) end.
 Fixpoint check_distinct (orbits : list cycle) : bool := match orbits with [] => true | c :: orbits => forallb (apart_cycles c) orbits && check_distinct orbits end.
 Definition verify_cycles (param : data) (b : beginning) (orbits : list cycle) (hints : list surroundings) : bool :=
   check_single param b && check_distinct orbits && check_all param orbits hints.
 
-Lemma is_less_sound a b : is_less a b = true -> Q2R a < Q2R b.
-Proof.
-  unfold is_less. intros h. apply negb_true_iff in h. apply Qlt_Rlt. apply Qnot_le_lt. intros le. apply Qle_bool_iff in le. congruence.
-Qed.
-Lemma within_turn_sound a b : within_turn a b = true -> Q2R b - Q2R a < 2 * PI.
-Proof.
-  intros h. assert (h1 := holds_number few a). assert (h2 := holds_number few b). assert (t := holds_half_turns few 2).
-  assert (0 < IZR 2 * PI - (Q2R b - Q2R a)) by (apply (is_positive_sound _ _ h); enclose). lra.
-Qed.
-Lemma apart_spots_sound (s : scene) a b first first' i j : 0 < W s -> apart_spots a b = true -> shows_spot s first a i -> shows_spot s first' b j -> forall k, j <> periods_later s k i.
-Proof.
-  intros W_positive check (w1 & v1 & _ & k1 & p1 & _) (w2 & v2 & _ & k2 & p2 & _) k eq. subst j. unfold periods_later, later in *. cbn [wall_of velocity time] in *.
-  replace (phase s (time i + IZR k * period s)) with (phase s (time i) + IZR k * (2 * PI)) in p2 by (unfold phase, period; field; lra).
-  unfold apart_spots in check. destruct (spot_phase a) as [p p'], (spot_phase b) as [r r']. unfold in_bounds in *. cbn [fst snd] in *.
-  assert (pi := PI_RGT_0). set (x := phase s (time i)) in *. set (m := (k2 - k1 - k)%Z).
-  assert (differ : (x - IZR k1 * (2 * PI)) - (x + IZR k * (2 * PI) - IZR k2 * (2 * PI)) = IZR m * (2 * PI)) by (unfold m; rewrite !minus_IZR; ring).
-  assert (no_turn : forall n, 0 < IZR n * (2 * PI) < 2 * PI -> False).
-  { intros n [h1 h2]. assert (0 < IZR n) by nra. assert (IZR n < 1) by nra. apply lt_IZR in H, H0. lia. }
-  repeat (apply orb_prop in check as [check|check]).
-  - rewrite <- w1, <- w2 in check. destruct (wall_of i); discriminate check.
-  - apply is_less_sound in check. lra.
-  - apply is_less_sound in check. lra.
-  - apply andb_prop in check as [c1 c2]. apply is_less_sound in c1. apply within_turn_sound in c2. apply (no_turn (- m)%Z). rewrite opp_IZR. lra.
-  - apply andb_prop in check as [c1 c2]. apply is_less_sound in c1. apply within_turn_sound in c2. apply (no_turn m). lra.
-Qed.
 Lemma apart_cycles_sound (s : scene) a b o o' : 0 < W s -> apart_cycles a b = true -> is_cycle s a (fst o) (snd o) -> is_cycle s b (fst o') (snd o') -> others_than s o o'.
 Proof.
-  intros W_positive check (_ & _ & _ & _ & _ & (f & own) & _) (_ & _ & _ & _ & _ & (f' & theirs) & _) n k lt. unfold apart_cycles in check.
+  intros W_positive check (_ & _ & _ & _ & _ & (f & own & _) & _) (_ & _ & _ & _ & _ & (f' & theirs & _) & _) n k lt. unfold apart_cycles in check.
   destruct (spots a) as [|x more] eqn:listed; [discriminate|]. inversion own as [|x' i xs is first rest eq1 eq2]; subst.
   destruct (snd o) as [|i1 orbit]; [discriminate eq2|]. cbn [length firstn] in eq2. injection eq2 as first_is _. subst i.
   assert (len := as_many _ _ _ theirs). assert (in_list : (n < length (firstn (length (snd o')) (fst o' :: snd o')))%nat) by (rewrite firstn_length; cbn [length]; lia).
@@ -123,15 +93,13 @@ Definition cell_of (b : bounds) (B : cell) : bool :=
   in_cell p q (phase_over param p (spanned p (time_lower b, time_upper b))) (unit_of param p (velocity_lower b, velocity_upper b)) B.
 End On.
 
-Definition wall_before (b : beginning) (before : list occurrence) : option wall :=
-  match before with [] => match b with Struck w _ _ => Some w | Inside _ _ _ => None end | _ => option_map on (last_impact before) end.
 Definition check_approach (x : document) (from : Z) (w : wall) (h : disc) (a : approach_to) : bool :=
   let p := disc_bits h in let q := disc_scale h in let walls := map onto (way h) in
   let before := firstn (listed_before a) (events x) in let rest := skipn (listed_before a) (events x) in
-  match last_impact (events x), wall_before (begun x) before, walls_listed rest with
-  | Some b, Some w0, Some ws =>
+  match last_impact (events x), last_impact before, walls_listed rest with
+  | Some b, Some b0, Some ws =>
     let last_cell := centre_at_end (last_listed a) (flights_on a) in
-    (impacts before =? from)%Z &? same_wall w0 w &? same_walls (ws ++ map onto (flights_on a)) (concat (repeat walls (rounds_until a))) &?
+    (impacts before =? from)%Z &? same_wall (on b0) w &? same_walls (ws ++ map onto (flights_on a)) (concat (repeat walls (rounds_until a))) &?
     (0 <? rounds_until a)%nat &? is_plain h &? cell_of p q b (last_listed a) &? check_flights p q (on b) (last_listed a) (flights_on a) &?
     has_box h (sub p (phases_of p q last_cell) (half_turns_in p (2 * turns_until a))) (speeds_of p q last_cell)
   | _, _, _ => false
@@ -262,23 +230,19 @@ Qed.
 Theorem approach_sound x from w h a cycles_of c state_ : scene_data x = param -> check_disc param w cycles_of h = true -> cycles c = cycles_of -> one_harmonic s ->
   in_ellipse (frame_of (disc_scale h) (disc_chart h)) state_ -> turned cycles_of (fly_on s w (map onto (way h)) state_) = state_ ->
   check_approach x from w h a = true -> forall l motion, begins (begun x) s l -> goes s (Flying l) motion -> Forall2 shows (events x) motion ->
-  is_drawn s (Flying l) (events x) motion from c (impact_at s w state_) (impacts_on s w (map onto (way h)) state_).
+  is_drawn s (events x) motion from c (impact_at s w state_) (impacts_on s w (map onto (way h)) state_).
 Proof.
   intros same_data checked same_cycles one state_in state_back check l motion begin g all. unfold check_approach in check. cbv zeta in check.
   set (walls := map onto (way h)) in *. set (n := listed_before a) in *. set (before := firstn n (events x)) in *. set (rest := skipn n (events x)) in *.
-  destruct (last_impact (events x)) as [b|] eqn:final; [|discriminate]. destruct (wall_before (begun x) before) as [w0|] eqn:wall0; [|discriminate].
-  destruct (walls_listed rest) as [ws|] eqn:listed; [|discriminate]. split_checks. apply Z.eqb_eq in k. apply same_wall_sound in k0. subst w0.
+  destruct (last_impact (events x)) as [b|] eqn:final; [|discriminate]. destruct (last_impact before) as [b0|] eqn:wall0; [|discriminate].
+  destruct (walls_listed rest) as [ws|] eqn:listed; [|discriminate]. split_checks. apply Z.eqb_eq in k. apply same_wall_sound in k0.
   apply same_walls_sound in k1. apply Nat.ltb_lt in k2.
   assert (split_list : events x = before ++ rest) by (unfold before, rest; rewrite firstn_skipn; reflexivity).
   pose proof all as all0. rewrite split_list in all0. apply Forall2_app_inv_l in all0 as (m1 & m2 & all1 & all2 & motion_is).
   pose proof g as g0. rewrite motion_is in g0. apply goes_app in g0 as [g1 g2].
   (* The impact from which on the walls are repeated. *)
-  assert (start : exists l', after_all s (Flying l) m1 = Flying l' /\ place l' = plane s w).
-  { unfold wall_before in wall0. destruct before as [|o before'] eqn:bf.
-    - inversion all1; subst m1. exists l. split; [reflexivity|]. destruct (begun x) as [w' t v|]; [|discriminate]. injection wall0 as ->. destruct begin as (i & on_w & _ & _ & ->). cbn. rewrite on_w. reflexivity.
-    - destruct (last_impact (o :: before')) as [b'|] eqn:lb; [|discriminate]. injection wall0 as on_b. destruct (last_impact_shown _ _ _ lb all1) as (m0 & i & -> & in_b).
-      exists (rebound s i). rewrite after_all_app. split; [reflexivity|]. cbn. destruct in_b as [-> _]. rewrite on_b. reflexivity. }
-  destruct start as (l' & there & on_place). rewrite there in g2.
+  destruct (last_impact_shown _ _ _ wall0 all1) as (m00 & j0 & m1_is & j0_in). set (l' := rebound s j0) in *.
+  assert (there : after_all s (Flying l) m1 = Flying l') by (rewrite m1_is, after_all_app; reflexivity). rewrite there in g2.
   destruct (walls_listed_shown rest l' m2 ws listed all2 g2) as (orbit1 & m2_is & f1 & walls1).
   (* The last listed impact, and the flights on from there. *)
   destruct (last_impact_shown _ _ _ final all) as (m0 & i & motion_ends & i_in).
@@ -312,9 +276,10 @@ Proof.
     - unfold y, turned. cbn [fst]. assert (ht := holds_half_turns (disc_bits h) (2 * t)). replace (IZR t * (2 * PI)) with (IZR (2 * t) * PI) by (rewrite mult_IZR; ring). enclose.
     - exact hV. }
   destruct (visits_tend w cycles_of h checked k3 state_ y state_in state_back y_in t) as [times speeds].
-  exists m1, l'. split; [exists m2; exact motion_is|]. split.
-  { rewrite <- (as_many _ _ _ all1). rewrite split_list at 1. rewrite firstn_app, Nat.sub_diag, firstn_all. cbn [firstn]. rewrite app_nil_r. exact k. }
-  split; [exact there|]. split; [exact on_place|].
+  exists m00, j0. split; [exists m2; rewrite motion_is, m1_is, <- app_assoc; reflexivity|]. split.
+  { replace (S (length m00)) with (length m1) by (rewrite m1_is, app_length; cbn [length]; lia).
+    rewrite <- (as_many _ _ _ all1). rewrite split_list at 1. rewrite firstn_app, Nat.sub_diag, firstn_all. cbn [firstn]. rewrite app_nil_r. exact k. }
+  split; [destruct j0_in as [-> _]; exact k0|].
   exists (rounds_until a), (orbit1 ++ orbit2), (visit s w cycles_of walls y t), t. rewrite impacts_walls. fold walls. split; [exact k2|]. split.
   { assert (first : visit s w cycles_of walls y t 0 = j).
     { unfold visit. cbn [Nat.iter nat_rect Z.of_nat Z.mul]. rewrite Z.add_0_r. unfold y. rewrite <- (later_of_turned s W_positive w t end_). symmetry. exact j_at. }
@@ -336,7 +301,7 @@ Proof.
   destruct (spots c) as [|b' more] eqn:listed; [discriminate|]. injection first as ->. split; [exact one|].
   exists motion. eexists. eexists. split; [exact g|]. split; [exact all|]. split; [exact is_one|].
   pose proof all as parts. rewrite <- (firstn_skipn (listed_until a) (events x)) in parts. apply Forall2_app_inv_l in parts as (m1 & m2 & all1 & _ & motion_is).
-  rewrite motion_is in g |- *. apply goes_app in g as [g1 _]. rewrite <- (firstn_skipn (listed_until a) (events x)). apply (drawn_longer s _ _ _ _ _ _ _ _ _ all1).
+  rewrite motion_is in g |- *. apply goes_app in g as [g1 _]. rewrite <- (firstn_skipn (listed_until a) (events x)). apply (drawn_longer s _ _ _ _ _ _ _ _ all1).
   exact (approach_sound (scene_data x) s described A_positive W_positive gap_positive (first_events (listed_until a) x) from (spot_wall b) (wide_disc h) a (cycles c) c z
     eq_refl checked eq_refl one inside back approach l m1 begin g1 all1).
 Qed.

@@ -36,11 +36,23 @@ Definition impacts (listed : list occurrence) : Z := Z.of_nat (length (filter is
 (* All up to a time is listed: what happens next comes later. That is no rest after infinitely many impacts, which come before it. *)
 Definition up_to (s : scene) (a : standing) (motion : list happening) (T : number) : Prop :=
   defined T /\ List.Forall (fun h => moment h <= value T) motion /\ exists h, happens s (after_all s a motion) h /\ kind h <> 1%nat /\ value T < moment h.
+(* How many impacts are listed before each release, counted on from n; and how many releases. *)
+Fixpoint before_releases (n : Z) (listed : list occurrence) : list Z :=
+  match listed with
+  | [] => []
+  | Impact_at _ :: listed => before_releases (n + 1) listed
+  | Rest_at _ _ _ _ :: listed => before_releases n listed
+  | Release_at _ _ _ :: listed => n :: before_releases n listed
+  end.
+Definition releases (listed : list occurrence) : nat := length (before_releases 0 listed).
+(* After each release, that before the round and the later ones, as many impacts are listed up to the release a round later, where that is listed. *)
+Definition as_many_each (each : Z) (round later : list occurrence) : Prop := let numbers := 0%Z :: before_releases 0 (round ++ later) in
+  List.Forall (fun two => snd two = (fst two + each)%Z) (combine numbers (skipn (releases round) numbers)).
 (* A part of the list, with the claimed number of impacts, begins after a release and ends with one from the same wall. It happens again and again,
-   each time the same number of forcing periods later, for ever. *)
+   each time the same number of forcing periods later, for ever; wherever it is listed again, it is so with as many impacts. *)
 Definition repeats (s : scene) (a : standing) (listed : list occurrence) (motion : list happening) (cycles each : Z) : Prop :=
   is_fastest s /\ (0 < cycles)%Z /\ exists before round later m1 m2 m3 w t, listed = before ++ round ++ later /\ motion = m1 ++ m2 ++ m3 /\
-    Forall2 shows before m1 /\ Forall2 shows round m2 /\ impacts round = each /\ after_all s a m1 = Flying (released s w t) /\
+    Forall2 shows before m1 /\ Forall2 shows round m2 /\ impacts round = each /\ as_many_each each round later /\ after_all s a m1 = Flying (released s w t) /\
     let period_of := IZR cycles * period s in
     forall n, let shift := INR n * period_of in
       goes s (Flying (released s w (t + shift))) (map (later_on shift) m2) /\

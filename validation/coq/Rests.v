@@ -30,11 +30,13 @@ Definition check_until (p : positive) (until : option number) (listed : list occ
   end.
 (* Two rests on one wall, the first seen a number of forcing periods later, have a time in common: so do their releases. *)
 Definition check_repeats (p : positive) (param : data) (listed : list occurrence) (cycles each : Z) (rounds : nat * nat) : bool :=
-  let before := firstn (fst rounds) listed in let round := firstn (snd rounds) (skipn (fst rounds) listed) in
+  let before := firstn (fst rounds) listed in let rest := skipn (fst rounds) listed in let round := firstn (snd rounds) rest in
+  let numbers := 0%Z :: before_releases 0 rest in
   match last_rest before, last_rest round with
   | Some (w, u, (a, _)), Some (w', u', (a', _)) =>
     let P := quotient p (mul p (whole p (2 * cycles)) (I.pi (F.PtoP p))) (enclose_range p (frequency param)) in
     check_fastest p param && (0 <? cycles)%Z && forallb (check_turns param cycles) (further param) && same_wall w w' && (impacts round =? each)%Z &&
+    forallb (fun two => (snd two =? fst two + each)%Z) (combine numbers (skipn (releases round) numbers)) &&
     is_positive (sub p (add p (known_number p a) P) (known_number p u')) && is_positive (sub p (known_number p a') (add p (known_number p u) P))
   | _, _ => false
   end.
@@ -64,10 +66,13 @@ Proof.
   set (before := firstn (fst rounds) listed) in *. set (rest := skipn (fst rounds) listed) in *. set (round := firstn (snd rounds) rest) in *.
   set (later := skipn (snd rounds) rest).
   destruct (last_rest before) as [[[w u] [a b]]|] eqn:r1; [|discriminate]. destruct (last_rest round) as [[[w' u'] [a' b']]|] eqn:r2; [|discriminate].
-  apply andb_prop in check as [check second_in]. apply andb_prop in check as [check first_in]. apply andb_prop in check as [check number].
-  apply andb_prop in check as [check same_w]. apply andb_prop in check as [check turns_of].
+  apply andb_prop in check as [check second_in]. apply andb_prop in check as [check first_in]. apply andb_prop in check as [check again].
+  apply andb_prop in check as [check number]. apply andb_prop in check as [check same_w]. apply andb_prop in check as [check turns_of].
   apply andb_prop in check as [fastest cycles0]. apply same_wall_sound in same_w. subst w'.
   apply Z.ltb_lt in cycles0. apply Z.eqb_eq in number. assert (turns_ := turns_sound param s described W_positive cycles turns_of).
+  assert (each_time : as_many_each each round later).
+  { unfold as_many_each. cbv zeta. replace (round ++ later) with rest by (unfold round, later; rewrite firstn_skipn; reflexivity).
+    apply Forall_forall. rewrite forallb_forall in again. intros two in_list. apply Z.eqb_eq, again, in_list. }
   assert (split_list : listed = before ++ round ++ later) by (unfold before, round, later, rest; rewrite !firstn_skipn; reflexivity).
   rewrite split_list in all. apply Forall2_app_inv_l in all as (m1 & m' & all1 & all' & eq). apply Forall2_app_inv_l in all' as (m2 & m3 & all2 & all3 & eq').
   rewrite eq, eq' in g. apply goes_app in g as [g1 g]. apply goes_app in g as [g2 _].
@@ -81,7 +86,7 @@ Proof.
   assert (0 < Q2R a' - (Q2R u + P)) by (apply (is_positive_sound _ _ second_in); apply holds_sub; [apply holds_number|apply holds_add; [apply holds_number|exact hP]]).
   assert (eq_time : t' = t + P) by (apply (release_later s P turns_ w t0 t t0' t' rest1 rest2); lra).
   split; [exact (fastest_sound p param s described fastest)|]. split; [exact cycles0|]. exists before, round, later, m1, m2, m3, w, t. split; [exact split_list|]. split; [rewrite eq, eq'; reflexivity|].
-  split; [exact all1|]. split; [exact all2|]. split; [exact number|]. split; [exact at1|]. cbv zeta. intros n. fold P. set (shift := INR n * P).
+  split; [exact all1|]. split; [exact all2|]. split; [exact number|]. split; [exact each_time|]. split; [exact at1|]. cbv zeta. intros n. fold P. set (shift := INR n * P).
   assert (all_turns : recurs s shift).
   { intros h i. destruct (turns_ h i) as [m whole_]. exists (Z.of_nat n * m)%Z. unfold shift. rewrite INR_IZR_INZ, mult_IZR.
     replace (W h * (IZR (Z.of_nat n) * P)) with (IZR (Z.of_nat n) * (W h * P)) by ring. rewrite whole_. ring. }

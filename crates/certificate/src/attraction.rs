@@ -1,17 +1,20 @@
 //! Claims of documents about periodic orbits, as exact fractions.
 
 use impact_pair_document::{MeasuredImpact, OutcomeDocument, PeriodicOrbitDocument, Place};
+use impact_pair_exact::Enclosure;
+use impact_pair_model::{Error, Word};
+use num_bigint::BigInt;
 use num_rational::BigRational;
 
-use impact_pair_model::Error;
-use impact_pair_model::Word;
+/// Bits of the bound that the widths of phases are compared with.
+const BITS: u32 = 64;
 
 /// A stable periodic orbit that the motion is claimed to converge to.
 #[derive(Clone, Debug)]
 pub(super) struct Attraction {
     pub word: Word,
     pub cycles: u64,
-    /// The impact from which on the motion is in a neighbourhood that the period contracts.
+    /// Number of the listed impact from which on the motion is in a neighbourhood that the period contracts.
     pub from: u64,
     pub orbit: ClaimedOrbit,
 }
@@ -24,6 +27,8 @@ pub(super) struct ClaimedOrbit {
     /// Trace, determinant, and both eigenvalues, real and imaginary parts.
     pub numbers: Option<[Bounds; 6]>,
     pub symmetric: Option<bool>,
+    /// Number of times that it runs through a shorter orbit, if that is claimed.
+    pub times: Option<u32>,
     /// The only one in these bounds.
     pub unique: bool,
     pub physical: Option<bool>,
@@ -63,11 +68,12 @@ impl Attraction {
         }))
     }
 
-    /// Returns whether its orbit is claimed to be the only one in its box, admissible and stable, and nothing of it is left open but its symmetry
+    /// Returns whether its orbit is claimed to be the only one in its box, of its least period, admissible and stable, and nothing of it is left open but its symmetry
     /// where it is not decided if the shaking has a mirror.
     pub fn is_attractor(&self, is_mirror_decided: bool) -> bool {
-        let ClaimedOrbit { unique, physical, stability, numbers, symmetric, .. } = &self.orbit;
+        let ClaimedOrbit { unique, physical, stability, numbers, symmetric, times, .. } = &self.orbit;
         *unique
+            && *times == Some(1)
             && (symmetric.is_some() || !is_mirror_decided)
             && *physical == Some(true)
             && *stability == Stability::Stable
@@ -98,10 +104,22 @@ impl ClaimedOrbit {
             "undecided" => Stability::Undecided,
             _ => return Err(place.get("stability")?.refused("accepted are stable, unstable and undecided")),
         };
+        if orbit.times == Some(0) {
+            return Err(place.get("times")?.refused("accepted are whole numbers above 0, and null"));
+        }
+        // T13: narrower bounds leave no choice of the forcing period
+        let turn = Enclosure::pi(BITS).inf().to_rational() * BigInt::from(2);
+        if let Some(i) =
+            orbit.impacts.iter().map(|impact| values(&impact.phase)).position(|[low, high]| high - low >= turn)
+        {
+            let impacts = place.get("impacts")?.list()?;
+            return Err(impacts[i].get("phase")?.refused("accepted are bounds less than 2 pi apart"));
+        }
         Ok(Self {
             impacts: orbit.impacts.iter().map(|impact| impact.map(values)).collect(),
             numbers,
             symmetric: orbit.symmetric,
+            times: orbit.times,
             unique: orbit.unique,
             physical: orbit.physical,
             stability,
@@ -112,6 +130,9 @@ impl ClaimedOrbit {
 
     /// Returns whether no requested property is undecided.
     pub fn is_decided(&self) -> bool {
-        self.physical.is_some() && self.symmetric.is_some() && self.stability != Stability::Undecided
+        self.physical.is_some()
+            && self.symmetric.is_some()
+            && self.times.is_some()
+            && self.stability != Stability::Undecided
     }
 }

@@ -4,7 +4,7 @@ use super::attraction::{Bounds, ClaimedOrbit};
 use impact_pair_document::{BIFURCATION_SCHEMA, BifurcationDocument, BifurcationPointDocument, Place, value};
 use impact_pair_exact::Exact;
 use impact_pair_model::scene::Key;
-use impact_pair_model::{Error, ImpactPair, Start, Wall, Word};
+use impact_pair_model::{Error, ImpactPair, Mapping, Start, Wall, Word};
 use num_rational::BigRational;
 
 /// The claims of a bifurcation JSON.
@@ -96,6 +96,22 @@ impl ClaimedPoint {
     }
 }
 
+impl ClaimedPoint {
+    /// Returns whether its word is `doubled` times the requested one, or one that this repeats in as many parts of its cycles: a branch of orbits that run
+    /// through shorter ones is that of the shorter ones.
+    fn is_of(&self, (requested, cycles): (&Word, u64), doubled: usize) -> bool {
+        let (requested, word) = (requested.mappings(), self.word.mappings());
+        let each = word.len() / doubled; // exact: where that many words are compared below
+        let is_repeated = |all: &[Mapping]| all.iter().enumerate().all(|(i, mapping)| *mapping == word[i % each]);
+        if each == 0 || word.len() != each * doubled || !requested.len().is_multiple_of(each) {
+            return false;
+        }
+        let [rounds, doubled] = [requested.len() / each, doubled].map(|count| count as u64); // exact: lengths
+        let periods = (cycles / rounds).checked_mul(doubled);
+        is_repeated(word) && is_repeated(requested) && cycles.is_multiple_of(rounds) && periods == Some(self.cycles)
+    }
+}
+
 impl BifurcationCertificate {
     /// Reads a bifurcation JSON.
     ///
@@ -178,19 +194,20 @@ fn contradiction(document: &BifurcationDocument, points: &[ClaimedPoint]) -> Res
     let BifurcationDocument { word, cycles, certified, branches, undecided, .. } = document;
     let requested: Word = word.parse()?;
     let is_lost = branches.iter().any(|branch| branch.ends.iter().any(|end| end == "lost"));
-    let is_open = |point: &ClaimedPoint| point.kind != Kind::Graze && point.orbit.physical.is_none();
+    let is_open = |point: &ClaimedPoint| {
+        point.kind != Kind::Graze && (point.orbit.physical.is_none() || point.orbit.times.is_none())
+    };
     if *certified && (!undecided.is_empty() || is_lost || points.iter().any(is_open)) {
         return Ok(Some("certified: not everything found is proved".to_owned()));
     }
     for (i, (point, claimed)) in points.iter().zip(&document.points).enumerate() {
         // The orbit at which a doubling comes is the one before it.
         let doublings = claimed.doublings.checked_sub((point.kind == Kind::PeriodDoubling).into());
-        let times = |count: u64| count.checked_mul(1u64.checked_shl(doublings?)?);
-        let repeated = requested.mappings().iter().cycle().take(point.word.mappings().len());
-        let fits = times(requested.mappings().len() as u64) == Some(point.word.mappings().len() as u64)
-            && times((*cycles).into()) == Some(point.cycles);
-        if !fits || !repeated.eq(point.word.mappings()) {
-            return Ok(Some(format!("points[{i}]: its word is not the requested one, doubled that number of times")));
+        let doubled = doublings.and_then(|doublings| 1usize.checked_shl(doublings));
+        if !doubled.is_some_and(|doubled| point.is_of((&requested, (*cycles).into()), doubled)) {
+            return Ok(Some(format!(
+                "points[{i}]: its word is not the requested one, or one that this repeats, doubled that number of times"
+            )));
         }
     }
     Ok(None)

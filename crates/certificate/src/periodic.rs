@@ -141,8 +141,13 @@ impl PeriodicCertificate {
     fn new(pair: ImpactPair, orbits: Vec<OrbitOf>, mut unjudged: Vec<String>) -> Result<Self, Error> {
         // Of what is no motion it is not judged whether there are others, one of them its mirror image.
         for (i, _) in orbits.iter().enumerate().filter(|(_, orbit)| orbit.orbit.physical != Some(true)) {
-            unjudged.extend([format!("orbits[{i}].symmetric"), format!("orbits[{i}].unique")]);
+            unjudged.extend(["symmetric", "unique"].map(|key| format!("orbits[{i}].{key}")));
         }
+        // Nor whether one that comes to the state of its first impact again has the same future.
+        let is_repeated =
+            |claim: &OrbitOf| claim.orbit.physical != Some(true) && claim.orbit.times.is_some_and(|times| times > 1);
+        let repeated = orbits.iter().enumerate().filter(|(_, claim)| is_repeated(claim));
+        unjudged.extend(repeated.map(|(i, _)| format!("orbits[{i}].times")));
         unjudged.sort();
         unjudged.dedup();
         // Phases are counted from the time 0; no orbit depends on the scene's start.

@@ -138,6 +138,7 @@ fn contradiction(document: &WindowsDocument, over: Key) -> Option<String> {
             && window.to.is_some()
             && window.orbit.physical.is_some()
             && window.orbit.symmetric.is_some()
+            && window.orbit.times.is_some()
     };
     if *certified && (windows.is_empty() || *interrupted || !windows.iter().all(is_whole)) {
         return Some("certified: not every window is proved".to_owned());

@@ -126,7 +126,7 @@ fn r42_a_reduced_period_is_the_least() {
     around(&mut around_thrice, 3);
     around_thrice["reduced_impacts"] = json!(3);
     around_thrice["spectral_radius"] = json!(["0", "4"]);
-    assert_eq!(of(&around_thrice), VerdictName::Undecided);
+    assert_eq!(of(&around_thrice), VerdictName::Refuted);
     // If the document leaves open whether it is its mirror image, its period under the reduced map is not checked.
     doubled["orbit"]["symmetric"] = Value::Null;
     let found = checked(&with(&document, "undecided", &[&doubled, &open(false)]));
@@ -178,7 +178,7 @@ fn r42_a_window_is_that_of_a_whole_orbit() {
     let window = &mut document["windows"][0];
     around(window, 3);
     (window["reduced_impacts"], window["flights"]) = (json!(3), json!("FFF"));
-    assert_eq!(checked(&document).verdict, VerdictName::Undecided);
+    assert_eq!(checked(&document).verdict, VerdictName::Refuted);
 }
 
 /// The orbits between the ends of a window are judged (Lemma V30), and so it is judged whether all is proved.

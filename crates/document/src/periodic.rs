@@ -61,6 +61,9 @@ pub struct PeriodicOrbitDocument {
     pub physical: Option<bool>,
     /// Whether it is its own mirror image.
     pub symmetric: Option<bool>,
+    /// Number of times that the impacts run through a shorter orbit: absent at 1, null if undecided.
+    #[serde(skip_serializing_if = "is_once", default = "once")]
+    pub times: Option<u32>,
     /// The trace of the Jacobian of the period; null where an impact is a graze.
     pub trace: Option<Bounds>,
     /// Its determinant.
@@ -83,20 +86,31 @@ pub struct PeriodicOrbitDocument {
     pub gap: Option<Bounds>,
 }
 
+/// Number of times that an orbit of its least period runs through itself.
+fn once() -> Option<u32> {
+    Some(1)
+}
+
+fn is_once(times: &Option<u32>) -> bool {
+    *times == once()
+}
+
 /// An impact of a periodic orbit.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(rename = "PeriodicImpactDocument"))]
 pub struct MeasuredImpact<B = Bounds> {
     /// The wall.
     pub wall: Wall,
-    /// `W t + tau` \[rad\], of the fastest harmonic; the lower bound in `[0, 2 pi)`.
+    /// `W t + tau` \[rad\] of the fastest harmonic, less whole forcing periods: the lower bound lies in `[0, 2 pi)`, and the bounds are less
+    /// than `2 pi` apart. Where they straddle `2 pi`, the forcing period is that of the lower bound.
     pub phase: B,
     /// `y'` before the impact \[length/time\].
     pub velocity: B,
-    /// The forcing period, within the common period, that the phase lies in; present if the common period is longer than one.
+    /// The forcing period of the phase, counted within the common period; present if the common period is longer than one.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub turn: Option<u32>,
-    /// The forcing period that the phase lies in, counted from that of the first impact; present if the period of the orbit is several common periods.
+    /// The forcing period of the phase, counted from that of the first impact, which has 0; present if the period of the orbit is several
+    /// common periods. `W t + tau` is greater than that of the first impact by `2 pi cycle` and the difference of their phases.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub cycle: Option<i64>,
 }

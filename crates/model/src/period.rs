@@ -8,6 +8,6 @@ use serde::{Deserialize, Serialize};
 pub struct Period {
     /// Forcing periods.
     pub cycles: u64,
-    /// Impacts per period; of a complete chatter those that are listed.
+    /// Impacts per period; between two releases those that are listed, as many wherever the list has the period again.
     pub impacts: u64,
 }

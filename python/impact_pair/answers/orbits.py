@@ -64,6 +64,12 @@ class PeriodicOrbit:
         return found
 
     @property
+    def times(self) -> int | None:
+        """Number of times that its impacts run through a shorter orbit: 1 if they do not; None if undecided."""
+        found: int | None = self.fields.get("times", 1)
+        return found
+
+    @property
     def trace(self) -> Bounds | None:
         """The trace of the Jacobian over the period."""
         return pair(self.fields.get("trace"))
@@ -122,7 +128,7 @@ class Periodic(Document):
 
         rows = [
             {"orbit": i, "wall": wall, "phase_lower": phase[0], "phase_upper": phase[1], "v_lower": v[0], "v_upper": v[1]}
-            | {"stability": orbit.stability, "physical": orbit.physical, "symmetric": orbit.symmetric}
+            | {"stability": orbit.stability, "physical": orbit.physical, "symmetric": orbit.symmetric, "times": orbit.times}
             for i, orbit in enumerate(self)
             for wall, phase, v in zip(orbit.walls, orbit.phase_bounds, orbit.v_bounds, strict=True)
         ]

@@ -277,4 +277,4 @@ let claim claimed =
   | Repeats (n, until, cycles, each) ->
     let text = Z.to_string in
     Printf.sprintf "%s%s; a part of the list with %s, from after a release up to the next one from the same wall, happens again and again, each time \
-      %s forcing period%s later, for ever" (sequence n) (Option.fold ~none:"" ~some:up_to until) (impacts each) (text cycles) (plural cycles)
+      %s forcing period%s later, for ever, and is listed with as many impacts wherever it is listed again" (sequence n) (Option.fold ~none:"" ~some:up_to until) (impacts each) (text cycles) (plural cycles)

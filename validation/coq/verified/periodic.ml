@@ -27,6 +27,7 @@ let read_spot (place, value) =
 
 let read_orbit ~word ~cycles place value =
   let orbit = members place value in
+  if List.mem_assoc "times" orbit then not_covered "%s is a shorter orbit several times: covered are orbits of their least period" place;
   only place [ "impacts"; "unique"; "physical"; "symmetric"; "trace"; "determinant"; "eigenvalues"; "stability" ] orbit;
   let at key = inside place key and value key = get place orbit key in
   let is_true key = match value key with
@@ -90,7 +91,7 @@ let read value = claimed ~no_claims ~document ~json value
 
 (* The claim in one line, in the words of the theorem. *)
 let of_orbit = "impacts, each the first contact after the one before, within the listed bounds of phase, modulo 2 pi, and velocity, and in the listed forcing periods, counted from that of the first impact, on the listed walls, in the order \
-  of the word, for ever; no other such orbit has its first impact in these bounds; it is its own mirror image, half a forcing period or an odd number of them later, as \
+  of the word, for ever; no impact but the first is the first one again, whole forcing periods later; no other such orbit has its first impact in these bounds; it is its own mirror image, half a forcing period or an odd number of them later, as \
   `symmetric` says; trace, determinant and eigenvalues of the product of the matrices (A.7) at its impacts are within the listed bounds, and both eigenvalues \
   inside the unit circle if it is stable, one outside if it is unstable"
 let claim { periods; orbits; named; _ } =

@@ -87,7 +87,9 @@ let why_no_cycle place data ({ spots; word; cycles; _ } as cycle) ({ wide_disc; 
     if not (same_names word (List.rev (mappings w walls))) then "the word is not that of the listed walls"
     else if not (Cyc.Disc.check_disc data w cycles wide_disc && Cyc.Disc.check_disc data w cycles narrow_disc) then
       "not proved to come back after `cycles` forcing periods, by first contacts, as the only orbit near"
-    else if not (Cyc.check_spots data pn pw (match around.spot_turns with k :: _ -> k | [] -> Z.zero) spots cells around.spot_turns) then "an impact is not within its bounds, or not in its `cycle`, or its phase not in [0, 2 pi)"
+    else if not (Cyc.check_spots data pn pw (match around.spot_turns with k :: _ -> k | [] -> Z.zero) spots cells around.spot_turns) then "an impact is not within its bounds, or not in its `cycle`, or its phase not in [0, 2 pi), or has bounds 2 pi apart"
+    else if not (List.for_all (Cyc.apart_spots (List.hd spots)) (List.tl spots)) then "it is not proved to be no shorter orbit several times"
+    else if not (Cyc.check_spots data pn pw (match around.spot_turns with k :: _ -> k | [] -> Z.zero) [ as_first (List.hd spots) ] cells around.spot_turns) then "the `cycle` of the first impact is not 0"
     else if not (Cyc.check_mirroring w cycle wide_disc narrow_disc around.mirroring_of) then "`symmetric` is not proved"
     else if not (Cyc.Disc.Round.Each.Check.is_within pn cycle.trace_bounds trace) then "the trace is not within its bounds"
     else if not (Cyc.check_determinant data pn cycle.determinant_bounds (Rests.nat (2 * List.length walls))) then "the determinant is not within its bounds"
@@ -127,7 +129,7 @@ let why_no_chaos ({ chaos; _ } : Words.claim) { found_words = { word_bits; grid_
   let entropy key weight h growth () = if Growing.check_entropy word_bits chaos weight h growth then None else Some (key ^ ": it does not follow from the words") in
   List.find_map (fun reason -> reason ()) [
     (fun () -> if agrees chaos found then None else Some "words: their half cycles are not those of their flights");
-    (fun () -> if check_blocks chaos then None else Some "horseshoe: the two blocks are not words that may follow one another in any order");
+    (fun () -> if check_blocks chaos then None else Some "horseshoe: the two blocks are not words that may follow one another in any order, or not those with the fewest impacts");
     (fun () -> if Setting.check_h_sets word_bits grid_bits chaos.h_sets sets then None
       else Some "bases: h-sets overlap, or phase, speed, expanding and contracting are not those of the corners");
     entropy "entropy.per_impact" Rates.impacts chaos.per_impact by_impacts;

@@ -141,7 +141,7 @@ let claim { chaos = { h_sets; words; per_impact; per_cycle; blocks }; _ } =
   let spell = Expression.spell in
   let order = match blocks with
     | None -> ""
-    | Some (a, b) -> Printf.sprintf "; %s" (horseshoe (List.nth words (number a)) (List.nth words (number b))) in
+    | Some (a, b) -> Printf.sprintf "; no two other blocks with fewer impacts are free in the same way; %s" (horseshoe (List.nth words (number a)) (List.nth words (number b))) in
   Printf.sprintf "for all parameters that the scene allows and for every sequence of the %d words that fit together, one-sided or two-sided, there is a motion from either wall that follows it: each impact is the \
     first contact after the one before, on the wall that the word says, and each word begins and ends in its h-sets, of which there are %d, and takes its half cycles and the difference of phases; no \
     state is in two of them, or in one with two phases; a periodic sequence has a motion whose impacts are there again after its half cycles, as mirror images if their number is odd; the topological entropy, by motions that are \

@@ -13,7 +13,6 @@ use super::round::Round;
 use super::step::Landing;
 use super::target::{BITS, Target};
 use crate::Certificate;
-use crate::attraction::Attraction;
 use impact_pair_exact::Real;
 
 /// Pieces that intervals among the data are cut into.
@@ -33,9 +32,14 @@ impl Certificate {
         if !claim.is_attractor(data.has_mirror().is_some()) {
             return Err(Doubt::False("only an orbit that is unique, admissible and stable is an attractor".into()));
         }
-        let target = Target { is_whole: true, ..Target::new(data, &claim.word, claim.cycles, &claim.orbit)? };
-        let hits = self.events().iter().enumerate().filter_map(ClaimedImpact::of).collect();
-        let question = Convergence { claim, target, hits };
+        let target = Target::new(data, &claim.word, claim.cycles, &claim.orbit)?;
+        let hits: Vec<_> = self.events().iter().enumerate().filter_map(ClaimedImpact::of).collect();
+        // Lemma V6 (from)
+        let from = hits.iter().position(|hit| hit.index == claim.from && hit.wall == target.walls[0]);
+        let from = from.ok_or_else(|| {
+            Doubt::False("no listed impact on the first wall of the word has the number `from`".into())
+        })?;
+        let question = Convergence { target, hits, from };
         for_all_pieces(data, most, |piece| question.answer(piece), |piece| question.widest_datum(piece))
     }
 }
@@ -75,39 +79,32 @@ pub(super) fn widest_datum(mut round: Round<'_>, guess: [Real; 2]) -> Option<usi
 
 /// The claim that a motion converges to a periodic orbit, with the impacts that it is proved from.
 struct Convergence<'c> {
-    claim: &'c Attraction,
     target: Target<'c>,
     hits: Vec<ClaimedImpact<'c>>,
+    /// Position of the impact from which on the motion is claimed to follow the word.
+    from: usize,
 }
 
 impl Convergence<'_> {
     /// Proves the convergence for all data of a piece.
     fn answer(&self, piece: &Piece) -> Result<(), Doubt> {
         let frame = Frame::new(self.target.data, piece, BITS);
-        let mut answer = Err(Doubt::open("the motion is not proved to follow the word at its end"));
-        // A word that is one of walls several times over fits in several places: a claim is false if it is so in all.
-        for (n, end) in self.ends().into_iter().enumerate() {
-            match (self.answer_from(end, piece, &frame), &answer) {
-                (Ok(()), _) => return Ok(()),
-                (doubt @ Err(Doubt::Open(_)), _) => answer = doubt,
-                (doubt, _) if n == 0 => answer = doubt,
-                _ => {}
-            }
-        }
-        answer
+        let end = self.end().ok_or_else(|| Doubt::open("the motion is not proved to follow the word at its end"))?;
+        self.answer_from(end, piece, &frame)
     }
 
     /// The datum that the orbit depends on most.
     fn widest_datum(&self, piece: &Piece) -> Option<usize> {
         let frame = Frame::new(self.target.data, piece, BITS);
-        let end = *self.ends().first().filter(|_| frame.parameters.columns() > 0)?;
+        let end = self.end().filter(|_| frame.parameters.columns() > 0)?;
         widest_datum(self.round(end, &frame), self.guess(end, &frame))
     }
 
-    /// The last impacts after which all data of a piece may be at the first of the word.
-    fn ends(&self) -> Vec<usize> {
-        let first = self.hits.len().saturating_sub(self.target.walls.len()); // exact: an index
-        (first..self.hits.len()).filter(|&end| self.beginning(end) < end).collect()
+    /// The last impact whole rounds of the word after the one claimed, if the motion follows the word up to it.
+    fn end(&self) -> Option<usize> {
+        let each = self.target.walls.len();
+        let end = self.from + (self.hits.len() - 1 - self.from) / each * each; // exact: an index
+        (self.beginning(end) < end).then_some(end)
     }
 
     /// The first impact from which on the motion follows the word, as often as it does, up to the impact `end`.
@@ -159,8 +156,9 @@ impl Convergence<'_> {
         }
         let basin = basin(&round, &shapes, &[&state, &claimed])?;
         arrives(&round, &basin, state)?;
-        let from = self.hits[self.beginning(end)].index;
-        if from > self.claim.from {
+        let beginning = self.beginning(end);
+        if beginning > self.from {
+            let from = self.hits[beginning].index;
             return Err(Doubt::Open(format!("that is proved only from impact {from} on")));
         }
         self.target.encloses(piece, &basin, &claimed, &centre, &round)

@@ -110,6 +110,10 @@ impl ClaimedPoint {
             Key::Amplitude(_) => there.harmonic_of(over).map_err(|error| Doubt::Open(error.to_string()))?,
             _ => (0, None),
         };
+        // Lemma V9: what runs through a shorter orbit several times has the bifurcations of that one
+        if self.orbit.times != Some(1) {
+            return Err(open("only bifurcations of orbits of their least period are checked"));
+        }
         let target = Target::new(&data, &self.word, self.cycles, &self.orbit)?;
         let is_symmetric = self.orbit.symmetric == Some(true);
         if self.kind == Kind::Pitchfork && !is_symmetric {

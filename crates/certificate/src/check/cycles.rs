@@ -7,7 +7,6 @@ use num_rational::BigRational;
 
 use super::contact::Doubt;
 use super::{Effort, Finding, Verdict};
-use crate::PeriodicCertificate;
 use crate::attraction::{Bounds, ClaimedOrbit, Passage};
 use crate::cycles::CyclesCertificate;
 use impact_pair_exact::Enclosure;
@@ -36,16 +35,13 @@ impl CyclesCertificate {
         })
     }
 
-    /// Proves that no orbit runs through a shorter one several times, and that no two are one and the same, or mirror images: the bounds of
-    /// some impact distinguish them, wherever the one is taken to begin.
+    /// Proves that no two orbits are one and the same, or mirror images: the bounds of some impact distinguish them, wherever the one is taken to
+    /// begin.
     fn are_different(&self) -> Result<(), Doubt> {
         let turn = Turn::new();
         let mut known: BTreeMap<Vec<bool>, Vec<(usize, &[Passage])>> = BTreeMap::new();
         for (i, claim) in self.orbits().orbits().iter().enumerate() {
             let impacts = &claim.orbit.impacts[..];
-            if turn.may_be_shorter(impacts) {
-                return Err(Doubt::Open(format!("orbits[{i}] is not proved to be no shorter one")));
-            }
             let likes = known.entry(flights(impacts)).or_default();
             if let Some((j, _)) = likes.iter().find(|(_, other)| turn.may_be_same(impacts, other)) {
                 return Err(Doubt::Open(format!("orbits[{j}] and orbits[{i}] are not proved to be two")));
@@ -65,16 +61,6 @@ fn flights(impacts: &[Passage]) -> Vec<bool> {
     (0..count).map(from).max().unwrap_or_default() // exact: none of none
 }
 
-impl PeriodicCertificate {
-    /// Proves that no orbit runs through a shorter one several times, by the bounds of its impacts, or names one that may. Lemma D23
-    pub(super) fn are_no_shorter_ones(&self) -> Result<(), Finding> {
-        let turn = Turn::new();
-        let shorter = self.orbits().iter().position(|claim| turn.may_be_shorter(&claim.orbit.impacts));
-        let message = "the orbit is not proved to be no shorter one".to_owned();
-        shorter.map_or(Ok(()), |event| Err(Finding { event, message }))
-    }
-}
-
 /// Returns whether, by their bounds, two orbits may be one, or mirror images.
 pub(super) fn may_be_same(one: &ClaimedOrbit, other: &ClaimedOrbit) -> bool {
     Turn::new().may_be_same(&one.impacts, &other.impacts)
@@ -89,11 +75,6 @@ impl Turn {
     fn new() -> Self {
         let pi = Enclosure::pi(BITS);
         Self { half: [pi.inf().to_rational(), pi.sup().to_rational()] }
-    }
-
-    /// Returns whether, by its bounds, an orbit may run through a shorter one several times.
-    fn may_be_shorter(&self, impacts: &[Passage]) -> bool {
-        (1..impacts.len()).any(|shift| self.may_be_one(impacts, impacts, shift, false))
     }
 
     /// Returns whether, by their bounds, two orbits may be one, or mirror images.

@@ -2,6 +2,9 @@
 
 use std::cmp::Ordering;
 
+use num_bigint::BigInt;
+use num_integer::Integer;
+
 use super::affine::Affine;
 use super::basin::{Contraction, Ellipse};
 use super::contact::{Doubt, clear_throughout};
@@ -125,10 +128,33 @@ impl<'r> FixedPoint<'r> {
         if verdicts.contains(&Some(true)) { Some(true) } else { verdicts.iter().all(Option::is_some).then_some(false) }
     }
 
-    /// Returns whether it is proved not to run through a shorter orbit several times.
-    pub fn is_whole(&self) -> bool {
+    /// Proves that it runs through a shorter orbit `claimed` times in N common periods, or is no shorter one at 1. Where the flights of a basin are
+    /// not proved to be motions, a state that comes again need not have the same future: `unjudged` names that claim. Lemma V8
+    pub fn runs_as(&self, claimed: u32, periods: &BigInt) -> Result<(), Doubt> {
+        match self.times(periods) {
+            Some(times) if times == u64::from(claimed) => Ok(()),
+            Some(1) => Err(Doubt::False("the orbit is no shorter one several times".into())),
+            Some(times) => Err(Doubt::False(format!("the orbit is a shorter one {times} times"))),
+            None if claimed > 1 && !self.round.is_physical && self.basin.is_some() => Ok(()),
+            None => Err(Doubt::open("it is not proved how often the orbit runs through a shorter one")),
+        }
+    }
+
+    /// The number of times that it runs through a shorter orbit in N common periods; `None` if undecided. Lemma V8
+    fn times(&self, periods: &BigInt) -> Option<u64> {
         let impacts = self.impacts();
-        (1..impacts.len()).filter(|&i| fits(impacts, i, impacts)).all(|i| self.is_first(&impacts[i]) == Some(false))
+        let divides = |times: &usize| impacts.len().is_multiple_of(*times) && periods.is_multiple_of(&(*times).into());
+        for times in (2..=impacts.len()).rev().filter(divides) {
+            let shift = impacts.len() / times; // exact: it divides
+            if fits(impacts, shift, impacts) {
+                match self.is_first(&impacts[shift]) {
+                    Some(true) if self.round.is_physical => return Some(times as u64), // exact: a length
+                    Some(false) => {}
+                    _ => return None,
+                }
+            }
+        }
+        Some(1)
     }
 
     /// Returns whether a state of a periodic orbit of the same word, whole common periods off, is that of the first impact.

@@ -53,13 +53,6 @@ impl Certificate {
     }
 }
 
-/// Returns whether a motion with a period repeats itself after another time as well, with as many impacts as are claimed. Lemma V3
-fn is_multiple(claimed: Period, own: Period) -> bool {
-    let times = claimed.cycles.checked_div(own.cycles).filter(|times| *times > 0); // exact: the rest is 0
-    claimed.cycles.is_multiple_of(own.cycles)
-        && times.and_then(|times| own.impacts.checked_mul(times)) == Some(claimed.impacts)
-}
-
 impl Walk<'_> {
     /// Proves the claims about the future, and about the time up to which nothing else happens.
     pub(super) fn outcome(&self) -> Result<(), Doubt> {
@@ -75,14 +68,15 @@ impl Walk<'_> {
         }
         let still = self.standing.still();
         let never = still.is_some_and(|still| !still.grazes());
-        let period = still.map(|_| Period { cycles: 1, impacts: 0 }).or(self.period);
         let (is_true, message) = match self.certificate.outcome() {
-            "periodic" => match period {
-                Some(found) if !ended.period.is_some_and(|claimed| is_multiple(claimed, found)) => {
+            "periodic" => match (still.map(|_| Period { cycles: 1, impacts: 0 }).or(self.period), ended.period) {
+                (Some(found), claimed) if !claimed.is_some_and(|claimed| self.repeats(claimed)) => {
                     let Period { cycles, impacts } = found;
-                    return Err(Doubt::False(format!("the period is {impacts} impacts in {cycles} cycles")));
+                    return Err(Doubt::False(format!(
+                        "the period that is listed is {impacts} impacts in {cycles} cycles"
+                    )));
                 }
-                found => (found.is_some(), "the period is not proved"),
+                (found, _) => (found.is_some(), "the period is not proved"),
             },
             "rests-forever" => match self.standing.rest() {
                 Some(rest) if Some(rest.wall) != ended.wall => {
@@ -95,6 +89,15 @@ impl Walk<'_> {
             _ => (true, ""),
         };
         if is_true { Ok(()) } else { Err(Doubt::open(message)) }
+    }
+
+    /// Returns whether each listed period of the claimed number of cycles, one at least, has as many impacts as are claimed; without drift all
+    /// have none. Lemmas V3 (recurrence), V5
+    fn repeats(&self, claimed: Period) -> bool {
+        match self.standing.still() {
+            Some(_) => claimed.cycles > 0 && claimed.impacts == 0,
+            None => self.has_period == Some(true),
+        }
     }
 
     /// Proves that no listed event comes after this time (Lemma V7).

@@ -46,6 +46,11 @@ impl PeriodicCertificate {
         {
             return Err(Doubt::False("not all requested properties of the orbits are proved".into()));
         }
+        // Lemma D23: those of the reduced map have their least period.
+        let repeated = self.orbits().iter().position(|claim| self.mirrors_are_one() && claim.orbit.times != Some(1));
+        if let Some(i) = repeated {
+            return Err(Doubt::False(format!("orbits[{i}] is not claimed to have its least period")));
+        }
         if self.orbits().is_empty() {
             return Err(Doubt::open("there is no orbit to check"));
         }

@@ -20,11 +20,18 @@ const FIRST_BITS: u32 = 128;
 
 /// A release from a wall.
 pub(crate) struct Release {
-    wall: Wall,
-    /// Phases since the origin that hold it.
-    phase: Real,
-    /// Impacts before it.
-    impacts: u64,
+    pub wall: Wall,
+    pub moment: Moment,
+    /// Impacts listed before it.
+    pub impacts: u64,
+}
+
+/// The moment of a release.
+pub(crate) enum Moment {
+    /// With one harmonic: half periods.
+    Halves(BigInt),
+    /// With several: phases since the origin that hold it.
+    Phase(Real),
 }
 
 impl Walk<'_> {
@@ -35,12 +42,39 @@ impl Walk<'_> {
         // The dependence of the release on the data hardly matters: a landing depends on it by p - E''(0) h = 0.
         let released = Affine::fixed(root.clone()).recentred();
         self.standing = WalkState::released(&self.parameters, rest.wall, released);
-        if self.period.is_none() {
-            let same = self.released.iter().filter(|before| before.wall == rest.wall);
-            self.period = same.rev().find_map(|before| self.period_since(before, &root));
-        }
-        self.released.push(Release { wall: rest.wall, phase: root, impacts: self.impacts });
+        self.recur(Release { wall: rest.wall, moment: Moment::Phase(root), impacts: self.impacts });
         Ok(())
+    }
+
+    /// Notes a release, and the periods that end with it. Lemma V3 (recurrence)
+    pub(super) fn recur(&mut self, release: Release) {
+        let claimed = self.certificate.ended().period;
+        let same = || self.released.iter().rev().filter(|before| before.wall == release.wall);
+        let since = |before: &Release| {
+            let cycles = self.cycles_between(before, &release)?;
+            Some(Period { cycles, impacts: release.impacts - before.impacts })
+        };
+        let period = self.period.or_else(|| same().find_map(since));
+        // Without any period so far there is none of the claimed one.
+        let again = claimed.filter(|_| period.is_some()).and_then(|claimed| {
+            let found = same().filter_map(since).take_while(|found| found.cycles <= claimed.cycles);
+            found.filter(|found| found.cycles == claimed.cycles).last().map(|found| found.impacts == claimed.impacts)
+        });
+        self.period = period;
+        self.has_period = match (self.has_period, again) {
+            (Some(known), Some(again)) => Some(known && again),
+            (known, again) => known.or(again),
+        };
+        self.released.push(release);
+    }
+
+    /// The cycles between two releases from one wall, if these are proved to be whole common periods of all harmonics apart.
+    fn cycles_between(&self, before: &Release, after: &Release) -> Option<u64> {
+        match (&before.moment, &after.moment) {
+            (Moment::Halves(before), Moment::Halves(after)) => ((after - before) / 2u32).to_u64(),
+            (Moment::Phase(before), Moment::Phase(after)) => self.whole_cycles(before, after),
+            _ => None,
+        }
     }
 
     /// The phases at which the wall is no longer pressed.
@@ -57,21 +91,20 @@ impl Walk<'_> {
         Some(zero(bracket.at(self.bits), |s| set.acceleration(s), |part| set.jerk(part)))
     }
 
-    /// The period, if a release at `root` is proved to be `before` whole common periods of all harmonics later.
+    /// The cycles, if a release at `root` is proved to be whole common periods of all harmonics after one at `before`.
     ///
     /// A zero of the acceleration at one of them is one at the other, and where the acceleration has no extremum
     /// between two zeros they are the same.
-    fn period_since(&self, before: &Release, root: &Real) -> Option<Period> {
+    fn whole_cycles(&self, before: &Real, root: &Real) -> Option<u64> {
         let common = self.data.common_turns()?;
         let turn = Real::pi(self.bits) + &Real::pi(self.bits);
         let lasting = Real::rational(&common.clone().into(), self.bits) * &turn;
-        let periods = (root.clone() - &before.phase).over(&lasting)?.middle() + &Real::int(1, self.bits).half();
+        let periods = (root.clone() - before).over(&lasting)?.middle() + &Real::int(1, self.bits).half();
         let periods = BigInt::from(periods.floor()?); // exact: shared by all members
-        let later = before.phase.clone() + &(Real::rational(&periods.clone().into(), self.bits) * &lasting);
+        let later = before.clone() + &(Real::rational(&periods.clone().into(), self.bits) * &lasting);
         let jerk = self.parameters.shaking(&Real::zero(self.bits), Affine::hull).jerk(&later.hull(root));
         let is_same = periods.is_positive() && (jerk.is_positive() || jerk.is_negative());
-        let cycles = (common * periods).to_u64().filter(|_| is_same)?;
-        Some(Period { cycles, impacts: self.impacts - before.impacts })
+        (common * periods).to_u64().filter(|_| is_same)
     }
 }
 

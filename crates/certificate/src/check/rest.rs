@@ -3,19 +3,18 @@
 use std::cmp::Ordering;
 
 use num_bigint::BigInt;
-use num_traits::ToPrimitive;
 
 use super::affine::Affine;
 use super::chatter::{accumulation, bounce, is_held};
 use super::clock::{Clock, SetPosition, beside};
 use super::contact::{Claimed, Doubt};
 use super::data::Data;
+use super::release::{Moment, Release};
 use super::standing::WalkState;
 use super::step::Launch;
 use super::walk::{Walk, compare};
 use crate::Claim;
 use impact_pair_exact::Real;
-use impact_pair_model::Period;
 use impact_pair_model::Wall;
 
 /// Bounces that are not listed are followed so far at most.
@@ -147,15 +146,7 @@ impl<'c> Walk<'c> {
         self.parameters.count_from(Real::int(odd, self.bits) * &Real::pi(self.bits));
         self.standing = WalkState::released(&self.parameters, wall, Affine::fixed(zero()));
         self.halves = &halves - odd;
-        let first = &mut self.releases[usize::from(wall == Wall::Right)];
-        match first {
-            None => *first = Some((halves, self.impacts)),
-            Some((since, before)) if self.period.is_none() => {
-                let cycles: BigInt = (halves - &*since) / 2;
-                self.period = cycles.to_u64().map(|cycles| Period { cycles, impacts: self.impacts - *before });
-            }
-            Some(_) => {}
-        }
+        self.recur(Release { wall, moment: Moment::Halves(halves), impacts: self.impacts });
         Ok(())
     }
 

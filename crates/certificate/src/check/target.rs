@@ -12,7 +12,7 @@ use super::frame::{Frame, hull};
 use super::round::Round;
 use super::step::Landing;
 use super::walk::compare;
-use crate::attraction::{Bounds, ClaimedOrbit, Passage, Stability};
+use crate::attraction::{Bounds, ClaimedOrbit, Stability};
 use impact_pair_exact::Real;
 use impact_pair_model::{Wall, Word};
 
@@ -33,8 +33,6 @@ pub(super) struct Target<'c> {
     pub cycles: u64,
     /// Forcing periods of the reference after which the shaking repeats.
     pub turns: BigInt,
-    /// True if it must not run through a shorter orbit several times.
-    pub is_whole: bool,
 }
 
 impl<'c> Target<'c> {
@@ -62,7 +60,7 @@ impl<'c> Target<'c> {
         if !claim.impacts.iter().all(|impact| is_valid(impact.turn)) {
             return Err(Doubt::False("the `turn` of an impact of the orbit is not in the common period".into()));
         }
-        Ok(Self { data, claim, walls, cycles, turns, is_whole: false })
+        Ok(Self { data, claim, walls, cycles, turns })
     }
 
     /// Periods of the word whose flights last about so long.
@@ -132,18 +130,19 @@ impl<'c> Target<'c> {
 
     /// Proves that all numbers found of the orbit lie inside the claimed bounds.
     pub fn compare(&self, frame: &Frame, orbit: &FixedPoint<'_>) -> Result<(), Doubt> {
-        let ClaimedOrbit { symmetric, impacts, numbers, physical, .. } = self.claim;
+        let ClaimedOrbit { symmetric, times, impacts, numbers, physical, .. } = self.claim;
         if let Some(claimed) = symmetric {
             orbit.is_symmetric_as(*claimed, self.data.has_mirror())?;
         }
-        if self.is_whole && !orbit.is_whole() {
-            return Err(Doubt::open("the orbit is not proved to be no shorter one"));
+        if let Some(claimed) = times {
+            orbit.runs_as(*claimed, &(BigInt::from(self.cycles) / &self.turns))?;
         }
         let bits = frame.turn.bits();
         let turn = |phase: &Bounds| {
             let turns = Real::rational(&phase[0], bits).over(&frame.turn).and_then(|turns| turns.floor()); // V6: shared by all members
             turns.ok_or_else(|| Doubt::open("the forcing period of a phase is not decided"))
         };
+        let mut places = Vec::new();
         for (claimed, found) in impacts.iter().zip(orbit.impacts()) {
             if turn(&claimed.phase)? != 0 {
                 return Err(Doubt::False("a phase of the orbit is not in [0, 2 pi)".into()));
@@ -152,9 +151,10 @@ impl<'c> Target<'c> {
             let middle = hull(&claimed.phase.each_ref().map(|phase| Real::rational(phase, bits))).middle();
             let phase = orbit.near(&phase, &middle).ok_or_else(|| Doubt::open("a phase is too large"))?;
             compare("phase of the orbit", &phase.hull(), &claimed.phase)?;
+            places.push(phase.hull());
             compare("velocity of the orbit", &frame.clock.velocity(&found.velocity.hull()), &claimed.velocity)?;
         }
-        self.compare_cycles(frame, orbit)?;
+        self.compare_cycles(frame, orbit, &places)?;
         self.compare_spacing(frame, orbit)?;
         orbit.is_physical_as(*physical)?;
         let trace = orbit.trace();
@@ -181,20 +181,18 @@ impl<'c> Target<'c> {
         both(&one, &other).or_else(|doubt| both(&other, &one).map_err(|_| doubt))
     }
 
-    /// The whole forcing periods between its first impact and the others.
-    fn compare_cycles(&self, frame: &Frame, orbit: &FixedPoint<'_>) -> Result<(), Doubt> {
-        let middle =
-            |claimed: &Passage| hull(&claimed.phase.each_ref().map(|x| Real::rational(x, frame.turn.bits()))).middle();
+    /// The whole forcing periods between its first impact and the others, whose phases are at `places` in their bounds. Lemma T13
+    fn compare_cycles(&self, frame: &Frame, orbit: &FixedPoint<'_>, places: &[Real]) -> Result<(), Doubt> {
         let (claims, impacts) = (&self.claim.impacts, orbit.impacts());
-        for (claimed, found) in claims.iter().zip(impacts) {
+        if claims[0].cycle.is_some_and(|cycle| cycle != 0) {
+            return Err(Doubt::False("the `cycle` of the first impact of the orbit is not 0".into()));
+        }
+        let half = Real::int(1, frame.turn.bits()).half();
+        for ((claimed, found), place) in claims.iter().zip(impacts).zip(places) {
             let Some(cycle) = claimed.cycle else { continue };
             let passed = found.phase.hull() - &impacts[0].phase.hull();
-            let beyond = passed - &(middle(claimed) - &middle(&claims[0]));
-            let half = Real::int(1, frame.turn.bits()).half();
-            let first = claims[0].turn.map_or(0, i64::from); // exact: no forcing period, the first one
-            let claimed = cycle.checked_sub(first).ok_or_else(|| Doubt::open("a cycle is too large"))?;
-            let off = beyond.over(&frame.turn).map(|turns| turns - claimed);
-            match off {
+            let beyond = passed - &(place.clone() - &places[0]);
+            match beyond.over(&frame.turn).map(|turns| turns - cycle) {
                 // Both are a whole number.
                 Some(off) if off.is_below(&half) && (-off.clone()).is_below(&half) => {}
                 Some(off) if half.is_below(&off) || half.is_below(&-off.clone()) => {

@@ -27,11 +27,12 @@ pub(crate) struct Walk<'c> {
     pub(super) halves: BigInt,
     /// The place that it has reached, and what is known there.
     pub standing: WalkState<'c>,
-    /// The first release from each wall with one harmonic: half periods, impacts before it.
-    pub(super) releases: [Option<(BigInt, u64)>; 2],
-    /// All releases with several harmonics.
+    /// All releases.
     pub(super) released: Vec<Release>,
+    /// The first period that is listed.
     pub(super) period: Option<Period>,
+    /// The listed periods of the claimed number of cycles: whether each has as many impacts as are claimed.
+    pub(super) has_period: Option<bool>,
     pub(super) impacts: u64,
     /// Grazes whose claimed distance is wider than points allow: their positions, and the distances found.
     pub grazes: Vec<(usize, Real)>,
@@ -65,9 +66,9 @@ impl<'c> Walk<'c> {
             clock,
             halves: BigInt::from(2) * &data.turns,
             standing,
-            releases: [None, None],
             released: Vec::new(),
             period: None,
+            has_period: None,
             impacts: impacts as u64, // exact: a length
             grazes: Vec::new(),
             is_spread: false,

@@ -77,7 +77,6 @@ impl ClaimedWindow {
             Verdict::Undecided(finding) => return Err(Doubt::Open(finding.message)),
             Verdict::Interrupted { .. } => return Err(Doubt::open("interrupted")),
         };
-        self.orbit.are_no_shorter_ones().map_err(|finding| Doubt::Open(finding.message))?;
         for end in &self.ends {
             budget.add(effort.work);
             most = most.max(end.judged(over, budget, ClaimedPoint::compare_parameter)?); // shown
