@@ -163,10 +163,9 @@ let rec steps data from ~first_at ~bounds occurrences until n =
        | _ -> raise (Lost n))
     | _ -> raise (Lost n)
 
-(* The number of events up to the first recurrent release, and from there up to its recurrence: after the claimed numbers of forcing periods and
-   impacts. *)
+(* The number of events up to the first release that recurs after the claimed number of forcing periods, and from there up to its recurrence. *)
 let same_phase = 1e-9
-let rounds data cycles each occurrences =
+let rounds data cycles occurrences =
   let s = setting fine data in
   let turn = 2.0 *. Float.pi in
   let is_whole x = abs_float (x -. Float.round x) < same_phase in
@@ -176,13 +175,12 @@ let rounds data cycles each occurrences =
   let ratios = List.map (fun { ratio; _ } -> Fixed.to_float fine ratio) s.waves in
   let comes_again (_, w, a) (_, w', b) = w = w' && b > a && is_whole ((b -. a) /. turn)
     && List.for_all (fun ratio -> is_whole (Float.round ((b -. a) /. turn) *. ratio)) ratios in
-  let impacts a b = List.length (List.filteri (fun n o -> n >= a && n < b && is_impact o) occurrences) in
+  let is_claimed (_, _, a) (_, _, b) = Float.round ((b -. a) /. turn) = Z.to_float cycles in
   let rec first before = function
     | [] -> (0, 0)
-    | ((b, _, at) as release) :: later ->
-      match List.find_opt (fun earlier -> comes_again earlier release) (List.rev before) with
-      | Some (a, _, since) ->
-        if Float.round ((at -. since) /. turn) = Z.to_float cycles && Z.equal (Z.of_int (impacts a b)) each then (a, b - a) else (0, 0)
+    | ((b, _, _) as release) :: later ->
+      match List.find_opt (fun earlier -> comes_again earlier release && is_claimed earlier release) before with
+      | Some (a, _, _) -> (a, b - a)
       | None -> first (release :: before) later in
   first [] releases
 
@@ -193,7 +191,7 @@ let of_document ({ scene_data; begun; events; ended } : document) =
   let until, (before, round) = match ended with
     | Impacts_reached _ -> (None, (0, 0))
     | Time_reached (_, until) -> (Some until, (0, 0))
-    | Repeats (_, until, cycles, each) -> (until, rounds scene_data cycles each events) in
+    | Repeats (_, until, cycles, _) -> (until, rounds scene_data cycles events) in
   match steps scene_data (Begun begun) ~first_at:(fun _ -> []) ~bounds:None events until 0 with
   | exception No_next -> None
   | origin, steps, next_one -> Some { origin; steps; next_one; rounds = (nat before, nat round) }
