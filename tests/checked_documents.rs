@@ -46,8 +46,11 @@ pub fn judged(document: &Value) -> Verdict {
     Claims::parse(&document.to_string()).unwrap().check_within(&effort(), &Unwatched).unwrap()
 }
 
+/// Returns whether a document is read and confirmed.
 pub fn is_confirmed(lines: &[Value]) -> bool {
-    matches!(verdict(lines), Verdict::Confirmed { .. })
+    let text: Vec<_> = lines.iter().map(Value::to_string).collect();
+    let verdict = Claims::parse(&text.join("\n")).map(|claims| claims.check_within(&effort(), &Unwatched).unwrap());
+    matches!(verdict, Ok(Verdict::Confirmed { .. }))
 }
 
 pub const SCENE: &str = r#"

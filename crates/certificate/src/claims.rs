@@ -217,7 +217,7 @@ impl Claims {
         if let Verdict::Confirmed { .. } = verdict
             && certificate.claims_nothing()
         {
-            let message = "it claims nothing that is judged".to_owned();
+            let message = "it claims nothing that is compared".to_owned();
             verdict = Verdict::Undecided(Finding { event: self.count(), message });
         }
         let confirmed = if let Verdict::Confirmed { .. } = verdict { self.count() + 1 } else { certain };

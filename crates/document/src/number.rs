@@ -296,7 +296,11 @@ impl schemars::JsonSchema for NotNegative {
     }
 
     fn json_schema(_: &mut schemars::SchemaGenerator) -> schemars::Schema {
-        schemars::json_schema!({ "type": "string", "pattern": PATTERN.replace("^-?", "^") })
+        schemars::json_schema!({
+            "description": "A decimal that is not negative.",
+            "type": "string",
+            "pattern": PATTERN.replace("^-?", "^"),
+        })
     }
 }
 
