@@ -267,7 +267,7 @@ impl Orbit {
         let at = Touch { wall, turns: touched, phase: enclosed };
         // G1: any wider bounds hold; narrower ones than the digits requested help nobody
         let digits = i32::try_from(self.requested.settings.digits).unwrap_or(i32::MAX);
-        let least = 10.0f64.powi(-digits).min(MOST_SHOWN);
+        let least = 10.0f64.powi(-digits).min(MOST_SHOWN); // G1
         let (farthest, _) = distance.to_f64_bounds();
         let farthest = farthest.min(-least); // G1: wider bounds
         let distance = distance.rounded(self.requested.shown).hull(&finite(Ball::new(0.0, least)));

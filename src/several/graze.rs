@@ -71,6 +71,7 @@ impl Touch {
         let window = double.over(bound(bend)).sqrt() + rate.over(bound(bend));
         let speed = (double * bound(rates.second)).sqrt();
         // The impact takes away the speed and adds at most as much.
+        // H13: the extremum is lower by at most that
         Some(Self { window: window + window, change: speed + speed, distance: room.widened(lower) })
     }
 

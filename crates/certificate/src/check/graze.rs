@@ -16,9 +16,9 @@ use crate::{Certificate, Claim};
 use impact_pair_exact::{Dyadic, Real};
 use impact_pair_model::{EventKind, Miss, Wall};
 
-/// A graze misses its wall by at most one of so many parts of the gap, and its claim is no wider.
+/// The gap over the distance by which a graze may miss its wall, and over the greatest width of its claim.
 const PARTS_OF_GAP: i32 = 1_000_000;
-/// Over data that are intervals a claim is at most so many times as wide as the enclosure of the distance.
+/// The greatest width of a claim over data that are intervals, relative to that of the enclosure of the distance.
 const MAX_WIDENING: i32 = 4;
 /// The message about a claim that is wider.
 pub(super) const WIDE: &str = "the bounds of its distance are too wide: an impact may be in them";
