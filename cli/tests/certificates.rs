@@ -71,7 +71,7 @@ fn a_document_that_is_no_certificate_is_named() {
         ("schema", "impact-pair/orbit/1", "impact-pair/orbit/9"),
         ("float", "\"certified\":true", "\"certified\":false"),
         ("wall", "\"wall\":\"right\"", "\"wall\":\"top\""),
-        ("key", "\"velocity\":[", "\"speed\":["),
+        ("key", "\"velocity\":[", "\"pace\":["),
         ("gap", "\"gap\":\"9.42497\"", "\"gap\":\"-9.42497\""),
     ];
     for (name, from, to) in edits {

@@ -23,7 +23,7 @@ pub enum Progress {
     /// The next impact is certified.
     Impact(Impact),
     /// A wall is touched with zero velocity, or not touched: undecided at any precision. The orbit continues with both continuations enclosed.
-    Graze(Graze),
+    Graze(Box<Graze>),
     /// The ball has come to rest, proved.
     Rest(Rest),
     /// The ball leaves the wall on which it rested, where the contact force vanishes, proved; with one harmonic its phase is exactly 0 on the
@@ -45,7 +45,8 @@ impl Progress {
                 impact.turns = turns::later(impact.turns, cycles)?;
                 impact.index += period.impacts * rounds;
             }
-            Self::Graze(Graze { at: touch, .. }) | Self::Rest(Rest { at: touch, .. }) | Self::Release(touch) => {
+            Self::Graze(graze) => graze.at.turns = turns::later(graze.at.turns, cycles)?,
+            Self::Rest(Rest { at: touch, .. }) | Self::Release(touch) => {
                 touch.turns = turns::later(touch.turns, cycles)?;
             }
             Self::Retraced(_) | Self::Ended => {}

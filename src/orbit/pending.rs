@@ -90,14 +90,15 @@ impl Orbit {
         (self.cursor.turns, self.cursor.phase) = (turns, Ball::exact(at));
         let zero = || finite(Ball::exact(0.0));
         let at = Touch { wall, turns, phase: finite(Ball::exact(at)) };
-        Progress::Graze(Graze { at, distance: zero(), speed: zero() })
+        Progress::Graze(Box::new(Graze { at, distance: zero(), speed: zero() }))
     }
 
     /// An event of a motion that is proved to be periodic.
     fn repeat(&mut self, event: Progress) -> Progress {
         let (turns, enclosed) = match &event {
             Progress::Impact(impact) => (impact.turns, impact.enclosures().0),
-            Progress::Graze(Graze { at: touch, .. }) | Progress::Release(touch) => (touch.turns, touch.phase.clone()),
+            Progress::Graze(graze) => (graze.at.turns, graze.at.phase.clone()),
+            Progress::Release(touch) => (touch.turns, touch.phase.clone()),
             // V7: a rest with impacts that may come in time is not repeated
             Progress::Rest(_) | Progress::Retraced(_) | Progress::Ended => return event,
         };
@@ -274,6 +275,6 @@ impl Orbit {
         // G1: v^2 <= 2 K epsilon, in wide exponents
         let speed = (Magnitude::new(acceleration, 1) * Magnitude::new(-farthest, 0)).sqrt().to_f64();
         let speed = Enclosure::from_f64_bounds(0.0, speed).expect("the product of both bounds is finite");
-        Some(self.record_event(Progress::Graze(Graze { at, distance, speed })))
+        Some(self.record_event(Progress::Graze(Box::new(Graze { at, distance, speed }))))
     }
 }

@@ -179,7 +179,8 @@ fn r53_impacts_of_a_chatter_up_to_a_time_are_listed() {
         let document = document::orbit(scene.pair(), scene.start(), settings).unwrap();
         let document = serde_json::to_value(document).unwrap();
         let events = document["events"].as_array().unwrap();
-        let found = (document["outcome"]["impacts"].as_u64().unwrap(), events.last().unwrap()["event"].as_str().unwrap());
+        let found =
+            (document["outcome"]["impacts"].as_u64().unwrap(), events.last().unwrap()["event"].as_str().unwrap());
         assert_eq!(found, (impacts, last), "{until}");
         assert!(matches!(verdict(&document), Verdict::Confirmed { .. }), "{until}: {:?}", verdict(&document));
     }
