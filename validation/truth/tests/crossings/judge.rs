@@ -54,6 +54,9 @@ fn check(document: &str) -> (Finding, String) {
     match claims.check_within(&EFFORT, &Unwatched) {
         Ok(Verdict::Confirmed { .. }) => (Finding::Right, String::new()),
         Ok(Verdict::Refuted(finding)) => (Finding::Wrong, claims.described(&finding)),
+        Ok(Verdict::Undecided(finding)) if finding.message.starts_with("it claims nothing") => {
+            (Finding::Nothing, claims.described(&finding))
+        }
         Ok(Verdict::Undecided(finding)) => (Finding::Open, claims.described(&finding)),
         Ok(Verdict::Interrupted { .. }) => unreachable!("nobody stops it"),
         Err(error) => (Finding::Open, error.to_string()),
