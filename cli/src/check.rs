@@ -9,7 +9,6 @@ use impact_pair::Scene;
 use impact_pair::json::{CheckDocument, SceneDocument, one_a_line};
 use impact_pair_certificate::{Claims, Effort, Verdict};
 use serde_json::{Deserializer, Value};
-use sha2::{Digest, Sha256};
 
 use crate::Answer;
 use crate::destination::{Destination, Files};
@@ -101,7 +100,7 @@ pub fn check(arguments: &CheckArguments) -> Result<Answer> {
     let path = &arguments.certificate;
     let format = arguments.destination.format(arguments.format)?;
     if arguments.verified {
-        return verified::verify(path, format, arguments.destination.output.as_deref());
+        return verified::verify(path, format == CheckFormat::Json, arguments.destination.output.as_deref());
     }
     let text = scene::text(path)?;
     let claims = Claims::parse(&text).map_err(|error| match Scene::parse(&text) {
@@ -115,7 +114,7 @@ pub fn check(arguments: &CheckArguments) -> Result<Answer> {
     let progress = Progress::new(Some(claims.count() as u64), !quiet);
     let judged = claims.judge(&arguments.effort(), &progress).with_context(|| scene::name(path))?;
     progress.clear();
-    let sha256 = Some(sha256(&text));
+    let sha256 = Some(verified::sha256(&text));
     let document = CheckDocument { sha256, ..claims.document(&text, &judged) };
     let written = match format {
         CheckFormat::Json => one_a_line(&document, &["claims"]),
@@ -128,11 +127,6 @@ pub fn check(arguments: &CheckArguments) -> Result<Answer> {
         Verdict::Confirmed { .. } if is_checked => Answer::Complete,
         _ => Answer::Incomplete,
     })
-}
-
-/// The name of a document: SHA-256 in hexadecimal.
-pub fn sha256(text: &str) -> String {
-    format!("{:x}", Sha256::digest(text.as_bytes()))
 }
 
 /// The verdict, the theorem, the scene that it is about, the name of the document, and what is not checked, a line each.

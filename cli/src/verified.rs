@@ -7,9 +7,9 @@ use std::process::{Command, Output as Answered, Stdio};
 
 use anyhow::{Context, Result, anyhow, bail};
 use impact_pair::json::{VERIFIED_SCHEMA, VerifiedDocument, one_a_line};
+use sha2::{Digest, Sha256};
 
 use crate::Answer;
-use crate::check::{CheckFormat, sha256};
 use crate::output::Output;
 use crate::scene;
 
@@ -19,14 +19,14 @@ const PROGRAM: &str = "impact-pair-verified";
 const NOT_VERIFIED: &str = "not verified: ";
 
 /// Writes the claim of a document and the verdict of the verified checker.
-pub fn verify(path: &Path, format: CheckFormat, output: Option<&Path>) -> Result<Answer> {
+pub fn verify(path: &Path, is_json: bool, output: Option<&Path>) -> Result<Answer> {
     let text = scene::text(path)?;
     scene::keep(path, output)?;
     let answered = answer(&program()?, &text)?;
     let said = String::from_utf8_lossy(&answered.stdout);
-    let written = |reason: Option<&str>| match format {
-        CheckFormat::Text => said.clone().into_owned(),
-        CheckFormat::Json => one_a_line(&document(&text, &said, reason), &[]) + "\n",
+    let written = |reason: Option<&str>| match is_json {
+        false => said.clone().into_owned(),
+        true => one_a_line(&document(&text, &said, reason), &[]) + "\n",
     };
     // Its exit code and its last line have to say the same.
     match (answered.status.code(), said.lines().last()) {
@@ -41,6 +41,11 @@ pub fn verify(path: &Path, format: CheckFormat, output: Option<&Path>) -> Result
             Err(anyhow!("{}", stopped.trim()).context(scene::name(path)))
         }
     }
+}
+
+/// The name of a document: SHA-256 in hexadecimal.
+pub fn sha256(text: &str) -> String {
+    format!("{:x}", Sha256::digest(text.as_bytes()))
 }
 
 /// The answer of the program as a document.

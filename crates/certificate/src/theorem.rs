@@ -113,15 +113,16 @@ impl Certificate {
 
 impl GlobalCertificate {
     fn theorem(&self) -> String {
-        let components = counted(self.count(), "listed component");
-        match self.says_there_are_no_others() {
-            true => format!(
-                "for all parameters of the scene every motion that touches a wall is in the end in one of the {components}; each periodic \
-                 motion and each cycle with rests exists, with its kind, within its bounds"
-            ),
-            false => "for all parameters of the scene each listed periodic motion and each cycle with rests exists, with its kind, within its \
+        let theorem = match self.says_there_are_no_others() {
+            true => {
+                "for all parameters of the scene every motion that touches a wall is in the end in one of the listed components; each \
+                 periodic motion and each cycle with rests exists, with its kind, within its bounds"
+            }
+            false => {
+                "for all parameters of the scene each listed periodic motion and each cycle with rests exists, with its kind, within its \
                  bounds"
-                .to_owned(),
-        }
+            }
+        };
+        theorem.to_owned()
     }
 }

@@ -43,7 +43,7 @@ fn r61_a_false_claim_that_is_not_checked_is_named() {
 
 /// Settings are no claims: a document that has nothing else unchecked is confirmed without a reservation.
 #[test]
-fn settings_are_told_apart_from_claims() {
+fn settings_are_no_claims() {
     let orbit = checked("count", |document| document["program"] = json!("another"));
     assert!(orbit.unchecked_claims.is_empty() && !orbit.not_checked.is_empty());
     let cycles = checked("cycles", |document| document["boxes"] = json!(7));

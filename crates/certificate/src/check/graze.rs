@@ -20,8 +20,6 @@ use impact_pair_model::{EventKind, Miss, Wall};
 const PARTS_OF_GAP: i32 = 1_000_000;
 /// The greatest width of a claim over data that are intervals, relative to that of the enclosure of the distance.
 const MAX_WIDENING: i32 = 4;
-/// The message about a claim that is wider.
-pub(super) const WIDE: &str = "the bounds of its distance are too wide: an impact may be in them";
 
 /// An extremum of all flights of a set, measured from the wall it is near.
 struct Summit {
@@ -46,7 +44,7 @@ struct Touch {
 }
 
 /// Returns whether claimed bounds of a distance are wider than this.
-pub(super) fn is_wider([lower, upper]: &[BigRational; 2], than: &BigRational) -> bool {
+fn is_wider([lower, upper]: &[BigRational; 2], than: &BigRational) -> bool {
     upper - lower > *than
 }
 
@@ -68,7 +66,7 @@ impl Certificate {
             let own = distance.enclosure().wid().to_rational();
             let may_be_0 = distance.is_across() || matches!(beside(distance, &around), SetPosition::Inside);
             if !may_be_0 || is_wider(&miss.distance, &(own * BigInt::from(MAX_WIDENING))) {
-                return Err((event, Doubt::open(WIDE)));
+                return Err((event, Doubt::open(Walk::WIDE)));
             }
         }
         Ok(())
@@ -76,9 +74,12 @@ impl Certificate {
 }
 
 impl Walk<'_> {
-    /// The distance by which a graze may miss its wall \[length\].
-    pub(super) fn near(&self) -> BigRational {
-        near(self.data)
+    /// The message about a claim that is wider than the claim of a graze may be.
+    pub(super) const WIDE: &'static str = "the bounds of its distance are too wide: an impact may be in them";
+
+    /// Returns whether the claimed distance is wider than the distance of points that graze may be. Lemma V4
+    pub(super) fn is_wide(&self, miss: &Miss<[BigRational; 2]>) -> bool {
+        is_wider(&miss.distance, &near(self.data))
     }
 
     /// A graze that does not repeat: the orbit goes on from a little after it, with both continuations in one set.
@@ -86,7 +87,7 @@ impl Walk<'_> {
         let claimed = self.ahead(claim)?;
         let departure = self.standing.departure();
         let flight = departure.flights(&self.parameters);
-        let near = self.near();
+        let near = near(self.data);
         let around = [-near.clone(), near.clone()];
         let distance = miss.map_or(&around, |miss| &miss.distance);
         self.has_extremum(&flight, claim, &claimed, distance)?;
@@ -126,9 +127,9 @@ impl Walk<'_> {
         compare("distance", &missed, distance)?;
         if let Some(miss) = miss {
             compare("speed", &self.clock.velocity(&touch.speed), &miss.speed)?;
-            if is_wider(&miss.distance, &near) {
+            if self.is_wide(miss) {
                 if self.data.is_point() || !(is_wide_by_data || self.is_spread) {
-                    return Err(Doubt::open(WIDE));
+                    return Err(Doubt::open(Self::WIDE));
                 }
                 self.grazes.push((self.event, missed));
             }

@@ -8,7 +8,6 @@ use num_rational::BigRational;
 use super::clock::Clock;
 use super::contact::{Doubt, clear_throughout};
 use super::data::Data;
-use super::graze::{WIDE, is_wider};
 use super::walk::{Walk, compare};
 use crate::Claim;
 use impact_pair_exact::{Exact, Real};
@@ -113,8 +112,8 @@ impl Walk<'_> {
         let clock = clock.ok_or_else(|| Doubt::open("the time of the graze is too large"))?;
         compare("time", &clock.time(&Real::zero(bits)), &claim.time)?;
         // V5: the wall is touched exactly, without velocity, and all bounds that were read hold 0
-        if miss.is_some_and(|miss| is_wider(&miss.distance, &self.near())) {
-            return Err(Doubt::open(WIDE));
+        if miss.is_some_and(|miss| self.is_wide(miss)) {
+            return Err(Doubt::open(Self::WIDE));
         }
         self.standing.touch(Still { quarters, ..still });
         Ok(())
