@@ -4,6 +4,7 @@
 //! checked are no part of the theorem.
 
 use impact_pair_document::{ClaimName, counted};
+use impact_pair_model::EventKind;
 
 use crate::{Certificate, Claims, GlobalCertificate};
 
@@ -81,7 +82,10 @@ impl Certificate {
             ClaimName::Shadowed => "one start within the bounds of `outcome.start` has exactly one sequence of",
         };
         let next = if others == 0 { "" } else { ", each impact the first contact after the event before" };
-        format!("{start} {contacts}{next}, within the listed bounds of time and velocity{}", self.ending())
+        // V4: past a graze the flights that touch the wall and those that miss it have what follows
+        let has_grazes = self.events().iter().any(|claim| matches!(claim.kind, EventKind::Graze { .. }));
+        let grazes = if has_grazes { "; at a graze the wall is missed or touched, within its distance" } else { "" };
+        format!("{start} {contacts}{next}, within the listed bounds of time and velocity{grazes}{}", self.ending())
     }
 
     /// What the outcome says of the time after the events.
