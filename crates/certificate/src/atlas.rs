@@ -6,7 +6,6 @@ use impact_pair_document::{ATLAS_SCHEMA, AtlasHead, AtlasRecord, PeriodDocument,
 use impact_pair_model::{Error, ImpactPair, Start};
 
 use super::GlobalCertificate;
-use super::global::DIRECTION_KEYS;
 use super::grid::{Axes, Placed, and};
 use super::tiles::Tile;
 
@@ -104,7 +103,7 @@ impl AtlasCertificate {
         unjudged.extend((!has_orbits).then(|| "scene.excitation.frequency".to_owned()));
         let parts = || points.iter().flat_map(|point| &point.parts);
         let deepest = parts().map(Part::depth).max().unwrap_or(0); // exact: no cell is cut
-        unjudged.extend(of_cells(deepest, parts().any(|part| part.global.has_horseshoes())));
+        unjudged.extend(of_cells(deepest));
         unjudged.extend(parts().flat_map(Part::unjudged));
         unjudged.sort();
         unjudged.dedup();
@@ -156,10 +155,9 @@ impl AtlasCertificate {
 }
 
 /// Keys of points that no lemma covers, and the same keys of the cells that tiles are cut into, down to `most` bisections. Lemma V38
-fn of_cells(most: usize, have_horseshoes: bool) -> impl Iterator<Item = String> {
+fn of_cells(most: usize) -> impl Iterator<Item = String> {
     let of_points = UNJUDGED.iter().filter_map(|key| key.strip_prefix("points."));
-    let all = of_points.chain(DIRECTION_KEYS.into_iter().filter(move |_| have_horseshoes));
-    all.flat_map(move |key| (0..=most).map(move |times| format!("points.{}{key}", "quarters.".repeat(times))))
+    of_points.flat_map(move |key| (0..=most).map(move |times| format!("points.{}{key}", "quarters.".repeat(times))))
 }
 
 impl Part {
@@ -195,8 +193,7 @@ impl Part {
             return if self.is_leaf { vec![self.path.clone()] } else { RESULT_KEYS.iter().map(of).collect() };
         }
         // Keys that it does not know, and not those of every component; and a class that is not judged.
-        let of_points =
-            |key: &str| UNJUDGED.contains(&format!("points.{key}").as_str()) || DIRECTION_KEYS.contains(&key);
+        let of_points = |key: &str| UNJUDGED.contains(&format!("points.{key}").as_str());
         let is_other = |key: &&String| !of_points(key);
         let is_own = |key: &&String| key.starts_with("components") || *key == "class";
         let own = self.global.unjudged().iter().filter(is_own).filter(is_other).map(String::as_str);

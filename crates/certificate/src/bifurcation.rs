@@ -189,9 +189,12 @@ impl BifurcationCertificate {
     }
 }
 
+/// Bits that the ends of the range are enclosed in.
+const BITS: u32 = 256;
+
 /// Returns a statement of the document that its own fields exclude.
 fn contradiction(document: &BifurcationDocument, points: &[ClaimedPoint]) -> Result<Option<String>, Error> {
-    let BifurcationDocument { word, cycles, certified, branches, undecided, .. } = document;
+    let BifurcationDocument { word, cycles, certified, branches, undecided, over, .. } = document;
     let requested: Word = word.parse()?;
     let is_lost = branches.iter().any(|branch| branch.ends.iter().any(|end| end == "lost"));
     let is_open = |point: &ClaimedPoint| {
@@ -200,7 +203,15 @@ fn contradiction(document: &BifurcationDocument, points: &[ClaimedPoint]) -> Res
     if *certified && (!undecided.is_empty() || is_lost || points.iter().any(is_open)) {
         return Ok(Some("certified: not everything found is proved".to_owned()));
     }
+    let [low, high] = [&over.low, &over.high].map(|end| end.0.enclose(BITS));
+    if low.inf() > high.sup() {
+        return Ok(Some("over: the lower end is above the upper one".to_owned()));
+    }
     for (i, (point, claimed)) in points.iter().zip(&document.points).enumerate() {
+        let [least, most] = &point.parameter;
+        if *most < low.inf().to_rational() || *least > high.sup().to_rational() {
+            return Ok(Some(format!("points[{i}]: its parameter is outside the range")));
+        }
         // The orbit at which a doubling comes is the one before it.
         let doublings = claimed.doublings.checked_sub((point.kind == Kind::PeriodDoubling).into());
         let doubled = doublings.and_then(|doublings| 1usize.checked_shl(doublings));

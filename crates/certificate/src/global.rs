@@ -52,9 +52,6 @@ pub(super) struct Claimed {
     orbit: Option<ClaimedOrbit>,
 }
 
-/// Keys of the h-sets of horseshoes: they follow from the corners, and are not compared with them. Lemma V37
-pub(super) const DIRECTION_KEYS: [&str; 2] =
-    ["components.horseshoe.bases.contracting", "components.horseshoe.bases.expanding"];
 /// Kinds of components with a periodic motion, and what its stability is then.
 const PERIODIC_KINDS: [(&str, Stability); 2] = [("attracting", Stability::Stable), ("saddle", Stability::Unstable)];
 

@@ -3,7 +3,7 @@
 //! Whatever stands at another key and is not checked is a claim that a reader may take for proved: the first line of `check` names it.
 
 /// Paths without positions in lists, each with all that stands below it.
-const SETTINGS: [&str; 47] = [
+const SETTINGS: [&str; 43] = [
     // The question. Of the scene: data on which no claim of the document depends.
     "scene",
     "title",
@@ -50,18 +50,13 @@ const SETTINGS: [&str; 47] = [
     "components.reason",
     "windows.reason",
     "points.reason",
-    "points.message",
     "points.components.reason",
-    // Half vectors of h-sets, whose corners are given.
-    "bases",
-    "stretches.bases",
-    "components.horseshoe.bases",
 ];
 
 /// Returns whether a path, or one without positions in lists, leads to what claims nothing.
 pub(super) fn is_setting(path: &str) -> bool {
     // The cells that a tile is cut into have the keys of the tile.
-    let of_tile = path.replace("quarters.", "").replace("points.components.horseshoe", "components.horseshoe");
+    let of_tile = path.replace("quarters.", "");
     SETTINGS.iter().any(|setting| {
         of_tile.strip_prefix(setting).is_some_and(|rest| rest.is_empty() || rest.starts_with(['.', '[']))
     })

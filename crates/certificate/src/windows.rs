@@ -154,6 +154,9 @@ fn contradiction(document: &WindowsDocument, over: Key) -> Option<String> {
         if window.orbit.stability != "stable" {
             return wrong(".orbit.stability: only stable orbits have a window");
         }
+        if window.orbit.physical == Some(false) {
+            return wrong(".orbit.physical: only admissible orbits have a window");
+        }
         for (bounds, kind) in [&window.from, &window.to].into_iter().zip(&window.ends) {
             if bounds.is_some() != kind.is_some() {
                 return wrong(".ends: an end has both its bounds and its kind, or neither");

@@ -134,9 +134,11 @@ impl Walk<'_> {
                 self.grazes.push((self.event, missed));
             }
         }
+        let missed_may_be_0 = excess.is_across();
         let past = self.pass(&flight, claim.wall, &summit, &touch)?;
         self.standing = self.standing.past_graze(past, claim.wall);
-        self.is_spread |= is_wide_by_data;
+        // V4 (size): the data decide whether the wall is touched
+        self.is_spread |= is_wide_by_data && missed_may_be_0;
         Ok(())
     }
 

@@ -2,7 +2,7 @@
 
 use impact_pair_document::{ComponentDocument, GlobalDocument};
 
-use super::{DIRECTION_KEYS, is_saddle_set};
+use super::is_saddle_set;
 
 /// Keys that claim nothing which is judged, some of them several times. Lemmas V20, V27, V28, V37
 pub(super) fn keys(document: &GlobalDocument, says_there_are_no_others: bool, has_grazing_motion: bool) -> Vec<String> {
@@ -14,8 +14,6 @@ pub(super) fn keys(document: &GlobalDocument, says_there_are_no_others: bool, ha
         ["components.boxes", "components.area"].iter().filter(|_| !components.is_empty()).map(|key| (*key).to_owned()),
     );
     keys.extend(any(&|own| own.reason.is_some()).then(|| "components.reason".to_owned()));
-    let has_horseshoes = any(&|own| own.horseshoe.is_some());
-    keys.extend(DIRECTION_KEYS.iter().filter(|_| has_horseshoes).map(|key| (*key).to_owned()));
     let has_basins = says_there_are_no_others && document.basins.is_some();
     keys.extend((!has_basins && document.basins.is_some()).then(|| "basins".to_owned()));
     keys.push(if has_basins { "basins.boxes" } else { "greatest_speed" }.to_owned());

@@ -60,7 +60,7 @@ pub(super) fn sound_bases(claimed: &[BaseDocument]) -> Result<Vec<HSet>, Doubt> 
         return wrong("an h-set is not proved to be disjoint from its own translate by a forcing period");
     }
     if !claimed.iter().zip(&bases).all(|(claimed, base)| is_about(claimed, base)) {
-        return wrong("the given middle of an h-set is not that of its corners");
+        return wrong("the given middle or half vectors of an h-set are not those of its corners");
     }
     Ok(bases)
 }
@@ -120,16 +120,27 @@ fn says_one_orbit(orbit: Option<&SceneOrbitDocument>) -> Result<(), Doubt> {
     Ok(())
 }
 
-/// Returns whether the given middle of an h-set is that of its corners, to nine digits. Lemma V12
+/// Returns whether the given middle and half vectors of an h-set are those of its corners, to nine digits. Lemma V12
 fn is_about(claimed: &BaseDocument, base: &HSet) -> bool {
-    let Some(corners) = base.exact() else { return false };
-    let whole = |n: i64| BigRational::from_integer(n.into());
-    let mean = |i: usize| corners.iter().map(|corner| &corner[i]).sum::<BigRational>() / whole(4);
-    let is_near = |claimed: &Decimal, middle: &BigRational| {
-        (claimed.value() - middle).abs() <= BigRational::new(1.into(), 1_000_000_000.into())
+    let Some([bottom_left, bottom_right, top_right, top_left]) = base.exact() else { return false };
+    let half = BigRational::new(1.into(), 2.into());
+    let between = |a: &[BigRational; 2], b: &[BigRational; 2]| [0, 1].map(|i| (&a[i] + &b[i]) * &half);
+    let (right, top) = (between(&bottom_right, &top_right), between(&top_left, &top_right));
+    let middle = between(&between(&bottom_left, &bottom_right), &top);
+    let from_middle = |[x, y]: [BigRational; 2]| [x - &middle[0], y - &middle[1]];
+    let is_near = |claimed: &Decimal, found: &BigRational| {
+        (claimed.value() - found).abs() <= BigRational::new(1.into(), 1_000_000_000.into())
     };
     let pi = Enclosure::pi(BITS);
     // What is near both bounds is near all numbers between.
-    let is_phase = |pi: &Dyadic| is_near(&claimed.phase, &(mean(0) * whole(2) * pi.to_rational()));
-    is_phase(pi.inf()) && is_phase(pi.sup()) && is_near(&claimed.speed, &mean(1))
+    let is_phase = |claimed: &Decimal, periods: &BigRational| {
+        let at = |pi: &Dyadic| periods * BigRational::from_integer(2.into()) * pi.to_rational();
+        is_near(claimed, &at(pi.inf())) && is_near(claimed, &at(pi.sup()))
+    };
+    let is_vector = |[phase, speed]: [&Decimal; 2], found: &[BigRational; 2]| {
+        is_phase(phase, &found[0]) && is_near(speed, &found[1])
+    };
+    is_vector([&claimed.phase, &claimed.speed], &middle)
+        && is_vector(claimed.expanding.each_ref(), &from_middle(right))
+        && is_vector(claimed.contracting.each_ref(), &from_middle(top))
 }
