@@ -151,6 +151,13 @@ let rec spelled key = function
    document, without the keys that claim nothing. *)
 let claimed ?(canonical = fun _ head -> spelled "" head) ~no_claims ~document ~json value =
   let claim = document value in
+  (* What claims nothing has no place for a claim. *)
+  let is_plain (key, value) = match key, value with
+    | _ when not (List.mem key no_claims) -> ()
+    | "arithmetic", Json.Object own -> only key [ "kind"; "bits"; "max_bits" ] own
+    | _, (Json.List (_ :: _) | Object (_ :: _)) -> wrong key value "a plain value"
+    | _ -> () in
+  List.iter is_plain (members "the document" value);
   let head = List.filter (fun (key, _) -> not (List.mem key no_claims)) (members "the document" value) in
   let written = Json.text (Json.sorted (canonical claim (Json.Object head))) and understood = Json.text (Json.sorted (json claim)) in
   if written <> understood then begin
