@@ -2,11 +2,11 @@
 
 use super::attraction::ClaimedOrbit;
 use impact_pair_document::{
-    CYCLES_SCHEMA, CyclesDocument, PERIODIC_SCHEMA, PeriodicDocument, PeriodicOrbitDocument, Place, TwoImpactDocument,
-    value,
+    CYCLES_SCHEMA, CyclesDocument, PERIODIC_SCHEMA, PeriodicDocument, PeriodicOrbitDocument, Place, RESTING,
+    TwoImpactDocument, value,
 };
 use impact_pair_exact::Exact;
-use impact_pair_model::{Error, ImpactPair, Start, Wall, Word};
+use impact_pair_model::{Error, ImpactPair, Mapping, Start, Wall, Word};
 
 /// The claims of a periodic JSON, or of that of two-impact motions.
 #[derive(Clone, Debug)]
@@ -92,11 +92,13 @@ impl PeriodicCertificate {
         unjudged.extend(has_rest.then(|| "undecided".to_owned()));
         unjudged.push("scene.start".to_owned());
         let (pair, _) = document.scene.model()?;
-        let mut word: Word = document.word.parse()?;
-        // Both words of two impacts are the same motion, begun on one wall or the other.
-        let begins = |orbit: &ClaimedOrbit| orbit.impacts.first().map(|first| first.wall);
-        if is_two_impact && orbits.first().and_then(begins).is_some_and(|wall| word.mappings()[0].walls().0 != wall) {
-            word = Word::new(word.mappings().iter().rev().copied().collect())?;
+        let word: Word = document.word.parse()?;
+        if is_two_impact && !matches!(word.mappings(), [Mapping::P1, Mapping::P2] | [Mapping::P2, Mapping::P1]) {
+            return Err(whole.get("word")?.refused("accepted of two-impact motions are \"P1 P2\" and \"P2 P1\""));
+        }
+        if document.excludes.as_ref().is_some_and(|what| !document.exhaustive || what != RESTING) {
+            let accepted = format!("accepted is \"{RESTING}\", of an exhaustive list");
+            return Err(whole.get("excludes")?.refused(&accepted));
         }
         let cycles = document.cycles.into();
         let orbits = orbits.into_iter().map(|orbit| OrbitOf { word: word.clone(), cycles, orbit }).collect();

@@ -3,7 +3,7 @@
 //! Whatever stands at another key and is not checked is a claim that a reader may take for proved: the first line of `check` names it.
 
 /// Paths without positions in lists, each with all that stands below it.
-const SETTINGS: [&str; 43] = [
+const SETTINGS: [&str; 41] = [
     // The question. Of the scene: data on which no claim of the document depends.
     "scene",
     "title",
@@ -34,8 +34,6 @@ const SETTINGS: [&str; 43] = [
     "components.boxes",
     "points.components.boxes",
     "points.bits",
-    "points.complete",
-    "points.wide_from",
     "points.seconds",
     // The start that all points are about stands at each point as well.
     "claim",

@@ -140,7 +140,7 @@ let number place source =
 (* A decimal, as bounds are. *)
 let bound place source =
   match number place source with
-  | Rational q -> q
+  | Rational q when not (String.contains source ' ') -> q
   | _ -> unreadable "%s: %S, but accepted is a decimal" place source
 
 (* The precedence of a spelling. *)

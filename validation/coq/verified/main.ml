@@ -7,7 +7,7 @@ let usage = "usage: impact-pair-verified DOCUMENT\n\n\
   Verifies a document of `impact-pair run`, `periodic`, `trap` or `chaos`, in JSON, (- for standard input) by a checker extracted from its proof in Coq.\n\
   Prints the claim, the scene and the SHA-256 of the document, and `verified` (exit 0), `not verified: REASON` (1) or `unreadable: REASON` (2).\n\n\
   impact-pair-verified --part KEY DOCUMENT verifies the document at a key of a description: proof or region.\n\
-  impact-pair-verified --coq DOCUMENT prints a file in which Coq itself runs the checker on the same input, and concludes the claims.\n\
+  impact-pair-verified --coq [--part KEY] DOCUMENT prints a file in which Coq itself runs the checker on the same input, and concludes the claims.\n\
   impact-pair-verified --version\n"
 
 type verdict = Verified | Not_verified of string | Unreadable of string
@@ -89,7 +89,7 @@ let read ?part source =
     let parts = List.filter (fun key -> List.mem_assoc key (Reading.members "the document" value)) [ "proof"; "region" ] in
     let parts = List.filter (fun key -> Reading.get "" (Reading.members "the document" value) key <> Json.Null) parts in
     if parts = [] then Reading.not_covered "the description has neither a proof nor a region"
-    else Reading.not_covered "covered of a description are the documents in it: --part %s" (String.concat ", or --part " parts)
+    else Reading.not_covered "covered of a description are the documents in it: impact-pair-verified --part %s" (String.concat ", or --part " parts)
   | is -> Reading.not_covered "schema is %S: covered are %S, %S, %S and %S" (Reading.shortened is) Orbit.schema Periodic.schema Trap.schema Words.schema
 let scene_of = function
   | Orbit claim -> Orbit.scene_of claim
@@ -115,8 +115,8 @@ let verdict ?part source =
 (* The same input for Coq, with this program's answer. *)
 let no_input reason = prerr_endline ("no input for the checker: " ^ reason); exit 1
 let pieces_of document = match Search.pieces document with Search.Pieces pieces -> pieces | Refused reason -> no_input reason
-let coq path =
-  match read (contents path) with
+let coq ?part path =
+  match read ?part (contents path) with
   | Orbit (Exact document) ->
     let pieces = pieces_of document in
     print_string (Term.file document pieces (Shifting.verify_document document pieces))
@@ -156,6 +156,7 @@ let () =
   | [ _; ("-h" | "--help") ] -> print_string usage
   | [ _; ("-V" | "--version") ] -> print_endline ("impact-pair-verified " ^ Version.version)
   | [ _; "--coq"; path ] -> coq path
+  | [ _; "--coq"; "--part"; (("proof" | "region") as part); path ] -> coq ~part path
   | [ _; "--part"; (("proof" | "region") as part); path ] when is_file path -> judge ~part path
   | [ _; path ] when is_file path -> judge path
   | _ -> prerr_string usage; exit 2

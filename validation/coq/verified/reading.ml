@@ -162,6 +162,6 @@ let claimed ?(canonical = fun _ head -> spelled "" head) ~no_claims ~document ~j
   let written = Json.text (Json.sorted (canonical claim (Json.Object head))) and understood = Json.text (Json.sorted (json claim)) in
   if written <> understood then begin
     let a, b = difference written understood in
-    unreadable "written is `..%s..`, and accepted is the spelling `..%s..`" a b
+    not_covered "written is `..%s..`, and covered is the spelling `..%s..`" a b
   end;
   claim

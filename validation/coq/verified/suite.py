@@ -388,7 +388,7 @@ def compared_with_check(suite):
     described = json.loads(subprocess.run(describe, capture_output=True, text=True, check=True, timeout=TIMEOUT).stdout)
     orbit, graze = suite.run("scenes/figure-14.toml", ["--impacts", "3"]), suite.run("scenes/graze.toml", [])
     path = os.pathsep.join([str(Path(suite.verified).parent), os.environ["PATH"]])
-    for document, code, reason in [(orbit, 0, "verified"), (graze, 1, "is a graze: covered are impacts"), (described, 1, "covered of a description are the documents in it: --part proof"), ({}, 2, "schema is missing")]:
+    for document, code, reason in [(orbit, 0, "verified"), (graze, 1, "is a graze: covered are impacts"), (described, 1, "covered of a description are the documents in it: impact-pair-verified --part proof"), ({}, 2, "schema is missing")]:
         text = json.dumps(document).encode()
         done = subprocess.run([suite.program, "check", "--verified", "-"], input=text, capture_output=True, check=False, timeout=TIMEOUT, env=os.environ | {"PATH": path})
         said, verdict = (done.stdout + done.stderr).decode(), suite.check(document)

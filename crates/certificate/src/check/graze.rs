@@ -128,17 +128,14 @@ impl Walk<'_> {
         if let Some(miss) = miss {
             compare("speed", &self.clock.velocity(&touch.speed), &miss.speed)?;
             if self.is_wide(miss) {
-                if self.data.is_point() || !(is_wide_by_data || self.is_spread) {
+                if self.data.is_point() || !is_wide_by_data {
                     return Err(Doubt::open(Self::WIDE));
                 }
                 self.grazes.push((self.event, missed));
             }
         }
-        let missed_may_be_0 = excess.is_across();
         let past = self.pass(&flight, claim.wall, &summit, &touch)?;
         self.standing = self.standing.past_graze(past, claim.wall);
-        // V4 (size): the data decide whether the wall is touched
-        self.is_spread |= is_wide_by_data && missed_may_be_0;
         Ok(())
     }
 

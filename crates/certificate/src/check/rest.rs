@@ -132,7 +132,6 @@ impl<'c> Walk<'c> {
             Some(_) => self.release_of_one(&rest, claim)?,
             None => self.release_of_several(&rest, claim)?,
         }
-        self.is_spread = false;
         Ok(())
     }
 

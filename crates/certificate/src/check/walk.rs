@@ -36,8 +36,6 @@ pub(crate) struct Walk<'c> {
     pub(super) impacts: u64,
     /// Grazes whose claimed distance is wider than points allow: their positions, and the distances found.
     pub grazes: Vec<(usize, Real)>,
-    /// True past a graze of states that differ by the data: they do so from then on, until a release.
-    pub(super) is_spread: bool,
     pub(super) bits: u32,
     /// The position of the claim in hand.
     pub event: usize,
@@ -71,7 +69,6 @@ impl<'c> Walk<'c> {
             has_period: None,
             impacts: impacts as u64, // exact: a length
             grazes: Vec::new(),
-            is_spread: false,
             bits: turn.bits(),
             event: impacts,
         }
