@@ -90,6 +90,8 @@ fn r32_a_base_wider_than_a_turn_is_refused() {
         base["corners"] = json!({ "left": edge(0.125), "right": edge(0.125 + width) });
         base["phase"] = json!((TAU * (0.125 + 0.5 * width)).to_string());
         base["speed"] = json!("5.0625");
+        base["expanding"] = json!([(TAU * 0.5 * width).to_string(), "0"]);
+        base["contracting"] = json!(["0", "0.0625"]);
         document
     };
     assert!(is_confirmed(&of_width(0.75)), "{:?}", verdict(&of_width(0.75)));

@@ -73,13 +73,15 @@ fn contradiction(document: &CyclesDocument, orbits: &[OrbitOf]) -> Option<String
         if !is_reduced_period(cycle.reduced_impacts, orbit.orbit.impacts.len(), orbit.orbit.symmetric) {
             return Some(format!("orbits[{i}].reduced_impacts: contradicts its impacts and its symmetry"));
         }
-        if orbit.orbit.physical != Some(true) {
+        if orbit.orbit.physical == Some(false) {
             return Some(format!("orbits[{i}].physical: a cycle of the map has first contacts alone"));
         }
     }
     let mut by_impacts: BTreeMap<u32, u64> = BTreeMap::new();
-    for cycle in &document.orbits {
-        *by_impacts.entry(cycle.reduced_impacts).or_default() += u64::from(cycle.reduced_impacts);
+    for (cycle, orbit) in document.orbits.iter().zip(orbits) {
+        if orbit.orbit.physical == Some(true) {
+            *by_impacts.entry(cycle.reduced_impacts).or_default() += u64::from(cycle.reduced_impacts);
+        }
     }
     let listed = |impacts: u32| {
         by_impacts.iter().filter(|(least, _)| impacts.is_multiple_of(**least)).map(|(_, n)| n).sum::<u64>()

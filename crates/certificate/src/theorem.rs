@@ -22,8 +22,8 @@ impl Claims {
                  stability, spacing and sine are as listed"
             }
             Self::Cycles(_) => {
-                "for all parameters of the scene each listed cycle of the map mirrored to one wall exists within its bounds, with first contacts \
-                 alone, once in the list, with this least period, symmetry, eigenvalues and stability"
+                "for all parameters of the scene each listed cycle of the map mirrored to one wall exists within its bounds, with first \
+                 contacts alone where `physical` is true, once in the list, with this least period, symmetry, eigenvalues and stability"
             }
             Self::Bifurcations(_) => {
                 "within the bounds of each listed fold, pitchfork and period doubling an orbit of its word, within the listed bounds, admissible \
