@@ -99,8 +99,8 @@ def check(source: Source, *, effort: int = 1, progress: Progress = None) -> Chec
     ``effort`` multiplies the work allowed for each claim before it is left undecided.
     """
     with reporting(progress, "claims") as report:
-        *answer, claims = _core.check(text_of(source), whole("effort", effort), report)
-    return Check(*answer, [Claim(*claim) for claim in claims])
+        verdict, message, theorem, unjudged, unchecked_claims, claims = _core.check(text_of(source), whole("effort", effort), report)
+    return Check(verdict, message, theorem, unjudged, unchecked_claims, [Claim(*claim) for claim in claims])
 
 
 def prove(source: Source, impacts: int | None = None, *, progress: Progress = None) -> Theorem:
