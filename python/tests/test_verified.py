@@ -1,5 +1,6 @@
 """``verify``: the program that answers is found, and its answer read. A script stands for it, but in the last test."""
 
+import json
 import os
 import sys
 
@@ -103,9 +104,12 @@ def test_a_rest_and_its_release(monkeypatch):
 def test_what_check_confirms_and_no_theorem_covers(monkeypatch):
     monkeypatch.setenv("PATH", str(BUILT.parent))
     graze, described = impact_pair.Scene.named("graze").run(), impact_pair.Scene.named("figure-12").describe()
-    for answer, reason in [(graze, "is a graze: covered are"), (described, 'schema is "impact-pair/description/')]:
+    for answer, reason in [(graze, "is a graze: covered are"), (described, "covered of a description are the documents in it")]:
         assert answer.check()
         found = impact_pair.verify(answer)
         assert not found
         assert found.verdict == "not verified"
         assert reason in found.reason
+    assert impact_pair.verify(json.loads(described.json())["proof"])
+    checked = described.check()
+    assert (checked.unchecked_claims, checked.theorem[:7]) == (["exponent"], "proof: ")
