@@ -54,6 +54,21 @@ impl Grid {
         (column as i32, (speed * self.rows).floor() as i32) // proposes: where a region begins
     }
 
+    /// Returns the boxes that states between these phases and between these speeds may be in; `None` of more than a few.
+    pub fn cells_of(&self, phases: [f64; 2], speeds: [f64; 2]) -> Option<Vec<Cell>> {
+        const MOST: f64 = 64.0;
+        // A8 (place): columns and rows are powers of two, so that products are exact
+        let [first, last] = phases.map(|phase| (phase * self.columns as f64).floor());
+        let [lowest, highest] = speeds.map(|speed| (speed * self.rows).floor());
+        let is_few =
+            last - first < MOST && highest - lowest < MOST && first.abs() < MAX_ROWS && highest.abs() < MAX_ROWS;
+        // exact: whole numbers below 2^31
+        is_few.then(|| {
+            let columns = (first as i64..=last as i64).map(|column| column.rem_euclid(self.columns) as i32);
+            columns.flat_map(|column| (lowest as i32..=highest as i32).map(move |row| (column, row))).collect()
+        })
+    }
+
     /// Returns the rectangle of a box.
     pub fn quad(&self, (column, row): Cell) -> Quad {
         let (column, row) = (f64::from(column), f64::from(row));

@@ -181,9 +181,17 @@ impl<'a> Analysis<'a> {
             return first..first;
         }
         let Recurrent { components, leads, .. } = graph.recurrent(component.is_closed);
-        for component in components {
-            let kind = self.kind(&component);
-            self.nodes.push(Node { component, halved, kind, split: None });
+        let leaves: Vec<usize> = self.leaves(0).into_iter().filter(|&leaf| leaf != node).collect();
+        let others = |own: usize| -> Vec<&Component> {
+            let siblings = components.iter().enumerate().filter(|(i, _)| *i != own).map(|(_, component)| component);
+            siblings.chain(leaves.iter().map(|&leaf| &self.nodes[leaf].component)).collect()
+        };
+        let kinds: Vec<Option<Kind>> =
+            components.iter().enumerate().map(|(own, component)| self.kind(component, &others(own))).collect();
+        for (component, kind) in components.into_iter().zip(kinds) {
+            // A8 (place): it falls into nothing
+            let split = kind.is_none().then(|| Split { children: Vec::new(), leads: Vec::new() });
+            self.nodes.push(Node { component, halved, kind: kind.unwrap_or(Kind::Undecided), split });
         }
         let children = first..self.nodes.len();
         self.nodes[node].split = Some(Split { children: children.clone().collect(), leads });
@@ -192,29 +200,35 @@ impl<'a> Analysis<'a> {
 
     /// Returns whether a node is to be refined: it is undecided, and its boxes may be halved once more.
     fn is_refined(&self, node: usize) -> bool {
-        let Node { component, kind, halved, .. } = &self.nodes[node];
+        let Node { component, kind, halved, split } = &self.nodes[node];
         kind.is_undecided()
+            && split.is_none()
             && *halved < self.request.settings.halvings
             && !component.is_finest(self.request.space.fastest())
     }
 
-    /// Returns the kind of a component, as far as it is proved.
-    fn kind(&self, component: &Component) -> Kind {
+    /// Returns the kind of a component beside others, as far as it is proved; `None` where no motion stays in it.
+    fn kind(&self, component: &Component, others: &[&Component]) -> Option<Kind> {
         let Request { pair, space, released, settings, .. } = &self.request;
         if component.cells.is_empty() {
-            return released.cycle.map_or(Kind::Undecided, |cycle| Kind::RestCycle(Some(cycle)));
+            return Some(released.cycle.map_or(Kind::Undecided, |cycle| Kind::RestCycle(Some(cycle))));
         }
         if known::is_grazing(space, component) {
-            return Kind::Grazing;
+            return Some(Kind::Grazing);
         }
         let Some(limit) = cycle::limit(space, component) else {
             let is_saddle = !component.is_closed && saddles::is_of_saddle_type(space, component);
-            return if is_saddle { Kind::SaddleSet } else { Kind::Undecided };
+            return Some(if is_saddle { Kind::SaddleSet } else { Kind::Undecided });
         };
         let Some(orbit) = LimitCycle::of(pair, space.law(), &limit, settings.precision) else {
-            return Kind::Undecided;
+            return Some(Kind::Undecided);
         };
-        if limit.attracts { Kind::Attracting(orbit) } else { Kind::Saddle(orbit) }
+        match orbit.is_in(space.law(), component, others) {
+            Some(true) if limit.attracts => Some(Kind::Attracting(orbit)),
+            Some(true) => Some(Kind::Saddle(orbit)),
+            Some(false) => None,
+            None => Some(Kind::Undecided),
+        }
     }
 
     fn recurrence(&self, node: usize) -> Recurrence {

@@ -12,7 +12,7 @@ use crate::exact::{Enclosure, Exact};
 use crate::number::{Ball, Number};
 use crate::orbit::{Orbit, Progress, Settings, Start};
 use crate::pair::{ImpactPair, Wall};
-use crate::periodic::{PeriodicOrbit, Precision, Problem};
+use crate::periodic::{PeriodicImpact, PeriodicOrbit, Precision, Problem};
 use crate::{Error, Harmonic};
 
 /// The behaviour of the motions that stay in a component.
@@ -240,6 +240,33 @@ impl LimitCycle {
     }
 }
 
+impl LimitCycle {
+    /// Returns whether the cycle is proved to be in the boxes of a component: `true` where one of its states may be in no box of any other component,
+    /// `false` where one of them is in no box of this one; `None` where neither is so. Lemma A8 (place)
+    pub(super) fn is_in(&self, law: &Law, component: &Component, others: &[&Component]) -> Option<bool> {
+        let states: Option<Vec<[Ball; 2]>> = self.orbit.impacts.iter().map(|impact| mirrored(impact, law)).collect();
+        let states = states?;
+        let meets = |component: &Component, [phase, speed]: [Ball; 2]| {
+            let cells = component.grid.cells_of(ends(phase), ends(speed));
+            cells.is_none_or(|cells| cells.iter().any(|cell| component.cells.binary_search(cell).is_ok()))
+        };
+        if states.iter().any(|&state| !meets(component, state)) {
+            return Some(false);
+        }
+        let is_alone = |&state: &[Ball; 2]| others.iter().all(|other| !meets(other, state));
+        states.iter().any(is_alone).then_some(true)
+    }
+}
+
+/// The phase, in forcing periods, and the speed, over `A W`, of an impact seen on the left wall.
+fn mirrored(impact: &PeriodicImpact, law: &Law) -> Option<[Ball; 2]> {
+    let (phase, radius) = impact.phase.mid_rad();
+    let shift = if impact.wall == Wall::Right { 0.5 } else { 0.0 };
+    let phase = Ball::new(phase, radius) + Ball::exact(shift);
+    let (velocity, radius) = impact.velocity.mid_rad();
+    Some([phase, Ball::new(velocity.abs(), radius).checked_div(law.beta()?)?])
+}
+
 /// Returns whether an orbit is proved to be a motion, without an earlier contact, and in rectangles, one after the other. Lemma A8
 pub(super) fn is_motion_in_turn(orbit: &PeriodicOrbit, law: &Law, hulls: &[[[f64; 2]; 2]]) -> bool {
     orbit.physical == Some(true) && is_in_turn(orbit, law, hulls)
@@ -248,15 +275,11 @@ pub(super) fn is_motion_in_turn(orbit: &PeriodicOrbit, law: &Law, hulls: &[[[f64
 /// Returns whether the impacts of a period, mirrored to the left wall and less whole forcing periods, are proved to be in rectangles, one
 /// after the other, round after round: those of two rounds in the same ones. Lemma A8
 pub(super) fn is_in_turn(orbit: &PeriodicOrbit, law: &Law, hulls: &[[[f64; 2]; 2]]) -> bool {
-    let Some(unit) = law.beta() else { return false };
     orbit.impacts.iter().zip(hulls.iter().cycle()).all(|(impact, hull)| {
-        let (phase, radius) = impact.phase.mid_rad();
-        let shift = if impact.wall == Wall::Right { 0.5 } else { 0.0 };
-        let turned = (phase + shift - 0.5 * (hull[0][0] + hull[0][1])).round(); // A8: whole forcing periods
-        let phase = Ball::new(phase, radius) + Ball::exact(shift) - Ball::exact(turned);
-        let (velocity, radius) = impact.velocity.mid_rad();
-        let speed = Ball::new(velocity.abs(), radius).checked_div(unit);
-        speed.is_some_and(|speed| is_within(phase, hull[0]) && is_within(speed, hull[1]))
+        mirrored(impact, law).is_some_and(|[phase, speed]| {
+            let turned = (phase.mid() - 0.5 * (hull[0][0] + hull[0][1])).round(); // A8: whole forcing periods
+            is_within(phase - Ball::exact(turned), hull[0]) && is_within(speed, hull[1])
+        })
     })
 }
 

@@ -448,3 +448,18 @@ fn a13_the_closed_component_of_figure_14_holds_a_horseshoe() {
     assert!(one.is_closed && one.kind.is_undecided() && found.class() == Class::Closed);
     assert!(horseshoe.entropy[0] > 0.2 && horseshoe.entropy[0] < 2_f64.ln(), "{:?}", horseshoe.entropy);
 }
+
+/// A component that splits into a centre and a ring around it has one cycle, that of the centre. Lemma A8 (place)
+#[test]
+fn r62_one_periodic_motion_is_one_component() {
+    for (ratio, restitution) in [("0.425", "0.1"), ("0.765329", "0.4095")] {
+        let found = global(ratio, restitution);
+        let orbits: Vec<_> = found.components.iter().filter_map(|component| component.kind.limit()).collect();
+        let first = |orbit: &PeriodicOrbit| {
+            orbit.impacts.iter().map(|impact| impact.velocity.mid_rad().0.abs()).fold(0.0, f64::max)
+        };
+        let mut speeds: Vec<f64> = orbits.iter().map(|limit| first(&limit.orbit)).collect();
+        speeds.sort_by(f64::total_cmp);
+        assert!(!speeds.is_empty() && speeds.windows(2).all(|pair| pair[1] - pair[0] > 1e-6), "{ratio}: {speeds:?}");
+    }
+}
