@@ -187,7 +187,7 @@ impl<'a> Analysis<'a> {
             siblings.chain(leaves.iter().map(|&leaf| &self.nodes[leaf].component)).collect()
         };
         let kinds: Vec<Option<Kind>> =
-            components.iter().enumerate().map(|(own, component)| self.kind(component, &others(own))).collect();
+            components.iter().enumerate().map(|(own, component)| self.kind(component, || others(own))).collect();
         for (component, kind) in components.into_iter().zip(kinds) {
             // A8 (place): it falls into nothing
             let split = kind.is_none().then(|| Split { children: Vec::new(), leads: Vec::new() });
@@ -208,7 +208,7 @@ impl<'a> Analysis<'a> {
     }
 
     /// Returns the kind of a component beside others, as far as it is proved; `None` where no motion stays in it.
-    fn kind(&self, component: &Component, others: &[&Component]) -> Option<Kind> {
+    fn kind<'c>(&self, component: &Component, others: impl Fn() -> Vec<&'c Component>) -> Option<Kind> {
         let Request { pair, space, released, settings, .. } = &self.request;
         if component.cells.is_empty() {
             return Some(released.cycle.map_or(Kind::Undecided, |cycle| Kind::RestCycle(Some(cycle))));
@@ -223,7 +223,7 @@ impl<'a> Analysis<'a> {
         let Some(orbit) = LimitCycle::of(pair, space.law(), &limit, settings.precision) else {
             return Some(Kind::Undecided);
         };
-        match orbit.is_in(space.law(), component, others) {
+        match orbit.is_in(space.law(), component, &others()) {
             Some(true) if limit.attracts => Some(Kind::Attracting(orbit)),
             Some(true) => Some(Kind::Saddle(orbit)),
             Some(false) => None,
