@@ -55,17 +55,20 @@ impl Grid {
     }
 
     /// Returns the boxes that states between these phases and between these speeds may be in; `None` of more than a few.
-    pub fn cells_of(&self, phases: [f64; 2], speeds: [f64; 2]) -> Option<Vec<Cell>> {
-        const MOST: f64 = 64.0;
-        // A8 (place): columns and rows are powers of two, so that products are exact
-        let [first, last] = phases.map(|phase| (phase * self.columns as f64).floor());
-        let [lowest, highest] = speeds.map(|speed| (speed * self.rows).floor());
-        let is_few =
-            last - first < MOST && highest - lowest < MOST && first.abs() < MAX_ROWS && highest.abs() < MAX_ROWS;
-        // exact: whole numbers below 2^31
+    pub fn boxes_between(&self, phases: [f64; 2], speeds: [f64; 2]) -> Option<Vec<Cell>> {
+        /// Boxes along a side of the enclosure of a cycle: those of a point take one or two.
+        const MOST_BOXES_ACROSS: f64 = 64.0;
+        // columns and rows are powers of two, so that products are exact
+        let [first, last] = phases.map(|phase| (phase * self.columns as f64).floor()); // A8: the box of a phase
+        let [lowest, highest] = speeds.map(|speed| (speed * self.rows).floor()); // A8: the box of a speed
+        let is_few = last - first < MOST_BOXES_ACROSS
+            && highest - lowest < MOST_BOXES_ACROSS
+            && first.abs() < MAX_ROWS
+            && highest.abs() < MAX_ROWS;
         is_few.then(|| {
-            let columns = (first as i64..=last as i64).map(|column| column.rem_euclid(self.columns) as i32);
-            columns.flat_map(|column| (lowest as i32..=highest as i32).map(move |row| (column, row))).collect()
+            let columns = (first as i64..=last as i64).map(|column| column.rem_euclid(self.columns) as i32); // exact: below 2^31
+            let rows = lowest as i32..=highest as i32; // exact: below 2^31
+            columns.flat_map(|column| rows.clone().map(move |row| (column, row))).collect()
         })
     }
 

@@ -189,9 +189,9 @@ impl<'a> Analysis<'a> {
         let kinds: Vec<Option<Kind>> =
             components.iter().enumerate().map(|(own, component)| self.kind(component, || others(own))).collect();
         for (component, kind) in components.into_iter().zip(kinds) {
-            // A8 (place): it falls into nothing
             let split = kind.is_none().then(|| Split { children: Vec::new(), leads: Vec::new() });
-            self.nodes.push(Node { component, halved, kind: kind.unwrap_or(Kind::Undecided), split });
+            let kind = kind.unwrap_or(Kind::Undecided); // A8: it falls into nothing
+            self.nodes.push(Node { component, halved, kind, split });
         }
         let children = first..self.nodes.len();
         self.nodes[node].split = Some(Split { children: children.clone().collect(), leads });

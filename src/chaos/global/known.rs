@@ -247,8 +247,8 @@ impl LimitCycle {
         let states: Option<Vec<[Ball; 2]>> = self.orbit.impacts.iter().map(|impact| mirrored(impact, law)).collect();
         let states = states?;
         let meets = |component: &Component, [phase, speed]: [Ball; 2]| {
-            let cells = component.grid.cells_of(ends(phase), ends(speed));
-            cells.is_none_or(|cells| cells.iter().any(|cell| component.cells.binary_search(cell).is_ok()))
+            let boxes = component.grid.boxes_between(ends(phase), ends(speed));
+            boxes.is_none_or(|boxes| boxes.iter().any(|own| component.cells.binary_search(own).is_ok()))
         };
         if states.iter().any(|&state| !meets(component, state)) {
             return Some(false);
