@@ -313,12 +313,18 @@ impl Orbit {
     /// Returns whether an event certainly comes after the time to stop at: by its listed bounds, `enclosed` being its phase
     /// without the whole forcing periods.
     fn is_past(&self, turns: i64, phase: Ball, enclosed: impl FnOnce() -> Enclosure) -> bool {
-        self.requested.until.is_some_and(|until| {
-            // Lemma N1: exact below 2^53; beyond, rounding keeps the sign, and the rest is at most 2.
-            let ahead = Ball::from_f64((turns - until.turns) as f64) + (phase - until.rest);
+        self.beyond_until(turns, phase).is_some_and(|ahead| {
             // V7: what doubles do not decide the bounds do
             ahead.mid() > ahead.rad() || ahead.mid() >= -ahead.rad() && self.is_listed_past(turns, &enclosed())
         })
+    }
+
+    /// The phase of an event less that of the time to stop at, in doubles, if there is such a time.
+    #[inline]
+    fn beyond_until(&self, turns: i64, phase: Ball) -> Option<Ball> {
+        let until = self.requested.until?;
+        // Lemma N1: exact below 2^53; beyond, rounding keeps the sign, and the rest is at most 2.
+        Some(Ball::from_f64((turns - until.turns) as f64) + (phase - until.rest))
     }
 
     /// Returns whether an event certainly comes before the time to stop at, or there is none: by its bounds, the phase without the whole
@@ -335,13 +341,9 @@ impl Orbit {
     /// Keeps an impact that may come after the time to stop at by its bounds, printed as they are rounded outward.
     #[inline]
     fn note_lateness(&mut self, impact: &Impact) {
-        if let Some(until) = self.requested.until {
-            // Lemma N1: exact below 2^53; beyond, rounding keeps the sign, and the rest is at most 2.
-            let ahead = Ball::from_f64((impact.turns - until.turns) as f64) + (impact.phase - until.rest);
-            // P1: printing widens bounds by less than their width
-            if ahead.mid() >= -2.0 * ahead.rad() {
-                self.pending.late.push(impact.clone());
-            }
+        // P1: printing widens bounds by less than their width
+        if self.beyond_until(impact.turns, impact.phase).is_some_and(|ahead| ahead.mid() >= -2.0 * ahead.rad()) {
+            self.pending.late.push(impact.clone());
         }
     }
 

@@ -241,8 +241,8 @@ impl LimitCycle {
 }
 
 impl LimitCycle {
-    /// Returns whether the cycle is proved to be in the boxes of a component: `true` where one of its states may be in no box of any other component,
-    /// `false` where one of them is in no box of this one; `None` where neither is so. Lemma A8 (place)
+    /// Returns whether the cycle is proved to be in the boxes of a component: `true` where the bounds of one of its states meet no box of any
+    /// other component, `false` where those of one state meet no box of this one; `None` where neither is so. Lemma A8 (place)
     pub(super) fn is_in(&self, law: &Law, component: &Component, others: &[&Component]) -> Option<bool> {
         let states: Option<Vec<[Ball; 2]>> = self.orbit.impacts.iter().map(|impact| mirrored(impact, law)).collect();
         let states = states?;

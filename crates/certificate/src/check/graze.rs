@@ -20,6 +20,8 @@ use impact_pair_model::{EventKind, Miss, Wall};
 const PARTS_OF_GAP: i32 = 1_000_000;
 /// The greatest width of a claim over data that are intervals, relative to that of the enclosure of the distance.
 const MAX_WIDENING: i32 = 4;
+/// What refutes a graze farther from its wall than `PARTS_OF_GAP` allows.
+const TOO_FAR: &str = "the wall is missed, or crossed, by more than a graze does";
 
 /// An extremum of all flights of a set, measured from the wall it is near.
 struct Summit {
@@ -61,7 +63,7 @@ impl Certificate {
             let EventKind::Graze { miss: Some(miss) } = &self.events()[event].kind else { continue };
             let around = [-near.clone(), near.clone()];
             if let SetPosition::Outside = beside(distance, &around) {
-                return Err((event, Doubt::False("the wall is missed, or crossed, by more than a graze does".into())));
+                return Err((event, Doubt::False(TOO_FAR.into())));
             }
             let own = distance.enclosure().wid().to_rational();
             let may_be_0 = distance.is_across() || matches!(beside(distance, &around), SetPosition::Inside);
@@ -93,14 +95,13 @@ impl Walk<'_> {
         self.has_extremum(&flight, claim, &claimed, distance)?;
         let summit = summit(&flight, claim.wall, &claimed.guess);
         let summit = summit.ok_or_else(|| Doubt::open("no extremum is found there"))?;
-        // The distance in mean value form, around that of the middle.
+        // The distance in mean value form, around that of the middle's own extremum in the summit of its set.
         let own = departure.middle_flight(&self.parameters);
-        let own = summit_of_middle(&own, claim.wall, &summit);
-        let missed = own.map(|excess| {
-            let inward = |x: Real| if claim.wall == Wall::Right { -x } else { x };
-            let centre = if claim.wall == Wall::Right { excess } else { -excess };
+        let own = highest(&own, claim.wall, summit.before.hull(&summit.after));
+        let missed = own.map(|(_, excess)| {
+            let centre = outward(claim.wall, excess);
             let beyond = departure.beyond(&self.parameters, claim.wall, &summit.top, centre);
-            (inward(beyond.hull()), beyond.is_wide_by_data())
+            (-outward(claim.wall, beyond.hull()), beyond.is_wide_by_data())
         });
         let (missed, is_wide_by_data) = missed.map_or((-summit.excess.clone(), false), |(mean, is_wide)| {
             (mean.cut(&-summit.excess.clone()), is_wide) // exact: both hold all distances
@@ -116,8 +117,7 @@ impl Walk<'_> {
             compare("distance", &missed, distance).map_err(only)?;
         }
         if self.data.is_point() && matches!(beside(&missed, &around), SetPosition::Outside) {
-            let message = "the wall is missed, or crossed, by more than a graze does";
-            return Err(only(Doubt::False(message.into())));
+            return Err(only(Doubt::False(TOO_FAR.into())));
         }
         clear_throughout(&flight, departure.start, &summit.before, &claimed.from)?;
         let excess = -missed.clone();
@@ -154,8 +154,7 @@ impl Walk<'_> {
         if slope.is_positive() || slope.is_negative() {
             return Err(Doubt::False("the ball does not turn back then".into()));
         }
-        let inward = flight.level(claim.wall) - &flight.height(&part);
-        let missed = if claim.wall == Wall::Right { inward } else { -inward };
+        let missed = outward(claim.wall, flight.level(claim.wall) - &flight.height(&part));
         match beside(&missed, distance) {
             SetPosition::Outside => Err(Doubt::False("the ball is not so near to the wall then".into())),
             SetPosition::Inside | SetPosition::Across => Ok(()),
@@ -170,12 +169,11 @@ impl Walk<'_> {
         let Summit { before, after, .. } = summit;
         let speed = Real::point(touch.speed.enclosure().sup().clone(), self.bits);
         let lost = (Real::int(1, self.bits) + &self.parameters.restitution.hull()) * &speed;
-        let lost = if wall == Wall::Right { -lost } else { lost };
+        let lost = -outward(wall, lost);
         let lost = lost.hull(&Real::zero(self.bits));
         let height = flight.height(after) + &(lost.clone() * &(after.clone() - before));
         let velocity = flight.slope(after) + &lost;
-        let is_away = if wall == Wall::Right { velocity.is_negative() } else { velocity.is_positive() };
-        if !(is_away && matches!(flight.place(&height), Part::Clear)) {
+        if !(outward(wall, velocity.clone()).is_negative() && matches!(flight.place(&height), Part::Clear)) {
             return Err(Doubt::open("both ways past the graze are not proved to leave the wall"));
         }
         let phase = self.standing.departure().phase.clone().shifted(after);
@@ -187,7 +185,7 @@ impl Walk<'_> {
 /// The extremum near `guess` towards `wall`; `None` if it is not found.
 fn summit(flight: &Flight, wall: Wall, guess: &Real) -> Option<Summit> {
     let bits = guess.bits();
-    let outward = |x: Real| if wall == Wall::Right { x } else { -x };
+    let outward = |x: Real| outward(wall, x);
     let slope = |h: &Real| outward(flight.slope(h));
     let mut reach = guess.half();
     for _ in 0..bits {
@@ -213,15 +211,15 @@ fn summit(flight: &Flight, wall: Wall, guess: &Real) -> Option<Summit> {
     None
 }
 
-/// The distance that the middle's own extremum reaches beyond the wall, in the summit of its set.
-fn summit_of_middle(flight: &Flight, wall: Wall, summit: &Summit) -> Option<Real> {
-    highest(flight, wall, summit.before.hull(&summit.after)).map(|(_, excess)| excess)
+/// A displacement or velocity, counted towards `wall`.
+fn outward(wall: Wall, x: Real) -> Real {
+    if wall == Wall::Right { x } else { -x }
 }
 
 /// The times of the extrema in a part on which `y''` bends away from the wall, and the distances that they reach beyond it.
 fn highest(flight: &Flight, wall: Wall, part: Real) -> Option<(Real, Real)> {
     let bits = part.bits();
-    let outward = |x: Real| if wall == Wall::Right { x } else { -x };
+    let outward = |x: Real| outward(wall, x);
     let slope = |h: &Real| outward(flight.slope(h));
     let mut top = part;
     for _ in 0..bits.ilog2() {

@@ -55,7 +55,7 @@ impl Walk<'_> {
             Some(Period { cycles, impacts: release.impacts - before.impacts })
         };
         let period = self.period.or_else(|| same().find_map(since));
-        // Without any period so far there is none of the claimed one.
+        // The claimed number of impacts is compared from the first proved period on.
         let again = claimed.filter(|_| period.is_some()).and_then(|claimed| {
             let found = same().filter_map(since).take_while(|found| found.cycles <= claimed.cycles);
             found.filter(|found| found.cycles == claimed.cycles).last().map(|found| found.impacts == claimed.impacts)
