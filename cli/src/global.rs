@@ -31,8 +31,8 @@ until the limit of its motions is proved (a periodic orbit, a cycle with rests, 
 or until enough boxes are mapped. The start of the scene is not used. One harmonic and a restitution below 0.99 only; \
 parameters may be intervals.
 
-An undecided component has no claim, not even that a motion stays in it. `closed` means that \
-no motion leads from it to another component. With --basins the basin of an attractor is the boxes all of whose motions \
+An undecided component has no claim, not even that a motion stays in it. Of a \
+`closed` one all motions are in it in the end. With --basins the basin of an attractor is the boxes all of whose motions \
 are proved to end in it, as a part of the state space: lower bounds. With --horseshoes the largest few undecided \
 components are searched for horseshoes, as chaos proves them: where one is proved the component holds a compact \
 invariant set of positive topological entropy.

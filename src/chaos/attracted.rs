@@ -133,21 +133,38 @@ impl Set {
     /// Returns the number of whole forcing periods by which another one has to be shifted to lie in this one, for each value of the
     /// parameters with a margin; `None` where that is not proved. Lemma D15
     fn holds(&self, other: &Self) -> Option<f64> {
+        let (shift, beside) = self.beside(other)?;
+        let is_within = |[away, reach]: [Ball; 2]| up(away.mag() + reach.mag()) < 1.0; // D15: strictly inside
+        beside.into_iter().all(is_within).then_some(shift)
+    }
+
+    /// Returns whether it has no state in common with another one, up to whole forcing periods, for any value of the parameters. Lemma D15 (least)
+    fn is_apart_from(&self, other: &Self) -> bool {
+        let across = |set: &Self| set.quad().radii(&set.moved)[0];
+        // D15: where phases are this narrow, other whole numbers of forcing periods are excluded
+        let is_narrow = up(across(self) + across(other)) < 0.5;
+        let is_beyond = |[away, reach]: [Ball; 2]| away.mid().abs() - away.rad() > up(1.0 + up(reach.mag() + UNIT));
+        is_narrow && self.beside(other).is_some_and(|(_, beside)| beside.into_iter().any(is_beyond))
+    }
+
+    /// The whole forcing periods that another set's middle is shifted by to be the nearest, and for each coordinate by the sides of this set: that
+    /// of the shifted middle, and how far from it the states of the other set reach, whatever the parameters.
+    fn beside(&self, other: &Self) -> Option<(f64, [[Ball; 2]; 2])> {
         let shift = (other.middle[0] - self.middle[0]).round(); // exact: any whole number will do
         let away = [
             Ball::exact(other.middle[0]) - Ball::exact(shift) - Ball::exact(self.middle[0]),
             Ball::exact(other.middle[1]) - Ball::exact(self.middle[1]),
         ];
-        let is_within = |normal: &[Ball; 2]| {
+        let along_each = |normal: [Ball; 2]| {
             let along = |[u, w]: [Ball; 2]| normal[0] * u + normal[1] * w;
             let side = |k: usize| along(other.sides[k].map(Ball::exact)).mag();
             let moved = |k: usize| {
                 let [was, is] = [self.moved[k], other.moved[k]].map(|by| by.map(Ball::exact));
                 along([is[0] - was[0], is[1] - was[1]]).mag()
             };
-            up(along(away).mag() + side(0) + side(1) + moved(0) + moved(1)) < 1.0 // D15: strictly inside
+            [along(away), Ball::exact(up(side(0) + side(1) + moved(0) + moved(1)))]
         };
-        coordinates(self.sides)?.iter().all(is_within).then_some(shift)
+        Some((shift, coordinates(self.sides)?.map(along_each)))
     }
 }
 
@@ -163,24 +180,31 @@ struct Round {
     wall: Wall,
     sides: Vec<Side>,
     turns: f64,
+    /// Whether no shorter one is possible, for any parameters.
+    is_least: bool,
 }
 
 impl Round {
-    /// The orbit closes after this number of impacts as well: so after the greatest common divisor of both. Lemma D15
-    fn divide(&mut self, impacts: usize) {
-        let common = self.sides.len().gcd(&impacts);
-        self.turns /= (self.sides.len() / common) as f64; // exact: whole forcing periods after each part
-        self.sides.truncate(common);
+    /// That of the sets from one to the next that lies in it, `turns` whole forcing periods later. Lemma D15 (round, least)
+    fn of(sets: &[Set], sides: &[Side], turns: f64) -> Self {
+        let count = sides.len();
+        let is_apart_after = |n: usize| (n..count).any(|k| sets[k - n].is_apart_from(&sets[k]));
+        let is_least = (1..count)
+            .filter(|&n| count.is_multiple_of(n))
+            .all(|n| sides[n..] != sides[..count - n] || is_apart_after(n));
+        Self { wall: sets[0].wall, sides: sides.to_vec(), turns, is_least }
     }
 
-    /// Returns whether its flights repeat a shorter sequence, so that the orbit may have a shorter period.
-    fn is_repeated(&self) -> bool {
-        let all = self.sides.len();
-        (1..=all / 2).any(|part| all.is_multiple_of(part) && self.sides[part..] == self.sides[..all - part])
+    /// The orbit closes after another round as well, of all pairs or of one: so after the greatest common divisor of both. Lemma D15 (period, one)
+    fn divide(&mut self, other: &Self) {
+        let common = self.sides.len().gcd(&other.sides.len());
+        self.turns /= (self.sides.len() / common) as f64; // exact: whole forcing periods after each part
+        self.sides.truncate(common);
+        self.is_least |= other.is_least && other.sides.len() == common;
     }
 
     /// Its word, in whole forcing periods: twice the flights where they end on the other wall.
-    fn word(&self) -> Option<(Word, u32)> {
+    fn period(&self) -> Option<StablePeriod> {
         let far = self.sides.iter().filter(|&&side| side == Side::Far).count();
         let half_cycles = 2 * self.turns as i64 - far as i64; // exact: whole numbers, each far impact is half a forcing period later
         let rounds = if far.is_multiple_of(2) { 1 } else { 2 };
@@ -192,26 +216,37 @@ impl Round {
             from = to;
         }
         let cycles = half_cycles * rounds as i64 / 2; // exact: an even number
-        Some((Word::new(mappings).ok()?, u32::try_from(cycles).ok()?))
+        let word = Word::new(mappings).ok()?;
+        Some(StablePeriod { word, cycles: u32::try_from(cycles).ok()?, is_least: self.is_least })
     }
 }
 
-/// The word of the periodic orbit that the orbit from a state converges to, for all `D` and `e` of the law, from some impact on, and how
-/// many cycles it takes; `None` where that is not proved. Lemma D15
-pub(super) fn attracted(law: &Law, first: &Visited, watch: &dyn Watch) -> Option<(Word, u32)> {
+/// A period of a stable orbit, for all `D` and `e` of a law.
+pub(super) struct StablePeriod {
+    /// Its word, from some impact on.
+    pub word: Word,
+    /// The forcing periods that it takes.
+    pub cycles: u32,
+    /// Whether it is proved to be the least one; else it is a multiple of that.
+    pub is_least: bool,
+}
+
+/// Returns the period of the orbit that the orbit from a state converges to, for all `D` and `e` of the law; `None` where that is not proved.
+/// Lemma D15
+pub(super) fn attracted(law: &Law, first: &Visited, watch: &dyn Watch) -> Option<StablePeriod> {
     let mut found = ENLARGING_FACTORS.into_iter().find_map(|room| converges(law, first, Enlarged::By(room), watch))?;
     // D15: one pair, which repeats after as many impacts as all others; its sets are small, so that fewer impacts are enough
     let one = Law { gap: Ball::exact(law.gap.mid()), restitution: Ball::exact(law.restitution.mid()) };
     let first = Visited { phase: Ball::exact(first.phase.mid()), speed: Ball::exact(first.speed.mid()), ..*first };
     for length in SIDE_LENGTHS {
-        if !found.is_repeated() {
+        if found.is_least {
             break;
         }
         if let Some(shorter) = converges(&one, &first, Enlarged::To(length), watch) {
-            found.divide(shorter.sides.len());
+            found.divide(&shorter);
         }
     }
-    found.word()
+    found.period()
 }
 
 /// The rule by which sets are enlarged every [`ENLARGING_INTERVAL`] impacts: to find a round soon, by a multiple of the distance by which the orbit
@@ -238,13 +273,13 @@ fn converges(law: &Law, first: &Visited, enlarged: Enlarged, watch: &dyn Watch) 
                 continue;
             }
             let Some(shift) = sets[from].holds(&set) else { continue };
+            let own = Round::of(&sets[from..], &sides[from..], set.turns - sets[from].turns + shift);
             match &mut found {
+                Some((round, _)) => round.divide(&own),
                 None => {
-                    let turns = set.turns - sets[from].turns + shift;
-                    found = Some((Round { wall: sets[from].wall, sides: sides[from..].to_vec(), turns }, last));
+                    found = Some((own, last));
                     break;
                 }
-                Some((round, _)) => round.divide(impacts),
             }
         }
         let begins_anew = last.is_multiple_of(ENLARGING_INTERVAL);
@@ -257,7 +292,7 @@ fn converges(law: &Law, first: &Visited, enlarged: Enlarged, watch: &dyn Watch) 
             _ => set,
         });
         let Some((round, since)) = &found else { continue };
-        if round.sides.len() == 1 || matches!(enlarged, Enlarged::By(_)) && last == since + MAX_RETURN_IMPACTS {
+        if round.is_least || matches!(enlarged, Enlarged::By(_)) && last == since + MAX_RETURN_IMPACTS {
             break;
         }
     }

@@ -9,7 +9,7 @@ mod tests;
 use std::iter;
 use std::sync::atomic::{AtomicU32, Ordering};
 
-use super::attracted::attracted;
+use super::attracted::{StablePeriod, attracted};
 use super::guess::Guess;
 use super::horseshoe::{Horseshoe, bases};
 use super::itinerary::{rotated_to_its_least, word_of_both};
@@ -272,11 +272,13 @@ impl Work<'_> {
             return Ok(Verdict::Undecided);
         };
         let law = Law::of(pair)?;
-        if let Some((word, cycles)) = attracted(&law, &first, self.watch) {
+        if let Some(StablePeriod { word, cycles, .. }) = attracted(&law, &first, self.watch) {
             return Ok(Verdict::Attracted { word: rotated_to_its_least(&word), cycles, beside: None });
         }
         Ok(match is_last.then(|| stable(&law, first.middle(), self.watch)).flatten() {
-            Some((word, cycles)) => Verdict::Stable { word: word_of_both(&word), cycles, beside: None },
+            Some(StablePeriod { word, cycles, .. }) => {
+                Verdict::Stable { word: word_of_both(&word), cycles, beside: None }
+            }
             None => Verdict::Undecided,
         })
     }

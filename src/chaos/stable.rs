@@ -1,7 +1,7 @@
 //! Stable periodic orbits for all values of a parameter, whatever becomes of the scene's own orbit: Lemma D15 of
 //! `docs/proofs/chaos.md#D15`, with sets that begin where a floating-point orbit has settled.
 
-use super::attracted::attracted;
+use super::attracted::{StablePeriod, attracted};
 use super::guess::Guess;
 use super::itinerary::word_of_both;
 use super::law::Law;
@@ -24,9 +24,9 @@ const SAME_ORBIT_DISTANCE: f64 = 1e-4;
 /// Numbers of phases and of speeds, up to half of the greatest one that motions have in the end, at which orbits of a pair begin.
 const START_GRID: [usize; 2] = [4, 3];
 
-/// Returns the word of a stable periodic orbit that each pair of a law has, and how many cycles it takes, near the one that the orbit of a state
-/// settles on in floating point; `None` where none is proved. Lemma D15
-pub(super) fn stable(law: &Law, start: State, watch: &dyn Watch) -> Option<(Word, u32)> {
+/// Returns the period of a stable orbit that each pair of a law has, near the one that the orbit of a state settles on in floating point; `None`
+/// where none is proved. Lemma D15
+pub(super) fn stable(law: &Law, start: State, watch: &dyn Watch) -> Option<StablePeriod> {
     if law.restitution.mid() >= 1.0 {
         return None; // exact: nothing is contracted without a loss of speed
     }
@@ -34,22 +34,38 @@ pub(super) fn stable(law: &Law, start: State, watch: &dyn Watch) -> Option<(Word
 }
 
 /// Returns the words of stable periodic orbits that a pair has for all its parameters, in the alphabet of L and R, each that of the orbit or of
-/// its mirror image that comes first, and how many cycles each takes: of those that floating-point orbits from several states settle on.
-/// Lemmas D15, A21
+/// its mirror image that comes first, and how many cycles each takes: of those that floating-point orbits from several states settle on. No two
+/// are of one orbit. Lemmas D15, A21
 ///
 /// # Errors
 /// With several harmonics, and when a value is beyond the range of flights.
 pub fn stable_orbits(pair: &ImpactPair, watch: &dyn Watch) -> Result<Vec<(Word, u32)>, Error> {
     let law = Law::of(pair)?;
-    let mut found: Vec<(Word, u32)> = Vec::new();
+    let mut found: Vec<StablePeriod> = Vec::new();
     for cycle in settled_orbits(&law) {
-        if let Some((word, cycles)) = around(&law, cycle[0], watch) {
-            let orbit = (word_of_both(&word), cycles);
-            found.extend((!found.contains(&orbit)).then_some(orbit));
+        if let Some(own) = around(&law, cycle[0], watch) {
+            found.push(StablePeriod { word: word_of_both(&own.word), ..own });
         }
     }
-    found.sort_by_key(|(word, cycles)| (word.mappings().len(), *cycles, word.to_string()));
-    Ok(found)
+    Ok(distinct(found))
+}
+
+/// The words of periods and how many cycles each takes, the shortest first, without those that may be of an orbit that is listed. Lemma A21
+fn distinct(mut periods: Vec<StablePeriod>) -> Vec<(Word, u32)> {
+    periods.sort_by_key(|own| (own.word.mappings().len(), own.cycles, own.word.to_string(), !own.is_least));
+    let mut found: Vec<(Word, u32)> = Vec::new();
+    for StablePeriod { word, cycles, is_least } in periods {
+        let may_be = |(other, its_cycles): &(Word, u32)| {
+            let [own, others] = [&word, other].map(Word::mappings);
+            own.repeat(others.len()) == others.repeat(own.len())
+                && u64::from(cycles) * others.len() as u64 == u64::from(*its_cycles) * own.len() as u64 // exact: small counts
+        };
+        let is_new = |known: &(Word, u32)| !may_be(known) || is_least && known.0 != word;
+        if found.iter().all(is_new) {
+            found.push((word, cycles));
+        }
+    }
+    found
 }
 
 /// Returns the cycles that floating-point orbits from several states settle on, each once, as states.
@@ -68,7 +84,7 @@ pub(super) fn settled_orbits(law: &Law) -> Vec<Vec<State>> {
 }
 
 /// The orbit that sets around a state are proved to be contracted to. Lemma D15
-fn around(law: &Law, state: State, watch: &dyn Watch) -> Option<(Word, u32)> {
+fn around(law: &Law, state: State, watch: &dyn Watch) -> Option<StablePeriod> {
     let [phase, speed] = state.map(Ball::exact);
     attracted(law, &Visited { index: 1, wall: Wall::Left, phase, speed }, watch)
 }
@@ -114,6 +130,23 @@ mod tests {
         let equispaced = ("P1 P2".to_owned(), 1);
         assert!(orbits(["[0.3, 0.3001]", "[0.5, 0.5001]"]).contains(&equispaced));
         assert!(!orbits(["0.6", "0.5"]).contains(&equispaced));
+    }
+
+    /// `P1 P2` in one forcing period run two or three times is that orbit again, unless that is proved to be the least period; in three forcing
+    /// periods `P1 P2 P1 P2` is another orbit.
+    #[test]
+    fn a21_listed_words_are_of_different_orbits() {
+        let period = |times: usize, cycles: u32, is_least: bool| {
+            let word = vec!["P1 P2"; times].join(" ").parse::<Word>().unwrap();
+            StablePeriod { word, cycles, is_least }
+        };
+        let kept = |periods: Vec<StablePeriod>| -> Vec<(usize, u32)> {
+            distinct(periods).into_iter().map(|(word, cycles)| (word.mappings().len() / 2, cycles)).collect()
+        };
+        assert_eq!(kept(vec![period(3, 3, false), period(1, 1, false), period(2, 2, false)]), [(1, 1)]);
+        assert_eq!(kept(vec![period(3, 3, true), period(1, 1, false), period(2, 2, false)]), [(1, 1), (3, 3)]);
+        assert_eq!(kept(vec![period(3, 3, false), period(2, 2, false)]), [(2, 2)]);
+        assert_eq!(kept(vec![period(2, 2, true), period(2, 2, false), period(2, 3, false)]), [(2, 2), (2, 3)]);
     }
 
     /// Two attractors beside one another, of reduced periods 1 and 3, and 2 and 6, as a search in floating point from a grid of starts found

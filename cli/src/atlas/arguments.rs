@@ -30,9 +30,9 @@ second axis varies faster. With --cells the rectangle is cut into at most 8 x 8 
 class is not decided for all its parameters, down to COUNT cells along each axis; of a smallest cell that is not decided \
 stable periodic orbits are proved, by sets that move with the parameters.
 
-Classes: one-rest-cycle, every motion ends in one cycle with rests; one-attractor, every motion tends to one attractor, or \
-stays at saddles or grazes; attractors, those listed are proved, others are not excluded; closed, every motion is in \
-closed components in the end of which nothing else is decided; undecided.
+Classes, of every motion that touches a wall: one-rest-cycle, it ends in one cycle with rests; one-attractor, it tends to \
+one attractor, or stays at saddles or grazes; closed, it is in the end in closed components of which nothing else is \
+decided, or stays at saddles or grazes; attractors, those listed are proved, others are not excluded; undecided.
 
 With --output FILE all finished points are kept in FILE.partial until FILE is written; after Ctrl-C or a crash \
 --resume continues from there. Apart from seconds, the output is the same for any number of threads, interrupted or not, \

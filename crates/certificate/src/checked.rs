@@ -250,7 +250,9 @@ impl Checked for GlobalCertificate {
     fn all(&self) -> String {
         let components = counted(self.count(), "component");
         match (self.says_there_are_no_others(), self.has_horseshoes()) {
-            (true, _) => format!("{components}, and that every motion is in one of them in the end"),
+            (true, _) => {
+                format!("{components}, and that every motion that touches a wall is in one of them in the end")
+            }
             (false, false) => format!("what is proved of {components}"),
             (false, true) => format!("what is proved of {components}, not {UNCHECKED_COMPONENT}"),
         }
@@ -309,8 +311,11 @@ impl Checked for AtlasCertificate {
     fn all(&self) -> String {
         let claimed = self.claimed();
         let said = match self.has_cells() {
-            true => format!("what is proved of every motion for all parameters of {}", counted(claimed, "cell")),
-            false => format!("what is proved of every motion at {}", counted(claimed, "point")),
+            true => format!(
+                "what is proved of every motion that touches a wall, for all parameters of {}",
+                counted(claimed, "cell")
+            ),
+            false => format!("what is proved of every motion that touches a wall, at {}", counted(claimed, "point")),
         };
         if self.has_horseshoes() { format!("{said}, not {UNCHECKED_COMPONENT}") } else { said }
     }

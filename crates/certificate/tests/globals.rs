@@ -229,6 +229,17 @@ fn r42_a_class_of_closed_components_is_not_checked() {
     assert!(found.verdict == VerdictName::Confirmed && is_named("class") && is_named("statement"));
 }
 
+/// Motions beside closed components tend to the saddles that are listed: the sentence says so.
+#[test]
+fn i62_a_statement_of_closed_components_has_the_saddles() {
+    let document = recorded("global");
+    let components = document["components"].as_array().unwrap();
+    let saddle = components.iter().find(|own| own["kind"] == "saddle" && own["word"].is_string()).unwrap();
+    let statement = with(&document, "closed", &[saddle, &open(true)])["statement"].clone();
+    let said = "every motion that touches a wall is in the end in 1 closed component of which nothing else is decided, or tends to one saddle";
+    assert!(statement.as_str().unwrap().starts_with(said), "{statement}");
+}
+
 /// Every motion of this pair tends to one orbit without rests: of a cycle with rests whose period is not said nothing was asked.
 #[test]
 fn r43_a_component_that_is_listed_is_found() {

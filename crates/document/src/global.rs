@@ -94,7 +94,7 @@ pub struct ComponentDocument {
     pub boxes: u64,
     /// The part of the state space that they cover, to six digits.
     pub area: Decimal,
-    /// Whether its motions are never in another component later, apart from an attractor inside it.
+    /// Whether all motions with an impact in it are in it in the end, or at an attractor inside it.
     pub closed: bool,
     /// Of an undecided one the limit that leaves it so: the option `most`, `halvings` or `work`, or `interrupted`.
     #[serde(skip_serializing_if = "Option::is_none", default)]
@@ -143,7 +143,7 @@ impl GlobalDocument {
 
     /// Returns the behaviour of all motions, in one sentence.
     fn statement_of_class(&self) -> String {
-        let beside = self.beside();
+        let beside = self.beside("to");
         let undecided = self.count("undecided");
         let attractors: Vec<String> = self.components.iter().filter_map(ComponentDocument::attractor).collect();
         if self.interrupted {
@@ -164,7 +164,10 @@ impl GlobalDocument {
             ),
             "closed" => {
                 let closed = counted(undecided, "closed component");
-                format!("{EVERY_MOTION} is in the end in {closed} of which nothing else is decided{beside}")
+                format!(
+                    "{EVERY_MOTION} is in the end in {closed} of which nothing else is decided{}",
+                    self.beside("tends to")
+                )
             }
             _ => format!("undecided: {} of which nothing is decided", counted(undecided, "component")),
         }
@@ -179,29 +182,30 @@ impl GlobalDocument {
         self.components.iter().any(|own| own.kind == "attracting" && own.boxes == 0)
     }
 
-    /// Returns the clause on the exceptional motions: those that tend to saddles, stay in sets of saddle type, or graze a wall for ever.
-    fn beside(&self) -> String {
+    /// Returns the clause on the exceptional motions: those that tend to saddles, stay in sets of saddle type, or graze a wall for ever. What
+    /// it says of saddles begins with `to`: "to" where the clause before it has the verb.
+    fn beside(&self, to: &str) -> String {
         let saddles = || self.components.iter().filter(|component| component.kind == "saddle");
         let sets = saddles().filter(|saddle| saddle.orbit.is_none()).count();
         let are_symmetric =
             saddles().filter(|saddle| saddle.orbit.is_some()).all(ComponentDocument::is_its_mirror_image);
-        let mut statement_of_class = match (saddles().count() - sets, are_symmetric) {
+        let mut clause = match (saddles().count() - sets, are_symmetric) {
             (0, _) => String::new(),
-            (1, true) => ", or to one saddle".to_owned(),
-            (1, false) => ", or to one saddle or its mirror image".to_owned(),
-            (saddles, true) => format!(", or to one of {saddles} saddles"),
-            (saddles, false) => format!(", or to one of {saddles} saddles or of their mirror images"),
+            (1, true) => format!(", or {to} one saddle"),
+            (1, false) => format!(", or {to} one saddle or its mirror image"),
+            (saddles, true) => format!(", or {to} one of {saddles} saddles"),
+            (saddles, false) => format!(", or {to} one of {saddles} saddles or of their mirror images"),
         };
         match sets {
             0 => {}
-            1 => statement_of_class.push_str(", or stays for ever in one set of saddle type, at states without area"),
-            _ => statement_of_class
+            1 => clause.push_str(", or stays for ever in one set of saddle type, at states without area"),
+            _ => clause
                 .push_str(&format!(", or stays for ever in one of {sets} sets of saddle type, at states without area")),
         }
         if self.count("grazing") > 0 {
-            statement_of_class.push_str(", or grazes one wall for ever");
+            clause.push_str(", or grazes one wall for ever");
         }
-        statement_of_class
+        clause
     }
 }
 

@@ -34,7 +34,7 @@ const TRANSIENT: usize = 500;
 const STEPS: usize = 12;
 const STEP_TOLERANCE: f64 = 1e-11;
 const RETURN_DISTANCE: f64 = 1e-6;
-/// The image of a hull, no wider than a quarter of a forcing period, may be no wider than three quarters: half of that. Lemma A8
+/// Half of the greatest width of the image of a hull, in forcing periods: less than three quarters. Lemma A8
 const MAX_HALF_WIDTH: f64 = 0.374;
 /// Larger components are not tried.
 const MOST_BOXES: usize = 20_000;

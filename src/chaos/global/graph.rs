@@ -17,7 +17,7 @@ pub(super) struct Component {
     /// The boxes, in order.
     pub cells: Vec<Cell>,
     pub has_release: bool,
-    /// `true` if no motion leaves it.
+    /// `true` if all motions with an impact in it are in it in the end.
     pub is_closed: bool,
 }
 

@@ -231,7 +231,8 @@ impl LimitCycle {
         (1.0..1e6).contains(&cycles).then_some(())?;
         let problem = Problem::new(pair, &walls.parse().ok()?, cycles as u32).ok()?; // proposes
         let orbit = problem.prove(&guesses, precision)?;
-        if !is_motion_in_turn(&orbit, law, &limit.hulls) {
+        let states: Vec<[Ball; 2]> = orbit.impacts.iter().map(|impact| mirrored(impact, law)).collect::<Option<_>>()?;
+        if !is_motion_in_turn(&orbit, law, &limit.hulls) || !is_least_period(&states[..count]) {
             return None; // exact: not proved
         }
         let eigenvalues = orbit.eigenvalues.each_ref().map(|value| [&value.re, &value.im]);
@@ -258,13 +259,25 @@ impl LimitCycle {
     }
 }
 
-/// The phase, in forcing periods, and the speed, over `A W`, of an impact seen on the left wall.
-fn mirrored(impact: &PeriodicImpact, law: &Law) -> Option<[Ball; 2]> {
+/// Returns the phase, in forcing periods, and the speed, over `A W`, of an impact seen on the left wall.
+pub(super) fn mirrored(impact: &PeriodicImpact, law: &Law) -> Option<[Ball; 2]> {
     let (phase, radius) = impact.phase.mid_rad();
     let shift = if impact.wall == Wall::Right { 0.5 } else { 0.0 };
     let phase = Ball::new(phase, radius) + Ball::exact(shift);
     let (velocity, radius) = impact.velocity.mid_rad();
     Some([phase, Ball::new(velocity.abs(), radius).checked_div(law.beta()?)?])
+}
+
+/// Returns whether the states of a period of the reduced map are proved not to repeat within it. Lemma A8 (least period)
+pub(super) fn is_least_period(states: &[[Ball; 2]]) -> bool {
+    let count = states.len();
+    let are_apart = |[[phase, speed], [other, its_speed]]: [[Ball; 2]; 2]| {
+        let turned = phase - other;
+        let turned = turned - Ball::exact(turned.mid().round()); // A8: whole forcing periods
+        [turned, speed - its_speed].iter().any(|off| off.mid().abs() > off.rad())
+    };
+    let is_apart_after = |n: usize| (n..count).any(|i| are_apart([states[i], states[i - n]]));
+    (1..count).filter(|&n| count.is_multiple_of(n)).all(is_apart_after)
 }
 
 /// Returns whether an orbit is proved to be a motion, without an earlier contact, and in rectangles, one after the other. Lemma A8

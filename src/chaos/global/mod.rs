@@ -150,13 +150,14 @@ pub struct Global {
 /// The class of a pair: the ends of all its motions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Class {
-    /// Every motion ends in one cycle with rests.
+    /// Every motion that touches a wall ends in one cycle with rests.
     OneRestCycle,
-    /// Every motion tends to one attractor, or stays at saddles or grazing states.
+    /// Every motion that touches a wall tends to one attractor, or stays at saddles or grazing states.
     OneAttractor,
     /// Attractors are proved, and others may exist.
     Attractors,
-    /// Every motion is in a closed component in the end of which nothing else is known, or stays at saddles.
+    /// Every motion that touches a wall is in the end in closed components of which nothing else is known, or stays at saddles or grazing
+    /// states.
     Closed,
     /// Nothing of these.
     Undecided,

@@ -4,9 +4,9 @@ use proptest::prelude::*;
 
 use std::f64::consts::TAU;
 
-use super::graph::Component;
+use super::graph::{Component, Release};
 use super::image::{Next, Space};
-use super::known::is_in_turn;
+use super::known::{Released, is_in_turn, is_least_period, mirrored};
 use super::*;
 use crate::Harmonic;
 use crate::chaos::guess::Guess;
@@ -142,6 +142,34 @@ fn is_in_boxes(found: &Global, component: usize, point: usize) -> bool {
     })
 }
 
+/// What follows the release is an impact of the ball that is released, the first one or a later one: it is one of the first hundred of its orbit. Lemma A7
+#[test]
+fn a7_an_impact_of_the_released_ball_follows_the_release() {
+    let mut indices = Vec::new();
+    for (ratio, restitution) in [("8/9.42497", "0.5"), ("0.257176", "0.868182"), ("0.443933", "0.786364")] {
+        let pair = pair(ratio, restitution);
+        let space = Global::space(&pair).unwrap();
+        let Release::Lands(phases, speeds) = Released::of(&pair, &space).unwrap().next else {
+            panic!("{ratio}: it rests")
+        };
+        let guess = Guess::new(space.law());
+        // x - sin x = D is passed once.
+        let (mut low, mut high) = (0.0, space.law().gap.mid() + 1.0);
+        for _ in 0..60 {
+            let middle: f64 = 0.5 * (low + high);
+            *(if middle - middle.sin() < space.law().gap.mid() { &mut low } else { &mut high }) = middle;
+        }
+        let impacts =
+            std::iter::successors(Some([low / TAU + 0.5, 1.0 - low.cos()]), |&state| Some(guess.map(state)?.state));
+        let is_there = |[phase, speed]: [f64; 2]| {
+            let phase = phases[0] + (phase - phases[0]).rem_euclid(1.0);
+            phase <= phases[1] && speeds[0] <= speed && speed <= speeds[1]
+        };
+        indices.push(impacts.take(100).position(is_there).unwrap_or_else(|| panic!("{ratio}: {phases:?}, {speeds:?}")));
+    }
+    assert!(indices.iter().any(|&index| index > 0), "{indices:?}");
+}
+
 /// Of several undecided components it is that which has its states: the fourth one, of these boxes.
 #[test]
 fn a14_an_attractor_is_in_the_boxes_of_its_component() {
@@ -194,6 +222,9 @@ fn a_second_round_is_in_the_rectangles_of_the_first(orbit: &PeriodicOrbit) {
     };
     assert!(orbit.impacts.len() == 2 && is_in_turn(orbit, &law, &[around(0)]));
     assert!(is_in_turn(orbit, &law, &[around(0), around(1)]));
+    // Both impacts are one of the reduced map: two are not its least period. Lemma A8 (least period)
+    let states = [0, 1].map(|k| mirrored(&orbit.impacts[k], &law).unwrap());
+    assert!(is_least_period(&states[..1]) && !is_least_period(&states));
     let mut other = orbit.clone();
     other.impacts[1].phase = other.impacts[1].phase.add(&Exact::parse("1/100").unwrap().enclose(64), 64);
     let later = around(1);

@@ -13,8 +13,8 @@ use crate::sweep::value;
 /// The classes, with their colours and what they say, the strongest one first; where neither of the first three is proved, a stable periodic orbit
 /// of all parameters of a cell, or a horseshoe, comes before them.
 pub const CLASSES: [(&str, RGBColor, &str); 7] = [
-    ("one-rest-cycle", GREEN, "every motion ends in one cycle with rests"),
-    ("one-attractor", BLUE, "every motion tends to one attractor, or stays at saddles or grazes"),
+    ("one-rest-cycle", GREEN, "every motion that touches a wall ends in one cycle with rests"),
+    ("one-attractor", BLUE, "every motion that touches a wall tends to one attractor, or stays at saddles or grazes"),
     ("attractors", SKY, "attractors proved, others not excluded"),
     (STABLE, PURPLE, "a stable periodic orbit, else undecided"),
     (HORSESHOE, YELLOW, "a horseshoe, else undecided"),
