@@ -6,13 +6,13 @@ use crate::periodic::{all, complete, pair, physical, problem};
 use impact_pair::periodic::newton::{is_plausible, polish};
 use impact_pair::periodic::{Chain, Precision, Stability};
 
-/// Lemma T4: at `e = 1` doubles prove an elliptic orbit neutral, and no more bits are requested.
+/// Lemma T4: at `e = 1` doubles prove an orbit elliptic, and no more bits are requested.
 #[test]
-fn neutral_orbits_take_no_more_bits() {
+fn elliptic_orbits_take_no_more_bits() {
     let orbits = complete(&pair("0.1", "1"), "RLRLRL", 3).orbits;
-    let (neutral, rest): (Vec<_>, Vec<_>) = orbits.iter().partition(|orbit| orbit.is_neutral());
-    assert_eq!((neutral.len(), rest.len()), (1, 5));
-    assert!(neutral[0].stability == Stability::Undecided && neutral[0].bits == f64::MANTISSA_DIGITS);
+    let (elliptic, rest): (Vec<_>, Vec<_>) = orbits.iter().partition(|orbit| orbit.stability == Stability::Elliptic);
+    assert_eq!((elliptic.len(), rest.len()), (1, 5));
+    assert_eq!(elliptic[0].bits, f64::MANTISSA_DIGITS);
     assert!(rest.iter().all(|orbit| orbit.stability == Stability::Unstable));
 }
 

@@ -82,6 +82,10 @@ fn judge(pair: &ImpactPair, answer: &Answer, cycles: u32) {
         match orbit.measured.stability {
             Stability::Stable => assert!(sizes.iter().all(|size| size.inf() < &Dyadic::power_of_two(0))),
             Stability::Unstable => assert!(sizes.iter().any(|size| size.sup() > &Dyadic::power_of_two(0))),
+            Stability::Elliptic => {
+                let is_within = orbit.measured.trace.mag() < Dyadic::power_of_two(1);
+                assert!(is_within && sizes.iter().all(|size| holds(size, "1")) && !holds(im0, "0"), "{orbit:?}");
+            }
             Stability::Undecided => {}
         }
         if let (Some(is_physical), Some(is_followed)) = (orbit.measured.physical, is_followed(pair, orbit, cycles)) {
@@ -207,6 +211,8 @@ fn elastic_motions_are_those_of_70_and_71() {
     // |v| = d W/(N pi), W = pi
     assert!(even.orbits[..2].iter().all(|orbit| holds(&orbit.measured.impacts[1].velocity, "10")));
     assert!(even.is_exhaustive && even.orbits.len() == 4);
+    let stabilities = odd.orbits.iter().map(|orbit| orbit.measured.stability);
+    assert!(stabilities.eq([Stability::Unstable, Stability::Elliptic]));
 }
 
 #[test]

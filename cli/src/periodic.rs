@@ -28,7 +28,7 @@ Examples:
 
 Each orbit listed is proved to be the only one within its bounds. Admissible: no flight touches a wall before it \
 ends; otherwise the orbit is virtual. Stable: both eigenvalues of the Jacobian of a period lie inside the unit \
-circle; unstable: one lies outside. Without --all the search starts from the scene's own motion and from a grid of \
+circle; unstable: one lies outside; elliptic: e = 1, and both lie on it, apart and not real. Without --all the search starts from the scene's own motion and from a grid of \
 initial conditions, and there may be other orbits. Motions with sticking are not searched for, not even with --all: \
 for e > 0 they have infinitely many impacts per period, or meet a wall with zero velocity exactly where the contact \
 force sets in; for e = 0 each follows from a release, and run proves it from there.
@@ -151,9 +151,6 @@ fn described(orbit: &PeriodicOrbit) -> String {
         None => ", or a shorter one traversed more than once".into(),
     };
     let stability = match orbit.stability.name() {
-        "undecided" if orbit.is_neutral() => {
-            "undecided whether stable (neutral: e = 1, both eigenvalues on the unit circle)"
-        }
         "undecided" => "undecided whether stable",
         name => name,
     };

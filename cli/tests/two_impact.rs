@@ -51,6 +51,32 @@ fn i58_a_word_starts_at_the_impact_listed_first() {
     }
 }
 
+/// An answer is called certified where all of it is decided, and only then the exit code is 0: with e = 1 elliptic motions are, one of them with a
+/// trace within 10^-29 of 2 that takes more bits; two motions within the bounds of one another are not, nor is one with the trace 2.
+#[test]
+fn i62_an_answer_is_certified_where_all_is_decided() {
+    let path = folder("two-impact-certified").join("scene.toml");
+    for (amplitude, restitution, digits, code) in [
+        ("0.1", "1", "20", 0),
+        ("1/(pi^2/2 - 2)*(1 + 1e-30)", "1", "20", 0),
+        ("1/(pi^2/2 - 2)", "1", "20", 1),
+        ("1/sqrt(4 + (3*pi)^2)*(1 + 1e-24)", "0.5", "3", 1),
+    ] {
+        let scene = format!(
+            "excitation = {{ amplitude = \"{amplitude}\", frequency = \"2*pi\", phase = 0 }}\npair = {{ gap = 1, restitution = {restitution} }}\n\
+             start = {{ time = 0, wall = \"left\", velocity = -1 }}"
+        );
+        fs::write(&path, scene).unwrap();
+        let answer = two_impact(&[path.to_str().unwrap(), "--digits", digits, "--format", "json"]).output().unwrap();
+        let document: Value = serde_json::from_slice(&answer.stdout).unwrap();
+        let found = (answer.status.code(), document["certified"].as_bool());
+        assert_eq!(found, (Some(code), Some(code == 0)), "{amplitude}");
+        let is_elliptic = |orbit: &Value| orbit["stability"] == "elliptic";
+        let any = document["orbits"].as_array().unwrap().iter().any(is_elliptic);
+        assert_eq!(any, restitution == "1" && code == 0, "{amplitude}");
+    }
+}
+
 #[test]
 fn undecided_parts_are_stated() {
     let fold = common::scene("figure-12.toml").replace("9.42497", "\"sqrt(4 + 9*pi^2)\"");

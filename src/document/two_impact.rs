@@ -25,7 +25,7 @@ pub fn two_impact(start: &Start, answer: &Answer, wall: Wall) -> TwoImpactDocume
         solved_for: unknown.name().to_owned(),
         exhaustive: answer.is_exhaustive,
         excludes: answer.is_exhaustive.then(|| RESTING.to_owned()),
-        certified: true,
+        certified: answer.is_complete,
         undecided: answer.undecided.iter().map(|spacing| SpacingDocument { spacing: bounds(spacing) }).collect(),
         orbits: answer.orbits.iter().map(|found| orbit(found, unknown, wall)).collect(),
     }

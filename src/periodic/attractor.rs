@@ -161,7 +161,7 @@ impl Finding<Ball> {
     fn is_refused(&self) -> bool {
         // proposes: chaos near an orbit whose trace is beyond what a stable one has is not asked again
         let is_wild = self.stability == Stability::Undecided && self.trace.mid().abs() >= MOST_TRACE;
-        self.stability == Stability::Unstable || self.physical == Some(false) || is_wild
+        matches!(self.stability, Stability::Unstable | Stability::Elliptic) || self.physical == Some(false) || is_wild
     }
 }
 
@@ -169,7 +169,7 @@ impl Finding<Ball> {
 fn is_attracting(orbit: &PeriodicOrbit) -> Result<(), Open> {
     match (orbit.stability, orbit.physical, orbit.repeats) {
         (Stability::Stable, Some(true), Some(1)) => Ok(()),
-        (Stability::Unstable, ..) | (_, Some(false), _) | (.., Some(2..)) => Err(Open::Never),
+        (Stability::Unstable | Stability::Elliptic, ..) | (_, Some(false), _) | (.., Some(2..)) => Err(Open::Never),
         _ => Err(Open::Here),
     }
 }

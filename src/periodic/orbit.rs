@@ -8,7 +8,7 @@ use super::identity::{is_symmetric, repeats};
 use super::krawczyk::{Proved, widest};
 use super::legs::{Leg, Legs};
 use super::shaking::Shaking;
-use super::stability::{Eigenvalue, Stability, determinant, eigenvalues, is_neutral, trace};
+use super::stability::{Eigenvalue, Stability, determinant, eigenvalues, trace};
 use crate::exact::{Enclosure, Exact};
 use crate::number::{Ball, Enclosing};
 use crate::pair::Wall;
@@ -55,7 +55,7 @@ pub struct PeriodicOrbit {
     pub determinant: Enclosure,
     /// The eigenvalues, the one of larger modulus first. **Equation** (38)
     pub eigenvalues: [Eigenvalue; 2],
-    /// Stable or unstable, proved (Lemma T4).
+    /// What is proved of its stability (Lemma T4).
     pub stability: Stability,
     /// The bits it was proved with: 53 in double precision.
     pub bits: u32,
@@ -84,22 +84,10 @@ impl PeriodicOrbit {
 
     /// Returns whether all its properties are decided.
     pub fn is_decided(&self) -> bool {
-        self.is_placed() && self.stability != Stability::Undecided
-    }
-
-    /// Returns whether it is proved that linear theory does not decide its stability: `e = 1`, and both eigenvalues lie on the unit circle,
-    /// apart (Lemma T4).
-    pub fn is_neutral(&self) -> bool {
-        is_neutral(&self.trace, &self.determinant)
-    }
-
-    /// Returns whether more precision decides nothing that is undecided.
-    pub(super) fn is_settled(&self) -> bool {
-        self.is_decided() || self.is_placed() && self.is_neutral()
-    }
-
-    fn is_placed(&self) -> bool {
-        self.physical.is_some() && self.symmetric.is_some() && self.repeats.is_some()
+        self.stability != Stability::Undecided
+            && self.physical.is_some()
+            && self.symmetric.is_some()
+            && self.repeats.is_some()
     }
 }
 
@@ -134,7 +122,7 @@ impl<N: Enclosing> Finding<N> {
         let monodromy = chain.monodromy(shaking, &legs)?;
         let trace = trace(&monodromy);
         let determinant = determinant(shaking.restitution(), chain.impacts());
-        let stability = Stability::of(&trace, &determinant);
+        let stability = Stability::of(&trace, &determinant, &shaking.restitution());
         let physical = is_physical(&proved.at, &legs);
         Some(Self { proved, legs: legs.legs, monodromy, trace, determinant, stability, physical })
     }

@@ -76,7 +76,7 @@ impl Problem {
             finding.finish(&self.chain, self.impact_pair.restitution(), f64::MANTISSA_DIGITS, is_narrow)
         });
         match best {
-            Some(orbit) if is_narrow && orbit.is_settled() => Some(orbit),
+            Some(orbit) if is_narrow && orbit.is_decided() => Some(orbit),
             best => self.prove_precisely(shaken, &guess, precision, is_narrow, best),
         }
     }

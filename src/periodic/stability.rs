@@ -12,7 +12,10 @@ pub enum Stability {
     Stable,
     /// One lies outside, proved.
     Unstable,
-    /// Neither is proved: a bifurcation is too near, or `e = 1` and both lie on the circle.
+    /// `e = 1`, and both lie on the unit circle, apart and not real, proved: small disturbances neither die out nor grow in linear theory, which
+    /// says no more.
+    Elliptic,
+    /// None of these is proved: a bifurcation is too near.
     Undecided,
 }
 
@@ -22,23 +25,26 @@ impl Stability {
         match self {
             Self::Stable => "stable",
             Self::Unstable => "unstable",
+            Self::Elliptic => "elliptic",
             Self::Undecided => "undecided",
         }
     }
 
-    /// Returns the stability from trace and determinant: Jury's conditions, with the signs of (39) and (40). Lemma T4
-    pub fn of<N: Enclosing>(trace: &N, determinant: &N) -> Self {
+    /// Returns the stability from trace and determinant, a power of the restitution: Jury's conditions, with the signs of (39) and (40). Lemma T4
+    pub fn of<N: Enclosing>(trace: &N, determinant: &N, restitution: &N) -> Self {
         let one = || N::from_f64(1.0);
         let sum = one() + determinant.clone();
         // (40) and (39): the characteristic polynomial at 1 and at -1.
         let ends = [sum.clone() - trace.clone(), sum + trace.clone()].map(|x| x.certain_sign());
-        let shrinks = (one() - determinant.clone()).certain_sign();
         if ends.contains(&Some(Ordering::Less)) {
-            Self::Unstable
-        } else if ends == [Some(Ordering::Greater); 2] && shrinks == Some(Ordering::Greater) {
-            Self::Stable
-        } else {
-            Self::Undecided
+            return Self::Unstable;
+        }
+        // T4: 1 - e has the sign of 1 - q, and is exactly 0 where e is 1
+        let shrinks = (one() - restitution.clone()).certain_sign();
+        match shrinks.filter(|_| ends == [Some(Ordering::Greater); 2]) {
+            Some(Ordering::Greater) => Self::Stable,
+            Some(Ordering::Equal) => Self::Elliptic,
+            _ => Self::Undecided,
         }
     }
 }
@@ -52,12 +58,6 @@ pub fn trace<N: Number>(monodromy: &[[N; 2]; 2]) -> N {
 pub fn determinant<N: Number>(restitution: &N, impacts: usize) -> N {
     let square = restitution.clone() * restitution.clone();
     (1..impacts).fold(square.clone(), |power, _| power * square.clone())
-}
-
-/// Returns whether the determinant is 1 and the trace is proved to lie between -2 and 2: both eigenvalues lie on the unit circle, apart.
-/// Lemma T4
-pub fn is_neutral(trace: &Enclosure, determinant: &Enclosure) -> bool {
-    trace.mag() < Dyadic::power_of_two(1) && *determinant == Enclosure::point(Dyadic::power_of_two(0))
 }
 
 /// An eigenvalue: real and imaginary part.

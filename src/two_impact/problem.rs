@@ -69,8 +69,7 @@ pub struct Answer {
     pub undecided: Vec<Enclosure>,
     /// True if there are proved to be no others with two impacts in N cycles that never rest (Lemma T12).
     pub is_exhaustive: bool,
-    /// True if everything is decided: for each orbit uniqueness, first contacts, stability (with e = 1 a neutral one counts), and the
-    /// requested digits.
+    /// True if everything is decided: for each orbit uniqueness, first contacts, stability, and the requested digits.
     pub is_complete: bool,
 }
 
@@ -192,7 +191,7 @@ impl Problem {
         }
         let is_decided = |orbit: &Orbit| {
             let MeasuredOrbit { unique, physical, stability, .. } = orbit.measured;
-            unique && physical.is_some() && (stability != Stability::Undecided || self.data.is_elastic())
+            unique && physical.is_some() && stability != Stability::Undecided
         };
         let is_narrow = motions.iter().all(|(motion, _)| is_narrow(motion, digits));
         Answer {

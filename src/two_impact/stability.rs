@@ -26,7 +26,11 @@ impl Spectrum {
         let (trace, discriminant, stability) = if motion.is_symmetric {
             let half = half_trace(motion)?.square();
             let discriminant = &half * (&half - &square * 4);
-            let stability = stability(&half, &(&square + 1).square(), e);
+            let stability = match stability(&half, &(&square + 1).square(), e) {
+                // W4: the trace of DP is -2 where that of the half map is 0.
+                Stability::Elliptic if half.sign() != Some(Ordering::Greater) => Stability::Undecided,
+                stability => stability,
+            };
             (half - &square * 2, discriminant, stability)
         } else {
             let trace = product_trace(motion)?;
@@ -44,7 +48,8 @@ fn stability(trace: &Real, bound: &Real, e: &Real) -> Stability {
     let is_elastic = (e - 1).sign() == Some(Ordering::Equal);
     match (trace - bound).sign() {
         Some(Ordering::Greater) => Stability::Unstable,
-        Some(Ordering::Less) if !is_elastic => Stability::Stable,
+        Some(Ordering::Less) if is_elastic => Stability::Elliptic,
+        Some(Ordering::Less) => Stability::Stable,
         _ => Stability::Undecided,
     }
 }

@@ -64,7 +64,7 @@ fn kind(orbit: &MeasuredOrbit) -> String {
         None => "earlier contact undecided",
     };
     let stability = match orbit.stability {
-        Stability::Stable | Stability::Unstable => orbit.stability.name().to_owned(),
+        Stability::Stable | Stability::Unstable | Stability::Elliptic => orbit.stability.name().to_owned(),
         Stability::Undecided => "stability undecided".to_owned(),
     };
     let unique = if orbit.unique { "" } else { "; others may be within these bounds" };

@@ -44,6 +44,7 @@ pub(super) struct ClaimedOrbit {
 pub(super) enum Stability {
     Stable,
     Unstable,
+    Elliptic,
     Undecided,
 }
 
@@ -101,8 +102,9 @@ impl ClaimedOrbit {
         let stability = match orbit.stability.as_str() {
             "stable" => Stability::Stable,
             "unstable" => Stability::Unstable,
+            "elliptic" => Stability::Elliptic,
             "undecided" => Stability::Undecided,
-            _ => return Err(place.get("stability")?.refused("accepted are stable, unstable and undecided")),
+            _ => return Err(place.get("stability")?.refused("accepted are stable, unstable, elliptic and undecided")),
         };
         if orbit.times == Some(0) {
             return Err(place.get("times")?.refused("accepted are whole numbers above 0, and null"));

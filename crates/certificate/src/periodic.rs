@@ -87,8 +87,8 @@ impl PeriodicCertificate {
         unjudged.extend(is_two_impact.then(|| "program".to_owned()));
         // A search that does not claim to be exhaustive has nothing to leave out.
         unjudged.extend(document.exhaustive.then(|| "exhaustive".to_owned()));
-        // That all is proved says of a search that there are no others; of two impacts it is always said.
-        unjudged.extend((document.certified && (document.exhaustive || is_two_impact)).then(|| "certified".to_owned()));
+        // That all is proved says of a search that there are no others.
+        unjudged.extend((document.certified && document.exhaustive).then(|| "certified".to_owned()));
         unjudged.extend(has_rest.then(|| "undecided".to_owned()));
         unjudged.push("scene.start".to_owned());
         let (pair, _) = document.scene.model()?;
@@ -102,7 +102,7 @@ impl PeriodicCertificate {
         }
         let cycles = document.cycles.into();
         let orbits = orbits.into_iter().map(|orbit| OrbitOf { word: word.clone(), cycles, orbit }).collect();
-        let says_all_is_proved = document.certified && !is_two_impact;
+        let says_all_is_proved = document.certified;
         let document = Self::new(pair, orbits, unjudged)?;
         Ok(Self { says_all_is_proved, has_no_rest: !has_rest, ..document })
     }

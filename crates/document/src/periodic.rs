@@ -70,7 +70,7 @@ pub struct PeriodicOrbitDocument {
     pub determinant: Option<Bounds>,
     /// Its eigenvalues.
     pub eigenvalues: Option<[EigenvalueDocument; 2]>,
-    /// `stable`, `unstable` or `undecided`.
+    /// `stable`, `unstable`, `elliptic` (with `e = 1`: both eigenvalues lie on the unit circle, apart and not real) or `undecided`.
     pub stability: String,
     /// For a two-impact motion: `th1 - th0` from left to right \[rad\].
     #[serde(skip_serializing_if = "Option::is_none", default)]
@@ -154,7 +154,8 @@ pub struct TwoImpactDocument {
     /// The motions not covered if the list is exhaustive: `motions that rest` (with sticking).
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub excludes: Option<String>,
-    /// Always true: undecided values are `undecided` or null.
+    /// Whether all that was requested is proved: of each motion that there is no other one in its bounds, whether it is admissible, and its
+    /// stability; and of a search that there are no other ones.
     pub certified: bool,
     /// The spacings at which others are not excluded.
     pub undecided: Vec<SpacingDocument>,

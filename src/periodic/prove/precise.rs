@@ -54,7 +54,7 @@ impl Problem {
                 }
                 last = phase;
                 best = finding.finish(&self.chain, self.impact_pair.restitution(), bits, narrow).or(best);
-                if narrow && best.as_ref().is_some_and(PeriodicOrbit::is_settled) {
+                if narrow && best.as_ref().is_some_and(PeriodicOrbit::is_decided) {
                     break;
                 }
             }

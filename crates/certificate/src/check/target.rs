@@ -1,5 +1,7 @@
 //! A periodic orbit that is claimed: what its bounds say in radians, and whether what is found lies in them.
 
+use std::cmp::Ordering;
+
 use num_bigint::BigInt;
 use num_integer::Integer;
 use num_traits::One;
@@ -249,11 +251,19 @@ impl<'c> Target<'c> {
     fn compare_stability(&self, trace: &Real, determinant: &Real) -> Result<(), Doubt> {
         let one = Real::int(1, trace.bits());
         let at = [one.clone() + determinant - trace, one.clone() + determinant + trace];
-        let is_unstable = at.iter().any(Real::is_negative);
-        let is_stable = at.iter().all(Real::is_positive) && determinant.is_below(&one);
-        match (self.claim.stability, is_stable, is_unstable) {
-            (Stability::Undecided, ..) | (Stability::Stable, true, _) | (Stability::Unstable, _, true) => Ok(()),
-            (_, false, false) => Err(Doubt::open("the stability is undecided")),
+        let are_within = at.iter().all(Real::is_positive);
+        let found = if at.iter().any(Real::is_negative) {
+            Stability::Unstable
+        } else if are_within && determinant.is_below(&one) {
+            Stability::Stable
+        } else if are_within && (determinant.clone() - &one).sign() == Some(Ordering::Equal) {
+            Stability::Elliptic
+        } else {
+            Stability::Undecided
+        };
+        match (self.claim.stability, found) {
+            (claimed, found) if claimed == found || claimed == Stability::Undecided => Ok(()),
+            (_, Stability::Undecided) => Err(Doubt::open("the stability is undecided")),
             _ => Err(Doubt::False("the stability claimed is false".into())),
         }
     }
