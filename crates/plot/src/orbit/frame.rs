@@ -252,10 +252,17 @@ impl<'t> Frame<'t> {
         let all = |axis: usize| {
             let curves = self.places().map(move |place| place[axis]);
             let crossings = self.crossings().map(move |(_, _, place)| place[axis]);
-            let ends = curves.chain(crossings).flat_map(|span| [span.low, span.high]);
+            let ends: Vec<f64> = curves.chain(crossings).flat_map(|span| [span.low, span.high]).collect();
+            if ends.iter().any(|end| end.is_infinite()) {
+                return Axis::between(f64::NEG_INFINITY, f64::INFINITY);
+            }
+            let ends = ends.into_iter();
             if self.is_magnified { Axis::close_around(ends) } else { Axis::around(ends) }
         };
-        let time = || Axis::over(self.time(self.begin), self.time(self.end));
+        let time = || {
+            let of = if self.begin < self.end { Axis::between } else { Axis::over };
+            of(self.time(self.begin), self.time(self.end))
+        };
         let gap = || {
             let half = (1.0 + 2.0 * WALL_MARGIN) * self.trace.wall.high;
             Axis::over(-half, half)
