@@ -61,7 +61,7 @@ fn compute(arguments: &SweepArguments, path: &Path) -> Result<Answer> {
     let (digits, max_bits) = (arguments.digits, arguments.max_bits);
     let settings = Settings { digits, arithmetic, max_bits, ..Settings::default() };
     let SweepArguments { transient, impacts, summary, .. } = *arguments;
-    let ranges: Vec<_> = arguments.over.iter().map(|axis| (axis.key, axis.to_string())).collect();
+    let ranges: Vec<_> = arguments.over.iter().map(|axis| (axis.key(), axis.to_string())).collect();
     let reference = grid.reference(&scene).map_err(|error| scene::about(error, &ranges, path))?;
     let requested = PointSettings { transient, impacts, summary, reference, settings };
     let head = sweep::head(&scene, &grid, &requested, arguments.grid.shard());

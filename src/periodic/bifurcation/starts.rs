@@ -59,8 +59,11 @@ pub(super) fn seeds<S: Varied>(
 fn values(over: &Range) -> Vec<Exact> {
     let part = |i: u32| {
         let weight = |n: u32| Exact::from(i64::from(n));
-        let sum =
-            over.low.checked_mul(&weight(INTERVALS - i)).ok()?.checked_add(&over.high.checked_mul(&weight(i)).ok()?);
+        let sum = over
+            .low()
+            .checked_mul(&weight(INTERVALS - i))
+            .ok()?
+            .checked_add(&over.high().checked_mul(&weight(i)).ok()?);
         sum.ok()?.checked_div(&weight(INTERVALS)).ok()
     };
     (0..=INTERVALS).filter_map(part).collect()
