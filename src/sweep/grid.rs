@@ -113,9 +113,11 @@ impl Grid {
     /// # Ok::<(), impact_pair::Error>(())
     /// ```
     pub fn reference(&self, scene: &Scene) -> Result<Option<usize>, Error> {
-        let highest: Vec<_> = self.axes.iter().map(|axis| (axis.key(), axis.high().clone())).collect();
-        let highest = scene.with(&highest)?;
-        let excitation = highest.pair().excitation();
+        let mut pair = scene.pair().clone();
+        for axis in self.axes.iter().filter(|axis| axis.key() < Key::StartTime) {
+            pair = pair.with(axis.key(), axis.high().clone())?;
+        }
+        let excitation = pair.excitation();
         Ok((excitation.terms().len() > 1).then(|| excitation.reference_term()))
     }
 

@@ -106,7 +106,8 @@ pub fn title<'c>(area: &Canvas<'c>, text: &str) -> Result<Canvas<'c>, Box<dyn st
 fn axes(frame: &Frame<'_>, area: &Canvas<'_>) -> Result<Plane, Box<dyn std::error::Error>> {
     let below = title(area, &frame.heading())?;
     let axes = frame.axes();
-    axes.iter().try_for_each(Axis::require_resolved)?;
+    // A motion in a gap that is not resolved is not seen on any axis.
+    [frame.gap()].iter().chain(&axes).try_for_each(Axis::require_resolved)?;
     let [x, y] = axes.clone();
     // The names of walls may stand above.
     let above = if matches!(frame.walls(), Some((0, _))) { 16 * SCALE } else { 0 };

@@ -14,6 +14,8 @@ const TOLERANCE: f64 = 1e-9;
 
 /// Doubles that are to be on an axis, at least: more than there are pixels along any.
 const LEAST_DOUBLES: f64 = 4096.0;
+/// The shortest axis around 0: steps are quotients of normal doubles.
+const SHORTEST: f64 = LEAST_DOUBLES * f64::MIN_POSITIVE;
 /// Labels of more characters have a power of ten where they are shorter with it.
 const LONGEST_LABEL: usize = 12;
 
@@ -55,8 +57,8 @@ impl Axis {
     }
 
     fn holding(values: impl Iterator<Item = f64>, least: f64) -> Self {
-        // Below the normal doubles there is no room for ticks, beyond the finite ones none for anything.
-        let values = values.filter(|x| x.is_finite()).map(|x| if x.is_subnormal() { 0.0 } else { x });
+        // Next to 0 no axis is resolved, beyond the finite doubles is no room for anything.
+        let values = values.filter(|x| x.is_finite()).map(|x| if x.abs() < SHORTEST { 0.0 } else { x });
         let (low, high) = values.fold((f64::MAX, f64::MIN), |(low, high), x| (low.min(x), high.max(x)));
         if low > high {
             return Self::over(-1.0, 1.0);
@@ -78,8 +80,7 @@ impl Axis {
     pub fn require_resolved(&self) -> Result<(), String> {
         let Range { start, end } = self.range;
         let largest = start.abs().max(end.abs());
-        // Normal doubles alone: steps are quotients of them.
-        let least = LEAST_DOUBLES * (largest.next_up() - largest).max(f64::MIN_POSITIVE);
+        let least = (LEAST_DOUBLES * (largest.next_up() - largest)).max(SHORTEST);
         if largest.is_finite() && (end - start).is_finite() && end - start >= least {
             return Ok(());
         }
@@ -235,7 +236,7 @@ mod tests {
         }
         let tiny = Axis::over(0.0, 1e-300);
         assert!(tiny.require_resolved().is_ok());
-        assert_eq!(labels(&tiny), ["0", "2e−301", "4e−301", "6e−301", "8e−301", "1e−300"]);
+        assert_eq!(labels(&tiny), ["0", "2e−301", "4e−301", "6e−301", "8e−301", "1.0e−300"]);
         assert!(Axis::over(1e17, 1e17 + 1e6).require_resolved().is_ok() && Axis::angle().require_resolved().is_ok());
     }
 
