@@ -2,8 +2,6 @@
 //! later state (Lemma R3), and what is said of the start is said of the one at the scene's time and place.
 #![cfg(feature = "multiprecision")]
 
-use std::ops::ControlFlow;
-
 use impact_pair::chaos::{Chaos, HorseshoeSettings, Trap, seen_impacts};
 use impact_pair::covering::Shadow;
 use impact_pair::exact::{Enclosure, Exact};

@@ -1,6 +1,5 @@
 //! `run`: an orbit with all its events, and where the ball is between them.
 
-use std::ops::ControlFlow;
 use std::sync::Mutex;
 
 use impact_pair::document::{

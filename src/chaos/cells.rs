@@ -216,7 +216,7 @@ impl Work<'_> {
     }
 
     fn cell(&self, index: u32) -> Result<Vec<Stretch>, Error> {
-        let edge = |index| within(NAME, &self.requested.over.low(), self.edge(index));
+        let edge = |index| within(NAME, self.requested.over.low(), self.edge(index));
         let (mut stretches, mut known) = (Vec::new(), Vec::new());
         self.decide([edge(index)?, edge(index + 1)?], 0, &mut known, &mut stretches)?;
         let wide = |stretch: &Stretch| stretch.halved <= SEARCHED_HALVINGS;

@@ -72,7 +72,7 @@ pub fn cells(scene: &Scene, requested: &RangeSettings, found: &Cells, look: &Loo
 }
 
 fn column(scene: &Scene, requested: &RangeSettings, found: &Cells, number: u32) -> Result<Column> {
-    let (low, high) = (&requested.over.low(), &requested.over.high());
+    let (low, high) = (requested.over.low(), requested.over.high());
     let part = Exact::from(i64::from(2 * number + 1)).checked_div(&Exact::from(i64::from(2 * COLUMNS)))?;
     let exact = low.checked_add(&high.checked_sub(low)?.checked_mul(&part)?)?;
     let at = value(&exact);
@@ -104,7 +104,7 @@ fn frame(
         named.iter().map(|&number| (Mark::Cell(LEGEND[number].1), LEGEND[number].0.to_owned())).collect();
     let height = picture::legend(root, top, &entries)?;
     let (_, below) = root.split_vertically(top + height + BAR_DISTANCE + BAR_HEIGHT);
-    let axes = [Axis::over(value(&requested.over.low()), value(&requested.over.high())), arc.axis()];
+    let axes = [Axis::over(value(requested.over.low()), value(requested.over.high())), arc.axis()];
     Plane::draw(&below, axes, [&over, PHASE_LABEL])
 }
 

@@ -209,7 +209,7 @@ impl<'p> Search<'p> {
         let longest = settings.longest.min(MOST_WINDOW_IMPACTS); // proposes
         let own = own.unwrap_or(0.5 * (range[0] + range[1])); // proposes: where a search begins
         let family = Family { varies, fixed, range, longest };
-        Ok(Self { pair, family, own, key: key, ends: [low, high], unit, impacts: settings.impacts })
+        Ok(Self { pair, family, own, key, ends: [low, high], unit, impacts: settings.impacts })
     }
 
     /// A value of the parameter in the units of the scene.

@@ -101,7 +101,7 @@ impl Parameter {
     /// If the amplitude of the largest of several harmonics may be 0.
     pub fn base(&self) -> Result<ImpactPair, Error> {
         let is_one = self.pair.excitation().only().is_some();
-        let value = if self.over.key() == Key::Gap && !is_one { self.largest() } else { &self.over.high() };
+        let value = if self.over.key() == Key::Gap && !is_one { self.largest() } else { self.over.high() };
         self.pair_at(value.clone())
     }
 
@@ -162,7 +162,7 @@ impl Parameter {
     /// # Errors
     /// If one is beyond doubles.
     pub fn ends(&self) -> Result<[f64; 2], Error> {
-        let (a, b) = (self.in_doubles(&self.over.low())?, self.in_doubles(&self.over.high())?);
+        let (a, b) = (self.in_doubles(self.over.low())?, self.in_doubles(self.over.high())?);
         Ok([a.min(b), a.max(b)]) // proposes
     }
 

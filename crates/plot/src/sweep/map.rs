@@ -102,7 +102,7 @@ fn ring((x, y): (i32, i32), colour: RGBColor) -> String {
 
 /// An axis with room for half a cell at both ends.
 fn scale(axis: &Range) -> Axis {
-    let (low, high) = (value(&axis.low()), value(&axis.high()));
+    let (low, high) = (value(axis.low()), value(axis.high()));
     let half = 0.5 * (high - low) / (axis.points() - 1) as f64;
     let is_turn = matches!(axis.key(), Key::Phase(_) | Key::StartPhase) && (low, high) == (0.0, TAU);
     if is_turn { Axis::turn(half) } else { Axis::over(low - half, high + half) }
