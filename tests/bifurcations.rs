@@ -8,7 +8,7 @@ use approx::assert_abs_diff_eq;
 use impact_pair::exact::{Dyadic, Enclosure, Exact};
 use impact_pair::periodic::bifurcation::{Diagram, DiagramSettings, End, Kind, Point, survey};
 use impact_pair::periodic::{PeriodicOrbit, Precision, Problem, Stability};
-use impact_pair::scene::{Key, Term};
+use impact_pair::scene::{Key, Range, Term};
 use impact_pair::watch::{Stage, Unwatched, proceed_if};
 use impact_pair::{Error, Harmonic, ImpactPair, Scene};
 
@@ -245,6 +245,24 @@ fn keys_without_branches_under_several_harmonics_are_refused_in_one_line() {
     assert!(incommensurate.contains("ratios are proved to be fractions"), "{incommensurate}");
     let open = said(["1, 1", waves, "\"[0, 0.1]\", 0"], 3, "amplitude.1=0.1..0.2");
     assert!(open.contains("whose frequency and phase are not intervals"), "{open}");
+}
+
+#[test]
+fn ranges_that_no_branch_is_followed_over_are_refused() {
+    let scene = Scene::parse(SCENE).unwrap();
+    for over in ["start.velocity=-4..-1", "start.phase=0..1", "phase=0..1", "gap=1..2:3"] {
+        let diagram_settings =
+            DiagramSettings { over: over.parse().unwrap(), doublings: 0, precision: Precision::default() };
+        let word = (&"RL".parse().unwrap(), 1);
+        let error = survey(scene.pair(), scene.start(), word, &diagram_settings, &Unwatched).unwrap_err().to_string();
+        assert!(error.starts_with(&format!("the range is \"{over}\", but accepted is KEY=LO..HI")), "{error}");
+    }
+    let end = |text: &str| Exact::parse(text).unwrap();
+    for (low, high) in [("2", "1"), ("1", "1"), ("[1, 2]", "3"), ("1", "[2, 3]"), ("1", "sin(1)^2 + cos(1)^2")] {
+        assert!(Range::new(Key::Gap, end(low), end(high), None).is_err(), "{low} {high}");
+    }
+    let over_the_start = scene.pair().with(Key::StartVelocity, end("-1")).unwrap_err().to_string();
+    assert!(over_the_start.starts_with("the key is \"start.velocity\", but a pair has"), "{over_the_start}");
 }
 
 /// A survey that is ended early keeps points that the whole one proves, and is not called complete.

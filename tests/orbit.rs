@@ -102,6 +102,21 @@ fn the_textbooks_method_is_a_feature() {
 }
 
 /// Figure 12 alternates P2 and P1; figure 15 settles on m = 2 impacts on the right and n = 3 on the left a cycle.
+/// What a scene file and the command line refuse, the library refuses: no panic, and no orbit that takes for ever.
+#[test]
+fn settings_that_are_not_accepted_are_refused() {
+    let scene = scene("figure-14");
+    let said = |settings| Orbit::of(&scene, settings).unwrap_err().to_string();
+    for bits in [0, 63, 2_000_000_000] {
+        let settings = Settings { arithmetic: Arithmetic::Bits(bits), ..Settings::default() };
+        assert!(said(settings).starts_with(&format!("the arithmetic is \"{bits}\", but accepted are")));
+    }
+    for digits in [0, 401, 1_000_000] {
+        let settings = Settings { digits, ..Settings::default() };
+        assert_eq!(said(settings), format!("digits is {digits}, but must lie in [1, 400]"));
+    }
+}
+
 #[test]
 fn words_of_the_periodic_figures() {
     use Mapping::{P1, P2, P3, P4};

@@ -121,6 +121,15 @@ fn the_exact_orbit_is_enclosed_to_many_digits() {
 
 /// Stable orbits: those that `validation/paper` names, and a family from R2L3 to R5L5; the word, the cycles, `A/d`, `e`.
 #[test]
+fn guesses_of_another_length_prove_nothing() {
+    let scene = Scene::parse(include_str!("../scenes/figure-12.toml")).unwrap();
+    let problem = problem(scene.pair(), "RL", 1);
+    for guess in [&[][..], &[0.0], &[0.0, 0.5, 1.0], &[f64::NAN, 0.5], &[f64::INFINITY, 1e300]] {
+        assert!(problem.prove(guess, Precision::default()).is_none(), "{guess:?}");
+    }
+}
+
+#[test]
 fn stable_orbits_of_many_words_are_found() {
     for (word, cycles, ratio, restitution) in [
         ("RRLLL", 1, "1.95", "0.8"),

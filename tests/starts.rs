@@ -2,14 +2,14 @@
 //! later state (Lemma R3), and what is said of the start is said of the one at the scene's time and place.
 #![cfg(feature = "multiprecision")]
 
-use std::ops::ControlFlow;
-
+use impact_pair::chaos::{Chaos, HorseshoeSettings, Trap, seen_impacts};
 use impact_pair::covering::Shadow;
 use impact_pair::exact::{Enclosure, Exact};
 use impact_pair::orbit::{Arithmetic, Dense, Impact, Orbit, Place, Settings, Start};
 use impact_pair::pair::Wall;
+use impact_pair::scene::Key;
 use impact_pair::watch::Unwatched;
-use impact_pair::{Scene, document};
+use impact_pair::{Error, Scene, document};
 use impact_pair_certificate::{Certificate, Verdict};
 use num_rational::BigRational;
 use serde_json::json;
@@ -176,15 +176,11 @@ fn r32_the_motion_between_the_given_start_and_the_one_followed_is_known() {
     let from = 1.0 / 3.0;
     let phase = |t: f64| std::f64::consts::PI * t + 0.3;
     for arithmetic in [Arithmetic::Shadow, Arithmetic::Auto, Arithmetic::Interval] {
-        let mut orbit = Orbit::of(&scene, Settings { arithmetic, impacts: Some(4), ..Settings::default() }).unwrap();
-        let mut dense = Dense::new(&orbit, scene.start());
-        let _ = orbit.follow(&Unwatched, |orbit, event| {
-            dense.record(orbit, &event);
-            ControlFlow::<()>::Continue(())
-        });
+        let orbit = Orbit::of(&scene, Settings { arithmetic, impacts: Some(4), ..Settings::default() }).unwrap();
+        let dense = Dense::of(orbit, &Unwatched, |_, _| ());
         for later in [1e-9, 1e-6, 1e-3, 0.01, 0.1, 0.25] {
             let t = from + later;
-            let [y, v] = dense.at(&orbit, t).expect("what is known from the start on");
+            let [y, v] = dense.at(t).expect("what is known from the start on");
             let rate = 8.0 * std::f64::consts::PI;
             let truth = 1.5 + rate * phase(from).cos() * later + 8.0 * (phase(from).sin() - phase(t).sin());
             let speed = rate * (phase(from).cos() - phase(t).cos());
@@ -197,7 +193,35 @@ fn r32_the_motion_between_the_given_start_and_the_one_followed_is_known() {
                 "{arithmetic} {later}: {v:?}"
             );
         }
-        let (_, turns, begins) = orbit.first_course();
+        let (_, turns, begins) = dense.orbit().first_course();
         assert!(turns == 0 && (begins.mid() - phase(from) / std::f64::consts::TAU).abs() < 1e-15);
+    }
+}
+
+/// One start, many gaps: a start of one pair is outside of the box of a narrower one, and no orbit of that begins there.
+#[test]
+fn a_start_outside_the_box_of_a_pair_is_refused_by_all_that_follow_it() {
+    let wide = scene(ONE, "0", "1", "-1");
+    let (pair, start) = (wide.pair().with(Key::Gap, Exact::parse("0.1").unwrap()).unwrap(), wide.start());
+    let inari = cfg!(feature = "inari").then_some(Arithmetic::Inari);
+    let arithmetics =
+        [Arithmetic::Auto, Arithmetic::Interval, Arithmetic::Bits(128), Arithmetic::Shadow, Arithmetic::Float];
+    let mut refused: Vec<Option<Error>> = Vec::new();
+    for arithmetic in arithmetics.into_iter().chain(inari) {
+        let settings = Settings { arithmetic, ..Settings::default() };
+        refused.push(Orbit::new(&pair, start, settings.clone()).err());
+        refused.push(document::orbit(&pair, start, settings).err());
+    }
+    refused.push(Shadow::new(&pair, start).err());
+    refused.push(Trap::of_pair(&pair, start, 0, &Unwatched).err());
+    refused.push(Chaos::of(&pair, start, &HorseshoeSettings { depth: None, bases: Vec::new() }, &Unwatched).err());
+    refused.push(seen_impacts(&pair, start, [0, 1]).err());
+    for error in refused {
+        let error = error.expect("the start is not in the box");
+        assert_eq!(error.key(), Some("start.position"), "{error}");
+        assert!(
+            error.to_string().starts_with("start.position is 1, but must lie strictly between the walls"),
+            "{error}"
+        );
     }
 }

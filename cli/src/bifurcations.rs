@@ -82,7 +82,7 @@ pub fn bifurcations(arguments: &BifurcationArguments) -> Result<Answer> {
     let (word, cycles) = (&arguments.word, arguments.cycles);
     let progress = Progress::of("following branches", !files.quiet);
     let diagram = survey(scene.pair(), scene.start(), (word, cycles), &diagram_settings, &progress);
-    let range = [(diagram_settings.over.key, diagram_settings.over.to_string())];
+    let range = [(diagram_settings.over.key(), diagram_settings.over.to_string())];
     let diagram = diagram.map_err(|error| scene::about(error, &range, path))?;
     progress.clear();
     let text = match format {
@@ -98,7 +98,7 @@ pub fn bifurcations(arguments: &BifurcationArguments) -> Result<Answer> {
 
 fn table(scene: &Scene, diagram: &Diagram) -> Result<String> {
     let mut out = heading(scene);
-    let Range { key, low, high, .. } = diagram.over();
+    let (key, low, high) = (diagram.over().key(), diagram.over().low(), diagram.over().high());
     writeln!(out, "over {} from {low} to {high}\n", key.place())?;
     if !diagram.points.is_empty() {
         writeln!(out, "{:16} {:>7} {:>6}  {:36} orbit", "kind", "impacts", "cycles", key.place())?;
@@ -152,7 +152,7 @@ fn end(end: End) -> &'static str {
 
 /// The last line: how much of what was asked is proved.
 fn conclusion(diagram: &Diagram) -> String {
-    if matches!(diagram.over().key, Key::Frequency(_)) {
+    if matches!(diagram.over().key(), Key::Frequency(_)) {
         return "certified: nothing bifurcates over the frequency: only A/d and e matter, W is the unit of time".into();
     }
     let points = format!("{} proved", counted(diagram.points.len(), "bifurcation"));

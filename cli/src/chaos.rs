@@ -109,7 +109,9 @@ fn range(text: &str) -> Result<Range, impact_pair::Error> {
     let cells = 1..=u64::from(MOST_CELLS);
     let accepted =
         format!("KEY=LO..HI or KEY=LO..HI:COUNT with LO < HI and COUNT from 1 to {MOST_CELLS}, {PARAMETERS}");
-    Range::parse(text, &accepted, |range| is_parameter(range) && range.count.is_none_or(|count| cells.contains(&count)))
+    Range::parse(text, &accepted, |range| {
+        is_parameter(range) && range.count().is_none_or(|count| cells.contains(&count))
+    })
 }
 
 pub fn chaos(arguments: &ChaosArguments) -> Result<Answer> {
@@ -117,20 +119,20 @@ pub fn chaos(arguments: &ChaosArguments) -> Result<Answer> {
     let OpenOutput { scene, files, .. } = arguments.drawing.begin(&arguments.scene)?;
     let bases = arguments.bases.as_deref().map(bases).transpose()?.unwrap_or_default();
     let work = Work { arguments, format, scene: &scene, files };
-    match &arguments.over {
-        Some(over @ Range { count: Some(cells), .. }) => {
+    match arguments.over.as_ref().map(|over| (over, over.count())) {
+        Some((over, Some(cells))) => {
             if !bases.is_empty() {
-                bail!("--bases applies to one range, but --over {}=... is divided into {cells} cells", over.key);
+                bail!("--bases applies to one range, but --over {}=... is divided into {cells} cells", over.key());
             }
             if arguments.no_orbit {
-                bail!("--no-orbit applies to one range, but --over {}=... is divided into {cells} cells", over.key);
+                bail!("--no-orbit applies to one range, but --over {}=... is divided into {cells} cells", over.key());
             }
             if arguments.hyperbolic {
-                bail!("--hyperbolic applies to one range, but --over {}=... is divided into {cells} cells", over.key);
+                bail!("--hyperbolic applies to one range, but --over {}=... is divided into {cells} cells", over.key());
             }
-            work.cells(over, u32::try_from(*cells)?)
+            work.cells(over, u32::try_from(cells)?)
         }
-        over => work.horseshoe(over.as_ref(), bases),
+        over => work.horseshoe(over.map(|(over, _)| over), bases),
     }
 }
 
@@ -146,12 +148,12 @@ impl Work<'_> {
     fn horseshoe(self, over: Option<&Range>, bases: Vec<HSet>) -> Result<Answer> {
         let (scene, depth) = (self.scene, self.arguments.depth.map(|depth| depth as usize));
         let question = HorseshoeSettings { depth, bases };
-        let ranges: Vec<_> = over.iter().map(|over| (over.key, over.to_string())).collect();
+        let ranges: Vec<_> = over.iter().map(|over| (over.key(), over.to_string())).collect();
         let about = |error: impact_pair::Error| scene::about(error, &ranges, &self.arguments.scene);
         let pair = match over {
             Some(over) => {
-                let all = Exact::interval(&over.low, &over.high)?;
-                scene.pair().with(over.key, all).map_err(about)?
+                let all = Exact::interval(over.low(), over.high())?;
+                scene.pair().with(over.key(), all).map_err(about)?
             }
             None => scene.pair().clone(),
         };
@@ -191,7 +193,7 @@ impl Work<'_> {
         let found = Cells::of(scene.pair(), scene.start(), &requested, &progress);
         progress.clear();
         let found =
-            found.map_err(|error| scene::about(error, &[(over.key, over.to_string())], &self.arguments.scene))?;
+            found.map_err(|error| scene::about(error, &[(over.key(), over.to_string())], &self.arguments.scene))?;
         let document = document::cells(scene, &requested, &found);
         let text = match self.format {
             PeriodicFormat::Json => one_a_line(&document, &["stretches"]) + "\n",

@@ -50,10 +50,10 @@ pub struct GlobalArguments {
     /// Scene file (TOML), or - for stdin
     scene: PathBuf,
     /// Boxes of the first partition, about: 2^N
-    #[arg(long, value_name = "N", default_value_t = 14, value_parser = whole(8..=20))]
+    #[arg(long, value_name = "N", default_value_t = 14, value_parser = whole(GlobalSettings::BOXES))]
     boxes: u32,
     /// Halve the boxes of a component up to N times
-    #[arg(long, value_name = "N", default_value_t = 40, value_parser = whole(0..=40))]
+    #[arg(long, value_name = "N", default_value_t = 40, value_parser = whole(GlobalSettings::HALVINGS))]
     halvings: u32,
     /// Map about N boxes in all, those of the smallest undecided component first
     #[arg(long, value_name = "N", default_value_t = DEFAULT_BOXES as u64, value_parser = count(1..=1_000_000_000))]
@@ -63,7 +63,7 @@ pub struct GlobalArguments {
     #[arg(long, value_name = "N", default_value_t = DEFAULT_WORK, value_parser = count(1..=1_000_000_000_000))]
     work: u64,
     /// Prove basins of attraction, by about 2^N boxes [default: none; with --plot 16]
-    #[arg(long, value_name = "N", value_parser = whole(8..=24))]
+    #[arg(long, value_name = "N", value_parser = whole(GlobalSettings::BASINS))]
     basins: Option<u32>,
     /// Look for a horseshoe in undecided components, the four largest ones, by words of at most K impacts: some seconds each
     #[arg(long, value_name = "K", value_parser = whole(1..=MOST_DEPTH))]

@@ -108,7 +108,7 @@ pub fn run(arguments: &RunArguments) -> Result<Answer> {
         return Err(error).context(write);
     }
     progress.clear();
-    let conclusion = Conclusion::of(&orbit, scene.start(), last.as_ref());
+    let conclusion = Conclusion::of(&orbit, last.as_ref());
     let ending = Ending::of(&orbit, conclusion, &settings);
     listing.end(&ending).context(write)?.commit()?;
 

@@ -96,7 +96,7 @@ fn beside(scene: &Scene) -> Result<Range> {
         bail!("--over is missing, but pair.gap is the interval {gap}: accepted is the range of one parameter");
     }
     let [low, high] = ["0.9999", "1.0001"].map(|part| Ok::<_, Error>(gap.checked_mul(&part.parse()?)?));
-    Ok(Range { key: Key::Gap, low: low?, high: high?, count: None })
+    Ok(Range::new(Key::Gap, low?, high?, None)?)
 }
 
 pub fn tangency(arguments: &TangencyArguments) -> Result<Answer> {
@@ -111,7 +111,7 @@ pub fn tangency(arguments: &TangencyArguments) -> Result<Answer> {
         precision: arguments.precision.of(&scene),
     };
     let progress = Progress::stages(!files.quiet);
-    let range = [(settings.over.key, settings.over.to_string())];
+    let range = [(settings.over.key(), settings.over.to_string())];
     let found = Tangencies::of(&scene, &settings, &progress).map_err(|error| scene::about(error, &range, path))?;
     progress.clear();
     let text = match format {
@@ -126,10 +126,10 @@ pub fn tangency(arguments: &TangencyArguments) -> Result<Answer> {
 
 fn table(scene: &Scene, found: &Tangencies) -> Result<String, fmt::Error> {
     let mut out = heading(scene);
-    let Range { key, low, high, .. } = &found.over;
+    let (key, low, high) = (found.over.key(), found.over.low(), found.over.high());
     writeln!(out, "over {} from {low} to {high}\n", key.place())?;
     for tangency in &found.tangencies {
-        rows(&mut out, *key, tangency)?;
+        rows(&mut out, key, tangency)?;
     }
     for UnprovedTangency { near, flights } in &found.unproved {
         writeln!(out, "undecided: near {near:.12}, {flights}: {}", UnprovedTangency::REASON)?;

@@ -86,7 +86,7 @@ pub fn windows(arguments: &WindowsArguments) -> Result<Answer> {
         precision: arguments.precision.of(&scene),
     };
     let progress = Progress::stages(!files.quiet);
-    let range = [(settings.over.key, settings.over.to_string())];
+    let range = [(settings.over.key(), settings.over.to_string())];
     let found = Windows::of(&scene, &settings, &progress).map_err(|error| scene::about(error, &range, path))?;
     progress.clear();
     let text = match format {
@@ -102,7 +102,7 @@ pub fn windows(arguments: &WindowsArguments) -> Result<Answer> {
 
 fn table(scene: &Scene, found: &Windows) -> Result<String, fmt::Error> {
     let mut out = heading(scene);
-    let Range { key, low, high, .. } = &found.over;
+    let (key, low, high) = (found.over.key(), found.over.low(), found.over.high());
     writeln!(out, "over {} from {low} to {high}\n", key.place())?;
     for FoundWindow { impacts, flights, window } in &found.windows {
         let cycles = counted(window.problem.chain().cycles(), "cycle");

@@ -46,6 +46,26 @@ fn bad_input_writes_nothing() {
     assert!(!picture.exists());
 }
 
+/// Lengths below and beyond the normal doubles, and a time at which doubles are further apart than impacts.
+#[test]
+fn what_doubles_do_not_resolve_is_not_drawn() {
+    let folder = folder("plot-unresolved");
+    let (scene, picture) = (folder.join("scene.toml"), folder.join("a.svg"));
+    for (length, time) in [("1e-309", "0"), ("1e307", "0"), ("1", "1e17")] {
+        let text = format!(
+            "excitation = {{ amplitude = \"8*{length}\", frequency = \"pi\", phase = 0 }}\n\
+             pair = {{ gap = \"9.42497*{length}\", restitution = 0.5 }}\n\
+             start = {{ time = \"{time}\", wall = \"left\", velocity = \"-12.56636*{length}\" }}"
+        );
+        fs::write(&scene, text).unwrap();
+        let answer = plot(&[scene.to_str().unwrap(), "--all", "--output"]).arg(&picture).output().unwrap();
+        let said = String::from_utf8(answer.stderr).unwrap();
+        assert_eq!(answer.status.code(), Some(2), "{said}");
+        assert!(said.contains("the picture has an axis from") && !said.contains("panicked"), "{said}");
+        assert!(!picture.exists());
+    }
+}
+
 #[test]
 fn a_sheet_has_all_panels_and_the_same_bytes_each_time() {
     let folder = folder("plot-sheet");

@@ -77,6 +77,36 @@ fn states_of(mixed: &str, keys: &[&str]) -> String {
     lines_of("state", mixed, |name| own.contains(&name) || keys.contains(&name))
 }
 
+/// At `A_2 = 0` the period is one of the first term, and no whole number of the reference's, the second one's.
+#[test]
+fn a_period_that_is_no_whole_number_of_cycles_has_its_duration() {
+    let folder = folder("durations");
+    let scene = folder.join("scene.toml");
+    let text = "excitation = { amplitude = [1, 0], frequency = [\"pi\", \"sqrt(2)*pi\"], phase = 0 }\n\
+                pair = { gap = \"3*pi\", restitution = 0.5 }\n\
+                start = { time = 0, wall = \"left\", velocity = -12 }";
+    fs::write(&scene, text).unwrap();
+    let table = stdout_of(&mut sweep(&[scene.to_str().unwrap(), "--over", "amplitude.2=0..1/100:2", "--summary"]));
+    let [head, first, ..] = &cells(&table)[..] else { panic!("{table}") };
+    let cell = |name: &str| first[head.iter().position(|known| *known == name).unwrap()];
+    assert_eq!((cell("outcome"), cell("period_cycles")), ("attracted", ""), "{table}");
+    let [lower, upper] = ["lower", "upper"].map(|end| cell(&format!("period_duration_{end}")).parse::<f64>().unwrap());
+    assert!(lower <= 2.0 && 2.0 <= upper && upper - lower < 1e-6, "{table}");
+    assert!(!stdout_of(&mut sweep(&[&DIAGRAM[..], &["--summary"]].concat())).contains("duration"));
+}
+
+/// A picture changes no number, and where it is all that is asked for there is no table.
+#[test]
+fn a_picture_changes_no_table() {
+    let folder = folder("pictured");
+    let [alone, beside, picture] = ["alone.csv", "beside.csv", "a.svg"].map(|name| folder.join(name));
+    assert!(stdout_of(sweep(&DIAGRAM).arg("--output").arg(&alone)).is_empty());
+    assert!(stdout_of(sweep(&DIAGRAM).arg("--output").arg(&beside).arg("--plot").arg(&picture)).is_empty());
+    assert_eq!(fs::read(alone).unwrap(), fs::read(beside).unwrap());
+    assert!(stdout_of(sweep(&DIAGRAM).arg("--plot").arg(&picture)).is_empty());
+    assert!(stdout_of(sweep(&DIAGRAM).args(["--format", "csv", "--plot"]).arg(&picture)).starts_with("point,"));
+}
+
 #[test]
 fn two_tables_hold_the_lines_of_the_mixed_one() {
     let folder = folder("tables");

@@ -22,7 +22,7 @@ from ._exact import Value
 from ._progress import Progress
 from .bounds import Bounds
 from .boxes import BoxImages
-from .errors import CertificateError, Error, Interrupted, ListError, MissingPackageError, RangeError, SceneError, WordError
+from .errors import CertificateError, Error, Interrupted, ListError, MissingPackageError, RangeError, SceneError, Stopped, WordError
 from .orbit import Event, Flights, Graze, Impact, Orbit, Outcome, Release, Rest, States
 from .orbit import read as read_orbit
 from .scene import MAX_BITS, Scene
@@ -52,6 +52,7 @@ __all__ = [
     "Scene",
     "SceneError",
     "States",
+    "Stopped",
     "SweepResult",
     "Theorem",
     "Verified",
@@ -82,6 +83,7 @@ def solve(
     arithmetic: str | int = "auto",
     max_bits: int = MAX_BITS,
     progress: Progress = None,
+    keep_partial: bool = False,
 ) -> Orbit:
     """Return the certified impacts under the excitation A sin(W t + tau), with gap d and restitution e, in the paper's notation.
 
@@ -120,6 +122,8 @@ def solve(
         Maximum precision of ``"auto"``, in bits.
     progress : bool or callable, optional
         A bar of tqdm, or a function that receives the number of impacts.
+    keep_partial : bool, default False
+        Whether Ctrl-C returns the orbit that is certified until then; its ``interrupted`` is true.
 
     Returns
     -------
@@ -133,6 +137,8 @@ def solve(
         When a number does not read as one, or a value has the wrong kind.
     RangeError
         When a value is out of range; ``key`` and ``value`` of the error name it.
+    Stopped
+        On Ctrl-C, as a ``KeyboardInterrupt``, with the orbit that is certified until then as ``partial``.
 
     Examples
     --------
@@ -144,4 +150,5 @@ def solve(
 
     """
     scene = Scene(amplitude=A, frequency=W, phase=tau, gap=d, restitution=e, time=t0, wall=wall, position=y0, velocity=v0)
-    return scene.run(impacts=impacts, until=until, digits=digits, arithmetic=arithmetic, max_bits=max_bits, progress=progress)
+    how = {"progress": progress, "keep_partial": keep_partial}
+    return scene.run(impacts=impacts, until=until, digits=digits, arithmetic=arithmetic, max_bits=max_bits, **how)  # type: ignore[arg-type]

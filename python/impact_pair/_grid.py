@@ -124,6 +124,8 @@ def computed(
     progress: Progress = None,
 ) -> Chunks:
     """Compute all points, or those that are finished when Ctrl-C comes."""
+    if executor is not None and not callable(getattr(executor, "submit", None)):
+        raise RangeError(f"executor is {executor!r}, but must be a concurrent.futures.Executor", "executor", repr(executor))
     core = question.core()
     core.check()
     chunks: Chunks = Memory() if resume is None else Files(Path(resume) / question.key(), core.head())

@@ -5,11 +5,31 @@ from __future__ import annotations
 import contextlib
 import sys
 from collections.abc import Callable, Iterator
-from typing import TypeAlias
+from typing import Any, TypeAlias, TypeVar
+
+from .errors import Stopped
 
 #: ``True`` for a bar of tqdm, if it is installed; or a callback that receives the amount done; ``None`` for a
 #: bar only where a person may be looking.
 Progress: TypeAlias = "bool | Callable[[int], object] | None"
+
+
+Answer = TypeVar("Answer")
+
+
+def kept(found: Answer, keep_partial: bool) -> Answer:
+    """Return an answer; one that Ctrl-C has cut, or a list with one, only if it is to be kept.
+
+    Raises
+    ------
+    Stopped
+        With the cut answer as ``partial``.
+
+    """
+    answers: list[Any] = found if isinstance(found, list) else [found]
+    if not keep_partial and any(answer.interrupted for answer in answers):
+        raise Stopped(found)
+    return found
 
 
 @contextlib.contextmanager

@@ -6,7 +6,7 @@ import math
 from dataclasses import dataclass
 from decimal import Decimal
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeVar
 
 import numpy as np
 
@@ -20,10 +20,18 @@ if TYPE_CHECKING:
 
     Doubles = npt.NDArray[np.float64]
 
+Array = TypeVar("Array", bound="npt.NDArray[Any]")
+
 
 def doubles(data: bytes, *shape: int) -> Doubles:
     """Return bytes of doubles as an array of this shape, read-only."""
     return np.frombuffer(data, dtype=np.float64).reshape(shape)
+
+
+def fixed(values: Array) -> Array:
+    """Return an array, read-only."""
+    values.flags.writeable = False
+    return values
 
 
 def outward(bounds: Iterable[Sequence[str]]) -> Doubles:

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import re
 from decimal import Decimal
+from typing import Any
 
 #: Decimals that are longer than any double is typed.
 LONG = re.compile(r"-?\d+\.\d{16,}(?:[eE][+-]?\d+)?")
@@ -64,3 +65,14 @@ class MissingPackageError(Error, ImportError):
 
 class Interrupted(Error):
     """A sweep whose workers or scheduler were lost, or the whole grid of one that Ctrl-C ended; ``resume=`` keeps finished chunks."""
+
+
+class Stopped(KeyboardInterrupt):
+    """Ctrl-C during a computation: ``partial`` is its answer, with what is certified until then; ``keep_partial=True`` returns that."""
+
+    def __init__(self, partial: Any) -> None:
+        super().__init__("stopped by Ctrl-C: what is certified until then is the partial of this exception")
+        self.partial = partial
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return Stopped, (self.partial,)

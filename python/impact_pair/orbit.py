@@ -7,7 +7,7 @@ import json
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, SupportsIndex, overload
+from typing import TYPE_CHECKING, Any, SupportsIndex, TypeAlias, overload
 
 import numpy as np
 
@@ -15,8 +15,8 @@ from . import _cf, _core
 from ._document import Document
 from ._exact import doubles_of
 from ._file import ending, parquet, write
-from ._progress import Progress, reporting
-from .bounds import Bounds, doubles, middles, radii
+from ._progress import Progress, kept, reporting
+from .bounds import Bounds, doubles, fixed, middles, radii
 
 if TYPE_CHECKING:
     import os
@@ -30,6 +30,8 @@ if TYPE_CHECKING:
 NAMES = ("impact", "graze", "rest", "release")
 MAPPINGS = (None, "P1", "P2", "P3", "P4")
 SHOWN = 6
+#: The scene file, and the options of its run.
+Question: TypeAlias = "tuple[str, Any]"
 
 
 @dataclass(frozen=True)
@@ -90,6 +92,8 @@ class States:
     t: Doubles
     y_bounds: Doubles
     v_bounds: Doubles
+    #: True where an impact may come before or after the time (n,): both velocities are in the bounds.
+    at_impact: npt.NDArray[np.bool_]
     #: True if Ctrl-C ended the computation: the bounds of later times are NaN.
     interrupted: bool = False
 
@@ -100,8 +104,11 @@ class States:
 
     @property
     def v(self) -> Doubles:
-        """The middles (n,) of the bounds of the velocity, relative to the box [length/time]."""
-        return middles(self.v_bounds)
+        """The middles (n,) of the bounds of the velocity, relative to the box [length/time]; NaN ``at_impact``, where it jumps.
+
+        The velocities before impacts are the orbit's ``v``.
+        """
+        return np.where(self.at_impact, np.nan, middles(self.v_bounds))
 
 
 class Orbit(Document):
@@ -110,9 +117,12 @@ class Orbit(Document):
     Called with times it says where the ball is then: ``orbit(0.5).y_bounds``.
     """
 
-    def __init__(self, core: _core.Orbit) -> None:
+    def __init__(self, core: _core.Orbit, question: Question | None = None) -> None:
         super().__init__("", core.ending()[0])
         self._core = core
+        self._question = question
+        # What was pickled is computed again for the motion between impacts.
+        self._mover = None if question is not None and core.ending()[0] is None else core
         names, walls, mappings, times, velocities = core.columns()
         self._names = np.frombuffer(names, dtype=np.uint8)
         self._at = self._names == 0
@@ -121,12 +131,12 @@ class Orbit(Document):
         #: Bounds of the times of all events (m, 2) [time].
         self.event_bounds: Doubles = doubles(times, -1, 2)
         #: The walls of the impacts as numbers (n,): -1 left, 1 right.
-        self.sides: npt.NDArray[np.int8] = self.event_sides[self._at]
+        self.sides: npt.NDArray[np.int8] = fixed(self.event_sides[self._at])
         self._mappings = np.frombuffer(mappings, dtype=np.uint8)[self._at]
         #: Bounds of the times of the impacts (n, 2) [time].
-        self.t_bounds: Doubles = self.event_bounds[self._at]
+        self.t_bounds: Doubles = fixed(self.event_bounds[self._at])
         #: Bounds of y' just before them (n, 2) [length/time].
-        self.v_bounds: Doubles = doubles(velocities, -1, 2)[self._at]
+        self.v_bounds: Doubles = fixed(doubles(velocities, -1, 2)[self._at])
 
     @property
     def t(self) -> Doubles:
@@ -151,7 +161,7 @@ class Orbit(Document):
     @cached_property
     def walls(self) -> npt.NDArray[np.str_]:
         """The walls of the impacts (n,): ``"left"`` or ``"right"``."""
-        return np.where(self.sides < 0, "left", "right")
+        return fixed(np.where(self.sides < 0, "left", "right"))
 
     @property
     def wall(self) -> npt.NDArray[np.str_]:
@@ -161,12 +171,12 @@ class Orbit(Document):
     @cached_property
     def event_kinds(self) -> npt.NDArray[np.str_]:
         """The kinds of all events (m,), in time order: ``"impact"``, ``"graze"``, ``"rest"`` or ``"release"``."""
-        return np.asarray(np.array(NAMES)[self._names])
+        return fixed(np.asarray(np.array(NAMES)[self._names]))
 
     @cached_property
     def mappings(self) -> npt.NDArray[np.object_]:
         """The mappings that end at the impacts (n,): ``"P1"`` to ``"P4"``, or None if there is none or more than one."""
-        return np.asarray(np.array(MAPPINGS, dtype=object)[self._mappings])
+        return fixed(np.asarray(np.array(MAPPINGS, dtype=object)[self._mappings]))
 
     @cached_property
     def _about(self) -> tuple[dict[str, Any], dict[str, Any]]:
@@ -253,17 +263,27 @@ class Orbit(Document):
     def __iter__(self) -> Iterator[Impact]:
         return (self[i] for i in range(len(self)))
 
-    def __call__(self, t: npt.ArrayLike, progress: Progress = False) -> States:
+    def __call__(self, t: npt.ArrayLike, progress: Progress = False, *, keep_partial: bool = False) -> States:
         """Return bounds of the motion at times t (n,) [time], exact doubles in any order, by (11) and (12).
 
         At a time that may be before or after an impact both velocities are in the bounds. NaN before the start, after the last
         event, but where a time to stop at, ``until``, says that there is none before it, and while infinitely many impacts pass.
         """
-        times = np.ascontiguousarray(np.atleast_1d(doubles_of("t", t)))
+        times = fixed(np.array(np.atleast_1d(doubles_of("t", t))))
         with reporting(progress, "times", times.size) as report:
-            bounds, interrupted = self._core.at(times.tobytes(), report)
+            bounds, interrupted = self._moving().at(times.tobytes(), report)
         found = doubles(bounds, -1, 2, 2)
-        return States(times, found[:, 0], found[:, 1], interrupted)
+        low, high = self.t_bounds.T
+        after = np.searchsorted(np.maximum.accumulate(high), times)
+        at_impact = fixed(np.append(low, np.inf)[after] <= times)
+        return kept(States(times, found[:, 0], found[:, 1], at_impact, interrupted), keep_partial)
+
+    def _moving(self) -> _core.Orbit:
+        if self._mover is None:
+            assert self._question is not None
+            scene, requested = self._question
+            self._mover = _core.run(_core.Scene(scene), requested, None)
+        return self._mover
 
     def json(self) -> str:
         """Return the orbit JSON, as ``impact-pair run --format json`` writes it."""
@@ -396,13 +416,21 @@ class Orbit(Document):
         body = "".join(f"<tr>{row}</tr>" for row in rows)
         return f"<table><tr>{names}</tr>{body}</table><p>{html.escape(self._core.ending()[1])}</p>"
 
+    def __copy__(self) -> Orbit:
+        return self
+
+    def __deepcopy__(self, _: dict[int, Any]) -> Orbit:
+        # It does not change.
+        return self
+
     def __reduce__(self) -> tuple[Any, ...]:
-        return read, (self.json(),)
+        # What Ctrl-C has cut would not be cut again.
+        return read, (self.json(), None if self.interrupted else self._question)
 
 
-def read(text: str) -> Orbit:
-    """Return the orbit of an orbit JSON; it has no bounds of the motion between its impacts."""
-    return Orbit(_core.read_orbit(text))
+def read(text: str, question: Question | None = None) -> Orbit:
+    """Return the orbit of an orbit JSON; without what it is the answer to it has no bounds of the motion between its impacts."""
+    return Orbit(_core.read_orbit(text), question)
 
 
 @dataclass(frozen=True)

@@ -15,7 +15,7 @@ from . import _core, answers
 from ._exact import IMPACTS, Value, arithmetic_of, doubles_of, optional, optional_whole, single, string, text, texts, whole
 from ._file import read
 from ._grid import spaced
-from ._progress import Progress, reporting
+from ._progress import Progress, kept, reporting
 from .atlas import AtlasResult, atlas
 from .bounds import doubles
 from .boxes import BoxImages, box_map
@@ -170,6 +170,7 @@ class Scene:
         splice: int = 0,
         max_bits: int = MAX_BITS,
         progress: Progress = None,
+        keep_partial: bool = False,
     ) -> Orbit:
         """Return the certified events of the scene.
 
@@ -190,6 +191,8 @@ class Scene:
             Maximum precision of ``"auto"``, in bits.
         progress : bool or callable, optional
             A bar of tqdm, or a function that receives the number of impacts.
+        keep_partial : bool, default False
+            Whether Ctrl-C returns what is certified until then, instead of raising :class:`impact_pair.Stopped` with it.
 
         Returns
         -------
@@ -210,10 +213,17 @@ class Scene:
         impacts = optional_whole("impacts", impacts, IMPACTS)
         requested = requested_of(impacts, until, narrow(digits, max_bits), arithmetic, splice)
         with reporting(progress, "impacts", impacts) as report:
-            return Orbit(_core.run(self._core, requested, report))
+            return kept(Orbit(_core.run(self._core, requested, report), (self._text, requested)), keep_partial)
 
     def describe(
-        self, *, impacts: int = 2000, depth: int = 6, max_bits: int = MAX_BITS, picture: bool = False, progress: Progress = None
+        self,
+        *,
+        impacts: int = 2000,
+        depth: int = 6,
+        max_bits: int = MAX_BITS,
+        picture: bool = False,
+        progress: Progress = None,
+        keep_partial: bool = False,
     ) -> answers.Description:
         """Describe the motion: what becomes of it, its exponent, a trapping region and a horseshoe, and what is undecided.
 
@@ -232,6 +242,8 @@ class Scene:
             Whether to draw time series, phase plane, impacts with region and h-sets, and itinerary.
         progress : bool or callable, optional
             A bar of tqdm, or a function that receives the amount done.
+        keep_partial : bool, default False
+            Whether Ctrl-C returns what is certified until then, instead of raising :class:`impact_pair.Stopped` with it.
 
         Returns
         -------
@@ -254,9 +266,11 @@ class Scene:
         """
         question = (whole("impacts", impacts, IMPACTS), whole("depth", depth), whole("max_bits", max_bits), picture)
         with reporting(progress, "impacts and boxes") as report:
-            return answers.Description(*_core.describe(self._core, self._path, question, report))
+            return kept(answers.Description(*_core.describe(self._core, self._path, question, report)), keep_partial)
 
-    def flights(self, t: npt.ArrayLike, v: npt.ArrayLike, wall: npt.ArrayLike, *, progress: Progress = None) -> Flights:
+    def flights(
+        self, t: npt.ArrayLike, v: npt.ArrayLike, wall: npt.ArrayLike, *, progress: Progress = None, keep_partial: bool = False
+    ) -> Flights:
         """Return the next certified impacts of n states of this pair, each by itself, in doubles.
 
         Times ``t`` (n,) [time] and velocities ``v`` (n,) [length/time] just before the impact are exact doubles, ``wall`` (n,) is
@@ -274,9 +288,10 @@ class Scene:
         with reporting(progress, "flights", walls.size) as report:
             (sides, mappings, found_t, found_v), interrupted = _core.flights(self._core, states, report)
         sides_array, mappings_array = np.frombuffer(sides, dtype=np.int8), np.frombuffer(mappings, dtype=np.uint8)
-        return Flights(sides_array, doubles(found_t, -1, 2), doubles(found_v, -1, 2), mappings_array, interrupted)
+        found = Flights(sides_array, doubles(found_t, -1, 2), doubles(found_v, -1, 2), mappings_array, interrupted)
+        return kept(found, keep_partial)
 
-    def box_map(self, rects: npt.ArrayLike, *, columns: int = 4096, progress: Progress = None) -> BoxImages:
+    def box_map(self, rects: npt.ArrayLike, *, columns: int = 4096, progress: Progress = None, keep_partial: bool = False) -> BoxImages:
         """Return certified enclosures of the images of boxes under the impact map, in reduced coordinates.
 
         Every impact is mirrored to the left wall. Its phase is (W t + tau)/(2 pi) modulo 1 on the left wall, and half a period later
@@ -291,6 +306,8 @@ class Scene:
             Columns of a forcing period in which landings are found, a power of two: phases of images are multiples of its inverse.
         progress : bool or callable, optional
             A bar of tqdm, or a function that receives the number of boxes.
+        keep_partial : bool, default False
+            Whether Ctrl-C returns what is certified until then, instead of raising :class:`impact_pair.Stopped` with it.
 
         Returns
         -------
@@ -311,7 +328,7 @@ class Scene:
         np.str_('rest')
 
         """
-        return box_map(self._core, rects, columns, progress)
+        return kept(box_map(self._core, rects, columns, progress), keep_partial)
 
     def sweep(
         self,
@@ -328,13 +345,14 @@ class Scene:
         resume: str | os.PathLike[str] | None = None,
         seconds: float = 10.0,
         progress: Progress = None,
+        keep_partial: bool = False,
     ) -> SweepResult:
         """Certify an orbit at each point of a grid; see :func:`impact_pair.sweep.sweep`."""
         requested: dict[str, Any] = {"transient": whole("transient", transient, IMPACTS), "impacts": whole("impacts", impacts, IMPACTS)}
         requested |= {"digits": whole("digits", digits), "max_bits": whole("max_bits", max_bits)}
         requested |= {"arithmetic": arithmetic_of(arithmetic), "summary": summary}
         how = {"executor": executor, "workers": workers, "resume": resume, "seconds": seconds, "progress": progress}
-        return sweep(self._text, over, requested, **how)  # type: ignore[arg-type]
+        return kept(sweep(self._text, over, requested, **how), keep_partial)  # type: ignore[arg-type]
 
     def atlas(
         self,
@@ -352,6 +370,7 @@ class Scene:
         resume: str | os.PathLike[str] | None = None,
         seconds: float = 10.0,
         progress: Progress = None,
+        keep_partial: bool = False,
     ) -> AtlasResult:
         """Prove where every motion goes over the plane of two parameters; see :func:`impact_pair.atlas.atlas`.
 
@@ -367,7 +386,7 @@ class Scene:
         requested |= {"work": whole("work", usual[2] if work is None else work)}
         requested |= {"horseshoes": optional_whole("horseshoes", horseshoes)}
         how = {"executor": executor, "workers": workers, "resume": resume, "seconds": seconds, "progress": progress}
-        return atlas(self._text, over, requested, **how)  # type: ignore[arg-type]
+        return kept(atlas(self._text, over, requested, **how), keep_partial)  # type: ignore[arg-type]
 
     def periodic(
         self,
@@ -378,11 +397,12 @@ class Scene:
         digits: int | None = None,
         max_bits: int = MAX_BITS,
         progress: Progress = None,
+        keep_partial: bool = False,
     ) -> answers.Periodic:
         """Prove the periodic orbits of a word (``"P2 P1"`` or ``"RL"``) in ``cycles`` forcing periods; ``all``: search everywhere."""
         with reporting(progress, "cells") as report:
             question = (string("word", word), whole("cycles", cycles), all)
-            return answers.Periodic(*_core.periodic(self._core, question, narrow(digits, max_bits), report))
+            return kept(answers.Periodic(*_core.periodic(self._core, question, narrow(digits, max_bits), report)), keep_partial)
 
     def two_impact(
         self,
@@ -392,6 +412,7 @@ class Scene:
         solve_for: str = "velocity",
         digits: int | None = None,
         progress: Progress = None,
+        keep_partial: bool = False,
     ) -> answers.Periodic | list[answers.Periodic]:
         """Find all motions with two impacts in N cycles, (56)-(73); for a range of N one answer each, in a list.
 
@@ -402,7 +423,7 @@ class Scene:
                 self._core, both_ends("cycles", cycles), (wall, solve_for), optional_whole("digits", digits), report
             )
         found = [answers.Periodic(document, complete, interrupted) for document in documents]
-        return found if isinstance(cycles, tuple) else found[0]
+        return kept(found, keep_partial) if isinstance(cycles, tuple) else kept(found[0], keep_partial)
 
     def manifold(
         self,
@@ -413,13 +434,14 @@ class Scene:
         digits: int | None = None,
         picture: bool = False,
         progress: Progress = None,
+        keep_partial: bool = False,
     ) -> answers.Manifold:
         """Return A_N (68) over ``{"frequency": (low, high, count)}`` or ``"velocity"``: figures 10 and 11."""
         key, (low, high, count) = grid(over, '{"frequency": (1, 60, 200)}')
         question = (key, low, high, count)
         how = (wall, optional_whole("digits", digits), picture)
         with reporting(progress, "points") as report:
-            return answers.Manifold(*_core.manifold(self._core, both_ends("cycles", cycles), question, how, report))
+            return kept(answers.Manifold(*_core.manifold(self._core, both_ends("cycles", cycles), question, how, report)), keep_partial)
 
     def bifurcations(
         self,
@@ -431,29 +453,41 @@ class Scene:
         digits: int | None = None,
         max_bits: int = MAX_BITS,
         progress: Progress = None,
+        keep_partial: bool = False,
     ) -> answers.Bifurcations:
         """Prove folds, pitchforks, period doublings and grazes of a word's orbits over ``{"amplitude": (low, high)}``."""
         question = (string("word", word), whole("cycles", cycles), ranged(over), whole("doublings", doublings))
         with reporting(progress, "steps") as report:
-            return answers.Bifurcations(*_core.bifurcations(self._core, question, narrow(digits, max_bits), report))
+            return kept(answers.Bifurcations(*_core.bifurcations(self._core, question, narrow(digits, max_bits), report)), keep_partial)
 
-    def trap(self, *, finer: int = 0, words: int | None = None, picture: bool = False, progress: Progress = None) -> answers.Trap:
+    def trap(
+        self, *, finer: int = 0, words: int | None = None, picture: bool = False, progress: Progress = None, keep_partial: bool = False
+    ) -> answers.Trap:
         """Prove a trapping region, its boxes bisected ``finer`` times, and bound the number of words of ``words`` walls in it."""
         with reporting(progress, "boxes") as report:
             document, complete, interrupted, said = _core.trap(
                 self._core, (whole("finer", finer), optional_whole("words", words), picture), report
             )
         if document is None:
-            return answers.Trap(json.dumps({"certified": False, "message": said}), complete, interrupted)
-        return answers.Trap(document, complete, interrupted, said)
+            return kept(answers.Trap(json.dumps({"certified": False, "message": said}), complete, interrupted), keep_partial)
+        return kept(answers.Trap(document, complete, interrupted, said), keep_partial)
 
     def cycles(
-        self, impacts: int | tuple[int, int], *, finer: int = 0, digits: int | None = None, progress: Progress = None
+        self,
+        impacts: int | tuple[int, int],
+        *,
+        finer: int = 0,
+        digits: int | None = None,
+        progress: Progress = None,
+        keep_partial: bool = False,
     ) -> answers.Cycles:
         """Prove all periodic orbits in the region of ``trap`` with a number of impacts, or a range of numbers."""
         ends = both_ends("impacts", impacts)
         with reporting(progress, "impacts", ends[1]) as report:
-            return answers.Cycles(*_core.cycles(self._core, ends, (whole("finer", finer), optional_whole("digits", digits)), report))
+            return kept(
+                answers.Cycles(*_core.cycles(self._core, ends, (whole("finer", finer), optional_whole("digits", digits)), report)),
+                keep_partial,
+            )
 
     def windows(
         self,
@@ -465,6 +499,7 @@ class Scene:
         digits: int | None = None,
         max_bits: int = MAX_BITS,
         progress: Progress = None,
+        keep_partial: bool = False,
     ) -> answers.Windows:
         """Search stable periodic orbits over ``{"gap": (low, high)}`` and prove each with the window in which it is stable.
 
@@ -474,7 +509,7 @@ class Scene:
         question = (whole("impacts", impacts), whole("longest", longest), whole("most", most))
         requested = (optional_whole("digits", digits), whole("max_bits", max_bits))
         with reporting(progress, "impacts", impacts) as report:
-            return answers.Windows(*_core.windows(self._core, ranged(over), question, requested, report))
+            return kept(answers.Windows(*_core.windows(self._core, ranged(over), question, requested, report)), keep_partial)
 
     def global_analysis(
         self,
@@ -487,6 +522,7 @@ class Scene:
         horseshoes: int | None = None,
         digits: int | None = None,
         progress: Progress = None,
+        keep_partial: bool = False,
     ) -> answers.GlobalAnalysis:
         """Prove where every motion goes, whatever its start, with ``2**boxes`` boxes of which about ``most`` are mapped in all.
 
@@ -497,7 +533,9 @@ class Scene:
         limits = (whole("boxes", boxes), whole("halvings", halvings), whole("most", most), whole("work", work))
         question = (*limits, optional_whole("basins", basins), optional_whole("horseshoes", horseshoes))
         with reporting(progress, "boxes") as report:
-            return answers.GlobalAnalysis(*_core.global_analysis(self._core, question, optional_whole("digits", digits), report))
+            return kept(
+                answers.GlobalAnalysis(*_core.global_analysis(self._core, question, optional_whole("digits", digits), report)), keep_partial
+            )
 
     def tangency(
         self,
@@ -510,6 +548,7 @@ class Scene:
         digits: int | None = None,
         max_bits: int = MAX_BITS,
         progress: Progress = None,
+        keep_partial: bool = False,
     ) -> answers.Tangencies:
         """Prove homoclinic tangencies of the equispaced motion over ``{"gap": (low, high)}``, or over ``amplitude`` or ``restitution``.
 
@@ -521,7 +560,7 @@ class Scene:
         question = (None if word is None else string("word", word), whole("longest", longest), whole("most", most), whole("work", work))
         requested = (optional_whole("digits", digits), whole("max_bits", max_bits))
         with reporting(progress, "impacts", None) as report:
-            return answers.Tangencies(*_core.tangency(self._core, ranged(over), question, requested, report))
+            return kept(answers.Tangencies(*_core.tangency(self._core, ranged(over), question, requested, report)), keep_partial)
 
     def chaos(
         self,
@@ -533,6 +572,7 @@ class Scene:
         no_orbit: bool = False,
         picture: bool = False,
         progress: Progress = None,
+        keep_partial: bool = False,
     ) -> answers.Chaos:
         """Prove a horseshoe and a lower bound of the topological entropy, for all values of ``over``, if given.
 
@@ -543,7 +583,7 @@ class Scene:
         begun = None if bases is None else json.dumps(bases)
         question = (optional_whole("depth", depth), None if over is None else ranged(over), begun, hyperbolic, no_orbit)
         with reporting(progress, "boxes") as report:
-            return answers.Chaos(*_core.chaos(self._core, question, picture, report))
+            return kept(answers.Chaos(*_core.chaos(self._core, question, picture, report)), keep_partial)
 
     def chaos_cells(
         self,
@@ -553,6 +593,7 @@ class Scene:
         halvings: int = 8,
         picture: bool = False,
         progress: Progress = None,
+        keep_partial: bool = False,
     ) -> answers.ChaosCells:
         """Prove, cell by cell over ``{"amplitude": (low, high, count)}``, that there is a horseshoe or an attractor.
 
@@ -562,7 +603,7 @@ class Scene:
         question = (f"{key}={low}..{high}", count)
         how = (whole("halvings", halvings), whole("depth", depth))
         with reporting(progress, "cells", count) as report:
-            return answers.ChaosCells(*_core.chaos_cells(self._core, question, how, picture, report))
+            return kept(answers.ChaosCells(*_core.chaos_cells(self._core, question, how, picture, report)), keep_partial)
 
     def trade(
         self,
@@ -571,11 +612,12 @@ class Scene:
         max_bits: int = MAX_BITS,
         picture: bool = False,
         progress: Progress = None,
+        keep_partial: bool = False,
     ) -> answers.Trade:
         """Measure the cost of accuracy: speed, reach and widths of each arithmetic, and the true errors of floating point."""
         impacts = optional_whole("impacts", impacts, IMPACTS)
         with reporting(progress, "impacts", impacts) as report:
-            return answers.Trade(*_core.trade(self._core, (impacts, whole("max_bits", max_bits), picture), report))
+            return kept(answers.Trade(*_core.trade(self._core, (impacts, whole("max_bits", max_bits), picture), report)), keep_partial)
 
     def audit(
         self,
@@ -588,6 +630,7 @@ class Scene:
         digits: int | None = None,
         max_bits: int = MAX_BITS,
         progress: Progress = None,
+        keep_partial: bool = False,
     ) -> answers.Audit:
         """Compare another simulator's impacts with the certified orbit: inside, outside, missed, false; and where it diverges.
 
@@ -601,7 +644,7 @@ class Scene:
         requested = (text("tolerance", tolerance), optional("until", until))
         try:
             with reporting(progress, "impacts") as report:
-                return answers.Audit(*_core.audit(self._core, listed, requested, narrow(digits, max_bits), report))
+                return kept(answers.Audit(*_core.audit(self._core, listed, requested, narrow(digits, max_bits), report)), keep_partial)
         except ListError as error:
             # Not the options of the command line, but the keyword.
             said = re.sub(r"by --\w+-column NAME or --\w+-column NUMBER", "in columns=", str(error))
@@ -620,13 +663,14 @@ class Scene:
         splice: int = 0,
         max_bits: int = MAX_BITS,
         progress: Progress = None,
+        keep_partial: bool = False,
     ) -> answers.Picture:
         """Draw panels of the paper's figures 12-17, by their letters, as SVG; for matplotlib see :mod:`impact_pair.plots`."""
         impacts = optional_whole("impacts", impacts, IMPACTS)
         requested = requested_of(impacts, until, narrow(digits, max_bits), arithmetic, splice)
         shown = (whole("cycles", cycles), whole("orbit_cycles", orbit_cycles))
         with reporting(progress, "impacts", impacts) as report:
-            return answers.Picture(*_core.plot(self._core, string("panels", panels), shown, requested, report))
+            return kept(answers.Picture(*_core.plot(self._core, string("panels", panels), shown, requested, report)), keep_partial)
 
     def __repr__(self) -> str:
         words = ", ".join(f"{key}={value!r}" for key, value in self._keywords().items() if value is not None)

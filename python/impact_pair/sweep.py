@@ -73,8 +73,8 @@ def sweep(
     ``executor`` computes: any ``concurrent.futures.Executor``, such as a ``ProcessPoolExecutor`` or Dask's ``client.get_executor()``;
     without one all processors of this process. It is sent chunks that take about ``seconds``, sized from the first ones, for as many
     ``workers`` as it has. With ``resume`` finished chunks are kept in that folder under a hash of scene, grid and version: called again
-    after a crash of a worker, the scheduler or this process, the sweep continues from there. Ctrl-C ends it: the answer has the
-    finished points, and is ``interrupted``.
+    after a crash of a worker, the scheduler or this process, the sweep continues from there. Ctrl-C ends it with
+    :class:`impact_pair.Stopped`, whose ``partial`` has the finished points and is ``interrupted``.
     """
     question = Question(scene, axes(over), **requested)
     how: dict[str, Any] = {"executor": executor, "workers": workers, "resume": resume, "seconds": seconds, "progress": progress}

@@ -13,7 +13,7 @@ from . import _core
 from ._document import Document
 from ._exact import optional_whole, whole
 from ._file import ending, read, write
-from ._progress import Progress, reporting
+from ._progress import Progress, kept, reporting
 from .errors import CertificateError
 
 if TYPE_CHECKING:
@@ -93,18 +93,19 @@ def text_of(source: Source) -> str:
     return read(source, CertificateError)
 
 
-def check(source: Source, *, effort: int = 1, progress: Progress = None) -> Check:
+def check(source: Source, *, effort: int = 1, progress: Progress = None, keep_partial: bool = False) -> Check:
     """Prove every claim of a document again, by an independent method, from its own numbers.
 
     ``effort`` multiplies the work allowed for each claim before it is left undecided.
     """
     with reporting(progress, "claims") as report:
         verdict, message, theorem, unjudged, unchecked_claims, claims = _core.check(text_of(source), whole("effort", effort), report)
-    return Check(verdict, message, theorem, unjudged, unchecked_claims, [Claim(*claim) for claim in claims])
+    found = Check(verdict, message, theorem, unjudged, unchecked_claims, [Claim(*claim) for claim in claims])
+    return kept(found, keep_partial)
 
 
-def prove(source: Source, impacts: int | None = None, *, progress: Progress = None) -> Theorem:
+def prove(source: Source, impacts: int | None = None, *, progress: Progress = None, keep_partial: bool = False) -> Theorem:
     """Return a Coq file whose theorem states the claims of an orbit, for its first ``impacts`` or all."""
     impacts = optional_whole("impacts", impacts)
     with reporting(progress, "impacts", impacts) as report:
-        return Theorem(*_core.prove(text_of(source), impacts, report))
+        return kept(Theorem(*_core.prove(text_of(source), impacts, report)), keep_partial)

@@ -60,8 +60,8 @@ impl Atlas {
         let plane = Plane::new(axes, cells).map_err(|error| Fault::keyed(error, "over", &over.join(" ")))?;
         let (boxes, halvings, most, work, horseshoes) = requested;
         let mut settings = GlobalSettings {
-            boxes: 1 << accepted("boxes", boxes, 8..=20)?,
-            halvings: accepted("halvings", halvings, 0..=40)?,
+            boxes: 1 << accepted("boxes", boxes, GlobalSettings::BOXES)?,
+            halvings: accepted("halvings", halvings, GlobalSettings::HALVINGS)?,
             most: accepted("most", most, 1..=1_000_000_000)? as usize,
             work: accepted("work", work, 1..=1_000_000_000_000)?,
             horseshoes: depth(horseshoes)?,

@@ -137,11 +137,13 @@ pub fn global_analysis(
     let scene = scene.get().scene.clone();
     watched(py, progress, move |monitor| {
         let settings = GlobalSettings {
-            boxes: 1 << accepted("boxes", boxes, 8..=20)?,
-            halvings: accepted("halvings", halvings, 0..=40)?,
+            boxes: 1 << accepted("boxes", boxes, GlobalSettings::BOXES)?,
+            halvings: accepted("halvings", halvings, GlobalSettings::HALVINGS)?,
             most: accepted("most", most, 1..=1_000_000_000)? as usize,
             work: accepted("work", work, 1..=1_000_000_000_000)?,
-            basins: basins.map(|halvings| Ok::<_, Fault>(1 << accepted("basins", halvings, 8..=24)?)).transpose()?,
+            basins: basins
+                .map(|halvings| Ok::<_, Fault>(1 << accepted("basins", halvings, GlobalSettings::BASINS)?))
+                .transpose()?,
             horseshoes: depth(horseshoes)?,
             precision: precision((digits, MAX_BITS), &scene)?,
         };
@@ -201,9 +203,9 @@ pub fn chaos(
         let over = over.map(range).transpose()?;
         let pair = match &over {
             Some(over) => {
-                let values = Exact::interval(&over.low, &over.high)
-                    .map_err(|error| Fault::range("over", over.key, &error.to_string()))?;
-                scene.pair().with(over.key, values)?
+                let values = Exact::interval(over.low(), over.high())
+                    .map_err(|error| Fault::range("over", over.key(), &error.to_string()))?;
+                scene.pair().with(over.key(), values)?
             }
             None => scene.pair().clone(),
         };

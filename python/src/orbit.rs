@@ -1,6 +1,5 @@
 //! `run`: an orbit with all its events, and where the ball is between them.
 
-use std::ops::ControlFlow;
 use std::sync::Mutex;
 
 use impact_pair::document::{
@@ -40,7 +39,7 @@ pub struct Orbit {
     complete: Option<bool>,
     said: String,
     bits: Option<u32>,
-    motion: Option<(Mutex<orbit::Orbit>, Dense)>,
+    motion: Option<Mutex<Dense>>,
 }
 
 /// The fields of an event that arrays have.
@@ -162,18 +161,18 @@ impl Orbit {
         times: &[u8],
         progress: Option<Py<PyAny>>,
     ) -> PyResult<(Bound<'py, PyBytes>, bool)> {
-        let Some((orbit, dense)) = &self.motion else {
+        let Some(dense) = &self.motion else {
             let message = "this orbit was read from a document: run the scene again for bounds between impacts";
             return Err(Fault::other(message).into());
         };
         let times = read(times);
         let (found, interrupted) = watched(py, progress, move |monitor| {
-            let orbit = orbit.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
+            let dense = dense.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
             let all = 4 * times.len();
             let mut found = Vec::with_capacity(all);
             for (i, time) in times.into_iter().enumerate().take_while(|_| monitor.goes_on()) {
                 monitor.report(i as u64);
-                let [y, v] = dense.at(&orbit, time).unwrap_or([[f64::NAN; 2]; 2]);
+                let [y, v] = dense.at(time).unwrap_or([[f64::NAN; 2]; 2]);
                 found.extend([y[0], y[1], v[0], v[1]]);
             }
             let interrupted = found.len() < all;
@@ -210,26 +209,22 @@ pub fn run(
         let chosen = arithmetic.parse().map_err(|error| Fault::keyed(error, "arithmetic", arithmetic))?;
         let settings = scene.settings_requested(requested_run(&requested)?, chosen);
         let settings = Settings { attractor: true, splice: *splice, max_bits, ..settings };
-        let mut orbit = orbit::Orbit::of(&scene, settings.clone())?;
+        let orbit = orbit::Orbit::of(&scene, settings.clone())?;
         let at_first = arithmetic_at_first(&orbit, &settings);
-        let mut dense = Dense::new(&orbit, scene.start());
         let mut events: Vec<Event> = Vec::new();
-        let _ = orbit.follow(monitor, |orbit, step| {
-            events.extend(Event::of(orbit, &step));
-            dense.record(orbit, &step);
-            ControlFlow::<()>::Continue(())
-        });
-        let conclusion = Conclusion::of(&orbit, scene.start(), events.last());
-        let ending = Ending::of(&orbit, conclusion, &settings);
+        let dense = Dense::of(orbit, monitor, |orbit, step| events.extend(Event::of(orbit, step)));
+        let orbit = dense.orbit();
+        let conclusion = Conclusion::of(orbit, events.last());
+        let ending = Ending::of(orbit, conclusion, &settings);
         Ok(Orbit {
-            head: head(scene.pair(), scene.start(), settings.arithmetic, computed_by(&orbit)),
+            head: head(scene.pair(), scene.start(), settings.arithmetic, computed_by(orbit)),
             at_first,
             outcome: ending.conclusion.document(),
             complete: Some(ending.is_complete()),
             said: ending.to_string(),
             bits: Some(orbit.bits()),
             events: Events::Computed(events),
-            motion: Some((Mutex::new(orbit), dense)),
+            motion: Some(Mutex::new(dense)),
         })
     })
 }

@@ -1,4 +1,4 @@
-"""Ctrl-C, a real signal during long work: what is proved until then is kept."""
+"""Ctrl-C, a real signal during long work: it ends the program like any other, and what is proved until then can be had."""
 
 import json
 import subprocess
@@ -35,22 +35,24 @@ print(json.dumps([found.interrupted, getattr(found, "complete", bool(found)), to
 """
 
 WORKS = {
-    "run": "scene.run(impacts=10**6, progress=note)",
-    "plot": "scene.plot(impacts=10**6, progress=note)",
-    "bifurcations": 'Scene.named("cascade").bifurcations("RL", 1, {"amplitude": ("0.3", "4")}, doublings=8, progress=note)',
-    "periodic": 'Scene.named("figure-17").periodic("RLRRLLRRRLLL" * 3, 18, all=True, progress=note)',
-    "cycles": "scene.cycles((1, 20), progress=note)",
-    "windows": 'scene.windows({"gap": ("9.42", "9.43")}, impacts=10**9, progress=note)',
-    "global_analysis": "scene.global_analysis(boxes=20, most=10**9, progress=note)",
-    "tangency": 'scene.tangency({"gap": ("9.42", "9.43")}, longest=30, progress=note)',
-    "chaos": "scene.chaos(depth=20, progress=note)",
-    "chaos_cells": 'scene.chaos_cells({"gap": (9, 10, 400)}, progress=note)',
-    "manifold": 'Scene.named("figure-10").manifold({"frequency": (1, 60, 20000)}, (1, 60), progress=note)',
-    "two_impact": "scene.two_impact((1, 999), digits=300, progress=note)[-1]",
-    "describe": "scene.describe(depth=20, progress=note)",
-    "trade": "scene.trade(impacts=10**6, progress=note)",
-    "check": "impact_pair.check(scene.run(impacts=4000), progress=note)",
-    "prove": "impact_pair.prove(scene.run(impacts=800), progress=note)",
+    "run": "scene.run(impacts=10**6, progress=note, keep_partial=True)",
+    "plot": "scene.plot(impacts=10**6, progress=note, keep_partial=True)",
+    "bifurcations": """
+Scene.named("cascade").bifurcations("RL", 1, {"amplitude": ("0.3", "4")}, doublings=8, progress=note, keep_partial=True)
+""".strip(),
+    "periodic": 'Scene.named("figure-17").periodic("RLRRLLRRRLLL" * 3, 18, all=True, progress=note, keep_partial=True)',
+    "cycles": "scene.cycles((1, 20), progress=note, keep_partial=True)",
+    "windows": 'scene.windows({"gap": ("9.42", "9.43")}, impacts=10**9, progress=note, keep_partial=True)',
+    "global_analysis": "scene.global_analysis(boxes=20, most=10**9, progress=note, keep_partial=True)",
+    "tangency": 'scene.tangency({"gap": ("9.42", "9.43")}, longest=30, progress=note, keep_partial=True)',
+    "chaos": "scene.chaos(depth=20, progress=note, keep_partial=True)",
+    "chaos_cells": 'scene.chaos_cells({"gap": (9, 10, 400)}, progress=note, keep_partial=True)',
+    "manifold": 'Scene.named("figure-10").manifold({"frequency": (1, 60, 20000)}, (1, 60), progress=note, keep_partial=True)',
+    "two_impact": "scene.two_impact((1, 999), digits=300, progress=note, keep_partial=True)[-1]",
+    "describe": "scene.describe(depth=20, progress=note, keep_partial=True)",
+    "trade": "scene.trade(impacts=10**6, progress=note, keep_partial=True)",
+    "check": "impact_pair.check(scene.run(impacts=4000), progress=note, keep_partial=True)",
+    "prove": "impact_pair.prove(scene.run(impacts=800), progress=note, keep_partial=True)",
 }
 
 
@@ -79,6 +81,24 @@ def test_ctrl_c_keeps_what_is_proved(work):
         assert np.array_equal(kept.sides[:50], whole.sides)
         assert (kept.t_bounds[:50, 0] <= whole.t_bounds[:, 1]).all()
         assert (whole.t_bounds[:, 0] <= kept.t_bounds[:50, 1]).all()
+
+
+LOOP = """
+import os, signal, threading
+import impact_pair
+
+threading.Timer(1.0, os.kill, (os.getpid(), signal.SIGINT)).start()
+try:
+    for n in range(1000):
+        impact_pair.solve(A=8, W="pi", d="9.42497", e="0.5", v0="-12.56636", impacts=10**6)
+except KeyboardInterrupt as stopped:
+    print(n, stopped.partial.interrupted, len(stopped.partial) > 0, isinstance(stopped, impact_pair.Stopped))
+"""
+
+
+def test_ctrl_c_ends_a_loop():
+    done = subprocess.run([sys.executable, "-c", LOOP], capture_output=True, text=True, check=False, timeout=60)
+    assert done.stdout.split() == ["0", "True", "True", "True"], done.stderr
 
 
 PARTS = """
@@ -111,9 +131,9 @@ print(json.dumps([bool(found.interrupted), int(kept.sum()), len(kept), bool(kept
 @pytest.mark.parametrize(
     ("work", "bounds"),
     [
-        ("orbit(t, progress=note)", "found.y"),
-        ("scene.flights(many, -many, -1, progress=note)", "found.t_bounds[:, 0]"),
-        ("scene.box_map(rects, progress=note)", "found.rects[:, 0]"),
+        ("orbit(t, progress=note, keep_partial=True)", "found.y"),
+        ("scene.flights(many, -many, -1, progress=note, keep_partial=True)", "found.t_bounds[:, 0]"),
+        ("scene.box_map(rects, progress=note, keep_partial=True)", "found.rects[:, 0]"),
     ],
 )
 def test_r35_ctrl_c_keeps_the_first_of_many(work, bounds):

@@ -96,6 +96,7 @@ NOT_ASKED = {
     "a value": lambda: SCENE.varied({"e": 0.5}),
     "effort": lambda: impact_pair.check(SCENE.run(impacts=2), effort=-1),
     "times": lambda: SCENE.run(impacts=2)("a"),
+    "an executor": lambda: SCENE.sweep({"gap": (7, 8, 2)}, executor=5),
 }
 
 

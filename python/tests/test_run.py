@@ -1,5 +1,6 @@
 """`run` and `solve` against the orbit JSON of the command line."""
 
+import copy
 import json
 import pickle
 from decimal import Decimal
@@ -122,8 +123,12 @@ def test_an_orbit_can_be_pickled_and_read():
     # Decimals are rounded outward, and doubles from them again.
     assert (again.t_bounds[:, 0] <= orbit.t_bounds[:, 0]).all()
     assert (again.t_bounds[:, 1] >= orbit.t_bounds[:, 1]).all()
+    # The motion between impacts is that of the first, also after copies.
+    times = np.linspace(0, float(orbit.t[-2]), 50)
+    for one in (again, copy.copy(orbit), copy.deepcopy(again), pickle.loads(pickle.dumps(again))):
+        assert np.array_equal(one(times).y_bounds, orbit(times).y_bounds)
     with pytest.raises(impact_pair.Error, match="was read"):
-        again(0.5)
+        impact_pair.read_orbit(orbit.json())(0.5)
     scene = Scene.named("figure-12")
     assert pickle.loads(pickle.dumps(scene)) == scene
     assert eval(repr(scene), {"Scene": Scene}).document == scene.document

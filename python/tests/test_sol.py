@@ -63,6 +63,22 @@ def test_an_integrator_agrees(orbit):
     assert np.abs(found.v - flight.sol(times)[1]).max() < 1e-8
 
 
+def test_arrays_are_read_only(orbit):
+    for name in ("t_bounds", "v_bounds", "event_bounds", "sides", "event_sides", "walls", "mappings", "event_kinds"):
+        assert not getattr(orbit, name).flags.writeable, name
+    found = orbit([0.5, 0.6])
+    assert not any(one.flags.writeable for one in (found.t, found.y_bounds, found.v_bounds, found.at_impact))
+
+
+def test_the_velocity_at_an_impact_is_not_the_middle_of_both(orbit):
+    between = 0.5 * (orbit.t[:-1] + orbit.t[1:])
+    times = np.sort(np.append(orbit.t, between))
+    found = orbit(times)
+    assert np.array_equal(found.at_impact, np.isin(times, orbit.t))
+    assert np.array_equal(np.isnan(found.v), found.at_impact)
+    assert np.isnan(orbit(orbit.t).v).all()
+
+
 def test_at_an_impact_both_velocities_are_possible():
     orbit = Scene.named("figure-14").run(impacts=10, arithmetic="interval")
     found = orbit(orbit.t[4])

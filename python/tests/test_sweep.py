@@ -231,7 +231,7 @@ import sys
 import impact_pair
 scene = impact_pair.Scene.named("figure-14")
 print("begun", flush=True)
-found = scene.sweep({"amplitude": (1, 10, 10**6)}, transient=50, impacts=20, resume=sys.argv[1] or None)
+found = scene.sweep({"amplitude": (1, 10, 10**6)}, transient=50, impacts=20, resume=sys.argv[1] or None, keep_partial=True)
 print(found.interrupted, found.complete, len(list(found)), *(record["point"] for record in found if record["point"] < 40))
 """
 
@@ -270,7 +270,7 @@ class Stopped(ThreadPoolExecutor):
 
 def test_r35_an_interrupted_sweep_has_its_finished_points(files, tmp_path):
     with Stopped(1) as executor:
-        found = Scene.named("figure-14").sweep(OVER, **ASKED, executor=executor, workers=1, seconds=0.001)
+        found = Scene.named("figure-14").sweep(OVER, **ASKED, executor=executor, workers=1, seconds=0.001, keep_partial=True)
     assert found.interrupted
     assert not found.complete
     assert "interrupted, " in repr(found)

@@ -44,7 +44,7 @@ impl Plane {
         if axes.len() != 2 {
             return Err(refused("accepted are two axes"));
         }
-        if axes.iter().any(|axis| axis.key >= Key::StartTime) {
+        if axes.iter().any(|axis| axis.key() >= Key::StartTime) {
             return Err(refused("the start is not used: accepted are amplitude, frequency, phase, gap, restitution"));
         }
         Ok(Self { grid: Grid::new(axes)?, cells })
@@ -94,7 +94,7 @@ impl Plane {
             let refused = |error: crate::exact::ExactError| {
                 Error::out_of_range(None, format!("the axis is \"{axis}\": {error}")).because(error)
             };
-            Ok((axis.key, interval.map_err(refused)?))
+            Ok((axis.key(), interval.map_err(refused)?))
         };
         self.axes().into_iter().zip(cell.from.iter().zip(&cell.to)).map(interval).collect()
     }

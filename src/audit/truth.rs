@@ -130,7 +130,7 @@ impl Truth {
             sites,
             doubtful_from,
             is_cut: ended.is_break(),
-            conclusion: Conclusion::of(&orbit, scene.start(), last.as_ref()),
+            conclusion: Conclusion::of(&orbit, last.as_ref()),
             computed: arithmetic(&orbit),
             wide: orbit.first_wide(),
         })

@@ -167,8 +167,8 @@ impl Cells {
     /// # Errors
     /// With several harmonics, where an end is no value of the parameter, and when a value is beyond the range of flights.
     pub fn of(pair: &ImpactPair, start: &Start, requested: &RangeSettings, watch: &dyn Watch) -> Result<Self, Error> {
-        let Range { key, low, high, .. } = &requested.over;
-        Law::of(&pair.with(*key, within(NAME, low, Exact::interval(low, high))?)?)?;
+        let (key, low, high) = (requested.over.key(), requested.over.low(), requested.over.high());
+        Law::of(&pair.with(key, within(NAME, low, Exact::interval(low, high))?)?)?;
         let done = AtomicU32::new(0);
         let at = |_: Stage<'_>| watch.proceed(Stage::Parameter(done.load(Ordering::Relaxed)));
         let work = Work { pair, start, requested, watch: &at };
@@ -216,7 +216,7 @@ impl Work<'_> {
     }
 
     fn cell(&self, index: u32) -> Result<Vec<Stretch>, Error> {
-        let edge = |index| within(NAME, &self.requested.over.low, self.edge(index));
+        let edge = |index| within(NAME, self.requested.over.low(), self.edge(index));
         let (mut stretches, mut known) = (Vec::new(), Vec::new());
         self.decide([edge(index)?, edge(index + 1)?], 0, &mut known, &mut stretches)?;
         let wide = |stretch: &Stretch| stretch.halved <= SEARCHED_HALVINGS;
@@ -231,7 +231,7 @@ impl Work<'_> {
         let Stretch { low, high, verdict, .. } = stretch;
         let (Verdict::Attracted { beside, .. } | Verdict::Stable { beside, .. }) = verdict else { return Ok(()) };
         let middle = middle(low, high)?;
-        let pair = self.pair.with(self.requested.over.key, within(NAME, low, Exact::interval(low, high))?)?;
+        let pair = self.pair.with(self.requested.over.key(), within(NAME, low, Exact::interval(low, high))?)?;
         if self.watch.goes_on() {
             *beside = self.horseshoe(&pair, [&middle, low, high], known, true)?;
         }
@@ -247,7 +247,7 @@ impl Work<'_> {
         found: &mut Vec<Stretch>,
     ) -> Result<(), Error> {
         let all = within(NAME, &low, Exact::interval(&low, &high))?;
-        let pair = self.pair.with(self.requested.over.key, all)?;
+        let pair = self.pair.with(self.requested.over.key(), all)?;
         let middle = middle(&low, &high)?;
         let mut verdict = Verdict::Undecided;
         if self.watch.goes_on() {
@@ -312,7 +312,7 @@ impl Work<'_> {
     /// orbits come near it.
     fn looked_at(&self, values: [&Exact; 3], transients: bool) -> Result<Option<(Exact, AttractorOrbit)>, Error> {
         for value in values {
-            let one = self.pair.with(self.requested.over.key, value.clone())?;
+            let one = self.pair.with(self.requested.over.key(), value.clone())?;
             let guess = Guess::new(&Law::of(&one)?);
             let orbit = visited(&one, self.start, 1)?.last().and_then(|last| seen(&guess, last.middle()));
             let looked_at = match orbit {

@@ -80,7 +80,7 @@ impl Shadow {
     /// Returns the orbit of `pair` near the one from `start`.
     ///
     /// # Errors
-    /// If a value is beyond the range of double-precision flights.
+    /// If the start is not in the box of `pair`, or a value is beyond the range of double-precision flights.
     pub fn new(pair: &ImpactPair, start: &Start) -> Result<Self, Error> {
         let clock = Clock::new(pair, start.time(), 0)?;
         let either = Either::new(pair, &clock)?;

@@ -40,8 +40,7 @@ impl Followed {
     fn of(scene: &Scene, settings: Settings, watch: &Latched<'_>) -> Result<Self, Error> {
         let mut orbit = Orbit::of(scene, settings)?;
         let mut disturbance = Disturbance::of(&orbit);
-        let of = (scene.pair(), scene.start());
-        let document = document::follow(&mut orbit, of, watch, |orbit, event| disturbance.follow(orbit, event));
+        let document = document::follow(&mut orbit, watch, |orbit, event| disturbance.follow(orbit, event));
         let exponent = disturbance.exponent();
         let limit = match orbit.outcome() {
             Some(Outcome::Attracted(attractor)) => limit(&attractor.orbit, disturbance.passed()),

@@ -1,16 +1,16 @@
 //! The bifurcation JSON: proved bifurcations over a parameter in the units of the scene.
 
 use impact_pair_document::{
-    BIFURCATION_SCHEMA, BifurcationDocument, BifurcationPointDocument, BranchDocument, PROGRAM, ParameterRange,
-    PeriodicOrbitDocument, SceneDocument, UnprovedDocument, bounds,
+    BIFURCATION_SCHEMA, BifurcationDocument, BifurcationPointDocument, BranchDocument, PROGRAM, PeriodicOrbitDocument,
+    SceneDocument, UnprovedDocument, bounds,
 };
 
+use super::chaos::range;
 use super::periodic::periodic_orbit;
 use crate::Error;
 use crate::mapping::Word;
 use crate::orbit::Start;
 use crate::periodic::bifurcation::{Branch, Diagram, End, Point, Unproved};
-use crate::scene::Range;
 use crate::units::Units;
 
 /// Bifurcations of a word's orbits over a parameter; its own value in the pair, and `start`, only name the scene.
@@ -22,14 +22,13 @@ pub fn bifurcations(
     (word, cycles): (&Word, u32),
     diagram: &Diagram,
 ) -> Result<BifurcationDocument, Error> {
-    let Range { key, low, high, .. } = diagram.over();
     Ok(BifurcationDocument {
         schema: BIFURCATION_SCHEMA.to_owned(),
         program: PROGRAM.to_owned(),
         scene: SceneDocument::new(diagram.pair(), start),
         word: word.to_string(),
         cycles,
-        over: ParameterRange { key: key.place(), low: low.into(), high: high.into() },
+        over: range(diagram.over()),
         exhaustive: false,
         certified: diagram.is_certified(),
         interrupted: diagram.interrupted,

@@ -135,8 +135,8 @@ fn hyperbolic(set: &Hyperbolic) -> HyperbolicDocument {
     }
 }
 
-fn range(Range { key, low, high, .. }: &Range) -> ParameterRange {
-    ParameterRange { key: key.place(), low: low.into(), high: high.into() }
+pub(super) fn range(over: &Range) -> ParameterRange {
+    ParameterRange { key: over.key().place(), low: over.low().into(), high: over.high().into() }
 }
 
 /// Returns lower bounds of the entropy per impact and per forcing period.

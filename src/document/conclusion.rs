@@ -7,7 +7,7 @@ use super::event::Event;
 use super::periodic::{measured, periodic_orbit};
 use crate::contact::Reason;
 use crate::exact::{Enclosure, Exact, decimal_bounds_f64};
-use crate::orbit::{Orbit, Outcome, Shadowing, Start};
+use crate::orbit::{Orbit, Outcome, Shadowing};
 use crate::periodic::Attractor;
 
 /// The end of an orbit: the `outcome` of the orbit JSON.
@@ -19,7 +19,7 @@ pub struct Conclusion {
 
 impl Conclusion {
     /// Returns the conclusion of an orbit that has ended; that of an interrupted one otherwise. `last` is its last event.
-    pub fn of(orbit: &Orbit, start: &Start, last: Option<&Event>) -> Self {
+    pub fn of(orbit: &Orbit, last: Option<&Event>) -> Self {
         let plain = OutcomeDocument {
             kind: orbit.outcome().map_or("undecided", Outcome::kind).to_owned(),
             impacts: Some(orbit.listed()),
@@ -50,7 +50,7 @@ impl Conclusion {
                 Self { document: OutcomeDocument { wall: *wall, ..document }.with_message(), reason: Some(*reason) }
             }
             None => {
-                let time = last.map_or_else(|| enclosed(start.time()), |event| event.time.enclosure().clone());
+                let time = last.map_or_else(|| enclosed(orbit.start().time()), |event| event.time.enclosure().clone());
                 let document = undecided(plain, Reason::Budget, &(time, None));
                 let message = document.interruption().expect("what is interrupted is undecided");
                 Self { document: OutcomeDocument { message, ..document }, reason: Some(Reason::Budget) }

@@ -30,19 +30,11 @@ use crate::{Error, ImpactPair};
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn orbit(pair: &ImpactPair, start: &Start, settings: Settings) -> Result<OrbitDocument, Error> {
-    let mut orbit = Orbit::new(pair, start, settings)?;
-    Ok(follow(&mut orbit, (pair, start), &Unwatched, |_, _| ()))
+    Ok(follow(&mut Orbit::new(pair, start, settings)?, &Unwatched, |_, _| ()))
 }
 
 /// Follows an orbit, until it ends or the watch stops it, and returns it as a document; `each` receives every event.
-///
-/// The pair and the start are those of the orbit.
-pub fn follow(
-    orbit: &mut Orbit,
-    (pair, start): (&ImpactPair, &Start),
-    watch: &dyn Watch,
-    mut each: impl FnMut(&Orbit, &Progress),
-) -> OrbitDocument {
+pub fn follow(orbit: &mut Orbit, watch: &dyn Watch, mut each: impl FnMut(&Orbit, &Progress)) -> OrbitDocument {
     let mut events: Vec<Event> = Vec::new();
     let _ = orbit.follow(watch, |orbit, step| {
         each(orbit, &step);
@@ -50,8 +42,8 @@ pub fn follow(
         ControlFlow::<()>::Continue(())
     });
     OrbitDocument {
-        head: head(pair, start, orbit.arithmetic(), arithmetic(orbit)),
-        outcome: Conclusion::of(orbit, start, events.last()).document(),
+        head: head(orbit.pair(), orbit.start(), orbit.arithmetic(), arithmetic(orbit)),
+        outcome: Conclusion::of(orbit, events.last()).document(),
         events: events.iter().map(EventDocument::from).collect(),
     }
 }

@@ -29,7 +29,7 @@ pub(super) fn shares(over: &Range, cells: &Cells) -> SharesDocument {
             return 1.0;
         }
         let parts = cells.stretches.iter().filter(is).map(|stretch| [&stretch.low, &stretch.high]);
-        fraction(parts, [&over.low, &over.high], rounded)
+        fraction(parts, [over.low(), over.high()], rounded)
     };
     SharesDocument {
         horseshoe: share(|verdict| verdict.horseshoe().is_some(), Rounded::Down),

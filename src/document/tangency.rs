@@ -32,7 +32,7 @@ fn beside(own: &Beside) -> BesideDocument {
 /// Returns the document of the tangencies over a parameter of a scene.
 pub fn tangency(scene: &Scene, found: &Tangencies) -> TangencyDocument {
     let one = |own: &Tangency| HomoclinicTangencyDocument {
-        key: found.over.key.place(),
+        key: found.over.key().place(),
         parameter: bounds(&own.parameter),
         flights: own.flights.to_string(),
         saddle: SaddleDocument {

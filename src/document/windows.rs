@@ -14,7 +14,7 @@ use crate::{Error, Scene};
 /// # Errors
 /// If a value exceeds the range of exact expressions.
 pub fn windows(scene: &Scene, settings: &WindowSettings, found: &Windows) -> Result<WindowsDocument, Error> {
-    let key = found.over.key.place();
+    let key = found.over.key().place();
     let window = |FoundWindow { impacts, flights, window }: &FoundWindow| -> Result<WindowDocument, Error> {
         let [from, to] = window.ends.each_ref().map(|end| end.as_ref().map(|end| bounds(&end.parameter)));
         let kind = |end: &Option<WindowEnd>| end.as_ref().map(|end| end.point.kind.name().to_owned());
@@ -45,7 +45,7 @@ pub fn windows(scene: &Scene, settings: &WindowSettings, found: &Windows) -> Res
         program: PROGRAM.to_owned(),
         certified: found.is_certified(),
         scene: SceneDocument::new(scene.pair(), scene.start()),
-        over: ParameterRange { key: key.clone(), low: (&found.over.low).into(), high: (&found.over.high).into() },
+        over: ParameterRange { key: key.clone(), low: found.over.low().into(), high: found.over.high().into() },
         exhaustive: false,
         searched_impacts: settings.impacts,
         interrupted: found.interrupted,

@@ -70,10 +70,10 @@ pub struct Ball {
 }
 
 impl Ball {
-    /// The ball of this centre and radius.
+    /// The numbers at most `|rad|` from `mid`.
     #[inline(always)]
     pub fn new(mid: f64, rad: f64) -> Self {
-        Self { mid, rad }
+        Self { mid, rad: rad.abs() } // exact: its size
     }
 
     /// The single number `mid`.
@@ -106,10 +106,10 @@ impl Ball {
         up(self.mid.abs() + self.rad)
     }
 
-    /// The same centre with a radius larger by `by`.
+    /// The same centre with a radius larger by `|by|`.
     #[inline(always)]
     pub fn widened(self, by: f64) -> Self {
-        Self { mid: self.mid, rad: up(self.rad + by) }
+        Self { mid: self.mid, rad: up(self.rad + by.abs()) } // B1
     }
 
     /// The ball as an interval; `None` when it is not finite.

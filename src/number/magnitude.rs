@@ -33,7 +33,7 @@ impl Magnitude {
     /// No bound.
     pub const INFINITE: Self = Self { fraction: f64::INFINITY, exponent: 0 };
 
-    /// `x * 2^exponent` for `x >= 0`, rounded up below the normal range; a NaN is no bound.
+    /// `|x| * 2^exponent`, rounded up below the normal range; a NaN is no bound.
     pub fn new(x: f64, exponent: i64) -> Self {
         // M0: exactly nothing
         if x == 0.0 {
@@ -42,7 +42,7 @@ impl Magnitude {
         if !x.is_finite() {
             return Self::INFINITE;
         }
-        let x = x.max(f64::MIN_POSITIVE); // M0: the smallest normal double stands for less
+        let x = x.abs().max(f64::MIN_POSITIVE); // M0: the smallest normal double stands for less
         let own = exponent_of(x);
         Self { fraction: x * power_of_two(-own / 2) * power_of_two(-own - -own / 2), exponent: own + exponent }
     }

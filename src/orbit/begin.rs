@@ -21,9 +21,10 @@ impl Orbit {
     /// Returns the orbit of `pair` from `start`.
     ///
     /// # Errors
-    /// Returns an error if a value is beyond the range of double-precision flights, or if multiprecision is requested and this build
-    /// has none.
+    /// Returns an error if the start is not in the box of `pair`, if the digits or bits are not accepted, if a value is beyond the range of
+    /// double-precision flights, or if multiprecision is requested and this build has none.
     pub fn new(pair: &ImpactPair, start: &Start, settings: Settings) -> Result<Self, Error> {
+        settings.require_accepted()?;
         let shown = match settings.arithmetic {
             Arithmetic::Bits(bits) => bits,
             // Of log2(10) bits a digit, and a few more.
@@ -68,7 +69,7 @@ impl Orbit {
         };
         let mut orbit = Self {
             clock,
-            requested: Requested { settings, until, widths, shown },
+            requested: Requested { start: start.clone(), settings, until, widths, shown },
             engine,
             initial,
             followed,

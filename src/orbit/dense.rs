@@ -1,12 +1,14 @@
 //! The state of the ball at any time of an orbit that has been followed: dense output.
 
 use std::cmp::Ordering;
+use std::ops::ControlFlow;
 
-use super::{Clock, Course, Impact, Orbit, Outcome, Progress, Rest, Start};
+use super::{Clock, Course, Impact, Orbit, Outcome, Progress, Rest};
 use crate::exact::{Enclosure, Exact};
 use crate::number::Ball;
 use crate::pair::Wall;
 use crate::turns;
+use crate::watch::Watch;
 
 /// Bits in which a time becomes a phase: more than twice those of a double and of the forcing periods up to 2^53.
 const BITS: u32 = 192;
@@ -23,33 +25,34 @@ enum Part {
     Unknown,
 }
 
-/// The parts of an orbit's motion, recorded event by event.
+/// An orbit that has been followed to its end, and the parts of its motion, recorded event by event.
 ///
 /// **Enclosure** (Lemma O1): [`Dense::at`] holds the displacement and the velocity of every motion of the orbit's set at that time.
 #[derive(Debug)]
 pub struct Dense {
-    /// The phase at which each part begins, and the part, which ends at the beginning of the next one.
+    orbit: Orbit,
     parts: Vec<(Phase, Part)>,
-    has_grazed: bool,
     /// The exact start, unless it is another one that is followed.
     start: Option<Exact>,
     dial: PhaseConverter,
 }
 
-/// Bounds of `y` \[length\] and of `y'` \[length/time\], as doubles.
-pub type DenseState = [[f64; 2]; 2];
+/// The parts of a motion as far as it has been followed.
+struct Parts {
+    /// The phase at which each part begins, and the part, which ends at the beginning of the next one.
+    parts: Vec<(Phase, Part)>,
+    has_grazed: bool,
+}
 
-impl Dense {
-    /// Returns the record of an orbit from `start` that has not advanced yet.
-    pub fn new(orbit: &Orbit, start: &Start) -> Self {
+impl Parts {
+    /// The flight from the start.
+    fn of(orbit: &Orbit) -> Self {
         let (course, turns, phase) = orbit.first_course();
-        let start = orbit.shadow().is_none().then(|| start.time().clone());
-        let parts = vec![((turns, phase), Part::Flight(course))];
-        Self { parts, has_grazed: false, start, dial: PhaseConverter::new(orbit.clock()) }
+        Self { parts: vec![((turns, phase), Part::Flight(course))], has_grazed: false }
     }
 
     /// Records the next event.
-    pub fn record(&mut self, orbit: &Orbit, event: &Progress) {
+    fn record(&mut self, orbit: &Orbit, event: &Progress) {
         match event {
             Progress::Impact(impact) => self.impact(orbit, impact),
             Progress::Graze(graze) => {
@@ -82,12 +85,34 @@ impl Dense {
         let course = orbit.course_after(impact);
         self.parts.push(((impact.turns, impact.phase), Part::Flight(course)));
     }
+}
 
-    /// Returns bounds of `y` and `y'` at a time of the orbit, which has ended; `None` before its start, after what it lists, and while
+/// Bounds of `y` \[length\] and of `y'` \[length/time\], as doubles.
+pub type DenseState = [[f64; 2]; 2];
+
+impl Dense {
+    /// Follows an orbit that has not advanced yet, until it ends or the watch stops it; `each` receives every event.
+    pub fn of(mut orbit: Orbit, watch: &dyn Watch, mut each: impl FnMut(&Orbit, &Progress)) -> Self {
+        let start = orbit.shadow().is_none().then(|| orbit.start().time().clone());
+        let mut parts = Parts::of(&orbit);
+        let _ = orbit.follow(watch, |orbit, event| {
+            each(orbit, &event);
+            parts.record(orbit, &event);
+            ControlFlow::<()>::Continue(())
+        });
+        Self { parts: parts.parts, start, dial: PhaseConverter::new(orbit.clock()), orbit }
+    }
+
+    /// Returns the orbit.
+    pub fn orbit(&self) -> &Orbit {
+        &self.orbit
+    }
+
+    /// Returns bounds of `y` and `y'` at a time; `None` before its start, after what it lists, and while
     /// infinitely many impacts pass or nothing is proved.
     ///
     /// If an impact may come before or after the time, they hold the states of both flights.
-    pub fn at(&self, orbit: &Orbit, time: f64) -> Option<DenseState> {
+    pub fn at(&self, time: f64) -> Option<DenseState> {
         let (exact, phase) = (Exact::from_f64(time)?, self.dial.phase(time)?);
         let last = self.parts.len() - 1;
         let middle = self.parts.partition_point(|(begin, _)| between(*begin, phase).mid().is_sign_positive());
@@ -96,7 +121,7 @@ impl Dense {
         let is_started = |start: &Exact| matches!(start.compare(&exact), Some(Ordering::Less | Ordering::Equal));
         let first = begun.or_else(|| self.start.as_ref().is_some_and(is_started).then_some(0))?;
         let end = (first + 1..=last).find(|&part| is_certain(between(phase, self.parts[part].0)));
-        if end.is_none() && !lasts(orbit, &exact) {
+        if end.is_none() && !self.lasts(&exact) {
             return None;
         }
         let mut hull: Option<DenseState> = None;
@@ -105,7 +130,7 @@ impl Dense {
             None => &self.parts[first..],
         };
         for (_, part) in possible {
-            let Some(state) = Self::state(orbit, part, phase)? else { continue };
+            let Some(state) = self.state(part, phase)? else { continue };
             let joined = |[a, b]: [f64; 2], [c, d]: [f64; 2]| [a.min(c), b.max(d)]; // O1: the hull
             hull = Some(hull.map_or(state, |known| [joined(known[0], state[0]), joined(known[1], state[1])]));
         }
@@ -113,7 +138,8 @@ impl Dense {
     }
 
     /// The state of a part at a phase; of a part that cannot be there, since the ball is in the gap, nothing.
-    fn state(orbit: &Orbit, part: &Part, (turns, phase): Phase) -> Option<Option<DenseState>> {
+    fn state(&self, part: &Part, (turns, phase): Phase) -> Option<Option<DenseState>> {
+        let orbit = &self.orbit;
         let point = match part {
             Part::Flight(course) => orbit.course_point(course, turns, phase)?,
             Part::Rest(wall) => orbit.rest_point(*wall, turns, phase)?,
@@ -123,16 +149,17 @@ impl Dense {
         let inside = point.displacement.intersection(&wall.negated().hull(&wall));
         Some(inside.map(|inside| [inside.to_f64_bounds().into(), point.velocity.to_f64_bounds().into()]))
     }
-}
 
-/// Returns whether the last part is proved to last up to a time.
-fn lasts(orbit: &Orbit, time: &Exact) -> bool {
-    match orbit.outcome() {
-        Some(Outcome::RestsForever(_) | Outcome::NeverImpacts) => true,
-        Some(_) => orbit
-            .listed_until()
-            .is_some_and(|until| matches!(time.compare(until), Some(Ordering::Less | Ordering::Equal))),
-        None => false,
+    /// Returns whether the last part is proved to last up to a time.
+    fn lasts(&self, time: &Exact) -> bool {
+        match self.orbit.outcome() {
+            Some(Outcome::RestsForever(_) | Outcome::NeverImpacts) => true,
+            Some(_) => self
+                .orbit
+                .listed_until()
+                .is_some_and(|until| matches!(time.compare(until), Some(Ordering::Less | Ordering::Equal))),
+            None => false,
+        }
     }
 }
 
@@ -186,33 +213,28 @@ mod tests {
     use crate::scene::Scene;
     use crate::watch::Unwatched;
 
-    fn followed(scene: &str, settings: &str) -> (Orbit, Dense, Vec<Progress>) {
+    fn followed(scene: &str, settings: &str) -> (Dense, Vec<Progress>) {
         let path = format!("{}/scenes/{scene}.toml", env!("CARGO_MANIFEST_DIR"));
         let scene = Scene::parse(&std::fs::read_to_string(path).unwrap()).unwrap();
         let settings = crate::orbit::Settings { arithmetic: settings.parse().unwrap(), ..scene.settings() };
-        let mut orbit = Orbit::of(&scene, settings).unwrap();
-        let (mut dense, mut events) = (Dense::new(&orbit, scene.start()), Vec::new());
-        let _ = orbit.follow(&Unwatched, |orbit, event| {
-            dense.record(orbit, &event);
-            events.push(event);
-            std::ops::ControlFlow::<()>::Continue(())
-        });
-        (orbit, dense, events)
+        let mut events = Vec::new();
+        let dense = Dense::of(Orbit::of(&scene, settings).unwrap(), &Unwatched, |_, event| events.push(event.clone()));
+        (dense, events)
     }
 
     /// (10)-(12) with A = 1, W = pi, d = 3 pi, e = 1/2, v = -4 pi: `y = -d/2 + 3 pi t - sin(pi t)` up to the impact at t = 1.
     #[test]
     fn the_exact_orbit_of_figure_12_is_on_its_walls_at_whole_times_and_moves_between() {
-        let (orbit, dense, _) = followed("figure-12-exact", "interval");
-        let wall = orbit.wall_displacement().to_f64_bounds().1;
-        assert!(dense.at(&orbit, -0.25).is_none());
+        let (dense, _) = followed("figure-12-exact", "interval");
+        let wall = dense.orbit().wall_displacement().to_f64_bounds().1;
+        assert!(dense.at(-0.25).is_none());
         // At the start the ball leaves the left wall with 2 pi, e being 1/2; at an impact both velocities are possible.
-        let [y, v] = dense.at(&orbit, 0.0).unwrap();
+        let [y, v] = dense.at(0.0).unwrap();
         let turn = std::f64::consts::TAU;
         assert!(y[0] <= -wall + 1e-12 && y[1] >= -wall && v[0] <= turn && turn <= v[1] && v[1] - v[0] < 1e-9);
-        let [y, v] = dense.at(&orbit, 1.0).unwrap();
+        let [y, v] = dense.at(1.0).unwrap();
         assert!(y[1] >= wall - 1e-9 && v[0] <= -turn && v[1] >= 2.0 * turn, "{y:?} {v:?}");
-        let [y, v] = dense.at(&orbit, 0.5).unwrap();
+        let [y, v] = dense.at(0.5).unwrap();
         assert!(y[0] <= -1.0 && -1.0 <= y[1] && y[1] - y[0] < 1e-12, "{y:?}");
         let speed = 3.0 * std::f64::consts::PI;
         assert!(v[0] <= speed && speed <= v[1] && v[1] - v[0] < 1e-11, "{v:?}");
@@ -220,19 +242,19 @@ mod tests {
 
     #[test]
     fn rests_and_chatter_are_distinguished_from_flights() {
-        let (orbit, dense, events) = followed("chatter", "auto");
-        let wall = orbit.wall_displacement().to_f64_bounds().1;
+        let (dense, events) = followed("chatter", "auto");
+        let wall = dense.orbit().wall_displacement().to_f64_bounds().1;
         let rest = events.iter().find_map(|event| match event {
-            Progress::Rest(rest) => Some(orbit.rest_time(rest).to_f64_bounds()),
+            Progress::Rest(rest) => Some(dense.orbit().rest_time(rest).to_f64_bounds()),
             _ => None,
         });
         let rest = rest.unwrap();
         // Just before it infinitely many impacts pass; then the ball is on the left wall up to the release at t = 1.
-        assert!(dense.at(&orbit, 0.5 * (rest.0 + rest.1)).is_none());
-        let [y, v] = dense.at(&orbit, 0.5 * (rest.1 + 1.0)).unwrap();
+        assert!(dense.at(0.5 * (rest.0 + rest.1)).is_none());
+        let [y, v] = dense.at(0.5 * (rest.1 + 1.0)).unwrap();
         assert!(y[0] <= -wall + 1e-15 && y[1] <= -wall + 1e-12 && v == [0.0, 0.0]);
-        let [y, v] = dense.at(&orbit, 1.5).unwrap();
+        let [y, v] = dense.at(1.5).unwrap();
         assert!(y[0] > -wall && v[0] > 0.0);
-        assert!(dense.at(&orbit, 1e9).is_none());
+        assert!(dense.at(1e9).is_none());
     }
 }

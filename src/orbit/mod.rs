@@ -42,7 +42,7 @@ use crate::impact::finite;
 pub use crate::impact::{Graze, Impact, Touch};
 use crate::mapping::Mapping;
 use crate::number::{Ball, Number};
-use crate::pair::{Reduced, Wall};
+use crate::pair::{ImpactPair, Reduced, Wall};
 use crate::shaken::{State, Still};
 use crate::turns;
 use crate::watch::{Latched, Unwatched, Watch};
@@ -98,6 +98,7 @@ pub struct Orbit {
 /// The request.
 #[derive(Debug)]
 struct Requested {
+    start: Start,
     settings: Settings,
     until: Option<Phase>,
     /// Widths, of phases in forcing periods and of velocities in gap widths per forcing period.
@@ -155,6 +156,16 @@ impl Orbit {
     /// Converts phases into times and reduced velocities into velocities.
     pub fn clock(&self) -> &Clock {
         &self.clock
+    }
+
+    /// Returns the pair.
+    pub fn pair(&self) -> &ImpactPair {
+        &self.engine.given.pair
+    }
+
+    /// Returns the requested start.
+    pub fn start(&self) -> &Start {
+        &self.requested.start
     }
 
     /// Returns the arithmetic.

@@ -9,7 +9,7 @@ use crate::number::inari::enclosing;
 use crate::switch_plane::{SwitchPoint, absolute};
 
 impl Orbit {
-    /// Returns the bounds of an impact's time \[time\] and velocity \[length/time\].
+    /// Returns the bounds of the time \[time\] and velocity \[length/time\] of an impact of this orbit; another orbit's has other units.
     pub fn bounds(&self, impact: &Impact) -> (Enclosure, Enclosure) {
         let (phase, velocity) = impact.enclosures();
         (self.clock.time(impact.turns, &phase), self.clock.velocity(&velocity))

@@ -63,8 +63,12 @@ impl Problem {
     /// Proves the orbit near these phases (in forcing periods, in time order), to the requested width.
     ///
     /// In doubles first; in more and more bits where they do not prove, decide or narrow enough. `None` where no orbit
-    /// could be proved; an orbit may be wider than requested, if the allowed bits end or parameters are intervals.
+    /// could be proved, or these are not as many phases as the word has impacts; an orbit may be wider than requested, if the allowed bits
+    /// end or parameters are intervals.
     pub fn prove(&self, guess: &[f64], precision: Precision) -> Option<PeriodicOrbit> {
+        if guess.len() != self.chain.impacts() {
+            return None;
+        }
         under!(&self.shaken, shaken => self.prove_under(&**shaken, guess, precision))
     }
 

@@ -126,12 +126,16 @@ impl<N> Origin<N> {
 impl Origin<Exact> {
     /// Returns the state that the motion of `pair` from `start` is followed from: a little later where its direction is not certain (Lemma
     /// R3); `phases` are those of several harmonics at a time.
+    ///
+    /// # Errors
+    /// If the start is not in the box of `pair`, or a value is beyond what exact expressions hold.
     pub fn new(
         pair: &ImpactPair,
         start: &Start,
         clock: &Clock,
         phases: impl Fn(&Start) -> Result<Vec<Exact>, Error>,
     ) -> Result<Self, Error> {
+        start.require_in(pair)?;
         let requested = Self::at(pair, start, clock, phases(start)?)?;
         let Some(later) = decided(pair, start) else { return Ok(requested) };
         Ok(Self { past: Past::Flight(requested.state), ..Self::at(pair, &later, clock, phases(&later)?)? })

@@ -89,6 +89,7 @@ pub fn columns(head: &SweepHead, table: Table) -> Vec<(String, Kind)> {
     columns.extend(IMPACT_COLUMNS.iter().map(named));
     if table != Table::States {
         columns.extend(RESULT_COLUMNS.iter().map(named));
+        columns.extend(head.reference.map(|_| ("period_duration".to_owned(), Kind::Bounds)));
         columns.extend(head.claim.map(|_| ("claim".to_owned(), Kind::Text)));
     }
     columns
@@ -100,13 +101,19 @@ pub fn rows<'r>(
     table: Table,
     record: &'r SweepRecord,
 ) -> impl Iterator<Item = Vec<Cell<'r>>> + use<'r> {
-    let has_claims = head.claim.is_some();
+    let has = (head.reference.is_some(), head.claim.is_some());
     let states = if table == Table::Points { &[] } else { &record.states[..] };
     let point = (table != Table::States).then_some(None);
-    states.iter().map(Some).chain(point).map(move |state| row(record, state, table, has_claims))
+    states.iter().map(Some).chain(point).map(move |state| row(record, state, table, has))
 }
 
-fn row<'r>(record: &'r SweepRecord, state: Option<&'r SweepImpact>, table: Table, has_claims: bool) -> Vec<Cell<'r>> {
+/// A state, or what is said of a point, with a duration and a claim where the table has columns for them.
+fn row<'r>(
+    record: &'r SweepRecord,
+    state: Option<&'r SweepImpact>,
+    table: Table,
+    (has_durations, has_claims): (bool, bool),
+) -> Vec<Cell<'r>> {
     let place = state.or(record.period.as_ref().and_then(|period| period.first.as_ref()));
     let impact = |of: fn(&'r SweepImpact) -> Cell<'r>| place.map_or(Cell::Nothing, of);
     let mut cells = vec![Cell::Whole(record.point)];
@@ -118,6 +125,9 @@ fn row<'r>(record: &'r SweepRecord, state: Option<&'r SweepImpact>, table: Table
     cells.push(impact(|impact| Cell::Bounds(&impact.velocity)));
     if table != Table::States {
         cells.extend(if state.is_some() { [Cell::Nothing; RESULT_COLUMNS.len()] } else { cells_of(record) });
+        let period = record.period.as_ref().filter(|_| state.is_none());
+        let duration = period.and_then(|period| period.duration.as_ref());
+        cells.extend(has_durations.then(|| duration.map_or(Cell::Nothing, Cell::Bounds)));
         let claim = if state.is_some() { Cell::Nothing } else { Cell::Text(record.claim.unwrap_or_default().text()) };
         cells.extend(has_claims.then_some(claim));
     }

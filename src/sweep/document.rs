@@ -37,7 +37,7 @@ pub fn head(scene: &Scene, grid: &Grid, requested: &PointSettings, shard: Option
 
 /// Returns an axis as heads have it.
 pub(crate) fn written(axis: &Range) -> SweepAxis {
-    SweepAxis { key: axis.key.to_string(), from: axis.low.text(), to: axis.high.text(), count: axis.points() }
+    SweepAxis { key: axis.key().to_string(), from: axis.low().text(), to: axis.high().text(), count: axis.points() }
 }
 
 /// Returns the axes that a head has.

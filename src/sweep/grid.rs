@@ -26,7 +26,7 @@ pub fn axis(text: &str) -> Result<Range, Error> {
 const ACCEPTED_FORM: &str = "KEY=LO..HI:COUNT with single numbers LO < HI and COUNT from 2 on";
 
 fn is_axis(range: &Range) -> bool {
-    range.count.is_some_and(|count| (2..=MOST_POINTS).contains(&count))
+    range.count().is_some_and(|count| (2..=MOST_POINTS).contains(&count))
 }
 
 /// One axis, or two: then the second one's values run through faster.
@@ -48,7 +48,7 @@ impl Grid {
         let points = axes.iter().try_fold(1u64, |product, axis| product.checked_mul(axis.points()));
         match &axes[..] {
             [] | [_, _, _, ..] => return Err(refused(&text(), "one axis, or two")),
-            [a, b] if a.key.is_one_with(b.key) => {
+            [a, b] if a.key().is_one_with(b.key()) => {
                 return Err(refused(&text(), "two axes that do not set the same"));
             }
             _ => {}
@@ -114,8 +114,8 @@ impl Grid {
     /// ```
     pub fn reference(&self, scene: &Scene) -> Result<Option<usize>, Error> {
         let mut pair = scene.pair().clone();
-        for axis in &self.axes {
-            pair = pair.with(axis.key, axis.high.clone())?;
+        for axis in self.axes.iter().filter(|axis| axis.key() < Key::StartTime) {
+            pair = pair.with(axis.key(), axis.high().clone())?;
         }
         let excitation = pair.excitation();
         Ok((excitation.terms().len() > 1).then(|| excitation.reference_term()))
@@ -144,7 +144,7 @@ impl Grid {
             let value = axis
                 .value(place, axis.points() - 1)
                 .map_err(|error| refused(&axis.to_string(), &error.to_string()).because(error))?;
-            Ok((axis.key, value))
+            Ok((axis.key(), value))
         };
         self.axes.iter().zip(self.places(point)).map(value).collect()
     }

@@ -127,7 +127,7 @@ fn follow_in(
         exponent,
         states: window.states,
         attraction,
-        conclusion: Conclusion::of(&orbit, scene.start(), last.as_ref()),
+        conclusion: Conclusion::of(&orbit, last.as_ref()),
         outcome,
         shadow: orbit.shadow(),
         first_wide: orbit.first_wide(),

@@ -44,7 +44,7 @@ pub const TANGENCY_PARAMETERS: &str = "KEY one of gap, amplitude, restitution";
 
 /// Returns whether tangencies are searched over such a range.
 pub fn is_tangency_range(range: &Range) -> bool {
-    matches!(range.key, Key::Gap | Key::Amplitude(_) | Key::Restitution) && range.count.is_none()
+    matches!(range.key(), Key::Gap | Key::Amplitude(_) | Key::Restitution) && range.count().is_none()
 }
 
 /// The settings of a search for tangencies.

@@ -1,5 +1,7 @@
 //! A search in the units of the scene: its parameter, its range, what floating point finds in it and what is proved.
 
+use impact_pair_model::require_digits;
+
 use super::begin;
 use super::beside::Sides;
 use super::flight::{Pair, Parameter};
@@ -46,11 +48,12 @@ impl<'s> Search<'s> {
             let message = format!("the range is \"{over}\", but accepted is KEY=LO..HI, {TANGENCY_PARAMETERS}");
             return Err(Error::out_of_range(None, message));
         }
+        require_digits(settings.precision.digits)?;
         let amplitude = pair.harmonic(SUBJECT)?.amplitude();
-        if !matches!(over.key, Key::Amplitude(_)) {
+        if !matches!(over.key(), Key::Amplitude(_)) {
             Error::require_positive("excitation.amplitude", amplitude)?;
         }
-        let (parameter, place, unit) = match over.key {
+        let (parameter, place, unit) = match over.key() {
             Key::Gap => (Parameter::Gap, "excitation.amplitude", amplitude.clone()),
             Key::Restitution => (Parameter::Restitution, "", Exact::from(1)),
             _ => (Parameter::Gap, "pair.gap", pair.gap().clone()),
@@ -68,8 +71,8 @@ impl<'s> Search<'s> {
             let law = Law::of(pair)?;
             Ok(Pair { gap: law.gap.mid(), restitution: law.restitution.mid() })
         };
-        let at = |value: &Exact| of(&pair.with(over.key, value.clone())?);
-        let [low, high] = [at(&over.low)?, at(&over.high)?];
+        let at = |value: &Exact| of(&pair.with(over.key(), value.clone())?);
+        let [low, high] = [at(over.low())?, at(over.high())?];
         let ends = [&low, &high].map(|end| *end.value(parameter));
         let range = [ends[0].min(ends[1]), ends[0].max(ends[1])]; // proposes
         let middle = Pair::of(parameter, 0.5 * (range[0] + range[1]), *low.value(parameter.other()));
@@ -118,7 +121,7 @@ impl<'s> Search<'s> {
 
     /// A value of `D` or `e` in the units of the scene.
     fn in_units(&self, value: &Exact) -> Result<Exact, Error> {
-        match self.over.key {
+        match self.over.key() {
             Key::Gap => within("pair.gap", value, value.checked_mul(&self.unit)),
             Key::Restitution => Ok(value.clone()),
             _ => within("excitation.amplitude", value, self.unit.checked_div(value)),
@@ -133,7 +136,7 @@ impl<'s> Search<'s> {
     /// Returns whether bounds of the parameter are within the range.
     pub fn is_inside(&self, parameter: &Enclosure) -> Result<bool, Error> {
         let bits = 256;
-        let (low, high) = (self.over.low.enclose(bits), self.over.high.enclose(bits));
+        let (low, high) = (self.over.low().enclose(bits), self.over.high().enclose(bits));
         Ok(low.sup() <= parameter.inf() && parameter.sup() <= high.inf())
     }
 

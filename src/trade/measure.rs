@@ -122,7 +122,7 @@ pub(super) fn measure(
         bits: orbit.bits(),
         impacts,
         is_certified,
-        conclusion: Conclusion::of(&orbit, scene.start(), last.as_ref()),
+        conclusion: Conclusion::of(&orbit, last.as_ref()),
         widths: widths.filter(|_| is_certified),
         times: Times { with_bounds: times.with_bounds.filter(|_| is_certified), ..times },
     }))

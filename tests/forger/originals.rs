@@ -181,7 +181,7 @@ fn chaos(over: Option<&str>) -> Original {
     let question = HorseshoeSettings { depth: Some(3), bases: document::bases(&bases) };
     let over: Option<Range> = over.map(|over| over.parse().unwrap());
     let pair = match &over {
-        Some(over) => scene.pair().with(over.key, Exact::interval(&over.low, &over.high).unwrap()).unwrap(),
+        Some(over) => scene.pair().with(over.key(), Exact::interval(over.low(), over.high()).unwrap()).unwrap(),
         None => scene.pair().clone(),
     };
     let found = Chaos::of(&pair, scene.start(), &question, &Unwatched).unwrap();

@@ -57,7 +57,7 @@ fn document(scene: &Scene, settings: &Settings, mut orbit: Orbit) -> (String, us
         }
         events.extend(Event::of(&orbit, &step));
     }
-    let conclusion = Conclusion::of(&orbit, scene.start(), events.last());
+    let conclusion = Conclusion::of(&orbit, events.last());
     let head = head(scene.pair(), scene.start(), settings.arithmetic, arithmetic(&orbit));
     let mut text = Vec::new();
     write_orbit(&mut text, &head, &conclusion.document(), events.iter().map(EventDocument::from))

@@ -81,8 +81,15 @@ class Reader:
     def sum(self):
         value = self.product()
         while self.peek() in ("+", "-"):
-            value = value + self.product() if self.take() == "+" else value - self.product()
+            value = value + self.product() if self.sign() == "+" else value - self.product()
         return value
+
+    def sign(self):
+        """A sign, which none follows."""
+        sign = self.take()
+        if self.peek() in ("+", "-"):
+            raise ExpressionError(f"{self.text!r}: found {self.peek()!r} after {sign!r}")
+        return sign
 
     def product(self):
         value = self.signed()
@@ -100,7 +107,7 @@ class Reader:
 
     def signed(self):
         if self.peek() in ("+", "-"):
-            return self.signed() if self.take() == "+" else -self.signed()
+            return self.power() if self.sign() == "+" else -self.power()
         return self.power()
 
     def power(self):

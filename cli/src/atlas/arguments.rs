@@ -54,10 +54,10 @@ pub struct AtlasArguments {
     #[arg(long)]
     pub cells: bool,
     /// Boxes of the first partition, about: 2^N [default: 14, with --cells 12]
-    #[arg(long, value_name = "N", value_parser = whole(8..=20))]
+    #[arg(long, value_name = "N", value_parser = whole(GlobalSettings::BOXES))]
     pub boxes: Option<u32>,
     /// Halve the boxes of a component up to N times
-    #[arg(long, value_name = "N", default_value_t = 18, value_parser = whole(0..=40))]
+    #[arg(long, value_name = "N", default_value_t = 18, value_parser = whole(GlobalSettings::HALVINGS))]
     pub halvings: u32,
     /// Map about N boxes in all for each point or cell [default: 300000, with --cells 20000]
     #[arg(long, value_name = "N", value_parser = count(1..=1_000_000_000))]

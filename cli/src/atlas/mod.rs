@@ -67,7 +67,7 @@ fn compute(arguments: &AtlasArguments, format: AtlasFormat, path: &Path) -> Resu
     let settings = arguments.settings()?;
     let head = atlas::head(&scene, &plane, &settings, arguments.grid.shard());
     // All corners are scenes that are analysed, before anything is computed.
-    let ranges: Vec<_> = arguments.over.iter().map(|axis| (axis.key, axis.to_string())).collect();
+    let ranges: Vec<_> = arguments.over.iter().map(|axis| (axis.key(), axis.to_string())).collect();
     let corners = || plane.corners(&scene)?.iter().try_for_each(|corner| Global::accepts(corner.pair()));
     corners().map_err(|error| scene::about(error, &ranges, path))?;
     open_once(&[arguments.destination.output.as_deref(), arguments.plot.as_deref()])?;

@@ -64,10 +64,10 @@ pub struct SweepArguments {
     /// than any picture
     #[arg(long, value_name = "D", default_value_t = 6, value_parser = crate::values::digits())]
     pub digits: u32,
-    /// The arithmetic, as in run; shadow is used only at points whose exact orbits doubles do not certify [default: auto, with
-    /// --plot shadow]
-    #[arg(long, value_name = crate::values::ARITHMETICS)]
-    pub arithmetic: Option<Arithmetic>,
+    /// The arithmetic, as in run; shadow, the fastest for pictures of chaos, is used only at points whose exact orbits doubles do not
+    /// certify
+    #[arg(long, value_name = crate::values::ARITHMETICS, default_value_t)]
+    pub arithmetic: Arithmetic,
     /// Maximum precision of auto, in bits; enough for 100,000 chaotic impacts, and low enough that no point takes minutes to end undecided
     #[arg(long, value_name = "BITS", default_value_t = 100_000, value_parser = crate::values::bits())]
     pub max_bits: u32,
@@ -83,7 +83,7 @@ pub struct SweepArguments {
     /// Output format [default: by the extension of --output, else csv, for a shard jsonl]
     #[arg(long, value_enum)]
     pub format: Option<SweepFormat>,
-    /// Draw the bifurcation diagram, or for two keys the map of outcomes
+    /// Draw the bifurcation diagram, or for two keys the map of outcomes; without --output and --format no table is written then
     #[arg(long, value_name = "FILE.svg|FILE.png|FILE.pdf", value_parser = impact_pair_plot::picture::path)]
     pub plot: Option<PathBuf>,
     #[command(flatten)]

@@ -9,7 +9,7 @@ use std::path::Path;
 use anyhow::{Context, Result, bail};
 use impact_pair::Scene;
 use impact_pair::json::SweepHead;
-use impact_pair::orbit::{Arithmetic, Orbit, Settings};
+use impact_pair::orbit::{Orbit, Settings};
 use impact_pair::sweep::{self, Grid, PointSettings, Table, follow};
 use impact_pair_plot::records::Records;
 
@@ -56,12 +56,10 @@ fn compute(arguments: &SweepArguments, path: &Path) -> Result<Answer> {
     formats.keep_states(arguments, arguments.summary)?;
     let scene: Scene = scene::read(path)?;
     let grid = Grid::new(arguments.over.clone())?;
-    let usual = if arguments.plot.is_some() { Arithmetic::Shadow } else { Arithmetic::Auto };
-    let arithmetic = arguments.arithmetic.unwrap_or(usual);
-    let (digits, max_bits) = (arguments.digits, arguments.max_bits);
+    let SweepArguments { digits, arithmetic, max_bits, .. } = *arguments;
     let settings = Settings { digits, arithmetic, max_bits, ..Settings::default() };
     let SweepArguments { transient, impacts, summary, .. } = *arguments;
-    let ranges: Vec<_> = arguments.over.iter().map(|axis| (axis.key, axis.to_string())).collect();
+    let ranges: Vec<_> = arguments.over.iter().map(|axis| (axis.key(), axis.to_string())).collect();
     let reference = grid.reference(&scene).map_err(|error| scene::about(error, &ranges, path))?;
     let requested = PointSettings { transient, impacts, summary, reference, settings };
     let head = sweep::head(&scene, &grid, &requested, arguments.grid.shard());
@@ -109,7 +107,10 @@ fn finish(arguments: &SweepArguments, sweep: &mut Gathered<SweepHead>, formats: 
         states.commit()?;
     }
     let table = if arguments.states.is_some() { Table::Points } else { Table::Mixed };
-    write(sweep, &mut out, formats.output, table).context("cannot write the output")?;
+    // Where a picture is all that is asked for, thousands of rows on the terminal are not.
+    if arguments.plot.is_none() || arguments.destination.output.is_some() || arguments.format.is_some() {
+        write(sweep, &mut out, formats.output, table).context("cannot write the output")?;
+    }
     out.commit()?;
     if let Some(path) = &arguments.plot {
         Output::open(Some(path))?.draw(path, &arguments.look, || {

@@ -18,7 +18,7 @@ Examples:
   impact-pair trade scenes/figure-14.toml --impacts 200
   impact-pair trade scenes/figure-12.toml --impacts 100 --format json --plot trade.svg
 
-The rows: float; interval; inari, the textbook method, for one harmonic; 64, 128, 256, ... bits until one reaches \
+The rows: float; interval; inari, the textbook method, for one harmonic; shadow; 64, 128, 256, ... bits until one reaches \
 all the impacts, two more bring no progress, or --max-bits; auto to 3, 9, 15, 30 and 100 digits. A build without \
 multiprecision has no rows of bits.
 

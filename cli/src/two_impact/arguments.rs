@@ -150,8 +150,8 @@ fn manifold(text: &str) -> Result<Range, impact_pair::Error> {
         "frequency=LO..HI:COUNT or velocity=LO..HI:COUNT with numbers LO < HI and COUNT from {least} to {most}"
     );
     let is_accepted = |range: &Range| {
-        let is_counted = range.count.is_some_and(|count| (*least as u64..=*most as u64).contains(&count));
-        is_counted && matches!(range.key, Key::Frequency(None) | Key::StartVelocity)
+        let is_counted = range.count().is_some_and(|count| (*least as u64..=*most as u64).contains(&count));
+        is_counted && matches!(range.key(), Key::Frequency(None) | Key::StartVelocity)
     };
     // The velocity is that of the start.
     match text.strip_prefix("velocity") {

@@ -81,11 +81,11 @@ fn draw_manifold(
     digits: u32,
 ) -> Result<Exit> {
     let wall = arguments.wall.wall();
-    let (axis, speed) = match over.key {
+    let (axis, speed) = match over.key() {
         Key::StartVelocity => (Axis::Velocity(wall), Exact::from(0)), // the speed is what varies
         _ => (Axis::Frequency, speed(scene)?),
     };
-    let (from, to, count) = (over.low.clone(), over.high.clone(), over.points() as usize);
+    let (from, to, count) = (over.low().clone(), over.high().clone(), over.points() as usize);
     let range = Range { pair: scene.pair(), speed, axis, from, to, count };
     let progress = Progress::of("computing parameter manifolds", !files.quiet);
     let (curves, went_on) = range.manifolds(arguments.cycles.clone(), digits, &progress)?;

@@ -104,7 +104,8 @@ fn spelled(n: &BigInt, quantum: i64) -> [String; 2] {
         -7..21 if quantum <= 0 => (-quantum, String::new()),
         _ => (leading - quantum, format!("e{leading}")),
     };
-    let digits = format!("{digits:0>width$}", width = places as usize + 1); // exact: places are not negative
+    // No format pads to more than 65,535 places. exact: places are not negative
+    let digits = "0".repeat((places as usize + 1).saturating_sub(digits.len())) + &digits;
     let (whole, rest) = digits.split_at(digits.len() - places as usize); // exact: as above
     let (sign, point) = (if n.is_negative() { "-" } else { "" }, if rest.is_empty() { "" } else { "." });
     [format!("{sign}{whole}{point}{rest}"), power]
@@ -157,6 +158,9 @@ mod tests {
         assert_eq!(shown(-7, -5, 0), "-6(-1,+1)");
         assert_eq!(shown(-3, 5, -10), "0.000(-3,+5)");
         assert_eq!(shown(123_456, 123_956, 0), "1.2(34,40)e5");
+        // 10^70000 in units of 10^-70000
+        let [whole, power] = spelled(&BigInt::from(10u8).pow(70_000), -70_000);
+        assert!(whole == format!("1.{}", "0".repeat(65_000) + &"0".repeat(5_000)) && power.is_empty());
         assert_eq!(shown((1 << 40) + 1, (1 << 40) + 2, -140), "7.8886090522(17,25)e-31");
     }
 

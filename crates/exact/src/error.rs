@@ -143,6 +143,10 @@ pub(super) enum Problem {
     Unexpected { found: String, accepted: &'static str },
     #[error("found `{found}`, accepted are finite real numbers only")]
     NotFinite { found: String },
+    #[error(
+        "found a sign after a sign, accepted is one, as in `1 - (-2)`; all values of 1.70 +- 0.01 are `[1.69, 1.71]`"
+    )]
+    TwoSigns,
     #[error("found an interval inside an expression, accepted is `[a, b]` as the whole text only")]
     InnerInterval,
     #[error("found a text of {length} bytes, accepted are at most {limit}")]

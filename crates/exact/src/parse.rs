@@ -31,7 +31,8 @@ impl Exact {
     /// Reads an exact real number, or an interval `[a, b]` of them.
     ///
     /// Accepted are decimals (`9.42497`, `.5`, `1e-300`, and underscores between digits as TOML has them), `pi`, `sqrt(x)`, `sin(x)`,
-    /// `cos(x)`, `+ - * /`, `^` with an integer exponent (binding tighter than a sign: `-2^2` is -4), and parentheses.
+    /// `cos(x)`, `+ - * /`, `^` with an integer exponent (binding tighter than a sign: `-2^2` is -4), and parentheses. A sign directly after
+    /// a sign is refused: `1 - (-2)` is read, `1 - -2` and `1.7 +- 0.1` are not.
     ///
     /// **Errors** name the byte column, what was found there and what is accepted. Refused too: a divisor that cannot be proved
     /// nonzero, a root of what cannot be proved nonnegative, texts over 16384 bytes, over 256 levels of nesting, exponents of `^`
@@ -123,21 +124,24 @@ impl Reader<'_> {
         }
     }
 
-    /// Any number of signs: where they begin, and whether they are minus in all.
-    fn signs(&mut self) -> (usize, bool) {
+    /// A sign, if one stands here: its place, and whether it is minus. After another sign it is refused: `1.7 +- 0.1` is not 1.6.
+    fn sign(&mut self) -> Result<(usize, bool), ParseError> {
         let start = self.skip_space();
         let mut negative = false;
         while let Some(sign @ (b'+' | b'-')) = self.peek() {
-            negative ^= sign == b'-';
+            if self.text[..self.at].trim_ascii_end().ends_with(['+', '-']) {
+                return Err(ParseError::new(self.at, Problem::TwoSigns));
+            }
+            negative = sign == b'-';
             self.at += 1;
             self.skip_space();
         }
-        (start, negative)
+        Ok((start, negative))
     }
 
-    /// Signs, then a number, `pi`, a function call or parentheses, then perhaps a power.
+    /// A sign, perhaps, then a number, `pi`, a function call or parentheses, then perhaps a power.
     fn operand(&mut self) -> Result<Exact, ParseError> {
-        let (start, negative) = self.signs();
+        let (start, negative) = self.sign()?;
         let at = self.at;
         let function = match self.peek() {
             Some(b'(') => None,
@@ -173,7 +177,7 @@ impl Reader<'_> {
         self.finish(value, at, start, negative)
     }
 
-    /// An operand that begins at `at`, after signs that begin at `start`: its power, if one follows, and its sign.
+    /// An operand that begins at `at`, after a sign at `start`, if it has one: its power, if one follows, and its sign.
     fn finish(&mut self, value: Exact, at: usize, start: usize, negative: bool) -> Result<Exact, ParseError> {
         self.skip_space();
         let value = if self.take(b'^') {
@@ -187,7 +191,7 @@ impl Reader<'_> {
 
     /// An integer exponent: digits, perhaps signed, in parentheses, or itself with an exponent (`2^3^2` is `2^9`).
     fn exponent(&mut self) -> Result<i64, ParseError> {
-        let (start, negative) = self.signs();
+        let (start, negative) = self.sign()?;
         let mut value = if self.peek() == Some(b'(') {
             self.open()?;
             let value = self.exponent()?;

@@ -51,6 +51,18 @@ impl Arithmetic {
     }
 }
 
+/// The accepted numbers of digits.
+pub const DIGITS: RangeInclusive<u32> = 1..=400;
+
+/// Refuses a number of digits that is not accepted.
+///
+/// # Errors
+/// If it is not in [`DIGITS`].
+pub fn require_digits(digits: u32) -> Result<(), Error> {
+    let (least, most) = DIGITS.into_inner();
+    Error::require_range("digits", &Exact::from(i64::from(digits)), least.into(), most.into())
+}
+
 /// The settings of an orbit: its length, accuracy and arithmetic.
 #[derive(Clone, Debug)]
 pub struct Settings {
@@ -77,6 +89,22 @@ pub const MULTIPRECISION: bool = cfg!(feature = "multiprecision");
 pub const MAX_BITS: u32 = 1_000_000;
 /// Accepted precisions, in bits.
 pub const BITS: RangeInclusive<u32> = 64..=1_000_000_000;
+
+impl Settings {
+    /// Refuses settings that no orbit is followed with.
+    ///
+    /// # Errors
+    /// If the digits or a number of bits are not accepted.
+    pub fn require_accepted(&self) -> Result<(), Error> {
+        require_digits(self.digits)?;
+        match self.arithmetic {
+            Arithmetic::Bits(bits) if !(BITS.contains(&bits) && MULTIPRECISION) => {
+                Err(Arithmetic::unknown(&bits.to_string()))
+            }
+            _ => Ok(()),
+        }
+    }
+}
 
 impl Default for Settings {
     /// A hundred impacts at nine digits, `auto`; no attractor is sought.

@@ -44,14 +44,25 @@ impl Start {
     /// # Errors
     /// If the position is not strictly between the walls, or this cannot be proved.
     pub fn inside(pair: &ImpactPair, time: Exact, position: Exact, velocity: Exact) -> Result<Self, Error> {
+        let start = Self { time, velocity, place: Place::Inside(position) };
+        start.require_in(pair)?;
+        Ok(start)
+    }
+
+    /// Refuses a start that is not in the box of `pair`: whatever follows a start asks this of the pair that it follows it with.
+    ///
+    /// # Errors
+    /// If the start is not on a wall and its position is not strictly between the walls, or this cannot be proved.
+    pub fn require_in(&self, pair: &ImpactPair) -> Result<(), Error> {
+        let Place::Inside(position) = &self.place else { return Ok(()) };
         let accepted = "must lie strictly between the walls at -d/2 and d/2 (on a wall: give start.wall)";
-        let doubled = within("start.position", &position, position.checked_mul(&Exact::from(2)))?;
+        let doubled = within("start.position", position, position.checked_mul(&Exact::from(2)))?;
         for room in [pair.gap().checked_sub(&doubled), pair.gap().checked_add(&doubled)] {
-            if within("start.position", &position, room)?.sign() != Some(Ordering::Greater) {
-                return Err(Error::range("start.position", &position, accepted));
+            if within("start.position", position, room)?.sign() != Some(Ordering::Greater) {
+                return Err(Error::range("start.position", position, accepted));
             }
         }
-        Ok(Self { time, velocity, place: Place::Inside(position) })
+        Ok(())
     }
 
     /// Returns the time of the start \[time\].

@@ -220,10 +220,10 @@ fn caption(
 pub(crate) fn parameters(scene: &Scene, over: Option<&Range>) -> String {
     let words = scene.pair().in_words();
     let Some(over) = over else { return greek(&format!("{words}; {}", scene.start().in_words())) };
-    let symbol = over.key.symbol().0;
+    let symbol = over.key().symbol().0;
     let fixed: Vec<&str> =
         words.split(", ").filter(|word| !greek(word).starts_with(&format!("${symbol} = "))).collect();
-    let range = greek(&format!("{} ≤ {symbol} ≤ {}", over.low, over.high));
+    let range = greek(&format!("{} ≤ {symbol} ≤ {}", over.low(), over.high()));
     format!("{}; all {range}", greek(&format!("{}; {}", fixed.join(", "), scene.start().in_words())))
 }
 

@@ -72,13 +72,13 @@ pub fn cells(scene: &Scene, requested: &RangeSettings, found: &Cells, look: &Loo
 }
 
 fn column(scene: &Scene, requested: &RangeSettings, found: &Cells, number: u32) -> Result<Column> {
-    let (low, high) = (&requested.over.low, &requested.over.high);
+    let (low, high) = (requested.over.low(), requested.over.high());
     let part = Exact::from(i64::from(2 * number + 1)).checked_div(&Exact::from(i64::from(2 * COLUMNS)))?;
     let exact = low.checked_add(&high.checked_sub(low)?.checked_mul(&part)?)?;
     let at = value(&exact);
     let stretch = found.stretches.iter().find(|stretch| at <= value(&stretch.high));
     let kind = stretch.map_or(LEGEND.len() - 1, |stretch| kind(&stretch.verdict));
-    let states = seen_impacts(&scene.pair().with(requested.over.key, exact)?, scene.start(), IMPACTS)?;
+    let states = seen_impacts(&scene.pair().with(requested.over.key(), exact)?, scene.start(), IMPACTS)?;
     Ok(Column { at, kind, states })
 }
 
@@ -89,9 +89,9 @@ fn frame(
     (named, arc): (&[usize], Arc),
     (root, look): (&Canvas<'_>, &Look),
 ) -> Result<Plane, Box<dyn std::error::Error>> {
-    let over = described(requested.over.key);
+    let over = described(requested.over.key());
     let title =
-        format!("{}: what is proved over the {}", scene.title().unwrap_or("The impact map"), requested.over.key);
+        format!("{}: what is proved over the {}", scene.title().unwrap_or("The impact map"), requested.over.key());
     let [transient, impacts] = IMPACTS;
     let bar = format!(
         "bar: proved for all values; below: impacts {} to {} of floating-point orbits, non-rigorous",
@@ -104,7 +104,7 @@ fn frame(
         named.iter().map(|&number| (Mark::Cell(LEGEND[number].1), LEGEND[number].0.to_owned())).collect();
     let height = picture::legend(root, top, &entries)?;
     let (_, below) = root.split_vertically(top + height + BAR_DISTANCE + BAR_HEIGHT);
-    let axes = [Axis::over(value(&requested.over.low), value(&requested.over.high)), arc.axis()];
+    let axes = [Axis::over(value(requested.over.low()), value(requested.over.high())), arc.axis()];
     Plane::draw(&below, axes, [&over, PHASE_LABEL])
 }
 

@@ -34,7 +34,7 @@ pub fn tangency(scene: &Scene, found: &Tangencies, look: &Look) -> Result<String
     let own = first.parameter.mid_rad().0;
     let [gap, e] = [scene.pair().gap(), scene.pair().restitution()].map(value);
     let amplitude = scene.pair().excitation().only().map_or(f64::NAN, |harmonic| value(harmonic.amplitude()));
-    let pair = |parameter: f64| match found.over.key {
+    let pair = |parameter: f64| match found.over.key() {
         Key::Gap => [parameter / amplitude, e],
         Key::Restitution => [gap / amplitude, parameter],
         _ => [gap / parameter, e],
@@ -46,7 +46,7 @@ pub fn tangency(scene: &Scene, found: &Tangencies, look: &Look) -> Result<String
         let (_, below) = root.split_vertically(top);
         let areas = below.split_evenly((2, 2));
         section(&portrait, (&areas[0], root))?;
-        let key = found.over.key;
+        let key = found.over.key();
         let values = [
             ("(b)", 0.0, "at the tangency"),
             ("(c)", -PARAMETER_OFFSET, "1e-4 below"),

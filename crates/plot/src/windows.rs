@@ -87,7 +87,7 @@ fn colour(is_certified: bool) -> RGBColor {
 
 /// The scene's own value of the parameter.
 fn own_value<'s>(scene: &'s Scene, found: &Windows) -> Option<&'s Exact> {
-    match found.over.key {
+    match found.over.key() {
         Key::Gap => Some(scene.pair().gap()),
         Key::Restitution => Some(scene.pair().restitution()),
         _ => scene.pair().excitation().only().map(|harmonic| harmonic.amplitude()),
@@ -95,7 +95,7 @@ fn own_value<'s>(scene: &'s Scene, found: &Windows) -> Option<&'s Exact> {
 }
 
 fn is_inside(found: &Windows, own: f64) -> bool {
-    (value(&found.over.low)..=value(&found.over.high)).contains(&own)
+    (value(found.over.low())..=value(found.over.high())).contains(&own)
 }
 
 /// Title, what is given, and axes.
@@ -105,7 +105,7 @@ fn frame(
     all: &[Marked],
     (root, look): (&Canvas<'_>, &Look),
 ) -> Result<Plane, Box<dyn std::error::Error>> {
-    let key = found.over.key;
+    let key = found.over.key();
     let title = format!("{}: stable windows over the {key}", scene.title().unwrap_or("The impact map"));
     let said = format!(
         "{}, the number of impacts of the reduced map beside each; others are not excluded; {}",
@@ -126,7 +126,7 @@ fn frame(
     let ends =
         |end: fn(f64, f64) -> f64, other: f64| all.iter().map(|window| window.width).reduce(end).unwrap_or(other);
     let (narrow, wide) = (ends(f64::min, -1.0).floor() - 1.0, ends(f64::max, 0.0).ceil() + 1.0);
-    let axes = [Axis::over(value(&found.over.low), value(&found.over.high)), Axis::over(narrow, wide)];
+    let axes = [Axis::over(value(found.over.low()), value(found.over.high())), Axis::over(narrow, wide)];
     Plane::draw(&below, axes, [&described(key), "decimal logarithm of the width of the window"], RIGHT_MARGIN)
 }
 

@@ -104,7 +104,7 @@ proptest! {
 
 /// Numbers of impacts and of cycles of the stable orbit that `run` proves for one value of the parameter, by sets without parameters.
 fn impacts_and_cycles(scene: &Scene, requested: &RangeSettings, value: &crate::exact::Exact) -> (usize, u32) {
-    let pair = scene.pair().with(requested.over.key, value.clone()).unwrap();
+    let pair = scene.pair().with(requested.over.key(), value.clone()).unwrap();
     let settings =
         Settings { impacts: Some(2000), attractor: true, arithmetic: Arithmetic::Auto, ..Settings::default() };
     let mut orbit = Orbit::new(&pair, scene.start(), settings).unwrap();

@@ -106,11 +106,11 @@ impl Work<'_> {
     /// Width of a cell after N halvings, in units of the parameter.
     fn wide(&self, halved: u32) -> f64 {
         let over = &self.requested.over;
-        (double(&over.high) - double(&over.low)) / f64::from(self.requested.cells) / f64::from(1 << halved)
+        (double(over.high()) - double(over.low())) / f64::from(self.requested.cells) / f64::from(1 << halved)
     }
 
     fn law(&self, [low, high]: [&Exact; 2]) -> Result<Law, Error> {
-        Law::of(&self.pair.with(self.requested.over.key, within(NAME, low, Exact::interval(low, high))?)?)
+        Law::of(&self.pair.with(self.requested.over.key(), within(NAME, low, Exact::interval(low, high))?)?)
     }
 
     /// H-sets about bundles of leaves at the first of some values whose floating-point orbit is chaotic.

@@ -17,9 +17,14 @@ mod saddles;
 mod tests;
 mod walks;
 
+use std::ops::RangeInclusive;
+
+use impact_pair_model::require_digits;
+
 use super::horseshoe::Horseshoe;
 use super::law::Law;
 use crate::Error;
+use crate::exact::Exact;
 use crate::pair::{ImpactPair, too_large};
 use crate::periodic::Precision;
 use crate::units;
@@ -35,7 +40,7 @@ pub use known::{Kind, LimitCycle, RestCycle};
 /// The settings of a global analysis.
 #[derive(Clone, Copy, Debug)]
 pub struct GlobalSettings {
-    /// Boxes of the first partition, about: a power of two from 2^8 to 2^20.
+    /// Boxes of the first partition, about: a power of two, see [`GlobalSettings::BOXES`].
     pub boxes: u32,
     /// Number of times that the boxes of a component are halved at most.
     pub halvings: u32,
@@ -44,7 +49,7 @@ pub struct GlobalSettings {
     /// The work of their images in all, about: views of flights, columns that long flights may land in, and boxes that are noted; as much
     /// again is allowed for those of basins.
     pub work: u64,
-    /// Boxes by which basins are proved, about, if they are requested: a power of two from 2^8 to 2^24.
+    /// Boxes by which basins are proved, about, if they are requested: a power of two, see [`GlobalSettings::BASINS`].
     pub basins: Option<u32>,
     /// The most impacts of words of horseshoes, if these are looked for in components of which nothing else is decided.
     pub horseshoes: Option<usize>,
@@ -72,6 +77,28 @@ impl Default for GlobalSettings {
 }
 
 impl GlobalSettings {
+    /// Accepted logarithms to base 2 of the boxes of the first partition.
+    pub const BOXES: RangeInclusive<u32> = 8..=20;
+    /// Accepted numbers of halvings.
+    pub const HALVINGS: RangeInclusive<u32> = 0..=40;
+    /// Accepted logarithms to base 2 of the boxes of basins.
+    pub const BASINS: RangeInclusive<u32> = 8..=24;
+
+    /// Refuses settings that no analysis is made with.
+    fn require_accepted(&self) -> Result<(), Error> {
+        let boxes = [("boxes", Some(self.boxes), Self::BOXES), ("basins", self.basins, Self::BASINS)];
+        for (key, number, accepted) in boxes {
+            if let Some(number) = number.filter(|n| !(n.is_power_of_two() && accepted.contains(&n.ilog2()))) {
+                let (least, most) = accepted.into_inner();
+                let message = format!("{key} is {number}, but must be a power of two from 2^{least} to 2^{most}");
+                return Err(Error::out_of_range(key, message));
+            }
+        }
+        let (least, most) = Self::HALVINGS.into_inner();
+        Error::require_range("halvings", &Exact::from(i64::from(self.halvings)), least.into(), most.into())?;
+        require_digits(self.precision.digits)
+    }
+
     /// Returns the limits by default for one of many cells of two parameters: fewer boxes, less work.
     pub fn of_cell() -> Self {
         Self { boxes: 1 << 12, most: 20_000, work: DEFAULT_WORK / 20, ..Self::default() }
@@ -185,8 +212,10 @@ impl Global {
     /// Returns where the motions of a pair go, until the watch stops it.
     ///
     /// # Errors
-    /// With several harmonics, with a restitution that is not below 0.99, and when a value is beyond the range of double-precision flights.
+    /// With settings that are not accepted, several harmonics, or a restitution that is not below 0.99, and when a value is beyond the range
+    /// of double-precision flights.
     pub fn of(pair: &ImpactPair, settings: &GlobalSettings, watch: &dyn Watch) -> Result<Self, Error> {
+        settings.require_accepted()?;
         let space = Self::space(pair)?;
         let speed_unit = 1.0 / space.law().beta().expect("a gap is larger than 0").mid(); // shown
         let released = Released::of(pair, &space)?;

@@ -199,6 +199,23 @@ fn one_cycle_with_rests_is_where_all_motions_end() {
 /// Figure 12: sin th = 0 at both impacts, so the eigenvalues of the reduced map are e (the matrix is triangular), beside a saddle and a cycle
 /// with rests.
 #[test]
+fn settings_that_are_not_accepted_are_refused() {
+    let usual = GlobalSettings::default();
+    let precision = Precision { digits: 1_000_000, ..usual.precision };
+    for (settings, said) in [
+        (GlobalSettings { boxes: 0, ..usual }, "boxes is 0, but must be a power of two from 2^8 to 2^20"),
+        (GlobalSettings { boxes: 1000, ..usual }, "boxes is 1000, but must be a power of two"),
+        (GlobalSettings { boxes: 1 << 21, ..usual }, "boxes is 2097152, but must be a power of two"),
+        (GlobalSettings { basins: Some(3), ..usual }, "basins is 3, but must be a power of two from 2^8 to 2^24"),
+        (GlobalSettings { halvings: 41, ..usual }, "halvings is 41, but must lie in [0, 40]"),
+        (GlobalSettings { precision, ..usual }, "digits is 1000000, but must lie in [1, 400]"),
+    ] {
+        let error = Global::of(&pair("2", "0.2"), &settings, &Unwatched).unwrap_err().to_string();
+        assert!(error.starts_with(said), "{error}");
+    }
+}
+
+#[test]
 fn two_attractors_of_figure_12_are_found_without_a_start() {
     let settings = GlobalSettings { most: 60_000, ..GlobalSettings::default() };
     let found = Global::of(&pair("1/(3*pi)", "0.5"), &settings, &Unwatched).unwrap();

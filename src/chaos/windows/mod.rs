@@ -8,6 +8,8 @@ mod search;
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 
+use impact_pair_model::require_digits;
+
 use super::law::{Law, Side};
 use super::quad::State;
 use crate::Error;
@@ -28,7 +30,7 @@ pub const WINDOW_PARAMETERS: &str = "KEY one of gap, amplitude, restitution";
 
 /// Returns whether windows are searched over such a range.
 pub fn is_window_range(range: &Range) -> bool {
-    matches!(range.key, Key::Gap | Key::Amplitude(_) | Key::Restitution) && range.count.is_none()
+    matches!(range.key(), Key::Gap | Key::Amplitude(_) | Key::Restitution) && range.count().is_none()
 }
 
 /// The settings of a search for windows.
@@ -182,15 +184,16 @@ struct Search<'p> {
 
 impl<'p> Search<'p> {
     fn new(pair: &'p ImpactPair, settings: &'p WindowSettings) -> Result<Self, Error> {
-        let Range { key, low, high, .. } = &settings.over;
+        let (key, low, high) = (settings.over.key(), settings.over.low(), settings.over.high());
         if !is_window_range(&settings.over) {
             let message =
                 format!("the range is \"{}\", but accepted is KEY=LO..HI, {WINDOW_PARAMETERS}", settings.over);
             return Err(Error::out_of_range(None, message));
         }
-        let law = |value: &Exact| Law::of(&pair.with(*key, value.clone())?);
+        require_digits(settings.precision.digits)?;
+        let law = |value: &Exact| Law::of(&pair.with(key, value.clone())?);
         let laws = [law(low)?, law(high)?];
-        let varies = if *key == Key::Restitution { VariedParameter::Restitution } else { VariedParameter::Gap };
+        let varies = if key == Key::Restitution { VariedParameter::Restitution } else { VariedParameter::Gap };
         let of = |law: &Law| if varies == VariedParameter::Gap { law.gap.mid() } else { law.restitution.mid() };
         let ends = laws.each_ref().map(of);
         // proposes
@@ -206,7 +209,7 @@ impl<'p> Search<'p> {
         let longest = settings.longest.min(MOST_WINDOW_IMPACTS); // proposes
         let own = own.unwrap_or(0.5 * (range[0] + range[1])); // proposes: where a search begins
         let family = Family { varies, fixed, range, longest };
-        Ok(Self { pair, family, own, key: *key, ends: [low, high], unit, impacts: settings.impacts })
+        Ok(Self { pair, family, own, key, ends: [low, high], unit, impacts: settings.impacts })
     }
 
     /// A value of the parameter in the units of the scene.

@@ -11,6 +11,14 @@ fn phases() -> impl Strategy<Value = f64> {
     (near, prop_oneof![3 => Just(0.0), 1 => far]).prop_map(|(near, far)| near + far)
 }
 
+#[test]
+fn a_radius_is_a_size() {
+    let one = |rad| Ball::new(0.0, rad);
+    assert!((one(1.0) + one(-1.0)).rad() >= 2.0 && one(-1.0).certain_sign().is_none());
+    assert!(one(1.0).widened(-1.0).rad() >= 2.0 && one(1.0).with_radius(-3.0).rad() >= 3.0);
+    assert_eq!(super::super::Magnitude::new(-1.0, 3), super::super::Magnitude::new(1.0, 3));
+}
+
 proptest! {
     #[test]
     fn operations_hold_the_results_of_their_members(

@@ -22,7 +22,7 @@ use crate::pair::ImpactPair;
 use crate::scene::Key;
 use crate::shaken::under;
 use crate::watch::{Latched, Watch};
-use impact_pair_model::Start;
+use impact_pair_model::{Start, require_digits};
 
 /// A branch to be followed.
 struct Lead {
@@ -69,6 +69,7 @@ pub fn survey(
     diagram_settings: &DiagramSettings,
     watch: &dyn Watch,
 ) -> Result<Diagram, Error> {
+    require_digits(diagram_settings.precision.digits)?;
     let parameter = Parameter::new(pair, &diagram_settings.over)?;
     let base = parameter.base()?;
     let (shaken, chain) = of_word(&base, word, cycles)?;
@@ -104,7 +105,7 @@ fn survey_under<S: Varied>(
         survey.follow_leads();
     }
     let mut diagram = survey.diagram;
-    diagram.points.sort_by(|a, b| compare(a, b, diagram_settings.over.key));
+    diagram.points.sort_by(|a, b| compare(a, b, diagram_settings.over.key()));
     diagram.interrupted = watch.is_stopped();
     Ok(diagram)
 }

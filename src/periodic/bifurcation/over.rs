@@ -20,9 +20,16 @@ use crate::scene::{Key, Range};
 /// # Ok::<(), impact_pair::Error>(())
 /// ```
 pub fn over(text: &str) -> Result<Range, Error> {
-    Range::parse(text, &format!("KEY=LO..HI with LO < HI, {PARAMETERS}"), |range| {
-        is_parameter(range) && range.count.is_none()
-    })
+    Range::parse(text, &accepted(), is_followed)
+}
+
+/// What branches are followed over, in words.
+fn accepted() -> String {
+    format!("KEY=LO..HI with LO < HI, {PARAMETERS}")
+}
+
+fn is_followed(range: &Range) -> bool {
+    is_parameter(range) && range.count().is_none()
 }
 
 /// The keys that periodic orbits depend on, in words.
@@ -30,7 +37,7 @@ pub const PARAMETERS: &str = "KEY one of amplitude, gap, restitution, frequency;
 
 /// Returns whether periodic orbits depend on the key of a range.
 pub fn is_parameter(range: &Range) -> bool {
-    matches!(range.key, Key::Amplitude(_) | Key::Frequency(_) | Key::Gap | Key::Restitution)
+    matches!(range.key(), Key::Amplitude(_) | Key::Frequency(_) | Key::Gap | Key::Restitution)
 }
 
 /// A parameter of a pair, in the units of the scene and without units.
@@ -48,14 +55,18 @@ impl Parameter {
     /// Returns the parameter of a pair.
     ///
     /// # Errors
-    /// If an end of the range is not in that of the parameter, it is none of the pair, or no branch goes on over it.
+    /// If branches are not followed over the range, an end of it is not in that of the parameter, it is none of the pair, or no branch goes
+    /// on over it.
     pub fn new(pair: &ImpactPair, over: &Range) -> Result<Self, Error> {
-        pair.with(over.key, over.low.clone())?;
-        let high = pair.with(over.key, over.high.clone())?;
+        if !is_followed(over) {
+            return Err(Error::out_of_range(None, format!("the range is \"{over}\", but accepted is {}", accepted())));
+        }
+        pair.with(over.key(), over.low().clone())?;
+        let high = pair.with(over.key(), over.high().clone())?;
         let mut others = None;
-        let unknown = match over.key {
+        let unknown = match over.key() {
             Key::Amplitude(_) => {
-                let harmonic = high.harmonic_of(over.key)?;
+                let harmonic = high.harmonic_of(over.key())?;
                 others = harmonic.1;
                 Some(Unknown::Ratio(harmonic.0))
             }
@@ -69,7 +80,7 @@ impl Parameter {
 
     /// Returns the key of the scene file that has it, or the list of its terms.
     fn place(&self) -> &'static str {
-        match self.over.key {
+        match self.over.key() {
             Key::Gap => "pair.gap",
             Key::Restitution => "pair.restitution",
             _ => "excitation.amplitude",
@@ -81,7 +92,7 @@ impl Parameter {
     /// # Errors
     /// If the value is not in its range.
     pub fn pair_at(&self, value: Exact) -> Result<ImpactPair, Error> {
-        self.pair.with(self.over.key, value)
+        self.pair.with(self.over.key(), value)
     }
 
     /// Returns a pair that has all but the quantity that varies, expressed as [`Varied::at`](super::family::Varied::at) takes it.
@@ -90,7 +101,7 @@ impl Parameter {
     /// If the amplitude of the largest of several harmonics may be 0.
     pub fn base(&self) -> Result<ImpactPair, Error> {
         let is_one = self.pair.excitation().only().is_some();
-        let value = if self.over.key == Key::Gap && !is_one { self.largest() } else { &self.over.high };
+        let value = if self.over.key() == Key::Gap && !is_one { self.largest() } else { self.over.high() };
         self.pair_at(value.clone())
     }
 
@@ -106,7 +117,7 @@ impl Parameter {
     /// # Errors
     /// If it exceeds the range of exact expressions.
     pub fn without_units(&self, value: &Exact) -> Result<Exact, Error> {
-        let ratio = || match (self.over.key, &self.others) {
+        let ratio = || match (self.over.key(), &self.others) {
             (Key::Amplitude(_), None) => value.checked_div(self.pair.gap()),
             (Key::Amplitude(_), Some(others)) => value.checked_add(others)?.checked_div(self.pair.gap()),
             (Key::Gap, _) => self.largest().checked_div(value),
@@ -121,7 +132,7 @@ impl Parameter {
     /// If it exceeds the range of exact expressions, or is not in its range.
     pub fn in_units(&self, ratio: &Enclosure, bits: u32) -> Result<(Enclosure, ImpactPair), Error> {
         let value = |ratio: &Exact| -> Result<Exact, ExactError> {
-            match (self.over.key, &self.others) {
+            match (self.over.key(), &self.others) {
                 (Key::Amplitude(_), None) => ratio.checked_mul(self.pair.gap()),
                 (Key::Amplitude(_), Some(others)) => ratio.checked_mul(self.pair.gap())?.checked_sub(others),
                 (Key::Gap, _) => self.largest().checked_div(ratio),
@@ -151,14 +162,14 @@ impl Parameter {
     /// # Errors
     /// If one is beyond doubles.
     pub fn ends(&self) -> Result<[f64; 2], Error> {
-        let (a, b) = (self.in_doubles(&self.over.low)?, self.in_doubles(&self.over.high)?);
+        let (a, b) = (self.in_doubles(self.over.low())?, self.in_doubles(self.over.high())?);
         Ok([a.min(b), a.max(b)]) // proposes
     }
 
     /// See [`Diagram::range_f64`](super::Diagram::range_f64).
     pub fn range_f64(&self, ends: [f64; 2]) -> [f64; 2] {
         let of = |value: &Exact| value.enclose(80).mid_rad().0;
-        let [a, b] = ends.map(|x| match self.over.key {
+        let [a, b] = ends.map(|x| match self.over.key() {
             Key::Amplitude(_) => x * of(self.pair.gap()) - self.others.as_ref().map_or(0.0, of),
             Key::Gap => of(self.largest()) / x,
             _ => x,

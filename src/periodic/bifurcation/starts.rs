@@ -59,8 +59,8 @@ pub(super) fn seeds<S: Varied>(
 fn values(over: &Range) -> Vec<Exact> {
     let part = |i: u32| {
         let weight = |n: u32| Exact::from(i64::from(n));
-        let sum =
-            over.low.checked_mul(&weight(INTERVALS - i)).ok()?.checked_add(&over.high.checked_mul(&weight(i)).ok()?);
+        let [low, high] = [(over.low(), INTERVALS - i), (over.high(), i)].map(|(end, n)| end.checked_mul(&weight(n)));
+        let sum = low.ok()?.checked_add(&high.ok()?);
         sum.ok()?.checked_div(&weight(INTERVALS)).ok()
     };
     (0..=INTERVALS).filter_map(part).collect()

@@ -69,10 +69,14 @@ let parse place source =
     if depth > deepest then refuse "no deeper nesting";
     let rec more value =
       blanks ();
-      if take '+' then more (Plus (value, product depth))
-      else if take '-' then more (Minus (value, product depth))
+      if take '+' then more (Plus (value, unsigned depth))
+      else if take '-' then more (Minus (value, unsigned depth))
       else value in
     more (product depth)
+  and unsigned depth =
+    blanks ();
+    if peek () = '-' then refuse "no sign after a sign";
+    product depth
   and product depth =
     let rec more value =
       blanks ();

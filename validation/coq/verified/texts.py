@@ -41,7 +41,7 @@ def numbers(text):
     for what, gap in {"a huge gap": HUGE, "a huge exponent": "1e999999999999", "a large exponent": "1e9999", "a small one": "1e-9999",
                       "powers of powers": "((((2^64)^64)^64)^64)", "deep parentheses": "(" * 5000 + "9" + ")" * 5000, "no number": "nan",
                       "a quotient by 0": "1/0", "the root of -4": "sqrt(-4)", "a hidden 0": "9.42497/(1-1)", "two numbers": "9 .42497",
-                      "a word": "gap", "a sum without end": "9+", "an interval": "[9, 9.5]", "infinity": "inf", "a hexadecimal": "0x9"}.items():
+                      "a word": "gap", "a sum without end": "9+", "an interval": "[9, 9.5]", "a sign after a sign": "9 - -0.42497", "infinity": "inf", "a hexadecimal": "0x9"}.items():
         yield what, text.replace('"9.42497"', json.dumps(gap), 1), REFUSED
     yield "a huge index", text.replace('"index": 1', f'"index": {HUGE}'), REFUSED
     yield "an index as a decimal", text.replace('"index": 1', '"index": 1.0'), REFUSED

@@ -32,7 +32,7 @@ fn numbers_mean_what_they_say() {
         ("2^-2^2", "1/16"),
         ("1/3/2", "1/6"),
         ("1-2-3", "-4"),
-        ("2--3*-1", "-1"),
+        ("2-(-3)*-1", "-1"),
         ("2*(3+4)/7", "2"),
         ("sqrt(9/4)", "3/2"),
         ("sin(pi/6)+cos(2*pi/3)", "0"),
@@ -63,6 +63,11 @@ fn errors_name_the_fault_its_place_and_the_accepted_values() {
         ("1 + 1/(1-1)", "column 6: the divisor `0` is zero"),
         ("sqrt(-1)", "column 1: the square root of `-1` needs"),
         ("1e10001", "column 1: found a number of magnitude `1e10001`"),
+        ("1.70 +- 0.01", "column 7: found a sign after a sign"),
+        ("--1.7", "column 2: found a sign after a sign"),
+        ("2*-\t+3", "column 5: found a sign after a sign"),
+        ("10^--3", "column 5: found a sign after a sign"),
+        ("sin(1 - -2)", "column 9: found a sign after a sign"),
         ("1 + [1, 2]", "column 5: found an interval inside"),
         ("[2, 1]", "column 1: the interval needs a lower bound"),
         ("[1, 2", "column 6: found the end, accepted are `+`, `-`, `*`, `/`, `^` or `]`"),
@@ -84,7 +89,6 @@ fn deep_long_and_large_texts_are_refused_or_read_but_never_break() {
     }
     assert!(Exact::parse(&format!("1{}", "^1".repeat(5000))).is_err());
     assert!(Exact::parse(&"-".repeat(20_000)).is_err());
-    assert!(Exact::parse(&format!("{}1", "-".repeat(10_000))).is_ok());
     assert!(Exact::parse(&"9".repeat(9_000)).is_ok());
     assert!(Exact::parse(&format!("0.{}1", "0".repeat(12_000))).is_err());
     assert!(Exact::parse(&vec!["sin(1)"; 2000].join("+")).is_err());

@@ -12,14 +12,13 @@ mod section;
 mod vary;
 mod words;
 
-use std::ops::RangeInclusive;
-
 use toml_edit::{Document, TomlError};
 
 use crate::error::Error;
 use crate::excerpt::Excerpt;
 use crate::excitation::{Excitation, Harmonic};
 use crate::pair::{ImpactPair, Wall};
+pub use crate::settings::DIGITS;
 use crate::settings::{Arithmetic, Settings};
 use crate::start::Start;
 use impact_pair_exact::Exact;
@@ -29,9 +28,6 @@ use section::{Entry, Section, quoted};
 
 /// Digits of a shadow where none are requested: it is as narrow as it is, and a scene's own are meant for what can be narrower.
 const SHADOW_DIGITS: u32 = 6;
-
-/// The accepted numbers of digits.
-pub const DIGITS: RangeInclusive<u32> = 1..=400;
 
 /// A scene file: an impact pair, a start, and how far to follow the orbit.
 ///

@@ -1,5 +1,6 @@
 //! Ranges of the values of a key: [`Range`].
 
+use std::cmp::Ordering;
 use std::fmt;
 use std::str::FromStr;
 
@@ -7,29 +8,60 @@ use super::Key;
 use crate::error::Error;
 use impact_pair_exact::{Exact, ExactError};
 
+const ACCEPTED: &str = "KEY=LO..HI or KEY=LO..HI:COUNT with single numbers LO < HI and a whole number COUNT";
+
 /// The values of a key from `low` to `high`, endpoints included: `KEY=LO..HI`, or `KEY=LO..HI:COUNT` for COUNT of them, or COUNT cells.
 ///
 /// ```
 /// use impact_pair_model::scene::{Key, Range};
 /// let range: Range = "pair.gap=2..3:5".parse()?;
-/// assert_eq!((range.key, range.low.text().as_str(), range.count), (Key::Gap, "2", Some(5)));
+/// assert_eq!((range.key(), range.low().text().as_str(), range.count()), (Key::Gap, "2", Some(5)));
 /// assert_eq!(range.value(1, 4)?.text(), "2.25");
 /// assert!("gap=3..2".parse::<Range>().is_err());
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Debug)]
 pub struct Range {
-    /// The key.
-    pub key: Key,
-    /// Its least value.
-    pub low: Exact,
-    /// Its greatest value.
-    pub high: Exact,
-    /// The number of values or cells, if one is given.
-    pub count: Option<u64>,
+    key: Key,
+    low: Exact,
+    high: Exact,
+    count: Option<u64>,
 }
 
 impl Range {
+    /// Returns the values of a key from `low` to `high`.
+    ///
+    /// # Errors
+    /// If the ends are not single numbers, or `low < high` is not proved.
+    pub fn new(key: Key, low: Exact, high: Exact, count: Option<u64>) -> Result<Self, Error> {
+        let range = Self { key, low, high, count };
+        let is_one = range.low.is_point() && range.high.is_point();
+        if is_one && range.low.compare(&range.high) == Some(Ordering::Less) {
+            return Ok(range);
+        }
+        Err(Error::out_of_range(None, format!("the range is \"{range}\", but accepted is {ACCEPTED}")))
+    }
+
+    /// Returns the key.
+    pub fn key(&self) -> Key {
+        self.key
+    }
+
+    /// Returns its least value, a single number.
+    pub fn low(&self) -> &Exact {
+        &self.low
+    }
+
+    /// Returns its greatest value, a single number.
+    pub fn high(&self) -> &Exact {
+        &self.high
+    }
+
+    /// Returns the number of values or cells, if one is given.
+    pub fn count(&self) -> Option<u64> {
+        self.count
+    }
+
     /// Returns the number of values; all of them at once are one.
     pub fn points(&self) -> u64 {
         self.count.unwrap_or(1)
@@ -65,11 +97,10 @@ impl Range {
         let refused = || Error::out_of_range(None, format!("the range is \"{text}\", but accepted is {accepted}"));
         let (key, low, high, count) = parts().ok_or_else(refused)?;
         let key = key.trim().parse()?;
-        let end = |text: &str| Exact::parse(text).ok().filter(Exact::is_point);
         let range = || {
-            let (low, high) = (end(low)?, end(high)?);
+            let (low, high) = (Exact::parse(low).ok()?, Exact::parse(high).ok()?);
             let count = count.map(|count| count.trim().parse()).transpose().ok()?;
-            low.compare(&high)?.is_lt().then_some(Self { key, low, high, count })
+            Self::new(key, low, high, count).ok()
         };
         range().filter(is_accepted).ok_or_else(refused)
     }
@@ -79,8 +110,7 @@ impl FromStr for Range {
     type Err = Error;
 
     fn from_str(text: &str) -> Result<Self, Error> {
-        let accepted = "KEY=LO..HI or KEY=LO..HI:COUNT with single numbers LO < HI and a whole number COUNT";
-        Self::parse(text, accepted, |_| true)
+        Self::parse(text, ACCEPTED, |_| true)
     }
 }
 

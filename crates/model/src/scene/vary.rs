@@ -55,11 +55,11 @@ impl Scene {
 }
 
 impl ImpactPair {
-    /// Returns the pair with another value of one of its parameters; the same pair for a key of the start.
+    /// Returns the pair with another value of one of its parameters.
     ///
     /// # Errors
-    /// Returns an error if the value is out of range, or if the excitation has several harmonics but the key names no term, or a
-    /// term that does not exist.
+    /// Returns an error if the key is one of the start, if the value is out of range, or if the excitation has several harmonics but the key
+    /// names no term, or a term that does not exist.
     pub fn with(&self, key: Key, value: Exact) -> Result<Self, Error> {
         let (mut excitation, mut gap, mut restitution) =
             (self.excitation().clone(), self.gap().clone(), self.restitution().clone());
@@ -69,7 +69,10 @@ impl ImpactPair {
             }
             Key::Gap => gap = value,
             Key::Restitution => restitution = value,
-            Key::StartTime | Key::StartPhase | Key::StartPosition | Key::StartVelocity => {}
+            Key::StartTime | Key::StartPhase | Key::StartPosition | Key::StartVelocity => {
+                let accepted = "a pair has amplitude, frequency, phase, gap, restitution";
+                return Err(Error::out_of_range(None, format!("the key is \"{key}\", but {accepted}")));
+            }
         }
         Self::new(excitation, gap, restitution)
     }

@@ -45,7 +45,7 @@ pub struct Parameters {
 impl Parameters {
     /// Returns the parameters of a scene with one harmonic, of which those of the axes vary; `None` where another parameter does.
     pub fn of(scene: &SceneDocument, axes: &[Range; 2]) -> Option<Self> {
-        let keys = axes.each_ref().map(|axis| axis.key);
+        let keys = axes.each_ref().map(|axis| axis.key());
         let is_one = |key: &Key| matches!(key, Key::Amplitude(_) | Key::Gap | Key::Restitution);
         let [amplitude] = &scene.excitation.amplitude[..] else { return None };
         let (gap, restitution) = (value(&scene.gap.0), value(&scene.restitution.0));

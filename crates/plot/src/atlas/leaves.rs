@@ -55,7 +55,7 @@ impl Leaves {
         let axes = plane.axes().map(Clone::clone);
         let half = axes.each_ref().map(|axis| {
             let steps = (axis.points() - 1) as f64;
-            if head.cells { 0.0 } else { 0.5 * (value(&axis.high) - value(&axis.low)) / steps }
+            if head.cells { 0.0 } else { 0.5 * (value(axis.high()) - value(axis.low())) / steps }
         });
         let mut all = Vec::new();
         atlas.each_record(|record| {
@@ -76,7 +76,7 @@ impl Leaves {
 
     /// Returns the ends of the plane on both axes, with half a step around points.
     pub fn range(&self) -> [[f64; 2]; 2] {
-        let own = self.axes.each_ref().map(|axis| [value(&axis.low), value(&axis.high)]);
+        let own = self.axes.each_ref().map(|axis| [value(axis.low()), value(axis.high())]);
         self.all.iter().fold(own, |all, leaf| {
             [0, 1].map(|axis| [all[axis][0].min(leaf.ends[axis][0]), all[axis][1].max(leaf.ends[axis][1])])
         })

@@ -26,7 +26,7 @@ pub fn html(atlas: &mut impl Records<Head = AtlasHead>) -> Result<String> {
     let [light, dark] = [Theme::Light, Theme::Dark].map(|theme| look(theme).of(&svg));
     let title = format!("{}: where every motion goes", head.title.as_deref().unwrap_or("The impact pair"));
     let data = json!({
-        "keys": leaves.axes.each_ref().map(|axis| axis.key.to_string()),
+        "keys": leaves.axes.each_ref().map(|axis| axis.key().to_string()),
         "range": leaves.range(),
         "place": place,
         "classes": CLASSES.map(|(name, colour, words)| json!({ "name": name, "colour": hex(colour), "words": words })),
@@ -140,7 +140,7 @@ fn settings(head: &AtlasHead) -> String {
 /// All points or cells as the rows of a table.
 fn table(head: &AtlasHead, leaves: &Leaves) -> String {
     let mut text = String::from("<thead><tr>");
-    let names = leaves.axes.iter().map(|axis| axis.key.to_string());
+    let names = leaves.axes.iter().map(|axis| axis.key().to_string());
     let counts = ["class", "attracting", "with rests", "saddles", "undecided"].map(str::to_owned);
     for name in names.chain(counts) {
         let _ = write!(text, "<th scope=\"col\">{}</th>", escaped(&name));

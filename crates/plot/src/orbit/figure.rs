@@ -84,7 +84,7 @@ impl Figure {
             ControlFlow::<()>::Continue(())
         });
         let impacts = orbit.listed();
-        let conclusion = Conclusion::of(&orbit, scene.start(), last.as_ref());
+        let conclusion = Conclusion::of(&orbit, last.as_ref());
         let ending = Ending::of(&orbit, conclusion, settings);
         let trace = recorder.finish(&orbit, settings, impacts);
         let sheet = Sheet {

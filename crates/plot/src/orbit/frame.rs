@@ -247,23 +247,32 @@ impl<'t> Frame<'t> {
         turns.mul_add(self.trace.period, self.trace.start)
     }
 
+    /// Returns the axis from wall to wall.
+    pub fn gap(&self) -> Axis {
+        let half = (1.0 + 2.0 * WALL_MARGIN) * self.trace.wall.high;
+        Axis::between(-half, half)
+    }
+
     /// Returns the axes: all that is shown lies on them.
     pub fn axes(&self) -> [Axis; 2] {
         let all = |axis: usize| {
             let curves = self.places().map(move |place| place[axis]);
             let crossings = self.crossings().map(move |(_, _, place)| place[axis]);
-            let ends = curves.chain(crossings).flat_map(|span| [span.low, span.high]);
+            let ends: Vec<f64> = curves.chain(crossings).flat_map(|span| [span.low, span.high]).collect();
+            if ends.iter().any(|end| end.is_infinite()) {
+                return Axis::between(f64::NEG_INFINITY, f64::INFINITY);
+            }
+            let ends = ends.into_iter();
             if self.is_magnified { Axis::close_around(ends) } else { Axis::around(ends) }
         };
-        let time = || Axis::over(self.time(self.begin), self.time(self.end));
-        let gap = || {
-            let half = (1.0 + 2.0 * WALL_MARGIN) * self.trace.wall.high;
-            Axis::over(-half, half)
+        let time = || {
+            let of = if self.begin < self.end { Axis::between } else { Axis::over };
+            of(self.time(self.begin), self.time(self.end))
         };
         match self.panel {
-            Panel::Displacement => [time(), if self.is_magnified { all(1) } else { gap() }],
+            Panel::Displacement => [time(), if self.is_magnified { all(1) } else { self.gap() }],
             Panel::Velocity => [time(), all(1)],
-            Panel::PhasePlane => [gap(), all(1)],
+            Panel::PhasePlane => [self.gap(), all(1)],
             Panel::SwitchPlane | Panel::SectionLeft | Panel::SectionRight => [Axis::angle(), all(1)],
             Panel::AbsolutePhasePlane | Panel::AbsoluteSwitchPlane => [all(0), all(1)],
         }

@@ -10,7 +10,7 @@ use super::frame::Frame;
 use super::style::{FONT, Style};
 use super::symbols::{self, hatch, symbol};
 use super::trace::Span;
-use crate::picture::{Canvas, Dots, Drawn, Plane, SCALE, hull, words};
+use crate::picture::{Axis, Canvas, Dots, Drawn, Plane, SCALE, hull, words};
 
 const TICK_FONT: i32 = 15 * SCALE;
 /// The least height and width of the frame around what is magnified elsewhere.
@@ -106,6 +106,8 @@ pub fn title<'c>(area: &Canvas<'c>, text: &str) -> Result<Canvas<'c>, Box<dyn st
 fn axes(frame: &Frame<'_>, area: &Canvas<'_>) -> Result<Plane, Box<dyn std::error::Error>> {
     let below = title(area, &frame.heading())?;
     let axes = frame.axes();
+    // A motion in a gap that is not resolved is not seen on any axis.
+    [frame.gap()].iter().chain(&axes).try_for_each(Axis::require_resolved)?;
     let [x, y] = axes.clone();
     // The names of walls may stand above.
     let above = if matches!(frame.walls(), Some((0, _))) { 16 * SCALE } else { 0 };

@@ -12,6 +12,13 @@ const TARGET_TICKS: f64 = 6.0;
 /// Tolerance for numbers of steps in doubles: 0.9 - 0.3 is more than 0.6.
 const TOLERANCE: f64 = 1e-9;
 
+/// Doubles that are to be on an axis, at least: more than there are pixels along any.
+const LEAST_DOUBLES: f64 = 4096.0;
+/// The shortest axis around 0: steps are quotients of normal doubles.
+const SHORTEST: f64 = LEAST_DOUBLES * f64::MIN_POSITIVE;
+/// Labels of more characters have a power of ten where they are shorter with it.
+const LONGEST_LABEL: usize = 12;
+
 /// A linear axis.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Axis {
@@ -50,8 +57,8 @@ impl Axis {
     }
 
     fn holding(values: impl Iterator<Item = f64>, least: f64) -> Self {
-        // Below the normal doubles there is no room for ticks, beyond the finite ones none for anything.
-        let values = values.filter(|x| x.is_finite()).map(|x| if x.is_subnormal() { 0.0 } else { x });
+        // Next to 0 no axis is resolved, beyond the finite doubles is no room for anything.
+        let values = values.filter(|x| x.is_finite()).map(|x| if x.abs() < SHORTEST { 0.0 } else { x });
         let (low, high) = values.fold((f64::MAX, f64::MIN), |(low, high), x| (low.min(x), high.max(x)));
         if low > high {
             return Self::over(-1.0, 1.0);
@@ -59,6 +66,26 @@ impl Axis {
         let lacking = (least * low.abs().max(high.abs()) - (high - low)).max(0.0) / 2.0;
         let room = lacking + MARGIN * (high - low);
         Self::over(low - room, high + room)
+    }
+
+    /// The axis from `low` to `high`, also where doubles do not tell one from the other.
+    pub fn between(low: f64, high: f64) -> Self {
+        Self { range: low..high, ..Self::over(low, high) }
+    }
+
+    /// Refuses an axis that doubles do not resolve: numbers beyond them, or fewer of them than pixels from end to end.
+    ///
+    /// # Errors
+    /// Returns an error if what is drawn over it would not be seen.
+    pub fn require_resolved(&self) -> Result<(), String> {
+        let Range { start, end } = self.range;
+        let largest = start.abs().max(end.abs());
+        let least = (LEAST_DOUBLES * (largest.next_up() - largest)).max(SHORTEST);
+        if largest.is_finite() && (end - start).is_finite() && end - start >= least {
+            return Ok(());
+        }
+        let accepted = format!("accepted are axes of at least {LEAST_DOUBLES} doubles from end to end");
+        Err(format!("the picture has an axis from {start:e} to {end:e}, but {accepted}"))
     }
 
     /// Rows of these names, from the lowest at 0 on.
@@ -149,7 +176,12 @@ impl ValueFormatter<f64> for Axis {
     fn format_ext(&self, &value: &f64) -> String {
         match self.labels {
             Labels::Step(_, decimals) => {
-                let text = format!("{value:.decimals$}");
+                let mut text = format!("{value:.decimals$}");
+                if text.len() > LONGEST_LABEL && value != 0.0 {
+                    let digits = decimals as i32 + value.abs().log10().floor() as i32;
+                    let short = format!("{value:.*e}", digits.max(0) as usize);
+                    text = if short.len() < text.len() { short } else { text };
+                }
                 if text.chars().any(|digit| ('1'..='9').contains(&digit)) {
                     text.replace('-', "−")
                 } else {
@@ -191,6 +223,21 @@ mod tests {
             let is_tick = |tenths: i32| ticks.iter().any(|tick| (tick * 10.0 - f64::from(tenths)).abs() < 1e-6);
             assert!(is_tick(low) && is_tick(high), "{low} {high}: {ticks:?}");
         }
+    }
+
+    #[test]
+    fn an_axis_that_doubles_do_not_resolve_is_refused() {
+        for (low, high) in [(0.0, 1e-320), (0.0, 1e-305), (1e17, 1e17 + 800.0), (f64::MIN, f64::MAX), (1e17, 1e17)] {
+            let refused = Axis::between(low, high).require_resolved().unwrap_err();
+            assert!(
+                refused.starts_with(&format!("the picture has an axis from {low:e} to {high:e}, but")),
+                "{refused}"
+            );
+        }
+        let tiny = Axis::over(0.0, 1e-300);
+        assert!(tiny.require_resolved().is_ok());
+        assert_eq!(labels(&tiny), ["0", "2e−301", "4e−301", "6e−301", "8e−301", "1.0e−300"]);
+        assert!(Axis::over(1e17, 1e17 + 1e6).require_resolved().is_ok() && Axis::angle().require_resolved().is_ok());
     }
 
     #[test]

@@ -62,7 +62,7 @@ impl Path {
     }
 
     fn offset_to(&self, (x, y): (i64, i64)) -> (i64, i64) {
-        (x - self.at.0, y - self.at.1)
+        (x.saturating_sub(self.at.0), y.saturating_sub(self.at.1))
     }
 
     fn write(&mut self, command: char, places: &[(i64, i64)]) {
@@ -73,7 +73,8 @@ impl Path {
                 self.data.push(' ');
             }
             is_first = false;
-            let (sign, whole, part) = (if number < 0 { "-" } else { "" }, number.abs() / 10, number.abs() % 10);
+            let (sign, whole, part) =
+                (if number < 0 { "-" } else { "" }, number.unsigned_abs() / 10, number.unsigned_abs() % 10);
             // Writing to a String cannot fail.
             let _ = match part {
                 0 => write!(self.data, "{sign}{whole}"),

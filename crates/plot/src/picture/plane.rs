@@ -25,6 +25,7 @@ impl Plane {
         names: [&str; 2],
         right: i32,
     ) -> Result<Self, Box<dyn std::error::Error>> {
+        axes.iter().try_for_each(Axis::require_resolved)?;
         let [x, y] = axes.clone();
         let mut chart = ChartBuilder::on(area)
             .margin(10 * SCALE)

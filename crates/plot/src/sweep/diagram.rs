@@ -75,7 +75,7 @@ pub fn draw(
         present.iter().map(|class| (Mark::Cell(class.colour()), class.name().to_owned())).collect();
     let lines = picture::legend(root, top, &entries)?;
     let (_, below) = root.split_vertically(top + lines);
-    let across = Axis::over(value(&axis.low), value(&axis.high));
+    let across = Axis::over(value(axis.low()), value(axis.high()));
     let (up, name) = match show {
         Show::Phase => (Axis::angle(), "phase $Ωt + τ$ of the impact [rad]"),
         Show::Velocity => {
@@ -83,7 +83,7 @@ pub fn draw(
         }
     };
     let up = within.map_or(up, |[low, high]| Axis::over(low, high));
-    let plane = Plane::draw(&below, [across, up], [&described(axis.key), name])?;
+    let plane = Plane::draw(&below, [across, up], [&described(axis.key()), name])?;
     let (left, right) = plane.pixels[0];
     let spacing = (right - left) / i32::try_from(axis.points() - 1).unwrap_or(i32::MAX);
     // Each point has a column of its own, next to its neighbours', or one of those that can be seen.

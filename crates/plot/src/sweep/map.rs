@@ -54,11 +54,11 @@ pub fn draw(
     (root, look): (&Canvas<'_>, &Look),
 ) -> Drawn<String> {
     let [x, y] = grid.axes() else { return Err("a map has two axes".into()) };
-    let is_one_pair = [x, y].iter().all(|axis| axis.key >= Key::StartTime);
+    let is_one_pair = [x, y].iter().all(|axis| axis.key() >= Key::StartTime);
     let outcomes = Outcomes::of(sweep, grid, is_one_pair)?;
     let colours = colours(&outcomes.kinds);
     let top = legend::caption(sweep.head(), (root, look))?;
-    let is_plane_of_starts = [x.key, y.key] == [Key::StartPhase, Key::StartVelocity];
+    let is_plane_of_starts = [x.key(), y.key()] == [Key::StartPhase, Key::StartVelocity];
     let starts_left = sweep.head().scene.start.wall == Some(Wall::Left);
     let mut entries = entries(&outcomes.kinds, &colours, is_one_pair);
     let attractors: Vec<_> =
@@ -68,7 +68,7 @@ pub fn draw(
     }
     let lines = picture::legend(root, top, &entries)?;
     let (_, area) = root.split_vertically(top + lines + 10 * SCALE);
-    let plane = Plane::draw(&area, [scale(x), scale(y)], [&described(x.key), &described(y.key)])?;
+    let plane = Plane::draw(&area, [scale(x), scale(y)], [&described(x.key()), &described(y.key())])?;
     let colour = |point: u64| {
         let kind = outcomes.points.get(point as usize).copied().flatten()?;
         Some(colours[kind])
@@ -102,9 +102,9 @@ fn ring((x, y): (i32, i32), colour: RGBColor) -> String {
 
 /// An axis with room for half a cell at both ends.
 fn scale(axis: &Range) -> Axis {
-    let (low, high) = (value(&axis.low), value(&axis.high));
+    let (low, high) = (value(axis.low()), value(axis.high()));
     let half = 0.5 * (high - low) / (axis.points() - 1) as f64;
-    let is_turn = matches!(axis.key, Key::Phase(_) | Key::StartPhase) && (low, high) == (0.0, TAU);
+    let is_turn = matches!(axis.key(), Key::Phase(_) | Key::StartPhase) && (low, high) == (0.0, TAU);
     if is_turn { Axis::turn(half) } else { Axis::over(low - half, high + half) }
 }
 

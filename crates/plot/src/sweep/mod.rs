@@ -68,6 +68,7 @@ pub(crate) struct Plane {
 impl Plane {
     /// Draws the axes, with these names, into `area`.
     pub fn draw(area: &Canvas<'_>, axes: [Axis; 2], names: [&str; 2]) -> Drawn<Self> {
+        axes.iter().try_for_each(Axis::require_resolved)?;
         let [x, y] = axes.clone();
         let mut chart = ChartBuilder::on(area)
             .margin(10 * SCALE)
