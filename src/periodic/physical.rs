@@ -69,10 +69,14 @@ impl<N: Enclosing> Claim<N> {
         }
     }
 
-    /// Returns whether the ball, dead after its impact, is pressed against the wall and stays: Lemma Z2.
+    /// Returns whether the ball, dead after its impact, is pressed against the wall, from then on or soon after, and stays: Lemmas Z2, T12.
     pub fn sticks(&self, after: &N) -> bool {
-        let sin = self.from.inward(self.start.wave().0);
-        after.certain_sign() == Some(Ordering::Equal) && sin.certain_sign() == Some(Ordering::Less)
+        let (sin, cos) = self.from.mirror(self.start.wave());
+        let is_pressed = match sin.certain_sign() {
+            Some(Ordering::Equal) => cos.certain_sign() == Some(Ordering::Less),
+            sign => sign == Some(Ordering::Less),
+        };
+        after.certain_sign() == Some(Ordering::Equal) && is_pressed
     }
 
     /// Returns whether a first contact that is proved is the end of the flight: one on this wall, whole forcing periods after those of the
