@@ -60,8 +60,8 @@ pub(super) trait Chained: Flying + ChainedPrecisely {
     /// Returns whether each flight is proved to end at its first contact; `None` if undecided. Lemma T5
     fn is_physical(&self, chain: &Chain, phases: &[Ball], legs: &Legs<Ball, Moment<Self, Ball>>) -> Option<bool>;
 
-    /// Returns the phases of the one orbit in these bounds, if it is proved to be at whole quarters of a forcing period. Lemma T14
-    fn at_quarters(&self, _: &Chain, _: &[Ball]) -> Option<Vec<Ball>> {
+    /// The same of the one orbit in bounds of its phases, where it is proved to be at whole quarters of a forcing period. Lemma T14
+    fn is_physical_at_quarters(&self, _: &Chain, _: &[Ball]) -> Option<bool> {
         None
     }
 }
@@ -75,7 +75,7 @@ impl Chained for OneHarmonic {
         physical::is_physical(&self.bounds_of_pair, chain, phases, legs)
     }
 
-    fn at_quarters(&self, chain: &Chain, phases: &[Ball]) -> Option<Vec<Ball>> {
-        quarters::of(&self.exact, chain, phases)
+    fn is_physical_at_quarters(&self, chain: &Chain, phases: &[Ball]) -> Option<bool> {
+        physical::is_physical_at(&self.bounds_of_pair, chain, &quarters::of(&self.exact, chain, phases)?)
     }
 }
