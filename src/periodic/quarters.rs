@@ -18,7 +18,8 @@ pub(super) fn of(pair: &Reduced<Exact>, chain: &Chain, phases: &[Ball]) -> Optio
         is_held.then_some(nearest as i64) // exact: whole and below 2^50
     };
     let all: Vec<i64> = phases.iter().map(quarter).collect::<Option<_>>()?;
-    let solves = (0..chain.impacts()).all(|i| misses(pair, chain, &all, i).and_then(|miss| miss.sign()) == Some(Ordering::Equal));
+    let solves = (0..chain.impacts())
+        .all(|i| misses(pair, chain, &all, i).and_then(|miss| miss.sign()) == Some(Ordering::Equal));
     solves.then(|| all.iter().map(|&quarters| quarters as f64 / 4.0).collect()) // exact: below 2^50
 }
 

@@ -34,8 +34,8 @@ impl Ring {
     /// Returns the chain that this one runs through that number of times.
     pub fn repeated(chain: &Chain, times: usize) -> Option<Self> {
         let (walls, part) = (chain.walls(), chain.impacts() / times);
-        let repeats =
-            chain.impacts() == times * part && walls.chunks(part.max(1)).all(|walls_of| *walls_of == walls[..part]);
+        let is_round = |round: &[Wall]| *round == walls[..part];
+        let repeats = part > 0 && chain.impacts() == times * part && walls.chunks(part).all(is_round);
         let rounds = u32::try_from(times).ok().filter(|&rounds| repeats && chain.cycles().is_multiple_of(rounds))?;
         chain.another(&word_of(&walls[..part])?, chain.cycles() / rounds).ok().map(Self::whole)
     }
