@@ -332,7 +332,7 @@ fn r62_a_word_that_another_one_cuts_short_is_not_alone() {
     let place = frames[0].place(next, 0.0).expect("coordinates").map(Ball::mid);
     assert!(!is_alone(0, 0.0, place[0]), "a strip that holds the states on the way");
     assert!(is_alone(0, 0.0, place[0] + 1e5), "a strip beside them");
-    assert!(map.is_alone(&word, &[word.clone()], &heights, &Unwatched), "itself");
+    assert!(map.is_alone(&word, std::slice::from_ref(&word), &heights, &Unwatched), "itself");
 }
 
 #[test]
