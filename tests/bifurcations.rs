@@ -97,6 +97,42 @@ fn r49_a_graze_of_an_orbit_of_three_impacts_is_not_symmetric() {
     assert!(!grazes.is_empty() && grazes.iter().all(|point| point.symmetric == Some(false)), "{grazes:?}");
 }
 
+/// For `e = 0`, where each flight leaves its wall without velocity: `A_sn = d/sqrt(4 + pi^2)`, the contact force ends at the impacts at `d = pi A`
+/// (`th_g = 0`, Lemma W3), and the velocity is 0 at `A = d/2`, whatever the range.
+#[test]
+fn r62_without_restitution_branches_end_where_the_ball_begins_to_rest() {
+    let of = |over: &str, gap: &str| {
+        let scene = SCENE.replace("0.8", "0").replace("gap = 1", &format!("gap = {gap}"));
+        let scene = Scene::parse(&scene.replace("0.36", "1.7")).unwrap();
+        let diagram_settings =
+            DiagramSettings { over: over.parse().unwrap(), doublings: 1, precision: Precision::default() };
+        survey(scene.pair(), scene.start(), (&"RL".parse().unwrap(), 1), &diagram_settings, &Unwatched).unwrap()
+    };
+    for over in ["amplitude=1..6", "amplitude=1.5..5"] {
+        let diagram = of(over, "6.3");
+        assert_eq!(kinds(&diagram), [(Kind::Fold, 0), (Kind::Graze, 0), (Kind::Graze, 0)]);
+        assert!(diagram.is_certified() && diagram.branches.len() == 1 && diagram.branches[0].is_proved);
+        assert_eq!(diagram.branches[0].ends, [End::At(Kind::Graze); 2]);
+        for (point, form) in diagram.points.iter().zip(["1/sqrt(4 + pi^2)", "1/pi", "1/2"]) {
+            assert!(point.parameter.contains_enclosure(&Exact::parse(form).unwrap().enclose(300)), "{form}");
+        }
+        assert_eq!(diagram.points[0].orbit.as_ref().unwrap().physical, Some(true));
+    }
+}
+
+/// The three rounds of an orbit have its bifurcations, and what branches off has two periods, not six.
+#[test]
+fn r62_a_doubling_is_that_of_the_orbit_that_the_word_runs_through() {
+    let scene = Scene::parse(SCENE).unwrap();
+    let over = "amplitude=0.46..0.465".parse().unwrap();
+    let diagram_settings = DiagramSettings { over, doublings: 0, precision: Precision::default() };
+    let word = "RLRLRL".parse().unwrap();
+    let diagram = survey(scene.pair(), scene.start(), (&word, 3), &diagram_settings, &Unwatched).unwrap();
+    let [doubling] = &diagram.points[..] else { panic!("{:?}", diagram.points) };
+    assert_eq!((doubling.kind, doubling.impacts.len(), doubling.cycles), (Kind::PeriodDoubling, 2, 1));
+    assert!(diagram.is_certified() && diagram.branches.iter().any(|branch| branch.cycles == 3));
+}
+
 #[test]
 fn over_the_gap_the_same_points_come_in_the_other_order() {
     let scene = Scene::parse(SCENE).unwrap();
@@ -141,6 +177,11 @@ fn one_harmonic_in_two_terms_has_the_same_bifurcations() {
     for over in ["gap=0.77..1.1", "restitution=0.55..0.9"] {
         assert_are_the_same(&under(terms, 1, over, 1).unwrap(), &diagram(over, 1));
     }
+    // Grazes as well (Lemma Y7): at half the gap.
+    let over = "gap=0.705..0.9";
+    let (several, one) = (under(terms, 1, over, 0).unwrap(), diagram(over, 0));
+    assert_are_the_same(&several, &one);
+    assert!(kinds(&several).contains(&(Kind::Graze, 0)));
     // Terms in step are one harmonic, of which one part varies.
     let parts = under(["0.1, 0.1", "\"pi\", \"pi\"", "0, \"2*pi\""], 1, "amplitude.2=0.2..0.37", 1).unwrap();
     let whole = diagram("amplitude=0.3..0.47", 1);

@@ -299,6 +299,17 @@ fn every_lemma_that_is_named_is_defined() {
     }
 }
 
+/// The page names all that is read.
+#[test]
+fn r62_the_page_lists_the_sources_that_are_read() {
+    let page = include_str!("../docs/proofs/clamps.md");
+    let missing = CERTIFIED_PATHS.iter().filter(|path| {
+        let name = path.trim_start_matches("src/").trim_start_matches("crates/");
+        !page.contains(&format!("`{name}`"))
+    });
+    assert_eq!(missing.collect::<Vec<_>>(), Vec::<&&str>::new());
+}
+
 /// The test of the test: what it must find, and what it must let pass.
 #[test]
 fn missing_labels_are_found() {

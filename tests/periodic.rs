@@ -393,3 +393,18 @@ fn r32_what_rests_is_excluded_from_what_is_proved_to_be_all() {
     let some = Units::gaps(&pair).unwrap().document(&problem, &start, &problem.find(&start, Precision::default()));
     assert_eq!((some.exhaustive, some.excludes), (false, None));
 }
+
+/// Lemma T14: for `e = 0` at `d = pi A` the ball leaves its walls at the phases 0 and 1/2, exactly as the contact force ends; beside it, at a gap
+/// that is smaller however little, it rests there.
+#[test]
+fn r62_an_orbit_that_leaves_as_the_contact_force_ends_is_admissible() {
+    for (gap, is_admissible) in [("pi", Some(true)), ("pi - 1e-12", Some(false)), ("pi + 1e-12", Some(true))] {
+        let harmonic = Harmonic::new(value("1"), value("1"), value("0")).unwrap();
+        let pair = ImpactPair::new(harmonic, value(gap), value("0")).unwrap();
+        let problem = Problem::new(&pair, &"RL".parse().unwrap(), 1).unwrap();
+        let orbit = problem.prove(&[0.5, 1.0], Precision::default()).unwrap();
+        assert_eq!((orbit.physical, orbit.stability), (is_admissible, Stability::Stable), "{gap}");
+        let census = problem.find_all(&start(), Precision::default(), Budget { boxes: 20_000, ..Budget::default() });
+        assert!(census.is_certified(), "{gap}: {:?}", census.undecided);
+    }
+}

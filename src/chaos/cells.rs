@@ -102,15 +102,21 @@ impl Verdict {
         }
     }
 
-    /// Returns whether its word may be several periods of that of another verdict. Lemma D15: of a common value both speak of one orbit
+    /// Returns whether its word is that of another verdict several times, in as many times its cycles. Lemma D15: of a common value both speak of one
+    /// orbit
     fn is_round_of(&self, other: &Self) -> bool {
-        match (self, other) {
-            (Self::Attracted { word: round, beside, .. }, Self::Attracted { word, beside: own, .. }) => {
-                let [all, one] = [round, word].map(|word| word.mappings().len());
-                all > one && all.is_multiple_of(one) && beside == own
-            }
-            _ => false,
-        }
+        let (Self::Attracted { word: round, cycles: all, beside }, Self::Attracted { word, cycles, beside: own }) =
+            (self, other)
+        else {
+            return false;
+        };
+        let mut parts = round.mappings().chunks(word.mappings().len());
+        let times = parts.len();
+        times > 1
+            && parts.all(|part| part == word.mappings())
+            && usize::try_from(*all / cycles) == Ok(times)
+            && all.is_multiple_of(*cycles)
+            && beside == own
     }
 }
 

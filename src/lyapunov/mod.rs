@@ -40,7 +40,7 @@ pub enum Unknown {
     Graze,
     /// The ball rests with zero contact force: some nearby motions leave.
     Unpressed,
-    /// The states are known too coarsely.
+    /// The states are known too coarsely, or the ball is on its wall without velocity and is not proved to be accelerated away from it.
     Width,
 }
 
@@ -73,7 +73,7 @@ pub enum Passed {
     Flights,
     /// A rest with a contact force: the derivative is 0 from then on.
     Rest,
-    /// A graze, or a rest without contact force: there is no derivative.
+    /// A graze, or a rest or a departure without contact force: there is no derivative, or none that is proved.
     Break,
 }
 
@@ -148,8 +148,14 @@ impl Disturbance {
         match event {
             Progress::Rest(rest) if is_smooth && orbit.forgets(rest) => self.passed = Passed::Rest,
             Progress::Graze(_) | Progress::Rest(_) if is_smooth => self.passed = Passed::Break,
+            Progress::Impact(_) if is_smooth && !self.leaves(orbit) => self.passed = Passed::Break,
             _ => {}
         }
+    }
+
+    /// Returns whether the flight from the last impact is proved to have a derivative, if there is such an impact. Lemma L3
+    fn leaves(&self, orbit: &Orbit) -> bool {
+        self.last.as_ref().is_none_or(|last| orbit.leaves(last))
     }
 
     /// Returns what it has passed.
@@ -158,10 +164,12 @@ impl Disturbance {
     }
 
     fn pass(&mut self, orbit: &Orbit, impact: &Impact) {
+        let leaves = self.leaves(orbit);
         let Some(last) = self.last.replace(impact.clone()) else { return };
         let turns = orbit.turns_between(&last, impact);
         self.turns = self.turns + self.rate.map_or(turns, |[rate, _]| turns * rate);
-        let Some(jacobian) = orbit.jacobian(&last, impact).and_then(|jacobian| self.in_reference(jacobian)) else {
+        let jacobian = orbit.jacobian(&last, impact).filter(|_| leaves);
+        let Some(jacobian) = jacobian.and_then(|jacobian| self.in_reference(jacobian)) else {
             // It may be a graze as far as is known.
             self.settled = Some(Exponent::Unknown(Unknown::Width));
             return;

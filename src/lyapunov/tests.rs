@@ -118,6 +118,36 @@ fn a_rest_without_contact_force_has_no_exponent() {
     assert_eq!(still("1.25*pi", "1"), Exponent::Forgets);
 }
 
+/// A ball that lies on its wall as the contact force ends, from the start on: one that is there earlier, however little, bounces first. There is no
+/// derivative; at the next impact there is. With a contact force that is past there is one at once.
+#[test]
+fn r62_a_start_where_the_contact_force_ends_has_no_exponent() {
+    let at = |time: &str| {
+        let text = format!(
+            "excitation = {{ amplitude = 0.3, frequency = \"2*pi\", phase = 0 }}\npair = {{ gap = 1, restitution = 0.5 }}\n\
+             start = {{ time = \"{time}\", wall = \"left\", velocity = 0 }}"
+        );
+        let disturbance = after(&Scene::parse(&text).unwrap(), 3, 9);
+        (disturbance.exponent(), disturbance.passed())
+    };
+    assert_eq!(at("1"), (Exponent::Unknown(Unknown::Width), Passed::Break));
+    for time in ["1.01", "1 + 1e-12"] {
+        assert!(matches!(at(time), (Exponent::Finite { .. }, Passed::Flights)), "{time}");
+    }
+    let scene = Scene::parse(
+        "excitation = { amplitude = 0.3, frequency = \"2*pi\", phase = 0 }\npair = { gap = 1, restitution = 0.5 }\n\
+         start = { time = 1, wall = \"left\", velocity = 0 }",
+    );
+    let mut orbit = Orbit::of(&scene.unwrap(), Settings { impacts: Some(3), ..Settings::default() }).unwrap();
+    let first = orbit.next().unwrap();
+    let mut disturbance = Disturbance::at(&orbit, first);
+    for _ in 0..2 {
+        let event = Progress::Impact(orbit.next().unwrap());
+        disturbance.follow(&orbit, &event);
+    }
+    assert!(matches!(disturbance.exponent(), Exponent::Finite { .. }) && disturbance.passed() == Passed::Flights);
+}
+
 #[test]
 fn without_rebound_one_direction_remains() {
     // e = 0: each impact forgets the velocity before it.

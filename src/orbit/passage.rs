@@ -6,6 +6,7 @@ use super::{Impact, Orbit, Rest};
 use crate::exact::Enclosure;
 use crate::mapping::Sheared;
 use crate::number::{Ball, Enclosing};
+use crate::pair::Inward;
 use crate::shaken::State;
 use crate::units::in_radians;
 
@@ -81,6 +82,14 @@ impl Orbit {
         let State { turns, phase, velocity, .. } = self.initial;
         let wall = self.initial.place.wall();
         wall.map(|wall| Impact { index: 0, mapping: None, wall, turns, phase, velocity, precise: None })
+    }
+
+    /// Returns whether the ball is proved to leave the wall of an impact with a velocity that is not 0, or with an acceleration away from it. Lemma L3
+    pub(crate) fn leaves(&self, impact: &Impact) -> bool {
+        let moves = |x: Ball| x.certain_sign().is_some_and(Ordering::is_ne);
+        let [_, _, acceleration] = self.engine.given.shaken.displacement(impact.turns, impact.phase);
+        moves(self.engine.pair.restitution) && moves(impact.velocity)
+            || impact.wall.inward(acceleration).certain_sign() == Some(Ordering::Greater)
     }
 
     /// Returns whether all motions that start near one that comes to this rest come to it as well. Lemma L3

@@ -6,6 +6,7 @@ mod precise;
 use super::chain::Chain;
 use super::legs::Legs;
 use super::physical;
+use super::quarters;
 use super::shaking::Shaking;
 use crate::contact::Contact;
 use crate::flight::Launch;
@@ -58,6 +59,11 @@ pub(super) trait Chained: Flying + ChainedPrecisely {
 
     /// Returns whether each flight is proved to end at its first contact; `None` if undecided. Lemma T5
     fn is_physical(&self, chain: &Chain, phases: &[Ball], legs: &Legs<Ball, Moment<Self, Ball>>) -> Option<bool>;
+
+    /// The same of the one orbit in bounds of its phases, where it is proved to be at whole quarters of a forcing period. Lemma T14
+    fn is_physical_at_quarters(&self, _: &Chain, _: &[Ball]) -> Option<bool> {
+        None
+    }
 }
 
 impl Chained for OneHarmonic {
@@ -67,5 +73,9 @@ impl Chained for OneHarmonic {
 
     fn is_physical(&self, chain: &Chain, phases: &[Ball], legs: &Legs<Ball>) -> Option<bool> {
         physical::is_physical(&self.bounds_of_pair, chain, phases, legs)
+    }
+
+    fn is_physical_at_quarters(&self, chain: &Chain, phases: &[Ball]) -> Option<bool> {
+        physical::is_physical_at(&self.bounds_of_pair, chain, &quarters::of(&self.exact, chain, phases)?)
     }
 }

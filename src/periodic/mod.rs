@@ -5,7 +5,7 @@
 //! operator verifies ([`krawczyk`]), first in doubles and then at the requested precision. Then each flight is proved to
 //! end at its first contact, and trace, determinant and eigenvalues of the period's Jacobian are enclosed (38).
 //! [`Problem::find_all`] searches the whole state space, so that its list is complete. With several harmonics
-//! with a common period ([`Problem::period`]) the same methods apply. Lemmas T1-T12, H10-H12 and H14 are in
+//! with a common period ([`Problem::period`]) the same methods apply. Lemmas T1-T14, H10-H12 and H14 are in
 //! `docs/proofs/periodic.md#T1`.
 
 mod attractor;
@@ -26,6 +26,7 @@ mod orbit;
 mod physical;
 pub mod precondition;
 mod prove;
+mod quarters;
 mod search;
 mod several;
 mod stability;

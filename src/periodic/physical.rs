@@ -32,21 +32,36 @@ pub(super) fn is_physical(
     phases: &[Ball],
     legs: &Legs<Ball>,
 ) -> Option<bool> {
-    all_first(chain, phases, &legs.legs, |claim| first_in_doubles(bounds_of_pair, claim))
+    all_first(chain, split(phases), &legs.legs, |claim| first_in_doubles(bounds_of_pair, claim))
 }
 
-/// The conjunction over all flights.
+/// The same at phases that are known exactly, whole quarters of a forcing period. Lemma T14
+pub(super) fn is_physical_at(bounds_of_pair: &PairBounds, chain: &Chain, quarters: &[f64]) -> Option<bool> {
+    let phases: Vec<Ball> = quarters.iter().map(|&phase| Ball::exact(phase)).collect();
+    let legs = chain.legs(&bounds_of_pair.pair, &phases)?;
+    let starts = quarters.iter().map(|phase| (phase.floor(), Ball::exact(phase - phase.floor()))).collect(); // T14: exact
+    all_first(chain, starts, &legs.legs, |claim| first_in_doubles(bounds_of_pair, claim))
+}
+
+/// The whole forcing periods of phases, and the rest of each.
+pub(super) fn split<N: Enclosing>(phases: &[N]) -> Vec<(f64, N)> {
+    let split = |phase: &N| {
+        let turns = phase.as_ball().mid().floor(); // T5: any whole number of forcing periods
+        (turns, phase.clone() - N::from_f64(turns))
+    };
+    phases.iter().map(split).collect()
+}
+
+/// The conjunction over all flights, given the whole forcing periods of the phases that they start at, and the rest.
 pub(super) fn all_first<N: Enclosing>(
     chain: &Chain,
-    phases: &[N],
+    starts: Vec<(f64, N)>,
     legs: &[Leg<N>],
     is_first: impl Fn(&Claim<N>) -> Option<bool>,
 ) -> Option<bool> {
     let walls = chain.walls();
     let mut all = Some(true);
-    for (i, leg) in legs.iter().enumerate() {
-        let turns = phases[i].as_ball().mid().floor(); // T5: any whole number of forcing periods
-        let start = phases[i].clone() - N::from_f64(turns);
+    for (i, ((turns, start), leg)) in starts.into_iter().zip(legs).enumerate() {
         let end = start.clone() + leg.time.clone();
         let before = chain.before(legs, i).clone();
         let claim = Claim { from: walls[i], to: walls[chain.next(i)], turns, start, before, end, leg: leg.clone() };

@@ -37,7 +37,8 @@ impl Problem {
         let inverse = newton::precondition(&self.chain, shaken.floats(), guess)?;
         let guess: Vec<Ball> = guess.iter().map(|&x| Ball::exact(x)).collect();
         self.attempt(shaken.balls(), &inverse, &guess, f64::MANTISSA_DIGITS, |phases, legs| {
-            shaken.is_physical(&self.chain, phases, legs)
+            let is_physical = shaken.is_physical(&self.chain, phases, legs);
+            is_physical.or_else(|| shaken.is_physical_at_quarters(&self.chain, phases))
         })
     }
 

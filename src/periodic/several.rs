@@ -6,7 +6,7 @@ mod precise;
 use super::chain::{Chain, MOST_CYCLES};
 use super::chained::{Chained, Moment, Rate};
 use super::legs::Legs;
-use super::physical::{Claim, all_first};
+use super::physical::{Claim, all_first, split};
 use super::shaking::Repetition;
 use crate::Error;
 use crate::flight::Launch;
@@ -63,7 +63,7 @@ impl Chained for SeveralHarmonics {
     }
 
     fn is_physical(&self, chain: &Chain, phases: &[Ball], legs: &Legs<Ball, Moment<Self, Ball>>) -> Option<bool> {
-        all_first(chain, phases, &legs.legs, |claim| {
+        all_first(chain, split(phases), &legs.legs, |claim| {
             is_first(self, &self.balls, claim, self.pair.rebound_of(claim.before))
         })
     }

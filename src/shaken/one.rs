@@ -40,6 +40,21 @@ impl OneHarmonic {
     }
 }
 
+impl OneHarmonic {
+    /// The same reason, which no precision removes if the flight is proved to come to the far wall without velocity: it leaves its own wall exactly
+    /// as the contact force ends, and crosses the gap in whole forcing periods. Lemma C5
+    pub fn settled(&self, from: &Launch<Ball>, undecided: Undecided) -> Undecided {
+        let zero = Ball::exact(0.0);
+        let leaves_softly = from.wall.is_some()
+            && from.velocity == zero
+            && from.phase.rad() == 0.0 // C5: all of these exactly
+            && kernel::sin_cos(from.phase.mid()).0 == 0.0; // C5: exactly
+        let periods = || Exact::from(1).checked_div(&self.exact.beta).ok()?.as_rational().cloned();
+        let lands_softly = leaves_softly && periods().is_some_and(|periods| periods.is_integer());
+        Undecided { lasting: undecided.lasting || lands_softly, ..undecided }
+    }
+}
+
 impl Shaken for OneHarmonic {
     fn pair(&self) -> &Reduced<Ball> {
         &self.bounds_of_pair.pair
@@ -126,7 +141,7 @@ impl Flying for OneHarmonic {
             Verdict::Certified(contact) => {
                 Ok((contact, [all.phase, contact.phase].map(|phase| pair.acceleration(&phase.wave()))))
             }
-            Verdict::Undecided(undecided) => Err(undecided),
+            Verdict::Undecided(undecided) => Err(self.settled(&all, undecided)),
         }
     }
 
@@ -142,7 +157,8 @@ impl Flying for OneHarmonic {
         let flight = Flight::of(parameters, centre.map(|x| x.mid()), sin_cos);
         let point = Radii { velocity: centre.velocity.rad(), ..Radii::default() };
         let radii = Radii { phase: all.phase.rad(), velocity: all.velocity.rad(), ..point };
-        let (contact, sin1) = first_contacts(&flight, margins, point, radii)?;
+        let found = first_contacts(&flight, margins, point, radii);
+        let (contact, sin1) = found.map_err(|undecided| self.settled(&all, undecided))?;
         Ok((contact, accelerations(pair, all.phase, sin_cos.0, sin1)))
     }
 }

@@ -142,6 +142,9 @@ fn only_equal_verdicts_are_joined() {
         [stable("P1 P2"), Verdict::Undecided],
         [stable("P1 P2"), attracted("P1 P2", None)],
         [attracted("P1 P2", None), attracted("P1 P3 P2", None)],
+        [attracted("P1 P2", None), attracted("P2 P4 P1 P3", None)],
+        [attracted("P2 P4 P1 P3", None), attracted("P1 P2", None)],
+        [attracted("P1 P2", None), Verdict::Attracted { word: "RLRL".parse().unwrap(), cycles: 3, beside: None }],
         [attracted("P1 P2", Some(&horseshoe)), twice],
         [Verdict::Horseshoe(horseshoe.clone()), Verdict::Undecided],
     ] {

@@ -146,7 +146,7 @@ impl Cycles {
                     Some((_, Identity::Known)) => {}
                     Some((orbit, Identity::New)) => match self.list(task, &found.problem, &orbit) {
                         Some(least) => {
-                            count += least;
+                            count += if impacts.is_multiple_of(least) { least } else { 0 }; // D23: only states with F^n = 1
                             known.push(orbit);
                         }
                         None => self.leave(impacts, &orbit),

@@ -199,3 +199,25 @@ fn chains_are_given_from_the_left_wall() {
     let phases: Vec<f64> = walled.phases.iter().map(|x| x.mid()).collect();
     assert_eq!(phases, [1.0, 2.25, 2.5, 3.75]);
 }
+
+/// Lemma D23: where the walls are exchanged after an impact the chain goes around twice, and Newton's iteration may lead to an orbit of two impacts
+/// that is not its own mirror image: no state of it returns after one.
+#[test]
+fn r62_an_orbit_of_two_impacts_is_not_counted_as_returning_after_one() {
+    let scene = scene("amplitude = 0.4, frequency = \"pi\", phase = 0", "gap = 1, restitution = 0.8");
+    let mut cycles = found(&scene, 1..=2);
+    let law = Law::of(scene.pair()).unwrap();
+    let [shortest, longest] = cycles.trap().flight();
+    let laws = Laws { relation: Relation::new(&law), times: Interval::new(shortest, longest) };
+    let (pair, precision) = (scene.pair(), Precision::default());
+    let task = Task { pair, law, laws, precision, watch: &Unwatched };
+    let problem = Problem::new(pair, &"RL".parse().unwrap(), 1).unwrap();
+    let orbits = problem.find(scene.start(), precision).orbits;
+    let turned = |orbit: &PeriodicOrbit| orbit.physical == Some(true) && orbit.symmetric == Some(false);
+    let orbit = orbits.into_iter().find(turned).expect("an orbit beside its mirror image");
+    for (impacts, count) in [(1, 0), (2, 2)] {
+        let found = vec![Found { problem: problem.clone(), orbit: orbit.clone() }];
+        cycles.collect_blocks(&task, impacts, vec![Block { found, undecided: Vec::new(), is_whole: true }]);
+        assert_eq!(cycles.fixed_points()[&impacts], count, "{impacts}");
+    }
+}

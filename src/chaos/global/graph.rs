@@ -271,3 +271,31 @@ fn contracted(
     }
     merged
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Lemma A3 (staying): boxes that impacts of one wall in one column lead to and fro between are one, which the release follows and which these
+    /// impacts do not lead back to; an impact in one direction only remains an edge. Without the release the motions leave the boxes.
+    #[test]
+    fn r62_boxes_of_complete_chatter_are_one_that_the_release_follows() {
+        // 0 and 1 to and fro, 2 to itself, 3 to 0 only; besides 1 leads to 3 by an impact elsewhere.
+        let staying = [(0, 1), (1, 0), (2, 2), (3, 0)];
+        let of = |has_release: bool| {
+            let (mut edges, mut leaves) = (vec![(1, 3)], vec![false; 5]);
+            let merged = contracted(&mut edges, &staying, 4, has_release, &mut leaves);
+            edges.sort_unstable();
+            (merged, edges, leaves)
+        };
+        let (merged, edges, leaves) = of(true);
+        let (one, other) = (merged[0], merged[3]);
+        assert!(merged[1] == one && merged[2] == 2 && other == 3 && merged[4] == 4);
+        let mut expected = vec![(one, 3), (3, one), (one, 4), (2, 4)];
+        expected.sort_unstable();
+        assert_eq!((edges, leaves), (expected, vec![false; 5]));
+        let (_, edges, leaves) = of(false);
+        assert_eq!(edges.iter().filter(|(_, to)| *to == 4).count(), 0);
+        assert!(leaves[one as usize] && leaves[2] && !leaves[3]);
+    }
+}

@@ -6,6 +6,7 @@ use super::Cone;
 use super::cones::Proved;
 use super::root::Edge;
 use super::strip::{Branch, Cell, Image, Map, Strip, beside};
+use crate::chaos::flights::is_positive;
 use crate::number::{Ball, Number, logarithm, up};
 use crate::watch::Watch;
 
@@ -39,9 +40,14 @@ const MOST_LETTERS: usize = 9;
 /// Bounds of no numbers.
 pub(crate) const EMPTY_BOUNDS: [f64; 2] = [f64::INFINITY, f64::NEG_INFINITY];
 
-// D28: the outer ends
+// D28: the outer ends; an end that is no number stays none, and bounds nothing
 pub(crate) fn hull([a, b]: [f64; 2], [c, d]: [f64; 2]) -> [f64; 2] {
-    [if c < a { c } else { a }, if d > b { d } else { b }]
+    [if c < a || c.is_nan() { c } else { a }, if d > b || d.is_nan() { d } else { b }]
+}
+
+/// Bounds, if their ends are numbers.
+fn numbers(bounds: [f64; 2]) -> Option<[f64; 2]> {
+    (!bounds.iter().any(|end| end.is_nan())).then_some(bounds)
 }
 
 pub(crate) fn ends(x: Ball) -> [f64; 2] {
@@ -55,30 +61,35 @@ pub(crate) fn spanned([low, high]: [f64; 2]) -> Ball {
     Ball::exact(middle).widened(below.max(above)) // D28: the farther end
 }
 
-/// Bounds of the slopes of the images of the vectors `(1, slope)` at the states of cells. Lemma D26
-fn image_slopes(images: &[Image], slopes: [f64; 2]) -> Option<[f64; 2]> {
+/// Bounds of the slopes of the images of the vectors `(1, slope)` at the states of cells, of which `X` has the sign of the word. Lemma D26
+fn image_slopes(images: &[Image], slopes: [f64; 2], rises: bool) -> Option<[f64; 2]> {
     let mut all = EMPTY_BOUNDS;
     for image in images {
         for slope in slopes {
             let [x, y] = image.direction(slope)?;
+            is_positive(signed(x, rises)).then_some(())?; // D28: not asked of a cell that is cut again before
             all = hull(all, ends(y.checked_div(x)?));
         }
     }
-    Some(all)
+    numbers(all)
+}
+
+/// `X` with the sign with which `xi` grows along the word. Lemma D26
+fn signed(x: Ball, rises: bool) -> Ball {
+    x.signed(if rises { 1.0 } else { -1.0 })
 }
 
 /// Bounds of `ln |X|` for the vectors `(1, slope)` at the states of a cell.
 fn expansion(image: &Image, slopes: [f64; 2], rises: bool) -> Option<[f64; 2]> {
-    let sign = if rises { 1.0 } else { -1.0 };
-    let of = |slope: f64| Some(ends(logarithm(image.direction(slope)?[0].signed(sign))?));
-    Some(hull(of(slopes[0])?, of(slopes[1])?))
+    let of = |slope: f64| Some(ends(logarithm(signed(image.direction(slope)?[0], rises))?));
+    numbers(hull(of(slopes[0])?, of(slopes[1])?))
 }
 
 impl Proved {
     /// Returns cones of the expanding directions at the images of its cells, given bounds of the slopes of those at the cells.
     pub fn cones(&self, given: [f64; 2]) -> impl Iterator<Item = Cone> {
         let of = move |image: &Image| {
-            let slopes = image_slopes(&[*image], given)?;
+            let slopes = image_slopes(&[*image], given, self.branch.rises)?;
             Some(Cone { word: self.number, place: image.middle.map(Ball::mid), slopes })
         };
         self.images.iter().filter(|image| !image.is_outside()).filter_map(of)
@@ -222,7 +233,8 @@ impl Strings<'_> {
             let mut all = vec![EMPTY_BOUNDS; self.words.len()];
             for (string, cylinder) in level {
                 let word = Self::word(string);
-                all[word] = hull(all[word], image_slopes(&cylinder.images, self.arriving(string, &slopes))?);
+                let rises = self.words[word].branch.rises;
+                all[word] = hull(all[word], image_slopes(&cylinder.images, self.arriving(string, &slopes), rises)?);
             }
             slopes = all;
         }

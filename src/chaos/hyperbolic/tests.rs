@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 use std::f64::consts::{LN_2, TAU};
 
-use super::cones::is_flat;
+use super::cones::{Proved, is_flat};
 use super::frame::Frame;
 use super::root::{Edge, ratios, root};
 use super::strings::{EMPTY_BOUNDS, ends, hull};
@@ -294,6 +294,45 @@ fn bounds_are_those_of_both_ends() {
     let third = [(1.0f64 / 3.0).next_down(), (1.0f64 / 3.0).next_up()];
     let [least, most] = ratios(&[Edge { from: 0, to: 0, weight: third, length: 3.0 }]);
     assert!(least < third[0] / 3.0 && third[1] / 3.0 < most);
+}
+
+/// Lemma D28: an end that is no number bounds nothing, whichever comes first.
+#[test]
+fn r62_a_hull_with_an_end_that_is_no_number_has_none() {
+    for (one, other) in [([f64::NAN, 1.0], [0.0, 2.0]), ([0.0, 2.0], [f64::NAN, 1.0]), (EMPTY_BOUNDS, [f64::NAN, 1.0])]
+    {
+        let [low, high] = hull(one, other);
+        assert!(low.is_nan() && (high == 2.0 || high == 1.0), "{low} {high}");
+    }
+    assert!(hull([0.0, 1.0], [0.5, f64::NAN])[1].is_nan());
+    assert_eq!(hull([0.0, 1.0], [-1.0, 0.5]), [-1.0, 1.0]);
+}
+
+/// Lemma D25: a word is not alone if another one leads from where its own states pass to the same h-set, by its last flights; that it is, is
+/// proved once the other one's strip is elsewhere, or is its own.
+#[test]
+fn r62_a_word_that_another_one_cuts_short_is_not_alone() {
+    let (law, chaos) = (law(), chaos());
+    let (guess, frames, strips) = strips(&law, &chaos);
+    let map = Map { law: &law, guess: &guess, frames: &frames };
+    let (number, longest) = strips.iter().max_by_key(|(_, branch)| branch.sides.len()).expect("words");
+    let images = map.prove(longest, KAPPA, &Unwatched).expect("cones");
+    let word = Proved { number: *number, branch: longest.clone(), images };
+    // The state of a cell after the first flight, in the coordinates of the h-set that it is nearest to.
+    let state = frames[longest.from].state(Ball::exact(longest.strip.middle), Ball::exact(0.0)).map(Ball::mid);
+    let next = guess.map(state).expect("a flight").state.map(Ball::exact);
+    let heights = vec![Ball::new(0.0, 1e6); frames.len()];
+    let is_alone = |from: usize, turns: f64, middle: f64| {
+        let strip = Strip { middle, slope: 0.0, half: 1e3, taper: 0.0 };
+        let (sides, half_turns) = (longest.sides[1..].to_vec(), longest.half_turns);
+        let branch = Branch { from, sides, half_turns, turns: longest.turns - turns, strip, ..longest.clone() };
+        let other = Proved { number: number + 1, branch, images: Vec::new() };
+        map.is_alone(&word, &[other], &heights, &Unwatched)
+    };
+    let place = frames[0].place(next, 0.0).expect("coordinates").map(Ball::mid);
+    assert!(!is_alone(0, 0.0, place[0]), "a strip that holds the states on the way");
+    assert!(is_alone(0, 0.0, place[0] + 1e5), "a strip beside them");
+    assert!(map.is_alone(&word, std::slice::from_ref(&word), &heights, &Unwatched), "itself");
 }
 
 #[test]

@@ -132,7 +132,7 @@ impl Between<'_> {
     }
 
     /// Proves the orbits over an eigenvalue, from the bifurcation at the end of a window to the middle; the phases and the parameter at
-    /// the inner end. Lemma Y8
+    /// the inner end, where `|mu| < 1` is proved. Lemma Y8
     fn outer<N: Enclosing + PhaseNumber>(
         &self,
         family: &Family<OneHarmonic, N>,
@@ -160,7 +160,10 @@ impl Between<'_> {
         let slabs: Vec<Proof<N>> = tube.follow(&lifted)?;
         let mut zero: Vec<N> = end.point.zero.iter().map(of).collect();
         zero.push(N::from_f64(end.mu));
-        slabs.first()?.holds(&zero).then(|| project(&slabs[slabs.len() - 1].end))
+        let inner = &slabs[slabs.len() - 1].end;
+        let mu = inner.last()?;
+        let is_stable = [1.0, -1.0].iter().all(|&sign| is_positive(N::from_f64(1.0) - mu.clone().signed(sign)));
+        (is_stable && slabs.first()?.holds(&zero)).then(|| project(inner))
     }
 
     /// Returns whether the other eigenvalue is proved to lie inside the unit circle for each member of a box: `e^(2m) < |mu|`. Lemma Y8
@@ -168,14 +171,13 @@ impl Between<'_> {
         let (mu, p) = (&x[x.len() - 1], &x[x.len() - 2]);
         let q = determinant(&family.pair(p.clone()).restitution, self.ring.unknowns());
         let sign = if mu.as_ball().mid() < 0.0 { -1.0 } else { 1.0 }; // Y8: of the wrong sign it is not larger
-        (mu.clone().signed(sign) - q).certain_sign() == Some(Ordering::Greater)
+        is_positive(mu.clone().signed(sign) - q)
     }
 
     /// Returns whether the assumptions of the lemma are proved for each member of a box of phases and a parameter: flights that take
     /// time, to their first contacts, and `0 < e < 1`. Lemma Y8
     fn is_admissible<N: Enclosing + PhaseNumber>(&self, family: &Family<OneHarmonic, N>, x: &[N]) -> bool {
         let e = x.last().map(|p| family.pair(p.clone()).restitution);
-        let is_positive = |x: N| x.certain_sign() == Some(Ordering::Greater);
         e.is_some_and(|e| is_positive(e.clone()) && is_positive(N::from_f64(1.0) - e))
             && take_time(self.ring, family, x)
             && self.is_physical(x)
@@ -209,6 +211,11 @@ impl Between<'_> {
         };
         proved() == Some(true)
     }
+}
+
+/// Returns whether a value is proved to be positive.
+fn is_positive<N: Enclosing>(x: N) -> bool {
+    x.certain_sign() == Some(Ordering::Greater)
 }
 
 /// The equations `L w = 0`.

@@ -282,7 +282,7 @@ fn kind_of(ring: &Ring, change: &Change) -> Kind {
         Change::Turn => Kind::Fold,
         Change::Flip | Change::Join if ring.is_mirrored() => Kind::Pitchfork,
         Change::Flip | Change::Join => Kind::PeriodDoubling,
-        Change::Graze(_) | Change::Vanish(_) => Kind::Graze,
+        Change::Graze(_) | Change::Vanish(_) | Change::Release(_) => Kind::Graze,
     }
 }
 

@@ -18,7 +18,7 @@ use super::over::Parameter;
 use super::point::{Kind, Point};
 use super::ring::Ring;
 use super::solve::newton;
-use super::system::{Critical, Graze, Posed, System, Vanishing};
+use super::system::{Critical, Graze, Posed, Releasing, System, Vanishing};
 use super::trace::null_vector;
 use crate::number::{Ball, Enclosing};
 use crate::several::PhaseNumber;
@@ -68,6 +68,10 @@ pub(super) fn prove<S: Varied>(
         }
         Change::Vanish(impact) => {
             let system = System::Vanishing(Vanishing { ring, impact });
+            Claim { setting, ring, kind: Kind::Graze, system, precision }.prove(with(&[]))
+        }
+        Change::Release(impact) => {
+            let system = System::Releasing(Releasing { ring, impact });
             Claim { setting, ring, kind: Kind::Graze, system, precision }.prove(with(&[]))
         }
     }
@@ -153,7 +157,7 @@ impl<S: Varied> Claim<'_, S> {
         let phases = ring.lift(&zero.at[..ring.unknowns()]);
         let shaking = family.pair(p.clone());
         let legs = flights(chain, &shaking, &phases)?;
-        if !self.system.holds(&shaking, &zero.at, &phases) {
+        if !self.system.holds(family, &zero.at) {
             return None;
         }
         // Radii may be far smaller than this arithmetic's unit where nothing is rounded.
@@ -170,8 +174,8 @@ impl<S: Varied> Claim<'_, S> {
             _ => is_physical(&shaken, chain, phases, legs),
         })
         .and_then(|finding| finding.finish(chain, pair.restitution(), bits, is_narrow));
-        // Lemma Y2 wants velocities that are not 0, and so does the Jacobian.
-        if self.kind != Kind::Graze && orbit.is_none() {
+        // Lemma Y2 wants velocities that are not 0, and so does the Jacobian; Lemma Y4 an orbit that runs through no shorter one.
+        if self.kind != Kind::Graze && orbit.as_ref().is_none_or(|orbit| orbit.repeats != Some(1)) {
             return None;
         }
         let orbit = orbit.map(|orbit| PeriodicOrbit { symmetric, ..orbit });

@@ -38,8 +38,8 @@ pub(super) trait Varied: Chained {
     /// The same parameters with constants for jets.
     fn jets<N: PhaseNumber>(base: &Self::In<N>) -> Self::In<Jet<N>>;
 
-    /// Phases inside a flight, which starts at one, at which it is as fast as the box, and how far that has moved by then. It
-    /// proposes.
+    /// Phases inside a flight, which starts at one, at which it is as fast as the box, and how far that has moved by then. The start, where every
+    /// flight is as fast as the box if `e = 0`, is none of them. It proposes.
     fn summits(floats: &Self::In<f64>, flight: &Leg<f64>, from: &Moment<Self, f64>, start: f64) -> Vec<(f64, f64)>;
 }
 
@@ -103,7 +103,10 @@ impl Varied for OneHarmonic {
         let first = (start - 1.0).floor() as i64; // proposes
         let last = (end + 1.0).ceil() as i64; // proposes
         let all = (first..=last).flat_map(|n| [n as f64 - a, n as f64 + a]); // proposes
-        all.filter(|&s| s > start && s < end).map(|s| (s, pair.alpha * ((TAU * s).sin() - from.0))).collect()
+        let nearest = all.clone().min_by(|a, b| (a - start).abs().total_cmp(&(b - start).abs())); // proposes
+        let own = nearest.filter(|_| pair.restitution == 0.0); // proposes: the start, up to rounding
+        let inside = all.filter(|&s| s > start && s < end && Some(s) != own); // proposes
+        inside.map(|s| (s, pair.alpha * ((TAU * s).sin() - from.0))).collect()
     }
 }
 
@@ -152,7 +155,11 @@ impl Varied for SeveralHarmonics {
         let velocity = |s: f64| sum.relative(&flight.drift, &sum.moment(0.0, &s));
         let count = (PIECES * flight.time).ceil() + 1.0; // proposes
         let ends = (0..=count as u32).map(|i| start + flight.time * f64::from(i) / count); // proposes
-        let known: Vec<(f64, f64)> = ends.map(|s| (s, velocity(s))).collect();
+        let mut known: Vec<(f64, f64)> = ends.map(|s| (s, velocity(s))).collect();
+        // proposes: what leaves without velocity, up to rounding, has the sign of its acceleration next
+        if sum.restitution == 0.0 {
+            known[0].1 = sum.acceleration(from);
+        }
         let halved = |ends: &[(f64, f64)]| {
             let rises = ends[0].1 < 0.0;
             let [low, high] = (0..HALVINGS).fold([ends[0].0, ends[1].0], |[low, high], _| {

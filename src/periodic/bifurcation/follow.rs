@@ -18,6 +18,8 @@ pub(super) enum Change {
     Graze(Nearest),
     /// An impact has no velocity left.
     Vanish(usize),
+    /// For `e = 0` an impact after which the contact force ends; beyond, the ball would rest.
+    Release(usize),
     /// It meets the branch of its half: an eigenvalue -1 of that.
     Join,
 }
@@ -128,6 +130,12 @@ fn note<S: Varied>(
     if speed(&b.tests) <= 0.0 {
         let at = locate(ring, family, a, b, speed);
         changes.push((Change::Vanish(at.tests.arrival.1), at.x));
+        return true;
+    }
+    let bend = |tests: &Tests| tests.bend.0;
+    if bend(&b.tests) <= 0.0 {
+        let at = locate(ring, family, a, b, bend);
+        changes.push((Change::Release(at.tests.bend.1), at.x));
         return true;
     }
     if room(&b.tests) <= 0.0 {

@@ -13,7 +13,8 @@ pub enum Kind {
     Pitchfork,
     /// (39): an orbit of twice the period branches off.
     PeriodDoubling,
-    /// A wall is touched with zero velocity: beyond, the word is another one.
+    /// A wall is touched with zero velocity: beyond, the word is another one. For `e = 0` also an impact at which the contact force ends: beyond,
+    /// the ball rests after it.
     Graze,
 }
 

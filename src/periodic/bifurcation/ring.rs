@@ -31,14 +31,13 @@ impl Ring {
             .then(|| Self { chain: chain.clone(), unknowns: half })
     }
 
-    /// Returns the chain that this one runs through twice.
-    pub fn repeated(chain: &Chain) -> Option<Self> {
-        let (walls, half) = (chain.walls(), chain.impacts() / 2);
-        let folds = chain.impacts() == 2 * half && walls[..half] == walls[half..];
-        if !folds || !chain.cycles().is_multiple_of(2) {
-            return None;
-        }
-        chain.another(&word_of(&walls[..half])?, chain.cycles() / 2).ok().map(Self::whole)
+    /// Returns the chain that this one runs through that number of times.
+    pub fn repeated(chain: &Chain, times: usize) -> Option<Self> {
+        let (walls, part) = (chain.walls(), chain.impacts() / times);
+        let is_round = |round: &[Wall]| *round == walls[..part];
+        let repeats = part > 0 && chain.impacts() == times * part && walls.chunks(part).all(is_round);
+        let rounds = u32::try_from(times).ok().filter(|&rounds| repeats && chain.cycles().is_multiple_of(rounds))?;
+        chain.another(&word_of(&walls[..part])?, chain.cycles() / rounds).ok().map(Self::whole)
     }
 
     /// Returns where the branch that leaves at an eigenvalue -1 lives: all the orbits of the chain, or of it run through twice.
@@ -53,7 +52,14 @@ impl Ring {
     /// Returns the rings whose doubled one this may be.
     pub fn halves(&self) -> impl Iterator<Item = Self> {
         let whole = !self.is_mirrored();
-        [Self::mirrored(&self.chain), Self::repeated(&self.chain)].into_iter().flatten().filter(move |_| whole)
+        [Self::mirrored(&self.chain), Self::repeated(&self.chain, 2)].into_iter().flatten().filter(move |_| whole)
+    }
+
+    /// Returns the rings that hold some of its orbits with fewer unknowns: those that it runs through several times, then its mirrored half.
+    pub fn parts(&self) -> impl Iterator<Item = Self> {
+        let whole = !self.is_mirrored();
+        let repeated = (2..=self.chain.impacts()).filter_map(|times| Self::repeated(&self.chain, times));
+        repeated.chain(Self::mirrored(&self.chain)).filter(move |_| whole)
     }
 
     /// Returns all impacts.
@@ -142,7 +148,9 @@ mod tests {
     fn only_odd_cycles_and_mirrored_walls_fold() {
         assert!(Ring::mirrored(&chain("RL", 1)).is_some() && Ring::mirrored(&chain("RRLL", 3)).is_some());
         assert!(Ring::mirrored(&chain("RL", 2)).is_none() && Ring::mirrored(&chain("RRL", 1)).is_none());
-        assert_eq!(Ring::repeated(&chain("RLRL", 2)), Some(Ring::whole(chain("RL", 1))));
+        assert_eq!(Ring::repeated(&chain("RLRL", 2), 2), Some(Ring::whole(chain("RL", 1))));
+        assert_eq!(Ring::repeated(&chain("RLRLRL", 3), 3), Some(Ring::whole(chain("RL", 1))));
+        assert!(Ring::repeated(&chain("RLRLRL", 2), 3).is_none() && Ring::repeated(&chain("RLRLRL", 2), 2).is_none());
         assert_eq!(Ring::whole(chain("RL", 1)).doubled(), Some(Ring::whole(chain("RLRL", 2))));
     }
 
@@ -159,8 +167,8 @@ mod tests {
         assert_eq!(odd.lift(&[0.25]), [0.25, 1.75]);
         assert!(Ring::mirrored(&under(3, true, "RL", 6)).is_none());
         assert_eq!(odd.doubled(), Some(Ring::whole(under(3, true, "RL", 3))));
-        assert!(Ring::repeated(&under(2, false, "RLRL", 2)).is_none());
-        assert_eq!(Ring::repeated(&under(2, false, "RLRL", 4)), Some(Ring::whole(under(2, false, "RL", 2))));
+        assert!(Ring::repeated(&under(2, false, "RLRL", 2), 2).is_none());
+        assert_eq!(Ring::repeated(&under(2, false, "RLRL", 4), 2), Some(Ring::whole(under(2, false, "RL", 2))));
     }
 
     #[test]

@@ -26,7 +26,7 @@ pub(super) struct Seed {
     pub x: Vec<f64>,
 }
 
-/// Orbits of the chain at some values of the parameter, symmetric and repeated ones on the rings of their halves; those that
+/// Orbits of the chain at some values of the parameter, symmetric and repeated ones on the rings of their parts; those that
 /// are found before the watch stops it.
 ///
 /// # Errors
@@ -69,16 +69,16 @@ fn values(over: &Range) -> Vec<Exact> {
 /// The orbit on the smallest ring that holds it.
 fn fold(ring: Ring, x: Vec<f64>) -> Seed {
     let (p, phases) = x.split_last().expect("a parameter");
-    let halved = ring.halves().find(|half| {
-        // The chain of a half that repeats is another one; it lifts to this one by being run through again.
-        let unknowns = half.unknowns();
-        let lifted = (unknowns..phases.len()).map(|i| phases[i - unknowns] + half.turns());
+    let smaller = ring.parts().find(|part| {
+        // The chain of a part that repeats is another one; it lifts to this one by being run through again.
+        let unknowns = part.unknowns();
+        let lifted = (unknowns..phases.len()).map(|i| phases[i - unknowns] + part.turns());
         phases[unknowns..].iter().zip(lifted).all(|(a, b)| (a - b).abs() < SAME_PHASE)
     });
-    match halved {
-        Some(half) => {
-            let x = [&phases[..half.unknowns()], &[*p]].concat();
-            fold(half, x)
+    match smaller {
+        Some(part) => {
+            let x = [&phases[..part.unknowns()], &[*p]].concat();
+            fold(part, x)
         }
         None => Seed { ring, x },
     }

@@ -5,6 +5,7 @@
 use nalgebra::DVector;
 
 use super::super::entries::Entries;
+use super::super::shaking::Shaking;
 use super::family::{Family, Varied};
 use super::ring::Ring;
 use super::system::{Curve, System};
@@ -30,6 +31,9 @@ pub(super) struct Tests {
     pub room: Nearest,
     /// The least speed of an arrival, and which.
     pub arrival: (f64, usize),
+    /// For `e = 0`, where every flight leaves its wall without velocity, the least acceleration away from it, and at which impact; infinite for
+    /// all other `e`.
+    pub bend: (f64, usize),
     /// Distance of the ring from its half, in forcing periods: 0 where it runs through it twice.
     pub apart: f64,
 }
@@ -151,6 +155,11 @@ impl Tests {
         let arrival = (0..ring.unknowns())
             .map(|i| (-chain.walls()[i].inward(*chain.before(&legs.legs, i)), i))
             .min_by(|a, b| a.0.total_cmp(&b.0))?;
+        let away = |i: usize| match *pair.restitution() == 0.0 {
+            true => chain.walls()[i].inward(pair.acceleration(&legs.waves[i])),
+            false => f64::INFINITY,
+        };
+        let bend = (0..ring.unknowns()).map(|i| (away(i), i)).min_by(|a, b| a.0.total_cmp(&b.0))?;
         let mut room = Nearest { distance: f64::INFINITY, leg: 0, wall: Wall::Left, phase: 0.0 };
         for (i, leg) in legs.legs.iter().enumerate().take(ring.unknowns()) {
             let height = -chain.walls()[i].sign() / 2.0;
@@ -164,7 +173,7 @@ impl Tests {
         }
         let apart = ring.halves().map(|_| asymmetry(phases, ring.turns() / 2.0)).fold(f64::INFINITY, f64::min);
         let flip = twisted_matrix(ring, family, x, &-1.0)?.dense().lu().determinant();
-        Some(Self { flip, turn: tangent[tangent.len() - 1], room, arrival, apart })
+        Some(Self { flip, turn: tangent[tangent.len() - 1], room, arrival, bend, apart })
     }
 }
 

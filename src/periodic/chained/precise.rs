@@ -2,7 +2,7 @@
 
 use super::super::chain::Chain;
 use super::super::legs::Legs;
-use super::super::physical::{Claim, all_first};
+use super::super::physical::{Claim, all_first, split};
 use super::Moment;
 use crate::contact::PairBounds;
 use crate::contact::multiprecision::isolate_first;
@@ -31,7 +31,7 @@ impl ChainedPrecisely for OneHarmonic {
         phases: &[MpBall],
         legs: &Legs<MpBall>,
     ) -> Option<bool> {
-        all_first(chain, phases, &legs.legs, |claim| is_first_in_balls(&self.bounds_of_pair, pair, claim))
+        all_first(chain, split(phases), &legs.legs, |claim| is_first_in_balls(&self.bounds_of_pair, pair, claim))
     }
 }
 

@@ -3,7 +3,7 @@
 use super::super::chain::Chain;
 use super::super::chained::{ChainedPrecisely, Moment};
 use super::super::legs::Legs;
-use super::super::physical::all_first;
+use super::super::physical::{all_first, split};
 use super::is_first;
 use crate::number::MpBall;
 use crate::shaken::{SeveralHarmonics, Sum};
@@ -16,7 +16,7 @@ impl ChainedPrecisely for SeveralHarmonics {
         phases: &[MpBall],
         legs: &Legs<MpBall, Moment<Self, MpBall>>,
     ) -> Option<bool> {
-        all_first(chain, phases, &legs.legs, |claim| {
+        all_first(chain, split(phases), &legs.legs, |claim| {
             is_first(self, sum, claim, -(sum.restitution.clone() * claim.before.clone()))
         })
     }

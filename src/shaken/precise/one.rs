@@ -54,7 +54,8 @@ impl Precise for OneHarmonic {
             let sin_cos = around(&sin_cos, &all.phase);
             Flight::of(pair, all, sin_cos)
         };
-        let isolated = isolate_first(&self.bounds_of_pair, &start, all, &centre)?;
+        let isolated = isolate_first(&self.bounds_of_pair, &start, all, &centre);
+        let isolated = isolated.map_err(|undecided| self.settled(&start, undecided))?;
         let contact = isolated.contact(wall);
         let narrow = Undecided::precision(&contact);
         let Refined { at, error, velocity, sin_cos: arrival } = isolated.refine(&centre, bits).ok_or(narrow)?;

@@ -1,12 +1,8 @@
 //! The orbits of a ring with an eigenvalue: a given one, or any. Lemmas Y3, Y8
 
-use std::cmp::Ordering;
-
 use super::super::family::{Family, Varied};
 use super::super::ring::Ring;
 use super::{Shape, are_neighbours};
-use crate::number::Enclosing;
-use crate::periodic::shaking::Shaking;
 use crate::several::PhaseNumber;
 
 /// Returns whether equation `i` of `F = 0`, `F'_mu w = 0` contains unknown `j` of `(u, w, p)`, or `mu` after them.
@@ -65,11 +61,6 @@ impl Critical<'_> {
         values.extend(self.ring.twisted(&self.ring.chain().slopes(&pair, &legs)?, w, self.mu));
         values.push(off_norm(&self.direction, w));
         Some(values)
-    }
-
-    /// Returns whether `e > 0` is proved, for Lemma Y2; velocities that are not 0 are requested with the orbit.
-    pub fn holds<N: Enclosing, B: Shaking<N>>(&self, pair: &B) -> bool {
-        pair.restitution().certain_sign() == Some(Ordering::Greater)
     }
 }
 

@@ -5,14 +5,13 @@ mod orbits;
 
 use super::super::entries::Entries;
 use super::super::krawczyk::Equations;
-use super::super::shaking::Shaking;
 use super::family::{Family, Varied};
 use super::jet::Jet;
 use super::tube::Slab;
 use crate::number::Enclosing;
 use crate::several::PhaseNumber;
 pub(super) use eigenvalue::{Critical, Multiplied};
-pub(super) use orbits::{Curve, Graze, Traced, Vanishing};
+pub(super) use orbits::{Curve, Graze, Releasing, Traced, Vanishing};
 
 /// The unknowns that each equation contains.
 pub(super) trait Shape {
@@ -43,6 +42,7 @@ pub(super) enum System<'r> {
     Traced(Traced<'r>),
     Graze(Graze<'r>),
     Vanishing(Vanishing<'r>),
+    Releasing(Releasing<'r>),
     Slab(&'r Slab<'r>),
 }
 
@@ -56,6 +56,7 @@ impl System<'_> {
             Self::Traced(system) => system,
             Self::Graze(system) => system,
             Self::Vanishing(system) => system,
+            Self::Releasing(system) => system,
             Self::Slab(system) => *system,
         }
     }
@@ -69,17 +70,20 @@ impl System<'_> {
             Self::Traced(system) => system.values(family, x),
             Self::Graze(system) => system.values(family, x),
             Self::Vanishing(system) => system.values(family, x),
+            Self::Releasing(system) => system.values(family, x),
             Self::Slab(system) => system.values(family, x),
         }
     }
 
     /// Returns whether the conditions that the equations do not express are proved at a zero.
-    pub fn holds<N: Enclosing, B: Shaking<N>>(&self, pair: &B, x: &[N], phases: &[N]) -> bool {
-        match self {
-            Self::Critical(system) => system.holds(pair),
-            Self::Graze(system) => system.holds(pair, x, phases),
-            _ => true,
-        }
+    pub fn holds<S: Varied, N: Enclosing + PhaseNumber>(&self, family: &Family<S, N>, x: &[N]) -> bool {
+        let holds = match self {
+            Self::Graze(system) => system.holds(family, x),
+            Self::Vanishing(system) => system.holds(family, x),
+            Self::Releasing(system) => system.holds(family, x),
+            _ => Some(true),
+        };
+        holds == Some(true)
     }
 
     /// The Jacobian matrix, all its entries or those that may be other than 0; over balls, enclosed for all their members. A curve's has a
