@@ -353,11 +353,15 @@ impl Orbit {
     /// Returns whether the listed bounds are past the exact time to stop at: to twice their bits, if that is irrational.
     #[cold]
     fn is_listed_past(&self, turns: i64, phase: &Enclosure) -> bool {
+        self.is_after_until(&self.exact_time(turns, phase))
+    }
+
+    /// Returns whether these times are all past the exact time to stop at: to twice their bits, if that is irrational.
+    fn is_after_until(&self, times: &Enclosure) -> bool {
         let until = self.requested.settings.until.as_ref();
-        let listed = self.exact_time(turns, phase);
         until.is_some_and(|until| match until.as_rational() {
-            Some(until) => compare_rational(listed.inf(), until).is_gt(),
-            None => until.enclose(self.requested.shown.saturating_mul(2)).sup() < listed.inf(), // X1: any number of bits encloses
+            Some(until) => compare_rational(times.inf(), until).is_gt(),
+            None => until.enclose(self.requested.shown.saturating_mul(2)).sup() < times.inf(), // X1: any number of bits encloses
         })
     }
 

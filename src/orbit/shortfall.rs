@@ -60,6 +60,10 @@ impl Orbit {
     /// The motion cannot go on: in more precision, or not at all.
     #[cold]
     pub(super) fn give_up(&mut self, undecided: Undecided) -> Progress {
+        // C7: no wall is touched up to the time to stop at, whatever comes later.
+        if self.requested.until.is_some() && self.is_after_until(&self.not_before(&undecided).0) {
+            return self.finish(Outcome::TimeReached);
+        }
         // A contact that the precision does not distinguish from a graze is called a graze; both continuations are then followed as one set.
         let may_graze = undecided.reason == Reason::Graze && self.cursor.index == self.listed;
         let deep = self.engine.arithmetic != Arithmetic::Auto || self.engine.motion.bits() >= GRAZE_BITS;
@@ -114,6 +118,13 @@ impl Orbit {
 
     /// The orbit ends undecided.
     pub(super) fn end(&mut self, undecided: Undecided) -> Progress {
+        let time = self.not_before(&undecided);
+        self.outcome = Some(Outcome::Undecided { reason: undecided.reason, wall: undecided.wall, time });
+        Progress::Ended
+    }
+
+    /// Encloses a time up to which no wall is touched after the last state (Lemma C7), and the next contact, where that is proved \[time\].
+    fn not_before(&self, undecided: &Undecided) -> (Enclosure, Option<Enclosure>) {
         let Cursor { turns, phase, .. } = self.cursor;
         let now = || self.clock.time(turns, &finite(phase));
         let later = |whole: f64, rest: Ball| {
@@ -127,9 +138,6 @@ impl Orbit {
             let Since { whole, rest } = clear(&*self.engine.given.shaken, &self.launch()?);
             later(whole, Ball::exact(rest))
         };
-        let from = contact.clone().or_else(clear).unwrap_or_else(now);
-        let time = (from, contact);
-        self.outcome = Some(Outcome::Undecided { reason: undecided.reason, wall: undecided.wall, time });
-        Progress::Ended
+        (contact.clone().or_else(clear).unwrap_or_else(now), contact)
     }
 }
