@@ -68,7 +68,7 @@ impl Orbit {
         };
         let mut orbit = Self {
             clock,
-            requested: Requested { settings, until, widths, shown },
+            requested: Requested { settings, until, widths, shown, is_point },
             engine,
             initial,
             followed,

@@ -33,6 +33,7 @@ pub use impact_pair_model::{Arithmetic, BITS, MAX_BITS, MULTIPRECISION, Period, 
 pub use plan::Plan;
 pub(crate) use set::StateSet;
 pub use shadowed::Shadowing;
+pub(crate) use shortfall::{GRAZE_BITS, Limit};
 
 pub use crate::clock::Clock;
 use crate::clock::Phase;
@@ -104,6 +105,8 @@ struct Requested {
     widths: [Width; 2],
     /// Bits of what is printed beyond doubles.
     shown: u32,
+    /// No interval among the pair and the start.
+    is_point: bool,
 }
 
 /// The motion and its arithmetic.
@@ -115,7 +118,7 @@ struct Engine {
     motion: Box<dyn Motion>,
     /// The current arithmetic: a shadow becomes [`Arithmetic::Auto`] at a release, [`Arithmetic::Interval`] where there is none.
     arithmetic: Arithmetic,
-    /// No interval among the data: more precision makes every enclosure narrower.
+    /// No interval among the data, nor a graze passed: more precision makes every enclosure narrower.
     is_point: bool,
     /// The ways to raise the precision if the motion does not suffice.
     raise: Option<PrecisionRaise>,
