@@ -178,26 +178,28 @@ proptest! {
     }
 }
 
-/// Random motions, many of them chaotic, on walls and inside the gap.
+/// Random motions on walls and inside the gap, many of them chaotic: with small boxes and slow starts a floating-point run soon has another number
+/// of impacts.
 #[cfg(feature = "multiprecision")]
 fn motions() -> impl Strategy<Value = Scene> {
+    let velocity = || prop_oneof![Just(0.0), 0.0..3.0f64, 0.0..20.0f64];
     let start = prop_oneof![
-        (prop_oneof![Just("left"), Just("right")], -20.0..20.0f64).prop_map(|(wall, velocity)| {
-            let velocity = if wall == "left" { -velocity.abs() } else { velocity.abs() };
-            format!("wall = \"{wall}\", velocity = {velocity:.6}")
-        }),
-        (-0.4..0.4f64, -20.0..20.0f64)
-            .prop_map(|(part, velocity)| format!("position = {part:.6}, velocity = {velocity:.6}")),
+        3 => velocity().prop_map(|velocity| format!("wall = \"left\", velocity = -{velocity:.6}")),
+        1 => velocity().prop_map(|velocity| format!("wall = \"right\", velocity = {velocity:.6}")),
+        1 => (-0.4..0.4f64, -20.0..20.0f64)
+            .prop_map(|(position, velocity)| format!("position = {position:.6}, velocity = {velocity:.6}")),
     ];
-    (0.05..9.0f64, 1.0..20.0f64, 0.0..0.98f64, 0.0..2.0f64, start).prop_map(
-        |(amplitude, gap, restitution, time, start)| {
-            let text = format!(
-                "excitation = {{ amplitude = {amplitude:.6}, frequency = \"pi\", phase = 0 }}\n\
-                 pair = {{ gap = {gap:.6}, restitution = {restitution:.6} }}\nstart = {{ time = {time:.6}, {start} }}"
-            );
-            Scene::parse(&text).expect("a scene")
-        },
-    )
+    let amplitude = prop_oneof![3 => 0.05..0.4f64, 1 => 0.4..2.0f64];
+    let restitution = prop_oneof![3 => 0.4..0.8f64, 1 => 0.0..0.98f64];
+    let time = prop_oneof![Just(0.0), 0.0..2.0f64];
+    (amplitude, 1.0..20.0f64, restitution, time, start).prop_map(|(alpha, gap, restitution, time, start)| {
+        let text = format!(
+            "excitation = {{ amplitude = {:.6}, frequency = \"pi\", phase = 0 }}\n\
+             pair = {{ gap = {gap:.6}, restitution = {restitution:.6} }}\nstart = {{ time = {time:.6}, {start} }}",
+            alpha * gap
+        );
+        Scene::parse(&text).expect("a scene")
+    })
 }
 
 /// Follows a motion to its end: its outcome and its last impact's time, none of which is wider than requested.
@@ -216,7 +218,7 @@ proptest! {
     /// What is certified of a motion for a number of impacts is certified up to the time of the last of them.
     #[test]
     fn r62_a_time_to_stop_at_certifies_what_a_number_of_impacts_does(scene in motions()) {
-        let (Some(Outcome::ImpactsReached | Outcome::Periodic(_)), impacts, Some(last)) = followed(&scene, Some(120), None) else {
+        let (Some(Outcome::ImpactsReached | Outcome::Periodic(_)), impacts, Some(last)) = followed(&scene, Some(150), None) else {
             return Ok(());
         };
         let until = Exact::from_rational(last.sup().to_rational());
@@ -250,8 +252,10 @@ fn r62_the_impacts_requested_end_the_plan_for_a_late_time() {
     ));
     let settings =
         Settings { impacts: Some(10), until: Some("10^9".parse().unwrap()), digits: 20, ..Settings::default() };
+    let begun = std::time::Instant::now();
     let mut orbit = Orbit::of(&scene.unwrap(), settings).unwrap();
     assert_eq!((orbit.by_ref().count(), orbit.outcome()), (10, Some(&Outcome::ImpactsReached)));
+    assert!(begun.elapsed().as_secs() < 5, "{:?}", begun.elapsed());
     assert_eq!(orbit.plan().map(|plan| plan.bits(10) > 64), Some(true));
 }
 

@@ -179,12 +179,12 @@ fn r62_more_impacts_are_the_next_step_of_a_motion_in_a_region() {
         describe(&scene, &request, &watch).unwrap().document(&scene, "scene.toml").unwrap()
     };
     let next = |document: &DescriptionDocument| document.undecided[0].command.clone();
-    let few = describe(3);
+    let few = describe(2);
     assert_eq!(
         (few.fate.kind, next(&few)),
-        (FateName::StaysInRegion, "impact-pair describe scene.toml --impacts 30".into())
+        (FateName::StaysInRegion, "impact-pair describe scene.toml --impacts 20".into())
     );
-    assert_eq!(describe(30).fate.kind, FateName::Attracted);
+    assert_eq!(describe(20).fate.kind, FateName::Attracted);
     let chaos = figure("8", "9.42497", "0.5");
     let watch = |at: Stage<'_>| proceed_if(!matches!(at, Stage::Horseshoe { .. }));
     let found = super::describe(&chaos, &Request { impacts: 100, ..Request::default() }, &watch).unwrap();
