@@ -1,7 +1,7 @@
 //! Motions proved to converge to a periodic orbit, through the public interface. Lemmas Q1-Q4
 
 use std::ops::ControlFlow;
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicU32, Ordering};
 
 use crate::tolerances::{EIGENVALUE, EIGENVALUE_7};
 use approx::{AbsDiffEq, abs_diff_eq};
@@ -126,14 +126,17 @@ fn every_start_in_a_basin_comes_to_the_orbit() {
     let scene = figure(13);
     let problem = Problem::new(scene.pair(), &"P1 P2".parse().unwrap(), 1).unwrap();
     let orbit = problem.prove(&[0.8646, 1.3646], Default::default()).expect("proved");
-    let basin = problem.basins(&orbit).next().expect("a neighbourhood");
     let phase = orbit.phases()[0].mid();
     let velocity = orbit.impacts[0].velocity.mid_rad().0;
-    let holds = |u: f64, v: f64| basin.holds(Wall::Left, Ball::exact(u), Ball::exact(v));
+    let states = |wall, u: f64, v: f64| (wall, Ball::exact(u), Ball::exact(v));
+    let first = states(Wall::Left, phase, velocity);
+    assert!(problem.basin_around(&orbit, 0, first, |_| false).is_none(), "the flights of no ellipse are afforded");
+    let basin = problem.basin_around(&orbit, 0, first, |_| true).expect("a neighbourhood");
+    let holds = |u: f64, v: f64| basin.holds(states(Wall::Left, u, v));
     assert!(holds(phase, velocity) && holds(phase + 3.0, velocity), "phases are modulo whole turns");
-    assert!(!basin.holds(Wall::Right, Ball::exact(phase), Ball::exact(velocity)));
+    assert!(!basin.holds(states(Wall::Right, phase, velocity)));
     assert!(!holds(phase + 0.5, velocity) && !holds(phase, 2.0 * velocity) && !holds(f64::NAN, velocity));
-    assert!(!basin.holds(Wall::Left, Ball::new(phase, 0.5), Ball::exact(velocity)), "all of a set is meant");
+    assert!(!basin.holds((Wall::Left, Ball::new(phase, 0.5), Ball::exact(velocity))), "all of a set is meant");
     // Floating motions from states on its edge shrink towards the orbit in its own norm.
     let pair = problem.reduced().expect("one harmonic").centre();
     let size = |u: f64, v: f64| -> f64 {
@@ -219,4 +222,59 @@ fn r47_no_attractor_is_looked_for_where_there_is_none() {
         let orbit = followed(&scene(amplitude, restitution), 6);
         assert_eq!(orbit.outcome(), Some(&Outcome::ImpactsReached), "A = {amplitude}, e = {restitution}");
     }
+}
+
+/// One word and one first impact of an orbit, wherever the list of impacts ends.
+#[test]
+fn r62_an_orbit_has_one_word_and_one_first_impact() {
+    for name in ["figure-14-sink", "figure-13", "doublings", "cascade"] {
+        let path = format!("{}/scenes/{name}.toml", impact_pair_tests::ROOT);
+        let scene = Scene::parse(&std::fs::read_to_string(path).unwrap()).unwrap();
+        let of = |impacts| {
+            let (orbit, _) = run(&scene, impacts, Arithmetic::Auto);
+            let Attractor { word, orbit, from, .. } = attractor(&orbit).clone();
+            assert!(from <= impacts, "{name}");
+            (word, orbit.impacts[0].wall, orbit.impacts[0].phase.clone(), orbit.impacts[0].velocity.clone())
+        };
+        let (word, wall, phase, velocity) = of(300);
+        assert_eq!(wall, Wall::Left, "{name}");
+        for impacts in 301..312 {
+            let other = of(impacts);
+            assert_eq!((&other.0, other.1), (&word, wall), "{name}");
+            assert!(other.2.intersection(&phase).is_some() && other.3.intersection(&velocity).is_some(), "{name}");
+        }
+    }
+}
+
+/// In doubles the sets of this motion stay wider than what is proved to be attracted; followed a little in more bits they do not.
+#[cfg(feature = "multiprecision")]
+#[test]
+fn r62_attraction_is_proved_of_motions_that_doubles_leave_too_wide() {
+    let scene = Scene::parse(
+        "excitation = { amplitude = \"1/pi^2\", frequency = \"pi\", phase = \"pi/2\" }\n\
+         pair = { gap = 0.06, restitution = 0.5 }\nstart = { time = 0, wall = \"left\", velocity = -0.5 }",
+    );
+    let (orbit, _) = run(&scene.unwrap(), 20_000, Arithmetic::Auto);
+    assert_eq!((attractor(&orbit).cycles, attractor(&orbit).word.mappings().len()), (12, 56));
+}
+
+/// A motion near the edge of stability: where the orbit near it is not proved to be stable, no other of its impacts is tried, and nothing in
+/// many bits that costs more than the impacts allow. Lemma Q5
+#[test]
+fn r62_a_search_in_vain_takes_few_proofs() {
+    let scene = figure(14).with(&[("excitation.amplitude".parse().unwrap(), "1268/233".parse().unwrap())]).unwrap();
+    let settings =
+        Settings { impacts: Some(650), attractor: true, arithmetic: Arithmetic::Interval, ..scene.settings() };
+    let mut orbit = Orbit::of(&scene, settings).unwrap();
+    let (listed, proofs) = (AtomicBool::new(false), AtomicU32::new(0));
+    let watch = |at: Stage<'_>| {
+        listed.fetch_or(at == Stage::Impact(650), Ordering::Relaxed);
+        if listed.load(Ordering::Relaxed) && at == Stage::Working {
+            proofs.fetch_add(1, Ordering::Relaxed);
+        }
+        proceed_if(true)
+    };
+    let _ = orbit.follow(&watch, |_, _| ControlFlow::<()>::Continue(()));
+    assert_eq!(orbit.outcome(), Some(&Outcome::ImpactsReached));
+    assert!(proofs.into_inner() <= 8, "one for each guess");
 }

@@ -192,3 +192,101 @@ proptest! {
         prop_assert_eq!(&plain, &impacts("(1e-300)", "(1e12/3)", &data));
     }
 }
+
+/// Random motions on walls and inside the gap, many of them chaotic: with small boxes and slow starts a floating-point run soon has another number
+/// of impacts.
+#[cfg(feature = "multiprecision")]
+fn motions() -> impl Strategy<Value = Scene> {
+    let velocity = || prop_oneof![Just(0.0), 0.0..3.0f64, 0.0..20.0f64];
+    let start = prop_oneof![
+        3 => velocity().prop_map(|velocity| format!("wall = \"left\", velocity = -{velocity:.6}")),
+        1 => velocity().prop_map(|velocity| format!("wall = \"right\", velocity = {velocity:.6}")),
+        1 => (-0.4..0.4f64, -20.0..20.0f64)
+            .prop_map(|(position, velocity)| format!("position = {position:.6}, velocity = {velocity:.6}")),
+    ];
+    let amplitude = prop_oneof![3 => 0.05..0.4f64, 1 => 0.4..2.0f64];
+    let restitution = prop_oneof![3 => 0.4..0.8f64, 1 => 0.0..0.98f64];
+    let time = prop_oneof![Just(0.0), 0.0..2.0f64];
+    (amplitude, 1.0..20.0f64, restitution, time, start).prop_map(|(alpha, gap, restitution, time, start)| {
+        let text = format!(
+            "excitation = {{ amplitude = {:.6}, frequency = \"pi\", phase = 0 }}\n\
+             pair = {{ gap = {gap:.6}, restitution = {restitution:.6} }}\nstart = {{ time = {time:.6}, {start} }}",
+            alpha * gap
+        );
+        Scene::parse(&text).expect("a scene")
+    })
+}
+
+/// Follows a motion to its end: its outcome and its last impact's time, none of which is wider than requested.
+#[cfg(feature = "multiprecision")]
+fn followed(scene: &Scene, impacts: Option<u64>, until: Option<Exact>) -> (Option<Outcome>, u64, Option<Enclosure>) {
+    let mut orbit = Orbit::of(scene, Settings { impacts, until, ..Settings::default() }).unwrap();
+    let last = orbit.by_ref().last().map(|last| orbit.bounds(&last).0);
+    assert_eq!(orbit.first_wide(), None, "{scene:?}");
+    (orbit.outcome().cloned(), orbit.listed(), last)
+}
+
+#[cfg(feature = "multiprecision")]
+proptest! {
+    #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::default() })]
+
+    /// What is certified of a motion for a number of impacts is certified up to the time of the last of them.
+    #[test]
+    fn r62_a_time_to_stop_at_certifies_what_a_number_of_impacts_does(scene in motions()) {
+        let (Some(Outcome::ImpactsReached | Outcome::Periodic(_)), impacts, Some(last)) = followed(&scene, Some(150), None) else {
+            return Ok(());
+        };
+        let until = Exact::from_rational(last.sup().to_rational());
+        let (outcome, listed, _) = followed(&scene, None, Some(until));
+        prop_assert!(matches!(outcome, Some(Outcome::TimeReached | Outcome::Periodic(_))), "{:?} {outcome:?}", scene);
+        prop_assert!(listed >= impacts, "{listed} of {impacts}");
+    }
+}
+
+/// The floating-point run, which the bits are planned from, has fewer impacts up to a time than the true orbit.
+#[cfg(feature = "multiprecision")]
+#[test]
+fn r62_the_bits_of_an_orbit_with_more_impacts_than_planned_are_raised() {
+    let scene = Scene::parse(
+        "excitation = { amplitude = 1.549, frequency = \"pi\", phase = 0 }\npair = { gap = 16.61, restitution = 0.6 }\n\
+         start = { time = 0, wall = \"left\", velocity = 0 }",
+    );
+    let (outcome, listed, _) = followed(&scene.unwrap(), None, Some(Exact::from(290)));
+    assert_eq!((outcome, listed), (Some(Outcome::TimeReached), 148));
+}
+
+/// The plan follows the impacts requested, and not all up to a time far beyond them: of 45 harmonics these took half a minute.
+#[cfg(feature = "multiprecision")]
+#[test]
+fn r62_the_impacts_requested_end_the_plan_for_a_late_time() {
+    let listed = |of: fn(u32) -> String| (1..=45).map(of).collect::<Vec<_>>().join(", ");
+    let (amplitudes, frequencies) = (listed(|k| format!("\"1/{}\"", k * k + 1)), listed(|k| format!("\"{k}*pi\"")));
+    let scene = Scene::parse(&format!(
+        "excitation = {{ amplitude = [{amplitudes}], frequency = [{frequencies}], phase = 0 }}\n\
+         pair = {{ gap = 2, restitution = 0.9 }}\nstart = {{ time = 0, wall = \"left\", velocity = -3 }}"
+    ));
+    let settings =
+        Settings { impacts: Some(10), until: Some("10^9".parse().unwrap()), digits: 20, ..Settings::default() };
+    let begun = std::time::Instant::now();
+    let mut orbit = Orbit::of(&scene.unwrap(), settings).unwrap();
+    assert_eq!((orbit.by_ref().count(), orbit.outcome()), (10, Some(&Outcome::ImpactsReached)));
+    assert!(begun.elapsed().as_secs() < 5, "{:?}", begun.elapsed());
+    assert_eq!(orbit.plan().map(|plan| plan.bits(10) > 64), Some(true));
+}
+
+/// Nothing is touched before 1.5e16: that is all that a time to stop at needs.
+#[test]
+fn r62_an_endless_flight_ends_at_the_time_requested() {
+    let scene = Scene::parse(
+        "excitation = { amplitude = 0, frequency = 1, phase = 0 }\npair = { gap = 16, restitution = 0.5 }\n\
+         start = { time = 0, wall = \"left\", velocity = -1e-15 }",
+    );
+    let settings = |until: &str| Settings { until: Some(until.parse().unwrap()), ..Settings::default() };
+    let outcome = |until| {
+        let mut orbit = Orbit::of(scene.as_ref().unwrap(), settings(until)).unwrap();
+        assert_eq!(orbit.next(), None);
+        orbit.outcome().cloned()
+    };
+    assert_eq!(outcome("10"), Some(Outcome::TimeReached));
+    assert!(matches!(outcome("10^18"), Some(Outcome::Undecided { .. })));
+}

@@ -90,7 +90,7 @@ pub fn periodic(arguments: &PeriodicArguments) -> Result<Answer> {
         PeriodicFormat::Table => table(&scene, &problem, &units, &census)?,
         PeriodicFormat::Json => serde_json::to_string(&units.document(&problem, start, &census))? + "\n",
     };
-    let open = (!census.is_certified()).then(|| conclusion(&census));
+    let open = (!census.is_certified()).then(|| conclusion(&census, problem.pair().is_point()));
     files.answer(&text, open, format == PeriodicFormat::Table)
 }
 
@@ -120,7 +120,7 @@ fn table(scene: &Scene, problem: &Problem, units: &Units<Exact>, census: &Census
             writeln!(out, "  {:5}  {cycle}{turn}{phase:31}  {velocity}", impact.wall.name())?;
         }
     }
-    writeln!(out, "\n{}", conclusion(census))?;
+    writeln!(out, "\n{}", conclusion(census, problem.pair().is_point()))?;
     Ok(out)
 }
 
@@ -169,8 +169,8 @@ pub fn orbits(count: usize) -> String {
     if count == 0 { "no orbit".to_owned() } else { counted(count, "orbit") }
 }
 
-/// The last line: how much of what was asked is proved.
-fn conclusion(census: &Census) -> String {
+/// The last line: how much of what was asked is proved, for point data or with intervals among them.
+fn conclusion(census: &Census, is_point: bool) -> String {
     let orbits = orbits(census.orbits.len());
     let rest = match (census.exhaustive, census.is_search, census.undecided.len()) {
         (true, ..) if census.orbits.is_empty() => return "certified: there is no orbit without sticking".to_owned(),
@@ -188,7 +188,8 @@ fn conclusion(census: &Census) -> String {
         said += &format!("; {open} partly undecided");
     }
     if wide > 0 {
-        said += &format!("; {wide} wider than requested (try fewer --digits or more --max-bits)");
+        let advice = if is_point { "try fewer --digits or more --max-bits" } else { "try fewer --digits" };
+        said += &format!("; {wide} wider than requested ({advice})");
     }
     format!("{}: {said}", if census.is_certified() { "certified" } else { "not all certified" })
 }

@@ -5,6 +5,8 @@
 
 use crate::common;
 use crate::common::{UNCERTAIN, program, run, snapshots};
+#[cfg(feature = "multiprecision")]
+use crate::common::{answer_to, scene};
 
 snapshots! { UNCERTAIN;
     figure_12_as_a_table: run(&["scenes/figure-12.toml", "--impacts", "4"]);
@@ -211,5 +213,92 @@ fn columns_stand_below_their_names() {
             let (left, right) = row.split_at(column);
             assert!(left.ends_with("  ") && !right.starts_with(' '), "{row}");
         }
+    }
+}
+
+/// The impacts that the last line of an answer tells as certified to the digits; all of them where that is all that was requested.
+fn reached(last: &str) -> u64 {
+    let number = |after: &str| -> Option<u64> {
+        let digits: String = last.split_once(after)?.1.chars().take_while(char::is_ascii_digit).collect();
+        digits.parse().ok()
+    };
+    let decided =
+        if last.starts_with("certified: ") { u64::MAX } else { number("undecided after impact ").unwrap_or(0) };
+    number("; impact ").map_or(decided, |wide| wide - 1)
+}
+
+/// Each advice is followed in its case and leads further; where none is known to help, none is given.
+#[cfg(feature = "multiprecision")]
+#[test]
+fn r62_advice_leads_further() {
+    let last = |scene: &str, arguments: &str| {
+        let arguments: Vec<&str> = arguments.split(' ').collect();
+        let said = String::from_utf8(answer_to(scene, &arguments).stdout).unwrap();
+        said.lines().last().unwrap().to_owned()
+    };
+    let chaos = scene("figure-14.toml");
+    let wide = chaos.replace("gap = 9.42497", "gap = \"[9.42496, 9.42498]\"");
+    let narrow = chaos.replace("gap = 9.42497", "gap = \"[9.4249699999, 9.4249700001]\"");
+    let tame = |gap: &str| scene("figure-12.toml").replace("gap = 9.42497", &format!("gap = {gap}"));
+    let of = |amplitude: u32, pair: &str, start: &str| {
+        format!(
+            "excitation = {{ amplitude = {amplitude}, frequency = 1, phase = 0 }}\npair = {{ {pair} }}\nstart = {{ {start} }}"
+        )
+    };
+    const INTERVALS: &str = "narrower intervals in the scene lead further";
+    const AUTO: &str = "try --arithmetic auto";
+    let (few, many) = ("--impacts 200 --digits 2 --max-bits 96", "--impacts 200 --max-bits 400");
+    let intervals = tame("\"[9.42, 9.43]\"");
+    let few_digits = "try fewer --digits, or narrower intervals in the scene";
+    // Past the graze of the right wall the states are a box, whose size the bits limit.
+    let drift = "2*pi*sin(1/10)";
+    let grazes = format!(
+        "excitation = {{ amplitude = 1, frequency = \"2*pi\", phase = 0 }}\n\
+         pair = {{ gap = \"sin(1/10)*(pi + 1/10) + 1 + cos(1/10)\", restitution = 0.5 }}\n\
+         start = {{ time = 0.25, wall = \"left\", velocity = \"-2*{drift}\" }}"
+    );
+    // A scene and options with their advice, and what follows it.
+    for (scene, arguments, advice, better) in [
+        (&chaos, "--impacts 200 --arithmetic interval", AUTO, vec![(&chaos, "--impacts 200")]),
+        (&chaos, "--impacts 200 --arithmetic 128", AUTO, vec![(&chaos, "--impacts 200")]),
+        (&grazes, "--impacts 20 --arithmetic 256 --digits 50", AUTO, vec![(&grazes, "--impacts 20 --digits 50")]),
+        (
+            &chaos,
+            "--impacts 200 --max-bits 96",
+            "try fewer --digits or more --max-bits",
+            vec![(&chaos, few), (&chaos, many)],
+        ),
+        (&chaos, "--impacts 200 --digits 1 --max-bits 96", "try more --max-bits", vec![(&chaos, many)]),
+        (&wide, "--impacts 200", INTERVALS, vec![(&narrow, "--impacts 200")]),
+        (
+            &wide,
+            "--impacts 200 --arithmetic interval",
+            INTERVALS,
+            vec![(&narrow, "--impacts 200 --arithmetic interval")],
+        ),
+        (&wide, "--impacts 200 --arithmetic 128", INTERVALS, vec![(&narrow, "--impacts 200 --arithmetic 128")]),
+        (
+            &intervals,
+            "--impacts 9",
+            few_digits,
+            vec![(&intervals, "--impacts 9 --digits 1"), (&tame("\"[9.42497, 9.4249700000001]\""), "--impacts 9")],
+        ),
+    ] {
+        let before = last(scene, arguments);
+        assert!(before.ends_with(&format!("; {advice}")), "{arguments}: {before}");
+        for (scene, arguments) in better {
+            let after = last(scene, arguments);
+            assert!(reached(&after) > reached(&before), "{before}\n{arguments}: {after}");
+        }
+    }
+    for scene in [
+        // No time is found up to which the flight can be followed.
+        of(0, "gap = 16, restitution = 0.5", "time = 0, wall = \"left\", velocity = -1e-15"),
+        // The ball may stick to its wall, in any precision: a contact force that vanishes as the ball arrives, and a triple zero.
+        of(1, "gap = \"pi\", restitution = 0", "time = 0, wall = \"left\", velocity = -1"),
+        of(1, "gap = \"2*pi\", restitution = 0.5", "time = 0, wall = \"left\", velocity = 0"),
+    ] {
+        let said = last(&scene, "--impacts 10");
+        assert!(said.starts_with("undecided") && !said.contains("; "), "{said}");
     }
 }

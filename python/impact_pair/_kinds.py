@@ -30,7 +30,7 @@ NEAR = 1e-4
 def class_of(outcome: str) -> str:
     """Return the class of an outcome."""
     unproved, attracted, settled, undecided = CLASSES
-    return {"attracted": attracted, "not-attracted": unproved, "undecided": undecided}.get(outcome, settled)
+    return {"attracted": attracted, "undecided-limit": unproved, "undecided": undecided}.get(outcome, settled)
 
 
 @dataclass
@@ -58,7 +58,7 @@ def named(record: dict[str, Any], first: tuple[float, float] | None) -> str:
     period = record["period"]
     if period is None or not period.get("word"):
         outcome = str(record["outcome"])
-        named_so = {"periodic": "exactly periodic through rest", "not-attracted": "undecided convergence"}
+        named_so = {"periodic": "exactly periodic through rest", "undecided-limit": "undecided convergence"}
         return named_so.get(outcome, outcome.replace("-", " "))
     # Of the right-most mapping first in time, the wall that it starts on.
     walls = "".join({"P1": "R", "P2": "L", "P3": "R", "P4": "L"}[mapping] for mapping in reversed(period["word"].split()))
@@ -99,5 +99,5 @@ def colours_of(kinds: list[Kind]) -> list[str]:
     """Return a colour for each kind: the attractors with the most points have their own."""
     attractors = sorted((i for i, kind in enumerate(kinds) if kind.outcome == "attracted"), key=lambda i: -kinds[i].points)
     ranked = dict(zip(attractors, (BLUE, ORANGE, GREEN, PURPLE, SKY), strict=False))
-    other = {"attracted": GREY, "undecided": VERMILION, "not-attracted": BLACK}
+    other = {"attracted": GREY, "undecided": VERMILION, "undecided-limit": BLACK}
     return [ranked.get(i, other.get(kind.outcome, YELLOW)) for i, kind in enumerate(kinds)]

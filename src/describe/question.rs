@@ -4,12 +4,12 @@ use impact_pair_document::{FateName, NotExaminedDocument, QuestionDocument};
 
 use super::{Description, Horseshoe, Region};
 use crate::chaos::MOST_DEPTH;
-use crate::orbit::MULTIPRECISION;
+use crate::orbit::{BITS, MULTIPRECISION};
 
-/// Numbers of impacts of the cycles that are looked for next.
-const NEXT_CYCLES: &str = "1..6";
+/// The most impacts for which a description is tried next where the motion stays in a region: some seconds.
+const MOST_NEXT_IMPACTS: u64 = 20_000;
 /// Bits that are tried next where a wall may be touched with zero velocity.
-const BITS: u32 = 65_536;
+const GRAZE_BITS: u32 = 65_536;
 /// The factor of the impacts of a next attempt.
 const NEXT_FACTOR: u64 = 10;
 
@@ -28,7 +28,14 @@ impl Description {
             }
             FateName::StaysInRegion => {
                 let requested = "does the motion converge to a stable periodic orbit in the region?";
-                all.push(question(requested, format!("impact-pair cycles {name} --impacts {NEXT_CYCLES}")));
+                let more = self.request.impacts.saturating_mul(NEXT_FACTOR);
+                // A motion that has not converged by then may be one of many that are proved at once.
+                let next = if more <= MOST_NEXT_IMPACTS {
+                    format!("impact-pair describe {name} --impacts {more}")
+                } else {
+                    format!("impact-pair global {name}")
+                };
+                all.push(question(requested, next));
             }
             FateName::Attracted | FateName::Periodic | FateName::RestsForever | FateName::NeverImpacts => {}
         }
@@ -63,8 +70,13 @@ impl Description {
             ),
             Some("graze") => (
                 format!("does the motion touch a wall with zero velocity after impact {impacts}?"),
-                if MULTIPRECISION { format!("{next} --arithmetic {BITS}") } else { next },
+                if MULTIPRECISION { format!("{next} --arithmetic {GRAZE_BITS}") } else { next },
             ),
+            Some("precision") => {
+                let bits = self.request.max_bits.saturating_mul(NEXT_FACTOR as u32).min(*BITS.end()); // proposes: bits to try next
+                let next = format!("impact-pair describe {name} --max-bits {bits}");
+                (format!("what happens after impact {impacts}?"), next)
+            }
             Some(_) => (format!("what happens after impact {impacts}?"), next),
         }
     }

@@ -168,3 +168,26 @@ fn the_lines_are_those_of_the_document() {
     assert_eq!(lines[0], ("fate", format!("certified: {}", document.fate.message)));
     assert!(lines.iter().all(|(label, text)| !label.is_empty() && !text.is_empty()) && lines.len() <= 10);
 }
+
+/// The command that goes on where a motion stays in a region leads further: it proves the convergence, where more impacts do.
+#[test]
+fn r62_more_impacts_are_the_next_step_of_a_motion_in_a_region() {
+    let scene = Scene::parse(include_str!("../../scenes/figure-14-sink.toml")).unwrap();
+    let describe = |impacts: u64| {
+        let watch = |at: Stage<'_>| proceed_if(!matches!(at, Stage::Horseshoe { .. }));
+        let request = Request { impacts, ..Request::default() };
+        describe(&scene, &request, &watch).unwrap().document(&scene, "scene.toml").unwrap()
+    };
+    let next = |document: &DescriptionDocument| document.undecided[0].command.clone();
+    let few = describe(2);
+    assert_eq!(
+        (few.fate.kind, next(&few)),
+        (FateName::StaysInRegion, "impact-pair describe scene.toml --impacts 20".into())
+    );
+    assert_eq!(describe(20).fate.kind, FateName::Attracted);
+    let chaos = figure("8", "9.42497", "0.5");
+    let watch = |at: Stage<'_>| proceed_if(!matches!(at, Stage::Horseshoe { .. }));
+    let found = super::describe(&chaos, &Request { impacts: 100, ..Request::default() }, &watch).unwrap();
+    let found = Description { request: Request { impacts: 20_000, ..found.request }, ..found };
+    assert_eq!(next(&found.document(&chaos, "scene.toml").unwrap()), "impact-pair global scene.toml");
+}

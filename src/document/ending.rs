@@ -7,7 +7,8 @@ use impact_pair_document::ArithmeticDocument;
 use super::conclusion::Conclusion;
 use super::orbit::{arithmetic, is_certified};
 use crate::contact::Reason;
-use crate::orbit::{Arithmetic, MULTIPRECISION, Orbit, Settings, VERDICT_BITS};
+use crate::orbit::{Arithmetic, BITS, GRAZE_BITS, Limit, MULTIPRECISION, Orbit, Settings, VERDICT_BITS};
+use crate::scene::DIGITS;
 
 /// The outcome of an orbit, compared with the request.
 pub struct Ending<'s> {
@@ -21,13 +22,15 @@ pub struct Ending<'s> {
     pub settings: &'s Settings,
     /// The most bits that it was computed with.
     pub bits: u32,
+    /// The obstacle to narrower enclosures.
+    limit: Limit,
 }
 
 impl<'s> Ending<'s> {
     /// Returns the ending of an orbit that has ended, or was left.
     pub fn of(orbit: &Orbit, conclusion: Conclusion, settings: &'s Settings) -> Self {
         let (computed, wide, bits) = (arithmetic(orbit), orbit.first_wide(), orbit.bits());
-        Self { conclusion, computed, wide, settings, bits }
+        Self { conclusion, computed, wide, settings, bits, limit: orbit.limit() }
     }
 
     /// Returns whether everything requested is certified, or with `float` computed.
@@ -35,35 +38,40 @@ impl<'s> Ending<'s> {
         self.conclusion.reason().is_none() && self.wide.is_none()
     }
 
-    /// Returns advice on other settings, if they would help.
-    fn hint(&self) -> Option<&'static str> {
-        let reason = self.conclusion.reason().filter(|reason| *reason != Reason::Budget);
-        match (self.settings.arithmetic, reason) {
-            (Arithmetic::Auto, Some(Reason::Precision)) if MULTIPRECISION => {
-                Some("try fewer --digits or more --max-bits")
-            }
-            (Arithmetic::Auto, Some(Reason::Precision)) => {
+    /// Returns advice on what leads further, where something is known to.
+    fn advice(&self) -> Option<&'static str> {
+        let Settings { arithmetic, digits, max_bits, .. } = *self.settings;
+        let reason = self.conclusion.reason();
+        let are_bits_spent = self.bits >= max_bits;
+        let has_fewer = digits > *DIGITS.start();
+        let has_more = max_bits < *BITS.end();
+        match (arithmetic, self.limit, reason) {
+            _ if self.is_complete() || reason == Some(Reason::Budget) => None,
+            (Arithmetic::Float, ..) | (_, Limit::Lasting, _) => None,
+            (Arithmetic::Shadow, _, None) => has_fewer.then_some("try fewer --digits"),
+            (Arithmetic::Shadow, ..) => None,
+            (_, Limit::Intervals, Some(Reason::Width)) => Some("narrower intervals in the scene lead further"),
+            (_, Limit::Intervals, None) => Some("try fewer --digits, or narrower intervals in the scene"),
+            (_, Limit::Intervals, Some(_)) => None,
+            (Arithmetic::Auto, Limit::Bits, Some(Reason::Precision)) if !MULTIPRECISION => {
                 Some("try fewer --digits, or --arithmetic interval, which continues with wider enclosures")
             }
-            (Arithmetic::Bits(VERDICT_BITS..), _) => None,
-            (Arithmetic::Interval | Arithmetic::Inari | Arithmetic::Bits(_), _)
-                if reason.is_some() || self.wide.is_some() =>
-            {
-                Some("try --arithmetic auto")
+            (Arithmetic::Auto, Limit::Bits, Some(Reason::Precision)) if are_bits_spent => match (has_fewer, has_more) {
+                (true, true) => Some("try fewer --digits or more --max-bits"),
+                (true, false) => Some("try fewer --digits"),
+                (false, true) => Some("try more --max-bits"),
+                (false, false) => None,
+            },
+            (Arithmetic::Auto, Limit::Bits, Some(Reason::Width)) => {
+                (MULTIPRECISION && are_bits_spent && has_more).then_some("try more --max-bits")
             }
-            (Arithmetic::Shadow, None) if self.wide.is_some() => Some("try fewer --digits"),
-            // Of point data more bits make every enclosure narrower.
-            (Arithmetic::Auto, Some(Reason::Width)) if MULTIPRECISION => {
-                Some("narrower intervals in the scene lead further")
-            }
-            // Of intervals more bits were not tried.
-            (Arithmetic::Auto, Some(Reason::Graze)) if self.bits >= VERDICT_BITS => {
-                Some("8192 bits do not decide; try --arithmetic with more, such as 65536")
-            }
-            (Arithmetic::Auto, None) if self.wide.is_some() => {
-                Some("try fewer --digits, or narrower intervals in the scene")
-            }
-            _ => None,
+            (Arithmetic::Auto, ..) => None,
+            // What these bits do not decide auto does not either.
+            (Arithmetic::Bits(VERDICT_BITS..), _, Some(Reason::Graze)) => None,
+            (Arithmetic::Bits(GRAZE_BITS..), Limit::Graze, _) => None,
+            (Arithmetic::Bits(bits), ..) => (bits < max_bits).then_some("try --arithmetic auto"),
+            (Arithmetic::Interval, ..) => MULTIPRECISION.then_some("try --arithmetic auto"),
+            (Arithmetic::Inari, ..) => Some("try --arithmetic auto"),
         }
     }
 }
@@ -79,6 +87,6 @@ impl fmt::Display for Ending<'_> {
         if let Some(index) = self.wide {
             write!(f, "; impact {index} is the first one wider than {} digits", self.settings.digits)?;
         }
-        self.hint().map_or(Ok(()), |hint| write!(f, "; {hint}"))
+        self.advice().map_or(Ok(()), |advice| write!(f, "; {advice}"))
     }
 }

@@ -1,17 +1,25 @@
-//! At the end of an orbit: whether it is proved to converge to a periodic one. Lemmas Q1-Q4
+//! At the end of an orbit: whether it is proved to converge to a periodic one. Lemmas Q1-Q5
 
 use std::cmp::Ordering;
 
+use super::given::Given;
+use super::plan::Plan;
 use super::{Arithmetic, Orbit};
+use crate::contact::Contact;
 use crate::exact::Exact;
 use crate::impact::Impact;
+use crate::mapping::Word;
 use crate::periodic::{Attractor, MAX_PERIOD, Problem, find_attractor};
+use crate::shaken::{Location, Origin, State};
+use crate::turns;
 use crate::watch::Watch;
 
 /// Number of the last impacts that are kept.
 const KEPT_IMPACTS: usize = 4096;
 /// An attractor's orbit is enclosed to N digits at most.
 const DIGITS: u32 = 100;
+/// Bits in which the last impacts are followed again, where they are too wide in doubles.
+const NARROW_BITS: u32 = 128;
 const _: () = assert!(KEPT_IMPACTS > MAX_PERIOD, "a period and the state after it");
 
 /// The last impacts of an orbit.
@@ -55,12 +63,40 @@ impl Orbit {
         {
             return None;
         }
-        let (mut impacts, digits) = (self.pending.recent.in_order(), self.requested.settings.digits.min(DIGITS)); // shown
+        let (impacts, digits) = (self.pending.recent.in_order(), self.requested.settings.digits.min(DIGITS)); // shown
         // Without a common period nothing is periodic.
         let origin = self.clock.turns_into(self.engine.given.shaken.period()?);
         // Lemma N1: less than a period, of 32 bits.
-        impacts.iter_mut().for_each(|impact| impact.turns += origin);
-        find_attractor(&impacts, digits, watch, |word, cycles| Problem::new(&self.engine.given.pair, word, cycles).ok())
+        let counted = |impacts: Vec<Impact>| -> Vec<Impact> {
+            impacts.into_iter().map(|impact| Impact { turns: impact.turns + origin, ..impact }).collect()
+        };
+        let problem = |word: &Word, cycles| Problem::new(&self.engine.given.pair, word, cycles).ok();
+        let narrower = |count| counted(self.narrower(&impacts, count));
+        find_attractor(&counted(impacts.clone()), (digits, self.listed), watch, problem, narrower)
+    }
+
+    /// The last `count` impacts listed, or fewer, more narrowly: the motion from the bounds of the first of them on, followed in more bits than
+    /// doubles have. Where it contracts, what is rounded is then all that remains of the bounds.
+    fn narrower(&self, impacts: &[Impact], count: usize) -> Vec<Impact> {
+        // Q3: without a rest or a graze between them
+        let is_flown = |impact: &Impact| impact.index > self.followed.from.index;
+        let flown = &impacts[impacts.partition_point(|impact| !is_flown(impact))..];
+        let Some((first, rest)) = flown[flown.len().saturating_sub(count)..].split_first() else { return Vec::new() }; // exact: an index
+        let (phase, velocity) = first.enclosures();
+        let [phase, velocity] = [phase, velocity].map(|bounds| {
+            let [low, high] = [bounds.inf(), bounds.sup()].map(|end| Exact::from_rational(end.to_rational()));
+            Exact::interval(&low, &high).expect("bounds are in order")
+        });
+        let state = State { place: Location::Wall(first.wall), turns: first.turns, phase, velocity };
+        let given = Given { origin: Origin::of(state), ..self.engine.given.clone() };
+        let (mut motion, mut turns) = (given.precise(Plan::constant(NARROW_BITS)), first.turns);
+        let next = |listed: &Impact| {
+            let Contact { wall, turns: since, phase, velocity, .. } = motion.as_mut()?.next_contact().ok()?;
+            turns = turns::after(turns, since).filter(|_| wall == listed.wall)?;
+            Some(Impact { turns, phase, velocity, precise: None, ..*listed })
+        };
+        let narrow: Vec<Impact> = rest.iter().map_while(next).collect();
+        if narrow.len() == rest.len() { narrow } else { Vec::new() }
     }
 
     /// Returns whether some periodic orbit with impacts may attract, for each member of the data: none does if `e = 1`, nor if nothing moves

@@ -69,7 +69,7 @@ impl Orbit {
         };
         let mut orbit = Self {
             clock,
-            requested: Requested { start: start.clone(), settings, until, widths, shown },
+            requested: Requested { start: start.clone(), settings, until, widths, shown, is_point },
             engine,
             initial,
             followed,

@@ -33,6 +33,7 @@ pub use impact_pair_model::{Arithmetic, BITS, MAX_BITS, MULTIPRECISION, Period, 
 pub use plan::Plan;
 pub(crate) use set::StateSet;
 pub use shadowed::Shadowing;
+pub(crate) use shortfall::{GRAZE_BITS, Limit};
 
 pub use crate::clock::Clock;
 use crate::clock::Phase;
@@ -105,6 +106,8 @@ struct Requested {
     widths: [Width; 2],
     /// Bits of what is printed beyond doubles.
     shown: u32,
+    /// No interval among the pair and the start.
+    is_point: bool,
 }
 
 /// The motion and its arithmetic.
@@ -116,7 +119,7 @@ struct Engine {
     motion: Box<dyn Motion>,
     /// The current arithmetic: a shadow becomes [`Arithmetic::Auto`] at a release, [`Arithmetic::Interval`] where there is none.
     arithmetic: Arithmetic,
-    /// No interval among the data: more precision makes every enclosure narrower.
+    /// No interval among the data, nor a graze passed: more precision makes every enclosure narrower.
     is_point: bool,
     /// The ways to raise the precision if the motion does not suffice.
     raise: Option<PrecisionRaise>,
@@ -366,11 +369,15 @@ impl Orbit {
     /// Returns whether the listed bounds are past the exact time to stop at: to twice their bits, if that is irrational.
     #[cold]
     fn is_listed_past(&self, turns: i64, phase: &Enclosure) -> bool {
+        self.is_after_until(&self.exact_time(turns, phase))
+    }
+
+    /// Returns whether these times are all past the exact time to stop at: to twice their bits, if that is irrational.
+    fn is_after_until(&self, times: &Enclosure) -> bool {
         let until = self.requested.settings.until.as_ref();
-        let listed = self.exact_time(turns, phase);
         until.is_some_and(|until| match until.as_rational() {
-            Some(until) => compare_rational(listed.inf(), until).is_gt(),
-            None => until.enclose(self.requested.shown.saturating_mul(2)).sup() < listed.inf(), // X1: any number of bits encloses
+            Some(until) => compare_rational(times.inf(), until).is_gt(),
+            None => until.enclose(self.requested.shown.saturating_mul(2)).sup() < times.inf(), // X1: any number of bits encloses
         })
     }
 

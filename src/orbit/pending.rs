@@ -34,6 +34,8 @@ pub(super) struct Pending {
     pub recurrence: Recurrence,
     /// All that was requested is listed: whether an attractor is proved is still to be asked.
     pub reached: Option<Outcome>,
+    /// No precision decides what is undecided at the end.
+    pub is_lasting: bool,
     /// The requested time has ended the list.
     pub is_late: bool,
     /// The impacts listed whose bounds may reach past the requested time.

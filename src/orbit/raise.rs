@@ -63,53 +63,64 @@ impl PrecisionRaise {
             self.before.is_some_and(|(at, kind, bits)| (at, kind) == (index, in_width) && accuracy < bits + 1.0);
         // Doubles may be lucky: only what multiprecision did before counts.
         self.before = self.plan.is_some().then_some((index, in_width, accuracy));
-        let plan = match self.plan.take() {
-            None => self.look_ahead(0)?,
-            Some(plan) if index >= plan.horizon() => self.look_ahead(index)?,
-            Some(mut plan) => {
-                let missing = match shortfall {
-                    // Further bits may be missing later.
-                    Shortfall::Width(bits) => 2.0 * bits,
-                    // A decision near a graze takes twice the digits; a state that is exact has no end of them.
-                    Shortfall::Verdict => {
-                        let most = f64::from(plan.bits(0)).min(self.verdict_bits);
-                        let bits = accuracy.clamp(f64::from(LEAST_BITS), most.max(f64::from(LEAST_BITS)));
-                        self.verdict_bits -= bits;
-                        bits
-                    }
-                };
-                let raised = !stuck && self.verdict_bits >= 0.0 && plan.raise(missing);
-                if !raised {
-                    self.plan = Some(plan);
-                    return None;
-                }
-                plan
+        let Some(before) = self.plan.take() else { return self.follow(self.look_ahead(0)) };
+        if index >= before.horizon() {
+            let further = self.look_ahead(index);
+            // The impacts beyond the horizon of the plan before may expand no more than those within it.
+            if further.bits(0) > before.bits(0) {
+                self.verdict_bits = f64::from(VERDICT_BITS);
+                return self.follow(further);
+            }
+        }
+        let mut plan = before;
+        let missing = match shortfall {
+            // Further bits may be missing later.
+            Shortfall::Width(bits) => 2.0 * bits,
+            // A decision near a graze takes twice the digits; a state that is exact has no end of them.
+            Shortfall::Verdict => {
+                let most = f64::from(plan.bits(0)).min(self.verdict_bits);
+                let bits = accuracy.clamp(f64::from(LEAST_BITS), most.max(f64::from(LEAST_BITS)));
+                self.verdict_bits -= bits;
+                bits
             }
         };
+        if stuck || self.verdict_bits < 0.0 || !plan.raise(missing) {
+            self.plan = Some(plan);
+            return None;
+        }
+        self.follow(plan)
+    }
+
+    /// The motion from the start by a plan.
+    fn follow(&mut self, plan: Plan) -> Option<Box<dyn Motion>> {
         self.plan = Some(plan.clone());
         self.given.precise(plan)
     }
 
-    /// Plans beyond impact `index` from a floating-point run.
-    fn look_ahead(&mut self, index: u64) -> Option<Plan> {
-        self.verdict_bits = f64::from(VERDICT_BITS);
-        let run = || {
-            let (mut growth, mut left) = (Growth::new(&self.given), self.turns);
-            std::iter::from_fn(move || {
-                let (bits, turns) = growth.as_mut()?.next_impact()?;
-                left -= turns;
-                (left > 0.0).then_some(bits)
-            })
-        };
-        // A time to stop at ends the floating run too.
-        let until = || self.turns.is_finite().then(|| run().take(MAX_PLAN as usize).count() as u64 + 1);
-        let mut horizon = self.impacts.into_iter().chain(until()).min().unwrap_or(MAX_PLAN).min(MAX_PLAN);
+    /// Plans for impacts beyond number `index`, from a floating-point run.
+    ///
+    /// The run ends at the requested time, or after the requested impacts if these come first. The true orbit may have more impacts up to
+    /// that time than the run: where it has come to impact `index`, the run goes on for at least a quarter more.
+    fn look_ahead(&self, index: u64) -> Plan {
+        let mut horizon = self.impacts.unwrap_or(MAX_PLAN).min(MAX_PLAN);
         while horizon > FIRST_PLAN && horizon / 4 > index {
             horizon /= 4;
         }
-        // An orbit that goes on beyond what the floating run saw.
+        // An orbit that goes on beyond the longest plan.
         let horizon = if horizon > index { horizon } else { index.saturating_mul(2) };
-        Some(Plan::new(run(), horizon, self.requested, self.most))
+        let least = index + index / 4 + 1;
+        let (mut growth, mut left, mut seen) = (Growth::new(&self.given), self.turns, 0);
+        let run: Vec<f64> = std::iter::from_fn(|| {
+            if seen >= horizon || left <= 0.0 && seen >= least {
+                return None;
+            }
+            let (bits, turns) = growth.as_mut()?.next_impact()?;
+            (left, seen) = (left - turns, seen + 1);
+            Some(bits)
+        })
+        .collect();
+        let horizon = if left > 0.0 { horizon } else { seen };
+        Plan::new(run.into_iter(), horizon, self.requested, self.most)
     }
 }
 

@@ -11,7 +11,7 @@ use crate::shaken::{Since, clear};
 use crate::turns;
 
 /// Bits that `auto` takes to tell a graze from a near one: at `2^-4000` of the gap both are called a graze.
-const GRAZE_BITS: u32 = 4096;
+pub(crate) const GRAZE_BITS: u32 = 4096;
 
 /// The quantity that a motion lacks.
 #[derive(Clone, Copy, Debug)]
@@ -22,7 +22,30 @@ pub(super) enum Shortfall {
     Verdict,
 }
 
+/// The obstacle to narrower enclosures, of an orbit that has ended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Limit {
+    /// The bits: more of them make every enclosure narrower.
+    Bits,
+    /// The intervals among the data.
+    Intervals,
+    /// The states past a contact that may be a graze: a box whose size the bits before it limit.
+    Graze,
+    /// Nothing makes the question decidable: the orbit ends at it with any data near by and in any precision.
+    Lasting,
+}
+
 impl Orbit {
+    /// Returns the obstacle to narrower enclosures.
+    pub(crate) fn limit(&self) -> Limit {
+        match (self.pending.is_lasting, self.engine.is_point, self.requested.is_point) {
+            (true, ..) => Limit::Lasting,
+            (false, true, _) => Limit::Bits,
+            (false, false, false) => Limit::Intervals,
+            (false, false, true) => Limit::Graze,
+        }
+    }
+
     /// Returns the number of bits by which a contact is wider than requested; not positive if it is not wider.
     #[inline]
     pub(super) fn excess(&self, turns: i64, contact: &Contact<Ball>) -> f64 {
@@ -60,6 +83,10 @@ impl Orbit {
     /// The motion cannot go on: in more precision, or not at all.
     #[cold]
     pub(super) fn give_up(&mut self, undecided: Undecided) -> Progress {
+        // C7: no wall is touched up to the time to stop at, whatever comes later.
+        if self.requested.until.is_some() && self.is_after_until(&self.not_before(&undecided).0) {
+            return self.finish(Outcome::TimeReached);
+        }
         // A contact that the precision does not distinguish from a graze is called a graze; both continuations are then followed as one set.
         let may_graze = undecided.reason == Reason::Graze && self.cursor.index == self.listed;
         let deep = self.engine.arithmetic != Arithmetic::Auto || self.engine.motion.bits() >= GRAZE_BITS;
@@ -114,6 +141,14 @@ impl Orbit {
 
     /// The orbit ends undecided.
     pub(super) fn end(&mut self, undecided: Undecided) -> Progress {
+        let time = self.not_before(&undecided);
+        self.pending.is_lasting = undecided.lasting;
+        self.outcome = Some(Outcome::Undecided { reason: undecided.reason, wall: undecided.wall, time });
+        Progress::Ended
+    }
+
+    /// Encloses a time up to which no wall is touched after the last state (Lemma C7), and the next contact, where that is proved \[time\].
+    fn not_before(&self, undecided: &Undecided) -> (Enclosure, Option<Enclosure>) {
         let Cursor { turns, phase, .. } = self.cursor;
         let now = || self.clock.time(turns, &finite(phase));
         let later = |whole: f64, rest: Ball| {
@@ -127,9 +162,6 @@ impl Orbit {
             let Since { whole, rest } = clear(&*self.engine.given.shaken, &self.launch()?);
             later(whole, Ball::exact(rest))
         };
-        let from = contact.clone().or_else(clear).unwrap_or_else(now);
-        let time = (from, contact);
-        self.outcome = Some(Outcome::Undecided { reason: undecided.reason, wall: undecided.wall, time });
-        Progress::Ended
+        (contact.clone().or_else(clear).unwrap_or_else(now), contact)
     }
 }

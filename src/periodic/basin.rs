@@ -1,6 +1,6 @@
 //! A neighbourhood of a periodic orbit that its period maps into itself, contracting: Lemmas Q1-Q3.
 //!
-//! In coordinates `x = x* + T s` around the orbit's first state the derivative of the period is `G = T^-1 DP T`. Over
+//! In coordinates `x = x* + T s` around the orbit's state at one of its impacts the derivative of the period is `G = T^-1 DP T`. Over
 //! the ellipse `|s| <= r` it is enclosed by the product of the Jacobians (A.7) along the tube of states that the
 //! ellipse runs through, each flight's first contact proved for all of them. Where `|G| < 1` all over it, every state
 //! in the ellipse tends to the orbit. Of an orbit that is its own mirror image half a period is followed, and mirrored: its
@@ -24,23 +24,30 @@ use crate::shaken::under;
 /// closer by [`Basin::factor`] in the ellipse's norm, so all of them tend to the one state of the orbit inside.
 #[derive(Clone, Debug)]
 pub struct Basin {
+    ellipse: Ellipse,
+    factor: f64,
+}
+
+/// States around the orbit's at one of its impacts.
+#[derive(Clone, Debug)]
+struct Ellipse {
     wall: Wall,
     /// Forcing periods after which the excitation repeats.
     period: f64,
-    /// The orbit's first state: phase in forcing periods, less whole periods, and velocity before.
+    /// The orbit's state: phase in forcing periods, less whole periods, and velocity before.
     centre: [Ball; 2],
     /// `T^-1`
     inverse: Matrix,
     radius: f64,
-    factor: f64,
 }
 
 type Matrix = [[Ball; 2]; 2];
 type Axes = [[f64; 2]; 2];
 
-/// The part of an orbit that is followed: a number of impacts, after which it is what it was, or its mirror image.
+/// The part of an orbit that is followed: a number of impacts from the first one on, after which it is what it was, or its mirror image.
 #[derive(Clone, Copy)]
 struct Round {
+    first: usize,
     impacts: usize,
     is_mirrored: bool,
 }
@@ -54,62 +61,74 @@ const SECOND_AXIS_FACTORS: [f64; 3] = [1.0, 0.125, 0.015_625];
 const UNIT_AXES: Axes = [[1.0, 0.0], [0.0, 1.0]];
 
 impl Problem {
-    /// Neighbourhoods that a proved orbit attracts, the largest first. Lemma Q1
+    /// Proves a neighbourhood of the state of a proved orbit at impact `first` that the orbit attracts and that holds `states`: wall, phases and
+    /// velocities before the impact. `None` where none of the ellipses tried does, or `afford` refuses the flights of one. The largest come first.
+    /// Lemma Q1
     ///
-    /// **Cost**: a certified flight and a Jacobian for each impact, 264 times at most.
-    pub fn basins<'p>(&'p self, orbit: &'p PeriodicOrbit) -> impl Iterator<Item = Basin> + 'p {
+    /// **Cost**: a certified flight and a Jacobian for each impact of the orbit and each ellipse that holds `states`: 264 times at most. `afford` is
+    /// consulted before each.
+    pub fn basin_around(
+        &self,
+        orbit: &PeriodicOrbit,
+        first: usize,
+        states: (Wall, Ball, Ball),
+        mut afford: impl FnMut(u64) -> bool,
+    ) -> Option<Basin> {
         // Only of an orbit that is one the lemma speaks.
-        let round = self.round(orbit);
-        let bases = (orbit.physical == Some(true)).then(|| self.bases(orbit, round)).flatten();
-        // exact: a few halvings
+        (orbit.physical == Some(true)).then_some(())?;
+        let round = self.round(orbit, first);
+        let bases = self.bases(orbit, round)?;
         let sizes = (0..HALVINGS)
-            .flat_map(|n| SECOND_AXIS_FACTORS.map(|shorter| (MAX_RADIUS * 0.5f64.powi(n as i32), shorter)));
-        bases.into_iter().flat_map(move |bases| {
-            let ellipses = sizes.clone().flat_map(move |size| bases.map(|basis| (basis, size)));
-            ellipses.filter_map(move |([first, second], (radius, shorter))| {
-                let axes = [[first[0], second[0] * shorter], [first[1], second[1] * shorter]];
-                self.basin(orbit, round, axes, radius)
-            })
+            .flat_map(|n| SECOND_AXIS_FACTORS.map(|shorter| (MAX_RADIUS * 0.5f64.powi(n as i32), shorter))); // exact: a few halvings
+        let ellipses = sizes.flat_map(|size| bases.map(|basis| (basis, size)));
+        let axes = |([first, second], (radius, shorter)): (Basis, (f64, f64))| {
+            ([[first[0], second[0] * shorter], [first[1], second[1] * shorter]], radius)
+        };
+        let mut holding =
+            ellipses.map(axes).filter_map(|(axes, radius)| Some((axes, self.ellipse(orbit, first, axes, radius)?)));
+        holding.find_map(|(axes, ellipse)| {
+            let factor =
+                |radius| contraction(&times(&ellipse.inverse, &self.product_over(orbit, round, axes, radius)?));
+            let is_tried = ellipse.holds(states) && afford(round.impacts as u64); // exact: a number of impacts
+            is_tried.then(|| factor(ellipse.radius)).flatten().map(|factor| Basin { factor, ellipse })
         })
     }
 
-    /// The impacts after which the orbit is proved to be what it was, or its mirror image. Lemmas Q1, T6
-    fn round(&self, orbit: &PeriodicOrbit) -> Round {
+    /// The impacts after which the orbit is proved to be what it was, or its mirror image, from impact `first` on. Lemmas Q1, T6
+    fn round(&self, orbit: &PeriodicOrbit, first: usize) -> Round {
         let (walls, all) = (self.chain().walls(), self.chain().impacts());
         let impacts = reduced_impacts(self.chain(), &orbit.proved).unwrap_or(all); // Q1: of the period it is true
-        Round { impacts, is_mirrored: walls[impacts % all] != walls[0] }
+        Round { first, impacts, is_mirrored: walls[impacts % all] != walls[0] }
     }
 
-    /// The ellipse of this radius in the coordinates of these columns, if the round contracts it.
-    fn basin(&self, orbit: &PeriodicOrbit, round: Round, axes: Axes, radius: f64) -> Option<Basin> {
+    /// The ellipse of this radius around the orbit's state at an impact, in the coordinates of these columns.
+    fn ellipse(&self, orbit: &PeriodicOrbit, first: usize, axes: Axes, radius: f64) -> Option<Ellipse> {
         let inverse = inverse(axes)?;
-        let product = self.product_over(orbit, round, axes, radius)?;
-        let factor = contraction(&times(&inverse, &product))?;
-        let (turns, phase) = in_turn(orbit.phases()[0]);
+        let (turns, phase) = in_turn(orbit.phases()[first]);
         let period = f64::from(self.period());
         let phase = if period > 1.0 { phase + Ball::exact(turns.rem_euclid(period)) } else { phase };
-        let centre = [phase, orbit.velocity(0)];
-        Some(Basin { wall: self.chain().walls()[0], period, centre, inverse, radius, factor })
+        let centre = [phase, orbit.velocity(first)];
+        Some(Ellipse { wall: self.chain().walls()[first], period, centre, inverse, radius })
     }
 
     /// Encloses `DP T` over the ellipse, `P` the round; `None` where a flight's first contact is not proved for all of it.
     fn product_over(&self, orbit: &PeriodicOrbit, round: Round, axes: Axes, radius: f64) -> Option<Matrix> {
         let [phases, velocities] =
-            under!(&self.shaken, shaken => self.product_under(&**shaken, orbit, round.impacts, (axes, radius)))?;
+            under!(&self.shaken, shaken => self.product_under(&**shaken, orbit, round, (axes, radius)))?;
         Some(if round.is_mirrored { [phases, velocities.map(|x| -x)] } else { [phases, velocities] })
     }
 
-    /// The same over N impacts.
+    /// The same over the impacts of the round.
     fn product_under<S: Chained>(
         &self,
         shaken: &S,
         orbit: &PeriodicOrbit,
-        impacts: usize,
+        Round { first, impacts, .. }: Round,
         (axes, radius): (Axes, f64),
     ) -> Option<Matrix> {
         let chain = &self.chain;
         let mut product = axes.map(|row| row.map(Ball::exact));
-        for i in 0..impacts {
+        for i in (first..first + impacts).map(|i| i % chain.impacts()) {
             let wall = chain.walls()[i];
             // The tube: what the mean value theorem makes of the ellipse so far, around the orbit.
             let reach = |row: [Ball; 2]| up(length(row.map(Ball::mag)) * radius);
@@ -166,16 +185,21 @@ impl Problem {
     }
 }
 
-impl Basin {
-    /// Returns whether all states of this phase (in forcing periods, up to whole periods of the excitation) and velocity before an impact
-    /// on `wall` are proved to lie inside.
-    pub fn holds(&self, wall: Wall, phase: Ball, velocity: Ball) -> bool {
+impl Ellipse {
+    fn holds(&self, (wall, phase, velocity): (Wall, Ball, Ball)) -> bool {
         let [phase0, velocity0] = self.centre;
         let ahead = phase - phase0;
         let periods = (ahead.mid() / self.period).round() * self.period; // Q3: any whole number of periods, exact
         let x = [ahead - Ball::exact(periods), velocity - velocity0];
         let s = self.inverse.map(|row| row[0] * x[0] + row[1] * x[1]);
         wall == self.wall && length(s.map(Ball::mag)) < self.radius
+    }
+}
+
+impl Basin {
+    /// Returns whether all these states, phases up to whole periods of the excitation, are proved to lie inside.
+    pub fn holds(&self, states: (Wall, Ball, Ball)) -> bool {
+        self.ellipse.holds(states)
     }
 
     /// Returns what a period multiplies distances by at most, less than 1.
@@ -185,7 +209,7 @@ impl Basin {
 
     /// Returns the ellipse's radius in forcing periods, along the eigenvector of the larger eigenvalue, in units of its own.
     pub fn radius(&self) -> f64 {
-        self.radius
+        self.ellipse.radius
     }
 }
 

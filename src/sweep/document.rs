@@ -64,9 +64,9 @@ pub fn grid(head: &SweepHead) -> Result<Grid, Error> {
 
 /// Returns what is certified at the point of this number and these values.
 pub fn record(number: u64, values: &[(Key, Exact)], point: &Point) -> SweepRecord {
-    // Chaos is never claimed: what is not proved to be attracted is only that.
+    // Chaos is never claimed: of a motion that is not proved to be attracted only the limit is undecided.
     let outcome = match &point.outcome {
-        Outcome::ImpactsReached | Outcome::TimeReached => "not-attracted",
+        Outcome::ImpactsReached | Outcome::TimeReached => "undecided-limit",
         other => other.kind(),
     };
     let lasting = point.lasting.clone().unwrap_or_default();

@@ -183,6 +183,11 @@ mod tests {
         assert_eq!((attraction.word.to_string().as_str(), point.lasting.unwrap().cycles), ("P1 P2", Some(1)));
         let first = attraction.first.unwrap();
         assert_eq!(first.wall, Wall::Left);
+        // The message names the same word, wherever the last impact is.
+        for impacts in [10, 11] {
+            let record = crate::sweep::record(0, &[], &self::point(&scene("figure-12"), 100, impacts));
+            assert!(record.message.contains("(P1 P2)") && record.period.unwrap().word.unwrap() == "P1 P2");
+        }
         assert_eq!(point.states.iter().map(|state| state.index).collect::<Vec<_>>(), (101..=110).collect::<Vec<_>>());
         // The rest of the transient is 0.26^50: the first impact on the left is the attractor's.
         let left = point.states.iter().find(|state| state.wall == Wall::Left).unwrap();

@@ -31,7 +31,7 @@ of those that move the box where all varied keys are greatest. Points are exact 
 included; of two axes the second one varies faster.
 
 Outcome of a point: attracted, proved to converge to a stable periodic orbit; periodic, proved to repeat exactly \
-from a release on; rests-forever; never-impacts; not-attracted, all impacts are certified but the future \
+from a release on; rests-forever; never-impacts; undecided-limit, all impacts are certified but the future \
 is undecided (it may be chaotic or slow); undecided, with the reason and everything certified before. Exponent: \
 the logarithm of the spectral norm of the derivative over the impacts after the transient, in forcing periods and \
 gap widths per period, per impact and per forcing period; -inf after sticking. It is a finite-time exponent, and may be \

@@ -167,7 +167,7 @@ impl ClaimedOrbit {
         } else if !follow || is_cut {
             Some("its impacts are not all those after the transient")
         } else if all
-            .is_none_or(|all| record.impacts > all || record.outcome == "not-attracted" && record.impacts < all)
+            .is_none_or(|all| record.impacts > all || record.outcome == "undecided-limit" && record.impacts < all)
         {
             Some("it has another number of impacts than requested")
         } else {

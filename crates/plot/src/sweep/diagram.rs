@@ -24,7 +24,7 @@ const BAR_HEIGHT: i32 = 8 * SCALE;
 /// The kind of outcome of a point in a diagram; later ones are drawn on top.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 enum Class {
-    NotAttracted,
+    UndecidedLimit,
     Attracted,
     Settled,
     Undecided,
@@ -35,7 +35,7 @@ impl Class {
         match record.outcome.as_str() {
             "attracted" => Self::Attracted,
             "undecided" => Self::Undecided,
-            "not-attracted" => Self::NotAttracted,
+            "undecided-limit" => Self::UndecidedLimit,
             _ => Self::Settled,
         }
     }
@@ -43,7 +43,7 @@ impl Class {
     fn colour(self) -> RGBColor {
         match self {
             Self::Attracted => BLUE,
-            Self::NotAttracted => BLACK,
+            Self::UndecidedLimit => BLACK,
             Self::Settled => GREEN,
             Self::Undecided => VERMILION,
         }
@@ -52,7 +52,7 @@ impl Class {
     fn name(self) -> &'static str {
         match self {
             Self::Attracted => "proved to converge to a periodic orbit",
-            Self::NotAttracted => "undecided convergence",
+            Self::UndecidedLimit => "undecided convergence",
             Self::Settled => "periodic through rest, or at an end",
             Self::Undecided => "undecided (bar), impacts before",
         }
@@ -143,7 +143,7 @@ fn bounds(state: &SweepImpact, show: Show) -> anyhow::Result<[f64; 2]> {
 /// The cells of a class, those below each other in one.
 fn path(class: Class, columns: Columns, (grain, width): (i32, i32)) -> String {
     // Lines are made thick enough to be seen, dense clouds are not.
-    let edge = if class == Class::NotAttracted && width < MAX_CELL { 0 } else { EDGE_WIDTH };
+    let edge = if class == Class::UndecidedLimit && width < MAX_CELL { 0 } else { EDGE_WIDTH };
     let mut cells = Cells::default();
     for (column, mut rows) in columns {
         rows.sort_unstable();

@@ -50,7 +50,7 @@ impl Kind {
         let Some((period, word)) = self.period.as_ref().and_then(|period| Some((period, word(period)?))) else {
             return match self.outcome.as_str() {
                 "periodic" => "exactly periodic through rest".to_owned(),
-                "not-attracted" => "undecided convergence".to_owned(),
+                "undecided-limit" => "undecided convergence".to_owned(),
                 other => other.replace('-', " "),
             };
         };
@@ -87,7 +87,7 @@ pub fn colours(kinds: &[Kind]) -> Vec<RGBColor> {
     let colour = |i: usize| match (kinds[i].outcome.as_str(), attractors.iter().position(|&j| j == i)) {
         (_, Some(rank)) => COLOURS.get(rank).copied().unwrap_or(OTHER_COLOUR),
         ("undecided", _) => UNDECIDED_COLOUR,
-        ("not-attracted", _) => BLACK,
+        ("undecided-limit", _) => BLACK,
         _ => SETTLED_COLOUR,
     };
     (0..kinds.len()).map(colour).collect()

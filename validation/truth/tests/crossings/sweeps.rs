@@ -76,7 +76,7 @@ fn own(record: &Value, scene: &Scene, requested: &sweep::PointSettings) -> Compa
         return Ok(None);
     }
     let kind = match found["outcome"]["kind"].as_str() {
-        Some("impacts-reached" | "time-reached") => "not-attracted",
+        Some("impacts-reached" | "time-reached") => "undecided-limit",
         Some(kind) => kind,
         None => "none",
     };
