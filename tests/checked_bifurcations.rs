@@ -61,8 +61,8 @@ fn r17_folds_pitchforks_and_doublings_are_confirmed() {
     assert_confirmed(&document);
     let expected = [
         "branches",
-        "over.high()",
-        "over.low()",
+        "over.high",
+        "over.low",
         "points.orbit.unique",
         "program",
         "scene.excitation.amplitude",

@@ -160,7 +160,7 @@ fn r32_an_orbit_in_wider_bounds_is_not_another_one() {
         for (key, end, by) in
             [("phase", 0, "-1e-9"), ("phase", 1, "1e-9"), ("velocity", 0, "-1e-9"), ("velocity", 1, "1e-9")]
         {
-            let moved = format!("{} + {by}", impact[key][end].as_str().unwrap());
+            let moved = format!("{} + ({by})", impact[key][end].as_str().unwrap());
             let moved =
                 impact_pair::exact::decimal_bounds(&moved.parse::<impact_pair::exact::Exact>().unwrap().enclose(200));
             impact[key][end] = json!(moved[end]);

@@ -105,7 +105,7 @@ fn the_textbooks_method_is_a_feature() {
 /// What a scene file and the command line refuse, the library refuses: no panic, and no orbit that takes for ever.
 #[test]
 fn settings_that_are_not_accepted_are_refused() {
-    let scene = scene("figure-14");
+    let scene = scene("14");
     let said = |settings| Orbit::of(&scene, settings).unwrap_err().to_string();
     for bits in [0, 63, 2_000_000_000] {
         let settings = Settings { arithmetic: Arithmetic::Bits(bits), ..Settings::default() };

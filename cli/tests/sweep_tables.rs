@@ -95,7 +95,7 @@ fn a_period_that_is_no_whole_number_of_cycles_has_its_duration() {
     assert!(!stdout_of(&mut sweep(&[&DIAGRAM[..], &["--summary"]].concat())).contains("duration"));
 }
 
-/// A picture changes no number, and where it is all that is asked for there is no table.
+/// A picture changes no number, and with a picture alone there is no table.
 #[test]
 fn a_picture_changes_no_table() {
     let folder = folder("pictured");

@@ -68,10 +68,10 @@ class Interrupted(Error):
 
 
 class Stopped(KeyboardInterrupt):
-    """Ctrl-C during a computation: ``partial`` is its answer, with what is certified until then; ``keep_partial=True`` returns that."""
+    """Ctrl-C during work: ``partial`` is its answer with the part certified until then; ``keep_partial=True`` returns that."""
 
     def __init__(self, partial: Any) -> None:
-        super().__init__("stopped by Ctrl-C: what is certified until then is the partial of this exception")
+        super().__init__("stopped by Ctrl-C: the part that is certified is the partial of this exception")
         self.partial = partial
 
     def __reduce__(self) -> tuple[Any, ...]:

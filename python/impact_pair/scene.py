@@ -192,7 +192,7 @@ class Scene:
         progress : bool or callable, optional
             A bar of tqdm, or a function that receives the number of impacts.
         keep_partial : bool, default False
-            Whether Ctrl-C returns what is certified until then, instead of raising :class:`impact_pair.Stopped` with it.
+            Whether Ctrl-C returns the part that is certified until then, instead of raising :class:`impact_pair.Stopped` with it.
 
         Returns
         -------
@@ -243,7 +243,7 @@ class Scene:
         progress : bool or callable, optional
             A bar of tqdm, or a function that receives the amount done.
         keep_partial : bool, default False
-            Whether Ctrl-C returns what is certified until then, instead of raising :class:`impact_pair.Stopped` with it.
+            Whether Ctrl-C returns the part that is certified until then, instead of raising :class:`impact_pair.Stopped` with it.
 
         Returns
         -------
@@ -307,7 +307,7 @@ class Scene:
         progress : bool or callable, optional
             A bar of tqdm, or a function that receives the number of boxes.
         keep_partial : bool, default False
-            Whether Ctrl-C returns what is certified until then, instead of raising :class:`impact_pair.Stopped` with it.
+            Whether Ctrl-C returns the part that is certified until then, instead of raising :class:`impact_pair.Stopped` with it.
 
         Returns
         -------

@@ -208,7 +208,7 @@ fn moved_bounds(path: &[String], [lower, upper]: &[String; 2]) -> Vec<(&'static 
 pub fn moved(text: &str, units: i64) -> String {
     let (digits, power) = text.split_once(['e', 'E']).unwrap_or((text, "0"));
     let places = digits.split_once('.').map_or(0, |(_, part)| part.len() as i64);
-    let Ok(whole) = digits.replace('.', "").parse::<i128>() else { return format!("{text} + {units}") };
+    let Ok(whole) = digits.replace('.', "").parse::<i128>() else { return format!("{text} + ({units})") };
     format!("{}e{}", whole + i128::from(units), power.parse::<i64>().unwrap() - places)
 }
 

@@ -107,7 +107,7 @@ fn finish(arguments: &SweepArguments, sweep: &mut Gathered<SweepHead>, formats: 
         states.commit()?;
     }
     let table = if arguments.states.is_some() { Table::Points } else { Table::Mixed };
-    // Where a picture is all that is asked for, thousands of rows on the terminal are not.
+    // With a picture alone thousands of rows would run over the terminal.
     if arguments.plot.is_none() || arguments.destination.output.is_some() || arguments.format.is_some() {
         write(sweep, &mut out, formats.output, table).context("cannot write the output")?;
     }

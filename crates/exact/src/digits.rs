@@ -104,8 +104,8 @@ fn spelled(n: &BigInt, quantum: i64) -> [String; 2] {
         -7..21 if quantum <= 0 => (-quantum, String::new()),
         _ => (leading - quantum, format!("e{leading}")),
     };
-    // No format pads to more than 65,535 places. exact: places are not negative
-    let digits = "0".repeat((places as usize + 1).saturating_sub(digits.len())) + &digits;
+    // No format pads to more than 65,535 places.
+    let digits = "0".repeat((places as usize + 1).saturating_sub(digits.len())) + &digits; // exact: places are not negative
     let (whole, rest) = digits.split_at(digits.len() - places as usize); // exact: as above
     let (sign, point) = (if n.is_negative() { "-" } else { "" }, if rest.is_empty() { "" } else { "." });
     [format!("{sign}{whole}{point}{rest}"), power]
