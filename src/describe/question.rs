@@ -4,12 +4,17 @@ use impact_pair_document::{FateName, NotExaminedDocument, QuestionDocument};
 
 use super::{Description, Horseshoe, Region};
 use crate::chaos::MOST_DEPTH;
+use crate::lyapunov::{Exponent, Unknown};
 use crate::orbit::{BITS, MULTIPRECISION};
 
 /// The most impacts for which a description is tried next where the motion stays in a region: some seconds.
 const MOST_NEXT_IMPACTS: u64 = 20_000;
-/// Bits that are tried next where a wall may be touched with zero velocity.
-const GRAZE_BITS: u32 = 65_536;
+/// The reason why more impacts of an orbit with `e = 1` are not advised.
+const KEEPS_AREAS: &str =
+    "with e = 1 the impact map keeps areas in time and energy, so that no orbit attracts those near it";
+/// The reason why an orbit has no finite-time exponent, where one may exist.
+const TOO_COARSE: &str =
+    "the impacts are enclosed too coarsely for the derivative over all of them, or it may not exist";
 /// The factor of the impacts of a next attempt.
 const NEXT_FACTOR: u64 = 10;
 
@@ -20,11 +25,8 @@ impl Description {
         let question = |question: &str, command: String| QuestionDocument { question: question.to_owned(), command };
         let mut all = Vec::new();
         match fate {
-            // No command goes on: the reason is among what is not examined.
-            FateName::Undecided if self.is_endless() => {}
             FateName::Undecided => {
-                let (requested, command) = self.orbit_question(&name);
-                all.push(question(&requested, command));
+                all.extend(self.orbit_question(&name).map(|(requested, command)| question(&requested, command)));
             }
             FateName::StaysInRegion => {
                 let requested = "does the motion converge to a stable periodic orbit in the region?";
@@ -56,28 +58,25 @@ impl Description {
         all
     }
 
-    /// Returns the undecided question about the orbit, and a command that continues.
-    fn orbit_question(&self, name: &str) -> (String, String) {
+    /// Returns the undecided question about the orbit, and a command that continues; `None` where none leads further: then the reason is among
+    /// what is not examined.
+    fn orbit_question(&self, name: &str) -> Option<(String, String)> {
         let (impacts, more) = (self.orbit.impacts(), self.request.impacts.saturating_mul(NEXT_FACTOR));
         if self.is_interrupted {
-            return ("what becomes of the motion?".to_owned(), format!("impact-pair describe {name}"));
+            return Some(("what becomes of the motion?".to_owned(), format!("impact-pair describe {name}")));
         }
-        let next = format!("impact-pair run {name} --impacts {}", impacts + 1);
         match self.orbit.document.outcome.reason.as_deref() {
-            None => (
+            None if self.is_elastic => None,
+            None => Some((
                 format!("does the motion converge to a periodic orbit after impact {impacts}?"),
                 format!("impact-pair describe {name} --impacts {more}"),
-            ),
-            Some("graze") => (
-                format!("does the motion touch a wall with zero velocity after impact {impacts}?"),
-                if MULTIPRECISION { format!("{next} --arithmetic {GRAZE_BITS}") } else { next },
-            ),
-            Some("precision") => {
+            )),
+            Some("precision") if MULTIPRECISION && self.request.max_bits < *BITS.end() => {
                 let bits = self.request.max_bits.saturating_mul(NEXT_FACTOR as u32).min(*BITS.end()); // proposes: bits to try next
                 let next = format!("impact-pair describe {name} --max-bits {bits}");
-                (format!("what happens after impact {impacts}?"), next)
+                Some((format!("what happens after impact {impacts}?"), next))
             }
-            Some(_) => (format!("what happens after impact {impacts}?"), next),
+            Some(_) => None,
         }
     }
 
@@ -88,9 +87,17 @@ impl Description {
             reason: reason.to_owned(),
         };
         let outcome = &self.orbit.document.outcome;
-        let endless = outcome.explanation().filter(|_| self.is_endless());
+        let is_open = self.orbit.decides().is_none() && self.orbit_question("").is_none();
         let after = format!("what happens after impact {}", self.orbit.impacts());
-        let endless = endless.map(|why| not_examined(&after, &format!("{why}, with any number of impacts or digits")));
+        let any = if outcome.is_endless() { ", with any number of impacts or digits" } else { "" };
+        let orbit = is_open.then(|| match outcome.explanation() {
+            Some(why) => not_examined(&after, &format!("{why}{any}")),
+            None => not_examined("convergence to a periodic orbit", KEEPS_AREAS),
+        });
+        let exponent = match self.orbit.exponent {
+            Exponent::Unknown(Unknown::Width) => Some(not_examined("the exponent", TOO_COARSE)),
+            _ => None,
+        };
         let others = match (&self.region, &self.horseshoe) {
             (Region::NotExamined(why), _) => vec![not_examined("a trapping region and a horseshoe", why)],
             (Region::Unproved(why), _) => {
@@ -99,12 +106,7 @@ impl Description {
             (Region::Proved(_), Horseshoe::NotExamined(why)) => vec![not_examined("a horseshoe", why)],
             (Region::Proved(_), Horseshoe::Searched(_)) => Vec::new(),
         };
-        endless.into_iter().chain(others).collect()
-    }
-
-    /// Returns whether the orbit ends at a flight whose end neither more impacts nor more bits find.
-    fn is_endless(&self) -> bool {
-        !self.is_interrupted && self.orbit.decides().is_none() && self.orbit.document.outcome.is_endless()
+        orbit.into_iter().chain(exponent).chain(others).collect()
     }
 }
 
