@@ -2,16 +2,27 @@
 
 use std::collections::BTreeSet;
 use std::fs;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
-use crate::names::RUST;
-use crate::words::files;
 use impact_pair_tests::ROOT;
+
+/// The folders with sources in Rust.
+const RUST: [&str; 9] =
+    ["src", "crates", "cli", "python/src", "benches", "examples", "fuzz", "tests", "validation/truth"];
+
+/// The sources in a folder and the folders in it.
+fn sources(folder: &Path) -> Vec<PathBuf> {
+    let entries = fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path());
+    entries
+        .flat_map(|path| if path.is_dir() { sources(&path) } else { vec![path] })
+        .filter(|path| path.extension().is_some_and(|end| end == "rs"))
+        .collect()
+}
 
 /// The test functions of all sources, and the reasons of those that are ignored.
 fn tests() -> (BTreeSet<String>, Vec<(String, String)>) {
     let (mut by_default, mut ignored) = (BTreeSet::new(), Vec::new());
-    for path in RUST.iter().flat_map(|folder| files(&Path::new(ROOT).join(folder), "rs")) {
+    for path in RUST.iter().flat_map(|folder| sources(&Path::new(ROOT).join(folder))) {
         let mut attributes: Vec<String> = Vec::new();
         for line in fs::read_to_string(&path).unwrap().lines().map(str::trim) {
             if line.starts_with("#[") {
