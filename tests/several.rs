@@ -229,6 +229,26 @@ fn without_drift_nothing_is_touched() {
     assert!(events.is_empty() && outcome == Some(Outcome::NeverImpacts), "{outcome:?}");
 }
 
+/// y'' = cos t + cos 2t from rest: y = (1 - cos t) + (1 - cos 2t)/4 is in [0, 2], where the amplitudes alone allow 2.5. The sines and
+/// cosines of the start need not be whole numbers.
+#[test]
+fn i62_without_drift_common_periods_decide_that_nothing_is_touched() {
+    let outcome = |amplitudes: &[&str], frequencies: &[&str], gap: &str, start: &str| {
+        let rest = format!("pair = {{ gap = {gap}, restitution = 0.5 }}\nstart = {{ {start} }}");
+        let phases = vec!["pi/2".into(); amplitudes.len()];
+        Case { phases, ..case(amplitudes, frequencies, &rest) }.events(Arithmetic::Auto, 3)
+    };
+    let later = "time = 1, position = \"(1 - cos(1)) + (1 - cos(2))/4\", velocity = \"sin(1) + sin(2)/2\"";
+    for start in ["time = 0, position = 0, velocity = 0", later] {
+        let (events, still) = outcome(&["1", "1/4"], &["1", "2"], "4.5", start);
+        assert!(events.is_empty() && still == Some(Outcome::NeverImpacts), "{start}: {still:?}");
+        let (events, _) = outcome(&["1", "1/4"], &["1", "2"], "3.9", start);
+        assert!(events.len() == 3 && events[0].wall == Wall::Right, "{start}: {events:?}");
+    }
+    let later = "time = 1, position = \"1 - cos(1)\", velocity = \"sin(1)\"";
+    assert_eq!(outcome(&["1"], &["1"], "4.5", later).1, Some(Outcome::NeverImpacts));
+}
+
 /// Under commensurate frequencies a second release at the same zero of the pressure makes the motion periodic; under
 /// others it never does. To nine digits for so long that takes more than doubles.
 #[cfg(feature = "multiprecision")]

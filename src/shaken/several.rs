@@ -146,7 +146,7 @@ impl Shaken for SeveralHarmonics {
     }
 
     fn still(&self, origin: &Origin<Exact>) -> Option<Still> {
-        Still::under_several(&self.spectrum, origin).ok().flatten()
+        Still::under_several(&self.spectrum, origin, || self.band.tight(&self.balls.harmonics)).ok().flatten()
     }
 }
 
