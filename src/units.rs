@@ -104,6 +104,12 @@ pub(crate) fn turn() -> Exact {
     Exact::pi() * Exact::from(2)
 }
 
+/// Sine and cosine of a phase that is given in periods.
+pub(crate) fn wave(phase: &Exact) -> Result<(Exact, Exact), ExactError> {
+    let angle = phase.checked_mul(&turn())?;
+    Ok((angle.checked_sin()?, angle.checked_cos()?))
+}
+
 /// Returns a phase \[rad\] that is given in forcing periods, its lower bound in `[0, 2 pi)`.
 pub fn in_radians(turns: &Enclosure, bits: u32) -> Enclosure {
     let bits = bits + 64;

@@ -246,6 +246,21 @@ fn r62_an_orbit_has_one_word_and_one_first_impact() {
     }
 }
 
+/// A reader of the list sees a round of the word, from the first impact of which that is proved on, or up to it: Lemma V6 (from)
+#[test]
+fn r62_a_round_of_the_word_is_listed() {
+    let found: Vec<u64> = (2..20_u64)
+        .filter(|&impacts| {
+            let (orbit, _) = run(&figure(12), impacts, Arithmetic::Auto);
+            let Some(Outcome::Attracted(attractor)) = orbit.outcome() else { return false };
+            let (from, all) = (attractor.from, attractor.word.mappings().len() as u64);
+            assert!(from + all <= impacts || from <= impacts && from > all, "{impacts}: {from}");
+            true
+        })
+        .collect();
+    assert!(found.len() > 10, "{found:?}");
+}
+
 /// In doubles the sets of this motion stay wider than what is proved to be attracted; followed a little in more bits they do not.
 #[cfg(feature = "multiprecision")]
 #[test]

@@ -229,6 +229,50 @@ fn without_drift_nothing_is_touched() {
     assert!(events.is_empty() && outcome == Some(Outcome::NeverImpacts), "{outcome:?}");
 }
 
+/// y'' = cos t + cos 2t from rest: y = (1 - cos t) + (1 - cos 2t)/4 is in [0, 2], where the amplitudes alone allow 2.5. The sines and
+/// cosines of the start need not be whole numbers.
+#[test]
+fn i62_without_drift_common_periods_decide_that_nothing_is_touched() {
+    let outcome = |amplitudes: &[&str], frequencies: &[&str], gap: &str, start: &str| {
+        let rest = format!("pair = {{ gap = {gap}, restitution = 0.5 }}\nstart = {{ {start} }}");
+        let phases = vec!["pi/2".into(); amplitudes.len()];
+        Case { phases, ..case(amplitudes, frequencies, &rest) }.events(Arithmetic::Auto, 3)
+    };
+    let later = "time = 1, position = \"(1 - cos(1)) + (1 - cos(2))/4\", velocity = \"sin(1) + sin(2)/2\"";
+    for start in ["time = 0, position = 0, velocity = 0", later] {
+        let (events, still) = outcome(&["1", "1/4"], &["1", "2"], "4.5", start);
+        assert!(events.is_empty() && still == Some(Outcome::NeverImpacts), "{start}: {still:?}");
+        let (events, _) = outcome(&["1", "1/4"], &["1", "2"], "3.9", start);
+        assert!(events.len() == 3 && events[0].wall == Wall::Right, "{start}: {events:?}");
+    }
+    let later = "time = 1, position = \"1 - cos(1)\", velocity = \"sin(1)\"";
+    assert_eq!(outcome(&["1"], &["1"], "4.5", later).1, Some(Outcome::NeverImpacts));
+}
+
+/// The contact force of the left wall is 4 (1 - 2 cos x)(1 + cos x), x = t/8: it touches 0 at x = pi and ends at x = 5 pi/3 (Lemma H15).
+#[cfg(feature = "multiprecision")]
+#[test]
+fn i62_a_ball_stays_where_the_contact_force_touches_0() {
+    let moves = |start: &str| {
+        let rest = format!("pair = {{ gap = 4, restitution = 0 }}\nstart = {{ {start} }}");
+        let case = Case { phases: vec!["pi/2".into(); 2], ..case(&["32", "128"], &["1/4", "1/8"], &rest) };
+        case.events(Arithmetic::Auto, 3).0
+    };
+    let inside = moves("time = 0, position = 0, velocity = 0");
+    let on_touch = moves("time = \"8*pi\", wall = \"left\", velocity = 0");
+    // The second is mpmath's root of y = 2 from the release on.
+    let expected =
+        [("release", Wall::Left, 40.0 / 3.0 * std::f64::consts::PI), ("impact", Wall::Right, 45.18308358502)];
+    for (events, first) in [(&inside, 5), (&on_touch, 1)] {
+        for (event, (kind, wall, time)) in events[first..].iter().zip(expected) {
+            let (low, high) = event.time.to_f64_bounds();
+            let is_then = low - 1e-10 < time && time < high + 1e-10 && high - low < 1e-8;
+            assert!((event.kind, event.wall) == (kind, wall) && is_then, "{events:?}");
+        }
+        assert!(events.len() > first + 1, "{events:?}");
+    }
+}
+
 /// Under commensurate frequencies a second release at the same zero of the pressure makes the motion periodic; under
 /// others it never does. To nine digits for so long that takes more than doubles.
 #[cfg(feature = "multiprecision")]
@@ -266,14 +310,13 @@ fn a_period_between_releases_at_half_a_period_is_a_whole_number_of_periods() {
     }
 }
 
-/// Steps towards a release do not end at a contact force that goes to 0 like a third power; of one that touches 0 no digits distinguish a
-/// touch from a release. The rest comes before both: each impact of its complete chatter was listed, and the release sought again.
+/// Steps towards a release do not end at a contact force that goes to 0 like a third power; of one that touches 0 at no
+/// part of a period no digits distinguish a touch from a release. The rest comes before both: each impact of its complete chatter was listed, and the release sought again.
 #[test]
 fn r46_a_rest_whose_release_is_not_proved_is_listed_and_ends_undecided() {
-    let ends = |amplitudes: [&str; 2], phases: [&str; 2], rest: &str| {
-        let owned = |items: [&str; 2]| items.map(str::to_owned).to_vec();
-        let [amplitudes, phases, frequencies] = [amplitudes, phases, ["pi", "2*pi"]].map(owned);
-        let case = Case { amplitudes, frequencies, phases, rest: rest.to_owned() };
+    let ends = |amplitudes: &[&str], phases: &[&str], rest: &str| {
+        let phases = phases.iter().map(|phase| (*phase).to_owned()).collect();
+        let case = Case { phases, ..case(amplitudes, &["pi", "2*pi", "3*pi"][..amplitudes.len()], rest) };
         let (events, outcome) = case.events(Arithmetic::Auto, 1000);
         let last = &events.last().expect("a rest").kind;
         assert!(*last == "rest" && events.len() < 100, "{events:?}");
@@ -285,10 +328,12 @@ fn r46_a_rest_whose_release_is_not_proved_is_listed_and_ends_undecided() {
     };
     // -E'' = 8 pi^2 sin(pi t) (1 - cos(pi t)): a zero of the third order at t = 4.
     let start = "start = { time = 1.5, wall = \"right\", velocity = 0.01 }";
-    let (low, high) = ends(["8", "1"], ["0", "pi"], &format!("pair = {{ gap = 2, restitution = 0.3 }}\n{start}"));
+    let (low, high) = ends(&["8", "1"], &["0", "pi"], &format!("pair = {{ gap = 2, restitution = 0.3 }}\n{start}"));
     assert!(3.45917 < low && high < 3.45918, "{low} {high}");
-    // -E'' = 4 pi^2 (cos(pi t) + cos(2 pi t)): it is negative from t = 1/3 to 5/3 but at t = 1.
-    let start = "start = { time = 0.55, wall = \"left\", velocity = -0.01 }";
-    let (low, high) = ends(["4", "1"], ["pi/2", "pi/2"], &format!("pair = {{ gap = 20, restitution = 0.3 }}\n{start}"));
-    assert!(0.55 < low && high < 0.5502, "{low} {high}");
+    // -E'' = -40 pi^2 (c - 1/3)^2 (c + 6/11), c = cos(pi t): it is negative up to c = -6/11 but at c = 1/3, t = 0.3918.
+    let start = "start = { time = 0.1, wall = \"left\", velocity = -0.01 }";
+    let sizes = ["40*197/396", "40*2/33/4", "40/4/9"];
+    let rest = format!("pair = {{ gap = 200, restitution = 0.3 }}\n{start}");
+    let (low, high) = ends(&sizes, &["-pi/2", "pi/2", "-pi/2"], &rest);
+    assert!(0.1 < low && high < 0.1002, "{low} {high}");
 }

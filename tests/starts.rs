@@ -225,3 +225,24 @@ fn a_start_outside_the_box_of_a_pair_is_refused_by_all_that_follow_it() {
         );
     }
 }
+
+/// The drift is exactly `A W`, so y' = 1 - cos t vanishes at t = 0, shortly after the impact (Lemma C8): its place is mpmath's.
+#[test]
+fn i62_an_impact_beside_an_inflection_is_decided() {
+    let first = |phase: &str, sign: &str, beyond: &str| {
+        let excitation = format!("excitation = {{ amplitude = 1, frequency = 1, phase = \"{phase}\" }}");
+        let start = format!("position = \"{sign}(2+{beyond}-1+sin(1))\", velocity = \"{sign}(1-cos(1))\"");
+        let pair = "pair = { gap = 4, restitution = 0.5 }";
+        let scene = Scene::parse(&format!("{excitation}\n{pair}\nstart = {{ time = -1, {start} }}")).unwrap();
+        let mut orbit = Orbit::of(&scene, Settings { impacts: Some(1), digits: 30, ..Settings::default() }).unwrap();
+        let impact = orbit.next().expect("an impact");
+        (impact.wall, orbit.bounds(&impact).0)
+    };
+    let (right, left) = (("0", "", Wall::Right), ("pi", "-", Wall::Left));
+    let places = [("1e-8", -0.0039148686411695204), ("1e-18", -1.8171205928322397e-6)];
+    for ((phase, sign, wall), (beyond, truth)) in [right, left].into_iter().flat_map(|side| places.map(|x| (side, x))) {
+        let (place, time) = first(phase, sign, beyond);
+        let (low, high) = time.to_f64_bounds();
+        assert!(place == wall && low <= truth && truth <= high && high - low < 1e-17, "{wall:?}: {low} {high}");
+    }
+}

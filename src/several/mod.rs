@@ -17,6 +17,7 @@ mod rest;
 mod scan;
 mod spectrum;
 mod ticks;
+mod touch;
 mod view;
 
 pub(crate) use flight::SumFlight;
@@ -26,6 +27,7 @@ pub(crate) use reach::{Band, Reach};
 pub(crate) use rest::{Zero, accumulation, release};
 pub(crate) use scan::{Doubt, Found, Scan};
 pub(crate) use spectrum::{Spectrum, phases_at};
+pub(crate) use touch::is_touch;
 #[cfg(feature = "multiprecision")]
 pub(crate) use {flight::Instant, graze::pass};
 

@@ -34,7 +34,7 @@ impl Band {
     }
 
     /// The extrema, where there is a common period.
-    pub(super) fn tight(&self, harmonics: &Harmonics<Ball>) -> Interval {
+    pub fn tight(&self, harmonics: &Harmonics<Ball>) -> Interval {
         *self.tight.get_or_init(|| match self.period {
             None => self.coarse,
             Some(period) => Interval::new(-greatest(harmonics, period, -1.0), greatest(harmonics, period, 1.0)),

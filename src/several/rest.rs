@@ -13,6 +13,7 @@ use super::flight::Instant;
 use super::harmonics::Harmonics;
 use super::phased::FlightNumber;
 use super::spectrum::Spectrum;
+use super::touch::past_touch;
 use crate::exact::Enclosure;
 use crate::number::interval::Interval;
 use crate::number::{Ball, is_positive};
@@ -78,8 +79,19 @@ pub(super) enum Unproved {
     Steps,
 }
 
+/// The reason why a search has found no change of sign, and the time up to which the contact force is proved not to be negative.
+#[derive(Debug)]
+pub(super) struct Stopped {
+    why: Unproved,
+    turns: i64,
+    phase: f64,
+}
+
+/// Touches of the contact force that are passed at most.
+const MOST_TOUCHES: u32 = 1 << 10;
+
 /// Returns the first change of the contact force's sign after a phase at which it acts, or from which on it does; `None`
-/// where none is proved.
+/// where none is proved. Lemmas H8, H15
 pub(crate) fn release(
     spectrum: &Arc<Spectrum>,
     harmonics: &Harmonics<Ball>,
@@ -87,8 +99,19 @@ pub(crate) fn release(
     turns: i64,
     phase: f64,
 ) -> Option<Zero> {
-    let found = first_zero(spectrum, harmonics, wall, turns, Ball::exact(phase));
-    precise::decided(found, spectrum, wall, turns, phase).ok()
+    let (mut turns, mut phase) = (turns, phase);
+    for _ in 0..MOST_TOUCHES {
+        let found = first_zero(spectrum, harmonics, wall, turns, Ball::exact(phase));
+        let beyond = match &found {
+            Ok(_) => None,
+            Err(stopped) => past_touch(spectrum, wall, stopped.turns, stopped.phase).zip(Some(stopped.turns)),
+        };
+        match beyond {
+            Some(beyond) => (phase, turns) = beyond,
+            None => return precise::decided(found.map_err(|stopped| stopped.why), spectrum, wall, turns, phase).ok(),
+        }
+    }
+    None
 }
 
 /// The same in one arithmetic: steps on which `p + p' s - S s^2/2` stays positive, `S` a bound of `|p''|`.
@@ -98,7 +121,7 @@ pub(super) fn first_zero<N: FlightNumber>(
     wall: Wall,
     turns: i64,
     phase: N,
-) -> Result<Zero, Unproved> {
+) -> Result<Zero, Stopped> {
     let fourth = harmonics.rates.fourth;
     let bend = Interval::within(fourth);
     let slope_at = |at: &Instant<N>| harmonics.jerk(turns + at.turns, &at.rest).signed(-wall.sign()).interval();
@@ -109,27 +132,29 @@ pub(super) fn first_zero<N: FlightNumber>(
     if value_at(&at).bounds().0 <= 0.0 && low > 0.0 {
         at = at.later(&at.rest.like(low / fourth));
     }
+    // H8: an exact time, which a double holds where it is one
+    let stop = |why: Unproved, at: &Instant<N>| Stopped { why, turns: turns + at.turns, phase: at.rest.middle() };
     for _ in 0..STEPS {
         let (value, slope) = (value_at(&at).interval(), slope_at(&at));
         let (p, low) = (value.inf(), slope.inf());
         if !is_positive(p) {
-            return Err(Unproved::Digits);
+            return Err(stop(Unproved::Digits, &at));
         }
         let ahead = p / -low;
         // Falling all the way to a zero a little farther than Newton's step: it is the first.
         if low < 0.0 && slope.sup() + 2.0 * fourth * ahead < 0.0 {
-            let (zero, reach, least) =
-                bracket(bend, &value_at, &slope_at, at.later(&at.rest.like(ahead))).ok_or(Unproved::Digits)?;
+            let (zero, reach, least) = bracket(bend, &value_at, &slope_at, at.later(&at.rest.like(ahead)))
+                .ok_or_else(|| stop(Unproved::Digits, &at))?;
             let time = Interval::point(zero.since(&at)) + Interval::point(reach);
             // Lemma H8 looks ahead only.
             if at.since(&zero) < reach && (slope + bend * time).sup() < 0.0 {
                 let rest = zero.rest.interval();
                 let reach = (Interval::point(reach) + Interval::point(rest.wid())).sup();
-                let turns = turns::later(turns, zero.turns).ok_or(Unproved::Steps)?;
+                let turns = turns::later(turns, zero.turns).ok_or_else(|| stop(Unproved::Steps, &at))?;
                 // Lemma H8: within `reach` of the rounded place, which is within as much of the zero.
                 let least = (Interval::point(least) + bend * Interval::point(2.0 * reach)).inf();
                 let zero = Zero { spectrum: spectrum.clone(), wall, turns, near: rest.mid(), reach, least, bend };
-                return is_positive(least).then_some(zero).ok_or(Unproved::Digits);
+                return is_positive(least).then_some(zero).ok_or_else(|| stop(Unproved::Digits, &at));
             }
         }
         let step = 0.98 * (low + (low * low + 2.0 * fourth * p).sqrt()) / fourth;
@@ -137,11 +162,11 @@ pub(super) fn first_zero<N: FlightNumber>(
         let time = Interval::point(next.since(&at));
         let least = value + time * (slope + Interval::within(0.5 * fourth) * time);
         if !(is_positive(time.inf()) && is_positive(least.inf())) {
-            return Err(Unproved::Digits);
+            return Err(stop(Unproved::Digits, &at));
         }
         at = next;
     }
-    Err(Unproved::Steps)
+    Err(stop(Unproved::Steps, &at))
 }
 
 /// Returns a zero near a time: the time, its distance from the zero at most, and the least slope there; slopes change by `bend` per forcing period.

@@ -14,7 +14,8 @@ use crate::impact::Touch;
 use crate::number::{Ball, UNIT, up};
 use crate::pair::{ImpactPair, Inward, Reduced, Wall, ball, within};
 use crate::several::{
-    Band, Doubt, FlightNumber, Found, Harmonics, PhaseNumber, Reach, Scan, Spectrum, SumFlight, accumulation, release,
+    Band, Doubt, FlightNumber, Found, Harmonics, PhaseNumber, Reach, Scan, Spectrum, SumFlight, accumulation, is_touch,
+    release,
 };
 
 /// A pair that is shaken by several harmonics, equation (1).
@@ -85,7 +86,7 @@ impl SeveralHarmonics {
         let waves = waves(phases, f64::MANTISSA_DIGITS);
         let flight = SumFlight::new(&self.balls.harmonics, launch, waves.as_ref());
         let jerk = wall.inward(flight.jerk).bounds();
-        flight.acceleration == zero && jerk.1 < 0.0
+        flight.acceleration == zero && jerk.1 < 0.0 || is_touch(&self.spectrum, wall, phases)
     }
 }
 
@@ -146,7 +147,7 @@ impl Shaken for SeveralHarmonics {
     }
 
     fn still(&self, origin: &Origin<Exact>) -> Option<Still> {
-        Still::under_several(&self.spectrum, origin).ok().flatten()
+        Still::under_several(&self.spectrum, origin, || self.band.tight(&self.balls.harmonics)).ok().flatten()
     }
 }
 

@@ -7,8 +7,11 @@ use num_traits::ToPrimitive;
 
 use super::{Location, Origin};
 use crate::exact::{Exact, ExactError};
+use crate::number::interval::Interval;
+use crate::number::{Ball, is_positive};
 use crate::pair::{Reduced, Wall};
 use crate::several::Spectrum;
+use crate::units::{turn, wave};
 
 /// A motion without drift that stays between the walls for ever.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -25,8 +28,8 @@ impl Still {
 
     /// Returns whether the motion from an origin is proved to stay between the walls for ever, with one harmonic (Lemma Z4).
     ///
-    /// With a drift a wall is reached in the end, so the drift has to be 0, exactly: that is decided if the box stands still,
-    /// and at quarter periods, where sine and cosine are exact.
+    /// With a drift a wall is reached in the end, so the drift has to be 0, exactly: that is decided if the box stands still, and
+    /// where the expressions show it, as at quarter periods, where sine and cosine are numbers.
     pub fn under_one(pair: &Reduced<Exact>, origin: &Origin<Exact>) -> Result<Option<Self>, ExactError> {
         let is_zero = |x: &Exact| x.sign() == Some(Ordering::Equal);
         let (height, on_wall) = match &origin.state.place {
@@ -36,7 +39,9 @@ impl Still {
         if is_zero(&pair.beta) {
             return Ok((!on_wall && is_zero(&origin.state.velocity)).then_some(Self::UNTOUCHED));
         }
-        let Some((sin, cos)) = quarter_turn(&origin.state.phase) else { return Ok(None) };
+        // From a wall at any other phase there is a drift.
+        let waves = if on_wall { quarter_turn(&origin.state.phase) } else { Some(wave(&origin.state.phase)?) };
+        let Some((sin, cos)) = waves else { return Ok(None) };
         // After an impact on a wall nothing is left of the velocity, or there is no such drift.
         if on_wall && !is_zero(&origin.state.velocity) && !is_zero(&pair.restitution) {
             return Ok(None);
@@ -50,7 +55,7 @@ impl Still {
         if on_wall && pair.alpha.sign() != Some(Ordering::Greater) {
             return Ok(None);
         }
-        // z = z0 + alpha sin th0 - alpha sin th; sin th0 is -1, 0 or 1, so that a wall touched at the start has no room, exactly.
+        // z = z0 + alpha sin th0 - alpha sin th; from a wall sin th0 is -1, 0 or 1, so that a wall touched at the start has no room, exactly.
         let one = Exact::from(1);
         let amplitude = |part: Exact| if is_zero(&part) { Ok(Exact::from(0)) } else { pair.alpha.checked_mul(&part) };
         let room_below = height.checked_sub(&amplitude(one.checked_sub(&sin)?)?)?.sign();
@@ -60,24 +65,32 @@ impl Still {
         Ok((inside(room_below) && inside(room_above)).then_some(Self { grazes_left, grazes_right }))
     }
 
-    /// Returns the same with several harmonics, where there is room for all of them.
-    pub fn under_several(spectrum: &Spectrum, origin: &Origin<Exact>) -> Result<Option<Self>, ExactError> {
+    /// Returns the same with several harmonics, of which `band` bounds the sum at all times (Lemma H16).
+    pub fn under_several(
+        spectrum: &Spectrum,
+        origin: &Origin<Exact>,
+        band: impl FnOnce() -> Interval,
+    ) -> Result<Option<Self>, ExactError> {
         let Location::Inside(height) = &origin.state.place else { return Ok(None) };
-        let waves: Option<Vec<_>> = origin.phases.iter().map(quarter_turn).collect();
-        let Some(waves) = waves else { return Ok(None) };
-        let turn = Exact::pi() * Exact::from(2);
         let (mut drift, mut middle, mut amplitude) = (origin.state.velocity.clone(), height.clone(), Exact::from(0));
-        for (term, (sin, cos)) in spectrum.terms.iter().zip(&waves) {
-            let beta = term.alpha.checked_mul(&term.ratio)?.checked_mul(&turn)?;
-            drift = drift.checked_add(&beta.checked_mul(cos)?)?;
-            middle = middle.checked_add(&term.alpha.checked_mul(sin)?)?;
+        for (term, phase) in spectrum.terms.iter().zip(&origin.phases) {
+            let (sin, cos) = wave(phase)?;
+            let beta = term.alpha.checked_mul(&term.ratio)?.checked_mul(&turn())?;
+            drift = drift.checked_add(&beta.checked_mul(&cos)?)?;
+            middle = middle.checked_add(&term.alpha.checked_mul(&sin)?)?;
             amplitude = amplitude.checked_add(&term.alpha)?;
+        }
+        if drift.sign() != Some(Ordering::Equal) {
+            return Ok(None);
         }
         let is_above_0 = |x: &Exact| x.sign() == Some(Ordering::Greater);
         let (below, above) =
             (middle.checked_sub(&amplitude)?, Exact::from(1).checked_sub(&middle.checked_add(&amplitude)?)?);
-        let is_inside = is_above_0(&below) && is_above_0(&above);
-        Ok((drift.sign() == Some(Ordering::Equal) && is_inside).then_some(Self::UNTOUCHED))
+        let is_inside = || {
+            let heights = Interval::from(Ball::of(&middle)) - band();
+            is_positive(heights.inf()) && is_positive((Interval::ONE - heights).inf())
+        };
+        Ok((is_above_0(&below) && is_above_0(&above) || is_inside()).then_some(Self::UNTOUCHED))
     }
 
     /// Returns the first graze after `phase`, or the next one after another: its wall, whole forcing periods and phase.

@@ -1,4 +1,4 @@
-//! The first contact of a set of flights, isolated in balls: Lemmas E1, C3, C4 and C5 without error bounds made by hand.
+//! The first contact of a set of flights, isolated in balls: Lemmas E1, C3, C4, C5 and C8 without error bounds made by hand.
 
 use std::cmp::Ordering;
 
@@ -9,7 +9,7 @@ use crate::contact::Undecided;
 use crate::contact::extrema::Target;
 use crate::contact::solve::inverse_smoothstep;
 use crate::flight::Flight;
-use crate::number::{ABOVE_TWO_PI, Magnitude, MpBall, Number};
+use crate::number::{ABOVE_TWO_PI, Enclosing, Magnitude, MpBall, Number};
 use crate::pair::Inward;
 use crate::turns::LONGEST_FLIGHT;
 
@@ -29,14 +29,15 @@ struct Piece {
 /// Encloses the only contact that is first for every flight of the set.
 pub(super) fn isolate(flight: &Flight<MpBall>) -> Result<Isolated, Undecided> {
     let rising = is_rising(flight)?;
-    let speeds = [flight.drift.clone().minus(&flight.beta), flight.drift.clone().plus(&flight.beta)];
+    let [beyond, short] = [flight.drift.clone().minus(&flight.beta), flight.drift.clone().plus(&flight.beta)];
+    let signs = [beyond.sign(), short.sign()];
     // Lemma C5: a start without velocity at exactly sin th0 = 0 has |c| = beta and is monotone all the same.
     let is_release = [&flight.velocity, &flight.sin].iter().all(|x| x.sign() == Some(Ordering::Equal));
-    let piece = match speeds.map(|x| x.sign()) {
-        _ if is_release => monotone(flight)?,
-        [Some(Ordering::Less), Some(Ordering::Greater)] => first_piece(flight, rising)?,
-        [Some(Ordering::Greater), _] | [_, Some(Ordering::Less)] => monotone(flight)?,
-        _ => return Err(graze(flight, None)),
+    let is_monotone = matches!(signs, [Some(Ordering::Greater), _] | [_, Some(Ordering::Less)]) || is_release;
+    let piece = match signs {
+        [Some(Ordering::Less), Some(Ordering::Greater)] if !is_release => first_piece(flight, rising)?,
+        _ if is_monotone => monotone(flight)?,
+        _ => monotone(flight).map_err(|_| graze(flight, None))?,
     };
     let turns = (flight.phase.mid().to_f64() + piece.guess.to_f64()).round(); // exact: any whole number is taken off
     if turns.partial_cmp(&LONGEST_FLIGHT) != Some(Ordering::Less) {
@@ -50,8 +51,28 @@ pub(super) fn isolate(flight: &Flight<MpBall>) -> Result<Isolated, Undecided> {
         if !(is_later && time.clone().minus(end).sign() == Some(Ordering::Less)) {
             return Err(graze(flight, Some(piece.target)));
         }
+    } else if !is_monotone {
+        let back = if piece.target == Target::Far { beyond } else { short };
+        if !is_first_of_nearly_monotone(flight, &found, back.mag()) {
+            return Err(graze(flight, None));
+        }
     }
     Ok(found)
+}
+
+/// Lemma C8: the drift is so near to `beta` that extrema may or may not exist; between them no flight moves away from the target
+/// faster than `back`.
+fn is_first_of_nearly_monotone(flight: &Flight<MpBall>, found: &Isolated, back: Magnitude) -> bool {
+    let lost = back * Magnitude::new(found.time.mag(), 0);
+    // A greater speed carries a ball farther than it can lose, whatever the shaking does.
+    let speed = (Magnitude::new(4.0, 0) * flight.steepest() * lost).sqrt();
+    let is_beyond = |least: Option<Magnitude>, most: Magnitude| least.is_some_and(|least| least > most);
+    let leaves = match found.target {
+        Target::Far if flight.height.sign() == Some(Ordering::Equal) => is_beyond(flight.velocity.mig(), speed),
+        Target::Far => is_beyond(flight.height.mig(), lost),
+        Target::Near => is_beyond((MpBall::from_f64(1.0) - flight.height.clone()).mig(), lost),
+    };
+    leaves && found.least > speed && found.time.certain_sign() == Some(Ordering::Greater)
 }
 
 /// Returns whether the ball rises right after the start.

@@ -24,7 +24,8 @@ pub(super) fn decided(
     BITS.into_iter().fold(found, |found, bits| match found {
         Err(Unproved::Digits) => {
             let harmonics = Harmonics::<MpBall>::new(spectrum, bits);
-            first_zero(spectrum, &harmonics, wall, turns, MpBall::from_f64_bits(phase, bits))
+            let from = MpBall::from_f64_bits(phase, bits);
+            first_zero(spectrum, &harmonics, wall, turns, from).map_err(|stopped| stopped.why)
         }
         decided => decided,
     })
