@@ -64,6 +64,11 @@ fn what_doubles_do_not_resolve_is_not_drawn() {
         assert!(said.contains("the picture has an axis from") && !said.contains("panicked"), "{said}");
         assert!(!picture.exists());
     }
+    let one_double =
+        ["scenes/figure-14.toml", "--over", "gap=3..3.00000000000000000001:3", "--impacts", "10", "--plot"];
+    let answer = verb("sweep", &one_double).arg(&picture).output().unwrap();
+    let said = String::from_utf8(answer.stderr).unwrap();
+    assert!(answer.status.code() == Some(2) && said.contains("the picture has an axis from 3e0 to 3e0"), "{said}");
 }
 
 #[test]

@@ -104,7 +104,7 @@ fn frame(
         named.iter().map(|&number| (Mark::Cell(LEGEND[number].1), LEGEND[number].0.to_owned())).collect();
     let height = picture::legend(root, top, &entries)?;
     let (_, below) = root.split_vertically(top + height + BAR_DISTANCE + BAR_HEIGHT);
-    let axes = [Axis::over(value(requested.over.low()), value(requested.over.high())), arc.axis()];
+    let axes = [Axis::between(value(requested.over.low()), value(requested.over.high())), arc.axis()];
     Plane::draw(&below, axes, [&over, PHASE_LABEL])
 }
 

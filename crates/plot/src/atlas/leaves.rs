@@ -18,7 +18,7 @@ pub const CLASSES: [(&str, RGBColor, &str); 7] = [
     ("attractors", SKY, "attractors proved, others not excluded"),
     (STABLE, PURPLE, "a stable periodic orbit, else undecided"),
     (HORSESHOE, YELLOW, "a horseshoe, else undecided"),
-    ("closed", ORANGE, "every motion in closed sets in the end, else undecided"),
+    ("closed", ORANGE, "every motion that touches a wall in closed sets or at saddles in the end, else undecided"),
     ("undecided", VERMILION, "undecided"),
 ];
 

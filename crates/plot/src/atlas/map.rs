@@ -85,7 +85,7 @@ fn frame(
     }
     let height = picture::legend(root, top, &entries)?;
     let (_, below) = root.split_vertically(top + height + 6 * SCALE);
-    let axes = leaves.range().map(|[low, high]| Axis::over(low, high));
+    let axes = leaves.range().map(|[low, high]| Axis::between(low, high));
     let names = leaves.axes.each_ref().map(|axis| described(axis.key()));
     Plane::draw(&below, axes, [&names[0], &names[1]], RIGHT_MARGIN)
 }

@@ -75,7 +75,7 @@ pub fn draw(
         present.iter().map(|class| (Mark::Cell(class.colour()), class.name().to_owned())).collect();
     let lines = picture::legend(root, top, &entries)?;
     let (_, below) = root.split_vertically(top + lines);
-    let across = Axis::over(value(axis.low()), value(axis.high()));
+    let across = Axis::between(value(axis.low()), value(axis.high()));
     let (up, name) = match show {
         Show::Phase => (Axis::angle(), "phase $Ωt + τ$ of the impact [rad]"),
         Show::Velocity => {
