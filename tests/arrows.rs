@@ -86,7 +86,7 @@ const MODULES: [(&str, &[&str]); 30] = [
     ),
     ("sweep", &["number", "units", "turns", "pair", "mapping", "periodic", "orbit", "lyapunov", "document"]),
     ("atlas", &["chaos", "document", "sweep"]),
-    ("describe", &["mapping", "orbit", "lyapunov", "chaos", "document", "sweep"]),
+    ("describe", &["several", "mapping", "orbit", "lyapunov", "chaos", "document", "sweep"]),
     ("audit", &["pair", "scales", "contact", "orbit", "document"]),
     ("trade", &["pair", "scales", "orbit", "document"]),
 ];

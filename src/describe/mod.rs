@@ -10,10 +10,7 @@ mod question;
 #[cfg(test)]
 mod tests;
 
-use std::cmp::Ordering;
-
 use crate::chaos::{Chaos, HorseshoeSettings, Trap};
-use crate::exact::Exact;
 use crate::orbit::MAX_BITS;
 use crate::watch::{Latched, Watch};
 use crate::{Error, Scene};
@@ -44,8 +41,8 @@ impl Default for Request {
 #[derive(Debug)]
 pub struct Description {
     request: Request,
-    /// `e = 1` exactly.
-    is_elastic: bool,
+    /// The reason why no convergence to a periodic orbit can be proved, if there is one.
+    is_unattracted: Option<&'static str>,
     orbit: Followed,
     region: Region,
     horseshoe: Horseshoe,
@@ -99,8 +96,8 @@ pub fn describe(scene: &Scene, request: &Request, watch: &dyn Watch) -> Result<D
     let orbit = orbit::followed(scene, request, &watch)?;
     let region = region(scene, &orbit, &watch);
     let horseshoe = horseshoe(scene, request, &region, &watch);
-    let is_elastic = scene.pair().restitution().compare(&Exact::from(1)) == Some(Ordering::Equal);
-    Ok(Description { request: *request, is_elastic, orbit, region, horseshoe, is_interrupted: watch.is_stopped() })
+    let is_unattracted = question::is_unattracted(scene)?;
+    Ok(Description { request: *request, is_unattracted, orbit, region, horseshoe, is_interrupted: watch.is_stopped() })
 }
 
 impl Description {

@@ -1,22 +1,42 @@
 //! The undecided questions of a description, each with a command that continues, and the questions that were not examined.
 
+use std::cmp::Ordering;
+
+use num_bigint::BigInt;
+use num_traits::Zero;
+
 use impact_pair_document::{FateName, NotExaminedDocument, QuestionDocument};
 
 use super::{Description, Horseshoe, Region};
 use crate::chaos::MOST_DEPTH;
+use crate::exact::Exact;
 use crate::lyapunov::{Exponent, Unknown};
 use crate::orbit::{BITS, MULTIPRECISION};
+use crate::several::Spectrum;
+use crate::{Error, Scene};
 
 /// The most impacts for which a description is tried next where the motion stays in a region: some seconds.
 const MOST_NEXT_IMPACTS: u64 = 20_000;
-/// The reason why more impacts of an orbit with `e = 1` are not advised.
+/// Reasons why more impacts of an orbit are not advised.
 const KEEPS_AREAS: &str =
     "with e = 1 the impact map keeps areas in time and energy, so that no orbit attracts those near it";
+const HAS_NO_PERIOD: &str =
+    "the frequencies are not proved to have a common period, and without one no motion with impacts is periodic";
 /// The reason why an orbit has no finite-time exponent, where one may exist.
 const TOO_COARSE: &str =
     "the impacts are enclosed too coarsely for the derivative over all of them, or it may not exist";
 /// The factor of the impacts of a next attempt.
 const NEXT_FACTOR: u64 = 10;
+
+/// Returns the reason why no motion of a scene's pair is proved to converge to a periodic orbit, if there is one.
+pub(super) fn is_unattracted(scene: &Scene) -> Result<Option<&'static str>, Error> {
+    let pair = scene.pair();
+    if pair.restitution().compare(&Exact::from(1)) == Some(Ordering::Equal) {
+        return Ok(Some(KEEPS_AREAS));
+    }
+    let spectrum = Spectrum::new(pair, &BigInt::zero())?;
+    Ok(spectrum.filter(|spectrum| spectrum.period.is_none()).map(|_| HAS_NO_PERIOD))
+}
 
 impl Description {
     /// Returns the questions that are undecided, each with a command on the scene of this name.
@@ -66,7 +86,7 @@ impl Description {
             return Some(("what becomes of the motion?".to_owned(), format!("impact-pair describe {name}")));
         }
         match self.orbit.document.outcome.reason.as_deref() {
-            None if self.is_elastic => None,
+            None if self.is_unattracted.is_some() => None,
             None => Some((
                 format!("does the motion converge to a periodic orbit after impact {impacts}?"),
                 format!("impact-pair describe {name} --impacts {more}"),
@@ -90,10 +110,9 @@ impl Description {
         let is_open = self.orbit.decides().is_none() && self.orbit_question("").is_none();
         let after = format!("what happens after impact {}", self.orbit.impacts());
         let any = if outcome.is_endless() { ", with any number of impacts or digits" } else { "" };
-        let orbit = is_open.then(|| match outcome.explanation() {
-            Some(why) => not_examined(&after, &format!("{why}{any}")),
-            None => not_examined("convergence to a periodic orbit", KEEPS_AREAS),
-        });
+        let undecided = outcome.explanation().map(|why| not_examined(&after, &format!("{why}{any}")));
+        let unattracted = || self.is_unattracted.map(|why| not_examined("convergence to a periodic orbit", why));
+        let orbit = undecided.or_else(unattracted).filter(|_| is_open);
         let exponent = match self.orbit.exponent {
             Exponent::Unknown(Unknown::Width) => Some(not_examined("the exponent", TOO_COARSE)),
             _ => None,

@@ -135,8 +135,9 @@ fn several_harmonics_have_a_fate_but_no_region() {
     let start = "time = 0, wall = \"left\", velocity = -12.56636";
     let document = described(&scene(excitation, "gap = 9.42497, restitution = 0.5", start));
     assert_eq!(document.fate.kind, FateName::Undecided);
-    assert!(document.not_examined[0].reason.contains("2 harmonics"), "{:?}", document.not_examined);
-    assert_eq!(document.undecided[0].command, "impact-pair describe scene.toml --impacts 5000");
+    assert!(document.not_examined[1].reason.contains("2 harmonics"), "{:?}", document.not_examined);
+    // Without a common period no orbit of impacts is periodic: more of them would not decide.
+    assert!(document.undecided.is_empty() && document.not_examined[0].reason.contains("common period"));
 }
 
 /// The motion of figure 14 is in the region that `trap` proves, from the same impact on.
