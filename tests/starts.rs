@@ -239,7 +239,7 @@ fn i62_an_impact_beside_an_inflection_is_decided() {
         (impact.wall, orbit.bounds(&impact).0)
     };
     let (right, left) = (("0", "", Wall::Right), ("pi", "-", Wall::Left));
-    let places = [("1e-8", -0.0039148686411695204), ("1e-18", -1.8171205928322397e-6)];
+    let places = [("1e-8", -0.00391486864116952), ("1e-18", -1.8171205928322397e-6)];
     for ((phase, sign, wall), (beyond, truth)) in [right, left].into_iter().flat_map(|side| places.map(|x| (side, x))) {
         let (place, time) = first(phase, sign, beyond);
         let (low, high) = time.to_f64_bounds();

@@ -286,10 +286,9 @@ impl Problem {
         };
         let inside = states.iter().find(|state| basin.holds(at(state)))?;
         let from = inside.index + ((all - place) % all) as u64; // exact: less than a period
-        // V6 (from): the list shows a round of the word that begins or ends with this impact
-        let (first, last, all) = (states[0].index.max(1), states[states.len() - 1].index, all as u64); // exact: a length
-        let is_shown = from + all <= last || from <= last && from >= first + all;
-        is_shown.then_some(())?;
+        // V6 (from): this impact is listed, and the flights of a round are, from whichever impact on
+        let last = states[states.len() - 1].index;
+        (from <= last && last > all as u64).then_some(())?; // exact: a length
         let (word, cycles) = (self.word().clone(), self.chain().cycles());
         Some(Attractor { word, cycles, orbit, from, factor: basin.factor() })
     }

@@ -31,8 +31,8 @@ even, by (62), (63), isolated with proof. amplitude: d and the start's v are tho
 
 With several harmonics there is no closed form: periodic --word RL --cycles N --all finds such motions.
 
-For each motion: whether a wall is touched earlier, and stability by (38). With e = 1 a motion is proved unstable or \
-undecided: neutral ones are beyond linear theory.
+For each motion: whether a wall is touched earlier, and stability by (38). With e = 1 a motion is proved unstable, or \
+elliptic: both eigenvalues lie on the unit circle, and linear theory says no more.
 
 Parameter manifold: A_N (68) over W for the scene's d, e and start velocity, or over v for the scene's d, e and W. \
 The output has the points of the grid, the points where first contact, stability or the sign of sin th0 change, and \

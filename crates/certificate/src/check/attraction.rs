@@ -89,7 +89,7 @@ impl Convergence<'_> {
     /// Proves the convergence for all data of a piece.
     fn answer(&self, piece: &Piece) -> Result<(), Doubt> {
         let frame = Frame::new(self.target.data, piece, BITS);
-        let end = self.end().ok_or_else(|| Doubt::open("the motion is not proved to follow the word at its end"))?;
+        let end = self.end().ok_or_else(|| Doubt::open("the flights of a round are not listed"))?;
         self.answer_from(end, piece, &frame)
     }
 
@@ -100,11 +100,11 @@ impl Convergence<'_> {
         widest_datum(self.round(end, &frame), self.guess(end, &frame))
     }
 
-    /// The last impact whole rounds of the word after the one claimed, if the motion follows the word up to it.
+    /// The last impact whole rounds of the word after the one claimed, if the flights of a round are listed.
     fn end(&self) -> Option<usize> {
         let each = self.target.walls.len();
         let end = self.from + (self.hits.len() - 1 - self.from) / each * each; // exact: an index
-        (self.beginning(end) < end).then_some(end)
+        (self.hits.len() > each).then_some(end)
     }
 
     /// The first impact from which on the motion follows the word, as often as it does, up to the impact `end`.
@@ -123,11 +123,17 @@ impl Convergence<'_> {
         at
     }
 
+    /// The round from the impact `end` on, its flights as long as those of the last round that is listed: of the same ones, from another impact on.
     fn round<'p>(&'p self, end: usize, frame: &'p Frame) -> Round<'p> {
-        let phases: Vec<_> =
-            self.hits[end - self.target.walls.len()..=end].iter().map(|hit| frame.clock.phase(&hit.time[0])).collect();
+        let first = end.min(self.hits.len() - 1 - self.target.walls.len()); // proposes: how long flights are
+        let phases: Vec<_> = self.hits[first..=first + self.target.walls.len()]
+            .iter()
+            .map(|hit| frame.clock.phase(&hit.time[0]))
+            .collect();
         let bits = frame.turn.bits();
-        let times = phases.windows(2).map(|flight| Real::point((flight[1].clone() - &flight[0]).mid(), bits)).collect();
+        let time = |flight: &[Real]| Real::point((flight[1].clone() - &flight[0]).mid(), bits);
+        let mut times: Vec<Real> = phases.windows(2).map(time).collect();
+        times.rotate_left((end - first) % self.target.walls.len());
         self.target.round(frame, times, true)
     }
 
