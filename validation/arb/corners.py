@@ -41,7 +41,7 @@ def scene(amplitude, frequency, phase, gap, restitution, **start):
 
 def inside_graze(depth, **start):
     """Drift pi, W = 2 pi, A = 1, d = 4: the first maximum, cos th = 1/2 at t = 5/6, is `depth` beyond the wall."""
-    start = start or {"position": f"2 - sqrt(3)/2 - (5/6)*pi + {depth}", "velocity": "-pi"}
+    start = start or {"position": f"2 - sqrt(3)/2 - (5/6)*pi + ({depth})", "velocity": "-pi"}
     return scene("1", "2*pi", "0", "4", "0.5", **start)
 
 
@@ -51,7 +51,7 @@ GRAZING_GAP = "(7*pi/12 + sqrt(3)/2 + 1)"
 def wall_graze(depth, **start):
     """From the left wall, u = c = pi/2, W = pi, A = 1: the maximum at t = 7/6 is `depth` gaps beyond the right wall."""
     start = start or {"wall": LEFT, "velocity": "-pi"}
-    return scene("1", "pi", "pi/2", f"{GRAZING_GAP}*(1 - {depth})", "0.5", **start)
+    return scene("1", "pi", "pi/2", f"{GRAZING_GAP}*(1 - ({depth}))", "0.5", **start)
 
 
 def near_grazes():

@@ -25,7 +25,7 @@ def inside_graze(depth, **start):
 
     There cos 2 pi t = 1/2, cos 4 pi t = -1/2 and both sines are -sqrt(3)/2.
     """
-    start = start or {"position": f"2 - 11*sqrt(3)/20 - 2*pi/3 + {depth}", "velocity": "-8*pi/5"}
+    start = start or {"position": f"2 - 11*sqrt(3)/20 - 2*pi/3 + ({depth})", "velocity": "-8*pi/5"}
     return scene(["1", "1/10"], ["2*pi", "4*pi"], "0", "4", "0.5", **start)
 
 
@@ -36,7 +36,7 @@ GRAZING_GAP = f"(7/6*{DRIFT} + sqrt(3)/2 + 21/20)"
 def wall_graze(depth, **start):
     """From the left wall with u = c, E = cos pi t + cos(2 pi t)/10: the maximum at 7/6 is `depth` gaps beyond."""
     start = start or {"wall": LEFT, "velocity": f"-2*{DRIFT}"}
-    return scene(["1", "1/10"], ["pi", "2*pi"], "pi/2", f"{GRAZING_GAP}*(1 - {depth})", "0.5", **start)
+    return scene(["1", "1/10"], ["pi", "2*pi"], "pi/2", f"{GRAZING_GAP}*(1 - ({depth}))", "0.5", **start)
 
 
 def near_grazes():
@@ -56,7 +56,7 @@ def near_grazes():
 
 def touch(excess):
     """Pressed on the left wall at t = -1/3; b = 1 + excess."""
-    amplitudes, start = ["1", f"(1 + {excess})/4"], {"time": "-1/3", "wall": LEFT, "velocity": "0"}
+    amplitudes, start = ["1", f"(1 + ({excess}))/4"], {"time": "-1/3", "wall": LEFT, "velocity": "0"}
     return scene(amplitudes, ["pi", "2*pi"], ["-pi/2", "pi/2"], "3", "0.5", **start)
 
 

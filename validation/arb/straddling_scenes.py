@@ -112,7 +112,7 @@ def next_to_an_extremum(draw):
 def touch(ratio, begin, end, whole):
     """(v, way): with velocity v at the phase `begin` an extremum is at the phase `end`, `way` further on."""
     drift = f"2*pi*({ratio})*{cosine(end)}"
-    way = f"({drift}*(({end}) - ({begin}) + {whole}) - ({ratio})*({sine(end)} - {sine(begin)}))"
+    way = f"({drift}*(({end}) - ({begin}) + ({whole})) - ({ratio})*({sine(end)} - {sine(begin)}))"
     return f"({drift} - 2*pi*({ratio})*{cosine(begin)})", way
 
 
