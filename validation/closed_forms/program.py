@@ -45,7 +45,7 @@ def negated(text):
     if not text.startswith("["):
         return f"-({text})"
     low, high = text[1:-1].split(",")
-    return f"[-({high}), -({low})]"
+    return f"[-({high.strip()}), -({low.strip()})]"
 
 
 def run(binary, text, impacts, digits=9, arithmetic="auto"):

@@ -123,7 +123,7 @@ class Judgement(unittest.TestCase):
         self.assertFalse(verb.is_listed({**entry, "impacts": [left, {**right, "phase": around(3)}]}, orbit, "left"))
 
     def test_scenes(self):
-        self.assertEqual(negated("[1, 2]"), "[-2, -1]")
+        self.assertEqual(negated("[1, 2]"), "[-(2), -(1)]")
         self.assertIn('velocity = "-((2*(1)*(pi)/(1 - 0.5)*cos(0))*(1))"', scene(figure_12()))
         low, high = (evaluate(part) for part in decimal_interval(pi)[1:-1].split(","))
         self.assertTrue(low < pi < high and high - low < mpf("1e-43"))
