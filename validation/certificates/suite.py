@@ -54,7 +54,7 @@ def right(arguments, failures):
     """Rows of the table of certificates as they are."""
     rows = []
     for scene in [scene for folder in FOLDERS for scene in sorted(folder.glob("*.toml"))]:
-        impacts = 50 if arguments.quick else 200
+        impacts = 60 if arguments.quick else 200
         counts = [impacts] + ([2000] if scene.stem == "figure-14" and not arguments.quick else [])
         for count in counts:
             document = run(arguments.program, scene, count)

@@ -15,7 +15,7 @@ use crate::scene::{Key, Range};
 ///
 /// ```
 /// use impact_pair::periodic::bifurcation::over;
-/// assert_eq!(over("amplitude=0.3..0.5")?.low.text(), "0.3");
+/// assert_eq!(over("amplitude=0.3..0.5")?.low().text(), "0.3");
 /// assert!(over("gap=2..3:4").is_err() && over("start.velocity=1..2").is_err());
 /// # Ok::<(), impact_pair::Error>(())
 /// ```
