@@ -101,22 +101,62 @@ fn r49_a_graze_of_an_orbit_of_three_impacts_is_not_symmetric() {
 /// (`th_g = 0`, Lemma W3), and the velocity is 0 at `A = d/2`, whatever the range.
 #[test]
 fn r62_without_restitution_branches_end_where_the_ball_begins_to_rest() {
-    let of = |over: &str, gap: &str| {
-        let scene = SCENE.replace("0.8", "0").replace("gap = 1", &format!("gap = {gap}"));
-        let scene = Scene::parse(&scene.replace("0.36", "1.7")).unwrap();
-        let diagram_settings =
-            DiagramSettings { over: over.parse().unwrap(), doublings: 1, precision: Precision::default() };
-        survey(scene.pair(), scene.start(), (&"RL".parse().unwrap(), 1), &diagram_settings, &Unwatched).unwrap()
-    };
     for over in ["amplitude=1..6", "amplitude=1.5..5"] {
-        let diagram = of(over, "6.3");
+        let diagram = of_hard_walls(["1.7", "6.3", "0"], over);
         assert_eq!(kinds(&diagram), [(Kind::Fold, 0), (Kind::Graze, 0), (Kind::Graze, 0)]);
         assert!(diagram.is_certified() && diagram.branches.len() == 1 && diagram.branches[0].is_proved);
         assert_eq!(diagram.branches[0].ends, [End::At(Kind::Graze); 2]);
+        assert_eq!(diagram.branches[0].range, [0, 2].map(|i: usize| diagram.points[i].parameter.mid_rad().0));
         for (point, form) in diagram.points.iter().zip(["1/sqrt(4 + pi^2)", "1/pi", "1/2"]) {
             assert!(point.parameter.contains_enclosure(&Exact::parse(form).unwrap().enclose(300)), "{form}");
         }
         assert_eq!(diagram.points[0].orbit.as_ref().unwrap().physical, Some(true));
+    }
+}
+
+/// The branches of RL in one period for an amplitude, a gap and a restitution.
+fn of_hard_walls([amplitude, gap, restitution]: [&str; 3], over: &str) -> Diagram {
+    let scene = SCENE.replace("0.8", restitution).replace("gap = 1", &format!("gap = {gap}"));
+    let scene = Scene::parse(&scene.replace("0.36", amplitude)).unwrap();
+    let diagram_settings =
+        DiagramSettings { over: over.parse().unwrap(), doublings: 1, precision: Precision::default() };
+    survey(scene.pair(), scene.start(), (&"RL".parse().unwrap(), 1), &diagram_settings, &Unwatched).unwrap()
+}
+
+/// The graze lies within a step of the end of the range: beyond `e = 0` nothing is a motion, but an orbit may seem to be one.
+#[test]
+fn a_graze_just_before_the_end_of_the_range_is_found() {
+    for over in ["restitution=0..1", "restitution=0..0.5", "restitution=1e-6..1", "restitution=0..0.3"] {
+        let diagram = of_hard_walls(["1", "3", "0"], over);
+        assert_eq!(kinds(&diagram), [(Kind::Graze, 0)], "{over}");
+        let graze = diagram.points[0].parameter.mid_rad().0;
+        assert_abs_diff_eq!(graze, 0.000_916_946_148_03, epsilon = QUOTIENT);
+        assert!(diagram.is_certified() && diagram.branches.iter().all(|branch| branch.is_proved), "{over}");
+        let grazing = |ends: [End; 2]| ends.contains(&End::At(Kind::Graze));
+        assert!(diagram.branches.iter().any(|branch| grazing(branch.ends) && branch.range[0] == graze), "{over}");
+    }
+}
+
+/// Doubles do not tell the least distance after the start from the start itself: it is no graze where the ball is accelerated away. Each of the
+/// three bifurcations differs from that of `e = 0` by less than the tolerance.
+#[test]
+fn a_flight_that_all_but_starts_at_rest_does_not_graze_its_start() {
+    for restitution in ["1e-20", "1e-17", "1e-16", "1e-14", "1e-12"] {
+        let diagram = of_hard_walls(["1", "3", restitution], "gap=0.5..8");
+        let [graze, fold] = &diagram.points[..] else { panic!("{restitution}: {:?}", diagram.points) };
+        assert_eq!([graze.kind, fold.kind], [Kind::Graze, Kind::Fold]);
+        assert_abs_diff_eq!(graze.parameter.mid_rad().0, 0.5, epsilon = QUOTIENT);
+        assert_abs_diff_eq!(1.0 / fold.parameter.mid_rad().0, 3.724_191_778_237, epsilon = QUOTIENT);
+        // Where a touch is this near to the start, it is not proved, but it is not passed over.
+        let [other] = &diagram.unproved[..] else { panic!("{restitution}: {:?}", diagram.unproved) };
+        assert_abs_diff_eq!(1.0 / other.near, std::f64::consts::PI, epsilon = 1e-4);
+        assert_eq!(diagram.branches[0].ends, [End::At(Kind::Graze); 2]);
+    }
+    for over in ["gap=3.141587..3.141590", "gap=3.1..3.2", "gap=0.5..8"] {
+        let diagram = of_hard_walls(["1", "3", "1e-12"], over);
+        let [other] = &diagram.unproved[..] else { panic!("{over}: {:?}", diagram.unproved) };
+        assert_abs_diff_eq!(1.0 / other.near, 3.141_588_034_785, epsilon = QUOTIENT);
+        assert!(!diagram.is_certified());
     }
 }
 

@@ -121,7 +121,9 @@ impl<S: Varied> Survey<'_, S> {
     fn enqueue_branch(&mut self, ring: &Ring, x: Vec<f64>) {
         let mut along = vec![0.0; x.len()];
         along[x.len() - 1] = 1.0;
-        let Some(start) = Station::new(ring, &self.floats, x, &along) else { return };
+        // At a value where one of the harmonics vanishes, the orbit is that of the others, whose phases are counted otherwise.
+        let on_branch = correct(ring, &self.floats, &x, &along);
+        let Some(start) = on_branch.and_then(|x| Station::new(ring, &self.floats, x, &along)) else { return };
         let is_motion = start.tests.room.distance > MIN_ORBIT_SIZE && start.tests.arrival.0 > MIN_ORBIT_SIZE;
         if is_motion && !self.is_followed(ring, &start.x) {
             self.leads.push_back(Lead { ring: ring.clone(), start, step: 1e-3, doublings: 0, leaves: None });
@@ -167,12 +169,13 @@ impl<S: Varied> Survey<'_, S> {
             let mut whole: Vec<Station> = Vec::new();
             for (end, from) in ends.iter_mut().zip(both_starts) {
                 let path = follow(&lead.ring, &self.floats, (from, lead.step), self.range, self.watch);
-                for station in &path.stations {
-                    range = [range[0].min(station.parameter()), range[1].max(station.parameter())]; // shown
-                }
                 whole.reverse();
                 whole.extend(path.stations.iter().skip(usize::from(!whole.is_empty())).cloned());
-                *end = self.prove_changes(&lead, &path);
+                let (its_end, met) = self.prove_changes(&lead, &path);
+                *end = its_end;
+                for p in path.within().iter().map(Station::parameter).chain(met) {
+                    range = [range[0].min(p), range[1].max(p)]; // shown
+                }
                 self.followed.push((lead.ring.clone(), path));
                 if *end == End::Closed {
                     break;
@@ -188,9 +191,9 @@ impl<S: Varied> Survey<'_, S> {
         }
     }
 
-    /// Proves what a path met, takes up what leaves it; how it ends.
-    fn prove_changes(&mut self, lead: &Lead, path: &Path) -> End {
-        let mut last = None;
+    /// Proves what a path met, takes up what leaves it; how it ends, and the parameter at each change.
+    fn prove_changes(&mut self, lead: &Lead, path: &Path) -> (End, Vec<f64>) {
+        let (mut last, mut met) = (None, Vec::new());
         for (change, x) in &path.changes {
             let joined = match change {
                 Change::Join => half_of(&lead.ring, x),
@@ -213,9 +216,13 @@ impl<S: Varied> Survey<'_, S> {
                 .goes_on()
                 .then(|| prove(&self.setting, &ring, (change, &x), self.diagram_settings.precision));
             match proved.flatten() {
-                Some(point) => self.enter(Point { doublings, ..point }),
+                Some(point) => {
+                    met.push(point.parameter.mid_rad().0);
+                    self.enter(Point { doublings, ..point });
+                }
                 None => {
                     let near = x[x.len() - 1];
+                    met.push(near);
                     self.diagram.unproved.push(Unproved { kind, near, word: ring.word() });
                 }
             }
@@ -224,13 +231,14 @@ impl<S: Varied> Survey<'_, S> {
                 self.take_up(&ring, &x, kind, doublings);
             }
         }
-        match path.stop {
+        let end = match path.stop {
             Stop::Range => End::Range,
             Stop::Loop => End::Closed,
             Stop::Change => last.map_or(End::Lost, End::At),
             Stop::Lost => End::Lost,
             Stop::Interrupted => End::Interrupted,
-        }
+        };
+        (end, met)
     }
 
     /// Lists a point once, if it may lie in the range.

@@ -1,6 +1,6 @@
 //! The boxes that a branch runs through: one for each value of what varies.
 
-use std::f64::consts::TAU;
+use std::f64::consts::{PI, TAU};
 
 use num_bigint::BigInt;
 
@@ -38,8 +38,8 @@ pub(super) trait Varied: Chained {
     /// The same parameters with constants for jets.
     fn jets<N: PhaseNumber>(base: &Self::In<N>) -> Self::In<Jet<N>>;
 
-    /// Phases inside a flight, which starts at one, at which it is as fast as the box, and how far that has moved by then. The start, where every
-    /// flight is as fast as the box if `e = 0`, is none of them. It proposes.
+    /// Phases inside a flight, which starts at one, at which it is as fast as the box, and how far that has moved by then, in order. By rounding
+    /// the start may be one of them: where `e` is small, every flight starts about as fast as the box. It proposes.
     fn summits(floats: &Self::In<f64>, flight: &Leg<f64>, from: &Moment<Self, f64>, start: f64) -> Vec<(f64, f64)>;
 }
 
@@ -93,7 +93,7 @@ impl Varied for OneHarmonic {
     }
 
     /// The phases at which `cos th` is the drift over the greatest speed of the box.
-    fn summits(pair: &Reduced<f64>, flight: &Leg<f64>, from: &(f64, f64), start: f64) -> Vec<(f64, f64)> {
+    fn summits(pair: &Reduced<f64>, flight: &Leg<f64>, _: &(f64, f64), start: f64) -> Vec<(f64, f64)> {
         let q = flight.drift / pair.beta;
         if q.abs() > 1.0 || flight.time > MAX_PERIODS {
             return Vec::new();
@@ -103,10 +103,10 @@ impl Varied for OneHarmonic {
         let first = (start - 1.0).floor() as i64; // proposes
         let last = (end + 1.0).ceil() as i64; // proposes
         let all = (first..=last).flat_map(|n| [n as f64 - a, n as f64 + a]); // proposes
-        let nearest = all.clone().min_by(|a, b| (a - start).abs().total_cmp(&(b - start).abs())); // proposes
-        let own = nearest.filter(|_| pair.restitution == 0.0); // proposes: the start, up to rounding
-        let inside = all.filter(|&s| s > start && s < end && Some(s) != own); // proposes
-        inside.map(|s| (s, pair.alpha * ((TAU * s).sin() - from.0))).collect()
+        let inside = all.filter(|&s| s > start && s < end); // proposes
+        // A product: soon after the start the difference of sines is little more than rounding.
+        let shift = |s: f64| 2.0 * pair.alpha * (PI * (s + start)).cos() * (PI * (s - start)).sin();
+        inside.map(|s| (s, shift(s))).collect()
     }
 }
 
@@ -155,11 +155,7 @@ impl Varied for SeveralHarmonics {
         let velocity = |s: f64| sum.relative(&flight.drift, &sum.moment(0.0, &s));
         let count = (PIECES * flight.time).ceil() + 1.0; // proposes
         let ends = (0..=count as u32).map(|i| start + flight.time * f64::from(i) / count); // proposes
-        let mut known: Vec<(f64, f64)> = ends.map(|s| (s, velocity(s))).collect();
-        // proposes: what leaves without velocity, up to rounding, has the sign of its acceleration next
-        if sum.restitution == 0.0 {
-            known[0].1 = sum.acceleration(from);
-        }
+        let known: Vec<(f64, f64)> = ends.map(|s| (s, velocity(s))).collect();
         let halved = |ends: &[(f64, f64)]| {
             let rises = ends[0].1 < 0.0;
             let [low, high] = (0..HALVINGS).fold([ends[0].0, ends[1].0], |[low, high], _| {

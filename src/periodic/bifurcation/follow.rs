@@ -48,6 +48,13 @@ pub(super) struct Path {
     pub stop: Stop,
 }
 
+impl Path {
+    /// Returns the stations on the branch: at a change that ends it, the last one lies beyond.
+    pub fn within(&self) -> &[Station] {
+        &self.stations[..self.stations.len() - usize::from(self.stop == Stop::Change)]
+    }
+}
+
 /// Stations of a path at most.
 const MOST_STATIONS: usize = 20_000;
 /// The longest step, the shortest one, and the longest in parts of the range.
@@ -87,12 +94,18 @@ pub(super) fn follow<S: Varied>(
             size *= 0.5;
             continue;
         }
+        // Beyond the range nothing is requested, and next to e = 0 nothing is a motion: the last station is at the end of the range.
+        let end = next.parameter().clamp(low, high);
+        let left = end != next.parameter();
+        if left && end == last.parameter().clamp(low, high) {
+            path.stop = Stop::Range;
+            break;
+        }
+        let Some(next) = (if left { at_parameter(ring, family, [last, &next], end) } else { Some(next) }) else {
+            size *= 0.5;
+            continue;
+        };
         let ended = note(ring, family, last, &next, &mut path.changes);
-        let left = !(low..=high).contains(&next.parameter());
-        let known = path.changes.len();
-        // Beyond the range nothing is requested.
-        path.changes.retain(|(_, x)| (low..=high).contains(&x[x.len() - 1]));
-        let ended = ended && !(left && path.changes.len() < known);
         let looped = path.stations.len() > 3 && is_back(&path.stations[0], last, &next);
         path.stations.push(next);
         if ended || left || looped {
@@ -117,6 +130,18 @@ fn advance<S: Varied>(ring: &Ring, family: &Family<S, f64>, from: &Station, size
     Some((next, cosine))
 }
 
+/// The station at a value of the parameter between those of two stations.
+fn at_parameter<S: Varied>(ring: &Ring, family: &Family<S, f64>, [a, b]: [&Station; 2], value: f64) -> Option<Station> {
+    let part = (value - a.parameter()) / (b.parameter() - a.parameter());
+    let between = |(a, b): (&f64, &f64)| part.mul_add(b - a, *a);
+    let mut guess: Vec<f64> = a.x.iter().zip(&b.x).map(between).collect();
+    let mut across = vec![0.0; guess.len()];
+    (*guess.last_mut()?, *across.last_mut()?) = (value, 1.0);
+    let mut x = correct(ring, family, &guess, &across)?;
+    *x.last_mut()? = value;
+    Station::new(ring, family, x, &a.tangent)
+}
+
 /// Notes what changes sign between two stations; whether the branch ends there.
 fn note<S: Varied>(
     ring: &Ring,
@@ -133,7 +158,8 @@ fn note<S: Varied>(
         return true;
     }
     let bend = |tests: &Tests| tests.bend.0;
-    if bend(&b.tests) <= 0.0 {
+    // Where e falls to 0 on the way, an acceleration towards the wall has let a flight come back to it before: a graze.
+    if bend(&a.tests).is_finite() && bend(&b.tests) <= 0.0 {
         let at = locate(ring, family, a, b, bend);
         changes.push((Change::Release(at.tests.bend.1), at.x));
         return true;
@@ -171,8 +197,9 @@ fn locate<S: Varied>(
     let (mut a, mut b) = (a.clone(), b.clone());
     for i in 0..HALVINGS {
         let (at_a, at_b) = (test(&a.tests), test(&b.tests));
-        let secant = (at_a / (at_a - at_b)).clamp(0.02, 0.98);
-        let part = if i % 3 == 2 { 0.5 } else { secant };
+        let secant = at_a / (at_a - at_b);
+        // There is no secant where a test is infinite: a flight without extrema has all the room.
+        let part = if i % 3 == 2 || secant.is_nan() { 0.5 } else { secant.clamp(0.02, 0.98) };
         let chord: Vec<f64> = a.x.iter().zip(&b.x).map(|(a, b)| b - a).collect();
         let guess: Vec<f64> = a.x.iter().zip(&chord).map(|(a, c)| part.mul_add(*c, *a)).collect();
         let corrected = correct(ring, family, &guess, &chord);

@@ -4,6 +4,7 @@
 
 use nalgebra::DVector;
 
+use super::super::chained::Moment;
 use super::super::entries::Entries;
 use super::super::shaking::Shaking;
 use super::family::{Family, Varied};
@@ -162,10 +163,16 @@ impl Tests {
         let bend = (0..ring.unknowns()).map(|i| (away(i), i)).min_by(|a, b| a.0.total_cmp(&b.0))?;
         let mut room = Nearest { distance: f64::INFINITY, leg: 0, wall: Wall::Left, phase: 0.0 };
         for (i, leg) in legs.legs.iter().enumerate().take(ring.unknowns()) {
-            let height = -chain.walls()[i].sign() / 2.0;
-            for (s, shift) in S::summits(&pair, leg, &legs.waves[i], lifted[i]) {
-                let y = height + leg.drift * (s - lifted[i]) - shift;
-                let (distance, wall) = (0.5 - y.abs(), if y > 0.0 { Wall::Right } else { Wall::Left });
+            let own = chain.walls()[i];
+            // The ball leaves with no velocity towards the wall: where it is accelerated away from it, its distance has a maximum first, and a
+            // minimum before is the start itself, which doubles do not tell apart where e is small.
+            let is_bent_away = |at: &Moment<S, f64>| own.inward(pair.acceleration(at)) > 0.0;
+            let leaves = is_bent_away(&legs.waves[i]);
+            let is_start = |s: f64| leaves && is_bent_away(&pair.moment(0.0, &s));
+            let summits = S::summits(&pair, leg, &legs.waves[i], lifted[i]);
+            for (s, shift) in summits.into_iter().skip_while(|(s, _)| is_start(*s)) {
+                let height = own.inward(leg.drift * (s - lifted[i]) - shift);
+                let (distance, wall) = if height < 0.5 { (height, own) } else { (1.0 - height, own.other()) };
                 if distance < room.distance {
                     room = Nearest { distance, leg: i, wall, phase: s };
                 }
