@@ -160,6 +160,14 @@ fn conclusion(diagram: &Diagram) -> String {
         return format!("interrupted: {points} so far; some branches were not followed, or not to their ends");
     }
     let certified = if diagram.is_certified() { "certified: " } else { "undecided: " };
-    let hint = if diagram.is_certified() { "" } else { "; try a narrower --over, or more --max-bits" };
+    let is_lost = diagram.branches.iter().any(|branch| branch.ends.contains(&End::Lost));
+    let is_wide = diagram.points.iter().any(|point| !(point.is_narrow && point.is_decided()));
+    // Of a change of sign that is not proved, nothing is known to help.
+    let hint = match (is_lost, is_wide) {
+        (true, true) => "; try a narrower --over, or more --max-bits",
+        (true, false) => "; try a narrower --over",
+        (false, true) => "; try more --max-bits",
+        (false, false) => "",
+    };
     format!("{certified}{points}; others are not excluded (branches are found and followed in floating point){hint}")
 }
