@@ -14,8 +14,8 @@ from pathlib import Path
 from mkdocs.structure.files import File
 
 ROOT = Path(__file__).resolve().parent.parent
-OUTSIDE = ["README.md", "CONTRIBUTING.md", "DESIGN.md", "CHANGELOG.md", "CITATION.cff", "LICENSE-*", "python/README.md", "data/README.md", "python/notebooks/*.ipynb", "scenes/*.toml",
-           "validation/*/README.md", "validation/report/*.md", "validation/report/*.svg"]
+OUTSIDE = ["README.md", "CONTRIBUTING.md", "DESIGN.md", "CHANGELOG.md", "SECURITY.md", "CITATION.cff", "LICENSE-*", "python/README.md", "data/README.md", "python/notebooks/*.ipynb", "scenes/*.toml",
+           "validation/README.md", "validation/*/README.md", "validation/report/*.md", "validation/report/*.svg"]
 LINK = re.compile(r'\[((?:[^\[\]]|\[[^\]]*\])*)\]\(([^()\s:#]+)(#[^()\s]*)?\)')
 # Pictures of a given width, as the gallery has them.
 PICTURE = re.compile(r'(<img src=")([^":]+)(")')

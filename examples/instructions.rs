@@ -1,4 +1,4 @@
-//! Follows a figure's orbit and prints how many impacts there were: what `validation/instructions` counts.
+//! Follows a figure's orbit and prints how many impacts there were: what `validation/scripts/instructions` counts.
 //!
 //! `instructions ARITHMETIC FIGURE IMPACTS [gap]`; `gap` starts figure 12 inside the gap instead of on the wall.
 

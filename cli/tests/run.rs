@@ -1,7 +1,7 @@
 //! Snapshots of stdout, stderr and exit code together.
 //!
 //! Digits that depend on how well the arithmetic rounds are left out: containment is tested where it is proved.
-//! `INSTA_UPDATE=always cargo test -p impact-pair-cli` rewrites them; look at the difference before committing it.
+//! `INSTA_UPDATE=always validation/test --test cli` rewrites them; look at the difference before committing it.
 
 use crate::common;
 use crate::common::{UNCERTAIN, program, run, snapshots};

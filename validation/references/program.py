@@ -49,5 +49,5 @@ def certify(program: str, scene: Scene, impacts: int, digits: int, until: str | 
 
 def costs(program: str, scene: Scene, impacts: int) -> dict[str, float]:
     """Microseconds an impact of `trade`'s arithmetics float, interval and auto to 9 digits."""
-    rungs = {rung["name"]: rung for rung in ask(program, "trade", scene, "--impacts", str(impacts))["rungs"]}
-    return {name: rungs[name]["microseconds_per_impact"]["orbit"] for name in ("float", "interval", "auto, 9 digits")}
+    found = {row["name"]: row for row in ask(program, "trade", scene, "--impacts", str(impacts))["arithmetics"]}
+    return {name: found[name]["microseconds_per_impact"]["orbit"] for name in ("float", "interval", "auto, 9 digits")}

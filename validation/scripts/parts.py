@@ -18,7 +18,7 @@ from collections import namedtuple
 from concurrent.futures import FIRST_COMPLETED, ThreadPoolExecutor, wait
 from pathlib import Path
 
-ROOT = Path(__file__).resolve().parent.parent
+ROOT = Path(__file__).resolve().parent.parent.parent
 TARGET = Path(os.environ.get("CARGO_TARGET_DIR", ROOT / "target")).resolve()
 STATE = ROOT / "target" / "validation-parts"
 # One profile for tests, truth and command line: optimised, with the checks of a debug build.
@@ -80,10 +80,10 @@ PARTS = [
     cargo("formatting", FORM),
     cargo("program", f"cargo build {ALL} --bin impact-pair {BUILT}", after=("formatting",))._replace(inputs=()),
     Part("library", *2 * ("validation/coq/library",), inputs=("validation/coq",)),
-    Part("python", *2 * ("validation/environment",), inputs=()),
-    Part("kernel", "validation/kernel/prove --quick", "validation/kernel/prove", inputs=("src/number/kernel.rs", "validation/kernel", "validation/proving.py")),
+    Part("python", *2 * ("validation/scripts/environment",), inputs=()),
+    Part("kernel", "validation/kernel/prove --quick", "validation/kernel/prove", inputs=("src/number/kernel.rs", "validation/kernel", "validation/scripts/proving.py")),
     Part("bounds", "validation/bounds/prove --quick", "validation/bounds/prove",
-         inputs=("src/number", "src/contact", "src/flight.rs", "validation/bounds", "validation/proving.py")),
+         inputs=("src/number", "src/contact", "src/flight.rs", "validation/bounds", "validation/scripts/proving.py")),
     cargo("tests", QUICK,
           f"{MANY} {TEST} --features png,pdf,parquet --lib --bins --tests -- --include-ignored && {TEST} --doc"
           f" && cargo test {' '.join(PROFILE)} -p impact-pair -p impact-pair-tests -p impact-pair-cli --no-default-features"
@@ -96,26 +96,27 @@ PARTS = [
           f"{LINT} --all-targets -- -D warnings && {LINT} --all-targets --features png,pdf,parquet -- -D warnings"
           f" && cargo clippy {' '.join(PROFILE)} --all-targets -p impact-pair -p impact-pair-cli --no-default-features -- -D warnings", ("tests",)),
     cargo("no C", NO_C, f"{NO_C} && cargo test {' '.join(PROFILE)} -p impact-pair-tests --no-default-features --test library", after=("lints",)),
-    cargo("dependent", "validation/dependent --quick", "validation/dependent", after=("lints",)),
+    cargo("dependent", "validation/scripts/dependent --quick", "validation/scripts/dependent", after=("lints",)),
+    cargo("commands", "validation/scripts/commands", after=("lints",)),
     # Benches have no examples, and criterion is built for nothing else.
-    cargo("documentation", f"RUSTDOC=$PWD/validation/rustdoc {TEST} --doc --exclude impact-pair-benches",
+    cargo("documentation", f"RUSTDOC=$PWD/validation/scripts/rustdoc {TEST} --doc --exclude impact-pair-benches",
           f"RUSTDOCFLAGS='-D warnings' cargo doc {ALL} --no-deps --quiet", ("lints",)),
-    cargo("instructions", "validation/instructions --profile validation", "validation/instructions", after=("tests",)),
+    cargo("instructions", "validation/scripts/instructions --profile validation", "validation/scripts/instructions", after=("tests",)),
     Part("scenes", *2 * (f'for scene in scenes/*.toml; do "$IMPACT_PAIR" run "$scene" --quiet --format csv >/dev/null || exit 1; done; {RUN_EXAMPLES}',),
          ("program",), inputs=(*SOURCES, "examples")),
     Part("gallery", "docs/gallery/make --check --quick", "docs/gallery/make --check", ("program",), inputs=(*SOURCES, "docs")),
     Part("stability", *2 * ("docs/stability/make --check",), ("program",), inputs=(*SOURCES, "docs")),
-    Part("manual", f"{MANUAL} && validation/transcripts", f"{MANUAL} && validation/transcripts --full", ("program", "python")),
+    Part("manual", f"{MANUAL} && validation/scripts/transcripts", f"{MANUAL} && validation/scripts/transcripts --full", ("program", "python")),
     *map(by_program, ["arb", "closed_forms", "references", "certificates", "cycles"]),
     by_program("coq")._replace(after=("program", "library")),
     by_program("coq/verified", "validation/coq")._replace(
         name="verified", full="validation/coq/verified/run --forged target/forged --report $REPORT", after=("program", "library", "tests")),
     by_program("paper", "docs"),
     by_program("audits", "validation/references"),
-    Part("data", *2 * ('"$(validation/environment)" -B data/make --check && "$(validation/environment)" -B -m unittest discover -s data',),
+    Part("data", *2 * ('"$(validation/scripts/environment)" -B data/make --check && "$(validation/scripts/environment)" -B -m unittest discover -s data',),
          ("program", "python"), False, (*SOURCES, "data", "validation/references", "validation/requirements.txt")),
     cargo("package", "python/test", "python/test --full", ("lints", "verified")),
-    cargo("mutations", "validation/mutations --quick --report $REPORT", "validation/mutations --report $REPORT",
+    cargo("mutations", "validation/scripts/mutations --quick --report $REPORT", "validation/scripts/mutations --report $REPORT",
           ("tests", "python", "instructions")),
 ]
 
@@ -125,7 +126,8 @@ CRATES = {"src": "impact-pair", "cli": "impact-pair-cli", "fuzz": "impact-pair-f
           **{f"crates/{name}": f"impact-pair-{name}" for name in ("certificate", "document", "exact", "model", "plot")}}
 LIBRARY = {"src", "crates/exact", "crates/model"}
 CHECKER = {"crates/certificate", "crates/document", "crates/exact", "crates/model"}
-COMMANDS = {"cli", "crates/plot", "crates/document", *LIBRARY}
+COMMANDS = {"cli", "crates/plot", "docs/schemas", *CHECKER, *LIBRARY}
+PYTHON = "validation/scripts/venv target/python-venv python/requirements.txt && PATH=$PWD/target/python-venv/bin:$PATH && ruff check --quiet python && ruff format --quiet --check python && cd python && mypy"
 
 
 def changed():
@@ -139,34 +141,37 @@ def changed():
 def fast_parts():
     """Formatting, what the compiler says, and the tests that concern the change since main."""
     files = changed()
-    touched = {folder for folder in CRATES if any(file.startswith(f"{folder}/") for file in files)}
-    targets, wanted = ["--lib"], [f"package({CRATES[folder]}) & kind(lib)" for folder in sorted(touched)]
+    parts = [cargo("formatting", FORM)._replace(inputs=())]
+    if any(file.startswith("python/") for file in files):
+        parts.append(Part("python", *2 * (PYTHON,), inputs=()))
+    touched = {folder for folder in (*CRATES, "docs/schemas") if any(file.startswith(f"{folder}/") for file in files)}
+    wanted = [f"package({CRATES[folder]}) & kind(lib)" for folder in sorted(touched & set(CRATES))]
+    targets = ["--lib"] * bool(wanted)
     for folders, executable, tests in [
         (LIBRARY, "library", "/^(arrows|labels|soundness)::/"),
         (LIBRARY, "truth", "/^crossings::no_answer/"),
         (CHECKER, "recorded", "/every_value/"),
-        (COMMANDS, "cli", "/^(audit|output|periodic|run|two_impact)::|^help::every_verb/"),
+        (COMMANDS, "cli", "/^(audit|certificates|output|periodic|plot|run|schemas|two_impact)::|^help::every_verb/"),
     ]:
         if touched & folders:
             targets.append(f"--test {executable}")
             wanted.append(f"binary({executable}) & test({tests})")
-    form = cargo("formatting", FORM)._replace(inputs=())
-    if not touched:
-        return [form]
-    chosen = " | ".join(f"({one})" for one in wanted)
-    # Incremental: a change of a line is not a build of the library; in files of their own, beside those of all other parts.
-    tests = (f"CARGO_INCREMENTAL=1 CROSSINGS_CASES=${{CROSSINGS_CASES:-300}} cargo nextest run --cargo-profile validation --workspace {GMP}"
-             f" {' '.join(targets)} --status-level fail -E '{chosen}'")
-    if not shutil.which("cargo-nextest"):
-        tests = f"{TEST} --lib && {TEST} --test library soundness:: && {TEST} --test cli run::"
-    return [form, cargo("tests", tests)._replace(inputs=())]
+    if wanted:
+        chosen = " | ".join(f"({one})" for one in wanted)
+        # Incremental: a change of a line is not a build of the library; in files of their own, beside those of all other parts.
+        tests = (f"CARGO_INCREMENTAL=1 CROSSINGS_CASES=${{CROSSINGS_CASES:-300}} cargo nextest run --cargo-profile validation --workspace {GMP}"
+                 f" {' '.join(targets)} --status-level fail -E '{chosen}'")
+        if not shutil.which("cargo-nextest"):
+            tests = f"{TEST} --lib && {TEST} --test library soundness:: && {TEST} --test cli run::"
+        parts.append(cargo("tests", tests)._replace(inputs=()))
+    return parts
 
 
 def stamp(part, full):
     """A file that is there once the part has passed with these inputs and tools; the full run is whole, and so is one of tests of one's own."""
     if full or not part.inputs or any(name.endswith(("_CASES", "_SEED", "_MULTIPLIER")) for name in os.environ):
         return None
-    listed = ["git", "ls-files", "-z", "--cached", "--others", "--exclude-standard", "--", *part.inputs, "validation/parts.py"]
+    listed = ["git", "ls-files", "-z", "--cached", "--others", "--exclude-standard", "--", *part.inputs, "validation/scripts/parts.py"]
     names = subprocess.run(listed, cwd=ROOT, check=True, capture_output=True).stdout.split(b"\0")
     digest = hashlib.sha256(TOOLS.encode())
     for name in sorted(filter(None, names)):
