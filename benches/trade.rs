@@ -1,7 +1,7 @@
 //! Costs of accuracy, by criterion: `cargo bench --bench trade`.
 //!
-//! Orbit steps on the rungs of `impact-pair trade`, for figures 12 (periodic) and 14 (chaotic). Ids are
-//! `trade/FIGURE/RUNG`; throughput counts the impacts that the rung reaches.
+//! Orbit steps in the arithmetics of `impact-pair trade`, for figures 12 (periodic) and 14 (chaotic). Ids are
+//! `trade/FIGURE/ARITHMETIC`; throughput counts the impacts that are reached.
 
 #![allow(missing_docs)] // the macros below make a public function
 

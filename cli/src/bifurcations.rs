@@ -159,6 +159,9 @@ fn conclusion(diagram: &Diagram) -> String {
     if diagram.interrupted {
         return format!("interrupted: {points} so far; some branches were not followed, or not to their ends");
     }
+    if diagram.points.is_empty() && diagram.is_certified() {
+        return "no bifurcation found, none excluded (branches are found and followed in floating point)".into();
+    }
     let certified = if diagram.is_certified() { "certified: " } else { "undecided: " };
     let is_lost = diagram.branches.iter().any(|branch| branch.ends.contains(&End::Lost));
     let is_wide = diagram.points.iter().any(|point| !(point.is_narrow && point.is_decided()));

@@ -51,8 +51,8 @@ pub fn whole(range: RangeInclusive<u32>) -> impl Fn(&str) -> Result<u32, String>
 /// Reads how many: a whole number of this range.
 pub fn count(range: RangeInclusive<u64>) -> impl Fn(&str) -> Result<u64, String> + Clone {
     let accepted = match range.clone().into_inner() {
-        (least, u64::MAX) => format!("accepted are whole numbers from {least} on"),
-        (least, most) => format!("accepted are whole numbers from {least} to {most}"),
+        (least, u64::MAX) => format!("accepted is a whole number, {least} or greater"),
+        (least, most) => format!("accepted is a whole number from {least} to {most}"),
     };
     move |text| match text.parse() {
         Ok(number) if range.contains(&number) => Ok(number),

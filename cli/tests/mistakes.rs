@@ -114,7 +114,7 @@ fn r35_files_in_each_others_places_are_named() {
 
 #[test]
 fn r35_numbers_that_are_none_say_what_is_accepted() {
-    assert!(error_of(&["run", SCENE, "--digits", "abc"]).contains("accepted are whole numbers from 1 to 400"));
+    assert!(error_of(&["run", SCENE, "--digits", "abc"]).contains("accepted is a whole number from 1 to 400"));
     let unit = error_of(&["run", SCENE, "--until", "2 s"]);
     assert!(
         unit.contains("numbers are in the units of the scene and have none of their own: did you mean 2?"),
@@ -135,24 +135,24 @@ fn r35_negative_numbers_are_values_of_their_options() {
         );
     };
     for (verb, option, accepted) in [
-        ("run", "--impacts", "accepted are whole numbers from 0 on"),
-        ("run", "--digits", "accepted are whole numbers from 1 to 400"),
-        ("run", "--splice", "accepted are whole numbers from 0 on"),
-        ("run", "--max-bits", "accepted are whole numbers from 64 to 1000000000"),
-        ("describe", "--impacts", "accepted are whole numbers from 1 to 100000000"),
-        ("describe", "--depth", "accepted are whole numbers from 1 to 64"),
-        ("periodic", "--cycles", "accepted are whole numbers from 1 to 1000000"),
-        ("bifurcations", "--doublings", "accepted are whole numbers from 0 to 8"),
-        ("trap", "--finer", "accepted are whole numbers from 0 to 6"),
-        ("chaos", "--depth", "accepted are whole numbers from 1 to 64"),
-        ("chaos", "--halvings", "accepted are whole numbers from 0 to 24"),
+        ("run", "--impacts", "accepted is a whole number, 0 or greater"),
+        ("run", "--digits", "accepted is a whole number from 1 to 400"),
+        ("run", "--splice", "accepted is a whole number, 0 or greater"),
+        ("run", "--max-bits", "accepted is a whole number from 64 to 1000000000"),
+        ("describe", "--impacts", "accepted is a whole number from 1 to 100000000"),
+        ("describe", "--depth", "accepted is a whole number from 1 to 64"),
+        ("periodic", "--cycles", "accepted is a whole number from 1 to 1000000"),
+        ("bifurcations", "--doublings", "accepted is a whole number from 0 to 8"),
+        ("trap", "--finer", "accepted is a whole number from 0 to 6"),
+        ("chaos", "--depth", "accepted is a whole number from 1 to 64"),
+        ("chaos", "--halvings", "accepted is a whole number from 0 to 24"),
         ("cycles", "--impacts", "accepted is an integer from 1 to 64"),
-        ("sweep", "--transient", "accepted are whole numbers from 0 to "),
-        ("trade", "--impacts", "accepted are whole numbers from 1 on"),
+        ("sweep", "--transient", "accepted is a whole number from 0 to "),
+        ("trade", "--impacts", "accepted is a whole number, 1 or greater"),
         ("two-impact", "--cycles", "accepted is an integer from 1 to "),
-        ("plot", "--cycles", "accepted are whole numbers from 1 to 10000"),
-        ("check", "--effort", "accepted are whole numbers from 1 on"),
-        ("prove", "--impacts", "accepted are whole numbers from 1 on"),
+        ("plot", "--cycles", "accepted is a whole number from 1 to 10000"),
+        ("check", "--effort", "accepted is a whole number, 1 or greater"),
+        ("prove", "--impacts", "accepted is a whole number, 1 or greater"),
         ("audit", "--tolerance", "-5"),
     ] {
         assert_refusal(&[verb, SCENE, option, "-5"], option, accepted);
@@ -176,24 +176,24 @@ fn r35_a_missing_table_names_its_line() {
 #[test]
 fn i58_numbers_say_what_is_accepted() {
     for (verb, option, accepted) in [
-        ("run", "--max-bits", "from 64 to 1000000000"),
-        ("periodic", "--cycles", "from 1 to 1000000"),
-        ("bifurcations", "--doublings", "from 0 to 8"),
-        ("plot", "--orbit-cycles", "from 1 to 10000"),
-        ("plot", "--transient", "from 0 to 4294967295"),
-        ("plot", "--splice", "from 0 on"),
-        ("trap", "--words", "from 1 to 1000"),
-        ("chaos", "--halvings", "from 0 to 24"),
-        ("global", "--boxes", "from 8 to 20"),
-        ("atlas", "--halvings", "from 0 to 40"),
-        ("sweep", "--threads", "from 1 to 4096"),
+        ("run", "--max-bits", " from 64 to 1000000000"),
+        ("periodic", "--cycles", " from 1 to 1000000"),
+        ("bifurcations", "--doublings", " from 0 to 8"),
+        ("plot", "--orbit-cycles", " from 1 to 10000"),
+        ("plot", "--transient", " from 0 to 4294967295"),
+        ("plot", "--splice", ", 0 or greater"),
+        ("trap", "--words", " from 1 to 1000"),
+        ("chaos", "--halvings", " from 0 to 24"),
+        ("global", "--boxes", " from 8 to 20"),
+        ("atlas", "--halvings", " from 0 to 40"),
+        ("sweep", "--threads", " from 1 to 4096"),
     ] {
         for value in ["", "x", "1.5", "99999999999999999999999"] {
             let message = error_of(&[verb, SCENE, option, value]);
             let refused = format!("invalid value '{value}' for '{option}");
             let is_missing = value.is_empty() && message.contains(&format!("a value is required for '{option}"));
             assert!(message.contains(&refused) || is_missing, "{message}");
-            assert!(is_missing || message.contains(&format!("accepted are whole numbers {accepted}")), "{message}");
+            assert!(is_missing || message.contains(&format!("accepted is a whole number{accepted}")), "{message}");
         }
     }
     assert!(error_of(&["run", SCENE, "--max-bits", "1e5"]).contains("did you mean 100000?"));

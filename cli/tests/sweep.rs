@@ -156,7 +156,7 @@ fn ctrl_c_keeps_what_is_finished() {
     let answer = common::interrupted(sweep(&long).arg("--output").arg(&file), || lines() >= 5);
     assert_eq!(answer.status.code(), Some(1));
     let said = String::from_utf8(answer.stderr).unwrap();
-    assert!(said.starts_with(&format!("interrupted: {} points are kept in", lines() - 1)), "{said}");
+    assert!(said.starts_with(&format!("interrupted: {} points kept in", lines() - 1)), "{said}");
     assert!(!file.exists() && lines() < 152);
     assert_eq!(written_with(0, sweep(&long).arg("--resume"), &file), whole);
     assert_eq!(files(&folder), ["part.csv", "whole.csv"]);

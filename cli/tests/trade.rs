@@ -88,10 +88,10 @@ fn document_and_picture_are_written_atomically() {
 fn has_the_shape_of_a_trade(document: &Value) {
     assert_eq!(document["schema"], "impact-pair/trade/1");
     assert_eq!(document["scene"]["gap"], "9.42497");
-    assert_eq!(document["asked"]["impacts"], 120);
+    assert_eq!(document["requested"]["impacts"], 120);
     assert_eq!(document["units"]["velocity"], "A W");
     assert_eq!(document["interrupted"], Value::Null);
-    let rows = document["rungs"].as_array().unwrap();
+    let rows = document["arithmetics"].as_array().unwrap();
     let names: Vec<_> = rows.iter().map(|arithmetic| arithmetic["name"].as_str().unwrap()).collect();
     let auto = ["auto, 3 digits", "auto, 9 digits", "auto, 15 digits", "auto, 30 digits", "auto, 100 digits"];
     let bits: &[&str] = if cfg!(feature = "multiprecision") { &["64 bits", "128 bits"] } else { &[] };
@@ -123,7 +123,10 @@ fn has_the_shape_of_a_trade(document: &Value) {
             assert!(width("time", "last") <= width("time", "greatest"));
             let digits = arithmetic["digits"].as_f64().unwrap();
             assert!((-widest.log10() - digits).abs() < 0.02, "{arithmetic}");
-            assert!(arithmetic["asked"]["digits"].as_f64().is_none_or(|requested| digits >= requested), "{arithmetic}");
+            assert!(
+                arithmetic["requested"]["digits"].as_f64().is_none_or(|requested| digits >= requested),
+                "{arithmetic}"
+            );
         }
     }
     // The true errors of the floating-point orbit do not depend on how they were determined, as far as doubles lead.
@@ -151,5 +154,5 @@ fn ctrl_c_keeps_what_is_measured() {
     assert_eq!(String::from_utf8(answer.stderr).unwrap(), "interrupted in row float\n");
     let document: Value = serde_json::from_str(&fs::read_to_string(&file).unwrap()).unwrap();
     assert_eq!(document["interrupted"], "float");
-    assert!(document["rungs"].as_array().unwrap().is_empty());
+    assert!(document["arithmetics"].as_array().unwrap().is_empty());
 }

@@ -186,7 +186,7 @@ pub fn trade(
         let trade = Trade::of(&scene, requested, monitor)?;
         let svg = picture.then(|| drawn(impact_pair_plot::trade::svg(&trade, &Look::default()))).transpose()?;
         let is_interrupted = trade.interrupted.is_some();
-        Ok((one_a_line(&trade.document(), &["rungs"]), !is_interrupted, is_interrupted, svg))
+        Ok((one_a_line(&trade.document(), &["arithmetics"]), !is_interrupted, is_interrupted, svg))
     })
 }
 

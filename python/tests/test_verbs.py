@@ -272,8 +272,8 @@ def test_trade(cli):
     found = Scene.named("figure-12").trade(impacts=50, max_bits=128)
     from_cli = cli.json("trade", "scenes/figure-12.toml", "--impacts", 50, "--max-bits", 128)
     keys = ("arithmetic", "impacts", "widths", "digits", "bits")
-    known = [{key: rung.get(key) for key in keys} for rung in from_cli["rungs"]]
-    assert [{key: rung.get(key) for key in keys} for rung in found.rungs] == known
+    known = [{key: row.get(key) for key in keys} for row in from_cli["arithmetics"]]
+    assert [{key: row.get(key) for key in keys} for row in found.arithmetics] == known
 
 
 def test_plot(cli, tmp_path):

@@ -51,7 +51,7 @@ fn axes_that_span_no_plane_are_refused() {
     };
     assert!(refused(&["gap=1..2:3"]).contains("accepted are two axes"));
     assert!(refused(&["gap=1..2:3", "start.time=0..1:2"]).contains("the start is not used"));
-    assert!(refused(&["gap=1..2:3", "gap=1..2:3"]).contains("do not set the same"));
+    assert!(refused(&["gap=1..2:3", "gap=1..2:3"]).contains("two axes with different keys"));
 }
 
 /// A cell says what its points say, and a point within it can say no other class: cycles with rests at e = 0 (Theorem Z4), alpha from 2 on.

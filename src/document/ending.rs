@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use impact_pair_document::ArithmeticDocument;
+use impact_pair_document::{ArithmeticDocument, counted};
 
 use super::conclusion::Conclusion;
 use super::orbit::{arithmetic, is_certified};
@@ -85,7 +85,7 @@ impl fmt::Display for Ending<'_> {
             (None, false) => write!(f, "computed, not certified: {message}")?,
         }
         if let Some(index) = self.wide {
-            write!(f, "; impact {index} is the first one wider than {} digits", self.settings.digits)?;
+            write!(f, "; impact {index} is the first one wider than {}", counted(self.settings.digits, "digit"))?;
         }
         self.advice().map_or(Ok(()), |advice| write!(f, "; {advice}"))
     }

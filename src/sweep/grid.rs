@@ -49,7 +49,7 @@ impl Grid {
         match &axes[..] {
             [] | [_, _, _, ..] => return Err(refused(&text(), "one axis, or two")),
             [a, b] if a.key().is_one_with(b.key()) => {
-                return Err(refused(&text(), "two axes that do not set the same"));
+                return Err(refused(&text(), "two axes with different keys"));
             }
             _ => {}
         }

@@ -25,7 +25,7 @@ impl Trade<'_> {
             },
             units: TradeUnits { time: "2 pi/W".to_owned(), velocity: units.speed.to_string() },
             interrupted: interrupted.map(|arithmetic| arithmetic.to_string()),
-            rungs: self.rows.iter().map(|measured| row(measured, self)).collect(),
+            arithmetics: self.rows.iter().map(|measured| row(measured, self)).collect(),
         }
     }
 }

@@ -62,8 +62,8 @@ pub struct AuditArguments {
     /// Accepted difference of a time, in periods 2 pi/W, and of a velocity, in A W; from 0 to 1
     #[arg(long, value_name = "X", default_value = "1e-9", value_parser = tolerance, allow_hyphen_values = true)]
     tolerance: Exact,
-    /// Compare up to this time: later rows are ignored, and every impact certified before it is expected in the list, but where rows are
-    /// ignored those nearer to it than the tolerance [default: the last time listed]
+    /// Compare up to this time: the list must contain every certified impact before T, later rows are ignored. Impacts within the tolerance
+    /// of T may be missing where a later row is ignored [default: the last time listed]
     #[arg(long, value_name = "T", value_parser = crate::values::point, allow_hyphen_values = true)]
     until: Option<Exact>,
     /// The column of times, by its name or its number from 1 [default: time or t, or the first one]

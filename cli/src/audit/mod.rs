@@ -23,7 +23,7 @@ pub fn audit(arguments: &AuditArguments) -> Result<Answer> {
         match !scene::is_stdio(&arguments.events) && is_scene(&arguments.events) {
             true => {
                 let [events, scene] = [&arguments.scene, &arguments.events].map(|path| scene::name(path));
-                anyhow!("{scene} is a scene, and {events} is none: did you mean impact-pair audit {scene} {events}?")
+                anyhow!("{events} is not a scene, but {scene} is one: did you mean impact-pair audit {scene} {events}?")
             }
             false => error,
         }

@@ -165,8 +165,8 @@ fn summary(audit: &Audit<'_>) -> Vec<String> {
     }
     if let Some(index) = audit.first_wide() {
         lines.push(format!(
-            "impact {index} is the first one whose certified bounds are wider than {} digits",
-            audit.digits()
+            "impact {index} is the first one whose certified bounds are wider than {}",
+            counted(audit.digits(), "digit")
         ));
     }
     lines.push(format!("\n{}", audit.advice()));

@@ -8,6 +8,7 @@ use std::thread;
 use std::time::{Duration, Instant};
 
 use anyhow::{Context, Error, Result};
+use impact_pair::document::counted;
 use impact_pair::exact::Exact;
 use impact_pair::scene::Key;
 use impact_pair::sweep::Head;
@@ -50,7 +51,7 @@ impl<H: Head + Sync + Send> Work<'_, H> {
         let (points, left) = (journal.points(), journal.missing().len());
         if let Some(path) = journal.path().filter(|_| left > 0 && !Interruption.goes_on()) {
             let path = path.display();
-            let kept = format!("{points} points are kept in {path}, {left} are left (go on with --resume)");
+            let kept = format!("{} kept in {path}, {left} left (go on with --resume)", counted(points, "point"));
             note(*quiet, &format!("interrupted: {kept}"));
             return Ok(Answer::Incomplete);
         }
@@ -59,7 +60,8 @@ impl<H: Head + Sync + Send> Work<'_, H> {
         let mut gathered = Gathered { head: self.head, journals: vec![journal] };
         let tally = finish(&mut gathered)?;
         gathered.journals.into_iter().try_for_each(Journal::finish)?;
-        let interrupted = if left > 0 { format!("; interrupted, {left} points are left") } else { String::new() };
+        let interrupted =
+            if left > 0 { format!("; interrupted, {} left", counted(left as u64, "point")) } else { String::new() };
         note(*quiet, &format!("{tally} ({rate}){interrupted}"));
         Ok(if left == 0 { answered(&tally) } else { Answer::Incomplete })
     }

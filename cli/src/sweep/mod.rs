@@ -8,6 +8,7 @@ use std::path::Path;
 
 use anyhow::{Context, Result, bail};
 use impact_pair::Scene;
+use impact_pair::document::counted;
 use impact_pair::json::SweepHead;
 use impact_pair::orbit::{Orbit, Settings};
 use impact_pair::sweep::{self, Grid, PointSettings, Table, follow};
@@ -155,6 +156,6 @@ impl std::fmt::Display for Outcomes {
             (true, 0) => "certified".to_owned(),
             (true, some) => format!("not all certified, {some} incomplete"),
         };
-        write!(f, "{word}: {points} points, {}", outcomes.join(", "))
+        write!(f, "{word}: {}, {}", counted(points, "point"), outcomes.join(", "))
     }
 }

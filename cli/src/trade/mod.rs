@@ -28,7 +28,7 @@ pub fn trade(arguments: &TradeArguments) -> Result<Answer> {
 
     let text = match format {
         TradeFormat::Table => table::table(&trade),
-        TradeFormat::Json => format!("{}\n", one_a_line(&trade.document(), &["rungs"])),
+        TradeFormat::Json => format!("{}\n", one_a_line(&trade.document(), &["arithmetics"])),
     };
     let open = trade.interrupted.as_ref().map(|arithmetic| format!("interrupted in row {arithmetic}"));
     files.draw((&text, open, false), || impact_pair_plot::trade::svg(&trade, &arguments.drawing.look))

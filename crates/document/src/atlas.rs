@@ -19,9 +19,9 @@ pub const ATLAS_SCHEMA: &str = "impact-pair/atlas/1";
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct AtlasHead {
-    /// [`ATLAS_SCHEMA`]
+    /// Schema of the document: [`ATLAS_SCHEMA`].
     pub schema: String,
-    /// The program that computes it.
+    /// Name and version of the program, such as `impact-pair 0.1.0`.
     pub program: String,
     /// The title of the scene.
     pub title: Option<String>,

@@ -18,9 +18,9 @@ pub const AUDIT_SCHEMA: &str = "impact-pair/audit/1";
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct AuditDocument {
-    /// [`AUDIT_SCHEMA`]
+    /// Schema of the document: [`AUDIT_SCHEMA`].
     pub schema: String,
-    /// The program that made the comparison.
+    /// Name and version of the program, such as `impact-pair 0.1.0`.
     pub program: String,
     /// The scene of the impacts.
     pub scene: SceneDocument,
@@ -101,9 +101,9 @@ fn is_zero(count: &usize) -> bool {
 pub struct Disagreement {
     /// The certified impact.
     pub impact: u64,
-    /// Its verdict.
+    /// Verdict on the row, one of those that `audit` prints.
     pub verdict: String,
-    /// The row, from 1.
+    /// Number of the row in the list, from 1; `null` where the list has none.
     pub row: Option<usize>,
 }
 
@@ -113,7 +113,7 @@ pub struct Disagreement {
 pub struct Divergence {
     /// The certified impact.
     pub impact: u64,
-    /// The row, from 1.
+    /// Number of the row in the list, from 1; `null` where the list has none.
     pub row: Option<usize>,
 }
 
@@ -141,9 +141,9 @@ pub struct Parting {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct ImpactVerdict {
-    /// Its number.
+    /// Number of the certified impact, from 1.
     pub impact: u64,
-    /// Its verdict.
+    /// Verdict on the row, one of those that `audit` prints.
     pub verdict: String,
 }
 
@@ -151,7 +151,7 @@ pub struct ImpactVerdict {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct ImpactNumber {
-    /// Its number.
+    /// Number of the certified impact, from 1.
     pub impact: u64,
 }
 
@@ -159,12 +159,12 @@ pub struct ImpactNumber {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct AuditEvent {
-    /// Its verdict.
+    /// Verdict on the row, one of those that `audit` prints.
     pub verdict: String,
     /// The reason why it is false.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub reason: Option<String>,
-    /// The row, from 1.
+    /// Number of the row in the list, from 1; `null` where the list has none.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub row: Option<usize>,
     /// The row as listed.
@@ -189,7 +189,7 @@ pub struct ListedRow<N = String> {
     pub place: String,
     /// Its wall.
     pub wall: Wall,
-    /// Its time.
+    /// Time of the listed impact \[time\].
     pub time: N,
     /// Its velocity, if listed.
     #[serde(skip_serializing_if = "Option::is_none", default)]
@@ -212,9 +212,9 @@ pub struct CertifiedContact {
     pub event: String,
     /// The number of an impact.
     pub index: Option<u64>,
-    /// The wall.
+    /// Wall that is touched.
     pub wall: Wall,
-    /// Its time \[time\].
+    /// Time of the contact \[time\].
     pub time: Bounds,
     /// `y'` before it \[length/time\].
     #[serde(skip_serializing_if = "Option::is_none", default)]

@@ -13,9 +13,9 @@ pub const BIFURCATION_SCHEMA: &str = "impact-pair/bifurcations/1";
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct BifurcationDocument {
-    /// [`BIFURCATION_SCHEMA`]
+    /// Schema of the document: [`BIFURCATION_SCHEMA`].
     pub schema: String,
-    /// The program that proved them.
+    /// Name and version of the program, such as `impact-pair 0.1.0`.
     pub program: String,
     /// The scene; its own value of the parameter is not used.
     pub scene: SceneDocument,
@@ -23,7 +23,7 @@ pub struct BifurcationDocument {
     pub word: String,
     /// Forcing periods of the orbit.
     pub cycles: u32,
-    /// The parameter and its range.
+    /// Parameter over which branches are followed, and its range.
     pub over: ParameterRange,
     /// Always false: each point is proved, completeness is not.
     pub exhaustive: bool,
@@ -46,9 +46,9 @@ pub struct BifurcationDocument {
 pub struct ParameterRange {
     /// `excitation.amplitude`, with several terms followed by a number, `excitation.frequency`, `pair.gap` or `pair.restitution`.
     pub key: String,
-    /// Its lower end.
+    /// Lower end of the range.
     pub low: Written,
-    /// Its upper end.
+    /// Upper end of the range.
     pub high: Written,
 }
 

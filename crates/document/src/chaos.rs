@@ -27,15 +27,15 @@ pub const MOST_WORDS: usize = 4096;
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct TrapDocument {
-    /// [`TRAP_SCHEMA`]
+    /// Schema of the document: [`TRAP_SCHEMA`].
     pub schema: String,
-    /// The program that proved it.
+    /// Name and version of the program, such as `impact-pair 0.1.0`.
     pub program: String,
     /// Always true: a region that is written is proved.
     pub certified: bool,
-    /// The scene.
+    /// Scene that everything here is about: excitation, gap, restitution coefficient and start, as exact expressions.
     pub scene: SceneDocument,
-    /// Number of boxes.
+    /// Number of boxes of the region.
     pub boxes: u64,
     /// Number, as `run --digits 9` lists it, of the impact of the scene's own orbit from which on all impacts are in the region; 0 is its start.
     /// `null` if none is proved to be.
@@ -80,13 +80,13 @@ pub struct WallWordsDocument {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct ChaosDocument {
-    /// [`CHAOS_SCHEMA`]
+    /// Schema of the document: [`CHAOS_SCHEMA`].
     pub schema: String,
-    /// The program that proved them.
+    /// Name and version of the program, such as `impact-pair 0.1.0`.
     pub program: String,
     /// Whether a positive lower bound of the entropy is proved.
     pub certified: bool,
-    /// The scene.
+    /// Scene that everything here is about: excitation, gap, restitution coefficient and start, as exact expressions.
     pub scene: SceneDocument,
     /// The parameter over whose whole range everything is proved; its own value in the scene is not used.
     #[serde(skip_serializing_if = "Option::is_none", default)]
@@ -164,9 +164,9 @@ pub struct HyperbolicDocument {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct RatesDocument {
-    /// Per impact.
+    /// Rate per impact.
     pub per_impact: Bounds,
-    /// Per forcing period.
+    /// Rate per forcing period.
     pub per_cycle: Bounds,
 }
 
@@ -186,7 +186,7 @@ pub struct SceneOrbitDocument {
 pub struct PeriodDocument {
     /// Its word, the right-most mapping first in time.
     pub word: String,
-    /// Number of impacts.
+    /// Number of impacts of the word.
     pub impacts: u32,
     /// Number of forcing periods.
     pub cycles: u32,
@@ -196,7 +196,7 @@ pub struct PeriodDocument {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct EnteredDocument {
-    /// Number of boxes.
+    /// Number of boxes of the region.
     pub boxes: u64,
     /// Number, as `run --digits 9` lists it, of the impact from which on all impacts are in it; 0 is the start. Impacts of a chatter that are not
     /// listed have none.
@@ -209,9 +209,9 @@ pub struct EnteredDocument {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct ChaosCellsDocument {
-    /// [`CHAOS_CELLS_SCHEMA`]
+    /// Schema of the document: [`CHAOS_CELLS_SCHEMA`].
     pub schema: String,
-    /// The program that proved it.
+    /// Name and version of the program, such as `impact-pair 0.1.0`.
     pub program: String,
     /// Whether no value is undecided.
     pub certified: bool,
@@ -257,9 +257,9 @@ pub struct SharesDocument {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct StretchDocument {
-    /// Its lower end.
+    /// Lower end of the cell.
     pub low: Written,
-    /// Its upper end.
+    /// Upper end of the cell.
     pub high: Written,
     /// `horseshoe`, `attracted` (of the orbit of the scene's own start), `stable` (a stable periodic orbit exists, and the scene's own orbit is
     /// not proved to converge to it) or `undecided`; a horseshoe beside a stable orbit is given by `entropy`.
@@ -298,7 +298,7 @@ pub struct BaseDocument<C = CornersDocument> {
     pub expanding: [Decimal; 2],
     /// From the middle to that of the upper edge.
     pub contracting: [Decimal; 2],
-    /// Its exact corners.
+    /// Exact corners of the h-set, in forcing periods and speeds over `A W`.
     pub corners: C,
 }
 
@@ -362,7 +362,7 @@ pub struct WordDocument {
     pub from: u32,
     /// The h-set that it covers.
     pub to: u32,
-    /// Number of impacts.
+    /// Number of impacts of the word.
     pub impacts: u32,
     /// Half forcing periods from its start to its end, less the difference of the phases of the two h-sets.
     pub half_cycles: i64,

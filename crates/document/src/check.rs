@@ -13,7 +13,7 @@ pub const CHECK_SCHEMA: &str = "impact-pair/check/1";
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct CheckDocument {
-    /// [`CHECK_SCHEMA`]
+    /// Schema of the document: [`CHECK_SCHEMA`].
     pub schema: String,
     /// Verdict on all claims together: undecided if the check is interrupted.
     pub verdict: VerdictName,
@@ -41,7 +41,7 @@ pub const VERIFIED_SCHEMA: &str = "impact-pair/verified/1";
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct VerifiedDocument {
-    /// [`VERIFIED_SCHEMA`]
+    /// Schema of the document: [`VERIFIED_SCHEMA`].
     pub schema: String,
     /// Whether the theorem holds of the document.
     pub verified: bool,

@@ -16,15 +16,15 @@ pub const CYCLES_SCHEMA: &str = "impact-pair/cycles/1";
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct CyclesDocument {
-    /// [`CYCLES_SCHEMA`]
+    /// Schema of the document: [`CYCLES_SCHEMA`].
     pub schema: String,
-    /// The program that proved them.
+    /// Name and version of the program, such as `impact-pair 0.1.0`.
     pub program: String,
     /// Whether everything requested is proved.
     pub certified: bool,
     /// Whether the list is complete in the region.
     pub exhaustive: bool,
-    /// The scene.
+    /// Scene that everything here is about: excitation, gap, restitution coefficient and start, as exact expressions.
     pub scene: SceneDocument,
     /// The reason why no region is proved, if so.
     #[serde(skip_serializing_if = "Option::is_none", default)]
@@ -83,6 +83,6 @@ pub struct OpenCycleDocument {
     pub reduced_impacts: u32,
     /// Bounds of its first impacts.
     pub impacts: Vec<MeasuredImpact>,
-    /// The reason.
+    /// Reason why the cycle is not proved.
     pub reason: String,
 }

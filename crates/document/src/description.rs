@@ -17,13 +17,13 @@ pub const DESCRIPTION_SCHEMA: &str = "impact-pair/description/1";
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct DescriptionDocument {
-    /// [`DESCRIPTION_SCHEMA`]
+    /// Schema of the document: [`DESCRIPTION_SCHEMA`].
     pub schema: String,
-    /// The program that proved it.
+    /// Name and version of the program, such as `impact-pair 0.1.0`.
     pub program: String,
     /// Whether the fate is decided.
     pub certified: bool,
-    /// The scene.
+    /// Scene that everything here is about: excitation, gap, restitution coefficient and start, as exact expressions.
     pub scene: SceneDocument,
     /// What becomes of the motion.
     pub fate: FateDocument,
@@ -142,7 +142,7 @@ pub struct HorseshoeDocument {
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct QuestionDocument {
-    /// The question.
+    /// Question that was not decided, or not examined.
     pub question: String,
     /// A command that goes on.
     pub command: String,
@@ -152,9 +152,9 @@ pub struct QuestionDocument {
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct NotExaminedDocument {
-    /// The question.
+    /// Question that was not decided, or not examined.
     pub question: String,
-    /// The reason.
+    /// Reason why it was not examined.
     pub reason: String,
 }
 

@@ -15,9 +15,9 @@ pub const GLOBAL_SCHEMA: &str = "impact-pair/global/1";
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct GlobalDocument {
-    /// [`GLOBAL_SCHEMA`]
+    /// Schema of the document: [`GLOBAL_SCHEMA`].
     pub schema: String,
-    /// The program that proved it.
+    /// Name and version of the program, such as `impact-pair 0.1.0`.
     pub program: String,
     /// Whether the class is `one-rest-cycle` or `one-attractor`.
     pub certified: bool,
@@ -147,7 +147,7 @@ impl GlobalDocument {
         let undecided = self.count("undecided");
         let attractors: Vec<String> = self.components.iter().filter_map(ComponentDocument::attractor).collect();
         if self.interrupted {
-            return format!("{} left as they are, of which nothing is decided", counted(undecided, "component"));
+            return format!("undecided: motions that stay in {}", counted(undecided, "component"));
         }
         match self.class.as_str() {
             "one-rest-cycle" => format!("{EVERY_MOTION} ends in {}", attractors.concat()),
@@ -156,11 +156,11 @@ impl GlobalDocument {
                 format!("{EVERY_MOTION} tends to {}{beside}", attractors.join(", or to "))
             }
             "attractors" => format!(
-                "{} proved: {}; of what stays in {} nothing{} is decided",
+                "{} proved: {}; undecided: {}motions that stay in {}",
                 counted(attractors.len() as u32, "attractor"), // shown
                 attractors.join("; "),
-                counted(undecided, "undecided component"),
-                if self.has_attractors_within() { " else" } else { "" },
+                if self.has_attractors_within() { "other " } else { "" },
+                counted(undecided, "component"),
             ),
             "closed" => {
                 let closed = counted(undecided, "closed component");
@@ -169,7 +169,7 @@ impl GlobalDocument {
                     self.beside("tends to")
                 )
             }
-            _ => format!("undecided: {} of which nothing is decided", counted(undecided, "component")),
+            _ => format!("undecided: motions that stay in {}", counted(undecided, "component")),
         }
     }
 

@@ -18,7 +18,7 @@ pub struct OrbitDocument {
     /// Scene, program and arithmetic.
     #[serde(flatten)]
     pub head: OrbitHead,
-    /// Outcome of the orbit.
+    /// How the list ends: outcome of the orbit.
     pub outcome: OutcomeDocument,
     /// Events in time order.
     pub events: Vec<EventDocument>,
@@ -42,19 +42,19 @@ struct OrbitBody {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct OrbitHead {
-    /// [`ORBIT_SCHEMA`]
+    /// Schema of the document: [`ORBIT_SCHEMA`].
     pub schema: String,
-    /// The program that computed it.
+    /// Name and version of the program, such as `impact-pair 0.1.0`.
     #[serde(default)]
     pub program: String,
-    /// The scene.
+    /// Scene that everything here is about: excitation, gap, restitution coefficient and start, as exact expressions.
     pub scene: SceneDocument,
     /// Whether the bounds are certified; with `float` they are not, and both bounds are the double itself.
     pub certified: bool,
     /// The start that the claims are about; absent in older documents.
     #[serde(default)]
     pub claim: ClaimName,
-    /// The arithmetic.
+    /// Arithmetic in which the orbit was computed.
     #[serde(default)]
     pub arithmetic: ArithmeticDocument,
 }
@@ -86,9 +86,9 @@ impl ClaimName {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct OrbitEnd {
-    /// Outcome of the orbit.
+    /// How the list ends: outcome of the orbit.
     pub outcome: OutcomeDocument,
-    /// The arithmetic.
+    /// Arithmetic in which the orbit was computed.
     #[serde(default)]
     pub arithmetic: ArithmeticDocument,
 }
@@ -98,9 +98,9 @@ pub struct OrbitEnd {
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct ArithmeticDocument {
-    /// Its name.
+    /// Name of the arithmetic.
     pub kind: String,
-    /// Its precision in bits.
+    /// Precision of the arithmetic in bits.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub bits: Option<u32>,
     /// Maximum precision in bits, before the computation.
@@ -181,9 +181,9 @@ pub struct EventDocument {
     /// The mapping that ends here; null if there is none, or more than one is possible.
     #[serde(skip_serializing_if = "Option::is_none", default, deserialize_with = "present_or_null")]
     pub mapping: Option<Option<Mapping>>,
-    /// The wall.
+    /// Wall that the ball touches.
     pub wall: Wall,
-    /// Its time \[time\].
+    /// Time of the event \[time\].
     pub time: Bounds,
     /// The relative velocity `y'` just before the impact \[length/time\].
     #[serde(skip_serializing_if = "Option::is_none", default)]

@@ -20,7 +20,7 @@ const BUDGET_REASON: &str = "budget";
 pub struct OutcomeDocument {
     /// Kind, such as `impacts-reached`.
     pub kind: String,
-    /// The reason, if undecided.
+    /// Name of the reason why the motion is undecided.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub reason: Option<String>,
     /// One line in words, which follows from the other fields.
@@ -54,13 +54,13 @@ pub struct OutcomeDocument {
     /// The word of the orbit that it converges to.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub word: Option<String>,
-    /// Forcing periods of that orbit.
+    /// Forcing periods in which the orbit repeats.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub cycles: Option<u32>,
     /// From this impact on the motion is in a neighbourhood that the map of a period contracts.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub from: Option<u64>,
-    /// The orbit itself.
+    /// Periodic orbit to which the motion converges.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub orbit: Option<PeriodicOrbitDocument>,
 }
@@ -69,9 +69,9 @@ pub struct OutcomeDocument {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct NearDocument {
-    /// Bounds of its time \[time\].
+    /// Bounds of the time of the start \[time\].
     pub time: Bounds,
-    /// Bounds of its velocity \[length/time\].
+    /// Bounds of the velocity of the start \[length/time\].
     pub velocity: Bounds,
 }
 
@@ -119,7 +119,11 @@ impl OutcomeDocument {
                 let every = every(impacts, "impact", self.cycles?.into());
                 format!("{so_far}; proved to converge to a stable orbit of {every} ({word}), from impact {from} on")
             }
-            "rests-forever" => format!("{after} at rest on the {} wall for ever", self.wall?.name()),
+            "rests-forever" => {
+                let at_rest = format!("at rest on the {} wall for ever", self.wall?.name());
+                if impacts == 0 { at_rest } else { format!("{after} {at_rest}") }
+            }
+            "never-impacts" if impacts == 0 => "no wall is ever touched".into(),
             "never-impacts" => format!("{after} no wall is ever touched again"),
             "undecided" => {
                 let why = self.explanation()?;

@@ -17,9 +17,9 @@ pub const MANIFOLD_SCHEMA: &str = "impact-pair/manifold/1";
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct PeriodicDocument {
-    /// [`PERIODIC_SCHEMA`]
+    /// Schema of the document: [`PERIODIC_SCHEMA`].
     pub schema: String,
-    /// The scene.
+    /// Scene that everything here is about: excitation, gap, restitution coefficient and start, as exact expressions.
     pub scene: SceneDocument,
     /// Mappings, the first one right-most.
     pub word: String,
@@ -45,7 +45,7 @@ pub struct PeriodicDocument {
 pub struct RegionDocument {
     /// Bounds of its impacts.
     pub impacts: Vec<MeasuredImpact>,
-    /// The reason.
+    /// Reason why the orbit is not proved.
     pub reason: String,
 }
 
@@ -53,7 +53,7 @@ pub struct RegionDocument {
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct PeriodicOrbitDocument {
-    /// Its impacts in time order.
+    /// Impacts of the orbit in time order.
     pub impacts: Vec<MeasuredImpact>,
     /// Whether it is unique within these bounds.
     pub unique: bool,
@@ -66,9 +66,9 @@ pub struct PeriodicOrbitDocument {
     pub times: Option<u32>,
     /// The trace of the Jacobian of the period; null where an impact is a graze.
     pub trace: Option<Bounds>,
-    /// Its determinant.
+    /// Determinant of the derivative of the orbit's map.
     pub determinant: Option<Bounds>,
-    /// Its eigenvalues.
+    /// Eigenvalues of the derivative of the orbit's map.
     pub eigenvalues: Option<[EigenvalueDocument; 2]>,
     /// `stable`, `unstable`, `elliptic` (with `e = 1`: both eigenvalues lie on the unit circle, apart and not real) or `undecided`.
     pub stability: String,
@@ -99,7 +99,7 @@ fn is_once(times: &Option<u32>) -> bool {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(rename = "PeriodicImpactDocument"))]
 pub struct MeasuredImpact<B = Bounds> {
-    /// The wall.
+    /// Wall that is hit.
     pub wall: Wall,
     /// `W t + tau` \[rad\] of the fastest harmonic, less whole forcing periods: the lower bound lies in `[0, 2 pi)`, and the bounds are less
     /// than `2 pi` apart. Where they straddle `2 pi`, the forcing period is that of the lower bound.
@@ -127,9 +127,9 @@ impl<B> MeasuredImpact<B> {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct EigenvalueDocument {
-    /// Its real part.
+    /// Real part.
     pub re: Bounds,
-    /// Its imaginary part.
+    /// Imaginary part.
     pub im: Bounds,
 }
 
@@ -137,11 +137,11 @@ pub struct EigenvalueDocument {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct TwoImpactDocument {
-    /// [`PERIODIC_SCHEMA`]
+    /// Schema of the document: [`PERIODIC_SCHEMA`].
     pub schema: String,
-    /// The program that proved them.
+    /// Name and version of the program, such as `impact-pair 0.1.0`.
     pub program: String,
-    /// The scene.
+    /// Scene that everything here is about: excitation, gap, restitution coefficient and start, as exact expressions.
     pub scene: SceneDocument,
     /// `P1 P2` or `P2 P1`, the right-most mapping starts at the impact listed first: both are the same motion.
     pub word: String,
@@ -175,11 +175,11 @@ pub struct SpacingDocument {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct ManifoldDocument {
-    /// [`MANIFOLD_SCHEMA`]
+    /// Schema of the document: [`MANIFOLD_SCHEMA`].
     pub schema: String,
-    /// The program that proved them.
+    /// Name and version of the program, such as `impact-pair 0.1.0`.
     pub program: String,
-    /// The scene.
+    /// Scene that everything here is about: excitation, gap, restitution coefficient and start, as exact expressions.
     pub scene: SceneDocument,
     /// The parameter that varies.
     pub over: String,
@@ -206,13 +206,13 @@ pub struct CurveDocument {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct ManifoldPointDocument {
-    /// `W` \[rad/time\]
+    /// Frequency `W` at the point \[rad/time\].
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub frequency: Option<Bounds>,
     /// `v` \[length/time\]
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub velocity: Option<Bounds>,
-    /// `A` \[length\]
+    /// Amplitude `A` at the point \[length\].
     pub amplitude: Bounds,
     /// The change at this point: a bifurcation, an end.
     pub mark: Option<String>,

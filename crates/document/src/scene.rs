@@ -7,17 +7,17 @@ use serde::{Deserialize, Serialize};
 
 use super::number::Written;
 
-/// A pair and a start.
+/// A scene as exact expressions or intervals of them: excitation, gap, restitution coefficient and start.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct SceneDocument {
-    /// The excitation.
+    /// Harmonics of the excitation `E(t)`, the sum of all `A sin(W t + tau)`: amplitudes, frequencies and phases in one order.
     pub excitation: ExcitationDocument,
-    /// `d` \[length\]
+    /// Gap `d` between the walls, less the diameter of the ball \[length\].
     pub gap: Written,
-    /// `e`
+    /// Restitution coefficient `e`, from 0 to 1.
     pub restitution: Written,
-    /// The initial data.
+    /// State at which the motion starts.
     pub start: StartDocument,
 }
 
@@ -25,11 +25,11 @@ pub struct SceneDocument {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct ExcitationDocument {
-    /// `A` \[length\]
+    /// Amplitudes `A` \[length\].
     pub amplitude: Vec<Written>,
-    /// `W` \[rad/time\]
+    /// Angular frequencies `W` \[rad/time\].
     pub frequency: Vec<Written>,
-    /// `tau` \[rad\]
+    /// Phases `tau` \[rad\].
     pub phase: Vec<Written>,
 }
 
@@ -37,9 +37,9 @@ pub struct ExcitationDocument {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct StartDocument {
-    /// Its time \[time\].
+    /// Time of the start \[time\].
     pub time: Written,
-    /// The wall it starts on.
+    /// Wall on which the ball starts; absent where it starts inside the gap.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub wall: Option<Wall>,
     /// The relative displacement inside the gap \[length\].

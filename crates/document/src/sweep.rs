@@ -18,9 +18,9 @@ pub type ExtendedBounds = Between<String>;
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct SweepHead {
-    /// [`SWEEP_SCHEMA`]
+    /// Schema of the document: [`SWEEP_SCHEMA`].
     pub schema: String,
-    /// The program that computes it.
+    /// Name and version of the program, such as `impact-pair 0.1.0`.
     pub program: String,
     /// The title of the scene.
     pub title: Option<String>,
@@ -34,14 +34,14 @@ pub struct SweepHead {
     pub transient: u64,
     /// Number of impacts after the transient.
     pub impacts: u64,
-    /// Requested digits.
+    /// Significant decimal digits requested of each bound.
     pub digits: u32,
     /// Whether the bounds are certified.
     pub certified: bool,
     /// If `shadowed`, points with the same claim belong to orbits that start near the exact start.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub claim: Option<ClaimName>,
-    /// The program that computes it.
+    /// Name and version of the program, such as `impact-pair 0.1.0`.
     pub arithmetic: ArithmeticDocument,
     /// With several terms, the number, from 1, of the reference: at all points phases are `W t + tau` of this term, and cycles are
     /// its periods, also where another term is faster or this one does not move the box. It is the fastest of those that move the box where
@@ -60,13 +60,13 @@ pub struct SweepHead {
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct SweepAxis {
-    /// What varies.
+    /// Key of the parameter that varies, such as `restitution` or `start.velocity`.
     pub key: String,
-    /// Its first value.
+    /// First value of the parameter, as written.
     pub from: String,
-    /// Its last value.
+    /// Last value of the parameter, as written.
     pub to: String,
-    /// Number of values.
+    /// Number of equidistant values.
     pub count: u64,
 }
 
@@ -75,13 +75,13 @@ pub struct SweepAxis {
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct SweepRecord {
-    /// Its number in the grid.
+    /// Number of the point in the grid, from 0.
     pub point: u64,
     /// The exact values, one per axis.
     pub values: Vec<String>,
     /// Outcome of the orbit.
     pub outcome: String,
-    /// The reason, if undecided.
+    /// Name of the reason why the point is undecided.
     pub reason: Option<String>,
     /// One line in words.
     pub message: String,
@@ -115,11 +115,11 @@ pub struct SweepRecord {
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct SweepExponent {
-    /// Per impact.
+    /// Exponent per impact.
     pub per_impact: Option<ExtendedBounds>,
-    /// Per period of the reference.
+    /// Exponent per forcing period of the `reference`.
     pub per_cycle: Option<ExtendedBounds>,
-    /// The reason why there are none.
+    /// Reason why the exponent has no bounds.
     pub reason: Option<String>,
 }
 

@@ -12,9 +12,9 @@ pub const TANGENCY_SCHEMA: &str = "impact-pair/tangency/1";
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct TangencyDocument {
-    /// [`TANGENCY_SCHEMA`]
+    /// Schema of the document: [`TANGENCY_SCHEMA`].
     pub schema: String,
-    /// The program that proved them.
+    /// Name and version of the program, such as `impact-pair 0.1.0`.
     pub program: String,
     /// Whether there are tangencies, the search was not cut short, and each found is proved.
     pub certified: bool,
@@ -120,6 +120,6 @@ pub struct OpenTangencyDocument {
     pub near: f64,
     /// The flights from the point of the unstable manifold to that of the stable one in time order.
     pub flights: String,
-    /// The reason.
+    /// Reason why the tangency is not proved.
     pub reason: String,
 }

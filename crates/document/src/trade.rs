@@ -17,27 +17,25 @@ pub const TRADE_SCHEMA: &str = "impact-pair/trade/1";
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct TradeDocument {
-    /// [`TRADE_SCHEMA`]
+    /// Schema of the document: [`TRADE_SCHEMA`].
     pub schema: String,
-    /// The program that measured.
+    /// Name and version of the program, such as `impact-pair 0.1.0`.
     pub program: String,
-    /// The scene.
+    /// Scene that everything here is about: excitation, gap, restitution coefficient and start, as exact expressions.
     pub scene: SceneDocument,
     /// How far each row was followed.
-    #[serde(rename = "asked")]
     pub requested: TradeRequest,
     /// The units of widths and errors.
     pub units: TradeUnits,
     /// The row that was interrupted.
     pub interrupted: Option<String>,
-    /// One row per arithmetic.
-    pub rungs: Vec<RowDocument>,
+    /// A row for each arithmetic.
+    pub arithmetics: Vec<RowDocument>,
 }
 
 /// How far each row was followed.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
-#[cfg_attr(feature = "schemas", schemars(rename = "TradeAsked"))]
 pub struct TradeRequest {
     /// Number of impacts.
     pub impacts: Option<u64>,
@@ -51,21 +49,19 @@ pub struct TradeRequest {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct TradeUnits {
-    /// For times.
+    /// Unit of times.
     pub time: String,
-    /// For velocities.
+    /// Unit of velocities.
     pub velocity: String,
 }
 
 /// An arithmetic, measured.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
-#[cfg_attr(feature = "schemas", schemars(rename = "RungDocument"))]
 pub struct RowDocument {
-    /// Its name.
+    /// Name of the arithmetic.
     pub name: String,
     /// Its options on the command line.
-    #[serde(rename = "asked")]
     pub requested: RowOptions,
     /// The arithmetic with its precision.
     pub arithmetic: ArithmeticDocument,
@@ -130,9 +126,9 @@ pub struct Microseconds {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct WidthsDocument {
-    /// For times.
+    /// Widths of times.
     pub time: ExtentDocument,
-    /// For velocities.
+    /// Widths of velocities.
     pub velocity: ExtentDocument,
 }
 

@@ -14,9 +14,9 @@ pub const WINDOWS_SCHEMA: &str = "impact-pair/windows/1";
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct WindowsDocument {
-    /// [`WINDOWS_SCHEMA`]
+    /// Schema of the document: [`WINDOWS_SCHEMA`].
     pub schema: String,
-    /// The program that proved them.
+    /// Name and version of the program, such as `impact-pair 0.1.0`.
     pub program: String,
     /// Whether there are windows, and each orbit, both its ends and the orbits between are proved; nothing is claimed of `undecided`.
     pub certified: bool,

@@ -115,21 +115,21 @@ class Trade(Document):
         return False
 
     @property
-    def rungs(self) -> list[dict[str, Any]]:
+    def arithmetics(self) -> list[dict[str, Any]]:
         """The arithmetics, in the order of measurement."""
-        return list(self.document["rungs"])
+        return list(self.document["arithmetics"])
 
     def to_pandas(self) -> Any:
         """Return a DataFrame with one row per arithmetic."""
         import pandas as pd
 
-        return pd.json_normalize(self.rungs)
+        return pd.json_normalize(self.arithmetics)
 
     def _repr_svg_(self) -> str | None:
         return self.svg
 
     def __repr__(self) -> str:
-        return f"<trade of {len(self.rungs)} arithmetics>"
+        return f"<trade of {len(self.arithmetics)} arithmetics>"
 
 
 class Picture(Document):
