@@ -1,12 +1,12 @@
-//! Nearness by the traits of the package `approx`: what is said of two enclosures is proved of all their members.
+//! Nearness by the traits of the package `approx`: a result holds for all members of two enclosures.
 
 use approx::{AbsDiffEq, RelativeEq};
 
 use super::{Dyadic, Enclosure};
 
-/// Every number of one is within `epsilon` of every number of the other; so are the two numbers that are enclosed.
+/// Whether every number of one enclosure is within `epsilon` of every number of the other: so are the two enclosed numbers.
 ///
-/// An enclosure wider than `epsilon` is not near itself: nothing is proved of the number inside.
+/// An enclosure wider than `epsilon` is not near itself: two numbers inside may be farther apart.
 impl AbsDiffEq for Enclosure {
     type Epsilon = f64;
 
@@ -19,7 +19,7 @@ impl AbsDiffEq for Enclosure {
     }
 }
 
-/// The same, or within `max_relative` of the greater absolute value of every two numbers.
+/// Equality, or nearness within `max_relative` of the greater absolute value, for every two numbers.
 impl RelativeEq for Enclosure {
     fn default_max_relative() -> f64 {
         f64::EPSILON
@@ -46,7 +46,7 @@ mod tests {
     use proptest::prelude::*;
 
     proptest! {
-        /// Exactly as the ends say, which are the members that are farthest apart.
+        /// Exactly as the ends show: they are the members that are farthest apart.
         #[test]
         fn sets_are_near_if_all_members_are(
             [a, b] in [-1e3..1e3f64, -1e3..1e3f64], [r, s] in [0.0..1e-3f64, 0.0..1e-3f64], near: bool, slack in 0.9..1.1f64,

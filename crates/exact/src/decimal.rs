@@ -13,7 +13,7 @@ use super::enclosure::Enclosure;
 
 /// A point whose exact decimal has more significant digits than this is rounded outward instead.
 const LONGEST_EXACT: usize = 60;
-/// The digits such a point is rounded to.
+/// Significant digits of a point whose exact decimal is too long.
 pub(super) const POINT_DIGITS: i64 = 40;
 /// Ends beyond `2^MAX_PRINTED_EXPONENT` or below `2^-COARSE` are printed as the nearest power of ten outward.
 const MAX_PRINTED_EXPONENT: i64 = 1 << 18;
@@ -59,7 +59,7 @@ pub fn decimal_bounds_f64(lo: f64, hi: f64) -> [String; 2] {
     }
 }
 
-/// Returns the shortest decimal that reads back as the same double; it bounds nothing.
+/// The shortest decimal that reads back as the same double; not a bound.
 ///
 /// ```
 /// # use impact_pair_exact::decimal_f64;
@@ -125,7 +125,7 @@ fn rounded_at(x: &Dyadic, quantum: i64, round: Round) -> String {
     DecimalDigits::new(&multiple(x, quantum, round), quantum).to_string()
 }
 
-/// Returns `x / 10^quantum`, rounded to an integer in the requested direction.
+/// `x / 10^quantum`, rounded to an integer in the requested direction.
 pub(super) fn multiple(x: &Dyadic, quantum: i64, round: Round) -> BigInt {
     let (m, e) = (x.mantissa(), x.exponent());
     if quantum <= 0 {

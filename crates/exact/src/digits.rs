@@ -1,4 +1,4 @@
-//! Enclosures for the eye: the digits that are certain, and then what is not.
+//! Enclosures in short decimal form: the digits that are certain, then the two ends.
 
 use std::fmt;
 
@@ -10,16 +10,16 @@ use super::decimal::{POINT_DIGITS, decimal_bounds, exact_decimal, is_coarse, mul
 use super::dyadic::Round;
 use super::enclosure::Enclosure;
 
-/// Returns the bits that N decimal digits are worth, rounded down: `digits log2(10)`.
+/// Bits that `digits` decimal digits are worth, rounded down: `digits log2(10)`.
 pub fn whole_bits(digits: u32) -> u32 {
     log2_of_digits(f64::from(digits)) as u32 // proposes: bits to try
 }
 
-/// Bits to compute with first, so that a result may be known to N decimal digits.
+/// Bits to compute with first, so that a result may be known to `digits` decimal digits.
 ///
-/// Nothing certain rests on it: what is found to be wider than asked is computed again with more. The slack of 64 bits suffices while
-/// a computation makes its roundings less than `2^64` times as large. A chain of a thousand impacts adds ten bits for its length; a zero
-/// that is all but double, whose derivative is `2^-40`, another 40.
+/// No proof depends on this precision: a result wider than requested is computed again with more bits. The slack of 64 bits suffices
+/// while a computation makes its roundings less than `2^64` times as large. A chain of a thousand impacts adds ten bits for its length; a
+/// nearly double zero, whose derivative is `2^-40`, adds another 40.
 pub fn working_bits(digits: u32) -> u32 {
     const SPARE_BITS: u32 = 64;
     whole_bits(digits) + SPARE_BITS
@@ -30,11 +30,11 @@ pub fn log2_of_digits(digits: f64) -> f64 {
     digits * 10f64.log2()
 }
 
-/// Returns the enclosure in one number, rounded outward by less than its width on either side.
+/// The enclosure as one decimal number, rounded outward by less than its width on either side.
 ///
-/// In parentheses are the lower and the upper end, of which the digits before are certain: `1.23(4,6)` is `[1.234, 1.236]`, and
-/// `-1.23(6,4)` is `[-1.236, -1.234]`. Where the ends have no digits in common, they are signed units of the last place:
-/// `2.00(-1,+3)` is `[1.99, 2.03]`. A point is plain.
+/// In parentheses are the lower and the upper end; the digits before them are certain: `1.23(4,6)` is `[1.234, 1.236]`, and
+/// `-1.23(6,4)` is `[-1.236, -1.234]`. Ends without common digits are signed units of the last place:
+/// `2.00(-1,+3)` is `[1.99, 2.03]`. A point has no parentheses.
 ///
 /// ```
 /// # use impact_pair_exact::{Exact, decimal_digits};
@@ -65,14 +65,14 @@ pub fn decimal_digits(x: &Enclosure) -> String {
     })
 }
 
-/// For the eye: [`decimal_digits`].
+/// [`decimal_digits`]
 impl fmt::Display for Enclosure {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.pad(&decimal_digits(self))
     }
 }
 
-/// `1.23(4,6)`, if the ends have digits in common and the others stand on one side of the point.
+/// `1.23(4,6)`, if the ends have leading digits in common.
 fn common_digits(low: &BigInt, high: &BigInt, quantum: i64) -> Option<String> {
     let ([lower, power], [upper, same_power]) = (spelled(low, quantum), spelled(high, quantum));
     if lower.len() != upper.len() || power != same_power || low.sign() != high.sign() {
@@ -85,7 +85,7 @@ fn common_digits(low: &BigInt, high: &BigInt, quantum: i64) -> Option<String> {
     (has_digits && !low_end.contains('.')).then(|| format!("{certain}({low_end},{high_end}){power}"))
 }
 
-/// The integer of `low..=high` that ends on the most zeros; the middle if there is none.
+/// Integer of `low..=high` with the most trailing zeros; the middle if none ends in a zero.
 fn most_trailing_zeros(low: &BigInt, high: &BigInt) -> BigInt {
     let tens = std::iter::successors(Some(BigInt::from(10u8)), |power| Some(power * 10u8));
     tens.map(|ten| high.div_floor(&ten) * ten)
@@ -95,7 +95,7 @@ fn most_trailing_zeros(low: &BigInt, high: &BigInt) -> BigInt {
         .unwrap_or_else(|| (low + high).div_floor(&BigInt::from(2u8)))
 }
 
-/// `n * 10^quantum` with its last digit in the place of `10^quantum`, and the power of ten if it needs one.
+/// `n * 10^quantum` with its last digit in the place of `10^quantum`, and the power of ten, if one is written.
 fn spelled(n: &BigInt, quantum: i64) -> [String; 2] {
     let digits = n.magnitude().to_string();
     let leading = quantum + digits.len() as i64 - 1; // exact: a length
@@ -135,7 +135,7 @@ mod tests {
         Enclosure::new(Dyadic::new(lo, e), Dyadic::new(hi, e)).unwrap()
     }
 
-    /// The ends that a text stands for.
+    /// The ends that a text in this form stands for.
     fn ends(shown: &str) -> [BigRational; 2] {
         let Some((certain, rest)) = shown.split_once('(') else { return [value(shown), value(shown)] };
         let (ends, power) = rest.split_once(')').unwrap();

@@ -39,7 +39,7 @@ pub struct Dyadic {
 }
 
 impl Dyadic {
-    /// Returns the exact value `mantissa * 2^exponent`.
+    /// The exact value `mantissa * 2^exponent`.
     pub fn new(mantissa: BigInt, exponent: i64) -> Dyadic {
         match mantissa.trailing_zeros() {
             None => Dyadic { mantissa, exponent: 0 },
@@ -54,12 +54,12 @@ impl Dyadic {
         Dyadic { mantissa: BigInt::zero(), exponent: 0 }
     }
 
-    /// Returns the exact value `2^exponent`.
+    /// The exact value `2^exponent`.
     pub fn power_of_two(exponent: i64) -> Dyadic {
         Dyadic { mantissa: BigInt::one(), exponent }
     }
 
-    /// Returns the exact value of a double; `None` for NaN and the infinities.
+    /// The exact value of a double; `None` for NaN and the infinities.
     pub fn from_f64(x: f64) -> Option<Dyadic> {
         if !x.is_finite() {
             return None;
@@ -72,17 +72,17 @@ impl Dyadic {
         Some(Dyadic::new(if x.is_sign_negative() { -mantissa } else { mantissa }, stored.max(1) - 1075))
     }
 
-    /// Returns the odd integer `m` of `m * 2^e`, or zero.
+    /// The odd integer `m` of `m * 2^e`, or zero.
     pub fn mantissa(&self) -> &BigInt {
         &self.mantissa
     }
 
-    /// Returns the exponent `e` of `m * 2^e`.
+    /// The exponent `e` of `m * 2^e`.
     pub fn exponent(&self) -> i64 {
         self.exponent
     }
 
-    /// Returns the sign of the number: how it compares with zero.
+    /// How the number compares with zero.
     pub fn sign(&self) -> Ordering {
         match self.mantissa.sign() {
             Sign::Minus => Ordering::Less,
@@ -96,7 +96,7 @@ impl Dyadic {
         self.mantissa.is_zero()
     }
 
-    /// Returns the exact value as a fraction. **Cost**: as many bits as the exponent says.
+    /// The exact value as a fraction. **Cost**: memory proportional to the size of the exponent.
     pub fn to_rational(&self) -> BigRational {
         if self.exponent >= 0 {
             BigRational::from_integer(&self.mantissa << self.exponent)
@@ -106,7 +106,7 @@ impl Dyadic {
         }
     }
 
-    /// Returns the largest double not above the number, `-inf` below the finite doubles.
+    /// The largest double not above the number, `-inf` below the finite doubles.
     pub fn to_f64_down(&self) -> f64 {
         match self.sign() {
             Ordering::Less => -self.magnitude_to_f64(Round::Up),
@@ -114,7 +114,7 @@ impl Dyadic {
         }
     }
 
-    /// Returns the smallest double not below the number, `inf` above the finite doubles.
+    /// The smallest double not below the number, `inf` above the finite doubles.
     pub fn to_f64_up(&self) -> f64 {
         match self.sign() {
             Ordering::Less => -self.magnitude_to_f64(Round::Down),
@@ -152,12 +152,12 @@ impl Dyadic {
         Dyadic { mantissa: self.mantissa.abs(), exponent: self.exponent }
     }
 
-    /// Returns the exact product.
+    /// The exact product.
     pub fn times(&self, other: &Dyadic) -> Dyadic {
         Dyadic::new(&self.mantissa * &other.mantissa, join(self.exponent, other.exponent))
     }
 
-    /// Returns the exact product with `2^shift`.
+    /// The exact product with `2^shift`.
     pub fn scaled(&self, shift: i64) -> Dyadic {
         if self.is_zero() {
             return Dyadic::zero();
@@ -165,7 +165,7 @@ impl Dyadic {
         Dyadic { mantissa: self.mantissa.clone(), exponent: join(self.exponent, shift) }
     }
 
-    /// Returns the exact middle of two. **Cost**: as many bits as their exponents are apart.
+    /// The exact middle of two dyadics. **Cost**: memory proportional to the difference of their exponents.
     pub fn middle(&self, other: &Dyadic) -> Dyadic {
         let unit = self.exponent.min(other.exponent); // exact: the unit of both
         let sum = (&self.mantissa << (self.exponent - unit)) + (&other.mantissa << (other.exponent - unit));

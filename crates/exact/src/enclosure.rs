@@ -29,12 +29,12 @@ pub struct Enclosure {
 }
 
 impl Enclosure {
-    /// Returns the interval `[lo, hi]`; `None` if `lo > hi`.
+    /// The interval `[lo, hi]`; `None` if `lo > hi`.
     pub fn new(lo: Dyadic, hi: Dyadic) -> Option<Enclosure> {
         (lo <= hi).then_some(Enclosure { lo, hi })
     }
 
-    /// Returns the single point `x`.
+    /// The single point `x`.
     pub fn point(x: Dyadic) -> Enclosure {
         Enclosure { lo: x.clone(), hi: x }
     }
@@ -45,17 +45,17 @@ impl Enclosure {
         Enclosure { lo: end(Round::Down), hi: end(Round::Up) }
     }
 
-    /// Returns the interval between two doubles, exactly; `None` for NaN, an infinity or `lo > hi`.
+    /// The interval between two doubles, exactly; `None` for NaN, an infinity or `lo > hi`.
     pub fn from_f64_bounds(lo: f64, hi: f64) -> Option<Enclosure> {
         Enclosure::new(Dyadic::from_f64(lo)?, Dyadic::from_f64(hi)?)
     }
 
-    /// Returns the lower end.
+    /// The lower end.
     pub fn inf(&self) -> &Dyadic {
         &self.lo
     }
 
-    /// Returns the upper end.
+    /// The upper end.
     pub fn sup(&self) -> &Dyadic {
         &self.hi
     }
@@ -146,17 +146,17 @@ impl Enclosure {
         }
     }
 
-    /// Returns the superset with ends of at most `bits` mantissa bits.
+    /// Superset with ends of at most `bits` mantissa bits.
     pub fn rounded(&self, bits: u32) -> Enclosure {
         Enclosure { lo: self.lo.clone().rounded(bits, Round::Down), hi: self.hi.clone().rounded(bits, Round::Up) }
     }
 
-    /// Returns the smallest interval that holds both.
+    /// The smallest interval that holds both intervals.
     pub fn hull(&self, other: &Enclosure) -> Enclosure {
         Enclosure { lo: (&self.lo).min(&other.lo).clone(), hi: (&self.hi).max(&other.hi).clone() } // X1: the outer ends
     }
 
-    /// Returns the common part; `None` if there is none.
+    /// The common part of both intervals; `None` if they are disjoint.
     pub fn intersection(&self, other: &Enclosure) -> Option<Enclosure> {
         Enclosure::new((&self.lo).max(&other.lo).clone(), (&self.hi).min(&other.hi).clone()) // X1: the inner ends
     }
@@ -171,17 +171,17 @@ impl Enclosure {
         self.lo <= other.lo && other.hi <= self.hi
     }
 
-    /// Returns an upper bound of `hi - lo`, at most `2^-63` too large in relative terms; zero for a point.
+    /// Upper bound of `hi - lo`, at most `2^-63` too large in relative terms; zero for a point.
     pub fn wid(&self) -> Dyadic {
         self.hi.plus(&self.lo.negated(), 64, Round::Up)
     }
 
-    /// Returns the sign that all points share; `None` if they do not.
+    /// The sign that all points share; `None` if their signs differ.
     pub fn sign(&self) -> Option<Ordering> {
         (self.lo.sign() == self.hi.sign()).then(|| self.lo.sign())
     }
 
-    /// Returns the smallest absolute value of a point inside.
+    /// The smallest absolute value of a point inside.
     pub fn mig(&self) -> Dyadic {
         match (self.lo.sign(), self.hi.sign()) {
             (Ordering::Greater, _) => self.lo.clone(),
@@ -190,18 +190,18 @@ impl Enclosure {
         }
     }
 
-    /// Returns the largest absolute value of a point inside.
+    /// The largest absolute value of a point inside.
     pub fn mag(&self) -> Dyadic {
         self.lo.magnitude().max(self.hi.magnitude()) // X1: the farther end
     }
 
-    /// Returns the largest double not above and the smallest double not below; infinite beyond the finite doubles.
+    /// The largest double not above and the smallest double not below; infinite beyond the finite doubles.
     pub fn to_f64_bounds(&self) -> (f64, f64) {
         (self.lo.to_f64_down(), self.hi.to_f64_up())
     }
 
-    /// Returns a finite double near the middle, and an upper bound of its distance to every point inside (infinite if the ends are
-    /// too far beyond the doubles).
+    /// A finite double near the middle, and an upper bound of its distance to every point inside (infinite if the ends are too far
+    /// beyond the doubles).
     pub fn mid_rad(&self) -> (f64, f64) {
         let sum = self.lo.plus(&self.hi, 64, Round::Down).scaled(-1);
         // Either neighbour serves, since the radius is measured from the one chosen; this one is always finite.
@@ -212,7 +212,7 @@ impl Enclosure {
         (mid, left.max(right).to_f64_up().max(0.0)) // X1: the farther end; 0 has no sign
     }
 
-    /// Returns the integer part (rounded down) that all points share; `None` if they do not, or beyond `2^(2^24)`.
+    /// The integer part (rounded down) that all points share; `None` if their integer parts differ, or beyond `2^(2^24)`.
     pub fn floor(&self) -> Option<BigInt> {
         if self.mag().top().is_some_and(|top| top > LARGEST_INTEGER) {
             return None;

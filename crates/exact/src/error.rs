@@ -88,7 +88,7 @@ pub struct ParseError {
 pub(super) enum Advice {
     #[default]
     Nothing,
-    /// This reads as a number.
+    /// A similar text that reads as a number.
     Meant(String),
     /// A number with a unit.
     Units,
@@ -114,7 +114,7 @@ impl ParseError {
         ParseError { advice, ..self }
     }
 
-    /// Returns what was perhaps meant: a text that reads as a number.
+    /// Similar text that reads as a number, if one is suggested.
     pub fn meant(&self) -> Option<&str> {
         match &self.advice {
             Advice::Meant(text) => Some(text),
@@ -122,12 +122,12 @@ impl ParseError {
         }
     }
 
-    /// Returns the byte column, counted from 1, where reading stopped.
+    /// The byte column, counted from 1, where reading stopped.
     pub fn column(&self) -> usize {
         self.column
     }
 
-    /// Returns the mathematical reason, if the text reads well but has no provable value.
+    /// The mathematical reason, if the text is well formed but has no provable value.
     pub fn undefined(&self) -> Option<&ExactError> {
         match &self.problem {
             Problem::Undefined(reason) => Some(reason),

@@ -14,7 +14,7 @@ const CONSTRUCTION_BITS: u32 = 32;
 const CONSTRUCTION_PRECISION: u32 = 1 << 16;
 /// Number of recent enclosures that a node keeps.
 const CACHED_ENCLOSURES: usize = 4;
-/// Bits of the longest fractions that are distinguished.
+/// Longest numerator or denominator, in bits, for which a sign is decided by exact fractions.
 const LONGEST_FRACTION: u64 = 1 << 18;
 
 impl Exact {
@@ -43,7 +43,7 @@ impl Exact {
         enclosure.rounded(bits.saturating_add(3)) // X1
     }
 
-    /// The first enclosure of a new expression, or why it is refused.
+    /// The first enclosure of a new expression, or the reason for refusing it.
     pub(super) fn settle_at_construction(&self) -> Result<Enclosure, ExactError> {
         match self.settle(CONSTRUCTION_BITS, CONSTRUCTION_PRECISION) {
             (enclosure, true) => Ok(enclosure),
@@ -51,7 +51,7 @@ impl Exact {
         }
     }
 
-    /// Raises the internal precision until an enclosure is narrow enough for `bits`, and says whether the budget sufficed.
+    /// Raises the internal precision until an enclosure is narrow enough for `bits`; the flag is whether `budget` bits sufficed.
     fn settle(&self, bits: u32, budget: u32) -> (Enclosure, bool) {
         if !self.is_point() {
             return (self.settle_set(bits, budget), true);
@@ -141,7 +141,7 @@ impl Exact {
         }
     }
 
-    /// Returns the proved sign of the number, or of every number of the set; `None` if it cannot be decided at up to 4096 bits.
+    /// The proved sign of the number, or of every number of the set; `None` if it cannot be decided at up to 4096 bits.
     ///
     /// `Equal` is answered only where a normal form shows a zero (Lemma X2).
     ///
@@ -174,7 +174,7 @@ impl Exact {
         self.fraction().map(|x| x.cmp(&BigRational::zero()))
     }
 
-    /// The fraction that an expression of fractions is, whatever its length: `1 - 10^-4000` differs from 1.
+    /// The exact value of an expression of fractions, for any length up to the limit: `1 - 10^-4000` differs from 1.
     fn fraction(&self) -> Option<BigRational> {
         self.fold(&mut |operation: Operation<'_, Option<BigRational>>| {
             let fraction = match operation {
@@ -189,7 +189,7 @@ impl Exact {
         })
     }
 
-    /// Returns the proved order of two numbers, or of all numbers of one set and all of the other; `None` as for [`sign`](Exact::sign).
+    /// The proved order of two numbers, or of all numbers of one set and all of the other; `None` as for [`sign`](Exact::sign).
     ///
     /// ```
     /// # use impact_pair_exact::Exact;

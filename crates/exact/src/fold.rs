@@ -1,17 +1,17 @@
-//! The structure of an expression, for those who write it in another language.
+//! Structure of an expression, for writing it in another language.
 
 use num_rational::BigRational;
 
 use super::{Exact, Form};
 
-/// One operation of an expression, with what its operands became.
+/// One operation of an expression; `T` is the result of the fold over an operand.
 #[derive(Clone, Copy, Debug)]
 pub enum Operation<'x, T> {
     /// A fraction.
     Rational(&'x BigRational),
-    /// A fraction times a power of pi, not the 0th.
+    /// A fraction times a power of pi whose exponent is not 0.
     PiPower(&'x BigRational, i32),
-    /// All numbers between two.
+    /// All numbers between two numbers.
     Interval(T, T),
     /// `-a`
     Negative(T),
@@ -34,7 +34,7 @@ pub enum Operation<'x, T> {
 }
 
 impl Exact {
-    /// Replaces each operation, innermost first, by what `f` makes of it.
+    /// Replaces each operation, innermost first, by its value under `f`.
     ///
     /// ```
     /// # use impact_pair_exact::{Exact, Operation};

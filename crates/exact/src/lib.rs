@@ -4,9 +4,9 @@
 //! value in an [`Enclosure`] as narrow as requested. Numbers of the form `r * pi^k` with a rational `r` are kept in normal form, so
 //! `(pi/2)/(2*pi)` *is* the fraction 1/4; everything else is a tree. `"[a, b]"` stands for every real number from a to b.
 //!
-//! In reading order: `monomial` (the normal form), `normal` (that of sums), `dyadic`, `elementary` and `enclosure` (outward-rounded arithmetic), `evaluate` (precision
-//! control), `literal`, `parse` and `print` (text), `decimal` (outward decimal printing), `digits` (the same for the eye), `ratio` (fractions between numbers), `fold` (for other languages),
-//! `error`.
+//! In reading order: `monomial` (the normal form), `normal` (the normal form of sums), `dyadic`, `elementary` and `enclosure`
+//! (outward-rounded arithmetic), `evaluate` (precision control), `literal`, `parse` and `print` (text), `decimal` (outward decimal
+//! printing), `digits` (short decimals), `ratio` (fractions between numbers), `fold` (for other languages), `error`.
 //!
 //! ```
 //! use impact_pair_exact::Exact;
@@ -66,26 +66,26 @@ const SIGN_BITS: u32 = 4096;
 /// An expression that contains intervals stands for all values that arise when each occurrence of an interval takes each of its
 /// values independently. Every expression is defined: divisors are proved nonzero and radicands nonnegative when it is built.
 ///
-/// The operators `+ - *` (on values and references) **panic** on what their `checked_` forms return as an error other than a
-/// matter of definition: more than 256 nested operations, or a value beyond `2^40000`.
+/// The operators `+ - *` (on values and references) **panic** where their `checked_` forms return an error: an expression of more
+/// than 256 nested operations, or a value beyond `2^40000`.
 #[derive(Clone)]
 pub struct Exact {
     node: Arc<Node>,
-    /// The user's text, if this very value was read from one.
+    /// The user's text, if the expression was read from one.
     written: Option<Arc<str>>,
 }
 
-/// An expression and what is known about its value.
+/// Node of an expression tree, with enclosures of its value that are already known.
 struct Node {
     form: Form,
     depth: u32,
     is_point: bool,
-    /// An enclosure from the time of construction; every later one is intersected with it, so coarse precision can never make
-    /// an intermediate value larger than it was when it was accepted.
+    /// Enclosure from the time of construction. Later enclosures are intersected with it: coarse precision can never make an
+    /// intermediate value larger than it was when the expression was accepted.
     base: OnceLock<Enclosure>,
     /// A few recent enclosures by precision, so shared subexpressions are evaluated once.
     recent: Mutex<Vec<(u32, Enclosure)>>,
-    /// Normal form as a sum of terms, if it is a short one.
+    /// Normal form as a sum of terms; `None` inside where it grows too long.
     normal: OnceLock<Option<Normal>>,
 }
 
@@ -130,7 +130,7 @@ impl Exact {
         Exact::from_monomial(Monomial::new(BigRational::one(), 1))
     }
 
-    /// Returns all numbers from `lower` to `upper`; the point itself if both are the same.
+    /// The interval of all numbers from `lower` to `upper`; the point itself if both are equal.
     ///
     /// **Errors** if an end is not a point, or `lower <= upper` cannot be proved.
     ///
@@ -158,12 +158,12 @@ impl Exact {
         self.node.is_point
     }
 
-    /// Returns the value, if it is known to be a fraction. (Not every rational value is known to be one: `cos(pi/5) - cos(2*pi/5)`.)
+    /// The value, if it is known to be a fraction. (Not every rational value is known to be one: `cos(pi/5) - cos(2*pi/5)`.)
     pub fn as_rational(&self) -> Option<&BigRational> {
         self.as_monomial().and_then(Monomial::as_rational)
     }
 
-    /// Returns the ends of an interval `[a, b]`, twice the number itself for a point, `None` if an interval is nested inside.
+    /// The ends of an interval `[a, b]`, twice the number itself for a point, `None` if an interval is nested inside.
     ///
     /// ```
     /// # use impact_pair_exact::Exact;
@@ -178,17 +178,17 @@ impl Exact {
         }
     }
 
-    /// Returns the lower one of the [`ends`](Exact::ends).
+    /// The lower one of the [`ends`](Exact::ends).
     pub fn lower(&self) -> Option<Exact> {
         self.ends().map(|(lower, _)| lower)
     }
 
-    /// Returns the upper one of the [`ends`](Exact::ends).
+    /// The upper one of the [`ends`](Exact::ends).
     pub fn upper(&self) -> Option<Exact> {
         self.ends().map(|(_, upper)| upper)
     }
 
-    /// The normal form, if there is one.
+    /// The number `r * pi^k`, if the expression is one.
     fn as_monomial(&self) -> Option<&Monomial> {
         match &self.node.form {
             Form::Monomial(monomial) => Some(monomial),
@@ -196,7 +196,7 @@ impl Exact {
         }
     }
 
-    /// The normal form as an expression.
+    /// The number `r * pi^k` as an expression.
     fn from_monomial(monomial: Monomial) -> Exact {
         Exact::from_node(Node::new(Form::Monomial(monomial)))
     }

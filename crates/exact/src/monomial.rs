@@ -28,13 +28,13 @@ impl Monomial {
         Monomial { rational, pi_power }
     }
 
-    /// The number as a result of arithmetic; `None` if it outgrew the normal form.
+    /// The result of an arithmetic operation; `None` if it is too long for the normal form.
     fn if_moderate(rational: BigRational, pi_power: Option<i32>) -> Option<Monomial> {
         let pi_power = pi_power.filter(|power| power.abs() <= LARGEST_PI_POWER)?;
         (length(&rational) <= LARGEST_FRACTION).then(|| Monomial::new(rational, pi_power))
     }
 
-    /// True if a product or sum with this number is worth trying.
+    /// Whether a product or sum with this number may fit the normal form.
     fn is_moderate(&self) -> bool {
         length(&self.rational) <= 2 * LARGEST_FRACTION
     }
@@ -122,7 +122,7 @@ impl Monomial {
         sine_of_sixths(self.sixths_of_pi()? + 3)
     }
 
-    /// Returns the multiple of pi/6 that the number is, modulo 2 pi, as an integer from 0 to 11; `None` if it is not one.
+    /// The integer from 0 to 11 whose multiple of pi/6 is the number modulo 2 pi; `None` if there is none.
     fn sixths_of_pi(&self) -> Option<u8> {
         if self.is_zero() {
             return Some(0);

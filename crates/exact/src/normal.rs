@@ -1,7 +1,7 @@
 //! A normal form of sums, in which two expressions of one number often become the same: **Lemma X2** of `docs/proofs/exact.md#X2`.
 //!
 //! A sum of terms `r pi^k sqrt(m) g sin(a)` or `... cos(a)`, `r` a fraction, `m` a whole number, `g` powers of roots and
-//! reciprocals of sums, `a` a sum. Each rule that is used is an identity, so what becomes nothing is 0: the converse is not claimed.
+//! reciprocals of sums, `a` a sum. Each rule is an identity, so a normal form without terms proves that the number is 0; the converse is not claimed.
 
 use std::collections::BTreeMap;
 
@@ -13,13 +13,13 @@ use num_traits::{One, Signed, ToPrimitive, Zero};
 use super::monomial::Monomial;
 use super::{Exact, Form};
 
-/// Longer sums are left as they are: an expression may double its terms with each operation.
+/// Longer sums are not expanded: an expression may double its terms with each operation.
 const MOST_TERMS: usize = 32;
-/// Fractions and roots of more bits are left as they are.
+/// Fractions and roots of more bits have no normal form.
 const MOST_BITS: u64 = 512;
-/// Powers with a greater exponent are left as they are.
+/// Powers with a greater exponent have no normal form.
 const MOST_POWERS: u32 = 16;
-/// Square factors of a radicand are looked for up to here.
+/// Largest square factor of a radicand that is searched for: the square of this number.
 const LARGEST_FACTOR: u32 = 64;
 
 /// Terms and their coefficients, none of them 0.
@@ -57,7 +57,7 @@ impl Term {
 }
 
 impl Normal {
-    /// Returns the normal form of an expression of one number; `None` where it grows too long.
+    /// The normal form of an expression of one number; `None` where it grows too long.
     pub fn of(x: &Exact) -> Option<Self> {
         x.node.normal.get_or_init(|| Self::of_form(&x.node.form).filter(Self::is_short)).clone()
     }
@@ -83,7 +83,7 @@ impl Normal {
         }
     }
 
-    /// Returns the number `r pi^k` that it is, if it is one.
+    /// The number `r pi^k`, if the normal form is one.
     pub fn monomial(&self) -> Option<Monomial> {
         if self.0.is_empty() {
             return Some(Monomial::new(BigRational::zero(), 0));
@@ -115,7 +115,7 @@ impl Normal {
     }
 
     fn add(&mut self, term: Term, x: BigRational) {
-        let sum = self.0.remove(&term).unwrap_or_default() + x; // X2: no term is nothing
+        let sum = self.0.remove(&term).unwrap_or_default() + x; // X2: an absent term is 0
         if !sum.is_zero() {
             self.0.insert(term, sum);
         }
@@ -139,7 +139,7 @@ impl Normal {
         Some(product)
     }
 
-    /// `1/x` of a number that is not 0: a single term's is one again.
+    /// `1/x` of a number that is not 0: the reciprocal of a single term without a wave and factors is again such a term.
     fn reciprocal(&self) -> Option<Self> {
         match self.only() {
             // 1/sqrt(m) = sqrt(m)/m
@@ -171,11 +171,11 @@ impl Normal {
         }
     }
 
-    /// The sine, or the cosine: the angle less its quarter periods, not mirrored.
+    /// The sine or cosine of an angle: whole quarter periods are removed, and the first other coefficient is made positive.
     fn wave(&self, is_sine: bool) -> Option<Self> {
         let half_turn = Term { pi_power: 1, ..Term::one() };
         let mut angle = self.clone();
-        let turned = angle.0.remove(&half_turn).unwrap_or_default(); // X2: no term is nothing
+        let turned = angle.0.remove(&half_turn).unwrap_or_default(); // X2: an absent term is 0
         // sin(-a) = -sin(a), cos(-a) = cos(a): the first coefficient beside pi's is positive.
         let is_mirrored = angle.0.values().next().is_some_and(Signed::is_negative);
         let (angle, turned) = if is_mirrored { (angle.scaled(&whole(-1)), -turned) } else { (angle, turned) };
@@ -273,7 +273,7 @@ impl From<Wave> for Normal {
     }
 }
 
-/// The sine or cosine of `part` of pi, from 0 on and less than a half; roots for twelfths.
+/// The sine or cosine of `part` times pi, `0 <= part < 1/2`; roots for twelfths.
 fn special(is_sine: bool, part: BigRational) -> Normal {
     // sin(pi/2 - a) = cos(a): at most a quarter is left.
     let is_beyond = part > BigRational::new(1.into(), 4.into());
@@ -373,7 +373,7 @@ mod tests {
     }
 
     proptest! {
-        /// Lemma X2 against the enclosures (X1): two numbers of one form are nowhere apart.
+        /// Lemma X2 against the enclosures (X1): a normal form encloses the same number as its expression.
         #[test]
         fn a_form_is_the_number(a in crate::evaluate::tests::texts(), b in crate::evaluate::tests::texts()) {
             let parse = |text: &str| Exact::parse(text).ok();
@@ -386,7 +386,7 @@ mod tests {
     }
 
     impl Normal {
-        /// The sum again as an expression, by the constructors alone.
+        /// Rebuilds the sum as an expression, by the constructors alone.
         fn value(&self) -> Option<Exact> {
             self.0.iter().try_fold(Exact::from(0), |sum, (term, x)| {
                 let mut product = Exact::from_rational(x.clone());

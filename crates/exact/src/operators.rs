@@ -9,7 +9,7 @@ use super::monomial::Monomial;
 use super::{Exact, ExactError, Form, LARGEST_POWER, SIGN_BITS};
 
 impl Exact {
-    /// Returns the sum. **Errors** if too deep or too large.
+    /// The sum. **Errors** if too deep or too large.
     pub fn checked_add(&self, other: &Exact) -> Result<Exact, ExactError> {
         match (self.as_monomial(), other.as_monomial()) {
             (Some(a), _) if a.is_zero() => return Ok(other.clone()),
@@ -24,7 +24,7 @@ impl Exact {
         Exact::from_form(Form::Sum(self.clone(), other.clone()))
     }
 
-    /// Returns the difference. **Errors** if too deep or too large.
+    /// The difference. **Errors** if too deep or too large.
     pub fn checked_sub(&self, other: &Exact) -> Result<Exact, ExactError> {
         match (self.as_monomial(), other.as_monomial()) {
             (Some(a), _) if a.is_zero() => return other.checked_neg(),
@@ -39,7 +39,7 @@ impl Exact {
         Exact::from_form(Form::Difference(self.clone(), other.clone()))
     }
 
-    /// Returns the negative. **Errors** if too deep.
+    /// The negative. **Errors** if too deep.
     pub fn checked_neg(&self) -> Result<Exact, ExactError> {
         match &self.node.form {
             Form::Monomial(monomial) => Ok(Exact::from_monomial(monomial.negated())),
@@ -49,7 +49,7 @@ impl Exact {
         }
     }
 
-    /// Returns the product. **Errors** if too deep or too large.
+    /// The product. **Errors** if too deep or too large.
     pub fn checked_mul(&self, other: &Exact) -> Result<Exact, ExactError> {
         if let (Some(a), Some(b)) = (self.as_monomial(), other.as_monomial())
             && let Some(product) = a.times(b)
@@ -67,7 +67,7 @@ impl Exact {
         Exact::from_form(Form::Product(self.clone(), other.clone()))
     }
 
-    /// Returns the quotient. **Errors** if the divisor cannot be proved nonzero at up to 4096 bits, or too deep or too large.
+    /// The quotient. **Errors** if the divisor cannot be proved nonzero at up to 4096 bits, or too deep or too large.
     ///
     /// ```
     /// # use impact_pair_exact::Exact;
@@ -91,7 +91,7 @@ impl Exact {
         }
     }
 
-    /// Returns the integer power, with x^0 = 1. **Errors** for |n| > 10000, a negative power of what may be zero, too deep, too large.
+    /// The integer power, with x^0 = 1. **Errors** for |n| > 10000, a negative power of what may be zero, too deep, too large.
     pub fn checked_powi(&self, n: i64) -> Result<Exact, ExactError> {
         if n.unsigned_abs() > LARGEST_POWER.unsigned_abs() {
             return Err(ExactError::ExponentTooLarge { exponent: n });
@@ -112,7 +112,7 @@ impl Exact {
         }
     }
 
-    /// Returns the square root. **Errors** if the value cannot be proved nonnegative at up to 4096 bits, or too deep.
+    /// The square root. **Errors** if the value cannot be proved nonnegative at up to 4096 bits, or too deep.
     ///
     /// ```
     /// # use impact_pair_exact::Exact;
@@ -128,7 +128,7 @@ impl Exact {
         }
     }
 
-    /// Returns the sine of the angle in radians. **Errors** if too deep.
+    /// The sine of the angle in radians. **Errors** if too deep.
     pub fn checked_sin(&self) -> Result<Exact, ExactError> {
         match self.as_monomial().and_then(Monomial::sine) {
             Some(sine) => Ok(Exact::from_monomial(sine)),
@@ -136,7 +136,7 @@ impl Exact {
         }
     }
 
-    /// Returns the cosine of the angle in radians. **Errors** if too deep.
+    /// The cosine of the angle in radians. **Errors** if too deep.
     pub fn checked_cos(&self) -> Result<Exact, ExactError> {
         match self.as_monomial().and_then(Monomial::cosine) {
             Some(cosine) => Ok(Exact::from_monomial(cosine)),
@@ -152,13 +152,13 @@ impl Exact {
     }
 }
 
-/// The first enclosure of x, of 64 bits and more up to the limit, that has the property.
+/// The first enclosure of x at 64, 128, ... up to `SIGN_BITS` bits that has the property.
 fn prove(x: &Exact, property: fn(&Enclosure) -> bool) -> Option<Enclosure> {
     let precisions = std::iter::successors(Some(64), |bits| Some(2 * bits)).take_while(|bits| *bits <= SIGN_BITS);
     precisions.map(|bits| x.evaluate(bits)).find(property)
 }
 
-/// The operator forms of a checked operation.
+/// Implements the operator of a checked operation, for values and references.
 macro_rules! operator {
     ($trait:ident, $method:ident, $checked:ident, $($left:ty, $right:ty);*) => {$(
         #[doc = concat!("As [`", stringify!($checked), "`](Exact::", stringify!($checked), "); **panics** where that is an error.")]

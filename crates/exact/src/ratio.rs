@@ -5,7 +5,7 @@ use num_traits::{One, Zero};
 
 use super::{Exact, Form};
 
-/// A number as a fraction times powers of factors that are no products themselves, in a fixed order.
+/// A number as a fraction times powers of factors that are not products themselves, in a fixed order.
 struct Product {
     fraction: BigRational,
     pi_power: i64,

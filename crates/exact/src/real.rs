@@ -27,7 +27,7 @@ pub struct Real {
 const GUARD: u32 = 8;
 
 impl Real {
-    /// Returns all numbers of an enclosure.
+    /// The numbers of an enclosure; operations round to `bits` bits.
     pub fn new(value: Enclosure, bits: u32) -> Self {
         Self { value, bits }
     }
@@ -68,12 +68,12 @@ impl Real {
         Self::new(Enclosure::pi(bits), bits)
     }
 
-    /// Returns its bounds.
+    /// The interval of all members.
     pub fn enclosure(&self) -> &Enclosure {
         &self.value
     }
 
-    /// Returns the bits that operations round to.
+    /// The bits that operations round to.
     pub fn bits(&self) -> u32 {
         self.bits
     }
@@ -82,140 +82,140 @@ impl Real {
         Self::new(value, self.bits)
     }
 
-    /// Returns the same set, further operations rounded to other bits.
+    /// The same set; further operations round to `bits` bits.
     pub fn at(&self, bits: u32) -> Self {
         Self { value: self.value.clone(), bits }
     }
 
-    /// Returns the set rounded outward to other bits.
+    /// The set rounded outward to `bits` bits.
     pub fn rounded(&self, bits: u32) -> Self {
         Self { value: self.value.rounded(bits), bits }
     }
 
-    /// Returns the sign that all members share.
+    /// The sign that all members share; `None` if their signs differ.
     pub fn sign(&self) -> Option<Ordering> {
         self.value.sign()
     }
 
-    /// Returns whether all members are greater than 0.
+    /// Whether all members are greater than 0.
     pub fn is_positive(&self) -> bool {
         self.sign() == Some(Ordering::Greater)
     }
 
-    /// Returns whether all members are less than 0.
+    /// Whether all members are less than 0.
     pub fn is_negative(&self) -> bool {
         self.sign() == Some(Ordering::Less)
     }
 
-    /// Returns whether it is 0, known exactly.
+    /// Whether 0 is the only member.
     pub fn is_zero(&self) -> bool {
         self.sign() == Some(Ordering::Equal)
     }
 
-    /// Returns whether it may be 0 and may not be.
+    /// Whether members of different signs, or 0 and another number, are in the set.
     pub fn is_across(&self) -> bool {
         self.sign().is_none()
     }
 
-    /// Returns whether all members are less than all of the other.
+    /// Whether every member of `self` is less than every member of `other`.
     pub fn is_below(&self, other: &Self) -> bool {
         self.value.sup() < other.value.inf()
     }
 
-    /// Returns whether no member of one is one of the other.
+    /// Whether the two sets have no member in common.
     pub fn is_apart_from(&self, other: &Self) -> bool {
         self.value.intersection(&other.value).is_none()
     }
 
-    /// Returns the members of both; `None` if there are none.
+    /// The common members of both sets; `None` if there are none.
     pub fn intersection(&self, other: &Self) -> Option<Self> {
         self.value.intersection(&other.value).map(|value| self.with(value))
     }
 
-    /// Returns the common part of two sets that hold the same number; the first where they have none.
+    /// The common part of two enclosures of the same number; `self` where they have none.
     pub fn cut(&self, other: &Self) -> Self {
         self.intersection(other).unwrap_or_else(|| self.clone())
     }
 
-    /// Returns the least interval that holds both.
+    /// The least interval that holds both sets.
     pub fn hull(&self, other: &Self) -> Self {
         self.with(self.value.hull(&other.value))
     }
 
-    /// Returns a point near the middle, not outside.
+    /// A point near the middle, and a member.
     pub fn middle(&self) -> Self {
         let (lo, hi) = (self.value.inf(), self.value.sup());
         let sum = lo.plus(hi, self.bits.saturating_add(4), Round::Down); // exact: any point, cut to a member below
         self.with(Enclosure::point(sum.scaled(-1).clamp(lo.clone(), hi.clone()))) // exact: a member
     }
 
-    /// That point.
+    /// The point [`middle`](Self::middle) as a dyadic.
     pub fn mid(&self) -> Dyadic {
         self.middle().value.inf().clone()
     }
 
-    /// Returns the lower and the upper bound, as points.
+    /// The lower and the upper bound, as points.
     pub fn ends(&self) -> [Self; 2] {
         [self.value.inf(), self.value.sup()].map(|end| self.with(Enclosure::point(end.clone())))
     }
 
-    /// Returns an upper bound of the distance between two members.
+    /// Upper bound of the distance between two members.
     pub fn wid(&self) -> Dyadic {
         self.value.wid()
     }
 
-    /// Returns a double near the middle.
+    /// A double near the middle.
     pub fn to_f64(&self) -> f64 {
         self.value.mid_rad().0
     }
 
-    /// Returns the square; never negative.
+    /// Encloses the squares of the members; no bound is negative.
     pub fn square(&self) -> Self {
         self.with(self.value.powi(2, self.bits).expect("the exponent is positive"))
     }
 
-    /// Returns the square root of the members that are not negative; `None` if there is none.
+    /// Encloses the square roots of the members that are not negative; `None` if all are negative.
     pub fn sqrt(&self) -> Option<Self> {
         let lo = self.value.inf().max(&Dyadic::zero()).clone(); // X1: the members from 0 on
         let value = Enclosure::new(lo, self.value.sup().clone())?.sqrt(self.bits)?;
         Some(self.with(value))
     }
 
-    /// Returns the quotient; `None` if the divisor may be 0.
+    /// Encloses the quotient; `None` if the divisor may be 0.
     pub fn over(&self, divisor: &Self) -> Option<Self> {
         let bits = self.bits.max(divisor.bits); // X1: any number of bits encloses
         self.value.div(&divisor.value, bits).map(|value| Self::new(value, bits))
     }
 
-    /// Half of it, exactly.
+    /// Half of each member, exactly.
     pub fn half(&self) -> Self {
         let half = |end: &Dyadic| end.scaled(-1);
         self.with(Enclosure::new(half(self.value.inf()), half(self.value.sup())).expect("in order"))
     }
 
-    /// Returns the sine.
+    /// Encloses the sine.
     pub fn sin(&self) -> Self {
         self.with(self.value.sin(self.bits))
     }
 
-    /// Returns the cosine.
+    /// Encloses the cosine.
     pub fn cos(&self) -> Self {
         self.with(self.value.cos(self.bits))
     }
 
-    /// Both.
+    /// Encloses the sine and the cosine.
     pub fn sin_cos(&self) -> (Self, Self) {
         (self.sin(), self.cos())
     }
 
-    /// Returns the members that are at most `most`; a point of `most` if there is none.
+    /// The members that are at most `most`; the point `most` if there is none.
     pub fn at_most(&self, most: i64) -> Self {
         let most = Dyadic::new(most.into(), 0);
         let cut = |end: &Dyadic| end.min(&most).clone(); // X1: the members up to it
         self.with(Enclosure::new(cut(self.value.inf()), cut(self.value.sup())).expect("in order"))
     }
 
-    /// Returns the integer part that all members share.
+    /// The integer part that all members share; `None` if their integer parts differ.
     pub fn floor(&self) -> Option<i64> {
         self.value.floor().and_then(|n| i64::try_from(n).ok()) // exact: shared by all members
     }
@@ -235,7 +235,7 @@ impl Neg for Real {
     }
 }
 
-/// An operator on values and references, and with an integer on the right.
+/// Implements an operator for values and references, and with an integer on the right.
 macro_rules! operator {
     ($trait:ident, $name:ident, $enclosure:ident) => {
         impl $trait<&Real> for &Real {

@@ -3,7 +3,7 @@
 use std::fmt;
 use std::ops::Range;
 
-/// A line of a text with the place that is meant in it.
+/// A line of a text with the marked part that an error is about.
 ///
 /// It is shown as by compilers:
 ///
@@ -21,7 +21,7 @@ pub struct Excerpt {
 }
 
 impl Excerpt {
-    /// Returns the excerpt of the first line that holds some of these bytes of a text.
+    /// Marks `bytes` of a text in the line where they begin; bytes beyond the end of that line are not marked.
     pub(crate) fn new(text: &str, bytes: Range<usize>) -> Self {
         let whole = |at: usize| (0..=at.min(text.len())).rev().find(|&at| text.is_char_boundary(at)).unwrap_or(0);
         let start = whole(bytes.start);
@@ -35,17 +35,17 @@ impl Excerpt {
         Self { line: 1 + before.matches('\n').count(), text: line.replace('\t', " "), marked }
     }
 
-    /// Returns the number of the line, from 1.
+    /// The number of the line, from 1.
     pub fn line(&self) -> usize {
         self.line
     }
 
-    /// Returns the line, without its end.
+    /// The line, without its end.
     pub fn text(&self) -> &str {
         &self.text
     }
 
-    /// Returns what is meant in it, in characters from 0.
+    /// The marked part, in characters of the line from 0.
     pub fn marked(&self) -> Range<usize> {
         self.marked.clone()
     }

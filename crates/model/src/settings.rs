@@ -11,7 +11,7 @@ use impact_pair_exact::Exact;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Arithmetic {
     /// The cheapest arithmetic that certifies each impact to the requested digits: doubles first, then multiprecision,
-    /// by plan. With interval data it continues as far as their own width allows.
+    /// by plan. With interval data it continues as far as the widths of the data allow.
     #[default]
     Auto,
     /// Plain double precision: non-rigorous.
@@ -54,10 +54,10 @@ impl Arithmetic {
 /// The accepted numbers of digits.
 pub const DIGITS: RangeInclusive<u32> = 1..=400;
 
-/// Refuses a number of digits that is not accepted.
+/// Refuses a number of digits outside [`DIGITS`].
 ///
 /// # Errors
-/// If it is not in [`DIGITS`].
+/// If `digits` is not in [`DIGITS`].
 pub fn require_digits(digits: u32) -> Result<(), Error> {
     let (least, most) = DIGITS.into_inner();
     Error::require_range("digits", &Exact::from(i64::from(digits)), least.into(), most.into())
@@ -66,7 +66,7 @@ pub fn require_digits(digits: u32) -> Result<(), Error> {
 /// The settings of an orbit: its length, accuracy and arithmetic.
 #[derive(Clone, Debug)]
 pub struct Settings {
-    /// Stop after N impacts.
+    /// Stop after this number of impacts.
     pub impacts: Option<u64>,
     /// Stop at this time \[time\].
     pub until: Option<Exact>,
@@ -91,7 +91,7 @@ pub const MAX_BITS: u32 = 1_000_000;
 pub const BITS: RangeInclusive<u32> = 64..=1_000_000_000;
 
 impl Settings {
-    /// Refuses settings that no orbit is followed with.
+    /// Refuses settings that are outside the accepted ranges.
     ///
     /// # Errors
     /// If the digits or a number of bits are not accepted.
@@ -121,7 +121,7 @@ impl Default for Settings {
     }
 }
 
-/// As the command line says it: `auto`, `float`, `interval`, `inari`, `shadow`, or a number of bits.
+/// Spelling of the command line: `auto`, `float`, `interval`, `inari`, `shadow`, or a number of bits.
 impl FromStr for Arithmetic {
     type Err = Error;
 

@@ -24,7 +24,7 @@ pub enum Place {
 }
 
 impl Start {
-    /// Returns a start on `wall` at `time`, with relative velocity `velocity` \[length/time\] just before the impact.
+    /// Start on `wall` at `time`, with relative velocity `velocity` \[length/time\] just before the impact.
     ///
     /// # Errors
     /// If the velocity does not point at the wall (left: `<= 0`, right: `>= 0`), or this cannot be proved.
@@ -39,7 +39,7 @@ impl Start {
         Ok(Self { time, velocity, place: Place::Wall(wall) })
     }
 
-    /// Returns a start inside the gap of `pair`, at relative displacement `position` \[length\] and velocity `velocity`.
+    /// Start inside the gap of `pair`, at relative displacement `position` \[length\] and velocity `velocity`.
     ///
     /// # Errors
     /// If the position is not strictly between the walls, or this cannot be proved.
@@ -49,7 +49,7 @@ impl Start {
         Ok(start)
     }
 
-    /// Refuses a start that is not in the box of `pair`: whatever follows a start asks this of the pair that it follows it with.
+    /// Refuses a start that is not in the box of `pair`. Every function that follows an orbit from a start calls it with the pair it uses.
     ///
     /// # Errors
     /// If the start is not on a wall and its position is not strictly between the walls, or this cannot be proved.
@@ -65,17 +65,17 @@ impl Start {
         Ok(())
     }
 
-    /// Returns the time of the start \[time\].
+    /// The time of the start \[time\].
     pub fn time(&self) -> &Exact {
         &self.time
     }
 
-    /// Returns the relative velocity \[length/time\]: before the impact for a start on a wall.
+    /// The relative velocity \[length/time\]: before the impact for a start on a wall.
     pub fn velocity(&self) -> &Exact {
         &self.velocity
     }
 
-    /// Returns whether none of the data is an interval.
+    /// Whether none of the data is an interval.
     pub fn is_point(&self) -> bool {
         let place = match &self.place {
             Place::Wall(_) => true,
@@ -84,7 +84,7 @@ impl Start {
         place && self.time.is_point() && self.velocity.is_point()
     }
 
-    /// Returns the position of the ball.
+    /// The position of the ball.
     pub fn place(&self) -> &Place {
         &self.place
     }

@@ -2,9 +2,9 @@
 //!
 //! A bare number is the exact decimal as written, a string is an expression (`"3*pi"`) or an interval of values
 //! (`"[9.42, 9.43]"`); see [`Exact::parse`]. Nothing is rounded to a double, nothing is clamped. Required are
-//! `[excitation]` with `amplitude`, `frequency` and `phase` (for several harmonics lists of one length; a single phase is
-//! that of all), `[pair]` with `gap` and `restitution`, and `[start]` with `time`, `velocity` and either `wall` or
-//! `position`. `title` and `[run]` are not.
+//! `[excitation]` with `amplitude`, `frequency` and `phase` (for several harmonics lists of one length; a single phase
+//! holds for all harmonics), `[pair]` with `gap` and `restitution`, and `[start]` with `time`, `velocity` and either `wall`
+//! or `position`. `title` and `[run]` are optional.
 
 mod key;
 mod range;
@@ -26,7 +26,7 @@ pub use key::{Key, Term};
 pub use range::Range;
 use section::{Entry, Section, quoted};
 
-/// Digits of a shadow where none are requested: it is as narrow as it is, and a scene's own are meant for what can be narrower.
+/// Digits of a shadow if none are requested: the width of a shadow is not controlled, so the digits of `[run]` do not apply.
 const SHADOW_DIGITS: u32 = 6;
 
 /// A scene file: an impact pair, a start, and how far to follow the orbit.
@@ -54,7 +54,7 @@ pub struct Scene {
 /// The length and accuracy of the orbit: the table `[run]`.
 #[derive(Clone, Debug, Default)]
 pub struct Run {
-    /// Stop after N impacts; 0 requests none.
+    /// Stop after this number of impacts; 0 requests none.
     pub impacts: Option<u64>,
     /// Stop at this time \[time\].
     pub until: Option<Exact>,
@@ -63,7 +63,7 @@ pub struct Run {
 }
 
 impl Run {
-    /// Returns the settings of an orbit, by default nine digits, and 100 impacts if neither a number nor a stop time is given.
+    /// The settings of an orbit, by default nine digits, and 100 impacts if neither a number nor a stop time is given.
     pub fn settings(&self, arithmetic: Arithmetic) -> Settings {
         let defaults = Settings::default();
         let impacts = if self.until.is_none() { self.impacts.or(defaults.impacts) } else { self.impacts };
@@ -103,44 +103,44 @@ impl Scene {
         Ok(Self { title, pair, start, run, places })
     }
 
-    /// Returns the title, if there is one.
+    /// The title, if there is one.
     pub fn title(&self) -> Option<&str> {
         self.title.as_deref()
     }
 
-    /// Returns the impact pair.
+    /// The impact pair.
     pub fn pair(&self) -> &ImpactPair {
         &self.pair
     }
 
-    /// Returns where the orbit starts.
+    /// The start of the orbit.
     pub fn start(&self) -> &Start {
         &self.start
     }
 
-    /// Returns the table `[run]`.
+    /// The table `[run]`.
     pub fn run(&self) -> &Run {
         &self.run
     }
 
-    /// Returns the settings of `[run]`, in the cheapest arithmetic that decides.
+    /// The settings of `[run]`, in the cheapest arithmetic that decides.
     pub fn settings(&self) -> Settings {
         self.run.settings(Arithmetic::Auto)
     }
 
-    /// Returns the settings of the run: those of `requested`, else those of the table `[run]`.
+    /// The settings of the run: those of `requested`, else those of the table `[run]`.
     pub fn settings_requested(&self, requested: Run, arithmetic: Arithmetic) -> Settings {
         let (impacts, until) =
             (requested.impacts.or(self.run.impacts), requested.until.or_else(|| self.run.until.clone()));
         Run { impacts, until, digits: self.digits_requested(requested.digits, arithmetic) }.settings(arithmetic)
     }
 
-    /// Returns the digits of an orbit: those requested, or else those of `[run]`; six for a shadow.
+    /// The digits of an orbit: those requested, or else those of `[run]`; `SHADOW_DIGITS` for a shadow.
     pub fn digits_requested(&self, digits: Option<u32>, arithmetic: Arithmetic) -> Option<u32> {
         digits.or(if arithmetic == Arithmetic::Shadow { Some(SHADOW_DIGITS) } else { self.run.digits })
     }
 
-    /// Returns the error with the line of its key, if that is in the file.
+    /// Adds the line of the error's key, if the key is in the file.
     pub fn located(&self, error: Error, settings: &Settings) -> Error {
         let is_ours = |until: &Exact| self.run.until.as_ref().is_some_and(|ours| ours.text() == until.text());
         // A time to stop at that is not the file's has no line in it.
@@ -149,7 +149,7 @@ impl Scene {
     }
 }
 
-/// The error with the line of its key, or of the first of its keys (`excitation.amplitude / pair.gap`).
+/// Adds the line of the error's key, or of the first of several keys (`excitation.amplitude / pair.gap`).
 fn at_its_place(error: Error, places: &[(String, Excerpt)]) -> Error {
     let key = error.key().unwrap_or_default();
     match places.iter().find(|(known, _)| key.contains(known.as_str())) {
@@ -158,7 +158,7 @@ fn at_its_place(error: Error, places: &[(String, Excerpt)]) -> Error {
     }
 }
 
-/// Returns the error for a text that is not TOML, with the line at fault.
+/// The error for a text that is not TOML, with the line at fault.
 fn unreadable(text: &str, error: TomlError) -> Error {
     let at = error.span().unwrap_or(text.len()..text.len());
     let excerpt = Excerpt::new(text, at);
@@ -168,7 +168,7 @@ fn unreadable(text: &str, error: TomlError) -> Error {
     Error::scene(message).meant(as_toml(written)).at(excerpt).because(error)
 }
 
-/// A line whose value is an expression or a word without quotes, as TOML has it.
+/// The line as valid TOML, if its value is an expression or a word without quotes.
 fn as_toml(line: &str) -> Option<String> {
     let (key, value) = line.split_once('=')?;
     let value = value.split('#').next()?.trim();

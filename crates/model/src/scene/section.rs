@@ -1,4 +1,4 @@
-//! Tables and entries of a scene file that know their name, their line and their own text.
+//! Tables and entries of a scene file, with their names, lines and text.
 
 use std::ops::{Range, RangeInclusive};
 
@@ -11,7 +11,7 @@ use impact_pair_exact::Exact;
 const NUMBER_EXPECTED: &str =
     "must be a number, or a string with an expression (\"3*pi\") or an interval (\"[9.42, 9.43]\")";
 
-/// The symbols of the paper, and of programs, for keys of a scene, with their tables.
+/// Symbols of the paper and of other programs: the symbol, the table and the key that it stands for.
 const SYMBOLS: [(&str, &str, &str); 19] = [
     ("A", "excitation", "amplitude"),
     ("a", "excitation", "amplitude"),
@@ -39,7 +39,7 @@ pub(super) struct Section<'t> {
     text: &'t str,
     /// Empty for the whole file.
     name: &'static str,
-    /// The place of its name in the text.
+    /// The place of the table's name in the text.
     span: Range<usize>,
     table: &'t dyn TableLike,
 }
@@ -55,12 +55,12 @@ pub(super) struct Entry<'t> {
 }
 
 impl<'t> Section<'t> {
-    /// Returns the whole file.
+    /// The table of the whole file.
     pub fn file(text: &'t str, table: &'t dyn TableLike) -> Self {
         Self { text, name: "", span: 0..0, table }
     }
 
-    /// Returns the table `name` of the file, whose keys are among `keys`.
+    /// The table `name` of the file, whose keys are among `keys`.
     pub fn section(&self, name: &'static str, keys: &[&str]) -> Result<Self, Error> {
         self.optional_section(name, keys)?.ok_or_else(|| {
             let missing = Error::entry(name, "missing", &format!("must be a table with {}", keys.join(", ")));
@@ -72,7 +72,7 @@ impl<'t> Section<'t> {
         })
     }
 
-    /// Returns the table `name` of the file, if it is there.
+    /// The table `name` of the file, if there is one.
     pub fn optional_section(&self, name: &'static str, keys: &[&str]) -> Result<Option<Self>, Error> {
         let Some(entry) = self.entry(name) else { return Ok(None) };
         let table = entry.item.as_table_like();
@@ -82,12 +82,12 @@ impl<'t> Section<'t> {
         Ok(Some(section))
     }
 
-    /// Returns the entry of `key`, if it is there.
+    /// The entry of `key`, if there is one.
     pub fn entry(&self, key: &str) -> Option<Entry<'t>> {
         self.table.get_key_value(key).map(|(key, item)| self.entry_of(key, item))
     }
 
-    /// Returns the entry of `key`, which must be there.
+    /// The entry of `key`; the error `missing` if there is none.
     pub fn require(&self, key: &str) -> Result<Entry<'t>, Error> {
         self.entry(key).ok_or_else(|| self.missing(key, NUMBER_EXPECTED))
     }
@@ -109,7 +109,7 @@ impl<'t> Section<'t> {
         }
     }
 
-    /// Returns the keys with their values' places.
+    /// The keys, each with the line of its value.
     pub fn places(&self) -> impl Iterator<Item = (String, Excerpt)> {
         self.entries().map(|entry| (entry.key.clone(), entry.excerpt()))
     }
@@ -137,32 +137,32 @@ impl<'t> Entry<'t> {
         self.text.get(self.value.clone()).unwrap_or_default()
     }
 
-    /// Returns the place of the value in the text.
+    /// The line of the value.
     fn excerpt(&self) -> Excerpt {
         Excerpt::new(self.text, self.value.clone())
     }
 
-    /// Returns the line, from 1.
+    /// The number of the line, from 1.
     pub fn line(&self) -> usize {
         self.excerpt().line()
     }
 
-    /// Returns the error that the value is what it is, `but` something else is accepted.
+    /// The error that shows the value and `but`, which says what is accepted.
     pub fn refused(&self, but: &str) -> Error {
         self.refused_at(self.value.clone(), but)
     }
 
-    /// Returns the error that the text at `place` is what it is, `but` something else is accepted.
+    /// The error that shows the value, marks `place` in the text and says `but`.
     fn refused_at(&self, place: Range<usize>, but: &str) -> Error {
         Error::entry(&self.key, &shown(self.written()), but).at(Excerpt::new(self.text, place))
     }
 
-    /// Returns a string.
+    /// The value as a string.
     pub fn text(&self, accepted: &str) -> Result<&'t str, Error> {
         self.item.as_str().ok_or_else(|| self.refused(&format!("must be {accepted}")))
     }
 
-    /// Returns a string that a line of a table and a picture can show: XML has no control characters and neither of the two noncharacters.
+    /// The value as a string that a table row and a picture can show: XML has no control characters and neither of the two noncharacters.
     pub fn one_line(&self) -> Result<&'t str, Error> {
         let text = self.text("a string")?;
         let is_hidden = |c: char| c.is_control() || matches!(c, '\u{fffe}' | '\u{ffff}');
@@ -173,20 +173,20 @@ impl<'t> Entry<'t> {
         }
     }
 
-    /// Returns an exact number or interval.
+    /// The value as an exact number or interval.
     pub fn number(&self) -> Result<Exact, Error> {
         self.item
             .as_value()
             .map_or_else(|| Err(self.refused(NUMBER_EXPECTED)), |value| self.exact(value, self.value.clone()))
     }
 
-    /// Returns an exact number that is no interval.
+    /// The value as an exact number that is not an interval.
     pub fn point(&self) -> Result<Exact, Error> {
         let number = self.number()?;
         if number.is_point() { Ok(number) } else { Err(self.refused("must be a single number, not an interval")) }
     }
 
-    /// Returns an exact number for each term: a single one, or those of a list.
+    /// An exact number for each term: a single number, or the numbers of a list.
     pub fn terms(&self) -> Result<Vec<Exact>, Error> {
         let Some(terms) = self.item.as_array() else { return Ok(vec![self.number()?]) };
         if terms.is_empty() {
@@ -196,12 +196,12 @@ impl<'t> Entry<'t> {
         terms.iter().map(term).collect()
     }
 
-    /// Returns whether it is a list.
+    /// Whether the value is a list.
     pub fn is_list(&self) -> bool {
         self.item.is_array()
     }
 
-    /// Returns an integer of this range.
+    /// The value as an integer of `range`.
     pub fn integer(&self, range: RangeInclusive<u64>) -> Result<u64, Error> {
         let value = self.item.as_integer().and_then(|value| u64::try_from(value).ok());
         value.filter(|value| range.contains(value)).ok_or_else(|| {
@@ -213,7 +213,7 @@ impl<'t> Entry<'t> {
         })
     }
 
-    /// The exact number of a value that stands there.
+    /// The exact number of a value at `place` in the text.
     fn exact(&self, value: &Value, place: Range<usize>) -> Result<Exact, Error> {
         let (expression, quote) = match value {
             Value::String(string) => (string.value().as_str(), 1),
@@ -223,7 +223,7 @@ impl<'t> Entry<'t> {
             }
         };
         Exact::parse(expression).map_err(|error| {
-            // Strings with escapes, and those of several lines, are longer than what they say.
+            // Strings with escapes, and strings of several lines, are longer in the file than their content.
             let is_plain = place.len() == expression.len() + 2 * quote;
             let at = place.start + quote + error.column() - 1;
             let at = if is_plain { at..at } else { place };
@@ -232,13 +232,13 @@ impl<'t> Entry<'t> {
     }
 }
 
-/// The key of another table that a symbol of the paper stands for, with its table.
+/// The key `table.key` that a symbol of the paper stands for, where it belongs to another table.
 fn elsewhere(name: &str) -> Option<String> {
     let (_, table, meant) = SYMBOLS.iter().find(|(symbol, ..)| *symbol == name)?;
     Some(format!("{table}.{meant}"))
 }
 
-/// The name that is most like one that is not known, if one is.
+/// The known key that an unknown name resembles most, if one is similar enough.
 pub(super) fn nearest<'n>(name: &str, known: &[&'n str]) -> Option<&'n str> {
     if let Some((.., meant)) = SYMBOLS.iter().find(|(symbol, _, meant)| *symbol == name && known.contains(meant)) {
         return Some(meant);
