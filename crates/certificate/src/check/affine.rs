@@ -2,13 +2,13 @@
 
 use impact_pair_exact::{Dyadic, Real};
 
-/// Bits of errors, and of columns that measure widths.
+/// Bits of error terms, and of columns.
 pub(super) const COLUMN_BITS: u32 = 96;
 
 /// `x = centre + sum_j columns[j] q_j + r` with `|q_j| <= 1` and `|r| <= error`.
 ///
-/// The `q_j` are the deviations of those data of the scene that are intervals, the same ones in every quantity of an orbit;
-/// data that are points have none, and then this is a ball.
+/// The `q_j` are the deviations of those data of the scene that are intervals, shared by all quantities of an orbit.
+/// Data that are points have no deviation; without interval data the set is a ball.
 #[derive(Clone, Debug)]
 pub(crate) struct Affine {
     /// Encloses the value at the middle of the data.
@@ -18,7 +18,7 @@ pub(crate) struct Affine {
 }
 
 impl Affine {
-    /// Returns a quantity that does not depend on the data that are intervals.
+    /// A quantity that does not depend on the interval data.
     pub fn fixed(centre: Real) -> Self {
         Self { centre, columns: Vec::new(), error: Dyadic::zero() }
     }
@@ -38,12 +38,12 @@ impl Affine {
         Self { centre, columns: all, error: Dyadic::zero() }
     }
 
-    /// Returns how many deviations it knows of.
+    /// Number of deviations that have a column.
     pub fn length(&self) -> usize {
         self.columns.len()
     }
 
-    /// Bits that its columns are known with.
+    /// Greatest number of bits of the columns.
     pub fn column_bits(&self) -> u32 {
         self.columns.iter().map(Real::bits).max().unwrap_or(COLUMN_BITS) // X1: any number of bits encloses
     }
@@ -53,15 +53,15 @@ impl Affine {
         self.columns.get(j).cloned().unwrap_or_else(|| Real::zero(COLUMN_BITS)) // exact: it does not depend on it
     }
 
-    /// Returns its values where the deviations from `first` on are 0.
+    /// The values where the deviations from `first` on are 0.
     pub fn without(&self, first: usize) -> Self {
         let columns = self.columns.iter().take(first).cloned().collect();
         Self { columns, ..self.clone() }
     }
 
-    /// Returns the mean value form of a function of `terms`: `f = centre + sum_k slope_k (x_k - centre of x_k)`.
+    /// Mean value form of a function of `terms`: `f = centre + sum_k slope_k (x_k - centre of x_k)`.
     ///
-    /// Each slope holds the partial derivative over the hulls of all the terms, `centre` the value where each of them is
+    /// Each slope encloses the partial derivative over the hulls of all terms. `centre` encloses the values where each term is
     /// at any point of its own `centre`.
     pub fn of(centre: Real, terms: &[(&Real, &Self)]) -> Self {
         let length = terms.iter().map(|(_, x)| x.columns.len()).max().unwrap_or(0); // exact: no terms, no columns
@@ -77,12 +77,12 @@ impl Affine {
         Self { centre, columns, error: spread.enclosure().sup().clone() }
     }
 
-    /// Returns whether it is known as well as its centre.
+    /// Whether the quantity is known as well as its centre: no deviations, no error.
     pub fn is_fixed(&self) -> bool {
         self.columns.is_empty() && self.error.is_zero()
     }
 
-    /// Returns the same set with a point as its centre.
+    /// A superset whose centre is a point.
     pub fn recentred(self) -> Self {
         let middle = Real::point(self.centre.mid(), self.centre.bits());
         let off = Real::point((self.centre - &middle).enclosure().mag(), COLUMN_BITS);
@@ -90,23 +90,23 @@ impl Affine {
         Self { centre: middle, columns: self.columns, error: error.enclosure().sup().clone() }
     }
 
-    /// Returns the same deviations from 0.
+    /// The same deviations around 0.
     pub fn less_centre(self) -> Self {
         Self { centre: Real::zero(self.centre.bits()), ..self }
     }
 
-    /// Returns the sum with a number.
+    /// The sum with a number.
     pub fn shifted(self, by: &Real) -> Self {
         Self { centre: self.centre.clone() + by, ..self }.recentred()
     }
 
-    /// Returns the datum that it depends on most.
+    /// Index of the deviation that the quantity depends on most.
     pub fn widest(&self) -> Option<usize> {
         let sizes = self.columns.iter().map(|column| column.enclosure().mag()).enumerate();
         sizes.filter(|(_, size)| !size.is_zero()).max_by(|a, b| a.1.cmp(&b.1)).map(|(j, _)| j)
     }
 
-    /// Returns the leading bits that are known of its sum with numbers around `2^beside`; `None` for a number known exactly.
+    /// Leading known bits of the sum of this quantity with numbers around `2^beside`; `None` if the quantity is known exactly.
     pub fn accuracy(&self, beside: i64) -> Option<u32> {
         let unknown =
             (Real::point(self.error.clone(), COLUMN_BITS) + &Real::point(self.reach(), COLUMN_BITS)).enclosure().mag();
@@ -114,18 +114,18 @@ impl Affine {
         unknown.top().map(|unknown| u32::try_from(size.saturating_sub(unknown)).unwrap_or(0)) // proposes
     }
 
-    /// Returns how far the deviations reach.
+    /// Upper bound of the part that depends on the deviations.
     pub fn reach(&self) -> Dyadic {
         let reach = |sum: Real, column: &Real| sum + &Real::point(column.enclosure().mag(), COLUMN_BITS);
         self.columns.iter().fold(Real::zero(COLUMN_BITS), reach).enclosure().sup().clone()
     }
 
-    /// Returns the set of all its values.
+    /// The interval of all values.
     pub fn hull(&self) -> Real {
         self.centre.clone() + &Real::within(&self.reach(), COLUMN_BITS) + &Real::within(&self.error, COLUMN_BITS)
     }
 
-    /// Returns whether the deviations of the data make up most of its width.
+    /// Whether the deviations of the data make up most of the width.
     pub fn is_wide_by_data(&self) -> bool {
         self.reach() > self.error
     }

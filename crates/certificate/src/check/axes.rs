@@ -1,15 +1,15 @@
-//! Coordinates in which a period shrinks all lengths, in floating point: nothing rests on them (Lemma V6).
+//! Coordinates in which a period shrinks all lengths, in floating point; no proof depends on the choice (Lemma V6).
 // Labels: proposes throughout.
 
 use super::round::Matrix;
 use impact_pair_exact::Real;
 
-/// Squarings of a matrix, which leave nothing of one that contracts by more than `1 - 2^-40`.
+/// Squarings of a matrix: enough for a matrix that contracts by more than `1 - 2^-40` to vanish.
 const SQUARINGS: u32 = 48;
 
-/// A `T` in whose coordinates a matrix of spectral radius less than 1 shrinks all lengths, in floating point; any one is as sound.
+/// Matrix `T` in whose coordinates a matrix of spectral radius less than 1 shrinks all lengths, in floating point; any `T` is sound.
 ///
-/// With `B = M/q`, `q` between that radius and 1, `X = I + B^T X B` is the square of the norm `|T^-1 x|`, `X = T^-T T^-1`:
+/// With `B = M/q`, `q` between the spectral radius and 1, `X = I + B^T X B` is the square of the norm `|T^-1 x|`, `X = T^-T T^-1`:
 /// `|T^-1 M x|^2 = q^2 (x^T X x - x^T x)`.
 pub(super) fn axes(derivative: &Matrix, unit: f64) -> Option<[[f64; 2]; 2]> {
     let unit = if unit > 0.0 { unit } else { 1.0 };

@@ -15,7 +15,7 @@ pub(super) struct Ellipse {
     axes: Matrix,
     /// `T^-1`
     inverse: Matrix,
-    /// `K` of Newton's step, in the coordinates `s`; `None` is -1, the period itself.
+    /// `K` of Newton's step, in the coordinates `s`; `None` stands for `K = -1`, the period itself.
     newton: Option<Matrix>,
     size: i64,
 }
@@ -23,7 +23,7 @@ pub(super) struct Ellipse {
 /// The image of an ellipse under a period.
 pub(super) struct Contraction {
     pub ellipse: Ellipse,
-    /// Its impacts, the next first one at the end.
+    /// The impacts in one period; the last is the next first impact.
     pub landings: Vec<Landing>,
     /// Encloses `T^-1 DP T` over the ellipse.
     pub derivative: Matrix,
@@ -33,9 +33,9 @@ pub(super) struct Contraction {
     moved: Real,
 }
 
-/// Units of velocity that axes are sought in, in those of the first impact.
+/// Velocity units in which axes are sought, relative to the velocity of the first impact.
 const VELOCITY_UNITS: [f64; 3] = [1.0, 0.125, 8.0];
-/// Each ellipse tried is N times smaller than the one before, as a power of 2.
+/// log2 of the ratio of successive trial ellipses.
 const SHRINK_EXPONENT: usize = 2;
 impl Ellipse {
     /// `None` where `T` may have no inverse.
@@ -44,24 +44,24 @@ impl Ellipse {
         Some(Self { centre, axes, inverse, newton, size })
     }
 
-    /// Returns an ellipse of the same axes around another centre.
+    /// An ellipse of the same axes around another centre.
     pub fn around(&self, centre: [Real; 2], size: i64) -> Option<Self> {
         let bits = centre[0].bits();
         let at = |matrix: &Matrix| matrix.each_ref().map(|row| row.each_ref().map(|x| x.at(bits)));
         Self::new(centre, at(&self.axes), self.newton.as_ref().map(at), size)
     }
 
-    /// Another size of it.
+    /// The same ellipse in another size.
     pub fn sized(&self, size: i64) -> Self {
         Self { size, ..self.clone() }
     }
 
-    /// `|s|` of all states of a set.
+    /// Encloses `|s|` of all states of a set.
     fn place(&self, set: [&Affine; 2]) -> Option<Real> {
         self.length(&self.inverse, set)
     }
 
-    /// The length of `matrix (x - centre) / 2^size` of all states of a set.
+    /// Encloses the length of `matrix (x - centre) / 2^size` for all states of a set.
     fn length(&self, matrix: &Matrix, set: [&Affine; 2]) -> Option<Real> {
         let [square, other] = matrix.each_ref().map(|row| {
             let off = [0, 1].map(|i| set[i].centre.clone() - &self.centre[i]);
@@ -71,12 +71,12 @@ impl Ellipse {
         Some((square + &other).sqrt()? * &self.radius(-1))
     }
 
-    /// Returns whether all states of a set lie strictly inside.
+    /// Whether all states of a set lie strictly inside.
     pub fn holds(&self, set: &Landing) -> bool {
         self.place([&set.phase, &set.velocity]).is_some_and(|place| place.is_below(&Real::int(1, place.bits())))
     }
 
-    /// Returns the least size that holds a set.
+    /// The least size for which the ellipse holds a set; `None` where no square root is enclosed.
     pub fn size_for(&self, set: &Landing) -> Option<i64> {
         let place = self.sized(0).place([&set.phase, &set.velocity])?;
         Some(place.enclosure().sup().top().map_or(i64::MIN, |top| top + 1)) // exact: a point has no size
@@ -87,7 +87,7 @@ impl Ellipse {
         Real::point(Dyadic::power_of_two(sign * self.size), self.centre[0].bits())
     }
 
-    /// Returns what a round makes of it, if all first contacts are proved.
+    /// Encloses the image of the ellipse under a round; fails unless all first contacts are proved.
     pub fn contracted(self, round: &Round<'_>) -> Result<Contraction, Doubt> {
         let landings = self.run(round)?;
         let end = landings.last().expect("the set");
@@ -111,7 +111,7 @@ impl Ellipse {
         Ok(Contraction { ellipse: self, landings, derivative, factor, moved: moved_by })
     }
 
-    /// The impacts of its states in a round.
+    /// The impacts of the ellipse's states in a round.
     fn run(&self, round: &Round<'_>) -> Result<Vec<Landing>, Doubt> {
         let radius = self.radius(1);
         let columns = self.axes.each_ref().map(|row| row.each_ref().map(|x| x.clone() * &radius));
@@ -120,12 +120,12 @@ impl Ellipse {
 }
 
 impl Contraction {
-    /// Returns whether it is proved to be mapped into itself and contracted, by the period or by Newton's step.
+    /// Whether the ellipse is proved to be mapped into itself and contracted, by the period or by Newton's step.
     pub fn is_proved(&self) -> bool {
         is_inside(&self.factor, &self.moved)
     }
 
-    /// Approximate factor, as a power of 2, by which an ellipse that holds the orbit is larger than this one.
+    /// Approximate factor, as a power of 2, by which an ellipse that holds the orbit is larger than this ellipse.
     pub fn larger_by(&self) -> i64 {
         let rest = Real::int(1, self.factor.bits()) - &self.factor;
         let needed = self.moved.over(&rest).and_then(|needed| needed.enclosure().sup().top());
@@ -133,7 +133,7 @@ impl Contraction {
     }
 }
 
-/// Shapes of ellipses around `centre` that the period may contract; `derivative` is that of the round near the centre.
+/// Shapes of ellipses around `centre` that the period may contract; `derivative` is the round's derivative near the centre.
 pub(super) fn contracted(centre: &[Real; 2], derivative: &Matrix) -> Vec<Ellipse> {
     let bits = centre[0].bits();
     let shape = |unit: &f64| {
@@ -144,7 +144,7 @@ pub(super) fn contracted(centre: &[Real; 2], derivative: &Matrix) -> Vec<Ellipse
     VELOCITY_UNITS.iter().filter_map(shape).collect()
 }
 
-/// The same that Newton's step may contract.
+/// Shapes of ellipses around `centre` that Newton's step may contract.
 pub(super) fn stepped(centre: &[Real; 2], derivative: &Matrix) -> Vec<Ellipse> {
     let bits = centre[0].bits();
     let point = |x: &Real| Real::point(x.mid(), bits);
@@ -163,7 +163,7 @@ pub(super) fn stepped(centre: &[Real; 2], derivative: &Matrix) -> Vec<Ellipse> {
     VELOCITY_UNITS.iter().filter_map(shape).collect()
 }
 
-/// The largest ellipse of these shapes found that is proved to be contracted: at first of the size that holds all `targets`.
+/// The largest ellipse of the given shapes that is proved to be contracted; the first trial size holds all `targets`.
 pub(super) fn basin(round: &Round<'_>, shapes: &[Ellipse], targets: &[&Landing]) -> Result<Ellipse, Doubt> {
     let bits = round.parameters.bits();
     let sizes = shapes.iter().flat_map(|shape| targets.iter().map(|set| shape.size_for(set)));
@@ -182,7 +182,7 @@ pub(super) fn basin(round: &Round<'_>, shapes: &[Ellipse], targets: &[&Landing])
     Err(doubt)
 }
 
-/// Returns whether an affine bound maps a disc of radius 1 into itself: its factor below 1, its centre displaced by `moved`. Lemmas V6, V8
+/// Whether an affine bound maps a disc of radius 1 into itself: its factor is below 1, its centre is displaced by `moved`. Lemmas V6, V8
 fn is_inside(factor: &Real, moved: &Real) -> bool {
     let (one, reach) = (Real::int(1, factor.bits()), factor.clone() + moved);
     factor.is_below(&one) && reach.enclosure().sup() <= one.enclosure().inf()

@@ -8,10 +8,10 @@ use super::frame::{ClaimedImpact, Frame};
 use super::step::{Landing, Launch};
 use impact_pair_exact::{Dyadic, Real};
 
-/// Pairs of numbers by phase \[rad\] and velocity \[length/rad\], or along the expanding axis and the other one.
+/// Pairs of doubles by phase \[rad\] and velocity \[length/rad\], or along the expanding and the contracting axis.
 pub(super) type Pair = [f64; 2];
 
-/// The states `centre + xi u + eta s`, `|xi| <= a`, `|eta| <= b`, before an impact, or of starts.
+/// The states `centre + xi u + eta s`, `|xi| <= a`, `|eta| <= b`, before an impact or at the start.
 #[derive(Clone, Debug)]
 pub(super) struct Node {
     pub centre: [Real; 2],
@@ -32,7 +32,7 @@ pub(super) struct Course<'c> {
 }
 
 impl Course<'_> {
-    /// Returns the departure from the impact `k` with these states before it, from the start for 0.
+    /// Departure from impact `k` with the given states before the impact; from the start for `k = 0`.
     pub fn departure(&self, k: usize, [phase, velocity]: [Affine; 2]) -> Launch {
         let parameters = &self.frame.parameters;
         match k.checked_sub(1).map_or(self.data.wall, |hit| Some(self.hits[hit].wall)) {
@@ -45,7 +45,7 @@ impl Course<'_> {
         }
     }
 
-    /// Returns the states of node `k`: with the exact time, or velocity, of the start for 0.
+    /// States of node `k`; for `k = 0` with the exact velocity, or time, of the start.
     pub fn states(&self, k: usize, node: &Node) -> [Affine; 2] {
         let side = |i: usize, j: usize| Real::point(exact(node.axes[j][i]).times(&exact(node.sides[j])), COLUMN_BITS);
         let mut states = [0, 1].map(|i| Affine::spanned(node.centre[i].clone(), 0, [side(i, 0), side(i, 1)]));
@@ -56,9 +56,9 @@ impl Course<'_> {
         states
     }
 
-    /// Proves that node `k` covers the next one, which lies in the bounds of its impact, and tells how far from the middle of those
-    /// of its time \[rad\]; `lasting` is about how long the flights last. What is found is nothing that refutes a claim: other starts
-    /// may do it.
+    /// Proves that node `k` covers the next node, and that the next node lies in the bounds of its impact. Returns how far the impact's
+    /// time may be from the middle of its claimed bounds \[rad\]; `lasting` is the approximate duration of the flight. A failure never
+    /// refutes a claim: other starts may have the claimed impacts.
     pub fn link(&self, k: usize, [node, next]: [&Node; 2], lasting: &Real) -> Result<Dyadic, Doubt> {
         let hit = &self.hits[k];
         let claimed = Claimed { from: Real::zero(lasting.bits()), guess: lasting.clone(), to: None, is_first: true };
@@ -78,9 +78,9 @@ impl Course<'_> {
     }
 }
 
-/// Returns whether the image of a node, whose two deviations are those of its sides, covers another one.
+/// Whether the image of a node, whose two deviations are along the node's sides, covers another node.
 ///
-/// A determinant that may be 0 has no lower bound above 0, and passes the second comparison never (Lemma V10).
+/// Where the determinant may be 0, its lower bound is not above 0, and the second comparison fails (Lemma V10).
 fn covers(image: &Landing, next: &Node) -> bool {
     let [u, s] = next.axes.map(|axis| axis.map(|x| Real::point(exact(x), COLUMN_BITS)));
     let off = [&image.phase, &image.velocity].map(|x| x.without(0).hull());
@@ -101,13 +101,13 @@ fn covers(image: &Landing, next: &Node) -> bool {
     beyond.is_below(&least(along(&far))) && apart.is_below(&(b * &at_least))
 }
 
-/// Turns a refutation into an undecided claim: what is false of one set may hold of others.
+/// Turns a refutation into an undecided claim: a statement that is false for one set may hold for others.
 pub(super) fn open(doubt: &Doubt) -> Doubt {
     let (Doubt::Open(message) | Doubt::False(message)) = doubt;
     Doubt::Open(message.clone())
 }
 
-/// A double as it is, for nodes: 0 for one that is no number, as any will do.
+/// The exact value of a double, for nodes; 0 for NaN and infinities, as any node is sound.
 fn exact(x: f64) -> Dyadic {
     Dyadic::from_f64(x).unwrap_or_else(Dyadic::zero)
 }
@@ -154,15 +154,15 @@ mod tests {
         assert!(!covers(&image([5.0, 7.0], [far, wide]), &flat));
     }
 
-    /// Axes that are parallel span no node, however their determinant is rounded: the products of these doubles have more digits than
-    /// are kept, so that it is enclosed around 0.
+    /// Parallel axes span no node, however their determinant is rounded: the products of these doubles have more digits than
+    /// are kept, so that the determinant's enclosure holds 0.
     #[test]
     fn r32_parallel_axes_are_covered_by_nothing() {
         let [p, q] = [0x7_ffff_ffff_fffb_u64, 0x5_5555_5555_5555].map(|x| x as f64 * 2f64.powi(-51));
         let flat = node([0.0, 0.0], [[p, q], [3.0 * p, 3.0 * q]], [2f64.powi(-60), 1.0]);
         let across = |j: usize| real(flat.axes[0][j]) * &real(flat.axes[1][1 - j]);
         assert!((across(0) - &across(1)).is_zero());
-        // Its image is a segment across the line that the node is, longer than all of it at the scale of its first side.
+        // The image is a segment across the line of the flat node, longer than this line at the scale of its first side.
         let image = image([0.0, 0.0], [[0.0, 2f64.powi(-100)], [0.0, 0.0]]);
         assert!(!covers(&image, &flat));
     }

@@ -11,8 +11,8 @@ const WINDOWS: u32 = 8;
 /// Time from the departure to the last of infinitely many impacts on the same wall \[rad\]; `None` where it is not proved.
 ///
 /// With the contact force between `lo` and `hi` on a window, `rho = sqrt(hi/lo)`, a bounce that leaves with `u` lasts `2u/hi` to
-/// `2u/lo` and lands with `u/rho` to `u rho`. If `e rho < 1` the sum of all lies between `2u/(hi (1 - e/rho))` and
-/// `2u/(lo (1 - e rho))`; if the window holds that, they all come, and the ball is at rest after them.
+/// `2u/lo` and lands with `u/rho` to `u rho`. If `e rho < 1` the sum of all durations lies between `2u/(hi (1 - e/rho))` and
+/// `2u/(lo (1 - e rho))`; if the window holds that sum, all impacts occur, and then the ball is at rest.
 pub(super) fn accumulation(departure: &Launch, parameters: &Parameters) -> Option<Real> {
     let wall = departure.start.wall?;
     let flight = departure.flights(parameters);
@@ -46,9 +46,9 @@ pub(super) fn accumulation(departure: &Launch, parameters: &Parameters) -> Optio
     None
 }
 
-/// Returns whether the ball does not leave its wall: it has no velocity, and the contact force is positive.
+/// Whether the ball stays on its wall: its velocity is zero, and the contact force is positive.
 ///
-/// With `is_first` a ball without velocity at a phase where the acceleration is 0 is held from then on.
+/// With `is_first` a ball without velocity at a phase where the acceleration is 0 sticks from then on.
 pub(super) fn is_held(departure: &Launch, parameters: &Parameters, is_first: bool) -> bool {
     let flight = departure.flights(parameters);
     let acceleration = flight.shaking.first_acceleration();

@@ -1,4 +1,4 @@
-//! From radians since an origin to the times of the scene and back, and where what is found lies beside what is claimed.
+//! Conversion between radians since an origin and times of the scene, and comparison of found sets with claimed bounds.
 
 use std::cmp::Ordering;
 
@@ -12,7 +12,7 @@ use impact_pair_exact::{Dyadic, Exact, Real, compare_rational};
 /// Times `t = base + s / W` of the phases `s` since an origin.
 #[derive(Clone, Debug)]
 pub(crate) struct Clock {
-    /// The time of the origin, with as many more bits as it has forcing periods.
+    /// The time of the origin; its bits also hold the whole forcing periods before the origin.
     base: Real,
     slowness: Real,
     frequency: Real,
@@ -26,7 +26,7 @@ pub(super) enum SetPosition {
 }
 
 impl Clock {
-    /// Returns the clock of phases counted from the start, whose phase is around `phase`.
+    /// The clock of phases counted from the start; `phase` encloses the start's phase.
     pub fn at_start(data: &Data, phase: &Affine, bits: u32) -> Self {
         let bits = with_turns(data, bits);
         let exact = [&data.time, &data.frequency, &data.delay].into_iter().all(Exact::is_point);
@@ -40,7 +40,7 @@ impl Clock {
         Self::new(data, base, bits)
     }
 
-    /// Returns the clock of phases counted from `quarters` quarter periods; `None` beyond the range of exact expressions.
+    /// The clock of phases counted from `quarters` quarter periods; `None` beyond the range of exact expressions.
     pub fn at_quarter_turns(data: &Data, quarters: &BigInt, bits: u32) -> Option<Self> {
         // X1: any number of bits encloses
         let bits = with_turns(data, bits).saturating_add(u32::try_from(quarters.bits()).ok()?);
@@ -55,56 +55,56 @@ impl Clock {
         Self { base, slowness: Real::of(&slowness, bits), frequency: Real::of(&data.frequency, bits) }
     }
 
-    /// Returns the time of a phase.
+    /// Encloses the time of a phase.
     pub fn time(&self, phase: &Real) -> Real {
         self.base.clone() + &(phase.clone() * &self.slowness)
     }
 
-    /// Returns a velocity in lengths per time.
+    /// Encloses a velocity in lengths per time.
     pub fn velocity(&self, velocity: &Real) -> Real {
         velocity.clone() * &self.frequency
     }
 
-    /// Returns a velocity given in lengths per time.
+    /// Encloses a velocity in lengths per radian, from lengths per time.
     pub fn slowed(&self, velocity: &Real) -> Real {
         velocity.clone() * &self.slowness
     }
 
-    /// Returns the phase that passes in a time.
+    /// Encloses the phase that passes in a time.
     pub fn radians(&self, lasting: &Real) -> Real {
         lasting.clone() * &self.frequency
     }
 
-    /// Returns how far a time is at most from the middle of the bounds claimed for it \[rad\].
+    /// Upper bound of the distance between a time and the middle of the bounds claimed for it \[rad\].
     pub fn off(&self, time: &Real, [lower, upper]: &[BigRational; 2]) -> Dyadic {
         let middle = Real::rational(&((lower + upper) / BigInt::from(2)), self.bits());
         self.radians(&(time.clone() - &middle)).enclosure().mag()
     }
 
-    /// Returns the bits that hold the whole forcing periods of its times as well.
+    /// Bits of the times: they also hold the whole forcing periods before the origin.
     pub fn bits(&self) -> u32 {
         self.base.bits()
     }
 
-    /// Returns the phase of a time.
+    /// Encloses the phase of a time.
     pub fn phase_at(&self, time: &Real) -> Real {
         (time.clone() - &self.base) * &self.frequency
     }
 
-    /// Returns the phase of a claimed time.
+    /// Encloses the phase of a claimed time.
     pub fn phase(&self, time: &BigRational) -> Real {
         self.phase_at(&Real::rational(time, self.bits()))
     }
 }
 
-/// Bits that also hold the whole forcing periods of the start.
+/// Bits that also hold the whole forcing periods before the start.
 fn with_turns(data: &Data, bits: u32) -> u32 {
     let time = data.time.enclose(64).mag().top().unwrap_or(0).max(0); // X1: any number of bits encloses
     let turns = u32::try_from(data.turns.bits()).unwrap_or(u32::MAX / 4); // X1
     bits.saturating_add(turns.max(u32::try_from(time).unwrap_or(0))) // X1
 }
 
-/// Returns the position of `found`.
+/// Position of `found` relative to the claimed bounds.
 pub(super) fn beside(found: &Real, [lower, upper]: &[BigRational; 2]) -> SetPosition {
     let (lo, hi) = (found.enclosure().inf(), found.enclosure().sup());
     if compare_rational(lo, lower).is_ge() && compare_rational(hi, upper).is_le() {

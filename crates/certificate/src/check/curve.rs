@@ -16,15 +16,15 @@ pub(super) type Point = [Real; 3];
 pub(super) const PARAMETER: usize = 2;
 /// Steps of Newton's iteration.
 const STEPS: u32 = 16;
-/// Steps along the curve, each half of what is left of the way.
+/// Steps along the curve; each goes half of the way that is left.
 const CURVE_STEPS: u32 = 8;
-/// The last one needed is below N bits of the arithmetic.
+/// Newton's iteration ends below `2^(LAST_STEP_BITS - bits)`, `bits` the precision of the arithmetic.
 const LAST_STEP_BITS: i64 = 40;
-/// A box that holds the curve at an end is N times smaller than the one that holds all of it, as a power of 2.
+/// log2 of the ratio of the box that holds all of the curve to the box that holds the curve at an end.
 const END_BOX_BITS: i64 = 24;
-/// Room on both sides of the curve, as a power of 2 of how far it strays.
+/// Margin on both sides of the curve: log2 of the ratio to the curve's own deviation.
 const ROOM_EXPONENT: i64 = 2;
-/// Bits by which a side of a box is at most smaller than the one along the curve.
+/// log2 of the greatest ratio of the side of a box along the curve to another side.
 const MAX_THINNESS_BITS: i64 = 8;
 
 /// The map of a period over states and a parameter, or of half a period followed by the mirror image.
@@ -32,7 +32,7 @@ pub(super) struct Curve<'t> {
     pub target: &'t Target<'t>,
     pub frame: Frame<'t>,
     pub over: Key,
-    /// The number of the harmonic of an amplitude, and what other terms in step add to it.
+    /// Index of the harmonic whose amplitude is the parameter, and the sum that other harmonics in step with it add.
     pub harmonic: (usize, Option<Exact>),
     pub is_half: bool,
     /// The eigenvalue sought: 1 or -1.
@@ -60,7 +60,7 @@ pub(super) struct Image {
 }
 
 impl Image {
-    /// Returns the derivative by the state.
+    /// Encloses the derivative by the state.
     pub fn derivative(&self) -> Matrix {
         self.slopes.each_ref().map(|[a, b, _]| [a.clone(), b.clone()])
     }
@@ -71,7 +71,7 @@ impl Image {
         determinant(&[[a - mu, b], [c, d - mu]])
     }
 
-    /// The derivatives of `P(x) - x` by the coordinate `j`.
+    /// Encloses the derivatives of `P(x) - x` by the coordinate `j`.
     fn off(&self, j: usize) -> [Real; 2] {
         [0, 1].map(|i| self.slopes[i][j].clone() - i64::from(i == j))
     }
@@ -86,7 +86,7 @@ impl<'t> Curve<'t> {
         Real::point(Dyadic::power_of_two(n), self.bits())
     }
 
-    /// Returns the data with these values of the parameter.
+    /// The data with the given values of the parameter.
     pub fn parameters(&self, value: Affine) -> Parameters<'t> {
         let mut parameters = self.frame.parameters.clone();
         match self.over {
@@ -104,13 +104,13 @@ impl<'t> Curve<'t> {
         parameters
     }
 
-    /// Returns the quantity `i` over a box.
+    /// The coordinate `i` over a box.
     pub fn spanned(&self, cell: &Cell, i: usize) -> Affine {
         let zero = Real::zero(self.bits());
         Affine::spanned(cell.centre[i].clone(), i, [self.power(cell.sizes[i] + self.units[i]), zero])
     }
 
-    /// Returns what a round makes of a box, if all contacts are proved; `is_half`: half a period, seen in the mirror.
+    /// Encloses the image of a box under a round, if all contacts are proved; `is_half`: half a period followed by the mirror image.
     pub fn image(&self, cell: &Cell, is_half: bool) -> Result<Image, Doubt> {
         let clock = self.frame.clock.clone();
         let parameters = self.parameters(self.spanned(cell, PARAMETER));
@@ -137,12 +137,12 @@ impl<'t> Curve<'t> {
         Ok(Image { landings, moved, slopes })
     }
 
-    /// The same of next to a point; the times of its flights are kept.
+    /// Image of a point under the map; the durations of the flights are kept.
     fn near(&self, at: &Point) -> Result<Image, Doubt> {
         self.image(&Cell { centre: at.clone(), sizes: [-i64::from(self.bits()); 3] }, self.is_half)
     }
 
-    /// Computes the durations of the flights from a point anew.
+    /// Computes the durations of the flights from a point.
     fn retime(&mut self, at: &Point) -> Result<(), Doubt> {
         let sizes = [-i64::from(self.bits()); 3];
         let Image { landings, .. } = self.image(&Cell { centre: at.clone(), sizes }, false)?;
@@ -158,7 +158,7 @@ impl<'t> Curve<'t> {
         Real::point(x.mid(), self.bits())
     }
 
-    /// Returns the coordinates at which Newton's iteration for an orbit with the eigenvalue `mu` ends. Non-rigorous.
+    /// The point at which Newton's iteration for an orbit with the eigenvalue `mu` ends. Non-rigorous.
     pub fn polish(&mut self, guess: Point) -> Result<Point, Doubt> {
         let open = || Doubt::open("no bifurcation is found near");
         let (mut at, mut before) = (guess.map(|x| self.point(&x)), None::<Dyadic>);
@@ -177,7 +177,7 @@ impl<'t> Curve<'t> {
             let step =
                 solved(&[one, other, gradient], &[&here.moved[0], &here.moved[1], &critical]).ok_or_else(open)?;
             let size = step.iter().map(|x| x.enclosure().mag()).max().unwrap_or_else(Dyadic::zero); // proposes: when to stop
-            // As many digits as rounding leaves.
+            // The step grows again: rounding leaves no more digits.
             if before.is_some_and(|before| size.scaled(1) > before) {
                 return Ok(at);
             }
@@ -191,7 +191,7 @@ impl<'t> Curve<'t> {
         Err(open())
     }
 
-    /// Returns a point of the curve near the value `to` of the parameter, by steps of half the rest of the way from another point, which are shortest
+    /// A point of the curve near the value `to` of the parameter. Each step from `from` halves the rest of the way, so steps are shortest
     /// near a fold. Non-rigorous.
     pub fn walked(&mut self, from: Point, to: &Real) -> Result<Point, Doubt> {
         let mut at = from.map(|x| self.point(&x));
@@ -219,8 +219,8 @@ impl<'t> Curve<'t> {
         Ok(at)
     }
 
-    /// Returns a box around a point of the curve in which the coordinate `j` goes `2^size` units to both sides, and a bifurcation is proved to
-    /// lie: the curve is one over that coordinate, and `det(DP - mu)` has opposite signs at two of its points.
+    /// A box around a point of the curve, `2^size` units to both sides in the coordinate `j`, in which a bifurcation is proved: the
+    /// curve is a graph over that coordinate, and `det(DP - mu)` has opposite signs at two points of the curve.
     pub fn crossing(&self, at: &Point, j: usize, size: i64) -> Result<Cell, Doubt> {
         let here = self.near(at)?;
         let slopes = newton(&here, others(j)).ok_or_else(lost)?.map(|row| -along(&row, &here.off(j)));
@@ -238,7 +238,7 @@ impl<'t> Curve<'t> {
         Ok(cell)
     }
 
-    /// The sign of `det(DP - mu)` at the point of the curve half as far as the box reaches.
+    /// The proved sign of `det(DP - mu)` at the point of the curve halfway to the box's end on the side `sign`.
     fn sign_at(&self, cell: &Cell, j: usize, slopes: &[Real; 2], sign: i64) -> Result<std::cmp::Ordering, Doubt> {
         let by = self.power(cell.sizes[j] - 1) * sign;
         let mut guess = cell.centre.clone();
@@ -262,7 +262,7 @@ impl<'t> Curve<'t> {
     }
 }
 
-/// Proves that the orbits in a box are one curve over the coordinate `j`: for each of its values there is exactly one (Lemma V9).
+/// Proves that the orbits in a box are one curve over the coordinate `j`: exactly one orbit for each value (Lemma V9).
 fn is_curve(image: &Image, cell: &Cell, j: usize) -> Result<(), Doubt> {
     let bits = image.moved[0].bits();
     let others = others(j);
@@ -289,7 +289,7 @@ fn is_curve(image: &Image, cell: &Cell, j: usize) -> Result<(), Doubt> {
     Ok(())
 }
 
-/// The inverse of the derivatives of `P(x) - x` by two coordinates, about: any matrix is as sound.
+/// Approximate inverse of the derivatives of `P(x) - x` by two coordinates; any matrix is sound.
 fn newton(image: &Image, coordinates: [usize; 2]) -> Option<Matrix> {
     let [one, other] = coordinates.map(|j| image.off(j).map(|x| x.middle()));
     let [[a, c], [b, d]] = [one, other];
@@ -304,7 +304,7 @@ fn lost() -> Doubt {
     Doubt::open("the curve of the orbits is lost")
 }
 
-/// The solution of three linear equations, about.
+/// Approximate solution of three linear equations.
 fn solved(rows: &[Point; 3], right: &[&Real; 3]) -> Option<Point> {
     let minor =
         |a: usize, b: usize, i: usize, j: usize| rows[a][i].clone() * &rows[b][j] - &(rows[a][j].clone() * &rows[b][i]);

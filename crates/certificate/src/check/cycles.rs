@@ -1,5 +1,5 @@
-//! Check of a JSON of all cycles: its orbits exist, each no shorter one run through several times, no two of them one and the same
-//! (Lemma D23). That there are no others is not checked.
+//! Check of a JSON of all cycles: the orbits exist, none is a shorter orbit run through several times, and no two are the same
+//! (Lemma D23). Completeness of the list is not checked.
 
 use std::collections::BTreeMap;
 
@@ -13,12 +13,12 @@ use impact_pair_exact::Enclosure;
 use impact_pair_model::watch::Watch;
 use impact_pair_model::{Error, Wall};
 
-/// Bits of pi, by which phases of different forcing periods are distinguished.
+/// Bits of pi in comparisons of phases of different forcing periods.
 const BITS: u32 = 256;
 
 impl CyclesCertificate {
-    /// Proves every orbit again, that they are different ones, and that the counts are theirs, or says what is not as claimed or not
-    /// proved, until the watch stops it, which receives the orbits confirmed so far.
+    /// Proves every orbit again, that the orbits are different, and that the counts are right. Otherwise names the first claim that is
+    /// refuted or undecided. The watch can stop the check and receives the orbits confirmed so far.
     ///
     /// # Errors
     /// Returns an error if the scene's values are beyond the range of exact expressions.
@@ -35,8 +35,8 @@ impl CyclesCertificate {
         })
     }
 
-    /// Proves that no two orbits are one and the same, or mirror images: the bounds of some impact distinguish them, wherever the one is taken to
-    /// begin.
+    /// Proves that no two orbits are the same or mirror images: for each choice of the first impact the bounds of some impact are
+    /// disjoint.
     fn are_different(&self) -> Result<(), Doubt> {
         let turn = Turn::new();
         let mut known: BTreeMap<Vec<bool>, Vec<(usize, &[Passage])>> = BTreeMap::new();
@@ -52,7 +52,7 @@ impl CyclesCertificate {
     }
 }
 
-/// The flights of an orbit that lead to the other wall, rotated to the last in order: independent of the first impact and of the mirror.
+/// For each flight of an orbit, whether it leads to the other wall; the greatest rotation, so independent of first impact and mirror.
 fn flights(impacts: &[Passage]) -> Vec<bool> {
     let count = impacts.len();
     let from = |shift: usize| -> Vec<bool> {
@@ -61,7 +61,7 @@ fn flights(impacts: &[Passage]) -> Vec<bool> {
     (0..count).map(from).max().unwrap_or_default() // exact: none of none
 }
 
-/// Returns whether, by their bounds, two orbits may be one, or mirror images.
+/// Whether two orbits may be the same, or mirror images, by their bounds.
 pub(super) fn may_be_same(one: &ClaimedOrbit, other: &ClaimedOrbit) -> bool {
     Turn::new().may_be_same(&one.impacts, &other.impacts)
 }
@@ -77,13 +77,13 @@ impl Turn {
         Self { half: [pi.inf().to_rational(), pi.sup().to_rational()] }
     }
 
-    /// Returns whether, by their bounds, two orbits may be one, or mirror images.
+    /// Whether two orbits may be the same, or mirror images, by their bounds.
     fn may_be_same(&self, a: &[Passage], b: &[Passage]) -> bool {
         let all = (0..b.len()).flat_map(|shift| [(shift, false), (shift, true)]);
         all.into_iter().any(|(shift, is_mirrored)| self.may_be_one(a, b, shift, is_mirrored))
     }
 
-    /// Returns whether, by their bounds, `b` may be `a` from impact `shift` of `b` on, or the mirror image of that.
+    /// Whether `b`, or its mirror image, may be `a` with impact `shift` of `b` as the first impact, by the bounds.
     fn may_be_one(&self, a: &[Passage], b: &[Passage], shift: usize, is_mirrored: bool) -> bool {
         let on = |wall: Wall| if is_mirrored { wall.other() } else { wall };
         a.len() == b.len()
@@ -97,8 +97,8 @@ impl Turn {
             })
     }
 
-    /// Returns whether two phases, the second one half a forcing period later if it is mirrored, may be equal modulo whole forcing periods; both
-    /// begin in `[0, 2 pi]`.
+    /// Whether two phases may be equal modulo whole forcing periods, with half a forcing period added to the second if
+    /// `is_mirrored`; both have lower bounds in `[0, 2 pi]`.
     fn phases_overlap(&self, one: &Bounds, other: &Bounds, is_mirrored: bool) -> bool {
         (-2..=2).any(|turns| {
             let halves = 2 * turns + i32::from(is_mirrored);

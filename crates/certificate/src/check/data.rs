@@ -1,4 +1,4 @@
-//! The exact data of an orbit in physical lengths and radians, and pieces of those that are intervals.
+//! The exact data of an orbit in physical lengths and radians, and pieces of the interval data.
 
 use std::cmp::Ordering;
 
@@ -31,7 +31,7 @@ pub(crate) struct Data<'w> {
     pub delay: Exact,
     /// `t0`
     pub time: Exact,
-    /// The whole forcing periods of the reference before the start.
+    /// Whole forcing periods of the reference before the start.
     pub turns: BigInt,
     /// The work that is left.
     pub budget: Budget<'w>,
@@ -47,7 +47,7 @@ pub(crate) struct Data<'w> {
 pub(crate) struct HarmonicData {
     /// `A_k`
     pub amplitude: Exact,
-    /// `W_k t0 + tau_k` less whole forcing periods.
+    /// `W_k t0 + tau_k` without whole forcing periods.
     pub phase: Exact,
     /// `W_k/W`; `None` for the reference.
     pub rate: Option<Exact>,
@@ -56,19 +56,19 @@ pub(crate) struct HarmonicData {
 /// The part of each datum that is an interval, by bisection.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Piece {
-    /// Parts `k` of `2^n` of the data, by their numbers; the whole of those that are not listed.
+    /// Parts `k` of `2^n` of the data, by the index of each datum; data that are not listed are whole.
     parts: Vec<(BigInt, u32)>,
 }
 
-/// Bits that quarter periods are counted with.
+/// Bits of the quotient that counts quarter periods.
 const QUARTER_BITS: u32 = 192;
 
-/// The numbers of the data that can be intervals.
+/// Indices of the data that can be intervals.
 const HALF_GAP: usize = 0;
 const RESTITUTION: usize = 1;
 const VELOCITY: usize = 2;
 const HEIGHT: usize = 3;
-/// Numbers of the data of the first harmonic; three more for each further one.
+/// Indices of the data of the first harmonic; each further harmonic adds three.
 const AMPLITUDE: usize = 4;
 const PHASE: usize = 5;
 const RATE: usize = 6;
@@ -134,13 +134,13 @@ impl Data<'_> {
         }
     }
 
-    /// Returns the start's phase, velocity and height (if it is inside the gap) over a piece of the data.
+    /// The start's phase, velocity and height (if the start is inside the gap) over a piece of the data.
     pub fn state(&self, piece: &Piece, bits: u32) -> (Affine, Affine, Option<Affine>) {
         let height = self.height.as_ref().map(|height| piece.part(height, HEIGHT, bits));
         (piece.part(&self.tones[0].phase, PHASE, bits), piece.part(&self.velocity, VELOCITY, bits), height)
     }
 
-    /// Returns whether none of the data is an interval.
+    /// Whether none of the data is an interval.
     pub fn is_point(&self) -> bool {
         let Self { tones, half_gap, restitution, frequency, delay, time, velocity, height, .. } = self;
         let of_tones = tones.iter().flat_map(|tone| [&tone.amplitude, &tone.phase].into_iter().chain(&tone.rate));
@@ -154,7 +154,7 @@ impl Data<'_> {
         half.enclosure().inf().to_rational() * BigInt::from(2)
     }
 
-    /// Returns the only harmonic, if there is one only.
+    /// The harmonic, if there is only one.
     pub fn only(&self) -> Option<&HarmonicData> {
         match self.tones.as_slice() {
             [only] => Some(only),
@@ -162,14 +162,14 @@ impl Data<'_> {
         }
     }
 
-    /// Returns the periods of the reference after which the shaking is proved to repeat.
+    /// Periods of the reference after which the forcing is proved to repeat; `None` if no common period is proved.
     pub fn common_turns(&self) -> Option<BigInt> {
         let rates = self.tones.iter().filter_map(|tone| tone.rate.as_ref());
         rates.map(Exact::as_rational).try_fold(BigInt::from(1), |turns, rate| Some(turns.lcm(rate?.denom())))
     }
 
-    /// Returns whether half of these forcing periods later the shaking is the opposite: each harmonic passes an odd number of half periods.
-    /// `None` where an amplitude may be 0, or harmonics of one frequency may cancel, and the others alone may do so.
+    /// Whether the forcing changes sign after half a common period: each harmonic passes an odd number of half periods. `None` where
+    /// harmonics that do not may vanish: an amplitude may be 0, or harmonics of one frequency may cancel.
     pub fn has_mirror(&self) -> Option<bool> {
         let Some(turns) = self.common_turns() else { return Some(false) };
         let rates = self.tones.iter().filter_map(|tone| tone.rate.as_ref()?.as_rational());
@@ -193,13 +193,13 @@ impl Data<'_> {
         Some(if wall == Wall::Left { jerk } else { jerk.reverse() })
     }
 
-    /// Returns whether a flight with the velocity `after` the start has exactly no drift: `p + E'(0) = 0`.
+    /// Whether a flight with the velocity `after` the start has exactly no drift: `p + E'(0) = 0`.
     pub fn has_no_drift(&self, after: &Exact) -> bool {
         let drift = || after.checked_add(&self.sum(|tone| tone.phase.checked_cos(), 1)?);
         drift().is_ok_and(|drift| drift.sign() == Some(Ordering::Equal))
     }
 
-    /// `sum A_k r_k^n f(phase of the start)`; what is exactly 0 is so however little is known of its factors.
+    /// `sum A_k r_k^n f(phase of the start)`; a harmonic with `f = 0` is left out, so its other factors need not be known.
     fn sum(&self, f: impl Fn(&HarmonicData) -> Result<Exact, ExactError>, n: u32) -> Result<Exact, ExactError> {
         let mut sum = Exact::from(0);
         for tone in &self.tones {
@@ -215,7 +215,7 @@ impl Data<'_> {
         Ok(sum)
     }
 
-    /// Returns the last quarter period of the reference up to the start, if it is decided which.
+    /// The last quarter period of the reference up to the start; `None` if undecided.
     pub fn quarter(&self) -> Option<BigInt> {
         let quarter = Exact::pi().checked_div(&Exact::from(2)).ok()?;
         let quarters = self.tones[0].phase.checked_div(&quarter).ok()?;
@@ -227,7 +227,7 @@ impl Data<'_> {
 }
 
 impl Piece {
-    /// Returns the two halves along a datum.
+    /// The two halves of the piece along a datum.
     pub fn halves(&self, datum: usize) -> [Self; 2] {
         let (k, n) = self.parts.get(datum).cloned().unwrap_or_default(); // exact: not cut yet, the whole
         [0, 1].map(|half| &k * 2 + half).map(|k| {
@@ -238,7 +238,7 @@ impl Piece {
         })
     }
 
-    /// The values of `x`, datum `j`, in this piece.
+    /// The values of `x`, the datum `j`, in this piece.
     fn part(&self, x: &Exact, j: usize, bits: u32) -> Affine {
         let whole = Real::of(x, bits);
         if x.is_point() {
@@ -255,7 +255,7 @@ impl Piece {
     }
 }
 
-/// `W t0 + tau` of a harmonic less whole forcing periods, and these.
+/// `W t0 + tau` of a harmonic without whole forcing periods, and the number of whole forcing periods.
 fn phase(harmonic: &Harmonic, start: &Start) -> Result<(Exact, BigInt), Error> {
     let (time, delay) = (start.time(), harmonic.phase());
     let turned = within("start.time", time, harmonic.frequency().checked_mul(time))?;
@@ -267,7 +267,7 @@ fn phase(harmonic: &Harmonic, start: &Start) -> Result<(Exact, BigInt), Error> {
     Ok((within("start.time", time, phase.checked_sub(&whole))?, turns))
 }
 
-/// A whole number within 1 of an exact value, or of one of a set of values.
+/// A whole number within 1 of an exact value, or of a member of a set of values.
 fn nearest(x: &Exact) -> BigInt {
     let top = x.enclose(64).mag().top().unwrap_or(0).max(0); // X1: any number of bits encloses
     let near = x.enclose(64 + u32::try_from(top).unwrap_or(0)); // X1

@@ -1,7 +1,7 @@
-//! Proofs that orbits that are listed one by one are different motions: Lemma V13.
+//! Proofs that the orbits of a list are different motions: Lemma V13.
 //!
-//! Their bounds decide it, which were confirmed before: two periodic motions are one only where all impacts of both agree, from some impact
-//! of the one on.
+//! Confirmed bounds decide this: two periodic motions are the same only where all impacts agree, from some impact of one of them
+//! on.
 
 use num_bigint::BigInt;
 use num_integer::Integer;
@@ -12,12 +12,12 @@ use crate::attraction::{Bounds, ClaimedOrbit, Passage};
 use impact_pair_exact::{Exact, Real};
 use impact_pair_model::Wall;
 
-/// The bits of a forcing period: bounds that it alone keeps apart are not narrower.
+/// Bits of `2 pi`: bounds that only an enclosure of `2 pi` separates are not narrower.
 const BITS: u32 = 1 << 10;
-/// Common periods between two claimed phases, at most.
+/// Greatest number of common periods between two claimed phases.
 const MAX_PERIODS: i64 = 4;
 
-/// The shaking, as far as states come again under it.
+/// Recurrence of the forcing: its common period and its symmetry.
 pub(super) struct Recurrence {
     /// The periods of the reference in a common period.
     turns: BigInt,
@@ -30,19 +30,19 @@ pub(super) struct Recurrence {
 /// The comparison of the impacts of two motions.
 #[derive(Clone, Copy)]
 struct View {
-    /// Number of impacts by which the second motion is taken later.
+    /// Number of impacts by which the second motion is shifted.
     shift: usize,
     is_mirrored: bool,
 }
 
 impl Recurrence {
-    /// Returns the recurrence of the data; `None` where no common period is proved.
+    /// The recurrence of the data; `None` where no common period is proved.
     pub fn of(data: &Data) -> Option<Self> {
         let turn = Real::of(&(Exact::pi() * Exact::from(2)), BITS);
         Some(Self { turns: data.common_turns()?, may_have_mirror: data.has_mirror() != Some(false), turn })
     }
 
-    /// Returns whether no motion within the bounds of one orbit is one within those of the other, nor its mirror image, if that counts as the same.
+    /// Whether the bounds of two orbits share no motion; with `mirrors_are_one`, mirror images count as the same.
     pub fn are_apart(&self, one: &ClaimedOrbit, other: &ClaimedOrbit, mirrors_are_one: bool) -> bool {
         let mirrored = if mirrors_are_one && self.may_have_mirror { &[false, true][..] } else { &[false] };
         let shifts = 0..other.impacts.len();
@@ -50,14 +50,14 @@ impl Recurrence {
         views.all(|view| self.are_apart_in(view, &one.impacts, &other.impacts))
     }
 
-    /// Returns whether some impact of the one differs from that of the other, seen as `view` says.
+    /// Whether some impact of one orbit differs from the corresponding impact of the other in this view.
     fn are_apart_in(&self, view: View, one: &[Passage], other: &[Passage]) -> bool {
         let all = one.len().lcm(&other.len());
         let other = other.iter().cycle().skip(view.shift);
         one.iter().cycle().zip(other).take(all).any(|(one, other)| self.is_another(view.is_mirrored, one, other))
     }
 
-    /// Returns whether no state within the bounds of the one impact is one within those of the other.
+    /// Whether the bounds of two impacts share no state.
     fn is_another(&self, is_mirrored: bool, one: &Passage, other: &Passage) -> bool {
         let [low, high] = other.velocity.each_ref();
         let (wall, velocity) = match is_mirrored {
@@ -67,7 +67,7 @@ impl Recurrence {
         one.wall != wall || are_disjoint(&one.velocity, &velocity) || self.are_phases_apart(is_mirrored, one, other)
     }
 
-    /// Returns whether no two phases differ by whole common periods, each `q` forcing periods long. Phases have lower bounds in `[0, 2 pi)` and
+    /// Whether no two phases differ by whole common periods, each `q` forcing periods long. Phases have lower bounds in `[0, 2 pi)` and
     /// numbers of forcing periods in `[0, q)`.
     fn are_phases_apart(&self, is_mirrored: bool, one: &Passage, other: &Passage) -> bool {
         let least = &one.phase[0] - &other.phase[1];
@@ -87,7 +87,7 @@ impl Recurrence {
     }
 }
 
-/// Returns whether the first impact of one orbit is claimed within the bounds of that of the other, forcing period and wall alike.
+/// Whether the first impact of `one` is claimed within the bounds of the first impact of `other`, with equal wall and forcing period.
 pub(super) fn begins_within(one: &ClaimedOrbit, other: &ClaimedOrbit) -> bool {
     let (Some(one), Some(other)) = (one.impacts.first(), other.impacts.first()) else { return false };
     let place = |impact: &Passage| -> (Wall, Option<u32>) { (impact.wall, impact.turn) };

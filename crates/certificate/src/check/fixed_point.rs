@@ -1,4 +1,4 @@
-//! The periodic orbit in an ellipse that the period contracts, to the requested width, and what follows of it (Lemma V6).
+//! The periodic orbit in an ellipse that the period contracts, to the requested width, and its claimed properties (Lemma V6).
 
 use std::cmp::Ordering;
 
@@ -15,9 +15,9 @@ use impact_pair_exact::Real;
 /// An eigenvalue: real and imaginary part.
 pub(super) type Eigenvalue = [Real; 2];
 
-/// Ellipses that are tried.
+/// Number of ellipses that are tried.
 const MAX_ELLIPSES: u32 = 12;
-/// Bits that rounding may take of the first one's size.
+/// Bits by which the first ellipse exceeds the rounding of its centre.
 const SPARE_BITS: i64 = 40;
 
 /// The orbit of a basin, or the orbits of a box.
@@ -25,16 +25,16 @@ pub(super) struct FixedPoint<'r> {
     round: &'r Round<'r>,
     /// The ellipse in which there is no other orbit.
     basin: Option<&'r Ellipse>,
-    /// Its impacts, the next first one at the end.
+    /// The impacts in one period; the last is the next first impact.
     landings: Vec<Landing>,
-    /// Has the trace of the derivative of the period.
+    /// Derivative of the period, up to coordinates: the trace is the same.
     derivative: Matrix,
-    /// True if it is known to be its own mirror image.
+    /// True if the orbit is known to be its own mirror image.
     is_mirrored: bool,
 }
 
 impl<'r> FixedPoint<'r> {
-    /// Returns the orbit with the bits of `centre`, where Newton's iteration ended.
+    /// Encloses the orbit with the bits of `centre`, where Newton's iteration ended.
     pub fn enclosed(round: &'r Round<'r>, basin: &'r Ellipse, centre: &[Real; 2]) -> Result<Self, Doubt> {
         let open = || Doubt::open("the orbit is not enclosed");
         let mut size = SPARE_BITS - i64::from(centre[0].bits());
@@ -53,18 +53,18 @@ impl<'r> FixedPoint<'r> {
         Err(open())
     }
 
-    /// Returns the orbits whose impacts are in given sets, of which it may be known that they are their own mirror images.
+    /// The orbits whose impacts are in given sets; `is_mirrored` if they are known to be their own mirror images.
     pub fn of_box(round: &'r Round<'r>, landings: Vec<Landing>, derivative: Matrix, is_mirrored: bool) -> Self {
         Self { round, basin: None, landings, derivative, is_mirrored }
     }
 
-    /// Returns its impacts.
+    /// The impacts of one period.
     pub fn impacts(&self) -> &[Landing] {
         &self.landings[..self.round.walls.len()]
     }
 
-    /// Proves that its flights are admissible as claimed: where first contacts were proved they are; where it is claimed that they are
-    /// not, a wall is proved to be touched before one of its impacts.
+    /// Proves that the flights are admissible or virtual as claimed. Flights with proved first contacts are admissible; for virtual
+    /// flights, the ball is proved to touch a wall before one of the impacts.
     pub fn is_physical_as(&self, claimed: Option<bool>) -> Result<(), Doubt> {
         if claimed != Some(false) {
             return Ok(());
@@ -84,19 +84,19 @@ impl<'r> FixedPoint<'r> {
         Err(Doubt::open("no earlier contact is proved"))
     }
 
-    /// Phases whole common periods off, nearest to another one.
+    /// Phases shifted by whole common periods to be nearest to `other`.
     pub fn near(&self, phases: &Affine, other: &Real) -> Option<Affine> {
         self.round.near(phases, other)
     }
 
-    /// Returns the trace of the derivative of the period. **Equation** (38)
+    /// Encloses the trace of the derivative of the period. **Equation** (38)
     pub fn trace(&self) -> Real {
         let [[a, _], [_, d]] = &self.derivative;
         a.clone() + d
     }
 
-    /// Proves that it is its own mirror image, or is not, as claimed. Where the flights of a basin are not proved to be motions, their mirror images
-    /// need not be flights of the basin: a claimed symmetry is not checked then, and `unjudged` names it.
+    /// Proves the claim that the orbit is, or is not, its own mirror image. A claimed symmetry of a basin whose flights are not proved to
+    /// be motions is not checked, since mirror images need not be flights of the basin: `unjudged` names that claim.
     pub fn is_symmetric_as(&self, claimed: bool, has_mirror: Option<bool>) -> Result<(), Doubt> {
         let is_judged = self.round.is_physical || self.basin.is_none();
         match self.is_symmetric(has_mirror).filter(|&found| is_judged || !found) {
@@ -108,7 +108,7 @@ impl<'r> FixedPoint<'r> {
         }
     }
 
-    /// Returns whether it is its own mirror image half a common period later; `has_mirror`: the shaking then is the opposite one, if that is decided.
+    /// Whether the orbit is its own mirror image half a common period later; `has_mirror`: the forcing changes sign then, if decided.
     fn is_symmetric(&self, has_mirror: Option<bool>) -> Option<bool> {
         if self.is_mirrored {
             return Some(true);
@@ -128,8 +128,8 @@ impl<'r> FixedPoint<'r> {
         if verdicts.contains(&Some(true)) { Some(true) } else { verdicts.iter().all(Option::is_some).then_some(false) }
     }
 
-    /// Proves that it runs through a shorter orbit `claimed` times in N common periods, or is no shorter one at 1. Where the flights of a basin are
-    /// not proved to be motions, a state that comes again need not have the same future: `unjudged` names that claim. Lemma V8
+    /// Proves that the orbit runs `claimed` times through a shorter orbit in `periods` common periods; 1 if there is no shorter orbit. For a
+    /// basin whose flights are not proved to be motions, equal states need not have equal futures: `unjudged` names that claim. Lemma V8
     pub fn runs_as(&self, claimed: u32, periods: &BigInt) -> Result<(), Doubt> {
         match self.times(periods) {
             Some(times) if times == u64::from(claimed) => Ok(()),
@@ -140,7 +140,7 @@ impl<'r> FixedPoint<'r> {
         }
     }
 
-    /// The number of times that it runs through a shorter orbit in N common periods; `None` if undecided. Lemma V8
+    /// How often the orbit runs through a shorter orbit in `periods` common periods; `None` if undecided. Lemma V8
     fn times(&self, periods: &BigInt) -> Option<u64> {
         let impacts = self.impacts();
         let divides = |times: &usize| impacts.len().is_multiple_of(*times) && periods.is_multiple_of(&(*times).into());
@@ -157,7 +157,7 @@ impl<'r> FixedPoint<'r> {
         Some(1)
     }
 
-    /// Returns whether a state of a periodic orbit of the same word, whole common periods off, is that of the first impact.
+    /// Whether a state of a periodic orbit of the same word, shifted by whole common periods, is the first impact's state.
     fn is_first(&self, state: &Landing) -> Option<bool> {
         let first = &self.impacts()[0];
         let state = Landing { phase: self.round.near(&state.phase, &first.phase.centre)?, ..state.clone() };
@@ -172,13 +172,13 @@ impl<'r> FixedPoint<'r> {
     }
 }
 
-/// Returns whether the walls of `seen`, from impact `shift` on, are those of `impacts`.
+/// Whether the walls of `seen`, from impact `shift` on, are the walls of `impacts`.
 fn fits(seen: &[Landing], shift: usize, impacts: &[Landing]) -> bool {
     let later = seen.iter().cycle().skip(shift);
     impacts.iter().zip(later).all(|(impact, later)| impact.wall == later.wall)
 }
 
-/// Both eigenvalues; where they may be real or complex, for either case. **Equation** (38)
+/// Encloses both eigenvalues; where they may be real or complex, in either case. **Equation** (38)
 pub(super) fn eigenvalues(trace: &Real, determinant: &Real) -> [Eigenvalue; 2] {
     let zero = Real::zero(trace.bits());
     let middle = trace.half();
@@ -190,7 +190,7 @@ pub(super) fn eigenvalues(trace: &Real, determinant: &Real) -> [Eigenvalue; 2] {
         None => (root(&under).hull(&zero), root(&-under).hull(&zero)),
     };
     let [one, other] = [middle.clone() + &re, middle - &re];
-    // The one of larger modulus first; the other by the determinant, without cancellation.
+    // The eigenvalue of larger modulus first; the other by the determinant, without cancellation.
     let (large, small) = if trace.is_negative() { (other, one) } else { (one, other) };
     let small = if im.is_zero() {
         determinant.over(&large).map_or(small.clone(), |quotient| small.cut(&quotient))

@@ -1,9 +1,9 @@
-//! A flight in physical lengths and in radians, for all states of a set at once, and what can be proved of its parts.
+//! A flight in physical lengths and in radians, for all states of a set at once, with proofs about parts of the flight.
 //!
-//! With `h` the phase of the reference harmonic since the departure and `E` the shaking since then ([`Shaking`]), equations (11)
+//! With `h` the phase of the reference harmonic since the departure and `E` the forcing since then ([`Shaking`]), equations (11)
 //! and (12) read `y = y0 + c h - (E(h) - E(0))`, `y' = c - E'(h)`, `y'' = -E''(h)`, `c = p + E'(0)`, `p` the velocity after the
-//! impact; velocities are lengths a radian. Nothing is known here of where `y'` vanishes: parts of the flight are judged by
-//! their mean value and Taylor forms, and halved.
+//! impact; velocities are lengths per radian. No zeros of `y'` are used: parts of the flight are bounded by
+//! mean value and Taylor forms, and halved.
 
 use super::budget::Budget;
 use super::shaking::Shaking;
@@ -34,17 +34,17 @@ pub(crate) enum Part {
 }
 
 impl Flight<'_> {
-    /// Returns the bits that it is computed with.
+    /// Bits of the arithmetic.
     pub fn bits(&self) -> u32 {
         self.velocity.bits()
     }
 
-    /// Notes that a place of it is looked at.
+    /// Takes one flight evaluation off the budget.
     fn spend(&self) {
         self.budget.spend(self.bits(), self.shaking.waves.len());
     }
 
-    /// Rounded outward to fewer bits.
+    /// The flights, rounded outward to fewer bits.
     pub fn rounded(&self, bits: u32) -> Self {
         let Self { shaking, half_gap, height, velocity, budget } = self;
         let [half_gap, height, velocity] = [half_gap, height, velocity].map(|x| x.rounded(bits));
@@ -78,7 +78,7 @@ impl Flight<'_> {
         }
     }
 
-    /// Returns whether `y` is strictly between the walls, on the walls' side or neither: proved or not.
+    /// Whether `y` is proved strictly between the walls, proved beyond a wall, or neither.
     pub fn place(&self, y: &Real) -> Part {
         let (left, right) = (self.level(Wall::Left), self.level(Wall::Right));
         if left.is_below(y) && y.is_below(&right) {
@@ -90,7 +90,7 @@ impl Flight<'_> {
         }
     }
 
-    /// Returns whether the ball is clear of both walls over all of `(a, b]`, given that it is at `a` (Lemma V1).
+    /// Whether the ball is proved clear of both walls over `(a, b]`, given that it is clear at `a` (Lemma V1).
     pub fn judge(&self, a: &Real, b: &Real) -> Part {
         let (part, end) = (a.hull(b), self.height(b));
         let slope = self.slope(&part);
@@ -111,10 +111,10 @@ impl Flight<'_> {
         }
     }
 
-    /// Returns whether a ball that starts on `wall` is clear of both walls over `(0, b]` (Lemma V1).
+    /// Whether a ball that starts on `wall` is clear of both walls over `(0, b]` (Lemma V1).
     ///
     /// The departure is divided out: `(y - y0)/h = p + y''/2 h` with `y''` somewhere on the part. From a release, where `p` and
-    /// `y''` are 0, it is divided out three times.
+    /// `y''` are 0, `y - y0` is divided by `h^3`.
     pub fn departs(&self, wall: Wall, b: &Real, is_release: bool) -> bool {
         let inward = |x: Real| if wall == Wall::Left { x } else { -x };
         let part = b.hull(&(b.clone() - b));

@@ -1,4 +1,4 @@
-//! From claimed times and velocities to states in radians and lengths a radian, as boxes of two deviations.
+//! From claimed times and velocities to states in radians and lengths per radian, as boxes of two deviations.
 
 use super::affine::Affine;
 use super::clock::Clock;
@@ -11,9 +11,9 @@ use impact_pair_model::{EventKind, Wall};
 
 /// The claims about an impact.
 pub(crate) struct ClaimedImpact<'c> {
-    /// Its place among the events.
+    /// The position of the impact among the events.
     pub event: usize,
-    /// Its number, from 1.
+    /// The number of the impact, from 1.
     pub index: u64,
     pub wall: Wall,
     pub time: &'c Bounds,
@@ -21,14 +21,14 @@ pub(crate) struct ClaimedImpact<'c> {
 }
 
 impl<'c> ClaimedImpact<'c> {
-    /// Returns the claim of an impact.
+    /// The claim about an impact; `None` for another event.
     pub fn of((event, claim): (usize, &'c Claim)) -> Option<Self> {
         let EventKind::Impact { index, velocity, .. } = &claim.kind else { return None };
         Some(Self { event, index: *index, wall: claim.wall, time: &claim.time, velocity })
     }
 }
 
-/// Radians and their lengths, over a piece of the data.
+/// Data and clock of one piece of the data, in radians and lengths.
 pub(crate) struct Frame<'w> {
     pub parameters: Parameters<'w>,
     pub clock: Clock,
@@ -42,18 +42,18 @@ impl<'w> Frame<'w> {
         Self { parameters: data.parameters(piece, bits), clock, turn: Real::pi(bits) * 2 }
     }
 
-    /// Returns all phases of these times, and all velocities.
+    /// Encloses the phases of all times and velocities between the claimed bounds.
     pub fn hulls(&self, [time, velocity]: [&Bounds; 2]) -> [Real; 2] {
         let slowed = |velocity| self.clock.slowed(&Real::rational(velocity, self.turn.bits()));
         [hull(&time.each_ref().map(|time| self.clock.phase(time))), hull(&velocity.each_ref().map(slowed))]
     }
 
-    /// Returns all states before a claimed impact.
+    /// All states before a claimed impact.
     pub fn states(&self, hit: &ClaimedImpact<'_>) -> Landing {
         self.spanned(hit.wall, self.hulls([hit.time, hit.velocity]))
     }
 
-    /// Returns a box of states in which the deviations are those of phase and velocity.
+    /// Box of states; its two deviations are along phase and velocity.
     pub fn spanned(&self, wall: Wall, [phase, velocity]: [Real; 2]) -> Landing {
         let (first, zero) = (self.parameters.columns(), Real::zero(self.turn.bits()));
         let [[phase, off], [velocity, away]] = [phase, velocity].map(|x| {
@@ -69,7 +69,7 @@ impl<'w> Frame<'w> {
     }
 }
 
-/// All numbers between two.
+/// All numbers between two numbers.
 pub(super) fn hull([lower, upper]: &[Real; 2]) -> Real {
     lower.hull(upper)
 }

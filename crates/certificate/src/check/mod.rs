@@ -1,15 +1,15 @@
 //! Check of an orbit JSON, computed anew from its own decimal numbers.
 //!
-//! The route shares nothing with the one that made the certificate but the exact numbers and their interval arithmetic: physical
-//! lengths instead of gaps, radians instead of forcing periods, one arithmetic of integers at a precision that rises until every claim is
-//! decided, no closed-form extrema, no parallelograms. The claimed times only say where to look. Every flight is followed from
-//! the one before, not from the claimed box, and proved clear of both walls up to its contact by halving ([`flight`], [`contact`],
-//! Lemma V1); sets go on in mean value form ([`affine`], [`step`], Lemma V2), and so does a neighbourhood of a periodic orbit over
+//! The method shares with the computation of the certificate only the exact numbers and their interval arithmetic. It uses physical
+//! lengths instead of gaps, radians instead of forcing periods, and one arithmetic of integers whose precision rises until every claim is
+//! decided; no closed-form extrema, no parallelograms. The claimed times only say where to look. Every flight is followed from
+//! the flight before, not from the claimed box, and proved clear of both walls up to its contact by halving ([`flight`], [`contact`],
+//! Lemma V1). Sets are propagated in mean value form ([`affine`], [`step`], Lemma V2), and so is a neighbourhood of a periodic orbit over
 //! whole periods, until it is proved to shrink ([`attraction`], Lemma V6). Of a shadowed orbit each link between two impacts is proved alone,
-//! from nodes found anew from the claimed boxes ([`shadow`], [`chain`], Lemma V10). Orbits of one list are distinguished by their
-//! bounds ([`distinct`], Lemma V13). Homoclinic tangencies are found by shooting from series of the manifolds ([`tangency`], Lemmas V17-V19). Regions and words of horseshoes are proved in
-//! doubles ([`chaos`], Lemmas V11, V12). A claim is confirmed when what is found lies inside
-//! its bounds, refuted when it lies outside.
+//! from nodes computed from the claimed boxes ([`shadow`], [`chain`], Lemma V10). Orbits of one list are distinguished by their
+//! bounds ([`distinct`], Lemma V13). Homoclinic tangencies are enclosed by shooting from series of the manifolds ([`tangency`], Lemmas
+//! V17-V19). Regions and words of horseshoes are proved in doubles ([`chaos`], Lemmas V11, V12). A claim is confirmed when the computed
+//! enclosure lies inside its bounds, refuted when the enclosure lies outside.
 
 mod affine;
 mod atlas;
@@ -72,18 +72,18 @@ pub(super) use walk::Walk;
 pub enum Verdict {
     /// Every claim is proved again.
     Confirmed {
-        /// Bits of the arithmetic it took.
+        /// Greatest precision used, in bits.
         bits: u32,
-        /// Sets that the intervals among the data were cut into; 1 for data that are points.
+        /// Number of pieces into which the interval data were cut; 1 for data that are points.
         pieces: usize,
     },
     /// A claim is proved to be false.
     Refuted(Finding),
     /// A claim is neither proved again nor refuted.
     Undecided(Finding),
-    /// The user has stopped it; the claims before were proved again, of all data if these are points.
+    /// The caller has stopped the check; the events before were confirmed, for all data if these are points.
     Interrupted {
-        /// Events that were confirmed, all of them in one go.
+        /// Number of events that were confirmed, without a gap.
         events: usize,
     },
 }
@@ -91,7 +91,7 @@ pub enum Verdict {
 /// The first claim that is not confirmed.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Finding {
-    /// The position among the events, from 0; their number for the outcome.
+    /// The position among the events, from 0; the number of events for the outcome.
     pub event: usize,
     /// The reason in words.
     pub message: String,
@@ -100,32 +100,32 @@ pub struct Finding {
 /// Limits of a check, beyond which a claim is left undecided.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Effort {
-    /// Bits of its arithmetic.
+    /// Bits of the arithmetic.
     pub bits: u32,
-    /// Parts that a flight is cut into.
+    /// Parts into which a flight may be cut.
     pub parts: u32,
-    /// Pieces that intervals among the data are cut into.
+    /// Pieces into which the interval data may be cut.
     pub pieces: usize,
-    /// Places of flights that are looked at before a claim is left undecided, each with one harmonic and in up to 512 bits; one in
-    /// `n` times as many bits counts `n^2` times. A claim that is confirmed allows 256 more, in the bits it took.
+    /// Flight evaluations before a claim is left undecided, each with one harmonic and in up to 512 bits; an evaluation in
+    /// `n` times as many bits counts `n^2` times. A confirmed claim allows 256 more, in the bits that the claim took.
     pub work: u64,
 }
 
 impl Default for Effort {
-    /// 131,072 bits, 2,097,152 parts of a flight, 4,096 pieces of the data, 262,144 places: some 5 to 10 s.
+    /// 131,072 bits, 2,097,152 parts of a flight, 4,096 pieces of the data, 262,144 evaluations: some 5 to 10 s.
     fn default() -> Self {
         Self { bits: 1 << 17, parts: 1 << 21, pieces: 1 << 12, work: 1 << 18 }
     }
 }
 
-/// The first precision.
+/// The first precision, in bits.
 const FIRST_BITS: u32 = 192;
-/// A claim that a fourth as many bits and these did not decide either is given up: its bound is the truth, or there is an exact
+/// Bits at which a claim is given up if it was undecided at a quarter of them: then a bound is the exact value, or there is an exact
 /// graze.
 const GIVE_UP_BITS: u32 = 4096;
 
 impl Doubt {
-    /// The verdict on a claim that it is about.
+    /// The verdict on the claim `event`.
     fn on(self, event: usize) -> Verdict {
         match self {
             Self::False(message) => Verdict::Refuted(Finding { event, message }),
@@ -134,7 +134,7 @@ impl Doubt {
     }
 }
 
-/// Checks claims one after another, each with `work`; returns the bits used, or the verdict on the first that is not confirmed.
+/// Checks claims one after another, each with `work`; returns the bits used, or the verdict on the first claim not confirmed.
 fn one_by_one<C>(
     claims: impl Iterator<Item = (usize, C)>,
     (budget, work): (&Budget, u64),
@@ -159,11 +159,11 @@ fn one_by_one<C>(
     Ok(most)
 }
 
-/// A document whose claims are judged one after another, and what is known of all of them before.
+/// A document whose claims are checked one after another, and its properties that are known before.
 struct DocumentCheck<'c> {
-    /// The reason why its own fields exclude it.
+    /// A contradiction between the document's own fields.
     contradiction: Option<&'c str>,
-    /// The reason why two claims may be one.
+    /// The message if two claims may be the same orbit.
     alike: Option<&'static str>,
     /// Number of claims.
     count: usize,
@@ -172,7 +172,7 @@ struct DocumentCheck<'c> {
 }
 
 impl DocumentCheck<'_> {
-    /// Judges the claims, until one is not confirmed or the watch stops it.
+    /// Checks the claims, until one is not confirmed or the watch stops the check.
     fn judged<C>(
         self,
         claims: impl Iterator<Item = (usize, C)>,
@@ -198,13 +198,13 @@ impl DocumentCheck<'_> {
 }
 
 impl Certificate {
-    /// Proves every claim again, or returns the first one refuted or undecided, until the watch stops it, which receives the events
-    /// confirmed so far.
+    /// Proves every claim again, or returns the first claim that is refuted or undecided. The watch can stop the check and receives
+    /// the number of events confirmed so far.
     ///
-    /// Of what comes after the events `impacts-reached` says nothing; `time-reached` and `undecided` say that nothing does up to a time.
+    /// The outcome `impacts-reached` claims nothing after the events; `time-reached` and `undecided` claim that no event follows up to a time.
     ///
-    /// **Cost**: a few milliseconds an impact of a long chaotic orbit, whose bits it has to raise by about 1.7 an impact; half of one
-    /// of a shadowed orbit of any length, by as many threads as there are processors.
+    /// **Cost**: a few milliseconds per impact of a long chaotic orbit, whose precision rises by about 1.7 bits per impact; half a millisecond
+    /// per impact of a shadowed orbit of any length, on as many threads as there are processors.
     ///
     /// # Errors
     /// Returns an error if the scene's values are beyond the range of exact expressions.
@@ -212,7 +212,7 @@ impl Certificate {
         self.check_within(&Effort::default(), watch)
     }
 
-    /// Returns the same with no more than this effort.
+    /// Checks with at most this effort; see [`check`](Self::check).
     ///
     /// # Errors
     /// Returns an error if the scene's values are beyond the range of exact expressions.
@@ -244,7 +244,7 @@ impl Certificate {
     /// The verdict on all events and the outcome.
     fn judged(&self, effort: &Effort, data: &Data, progress: &mut impl FnMut(usize)) -> Verdict {
         let (mut bits, mut pieces, mut cut) = (FIRST_BITS, vec![Piece::default()], 1);
-        // The event at which more bits did not help, and the number of bits at first.
+        // The event at which more bits did not help, and the number of bits at the first attempt.
         let mut stuck = (0, bits);
         let mut grazes: BTreeMap<usize, Real> = BTreeMap::new();
         while let Some(piece) = pieces.pop() {
@@ -291,8 +291,8 @@ impl Certificate {
         }
     }
 
-    /// Encloses times \[time\] and velocities \[length/time\] of the impacts that it lists, found again in N bits: as many as
-    /// are sure to be on one wall.
+    /// Encloses times \[time\] and velocities \[length/time\] of the listed impacts, computed again in `bits` bits: of as many impacts
+    /// as certainly are on one wall.
     ///
     /// # Errors
     /// Returns an error if the scene's values are beyond the range of exact expressions.
@@ -301,7 +301,7 @@ impl Certificate {
         let mut walk = Walk::new(self, &data, &Piece::default(), bits);
         let mut found = Vec::new();
         for claim in self.events() {
-            // It does not matter here if the set lies inside the printed bounds.
+            // Here the set need not lie inside the printed bounds.
             let before = walk.impacts;
             let _ = walk.confirm(claim);
             if !claim.kind.is_impact() {
@@ -315,7 +315,7 @@ impl Certificate {
         Ok(found)
     }
 
-    /// The bits to try next when `bits` last up to `event`: what the remaining events need at the same rate.
+    /// The bits to try next when `bits` last up to `event`: enough for the remaining events at the same rate.
     fn more_bits(&self, bits: u32, event: usize) -> u32 {
         let rate: f64 = self.events().len() as f64 / (event as f64 + 1.0); // proposes
         let raised = f64::from(bits) * (1.1 * rate).clamp(2.0, 16.0); // proposes

@@ -1,5 +1,5 @@
-//! States near an orbit, from the middles of claimed bounds, and nodes around them that may cover one another: Newton's iteration for
-//! all impacts at once, expanding parts backward from the last one, contracting ones forward from the start.
+//! States near an orbit, from the middles of claimed bounds, and nodes around them that may cover one another. Newton's iteration treats
+//! all impacts at once: expanding parts backward from the last impact, contracting parts forward from the start.
 //!
 //! Labels: proposes throughout.
 
@@ -10,21 +10,21 @@ use super::data::Piece;
 use super::frame::ClaimedImpact;
 use impact_pair_exact::{Dyadic, Real};
 
-/// Bits that a flight between middles is found with.
+/// Bits for the flight time between two middles.
 const GUESS_BITS: u32 = 64;
-/// Jumps are to be N times smaller than the bounds, as a power of 2, and room is made for so large ones.
+/// log2 of the accepted ratio of a jump to the claimed bounds; nodes make room for jumps of that size.
 const JUMP_EXPONENT: i32 = -40;
-/// Factor by which a node is wider than the least that covers the next one, and multiple of the jump that it makes room for.
+/// Ratio of a node's width to the least width that covers the next node, and of the room for a jump to the jump.
 const MARGIN: f64 = 1.05;
 const JUMP_MARGIN: f64 = 2.0;
-/// Errors of products of floating point, about.
+/// Approximate relative error of products of doubles.
 const ROUNDING: f64 = 1.0 / (1_u64 << 44) as f64;
 
 /// A state near an orbit: before an impact, or at the start.
 #[derive(Clone, Debug)]
 pub(super) struct Point {
     pub node: Node,
-    /// Half widths of the bounds.
+    /// Half widths of the claimed bounds.
     size: Pair,
     /// The Jacobian of the flight to the next point, by rows.
     jacobian: [Pair; 2],
@@ -38,12 +38,12 @@ pub(super) struct Point {
 pub(super) struct Shot {
     pub lasting: Real,
     jacobian: [Pair; 2],
-    /// Difference between its end and the next state.
+    /// Difference between the end of the flight and the next state.
     jump: Pair,
 }
 
 impl Course<'_> {
-    /// Returns the start and the middles of the bounds.
+    /// The start and the middles of the claimed bounds.
     pub fn middles(&self) -> Vec<Point> {
         let bits = self.frame.turn.bits();
         let (phase, velocity, _) = self.data.state(&Piece::default(), bits);
@@ -58,7 +58,7 @@ impl Course<'_> {
         [start].into_iter().chain(self.hits.iter().map(bounds)).map(point).collect()
     }
 
-    /// Returns the flight from point `k` to the next one.
+    /// The flight from point `k` to the next point.
     pub fn shot(&self, k: usize, [point, next]: [&Point; 2], guess: Option<&Real>) -> Result<Shot, Doubt> {
         let (bits, wall) = (self.frame.turn.bits(), self.hits[k].wall);
         let departure = self.departure(k, point.node.centre.clone().map(Affine::fixed));
@@ -85,8 +85,8 @@ impl Course<'_> {
     }
 }
 
-/// Takes up what flights between points have shown; with some `share`, the points after the first one up to which they expand at least
-/// that share of the most are left out.
+/// Stores the Jacobians and jumps of the flights. With a `share`, removes the points after the first up to the one at which the
+/// expansion reaches that share of its maximum.
 pub(super) fn take(points: &mut Vec<Point>, shots: &[Shot], share: Option<f64>) {
     for (k, shot) in shots.iter().enumerate() {
         points[k].jacobian = shot.jacobian;
@@ -117,20 +117,20 @@ pub(super) fn take(points: &mut Vec<Point>, shots: &[Shot], share: Option<f64>) 
     }
 }
 
-/// The number of the point with the greatest jump, and this as a multiple of the bounds.
+/// Index of the point with the greatest jump, and that jump as a multiple of the bounds.
 pub(super) fn worst(points: &[Point]) -> (usize, f64) {
     let ratio = |point: &Point| (point.jump[0] / point.size[0]).abs().max((point.jump[1] / point.size[1]).abs());
     let ratios = points.iter().enumerate().skip(1).map(|(k, point)| (k, ratio(point)));
-    // No number is the greatest.
+    // A NaN counts as the greatest.
     ratios.fold((0, 0.0), |most, ratio| if ratio.1 <= most.1 { most } else { ratio })
 }
 
-/// Returns whether these jumps are small enough.
+/// Whether a jump of this ratio to the bounds is small enough.
 pub(super) fn is_fine(ratio: f64) -> bool {
     ratio < 2_f64.powi(JUMP_EXPONENT)
 }
 
-/// A step of Newton's iteration: the jumps go, but for what is of second order. `None` where it has no numbers.
+/// A step of Newton's iteration: jumps are left only to second order. `None` where a correction is not finite.
 pub(super) fn improve(points: &mut [Point]) -> Option<()> {
     let mut moves = vec![[0.0; 2]; points.len()];
     let kept = kept(points);
@@ -155,8 +155,8 @@ pub(super) fn improve(points: &mut [Point]) -> Option<()> {
     Some(())
 }
 
-/// The point that stays where it is along its expanding direction: the one whose bounds leave least of the first one's direction. It is
-/// the last one where the motion expands, and one with narrow bounds where it does neither.
+/// The point that stays fixed along its expanding direction: its bounds restrict the first point's direction most. It is
+/// the last point where the motion expands, and a point with narrow bounds where the motion neither expands nor contracts.
 fn kept(points: &[Point]) -> usize {
     let mut grown = 0.0;
     let left = points.iter().map(|point| {
@@ -170,11 +170,11 @@ fn kept(points: &[Point]) -> usize {
     least.map_or(points.len() - 1, |(k, _)| k)
 }
 
-/// Sides of nodes that may cover one another: expanding ones from the last one backward, the others forward.
+/// Sides of nodes that may cover one another: expanding sides from the last node backward, the others forward.
 pub(super) fn plan(points: &mut [Point]) {
     let links: Vec<_> = points.windows(2).map(|pair| pair[0].mixed(&pair[1])).collect();
     let noises: Vec<_> = points.iter().map(Point::noise).collect();
-    // Once as if axes were exact, then with what they are off.
+    // First as if the axes were exact, then with the errors of the axes.
     for _ in 0..2 {
         let last = points.len() - 1;
         points[last].node.sides[0] = noises[last][0];
@@ -198,14 +198,14 @@ impl Point {
         [cross(x, s) / cross(u, s), cross(u, x) / cross(u, s)]
     }
 
-    /// Bounds of the jump and of a small part of the bounds, along `u` and `s`, that a node makes room for.
+    /// Bounds of the jump and of a small part of the claimed bounds, along `u` and `s`, for which a node makes room.
     fn noise(&self) -> Pair {
         let [u, s] = self.node.axes;
         let [p, v] = [0, 1].map(|i| self.jump[i].abs() + self.size[i] * 2_f64.powi(JUMP_EXPONENT));
         [s, u].map(|axis| ((axis[1] * p).abs() + (axis[0] * v).abs()) / cross(u, s).abs())
     }
 
-    /// Bounds of the part of `s` that the flight to the next point takes along its `u`, and of `u` along its `s`: roundings.
+    /// Rounding errors of the axes: the part of `s` that the flight maps along the next `u`, and of `u` along the next `s`.
     fn mixed(&self, next: &Self) -> Pair {
         let absolute = |rows: [Pair; 2], [x, y]: Pair| rows.map(|[a, b]| (a * x).abs() + (b * y).abs());
         let ([u, s], determinant) = (next.node.axes, cross(next.node.axes[0], next.node.axes[1]).abs());

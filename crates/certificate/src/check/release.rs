@@ -15,38 +15,38 @@ use impact_pair_exact::Real;
 use impact_pair_model::Period;
 use impact_pair_model::Wall;
 
-/// Bits that rests are first followed with.
+/// Precision, in bits, in which a rest is first followed.
 const FIRST_BITS: u32 = 128;
 
 /// A release from a wall.
 pub(crate) struct Release {
     pub wall: Wall,
     pub moment: Moment,
-    /// Impacts listed before it.
+    /// Impacts listed before the release.
     pub impacts: u64,
 }
 
 /// The moment of a release.
 pub(crate) enum Moment {
-    /// With one harmonic: half periods.
+    /// With one harmonic: half periods since phase 0.
     Halves(BigInt),
-    /// With several: phases since the origin that hold it.
+    /// With several harmonics: encloses the phase since the origin.
     Phase(Real),
 }
 
 impl Walk<'_> {
-    /// The ball leaves at the first zero of the acceleration after the rest began, and that is a simple one.
+    /// Proves that the ball leaves at the first zero of the acceleration after the rest began, and that this zero is simple.
     pub(super) fn release_of_several(&mut self, rest: &Rest, claim: &Claim) -> Result<(), Doubt> {
         let root = self.turning(rest).ok_or_else(|| Doubt::open("no release is proved"))?;
         compare("time", &self.clock.time(&root), &claim.time)?;
-        // The dependence of the release on the data hardly matters: a landing depends on it by p - E''(0) h = 0.
+        // The release is taken as independent of the data: a landing depends on its phase by p - E''(0) h = 0.
         let released = Affine::fixed(root.clone()).recentred();
         self.standing = WalkState::released(&self.parameters, rest.wall, released);
         self.recur(Release { wall: rest.wall, moment: Moment::Phase(root), impacts: self.impacts });
         Ok(())
     }
 
-    /// Notes a release, and the periods that end with it. Lemma V3 (recurrence)
+    /// Stores a release, and the periods that end with it. Lemma V3 (recurrence)
     pub(super) fn recur(&mut self, release: Release) {
         let claimed = self.certificate.ended().period;
         let same = || self.released.iter().rev().filter(|before| before.wall == release.wall);
@@ -68,7 +68,7 @@ impl Walk<'_> {
         self.released.push(release);
     }
 
-    /// The cycles between two releases from one wall, if these are proved to be whole common periods of all harmonics apart.
+    /// The cycles between two releases from one wall, if they are proved to be whole common periods of all harmonics apart.
     fn cycles_between(&self, before: &Release, after: &Release) -> Option<u64> {
         match (&before.moment, &after.moment) {
             (Moment::Halves(before), Moment::Halves(after)) => ((after - before) / 2u32).to_u64(),
@@ -77,7 +77,7 @@ impl Walk<'_> {
         }
     }
 
-    /// The phases at which the wall is no longer pressed.
+    /// Encloses the phase at which the contact force vanishes.
     pub(super) fn turning(&self, rest: &Rest) -> Option<Real> {
         let origin = Real::zero(self.bits);
         let set = self.parameters.shaking(&origin, Affine::hull);
@@ -91,10 +91,10 @@ impl Walk<'_> {
         Some(zero(bracket.at(self.bits), |s| set.acceleration(s), |part| set.jerk(part)))
     }
 
-    /// The cycles, if a release at `root` is proved to be whole common periods of all harmonics after one at `before`.
+    /// The cycles, if a release at `root` is proved to be whole common periods of all harmonics after a release at `before`.
     ///
-    /// A zero of the acceleration at one of them is one at the other, and where the acceleration has no extremum
-    /// between two zeros they are the same.
+    /// A zero of the acceleration within one enclosure, shifted by whole common periods, is a zero within the other; without an
+    /// extremum of the acceleration between two zeros they are the same.
     fn whole_cycles(&self, before: &Real, root: &Real) -> Option<u64> {
         let common = self.data.common_turns()?;
         let turn = Real::pi(self.bits) + &Real::pi(self.bits);
@@ -108,8 +108,8 @@ impl Walk<'_> {
     }
 }
 
-/// A part of the motion of the box, the wall pressed all the time from the rest to its beginning and not at its end, in which
-/// `E'''` is not 0; phases since the origin.
+/// A part of the forcing in which `E'''` is not 0: the contact force is positive from the rest to its beginning and not at its
+/// end; phases since the origin.
 fn turning(shaking: &Shaking, rest: &Rest, bits: u32, budget: &Budget) -> Option<Real> {
     let inward = |x: Real| if rest.wall == Wall::Left { x } else { -x };
     let point = |x: &Real| Real::point(x.mid(), bits);

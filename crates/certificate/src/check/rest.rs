@@ -17,14 +17,14 @@ use crate::Claim;
 use impact_pair_exact::Real;
 use impact_pair_model::Wall;
 
-/// Bounces that are not listed are followed so far at most.
+/// Greatest number of bounces of a chatter that are followed without being listed.
 const MAX_BOUNCES: usize = 1 << 14;
 
 /// The ball lies on a wall from this phase on.
 #[derive(Clone, Debug)]
 pub(crate) struct Rest {
     pub wall: Wall,
-    /// Since the origin.
+    /// Phase since the origin.
     pub since: Real,
     /// True if the contact force is exactly 0 at the phase `since`, and positive from then on.
     pub begins: bool,
@@ -53,7 +53,7 @@ impl<'c> Walk<'c> {
         Ok(())
     }
 
-    /// The rest after infinitely many impacts, since phases which lie inside the claimed bounds.
+    /// The rest after complete chatter, from phases inside the claimed bounds on.
     fn chatter(&self, claim: &Claim) -> Result<WalkState<'c>, Doubt> {
         let (wall, parameters) = (claim.wall, &self.parameters);
         let mut departure = self.standing.departure().clone();
@@ -78,7 +78,7 @@ impl<'c> Walk<'c> {
         Err(Doubt::open("the rest is not enclosed as claimed"))
     }
 
-    /// The departure after the next bounce of a chatter, which no claim tells of.
+    /// The departure after the next bounce of a chatter, which is not listed.
     fn bounced(&self, departure: &Launch, wall: Wall) -> Result<Launch, Doubt> {
         let guess = bounce(departure, &self.parameters)?;
         let claimed = Claimed { from: Real::zero(self.bits), guess, to: None, is_first: true };
@@ -86,13 +86,13 @@ impl<'c> Walk<'c> {
         Ok(Launch::rebound(&self.parameters, &landing))
     }
 
-    /// Proves that a chatter has no impact which is not listed before the time `until`, unless all of them come before that time, as the
-    /// rest does (Lemma V7).
+    /// Proves that no unlisted impact of a chatter comes before the time `until`, unless the rest comes before `until` as well
+    /// (Lemma V7).
     fn hides_no_impact(&self, wall: Wall) -> Result<(), Doubt> {
         let Some(until) = &self.certificate.ended().until else { return Ok(()) };
         let until = Real::of(&until.0, self.clock.bits());
         let mut departure = self.standing.departure().clone();
-        // The first impact that is not listed comes before that time: proved, or not excluded.
+        // Whether the first unlisted impact is proved to come before `until`, and whether it may.
         let (mut is_hidden, mut may_be_hidden) = (false, false);
         let hidden =
             || Doubt::False("an impact before the rest, which is not listed, comes before the time `until`".into());
@@ -149,7 +149,7 @@ impl<'c> Walk<'c> {
         Ok(())
     }
 
-    /// The half period of that release, and the clock of phases counted from it.
+    /// The half period of the release, and the clock of phases counted from it.
     pub(super) fn released_of_one(&self, &Rest { wall, ref since, .. }: &Rest) -> Result<(BigInt, Clock), Doubt> {
         let odd = i64::from(wall == Wall::Right);
         let turn = Real::pi(self.bits) + &Real::pi(self.bits);
@@ -157,7 +157,7 @@ impl<'c> Walk<'c> {
         // exact: shared by all members
         let turns = (self.parameters.origin() + since - &half).over(&turn).and_then(|turns| turns.enclosure().floor());
         let turns = turns.ok_or_else(|| Doubt::open("the forcing period of the release is not decided"))?;
-        // Whole forcing periods dropped so far are an even number of half periods, or the odd one of a release before.
+        // Whole forcing periods dropped so far are an even number of half periods, or the odd number of a release before.
         let halves = &self.halves + (turns + 1) * 2 + odd;
         let clock = Clock::at_quarter_turns(self.data, &(&halves * 2), self.bits);
         Ok((halves, clock.ok_or_else(|| Doubt::open("the time of the release is too large"))?))

@@ -1,4 +1,4 @@
-//! Whole periods of a word of mappings, run by all states of a set (Lemma V2).
+//! Whole periods of a word of mappings, for all states of a set (Lemma V2).
 
 use super::affine::{Affine, COLUMN_BITS};
 use super::contact::{Claimed, Doubt};
@@ -11,19 +11,19 @@ pub(super) type Matrix = [[Real; 2]; 2];
 
 /// Steps of Newton's iteration.
 const STEPS: u32 = 40;
-/// The last one needed is below N bits of the arithmetic.
+/// Newton's iteration ends below `2^(LAST_STEP_BITS - bits)`, `bits` the precision of the arithmetic.
 const LAST_STEP_BITS: i64 = 32;
 
-/// A period of a word: from a state just before its first impact to the next one of these.
+/// A period of a word: from a state just before its first impact to the next such state.
 pub(super) struct Round<'p> {
     pub parameters: &'p Parameters<'p>,
     /// Walls of the impacts, in time order.
     pub walls: &'p [Wall],
-    /// Common period, after which the shaking repeats \[rad\].
+    /// Common period, after which the forcing repeats \[rad\].
     pub common: Real,
     /// The cycles of the word \[rad\].
     pub lasting: Real,
-    /// True if all its contacts have to be the first ones.
+    /// True if all contacts have to be first contacts.
     pub is_physical: bool,
     /// Approximate durations of the flights.
     pub times: Vec<Real>,
@@ -34,18 +34,18 @@ impl Round<'_> {
         self.parameters.bits()
     }
 
-    /// Returns the number of the first of the two deviations of states.
+    /// Index of the first of the two deviations of states.
     pub fn first(&self) -> usize {
         self.parameters.columns()
     }
 
-    /// Returns the states `centre + columns q`, `q` the two deviations of states.
+    /// The states `centre + columns q`, `q` the two deviations of states.
     pub fn set(&self, centre: &[Real; 2], columns: &Matrix) -> Landing {
         let [phase, velocity] = [0, 1].map(|i| Affine::spanned(centre[i].clone(), self.first(), columns[i].clone()));
         Landing { wall: self.walls[0], phase, velocity }
     }
 
-    /// Returns the set and its impacts up to the next first one, this a round earlier; all contacts are proved.
+    /// The set, its impacts and the next first impact, shifted back by the duration of the round; all contacts are proved.
     pub fn run(&self, set: Landing) -> Result<Vec<Landing>, Doubt> {
         self.run_under(self.parameters, set)
     }
@@ -64,14 +64,14 @@ impl Round<'_> {
         Ok(landings)
     }
 
-    /// Returns the derivatives of a state by the two deviations, each N times greater.
+    /// Encloses the derivatives of a state by the two deviations, multiplied by `times`.
     pub fn derivatives(&self, state: &Landing, times: &Real) -> Matrix {
         let column = |x: &Affine, j: usize| x.column(self.first() + j) * times;
         [&state.phase, &state.velocity].map(|x| [column(x, 0), column(x, 1)])
     }
 
-    /// Returns where Newton's iteration for a state that comes again under the middle of the data ends, and the derivative of the round
-    /// near it. Non-rigorous.
+    /// The state at which Newton's iteration for a periodic state, with data at their middles, ends, and the derivative of the round near
+    /// that state. Non-rigorous.
     pub fn polish(&mut self, guess: [Real; 2]) -> Result<([Real; 2], Matrix), Doubt> {
         let bits = self.bits();
         let point = |x: &Real| Real::point(x.mid(), bits);
@@ -97,7 +97,7 @@ impl Round<'_> {
                 return Err(Doubt::open("an orbit is not distinguished from its neighbours"));
             };
             let size = step.iter().map(|x| x.enclosure().mag()).max().unwrap_or_else(Dyadic::zero); // proposes: when to stop
-            // As many digits as rounding leaves.
+            // The step grows again: rounding leaves no more digits.
             if before.is_some_and(|before| size.scaled(1) > before) {
                 return Ok((state, derivative));
             }
@@ -110,7 +110,7 @@ impl Round<'_> {
         Err(Doubt::open("no periodic orbit is found near the motion"))
     }
 
-    /// Phases whole common periods of the shaking off, nearest to another one; `None` beyond integers of 64 bits.
+    /// Phases shifted by whole common periods to be nearest to `other`; `None` beyond integers of 64 bits.
     pub fn near(&self, phases: &Affine, other: &Real) -> Option<Affine> {
         let ahead = (phases.centre.clone() - other).over(&self.common)?;
         let periods = (ahead.middle() + &Real::int(1, self.bits()).half()).floor()?; // V6: any whole number of periods
@@ -129,7 +129,7 @@ pub(super) fn times(left: &Matrix, right: &Matrix) -> Matrix {
     left.each_ref().map(|row| columns.each_ref().map(|column| along(row, column)))
 }
 
-/// The inverse; `None` if there may be none.
+/// Encloses the inverse; `None` if the matrix may be singular.
 pub(super) fn inverse(matrix: &Matrix) -> Option<Matrix> {
     let [[a, b], [c, d]] = matrix;
     let determinant = determinant(matrix);
