@@ -6,7 +6,7 @@ use impact_pair_model::{Error, Word};
 use num_bigint::BigInt;
 use num_rational::BigRational;
 
-/// Bits of the bound that the widths of phases are compared with.
+/// Bits of the bound for the widths of phases.
 const BITS: u32 = 64;
 
 /// A stable periodic orbit that the motion is claimed to converge to.
@@ -19,7 +19,7 @@ pub(super) struct Attraction {
     pub orbit: ClaimedOrbit,
 }
 
-/// A periodic orbit.
+/// Claims about a periodic orbit.
 #[derive(Clone, Debug)]
 pub(super) struct ClaimedOrbit {
     /// The impacts, in time order.
@@ -27,9 +27,9 @@ pub(super) struct ClaimedOrbit {
     /// Trace, determinant, and both eigenvalues, real and imaginary parts.
     pub numbers: Option<[Bounds; 6]>,
     pub symmetric: Option<bool>,
-    /// Number of times that it runs through a shorter orbit, if that is claimed.
+    /// How often the orbit runs through a shorter orbit, if that is claimed.
     pub times: Option<u32>,
-    /// The only one in these bounds.
+    /// True if the orbit is claimed to be unique in the bounds.
     pub unique: bool,
     pub physical: Option<bool>,
     pub stability: Stability,
@@ -39,7 +39,7 @@ pub(super) struct ClaimedOrbit {
     pub sine: Option<String>,
 }
 
-/// The claims about its stability.
+/// The claimed stability.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Stability {
     Stable,
@@ -55,7 +55,7 @@ pub(super) type Passage = MeasuredImpact<Bounds>;
 pub(super) type Bounds = [BigRational; 2];
 
 impl Attraction {
-    /// Returns what an outcome claims, if it has an `orbit`; it stands at `place`.
+    /// The claim of an outcome that has an `orbit`; `place` is its place in the document.
     pub fn of(outcome: &OutcomeDocument, place: &Place<'_>) -> Result<Option<Self>, Error> {
         let Some(orbit) = &outcome.orbit else { return Ok(None) };
         if orbit.spacing.is_some() || orbit.sine.is_some() || orbit.amplitude.is_some() || orbit.gap.is_some() {
@@ -69,8 +69,8 @@ impl Attraction {
         }))
     }
 
-    /// Returns whether its orbit is claimed to be the only one in its box, of its least period, admissible and stable, and nothing of it is left open but its symmetry
-    /// where it is not decided if the shaking has a mirror.
+    /// Whether the orbit is claimed to be unique in its box, of its least period, admissible and stable, with all numbers. Only the
+    /// symmetry may be undecided, where it is undecided whether the forcing has a mirror.
     pub fn is_attractor(&self, is_mirror_decided: bool) -> bool {
         let ClaimedOrbit { unique, physical, stability, numbers, symmetric, times, .. } = &self.orbit;
         *unique
@@ -83,10 +83,10 @@ impl Attraction {
 }
 
 impl ClaimedOrbit {
-    /// Returns what a document claims; it stands at `place`.
+    /// The claims of a document; `place` is its place in the file.
     ///
     /// # Errors
-    /// Also of one with an amplitude or a gap of its own: no lemma is about these, whatever document it is in.
+    /// Also for an orbit with its own amplitude or gap: no lemma covers these.
     pub fn of(orbit: &PeriodicOrbitDocument, place: &Place<'_>) -> Result<Self, Error> {
         if orbit.amplitude.is_some() || orbit.gap.is_some() {
             return Err(place.refused("what is solved for the amplitude or the gap is not checked"));
@@ -109,7 +109,7 @@ impl ClaimedOrbit {
         if orbit.times == Some(0) {
             return Err(place.get("times")?.refused("accepted are whole numbers above 0, and null"));
         }
-        // T13: narrower bounds leave no choice of the forcing period
+        // T13: in narrower bounds the forcing period is unique
         let turn = Enclosure::pi(BITS).inf().to_rational() * BigInt::from(2);
         if let Some(i) =
             orbit.impacts.iter().map(|impact| values(&impact.phase)).position(|[low, high]| high - low >= turn)
@@ -130,7 +130,7 @@ impl ClaimedOrbit {
         })
     }
 
-    /// Returns whether no requested property is undecided.
+    /// Whether no requested property is undecided.
     pub fn is_decided(&self) -> bool {
         self.physical.is_some()
             && self.symmetric.is_some()

@@ -1,4 +1,4 @@
-//! The bifurcation JSON, read back: what it claims of its points, as exact fractions.
+//! The bifurcation JSON, read back: the claims about its points, as exact fractions.
 
 use super::attraction::{Bounds, ClaimedOrbit};
 use impact_pair_document::{BIFURCATION_SCHEMA, BifurcationDocument, BifurcationPointDocument, Place, value};
@@ -14,12 +14,12 @@ pub struct BifurcationCertificate {
     start: Start,
     over: Key,
     points: Vec<ClaimedPoint>,
-    /// The contradiction in its own fields.
+    /// A contradiction between the document's own fields.
     contradiction: Option<String>,
     unjudged: Vec<String>,
 }
 
-/// A bifurcation that is claimed.
+/// A claimed bifurcation.
 #[derive(Clone, Debug)]
 pub(super) struct ClaimedPoint {
     pub kind: Kind,
@@ -27,7 +27,7 @@ pub(super) struct ClaimedPoint {
     pub word: Word,
     pub cycles: u64,
     pub orbit: ClaimedOrbit,
-    /// The value of the parameter at which the orbit is, where it is not that at the point.
+    /// The value of the parameter at which the orbit is given, if it is not the value at the point.
     pub from: Option<BigRational>,
 }
 
@@ -41,7 +41,7 @@ pub(super) enum Kind {
 }
 
 impl Kind {
-    /// Returns the kind of an orbit at which an eigenvalue is 1 or -1.
+    /// The kind of an orbit at which an eigenvalue is 1 or -1.
     pub fn named(text: &str) -> Option<Self> {
         match text {
             "fold" => Some(Self::Fold),
@@ -65,7 +65,7 @@ pub(super) fn parameter(place: &Place<'_>) -> Result<Key, Error> {
     )
 }
 
-/// The key in the scene that holds the parameter's own value; it only names the scene.
+/// The key in the scene whose value the parameter replaces; the value there only names the scene.
 pub(super) fn own_value(key: Key) -> String {
     let place = match key {
         Key::Amplitude(_) => "excitation.amplitude",
@@ -97,8 +97,8 @@ impl ClaimedPoint {
 }
 
 impl ClaimedPoint {
-    /// Returns whether its word is `doubled` times the requested one, or one that this repeats in as many parts of its cycles: a branch of orbits that run
-    /// through shorter ones is that of the shorter ones.
+    /// Whether the point's word is `doubled` times the requested word, or times a word that the requested word repeats, with the same part
+    /// of the cycles: a branch of orbits that run through shorter orbits is the branch of the shorter orbits.
     fn is_of(&self, (requested, cycles): (&Word, u64), doubled: usize) -> bool {
         let (requested, word) = (requested.mappings(), self.word.mappings());
         let each = word.len() / doubled; // exact: where that many words are compared below
@@ -135,7 +135,7 @@ impl BifurcationCertificate {
         unjudged.extend(document.interrupted.then(|| "interrupted".to_owned()));
         let is_graze = |(_, point): &(usize, &ClaimedPoint)| point.kind == Kind::Graze;
         unjudged.extend(points.iter().enumerate().filter(is_graze).map(|(i, _)| format!("points[{i}]")));
-        // That all points are proved says so of the grazes as well.
+        // The claim that all points are proved includes the grazes.
         unjudged.extend(points.iter().enumerate().any(|point| is_graze(&point)).then(|| "certified".to_owned()));
         unjudged.extend((!points.is_empty()).then(|| "points.orbit.unique".to_owned()));
         unjudged.sort();
@@ -173,26 +173,26 @@ impl BifurcationCertificate {
         self.contradiction.as_deref()
     }
 
-    /// Returns how many bifurcations it claims.
+    /// Number of claimed bifurcations.
     pub fn count(&self) -> usize {
         self.points.len()
     }
 
-    /// Returns how many of them are checked: those that are no grazes.
+    /// Number of bifurcations that are checked: all but grazes.
     pub fn checked(&self) -> usize {
         self.points.iter().filter(|point| point.kind != Kind::Graze).count()
     }
 
-    /// Returns the keys of the document that claim nothing which [`check_within`](Self::check_within) judges.
+    /// Keys of the document whose values [`check_within`](Self::check_within) does not check.
     pub fn unjudged(&self) -> &[String] {
         &self.unjudged
     }
 }
 
-/// Bits that the ends of the range are enclosed in.
+/// Bits of the enclosures of the range's ends.
 const BITS: u32 = 256;
 
-/// Returns a statement of the document that its own fields exclude.
+/// A statement of the document that its own fields contradict.
 fn contradiction(document: &BifurcationDocument, points: &[ClaimedPoint]) -> Result<Option<String>, Error> {
     let BifurcationDocument { word, cycles, certified, branches, undecided, over, .. } = document;
     let requested: Word = word.parse()?;
@@ -212,7 +212,7 @@ fn contradiction(document: &BifurcationDocument, points: &[ClaimedPoint]) -> Res
         if *most < low.inf().to_rational() || *least > high.sup().to_rational() {
             return Ok(Some(format!("points[{i}]: its parameter is outside the range")));
         }
-        // The orbit at which a doubling comes is the one before it.
+        // The orbit at which a doubling comes is the orbit before the doubling.
         let doublings = claimed.doublings.checked_sub((point.kind == Kind::PeriodDoubling).into());
         let doubled = doublings.and_then(|doublings| 1usize.checked_shl(doublings));
         if !doubled.is_some_and(|doubled| point.is_of((&requested, (*cycles).into()), doubled)) {

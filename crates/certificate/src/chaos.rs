@@ -70,12 +70,12 @@ impl ChaosCertificate {
         &self.document.bases
     }
 
-    /// Returns how many words it claims.
+    /// Number of claimed words.
     pub fn count(&self) -> usize {
         self.document.words.len()
     }
 
-    /// Returns the keys of the document that claim nothing which [`check_within`](Self::check_within) judges.
+    /// Keys of the document whose values [`check_within`](Self::check_within) does not check.
     pub fn unjudged(&self) -> &[String] {
         &self.unjudged
     }

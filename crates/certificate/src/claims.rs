@@ -1,4 +1,4 @@
-//! Documents of every verb, and what `check` proves of them.
+//! Documents of every verb, and the claims that `check` proves of them.
 
 use serde::de::DeserializeOwned;
 use serde_json::{Deserializer, Value};
@@ -20,33 +20,33 @@ use impact_pair_model::watch::{Latched, Stage, Watch};
 /// The claims of a document.
 #[derive(Clone, Debug)]
 pub enum Claims {
-    /// An orbit JSON: all its events and its outcome are checked.
+    /// An orbit JSON: all events and the outcome are checked.
     Orbit(Box<Certificate>),
-    /// A periodic JSON, or that of two-impact motions: all its orbits are checked, not that there are no others.
+    /// A periodic JSON, or a JSON of two-impact motions: all orbits are checked, not that there are no others.
     Periodic(Box<PeriodicCertificate>),
-    /// A JSON of all cycles: all its orbits are checked, and that its counts are theirs, not that there are no others.
+    /// A JSON of all cycles: all orbits and the counts are checked, not that there are no others.
     Cycles(Box<CyclesCertificate>),
-    /// A bifurcation JSON: its folds, pitchforks and period doublings are checked, not its grazes, and not that there are no others.
+    /// A bifurcation JSON: folds, pitchforks and period doublings are checked, not grazes, and not that there are no others.
     Bifurcations(Box<BifurcationCertificate>),
-    /// A JSON of windows: its orbits, the ends of their windows and the orbits between them are checked.
+    /// A JSON of windows: the orbits, the ends of their windows and the orbits between the ends are checked.
     Windows(Box<WindowsCertificate>),
-    /// A JSON of a global analysis: its periodic motions, and that every motion is in one of its components in the end.
+    /// A JSON of a global analysis: its periodic motions, and that every motion ends in one of its components.
     Global(Box<GlobalCertificate>),
-    /// A JSON of tangencies: all its numbers are checked, and that there is one tangency in the bounds.
+    /// A JSON of tangencies: all numbers are checked, and that there is one tangency in the bounds.
     Tangencies(Box<TangencyCertificate>),
-    /// A sweep: the impacts of all its points are checked, not what becomes of them.
+    /// A sweep: the impacts of all points are checked, not the claimed fate of the motions.
     Sweep(Box<SweepCertificate>),
-    /// An atlas of points: the global analysis of each.
+    /// An atlas of points: the global analysis of each point.
     Atlas(Box<AtlasCertificate>),
-    /// A chaos JSON: all its words are checked, and that its entropies and its horseshoe follow from them.
+    /// A chaos JSON: all words are checked, and that the entropies and the horseshoe follow from them.
     Chaos(Box<ChaosCertificate>),
     /// A JSON of verdicts over a parameter: the verdict on each subinterval.
     Cells(Box<CellsCertificate>),
-    /// A trap JSON: that the region is closed is checked, and what is said of it.
+    /// A trap JSON: that the region is a trapping region is checked, and its other claims.
     Trap(Box<TrapCertificate>),
-    /// A description: the orbit and the region in it are checked, and that its fate is theirs.
+    /// A description: its orbit and its region are checked, and that its fate agrees with them.
     Description(Box<DescriptionCertificate>),
-    /// Several documents in a list: one by one.
+    /// Several documents in a list, checked one by one.
     List(Vec<Claims>),
     /// Not checked, for the given reason.
     Unchecked(&'static str),
@@ -72,7 +72,7 @@ impl Claims {
     pub fn parse(text: &str) -> Result<Self, Error> {
         let head = Deserializer::from_str(text).into_iter::<Value>().next().and_then(Result::ok);
         if let Some(Value::Array(_)) = &head {
-            // Nothing may come after it.
+            // Nothing may follow the list.
             return Self::list(&value(text)?);
         }
         let schema = head.as_ref().and_then(|head| head["schema"].as_str());
@@ -109,7 +109,7 @@ impl Claims {
         })
     }
 
-    /// A document that is read, and not checked.
+    /// A document that is read but not checked.
     fn unchecked<T: DeserializeOwned>(text: &str, why: &'static str) -> Result<Self, Error> {
         read::<T>(text).map(|_| Self::Unchecked(why))
     }
@@ -123,7 +123,7 @@ impl Claims {
         Ok(Self::List(documents.map(parse).collect::<Result<_, _>>()?))
     }
 
-    /// The documents of a list or a description, each with its place; `None` of all others.
+    /// The documents of a list or a description, each with its place; `None` for all others.
     pub(super) fn documents(&self) -> Option<Vec<(String, &Self)>> {
         match self {
             Self::List(documents) => {
@@ -136,7 +136,7 @@ impl Claims {
         }
     }
 
-    /// Judges one document after another; the first that is not confirmed says why.
+    /// Checks one document after another; the verdict is on the first document that is not confirmed.
     fn judge_each(documents: &[(String, &Self)], effort: &Effort, watch: &dyn Watch) -> Result<CheckResult, Error> {
         let (mut before, mut most) = (0, (0, 0));
         for (_, document) in documents {
@@ -149,7 +149,7 @@ impl Claims {
             let verdict = match verdict {
                 Verdict::Confirmed { bits, pieces } => {
                     most = (most.0.max(bits), most.1.max(pieces));
-                    // One more for what is said of the whole document.
+                    // One more claim for the statements about the whole document.
                     before += document.count() + 1;
                     continue;
                 }
@@ -166,8 +166,8 @@ impl Claims {
         Ok(CheckResult { verdict, confirmed: before })
     }
 
-    /// Proves every claim again, or returns the first one refuted or undecided, until the watch stops it, which receives
-    /// the claims confirmed so far.
+    /// Proves every claim again, or returns the first claim that is refuted or undecided. The watch can stop the check and receives
+    /// the number of claims confirmed so far.
     ///
     /// # Errors
     /// Returns an error if the scene's values are beyond the range of exact expressions.
@@ -175,8 +175,8 @@ impl Claims {
         Ok(self.judge(effort, watch)?.verdict)
     }
 
-    /// Judges as [`check_within`](Self::check_within) does, and says how far its claims were confirmed one after another: what
-    /// [`document`](Self::document) tells of each of them.
+    /// Checks as [`check_within`](Self::check_within) does, and also returns how many claims were confirmed without a gap, for
+    /// [`document`](Self::document).
     ///
     /// # Errors
     /// Returns an error if the scene's values are beyond the range of exact expressions.
@@ -224,7 +224,7 @@ impl Claims {
         Ok(CheckResult { verdict, confirmed })
     }
 
-    /// Returns the claims of one document; `None` of several, and of one that is not checked.
+    /// The claims of one document; `None` for several documents, and for a document that is not checked.
     pub(super) fn certificate(&self) -> Option<&dyn Checked> {
         Some(match self {
             Self::Orbit(certificate) => &**certificate,
@@ -243,14 +243,14 @@ impl Claims {
         })
     }
 
-    /// Returns how many claims come one after another: events, orbits.
+    /// Number of claims in order: events, orbits.
     pub fn count(&self) -> usize {
-        // Of several documents one more each for what is said of the whole document.
+        // Each of several documents counts one more for the statements about the whole document.
         let of_each = || self.documents().into_iter().flatten().map(|(_, document)| document.count() + 1).sum();
         self.certificate().map_or_else(of_each, |certificate| certificate.count())
     }
 
-    /// Returns what of it is not judged: keys, or words.
+    /// Keys, or statements, that are not checked.
     ///
     /// ```
     /// # use impact_pair_certificate::Claims;
@@ -271,7 +271,7 @@ impl Claims {
         own.iter().cloned().chain(self.documents().into_iter().flatten().flat_map(of)).collect()
     }
 
-    /// Returns the first claims, in words.
+    /// The first `count` claims, in words.
     pub fn first(&self, count: usize) -> String {
         if let Some(certificate) = self.certificate() {
             return certificate.first(count);
@@ -287,7 +287,7 @@ impl Claims {
         counted(whole.count(), "document")
     }
 
-    /// Returns all claims, in words.
+    /// All claims, in words.
     pub fn all(&self) -> String {
         if let Some(certificate) = self.certificate() {
             return certificate.all();
@@ -302,7 +302,7 @@ impl Claims {
         }
     }
 
-    /// Returns which claim, and what is wrong with it.
+    /// The claim of a finding, and the reason why it is not confirmed, in words.
     pub fn described(&self, Finding { event, message }: &Finding) -> String {
         match self.certificate() {
             Some(certificate) => certificate.described(*event, message),

@@ -1,4 +1,4 @@
-//! The JSON of all cycles, read back: its orbits, and what it says of their number.
+//! The JSON of all cycles, read back: its orbits and their claimed number.
 
 use std::collections::BTreeMap;
 
@@ -16,7 +16,7 @@ pub struct CyclesCertificate {
 }
 
 impl CyclesCertificate {
-    /// Reads the JSON of all cycles: its orbits, and that its counts fit them; not that there are no others.
+    /// Reads the JSON of all cycles: its orbits and whether its counts fit them.
     ///
     /// # Errors
     /// Name the key, its value and what is accepted.
@@ -28,20 +28,20 @@ impl CyclesCertificate {
         Ok(Self { orbits, contradiction })
     }
 
-    /// Returns its orbits, as those of a periodic JSON.
+    /// The orbits, as in a periodic JSON.
     pub fn orbits(&self) -> &PeriodicCertificate {
         &self.orbits
     }
 
-    /// Returns the contradiction in its own fields.
+    /// A contradiction between the document's own fields.
     pub(super) fn contradiction(&self) -> Option<&str> {
         self.contradiction.as_deref()
     }
 }
 
-/// Returns whether an orbit of N impacts, no shorter one several times, may have this least period under the reduced map.
+/// Whether an orbit of `impacts` impacts, not a repeated shorter orbit, may have the least period `claimed` under the reduced map.
 ///
-/// Lemma D23: an orbit that is its own mirror image is that after half of its impacts.
+/// Lemma D23: an orbit that is its own mirror image is mapped to it after half of its impacts.
 pub(super) fn is_reduced_period(claimed: u32, impacts: usize, symmetric: Option<bool>) -> bool {
     let (claimed, impacts) = (u64::from(claimed), impacts as u64); // exact: a length
     let is_least = match symmetric {
@@ -52,10 +52,10 @@ pub(super) fn is_reduced_period(claimed: u32, impacts: usize, symmetric: Option<
     claimed > 0 && is_least
 }
 
-/// Returns a statement of the document that its own fields exclude.
+/// A statement of the document that its own fields contradict.
 ///
-/// Lemma D23: of `n` impacts the fixed points are those of the cycles whose least number of impacts divides `n`, as many of each as it has
-/// impacts. So where a count stands all these cycles are listed, those of fewer impacts as well.
+/// Lemma D23: the fixed points of `n` impacts belong to the cycles whose least number of impacts divides `n`, one fixed point for each
+/// impact of the cycle. So a document with a count lists all these cycles, also those of fewer impacts.
 fn contradiction(document: &CyclesDocument, orbits: &[OrbitOf]) -> Option<String> {
     let CyclesDocument { certified, exhaustive, impacts, fixed_points, no_attractor, .. } = document;
     let [least, most] = **impacts;

@@ -7,17 +7,17 @@ use crate::leaves::Leaves;
 use crate::{Claims, Finding, Verdict};
 use impact_pair_document::{CHECK_SCHEMA, CheckDocument, JudgedClaim, VerdictName};
 
-/// The result of a check of a document, and the number of claims confirmed one after another.
+/// The result of a check of a document, and the number of claims confirmed without a gap.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct CheckResult {
-    /// The verdict on all of it.
+    /// The verdict on all claims together.
     pub verdict: Verdict,
-    /// The claims before this one are proved again, each for all data, counted as [`Finding::event`] counts them.
+    /// The claims before this number are proved again, each for all data, counted as [`Finding::event`] counts them.
     pub(super) confirmed: usize,
 }
 
 impl CheckResult {
-    /// Returns the verdict on all claims together.
+    /// The verdict on all claims together.
     pub fn name(&self) -> VerdictName {
         match self.verdict {
             Verdict::Confirmed { .. } => VerdictName::Confirmed,
@@ -34,22 +34,22 @@ impl CheckResult {
     }
 }
 
-/// A document alone, or one of a list.
+/// A document, alone or in a list.
 struct Part<'c> {
     claims: &'c Claims,
-    /// The beginning of its paths: its position in a list.
+    /// Beginning of the document's paths: its position in a list.
     prefix: String,
-    /// The values of the document: JSON Lines are several.
+    /// The JSON values of the document: one, or a value for each line of JSON Lines.
     values: Vec<&'c Value>,
-    /// The number of its first claim.
+    /// The number of the document's first claim.
     first: usize,
 }
 
 impl Claims {
-    /// Returns each claim of the text that this was read from, with its verdict.
+    /// Each claim of the text from which `self` was read, with its verdict.
     ///
     /// # Panics
-    /// Panics if it was read from another text.
+    /// Panics if `self` was read from another text.
     pub fn document(&self, text: &str, judged: &CheckResult) -> CheckDocument {
         let values: Vec<Value> = Deserializer::from_str(text).into_iter().map_while(Result::ok).collect();
         let (mut claims, mut not_checked, mut unchecked_claims) = (Vec::new(), Vec::new(), Vec::new());
@@ -76,7 +76,7 @@ impl Claims {
         }
     }
 
-    /// Returns the verdict in words, which name the claims that are not checked.
+    /// The verdict in words, which name the claims that are not checked.
     pub fn verdict_in_words(&self, verdict: &Verdict, unchecked_claims: &[String]) -> String {
         match verdict {
             Verdict::Confirmed { bits, pieces } => {
@@ -99,7 +99,7 @@ impl Claims {
         parts
     }
 
-    /// Adds the parts of a document that stands at a place, of its first claim on, to others.
+    /// Adds the parts of a document to `parts`; `prefix` is the document's place, `first` the number of its first claim.
     fn add_parts<'c>(&'c self, parts: &mut Vec<Part<'c>>, prefix: String, values: Vec<&'c Value>, first: usize) {
         let mut next = first;
         for (i, (at, document)) in self.documents().into_iter().flatten().enumerate() {
@@ -114,8 +114,8 @@ impl Claims {
 }
 
 impl Part<'_> {
-    /// Adds the verdicts on the values of the document, and the paths of the values that are not judged; returns the keys among these that
-    /// claim something.
+    /// Adds the verdicts on the values of the document, and the paths of the values that are not checked; returns the keys among these
+    /// that claim something.
     fn judge(&self, judged: &CheckResult, claims: &mut Vec<JudgedClaim>, not_checked: &mut Vec<String>) -> Vec<String> {
         let (names, items) = (self.claims.unjudged(), self.claims.certificate().map(Checked::items));
         let mut leaves = Leaves::new(&names, items);
@@ -145,7 +145,7 @@ impl Part<'_> {
         unchecked.retain(|[path, _]| !self.claims.certificate().is_some_and(|certificate| certificate.is_silent(path)));
         let decisive = self.decisive(judged);
         if let Some((path, _)) = &decisive {
-            // Of an item that decides its own values are in doubt as well.
+            // If an item decides the verdict, its own values are in doubt as well.
             others.retain(|other| other != path && !is_value_of(other, path));
             if !paths.contains(path) {
                 let place = paths.iter().position(|other| is_in(other, path)).unwrap_or(paths.len()); // exact: the end
@@ -160,7 +160,7 @@ impl Part<'_> {
         unchecked.into_iter().map(|[_, path]| format!("{prefix}{path}")).collect()
     }
 
-    /// The claim that decides, and why, where it is one of this document.
+    /// Path and message of the deciding claim, if it is in this document.
     fn decisive(&self, judged: &CheckResult) -> Option<(String, String)> {
         let Finding { event, message } = judged.finding()?;
         if let Claims::Description(_) = self.claims {
@@ -182,7 +182,7 @@ impl Part<'_> {
         items: Option<&str>,
     ) -> JudgedClaim {
         let reason = decisive.filter(|(decisive, _)| *decisive == path).map(|(_, message)| message.clone());
-        // Claims about the whole come after its items.
+        // Claims about the whole document come after its items.
         let item = items.and_then(|items| position(&path, items)).unwrap_or(self.claims.count()); // exact: a position
         let is_confirmed = matches!(judged.verdict, Verdict::Confirmed { .. }) || self.first + item < judged.confirmed;
         let verdict = match (&reason, is_confirmed) {
@@ -194,17 +194,17 @@ impl Part<'_> {
     }
 }
 
-/// Sorts the lines of a document that are the items of a list.
+/// Adds the lines of a document that are the items of a list.
 fn add_each(leaves: &mut Leaves<'_>, list: &str, lines: &[&Value]) {
     lines.iter().enumerate().for_each(|(i, line)| leaves.add(&format!("{list}[{i}]"), list, line));
 }
 
-/// Returns whether a path leads into the value at another one.
+/// Whether a path leads into the value at `outer`.
 fn is_in(path: &str, outer: &str) -> bool {
     path.strip_prefix(outer).is_some_and(|rest| rest.starts_with(['.', '[']))
 }
 
-/// Returns whether a path leads to a member of the value at another one, not deeper.
+/// Whether a path leads to a direct member of the value at `outer`.
 fn is_value_of(path: &str, outer: &str) -> bool {
     is_in(path, outer) && !path[outer.len() + 1..].contains(['.', '['])
 }

@@ -1,4 +1,4 @@
-//! The periodic JSON, read back: what it claims of its orbits, as exact fractions.
+//! The periodic JSON, read back: the claims about its orbits, as exact fractions.
 
 use super::attraction::ClaimedOrbit;
 use impact_pair_document::{
@@ -8,7 +8,7 @@ use impact_pair_document::{
 use impact_pair_exact::Exact;
 use impact_pair_model::{Error, ImpactPair, Mapping, Start, Wall, Word};
 
-/// The claims of a periodic JSON, or of that of two-impact motions.
+/// The claims of a periodic JSON, or of a JSON of two-impact motions.
 #[derive(Clone, Debug)]
 pub struct PeriodicCertificate {
     pair: ImpactPair,
@@ -20,10 +20,10 @@ pub struct PeriodicCertificate {
     unjudged: Vec<String>,
 }
 
-/// A periodic JSON, or that of two-impact motions as one.
+/// A periodic JSON, also from a JSON of two-impact motions.
 struct Read {
     document: PeriodicDocument,
-    /// True if something in it is undecided.
+    /// True if a part of the search is undecided.
     has_rest: bool,
     is_two_impact: bool,
 }
@@ -62,7 +62,7 @@ const UNJUDGED_OF_CYCLES: [&str; 10] = [
     "undecided",
 ];
 
-/// An orbit, its word and the cycles of that.
+/// An orbit, its word and the cycles of the word.
 #[derive(Clone, Debug)]
 pub(super) struct OrbitOf {
     pub word: Word,

@@ -1,4 +1,4 @@
-//! Check of an atlas: the global analysis of each point (Lemma V25), or of each cell, is proved again, and so are its stable orbits
+//! Check of an atlas: the global analysis of each point (Lemma V25) or cell is proved again, and so are its stable orbits
 //! (Lemma V38).
 
 use super::chaos::{are_distinct, has_stable_orbit};
@@ -9,8 +9,8 @@ use impact_pair_model::Error;
 use impact_pair_model::watch::{Latched, Silent, Watch};
 
 impl AtlasCertificate {
-    /// Proves what is claimed of every point again, or says of which it is not true or not proved, until the watch stops it, which
-    /// receives the points checked so far.
+    /// Proves the claims of every point again, or names a point where they are refuted or undecided. The watch can stop the check and
+    /// receives the number of points checked so far.
     ///
     /// # Errors
     /// Returns an error if a scene's values are beyond the range of exact expressions, or if it has several harmonics.
@@ -18,7 +18,7 @@ impl AtlasCertificate {
         Ok(self.judge_within(effort, watch)?.0)
     }
 
-    /// Returns the verdict, and how many points are confirmed one after another from the first one on.
+    /// The verdict, and how many points are confirmed without a gap from the first point on.
     pub(crate) fn judge_within(&self, effort: &Effort, watch: &dyn Watch) -> Result<Found, Error> {
         let watch = Latched::new(watch);
         let mut tally = Tally::default();
@@ -39,7 +39,7 @@ impl AtlasCertificate {
 }
 
 impl Part {
-    /// Proves again that every motion goes where it is claimed to go, and that the stable orbits exist.
+    /// Proves again that every motion goes where the point claims, and that the stable orbits exist.
     fn judged(&self, effort: &Effort, watch: &dyn Watch) -> Result<Verdict, Error> {
         let mut confirmed = Verdict::Confirmed { bits: f64::MANTISSA_DIGITS, pieces: 1 };
         if self.global.claims_something() {

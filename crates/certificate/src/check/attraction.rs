@@ -1,9 +1,9 @@
 //! Claims about a periodic orbit that the motion converges to.
 //!
-//! The route (Lemma V6): from the last of the claimed impacts, confirmed before as theorems, Newton's iteration seeks a state that
-//! comes again after a period of the word. An ellipse around it is proved to be mapped into itself and contracted ([`basin`](super::basin)), and
-//! the motion to come into it. A narrow ellipse of the same kind then encloses the orbit ([`fixed_point`](super::fixed_point)), which must lie in
-//! the claimed bounds.
+//! Method (Lemma V6): from the last of the claimed impacts, which are confirmed before, Newton's iteration seeks a state that
+//! recurs after a period of the word. An ellipse around that state is proved to be mapped into itself and contracted
+//! ([`basin`](super::basin)), and the motion is proved to enter it. A narrow ellipse of the same axes then encloses the orbit
+//! ([`fixed_point`](super::fixed_point)), which must lie in the claimed bounds.
 
 use super::basin::{Ellipse, basin, contracted};
 use super::contact::Doubt;
@@ -15,15 +15,15 @@ use super::target::{BITS, Target};
 use crate::Certificate;
 use impact_pair_exact::Real;
 
-/// Pieces that intervals among the data are cut into.
+/// Greatest number of pieces into which the interval data are cut.
 const MAX_PIECES: usize = 256;
-/// Places of flights that a piece allows for the next one.
+/// Flight evaluations that each piece allows for the next piece.
 const WORK_PER_PIECE: u64 = 1 << 14;
-/// Periods that a motion is followed beyond the claimed impacts.
+/// Greatest number of periods that a motion is followed beyond the claimed impacts.
 const MAX_PERIODS: u32 = 1 << 10;
 
 impl Certificate {
-    /// Proves that the motion converges to the orbit claimed, where that is claimed; the data are cut into `most` pieces at most.
+    /// Proves that the motion converges to the claimed orbit, if the outcome claims it; the data are cut into at most `most` pieces.
     pub(super) fn attracts(&self, data: &Data, most: usize) -> Result<(), Doubt> {
         if self.outcome() != "attracted" {
             return Ok(());
@@ -44,7 +44,7 @@ impl Certificate {
     }
 }
 
-/// Answers a question for all data, cut into `most` pieces at most, each along its widest datum.
+/// Proves `answer` for all data, cut into at most `most` pieces, each along its widest datum.
 pub(super) fn for_all_pieces(
     data: &Data,
     most: usize,
@@ -69,7 +69,7 @@ pub(super) fn for_all_pieces(
     Ok(())
 }
 
-/// The datum that a state one period later depends on most, of those that comes again near a guess.
+/// The datum on which the state after a period, from a recurring state near a guess, depends most.
 pub(super) fn widest_datum(mut round: Round<'_>, guess: [Real; 2]) -> Option<usize> {
     let (centre, derivative) = round.polish(guess).ok()?;
     let still = derivative.map(|row| row.map(|_| Real::zero(BITS)));
@@ -77,7 +77,7 @@ pub(super) fn widest_datum(mut round: Round<'_>, guess: [Real; 2]) -> Option<usi
     last.phase.widest().or(last.velocity.widest())
 }
 
-/// The claim that a motion converges to a periodic orbit, with the impacts that it is proved from.
+/// The claim that a motion converges to a periodic orbit, with the impacts from which this is proved.
 struct Convergence<'c> {
     target: Target<'c>,
     hits: Vec<ClaimedImpact<'c>>,
@@ -93,21 +93,21 @@ impl Convergence<'_> {
         self.answer_from(end, piece, &frame)
     }
 
-    /// The datum that the orbit depends on most.
+    /// The datum on which the orbit depends most.
     fn widest_datum(&self, piece: &Piece) -> Option<usize> {
         let frame = Frame::new(self.target.data, piece, BITS);
         let end = self.end().filter(|_| frame.parameters.columns() > 0)?;
         widest_datum(self.round(end, &frame), self.guess(end, &frame))
     }
 
-    /// The last impact whole rounds of the word after the one claimed, if the flights of a round are listed.
+    /// The last impact that comes whole rounds of the word after impact `from`, if the flights of a round are listed.
     fn end(&self) -> Option<usize> {
         let each = self.target.walls.len();
         let end = self.from + (self.hits.len() - 1 - self.from) / each * each; // exact: an index
         (self.hits.len() > each).then_some(end)
     }
 
-    /// The first impact from which on the motion follows the word, as often as it does, up to the impact `end`.
+    /// The first impact from which on the motion follows the word without interruption up to the impact `end`.
     fn beginning(&self, end: usize) -> usize {
         let mut at = end;
         while let Some(before) = at.checked_sub(self.target.walls.len()) {
@@ -123,7 +123,7 @@ impl Convergence<'_> {
         at
     }
 
-    /// The round from the impact `end` on, its flights as long as those of the last round that is listed: of the same ones, from another impact on.
+    /// The round from the impact `end` on; durations of flights are those of the last listed round, which may begin at an earlier impact.
     fn round<'p>(&'p self, end: usize, frame: &'p Frame) -> Round<'p> {
         let first = end.min(self.hits.len() - 1 - self.target.walls.len()); // proposes: how long flights are
         let phases: Vec<_> = self.hits[first..=first + self.target.walls.len()]
@@ -171,7 +171,7 @@ impl Convergence<'_> {
     }
 }
 
-/// The motion comes into a basin, from a set of its states on.
+/// Proves that the motion enters a basin, from a set of its states on.
 fn arrives(round: &Round<'_>, basin: &Ellipse, mut state: Landing) -> Result<(), Doubt> {
     for _ in 0..MAX_PERIODS {
         if basin.holds(&state) {

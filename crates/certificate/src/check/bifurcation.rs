@@ -1,8 +1,8 @@
-//! Check of a bifurcation JSON: at each fold, pitchfork and period doubling an orbit as claimed is found again at which an
-//! eigenvalue passes 1 or -1 (Lemma V9).
+//! Check of a bifurcation JSON: at each fold, pitchfork and period doubling an orbit is proved again at which an eigenvalue passes
+//! 1 or -1 (Lemma V9).
 //!
-//! Nothing of the extended systems that made the certificate is used: the orbits near the claimed one are proved to be one curve, over the
-//! parameter or, at a fold, over phase or velocity, and `det(DP - mu)` to have opposite signs at two of its points.
+//! The extended systems of the certificate's computation are not used: the orbits near the claimed orbit are proved to be one curve, over
+//! the parameter or, at a fold, over phase or velocity, and `det(DP - mu)` to have opposite signs at two points of the curve.
 
 use num_bigint::BigInt;
 use num_integer::Integer;
@@ -25,14 +25,14 @@ use impact_pair_model::scene::Key;
 use impact_pair_model::watch::Watch;
 use impact_pair_model::{Error, ImpactPair, Start};
 
-/// Bits that the bounds of a bifurcation are wider than the box that it is proved to lie in.
+/// log2 of the ratio of the claimed bounds to the box in which a bifurcation is proved.
 const BOX_BITS_INSIDE: i64 = 24;
 /// Bits of the arithmetic beyond those of the box.
 const SPARE_BITS: i64 = 128;
-/// The largest box, as a power of 2.
+/// Size of the largest box, as a power of 2.
 const LARGEST_BOX: i64 = -40;
 
-/// A pair over a parameter.
+/// An impact pair over a parameter.
 pub(super) struct ParameterFamily<'c> {
     pub pair: &'c ImpactPair,
     pub start: &'c Start,
@@ -40,11 +40,11 @@ pub(super) struct ParameterFamily<'c> {
 }
 
 impl BifurcationCertificate {
-    /// Proves every point again but the grazes, or says which one is not as claimed or not proved, until the watch stops it, which
-    /// receives the points checked so far.
+    /// Proves every point again but the grazes, or names a point that is refuted or undecided. The watch can stop the check and receives
+    /// the number of points checked so far.
     ///
     /// # Errors
-    /// None: what is beyond exact expressions leaves a point undecided.
+    /// None: a value beyond the range of exact expressions leaves a point undecided.
     pub fn check_within(&self, effort: &Effort, watch: &dyn Watch) -> Result<Verdict, Error> {
         let over = ParameterFamily { pair: self.pair(), start: self.start(), key: self.over() };
         let whole = DocumentCheck {
@@ -65,7 +65,7 @@ impl BifurcationCertificate {
         })
     }
 
-    /// Proves that each point is listed once, the grazes as well. Lemma V13
+    /// Proves that each point is listed once, grazes included. Lemma V13
     fn are_distinct(&self) -> Result<(), Doubt> {
         let open = |i: usize, j: usize| Doubt::Open(format!("points[{i}] and points[{j}] are not proved to be two"));
         for (j, other) in self.points().iter().enumerate() {
@@ -84,8 +84,8 @@ impl BifurcationCertificate {
 }
 
 impl ClaimedPoint {
-    /// Proves that it is one, and returns the bits used; `compare` checks the claims about it. Another one that is found refutes nothing:
-    /// there may be several.
+    /// Proves that the point is a bifurcation, and returns the bits used; `compare` checks the other claims about the point. A different
+    /// bifurcation nearby refutes nothing: there may be several.
     pub(super) fn judged(
         &self,
         parameter: &ParameterFamily<'_>,
@@ -110,7 +110,7 @@ impl ClaimedPoint {
             Key::Amplitude(_) => there.harmonic_of(over).map_err(|error| Doubt::Open(error.to_string()))?,
             _ => (0, None),
         };
-        // Lemma V9: what runs through a shorter orbit several times has the bifurcations of that one
+        // Lemma V9: an orbit that runs through a shorter orbit several times has the bifurcations of the shorter orbit
         if self.orbit.times != Some(1) {
             return Err(open("only bifurcations of orbits of their least period are checked"));
         }
@@ -137,8 +137,8 @@ impl ClaimedPoint {
         })
     }
 
-    /// A pair beside it, which has the harmonics of all that have a positive value of the parameter, and its data: the value in the scene, and
-    /// an end of the bounds, may leave out a harmonic. Lemma V9
+    /// A pair near the point that has every harmonic with a positive amplitude nearby, and its data: the value in the scene, or an
+    /// end of the bounds, may leave out a harmonic. Lemma V9
     fn data<'o>(&self, over: &ParameterFamily<'o>) -> Result<(ImpactPair, Data<'o>), Doubt> {
         let reason = |error: Error| Doubt::Open(error.to_string());
         let middle = (&self.parameter[0] + &self.parameter[1]) / BigInt::from(2);
@@ -150,12 +150,12 @@ impl ClaimedPoint {
         Ok((there, data))
     }
 
-    /// Returns whether the bounds of its parameter and those of another one are disjoint.
+    /// Whether the bounds of two parameters are disjoint.
     fn is_elsewhere(&self, other: &Self) -> bool {
         self.parameter[1] < other.parameter[0] || other.parameter[1] < self.parameter[0]
     }
 
-    /// The bounds that tell how narrowly it is claimed.
+    /// The bounds that determine the size of the box.
     fn bounds(&self) -> impl Iterator<Item = &Bounds> {
         let impacts = self.orbit.impacts.iter().flat_map(|impact| [&impact.phase, &impact.velocity]);
         impacts.chain([&self.parameter])
@@ -201,7 +201,7 @@ impl ClaimedPoint {
         self.crossed(&mut curve, guess, size, &compare)
     }
 
-    /// An eigenvalue passes 1 or -1 at an orbit near a guess, and it is as claimed.
+    /// Proves that an eigenvalue passes 1 or -1 at an orbit near a guess, and that the orbit is as claimed.
     fn crossed(
         &self,
         curve: &mut Curve<'_>,
@@ -210,7 +210,7 @@ impl ClaimedPoint {
         compare: &impl Fn(&Self, &Curve<'_>, &Cell) -> Result<(), Doubt>,
     ) -> Result<(), Doubt> {
         let at = curve.polish(guess)?;
-        // A fold is a curve over phase or velocity, all others over the parameter.
+        // A fold is a curve over phase or velocity, the other kinds over the parameter.
         let along: &[usize] = if self.kind == Kind::Fold { &[0, 1] } else { &[PARAMETER] };
         let mut answer = Err(Doubt::open("nothing is tried"));
         for &j in along {
@@ -222,7 +222,7 @@ impl ClaimedPoint {
         answer
     }
 
-    /// The values of the parameter of a box are as claimed.
+    /// Proves that the parameter values of a box are as claimed.
     pub(super) fn compare_parameter(&self, curve: &Curve<'_>, cell: &Cell) -> Result<(), Doubt> {
         compare("parameter", &curve.spanned(cell, PARAMETER).hull(), &self.parameter)
     }

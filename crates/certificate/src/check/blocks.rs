@@ -1,16 +1,16 @@
-//! Answers to questions that have nothing to do with each other, found by several threads.
+//! Independent computations on several threads.
 
 use std::ops::Range;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::mpsc;
 use std::thread;
 
-/// Questions that a thread takes at a time. The work that these may cost is counted for them together, so that the answers are
-/// the same on every machine.
+/// Numbers that a thread takes at a time. Their work is counted together, so that the answers are the same on every
+/// machine.
 pub(super) const BLOCK_SIZE: usize = 64;
 
-/// Returns `answer` of all numbers of a range, in order, in parallel blocks of `size`, or the first error in that order; `progress` receives
-/// the end of the answered part.
+/// `answer` for all numbers of a range, in order, in parallel blocks of `size`, or the first error in that order; `progress`
+/// receives the end of the answered part.
 pub(super) fn in_blocks<T: Send, E: Send>(
     all: Range<usize>,
     size: usize,
@@ -31,7 +31,7 @@ pub(super) fn in_blocks<T: Send, E: Send>(
                 {
                     let answer = answer(block.clone());
                     if answer.is_err() {
-                        // Those before it are all begun.
+                        // All blocks before this one have been started.
                         next.store(blocks.len(), Ordering::Relaxed);
                     }
                     if sender.send((number, answer)).is_err() {

@@ -8,22 +8,22 @@ use impact_pair_model::Wall;
 /// A claim that is not confirmed, and the reason.
 #[derive(Clone, Debug)]
 pub(crate) enum Doubt {
-    /// More bits, or smaller sets of data, may tell.
+    /// More bits, or smaller sets of data, may decide the claim.
     Open(String),
     /// The claim is proved to be false.
     False(String),
 }
 
 impl Doubt {
-    /// Returns the doubt about what is left open for this reason.
+    /// An undecided claim, for this reason.
     pub fn open(reason: &str) -> Self {
         Self::Open(reason.into())
     }
 }
 
-/// Bits that most parts of most flights are judged with.
+/// Bits with which most parts of most flights are decided.
 const FIRST_BITS: u32 = 128;
-/// Halvings that find a contact for Newton's iteration.
+/// Halvings before Newton's iteration for a contact.
 const BISECTION_BITS: u32 = 20;
 /// Steps of Newton's iteration from a guess.
 const STEPS: u32 = 64;
@@ -35,14 +35,14 @@ pub(crate) struct Claimed {
     pub from: Real,
     /// An approximate place, near which the contact is sought.
     pub guess: Real,
-    /// The latest phase, where a claim gives one.
+    /// The latest phase, if it is bounded by a claim.
     pub to: Option<Real>,
-    /// True if it is the first contact; else any that solves the equations, reached from between the walls.
+    /// True if the contact is the first; else any solution of the equations, reached from between the walls.
     pub is_first: bool,
 }
 
-/// The contact with `wall` near the guess: an interval of `h` that holds one contact of each flight, `y'` not 0 on it, and the
-/// ball strictly between the walls from the departure to its beginning.
+/// Encloses the contact with `wall` near the guess: an interval of `h` that holds one contact of each flight, `y'` is not 0 on it,
+/// and the ball is strictly between the walls from the departure to the beginning of the interval.
 pub(super) fn first_contact(flight: &Flight, from: Start, wall: Wall, claimed: &Claimed) -> Result<Real, Doubt> {
     let most = flight.bits();
     let mut bits = FIRST_BITS;
@@ -59,9 +59,9 @@ pub(super) fn first_contact(flight: &Flight, from: Start, wall: Wall, claimed: &
 /// Initial conditions of a flight.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Start {
-    /// The wall it leaves, if it does.
+    /// The wall of the departure, if the ball departs from a wall.
     pub wall: Option<Wall>,
-    /// True if it begins at rest, at the phase where the acceleration turns inward.
+    /// True for a departure from rest, at the phase where the acceleration turns inward.
     pub is_release: bool,
 }
 
@@ -71,7 +71,7 @@ fn isolate(flight: &Flight, from: Start, wall: Wall, claimed: &Claimed) -> Resul
     let h = newton(flight, wall, &guessed);
     let is_near = |x: &Real| x.is_positive() && !(guessed.clone() + &guessed).is_below(x);
     let Some((before, after)) = Some(&h).filter(|h| is_near(h)).and_then(|h| bracket(flight, wall, h)) else {
-        // No contact is found near the guess: one before it may be, or none at all.
+        // No contact is found near the guess: there may be an earlier contact, or none at all.
         if claimed.is_first {
             refute(flight, from, wall, claimed)?;
             clear(flight, from, &guessed, &claimed.from)?;
@@ -84,7 +84,7 @@ fn isolate(flight: &Flight, from: Start, wall: Wall, claimed: &Claimed) -> Resul
     Ok(before.hull(&after))
 }
 
-/// Refutes a contact with `wall` within the claimed bounds, if none is proved to come there (Lemma V1).
+/// Refutes a contact with `wall` within the claimed bounds, if all flights are proved to have none there (Lemma V1).
 fn refute(flight: &Flight, from: Start, wall: Wall, claimed: &Claimed) -> Result<(), Doubt> {
     let Some(to) = &claimed.to else { return Ok(()) };
     let [_, to] = to.rounded(flight.bits()).ends();
@@ -98,7 +98,7 @@ fn refute(flight: &Flight, from: Start, wall: Wall, claimed: &Claimed) -> Result
     }
 }
 
-/// Two points around `h`, the ball between the walls at the first and beyond `wall` at the second, `y'` not 0 between them.
+/// Two points around `h`: the ball is between the walls at the first, beyond `wall` at the second, and `y'` is not 0 between them.
 fn bracket(flight: &Flight, wall: Wall, h: &Real) -> Option<(Real, Real)> {
     let bits = h.bits();
     let mut reach = h.half();
@@ -116,9 +116,9 @@ fn bracket(flight: &Flight, wall: Wall, h: &Real) -> Option<(Real, Real)> {
     None
 }
 
-/// The ball is strictly between the walls on all of `(0, end]`, up to the least member of `end`, where the flight begins as `from` says.
+/// Proves that the ball is strictly between the walls on `(0, end]`, up to the least member of `end`; `from` is the departure.
 ///
-/// A contact before `claimed` proves the claim false; a later one may be what is claimed.
+/// A contact before `claimed` proves the claim false; a later contact may be the claimed one.
 pub(super) fn clear(flight: &Flight, from: Start, end: &Real, claimed: &Real) -> Result<(), Doubt> {
     let bits = end.bits();
     let (mut at, mut width) = (Real::zero(bits), end.clone());
@@ -157,7 +157,7 @@ pub(super) fn clear(flight: &Flight, from: Start, end: &Real, claimed: &Real) ->
 pub(super) fn first_hit(flight: &Flight, from: Start) -> Option<Real> {
     let bits = flight.bits();
     let (mut end, no_claim) = (Real::int(1, bits), Real::zero(bits));
-    // Ever twice as long a flight, until it is not clear; then the last length that is clear by halving.
+    // The length of the flight is doubled until the flight is not clear; then halving finds the last clear length.
     let is_clear = |end: &Real| clear_throughout(flight, from, end, &no_claim).is_ok();
     while is_clear(&end) {
         end = end.clone() + &end;
@@ -173,7 +173,7 @@ pub(super) fn first_hit(flight: &Flight, from: Start) -> Option<Real> {
     Some(hit)
 }
 
-/// The same, in as few bits as will do.
+/// [`clear`] in the fewest bits that suffice.
 pub(super) fn clear_throughout(flight: &Flight, from: Start, end: &Real, claimed: &Real) -> Result<(), Doubt> {
     let most = flight.bits();
     let mut bits = FIRST_BITS;
@@ -195,14 +195,14 @@ fn give_up_reason(budget: &Budget, at: &Real, end: &Real) -> Doubt {
     Doubt::Open(format!("the flight is too long for the work allowed{needed}"))
 }
 
-/// Returns whether a part is too short for the arithmetic.
+/// Whether a part is too short for the arithmetic.
 fn is_short(width: &Real, whole: &Real) -> bool {
     let top = |x: &Real| x.enclosure().mag().top();
     top(width).is_none_or(|short| top(whole).is_none_or(|long| long - short > i64::from(whole.bits()) / 2))
 }
 
-/// The limit of Newton's plain iteration from `guess`; it begins with the bits of `guess` and takes as many as its digits are
-/// worth. Nothing is proved of it.
+/// The limit of Newton's iteration from `guess`, beginning with the bits of `guess` and adding bits as digits become correct.
+/// Non-rigorous.
 pub(super) fn newton(flight: &Flight, wall: Wall, guess: &Real) -> Real {
     let most = flight.bits();
     let mut bits = guess.bits().min(most); // proposes: a guess of Newton's
@@ -214,7 +214,7 @@ pub(super) fn newton(flight: &Flight, wall: Wall, guess: &Real) -> Real {
         let (height, slope) = (point(coarse.height(&h)), point(coarse.slope(&h)));
         let Some(step) = (height - &point(coarse.level(wall))).over(&slope) else { return h };
         let step = point(step);
-        // As many digits as the precision holds, or as rounding leaves of them.
+        // The step shows as many digits as the precision holds, or as rounding leaves.
         let size = step.enclosure().mag();
         let is_last = is_last(&step, &h) || before.is_some_and(|before| size.scaled(1) > before);
         h = point(h - &step);
@@ -228,20 +228,20 @@ pub(super) fn newton(flight: &Flight, wall: Wall, guess: &Real) -> Real {
     h
 }
 
-/// Returns whether a step of Newton's iteration, which doubles the digits, is the last one needed.
+/// Whether a step of Newton's iteration, which doubles the digits, is the last step needed.
 fn is_last(step: &Real, h: &Real) -> bool {
     let top = |x: &Real| x.enclosure().mag().top();
     top(step).is_none_or(|small| top(h).is_none_or(|large| 2 * (large - small) > i64::from(h.bits())))
 }
 
-/// The bracket cut by interval Newton for as long as that halves it: it still holds all contacts (Lemma V1).
+/// The bracket cut by interval Newton as long as each step halves it: the result still holds all contacts (Lemma V1).
 pub(super) fn contract(flight: &Flight, wall: Wall, bracket: Real) -> Real {
     let level = flight.level(wall);
     zero(bracket, |h| flight.height(h) - &level, |part| flight.slope(part))
 }
 
-/// A bracket of the only zero of a function, and of all functions of a set, cut by interval Newton for as long as that halves
-/// it; `slope` holds their derivatives over a part of it.
+/// Encloses the only zero of each function of a set in a bracket, cut by interval Newton as long as each step halves it; `slope`
+/// encloses the derivatives over a part of the bracket.
 pub(super) fn zero(bracket: Real, value: impl Fn(&Real) -> Real, slope: impl Fn(&Real) -> Real) -> Real {
     let mut bracket = bracket;
     loop {

@@ -1,4 +1,4 @@
-//! Grazes: past a wall that is touched, or nearly touched, with zero velocity or nearly none (Lemma V4).
+//! Grazes: a wall is touched, or nearly touched, with a velocity of zero or nearly zero (Lemma V4).
 
 use std::collections::BTreeMap;
 
@@ -16,28 +16,28 @@ use crate::{Certificate, Claim};
 use impact_pair_exact::{Dyadic, Real};
 use impact_pair_model::{EventKind, Miss, Wall};
 
-/// The gap over the distance by which a graze may miss its wall, and over the greatest width of its claim.
+/// Ratio of the gap to the greatest distance by which a graze may miss its wall, and to the greatest width of a claimed distance.
 const PARTS_OF_GAP: i32 = 1_000_000;
-/// The greatest width of a claim over data that are intervals, relative to that of the enclosure of the distance.
+/// Greatest width of a claimed distance over interval data, relative to the width of its enclosure.
 const MAX_WIDENING: i32 = 4;
-/// What refutes a graze farther from its wall than `PARTS_OF_GAP` allows.
+/// Message that refutes a graze farther from its wall than `PARTS_OF_GAP` allows.
 const TOO_FAR: &str = "the wall is missed, or crossed, by more than a graze does";
 
-/// An extremum of all flights of a set, measured from the wall it is near.
+/// An extremum of all flights of a set, relative to the nearby wall.
 struct Summit {
-    /// Two points around it, `y''` not 0 between them.
+    /// Two points around the extremum, `y''` not 0 between them.
     before: Real,
     after: Real,
     /// The times of the extrema.
     top: Real,
-    /// Distance that it may reach beyond the wall, negative where it does not reach it.
+    /// Distance of the extremum beyond the wall; negative where the wall is not reached.
     excess: Real,
     /// Bounds of `|y''|`.
     least: Real,
     most: Real,
 }
 
-/// The touch of a wall by those flights of a set that reach it.
+/// The touch of a wall by the flights of a set that reach the wall.
 struct Touch {
     /// Times, counted from the extremum, at which the wall may be touched.
     spread: Real,
@@ -45,18 +45,18 @@ struct Touch {
     speed: Real,
 }
 
-/// Returns whether claimed bounds of a distance are wider than this.
+/// Whether claimed bounds of a distance are wider than `than`.
 fn is_wider([lower, upper]: &[BigRational; 2], than: &BigRational) -> bool {
     upper - lower > *than
 }
 
-/// The distance by which a graze may miss its wall \[length\]. Lemma V4
+/// Greatest distance by which a graze may miss its wall \[length\]. Lemma V4
 fn near(data: &Data) -> BigRational {
     data.least_gap() / BigInt::from(PARTS_OF_GAP)
 }
 
 impl Certificate {
-    /// Proves that grazes whose claims are wide are so by their data, from the distances found over each piece of these (Lemma V4).
+    /// Proves that grazes with wide claims are wide because of the data, from the distances enclosed over each piece of the data (Lemma V4).
     pub(super) fn are_grazes(&self, data: &Data, found: &BTreeMap<usize, Real>) -> Result<(), (usize, Doubt)> {
         let near = near(data);
         for (&event, distance) in found {
@@ -79,12 +79,12 @@ impl Walk<'_> {
     /// The message about a claim that is wider than the claim of a graze may be.
     pub(super) const WIDE: &'static str = "the bounds of its distance are too wide: an impact may be in them";
 
-    /// Returns whether the claimed distance is wider than the distance of points that graze may be. Lemma V4
+    /// Whether the claimed distance is wider than point data allow. Lemma V4
     pub(super) fn is_wide(&self, miss: &Miss<[BigRational; 2]>) -> bool {
         is_wider(&miss.distance, &near(self.data))
     }
 
-    /// A graze that does not repeat: the orbit goes on from a little after it, with both continuations in one set.
+    /// Confirms a graze that does not repeat. The walk continues shortly after the graze, with both continuations in one set.
     pub(super) fn graze(&mut self, claim: &Claim, miss: Option<&Miss<[BigRational; 2]>>) -> Result<(), Doubt> {
         let claimed = self.ahead(claim)?;
         let departure = self.standing.departure();
@@ -95,7 +95,7 @@ impl Walk<'_> {
         self.has_extremum(&flight, claim, &claimed, distance)?;
         let summit = summit(&flight, claim.wall, &claimed.guess);
         let summit = summit.ok_or_else(|| Doubt::open("no extremum is found there"))?;
-        // The distance in mean value form, around that of the middle's own extremum in the summit of its set.
+        // Encloses the distance in mean value form, around the distance of the middle's own extremum in the summit of the set.
         let own = departure.middle_flight(&self.parameters);
         let own = highest(&own, claim.wall, summit.before.hull(&summit.after));
         let missed = own.map(|(_, excess)| {
@@ -139,7 +139,7 @@ impl Walk<'_> {
         Ok(())
     }
 
-    /// An extremum in the claimed bounds of time and distance is not excluded: the velocity may vanish then, and the wall is near. Lemma V4
+    /// Whether an extremum in the claimed bounds of time and distance is possible: the velocity may vanish there, and the wall is near. Lemma V4
     fn has_extremum(
         &self,
         flight: &Flight,
@@ -161,10 +161,10 @@ impl Walk<'_> {
         }
     }
 
-    /// The states at the end of the summit, of those that miss the wall and of those that hit it.
+    /// The states at the end of the summit, both of flights that miss the wall and of flights that hit it.
     ///
-    /// The states that hit it do so at a speed of at most `speed`, which the impact takes away, and at most `e` times as much again; each
-    /// bends away from the wall up to the end of the summit.
+    /// Flights hit the wall at a speed of at most `speed`. The impact reverses it, so the velocity changes by at most `1 + e` times that
+    /// speed; each flight then bends away from the wall up to the end of the summit.
     fn pass(&self, flight: &Flight, wall: Wall, summit: &Summit, touch: &Touch) -> Result<Launch, Doubt> {
         let Summit { before, after, .. } = summit;
         let speed = Real::point(touch.speed.enclosure().sup().clone(), self.bits);
@@ -216,7 +216,7 @@ fn outward(wall: Wall, x: Real) -> Real {
     if wall == Wall::Right { x } else { -x }
 }
 
-/// The times of the extrema in a part on which `y''` bends away from the wall, and the distances that they reach beyond it.
+/// Encloses the times of the extrema in a part on which `y''` bends away from the wall, and their distances beyond the wall.
 fn highest(flight: &Flight, wall: Wall, part: Real) -> Option<(Real, Real)> {
     let bits = part.bits();
     let outward = |x: Real| outward(wall, x);
@@ -237,7 +237,7 @@ fn highest(flight: &Flight, wall: Wall, part: Real) -> Option<(Real, Real)> {
 }
 
 impl Summit {
-    /// The touch of those flights that reach so far beyond the wall. Lemma V4
+    /// The touch of flights that reach `excess` beyond the wall; `None` where it is not enclosed. Lemma V4
     fn touch(&self, excess: &Real) -> Option<Touch> {
         let bits = excess.bits();
         let positive = |x: &Dyadic| {

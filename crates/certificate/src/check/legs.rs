@@ -1,4 +1,4 @@
-//! The derivatives of many flights by those of each, without the growth of boxes that are boxed again at every impact (Lemmas V30, V31).
+//! Derivatives of many flights from the derivatives of each flight, without boxing the box again at every impact (Lemmas V30, V31).
 
 use super::affine::Affine;
 use super::tangency::flights::Flown;
@@ -7,7 +7,7 @@ use impact_pair_exact::{Dyadic, Real};
 
 /// The least radius of a box, as a power of 2.
 const MIN_RADIUS_EXPONENT: i64 = -4096;
-/// Bits of bounds.
+/// Bits of error bounds.
 const SHORT_BITS: u32 = 64;
 
 /// A radius that is not 0: a larger box is as sound.
@@ -24,24 +24,24 @@ struct Leg<const P: usize> {
     /// Approximate derivatives by the state, and by the parameters, at the middle: points.
     by_state: Rows<2>,
     by_parameters: Rows<P>,
-    /// Bounds of what they are off by over the box.
+    /// Bounds of the errors of these approximations over the box.
     state_error: Rows<2>,
     parameter_error: Rows<P>,
     /// The derivatives of the derivative by the state by phase, speed and each parameter, over the box.
     bends: Vec<Rows<2>>,
 }
 
-/// The flights of a word over a set of `N` coordinates, under `P` parameters, as far as they are known.
+/// The flights of a word over a set of `N` coordinates, under `P` parameters.
 pub(super) struct Legs<const N: usize, const P: usize> {
     /// The derivatives of the parameters by the coordinates of the set.
     parameters: [[Real; N]; P],
     legs: Vec<Leg<P>>,
     /// `products[k][j]`: the product of the derivatives at the middle of the flights from `j` to `k`.
     products: Vec<Vec<Rows<2>>>,
-    /// Derivatives of the states by the coordinates of the set, at the middle, and bounds of what they are off by.
+    /// Approximate derivatives of the states by the coordinates of the set, at the middle, and bounds of their errors.
     columns: Vec<Rows<N>>,
     column_errors: Vec<Rows<N>>,
-    /// Bounds of what the derivatives by the first state are off by.
+    /// Bounds of the errors of the derivatives by the first state.
     errors: Vec<Rows<2>>,
 }
 
@@ -65,7 +65,7 @@ pub(super) fn plus<const N: usize>(a: &Rows<N>, b: &Rows<N>) -> Rows<N> {
     [0, 1].map(|i| std::array::from_fn(|j| a[i][j].clone() + &b[i][j]))
 }
 
-/// Returns all matrices whose entries differ from `x` by at most `error`.
+/// Encloses all matrices whose entries differ from `x` by at most `error`.
 fn around<const N: usize>(x: &Rows<N>, error: &Rows<N>) -> Rows<N> {
     [0, 1].map(|i| std::array::from_fn(|j| x[i][j].clone() + &Real::within(error[i][j].enclosure().sup(), SHORT_BITS)))
 }
@@ -75,7 +75,7 @@ fn unit() -> Rows<2> {
 }
 
 impl<const P: usize> Leg<P> {
-    /// Returns the derivatives of a flight of a box whose radii are known.
+    /// The derivatives of a flight of a box with the given radii.
     fn new(flown: &Flown, radii: &[Real], bits: u32) -> Option<Self> {
         let entries = [&flown.state.phase, &flown.state.speed].map(|jet| [jet.at(X, bits), jet.at(D, bits)]);
         let point = |x: &Real| x.rounded(bits).middle();
@@ -100,7 +100,7 @@ impl<const P: usize> Leg<P> {
 }
 
 impl<const N: usize, const P: usize> Legs<N, P> {
-    /// Returns those of a set whose members have these derivatives by its coordinates, up to an error.
+    /// No flights yet: a set whose members have the derivatives `columns` by the coordinates, up to `error`.
     pub fn new((columns, error): (Rows<N>, Rows<N>), parameters: [[Real; N]; P]) -> Self {
         Self {
             parameters,
@@ -112,7 +112,7 @@ impl<const N: usize, const P: usize> Legs<N, P> {
         }
     }
 
-    /// Returns how far phase, speed and parameters of the members reach before the next flight.
+    /// Radii of the set before the next flight: of phase, speed and parameters.
     pub fn reach(&self) -> Vec<Real> {
         let last = self.legs.len();
         let all = plus(&sizes(&self.columns[last]), &self.column_errors[last]);
@@ -121,7 +121,7 @@ impl<const N: usize, const P: usize> Legs<N, P> {
         all.iter().map(sum).chain(parameters).map(not_nothing).collect()
     }
 
-    /// Adds a flight of the box of that reach; `None` where it is not differentiable.
+    /// Adds a flight of the box with the radii `radii`; `None` where the flight is not differentiable.
     pub fn push(&mut self, flown: &Flown, radii: &[Real], bits: u32) -> Option<()> {
         let leg = Leg::new(flown, radii, bits)?;
         let k = self.legs.len();
@@ -146,7 +146,7 @@ impl<const N: usize, const P: usize> Legs<N, P> {
         self.products[to].get(from).cloned().unwrap_or_else(unit) // exact: of no flight
     }
 
-    /// Derivatives by the parameters times those of the parameters by the coordinates of the set.
+    /// Derivatives by the parameters times the derivatives of the parameters by the coordinates of the set.
     fn by_parameters(&self, slopes: &Rows<P>, part: impl Fn(&Real) -> Real) -> Rows<N> {
         let sum = |row: &[Real; P], j: usize| {
             row.iter()
@@ -156,60 +156,60 @@ impl<const N: usize, const P: usize> Legs<N, P> {
         slopes.each_ref().map(|row| std::array::from_fn(|j| sum(row, j)))
     }
 
-    /// Bounds what a flight adds to the errors of the derivatives by the coordinates of the set.
+    /// Bounds the error that flight `k` adds to the derivatives by the coordinates of the set.
     fn own_error(&self, k: usize) -> Rows<N> {
         let (leg, own) = (&self.legs[k], plus(&sizes(&self.columns[k]), &self.column_errors[k]));
         plus(&product(&leg.state_error, &own), &self.by_parameters(&leg.parameter_error, size))
     }
 
-    /// Bounds what the derivatives of the last state by the coordinates are off by, multiplied with a matrix.
+    /// Bounds the error of the derivatives of the last state by the coordinates, multiplied by a matrix.
     fn column_error(&self, matrix: &Rows<2>) -> Rows<N> {
         let first = product(&sizes(&product(matrix, &self.product(0, self.legs.len()))), &self.column_errors[0]);
         plus(&first, &self.added(matrix, |k| self.own_error(k)))
     }
 
-    /// The sum of the errors that the flights add, carried on by the derivatives at the middle and then by a matrix.
+    /// The sum of the errors that the flights add, propagated by the derivatives at the middle and multiplied by a matrix.
     fn added<const M: usize>(&self, matrix: &Rows<2>, own: impl Fn(usize) -> Rows<M>) -> Rows<M> {
         let last = self.legs.len();
         let carried = (0..last).map(|k| product(&sizes(&product(matrix, &self.product(k + 1, last))), &own(k)));
         carried.fold(zeros(), |sum, x| plus(&sum, &x))
     }
 
-    /// Returns the product of a matrix and the derivatives of the last state, less these, by the coordinates, over the set.
+    /// Encloses `matrix` times the difference of the last state's derivatives by the coordinates and `less`, over the set.
     pub fn moved(&self, matrix: &Rows<2>, less: &Rows<N>) -> Rows<N> {
         let minus = less.each_ref().map(|row| row.each_ref().map(|x| -x));
         let middle = product(matrix, &plus(&self.columns[self.legs.len()], &minus));
         around(&middle, &self.column_error(matrix))
     }
 
-    /// Returns the derivatives of the state before flight `k` by the coordinates, over the set.
+    /// Encloses the derivatives of the state before flight `k` by the coordinates, over the set.
     pub fn slopes(&self, k: usize) -> Rows<N> {
         around(&self.columns[k], &self.column_errors[k])
     }
 
-    /// Returns the derivatives of the state after flight `k` by the one before it, and by the parameters, over the box of the flight.
+    /// Encloses the derivatives of the state after flight `k` by the state before, and by the parameters, over the box of the flight.
     pub fn of_flight(&self, k: usize) -> (Rows<2>, Rows<P>) {
         let leg = &self.legs[k];
         (around(&leg.by_state, &leg.state_error), around(&leg.by_parameters, &leg.parameter_error))
     }
 
-    /// Returns how the derivative of flight `k` by the state changes by phase, speed and each parameter, over the box of the flight.
+    /// Encloses the derivatives of flight `k`'s derivative by phase, speed and each parameter, over the box of the flight.
     pub fn bends(&self, k: usize) -> &[Rows<2>] {
         &self.legs[k].bends
     }
 
-    /// Returns the derivatives of the last state by that before each flight, and at last by itself, over the set.
+    /// Encloses the derivatives of the last state by the state before each flight, and by the last state, over the set.
     pub fn to_the_end(&self) -> Vec<Rows<2>> {
         let last = self.legs.len();
         self.later().iter().enumerate().map(|(k, error)| around(&self.product(k, last), error)).collect()
     }
 
-    /// The product at the middle of all flights but one, from it on and round.
+    /// The product at the middle of all flights but `k`, in cyclic order from `k + 1` on.
     fn round(&self, k: usize) -> Rows<2> {
         product(&self.product(0, k), &self.product(k + 1, self.legs.len()))
     }
 
-    /// Returns the trace of the derivative by the first state, over the set.
+    /// Encloses the trace of the derivative by the first state, over the set.
     pub fn trace(&self) -> Real {
         let last = self.legs.len();
         let [[a, _], [_, d]] = self.product(0, last);
@@ -223,7 +223,7 @@ impl<const N: usize, const P: usize> Legs<N, P> {
         a + &d + &Real::within(error.enclosure().sup(), SHORT_BITS)
     }
 
-    /// Bounds of the errors of the product of the flights from each one on.
+    /// Bounds the errors of the products of flights `k` to the last, for each `k`.
     fn later(&self) -> Vec<Rows<2>> {
         let last = self.legs.len();
         let mut later: Vec<Rows<2>> = vec![zeros(); last + 1];
@@ -237,7 +237,7 @@ impl<const N: usize, const P: usize> Legs<N, P> {
         later
     }
 
-    /// Returns the derivatives of the trace by the coordinates, over the set.
+    /// Encloses the derivatives of the trace by the coordinates, over the set.
     pub fn trace_slopes(&self) -> [Real; N] {
         let (last, later) = (self.legs.len(), self.later());
         let mut sum = std::array::from_fn(|_| Real::zero(SHORT_BITS));

@@ -1,4 +1,4 @@
-//! Distances of a shadowed orbit: of its start from the scene's, of its impacts from those listed (Lemma V10).
+//! Distances of a shadowed orbit: of its start from the scene's start, of its impacts from the listed impacts (Lemma V10).
 
 use std::cmp::Ordering;
 
@@ -17,7 +17,7 @@ use impact_pair_exact::{Dyadic, Exact, Real, decimal_bounds_f64};
 use impact_pair_model::{EventKind, Harmonic, Place};
 
 impl Shadow<'_> {
-    /// The impacts have their numbers and mappings.
+    /// Proves the numbers and mappings of the impacts.
     pub(super) fn fits(&self, mut last: Last) -> Result<(), Doubted> {
         for (k, claim) in self.certificate.events()[..self.hits.len()].iter().enumerate() {
             let EventKind::Impact { index, mapping, .. } = &claim.kind else { break };
@@ -29,7 +29,7 @@ impl Shadow<'_> {
         Ok(())
     }
 
-    /// The bounds of the start hold the scene's start, and reach nowhere that is not near it.
+    /// Proves that the bounds of the start hold the scene's start, and that all of the bounds are near the scene's start.
     pub(super) fn starts_around_the_scenes(&self) -> Result<(), Doubt> {
         let [time, velocity] = self.bounds();
         let start = self.certificate.start();
@@ -53,8 +53,8 @@ impl Shadow<'_> {
         Ok(())
     }
 
-    /// Greatest distance of a start from the scene's that counts as near: a thousandth of the time between two maxima of the excitation, or of
-    /// the sum of the scene's speeds, that of the start and the greatest one of each harmonic.
+    /// Greatest distance of a near start: a thousandth of the time between two maxima of the excitation, or of the sum of the scene's
+    /// speeds (the start's speed and the greatest speed of each harmonic).
     fn near(&self) -> Real {
         let (harmonics, of) = (self.certificate.pair().excitation(), |x: &Exact| Real::of(x, FIRST_BITS));
         let whole = if self.is_of_times {
@@ -73,13 +73,13 @@ impl Shadow<'_> {
         [&self.near.time, &self.near.velocity].map(impact_pair_document::Bounds::values)
     }
 
-    /// The impacts of the orbit that is found are as near to the middles of their bounds as is claimed, `offs` \[rad\] at most; and so
-    /// is all within the bounds, but for what printing adds.
+    /// Proves that the impacts are within the claimed distance of the middles of their bounds; `offs` \[rad\] are upper bounds. The bounds
+    /// themselves may exceed it only by the rounding of printing.
     pub(super) fn is_within_epsilon(&self, offs: Vec<Dyadic>) -> Result<(), Doubt> {
         let Some(claimed) = &self.certificate.ended().epsilon else { return Ok(()) };
         let impacts = self.certificate.events().iter().filter(|claim| claim.kind.is_impact());
         let frequency = Real::of(self.certificate.pair().excitation().reference().frequency(), FIRST_BITS);
-        // P1: bounds are printed at most a hundredth wider than what they are bounds of.
+        // P1: bounds are printed at most a hundredth wider than the enclosure.
         let printed = Real::rational(&BigRational::new(101.into(), 100.into()), FIRST_BITS);
         let half = |[lower, upper]: &[BigRational; 2]| {
             let half = Real::rational(&((upper - lower) / BigInt::from(2)), FIRST_BITS);
@@ -105,7 +105,7 @@ impl Shadow<'_> {
 }
 
 impl Certificate {
-    /// The claimed distance of a shadowed orbit's start from the scene's, in words; empty where it is the scene's own.
+    /// The claimed distance of a shadowed orbit's start from the scene's start, in words; empty for the scene's own start.
     pub(crate) fn nearness(&self) -> String {
         let Some(near) = self.ended().start.as_ref().filter(|_| self.claim() == ClaimName::Shadowed) else {
             return String::new();
@@ -123,7 +123,7 @@ impl Certificate {
     }
 }
 
-/// Returns an upper bound of the distance of members of the bounds from an exact number.
+/// Upper bound of the distance of members of the bounds from an exact number.
 fn reach(exact: &Exact, bounds: &[BigRational; 2]) -> Real {
     let exact = Real::of(exact, FIRST_BITS);
     let [lower, upper] = bounds.each_ref().map(|bound| (Real::rational(bound, FIRST_BITS) - &exact).enclosure().mag());

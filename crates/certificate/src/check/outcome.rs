@@ -1,4 +1,4 @@
-//! Claims about the end of an orbit: fields, which are proved, and words, which must be those of the fields.
+//! Claims about the end of an orbit: fields, which are proved, and words, which must agree with the fields.
 
 use super::clock::Clock;
 use super::contact::{Doubt, clear_throughout};
@@ -11,7 +11,7 @@ use impact_pair_exact::Real;
 use impact_pair_model::Period;
 
 impl Certificate {
-    /// The outcome says as much in words as in fields, has no field that another kind has, and counts the impacts that are listed.
+    /// Proves that the words of the outcome agree with its fields, that no field of another kind is set, and the count of listed impacts.
     pub(crate) fn says_one_thing(&self) -> Result<(), Doubt> {
         let ended = self.ended();
         let others = [
@@ -91,8 +91,8 @@ impl Walk<'_> {
         if is_true { Ok(()) } else { Err(Doubt::open(message)) }
     }
 
-    /// Returns whether each listed period of the claimed number of cycles, one at least, has as many impacts as are claimed; without drift all
-    /// have none. Lemmas V3 (recurrence), V5
+    /// Whether each listed period of the claimed number of cycles, at least one, has the claimed number of impacts; motions without drift
+    /// have no impacts. Lemmas V3 (recurrence), V5
     fn repeats(&self, claimed: Period) -> bool {
         match self.standing.still() {
             Some(_) => claimed.cycles > 0 && claimed.impacts == 0,
@@ -100,7 +100,7 @@ impl Walk<'_> {
         }
     }
 
-    /// Proves that no listed event comes after this time (Lemma V7).
+    /// Proves that no listed event comes after the time `until` (Lemma V7).
     fn lists_none_after(&self, until: &Real) -> Result<(), Doubt> {
         let is_later = |claim: &Claim| until.is_below(&Real::rational(&claim.time[0], until.bits()));
         match self.certificate.events().iter().any(is_later) {
@@ -109,7 +109,7 @@ impl Walk<'_> {
         }
     }
 
-    /// Nothing happens after the last event up to this time (Lemma V7).
+    /// Proves that no unlisted event comes before the time `until` (Lemma V7).
     fn lists_all_until(&self, until: &Real) -> Result<(), Doubt> {
         let missing = |what: &str| Doubt::False(format!("{what} comes before the time up to which all is listed"));
         let open = || Doubt::open("it is not proved that no other event happens up to the time `until`");
@@ -120,7 +120,7 @@ impl Walk<'_> {
             _ => Err(open()),
         };
         if let Some(rest) = self.standing.rest() {
-            // V7: the impacts of a chatter are judged at its rest
+            // V7: the impacts of a chatter are counted at its rest
             let [_, since] = self.clock.time(&rest.since).ends();
             let has_not_begun = until.is_below(&since);
             let stays = self.parameters.is_still() || has_not_begun;
@@ -144,7 +144,7 @@ impl Walk<'_> {
         let flight = departure.flights(&self.parameters);
         match clear_throughout(&flight, departure.start, &end, &least) {
             Ok(()) => Ok(()),
-            // A flight that would be beyond a wall has hit it.
+            // A flight that would be beyond a wall has hit the wall.
             Err(Doubt::Open(doubt))
                 if !(least.is_positive() && matches!(flight.place(&flight.height(&least)), Part::Contact)) =>
             {
@@ -154,7 +154,7 @@ impl Walk<'_> {
         }
     }
 
-    /// The time at which the ball that rests is released \[time\].
+    /// Encloses the time at which the sticking ball is released \[time\].
     fn release_time(&self, rest: &Rest) -> Result<Real, Doubt> {
         match self.data.only() {
             Some(_) => self.released_of_one(rest).map(|(_, clock)| clock.time(&Real::zero(self.bits))),

@@ -1,8 +1,8 @@
-//! Check of a periodic JSON: each orbit is found again, alone in its bounds, with all that is said of it.
+//! Check of a periodic JSON: each orbit is enclosed again, is unique in its bounds, and has the claimed properties.
 //!
-//! The route (Lemma V8): Newton's iteration for a state that comes again after a period of the word begins at the claimed one. Newton's
-//! step is proved to contract an ellipse of states that holds the claimed bounds of the first impact, so there is one orbit and no more,
-//! whether it attracts or not. A narrow ellipse of the same kind then encloses it, as it does an attractor
+//! Method (Lemma V8): Newton's iteration for a recurring state begins at the claimed state. Newton's
+//! step is proved to contract an ellipse of states that holds the claimed bounds of the first impact, so there is exactly one orbit,
+//! attracting or not. A narrow ellipse of the same axes then encloses the orbit, as for an attractor
 //! ([`target`](super::target)).
 
 use super::attraction::{for_all_pieces, widest_datum};
@@ -21,8 +21,8 @@ use impact_pair_model::Error;
 use impact_pair_model::watch::{Latched, Watch};
 
 impl PeriodicCertificate {
-    /// Proves every orbit again, or says which one is not as claimed or not proved, until the watch stops it, which
-    /// receives the orbits confirmed so far.
+    /// Proves every orbit again, or names an orbit that is refuted or undecided. The watch can stop the check and
+    /// receives the number of orbits confirmed so far.
     ///
     /// # Errors
     /// Returns an error if the scene's values are beyond the range of exact expressions.
@@ -46,7 +46,7 @@ impl PeriodicCertificate {
         {
             return Err(Doubt::False("not all requested properties of the orbits are proved".into()));
         }
-        // Lemma D23: those of the reduced map have their least period.
+        // Lemma D23: orbits of the reduced map have their least period.
         let repeated = self.orbits().iter().position(|claim| self.mirrors_are_one() && claim.orbit.times != Some(1));
         if let Some(i) = repeated {
             return Err(Doubt::False(format!("orbits[{i}] is not claimed to have its least period")));
@@ -78,7 +78,7 @@ impl PeriodicCertificate {
 }
 
 impl OrbitOf {
-    /// Returns whether it is claimed within the bounds of another one of the same word, which is alone in these. Lemmas V8, V13
+    /// Whether the orbit is claimed within the bounds of another orbit of the same word that is unique in its bounds. Lemmas V8, V13
     fn is_within(&self, other: &Self) -> bool {
         let is_alone = other.orbit.unique && other.orbit.physical == Some(true) && self.orbit.physical == Some(true);
         is_alone && (&self.word, self.cycles) == (&other.word, other.cycles) && begins_within(&self.orbit, &other.orbit)
@@ -86,7 +86,7 @@ impl OrbitOf {
 }
 
 impl Target<'_> {
-    /// Proves that it is an orbit as claimed, for all data.
+    /// Proves that the claimed orbit exists with the claimed properties, for all data.
     fn is_an_orbit(&self, most: usize) -> Result<(), Doubt> {
         if !self.claim.unique {
             return Err(Doubt::open("only orbits that are alone in their bounds are checked"));
@@ -112,7 +112,7 @@ impl Target<'_> {
         self.encloses(piece, &basin, &claimed, &centre, &round)
     }
 
-    /// Returns whether its impacts are claimed to be first contacts.
+    /// Whether the impacts are claimed to be first contacts.
     pub(super) fn is_physical(&self) -> bool {
         self.claim.physical == Some(true)
     }
@@ -122,12 +122,12 @@ impl Target<'_> {
         [first.phase.centre, first.velocity.centre]
     }
 
-    /// A period near the claimed impacts.
+    /// A round near the claimed impacts.
     fn period<'p>(&'p self, frame: &'p Frame) -> Result<Round<'p>, Doubt> {
         Ok(self.round(frame, self.times(frame)?, self.is_physical()))
     }
 
-    /// Approximate durations of the flights between the claimed impacts: as phases are given modulo forcing periods, these follow from the drift.
+    /// Approximate durations of the flights between the claimed impacts. Phases are given modulo forcing periods, so durations follow from the drift.
     pub(super) fn times(&self, frame: &Frame) -> Result<Vec<Real>, Doubt> {
         let none = || Doubt::open("the claimed impacts do not follow one another in this number of forcing periods");
         let bits = frame.turn.bits();
@@ -151,7 +151,7 @@ impl Target<'_> {
             times.push(impact_pair_exact::Dyadic::from_f64(time).map(|time| Real::point(time, bits)).ok_or_else(none)?);
         }
         let periods = whole / frame.turn.to_f64();
-        // proposes: what does not fit is not found again either
+        // proposes: durations that do not fit the claimed cycles do not prove the orbit either
         if (periods - self.cycles as f64).abs() < 0.5 { Ok(times) } else { Err(none()) }
     }
 }

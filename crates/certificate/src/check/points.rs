@@ -1,4 +1,4 @@
-//! The verdicts on the points of a grid, one after another: those of a sweep, or of an atlas.
+//! Verdicts on the points of a grid, one after another: of a sweep or an atlas.
 
 use super::contact::Doubt;
 use super::{Finding, Verdict};

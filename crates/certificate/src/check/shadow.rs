@@ -1,8 +1,8 @@
-//! An orbit near the given one: whether one start close by has all the impacts that are listed.
+//! Shadowed orbits: proof that one start near the given start has all listed impacts.
 //!
-//! The route (Lemma V10): the middles of the claimed bounds are made an orbit but for tiny jumps, by Newton's iteration over all
-//! impacts at once ([`pseudo`](super::pseudo)); nodes around its states, far smaller than the bounds, are proved to cover one another
-//! ([`chain`](super::chain)), each link alone, by several threads. From the last node on the events are followed as those of any set ([`walk`](super::walk)).
+//! Method (Lemma V10): Newton's iteration over all impacts at once turns the middles of the claimed bounds into an orbit with tiny jumps
+//! ([`pseudo`](super::pseudo)). Nodes around its states, far smaller than the bounds, are proved to cover one another ([`chain`](super::chain)),
+//! each link alone, on several threads. The events after the last node are followed as from any set ([`walk`](super::walk)).
 
 use std::cmp::Ordering;
 use std::ops::Range;
@@ -30,25 +30,25 @@ use impact_pair_model::watch::Watch;
 
 /// Steps of Newton's iteration.
 const STEPS: u32 = 8;
-/// Bits below the narrowest bounds.
+/// Bits of the arithmetic beyond those of the narrowest bounds.
 const SPARE_BITS: i64 = 112;
 
-/// Shares of the greatest expansion, tried in turn where a chain up to the next other event is not proved: it ends where the motion has first
-/// expanded by such a share. Where it hardly expands that is the start, and the scene's own motion is followed.
+/// Shares of the greatest expansion, tried in turn if the chain up to the next other event is not proved: the chain then ends where the
+/// expansion first reaches the share. If the motion hardly expands, that is the start, and the scene's own motion is followed.
 const EXPANSION_SHARES: [f64; 2] = [1.0, 1.0 / 16.0];
 
-/// A claim by its position among the events, and what is to be said of it.
+/// A claim that is not confirmed: its position among the events, and the reason.
 pub(super) type Doubted = (usize, Doubt);
 
-/// A chain of nodes that is proved.
+/// A proved chain of nodes.
 struct Chained {
-    /// The number of its last impact and the node there; `None` where it is empty.
+    /// Number of the last impact of the chain, and the last node; `None` for an empty chain.
     last: Option<(usize, Node)>,
-    /// Distances of its nodes from the middles of their bounds of time \[rad\] ([`Course::link`]).
+    /// Distances of the nodes from the middles of the claimed bounds of time \[rad\] ([`Course::link`]).
     offs: Vec<Dyadic>,
 }
 
-/// A shadowed orbit and how much its check may take.
+/// A shadowed orbit and the limits of its check.
 pub(super) struct Shadow<'c> {
     pub certificate: &'c Certificate,
     pub near: &'c NearDocument,
@@ -100,7 +100,7 @@ impl Certificate {
 }
 
 impl Shadow<'_> {
-    /// Bits that nodes in the narrowest bounds are given with: the first impacts may have been proved by precision.
+    /// Bits for nodes in the narrowest bounds: the first impacts may have been certified in high precision.
     fn bits(&self) -> u32 {
         let near = self.bounds();
         let [times, velocities] = [0, 1].map(|i| {
@@ -115,7 +115,7 @@ impl Shadow<'_> {
         bits.min(self.effort.bits.max(FIRST_BITS)) // proposes
     }
 
-    /// The data and where impacts are, for a thread.
+    /// Calls `answer` with data and a frame of the calling thread's own.
     fn under<T>(&self, bits: u32, answer: impl FnOnce(&Course<'_>) -> T) -> T {
         let Effort { work, parts, .. } = *self.effort;
         let data = Data::new(self.certificate.pair(), self.certificate.start()).expect("they have been read before");
@@ -124,7 +124,7 @@ impl Shadow<'_> {
         answer(&Course { data: &data, frame, hits: &self.hits, is_of_times: self.is_of_times })
     }
 
-    /// Returns `answer` of each of the flights, or the first doubt, by several threads.
+    /// `answer` for each of the flights, or the first doubt, on several threads.
     fn of_each<T: Send>(
         &self,
         flights: Range<usize>,
@@ -149,8 +149,8 @@ impl Shadow<'_> {
         in_blocks(flights, BLOCK_SIZE, of_block, progress)
     }
 
-    /// The bits that confirm all events and the outcome, and how far each impact of the orbit that is found is at most from the middle
-    /// of the bounds of its time \[rad\].
+    /// The bits that confirm all events and the outcome, and for each impact of the proved orbit an upper bound of its distance from the
+    /// middle of the claimed bounds of its time \[rad\].
     fn answer(&self, data: &Data, progress: &mut impl FnMut(usize)) -> Result<(u32, Vec<Dyadic>), Doubted> {
         let mut bits = self.bits();
         let chained = EXPANSION_SHARES.into_iter().fold(self.chained(None, bits, progress), |chained, share| {
@@ -168,7 +168,7 @@ impl Shadow<'_> {
                 Err(doubted) => doubted,
             };
             let event = doubted.0;
-            // More of them help after a release, which does not depend on the start.
+            // More bits help after a release, which does not depend on the start.
             let is_stuck = before.is_some_and(|before| event <= before);
             if is_stuck || bits >= self.effort.bits || data.budget.is_spent() {
                 let are_open = last.is_some();
@@ -179,7 +179,7 @@ impl Shadow<'_> {
         }
     }
 
-    /// A chain of nodes along the impacts. With some `share` it ends where the motion has first expanded that share of the most, which may be at the start.
+    /// A chain of nodes along the impacts. With a `share` the chain ends where the expansion first reaches that share of the greatest expansion.
     fn chained(&self, share: Option<f64>, bits: u32, progress: &mut impl FnMut(usize)) -> Result<Chained, Doubted> {
         let nothing = |_: usize| {};
         let mut points = self.under(bits, |course| course.middles());
@@ -212,7 +212,7 @@ impl Shadow<'_> {
         Ok(Chained { last: points.pop().map(|last| (points.len(), last.node)), offs })
     }
 
-    /// The first node lies in the bounds of the start.
+    /// Proves that the first node lies in the bounds of the start.
     fn starts_near(&self, first: &Point, bits: u32) -> Result<(), Doubt> {
         let [phase, velocity] = self.under(bits, |course| course.states(0, &first.node)).map(|x| x.hull());
         let bounds = self.bounds();
@@ -228,7 +228,7 @@ impl Shadow<'_> {
         })
     }
 
-    /// The events after the last node, and the outcome; how far their impacts are off.
+    /// Follows the events after the last node, and the outcome; returns the distances of their impacts from the middles of the bounds.
     fn goes_on(
         &self,
         data: &Data,
@@ -259,7 +259,7 @@ impl Shadow<'_> {
         Ok(offs)
     }
 
-    /// A claim that is proved to be false: flights from no state within the bounds before lead into its own.
+    /// A claim that is proved false: no flight from a state within the previous bounds leads into the claimed bounds.
     fn refuted(&self) -> Option<Doubted> {
         let [time, velocity] = self.bounds();
         let all = self.of_each(

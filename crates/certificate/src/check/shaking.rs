@@ -1,7 +1,7 @@
-//! The shaking of the box over a flight: equation (1) and its derivatives, summed over the harmonics.
+//! The forcing over a flight: equation (1) and its derivatives, summed over the harmonics.
 //!
-//! Phases are those of the reference harmonic, `th = W t + tau`, which passes at the rate 1; harmonic `k` passes at the rate
-//! `r_k = W_k/W`. With `s` the phase since the origin of an orbit and `f_k` that of harmonic `k` there,
+//! Phases are phases of the reference harmonic, `th = W t + tau`, which passes at the rate 1; harmonic `k` passes at the rate
+//! `r_k = W_k/W`. With `s` the phase since the origin of an orbit and `f_k` the phase of harmonic `k` at that origin,
 //! `E = sum A_k sin(f_k + r_k s)`, and `y'' = -E'' = sum A_k r_k^2 sin(f_k + r_k s)` between impacts.
 
 use super::affine::Affine;
@@ -18,13 +18,13 @@ pub(crate) struct Term {
     pub rate: Option<Affine>,
 }
 
-/// All harmonics over the flights of a set, since their departures; the reference comes first.
+/// All harmonics over the flights of a set, counted from their departures; the reference comes first.
 #[derive(Clone, Debug)]
 pub(crate) struct Shaking {
     pub waves: Vec<Wave>,
 }
 
-/// One harmonic of them.
+/// One harmonic over the flights of a set.
 #[derive(Clone, Debug)]
 pub(crate) struct Wave {
     pub amplitude: Real,
@@ -37,7 +37,7 @@ pub(crate) struct Wave {
 }
 
 impl Term {
-    /// Returns the wave of those members of the set that `member` says, from the phase `since` after the origin.
+    /// The harmonic for the members chosen by `member`, counted from the phase `since` after the origin.
     pub fn wave(&self, since: &Real, bits: u32, member: fn(&Affine) -> Real) -> Wave {
         let member = |x: &Affine| member(x).rounded(bits);
         let rate = self.rate.as_ref().map(member);
@@ -55,7 +55,7 @@ impl Wave {
         Self { amplitude, rate: rate.as_ref().map(|rate| rate.rounded(bits)), phase, sin, cos }
     }
 
-    /// Its phase at `h` after the departure.
+    /// Phase of the harmonic at `h` after the departure.
     fn at(&self, h: &Real) -> Real {
         match &self.rate {
             None => self.phase.clone() + h,
@@ -63,7 +63,7 @@ impl Wave {
         }
     }
 
-    /// `(sin, cos)` of its phase at `h` after the departure.
+    /// `(sin, cos)` of the phase of the harmonic at `h` after the departure.
     pub fn sin_cos(&self, h: &Real) -> (Real, Real) {
         self.at(h).sin_cos()
     }
@@ -83,7 +83,7 @@ impl Wave {
 }
 
 impl Shaking {
-    /// Rounded outward to fewer bits.
+    /// The forcing, rounded outward to fewer bits.
     pub fn rounded(&self, bits: u32) -> Self {
         Self { waves: self.waves.iter().map(|wave| wave.rounded(bits)).collect() }
     }
@@ -97,17 +97,17 @@ impl Shaking {
         self.sum(|wave| wave.weighted(wave.sin.clone(), 0))
     }
 
-    /// Returns no `E` is greater, nor `-E`.
+    /// Upper bound of |E(t)| over all times \[length\].
     pub fn reach(&self) -> Real {
         self.sum(|wave| wave.amplitude.clone())
     }
 
-    /// Returns how much `E` has grown at `h`.
+    /// `E(h) - E(0)`: the change of `E` from the departure to `h`.
     pub fn shift(&self, h: &Real) -> Real {
         self.sum(|wave| wave.weighted(wave.at(h).sin() - &wave.sin, 0))
     }
 
-    /// Returns how much `E'` has grown at `h`: so grouped, a flight that hardly forcing periods loses nothing.
+    /// `E'(h) - E'(0)`. The differences are taken for each harmonic, which keeps flights of small phase change accurate.
     pub fn velocity_change(&self, h: &Real) -> Real {
         self.sum(|wave| wave.weighted(wave.at(h).cos() - &wave.cos, 1))
     }
@@ -132,7 +132,7 @@ impl Shaking {
         self.sum(|wave| wave.weighted(wave.at(h).cos(), 3))
     }
 
-    /// Returns whether the box stands still.
+    /// Whether the box stands still.
     pub fn is_still(&self) -> bool {
         self.waves.iter().all(|wave| wave.amplitude.is_zero())
     }

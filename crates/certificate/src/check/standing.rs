@@ -1,4 +1,4 @@
-//! The states that a walk stands at, with all that is known of them.
+//! States of a walk between two events.
 
 use std::cmp::Ordering;
 
@@ -11,25 +11,25 @@ use super::still::Still;
 use impact_pair_exact::Real;
 use impact_pair_model::{Mapping, Wall};
 
-/// States after an event, or of a start, and what is known of them.
+/// States after an event, or at a start, with their proved properties.
 ///
-/// A walk that goes on replaces it as a whole: what was known of the states before, or of the scene's own start, does not outlive
-/// them. So each of the constructors tells all that is known.
+/// A walk replaces its `WalkState` as a whole: properties of earlier states, or of the scene's own start, do not carry
+/// over. Each constructor therefore sets every field.
 pub(crate) struct WalkState<'d> {
     departure: Launch,
     landing: Option<Landing>,
     last: Last,
     going: Motion,
-    /// The exact data of the scene's own start, if it is that one.
+    /// The exact data, if the state is the scene's own start.
     start: Option<&'d Data<'d>>,
 }
 
-/// The motion from here on.
+/// The motion that follows.
 #[derive(Debug)]
 enum Motion {
     /// The ball flies.
     Flight,
-    /// The ball lies on a wall.
+    /// The ball sticks to a wall.
     Rest(Rest),
     /// The ball has no drift, and comes near a wall in the same way in every forcing period.
     Still(Still),
@@ -47,7 +47,7 @@ pub(crate) enum Last {
 }
 
 impl<'d> WalkState<'d> {
-    /// Returns the scene's own start.
+    /// State at the scene's own start.
     pub fn at_start(data: &'d Data<'d>, parameters: &Parameters, piece: &Piece) -> Self {
         let (phase, velocity, height) = data.state(piece, parameters.bits());
         let phase = phase.less_centre();
@@ -62,20 +62,20 @@ impl<'d> WalkState<'d> {
         Self { going, start: Some(data), ..Self::flying(departure, data.wall.map_or(Last::Inside, Last::Wall)) }
     }
 
-    /// Starts that need not be the scene's.
+    /// States at starts that may differ from the scene's start.
     pub fn of_starts(departure: Launch) -> Self {
         let last = departure.start.wall.map_or(Last::Inside, Last::Wall);
         Self::flying(departure, last)
     }
 
-    /// After an impact.
+    /// State after an impact.
     pub fn after(parameters: &Parameters, landing: Landing) -> Self {
         let departure = Launch::rebound(parameters, &landing);
         let last = Last::Wall(landing.wall);
         Self { landing: Some(landing), ..Self::flying(departure, last) }
     }
 
-    /// After a release from a wall.
+    /// State after a release from a wall.
     pub fn released(parameters: &Parameters, wall: Wall, phase: Affine) -> Self {
         let still = Affine::fixed(Real::zero(parameters.bits()));
         let mut departure = Launch::on_wall(parameters, wall, phase, still);
@@ -83,13 +83,13 @@ impl<'d> WalkState<'d> {
         Self::flying(departure, Last::Wall(wall))
     }
 
-    /// Lying on a wall that the ball has come to as `departure` says.
+    /// State of a ball sticking to a wall; `departure` is its departure from the last impact before.
     pub fn resting(departure: Launch, rest: Rest) -> Self {
         let last = Last::Wall(rest.wall);
         Self { going: Motion::Rest(rest), ..Self::flying(departure, last) }
     }
 
-    /// Past a graze of `wall`, which may have been a touch.
+    /// State past a graze of `wall`, which may have been a touch.
     pub fn past_graze(&self, departure: Launch, wall: Wall) -> Self {
         let last = if self.last == Last::Wall(wall) { self.last } else { Last::Either };
         Self::flying(departure, last)
@@ -99,12 +99,12 @@ impl<'d> WalkState<'d> {
         Self { departure, landing: None, last, going: Motion::Flight, start: None }
     }
 
-    /// Returns the flights from there.
+    /// The flights from the states.
     pub fn departure(&self) -> &Launch {
         &self.departure
     }
 
-    /// Returns the states before the impact, if it is after one.
+    /// The states just before the impact, if the event was an impact.
     pub fn landing(&self) -> Option<&Landing> {
         self.landing.as_ref()
     }
@@ -114,29 +114,29 @@ impl<'d> WalkState<'d> {
         self.last
     }
 
-    /// Returns the rest, if the ball lies on a wall.
+    /// The rest, if the ball sticks to a wall.
     pub fn rest(&self) -> Option<&Rest> {
         if let Motion::Rest(rest) = &self.going { Some(rest) } else { None }
     }
 
-    /// Returns the motion without drift, if it is one.
+    /// The motion without drift, if the motion is of that kind.
     pub fn still(&self) -> Option<&Still> {
         if let Motion::Still(still) = &self.going { Some(still) } else { None }
     }
 
-    /// Past a touch of a motion without drift, which is the same one from there on.
+    /// Continues a motion without drift past a touch, which does not change the motion.
     pub fn touch(&mut self, still: Still) {
         self.going = Motion::Still(still);
     }
 
-    /// Returns the exact data, if it is the scene's own start.
+    /// The exact data, if the state is the scene's own start.
     pub fn start(&self) -> Option<&'d Data<'d>> {
         self.start
     }
 }
 
 impl Last {
-    /// Returns the mapping of a flight that ends on a wall.
+    /// The mapping of a flight that ends on the wall `to`; `None` where the wall of departure is unknown.
     pub fn mapping(self, to: Wall) -> Option<Mapping> {
         match self {
             Self::Wall(from) => Some(Mapping::between(from, to)),
@@ -144,7 +144,7 @@ impl Last {
         }
     }
 
-    /// Proves that a claimed mapping is that of a flight that ends on a wall.
+    /// Proves that a claimed mapping is the mapping of a flight that ends on the wall `to`.
     pub fn leads(self, mapping: Option<Mapping>, to: Wall) -> Result<(), Doubt> {
         match mapping {
             _ if mapping == self.mapping(to) => Ok(()),

@@ -1,4 +1,4 @@
-//! One impact for all states of a set: from a departure to the next landing (Lemma V2).
+//! One impact for all states of a set: from the departure to the next landing (Lemma V2).
 
 use super::affine::{Affine, COLUMN_BITS};
 use super::budget::Budget;
@@ -21,7 +21,7 @@ pub(crate) struct Parameters<'w> {
     pub budget: Budget<'w>,
 }
 
-/// The states in which a flight begins; phases are counted from the origin of the orbit.
+/// The states at the beginning of a flight; phases are counted from the origin of the orbit.
 #[derive(Clone, Debug)]
 pub(crate) struct Launch {
     pub start: Start,
@@ -45,34 +45,34 @@ pub(crate) struct Landing {
 /// Bits kept below the errors of a set.
 const SPARE_BITS: u32 = 64;
 
-/// `1` for the right wall, `-1` for the left one: the side of `y`.
+/// `1` for the right wall, `-1` for the left wall: the sign of `y`.
 fn side(wall: Wall, bits: u32) -> Real {
     Real::int(if wall == Wall::Right { 1 } else { -1 }, bits)
 }
 
 impl Parameters<'_> {
-    /// Returns the bits that they are known with.
+    /// Bits of the parameters.
     pub fn bits(&self) -> u32 {
         self.half_gap.centre.bits()
     }
 
-    /// Returns the phase `W t + tau` that phases are counted from.
+    /// The phase `W t + tau` at the origin of all phases.
     pub fn origin(&self) -> Real {
         self.terms[0].phase.hull()
     }
 
-    /// Counts phases from another one. A single harmonic has no other phases that would have to follow.
+    /// Moves the origin of phases to `phase`. Only for a single harmonic: other harmonics would have to follow.
     pub fn count_from(&mut self, phase: Real) {
         debug_assert!(self.terms.len() == 1);
         self.terms[0].phase = Affine::fixed(phase);
     }
 
-    /// Returns whether the box stands still.
+    /// Whether the box stands still.
     pub fn is_still(&self) -> bool {
         self.terms.iter().all(|term| term.amplitude.hull().is_zero())
     }
 
-    /// Returns the parameters at the middle of the data.
+    /// The parameters at the middle of the data.
     pub fn middle(&self) -> Self {
         let middle = |x: &Affine| Affine::fixed(x.centre.clone());
         let of_term = |term: &Term| Term {
@@ -88,7 +88,7 @@ impl Parameters<'_> {
         }
     }
 
-    /// Returns how many data are intervals, as the columns count them.
+    /// Number of the interval data, as counted by the columns.
     pub fn columns(&self) -> usize {
         let Self { half_gap, restitution, terms, .. } = self;
         let of_term = |term: &Term| {
@@ -98,7 +98,7 @@ impl Parameters<'_> {
         of_terms.chain([half_gap.length(), restitution.length()]).max().unwrap_or(0) // exact: a length
     }
 
-    /// Returns the shaking of those members of the set that `member` says, from the phase `since` after the origin.
+    /// The forcing for the members chosen by `member`, counted from the phase `since` after the origin.
     pub fn shaking(&self, since: &Real, member: fn(&Affine) -> Real) -> Shaking {
         let bits = since.bits();
         Shaking { waves: self.terms.iter().map(|term| term.wave(since, bits, member)).collect() }
@@ -106,7 +106,7 @@ impl Parameters<'_> {
 }
 
 impl Launch {
-    /// Returns the departure from `wall` after Newton's impact law (15), `p = -e v`.
+    /// Departure from `wall` by Newton's impact law (15), `p = -e v`.
     pub fn rebound(parameters: &Parameters, landing: &Landing) -> Self {
         let Landing { wall, phase, velocity } = landing;
         let restitution = &parameters.restitution;
@@ -116,12 +116,12 @@ impl Launch {
         Self::on_wall(parameters, *wall, phase.clone(), after)
     }
 
-    /// Returns the departure from inside the gap.
+    /// Departure from inside the gap.
     pub fn inside(phase: Affine, height: Affine, velocity: Affine) -> Self {
         Self { start: Start { wall: None, is_release: false }, phase, height, velocity }
     }
 
-    /// Returns the departure from `wall` with velocity `velocity` after the impact.
+    /// Departure from `wall` with the velocity `velocity` after the impact.
     pub fn on_wall(parameters: &Parameters, wall: Wall, phase: Affine, velocity: Affine) -> Self {
         let half_gap = &parameters.half_gap;
         let side = side(wall, half_gap.centre.bits());
@@ -129,7 +129,7 @@ impl Launch {
         Self { start: Start { wall: Some(wall), is_release: false }, phase, height, velocity }
     }
 
-    /// The flights of those members of the set that `member` says.
+    /// The flights of the members chosen by `member`.
     fn flight<'w>(&self, parameters: &Parameters<'w>, member: fn(&Affine) -> Real) -> Flight<'w> {
         let bits = self.bits(parameters);
         let of = |x: &Affine| member(x).rounded(bits);
@@ -142,21 +142,21 @@ impl Launch {
         }
     }
 
-    /// The bits that are worth computing: none far below what is not known of the set anyway.
+    /// Bits of the flights: not many more than the known bits of the set.
     fn bits(&self, parameters: &Parameters) -> u32 {
-        // A phase is added to one of a flight, a velocity to that of the box: near 0 few leading bits of either say much.
+        // Phases are added to the phase of a flight, velocities to the velocity of the box: near 0 the leading bits of either matter little.
         let amplitude = parameters.terms[0].amplitude.centre.enclosure().mag().top().unwrap_or(0); // proposes
         let known = self.phase.accuracy(0).max(self.velocity.accuracy(amplitude)); // proposes
         let most = parameters.bits();
         known.map_or(most, |known| known.saturating_add(SPARE_BITS).min(most)) // X1: any number of bits encloses
     }
 
-    /// Returns the flights of the whole set.
+    /// The flights of the whole set.
     pub fn flights<'w>(&self, parameters: &Parameters<'w>) -> Flight<'w> {
         self.flight(parameters, Affine::hull)
     }
 
-    /// Returns the landings, if all flights are proved to touch `wall` first, near where it is claimed.
+    /// Encloses the landings, if all flights are proved to touch `wall` first, near the claimed place.
     pub fn land(&self, parameters: &Parameters, wall: Wall, claimed: &Claimed) -> Result<Landing, Doubt> {
         let set = self.flights(parameters);
         let centre = self.middle_flight(parameters);
@@ -189,7 +189,7 @@ impl Launch {
         Ok(Landing { wall, phase: by_value(&dt, landed - &miss), velocity: by_value(&dv, velocity) })
     }
 
-    /// The dependence of a landing on `wall` at `h` on all that it depends on; `set` holds all flights.
+    /// The slopes of a landing on `wall` at `h`, one for each quantity that the landing depends on; `set` encloses all flights.
     fn slopes<'x>(&'x self, parameters: &'x Parameters, (set, wall): (&Flight, Wall), h: &Real) -> Vec<Slope<'x>> {
         let bits = set.bits();
         let acceleration = set.shaking.first_acceleration();
@@ -208,7 +208,7 @@ impl Launch {
         slopes
     }
 
-    /// Encloses `y` less the level of `wall` at the extrema of all flights, which `h` holds, as `centre` does of the middle's own (Lemma V4).
+    /// Encloses `y` minus the level of `wall` at the extrema of all flights; `h` holds their phases, `centre` the middle's value (Lemma V4).
     pub fn beyond(&self, parameters: &Parameters, wall: Wall, h: &Real, centre: Real) -> Affine {
         let set = self.flights(parameters);
         // V4: y' vanishes, so that the height does not depend on the place of the extremum
@@ -218,7 +218,7 @@ impl Launch {
         Affine::of(centre, &terms).recentred()
     }
 
-    /// Returns the flight of the middle of the set.
+    /// The flight of the middle of the set.
     pub fn middle_flight<'w>(&self, parameters: &Parameters<'w>) -> Flight<'w> {
         self.flight(parameters, |x| x.centre.clone())
     }
@@ -232,7 +232,7 @@ struct Slope<'x> {
 }
 
 impl Term {
-    /// The slopes of a landing at `h` after a departure at the phase `since`, by the data of the harmonic that are not known exactly.
+    /// The slopes of a landing at `h` after a departure at the phase `since`, by the inexact data of the harmonic.
     fn slopes(&self, wave: &Wave, since: &Real, h: &Real) -> Vec<Slope<'_>> {
         let Self { amplitude, phase, rate } = self;
         let mut slopes = Vec::new();
@@ -256,7 +256,7 @@ impl Term {
             });
         }
         if let Some(rate) = rate.as_ref().filter(|rate| !rate.is_fixed()) {
-            // Its phase at the departure depends on it as well.
+            // The rate also changes the harmonic's phase at the departure.
             let until = since.clone() + h;
             let swept = sin0.clone() * since;
             let along = cos1 * &until - &(cos0.clone() * &until) + &wave.rated(swept.clone() * h, 1);

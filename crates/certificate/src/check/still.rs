@@ -1,4 +1,4 @@
-//! Motions without drift, `c = 0` exactly: they touch no wall, or, with one harmonic, graze the same ones in every forcing period.
+//! Motions without drift, `c = 0` exactly: they touch no wall, or, with one harmonic, graze the same walls in every forcing period.
 
 use std::cmp::Ordering;
 
@@ -16,14 +16,14 @@ use impact_pair_model::{Miss, Wall};
 /// `y = m - A sin th` for ever, between the walls.
 #[derive(Clone, Debug)]
 pub(crate) struct Still {
-    /// The last quarter period up to the phase last grazed, or that of the start.
+    /// The last quarter period up to the last graze, or up to the start.
     quarters: BigInt,
     /// True where the left wall is touched at 1/4 period, and the right wall at 3/4.
     touches: [bool; 2],
 }
 
 impl Still {
-    /// Returns the motion from the scene's start, if it is proved to be one from the exact data (Lemma V5). `is_at_rest`: the ball has no
+    /// The motion from the scene's start, if the exact data prove that it has no drift (Lemma V5). `is_at_rest`: the ball has no
     /// velocity after the start.
     pub fn of(data: &Data, is_at_rest: bool) -> Option<Self> {
         let tone = data.only()?;
@@ -31,7 +31,7 @@ impl Still {
         let stands = shaken == Some(Ordering::Equal);
         let (zero, one) = (Exact::from(0), Exact::from(1));
         let after = if is_at_rest { &zero } else { &data.velocity };
-        // If the box may stand still, a ball without velocity on a wall may lie there; with velocity it leaves.
+        // If the box may stand still, a ball without velocity on a wall may stick there; with velocity it leaves.
         let leaves = is_at_rest && shaken == Some(Ordering::Greater);
         if data.wall.is_some() && !leaves || !data.has_no_drift(after) {
             return None;
@@ -61,7 +61,7 @@ impl Still {
         rooms.iter().all(|room| room.is_ge()).then_some(Self { quarters, touches })
     }
 
-    /// Returns whether a wall is ever touched.
+    /// Whether the motion touches a wall at all.
     pub fn grazes(&self) -> bool {
         self.touches != [false; 2]
     }
@@ -78,8 +78,8 @@ impl Still {
 }
 
 impl Walk<'_> {
-    /// Returns whether a ball that starts inside the gap without drift, so that `y + E` stays constant, is proved to touch no wall:
-    /// nowhere where `E` may get to, or nowhere in a common period of all harmonics.
+    /// Whether a ball that starts inside the gap without drift, so that `y + E` stays constant, is proved to touch no wall: by the bound of
+    /// `E`, or over a common period of all harmonics.
     pub(super) fn swings_freely(&self) -> Result<bool, Doubt> {
         let Some(data) = self.standing.start() else { return Ok(false) };
         if data.height.is_none() || !data.has_no_drift(&data.velocity) {
@@ -98,7 +98,7 @@ impl Walk<'_> {
         clear_throughout(&flight, departure.start, &end, &(end.clone() + &end)).map(|()| true)
     }
 
-    /// A graze of a motion that grazes in every forcing period.
+    /// Confirms a graze of a motion that grazes in every forcing period.
     pub(super) fn graze_again(
         &mut self,
         still: Still,

@@ -17,8 +17,8 @@ use impact_pair_model::Error;
 use impact_pair_model::watch::{Latched, Watch};
 
 impl SweepCertificate {
-    /// Proves the impacts of every point again, or says of which they are not true or not proved, until the watch stops it, which
-    /// receives the points checked so far.
+    /// Proves the impacts of every point again, or names a point where they are refuted or undecided. The watch can stop the check and
+    /// receives the number of points checked so far.
     ///
     /// # Errors
     /// Returns an error if a scene's values are beyond the range of exact expressions.
@@ -26,7 +26,7 @@ impl SweepCertificate {
         Ok(self.judge_within(effort, watch)?.0)
     }
 
-    /// Returns the verdict, and how many points are confirmed one after another from the first one on.
+    /// The verdict, and how many points are confirmed without a gap from the first point on.
     pub(crate) fn judge_within(&self, effort: &Effort, watch: &dyn Watch) -> Result<Found, Error> {
         let watch = Latched::new(watch);
         let mut tally = Tally::default();

@@ -1,4 +1,4 @@
-//! A periodic orbit that is claimed: what its bounds say in radians, and whether what is found lies in them.
+//! A claimed periodic orbit: its bounds in radians, and the comparison of an enclosed orbit with them.
 
 use std::cmp::Ordering;
 
@@ -18,12 +18,12 @@ use crate::attraction::{Bounds, ClaimedOrbit, Stability};
 use impact_pair_exact::Real;
 use impact_pair_model::{Wall, Word};
 
-/// Bits that neighbourhoods are proved with.
+/// Bits in which neighbourhoods are proved.
 pub(super) const BITS: u32 = 192;
-/// Bits beyond those that the claimed bounds are worth.
+/// Bits of the arithmetic beyond those of the claimed bounds.
 const SPARE_BITS: u32 = 96;
 pub(super) const MAX_BITS: u32 = 1 << 12;
-/// Number of doublings.
+/// Number of times that the bits are doubled.
 const MAX_DOUBLINGS: u32 = 3;
 
 /// A claimed orbit of a word.
@@ -33,12 +33,12 @@ pub(super) struct Target<'c> {
     /// Walls of the impacts of the word.
     pub walls: Vec<Wall>,
     pub cycles: u64,
-    /// Forcing periods of the reference after which the shaking repeats.
+    /// Forcing periods of the reference after which the forcing repeats.
     pub turns: BigInt,
 }
 
 impl<'c> Target<'c> {
-    /// Returns what is claimed, if it may be an orbit of that word in N cycles.
+    /// The claim, if it can be an orbit of the word `word` in `cycles` cycles.
     pub fn new(data: &'c Data, word: &Word, cycles: u64, claim: &'c ClaimedOrbit) -> Result<Self, Doubt> {
         let walls: Vec<Wall> = word.mappings().iter().map(|mapping| mapping.walls().0).collect();
         if !word.is_closed() {
@@ -65,7 +65,7 @@ impl<'c> Target<'c> {
         Ok(Self { data, claim, walls, cycles, turns })
     }
 
-    /// Periods of the word whose flights last about so long.
+    /// The round of the word with the given approximate durations of the flights.
     pub fn round<'p>(&'p self, frame: &'p Frame, times: Vec<Real>, is_physical: bool) -> Round<'p> {
         let turns = |turns: &BigInt| frame.turn.clone() * &Real::rational(&turns.clone().into(), frame.turn.bits());
         Round {
@@ -78,14 +78,14 @@ impl<'c> Target<'c> {
         }
     }
 
-    /// Returns what is taken off the phase `W t + tau` of a claim for one since the origin, less whole common periods.
+    /// Difference between a claimed phase `W t + tau` and the phase since the origin, up to whole common periods.
     pub fn origin(&self, frame: &Frame, turn: Option<u32>) -> Real {
         // exact: without a forcing period, the common period is one
         let turns = (&self.data.turns - BigInt::from(turn.unwrap_or(0))).mod_floor(&self.turns);
         frame.parameters.origin() + &(frame.turn.clone() * &Real::rational(&turns.into(), frame.turn.bits()))
     }
 
-    /// Returns the claimed states of an impact, in phases since the origin.
+    /// The claimed states of an impact, in phases since the origin.
     pub fn state(&self, frame: &Frame, impact: usize) -> Landing {
         let (claim, bits) = (&self.claim.impacts[impact], frame.turn.bits());
         let origin = self.origin(frame, claim.turn);
@@ -94,14 +94,14 @@ impl<'c> Target<'c> {
         frame.spanned(claim.wall, [phase, velocity])
     }
 
-    /// Returns the claimed states of the first impact.
+    /// The claimed states of the first impact.
     pub fn first(&self, frame: &Frame) -> Landing {
         self.state(frame, 0)
     }
 
-    /// Proves that the only orbit of a basin is as claimed, and, if it is physical, the only one in the claimed bounds.
+    /// Proves that the only orbit of a basin is as claimed, and, for an admissible orbit, the only orbit in the claimed bounds.
     ///
-    /// `near` is a period near it.
+    /// `near` is a round near the orbit.
     pub fn encloses(
         &self,
         piece: &Piece,
@@ -120,7 +120,7 @@ impl<'c> Target<'c> {
                 Err(Doubt::Open(_)) if n < MAX_DOUBLINGS && round.first() == 0 && !self.data.budget.is_spent() => {
                     bits *= 2
                 }
-                // Of solutions with earlier contacts there may be others in longer flights.
+                // Solutions with earlier contacts may include others, in longer flights.
                 Ok(()) if near.is_physical && !basin.holds(claimed) => {
                     return Err(Doubt::open("the orbit is not proved to be the only one in its bounds"));
                 }
@@ -130,7 +130,7 @@ impl<'c> Target<'c> {
         unreachable!("the last answer is one")
     }
 
-    /// Proves that all numbers found of the orbit lie inside the claimed bounds.
+    /// Proves that all numbers of the enclosed orbit lie inside the claimed bounds.
     pub fn compare(&self, frame: &Frame, orbit: &FixedPoint<'_>) -> Result<(), Doubt> {
         let ClaimedOrbit { symmetric, times, impacts, numbers, physical, .. } = self.claim;
         if let Some(claimed) = symmetric {
@@ -179,11 +179,11 @@ impl<'c> Target<'c> {
         let both = |one: &Eigenvalue, other: &Eigenvalue| {
             inside(one.each_ref(), first).and_then(|()| inside(other.each_ref(), second))
         };
-        // They are a pair without an order.
+        // The pair has no order.
         both(&one, &other).or_else(|doubt| both(&other, &one).map_err(|_| doubt))
     }
 
-    /// The whole forcing periods between its first impact and the others, whose phases are at `places` in their bounds. Lemma T13
+    /// Proves the claimed whole forcing periods between the first impact and the others; `places` are the impacts' phases. Lemma T13
     fn compare_cycles(&self, frame: &Frame, orbit: &FixedPoint<'_>, places: &[Real]) -> Result<(), Doubt> {
         let (claims, impacts) = (&self.claim.impacts, orbit.impacts());
         if claims[0].cycle.is_some_and(|cycle| cycle != 0) {
@@ -195,7 +195,7 @@ impl<'c> Target<'c> {
             let passed = found.phase.hull() - &impacts[0].phase.hull();
             let beyond = passed - &(place.clone() - &places[0]);
             match beyond.over(&frame.turn).map(|turns| turns - cycle) {
-                // Both are a whole number.
+                // Both differ by less than 1/2 and are whole numbers: they are equal.
                 Some(off) if off.is_below(&half) && (-off.clone()).is_below(&half) => {}
                 Some(off) if half.is_below(&off) || half.is_below(&-off.clone()) => {
                     return Err(Doubt::False("an impact of the orbit is in another forcing period".into()));
@@ -206,7 +206,7 @@ impl<'c> Target<'c> {
         Ok(())
     }
 
-    /// Spacing and sine of a two-impact motion.
+    /// Proves the claimed spacing and sine of a two-impact motion.
     fn compare_spacing(&self, frame: &Frame, orbit: &FixedPoint<'_>) -> Result<(), Doubt> {
         let ClaimedOrbit { spacing, sine, .. } = self.claim;
         let on = |wall: Wall| orbit.impacts().iter().find(|impact| impact.wall == wall);
@@ -247,7 +247,7 @@ impl<'c> Target<'c> {
         Ok(())
     }
 
-    /// **Equations** (39), (40): what trace and determinant say of the stability (Lemma T4).
+    /// Proves the claimed stability by trace and determinant (Lemma T4). **Equations** (39), (40)
     fn compare_stability(&self, trace: &Real, determinant: &Real) -> Result<(), Doubt> {
         let one = Real::int(1, trace.bits());
         let at = [one.clone() + determinant - trace, one.clone() + determinant + trace];
@@ -268,7 +268,7 @@ impl<'c> Target<'c> {
         }
     }
 
-    /// Bits that are worth more than the claimed bounds.
+    /// Bits of the enclosure of the orbit: more than the claimed bounds have.
     fn bits(&self) -> u32 {
         let bounds = self.claim.impacts.iter().flat_map(|impact| [&impact.phase, &impact.velocity]);
         // proposes: bits to enclose the orbit with
@@ -278,7 +278,7 @@ impl<'c> Target<'c> {
     }
 }
 
-/// The least width of bounds, as a power of 2.
+/// The least width of the bounds, as a power of 2.
 pub(super) fn narrowest<'b>(bounds: impl Iterator<Item = &'b Bounds>) -> Option<i64> {
     bounds.filter_map(|[lower, upper]| Real::rational(&(upper - lower), 64).enclosure().mig().top()).min()
 }

@@ -23,33 +23,33 @@ pub(crate) struct Walk<'c> {
     pub(super) data: &'c Data<'c>,
     pub parameters: Parameters<'c>,
     pub clock: Clock,
-    /// The whole half periods dropped from the phase that phases are counted from, which is within a forcing period of 0.
+    /// Whole half periods removed from the phase of the origin, so that it stays within a forcing period of 0.
     pub(super) halves: BigInt,
-    /// The place that it has reached, and what is known there.
+    /// The states that the walk has reached.
     pub standing: WalkState<'c>,
-    /// All releases.
+    /// All releases so far.
     pub(super) released: Vec<Release>,
-    /// The first period that is listed.
+    /// The first period that is proved between two listed releases.
     pub(super) period: Option<Period>,
-    /// The listed periods of the claimed number of cycles: whether each has as many impacts as are claimed.
+    /// For the periods of the claimed number of cycles: whether each has the claimed number of impacts.
     pub(super) has_period: Option<bool>,
     pub(super) impacts: u64,
-    /// Grazes whose claimed distance is wider than points allow: their positions, and the distances found.
+    /// Grazes whose claimed distance is wider than point data allow: their positions, and the enclosed distances.
     pub grazes: Vec<(usize, Real)>,
     pub(super) bits: u32,
-    /// The position of the claim in hand.
+    /// Position of the claim that is confirmed next.
     pub event: usize,
 }
 
 impl<'c> Walk<'c> {
-    /// Returns the orbit from the scene's own start.
+    /// The walk from the scene's own start.
     pub fn new(certificate: &'c Certificate, data: &'c Data<'c>, piece: &Piece, bits: u32) -> Self {
         let frame = Frame::new(data, piece, bits);
         let standing = WalkState::at_start(data, &frame.parameters, piece);
         Self::at((certificate, data), frame, standing, 0)
     }
 
-    /// Returns the orbit from states after N impacts, the first events that are claimed.
+    /// The walk from states after `impacts` impacts, which are the first claimed events.
     pub fn at(
         (certificate, data): (&'c Certificate, &'c Data<'c>),
         frame: Frame<'c>,
@@ -74,7 +74,7 @@ impl<'c> Walk<'c> {
         }
     }
 
-    /// Confirms all claims from the one in hand on, or stops at the first that is not.
+    /// Confirms all claims from `event` on, or stops at the first claim that is not confirmed.
     pub fn all(&mut self, progress: &mut impl FnMut(&Self)) -> Result<(), Doubt> {
         for claim in &self.certificate.events()[self.event..] {
             if self.data.budget.is_stopped() {
@@ -87,7 +87,7 @@ impl<'c> Walk<'c> {
         self.outcome()
     }
 
-    /// Returns the phase `W t + tau` of phases counted from the origin.
+    /// The phase `W t + tau` of a phase since the origin.
     pub fn absolute(&self, phase: &Real) -> Real {
         // X1: any number of bits encloses
         let bits = phase.bits().saturating_add(u32::try_from(self.halves.bits()).unwrap_or(0));
@@ -95,7 +95,7 @@ impl<'c> Walk<'c> {
         dropped + &self.parameters.origin() + phase
     }
 
-    /// Returns the datum whose halving narrows the sets most, if the data make most of their width.
+    /// The datum whose halving narrows the sets most, if the data make up most of their width.
     pub fn widest_datum(&self) -> Option<usize> {
         let Launch { phase, velocity, .. } = self.standing.departure();
         [phase, velocity].into_iter().find(|x| x.is_wide_by_data()).and_then(Affine::widest)
@@ -107,7 +107,7 @@ impl<'c> Walk<'c> {
             EventKind::Impact { index, mapping, velocity } => self.impact(claim, *index, *mapping, velocity),
             EventKind::Rest { is_accumulation } => self.come_to_rest(claim, *is_accumulation),
             EventKind::Release => self.release(claim),
-            // A motion that misses its wall by less than the bounds distinguish is checked as any other (G1).
+            // A motion that misses its wall by less than the bounds distinguish is checked as any other graze (G1).
             EventKind::Graze { miss } => match self.standing.still().filter(|still| still.grazes()).cloned() {
                 Some(still) => self.graze_again(still, claim, miss.as_ref()),
                 None => self.graze(claim, miss.as_ref()),
@@ -135,13 +135,13 @@ impl<'c> Walk<'c> {
         compare("velocity", &found, velocity)
     }
 
-    /// Goes on from an impact.
+    /// Continues the walk from an impact.
     pub fn go_on(&mut self, landing: Landing) {
         self.standing = WalkState::after(&self.parameters, landing);
         self.impacts += 1;
     }
 
-    /// The claimed place of the next event, after the departure: the guess is the middle of the part of its bounds that comes later.
+    /// The claimed place of the next event after the departure; the guess is the middle of the part of the bounds that lies ahead.
     pub(super) fn ahead(&self, claim: &Claim) -> Result<Claimed, Doubt> {
         let departed = self.standing.departure().phase.hull();
         let [from, to] = claim.time.each_ref().map(|time| self.clock.phase(time) - &departed);
@@ -158,7 +158,7 @@ impl<'c> Walk<'c> {
         }
     }
 
-    /// Returns the next impact, which no claim tells of: of the middle's own flight the first part with a contact tells where to look.
+    /// Encloses the next impact, without a claim: the first part with a contact of the middle's flight gives the place to search.
     pub fn next_landing(&self) -> Option<Landing> {
         let departure = self.standing.departure();
         let flight = departure.flights(&self.parameters);
@@ -174,7 +174,7 @@ impl<'c> Walk<'c> {
     }
 }
 
-/// An impact has the number after these.
+/// Proves that an impact's number `index` is the next number.
 pub(super) fn is_next(impacts: u64, index: u64) -> Result<(), Doubt> {
     let next = impacts + 1;
     if index == next { Ok(()) } else { Err(Doubt::False(format!("the impact is number {next}, not {index}"))) }

@@ -1,20 +1,20 @@
-//! Places where a flight is cut for the proof: 3/4 of the way to the first zero of `y'`, and as much before the last one. Nothing
-//! here is trusted; a cut in a bad place costs time, or the proof.
+//! Places where a flight is cut for the proof: at 3/4 of the way from each end to the nearest zero of `y'`. No cut is trusted: a bad
+//! place costs time, or the proof.
 
 use crate::check::Flight;
 use impact_pair_exact::{Dyadic, Real};
 
-/// Bits that suffice to tell signs, beyond those a short flight loses.
+/// Bits that suffice to decide signs, beyond the bits that a short flight loses.
 const BITS: u32 = 96;
-/// Zeros as near the ends of a flight as this are those of a departure or an arrival without velocity.
+/// A zero of `y'` closer than this to an end of the flight, relative to its length, belongs to a departure or arrival without velocity.
 const END_DISTANCE: f64 = 1e-9;
-/// The accuracy of a zero, as a part of the flight.
+/// Accuracy of a zero, relative to the length of the flight.
 const ZERO_ACCURACY: f64 = 1e-10;
-/// Parts of a flight that are looked at for one cut at most.
+/// Greatest number of parts of a flight that are examined for one cut.
 const MAX_PARTS: usize = 1 << 14;
-/// Length of a flight below which an extremum is as near the wall as the ends.
+/// Length of a flight \[rad\] below which an extremum is as near the wall as the ends.
 const SHORT_FLIGHT: f64 = 1e-3;
-/// Forcing periods of the reference harmonic beyond which extrema are not all looked at.
+/// Length of a flight, in forcing periods of the reference harmonic, above which its extrema near a wall are not sought.
 const LONG_FLIGHT_PERIODS: f64 = 2.0;
 
 /// A flight of length `h`, to be cut.
@@ -36,7 +36,7 @@ impl<'w> Cuts<'w> {
         Self { flight: flight.rounded(flight.bits().min(BITS.saturating_add(lost))), h }
     }
 
-    /// Returns the ends of departure and middle, as parts of the length; in the middle if `y'` has no zero. A flight from rest has
+    /// The end of the departure and the end of the middle part, relative to the length; 1/2 if `y'` has no zero. A flight from rest has
     /// departed while `y''` keeps its sign.
     pub fn places(&self, is_from_rest: bool) -> [f64; 2] {
         let mut depart = self.extrema(Order::First, 1).first().map_or(0.5, |first| 0.75 * first / self.h);
@@ -49,12 +49,12 @@ impl<'w> Cuts<'w> {
         [depart, approach.max(depart)]
     }
 
-    /// Bits that extrema near a wall take beyond those of ordinary flights.
+    /// Additional bits for extrema near a wall.
     pub fn nearness(&self) -> u32 {
         if self.h < SHORT_FLIGHT {
             return 0;
         }
-        // Beyond what is looked at.
+        // The flight is too long to examine.
         if self.h > LONG_FLIGHT_PERIODS * std::f64::consts::TAU {
             return u32::MAX / 4;
         }
@@ -75,8 +75,8 @@ impl<'w> Cuts<'w> {
     }
 }
 
-/// Returns at most N zeros of a function with this derivative inside `(0, h)`, in order: parts on which it has no zero are left
-/// out, parts on which it is monotone have at most one, others are halved.
+/// At most `most` zeros in `(0, h)` of a function with the derivative `slope`, in order. Parts without a zero are left out,
+/// monotone parts have at most one zero, other parts are halved.
 fn zeros(
     f: impl Fn(&Real) -> Real,
     slope: impl Fn(&Real) -> Real,
@@ -117,7 +117,7 @@ fn point(h: f64, bits: u32) -> Real {
     Real::point(Dyadic::from_f64(h).unwrap_or_else(Dyadic::zero), bits)
 }
 
-/// The place of a change of sign between `a` and `b`.
+/// Position of a sign change between `a` and `b`.
 fn bisected(sign: impl Fn(f64) -> bool, mut a: f64, mut b: f64, narrow: f64) -> f64 {
     let first = sign(a);
     while b - a > narrow {
@@ -144,7 +144,7 @@ mod tests {
         assert!(near(&found(10.0, Order::First, usize::MAX), &[PI, 2.0 * PI, 3.0 * PI]));
         assert!(near(&found(10.0, Order::First, 1), &[PI]));
         assert!(near(&found(10.0, Order::Last, 1), &[3.0 * PI]));
-        // The one at the beginning is that of a departure without velocity.
+        // The zero at the beginning belongs to a departure without velocity.
         assert!(found(3.0, Order::First, 1).is_empty());
     }
 

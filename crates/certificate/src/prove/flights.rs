@@ -1,5 +1,5 @@
-//! The flights of a certificate as numbers without units: phases `W t + tau`, velocities in `A W`, lengths in `A`, all of the
-//! reference harmonic.
+//! The flights of a certificate as numbers without units: phases `W t + tau`, velocities in `A W`, lengths in `A`, with `A`, `W`, `tau` of
+//! the reference harmonic.
 
 use super::cuts::Cuts;
 use crate::check::{self, Data, Doubt, Launch, Parameters, Piece, Walk};
@@ -14,36 +14,36 @@ use num_rational::BigRational;
 #[derive(Clone, Debug)]
 pub(super) struct Origin {
     pub phase: Real,
-    /// Before the impact for a start on a wall.
+    /// Velocity before the impact, for a start on a wall.
     pub velocity: Real,
 }
 
 /// A flight from the middle of the data, and the impact that ends it.
 #[derive(Clone, Debug)]
 pub(super) struct Flight {
-    /// The wall it leaves; `None` for a start inside the gap.
+    /// The wall of the departure; `None` for a start inside the gap.
     pub from: Option<Wall>,
     pub wall: Wall,
-    /// The phases at its ends.
+    /// The phases at the ends of the flight.
     pub phases: [Real; 2],
-    /// Before the impact at its end.
+    /// Velocity before the impact at the end of the flight.
     pub velocity: Real,
-    /// `y''` at its end over that.
+    /// `y''` at the end of the flight over the velocity there.
     pub tilt: Real,
     /// The claimed bounds of phase and velocity.
     pub printed: [[Real; 2]; 2],
-    // About as much in doubles:
+    // Approximate quantities in doubles:
     /// Velocity before and after the departure; `e`, or 1 from inside the gap.
     pub before: f64,
     pub u: f64,
     pub restitution: f64,
-    /// Length, `y''` at the ends, and velocity at the end.
+    /// Length, `y''` at the ends, and velocity at the end of the flight.
     pub h: f64,
     pub bend: [f64; 2],
     pub rate: f64,
-    /// The ends of departure and middle, as parts of the length.
+    /// The end of the departure and the end of the middle part, relative to the length.
     pub cuts: [f64; 2],
-    /// Bits that extrema near a wall take.
+    /// Additional bits for extrema near a wall.
     pub nearness: u32,
     /// Upper bound of the displacement of the box.
     pub reach: f64,
@@ -61,8 +61,8 @@ fn half_width(x: &Real) -> f64 {
     x.enclosure().wid().scaled(-1).to_f64_up()
 }
 
-/// Uncertainties of the box's displacement and velocity at a known phase of the reference: by the data of the other harmonics that are
-/// intervals.
+/// Uncertainties of the box's displacement and velocity at a known phase of the reference, from the interval data of the other
+/// harmonics.
 fn unknown(excitation: &Excitation, phase: &Real) -> [f64; 2] {
     let mut unknown = [0.0; 2];
     if excitation.is_point() {
@@ -83,7 +83,7 @@ fn unknown(excitation: &Excitation, phase: &Real) -> [f64; 2] {
     unknown
 }
 
-/// The start and the flights up to `claims`, which are impacts, at `bits`; or why one cannot be confirmed, after how many.
+/// The start and the flights up to `claims`, which are impacts, at `bits`; or the reason why an impact cannot be confirmed, and its position.
 pub(super) fn flights(
     certificate: &Certificate,
     data: &Data,
@@ -154,7 +154,7 @@ impl<'d> Scale<'d> {
         [time.each_ref().map(phase), velocity.each_ref().map(speed)]
     }
 
-    /// The flight from a departure to the impact that a walk has come to; `before` is the velocity before the departure.
+    /// The flight from a departure to the last impact of a walk; `before` is the velocity before the departure.
     fn flight(&self, walk: &Walk<'_>, departure: &Launch, printed: [[Real; 2]; 2], before: f64) -> Flight {
         let landing = walk.standing.landing().expect("an impact was confirmed");
         let (from, parameters) = (departure.start.wall, &self.parameters);

@@ -1,5 +1,5 @@
-//! Boxes around the impacts of an orbit on grids of powers of two, and where the flights between them are cut: what
-//! `Certificate.v` checks (`validation/coq/README.md`).
+//! Boxes around the impacts of an orbit on grids of powers of two, and the cuts of the flights between them, as `Certificate.v`
+//! checks them (`validation/coq/README.md`).
 
 use num_bigint::BigInt;
 use num_traits::{Signed, ToPrimitive};
@@ -30,17 +30,17 @@ pub(super) struct Leg {
     pub tilt: BigInt,
 }
 
-/// Radii, in units of the grid, above which the grid becomes coarser, and what is left of them then.
+/// Radius, in units of the grid, above which the grid becomes coarser, and log2 of the radius on the coarser grid.
 const COARSENING_RADIUS: f64 = 4096.0;
 const COARSENED_BITS: f64 = 10.0;
 /// Bits of the proof's arithmetic below the grid, and of the slack of a radius.
 const SPARE_BITS: u32 = 20;
-/// Covers what is of second order in the radii.
+/// Factor that covers terms of second order in the radii.
 const MARGIN: f64 = 1.01;
-/// Bits by which terms of second order in a box are at least smaller than those of first order: [`MARGIN`] covers a part of `2^-8`.
+/// Least number of bits by which terms of second order in a box are smaller than those of first order: [`MARGIN`] covers a part of `2^-8`.
 const NEARLY_LINEAR: f64 = 8.0;
 
-/// The box of the start, with the finest grid, `2^-scale` or coarser.
+/// The box of the start on a grid of step `2^-scale`, or on the finest coarser grid that serves.
 pub(super) fn start(origin: &Origin, scale: u32) -> Box {
     let known = |scale| {
         let is_exact = |x: &Real| x.enclosure().is_point() && x.mid().exponent() >= -i64::from(scale);
@@ -54,7 +54,7 @@ pub(super) fn start(origin: &Origin, scale: u32) -> Box {
     Box { scale, t: grid(&origin.phase, scale), rt: rt.ceil(), v: grid(&origin.velocity, scale), rv: rv.ceil() }
 }
 
-/// The next leg from a box.
+/// The next leg after a box.
 pub(super) fn leg(flight: &Flight, from: &Box) -> Leg {
     let [rt, rv] = radii(flight, from, from.scale);
     let scale = coarser(from.scale, rt.max(rv));
@@ -74,8 +74,8 @@ pub(super) fn leg(flight: &Flight, from: &Box) -> Leg {
     Leg { bits, coarse, wall: flight.wall, arrival, depart, approach, tilt: grid(&flight.tilt, scale) }
 }
 
-/// Radii of the box of arrival in units of `2^-scale`, by (A.7) in units without A and W, as far as doubles tell: the proof
-/// does not trust them. A velocity is given less the tilt times the height, and so hardly depends on the phase of arrival.
+/// Radii of the box of arrival in units of `2^-scale`, by (A.7) in units without A and W, in doubles: not trusted by the proof. Velocities
+/// are taken minus the tilt times the height, and so hardly depend on the phase of arrival.
 fn radii(flight: &Flight, from: &Box, scale: u32) -> [f64; 2] {
     let &Flight { bend, u, h, rate, restitution, before, spread, unknown: [place, speed], .. } = flight;
     let tilt = bend[1] / rate;
@@ -97,7 +97,7 @@ fn radii(flight: &Flight, from: &Box, scale: u32) -> [f64; 2] {
     [0, 1].map(|i| (MARGIN * (by_phase[i] * rt + by_speed[i] * rv + by_data[i]) + spare[i]).ceil())
 }
 
-/// The precision of the proof, and that of its parts which have room to spare.
+/// The precision of the proof, and a lower precision that suffices for its coarse parts.
 fn precisions(flight: &Flight, scale: u32) -> [u32; 2] {
     let &Flight { u, h, rate, reach, nearness, .. } = flight;
     let size = f64::from(magnitude(&flight.phases[1])).max((u * h).abs().log2()).max(1.0);
@@ -107,18 +107,18 @@ fn precisions(flight: &Flight, scale: u32) -> [u32; 2] {
     [bits, coarse.min(bits)]
 }
 
-/// The radius of a box's phase and a little more, on a coarser grid.
+/// The radius of a box's phase plus a small margin, on a coarser grid.
 fn radius_at(from: &Box, scale: u32) -> BigInt {
     let radius = (from.rt * (-f64::from(from.scale - scale)).exp2()).ceil() + 2.0;
     BigInt::from(radius as u64)
 }
 
-/// The scale that leaves a few bits of a radius that has become wide.
+/// The scale of a coarser grid on which a large radius has about `COARSENED_BITS` bits.
 fn coarser(scale: u32, radius: f64) -> u32 {
     if radius > COARSENING_RADIUS { scale - ((radius.log2() - COARSENED_BITS) as u32).min(scale) } else { scale }
 }
 
-/// Bits by which a box is too wide, for the printed bounds or for terms of second order; 0 for one that fits.
+/// Bits by which a box is too wide, for the printed bounds or for terms of second order; 0 for a box that fits.
 pub(super) fn excess(flight: &Flight, arrival: &Box) -> u32 {
     let room = |middle: &BigInt, [low, high]: &[Real; 2]| {
         let scaled = |end: &Dyadic| Enclosure::point(end.scaled(arrival.scale.into())).floor().unwrap_or_default();
@@ -148,7 +148,7 @@ fn magnitude(x: &Real) -> u32 {
     u32::try_from(x.enclosure().mag().top().unwrap_or(0) + 1).unwrap_or(0)
 }
 
-/// Returns whether a radius is an integer that can be written.
+/// Whether the radii are nonnegative numbers, and the box is short enough to be written.
 pub(super) fn is_sound(leg: &Leg) -> bool {
     let Box { rt, rv, t, v, .. } = &leg.arrival;
     rt.is_finite() && rv.is_finite() && !rt.is_negative() && !rv.is_negative() && t.bits() + v.bits() < 1 << 24

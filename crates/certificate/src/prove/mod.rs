@@ -1,8 +1,8 @@
 //! A certificate as a theorem that Coq checks.
 //!
-//! `validation/coq` holds the model, a program that checks certificates and the proof that it is right. What is written here is
-//! data for it: the scene, the printed bounds, and boxes around the impacts with the places where flights are cut. Coq trusts
-//! none of it.
+//! `validation/coq` holds the model, a verified program that checks certificates, and its proof. The file written here holds the
+//! data: the scene, the printed bounds, boxes around the impacts and the cuts of the flights. Coq trusts none of
+//! these data.
 
 mod cuts;
 mod flights;
@@ -25,15 +25,15 @@ use legs::{Box, Leg, excess, leg, start};
 pub struct Theorem {
     /// The file.
     pub text: String,
-    /// The impacts it proves.
+    /// Number of impacts that the file proves.
     pub impacts: usize,
-    /// The reason why it does not prove all that were requested.
+    /// The reason why fewer impacts than requested are proved.
     pub stop: Option<Finding>,
-    /// What the document claims besides, in words: events from the first other one on, an outcome of another kind.
+    /// Other claims of the document, in words: events from the first other event on, an outcome of another kind.
     pub left_out: Option<String>,
 }
 
-/// The scale of the first grid, and the bits of the first computation.
+/// log2 of the step of the first grid, and bits of the first computation.
 const FIRST_SCALE: u32 = 64;
 const FIRST_BITS: u32 = 256;
 const MAX_BITS: u32 = 1 << 16;
@@ -41,11 +41,11 @@ const MAX_BITS: u32 = 1 << 16;
 const SPARE_BITS: u32 = 64;
 
 impl Certificate {
-    /// Returns a file for Coq that proves the first `most` impacts, or those up to the first other event: for every start and all
-    /// parameters that the scene allows there is exactly one orbit, its impacts are first contacts on these walls, and its times
+    /// A file for Coq that proves the first `most` impacts, or the impacts up to the first other event. The theorem: for every start
+    /// and all parameters of the scene there is exactly one orbit, its impacts are first contacts on these walls, and its times
     /// and velocities lie in the printed bounds.
     ///
-    /// `watch` receives the impacts computed so far, and may stop it: then fewer are proved.
+    /// `watch` receives the number of impacts computed so far, and may stop the computation: then fewer impacts are proved.
     ///
     /// # Errors
     /// Returns an error if the scene's values are beyond what exact expressions or Coq's hold, the box is not shaken, or the orbit is a shadowed one.
@@ -70,7 +70,7 @@ impl Certificate {
         let is_point = data.is_point();
         let claims = self.events().iter().take_while(|claim| claim.kind.is_impact());
         let mut claims: Vec<_> = claims.take(most).cloned().collect();
-        // If the time requested ended the list, the next impact proves that no other comes before it.
+        // If the requested time ended the list, the next impact proves that no other impact comes before that time.
         let listed = claims.len();
         let until = self.ended().until.as_ref().filter(|_| listed == self.events().len());
         claims.extend(until.and_then(|until| self.next_after(&data, &until.0)));
@@ -90,10 +90,10 @@ impl Certificate {
             };
             let (begin, legs) = loop {
                 let (begin, legs) = chain(&origin, &flights, scale);
-                // A finer grid makes no box finite: its sides, in units of the grid, grow as the motion spreads.
+                // A finer grid makes no box finite: sides in units of the grid grow as the motion spreads.
                 let wanting = legs.iter().zip(&flights).map(|(leg, flight)| excess(flight, &leg.arrival));
                 let wanting = wanting.take_while(|&wanting| wanting < u32::MAX).max();
-                // Nor does one that is finer than the computation.
+                // Nor does a grid that is finer than the computation.
                 match wanting.filter(|&wanting| wanting > 0 && is_point && scale + SPARE_BITS <= bits) {
                     Some(wanting) => scale += wanting + 1,
                     None => break (begin, legs),
@@ -122,7 +122,7 @@ impl Certificate {
         }
     }
 
-    /// What is wrong with the outcome of a list of impacts, if anything is.
+    /// A contradiction between the outcome and the list of impacts.
     fn contradicts_its_list(&self) -> Option<String> {
         if let Err(Doubt::False(message) | Doubt::Open(message)) = self.says_one_thing() {
             return Some(message);
@@ -132,7 +132,7 @@ impl Certificate {
         is_later.then(|| "a listed event comes after the time `until`".to_owned())
     }
 
-    /// What the document claims besides its first impacts: nothing where the theorem is about the first of a longer list.
+    /// The claims of the document besides its first impacts; none if the theorem covers the beginning of a longer list.
     fn left_out(&self, impacts: usize) -> Option<String> {
         let others = self.events().len() - impacts;
         let is_cut = self.events().get(impacts).is_some_and(|next| next.kind.is_impact());
@@ -146,7 +146,7 @@ impl Certificate {
     }
 }
 
-/// The boxes of an orbit, each from the one before.
+/// The boxes of an orbit, each computed from the box before.
 fn chain(origin: &Origin, flights: &[Flight], scale: u32) -> (Box, Vec<Leg>) {
     let begin = start(origin, scale);
     let mut legs: Vec<Leg> = Vec::with_capacity(flights.len());

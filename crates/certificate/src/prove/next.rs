@@ -1,4 +1,4 @@
-//! The impact after the last one listed, which proves that no other comes before a time.
+//! The impact after the last listed impact, which proves that no other impact comes before a time.
 
 use crate::check::{Data, Piece, Walk};
 use crate::{Certificate, Claim};
@@ -6,14 +6,14 @@ use impact_pair_exact::{Exact, Real, decimal_bounds};
 use impact_pair_model::EventKind;
 use num_rational::BigRational;
 
-/// Bits of the first precision that it is sought in, and the number of precisions, each of twice the bits of the one before.
+/// Bits of the first precision of the search, and the number of precisions, each with twice the bits of the one before.
 const BITS: u32 = 256;
 const PRECISIONS: u32 = 6;
-/// Bits that its bounds are printed with.
+/// Bits of the printed bounds.
 const PRINTED_BITS: u32 = 96;
 
 impl Certificate {
-    /// The first impact after all that are listed, if it is proved to come after `until`.
+    /// The first impact after all listed impacts, if the impact is proved to come after `until`.
     pub(super) fn next_after(&self, data: &Data, until: &Exact) -> Option<Claim> {
         (0..PRECISIONS).find_map(|n| self.next_in(BITS << n, data, until))
     }

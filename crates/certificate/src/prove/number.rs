@@ -7,7 +7,7 @@ use num_traits::{One, Signed};
 use impact_pair_exact::{Exact, Operation};
 use impact_pair_model::Error;
 
-/// Larger powers are not written out.
+/// Largest exponent that is written out as a product.
 const MAX_POWER: u32 = 64;
 
 /// A value or an interval of values.
@@ -45,7 +45,7 @@ fn number(x: &Exact) -> Result<String, Error> {
     })
 }
 
-/// `x^n` written out; `None` for a large one.
+/// `x^n` written out; `None` for exponent 0 or above `MAX_POWER`.
 fn power(x: &str, n: u32) -> Option<String> {
     let mut product = (1..=MAX_POWER).contains(&n).then(|| x.to_owned())?;
     for _ in 1..n {
@@ -69,7 +69,7 @@ pub(super) fn fraction(x: &BigRational) -> String {
     if x.is_negative() || plain.contains('#') { format!("({plain})") } else { plain }
 }
 
-/// A fraction as a decimal, if it is one of moderate length.
+/// A fraction as a decimal, if the decimal is of moderate length.
 fn decimal(x: &BigRational) -> Option<String> {
     const LONGEST: u32 = 2000;
     let mut digits = x.denom().bits() as u32 / 3;

@@ -1,4 +1,4 @@
-//! The words of the file, in Coq's notation.
+//! The text of the file, in Coq's notation.
 
 use super::legs::{Box, Leg};
 use super::number::{fraction, range};
@@ -8,10 +8,10 @@ use impact_pair_model::Harmonic;
 use impact_pair_model::Place;
 use impact_pair_model::{Error, EventKind};
 
-/// Beyond N impacts, or so fine a grid, Coq's faster integers are used.
+/// Number of impacts, and scale of the grid, beyond which Coq's faster integers are used.
 const PLAIN_IMPACTS: usize = 20;
 const PLAIN_SCALE: u32 = 100;
-/// Bits of a decimal in the place of a time that is none.
+/// Bits of the decimal that stands for a time that is not a fraction.
 const PLACEHOLDER_BITS: u32 = 128;
 
 /// The first lines of each file.
@@ -24,9 +24,9 @@ From ImpactPair Require Import Model Certificate.
 Import ListNotations.
 ";
 
-/// Returns the file that proves these impacts.
+/// The file that proves the given impacts.
 ///
-/// The last of them comes after `until`, if there is one: it is not listed. The outcome is left out where the list contradicts it.
+/// With `until`, the last impact comes after that time and is not listed. The outcome is left out where the list contradicts it.
 pub(super) fn file(
     certificate: &Certificate,
     claims: &[Claim],
@@ -44,7 +44,7 @@ pub(super) fn file(
     Ok(text)
 }
 
-/// Returns the definitions of the scene: the data and the start.
+/// The definitions of the scene: data and start.
 fn scene(certificate: &Certificate) -> Result<String, Error> {
     let (pair, start) = (certificate.pair(), certificate.start());
     let [gap, restitution, time, velocity] =
@@ -72,7 +72,7 @@ Definition first : beginning := ({first})%Q.
     ))
 }
 
-/// Returns the definitions of the bounds and of the legs, and the theorem about them.
+/// The definitions of the bounds and of the legs, and the theorem about them.
 fn theorem(claims: &[Claim], begin: &Box, legs: &[Leg]) -> String {
     let checker = if legs.len() <= PLAIN_IMPACTS && begin.scale <= PLAIN_SCALE { "Plain" } else { "Fast" };
     let printed: Vec<_> = claims.iter().filter_map(bounds).collect();
@@ -103,8 +103,8 @@ Print Assumptions orbit_certified.
     )
 }
 
-/// The theorem of the outcome: the number of impacts listed, and the time up to which there is no other. Of a kind that claims more it
-/// says that this is not stated. Impacts that may come later than that time are counted apart.
+/// The theorem of the outcome: the number of listed impacts, and the time before which there is no other impact. For an outcome that
+/// claims more, a comment says that this is not stated. Impacts that may come later than that time are counted apart.
 fn outcome(kind: &str, (listed, later): (usize, u64), until: Option<&Exact>) -> String {
     let besides = match kind {
         "impacts-reached" | "time-reached" => String::new(),
@@ -119,7 +119,7 @@ Proof. reflexivity. Qed.
 "
         );
     };
-    // A decimal is itself; another number is below the decimal.
+    // A decimal stands for itself; for another number there is a decimal above it.
     let decimal = until.as_rational().cloned().unwrap_or_else(|| {
         let [_, upper] = decimal_bounds(&until.enclose(PLACEHOLDER_BITS));
         Exact::parse(&upper).ok().and_then(|upper| upper.as_rational().cloned()).expect("a decimal")
