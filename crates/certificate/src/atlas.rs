@@ -1,4 +1,4 @@
-//! The atlas JSON Lines, read back: the global analysis of each point, as a JSON of it claims it.
+//! The atlas JSON Lines, read back: the claimed global analysis of each point.
 
 use std::collections::HashSet;
 
@@ -19,16 +19,16 @@ pub struct AtlasCertificate {
     unjudged: Vec<String>,
 }
 
-/// A point of it, or a tile.
+/// A point of the atlas, or a tile.
 #[derive(Clone, Debug)]
 pub(super) struct ClaimedPoint {
-    /// Claims about the point, or about all parameters of the tile and of the cells that it is cut into.
+    /// Claims about the point, or about all parameters of the tile and of each cell into which the tile is cut.
     pub parts: Vec<Part>,
-    /// Its place on each axis, from 0.
+    /// The position of the point on each axis, from 0.
     places: Vec<Option<u64>>,
-    /// True if its values are those of the grid; `None` where that is undecided.
+    /// True if the parameters are values of the grid; `None` if undecided.
     pub is_of_grid: Option<bool>,
-    /// Its contradiction to the head of the atlas, or to itself.
+    /// A contradiction to the head of the atlas, or within the point.
     pub contradiction: Option<&'static str>,
 }
 
@@ -37,12 +37,12 @@ pub(super) struct ClaimedPoint {
 pub(super) struct Part {
     /// The global analysis.
     pub global: GlobalCertificate,
-    /// The pair, with intervals of a cell, and the start, from which orbits are looked for.
+    /// The pair, with intervals for a cell, and the start from which orbits are sought.
     pub pair: ImpactPair,
     pub start: Start,
-    /// Stable periodic orbits that there are besides.
+    /// Further stable periodic orbits.
     pub stable: Vec<PeriodDocument>,
-    /// Its path in the document, and whether it is not cut any more.
+    /// Path of the part in the document, and whether it is cut no further.
     path: String,
     is_leaf: bool,
 }
@@ -68,11 +68,11 @@ const UNJUDGED: [&str; 17] = [
     "work",
 ];
 
-/// Keys of the results of a cell: where it claims nothing, none of them is judged; those of the cells that it is cut into may be.
+/// Result keys of a cell: none is checked where the cell claims nothing, though the cells into which it is cut may claim something.
 const RESULT_KEYS: [&str; 6] = ["class", "components", "n_attracting", "n_rest", "n_saddle", "n_undecided"];
 
 impl AtlasCertificate {
-    /// Reads an atlas, its head first, then a point or a tile a line.
+    /// Reads an atlas: the head, then one point or tile per line.
     ///
     /// # Errors
     /// Name the key, its value and what is accepted.
@@ -120,41 +120,41 @@ impl AtlasCertificate {
         &self.points
     }
 
-    /// Returns how many points, or tiles, it has.
+    /// Number of points or tiles.
     pub fn count(&self) -> usize {
         self.points.len()
     }
 
-    /// Returns whether it has cells of the parameter plane, not points.
+    /// Whether the atlas has cells of the parameter plane instead of points.
     pub(super) fn has_cells(&self) -> bool {
         self.has_cells
     }
 
-    /// Returns whether a component is claimed to hold a horseshoe.
+    /// Whether a component is claimed to hold a horseshoe.
     pub(super) fn has_horseshoes(&self) -> bool {
         self.points.iter().flat_map(|point| &point.parts).any(|part| part.global.has_horseshoes())
     }
 
-    /// Number of points, or cells, that claim something.
+    /// Number of points, or cells, with a claim.
     pub(super) fn claimed(&self) -> usize {
         let parts = self.points.iter().flat_map(|point| &point.parts);
         parts.filter(|part| part.claims_something()).count()
     }
 
-    /// Returns whether a path leads to a point or a cell without a proved result, or to one of its own values.
+    /// Whether a path leads to a point or a cell without a proved result, or to one of its own values.
     pub(super) fn is_silent(&self, path: &str) -> bool {
         let is_own = |rest: &str| rest.is_empty() || rest.starts_with('.') && !rest.starts_with(".quarters");
         let mut parts = self.points.iter().flat_map(|point| &point.parts);
         parts.any(|part| !part.claims_something() && path.strip_prefix(&part.path).is_some_and(is_own))
     }
 
-    /// Returns the keys of the document that claim nothing which [`check_within`](Self::check_within) judges.
+    /// Keys of the document whose values [`check_within`](Self::check_within) does not check.
     pub fn unjudged(&self) -> &[String] {
         &self.unjudged
     }
 }
 
-/// Keys of points that no lemma covers, and the same keys of the cells that tiles are cut into, down to `most` bisections. Lemma V38
+/// Keys of points that no lemma covers, and the same keys of the cells into which tiles are cut, down to `most` bisections. Lemma V38
 fn of_cells(most: usize) -> impl Iterator<Item = String> {
     let of_points = UNJUDGED.iter().filter_map(|key| key.strip_prefix("points."));
     of_points.flat_map(move |key| (0..=most).map(move |times| format!("points.{}{key}", "quarters.".repeat(times))))
@@ -166,7 +166,7 @@ impl Part {
         self.path.matches(".quarters[").count()
     }
 
-    /// Returns those of a record, itself first, then those of the cells that it is cut into.
+    /// The parts of a record: the record itself, then the cells into which it is cut.
     fn all(head: &AtlasHead, record: &AtlasRecord, place: &Place<'_>, path: String) -> Result<Vec<Self>, Error> {
         let refused = || place.refused("its axes are not parameters of the scene");
         let document = record.global(head).ok_or_else(refused)?;
@@ -181,23 +181,23 @@ impl Part {
         Ok(parts)
     }
 
-    /// Returns whether there is anything to prove.
+    /// Whether there is a claim to prove.
     pub fn claims_something(&self) -> bool {
         self.global.claims_something() || !self.stable.is_empty()
     }
 
-    /// The keys that claim nothing which is judged, and not those of every point.
+    /// Unchecked keys of this part that are not unchecked at every point.
     fn unjudged(&self) -> Vec<String> {
         if !self.claims_something() {
             let of = |key: &&str| format!("{}.{key}", self.path);
             return if self.is_leaf { vec![self.path.clone()] } else { RESULT_KEYS.iter().map(of).collect() };
         }
-        // Keys that it does not know, and not those of every component; and a class that is not judged.
+        // Unknown keys, and keys that not every component has; and an unchecked class.
         let of_points = |key: &str| UNJUDGED.contains(&format!("points.{key}").as_str());
         let is_other = |key: &&String| !of_points(key);
         let is_own = |key: &&String| key.starts_with("components") || *key == "class";
         let own = self.global.unjudged().iter().filter(is_own).filter(is_other).map(String::as_str);
-        // The number of sets of saddle type is checked where each of them is. Lemma V28
+        // The number of sets of saddle type is checked if the place of each is given. Lemma V28
         let counts_sets = self.global.claimed().iter().any(|claim| claim.is_saddle_set);
         let count = (counts_sets && !self.global.says_there_are_no_others()).then_some("n_saddle");
         own.chain(count).map(|key| format!("{}.{key}", self.path)).collect()
@@ -235,7 +235,7 @@ impl ClaimedPoint {
     }
 }
 
-/// Returns whether the numbers of components of a record, and of those that it is cut into, are those of their lists.
+/// Whether the counts of components of a record, and of the cells into which it is cut, agree with their lists.
 fn has_own_counts(record: &AtlasRecord) -> bool {
     let count = |kind: &str| record.components.iter().filter(|component| component.kind == kind).count() as u64; // exact: a length
     let counts = [record.n_attracting, record.n_rest, record.n_saddle, record.n_undecided];
@@ -243,10 +243,10 @@ fn has_own_counts(record: &AtlasRecord) -> bool {
         && record.quarters.iter().all(has_own_counts)
 }
 
-/// The result of reading a tile: its places on the axes, whether all its intervals are those of its cells, and what contradicts that.
+/// The result of reading a tile: its positions on the axes, whether all intervals are those of its cells, and a contradiction.
 type OfTile = (Vec<Option<u64>>, Option<bool>, Option<&'static str>);
 
-/// The tile of a record, whose cells are the quarters, and so on, of those that are cut. Lemma V38
+/// The tile of a record, whose cells are the repeated quarters of the tile. Lemma V38
 fn of_tile(axes: &Axes<'_>, record: &AtlasRecord) -> Result<OfTile, Error> {
     let tile = axes.cells().and_then(|counts| Tile::of(record.point, counts));
     let Some(tile) = tile else { return Ok((Vec::new(), Some(false), None)) };

@@ -21,7 +21,7 @@ pub struct CellsCertificate {
 /// Keys that no lemma of `check` covers.
 const UNJUDGED: [&str; 5] = ["cells", "depth", "halvings", "interrupted", "program"];
 
-/// Keys on which the verdict `attracted` alone depends: the scene's own motion converges to an orbit.
+/// Keys on which only the verdict `attracted` depends: the scene's own motion converges to an orbit.
 const SCENE_MOTION_KEYS: [&str; 3] = ["scene.excitation.frequency", "scene.excitation.phase", "scene.start"];
 
 impl CellsCertificate {
@@ -45,7 +45,7 @@ impl CellsCertificate {
         Ok(Self { pair, start, key, document, unjudged })
     }
 
-    /// The pair with all values of the parameter between two.
+    /// The pair with all values of the parameter between `low` and `high`.
     pub(super) fn pair(&self, [low, high]: [&Exact; 2]) -> Result<ImpactPair, Error> {
         let all = Exact::interval(low, high)
             .map_err(|error| Error::certificate(format!("stretches: {error}")).because(error))?;
@@ -60,17 +60,17 @@ impl CellsCertificate {
         &self.document
     }
 
-    /// Returns how many subintervals it has.
+    /// Number of subintervals.
     pub fn count(&self) -> usize {
         self.document.stretches.len()
     }
 
-    /// Returns of how many subintervals something is claimed.
+    /// Number of subintervals with a claim.
     pub fn claimed(&self) -> usize {
         self.document.stretches.iter().filter(|stretch| stretch.verdict != "undecided").count()
     }
 
-    /// Returns the keys of the document that claim nothing which [`check_within`](Self::check_within) judges.
+    /// Keys of the document whose values [`check_within`](Self::check_within) does not check.
     pub fn unjudged(&self) -> &[String] {
         &self.unjudged
     }

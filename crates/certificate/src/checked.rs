@@ -1,4 +1,4 @@
-//! The claims of a document of one verb, in order, and their words.
+//! The claims of a document of one verb, in order, in words.
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 
@@ -16,19 +16,19 @@ use crate::{
 /// The statement on horseshoes that is not checked: boxes of components are not in a document. Lemma V37
 const UNCHECKED_COMPONENT: &str = "which component holds a horseshoe";
 
-/// A document whose claims are the items of a list, and then what is said of the whole.
+/// A document whose claims are the items of a list, followed by statements about the whole document.
 pub(super) trait Checked {
-    /// Proves every claim again, or returns the first one refuted or undecided, until the watch stops it, which receives the claims
-    /// confirmed so far.
+    /// Proves every claim again, or returns the first claim that is refuted or undecided. The watch can stop the check and receives the
+    /// number of claims confirmed so far.
     fn check(&self, effort: &Effort, watch: &dyn Watch) -> Result<Verdict, Error>;
 
     /// Number of items.
     fn count(&self) -> usize;
 
-    /// The keys that claim nothing which is judged.
+    /// The keys whose values are not checked.
     fn unjudged(&self) -> &[String];
 
-    /// The list.
+    /// The key of the list.
     fn items(&self) -> &'static str;
 
     /// All claims, in words.
@@ -42,7 +42,7 @@ pub(super) trait Checked {
         self.path(item)
     }
 
-    /// The claim, and the reason.
+    /// The claim that a finding is about, and the message.
     fn described(&self, event: usize, message: &str) -> String {
         if event < self.count() { format!("{}: {message}", self.place(event)) } else { message.to_owned() }
     }
@@ -52,22 +52,22 @@ pub(super) trait Checked {
         format!("{}[{item}]", self.items())
     }
 
-    /// The path of what is said of the whole.
+    /// The path of the statement about the whole document.
     fn whole(&self) -> &'static str {
         "certified"
     }
 
-    /// Returns whether an item that is confirmed is so for all data, whatever the verdicts on the others are.
+    /// Whether a confirmed item is confirmed for all data, independently of the verdicts on other items.
     fn is_one_by_one(&self) -> bool {
         true
     }
 
-    /// Returns whether the value at a path is of an item of which nothing is claimed.
+    /// Whether the value at a path belongs to an item without claims.
     fn is_silent(&self, _: &str) -> bool {
         false
     }
 
-    /// Returns whether nothing that it claims is judged: then nothing of it is confirmed.
+    /// Whether none of the document's claims is checked: then nothing is confirmed.
     fn claims_nothing(&self) -> bool {
         self.count() == 0
     }
@@ -86,7 +86,7 @@ pub(super) trait Checked {
     }
 }
 
-/// The methods that all of them have in common.
+/// The methods that all documents have in common.
 macro_rules! checked {
     ($items:literal, $item:literal) => {
         checked!($items);
@@ -114,7 +114,7 @@ macro_rules! checked {
     };
 }
 
-/// The method of those that check item by item themselves.
+/// The method of documents that check item by item themselves.
 macro_rules! judged {
     () => {
         fn judge(&self, effort: &Effort, watch: &dyn Watch) -> Result<(Verdict, usize), Error> {
@@ -171,14 +171,14 @@ impl Checked for Certificate {
         self.claims_nothing()
     }
 
-    /// False for data that are intervals, whose pieces come one after another, and for a shadowed orbit, whose links prove nothing one by one.
+    /// False for interval data, whose pieces come one after another, and for a shadowed orbit, whose links prove nothing separately.
     fn is_one_by_one(&self) -> bool {
         self.claim() == ClaimName::ExactStart && Data::new(self.pair(), self.start()).is_ok_and(|data| data.is_point())
     }
 }
 
 impl Certificate {
-    /// Returns which claim, and what is wrong with it.
+    /// The claim that a finding is about, and the message.
     pub fn described(&self, event: usize, message: &str) -> String {
         let claim = if event < self.events().len() { self.place(event) } else { self.whole().to_owned() };
         format!("{claim}: {message}")

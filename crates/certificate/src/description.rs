@@ -1,4 +1,4 @@
-//! The JSON of a description, read back: the orbit and the region in it are documents of their own.
+//! The JSON of a description, read back: the orbit and the region inside are documents of their own.
 
 use serde_json::Value;
 
@@ -10,7 +10,7 @@ use impact_pair_model::{Error, Period, Word};
 #[derive(Clone, Debug)]
 pub struct DescriptionCertificate {
     document: DescriptionDocument,
-    /// The documents in it that are proved again, each with its key.
+    /// The documents inside that are proved again, each with its key.
     parts: Vec<(&'static str, Claims)>,
     unjudged: Vec<String>,
 }
@@ -51,7 +51,7 @@ impl DescriptionCertificate {
         Ok(if own.is_fate_judged() { own } else { own.without_fate() })
     }
 
-    /// A description whose fate no document in it proves.
+    /// A description whose fate is not proved by any document inside.
     fn without_fate(mut self) -> Self {
         self.unjudged.extend(["certified", "fate"].map(str::to_owned));
         if self.parts.is_empty() {
@@ -60,17 +60,17 @@ impl DescriptionCertificate {
         self
     }
 
-    /// Returns the documents in it, each with its key.
+    /// The documents inside the description, each with its key.
     pub(super) fn parts(&self) -> &[(&'static str, Claims)] {
         &self.parts
     }
 
-    /// Returns the keys of the document itself that claim nothing which the check compares.
+    /// Keys of the description itself whose values the check does not compare.
     pub(super) fn own_unjudged(&self) -> &[String] {
         &self.unjudged
     }
 
-    /// Returns whether a document in it proves the fate.
+    /// Whether a document inside proves the fate.
     pub(super) fn is_fate_judged(&self) -> bool {
         match self.document.fate.kind {
             FateName::Undecided => false,
@@ -81,8 +81,8 @@ impl DescriptionCertificate {
         }
     }
 
-    /// Returns what is found of a description whose documents are confirmed: a fate that none of them proves is left undecided, one that claims
-    /// nothing is not judged.
+    /// The result for a description whose documents are confirmed: a fate that no document inside proves is undecided; the fate `undecided`
+    /// claims nothing.
     pub(super) fn with_fate(&self, documents: CheckResult) -> CheckResult {
         if self.is_fate_judged() || self.document.fate.kind == FateName::Undecided {
             return documents;
@@ -91,18 +91,18 @@ impl DescriptionCertificate {
         CheckResult { verdict: Verdict::Undecided(Finding { event: self.after_all(), message }), ..documents }
     }
 
-    /// The number of what is said of the whole, after the claims of the documents in it.
+    /// The number of the statement about the whole description, after the claims of the documents inside.
     fn after_all(&self) -> usize {
         self.parts.iter().map(|(_, part)| part.count() + 1).sum()
     }
 
-    /// Returns what contradicts the documents in it, if anything does.
+    /// A contradiction between the description and the documents inside.
     pub(super) fn contradiction(&self) -> Option<Finding> {
         let message = self.differing().or_else(|| self.fate_differing())?;
         Some(Finding { event: self.after_all(), message })
     }
 
-    /// The scene of a document in it is another one, or a flag is not what the fate says.
+    /// A document inside has another scene, or a flag contradicts the fate.
     fn differing(&self) -> Option<String> {
         let DescriptionDocument { scene, proof, region, fate, certified, .. } = &self.document;
         let scenes = [
@@ -122,7 +122,7 @@ impl DescriptionCertificate {
         }
     }
 
-    /// The fate is not that of the document that proves it.
+    /// The fate differs from the document that proves it.
     fn fate_differing(&self) -> Option<String> {
         if !self.is_fate_judged() {
             return None;
@@ -133,7 +133,7 @@ impl DescriptionCertificate {
             return differs("impacts");
         }
         if fate.kind == FateName::StaysInRegion {
-            // The words are that nothing in it sticks.
+            // The words of the fate claim that no motion in the region sticks.
             if region.as_ref().is_some_and(|region| !region.no_rest) {
                 return differs("message");
             }

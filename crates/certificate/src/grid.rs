@@ -1,4 +1,4 @@
-//! The grid of a sweep or an atlas, read back: what varies, which points there are, and where their values stand.
+//! The grid of a sweep or an atlas, read back: varied parameters, points, and positions of their values.
 
 use std::cmp::Ordering;
 
@@ -11,19 +11,19 @@ use impact_pair_model::scene::Key;
 pub(super) struct Axes<'a> {
     pub keys: Vec<Key>,
     over: &'a [SweepAxis],
-    /// The first value of each axis, and the last one.
+    /// The first and the last value of each axis.
     ends: Vec<[Exact; 2]>,
     points: u64,
     shard: Option<[u64; 2]>,
 }
 
-/// A point in its grid.
+/// A point in the grid.
 pub(super) struct Placed {
     /// The values with their keys, in an order in which they can be set.
     pub values: Vec<(Key, Exact)>,
-    /// Its place on each axis, from 0.
+    /// The position of the point on each axis, from 0.
     pub places: Vec<Option<u64>>,
-    /// True if its values are those of the grid; `None` where that is undecided.
+    /// True if the values are those of the grid; `None` if undecided.
     pub is_of_grid: Option<bool>,
 }
 
@@ -56,17 +56,17 @@ impl<'a> Axes<'a> {
         Ok(Self { keys, over, ends, points, shard })
     }
 
-    /// Returns whether the axes have as many points together as are given.
+    /// Whether the product of the axes' counts is the given number of points.
     pub fn are_all(&self) -> bool {
         let all = self.over.iter().try_fold(1u64, |all, axis| all.checked_mul(axis.count));
         all == Some(self.points)
     }
 
-    /// The number, from 0, of the term that phases are relative to, where there are several: the fastest one that moves the box where all axes are
-    /// at their upper ends.
+    /// Index of the harmonic that phases are relative to, if there are several harmonics: the fastest that moves the box when all axes are at
+    /// their upper ends.
     ///
     /// # Errors
-    /// Returns an error if an upper end is no value of the scene.
+    /// Returns an error if an upper end is not an accepted value of the scene.
     pub fn reference(&self, scene: &SceneDocument) -> Result<Option<usize>, Error> {
         let mut scene = scene.clone();
         for (key, [_, upper]) in self.keys.iter().zip(&self.ends).filter(|(key, _)| **key != Key::StartPhase) {
@@ -93,7 +93,7 @@ impl<'a> Axes<'a> {
         &self.ends[axis]
     }
 
-    /// Returns whether a point is one of the grid, or of the shard: every N-th one.
+    /// Whether a point is in the grid, and in the shard, which holds every `of`-th point.
     pub fn has(&self, point: u64) -> bool {
         point < self.points && self.shard.is_none_or(|[number, of]| point % of == number - 1)
     }
@@ -104,15 +104,15 @@ impl<'a> Axes<'a> {
         self.points / of + u64::from(number <= self.points % of)
     }
 
-    /// Compares the values of a point with those of the grid.
+    /// Compares the values of a point with the values of the grid.
     ///
     /// # Errors
-    /// Returns an error if there is not one value of each axis, or one is not a number.
+    /// Returns an error unless there is one number for each axis.
     pub fn placed(&self, point: u64, written: &[String], place: &Place<'_>) -> Result<Placed, Error> {
         if written.len() != self.over.len() {
             return Err(place.get("values")?.refused("there must be one of each axis"));
         }
-        // The last axis runs through first.
+        // The last axis varies fastest.
         let (mut rest, mut is_of_grid) = (point, Some(true));
         let (mut values, mut places) = (Vec::new(), Vec::new());
         for (((axis, ends), key), value) in self.over.iter().zip(&self.ends).zip(&self.keys).zip(written).rev() {
@@ -133,7 +133,7 @@ impl<'a> Axes<'a> {
         Ok(Placed { values, places, is_of_grid })
     }
 
-    /// The scene's own values of what varies: they only name it.
+    /// Keys of the scene's own values of the varied parameters: these values only name the scene.
     pub fn own_values(&self) -> impl Iterator<Item = String> {
         let term = |key: &Key| key.term().map_or(0, |term| usize::from(term.get()) - 1); // exact: the only one
         self.keys.iter().map(move |key| match key {
@@ -148,7 +148,7 @@ impl<'a> Axes<'a> {
         })
     }
 
-    /// Axes of which all points have one value: it does not tell both ends and the count.
+    /// Axes on which all points have one value: such points do not determine both ends and the count.
     pub fn unpinned(&self, points: &[&[Option<u64>]]) -> Vec<String> {
         let is_pinned = |axis: usize| points.iter().any(|places| places.get(axis) != points[0].get(axis));
         (0..self.keys.len()).filter(|axis| !is_pinned(*axis)).map(|axis| format!("over[{axis}]")).collect()
@@ -164,12 +164,12 @@ pub(super) fn and(one: Option<bool>, other: Option<bool>) -> Option<bool> {
     }
 }
 
-/// Returns whether a value of the grid is this one; `None` where that is undecided, or there is none.
+/// Whether a value of the grid equals `value`; `None` if undecided, or if there is no value of the grid.
 pub(super) fn is_one(grid: Option<Exact>, value: &Exact) -> Option<bool> {
     grid?.compare(value).map(Ordering::is_eq)
 }
 
-/// The value number `at` of N between both ends.
+/// The value number `at` of `count` equidistant values from `from` to `to`.
 pub(super) fn on_axis([from, to]: &[Exact; 2], count: u64, at: u64) -> Result<Exact, ExactError> {
     let whole = |n: u64| Exact::from_rational(num_rational::BigRational::from_integer(n.into()));
     if at + 1 == count {
@@ -179,7 +179,7 @@ pub(super) fn on_axis([from, to]: &[Exact; 2], count: u64, at: u64) -> Result<Ex
     from.checked_add(&to.checked_sub(from)?.checked_mul(&part)?)
 }
 
-/// Puts a value in the place of the scene's own; `None` where it has none. The number, from 0, is that of the term that phases are of.
+/// Replaces the scene's own value; `None` where the key has no value in the scene. `reference`: index of the harmonic of phases.
 pub(super) fn varied(scene: &mut SceneDocument, key: Key, reference: Option<usize>, value: Exact) -> Option<()> {
     if key != Key::StartPhase {
         return scene.set(key, value);

@@ -1,4 +1,4 @@
-//! The values of a document one by one, and which of them a check does not compare with anything.
+//! The values of a document one by one, and the values that a check does not compare with anything.
 
 use std::collections::HashSet;
 
@@ -6,17 +6,17 @@ use serde_json::Value;
 
 use crate::settings::is_setting;
 
-/// Sorts the values of a document into those that a check judges and those that it does not.
+/// Sorts the values of a document into checked and unchecked values.
 pub(super) struct Leaves<'n> {
-    /// Paths that are not judged, with the positions in lists, or without them for all items.
+    /// Unchecked paths: with the positions in lists, or without them for all items.
     unjudged: HashSet<&'n str>,
     /// The list whose items are claims one after another.
     items: Option<&'n str>,
-    /// Paths that are judged: each a plain value, or a list of plain values.
+    /// Checked paths: each a plain value, or a list of plain values.
     pub judged: Vec<String>,
-    /// Paths that are not, each with all that it holds.
+    /// Unchecked paths, each with everything below it.
     pub others: Vec<String>,
-    /// Those at which something is claimed: the path, and the same without positions in lists.
+    /// Unchecked paths with a claim: the path, and the path without positions in lists.
     pub unchecked: Vec<[String; 2]>,
 }
 
@@ -42,7 +42,7 @@ impl<'n> Leaves<'n> {
         Self { unjudged, items, judged: Vec::new(), others: Vec::new(), unchecked: Vec::new() }
     }
 
-    /// Sorts what stands at a path; `unnumbered` is the same without the positions in lists.
+    /// Sorts the value at a path; `unnumbered` is the path without the positions in lists.
     pub fn add(&mut self, path: &str, unnumbered: &str, value: &Value) {
         let is_unjudged = self.unjudged.contains(path) || self.unjudged.contains(unnumbered);
         if is_unjudged || self.says_nothing(unnumbered, value) {
@@ -68,7 +68,7 @@ impl<'n> Leaves<'n> {
         }
     }
 
-    /// Returns whether a list is of plain values that are checked together, such as bounds.
+    /// Whether a list consists of plain values that are checked together, such as bounds.
     fn is_one_claim(&self, path: &str, unnumbered: &str, items: &[Value]) -> bool {
         items.iter().enumerate().all(|(i, item)| {
             !item.is_object()
@@ -78,7 +78,7 @@ impl<'n> Leaves<'n> {
         })
     }
 
-    /// Returns whether a value, or one below it, claims something.
+    /// Whether a value, or a value below it, claims something.
     fn claims(&self, unnumbered: &str, value: &Value) -> bool {
         !is_setting(unnumbered)
             && !self.says_nothing(unnumbered, value)
@@ -91,7 +91,7 @@ impl<'n> Leaves<'n> {
             }
     }
 
-    /// Returns whether a value at a path claims nothing.
+    /// Whether a value at a path claims nothing.
     fn says_nothing(&self, unnumbered: &str, value: &Value) -> bool {
         let key = unnumbered.rsplit('.').next().unwrap_or(unnumbered); // exact: the whole path
         match value {

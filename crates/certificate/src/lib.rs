@@ -1,7 +1,7 @@
-//! Check of certified orbits by a route of its own.
+//! Independent check of certified orbits.
 //!
-//! It checks the claims of an orbit JSON, and makes a theorem for Coq of them. It shares nothing with the code that it checks: it rests on
-//! exact numbers and on the model alone.
+//! This crate checks the claims of an orbit JSON, and makes a theorem for Coq of them. It shares no code with the computation of the
+//! claims except the exact numbers and the model.
 //!
 //! ```
 //! use impact_pair_certificate::{Claims, Effort, Verdict};

@@ -85,9 +85,9 @@ impl PeriodicCertificate {
         let mut unjudged = Vec::new();
         unjudged.extend(document.excludes.as_ref().map(|_| "excludes".to_owned()));
         unjudged.extend(is_two_impact.then(|| "program".to_owned()));
-        // A search that does not claim to be exhaustive has nothing to leave out.
+        // A search that is not exhaustive has no undecided part to leave out.
         unjudged.extend(document.exhaustive.then(|| "exhaustive".to_owned()));
-        // That all is proved says of a search that there are no others.
+        // For an exhaustive search the claim that all is proved includes that there are no other orbits.
         unjudged.extend((document.certified && document.exhaustive).then(|| "certified".to_owned()));
         unjudged.extend(has_rest.then(|| "undecided".to_owned()));
         unjudged.push("scene.start".to_owned());
@@ -112,7 +112,7 @@ impl PeriodicCertificate {
         let value = value(text)?;
         let whole = Place::of_schema(&value, CYCLES_SCHEMA)?;
         let document: CyclesDocument = whole.read()?;
-        // That there are no others is not judged, nor what follows from it, but that there are N of these.
+        // Completeness and its consequences are not checked; the number of the listed orbits is.
         let mut unjudged = UNJUDGED_OF_CYCLES.map(str::to_owned).to_vec();
         let is_open = |orbit: &PeriodicOrbitDocument| orbit.physical != Some(true) || orbit.symmetric.is_none();
         let open = document.orbits.iter().enumerate().filter(|(_, cycle)| is_open(&cycle.orbit));
@@ -130,22 +130,22 @@ impl PeriodicCertificate {
         Ok(Self { says_all_is_proved, has_no_rest, mirrors_are_one: true, ..document })
     }
 
-    /// One orbit, that of a window.
+    /// One orbit, of a window.
     pub(super) fn of_orbit(pair: ImpactPair, orbit: OrbitOf) -> Result<Self, Error> {
         Self::of_orbits(pair, vec![orbit])
     }
 
-    /// Orbits of the reduced map, in which mirror images are one.
+    /// Orbits of the reduced map, which identifies mirror images.
     pub(super) fn of_orbits(pair: ImpactPair, orbits: Vec<OrbitOf>) -> Result<Self, Error> {
         Ok(Self { mirrors_are_one: true, ..Self::new(pair, orbits, Vec::new())? })
     }
 
     fn new(pair: ImpactPair, orbits: Vec<OrbitOf>, mut unjudged: Vec<String>) -> Result<Self, Error> {
-        // Of what is no motion it is not judged whether there are others, one of them its mirror image.
+        // For a virtual orbit uniqueness is not checked: its mirror image need not be a solution.
         for (i, _) in orbits.iter().enumerate().filter(|(_, orbit)| orbit.orbit.physical != Some(true)) {
             unjudged.extend(["symmetric", "unique"].map(|key| format!("orbits[{i}].{key}")));
         }
-        // Nor whether one that comes to the state of its first impact again has the same future.
+        // Nor that the orbit repeats when the state of its first impact recurs.
         let is_repeated =
             |claim: &OrbitOf| claim.orbit.physical != Some(true) && claim.orbit.times.is_some_and(|times| times > 1);
         let repeated = orbits.iter().enumerate().filter(|(_, claim)| is_repeated(claim));
@@ -158,7 +158,7 @@ impl PeriodicCertificate {
         Ok(Self { pair, start, orbits, says_all_is_proved, has_no_rest, mirrors_are_one, unjudged })
     }
 
-    /// Returns the impact pair.
+    /// The impact pair.
     pub fn pair(&self) -> &ImpactPair {
         &self.pair
     }
@@ -171,27 +171,27 @@ impl PeriodicCertificate {
         &self.orbits
     }
 
-    /// Returns how many orbits it claims.
+    /// Number of claimed orbits.
     pub fn count(&self) -> usize {
         self.orbits.len()
     }
 
-    /// Returns whether it claims that all that was requested is proved.
+    /// Whether the document claims that all requested results are proved.
     pub(super) fn says_all_is_proved(&self) -> bool {
         self.says_all_is_proved
     }
 
-    /// Returns whether no part of the state space is left undecided.
+    /// Whether no part of the state space is left undecided.
     pub(super) fn has_no_rest(&self) -> bool {
         self.has_no_rest
     }
 
-    /// Returns whether an orbit and its mirror image are listed as one.
+    /// Whether an orbit and its mirror image are listed as one orbit.
     pub(super) fn mirrors_are_one(&self) -> bool {
         self.mirrors_are_one
     }
 
-    /// Returns the keys of the document that claim nothing which [`check_within`](Self::check_within) judges.
+    /// Keys of the document whose values [`check_within`](Self::check_within) does not check.
     pub fn unjudged(&self) -> &[String] {
         &self.unjudged
     }

@@ -1,6 +1,6 @@
-//! The orbit JSON, read back: what it claims, as exact fractions.
+//! The orbit JSON, read back: the claims, as exact fractions.
 //!
-//! A document is one object, or JSON Lines: the head, an event a line, and at last the outcome.
+//! A document is one object, or JSON Lines: the head, an event per line, and at last the outcome.
 
 use impact_pair_document::{
     Bounds, ClaimName, EventDocument, EventName, NotNegative, ORBIT_SCHEMA, OrbitEnd, OrbitHead, OutcomeDocument,
@@ -32,7 +32,7 @@ pub struct Certificate {
 pub struct Claim {
     /// The wall.
     pub wall: Wall,
-    /// The lower and the upper bound of its time \[time\].
+    /// The lower and the upper bound of the event's time \[time\].
     pub time: [BigRational; 2],
     /// The kind of the event.
     pub kind: EventKind<[BigRational; 2]>,
@@ -89,11 +89,11 @@ impl Certificate {
         let mut unjudged = ["arithmetic", "program"].map(str::to_owned).to_vec();
         ended.until.as_ref().map_or(Ok(()), |until| is_single(&outcome, "until", until))?;
         if ended.kind == "undecided" {
-            // That something cannot be decided claims nothing; that all is listed up to a time does.
+            // The reason for an undecided end claims nothing; that all events up to a time are listed is a claim.
             unjudged.extend(["outcome.reason", "outcome.time[1]", "outcome.wall"].map(str::to_owned));
         }
         unjudged.sort();
-        // The fields that each kind requires; documents of older versions lack some.
+        // The fields that each kind of outcome requires; documents of older versions lack some.
         let required: &[&str] = match ended.kind.as_str() {
             "time-reached" => &["impacts", "until"],
             "periodic" => &["impacts", "period"],
@@ -108,48 +108,48 @@ impl Certificate {
         Ok(Self { pair, start, claim: of_start, events: claims, attraction, ended, unjudged })
     }
 
-    /// Returns a certificate that claims nothing but a start.
+    /// A certificate with a start and no claims.
     pub(super) fn of_start(pair: ImpactPair, start: Start) -> Self {
         let (claim, events, ended) = (ClaimName::default(), Vec::new(), OutcomeDocument::default());
         Self { pair, start, claim, events, ended, attraction: None, unjudged: Vec::new() }
     }
 
-    /// Returns the impact pair.
+    /// The impact pair.
     pub fn pair(&self) -> &ImpactPair {
         &self.pair
     }
 
-    /// Returns where the orbit starts.
+    /// The start of the orbit.
     pub fn start(&self) -> &Start {
         &self.start
     }
 
-    /// Returns the start that the orbit is claimed for: every one that the scene allows, or one within the bounds of the outcome.
+    /// The starts for which the orbit is claimed: all starts of the scene, or one start within the bounds of the outcome.
     pub fn claim(&self) -> ClaimName {
         self.claim
     }
 
-    /// Returns the events, in order of time.
+    /// The events, in order of time.
     pub fn events(&self) -> &[Claim] {
         &self.events
     }
 
-    /// Returns the word for how the orbit ended, such as `impacts-reached`.
+    /// The word for the end of the orbit, such as `impacts-reached`.
     pub fn outcome(&self) -> &str {
         &self.ended.kind
     }
 
-    /// Returns the claims about its end.
+    /// The claims about the end of the orbit.
     pub(super) fn ended(&self) -> &OutcomeDocument {
         &self.ended
     }
 
-    /// Returns the keys of the document that claim nothing which [`check`](Self::check) judges: what computed it.
+    /// Keys of the document, such as `program`, whose values [`check`](Self::check) does not check.
     pub fn unjudged(&self) -> &[String] {
         &self.unjudged
     }
 
-    /// Returns whether it claims nothing: it has no event, and no time up to which there is none.
+    /// Whether nothing is claimed: there is no event, and no time before which there is none.
     pub(super) fn claims_nothing(&self) -> bool {
         let is_later = |time: &Exact| time.compare(self.start.time()) == Some(Ordering::Greater);
         self.events.is_empty()
@@ -169,13 +169,13 @@ impl Certificate {
         self.attraction.as_ref()
     }
 
-    /// Returns the period of a motion that is claimed to be `periodic`.
+    /// The period of a motion that is claimed to be `periodic`.
     pub fn period(&self) -> Option<Period> {
         self.ended.period
     }
 }
 
-/// Refuses an interval where one number is meant: a claim about it would have to hold for each member.
+/// Refuses an interval where a single number is required: a claim about an interval would have to hold for each member.
 pub(super) fn is_single(place: &Place<'_>, key: &str, value: &Written) -> Result<(), Error> {
     let refused = |place: Place<'_>| Err(place.refused("accepted is a single number, not an interval"));
     if value.0.is_point() { Ok(()) } else { refused(place.get(key)?) }

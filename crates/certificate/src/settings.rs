@@ -1,10 +1,10 @@
-//! Keys of documents that claim nothing: the question, how it was answered, words about what is not proved.
+//! Keys of documents that claim nothing: the request, the method, words about undecided results.
 //!
-//! Whatever stands at another key and is not checked is a claim that a reader may take for proved: the first line of `check` names it.
+//! A value at any other key that is not checked is a claim that a reader may take for proved: the first line of `check` names it.
 
-/// Paths without positions in lists, each with all that stands below it.
+/// Paths without positions in lists, each with everything below it.
 const SETTINGS: [&str; 41] = [
-    // The question. Of the scene: data on which no claim of the document depends.
+    // The request. Of the scene: data on which no claim of the document depends.
     "scene",
     "title",
     "over",
@@ -21,7 +21,7 @@ const SETTINGS: [&str; 41] = [
     "cells",
     "boxes",
     "schema",
-    // How it was answered, how finely, and whether all that was asked is there. `excludes` narrows `exhaustive`.
+    // Method, resolution, and whether all requested results are there. `excludes` narrows `exhaustive`.
     "program",
     "arithmetic",
     "certified",
@@ -35,9 +35,9 @@ const SETTINGS: [&str; 41] = [
     "points.components.boxes",
     "points.bits",
     "points.seconds",
-    // The start that all points are about stands at each point as well.
+    // The start that all points have in common is given at each point as well.
     "claim",
-    // What is not proved, and why.
+    // Undecided results, and the reasons.
     "undecided",
     "not_examined",
     "left_out",
@@ -51,9 +51,9 @@ const SETTINGS: [&str; 41] = [
     "points.components.reason",
 ];
 
-/// Returns whether a path, or one without positions in lists, leads to what claims nothing.
+/// Whether a path, or a path without positions in lists, leads to a value that claims nothing.
 pub(super) fn is_setting(path: &str) -> bool {
-    // The cells that a tile is cut into have the keys of the tile.
+    // The cells into which a tile is cut have the keys of the tile.
     let of_tile = path.replace("quarters.", "");
     SETTINGS.iter().any(|setting| {
         of_tile.strip_prefix(setting).is_some_and(|rest| rest.is_empty() || rest.starts_with(['.', '[']))

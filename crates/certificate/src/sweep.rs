@@ -1,4 +1,4 @@
-//! The sweep JSON Lines, read back: the scene of each point and what is claimed of its impacts.
+//! The sweep JSON Lines, read back: the scene of each point and the claims about its impacts.
 
 use std::collections::HashSet;
 
@@ -19,24 +19,24 @@ pub struct SweepCertificate {
     unjudged: Vec<String>,
 }
 
-/// A point of it.
+/// A point of the sweep.
 #[derive(Clone, Debug)]
 pub(super) struct ClaimedOrbit {
     pub pair: ImpactPair,
     pub start: Start,
-    /// The term that phases are relative to, where that is not the fastest one that moves the box.
+    /// The harmonic that phases are relative to, if it is not the fastest harmonic that moves the box.
     pub reference: Option<Harmonic>,
-    /// Number of impacts certified.
+    /// Number of certified impacts.
     pub impacts: u64,
-    /// The impacts listed, after a transient.
+    /// The listed impacts, after a transient.
     pub states: Vec<SweepImpact<Bounds>>,
-    /// Its place on each axis, from 0.
+    /// The position of the point on each axis, from 0.
     pub places: Vec<Option<u64>>,
-    /// True if its values are those of the grid; `None` where that is undecided.
+    /// True if the parameters are values of the grid; `None` if undecided.
     pub is_of_grid: Option<bool>,
-    /// True if it is an orbit that starts near the scene's start.
+    /// True for an orbit that starts near the scene's start.
     pub is_shadowed: bool,
-    /// Its contradiction to the head of the sweep, or to itself.
+    /// A contradiction to the head of the sweep, or within the point.
     pub contradiction: Option<&'static str>,
 }
 
@@ -61,7 +61,7 @@ const UNJUDGED: [&str; 16] = [
 ];
 
 impl SweepCertificate {
-    /// Reads a sweep, its head first, then a point a line.
+    /// Reads a sweep: the head, then one point per line.
     ///
     /// # Errors
     /// Name the key, its value and what is accepted.
@@ -100,7 +100,7 @@ impl SweepCertificate {
             unjudged.extend(["certified", "transient"].map(str::to_owned));
             unjudged.extend((!axes.keys.contains(&Key::StartPhase)).then(|| "reference".to_owned()));
         }
-        // Of points without impacts after the transient a summary says as much, and one point is that of several shards.
+        // A point without impacts after the transient claims no more than a summary does; a single point fits several shards.
         let is_short = points.iter().all(|point| point.impacts <= head.transient);
         unjudged.extend(is_short.then(|| "summary".to_owned()));
         unjudged.extend((points.len() < 2).then(|| "shard".to_owned()));
@@ -119,17 +119,17 @@ impl SweepCertificate {
         &self.points
     }
 
-    /// Returns how many points it has.
+    /// Number of points.
     pub fn count(&self) -> usize {
         self.points.len()
     }
 
-    /// Number of points of which impacts are claimed.
+    /// Number of points that claim impacts.
     pub(super) fn claimed(&self) -> usize {
         self.points.iter().filter(|point| point.impacts > 0).count()
     }
 
-    /// Returns the keys of the document that claim nothing which [`check_within`](Self::check_within) judges.
+    /// Keys of the document whose values [`check_within`](Self::check_within) does not check.
     pub fn unjudged(&self) -> &[String] {
         &self.unjudged
     }
@@ -181,7 +181,7 @@ impl ClaimedOrbit {
     }
 }
 
-/// Returns a listed impact with its bounds as fractions.
+/// A listed impact with its bounds as fractions.
 fn claimed(state: &SweepImpact, place: &Place<'_>) -> Result<SweepImpact<Bounds>, Error> {
     let values = |bounds: &ExtendedBounds| -> Result<Bounds, Error> {
         let [lower, upper] = (**bounds).clone().map(|bound| Decimal::try_from(bound).map(|bound| bound.value()));

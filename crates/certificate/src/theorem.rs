@@ -1,7 +1,7 @@
 //! Theorems in words: what a confirmed document proves of its scene.
 //!
-//! *For the scene* means for every start and all parameters that the scene allows; claims that the first line of `check` names as not
-//! checked are no part of the theorem.
+//! *For the scene* means for every start and all parameters that the scene allows; claims that the first line of `check` lists as not
+//! checked are not part of the theorem.
 
 use impact_pair_document::{ClaimName, TrapDocument, counted};
 use impact_pair_model::EventKind;
@@ -9,7 +9,7 @@ use impact_pair_model::EventKind;
 use crate::{Certificate, Claims, GlobalCertificate};
 
 impl Claims {
-    /// Returns the theorem that a confirmation proves, a line for each document; an empty text of a document that is not checked.
+    /// The theorem that a confirmation proves, a line for each document; empty for a document that is not checked.
     pub fn theorem(&self) -> String {
         let fixed = match self {
             Self::Orbit(certificate) => return certificate.theorem(),
@@ -135,7 +135,7 @@ impl Certificate {
         } else {
             ""
         };
-        // V4: past a graze the flights that touch the wall and those that miss it have what follows
+        // V4: past a graze the statements hold for flights that touch the wall and for flights that miss the wall
         let grazes = if is(|kind| matches!(kind, EventKind::Graze { .. })) {
             "; at a graze the flight misses or crosses the wall by `distance`, and a touch is no faster than `speed`"
         } else {
@@ -147,7 +147,7 @@ impl Certificate {
         format!("{start}{listed}{rests}{grazes}{gap}{end}")
     }
 
-    /// What the outcome says of the time after the events.
+    /// The statement of the outcome about the time after the events.
     fn ending(&self) -> String {
         let ended = self.ended();
         let until = ended

@@ -1,4 +1,4 @@
-//! The cells of an atlas, read back: the tiles that a rectangle of two parameters is cut into, and the quarters of each. Lemma V38
+//! The cells of an atlas, read back: the tiles into which a rectangle of two parameters is cut, and the quarters of each. Lemma V38
 
 use impact_pair_document::AtlasRecord;
 use impact_pair_exact::Exact;
@@ -6,10 +6,10 @@ use impact_pair_model::Error;
 
 use super::grid::{Axes, and, is_one, on_axis};
 
-/// Tiles along an axis, at most.
+/// Greatest number of tiles along an axis.
 const MAX_TILES: u64 = 8;
 
-/// A cell: the places of its ends on each axis, of which the smallest ones have one after the other.
+/// A cell, by the positions of its ends on each axis; the ends of smallest cells are adjacent.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Tile {
     from: [u64; 2],
@@ -17,7 +17,7 @@ pub(super) struct Tile {
 }
 
 impl Tile {
-    /// The tile of a number, among those that N and M smallest cells along the axes are in; `None` where there is none.
+    /// The tile number `point` of the tiles that group `counts` smallest cells along the axes; `None` where there is no such tile.
     pub fn of(point: u64, counts: [u64; 2]) -> Option<Self> {
         let tiles = tiles(counts);
         let at = [point.checked_div(tiles[1])?, point.checked_rem(tiles[1])?];
@@ -30,7 +30,7 @@ impl Tile {
         Some(Self { from: ends(0)?, to: ends(1)? })
     }
 
-    /// The cells that it is cut into, in two or in four; none of the smallest.
+    /// The two or four cells into which the cell is cut; none for a smallest cell.
     pub fn quarters(&self) -> Vec<Self> {
         let parts = |axis: usize| {
             let (from, to) = (self.from[axis], self.to[axis]);
@@ -44,27 +44,27 @@ impl Tile {
         if all.len() == 1 { Vec::new() } else { all }
     }
 
-    /// Its place on each axis.
+    /// Position of the cell on each axis.
     pub fn places(&self) -> Vec<Option<u64>> {
         self.from.map(Some).to_vec()
     }
 }
 
 impl Axes<'_> {
-    /// The smallest cells along each of two axes; `None` where there are not two.
+    /// The numbers of smallest cells along two axes; `None` unless there are two axes.
     pub fn cells(&self) -> Option<[u64; 2]> {
         <[u64; 2]>::try_from(self.counts()).ok()
     }
 
-    /// Returns whether there are as many tiles as are given.
+    /// Whether the given number of tiles is right.
     pub fn are_all_tiles(&self) -> bool {
         self.cells().map(tiles).is_some_and(|[one, other]| one * other == self.points())
     }
 
-    /// Returns whether the values of a record are the intervals of a cell; `None` where that is undecided.
+    /// Whether the values of a record are the intervals of a cell; `None` if undecided.
     ///
     /// # Errors
-    /// Returns an error if there is not one value of each axis, or one is not a number.
+    /// Returns an error unless there is one number for each axis.
     pub fn are_of_cell(&self, cell: &Tile, record: &AtlasRecord) -> Result<Option<bool>, Error> {
         let wrong = |message: String| Error::certificate(format!("values: {message}"));
         if record.values.len() != 2 {
@@ -84,7 +84,7 @@ impl Axes<'_> {
     }
 }
 
-/// The tiles along each axis that these numbers of smallest cells are in.
+/// The numbers of tiles along the axes for these numbers of smallest cells.
 fn tiles(counts: [u64; 2]) -> [u64; 2] {
     counts.map(|count| count.min(MAX_TILES)) // V38: no more tiles than cells
 }
@@ -93,7 +93,7 @@ fn tiles(counts: [u64; 2]) -> [u64; 2] {
 mod tests {
     use super::*;
 
-    /// Each of the smallest cells is in one tile, and in one cell that is not cut.
+    /// Each smallest cell is in exactly one tile, and in exactly one cell that is not cut.
     #[test]
     fn v38_tiles_and_quarters_cover_the_rectangle_once() {
         for counts in [[2, 2], [3, 5], [8, 8], [13, 20], [2, 40]] {

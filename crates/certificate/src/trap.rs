@@ -1,4 +1,4 @@
-//! The JSON of a region, read back.
+//! The JSON of a trapping region, read back.
 
 use impact_pair_document::{Place, TRAP_SCHEMA, TrapDocument, value};
 use impact_pair_model::{Error, ImpactPair, Start};
@@ -26,7 +26,7 @@ impl TrapCertificate {
         }
         let mut unjudged = vec!["program".to_owned()];
         if document.entered_at_impact.is_none() {
-            // The region is that of every start.
+            // The region holds for every start.
             unjudged.extend(["scene.excitation.phase", "scene.start"].map(str::to_owned));
         }
         unjudged.sort();
@@ -46,14 +46,14 @@ impl TrapCertificate {
         &self.document
     }
 
-    /// Returns how many boxes its region has.
+    /// Number of boxes of the region.
     pub fn count(&self) -> usize {
         // exact: no run is longer than an integer of 32 bits
         let boxes = |&[_, first, last]: &[i32; 3]| usize::try_from(i64::from(last) - i64::from(first) + 1).unwrap_or(0);
         self.document.region.iter().map(boxes).sum()
     }
 
-    /// Returns the keys of the document that claim nothing which [`check_within`](Self::check_within) judges.
+    /// Keys of the document whose values [`check_within`](Self::check_within) does not check.
     pub fn unjudged(&self) -> &[String] {
         &self.unjudged
     }

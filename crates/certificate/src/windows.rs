@@ -1,4 +1,4 @@
-//! The JSON of windows, read back: what it claims of each stable orbit and of the ends of its window.
+//! The JSON of windows, read back: the claims about each stable orbit and about the ends of its window.
 
 use super::attraction::{ClaimedOrbit, Stability};
 use super::bifurcation::{ClaimedPoint, Kind, own_value, parameter};
@@ -21,12 +21,12 @@ pub struct WindowsCertificate {
     unjudged: Vec<String>,
 }
 
-/// A window that is claimed.
+/// A claimed window.
 #[derive(Clone, Debug)]
 pub(super) struct ClaimedWindow {
-    /// The orbit at its value, as a periodic JSON claims it.
+    /// The orbit at the window's value of the parameter, as a periodic JSON claims it.
     pub orbit: PeriodicCertificate,
-    /// Its ends, as points of a bifurcation JSON whose orbits are not claimed: that of the window is near them.
+    /// The ends of the window, as points of a bifurcation JSON without claimed orbits: the window's orbit is near them.
     pub ends: Vec<ClaimedPoint>,
     /// The value of the parameter.
     pub at: Exact,
@@ -61,7 +61,7 @@ impl WindowsCertificate {
         let open = document.windows.iter().enumerate().filter(|(_, window)| window.orbit.symmetric.is_none());
         let of_open = |i: usize| [format!("windows[{i}].reduced_impacts"), format!("windows[{i}].flights")];
         unjudged.extend(open.flat_map(|(i, _)| of_open(i)));
-        // That a bifurcation near the orbit is an end of its window follows from the orbits between them alone. Lemma V30
+        // That a bifurcation near the orbit is an end of its window follows only from the orbits between the ends. Lemma V30
         let apart = document.windows.iter().enumerate().filter(|(_, window)| !window.stable_between);
         unjudged.extend(apart.flat_map(|(i, _)| ["ends", "from", "to"].map(|key| format!("windows[{i}].{key}"))));
         unjudged.extend(document.windows.iter().any(|own| own.reason.is_some()).then(|| "windows.reason".to_owned()));
@@ -93,12 +93,12 @@ impl WindowsCertificate {
         self.contradiction.as_deref()
     }
 
-    /// Returns how many windows it claims.
+    /// Number of claimed windows.
     pub fn count(&self) -> usize {
         self.windows.len()
     }
 
-    /// Returns the keys of the document that claim nothing which [`check_within`](Self::check_within) judges.
+    /// Keys of the document whose values [`check_within`](Self::check_within) does not check.
     pub fn unjudged(&self) -> &[String] {
         &self.unjudged
     }
@@ -129,7 +129,7 @@ impl ClaimedWindow {
     }
 }
 
-/// Returns a statement of the document that its own fields exclude.
+/// A statement of the document that its own fields contradict.
 fn contradiction(document: &WindowsDocument, over: Key) -> Option<String> {
     let WindowsDocument { certified, windows, interrupted, over: range, .. } = document;
     let is_whole = |window: &WindowDocument| {
@@ -191,7 +191,7 @@ fn contradiction(document: &WindowsDocument, over: Key) -> Option<String> {
 /// Bits in which the value of a window is compared with its ends.
 const BITS: u32 = 4096;
 
-/// The contradiction of a window's flights to its word and its impacts.
+/// A contradiction between a window's flights and its word or its impacts.
 fn wrong_flights(window: &WindowDocument) -> Option<String> {
     let flights = window.flights.as_bytes();
     if flights.len() != window.reduced_impacts as usize || flights.iter().any(|flight| !b"FN".contains(flight)) {
@@ -208,26 +208,26 @@ fn wrong_flights(window: &WindowDocument) -> Option<String> {
     if !is_one {
         return Some(".flights: contradicts the impacts of the orbit".to_owned());
     }
-    // An orbit that is the mirror image of itself after half of its impacts, and no other one, has a mirrored period.
+    // An orbit that is its own mirror image after half of its impacts has a mirrored period, and no other orbit has.
     let is_symmetric = window.orbit.symmetric == Some(true);
     (window.orbit.symmetric.is_some() && is_odd != is_symmetric)
         .then(|| ".orbit.symmetric: contradicts the number of flights to the far wall".to_owned())
 }
 
 impl ClaimedWindow {
-    /// Returns whether its orbit is claimed to be a stable one.
+    /// Whether the window's orbit is claimed to be stable.
     pub(super) fn is_stable(&self) -> bool {
         self.orbit.orbits().iter().all(|claim| claim.orbit.stability == Stability::Stable)
     }
 
-    /// Returns whether its flights are those of another one from some impact on.
+    /// Whether the flights are a cyclic rotation of the flights of another window.
     pub(super) fn has_flights_of(&self, other: &Self) -> bool {
         let (own, others) = (&self.flights, &other.flights);
         let from = |shift: usize| (0..own.len()).all(|i| own[(i + shift) % own.len()] == others[i]);
         own.len() == others.len() && (0..own.len()).any(from)
     }
 
-    /// Returns whether a value lies outside its ends, between which all its orbits are claimed.
+    /// Whether a value lies outside the window, if the window claims all orbits between its ends.
     pub(super) fn is_without(&self, value: &Exact) -> bool {
         let (value, [from, to]) = (value.enclose(BITS), &self.ends[..]) else { return false };
         let is_outside = compare_rational(value.sup(), &from.parameter[0]).is_lt()
